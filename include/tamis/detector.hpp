@@ -1,0 +1,44 @@
+// Continuous collision detection of a mesh with itself, step after step.
+#pragma once
+#include <memory>
+#include <vector>
+
+#include "tamis/contact.hpp"
+#include "tamis/mesh.hpp"
+#include "tamis/options.hpp"
+#include "tamis/statistics.hpp"
+#include "tamis/step.hpp"
+
+namespace tamis {
+
+/// Holds a mesh and the hierarchy over it. The first question builds the hierarchy; later ones refit it, and
+/// rebuild it by themselves once refitting has made it poor. Pairs are vertex-face and edge-edge, of features
+/// without a common vertex. One question at a time; the answers do not depend on the number of threads, on the
+/// instruction set, or on earlier questions.
+class Detector {
+ public:
+  /// Throws InvalidOptions.
+  explicit Detector(Mesh mesh, Options options = {});
+  ~Detector();
+  Detector(Detector&&) noexcept;
+  Detector& operator=(Detector&&) noexcept;
+
+  /// All contacts of the step, by kind, then vertices. The vector is valid until the next question.
+  /// Every question throws InvalidStep if the positions do not fit the mesh or are not finite.
+  const std::vector<Contact>& contacts(const Step& step);
+  /// The first contact: how far the step may go.
+  EarliestContact earliest(const Step& step);
+  /// Is the whole step free of contacts?
+  bool is_free(const Step& step);
+
+  const Mesh& mesh() const;
+  const Options& options() const;
+  /// Of the last question.
+  const Statistics& statistics() const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace tamis

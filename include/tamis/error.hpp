@@ -1,0 +1,27 @@
+// What the library throws. Every message says what is wrong, where, and what to do.
+#pragma once
+#include <stdexcept>
+
+namespace tamis {
+
+/// Base of all exceptions of this library.
+struct Error : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// A topology that cannot be used: an index out of range, no feature at all.
+struct InvalidMesh : Error {
+  using Error::Error;
+};
+
+/// Positions that do not fit the mesh, or are not finite.
+struct InvalidStep : Error {
+  using Error::Error;
+};
+
+/// An option outside its documented range, or an unknown name.
+struct InvalidOptions : Error {
+  using Error::Error;
+};
+
+}  // namespace tamis

@@ -1,0 +1,64 @@
+// Everything a caller may choose, each with its default.
+#pragma once
+#include <cstdint>
+#include <functional>
+#include <string_view>
+#include <vector>
+
+#include "tamis/contact.hpp"
+
+namespace tamis {
+
+/// How pairs are found and culled. Every method returns the same set of contacts.
+enum class Method : std::uint8_t {
+  tamis,  ///< boxes that move in time, slab clip, DNF, NCF, certified roots
+  paper,  ///< the published NCF pipeline, to the letter
+  brute,  ///< every pair, no hierarchy: for tests
+};
+
+/// What happens to a pair that floating point cannot decide.
+enum class Guarantee : std::uint8_t {
+  conservative,  ///< it is reported as an unresolved contact
+  exact,         ///< it is decided by exact algebra on the double inputs
+};
+
+/// Instruction set of the hot loops; every one gives the same bits.
+enum class Isa : std::uint8_t { best, baseline, avx2, avx512 };
+
+/// Names as on the command line, and back. Throw InvalidOptions, naming the choices, if there is no such name.
+Method method_from_name(std::string_view name);
+Guarantee guarantee_from_name(std::string_view name);
+Isa isa_from_name(std::string_view name);
+std::string_view name_of(Method);
+std::string_view name_of(Guarantee);
+std::string_view name_of(Isa);
+
+/// Which pairs of objects may touch. Vertices carry a group; a feature belongs to the group of its first vertex.
+struct PairFilter {
+  /// Group of each vertex, in [0, group_count); empty: all in group 0.
+  std::vector<Index> group_of_vertex;
+  Index group_count = 1;
+  /// group_count x group_count, symmetric, row-major; 0 leaves the pair of groups out. Empty: all are tested.
+  std::vector<std::uint8_t> groups_may_touch;
+  /// Asked last, for every pair still there; must be safe to call from several threads. Vertices as in Contact.
+  std::function<bool(PairKind, const std::array<Index, 4>&)> accepts;
+
+  bool empty() const { return groups_may_touch.empty() && !accepts; }
+  /// Pairs within one group are left out (no self-contact).
+  static PairFilter no_self_contact(std::vector<Index> group_of_vertex);
+  /// Pairs of two static groups, or within one, are left out. `is_static`: one flag a group.
+  static PairFilter no_static_pairs(std::vector<Index> group_of_vertex, const std::vector<bool>& is_static);
+};
+
+struct Options {
+  Method method = Method::tamis;
+  Guarantee guarantee = Guarantee::conservative;
+  /// Threads to use; 0: as many as the caller's oneTBB arena gives. The answer does not depend on it.
+  int threads = 0;
+  /// d >= 0, in the unit of the positions: contact means Euclidean distance <= d at some time.
+  double min_separation = 0;
+  Isa isa = Isa::best;
+  PairFilter filter;
+};
+
+}  // namespace tamis

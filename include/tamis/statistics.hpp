@@ -1,0 +1,49 @@
+// What the last question to a detector cost.
+#pragma once
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "tamis/options.hpp"
+
+namespace tamis {
+
+/// Pairs that enter a stage of the pipeline.
+struct StageCount {
+  std::string_view name;
+  std::uint64_t vf = 0;
+  std::uint64_t ee = 0;
+};
+
+/// Wall-clock seconds of each part; with several threads `traverse`, `filter` and `solve` share one pass over the
+/// tree, and their parts are scaled from the sums over the threads.
+struct Seconds {
+  double bounds = 0;
+  double build = 0;
+  double traverse = 0;
+  double filter = 0;
+  double solve = 0;
+  double total = 0;
+};
+
+/// Pairs decided by each arithmetic.
+struct PrecisionCount {
+  std::uint64_t lanes = 0;     ///< SIMD doubles with error bounds
+  std::uint64_t scalar = 0;    ///< subdivision in time, doubles with error bounds
+  std::uint64_t extended = 0;  ///< the same in double-double
+  std::uint64_t exact = 0;     ///< exact algebra
+};
+
+struct Statistics {
+  Method method = Method::tamis;
+  Isa isa = Isa::baseline;  ///< the one that ran, never `best`
+  int threads = 1;
+  std::vector<StageCount> stages;  ///< in pipeline order, the first being the pairs of features whose boxes meet
+  PrecisionCount decided_by;
+  Seconds seconds;
+  std::uint64_t nodes_visited = 0;
+  bool rebuilt = false;            ///< the hierarchy was built, not refitted
+  std::uint64_t memory_bytes = 0;  ///< held by the detector: hierarchy, buffers, contacts
+};
+
+}  // namespace tamis

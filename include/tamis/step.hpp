@@ -1,0 +1,55 @@
+// Where every vertex is at the start and at the end of a time step: two views, nothing is copied.
+#pragma once
+#include <array>
+#include <concepts>
+#include <cstddef>
+#include <span>
+
+#include "tamis/mesh.hpp"
+
+namespace tamis {
+
+using Point = std::array<double, 3>;
+
+/// An Eigen-like dense matrix: row-major, three columns. Eigen itself is not needed.
+template <class M>
+concept RowMajorMatrix = requires(const M& m) {
+  { m.data() } -> std::convertible_to<const double*>;
+  { m.rows() } -> std::convertible_to<std::ptrdiff_t>;
+  { m.cols() } -> std::convertible_to<std::ptrdiff_t>;
+  { m.outerStride() } -> std::convertible_to<std::ptrdiff_t>;
+  requires bool(M::IsRowMajor);
+};
+
+/// A read-only view of n x 3 doubles; the caller keeps the memory alive.
+class Positions {
+ public:
+  Positions() = default;
+  /// `stride`: distance in doubles from one vertex to the next, >= 3.
+  Positions(const double* data, Index count, std::ptrdiff_t stride = 3) : data_(data), count_(count), stride_(stride) {}
+  Positions(std::span<const Point> points)
+      : Positions(points.empty() ? nullptr : points.front().data(), static_cast<Index>(points.size())) {}
+  Positions(const std::vector<Point>& points) : Positions(std::span<const Point>(points)) {}
+  template <RowMajorMatrix M>
+  Positions(const M& matrix)
+      : Positions(matrix.cols() == 3 ? matrix.data() : nullptr, static_cast<Index>(matrix.rows()),
+                  static_cast<std::ptrdiff_t>(matrix.outerStride())) {}
+
+  const double* operator[](Index vertex) const { return data_ + vertex * stride_; }
+  const double* data() const { return data_; }
+  Index count() const { return count_; }
+  std::ptrdiff_t stride() const { return stride_; }
+
+ private:
+  const double* data_ = nullptr;
+  Index count_ = 0;
+  std::ptrdiff_t stride_ = 3;
+};
+
+/// One time step: each vertex moves on a straight line from `start` (t=0) to `end` (t=1).
+struct Step {
+  Positions start;
+  Positions end;
+};
+
+}  // namespace tamis

@@ -1,0 +1,10 @@
+// Tamis: every contact between moving, deforming triangle meshes.
+#pragma once
+#include "tamis/contact.hpp"
+#include "tamis/detector.hpp"
+#include "tamis/error.hpp"
+#include "tamis/mesh.hpp"
+#include "tamis/options.hpp"
+#include "tamis/pair.hpp"
+#include "tamis/statistics.hpp"
+#include "tamis/step.hpp"

@@ -1,0 +1,24 @@
+// DNF, the deforming non-penetration filter (Tang, Manocha, Tong 2010): the four points are never coplanar, because
+// all coefficients of the coplanarity cubic have one strict sign.
+// Error bound: error_bounds::kCoplanarity*. Cost: about 110 operations.
+#pragma once
+#include "filters/filter.hpp"
+#include "motion/polynomials.hpp"
+
+namespace tamis {
+
+struct Dnf {
+  static constexpr std::string_view name = "dnf";
+
+  template <PairKind kind, class T>
+  static Mask<T> proves_free(const PairMotion<T>& m) {
+    const auto k = coplanarity_polynomial(m.d, normal_polynomial(m.e, m.f));
+    const T unit = m.size_d * m.size_e * m.size_f;
+    const T end = T(error_bounds::kCoplanarityEnd) * unit + T(error_bounds::kUnderflow);
+    const T middle = T(error_bounds::kCoplanarityMiddle) * unit + T(error_bounds::kUnderflow);
+    return ((k[0] > end) & (k[1] > middle) & (k[2] > middle) & (k[3] > end)) |
+           ((k[0] < -end) & (k[1] < -middle) & (k[2] < -middle) & (k[3] < -end));
+  }
+};
+
+}  // namespace tamis

@@ -1,0 +1,19 @@
+// From the positions of four points to the scaled motion of the pair, for one pair at a time.
+#pragma once
+#include <array>
+
+#include "motion/pair_motion.hpp"
+#include "tamis/step.hpp"
+
+namespace tamis {
+
+/// Four points at t=0 and at t=1. vf: the point, then a, b, c. ee: a0, a1, b0, b1.
+struct PairPoints {
+  std::array<Point, 4> start, end;
+};
+
+/// The pair's motion times the power of two that brings its largest size into [1/2, 1), so that no decision depends
+/// on the unit of length. Sizes are infinite or NaN where a difference overflows: no comparison then proves anything.
+PairMotion<double> make_motion(PairKind kind, const PairPoints& points);
+
+}  // namespace tamis

@@ -1,0 +1,61 @@
+// The linear motion of one pair of features, relative to itself: three moving vectors.
+//   vertex-face p against a,b,c:   e = b - a,    f = c - a,    d = p - a
+//   edge-edge   a0a1 against b0b1: e = a1 - a0,  f = b1 - b0,  d = b0 - a0
+// One template on the number type T: double, SIMD lanes, interval, exact rational.
+#pragma once
+#include "numerics/vec.hpp"
+#include "tamis/contact.hpp"
+
+namespace tamis {
+
+/// A vector that goes linearly from `at0` (t=0) to `at1` (t=1).
+template <class T>
+struct Moving {
+  Vec3<T> at0, at1;
+};
+
+template <class T>
+inline Moving<T> operator-(const Moving<T>& a, const Moving<T>& b) {
+  return {a.at0 - b.at0, a.at1 - b.at1};
+}
+template <class T>
+inline Moving<T> operator+(const Moving<T>& a, const Moving<T>& b) {
+  return {a.at0 + b.at0, a.at1 + b.at1};
+}
+template <class T>
+inline Moving<T> operator-(const Moving<T>& a) {
+  return {-a.at0, -a.at1};
+}
+
+/// `size_*` bound every |component| of the unrestricted vector: the unit of its rounding errors. They stay those of
+/// the whole step when the motion is restricted to a part of it.
+template <class T>
+struct PairMotion {
+  Moving<T> e, f, d;
+  T size_e, size_f, size_d;
+};
+
+/// Position of the vector at time t; off by at most 3 u times its size.
+template <class T>
+inline Vec3<T> at_time(const Moving<T>& v, const T& t) {
+  const T s = T(1) - t;
+  return s * v.at0 + t * v.at1;
+}
+
+template <class T>
+inline Moving<T> restrict_to(const Moving<T>& v, const T& t_in, const T& t_out) {
+  return {at_time(v, t_in), at_time(v, t_out)};
+}
+
+/// The motion during [t_in, t_out], with that time mapped to [0,1]. REQUIRES: `m` is not itself restricted.
+template <class T>
+inline PairMotion<T> restrict_to(const PairMotion<T>& m, const T& t_in, const T& t_out) {
+  return {restrict_to(m.e, t_in, t_out),
+          restrict_to(m.f, t_in, t_out),
+          restrict_to(m.d, t_in, t_out),
+          m.size_e,
+          m.size_f,
+          m.size_d};
+}
+
+}  // namespace tamis

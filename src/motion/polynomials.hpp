@@ -1,0 +1,36 @@
+// The polynomials in time of a pair's motion, as Bernstein coefficients without their binomials (a coefficient i of
+// degree n is C(n,i) times the Bernstein coefficient: only its sign matters for culling).
+#pragma once
+#include <array>
+
+#include "motion/pair_motion.hpp"
+
+namespace tamis {
+
+/// n(t) = e(t) x f(t), quadratic. (The form n0 + n1 - (e1-e0) x (f1-f0) of the papers is equal, but cancels.)
+template <class T>
+inline std::array<Vec3<T>, 3> normal_polynomial(const Moving<T>& e, const Moving<T>& f) {
+  return {cross(e.at0, f.at0), cross(e.at0, f.at1) + cross(e.at1, f.at0), cross(e.at1, f.at1)};
+}
+
+/// K(t) = d(t).n(t), cubic: zero iff the four points are coplanar (Provot 1997; Tang, Manocha, Tong 2010).
+template <class T>
+inline std::array<T, 4> coplanarity_polynomial(const Moving<T>& d, const std::array<Vec3<T>, 3>& n) {
+  return {dot(d.at0, n[0]), dot(d.at0, n[1]) + dot(d.at1, n[0]), dot(d.at0, n[2]) + dot(d.at1, n[1]), dot(d.at1, n[2])};
+}
+
+/// M(t) = w(t) x n(t), cubic: normal of the moving plane through an edge with direction w, orthogonal to the pair's.
+template <class T>
+inline std::array<Vec3<T>, 4> edge_plane_polynomial(const Moving<T>& w, const std::array<Vec3<T>, 3>& n) {
+  return {cross(w.at0, n[0]), cross(w.at0, n[1]) + cross(w.at1, n[0]), cross(w.at0, n[2]) + cross(w.at1, n[1]),
+          cross(w.at1, n[2])};
+}
+
+/// S(t) = x(t).M(t), quartic: on which side of the edge plane a point lies, x being its difference to the edge.
+template <class T>
+inline std::array<T, 5> side_polynomial(const Moving<T>& x, const std::array<Vec3<T>, 4>& m) {
+  return {dot(x.at0, m[0]), dot(x.at0, m[1]) + dot(x.at1, m[0]), dot(x.at0, m[2]) + dot(x.at1, m[1]),
+          dot(x.at0, m[3]) + dot(x.at1, m[2]), dot(x.at1, m[3])};
+}
+
+}  // namespace tamis

@@ -1,0 +1,33 @@
+// Every rounding-error constant of the double-precision culling and solving, with its derivation in short;
+// docs/numerics.md has the long form. Unit: u = 2^-53, times the product of the sizes of the vectors involved.
+//
+// A pair is three moving vectors e, f, d with sizes E, F, D = the largest |component| at t=0 and t=1, scaled by a
+// power of two so that the largest size is below 1 (motion/pair_motion.hpp).
+#pragma once
+
+namespace tamis::error_bounds {
+
+inline constexpr double kUnitRoundoff = 0x1p-53;
+
+/// Added to every bound: products that underflow are wrong by at most 2^-1075 each, after fewer than 2^10
+/// operations on numbers below 2^7.
+inline constexpr double kUnderflow = 0x1p-1000;
+
+/// A component of a vector, or of a sum of two, is off by at most 8 u times its size: 1 u from the subtraction of
+/// the positions, 3 u from restricting the motion to a part of the step, 1 u from the sum; rounded up.
+inline constexpr double kInput = 8;
+
+// Coplanarity K = d.(e x f), unit D E F. N0, N2: 4 kInput + 4 = 36, |N0| <= 2; N1: 76, |N1| <= 4.
+// K0, K3: 3 (2 kInput + 36 + 2) + 10 = 172. K1, K2: 3 (4 kInput + 76 + 4) + 20 + 172 + 18 = 546.
+inline constexpr double kCoplanarityEnd = 180 * kUnitRoundoff;
+inline constexpr double kCoplanarityMiddle = 560 * kUnitRoundoff;
+
+// Side of an edge plane S = x.(w x n), n = e x f, unit X W E F, for the edge's direction w and a point's difference x.
+// M0, M3: 2 (2 kInput + 36 + 2) + 4 = 112, |M0| <= 4; M1, M2: 2 (4 kInput + 76 + 4) + 8 + 112 + 12 = 356, |M1| <= 12.
+// S0, S4: 3 (4 kInput + 112 + 4) + 20 = 464; S1, S3: 3 (12 kInput + 356 + 12) + 60 + 464 + 48 = 1964;
+// S2: 2 * 1452 + 72 = 2976.
+inline constexpr double kSideEnd = 480 * kUnitRoundoff;
+inline constexpr double kSideNext = 2000 * kUnitRoundoff;
+inline constexpr double kSideMiddle = 3000 * kUnitRoundoff;
+
+}  // namespace tamis::error_bounds

@@ -1,0 +1,104 @@
+#include "tamis/mesh.hpp"
+
+#include <algorithm>
+#include <string>
+
+#include "tamis/error.hpp"
+
+namespace tamis {
+namespace {
+
+std::size_t at(Index i) { return static_cast<std::size_t>(i); }
+
+void check_index(Index index, Index vertex_count, const char* what, std::size_t element) {
+  if (index >= 0 && index < vertex_count) return;
+  throw InvalidMesh(std::string(what) + " " + std::to_string(element) + " names vertex " + std::to_string(index) +
+                    ", but there are " + std::to_string(vertex_count) +
+                    " vertices: indices must be in [0, vertex count)");
+}
+
+template <class Elements>
+void check_indices(const Elements& elements, Index vertex_count, const char* what) {
+  for (std::size_t i = 0; i < elements.size(); ++i)
+    for (Index index : elements[i]) check_index(index, vertex_count, what, i);
+}
+
+Edge ascending(Index a, Index b) { return a < b ? Edge{a, b} : Edge{b, a}; }
+
+/// The edge of a face's side, if it is one.
+struct Side {
+  Edge edge;
+  Index face;  ///< -1 for a loose edge
+  Index side;
+};
+
+std::vector<Side> collect_sides(const std::vector<Face>& faces, const std::vector<Edge>& loose_edges) {
+  std::vector<Side> sides;
+  sides.reserve(3 * faces.size() + loose_edges.size());
+  for (std::size_t f = 0; f < faces.size(); ++f)
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Index a = faces[f][k], b = faces[f][(k + 1) % 3];
+      if (a != b) sides.push_back({ascending(a, b), static_cast<Index>(f), static_cast<Index>(k)});
+    }
+  for (const Edge& edge : loose_edges)
+    if (edge[0] != edge[1]) sides.push_back({ascending(edge[0], edge[1]), -1, 0});
+  std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
+    return a.edge != b.edge ? a.edge < b.edge : a.face != b.face ? a.face < b.face : a.side < b.side;
+  });
+  return sides;
+}
+
+void close_row(IndexRows& rows) { rows.offsets.push_back(static_cast<Index>(rows.items.size())); }
+
+IndexRows faces_by_vertex(Index vertex_count, const std::vector<Face>& faces) {
+  IndexRows rows;
+  rows.offsets.assign(at(vertex_count) + 1, 0);
+  const auto is_repeated = [](const Face& face, std::size_t k) {
+    return (k > 0 && face[k] == face[0]) || (k == 2 && face[2] == face[1]);
+  };
+  for (const Face& face : faces)
+    for (std::size_t k = 0; k < 3; ++k)
+      if (!is_repeated(face, k)) ++rows.offsets[at(face[k]) + 1];
+  for (std::size_t v = 0; v < at(vertex_count); ++v) rows.offsets[v + 1] += rows.offsets[v];
+  rows.items.resize(at(rows.offsets.back()));
+  std::vector<Index> next(rows.offsets.begin(), rows.offsets.end() - 1);
+  for (std::size_t f = 0; f < faces.size(); ++f)
+    for (std::size_t k = 0; k < 3; ++k)
+      if (!is_repeated(faces[f], k)) rows.items[at(next[at(faces[f][k])]++)] = static_cast<Index>(f);
+  return rows;
+}
+
+}  // namespace
+
+Mesh::Mesh(Index vertex_count, std::vector<Face> faces, std::vector<Edge> loose_edges, std::vector<Index> loose_points)
+    : vertex_count_(vertex_count), faces_(std::move(faces)) {
+  check_indices(faces_, vertex_count, "face");
+  check_indices(loose_edges, vertex_count, "loose edge");
+  for (std::size_t i = 0; i < loose_points.size(); ++i) check_index(loose_points[i], vertex_count, "loose point", i);
+  if (faces_.empty() && loose_edges.empty() && loose_points.empty())
+    throw InvalidMesh("the mesh has no face, no edge and no point: give at least one feature");
+
+  edges_of_face_.assign(faces_.size(), {-1, -1, -1});
+  for (const Side& side : collect_sides(faces_, loose_edges)) {
+    if (edges_.empty() || edges_.back() != side.edge) {
+      if (!edges_.empty()) close_row(faces_of_edge_);
+      edges_.push_back(side.edge);
+    }
+    if (side.face < 0) continue;
+    edges_of_face_[at(side.face)][at(side.side)] = static_cast<Index>(edges_.size()) - 1;
+    const auto row = std::span(faces_of_edge_.items).subspan(at(faces_of_edge_.offsets.back()));
+    if (row.empty() || row.back() != side.face) faces_of_edge_.items.push_back(side.face);
+  }
+  if (!edges_.empty()) close_row(faces_of_edge_);
+  faces_of_vertex_ = faces_by_vertex(vertex_count, faces_);
+
+  std::vector<bool> used(at(vertex_count), false);
+  for (const Face& face : faces_)
+    for (Index v : face) used[at(v)] = true;
+  for (const Edge& edge : loose_edges) used[at(edge[0])] = used[at(edge[1])] = true;
+  for (Index v : loose_points) used[at(v)] = true;
+  for (Index v = 0; v < vertex_count; ++v)
+    if (used[at(v)]) points_.push_back(v);
+}
+
+}  // namespace tamis

@@ -30,4 +30,18 @@ inline constexpr double kSideEnd = 480 * kUnitRoundoff;
 inline constexpr double kSideNext = 2000 * kUnitRoundoff;
 inline constexpr double kSideMiddle = 3000 * kUnitRoundoff;
 
+// The value of K at a time in [0,1], same unit: its coefficients' errors weighted by (1-t)^(3-i) t^i, at most
+// kCoplanarityEnd + kCoplanarityMiddle / 4 = 320 u; evaluation on |K0|,|K3| <= 6, |K1|,|K2| <= 18: below 12 * 10.5 =
+// 126 u.
+inline constexpr double kCoplanarityValue = 450 * kUnitRoundoff;
+
+// The value of S from vectors at one time (3 u more than kInput each, see at_time): as S0 with kInput = 12:
+// N 52, M 2 (2*12 + 52 + 2) + 4 = 160, S 3 (4*12 + 160 + 4) + 20 = 656. Within a time r of there S changes by at most
+// kSideSlope r: four factors, each changing by at most 2 r of its size, |S| <= 12.
+inline constexpr double kSideValue = 700 * kUnitRoundoff;
+inline constexpr double kSideSlope = 100;
+
+// A difference projected on an axis with components in {-1,0,1}, unit D + E + F: 3 (kInput + 3) + 2 * 3 = 39.
+inline constexpr double kProjection = 48 * kUnitRoundoff;
+
 }  // namespace tamis::error_bounds

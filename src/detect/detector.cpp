@@ -1,0 +1,113 @@
+#include "tamis/detector.hpp"
+
+#include <tbb/global_control.h>
+#include <tbb/parallel_sort.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <chrono>
+#include <tuple>
+
+#include "detect/engine.hpp"
+#include "detect/validate.hpp"
+#include "tamis/error.hpp"
+
+namespace tamis {
+namespace {
+
+std::unique_ptr<Engine> make_engine(const Mesh& mesh, const Options& options) {
+  switch (options.method) {
+    case Method::tamis:
+      return make_tamis_engine(mesh, options);
+    case Method::paper:
+      return make_paper_engine(mesh, options);
+    case Method::brute:
+      return make_brute_engine(mesh, options);
+  }
+  throw InvalidOptions("unknown method");
+}
+
+/// The documented order; duplicate features leave equal keys, so the times come last.
+bool comes_before(const Contact& a, const Contact& b) {
+  return std::tie(a.kind, a.vertices, a.toi_lower) < std::tie(b.kind, b.vertices, b.toi_lower);
+}
+
+/// The step must stop at the smallest lower end; certified contacts give the smallest upper end.
+EarliestContact first_of(const std::vector<Contact>& contacts) {
+  EarliestContact first;
+  for (const Contact& c : contacts) {
+    if (c.certainty == Certainty::certified) first.toi_upper = std::min(first.toi_upper, c.toi_upper);
+    const bool is_earlier = !first.contact || c.toi_lower < first.toi_lower ||
+                            (c.toi_lower == first.toi_lower && comes_before(c, *first.contact));
+    if (!is_earlier) continue;
+    first.toi_lower = c.toi_lower;
+    first.contact = c;
+  }
+  return first;
+}
+
+}  // namespace
+
+struct Detector::State {
+  State(Mesh m, Options o) : mesh(std::move(m)), options(std::move(o)) {
+    validate(options, mesh);
+    engine = make_engine(mesh, options);
+    if (options.threads > 0) arena.initialize(options.threads);
+  }
+
+  void ask(const Step& step, Question question) {
+    validate(step, mesh);
+    const auto start = std::chrono::steady_clock::now();
+    statistics = {};
+    statistics.method = options.method;
+    contacts.clear();
+    in_arena([&] {
+      statistics.threads = tbb::this_task_arena::max_concurrency();
+      engine->find(step, question, contacts, statistics);
+      if (question == Question::all_contacts) tbb::parallel_sort(contacts.begin(), contacts.end(), comes_before);
+    });
+    statistics.memory_bytes = engine->memory_bytes() + contacts.capacity() * sizeof(Contact);
+    statistics.seconds.total = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  }
+
+  template <class F>
+  void in_arena(const F& f) {
+    if (options.threads > 0)
+      arena.execute(f);
+    else
+      f();
+  }
+
+  Mesh mesh;
+  Options options;
+  tbb::task_arena arena;
+  std::unique_ptr<Engine> engine;
+  std::vector<Contact> contacts;
+  Statistics statistics;
+};
+
+Detector::Detector(Mesh mesh, Options options) : state_(std::make_unique<State>(std::move(mesh), std::move(options))) {}
+Detector::~Detector() = default;
+Detector::Detector(Detector&&) noexcept = default;
+Detector& Detector::operator=(Detector&&) noexcept = default;
+
+const std::vector<Contact>& Detector::contacts(const Step& step) {
+  state_->ask(step, Question::all_contacts);
+  return state_->contacts;
+}
+
+EarliestContact Detector::earliest(const Step& step) {
+  state_->ask(step, Question::earliest);
+  return first_of(state_->contacts);
+}
+
+bool Detector::is_free(const Step& step) {
+  state_->ask(step, Question::is_free);
+  return state_->contacts.empty();
+}
+
+const Mesh& Detector::mesh() const { return state_->mesh; }
+const Options& Detector::options() const { return state_->options; }
+const Statistics& Detector::statistics() const { return state_->statistics; }
+
+}  // namespace tamis

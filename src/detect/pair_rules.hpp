@@ -1,0 +1,40 @@
+// Which pairs of features are pairs at all: those without a common vertex that the caller's filter lets pass.
+#pragma once
+#include <algorithm>
+#include <array>
+
+#include "tamis/options.hpp"
+
+namespace tamis {
+
+using PairVertices = std::array<Index, 4>;  ///< as in Contact, before sorting
+
+inline bool are_adjacent(PairKind kind, const PairVertices& v) {
+  if (kind == PairKind::vertex_face) return v[0] == v[1] || v[0] == v[2] || v[0] == v[3];
+  return v[0] == v[2] || v[0] == v[3] || v[1] == v[2] || v[1] == v[3];
+}
+
+/// The order of vertices that Contact documents; face winding is the mesh's.
+inline PairVertices in_contact_order(PairKind kind, PairVertices v) {
+  if (kind == PairKind::edge_edge && std::array{v[2], v[3]} < std::array{v[0], v[1]}) {
+    std::swap(v[0], v[2]);
+    std::swap(v[1], v[3]);
+  }
+  return v;
+}
+
+/// The caller's PairFilter. `v` in contact order.
+inline bool lets_pass(const PairFilter& filter, PairKind kind, const PairVertices& v) {
+  if (!filter.groups_may_touch.empty() && !filter.group_of_vertex.empty()) {
+    const auto group = [&](Index vertex) {
+      return static_cast<std::size_t>(filter.group_of_vertex[static_cast<std::size_t>(vertex)]);
+    };
+    const std::size_t a = group(v[0]), b = group(kind == PairKind::vertex_face ? v[1] : v[2]);
+    if (!filter.groups_may_touch[a * static_cast<std::size_t>(filter.group_count) + b]) return false;
+  } else if (!filter.groups_may_touch.empty() && !filter.groups_may_touch[0]) {
+    return false;
+  }
+  return !filter.accepts || filter.accepts(kind, v);
+}
+
+}  // namespace tamis

@@ -1,0 +1,67 @@
+#include "detect/validate.hpp"
+
+#include <cmath>
+#include <string>
+
+#include "tamis/error.hpp"
+
+namespace tamis {
+namespace {
+
+void check(bool ok, const std::string& message) {
+  if (!ok) throw InvalidOptions(message);
+}
+
+void validate(const PairFilter& filter, const Mesh& mesh) {
+  const auto n = static_cast<std::size_t>(filter.group_count);
+  check(filter.group_count > 0, "group_count is " + std::to_string(filter.group_count) + ": give at least one group");
+  check(filter.groups_may_touch.empty() || filter.groups_may_touch.size() == n * n,
+        "groups_may_touch has " + std::to_string(filter.groups_may_touch.size()) +
+            " entries: give group_count^2 = " + std::to_string(n * n));
+  for (std::size_t a = 0; a < n && !filter.groups_may_touch.empty(); ++a)
+    for (std::size_t b = 0; b < a; ++b)
+      check(!filter.groups_may_touch[a * n + b] == !filter.groups_may_touch[b * n + a],
+            "groups_may_touch differs for (" + std::to_string(a) + ", " + std::to_string(b) +
+                ") and its mirror image: make it symmetric");
+  if (filter.group_of_vertex.empty()) return;
+  check(filter.group_of_vertex.size() == static_cast<std::size_t>(mesh.vertex_count()),
+        "group_of_vertex has " + std::to_string(filter.group_of_vertex.size()) + " entries for " +
+            std::to_string(mesh.vertex_count()) + " vertices: give one group a vertex, or none");
+  for (std::size_t v = 0; v < filter.group_of_vertex.size(); ++v)
+    check(filter.group_of_vertex[v] >= 0 && filter.group_of_vertex[v] < filter.group_count,
+          "vertex " + std::to_string(v) + " is in group " + std::to_string(filter.group_of_vertex[v]) +
+              ": groups must be in [0, " + std::to_string(n) + ")");
+}
+
+void validate(const Positions& positions, const Mesh& mesh, const char* when) {
+  if (positions.count() != mesh.vertex_count())
+    throw InvalidStep("the " + std::string(when) + " of the step has " + std::to_string(positions.count()) +
+                      " positions, the mesh " + std::to_string(mesh.vertex_count()) +
+                      " vertices: give one row a vertex");
+  if (mesh.vertex_count() > 0 && (!positions.data() || positions.stride() < 3))
+    throw InvalidStep("the " + std::string(when) +
+                      " of the step is no n x 3 array of doubles: give three columns and a stride of at least 3");
+  for (Index v : mesh.points()) {
+    const double* p = positions[v];
+    // x - x is 0 for finite x, NaN otherwise: one test for the three.
+    if (p[0] - p[0] + (p[1] - p[1]) + (p[2] - p[2]) == 0) continue;
+    throw InvalidStep("vertex " + std::to_string(v) + " at the " + when +
+                      " of the step has a coordinate that is not finite: give finite positions");
+  }
+}
+
+}  // namespace
+
+void validate(const Options& options, const Mesh& mesh) {
+  check(options.threads >= 0, "threads is " + std::to_string(options.threads) + ": give 0 (all) or a positive number");
+  check(std::isfinite(options.min_separation) && options.min_separation >= 0,
+        "min_separation is " + std::to_string(options.min_separation) + ": give a finite distance >= 0");
+  validate(options.filter, mesh);
+}
+
+void validate(const Step& step, const Mesh& mesh) {
+  validate(step.start, mesh, "start");
+  validate(step.end, mesh, "end");
+}
+
+}  // namespace tamis

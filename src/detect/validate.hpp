@@ -1,0 +1,15 @@
+// Bad input is told apart here, before any work is done.
+#pragma once
+#include "tamis/mesh.hpp"
+#include "tamis/options.hpp"
+#include "tamis/step.hpp"
+
+namespace tamis {
+
+/// Throws InvalidOptions: a negative or not finite separation, negative threads, groups that do not fit the mesh.
+void validate(const Options& options, const Mesh& mesh);
+
+/// Throws InvalidStep: positions that do not fit the mesh, or a used vertex that is not finite.
+void validate(const Step& step, const Mesh& mesh);
+
+}  // namespace tamis

@@ -1,0 +1,13 @@
+// The few operations that double lacks but SIMD lanes have, so that one template serves both.
+#pragma once
+#include <cmath>
+
+namespace tamis {
+
+inline double select(bool mask, double yes, double no) { return mask ? yes : no; }
+inline double min(double a, double b) { return b < a ? b : a; }
+inline double max(double a, double b) { return a < b ? b : a; }
+inline double abs(double a) { return std::fabs(a); }
+inline bool any(bool mask) { return mask; }
+
+}  // namespace tamis

@@ -1,0 +1,119 @@
+// One crossing: where the coplanarity cubic provably passes zero exactly once during the motion, the root is bracketed
+// by certified signs and the features are compared there. This settles nearly every pair that reaches the solver;
+// the rest is cut in time first (solve/subdivide.hpp). One template for double and for SIMD lanes; every lane's answer
+// depends on that lane alone.
+#pragma once
+#include "filters/filter.hpp"
+#include "filters/slab_clip.hpp"
+#include "motion/polynomials.hpp"
+#include "numerics/select.hpp"
+
+namespace tamis {
+
+/// Times are of the restricted motion, in [0,1].
+template <class T>
+struct Crossing {
+  Mask<T> is_free;   ///< proven: no contact during the motion
+  Mask<T> touches;   ///< proven: contact within [lower, upper], none before and none after
+  Mask<T> brackets;  ///< proven: no contact outside [lower, upper]; implied by `touches`
+  T lower, upper;
+  T u, v;          ///< weights at the root, see Contact
+  Vec3<T> normal;  ///< not normalized
+};
+
+namespace crossing {
+
+template <class T>
+inline T value(const std::array<T, 4>& k, const T& t) {
+  const T s = T(1) - t;
+  return s * s * (s * k[0] + t * k[1]) + t * t * (s * k[2] + t * k[3]);
+}
+
+/// Derivative in the Bernstein basis; k[1], k[2] are 3 times the Bernstein coefficients.
+template <class T>
+inline T slope(const std::array<T, 4>& k, const T& t) {
+  const T s = T(1) - t;
+  return s * s * (k[1] - T(3) * k[0]) + T(2) * s * t * (k[2] - k[1]) + t * t * (T(3) * k[3] - k[2]);
+}
+
+/// Newton's iteration kept inside a shrinking bracket. REQUIRES: k[0] > 0 > k[3], one root. Not certified.
+template <class T>
+inline T find_root(const std::array<T, 4>& k) {
+  constexpr int kMaxIterations = 60;
+  const T tolerance(0x1p-52);
+  T low(0), high(1), t = k[0] / (k[0] - k[3]);
+  Mask<T> active = (k[0] > T(0)) & (k[3] < T(0));
+  for (int i = 0; i < kMaxIterations && any(active); ++i) {
+    const T f = value(k, t);
+    low = select(f > T(0), t, low);
+    high = select(f > T(0), high, t);
+    const T newton = t - f / slope(k, t);
+    const T next = select((newton > low) & (newton < high), newton, T(0.5) * (low + high));
+    const auto moves = abs(next - t) > tolerance * t;
+    t = select(active, next, t);
+    active = active & moves & (f != T(0));
+  }
+  return t;
+}
+
+template <class T>
+struct Sides {
+  Mask<T> inside, outside;
+  T u, v;
+};
+
+/// Where the four points stand at time t, give or take r: certainly inside, certainly outside, or neither.
+template <PairKind kind, class T>
+inline Sides<T> sides(const PairMotion<T>& m, const Vec3<T>& n, const T& t, const T& r) {
+  const Vec3<T> e = at_time(m.e, t), f = at_time(m.f, t), d = at_time(m.d, t);
+  const T unit = m.size_e * m.size_f;
+  const auto margin = [&](const T& size_x, const T& size_w) {
+    return (T(error_bounds::kSideValue) + T(error_bounds::kSideSlope) * r) * (size_x * size_w * unit) +
+           T(error_bounds::kUnderflow);
+  };
+  const T norm2 = dot(n, n);
+  const Vec3<T> ne = cross(e, n), nf = cross(f, n);
+  if constexpr (kind == PairKind::vertex_face) {
+    const T ab = dot(d, ne), ca = -dot(d, nf), bc = dot(d - e, nf - ne);
+    const T margin_ab = margin(m.size_d, m.size_e), margin_ca = margin(m.size_d, m.size_f);
+    const T margin_bc = margin(m.size_d + m.size_e, m.size_e + m.size_f);
+    return {Mask<T>((ab < -margin_ab) & (ca < -margin_ca) & (bc < -margin_bc)),
+            Mask<T>((ab > margin_ab) | (ca > margin_ca) | (bc > margin_bc)), -ca / norm2, -ab / norm2};
+  } else {
+    const T b0 = dot(d, ne), b1 = dot(d + f, ne), a0 = -dot(d, nf), a1 = dot(e - d, nf);
+    const T margin_b0 = margin(m.size_d, m.size_e), margin_b1 = margin(m.size_d + m.size_f, m.size_e);
+    const T margin_a0 = margin(m.size_d, m.size_f), margin_a1 = margin(m.size_d + m.size_e, m.size_f);
+    return {Mask<T>((b0 > margin_b0) & (b1 < -margin_b1) & (a0 < -margin_a0) & (a1 > margin_a1)),
+            Mask<T>((b0 < -margin_b0) | (b1 > margin_b1) | (a0 > margin_a0) | (a1 < -margin_a1)), -a0 / norm2,
+            b0 / norm2};
+  }
+}
+
+}  // namespace crossing
+
+template <PairKind kind, class T>
+inline Crossing<T> find_crossing(const PairMotion<T>& m) {
+  auto k = coplanarity_polynomial(m.d, normal_polynomial(m.e, m.f));
+  const T unit = m.size_d * m.size_e * m.size_f, tiny(error_bounds::kUnderflow);
+  const T end = T(error_bounds::kCoplanarityEnd) * unit + tiny;
+  const T middle = T(error_bounds::kCoplanarityMiddle) * unit + tiny;
+  const T error = T(error_bounds::kCoplanarityValue) * unit + tiny;
+  // Turned so that the cubic falls; one sign change whatever the uncertain signs, unless k1 < 0 < k2.
+  const auto rises = k[0] < T(0);
+  for (T& c : k) c = select(rises, -c, c);
+  const auto falls_once = (k[0] > end) & (k[3] < -end) & ((k[1] > middle) | (k[2] < -middle));
+  k[0] = select(falls_once, k[0], T(1));  // the other lanes solve 1 - 2t, and are not used
+  k[3] = select(falls_once, k[3], T(-1));
+
+  const T t = crossing::find_root(k);
+  const T radius = T(2) * error / abs(crossing::slope(k, t)) + T(0x1p-50);
+  const T lower = max(t - radius, T(0)), upper = min(t + radius, T(1));
+  const Mask<T> brackets = falls_once & ((lower <= T(0)) | (crossing::value(k, lower) > error)) &
+                           ((upper >= T(1)) | (crossing::value(k, upper) < -error));
+  const Vec3<T> n = cross(at_time(m.e, t), at_time(m.f, t));
+  const auto sides = crossing::sides<kind>(m, n, t, radius);
+  return {
+      Mask<T>(brackets & sides.outside), Mask<T>(brackets & sides.inside), brackets, lower, upper, sides.u, sides.v, n};
+}
+
+}  // namespace tamis

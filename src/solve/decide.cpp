@@ -1,0 +1,69 @@
+#include "solve/decide.hpp"
+
+#include <cmath>
+
+#include "solve/closest.hpp"
+#include "solve/exact.hpp"
+#include "solve/subdivide.hpp"
+
+namespace tamis {
+namespace {
+
+bool is_finite(const PairMotion<double>& m) { return std::isfinite(m.size_e + m.size_f + m.size_d); }
+
+Decision decide_in_doubles(PairKind kind, const PairMotion<double>& m) {
+  if (!is_finite(m)) return {Verdict::unsure, 0, 1};
+  const TimeInterval<double> step{0, 1};
+  const auto time = kind == PairKind::vertex_face ? SlabClip::clip<PairKind::vertex_face>(m, step)
+                                                  : SlabClip::clip<PairKind::edge_edge>(m, step);
+  if (time.t_in > time.t_out) return {};
+  return subdivide(kind, m, time);
+}
+
+/// A unit vector along `v`, or if that vanishes one orthogonal to `w`.
+Point unit_normal(const Vec3<double>& v, const Vec3<double>& w) {
+  const auto normalized = [](const Vec3<double>& a) {
+    const double length = std::sqrt(dot(a, a));
+    return Point{a.x / length, a.y / length, a.z / length};
+  };
+  if (dot(v, v) > 0) return normalized(v);
+  if (std::fabs(w.x) + std::fabs(w.y) > 0) return normalized({-w.y, w.x, 0});
+  return {1, 0, 0};
+}
+
+void add_weights(PairKind kind, const PairMotion<double>& m, PairResult& result) {
+  if (!is_finite(m)) {
+    result.normal = {1, 0, 0};
+    return;
+  }
+  const double t = 0.5 * (result.toi_lower + result.toi_upper);
+  const auto e = at_time(m.e, t), f = at_time(m.f, t), d = at_time(m.d, t);
+  const auto closest = closest_points(kind, e, f, d);
+  result.u = closest.u;
+  result.v = closest.v;
+  result.normal = unit_normal(cross(e, f), dot(e, e) > 0 ? e : f);
+}
+
+}  // namespace
+
+PairResult decide(PairKind kind, const PairPoints& points, const PairOptions& options, PrecisionCount& decided_by) {
+  const auto m = make_motion(kind, points);
+  Decision decision = decide_in_doubles(kind, m);
+  if (decision.verdict == Verdict::unsure && options.guarantee == Guarantee::exact) {
+    ++decided_by.exact;
+    const auto exact = decide_exactly(kind, points);
+    decision = {exact.touches ? Verdict::touches : Verdict::is_free, exact.toi_lower, exact.toi_upper};
+  } else {
+    ++decided_by.scalar;
+  }
+  if (decision.verdict == Verdict::is_free) return {};
+  PairResult result;
+  result.touches = true;
+  result.certainty = decision.verdict == Verdict::touches ? Certainty::certified : Certainty::unresolved;
+  result.toi_lower = decision.lower;
+  result.toi_upper = decision.upper;
+  add_weights(kind, m, result);
+  return result;
+}
+
+}  // namespace tamis

@@ -1,0 +1,48 @@
+// Closed spheres with bumps on a lattice, a little apart; each flies and turns at random, so that most neighbours
+// collide somewhere on a small cap.
+#include <algorithm>
+#include <cmath>
+
+#include "scenes/generators/generators.hpp"
+#include "scenes/point_math.hpp"
+#include "scenes/random.hpp"
+#include "scenes/shapes.hpp"
+
+namespace tamis::scenes {
+namespace {
+
+// Lengths in units of the lattice.
+constexpr double kRadius = 0.47;
+constexpr double kBump = 0.05;  // share of the radius: no contact at t=0
+constexpr double kFlight = 0.05;
+constexpr double kTurn = 0.02;  // tangent of half the angle
+constexpr Index kFewestBodies = 8;
+constexpr Index kMostCells = 24;
+
+}  // namespace
+
+Scene colliding_bodies(Index triangles, std::uint64_t seed) {
+  const Index cells = sphere_cells(triangles, kFewestBodies, kMostCells);
+  const Shape sphere = unit_sphere(cells);
+  const Index bodies = std::max(Index{2}, triangles / static_cast<Index>(sphere.faces.size()));
+  const Index side = static_cast<Index>(std::ceil(std::cbrt(bodies)));
+  const double scale = 1.0 / side;
+
+  Scene scene;
+  Random random(seed);
+  for (Index body = 0; body < bodies; ++body) {
+    const Point centre{double(body % side), double(body / side % side), double(body / (side * side))};
+    const Point turned = random.point_between(-1, 1), turn = turned + random.point_between(-kTurn, kTurn);
+    const Point flight = random.point_between(-kFlight, kFlight);
+    const SmoothNoise bumps(random.bits());
+    const auto bumpy = [&](const Point& p) {
+      return (kRadius * (1 + kBump * bumps(4 * p[0], 4 * p[1], 4 * p[2]))) * p;
+    };
+    add_shape(
+        scene, sphere, body, [&](const Point& p) { return scale * (centre + rotated(bumpy(p), turned)); },
+        [&](const Point& p) { return scale * (centre + flight + rotated(bumpy(p), turn)); });
+  }
+  return scene;
+}
+
+}  // namespace tamis::scenes

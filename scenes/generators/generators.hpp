@@ -1,0 +1,22 @@
+// The makers behind the names of scene_list.hpp, one a file. The same size and seed give the same bits everywhere.
+#pragma once
+#include <cstdint>
+
+#include "scenes/scene.hpp"
+
+namespace tamis::scenes {
+
+Scene colliding_bodies(Index triangles, std::uint64_t seed);
+Scene degenerate(Index triangles, std::uint64_t seed);
+Scene fans(Index triangles, std::uint64_t seed);
+Scene folded_cloth(Index triangles, std::uint64_t seed);
+Scene mirrored(Index triangles, std::uint64_t seed);
+Scene points_on_cloth(Index triangles, std::uint64_t seed);
+Scene rod(Index triangles, std::uint64_t seed);
+Scene sliding_sheets(Index triangles, std::uint64_t seed);
+Scene soup(Index triangles, std::uint64_t seed);
+Scene static_meshes(Index triangles, std::uint64_t seed);
+Scene tangle(Index triangles, std::uint64_t seed);
+Scene touching_spheres(Index triangles, std::uint64_t seed);
+
+}  // namespace tamis::scenes

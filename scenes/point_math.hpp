@@ -1,0 +1,26 @@
+// Arithmetic on points. Only operations that IEEE 754 rounds correctly are used to make scenes (no sine or cosine),
+// so that a scene has the same bits on every machine.
+#pragma once
+#include <cmath>
+
+#include "tamis/step.hpp"
+
+namespace tamis::scenes {
+
+inline Point operator+(const Point& a, const Point& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
+inline Point operator-(const Point& a, const Point& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
+inline Point operator*(double s, const Point& a) { return {s * a[0], s * a[1], s * a[2]}; }
+
+inline double dot(const Point& a, const Point& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+inline Point cross(const Point& a, const Point& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+inline Point unit(const Point& a) { return (1 / std::sqrt(dot(a, a))) * a; }
+
+/// Rotates `p` about the direction of `axis`; the angle is 2 atan |axis|.
+inline Point rotated(const Point& p, const Point& axis) {
+  const double norm = 1 + dot(axis, axis);
+  return p + (2 / norm) * (cross(axis, p) + cross(axis, cross(axis, p)));
+}
+
+}  // namespace tamis::scenes

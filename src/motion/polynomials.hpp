@@ -7,10 +7,18 @@
 
 namespace tamis {
 
+/// The product of two moving vectors, quadratic; `product` is bilinear.
+template <class T, class Product>
+inline auto product_polynomial(const Moving<T>& u, const Moving<T>& v, Product product) {
+  using Result = decltype(product(u.at0, v.at0));
+  return std::array<Result, 3>{product(u.at0, v.at0), product(u.at0, v.at1) + product(u.at1, v.at0),
+                               product(u.at1, v.at1)};
+}
+
 /// n(t) = e(t) x f(t), quadratic. (The form n0 + n1 - (e1-e0) x (f1-f0) of the papers is equal, but cancels.)
 template <class T>
 inline std::array<Vec3<T>, 3> normal_polynomial(const Moving<T>& e, const Moving<T>& f) {
-  return {cross(e.at0, f.at0), cross(e.at0, f.at1) + cross(e.at1, f.at0), cross(e.at1, f.at1)};
+  return product_polynomial(e, f, [](const Vec3<T>& a, const Vec3<T>& b) { return cross(a, b); });
 }
 
 /// K(t) = d(t).n(t), cubic: zero iff the four points are coplanar (Provot 1997; Tang, Manocha, Tong 2010).

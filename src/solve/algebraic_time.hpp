@@ -1,0 +1,41 @@
+// A time in [0,1] that is a root of an integer polynomial, and the signs of other polynomials at it.
+#pragma once
+#include "solve/integer_polynomial.hpp"
+
+namespace tamis {
+
+class AlgebraicTime {
+ public:
+  /// The lower end of the cell.
+  static AlgebraicTime exactly(DyadicCell time);
+  /// REQUIRES: the open cell holds exactly one root of `p`, and it is simple.
+  AlgebraicTime(IntegerPolynomial p, DyadicCell cell);
+
+  /// -1, 0 or 1; decided exactly. Narrows the cell as far as that needs.
+  int sign_of(const IntegerPolynomial& q);
+
+  /// Largest double <= this time, smallest double >= it.
+  struct Bracket {
+    double lower, upper;
+  };
+  Bracket bracket();
+
+ private:
+  explicit AlgebraicTime(DyadicCell time) : cell_(std::move(time)), is_exact_(true) {}
+
+  void take_polynomial(IntegerPolynomial p);
+  bool is_root_of(const IntegerPolynomial& q);
+  /// This time minus the lower end of the cell `t`. REQUIRES: that is inside of the present cell.
+  int compare_to(const DyadicCell& t) const { return polynomial_.sign_at(t) * sign_before_; }
+  void halve();
+  void narrow_to_doubles();
+  void narrow_to_doubles(double lower, double upper);
+
+  IntegerPolynomial polynomial_;
+  int sign_before_ = 0;  ///< of the polynomial between the lower end of the cell and the root
+  DyadicCell cell_;
+  bool is_exact_ = false;
+  bool is_between_neighbours_ = false;
+};
+
+}  // namespace tamis

@@ -1,0 +1,29 @@
+// The interval (n, n+1) / 2^k in which a time is enclosed. Two such cells are nested or disjoint; the gap between two
+// neighbouring doubles is one of them.
+#pragma once
+#include <gmpxx.h>
+
+namespace tamis {
+
+using Integer = mpz_class;
+
+struct DyadicCell {
+  Integer n{0};
+  unsigned long k = 0;
+
+  DyadicCell left_half() const { return {Integer(n << 1), k + 1}; }
+  DyadicCell right_half() const { return {Integer(n << 1) + 1, k + 1}; }
+};
+
+/// The cell whose lower end is `lower` and whose upper end is the next double.
+/// REQUIRES: 0 <= lower < 1.
+DyadicCell cell_above(double lower);
+
+/// The largest double that is not above n / 2^k.
+/// REQUIRES: 0 <= n <= 2^k.
+double lower_end(const DyadicCell& cell);
+
+/// Is n / 2^k a double?
+bool lower_end_is_double(const DyadicCell& cell);
+
+}  // namespace tamis

@@ -1,0 +1,126 @@
+#include "solve/integer_polynomial.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace tamis {
+
+void IntegerPolynomial::find_degree(int at_most) {
+  degree_ = at_most;
+  while (degree_ >= 0 && sgn(at(degree_)) == 0) --degree_;
+}
+
+Integer IntegerPolynomial::scaled_value(const DyadicCell& t) const {
+  if (is_zero()) return 0;
+  Integer value = (*this)[degree_], shifted;
+  for (int i = degree_ - 1; i >= 0; --i) {
+    value *= t.n;
+    shifted = (*this)[i] << (t.k * static_cast<unsigned long>(degree_ - i));
+    value += shifted;
+  }
+  return value;
+}
+
+int IntegerPolynomial::sign_after_zero() const {
+  for (const Integer& coefficient : powers_)
+    if (const int sign = sgn(coefficient)) return sign;
+  return 0;
+}
+
+int IntegerPolynomial::sign_variations() const {
+  // Powers to Bernstein: the Taylor shift by 1 of the coefficients in reverse order.
+  auto bernstein = powers_;
+  for (std::size_t last = static_cast<std::size_t>(std::max(degree_, 0)); last > 0; --last)
+    for (std::size_t i = 1; i <= last; ++i) bernstein[i] += bernstein[i - 1];
+  int variations = 0, previous = 0;
+  for (int i = 0; i <= degree_; ++i) {
+    const int sign = sgn(bernstein[static_cast<std::size_t>(i)]);
+    if (sign == 0) continue;
+    if (sign == -previous) ++variations;
+    previous = sign;
+  }
+  return variations;
+}
+
+void IntegerPolynomial::shift_by(const Integer& n) {
+  for (int first = 0; first < degree_; ++first)
+    for (int i = degree_ - 1; i >= first; --i) at(i) += n * at(i + 1);
+}
+
+IntegerPolynomial IntegerPolynomial::on(const DyadicCell& cell) const {
+  IntegerPolynomial p = *this;
+  if (cell.k > 0)
+    for (int i = 0; i < degree_; ++i) p.at(i) <<= cell.k * static_cast<unsigned long>(degree_ - i);
+  if (sgn(cell.n) != 0) p.shift_by(cell.n);
+  return p;
+}
+
+IntegerPolynomial IntegerPolynomial::left_half() const { return on({0, 1}); }
+IntegerPolynomial IntegerPolynomial::right_half() const { return on({1, 1}); }
+
+IntegerPolynomial IntegerPolynomial::derivative() const {
+  IntegerPolynomial p;
+  for (int i = 1; i <= degree_; ++i) p.at(i - 1) = (*this)[i] * i;
+  p.degree_ = std::max(degree_ - 1, -1);
+  return p;
+}
+
+void IntegerPolynomial::divide_by_powers_of_two() {
+  if (is_zero()) return;
+  mp_bitcnt_t common = ~mp_bitcnt_t{0};
+  for (const Integer& c : powers_)
+    if (sgn(c) != 0) common = std::min(common, mpz_scan1(c.get_mpz_t(), 0));
+  if (common == 0) return;
+  for (Integer& c : powers_) c >>= common;
+}
+
+void IntegerPolynomial::divide_by_content() {
+  Integer content;
+  for (int i = 0; i <= degree_; ++i) content = gcd(content, at(i));
+  for (int i = 0; i <= degree_; ++i) mpz_divexact(at(i).get_mpz_t(), at(i).get_mpz_t(), content.get_mpz_t());
+}
+
+void IntegerPolynomial::reduce_modulo(const IntegerPolynomial& b) {
+  while (degree_ >= b.degree_) {
+    const Integer leading = at(degree_);
+    const int shift = degree_ - b.degree_;
+    for (int i = 0; i < degree_; ++i) {
+      at(i) *= b[b.degree_];
+      if (i >= shift) at(i) -= leading * b[i - shift];
+    }
+    at(degree_) = 0;
+    find_degree(degree_ - 1);
+  }
+  divide_by_powers_of_two();
+}
+
+IntegerPolynomial greatest_common_divisor(IntegerPolynomial a, IntegerPolynomial b) {
+  if (a.degree_ < b.degree_) std::swap(a, b);
+  while (!b.is_zero() && b.degree_ > 0) {
+    a.reduce_modulo(b);
+    std::swap(a, b);
+  }
+  // b is zero, or a constant other than zero.
+  IntegerPolynomial& divisor = b.is_zero() ? a : b;
+  divisor.divide_by_content();
+  return std::move(divisor);
+}
+
+IntegerPolynomial IntegerPolynomial::divided_exactly_by(const IntegerPolynomial& b) const {
+  IntegerPolynomial rest = *this, quotient;
+  for (int shift = degree_ - b.degree_; shift >= 0; --shift) {
+    Integer& factor = quotient.at(shift);
+    mpz_divexact(factor.get_mpz_t(), rest[shift + b.degree_].get_mpz_t(), b[b.degree_].get_mpz_t());
+    for (int i = 0; i <= b.degree_; ++i) rest.at(shift + i) -= factor * b[i];
+  }
+  quotient.degree_ = degree_ - b.degree_;
+  return quotient;
+}
+
+IntegerPolynomial IntegerPolynomial::squarefree_part() const {
+  if (degree_ < 2) return *this;
+  const IntegerPolynomial repeated = greatest_common_divisor(*this, derivative());
+  return repeated.degree() == 0 ? *this : divided_exactly_by(repeated);
+}
+
+}  // namespace tamis

@@ -1,0 +1,23 @@
+// Both kinds of pair as one question: does a moving convex polygon contain the origin?
+//   vertex-face: the triangle p-a, p-b, p-c;   edge-edge: the parallelogram b0-a0, b0-a1, b1-a1, b1-a0
+// (the Minkowski difference of the two features). All coordinates are integers, exact multiples of the inputs.
+#pragma once
+#include <array>
+#include <cstddef>
+
+#include "motion/make_motion.hpp"
+#include "solve/dyadic_cell.hpp"
+
+namespace tamis {
+
+struct MovingPolygon {
+  std::array<Moving<Integer>, 4> corners;  ///< in order around it
+  std::size_t corner_count;                ///< 3 or 4
+
+  const Moving<Integer>& corner(std::size_t i) const { return corners[i % corner_count]; }
+};
+
+/// Times a power of two that makes every coordinate an integer. REQUIRES: finite coordinates.
+MovingPolygon difference_polygon(PairKind kind, const PairPoints& points);
+
+}  // namespace tamis

@@ -1,0 +1,12 @@
+// The roots of an integer polynomial in [0,1], told apart by Descartes' rule and bisection (Collins, Akritas 1976).
+#pragma once
+#include <vector>
+
+#include "solve/algebraic_time.hpp"
+
+namespace tamis {
+
+/// Distinct, ascending, both ends of the interval included. REQUIRES: `p` is not zero.
+std::vector<AlgebraicTime> roots_in_unit_interval(const IntegerPolynomial& p);
+
+}  // namespace tamis

@@ -30,7 +30,7 @@ class Mesh {
  public:
   /// `vertex_count`: number of rows of the positions of every step, >= 0.
   /// Throws InvalidMesh if an index lies outside [0, vertex_count), or if there is no feature at all.
-  Mesh(Index vertex_count, std::vector<Face> faces, std::vector<Edge> loose_edges = {},
+  Mesh(Index vertex_count, std::vector<Face> faces, const std::vector<Edge>& loose_edges = {},
        std::vector<Index> loose_points = {});
 
   Index vertex_count() const { return vertex_count_; }

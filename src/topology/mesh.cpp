@@ -70,7 +70,8 @@ IndexRows faces_by_vertex(Index vertex_count, const std::vector<Face>& faces) {
 
 }  // namespace
 
-Mesh::Mesh(Index vertex_count, std::vector<Face> faces, std::vector<Edge> loose_edges, std::vector<Index> loose_points)
+Mesh::Mesh(Index vertex_count, std::vector<Face> faces, const std::vector<Edge>& loose_edges,
+           std::vector<Index> loose_points)
     : vertex_count_(vertex_count), faces_(std::move(faces)) {
   check_indices(faces_, vertex_count, "face");
   check_indices(loose_edges, vertex_count, "loose edge");

@@ -1,0 +1,16 @@
+# What `cmake --install` puts where; `find_package(tamis)` then gives tamis::tamis.
+include(GNUInstallDirs)
+include(CMakePackageConfigHelpers)
+
+set(TAMIS_PACKAGE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/tamis)
+set_target_properties(tamis PROPERTIES VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
+install(TARGETS tamis EXPORT tamis-targets FILE_SET HEADERS)
+install(EXPORT tamis-targets NAMESPACE tamis:: DESTINATION ${TAMIS_PACKAGE_DIR})
+
+# Before 1.0 a new minor version may change the interface.
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/tamis-config-version.cmake COMPATIBILITY SameMinorVersion)
+configure_package_config_file(cmake/tamis-config.cmake.in ${PROJECT_BINARY_DIR}/tamis-config.cmake
+  INSTALL_DESTINATION ${TAMIS_PACKAGE_DIR})
+install(FILES ${PROJECT_BINARY_DIR}/tamis-config.cmake ${PROJECT_BINARY_DIR}/tamis-config-version.cmake
+  cmake/FindGMP.cmake DESTINATION ${TAMIS_PACKAGE_DIR})
+install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})

@@ -1,0 +1,37 @@
+#!/usr/bin/env python3
+"""check_isa_symbols.py ISA OBJECT...: objects compiled for one instruction set define no symbol that others share.
+
+The linker keeps one copy of an inline function or template. If std::vector<int>::push_back is also compiled with
+AVX-512 and that copy wins, every machine without AVX-512 dies in it. So whatever such an object offers to the
+linker must carry its instruction set in its name: a namespace tamis::ISA, or an xsimd architecture as a parameter.
+"""
+import re
+import subprocess
+import sys
+
+OWN_NAME = {
+    "avx2": re.compile(r"\btamis::avx2::|\bxsimd::(avx2|fma3<xsimd::avx2>)"),
+    "avx512": re.compile(r"\btamis::avx512::|\bxsimd::avx512"),
+}
+
+
+def shared_symbols(isa: str, path: str):
+    listing = subprocess.run(["nm", "--demangle", "--defined-only", "--extern-only", path],
+                             check=True, capture_output=True, text=True).stdout
+    for line in filter(None, listing.splitlines()):
+        name = line.split(" ", 2)[2]
+        if not OWN_NAME[isa].search(name):
+            yield name
+
+
+def main() -> int:
+    isa, objects = sys.argv[1], sys.argv[2:]
+    leaks = [(path, name) for path in objects for name in shared_symbols(isa, path)]
+    for path, name in leaks:
+        print(f"{path}: {name}")
+    print(f"{len(objects)} objects, {len(leaks)} shared symbols")
+    return 1 if leaks or not objects else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,38 @@
+#!/usr/bin/env python3
+"""Includes point one way: down the layers of src/, and from everything else to the public headers only."""
+import pathlib
+import re
+import sys
+
+# A layer includes itself and those of a smaller number.
+LAYER = {"numerics": 0, "motion": 1, "bounds": 2, "topology": 3, "bvh": 3, "filters": 3, "solve": 4, "detect": 5}
+# Folders outside the library, and what each may use beside itself and the public headers.
+OUTSIDE = {"include/tamis": [], "io": [], "scenes": ["io"], "cli": ["io", "scenes"], "bench": ["io", "scenes"]}
+INCLUDE = re.compile(r'^\s*#\s*include\s+"([^"]+)"', re.MULTILINE)
+
+
+def may_include(user: str, used: str) -> bool:
+    if used == "tamis" or used == user:
+        return True
+    if user in LAYER:
+        return LAYER.get(used, 99) < LAYER[user]
+    return used in OUTSIDE[user]
+
+
+def main() -> int:
+    root = pathlib.Path(__file__).resolve().parent.parent
+    folders = [(layer, root / "src" / layer) for layer in LAYER] + [(name, root / name) for name in OUTSIDE]
+    wrong = []
+    for name, folder in folders:
+        for path in sorted(p for p in folder.rglob("*") if p.suffix in (".hpp", ".cpp")):
+            for used in INCLUDE.findall(path.read_text()):
+                if not may_include(name, used.split("/")[0]):
+                    wrong.append(f"{path.relative_to(root)}: may not include {used}")
+    strays = [p for p in (root / "src").iterdir() if p.name not in LAYER and p.name != "CMakeLists.txt"]
+    wrong += [f"{path.relative_to(root)}: belongs to no layer" for path in sorted(strays)]
+    print("\n".join(wrong) or "every include points down")
+    return 1 if wrong else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,32 @@
+#!/usr/bin/env bash
+# Installs the Debian or Ubuntu packages Tamis needs that are not here yet; with --tests, also those of the tests.
+# Touches neither apt nor the network when nothing is missing.
+set -euo pipefail
+
+packages=(g++ cmake ninja-build pkg-config libtbb-dev libgmp-dev libxsimd-dev
+          libcli11-dev libfmt-dev nlohmann-json3-dev)
+if [[ ${1:-} == --tests ]]; then
+  packages+=(libgtest-dev libeigen3-dev python3 binutils clang-14 clang-format-14 clang-tidy-14)
+fi
+
+is_installed() { [[ $(dpkg-query -W -f='${db:Status-Status}' "$1" 2>/dev/null) == installed ]]; }
+
+if ! command -v dpkg-query >/dev/null; then
+  echo "setup: not a Debian or Ubuntu machine; install these by hand: ${packages[*]}" >&2
+  exit 1
+fi
+missing=()
+for package in "${packages[@]}"; do
+  is_installed "$package" || missing+=("$package")
+done
+if ((${#missing[@]} == 0)); then
+  echo "setup: all ${#packages[@]} packages are installed"
+  exit 0
+fi
+
+as_root=()
+((EUID == 0)) || as_root=(sudo)
+echo "setup: installing ${missing[*]}"
+"${as_root[@]}" apt-get update -q
+"${as_root[@]}" env DEBIAN_FRONTEND=noninteractive \
+  apt-get install -q -y --no-install-recommends "${missing[@]}" </dev/null

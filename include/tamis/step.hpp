@@ -18,6 +18,7 @@ concept RowMajorMatrix = requires(const M& m) {
   { m.rows() } -> std::convertible_to<std::ptrdiff_t>;
   { m.cols() } -> std::convertible_to<std::ptrdiff_t>;
   { m.outerStride() } -> std::convertible_to<std::ptrdiff_t>;
+  { m.innerStride() } -> std::convertible_to<std::ptrdiff_t>;
   requires bool(M::IsRowMajor);
 };
 
@@ -30,10 +31,11 @@ class Positions {
   Positions(std::span<const Point> points)
       : Positions(points.empty() ? nullptr : points.front().data(), static_cast<Index>(points.size())) {}
   Positions(const std::vector<Point>& points) : Positions(std::span<const Point>(points)) {}
+  /// Other than three columns next to each other: no data, which every question refuses.
   template <RowMajorMatrix M>
   Positions(const M& matrix)
-      : Positions(matrix.cols() == 3 ? matrix.data() : nullptr, static_cast<Index>(matrix.rows()),
-                  static_cast<std::ptrdiff_t>(matrix.outerStride())) {}
+      : Positions(matrix.cols() == 3 && matrix.innerStride() == 1 ? matrix.data() : nullptr,
+                  static_cast<Index>(matrix.rows()), static_cast<std::ptrdiff_t>(matrix.outerStride())) {}
 
   const double* operator[](Index vertex) const { return data_ + vertex * stride_; }
   const double* data() const { return data_; }

@@ -1,0 +1,35 @@
+// A mesh as it stands in a file: positions and topology of one frame.
+#pragma once
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "tamis/mesh.hpp"
+#include "tamis/step.hpp"
+
+namespace tamis::io {
+
+struct MeshFile {
+  std::vector<Point> positions;  ///< finite
+  std::vector<Face> faces;       ///< in the file's order and winding; polygons are cut into fans
+  std::vector<Edge> loose_edges;
+  std::vector<Index> loose_points;
+  std::vector<std::string> notes;  ///< what a reader should know: polygons cut, elements skipped
+};
+
+/// Reads PLY or OBJ, told apart by content, then by extension. Every index is in range and there is at least one
+/// feature. Throws FileError.
+MeshFile read_mesh(const std::filesystem::path& path);
+
+/// A text whose last line has no end may have been cut inside its last number, which nothing else can show.
+void note_open_end(std::string_view text, MeshFile& mesh);
+
+/// The topology of the file.
+Mesh mesh_of(const MeshFile& file);
+
+/// Throws FileError, naming both files and the first difference, unless they have one topology.
+void require_same_mesh(const MeshFile& first, const std::string& first_name, const MeshFile& second,
+                       const std::string& second_name);
+
+}  // namespace tamis::io

@@ -42,7 +42,7 @@ void add_file(const fs::path& path, std::vector<QueryFile>& files) {
   const auto file = query_file(path);
   if (!file)
     throw FileError(path.string(), "",
-                    "vertex-face or edge-edge? Put the file into a folder named vertex-face or edge-edge");
+                    "no folder above it tells its kind: put it into one named vertex-face or edge-edge");
   files.push_back(*file);
 }
 

@@ -1,0 +1,73 @@
+#include "io/obj.hpp"
+
+#include <gtest/gtest.h>
+
+#include "io/messages.hpp"
+
+namespace tamis::io {
+namespace {
+
+const std::string kFour = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n";
+
+// Bug: a corner's texture or normal index is taken for a vertex, or counting starts at 0.
+TEST(Obj, ReadsEveryFormOfCorner) {
+  const MeshFile mesh =
+      parse_obj(kFour + "vt 0 0\nvn 0 0 1\nf 1 2 3\nf 2/1 3/1 4/1\nf 1//1 3//1 4//1\nf 4/1/1 1/1/1 2/1/1\n", "m.obj");
+  EXPECT_EQ(mesh.faces, (std::vector<Face>{{0, 1, 2}, {1, 2, 3}, {0, 2, 3}, {3, 0, 1}}));
+  EXPECT_TRUE(mesh.notes.empty());
+}
+
+// Bug: negative indices count from the end of the file instead of from where they stand.
+TEST(Obj, NegativeIndicesCountBackFromTheirLine) {
+  const MeshFile mesh = parse_obj("v 0 0 0\nv 1 0 0\nv 0 1 0\nf -3 -2 -1\nv 9 9 9\nf -1 -2 -3\n", "m.obj");
+  EXPECT_EQ(mesh.faces, (std::vector<Face>{{0, 1, 2}, {3, 2, 1}}));
+}
+
+// Bug: rods and points are dropped.
+TEST(Obj, PolylinesBecomeLooseEdgesAndPointsLoosePoints) {
+  const MeshFile mesh = parse_obj(kFour + "l 1 2 -1\np 3 4\n", "m.obj");
+  EXPECT_EQ(mesh.loose_edges, (std::vector<Edge>{{0, 1}, {1, 3}}));
+  EXPECT_EQ(mesh.loose_points, (std::vector<Index>{2, 3}));
+}
+
+// Bug: fans are silent; comments, continued lines, colours or vertices after the face upset the parser.
+TEST(Obj, TakesWhatPeopleWrite) {
+  const MeshFile mesh = parse_obj(
+      "# comment\nmtllib a.mtl\no thing\n f 1 2 \\\n 3 4 # a square\r\ns off\n\nv 0 0 0 1 0 0\nv 1e0 +.5 -.25 1\nv 1 1 "
+      "0\nv 0 1 0\n",
+      "m.obj");
+  EXPECT_EQ(mesh.faces, (std::vector<Face>{{0, 1, 2}, {0, 2, 3}}));
+  EXPECT_EQ(mesh.positions[1], (Point{1, 0.5, -0.25}));
+  ASSERT_EQ(mesh.notes.size(), 1u);
+  EXPECT_TRUE(test::contains(mesh.notes[0], "1 polygon"));
+}
+
+TEST(Obj, SaysThatFreeFormSurfacesAndOpenEndsAreNotMeshes) {
+  const MeshFile mesh = parse_obj(kFour + "cstype bezier\nsurf 0 1 0 1 1 2 3 4\nend\nf 1 2 3", "m.obj");
+  EXPECT_EQ(mesh.faces.size(), 1u);
+  EXPECT_EQ(mesh.notes.size(), 2u);
+}
+
+// Bug: any of these is accepted, or the message does not lead to the line.
+TEST(Obj, EachErrorNamesItsLine) {
+  const std::pair<std::string, std::string> cases[] = {
+      {"v 0 0\n", "line 1: a vertex needs three"},
+      {"v 0 0 x\n", "line 1: 'x' is no number"},
+      {"v 0 0 inf\n", "line 1: a coordinate is not finite"},
+      {kFour + "f 1 2\n", "line 5: a face needs three"},
+      {kFour + "f 0 1 2\n", "line 5: '0' names no vertex"},
+      {kFour + "f 1 2 5\nf 1 2 3\n", "line 5: vertex 5 is named, but the file has only 4"},
+      {kFour + "f 1 2 -5\n", "line 5: '-5' names no vertex"},
+      {kFour + "f 1 2 3.5\n", "'3.5' names no vertex"},
+      {kFour + "f 1 2 99999999999999999999\n", "names no vertex"},
+      {kFour + "l 1\n", "line 5: a line needs two"},
+      {kFour + "solid cube\n", "line 5: 'solid' is no word of OBJ"},
+  };
+  for (const auto& [text, says] : cases) {
+    const std::string message = test::file_error("m.obj", [&] { parse_obj(text, "m.obj"); });
+    EXPECT_TRUE(test::contains(message, says)) << message << "\nshould say: " << says;
+  }
+}
+
+}  // namespace
+}  // namespace tamis::io

@@ -6,15 +6,6 @@
 namespace tamis {
 namespace {
 
-PairPoints points_of(const Step& step, const PairVertices& vertices) {
-  PairPoints points;
-  for (std::size_t i = 0; i < 4; ++i) {
-    std::copy_n(step.start[vertices[i]], 3, points.start[i].begin());
-    std::copy_n(step.end[vertices[i]], 3, points.end[i].begin());
-  }
-  return points;
-}
-
 class BruteEngine final : public Engine {
  public:
   BruteEngine(const Mesh& mesh, const Options& options) : mesh_(mesh), options_(options) {}

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "motion/make_motion.hpp"
 #include "tamis/options.hpp"
 
 namespace tamis {
@@ -35,6 +36,16 @@ inline bool lets_pass(const PairFilter& filter, PairKind kind, const PairVertice
     return false;
   }
   return !filter.accepts || filter.accepts(kind, v);
+}
+
+/// Where the four vertices are.
+inline PairPoints points_of(const Step& step, const PairVertices& vertices) {
+  PairPoints points;
+  for (std::size_t i = 0; i < 4; ++i) {
+    std::copy_n(step.start[vertices[i]], 3, points.start[i].begin());
+    std::copy_n(step.end[vertices[i]], 3, points.end[i].begin());
+  }
+  return points;
 }
 
 }  // namespace tamis

@@ -1,0 +1,57 @@
+#include "bounds/packed_motion.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace tamis {
+namespace {
+
+/// 2^-23: the roundings listed at BoxFrame::margin sum to under half of it.
+constexpr float kRounding = 0x1p-23f;
+
+BoxFrame frame_of(const Step& step, std::span<const Index> used, double min_separation) {
+  std::array<double, 3> low, high;
+  low.fill(std::numeric_limits<double>::infinity());
+  high.fill(-std::numeric_limits<double>::infinity());
+  for (const Positions* positions : {&step.start, &step.end})
+    for (Index v : used)
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        const double x = (*positions)[v][axis];
+        low[axis] = std::min(low[axis], x);
+        high[axis] = std::max(high[axis], x);
+      }
+  BoxFrame frame{};
+  double half = 0;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    frame.origin[axis] = 0.5 * low[axis] + 0.5 * high[axis];
+    half = std::max(half, 0.5 * high[axis] - 0.5 * low[axis]);
+  }
+  // One binary digit to spare, so that rounding of origin and half width stays inside [-1,1].
+  const int exponent = half > 0 ? std::clamp(-2 - std::ilogb(half), -1022, 1000) : 0;
+  frame.scale = std::ldexp(1.0, exponent);
+  frame.margin = kRounding + static_cast<float>(std::min(0.5 * min_separation * frame.scale * (1 + 0x1p-20), 4.0));
+  return frame;
+}
+
+}  // namespace
+
+void PackedMotion::assign(const Step& step, std::span<const Index> used, double min_separation) {
+  frame = frame_of(step, used, min_separation);
+  const auto count = static_cast<std::size_t>(step.start.count());
+  vertices.resize(count);
+  box_vertices.resize(count);
+  for (Index v : used) {
+    PackedVertex& packed = vertices[static_cast<std::size_t>(v)];
+    BoxVertex& box = box_vertices[static_cast<std::size_t>(v)];
+    const double *start = step.start[v], *end = step.end[v];
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      packed.at[axis] = start[axis];
+      packed.at[4 + axis] = end[axis];
+      box.at[axis] = static_cast<float>((start[axis] - frame.origin[axis]) * frame.scale);
+      box.at[3 + axis] = static_cast<float>((end[axis] - frame.origin[axis]) * frame.scale);
+    }
+  }
+}
+
+}  // namespace tamis

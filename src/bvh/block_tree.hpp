@@ -1,0 +1,52 @@
+// The hierarchy: features in an order of space-filling locality, sixteen to a leaf block, sixteen blocks to a node, and
+// so on up to one root block. The tree is implicit: child c of block b is block 16 b + c of the level below.
+#pragma once
+#include <span>
+#include <vector>
+
+#include "bounds/moving_boxes.hpp"
+#include "bounds/packed_motion.hpp"
+#include "tamis/mesh.hpp"
+
+namespace tamis {
+
+/// What the kernels see of a tree.
+struct TreeView {
+  static constexpr int kMaxLevels = 9;  ///< 16^8 > 2^31 features
+  const BoxBlock* levels[kMaxLevels];   ///< levels[0]: features, levels[k]: hulls of the blocks of levels[k-1]
+  int level_count;
+  int leaf_blocks;
+  const CornerBlock* corners;
+};
+
+class BlockTree {
+ public:
+  /// `corners` vertices a feature (1, 2 or 3), feature i at vertices[corners * i]. The span must outlive the tree.
+  void set_features(int corners, std::span<const Index> vertices);
+
+  /// Chooses the order from where the features are halfway through the step, then refits.
+  void build(const PackedMotion& motion);
+  /// New boxes in the old order.
+  void refit(const PackedMotion& motion);
+
+  Index feature_count() const { return static_cast<Index>(vertices_.size()) / corners_; }
+  TreeView view() const;
+  /// Sum over the leaf blocks of the half area of their swept hulls: what a traversal's cost grows with.
+  double swept_area() const;
+  std::uint64_t memory_bytes() const;
+
+ private:
+  void fill_leaf(std::size_t block, const PackedMotion& motion);
+  void fill_hulls(std::size_t level);
+
+  int corners_ = 1;
+  std::span<const Index> vertices_;
+  std::vector<CornerBlock> corner_blocks_;
+  std::vector<std::vector<BoxBlock>> levels_;
+};
+
+/// The order in which the features lie along a Morton curve, 10 bits an axis over the box frame; ties by index.
+/// REQUIRES: coordinates within [-1,1].
+std::vector<Index> morton_order(std::span<const std::array<float, 3>> centers);
+
+}  // namespace tamis

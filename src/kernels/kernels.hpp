@@ -1,0 +1,66 @@
+// The hot loops, compiled once per instruction set and chosen at run time. Plain pointers only: a kernel object must
+// not emit code of shared templates, which the linker could then pick for a machine without that instruction set.
+#pragma once
+#include <cstdint>
+
+#include "bvh/block_tree.hpp"
+#include "tamis/contact.hpp"
+#include "tamis/options.hpp"
+
+namespace tamis {
+
+/// Pairs of features on their way through the stages: corners in PairPoints' order, and the part of the step in which
+/// they may touch. Kernels may read (not use) up to kPadding entries past `count`.
+struct PairBuffer {
+  static constexpr int kPadding = 16;
+  static constexpr int kCapacity = 2048;
+  static constexpr int kSize = kCapacity + kPadding;
+  int count = 0;
+  std::int32_t corner[4][kSize] = {};
+  double t_in[kSize] = {};
+  double t_out[kSize] = {};
+};
+
+/// What the solver in lanes says of one pair of a buffer.
+struct SolvedPair {
+  std::int32_t pair;  ///< its place in the buffer
+  bool is_decided;    ///< false: cut in time, one pair at a time
+  double toi_lower, toi_upper;
+  double u, v;
+  double normal[3];  ///< unit
+};
+
+/// One thread's search over one pair of trees.
+struct Search {
+  TreeView a, b;  ///< vf: points, faces; ee: edges, edges
+  /// Nothing that starts after this time is of interest.
+  double t_limit = 1;
+  PairBuffer* pairs = nullptr;
+  /// Called when `pairs` cannot take another pair of blocks; must empty it, and may lower `t_limit`.
+  void (*flush)(Search&) = nullptr;
+  void* context = nullptr;
+  std::uint64_t nodes_visited = 0;
+  bool stop = false;
+};
+
+struct Kernels {
+  Isa isa;
+  /// Finds the pairs of features of leaf block `block` of `a` with all of `b` whose moving boxes meet and that share
+  /// no vertex; ee: with the blocks from `block` on, each pair once.
+  void (*search_vf)(Search& search, int block);
+  void (*search_ee)(Search& search, int block);
+  /// Slab clip on the diagonal axes. Survivors, with their times, go to `out`.
+  void (*slab_vf)(const PackedVertex* vertices, const PairBuffer& in, PairBuffer& out);
+  void (*slab_ee)(const PackedVertex* vertices, const PairBuffer& in, PairBuffer& out);
+  /// DNF, then NCF, on what is left of the step. Returns how many pairs NCF had to look at.
+  int (*filter_vf)(const PackedVertex* vertices, const PairBuffer& in, PairBuffer& out);
+  int (*filter_ee)(const PackedVertex* vertices, const PairBuffer& in, PairBuffer& out);
+  /// Roots and inside test. Writes the pairs that touch or are undecided, returns their number.
+  int (*solve_vf)(const PackedVertex* vertices, const PairBuffer& in, SolvedPair* out);
+  int (*solve_ee)(const PackedVertex* vertices, const PairBuffer& in, SolvedPair* out);
+};
+
+/// The kernels of `isa`; throws InvalidOptions if this machine or build has none. `best`: the widest there is.
+const Kernels& kernels(Isa isa);
+
+}  // namespace tamis

@@ -1,0 +1,59 @@
+// The motions of several pairs at once, one a lane.
+#pragma once
+#include "kernels/kernels.hpp"
+#include "motion/pair_motion.hpp"
+#include "numerics/lanes.hpp"
+
+namespace tamis::TAMIS_ISA {
+
+/// Differences to - from of as many pairs as there are lanes: read as rows, turned into columns.
+inline Moving<DoubleLanes> load_difference(const PackedVertex* vertices, const std::int32_t* to,
+                                           const std::int32_t* from) {
+  DoubleLanes columns[8];
+  for (int chunk = 0; chunk < 8; chunk += kDoubleLanes) {
+    DoubleLanes rows[kDoubleLanes];
+    for (int i = 0; i < kDoubleLanes; ++i)
+      rows[i] = DoubleLanes::load_aligned(vertices[to[i]].at + chunk) -
+                DoubleLanes::load_aligned(vertices[from[i]].at + chunk);
+    transpose(rows);
+    for (int i = 0; i < kDoubleLanes; ++i) columns[chunk + i] = rows[i];
+  }
+  return {{columns[0], columns[1], columns[2]}, {columns[4], columns[5], columns[6]}};
+}
+
+inline DoubleLanes largest(const Moving<DoubleLanes>& v) {
+  return max(max(max(abs(v.at0.x), abs(v.at0.y)), abs(v.at0.z)), max(max(abs(v.at1.x), abs(v.at1.y)), abs(v.at1.z)));
+}
+
+/// As scale_to_one in motion/make_motion.cpp: 2^(-1-exponent), kept in the normal range.
+inline DoubleLanes scale_to_one(const DoubleLanes& size) {
+  using Int64Lanes = xsimd::batch<std::int64_t, Arch>;
+  const Int64Lanes biased = xsimd::bitwise_cast<Int64Lanes>(size) >> 52;
+  const Int64Lanes exponent = min(max(Int64Lanes(2045) - biased, Int64Lanes(1)), Int64Lanes(2023));
+  return xsimd::bitwise_cast<DoubleLanes>(exponent << 52);
+}
+
+inline Moving<DoubleLanes> scaled(const DoubleLanes& s, const Moving<DoubleLanes>& v) { return {s * v.at0, s * v.at1}; }
+
+/// The pairs first, first + 1, ... of the buffer; lanes past its end hold whatever the padding names.
+template <PairKind kind>
+inline PairMotion<DoubleLanes> load_motion(const PackedVertex* vertices, const PairBuffer& pairs, int first) {
+  const auto moving = [&](int to, int from) {
+    return load_difference(vertices, pairs.corner[to] + first, pairs.corner[from] + first);
+  };
+  constexpr bool kIsVf = kind == PairKind::vertex_face;
+  const auto e = kIsVf ? moving(2, 1) : moving(1, 0);
+  const auto f = kIsVf ? moving(3, 1) : moving(3, 2);
+  const auto d = kIsVf ? moving(0, 1) : moving(2, 0);
+  const DoubleLanes size_e = largest(e), size_f = largest(f), size_d = largest(d);
+  const DoubleLanes scale = scale_to_one(max(max(size_e, size_f), size_d));
+  return {scaled(scale, e), scaled(scale, f), scaled(scale, d), scale * size_e, scale * size_f, scale * size_d};
+}
+
+/// Bits of the lanes that hold a pair.
+inline unsigned lanes_in_use(const PairBuffer& pairs, int first) {
+  const int left = pairs.count - first;
+  return left >= kDoubleLanes ? (1u << kDoubleLanes) - 1 : (1u << left) - 1;
+}
+
+}  // namespace tamis::TAMIS_ISA

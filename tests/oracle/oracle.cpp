@@ -1,0 +1,134 @@
+#include "oracle/oracle.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "oracle/somewhere.hpp"
+
+namespace tamis::oracle {
+namespace {
+
+using Vector = std::array<Polynomial, 3>;  ///< a moving vector: each component is a polynomial in time
+using Triangle = std::array<Vector, 3>;
+
+Vector operator-(const Vector& a, const Vector& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
+Polynomial dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+Vector cross(const Vector& a, const Vector& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+/// The exponent of the last set bit of a double; that of 1 for zero.
+int lowest_exponent(double x) {
+  if (x == 0) return 0;
+  int exponent = 0;
+  const double fraction = std::frexp(x, &exponent);
+  auto digits = static_cast<long long>(std::ldexp(fraction, 53));
+  for (exponent -= 53; digits % 2 == 0; digits /= 2) ++exponent;
+  return exponent;
+}
+
+/// x 2^shift, an integer.
+Integer scaled_to_integer(double x, int shift) {
+  int exponent = 0;
+  const double fraction = std::frexp(x, &exponent);
+  Integer result(static_cast<long>(std::ldexp(fraction, 53)));
+  exponent += shift - 53;
+  if (exponent >= 0) return result << static_cast<unsigned>(exponent);
+  return result >> static_cast<unsigned>(-exponent);  // the bits shifted out are zero
+}
+
+/// The four points as polynomials that run through `times` while t runs through [0,1], with all lengths multiplied by
+/// `unit` so that coefficients are integers.
+struct IntegerMotion {
+  std::array<Vector, 4> points;
+  Integer unit = 1;  ///< the length 2^`exponent`
+  int exponent = 0;
+};
+
+IntegerMotion integer_motion(const Motion& motion, const Times& times, double separation) {
+  int lowest = lowest_exponent(separation),
+      lowest_time = std::min(lowest_exponent(times.from), lowest_exponent(times.to));
+  for (const auto* points : {&motion.start, &motion.end})
+    for (const Point& p : *points)
+      for (double x : p) lowest = std::min(lowest, lowest_exponent(x));
+  lowest_time = std::min(lowest_time, 0);
+
+  IntegerMotion result;
+  result.exponent = -lowest;
+  const Integer one = scaled_to_integer(1, -lowest_time);
+  const Integer from = scaled_to_integer(times.from, -lowest_time), to = scaled_to_integer(times.to, -lowest_time);
+  result.unit = one;
+  for (std::size_t i = 0; i < 4; ++i)
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Integer x0 = scaled_to_integer(motion.start[i][k], -lowest),
+                    x1 = scaled_to_integer(motion.end[i][k], -lowest);
+      const Integer at_from = (one - from) * x0 + from * x1, at_to = (one - to) * x0 + to * x1;
+      result.points[i][k] = Polynomial({at_from, at_to - at_from});
+    }
+  return result;
+}
+
+/// The moving triangles of which one must contain the origin.
+std::vector<Triangle> triangles_of(PairKind kind, const std::array<Vector, 4>& p) {
+  if (kind == PairKind::vertex_face) return {{p[1] - p[0], p[2] - p[0], p[3] - p[0]}};
+  return {{p[0] - p[2], p[1] - p[2], p[1] - p[3]}, {p[0] - p[2], p[0] - p[3], p[1] - p[3]}};
+}
+
+Condition positive(Polynomial p) { return {std::move(p), Relation::positive}; }
+Condition not_negative(Polynomial p) { return {std::move(p), Relation::not_negative}; }
+
+bool side_meets_origin(const Vector& q, const Vector& r, Range range) {
+  const Vector n = cross(q, r);
+  return holds_somewhere(dot(n, n), {not_negative(-dot(q, r))}, range);
+}
+
+bool interior_meets_origin(const Triangle& q, Range range) {
+  const Vector n01 = cross(q[0], q[1]), n12 = cross(q[1], q[2]), n20 = cross(q[2], q[0]);
+  // Where det = 0 the three are parallel, so the third product is positive with the other two.
+  return holds_somewhere(dot(n01, q[2]), {positive(dot(n01, n12)), positive(dot(n12, n20))}, range);
+}
+
+/// Distance to a corner, or to the inner points of a side whose foot of the perpendicular lies on it.
+bool side_within(const Vector& q, const Vector& r, const Polynomial& squared, Range range) {
+  const Vector side = r - q, n = cross(q, r);
+  return holds_somewhere({}, {not_negative(squared - dot(q, q))}, range) ||
+         holds_somewhere(
+             {}, {not_negative(squared * dot(side, side) - dot(n, n)), positive(-dot(q, side)), positive(dot(r, side))},
+             range);
+}
+
+/// Distance to the inner points of the triangle whose foot of the perpendicular lies in it.
+bool interior_within(const Triangle& q, const Polynomial& squared, Range range) {
+  const Vector n = cross(q[1] - q[0], q[2] - q[0]);
+  const Polynomial height = dot(n, q[0]);
+  std::vector<Condition> conditions{not_negative(squared * dot(n, n) - height * height)};
+  for (std::size_t i = 0; i < 3; ++i) conditions.push_back(positive(dot(n, cross(q[i], q[(i + 1) % 3]))));
+  return holds_somewhere({}, conditions, range);
+}
+
+}  // namespace
+
+bool touches(PairKind kind, const Motion& motion, const Times& times) {
+  const Range range = times.half_open ? Range::half_open : Range::closed;
+  for (const Triangle& q : triangles_of(kind, integer_motion(motion, times, 0).points)) {
+    for (std::size_t i = 0; i < 3; ++i)
+      if (side_meets_origin(q[i], q[(i + 1) % 3], range)) return true;
+    if (interior_meets_origin(q, range)) return true;
+  }
+  return false;
+}
+
+bool comes_within(PairKind kind, const Motion& motion, double separation, const Times& times) {
+  const Range range = times.half_open ? Range::half_open : Range::closed;
+  const IntegerMotion m = integer_motion(motion, times, separation);
+  const Integer d = m.unit * scaled_to_integer(separation, m.exponent);
+  const Polynomial squared({d * d});
+  for (const Triangle& q : triangles_of(kind, m.points)) {
+    for (std::size_t i = 0; i < 3; ++i)
+      if (side_within(q[i], q[(i + 1) % 3], squared, range)) return true;
+    if (interior_within(q, squared, range)) return true;
+  }
+  return false;
+}
+
+}  // namespace tamis::oracle

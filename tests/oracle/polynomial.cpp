@@ -1,0 +1,91 @@
+#include "oracle/polynomial.hpp"
+
+#include <algorithm>
+
+namespace tamis::oracle {
+
+Polynomial::Polynomial(std::vector<Integer> coefficients) : coefficients_(std::move(coefficients)) {
+  while (!coefficients_.empty() && sgn(coefficients_.back()) == 0) coefficients_.pop_back();
+}
+
+int Polynomial::sign_at(const Rational& t) const {
+  // Horner's scheme on the numerator of the value over denominator^degree.
+  Integer value = 0, power = 1;
+  for (std::size_t i = coefficients_.size(); i-- > 0;) {
+    value = value * t.get_num() + coefficients_[i] * power;
+    power *= t.get_den();
+  }
+  return sgn(value);
+}
+
+Polynomial Polynomial::derivative() const {
+  std::vector<Integer> result;
+  for (std::size_t i = 1; i < coefficients_.size(); ++i) result.push_back(coefficients_[i] * i);
+  return Polynomial(std::move(result));
+}
+
+Polynomial Polynomial::without_roots_at_ends() const {
+  std::vector<Integer> c = coefficients_;
+  while (sgn(c.front()) == 0) c.erase(c.begin());
+  while (Polynomial(c).sign_at(1) == 0) {
+    // Horner's scheme at 1: the partial sums from the top are the quotient, the last one is the remainder 0.
+    for (std::size_t i = c.size() - 1; i-- > 0;) c[i] += c[i + 1];
+    c.erase(c.begin());
+  }
+  return Polynomial(std::move(c));
+}
+
+Polynomial Polynomial::primitive() const {
+  Integer divisor = 0;
+  for (const Integer& c : coefficients_) divisor = gcd(divisor, c);
+  if (divisor <= 1) return *this;
+  std::vector<Integer> result = coefficients_;
+  for (Integer& c : result) c /= divisor;
+  return Polynomial(std::move(result));
+}
+
+Polynomial operator+(const Polynomial& a, const Polynomial& b) {
+  if (a.is_zero()) return b;
+  if (b.is_zero()) return a;
+  std::vector<Integer> result(std::max(a.degree(), b.degree()) + 1);
+  for (std::size_t i = 0; i < result.size(); ++i) {
+    if (i <= a.degree()) result[i] += a[i];
+    if (i <= b.degree()) result[i] += b[i];
+  }
+  return Polynomial(std::move(result));
+}
+
+Polynomial operator-(const Polynomial& a) {
+  if (a.is_zero()) return a;
+  std::vector<Integer> result(a.degree() + 1);
+  for (std::size_t i = 0; i < result.size(); ++i) result[i] = -a[i];
+  return Polynomial(std::move(result));
+}
+
+Polynomial operator-(const Polynomial& a, const Polynomial& b) { return a + -b; }
+
+Polynomial operator*(const Polynomial& a, const Polynomial& b) {
+  if (a.is_zero() || b.is_zero()) return {};
+  std::vector<Integer> result(a.degree() + b.degree() + 1);
+  for (std::size_t i = 0; i <= a.degree(); ++i)
+    for (std::size_t j = 0; j <= b.degree(); ++j) result[i + j] += a[i] * b[j];
+  return Polynomial(std::move(result));
+}
+
+Polynomial remainder(const Polynomial& a, const Polynomial& b) {
+  Polynomial rest = a;
+  const Integer scale = abs(b.leading());
+  while (!rest.is_zero() && rest.degree() >= b.degree()) {
+    const std::size_t shift = rest.degree() - b.degree();
+    const Integer factor = sgn(b.leading()) > 0 ? rest.leading() : Integer(-rest.leading());
+    std::vector<Integer> next(rest.degree());  // the leading coefficient cancels
+    for (std::size_t i = 0; i < next.size(); ++i) {
+      next[i] = scale * rest[i];
+      if (i >= shift) next[i] -= factor * b[i - shift];
+    }
+    rest = Polynomial(std::move(next));
+  }
+  return rest;
+}
+
+}  // namespace tamis::oracle

@@ -1,0 +1,25 @@
+// "Is there a t in [0,1] at which these polynomials have these signs?", without ever computing a root: the roots of
+// one polynomial at which others are positive are counted by Sturm-Tarski sequences (Basu, Pollack, Roy, Algorithms in
+// Real Algebraic Geometry, 2nd ed. 2006, section 2.2.2).
+#pragma once
+#include <vector>
+
+#include "oracle/polynomial.hpp"
+
+namespace tamis::oracle {
+
+enum class Relation { positive, not_negative };
+
+/// p(t) > 0, or p(t) >= 0.
+struct Condition {
+  Polynomial p;
+  Relation relation;
+};
+
+/// A part of [0,1]: all of it, or without its last point.
+enum class Range { closed, half_open };
+
+/// Is there a t in the range with zero(t) = 0 at which all conditions hold?
+bool holds_somewhere(const Polynomial& zero, const std::vector<Condition>& conditions, Range range);
+
+}  // namespace tamis::oracle

@@ -1,0 +1,47 @@
+// Random motions of one pair of features, by family: each family aims at one way of losing a contact.
+#pragma once
+#include <array>
+#include <string>
+#include <string_view>
+
+#include "motion/make_motion.hpp"
+#include "oracle/oracle.hpp"
+#include "scenes/random.hpp"
+
+namespace tamis::test {
+
+using scenes::Random;
+
+struct Family {
+  std::string_view name;
+  oracle::Motion (*make)(PairKind, Random&);
+};
+
+/// random: corners anywhere in a box, motion of the same size.
+/// separated: the same, with the second feature two boxes away: nearly always free.
+/// exact_contact: a known contact at a dyadic time and place, exactly; often on the border of a feature or of the step.
+/// near_contact: the same, with each coordinate moved by some units in its last places: contact or just no contact.
+/// lattice: corners on a lattice of few points: coplanar, collinear, parallel and coincident things all the time.
+/// degenerate: on the lattice, with edges of no length, faces of no area, features at rest, features that coincide.
+/// in_plane: all points move within one plane, which moves too.
+/// mirrored: the second feature is the first one's image in x = 0 (vf: its point on the mirror).
+extern const std::array<Family, 8> kFamilies;
+
+/// Changes of unit and place that must not change any certificate's truth.
+struct Placement {
+  std::string_view name;
+  double scale;
+  double offset;
+};
+extern const std::array<Placement, 6> kPlacements;
+oracle::Motion placed(oracle::Motion motion, const Placement& placement);
+
+/// The same pair with its vertices in another order, chosen at random.
+oracle::Motion permuted(PairKind kind, const oracle::Motion& motion, Random& random);
+
+inline PairPoints to_points(const oracle::Motion& motion) { return {motion.start, motion.end}; }
+
+/// In hexadecimal, to reproduce a failure.
+std::string describe(PairKind kind, const oracle::Motion& motion);
+
+}  // namespace tamis::test

@@ -24,8 +24,8 @@ double middle_double(double a, double b) {
 /// Newton's correction -p/p' at t, from the exact values; NaN or infinite where p' vanishes.
 double newton_step(const Integer& scaled_value, const IntegerPolynomial& derivative, const DyadicCell& t) {
   long exponent, derivative_exponent;
-  const double value = mpz_get_d_2exp(&exponent, scaled_value.get_mpz_t());
-  const double slope = mpz_get_d_2exp(&derivative_exponent, derivative.scaled_value(t).get_mpz_t());
+  const double value = mpz_get_d_2exp(&exponent, scaled_value.get());
+  const double slope = mpz_get_d_2exp(&derivative_exponent, derivative.scaled_value(t).get());
   return std::ldexp(-value / slope, static_cast<int>(exponent - derivative_exponent - static_cast<long>(t.k)));
 }
 
@@ -85,7 +85,7 @@ void AlgebraicTime::narrow_to_doubles(double lower, double upper) {
     if (!(guess > lower && guess < upper) || step > kNewtonSteps) guess = middle_double(lower, upper);
     DyadicCell t = cell_above(guess);
     const Integer value = polynomial_.scaled_value(t);
-    const int side = sgn(value) * sign_before_;
+    const int side = value.sign() * sign_before_;
     if (side == 0) {
       is_exact_ = true;
       cell_ = std::move(t);

@@ -13,8 +13,8 @@ constexpr long kFinestSpacing = 1074;
 
 /// The spacing 2^-s of the doubles from n / 2^k upward, as s.
 long spacing_above(const DyadicCell& cell) {
-  if (cell.n == 0) return kFinestSpacing;
-  const long above_binary_point = static_cast<long>(mpz_sizeinbase(cell.n.get_mpz_t(), 2)) - static_cast<long>(cell.k);
+  if (cell.n.sign() == 0) return kFinestSpacing;
+  const long above_binary_point = cell.n.bits() - static_cast<long>(cell.k);
   return std::min(kDigits - above_binary_point, kFinestSpacing);
 }
 
@@ -25,22 +25,22 @@ DyadicCell cell_above(double lower) {
   if (lower > 0) spacing = std::min<long>(kDigits - 1 - std::ilogb(lower), kFinestSpacing);
   // Two steps: 2^1074 is not a double.
   const double half_scaled = std::ldexp(lower, static_cast<int>(spacing / 2));
-  return {Integer(std::ldexp(half_scaled, static_cast<int>(spacing - spacing / 2))),
+  return {static_cast<std::int64_t>(std::ldexp(half_scaled, static_cast<int>(spacing - spacing / 2))),
           static_cast<unsigned long>(spacing)};
 }
 
 double lower_end(const DyadicCell& cell) {
   const long spacing = spacing_above(cell);
   const long excess = static_cast<long>(cell.k) - spacing;
-  if (excess <= 0) return std::ldexp(cell.n.get_d(), -static_cast<int>(cell.k));
+  if (excess <= 0) return std::ldexp(cell.n.to_double(), -static_cast<int>(cell.k));
   const Integer kept = cell.n >> static_cast<unsigned long>(excess);
-  return std::ldexp(kept.get_d(), -static_cast<int>(spacing));
+  return std::ldexp(kept.to_double(), -static_cast<int>(spacing));
 }
 
 bool lower_end_is_double(const DyadicCell& cell) {
   const long excess = static_cast<long>(cell.k) - spacing_above(cell);
-  return excess <= 0 || cell.n == 0 ||
-         mpz_divisible_2exp_p(cell.n.get_mpz_t(), static_cast<unsigned long>(excess)) != 0;
+  return excess <= 0 || cell.n.sign() == 0 ||
+         mpz_divisible_2exp_p(cell.n.get(), static_cast<unsigned long>(excess)) != 0;
 }
 
 }  // namespace tamis

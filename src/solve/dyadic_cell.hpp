@@ -1,18 +1,16 @@
 // The interval (n, n+1) / 2^k in which a time is enclosed. Two such cells are nested or disjoint; the gap between two
 // neighbouring doubles is one of them.
 #pragma once
-#include <gmpxx.h>
+#include "numerics/integer.hpp"
 
 namespace tamis {
-
-using Integer = mpz_class;
 
 struct DyadicCell {
   Integer n{0};
   unsigned long k = 0;
 
-  DyadicCell left_half() const { return {Integer(n << 1), k + 1}; }
-  DyadicCell right_half() const { return {Integer(n << 1) + 1, k + 1}; }
+  DyadicCell left_half() const { return {n << 1, k + 1}; }
+  DyadicCell right_half() const { return {(n << 1) + 1, k + 1}; }
 };
 
 /// The cell whose lower end is `lower` and whose upper end is the next double.

@@ -1,13 +1,24 @@
 #include "solve/integer_polynomial.hpp"
 
+#include <gmpxx.h>
+
 #include <algorithm>
 #include <utility>
 
 namespace tamis {
+namespace {
+
+mpz_class exact_quotient(mpz_srcptr a, mpz_srcptr b) {
+  mpz_class quotient;
+  mpz_divexact(quotient.get_mpz_t(), a, b);
+  return quotient;
+}
+
+}  // namespace
 
 void IntegerPolynomial::find_degree(int at_most) {
   degree_ = at_most;
-  while (degree_ >= 0 && sgn(at(degree_)) == 0) --degree_;
+  while (degree_ >= 0 && at(degree_).sign() == 0) --degree_;
 }
 
 Integer IntegerPolynomial::scaled_value(const DyadicCell& t) const {
@@ -23,7 +34,7 @@ Integer IntegerPolynomial::scaled_value(const DyadicCell& t) const {
 
 int IntegerPolynomial::sign_after_zero() const {
   for (const Integer& coefficient : powers_)
-    if (const int sign = sgn(coefficient)) return sign;
+    if (const int sign = coefficient.sign()) return sign;
   return 0;
 }
 
@@ -34,7 +45,7 @@ int IntegerPolynomial::sign_variations() const {
     for (std::size_t i = 1; i <= last; ++i) bernstein[i] += bernstein[i - 1];
   int variations = 0, previous = 0;
   for (int i = 0; i <= degree_; ++i) {
-    const int sign = sgn(bernstein[static_cast<std::size_t>(i)]);
+    const int sign = bernstein[static_cast<std::size_t>(i)].sign();
     if (sign == 0) continue;
     if (sign == -previous) ++variations;
     previous = sign;
@@ -51,7 +62,7 @@ IntegerPolynomial IntegerPolynomial::on(const DyadicCell& cell) const {
   IntegerPolynomial p = *this;
   if (cell.k > 0)
     for (int i = 0; i < degree_; ++i) p.at(i) <<= cell.k * static_cast<unsigned long>(degree_ - i);
-  if (sgn(cell.n) != 0) p.shift_by(cell.n);
+  if (cell.n.sign() != 0) p.shift_by(cell.n);
   return p;
 }
 
@@ -69,15 +80,15 @@ void IntegerPolynomial::divide_by_powers_of_two() {
   if (is_zero()) return;
   mp_bitcnt_t common = ~mp_bitcnt_t{0};
   for (const Integer& c : powers_)
-    if (sgn(c) != 0) common = std::min(common, mpz_scan1(c.get_mpz_t(), 0));
+    if (c.sign() != 0) common = std::min(common, mpz_scan1(c.get(), 0));
   if (common == 0) return;
   for (Integer& c : powers_) c >>= common;
 }
 
 void IntegerPolynomial::divide_by_content() {
-  Integer content;
-  for (int i = 0; i <= degree_; ++i) content = gcd(content, at(i));
-  for (int i = 0; i <= degree_; ++i) mpz_divexact(at(i).get_mpz_t(), at(i).get_mpz_t(), content.get_mpz_t());
+  mpz_class content;
+  for (int i = 0; i <= degree_; ++i) mpz_gcd(content.get_mpz_t(), content.get_mpz_t(), at(i).get());
+  for (int i = 0; i <= degree_; ++i) at(i).assign(exact_quotient(at(i).get(), content.get_mpz_t()).get_mpz_t());
 }
 
 void IntegerPolynomial::reduce_modulo(const IntegerPolynomial& b) {
@@ -110,7 +121,7 @@ IntegerPolynomial IntegerPolynomial::divided_exactly_by(const IntegerPolynomial&
   IntegerPolynomial rest = *this, quotient;
   for (int shift = degree_ - b.degree_; shift >= 0; --shift) {
     Integer& factor = quotient.at(shift);
-    mpz_divexact(factor.get_mpz_t(), rest[shift + b.degree_].get_mpz_t(), b[b.degree_].get_mpz_t());
+    factor.assign(exact_quotient(rest[shift + b.degree_].get(), b[b.degree_].get()).get_mpz_t());
     for (int i = 0; i <= b.degree_; ++i) rest.at(shift + i) -= factor * b[i];
   }
   quotient.degree_ = degree_ - b.degree_;

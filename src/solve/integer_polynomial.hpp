@@ -26,7 +26,7 @@ class IntegerPolynomial {
   /// 2^(k degree) times the value at the lower end of the cell.
   Integer scaled_value(const DyadicCell& at) const;
   /// Of the value at the lower end of the cell: -1, 0 or 1.
-  int sign_at(const DyadicCell& at) const { return sgn(scaled_value(at)); }
+  int sign_at(const DyadicCell& at) const { return scaled_value(at).sign(); }
   /// Of the values just after t = 0.
   int sign_after_zero() const;
 

@@ -3,40 +3,44 @@
 #include <algorithm>
 #include <bit>
 #include <climits>
-#include <cmath>
 #include <cstdint>
 
 namespace tamis {
 namespace {
 
-constexpr int kDigits = 53;
-
-/// x = mantissa 2^exponent with an odd mantissa, or zero.
-int exponent_of_last_bit(double x) {
+/// x = mantissa 2^exponent.
+struct Parts {
+  std::int64_t mantissa;
   int exponent;
-  const auto mantissa = static_cast<std::int64_t>(std::ldexp(std::frexp(x, &exponent), kDigits));
-  return exponent - kDigits + std::countr_zero(static_cast<std::uint64_t>(mantissa));
+};
+
+Parts parts_of(double x) {
+  const auto bits = std::bit_cast<std::uint64_t>(x);
+  const auto biased = static_cast<int>(bits >> 52 & 0x7ff);
+  auto mantissa = static_cast<std::int64_t>(bits & 0xfffffffffffff);
+  if (biased > 0) mantissa |= std::int64_t{1} << 52;
+  return {x < 0 ? -mantissa : mantissa, std::max(biased, 1) - 1075};
 }
 
+/// Of the last bit that is set in any coordinate.
 int common_exponent(const PairPoints& points) {
   int common = INT_MAX;
   for (const auto* at : {&points.start, &points.end})
     for (const Point& point : *at)
-      for (const double x : point)
-        if (x != 0) common = std::min(common, exponent_of_last_bit(x));
+      for (const double x : point) {
+        const Parts parts = parts_of(x);
+        if (x != 0)
+          common = std::min(common, parts.exponent + std::countr_zero(static_cast<std::uint64_t>(parts.mantissa)));
+      }
   return common;
 }
 
 Integer scaled(double x, int common) {
+  const Parts parts = parts_of(x);
+  const int shift = parts.exponent - common;
   if (x == 0) return 0;
-  int exponent;
-  Integer result(std::ldexp(std::frexp(x, &exponent), kDigits));
-  const int shift = exponent - kDigits - common;
-  if (shift >= 0)
-    result <<= static_cast<unsigned long>(shift);
-  else
-    result >>= static_cast<unsigned long>(-shift);
-  return result;
+  if (shift <= 0) return parts.mantissa / (std::int64_t{1} << -shift);
+  return Integer(parts.mantissa) << static_cast<unsigned long>(shift);
 }
 
 std::array<Moving<Integer>, 4> scaled(const PairPoints& points) {

@@ -12,7 +12,7 @@ struct Part {
 };
 
 /// The root at the lower end of a cell is the cell's own, unless the left neighbour's parent has reported it.
-bool owns_lower_end(const DyadicCell& cell) { return cell.k == 0 || mpz_odd_p(cell.n.get_mpz_t()); }
+bool owns_lower_end(const DyadicCell& cell) { return cell.k == 0 || cell.n.is_odd(); }
 
 }  // namespace
 
@@ -25,7 +25,7 @@ std::vector<AlgebraicTime> roots_in_unit_interval(const IntegerPolynomial& p) {
   while (!parts.empty()) {
     const Part part = std::move(parts.back());
     parts.pop_back();
-    if (sgn(part.local[0]) == 0 && owns_lower_end(part.cell)) roots.push_back(AlgebraicTime::exactly(part.cell));
+    if (part.local[0].sign() == 0 && owns_lower_end(part.cell)) roots.push_back(AlgebraicTime::exactly(part.cell));
     const int variations = part.local.sign_variations();
     if (variations == 1) roots.emplace_back(polynomial, part.cell);
     if (variations <= 1) continue;

@@ -1,0 +1,131 @@
+// Integers of any size by GMP, those up to 768 bits without the heap: an exact decision makes hundreds of them, and
+// with mpz_class half of its time went to malloc.
+#pragma once
+#include <gmp.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <cstdlib>
+
+namespace tamis {
+
+/// What the templates of motion/polynomials.hpp and Horner's rule need; for the rest of GMP there is `get()`.
+class Integer {
+ public:
+  Integer() noexcept { use_own_limbs(); }
+  Integer(std::int64_t value) noexcept;
+  Integer(const Integer& other) : Integer() { *this = other; }
+  Integer(Integer&& other) noexcept : Integer() { *this = static_cast<Integer&&>(other); }
+  ~Integer() { release(); }
+  Integer& operator=(const Integer& other);
+  Integer& operator=(Integer&& other) noexcept;
+  /// Takes the value of any GMP integer.
+  void assign(mpz_srcptr value);
+
+  mpz_srcptr get() const { return value_; }
+  int sign() const { return mpz_sgn(value_); }
+  /// Number of bits of the absolute value; 1 for zero.
+  long bits() const { return static_cast<long>(mpz_sizeinbase(value_, 2)); }
+  bool is_odd() const { return mpz_odd_p(value_) != 0; }
+  /// Towards zero.
+  double to_double() const { return mpz_get_d(value_); }
+
+  Integer& operator+=(const Integer& b);
+  Integer& operator-=(const Integer& b);
+  Integer& operator*=(const Integer& b) { return *this = *this * b; }
+  Integer& operator<<=(unsigned long bits);
+  /// Towards zero.
+  Integer& operator>>=(unsigned long bits);
+
+  friend Integer operator-(Integer a) {
+    a.value_->_mp_size = -a.value_->_mp_size;
+    return a;
+  }
+  friend Integer operator+(Integer a, const Integer& b) { return static_cast<Integer&&>(a += b); }
+  friend Integer operator-(Integer a, const Integer& b) { return static_cast<Integer&&>(a -= b); }
+  friend Integer operator*(const Integer& a, const Integer& b) {
+    Integer product;
+    product.reserve(a.limbs() + b.limbs());
+    mpz_mul(product.value_, a.value_, b.value_);
+    return product;
+  }
+  friend Integer operator<<(Integer a, unsigned long bits) { return static_cast<Integer&&>(a <<= bits); }
+  friend Integer operator>>(Integer a, unsigned long bits) { return static_cast<Integer&&>(a >>= bits); }
+
+ private:
+  static constexpr int kOwnLimbs = 12;
+  static_assert(GMP_NUMB_BITS == 64);
+
+  bool has_own_limbs() const { return value_->_mp_d == limbs_; }
+  void use_own_limbs() {
+    value_->_mp_d = limbs_;
+    value_->_mp_alloc = kOwnLimbs;
+    value_->_mp_size = 0;
+  }
+  void release() {
+    if (!has_own_limbs()) mpz_clear(value_);
+  }
+  int limbs() const { return std::abs(value_->_mp_size); }
+  /// Makes room before each operation for what GMP asks of its result: GMP must not reallocate our own limbs.
+  void reserve(int limbs) {
+    if (limbs > value_->_mp_alloc) grow(limbs);
+  }
+  void grow(int limbs);
+
+  mpz_t value_;
+  mp_limb_t limbs_[kOwnLimbs];
+};
+
+inline Integer::Integer(std::int64_t value) noexcept : Integer() {
+  const auto magnitude = static_cast<std::uint64_t>(value);
+  limbs_[0] = value < 0 ? 0 - magnitude : magnitude;
+  value_->_mp_size = (value > 0) - (value < 0);
+}
+
+inline void Integer::assign(mpz_srcptr value) {
+  reserve(static_cast<int>(mpz_size(value)));
+  mpz_set(value_, value);
+}
+
+inline Integer& Integer::operator=(const Integer& other) {
+  assign(other.get());
+  return *this;
+}
+
+inline Integer& Integer::operator=(Integer&& other) noexcept {
+  if (this == &other) return *this;
+  if (other.has_own_limbs()) {  // fits anywhere
+    std::copy_n(other.limbs_, other.limbs(), value_->_mp_d);
+    value_->_mp_size = other.value_->_mp_size;
+  } else {
+    release();
+    value_[0] = other.value_[0];
+    other.use_own_limbs();
+  }
+  return *this;
+}
+
+inline Integer& Integer::operator+=(const Integer& b) {
+  reserve(std::max(limbs(), b.limbs()) + 1);
+  mpz_add(value_, value_, b.value_);
+  return *this;
+}
+
+inline Integer& Integer::operator-=(const Integer& b) {
+  reserve(std::max(limbs(), b.limbs()) + 1);
+  mpz_sub(value_, value_, b.value_);
+  return *this;
+}
+
+inline Integer& Integer::operator<<=(unsigned long bits) {
+  reserve(limbs() + static_cast<int>(bits / GMP_NUMB_BITS) + 1);
+  mpz_mul_2exp(value_, value_, bits);
+  return *this;
+}
+
+inline Integer& Integer::operator>>=(unsigned long bits) {
+  mpz_tdiv_q_2exp(value_, value_, bits);
+  return *this;
+}
+
+}  // namespace tamis

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""check_isa_symbols.py ISA OBJECT...: objects compiled for one instruction set define no symbol that others share.
+"""check_isa_symbols.py ISA OBJECT...: objects compiled for one instruction set define no function that others share.
 
 The linker keeps one copy of an inline function or template. If std::vector<int>::push_back is also compiled with
 AVX-512 and that copy wins, every machine without AVX-512 dies in it. So whatever such an object offers to the
@@ -15,21 +15,21 @@ OWN_NAME = {
 }
 
 
-def shared_symbols(isa: str, path: str):
+def shared_functions(isa: str, path: str):
     listing = subprocess.run(["nm", "--demangle", "--defined-only", "--extern-only", path],
                              check=True, capture_output=True, text=True).stdout
     for line in filter(None, listing.splitlines()):
-        name = line.split(" ", 2)[2]
-        if not OWN_NAME[isa].search(name):
+        _, kind, name = line.split(" ", 2)
+        if kind in "TWi" and not OWN_NAME[isa].search(name):
             yield name
 
 
 def main() -> int:
     isa, objects = sys.argv[1], sys.argv[2:]
-    leaks = [(path, name) for path in objects for name in shared_symbols(isa, path)]
+    leaks = [(path, name) for path in objects for name in shared_functions(isa, path)]
     for path, name in leaks:
         print(f"{path}: {name}")
-    print(f"{len(objects)} objects, {len(leaks)} shared symbols")
+    print(f"{len(objects)} objects, {len(leaks)} functions under a name that others share")
     return 1 if leaks or not objects else 0
 
 

@@ -2,6 +2,7 @@
 #pragma once
 #include <cstdint>
 #include <functional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -50,6 +51,21 @@ struct PairFilter {
   static PairFilter no_static_pairs(std::vector<Index> group_of_vertex, const std::vector<bool>& is_static);
 };
 
+/// Bounds of the nodes of the paper's hierarchy, over the whole step.
+enum class BoundingVolume : std::uint8_t { aabb, dop16, dop18, dop26 };
+
+/// The laboratory of Method::paper: the published system by default, its competitors by choice. The contacts are the
+/// same for every choice.
+struct PaperOptions {
+  BoundingVolume bounding_volume = BoundingVolume::dop16;
+  /// Filters by name, in the order in which they are tried (src/filters/filters.hpp has the list).
+  std::vector<std::string> filters{"dnf", "ncf-published"};
+  /// false: pairs of triangles that share a vertex are tested like all others.
+  bool orphan_sets = true;
+  /// false: a pair of features is tested in every pair of triangles that contains it.
+  bool representative_triangles = true;
+};
+
 struct Options {
   Method method = Method::tamis;
   Guarantee guarantee = Guarantee::conservative;
@@ -59,6 +75,7 @@ struct Options {
   double min_separation = 0;
   Isa isa = Isa::best;
   PairFilter filter;
+  PaperOptions paper;
 };
 
 }  // namespace tamis

@@ -10,6 +10,7 @@
 // rounding included; NaN and infinity must come out false. T is double, or SIMD lanes of it.
 #pragma once
 #include <string_view>
+#include <type_traits>
 #include <utility>
 
 #include "motion/pair_motion.hpp"
@@ -20,5 +21,21 @@ namespace tamis {
 /// Result of a comparison: bool for double, a lane mask for SIMD lanes.
 template <class T>
 using Mask = decltype(std::declval<T>() > std::declval<T>());
+
+/// a | b() and a & b(): one pair at a time skips `b` where `a` decides, lanes compute both.
+template <class M, class Other>
+inline M either(const M& a, const Other& b) {
+  if constexpr (std::is_same_v<M, bool>)
+    return a || b();
+  else
+    return a | b();
+}
+template <class M, class Other>
+inline M both(const M& a, const Other& b) {
+  if constexpr (std::is_same_v<M, bool>)
+    return a && b();
+  else
+    return a & b();
+}
 
 }  // namespace tamis

@@ -45,11 +45,14 @@ struct Ncf {
   static Mask<T> proves_free(const PairMotion<T>& m) {
     const auto n = normal_polynomial(m.e, m.f);
     if constexpr (kind == PairKind::vertex_face)
-      return stays_outside(m, n, m.d, m.size_d, m.e, m.size_e) | stays_outside(m, n, m.d, m.size_d, -m.f, m.size_f) |
-             stays_outside(m, n, m.d - m.e, m.size_d + m.size_e, m.f - m.e, m.size_e + m.size_f);
+      return either(stays_outside(m, n, m.d, m.size_d, m.e, m.size_e), [&] {
+        return either(stays_outside(m, n, m.d, m.size_d, -m.f, m.size_f), [&] {
+          return stays_outside(m, n, m.d - m.e, m.size_d + m.size_e, m.f - m.e, m.size_e + m.size_f);
+        });
+      });
     else
-      return one_side(m, n, m.d, m.d + m.f, m.size_d + m.size_f, m.e, m.size_e) |
-             one_side(m, n, -m.d, m.e - m.d, m.size_d + m.size_e, m.f, m.size_f);
+      return either(one_side(m, n, m.d, m.d + m.f, m.size_d + m.size_f, m.e, m.size_e),
+                    [&] { return one_side(m, n, -m.d, m.e - m.d, m.size_d + m.size_e, m.f, m.size_f); });
   }
 
  private:

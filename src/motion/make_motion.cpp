@@ -1,7 +1,8 @@
 #include "motion/make_motion.hpp"
 
 #include <algorithm>
-#include <cmath>
+
+#include "numerics/scale.hpp"
 
 namespace tamis {
 namespace {
@@ -10,16 +11,7 @@ Vec3<double> difference(const Point& to, const Point& from) {
   return {to[0] - from[0], to[1] - from[1], to[2] - from[2]};
 }
 
-double largest(const Vec3<double>& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
-double largest(const Moving<double>& v) { return std::max(largest(v.at0), largest(v.at1)); }
-
 Moving<double> scaled(const Moving<double>& v, double scale) { return {scale * v.at0, scale * v.at1}; }
-
-/// A power of two, within the normal range of double: exact to multiply with.
-double scale_to_one(double size) {
-  if (!(size > 0) || std::isinf(size)) return 1;
-  return std::ldexp(1.0, std::clamp(-1 - std::ilogb(size), -1022, 1000));
-}
 
 }  // namespace
 
@@ -32,7 +24,7 @@ PairMotion<double> make_motion(PairKind kind, const PairPoints& points) {
   const Moving<double> e = is_vf ? moving(2, 1) : moving(1, 0);
   const Moving<double> f = is_vf ? moving(3, 1) : moving(3, 2);
   const Moving<double> d = is_vf ? moving(0, 1) : moving(2, 0);
-  const double scale = scale_to_one(std::max({largest(e), largest(f), largest(d)}));
+  const double scale = scale_below_one(std::max({largest(e), largest(f), largest(d)}));
   return {scaled(e, scale),   scaled(f, scale),   scaled(d, scale),
           scale * largest(e), scale * largest(f), scale * largest(d)};
 }

@@ -3,6 +3,7 @@
 //   edge-edge   a0a1 against b0b1: e = a1 - a0,  f = b1 - b0,  d = b0 - a0
 // One template on the number type T: double, SIMD lanes, interval, exact rational.
 #pragma once
+#include "numerics/select.hpp"
 #include "numerics/vec.hpp"
 #include "tamis/contact.hpp"
 
@@ -25,6 +26,11 @@ inline Moving<T> operator+(const Moving<T>& a, const Moving<T>& b) {
 template <class T>
 inline Moving<T> operator-(const Moving<T>& a) {
   return {-a.at0, -a.at1};
+}
+
+/// Largest |component| at both ends.
+inline double largest(const Moving<double>& v) {
+  return max(max(max(abs(v.at0.x), abs(v.at0.y)), abs(v.at0.z)), max(max(abs(v.at1.x), abs(v.at1.y)), abs(v.at1.z)));
 }
 
 /// `size_*` bound every |component| of the unrestricted vector: the unit of its rounding errors. They stay those of

@@ -1,0 +1,29 @@
+// The list of filters: a new one is its file and its name in `Filters`.
+#pragma once
+#include <span>
+
+#include "filters/dnf.hpp"
+#include "filters/ncf.hpp"
+#include "filters/ncf_published.hpp"
+
+namespace tamis {
+
+template <class... F>
+struct FilterList {};
+
+using Filters = FilterList<Dnf, Ncf, NcfPublished>;
+
+/// One filter as a stage over a block of pairs: keeps in `alive` (indices into `motions`) those it cannot prove free,
+/// in order, and returns how many they are.
+struct FilterStage {
+  using Cull = std::size_t (*)(const PairMotion<double>* motions, std::span<std::uint16_t> alive);
+  std::string_view name;
+  Cull vf, ee;
+};
+
+std::span<const FilterStage> filter_stages();
+
+/// Throws InvalidOptions, naming the choices, if there is no such filter.
+const FilterStage& filter_stage_by_name(std::string_view name);
+
+}  // namespace tamis

@@ -1,0 +1,42 @@
+// The vertices of a step, brought to one scale, so that no overflow is possible and bounds may be kept in float.
+#pragma once
+#include <vector>
+
+#include "motion/pair_motion.hpp"
+#include "tamis/mesh.hpp"
+#include "tamis/step.hpp"
+
+namespace tamis {
+
+/// Positions times a power of two: the largest |coordinate| of the vertices in use lies in [1/2, 1).
+class MovingPoints {
+ public:
+  /// REQUIRES: a validated step. Vertices that take no part in contacts are left at zero.
+  void update(const Mesh& mesh, const Step& step);
+
+  const Moving<double>& operator[](Index vertex) const { return points_[static_cast<std::size_t>(vertex)]; }
+  Index count() const { return static_cast<Index>(points_.size()); }
+  /// A length of the step times this is a length here.
+  double scale() const { return scale_; }
+  /// Middle of the box of all positions, near enough: bounds are kept relative to it.
+  const Vec3<double>& centre() const { return centre_; }
+  std::uint64_t memory_bytes() const { return points_.capacity() * sizeof(points_[0]); }
+
+ private:
+  std::vector<Moving<double>> points_;
+  double scale_ = 1;
+  Vec3<double> centre_{0, 0, 0};
+};
+
+/// The pair's motion with its sizes. REQUIRES: coordinates of MovingPoints. vf: p, a, b, c; ee: a0, a1, b0, b1.
+template <PairKind kind>
+inline PairMotion<double> relative_motion(const Moving<double>& p0, const Moving<double>& p1, const Moving<double>& p2,
+                                          const Moving<double>& p3) {
+  constexpr bool is_vf = kind == PairKind::vertex_face;
+  const auto e = is_vf ? p2 - p1 : p1 - p0;
+  const auto f = is_vf ? p3 - p1 : p3 - p2;
+  const auto d = is_vf ? p0 - p1 : p2 - p0;
+  return {e, f, d, largest(e), largest(f), largest(d)};
+}
+
+}  // namespace tamis

@@ -43,8 +43,8 @@ struct Statistics {
   Seconds seconds;
   std::uint64_t nodes_visited = 0;
   std::uint64_t triangle_pairs = 0;  ///< that the hierarchy leaves; method `paper` only
-  bool rebuilt = false;            ///< the hierarchy was built, not refitted
-  std::uint64_t memory_bytes = 0;  ///< held by the detector: hierarchy, buffers, contacts
+  bool rebuilt = false;              ///< the hierarchy was built, not refitted
+  std::uint64_t memory_bytes = 0;    ///< held by the detector: hierarchy, buffers, contacts
 };
 
 }  // namespace tamis

@@ -215,7 +215,8 @@ class PaperEngine final : public Engine {
       }
     const auto key = [](const auto& entry) { return entry.first; };
     std::ranges::sort(keyed, {}, key);
-    keyed.erase(std::ranges::unique(keyed, {}, key).begin(), keyed.end());
+    const auto same = [&](const auto& a, const auto& b) { return key(a) == key(b); };
+    keyed.erase(std::unique(keyed.begin(), keyed.end(), same), keyed.end());
     contacts.clear();
     for (const auto& entry : keyed) contacts.push_back(entry.second);
   }

@@ -25,15 +25,6 @@ void add(StageCount& sum, const StageCount& part) {
 
 double now() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
-PairPoints points_of(const Step& step, const PairVertices& vertices) {
-  PairPoints points;
-  for (std::size_t i = 0; i < 4; ++i) {
-    std::copy_n(step.start[vertices[i]], 3, points.start[i].begin());
-    std::copy_n(step.end[vertices[i]], 3, points.end[i].begin());
-  }
-  return points;
-}
-
 PairResult certified_contact(const ElementaryTest& test) {
   const double length = std::sqrt(dot(test.normal, test.normal));
   const Vec3<double> n = (1 / length) * test.normal;

@@ -4,9 +4,9 @@
 set -euo pipefail
 
 packages=(g++ cmake ninja-build pkg-config libtbb-dev libgmp-dev libxsimd-dev
-          libcli11-dev libfmt-dev nlohmann-json3-dev)
+          libcli11-dev libfmt-dev nlohmann-json3-dev libeigen3-dev libmeshoptimizer-dev)
 if [[ ${1:-} == --tests ]]; then
-  packages+=(libgtest-dev libeigen3-dev python3 binutils clang-14 clang-format-14 clang-tidy-14)
+  packages+=(libgtest-dev glmark2-data python3 binutils clang-14 clang-format-14 clang-tidy-14)
 fi
 
 is_installed() { [[ $(dpkg-query -W -f='${db:Status-Status}' "$1" 2>/dev/null) == installed ]]; }

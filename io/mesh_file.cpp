@@ -63,8 +63,9 @@ void note_open_end(std::string_view text, MeshFile& mesh) {
   if (!text.ends_with('\n')) mesh.notes.push_back("the last line has no line end: was the file cut short?");
 }
 
-Mesh mesh_of(const MeshFile& file) {
-  return Mesh(static_cast<Index>(file.positions.size()), file.faces, file.loose_edges, file.loose_points);
+Mesh mesh_of(MeshFile file) {
+  return Mesh(static_cast<Index>(file.positions.size()), std::move(file.faces), std::move(file.loose_edges),
+              std::move(file.loose_points));
 }
 
 void require_same_mesh(const MeshFile& first, const std::string& first_name, const MeshFile& second,

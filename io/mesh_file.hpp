@@ -26,7 +26,7 @@ MeshFile read_mesh(const std::filesystem::path& path);
 void note_open_end(std::string_view text, MeshFile& mesh);
 
 /// The topology of the file.
-Mesh mesh_of(const MeshFile& file);
+Mesh mesh_of(MeshFile file);
 
 /// Throws FileError, naming both files and the first difference, unless they have one topology.
 void require_same_mesh(const MeshFile& first, const std::string& first_name, const MeshFile& second,

@@ -1,0 +1,70 @@
+#include "cli/arguments.hpp"
+
+#include <cmath>
+
+#include "tamis/error.hpp"
+
+namespace tamis::cli {
+
+void DetectorArguments::declare(CLI::App& app) {
+  app.add_option("--method", method_, "tamis (default), paper (the published pipeline) or brute (every pair; slow)")
+      ->type_name("NAME");
+  declare_guarantee(app, guarantee_);
+  declare_min_separation(app, min_separation_);
+  constexpr int kMostThreads = 1024;
+  app.add_option("--threads", threads_, "threads to use; 0, the default: all")
+      ->type_name("N")
+      ->check(CLI::Range(0, kMostThreads));
+  app.add_option("--isa", isa_, "instruction set of the hot loops: best (default), baseline, avx2 or avx512")
+      ->type_name("NAME");
+}
+
+Options DetectorArguments::options() const {
+  require_distance(min_separation_);
+  Options options;
+  options.method = method_from_name(method_);
+  options.guarantee = guarantee_from_name(guarantee_);
+  options.isa = isa_from_name(isa_);
+  options.threads = threads_;
+  options.min_separation = min_separation_;
+  return options;
+}
+
+void ScaleArgument::declare(CLI::App& app) {
+  app.add_option("--scale", scale_, "take END = START + S (END - START); default 1")->type_name("S");
+}
+
+double ScaleArgument::value() const {
+  if (!std::isfinite(scale_) || scale_ < 0) throw InvalidOptions("--scale must be a finite number >= 0: correct it");
+  return scale_;
+}
+
+void declare_json(CLI::App& app, bool& json) {
+  app.add_flag("--json", json, "print one JSON object and nothing else on the standard output");
+}
+
+void declare_repeat(CLI::App& app, int& repeat) {
+  constexpr int kMostRuns = 1000000;
+  app.add_option("--repeat", repeat, "ask N times, report the median time of the runs after the first; default 1")
+      ->type_name("N")
+      ->check(CLI::Range(1, kMostRuns));
+}
+
+void declare_guarantee(CLI::App& app, std::string& guarantee) {
+  app.add_option("--guarantee", guarantee,
+                 "what floating point cannot decide: conservative (default) reports it as an unresolved contact, "
+                 "exact decides it by exact algebra")
+      ->type_name("NAME");
+}
+
+void declare_min_separation(CLI::App& app, double& distance) {
+  app.add_option("--min-separation", distance, "contact means a distance <= D, in the unit of the mesh; default 0")
+      ->type_name("D");
+}
+
+void require_distance(double distance) {
+  if (!std::isfinite(distance) || distance < 0)
+    throw InvalidOptions("--min-separation must be a finite distance >= 0: correct it");
+}
+
+}  // namespace tamis::cli

@@ -1,0 +1,25 @@
+// What a mesh is, for a user who wonders.
+#pragma once
+#include <cstddef>
+#include <vector>
+
+#include "tamis/mesh.hpp"
+#include "tamis/step.hpp"
+
+namespace tamis::cli {
+
+struct MeshFacts {
+  std::size_t rods = 0;                ///< edges of no triangle
+  std::size_t boundary_edges = 0;      ///< of one triangle
+  std::size_t non_manifold_edges = 0;  ///< of three or more
+  std::size_t unused_vertices = 0;     ///< they take no part in contacts
+  std::size_t degenerate_faces = 0;    ///< of area exactly zero
+  std::size_t duplicate_faces = 0;     ///< triangles that repeat the vertices of another one
+  std::size_t components = 0;          ///< connected by common vertices; unused vertices do not count
+  Point lowest{};                      ///< of the box around the used vertices
+  Point highest{};
+};
+
+MeshFacts facts_of(const Mesh& mesh, const std::vector<Point>& positions);
+
+}  // namespace tamis::cli

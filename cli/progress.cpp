@@ -1,0 +1,32 @@
+#include "cli/progress.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <string>
+
+namespace tamis::cli {
+
+Progress::Progress(std::size_t total, const char* unit)
+    : total_(total), unit_(unit), is_terminal_(isatty(STDERR_FILENO) == 1), start_(std::chrono::steady_clock::now()) {}
+
+void Progress::show(std::size_t done) {
+  const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start_;
+  constexpr double kPatience = 2;
+  if (!is_terminal_ || total_ == 0 || elapsed.count() < kPatience) return;
+  constexpr std::size_t kWidth = 30;
+  const std::size_t full = kWidth * done / total_;
+  const double left = done == 0 ? 0 : elapsed.count() * static_cast<double>(total_ - done) / static_cast<double>(done);
+  fmt::print(stderr, "\r[{}{}] {}/{} {}, {:.0f} s left\x1b[K", std::string(full, '#'), std::string(kWidth - full, '.'),
+             done, total_, unit_, left);
+  std::fflush(stderr);
+  is_shown_ = true;
+}
+
+void Progress::clear() {
+  if (is_shown_) fmt::print(stderr, "\r\x1b[K");
+  is_shown_ = false;
+}
+
+}  // namespace tamis::cli

@@ -1,0 +1,99 @@
+#include "cli/report.hpp"
+
+#include <fmt/format.h>
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+
+namespace tamis::cli {
+
+Tally tally_of(std::span<const Contact> contacts) {
+  Tally tally;
+  for (const Contact& c : contacts) {
+    ++(c.kind == PairKind::vertex_face ? tally.vf : tally.ee);
+    tally.toi_lower = std::min(tally.toi_lower, c.toi_lower);
+    if (c.certainty == Certainty::unresolved)
+      ++tally.unresolved;
+    else
+      tally.toi_upper = std::min(tally.toi_upper, c.toi_upper);
+  }
+  return tally;
+}
+
+std::uint64_t peak_memory_bytes() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  constexpr std::uint64_t kKibibyte = 1024;
+  return static_cast<std::uint64_t>(usage.ru_maxrss) * kKibibyte;
+}
+
+std::string grouped(std::uint64_t number) {
+  const std::string digits = std::to_string(number);
+  std::string text;
+  for (std::size_t i = 0; i < digits.size(); ++i) {
+    if (i > 0 && (digits.size() - i) % 3 == 0) text += ',';
+    text += digits[i];
+  }
+  return text;
+}
+
+std::string readable(double seconds) {
+  if (seconds >= 1) return fmt::format("{:.2f} s", seconds);
+  if (seconds >= 1e-3) return fmt::format("{:.1f} ms", seconds * 1e3);
+  return fmt::format("{:.1f} us", seconds * 1e6);
+}
+
+void print_bracket(double toi_lower, double toi_upper) {
+  fmt::print("first contact   at {:.12g} of the step; free before {}, proven; bracket {:.1e} wide\n", toi_upper,
+             toi_lower, toi_upper - toi_lower);
+}
+
+void print_contact(const Contact& c) {
+  const auto& v = c.vertices;
+  if (c.kind == PairKind::vertex_face)
+    fmt::print("between         vertex {} and face {} {} {}", v[0], v[1], v[2], v[3]);
+  else
+    fmt::print("between         edge {} {} and edge {} {}", v[0], v[1], v[2], v[3]);
+  fmt::print(", u = {:.6g}, v = {:.6g}, normal ({:.6g}, {:.6g}, {:.6g}), {}\n", c.u, c.v, c.normal[0], c.normal[1],
+             c.normal[2], c.certainty == Certainty::certified ? "certified" : "unresolved");
+}
+
+void print_mesh(const Mesh& mesh) {
+  fmt::print("mesh            {} vertices, {} triangles, {} edges\n",
+             grouped(static_cast<std::uint64_t>(mesh.vertex_count())), grouped(mesh.faces().size()),
+             grouped(mesh.edges().size()));
+}
+
+namespace {
+
+void print_stages(const Statistics& statistics) {
+  if (statistics.stages.empty()) return;
+  std::size_t width = 15;
+  for (const StageCount& s : statistics.stages) width = std::max(width, s.name.size());
+  fmt::print("\n{:<{}} {:>15} {:>15}\n", "pairs entering", width, "vertex-face", "edge-edge");
+  for (const StageCount& s : statistics.stages)
+    fmt::print("{:<{}} {:>15} {:>15}\n", s.name, width, grouped(s.vf), grouped(s.ee));
+}
+
+void print_seconds(const char* name, const Seconds& s) {
+  fmt::print("{:<15} {} = bounds {} + build {} + traverse {} + filter {} + solve {}\n", name, readable(s.total),
+             readable(s.bounds), readable(s.build), readable(s.traverse), readable(s.filter), readable(s.solve));
+}
+
+}  // namespace
+
+void print_costs(const Detector& detector, const Timing& timing, int repeat) {
+  const Statistics& statistics = detector.statistics();
+  print_stages(statistics);
+  fmt::print("\n");
+  print_seconds(repeat > 1 ? "first run" : "time", timing.cold);
+  if (repeat > 1) print_seconds("later runs", timing.warm);
+  constexpr double kMegabyte = 1e6;
+  fmt::print("with            method {}, {}, {} {}, {}, peak memory {:.0f} MB\n", name_of(statistics.method),
+             name_of(detector.options().guarantee), statistics.threads, statistics.threads == 1 ? "thread" : "threads",
+             name_of(statistics.isa), static_cast<double>(peak_memory_bytes()) / kMegabyte);
+}
+
+}  // namespace tamis::cli

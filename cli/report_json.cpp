@@ -1,0 +1,56 @@
+#include <fmt/format.h>
+
+#include <cstdio>
+
+#include "cli/report.hpp"
+
+namespace tamis::cli {
+
+Json json_of(const Tally& tally) { return {{"vf", tally.vf}, {"ee", tally.ee}, {"unresolved", tally.unresolved}}; }
+
+Json json_of(const Seconds& s) {
+  return {{"bounds", s.bounds}, {"build", s.build}, {"traverse", s.traverse},
+          {"filter", s.filter}, {"solve", s.solve}, {"total", s.total}};
+}
+
+Json json_of(const Contact& c) {
+  return {{"kind", c.kind == PairKind::vertex_face ? "vf" : "ee"},
+          {"vertices", c.vertices},
+          {"toi_lower", c.toi_lower},
+          {"toi_upper", c.toi_upper},
+          {"u", c.u},
+          {"v", c.v},
+          {"normal", c.normal},
+          {"status", c.certainty == Certainty::certified ? "certified" : "unresolved"}};
+}
+
+void add_bracket(Json& json, bool is_free, double toi_lower, double toi_upper) {
+  json["toi_lower"] = is_free ? Json() : Json(toi_lower);
+  json["toi_upper"] = is_free ? Json() : Json(toi_upper);
+}
+
+void add_costs(Json& json, const Detector& detector, const Timing& timing) {
+  const Statistics& statistics = detector.statistics();
+  json["seconds"] = json_of(timing.warm);
+  json["seconds_cold"] = json_of(timing.cold);
+  json["stages"] = Json::array();
+  for (const StageCount& s : statistics.stages)
+    json["stages"].push_back({{"name", s.name}, {"vf", s.vf}, {"ee", s.ee}});
+  const PrecisionCount& p = statistics.decided_by;
+  json["decided_by"] = {{"lanes", p.lanes}, {"scalar", p.scalar}, {"extended", p.extended}, {"exact", p.exact}};
+  json["nodes_visited"] = statistics.nodes_visited;
+  json["peak_memory_bytes"] = peak_memory_bytes();
+  json["detector_memory_bytes"] = statistics.memory_bytes;
+  json["threads"] = statistics.threads;
+  json["method"] = name_of(statistics.method);
+  json["guarantee"] = name_of(detector.options().guarantee);
+  json["min_separation"] = detector.options().min_separation;
+  json["isa"] = name_of(statistics.isa);
+  const Mesh& mesh = detector.mesh();
+  json["mesh"] = {
+      {"vertices", mesh.vertex_count()}, {"triangles", mesh.faces().size()}, {"edges", mesh.edges().size()}};
+}
+
+void print_json(const Json& json) { fmt::print("{}\n", json.dump(2)); }
+
+}  // namespace tamis::cli

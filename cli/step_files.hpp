@@ -1,0 +1,31 @@
+// Two frames of one mesh as a step.
+#pragma once
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "io/mesh_file.hpp"
+#include "tamis/mesh.hpp"
+#include "tamis/step.hpp"
+
+namespace tamis::cli {
+
+/// Reads a mesh and says on stderr what its reader should know.
+io::MeshFile read_with_notes(const std::filesystem::path& path);
+
+/// Moves every end to start + scale (end - start); 1 leaves it bit for bit. Throws InvalidOptions if one overflows.
+void scale_step(const std::vector<Point>& start, std::vector<Point>& end, double scale);
+
+struct StepFiles {
+  Mesh mesh;
+  std::vector<Point> start;
+  std::vector<Point> end;
+
+  /// Valid as long as this object.
+  Step step() const { return {start, end}; }
+};
+
+/// Throws io::FileError if a file cannot be used or the two are not frames of one mesh.
+StepFiles read_step(const std::string& start, const std::string& end, double scale);
+
+}  // namespace tamis::cli

@@ -1,0 +1,40 @@
+// What the verbs of one step, `tamis VERB START END`, have in common.
+#pragma once
+#include <string>
+
+#include "cli/arguments.hpp"
+#include "cli/step_files.hpp"
+#include "cli/verb.hpp"
+
+namespace tamis::cli {
+
+class StepVerb : public Verb {
+ public:
+  void declare(CLI::App& app) override {
+    app.add_option("START", start_, "the mesh at t=0: PLY or OBJ")->required();
+    app.add_option("END", end_, "the same mesh at t=1")->required();
+    detector_.declare(app);
+    scale_.declare(app);
+    declare_repeat(app, repeat_);
+    declare_json(app, json_);
+  }
+
+ protected:
+  /// Options are checked before any file is read.
+  StepFiles read() const {
+    detector_.options();
+    return read_step(start_, end_, scale_.value());
+  }
+  Options options() const { return detector_.options(); }
+
+  std::string start_;
+  std::string end_;
+  int repeat_ = 1;
+  bool json_ = false;
+
+ private:
+  DetectorArguments detector_;
+  ScaleArgument scale_;
+};
+
+}  // namespace tamis::cli

@@ -1,0 +1,33 @@
+// One question asked several times of one detector.
+#pragma once
+#include <algorithm>
+#include <vector>
+
+#include "tamis/detector.hpp"
+
+namespace tamis::cli {
+
+struct Timing {
+  Seconds cold;  ///< the first run: the hierarchy is built
+  Seconds
+      warm;  ///< of the later runs the one of median total, so that its parts add up; the first if it was the only one
+};
+
+/// REQUIRES: repeat >= 1. The answer is that of the last run.
+template <class Ask>
+Timing ask_repeatedly(Detector& detector, int repeat, const Ask& ask) {
+  std::vector<Seconds> runs;
+  for (int run = 0; run < repeat; ++run) {
+    ask();
+    runs.push_back(detector.statistics().seconds);
+  }
+  Timing timing{runs.front(), runs.front()};
+  if (repeat == 1) return timing;
+  const auto middle = runs.begin() + 1 + (repeat - 1) / 2;
+  std::nth_element(runs.begin() + 1, middle, runs.end(),
+                   [](const Seconds& a, const Seconds& b) { return a.total < b.total; });
+  timing.warm = *middle;
+  return timing;
+}
+
+}  // namespace tamis::cli

@@ -1,0 +1,79 @@
+// tamis contacts: all contacts of a step.
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <memory>
+
+#include "cli/report.hpp"
+#include "cli/step_verb.hpp"
+#include "io/atomic_file.hpp"
+#include "io/contacts_csv.hpp"
+#include "tamis/error.hpp"
+
+namespace tamis::cli {
+namespace {
+
+class Contacts final : public StepVerb {
+ public:
+  const char* name() const override { return "contacts"; }
+  const char* summary() const override { return "All contacts of the step from START to END"; }
+  const char* examples() const override {
+    return "  tamis contacts cloth1.ply cloth2.ply\n"
+           "  tamis contacts cloth1.ply cloth2.ply --out contacts.csv\n"
+           "  tamis contacts cloth1.ply cloth2.ply --guarantee exact --json\n"
+           "  tamis contacts cloth1.ply cloth2.ply --min-separation 1e-3 --repeat 9";
+  }
+  void declare(CLI::App& app) override {
+    StepVerb::declare(app);
+    app.add_option("--out", out_, "write the contacts to a CSV file")->type_name("FILE.csv");
+  }
+
+  int run() override {
+    check_output();
+    StepFiles files = read();
+    Detector detector(std::move(files.mesh), options());
+    const Step step = files.step();
+    const std::vector<Contact>* contacts = nullptr;
+    const Timing timing = ask_repeatedly(detector, repeat_, [&] { contacts = &detector.contacts(step); });
+    if (!out_.empty()) io::write_contacts_csv(out_, *contacts);
+    report(tally_of(*contacts), detector, timing);
+    return kSuccess;
+  }
+
+ private:
+  /// Better said now than after the work; and an input must not be overwritten.
+  void check_output() const {
+    if (out_.empty()) return;
+    std::error_code error;
+    for (const std::string& input : {start_, end_})
+      if (std::filesystem::equivalent(out_, input, error))
+        throw InvalidOptions(fmt::format("--out {} would overwrite an input: give another name", out_));
+    io::require_writable(out_);
+  }
+
+  void report(const Tally& tally, const Detector& detector, const Timing& timing) const {
+    if (json_) {
+      Json json{{"contacts", json_of(tally)}};
+      add_bracket(json, tally.is_free(), tally.toi_lower, tally.toi_upper);
+      add_costs(json, detector, timing);
+      return print_json(json);
+    }
+    print_mesh(detector.mesh());
+    fmt::print("contacts        {} vertex-face, {} edge-edge, of these {} unresolved\n", grouped(tally.vf),
+               grouped(tally.ee), grouped(tally.unresolved));
+    if (tally.is_free())
+      fmt::print("first contact   none: the step is free, proven\n");
+    else
+      print_bracket(tally.toi_lower, tally.toi_upper);
+    if (!out_.empty()) fmt::print("written to      {}\n", out_);
+    print_costs(detector, timing, repeat_);
+  }
+
+  std::string out_;
+};
+
+}  // namespace
+
+std::unique_ptr<Verb> make_contacts() { return std::make_unique<Contacts>(); }
+
+}  // namespace tamis::cli

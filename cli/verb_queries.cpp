@@ -1,0 +1,111 @@
+// tamis queries: single vertex-face and edge-edge queries with known exact answers.
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <map>
+#include <memory>
+
+#include "cli/arguments.hpp"
+#include "cli/query_score.hpp"
+#include "cli/verb.hpp"
+#include "io/file_bytes.hpp"
+#include "io/queries.hpp"
+
+namespace tamis::cli {
+namespace {
+
+class Queries final : public Verb {
+ public:
+  const char* name() const override { return "queries"; }
+  const char* summary() const override { return "Answers single queries and compares with the answers in the files"; }
+  const char* examples() const override {
+    return "  tamis queries data/queries\n"
+           "  tamis queries data/queries/erleben-* --guarantee exact --repeat 9\n"
+           "  tamis queries mine/edge-edge/q.csv --json\n\n"
+           "A file has eight rows a query and the columns numerator, denominator of x, of y, of z, and\n"
+           "optionally the exact answer, 0 or 1. Exit code 1: an answer breaks the guarantee.";
+  }
+  void declare(CLI::App& app) override {
+    app.add_option("FILES_OR_FOLDERS", names_, "CSV files below a folder named vertex-face or edge-edge")->required();
+    declare_guarantee(app, guarantee_);
+    declare_min_separation(app, min_separation_);
+    app.add_option("--repeat", repeat_, "take each query's median time of N runs, after one that warms up; default 1")
+        ->type_name("N")
+        ->check(CLI::Range(1, 1000000));
+    declare_json(app, json_);
+  }
+
+  int run() override {
+    require_distance(min_separation_);
+    const PairOptions options{guarantee_from_name(guarantee_), min_separation_};
+    std::map<std::string, QueryScore> folders;
+    for (const io::QueryFile& file : io::query_files(names_)) {
+      const io::FileBytes bytes(file.path);
+      folders[file.folder].add(
+          answer(io::parse_queries(bytes.view(), file.kind, file.path.string()), options, repeat_));
+    }
+    QueryScore total;
+    for (const auto& [name, score] : folders) total.add(score);
+    if (json_)
+      print_as_json(folders, total);
+    else
+      print_table(folders, total);
+    return is_judged_positive() && !total.keeps_promise() ? kNo : total.false_negatives > 0 ? kNo : kSuccess;
+  }
+
+ private:
+  /// The answers in the files are for distance zero: a pair that comes closer than D may be no contact there.
+  bool is_judged_positive() const { return min_separation_ == 0; }
+
+  Json json_of_score(const QueryScore& s) const {
+    const Percentiles ns = percentiles_of(s.nanoseconds);
+    const bool is_labelled = s.labelled > 0;
+    return {{"queries", s.queries},
+            {"contacts", s.contacts},
+            {"false_positives", is_labelled && is_judged_positive() ? Json(s.false_positives) : Json()},
+            {"false_negatives", is_labelled ? Json(s.false_negatives) : Json()},
+            {"unresolved", s.unresolved},
+            {"ns", {{"mean", ns.mean}, {"p50", ns.p50}, {"p99", ns.p99}, {"max", ns.max}}}};
+  }
+
+  void print_as_json(const std::map<std::string, QueryScore>& folders, const QueryScore& total) const {
+    Json json = json_of_score(total);
+    json["guarantee"] = guarantee_;
+    json["min_separation"] = min_separation_;
+    json["folders"] = Json::object();
+    for (const auto& [name, score] : folders) json["folders"][name] = json_of_score(score);
+    print_json(json);
+  }
+
+  void print_table(const std::map<std::string, QueryScore>& folders, const QueryScore& total) const {
+    std::size_t width = 6;
+    for (const auto& [name, score] : folders) width = std::max(width, name.size());
+    fmt::print("{:<{}} {:>9} {:>9} {:>9} {:>9} {:>10} {:>9} {:>9} {:>9} {:>9}\n", "", width, "", "", "false", "false",
+               "", "ns", "ns", "ns", "ns");
+    fmt::print("{:<{}} {:>9} {:>9} {:>9} {:>9} {:>10} {:>9} {:>9} {:>9} {:>9}\n", "folder", width, "queries",
+               "contacts", "positives", "negatives", "unresolved", "mean", "median", "p99", "max");
+    for (const auto& [name, score] : folders) print_row(name, width, score);
+    print_row("total", width, total);
+  }
+
+  void print_row(const std::string& name, std::size_t width, const QueryScore& s) const {
+    const Percentiles ns = percentiles_of(s.nanoseconds);
+    const bool is_labelled = s.labelled > 0;
+    fmt::print("{:<{}} {:>9} {:>9} {:>9} {:>9} {:>10} {:>9.0f} {:>9.0f} {:>9.0f} {:>9.0f}\n", name, width,
+               grouped(s.queries), grouped(s.contacts),
+               is_labelled && is_judged_positive() ? grouped(s.false_positives) : "-",
+               is_labelled ? grouped(s.false_negatives) : "-", grouped(s.unresolved), ns.mean, ns.p50, ns.p99, ns.max);
+  }
+
+  std::vector<std::string> names_;
+  std::string guarantee_ = "conservative";
+  double min_separation_ = 0;
+  int repeat_ = 1;
+  bool json_ = false;
+};
+
+}  // namespace
+
+std::unique_ptr<Verb> make_queries() { return std::make_unique<Queries>(); }
+
+}  // namespace tamis::cli

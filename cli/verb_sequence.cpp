@@ -1,0 +1,140 @@
+// tamis sequence: the contacts of each pair of consecutive frames, with one detector.
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "cli/arguments.hpp"
+#include "cli/progress.hpp"
+#include "cli/report.hpp"
+#include "cli/step_files.hpp"
+#include "cli/verb.hpp"
+#include "io/error.hpp"
+#include "io/frames.hpp"
+
+namespace tamis::cli {
+namespace {
+
+class Sequence final : public Verb {
+ public:
+  const char* name() const override { return "sequence"; }
+  const char* summary() const override { return "Contacts of each consecutive pair of frames"; }
+  const char* examples() const override {
+    return "  tamis sequence frames/\n"
+           "  tamis sequence 'frames/cloth*.ply' --threads 1\n"
+           "  tamis sequence a1.ply a2.ply a10.ply --json";
+  }
+  void declare(CLI::App& app) override {
+    app.add_option("FRAMES", names_, "files, folders or patterns of PLY or OBJ; taken in natural order (2 before 10)")
+        ->required();
+    detector_.declare(app);
+    scale_.declare(app);
+    declare_json(app, json_);
+  }
+
+  int run() override {
+    const Options options = detector_.options();
+    const double scale = scale_.value();
+    find_frames();
+    io::MeshFile first = read_with_notes(frames_.front());
+    std::vector<Point> start = first.positions;
+    Detector detector(io::mesh_of(first), options);
+    if (!json_) print_head(detector);
+    Progress progress(frames_.size() - 1, "steps");
+    for (std::size_t i = 1; i < frames_.size(); ++i) {
+      std::vector<Point> end = read_end(first, i);
+      std::vector<Point> scaled = end;
+      scale_step(start, scaled, scale);
+      const Tally tally = tally_of(detector.contacts({start, scaled}));
+      progress.clear();
+      add_step(i, tally, detector.statistics());
+      progress.show(i);
+      start = std::move(end);
+    }
+    progress.clear();
+    report_totals(detector);
+    return kSuccess;
+  }
+
+ private:
+  void find_frames() {
+    frames_ = io::frame_files(names_);
+    if (frames_.size() < 2)
+      throw io::FileError(frames_.front().string(), "", "a single frame does not move: give two or more");
+    for (const auto& frame : frames_) width_ = std::max(width_, static_cast<int>(frame.filename().string().size()));
+  }
+
+  std::vector<Point> read_end(const io::MeshFile& first, std::size_t i) const {
+    io::MeshFile frame = io::read_mesh(frames_[i]);
+    io::require_same_mesh(first, frames_.front().string(), frame, frames_[i].string());
+    return std::move(frame.positions);
+  }
+
+  void print_head(const Detector& detector) const {
+    print_mesh(detector.mesh());
+    fmt::print("\n{:>5} {:<{}} {:>11} {:>11} {:>10} {:>14} {:>10}  {}\n", "step", "end", width_, "vertex-face",
+               "edge-edge", "unresolved", "free until", "time", "tree");
+  }
+
+  void add_step(std::size_t i, const Tally& tally, const Statistics& statistics) {
+    total_.vf += tally.vf;
+    total_.ee += tally.ee;
+    total_.unresolved += tally.unresolved;
+    seconds_ += statistics.seconds.total;
+    free_steps_ += tally.is_free() ? 1 : 0;
+    if (!json_) return print_row(i, tally, statistics);
+    Json step{{"start", frames_[i - 1].string()}, {"end", frames_[i].string()}, {"contacts", json_of(tally)}};
+    add_bracket(step, tally.is_free(), tally.toi_lower, tally.toi_upper);
+    step["seconds"] = json_of(statistics.seconds);
+    step["rebuilt"] = statistics.rebuilt;
+    steps_.push_back(std::move(step));
+  }
+
+  void print_row(std::size_t i, const Tally& tally, const Statistics& statistics) const {
+    fmt::print("{:>5} {:<{}} {:>11} {:>11} {:>10} {:>14} {:>10}  {}\n", i, frames_[i].filename().string(), width_,
+               grouped(tally.vf), grouped(tally.ee), grouped(tally.unresolved),
+               tally.is_free() ? std::string("end") : fmt::format("{:.10f}", tally.toi_lower),
+               readable(statistics.seconds.total), statistics.rebuilt ? "built" : "refitted");
+    std::fflush(stdout);
+  }
+
+  void report_totals(const Detector& detector) {
+    const std::size_t steps = frames_.size() - 1;
+    if (!json_) {
+      fmt::print("{:>5} {:<{}} {:>11} {:>11} {:>10} {:>14} {:>10}\n", "total", "", width_, grouped(total_.vf),
+                 grouped(total_.ee), grouped(total_.unresolved), fmt::format("{}/{} free", free_steps_, steps),
+                 readable(seconds_));
+      return;
+    }
+    const Statistics& statistics = detector.statistics();
+    print_json({{"steps", std::move(steps_)},
+                {"contacts", json_of(total_)},
+                {"free_steps", free_steps_},
+                {"seconds", {{"total", seconds_}}},
+                {"peak_memory_bytes", peak_memory_bytes()},
+                {"threads", statistics.threads},
+                {"method", name_of(statistics.method)},
+                {"guarantee", name_of(detector.options().guarantee)},
+                {"isa", name_of(statistics.isa)}});
+  }
+
+  std::vector<std::string> names_;
+  DetectorArguments detector_;
+  ScaleArgument scale_;
+  bool json_ = false;
+  std::vector<std::filesystem::path> frames_;
+  int width_ = 5;
+  Tally total_;
+  std::size_t free_steps_ = 0;
+  double seconds_ = 0;
+  Json steps_ = Json::array();
+};
+
+}  // namespace
+
+std::unique_ptr<Verb> make_sequence() { return std::make_unique<Sequence>(); }
+
+}  // namespace tamis::cli

@@ -7,6 +7,7 @@
 #include <memory>
 #include <new>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "cli/verb.hpp"
@@ -62,6 +63,9 @@ int run(int argc, char** argv) {
     verb->declare(*sub);
     sub->footer(fmt::format("Examples:\n{}", verb->examples()));
   }
+  const auto is_called = [&](const auto& verb) { return std::string_view(argv[1]) == verb->name(); };
+  if (argc > 1 && argv[1][0] != '-' && std::none_of(verbs.begin(), verbs.end(), is_called))
+    return fail(fmt::format("no verb is called '{}': see 'tamis --help'", argv[1]));
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -45,7 +45,13 @@ std::string readable(double seconds) {
   return fmt::format("{:.1f} us", seconds * 1e6);
 }
 
-void print_bracket(double toi_lower, double toi_upper) {
+void print_bracket(double toi_lower, double toi_upper, bool is_certified) {
+  if (!is_certified) {
+    fmt::print(
+        "first contact   free before {}, proven; then a pair that doubles cannot decide (--guarantee exact can)\n",
+        toi_lower);
+    return;
+  }
   fmt::print("first contact   at {:.12g} of the step; free before {}, proven; bracket {:.1e} wide\n", toi_upper,
              toi_lower, toi_upper - toi_lower);
 }

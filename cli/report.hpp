@@ -36,7 +36,8 @@ void add_costs(Json& json, const Detector& detector, const Timing& timing);
 /// The one object on stdout.
 void print_json(const Json& json);
 
-void print_bracket(double toi_lower, double toi_upper);
+/// `is_certified`: some contact is proven, so toi_upper means something.
+void print_bracket(double toi_lower, double toi_upper, bool is_certified);
 void print_contact(const Contact& contact);
 void print_mesh(const Mesh& mesh);
 void print_costs(const Detector& detector, const Timing& timing, int repeat);

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "io/temporary_folder.hpp"
+#include "support/temporary_folder.hpp"
 
 namespace tamis::io {
 namespace {

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "io/messages.hpp"
-#include "io/temporary_folder.hpp"
+#include "support/temporary_folder.hpp"
 
 namespace tamis::io {
 namespace {

@@ -4,7 +4,7 @@
 
 #include "io/messages.hpp"
 #include "io/ply_builder.hpp"
-#include "io/temporary_folder.hpp"
+#include "support/temporary_folder.hpp"
 
 namespace tamis::io {
 namespace {

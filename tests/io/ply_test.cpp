@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "io/ply_builder.hpp"
-#include "io/temporary_folder.hpp"
+#include "support/temporary_folder.hpp"
 
 namespace tamis::io {
 namespace {

@@ -1,25 +1,23 @@
 #include <gtest/gtest.h>
 
-#include <cstdlib>
+#include <algorithm>
+#include <cmath>
 
 #include "io/file_bytes.hpp"
 #include "io/mesh_file.hpp"
 #include "io/queries.hpp"
+#include "support/test_data.hpp"
 
 namespace tamis::io {
 namespace {
-
-namespace fs = std::filesystem;
 
 /// Recorded scenes; they are no part of the project.
 class RealData : public testing::Test {
  protected:
   void SetUp() override {
-    const char* named = std::getenv("TAMIS_DATA");
-    data_ = named ? fs::path(named) : fs::path(TAMIS_PROJECT_DIR) / "../shared/data";
-    if (!fs::exists(data_ / "frames")) GTEST_SKIP() << "no data in " << data_;
+    if (data_.empty()) GTEST_SKIP() << test::kNoData;
   }
-  fs::path data_;
+  std::filesystem::path data_ = test::data_folder();
 };
 
 // Bug: big-endian floats, or little-endian doubles, as other programs write them are misread.

@@ -1,0 +1,142 @@
+// Whatever is wrong with the input: exit code 2, one sentence on stderr that names the culprit, nothing on stdout, no
+// output file.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "cli/command.hpp"
+
+namespace tamis::test {
+namespace {
+
+class BadInput : public testing::Test {
+ protected:
+  BadInput() {
+    folder_.write_fall();
+    folder_.write("notes.txt", "hello\n");
+    folder_.write("empty.ply", "");
+    folder_.write("nothing.obj", "# a comment\n");
+    folder_.write("points.obj", "v 0 0 0\nv 1 0 0\n");
+    folder_.write("nan.obj", "v 0 0 nan\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    folder_.write("range.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n");
+    folder_.write("huge.ply",
+                  "ply\nformat binary_little_endian 1.0\nelement vertex 1000000000000\nproperty double x\n"
+                  "property double y\nproperty double z\nend_header\n" +
+                      std::string(900, 'x'));
+    folder_.write("cut.ply", "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\n");
+    folder_.write("fewer.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    folder_.write("other.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0.2 0.5 -2\nf 1 3 2\np 4\n");
+    folder_.write("far.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1e308 0 1\nf 1 2 3\np 4\n");
+    folder_.write("q/edge-edge/third.csv", "1,3,0,1,0,1,0\n");
+    folder_.write("q.csv", "");
+    folder_.write("one/frame.obj", bytes_of_file(folder_.path() / "above.obj"));
+    std::filesystem::create_directory(folder_.path() / "hollow");
+  }
+
+  void expect_error(const std::string& arguments, const std::string& says) {
+    const Outcome outcome = folder_.run(arguments);
+    EXPECT_EQ(outcome.code, 2) << arguments;
+    EXPECT_EQ(outcome.out, "") << arguments;
+    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << arguments << "\n" << outcome.err;
+    EXPECT_TRUE(outcome.err.starts_with("tamis: ")) << outcome.err;
+    EXPECT_NE(outcome.err.find(says), std::string::npos) << arguments << "\n" << outcome.err << "should say: " << says;
+  }
+
+  CommandFolder folder_;
+};
+
+TEST_F(BadInput, FilesThatCannotBeUsed) {
+  const std::pair<const char*, const char*> cases[] = {
+      {"absent.obj", "absent.obj: cannot be read"},
+      {"hollow", "hollow: cannot be read"},
+      {"notes.txt", "notes.txt: neither PLY nor OBJ"},
+      {"empty.ply", "empty.ply: the file is empty"},
+      {"nothing.obj", "nothing.obj: no vertex"},
+      {"points.obj", "points.obj: no face and no edge"},
+      {"nan.obj", "nan.obj: line 1"},
+      {"range.obj", "range.obj: line 4"},
+      {"huge.ply", "huge.ply: line 3"},
+      {"cut.ply", "cut.ply: line 4"},
+  };
+  for (const auto& [file, says] : cases) {
+    expect_error(std::string("info ") + file, says);
+    for (const char* verb : {"contacts", "step", "free"}) {
+      expect_error(std::string(verb) + " above.obj " + file, says);
+      expect_error(std::string(verb) + " " + file + " above.obj --json", says);
+    }
+  }
+}
+
+TEST_F(BadInput, FramesThatDoNotBelongTogether) {
+  for (const char* verb : {"contacts", "step", "free"}) {
+    expect_error(std::string(verb) + " above.obj fewer.obj", "fewer.obj: 3 vertices, but above.obj has 4");
+    expect_error(std::string(verb) + " above.obj other.obj", "other.obj: triangle 0");
+  }
+  expect_error("sequence above.obj fewer.obj --json", "fewer.obj: 3 vertices");
+}
+
+TEST_F(BadInput, SequencesWithoutMotion) {
+  expect_error("sequence above.obj", "above.obj: a single frame");
+  expect_error("sequence one", "frame.obj: a single frame");
+  expect_error("sequence hollow", "hollow: no PLY or OBJ file");
+  expect_error("sequence 'z*.obj'", "z*.obj: no such file");
+}
+
+TEST_F(BadInput, NonsenseOptions) {
+  const std::pair<const char*, const char*> cases[] = {
+      {"--method fast", "'fast'"},
+      {"--guarantee none", "'none'"},
+      {"--isa mmx", "'mmx'"},
+      {"--threads -1", "--threads"},
+      {"--threads many", "--threads"},
+      {"--threads 1000000", "--threads"},
+      {"--repeat 0", "--repeat"},
+      {"--repeat 1.5", "--repeat"},
+      {"--scale nan", "--scale"},
+      {"--scale -1", "--scale"},
+      {"--scale inf", "--scale"},
+      {"--scale", "--scale"},
+      {"--min-separation -1", "--min-separation"},
+      {"--min-separation nan", "--min-separation"},
+      {"--what", "--what"},
+      {"third.obj", "third.obj"},
+  };
+  for (const auto& [option, says] : cases) expect_error(std::string("contacts above.obj below.obj ") + option, says);
+  expect_error("contacts above.obj far.obj --scale 10", "--scale 10 takes vertex 3");
+  expect_error("contacts above.obj", "END");
+  expect_error("dance above.obj below.obj", "dance");
+  expect_error("", "--help");
+}
+
+// Bug: a failed run leaves an empty or half-written file, or destroys the one that was there.
+TEST_F(BadInput, NoOutputFileIsLeft) {
+  expect_error("contacts above.obj nan.obj --out c.csv", "nan.obj");
+  expect_error("contacts above.obj below.obj --method fast --out c.csv", "'fast'");
+  expect_error("contacts above.obj below.obj --out absent/c.csv", "absent/c.csv: cannot be written");
+  expect_error("contacts above.obj below.obj --out hollow", "hollow: cannot be written");
+  expect_error("contacts above.obj below.obj --out below.obj", "--out below.obj would overwrite an input");
+  for (const auto& entry : std::filesystem::directory_iterator(folder_.path())) {
+    EXPECT_NE(entry.path().extension(), ".csv.part");
+    EXPECT_FALSE(entry.path().filename().string().starts_with("c.csv")) << entry.path();
+  }
+  EXPECT_TRUE(std::filesystem::is_empty(folder_.path() / "hollow"));
+}
+
+// Bug: the disk is full and the script that reads the result never learns of it.
+TEST_F(BadInput, AnOutputThatCannotTakeTheResult) {
+  if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "no /dev/full here";
+  const Outcome outcome = folder_.run("info above.obj --json", "/dev/full");
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_NE(outcome.err.find("standard output"), std::string::npos) << outcome.err;
+}
+
+TEST_F(BadInput, QueriesThatCannotBeUsed) {
+  expect_error("queries absent", "absent: no such file");
+  expect_error("queries hollow", "hollow: no query");
+  expect_error("queries q.csv", "q.csv: no folder above it");
+  expect_error("queries q", "third.csv: line 1");
+  expect_error("queries q --guarantee much", "'much'");
+}
+
+}  // namespace
+}  // namespace tamis::test

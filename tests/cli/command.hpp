@@ -1,0 +1,48 @@
+// Runs the built command as a user would.
+#pragma once
+#include <sys/wait.h>
+
+#include <cstdlib>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "support/temporary_folder.hpp"
+
+namespace tamis::test {
+
+struct Outcome {
+  int code = -1;  ///< exit code; -1 if the command was killed
+  std::string out;
+  std::string err;
+
+  nlohmann::json json() const { return nlohmann::json::parse(out); }
+};
+
+/// A folder to run in, with the frames that several tests use.
+class CommandFolder : public TemporaryFolder {
+ public:
+  /// `arguments` as for a shell whose working directory is the folder; stdout goes to `device` if one is given.
+  Outcome run(const std::string& arguments, const std::string& device = "") const {
+    const TemporaryFolder streams;
+    const std::string out = device.empty() ? (streams.path() / "out").string() : device;
+    const std::string err = (streams.path() / "err").string();
+    const std::string line =
+        "cd '" + path().string() + "' && '" + TAMIS_COMMAND + "' " + arguments + " </dev/null >" + out + " 2>" + err;
+    const int status = std::system(line.c_str());
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, device.empty() ? bytes_of_file(out) : "", bytes_of_file(err)};
+  }
+
+  /// A loose point at height `z` above a triangle.
+  void write_frame(const std::string& name, double z) const {
+    const std::string height = std::to_string(z);
+    write(name, "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0.2 0.5 " + std::to_string(z) + "\nf 1 2 3\np 4\n");
+  }
+  /// The point falls through the triangle at t = 1/3, then moves away from it.
+  void write_fall() const {
+    write_frame("above.obj", 1);
+    write_frame("below.obj", -2);
+    write_frame("lower.obj", -4);
+  }
+};
+
+}  // namespace tamis::test

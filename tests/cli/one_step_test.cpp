@@ -1,0 +1,79 @@
+// The verbs of one step on a scene whose answer can be worked out by hand.
+#include <gtest/gtest.h>
+
+#include "cli/command.hpp"
+
+namespace tamis::test {
+namespace {
+
+class OneStep : public testing::Test {
+ protected:
+  OneStep() { folder_.write_fall(); }
+  CommandFolder folder_;
+};
+
+// Bug: a column is missing, or the time is that of another contact.
+TEST_F(OneStep, ContactsGoToATable) {
+  const Outcome outcome = folder_.run("contacts above.obj below.obj --out c.csv");
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_EQ(outcome.err, "");
+  const std::string table = bytes_of_file(folder_.path() / "c.csv");
+  EXPECT_TRUE(table.starts_with("kind,v0,v1,v2,v3,toi_lower,toi_upper,u,v,status\nvf,3,0,1,2,0.3")) << table;
+}
+
+// Bug: something else is printed on stdout, or a key of the documented object is missing.
+TEST_F(OneStep, JsonIsOneObjectWithTheDocumentedKeys) {
+  const auto json = folder_.run("contacts above.obj below.obj --json --threads 1 --repeat 3").json();
+  EXPECT_EQ(json["contacts"]["vf"], 1);
+  EXPECT_EQ(json["contacts"]["unresolved"], 0);
+  EXPECT_LE(json["toi_lower"].get<double>(), 1.0 / 3);
+  EXPECT_GE(json["toi_upper"].get<double>(), 1.0 / 3);
+  EXPECT_NEAR(json["toi_lower"].get<double>(), json["toi_upper"].get<double>(), 1e-8);
+  for (const char* times : {"seconds", "seconds_cold"})
+    for (const char* part : {"bounds", "build", "traverse", "filter", "solve", "total"})
+      EXPECT_TRUE(json[times][part].is_number()) << times << part;
+  ASSERT_FALSE(json["stages"].empty());
+  for (const char* key : {"name", "vf", "ee"}) EXPECT_TRUE(json["stages"][0].contains(key));
+  EXPECT_GT(json["peak_memory_bytes"], 1000000);
+  EXPECT_EQ(json["threads"], 1);
+  EXPECT_EQ(json["method"], "tamis");
+  EXPECT_TRUE(json["isa"].is_string());
+}
+
+TEST_F(OneStep, StepTellsHowFarItMayGo) {
+  const auto json = folder_.run("step above.obj below.obj --json").json();
+  EXPECT_LE(json["toi_lower"].get<double>(), 1.0 / 3);
+  EXPECT_EQ(json["contact"]["vertices"], (std::vector<int>{3, 0, 1, 2}));
+  const auto free = folder_.run("step below.obj lower.obj --json").json();
+  EXPECT_TRUE(free["toi_lower"].is_null());
+  EXPECT_TRUE(free["toi_upper"].is_null());
+  EXPECT_TRUE(free["contact"].is_null());
+}
+
+TEST_F(OneStep, FreeAnswersByItsExitCode) {
+  EXPECT_EQ(folder_.run("free below.obj lower.obj").code, 0);
+  EXPECT_EQ(folder_.run("free above.obj below.obj").code, 1);
+  EXPECT_EQ(folder_.run("free above.obj absent.obj").code, 2);
+}
+
+// Bug: the scale is applied to END instead of the motion, or not at all.
+TEST_F(OneStep, ScaleShortensTheMotion) {
+  EXPECT_EQ(folder_.run("free above.obj below.obj --scale 0.33").code, 0);
+  EXPECT_EQ(folder_.run("free above.obj below.obj --scale 0.34").code, 1);
+}
+
+// Bug: the option is read but not handed on.
+TEST_F(OneStep, MinSeparationReachesTheDetector) {
+  EXPECT_EQ(folder_.run("free below.obj lower.obj --min-separation 1.9 --json").json()["min_separation"], 1.9);
+}
+
+TEST_F(OneStep, EveryMethodAndGuaranteeIsKnownByName) {
+  for (const char* options : {"--method brute", "--guarantee exact", "--isa baseline"}) {
+    const Outcome outcome = folder_.run(std::string("contacts above.obj below.obj --json ") + options);
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_EQ(outcome.json()["contacts"]["vf"], 1) << options;
+  }
+}
+
+}  // namespace
+}  // namespace tamis::test

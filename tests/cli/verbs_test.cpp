@@ -1,0 +1,106 @@
+// Help, and the verbs that take something else than one step.
+#include <gtest/gtest.h>
+
+#include "cli/command.hpp"
+
+namespace tamis::test {
+namespace {
+
+class Verbs : public testing::Test {
+ protected:
+  Verbs() { folder_.write_fall(); }
+  CommandFolder folder_;
+};
+
+// Bug: a verb without examples, or help that counts as an error.
+TEST_F(Verbs, EachHasHelpWithExamples) {
+  const Outcome help = folder_.run("--help");
+  EXPECT_EQ(help.code, 0);
+  for (const char* verb : {"contacts", "step", "free", "sequence", "info", "queries"}) {
+    EXPECT_NE(help.out.find(verb), std::string::npos) << verb;
+    const Outcome outcome = folder_.run(verb + std::string(" --help"));
+    EXPECT_EQ(outcome.code, 0) << verb;
+    EXPECT_NE(outcome.out.find("Examples:\n  tamis " + std::string(verb)), std::string::npos) << verb;
+  }
+  EXPECT_EQ(folder_.run("--version").code, 0);
+}
+
+// Bug: frames in alphabetical order; totals that are not the sum; a detector made anew for each step.
+TEST_F(Verbs, SequenceTakesFramesInNaturalOrder) {
+  folder_.write_frame("frames/f1.obj", 1);
+  folder_.write_frame("frames/f2.obj", -3);
+  folder_.write_frame("frames/f10.obj", -4);
+  const auto json = folder_.run("sequence frames --json").json();
+  ASSERT_EQ(json["steps"].size(), 2u);
+  EXPECT_EQ(json["steps"][0]["end"], "frames/f2.obj");
+  EXPECT_EQ(json["steps"][0]["contacts"]["vf"], 1);
+  EXPECT_EQ(json["steps"][1]["end"], "frames/f10.obj");
+  EXPECT_TRUE(json["steps"][1]["toi_lower"].is_null());
+  EXPECT_EQ(json["contacts"]["vf"], 1);
+  EXPECT_EQ(json["free_steps"], 1);
+  EXPECT_EQ(folder_.run("sequence 'frames/f*.obj' --json").json()["steps"].size(), 2u);
+  const Outcome table = folder_.run("sequence frames/f1.obj frames/f10.obj frames/f2.obj");
+  EXPECT_LT(table.out.find("f2.obj"), table.out.find("f10.obj"));
+  EXPECT_NE(table.out.find("1/2 free"), std::string::npos) << table.out;
+}
+
+// Bug: any of the counts is that of another property.
+TEST_F(Verbs, InfoCountsWhatAMeshHas) {
+  // A fan of three triangles on the edge 1 2; a collinear one with a duplicate; a rod; two unused vertices.
+  folder_.write("odd.obj",
+                "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 0 -1 0\n"
+                "f 1 2 3\nf 1 2 4\nf 2 1 5\n"
+                "v 5 5 5\nv 5.1 5.1 5.1\nv 5.2 5.2 5.2\nf 6 7 6\nf 7 6 6\n"
+                "v 7 7 7\nv 8 8 8\nl 9 10\nv 9 9 9\n");
+  const auto json = folder_.run("info odd.obj --json").json();
+  const std::pair<const char*, int> expected[] = {
+      {"vertices", 11},       {"triangles", 5},          {"edges", 9},           {"loose_edges", 1},
+      {"boundary_edges", 6},  {"non_manifold_edges", 1}, {"unused_vertices", 2}, {"degenerate_faces", 2},
+      {"duplicate_faces", 1}, {"components", 3}};
+  for (const auto& [key, count] : expected) EXPECT_EQ(json[key], count) << key;
+  EXPECT_EQ(json["bounds"]["highest"], (std::vector<double>{8, 8, 8}));
+}
+
+// Bug: a sliver of tiny but real area counts as degenerate, or an exactly flat one does not.
+TEST_F(Verbs, InfoDecidesAreasExactly) {
+  folder_.write("flat.obj",
+                "v 0.1 0.1 0.1\nv 0.2 0.2 0.2\nv 0.4 0.4 0.4\nv 0.4 0.4 0.40000000000000008\nf 1 2 3\nf 1 2 4\n");
+  EXPECT_EQ(folder_.run("info flat.obj --json").json()["degenerate_faces"], 1);
+}
+
+TEST_F(Verbs, InfoSaysOnStderrThatPolygonsWereCut) {
+  folder_.write("square.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n");
+  const Outcome outcome = folder_.run("info square.obj --json");
+  EXPECT_EQ(outcome.err.find("note: square.obj: 1 polygon"), 0u) << outcome.err;
+  EXPECT_EQ(outcome.json()["triangles"], 2);
+  EXPECT_EQ(outcome.json()["notes"].size(), 1u);
+}
+
+/// A point that falls through a triangle: eight rows, the last column as given.
+std::string fall(const std::string& answer) {
+  const std::string face = "0,1,0,1,0,1" + answer + "\n2,1,0,1,0,1" + answer + "\n0,1,2,1,0,1" + answer + "\n";
+  return "1,2,1,2,1,1" + answer + "\n" + face + "1,2,1,2,-2,1" + answer + "\n" + face;
+}
+
+// Bug: false positives and negatives are exchanged; unlabelled files count as agreed.
+TEST_F(Verbs, QueriesAreComparedWithTheirAnswers) {
+  folder_.write("right/vertex-face/q.csv", fall(",1"));
+  folder_.write("wrong/vertex-face/q.csv", fall(",0") + fall(",1"));
+  folder_.write("unlabelled/vertex-face/q.csv", fall(""));
+  const auto right = folder_.run("queries right --guarantee exact --json").json();
+  EXPECT_EQ(right["queries"], 1);
+  EXPECT_EQ(right["contacts"], 1);
+  EXPECT_EQ(right["false_positives"], 0);
+  EXPECT_EQ(right["false_negatives"], 0);
+  EXPECT_EQ(right["unresolved"], 0);
+  for (const char* key : {"mean", "p50", "p99", "max"}) EXPECT_GT(right["ns"][key], 0) << key;
+  const Outcome wrong = folder_.run("queries right wrong unlabelled --guarantee exact --json");
+  EXPECT_EQ(wrong.code, 1);
+  EXPECT_EQ(wrong.json()["queries"], 4);
+  EXPECT_EQ(wrong.json()["false_positives"], 1);
+  EXPECT_EQ(wrong.json()["folders"]["wrong"]["false_positives"], 1);
+  EXPECT_TRUE(wrong.json()["folders"]["unlabelled"]["false_negatives"].is_null());
+}
+
+}  // namespace
+}  // namespace tamis::test

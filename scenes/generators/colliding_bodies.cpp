@@ -1,5 +1,5 @@
-// Closed spheres with bumps on a lattice, a little apart; each flies and turns at random, so that most neighbours
-// collide somewhere on a small cap.
+// Closed spheres with bumps on a lattice, a little apart; the heap collapses towards its middle, each sphere flies and
+// turns at random besides, so that about half of the neighbours collide, each on a small cap.
 #include <algorithm>
 #include <cmath>
 
@@ -14,26 +14,29 @@ namespace {
 // Lengths in units of the lattice.
 constexpr double kRadius = 0.47;
 constexpr double kBump = 0.05;  // share of the radius: no contact at t=0
-constexpr double kFlight = 0.05;
-constexpr double kTurn = 0.02;  // tangent of half the angle
+constexpr double kPull = 0.08;
+constexpr double kFlight = 0.1;
+constexpr double kTurn = 0.05;  // tangent of half the angle
 constexpr Index kFewestBodies = 8;
 constexpr Index kMostCells = 24;
 
 }  // namespace
 
 Scene colliding_bodies(Index triangles, std::uint64_t seed) {
-  const Index cells = sphere_cells(triangles, kFewestBodies, kMostCells);
+  const Index cells = std::max(Index{2}, sphere_cells(triangles, kFewestBodies, kMostCells));
   const Shape sphere = unit_sphere(cells);
   const Index bodies = std::max(Index{2}, triangles / static_cast<Index>(sphere.faces.size()));
   const Index side = static_cast<Index>(std::ceil(std::cbrt(bodies)));
   const double scale = 1.0 / side;
+  const double half = 0.5 * (side - 1);
+  const Point middle{half, half, half};
 
   Scene scene;
   Random random(seed);
   for (Index body = 0; body < bodies; ++body) {
     const Point centre{double(body % side), double(body / side % side), double(body / (side * side))};
     const Point turned = random.point_between(-1, 1), turn = turned + random.point_between(-kTurn, kTurn);
-    const Point flight = random.point_between(-kFlight, kFlight);
+    const Point flight = kPull * (middle - centre) + random.point_between(-kFlight, kFlight);
     const SmoothNoise bumps(random.bits());
     const auto bumpy = [&](const Point& p) {
       return (kRadius * (1 + kBump * bumps(4 * p[0], 4 * p[1], 4 * p[2]))) * p;

@@ -1,5 +1,7 @@
 // Triangles that are none: each takes one degeneracy in turn. Corners lie on a coarse lattice of powers of two, so
 // that exact coincidences (equal points, collinear edges, coplanar faces) are common.
+#include <cmath>
+
 #include "scenes/generators/generators.hpp"
 #include "scenes/point_math.hpp"
 #include "scenes/random.hpp"
@@ -10,8 +12,12 @@ namespace {
 
 using Corners = std::array<Point, 3>;
 
-Corners lattice_corners(Random& random) {
-  return {random.point_on_lattice(4, 0.25), random.point_on_lattice(4, 0.25), random.point_on_lattice(4, 0.25)};
+constexpr double kUnit = 0.25;
+
+Corners lattice_corners(const Point& centre, Random& random) {
+  Corners corners;
+  for (Point& p : corners) p = centre + random.point_on_lattice(4, kUnit);
+  return corners;
 }
 
 void make_collinear(Corners& corners) { corners[2] = 2.0 * corners[1] - corners[0]; }
@@ -21,8 +27,11 @@ void make_collinear(Corners& corners) { corners[2] = 2.0 * corners[1] - corners[
 Scene degenerate(Index triangles, std::uint64_t seed) {
   Scene scene;
   Random random(seed);
+  // A larger box for more triangles keeps the number of contacts of each in bounds.
+  const Index side = static_cast<Index>(2 * std::cbrt(static_cast<double>(triangles)));
   for (Index i = 0; static_cast<Index>(scene.faces.size()) < triangles; ++i) {
-    Corners start = lattice_corners(random), end = lattice_corners(random);
+    const Point centre = random.point_on_lattice(side, kUnit);
+    Corners start = lattice_corners(centre, random), end = lattice_corners(centre, random);
     const Index which = i % 10;
     if (which == 0 || which == 2) make_collinear(start);   // no area at t=0
     if (which == 1 || which == 2) make_collinear(end);     // no area at t=1; with the line above, at both

@@ -1,4 +1,4 @@
-// One sheet folded to and fro into layers half a cell apart. The layers are free at t=0; during the step the pile is
+// One sheet folded to and fro into close layers. The layers are free at t=0; during the step the pile is
 // pressed together and each layer ripples and creeps, so that a small share of the area runs into its neighbours.
 #include <algorithm>
 #include <cmath>
@@ -11,12 +11,12 @@ namespace tamis::scenes {
 namespace {
 
 // Lengths in cells of the grid.
-constexpr double kLayerGap = 0.5;
-constexpr double kRippleStart = 0.2;  // below half the gap: no contact at t=0
-constexpr double kRippleEnd = 0.3;
-constexpr double kPress = 0.03;  // share of its height that the pile loses
-constexpr double kCreep = 0.2;
-constexpr double kRippleLength = 8;
+constexpr double kLayerGap = 0.4;
+constexpr double kRippleStart = 0.15;  // below half the gap: no contact at t=0
+constexpr double kRippleEnd = 0.35;
+constexpr double kPress = 0.1;  // share of its height that the pile loses
+constexpr double kCreep = 0.5;
+constexpr double kLongestRipple = 8;
 constexpr Index kLongestLayer = 96;
 
 }  // namespace
@@ -25,7 +25,7 @@ Scene folded_cloth(Index triangles, std::uint64_t seed) {
   const Index columns = std::max(Index{2}, static_cast<Index>(std::sqrt(triangles / 2.0)) + 1);
   const Index rows = std::max(Index{4}, triangles / (2 * (columns - 1)) + 1);
   const Index layer_rows = std::clamp(rows / 6, Index{2}, kLongestLayer);
-  const double cell = 1.0 / columns;
+  const double cell = 1.0 / columns, ripple = std::clamp(columns / 6.0, 2.0, kLongestRipple);
 
   Scene scene;
   for (Index i = 0; i < rows; ++i) {
@@ -36,7 +36,7 @@ Scene folded_cloth(Index triangles, std::uint64_t seed) {
     };
     const SmoothNoise start = noise(0), end = noise(1), creep_x = noise(2), creep_z = noise(3);
     for (Index j = 0; j < columns; ++j) {
-      const double z = j, px = x / kRippleLength, pz = z / kRippleLength;
+      const double z = j, px = x / ripple, pz = z / ripple;
       const double height = layer * kLayerGap;
       const Point at_start{x, height + kRippleStart * start(px, pz), z};
       const Point at_end{x + kCreep * creep_x(px, pz), (1 - kPress) * height + kRippleEnd * end(px, pz),

@@ -99,7 +99,9 @@ class BlockSearch {
     for (int c = 0; c < kCornersA; ++c) pairs.corner[c][pairs.count] = mine.vertex[c][a];
     for (int c = 0; c < kCornersB; ++c) pairs.corner[kCornersA + c][pairs.count] = theirs.vertex[c][b];
     pairs.t_in[pairs.count] = static_cast<double>(t_in);
-    pairs.t_out[pairs.count] = static_cast<double>(t_out);
+    // The floats' end of the step lies a little beyond it: contacts there are none.
+    const double end = static_cast<double>(t_out);
+    pairs.t_out[pairs.count] = end < search_.t_limit ? end : search_.t_limit;
     ++pairs.count;
   }
 

@@ -1,0 +1,175 @@
+// What must not change the answer: the number of threads, the instruction set, the unit of length, the order of
+// vertices, a mirror, earlier questions.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "scenes/random.hpp"
+#include "support/contact_sets.hpp"
+#include "support/test_names.hpp"
+#include "tamis/detector.hpp"
+#include "tamis/error.hpp"
+
+namespace tamis::test {
+namespace {
+
+using scenes::Random, scenes::Recipe, scenes::Scene;
+
+bool same_bits(const Contact& a, const Contact& b) {
+  return a.kind == b.kind && a.certainty == b.certainty && a.vertices == b.vertices && a.toi_lower == b.toi_lower &&
+         a.toi_upper == b.toi_upper && a.u == b.u && a.v == b.v && a.normal == b.normal;
+}
+
+void expect_same_bits(const std::vector<Contact>& a, const std::vector<Contact>& b, const std::string& what) {
+  ASSERT_EQ(a.size(), b.size()) << what;
+  for (std::size_t i = 0; i < a.size(); ++i) ASSERT_TRUE(same_bits(a[i], b[i])) << what << ", contact " << i;
+}
+
+class Invariance : public testing::TestWithParam<Recipe> {
+ protected:
+  Scene scene(Index triangles, std::uint64_t seed) const { return GetParam().make(triangles, seed); }
+};
+
+TEST_P(Invariance, OneAndMoreThreadsGiveTheSameBits) {
+  // Enough blocks of features for both threads to get some.
+  const Scene s = scene(GetParam().scales ? 20000 : 800, 5);
+  Options options;
+  options.threads = 1;
+  const auto one = find_contacts(s, options);
+  options.threads = 2;
+  expect_same_bits(one, find_contacts(s, options), "two threads");
+}
+
+TEST_P(Invariance, InstructionSetsGiveTheSameBits) {
+  const Scene s = scene(600, 6);
+  Options options;
+  options.isa = Isa::baseline;
+  const auto baseline = find_contacts(s, options);
+  for (Isa isa : {Isa::avx2, Isa::avx512}) {
+    options.isa = isa;
+    try {
+      expect_same_bits(baseline, find_contacts(s, options), std::string(name_of(isa)));
+    } catch (const InvalidOptions&) {
+      GTEST_SKIP() << "this machine has no " << name_of(isa);
+    }
+  }
+}
+
+TEST_P(Invariance, EarlierQuestionsDoNotChangeTheAnswer) {
+  const Scene s = scene(300, 7);
+  Detector used(s.mesh());
+  used.contacts({s.end, s.start});
+  used.contacts({s.end, s.end});
+  expect_same_bits(Detector(s.mesh()).contacts(s.step()), used.contacts(s.step()), "refitted");
+}
+
+TEST_P(Invariance, ContactsComeInTheirDocumentedOrder) {
+  const Scene s = scene(300, 8);
+  Detector detector(s.mesh());
+  const auto& contacts = detector.contacts(s.step());
+  EXPECT_TRUE(std::is_sorted(contacts.begin(), contacts.end(), [](const Contact& a, const Contact& b) {
+    return a.kind != b.kind ? a.kind < b.kind : a.vertices < b.vertices;
+  }));
+}
+
+TEST_P(Invariance, PowersOfTwoAsUnitOfLengthChangeNoDecision) {
+  const Scene s = scene(100, 9);
+  for (Guarantee guarantee : {Guarantee::conservative, Guarantee::exact}) {
+    Options options;
+    options.guarantee = guarantee;
+    const auto reference = find_contacts(s, options);
+    for (int exponent : {-200, -100, -30, 30, 100, 200}) {
+      Scene scaled = s;
+      for (auto* points : {&scaled.start, &scaled.end})
+        for (Point& p : *points)
+          for (double& x : p) x = std::ldexp(x, exponent);
+      const auto contacts = find_contacts(scaled, options);
+      EXPECT_EQ(names_of(reference), names_of(contacts)) << exponent;
+      EXPECT_EQ(certified_names_of(reference), certified_names_of(contacts)) << exponent;
+    }
+  }
+}
+
+/// Renames vertex v to order[v] in a pair, and brings the name into the order contacts have.
+PairName renamed(PairName name, const std::vector<Index>& order) {
+  for (Index& v : name.vertices) v = order[static_cast<std::size_t>(v)];
+  auto& v = name.vertices;
+  if (name.kind == PairKind::vertex_face) {
+    std::sort(v.begin() + 1, v.end());  // faces are compared as sets: windings are turned below
+  } else {
+    std::sort(v.begin(), v.begin() + 2);
+    std::sort(v.begin() + 2, v.end());
+    if (std::array{v[2], v[3]} < std::array{v[0], v[1]}) std::swap(v[0], v[2]), std::swap(v[1], v[3]);
+  }
+  return name;
+}
+
+PairSet renamed(const PairSet& names, const std::vector<Index>& order) {
+  PairSet result;
+  for (const PairName& name : names) result.insert(renamed(name, order));
+  return result;
+}
+
+/// Vertices renumbered, faces in another order, each wound another way, y and z exchanged, x mirrored.
+Scene shuffled(const Scene& s, const std::vector<Index>& order, Random& random) {
+  Scene result = s;
+  for (std::size_t v = 0; v < order.size(); ++v) {
+    const auto turned = [](const Point& p) { return Point{-p[0], p[2], p[1]}; };
+    result.start[static_cast<std::size_t>(order[v])] = turned(s.start[v]);
+    result.end[static_cast<std::size_t>(order[v])] = turned(s.end[v]);
+  }
+  const auto rename = [&](Index& v) { v = order[static_cast<std::size_t>(v)]; };
+  for (Face& f : result.faces) {
+    for (Index& v : f) rename(v);
+    std::rotate(f.begin(), f.begin() + random.below(3), f.end());
+    if (random.coin()) std::swap(f[0], f[1]);
+  }
+  for (Edge& e : result.loose_edges)
+    for (Index& v : e) rename(v);
+  for (Index& v : result.loose_points) rename(v);
+  std::reverse(result.faces.begin(), result.faces.end());
+  return result;
+}
+
+TEST_P(Invariance, OrderWindingAndMirrorChangeNoExactAnswer) {
+  const Scene s = scene(120, 10);
+  Random random(11);
+  std::vector<Index> same(s.start.size());
+  std::iota(same.begin(), same.end(), 0);
+  std::vector<Index> order = same;
+  for (std::size_t i = order.size(); i-- > 1;)
+    std::swap(order[i], order[static_cast<std::size_t>(random.below(static_cast<Index>(i) + 1))]);
+  const Scene other = shuffled(s, order, random);
+  Options options;
+  options.guarantee = Guarantee::exact;
+  EXPECT_EQ(renamed(find_names(s, options), order), renamed(find_names(other, options), same));
+}
+
+TEST_P(Invariance, EarliestAndFreeAgreeWithAllContacts) {
+  const Scene s = scene(200, 12);
+  Options options;
+  options.guarantee = Guarantee::exact;
+  for (const Scene& asked : {s, [&] {
+                               Scene still = s;
+                               still.end = still.start;
+                               return still;
+                             }()}) {
+    Detector detector(asked.mesh(), options);
+    const std::vector<Contact> contacts = detector.contacts(asked.step());
+    double lower = 1, upper = 1;
+    for (const Contact& c : contacts) lower = std::min(lower, c.toi_lower), upper = std::min(upper, c.toi_upper);
+    EXPECT_EQ(detector.is_free(asked.step()), contacts.empty());
+    const EarliestContact earliest = detector.earliest(asked.step());
+    EXPECT_EQ(earliest.contact.has_value(), !contacts.empty());
+    EXPECT_EQ(earliest.toi_upper, upper);
+    EXPECT_EQ(earliest.toi_lower, lower);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, Invariance, testing::ValuesIn(scenes::recipes().begin(), scenes::recipes().end()),
+                         scene_test_name);
+
+}  // namespace
+}  // namespace tamis::test

@@ -1,0 +1,105 @@
+// One pair through the whole of the decision, against the oracle: all families of motions, all placements, vertices in
+// any order. TAMIS_PAIR_CASES sets the number of cases a family and placement (long runs: millions in all).
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "support/pair_cases.hpp"
+#include "support/test_data.hpp"
+#include "support/test_names.hpp"
+#include "tamis/pair.hpp"
+
+namespace tamis::test {
+namespace {
+
+using oracle::Motion, oracle::touches;
+
+PairResult decide_pair(PairKind kind, const Motion& m, Guarantee guarantee) {
+  const PairOptions options{guarantee, 0};
+  return kind == PairKind::vertex_face ? vertex_face(m.start, m.end, options) : edge_edge(m.start, m.end, options);
+}
+
+/// The promises of PairResult about time.
+void check_bracket(PairKind kind, const Motion& m, const PairResult& r) {
+  ASSERT_LE(0, r.toi_lower);
+  ASSERT_LE(r.toi_lower, r.toi_upper);
+  ASSERT_LE(r.toi_upper, 1);
+  EXPECT_FALSE(r.toi_lower > 0 && touches(kind, m, {0, r.toi_lower, true})) << "touches before toi_lower";
+  EXPECT_TRUE(r.certainty == Certainty::unresolved || touches(kind, m, {r.toi_lower, r.toi_upper}))
+      << "does not touch within the bracket [" << r.toi_lower << ", " << r.toi_upper << "]";
+}
+
+/// Largest |component| of any vertex: the unit of the error of a weight's point.
+double size_of(const Motion& m) {
+  double size = 0;
+  for (const auto* points : {&m.start, &m.end})
+    for (const Point& p : *points)
+      for (double x : p) size = std::max(size, std::abs(x));
+  return size;
+}
+
+/// The two points the weights name, at the middle of the bracket, are one point but for rounding.
+void check_weights(PairKind kind, const Motion& m, const PairResult& r) {
+  EXPECT_GE(r.u, 0);
+  EXPECT_GE(r.v, 0);
+  EXPECT_LE(r.u, 1);
+  EXPECT_LE(kind == PairKind::vertex_face ? r.u + r.v : r.v, 1 + 1e-15);
+  if (r.toi_upper - r.toi_lower > 1e-12) return;
+  const double t = 0.5 * (r.toi_lower + r.toi_upper);
+  double gap = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto x = [&](std::size_t i) { return (1 - t) * m.start[i][k] + t * m.end[i][k]; };
+    const double difference = kind == PairKind::vertex_face
+                                  ? x(0) - ((1 - r.u - r.v) * x(1) + r.u * x(2) + r.v * x(3))
+                                  : (1 - r.u) * x(0) + r.u * x(1) - ((1 - r.v) * x(2) + r.v * x(3));
+    gap = std::max(gap, std::abs(difference));
+  }
+  EXPECT_LE(gap, 1e-6 * size_of(m)) << "u " << r.u << " v " << r.v << " t " << t;
+  const double length = std::hypot(r.normal[0], r.normal[1], r.normal[2]);
+  EXPECT_NEAR(length, 1, 1e-12) << "normal";
+}
+
+class PairSoundness : public testing::TestWithParam<std::tuple<std::size_t, std::size_t>> {};
+
+TEST_P(PairSoundness, BothGuaranteesKeepTheirPromises) {
+  const Family& family = kFamilies[std::get<0>(GetParam())];
+  const Placement& placement = kPlacements[std::get<1>(GetParam())];
+  const long cases = repetitions("TAMIS_PAIR_CASES", 60);
+  Random random(17);
+  long contacts = 0, unresolved = 0;
+  for (long i = 0; i < cases && !HasFailure(); ++i)
+    for (const PairKind kind : {PairKind::vertex_face, PairKind::edge_edge}) {
+      const Motion m = permuted(kind, placed(family.make(kind, random), placement), random);
+      const bool truth = touches(kind, m);
+      SCOPED_TRACE(describe(kind, m));
+      const PairResult conservative = decide_pair(kind, m, Guarantee::conservative);
+      EXPECT_LE(truth, conservative.touches) << "missed contact";
+      EXPECT_TRUE(conservative.certainty == Certainty::unresolved || conservative.touches == truth) << "certified";
+      const PairResult exact = decide_pair(kind, m, Guarantee::exact);
+      EXPECT_EQ(truth, exact.touches) << "exact guarantee";
+      EXPECT_EQ(exact.certainty, Certainty::certified) << "exact guarantee";
+      for (const PairResult& r : {conservative, exact}) {
+        if (!r.touches) continue;
+        check_bracket(kind, m, r);
+        if (r.certainty == Certainty::certified) check_weights(kind, m, r);
+      }
+      contacts += truth;
+      unresolved += conservative.touches && conservative.certainty == Certainty::unresolved;
+    }
+  RecordProperty("contacts", static_cast<int>(contacts));
+  RecordProperty("unresolved", static_cast<int>(unresolved));
+}
+
+std::string case_name(const testing::TestParamInfo<PairSoundness::ParamType>& parameter) {
+  return test_name(kFamilies[std::get<0>(parameter.param)].name) + "_" +
+         test_name(kPlacements[std::get<1>(parameter.param)].name);
+}
+
+INSTANTIATE_TEST_SUITE_P(Cases, PairSoundness,
+                         testing::Combine(testing::Range(std::size_t{0}, kFamilies.size()),
+                                          testing::Range(std::size_t{0}, kPlacements.size())),
+                         case_name);
+
+}  // namespace
+}  // namespace tamis::test

@@ -1,0 +1,114 @@
+#include "support/contact_sets.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <sstream>
+
+#include "oracle/oracle.hpp"
+#include "tamis/detector.hpp"
+
+namespace tamis::test {
+
+using scenes::Scene;
+
+PairSet names_of(const std::vector<Contact>& contacts) {
+  PairSet names;
+  for (const Contact& c : contacts) names.insert({c.kind, c.vertices});
+  return names;
+}
+
+PairSet certified_names_of(const std::vector<Contact>& contacts) {
+  PairSet names;
+  for (const Contact& c : contacts)
+    if (c.certainty == Certainty::certified) names.insert({c.kind, c.vertices});
+  return names;
+}
+
+std::vector<Contact> find_contacts(const Scene& scene, const Options& options) {
+  return Detector(scene.mesh(), options).contacts(scene.step());
+}
+
+PairSet find_names(const Scene& scene, const Options& options) { return names_of(find_contacts(scene, options)); }
+
+namespace {
+
+std::set<Edge> edges_of(const Scene& scene) {
+  std::set<Edge> edges;
+  const auto add = [&](Index a, Index b) {
+    if (a != b) edges.insert({std::min(a, b), std::max(a, b)});
+  };
+  for (const Face& f : scene.faces) add(f[0], f[1]), add(f[1], f[2]), add(f[2], f[0]);
+  for (const Edge& e : scene.loose_edges) add(e[0], e[1]);
+  return edges;
+}
+
+std::set<Index> points_of(const Scene& scene) {
+  std::set<Index> points(scene.loose_points.begin(), scene.loose_points.end());
+  for (const Face& f : scene.faces) points.insert(f.begin(), f.end());
+  for (const Edge& e : scene.loose_edges) points.insert(e.begin(), e.end());
+  return points;
+}
+
+oracle::Motion motion_of(const Scene& scene, const std::array<Index, 4>& vertices) {
+  oracle::Motion motion;
+  for (std::size_t i = 0; i < 4; ++i) {
+    motion.start[i] = scene.start[static_cast<std::size_t>(vertices[i])];
+    motion.end[i] = scene.end[static_cast<std::size_t>(vertices[i])];
+  }
+  return motion;
+}
+
+/// All of one feature lies beyond all of the other on an axis, at both ends of the step and so all the time: spares
+/// the oracle most of its work.
+bool is_plainly_apart(const oracle::Motion& motion, std::size_t first_of_second) {
+  const auto beyond = [&](std::size_t axis, std::size_t i, std::size_t j) {
+    return std::min(motion.start[i][axis], motion.end[i][axis]) > std::max(motion.start[j][axis], motion.end[j][axis]);
+  };
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    bool all_above = true, all_below = true;
+    for (std::size_t i = 0; i < first_of_second; ++i)
+      for (std::size_t j = first_of_second; j < 4; ++j) {
+        all_above = all_above && beyond(axis, i, j);
+        all_below = all_below && beyond(axis, j, i);
+      }
+    if (all_above || all_below) return true;
+  }
+  return false;
+}
+
+void add_if_touching(const Scene& scene, PairKind kind, const std::array<Index, 4>& vertices, PairSet& contacts) {
+  const std::size_t first_of_second = kind == PairKind::vertex_face ? 1 : 2;
+  const auto second = vertices.begin() + static_cast<std::ptrdiff_t>(first_of_second);
+  if (std::find_first_of(vertices.begin(), second, second, vertices.end()) != second) return;  // adjacent
+  const oracle::Motion motion = motion_of(scene, vertices);
+  if (!is_plainly_apart(motion, first_of_second) && oracle::touches(kind, motion)) contacts.insert({kind, vertices});
+}
+
+}  // namespace
+
+PairSet oracle_contacts(const Scene& scene) {
+  PairSet contacts;
+  for (const Index p : points_of(scene))
+    for (const Face& f : scene.faces) add_if_touching(scene, PairKind::vertex_face, {p, f[0], f[1], f[2]}, contacts);
+  const std::set<Edge> edges = edges_of(scene);
+  for (auto a = edges.begin(); a != edges.end(); ++a)
+    for (auto b = std::next(a); b != edges.end(); ++b)
+      add_if_touching(scene, PairKind::edge_edge, {(*a)[0], (*a)[1], (*b)[0], (*b)[1]}, contacts);
+  return contacts;
+}
+
+std::string missing(const PairSet& a, const PairSet& b) {
+  std::vector<PairName> difference;
+  std::set_difference(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(difference));
+  if (difference.empty()) return {};
+  std::ostringstream out;
+  out << difference.size() << " pairs:";
+  for (std::size_t i = 0; i < std::min<std::size_t>(difference.size(), 5); ++i) {
+    out << (difference[i].kind == PairKind::vertex_face ? " vf" : " ee");
+    for (Index v : difference[i].vertices) out << ' ' << v;
+    out << ';';
+  }
+  return out.str();
+}
+
+}  // namespace tamis::test

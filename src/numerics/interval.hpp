@@ -50,9 +50,9 @@ inline Interval operator*(const Interval& a, const Interval& b) {
 
 /// REQUIRES: !b.may_be_zero().
 inline Interval operator/(const Interval& a, const Interval& b) {
-  const double p = a.lower / b.lower, q = a.lower / b.upper, r = a.upper / b.lower, s = a.upper / b.upper;
-  return {rounding::below(std::min(std::min(p, q), std::min(r, s))),
-          rounding::above(std::max(std::max(p, q), std::max(r, s)))};
+  if (b.upper < 0) return -a / -b;
+  return {rounding::below(a.lower / (a.lower < 0 ? b.lower : b.upper)),
+          rounding::above(a.upper / (a.upper < 0 ? b.upper : b.lower))};
 }
 
 /// True only if proven.

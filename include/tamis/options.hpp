@@ -26,13 +26,18 @@ enum class Guarantee : std::uint8_t {
 /// Instruction set of the hot loops; every one gives the same bits.
 enum class Isa : std::uint8_t { best, baseline, avx2, avx512 };
 
+/// Bounds of the nodes of the paper's hierarchy, over the whole step.
+enum class BoundingVolume : std::uint8_t { sphere, aabb, obb, dop16, dop18, dop26 };
+
 /// Names as on the command line, and back. Throw InvalidOptions, naming the choices, if there is no such name.
 Method method_from_name(std::string_view name);
 Guarantee guarantee_from_name(std::string_view name);
 Isa isa_from_name(std::string_view name);
+BoundingVolume bounding_volume_from_name(std::string_view name);
 std::string_view name_of(Method);
 std::string_view name_of(Guarantee);
 std::string_view name_of(Isa);
+std::string_view name_of(BoundingVolume);
 
 /// Which pairs of objects may touch. Vertices carry a group; a feature belongs to the group of its first vertex.
 struct PairFilter {
@@ -51,20 +56,20 @@ struct PairFilter {
   static PairFilter no_static_pairs(std::vector<Index> group_of_vertex, const std::vector<bool>& is_static);
 };
 
-/// Bounds of the nodes of the paper's hierarchy, over the whole step.
-enum class BoundingVolume : std::uint8_t { aabb, dop16, dop18, dop26 };
-
 /// The laboratory of Method::paper: the published system by default, its competitors by choice. The contacts are the
 /// same for every choice.
 struct PaperOptions {
   BoundingVolume bounding_volume = BoundingVolume::dop16;
-  /// Filters by name, in the order in which they are tried (src/filters/filters.hpp has the list).
+  /// Filters by name, in the order in which they are tried: see filter_names().
   std::vector<std::string> filters{"dnf", "ncf-published"};
   /// false: pairs of triangles that share a vertex are tested like all others.
   bool orphan_sets = true;
   /// false: a pair of features is tested in every pair of triangles that contains it.
   bool representative_triangles = true;
 };
+
+/// What PaperOptions::filters may name.
+std::vector<std::string_view> filter_names();
 
 struct Options {
   Method method = Method::tamis;
@@ -77,5 +82,12 @@ struct Options {
   PairFilter filter;
   PaperOptions paper;
 };
+
+/// Sets `method` and `paper` from one name: that of a method, or "paper-" and that of a competitor: dnf, ncf (one
+/// alone), dnf-ncf (the published system), sat, pfs, r-triangles (no filter), no-orphans, no-representatives.
+/// Throws InvalidOptions, naming the choices, if there is no such name.
+void choose_method(Options& options, std::string_view name);
+/// All names that choose_method understands.
+std::vector<std::string_view> method_choices();
 
 }  // namespace tamis

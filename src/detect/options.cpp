@@ -14,6 +14,12 @@ using Names = std::array<std::pair<E, std::string_view>, n>;
 
 constexpr Names<Method, 3> kMethods{{{Method::tamis, "tamis"}, {Method::paper, "paper"}, {Method::brute, "brute"}}};
 constexpr Names<Guarantee, 2> kGuarantees{{{Guarantee::conservative, "conservative"}, {Guarantee::exact, "exact"}}};
+constexpr Names<BoundingVolume, 6> kVolumes{{{BoundingVolume::sphere, "sphere"},
+                                             {BoundingVolume::aabb, "aabb"},
+                                             {BoundingVolume::obb, "obb"},
+                                             {BoundingVolume::dop16, "16-dop"},
+                                             {BoundingVolume::dop18, "18-dop"},
+                                             {BoundingVolume::dop26, "26-dop"}}};
 constexpr Names<Isa, 4> kIsas{
     {{Isa::best, "best"}, {Isa::baseline, "baseline"}, {Isa::avx2, "avx2"}, {Isa::avx512, "avx512"}}};
 
@@ -39,6 +45,8 @@ std::string_view name(const Names<E, n>& names, E value) {
 Method method_from_name(std::string_view text) { return find(kMethods, "method", text); }
 Guarantee guarantee_from_name(std::string_view text) { return find(kGuarantees, "guarantee", text); }
 Isa isa_from_name(std::string_view text) { return find(kIsas, "instruction set", text); }
+BoundingVolume bounding_volume_from_name(std::string_view text) { return find(kVolumes, "bounding volume", text); }
+std::string_view name_of(BoundingVolume value) { return name(kVolumes, value); }
 std::string_view name_of(Method value) { return name(kMethods, value); }
 std::string_view name_of(Guarantee value) { return name(kGuarantees, value); }
 std::string_view name_of(Isa value) { return name(kIsas, value); }

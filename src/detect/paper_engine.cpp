@@ -8,11 +8,10 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
-#include <variant>
+#include <tuple>
 
-#include "bvh/refit.hpp"
-#include "bvh/self_traverse.hpp"
 #include "detect/engine.hpp"
+#include "detect/paper_hierarchy.hpp"
 #include "detect/paper_tester.hpp"
 #include "topology/orphan_sets.hpp"
 #include "topology/surface.hpp"
@@ -30,80 +29,12 @@ std::vector<FilterStage> stages_by_name(const std::vector<std::string>& names) {
   return stages;
 }
 
-/// The tree with bounds of one kind.
-template <class Volume>
-class Hierarchy {
- public:
-  /// Builds, or refits and builds anew where that has made the tree poor. Returns true if built.
-  bool update(const PaperScene& scene, double padding) {
-    const bool first = tree_.size() == 0;
-    if (first) build(scene);
-    double cost = refit_volumes(scene, padding);
-    // A node of a good tree is small beside the root: twice the sum of extents is about twice the nodes to visit.
-    const bool poor = !first && cost > 2 * cost_when_built_;
-    if (poor) {
-      build(scene);
-      cost = refit_volumes(scene, padding);
-    }
-    if (first || poor) cost_when_built_ = cost;
-    return first || poor;
-  }
-
-  SelfTraversal<Volume> traversal() const { return {tree_, volumes_}; }
-  std::uint64_t memory_bytes() const { return tree_.memory_bytes() + volumes_.capacity() * sizeof(Volume); }
-
- private:
-  void build(const PaperScene& scene) {
-    std::vector<Vec3<double>> centres;
-    centres.reserve(scene.triangles.size());
-    for (const TriangleFeatures& t : scene.triangles) {
-      Vec3<double> sum{0, 0, 0};
-      for (Index v : t.vertices) sum = sum + scene.points[v].at0 + scene.points[v].at1;
-      centres.push_back(sum);
-    }
-    tree_.build(centres);
-  }
-
-  double refit_volumes(const PaperScene& scene, double padding) {
-    const auto leaf = [&](Index triangle) {
-      if constexpr (std::is_same_v<Volume, Dop16>) {
-        return scene.boxes.faces[static_cast<std::size_t>(triangle)];
-      } else {
-        const Face& f = scene.triangles[static_cast<std::size_t>(triangle)].vertices;
-        const auto around = [&](Index v) { return Volume::around(scene.points[v], scene.points.centre(), padding); };
-        return merge(merge(around(f[0]), around(f[1])), around(f[2]));
-      }
-    };
-    return refit(tree_, leaf, volumes_);
-  }
-
-  BinaryTree tree_;
-  std::vector<Volume> volumes_;
-  double cost_when_built_ = 0;
-};
-
-using AnyHierarchy = std::variant<Hierarchy<Aabb>, Hierarchy<Dop16>, Hierarchy<Dop18>, Hierarchy<Dop26>>;
-
-AnyHierarchy make_hierarchy(BoundingVolume volume) {
-  switch (volume) {
-    case BoundingVolume::aabb:
-      return Hierarchy<Aabb>();
-    case BoundingVolume::dop16:
-      return Hierarchy<Dop16>();
-    case BoundingVolume::dop18:
-      return Hierarchy<Dop18>();
-    case BoundingVolume::dop26:
-      return Hierarchy<Dop26>();
-  }
-  return Hierarchy<Dop16>();
-}
-
 class PaperEngine final : public Engine {
  public:
   PaperEngine(const Mesh& mesh, const Options& options)
       : surface_(mesh),
         scene_{options, surface_.mesh(), surface_.face_count(), {}, stages_by_name(options.paper.filters), {}, {}, {}},
-        hierarchy_(make_hierarchy(options.paper.bounding_volume)),
+        hierarchy_(make_paper_hierarchy(options.paper.bounding_volume)),
         testers_([this] { return PaperTester(scene_); }) {}
 
   void find(const Step& step, Question question, std::vector<Contact>& contacts, Statistics& statistics) override {
@@ -134,7 +65,8 @@ class PaperEngine final : public Engine {
     scene_.boxes.update(scene_.mesh, scene_.points, padding);
     statistics.seconds.bounds = seconds_since(start);
     start = Clock::now();
-    statistics.rebuilt = std::visit([&](auto& hierarchy) { return hierarchy.update(scene_, padding); }, hierarchy_);
+    statistics.rebuilt = std::visit(
+        [&](auto& hierarchy) { return hierarchy.update(scene_.mesh.faces(), scene_.points, padding); }, hierarchy_);
     statistics.seconds.build = seconds_since(start);
   }
 
@@ -227,7 +159,7 @@ class PaperEngine final : public Engine {
   Surface surface_;
   PaperScene scene_;
   FeaturePairs orphans_;
-  AnyHierarchy hierarchy_;
+  AnyPaperHierarchy hierarchy_;
   tbb::enumerable_thread_specific<PaperTester> testers_;
 };
 

@@ -5,13 +5,17 @@
 #include "filters/dnf.hpp"
 #include "filters/ncf.hpp"
 #include "filters/ncf_published.hpp"
+#include "filters/pfs_linear.hpp"
+#include "filters/pfs_planar.hpp"
+#include "filters/sat.hpp"
+#include "filters/slab_clip.hpp"
 
 namespace tamis {
 
 template <class... F>
 struct FilterList {};
 
-using Filters = FilterList<Dnf, Ncf, NcfPublished>;
+using Filters = FilterList<Dnf, Ncf, NcfPublished, Sat, PfsLinear, PfsPlanar, SlabClip>;
 
 /// One filter as a stage over a block of pairs: keeps in `alive` (indices into `motions`) those it cannot prove free,
 /// in order, and returns how many they are.

@@ -49,4 +49,8 @@ inline constexpr double kSideSlope = 100;
 // A difference projected on an axis with components in {-1,0,1}, unit D + E + F: 3 (kInput + 3) + 2 * 3 = 39.
 inline constexpr double kProjection = 48 * kUnitRoundoff;
 
+// A difference projected on any axis, unit |axis|_max (D + E + F): three products of a factor off by kInput, 3 (8 + 1),
+// and sums 3 + 3; the difference of projections 2 * 3 more: below 42.
+inline constexpr double kAxisProjection = 48 * kUnitRoundoff;
+
 }  // namespace tamis::error_bounds

@@ -1,6 +1,7 @@
 // The published pipeline, and each of its variants, against every pair tested one by one.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <tuple>
 
 #include "scenes/scene_list.hpp"
@@ -17,6 +18,23 @@ std::vector<Key> keys(const std::vector<Contact>& contacts) {
   return result;
 }
 
+/// What one list has more often than the other, in words.
+std::string difference(const std::vector<Key>& found, const std::vector<Key>& expected) {
+  std::string text;
+  const auto tell = [&](const char* what, const std::vector<Key>& from, const std::vector<Key>& without) {
+    std::vector<Key> rest;
+    std::set_difference(from.begin(), from.end(), without.begin(), without.end(), std::back_inserter(rest));
+    for (const auto& [kind, v] : rest) {
+      text.append(what).append(kind == PairKind::vertex_face ? " vf" : " ee");
+      for (const Index vertex : v) text.append(" ").append(std::to_string(vertex));
+      text.append("; ");
+    }
+  };
+  tell("lost", expected, found);
+  tell("too much", found, expected);
+  return text;
+}
+
 std::vector<Key> contacts_of(const scenes::Scene& scene, const Options& options) {
   Detector detector(scene.mesh(), options);
   return keys(detector.contacts(scene.step()));
@@ -28,20 +46,24 @@ Options with(Method method) {
   return options;
 }
 
-/// The published system, and what the laboratory lets one take out of it.
+/// The published system, and every way the laboratory lets one change it.
 std::vector<PaperOptions> variants() {
-  std::vector<PaperOptions> all(1);
-  for (const bool orphan_sets : {false, true})
-    for (const bool representatives : {false, true})
-      all.push_back({BoundingVolume::aabb, {"dnf"}, orphan_sets, representatives});
-  for (const auto volume : {BoundingVolume::dop18, BoundingVolume::dop26}) all.push_back({volume, {}});
-  all.push_back({BoundingVolume::dop16, {"ncf"}});
+  std::vector<PaperOptions> all;
+  for (const std::string_view name : method_choices()) {
+    Options options;
+    choose_method(options, name);
+    all.push_back(options.paper);
+  }
+  for (const char* volume : {"sphere", "aabb", "obb", "16-dop", "18-dop", "26-dop"})
+    all.push_back({bounding_volume_from_name(volume), {}});
+  for (const std::string_view filter : filter_names()) all.push_back({BoundingVolume::aabb, {std::string(filter)}});
+  all.push_back({BoundingVolume::obb, {}, false, false});
   return all;
 }
 
 std::string describe(const PaperOptions& options) {
-  std::string text = "volume " + std::to_string(static_cast<int>(options.bounding_volume)) +
-                     (options.orphan_sets ? ", orphans" : "") + (options.representative_triangles ? ", own" : "");
+  std::string text = std::string(name_of(options.bounding_volume)) + (options.orphan_sets ? ", orphans" : "") +
+                     (options.representative_triangles ? ", own" : "");
   for (const std::string& filter : options.filters) text += ", " + filter;
   return text;
 }
@@ -50,19 +72,23 @@ TEST(paper_engine, finds_the_contacts_of_brute_force_on_every_kind_of_mesh) {
   for (const scenes::Recipe& recipe : scenes::recipes())
     for (std::uint64_t seed = 1; seed <= 6; ++seed) {
       const scenes::Scene scene = recipe.make(30 + 25 * static_cast<Index>(seed % 4), seed);
-      EXPECT_EQ(contacts_of(scene, with(Method::paper)), contacts_of(scene, with(Method::brute)))
+      EXPECT_EQ(difference(contacts_of(scene, with(Method::paper)), contacts_of(scene, with(Method::brute))), "")
           << recipe.name << ", seed " << seed;
     }
 }
 
 TEST(paper_engine, every_variant_finds_the_same_contacts) {
+  // Exactly decided: a variant's own filter may prove free what stays unresolved to another in floating point.
   for (const scenes::Recipe& recipe : scenes::recipes()) {
     const scenes::Scene scene = recipe.make(70, 11);
-    const auto expected = contacts_of(scene, with(Method::brute));
+    Options brute = with(Method::brute);
+    brute.guarantee = Guarantee::exact;
+    const auto expected = contacts_of(scene, brute);
     for (const PaperOptions& variant : variants()) {
       Options options = with(Method::paper);
       options.paper = variant;
-      EXPECT_EQ(contacts_of(scene, options), expected) << recipe.name << ": " << describe(variant);
+      options.guarantee = Guarantee::exact;
+      EXPECT_EQ(difference(contacts_of(scene, options), expected), "") << recipe.name << ": " << describe(variant);
     }
   }
 }
@@ -76,7 +102,7 @@ TEST(paper_engine, leaves_out_what_the_pair_filter_forbids) {
   };
   Options brute = options;
   brute.method = Method::brute;
-  EXPECT_EQ(contacts_of(scene, options), contacts_of(scene, brute));
+  EXPECT_EQ(difference(contacts_of(scene, options), contacts_of(scene, brute)), "");
 }
 
 TEST(paper_engine, answers_every_question_the_same_way_for_any_number_of_threads) {

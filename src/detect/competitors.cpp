@@ -1,0 +1,65 @@
+// The paper's competitors by name: what each takes out of, or puts into, the published pipeline.
+#include <array>
+#include <string>
+
+#include "filters/filters.hpp"
+#include "tamis/error.hpp"
+#include "tamis/options.hpp"
+
+namespace tamis {
+namespace {
+
+struct Competitor {
+  std::string_view name;
+  std::array<std::string_view, 2> filters;
+  bool orphan_sets = true, representative_triangles = true;
+};
+
+constexpr std::array kCompetitors{Competitor{"paper-dnf-ncf", {"dnf", "ncf-published"}},
+                                  Competitor{"paper-dnf", {"dnf"}},
+                                  Competitor{"paper-ncf", {"ncf-published"}},
+                                  Competitor{"paper-sat", {"sat"}},
+                                  Competitor{"paper-pfs", {"pfs-linear", "pfs-planar"}},
+                                  Competitor{"paper-r-triangles", {}},
+                                  Competitor{"paper-no-orphans", {"dnf", "ncf-published"}, false, true},
+                                  Competitor{"paper-no-representatives", {"dnf", "ncf-published"}, true, false}};
+
+constexpr std::array kMethods{Method::tamis, Method::paper, Method::brute};
+
+}  // namespace
+
+std::vector<std::string_view> method_choices() {
+  std::vector<std::string_view> names;
+  for (const Method method : kMethods) names.push_back(name_of(method));
+  for (const Competitor& c : kCompetitors) names.push_back(c.name);
+  return names;
+}
+
+void choose_method(Options& options, std::string_view name) {
+  for (const Method method : kMethods)
+    if (name_of(method) == name) {
+      options.method = method;
+      return;
+    }
+  for (const Competitor& c : kCompetitors) {
+    if (c.name != name) continue;
+    options.method = Method::paper;
+    options.paper.filters.clear();
+    for (const std::string_view filter : c.filters)
+      if (!filter.empty()) options.paper.filters.emplace_back(filter);
+    options.paper.orphan_sets = c.orphan_sets;
+    options.paper.representative_triangles = c.representative_triangles;
+    return;
+  }
+  std::string choices;
+  for (const std::string_view choice : method_choices()) choices += (choices.empty() ? "" : ", ") + std::string(choice);
+  throw InvalidOptions("no method is called '" + std::string(name) + "': use one of " + choices);
+}
+
+std::vector<std::string_view> filter_names() {
+  std::vector<std::string_view> names;
+  for (const FilterStage& stage : filter_stages()) names.push_back(stage.name);
+  return names;
+}
+
+}  // namespace tamis

@@ -1,0 +1,87 @@
+// The hierarchy of the published pipeline: a binary tree over triangles, with one of several bounding volumes.
+#pragma once
+#include <span>
+#include <variant>
+
+#include "bounds/k_dop.hpp"
+#include "bounds/oriented_box.hpp"
+#include "bounds/sphere.hpp"
+#include "bounds/swept_volume.hpp"
+#include "bvh/refit.hpp"
+#include "bvh/self_traverse.hpp"
+#include "motion/moving_points.hpp"
+#include "tamis/options.hpp"
+
+namespace tamis {
+
+template <class Volume>
+class PaperHierarchy {
+ public:
+  /// Builds, or refits and builds anew where that has made the tree poor. Returns true if built.
+  bool update(std::span<const Face> triangles, const MovingPoints& points, double padding) {
+    const bool first = tree_.size() == 0;
+    if (first) build(triangles, points);
+    double cost = refit_volumes(triangles, points, padding);
+    const bool poor = !first && cost > kWorstGrowth * cost_when_built_;
+    if (poor) {
+      build(triangles, points);
+      cost = refit_volumes(triangles, points, padding);
+    }
+    if (first || poor) cost_when_built_ = cost;
+    return first || poor;
+  }
+
+  SelfTraversal<Volume> traversal() const { return {tree_, volumes_}; }
+  std::uint64_t memory_bytes() const { return tree_.memory_bytes() + volumes_.capacity() * sizeof(Volume); }
+
+ private:
+  /// Of the sum of the nodes' extents, the root's being 1: the nodes that a traversal visits grow with it.
+  static constexpr double kWorstGrowth = 2;
+
+  void build(std::span<const Face> triangles, const MovingPoints& points) {
+    std::vector<Vec3<double>> centres;
+    centres.reserve(triangles.size());
+    for (const Face& f : triangles) {
+      Vec3<double> sum{0, 0, 0};
+      for (Index v : f) sum = sum + points[v].at0 + points[v].at1;
+      centres.push_back(sum);
+    }
+    tree_.build(centres);
+  }
+
+  double refit_volumes(std::span<const Face> triangles, const MovingPoints& points, double padding) {
+    const auto leaf = [&](Index triangle) {
+      const Face& f = triangles[static_cast<std::size_t>(triangle)];
+      const std::array corners{points[f[0]], points[f[1]], points[f[2]]};
+      return volume_around<Volume>(corners, points.centre(), padding);
+    };
+    return refit(tree_, leaf, volumes_);
+  }
+
+  BinaryTree tree_;
+  std::vector<Volume> volumes_;
+  double cost_when_built_ = 0;
+};
+
+using AnyPaperHierarchy = std::variant<PaperHierarchy<Dop16>, PaperHierarchy<Aabb>, PaperHierarchy<Dop18>,
+                                       PaperHierarchy<Dop26>, PaperHierarchy<Sphere>, PaperHierarchy<OrientedBox>>;
+
+inline AnyPaperHierarchy make_paper_hierarchy(BoundingVolume volume) {
+  switch (volume) {
+    case BoundingVolume::sphere:
+      return PaperHierarchy<Sphere>();
+    case BoundingVolume::aabb:
+      return PaperHierarchy<Aabb>();
+    case BoundingVolume::obb:
+      return PaperHierarchy<OrientedBox>();
+    case BoundingVolume::dop16:
+      return PaperHierarchy<Dop16>();
+    case BoundingVolume::dop18:
+      return PaperHierarchy<Dop18>();
+    case BoundingVolume::dop26:
+      return PaperHierarchy<Dop26>();
+  }
+  return PaperHierarchy<Dop16>();
+}
+
+}  // namespace tamis

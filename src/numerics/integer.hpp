@@ -37,20 +37,22 @@ class Integer {
   /// Towards zero.
   Integer& operator>>=(unsigned long bits);
 
-  friend Integer operator-(Integer a) {
-    a.value_->_mp_size = -a.value_->_mp_size;
-    return a;
+  friend Integer operator-(const Integer& a) { return make(a.limbs(), mpz_neg, a.get()); }
+  friend Integer operator+(const Integer& a, const Integer& b) {
+    return make(sum_limbs(a, b), mpz_add, a.get(), b.get());
   }
-  friend Integer operator+(Integer a, const Integer& b) { return static_cast<Integer&&>(a += b); }
-  friend Integer operator-(Integer a, const Integer& b) { return static_cast<Integer&&>(a -= b); }
+  friend Integer operator-(const Integer& a, const Integer& b) {
+    return make(sum_limbs(a, b), mpz_sub, a.get(), b.get());
+  }
   friend Integer operator*(const Integer& a, const Integer& b) {
-    Integer product;
-    product.reserve(a.limbs() + b.limbs());
-    mpz_mul(product.value_, a.value_, b.value_);
-    return product;
+    return make(a.limbs() + b.limbs(), mpz_mul, a.get(), b.get());
   }
-  friend Integer operator<<(Integer a, unsigned long bits) { return static_cast<Integer&&>(a <<= bits); }
-  friend Integer operator>>(Integer a, unsigned long bits) { return static_cast<Integer&&>(a >>= bits); }
+  friend Integer operator<<(const Integer& a, unsigned long bits) {
+    return make(a.shifted_limbs(bits), mpz_mul_2exp, a.get(), bits);
+  }
+  friend Integer operator>>(const Integer& a, unsigned long bits) {
+    return make(a.limbs(), mpz_tdiv_q_2exp, a.get(), bits);
+  }
 
  private:
   static constexpr int kOwnLimbs = 12;
@@ -66,6 +68,16 @@ class Integer {
     if (!has_own_limbs()) mpz_clear(value_);
   }
   int limbs() const { return std::abs(value_->_mp_size); }
+  int shifted_limbs(unsigned long bits) const { return limbs() + static_cast<int>(bits / GMP_NUMB_BITS) + 1; }
+  static int sum_limbs(const Integer& a, const Integer& b) { return std::max(a.limbs(), b.limbs()) + 1; }
+  /// What GMP's `operation` gives; its result has at most `limbs` limbs.
+  template <class Operation, class... Operands>
+  static Integer make(int limbs, Operation operation, const Operands&... operands) {
+    Integer result;
+    result.reserve(limbs);
+    operation(result.value_, operands...);
+    return result;
+  }
   /// Makes room before each operation for what GMP asks of its result: GMP must not reallocate our own limbs.
   void reserve(int limbs) {
     if (limbs > value_->_mp_alloc) grow(limbs);
@@ -88,7 +100,7 @@ inline void Integer::assign(mpz_srcptr value) {
 }
 
 inline Integer& Integer::operator=(const Integer& other) {
-  assign(other.get());
+  if (this != &other) assign(other.get());
   return *this;
 }
 
@@ -106,19 +118,19 @@ inline Integer& Integer::operator=(Integer&& other) noexcept {
 }
 
 inline Integer& Integer::operator+=(const Integer& b) {
-  reserve(std::max(limbs(), b.limbs()) + 1);
+  reserve(sum_limbs(*this, b));
   mpz_add(value_, value_, b.value_);
   return *this;
 }
 
 inline Integer& Integer::operator-=(const Integer& b) {
-  reserve(std::max(limbs(), b.limbs()) + 1);
+  reserve(sum_limbs(*this, b));
   mpz_sub(value_, value_, b.value_);
   return *this;
 }
 
 inline Integer& Integer::operator<<=(unsigned long bits) {
-  reserve(limbs() + static_cast<int>(bits / GMP_NUMB_BITS) + 1);
+  reserve(shifted_limbs(bits));
   mpz_mul_2exp(value_, value_, bits);
   return *this;
 }

@@ -1,6 +1,5 @@
 #include "scenes/simulation/tetrahedron.hpp"
 
-#include <Eigen/Geometry>
 #include <Eigen/LU>
 
 namespace tamis::simulation {
@@ -12,15 +11,30 @@ Eigen::Matrix3d sides(const std::array<Index, 4>& v, const Points& points) {
   return result;
 }
 
+/// Turns `q` towards the rotation nearest to `f` (Mueller, Bender, Chentanez, Macklin 2016, "A Robust Method to Extract
+/// the Rotational Part of Deformations"); never a reflection.
+void approach_rotation(const Eigen::Matrix3d& f, Eigen::Quaterniond& q) {
+  constexpr int kSteps = 10;
+  constexpr double kEnough = 1e-6;  // radians
+  for (int i = 0; i < kSteps; ++i) {
+    const Eigen::Matrix3d r = q.toRotationMatrix();
+    Vec turn = r.col(0).cross(f.col(0)) + r.col(1).cross(f.col(1)) + r.col(2).cross(f.col(2));
+    turn /= std::abs(r.cwiseProduct(f).sum()) + 1e-9;
+    const double angle = turn.norm();
+    if (angle < kEnough) return;
+    q = Eigen::AngleAxisd(angle, turn / angle) * q;
+    q.normalize();
+  }
+}
+
 }  // namespace
 
 Tetrahedron::Tetrahedron(const std::array<Index, 4>& vertices, const Points& rest, const Elasticity& elasticity)
     : vertices_(vertices),
       inverse_rest_(sides(vertices, rest).inverse()),
       rest_volume_(std::abs(sides(vertices, rest).determinant()) / 6),
-      shear_compliance_(1 / (elasticity.shear * rest_volume_)),
-      volume_compliance_(1 / (elasticity.volume * rest_volume_)),
-      rest_determinant_(1 + elasticity.shear / elasticity.volume) {}
+      shear_compliance_(1 / (2 * elasticity.shear * rest_volume_)),
+      volume_compliance_(1 / (elasticity.volume * rest_volume_)) {}
 
 Eigen::Matrix3d Tetrahedron::deformation(const Particles& particles) const {
   return sides(vertices_, particles.position) * inverse_rest_;
@@ -44,12 +58,14 @@ void Tetrahedron::apply(Particles& particles, const Eigen::Matrix3d& slope, doub
 
 void Tetrahedron::project(Particles& particles, double dt) {
   Eigen::Matrix3d f = deformation(particles);
-  const double stretch = f.norm();
-  if (stretch > 0) apply(particles, f / stretch, stretch, shear_compliance_, shear_multiplier_, dt);
+  approach_rotation(f, rotation_);
+  const Eigen::Matrix3d strain = f - rotation_.toRotationMatrix();
+  const double size = strain.norm();
+  if (size > 0) apply(particles, strain / size, size, shear_compliance_, shear_multiplier_, dt);
   f = deformation(particles);
   Eigen::Matrix3d cofactor;
   cofactor << f.col(1).cross(f.col(2)), f.col(2).cross(f.col(0)), f.col(0).cross(f.col(1));
-  apply(particles, cofactor, f.determinant() - rest_determinant_, volume_compliance_, volume_multiplier_, dt);
+  apply(particles, cofactor, f.determinant() - 1, volume_compliance_, volume_multiplier_, dt);
 }
 
 }  // namespace tamis::simulation

@@ -1,5 +1,6 @@
-// An elastic solid: stable neo-Hookean tetrahedra, which recover even when turned inside out.
+// An elastic solid: tetrahedra that resist strain and change of volume, and recover even when turned inside out.
 #pragma once
+#include <Eigen/Geometry>
 #include <array>
 
 #include "scenes/simulation/particles.hpp"
@@ -12,7 +13,9 @@ struct Elasticity {
   double volume;
 };
 
-/// Macklin and Mueller 2021, "A Constraint-based Formulation of Stable Neo-Hookean Materials".
+/// The fixed corotated material (Stomakhin et al. 2012): shear |F - R|^2 + volume / 2 (det F - 1)^2 per unit of volume,
+/// each term one constraint. Both vanish at rest, so an unfinished solution does not swell or shrink the body, as it
+/// does with neo-Hookean constraints, whose forces balance only once they have converged.
 class Tetrahedron {
  public:
   Tetrahedron(const std::array<Index, 4>& vertices, const Points& rest, const Elasticity& elasticity);
@@ -33,7 +36,7 @@ class Tetrahedron {
   Eigen::Matrix3d inverse_rest_;
   double rest_volume_;
   double shear_compliance_, volume_compliance_;
-  double rest_determinant_;  ///< above 1: balances the shear constraint, whose own minimum is a point
+  Eigen::Quaterniond rotation_ = Eigen::Quaterniond::Identity();  ///< of the last deformation: a start for the next
   double shear_multiplier_ = 0, volume_multiplier_ = 0;
 };
 

@@ -101,7 +101,8 @@ Model airbag(Index triangles, std::uint64_t seed) {
   model.add_obstacle(steering_wheel, at_rest);
   model.friction = 0.2;
   model.drag = 2;
-  model.frame_time = 1.0 / 60;
+  model.frame_time = 1.0 / 240;
+  model.substeps = 5;
   return model;
 }
 

@@ -15,10 +15,10 @@ namespace tamis::simulation {
 namespace {
 
 constexpr const char* kBunnyFile = "/usr/share/glmark2/models/bunny.obj";
-constexpr double kHeight = 0.2;       ///< of the bunny, metres
-constexpr double kPlateSpeed = 0.12;  ///< metres per second, downwards
-constexpr double kLeastRoom = 0.045;  ///< between floor and plate at the end, metres
-constexpr Index kCells = 18;          ///< of the lattice, along the longest side
+constexpr double kHeight = 0.2;        ///< of the bunny, metres
+constexpr double kPlateSpeed = 0.094;  ///< metres per second, downwards
+constexpr double kLeastRoom = 0.035;   ///< between floor and plate at the end, metres
+constexpr Index kCells = 18;           ///< of the lattice, along the longest side
 
 /// The vertices and triangles of the file, nothing else. Points that appear twice become one.
 Surface read_bunny() {

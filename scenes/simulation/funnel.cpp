@@ -11,12 +11,12 @@ namespace {
 
 constexpr double kClothSide = 0.7;
 constexpr double kBallRadius = 0.06;
-constexpr double kSpoutRadius = 0.1;
-constexpr double kSpoutLength = 0.4;
+constexpr double kSpoutRadius = 0.085;
+constexpr double kSpoutLength = 0.45;
 constexpr double kFlareRadius = 0.1;                    ///< of the rounded throat
 constexpr double kSlope = std::numbers::pi / 180 * 35;  ///< of the cone, against the horizontal
 constexpr double kConeLength = 0.55;                    ///< along the slope
-constexpr double kBallStart = 0.5, kBallSpeed = 0.4;    ///< above the throat, metres; downwards, metres a second
+constexpr double kBallStart = 0.5, kBallSpeed = 0.27;   ///< above the throat, metres; downwards, metres a second
 
 /// From the spout's lower end over the throat (z = 0) up the cone.
 std::vector<Vec> profile(Index rows) {
@@ -57,7 +57,7 @@ Model funnel(Index triangles, std::uint64_t seed) {
                      [](double time) { return Eigen::Isometry3d(Eigen::Translation3d(0, 0, -kBallSpeed * time)); });
   model.add_obstacle(cone, at_rest);
   model.thickness = 0.3 * edge;
-  model.friction = 0.2;
+  model.friction = 0.35;
   return model;
 }
 

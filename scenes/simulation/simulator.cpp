@@ -53,6 +53,14 @@ void project_all(std::vector<Constraint>& constraints, Particles& particles, dou
 
 }  // namespace
 
+Effort& Effort::operator+=(const Effort& other) {
+  substeps += other.substeps;
+  touches += other.touches;
+  repairs += other.repairs;
+  zone_vertices += other.zone_vertices;
+  return *this;
+}
+
 Simulator::Simulator(Model model)
     : model_(std::move(model)),
       near_(model_.mesh(), options_of(model_, model_.thickness)),

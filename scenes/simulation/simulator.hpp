@@ -15,6 +15,8 @@ struct Effort {
   std::uint64_t touches = 0;        ///< contact constraints, over all substeps
   std::uint64_t repairs = 0;        ///< rounds of constraints added by a failed proof
   std::uint64_t zone_vertices = 0;  ///< vertices that had to move with an impact zone
+
+  Effort& operator+=(const Effort& other);
 };
 
 /// XPBD (Macklin, Mueller, Chentanez 2016) in small steps. Deterministic.

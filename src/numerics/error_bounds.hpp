@@ -42,9 +42,10 @@ inline constexpr double kCoplanaritySlope = 1600 * kUnitRoundoff;
 
 // The value of S from vectors at one time (3 u more than kInput each, see at_time): as S0 with kInput = 12:
 // N 52, M 2 (2*12 + 52 + 2) + 4 = 160, S 3 (4*12 + 160 + 4) + 20 = 656. Within a time r of there S changes by at most
-// kSideSlope r: four factors, each changing by at most 2 r of its size, |S| <= 12.
+// 12 r times the sum, over its four factors, of that factor's change times the sizes of the others, because
+// |S| <= 12 X W E F. A computed change is off by 20 u of the size: 12 * 4 * 20 r = 960 r, given as 2 r kSideValue.
 inline constexpr double kSideValue = 700 * kUnitRoundoff;
-inline constexpr double kSideSlope = 100;
+inline constexpr double kSideSlope = 13;
 
 // A difference projected on an axis with components in {-1,0,1}, unit D + E + F: 3 (kInput + 3) + 2 * 3 = 39.
 inline constexpr double kProjection = 48 * kUnitRoundoff;

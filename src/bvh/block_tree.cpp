@@ -47,7 +47,7 @@ void BlockTree::build(const PackedMotion& motion) {
       for (std::size_t axis = 0; axis < 3; ++axis) centers[i][axis] = sum[axis] / static_cast<float>(2 * corners);
     }
   });
-  const std::vector<Index> slots = morton_order(centers);
+  const std::vector<Index> slots = spatial_order(centers);
 
   levels_.clear();
   for (std::size_t blocks = blocks_for(n);; blocks = blocks_for(blocks)) {

@@ -14,8 +14,8 @@ struct Dnf {
   static Mask<T> proves_free(const PairMotion<T>& m) {
     const auto k = coplanarity_polynomial(m.d, normal_polynomial(m.e, m.f));
     const T unit = m.size_d * m.size_e * m.size_f;
-    const T end = T(error_bounds::kCoplanarityEnd) * unit + T(error_bounds::kUnderflow);
-    const T middle = T(error_bounds::kCoplanarityMiddle) * unit + T(error_bounds::kUnderflow);
+    const T end = error_bounds::bound(error_bounds::kCoplanarityEnd, unit);
+    const T middle = error_bounds::bound(error_bounds::kCoplanarityMiddle, unit);
     return ((k[0] > end) & (k[1] > middle) & (k[2] > middle) & (k[3] > end)) |
            ((k[0] < -end) & (k[1] < -middle) & (k[2] < -middle) & (k[3] < -end));
   }

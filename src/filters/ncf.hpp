@@ -21,9 +21,8 @@ struct Bounds {
 template <class T>
 inline Bounds<T> bounds(const PairMotion<T>& m, const T& size_x, const T& size_w) {
   const T unit = size_x * size_w * m.size_e * m.size_f;
-  return {T(error_bounds::kSideEnd) * unit + T(error_bounds::kUnderflow),
-          T(error_bounds::kSideNext) * unit + T(error_bounds::kUnderflow),
-          T(error_bounds::kSideMiddle) * unit + T(error_bounds::kUnderflow)};
+  return {error_bounds::bound(error_bounds::kSideEnd, unit), error_bounds::bound(error_bounds::kSideNext, unit),
+          error_bounds::bound(error_bounds::kSideMiddle, unit)};
 }
 
 template <class T>

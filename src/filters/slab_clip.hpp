@@ -5,35 +5,31 @@
 // Error bound: error_bounds::kProjection. Cost: about 40 operations an axis.
 #pragma once
 #include "filters/filter.hpp"
-#include "numerics/select.hpp"
+#include "motion/time_clip.hpp"
 
 namespace tamis {
-
-/// A part of the step; empty if t_in > t_out.
-template <class T>
-struct TimeInterval {
-  T t_in, t_out;
-};
 
 struct SlabClip {
   static constexpr std::string_view name = "slab";
 
   /// The part of `time` in which the pair may touch.
   template <PairKind kind, class T>
-  static TimeInterval<T> clip(const PairMotion<T>& m, TimeInterval<T> time) {
+  static TimeInterval<T> clip(const PairMotion<T>& m, const TimeInterval<T>& time) {
     const T error = error_of(m);
-    const auto clip_along = [&](const auto& along) { clip_axis<kind>(m, along, error, time); };
+    TimeClip<T> clip(time);
+    const auto clip_along = [&](const auto& along) { clip_axis<kind>(m, along, error, clip); };
     for_each_coordinate_axis(clip_along);
     for_each_diagonal_axis(clip_along);
-    return time;
+    return clip.rest();
   }
 
   /// The same on the ten diagonal axes only: the boxes have seen to the other three.
   template <PairKind kind, class T>
-  static TimeInterval<T> clip_diagonals(const PairMotion<T>& m, TimeInterval<T> time) {
+  static TimeInterval<T> clip_diagonals(const PairMotion<T>& m, const TimeInterval<T>& time) {
     const T error = error_of(m);
-    for_each_diagonal_axis([&](const auto& along) { clip_axis<kind>(m, along, error, time); });
-    return time;
+    TimeClip<T> clip(time);
+    for_each_diagonal_axis([&](const auto& along) { clip_axis<kind>(m, along, error, clip); });
+    return clip.rest();
   }
 
   template <PairKind kind, class T>
@@ -42,20 +38,10 @@ struct SlabClip {
     return time.t_in > time.t_out;
   }
 
-  /// Cuts the times at which the linear function from g0 (t=0) to g1 (t=1) is positive. The quotient is off by
-  /// 2 u of itself; 4 u are given.
-  template <class T>
-  static void cut_positive(const T& g0, const T& g1, TimeInterval<T>& time) {
-    const T zero(0), root = g0 / (g0 - g1);
-    const auto starts = g0 > zero, ends = g1 > zero;
-    time.t_in = select(starts, select(ends, T(2), max(time.t_in, root * T(1 - 0x1p-51))), time.t_in);
-    time.t_out = select(ends, min(time.t_out, root * T(1 + 0x1p-51)), time.t_out);
-  }
-
  private:
   template <class T>
   static T error_of(const PairMotion<T>& m) {
-    return T(error_bounds::kProjection) * (m.size_d + m.size_e + m.size_f) + T(error_bounds::kUnderflow);
+    return error_bounds::bound<T>(error_bounds::kProjection, m.size_d + m.size_e + m.size_f);
   }
 
   template <class F>
@@ -95,11 +81,11 @@ struct SlabClip {
   }
 
   template <PairKind kind, class T, class Along>
-  static void clip_axis(const PairMotion<T>& m, const Along& along, const T& error, TimeInterval<T>& time) {
+  static void clip_axis(const PairMotion<T>& m, const Along& along, const T& error, TimeClip<T>& clip) {
     const auto r0 = range<kind>(along(m.e.at0), along(m.f.at0), along(m.d.at0));
     const auto r1 = range<kind>(along(m.e.at1), along(m.f.at1), along(m.d.at1));
-    cut_positive(r0.low - error, r1.low - error, time);
-    cut_positive(-r0.high - error, -r1.high - error, time);
+    clip.cut_positive(r0.low - error, r1.low - error);
+    clip.cut_positive(-r0.high - error, -r1.high - error);
   }
 };
 

@@ -26,18 +26,21 @@ void copy_pair(const PairBuffer& in, int from, PairBuffer& out) {
   ++out.count;
 }
 
+/// In floats: the times need not be sharp here, and twice as many pairs fit.
 template <PairKind kind>
 void slab(const PackedVertex* vertices, const PairBuffer& in, PairBuffer& out) {
-  for (int first = 0; first < in.count; first += kDoubleLanes) {
-    const auto m = load_motion<kind>(vertices, in, first);
-    const auto time = SlabClip::clip_diagonals<kind>(m, load_time(in, first));
-    double t_in[kDoubleLanes], t_out[kDoubleLanes];
+  for (int first = 0; first < in.count; first += kFloatLanes) {
+    const auto low = load_time(in, first), high = load_time(in, first + kDoubleLanes);
+    const auto time = SlabClip::clip_diagonals<kind>(
+        load_motion_as_float<kind>(vertices, in, first),
+        TimeInterval<FloatLanes>{to_float(low.t_in, high.t_in), to_float(low.t_out, high.t_out)});
+    float t_in[kFloatLanes], t_out[kFloatLanes];
     time.t_in.store_unaligned(t_in);
     time.t_out.store_unaligned(t_out);
-    for_each_bit(~bits(time.t_in > time.t_out) & lanes_in_use(in, first), [&](int lane) {
+    for_each_bit(bits(time.t_in <= time.t_out) & lanes_in_use(in, first, kFloatLanes), [&](int lane) {
       copy_pair(in, first + lane, out);
-      out.t_in[out.count - 1] = t_in[lane];
-      out.t_out[out.count - 1] = t_out[lane];
+      out.t_in[out.count - 1] = static_cast<double>(t_in[lane]);
+      out.t_out[out.count - 1] = static_cast<double>(t_out[lane]);
     });
   }
 }
@@ -60,7 +63,8 @@ int filter(const PackedVertex* vertices, const PairBuffer& in, PairBuffer& out) 
 /// Outward rounding of t_in + s (t_out - t_in), s in [0,1], to the step's time.
 DoubleLanes to_step(const TimeInterval<DoubleLanes>& time, const DoubleLanes& s, double direction) {
   const DoubleLanes t = (DoubleLanes(1) - s) * time.t_in + s * time.t_out;
-  return min(max(t + DoubleLanes(direction * 4 * error_bounds::kUnitRoundoff) * time.t_out, time.t_in), time.t_out);
+  return min(max(t + DoubleLanes(direction * 4 * error_bounds::unit_roundoff<double>) * time.t_out, time.t_in),
+             time.t_out);
 }
 
 /// One array a field, one entry a lane.

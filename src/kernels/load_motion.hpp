@@ -50,10 +50,27 @@ inline PairMotion<DoubleLanes> load_motion(const PackedVertex* vertices, const P
   return {scaled(scale, e), scaled(scale, f), scaled(scale, d), scale * size_e, scale * size_f, scale * size_d};
 }
 
-/// Bits of the lanes that hold a pair.
-inline unsigned lanes_in_use(const PairBuffer& pairs, int first) {
+inline Vec3<FloatLanes> to_float(const Vec3<DoubleLanes>& low, const Vec3<DoubleLanes>& high) {
+  return {to_float(low.x, high.x), to_float(low.y, high.y), to_float(low.z, high.z)};
+}
+inline Moving<FloatLanes> to_float(const Moving<DoubleLanes>& low, const Moving<DoubleLanes>& high) {
+  return {to_float(low.at0, high.at0), to_float(low.at1, high.at1)};
+}
+
+/// Twice as many pairs, rounded to float: the rounding is within the kInput of float lanes.
+template <PairKind kind>
+inline PairMotion<FloatLanes> load_motion_as_float(const PackedVertex* vertices, const PairBuffer& pairs, int first) {
+  static_assert(kFloatLanes == 2 * kDoubleLanes);
+  const auto low = load_motion<kind>(vertices, pairs, first);
+  const auto high = load_motion<kind>(vertices, pairs, first + kDoubleLanes);
+  return {to_float(low.e, high.e),           to_float(low.f, high.f),           to_float(low.d, high.d),
+          to_float(low.size_e, high.size_e), to_float(low.size_f, high.size_f), to_float(low.size_d, high.size_d)};
+}
+
+/// Bits of the lanes that hold a pair, of `lanes` lanes from `first` on.
+inline unsigned lanes_in_use(const PairBuffer& pairs, int first, int lanes = kDoubleLanes) {
   const int left = pairs.count - first;
-  return left >= kDoubleLanes ? (1u << kDoubleLanes) - 1 : (1u << left) - 1;
+  return left >= lanes ? (1u << lanes) - 1 : (1u << left) - 1;
 }
 
 }  // namespace tamis::TAMIS_ISA

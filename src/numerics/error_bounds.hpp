@@ -1,5 +1,6 @@
 // Every rounding-error constant of the double-precision culling and solving, with its derivation in short;
-// docs/numerics.md has the long form. Unit: u = 2^-53, times the product of the sizes of the vectors involved.
+// docs/numerics.md has the long form. Unit: the roundoff u of the
+// number type, times the product of the sizes of the vectors involved.
 //
 // A pair is three moving vectors e, f, d with sizes E, F, D = the largest |component| at t=0 and t=1, scaled by a
 // power of two so that the largest size is below 1 (motion/pair_motion.hpp).
@@ -7,11 +8,29 @@
 
 namespace tamis::error_bounds {
 
-inline constexpr double kUnitRoundoff = 0x1p-53;
+/// u of a number type: here double and lanes of it; lanes of float say theirs in numerics/lanes.hpp.
+template <class T>
+inline constexpr double unit_roundoff = 0x1p-53;
 
 /// Added to every bound: products that underflow are wrong by at most 2^-1075 each, after fewer than 2^10
 /// operations on numbers below 2^7.
-inline constexpr double kUnderflow = 0x1p-1000;
+template <class T>
+inline constexpr double underflow = 0x1p-1000;
+
+/// A number as a constant of type T: a scalar, or the same in every lane.
+template <class T>
+inline T constant(double value) {
+  if constexpr (requires { typename T::value_type; })
+    return T(static_cast<typename T::value_type>(value));
+  else
+    return T(value);
+}
+
+/// The bound `factor` u `unit`, underflow included.
+template <class T>
+inline T bound(double factor, const T& unit) {
+  return constant<T>(factor * unit_roundoff<T>) * unit + constant<T>(underflow<T>);
+}
 
 /// A component of a vector, or of a sum of two, is off by at most 8 u times its size: 1 u from the subtraction of
 /// the positions, 3 u from restricting the motion to a part of the step, 1 u from the sum; rounded up.
@@ -19,21 +38,21 @@ inline constexpr double kInput = 8;
 
 // Coplanarity K = d.(e x f), unit D E F. N0, N2: 4 kInput + 4 = 36, |N0| <= 2; N1: 76, |N1| <= 4.
 // K0, K3: 3 (2 kInput + 36 + 2) + 10 = 172. K1, K2: 3 (4 kInput + 76 + 4) + 20 + 172 + 18 = 546.
-inline constexpr double kCoplanarityEnd = 180 * kUnitRoundoff;
-inline constexpr double kCoplanarityMiddle = 560 * kUnitRoundoff;
+inline constexpr double kCoplanarityEnd = 180;
+inline constexpr double kCoplanarityMiddle = 560;
 
 // Side of an edge plane S = x.(w x n), n = e x f, unit X W E F, for the edge's direction w and a point's difference x.
 // M0, M3: 2 (2 kInput + 36 + 2) + 4 = 112, |M0| <= 4; M1, M2: 2 (4 kInput + 76 + 4) + 8 + 112 + 12 = 356, |M1| <= 12.
 // S0, S4: 3 (4 kInput + 112 + 4) + 20 = 464; S1, S3: 3 (12 kInput + 356 + 12) + 60 + 464 + 48 = 1964;
 // S2: 2 * 1452 + 72 = 2976.
-inline constexpr double kSideEnd = 480 * kUnitRoundoff;
-inline constexpr double kSideNext = 2000 * kUnitRoundoff;
-inline constexpr double kSideMiddle = 3000 * kUnitRoundoff;
+inline constexpr double kSideEnd = 480;
+inline constexpr double kSideNext = 2000;
+inline constexpr double kSideMiddle = 3000;
 
 // The value of K at a time in [0,1], same unit: its coefficients' errors weighted by (1-t)^(3-i) t^i, at most
 // kCoplanarityEnd + kCoplanarityMiddle / 4 = 320 u; evaluation on |K0|,|K3| <= 6, |K1|,|K2| <= 18: below 12 * 10.5 =
 // 126 u.
-inline constexpr double kCoplanarityValue = 450 * kUnitRoundoff;
+inline constexpr double kCoplanarityValue = 450;
 
 // The slope of K over a part of [0,1], same unit: its Bernstein coefficients k1 - 3 k0, k2 - k1, 3 k3 - k2 are off by
 // at most 3 * 180 + 560 + 2 * 36 = 1172 u (two of them, the middle one 2 * 560 + 36 = 1156) and below 36; their average
@@ -44,11 +63,11 @@ inline constexpr double kCoplanaritySlope = 1600 * kUnitRoundoff;
 // N 52, M 2 (2*12 + 52 + 2) + 4 = 160, S 3 (4*12 + 160 + 4) + 20 = 656. Within a time r of there S changes by at most
 // 12 r times the sum, over its four factors, of that factor's change times the sizes of the others, because
 // |S| <= 12 X W E F. A computed change is off by 20 u of the size: 12 * 4 * 20 r = 960 r, given as 2 r kSideValue.
-inline constexpr double kSideValue = 700 * kUnitRoundoff;
+inline constexpr double kSideValue = 700;
 inline constexpr double kSideSlope = 13;
 
 // A difference projected on an axis with components in {-1,0,1}, unit D + E + F: 3 (kInput + 3) + 2 * 3 = 39.
-inline constexpr double kProjection = 48 * kUnitRoundoff;
+inline constexpr double kProjection = 48;
 
 // A difference projected on any axis, unit |axis|_max (D + E + F): three products of a factor off by kInput, 3 (8 + 1),
 // and sums 3 + 3; the difference of projections 2 * 3 more: below 42.

@@ -4,6 +4,9 @@
 #include <cstdint>
 #include <xsimd/xsimd.hpp>
 
+#include "numerics/error_bounds.hpp"
+#include "numerics/select.hpp"
+
 #ifndef TAMIS_ISA
 #error "lanes.hpp is for the kernels only: they are compiled with TAMIS_ISA set to the name of their instruction set"
 #endif
@@ -38,6 +41,22 @@ inline unsigned bits(const xsimd::batch_bool<T, Arch>& mask) {
   unsigned result = 0;
   for (unsigned i = 0; i < xsimd::batch_bool<T, Arch>::size; ++i) result |= unsigned(flags[i]) << i;
   return result;
+#endif
+}
+
+/// Two batches of doubles rounded to one of floats, `low` in the lower lanes.
+inline FloatLanes to_float(const DoubleLanes& low, const DoubleLanes& high) {
+#if XSIMD_WITH_AVX512F
+  return _mm512_insertf32x8(_mm512_castps256_ps512(_mm512_cvtpd_ps(low)), _mm512_cvtpd_ps(high), 1);
+#elif XSIMD_WITH_AVX
+  return _mm256_insertf128_ps(_mm256_castps128_ps256(_mm256_cvtpd_ps(low)), _mm256_cvtpd_ps(high), 1);
+#else
+  double wide[kFloatLanes];
+  float narrow[kFloatLanes];
+  low.store_unaligned(wide);
+  high.store_unaligned(wide + kDoubleLanes);
+  for (int i = 0; i < kFloatLanes; ++i) narrow[i] = static_cast<float>(wide[i]);
+  return FloatLanes::load_unaligned(narrow);
 #endif
 }
 
@@ -79,3 +98,28 @@ inline void transpose(DoubleLanes (&r)[kDoubleLanes]) {
 }
 
 }  // namespace tamis::TAMIS_ISA
+
+namespace tamis {
+
+/// A ratio without a division, which costs as much as twenty other operations: a guess at 1/b from its bits, within
+/// 5.1%, then a step of Newton that squares the error. Measured over all mantissas: 2.56e-3 (numerics/lanes_test).
+/// REQUIRES: |b| in [2^-100, 2^100].
+template <>
+struct Ratio<TAMIS_ISA::FloatLanes> {
+  using Lanes = TAMIS_ISA::FloatLanes;
+  static constexpr double kError = 0x1.6p-9;
+  static Lanes of(const Lanes& a, const Lanes& b) {
+    const auto guess = TAMIS_ISA::IntLanes(0x7ef311c3) - xsimd::bitwise_cast<TAMIS_ISA::IntLanes>(b);
+    const Lanes y = xsimd::bitwise_cast<Lanes>(guess);
+    return a * (y * (Lanes(2.0f) - b * y));
+  }
+};
+
+namespace error_bounds {
+template <>
+inline constexpr double unit_roundoff<TAMIS_ISA::FloatLanes> = 0x1p-24;
+template <>
+inline constexpr double underflow<TAMIS_ISA::FloatLanes> = 0x1p-100;
+}  // namespace error_bounds
+
+}  // namespace tamis

@@ -10,4 +10,11 @@ inline double max(double a, double b) { return a < b ? b : a; }
 inline double abs(double a) { return std::fabs(a); }
 inline bool any(bool mask) { return mask; }
 
+/// a / b, off by at most kError of itself. REQUIRES: b is not 0 where the result is used.
+template <class T>
+struct Ratio {
+  static constexpr double kError = 0x1p-53;
+  static T of(const T& a, const T& b) { return a / b; }
+};
+
 }  // namespace tamis

@@ -77,8 +77,8 @@ inline Sides<T> sides(const PairMotion<T>& m, const Vec3<T>& n, const T& t, cons
   const T change_unit = change_e * m.size_f + m.size_e * change_f;
   const auto margin = [&](const T& size_x, const T& size_w, const T& change_x, const T& change_w) {
     const T slope = (change_x * size_w + size_x * change_w) * unit + size_x * size_w * change_unit;
-    return T(error_bounds::kSideValue) * (T(1) + T(2) * r) * (size_x * size_w * unit) +
-           T(error_bounds::kSideSlope) * r * slope + T(error_bounds::kUnderflow);
+    return error_bounds::bound(error_bounds::kSideValue, (T(1) + T(2) * r) * (size_x * size_w * unit)) +
+           T(error_bounds::kSideSlope) * r * slope;
   };
   const T norm2 = dot(n, n);
   const Vec3<T> ne = cross(e, n), nf = cross(f, n);
@@ -106,10 +106,10 @@ inline Sides<T> sides(const PairMotion<T>& m, const Vec3<T>& n, const T& t, cons
 template <PairKind kind, class T>
 inline Crossing<T> find_crossing(const PairMotion<T>& m) {
   auto k = coplanarity_polynomial(m.d, normal_polynomial(m.e, m.f));
-  const T unit = m.size_d * m.size_e * m.size_f, tiny(error_bounds::kUnderflow);
-  const T end = T(error_bounds::kCoplanarityEnd) * unit + tiny;
-  const T middle = T(error_bounds::kCoplanarityMiddle) * unit + tiny;
-  const T error = T(error_bounds::kCoplanarityValue) * unit + tiny;
+  const T unit = m.size_d * m.size_e * m.size_f;
+  const T end = error_bounds::bound(error_bounds::kCoplanarityEnd, unit);
+  const T middle = error_bounds::bound(error_bounds::kCoplanarityMiddle, unit);
+  const T error = error_bounds::bound(error_bounds::kCoplanarityValue, unit);
   // Turned so that the cubic falls; one sign change whatever the uncertain signs, unless k1 < 0 < k2.
   const auto rises = k[0] < T(0);
   for (T& c : k) c = select(rises, -c, c);

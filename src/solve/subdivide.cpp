@@ -19,7 +19,7 @@ constexpr std::size_t kMaxDepth = 64;
 /// Outward rounding of lower + s (upper - lower), s in [0,1].
 double to_step(const TimeInterval<double>& part, double s, double direction) {
   const double t = (1 - s) * part.t_in + s * part.t_out;
-  return std::clamp(t + direction * 4 * error_bounds::kUnitRoundoff * part.t_out, part.t_in, part.t_out);
+  return std::clamp(t + direction * 4 * error_bounds::unit_roundoff<double> * part.t_out, part.t_in, part.t_out);
 }
 
 /// Where to cut an undecided part: near an end at which the points are coplanar (contacts at the very start of a step
@@ -27,7 +27,7 @@ double to_step(const TimeInterval<double>& part, double s, double direction) {
 double cut_at(const PairMotion<double>& m, const TimeInterval<double>& part) {
   constexpr double kNearEnd = 1.0 / 32;
   const auto k = coplanarity_polynomial(m.d, normal_polynomial(m.e, m.f));
-  const double error = error_bounds::kCoplanarityEnd * m.size_d * m.size_e * m.size_f;
+  const double error = error_bounds::bound(error_bounds::kCoplanarityEnd, m.size_d * m.size_e * m.size_f);
   const bool touches_start = abs(k[0]) <= error, touches_end = abs(k[3]) <= error;
   const double s = touches_start == touches_end ? 0.5 : touches_start ? kNearEnd : 1 - kNearEnd;
   return (1 - s) * part.t_in + s * part.t_out;

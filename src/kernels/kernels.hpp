@@ -33,8 +33,8 @@ struct SolvedPair {
 /// One thread's search over one pair of trees.
 struct Search {
   TreeView a, b;  ///< vf: points, faces; ee: edges, edges
-  /// Nothing that starts after this time is of interest.
-  double t_limit = 1;
+  /// Nothing that starts after this time is of interest; a float, so that the stages in floats do not round it.
+  float t_limit = 1;
   PairBuffer* pairs = nullptr;
   /// Called when `pairs` cannot take another pair of blocks; must empty it, and may lower `t_limit`.
   void (*flush)(Search&) = nullptr;

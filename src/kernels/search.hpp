@@ -57,7 +57,7 @@ class BlockSearch {
     for_each_bit(mask, [&](int child) { visit(level - 1, node * kBlock + child); });
   }
 
-  FloatLanes limit() const { return FloatLanes(static_cast<float>(search_.t_limit) * (1 + 0x1p-22f)); }
+  FloatLanes limit() const { return FloatLanes(search_.t_limit); }
 
   /// First each side's boxes against the other's hull, then row by row on the side where fewer remain.
   void visit_leaf(int other) {
@@ -99,9 +99,7 @@ class BlockSearch {
     for (int c = 0; c < kCornersA; ++c) pairs.corner[c][pairs.count] = mine.vertex[c][a];
     for (int c = 0; c < kCornersB; ++c) pairs.corner[kCornersA + c][pairs.count] = theirs.vertex[c][b];
     pairs.t_in[pairs.count] = static_cast<double>(t_in);
-    // The floats' end of the step lies a little beyond it: contacts there are none.
-    const double end = static_cast<double>(t_out);
-    pairs.t_out[pairs.count] = end < search_.t_limit ? end : search_.t_limit;
+    pairs.t_out[pairs.count] = static_cast<double>(t_out);
     ++pairs.count;
   }
 

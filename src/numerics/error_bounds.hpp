@@ -57,7 +57,7 @@ inline constexpr double kCoplanarityValue = 450;
 // The slope of K over a part of [0,1], same unit: its Bernstein coefficients k1 - 3 k0, k2 - k1, 3 k3 - k2 are off by
 // at most 3 * 180 + 560 + 2 * 36 = 1172 u (two of them, the middle one 2 * 560 + 36 = 1156) and below 36; their average
 // with weights that add up to 1 rounds by less than 8 * 36 = 288 u.
-inline constexpr double kCoplanaritySlope = 1600 * kUnitRoundoff;
+inline constexpr double kCoplanaritySlope = 1600;
 
 // The value of S from vectors at one time (3 u more than kInput each, see at_time): as S0 with kInput = 12:
 // N 52, M 2 (2*12 + 52 + 2) + 4 = 160, S 3 (4*12 + 160 + 4) + 20 = 656. Within a time r of there S changes by at most

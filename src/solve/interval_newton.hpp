@@ -33,7 +33,7 @@ class Cubic {
       : k_(coplanarity_polynomial(m.d, normal_polynomial(m.e, m.f))), unit_(m.size_d * m.size_e * m.size_f) {}
 
   Interval value(double t) const {
-    const double error = error_bounds::kCoplanarityValue * unit_ + error_bounds::kUnderflow;
+    const double error = error_bounds::bound(error_bounds::kCoplanarityValue, unit_);
     const double value = crossing::value(k_, t);
     return {rounding::below(value - error), rounding::above(value + error)};
   }
@@ -45,7 +45,7 @@ class Cubic {
     const double start = from_low * from_low * q0 + 2 * (from_low * low) * q1 + low * low * q2;
     const double mixed = from_low * from_high * q0 + (from_low * high + low * from_high) * q1 + low * high * q2;
     const double end = from_high * from_high * q0 + 2 * (from_high * high) * q1 + high * high * q2;
-    const double error = error_bounds::kCoplanaritySlope * unit_ + error_bounds::kUnderflow;
+    const double error = error_bounds::bound(error_bounds::kCoplanaritySlope, unit_);
     return {rounding::below(std::min({start, mixed, end}) - error),
             rounding::above(std::max({start, mixed, end}) + error)};
   }

@@ -17,7 +17,7 @@ namespace tamis::cli {
 
 // The list of verbs is made by CMake, from the files verb_*.cpp that CMakeLists.txt names.
 #define TAMIS_VERB(name) std::unique_ptr<Verb> make_##name();
-#include "verbs.inc"
+#include "cli/verbs.inc"
 #undef TAMIS_VERB
 
 namespace {
@@ -25,7 +25,7 @@ namespace {
 std::vector<std::unique_ptr<Verb>> make_verbs() {
   std::vector<std::unique_ptr<Verb>> verbs;
 #define TAMIS_VERB(name) verbs.push_back(make_##name());
-#include "verbs.inc"
+#include "cli/verbs.inc"
 #undef TAMIS_VERB
   return verbs;
 }
@@ -45,6 +45,8 @@ int finish(int code) {
 
 int parse_error(const CLI::App& app, const CLI::ParseError& error) {
   if (error.get_exit_code() == 0) return finish(app.exit(error));
+  if (app.get_subcommands().empty() && dynamic_cast<const CLI::RequiredError*>(&error))
+    return fail("no verb is given: see 'tamis --help'");
   std::string verb;
   for (const CLI::App* used : app.get_subcommands()) verb = " " + used->get_name();
   return fail(fmt::format("{}: see 'tamis{} --help'", error.what(), verb));

@@ -118,6 +118,7 @@ class Sequence final : public Verb {
                 {"threads", statistics.threads},
                 {"method", name_of(statistics.method)},
                 {"guarantee", name_of(detector.options().guarantee)},
+                {"min_separation", detector.options().min_separation},
                 {"isa", name_of(statistics.isa)}});
   }
 

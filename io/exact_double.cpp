@@ -32,7 +32,8 @@ std::optional<double> small_fraction(std::string_view numerator, std::string_vie
 std::optional<double> exact_double(std::string_view numerator, std::string_view denominator) {
   if (const auto value = small_fraction(numerator, denominator)) return value;
   if (!is_integer(numerator) || !is_integer(denominator)) return std::nullopt;
-  mpq_class fraction(mpz_class{std::string(numerator)}, mpz_class{std::string(denominator)});
+  // Base 10 said so: by default a leading zero would mean octal.
+  mpq_class fraction(mpz_class(std::string(numerator), 10), mpz_class(std::string(denominator), 10));
   if (fraction.get_den() == 0) return std::nullopt;
   fraction.canonicalize();
   // A value beyond the largest double would not survive the conversion, and the conversion cuts: hence the comparison.

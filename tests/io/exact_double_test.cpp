@@ -33,6 +33,13 @@ TEST(ExactDouble, TakesFractionsThatAreNotInLowestTerms) {
   EXPECT_EQ(exact_double("-0", "5"), 0.0);
 }
 
+// Bug: the library underneath takes a leading zero for octal.
+TEST(ExactDouble, LeadingZerosMeanNothing) {
+  EXPECT_EQ(exact_double("-010", "02"), -5.0);
+  EXPECT_EQ(exact_double("036893488147419103232", "09"), std::nullopt);
+  EXPECT_EQ(exact_double("036893488147419103232", "01"), 0x1p65);
+}
+
 // Bug: a nearby double is taken, and the exact answer belongs to another query.
 TEST(ExactDouble, RefusesWhatIsNoDouble) {
   const mpq_class half_the_smallest = mpq_class(std::numeric_limits<double>::denorm_min()) / 2;

@@ -41,8 +41,7 @@ struct Sat {
     const auto at0 = range_of_differences<kind>(dot(axis, m.e.at0), dot(axis, m.f.at0), dot(axis, m.d.at0));
     const auto at1 = range_of_differences<kind>(dot(axis, m.e.at1), dot(axis, m.f.at1), dot(axis, m.d.at1));
     const T size = max(max(abs(axis.x), abs(axis.y)), abs(axis.z));
-    const T error =
-        T(error_bounds::kAxisProjection) * size * (m.size_d + m.size_e + m.size_f) + T(error_bounds::kUnderflow);
+    const T error = error_bounds::bound<T>(error_bounds::kAxisProjection, size * (m.size_d + m.size_e + m.size_f));
     return ((at0.low > error) & (at1.low > error)) | ((at0.high < -error) & (at1.high < -error));
   }
 };

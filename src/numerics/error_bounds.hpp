@@ -71,6 +71,6 @@ inline constexpr double kProjection = 48;
 
 // A difference projected on any axis, unit |axis|_max (D + E + F): three products of a factor off by kInput, 3 (8 + 1),
 // and sums 3 + 3; the difference of projections 2 * 3 more: below 42.
-inline constexpr double kAxisProjection = 48 * kUnitRoundoff;
+inline constexpr double kAxisProjection = 48;
 
 }  // namespace tamis::error_bounds

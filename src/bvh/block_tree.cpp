@@ -108,15 +108,14 @@ TreeView BlockTree::view() const {
 
 double BlockTree::swept_area() const {
   double area = 0;
-  BoxBlock hull;
-  for (const BoxBlock& block : levels_[0]) {
-    put_hull(block, hull, 0);
-    std::array<double, 3> size;
-    for (std::size_t axis = 0; axis < 3; ++axis)
-      size[axis] =
-          std::max(hull.high0[axis][0], hull.high1[axis][0]) - std::min(hull.low0[axis][0], hull.low1[axis][0]);
-    area += size[0] * size[1] + size[1] * size[2] + size[2] * size[0];
-  }
+  for (const BoxBlock& hulls : levels_[1])
+    for (int lane = 0; lane < kBlock; ++lane) {
+      float size[3];
+      for (int axis = 0; axis < 3; ++axis)
+        size[axis] = std::max(0.0f, std::max(hulls.high0[axis][lane], hulls.high1[axis][lane]) -
+                                        std::min(hulls.low0[axis][lane], hulls.low1[axis][lane]));
+      area += static_cast<double>(size[0] * size[1] + size[1] * size[2] + size[2] * size[0]);
+    }
   return area;
 }
 

@@ -1,13 +1,12 @@
 #include "tamis/detector.hpp"
 
 #include <tbb/global_control.h>
-#include <tbb/parallel_sort.h>
 #include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <chrono>
-#include <tuple>
 
+#include "detect/contact_order.hpp"
 #include "detect/engine.hpp"
 #include "detect/validate.hpp"
 #include "tamis/error.hpp"
@@ -25,11 +24,6 @@ std::unique_ptr<Engine> make_engine(const Mesh& mesh, const Options& options) {
       return make_brute_engine(mesh, options);
   }
   throw InvalidOptions("unknown method");
-}
-
-/// The documented order; duplicate features leave equal keys, so the times come last.
-bool comes_before(const Contact& a, const Contact& b) {
-  return std::tie(a.kind, a.vertices, a.toi_lower) < std::tie(b.kind, b.vertices, b.toi_lower);
 }
 
 /// The step must stop at the smallest lower end; certified contacts give the smallest upper end.
@@ -64,9 +58,9 @@ struct Detector::State {
     in_arena([&] {
       statistics.threads = tbb::this_task_arena::max_concurrency();
       engine->find(step, question, contacts, statistics);
-      if (question == Question::all_contacts) tbb::parallel_sort(contacts.begin(), contacts.end(), comes_before);
+      if (question == Question::all_contacts) sorter.sort(contacts, mesh.vertex_count());
     });
-    statistics.memory_bytes = engine->memory_bytes() + contacts.capacity() * sizeof(Contact);
+    statistics.memory_bytes = engine->memory_bytes() + sorter.memory_bytes() + contacts.capacity() * sizeof(Contact);
     statistics.seconds.total = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   }
 
@@ -83,6 +77,7 @@ struct Detector::State {
   tbb::task_arena arena;
   std::unique_ptr<Engine> engine;
   std::vector<Contact> contacts;
+  ContactSorter sorter;
   Statistics statistics;
 };
 

@@ -53,9 +53,8 @@ struct StagePipeline::Buffers {
   PairKind kind = PairKind::vertex_face;
 };
 
-StagePipeline::StagePipeline(const Kernels& kernels, const PackedMotion& motion, const Step& step,
-                             const Options& options)
-    : kernels_(kernels), motion_(motion), step_(step), options_(options), buffers_(std::make_unique<Buffers>()) {}
+StagePipeline::StagePipeline(const Kernels& kernels, const PackedMotion& motion, const Options& options)
+    : kernels_(kernels), motion_(motion), options_(options), buffers_(std::make_unique<Buffers>()) {}
 
 StagePipeline::~StagePipeline() = default;
 StagePipeline::StagePipeline(StagePipeline&&) noexcept = default;
@@ -67,15 +66,25 @@ double StagePipeline::lap() {
   return seconds;
 }
 
-void StagePipeline::search(PairKind kind, const TreeView& a, const TreeView& b, int first, int last) {
-  lap_start_ = std::chrono::steady_clock::now();
-  if (kind != buffers_->kind) finish();
+void StagePipeline::begin(const Step& step) {
+  step_ = step;
+  counts_ = {};
+  contacts_.clear();
+}
+
+std::uint64_t StagePipeline::memory_bytes() const { return sizeof(Buffers) + contacts_.capacity() * sizeof(Contact); }
+
+void StagePipeline::search(PairKind kind, const TreeView& a, const TreeView& b, const BlockRange& blocks,
+                           float t_limit) {
+  lap();
+  if (kind != buffers_->kind) decide_buffered(buffers_->kind);
   buffers_->kind = kind;
   Search search{a, b};
+  search.t_limit = t_limit;
   search.pairs = &buffers_->boxes;
   search.flush = flush;
   search.context = this;
-  for (int block = first; block < last; ++block)
+  for (int block = blocks.first; block < blocks.last; block += blocks.stride)
     (kind == PairKind::vertex_face ? kernels_.search_vf : kernels_.search_ee)(search, block);
   counts_.nodes_visited += search.nodes_visited;
   counts_.traverse += lap();

@@ -22,16 +22,24 @@ struct PipelineCounts {
   void report(Statistics& statistics, double wall) const;
 };
 
+/// Leaf blocks first, first + stride, ... below last.
+struct BlockRange {
+  int first, last, stride;
+};
+
 class StagePipeline {
  public:
-  StagePipeline(const Kernels& kernels, const PackedMotion& motion, const Step& step, const Options& options);
+  StagePipeline(const Kernels& kernels, const PackedMotion& motion, const Options& options);
   ~StagePipeline();
   StagePipeline(StagePipeline&&) noexcept;
 
-  /// Leaf blocks [first, last) of `a` against all of `b`.
-  void search(PairKind kind, const TreeView& a, const TreeView& b, int first, int last);
+  /// Forgets the last step; the memory stays.
+  void begin(const Step& step);
+  /// Every `blocks.stride`-th leaf block of `a` against all of `b`, as far as they may touch until `t_limit`.
+  void search(PairKind kind, const TreeView& a, const TreeView& b, const BlockRange& blocks, float t_limit);
   /// Decides what is still in the buffers.
   void finish();
+  std::uint64_t memory_bytes() const;
 
   const PipelineCounts& counts() const { return counts_; }
   const std::vector<Contact>& contacts() const { return contacts_; }
@@ -49,8 +57,8 @@ class StagePipeline {
 
   const Kernels& kernels_;
   const PackedMotion& motion_;
-  const Step& step_;
   const Options& options_;
+  Step step_;
   std::unique_ptr<Buffers> buffers_;
   PipelineCounts counts_;
   std::vector<Contact> contacts_;

@@ -3,7 +3,10 @@
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
 
+#include <algorithm>
 #include <chrono>
+#include <cmath>
+#include <limits>
 
 #include "bvh/block_tree.hpp"
 #include "detect/engine.hpp"
@@ -16,10 +19,31 @@ using Clock = std::chrono::steady_clock;
 
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
+/// The leaf blocks in seven samples, each as large as all before it: an early contact found in a small one shortens
+/// the step for the rest. Fixed, and the step is shortened only between them: the answer knows nothing of threads.
+struct Sample {
+  int first, stride;
+};
+constexpr Sample kSamples[] = {{0, 64}, {32, 64}, {16, 32}, {8, 16}, {4, 8}, {2, 4}, {1, 2}};
+constexpr Sample kAllBlocks[] = {{0, 1}};
+
+/// The smallest float at or after a time of the step.
+float float_after(double t) {
+  const auto f = static_cast<float>(t);
+  return static_cast<double>(f) >= t ? f : std::nextafter(f, std::numeric_limits<float>::infinity());
+}
+
+/// Refitting goes on until the leaf blocks' swept area exceeds by this factor what it was when they were built
+/// (docs/performance.md: "When to rebuild").
+constexpr double kPoor = 1.5;
+
 class TamisEngine final : public Engine {
  public:
   TamisEngine(const Mesh& mesh, const Options& options)
-      : mesh_(mesh), options_(options), kernels_(kernels(options.isa)) {
+      : mesh_(mesh),
+        kernels_(kernels(options.isa)),
+        min_separation_(options.min_separation),
+        pipelines_([this, &options] { return StagePipeline(kernels_, motion_, options); }) {
     points_.set_features(1, mesh.points());
     edges_.set_features(2, std::span(mesh.edges().data()->data(), 2 * mesh.edges().size()));
     faces_.set_features(3, std::span(mesh.faces().data()->data(), 3 * mesh.faces().size()));
@@ -27,50 +51,90 @@ class TamisEngine final : public Engine {
 
   void find(const Step& step, Question question, std::vector<Contact>& contacts, Statistics& statistics) override {
     auto start = Clock::now();
-    motion_.assign(step, mesh_.points(), options_.min_separation);
+    motion_.assign(step, mesh_.points(), min_separation_);
     statistics.seconds.bounds = seconds_since(start);
     start = Clock::now();
     update_trees(statistics);
     statistics.seconds.build = seconds_since(start);
     start = Clock::now();
-    tbb::enumerable_thread_specific<StagePipeline> pipelines(
-        [&] { return StagePipeline(kernels_, motion_, step, options_); });
-    search_all(question, PairKind::vertex_face, points_.view(), faces_.view(), pipelines);
-    search_all(question, PairKind::edge_edge, edges_.view(), edges_.view(), pipelines);
-    PipelineCounts counts;
-    for (StagePipeline& pipeline : pipelines) {
-      pipeline.finish();
-      counts += pipeline.counts();
-      contacts.insert(contacts.end(), pipeline.contacts().begin(), pipeline.contacts().end());
-    }
-    counts.report(statistics, seconds_since(start));
-    statistics.isa = kernels_.isa;
+    for (StagePipeline& pipeline : pipelines_) pipeline.begin(step);
+    if (question == Question::all_contacts)
+      search(step, kAllBlocks, [](float) { return true; });
+    else
+      search(step, kSamples, [&](float) { return question == Question::earliest || !has_contact(); });
+    collect(contacts, statistics, seconds_since(start));
   }
 
   std::uint64_t memory_bytes() const override {
-    return motion_.memory_bytes() + points_.memory_bytes() + edges_.memory_bytes() + faces_.memory_bytes();
+    std::uint64_t bytes =
+        motion_.memory_bytes() + points_.memory_bytes() + edges_.memory_bytes() + faces_.memory_bytes();
+    for (const StagePipeline& pipeline : pipelines_) bytes += pipeline.memory_bytes();
+    return bytes;
   }
 
  private:
   void update_trees(Statistics& statistics) {
-    statistics.rebuilt = !is_built_;
-    for (BlockTree* tree : {&points_, &edges_, &faces_}) is_built_ ? tree->refit(motion_) : tree->build(motion_);
-    is_built_ = true;
+    BlockTree* const trees[] = {&points_, &edges_, &faces_};
+    const auto area = [&] { return points_.swept_area() + edges_.swept_area() + faces_.swept_area(); };
+    if (built_area_ > 0) {
+      for (BlockTree* tree : trees) tree->refit(motion_);
+      if (area() <= kPoor * built_area_) return;
+    }
+    for (BlockTree* tree : trees) tree->build(motion_);
+    // Areas are of the box frame, which holds the scene whatever its size; a scene without area is rebuilt each time.
+    built_area_ = area();
+    statistics.rebuilt = true;
   }
 
-  void search_all(Question, PairKind kind, const TreeView& a, const TreeView& b,
-                  tbb::enumerable_thread_specific<StagePipeline>& pipelines) {
-    tbb::parallel_for(tbb::blocked_range<int>(0, a.leaf_blocks, 16), [&](const tbb::blocked_range<int>& blocks) {
-      pipelines.local().search(kind, a, b, blocks.begin(), blocks.end());
+  template <class Samples, class GoOn>
+  void search(const Step& step, const Samples& samples, const GoOn& go_on) {
+    float t_limit = 1;
+    for (const Sample& sample : samples) {
+      search_sample(step, PairKind::vertex_face, points_.view(), faces_.view(), sample, t_limit);
+      search_sample(step, PairKind::edge_edge, edges_.view(), edges_.view(), sample, t_limit);
+      for (StagePipeline& pipeline : pipelines_) {
+        pipeline.finish();
+        for (const Contact& c : pipeline.contacts())
+          if (c.certainty == Certainty::certified) t_limit = std::min(t_limit, float_after(c.toi_upper));
+      }
+      if (!go_on(t_limit)) return;
+    }
+  }
+
+  void search_sample(const Step& step, PairKind kind, const TreeView& a, const TreeView& b, const Sample& sample,
+                     float t_limit) {
+    constexpr int kGrain = 8;
+    const int count = (a.leaf_blocks - sample.first + sample.stride - 1) / sample.stride;
+    tbb::parallel_for(tbb::blocked_range<int>(0, std::max(count, 0), kGrain), [&](const tbb::blocked_range<int>& part) {
+      bool is_known = false;
+      StagePipeline& pipeline = pipelines_.local(is_known);
+      if (!is_known) pipeline.begin(step);
+      const int first = sample.first + part.begin() * sample.stride, last = sample.first + part.end() * sample.stride;
+      pipeline.search(kind, a, b, {first, std::min(last, a.leaf_blocks), sample.stride}, t_limit);
     });
   }
 
+  bool has_contact() const {
+    return std::any_of(pipelines_.begin(), pipelines_.end(), [](const auto& p) { return !p.contacts().empty(); });
+  }
+
+  void collect(std::vector<Contact>& contacts, Statistics& statistics, double seconds) {
+    PipelineCounts counts;
+    for (const StagePipeline& pipeline : pipelines_) {
+      counts += pipeline.counts();
+      contacts.insert(contacts.end(), pipeline.contacts().begin(), pipeline.contacts().end());
+    }
+    counts.report(statistics, seconds);
+    statistics.isa = kernels_.isa;
+  }
+
   const Mesh& mesh_;
-  const Options& options_;
   const Kernels& kernels_;
+  const double min_separation_;
   PackedMotion motion_;
   BlockTree points_, edges_, faces_;
-  bool is_built_ = false;
+  double built_area_ = 0;
+  tbb::enumerable_thread_specific<StagePipeline> pipelines_;
 };
 
 }  // namespace

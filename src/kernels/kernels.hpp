@@ -36,11 +36,10 @@ struct Search {
   /// Nothing that starts after this time is of interest; a float, so that the stages in floats do not round it.
   float t_limit = 1;
   PairBuffer* pairs = nullptr;
-  /// Called when `pairs` cannot take another pair of blocks; must empty it, and may lower `t_limit`.
+  /// Called when `pairs` cannot take another pair of blocks; must empty it.
   void (*flush)(Search&) = nullptr;
   void* context = nullptr;
   std::uint64_t nodes_visited = 0;
-  bool stop = false;
 };
 
 struct Kernels {

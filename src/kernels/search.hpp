@@ -62,7 +62,6 @@ class BlockSearch {
   /// First each side's boxes against the other's hull, then row by row on the side where fewer remain.
   void visit_leaf(int other) {
     if (search_.pairs->count + kBlock * kBlock > PairBuffer::kCapacity) search_.flush(search_);
-    if (search_.stop) return;
     alignas(64) float t_in[kBlock], t_out[kBlock];
     const BoxBlock& boxes = search_.b.levels[0][other];
     const unsigned rows = overlap(boxes_, hull_of(search_.b, other), limit(), t_in, t_out);

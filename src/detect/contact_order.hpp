@@ -1,0 +1,27 @@
+// The documented order of contacts.
+#pragma once
+#include <vector>
+
+#include "tamis/contact.hpp"
+
+namespace tamis {
+
+/// By kind, then vertices; duplicate features leave equal keys, so the time comes last.
+bool comes_before(const Contact& a, const Contact& b);
+
+/// Sorts by that order; keeps its scratch memory from call to call.
+class ContactSorter {
+ public:
+  void sort(std::vector<Contact>& contacts, Index vertex_count);
+  std::uint64_t memory_bytes() const {
+    return first_.capacity() * sizeof(std::uint32_t) + order_.capacity() * sizeof(std::uint32_t) +
+           sorted_.capacity() * sizeof(Contact);
+  }
+
+ private:
+  std::vector<std::uint32_t> first_;  ///< of each bucket: kind and first vertex
+  std::vector<std::uint32_t> order_;
+  std::vector<Contact> sorted_;
+};
+
+}  // namespace tamis

@@ -136,8 +136,8 @@ void StagePipeline::leave_out_filtered(PairKind kind) {
 
 void StagePipeline::solve(PairKind kind) {
   const PairBuffer& pairs = buffers_->filtered;
-  const int count = (kind == PairKind::vertex_face ? kernels_.solve_vf : kernels_.solve_ee)(motion_.vertices.data(),
-                                                                                            pairs, buffers_->solved);
+  const int count = (kind == PairKind::vertex_face ? kernels_.solve_vf : kernels_.solve_ee)(
+      motion_.vertices.data(), pairs, buffers_->slab, buffers_->solved);
   int undecided = 0;
   for (int i = 0; i < count; ++i) {
     const SolvedPair& s = buffers_->solved[i];

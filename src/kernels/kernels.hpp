@@ -54,9 +54,9 @@ struct Kernels {
   /// DNF, then NCF, on what is left of the step. Returns how many pairs NCF had to look at.
   int (*filter_vf)(const PackedVertex* vertices, const PairBuffer& in, PairBuffer& out);
   int (*filter_ee)(const PackedVertex* vertices, const PairBuffer& in, PairBuffer& out);
-  /// Roots and inside test. Writes the pairs that touch or are undecided, returns their number.
-  int (*solve_vf)(const PackedVertex* vertices, const PairBuffer& in, SolvedPair* out);
-  int (*solve_ee)(const PackedVertex* vertices, const PairBuffer& in, SolvedPair* out);
+  /// Roots and inside test. Writes the pairs that touch or are undecided, returns their number; `rest` is scratch.
+  int (*solve_vf)(const PackedVertex* vertices, const PairBuffer& in, PairBuffer& rest, SolvedPair* out);
+  int (*solve_ee)(const PackedVertex* vertices, const PairBuffer& in, PairBuffer& rest, SolvedPair* out);
 };
 
 /// The kernels of `isa`; throws InvalidOptions if this machine or build has none. `best`: the widest there is.

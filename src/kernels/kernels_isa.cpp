@@ -3,6 +3,7 @@
 
 #include "filters/dnf.hpp"
 #include "filters/ncf.hpp"
+#include "filters/slab_clip.hpp"
 #include "kernels/load_motion.hpp"
 #include "kernels/search.hpp"
 #include "solve/crossing.hpp"
@@ -60,50 +61,46 @@ int filter(const PackedVertex* vertices, const PairBuffer& in, PairBuffer& out) 
   return ncf_count;
 }
 
-/// Outward rounding of t_in + s (t_out - t_in), s in [0,1], to the step's time.
-DoubleLanes to_step(const TimeInterval<DoubleLanes>& time, const DoubleLanes& s, double direction) {
-  const DoubleLanes t = (DoubleLanes(1) - s) * time.t_in + s * time.t_out;
-  return min(max(t + DoubleLanes(direction * 4 * error_bounds::unit_roundoff<double>) * time.t_out, time.t_in),
-             time.t_out);
+/// Writes the lanes of `left` to `out`, of which those of `touches` are decided; `pairs` names each lane's pair.
+/// Returns the new number of entries.
+int write_solved(const Crossing<DoubleLanes>& c, unsigned left, unsigned touches, const std::int32_t* pairs,
+                 SolvedPair* out, int count) {
+  const DoubleLanes length = sqrt(dot(c.normal, c.normal)), zero(0), one(1);
+  const DoubleLanes fields[] = {c.lower,
+                                c.upper,
+                                min(max(c.u, zero), one),
+                                min(max(c.v, zero), one),
+                                c.normal.x / length,
+                                c.normal.y / length,
+                                c.normal.z / length};
+  double f[7][kDoubleLanes];
+  for (int k = 0; k < 7; ++k) fields[k].store_unaligned(f[k]);
+  for_each_bit(left, [&](int i) {
+    out[count++] = {pairs[i], (touches >> i & 1) != 0, f[0][i], f[1][i], f[2][i], f[3][i], {f[4][i], f[5][i], f[6][i]}};
+  });
+  return count;
 }
 
-/// One array a field, one entry a lane.
-struct SolvedLanes {
-  enum Field { kLower, kUpper, kU, kV, kNormalX, kNormalY, kNormalZ, kFieldCount };
-  double field[kFieldCount][kDoubleLanes];
-
-  SolvedLanes(const Crossing<DoubleLanes>& c, const TimeInterval<DoubleLanes>& time) {
-    const DoubleLanes length = sqrt(dot(c.normal, c.normal)), zero(0), one(1);
-    to_step(time, c.lower, -1).store_unaligned(field[kLower]);
-    to_step(time, c.upper, 1).store_unaligned(field[kUpper]);
-    min(max(c.u, zero), one).store_unaligned(field[kU]);
-    min(max(c.v, zero), one).store_unaligned(field[kV]);
-    (c.normal.x / length).store_unaligned(field[kNormalX]);
-    (c.normal.y / length).store_unaligned(field[kNormalY]);
-    (c.normal.z / length).store_unaligned(field[kNormalZ]);
-  }
-};
-
+/// First with one crossing; what that leaves open goes to `rest` and is cut in two.
 template <PairKind kind>
-int solve(const PackedVertex* vertices, const PairBuffer& in, SolvedPair* out) {
+int solve(const PackedVertex* vertices, const PairBuffer& in, PairBuffer& rest, SolvedPair* out) {
+  std::int32_t pairs[kDoubleLanes], rest_pairs[PairBuffer::kSize] = {};
   int count = 0;
+  rest.count = 0;
   for (int first = 0; first < in.count; first += kDoubleLanes) {
-    const auto time = load_time(in, first);
-    const auto c = find_crossing<kind>(restrict_to(load_motion<kind>(vertices, in, first), time.t_in, time.t_out));
-    const unsigned left = lanes_in_use(in, first) & ~bits(c.is_free), touches = bits(c.touches);
-    if (!left) continue;
-    const SolvedLanes lanes(c, time);
-    for_each_bit(left, [&](int i) {
-      using L = SolvedLanes;
-      const auto& f = lanes.field;
-      out[count++] = {first + i,
-                      (touches >> i & 1) != 0,
-                      f[L::kLower][i],
-                      f[L::kUpper][i],
-                      f[L::kU][i],
-                      f[L::kV][i],
-                      {f[L::kNormalX][i], f[L::kNormalY][i], f[L::kNormalZ][i]}};
+    const auto c = find_crossing<kind>(load_motion<kind>(vertices, in, first), load_time(in, first));
+    const unsigned left = lanes_in_use(in, first) & ~bits(c.is_free), touches = left & bits(c.touches);
+    for (int i = 0; i < kDoubleLanes; ++i) pairs[i] = first + i;
+    if (touches) count = write_solved(c, touches, touches, pairs, out, count);
+    for_each_bit(left & ~touches, [&](int i) {
+      rest_pairs[rest.count] = first + i;
+      copy_pair(in, first + i, rest);
     });
+  }
+  for (int first = 0; first < rest.count; first += kDoubleLanes) {
+    const auto c = find_crossing_in_halves<kind>(load_motion<kind>(vertices, rest, first), load_time(rest, first));
+    const unsigned left = lanes_in_use(rest, first) & ~bits(c.is_free);
+    if (left) count = write_solved(c, left, bits(c.touches), rest_pairs + first, out, count);
   }
   return count;
 }

@@ -8,6 +8,7 @@ inline double select(bool mask, double yes, double no) { return mask ? yes : no;
 inline double min(double a, double b) { return b < a ? b : a; }
 inline double max(double a, double b) { return a < b ? b : a; }
 inline double abs(double a) { return std::fabs(a); }
+inline double sqrt(double a) { return std::sqrt(a); }
 inline bool any(bool mask) { return mask; }
 
 /// a / b, off by at most kError of itself. REQUIRES: b is not 0 where the result is used.

@@ -3,19 +3,20 @@
 // the rest is cut in time first (solve/subdivide.hpp). One template for double and for SIMD lanes; every lane's answer
 // depends on that lane alone.
 #pragma once
-#include "filters/filter.hpp"
-#include "filters/slab_clip.hpp"
+#include "filters/dnf.hpp"
+#include "filters/ncf.hpp"
 #include "motion/polynomials.hpp"
+#include "motion/time_clip.hpp"
 #include "numerics/select.hpp"
 
 namespace tamis {
 
-/// Times are of the restricted motion, in [0,1].
+/// Of a part of the step; times are the step's.
 template <class T>
 struct Crossing {
-  Mask<T> is_free;   ///< proven: no contact during the motion
-  Mask<T> touches;   ///< proven: contact within [lower, upper], none before and none after
-  Mask<T> brackets;  ///< proven: no contact outside [lower, upper]; implied by `touches`
+  Mask<T> is_free;   ///< proven: no contact in that part
+  Mask<T> touches;   ///< proven: contact within [lower, upper], none before in that part
+  Mask<T> brackets;  ///< proven: no contact in that part but within [lower, upper]; implied by `touches`
   T lower, upper;
   T u, v;          ///< weights at the root, see Contact
   Vec3<T> normal;  ///< not normalized
@@ -101,10 +102,28 @@ inline Sides<T> sides(const PairMotion<T>& m, const Vec3<T>& n, const T& t, cons
   }
 }
 
+/// Outward rounding of the step's time at `s` in [0,1] of `part`; `direction` is -1 or 1.
+template <class T>
+inline T to_step(const TimeInterval<T>& part, const T& s, double direction) {
+  const T t = (T(1) - s) * part.t_in + s * part.t_out;
+  return min(max(t + T(direction * 4 * error_bounds::unit_roundoff<T>) * part.t_out, part.t_in), part.t_out);
+}
+
+/// Where the cubic turns between ends of one sign; the middle where it does not turn that way.
+template <class T>
+inline T turning_point(const std::array<T, 4>& k) {
+  // K' = c0 s^2 + c1 s t + c2 t^2 with s = 1 - t; a root t/s > 0 where c0 and c2 differ in sign.
+  const T c0 = k[1] - T(3) * k[0], c1 = T(2) * (k[2] - k[1]), c2 = T(3) * k[3] - k[2];
+  const T root = sqrt(max(c1 * c1 - T(4) * c0 * c2, T(0)));
+  const T x = (select(c2 < T(0), -root, root) - c1) / (T(2) * c2), t = x / (T(1) + x);
+  return select((t > T(0x1p-10)) & (t < T(1 - 0x1p-10)), t, T(0.5));
+}
+
 }  // namespace crossing
 
 template <PairKind kind, class T>
-inline Crossing<T> find_crossing(const PairMotion<T>& m) {
+inline Crossing<T> find_crossing(const PairMotion<T>& step, const TimeInterval<T>& part) {
+  const auto m = restrict_to(step, part.t_in, part.t_out);
   auto k = coplanarity_polynomial(m.d, normal_polynomial(m.e, m.f));
   const T unit = m.size_d * m.size_e * m.size_f;
   const T end = error_bounds::bound(error_bounds::kCoplanarityEnd, unit);
@@ -124,8 +143,40 @@ inline Crossing<T> find_crossing(const PairMotion<T>& m) {
                            ((upper >= T(1)) | (crossing::value(k, upper) < -error));
   const Vec3<T> n = cross(at_time(m.e, t), at_time(m.f, t));
   const auto sides = crossing::sides<kind>(m, n, t, radius);
-  return {
-      Mask<T>(brackets & sides.outside), Mask<T>(brackets & sides.inside), brackets, lower, upper, sides.u, sides.v, n};
+  return {Mask<T>(brackets & sides.outside),
+          Mask<T>(brackets & sides.inside),
+          brackets,
+          crossing::to_step(part, lower, -1),
+          crossing::to_step(part, upper, 1),
+          sides.u,
+          sides.v,
+          n};
+}
+
+/// The same where one crossing is not enough: the part is cut where the cubic turns, and the first half that is not
+/// free gives the answer.
+template <PairKind kind, class T>
+inline Crossing<T> find_crossing_in_halves(const PairMotion<T>& step, const TimeInterval<T>& part) {
+  const auto m = restrict_to(step, part.t_in, part.t_out);
+  const T s = crossing::turning_point(coplanarity_polynomial(m.d, normal_polynomial(m.e, m.f)));
+  const T cut = min(max((T(1) - s) * part.t_in + s * part.t_out, part.t_in), part.t_out);
+  const auto in_half = [&](const T& t_in, const T& t_out) {
+    auto c = find_crossing<kind>(step, TimeInterval<T>{t_in, t_out});
+    const auto half = restrict_to(step, t_in, t_out);
+    c.is_free = c.is_free | Dnf::proves_free<kind>(half) | Ncf::proves_free<kind>(half);
+    return c;
+  };
+  const auto a = in_half(part.t_in, cut), b = in_half(cut, part.t_out);
+  const auto pick = [&](const T& first, const T& second) { return select(a.is_free, second, first); };
+  const Mask<T> touches = (a.touches & !a.is_free) | (a.is_free & b.touches);
+  return {Mask<T>(a.is_free & b.is_free),
+          touches,
+          touches,
+          pick(a.lower, b.lower),
+          pick(a.upper, b.upper),
+          pick(a.u, b.u),
+          pick(a.v, b.v),
+          {pick(a.normal.x, b.normal.x), pick(a.normal.y, b.normal.y), pick(a.normal.z, b.normal.z)}};
 }
 
 }  // namespace tamis

@@ -12,24 +12,31 @@ namespace {
 
 /// Shortest part that is cut further, as a fraction of the step: a contact is then known to 2^-44.
 constexpr double kShortest = 0x1p-44;
-/// Parts looked at for one pair. Only pairs that slide within one plane, or touch over a time, come near it.
-constexpr int kMaxParts = 256;
+/// Parts looked at for one pair.
+constexpr int kMaxParts = 96;
+/// Of these, parts that are coplanar throughout: cutting them helps only NCF.
+constexpr int kMaxCoplanarParts = 6;
 constexpr std::size_t kMaxDepth = 64;
 
-/// Outward rounding of lower + s (upper - lower), s in [0,1].
-double to_step(const TimeInterval<double>& part, double s, double direction) {
-  const double t = (1 - s) * part.t_in + s * part.t_out;
-  return std::clamp(t + direction * 4 * error_bounds::unit_roundoff<double> * part.t_out, part.t_in, part.t_out);
+/// How the points of a part are coplanar, as far as doubles can tell.
+struct Coplanarity {
+  bool at_start, at_end, always;
+};
+
+Coplanarity coplanarity(const PairMotion<double>& m) {
+  const auto k = coplanarity_polynomial(m.d, normal_polynomial(m.e, m.f));
+  const double unit = m.size_d * m.size_e * m.size_f;
+  const double end = error_bounds::bound(error_bounds::kCoplanarityEnd, unit);
+  const double middle = error_bounds::bound(error_bounds::kCoplanarityMiddle, unit);
+  const bool at_start = abs(k[0]) <= end, at_end = abs(k[3]) <= end;
+  return {at_start, at_end, at_start && at_end && abs(k[1]) <= middle && abs(k[2]) <= middle};
 }
 
 /// Where to cut an undecided part: near an end at which the points are coplanar (contacts at the very start of a step
 /// are common), otherwise in the middle.
-double cut_at(const PairMotion<double>& m, const TimeInterval<double>& part) {
+double cut_at(const Coplanarity& points, const TimeInterval<double>& part) {
   constexpr double kNearEnd = 1.0 / 32;
-  const auto k = coplanarity_polynomial(m.d, normal_polynomial(m.e, m.f));
-  const double error = error_bounds::bound(error_bounds::kCoplanarityEnd, m.size_d * m.size_e * m.size_f);
-  const bool touches_start = abs(k[0]) <= error, touches_end = abs(k[3]) <= error;
-  const double s = touches_start == touches_end ? 0.5 : touches_start ? kNearEnd : 1 - kNearEnd;
+  const double s = points.at_start == points.at_end ? 0.5 : points.at_start ? kNearEnd : 1 - kNearEnd;
   return (1 - s) * part.t_in + s * part.t_out;
 }
 
@@ -67,22 +74,24 @@ template <PairKind kind>
 Decision subdivide(const PairMotion<double>& m, const TimeInterval<double>& time) {
   Findings findings;
   PartStack parts(time);
+  int coplanar_parts = 0;
   for (int looked_at = 0; !parts.empty(); ++looked_at) {
     const auto part = parts.pop();
     const auto r = restrict_to(m, part.t_in, part.t_out);
     if (Dnf::proves_free<kind>(r) || Ncf::proves_free<kind>(r)) continue;
-    const auto c = find_crossing<kind>(r);
+    const auto c = find_crossing<kind>(m, part);
     if (c.is_free) continue;
-    const double lower = to_step(part, c.lower, -1), upper = to_step(part, c.upper, 1);
     if (c.touches) {
-      findings.add_contact(lower, upper);
+      findings.add_contact(c.lower, c.upper);
       break;
     }
-    const double cut = cut_at(r, part);
+    const auto points = coplanarity(r);
+    coplanar_parts += points.always;
+    const double cut = cut_at(points, part);
     const bool can_cut = cut > part.t_in && cut < part.t_out && part.t_out - part.t_in > kShortest &&
-                         looked_at < kMaxParts && parts.has_room();
-    if (c.brackets && (upper - lower <= 0x1p-30 || !can_cut))
-      findings.add_unsure(lower, upper);
+                         looked_at < kMaxParts && coplanar_parts < kMaxCoplanarParts && parts.has_room();
+    if (c.brackets && (c.upper - c.lower <= 0x1p-30 || !can_cut))
+      findings.add_unsure(c.lower, c.upper);
     else if (can_cut)
       parts.push_halves(part, cut);
     else

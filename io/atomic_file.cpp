@@ -4,8 +4,8 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <cstring>
 #include <string>
+#include <system_error>
 
 #include "io/error.hpp"
 
@@ -13,9 +13,9 @@ namespace tamis::io {
 namespace {
 
 [[noreturn]] void fail(const std::filesystem::path& path, int error) {
-  throw FileError(
-      path.string(), "",
-      fmt::format("cannot be written ({}): check the path, its permissions and the free space", std::strerror(error)));
+  throw FileError(path.string(), "",
+                  fmt::format("cannot be written ({}): check the path, its permissions and the free space",
+                              std::generic_category().message(error)));
 }
 
 /// A file that exists and is neither regular nor a folder: a pipe, a terminal, /dev/null.

@@ -2,8 +2,8 @@
 
 #include <cerrno>
 #include <cstdio>
-#include <cstring>
 #include <memory>
+#include <system_error>
 
 #include "io/error.hpp"
 
@@ -11,8 +11,9 @@ namespace tamis::io {
 namespace {
 
 [[noreturn]] void fail(const std::filesystem::path& path, int error) {
-  throw FileError(path.string(), "",
-                  fmt::format("cannot be read ({}): check the path and its permissions", std::strerror(error)));
+  throw FileError(
+      path.string(), "",
+      fmt::format("cannot be read ({}): check the path and its permissions", std::generic_category().message(error)));
 }
 
 }  // namespace

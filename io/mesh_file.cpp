@@ -60,11 +60,11 @@ MeshFile read_mesh(const std::filesystem::path& path) {
 }
 
 void note_open_end(std::string_view text, MeshFile& mesh) {
-  if (!text.ends_with('\n')) mesh.notes.push_back("the last line has no line end: was the file cut short?");
+  if (!text.ends_with('\n')) mesh.notes.emplace_back("the last line has no line end: was the file cut short?");
 }
 
 Mesh mesh_of(MeshFile file) {
-  return Mesh(static_cast<Index>(file.positions.size()), std::move(file.faces), std::move(file.loose_edges),
+  return Mesh(static_cast<Index>(file.positions.size()), std::move(file.faces), file.loose_edges,
               std::move(file.loose_points));
 }
 

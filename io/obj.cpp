@@ -42,7 +42,7 @@ class ObjParser {
                                   largest_index_ + 1, vertex_count()));
     polygons_.note(mesh_);
     note_open_end(bytes_, mesh_);
-    if (has_free_form_) mesh_.notes.push_back("free-form curves and surfaces were skipped");
+    if (has_free_form_) mesh_.notes.emplace_back("free-form curves and surfaces were skipped");
     return std::move(mesh_);
   }
 

@@ -4,57 +4,12 @@
 #include <limits>
 
 #include "io/ply.hpp"
+#include "io/ply_layout.hpp"
 #include "io/ply_source.hpp"
 #include "io/polygons.hpp"
 
 namespace tamis::io {
 namespace {
-
-enum class ElementKind { vertex, face, edge, other };
-
-ElementKind kind_of(const PlyElement& element) {
-  if (element.name == "vertex") return ElementKind::vertex;
-  if (element.name == "face") return ElementKind::face;
-  if (element.name == "edge") return ElementKind::edge;
-  return ElementKind::other;
-}
-
-/// Where each property of an element goes: a place in the row, the corners of a polygon, or nowhere.
-constexpr int kSkipped = -1;
-constexpr int kCorners = 3;
-
-/// Place of a property by its name: x, y, z and vertex1, vertex2 in the order of the row.
-int place_of(ElementKind element, const PlyProperty& p) {
-  if (p.is_list) {
-    const bool is_corners = p.name == "vertex_indices" || p.name == "vertex_index";
-    return element == ElementKind::face && is_corners ? kCorners : kSkipped;
-  }
-  if (element == ElementKind::vertex && (p.name == "x" || p.name == "y" || p.name == "z")) return p.name[0] - 'x';
-  if (element == ElementKind::edge && (p.name == "vertex1" || p.name == "vertex2")) return p.name[6] - '1';
-  return kSkipped;
-}
-
-std::vector<int> places_of(const PlyElement& element) {
-  std::vector<int> places;
-  for (const PlyProperty& p : element.properties) places.push_back(place_of(kind_of(element), p));
-  return places;
-}
-
-/// The properties without which an element means nothing.
-void require_places(const PlyElement& element, const std::vector<int>& places, const std::string& name) {
-  const auto require = [&](int place, const std::string& what) {
-    const auto n = std::count(places.begin(), places.end(), place);
-    if (n == 1) return;
-    throw FileError(name, fmt::format("line {}", element.line),
-                    fmt::format("element '{}' has {} {}: give it exactly one", element.name,
-                                n == 0 ? "no" : "more than one", what));
-  };
-  if (element.name == "vertex")
-    for (const char* coordinate : {"x", "y", "z"}) require(*coordinate - 'x', fmt::format("property {}", coordinate));
-  if (element.name == "face") require(kCorners, "list property vertex_indices");
-  if (element.name == "edge")
-    for (const char digit : {'1', '2'}) require(digit - '1', fmt::format("property vertex{}", digit));
-}
 
 template <class Source>
 class BodyReader {
@@ -83,8 +38,7 @@ class BodyReader {
   }
 
   void read_element(const PlyElement& element) {
-    places_ = places_of(element);
-    require_places(element, places_, name_);
+    places_ = places_of(element, name_);
     // Before any memory is taken: a count that the file cannot hold is a lie.
     const std::uint64_t least = Source::least_bytes(element);
     if (element.count > source_.bytes_left() / least)

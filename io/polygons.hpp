@@ -19,7 +19,7 @@ class Polygons {
 
   /// Says how many polygons were cut, if any.
   void note(MeshFile& mesh) const {
-    if (cut_ == 1) mesh.notes.push_back("1 polygon of more than three corners was cut into a fan of triangles");
+    if (cut_ == 1) mesh.notes.emplace_back("1 polygon of more than three corners was cut into a fan of triangles");
     if (cut_ > 1)
       mesh.notes.push_back(fmt::format("{} polygons of more than three corners were cut into fans of triangles", cut_));
   }

@@ -20,10 +20,10 @@ FLOAT = {"float": "f4", "float32": "f4", "double": "f8", "float64": "f8"}
 SCENE = """#version 3.7;
 global_settings {{ assumed_gamma 1 max_trace_level 4 }}
 background {{ rgb 1 }}
-camera {{ perspective angle 24.5 right x*{aspect} up y
+camera {{ perspective angle 26 right x*{aspect} up y
          location <{eye}> look_at <{target}> }}
 light_source {{ <{key}> rgb 0.95 area_light <{span},0,0>, <0,0,{span}>, 9, 9 adaptive 1 jitter circular orient }}
-light_source {{ <{fill}> rgb 0.25 shadowless }}
+light_source {{ <{fill}> rgb 0.22 shadowless }}
 light_source {{ <{eye}> rgb 0.15 shadowless }}
 plane {{ y, {floor} pigment {{ rgb 1 }} finish {{ ambient 0 emission 0.35 diffuse 0.62 }} }}
 mesh2 {{
@@ -97,10 +97,9 @@ def triples(rows, form="%.6g"):
 
 
 def pov_scene(points, faces, heat, is_cloth, yaw, pitch, aspect):
-    points = points[:, [0, 2, 1]] if np.ptp(points[:, 2]) < 0.7 * np.ptp(points[:, 1]) else points
     low, high = points.min(axis=0), points.max(axis=0)
     size = np.linalg.norm(high - low)
-    target = (low + high) / 2 - [0, 0.04 * size, 0]
+    target = (low + high) / 2 - [0, 0.075 * size, 0]
     direction = np.array([np.cos(pitch) * np.sin(yaw), np.sin(pitch), -np.cos(pitch) * np.cos(yaw)])
     eye = target + 1.9 * size * direction
     step = np.minimum((heat * STEPS).astype(int), STEPS - 1) + STEPS * (~is_cloth)
@@ -114,7 +113,7 @@ def pov_scene(points, faces, heat, is_cloth, yaw, pitch, aspect):
     vector = lambda v: ",".join("%.6g" % x for x in v)
     return SCENE.format(
         aspect=aspect, eye=vector(eye), target=vector(target), floor="%.6g" % (low[1] - 0.002 * size), span=0.6 * size,
-        key=vector(target + size * np.array([-1.6 * np.cos(yaw), 2.0, -1.6 * np.sin(yaw)])), fill=vector(target + size * np.array([2.0, 1.0, -1.0])),
+        key=vector(target + size * np.array([-1.1 * np.cos(yaw) + 0.9 * np.sin(yaw), 2.2, -1.1 * np.sin(yaw) - 0.9 * np.cos(yaw)])), fill=vector(target + size * np.array([2.0, 1.0, -1.0])),
         vertices=f"{len(points)}," + triples(points), normals=f"{len(points)}," + triples(vertex_normals(points, faces)),
         textures=f"{len(textures)}, " + ", ".join(textures),
         faces=f"{len(faces)}," + face_rows)

@@ -1,0 +1,9 @@
+#!/usr/bin/env bash
+# Makes the README's picture from a real run: make.sh TAMIS START.ply END.ply OUT.png
+# Needs POV-Ray and NumPy (Debian: povray, python3-numpy).
+set -euo pipefail
+folder=$(dirname "$0")
+contacts=$(mktemp --suffix=.csv)
+trap 'rm -f "$contacts"' EXIT
+"$1" contacts "$2" "$3" --out "$contacts"
+/usr/bin/python3 "$folder/render.py" "$2" "$contacts" "$4" --pitch 24 --yaw 35 --size 1600x860

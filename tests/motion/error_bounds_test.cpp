@@ -1,0 +1,133 @@
+// Every constant of error_bounds.hpp against exact rational arithmetic: the observed error stays below the bound, over
+// whole steps and parts of them. The worst ratio is recorded: near 1 the derivation has a gap, near 0 it is wasteful.
+#include "numerics/error_bounds.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iostream>
+
+#include "motion/polynomials.hpp"
+#include "support/exact_motion.hpp"
+#include "support/pair_cases.hpp"
+#include "support/test_data.hpp"
+
+namespace tamis::test {
+namespace {
+
+/// Largest ratio of error to bound seen so far.
+struct Worst {
+  double ratio = 0;
+  void add(double computed, const Exact& truth, double bound) {
+    const mpq_class error = abs(mpq_class(mpq_class(computed) - truth.value));
+    if (error == 0) return;
+    ratio = std::max(ratio, mpq_class(error / mpq_class(bound)).get_d());
+  }
+  void check(const char* name) const {
+    testing::Test::RecordProperty(name, std::to_string(ratio));
+    std::cout << "[ WORST    ] " << name << " " << ratio << " of the bound\n";
+    EXPECT_LT(ratio, 1) << name;
+    EXPECT_GT(ratio, 1e-3) << name << " is never nearly reached: a bound of the wrong unit?";
+  }
+};
+
+struct Case {
+  PairMotion<double> rounded;
+  PairMotion<Exact> exact;
+};
+
+/// The library's scale of this motion: a power of two, found from one size.
+Exact scale_of(const PairMotion<double>& m, const PairMotion<Exact>& unscaled) {
+  const auto pick = [](const auto& v) { return std::array{v.at0.x, v.at0.y, v.at0.z, v.at1.x, v.at1.y, v.at1.z}; };
+  const auto scaled = pick(m.e);
+  const auto original = pick(unscaled.e);
+  for (std::size_t i = 0; i < scaled.size(); ++i)
+    if (original[i].value != 0) {
+      const double ratio = scaled[i] / original[i].value.get_d();
+      return Exact(std::ldexp(1.0, static_cast<int>(std::lround(std::log2(std::abs(ratio))))));
+    }
+  return Exact(1);
+}
+
+/// Calls `use` on many motions, whole and restricted, with vectors of very unequal sizes among them.
+template <class Use>
+void for_each_case(const Use& use) {
+  const long cases = repetitions("TAMIS_BOUND_CASES", 1500);
+  Random random(41);
+  for (long i = 0; i < cases; ++i) {
+    const PairKind kind = random.coin() ? PairKind::vertex_face : PairKind::edge_edge;
+    auto motion = kFamilies[random.coin() ? 0 : 3].make(kind, random);
+    if (random.coin()) motion = placed(motion, {"", 1, std::ldexp(1.0, random.below(20))});
+    Case c{make_motion(kind, to_points(motion)), exact_motion(kind, motion)};
+    c.exact = exact_motion(kind, motion, scale_of(c.rounded, c.exact));
+    if (random.coin()) {
+      const double a = random.unit(), b = random.unit(), from = std::min(a, b), to = std::max(a, b);
+      c.rounded = restrict_to(c.rounded, from, to);
+      c.exact = restrict_to(c.exact, Exact(from), Exact(to));
+    }
+    use(c);
+  }
+}
+
+TEST(ErrorBounds, InputVectorsAndTheirSums) {
+  Worst input;
+  for_each_case([&](const Case& c) {
+    const auto add = [&](const Moving<double>& v, const Moving<Exact>& truth, double size) {
+      const double bound = error_bounds::kInput * error_bounds::kUnitRoundoff * size;
+      input.add(v.at0.x, truth.at0.x, bound);
+      input.add(v.at1.z, truth.at1.z, bound);
+    };
+    add(c.rounded.d, c.exact.d, c.rounded.size_d);
+    add(c.rounded.e, c.exact.e, c.rounded.size_e);
+    add(c.rounded.f - c.rounded.e, c.exact.f - c.exact.e, c.rounded.size_e + c.rounded.size_f);
+  });
+  input.check("kInput");
+}
+
+TEST(ErrorBounds, CoplanarityPolynomial) {
+  Worst end, middle;
+  for_each_case([&](const Case& c) {
+    const auto k = coplanarity_polynomial(c.rounded.d, normal_polynomial(c.rounded.e, c.rounded.f));
+    const auto truth = coplanarity_polynomial(c.exact.d, normal_polynomial(c.exact.e, c.exact.f));
+    const double unit = c.rounded.size_d * c.rounded.size_e * c.rounded.size_f;
+    for (std::size_t i : {0, 3}) end.add(k[i], truth[i], error_bounds::kCoplanarityEnd * unit);
+    for (std::size_t i : {1, 2}) middle.add(k[i], truth[i], error_bounds::kCoplanarityMiddle * unit);
+  });
+  end.check("kCoplanarityEnd");
+  middle.check("kCoplanarityMiddle");
+}
+
+TEST(ErrorBounds, SidePolynomial) {
+  Worst end, next, middle;
+  for_each_case([&](const Case& c) {
+    const auto sides = [](const auto& m) {
+      return side_polynomial(m.d - m.e, edge_plane_polynomial(m.f - m.e, normal_polynomial(m.e, m.f)));
+    };
+    const auto s = sides(c.rounded);
+    const auto truth = sides(c.exact);
+    const auto& m = c.rounded;
+    const double unit = (m.size_d + m.size_e) * (m.size_e + m.size_f) * m.size_e * m.size_f;
+    for (std::size_t i : {0, 4}) end.add(s[i], truth[i], error_bounds::kSideEnd * unit);
+    for (std::size_t i : {1, 3}) next.add(s[i], truth[i], error_bounds::kSideNext * unit);
+    middle.add(s[2], truth[2], error_bounds::kSideMiddle * unit);
+  });
+  end.check("kSideEnd");
+  next.check("kSideNext");
+  middle.check("kSideMiddle");
+}
+
+TEST(ErrorBounds, ProjectionOnADiagonal) {
+  Worst projection;
+  for_each_case([&](const Case& c) {
+    const auto far_corner = [](const auto& m) {
+      return m.d.at1.x - m.d.at1.y + m.d.at1.z - (m.e.at1.x - m.e.at1.y + m.e.at1.z);
+    };
+    const double unit = c.rounded.size_d + c.rounded.size_e + c.rounded.size_f;
+    projection.add(far_corner(c.rounded), far_corner(c.exact), error_bounds::kProjection * unit);
+  });
+  projection.check("kProjection");
+}
+
+}  // namespace
+}  // namespace tamis::test

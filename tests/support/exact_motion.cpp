@@ -1,0 +1,17 @@
+#include "support/exact_motion.hpp"
+
+namespace tamis::test {
+
+PairMotion<Exact> exact_motion(PairKind kind, const oracle::Motion& motion, const Exact& scale) {
+  const auto vector = [&](const Point& to, const Point& from) {
+    return Vec3<Exact>{scale * (Exact(to[0]) - Exact(from[0])), scale * (Exact(to[1]) - Exact(from[1])),
+                       scale * (Exact(to[2]) - Exact(from[2]))};
+  };
+  const auto moving = [&](std::size_t to, std::size_t from) {
+    return Moving<Exact>{vector(motion.start[to], motion.start[from]), vector(motion.end[to], motion.end[from])};
+  };
+  if (kind == PairKind::vertex_face) return {moving(2, 1), moving(3, 1), moving(0, 1), {}, {}, {}};
+  return {moving(1, 0), moving(3, 2), moving(2, 0), {}, {}, {}};
+}
+
+}  // namespace tamis::test

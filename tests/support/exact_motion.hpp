@@ -1,0 +1,26 @@
+// The motion of a pair in exact rationals: the same templates as the library's, on a number type that never rounds.
+#pragma once
+#include <gmpxx.h>
+
+#include "motion/make_motion.hpp"
+#include "oracle/oracle.hpp"
+
+namespace tamis::test {
+
+/// mpq_class without expression templates, which the library's generic formulas could not name.
+struct Exact {
+  mpq_class value;
+  Exact(double x = 0) : value(x) {}
+  explicit Exact(mpq_class x) : value(std::move(x)) {}
+
+  friend Exact operator+(const Exact& a, const Exact& b) { return Exact(mpq_class(a.value + b.value)); }
+  friend Exact operator-(const Exact& a, const Exact& b) { return Exact(mpq_class(a.value - b.value)); }
+  friend Exact operator*(const Exact& a, const Exact& b) { return Exact(mpq_class(a.value * b.value)); }
+  friend Exact operator-(const Exact& a) { return Exact(mpq_class(-a.value)); }
+  friend bool operator==(const Exact& a, const Exact& b) { return a.value == b.value; }
+};
+
+/// The unrounded motion times `scale`; sizes are left zero.
+PairMotion<Exact> exact_motion(PairKind kind, const oracle::Motion& motion, const Exact& scale = 1.0);
+
+}  // namespace tamis::test

@@ -17,9 +17,11 @@ Vector cross(const Vector& a, const Vector& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
-/// The exponent of the last set bit of a double; that of 1 for zero.
+constexpr int kNoBits = 2000;
+
+/// The exponent of the last set bit of a double; above all of them for zero.
 int lowest_exponent(double x) {
-  if (x == 0) return 0;
+  if (x == 0) return kNoBits;
   int exponent = 0;
   const double fraction = std::frexp(x, &exponent);
   auto digits = static_cast<long long>(std::ldexp(fraction, 53));
@@ -52,6 +54,7 @@ IntegerMotion integer_motion(const Motion& motion, const Times& times, double se
     for (const Point& p : *points)
       for (double x : p) lowest = std::min(lowest, lowest_exponent(x));
   lowest_time = std::min(lowest_time, 0);
+  if (lowest == kNoBits) lowest = 0;
 
   IntegerMotion result;
   result.exponent = -lowest;

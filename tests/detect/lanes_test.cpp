@@ -1,0 +1,92 @@
+// The families of single pairs through a whole detector: many pairs in one mesh, all in one place, and a filter that
+// lets each meet its own partner only. So the boxes, the slab clip, the filters and the roots in SIMD lanes see every
+// degeneracy and every rounding trap that the tests of one pair see, with unlike neighbours in each block of lanes.
+// TAMIS_LANE_MESHES sets the number of meshes a family, placement and instruction set (long runs).
+#include <gtest/gtest.h>
+
+#include "support/contact_sets.hpp"
+#include "support/pair_cases.hpp"
+#include "support/test_data.hpp"
+#include "support/test_names.hpp"
+#include "tamis/detector.hpp"
+#include "tamis/error.hpp"
+
+namespace tamis::test {
+namespace {
+
+constexpr Index kPairs = 48;
+
+/// Pair i has the vertices 4 i .. 4 i + 3.
+struct PairsInOnePlace {
+  PairKind kind;
+  scenes::Scene scene;
+  std::vector<oracle::Motion> motions;
+  PairSet truth;
+
+  PairsInOnePlace(PairKind k, const Family& family, const Placement& placement, Random& random) : kind(k) {
+    for (Index i = 0; i < kPairs; ++i) {
+      motions.push_back(permuted(kind, placed(family.make(kind, random), placement), random));
+      for (std::size_t v = 0; v < 4; ++v) scene.add_vertex(motions.back().start[v], motions.back().end[v], i);
+      if (kind == PairKind::vertex_face) {
+        scene.loose_points.push_back(4 * i);
+        scene.faces.push_back({4 * i + 1, 4 * i + 2, 4 * i + 3});
+      } else {
+        scene.loose_edges.push_back({4 * i, 4 * i + 1});
+        scene.loose_edges.push_back({4 * i + 2, 4 * i + 3});
+      }
+      if (oracle::touches(kind, motions.back())) truth.insert(name(i));
+    }
+  }
+
+  PairName name(Index i) const { return {kind, {4 * i, 4 * i + 1, 4 * i + 2, 4 * i + 3}}; }
+};
+
+Options options_for(PairKind kind, Isa isa) {
+  Options options;
+  options.isa = isa;
+  options.filter.accepts = [kind](PairKind k, const std::array<Index, 4>& v) {
+    return k == kind && v[0] / 4 == v[1] / 4 && v[0] / 4 == v[2] / 4 && v[0] / 4 == v[3] / 4;
+  };
+  return options;
+}
+
+class Lanes : public testing::TestWithParam<Isa> {
+ protected:
+  static void check(const PairsInOnePlace& pairs, const Options& options) {
+    const auto contacts = find_contacts(pairs.scene, options);
+    const PairSet found = names_of(contacts);
+    for (Index i = 0; i < kPairs; ++i)
+      EXPECT_LE(pairs.truth.contains(pairs.name(i)), found.contains(pairs.name(i)))
+          << "missed " << describe(pairs.kind, pairs.motions[static_cast<std::size_t>(i)]);
+    for (const Contact& c : contacts) {
+      const oracle::Motion& m = pairs.motions[static_cast<std::size_t>(c.vertices[0] / 4)];
+      SCOPED_TRACE(describe(c.kind, m));
+      EXPECT_TRUE(c.certainty == Certainty::unresolved || oracle::touches(c.kind, m, {c.toi_lower, c.toi_upper}))
+          << "certified, but no contact in [" << c.toi_lower << ", " << c.toi_upper << "]";
+      EXPECT_FALSE(c.toi_lower > 0 && oracle::touches(c.kind, m, {0, c.toi_lower, true}))
+          << "contact before " << c.toi_lower;
+    }
+  }
+};
+
+TEST_P(Lanes, EveryFamilyAndPlacementMissesNothingAndKeepsItsBrackets) {
+  const long meshes = repetitions("TAMIS_LANE_MESHES", 1);
+  Random random(43);
+  try {
+    for (const Family& family : kFamilies)
+      for (const Placement& placement : kPlacements)
+        for (const PairKind kind : {PairKind::vertex_face, PairKind::edge_edge})
+          for (long i = 0; i < meshes && !HasFailure(); ++i) {
+            SCOPED_TRACE(std::string(family.name) + " " + std::string(placement.name));
+            check(PairsInOnePlace(kind, family, placement, random), options_for(kind, GetParam()));
+          }
+  } catch (const InvalidOptions& without_isa) {
+    GTEST_SKIP() << without_isa.what();
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Isas, Lanes, testing::Values(Isa::baseline, Isa::avx2, Isa::avx512),
+                         [](const testing::TestParamInfo<Isa>& isa) { return test_name(name_of(isa.param)); });
+
+}  // namespace
+}  // namespace tamis::test

@@ -74,7 +74,7 @@ TEST(ErrorBounds, InputVectorsAndTheirSums) {
   Worst input;
   for_each_case([&](const Case& c) {
     const auto add = [&](const Moving<double>& v, const Moving<Exact>& truth, double size) {
-      const double bound = error_bounds::kInput * error_bounds::kUnitRoundoff * size;
+      const double bound = error_bounds::bound(error_bounds::kInput, size);
       input.add(v.at0.x, truth.at0.x, bound);
       input.add(v.at1.z, truth.at1.z, bound);
     };
@@ -91,8 +91,9 @@ TEST(ErrorBounds, CoplanarityPolynomial) {
     const auto k = coplanarity_polynomial(c.rounded.d, normal_polynomial(c.rounded.e, c.rounded.f));
     const auto truth = coplanarity_polynomial(c.exact.d, normal_polynomial(c.exact.e, c.exact.f));
     const double unit = c.rounded.size_d * c.rounded.size_e * c.rounded.size_f;
-    for (std::size_t i : {0, 3}) end.add(k[i], truth[i], error_bounds::kCoplanarityEnd * unit);
-    for (std::size_t i : {1, 2}) middle.add(k[i], truth[i], error_bounds::kCoplanarityMiddle * unit);
+    for (std::size_t i : {0, 3}) end.add(k[i], truth[i], error_bounds::bound(error_bounds::kCoplanarityEnd, unit));
+    for (std::size_t i : {1, 2})
+      middle.add(k[i], truth[i], error_bounds::bound(error_bounds::kCoplanarityMiddle, unit));
   });
   end.check("kCoplanarityEnd");
   middle.check("kCoplanarityMiddle");
@@ -108,9 +109,9 @@ TEST(ErrorBounds, SidePolynomial) {
     const auto truth = sides(c.exact);
     const auto& m = c.rounded;
     const double unit = (m.size_d + m.size_e) * (m.size_e + m.size_f) * m.size_e * m.size_f;
-    for (std::size_t i : {0, 4}) end.add(s[i], truth[i], error_bounds::kSideEnd * unit);
-    for (std::size_t i : {1, 3}) next.add(s[i], truth[i], error_bounds::kSideNext * unit);
-    middle.add(s[2], truth[2], error_bounds::kSideMiddle * unit);
+    for (std::size_t i : {0, 4}) end.add(s[i], truth[i], error_bounds::bound(error_bounds::kSideEnd, unit));
+    for (std::size_t i : {1, 3}) next.add(s[i], truth[i], error_bounds::bound(error_bounds::kSideNext, unit));
+    middle.add(s[2], truth[2], error_bounds::bound(error_bounds::kSideMiddle, unit));
   });
   end.check("kSideEnd");
   next.check("kSideNext");
@@ -124,7 +125,7 @@ TEST(ErrorBounds, ProjectionOnADiagonal) {
       return m.d.at1.x - m.d.at1.y + m.d.at1.z - (m.e.at1.x - m.e.at1.y + m.e.at1.z);
     };
     const double unit = c.rounded.size_d + c.rounded.size_e + c.rounded.size_f;
-    projection.add(far_corner(c.rounded), far_corner(c.exact), error_bounds::kProjection * unit);
+    projection.add(far_corner(c.rounded), far_corner(c.exact), error_bounds::bound(error_bounds::kProjection, unit));
   });
   projection.check("kProjection");
 }

@@ -1,5 +1,6 @@
 #include "solve/decide.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "solve/closest.hpp"
@@ -11,13 +12,19 @@ namespace {
 
 bool is_finite(const PairMotion<double>& m) { return std::isfinite(m.size_e + m.size_f + m.size_d); }
 
+/// A face that meets the axes squarely is clipped to the very instant of contact, where no sign is certain any more.
+TimeInterval<double> widened(const TimeInterval<double>& time) {
+  constexpr double kRoom = 1.0 / 1024;
+  return {std::max(time.t_in - kRoom, 0.0), std::min(time.t_out + kRoom, 1.0)};
+}
+
 Decision decide_in_doubles(PairKind kind, const PairMotion<double>& m) {
   if (!is_finite(m)) return {Verdict::unsure, 0, 1};
   const TimeInterval<double> step{0, 1};
   const auto time = kind == PairKind::vertex_face ? SlabClip::clip<PairKind::vertex_face>(m, step)
                                                   : SlabClip::clip<PairKind::edge_edge>(m, step);
   if (time.t_in > time.t_out) return {};
-  return subdivide(kind, m, time);
+  return subdivide(kind, m, widened(time));
 }
 
 /// A unit vector along `v`, or if that vanishes one orthogonal to `w`.

@@ -1,0 +1,49 @@
+// One measurement of `tamis bench`: one question about one step, one way of answering it.
+#pragma once
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "cli/report.hpp"
+#include "tamis/detector.hpp"
+
+namespace tamis::cli {
+
+/// A mesh, and where it is at both ends of its step.
+struct BenchmarkCase {
+  std::string name;
+  Mesh mesh;
+  std::vector<Point> start, end;
+};
+
+struct BenchmarkSetup {
+  std::string question;  ///< contacts, earliest or free
+  std::string method;    ///< as choose_method() knows it
+  Options options;
+  int cold = 3;     ///< detectors made anew, each asked once
+  int warm_up = 1;  ///< questions to the last of them that are not counted
+  int repeat = 9;   ///< questions to it that are
+};
+
+struct BenchmarkResult {
+  Seconds cold, warm;               ///< wall clock, the run of median total
+  double cpu_cold = 0, cpu_warm = 0;  ///< seconds of processor time of the process, medians
+  /// The answer. For `contacts` the number and a fingerprint of the set, else the bracket, else 1 if free.
+  std::uint64_t contacts = 0, fingerprint = 0;
+  double toi_lower = 1, toi_upper = 1;
+  Statistics statistics;  ///< of the last run
+};
+
+/// The questions' names.
+const std::vector<std::string>& benchmark_questions();
+
+/// Throws InvalidOptions if there is no such question, method, or instruction set.
+BenchmarkResult measure(const BenchmarkCase& step, const BenchmarkSetup& setup);
+
+/// Do both say the same? A time may count only if they do.
+bool agree(const BenchmarkResult& a, const BenchmarkResult& b);
+
+/// One row of the table: flat, so that it is a row of a CSV file as well.
+Json row_of(const BenchmarkCase& step, double scale, const BenchmarkSetup& setup, const BenchmarkResult& result);
+
+}  // namespace tamis::cli

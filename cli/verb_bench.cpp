@@ -1,0 +1,187 @@
+// tamis bench: how long questions take, end to end, and whether every way of asking gives one answer.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+#include "cli/benchmark.hpp"
+#include "cli/step_files.hpp"
+#include "cli/verb.hpp"
+#include "io/atomic_file.hpp"
+#include "scenes/scene_list.hpp"
+#include "tamis/error.hpp"
+
+namespace tamis::cli {
+namespace {
+
+class Bench final : public Verb {
+ public:
+  const char* name() const override { return "bench"; }
+  const char* summary() const override { return "Times questions about a step, on files or on generated scenes"; }
+  const char* examples() const override {
+    return "  tamis bench cloth1.ply cloth2.ply --threads 1,2\n"
+           "  tamis bench cloth1.ply cloth2.ply --question contacts --method tamis,paper\n"
+           "  tamis bench cloth1.ply cloth2.ply --scale 1,2,3,10 --out steps.csv\n"
+           "  tamis bench --scene folded-cloth --triangles 10000,100000,1000000 --json\n\n"
+           "Every combination of the lists is a row. Cold: a new detector, which builds its hierarchy. Warm: one that\n"
+           "is kept and refits. All times are medians in seconds; reading files and making scenes is not in them.\n"
+           "Exit code 1: two rows of the same question and step differ in their answer.";
+  }
+  void declare(CLI::App& app) override {
+    app.add_option("START", start_, "the mesh at t=0: PLY or OBJ");
+    app.add_option("END", end_, "the same mesh at t=1");
+    declare_lists(app);
+    const CLI::Range runs(1, 1000000);
+    app.add_option("--cold", setup_.cold, "new detectors, each timed at its first question; default 3")->check(runs);
+    app.add_option("--warm-up", setup_.warm_up, "questions to the last of them that are not timed; default 1")
+        ->check(CLI::Range(0, 1000000));
+    app.add_option("--repeat", setup_.repeat, "questions to it that are timed; default 9")->check(runs);
+    declare_guarantee(app, guarantee_);
+    declare_min_separation(app, setup_.options.min_separation);
+    app.add_option("--seed", seed_, "of the generated scene; default 1")->type_name("S");
+    app.add_option("--out", out_, "write the rows to a CSV file")->type_name("FILE.csv");
+    declare_json(app, json_);
+  }
+
+  int run() override {
+    check();
+    for (const Index triangles : scene_.empty() ? std::vector<Index>{0} : triangles_) {
+      BenchmarkCase step = scene_.empty() ? from_files() : from_scene(triangles);
+      const std::vector<Point> end = step.end;
+      for (const double scale : scales_) {
+        step.end = end;
+        scale_step(step.start, step.end, scale);
+        measure_all(step, scale);
+      }
+    }
+    if (!out_.empty()) write_csv();
+    if (json_) print_json({{"rows", rows_}, {"answers_agree", agree_}});
+    return agree_ ? kSuccess : kNo;
+  }
+
+ private:
+  void declare_lists(CLI::App& app) {
+    std::string scenes;
+    for (const scenes::Recipe& recipe : scenes::recipes())
+      if (recipe.scales) scenes += fmt::format("{}{}", scenes.empty() ? "" : ", ", recipe.name);
+    app.add_option("--scene", scene_, "a generated scene instead of files: " + scenes)->type_name("NAME");
+    app.add_option("--triangles", triangles_, "its sizes; default 100000")
+        ->delimiter(',')
+        ->check(CLI::Range(1, 100'000'000));
+    app.add_option("--question", questions_, "contacts, earliest, free; default all three")->delimiter(',');
+    app.add_option("--method", methods_, "tamis (default), paper, brute, or one of the paper's competitors")
+        ->delimiter(',');
+    app.add_option("--threads", threads_, "numbers of threads; 0: all; default 1")
+        ->delimiter(',')
+        ->check(CLI::Range(0, 1024));
+    app.add_option("--isa", isas_, "best (default), baseline, avx2, avx512")->delimiter(',');
+    app.add_option("--scale", scales_, "how much of the way from START to END; default 1")->delimiter(',');
+  }
+
+  /// Everything that can be wrong, before the first second is spent.
+  void check() {
+    require_distance(setup_.options.min_separation);
+    setup_.options.guarantee = guarantee_from_name(guarantee_);
+    for (const std::string& isa : isas_) isa_from_name(isa);
+    for (const std::string& method : methods_) {
+      Options options;
+      choose_method(options, method);
+    }
+    const auto& known = benchmark_questions();
+    for (const std::string& question : questions_)
+      if (std::find(known.begin(), known.end(), question) == known.end())
+        throw InvalidOptions(
+            fmt::format("there is no question '{}': choose one of {}", question, fmt::join(known, ", ")));
+    for (const double scale : scales_)
+      if (!(scale >= 0)) throw InvalidOptions("--scale must be numbers >= 0: correct it");
+    const bool has_files = !start_.empty() && !end_.empty();
+    if (has_files == !scene_.empty() || start_.empty() != end_.empty())
+      throw InvalidOptions("give either START and END or --scene");
+    if (!out_.empty()) io::require_writable(out_);
+  }
+
+  BenchmarkCase from_files() const {
+    StepFiles files = read_step(start_, end_, 1);
+    return {std::filesystem::path(start_).stem().string(), std::move(files.mesh), std::move(files.start),
+            std::move(files.end)};
+  }
+
+  BenchmarkCase from_scene(Index triangles) const {
+    scenes::Scene scene = scenes::scene_by_name(scene_, triangles, seed_);
+    Mesh mesh = scene.mesh();
+    return {scene_, std::move(mesh), std::move(scene.start), std::move(scene.end)};
+  }
+
+  void measure_all(const BenchmarkCase& step, double scale) {
+    for (const std::string& question : questions_) {
+      std::optional<BenchmarkResult> first;
+      for (const std::string& method : methods_)
+        for (const std::string& isa : isas_)
+          for (const int threads : threads_) {
+            setup_.question = question;
+            setup_.method = method;
+            setup_.options.isa = isa_from_name(isa);
+            setup_.options.threads = threads;
+            const BenchmarkResult result = measure(step, setup_);
+            if (!first) first = result;
+            add_row(row_of(step, scale, setup_, result), agree(*first, result));
+          }
+    }
+  }
+
+  void add_row(Json row, bool is_same) {
+    row["agrees"] = is_same;
+    agree_ = agree_ && is_same;
+    if (!json_) print_row(row);
+    rows_.push_back(std::move(row));
+  }
+
+  void print_row(const Json& row) const {
+    if (rows_.empty())
+      fmt::print("{:<18} {:>10} {:>5} {:<9} {:<8} {:<8} {:>2} {:>10} {:>10} {:>10} {:>9}\n", "scene", "triangles",
+                 "scale", "question", "method", "isa", "T", "cold", "warm", "cpu warm", "contacts");
+    fmt::print("{:<18} {:>10} {:>5} {:<9} {:<8} {:<8} {:>2} {:>10} {:>10} {:>10} {:>9}{}\n",
+               row["scene"].get<std::string>(), grouped(row["triangles"]), row["scale"].get<double>(),
+               row["question"].get<std::string>(), row["method"].get<std::string>(), row["isa"].get<std::string>(),
+               row["threads"].get<int>(), readable(row["seconds_cold"]), readable(row["seconds"]), readable(row["cpu"]),
+               grouped(row["contacts"]), row["agrees"].get<bool>() ? "" : "  DIFFERS from the first answer");
+    std::fflush(stdout);
+  }
+
+  void write_csv() const {
+    std::string text;
+    for (const auto& [key, value] : rows_.front().items()) text += (text.empty() ? "" : ",") + key;
+    text += '\n';
+    for (const Json& row : rows_) {
+      std::string line;
+      for (const auto& [key, value] : row.items())
+        line += (line.empty() ? "" : ",") + (value.is_string() ? value.get<std::string>() : value.dump());
+      text += line + '\n';
+    }
+    io::AtomicFile file(out_);
+    file.append(text);
+    file.commit();
+  }
+
+  BenchmarkSetup setup_;
+  std::string start_, end_, scene_, out_;
+  std::string guarantee_ = "conservative";
+  std::vector<Index> triangles_{100000};
+  std::vector<std::string> questions_ = benchmark_questions();
+  std::vector<std::string> methods_{"tamis"}, isas_{"best"};
+  std::vector<int> threads_{1};
+  std::vector<double> scales_{1};
+  std::uint64_t seed_ = 1;
+  bool json_ = false;
+  bool agree_ = true;
+  Json rows_ = Json::array();
+};
+
+}  // namespace
+
+std::unique_ptr<Verb> make_bench() { return std::make_unique<Bench>(); }
+
+}  // namespace tamis::cli

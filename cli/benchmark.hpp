@@ -26,7 +26,7 @@ struct BenchmarkSetup {
 };
 
 struct BenchmarkResult {
-  Seconds cold, warm;               ///< wall clock, the run of median total
+  Seconds cold, warm;                 ///< wall clock, the run of median total
   double cpu_cold = 0, cpu_warm = 0;  ///< seconds of processor time of the process, medians
   /// The answer. For `contacts` the number and a fingerprint of the set, else the bracket, else 1 if free.
   std::uint64_t contacts = 0, fingerprint = 0;

@@ -2,11 +2,13 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <optional>
 
+#include "cli/arguments.hpp"
 #include "cli/benchmark.hpp"
 #include "cli/step_files.hpp"
 #include "cli/verb.hpp"

@@ -154,14 +154,13 @@ class Bench final : public Verb {
   }
 
   void write_csv() const {
-    std::string text;
-    for (const auto& [key, value] : rows_.front().items()) text += (text.empty() ? "" : ",") + key;
-    text += '\n';
+    std::vector<std::string> cells;
+    for (const auto& [key, value] : rows_.front().items()) cells.push_back(key);
+    std::string text = fmt::format("{}\n", fmt::join(cells, ","));
     for (const Json& row : rows_) {
-      std::string line;
-      for (const auto& [key, value] : row.items())
-        line += (line.empty() ? "" : ",") + (value.is_string() ? value.get<std::string>() : value.dump());
-      text += line + '\n';
+      cells.clear();
+      for (const Json& value : row) cells.push_back(value.is_string() ? value.get<std::string>() : value.dump());
+      text += fmt::format("{}\n", fmt::join(cells, ","));
     }
     io::AtomicFile file(out_);
     file.append(text);

@@ -1,0 +1,77 @@
+// What every contender is given and what it hands back. Its answer is compared before its time counts.
+#pragma once
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <unordered_set>
+#include <vector>
+
+#include "tamis/contact.hpp"
+#include "tamis/mesh.hpp"
+#include "tamis/step.hpp"
+
+namespace tamis::bench {
+
+/// Vertices as in Contact.
+struct Pair {
+  PairKind kind;
+  std::array<Index, 4> vertices;
+
+  bool operator==(const Pair&) const = default;
+};
+
+std::uint64_t hash_of(const Pair& pair);
+struct PairHash {
+  std::size_t operator()(const Pair& pair) const { return hash_of(pair); }
+};
+using PairSet = std::unordered_set<Pair, PairHash>;
+
+struct VertexFace {
+  Index vertex, face;
+};
+
+/// The step that all work on, and its exact answer.
+struct Task {
+  Mesh mesh;
+  std::vector<Point> start, end;
+  PairSet contacts;                                ///< every pair that touches, by exact algebra
+  std::vector<Pair> candidates;                    ///< every pair without a common vertex whose swept boxes meet
+  std::vector<VertexFace> vertex_face_candidates;  ///< those of vertex and face, in their order there
+  int threads = 1;
+};
+
+struct Answer {
+  std::uint64_t vf = 0, ee = 0;  ///< pairs handed out: candidates of a broad phase, contacts of all others
+  std::uint64_t missed = 0;      ///< true contacts (of the kinds it knows) that are not among them
+  std::uint64_t extra = 0;       ///< pairs that are neither contacts nor, for a broad phase, swept boxes that meet
+  std::string note;
+};
+
+enum class Field : std::uint8_t { broad_phase, one_pair, all_contacts, largest_step };
+
+/// The answer of one who decides pairs of the kinds named.
+Answer compare(const Task& task, const std::vector<Pair>& touching, bool knows_vf, bool knows_ee);
+
+/// One program in the comparison.
+class Contender {
+ public:
+  virtual ~Contender() = default;
+  virtual std::string name() const = 0;
+  virtual Field field() const = 0;
+  /// The timed part; keeps what `answer` needs. Returns the seconds that count, or 0 if that is the whole call.
+  virtual double run(const Task& task) = 0;
+  /// Of the last run; not timed.
+  virtual Answer answer(const Task& task) = 0;
+};
+
+using Contenders = std::vector<std::unique_ptr<Contender>>;
+/// Each adds its contenders; those whose package was not found at build time are not compiled.
+void add_tamis(Contenders& list);
+void add_embree(Contenders& list);
+void add_cgal(Contenders& list);
+void add_bullet(Contenders& list);
+void add_ipc_toolkit(Contenders& list);
+void add_tight_inclusion(Contenders& list);
+
+}  // namespace tamis::bench

@@ -1,0 +1,130 @@
+// Tamis itself, its method `paper`, and its decision of one pair.
+#include <fmt/format.h>
+
+#include "bench/contenders/contender.hpp"
+#include "tamis/detector.hpp"
+#include "tamis/pair.hpp"
+
+namespace tamis::bench {
+namespace {
+
+Pair pair_of(const Contact& contact) { return {contact.kind, contact.vertices}; }
+
+/// A detector that is made anew in every run (cold), or kept and refitted (warm).
+class Asked : public Contender {
+ public:
+  Asked(std::string method, bool is_warm) : method_(std::move(method)), is_warm_(is_warm) {}
+  std::string name() const override { return method_ + (is_warm_ ? ", warm" : ", cold"); }
+
+ protected:
+  Detector& detector(const Task& task) {
+    if (!detector_ || !is_warm_ || threads_ != task.threads) {
+      Options options;
+      choose_method(options, method_);
+      options.threads = threads_ = task.threads;
+      detector_ = std::make_unique<Detector>(task.mesh, options);
+    }
+    return *detector_;
+  }
+  const Statistics& statistics() const { return detector_->statistics(); }
+
+ private:
+  std::string method_;
+  bool is_warm_;
+  int threads_ = 0;
+  std::unique_ptr<Detector> detector_;
+};
+
+class AllContacts final : public Asked {
+ public:
+  using Asked::Asked;
+  Field field() const override { return Field::all_contacts; }
+  double run(const Task& task) override {
+    contacts_ = &detector(task).contacts({task.start, task.end});
+    return statistics().seconds.total;
+  }
+  Answer answer(const Task& task) override {
+    std::vector<Pair> pairs;
+    for (const Contact& contact : *contacts_) pairs.push_back(pair_of(contact));
+    return compare(task, pairs, true, true);
+  }
+
+ private:
+  const std::vector<Contact>* contacts_ = nullptr;
+};
+
+class LargestStep final : public Asked {
+ public:
+  using Asked::Asked;
+  Field field() const override { return Field::largest_step; }
+  double run(const Task& task) override {
+    first_ = detector(task).earliest({task.start, task.end});
+    return statistics().seconds.total;
+  }
+  Answer answer(const Task&) override { return {0, 0, 0, 0, fmt::format("step {:.10g}", first_.toi_lower)}; }
+
+ private:
+  EarliestContact first_;
+};
+
+/// Boxes, build and search of a run for all contacts: what in Tamis stands where a broad phase stands elsewhere. Its
+/// boxes move, so it hands on fewer pairs than swept boxes do; that they hold every contact is seen from the contacts.
+class BroadPhase final : public Asked {
+ public:
+  using Asked::Asked;
+  std::string name() const override { return Asked::name() + ": boxes, build, search"; }
+  Field field() const override { return Field::broad_phase; }
+  double run(const Task& task) override {
+    contacts_ = detector(task).contacts({task.start, task.end}).size();
+    const Seconds& seconds = statistics().seconds;
+    return seconds.bounds + seconds.build + seconds.traverse;
+  }
+  Answer answer(const Task& task) override {
+    const StageCount& boxes = statistics().stages.front();
+    return {boxes.vf, boxes.ee, task.contacts.size() > contacts_ ? task.contacts.size() - contacts_ : 0, 0,
+            "moving boxes: a subset"};
+  }
+
+ private:
+  std::size_t contacts_ = 0;
+};
+
+class OnePair final : public Contender {
+ public:
+  explicit OnePair(Guarantee guarantee) : options_{guarantee, 0} {}
+  std::string name() const override { return fmt::format("tamis one pair, {}", name_of(options_.guarantee)); }
+  Field field() const override { return Field::one_pair; }
+  double run(const Task& task) override {
+    touching_.clear();
+    for (const Pair& pair : task.candidates) {
+      std::array<Point, 4> start, end;
+      for (std::size_t i = 0; i < 4; ++i) {
+        start[i] = task.start[static_cast<std::size_t>(pair.vertices[i])];
+        end[i] = task.end[static_cast<std::size_t>(pair.vertices[i])];
+      }
+      const bool is_vf = pair.kind == PairKind::vertex_face;
+      if ((is_vf ? vertex_face(start, end, options_) : edge_edge(start, end, options_)).touches)
+        touching_.push_back(pair);
+    }
+    return 0;
+  }
+  Answer answer(const Task& task) override { return compare(task, touching_, true, true); }
+
+ private:
+  PairOptions options_;
+  std::vector<Pair> touching_;
+};
+
+}  // namespace
+
+void add_tamis(Contenders& list) {
+  for (const bool is_warm : {false, true}) {
+    list.push_back(std::make_unique<BroadPhase>("tamis", is_warm));
+    list.push_back(std::make_unique<AllContacts>("tamis", is_warm));
+    list.push_back(std::make_unique<AllContacts>("paper", is_warm));
+    list.push_back(std::make_unique<LargestStep>("tamis", is_warm));
+  }
+  list.push_back(std::make_unique<OnePair>(Guarantee::conservative));
+}
+
+}  // namespace tamis::bench

@@ -19,7 +19,8 @@ class Bullet final : public Contender {
   std::string name() const override { return "Bullet bernsteinCCD"; }
   Field field() const override { return Field::one_pair; }
 
-  double run(const Task& task) override {
+  Cost run(const Task& task) override {
+    const Stopwatch watch;
     prepare(task);
     touching_.clear();
     btVector3 weights;
@@ -27,7 +28,7 @@ class Bullet final : public Contender {
       if (bernsteinCCD(&faces_[static_cast<std::size_t>(pair.face)], &nodes_[static_cast<std::size_t>(pair.vertex)], 1,
                        SAFE_EPSILON, weights))
         touching_.push_back(pair);
-    return 0;
+    return watch.cost();
   }
 
   Answer answer(const Task& task) override {

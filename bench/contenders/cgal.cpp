@@ -22,7 +22,8 @@ class Cgal final : public Contender {
  public:
   std::string name() const override { return "CGAL box_intersection_d"; }
   Field field() const override { return Field::broad_phase; }
-  double run(const Task& task) override {
+  Cost run(const Task& task) override {
+    const Stopwatch watch;
     counter_ = std::make_unique<PairCounter>(task);
     swept_.compute(task);
     auto points = boxes_of(swept_.points), edges = boxes_of(swept_.edges), faces = boxes_of(swept_.faces);
@@ -33,7 +34,7 @@ class Cgal final : public Contender {
                                   [&](const Box& a, const Box& b) { counter_->add_ee(a.info(), b.info(), ee); });
     counter_->commit(PairKind::vertex_face, vf);
     counter_->commit(PairKind::edge_edge, ee);
-    return 0;
+    return watch.cost();
   }
   Answer answer(const Task& task) override { return counter_->answer(task); }
 

@@ -7,6 +7,7 @@
 #include <unordered_set>
 #include <vector>
 
+#include "bench/contenders/stopwatch.hpp"
 #include "tamis/contact.hpp"
 #include "tamis/mesh.hpp"
 #include "tamis/step.hpp"
@@ -59,8 +60,8 @@ class Contender {
   virtual ~Contender() = default;
   virtual std::string name() const = 0;
   virtual Field field() const = 0;
-  /// The timed part; keeps what `answer` needs. Returns the seconds that count, or 0 if that is the whole call.
-  virtual double run(const Task& task) = 0;
+  /// Does the work, keeps what `answer` needs, and returns the cost of what counts.
+  virtual Cost run(const Task& task) = 0;
   /// Of the last run; not timed.
   virtual Answer answer(const Task& task) = 0;
 };

@@ -68,14 +68,15 @@ class Embree final : public Contender {
   }
   std::string name() const override { return "Embree rtcCollide"; }
   Field field() const override { return Field::broad_phase; }
-  double run(const Task& task) override {
+  Cost run(const Task& task) override {
+    const Stopwatch watch;
     if (device_ == nullptr) device_ = rtcNewDevice(nullptr);
     counter_ = std::make_unique<PairCounter>(task);
     boxes_.compute(task);
     const BoxScene points(device_, boxes_.points), edges(device_, boxes_.edges), faces(device_, boxes_.faces);
     rtcCollide(points.get(), faces.get(), count_vf, counter_.get());
     rtcCollide(edges.get(), edges.get(), count_ee, counter_.get());
-    return 0;
+    return watch.cost();
   }
   Answer answer(const Task& task) override { return counter_->answer(task); }
 

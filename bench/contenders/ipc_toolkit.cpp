@@ -31,7 +31,8 @@ class IpcToolkit final : public Contender {
  public:
   std::string name() const override { return "ipc-toolkit"; }
   Field field() const override { return Field::largest_step; }
-  double run(const Task& task) override {
+  Cost run(const Task& task) override {
+    const Stopwatch watch;
     if (!mesh_) {
       start_ = positions_of(task.start);
       end_ = positions_of(task.end);
@@ -39,7 +40,7 @@ class IpcToolkit final : public Contender {
                                                    indices_of(task.mesh.faces(), 3));
     }
     step_ = ipc::compute_collision_free_stepsize(*mesh_, start_, end_);
-    return 0;
+    return watch.cost();
   }
   Answer answer(const Task&) override { return {0, 0, 0, 0, fmt::format("step {:.10g}", step_)}; }
 

@@ -5,7 +5,6 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <chrono>
 #include <nlohmann/json.hpp>
 
 #include "bench/contenders/swept_boxes.hpp"
@@ -50,17 +49,19 @@ const char* title_of(Field field) {
   }
 }
 
-double median_seconds(Contender& contender, const Task& task, int repeat) {
-  using Clock = std::chrono::steady_clock;
-  std::vector<double> runs;
-  for (int i = 0; i <= repeat; ++i) {
-    const auto start = Clock::now();
-    const double own = contender.run(task);
-    runs.push_back(own > 0 ? own : std::chrono::duration<double>(Clock::now() - start).count());
+Cost median_cost(Contender& contender, const Task& task, int repeat) {
+  std::vector<double> seconds, cpu;
+  contender.run(task);  // warms caches and the detectors that are kept
+  for (int i = 0; i < repeat; ++i) {
+    const Cost cost = contender.run(task);
+    seconds.push_back(cost.seconds);
+    cpu.push_back(cost.cpu);
   }
-  runs.erase(runs.begin());  // the first run warms caches and kept detectors
-  std::nth_element(runs.begin(), runs.begin() + repeat / 2, runs.end());
-  return runs[static_cast<std::size_t>(repeat / 2)];
+  const auto median = [repeat](std::vector<double>& values) {
+    std::nth_element(values.begin(), values.begin() + repeat / 2, values.end());
+    return values[static_cast<std::size_t>(repeat / 2)];
+  };
+  return {median(seconds), median(cpu)};
 }
 
 Contenders all_contenders() {
@@ -81,12 +82,13 @@ struct Arguments {
 };
 
 Json row_of(Contender& contender, const Task& task, int repeat) {
-  const double seconds = median_seconds(contender, task, repeat);
+  const Cost cost = median_cost(contender, task, repeat);
   const Answer answer = contender.answer(task);
   return {{"field", title_of(contender.field())},
           {"name", contender.name()},
           {"threads", task.threads},
-          {"seconds", seconds},
+          {"seconds", cost.seconds},
+          {"cpu", cost.cpu},
           {"vf", answer.vf},
           {"ee", answer.ee},
           {"missed", answer.missed},
@@ -97,13 +99,13 @@ Json row_of(Contender& contender, const Task& task, int repeat) {
 void print_row(const Json& row, std::string& title) {
   if (title != row["field"]) {
     title = row["field"];
-    fmt::print("\n{}\n{:<42} {:>2} {:>10} {:>10} {:>10} {:>8} {:>8}\n", title, "", "T", "ms", "vf", "ee", "missed",
-               "extra");
+    fmt::print("\n{}\n{:<42} {:>2} {:>10} {:>10} {:>10} {:>10} {:>8} {:>8}\n", title, "", "T", "ms", "cpu ms", "vf",
+               "ee", "missed", "extra");
   }
-  fmt::print("{:<42} {:>2} {:>10.2f} {:>10} {:>10} {:>8} {:>8}  {}\n", row["name"].get<std::string>(),
-             row["threads"].get<int>(), 1e3 * row["seconds"].get<double>(), row["vf"].get<std::uint64_t>(),
-             row["ee"].get<std::uint64_t>(), row["missed"].get<std::uint64_t>(), row["extra"].get<std::uint64_t>(),
-             row["note"].get<std::string>());
+  fmt::print("{:<42} {:>2} {:>10.2f} {:>10.2f} {:>10} {:>10} {:>8} {:>8}  {}\n", row["name"].get<std::string>(),
+             row["threads"].get<int>(), 1e3 * row["seconds"].get<double>(), 1e3 * row["cpu"].get<double>(),
+             row["vf"].get<std::uint64_t>(), row["ee"].get<std::uint64_t>(), row["missed"].get<std::uint64_t>(),
+             row["extra"].get<std::uint64_t>(), row["note"].get<std::string>());
   std::fflush(stdout);
 }
 

@@ -39,9 +39,11 @@ class AllContacts final : public Asked {
  public:
   using Asked::Asked;
   Field field() const override { return Field::all_contacts; }
-  double run(const Task& task) override {
-    contacts_ = &detector(task).contacts({task.start, task.end});
-    return statistics().seconds.total;
+  Cost run(const Task& task) override {
+    Detector& asked = detector(task);
+    const Stopwatch watch;
+    contacts_ = &asked.contacts({task.start, task.end});
+    return watch.cost();
   }
   Answer answer(const Task& task) override {
     std::vector<Pair> pairs;
@@ -57,9 +59,11 @@ class LargestStep final : public Asked {
  public:
   using Asked::Asked;
   Field field() const override { return Field::largest_step; }
-  double run(const Task& task) override {
-    first_ = detector(task).earliest({task.start, task.end});
-    return statistics().seconds.total;
+  Cost run(const Task& task) override {
+    Detector& asked = detector(task);
+    const Stopwatch watch;
+    first_ = asked.earliest({task.start, task.end});
+    return watch.cost();
   }
   Answer answer(const Task&) override { return {0, 0, 0, 0, fmt::format("step {:.10g}", first_.toi_lower)}; }
 
@@ -74,10 +78,14 @@ class BroadPhase final : public Asked {
   using Asked::Asked;
   std::string name() const override { return Asked::name() + ": boxes, build, search"; }
   Field field() const override { return Field::broad_phase; }
-  double run(const Task& task) override {
-    contacts_ = detector(task).contacts({task.start, task.end}).size();
+  Cost run(const Task& task) override {
+    Detector& asked = detector(task);
+    const Stopwatch watch;
+    contacts_ = asked.contacts({task.start, task.end}).size();
+    const Cost whole = watch.cost();
     const Seconds& seconds = statistics().seconds;
-    return seconds.bounds + seconds.build + seconds.traverse;
+    const double part = seconds.bounds + seconds.build + seconds.traverse;
+    return {part, whole.cpu * part / seconds.total};
   }
   Answer answer(const Task& task) override {
     const StageCount& boxes = statistics().stages.front();
@@ -94,7 +102,8 @@ class OnePair final : public Contender {
   explicit OnePair(Guarantee guarantee) : options_{guarantee, 0} {}
   std::string name() const override { return fmt::format("tamis one pair, {}", name_of(options_.guarantee)); }
   Field field() const override { return Field::one_pair; }
-  double run(const Task& task) override {
+  Cost run(const Task& task) override {
+    const Stopwatch watch;
     touching_.clear();
     for (const Pair& pair : task.candidates) {
       std::array<Point, 4> start, end;
@@ -106,7 +115,7 @@ class OnePair final : public Contender {
       if ((is_vf ? vertex_face(start, end, options_) : edge_edge(start, end, options_)).touches)
         touching_.push_back(pair);
     }
-    return 0;
+    return watch.cost();
   }
   Answer answer(const Task& task) override { return compare(task, touching_, true, true); }
 

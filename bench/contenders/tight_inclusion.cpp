@@ -33,11 +33,12 @@ class TightInclusion final : public Contender {
  public:
   std::string name() const override { return "Tight-Inclusion"; }
   Field field() const override { return Field::one_pair; }
-  double run(const Task& task) override {
+  Cost run(const Task& task) override {
+    const Stopwatch watch;
     touching_.clear();
     for (const Pair& pair : task.candidates)
       if (touches(task, pair)) touching_.push_back(pair);
-    return 0;
+    return watch.cost();
   }
   Answer answer(const Task& task) override { return compare(task, touching_, true, true); }
 

@@ -1,0 +1,157 @@
+// tamis_stages: each stage of the default method, each filter, and one pair, alone. `--benchmark_filter=search` picks.
+#include <benchmark/benchmark.h>
+
+#include "bench/stages/workload.hpp"
+#include "filters/filters.hpp"
+#include "tamis/pair.hpp"
+
+namespace tamis::bench {
+namespace {
+
+using State = benchmark::State;
+
+constexpr std::size_t kMostPairs = 100'000;
+
+const char* name_of(PairKind kind) { return kind == PairKind::vertex_face ? "vf" : "ee"; }
+
+void pairs_per_second(State& state, std::size_t pairs) {
+  state.counters["pairs"] = static_cast<double>(pairs);
+  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(pairs));
+}
+
+template <class Run>
+void add(const Workload& work, const std::string& what, const Run& run) {
+  benchmark::RegisterBenchmark((what + "/" + work.name()).c_str(), run)->Unit(benchmark::kMicrosecond);
+}
+
+void add_trees(Workload& work) {
+  add(work, "bounds", [&work](State& state) {
+    PackedMotion motion;
+    for (auto _ : state) motion.assign(work.step(), work.mesh().points(), 0);
+  });
+  add(work, "order_and_build", [&work](State& state) {
+    for (auto _ : state)
+      for (BlockTree* tree : work.trees()) tree->build(work.motion());
+  });
+  add(work, "refit", [&work](State& state) {
+    for (auto _ : state)
+      for (BlockTree* tree : work.trees()) tree->refit(work.motion());
+  });
+}
+
+void add_search(const Workload& work, PairKind kind) {
+  add(work, std::string("search_") + name_of(kind), [&work, kind](State& state) {
+    std::size_t pairs = 0;
+    for (auto _ : state) {
+      pairs = 0;
+      work.search(kind, [&](PairBuffer& found) {
+        pairs += static_cast<std::size_t>(found.count);
+        found.count = 0;
+      });
+    }
+    pairs_per_second(state, pairs);
+  });
+}
+
+/// A stage that takes a buffer: `run(buffer)`.
+template <class Run>
+void add_stage(const Workload& work, const std::string& what, const Buffers& buffers, const Run& run) {
+  add(work, what, [&buffers, run](State& state) {
+    std::size_t pairs = 0;
+    for (const auto& buffer : buffers) pairs += static_cast<std::size_t>(buffer->count);
+    for (auto _ : state)
+      for (const auto& buffer : buffers) run(*buffer);
+    pairs_per_second(state, pairs);
+  });
+}
+
+void add_stages(const Workload& work, PairKind kind) {
+  struct Scratch {
+    PairBuffer out, rest;
+    SolvedPair solved[PairBuffer::kCapacity];
+  };
+  const auto scratch = std::make_shared<Scratch>();
+  const bool is_vf = kind == PairKind::vertex_face;
+  const Kernels& k = work.kernels();
+  const PackedVertex* vertices = work.motion().vertices.data();
+  const auto slab = is_vf ? k.slab_vf : k.slab_ee;
+  const auto filter = is_vf ? k.filter_vf : k.filter_ee;
+  const auto solve = is_vf ? k.solve_vf : k.solve_ee;
+  const StageInputs& inputs = work.inputs(kind);
+  add_stage(work, std::string("slab_") + name_of(kind), inputs.slab, [=](const PairBuffer& in) {
+    scratch->out.count = 0;
+    slab(vertices, in, scratch->out);
+  });
+  add_stage(work, std::string("dnf_ncf_") + name_of(kind), inputs.filter, [=](const PairBuffer& in) {
+    scratch->out.count = 0;
+    filter(vertices, in, scratch->out);
+  });
+  add_stage(work, std::string("solve_in_lanes_") + name_of(kind), inputs.solve, [=](const PairBuffer& in) {
+    benchmark::DoNotOptimize(solve(vertices, in, scratch->rest, scratch->solved));
+  });
+}
+
+void add_filters(const Workload& work, PairKind kind) {
+  const auto motions =
+      std::make_shared<std::vector<PairMotion<double>>>(work.motions(kind, work.inputs(kind).slab, kMostPairs));
+  for (const FilterStage& filter : filter_stages()) {
+    const std::string what = "filter_" + std::string(filter.name) + "_" + name_of(kind);
+    add(work, what, [motions, &filter, kind](State& state) {
+      constexpr std::size_t kAtOnce = 1024;
+      std::vector<std::uint16_t> alive(kAtOnce);
+      std::size_t left = 0;
+      for (auto _ : state) {
+        left = 0;
+        for (std::size_t first = 0; first < motions->size(); first += kAtOnce) {
+          alive.resize(std::min(kAtOnce, motions->size() - first));
+          for (std::size_t i = 0; i < alive.size(); ++i) alive[i] = static_cast<std::uint16_t>(i);
+          left += (kind == PairKind::vertex_face ? filter.vf : filter.ee)(motions->data() + first, alive);
+        }
+      }
+      pairs_per_second(state, motions->size());
+      state.counters["left"] =
+          static_cast<double>(left) / static_cast<double>(std::max<std::size_t>(1, motions->size()));
+    });
+  }
+}
+
+/// The pairs that reach the solver, one by one: most of them touch.
+void add_one_pair(const Workload& work, PairKind kind, Guarantee guarantee) {
+  const auto pairs = std::make_shared<std::vector<PairPoints>>(work.points(work.inputs(kind).solve, kMostPairs));
+  const std::string what = "one_pair_" + std::string(tamis::name_of(guarantee)) + "_" + name_of(kind);
+  add(work, what, [pairs, kind, guarantee](State& state) {
+    const PairOptions options{guarantee, 0};
+    std::size_t touching = 0;
+    for (auto _ : state) {
+      touching = 0;
+      for (const PairPoints& p : *pairs)
+        touching +=
+            (kind == PairKind::vertex_face ? vertex_face(p.start, p.end, options) : edge_edge(p.start, p.end, options))
+                    .touches
+                ? 1
+                : 0;
+    }
+    pairs_per_second(state, pairs->size());
+    state.counters["touching"] = static_cast<double>(touching);
+  });
+}
+
+}  // namespace
+}  // namespace tamis::bench
+
+int main(int argc, char** argv) {
+  using namespace tamis;
+  benchmark::Initialize(&argc, argv);
+  const auto workloads = bench::make_workloads();
+  for (const auto& work : workloads) {
+    bench::add_trees(*work);
+    for (const PairKind kind : {PairKind::vertex_face, PairKind::edge_edge}) {
+      bench::add_search(*work, kind);
+      bench::add_stages(*work, kind);
+      bench::add_filters(*work, kind);
+      for (const Guarantee guarantee : {Guarantee::conservative, Guarantee::exact})
+        bench::add_one_pair(*work, kind, guarantee);
+    }
+  }
+  benchmark::RunSpecifiedBenchmarks();
+}

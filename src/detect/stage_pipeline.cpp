@@ -37,8 +37,9 @@ PipelineCounts& PipelineCounts::operator+=(const PipelineCounts& other) {
   return *this;
 }
 
-void PipelineCounts::report(Statistics& statistics, double wall) const {
+void PipelineCounts::report(Statistics& statistics, double wall, bool has_filters) const {
   statistics.stages = {boxes, slab, dnf, ncf, solve};
+  if (!has_filters) statistics.stages = {boxes, slab, solve};
   statistics.decided_by = decided_by;
   statistics.nodes_visited = nodes_visited;
   const double sum = traverse + filter + solving, share = sum > 0 ? wall / sum : 0;
@@ -109,7 +110,8 @@ void StagePipeline::decide_buffered(PairKind kind) {
   of(counts_.boxes, kind) += static_cast<std::uint64_t>(boxes.count);
   of(counts_.slab, kind) += static_cast<std::uint64_t>(boxes.count);
   slab.count = filtered.count = 0;
-  (is_vf ? kernels_.slab_vf : kernels_.slab_ee)(vertices, boxes, slab);
+  (is_vf ? kernels_.slab_vf : kernels_.slab_ee)(vertices, options_.min_separation, boxes, slab);
+  if (options_.min_separation > 0) return decide_within_separation(kind);
   of(counts_.dnf, kind) += static_cast<std::uint64_t>(slab.count);
   of(counts_.ncf, kind) +=
       static_cast<std::uint64_t>((is_vf ? kernels_.filter_vf : kernels_.filter_ee)(vertices, slab, filtered));
@@ -117,6 +119,15 @@ void StagePipeline::decide_buffered(PairKind kind) {
   boxes.count = 0;
   counts_.filter += lap();
   solve(kind);
+  counts_.solving += lap();
+}
+
+void StagePipeline::decide_within_separation(PairKind kind) {
+  PairBuffer& pairs = buffers_->slab;
+  of(counts_.solve, kind) += static_cast<std::uint64_t>(pairs.count);
+  buffers_->boxes.count = 0;
+  counts_.filter += lap();
+  for (int i = 0; i < pairs.count; ++i) solve_singly(kind, pairs, i);
   counts_.solving += lap();
 }
 
@@ -142,7 +153,7 @@ void StagePipeline::solve(PairKind kind) {
   for (int i = 0; i < count; ++i) {
     const SolvedPair& s = buffers_->solved[i];
     if (!s.is_decided) {
-      solve_singly(kind, s.pair);
+      solve_singly(kind, pairs, s.pair);
       ++undecided;
       continue;
     }
@@ -157,8 +168,8 @@ void StagePipeline::solve(PairKind kind) {
   counts_.decided_by.lanes += static_cast<std::uint64_t>(pairs.count - undecided);
 }
 
-void StagePipeline::solve_singly(PairKind kind, int pair) {
-  const PairVertices vertices = vertices_of(kind, buffers_->filtered, pair);
+void StagePipeline::solve_singly(PairKind kind, const PairBuffer& pairs, int pair) {
+  const PairVertices vertices = vertices_of(kind, pairs, pair);
   const auto r =
       decide(kind, points_of(step_, vertices), {options_.guarantee, options_.min_separation}, counts_.decided_by);
   if (r.touches) contacts_.push_back({kind, r.certainty, vertices, r.toi_lower, r.toi_upper, r.u, r.v, r.normal});

@@ -18,8 +18,8 @@ struct PipelineCounts {
   double traverse = 0, filter = 0, solving = 0;  ///< seconds
 
   PipelineCounts& operator+=(const PipelineCounts& other);
-  /// `wall`: seconds of the whole pass, shared out in proportion.
-  void report(Statistics& statistics, double wall) const;
+  /// `wall`: seconds of the whole pass, shared out in proportion. `has_filters`: DNF and NCF were stages.
+  void report(Statistics& statistics, double wall, bool has_filters) const;
 };
 
 /// Leaf blocks first, first + stride, ... below last.
@@ -49,9 +49,11 @@ class StagePipeline {
 
   static void flush(Search& search);
   void decide_buffered(PairKind kind);
+  /// What the slab clip leaves, where a distance must be kept: strict signs prove no distance.
+  void decide_within_separation(PairKind kind);
   void leave_out_filtered(PairKind kind);
   void solve(PairKind kind);
-  void solve_singly(PairKind kind, int pair);
+  void solve_singly(PairKind kind, const PairBuffer& pairs, int pair);
   /// Seconds since the last call.
   double lap();
 

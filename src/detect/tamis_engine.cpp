@@ -124,7 +124,7 @@ class TamisEngine final : public Engine {
       counts += pipeline.counts();
       contacts.insert(contacts.end(), pipeline.contacts().begin(), pipeline.contacts().end());
     }
-    counts.report(statistics, seconds);
+    counts.report(statistics, seconds, min_separation_ == 0);
     statistics.isa = kernels_.isa;
   }
 

@@ -1,6 +1,7 @@
 // Slab clip: the ray-slab test in time. On a constant axis L every difference between a point of one feature and a
 // point of the other moves linearly; while all are positive, or all negative, the pair is apart. Those times are cut
 // from [t_in, t_out]; nothing left means the pair is free, and no single axis need separate it for the whole step.
+// With a separation d the differences must exceed d |L|.
 // The axes are the 13 of the 26-DOP, or the first of them.
 // Error bound: error_bounds::kProjection. Cost: about 40 operations an axis.
 #pragma once
@@ -15,20 +16,18 @@ struct SlabClip {
   /// The part of `time` in which the pair may touch.
   template <PairKind kind, class T>
   static TimeInterval<T> clip(const PairMotion<T>& m, const TimeInterval<T>& time) {
-    const T error = error_of(m);
     TimeClip<T> clip(time);
-    const auto clip_along = [&](const auto& along) { clip_axis<kind>(m, along, error, clip); };
-    for_each_coordinate_axis(clip_along);
-    for_each_diagonal_axis(clip_along);
+    const T margin = margin_of(m, 1);
+    for_each_coordinate_axis([&](const auto& along) { clip_axis<kind>(m, along, margin, clip); });
+    clip_diagonals<kind>(m, clip);
     return clip.rest();
   }
 
   /// The same on the ten diagonal axes only: the boxes have seen to the other three.
   template <PairKind kind, class T>
   static TimeInterval<T> clip_diagonals(const PairMotion<T>& m, const TimeInterval<T>& time) {
-    const T error = error_of(m);
     TimeClip<T> clip(time);
-    for_each_diagonal_axis([&](const auto& along) { clip_axis<kind>(m, along, error, clip); });
+    clip_diagonals<kind>(m, clip);
     return clip.rest();
   }
 
@@ -39,9 +38,20 @@ struct SlabClip {
   }
 
  private:
+  /// What a projected difference must exceed on an axis of this length: its error and the separation, whose own
+  /// rounding is below 8 u of itself.
   template <class T>
-  static T error_of(const PairMotion<T>& m) {
-    return error_bounds::bound<T>(error_bounds::kProjection, m.size_d + m.size_e + m.size_f);
+  static T margin_of(const PairMotion<T>& m, double axis_length) {
+    const T error = error_bounds::bound<T>(error_bounds::kProjection, m.size_d + m.size_e + m.size_f);
+    return error + error_bounds::constant<T>(axis_length * (1 + 8 * error_bounds::unit_roundoff<T>)) * m.separation;
+  }
+
+  template <PairKind kind, class T>
+  static void clip_diagonals(const PairMotion<T>& m, TimeClip<T>& clip) {
+    constexpr double kRootOfTwo = 1.41421356237309515, kRootOfThree = 1.73205080756887742;  // rounded up
+    const T planar = margin_of(m, kRootOfTwo), spatial = margin_of(m, kRootOfThree);
+    for_each_planar_diagonal([&](const auto& along) { clip_axis<kind>(m, along, planar, clip); });
+    for_each_spatial_diagonal([&](const auto& along) { clip_axis<kind>(m, along, spatial, clip); });
   }
 
   template <class F>
@@ -52,13 +62,17 @@ struct SlabClip {
   }
 
   template <class F>
-  static void for_each_diagonal_axis(const F& f) {
+  static void for_each_planar_diagonal(const F& f) {
     f([](const auto& v) { return v.x + v.y; });
     f([](const auto& v) { return v.x - v.y; });
     f([](const auto& v) { return v.x + v.z; });
     f([](const auto& v) { return v.x - v.z; });
     f([](const auto& v) { return v.y + v.z; });
     f([](const auto& v) { return v.y - v.z; });
+  }
+
+  template <class F>
+  static void for_each_spatial_diagonal(const F& f) {
     f([](const auto& v) { return v.x + v.y + v.z; });
     f([](const auto& v) { return v.x + v.y - v.z; });
     f([](const auto& v) { return v.x - v.y + v.z; });
@@ -81,11 +95,11 @@ struct SlabClip {
   }
 
   template <PairKind kind, class T, class Along>
-  static void clip_axis(const PairMotion<T>& m, const Along& along, const T& error, TimeClip<T>& clip) {
+  static void clip_axis(const PairMotion<T>& m, const Along& along, const T& margin, TimeClip<T>& clip) {
     const auto r0 = range<kind>(along(m.e.at0), along(m.f.at0), along(m.d.at0));
     const auto r1 = range<kind>(along(m.e.at1), along(m.f.at1), along(m.d.at1));
-    clip.cut_positive(r0.low - error, r1.low - error);
-    clip.cut_positive(-r0.high - error, -r1.high - error);
+    clip.cut_positive(r0.low - margin, r1.low - margin);
+    clip.cut_positive(-r0.high - margin, -r1.high - margin);
   }
 };
 

@@ -48,9 +48,10 @@ struct Kernels {
   /// no vertex; ee: with the blocks from `block` on, each pair once.
   void (*search_vf)(Search& search, int block);
   void (*search_ee)(Search& search, int block);
-  /// Slab clip on the diagonal axes. Survivors, with their times, go to `out`.
-  void (*slab_vf)(const PackedVertex* vertices, const PairBuffer& in, PairBuffer& out);
-  void (*slab_ee)(const PackedVertex* vertices, const PairBuffer& in, PairBuffer& out);
+  /// Slab clip on the diagonal axes: pairs that stay farther apart than `separation` are culled. Survivors, with their
+  /// times, go to `out`.
+  void (*slab_vf)(const PackedVertex* vertices, double separation, const PairBuffer& in, PairBuffer& out);
+  void (*slab_ee)(const PackedVertex* vertices, double separation, const PairBuffer& in, PairBuffer& out);
   /// DNF, then NCF, on what is left of the step. Returns how many pairs NCF had to look at.
   int (*filter_vf)(const PackedVertex* vertices, const PairBuffer& in, PairBuffer& out);
   int (*filter_ee)(const PackedVertex* vertices, const PairBuffer& in, PairBuffer& out);

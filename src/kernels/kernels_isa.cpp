@@ -29,11 +29,11 @@ void copy_pair(const PairBuffer& in, int from, PairBuffer& out) {
 
 /// In floats: the times need not be sharp here, and twice as many pairs fit.
 template <PairKind kind>
-void slab(const PackedVertex* vertices, const PairBuffer& in, PairBuffer& out) {
+void slab(const PackedVertex* vertices, double separation, const PairBuffer& in, PairBuffer& out) {
   for (int first = 0; first < in.count; first += kFloatLanes) {
     const auto low = load_time(in, first), high = load_time(in, first + kDoubleLanes);
     const auto time = SlabClip::clip_diagonals<kind>(
-        load_motion_as_float<kind>(vertices, in, first),
+        load_motion_as_float<kind>(vertices, in, first, separation),
         TimeInterval<FloatLanes>{to_float(low.t_in, high.t_in), to_float(low.t_out, high.t_out)});
     float t_in[kFloatLanes], t_out[kFloatLanes];
     time.t_in.store_unaligned(t_in);

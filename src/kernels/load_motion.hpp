@@ -35,9 +35,11 @@ inline DoubleLanes scale_to_one(const DoubleLanes& size) {
 
 inline Moving<DoubleLanes> scaled(const DoubleLanes& s, const Moving<DoubleLanes>& v) { return {s * v.at0, s * v.at1}; }
 
-/// The pairs first, first + 1, ... of the buffer; lanes past its end hold whatever the padding names.
+/// The pairs first, first + 1, ... of the buffer; lanes past its end hold whatever the padding names. `separation` is
+/// in the unit of the vertices.
 template <PairKind kind>
-inline PairMotion<DoubleLanes> load_motion(const PackedVertex* vertices, const PairBuffer& pairs, int first) {
+inline PairMotion<DoubleLanes> load_motion(const PackedVertex* vertices, const PairBuffer& pairs, int first,
+                                           double separation = 0) {
   const auto moving = [&](int to, int from) {
     return load_difference(vertices, pairs.corner[to] + first, pairs.corner[from] + first);
   };
@@ -47,7 +49,13 @@ inline PairMotion<DoubleLanes> load_motion(const PackedVertex* vertices, const P
   const auto d = kIsVf ? moving(0, 1) : moving(2, 0);
   const DoubleLanes size_e = largest(e), size_f = largest(f), size_d = largest(d);
   const DoubleLanes scale = scale_to_one(max(max(size_e, size_f), size_d));
-  return {scaled(scale, e), scaled(scale, f), scaled(scale, d), scale * size_e, scale * size_f, scale * size_d};
+  return {scaled(scale, e),
+          scaled(scale, f),
+          scaled(scale, d),
+          scale * size_e,
+          scale * size_f,
+          scale * size_d,
+          scale * DoubleLanes(separation)};
 }
 
 inline Vec3<FloatLanes> to_float(const Vec3<DoubleLanes>& low, const Vec3<DoubleLanes>& high) {
@@ -59,12 +67,18 @@ inline Moving<FloatLanes> to_float(const Moving<DoubleLanes>& low, const Moving<
 
 /// Twice as many pairs, rounded to float: the rounding is within the kInput of float lanes.
 template <PairKind kind>
-inline PairMotion<FloatLanes> load_motion_as_float(const PackedVertex* vertices, const PairBuffer& pairs, int first) {
+inline PairMotion<FloatLanes> load_motion_as_float(const PackedVertex* vertices, const PairBuffer& pairs, int first,
+                                                   double separation) {
   static_assert(kFloatLanes == 2 * kDoubleLanes);
-  const auto low = load_motion<kind>(vertices, pairs, first);
-  const auto high = load_motion<kind>(vertices, pairs, first + kDoubleLanes);
-  return {to_float(low.e, high.e),           to_float(low.f, high.f),           to_float(low.d, high.d),
-          to_float(low.size_e, high.size_e), to_float(low.size_f, high.size_f), to_float(low.size_d, high.size_d)};
+  const auto low = load_motion<kind>(vertices, pairs, first, separation);
+  const auto high = load_motion<kind>(vertices, pairs, first + kDoubleLanes, separation);
+  return {to_float(low.e, high.e),
+          to_float(low.f, high.f),
+          to_float(low.d, high.d),
+          to_float(low.size_e, high.size_e),
+          to_float(low.size_f, high.size_f),
+          to_float(low.size_d, high.size_d),
+          to_float(low.separation, high.separation)};
 }
 
 /// Bits of the lanes that hold a pair, of `lanes` lanes from `first` on.

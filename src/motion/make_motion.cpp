@@ -15,7 +15,7 @@ Moving<double> scaled(const Moving<double>& v, double scale) { return {scale * v
 
 }  // namespace
 
-PairMotion<double> make_motion(PairKind kind, const PairPoints& points) {
+PairMotion<double> make_motion(PairKind kind, const PairPoints& points, double separation) {
   const auto moving = [&](std::size_t to, std::size_t from) {
     return Moving<double>{difference(points.start[to], points.start[from]),
                           difference(points.end[to], points.end[from])};
@@ -25,8 +25,8 @@ PairMotion<double> make_motion(PairKind kind, const PairPoints& points) {
   const Moving<double> f = is_vf ? moving(3, 1) : moving(3, 2);
   const Moving<double> d = is_vf ? moving(0, 1) : moving(2, 0);
   const double scale = scale_below_one(std::max({largest(e), largest(f), largest(d)}));
-  return {scaled(e, scale),   scaled(f, scale),   scaled(d, scale),
-          scale * largest(e), scale * largest(f), scale * largest(d)};
+  return {scaled(e, scale),   scaled(f, scale),   scaled(d, scale),  scale * largest(e),
+          scale * largest(f), scale * largest(d), scale * separation};
 }
 
 }  // namespace tamis

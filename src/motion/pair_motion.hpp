@@ -35,10 +35,12 @@ inline double largest(const Moving<double>& v) {
 
 /// `size_*` bound every |component| of the unrestricted vector: the unit of its rounding errors. They stay those of
 /// the whole step when the motion is restricted to a part of it.
+/// `separation`: features this close count as touching; zero where only touching does.
 template <class T>
 struct PairMotion {
   Moving<T> e, f, d;
   T size_e, size_f, size_d;
+  T separation = T(0);
 };
 
 /// Position of the vector at time t; off by at most 3 u times its size.
@@ -61,7 +63,8 @@ inline PairMotion<T> restrict_to(const PairMotion<T>& m, const T& t_in, const T&
           restrict_to(m.d, t_in, t_out),
           m.size_e,
           m.size_f,
-          m.size_d};
+          m.size_d,
+          m.separation};
 }
 
 }  // namespace tamis

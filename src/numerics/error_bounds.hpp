@@ -73,4 +73,15 @@ inline constexpr double kProjection = 48;
 // and sums 3 + 3; the difference of projections 2 * 3 more: below 42.
 inline constexpr double kAxisProjection = 48;
 
+// A corner of the two features' difference (a sum of up to three of e, f, d) at an end of the step, projected on an
+// axis with components up to 1, unit D + E + F: 1 from the positions, 2 from the sums, so 3 (3 + 1) and 2 + 3 = 17.
+inline constexpr double kCornerProjection = 20;
+
+// The gap between a point of each feature, both given by weights, at a time in [0,1], unit D + E + F, all components
+// together: vectors at that time 1 + 3, products 1, sums 2, so sqrt(3) * 7 = 12.2; weights whose sum rounds to 1: 2.
+inline constexpr double kGap = 20;
+
+// Length of a vector, unit: itself: squares 1/2, two sums 1, root 1, all below 4.
+inline constexpr double kLength = 4;
+
 }  // namespace tamis::error_bounds

@@ -5,6 +5,7 @@
 
 #include "solve/closest.hpp"
 #include "solve/exact.hpp"
+#include "solve/separation.hpp"
 #include "solve/subdivide.hpp"
 
 namespace tamis {
@@ -24,7 +25,7 @@ Decision decide_in_doubles(PairKind kind, const PairMotion<double>& m) {
   const auto time = kind == PairKind::vertex_face ? SlabClip::clip<PairKind::vertex_face>(m, step)
                                                   : SlabClip::clip<PairKind::edge_edge>(m, step);
   if (time.t_in > time.t_out) return {};
-  return subdivide(kind, m, widened(time));
+  return m.separation > 0 ? first_within(kind, m, time) : subdivide(kind, m, widened(time));
 }
 
 /// A unit vector along `v`, or if that vanishes one orthogonal to `w`.
@@ -54,9 +55,9 @@ void add_weights(PairKind kind, const PairMotion<double>& m, PairResult& result)
 }  // namespace
 
 PairResult decide(PairKind kind, const PairPoints& points, const PairOptions& options, PrecisionCount& decided_by) {
-  const auto m = make_motion(kind, points);
+  const auto m = make_motion(kind, points, options.min_separation);
   Decision decision = decide_in_doubles(kind, m);
-  if (decision.verdict == Verdict::unsure && options.guarantee == Guarantee::exact) {
+  if (decision.verdict == Verdict::unsure && options.guarantee == Guarantee::exact && options.min_separation == 0) {
     ++decided_by.exact;
     const auto exact = decide_exactly(kind, points);
     decision = {exact.touches ? Verdict::touches : Verdict::is_free, exact.toi_lower, exact.toi_upper};

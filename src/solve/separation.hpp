@@ -1,0 +1,20 @@
+// Minimum separation: when do two features come within m.separation of each other? By advancement along separating
+// axes: at a time that is still in question the closest points give an axis; on it every difference between the two
+// features moves linearly, so the times it proves apart are known in closed form (solve/apart_times.hpp). The next
+// time in question is where they end: Newton's method on the distance, from the safe side (after conservative
+// advancement, Mirtich 1996; Zhang, Lee, Kim 2006, whose bound on the speed needs many more steps).
+#pragma once
+#include "filters/slab_clip.hpp"
+#include "solve/subdivide.hpp"
+
+namespace tamis {
+
+/// REQUIRES: `m` is the motion of the whole step; its sizes are finite; the pair is apart outside `time`. `touches`: at
+/// `upper` the distance is within the separation, certified.
+Decision first_within(PairKind kind, const PairMotion<double>& m, const TimeInterval<double>& time);
+
+/// A time in [0,1] before which the pair is proven farther apart than its separation, as late as doubles can prove
+/// within a few steps. It looks no further than `until`: a result below `until` does not depend on it. Same REQUIRES.
+double apart_until(PairKind kind, const PairMotion<double>& m, double until);
+
+}  // namespace tamis

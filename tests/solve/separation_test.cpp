@@ -1,0 +1,78 @@
+// One pair with a minimum separation, against the oracle, which decides it by exact algebra on polynomials of degree
+// six. TAMIS_SEPARATION_CASES sets the number of cases a family and placement.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "support/pair_cases.hpp"
+#include "support/test_data.hpp"
+#include "support/test_names.hpp"
+#include "tamis/pair.hpp"
+
+namespace tamis::test {
+namespace {
+
+using oracle::comes_within, oracle::Motion;
+
+PairResult decide_pair(PairKind kind, const Motion& m, double separation) {
+  const PairOptions options{Guarantee::conservative, separation};
+  return kind == PairKind::vertex_face ? vertex_face(m.start, m.end, options) : edge_edge(m.start, m.end, options);
+}
+
+/// From a millionth of the features to their size; a multiple of the lattices' unit every other time, so that features
+/// graze it exactly.
+double random_separation(Random& random) {
+  return random.coin() ? std::ldexp(1.0 + random.unit(), -random.below(20)) : 0.125 * (1 + random.below(4));
+}
+
+void check(PairKind kind, const Motion& m, double separation, const PairResult& r) {
+  const bool truth = comes_within(kind, m, separation);
+  EXPECT_LE(truth, r.touches) << "missed";
+  EXPECT_FALSE(r.touches && r.certainty == Certainty::certified && !truth) << "certified, but free";
+  if (!r.touches) return;
+  ASSERT_LE(0, r.toi_lower);
+  ASSERT_LE(r.toi_lower, r.toi_upper);
+  ASSERT_LE(r.toi_upper, 1);
+  EXPECT_FALSE(r.toi_lower > 0 && comes_within(kind, m, separation, {0, r.toi_lower, true})) << "before toi_lower";
+  EXPECT_TRUE(r.certainty == Certainty::unresolved || comes_within(kind, m, separation, {r.toi_lower, r.toi_upper}))
+      << "not within the bracket [" << r.toi_lower << ", " << r.toi_upper << "]";
+  EXPECT_FALSE(r.toi_lower == 0 && !comes_within(kind, m, separation, {0, 0})) << "apart at t=0, but toi_lower is 0";
+}
+
+class Separation : public testing::TestWithParam<std::tuple<std::size_t, std::size_t>> {};
+
+// Bugs: a bound on the error that is too small; a time that is skipped; a separation that is scaled twice, or not.
+TEST_P(Separation, DecisionsAndBracketsAreProven) {
+  const Family& family = kFamilies[std::get<0>(GetParam())];
+  const Placement& placement = kPlacements[std::get<1>(GetParam())];
+  const long cases = repetitions("TAMIS_SEPARATION_CASES", 12);
+  Random random(23);
+  long contacts = 0, unresolved = 0, wide = 0;
+  for (long i = 0; i < cases && !HasFailure(); ++i)
+    for (const PairKind kind : {PairKind::vertex_face, PairKind::edge_edge}) {
+      const Motion m = permuted(kind, placed(family.make(kind, random), placement), random);
+      const double separation = random_separation(random) * placement.scale;
+      SCOPED_TRACE(describe(kind, m) + "\n  separation " + std::to_string(separation / placement.scale));
+      const PairResult r = decide_pair(kind, m, separation);
+      check(kind, m, separation, r);
+      contacts += r.touches;
+      unresolved += r.touches && r.certainty == Certainty::unresolved;
+      wide += r.touches && r.certainty == Certainty::certified && r.toi_upper - r.toi_lower > 1e-12;
+    }
+  RecordProperty("contacts", static_cast<int>(contacts));
+  RecordProperty("unresolved", static_cast<int>(unresolved));
+  RecordProperty("wide", static_cast<int>(wide));
+}
+
+std::string case_name(const testing::TestParamInfo<Separation::ParamType>& parameter) {
+  return test_name(kFamilies[std::get<0>(parameter.param)].name) + "_" +
+         test_name(kPlacements[std::get<1>(parameter.param)].name);
+}
+
+INSTANTIATE_TEST_SUITE_P(Cases, Separation,
+                         testing::Combine(testing::Range(std::size_t{0}, kFamilies.size()),
+                                          testing::Range(std::size_t{0}, kPlacements.size())),
+                         case_name);
+
+}  // namespace
+}  // namespace tamis::test

@@ -168,6 +168,13 @@ void StagePipeline::solve(PairKind kind) {
   counts_.decided_by.lanes += static_cast<std::uint64_t>(pairs.count - undecided);
 }
 
+void StagePipeline::move_contacts_to(std::vector<Contact>& to) {
+  if (to.empty())
+    to.swap(contacts_);
+  else
+    to.insert(to.end(), contacts_.begin(), contacts_.end());
+}
+
 void StagePipeline::solve_singly(PairKind kind, const PairBuffer& pairs, int pair) {
   const PairVertices vertices = vertices_of(kind, pairs, pair);
   const auto r =

@@ -43,6 +43,8 @@ class StagePipeline {
 
   const PipelineCounts& counts() const { return counts_; }
   const std::vector<Contact>& contacts() const { return contacts_; }
+  /// Appends the contacts to `to`, without a copy if that is empty.
+  void move_contacts_to(std::vector<Contact>& to);
 
  private:
   struct Buffers;

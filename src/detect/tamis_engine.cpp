@@ -120,9 +120,9 @@ class TamisEngine final : public Engine {
 
   void collect(std::vector<Contact>& contacts, Statistics& statistics, double seconds) {
     PipelineCounts counts;
-    for (const StagePipeline& pipeline : pipelines_) {
+    for (StagePipeline& pipeline : pipelines_) {
       counts += pipeline.counts();
-      contacts.insert(contacts.end(), pipeline.contacts().begin(), pipeline.contacts().end());
+      pipeline.move_contacts_to(contacts);
     }
     counts.report(statistics, seconds, min_separation_ == 0);
     statistics.isa = kernels_.isa;

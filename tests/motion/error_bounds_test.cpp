@@ -57,7 +57,7 @@ void for_each_case(const Use& use) {
   Random random(41);
   for (long i = 0; i < cases; ++i) {
     const PairKind kind = random.coin() ? PairKind::vertex_face : PairKind::edge_edge;
-    auto motion = kFamilies[random.coin() ? 0 : 3].make(kind, random);
+    auto motion = family_named(random.coin() ? "random" : "near_contact").make(kind, random);
     if (random.coin()) motion = placed(motion, {"", 1, std::ldexp(1.0, random.below(20))});
     Case c{make_motion(kind, to_points(motion)), exact_motion(kind, motion)};
     c.exact = exact_motion(kind, motion, scale_of(c.rounded, c.exact));

@@ -23,7 +23,7 @@ TEST(MakeMotion, BringsTheLargestSizeBetweenAHalfAndOneAtEveryScale) {
   for (const Placement& placement : kPlacements)
     for (const PairKind kind : {PairKind::vertex_face, PairKind::edge_edge})
       for (int i = 0; i < 100; ++i) {
-        const auto motion = placed(kFamilies[0].make(kind, random), placement);
+        const auto motion = placed(family_named("random").make(kind, random), placement);
         const auto m = make_motion(kind, to_points(motion));
         EXPECT_GE(largest_size(m), 0.5) << placement.name;
         EXPECT_LT(largest_size(m), 1) << placement.name;
@@ -37,7 +37,7 @@ TEST(MakeMotion, PowersOfTwoChangeNoBit) {
   Random random(2);
   for (const PairKind kind : {PairKind::vertex_face, PairKind::edge_edge})
     for (int i = 0; i < 100; ++i) {
-      const auto motion = kFamilies[0].make(kind, random);
+      const auto motion = family_named("random").make(kind, random);
       const auto m = make_motion(kind, to_points(motion));
       for (const double scale : {0x1p-500, 0x1p-20, 0x1p20, 0x1p900}) {
         const auto scaled = make_motion(kind, to_points(placed(motion, {"", scale, 0})));

@@ -50,7 +50,7 @@ TEST(Polynomials, AreTheirDefinitionsAtEveryTime) {
 // the number type double would take.
 TEST(Polynomials, InDoublesEqualTheExactOnesWhereNothingRounds) {
   Random random(4);
-  const Family& lattice = kFamilies[4];
+  const Family& lattice = family_named("lattice");
   for (int i = 0; i < 200; ++i) {
     const auto motion = lattice.make(PairKind::vertex_face, random);
     const auto m = make_motion(PairKind::vertex_face, to_points(motion));
@@ -64,7 +64,7 @@ TEST(Polynomials, InDoublesEqualTheExactOnesWhereNothingRounds) {
 
 TEST(Polynomials, RestrictedMotionEndsWhereTheWholeOneIs) {
   Random random(5);
-  const auto m = exact_motion(PairKind::edge_edge, kFamilies[0].make(PairKind::edge_edge, random));
+  const auto m = exact_motion(PairKind::edge_edge, family_named("random").make(PairKind::edge_edge, random));
   const auto part = restrict_to(m, Exact(0.3), Exact(0.8));
   expect_equal(part.d.at0, at_time(m.d, Exact(0.3)));
   expect_equal(part.d.at1, at_time(m.d, Exact(0.8)));

@@ -1,5 +1,6 @@
 #include "support/pair_cases.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <sstream>
@@ -70,6 +71,29 @@ Motion near_contact(PairKind kind, Random& random) {
   return m;
 }
 
+/// One coordinate moved to the next double.
+void nudge(Motion& m, Random& random) {
+  Point& p = (random.coin() ? m.start : m.end)[static_cast<std::size_t>(random.below(4))];
+  double& x = p[static_cast<std::size_t>(random.below(3))];
+  x = std::nextafter(x, random.coin() ? 2.0 : -2.0);
+}
+
+Motion nudged(PairKind kind, Random& random) {
+  Motion m = exact_contact(kind, random);
+  nudge(m, random);
+  return m;
+}
+
+Motion uneven(PairKind kind, Random& random) {
+  Motion m = exact_contact(kind, random);
+  const double flat = std::ldexp(1.0, -random.below(45)), thin = std::ldexp(1.0, -random.below(45));
+  const double shear = random.below(3) - 1;
+  for (auto* points : {&m.start, &m.end})
+    for (Point& p : *points) p = {p[0] + shear * p[1], flat * p[1], thin * (p[2] - shear * p[1])};
+  if (random.coin()) nudge(m, random);
+  return m;
+}
+
 Motion lattice(PairKind, Random& random) {
   const Index steps = 1 + random.below(3);
   Motion m;
@@ -130,14 +154,16 @@ Motion mirrored(PairKind kind, Random& random) {
 
 }  // namespace
 
-const std::array<Family, 8> kFamilies{{{"random", random_motion},
-                                       {"separated", separated},
-                                       {"exact_contact", exact_contact},
-                                       {"near_contact", near_contact},
-                                       {"lattice", lattice},
-                                       {"degenerate", degenerate},
-                                       {"in_plane", in_plane},
-                                       {"mirrored", mirrored}}};
+const std::array<Family, 10> kFamilies{{{"random", random_motion},
+                                        {"separated", separated},
+                                        {"exact_contact", exact_contact},
+                                        {"near_contact", near_contact},
+                                        {"lattice", lattice},
+                                        {"degenerate", degenerate},
+                                        {"in_plane", in_plane},
+                                        {"mirrored", mirrored},
+                                        {"nudged", nudged},
+                                        {"uneven", uneven}}};
 
 const std::array<Placement, 6> kPlacements{{{"as made", 1, 0},
                                             {"far from origin", 1, 1e6},
@@ -145,6 +171,10 @@ const std::array<Placement, 6> kPlacements{{{"as made", 1, 0},
                                             {"huge", 1e12, 0},
                                             {"smallest", 0x1p-1000, 0},
                                             {"largest", 0x1p1000, 0}}};
+
+const Family& family_named(std::string_view name) {
+  return *std::find_if(kFamilies.begin(), kFamilies.end(), [&](const Family& f) { return f.name == name; });
+}
 
 Motion placed(Motion motion, const Placement& placement) {
   const Point offset{placement.offset, -placement.offset, 2 * placement.offset};

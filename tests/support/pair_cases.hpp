@@ -25,7 +25,12 @@ struct Family {
 /// degenerate: on the lattice, with edges of no length, faces of no area, features at rest, features that coincide.
 /// in_plane: all points move within one plane, which moves too.
 /// mirrored: the second feature is the first one's image in x = 0 (vf: its point on the mirror).
-extern const std::array<Family, 8> kFamilies;
+/// nudged: exact_contact with one coordinate moved to the next double.
+/// uneven: exact_contact flattened and sheared, so that lengths differ by up to 2^88; half of them nudged.
+extern const std::array<Family, 10> kFamilies;
+
+/// REQUIRES: there is one of this name.
+const Family& family_named(std::string_view name);
 
 /// Changes of unit and place that must not change any certificate's truth.
 struct Placement {

@@ -147,27 +147,6 @@ TEST_P(Invariance, OrderWindingAndMirrorChangeNoExactAnswer) {
   EXPECT_EQ(renamed(find_names(s, options), order), renamed(find_names(other, options), same));
 }
 
-TEST_P(Invariance, EarliestAndFreeAgreeWithAllContacts) {
-  const Scene s = scene(200, 12);
-  Options options;
-  options.guarantee = Guarantee::exact;
-  for (const Scene& asked : {s, [&] {
-                               Scene still = s;
-                               still.end = still.start;
-                               return still;
-                             }()}) {
-    Detector detector(asked.mesh(), options);
-    const std::vector<Contact> contacts = detector.contacts(asked.step());
-    double lower = 1, upper = 1;
-    for (const Contact& c : contacts) lower = std::min(lower, c.toi_lower), upper = std::min(upper, c.toi_upper);
-    EXPECT_EQ(detector.is_free(asked.step()), contacts.empty());
-    const EarliestContact earliest = detector.earliest(asked.step());
-    EXPECT_EQ(earliest.contact.has_value(), !contacts.empty());
-    EXPECT_EQ(earliest.toi_upper, upper);
-    EXPECT_EQ(earliest.toi_lower, lower);
-  }
-}
-
 INSTANTIATE_TEST_SUITE_P(Scenes, Invariance, testing::ValuesIn(scenes::recipes().begin(), scenes::recipes().end()),
                          scene_test_name);
 

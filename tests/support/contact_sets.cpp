@@ -4,7 +4,6 @@
 #include <iterator>
 #include <sstream>
 
-#include "oracle/oracle.hpp"
 #include "tamis/detector.hpp"
 
 namespace tamis::test {
@@ -30,6 +29,15 @@ std::vector<Contact> find_contacts(const Scene& scene, const Options& options) {
 
 PairSet find_names(const Scene& scene, const Options& options) { return names_of(find_contacts(scene, options)); }
 
+oracle::Motion motion_of(const Scene& scene, const std::array<Index, 4>& vertices) {
+  oracle::Motion motion;
+  for (std::size_t i = 0; i < 4; ++i) {
+    motion.start[i] = scene.start[static_cast<std::size_t>(vertices[i])];
+    motion.end[i] = scene.end[static_cast<std::size_t>(vertices[i])];
+  }
+  return motion;
+}
+
 namespace {
 
 std::set<Edge> edges_of(const Scene& scene) {
@@ -47,15 +55,6 @@ std::set<Index> points_of(const Scene& scene) {
   for (const Face& f : scene.faces) points.insert(f.begin(), f.end());
   for (const Edge& e : scene.loose_edges) points.insert(e.begin(), e.end());
   return points;
-}
-
-oracle::Motion motion_of(const Scene& scene, const std::array<Index, 4>& vertices) {
-  oracle::Motion motion;
-  for (std::size_t i = 0; i < 4; ++i) {
-    motion.start[i] = scene.start[static_cast<std::size_t>(vertices[i])];
-    motion.end[i] = scene.end[static_cast<std::size_t>(vertices[i])];
-  }
-  return motion;
 }
 
 /// All of one feature lies beyond all of the other on an axis, at both ends of the step and so all the time: spares

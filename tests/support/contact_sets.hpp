@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "oracle/oracle.hpp"
 #include "scenes/scene.hpp"
 #include "tamis/contact.hpp"
 #include "tamis/options.hpp"
@@ -31,6 +32,9 @@ PairSet find_names(const scenes::Scene& scene, const Options& options);
 
 /// The truth: from the scene's own lists of faces and edges, by the oracle.
 PairSet oracle_contacts(const scenes::Scene& scene);
+
+/// How the four vertices of a pair move.
+oracle::Motion motion_of(const scenes::Scene& scene, const std::array<Index, 4>& vertices);
 
 /// What is in `a` but not in `b`, at most a few, for a failure message; empty if there is nothing.
 std::string missing(const PairSet& a, const PairSet& b);

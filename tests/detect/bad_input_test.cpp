@@ -1,0 +1,109 @@
+// What cannot be answered is refused with an exception of a documented type, in a sentence that names the culprit.
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <string>
+
+#include "support/contact_sets.hpp"
+#include "support/test_names.hpp"
+#include "tamis/detector.hpp"
+#include "tamis/error.hpp"
+#include "tamis/pair.hpp"
+
+namespace tamis::test {
+namespace {
+
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+using scenes::Scene;
+
+/// The message of the exception that `action` throws; a failure if it throws none of this type.
+template <class Exception, class Action>
+std::string message_of(const Action& action) {
+  try {
+    action();
+  } catch (const Exception& exception) {
+    return exception.what();
+  }
+  ADD_FAILURE() << "nothing was thrown";
+  return {};
+}
+
+class BadInput : public testing::TestWithParam<Method> {
+ protected:
+  BadInput() { options.method = GetParam(); }
+  Scene scene = scenes::scene_by_name("soup", 5, 1);
+  Options options;
+};
+
+TEST_P(BadInput, PositionsThatDoNotFitTheMesh) {
+  Detector detector(scene.mesh(), options);
+  std::vector<Point> fewer = scene.end;
+  fewer.pop_back();
+  const Step step{scene.start, fewer};
+  EXPECT_NE(message_of<InvalidStep>([&] { detector.contacts(step); }).find("14"), std::string::npos);
+  EXPECT_THROW(detector.earliest(step), InvalidStep);
+  EXPECT_THROW(detector.is_free(step), InvalidStep);
+}
+
+TEST_P(BadInput, CoordinatesThatAreNotFiniteAreNamedByVertex) {
+  for (const double bad : {kNan, kInfinity, -kInfinity})
+    for (auto* points : {&scene.start, &scene.end}) {
+      Detector detector(scene.mesh(), options);
+      const double before = (*points)[7][1];
+      (*points)[7][1] = bad;
+      EXPECT_NE(message_of<InvalidStep>([&] { detector.contacts(scene.step()); }).find("vertex 7"), std::string::npos);
+      (*points)[7][1] = before;
+      EXPECT_NO_THROW(detector.contacts(scene.step())) << "a refused step spoils the detector";
+    }
+}
+
+// Files hold such vertices; a frame of boxes around them would be infinite.
+TEST_P(BadInput, VerticesThatNothingUsesMayHoldAnything) {
+  const PairSet expected = find_names(scene, options);
+  scene.add_vertex({kNan, kInfinity, 0}, {1e300, kNan, -kInfinity}, 0);
+  EXPECT_EQ(find_names(scene, options), expected);
+}
+
+TEST_P(BadInput, OptionsOutsideTheirRange) {
+  const auto refuses = [&](const Options& bad) { EXPECT_THROW(Detector(scene.mesh(), bad), InvalidOptions); };
+  Options bad = options;
+  bad.threads = -1;
+  refuses(bad);
+  for (const double separation : {-1.0, kNan, kInfinity}) {
+    bad = options;
+    bad.min_separation = separation;
+    refuses(bad);
+  }
+  bad = options;
+  bad.filter.groups_may_touch = {1, 1};
+  refuses(bad);
+  bad.filter.groups_may_touch = {1};
+  bad.filter.group_of_vertex = {0, 0};
+  refuses(bad);
+  bad.filter.group_of_vertex.assign(scene.start.size(), 1);
+  refuses(bad);
+}
+
+INSTANTIATE_TEST_SUITE_P(Methods, BadInput, testing::ValuesIn(kMethods),
+                         [](const testing::TestParamInfo<Method>& method) { return test_name(name_of(method.param)); });
+
+TEST(BadPair, CoordinatesThatAreNotFinite) {
+  std::array<Point, 4> good{}, bad{};
+  bad[2][0] = kNan;
+  EXPECT_THROW(vertex_face(bad, good), InvalidStep);
+  EXPECT_THROW(vertex_face(good, bad), InvalidStep);
+  EXPECT_THROW(edge_edge(bad, good), InvalidStep);
+  EXPECT_THROW(edge_edge(good, bad), InvalidStep);
+}
+
+TEST(BadName, OfAMethodNamesTheChoices) {
+  EXPECT_NE(message_of<InvalidOptions>([] { method_from_name("fast"); }).find("tamis"), std::string::npos);
+  EXPECT_THROW(guarantee_from_name(""), InvalidOptions);
+  EXPECT_THROW(isa_from_name("sse9"), InvalidOptions);
+  for (const Method method : kMethods) EXPECT_EQ(method_from_name(name_of(method)), method);
+}
+
+}  // namespace
+}  // namespace tamis::test

@@ -1,0 +1,92 @@
+// The two other questions, "how far may the step go?" and "is it free?", against all contacts and the oracle. They stop
+// early and prune by time: each cut too much is a contact missed.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "support/contact_sets.hpp"
+#include "support/test_names.hpp"
+#include "tamis/detector.hpp"
+
+namespace tamis::test {
+namespace {
+
+using scenes::Recipe, scenes::Scene;
+
+/// The scene during the first part of its step, or at rest.
+Scene shortened(Scene scene, double part) {
+  for (std::size_t v = 0; v < scene.start.size(); ++v)
+    for (std::size_t k = 0; k < 3; ++k)
+      scene.end[v][k] = scene.start[v][k] + part * (scene.end[v][k] - scene.start[v][k]);
+  return scene;
+}
+
+void check_questions(const Scene& scene, const Options& options) {
+  Detector detector(scene.mesh(), options);
+  const std::vector<Contact> contacts = detector.contacts(scene.step());
+  EXPECT_EQ(detector.is_free(scene.step()), contacts.empty());
+  const EarliestContact earliest = detector.earliest(scene.step());
+  ASSERT_EQ(earliest.contact.has_value(), !contacts.empty());
+  ASSERT_LE(0, earliest.toi_lower);
+  ASSERT_LE(earliest.toi_lower, earliest.toi_upper);
+  ASSERT_LE(earliest.toi_upper, 1);
+  if (contacts.empty()) {
+    EXPECT_EQ(earliest.toi_lower, 1);
+    return;
+  }
+  EXPECT_TRUE(names_of(contacts).contains({earliest.contact->kind, earliest.contact->vertices}));
+
+  double first_lower = 1, first_upper = 1;
+  for (const Contact& c : contacts) {
+    first_lower = std::min(first_lower, c.toi_lower);
+    if (c.certainty == Certainty::certified) first_upper = std::min(first_upper, c.toi_upper);
+    if (c.toi_lower < earliest.toi_lower) {
+      EXPECT_FALSE(oracle::touches(c.kind, motion_of(scene, c.vertices), {0, earliest.toi_lower, true}))
+          << "free until " << earliest.toi_lower << ", it says, but one touches from " << c.toi_lower;
+    }
+  }
+  EXPECT_NEAR(earliest.toi_lower, first_lower, 1e-9) << "not sharp";
+  EXPECT_GE(earliest.toi_upper, first_lower);
+  EXPECT_NEAR(earliest.toi_upper, first_upper, 1e-9);
+}
+
+class Questions : public testing::TestWithParam<Recipe> {};
+
+TEST_P(Questions, EarliestAndFreeAgreeWithAllContacts) {
+  for (std::uint64_t seed = 0; seed < 6; ++seed) {
+    const Scene scene = GetParam().make(150, 12 + seed);
+    for (const Method method : {Method::tamis, Method::paper})
+      for (const Guarantee guarantee : {Guarantee::conservative, Guarantee::exact})
+        for (const double part : {1.0, 0.125, 0.0}) {
+          Options options;
+          options.method = method;
+          options.guarantee = guarantee;
+          SCOPED_TRACE(scene.name + " by " + std::string(name_of(method)) + ", " + std::string(name_of(guarantee)) +
+                       ", seed " + std::to_string(12 + seed) + ", part " + std::to_string(part));
+          check_questions(shortened(scene, part), options);
+        }
+  }
+}
+
+TEST_P(Questions, ThreadsChangeNoBitOfTheEarliestContact) {
+  const Scene scene = GetParam().make(GetParam().scales ? 5000 : 400, 31);
+  Options options;
+  options.threads = 1;
+  const EarliestContact one = Detector(scene.mesh(), options).earliest(scene.step());
+  options.threads = 2;
+  for (int repetition = 0; repetition < 3; ++repetition) {
+    const EarliestContact two = Detector(scene.mesh(), options).earliest(scene.step());
+    EXPECT_EQ(one.toi_lower, two.toi_lower);
+    EXPECT_EQ(one.toi_upper, two.toi_upper);
+    ASSERT_EQ(one.contact.has_value(), two.contact.has_value());
+    if (one.contact) {
+      EXPECT_EQ(one.contact->vertices, two.contact->vertices);
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, Questions, testing::ValuesIn(scenes::recipes().begin(), scenes::recipes().end()),
+                         scene_test_name);
+
+}  // namespace
+}  // namespace tamis::test

@@ -1,0 +1,78 @@
+// Pair filters: the contacts are those of the unfiltered step that the filter lets pass, in every method.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "support/contact_sets.hpp"
+#include "support/test_names.hpp"
+
+namespace tamis::test {
+namespace {
+
+using scenes::Scene;
+
+/// Contacts of the scene for which `keeps(group of the first feature, group of the second, name)` is true.
+template <class Keeps>
+PairSet kept(const Scene& scene, const PairSet& all, const Keeps& keeps) {
+  PairSet result;
+  for (const PairName& name : all) {
+    const auto group = [&](std::size_t i) { return scene.group_of_vertex[static_cast<std::size_t>(name.vertices[i])]; };
+    if (keeps(group(0), group(name.kind == PairKind::vertex_face ? 1 : 2), name)) result.insert(name);
+  }
+  return result;
+}
+
+class PairFilters : public testing::TestWithParam<Method> {
+ protected:
+  PairSet find(const Scene& scene, const PairFilter& filter) const {
+    Options options;
+    options.method = GetParam();
+    options.filter = filter;
+    return find_names(scene, options);
+  }
+  /// A few scenes of several objects each.
+  static std::vector<Scene> scenes_of_objects() {
+    return {scenes::scene_by_name("static", 60, 1), scenes::scene_by_name("sliding-sheets", 60, 2),
+            scenes::scene_by_name("touching-spheres", 200, 3), scenes::scene_by_name("rod", 40, 4)};
+  }
+};
+
+TEST_P(PairFilters, NoSelfContactLeavesOutPairsWithinOneObject) {
+  for (const Scene& scene : scenes_of_objects()) {
+    const PairSet expected = kept(scene, find(scene, {}), [](Index a, Index b, const PairName&) { return a != b; });
+    EXPECT_EQ(find(scene, PairFilter::no_self_contact(scene.group_of_vertex)), expected) << scene.name;
+  }
+}
+
+TEST_P(PairFilters, NoStaticPairsKeepsPairsWithAMovingObject) {
+  for (const Scene& scene : scenes_of_objects()) {
+    const Index groups = 1 + *std::max_element(scene.group_of_vertex.begin(), scene.group_of_vertex.end());
+    std::vector<bool> is_static(static_cast<std::size_t>(groups));
+    for (std::size_t g = 0; g < is_static.size(); ++g) is_static[g] = g % 2 == 0;
+    const PairSet expected = kept(scene, find(scene, {}), [&](Index a, Index b, const PairName&) {
+      return !is_static[static_cast<std::size_t>(a)] || !is_static[static_cast<std::size_t>(b)];
+    });
+    EXPECT_EQ(find(scene, PairFilter::no_static_pairs(scene.group_of_vertex, is_static)), expected) << scene.name;
+  }
+}
+
+// Catches a callback that is handed vertices in another order than Contact documents.
+TEST_P(PairFilters, CallbackDecidesByTheNamesOfTheContacts) {
+  for (const Scene& scene : scenes_of_objects()) {
+    const auto accepts = [](PairKind kind, const std::array<Index, 4>& v) {
+      return (v[0] + 2 * v[1] + 3 * v[2] + 4 * v[3]) % (kind == PairKind::vertex_face ? 3 : 2) == 0;
+    };
+    const PairSet expected = kept(
+        scene, find(scene, {}), [&](Index, Index, const PairName& name) { return accepts(name.kind, name.vertices); });
+    PairFilter filter;
+    filter.accepts = accepts;
+    EXPECT_EQ(find(scene, filter), expected) << scene.name;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Methods, PairFilters, testing::ValuesIn(kMethods),
+                         [](const testing::TestParamInfo<Method>& method) { return test_name(name_of(method.param)); });
+
+}  // namespace
+}  // namespace tamis::test

@@ -8,7 +8,9 @@
 
 #include "detect/contact_order.hpp"
 #include "detect/engine.hpp"
+#include "detect/pair_rules.hpp"
 #include "detect/validate.hpp"
+#include "solve/decide.hpp"
 #include "tamis/error.hpp"
 
 namespace tamis {
@@ -26,10 +28,23 @@ std::unique_ptr<Engine> make_engine(const Mesh& mesh, const Options& options) {
   throw InvalidOptions("unknown method");
 }
 
+/// The contact as decided on the whole step: the last bits of what the engine found depend on how far it still had to
+/// look, and so on earlier questions.
+Contact decided_anew(const Contact& c, const Step& step, const Options& options, PrecisionCount& decided_by) {
+  const auto r = decide(c.kind, points_of(step, c.vertices), {options.guarantee, options.min_separation}, decided_by);
+  return r.touches ? Contact{c.kind, r.certainty, c.vertices, r.toi_lower, r.toi_upper, r.u, r.v, r.normal} : c;
+}
+
 /// The step must stop at the smallest lower end; certified contacts give the smallest upper end.
-EarliestContact first_of(const std::vector<Contact>& contacts) {
+EarliestContact first_of(const std::vector<Contact>& contacts, const Step& step, const Options& options,
+                         PrecisionCount& decided_by) {
+  double last = 1;
+  for (const Contact& c : contacts)
+    if (c.certainty == Certainty::certified) last = std::min(last, c.toi_upper * kNearTie);
   EarliestContact first;
-  for (const Contact& c : contacts) {
+  for (const Contact& found : contacts) {
+    if (found.toi_lower > last) continue;
+    const Contact c = decided_anew(found, step, options, decided_by);
     if (c.certainty == Certainty::certified) first.toi_upper = std::min(first.toi_upper, c.toi_upper);
     const bool is_earlier = !first.contact || c.toi_lower < first.toi_lower ||
                             (c.toi_lower == first.toi_lower && comes_before(c, *first.contact));
@@ -93,7 +108,7 @@ const std::vector<Contact>& Detector::contacts(const Step& step) {
 
 EarliestContact Detector::earliest(const Step& step) {
   state_->ask(step, Question::earliest);
-  return first_of(state_->contacts);
+  return first_of(state_->contacts, step, state_->options, state_->statistics.decided_by);
 }
 
 bool Detector::is_free(const Step& step) {

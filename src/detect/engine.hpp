@@ -9,6 +9,10 @@ namespace tamis {
 
 enum class Question : std::uint8_t { all_contacts, earliest, is_free };
 
+/// `earliest` keeps every contact that starts up to this factor after the end of a certified one: no bracket is so
+/// wide that the first of two could be lost to rounding.
+inline constexpr double kNearTie = 1 + 0x1p-16;
+
 /// One per detector; keeps its hierarchy and its buffers from step to step.
 class Engine {
  public:

@@ -10,8 +10,9 @@ namespace {
 
 std::uint64_t& of(StageCount& count, PairKind kind) { return kind == PairKind::vertex_face ? count.vf : count.ee; }
 
-PairVertices vertices_of(PairKind kind, const PairBuffer& pairs, int i) {
-  return in_contact_order(kind, {pairs.corner[0][i], pairs.corner[1][i], pairs.corner[2][i], pairs.corner[3][i]});
+/// In contact order: the search gives them so.
+PairVertices vertices_of(const PairBuffer& pairs, int i) {
+  return {pairs.corner[0][i], pairs.corner[1][i], pairs.corner[2][i], pairs.corner[3][i]};
 }
 
 }  // namespace
@@ -136,7 +137,7 @@ void StagePipeline::leave_out_filtered(PairKind kind) {
   PairBuffer& pairs = buffers_->boxes;
   int kept = 0;
   for (int i = 0; i < pairs.count; ++i) {
-    if (!lets_pass(options_.filter, kind, vertices_of(kind, pairs, i))) continue;
+    if (!lets_pass(options_.filter, kind, vertices_of(pairs, i))) continue;
     for (auto& corner : pairs.corner) corner[kept] = corner[i];
     pairs.t_in[kept] = pairs.t_in[i];
     pairs.t_out[kept] = pairs.t_out[i];
@@ -157,12 +158,14 @@ void StagePipeline::solve(PairKind kind) {
       ++undecided;
       continue;
     }
-    Contact c{
-        kind, Certainty::certified, {}, s.toi_lower, s.toi_upper, s.u, s.v, {s.normal[0], s.normal[1], s.normal[2]}};
-    const PairVertices given{pairs.corner[0][s.pair], pairs.corner[1][s.pair], pairs.corner[2][s.pair],
-                             pairs.corner[3][s.pair]};
-    c.vertices = in_contact_order(kind, given);
-    if (c.vertices != given) std::swap(c.u, c.v);
+    Contact c{kind,
+              Certainty::certified,
+              vertices_of(pairs, s.pair),
+              s.toi_lower,
+              s.toi_upper,
+              s.u,
+              s.v,
+              {s.normal[0], s.normal[1], s.normal[2]}};
     contacts_.push_back(c);
   }
   counts_.decided_by.lanes += static_cast<std::uint64_t>(pairs.count - undecided);
@@ -176,7 +179,7 @@ void StagePipeline::move_contacts_to(std::vector<Contact>& to) {
 }
 
 void StagePipeline::solve_singly(PairKind kind, const PairBuffer& pairs, int pair) {
-  const PairVertices vertices = vertices_of(kind, pairs, pair);
+  const PairVertices vertices = vertices_of(pairs, pair);
   const auto r =
       decide(kind, points_of(step_, vertices), {options_.guarantee, options_.min_separation}, counts_.decided_by);
   if (r.touches) contacts_.push_back({kind, r.certainty, vertices, r.toi_lower, r.toi_upper, r.u, r.v, r.normal});

@@ -95,7 +95,7 @@ class TamisEngine final : public Engine {
       for (StagePipeline& pipeline : pipelines_) {
         pipeline.finish();
         for (const Contact& c : pipeline.contacts())
-          if (c.certainty == Certainty::certified) t_limit = std::min(t_limit, float_after(c.toi_upper));
+          if (c.certainty == Certainty::certified) t_limit = std::min(t_limit, float_after(c.toi_upper * kNearTie));
       }
       if (!go_on(t_limit)) return;
     }

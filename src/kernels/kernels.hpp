@@ -9,7 +9,7 @@
 
 namespace tamis {
 
-/// Pairs of features on their way through the stages: corners in PairPoints' order, and the part of the step in which
+/// Pairs of features on their way through the stages: corners in Contact's order, and the part of the step in which
 /// they may touch. Kernels may read (not use) up to kPadding entries past `count`.
 struct PairBuffer {
   static constexpr int kPadding = 16;

@@ -93,13 +93,25 @@ class BlockSearch {
     for_each_bit(mask, [&](int a) { add(mine, a, theirs, b, t_in[a], t_out[a]); });
   }
 
+  /// ee: the smaller edge first, so that the answer does not depend on the order in the tree.
   void add(const CornerBlock& mine, int a, const CornerBlock& theirs, int b, float t_in, float t_out) {
     PairBuffer& pairs = *search_.pairs;
-    for (int c = 0; c < kCornersA; ++c) pairs.corner[c][pairs.count] = mine.vertex[c][a];
-    for (int c = 0; c < kCornersB; ++c) pairs.corner[kCornersA + c][pairs.count] = theirs.vertex[c][b];
-    pairs.t_in[pairs.count] = static_cast<double>(t_in);
-    pairs.t_out[pairs.count] = static_cast<double>(t_out);
-    ++pairs.count;
+    const int at = pairs.count++;
+    if constexpr (kIsSelf) {
+      const auto key = [](std::int32_t v0, std::int32_t v1) { return (std::int64_t{v0} << 32) | v1; };
+      const std::int64_t edge_a = key(mine.vertex[0][a], mine.vertex[1][a]);
+      const std::int64_t edge_b = key(theirs.vertex[0][b], theirs.vertex[1][b]);
+      const std::int64_t first = edge_a < edge_b ? edge_a : edge_b, second = edge_a < edge_b ? edge_b : edge_a;
+      pairs.corner[0][at] = static_cast<std::int32_t>(first >> 32);
+      pairs.corner[1][at] = static_cast<std::int32_t>(first);
+      pairs.corner[2][at] = static_cast<std::int32_t>(second >> 32);
+      pairs.corner[3][at] = static_cast<std::int32_t>(second);
+    } else {
+      pairs.corner[0][at] = mine.vertex[0][a];
+      for (int c = 0; c < kCornersB; ++c) pairs.corner[1 + c][at] = theirs.vertex[c][b];
+    }
+    pairs.t_in[at] = static_cast<double>(t_in);
+    pairs.t_out[at] = static_cast<double>(t_out);
   }
 
   Search& search_;

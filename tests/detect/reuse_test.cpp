@@ -1,0 +1,100 @@
+// One detector over many steps: it refits, rebuilds when that pays, answers as a new one would, and once warm takes no
+// more memory.
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cstdlib>
+#include <new>
+
+#include "scenes/scene_list.hpp"
+#include "tamis/tamis.hpp"
+
+namespace {
+std::atomic<long> g_allocations{0};
+}
+
+void* operator new(std::size_t size) {
+  ++g_allocations;
+  if (void* p = std::malloc(size ? size : 1)) return p;
+  throw std::bad_alloc();
+}
+void* operator new(std::size_t size, std::align_val_t alignment) {
+  ++g_allocations;
+  const auto unit = static_cast<std::size_t>(alignment);
+  if (void* p = std::aligned_alloc(unit, (size + unit - 1) / unit * unit)) return p;
+  throw std::bad_alloc();
+}
+void operator delete(void* p) noexcept { std::free(p); }
+void operator delete(void* p, std::size_t) noexcept { std::free(p); }
+void operator delete(void* p, std::align_val_t) noexcept { std::free(p); }
+void operator delete(void* p, std::size_t, std::align_val_t) noexcept { std::free(p); }
+
+namespace tamis::test {
+namespace {
+
+using scenes::Scene;
+
+/// Every bit of every contact.
+std::vector<std::array<double, 8>> bits_of(const std::vector<Contact>& contacts) {
+  std::vector<std::array<double, 8>> rows;
+  for (const Contact& c : contacts)
+    rows.push_back({double(c.kind), double(c.vertices[0]), double(c.vertices[1]), double(c.vertices[2]),
+                    double(c.vertices[3]), c.toi_lower, c.toi_upper, c.u + 2 * c.v});
+  return rows;
+}
+
+/// The same mesh, crumpled more and more: from refit to refit the old order gets poorer.
+std::vector<Point> crumpled(const std::vector<Point>& points, double amount) {
+  std::vector<Point> moved = points;
+  for (std::size_t i = 0; i < moved.size(); ++i)
+    for (std::size_t k = 0; k < 3; ++k) moved[i][k] += amount * double((i * 7919 + k * 104729) % 1000) / 1000;
+  return moved;
+}
+
+TEST(Reuse, AnswersAsANewDetectorWould) {
+  // Would catch a box, an order or a buffer left over from the step before.
+  const Scene scene = scenes::scene_by_name("folded-cloth", 2000, 1);
+  Detector kept(scene.mesh());
+  for (double amount : {0.0, 0.01, 0.3, 0.0, 0.05}) {
+    const auto start = crumpled(scene.start, amount), end = crumpled(scene.end, amount);
+    Detector fresh(scene.mesh());
+    EXPECT_EQ(bits_of(kept.contacts({start, end})), bits_of(fresh.contacts({start, end}))) << amount;
+    EXPECT_EQ(kept.earliest({start, end}).toi_lower, fresh.earliest({start, end}).toi_lower) << amount;
+    EXPECT_EQ(kept.is_free({start, end}), fresh.is_free({start, end})) << amount;
+  }
+}
+
+TEST(Reuse, RefitsWhileTheOrderIsGoodAndRebuildsWhenItIsPoor) {
+  // Would catch a detector that always builds, and one that never does.
+  const Scene scene = scenes::scene_by_name("folded-cloth", 2000, 1);
+  Detector detector(scene.mesh());
+  detector.contacts(scene.step());
+  EXPECT_TRUE(detector.statistics().rebuilt);
+  detector.contacts(scene.step());
+  EXPECT_FALSE(detector.statistics().rebuilt);
+  // Every vertex goes elsewhere: neighbours in the old order are far apart.
+  std::vector<Point> start = scene.start, end = scene.end;
+  for (std::size_t i = 0; i < start.size(); ++i) {
+    const std::size_t other = (i * 7919) % start.size();
+    start[i] = scene.start[other];
+    end[i] = scene.end[other];
+  }
+  detector.is_free({start, end});
+  EXPECT_TRUE(detector.statistics().rebuilt);
+}
+
+TEST(Reuse, AWarmDetectorAllocatesNothing) {
+  // Would catch a buffer made anew each step.
+  const Scene scene = scenes::scene_by_name("folded-cloth", 5000, 1);
+  Options options;
+  options.threads = 1;
+  Detector detector(scene.mesh(), options);
+  for (int i = 0; i < 4; ++i) detector.contacts(scene.step());
+  const long before = g_allocations;
+  detector.contacts(scene.step());
+  // The names of the stages are the answer's own.
+  EXPECT_LE(g_allocations - before, 1);
+}
+
+}  // namespace
+}  // namespace tamis::test

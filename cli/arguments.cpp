@@ -7,7 +7,9 @@
 namespace tamis::cli {
 
 void DetectorArguments::declare(CLI::App& app) {
-  app.add_option("--method", method_, "tamis (default), paper (the published pipeline) or brute (every pair; slow)")
+  app.add_option("--method", method_,
+                 "tamis (default), paper (the published pipeline), brute (every pair; slow), or a competitor of the "
+                 "paper: paper-sat, paper-pfs, ...")
       ->type_name("NAME");
   declare_guarantee(app, guarantee_);
   declare_min_separation(app, min_separation_);
@@ -22,7 +24,7 @@ void DetectorArguments::declare(CLI::App& app) {
 Options DetectorArguments::options() const {
   require_distance(min_separation_);
   Options options;
-  options.method = method_from_name(method_);
+  choose_method(options, method_);
   options.guarantee = guarantee_from_name(guarantee_);
   options.isa = isa_from_name(isa_);
   options.threads = threads_;

@@ -56,6 +56,13 @@ struct PairFilter {
   static PairFilter no_static_pairs(std::vector<Index> group_of_vertex, const std::vector<bool>& is_static);
 };
 
+/// Patches of surface that are proven free of self-contact as a whole, before any pair of triangles.
+enum class HighLevelCulling : std::uint8_t {
+  none,
+  normal_cones,   ///< continuous normal cone, and a contour that does not meet itself
+  star_contours,  ///< continuous normal cone, and a contour that is star-shaped
+};
+
 /// The laboratory of Method::paper: the published system by default, its competitors by choice. The contacts are the
 /// same for every choice.
 struct PaperOptions {
@@ -66,6 +73,8 @@ struct PaperOptions {
   bool orphan_sets = true;
   /// false: a pair of features is tested in every pair of triangles that contains it.
   bool representative_triangles = true;
+  /// Not `none`: the hierarchy follows the connectivity of the mesh. Has no effect with a minimum separation.
+  HighLevelCulling high_level = HighLevelCulling::none;
 };
 
 /// What PaperOptions::filters may name.
@@ -84,7 +93,8 @@ struct Options {
 };
 
 /// Sets `method` and `paper` from one name: that of a method, or "paper-" and that of a competitor: dnf, ncf (one
-/// alone), dnf-ncf (the published system), sat, pfs, r-triangles (no filter), no-orphans, no-representatives.
+/// alone), dnf-ncf (the published system), sat, pfs, r-triangles (no filter), no-orphans, no-representatives,
+/// normal-cones, star-contours (the published system below high-level culling).
 /// Throws InvalidOptions, naming the choices, if there is no such name.
 void choose_method(Options& options, std::string_view name);
 /// All names that choose_method understands.

@@ -42,9 +42,10 @@ struct Statistics {
   PrecisionCount decided_by;
   Seconds seconds;
   std::uint64_t nodes_visited = 0;
-  std::uint64_t triangle_pairs = 0;  ///< that the hierarchy leaves; method `paper` only
-  bool rebuilt = false;              ///< the hierarchy was built, not refitted
-  std::uint64_t memory_bytes = 0;    ///< held by the detector: hierarchy, buffers, contacts
+  std::uint64_t triangle_pairs = 0;             ///< that the hierarchy leaves; method `paper` only
+  std::uint64_t triangles_in_free_patches = 0;  ///< by high-level culling; method `paper` only
+  bool rebuilt = false;                         ///< the hierarchy was built, not refitted
+  std::uint64_t memory_bytes = 0;               ///< held by the detector: hierarchy, buffers, contacts
 };
 
 }  // namespace tamis

@@ -46,7 +46,24 @@ void build_subtree(Centres centres, std::span<Index> triangles, std::vector<Inde
   build_subtree(centres, triangles.subspan(half), links);
 }
 
+void halve(std::span<const Index> triangles, std::vector<Index>& links) {
+  if (triangles.size() == 1) {
+    links.push_back(~triangles[0]);
+    return;
+  }
+  const std::size_t node = links.size(), half = triangles.size() / 2;
+  links.push_back(0);
+  halve(triangles.first(half), links);
+  links[node] = static_cast<Index>(links.size());
+  halve(triangles.subspan(half), links);
+}
+
 }  // namespace
+
+void BinaryTree::build_in_order(std::span<const Index> triangles) {
+  links_.clear();
+  if (!triangles.empty()) halve(triangles, links_);
+}
 
 void BinaryTree::build(Centres centres) {
   links_.clear();

@@ -14,6 +14,9 @@ class BinaryTree {
   /// Top-down: triangles are split at the median of the longest side of the box of their centres.
   void build(std::span<const Vec3<double>> centres);
 
+  /// The same, but each node splits its part of the given order in the middle.
+  void build_in_order(std::span<const Index> triangles);
+
   Index size() const { return static_cast<Index>(links_.size()); }
   bool is_leaf(Index node) const { return link(node) < 0; }
   Index left(Index node) const { return node + 1; }

@@ -16,7 +16,9 @@ struct SubtreePair {
 template <class Volume>
 class SelfTraversal {
  public:
-  SelfTraversal(const BinaryTree& tree, const std::vector<Volume>& volumes) : tree_(tree), volumes_(volumes) {}
+  /// `free_within`: one flag a node whose inner pairs are to be left out; or empty.
+  SelfTraversal(const BinaryTree& tree, const std::vector<Volume>& volumes, std::span<const std::uint8_t> free_within)
+      : tree_(tree), volumes_(volumes), free_within_(free_within) {}
 
   /// Disjoint parts that make up the whole, `wanted` or a few more of them unless the tree is small.
   std::vector<SubtreePair> parts(std::size_t wanted) const {
@@ -26,6 +28,7 @@ class SelfTraversal {
     while (!open.empty() && open.size() + done.size() < wanted) {
       const SubtreePair part = open.front();
       open.pop_front();
+      if (is_free_within(part)) continue;
       if (part.a != part.b && (tree_.is_leaf(part.a) || tree_.is_leaf(part.b)))
         done.push_back(part);
       else
@@ -38,6 +41,7 @@ class SelfTraversal {
   /// Calls on_pair(triangle, triangle); adds the tests of two bounds to `tested`.
   template <class OnPair>
   void visit(const SubtreePair& part, const OnPair& on_pair, std::uint64_t& tested) const {
+    if (is_free_within(part)) return;
     if (part.a == part.b) {
       if (!tree_.is_leaf(part.a)) split(part, [&](Index a, Index b) { visit({a, b}, on_pair, tested); });
       return;
@@ -51,6 +55,10 @@ class SelfTraversal {
   }
 
  private:
+  bool is_free_within(const SubtreePair& part) const {
+    return part.a == part.b && !free_within_.empty() && free_within_[static_cast<std::size_t>(part.a)];
+  }
+
   const Volume& volume(Index node) const { return volumes_[static_cast<std::size_t>(node)]; }
 
   /// Both nodes are opened at once: near self-contact most of the four pairs overlap.
@@ -77,6 +85,7 @@ class SelfTraversal {
 
   const BinaryTree& tree_;
   const std::vector<Volume>& volumes_;
+  std::span<const std::uint8_t> free_within_;
 };
 
 }  // namespace tamis

@@ -13,16 +13,20 @@ struct Competitor {
   std::string_view name;
   std::array<std::string_view, 2> filters;
   bool orphan_sets = true, representative_triangles = true;
+  HighLevelCulling high_level = HighLevelCulling::none;
 };
 
-constexpr std::array kCompetitors{Competitor{"paper-dnf-ncf", {"dnf", "ncf-published"}},
-                                  Competitor{"paper-dnf", {"dnf"}},
-                                  Competitor{"paper-ncf", {"ncf-published"}},
-                                  Competitor{"paper-sat", {"sat"}},
-                                  Competitor{"paper-pfs", {"pfs-linear", "pfs-planar"}},
-                                  Competitor{"paper-r-triangles", {}},
-                                  Competitor{"paper-no-orphans", {"dnf", "ncf-published"}, false, true},
-                                  Competitor{"paper-no-representatives", {"dnf", "ncf-published"}, true, false}};
+constexpr std::array kCompetitors{
+    Competitor{"paper-dnf-ncf", {"dnf", "ncf-published"}},
+    Competitor{"paper-dnf", {"dnf"}},
+    Competitor{"paper-ncf", {"ncf-published"}},
+    Competitor{"paper-sat", {"sat"}},
+    Competitor{"paper-pfs", {"pfs-linear", "pfs-planar"}},
+    Competitor{"paper-r-triangles", {}},
+    Competitor{"paper-no-orphans", {"dnf", "ncf-published"}, false, true},
+    Competitor{"paper-no-representatives", {"dnf", "ncf-published"}, true, false},
+    Competitor{"paper-normal-cones", {"dnf", "ncf-published"}, true, true, HighLevelCulling::normal_cones},
+    Competitor{"paper-star-contours", {"dnf", "ncf-published"}, true, true, HighLevelCulling::star_contours}};
 
 constexpr std::array kMethods{Method::tamis, Method::paper, Method::brute};
 
@@ -49,6 +53,7 @@ void choose_method(Options& options, std::string_view name) {
       if (!filter.empty()) options.paper.filters.emplace_back(filter);
     options.paper.orphan_sets = c.orphan_sets;
     options.paper.representative_triangles = c.representative_triangles;
+    options.paper.high_level = c.high_level;
     return;
   }
   std::string choices;

@@ -13,6 +13,7 @@
 #include "detect/engine.hpp"
 #include "detect/paper_hierarchy.hpp"
 #include "detect/paper_tester.hpp"
+#include "detect/patch_culling.hpp"
 #include "topology/orphan_sets.hpp"
 #include "topology/surface.hpp"
 
@@ -35,6 +36,7 @@ class PaperEngine final : public Engine {
       : surface_(mesh),
         scene_{options, surface_.mesh(), surface_.face_count(), {}, stages_by_name(options.paper.filters), {}, {}, {}},
         hierarchy_(make_paper_hierarchy(options.paper.bounding_volume)),
+        patches_(scene_.mesh, options.min_separation == 0 ? options.paper.high_level : HighLevelCulling::none),
         testers_([this] { return PaperTester(scene_); }) {}
 
   void find(const Step& step, Question question, std::vector<Contact>& contacts, Statistics& statistics) override {
@@ -42,12 +44,13 @@ class PaperEngine final : public Engine {
     update_bounds(statistics);
     const auto start = Clock::now();
     for (PaperTester& tester : testers_) tester.clear();
-    std::visit([&](const auto& hierarchy) { visit_all(hierarchy.traversal(), question); }, hierarchy_);
+    std::visit([&](const auto& hierarchy) { visit_all(hierarchy.traversal(patches_.free_within()), question); },
+               hierarchy_);
     collect(contacts, statistics, seconds_since(start));
   }
 
   std::uint64_t memory_bytes() const override {
-    std::uint64_t bytes = scene_.points.memory_bytes() + scene_.boxes.memory_bytes() +
+    std::uint64_t bytes = patches_.memory_bytes() + scene_.points.memory_bytes() + scene_.boxes.memory_bytes() +
                           scene_.triangles.capacity() * sizeof(TriangleFeatures) +
                           std::visit([](const auto& h) { return h.memory_bytes(); }, hierarchy_);
     for (const auto* pairs : {&orphans_.vf, &orphans_.ee}) bytes += pairs->capacity() * sizeof((*pairs)[0]);
@@ -66,7 +69,12 @@ class PaperEngine final : public Engine {
     statistics.seconds.bounds = seconds_since(start);
     start = Clock::now();
     statistics.rebuilt = std::visit(
-        [&](auto& hierarchy) { return hierarchy.update(scene_.mesh.faces(), scene_.points, padding); }, hierarchy_);
+        [&](auto& hierarchy) {
+          return hierarchy.update(scene_.mesh.faces(), scene_.points, padding, patches_.order());
+        },
+        hierarchy_);
+    std::visit([&](auto& hierarchy) { patches_.update(hierarchy.tree(), scene_.points); }, hierarchy_);
+    statistics.triangles_in_free_patches = patches_.triangles_in_free_patches();
     statistics.seconds.build = seconds_since(start);
   }
 
@@ -160,6 +168,7 @@ class PaperEngine final : public Engine {
   PaperScene scene_;
   FeaturePairs orphans_;
   AnyPaperHierarchy hierarchy_;
+  PatchCulling patches_;
   tbb::enumerable_thread_specific<PaperTester> testers_;
 };
 

@@ -18,8 +18,15 @@ template <class Volume>
 class PaperHierarchy {
  public:
   /// Builds, or refits and builds anew where that has made the tree poor. Returns true if built.
-  bool update(std::span<const Face> triangles, const MovingPoints& points, double padding) {
+  /// `order`: of the triangles, to be halved again and again; empty: as their places tell.
+  bool update(std::span<const Face> triangles, const MovingPoints& points, double padding,
+              const std::vector<Index>& order) {
     const bool first = tree_.size() == 0;
+    if (!order.empty()) {
+      if (first) tree_.build_in_order(order);
+      refit_volumes(triangles, points, padding);
+      return first;
+    }
     if (first) build(triangles, points);
     double cost = refit_volumes(triangles, points, padding);
     const bool poor = !first && cost > kWorstGrowth * cost_when_built_;
@@ -31,7 +38,10 @@ class PaperHierarchy {
     return first || poor;
   }
 
-  SelfTraversal<Volume> traversal() const { return {tree_, volumes_}; }
+  const BinaryTree& tree() const { return tree_; }
+  SelfTraversal<Volume> traversal(std::span<const std::uint8_t> free_within) const {
+    return {tree_, volumes_, free_within};
+  }
   std::uint64_t memory_bytes() const { return tree_.memory_bytes() + volumes_.capacity() * sizeof(Volume); }
 
  private:

@@ -34,7 +34,7 @@ struct Tree {
 };
 
 Pairs pairs_by_tree(const Tree& tree, std::size_t parts) {
-  const SelfTraversal<Dop16> traversal(tree.shape, tree.volumes);
+  const SelfTraversal<Dop16> traversal(tree.shape, tree.volumes, {});
   Pairs pairs;
   std::uint64_t tested = 0;
   for (const SubtreePair& part : traversal.parts(parts))

@@ -1,0 +1,68 @@
+#include "detect/patch_culling.hpp"
+
+#include <numbers>
+
+#include "bvh/refit.hpp"
+
+namespace tamis {
+namespace {
+
+/// Half angle up to which all normals face the axis; what is left to the right angle is far above the rounding of the
+/// axis and the projection along it.
+constexpr double kWidestCone = std::numbers::pi / 2 - 1e-3;
+
+std::size_t at(Index i) { return static_cast<std::size_t>(i); }
+
+}  // namespace
+
+PatchCulling::PatchCulling(const Mesh& mesh, HighLevelCulling method) : mesh_(mesh), method_(method) {
+  if (method == HighLevelCulling::none) return;
+  order_ = patch_order(mesh);
+  contours_ = patch_contours(mesh, order_, kSmallest);
+}
+
+void PatchCulling::update(const BinaryTree& tree, const MovingPoints& points) {
+  if (method_ == HighLevelCulling::none || tree.size() == 0) return;
+  const auto cone_of = [&](Index triangle) {
+    const Face& f = mesh_.faces()[at(triangle)];
+    return NormalCone::around(points[f[0]], points[f[1]], points[f[2]]);
+  };
+  refit(tree, cone_of, cones_);
+  free_within_.assign(at(tree.size()), 0);
+  triangles_in_free_patches_ = 0;
+  struct Patch {
+    Index node;
+    std::size_t triangles;
+  };
+  std::vector<Patch> open{{0, order_.size()}};
+  while (!open.empty()) {
+    const Patch patch = open.back();
+    open.pop_back();
+    if (patch.triangles < kSmallest) continue;
+    if (proves_free(patch.node, points)) {
+      free_within_[at(patch.node)] = 1;
+      triangles_in_free_patches_ += patch.triangles;
+      continue;
+    }
+    const std::size_t half = patch.triangles / 2;
+    open.push_back({tree.left(patch.node), half});
+    open.push_back({tree.right(patch.node), patch.triangles - half});
+  }
+}
+
+bool PatchCulling::proves_free(Index node, const MovingPoints& points) {
+  const NormalCone& cone = cones_[at(node)];
+  const auto contour = contours_[node];
+  if (!(cone.half_angle < kWidestCone) || contour.empty()) return false;
+  loop_.clear();
+  for (Index v : contour) loop_.push_back(points[v]);
+  contour_.project(loop_, cone.axis);
+  return method_ == HighLevelCulling::star_contours ? contour_.proves_star_shaped() : contour_.proves_simple();
+}
+
+std::uint64_t PatchCulling::memory_bytes() const {
+  return (order_.capacity() + contours_.offsets.capacity() + contours_.items.capacity()) * sizeof(Index) +
+         cones_.capacity() * sizeof(NormalCone) + loop_.capacity() * sizeof(loop_[0]) + free_within_.capacity();
+}
+
+}  // namespace tamis

@@ -25,7 +25,7 @@ void add(StageCount& sum, const StageCount& part) {
 
 double now() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
-PairResult certified_contact(const ElementaryTest& test) {
+PairResult certified_contact(const ElementaryTest<double>& test) {
   const double length = std::sqrt(dot(test.normal, test.normal));
   const Vec3<double> n = (1 / length) * test.normal;
   return {true, Certainty::certified, test.lower, test.upper, test.u, test.v, {n.x, n.y, n.z}};
@@ -149,7 +149,7 @@ PairResult PaperTester::result_of(const Block<kind>& block, std::size_t pair) {
   const Options& options = scene_.options;
   if (options.min_separation == 0) {
     add_to<kind>(counts.newton, 1);
-    const ElementaryTest test = interval_newton_test<kind>(block.motions[pair]);
+    const auto test = interval_newton_test<kind>(block.motions[pair]);
     if (test.verdict != Verdict::unsure) {
       ++counts.decided_by.scalar;
       return test.verdict == Verdict::touches ? certified_contact(test) : PairResult{};

@@ -6,6 +6,7 @@
 // Error bound: error_bounds::kProjection. Cost: about 40 operations an axis.
 #pragma once
 #include "filters/filter.hpp"
+#include "filters/projection.hpp"
 #include "motion/time_clip.hpp"
 
 namespace tamis {
@@ -79,25 +80,10 @@ struct SlabClip {
     f([](const auto& v) { return v.x - v.y - v.z; });
   }
 
-  /// Smallest and largest projected difference between the two features.
-  template <class T>
-  struct Range {
-    T low, high;
-  };
-
-  template <PairKind kind, class T>
-  static Range<T> range(const T& e, const T& f, const T& d) {
-    const T zero(0);
-    if constexpr (kind == PairKind::vertex_face)  // d, d - e, d - f
-      return {d - max(zero, max(e, f)), d - min(zero, min(e, f))};
-    else  // d + {0, f} - {0, e}
-      return {d + min(zero, f) - max(zero, e), d + max(zero, f) - min(zero, e)};
-  }
-
   template <PairKind kind, class T, class Along>
   static void clip_axis(const PairMotion<T>& m, const Along& along, const T& margin, TimeClip<T>& clip) {
-    const auto r0 = range<kind>(along(m.e.at0), along(m.f.at0), along(m.d.at0));
-    const auto r1 = range<kind>(along(m.e.at1), along(m.f.at1), along(m.d.at1));
+    const auto r0 = range_of_differences<kind>(along(m.e.at0), along(m.f.at0), along(m.d.at0));
+    const auto r1 = range_of_differences<kind>(along(m.e.at1), along(m.f.at1), along(m.d.at1));
     clip.cut_positive(r0.low - margin, r1.low - margin);
     clip.cut_positive(-r0.high - margin, -r1.high - margin);
   }

@@ -1,8 +1,9 @@
-// Interval arithmetic with outward rounding, without changing the rounding mode.
+// Interval arithmetic with outward rounding, without changing the rounding mode. On double; other number types that
+// wrap it, such as one that counts operations, run the same lines.
 #pragma once
-#include <algorithm>
-#include <cmath>
 #include <limits>
+
+#include "numerics/select.hpp"
 
 namespace tamis {
 
@@ -10,58 +11,80 @@ namespace rounding {
 
 /// At most the predecessor, at least the second predecessor of x, for finite x (Rump, Zimmermann, Boldo, Melquiond
 /// 2009): one multiplication and two additions instead of a library call. -inf stays; NaN stays.
-inline double below(double x) {
+template <class T>
+inline T below(const T& x) {
   constexpr double kUlp = 0x1p-53 * (1 + 0x1p-52), kTiny = std::numeric_limits<double>::denorm_min();
-  return x - (kUlp * std::fabs(x) + kTiny);
+  return x - (T(kUlp) * abs(x) + T(kTiny));
 }
-inline double above(double x) { return -below(-x); }
+template <class T>
+inline T above(const T& x) {
+  return -below(-x);
+}
 
 }  // namespace rounding
 
 /// A closed interval that contains the true value. After overflow a bound may be NaN: then every certain comparison is
 /// false, so nothing is proven.
-struct Interval {
-  double lower = 0, upper = 0;
+template <class T>
+struct BasicInterval {
+  T lower = T(0), upper = T(0);
 
-  Interval() = default;
-  Interval(double value) : lower(value), upper(value) {}
-  Interval(double low, double high) : lower(low), upper(high) {}
+  BasicInterval() = default;
+  BasicInterval(const T& value) : lower(value), upper(value) {}
+  BasicInterval(const T& low, const T& high) : lower(low), upper(high) {}
 
-  double width() const { return upper - lower; }
-  double middle() const { return 0.5 * lower + 0.5 * upper; }
+  T width() const { return upper - lower; }
+  T middle() const { return T(0.5) * lower + T(0.5) * upper; }
   /// False only if proven.
-  bool may_be_zero() const { return !(lower > 0 || upper < 0); }
+  bool may_be_zero() const { return !(lower > T(0) || upper < T(0)); }
 };
 
-inline Interval operator-(const Interval& a) { return {-a.upper, -a.lower}; }
-inline Interval operator+(const Interval& a, const Interval& b) {
+using Interval = BasicInterval<double>;
+
+template <class T>
+inline BasicInterval<T> operator-(const BasicInterval<T>& a) {
+  return {-a.upper, -a.lower};
+}
+template <class T>
+inline BasicInterval<T> operator+(const BasicInterval<T>& a, const BasicInterval<T>& b) {
   return {rounding::below(a.lower + b.lower), rounding::above(a.upper + b.upper)};
 }
-inline Interval operator-(const Interval& a, const Interval& b) { return a + -b; }
+template <class T>
+inline BasicInterval<T> operator-(const BasicInterval<T>& a, const BasicInterval<T>& b) {
+  return a + -b;
+}
 
-inline Interval operator*(const Interval& a, const Interval& b) {
-  const double p = a.lower * b.lower, q = a.lower * b.upper, r = a.upper * b.lower, s = a.upper * b.upper;
-  // A sum of all four is NaN if one of them is: min and max alone could drop it.
-  if (std::isnan(p + q + r + s))
-    return {-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
-  return {rounding::below(std::min(std::min(p, q), std::min(r, s))),
-          rounding::above(std::max(std::max(p, q), std::max(r, s)))};
+template <class T>
+inline BasicInterval<T> operator*(const BasicInterval<T>& a, const BasicInterval<T>& b) {
+  const T p = a.lower * b.lower, q = a.lower * b.upper, r = a.upper * b.lower, s = a.upper * b.upper;
+  // Infinity times zero: min and max could drop the NaN.
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  if (!(p == p && q == q && r == r && s == s)) return {T(-kInfinity), T(kInfinity)};
+  return {rounding::below(min(min(p, q), min(r, s))), rounding::above(max(max(p, q), max(r, s)))};
 }
 
 /// REQUIRES: !b.may_be_zero().
-inline Interval operator/(const Interval& a, const Interval& b) {
-  if (b.upper < 0) return -a / -b;
-  return {rounding::below(a.lower / (a.lower < 0 ? b.lower : b.upper)),
-          rounding::above(a.upper / (a.upper < 0 ? b.upper : b.lower))};
+template <class T>
+inline BasicInterval<T> operator/(const BasicInterval<T>& a, const BasicInterval<T>& b) {
+  if (b.upper < T(0)) return -a / -b;
+  return {rounding::below(a.lower / (a.lower < T(0) ? b.lower : b.upper)),
+          rounding::above(a.upper / (a.upper < T(0) ? b.upper : b.lower))};
 }
 
 /// True only if proven.
-inline bool operator>(const Interval& a, const Interval& b) { return a.lower > b.upper; }
-inline bool operator<(const Interval& a, const Interval& b) { return a.upper < b.lower; }
+template <class T>
+inline bool operator>(const BasicInterval<T>& a, const BasicInterval<T>& b) {
+  return a.lower > b.upper;
+}
+template <class T>
+inline bool operator<(const BasicInterval<T>& a, const BasicInterval<T>& b) {
+  return a.upper < b.lower;
+}
 
 /// Empty (lower > upper) if they have nothing in common.
-inline Interval intersection(const Interval& a, const Interval& b) {
-  return {std::max(a.lower, b.lower), std::min(a.upper, b.upper)};
+template <class T>
+inline BasicInterval<T> intersection(const BasicInterval<T>& a, const BasicInterval<T>& b) {
+  return {max(a.lower, b.lower), min(a.upper, b.upper)};
 }
 
 }  // namespace tamis

@@ -27,7 +27,7 @@ struct Tally {
 
 template <PairKind kind>
 void expect_exact(const PairPoints& points, Tally& tally) {
-  const ElementaryTest test = interval_newton_test<kind>(make_motion(kind, points));
+  const auto test = interval_newton_test<kind>(make_motion(kind, points));
   if (test.verdict == Verdict::unsure) {
     ++tally.unsure;
     return;
@@ -85,6 +85,18 @@ TEST(interval_newton, brackets_an_ordinary_contact_to_a_few_roundings) {
   EXPECT_NEAR(test.v, 0.25, 1e-12);
 }
 
+TEST(interval, division_has_the_right_ends_for_all_signs) {
+  for (const Interval& a : {Interval(-3, -2), Interval(-2, 5), Interval(4, 6), Interval(0, 1), Interval(-1, 0)})
+    for (const Interval& b : {Interval(0.5, 3), Interval(-3, -0.5)}) {
+      const Interval quotient = a / b;
+      const auto ends = {a.lower / b.lower, a.lower / b.upper, a.upper / b.lower, a.upper / b.upper};
+      EXPECT_LE(quotient.lower, std::min(ends));
+      EXPECT_GE(quotient.upper, std::max(ends));
+      EXPECT_NEAR(quotient.lower, std::min(ends), 1e-14);
+      EXPECT_NEAR(quotient.upper, std::max(ends), 1e-14);
+    }
+}
+
 TEST(interval, products_and_quotients_contain_the_exact_ones) {
   std::mt19937_64 random(3);
   std::uniform_real_distribution<double> unit(-1, 1);
@@ -112,9 +124,10 @@ TEST(interval, polynomials_of_a_motion_confirm_the_error_bounds_of_the_filters) 
     const auto wide = coplanarity_polynomial(widen(m.d), normal_polynomial(widen(m.e), widen(m.f)));
     const double unit = m.size_d * m.size_e * m.size_f;
     for (std::size_t c = 0; c < 4; ++c) {
-      const double bound = c == 0 || c == 3 ? error_bounds::kCoplanarityEnd : error_bounds::kCoplanarityMiddle;
-      EXPECT_LE(k[c] - bound * unit, wide[c].lower);
-      EXPECT_GE(k[c] + bound * unit, wide[c].upper);
+      const double factor = c == 0 || c == 3 ? error_bounds::kCoplanarityEnd : error_bounds::kCoplanarityMiddle;
+      const double bound = error_bounds::bound(factor, unit);
+      EXPECT_LE(k[c] - bound, wide[c].lower);
+      EXPECT_GE(k[c] + bound, wide[c].upper);
     }
   }
 }

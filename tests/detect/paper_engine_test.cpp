@@ -93,6 +93,18 @@ TEST(paper_engine, every_variant_finds_the_same_contacts) {
   }
 }
 
+TEST(paper_engine, finds_what_comes_within_a_minimum_separation) {
+  // Boxes that are not blown up would lose pairs that only come near.
+  for (const char* name : {"soup", "folded-cloth", "rod", "points-on-cloth", "fans"}) {
+    const scenes::Scene scene = scenes::scene_by_name(name, 60, 3);
+    Options options = with(Method::paper), brute = with(Method::brute);
+    options.min_separation = brute.min_separation = 0.02;
+    const auto expected = contacts_of(scene, brute);
+    EXPECT_EQ(difference(contacts_of(scene, options), expected), "") << name;
+    EXPECT_GT(expected.size(), contacts_of(scene, with(Method::brute)).size()) << name;
+  }
+}
+
 TEST(paper_engine, leaves_out_what_the_pair_filter_forbids) {
   const scenes::Scene scene = scenes::scene_by_name("colliding-bodies", 150, 2);
   Options options = with(Method::paper);

@@ -73,9 +73,15 @@ inline constexpr double kProjection = 48;
 // and sums 3 + 3; the difference of projections 2 * 3 more: below 42.
 inline constexpr double kAxisProjection = 48;
 
-// A corner of the two features' difference (a sum of up to three of e, f, d) at an end of the step, projected on an
-// axis with components up to 1, unit D + E + F: 1 from the positions, 2 from the sums, so 3 (3 + 1) and 2 + 3 = 17.
-inline constexpr double kCornerProjection = 20;
+// A corner of the two features' difference (a sum of up to three of e, f, d) on an axis that turns, beyond the
+// separation (at most 3 (D + E + F), or nothing is proven), unit D + E + F. The axis has components up to 1, its turn
+// r. At the time in question: 6 from positions, sums and at_time, so 3 (6 + 1) + 5 = 26, and the subtraction 3.
+inline constexpr double kAxisNow = 32;
+// What is added after a time x with r x <= 1, unit x (1 + r): velocities of size 2 are off by 8, so on the axis 3 (8 +
+// 2)
+// + 10 = 40 and as much on its turn; sums 24; the axis' turn on the corner 26, on the separation 72 + 36, sums 41:
+// below 104 + 175 r.
+inline constexpr double kAxisLater = 192;
 
 // The gap between a point of each feature, both given by weights, at a time in [0,1], unit D + E + F, all components
 // together: vectors at that time 1 + 3, products 1, sums 2, so sqrt(3) * 7 = 12.2; weights whose sum rounds to 1: 2.

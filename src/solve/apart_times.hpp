@@ -1,5 +1,6 @@
-// When does an axis of any direction keep a pair apart? The slab clip on one axis chosen for the pair: sharper than a
-// bound on its speed, because it knows how fast the two features close in along that axis, corner by corner.
+// When does an axis keep a pair apart? The slab clip on one axis chosen for the pair, which may turn with it. On a
+// fixed axis the two features close in linearly, corner by corner; on one that turns at a constant rate, quadratically.
+// Both are sharper than a bound on the speed of the pair.
 #pragma once
 #include <array>
 #include <cmath>
@@ -9,11 +10,21 @@
 
 namespace tamis {
 
-/// An open interval of time; empty if to <= from. All of the step: from below 0 to beyond 1.
+/// An open interval of time; empty if to <= from. It may reach beyond the step.
 struct ApartTimes {
   double from, to;
   bool contains(double t) const { return from < t && t < to; }
 };
+
+/// n(t) = direction + (t - now) turn. Of any length, not zero at `now`.
+struct TurningAxis {
+  Vec3<double> direction;
+  Vec3<double> turn{0, 0, 0};
+};
+
+/// A lower bound, beyond all rounding, of the first x > 0 at which c0 + c1 x + c2 x^2 <= 0; 0 if c0 <= 0, and infinite
+/// if there is none.
+double first_root(double c0, double c1, double c2);
 
 /// The Minkowski difference of the two features is the convex hull of these: their distance is its distance from zero.
 template <PairKind kind>
@@ -29,39 +40,18 @@ template <PairKind kind>
 class AxisClip {
  public:
   explicit AxisClip(const PairMotion<double>& m)
-      : corners_(difference_corners<kind>(m)),
-        separation_(m.separation * (1 + 4 * kRoundoff)),
-        error_(error_bounds::bound(error_bounds::kCornerProjection, m.size_d + m.size_e + m.size_f)) {}
+      : corners_(difference_corners<kind>(m)), separation_(m.separation), size_(m.size_d + m.size_e + m.size_f) {}
 
-  /// Times at which, proven, all corners lie beyond the separation along `axis`, which may have any length.
-  ApartTimes along(const Vec3<double>& axis) const {
-    const double inverse_size = 1 / max(max(abs(axis.x), abs(axis.y)), abs(axis.z));
-    const Vec3<double> n = inverse_size * axis;
-    const double length = std::sqrt(dot(n, n)) * (1 + error_bounds::kLength * kRoundoff);
-    const double threshold = separation_ * length + error_;
-    ApartTimes times{-1, 2};
-    for (const auto& corner : corners_) cut(times, dot(n, corner.at0) - threshold, dot(n, corner.at1) - threshold);
-    return times;
-  }
+  /// Times around `now` at which, proven, all corners lie beyond the separation along the axis; empty if not even
+  /// `now`.
+  ApartTimes around(double now, const TurningAxis& axis) const;
 
  private:
-  static constexpr double kRoundoff = error_bounds::unit_roundoff<double>;
-
-  /// Leaves the times at which the line from g0 (t=0) to g1 (t=1) is positive; none where either is NaN. The root is
-  /// off, of itself, by 2 u for the two ends, u for their difference and u for the quotient; 8 u are given.
-  static void cut(ApartTimes& times, double g0, double g1) {
-    if (g0 > 0 && g1 > 0) return;
-    const double root = g0 / (g0 - g1);
-    if (g0 > 0 && g1 <= 0)
-      times.to = min(times.to, root * (1 - 8 * kRoundoff));
-    else if (g0 <= 0 && g1 > 0)
-      times.from = max(times.from, root * (1 + 8 * kRoundoff));
-    else
-      times = {2, -1};
-  }
-
   decltype(difference_corners<kind>(PairMotion<double>{})) corners_;
-  double separation_, error_;
+  double separation_, size_;
 };
+
+extern template class AxisClip<PairKind::vertex_face>;
+extern template class AxisClip<PairKind::edge_edge>;
 
 }  // namespace tamis

@@ -16,26 +16,44 @@ constexpr double kShortest = 0x1p-50;
 /// Looks at one pair. Newton's method needs 3 to 8; a near miss by 1e-15 of the pair's size needs about 40.
 constexpr int kMaxLooks = 160;
 
-/// The axis of the closest points, made orthogonal to the sides on which they lie: the gap itself is off by a few u of
-/// the features' size, not of its own, which would tilt the axis of a small gap. Any axis is sound.
+/// The sides of the two features that hold the closest points in their inside: none, one, or e and f.
+struct ActiveSides {
+  int count = 0;
+  Vec side{0, 0, 0}, velocity{0, 0, 0};  ///< if there is one
+};
+
 template <PairKind kind>
-Vec squared_axis(const Vec& e, const Vec& f, const ClosestPoints& closest) {
-  const auto [u, v, gap] = closest;
-  const auto orthogonal_to = [&gap = gap](const Vec& side) { return gap - (dot(gap, side) / dot(side, side)) * side; };
-  const auto normal = [&, &gap = gap] {
-    const Vec n = cross(e, f);
-    return dot(n, gap) < 0 ? -n : n;
-  };
+ActiveSides active_sides(const PairMotion<double>& m, double t, const ClosestPoints& closest) {
+  const double u = closest.u, v = closest.v;
+  const auto one = [&](const Moving<double>& side) { return ActiveSides{1, at_time(side, t), side.at1 - side.at0}; };
   if constexpr (kind == PairKind::vertex_face) {
-    const bool off_a = u + v > 0, off_b = u < 1, off_c = v < 1;
-    if (u > 0 && v > 0) return u + v < 1 ? normal() : orthogonal_to(f - e);
-    if (u > 0 && off_b) return orthogonal_to(e);
-    return v > 0 && off_c && off_a ? orthogonal_to(f) : gap;
+    if (u > 0 && v > 0) return u + v < 1 ? ActiveSides{2} : one(m.f - m.e);
+    return u > 0 && u < 1 ? one(m.e) : v > 0 && v < 1 ? one(m.f) : ActiveSides{};
   } else {
     const bool inside_e = u > 0 && u<1, inside_f = v> 0 && v < 1;
-    if (inside_e && inside_f) return normal();
-    return inside_e ? orthogonal_to(e) : inside_f ? orthogonal_to(f) : gap;
+    if (inside_e && inside_f) return {2};
+    return inside_e ? one(m.e) : inside_f ? one(m.f) : ActiveSides{};
   }
+}
+
+/// The axis of the closest points, made orthogonal to the sides that hold them: the gap is off by a few u of the
+/// features' size, not of its own, which would tilt the axis of a small gap. It turns so that it stays orthogonal.
+template <PairKind kind>
+TurningAxis squared_axis(const PairMotion<double>& m, double t, const ClosestPoints& closest) {
+  const Vec& gap = closest.gap;
+  const ActiveSides active = active_sides<kind>(m, t, closest);
+  if (active.count == 0) return {gap};
+  if (active.count == 1) {
+    const double inverse_square = 1 / dot(active.side, active.side);
+    const Vec axis = gap - (dot(gap, active.side) * inverse_square) * active.side;
+    return {axis, -(dot(axis, active.velocity) * inverse_square) * active.side};
+  }
+  // turn = x e + y f such that turn.e = -n.e' and turn.f = -n.f'.
+  const Vec e = at_time(m.e, t), f = at_time(m.f, t), normal = cross(e, f);
+  const Vec n = dot(normal, gap) < 0 ? -normal : normal;
+  const double turn_e = -dot(n, m.e.at1 - m.e.at0), turn_f = -dot(n, m.f.at1 - m.f.at0);
+  const double ee = dot(e, e), ef = dot(e, f), ff = dot(f, f), inverse = 1 / dot(n, n);
+  return {n, (inverse * (ff * turn_e - ef * turn_f)) * e + (inverse * (ee * turn_f - ef * turn_e)) * f};
 }
 
 /// What one look at one time tells.
@@ -57,10 +75,10 @@ class Looker {
     constexpr double kLength = 1 + error_bounds::kLength * error_bounds::unit_roundoff<double>;
     const double farthest = std::sqrt(dot(closest.gap, closest.gap)) * kLength + error_;
     if (farthest <= m_.separation) return {true, {2, -1}, 0};
-    ApartTimes apart = clip_.along(closest.gap);
-    const ApartTimes other = clip_.along(squared_axis<kind>(e, f, closest));
-    if (other.contains(t) && !(apart.contains(t) && apart.to >= other.to)) apart = other;
-    return {false, apart.contains(t) ? apart : ApartTimes{2, -1}, wait(closest, farthest - m_.separation)};
+    ApartTimes apart = clip_.around(t, {closest.gap});
+    const ApartTimes turning = clip_.around(t, squared_axis<kind>(m_, t, closest));
+    if (turning.contains(t) && !(apart.contains(t) && apart.to >= turning.to)) apart = turning;
+    return {false, apart, wait(closest, farthest - m_.separation)};
   }
 
  private:

@@ -1,6 +1,6 @@
 // Minimum separation: when do two features come within m.separation of each other? By advancement along separating
-// axes: at a time that is still in question the closest points give an axis; on it every difference between the two
-// features moves linearly, so the times it proves apart are known in closed form (solve/apart_times.hpp). The next
+// axes: at a time that is still in question the closest points give an axis that turns with the pair, and the times it
+// proves apart are known in closed form (solve/apart_times.hpp). The next
 // time in question is where they end: Newton's method on the distance, from the safe side (after conservative
 // advancement, Mirtich 1996; Zhang, Lee, Kim 2006, whose bound on the speed needs many more steps).
 #pragma once

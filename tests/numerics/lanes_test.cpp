@@ -1,0 +1,56 @@
+// The ratio that float lanes use in place of a division, over every mantissa; and lanes as bits and columns.
+#include "numerics/lanes.hpp"
+
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cmath>
+
+namespace tamis::TAMIS_ISA {
+namespace {
+
+/// Largest relative error of 1/b over all mantissas at one exponent and sign.
+double worst_error(std::uint32_t high_bits) {
+  double worst = 0;
+  float b[kFloatLanes], quotient[kFloatLanes];
+  for (std::uint32_t mantissa = 0; mantissa < (1u << 23); mantissa += kFloatLanes) {
+    for (int i = 0; i < kFloatLanes; ++i)
+      b[i] = std::bit_cast<float>(high_bits | (mantissa + static_cast<std::uint32_t>(i)));
+    Ratio<FloatLanes>::of(FloatLanes(1.0f), FloatLanes::load_unaligned(b)).store_unaligned(quotient);
+    for (int i = 0; i < kFloatLanes; ++i) worst = std::max(worst, std::fabs(double(quotient[i]) * double(b[i]) - 1));
+  }
+  return worst;
+}
+
+TEST(Ratio, StaysWithinItsStatedErrorForEveryMantissa) {
+  // Would catch a wrong first guess, a lost step of Newton, or an error stated too small: any of them a missed contact.
+  constexpr std::uint32_t kNegative = 0x80000000u;
+  for (std::uint32_t exponent : {27u, 100u, 126u, 127u, 128u, 200u, 226u})
+    for (std::uint32_t sign : {0u, kNegative}) {
+      EXPECT_LE(worst_error(sign | (exponent << 23)), Ratio<FloatLanes>::kError) << exponent;
+    }
+  EXPECT_GE(worst_error(127u << 23), Ratio<FloatLanes>::kError / 2);  // the bound is no fiction
+}
+
+TEST(Lanes, TransposeTurnsRowsIntoColumns) {
+  DoubleLanes rows[kDoubleLanes];
+  double values[kDoubleLanes];
+  for (int i = 0; i < kDoubleLanes; ++i) {
+    for (int j = 0; j < kDoubleLanes; ++j) values[j] = 10 * i + j;
+    rows[i] = DoubleLanes::load_unaligned(values);
+  }
+  transpose(rows);
+  for (int i = 0; i < kDoubleLanes; ++i) {
+    rows[i].store_unaligned(values);
+    for (int j = 0; j < kDoubleLanes; ++j) EXPECT_EQ(values[j], 10 * j + i);
+  }
+}
+
+TEST(Lanes, BitsNameLanesFromTheLowest) {
+  double values[kDoubleLanes];
+  for (int j = 0; j < kDoubleLanes; ++j) values[j] = j;
+  EXPECT_EQ(bits(DoubleLanes::load_unaligned(values) < DoubleLanes(1.0)), 1u);
+}
+
+}  // namespace
+}  // namespace tamis::TAMIS_ISA

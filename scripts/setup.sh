@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Installs the Debian or Ubuntu packages Tamis needs that are not here yet; with --tests, also those of the tests.
+# Installs the Debian or Ubuntu packages Tamis needs that are not here yet; with --tests, also those of the tests; with
+# --bench, those of the benchmarks and of the packages Tamis is compared with.
 # Touches neither apt nor the network when nothing is missing.
 set -euo pipefail
 
@@ -7,6 +8,9 @@ packages=(g++ cmake ninja-build pkg-config libtbb-dev libgmp-dev libxsimd-dev
           libcli11-dev libfmt-dev nlohmann-json3-dev libeigen3-dev libmeshoptimizer-dev)
 if [[ ${1:-} == --tests ]]; then
   packages+=(libgtest-dev glmark2-data python3 binutils clang-14 clang-format-14 clang-tidy-14)
+fi
+if [[ ${1:-} == --bench ]]; then
+  packages+=(libbenchmark-dev libembree-dev libcgal-dev libbullet-dev python3-matplotlib)
 fi
 
 is_installed() { [[ $(dpkg-query -W -f='${db:Status-Status}' "$1" 2>/dev/null) == installed ]]; }

@@ -57,11 +57,11 @@ def draw_size(results, pictures):
         sizes = [r["triangles"] for r in rows]
         for key, style, word in (("cpu_cold", "--", "cold"), ("cpu", "-", "warm")):
             values = [r[key] for r in rows]
-            label = f"{scene}, {word}: n^{exponent(sizes, values):.2f}"
+            label = f"{scene}, {word}: $n^{{{exponent(sizes, values):.2f}}}$"
             time.loglog(sizes, values, style, color=colour, marker="o", markersize=3.5, label=label)
         for key, style, word in (("peak_memory_bytes", "--", "process"), ("detector_memory_bytes", "-", "detector")):
             values = [r[key] / 1e6 for r in rows]
-            label = f"{scene}, {word}: n^{exponent(sizes, values):.2f}"
+            label = f"{scene}, {word}: $n^{{{exponent(sizes, values):.2f}}}$"
             memory.loglog(sizes, values, style, color=colour, marker="o", markersize=3.5, label=label)
         for r in rows:
             lines.append([scene, f"{r['triangles']:,.0f}", f"{r['contacts']:,.0f}", ms(r["cpu_cold"]), ms(r["cpu"]),
@@ -129,6 +129,8 @@ def draw_contenders(results, pictures):
         ax.grid(axis="y", visible=False)
         ax.set_xticks([])
         ax.spines["bottom"].set_visible(False)
+    figure.suptitle(f"cloth-ball, {data['triangles']:,} triangles, {data['contacts']:,} contacts: "
+                    "processor milliseconds, less is better", fontsize=10, color=GREY)
     figure.tight_layout()
     figure.savefig(pictures / "performance-contenders.png")
 

@@ -22,6 +22,7 @@ class Cgal final : public Contender {
  public:
   std::string name() const override { return "CGAL box_intersection_d"; }
   Field field() const override { return Field::broad_phase; }
+  bool uses_threads() const override { return false; }
   Cost run(const Task& task) override {
     const Stopwatch watch;
     counter_ = std::make_unique<PairCounter>(task);

@@ -60,6 +60,8 @@ class Contender {
   virtual ~Contender() = default;
   virtual std::string name() const = 0;
   virtual Field field() const = 0;
+  /// false: measured with one thread only.
+  virtual bool uses_threads() const { return field() != Field::one_pair; }
   /// Does the work, keeps what `answer` needs, and returns the cost of what counts.
   virtual Cost run(const Task& task) = 0;
   /// Of the last run; not timed.

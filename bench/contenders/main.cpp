@@ -120,6 +120,7 @@ int run(const Arguments& arguments) {
   std::string title;
   for (const auto& contender : all_contenders())
     for (const int threads : arguments.threads) {
+      if (threads != arguments.threads.front() && !contender->uses_threads()) continue;
       const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
       task.threads = threads;
       rows.push_back(row_of(*contender, task, arguments.repeat));

@@ -12,6 +12,9 @@
 
 namespace tamis::bench {
 
+/// Contact means distance zero in all stages that are timed.
+inline constexpr double kSeparation = 0;
+
 using Buffers = std::vector<std::unique_ptr<PairBuffer>>;
 
 /// Pairs of one kind as they enter each stage.

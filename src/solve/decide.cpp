@@ -6,6 +6,7 @@
 #include "solve/closest.hpp"
 #include "solve/exact.hpp"
 #include "solve/separation.hpp"
+#include "solve/start_distance.hpp"
 #include "solve/subdivide.hpp"
 
 namespace tamis {
@@ -26,6 +27,16 @@ Decision decide_in_doubles(PairKind kind, const PairMotion<double>& m) {
                                                   : SlabClip::clip<PairKind::edge_edge>(m, step);
   if (time.t_in > time.t_out) return {};
   return m.separation > 0 ? first_within(kind, m, time) : subdivide(kind, m, widened(time));
+}
+
+/// The start of the step is decided exactly: a pair that is apart there, by whatever little, has a time before it
+/// touches; so a line search never stops for nothing.
+Decision with_exact_start(PairKind kind, const PairPoints& points, double separation, const Decision& decision) {
+  if (decision.verdict == Verdict::is_free || decision.lower > 0 || decision.upper == 0) return decision;
+  const double apart = apart_from_start(kind, points, separation);
+  if (apart == 0) return {Verdict::touches, 0, 0};
+  if (std::isinf(apart)) return {};
+  return {decision.verdict, std::min(apart, decision.upper), decision.upper};
 }
 
 /// A unit vector along `v`, or if that vanishes one orthogonal to `w`.
@@ -57,6 +68,7 @@ void add_weights(PairKind kind, const PairMotion<double>& m, PairResult& result)
 PairResult decide(PairKind kind, const PairPoints& points, const PairOptions& options, PrecisionCount& decided_by) {
   const auto m = make_motion(kind, points, options.min_separation);
   Decision decision = decide_in_doubles(kind, m);
+  if (options.min_separation > 0) decision = with_exact_start(kind, points, options.min_separation, decision);
   if (decision.verdict == Verdict::unsure && options.guarantee == Guarantee::exact && options.min_separation == 0) {
     ++decided_by.exact;
     const auto exact = decide_exactly(kind, points);

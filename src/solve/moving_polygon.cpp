@@ -22,7 +22,7 @@ Parts parts_of(double x) {
   return {x < 0 ? -mantissa : mantissa, std::max(biased, 1) - 1075};
 }
 
-/// Of the last bit that is set in any coordinate.
+/// Of the last bit that is set in any coordinate; 0 if there is none.
 int common_exponent(const PairPoints& points) {
   int common = INT_MAX;
   for (const auto* at : {&points.start, &points.end})
@@ -32,7 +32,7 @@ int common_exponent(const PairPoints& points) {
         if (x != 0)
           common = std::min(common, parts.exponent + std::countr_zero(static_cast<std::uint64_t>(parts.mantissa)));
       }
-  return common;
+  return common == INT_MAX ? 0 : common;
 }
 
 Integer scaled(double x, int common) {
@@ -43,8 +43,7 @@ Integer scaled(double x, int common) {
   return Integer(parts.mantissa) << static_cast<unsigned long>(shift);
 }
 
-std::array<Moving<Integer>, 4> scaled(const PairPoints& points) {
-  const int common = common_exponent(points);
+std::array<Moving<Integer>, 4> scaled(const PairPoints& points, int common) {
   const auto vector = [common](const Point& p) {
     return Vec3<Integer>{scaled(p[0], common), scaled(p[1], common), scaled(p[2], common)};
   };
@@ -56,9 +55,10 @@ std::array<Moving<Integer>, 4> scaled(const PairPoints& points) {
 }  // namespace
 
 MovingPolygon difference_polygon(PairKind kind, const PairPoints& points) {
-  const auto x = scaled(points);
-  if (kind == PairKind::vertex_face) return {{x[0] - x[1], x[0] - x[2], x[0] - x[3], {}}, 3};
-  return {{x[2] - x[0], x[2] - x[1], x[3] - x[1], x[3] - x[0]}, 4};
+  const int common = common_exponent(points);
+  const auto x = scaled(points, common);
+  if (kind == PairKind::vertex_face) return {{x[0] - x[1], x[0] - x[2], x[0] - x[3], {}}, 3, common};
+  return {{x[2] - x[0], x[2] - x[1], x[3] - x[1], x[3] - x[0]}, 4, common};
 }
 
 }  // namespace tamis

@@ -13,6 +13,7 @@ namespace tamis {
 struct MovingPolygon {
   std::array<Moving<Integer>, 4> corners;  ///< in order around it
   std::size_t corner_count;                ///< 3 or 4
+  int exponent;                            ///< a coordinate 1 is a length of 2^exponent
 
   const Moving<Integer>& corner(std::size_t i) const { return corners[i % corner_count]; }
 };

@@ -81,8 +81,8 @@ TYPED_TEST(FilterSoundness, CullsADecentShareOfSeparatedPairs) {
       if (placement.name == std::string_view("smallest")) continue;  // differences are denormal: nothing is proven
       int culled = 0;
       for (int i = 0; i < kCases; ++i)
-        culled +=
-            this->culls(kind, make_motion(kind, to_points(placed(family_named("separated").make(kind, random), placement))));
+        culled += this->culls(
+            kind, make_motion(kind, to_points(placed(family_named("separated").make(kind, random), placement))));
       EXPECT_GT(culled, kCases / 5) << placement.name << " of " << kCases;
     }
 }

@@ -1,0 +1,14 @@
+// The distance at t=0 against a separation, in integers: what doubles cannot tell there must not stop a step that may
+// go, be it ever so little.
+#pragma once
+#include "motion/make_motion.hpp"
+#include "tamis/contact.hpp"
+
+namespace tamis {
+
+/// 0 if at t=0 the features are within `separation` of each other; else a time > 0 (unless it underflows) before which
+/// they are not: their distance beyond it over a bound on their relative speed. Infinite if nothing moves against the
+/// other. Decided exactly. REQUIRES: finite coordinates, a finite separation >= 0.
+double apart_from_start(PairKind kind, const PairPoints& points, double separation);
+
+}  // namespace tamis

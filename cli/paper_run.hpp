@@ -1,0 +1,56 @@
+// Every method of the paper's laboratory over one sequence of frames, compared in every frame.
+#pragma once
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "tamis/statistics.hpp"
+
+namespace tamis::cli {
+
+/// Frames of one mesh, in order.
+struct PaperScene {
+  std::string name;
+  std::vector<std::filesystem::path> frames;
+};
+
+/// Sums over the steps of a sequence.
+struct MethodResult {
+  std::string method;
+  double seconds = 0;  ///< without building the hierarchy, which happens once
+  std::vector<StageCount> stages;
+  std::uint64_t contacts = 0;
+  std::uint64_t unresolved = 0;
+  std::uint64_t missed = 0;  ///< certified by some other method in the same step, not reported by this one
+  std::uint64_t extra = 0;   ///< reported, and certified by no method
+
+  /// Pairs of features that enter the named stage; 0 if the method has no such stage.
+  std::uint64_t entering(std::string_view stage) const;
+  /// Pairs that the filters leave to the elementary test.
+  std::uint64_t elementary_tests() const;
+  /// Of these, the ones that are no contact.
+  std::uint64_t false_pairs() const;
+};
+
+struct SceneResult {
+  std::string scene;
+  int factor;         ///< length of the step, in frames
+  bool extrapolated;  ///< too few frames to leave some out: the step was stretched instead
+  std::size_t triangles;
+  std::size_t steps;
+  std::vector<MethodResult> methods;
+
+  const MethodResult& method(std::string_view name) const;
+  double milliseconds(std::string_view name) const;
+  bool sets_agree() const;
+};
+
+/// What is compared, in the order of the tables: the default method first.
+std::vector<std::string> paper_methods();
+
+/// One thread. `step_done` is called after each step.
+SceneResult run_paper_scene(const PaperScene& scene, int factor, const std::function<void()>& step_done);
+
+}  // namespace tamis::cli

@@ -24,7 +24,7 @@ struct MethodResult {
   std::uint64_t contacts = 0;
   std::uint64_t unresolved = 0;
   std::uint64_t missed = 0;  ///< certified by some other method in the same step, not reported by this one
-  std::uint64_t extra = 0;   ///< reported, and certified by no method
+  std::uint64_t extra = 0;   ///< reported as unresolved, and certified by no method: a tighter filter may prove it free
 
   /// Pairs of features that enter the named stage; 0 if the method has no such stage.
   std::uint64_t entering(std::string_view stage) const;
@@ -44,6 +44,7 @@ struct SceneResult {
 
   const MethodResult& method(std::string_view name) const;
   double milliseconds(std::string_view name) const;
+  /// Every method reports every contact that any method certifies; they may differ in unresolved pairs only.
   bool sets_agree() const;
 };
 

@@ -132,7 +132,7 @@ class Paper final : public Verb {
 
   std::string size() const {
     std::string text = quick_ ? "**Quick size**: small variants of the scenes, not the paper's triangle counts."
-                              : "Full size: the paper's triangle counts.";
+                              : "Simulated scenes, where there are any, at full size: the paper's triangle counts.";
     if (length_ > 0) text += fmt::format(" Only the first {} frames of each simulated scene.", length_);
     for (const std::string& pair : given_)
       text += fmt::format(" `{}`: frames that were given, not simulated here.", pair.substr(0, pair.find('=')));

@@ -23,7 +23,9 @@ def bars(rows, groups, names, value, title, unit, path, log=True):
     width = 0.85 / len(names)
     for i, name in enumerate(names):
         heights = [value(rows, group, name) for group in groups]
-        axes.bar([g + (i - (len(names) - 1) / 2) * width for g in range(len(groups))], heights, width, label=name)
+        color = pyplot.get_cmap("tab20")(2 * i % 20 + i // 10)
+        axes.bar([g + (i - (len(names) - 1) / 2) * width for g in range(len(groups))], heights, width, label=name,
+                 color=color)
     axes.set_xticks(range(len(groups)))
     axes.set_xticklabels([f"{scene}\n{step}" for scene, step in groups])
     if log:

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <sstream>
 #include <utility>
 
 #include "scenes/point_math.hpp"
@@ -199,16 +198,6 @@ Motion permuted(PairKind kind, const Motion& motion, Random& random) {
     result.end[i] = motion.end[order[i]];
   }
   return result;
-}
-
-std::string describe(PairKind kind, const Motion& motion) {
-  std::ostringstream out;
-  out << (kind == PairKind::vertex_face ? "vertex-face" : "edge-edge") << std::hexfloat;
-  for (const auto* points : {&motion.start, &motion.end}) {
-    out << (points == &motion.start ? "\n  start" : "\n  end  ");
-    for (const Point& p : *points) out << " {" << p[0] << ", " << p[1] << ", " << p[2] << "}";
-  }
-  return out.str();
 }
 
 }  // namespace tamis::test

@@ -1,12 +1,12 @@
 // Random motions of one pair of features, by family: each family aims at one way of losing a contact.
 #pragma once
 #include <array>
-#include <string>
 #include <string_view>
 
 #include "motion/make_motion.hpp"
 #include "oracle/oracle.hpp"
 #include "scenes/random.hpp"
+#include "support/describe.hpp"
 
 namespace tamis::test {
 
@@ -45,8 +45,5 @@ oracle::Motion placed(oracle::Motion motion, const Placement& placement);
 oracle::Motion permuted(PairKind kind, const oracle::Motion& motion, Random& random);
 
 inline PairPoints to_points(const oracle::Motion& motion) { return {motion.start, motion.end}; }
-
-/// In hexadecimal, to reproduce a failure.
-std::string describe(PairKind kind, const oracle::Motion& motion);
 
 }  // namespace tamis::test

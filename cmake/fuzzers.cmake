@@ -1,0 +1,8 @@
+# Included before all targets: every function reports where it goes, which is what guides the fuzzer.
+if(TAMIS_BUILD_TESTS OR TAMIS_BUILD_TOOLS)
+  message(FATAL_ERROR "The fuzz targets are built alone: use the preset fuzz, or switch tests and tools off")
+endif()
+if(NOT CMAKE_CXX_COMPILER_ID MATCHES "Clang")
+  message(FATAL_ERROR "The fuzz targets need clang++ (Debian: clang-14, libclang-rt-14-dev): use the preset fuzz")
+endif()
+add_compile_options(-fsanitize=fuzzer-no-link)

@@ -1,0 +1,45 @@
+#!/usr/bin/env bash
+# fuzz.sh SECONDS [TARGET...]: builds the fuzz targets (preset fuzz) and runs each for so long, all by default.
+#   --build FOLDER   builds there, instead of in build/fuzz
+#   --runs N         a fixed number of runs instead, with a fixed seed: the same inputs every time
+#   --seed S         for the long run; another seed finds other inputs (default: the clock)
+# Starts from tests/fuzz/corpus; what the fuzzer adds stays in FOLDER/corpus, and the input of a failure in
+# FOLDER/findings: run FOLDER/tests/fuzz/TARGET_fuzz with that file to see it again. Exit 77 where clang is absent.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+
+build=build/fuzz runs="" seed=0 targets=()
+while (($#)); do
+  case $1 in
+    --build) build=$2; shift 2 ;;
+    --runs) runs=$2; shift 2 ;;
+    --seed) seed=$2; shift 2 ;;
+    *) targets+=("$1"); shift ;;
+  esac
+done
+seconds=""
+if [[ -z $runs ]]; then
+  seconds=${targets[0]:?give the seconds a target}
+  targets=("${targets[@]:1}")
+fi
+((${#targets[@]})) || targets=(pair mesh ply obj queries)
+
+command -v clang++-14 >/dev/null || { echo "skipped: no clang++-14"; exit 77; }
+runtime=$(clang++-14 --print-file-name=libclang_rt.fuzzer-x86_64.a)
+[[ -e $runtime || -e ${runtime/-x86_64/} ]] || { echo "skipped: no libFuzzer (libclang-rt-14-dev)"; exit 77; }
+cmake --preset fuzz -B "$build" >/dev/null
+cmake --build "$build" --parallel "$(nproc)" --target "${targets[@]/%/_fuzz}"
+
+for target in "${targets[@]}"; do
+  echo "fuzzing: $target"
+  options=(-print_final_stats=1 -timeout=60 -rss_limit_mb=4096 -artifact_prefix="$build/findings/$target-")
+  mkdir -p "$build/findings" "$build/corpus/$target"
+  if [[ $target == pair ]]; then options+=(-max_len=320); fi
+  if [[ $target == mesh ]]; then options+=(-max_len=600); fi
+  if [[ -n $runs ]]; then
+    "$build/tests/fuzz/${target}_fuzz" "${options[@]}" -seed=1 -runs="$runs" "tests/fuzz/corpus/$target" -verbosity=0
+  else
+    "$build/tests/fuzz/${target}_fuzz" "${options[@]}" -seed="$seed" -max_total_time="$seconds" \
+      "$build/corpus/$target" "tests/fuzz/corpus/$target" -verbosity=0
+  fi
+done

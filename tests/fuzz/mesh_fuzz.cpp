@@ -1,0 +1,127 @@
+// Tiny meshes of any shape: method tamis and method paper report what method brute certifies and the other way round,
+// conservatively and exactly, and the three questions of a detector agree, also when asked a second time, of a
+// hierarchy that was refitted.
+#include <algorithm>
+#include <set>
+#include <sstream>
+
+#include "fuzz/moving_points.hpp"
+#include "fuzz/require.hpp"
+#include "tamis/tamis.hpp"
+
+namespace tamis::fuzz {
+namespace {
+
+struct MovingMesh {
+  Mesh mesh;
+  MovingPoints points;
+  Step step() const { return {points.start, points.end}; }
+};
+
+MovingMesh take_mesh(ByteSource& bytes) {
+  const int vertices = 4 + bytes.below(13), faces = 1 + bytes.below(12);
+  const auto vertex = [&] { return static_cast<Index>(bytes.below(vertices)); };
+  std::vector<Face> face_list;
+  for (int i = 0; i < faces; ++i) face_list.push_back({vertex(), vertex(), vertex()});
+  std::vector<Edge> rods;
+  for (int left = bytes.below(16) - 12; left > 0; --left) {
+    const Index a = vertex(), b = vertex();
+    if (a != b) rods.push_back({std::min(a, b), std::max(a, b)});
+  }
+  std::vector<Index> loose_points;
+  for (int left = bytes.below(16) - 12; left > 0; --left) loose_points.push_back(vertex());
+  Mesh mesh(vertices, std::move(face_list), rods, std::move(loose_points));
+  MovingPoints points = take_points(bytes, static_cast<std::size_t>(vertices));
+  place(bytes, points);
+  return {std::move(mesh), std::move(points)};
+}
+
+using Name = std::tuple<PairKind, std::array<Index, 4>, Certainty>;
+using Names = std::set<Name>;
+
+Names names_of(const std::vector<Contact>& contacts) {
+  Names names;
+  for (const Contact& c : contacts) names.insert({c.kind, c.vertices, c.certainty});
+  return names;
+}
+
+std::string text_of(const Names& names) {
+  std::ostringstream out;
+  for (const auto& [kind, v, certainty] : names)
+    out << (kind == PairKind::vertex_face ? "vf " : "ee ") << v[0] << ' ' << v[1] << ' ' << v[2] << ' ' << v[3]
+        << (certainty == Certainty::certified ? "" : " unresolved") << '\n';
+  return out.str();
+}
+
+std::string text_of(const MovingMesh& m) {
+  std::ostringstream out;
+  out << std::hexfloat;
+  for (std::size_t i = 0; i < m.points.start.size(); ++i) {
+    out << "v " << i;
+    for (const Point& p : {m.points.start[i], m.points.end[i]}) out << "  " << p[0] << ' ' << p[1] << ' ' << p[2];
+    out << '\n';
+  }
+  for (const Face& f : m.mesh.faces()) out << "f " << f[0] << ' ' << f[1] << ' ' << f[2] << '\n';
+  for (const Edge& e : m.mesh.edges()) out << "e " << e[0] << ' ' << e[1] << '\n';
+  return out.str();
+}
+
+Options options_of(Method method, Guarantee guarantee, double separation) {
+  Options options;
+  options.method = method;
+  options.guarantee = guarantee;
+  options.min_separation = separation;
+  options.threads = 1;
+  return options;
+}
+
+void check_questions(const MovingMesh& m, Detector& detector, const Names& names) {
+  const auto describe = [&] { return text_of(m); };
+  const EarliestContact earliest = detector.earliest(m.step());
+  require(earliest.contact.has_value() == !names.empty(), "earliest and contacts differ", describe);
+  require(detector.is_free(m.step()) == names.empty(), "is_free and contacts differ", describe);
+  detector.contacts({m.points.end, m.points.start});
+  require(names_of(detector.contacts(m.step())) == names, "an earlier question changes the answer", describe);
+}
+
+/// The names with these certainties, as if certified: sets of pairs.
+Names pairs_of(const Names& names, bool unresolved_too) {
+  Names pairs;
+  for (const auto& [kind, vertices, certainty] : names)
+    if (unresolved_too || certainty == Certainty::certified) pairs.insert({kind, vertices, Certainty::certified});
+  return pairs;
+}
+
+bool includes(const Names& all, const Names& some) {
+  return std::includes(all.begin(), all.end(), some.begin(), some.end());
+}
+
+/// What one method certifies, every other one reports. Which pairs stay unresolved may depend on the method.
+void check(const MovingMesh& m, Guarantee guarantee, double separation) {
+  Detector brute(m.mesh, options_of(Method::brute, guarantee, separation));
+  const Names expected = names_of(brute.contacts(m.step()));
+  for (const Method method : {Method::tamis, Method::paper}) {
+    Detector detector(m.mesh, options_of(method, guarantee, separation));
+    const Names found = names_of(detector.contacts(m.step()));
+    const bool agree = includes(pairs_of(expected, true), pairs_of(found, false)) &&
+                       includes(pairs_of(found, true), pairs_of(expected, false));
+    require(agree, "the methods differ", [&] {
+      return text_of(m) + "brute:\n" + text_of(expected) + std::string(name_of(method)) + ":\n" + text_of(found);
+    });
+    check_questions(m, detector, found);
+  }
+}
+
+}  // namespace
+}  // namespace tamis::fuzz
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace tamis::fuzz;
+  ByteSource bytes({data, size});
+  const int choice = bytes.below(8);
+  const double separation = choice < 6 ? 0 : std::ldexp(1 + bytes.below(16), -bytes.below(24));
+  const MovingMesh mesh = take_mesh(bytes);
+  check(mesh, tamis::Guarantee::conservative, separation);
+  if (separation == 0) check(mesh, tamis::Guarantee::exact, separation);
+  return 0;
+}

@@ -1,0 +1,17 @@
+#include "support/describe.hpp"
+
+#include <sstream>
+
+namespace tamis::test {
+
+std::string describe(PairKind kind, const oracle::Motion& motion) {
+  std::ostringstream out;
+  out << (kind == PairKind::vertex_face ? "vertex-face" : "edge-edge") << std::hexfloat;
+  for (const auto* points : {&motion.start, &motion.end}) {
+    out << (points == &motion.start ? "\n  start" : "\n  end  ");
+    for (const Point& p : *points) out << " {" << p[0] << ", " << p[1] << ", " << p[2] << "}";
+  }
+  return out.str();
+}
+
+}  // namespace tamis::test

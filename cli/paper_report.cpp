@@ -160,8 +160,8 @@ constexpr std::string_view kDiscussion = R"(
 
 One thread. Milliseconds are the mean over all steps, wall clock, without building the hierarchy (done once; refitting is counted).
 The methods take turns within every step. "Missed" counts contacts that any method certifies and this one does not report, step by step;
-"extra" those reported as unresolved that no method certifies (resting, exactly coplanar pairs in the main): floating point cannot decide
-them, they are kept as contacts, and a filter that separates them, as SAT and PFS do, reports fewer. "Pairs left" enter the elementary test; a pair may count more than once
+"extra" those reported as unresolved that no method certifies: the elementary test cannot decide
+them in floating point, so they are kept as contacts; a filter that proves some of them free first reports fewer. "Pairs left" enter the elementary test; a pair may count more than once
 without representative triangles. `table1.csv` and `stages.csv` hold the sums behind every figure.
 )";
 

@@ -13,7 +13,7 @@ constexpr double kClothSide = 3.0;
 constexpr double kClearance = 0.15;  ///< below the ball
 constexpr double kSpinStart = 0.5;   ///< seconds: the cloth has fallen onto the floor
 constexpr double kSpinRise = 0.5;    ///< seconds
-constexpr double kSpin = 2.5;        ///< radians per second
+constexpr double kSpin = 2.0;        ///< radians per second
 
 /// The spin rises linearly, then stays.
 double angle_at(double time) {
@@ -45,7 +45,9 @@ Model cloth_ball(Index triangles, std::uint64_t seed) {
   });
   model.add_obstacle(floor, at_rest);
   model.thickness = 0.3 * edge;
-  model.friction = 0.5;
+  model.friction = 0.9;
+  model.drag = 1.5;
+  model.frame_time = 1.0 / 25;
   return model;
 }
 

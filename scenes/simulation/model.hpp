@@ -31,6 +31,7 @@ struct Model {
   std::vector<Index> object_of_vertex;  ///< of each vertex of the mesh
   std::vector<bool> is_obstacle;        ///< of each object
 
+  std::vector<Distance> tethers;  ///< from the longest to the shortest
   std::vector<Distance> distances;
   std::vector<Bend> bends;
   std::vector<Attachment> attachments;
@@ -54,7 +55,7 @@ struct Model {
 
   /// Each adds an object and returns its first vertex. Surfaces come before the nodes of solids.
   Index add_obstacle(const Surface& surface, Obstacle::Path path);
-  /// `sheet`: the same surface as cut from the cloth; hinges folded there (seams) resist no bending.
+  /// `sheet`: the same surface as cut from the cloth: flat and convex. Hinges folded there (seams) resist no bending.
   Index add_cloth(const Surface& surface, const Surface& sheet, const Fabric& fabric);
   /// A closed surface (small holes are fine) embedded in a lattice of tetrahedra with `cells` along its longest side.
   Index add_solid(const Surface& surface, const Solid& solid, Index cells);
@@ -64,6 +65,7 @@ struct Model {
   Index add_object(const Surface& surface, bool as_obstacle);
   /// `first`: the vertex of the mesh that is `sheet`'s point 0.
   void add_fabric(Index first, const Surface& sheet, const Fabric& fabric);
+  void add_tethers(Index first, const Surface& sheet);
 };
 
 }  // namespace tamis::simulation

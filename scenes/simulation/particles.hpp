@@ -12,6 +12,11 @@ struct Particles {
   Index count() const { return static_cast<Index>(position.cols()); }
 };
 
+/// Adds `mass` to what a particle weighs; a particle just made weighs nothing.
+inline void add_mass(double& inverse_mass, double mass) {
+  inverse_mass = inverse_mass > 0 ? 1 / (1 / inverse_mass + mass) : 1 / mass;
+}
+
 /// The update common to all constraints of XPBD (Macklin, Mueller, Chentanez 2016, equation 18).
 /// `compliance`: inverse stiffness; `weight`: sum of inverse masses times squared gradients; `dt`: seconds.
 inline double multiplier_step(double value, double multiplier, double compliance, double weight, double dt) {

@@ -4,6 +4,7 @@
 #include <string>
 #include <tuple>
 
+#include "scenes/simulation/intersections.hpp"
 #include "scenes/simulation/zones.hpp"
 #include "tamis/error.hpp"
 
@@ -67,7 +68,8 @@ Simulator::Simulator(Model model)
       proof_(model_.mesh(), options_of(model_, 0)),
       body_of_vertex_(bodies_of(model_)),
       start_(model_.particles.position) {
-  if (!proof_.is_free(step())) throw Error("the scene's surfaces touch each other at the start: move them apart");
+  if (!find_intersections(proof_.mesh(), step().start, model_.pair_filter()).empty())
+    throw Error("the scene's surfaces touch or pass through each other at the start: move them apart");
   near_at_start_ = near_.contacts(step());
 }
 
@@ -150,6 +152,7 @@ void Simulator::solve(const std::vector<Touch>& touches, double dt) {
     project_all(model_.tetrahedra, model_.particles, dt);
     project_all(model_.attachments, model_.particles, dt);
     project_all(model_.bends, model_.particles, dt);
+    project_all(model_.tethers, model_.particles, dt);
     project_all(model_.distances, model_.particles, dt);
     project_touches(touches);
   }

@@ -22,7 +22,7 @@ struct Effort {
 /// XPBD (Macklin, Mueller, Chentanez 2016) in small steps. Deterministic.
 class Simulator {
  public:
-  /// Throws Error if the model's surfaces touch each other at the start.
+  /// Throws Error if the model's surfaces touch or pass through each other at the start.
   explicit Simulator(Model model);
 
   /// One frame further. Throws Error if bodies are caught between obstacles that leave them no room.

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "scenes/simulation/nearest.hpp"
+
 namespace tamis::simulation {
 namespace {
 
@@ -10,15 +12,10 @@ constexpr double kJustBefore = 0.9;
 /// Share of the missing thickness that is regained in a step.
 constexpr double kRecovery = 0.1;
 
-Eigen::Matrix<double, 3, 4> corners(const std::array<Index, 4>& v, const Points& points) {
-  Eigen::Matrix<double, 3, 4> result;
+Corners corners(const std::array<Index, 4>& v, const Points& points) {
+  Corners result;
   for (int i = 0; i < 4; ++i) result.col(i) = points.col(v[static_cast<std::size_t>(i)]);
   return result;
-}
-
-Eigen::Vector4d weights_of(const Contact& c) {
-  if (c.kind == PairKind::vertex_face) return {1, c.u + c.v - 1, -c.u, -c.v};
-  return {1 - c.u, c.u, c.v - 1, -c.v};
 }
 
 }  // namespace
@@ -26,8 +23,9 @@ Eigen::Vector4d weights_of(const Contact& c) {
 Touch make_touch(const Contact& contact, const Points& start, const Points& end, double thickness) {
   const auto from = corners(contact.vertices, start), to = corners(contact.vertices, end);
   const double t = kJustBefore * contact.toi_lower;
-  const Eigen::Vector4d weights = weights_of(contact);
-  const Vec gap = ((1 - t) * from + t * to) * weights;
+  const Corners then = (1 - t) * from + t * to;
+  const Eigen::Vector4d weights = nearest_weights(contact.kind, then);
+  const Vec gap = then * weights;
   const double length = gap.norm();
   const Vec normal = length > 0 ? Vec(gap / length) : Vec(contact.normal.data());
   const double at_start = normal.dot(from * weights);

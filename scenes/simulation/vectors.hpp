@@ -1,6 +1,7 @@
 // Points of a simulation: one column a vertex, which is also what tamis::Positions views.
 #pragma once
 #include <Eigen/Core>
+#include <vector>
 
 #include "tamis/step.hpp"
 
@@ -11,5 +12,11 @@ using Points = Eigen::Matrix3Xd;
 
 inline Positions view(const Points& points) { return {points.data(), static_cast<Index>(points.cols())}; }
 inline Step step_between(const Points& start, const Points& end) { return {view(start), view(end)}; }
+
+inline Points as_points(const std::vector<Vec>& list) {
+  Points points(3, static_cast<Eigen::Index>(list.size()));
+  for (std::size_t i = 0; i < list.size(); ++i) points.col(static_cast<Eigen::Index>(i)) = list[i];
+  return points;
+}
 
 }  // namespace tamis::simulation

@@ -73,9 +73,6 @@ struct Magnitude {
     const bool is_odd = exponent % 2 != 0;
     return {std::sqrt(is_odd ? 2 * mantissa : mantissa), (exponent - (is_odd ? 1 : 0)) / 2};
   }
-  friend Magnitude operator*(const Magnitude& a, const Magnitude& b) {
-    return {a.mantissa * b.mantissa, a.exponent + b.exponent};
-  }
   friend Magnitude operator/(const Magnitude& a, const Magnitude& b) {
     return {a.mantissa / b.mantissa, a.exponent - b.exponent};
   }

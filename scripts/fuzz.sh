@@ -37,8 +37,9 @@ for target in "${targets[@]}"; do
   if [[ $target == pair ]]; then options+=(-max_len=320); fi
   if [[ $target == mesh ]]; then options+=(-max_len=600); fi
   if [[ -n $runs ]]; then
+    rm -rf "$build/short/$target" && mkdir -p "$build/short/$target"
     "$build/tests/fuzz/${target}_fuzz" "${options[@]}" -seed=1 -runs="$runs" -verbosity=0 \
-      "$(mktemp -d)" "tests/fuzz/corpus/$target"  # what it finds goes into the first folder
+      "$build/short/$target" "tests/fuzz/corpus/$target"  # what it finds goes into the first folder
   else
     "$build/tests/fuzz/${target}_fuzz" "${options[@]}" -seed="$seed" -max_total_time="$seconds" \
       "$build/corpus/$target" "tests/fuzz/corpus/$target" -verbosity=0

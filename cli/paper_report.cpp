@@ -61,16 +61,16 @@ std::string table_1(Results results) {
 /// One column a method.
 template <class Cell>
 std::string table_by_method(Results results, const std::string& title, const Cell& cell) {
-  std::string text = "\n## " + title + "\n\n| scene, step |";
+  std::string text = fmt::format("\n## {}\n\n| scene, step |", title);
   std::string rule = "\n|---|";
   for (const std::string& name : paper_methods()) {
-    text += " " + name + " |";
+    text += fmt::format(" {} |", name);
     rule += "--:|";
   }
   text += rule + "\n";
   for (const SceneResult& r : results) {
-    text += "| " + row_name(r) + " |";
-    for (const MethodResult& m : r.methods) text += " " + cell(r, m) + " |";
+    text += fmt::format("| {} |", row_name(r));
+    for (const MethodResult& m : r.methods) text += fmt::format(" {} |", cell(r, m));
     text += "\n";
   }
   return text;

@@ -62,7 +62,7 @@ Surface decimated(const Surface& fine, Index triangles) {
     for (double c : p) coordinates.push_back(static_cast<float>(c));
   std::vector<unsigned> kept(indices.size());
   kept.resize(meshopt_simplify(kept.data(), indices.data(), indices.size(), coordinates.data(), fine.points.size(),
-                               3 * sizeof(float), static_cast<std::size_t>(3 * triangles), 1.0F));
+                               3 * sizeof(float), 3 * static_cast<std::size_t>(triangles), 1.0F));
   Surface coarse;
   std::map<unsigned, Index> index_of;
   for (std::size_t i = 0; i < kept.size(); ++i) {

@@ -59,7 +59,8 @@ inline BasicInterval<T> operator*(const BasicInterval<T>& a, const BasicInterval
   const T p = a.lower * b.lower, q = a.lower * b.upper, r = a.upper * b.lower, s = a.upper * b.upper;
   // Infinity times zero: min and max could drop the NaN.
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  if (!(p == p && q == q && r == r && s == s)) return {T(-kInfinity), T(kInfinity)};
+  const bool has_nan = p != p || q != q || r != r || s != s;  // NOLINT(misc-redundant-expression)
+  if (has_nan) return {T(-kInfinity), T(kInfinity)};
   return {rounding::below(min(min(p, q), min(r, s))), rounding::above(max(max(p, q), max(r, s)))};
 }
 

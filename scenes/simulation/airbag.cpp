@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 constexpr double kBagRadius = 0.33;
-constexpr double kBase = 0.09;      ///< half the width of the panel that lies on the hub
+constexpr double kBase = 0.065;     ///< half the width of the panel that lies on the hub
 constexpr double kInflator = 0.05;  ///< radius of the bag's opening, held at the hub
 constexpr double kRimRadius = 0.19, kRimThickness = 0.015;
 constexpr double kHubRadius = 0.075;
@@ -101,8 +101,8 @@ Model airbag(Index triangles, std::uint64_t seed) {
   model.add_obstacle(steering_wheel, at_rest);
   model.friction = 0.2;
   model.drag = 2;
-  model.frame_time = 1.0 / 240;
-  model.substeps = 5;
+  model.frame_time = 1.0 / 360;
+  model.substeps = 4;
   return model;
 }
 

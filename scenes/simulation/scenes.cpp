@@ -9,7 +9,7 @@ namespace tamis::simulation {
 namespace {
 
 constexpr std::array kScenes{
-    SimulatedScene{"airbag", "a folded bag inflating against a steering wheel", 18'000, 90, airbag},
+    SimulatedScene{"airbag", "a folded bag inflating against a steering wheel", 18'000, 80, airbag},
     SimulatedScene{"cloth-ball", "cloth drops over a ball that turns and wraps it", 92'000, 94, cloth_ball},
     SimulatedScene{"funnel", "cloth pressed through a funnel by a ball", 18'000, 100, funnel},
     SimulatedScene{"bunny", "an elastic bunny crushed by a plate", 4'000, 90, bunny},

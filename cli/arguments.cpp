@@ -11,6 +11,7 @@ void DetectorArguments::declare(CLI::App& app) {
                  "tamis (default), paper (the published pipeline), brute (every pair; slow), or a competitor of the "
                  "paper: paper-sat, paper-pfs, ...")
       ->type_name("NAME");
+  declare_bounding_volume(app, bounding_volume_);
   declare_guarantee(app, guarantee_);
   declare_min_separation(app, min_separation_);
   constexpr int kMostThreads = 1024;
@@ -25,6 +26,7 @@ Options DetectorArguments::options() const {
   require_distance(min_separation_);
   Options options;
   choose_method(options, method_);
+  options.paper.bounding_volume = bounding_volume_from_name(bounding_volume_);
   options.guarantee = guarantee_from_name(guarantee_);
   options.isa = isa_from_name(isa_);
   options.threads = threads_;
@@ -56,6 +58,13 @@ void declare_guarantee(CLI::App& app, std::string& guarantee) {
   app.add_option("--guarantee", guarantee,
                  "what floating point cannot decide: conservative (default) reports it as an unresolved contact, "
                  "exact decides it by exact algebra")
+      ->type_name("NAME");
+}
+
+void declare_bounding_volume(CLI::App& app, std::string& volume) {
+  app.add_option("--bounding-volume", volume,
+                 "of the paper's hierarchy and its competitors': sphere, aabb, obb, 16-dop (default), 18-dop or "
+                 "26-dop; other methods have their own")
       ->type_name("NAME");
 }
 

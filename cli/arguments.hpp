@@ -7,6 +7,8 @@
 
 namespace tamis::cli {
 
+inline constexpr const char* kDefaultBoundingVolume = "16-dop";
+
 /// How to detect.
 class DetectorArguments {
  public:
@@ -18,6 +20,7 @@ class DetectorArguments {
   std::string method_ = "tamis";
   std::string guarantee_ = "conservative";
   std::string isa_ = "best";
+  std::string bounding_volume_ = kDefaultBoundingVolume;
   int threads_ = 0;
   double min_separation_ = 0;
 };
@@ -36,6 +39,7 @@ class ScaleArgument {
 void declare_json(CLI::App& app, bool& json);
 void declare_repeat(CLI::App& app, int& repeat);
 void declare_guarantee(CLI::App& app, std::string& guarantee);
+void declare_bounding_volume(CLI::App& app, std::string& volume);
 void declare_min_separation(CLI::App& app, double& distance);
 
 /// Throws InvalidOptions unless the distance is finite and not negative.

@@ -117,6 +117,8 @@ Json row_of(const BenchmarkCase& step, double scale, const BenchmarkSetup& setup
            {"scale", scale},
            {"question", setup.question},
            {"method", setup.method},
+           {"bounding_volume",
+            s.method == Method::paper ? name_of(setup.options.paper.bounding_volume) : std::string_view("own")},
            {"guarantee", name_of(setup.options.guarantee)},
            {"isa", name_of(s.isa)},
            {"threads", s.threads},

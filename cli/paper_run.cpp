@@ -1,7 +1,7 @@
 #include "cli/paper_run.hpp"
 
 #include <algorithm>
-#include <array>
+#include <ctime>
 #include <tuple>
 
 #include "cli/step_files.hpp"
@@ -45,8 +45,7 @@ void compare(const std::vector<Contacts>& answers, std::vector<MethodResult>& me
   }
 }
 
-void add_costs(const Statistics& statistics, MethodResult& method) {
-  method.seconds += statistics.seconds.total - statistics.seconds.build;
+void add_stages(const Statistics& statistics, MethodResult& method) {
   if (method.stages.empty()) {
     method.stages = statistics.stages;
     return;
@@ -57,26 +56,47 @@ void add_costs(const Statistics& statistics, MethodResult& method) {
   }
 }
 
-std::vector<Detector> detectors_of(const Mesh& mesh, const std::vector<std::string>& names) {
-  std::vector<Detector> detectors;
-  for (const std::string& name : names) {
-    Options options;
-    choose_method(options, name);
-    options.threads = 1;
-    detectors.emplace_back(mesh, options);
-  }
-  return detectors;
+/// Of the process, which runs on one thread: on a shared machine the wall clock counts the others too.
+double processor_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+
+std::vector<Options> options_of(const std::vector<std::string>& names) {
+  std::vector<Options> all(names.size() + 1);
+  for (std::size_t i = 0; i < names.size(); ++i) choose_method(all[i], names[i]);
+  Options& sieve = all.back();
+  sieve.method = Method::paper;
+  sieve.paper.filters = sieve_filters();
+  for (Options& options : all) options.threads = 1;
+  return all;
 }
 
-/// The methods take turns within a step, so that a slow phase of the machine is shared by all.
-void run_step(const Step& step, std::vector<Detector>& detectors, std::vector<MethodResult>& methods) {
-  std::vector<Contacts> answers;
-  for (std::size_t i = 0; i < detectors.size(); ++i) {
-    answers.push_back(detectors[i].contacts(step));
-    add_costs(detectors[i].statistics(), methods[i]);
+/// The detectors of a scene, the sieve's last, and what they have cost so far.
+class Contest {
+ public:
+  Contest(const Mesh& mesh, SceneResult& result) : result_(result) {
+    for (const Options& options : options_of(paper_methods())) detectors_.emplace_back(mesh, options);
   }
-  compare(answers, methods);
-}
+
+  /// The methods take turns within a step, so that a slow phase of the machine is shared by all.
+  void run(const Step& step) {
+    const bool is_first = result_.steps++ == 0;
+    std::vector<Contacts> answers;
+    for (std::size_t i = 0; i < result_.methods.size(); ++i) {
+      if (is_first) detectors_[i].contacts(step);
+      const double start = processor_seconds();
+      const Contacts& found = detectors_[i].contacts(step);
+      result_.methods[i].seconds += processor_seconds() - start;
+      answers.push_back(found);
+      add_stages(detectors_[i].statistics(), result_.methods[i]);
+    }
+    compare(answers, result_.methods);
+    result_.sieve.contacts += detectors_.back().contacts(step).size();
+    add_stages(detectors_.back().statistics(), result_.sieve);
+  }
+
+ private:
+  SceneResult& result_;
+  std::vector<Detector> detectors_;
+};
 
 }  // namespace
 
@@ -116,25 +136,47 @@ std::vector<std::string> paper_methods() {
   return names;
 }
 
-SceneResult run_paper_scene(const PaperScene& scene, int factor, const std::function<void()>& step_done) {
+std::vector<std::string> sieve_filters() {
+  return {"dnf", "ncf-published", "ncf", "slab", "sat", "pfs-linear", "pfs-planar"};
+}
+
+std::vector<std::size_t> PaperSteps::begins(std::size_t frames) const {
+  const auto length = static_cast<std::size_t>(factor);
+  const std::size_t count = frames > length ? (frames - 1) / length : 1;
+  const std::size_t taken = most == 0 ? count : std::min(most, count);
+  std::vector<std::size_t> result;
+  for (std::size_t i = 0; i < taken; ++i) result.push_back(i * count / taken * length);
+  return result;
+}
+
+SceneResult run_paper_scene(const PaperScene& scene, const PaperSteps& steps, const std::function<void()>& step_done) {
   const std::size_t count = scene.frames.size();
   if (count < 2)
     throw io::FileError(scene.frames.front().string(), "", "a single frame does not move: give two or more");
-  const bool extrapolates = static_cast<std::size_t>(factor) >= count;
-  const std::size_t stride = extrapolates ? count - 1 : static_cast<std::size_t>(factor);
-  io::MeshFile first = read_with_notes(scene.frames.front());
-  std::vector<Point> start = first.positions;
-  SceneResult result{scene.name, factor, extrapolates, first.faces.size(), 0, {}};
-  for (const std::string& name : paper_methods()) result.methods.push_back({.method = name, .stages = {}});
-  std::vector<Detector> detectors = detectors_of(io::mesh_of(first), paper_methods());
-  for (std::size_t i = stride; i < count; i += stride) {
+  const auto factor = static_cast<std::size_t>(steps.factor);
+  const bool extrapolates = factor >= count;
+  const std::size_t length = extrapolates ? count - 1 : factor;
+  const io::MeshFile first = read_with_notes(scene.frames.front());
+  const auto positions_at = [&](std::size_t i) {
     io::MeshFile frame = io::read_mesh(scene.frames[i]);
     io::require_same_mesh(first, scene.frames.front().string(), frame, scene.frames[i].string());
-    std::vector<Point> end = frame.positions;
-    if (extrapolates) scale_step(start, end, static_cast<double>(factor) / static_cast<double>(stride));
-    run_step({start, end}, detectors, result.methods);
-    ++result.steps;
-    start = std::move(frame.positions);
+    return std::move(frame.positions);
+  };
+  SceneResult result{.scene = scene.name,
+                     .factor = steps.factor,
+                     .extrapolated = extrapolates,
+                     .triangles = first.faces.size(),
+                     .steps = 0,
+                     .all_steps = extrapolates ? 1 : (count - 1) / length,
+                     .methods = {},
+                     .sieve = {.method = "sieve", .stages = {}}};
+  for (const std::string& name : paper_methods()) result.methods.push_back({.method = name, .stages = {}});
+  Contest contest(io::mesh_of(first), result);
+  for (const std::size_t begin : steps.begins(count)) {
+    const std::vector<Point> start = positions_at(begin);
+    std::vector<Point> end = positions_at(begin + length);
+    if (extrapolates) scale_step(start, end, static_cast<double>(factor) / static_cast<double>(length));
+    contest.run({start, end});
     step_done();
   }
   return result;

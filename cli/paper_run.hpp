@@ -19,7 +19,7 @@ struct PaperScene {
 /// Sums over the steps of a sequence.
 struct MethodResult {
   std::string method;
-  double seconds = 0;  ///< without building the hierarchy, which happens once
+  double seconds = 0;  ///< of processor time; the first question, which builds the hierarchy, is asked beforehand
   std::vector<StageCount> stages;
   std::uint64_t contacts = 0;
   std::uint64_t unresolved = 0;
@@ -39,8 +39,11 @@ struct SceneResult {
   int factor;         ///< length of the step, in frames
   bool extrapolated;  ///< too few frames to leave some out: the step was stretched instead
   std::size_t triangles;
-  std::size_t steps;
+  std::size_t steps;      ///< that were run
+  std::size_t all_steps;  ///< that the frames have
   std::vector<MethodResult> methods;
+  /// The published filters, then others: of what NCF leaves, what each of those proves free. Not timed.
+  MethodResult sieve;
 
   const MethodResult& method(std::string_view name) const;
   double milliseconds(std::string_view name) const;
@@ -51,7 +54,19 @@ struct SceneResult {
 /// What is compared, in the order of the tables: the default method first.
 std::vector<std::string> paper_methods();
 
+/// The filters of SceneResult::sieve, in their order.
+std::vector<std::string> sieve_filters();
+
+/// How the steps of a sequence are taken.
+struct PaperSteps {
+  int factor = 1;        ///< length of a step, in frames
+  std::size_t most = 0;  ///< run at most so many, evenly spread; 0: all
+
+  /// The frames at which the steps begin that a sequence of `frames` frames has.
+  std::vector<std::size_t> begins(std::size_t frames) const;
+};
+
 /// One thread. `step_done` is called after each step.
-SceneResult run_paper_scene(const PaperScene& scene, int factor, const std::function<void()>& step_done);
+SceneResult run_paper_scene(const PaperScene& scene, const PaperSteps& steps, const std::function<void()>& step_done);
 
 }  // namespace tamis::cli

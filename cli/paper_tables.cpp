@@ -26,10 +26,14 @@ void write_paper_table(const std::filesystem::path& folder, std::span<const Scen
 void write_paper_stages(const std::filesystem::path& folder, std::span<const SceneResult> results) {
   io::AtomicFile file(folder / "stages.csv");
   file.append("scene,step,method,stage,vf,ee\n");
-  for (const SceneResult& r : results)
-    for (const MethodResult& m : r.methods)
-      for (const StageCount& s : m.stages)
-        file.append(fmt::format("{},{}x,{},{},{},{}\n", r.scene, r.factor, m.method, s.name, s.vf, s.ee));
+  const auto append = [&](const SceneResult& r, const MethodResult& m) {
+    for (const StageCount& s : m.stages)
+      file.append(fmt::format("{},{}x,{},{},{},{}\n", r.scene, r.factor, m.method, s.name, s.vf, s.ee));
+  };
+  for (const SceneResult& r : results) {
+    for (const MethodResult& m : r.methods) append(r, m);
+    append(r, r.sieve);
+  }
   file.commit();
 }
 

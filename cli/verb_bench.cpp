@@ -76,6 +76,9 @@ class Bench final : public Verb {
     app.add_option("--question", questions_, "contacts, earliest, free; default all three")->delimiter(',');
     app.add_option("--method", methods_, "tamis (default), paper, brute, or one of the paper's competitors")
         ->delimiter(',');
+    app.add_option("--bounding-volume", volumes_,
+                   "of method paper and its competitors: sphere, aabb, obb, 16-dop (default), 18-dop, 26-dop")
+        ->delimiter(',');
     app.add_option("--threads", threads_, "numbers of threads; 0: all; default 1")
         ->delimiter(',')
         ->check(CLI::Range(0, 1024));
@@ -88,6 +91,7 @@ class Bench final : public Verb {
     require_distance(setup_.options.min_separation);
     setup_.options.guarantee = guarantee_from_name(guarantee_);
     for (const std::string& isa : isas_) isa_from_name(isa);
+    for (const std::string& volume : volumes_) bounding_volume_from_name(volume);
     for (const std::string& method : methods_) {
       Options options;
       choose_method(options, method);
@@ -121,16 +125,18 @@ class Bench final : public Verb {
     for (const std::string& question : questions_) {
       std::optional<BenchmarkResult> first;
       for (const std::string& method : methods_)
-        for (const std::string& isa : isas_)
-          for (const int threads : threads_) {
-            setup_.question = question;
-            setup_.method = method;
-            setup_.options.isa = isa_from_name(isa);
-            setup_.options.threads = threads;
-            const BenchmarkResult result = measure(step, setup_);
-            if (!first) first = result;
-            add_row(row_of(step, scale, setup_, result), agree(*first, result));
-          }
+        for (const std::string& volume : volumes_)
+          for (const std::string& isa : isas_)
+            for (const int threads : threads_) {
+              setup_.question = question;
+              setup_.method = method;
+              setup_.options.paper.bounding_volume = bounding_volume_from_name(volume);
+              setup_.options.isa = isa_from_name(isa);
+              setup_.options.threads = threads;
+              const BenchmarkResult result = measure(step, setup_);
+              if (!first) first = result;
+              add_row(row_of(step, scale, setup_, result), agree(*first, result));
+            }
     }
   }
 
@@ -143,13 +149,14 @@ class Bench final : public Verb {
 
   void print_row(const Json& row) const {
     if (rows_.empty())
-      fmt::print("{:<18} {:>10} {:>5} {:<9} {:<8} {:<8} {:>2} {:>10} {:>10} {:>10} {:>9}\n", "scene", "triangles",
-                 "scale", "question", "method", "isa", "T", "cold", "warm", "cpu warm", "contacts");
-    fmt::print("{:<18} {:>10} {:>5} {:<9} {:<8} {:<8} {:>2} {:>10} {:>10} {:>10} {:>9}{}\n",
+      fmt::print("{:<18} {:>10} {:>5} {:<9} {:<8} {:<8} {:<8} {:>2} {:>10} {:>10} {:>10} {:>9}\n", "scene", "triangles",
+                 "scale", "question", "method", "volume", "isa", "T", "cold", "warm", "cpu warm", "contacts");
+    fmt::print("{:<18} {:>10} {:>5} {:<9} {:<8} {:<8} {:<8} {:>2} {:>10} {:>10} {:>10} {:>9}{}\n",
                row["scene"].get<std::string>(), grouped(row["triangles"]), row["scale"].get<double>(),
-               row["question"].get<std::string>(), row["method"].get<std::string>(), row["isa"].get<std::string>(),
-               row["threads"].get<int>(), readable(row["seconds_cold"]), readable(row["seconds"]), readable(row["cpu"]),
-               grouped(row["contacts"]), row["agrees"].get<bool>() ? "" : "  DIFFERS from the first answer");
+               row["question"].get<std::string>(), row["method"].get<std::string>(),
+               row["bounding_volume"].get<std::string>(), row["isa"].get<std::string>(), row["threads"].get<int>(),
+               readable(row["seconds_cold"]), readable(row["seconds"]), readable(row["cpu"]), grouped(row["contacts"]),
+               row["agrees"].get<bool>() ? "" : "  DIFFERS from the first answer");
     std::fflush(stdout);
   }
 
@@ -172,7 +179,7 @@ class Bench final : public Verb {
   std::string guarantee_ = "conservative";
   std::vector<Index> triangles_{100000};
   std::vector<std::string> questions_ = benchmark_questions();
-  std::vector<std::string> methods_{"tamis"}, isas_{"best"};
+  std::vector<std::string> methods_{"tamis"}, isas_{"best"}, volumes_{kDefaultBoundingVolume};
   std::vector<int> threads_{1};
   std::vector<double> scales_{1};
   std::uint64_t seed_ = 1;

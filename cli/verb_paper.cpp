@@ -14,6 +14,7 @@
 #include "cli/progress.hpp"
 #include "cli/verb.hpp"
 #include "io/frames.hpp"
+#include "io/text.hpp"
 #include "scenes/simulation/recording.hpp"
 #include "tamis/error.hpp"
 
@@ -56,11 +57,16 @@ class Paper final : public Verb {
     app.add_option("--length", length_, "frames simulated after the first; default: the whole scene")
         ->type_name("N")
         ->check(CLI::Range(1, 9999));
+    app.add_option(
+           "--steps", most_steps_,
+           "run at most so many steps of a scene at each length of step, evenly spread; repeatable; default: all")
+        ->type_name("NAME=N");
   }
 
   int run() override {
     files::create_directories(folder_);
     require_known_scenes();
+    require_numbers_of_steps();
     std::vector<PaperScene> scenes;
     for (const Row& row : kRows)
       if (wants(row)) scenes.push_back(simulated(row));
@@ -89,7 +95,7 @@ class Paper final : public Verb {
 
   bool wants(const Row& row) const {
     for (const std::string& pair : given_)
-      if (pair.starts_with(fmt::format("{}=", row.name))) return false;
+      if (name_of(pair) == row.name) return false;
     for (const std::string& name : scenes_)
       if (name == row.name) return true;
     return scenes_.empty() && (!quick_ || row.quick_triangles > 0);
@@ -110,17 +116,37 @@ class Paper final : public Verb {
   }
 
   static PaperScene given(const std::string& pair) {
-    const std::size_t sign = pair.find('=');
-    if (sign == std::string::npos || sign == 0)
-      throw InvalidOptions(fmt::format("--frames {} names no scene: write NAME=FOLDER", pair));
-    return {pair.substr(0, sign), io::frame_files({pair.substr(sign + 1)})};
+    const std::string name = name_of(pair);
+    if (name.empty()) throw InvalidOptions(fmt::format("--frames {} names no scene: write NAME=FOLDER", pair));
+    return {name, io::frame_files({value_of(pair)})};
   }
+
+  /// 0: all.
+  std::size_t most_steps(const std::string& scene) const {
+    for (const std::string& pair : most_steps_)
+      if (name_of(pair) == scene) return io::to_integer<std::size_t>(value_of(pair)).value_or(0);
+    return 0;
+  }
+
+  void require_numbers_of_steps() const {
+    for (const std::string& pair : most_steps_)
+      if (name_of(pair).empty() || io::to_integer<std::size_t>(value_of(pair)).value_or(0) == 0)
+        throw InvalidOptions(fmt::format("--steps {} is no number of steps of a scene: write NAME=N, N > 0", pair));
+  }
+
+  /// Of NAME=VALUE; empty if there is none.
+  static std::string name_of(const std::string& pair) {
+    const std::size_t sign = pair.find('=');
+    return sign == std::string::npos ? "" : pair.substr(0, sign);
+  }
+  static std::string value_of(const std::string& pair) { return pair.substr(pair.find('=') + 1); }
 
   /// The tables are written anew after every scene: an interrupted run leaves what it has.
   void measure(const PaperScene& scene, int factor) {
-    Progress progress(scene.frames.size() / static_cast<std::size_t>(factor), "steps");
+    const PaperSteps steps{factor, most_steps(scene.name)};
+    Progress progress(steps.begins(scene.frames.size()).size(), "steps");
     std::size_t done = 0;
-    results_.push_back(run_paper_scene(scene, factor, [&] { progress.show(++done); }));
+    results_.push_back(run_paper_scene(scene, steps, [&] { progress.show(++done); }));
     progress.clear();
     const SceneResult& r = results_.back();
     fmt::print("{:<12} {}x  paper {:>9.2f} ms a frame, default {:>9.2f}, {}\n", r.scene, factor,
@@ -134,8 +160,10 @@ class Paper final : public Verb {
     std::string text = quick_ ? "**Quick size**: small variants of the scenes, not the paper's triangle counts."
                               : "Simulated scenes, where there are any, at full size: the paper's triangle counts.";
     if (length_ > 0) text += fmt::format(" Only the first {} frames of each simulated scene.", length_);
+    for (const std::string& pair : most_steps_)
+      text += fmt::format(" `{}`: at most {} steps of each length, evenly spread.", name_of(pair), value_of(pair));
     for (const std::string& pair : given_)
-      text += fmt::format(" `{}`: frames that were given, not simulated here.", pair.substr(0, pair.find('=')));
+      text += fmt::format(" `{}`: frames that were given, not simulated here.", name_of(pair));
     return text;
   }
 
@@ -150,6 +178,7 @@ class Paper final : public Verb {
   std::string folder_;
   bool quick_ = false;
   std::vector<std::string> given_, scenes_;
+  std::vector<std::string> most_steps_;
   int length_ = 0;
   std::vector<SceneResult> results_;
 };

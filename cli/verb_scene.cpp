@@ -6,6 +6,8 @@
 
 #include "cli/progress.hpp"
 #include "cli/verb.hpp"
+#include "io/mesh_file.hpp"
+#include "scenes/simulation/intersections.hpp"
 #include "scenes/simulation/recording.hpp"
 
 namespace tamis::cli {
@@ -18,6 +20,7 @@ class Scene final : public Verb {
   const char* examples() const override {
     return "  tamis scene cloth-ball --out frames\n"
            "  tamis scene funnel --triangles 92000 --out frames\n"
+           "  tamis scene bunny --out frames --check\n"
            "  tamis scene airbag --triangles 4000 --frames 30 --seed 7 --out frames\n\n"
            "Frames are frame_0000.ply, frame_0001.ply, ...: binary PLY in doubles, free of intersections. The same\n"
            "command goes on where an interrupted one stopped.";
@@ -36,6 +39,8 @@ class Scene final : public Verb {
     app.add_option("--triangles", triangles_, "about so many, obstacles included; default: the scene's full size")
         ->type_name("N")
         ->check(CLI::Range(kLeastTriangles, kMostTriangles));
+    app.add_flag("--check", check_,
+                 "then read every frame and prove it free of intersections; exit code 1 if one is not");
     app.add_option("--seed", seed_, "of the small disorder at the start; default 1")->type_name("S");
   }
 
@@ -54,10 +59,30 @@ class Scene final : public Verb {
     fmt::print("substeps        {} now, each proven free of contacts\n", sum.substeps);
     fmt::print("constraints     {} contacts, {} rounds of repair, {} vertices in impact zones\n", sum.touches,
                sum.repairs, sum.zone_vertices);
-    return kSuccess;
+    return check_ ? check(frames) : kSuccess;
   }
 
  private:
+  /// Of the files, not of the simulator's memory, and without its pair filter.
+  int check(int frames) const {
+    Progress progress(static_cast<std::size_t>(frames), "frames checked");
+    int intersecting = 0;
+    for (int i = 0; i <= frames; ++i) {
+      const io::MeshFile frame = io::read_mesh(simulation::frame_path(folder_, i));
+      const auto found = simulation::find_intersections(io::mesh_of(frame), frame.positions);
+      if (!found.empty()) {
+        ++intersecting;
+        const auto& v = found.front().vertices;
+        fmt::print(stderr, "note: {}: {} intersections, the first with the face {} {} {}\n",
+                   simulation::frame_path(folder_, i).string(), found.size(), v[1], v[2], v[3]);
+      }
+      progress.show(static_cast<std::size_t>(i));
+    }
+    progress.clear();
+    fmt::print("checked         {} frames, {} with intersections\n", frames + 1, intersecting);
+    return intersecting == 0 ? kSuccess : kNo;
+  }
+
   static constexpr int kLeastTriangles = 500;
   static constexpr int kMostTriangles = 10'000'000;
 
@@ -65,6 +90,7 @@ class Scene final : public Verb {
   int frames_ = -1;
   int triangles_ = -1;
   std::uint64_t seed_ = 1;
+  bool check_ = false;
 };
 
 }  // namespace

@@ -11,6 +11,7 @@ std::vector<Contact> find_intersections(const Mesh& mesh, Positions positions, c
   for (Index v = 0; v < vertices; ++v) start.push_back({positions[v][0], positions[v][1], positions[v][2]});
   end = start;
   Options options;
+  options.guarantee = Guarantee::exact;
   options.filter = pairs;
   std::vector<Index>& group = options.filter.group_of_vertex;
   for (const auto& [a, b] : mesh.edges()) {

@@ -8,8 +8,8 @@
 namespace tamis::simulation {
 
 /// Continuous detection finds what comes together, not what has been together all along. But a point that runs along
-/// an edge within the step meets every triangle that the edge passes through: each edge becomes one such point. As
-/// certain as the detector. `pairs`: groups of vertices that may pass through each other; no function.
+/// an edge within the step meets every triangle that the edge passes through: each edge becomes one such point.
+/// Decided exactly. `pairs`: groups of vertices that may pass through each other; no function.
 std::vector<Contact> find_intersections(const Mesh& mesh, Positions positions, const PairFilter& pairs = {});
 
 }  // namespace tamis::simulation

@@ -85,6 +85,7 @@ TEST_F(BadInput, SequencesWithoutMotion) {
 TEST_F(BadInput, NonsenseOptions) {
   const std::pair<const char*, const char*> cases[] = {
       {"--method fast", "'fast'"},
+      {"--method paper --bounding-volume egg", "'egg'"},
       {"--guarantee none", "'none'"},
       {"--isa mmx", "'mmx'"},
       {"--threads -1", "--threads"},

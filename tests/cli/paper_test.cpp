@@ -37,6 +37,20 @@ TEST(PaperVerb, MethodsAgreeAndEveryFileIsThere) {
   EXPECT_GE(rows, 2 * 8);
 }
 
+// Bug: a sample of steps that is not spread over the scene, or is taken for the whole of it.
+TEST(PaperVerb, RunsASampleOfTheStepsAndSaysSo) {
+  CommandFolder folder;
+  for (int i = 0; i < 7; ++i) folder.write_frame("fall/f" + std::to_string(i) + ".obj", i == 4 ? 1.0 : 3.0);
+  const Outcome outcome = folder.run("paper --scenes none --frames fall=fall --steps fall=3 --out laboratory");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const std::string table = bytes_of_file(folder.path() / "laboratory/table1.csv");
+  EXPECT_NE(table.find("fall,1x,0,1,3,tamis"), std::string::npos) << table;
+  EXPECT_NE(table.find("fall,3x,0,1,2,tamis"), std::string::npos) << table;
+  const std::string report = bytes_of_file(folder.path() / "laboratory/report.md");
+  EXPECT_NE(report.find("| 3 of 6 |"), std::string::npos) << report;
+  EXPECT_NE(report.find("`fall`: at most 3 steps"), std::string::npos);
+}
+
 // Bug: a step of two frames is not stretched at 3x; the contact beyond the end stays unseen.
 TEST(PaperVerb, TwoFramesAreStretched) {
   CommandFolder folder;
@@ -54,6 +68,8 @@ TEST(PaperVerb, TwoFramesAreStretched) {
 TEST(PaperVerb, UnknownScenesAreRefused) {
   EXPECT_EQ(CommandFolder().run("paper --scenes moon --out laboratory").code, 2);
   EXPECT_EQ(CommandFolder().run("paper --scenes none --out laboratory").code, 2);
+  for (const char* steps : {"3", "=3", "fall=0", "fall=few"})
+    EXPECT_EQ(CommandFolder().run(std::string("paper --quick --out laboratory --steps ") + steps).code, 2) << steps;
 }
 
 }  // namespace

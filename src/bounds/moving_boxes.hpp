@@ -3,21 +3,24 @@
 #pragma once
 #include <array>
 #include <cstdint>
-#include <limits>
 
 namespace tamis {
 
 inline constexpr int kBlock = 16;
 
-/// [axis][lane]. An empty lane has low = +infinity, high = -infinity, and meets nothing.
+/// Coordinates are in the frame of the boxes, within [-8,8]. An empty lane has low = kNowhere, high = -kNowhere, and
+/// meets nothing; it is finite because differences of infinities are none.
+inline constexpr float kNowhere = 1e30f;
+
+/// [axis][lane].
 struct alignas(64) BoxBlock {
   float low0[3][kBlock], high0[3][kBlock];
   float low1[3][kBlock], high1[3][kBlock];
 
   void clear(int lane) {
     for (int axis = 0; axis < 3; ++axis) {
-      low0[axis][lane] = low1[axis][lane] = std::numeric_limits<float>::infinity();
-      high0[axis][lane] = high1[axis][lane] = -std::numeric_limits<float>::infinity();
+      low0[axis][lane] = low1[axis][lane] = kNowhere;
+      high0[axis][lane] = high1[axis][lane] = -kNowhere;
     }
   }
 };

@@ -10,15 +10,15 @@
 namespace tamis {
 
 /// Pairs of features on their way through the stages: corners in Contact's order, and the part of the step in which
-/// they may touch. Kernels may read (not use) up to kPadding entries past `count`.
+/// they may touch. Kernels may read (not use) and overwrite, with valid vertices, up to kPadding entries past `count`.
 struct PairBuffer {
   static constexpr int kPadding = 16;
   static constexpr int kCapacity = 2048;
   static constexpr int kSize = kCapacity + kPadding;
   int count = 0;
   std::int32_t corner[4][kSize] = {};
-  double t_in[kSize] = {};
-  double t_out[kSize] = {};
+  float t_in[kSize] = {};
+  float t_out[kSize] = {};
 };
 
 /// What the solver in lanes says of one pair of a buffer.

@@ -31,18 +31,16 @@ void copy_pair(const PairBuffer& in, int from, PairBuffer& out) {
 template <PairKind kind>
 void slab(const PackedVertex* vertices, double separation, const PairBuffer& in, PairBuffer& out) {
   for (int first = 0; first < in.count; first += kFloatLanes) {
-    const auto low = load_time(in, first), high = load_time(in, first + kDoubleLanes);
     const auto time = SlabClip::clip_diagonals<kind>(
         load_motion_as_float<kind>(vertices, in, first, separation),
-        TimeInterval<FloatLanes>{to_float(low.t_in, high.t_in), to_float(low.t_out, high.t_out)});
-    float t_in[kFloatLanes], t_out[kFloatLanes];
-    time.t_in.store_unaligned(t_in);
-    time.t_out.store_unaligned(t_out);
-    for_each_bit(bits(time.t_in <= time.t_out) & lanes_in_use(in, first, kFloatLanes), [&](int lane) {
-      copy_pair(in, first + lane, out);
-      out.t_in[out.count - 1] = static_cast<double>(t_in[lane]);
-      out.t_out[out.count - 1] = static_cast<double>(t_out[lane]);
-    });
+        TimeInterval<FloatLanes>{FloatLanes::load_unaligned(in.t_in + first),
+                                 FloatLanes::load_unaligned(in.t_out + first)});
+    const unsigned left = bits(time.t_in <= time.t_out) & lanes_in_use(in, first, kFloatLanes);
+    for (int c = 0; c < 4; ++c)
+      store_compressed(left, IntLanes::load_unaligned(in.corner[c] + first), out.corner[c] + out.count);
+    store_compressed(left, time.t_in, out.t_in + out.count);
+    store_compressed(left, time.t_out, out.t_out + out.count);
+    out.count += __builtin_popcount(left);
   }
 }
 

@@ -11,15 +11,19 @@ inline void for_each_bit(unsigned mask, const F& f) {
   for (; mask; mask &= mask - 1) f(__builtin_ctz(mask));
 }
 
-/// Bits of the lanes of `block` of which one of the first `corners` corners is `vertex`.
-template <int corners>
-inline unsigned lanes_with(const CornerBlock& block, std::int32_t vertex) {
+/// Bits of the lanes of `block` that share a vertex with feature `lane` of `other`. In an empty lane, all of whose
+/// vertices are -1, anything may come out.
+template <int corners, int other_corners>
+inline unsigned adjacent_lanes(const CornerBlock& block, const CornerBlock& other, int lane) {
+  using Unsigned = xsimd::batch<std::uint32_t, Arch>;
   unsigned result = 0;
   for (int first = 0; first < kBlock; first += kFloatLanes) {
-    auto same = IntLanes::load_aligned(block.vertex[0] + first) == IntLanes(vertex);
-    for (int c = 1; c < corners; ++c)
-      same = same | (IntLanes::load_aligned(block.vertex[c] + first) == IntLanes(vertex));
-    result |= bits(same) << first;
+    Unsigned differ(~0u);  // 0 where two vertices are one: cheaper than as many masks
+    for (int c = 0; c < corners; ++c)
+      for (int o = 0; o < other_corners; ++o)
+        differ = xsimd::min(differ, xsimd::bitwise_cast<Unsigned>(IntLanes::load_aligned(block.vertex[c] + first) ^
+                                                                  IntLanes(other.vertex[o][lane])));
+    result |= bits(differ == Unsigned(0u)) << first;
   }
   return result;
 }
@@ -59,65 +63,80 @@ class BlockSearch {
 
   FloatLanes limit() const { return FloatLanes(search_.t_limit); }
 
-  /// First each side's boxes against the other's hull, then row by row on the side where fewer remain.
+  /// First each side's boxes against the other's hull, then one by one on the side where fewer remain.
   void visit_leaf(int other) {
     if (search_.pairs->count + kBlock * kBlock > PairBuffer::kCapacity) search_.flush(search_);
-    alignas(64) float t_in[kBlock], t_out[kBlock];
     const BoxBlock& boxes = search_.b.levels[0][other];
-    const unsigned rows = overlap(boxes_, hull_of(search_.b, other), limit(), t_in, t_out);
+    const unsigned rows = overlap(boxes_, hull_of(search_.b, other), limit(), times_.t_in[0], times_.t_out[0]);
     if (!rows) return;
-    const unsigned columns = overlap(boxes, hull_, limit(), t_in, t_out);
-    const bool is_same = kIsSelf && other == block_;
-    if (__builtin_popcount(columns) < __builtin_popcount(rows) && !is_same)
-      for_each_bit(columns, [&](int b) {
-        const unsigned mask = overlap(boxes_, WideBox(boxes, b), limit(), t_in, t_out) & rows;
-        if (mask) add_column(other, b, mask, t_in, t_out);
-      });
+    const unsigned columns = overlap(boxes, hull_, limit(), times_.t_in[0], times_.t_out[0]);
+    const CornerBlock &mine = search_.a.corners[block_], &theirs = search_.b.corners[other];
+    if (kIsSelf && other == block_)
+      match<kCornersA, kCornersB>({boxes, theirs, columns}, {boxes_, mine, rows}, [](int a) { return ~1u << a; });
+    else if (__builtin_popcount(columns) < __builtin_popcount(rows))
+      match<kCornersA, kCornersB>({boxes_, mine, rows}, {boxes, theirs, columns}, [](int) { return ~0u; });
     else
-      for_each_bit(rows, [&](int a) {
-        unsigned mask = overlap(boxes, WideBox(boxes_, a), limit(), t_in, t_out) & columns;
-        if (is_same) mask &= ~1u << a;
-        if (mask) add_row(a, other, mask, t_in, t_out);
-      });
+      match<kCornersB, kCornersA>({boxes, theirs, columns}, {boxes_, mine, rows}, [](int) { return ~0u; });
   }
 
-  void add_row(int a, int other, unsigned mask, const float* t_in, const float* t_out) {
-    const CornerBlock &mine = search_.a.corners[block_], &theirs = search_.b.corners[other];
-    for (int c = 0; c < kCornersA; ++c) mask &= ~lanes_with<kCornersB>(theirs, mine.vertex[c][a]);
-    for_each_bit(mask, [&](int b) { add(mine, a, theirs, b, t_in[b], t_out[b]); });
+  /// Some lanes of a leaf block.
+  struct Side {
+    const BoxBlock& boxes;
+    const CornerBlock& corners;
+    unsigned lanes;
+  };
+
+  /// Each lane of `few` against all those of `many` at once, as far as `lets` bits of them. All boxes first, without a
+  /// branch on what comes out, which nothing could predict; then what was found.
+  template <int many_corners, int few_corners, class Lets>
+  void match(const Side& many, const Side& few, const Lets& lets) {
+    unsigned found[kBlock], any_found = 0;
+    for_each_bit(few.lanes, [&](int lane) {
+      const unsigned meets =
+          overlap(many.boxes, WideBox(few.boxes, lane), limit(), times_.t_in[lane], times_.t_out[lane]);
+      found[lane] = meets & many.lanes & lets(lane) &
+                    ~adjacent_lanes<many_corners, few_corners>(many.corners, few.corners, lane);
+      any_found |= static_cast<unsigned>(found[lane] != 0) << lane;
+    });
+    for_each_bit(any_found, [&](int lane) { append<many_corners>(many.corners, few.corners, lane, found[lane]); });
   }
 
-  void add_column(int other, int b, unsigned mask, const float* t_in, const float* t_out) {
-    const CornerBlock &mine = search_.a.corners[block_], &theirs = search_.b.corners[other];
-    for (int c = 0; c < kCornersB; ++c) mask &= ~lanes_with<kCornersA>(mine, theirs.vertex[c][b]);
-    for_each_bit(mask, [&](int a) { add(mine, a, theirs, b, t_in[a], t_out[a]); });
-  }
-
-  /// ee: the smaller edge first, so that the answer does not depend on the order in the tree.
-  void add(const CornerBlock& mine, int a, const CornerBlock& theirs, int b, float t_in, float t_out) {
+  template <int many_corners>
+  void append(const CornerBlock& many, const CornerBlock& few, int lane, unsigned found) {
     PairBuffer& pairs = *search_.pairs;
-    const int at = pairs.count++;
-    if constexpr (kIsSelf) {
-      const auto key = [](std::int32_t v0, std::int32_t v1) { return (std::int64_t{v0} << 32) | v1; };
-      const std::int64_t edge_a = key(mine.vertex[0][a], mine.vertex[1][a]);
-      const std::int64_t edge_b = key(theirs.vertex[0][b], theirs.vertex[1][b]);
-      const std::int64_t first = edge_a < edge_b ? edge_a : edge_b, second = edge_a < edge_b ? edge_b : edge_a;
-      pairs.corner[0][at] = static_cast<std::int32_t>(first >> 32);
-      pairs.corner[1][at] = static_cast<std::int32_t>(first);
-      pairs.corner[2][at] = static_cast<std::int32_t>(second >> 32);
-      pairs.corner[3][at] = static_cast<std::int32_t>(second);
-    } else {
-      pairs.corner[0][at] = mine.vertex[0][a];
-      for (int c = 0; c < kCornersB; ++c) pairs.corner[1 + c][at] = theirs.vertex[c][b];
+    for (int first = 0; first < kBlock; first += kFloatLanes) {
+      const unsigned mask = found >> first & ((1u << kFloatLanes) - 1);
+      const auto put = [&](auto* to, const auto& lanes) { store_compressed(mask, lanes, to + pairs.count); };
+      const auto one_of_many = [&](int corner) { return IntLanes::load_aligned(many.vertex[corner] + first); };
+      const auto the_lane = [&](int corner) { return IntLanes(few.vertex[corner][lane]); };
+      if constexpr (kIsSelf) {
+        // The smaller edge first, so that the answer does not depend on the order in the tree: by its first vertex,
+        // in which two edges without a common vertex differ.
+        const auto is_first = one_of_many(0) < the_lane(0);
+        for (int c = 0; c < 2; ++c) {
+          put(pairs.corner[c], select(is_first, one_of_many(c), the_lane(c)));
+          put(pairs.corner[2 + c], select(is_first, the_lane(c), one_of_many(c)));
+        }
+      } else if constexpr (many_corners == kCornersA) {
+        put(pairs.corner[0], one_of_many(0));
+        for (int c = 0; c < kCornersB; ++c) put(pairs.corner[1 + c], the_lane(c));
+      } else {
+        put(pairs.corner[0], the_lane(0));
+        for (int c = 0; c < kCornersB; ++c) put(pairs.corner[1 + c], one_of_many(c));
+      }
+      put(pairs.t_in, FloatLanes::load_aligned(times_.t_in[lane] + first));
+      put(pairs.t_out, FloatLanes::load_aligned(times_.t_out[lane] + first));
+      pairs.count += __builtin_popcount(mask);
     }
-    pairs.t_in[at] = static_cast<double>(t_in);
-    pairs.t_out[at] = static_cast<double>(t_out);
   }
 
   Search& search_;
   const int block_;
   const BoxBlock& boxes_;
   const WideBox hull_;
+  struct {
+    alignas(64) float t_in[kBlock][kBlock], t_out[kBlock][kBlock];
+  } times_;  ///< [lane of the few][lane of the many]
 };
 
 }  // namespace tamis::TAMIS_ISA

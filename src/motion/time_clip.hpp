@@ -17,29 +17,30 @@ class TimeClip {
  public:
   explicit TimeClip(const TimeInterval<T>& time) : time_(time) {}
 
-  /// Cuts the times at which the line from g0 (t=0) to g1 (t=1) is positive. REQUIRES: g0, g1 off by at most 2 u of
-  /// themselves. NaN cuts nothing.
+  /// Cuts the times at which the line from g0 (t=0) to g1 (t=1) is positive: those before its root if it falls, those
+  /// after it if it rises; where the root is outside the step that is all or nothing, without a case of its own. A
+  /// constant line has its root at +infinity (cut all), -infinity (nothing) or NaN (nothing).
+  /// REQUIRES: g0, g1 off by at most 2 u of themselves. NaN cuts nothing.
   void cut_positive(const T& g0, const T& g1) {
-    const T zero(0), root = Ratio<T>::of(g0, g0 - g1);
-    const auto starts = g0 > zero, ends = g1 > zero;
-    is_apart_ = is_apart_ | (starts & ends);
-    first_ = select(starts, max(first_, root), first_);
-    last_ = select(ends, min(last_, root), last_);
+    const T fall = g0 - g1, root = Ratio<T>::of(g0, fall);
+    const auto falls = fall >= T(0);
+    first_ = select(falls, max(root, first_), first_);
+    last_ = select(falls, last_, min(root, last_));
   }
 
   /// What is left, t_out < t_in where nothing is. A root is off, of itself, by the ratio's error, 4 u for the two ends,
-  /// u for their difference and u for the product below; 8 u are given.
+  /// u for their difference and u for the product below; 8 u are given. That also keeps a root beyond the step's end
+  /// beyond it.
   TimeInterval<T> rest() const {
     constexpr double kError = Ratio<T>::kError + 8 * error_bounds::unit_roundoff<T>;
     const T t_in = max(time_.t_in, first_ * error_bounds::constant<T>(1 - kError));
     const T t_out = min(time_.t_out, last_ * error_bounds::constant<T>(1 + kError));
-    return {t_in, select(is_apart_, T(-1), t_out)};
+    return {t_in, t_out};
   }
 
  private:
   TimeInterval<T> time_;
   T first_ = T(0), last_ = T(2);
-  decltype(T() > T()) is_apart_ = T(1) < T(0);
 };
 
 }  // namespace tamis

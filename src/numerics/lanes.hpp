@@ -1,6 +1,7 @@
 // SIMD lanes: xsimd batches for arithmetic, and the three operations its Debian version lacks (a mask as bits, a
 // transposition, positions of set bits). Include only from the kernels, which are compiled once per instruction set.
 #pragma once
+#include <array>
 #include <cstdint>
 #include <xsimd/xsimd.hpp>
 
@@ -41,6 +42,39 @@ inline unsigned bits(const xsimd::batch_bool<T, Arch>& mask) {
   unsigned result = 0;
   for (unsigned i = 0; i < xsimd::batch_bool<T, Arch>::size; ++i) result |= unsigned(flags[i]) << i;
   return result;
+#endif
+}
+
+#if XSIMD_WITH_AVX2 && !XSIMD_WITH_AVX512F
+/// [mask]: the positions of its bits, lowest first, one a byte.
+inline constexpr auto kBitPositions = [] {
+  std::array<std::uint64_t, 256> table{};
+  for (unsigned mask = 0; mask < 256; ++mask)
+    for (unsigned bit = 0, count = 0; bit < 8; ++bit)
+      if (mask >> bit & 1) table[mask] |= std::uint64_t{bit} << (8 * count++);
+  return table;
+}();
+#endif
+
+/// Writes the lanes of `mask` to consecutive places from `to` on. A whole batch is written: behind them come zeros or
+/// repetitions of lane 0.
+template <class T>
+inline void store_compressed(unsigned mask, const xsimd::batch<T, Arch>& lanes, T* to) {
+  static_assert(sizeof(T) == 4);
+#if XSIMD_WITH_AVX512F
+  const __m512i raw = xsimd::bitwise_cast<IntLanes>(lanes);
+  _mm512_storeu_si512(to, _mm512_maskz_compress_epi32(static_cast<__mmask16>(mask), raw));
+#elif XSIMD_WITH_AVX2
+  const __m256i raw = xsimd::bitwise_cast<IntLanes>(lanes);
+  const __m256i order = _mm256_cvtepu8_epi32(_mm_loadl_epi64(reinterpret_cast<const __m128i*>(&kBitPositions[mask])));
+  _mm256_storeu_si256(reinterpret_cast<__m256i*>(to), _mm256_permutevar8x32_epi32(raw, order));
+#else
+  alignas(64) T all[IntLanes::size];
+  lanes.store_aligned(all);
+  for (unsigned i = 0; i < IntLanes::size; ++i) {
+    *to = all[i];
+    to += mask >> i & 1;
+  }
 #endif
 }
 

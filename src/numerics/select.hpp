@@ -5,8 +5,9 @@
 namespace tamis {
 
 inline double select(bool mask, double yes, double no) { return mask ? yes : no; }
-inline double min(double a, double b) { return b < a ? b : a; }
-inline double max(double a, double b) { return a < b ? b : a; }
+/// As the lanes' instructions have it: b where either is NaN.
+inline double min(double a, double b) { return a < b ? a : b; }
+inline double max(double a, double b) { return a > b ? a : b; }
 inline double abs(double a) { return std::fabs(a); }
 inline double sqrt(double a) { return std::sqrt(a); }
 inline bool any(bool mask) { return mask; }

@@ -13,9 +13,9 @@ struct alignas(64) PackedVertex {
   double at[8];
 };
 
-/// A vertex in the frame of the boxes, rounded to nearest: x y z at t=0, then at t=1.
-struct BoxVertex {
-  float at[6];
+/// A vertex in the frame of the boxes, rounded to nearest: x y z at t=0, then at t=1, two unused; half a cache line.
+struct alignas(32) BoxVertex {
+  float at[8] = {};
 };
 
 /// box coordinate = (coordinate - origin) * scale: within [-1,1] for every vertex of the step. Scale is a power of

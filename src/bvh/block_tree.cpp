@@ -17,13 +17,49 @@ void parallel_blocks(std::size_t count, const F& f) {
   });
 }
 
+/// The smallest and the largest of sixteen numbers, halving: the compiler makes it four vector operations.
+template <class Choose>
+inline float reduce(const float (&lanes)[kBlock], const Choose& choose) {
+  float best[kBlock];
+  std::copy_n(lanes, kBlock, best);
+  for (int half = kBlock / 2; half > 0; half /= 2)
+    for (int i = 0; i < half; ++i) best[i] = choose(best[i], best[half + i]);
+  return best[0];
+}
+
+constexpr auto smaller = [](float a, float b) { return a < b ? a : b; };
+constexpr auto larger = [](float a, float b) { return a > b ? a : b; };
+
 /// Lane of `to` becomes the hull of all lanes of `from`.
 void put_hull(const BoxBlock& from, BoxBlock& to, int lane) {
   for (int axis = 0; axis < 3; ++axis) {
-    to.low0[axis][lane] = *std::min_element(from.low0[axis], from.low0[axis] + kBlock);
-    to.low1[axis][lane] = *std::min_element(from.low1[axis], from.low1[axis] + kBlock);
-    to.high0[axis][lane] = *std::max_element(from.high0[axis], from.high0[axis] + kBlock);
-    to.high1[axis][lane] = *std::max_element(from.high1[axis], from.high1[axis] + kBlock);
+    to.low0[axis][lane] = reduce(from.low0[axis], smaller);
+    to.low1[axis][lane] = reduce(from.low1[axis], smaller);
+    to.high0[axis][lane] = reduce(from.high0[axis], larger);
+    to.high1[axis][lane] = reduce(from.high1[axis], larger);
+  }
+}
+
+/// Lane of `to` becomes the box of a feature's vertices.
+template <int corners>
+void put_box(const BoxVertex* const (&vertices)[3], float margin, BoxBlock& to, int lane) {
+  constexpr int kSize = 8;
+  float low[kSize], high[kSize];
+  for (int i = 0; i < kSize; ++i) low[i] = high[i] = vertices[0]->at[i];
+  for (int c = 1; c < corners; ++c)
+    for (int i = 0; i < kSize; ++i) {
+      low[i] = smaller(low[i], vertices[c]->at[i]);
+      high[i] = larger(high[i], vertices[c]->at[i]);
+    }
+  for (int i = 0; i < kSize; ++i) {
+    low[i] -= margin;
+    high[i] += margin;
+  }
+  for (int axis = 0; axis < 3; ++axis) {
+    to.low0[axis][lane] = low[axis];
+    to.high0[axis][lane] = high[axis];
+    to.low1[axis][lane] = low[3 + axis];
+    to.high1[axis][lane] = high[3 + axis];
   }
 }
 
@@ -52,6 +88,7 @@ void BlockTree::build(const PackedMotion& motion) {
   levels_.clear();
   for (std::size_t blocks = blocks_for(n);; blocks = blocks_for(blocks)) {
     levels_.emplace_back(blocks);
+    for (int lane = 0; lane < kBlock && blocks > 0; ++lane) levels_.back().back().clear(lane);
     if (blocks <= 1 && levels_.size() > 1) break;
   }
   corner_blocks_.resize(levels_[0].size());
@@ -63,38 +100,41 @@ void BlockTree::build(const PackedMotion& motion) {
 }
 
 void BlockTree::refit(const PackedMotion& motion) {
-  parallel_blocks(levels_[0].size(), [&](std::size_t block) { fill_leaf(block, motion); });
-  for (std::size_t level = 1; level < levels_.size(); ++level) fill_hulls(level);
+  const auto fill = corners_ == 1   ? &BlockTree::fill_leaf<1>
+                    : corners_ == 2 ? &BlockTree::fill_leaf<2>
+                                    : &BlockTree::fill_leaf<3>;
+  parallel_blocks(levels_[0].size(), [&](std::size_t block) { (this->*fill)(block, motion); });
+  for (std::size_t level = 2; level < levels_.size(); ++level) fill_hulls(level);
 }
 
+template <int corners>
 void BlockTree::fill_leaf(std::size_t block, const PackedMotion& motion) {
-  BoxBlock& boxes = levels_[0][block];
-  const CornerBlock& corners = corner_blocks_[block];
-  const float margin = motion.frame.margin;
-  for (int lane = 0; lane < kBlock; ++lane) {
-    boxes.clear(lane);
-    for (int c = 0; c < corners_ && corners.vertex[c][lane] >= 0; ++c) {
-      const auto& at = motion.box_vertices[static_cast<std::size_t>(corners.vertex[c][lane])].at;
-      for (int axis = 0; axis < 3; ++axis) {
-        boxes.low0[axis][lane] = std::min(boxes.low0[axis][lane], at[axis] - margin);
-        boxes.high0[axis][lane] = std::max(boxes.high0[axis][lane], at[axis] + margin);
-        boxes.low1[axis][lane] = std::min(boxes.low1[axis][lane], at[3 + axis] - margin);
-        boxes.high1[axis][lane] = std::max(boxes.high1[axis][lane], at[3 + axis] + margin);
-      }
-    }
+  const auto vertex_of = [&](const CornerBlock& from, int lane, int c) {
+    return &motion.box_vertices[static_cast<std::size_t>(from.vertex[c][lane])];
+  };
+  // Vertices lie scattered; those of the block after the next are on their way while this one is filled.
+  if (block + 2 < corner_blocks_.size()) {
+    const CornerBlock& later = corner_blocks_[block + 2];
+    for (int lane = 0; lane < kBlock && later.vertex[0][lane] >= 0; ++lane)
+      for (int c = 0; c < corners; ++c) __builtin_prefetch(vertex_of(later, lane, c));
   }
+  const CornerBlock& own = corner_blocks_[block];
+  for (int lane = 0; lane < kBlock; ++lane) {
+    if (own.vertex[0][lane] < 0) {
+      levels_[0][block].clear(lane);
+      continue;
+    }
+    const BoxVertex* vertices[3] = {};
+    for (int c = 0; c < corners; ++c) vertices[c] = vertex_of(own, lane, c);
+    put_box<corners>(vertices, motion.frame.margin, levels_[0][block], lane);
+  }
+  put_hull(levels_[0][block], levels_[1][block / kBlock], static_cast<int>(block % kBlock));
 }
 
 void BlockTree::fill_hulls(std::size_t level) {
   const auto& below = levels_[level - 1];
-  parallel_blocks(levels_[level].size(), [&](std::size_t block) {
-    for (std::size_t lane = 0; lane < kBlock; ++lane) {
-      const std::size_t child = block * kBlock + lane;
-      if (child < below.size())
-        put_hull(below[child], levels_[level][block], static_cast<int>(lane));
-      else
-        levels_[level][block].clear(static_cast<int>(lane));
-    }
+  parallel_blocks(below.size(), [&](std::size_t child) {
+    put_hull(below[child], levels_[level][child / kBlock], static_cast<int>(child % kBlock));
   });
 }
 

@@ -36,6 +36,7 @@ class BlockTree {
   std::uint64_t memory_bytes() const;
 
  private:
+  template <int corners>
   void fill_leaf(std::size_t block, const PackedMotion& motion);
   void fill_hulls(std::size_t level);
 

@@ -48,28 +48,39 @@ class BlockSearch {
   }
 
   void visit(int level, int node) {
-    if (level == 0) return visit_leaf(node);
     ++search_.nodes_visited;
-    alignas(64) float t_in[kBlock], t_out[kBlock];
-    unsigned mask = overlap(search_.b.levels[level][node], hull_, limit(), t_in, t_out);
+    unsigned mask = meets(search_.b.levels[level][node], hull_);
     // In the same tree only blocks from this one on: child c covers leaf blocks below (c + 1) 16^(level-1).
     if (kIsSelf) {
       const int first = (block_ >> (4 * (level - 1))) - node * kBlock;
       if (first >= kBlock) return;
       if (first > 0) mask &= ~0u << first;
     }
+    if (level == 1) return visit_leaves(node, mask);
     for_each_bit(mask, [&](int child) { visit(level - 1, node * kBlock + child); });
+  }
+
+  /// First each side's boxes against the other's hull, in all leaf blocks before the first branch; then one by one on
+  /// the side where fewer remain.
+  void visit_leaves(int node, unsigned mask) {
+    unsigned rows[kBlock], columns[kBlock], both = 0;
+    for_each_bit(mask, [&](int child) {
+      rows[child] = meets(boxes_, WideBox(search_.b.levels[1][node], child));
+      columns[child] = meets(search_.b.levels[0][node * kBlock + child], hull_);
+      both |= static_cast<unsigned>((rows[child] != 0) & (columns[child] != 0)) << child;
+    });
+    for_each_bit(both, [&](int child) { visit_leaf(node * kBlock + child, rows[child], columns[child]); });
   }
 
   FloatLanes limit() const { return FloatLanes(search_.t_limit); }
 
-  /// First each side's boxes against the other's hull, then one by one on the side where fewer remain.
-  void visit_leaf(int other) {
+  unsigned meets(const BoxBlock& boxes, const WideBox& box) {
+    return overlap(boxes, box, limit(), times_.t_in[0], times_.t_out[0]);
+  }
+
+  void visit_leaf(int other, unsigned rows, unsigned columns) {
     if (search_.pairs->count + kBlock * kBlock > PairBuffer::kCapacity) search_.flush(search_);
     const BoxBlock& boxes = search_.b.levels[0][other];
-    const unsigned rows = overlap(boxes_, hull_of(search_.b, other), limit(), times_.t_in[0], times_.t_out[0]);
-    if (!rows) return;
-    const unsigned columns = overlap(boxes, hull_, limit(), times_.t_in[0], times_.t_out[0]);
     const CornerBlock &mine = search_.a.corners[block_], &theirs = search_.b.corners[other];
     if (kIsSelf && other == block_)
       match<kCornersA, kCornersB>({boxes, theirs, columns}, {boxes_, mine, rows}, [](int a) { return ~1u << a; });

@@ -70,33 +70,44 @@ void BlockTree::set_features(int corners, std::span<const Index> vertices) {
   vertices_ = vertices;
 }
 
-void BlockTree::build(const PackedMotion& motion) {
-  const auto n = static_cast<std::size_t>(feature_count()), corners = static_cast<std::size_t>(corners_);
-  std::vector<std::array<float, 3>> centers(n);
-  parallel_blocks(blocks_for(n), [&](std::size_t block) {
-    for (std::size_t i = block * kBlock; i < std::min(n, (block + 1) * kBlock); ++i) {
-      std::array<float, 3> sum{};
-      for (std::size_t c = 0; c < corners; ++c) {
-        const auto& at = motion.box_vertices[static_cast<std::size_t>(vertices_[i * corners + c])].at;
-        for (std::size_t axis = 0; axis < 3; ++axis) sum[axis] += at[axis] + at[3 + axis];
-      }
-      for (std::size_t axis = 0; axis < 3; ++axis) centers[i][axis] = sum[axis] / static_cast<float>(2 * corners);
-    }
-  });
-  const std::vector<Index> slots = spatial_order(centers);
-
+void BlockTree::build(const PackedMotion& motion, Split split) {
   levels_.clear();
-  for (std::size_t blocks = blocks_for(n);; blocks = blocks_for(blocks)) {
+  for (std::size_t blocks = blocks_for(static_cast<std::size_t>(feature_count()));; blocks = blocks_for(blocks)) {
     levels_.emplace_back(blocks);
     for (int lane = 0; lane < kBlock && blocks > 0; ++lane) levels_.back().back().clear(lane);
     if (blocks <= 1 && levels_.size() > 1) break;
   }
   corner_blocks_.resize(levels_[0].size());
-  for (std::size_t slot = 0; slot < corner_blocks_.size() * kBlock; ++slot)
-    for (std::size_t c = 0; c < 3; ++c)
-      corner_blocks_[slot / kBlock].vertex[c][slot % kBlock] =
-          slot < n && c < corners ? vertices_[static_cast<std::size_t>(slots[slot]) * corners + c] : -1;
+  choose_order(motion, split);
   refit(motion);
+}
+
+void BlockTree::choose_order(const PackedMotion& motion, Split split) {
+  const auto n = static_cast<std::size_t>(feature_count()), corners = static_cast<std::size_t>(corners_);
+  CenterStore store(n);
+  const Centers centers = store.view();
+  parallel_blocks(blocks_for(n), [&](std::size_t block) {
+    for (std::size_t i = block * kBlock; i < std::min(n, (block + 1) * kBlock); ++i) {
+      float sum[6] = {};
+      for (std::size_t c = 0; c < corners; ++c) {
+        const auto& at = motion.box_vertices[static_cast<std::size_t>(vertices_[i * corners + c])].at;
+        for (int k = 0; k < 6; ++k) sum[k] += at[k];
+      }
+      for (int axis = 0; axis < 3; ++axis)
+        centers.at[axis][i] = (sum[axis] + sum[3 + axis]) / static_cast<float>(2 * corners);
+      centers.feature[i] = static_cast<Index>(i);
+    }
+  });
+  order_in_space(centers, n, split);
+  const auto order = store.features();
+  parallel_blocks(corner_blocks_.size(), [&](std::size_t block) {
+    for (std::size_t lane = 0; lane < kBlock; ++lane)
+      for (std::size_t c = 0; c < 3; ++c) {
+        const std::size_t slot = block * kBlock + lane;
+        corner_blocks_[block].vertex[c][lane] =
+            slot < n && c < corners ? vertices_[static_cast<std::size_t>(order[slot]) * corners + c] : -1;
+      }
+  });
 }
 
 void BlockTree::refit(const PackedMotion& motion) {

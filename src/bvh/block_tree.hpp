@@ -6,6 +6,7 @@
 
 #include "bounds/moving_boxes.hpp"
 #include "bounds/packed_motion.hpp"
+#include "bvh/spatial_order.hpp"
 #include "tamis/mesh.hpp"
 
 namespace tamis {
@@ -25,7 +26,7 @@ class BlockTree {
   void set_features(int corners, std::span<const Index> vertices);
 
   /// Chooses the order from where the features are halfway through the step, then refits.
-  void build(const PackedMotion& motion);
+  void build(const PackedMotion& motion, Split split);
   /// New boxes in the old order.
   void refit(const PackedMotion& motion);
 
@@ -36,6 +37,7 @@ class BlockTree {
   std::uint64_t memory_bytes() const;
 
  private:
+  void choose_order(const PackedMotion& motion, Split split);
   template <int corners>
   void fill_leaf(std::size_t block, const PackedMotion& motion);
   void fill_hulls(std::size_t level);
@@ -45,10 +47,5 @@ class BlockTree {
   std::vector<CornerBlock> corner_blocks_;
   std::vector<std::vector<BoxBlock>> levels_;
 };
-
-/// An order in which every sixteen, and every sixteen times sixteen, and so on, lie close together: halved again and
-/// again along the longest axis. Costs 15 ms more than a Morton order on 280 thousand features, and saves as much on
-/// every question (docs/performance.md). Deterministic for any number of threads.
-std::vector<Index> spatial_order(std::span<const std::array<float, 3>> centers);
 
 }  // namespace tamis

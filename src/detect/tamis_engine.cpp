@@ -80,7 +80,7 @@ class TamisEngine final : public Engine {
       for (BlockTree* tree : trees) tree->refit(motion_);
       if (area() <= kPoor * built_area_) return;
     }
-    for (BlockTree* tree : trees) tree->build(motion_);
+    for (BlockTree* tree : trees) tree->build(motion_, kernels_.split);
     // Areas are of the box frame, which holds the scene whatever its size; a scene without area is rebuilt each time.
     built_area_ = area();
     statistics.rebuilt = true;

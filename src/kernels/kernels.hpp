@@ -44,6 +44,8 @@ struct Search {
 
 struct Kernels {
   Isa isa;
+  /// Halves centers in space.
+  Split split;
   /// Finds the pairs of features of leaf block `block` of `a` with all of `b` whose moving boxes meet and that share
   /// no vertex; ee: with the blocks from `block` on, each pair once.
   void (*search_vf)(Search& search, int block);

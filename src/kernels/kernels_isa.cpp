@@ -6,6 +6,7 @@
 #include "filters/slab_clip.hpp"
 #include "kernels/load_motion.hpp"
 #include "kernels/search.hpp"
+#include "kernels/split.hpp"
 #include "solve/crossing.hpp"
 
 namespace tamis::TAMIS_ISA {
@@ -107,7 +108,7 @@ int solve(const PackedVertex* vertices, const PairBuffer& in, PairBuffer& rest, 
 
 extern const Kernels kKernels;
 constexpr auto kVf = PairKind::vertex_face, kEe = PairKind::edge_edge;
-const Kernels kKernels{Isa::TAMIS_ISA, search<kVf>, search<kEe>, slab<kVf>, slab<kEe>,
-                       filter<kVf>,    filter<kEe>, solve<kVf>,  solve<kEe>};
+const Kernels kKernels{Isa::TAMIS_ISA, split,       search<kVf>, search<kEe>, slab<kVf>,
+                       slab<kEe>,      filter<kVf>, filter<kEe>, solve<kVf>,  solve<kEe>};
 
 }  // namespace tamis::TAMIS_ISA

@@ -12,8 +12,8 @@ bool comes_before(const Contact& a, const Contact& b) {
          std::tie(b.kind, b.vertices, b.toi_lower, b.toi_upper);
 }
 
-/// A counting sort into one bucket a kind and first vertex, then each small bucket by comparison: contacts are moved
-/// once.
+/// A counting sort into one bucket a kind and first vertex, then each small bucket by the other vertices, which lie
+/// together with the contact's place: contacts are looked at once and moved once.
 void ContactSorter::sort(std::vector<Contact>& contacts, Index vertex_count) {
   const auto buckets = 2 * static_cast<std::size_t>(vertex_count);
   const auto bucket_of = [&](const Contact& c) {
@@ -22,16 +22,25 @@ void ContactSorter::sort(std::vector<Contact>& contacts, Index vertex_count) {
   first_.assign(buckets + 2, 0);
   for (const Contact& c : contacts) ++first_[bucket_of(c) + 2];
   for (std::size_t b = 2; b < first_.size(); ++b) first_[b] += first_[b - 1];
-  order_.resize(contacts.size());
-  for (std::size_t i = 0; i < contacts.size(); ++i)
-    order_[first_[bucket_of(contacts[i]) + 1]++] = static_cast<std::uint32_t>(i);
+  entries_.resize(contacts.size());
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    const Contact& c = contacts[i];
+    entries_[first_[bucket_of(c) + 1]++] = {c.vertices[1], c.vertices[2], c.vertices[3], static_cast<std::uint32_t>(i)};
+  }
+  const auto is_before = [&](const Entry& a, const Entry& b) {
+    const auto key = [](const Entry& e) { return std::tie(e.v1, e.v2, e.v3); };
+    return key(a) != key(b) ? key(a) < key(b) : comes_before(contacts[a.place], contacts[b.place]);
+  };
   sorted_.resize(contacts.size());
   constexpr std::size_t kGrain = 2048;
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, buckets, kGrain), [&](const auto& range) {
-    for (std::size_t b = range.begin(); b != range.end(); ++b) {
-      const auto begin = order_.begin() + first_[b], end = order_.begin() + first_[b + 1];
-      std::sort(begin, end, [&](auto i, auto j) { return comes_before(contacts[i], contacts[j]); });
-      for (std::uint32_t i = first_[b]; i < first_[b + 1]; ++i) sorted_[i] = contacts[order_[i]];
+    const auto begin = entries_.begin();
+    for (std::size_t b = range.begin(); b != range.end(); ++b)
+      if (first_[b + 1] > first_[b] + 1) std::sort(begin + first_[b], begin + first_[b + 1], is_before);
+    constexpr std::uint32_t kAhead = 8;  // contacts lie scattered
+    for (std::uint32_t i = first_[range.begin()]; i < first_[range.end()]; ++i) {
+      if (i + kAhead < contacts.size()) __builtin_prefetch(&contacts[entries_[i + kAhead].place]);
+      sorted_[i] = contacts[entries_[i].place];
     }
   });
   contacts.swap(sorted_);

@@ -14,13 +14,18 @@ class ContactSorter {
  public:
   void sort(std::vector<Contact>& contacts, Index vertex_count);
   std::uint64_t memory_bytes() const {
-    return first_.capacity() * sizeof(std::uint32_t) + order_.capacity() * sizeof(std::uint32_t) +
+    return first_.capacity() * sizeof(std::uint32_t) + entries_.capacity() * sizeof(Entry) +
            sorted_.capacity() * sizeof(Contact);
   }
 
  private:
+  struct Entry {
+    Index v1, v2, v3;
+    std::uint32_t place;  ///< of the contact, before sorting
+  };
+
   std::vector<std::uint32_t> first_;  ///< of each bucket: kind and first vertex
-  std::vector<std::uint32_t> order_;
+  std::vector<Entry> entries_;
   std::vector<Contact> sorted_;
 };
 

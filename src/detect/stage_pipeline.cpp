@@ -72,6 +72,12 @@ void StagePipeline::begin(const Step& step) {
   step_ = step;
   counts_ = {};
   contacts_.clear();
+  touching_by_ = 1;
+}
+
+void StagePipeline::add(const Contact& contact) {
+  contacts_.push_back(contact);
+  if (contact.certainty == Certainty::certified) touching_by_ = std::min(touching_by_, contact.toi_upper);
 }
 
 std::uint64_t StagePipeline::memory_bytes() const { return sizeof(Buffers) + contacts_.capacity() * sizeof(Contact); }
@@ -83,6 +89,7 @@ void StagePipeline::search(PairKind kind, const TreeView& a, const TreeView& b, 
   buffers_->kind = kind;
   Search search{a, b};
   search.t_limit = t_limit;
+  search.is_short = getenv("SHORT") ? t_limit <= atof(getenv("SHORT")) : t_limit < 0.1f;
   search.pairs = &buffers_->boxes;
   search.flush = flush;
   search.context = this;
@@ -158,15 +165,14 @@ void StagePipeline::solve(PairKind kind) {
       ++undecided;
       continue;
     }
-    Contact c{kind,
-              Certainty::certified,
-              vertices_of(pairs, s.pair),
-              s.toi_lower,
-              s.toi_upper,
-              s.u,
-              s.v,
-              {s.normal[0], s.normal[1], s.normal[2]}};
-    contacts_.push_back(c);
+    add({kind,
+         Certainty::certified,
+         vertices_of(pairs, s.pair),
+         s.toi_lower,
+         s.toi_upper,
+         s.u,
+         s.v,
+         {s.normal[0], s.normal[1], s.normal[2]}});
   }
   counts_.decided_by.lanes += static_cast<std::uint64_t>(pairs.count - undecided);
 }
@@ -182,7 +188,7 @@ void StagePipeline::solve_singly(PairKind kind, const PairBuffer& pairs, int pai
   const PairVertices vertices = vertices_of(pairs, pair);
   const auto r =
       decide(kind, points_of(step_, vertices), {options_.guarantee, options_.min_separation}, counts_.decided_by);
-  if (r.touches) contacts_.push_back({kind, r.certainty, vertices, r.toi_lower, r.toi_upper, r.u, r.v, r.normal});
+  if (r.touches) add({kind, r.certainty, vertices, r.toi_lower, r.toi_upper, r.u, r.v, r.normal});
 }
 
 }  // namespace tamis

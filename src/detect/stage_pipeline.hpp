@@ -43,6 +43,8 @@ class StagePipeline {
 
   const PipelineCounts& counts() const { return counts_; }
   const std::vector<Contact>& contacts() const { return contacts_; }
+  /// The earliest time by which a certified contact touches; 1 if there is none.
+  double touching_by() const { return touching_by_; }
   /// Appends the contacts to `to`, without a copy if that is empty.
   void move_contacts_to(std::vector<Contact>& to);
 
@@ -55,6 +57,7 @@ class StagePipeline {
   void decide_within_separation(PairKind kind);
   void leave_out_filtered(PairKind kind);
   void solve(PairKind kind);
+  void add(const Contact& contact);
   void solve_singly(PairKind kind, const PairBuffer& pairs, int pair);
   /// Seconds since the last call.
   double lap();
@@ -66,6 +69,7 @@ class StagePipeline {
   std::unique_ptr<Buffers> buffers_;
   PipelineCounts counts_;
   std::vector<Contact> contacts_;
+  double touching_by_ = 1;
   std::chrono::steady_clock::time_point lap_start_;
 };
 

@@ -59,9 +59,9 @@ class TamisEngine final : public Engine {
     start = Clock::now();
     for (StagePipeline& pipeline : pipelines_) pipeline.begin(step);
     if (question == Question::all_contacts)
-      search(step, kAllBlocks, [](float) { return true; });
+      search(step, kAllBlocks, [] { return true; });
     else
-      search(step, kSamples, [&](float) { return question == Question::earliest || !has_contact(); });
+      search(step, kSamples, [&] { return question == Question::earliest || !has_contact(); });
     collect(contacts, statistics, seconds_since(start));
   }
 
@@ -94,10 +94,9 @@ class TamisEngine final : public Engine {
       search_sample(step, PairKind::edge_edge, edges_.view(), edges_.view(), sample, t_limit);
       for (StagePipeline& pipeline : pipelines_) {
         pipeline.finish();
-        for (const Contact& c : pipeline.contacts())
-          if (c.certainty == Certainty::certified) t_limit = std::min(t_limit, float_after(c.toi_upper * kNearTie));
+        t_limit = std::min(t_limit, float_after(pipeline.touching_by() * kNearTie));
       }
-      if (!go_on(t_limit)) return;
+      if (!go_on()) return;
     }
   }
 

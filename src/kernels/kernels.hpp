@@ -35,6 +35,8 @@ struct Search {
   TreeView a, b;  ///< vf: points, faces; ee: edges, edges
   /// Nothing that starts after this time is of interest; a float, so that the stages in floats do not round it.
   float t_limit = 1;
+  /// Until t_limit things move so little that what boxes sweep over serves as well as boxes that move.
+  bool is_short = false;
   PairBuffer* pairs = nullptr;
   /// Called when `pairs` cannot take another pair of blocks; must empty it.
   void (*flush)(Search&) = nullptr;

@@ -14,7 +14,10 @@ namespace {
 
 template <PairKind kind>
 void search(Search& state, int block) {
-  BlockSearch<kind>(state, block).run();
+  if (state.is_short)
+    BlockSearch<kind, SweptBoxes>(state, block).run();
+  else
+    BlockSearch<kind, MovingBoxes>(state, block).run();
 }
 
 TimeInterval<DoubleLanes> load_time(const PairBuffer& pairs, int first) {

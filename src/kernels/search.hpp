@@ -28,11 +28,15 @@ inline unsigned adjacent_lanes(const CornerBlock& block, const CornerBlock& othe
   return result;
 }
 
-template <PairKind kind>
+/// `Boxes`: MovingBoxes or SweptBoxes.
+template <PairKind kind, class Boxes>
 class BlockSearch {
  public:
   BlockSearch(Search& search, int block)
-      : search_(search), block_(block), boxes_(search.a.levels[0][block]), hull_(hull_of(search.a, block)) {}
+      : search_(search),
+        block_(block),
+        boxes_(search.a.levels[0][block], search.t_limit),
+        hull_({search.a.levels[1][block / kBlock], search.t_limit}, block % kBlock) {}
 
   void run() {
     if (search_.b.leaf_blocks == 0) return;
@@ -40,47 +44,44 @@ class BlockSearch {
   }
 
  private:
+  using Sixteen = typename Boxes::Sixteen;
+  using One = typename Boxes::One;
   static constexpr bool kIsSelf = kind == PairKind::edge_edge;
   static constexpr int kCornersA = kIsSelf ? 2 : 1, kCornersB = kIsSelf ? 2 : 3;
 
-  static WideBox hull_of(const TreeView& tree, int block) {
-    return WideBox(tree.levels[1][block / kBlock], block % kBlock);
-  }
-
   void visit(int level, int node) {
     ++search_.nodes_visited;
-    unsigned mask = meets(search_.b.levels[level][node], hull_);
+    const Sixteen hulls(search_.b.levels[level][node], search_.t_limit);
+    unsigned mask = meet(hulls, hull_);
     // In the same tree only blocks from this one on: child c covers leaf blocks below (c + 1) 16^(level-1).
     if (kIsSelf) {
       const int first = (block_ >> (4 * (level - 1))) - node * kBlock;
       if (first >= kBlock) return;
       if (first > 0) mask &= ~0u << first;
     }
-    if (level == 1) return visit_leaves(node, mask);
+    if (level == 1) return visit_leaves(node, hulls, mask);
     for_each_bit(mask, [&](int child) { visit(level - 1, node * kBlock + child); });
   }
 
   /// First each side's boxes against the other's hull, in all leaf blocks before the first branch; then one by one on
   /// the side where fewer remain.
-  void visit_leaves(int node, unsigned mask) {
+  void visit_leaves(int node, const Sixteen& hulls, unsigned mask) {
     unsigned rows[kBlock], columns[kBlock], both = 0;
     for_each_bit(mask, [&](int child) {
-      rows[child] = meets(boxes_, WideBox(search_.b.levels[1][node], child));
-      columns[child] = meets(search_.b.levels[0][node * kBlock + child], hull_);
+      rows[child] = meet(boxes_, One(hulls, child));
+      columns[child] = meet({search_.b.levels[0][node * kBlock + child], search_.t_limit}, hull_);
       both |= static_cast<unsigned>((rows[child] != 0) & (columns[child] != 0)) << child;
     });
     for_each_bit(both, [&](int child) { visit_leaf(node * kBlock + child, rows[child], columns[child]); });
   }
 
-  FloatLanes limit() const { return FloatLanes(search_.t_limit); }
-
-  unsigned meets(const BoxBlock& boxes, const WideBox& box) {
-    return overlap(boxes, box, limit(), times_.t_in[0], times_.t_out[0]);
+  unsigned meet(const Sixteen& boxes, const One& one) {
+    return Boxes::meet(boxes, one, times_.t_in[0], times_.t_out[0]);
   }
 
   void visit_leaf(int other, unsigned rows, unsigned columns) {
     if (search_.pairs->count + kBlock * kBlock > PairBuffer::kCapacity) search_.flush(search_);
-    const BoxBlock& boxes = search_.b.levels[0][other];
+    const Sixteen boxes(search_.b.levels[0][other], search_.t_limit);
     const CornerBlock &mine = search_.a.corners[block_], &theirs = search_.b.corners[other];
     if (kIsSelf && other == block_)
       match<kCornersA, kCornersB>({boxes, theirs, columns}, {boxes_, mine, rows}, [](int a) { return ~1u << a; });
@@ -92,7 +93,7 @@ class BlockSearch {
 
   /// Some lanes of a leaf block.
   struct Side {
-    const BoxBlock& boxes;
+    const Sixteen& boxes;
     const CornerBlock& corners;
     unsigned lanes;
   };
@@ -103,9 +104,8 @@ class BlockSearch {
   void match(const Side& many, const Side& few, const Lets& lets) {
     unsigned found[kBlock], any_found = 0;
     for_each_bit(few.lanes, [&](int lane) {
-      const unsigned meets =
-          overlap(many.boxes, WideBox(few.boxes, lane), limit(), times_.t_in[lane], times_.t_out[lane]);
-      found[lane] = meets & many.lanes & lets(lane) &
+      const unsigned met = Boxes::meet(many.boxes, One(few.boxes, lane), times_.t_in[lane], times_.t_out[lane]);
+      found[lane] = met & many.lanes & lets(lane) &
                     ~adjacent_lanes<many_corners, few_corners>(many.corners, few.corners, lane);
       any_found |= static_cast<unsigned>(found[lane] != 0) << lane;
     });
@@ -143,8 +143,8 @@ class BlockSearch {
 
   Search& search_;
   const int block_;
-  const BoxBlock& boxes_;
-  const WideBox hull_;
+  const Sixteen boxes_;
+  const One hull_;
   struct {
     alignas(64) float t_in[kBlock][kBlock], t_out[kBlock][kBlock];
   } times_;  ///< [lane of the few][lane of the many]

@@ -14,9 +14,7 @@ struct Centers {
   float* at[3];
   Index* feature;
 
-  Centers from(std::size_t first) const {
-    return {{at[0] + first, at[1] + first, at[2] + first}, feature + first};
-  }
+  Centers from(std::size_t first) const { return {{at[0] + first, at[1] + first, at[2] + first}, feature + first}; }
 };
 
 /// Puts the `lower` of `count` centers that come first along their longest axis in front, in an order that depends on

@@ -82,14 +82,14 @@ void StagePipeline::add(const Contact& contact) {
 
 std::uint64_t StagePipeline::memory_bytes() const { return sizeof(Buffers) + contacts_.capacity() * sizeof(Contact); }
 
-void StagePipeline::search(PairKind kind, const TreeView& a, const TreeView& b, const BlockRange& blocks,
-                           float t_limit) {
+void StagePipeline::search(PairKind kind, const TreeView& a, const TreeView& b, const BlockRange& blocks, float t_limit,
+                           bool is_short) {
   lap();
   if (kind != buffers_->kind) decide_buffered(buffers_->kind);
   buffers_->kind = kind;
   Search search{a, b};
   search.t_limit = t_limit;
-  search.is_short = getenv("SHORT") ? t_limit <= atof(getenv("SHORT")) : t_limit < 0.1f;
+  search.is_short = is_short;
   search.pairs = &buffers_->boxes;
   search.flush = flush;
   search.context = this;

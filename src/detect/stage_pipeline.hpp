@@ -35,8 +35,10 @@ class StagePipeline {
 
   /// Forgets the last step; the memory stays.
   void begin(const Step& step);
-  /// Every `blocks.stride`-th leaf block of `a` against all of `b`, as far as they may touch until `t_limit`.
-  void search(PairKind kind, const TreeView& a, const TreeView& b, const BlockRange& blocks, float t_limit);
+  /// Every `blocks.stride`-th leaf block of `a` against all of `b`, as far as they may touch until `t_limit`;
+  /// `is_short` as in Search.
+  void search(PairKind kind, const TreeView& a, const TreeView& b, const BlockRange& blocks, float t_limit,
+              bool is_short);
   /// Decides what is still in the buffers.
   void finish();
   std::uint64_t memory_bytes() const;

@@ -37,6 +37,9 @@ float float_after(double t) {
 /// (docs/performance.md: "When to rebuild").
 constexpr double kPoor = 1.5;
 
+/// A step is short while edges move by less than this many times their length (docs/performance.md: "Short steps").
+constexpr double kShort = 0.3;
+
 class TamisEngine final : public Engine {
  public:
   TamisEngine(const Mesh& mesh, const Options& options)
@@ -52,6 +55,7 @@ class TamisEngine final : public Engine {
   void find(const Step& step, Question question, std::vector<Contact>& contacts, Statistics& statistics) override {
     auto start = Clock::now();
     motion_.assign(step, mesh_.points(), min_separation_);
+    measure_motion();
     statistics.seconds.bounds = seconds_since(start);
     start = Clock::now();
     update_trees(statistics);
@@ -86,6 +90,24 @@ class TamisEngine final : public Engine {
     statistics.rebuilt = true;
   }
 
+  /// Of some thousand edges, in the mesh's order: what follows from it may not depend on the trees and their past.
+  void measure_motion() {
+    constexpr std::size_t kSample = 4096;
+    moved_ = size_ = 0;
+    const auto edges = mesh_.edges();
+    for (std::size_t e = 0; e < edges.size(); e += 1 + edges.size() / kSample) {
+      const auto &a = motion_.box_vertices[static_cast<std::size_t>(edges[e][0])].at,
+                 &b = motion_.box_vertices[static_cast<std::size_t>(edges[e][1])].at;
+      for (int axis = 0; axis < 3; ++axis) {
+        moved_ += static_cast<double>(std::fabs(a[3 + axis] - a[axis]));
+        size_ += static_cast<double>(std::fabs(b[axis] - a[axis]));
+      }
+    }
+  }
+
+  /// Until `t_limit` boxes grow so little by being swept that when they meet need not be known.
+  bool is_short(float t_limit) const { return static_cast<double>(t_limit) * moved_ <= kShort * size_; }
+
   template <class Samples, class GoOn>
   void search(const Step& step, const Samples& samples, const GoOn& go_on) {
     float t_limit = 1;
@@ -109,7 +131,7 @@ class TamisEngine final : public Engine {
       StagePipeline& pipeline = pipelines_.local(is_known);
       if (!is_known) pipeline.begin(step);
       const int first = sample.first + part.begin() * sample.stride, last = sample.first + part.end() * sample.stride;
-      pipeline.search(kind, a, b, {first, std::min(last, a.leaf_blocks), sample.stride}, t_limit);
+      pipeline.search(kind, a, b, {first, std::min(last, a.leaf_blocks), sample.stride}, t_limit, is_short(t_limit));
     });
   }
 
@@ -133,6 +155,7 @@ class TamisEngine final : public Engine {
   PackedMotion motion_;
   BlockTree points_, edges_, faces_;
   double built_area_ = 0;
+  double moved_ = 0, size_ = 0;  ///< sums of some edges' displacements and lengths
   tbb::enumerable_thread_specific<StagePipeline> pipelines_;
 };
 

@@ -35,10 +35,10 @@ void copy_pair(const PairBuffer& in, int from, PairBuffer& out) {
 template <PairKind kind>
 void slab(const PackedVertex* vertices, double separation, const PairBuffer& in, PairBuffer& out) {
   for (int first = 0; first < in.count; first += kFloatLanes) {
-    const auto time = SlabClip::clip_diagonals<kind>(
-        load_motion_as_float<kind>(vertices, in, first, separation),
-        TimeInterval<FloatLanes>{FloatLanes::load_unaligned(in.t_in + first),
-                                 FloatLanes::load_unaligned(in.t_out + first)});
+    const auto time =
+        SlabClip::clip_diagonals<kind>(load_motion_as_float<kind>(vertices, in, first, separation),
+                                       TimeInterval<FloatLanes>{FloatLanes::load_unaligned(in.t_in + first),
+                                                                FloatLanes::load_unaligned(in.t_out + first)});
     const unsigned left = bits(time.t_in <= time.t_out) & lanes_in_use(in, first, kFloatLanes);
     for (int c = 0; c < 4; ++c)
       store_compressed(left, IntLanes::load_unaligned(in.corner[c] + first), out.corner[c] + out.count);

@@ -105,8 +105,8 @@ class BlockSearch {
     unsigned found[kBlock], any_found = 0;
     for_each_bit(few.lanes, [&](int lane) {
       const unsigned met = Boxes::meet(many.boxes, One(few.boxes, lane), times_.t_in[lane], times_.t_out[lane]);
-      found[lane] = met & many.lanes & lets(lane) &
-                    ~adjacent_lanes<many_corners, few_corners>(many.corners, few.corners, lane);
+      found[lane] =
+          met & many.lanes & lets(lane) & ~adjacent_lanes<many_corners, few_corners>(many.corners, few.corners, lane);
       any_found |= static_cast<unsigned>(found[lane] != 0) << lane;
     });
     for_each_bit(any_found, [&](int lane) { append<many_corners>(many.corners, few.corners, lane, found[lane]); });

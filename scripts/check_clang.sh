@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
-# check_clang.sh BUILD: library and command compile with clang 14 without a warning; exit 77 where it is absent.
+# check_clang.sh BUILD: everything, tests included, compiles with clang 14 without a warning; exit 77 where it is absent.
+# Not optimised: clang warns before it optimises.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
 command -v clang++-14 >/dev/null || { echo "skipped: no clang++-14"; exit 77; }
-cmake --preset clang -B "$1" -DTAMIS_BUILD_TESTS=OFF
+cmake --preset clang -B "$1" -DCMAKE_CXX_FLAGS_RELWITHDEBINFO=-O0
 cmake --build "$1" --parallel "$(nproc)"

@@ -16,11 +16,49 @@ inline constexpr float kNowhere = 1e30f;
 struct alignas(64) BoxBlock {
   float low0[3][kBlock], high0[3][kBlock];
   float low1[3][kBlock], high1[3][kBlock];
+};
 
-  void clear(int lane) {
+/// One of them: x y z at t=0, then at t=1, and two unused, so that the compiler makes vector operations of its loops.
+struct MovingBox {
+  static constexpr int kSize = 8;
+  float low[kSize], high[kSize];
+
+  MovingBox() {
+    for (int i = 0; i < kSize; ++i) {
+      low[i] = kNowhere;
+      high[i] = -kNowhere;
+    }
+  }
+  MovingBox(const BoxBlock& block, int lane) : MovingBox() {
     for (int axis = 0; axis < 3; ++axis) {
-      low0[axis][lane] = low1[axis][lane] = kNowhere;
-      high0[axis][lane] = high1[axis][lane] = -kNowhere;
+      low[axis] = block.low0[axis][lane];
+      high[axis] = block.high0[axis][lane];
+      low[3 + axis] = block.low1[axis][lane];
+      high[3 + axis] = block.high1[axis][lane];
+    }
+  }
+
+  void include(const float (&other_low)[kSize], const float (&other_high)[kSize]) {
+    for (int i = 0; i < kSize; ++i) {
+      low[i] = other_low[i] < low[i] ? other_low[i] : low[i];
+      high[i] = other_high[i] > high[i] ? other_high[i] : high[i];
+    }
+  }
+  void include(const MovingBox& other) { include(other.low, other.high); }
+
+  void widen(float margin) {
+    for (int i = 0; i < kSize; ++i) {
+      low[i] -= margin;
+      high[i] += margin;
+    }
+  }
+
+  void store_to(BoxBlock& block, int lane) const {
+    for (int axis = 0; axis < 3; ++axis) {
+      block.low0[axis][lane] = low[axis];
+      block.high0[axis][lane] = high[axis];
+      block.low1[axis][lane] = low[3 + axis];
+      block.high1[axis][lane] = high[3 + axis];
     }
   }
 };

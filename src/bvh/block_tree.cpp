@@ -17,52 +17,6 @@ void parallel_blocks(std::size_t count, const F& f) {
   });
 }
 
-/// The smallest and the largest of sixteen numbers, halving: the compiler makes it four vector operations.
-template <class Choose>
-inline float reduce(const float (&lanes)[kBlock], const Choose& choose) {
-  float best[kBlock];
-  std::copy_n(lanes, kBlock, best);
-  for (int half = kBlock / 2; half > 0; half /= 2)
-    for (int i = 0; i < half; ++i) best[i] = choose(best[i], best[half + i]);
-  return best[0];
-}
-
-constexpr auto smaller = [](float a, float b) { return a < b ? a : b; };
-constexpr auto larger = [](float a, float b) { return a > b ? a : b; };
-
-/// Lane of `to` becomes the hull of all lanes of `from`.
-void put_hull(const BoxBlock& from, BoxBlock& to, int lane) {
-  for (int axis = 0; axis < 3; ++axis) {
-    to.low0[axis][lane] = reduce(from.low0[axis], smaller);
-    to.low1[axis][lane] = reduce(from.low1[axis], smaller);
-    to.high0[axis][lane] = reduce(from.high0[axis], larger);
-    to.high1[axis][lane] = reduce(from.high1[axis], larger);
-  }
-}
-
-/// Lane of `to` becomes the box of a feature's vertices.
-template <int corners>
-void put_box(const BoxVertex* const (&vertices)[3], float margin, BoxBlock& to, int lane) {
-  constexpr int kSize = 8;
-  float low[kSize], high[kSize];
-  for (int i = 0; i < kSize; ++i) low[i] = high[i] = vertices[0]->at[i];
-  for (int c = 1; c < corners; ++c)
-    for (int i = 0; i < kSize; ++i) {
-      low[i] = smaller(low[i], vertices[c]->at[i]);
-      high[i] = larger(high[i], vertices[c]->at[i]);
-    }
-  for (int i = 0; i < kSize; ++i) {
-    low[i] -= margin;
-    high[i] += margin;
-  }
-  for (int axis = 0; axis < 3; ++axis) {
-    to.low0[axis][lane] = low[axis];
-    to.high0[axis][lane] = high[axis];
-    to.low1[axis][lane] = low[3 + axis];
-    to.high1[axis][lane] = high[3 + axis];
-  }
-}
-
 }  // namespace
 
 void BlockTree::set_features(int corners, std::span<const Index> vertices) {
@@ -74,7 +28,7 @@ void BlockTree::build(const PackedMotion& motion, Split split) {
   levels_.clear();
   for (std::size_t blocks = blocks_for(static_cast<std::size_t>(feature_count()));; blocks = blocks_for(blocks)) {
     levels_.emplace_back(blocks);
-    for (int lane = 0; lane < kBlock && blocks > 0; ++lane) levels_.back().back().clear(lane);
+    for (int lane = 0; lane < kBlock && blocks > 0; ++lane) MovingBox().store_to(levels_.back().back(), lane);
     if (blocks <= 1 && levels_.size() > 1) break;
   }
   corner_blocks_.resize(levels_[0].size());
@@ -130,22 +84,28 @@ void BlockTree::fill_leaf(std::size_t block, const PackedMotion& motion) {
       for (int c = 0; c < corners; ++c) __builtin_prefetch(vertex_of(later, lane, c));
   }
   const CornerBlock& own = corner_blocks_[block];
+  MovingBox hull;
   for (int lane = 0; lane < kBlock; ++lane) {
-    if (own.vertex[0][lane] < 0) {
-      levels_[0][block].clear(lane);
-      continue;
+    MovingBox box;
+    if (own.vertex[0][lane] >= 0) {
+      for (int c = 0; c < corners; ++c) {
+        const BoxVertex& vertex = *vertex_of(own, lane, c);
+        box.include(vertex.at, vertex.at);
+      }
+      box.widen(motion.frame.margin);
     }
-    const BoxVertex* vertices[3] = {};
-    for (int c = 0; c < corners; ++c) vertices[c] = vertex_of(own, lane, c);
-    put_box<corners>(vertices, motion.frame.margin, levels_[0][block], lane);
+    box.store_to(levels_[0][block], lane);
+    hull.include(box);
   }
-  put_hull(levels_[0][block], levels_[1][block / kBlock], static_cast<int>(block % kBlock));
+  hull.store_to(levels_[1][block / kBlock], static_cast<int>(block % kBlock));
 }
 
 void BlockTree::fill_hulls(std::size_t level) {
   const auto& below = levels_[level - 1];
   parallel_blocks(below.size(), [&](std::size_t child) {
-    put_hull(below[child], levels_[level][child / kBlock], static_cast<int>(child % kBlock));
+    MovingBox hull;
+    for (int lane = 0; lane < kBlock; ++lane) hull.include({below[child], lane});
+    hull.store_to(levels_[level][child / kBlock], static_cast<int>(child % kBlock));
   });
 }
 

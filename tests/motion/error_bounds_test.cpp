@@ -91,8 +91,8 @@ TEST(ErrorBounds, CoplanarityPolynomial) {
     const auto k = coplanarity_polynomial(c.rounded.d, normal_polynomial(c.rounded.e, c.rounded.f));
     const auto truth = coplanarity_polynomial(c.exact.d, normal_polynomial(c.exact.e, c.exact.f));
     const double unit = c.rounded.size_d * c.rounded.size_e * c.rounded.size_f;
-    for (std::size_t i : {0, 3}) end.add(k[i], truth[i], error_bounds::bound(error_bounds::kCoplanarityEnd, unit));
-    for (std::size_t i : {1, 2})
+    for (std::size_t i : {0u, 3u}) end.add(k[i], truth[i], error_bounds::bound(error_bounds::kCoplanarityEnd, unit));
+    for (std::size_t i : {1u, 2u})
       middle.add(k[i], truth[i], error_bounds::bound(error_bounds::kCoplanarityMiddle, unit));
   });
   end.check("kCoplanarityEnd");
@@ -109,8 +109,8 @@ TEST(ErrorBounds, SidePolynomial) {
     const auto truth = sides(c.exact);
     const auto& m = c.rounded;
     const double unit = (m.size_d + m.size_e) * (m.size_e + m.size_f) * m.size_e * m.size_f;
-    for (std::size_t i : {0, 4}) end.add(s[i], truth[i], error_bounds::bound(error_bounds::kSideEnd, unit));
-    for (std::size_t i : {1, 3}) next.add(s[i], truth[i], error_bounds::bound(error_bounds::kSideNext, unit));
+    for (std::size_t i : {0u, 4u}) end.add(s[i], truth[i], error_bounds::bound(error_bounds::kSideEnd, unit));
+    for (std::size_t i : {1u, 3u}) next.add(s[i], truth[i], error_bounds::bound(error_bounds::kSideNext, unit));
     middle.add(s[2], truth[2], error_bounds::bound(error_bounds::kSideMiddle, unit));
   });
   end.check("kSideEnd");

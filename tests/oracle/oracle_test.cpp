@@ -78,7 +78,7 @@ TEST(Oracle, FindsADoubleRootThatASignChangeTestMisses) {
   EXPECT_FALSE(touches(kEe, m, {0, 0.5, true}));
   EXPECT_FALSE(touches(kEe, m, {0.5 + 0x1p-50, 1}));
   for (auto* points : {&m.start, &m.end})
-    for (std::size_t i : {2, 3}) (*points)[i][2] += 0x1p-50;
+    for (std::size_t i : {2u, 3u}) (*points)[i][2] += 0x1p-50;
   EXPECT_FALSE(touches(kEe, m));
 }
 

@@ -31,7 +31,7 @@ void add_trees(Workload& work) {
   });
   add(work, "order_and_build", [&work](State& state) {
     for (auto _ : state)
-      for (BlockTree* tree : work.trees()) tree->build(work.motion());
+      for (BlockTree* tree : work.trees()) tree->build(work.motion(), work.kernels().split);
   });
   add(work, "refit", [&work](State& state) {
     for (auto _ : state)
@@ -39,12 +39,14 @@ void add_trees(Workload& work) {
   });
 }
 
-void add_search(const Workload& work, PairKind kind) {
-  add(work, std::string("search_") + name_of(kind), [&work, kind](State& state) {
+/// `is_short`: with swept boxes, whether or not they serve here.
+void add_search(const Workload& work, PairKind kind, bool is_short) {
+  const std::string what = std::string(is_short ? "search_swept_" : "search_") + name_of(kind);
+  add(work, what, [&work, kind, is_short](State& state) {
     std::size_t pairs = 0;
     for (auto _ : state) {
       pairs = 0;
-      work.search(kind, [&](PairBuffer& found) {
+      work.search(kind, is_short, [&](PairBuffer& found) {
         pairs += static_cast<std::size_t>(found.count);
         found.count = 0;
       });
@@ -146,7 +148,7 @@ int main(int argc, char** argv) {
   for (const auto& work : workloads) {
     bench::add_trees(*work);
     for (const PairKind kind : {PairKind::vertex_face, PairKind::edge_edge}) {
-      bench::add_search(*work, kind);
+      for (const bool is_short : {false, true}) bench::add_search(*work, kind, is_short);
       bench::add_stages(*work, kind);
       bench::add_filters(*work, kind);
       for (const Guarantee guarantee : {Guarantee::conservative, Guarantee::exact})

@@ -37,7 +37,7 @@ Workload::Workload(std::string name, Mesh mesh, std::vector<Point> start, std::v
   points_.set_features(1, mesh_.points());
   edges_.set_features(2, std::span(mesh_.edges().data()->data(), 2 * mesh_.edges().size()));
   faces_.set_features(3, std::span(mesh_.faces().data()->data(), 3 * mesh_.faces().size()));
-  for (BlockTree* tree : trees()) tree->build(motion_);
+  for (BlockTree* tree : trees()) tree->build(motion_, kernels_.split);
   vf_ = inputs_of(PairKind::vertex_face);
   ee_ = inputs_of(PairKind::edge_edge);
 }
@@ -46,7 +46,7 @@ StageInputs Workload::inputs_of(PairKind kind) const {
   const bool is_vf = kind == PairKind::vertex_face;
   StageInputs inputs;
   auto slab = std::make_unique<PairBuffer>(), filtered = std::make_unique<PairBuffer>();
-  search(kind, [&](PairBuffer& pairs) {
+  search(kind, false, [&](PairBuffer& pairs) {
     slab->count = filtered->count = 0;
     (is_vf ? kernels_.slab_vf : kernels_.slab_ee)(motion_.vertices.data(), kSeparation, pairs, *slab);
     (is_vf ? kernels_.filter_vf : kernels_.filter_ee)(motion_.vertices.data(), *slab, *filtered);

@@ -135,6 +135,16 @@ inline void transpose(DoubleLanes (&r)[kDoubleLanes]) {
 
 namespace tamis {
 
+#if XSIMD_WITH_SSE2 && !XSIMD_WITH_AVX512F
+template <>
+struct Masked<TAMIS_ISA::FloatLanes> {
+  using Lanes = TAMIS_ISA::FloatLanes;
+  using Mask = xsimd::batch_bool<float, TAMIS_ISA::Arch>;
+  static Lanes zero_unless(const Mask& mask, const Lanes& a) { return Lanes(mask.data) & a; }
+  static Lanes nan_where(const Mask& mask, const Lanes& a) { return Lanes(mask.data) | a; }
+};
+#endif
+
 /// A ratio without a division, which costs as much as twenty other operations: a guess at 1/b from its bits, within
 /// 5.1%, then a step of Newton that squares the error. Measured over all mantissas: 2.56e-3 (numerics/lanes_test).
 /// REQUIRES: |b| in [2^-100, 2^100].

@@ -1,6 +1,7 @@
 // The few operations that double lacks but SIMD lanes have, so that one template serves both.
 #pragma once
 #include <cmath>
+#include <limits>
 
 namespace tamis {
 
@@ -11,6 +12,19 @@ inline double max(double a, double b) { return a > b ? a : b; }
 inline double abs(double a) { return std::fabs(a); }
 inline double sqrt(double a) { return std::sqrt(a); }
 inline bool any(bool mask) { return mask; }
+
+/// Selections in which one side is a constant: where a mask is as wide as what it selects, an operation each.
+template <class T>
+struct Masked {
+  template <class Mask>
+  static T zero_unless(const Mask& mask, const T& a) {
+    return select(mask, a, T(0));
+  }
+  template <class Mask>
+  static T nan_where(const Mask& mask, const T& a) {
+    return select(mask, T(std::numeric_limits<double>::quiet_NaN()), a);
+  }
+};
 
 /// a / b, off by at most kError of itself. REQUIRES: b is not 0 where the result is used.
 template <class T>

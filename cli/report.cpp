@@ -56,12 +56,42 @@ void print_bracket(double toi_lower, double toi_upper, bool is_certified) {
              toi_lower, toi_upper - toi_lower);
 }
 
-void print_contact(const Contact& c) {
-  const auto& v = c.vertices;
-  if (c.kind == PairKind::vertex_face)
+namespace {
+
+void print_between(PairKind kind, const std::array<Index, 4>& v) {
+  if (kind == PairKind::vertex_face)
     fmt::print("between         vertex {} and face {} {} {}", v[0], v[1], v[2], v[3]);
   else
     fmt::print("between         edge {} {} and edge {} {}", v[0], v[1], v[2], v[3]);
+}
+
+void print_limit(const SafeStep& safe, double fraction, const std::string& distance) {
+  if (safe.lower == 0)
+    fmt::print("step            0: a pair touches at the start\n");
+  else if (fraction == 0)
+    fmt::print("step            {}; no pair touches before it, proven\n", safe.lower);
+  else
+    fmt::print("step            {}; on it every pair keeps {} of its {}, proven\n", safe.lower, fraction, distance);
+  if (safe.lower > 0 && safe.upper < 1)
+    fmt::print("largest         not above {}, proven: {:.1e} more\n", safe.upper, safe.upper - safe.lower);
+}
+
+}  // namespace
+
+void print_safe_step(const SafeStep& safe, double fraction, double min_separation) {
+  const std::string distance =
+      min_separation > 0 ? fmt::format("distance beyond {}", min_separation) : std::string("distance");
+  if (!safe.pair) {
+    fmt::print("step            1: the whole step may go, proven\n");
+    return;
+  }
+  print_limit(safe, fraction, distance);
+  print_between(safe.pair->kind, safe.pair->vertices);
+  fmt::print(", {:.6g} apart at the start\n", safe.pair->distance);
+}
+
+void print_contact(const Contact& c) {
+  print_between(c.kind, c.vertices);
   fmt::print(", u = {:.6g}, v = {:.6g}, normal ({:.6g}, {:.6g}, {:.6g}), {}\n", c.u, c.v, c.normal[0], c.normal[1],
              c.normal[2], c.certainty == Certainty::certified ? "certified" : "unresolved");
 }

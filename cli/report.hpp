@@ -29,6 +29,7 @@ Tally tally_of(std::span<const Contact> contacts);
 Json json_of(const Tally& tally);
 Json json_of(const Seconds& seconds);
 Json json_of(const Contact& contact);
+Json json_of(const LimitingPair& pair);
 /// Adds toi_lower and toi_upper: null if the step is free.
 void add_bracket(Json& json, bool is_free, double toi_lower, double toi_upper);
 /// Adds what every question has: seconds, stages, decided_by, threads, method and so on.
@@ -39,6 +40,8 @@ void print_json(const Json& json);
 /// `is_certified`: some contact is proven, so toi_upper means something.
 void print_bracket(double toi_lower, double toi_upper, bool is_certified);
 void print_contact(const Contact& contact);
+/// `fraction`: of the distance beyond `min_separation` that was to be kept.
+void print_safe_step(const SafeStep& safe, double fraction, double min_separation);
 void print_mesh(const Mesh& mesh);
 void print_costs(const Detector& detector, const Timing& timing, int repeat);
 

@@ -24,6 +24,12 @@ Json json_of(const Contact& c) {
           {"status", c.certainty == Certainty::certified ? "certified" : "unresolved"}};
 }
 
+Json json_of(const LimitingPair& pair) {
+  return {{"kind", pair.kind == PairKind::vertex_face ? "vf" : "ee"},
+          {"vertices", pair.vertices},
+          {"distance", pair.distance}};
+}
+
 void add_bracket(Json& json, bool is_free, double toi_lower, double toi_upper) {
   json["toi_lower"] = is_free ? Json() : Json(toi_lower);
   json["toi_upper"] = is_free ? Json() : Json(toi_upper);

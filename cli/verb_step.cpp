@@ -6,6 +6,7 @@
 
 #include "cli/report.hpp"
 #include "cli/step_verb.hpp"
+#include "tamis/error.hpp"
 
 namespace tamis::cli {
 namespace {
@@ -16,13 +17,24 @@ class StepLength final : public StepVerb {
   const char* summary() const override { return "The earliest contact: how far the step may go"; }
   const char* examples() const override {
     return "  tamis step cloth1.ply cloth2.ply\n"
-           "  tamis step cloth1.ply cloth2.ply --scale 3 --json";
+           "  tamis step cloth1.ply cloth2.ply --scale 3 --json\n"
+           "  tamis step cloth1.ply cloth2.ply --keep-distance 0.1";
+  }
+
+  void declare(CLI::App& app) override {
+    StepVerb::declare(app);
+    keep_distance_ = app.add_option("--keep-distance", fraction_,
+                                    "how far the step may go so that every pair keeps at least F times its distance "
+                                    "at START: the step length for the line search of a barrier method; 0 <= F < 1")
+                         ->type_name("F");
   }
 
   int run() override {
+    if (keep_distance_->count() > 0) require_fraction();
     StepFiles files = read();
     Detector detector(std::move(files.mesh), options());
     const Step step = files.step();
+    if (keep_distance_->count() > 0) return keep_distance(detector, step);
     EarliestContact first;
     const Timing timing = ask_repeatedly(detector, repeat_, [&] { first = detector.earliest(step); });
     report(first, detector, timing);
@@ -48,6 +60,32 @@ class StepLength final : public StepVerb {
     }
     print_costs(detector, timing, repeat_);
   }
+
+  void require_fraction() const {
+    if (!(fraction_ >= 0 && fraction_ < 1))
+      throw InvalidOptions("--keep-distance must be a number >= 0 and < 1: correct it");
+  }
+
+  int keep_distance(Detector& detector, const Step& step) const {
+    SafeStep safe;
+    const Timing timing = ask_repeatedly(detector, repeat_, [&] { safe = detector.keep_distance(step, fraction_); });
+    if (json_) {
+      Json json{{"keep_distance", fraction_},
+                {"step_lower", safe.lower},
+                {"step_upper", safe.upper},
+                {"pair", safe.pair ? json_of(*safe.pair) : Json()}};
+      add_costs(json, detector, timing);
+      print_json(json);
+      return kSuccess;
+    }
+    print_mesh(detector.mesh());
+    print_safe_step(safe, fraction_, detector.options().min_separation);
+    print_costs(detector, timing, repeat_);
+    return kSuccess;
+  }
+
+  double fraction_ = 0;
+  CLI::Option* keep_distance_ = nullptr;
 };
 
 }  // namespace

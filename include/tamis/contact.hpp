@@ -46,4 +46,24 @@ struct EarliestContact {
   std::optional<Contact> contact;
 };
 
+/// The pair of features that ends a step: kind and vertices as in Contact.
+struct LimitingPair {
+  PairKind kind;
+  std::array<Index, 4> vertices;
+  /// At t=0, in the unit of the positions; rounded, not certified.
+  double distance;
+};
+
+/// Answer to "how far may the step go so that every pair keeps a fraction of its distance?". The distance that counts
+/// is what exceeds the minimum separation.
+struct SafeStep {
+  /// On [0, lower] every pair keeps at least the fraction, and on [0, lower) none touches: proven. 1 if the whole step
+  /// may go; 0 only if a pair touches (comes within the minimum separation) at t=0.
+  double lower = 1;
+  /// At this time some pair has no more than the fraction left: proven; 1 if that is not known of any time.
+  double upper = 1;
+  /// The pair that ends the step at `lower`; none if the whole step may go.
+  std::optional<LimitingPair> pair;
+};
+
 }  // namespace tamis

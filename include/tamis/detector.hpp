@@ -30,6 +30,12 @@ class Detector {
   EarliestContact earliest(const Step& step);
   /// Is the whole step free of contacts?
   bool is_free(const Step& step);
+  /// How far may the step go so that the distance of every pair, as far as it exceeds the minimum separation, stays at
+  /// least `fraction` of what it is at t=0? The step length for the line search of a barrier method. 0: only contacts
+  /// count, so `lower` is earliest()'s toi_lower, but never 0 unless a pair touches at t=0. Same for all methods; the
+  /// guarantee matters for 0 only. Costs more the closer `fraction` is to 1 while large parts of the step are still in
+  /// question. Throws InvalidOptions unless 0 <= fraction < 1.
+  SafeStep keep_distance(const Step& step, double fraction);
 
   const Mesh& mesh() const;
   const Options& options() const;

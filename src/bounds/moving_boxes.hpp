@@ -12,7 +12,7 @@ inline constexpr int kBlock = 16;
 /// meets nothing; it is finite because differences of infinities are none.
 inline constexpr float kNowhere = 1e30f;
 
-/// [axis][lane].
+/// [axis][lane]. Made of displacements (SecondHalf), low1 and high1 bound those.
 struct alignas(64) BoxBlock {
   float low0[3][kBlock], high0[3][kBlock];
   float low1[3][kBlock], high1[3][kBlock];
@@ -50,6 +50,13 @@ struct MovingBox {
     for (int i = 0; i < kSize; ++i) {
       low[i] -= margin;
       high[i] += margin;
+    }
+  }
+
+  void widen(const float (&margin)[kSize]) {
+    for (int i = 0; i < kSize; ++i) {
+      low[i] -= margin[i];
+      high[i] += margin[i];
     }
   }
 

@@ -34,10 +34,16 @@ BoxFrame frame_of(const Step& step, std::span<const Index> used, double min_sepa
   return frame;
 }
 
+/// Whichever comes first, the scaling can neither overflow nor lose more than what underflows.
+double displacement(double start, double end, double scale) {
+  return scale < 1 ? end * scale - start * scale : (end - start) * scale;
+}
+
 }  // namespace
 
-void PackedMotion::assign(const Step& step, std::span<const Index> used, double min_separation) {
+void PackedMotion::assign(const Step& step, std::span<const Index> used, double min_separation, SecondHalf second) {
   frame = frame_of(step, used, min_separation);
+  second_half = second;
   const auto count = static_cast<std::size_t>(step.start.count());
   vertices.resize(count);
   box_vertices.resize(count);
@@ -49,7 +55,9 @@ void PackedMotion::assign(const Step& step, std::span<const Index> used, double 
       packed.at[axis] = start[axis];
       packed.at[4 + axis] = end[axis];
       box.at[axis] = static_cast<float>((start[axis] - frame.origin[axis]) * frame.scale);
-      box.at[3 + axis] = static_cast<float>((end[axis] - frame.origin[axis]) * frame.scale);
+      box.at[3 + axis] =
+          static_cast<float>(second == SecondHalf::end ? (end[axis] - frame.origin[axis]) * frame.scale
+                                                       : displacement(start[axis], end[axis], frame.scale));
     }
   }
 }

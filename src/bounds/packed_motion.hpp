@@ -2,6 +2,7 @@
 // common frame for the boxes.
 #pragma once
 #include <array>
+#include <cstdint>
 #include <vector>
 
 #include "tamis/step.hpp"
@@ -13,7 +14,14 @@ struct alignas(64) PackedVertex {
   double at[8];
 };
 
-/// A vertex in the frame of the boxes, rounded to nearest: x y z at t=0, then at t=1, two unused; half a cache line.
+/// What stands in the second half of a BoxVertex, and of the boxes made of it.
+enum class SecondHalf : std::uint8_t {
+  end,           ///< the position at t=1
+  displacement,  ///< the way from t=0 to t=1, for questions about distances at t=0 and speeds
+};
+
+/// A vertex in the frame of the boxes, rounded to nearest: x y z at t=0, then its second half, two unused; half a cache
+/// line.
 struct alignas(32) BoxVertex {
   float at[8] = {};
 };
@@ -26,15 +34,24 @@ struct BoxFrame {
   /// Added on each side of a box: rounding to float is off by 2^-25, the subtraction by 2^-53, and the box's own
   /// subtraction of the margin by 2^-25; plus half the minimum separation.
   float margin;
+  /// The same for displacements, times the displacement: rounding to float is off by 2^-24 of it, the box's own
+  /// subtraction by as much.
+  static constexpr float kRelativeMargin = 0x1p-22f;
+  /// And added to that: the speed of a single pair (solve/kept_distance.hpp) is rounded up by at most 2 * 40 * 2^-53 of
+  /// its three sizes, each at most 2 here: below 2^-44, and two boxes' margins add up. No bound from boxes may be
+  /// sharper.
+  static constexpr float kLeastMargin = 0x1p-44f;
 };
 
 struct PackedMotion {
   std::vector<PackedVertex> vertices;
   std::vector<BoxVertex> box_vertices;
   BoxFrame frame;
+  SecondHalf second_half = SecondHalf::end;
 
   /// `min_separation` >= 0 in the unit of the step. Vertices outside `used` are left as they are.
-  void assign(const Step& step, std::span<const Index> used, double min_separation);
+  void assign(const Step& step, std::span<const Index> used, double min_separation,
+              SecondHalf second_half = SecondHalf::end);
   std::uint64_t memory_bytes() const {
     return vertices.capacity() * sizeof(PackedVertex) + box_vertices.capacity() * sizeof(BoxVertex);
   }

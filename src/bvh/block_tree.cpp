@@ -17,6 +17,14 @@ void parallel_blocks(std::size_t count, const F& f) {
   });
 }
 
+void widen(MovingBox& box, const PackedMotion& motion) {
+  if (motion.second_half == SecondHalf::end) return box.widen(motion.frame.margin);
+  float margin[MovingBox::kSize] = {motion.frame.margin, motion.frame.margin, motion.frame.margin};
+  for (int i = 3; i < 6; ++i)
+    margin[i] = BoxFrame::kLeastMargin + BoxFrame::kRelativeMargin * std::max(-box.low[i], box.high[i]);
+  box.widen(margin);
+}
+
 }  // namespace
 
 void BlockTree::set_features(int corners, std::span<const Index> vertices) {
@@ -92,7 +100,7 @@ void BlockTree::fill_leaf(std::size_t block, const PackedMotion& motion) {
         const BoxVertex& vertex = *vertex_of(own, lane, c);
         box.include(vertex.at, vertex.at);
       }
-      box.widen(motion.frame.margin);
+      widen(box, motion);
     }
     box.store_to(levels_[0][block], lane);
     hull.include(box);
@@ -118,13 +126,24 @@ TreeView BlockTree::view() const {
 }
 
 double BlockTree::swept_area() const {
+  return half_area([](const BoxBlock& hulls, int axis, int lane) {
+    return std::max(hulls.high0[axis][lane], hulls.high1[axis][lane]) -
+           std::min(hulls.low0[axis][lane], hulls.low1[axis][lane]);
+  });
+}
+
+double BlockTree::start_area() const {
+  return half_area(
+      [](const BoxBlock& hulls, int axis, int lane) { return hulls.high0[axis][lane] - hulls.low0[axis][lane]; });
+}
+
+template <class Width>
+double BlockTree::half_area(const Width& width) const {
   double area = 0;
   for (const BoxBlock& hulls : levels_[1])
     for (int lane = 0; lane < kBlock; ++lane) {
       float size[3];
-      for (int axis = 0; axis < 3; ++axis)
-        size[axis] = std::max(0.0f, std::max(hulls.high0[axis][lane], hulls.high1[axis][lane]) -
-                                        std::min(hulls.low0[axis][lane], hulls.low1[axis][lane]));
+      for (int axis = 0; axis < 3; ++axis) size[axis] = std::max(0.0f, width(hulls, axis, lane));
       area += static_cast<double>(size[0] * size[1] + size[1] * size[2] + size[2] * size[0]);
     }
   return area;

@@ -25,7 +25,8 @@ class BlockTree {
   /// `corners` vertices a feature (1, 2 or 3), feature i at vertices[corners * i]. The span must outlive the tree.
   void set_features(int corners, std::span<const Index> vertices);
 
-  /// Chooses the order from where the features are halfway through the step, then refits.
+  /// Chooses the order from where the features are halfway through the step (where `motion` holds displacements: at
+  /// its end), then refits.
   void build(const PackedMotion& motion, Split split);
   /// New boxes in the old order.
   void refit(const PackedMotion& motion);
@@ -34,6 +35,8 @@ class BlockTree {
   TreeView view() const;
   /// Sum over the leaf blocks of the half area of their swept hulls: what a traversal's cost grows with.
   double swept_area() const;
+  /// The same of their hulls at t=0.
+  double start_area() const;
   std::uint64_t memory_bytes() const;
 
  private:
@@ -41,6 +44,9 @@ class BlockTree {
   template <int corners>
   void fill_leaf(std::size_t block, const PackedMotion& motion);
   void fill_hulls(std::size_t level);
+  /// `width(hulls, axis, lane)`: of one hull.
+  template <class Width>
+  double half_area(const Width& width) const;
 
   int corners_ = 1;
   std::span<const Index> vertices_;

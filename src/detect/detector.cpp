@@ -9,8 +9,11 @@
 #include "detect/contact_order.hpp"
 #include "detect/engine.hpp"
 #include "detect/pair_rules.hpp"
+#include "detect/step_length.hpp"
 #include "detect/validate.hpp"
 #include "solve/decide.hpp"
+#include "solve/kept_distance.hpp"
+#include "solve/start_distance.hpp"
 #include "tamis/error.hpp"
 
 namespace tamis {
@@ -31,8 +34,14 @@ std::unique_ptr<Engine> make_engine(const Mesh& mesh, const Options& options) {
 /// The contact as decided on the whole step: the last bits of what the engine found depend on how far it still had to
 /// look, and so on earlier questions.
 Contact decided_anew(const Contact& c, const Step& step, const Options& options, PrecisionCount& decided_by) {
-  const auto r = decide(c.kind, points_of(step, c.vertices), {options.guarantee, options.min_separation}, decided_by);
-  return r.touches ? Contact{c.kind, r.certainty, c.vertices, r.toi_lower, r.toi_upper, r.u, r.v, r.normal} : c;
+  const PairPoints points = points_of(step, c.vertices);
+  const auto r = decide(c.kind, points, {options.guarantee, options.min_separation}, decided_by);
+  Contact contact =
+      r.touches ? Contact{c.kind, r.certainty, c.vertices, r.toi_lower, r.toi_upper, r.u, r.v, r.normal} : c;
+  // Decided exactly, so that a line search never stops for nothing.
+  if (contact.toi_lower == 0 && contact.toi_upper > 0)
+    contact.toi_lower = std::min(apart_from_start(c.kind, points, options.min_separation), contact.toi_upper);
+  return contact;
 }
 
 /// The step must stop at the smallest lower end; certified contacts give the smallest upper end.
@@ -65,17 +74,39 @@ struct Detector::State {
   }
 
   void ask(const Step& step, Question question) {
+    measure(step, [&] {
+      contacts.clear();
+      engine->find(step, question, contacts, statistics);
+      if (question == Question::all_contacts) sorter.sort(contacts, mesh.vertex_count());
+    });
+  }
+
+  SafeStep keep_distance(const Step& step, double fraction) {
+    SafeStep answer;
+    measure(step, [&] {
+      if (options.method == Method::brute) {
+        answer = step_length_by_brute_force(mesh, options, step, fraction, statistics);
+        return;
+      }
+      if (!step_length) step_length = std::make_unique<StepLengthSearch>(mesh, options);
+      answer = step_length->find(step, fraction, statistics);
+    });
+    return answer;
+  }
+
+  /// Runs `work` in the arena, with fresh statistics.
+  template <class Work>
+  void measure(const Step& step, const Work& work) {
     validate(step, mesh);
     const auto start = std::chrono::steady_clock::now();
     statistics = {};
     statistics.method = options.method;
-    contacts.clear();
     in_arena([&] {
       statistics.threads = tbb::this_task_arena::max_concurrency();
-      engine->find(step, question, contacts, statistics);
-      if (question == Question::all_contacts) sorter.sort(contacts, mesh.vertex_count());
+      work();
     });
-    statistics.memory_bytes = engine->memory_bytes() + sorter.memory_bytes() + contacts.capacity() * sizeof(Contact);
+    statistics.memory_bytes = engine->memory_bytes() + sorter.memory_bytes() + contacts.capacity() * sizeof(Contact) +
+                              (step_length ? step_length->memory_bytes() : 0);
     statistics.seconds.total = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   }
 
@@ -91,6 +122,7 @@ struct Detector::State {
   Options options;
   tbb::task_arena arena;
   std::unique_ptr<Engine> engine;
+  std::unique_ptr<StepLengthSearch> step_length;  ///< made by the first question that needs it
   std::vector<Contact> contacts;
   ContactSorter sorter;
   Statistics statistics;
@@ -109,6 +141,19 @@ const std::vector<Contact>& Detector::contacts(const Step& step) {
 EarliestContact Detector::earliest(const Step& step) {
   state_->ask(step, Question::earliest);
   return first_of(state_->contacts, step, state_->options, state_->statistics.decided_by);
+}
+
+SafeStep Detector::keep_distance(const Step& step, double fraction) {
+  if (!(fraction >= 0 && fraction < 1))
+    throw InvalidOptions("the fraction of the distance to keep is " + std::to_string(fraction) +
+                         ": give a number >= 0 and < 1");
+  if (fraction > 0) return state_->keep_distance(step, fraction);
+  const EarliestContact first = earliest(step);
+  if (!first.contact) return {};
+  const Contact& c = *first.contact;
+  const double distance = start_distance(c.kind, points_of(step, c.vertices));
+  const double upper = first.toi_lower == 0 ? 0 : first.toi_upper;  // 0 has been decided exactly
+  return {first.toi_lower, upper, LimitingPair{c.kind, c.vertices, distance}};
 }
 
 bool Detector::is_free(const Step& step) {

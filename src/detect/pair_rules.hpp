@@ -38,6 +38,21 @@ inline bool lets_pass(const PairFilter& filter, PairKind kind, const PairVertice
   return !filter.accepts || filter.accepts(kind, v);
 }
 
+/// Calls f(kind, vertices) for every pair of features that is one; vertices in contact order.
+template <class F>
+void for_each_pair(const Mesh& mesh, const PairFilter& filter, const F& f) {
+  const auto offer = [&](PairKind kind, PairVertices v) {
+    v = in_contact_order(kind, v);
+    if (!are_adjacent(kind, v) && lets_pass(filter, kind, v)) f(kind, v);
+  };
+  for (Index p : mesh.points())
+    for (const Face& face : mesh.faces()) offer(PairKind::vertex_face, {p, face[0], face[1], face[2]});
+  const auto edges = mesh.edges();
+  for (std::size_t j = 0; j < edges.size(); ++j)
+    for (std::size_t i = 0; i < j; ++i)
+      offer(PairKind::edge_edge, {edges[i][0], edges[i][1], edges[j][0], edges[j][1]});
+}
+
 /// Where the four vertices are.
 inline PairPoints points_of(const Step& step, const PairVertices& vertices) {
   PairPoints points;

@@ -10,6 +10,7 @@
 
 #include "bvh/block_tree.hpp"
 #include "detect/engine.hpp"
+#include "detect/samples.hpp"
 #include "detect/stage_pipeline.hpp"
 
 namespace tamis {
@@ -18,14 +19,6 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
-
-/// The leaf blocks in seven samples, each as large as all before it: an early contact found in a small one shortens
-/// the step for the rest. Fixed, and the step is shortened only between them: the answer knows nothing of threads.
-struct Sample {
-  int first, stride;
-};
-constexpr Sample kSamples[] = {{0, 64}, {32, 64}, {16, 32}, {8, 16}, {4, 8}, {2, 4}, {1, 2}};
-constexpr Sample kAllBlocks[] = {{0, 1}};
 
 /// The smallest float at or after a time of the step.
 float float_after(double t) {
@@ -108,6 +101,7 @@ class TamisEngine final : public Engine {
   /// Until `t_limit` boxes grow so little by being swept that when they meet need not be known.
   bool is_short(float t_limit) const { return static_cast<double>(t_limit) * moved_ <= kShort * size_; }
 
+  /// The step is shortened only between samples: the answer knows nothing of threads.
   template <class Samples, class GoOn>
   void search(const Step& step, const Samples& samples, const GoOn& go_on) {
     float t_limit = 1;
@@ -125,8 +119,8 @@ class TamisEngine final : public Engine {
   void search_sample(const Step& step, PairKind kind, const TreeView& a, const TreeView& b, const Sample& sample,
                      float t_limit) {
     constexpr int kGrain = 8;
-    const int count = (a.leaf_blocks - sample.first + sample.stride - 1) / sample.stride;
-    tbb::parallel_for(tbb::blocked_range<int>(0, std::max(count, 0), kGrain), [&](const tbb::blocked_range<int>& part) {
+    const tbb::blocked_range<int> all(0, count_in(sample, a.leaf_blocks), kGrain);
+    tbb::parallel_for(all, [&](const tbb::blocked_range<int>& part) {
       bool is_known = false;
       StagePipeline& pipeline = pipelines_.local(is_known);
       if (!is_known) pipeline.begin(step);

@@ -1,5 +1,6 @@
 // Sixteen moving boxes against one: in which of them, and when, may the two meet? Two answers: of boxes that move, and
-// of what they sweep over, which costs a third and says as much where the motion is short.
+// of what they sweep over, which costs a third and says as much where the motion is short. And another question: which
+// are near, as fast as they move?
 #pragma once
 #include "bounds/moving_boxes.hpp"
 #include "motion/time_clip.hpp"
@@ -87,6 +88,35 @@ struct SweptBoxes {
       FloatLanes(0.0f).store_aligned(t_in + first);
       FloatLanes(boxes.t_limit).store_aligned(t_out + first);
       result |= bits(gap <= FloatLanes(0.0f)) << first;
+    }
+    return result;
+  }
+};
+
+/// Boxes that hold displacements, with the reach for a limit: bits of the lanes whose boxes at t=0 are no farther apart
+/// than the reach times the largest difference of displacements. Squares of two lengths are compared; gaps are
+/// multiples of 2^-47, because boxes have margins, so that nothing that matters underflows.
+struct NearBoxes {
+  using Sixteen = MovingBoxes::Sixteen;
+  using One = MovingBoxes::One;
+
+  [[gnu::always_inline]] static unsigned meet(const Sixteen& boxes, const One& one, float* t_in, float* t_out) {
+    const FloatLanes zero(0.0f), reach(boxes.t_limit);
+    const BoxBlock& b = boxes.block;
+    unsigned result = 0;
+    for (int first = 0; first < kBlock; first += kFloatLanes) {
+      const auto load = [&](const float* lanes) { return FloatLanes::load_aligned(lanes + first); };
+      FloatLanes gap2(0.0f), way2(0.0f);
+      for (int axis = 0; axis < 3; ++axis) {
+        const auto gap = max(load(b.low0[axis]) - one.high0[axis], one.low0[axis] - load(b.high0[axis]));
+        const auto way = max(load(b.high1[axis]) - one.low1[axis], one.high1[axis] - load(b.low1[axis]));
+        const auto apart = max(gap, zero), reached = reach * max(way, zero);
+        gap2 = gap2 + apart * apart;
+        way2 = way2 + reached * reached;
+      }
+      zero.store_aligned(t_in + first);
+      zero.store_aligned(t_out + first);
+      result |= bits(gap2 <= way2) << first;
     }
     return result;
   }

@@ -8,6 +8,7 @@
 #include "kernels/search.hpp"
 #include "kernels/split.hpp"
 #include "solve/crossing.hpp"
+#include "solve/start_gap.hpp"
 
 namespace tamis::TAMIS_ISA {
 namespace {
@@ -18,6 +19,11 @@ void search(Search& state, int block) {
     BlockSearch<kind, SweptBoxes>(state, block).run();
   else
     BlockSearch<kind, MovingBoxes>(state, block).run();
+}
+
+template <PairKind kind>
+void search_near(Search& state, int block) {
+  BlockSearch<kind, NearBoxes>(state, block).run();
 }
 
 TimeInterval<DoubleLanes> load_time(const PairBuffer& pairs, int first) {
@@ -45,6 +51,16 @@ void slab(const PackedVertex* vertices, double separation, const PairBuffer& in,
     store_compressed(left, time.t_in, out.t_in + out.count);
     store_compressed(left, time.t_out, out.t_out + out.count);
     out.count += __builtin_popcount(left);
+  }
+}
+
+template <PairKind kind>
+void near(const PackedVertex* vertices, double separation, float reach, const PairBuffer& in, PairBuffer& out) {
+  for (int first = 0; first < in.count; first += kFloatLanes) {
+    const auto m = load_motion_as_float<kind>(vertices, in, first, separation);
+    const auto is_far = StartGap::exceeds<kind>(m, FloatLanes(reach));
+    for_each_bit(lanes_in_use(in, first, kFloatLanes) & ~bits(is_far),
+                 [&](int lane) { copy_pair(in, first + lane, out); });
   }
 }
 
@@ -111,7 +127,8 @@ int solve(const PackedVertex* vertices, const PairBuffer& in, PairBuffer& rest, 
 
 extern const Kernels kKernels;
 constexpr auto kVf = PairKind::vertex_face, kEe = PairKind::edge_edge;
-const Kernels kKernels{Isa::TAMIS_ISA, split,       search<kVf>, search<kEe>, slab<kVf>,
-                       slab<kEe>,      filter<kVf>, filter<kEe>, solve<kVf>,  solve<kEe>};
+const Kernels kKernels{Isa::TAMIS_ISA,   split,       search<kVf>, search<kEe>, search_near<kVf>,
+                       search_near<kEe>, near<kVf>,   near<kEe>,   slab<kVf>,   slab<kEe>,
+                       filter<kVf>,      filter<kEe>, solve<kVf>,  solve<kEe>};
 
 }  // namespace tamis::TAMIS_ISA

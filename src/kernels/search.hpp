@@ -28,7 +28,7 @@ inline unsigned adjacent_lanes(const CornerBlock& block, const CornerBlock& othe
   return result;
 }
 
-/// `Boxes`: MovingBoxes or SweptBoxes.
+/// `Boxes`: MovingBoxes, SweptBoxes or NearBoxes.
 template <PairKind kind, class Boxes>
 class BlockSearch {
  public:

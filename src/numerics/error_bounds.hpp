@@ -87,6 +87,10 @@ inline constexpr double kAxisLater = 192;
 // together: vectors at that time 1 + 3, products 1, sums 2, so sqrt(3) * 7 = 12.2; weights whose sum rounds to 1: 2.
 inline constexpr double kGap = 20;
 
+// The velocity of a corner of the two features' difference, unit D + E + F, all components together: at each end kInput
+// and two sums 2, their difference (below 2) 2 more: 22 a component, sqrt(3) * 22 = 38.2.
+inline constexpr double kVelocity = 40;
+
 // Length of a vector, unit: itself: squares 1/2, two sums 1, root 1, all below 4.
 inline constexpr double kLength = 4;
 

@@ -48,6 +48,16 @@ ApartTimes AxisClip<kind>::around(double now, const TurningAxis& axis) const {
   return {(now - before) * (1 + 4 * kRoundoff), (now + later) * (1 - 4 * kRoundoff)};
 }
 
+template <PairKind kind>
+double AxisClip<kind>::distance_along(double now, const Vec& direction) const {
+  const Vec n = (1 / largest_component(direction)) * direction;
+  double lowest = kNever;
+  for (const auto& corner : corners_) lowest = min(lowest, dot(n, at_time(corner, now)));
+  const double error = kRoundoff * size_ + error_bounds::underflow<double>;
+  const double distance = (lowest - error_bounds::kAxisNow * error) / (std::sqrt(dot(n, n)) * (1 + 8 * kRoundoff));
+  return distance > 0 ? distance : 0;
+}
+
 template class AxisClip<PairKind::vertex_face>;
 template class AxisClip<PairKind::edge_edge>;
 

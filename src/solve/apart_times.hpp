@@ -2,11 +2,10 @@
 // fixed axis the two features close in linearly, corner by corner; on one that turns at a constant rate, quadratically.
 // Both are sharper than a bound on the speed of the pair.
 #pragma once
-#include <array>
 #include <cmath>
 
-#include "motion/pair_motion.hpp"
 #include "numerics/error_bounds.hpp"
+#include "solve/difference_corners.hpp"
 
 namespace tamis {
 
@@ -26,15 +25,6 @@ struct TurningAxis {
 /// if there is none.
 double first_root(double c0, double c1, double c2);
 
-/// The Minkowski difference of the two features is the convex hull of these: their distance is its distance from zero.
-template <PairKind kind>
-inline auto difference_corners(const PairMotion<double>& m) {
-  if constexpr (kind == PairKind::vertex_face)
-    return std::array{m.d, m.d - m.e, m.d - m.f};
-  else
-    return std::array{m.d, m.d - m.e, m.d + m.f, m.d + m.f - m.e};
-}
-
 /// REQUIRES: `m` is the motion of the whole step, its sizes are finite.
 template <PairKind kind>
 class AxisClip {
@@ -45,6 +35,8 @@ class AxisClip {
   /// Times around `now` at which, proven, all corners lie beyond the separation along the axis; empty if not even
   /// `now`.
   ApartTimes around(double now, const TurningAxis& axis) const;
+  /// A lower bound, beyond all rounding, of the distance at `now` by a direction of any length; 0 if it proves none.
+  double distance_along(double now, const Vec3<double>& direction) const;
 
  private:
   decltype(difference_corners<kind>(PairMotion<double>{})) corners_;

@@ -169,9 +169,9 @@ class Advance {
 };
 
 template <PairKind kind>
-double apart_until(const PairMotion<double>& m, double until) {
+double apart_until(const PairMotion<double>& m, double from, double until) {
   const Looker<kind> looker(m);
-  double now = 0;
+  double now = from;
   for (int looks = 0; looks < kMaxLooks && now < until; ++looks) {
     const Look look = looker.at(now);
     if (!look.apart.contains(now)) break;
@@ -189,9 +189,9 @@ Decision first_within(PairKind kind, const PairMotion<double>& m, const TimeInte
                                        : Advance<PairKind::edge_edge>(m, time).run();
 }
 
-double apart_until(PairKind kind, const PairMotion<double>& m, double until) {
-  return kind == PairKind::vertex_face ? apart_until<PairKind::vertex_face>(m, until)
-                                       : apart_until<PairKind::edge_edge>(m, until);
+double apart_until(PairKind kind, const PairMotion<double>& m, double from, double until) {
+  return kind == PairKind::vertex_face ? apart_until<PairKind::vertex_face>(m, from, until)
+                                       : apart_until<PairKind::edge_edge>(m, from, until);
 }
 
 }  // namespace tamis

@@ -50,6 +50,21 @@ TEST_F(OneStep, StepTellsHowFarItMayGo) {
   EXPECT_TRUE(free["contact"].is_null());
 }
 
+// Bug: the option asks another question, or its answer goes under keys that scripts do not know.
+TEST_F(OneStep, StepKeepsAFractionOfTheDistance) {
+  const auto json = folder_.run("step above.obj below.obj --keep-distance 0.25 --json").json();
+  EXPECT_EQ(json["keep_distance"], 0.25);
+  EXPECT_NEAR(json["step_lower"].get<double>(), 0.25, 1e-9);
+  EXPECT_GE(json["step_upper"].get<double>(), 0.25);
+  EXPECT_EQ(json["pair"]["vertices"], (std::vector<int>{3, 0, 1, 2}));
+  EXPECT_EQ(json["pair"]["distance"], 1);
+  const Outcome words = folder_.run("step above.obj below.obj --keep-distance 0");
+  EXPECT_NE(words.out.find("no pair touches before it, proven"), std::string::npos) << words.out;
+  const auto free = folder_.run("step below.obj lower.obj --keep-distance 0.5 --json").json();
+  EXPECT_EQ(free["step_lower"], 1);
+  EXPECT_TRUE(free["pair"].is_null());
+}
+
 TEST_F(OneStep, FreeAnswersByItsExitCode) {
   EXPECT_EQ(folder_.run("free below.obj lower.obj").code, 0);
   EXPECT_EQ(folder_.run("free above.obj below.obj").code, 1);

@@ -22,6 +22,7 @@ constexpr std::array kRecipes{
            touching_spheres},
     Recipe{"mirrored", "triangles on a lattice with their mirror images: every contact lies on the mirror", false,
            mirrored},
+    Recipe{"reduced-sheet", "a sheet bent into a U that moves in a subspace of nine modes", true, reduced_sheet_scene},
     Recipe{"rod", "a chain of loose edges between triangles", false, rod},
     Recipe{"points-on-cloth", "loose points falling on a sheet, some exactly on its vertices and edges", false,
            points_on_cloth},

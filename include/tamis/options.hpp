@@ -2,11 +2,13 @@
 #pragma once
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "tamis/contact.hpp"
+#include "tamis/reduced_model.hpp"
 
 namespace tamis {
 
@@ -61,6 +63,7 @@ enum class HighLevelCulling : std::uint8_t {
   none,
   normal_cones,   ///< continuous normal cone, and a contour that does not meet itself
   star_contours,  ///< continuous normal cone, and a contour that is star-shaped
+  subspace,       ///< x = X + U q: q is too short for a self-contact; needs PaperOptions::reduced_model
 };
 
 /// The laboratory of Method::paper: the published system by default, its competitors by choice. The contacts are the
@@ -75,6 +78,9 @@ struct PaperOptions {
   bool representative_triangles = true;
   /// Not `none`: the hierarchy follows the connectivity of the mesh. Has no effect with a minimum separation.
   HighLevelCulling high_level = HighLevelCulling::none;
+  /// For `subspace`, which has no effect without orphan sets; not changed while a detector uses it. Certificates are
+  /// made at the first question.
+  std::shared_ptr<const ReducedModel> reduced_model = nullptr;
 };
 
 /// What PaperOptions::filters may name.

@@ -6,5 +6,6 @@
 #include "tamis/mesh.hpp"
 #include "tamis/options.hpp"
 #include "tamis/pair.hpp"
+#include "tamis/reduced_model.hpp"
 #include "tamis/statistics.hpp"
 #include "tamis/step.hpp"

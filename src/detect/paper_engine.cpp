@@ -30,13 +30,21 @@ std::vector<FilterStage> stages_by_name(const std::vector<std::string>& names) {
   return stages;
 }
 
+/// Without orphan sets the hierarchy's pairs of triangles with a common vertex matter, for which subspace certificates
+/// say nothing.
+HighLevelCulling high_level_of(const Options& options) {
+  const bool needs_orphan_sets = options.paper.high_level == HighLevelCulling::subspace;
+  const bool may_cull = options.min_separation == 0 && (options.paper.orphan_sets || !needs_orphan_sets);
+  return may_cull ? options.paper.high_level : HighLevelCulling::none;
+}
+
 class PaperEngine final : public Engine {
  public:
   PaperEngine(const Mesh& mesh, const Options& options)
       : surface_(mesh),
         scene_{options, surface_.mesh(), surface_.face_count(), {}, stages_by_name(options.paper.filters), {}, {}, {}},
         hierarchy_(make_paper_hierarchy(options.paper.bounding_volume)),
-        patches_(scene_.mesh, options.min_separation == 0 ? options.paper.high_level : HighLevelCulling::none),
+        patches_(scene_.mesh, high_level_of(options), options.paper.reduced_model.get()),
         testers_([this] { return PaperTester(scene_); }) {}
 
   void find(const Step& step, Question question, std::vector<Contact>& contacts, Statistics& statistics) override {
@@ -73,7 +81,7 @@ class PaperEngine final : public Engine {
           return hierarchy.update(scene_.mesh.faces(), scene_.points, padding, patches_.order());
         },
         hierarchy_);
-    std::visit([&](auto& hierarchy) { patches_.update(hierarchy.tree(), scene_.points); }, hierarchy_);
+    std::visit([&](auto& hierarchy) { patches_.update(hierarchy.tree(), scene_.points, *scene_.step); }, hierarchy_);
     statistics.triangles_in_free_patches = patches_.triangles_in_free_patches();
     statistics.seconds.build = seconds_since(start);
   }

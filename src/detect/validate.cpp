@@ -1,6 +1,8 @@
 #include "detect/validate.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <span>
 #include <string>
 
 #include "tamis/error.hpp"
@@ -33,6 +35,23 @@ void validate(const PairFilter& filter, const Mesh& mesh) {
               ": groups must be in [0, " + std::to_string(n) + ")");
 }
 
+bool are_finite(std::span<const double> numbers) {
+  return std::all_of(numbers.begin(), numbers.end(), [](double x) { return std::isfinite(x); });
+}
+
+void validate(const ReducedModel& model, const Mesh& mesh) {
+  const auto n = static_cast<std::size_t>(mesh.vertex_count());
+  check(model.modes > 0, "the reduced model has " + std::to_string(model.modes) + " modes: give at least one");
+  check(model.rest.size() == n, "the reduced model has " + std::to_string(model.rest.size()) +
+                                    " rest positions, the mesh " + std::to_string(n) + " vertices: give one a vertex");
+  const std::size_t size = 3 * n * static_cast<std::size_t>(model.modes);
+  check(model.basis.size() == size, "the basis of the reduced model has " + std::to_string(model.basis.size()) +
+                                        " entries: give 3 x vertices x modes = " + std::to_string(size));
+  const bool is_finite = are_finite(model.basis) && std::all_of(model.rest.begin(), model.rest.end(),
+                                                                [](const Point& p) { return are_finite(p); });
+  check(is_finite, "the reduced model has an entry that is not finite: give finite rest positions and modes");
+}
+
 void validate(const Positions& positions, const Mesh& mesh, const char* when) {
   if (positions.count() != mesh.vertex_count())
     throw InvalidStep("the " + std::string(when) + " of the step has " + std::to_string(positions.count()) +
@@ -57,6 +76,9 @@ void validate(const Options& options, const Mesh& mesh) {
   check(std::isfinite(options.min_separation) && options.min_separation >= 0,
         "min_separation is " + std::to_string(options.min_separation) + ": give a finite distance >= 0");
   validate(options.filter, mesh);
+  if (options.paper.high_level != HighLevelCulling::subspace) return;
+  check(options.paper.reduced_model != nullptr, "subspace culling needs a reduced model: set paper.reduced_model");
+  validate(*options.paper.reduced_model, mesh);
 }
 
 void validate(const Step& step, const Mesh& mesh) {

@@ -48,6 +48,7 @@ void expect_split(const Kernels& kernels, const Case& c, int axis, Coordinate co
     for (int k = 0; k < 3; ++k) ASSERT_EQ(is.at[k][i], was.at[k][home]) << "a center was torn apart";
     const bool is_outside = i < kBefore || i >= kBefore + c.count;
     ASSERT_TRUE(!is_outside || home == i) << "a neighbour was moved";
+    ASSERT_TRUE(!is_outside || scratch.features()[i] == static_cast<Index>(i)) << "a neighbour's scratch was used";
   }
   std::sort(features.begin(), features.end());
   for (std::size_t i = 0; i < features.size(); ++i) ASSERT_EQ(features[i], static_cast<Index>(i));

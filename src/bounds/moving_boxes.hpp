@@ -46,17 +46,12 @@ struct MovingBox {
   }
   void include(const MovingBox& other) { include(other.low, other.high); }
 
-  void widen(float margin) {
+  /// By `fixed`, and by `relative` times the larger of its two distances from zero.
+  void widen(const float (&fixed)[kSize], const float (&relative)[kSize]) {
     for (int i = 0; i < kSize; ++i) {
+      const float size = -low[i] > high[i] ? -low[i] : high[i], margin = fixed[i] + relative[i] * size;
       low[i] -= margin;
       high[i] += margin;
-    }
-  }
-
-  void widen(const float (&margin)[kSize]) {
-    for (int i = 0; i < kSize; ++i) {
-      low[i] -= margin[i];
-      high[i] += margin[i];
     }
   }
 

@@ -57,4 +57,19 @@ struct PackedMotion {
   }
 };
 
+/// What boxes of a motion's vertices are widened by, in the order of a BoxVertex: so much, and so much of the box's
+/// size.
+struct BoxMargins {
+  float fixed[8] = {}, relative[8] = {};
+
+  explicit BoxMargins(const PackedMotion& motion) {
+    const bool moves = motion.second_half == SecondHalf::displacement;
+    for (int i = 0; i < 6; ++i) {
+      const bool is_displacement = moves && i >= 3;
+      fixed[i] = is_displacement ? BoxFrame::kLeastMargin : motion.frame.margin;
+      relative[i] = is_displacement ? BoxFrame::kRelativeMargin : 0;
+    }
+  }
+};
+
 }  // namespace tamis

@@ -17,14 +17,6 @@ void parallel_blocks(std::size_t count, const F& f) {
   });
 }
 
-void widen(MovingBox& box, const PackedMotion& motion) {
-  if (motion.second_half == SecondHalf::end) return box.widen(motion.frame.margin);
-  float margin[MovingBox::kSize] = {motion.frame.margin, motion.frame.margin, motion.frame.margin};
-  for (int i = 3; i < 6; ++i)
-    margin[i] = BoxFrame::kLeastMargin + BoxFrame::kRelativeMargin * std::max(-box.low[i], box.high[i]);
-  box.widen(margin);
-}
-
 }  // namespace
 
 void BlockTree::set_features(int corners, std::span<const Index> vertices) {
@@ -76,12 +68,13 @@ void BlockTree::refit(const PackedMotion& motion) {
   const auto fill = corners_ == 1   ? &BlockTree::fill_leaf<1>
                     : corners_ == 2 ? &BlockTree::fill_leaf<2>
                                     : &BlockTree::fill_leaf<3>;
-  parallel_blocks(levels_[0].size(), [&](std::size_t block) { (this->*fill)(block, motion); });
+  const BoxMargins margins(motion);
+  parallel_blocks(levels_[0].size(), [&](std::size_t block) { (this->*fill)(block, motion, margins); });
   for (std::size_t level = 2; level < levels_.size(); ++level) fill_hulls(level);
 }
 
 template <int corners>
-void BlockTree::fill_leaf(std::size_t block, const PackedMotion& motion) {
+void BlockTree::fill_leaf(std::size_t block, const PackedMotion& motion, const BoxMargins& margins) {
   const auto vertex_of = [&](const CornerBlock& from, int lane, int c) {
     return &motion.box_vertices[static_cast<std::size_t>(from.vertex[c][lane])];
   };
@@ -100,7 +93,7 @@ void BlockTree::fill_leaf(std::size_t block, const PackedMotion& motion) {
         const BoxVertex& vertex = *vertex_of(own, lane, c);
         box.include(vertex.at, vertex.at);
       }
-      widen(box, motion);
+      box.widen(margins.fixed, margins.relative);
     }
     box.store_to(levels_[0][block], lane);
     hull.include(box);

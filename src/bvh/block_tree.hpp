@@ -42,7 +42,7 @@ class BlockTree {
  private:
   void choose_order(const PackedMotion& motion, Split split);
   template <int corners>
-  void fill_leaf(std::size_t block, const PackedMotion& motion);
+  void fill_leaf(std::size_t block, const PackedMotion& motion, const BoxMargins& margins);
   void fill_hulls(std::size_t level);
   /// `width(hulls, axis, lane)`: of one hull.
   template <class Width>

@@ -17,7 +17,7 @@ constexpr double kRadius = kReducedArmGap / 2, kArm = 1.0, kWidth = 1.0;
 constexpr double kLength = 2 * kArm + kPi * kRadius;
 constexpr std::array<std::array<double, 2>, 3> kWaves{{{1, 0}, {2, 0}, {0, 1}}};
 constexpr Index kModes = 3 * static_cast<Index>(kWaves.size());
-constexpr double kUsualLength = 0.4;
+constexpr double kUsualLength = 2.0;  ///< arms and sheet pass through each other for nearly every q
 
 /// The U at arc length s from the end of its lower arm.
 Point place(double s, double y) {

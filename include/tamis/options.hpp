@@ -12,7 +12,9 @@
 
 namespace tamis {
 
-/// How pairs are found and culled. Every method returns the same set of contacts.
+/// How pairs are found and culled. Every method returns the same set of contacts: what one certifies, every other one
+/// reports; with the exact guarantee all sets are equal. Which pairs a conservative method leaves unresolved, and which
+/// of these another proves free, differs only within the last roundings of double-double (docs/numerics.md).
 enum class Method : std::uint8_t {
   tamis,  ///< boxes that move in time, slab clip, DNF, NCF, certified roots
   paper,  ///< the published NCF pipeline, to the letter

@@ -28,10 +28,11 @@ struct Seconds {
 
 /// Pairs decided by each arithmetic.
 struct PrecisionCount {
-  std::uint64_t lanes = 0;     ///< SIMD doubles with error bounds
-  std::uint64_t scalar = 0;    ///< subdivision in time, doubles with error bounds
-  std::uint64_t extended = 0;  ///< the same in double-double
-  std::uint64_t exact = 0;     ///< exact algebra
+  std::uint64_t lanes = 0;       ///< SIMD doubles with error bounds
+  std::uint64_t scalar = 0;      ///< subdivision in time, doubles with error bounds
+  std::uint64_t extended = 0;    ///< the same in double-double
+  std::uint64_t exact = 0;       ///< exact algebra
+  std::uint64_t unresolved = 0;  ///< none of these: unresolved contacts
 };
 
 struct Statistics {

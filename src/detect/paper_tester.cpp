@@ -45,6 +45,7 @@ void PaperCounts::add(const PaperCounts& other) {
   decided_by.scalar += other.decided_by.scalar;
   decided_by.extended += other.decided_by.extended;
   decided_by.exact += other.decided_by.exact;
+  decided_by.unresolved += other.decided_by.unresolved;
   filter_seconds += other.filter_seconds;
   solve_seconds += other.solve_seconds;
   bounds_tested += other.bounds_tested;

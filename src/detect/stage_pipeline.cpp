@@ -4,6 +4,7 @@
 
 #include "detect/pair_rules.hpp"
 #include "solve/decide.hpp"
+#include "solve/extended.hpp"
 
 namespace tamis {
 namespace {
@@ -31,6 +32,7 @@ PipelineCounts& PipelineCounts::operator+=(const PipelineCounts& other) {
   decided_by.scalar += other.decided_by.scalar;
   decided_by.extended += other.decided_by.extended;
   decided_by.exact += other.decided_by.exact;
+  decided_by.unresolved += other.decided_by.unresolved;
   nodes_visited += other.nodes_visited;
   traverse += other.traverse;
   filter += other.filter;
@@ -165,11 +167,14 @@ void StagePipeline::solve(PairKind kind) {
       ++undecided;
       continue;
     }
+    const PairVertices vertices = vertices_of(pairs, s.pair);
+    TimeInterval<double> bracket{s.toi_lower, s.toi_upper};
+    if (bracket.t_out - bracket.t_in > kWideBracket) bracket = sharpened(kind, points_of(step_, vertices), bracket);
     add({kind,
          Certainty::certified,
-         vertices_of(pairs, s.pair),
-         s.toi_lower,
-         s.toi_upper,
+         vertices,
+         bracket.t_in,
+         bracket.t_out,
          s.u,
          s.v,
          {s.normal[0], s.normal[1], s.normal[2]}});

@@ -8,9 +8,15 @@
 
 namespace tamis::error_bounds {
 
-/// u of a number type: here double and lanes of it; lanes of float say theirs in numerics/lanes.hpp.
+/// u of a number type: a sum and a product are off by at most u of themselves. Every type says its own, beside its
+/// operations: one that is forgotten must not compile, for it would be taken for double.
 template <class T>
-inline constexpr double unit_roundoff = 0x1p-53;
+inline constexpr double unit_roundoff = [] {
+  static_assert(sizeof(T) == 0, "this number type does not say its unit roundoff");
+  return 0.0;
+}();
+template <>
+inline constexpr double unit_roundoff<double> = 0x1p-53;
 
 /// Added to every bound: products that underflow are wrong by at most 2^-1075 each, after fewer than 2^10
 /// operations on numbers below 2^7.
@@ -54,10 +60,21 @@ inline constexpr double kSideMiddle = 3000;
 // 126 u.
 inline constexpr double kCoplanarityValue = 450;
 
+// The value of K from the vectors at one time of the whole step, same unit: positions and at_time 1 + 3 = 4 each, N
+// 2 (2 * 4 + 1) + 2 = 20 with |N| <= 2, K 3 (2 * 4 + 20 + 2) + 4 + 6 = 100.
+inline constexpr double kCoplanarityNow = 104;
+
 // The slope of K over a part of [0,1], same unit: its Bernstein coefficients k1 - 3 k0, k2 - k1, 3 k3 - k2 are off by
 // at most 3 * 180 + 560 + 2 * 36 = 1172 u (two of them, the middle one 2 * 560 + 36 = 1156) and below 36; their average
 // with weights that add up to 1 rounds by less than 8 * 36 = 288 u.
 inline constexpr double kCoplanaritySlope = 1600;
+
+// From a value of K at time t to one at t + r within a part of the step, in the part's unit of time: K'' = 2 (d'.(e' x
+// f)
+// + d'.(e x f') + d.(e' x f')) is at most 2 * 3 * 6 * 2 * 2 = 144 DEF, so K changes by K' r and at most kBend r^2 DEF.
+// K' at the place of t in the part, which is known to 3 u of the step: off by kCoplanaritySlope + 3 * 144.
+inline constexpr double kBend = 72;
+inline constexpr double kCoplanaritySlopeNow = 2100;
 
 // The value of S from vectors at one time (3 u more than kInput each, see at_time): as S0 with kInput = 12:
 // N 52, M 2 (2*12 + 52 + 2) + 4 = 160, S 3 (4*12 + 160 + 4) + 20 = 656. Within a time r of there S changes by at most

@@ -161,6 +161,8 @@ struct Ratio<TAMIS_ISA::FloatLanes> {
 
 namespace error_bounds {
 template <>
+inline constexpr double unit_roundoff<TAMIS_ISA::DoubleLanes> = 0x1p-53;
+template <>
 inline constexpr double unit_roundoff<TAMIS_ISA::FloatLanes> = 0x1p-24;
 template <>
 inline constexpr double underflow<TAMIS_ISA::FloatLanes> = 0x1p-100;

@@ -3,7 +3,6 @@
 // the rest is cut in time first (solve/subdivide.hpp). One template for double and for SIMD lanes; every lane's answer
 // depends on that lane alone.
 #pragma once
-#include "filters/dnf.hpp"
 #include "filters/ncf.hpp"
 #include "motion/polynomials.hpp"
 #include "motion/time_clip.hpp"
@@ -20,6 +19,8 @@ struct Crossing {
   T lower, upper;
   T u, v;          ///< weights at the root, see Contact
   Vec3<T> normal;  ///< not normalized
+
+  static Crossing free() { return {true, false, false, T(1), T(1), T(0), T(0), {T(0), T(0), T(0)}}; }
 };
 
 namespace crossing {
@@ -41,7 +42,7 @@ inline T slope(const std::array<T, 4>& k, const T& t) {
 template <class T>
 inline T find_root(const std::array<T, 4>& k) {
   constexpr int kMaxIterations = 60;
-  const T tolerance(0x1p-52);
+  const T tolerance(2 * error_bounds::unit_roundoff<T>);
   T low(0), high(1), t = k[0] / (k[0] - k[3]);
   Mask<T> active = (k[0] > T(0)) & (k[3] < T(0));
   for (int i = 0; i < kMaxIterations && any(active); ++i) {
@@ -102,11 +103,12 @@ inline Sides<T> sides(const PairMotion<T>& m, const Vec3<T>& n, const T& t, cons
   }
 }
 
-/// Outward rounding of the step's time at `s` in [0,1] of `part`; `direction` is -1 or 1.
+/// The step's time at `s` in [0,1] of `part`, off by 3 u; or moved in `direction`, -1 or 1, beyond what rounding here,
+/// in `s` and in such a time without a direction can make: 8 u.
 template <class T>
 inline T to_step(const TimeInterval<T>& part, const T& s, double direction) {
   const T t = (T(1) - s) * part.t_in + s * part.t_out;
-  return min(max(t + T(direction * 4 * error_bounds::unit_roundoff<T>) * part.t_out, part.t_in), part.t_out);
+  return min(max(t + T(direction * 12 * error_bounds::unit_roundoff<T>) * part.t_out, part.t_in), part.t_out);
 }
 
 /// Where the cubic turns between ends of one sign; the middle where it does not turn that way.
@@ -128,26 +130,37 @@ inline Crossing<T> find_crossing(const PairMotion<T>& step, const TimeInterval<T
   const T unit = m.size_d * m.size_e * m.size_f;
   const T end = error_bounds::bound(error_bounds::kCoplanarityEnd, unit);
   const T middle = error_bounds::bound(error_bounds::kCoplanarityMiddle, unit);
-  const T error = error_bounds::bound(error_bounds::kCoplanarityValue, unit);
+  const T error = error_bounds::bound(error_bounds::kCoplanarityNow, unit);
   // Turned so that the cubic falls; one sign change whatever the uncertain signs, unless k1 < 0 < k2.
   const auto rises = k[0] < T(0);
   for (T& c : k) c = select(rises, -c, c);
+  const Mask<T> stays = (k[0] > end) & (k[1] > middle) & (k[2] > middle) & (k[3] > end);  // DNF
+  if constexpr (std::is_same_v<Mask<T>, bool>)
+    if (stays) return Crossing<T>::free();
   const auto falls_once = (k[0] > end) & (k[3] < -end) & ((k[1] > middle) | (k[2] < -middle));
   k[0] = select(falls_once, k[0], T(1));  // the other lanes solve 1 - 2t, and are not used
   k[3] = select(falls_once, k[3], T(-1));
 
-  const T t = crossing::find_root(k);
-  const T radius = T(2) * error / abs(crossing::slope(k, t)) + T(0x1p-50);
-  const T lower = max(t - radius, T(0)), upper = min(t + radius, T(1));
-  const Mask<T> brackets = falls_once & ((lower <= T(0)) | (crossing::value(k, lower) > error)) &
-                           ((upper >= T(1)) | (crossing::value(k, upper) < -error));
-  const Vec3<T> n = cross(at_time(m.e, t), at_time(m.f, t));
-  const auto sides = crossing::sides<kind>(m, n, t, radius);
-  return {Mask<T>(brackets & sides.outside),
+  const T s = crossing::find_root(k), fall = -crossing::slope(k, s);
+  const T radius = T(1.5) * error / fall + T(8 * error_bounds::unit_roundoff<T>);
+  const T t = crossing::to_step(part, s, 0);
+  const Vec3<T> n = cross(at_time(step.e, t), at_time(step.f, t));
+  // K at t, from the vectors there; and how far it falls, beyond all rounding, within the radius. Where that proves
+  // nothing, the sign at t itself still tells on which side of it the root is.
+  const T value = dot(at_time(step.d, t), n), turned = select(rises, -value, value);
+  const T length = part.t_out - part.t_in, bend = T(error_bounds::kBend) * length * length * unit;
+  const T least_fall = fall - error_bounds::bound(error_bounds::kCoplanaritySlopeNow, unit) - radius * bend;
+  const T drop = radius * max(least_fall, T(0)) - error;
+  const Mask<T> brackets =
+      falls_once & ((radius >= s) | (turned + drop > T(0))) & ((s + radius >= T(1)) | (turned - drop < T(0)));
+  const T lower = crossing::to_step(part, max(s - radius, T(0)), -1);
+  const T upper = crossing::to_step(part, min(s + radius, T(1)), 1);
+  const auto sides = crossing::sides<kind>(step, n, t, max(upper - t, t - lower));
+  return {Mask<T>(stays | (brackets & sides.outside)),
           Mask<T>(brackets & sides.inside),
           brackets,
-          crossing::to_step(part, lower, -1),
-          crossing::to_step(part, upper, 1),
+          lower,
+          upper,
           sides.u,
           sides.v,
           n};
@@ -162,8 +175,7 @@ inline Crossing<T> find_crossing_in_halves(const PairMotion<T>& step, const Time
   const T cut = min(max((T(1) - s) * part.t_in + s * part.t_out, part.t_in), part.t_out);
   const auto in_half = [&](const T& t_in, const T& t_out) {
     auto c = find_crossing<kind>(step, TimeInterval<T>{t_in, t_out});
-    const auto half = restrict_to(step, t_in, t_out);
-    c.is_free = c.is_free | Dnf::proves_free<kind>(half) | Ncf::proves_free<kind>(half);
+    c.is_free = c.is_free | Ncf::proves_free<kind>(restrict_to(step, t_in, t_out));
     return c;
   };
   const auto a = in_half(part.t_in, cut), b = in_half(cut, part.t_out);

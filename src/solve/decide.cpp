@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "filters/filters.hpp"
 #include "solve/closest.hpp"
 #include "solve/exact.hpp"
+#include "solve/extended.hpp"
 #include "solve/separation.hpp"
 #include "solve/start_distance.hpp"
 #include "solve/subdivide.hpp"
@@ -20,13 +22,25 @@ TimeInterval<double> widened(const TimeInterval<double>& time) {
   return {std::max(time.t_in - kRoom, 0.0), std::min(time.t_out + kRoom, 1.0)};
 }
 
+TimeInterval<double> slab_clip(PairKind kind, const PairMotion<double>& m) {
+  const TimeInterval<double> step{0, 1};
+  return kind == PairKind::vertex_face ? SlabClip::clip<PairKind::vertex_face>(m, step)
+                                       : SlabClip::clip<PairKind::edge_edge>(m, step);
+}
+
+/// The decision without what the clip proves free.
+Decision within(const TimeInterval<double>& clip, Decision d) {
+  if (d.verdict == Verdict::is_free) return d;
+  d.lower = std::max(d.lower, clip.t_in);
+  d.upper = std::min(d.upper, clip.t_out);
+  return d.verdict == Verdict::unsure && d.lower > d.upper ? Decision{} : d;
+}
+
 Decision decide_in_doubles(PairKind kind, const PairMotion<double>& m) {
   if (!is_finite(m)) return {Verdict::unsure, 0, 1};
-  const TimeInterval<double> step{0, 1};
-  const auto time = kind == PairKind::vertex_face ? SlabClip::clip<PairKind::vertex_face>(m, step)
-                                                  : SlabClip::clip<PairKind::edge_edge>(m, step);
-  if (time.t_in > time.t_out) return {};
-  return m.separation > 0 ? first_within(kind, m, time) : subdivide(kind, m, widened(time));
+  const auto clip = slab_clip(kind, m);
+  if (clip.t_in > clip.t_out) return {};
+  return m.separation > 0 ? first_within(kind, m, clip) : within(clip, subdivide(kind, m, widened(clip)));
 }
 
 /// The start of the step is decided exactly: a pair that is apart there, by whatever little, has a time before it
@@ -37,6 +51,51 @@ Decision with_exact_start(PairKind kind, const PairPoints& points, double separa
   if (apart == 0) return {Verdict::touches, 0, 0};
   if (std::isinf(apart)) return {};
   return {decision.verdict, std::min(apart, decision.upper), decision.upper};
+}
+
+/// What is decided of a pair, and by what arithmetic.
+struct Outcome {
+  Decision decision;
+  std::uint64_t PrecisionCount::*arithmetic;
+};
+
+/// What some method proves must not stay unsure in another: so all that any of them tries is tried here.
+Decision decide_as_any_method(PairKind kind, const PairMotion<double>& m, const Decision& open) {
+  if (any_filter_proves_free(kind, m)) return {};
+  return subdivide(kind, m, {open.lower, open.upper}, InPlane::thoroughly);
+}
+
+/// Where doubles end.
+Outcome decide_further(PairKind kind, const PairPoints& points, const PairMotion<double>& m, const Decision& open) {
+  const Decision extended = decide_in_extended(kind, points, {open.lower, open.upper});
+  if (extended.verdict != Verdict::unsure) return {extended, &PrecisionCount::extended};
+  if (open.verdict == Verdict::touches) return {open, &PrecisionCount::scalar};
+  const Decision last = decide_as_any_method(kind, m, extended);
+  if (last.verdict != Verdict::unsure) return {last, &PrecisionCount::scalar};
+  return {extended, &PrecisionCount::unresolved};
+}
+
+Outcome decide_by_rounding(PairKind kind, const PairPoints& points, const PairMotion<double>& m) {
+  const Decision d = decide_in_doubles(kind, m);
+  if (d.verdict == Verdict::is_free) return {d, &PrecisionCount::scalar};
+  if (!is_finite(m)) return {d, &PrecisionCount::unresolved};
+  if (!d.is_one_crossing) return decide_further(kind, points, m, d);
+  if (d.upper - d.lower <= kWideBracket) return {d, &PrecisionCount::scalar};
+  const auto bracket = sharpened(kind, points, {d.lower, d.upper});
+  return {{d.verdict, bracket.t_in, bracket.t_out}, &PrecisionCount::scalar};
+}
+
+Outcome decide_touching(PairKind kind, const PairPoints& points, const PairMotion<double>& m, Guarantee guarantee) {
+  const Outcome outcome = decide_by_rounding(kind, points, m);
+  if (outcome.decision.verdict != Verdict::unsure || guarantee == Guarantee::conservative) return outcome;
+  const auto exact = decide_exactly(kind, points);
+  const Verdict verdict = exact.touches ? Verdict::touches : Verdict::is_free;
+  return {{verdict, exact.toi_lower, exact.toi_upper}, &PrecisionCount::exact};
+}
+
+Outcome decide_separated(PairKind kind, const PairPoints& points, const PairMotion<double>& m, double separation) {
+  const Decision d = with_exact_start(kind, points, separation, decide_in_doubles(kind, m));
+  return {d, d.verdict == Verdict::unsure ? &PrecisionCount::unresolved : &PrecisionCount::scalar};
 }
 
 /// A unit vector along `v`, or if that vanishes one orthogonal to `w`.
@@ -66,16 +125,11 @@ void add_weights(PairKind kind, const PairMotion<double>& m, PairResult& result)
 }  // namespace
 
 PairResult decide(PairKind kind, const PairPoints& points, const PairOptions& options, PrecisionCount& decided_by) {
-  const auto m = make_motion(kind, points, options.min_separation);
-  Decision decision = decide_in_doubles(kind, m);
-  if (options.min_separation > 0) decision = with_exact_start(kind, points, options.min_separation, decision);
-  if (decision.verdict == Verdict::unsure && options.guarantee == Guarantee::exact && options.min_separation == 0) {
-    ++decided_by.exact;
-    const auto exact = decide_exactly(kind, points);
-    decision = {exact.touches ? Verdict::touches : Verdict::is_free, exact.toi_lower, exact.toi_upper};
-  } else {
-    ++decided_by.scalar;
-  }
+  const double separation = options.min_separation;
+  const auto m = make_motion(kind, points, separation);
+  const auto [decision, arithmetic] = separation > 0 ? decide_separated(kind, points, m, separation)
+                                                     : decide_touching(kind, points, m, options.guarantee);
+  ++(decided_by.*arithmetic);
   if (decision.verdict == Verdict::is_free) return {};
   PairResult result;
   result.touches = true;

@@ -83,6 +83,13 @@ class RecordedStep : public testing::TestWithParam<Frames> {
     return Detector(io::mesh_of(start), options).contacts({start.positions, end.positions});
   }
 
+  static PairSet unresolved(const std::vector<Contact>& contacts) {
+    PairSet result;
+    for (const Contact& c : contacts)
+      if (c.certainty == Certainty::unresolved) result.insert(in_one_order({c.kind, c.vertices}));
+    return result;
+  }
+
   static PairSet names(const std::vector<Contact>& contacts) {
     PairSet result;
     for (const Contact& c : contacts) result.insert(in_one_order({c.kind, c.vertices}));
@@ -114,6 +121,13 @@ TEST_P(RecordedStep, ConservativeMethodsMissNothingAndReportFewMore) {
     for (const Contact& c : contacts)
       EXPECT_TRUE(c.certainty == Certainty::unresolved || truth.contains(in_one_order({c.kind, c.vertices})));
   }
+}
+
+TEST_P(RecordedStep, MethodsLeaveTheSamePairsUnresolved) {
+  const auto tamis = find(Method::tamis, Guarantee::conservative), paper = find(Method::paper, Guarantee::conservative);
+  EXPECT_EQ(names(tamis), names(paper));
+  EXPECT_EQ(unresolved(tamis), unresolved(paper));
+  RecordProperty("unresolved", static_cast<int>(unresolved(tamis).size()));
 }
 
 TEST_P(RecordedStep, ExactGuaranteeGivesTheTruth) {

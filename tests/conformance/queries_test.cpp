@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "support/test_data.hpp"
+#include "tamis/detector.hpp"
 #include "tamis/pair.hpp"
 
 namespace tamis::test {
@@ -11,6 +12,20 @@ PairResult decide(const Query& q, Guarantee guarantee) {
   const PairOptions options{guarantee, 0};
   return q.kind == PairKind::vertex_face ? vertex_face(q.motion.start, q.motion.end, options)
                                          : edge_edge(q.motion.start, q.motion.end, options);
+}
+
+/// The pair as a mesh of its own, through all stages of a method.
+std::vector<Contact> find(const Query& q, std::string_view method) {
+  Options options;
+  choose_method(options, method);
+  options.threads = 1;
+  options.filter.accepts = [&](PairKind kind, const std::array<Index, 4>& v) {
+    return kind == q.kind && v == std::array<Index, 4>{0, 1, 2, 3};
+  };
+  const bool is_vf = q.kind == PairKind::vertex_face;
+  Mesh mesh = is_vf ? Mesh(4, {{1, 2, 3}}, {}, {0}) : Mesh(4, {}, {{0, 1}, {2, 3}});
+  const Positions start(q.motion.start), end(q.motion.end);
+  return Detector(std::move(mesh), options).contacts({start, end});
 }
 
 class Queries : public testing::Test {
@@ -35,6 +50,20 @@ TEST_F(Queries, ConservativeMissesNoneAndIsWrongOnlyWhereUnresolved) {
   }
   RecordProperty("unresolved", unresolved);
   RecordProperty("false_positives", false_positives);
+}
+
+// A stage that proves more than the decision all methods share, or less, shows here.
+TEST_F(Queries, EveryMethodGivesTheAnswerOfTheOnePair) {
+  for (const Query& q : queries) {
+    const PairResult r = decide(q, Guarantee::conservative);
+    for (const std::string_view method : method_choices()) {
+      const auto contacts = find(q, method);
+      ASSERT_EQ(contacts.size(), r.touches ? 1u : 0u) << method << ": " << q.origin;
+      if (r.touches) {
+        EXPECT_EQ(contacts[0].certainty, r.certainty) << method << ": " << q.origin;
+      }
+    }
+  }
 }
 
 TEST_F(Queries, ExactIsRightEverywhere) {

@@ -3,6 +3,7 @@
 #pragma once
 #include <cstdint>
 
+#include "numerics/error_bounds.hpp"
 #include "numerics/select.hpp"
 
 namespace tamis::test {
@@ -51,3 +52,8 @@ Operations operations_of(const F& f) {
 }
 
 }  // namespace tamis::test
+
+namespace tamis::error_bounds {
+template <>
+inline constexpr double unit_roundoff<test::Counted> = unit_roundoff<double>;
+}  // namespace tamis::error_bounds

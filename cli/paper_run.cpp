@@ -89,7 +89,7 @@ class Contest {
       add_stages(detectors_[i].statistics(), result_.methods[i]);
     }
     compare(answers, result_.methods);
-    result_.sieve.contacts += detectors_.back().contacts(step).size();
+    detectors_.back().contacts(step);
     add_stages(detectors_.back().statistics(), result_.sieve);
   }
 

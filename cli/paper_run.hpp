@@ -42,7 +42,8 @@ struct SceneResult {
   std::size_t steps;      ///< that were run
   std::size_t all_steps;  ///< that the frames have
   std::vector<MethodResult> methods;
-  /// The published filters, then others: of what NCF leaves, what each of those proves free. Not timed.
+  /// The published filters, then others: of what NCF leaves, what each of those proves free.
+  /// Stages only.
   MethodResult sieve;
 
   const MethodResult& method(std::string_view name) const;

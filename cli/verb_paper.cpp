@@ -6,9 +6,11 @@
 #include <cstdlib>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "cli/paper_earlier.hpp"
 #include "cli/paper_run.hpp"
 #include "cli/paper_tables.hpp"
 #include "cli/progress.hpp"
@@ -61,12 +63,14 @@ class Paper final : public Verb {
            "--steps", most_steps_,
            "run at most so many steps of a scene at each length of step, evenly spread; repeatable; default: all")
         ->type_name("NAME=N");
+    app.add_flag("--resume", resumes_, "take the rows that an interrupted run of the same command has finished");
   }
 
   int run() override {
     files::create_directories(folder_);
     require_known_scenes();
     require_numbers_of_steps();
+    if (resumes_) earlier_.emplace(folder_);
     std::vector<PaperScene> scenes;
     for (const Row& row : kRows)
       if (wants(row)) scenes.push_back(simulated(row));
@@ -146,7 +150,8 @@ class Paper final : public Verb {
     const PaperSteps steps{factor, most_steps(scene.name)};
     Progress progress(steps.begins(scene.frames.size()).size(), "steps");
     std::size_t done = 0;
-    results_.push_back(run_paper_scene(scene, steps, [&] { progress.show(++done); }));
+    const SceneResult* earlier = earlier_ ? earlier_->find(scene.name, factor) : nullptr;
+    results_.push_back(earlier ? *earlier : run_paper_scene(scene, steps, [&] { progress.show(++done); }));
     progress.clear();
     const SceneResult& r = results_.back();
     fmt::print("{:<12} {}x  paper {:>9.2f} ms a frame, default {:>9.2f}, {}\n", r.scene, factor,
@@ -179,6 +184,8 @@ class Paper final : public Verb {
   bool quick_ = false;
   std::vector<std::string> given_, scenes_;
   std::vector<std::string> most_steps_;
+  bool resumes_ = false;
+  std::optional<EarlierResults> earlier_;
   int length_ = 0;
   std::vector<SceneResult> results_;
 };

@@ -20,10 +20,11 @@ struct PairResult {
 
 struct PairOptions {
   Guarantee guarantee = Guarantee::conservative;
-  double min_separation = 0;
+  double min_separation = 0;  ///< finite, >= 0; see Options
 };
 
-/// A vertex against a face (its three corners), each moving on a straight line. Throws InvalidStep on NaN or infinity.
+/// A vertex against a face (its three corners), each moving on a straight line. Throws InvalidStep on NaN or infinity,
+/// InvalidOptions on a separation out of range.
 PairResult vertex_face(const std::array<Point, 4>& start, const std::array<Point, 4>& end, const PairOptions& = {});
 /// Edge (0,1) against edge (2,3).
 PairResult edge_edge(const std::array<Point, 4>& start, const std::array<Point, 4>& end, const PairOptions& = {});

@@ -7,7 +7,9 @@
 //   };
 //
 // `proves_free` is true only where the pair is proven apart during the whole of the (possibly restricted) motion,
-// rounding included; NaN and infinity must come out false. T is double, or SIMD lanes of it.
+// rounding included. Sizes that overflowed must come out false. A component that is NaN while its vector's size is not
+// does not occur: positions are checked at the boundary, and the difference of finite ones is finite, or infinite and
+// so is its size. T is double, or SIMD lanes of it.
 #pragma once
 #include <string_view>
 #include <type_traits>

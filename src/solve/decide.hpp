@@ -1,4 +1,5 @@
-// The decision on one pair, cheap arithmetic first: filters, certified roots by subdivision in time, exact algebra.
+// The decision on one pair, cheap arithmetic first: slab clip, certified roots by subdivision in time, the same in
+// double-double, what else the methods try, exact algebra.
 // Every method ends here, so that all return the same set of contacts.
 #pragma once
 #include "motion/make_motion.hpp"

@@ -21,6 +21,9 @@ PairResult decide_pair(PairKind kind, const std::array<Point, 4>& start, const s
                        const PairOptions& options) {
   check_finite(start, "start");
   check_finite(end, "end");
+  if (!(options.min_separation >= 0) || std::isinf(options.min_separation))
+    throw InvalidOptions("the minimum separation is " + std::to_string(options.min_separation) +
+                         ": give a finite distance >= 0");
   PrecisionCount decided_by;
   return decide(kind, {start, end}, options, decided_by);
 }

@@ -98,6 +98,27 @@ TEST(BadPair, CoordinatesThatAreNotFinite) {
   EXPECT_THROW(edge_edge(good, bad), InvalidStep);
 }
 
+// Filters need not see a lone NaN: no coordinate gets past the boundary, wherever it stands.
+TEST(BadPair, EachCoordinateOfEachPoint) {
+  const std::array<Point, 4> good{};
+  for (const double value : {kNan, kInfinity, -kInfinity})
+    for (std::size_t point = 0; point < 4; ++point)
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        std::array<Point, 4> bad{};
+        bad[point][axis] = value;
+        EXPECT_THROW(vertex_face(bad, good), InvalidStep);
+        EXPECT_THROW(edge_edge(good, bad), InvalidStep);
+      }
+}
+
+TEST(BadPair, SeparationOutOfRange) {
+  const std::array<Point, 4> points{};
+  for (const double separation : {-1.0, kNan, kInfinity}) {
+    EXPECT_THROW(vertex_face(points, points, {Guarantee::conservative, separation}), InvalidOptions);
+    EXPECT_THROW(edge_edge(points, points, {Guarantee::exact, separation}), InvalidOptions);
+  }
+}
+
 TEST(BadName, OfAMethodNamesTheChoices) {
   EXPECT_NE(message_of<InvalidOptions>([] { method_from_name("fast"); }).find("tamis"), std::string::npos);
   EXPECT_THROW(guarantee_from_name(""), InvalidOptions);

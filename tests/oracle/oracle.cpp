@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "oracle/somewhere.hpp"
 
@@ -77,12 +78,39 @@ std::vector<Triangle> triangles_of(PairKind kind, const std::array<Vector, 4>& p
   return {{p[0] - p[2], p[1] - p[2], p[1] - p[3]}, {p[0] - p[2], p[0] - p[3], p[1] - p[3]}};
 }
 
+/// All of one feature lies beyond all of the other on an axis, at both ends of the step and so all the time.
+bool boxes_are_apart(PairKind kind, const Motion& m) {
+  const std::size_t second = kind == PairKind::vertex_face ? 1 : 2;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    std::array<double, 2> low, high;
+    low.fill(std::numeric_limits<double>::infinity());
+    high.fill(-low[0]);
+    for (const auto* points : {&m.start, &m.end})
+      for (std::size_t i = 0; i < 4; ++i) {
+        const std::size_t feature = i < second ? 0 : 1;
+        low[feature] = std::min(low[feature], (*points)[i][axis]);
+        high[feature] = std::max(high[feature], (*points)[i][axis]);
+      }
+    if (low[0] > high[1] || low[1] > high[0]) return true;
+  }
+  return false;
+}
+
 Condition positive(Polynomial p) { return {std::move(p), Relation::positive}; }
 Condition not_negative(Polynomial p) { return {std::move(p), Relation::not_negative}; }
 
+/// q x r = 0 and q.r <= 0. Asked at the roots of one component that is not always zero, where the others must vanish.
 bool side_meets_origin(const Vector& q, const Vector& r, Range range) {
   const Vector n = cross(q, r);
-  return holds_somewhere(dot(n, n), {not_negative(-dot(q, r))}, range);
+  for (const Polynomial& component : n)
+    if (component.never_vanishes_on_unit_interval()) return false;
+  const Condition opposite = not_negative(-dot(q, r));
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (n[k].is_zero()) continue;
+    const Polynomial &a = n[(k + 1) % 3], &b = n[(k + 2) % 3];
+    return holds_somewhere(n[k], {not_negative(-(a * a + b * b)), opposite}, range);
+  }
+  return holds_somewhere({}, {opposite}, range);
 }
 
 bool interior_meets_origin(const Triangle& q, Range range) {
@@ -112,8 +140,10 @@ bool interior_within(const Triangle& q, const Polynomial& squared, Range range) 
 }  // namespace
 
 bool touches(PairKind kind, const Motion& motion, const Times& times) {
+  if (boxes_are_apart(kind, motion)) return false;
   const Range range = times.half_open ? Range::half_open : Range::closed;
   for (const Triangle& q : triangles_of(kind, integer_motion(motion, times, 0).points)) {
+    if (dot(cross(q[0], q[1]), q[2]).never_vanishes_on_unit_interval()) continue;  // never in the triangle's plane
     for (std::size_t i = 0; i < 3; ++i)
       if (side_meets_origin(q[i], q[(i + 1) % 3], range)) return true;
     if (interior_meets_origin(q, range)) return true;

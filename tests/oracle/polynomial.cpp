@@ -1,6 +1,7 @@
 #include "oracle/polynomial.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace tamis::oracle {
 
@@ -16,6 +17,69 @@ int Polynomial::sign_at(const Rational& t) const {
     power *= t.get_den();
   }
   return sgn(value);
+}
+
+std::vector<Integer> Polynomial::bernstein_coefficients() const {
+  // Each power of t times (1-t) + t as often as its degree lacks: c_i is the coefficient of t^i (1-t)^(n-i).
+  std::vector<Integer> c = coefficients_;
+  for (std::size_t k = 1; k < c.size(); ++k)
+    for (std::size_t j = k; j > 0; --j) c[j] += c[j - 1];
+  return c;
+}
+
+Signs Polynomial::signs_on_unit_interval() const {
+  if (is_zero()) return {false, true, false};
+  Signs signs;
+  for (const Integer& c : bernstein_coefficients())
+    (sgn(c) < 0 ? signs.negative : sgn(c) > 0 ? signs.positive : signs.zero) = true;
+  return signs;
+}
+
+bool Polynomial::changes_sign_once() const {
+  const auto c = bernstein_coefficients();
+  if (sgn(c.front()) == 0 || sgn(c.back()) == 0) return false;
+  int last = sgn(c.front()), changes = 0;
+  for (const Integer& x : c) {
+    if (sgn(x) == -last) ++changes;
+    if (sgn(x) != 0) last = sgn(x);
+  }
+  return changes == 1;
+}
+
+bool Polynomial::never_vanishes_on_unit_interval() const {
+  const Signs signs = signs_on_unit_interval();
+  return !signs.zero && signs.negative != signs.positive;
+}
+
+Polynomial Polynomial::on_part(const Integer& n, unsigned k) const {
+  std::vector<Integer> c = coefficients_;
+  for (std::size_t i = 0; i + 1 < c.size(); ++i) c[i] <<= k * (c.size() - 1 - i);
+  for (std::size_t i = 0; i < c.size(); ++i)
+    for (std::size_t j = c.size() - 1; j > i; --j) c[j - 1] += n * c[j];
+  return Polynomial(std::move(c));
+}
+
+double Polynomial::approximate_root() const {
+  // As doubles times one power of two, which keeps them in range.
+  std::size_t bits = 0;
+  for (const Integer& c : coefficients_) bits = std::max(bits, mpz_sizeinbase(c.get_mpz_t(), 2));
+  std::vector<double> c;
+  for (const Integer& x : coefficients_) {
+    long exponent = 0;
+    const double fraction = mpz_get_d_2exp(&exponent, x.get_mpz_t());
+    c.push_back(std::ldexp(fraction, static_cast<int>(exponent - static_cast<long>(bits))));
+  }
+  const auto value = [&](double t) {
+    double sum = 0;
+    for (std::size_t i = c.size(); i-- > 0;) sum = sum * t + c[i];
+    return sum;
+  };
+  double low = 0, high = 1;
+  for (int step = 0; step < 52; ++step) {
+    const double middle = 0.5 * (low + high);
+    ((value(middle) > 0) == (c[0] > 0) ? low : high) = middle;
+  }
+  return low;
 }
 
 Polynomial Polynomial::derivative() const {

@@ -9,6 +9,11 @@ namespace tamis::oracle {
 using Integer = mpz_class;
 using Rational = mpq_class;
 
+/// Which signs occur among some numbers.
+struct Signs {
+  bool negative = false, zero = false, positive = false;
+};
+
 /// Coefficient i belongs to t^i. The zero polynomial has none; otherwise the last one is not zero.
 class Polynomial {
  public:
@@ -21,6 +26,17 @@ class Polynomial {
   const Integer& leading() const { return coefficients_.back(); }
 
   int sign_at(const Rational& t) const;
+  /// Of the coefficients in the Bernstein basis. The values on [0,1] are averages of these: other signs do not occur.
+  Signs signs_on_unit_interval() const;
+  /// True only if plain from those signs.
+  bool never_vanishes_on_unit_interval() const;
+  /// The same coefficients differ in sign at one place only: [0,1] holds exactly one root, a simple one inside
+  /// (Descartes).
+  bool changes_sign_once() const;
+  /// With the part [n, n+1] / 2^k of [0,1] mapped to [0,1]; times a power of two.
+  Polynomial on_part(const Integer& n, unsigned k) const;
+  /// Near a root in (0,1), where doubles see one; not certain. REQUIRES: the values at 0 and 1 differ in sign.
+  double approximate_root() const;
   Polynomial derivative() const;
   /// Divides by t and by t - 1 until neither end of [0,1] is a root. REQUIRES: not zero.
   Polynomial without_roots_at_ends() const;
@@ -28,6 +44,8 @@ class Polynomial {
   Polynomial primitive() const;
 
  private:
+  std::vector<Integer> bernstein_coefficients() const;
+
   std::vector<Integer> coefficients_;
 };
 

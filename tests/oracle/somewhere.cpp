@@ -1,6 +1,8 @@
 #include "oracle/somewhere.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
 
 namespace tamis::oracle {
 namespace {
@@ -37,15 +39,14 @@ int tarski_query(const Polynomial& p, const Polynomial& q) {
 /// With s the sign of q at a root, [q > 0] = (s + s^2) / 2 and [q >= 0] = (2 + s - s^2) / 2. The product of these over
 /// all conditions, summed over the roots, is a sum of Tarski queries of products of the q. Returns twice to the power
 /// of the number of conditions times the number of roots.
-int weighted_queries(const Polynomial& p, const std::vector<Condition>& conditions, std::size_t i,
-                     const Polynomial& q) {
-  if (i == conditions.size()) return tarski_query(p, q);
+int weighted_queries(const Polynomial& p, std::span<const Condition> conditions, const Polynomial& q) {
+  if (conditions.empty()) return tarski_query(p, q);
   const auto rest = [&](const Polynomial& factor) {
-    return weighted_queries(p, conditions, i + 1, remainder(q * factor, p).primitive());
+    return weighted_queries(p, conditions.subspan(1), remainder(q * factor, p).primitive());
   };
-  const Polynomial& factor = conditions[i].p;
+  const Polynomial& factor = conditions[0].p;
   const int once = rest(factor), twice = rest(factor * factor);
-  return conditions[i].relation == Relation::positive ? once + twice : 2 * rest(Polynomial({1})) + once - twice;
+  return conditions[0].relation == Relation::positive ? once + twice : 2 * rest(Polynomial({1})) + once - twice;
 }
 
 const Polynomial& one() {
@@ -53,10 +54,26 @@ const Polynomial& one() {
   return kOne;
 }
 
-bool holds_at_inner_root(const Polynomial& zero, const std::vector<Condition>& conditions) {
-  const Polynomial p = zero.primitive().without_roots_at_ends();
-  if (p.degree() == 0 || tarski_query(p, one()) == 0) return false;
-  return weighted_queries(p, conditions, 0, one()) > 0;
+}  // namespace
+
+bool holds_at_counted_root(const Polynomial& p, std::span<const Condition> conditions) {
+  if (p.degree() == 0) return false;
+  // With one condition after the other: most questions end early.
+  for (std::size_t count = 0; count <= conditions.size(); ++count)
+    if (weighted_queries(p, conditions.first(count), one()) == 0) return false;
+  return true;
+}
+
+namespace {
+
+bool always_holds(const Condition& c) {
+  const Signs signs = c.p.signs_on_unit_interval();
+  return c.relation == Relation::positive ? !signs.zero && !signs.negative : !signs.negative;
+}
+
+bool never_holds(const Condition& c) {
+  const Signs signs = c.p.signs_on_unit_interval();
+  return c.relation == Relation::positive ? !signs.positive : !signs.zero && !signs.positive;
 }
 
 bool holds_at(const Rational& t, const std::vector<Condition>& conditions) {
@@ -64,6 +81,30 @@ bool holds_at(const Rational& t, const std::vector<Condition>& conditions) {
     const int sign = c.p.sign_at(t);
     return c.relation == Relation::positive ? sign > 0 : sign >= 0;
   });
+}
+
+/// Where [0,1] holds one simple root of p: a short part about it, and in it a shorter one, until every condition is
+/// plainly true there, or one is plainly false. Nothing if that takes too long: when a condition vanishes there, too.
+std::optional<bool> holds_about_root(Polynomial p, std::vector<Condition> conditions) {
+  constexpr unsigned kBits = 40;
+  for (int round = 0; round < 3; ++round) {
+    if (!p.changes_sign_once()) return std::nullopt;
+    const Integer n(std::floor(std::ldexp(p.approximate_root(), kBits)));
+    p = p.on_part(n, kBits);
+    for (Condition& c : conditions) c.p = c.p.on_part(n, kBits);
+    for (const int end : {0, 1})
+      if (p.sign_at(end) == 0) return holds_at(end, conditions);
+    if (p.sign_at(0) == p.sign_at(1)) return std::nullopt;  // the approximation was none
+    if (std::any_of(conditions.begin(), conditions.end(), never_holds)) return false;
+    if (std::all_of(conditions.begin(), conditions.end(), always_holds)) return true;
+  }
+  return std::nullopt;
+}
+
+bool holds_at_inner_root(const Polynomial& zero, const std::vector<Condition>& conditions) {
+  const Polynomial p = zero.primitive().without_roots_at_ends();
+  if (const auto holds = holds_about_root(p, conditions)) return *holds;
+  return holds_at_counted_root(p, conditions);
 }
 
 /// Cuts [0,1] into parts with at most one root of a polynomial, and with none in the first and the last part: so the
@@ -118,6 +159,9 @@ bool holds_inside(std::vector<Condition> conditions) {
 }  // namespace
 
 bool holds_somewhere(const Polynomial& zero, const std::vector<Condition>& conditions, Range range) {
+  // Spares most of the work: a polynomial whose signs are plain.
+  if (zero.never_vanishes_on_unit_interval()) return false;
+  if (std::any_of(conditions.begin(), conditions.end(), never_holds)) return false;
   if (zero.sign_at(0) == 0 && holds_at(0, conditions)) return true;
   if (range == Range::closed && zero.sign_at(1) == 0 && holds_at(1, conditions)) return true;
   return zero.is_zero() ? holds_inside(conditions) : holds_at_inner_root(zero, conditions);

@@ -2,6 +2,7 @@
 // one polynomial at which others are positive are counted by Sturm-Tarski sequences (Basu, Pollack, Roy, Algorithms in
 // Real Algebraic Geometry, 2nd ed. 2006, section 2.2.2).
 #pragma once
+#include <span>
 #include <vector>
 
 #include "oracle/polynomial.hpp"
@@ -19,7 +20,11 @@ struct Condition {
 /// A part of [0,1]: all of it, or without its last point.
 enum class Range { closed, half_open };
 
-/// Is there a t in the range with zero(t) = 0 at which all conditions hold?
+/// Is there a root of p in (0,1) at which all conditions hold? By counting alone, which is slow and always ends.
+/// REQUIRES: p is not zero, and has no root at 0 or 1.
+bool holds_at_counted_root(const Polynomial& p, std::span<const Condition> conditions);
+
+/// Is there a t in the range with zero(t) = 0 at which all conditions hold? Plain cases are told without counting.
 bool holds_somewhere(const Polynomial& zero, const std::vector<Condition>& conditions, Range range);
 
 }  // namespace tamis::oracle

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <random>
+
 namespace tamis::oracle {
 namespace {
 
@@ -47,6 +49,34 @@ TEST(Somewhere, AsksAllConditionsOfOneAndTheSameRoot) {
   EXPECT_TRUE(holds_somewhere(p, {positive(poly({1, -2}))}, Range::closed));
   EXPECT_TRUE(holds_somewhere(p, {positive(poly({-1, 2}))}, Range::closed));
   EXPECT_FALSE(holds_somewhere(p, {positive(poly({1, -2})), positive(poly({-1, 2}))}, Range::closed));
+}
+
+// The quick ways tell what counting alone tells: random polynomials, and conditions that vanish at a root, or nearly.
+TEST(Somewhere, QuickWaysAgreeWithCounting) {
+  std::mt19937 engine(3);
+  const auto number = [&](int limit) {
+    return static_cast<int>(engine() % static_cast<unsigned>(2 * limit + 1)) - limit;
+  };
+  const auto random_poly = [&](int degree) {
+    std::vector<Integer> c;
+    for (int i = 0; i <= degree; ++i) c.emplace_back(number(9));
+    return poly(std::move(c));
+  };
+  int held = 0;
+  for (int i = 0; i < 20000; ++i) {
+    Polynomial p = random_poly(1 + i % 4);
+    if (p.is_zero()) continue;
+    p = p.without_roots_at_ends();
+    Polynomial q = random_poly(2);
+    if (i % 3 == 0) q = q * p;
+    if (i % 5 == 0) q = q * poly({Integer(1) << 90}) + random_poly(1);
+    const std::vector<Condition> conditions{i % 2 ? positive(q) : not_negative(q), not_negative(random_poly(1))};
+    const bool counted = holds_at_counted_root(p, conditions);
+    // Without roots at its ends, p is asked about its inner roots only.
+    EXPECT_EQ(holds_somewhere(p, conditions, Range::closed), counted) << i;
+    held += counted;
+  }
+  EXPECT_GT(held, 1000);
 }
 
 TEST(Somewhere, WithoutAnEquationFindsThinAndSinglePointSets) {

@@ -57,30 +57,11 @@ std::set<Index> points_of(const Scene& scene) {
   return points;
 }
 
-/// All of one feature lies beyond all of the other on an axis, at both ends of the step and so all the time: spares
-/// the oracle most of its work.
-bool is_plainly_apart(const oracle::Motion& motion, std::size_t first_of_second) {
-  const auto beyond = [&](std::size_t axis, std::size_t i, std::size_t j) {
-    return std::min(motion.start[i][axis], motion.end[i][axis]) > std::max(motion.start[j][axis], motion.end[j][axis]);
-  };
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    bool all_above = true, all_below = true;
-    for (std::size_t i = 0; i < first_of_second; ++i)
-      for (std::size_t j = first_of_second; j < 4; ++j) {
-        all_above = all_above && beyond(axis, i, j);
-        all_below = all_below && beyond(axis, j, i);
-      }
-    if (all_above || all_below) return true;
-  }
-  return false;
-}
-
 void add_if_touching(const Scene& scene, PairKind kind, const std::array<Index, 4>& vertices, PairSet& contacts) {
   const std::size_t first_of_second = kind == PairKind::vertex_face ? 1 : 2;
   const auto second = vertices.begin() + static_cast<std::ptrdiff_t>(first_of_second);
   if (std::find_first_of(vertices.begin(), second, second, vertices.end()) != second) return;  // adjacent
-  const oracle::Motion motion = motion_of(scene, vertices);
-  if (!is_plainly_apart(motion, first_of_second) && oracle::touches(kind, motion)) contacts.insert({kind, vertices});
+  if (oracle::touches(kind, motion_of(scene, vertices))) contacts.insert({kind, vertices});
 }
 
 }  // namespace

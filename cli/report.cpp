@@ -45,11 +45,11 @@ std::string readable(double seconds) {
   return fmt::format("{:.1f} us", seconds * 1e6);
 }
 
-void print_bracket(double toi_lower, double toi_upper, bool is_certified) {
+void print_bracket(double toi_lower, double toi_upper, bool is_certified, const Options& options) {
   if (!is_certified) {
-    fmt::print(
-        "first contact   free before {}, proven; then a pair that doubles cannot decide (--guarantee exact can)\n",
-        toi_lower);
+    const bool exact_can = options.guarantee == Guarantee::conservative && options.min_separation == 0;
+    fmt::print("first contact   free before {}, proven; then a pair that doubles cannot decide{}\n", toi_lower,
+               exact_can ? " (--guarantee exact can)" : "");
     return;
   }
   fmt::print("first contact   at {:.12g} of the step; free before {}, proven; bracket {:.1e} wide\n", toi_upper,

@@ -28,9 +28,9 @@ BoxFrame frame_of(const Step& step, std::span<const Index> used, double min_sepa
     half = std::max(half, 0.5 * high[axis] - 0.5 * low[axis]);
   }
   // One binary digit to spare, so that rounding of origin and half width stays inside [-1,1].
-  const int exponent = half > 0 ? std::clamp(-2 - std::ilogb(half), -1022, 1000) : 0;
+  const int exponent = half > 0 ? std::min(-2 - std::ilogb(half), 1000) : 0;
   frame.scale = std::ldexp(1.0, exponent);
-  frame.margin = kRounding + static_cast<float>(std::min(0.5 * min_separation * frame.scale * (1 + 0x1p-20), 4.0));
+  frame.margin = kRounding + static_cast<float>(std::min(0.5 * (min_separation * frame.scale) * (1 + 0x1p-20), 4.0));
   return frame;
 }
 

@@ -71,8 +71,9 @@ class PaperEngine final : public Engine {
     auto start = Clock::now();
     if (scene_.triangles.empty()) collect_topology();
     scene_.points.update(scene_.mesh, *scene_.step);
-    // Each of two features takes half of the separation; the factor covers its own rounding.
-    const double padding = 0.5 * scene_.options.min_separation * scene_.points.scale() * (1 + 0x1p-50);
+    // Each of two features takes half of the separation; the factor covers its own rounding. Scaled first: half of the
+    // smallest double is zero.
+    const double padding = 0.5 * (scene_.options.min_separation * scene_.points.scale()) * (1 + 0x1p-50);
     scene_.boxes.update(scene_.mesh, scene_.points, padding);
     statistics.seconds.bounds = seconds_since(start);
     start = Clock::now();

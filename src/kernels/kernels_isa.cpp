@@ -83,14 +83,13 @@ int filter(const PackedVertex* vertices, const PairBuffer& in, PairBuffer& out) 
 /// Returns the new number of entries.
 int write_solved(const Crossing<DoubleLanes>& c, unsigned left, unsigned touches, const std::int32_t* pairs,
                  SolvedPair* out, int count) {
-  const DoubleLanes length = sqrt(dot(c.normal, c.normal)), zero(0), one(1);
-  const DoubleLanes fields[] = {c.lower,
-                                c.upper,
-                                min(max(c.u, zero), one),
-                                min(max(c.v, zero), one),
-                                c.normal.x / length,
-                                c.normal.y / length,
-                                c.normal.z / length};
+  // Divided by its largest component first, so that no square underflows.
+  const DoubleLanes size = max(max(abs(c.normal.x), abs(c.normal.y)), abs(c.normal.z)), zero(0), one(1);
+  const Vec3<DoubleLanes> normal{c.normal.x / size, c.normal.y / size, c.normal.z / size};
+  const DoubleLanes length = sqrt(dot(normal, normal));
+  const DoubleLanes fields[] = {
+      c.lower,           c.upper,           min(max(c.u, zero), one), min(max(c.v, zero), one),
+      normal.x / length, normal.y / length, normal.z / length};
   double f[7][kDoubleLanes];
   for (int k = 0; k < 7; ++k) fields[k].store_unaligned(f[k]);
   for_each_bit(left, [&](int i) {

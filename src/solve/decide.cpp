@@ -98,13 +98,23 @@ Outcome decide_separated(PairKind kind, const PairPoints& points, const PairMoti
   return {d, d.verdict == Verdict::unsure ? &PrecisionCount::unresolved : &PrecisionCount::scalar};
 }
 
-/// A unit vector along `v`, or if that vanishes one orthogonal to `w`.
-Point unit_normal(const Vec3<double>& v, const Vec3<double>& w) {
+double largest(const Vec3<double>& v) { return std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)}); }
+
+/// Divided by its largest component, so that no square underflows; zero stays zero.
+Vec3<double> rescaled(const Vec3<double>& v) {
+  const double size = largest(v);
+  return size > 0 ? Vec3<double>{v.x / size, v.y / size, v.z / size} : v;
+}
+
+/// A unit vector along e x f, or if that vanishes one orthogonal to what is left.
+Point unit_normal(const Vec3<double>& e, const Vec3<double>& f) {
   const auto normalized = [](const Vec3<double>& a) {
-    const double length = std::sqrt(dot(a, a));
-    return Point{a.x / length, a.y / length, a.z / length};
+    const Vec3<double> v = rescaled(a);
+    const double length = std::sqrt(dot(v, v));
+    return Point{v.x / length, v.y / length, v.z / length};
   };
-  if (dot(v, v) > 0) return normalized(v);
+  const Vec3<double> normal = cross(rescaled(e), rescaled(f)), w = largest(e) > 0 ? e : f;
+  if (largest(normal) > 0) return normalized(normal);
   if (std::fabs(w.x) + std::fabs(w.y) > 0) return normalized({-w.y, w.x, 0});
   return {1, 0, 0};
 }
@@ -119,7 +129,7 @@ void add_weights(PairKind kind, const PairMotion<double>& m, PairResult& result)
   const auto closest = closest_points(kind, e, f, d);
   result.u = closest.u;
   result.v = closest.v;
-  result.normal = unit_normal(cross(e, f), dot(e, e) > 0 ? e : f);
+  result.normal = unit_normal(e, f);
 }
 
 }  // namespace

@@ -137,6 +137,95 @@ bool interior_within(const Triangle& q, const Polynomial& squared, Range range) 
   return holds_somewhere({}, conditions, range);
 }
 
+using Values = std::array<Rational, 3>;  ///< a vector at one time
+
+Values operator-(const Values& a, const Values& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
+Rational dot(const Values& a, const Values& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+Values cross(const Values& a, const Values& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+/// REQUIRES: `v` moves linearly.
+Values at(const Vector& v, const Rational& t) {
+  Values result;
+  for (std::size_t k = 0; k < 3; ++k)
+    for (std::size_t i = 0; !v[k].is_zero() && i <= v[k].degree(); ++i)
+      result[k] += i == 0 ? Rational(v[k][0]) : v[k][1] * t;
+  return result;
+}
+
+Rational squared_distance_to_side(const Values& q, const Values& r) {
+  const Values side = r - q, n = cross(q, r);
+  if (dot(q, side) >= 0) return dot(q, q);
+  if (dot(r, side) <= 0) return dot(r, r);
+  return dot(n, n) / dot(side, side);
+}
+
+/// Of the origin to the triangle at time t.
+Rational squared_distance(const Triangle& triangle, const Rational& t) {
+  const std::array<Values, 3> q{at(triangle[0], t), at(triangle[1], t), at(triangle[2], t)};
+  const Values n = cross(q[1] - q[0], q[2] - q[0]);
+  bool is_inside = dot(n, n) > 0;
+  Rational nearest = dot(q[0], q[0]);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Values &a = q[i], &b = q[(i + 1) % 3];
+    nearest = std::min(nearest, squared_distance_to_side(a, b));
+    is_inside = is_inside && dot(n, cross(a, b)) >= 0;
+  }
+  const Rational height = dot(n, q[0]);
+  return is_inside ? Rational(height * height / dot(n, n)) : nearest;
+}
+
+/// The corners move no faster than this: the largest sum of a velocity's components.
+Rational speed_of(const Triangle& triangle) {
+  Rational speed = 0;
+  for (const Vector& corner : triangle) {
+    const Values velocity = at(corner, 1) - at(corner, 0);
+    speed = std::max(speed, Rational(abs(velocity[0]) + abs(velocity[1]) + abs(velocity[2])));
+  }
+  return speed;
+}
+
+enum class Near { no, yes, unknown };
+
+/// The plain answer for most pairs, which spares them the algebra: a distance falls no faster than the corners move, so
+/// one looked up in the middle of a part of the step says something of all of that part.
+Near near_by_sampling(const Triangle& triangle, const Integer& separation, const Rational& from, const Rational& to,
+                      int halvings) {
+  const Rational middle = (from + to) / 2, reach = separation + speed_of(triangle) * (to - from) / 2;
+  const Rational squared = squared_distance(triangle, middle);
+  if (squared <= separation * separation) return Near::yes;
+  if (squared > reach * reach) return Near::no;
+  if (halvings == 0) return Near::unknown;
+  const Near left = near_by_sampling(triangle, separation, from, middle, halvings - 1);
+  if (left == Near::yes) return left;
+  const Near right = near_by_sampling(triangle, separation, middle, to, halvings - 1);
+  return right == Near::no ? left : right;
+}
+
+/// Does one of these triangles come within a distance of the origin?
+struct WithinQuestion {
+  WithinQuestion(PairKind kind, const Motion& motion, double distance, const Times& times)
+      : range(times.half_open ? Range::half_open : Range::closed) {
+    const IntegerMotion m = integer_motion(motion, times, distance);
+    triangles = triangles_of(kind, m.points);
+    separation = m.unit * scaled_to_integer(distance, m.exponent);
+    squared = Polynomial({separation * separation});
+  }
+
+  /// By algebra.
+  bool holds_for(const Triangle& q) const {
+    for (std::size_t i = 0; i < 3; ++i)
+      if (side_within(q[i], q[(i + 1) % 3], squared, range)) return true;
+    return interior_within(q, squared, range);
+  }
+
+  Range range;
+  std::vector<Triangle> triangles;
+  Integer separation;
+  Polynomial squared;
+};
+
 }  // namespace
 
 bool touches(PairKind kind, const Motion& motion, const Times& times) {
@@ -152,16 +241,17 @@ bool touches(PairKind kind, const Motion& motion, const Times& times) {
 }
 
 bool comes_within(PairKind kind, const Motion& motion, double separation, const Times& times) {
-  const Range range = times.half_open ? Range::half_open : Range::closed;
-  const IntegerMotion m = integer_motion(motion, times, separation);
-  const Integer d = m.unit * scaled_to_integer(separation, m.exponent);
-  const Polynomial squared({d * d});
-  for (const Triangle& q : triangles_of(kind, m.points)) {
-    for (std::size_t i = 0; i < 3; ++i)
-      if (side_within(q[i], q[(i + 1) % 3], squared, range)) return true;
-    if (interior_within(q, squared, range)) return true;
-  }
-  return false;
+  constexpr int kHalvings = 5;
+  const WithinQuestion ask(kind, motion, separation, times);
+  return std::any_of(ask.triangles.begin(), ask.triangles.end(), [&](const Triangle& q) {
+    const Near near = near_by_sampling(q, ask.separation, 0, 1, kHalvings);
+    return near == Near::yes || (near == Near::unknown && ask.holds_for(q));
+  });
+}
+
+bool comes_within_by_algebra(PairKind kind, const Motion& motion, double separation, const Times& times) {
+  const WithinQuestion ask(kind, motion, separation, times);
+  return std::any_of(ask.triangles.begin(), ask.triangles.end(), [&](const Triangle& q) { return ask.holds_for(q); });
 }
 
 }  // namespace tamis::oracle

@@ -32,4 +32,7 @@ bool touches(PairKind kind, const Motion& motion, const Times& times = {});
 /// Is the Euclidean distance of the closed features <= separation at some of these times?
 bool comes_within(PairKind kind, const Motion& motion, double separation, const Times& times = {});
 
+/// The same without the look at sampled distances that answers most questions first: for the test of that look.
+bool comes_within_by_algebra(PairKind kind, const Motion& motion, double separation, const Times& times = {});
+
 }  // namespace tamis::oracle

@@ -135,6 +135,23 @@ TEST(Oracle, DistanceIsThatToCornersSidesAndInside) {
   EXPECT_FALSE(comes_within(kEe, parallel, 2.5));
 }
 
+// Bug: a look at a sampled distance that says more than it knows.
+TEST(Oracle, SampledDistancesChangeNoAnswer) {
+  Random random(4);
+  long near = 0;
+  for (const Family& family : kFamilies)
+    for (const PairKind kind : {kVf, kEe})
+      for (int i = 0; i < 12; ++i) {
+        const Motion m = permuted(kind, family.make(kind, random), random);
+        const double separation = random.coin() ? 0.125 * random.below(8) : std::ldexp(random.unit(), -random.below(9));
+        const oracle::Times times{0, random.coin() ? 1 : random.unit(), random.coin()};
+        const bool answer = comes_within(kind, m, separation, times);
+        near += answer;
+        EXPECT_EQ(answer, oracle::comes_within_by_algebra(kind, m, separation, times)) << describe(kind, m);
+      }
+  EXPECT_GT(near, 60);
+}
+
 TEST(Oracle, AgreesWithAllPublishedQueries) {
   const auto folder = data_folder();
   if (folder.empty()) GTEST_SKIP() << kNoData;

@@ -27,7 +27,7 @@ def bars(rows, groups, names, value, title, unit, path, log=True):
         axes.bar([g + (i - (len(names) - 1) / 2) * width for g in range(len(groups))], heights, width, label=name,
                  color=color)
     axes.set_xticks(range(len(groups)))
-    axes.set_xticklabels([f"{scene}\n{step}" for scene, step in groups])
+    axes.set_xticklabels([f"{scene} {step}" for scene, step in groups], rotation=25, ha="right")
     if log:
         axes.set_yscale("log")
     axes.set_ylabel(unit)

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include "solve/apart_times.hpp"
 #include "solve/closest.hpp"
+#include "solve/difference_corners.hpp"
 #include "solve/separation.hpp"
 #include "solve/start_distance.hpp"
 
@@ -28,15 +28,16 @@ struct StartBounds {
 template <PairKind kind>
 StartBounds start_bounds(const PairMotion<double>& m) {
   const double size = m.size_d + m.size_e + m.size_f;
-  const Vec gap = closest_points(kind, m.e.at0, m.f.at0, m.d.at0).gap;
-  const double high = std::sqrt(dot(gap, gap)) * kLength + error_bounds::bound(error_bounds::kGap, size);
+  const ClosestPoints closest = closest_points(kind, m.e.at0, m.f.at0, m.d.at0);
+  const double high =
+      std::sqrt(dot(closest.gap, closest.gap)) * kLength + error_bounds::bound(error_bounds::kGap, size);
   double square = 0;  // convex combinations of the corners' velocities are those of all pairs of points
   for (const auto& corner : difference_corners<kind>(m)) {
     const Vec velocity = corner.at1 - corner.at0;
     square = std::max(square, dot(velocity, velocity));
   }
   const double speed = std::sqrt(square) * kLength + error_bounds::bound(error_bounds::kVelocity, size);
-  return {AxisClip<kind>(m).distance_along(0, gap), high, speed};
+  return {start_distance_bound(kind, m, closest), high, speed};
 }
 
 StartBounds start_bounds(PairKind kind, const PairMotion<double>& m) {

@@ -182,7 +182,21 @@ double apart_until(const PairMotion<double>& m, double from, double until) {
   return std::min(now, 1.0);
 }
 
+template <PairKind kind>
+double start_distance_bound(const PairMotion<double>& m, const ClosestPoints& closest) {
+  constexpr double kSharp = 1 - 0x1p-40;
+  const AxisClip<kind> clip(m);
+  const double along_gap = clip.distance_along(0, closest.gap);
+  if (along_gap >= kSharp * std::sqrt(dot(closest.gap, closest.gap))) return along_gap;
+  return std::max(along_gap, clip.distance_along(0, squared_axis<kind>(m, 0, closest).direction));
+}
+
 }  // namespace
+
+double start_distance_bound(PairKind kind, const PairMotion<double>& m, const ClosestPoints& closest) {
+  return kind == PairKind::vertex_face ? start_distance_bound<PairKind::vertex_face>(m, closest)
+                                       : start_distance_bound<PairKind::edge_edge>(m, closest);
+}
 
 Decision first_within(PairKind kind, const PairMotion<double>& m, const TimeInterval<double>& time) {
   return kind == PairKind::vertex_face ? Advance<PairKind::vertex_face>(m, time).run()

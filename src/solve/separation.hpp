@@ -5,6 +5,7 @@
 // advancement, Mirtich 1996; Zhang, Lee, Kim 2006, whose bound on the speed needs many more steps).
 #pragma once
 #include "filters/slab_clip.hpp"
+#include "solve/closest.hpp"
 #include "solve/subdivide.hpp"
 
 namespace tamis {
@@ -17,5 +18,9 @@ Decision first_within(PairKind kind, const PairMotion<double>& m, const TimeInte
 /// within a few steps. It looks no further than `until`: a result below `until` does not depend on it.
 /// REQUIRES: as above; the pair is apart before `from`, which lies in [0,1].
 double apart_until(PairKind kind, const PairMotion<double>& m, double from, double until);
+
+/// A lower bound, beyond all rounding, of the distance at t=0: along the gap of the closest points, and where that says
+/// little, along that squared with the features, as a small gap is tilted by rounding. REQUIRES: finite sizes.
+double start_distance_bound(PairKind kind, const PairMotion<double>& m, const ClosestPoints& closest);
 
 }  // namespace tamis

@@ -27,6 +27,7 @@ for judge in oracle exact; do
     nice -n 10 "$program" $path $judge $((pairs[$judge] / 2)) --seed "$seed" \
       >"$out/$path-$judge.txt" 2>"$out/$path-$judge.err" &
     runs+=($!)
+    seed=$((seed + 1))  # other pairs each
   done
 done
 failed=0

@@ -40,13 +40,13 @@ class LongRun {
   int go() {
     std::int64_t next_report = run_.count / 10;
     for (int turn = 0; conservative_.pairs < run_.count; ++turn) {
+      next_report = std::min(next_report, run_.count);
       const PairKind kind = kKinds[turn % 2];
       judge(kind, next_motions(kind, random_));
       if (conservative_.pairs < next_report) continue;
       report();
-      next_report += run_.count / 10;
+      next_report += run_.count / 10 + 1;
     }
-    report();
     return conservative_.failures + exact_.failures > 0 ? 1 : 0;
   }
 

@@ -10,6 +10,7 @@
 
 #include "cli/arguments.hpp"
 #include "cli/benchmark.hpp"
+#include "cli/seed_argument.hpp"
 #include "cli/step_files.hpp"
 #include "cli/verb.hpp"
 #include "io/atomic_file.hpp"
@@ -43,7 +44,7 @@ class Bench final : public Verb {
     app.add_option("--repeat", setup_.repeat, "questions to it that are timed; default 9")->check(runs);
     declare_guarantee(app, guarantee_);
     declare_min_separation(app, setup_.options.min_separation);
-    app.add_option("--seed", seed_, "of the generated scene; default 1")->type_name("S");
+    declare_seed(app, seed_, "the generated scene");
     app.add_option("--out", out_, "write the rows to a CSV file")->type_name("FILE.csv");
     declare_json(app, json_);
   }

@@ -1,6 +1,8 @@
 // tamis paper: the seed paper's evaluation, from the scenes to the report, in one command.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <cstdlib>
@@ -15,6 +17,7 @@
 #include "cli/paper_tables.hpp"
 #include "cli/progress.hpp"
 #include "cli/verb.hpp"
+#include "io/atomic_file.hpp"
 #include "io/frames.hpp"
 #include "io/text.hpp"
 #include "scenes/simulation/recording.hpp"
@@ -67,15 +70,17 @@ class Paper final : public Verb {
   }
 
   int run() override {
-    files::create_directories(folder_);
     require_known_scenes();
-    require_numbers_of_steps();
+    std::vector<PaperScene> given_scenes;  // before anything is simulated: a path may be wrong
+    for (const std::string& pair : given_) given_scenes.push_back(given(pair));
+    require_scenes_of_steps();
+    io::make_folder(folder_);
+    io::require_writable(files::path(folder_) / "report.md");
     if (resumes_) earlier_.emplace(folder_);
     std::vector<PaperScene> scenes;
     for (const Row& row : kRows)
       if (wants(row)) scenes.push_back(simulated(row));
-    for (const std::string& pair : given_) scenes.push_back(given(pair));
-    if (scenes.empty()) throw InvalidOptions("there is no scene to run: give --scenes or --frames");
+    scenes.insert(scenes.end(), given_scenes.begin(), given_scenes.end());
     for (const PaperScene& scene : scenes)
       for (const int factor : {1, 3}) measure(scene, factor);
     write_paper_report(folder_, results_, size());
@@ -132,10 +137,25 @@ class Paper final : public Verb {
     return 0;
   }
 
-  void require_numbers_of_steps() const {
-    for (const std::string& pair : most_steps_)
-      if (name_of(pair).empty() || io::to_integer<std::size_t>(value_of(pair)).value_or(0) == 0)
+  std::vector<std::string> names_to_run() const {
+    std::vector<std::string> names;
+    for (const Row& row : kRows)
+      if (wants(row)) names.emplace_back(row.name);
+    for (const std::string& pair : given_) names.push_back(name_of(pair));
+    return names;
+  }
+
+  void require_scenes_of_steps() const {
+    const std::vector<std::string> names = names_to_run();
+    if (names.empty()) throw InvalidOptions("there is no scene to run: give --scenes or --frames");
+    for (const std::string& pair : most_steps_) {
+      const std::string name = name_of(pair);
+      if (name.empty() || io::to_integer<std::size_t>(value_of(pair)).value_or(0) == 0)
         throw InvalidOptions(fmt::format("--steps {} is no number of steps of a scene: write NAME=N, N > 0", pair));
+      if (std::find(names.begin(), names.end(), name) == names.end())
+        throw InvalidOptions(
+            fmt::format("--steps {} names a scene that is not run: use one of {}", pair, fmt::join(names, ", ")));
+    }
   }
 
   /// Of NAME=VALUE; empty if there is none.

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "cli/progress.hpp"
+#include "cli/seed_argument.hpp"
 #include "cli/verb.hpp"
 #include "io/mesh_file.hpp"
 #include "scenes/simulation/intersections.hpp"
@@ -41,7 +42,7 @@ class Scene final : public Verb {
         ->check(CLI::Range(kLeastTriangles, kMostTriangles));
     app.add_flag("--check", check_,
                  "then read every frame and prove it free of intersections; exit code 1 if one is not");
-    app.add_option("--seed", seed_, "of the small disorder at the start; default 1")->type_name("S");
+    declare_seed(app, seed_, "the small disorder at the start");
   }
 
   int run() override {

@@ -64,4 +64,12 @@ void require_writable(const std::filesystem::path& path) {
   if (!is_stream(path)) AtomicFile{path};
 }
 
+void make_folder(const std::filesystem::path& path) {
+  std::error_code error;
+  std::filesystem::create_directories(path, error);
+  if (error)
+    throw FileError(path.string(), "",
+                    fmt::format("the folder cannot be made ({}): check the path and its permissions", error.message()));
+}
+
 }  // namespace tamis::io

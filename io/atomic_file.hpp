@@ -37,4 +37,7 @@ class AtomicFile {
 /// Throws FileError if the file could not be written; nothing stays behind. For asking before a long computation.
 void require_writable(const std::filesystem::path& path);
 
+/// Makes a folder for output, with those above it; it may be there already. Throws FileError if that fails.
+void make_folder(const std::filesystem::path& path);
+
 }  // namespace tamis::io

@@ -28,6 +28,7 @@ class QueryParser {
       if (std::all_of(line.begin(), line.end(), is_blank)) continue;
       add(parse_row(line), row++ % kRows);
     }
+    if (row == 0) throw FileError(name_, "", "no query in it: write the file again");
     if (row % kRows != 0)
       fail(fmt::format("the last query has {} of its 8 rows: the file was cut short, write it again", row % kRows));
     return std::move(queries_);

@@ -68,7 +68,7 @@ std::filesystem::path frame_path(const std::filesystem::path& folder, int frame)
 }
 
 void record(const SimulatedScene& scene, const Recording& recording, const FrameMade& made) {
-  std::filesystem::create_directories(recording.folder);
+  io::make_folder(recording.folder);
   Simulator simulator(scene.make(recording.triangles, recording.seed));
   const std::string name = title(scene, recording, simulator.particles());
   if (std::filesystem::exists(state_path(recording.folder)))

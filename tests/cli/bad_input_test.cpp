@@ -125,6 +125,19 @@ TEST_F(BadInput, NoOutputFileIsLeft) {
   EXPECT_TRUE(std::filesystem::is_empty(folder_.path() / "hollow"));
 }
 
+// Bug: hours of simulation before a wrong option is told.
+TEST_F(BadInput, FoldersAndScenesAreLookedAtFirst) {
+  folder_.write("file", "");
+  for (const char* command : {"scene cloth-ball --triangles 600 --frames 1", "paper --quick"})
+    expect_error(std::string(command) + " --out file", "file: the folder cannot be made");
+  expect_error("scene cloth-ball --triangles 600 --frames 1 --out frames --seed -1", "--seed");
+  expect_error("bench --scene soup --triangles 10 --seed -1", "--seed");
+  expect_error("paper --quick --out laboratory --frames ball=absent", "absent: no such file");
+  expect_error("paper --quick --out laboratory --frames one", "--frames one names no scene");
+  expect_error("paper --quick --out laboratory --scenes airbag --steps moon=3", "--steps moon=3 names a scene");
+  EXPECT_FALSE(std::filesystem::exists(folder_.path() / "laboratory"));
+}
+
 // Bug: the disk is full and the script that reads the result never learns of it.
 TEST_F(BadInput, AnOutputThatCannotTakeTheResult) {
   if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "no /dev/full here";
@@ -139,6 +152,8 @@ TEST_F(BadInput, QueriesThatCannotBeUsed) {
   expect_error("queries q.csv", "q.csv: no folder above it");
   expect_error("queries q", "third.csv: line 1");
   expect_error("queries q --guarantee much", "'much'");
+  folder_.write("blank/vertex-face/none.csv", "");
+  expect_error("queries blank", "none.csv: no query in it");
 }
 
 }  // namespace

@@ -57,7 +57,7 @@ void declare_repeat(CLI::App& app, int& repeat) {
 void declare_guarantee(CLI::App& app, std::string& guarantee) {
   app.add_option("--guarantee", guarantee,
                  "what floating point cannot decide: conservative (default) reports it as an unresolved contact, "
-                 "exact decides it by exact algebra")
+                 "exact decides it by exact algebra, at separation 0")
       ->type_name("NAME");
 }
 

@@ -25,7 +25,8 @@ struct Contact {
   Certainty certainty;
   /// vf: the vertex, then the face's vertices in the mesh's order. ee: each edge ascending, the smaller edge first.
   std::array<Index, 4> vertices;
-  /// The pair is apart on [0, toi_lower); if certified it touches at some time of [toi_lower, toi_upper].
+  /// Fractions of the step, in [0,1]: the pair is apart on [0, toi_lower); if certified it touches at some time of
+  /// [toi_lower, toi_upper].
   double toi_lower;
   double toi_upper;
   /// Contact weights. vf: point = (1-u-v) f0 + u f1 + v f2. ee: u on the first edge, v on the second, each in [0,1].
@@ -38,7 +39,8 @@ struct Contact {
 
 /// Answer to "how far may the step go?".
 struct EarliestContact {
-  /// The motion is free on [0, toi_lower): proven. 1 and no contact if the whole step is free.
+  /// The motion is free on [0, toi_lower): proven. 1 and no contact if the whole step is free; 0 only if a pair touches
+  /// at t=0.
   double toi_lower = 1;
   /// A certified contact happens at or before this time; 1 if none is certified.
   double toi_upper = 1;

@@ -17,24 +17,28 @@ namespace tamis {
 /// instruction set, or on earlier questions.
 class Detector {
  public:
-  /// Throws InvalidOptions.
+  /// Throws InvalidOptions: negative threads, a separation that is negative or not finite, an instruction set this
+  /// machine lacks, an unknown filter, groups or a reduced model that do not fit the mesh.
   explicit Detector(Mesh mesh, Options options = {});
   ~Detector();
+  /// What was moved from may only be destroyed or assigned to.
   Detector(Detector&&) noexcept;
   Detector& operator=(Detector&&) noexcept;
 
   /// All contacts of the step, by kind, then vertices. The vector is valid until the next question.
-  /// Every question throws InvalidStep if the positions do not fit the mesh or are not finite.
+  /// Every question throws InvalidStep unless start and end have one row of three numbers for each vertex of the mesh,
+  /// finite for those in mesh().points().
   const std::vector<Contact>& contacts(const Step& step);
-  /// The first contact: how far the step may go.
+  /// The first contact: how far the step may go. Its bracket may differ from that of contacts() in the last digits:
+  /// both are proven.
   EarliestContact earliest(const Step& step);
   /// Is the whole step free of contacts?
   bool is_free(const Step& step);
   /// How far may the step go so that the distance of every pair, as far as it exceeds the minimum separation, stays at
   /// least `fraction` of what it is at t=0? The step length for the line search of a barrier method. 0: only contacts
-  /// count, so `lower` is earliest()'s toi_lower, but never 0 unless a pair touches at t=0. Same for all methods; the
-  /// guarantee matters for 0 only. Costs more the closer `fraction` is to 1 while large parts of the step are still in
-  /// question. Throws InvalidOptions unless 0 <= fraction < 1.
+  /// count, and `lower` is earliest()'s toi_lower. Same for all methods; the guarantee matters for 0 only. The closer
+  /// `fraction` is to 1, the longer the search until the first near pairs have shortened the step. Throws
+  /// InvalidOptions unless 0 <= fraction < 1.
   SafeStep keep_distance(const Step& step, double fraction);
 
   const Mesh& mesh() const;

@@ -36,13 +36,14 @@ class Mesh {
   Index vertex_count() const { return vertex_count_; }
   /// The triangles as given.
   std::span<const Face> faces() const { return faces_; }
-  /// Every edge of a triangle and every loose edge, once; vertices ascending; sorted. An edge of a triangle
-  /// whose two indices are equal is no edge.
+  /// Every edge of a triangle and every loose edge, once; vertices ascending; sorted. One whose two indices are equal
+  /// is no edge, but its vertex is a point.
   std::span<const Edge> edges() const { return edges_; }
   /// The vertices that take part in contacts: used by a face or an edge, or loose; ascending.
   std::span<const Index> points() const { return points_; }
 
-  /// All triangles incident to an edge: none for a rod, two on a manifold, any number otherwise.
+  /// All triangles incident to an edge, by its place in edges(): none for a rod, one on the border, two within a
+  /// manifold, any number otherwise.
   std::span<const Index> faces_of_edge(Index edge) const { return faces_of_edge_[edge]; }
   /// All triangles incident to a vertex.
   std::span<const Index> faces_of_vertex(Index vertex) const { return faces_of_vertex_[vertex]; }

@@ -13,8 +13,9 @@
 namespace tamis {
 
 /// How pairs are found and culled. Every method returns the same set of contacts: what one certifies, every other one
-/// reports; with the exact guarantee all sets are equal. Which pairs a conservative method leaves unresolved, and which
-/// of these another proves free, differs only within the last roundings of double-double (docs/numerics.md).
+/// reports; with the exact guarantee and no minimum separation all sets are equal. Which pairs a method leaves
+/// unresolved otherwise, and which of these another proves free, differs only within the last roundings of
+/// double-double (docs/numerics.md).
 enum class Method : std::uint8_t {
   tamis,  ///< boxes that move in time, slab clip, DNF, NCF, certified roots
   paper,  ///< the published NCF pipeline, to the letter
@@ -24,10 +25,10 @@ enum class Method : std::uint8_t {
 /// What happens to a pair that floating point cannot decide.
 enum class Guarantee : std::uint8_t {
   conservative,  ///< it is reported as an unresolved contact
-  exact,         ///< it is decided by exact algebra on the double inputs
+  exact,         ///< it is decided by exact algebra on the double inputs; as conservative with a minimum separation
 };
 
-/// Instruction set of the hot loops; every one gives the same bits.
+/// Instruction set of the hot loops; every one gives the same bits. `best`: the widest that this machine has.
 enum class Isa : std::uint8_t { best, baseline, avx2, avx512 };
 
 /// Bounds of the nodes of the paper's hierarchy, over the whole step.
@@ -43,7 +44,8 @@ std::string_view name_of(Guarantee);
 std::string_view name_of(Isa);
 std::string_view name_of(BoundingVolume);
 
-/// Which pairs of objects may touch. Vertices carry a group; a feature belongs to the group of its first vertex.
+/// Which pairs of objects may touch. Vertices carry a group; a feature belongs to the group of its first vertex. Sizes
+/// that do not fit the mesh, or each other, make the detector throw InvalidOptions.
 struct PairFilter {
   /// Group of each vertex, in [0, group_count); empty: all in group 0.
   std::vector<Index> group_of_vertex;
@@ -54,7 +56,7 @@ struct PairFilter {
   std::function<bool(PairKind, const std::array<Index, 4>&)> accepts;
 
   bool empty() const { return groups_may_touch.empty() && !accepts; }
-  /// Pairs within one group are left out (no self-contact).
+  /// Pairs within one group are left out (no self-contact). One group a vertex, >= 0.
   static PairFilter no_self_contact(std::vector<Index> group_of_vertex);
   /// Pairs of two static groups, or within one, are left out. `is_static`: one flag a group.
   static PairFilter no_static_pairs(std::vector<Index> group_of_vertex, const std::vector<bool>& is_static);
@@ -91,10 +93,11 @@ std::vector<std::string_view> filter_names();
 struct Options {
   Method method = Method::tamis;
   Guarantee guarantee = Guarantee::conservative;
-  /// Threads to use; 0: as many as the caller's oneTBB arena gives. The answer does not depend on it.
+  /// Threads to use, >= 0; 0: as many as the caller's oneTBB arena gives. The answer does not depend on it.
   int threads = 0;
   /// d >= 0, in the unit of the positions: contact means Euclidean distance <= d at some time.
   double min_separation = 0;
+  /// Of method `tamis`, and of keep_distance with `paper`; else all is baseline.
   Isa isa = Isa::best;
   PairFilter filter;
   PaperOptions paper;

@@ -7,7 +7,7 @@
 
 namespace tamis {
 
-/// What one pair does during the step.
+/// What one pair does during the step: as in Contact. What follows `touches` has no meaning if the pair is free.
 struct PairResult {
   bool touches = false;  ///< false: proven free
   Certainty certainty = Certainty::certified;
@@ -20,13 +20,13 @@ struct PairResult {
 
 struct PairOptions {
   Guarantee guarantee = Guarantee::conservative;
-  double min_separation = 0;  ///< finite, >= 0; see Options
+  double min_separation = 0;  ///< d >= 0, in the unit of the positions: contact means Euclidean distance <= d
 };
 
-/// A vertex against a face (its three corners), each moving on a straight line. Throws InvalidStep on NaN or infinity,
-/// InvalidOptions on a separation out of range.
+/// A vertex against a face: p, then its corners a b c, each moving on a straight line. May be called from several
+/// threads. Throws InvalidStep on NaN or infinity, InvalidOptions unless the separation is finite and >= 0.
 PairResult vertex_face(const std::array<Point, 4>& start, const std::array<Point, 4>& end, const PairOptions& = {});
-/// Edge (0,1) against edge (2,3).
+/// Edge (0,1) against edge (2,3); otherwise the same.
 PairResult edge_edge(const std::array<Point, 4>& start, const std::array<Point, 4>& end, const PairOptions& = {});
 
 }  // namespace tamis

@@ -9,7 +9,8 @@ namespace tamis {
 
 /// What high-level culling may know of a reduced-coordinate simulation. Steps need not name q: it is found from the
 /// positions, and what X + U q differs from them is bounded. Positions that are not of the model are legal; then
-/// nothing is culled.
+/// nothing is culled. Sizes that do not fit the mesh, and entries that are not finite, make the detector throw
+/// InvalidOptions.
 struct ReducedModel {
   std::vector<Point> rest;    ///< X: one row a vertex of the mesh
   Index modes = 0;            ///< columns of U, r >= 1; they may be dependent or zero

@@ -16,7 +16,7 @@ struct StageCount {
 };
 
 /// Wall-clock seconds of each part; with several threads `traverse`, `filter` and `solve` share one pass over the
-/// tree, and their parts are scaled from the sums over the threads.
+/// tree, and their parts are scaled from the sums over the threads. Method `brute` measures `total` alone.
 struct Seconds {
   double bounds = 0;
   double build = 0;
@@ -39,7 +39,8 @@ struct Statistics {
   Method method = Method::tamis;
   Isa isa = Isa::baseline;  ///< the one that ran, never `best`
   int threads = 1;
-  std::vector<StageCount> stages;  ///< in pipeline order, the first being the pairs of features whose boxes meet
+  /// In pipeline order, the first being the pairs of features whose boxes meet (`brute`: all pairs).
+  std::vector<StageCount> stages;
   PrecisionCount decided_by;
   Seconds seconds;
   std::uint64_t nodes_visited = 0;

@@ -1,6 +1,6 @@
 // Every rounding-error constant of the double-precision culling and solving, with its derivation in short;
-// docs/numerics.md has the long form. Unit: the roundoff u of the
-// number type, times the product of the sizes of the vectors involved.
+// docs/numerics.md has the long form. Unit: the roundoff u of the number type, times the product of the sizes of the
+// vectors involved.
 //
 // A pair is three moving vectors e, f, d with sizes E, F, D = the largest |component| at t=0 and t=1, scaled by a
 // power of two so that the largest size is below 1 (motion/pair_motion.hpp).
@@ -69,9 +69,9 @@ inline constexpr double kCoplanarityNow = 104;
 // with weights that add up to 1 rounds by less than 8 * 36 = 288 u.
 inline constexpr double kCoplanaritySlope = 1600;
 
-// From a value of K at time t to one at t + r within a part of the step, in the part's unit of time: K'' = 2 (d'.(e' x
-// f)
-// + d'.(e x f') + d.(e' x f')) is at most 2 * 3 * 6 * 2 * 2 = 144 DEF, so K changes by K' r and at most kBend r^2 DEF.
+// From a value of K at time t to one at t + r within a part of the step, in the part's unit of time:
+// K'' = 2 (d'.(e' x f) + d'.(e x f') + d.(e' x f')) is at most 2 * 3 * 6 * 2 * 2 = 144 DEF, so K changes by K' r and at
+// most kBend r^2 DEF.
 // K' at the place of t in the part, which is known to 3 u of the step: off by kCoplanaritySlope + 3 * 144.
 inline constexpr double kBend = 72;
 inline constexpr double kCoplanaritySlopeNow = 2100;
@@ -94,10 +94,9 @@ inline constexpr double kAxisProjection = 48;
 // separation (at most 3 (D + E + F), or nothing is proven), unit D + E + F. The axis has components up to 1, its turn
 // r. At the time in question: 6 from positions, sums and at_time, so 3 (6 + 1) + 5 = 26, and the subtraction 3.
 inline constexpr double kAxisNow = 32;
-// What is added after a time x with r x <= 1, unit x (1 + r): velocities of size 2 are off by 8, so on the axis 3 (8 +
-// 2)
-// + 10 = 40 and as much on its turn; sums 24; the axis' turn on the corner 26, on the separation 72 + 36, sums 41:
-// below 104 + 175 r.
+// What is added after a time x with r x <= 1, unit x (1 + r): velocities of size 2 are off by 8, so on the axis
+// 3 (8 + 2) + 10 = 40 and as much on its turn; sums 24; the axis' turn on the corner 26, on the separation 72 + 36,
+// sums 41: below 104 + 175 r.
 inline constexpr double kAxisLater = 192;
 
 // The gap between a point of each feature, both given by weights, at a time in [0,1], unit D + E + F, all components

@@ -11,7 +11,6 @@ using Vec = Eigen::Vector3d;
 using Points = Eigen::Matrix3Xd;
 
 inline Positions view(const Points& points) { return {points.data(), static_cast<Index>(points.cols())}; }
-inline Step step_between(const Points& start, const Points& end) { return {view(start), view(end)}; }
 
 inline Points as_points(const std::vector<Vec>& list) {
   Points points(3, static_cast<Eigen::Index>(list.size()));

@@ -61,6 +61,15 @@ void resume(const std::filesystem::path& folder, const std::string& name, Simula
   simulator.resume(*frame, points_from(body.substr(0, body.size() / 2)), points_from(body.substr(body.size() / 2)));
 }
 
+/// Refuses to write over frames that are not this run's.
+void begin(const std::filesystem::path& folder, const Simulator& simulator) {
+  const std::filesystem::path other = frame_path(folder, 1);
+  if (std::filesystem::exists(other))
+    throw Error(other.string() + " is there, but no " + state_path(folder).string() +
+                " to go on from: choose another folder, or remove its frames");
+  write_frame(folder, simulator);
+}
+
 }  // namespace
 
 std::filesystem::path frame_path(const std::filesystem::path& folder, int frame) {
@@ -74,7 +83,7 @@ void record(const SimulatedScene& scene, const Recording& recording, const Frame
   if (std::filesystem::exists(state_path(recording.folder)))
     resume(recording.folder, name, simulator);
   else
-    write_frame(recording.folder, simulator);
+    begin(recording.folder, simulator);
   while (simulator.frame() < recording.frames) {
     simulator.advance();
     write_frame(recording.folder, simulator);

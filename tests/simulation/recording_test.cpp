@@ -54,5 +54,13 @@ TEST(Recording, ADamagedStateIsRefused) {
   EXPECT_THROW(record_to(folder.path(), 2), Error);
 }
 
+// Bug: somebody's frames written over.
+TEST(Recording, FramesWithoutAStateAreNotWrittenOver) {
+  const test::TemporaryFolder folder;
+  record_to(folder.path(), 1);
+  std::filesystem::remove(folder.path() / "state.bin");
+  EXPECT_THROW(record_to(folder.path(), 1), Error);
+}
+
 }  // namespace
 }  // namespace tamis::simulation

@@ -3,17 +3,9 @@
 #include <cmath>
 #include <limits>
 
+#include "detect/pair_buffers.hpp"
+
 namespace tamis {
-namespace {
-
-std::uint64_t& of(StageCount& count, PairKind kind) { return kind == PairKind::vertex_face ? count.vf : count.ee; }
-
-/// In contact order: the search gives them so.
-PairVertices vertices_of(const PairBuffer& pairs, int i) {
-  return {pairs.corner[0][i], pairs.corner[1][i], pairs.corner[2][i], pairs.corner[3][i]};
-}
-
-}  // namespace
 
 float NearQuestion::reach() const {
   const double reach = earliest.load(std::memory_order_relaxed) / (1 - rule.fraction) * (1 + 0x1p-15);

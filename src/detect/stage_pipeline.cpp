@@ -2,21 +2,11 @@
 
 #include <algorithm>
 
-#include "detect/pair_rules.hpp"
+#include "detect/pair_buffers.hpp"
 #include "solve/decide.hpp"
 #include "solve/extended.hpp"
 
 namespace tamis {
-namespace {
-
-std::uint64_t& of(StageCount& count, PairKind kind) { return kind == PairKind::vertex_face ? count.vf : count.ee; }
-
-/// In contact order: the search gives them so.
-PairVertices vertices_of(const PairBuffer& pairs, int i) {
-  return {pairs.corner[0][i], pairs.corner[1][i], pairs.corner[2][i], pairs.corner[3][i]};
-}
-
-}  // namespace
 
 PipelineCounts& PipelineCounts::operator+=(const PipelineCounts& other) {
   const auto add = [](StageCount& to, const StageCount& from) {

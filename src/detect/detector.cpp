@@ -7,10 +7,11 @@
 #include <chrono>
 
 #include "detect/contact_order.hpp"
-#include "detect/engine.hpp"
-#include "detect/pair_rules.hpp"
-#include "detect/step_length.hpp"
 #include "detect/validate.hpp"
+#include "engines/brute/step_length.hpp"
+#include "engines/engine.hpp"
+#include "engines/pair_rules.hpp"
+#include "engines/tamis/step_length.hpp"
 #include "solve/decide.hpp"
 #include "solve/kept_distance.hpp"
 #include "solve/start_distance.hpp"

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "detect/pair_rules.hpp"
+#include "engines/pair_rules.hpp"
 #include "solve/kept_distance.hpp"
 #include "support/contact_sets.hpp"
 #include "support/test_names.hpp"

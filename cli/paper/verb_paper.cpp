@@ -1,0 +1,217 @@
+// tamis paper: the seed paper's evaluation, from the scenes to the report, in one command.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cli/paper/earlier.hpp"
+#include "cli/paper/run.hpp"
+#include "cli/paper/tables.hpp"
+#include "cli/progress.hpp"
+#include "cli/verb.hpp"
+#include "io/atomic_file.hpp"
+#include "io/frames.hpp"
+#include "io/text.hpp"
+#include "scenes/simulation/recording.hpp"
+#include "tamis/error.hpp"
+
+namespace tamis::cli {
+namespace {
+
+namespace files = std::filesystem;
+
+/// A row of the paper's Table 1, or the larger funnel.
+struct Row {
+  std::string_view name, scene;
+  Index full_triangles, quick_triangles;  ///< about; no quick size: left out
+};
+
+constexpr std::array kRows{Row{"airbag", "airbag", 18'000, 1'500}, Row{"cloth-ball", "cloth-ball", 92'000, 3'000},
+                           Row{"funnel", "funnel", 18'000, 2'000}, Row{"funnel-92k", "funnel", 92'000, 0},
+                           Row{"bunny", "bunny", 4'000, 1'200}};
+
+class Paper final : public Verb {
+ public:
+  const char* name() const override { return "paper"; }
+  const char* summary() const override { return "Repeats the paper's evaluation: tables, figures, report"; }
+  const char* examples() const override {
+    return "  tamis paper --quick --out laboratory\n"
+           "  tamis paper --out laboratory --frames ball=frames/ball --frames bunny=frames/bunny\n"
+           "  tamis paper --out laboratory --scenes none --frames ball=frames/ball\n\n"
+           "Simulated frames go to FOLDER/frames/SCENE and are used again by the next run. A folder of frames given\n"
+           "under the name of a scene takes its place.";
+  }
+  void declare(CLI::App& app) override {
+    app.add_option("--out", folder_, "the folder of the report; made if it is not there")
+        ->type_name("FOLDER")
+        ->required();
+    app.add_flag("--quick", quick_, "small variants of the scenes, for minutes instead of hours");
+    app.add_option("--frames", given_, "frames that are there already: a folder, under a name of its own; repeatable")
+        ->type_name("NAME=FOLDER");
+    app.add_option("--scenes", scenes_, "only these of airbag, cloth-ball, funnel, funnel-92k, bunny; or none")
+        ->type_name("NAME")
+        ->delimiter(',');
+    app.add_option("--length", length_, "frames simulated after the first; default: the whole scene")
+        ->type_name("N")
+        ->check(CLI::Range(1, 9999));
+    app.add_option(
+           "--steps", most_steps_,
+           "run at most so many steps of a scene at each length of step, evenly spread; repeatable; default: all")
+        ->type_name("NAME=N");
+    app.add_flag("--resume", resumes_, "take the rows that an interrupted run of the same command has finished");
+  }
+
+  int run() override {
+    require_known_scenes();
+    std::vector<PaperScene> given_scenes;  // before anything is simulated: a path may be wrong
+    for (const std::string& pair : given_) given_scenes.push_back(given(pair));
+    require_scenes_of_steps();
+    io::make_folder(folder_);
+    io::require_writable(files::path(folder_) / "report.md");
+    if (resumes_) earlier_.emplace(folder_);
+    std::vector<PaperScene> scenes;
+    for (const Row& row : kRows)
+      if (wants(row)) scenes.push_back(simulated(row));
+    scenes.insert(scenes.end(), given_scenes.begin(), given_scenes.end());
+    for (const PaperScene& scene : scenes)
+      for (const int factor : {1, 3}) measure(scene, factor);
+    write_paper_report(folder_, results_, size());
+    draw();
+    fmt::print("report          {}\n", (files::path(folder_) / "report.md").string());
+    for (const SceneResult& result : results_)
+      if (!result.sets_agree()) return kNo;
+    return kSuccess;
+  }
+
+ private:
+  void require_known_scenes() const {
+    for (const std::string& name : scenes_) {
+      bool is_known = name == "none";
+      for (const Row& row : kRows) is_known = is_known || row.name == name;
+      if (!is_known)
+        throw InvalidOptions(
+            fmt::format("no scene is called '{}': use airbag, cloth-ball, funnel, funnel-92k, bunny or none", name));
+    }
+  }
+
+  bool wants(const Row& row) const {
+    for (const std::string& pair : given_)
+      if (name_of(pair) == row.name) return false;
+    for (const std::string& name : scenes_)
+      if (name == row.name) return true;
+    return scenes_.empty() && (!quick_ || row.quick_triangles > 0);
+  }
+
+  PaperScene simulated(const Row& row) const {
+    const simulation::SimulatedScene& scene = simulation::simulated_scene(row.scene);
+    const int count = length_ > 0 ? length_ : scene.frames;
+    const files::path folder = files::path(folder_) / "frames" / row.name;
+    const Index triangles = quick_ && row.quick_triangles > 0 ? row.quick_triangles : row.full_triangles;
+    Progress progress(static_cast<std::size_t>(count), "frames");
+    simulation::record(scene, {folder, count, triangles, 1}, [&](const simulation::Simulator& simulator) {
+      progress.show(static_cast<std::size_t>(simulator.frame()));
+    });
+    PaperScene made{std::string(row.name), {}};
+    for (int i = 0; i <= count; ++i) made.frames.push_back(simulation::frame_path(folder, i));
+    return made;
+  }
+
+  static PaperScene given(const std::string& pair) {
+    const std::string name = name_of(pair);
+    if (name.empty()) throw InvalidOptions(fmt::format("--frames {} names no scene: write NAME=FOLDER", pair));
+    return {name, io::frame_files({value_of(pair)})};
+  }
+
+  /// 0: all.
+  std::size_t most_steps(const std::string& scene) const {
+    for (const std::string& pair : most_steps_)
+      if (name_of(pair) == scene) return io::to_integer<std::size_t>(value_of(pair)).value_or(0);
+    return 0;
+  }
+
+  std::vector<std::string> names_to_run() const {
+    std::vector<std::string> names;
+    for (const Row& row : kRows)
+      if (wants(row)) names.emplace_back(row.name);
+    for (const std::string& pair : given_) names.push_back(name_of(pair));
+    return names;
+  }
+
+  void require_scenes_of_steps() const {
+    const std::vector<std::string> names = names_to_run();
+    if (names.empty()) throw InvalidOptions("there is no scene to run: give --scenes or --frames");
+    for (const std::string& pair : most_steps_) {
+      const std::string name = name_of(pair);
+      if (name.empty() || io::to_integer<std::size_t>(value_of(pair)).value_or(0) == 0)
+        throw InvalidOptions(fmt::format("--steps {} is no number of steps of a scene: write NAME=N, N > 0", pair));
+      if (std::find(names.begin(), names.end(), name) == names.end())
+        throw InvalidOptions(
+            fmt::format("--steps {} names a scene that is not run: use one of {}", pair, fmt::join(names, ", ")));
+    }
+  }
+
+  /// Of NAME=VALUE; empty if there is none.
+  static std::string name_of(const std::string& pair) {
+    const std::size_t sign = pair.find('=');
+    return sign == std::string::npos ? "" : pair.substr(0, sign);
+  }
+  static std::string value_of(const std::string& pair) { return pair.substr(pair.find('=') + 1); }
+
+  /// The tables are written anew after every scene: an interrupted run leaves what it has.
+  void measure(const PaperScene& scene, int factor) {
+    const PaperSteps steps{factor, most_steps(scene.name)};
+    Progress progress(steps.begins(scene.frames.size()).size(), "steps");
+    std::size_t done = 0;
+    const SceneResult* earlier = earlier_ ? earlier_->find(scene.name, factor) : nullptr;
+    results_.push_back(earlier ? *earlier : run_paper_scene(scene, steps, [&] { progress.show(++done); }));
+    progress.clear();
+    const SceneResult& r = results_.back();
+    fmt::print("{:<12} {}x  paper {:>9.2f} ms a frame, default {:>9.2f}, {}\n", r.scene, factor,
+               r.milliseconds("paper"), r.milliseconds("tamis"), r.sets_agree() ? "sets agree" : "SETS DIFFER");
+    std::fflush(stdout);
+    write_paper_table(folder_, results_);
+    write_paper_stages(folder_, results_);
+  }
+
+  std::string size() const {
+    std::string text = quick_ ? "**Quick size**: small variants of the scenes, not the paper's triangle counts."
+                              : "Simulated scenes, where there are any, at full size: the paper's triangle counts.";
+    if (length_ > 0) text += fmt::format(" Only the first {} frames of each simulated scene.", length_);
+    for (const std::string& pair : most_steps_)
+      text += fmt::format(" `{}`: at most {} steps of each length, evenly spread.", name_of(pair), value_of(pair));
+    for (const std::string& pair : given_)
+      text += fmt::format(" `{}`: frames that were given, not simulated here.", name_of(pair));
+    return text;
+  }
+
+  void draw() const {
+#ifdef TAMIS_PLOT_PAPER
+    const std::string line = fmt::format("/usr/bin/python3 '{}' '{}'", TAMIS_PLOT_PAPER, folder_);
+    if (folder_.find('\'') == std::string::npos && std::system(line.c_str()) == 0) return;
+#endif
+    fmt::print(stderr, "note: no pictures: they need python3 with matplotlib and bench/plot_paper.py\n");
+  }
+
+  std::string folder_;
+  bool quick_ = false;
+  std::vector<std::string> given_, scenes_;
+  std::vector<std::string> most_steps_;
+  bool resumes_ = false;
+  std::optional<EarlierResults> earlier_;
+  int length_ = 0;
+  std::vector<SceneResult> results_;
+};
+
+}  // namespace
+
+std::unique_ptr<Verb> make_paper() { return std::make_unique<Paper>(); }
+
+}  // namespace tamis::cli

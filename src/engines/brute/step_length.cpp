@@ -1,0 +1,21 @@
+#include "engines/brute/step_length.hpp"
+
+#include "engines/pair_rules.hpp"
+#include "engines/step_limit.hpp"
+
+namespace tamis {
+
+SafeStep step_length_by_brute_force(const Mesh& mesh, const Options& options, const Step& step, double fraction,
+                                    Statistics& statistics) {
+  const DistanceRule rule{fraction, options.min_separation};
+  StageCount count{"near"};
+  StepLimit limit;
+  for_each_pair(mesh, options.filter, [&](PairKind kind, const PairVertices& v) {
+    ++(kind == PairKind::vertex_face ? count.vf : count.ee);
+    limit.add({keeps_distance_until(kind, points_of(step, v), rule, 1, statistics.decided_by), kind, v});
+  });
+  statistics.stages.push_back(count);
+  return limit.answer(step, rule);
+}
+
+}  // namespace tamis

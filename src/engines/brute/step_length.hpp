@@ -1,0 +1,15 @@
+// Step lengths that keep a fraction of every distance, from every pair.
+#pragma once
+#include "tamis/contact.hpp"
+#include "tamis/mesh.hpp"
+#include "tamis/options.hpp"
+#include "tamis/statistics.hpp"
+#include "tamis/step.hpp"
+
+namespace tamis {
+
+/// By looking at every pair: the tests' yardstick.
+SafeStep step_length_by_brute_force(const Mesh& mesh, const Options& options, const Step& step, double fraction,
+                                    Statistics& statistics);
+
+}  // namespace tamis

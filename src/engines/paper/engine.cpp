@@ -1,0 +1,191 @@
+// The published pipeline (Du, Tang, Tong 2012): a binary hierarchy of swept k-DOPs over triangles, refitted every step;
+// triangle pairs without a common vertex, orphan sets for the rest; representative triangles; filters; interval Newton.
+#include "engines/engine.hpp"
+
+#include <tbb/blocked_range.h>
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/parallel_for.h>
+#include <tbb/parallel_for_each.h>
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <tuple>
+
+#include "engines/paper/hierarchy.hpp"
+#include "engines/paper/patch_culling.hpp"
+#include "engines/paper/tester.hpp"
+#include "topology/orphan_sets.hpp"
+#include "topology/surface.hpp"
+
+namespace tamis {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+std::vector<FilterStage> stages_by_name(const std::vector<std::string>& names) {
+  std::vector<FilterStage> stages;
+  for (const std::string& name : names) stages.push_back(filter_stage_by_name(name));
+  return stages;
+}
+
+/// Without orphan sets the hierarchy's pairs of triangles with a common vertex matter, for which subspace certificates
+/// say nothing.
+HighLevelCulling high_level_of(const Options& options) {
+  const bool needs_orphan_sets = options.paper.high_level == HighLevelCulling::subspace;
+  const bool may_cull = options.min_separation == 0 && (options.paper.orphan_sets || !needs_orphan_sets);
+  return may_cull ? options.paper.high_level : HighLevelCulling::none;
+}
+
+class PaperEngine final : public Engine {
+ public:
+  PaperEngine(const Mesh& mesh, const Options& options)
+      : surface_(mesh),
+        scene_{options, surface_.mesh(), surface_.face_count(), {}, stages_by_name(options.paper.filters), {}, {}, {}},
+        hierarchy_(make_paper_hierarchy(options.paper.bounding_volume)),
+        patches_(scene_.mesh, high_level_of(options), options.paper.reduced_model.get()),
+        testers_([this] { return PaperTester(scene_); }) {}
+
+  void find(const Step& step, Question question, std::vector<Contact>& contacts, Statistics& statistics) override {
+    scene_.step = &step;
+    update_bounds(statistics);
+    const auto start = Clock::now();
+    for (PaperTester& tester : testers_) tester.clear();
+    std::visit([&](const auto& hierarchy) { visit_all(hierarchy.traversal(patches_.free_within()), question); },
+               hierarchy_);
+    collect(contacts, statistics, seconds_since(start));
+  }
+
+  std::uint64_t memory_bytes() const override {
+    std::uint64_t bytes = patches_.memory_bytes() + scene_.points.memory_bytes() + scene_.boxes.memory_bytes() +
+                          scene_.triangles.capacity() * sizeof(TriangleFeatures) +
+                          std::visit([](const auto& h) { return h.memory_bytes(); }, hierarchy_);
+    for (const auto* pairs : {&orphans_.vf, &orphans_.ee}) bytes += pairs->capacity() * sizeof((*pairs)[0]);
+    for (const PaperTester& tester : testers_) bytes += tester.memory_bytes();
+    return bytes;
+  }
+
+ private:
+  void update_bounds(Statistics& statistics) {
+    auto start = Clock::now();
+    if (scene_.triangles.empty()) collect_topology();
+    scene_.points.update(scene_.mesh, *scene_.step);
+    // Each of two features takes half of the separation; the factor covers its own rounding. Scaled first: half of the
+    // smallest double is zero.
+    const double padding = 0.5 * (scene_.options.min_separation * scene_.points.scale()) * (1 + 0x1p-50);
+    scene_.boxes.update(scene_.mesh, scene_.points, padding);
+    statistics.seconds.bounds = seconds_since(start);
+    start = Clock::now();
+    statistics.rebuilt = std::visit(
+        [&](auto& hierarchy) {
+          return hierarchy.update(scene_.mesh.faces(), scene_.points, padding, patches_.order());
+        },
+        hierarchy_);
+    std::visit([&](auto& hierarchy) { patches_.update(hierarchy.tree(), scene_.points, *scene_.step); }, hierarchy_);
+    statistics.triangles_in_free_patches = patches_.triangles_in_free_patches();
+    statistics.seconds.build = seconds_since(start);
+  }
+
+  void collect_topology() {
+    scene_.triangles = choose_representatives(scene_.mesh);
+    if (!scene_.options.paper.orphan_sets) return;
+    OrphanSets sets = collect_orphan_sets(scene_.mesh, scene_.face_count);
+    orphans_ = std::move(sets.orphans);
+    if (!scene_.options.paper.representative_triangles) return;
+    orphans_.vf.insert(orphans_.vf.end(), sets.displaced.vf.begin(), sets.displaced.vf.end());
+    orphans_.ee.insert(orphans_.ee.end(), sets.displaced.ee.begin(), sets.displaced.ee.end());
+  }
+
+  /// The hierarchy's pairs of triangles in parts, the orphans in chunks; a part ends with its blocks tested.
+  template <class Traversal>
+  void visit_all(const Traversal& traversal, Question question) {
+    std::atomic<bool> found = false;
+    const auto run = [&](const auto& work) {
+      if (question == Question::is_free && found.load(std::memory_order_relaxed)) return;
+      PaperTester& tester = testers_.local();
+      work(tester);
+      if (question == Question::is_free || question == Question::earliest) tester.flush();
+      if (!tester.contacts.empty()) found.store(true, std::memory_order_relaxed);
+    };
+    const auto parts = traversal.parts(kParts);
+    tbb::parallel_for_each(parts.begin(), parts.end(), [&](const SubtreePair& part) {
+      run([&](PaperTester& tester) {
+        traversal.visit(
+            part, [&](Index a, Index b) { tester.add_triangles(a, b); }, tester.counts.bounds_tested);
+      });
+    });
+    const auto in_chunks = [&](const auto& pairs, auto add) {
+      tbb::parallel_for(tbb::blocked_range<std::size_t>(0, pairs.size(), kChunk), [&](const auto& range) {
+        run([&](PaperTester& tester) {
+          for (std::size_t i = range.begin(); i < range.end(); ++i) add(tester, pairs[i]);
+        });
+      });
+    };
+    in_chunks(orphans_.vf, [](PaperTester& tester, const auto& pair) { tester.add_vertex_face(pair[0], pair[1]); });
+    in_chunks(orphans_.ee, [](PaperTester& tester, const auto& pair) { tester.add_edges(pair[0], pair[1]); });
+    tbb::parallel_for_each(testers_.begin(), testers_.end(), [](PaperTester& tester) { tester.flush(); });
+  }
+
+  void collect(std::vector<Contact>& contacts, Statistics& statistics, double seconds) {
+    PaperCounts sum(scene_.stages);
+    for (const PaperTester& tester : testers_) {
+      sum.add(tester.counts);
+      contacts.insert(contacts.end(), tester.contacts.begin(), tester.contacts.end());
+    }
+    if (!scene_.options.paper.representative_triangles) drop_duplicates(contacts);
+    statistics.stages.push_back(sum.boxes);
+    statistics.stages.insert(statistics.stages.end(), sum.filters.begin(), sum.filters.end());
+    statistics.stages.push_back(sum.newton);
+    statistics.stages.push_back(sum.decide);
+    statistics.decided_by = sum.decided_by;
+    statistics.nodes_visited = sum.bounds_tested;
+    statistics.triangle_pairs = sum.triangle_pairs;
+    share_out(sum, seconds, statistics);
+  }
+
+  /// The one pass is shared out as the threads' own sums are.
+  static void share_out(const PaperCounts& sum, double seconds, Statistics& statistics) {
+    const double threads = std::max(1.0, double(statistics.threads));
+    statistics.seconds.filter = sum.filter_seconds / threads;
+    statistics.seconds.solve = sum.solve_seconds / threads;
+    statistics.seconds.traverse = std::max(0.0, seconds - statistics.seconds.filter - statistics.seconds.solve);
+  }
+
+  /// Without representatives a pair is met several times: one contact a pair of features stays.
+  void drop_duplicates(std::vector<Contact>& contacts) const {
+    using Key = std::tuple<PairKind, std::array<Index, 2>>;
+    std::vector<std::pair<Key, Contact>> keyed;
+    std::size_t i = 0;
+    for (const PaperTester& tester : testers_)
+      for (const auto& features : tester.features) {
+        keyed.push_back({{contacts[i].kind, features}, contacts[i]});
+        ++i;
+      }
+    const auto key = [](const auto& entry) { return entry.first; };
+    std::ranges::sort(keyed, {}, key);
+    const auto same = [&](const auto& a, const auto& b) { return key(a) == key(b); };
+    keyed.erase(std::unique(keyed.begin(), keyed.end(), same), keyed.end());
+    contacts.clear();
+    for (const auto& entry : keyed) contacts.push_back(entry.second);
+  }
+
+  static constexpr std::size_t kParts = 1024;  ///< enough for any number of threads to share evenly
+  static constexpr std::size_t kChunk = 4096;
+
+  Surface surface_;
+  PaperScene scene_;
+  FeaturePairs orphans_;
+  AnyPaperHierarchy hierarchy_;
+  PatchCulling patches_;
+  tbb::enumerable_thread_specific<PaperTester> testers_;
+};
+
+}  // namespace
+
+std::unique_ptr<Engine> make_paper_engine(const Mesh& mesh, const Options& options) {
+  return std::make_unique<PaperEngine>(mesh, options);
+}
+
+}  // namespace tamis

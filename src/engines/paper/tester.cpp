@@ -1,0 +1,164 @@
+#include "engines/paper/tester.hpp"
+
+#include <chrono>
+#include <numeric>
+
+#include "solve/decide.hpp"
+#include "solve/interval_newton.hpp"
+
+namespace tamis {
+namespace {
+
+std::size_t at(Index i) { return static_cast<std::size_t>(i); }
+
+constexpr bool is_vf(PairKind kind) { return kind == PairKind::vertex_face; }
+
+template <PairKind kind>
+void add_to(StageCount& count, std::size_t pairs) {
+  (is_vf(kind) ? count.vf : count.ee) += pairs;
+}
+
+void add(StageCount& sum, const StageCount& part) {
+  sum.vf += part.vf;
+  sum.ee += part.ee;
+}
+
+double now() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
+
+PairResult certified_contact(const ElementaryTest<double>& test) {
+  const double length = std::sqrt(dot(test.normal, test.normal));
+  const Vec3<double> n = (1 / length) * test.normal;
+  return {true, Certainty::certified, test.lower, test.upper, test.u, test.v, {n.x, n.y, n.z}};
+}
+
+}  // namespace
+
+PaperCounts::PaperCounts(std::span<const FilterStage> stages) {
+  for (const FilterStage& stage : stages) filters.push_back({stage.name});
+}
+
+void PaperCounts::add(const PaperCounts& other) {
+  tamis::add(boxes, other.boxes);
+  tamis::add(newton, other.newton);
+  tamis::add(decide, other.decide);
+  for (std::size_t i = 0; i < filters.size(); ++i) tamis::add(filters[i], other.filters[i]);
+  decided_by.scalar += other.decided_by.scalar;
+  decided_by.extended += other.decided_by.extended;
+  decided_by.exact += other.decided_by.exact;
+  decided_by.unresolved += other.decided_by.unresolved;
+  filter_seconds += other.filter_seconds;
+  solve_seconds += other.solve_seconds;
+  bounds_tested += other.bounds_tested;
+  triangle_pairs += other.triangle_pairs;
+}
+
+PaperTester::PaperTester(const PaperScene& scene) : counts(scene.stages), scene_(scene) {}
+
+void PaperTester::add_triangles(Index a, Index b) {
+  const TriangleFeatures &s = scene_.triangles[at(a)], &t = scene_.triangles[at(b)];
+  if (scene_.options.paper.orphan_sets && share_a_vertex(s.vertices, t.vertices)) return;
+  ++counts.triangle_pairs;
+  const bool own = scene_.options.paper.representative_triangles;
+  const unsigned s_vertices = own ? s.own_vertices : s.all_vertices, s_edges = own ? s.own_edges : s.all_edges;
+  const unsigned t_vertices = own ? t.own_vertices : t.all_vertices, t_edges = own ? t.own_edges : t.all_edges;
+  for (unsigned i = 0; i < 3; ++i) {
+    if ((s_vertices >> i & 1) && b < scene_.face_count) add_vertex_face(s.vertices[i], b);
+    if ((t_vertices >> i & 1) && a < scene_.face_count) add_vertex_face(t.vertices[i], a);
+    if (!(s_edges >> i & 1)) continue;
+    for (unsigned j = 0; j < 3; ++j)
+      if (t_edges >> j & 1) add_edges(s.edges[i], t.edges[j]);
+  }
+}
+
+void PaperTester::add_vertex_face(Index vertex, Index face) {
+  if (!overlap(scene_.boxes.vertices[at(vertex)], scene_.boxes.faces[at(face)])) return;
+  const Face& f = scene_.triangles[at(face)].vertices;
+  add(vf_, {vertex, face}, {vertex, f[0], f[1], f[2]});
+}
+
+void PaperTester::add_edges(Index edge0, Index edge1) {
+  if (!overlap(scene_.boxes.edges[at(edge0)], scene_.boxes.edges[at(edge1)])) return;
+  if (edge1 < edge0) std::swap(edge0, edge1);  // edges are sorted: the smaller index is the smaller edge
+  const Edge &a = scene_.mesh.edges()[at(edge0)], &b = scene_.mesh.edges()[at(edge1)];
+  add(ee_, {edge0, edge1}, {a[0], a[1], b[0], b[1]});
+}
+
+void PaperTester::flush() {
+  test(vf_);
+  test(ee_);
+}
+
+void PaperTester::clear() {
+  contacts.clear();
+  features.clear();
+  counts = PaperCounts(scene_.stages);
+}
+
+std::uint64_t PaperTester::memory_bytes() const {
+  return sizeof(*this) + contacts.capacity() * sizeof(Contact) + features.capacity() * sizeof(features[0]);
+}
+
+template <PairKind kind>
+void PaperTester::add(Block<kind>& block, const std::array<Index, 2>& pair, const PairVertices& v) {
+  const Options& options = scene_.options;
+  if (!options.paper.orphan_sets && are_adjacent(kind, v)) return;
+  if (!options.filter.empty() && !lets_pass(options.filter, kind, v)) return;
+  const MovingPoints& p = scene_.points;
+  block.features[block.size] = pair;
+  block.vertices[block.size] = v;
+  block.motions[block.size] = relative_motion<kind>(p[v[0]], p[v[1]], p[v[2]], p[v[3]]);
+  if (++block.size == kBlock) test(block);
+}
+
+template <PairKind kind>
+void PaperTester::test(Block<kind>& block) {
+  if (block.size == 0) return;
+  std::array<std::uint16_t, kBlock> pairs;
+  std::iota(pairs.begin(), pairs.end(), std::uint16_t{0});
+  std::span alive = std::span(pairs).first(block.size);
+  add_to<kind>(counts.boxes, alive.size());
+  const double start = now();
+  // A filter's strict signs say that features do not touch, not that they keep a distance.
+  if (scene_.options.min_separation == 0) alive = alive.first(run_filters(block, alive));
+  const double filtered = now();
+  for (const std::uint16_t pair : alive) solve(block, pair);
+  counts.filter_seconds += filtered - start;
+  counts.solve_seconds += now() - filtered;
+  block.size = 0;
+}
+
+template <PairKind kind>
+std::size_t PaperTester::run_filters(const Block<kind>& block, std::span<std::uint16_t> alive) {
+  for (std::size_t i = 0; i < scene_.stages.size(); ++i) {
+    add_to<kind>(counts.filters[i], alive.size());
+    const auto cull = is_vf(kind) ? scene_.stages[i].vf : scene_.stages[i].ee;
+    alive = alive.first(cull(block.motions.data(), alive));
+  }
+  return alive.size();
+}
+
+template <PairKind kind>
+void PaperTester::solve(const Block<kind>& block, std::size_t pair) {
+  const PairResult r = result_of(block, pair);
+  if (!r.touches) return;
+  contacts.push_back({kind, r.certainty, block.vertices[pair], r.toi_lower, r.toi_upper, r.u, r.v, r.normal});
+  features.push_back(block.features[pair]);
+}
+
+template <PairKind kind>
+PairResult PaperTester::result_of(const Block<kind>& block, std::size_t pair) {
+  const Options& options = scene_.options;
+  if (options.min_separation == 0) {
+    add_to<kind>(counts.newton, 1);
+    const auto test = interval_newton_test<kind>(block.motions[pair]);
+    if (test.verdict != Verdict::unsure) {
+      ++counts.decided_by.scalar;
+      return test.verdict == Verdict::touches ? certified_contact(test) : PairResult{};
+    }
+  }
+  add_to<kind>(counts.decide, 1);
+  return decide(kind, points_of(*scene_.step, block.vertices[pair]), {options.guarantee, options.min_separation},
+                counts.decided_by);
+}
+
+}  // namespace tamis

@@ -1,0 +1,108 @@
+#include "engines/tamis/near_pipeline.hpp"
+
+#include <cmath>
+#include <limits>
+
+#include "engines/tamis/pair_buffers.hpp"
+
+namespace tamis {
+
+float NearQuestion::reach() const {
+  const double reach = earliest.load(std::memory_order_relaxed) / (1 - rule.fraction) * (1 + 0x1p-15);
+  return std::nextafter(static_cast<float>(reach), std::numeric_limits<float>::infinity());
+}
+
+NearCounts& NearCounts::operator+=(const NearCounts& other) {
+  boxes.vf += other.boxes.vf;
+  boxes.ee += other.boxes.ee;
+  near.vf += other.near.vf;
+  near.ee += other.near.ee;
+  decided_by.scalar += other.decided_by.scalar;
+  decided_by.exact += other.decided_by.exact;
+  nodes_visited += other.nodes_visited;
+  traverse += other.traverse;
+  filter += other.filter;
+  solving += other.solving;
+  return *this;
+}
+
+struct NearPipeline::Buffers {
+  PairBuffer boxes, near;
+  PairKind kind = PairKind::vertex_face;
+};
+
+NearPipeline::NearPipeline(const Kernels& kernels, const PackedMotion& motion, const Options& options,
+                           NearQuestion& question)
+    : kernels_(kernels),
+      motion_(motion),
+      options_(options),
+      question_(question),
+      buffers_(std::make_unique<Buffers>()) {}
+
+NearPipeline::~NearPipeline() = default;
+NearPipeline::NearPipeline(NearPipeline&&) noexcept = default;
+
+double NearPipeline::lap() {
+  const auto now = std::chrono::steady_clock::now();
+  const double seconds = std::chrono::duration<double>(now - lap_start_).count();
+  lap_start_ = now;
+  return seconds;
+}
+
+void NearPipeline::begin() {
+  limit_ = {};
+  counts_ = {};
+}
+
+std::uint64_t NearPipeline::memory_bytes() const { return sizeof(Buffers); }
+
+void NearPipeline::search(PairKind kind, const TreeView& a, const TreeView& b, int first, int last, int stride) {
+  lap();
+  buffers_->kind = kind;
+  Search search{a, b};
+  search.t_limit = question_.reach();
+  search.pairs = &buffers_->boxes;
+  search.flush = flush;
+  search.context = this;
+  for (int block = first; block < last; block += stride)
+    (kind == PairKind::vertex_face ? kernels_.search_near_vf : kernels_.search_near_ee)(search, block);
+  counts_.nodes_visited += search.nodes_visited;
+  counts_.traverse += lap();
+  decide_buffered();
+}
+
+void NearPipeline::flush(Search& search) {
+  auto& self = *static_cast<NearPipeline*>(search.context);
+  self.counts_.traverse += self.lap();
+  self.decide_buffered();
+  search.t_limit = self.question_.reach();
+}
+
+void NearPipeline::decide_buffered() {
+  PairBuffer &boxes = buffers_->boxes, &near = buffers_->near;
+  const PairKind kind = buffers_->kind;
+  near.count = 0;
+  (kind == PairKind::vertex_face ? kernels_.near_vf : kernels_.near_ee)(
+      motion_.vertices.data(), options_.min_separation, question_.reach(), boxes, near);
+  of(counts_.boxes, kind) += static_cast<std::uint64_t>(boxes.count);
+  of(counts_.near, kind) += static_cast<std::uint64_t>(near.count);
+  boxes.count = 0;
+  counts_.filter += lap();
+  for (int i = 0; i < near.count; ++i) decide(vertices_of(near, i));
+  counts_.solving += lap();
+}
+
+void NearPipeline::decide(const PairVertices& vertices) {
+  const PairKind kind = buffers_->kind;
+  if (!lets_pass(options_.filter, kind, vertices)) return;
+  double earliest = question_.earliest.load(std::memory_order_relaxed);
+  const double until = std::nextafter(earliest, 2.0);  // a tie is of interest too
+  const double time =
+      keeps_distance_until(kind, points_of(question_.step, vertices), question_.rule, until, counts_.decided_by);
+  if (time > earliest) return;
+  limit_.add({time, kind, vertices});
+  while (time < earliest && !question_.earliest.compare_exchange_weak(earliest, time, std::memory_order_relaxed)) {
+  }
+}
+
+}  // namespace tamis

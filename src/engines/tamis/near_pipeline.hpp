@@ -1,0 +1,70 @@
+// One thread's way from pairs of blocks to the pair that ends the step first: search, gap on constant axes, and one by
+// one what those leave.
+#pragma once
+#include <atomic>
+#include <chrono>
+#include <memory>
+
+#include "engines/step_limit.hpp"
+#include "kernels/kernels.hpp"
+#include "tamis/statistics.hpp"
+
+namespace tamis {
+
+/// What all threads share.
+struct NearQuestion {
+  Step step;
+  DistanceRule rule{};
+  std::atomic<double> earliest{1};  ///< the first time found so far at which a pair ends the step
+
+  /// For search_near: nothing beyond it can end the step by then. 2^-15 covers its own rounding, that of the searches
+  /// in floats, and what the times of single pairs lose to it (2^-18, keeps_distance_until): so a pair is never left
+  /// out that might have had the same time as the first, and the order of the search changes nothing.
+  float reach() const;
+};
+
+struct NearCounts {
+  StageCount boxes{"boxes"}, near{"near"};
+  PrecisionCount decided_by;
+  std::uint64_t nodes_visited = 0;
+  double traverse = 0, filter = 0, solving = 0;  ///< seconds
+
+  NearCounts& operator+=(const NearCounts& other);
+};
+
+class NearPipeline {
+ public:
+  /// Keeps references.
+  NearPipeline(const Kernels& kernels, const PackedMotion& motion, const Options& options, NearQuestion& question);
+  ~NearPipeline();
+  NearPipeline(NearPipeline&&) noexcept;
+
+  /// Forgets the last step; the memory stays.
+  void begin();
+  /// Leaf blocks first, first + stride, ... below last of `a` against all of `b`.
+  void search(PairKind kind, const TreeView& a, const TreeView& b, int first, int last, int stride);
+  std::uint64_t memory_bytes() const;
+
+  const StepLimit& limit() const { return limit_; }
+  const NearCounts& counts() const { return counts_; }
+
+ private:
+  struct Buffers;
+
+  static void flush(Search& search);
+  void decide_buffered();
+  void decide(const PairVertices& vertices);
+  /// Seconds since the last call.
+  double lap();
+
+  const Kernels& kernels_;
+  const PackedMotion& motion_;
+  const Options& options_;
+  NearQuestion& question_;
+  std::unique_ptr<Buffers> buffers_;
+  StepLimit limit_;
+  NearCounts counts_;
+  std::chrono::steady_clock::time_point lap_start_;
+};
+
+}  // namespace tamis

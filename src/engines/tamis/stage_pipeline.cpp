@@ -1,0 +1,189 @@
+#include "engines/tamis/stage_pipeline.hpp"
+
+#include <algorithm>
+
+#include "engines/tamis/pair_buffers.hpp"
+#include "solve/decide.hpp"
+#include "solve/extended.hpp"
+
+namespace tamis {
+
+PipelineCounts& PipelineCounts::operator+=(const PipelineCounts& other) {
+  const auto add = [](StageCount& to, const StageCount& from) {
+    to.vf += from.vf;
+    to.ee += from.ee;
+  };
+  add(boxes, other.boxes);
+  add(slab, other.slab);
+  add(dnf, other.dnf);
+  add(ncf, other.ncf);
+  add(solve, other.solve);
+  decided_by.lanes += other.decided_by.lanes;
+  decided_by.scalar += other.decided_by.scalar;
+  decided_by.extended += other.decided_by.extended;
+  decided_by.exact += other.decided_by.exact;
+  decided_by.unresolved += other.decided_by.unresolved;
+  nodes_visited += other.nodes_visited;
+  traverse += other.traverse;
+  filter += other.filter;
+  solving += other.solving;
+  return *this;
+}
+
+void PipelineCounts::report(Statistics& statistics, double wall, bool has_filters) const {
+  statistics.stages = {boxes, slab, dnf, ncf, solve};
+  if (!has_filters) statistics.stages = {boxes, slab, solve};
+  statistics.decided_by = decided_by;
+  statistics.nodes_visited = nodes_visited;
+  const double sum = traverse + filter + solving, share = sum > 0 ? wall / sum : 0;
+  statistics.seconds.traverse = share * traverse;
+  statistics.seconds.filter = share * filter;
+  statistics.seconds.solve = share * solving;
+}
+
+struct StagePipeline::Buffers {
+  PairBuffer boxes, slab, filtered;
+  SolvedPair solved[PairBuffer::kCapacity];
+  PairKind kind = PairKind::vertex_face;
+};
+
+StagePipeline::StagePipeline(const Kernels& kernels, const PackedMotion& motion, const Options& options)
+    : kernels_(kernels), motion_(motion), options_(options), buffers_(std::make_unique<Buffers>()) {}
+
+StagePipeline::~StagePipeline() = default;
+StagePipeline::StagePipeline(StagePipeline&&) noexcept = default;
+
+double StagePipeline::lap() {
+  const auto now = std::chrono::steady_clock::now();
+  const double seconds = std::chrono::duration<double>(now - lap_start_).count();
+  lap_start_ = now;
+  return seconds;
+}
+
+void StagePipeline::begin(const Step& step) {
+  step_ = step;
+  counts_ = {};
+  contacts_.clear();
+  touching_by_ = 1;
+}
+
+void StagePipeline::add(const Contact& contact) {
+  contacts_.push_back(contact);
+  if (contact.certainty == Certainty::certified) touching_by_ = std::min(touching_by_, contact.toi_upper);
+}
+
+std::uint64_t StagePipeline::memory_bytes() const { return sizeof(Buffers) + contacts_.capacity() * sizeof(Contact); }
+
+void StagePipeline::search(PairKind kind, const TreeView& a, const TreeView& b, const BlockRange& blocks, float t_limit,
+                           bool is_short) {
+  lap();
+  if (kind != buffers_->kind) decide_buffered(buffers_->kind);
+  buffers_->kind = kind;
+  Search search{a, b};
+  search.t_limit = t_limit;
+  search.is_short = is_short;
+  search.pairs = &buffers_->boxes;
+  search.flush = flush;
+  search.context = this;
+  for (int block = blocks.first; block < blocks.last; block += blocks.stride)
+    (kind == PairKind::vertex_face ? kernels_.search_vf : kernels_.search_ee)(search, block);
+  counts_.nodes_visited += search.nodes_visited;
+  counts_.traverse += lap();
+}
+
+void StagePipeline::finish() {
+  lap();
+  decide_buffered(buffers_->kind);
+}
+
+void StagePipeline::flush(Search& search) {
+  auto& self = *static_cast<StagePipeline*>(search.context);
+  self.counts_.traverse += self.lap();
+  self.decide_buffered(self.buffers_->kind);
+}
+
+void StagePipeline::decide_buffered(PairKind kind) {
+  auto& [boxes, slab, filtered, solved, current] = *buffers_;
+  leave_out_filtered(kind);
+  const bool is_vf = kind == PairKind::vertex_face;
+  const PackedVertex* vertices = motion_.vertices.data();
+  of(counts_.boxes, kind) += static_cast<std::uint64_t>(boxes.count);
+  of(counts_.slab, kind) += static_cast<std::uint64_t>(boxes.count);
+  slab.count = filtered.count = 0;
+  (is_vf ? kernels_.slab_vf : kernels_.slab_ee)(vertices, options_.min_separation, boxes, slab);
+  if (options_.min_separation > 0) return decide_within_separation(kind);
+  of(counts_.dnf, kind) += static_cast<std::uint64_t>(slab.count);
+  of(counts_.ncf, kind) +=
+      static_cast<std::uint64_t>((is_vf ? kernels_.filter_vf : kernels_.filter_ee)(vertices, slab, filtered));
+  of(counts_.solve, kind) += static_cast<std::uint64_t>(filtered.count);
+  boxes.count = 0;
+  counts_.filter += lap();
+  solve(kind);
+  counts_.solving += lap();
+}
+
+void StagePipeline::decide_within_separation(PairKind kind) {
+  PairBuffer& pairs = buffers_->slab;
+  of(counts_.solve, kind) += static_cast<std::uint64_t>(pairs.count);
+  buffers_->boxes.count = 0;
+  counts_.filter += lap();
+  for (int i = 0; i < pairs.count; ++i) solve_singly(kind, pairs, i);
+  counts_.solving += lap();
+}
+
+void StagePipeline::leave_out_filtered(PairKind kind) {
+  if (options_.filter.empty()) return;
+  PairBuffer& pairs = buffers_->boxes;
+  int kept = 0;
+  for (int i = 0; i < pairs.count; ++i) {
+    if (!lets_pass(options_.filter, kind, vertices_of(pairs, i))) continue;
+    for (auto& corner : pairs.corner) corner[kept] = corner[i];
+    pairs.t_in[kept] = pairs.t_in[i];
+    pairs.t_out[kept] = pairs.t_out[i];
+    ++kept;
+  }
+  pairs.count = kept;
+}
+
+void StagePipeline::solve(PairKind kind) {
+  const PairBuffer& pairs = buffers_->filtered;
+  const int count = (kind == PairKind::vertex_face ? kernels_.solve_vf : kernels_.solve_ee)(
+      motion_.vertices.data(), pairs, buffers_->slab, buffers_->solved);
+  int undecided = 0;
+  for (int i = 0; i < count; ++i) {
+    const SolvedPair& s = buffers_->solved[i];
+    if (!s.is_decided) {
+      solve_singly(kind, pairs, s.pair);
+      ++undecided;
+      continue;
+    }
+    const PairVertices vertices = vertices_of(pairs, s.pair);
+    TimeInterval<double> bracket{s.toi_lower, s.toi_upper};
+    if (bracket.t_out - bracket.t_in > kWideBracket) bracket = sharpened(kind, points_of(step_, vertices), bracket);
+    add({kind,
+         Certainty::certified,
+         vertices,
+         bracket.t_in,
+         bracket.t_out,
+         s.u,
+         s.v,
+         {s.normal[0], s.normal[1], s.normal[2]}});
+  }
+  counts_.decided_by.lanes += static_cast<std::uint64_t>(pairs.count - undecided);
+}
+
+void StagePipeline::move_contacts_to(std::vector<Contact>& to) {
+  if (to.empty())
+    to.swap(contacts_);
+  else
+    to.insert(to.end(), contacts_.begin(), contacts_.end());
+}
+
+void StagePipeline::solve_singly(PairKind kind, const PairBuffer& pairs, int pair) {
+  const PairVertices vertices = vertices_of(pairs, pair);
+  const auto r =
+      decide(kind, points_of(step_, vertices), {options_.guarantee, options_.min_separation}, counts_.decided_by);
+  if (r.touches) add({kind, r.certainty, vertices, r.toi_lower, r.toi_upper, r.u, r.v, r.normal});
+}
+
+}  // namespace tamis

@@ -1,0 +1,42 @@
+// How far may the step go so that every pair keeps a fraction of its distance? A pair can end the step before t only
+// if (1 - fraction) (distance at t=0 - min_separation) < t * relative speed; so the search is for pairs of boxes at t=0
+// that lie within reach of each other, and each pair that ends the step earlier shortens the reach of all the rest.
+#pragma once
+#include <tbb/enumerable_thread_specific.h>
+
+#include <atomic>
+
+#include "bvh/block_tree.hpp"
+#include "engines/tamis/near_pipeline.hpp"
+#include "engines/tamis/samples.hpp"
+
+namespace tamis {
+
+/// Keeps its hierarchy, over boxes at t=0 and displacements, from step to step. Serves every method but `brute`.
+class StepLengthSearch {
+ public:
+  /// Keeps references: mesh and options must outlive it.
+  StepLengthSearch(const Mesh& mesh, const Options& options);
+
+  /// Adds stages, seconds (but `total`), counts and `rebuilt` to `statistics`. Neither threads nor instruction set nor
+  /// earlier questions change a bit of the answer (docs/numerics.md, "Step lengths"). REQUIRES: a validated step,
+  /// 0 < fraction < 1. Runs in the caller's oneTBB arena.
+  SafeStep find(const Step& step, double fraction, Statistics& statistics);
+  std::uint64_t memory_bytes() const;
+
+ private:
+  void update_trees(Statistics& statistics);
+  void search_sample(PairKind kind, const TreeView& a, const TreeView& b, const Sample& sample);
+  StepLimit collect(Statistics& statistics, double seconds);
+
+  const Mesh& mesh_;
+  const Options& options_;
+  const Kernels& kernels_;
+  PackedMotion motion_;
+  BlockTree points_, edges_, faces_;
+  double built_area_ = 0;
+  NearQuestion question_;
+  tbb::enumerable_thread_specific<NearPipeline> pipelines_;
+};
+
+}  // namespace tamis

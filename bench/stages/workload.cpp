@@ -34,9 +34,9 @@ Workload::Workload(std::string name, Mesh mesh, std::vector<Point> start, std::v
       end_(std::move(end)),
       kernels_(tamis::kernels(Isa::best)) {
   motion_.assign(step(), mesh_.points(), kSeparation);
-  points_.set_features(1, mesh_.points());
-  edges_.set_features(2, std::span(mesh_.edges().data()->data(), 2 * mesh_.edges().size()));
-  faces_.set_features(3, std::span(mesh_.faces().data()->data(), 3 * mesh_.faces().size()));
+  points_.set_features(mesh_.points());
+  edges_.set_features(mesh_.edges());
+  faces_.set_features(mesh_.faces());
   for (BlockTree* tree : trees()) tree->build(motion_, kernels_.split);
   vf_ = inputs_of(PairKind::vertex_face);
   ee_ = inputs_of(PairKind::edge_edge);

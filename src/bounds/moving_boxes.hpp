@@ -65,7 +65,9 @@ struct MovingBox {
   }
 };
 
-/// The vertices of sixteen features, [corner][lane]; -1 in an empty lane and past the last corner.
+/// The vertices of sixteen features, [corner][lane]. All are vertices there are: an empty lane repeats the block's
+/// first feature (its box is empty, so that it meets nothing), corners past the last repeat that one. Lanes are
+/// gathered and written past the end as a whole, and whoever reads them may read what they name.
 struct alignas(64) CornerBlock {
   std::int32_t vertex[3][kBlock];
 };

@@ -19,9 +19,9 @@ void parallel_blocks(std::size_t count, const F& f) {
 
 }  // namespace
 
-void BlockTree::set_features(int corners, std::span<const Index> vertices) {
-  corners_ = corners;
-  vertices_ = vertices;
+void BlockTree::set_features(std::span<const Index> points) {
+  corners_ = 1;
+  vertices_ = points;
 }
 
 void BlockTree::build(const PackedMotion& motion, Split split) {
@@ -55,12 +55,13 @@ void BlockTree::choose_order(const PackedMotion& motion, Split split) {
   order_in_space(centers, n, split);
   const auto order = store.features();
   parallel_blocks(corner_blocks_.size(), [&](std::size_t block) {
-    for (std::size_t lane = 0; lane < kBlock; ++lane)
-      for (std::size_t c = 0; c < 3; ++c) {
-        const std::size_t slot = block * kBlock + lane;
+    const std::size_t first = block * kBlock;
+    for (std::size_t lane = 0; lane < kBlock; ++lane) {
+      const std::size_t slot = first + lane < n ? first + lane : first;
+      for (std::size_t c = 0; c < 3; ++c)
         corner_blocks_[block].vertex[c][lane] =
-            slot < n && c < corners ? vertices_[static_cast<std::size_t>(order[slot]) * corners + c] : -1;
-      }
+            vertices_[static_cast<std::size_t>(order[slot]) * corners + std::min(c, corners - 1)];
+    }
   });
 }
 
@@ -73,6 +74,11 @@ void BlockTree::refit(const PackedMotion& motion) {
   for (std::size_t level = 2; level < levels_.size(); ++level) fill_hulls(level);
 }
 
+int BlockTree::lanes_in_use(std::size_t block) const {
+  const auto left = static_cast<std::size_t>(feature_count()) - block * kBlock;
+  return static_cast<int>(std::min<std::size_t>(left, kBlock));
+}
+
 template <int corners>
 void BlockTree::fill_leaf(std::size_t block, const PackedMotion& motion, const BoxMargins& margins) {
   const auto vertex_of = [&](const CornerBlock& from, int lane, int c) {
@@ -81,14 +87,15 @@ void BlockTree::fill_leaf(std::size_t block, const PackedMotion& motion, const B
   // Vertices lie scattered; those of the block after the next are on their way while this one is filled.
   if (block + 2 < corner_blocks_.size()) {
     const CornerBlock& later = corner_blocks_[block + 2];
-    for (int lane = 0; lane < kBlock && later.vertex[0][lane] >= 0; ++lane)
+    for (int lane = 0; lane < kBlock; ++lane)
       for (int c = 0; c < corners; ++c) __builtin_prefetch(vertex_of(later, lane, c));
   }
   const CornerBlock& own = corner_blocks_[block];
+  const int in_use = lanes_in_use(block);
   MovingBox hull;
   for (int lane = 0; lane < kBlock; ++lane) {
     MovingBox box;
-    if (own.vertex[0][lane] >= 0) {
+    if (lane < in_use) {
       for (int c = 0; c < corners; ++c) {
         const BoxVertex& vertex = *vertex_of(own, lane, c);
         box.include(vertex.at, vertex.at);

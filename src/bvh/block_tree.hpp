@@ -1,6 +1,7 @@
 // The hierarchy: features in an order of space-filling locality, sixteen to a leaf block, sixteen blocks to a node, and
 // so on up to one root block. The tree is implicit: child c of block b is block 16 b + c of the level below.
 #pragma once
+#include <array>
 #include <span>
 #include <vector>
 
@@ -22,8 +23,13 @@ struct TreeView {
 
 class BlockTree {
  public:
-  /// `corners` vertices a feature (1, 2 or 3), feature i at vertices[corners * i]. The span must outlive the tree.
-  void set_features(int corners, std::span<const Index> vertices);
+  /// Points, edges or faces. The span must outlive the tree.
+  void set_features(std::span<const Index> points);
+  template <std::size_t corners>
+  void set_features(std::span<const std::array<Index, corners>> features) {
+    corners_ = static_cast<int>(corners);
+    vertices_ = features.empty() ? std::span<const Index>() : std::span(features[0].data(), corners * features.size());
+  }
 
   /// Chooses the order from where the features are halfway through the step (where `motion` holds displacements: at
   /// its end), then refits.
@@ -41,6 +47,7 @@ class BlockTree {
 
  private:
   void choose_order(const PackedMotion& motion, Split split);
+  int lanes_in_use(std::size_t block) const;
   template <int corners>
   void fill_leaf(std::size_t block, const PackedMotion& motion, const BoxMargins& margins);
   void fill_hulls(std::size_t level);

@@ -11,8 +11,7 @@ inline void for_each_bit(unsigned mask, const F& f) {
   for (; mask; mask &= mask - 1) f(__builtin_ctz(mask));
 }
 
-/// Bits of the lanes of `block` that share a vertex with feature `lane` of `other`. In an empty lane, all of whose
-/// vertices are -1, anything may come out.
+/// Bits of the lanes of `block` that share a vertex with feature `lane` of `other`; of empty lanes, anything.
 template <int corners, int other_corners>
 inline unsigned adjacent_lanes(const CornerBlock& block, const CornerBlock& other, int lane) {
   using Unsigned = xsimd::batch<std::uint32_t, Arch>;

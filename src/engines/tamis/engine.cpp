@@ -41,9 +41,9 @@ class TamisEngine final : public Engine {
         kernels_(kernels(options.isa)),
         min_separation_(options.min_separation),
         pipelines_([this, &options] { return StagePipeline(kernels_, motion_, options); }) {
-    points_.set_features(1, mesh.points());
-    edges_.set_features(2, std::span(mesh.edges().data()->data(), 2 * mesh.edges().size()));
-    faces_.set_features(3, std::span(mesh.faces().data()->data(), 3 * mesh.faces().size()));
+    points_.set_features(mesh.points());
+    edges_.set_features(mesh.edges());
+    faces_.set_features(mesh.faces());
   }
 
   void find(const Step& step, Question question, std::vector<Contact>& contacts, Statistics& statistics) override {

@@ -23,9 +23,9 @@ StepLengthSearch::StepLengthSearch(const Mesh& mesh, const Options& options)
       options_(options),
       kernels_(kernels(options.isa)),
       pipelines_([this] { return NearPipeline(kernels_, motion_, options_, question_); }) {
-  points_.set_features(1, mesh.points());
-  edges_.set_features(2, std::span(mesh.edges().data()->data(), 2 * mesh.edges().size()));
-  faces_.set_features(3, std::span(mesh.faces().data()->data(), 3 * mesh.faces().size()));
+  points_.set_features(mesh.points());
+  edges_.set_features(mesh.edges());
+  faces_.set_features(mesh.faces());
 }
 
 SafeStep StepLengthSearch::find(const Step& step, double fraction, Statistics& statistics) {

@@ -1,0 +1,124 @@
+// Would catch: a kernel that reads or writes outside its arrays, as lanes of empty features once did (vertex -1), and
+// compressed stores past the padding. Every array a kernel sees lies against a page that nobody may touch.
+#include <gtest/gtest.h>
+
+#include <deque>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "kernels/kernels.hpp"
+#include "scenes/random.hpp"
+#include "support/guarded.hpp"
+#include "tamis/error.hpp"
+
+namespace tamis {
+namespace {
+
+using test::Guard;
+using test::Guarded;
+
+struct Soup {
+  std::vector<Index> points;
+  std::vector<Edge> edges;
+  std::vector<Face> faces;
+  std::vector<Point> start, end;
+};
+
+/// Triangles without a common vertex, close enough for all to meet.
+Soup soup_of(int triangles) {
+  scenes::Random random(static_cast<std::uint64_t>(triangles));
+  Soup soup;
+  for (Index f = 0; f < triangles; ++f) {
+    const Index v = 3 * f;
+    soup.faces.push_back({v, v + 1, v + 2});
+    for (const Edge& edge : {Edge{v, v + 1}, Edge{v, v + 2}, Edge{v + 1, v + 2}}) soup.edges.push_back(edge);
+    for (Index c = 0; c < 3; ++c) {
+      soup.points.push_back(v + c);
+      for (auto* positions : {&soup.start, &soup.end}) positions->push_back(random.point_between(-1, 1));
+    }
+  }
+  return soup;
+}
+
+/// A tree's arrays, each against a forbidden page.
+class GuardedTree {
+ public:
+  GuardedTree(const BlockTree& tree, Guard guard) : view_(tree.view()) {
+    std::size_t blocks = static_cast<std::size_t>(view_.leaf_blocks);
+    corners_ = std::make_unique<Guarded<CornerBlock>>(std::span(view_.corners, blocks), guard);
+    view_.corners = corners_->data();
+    for (int level = 0; level < view_.level_count; ++level) {
+      levels_.emplace_back(std::span(view_.levels[level], blocks), guard);
+      view_.levels[level] = levels_.back().data();
+      blocks = (blocks + kBlock - 1) / kBlock;
+    }
+  }
+  const TreeView& view() const { return view_; }
+
+ private:
+  TreeView view_;
+  std::unique_ptr<Guarded<CornerBlock>> corners_;
+  std::deque<Guarded<BoxBlock>> levels_;
+};
+
+/// Pairs that the kernels leave after search, clip, filters and roots.
+std::array<int, 4> run(const Kernels& kernels, PairKind kind, const GuardedTree& a, const GuardedTree& b,
+                       const PackedVertex* vertices, Guard guard) {
+  const bool is_vf = kind == PairKind::vertex_face;
+  const auto empty = std::make_unique<PairBuffer>();
+  const Guarded<PairBuffer> boxes({empty.get(), 1}, guard), slab({empty.get(), 1}, guard),
+      filtered({empty.get(), 1}, guard);
+  const std::vector<SolvedPair> none(PairBuffer::kCapacity);
+  const Guarded<SolvedPair> solved(none, guard);
+  Search search{a.view(), b.view()};
+  search.pairs = boxes.data();
+  search.flush = [](Search&) { FAIL() << "the soup is too large for one buffer"; };
+  for (int block = 0; block < search.a.leaf_blocks; ++block)
+    (is_vf ? kernels.search_vf : kernels.search_ee)(search, block);
+  (is_vf ? kernels.slab_vf : kernels.slab_ee)(vertices, 0, *boxes.data(), *slab.data());
+  (is_vf ? kernels.filter_vf : kernels.filter_ee)(vertices, *slab.data(), *filtered.data());
+  const int slab_count = slab.data()->count;
+  const int left =
+      (is_vf ? kernels.solve_vf : kernels.solve_ee)(vertices, *filtered.data(), *slab.data(), solved.data());
+  return {boxes.data()->count, slab_count, filtered.data()->count, left};
+}
+
+class GuardPages : public testing::TestWithParam<Isa> {};
+
+TEST_P(GuardPages, NoKernelReadsOrWritesOutsideItsArrays) {
+  const Kernels* kernels = nullptr;
+  try {
+    kernels = &tamis::kernels(GetParam());
+  } catch (const InvalidOptions& error) {
+    GTEST_SKIP() << error.what();
+  }
+  for (const int triangles : {2, 3, 5, 6, 7, 11, 16, 17}) {
+    const Soup soup = soup_of(triangles);
+    PackedMotion motion;
+    motion.assign({soup.start, soup.end}, soup.points, 0);
+    BlockTree points, edges, faces;
+    points.set_features(std::span<const Index>(soup.points));
+    edges.set_features(std::span<const Edge>(soup.edges));
+    faces.set_features(std::span<const Face>(soup.faces));
+    for (BlockTree* tree : {&points, &edges, &faces}) tree->build(motion, kernels->split);
+    for (const Guard guard : {Guard::before, Guard::behind}) {
+      const Guarded<PackedVertex> vertices(motion.vertices, guard);
+      const GuardedTree p(points, guard), e(edges, guard), f(faces, guard);
+      const auto vf = run(*kernels, PairKind::vertex_face, p, f, vertices.data(), guard);
+      const auto ee = run(*kernels, PairKind::edge_edge, e, e, vertices.data(), guard);
+      EXPECT_GT(vf[0], 0);
+      EXPECT_LE(vf[0], 3 * triangles * (triangles - 1));
+      EXPECT_GT(ee[0], 0);
+      EXPECT_LE(ee[0], 9 * triangles * (triangles - 1) / 2);
+      for (const auto& counts : {vf, ee})
+        for (std::size_t stage = 1; stage < counts.size(); ++stage) EXPECT_LE(counts[stage], counts[stage - 1]);
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Isas, GuardPages, testing::Values(Isa::baseline, Isa::avx2, Isa::avx512),
+                         [](const auto& isa) { return std::string(name_of(isa.param)); });
+
+}  // namespace
+}  // namespace tamis

@@ -24,4 +24,9 @@ struct InvalidOptions : Error {
   using Error::Error;
 };
 
+/// A question that Options::is_cancelled ended. The detector may be asked again.
+struct Cancelled : Error {
+  using Error::Error;
+};
+
 }  // namespace tamis

@@ -100,6 +100,9 @@ struct Options {
   /// Of method `tamis`, and of keep_distance with `paper`; else all is baseline.
   Isa isa = Isa::best;
   PairFilter filter;
+  /// Asked again and again during a question, a thousand times a second or more; must be safe to call from several
+  /// threads. Once it says true the question throws Cancelled; the detector answers the next one as if nothing was.
+  std::function<bool()> is_cancelled;
   PaperOptions paper;
 };
 

@@ -1,6 +1,7 @@
 // Every pair of features, no hierarchy and no filter but the decision itself: slow and plain, for tests.
 #include "engines/engine.hpp"
 
+#include "engines/cancellation.hpp"
 #include "engines/pair_rules.hpp"
 #include "solve/decide.hpp"
 
@@ -14,6 +15,7 @@ class BruteEngine final : public Engine {
   void find(const Step& step, Question, std::vector<Contact>& contacts, Statistics& statistics) override {
     StageCount count{"solve"};
     for_each_pair(mesh_, options_.filter, [&](PairKind kind, const PairVertices& v) {
+      stop_if_cancelled(options_);
       ++(kind == PairKind::vertex_face ? count.vf : count.ee);
       const auto r =
           decide(kind, points_of(step, v), {options_.guarantee, options_.min_separation}, statistics.decided_by);

@@ -1,5 +1,6 @@
 #include "engines/brute/step_length.hpp"
 
+#include "engines/cancellation.hpp"
 #include "engines/pair_rules.hpp"
 #include "engines/step_limit.hpp"
 
@@ -11,6 +12,7 @@ SafeStep step_length_by_brute_force(const Mesh& mesh, const Options& options, co
   StageCount count{"near"};
   StepLimit limit;
   for_each_pair(mesh, options.filter, [&](PairKind kind, const PairVertices& v) {
+    stop_if_cancelled(options);
     ++(kind == PairKind::vertex_face ? count.vf : count.ee);
     limit.add({keeps_distance_until(kind, points_of(step, v), rule, 1, statistics.decided_by), kind, v});
   });

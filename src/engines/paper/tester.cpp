@@ -3,6 +3,7 @@
 #include <chrono>
 #include <numeric>
 
+#include "engines/cancellation.hpp"
 #include "solve/decide.hpp"
 #include "solve/interval_newton.hpp"
 
@@ -89,6 +90,7 @@ void PaperTester::flush() {
 }
 
 void PaperTester::clear() {
+  vf_.size = ee_.size = 0;  // pairs of a step whose question threw
   contacts.clear();
   features.clear();
   counts = PaperCounts(scene_.stages);
@@ -113,6 +115,7 @@ void PaperTester::add(Block<kind>& block, const std::array<Index, 2>& pair, cons
 template <PairKind kind>
 void PaperTester::test(Block<kind>& block) {
   if (block.size == 0) return;
+  stop_if_cancelled(scene_.options);
   std::array<std::uint16_t, kBlock> pairs;
   std::iota(pairs.begin(), pairs.end(), std::uint16_t{0});
   std::span alive = std::span(pairs).first(block.size);

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "engines/cancellation.hpp"
 #include "engines/tamis/pair_buffers.hpp"
 
 namespace tamis {
@@ -50,6 +51,7 @@ double NearPipeline::lap() {
 }
 
 void NearPipeline::begin() {
+  buffers_->boxes.count = 0;  // pairs of a step whose question threw
   limit_ = {};
   counts_ = {};
 }
@@ -79,6 +81,7 @@ void NearPipeline::flush(Search& search) {
 }
 
 void NearPipeline::decide_buffered() {
+  stop_if_cancelled(options_);
   PairBuffer &boxes = buffers_->boxes, &near = buffers_->near;
   const PairKind kind = buffers_->kind;
   near.count = 0;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "engines/cancellation.hpp"
 #include "engines/tamis/pair_buffers.hpp"
 #include "solve/decide.hpp"
 #include "solve/extended.hpp"
@@ -62,6 +63,7 @@ double StagePipeline::lap() {
 
 void StagePipeline::begin(const Step& step) {
   step_ = step;
+  buffers_->boxes.count = 0;  // pairs of a step whose question threw
   counts_ = {};
   contacts_.clear();
   touching_by_ = 1;
@@ -103,6 +105,7 @@ void StagePipeline::flush(Search& search) {
 }
 
 void StagePipeline::decide_buffered(PairKind kind) {
+  stop_if_cancelled(options_);
   auto& [boxes, slab, filtered, solved, current] = *buffers_;
   leave_out_filtered(kind);
   const bool is_vf = kind == PairKind::vertex_face;

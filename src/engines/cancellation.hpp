@@ -1,0 +1,13 @@
+// How a question ends before its answer: every place that takes a batch of pairs asks first.
+#pragma once
+#include "tamis/error.hpp"
+#include "tamis/options.hpp"
+
+namespace tamis {
+
+/// Throws Cancelled once the caller wants no answer any more.
+inline void stop_if_cancelled(const Options& options) {
+  if (options.is_cancelled && options.is_cancelled()) throw Cancelled("the question was cancelled: ask it again");
+}
+
+}  // namespace tamis

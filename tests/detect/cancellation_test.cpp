@@ -1,0 +1,85 @@
+// A question that is cancelled ends with Cancelled, and leaves nothing behind: pairs that stayed in a buffer would turn
+// up in the next answer.
+#include <gtest/gtest.h>
+
+#include <atomic>
+
+#include "scenes/scene_list.hpp"
+#include "support/contact_sets.hpp"
+#include "support/test_names.hpp"
+#include "tamis/detector.hpp"
+#include "tamis/error.hpp"
+
+namespace tamis::test {
+namespace {
+
+using scenes::Scene;
+
+constexpr int kNever = -1;
+
+class Cancellation : public testing::TestWithParam<Method> {
+ protected:
+  Cancellation() {
+    options.method = GetParam();
+    options.is_cancelled = [this] { return asked++ == cancel_at; };
+  }
+
+  /// As many contacts, with the same times, as a detector finds that was never cancelled.
+  void expect_whole_answer(Detector& detector) {
+    Options plain;
+    plain.method = GetParam();
+    Detector other(scene.mesh(), plain);
+    const auto& expected = other.contacts(scene.step());
+    cancel_at = kNever;
+    const auto& contacts = detector.contacts(scene.step());
+    ASSERT_EQ(contacts.size(), expected.size());
+    for (std::size_t i = 0; i < contacts.size(); ++i) {
+      EXPECT_EQ(contacts[i].vertices, expected[i].vertices);
+      EXPECT_EQ(contacts[i].toi_lower, expected[i].toi_lower);
+    }
+  }
+
+  Scene scene = scenes::scene_by_name("soup", 200, 3);
+  Options options;
+  std::atomic<int> asked = 0;
+  std::atomic<int> cancel_at = kNever;
+};
+
+TEST_P(Cancellation, EndsEveryQuestionAndTheNextOneIsAnsweredInFull) {
+  Detector detector(scene.mesh(), options);
+  const auto cancelled = [&](const auto& question) {
+    asked = 0;
+    cancel_at = 1;  // some pairs are decided, others wait
+    EXPECT_THROW(question(), Cancelled);
+    expect_whole_answer(detector);
+  };
+  cancelled([&] { detector.contacts(scene.step()); });
+  cancelled([&] { detector.earliest(scene.step()); });
+  cancelled([&] { detector.keep_distance(scene.step(), 0.5); });
+}
+
+TEST_P(Cancellation, AtAnyMomentLeavesTheDetectorUsable) {
+  Detector detector(scene.mesh(), options);
+  asked = 0;
+  EXPECT_FALSE(detector.contacts(scene.step()).empty());
+  const int moments = asked;
+  ASSERT_GT(moments, 2);
+  for (int moment = 0; moment < moments; moment += 1 + moments / 8) {
+    asked = 0;
+    cancel_at = moment;
+    EXPECT_THROW(detector.contacts(scene.step()), Cancelled);
+    expect_whole_answer(detector);
+  }
+}
+
+TEST_P(Cancellation, ThatNeverHappensChangesNothing) {
+  Detector detector(scene.mesh(), options);
+  expect_whole_answer(detector);
+  EXPECT_GT(asked, 0);
+}
+
+INSTANTIATE_TEST_SUITE_P(Methods, Cancellation, testing::Values(Method::tamis, Method::paper, Method::brute),
+                         [](const testing::TestParamInfo<Method>& method) { return test_name(name_of(method.param)); });
+
+}  // namespace
+}  // namespace tamis::test

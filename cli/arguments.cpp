@@ -1,9 +1,5 @@
 #include "cli/arguments.hpp"
 
-#include <cmath>
-
-#include "tamis/error.hpp"
-
 namespace tamis::cli {
 
 void DetectorArguments::declare(CLI::App& app) {
@@ -14,16 +10,12 @@ void DetectorArguments::declare(CLI::App& app) {
   declare_bounding_volume(app, bounding_volume_);
   declare_guarantee(app, guarantee_);
   declare_min_separation(app, min_separation_);
-  constexpr int kMostThreads = 1024;
-  app.add_option("--threads", threads_, "threads to use; 0, the default: all")
-      ->type_name("N")
-      ->check(CLI::Range(0, kMostThreads));
+  add_number(app, "--threads", "N", threads_, kThreadCounts, "threads to use; 0, the default: all");
   app.add_option("--isa", isa_, "instruction set of the hot loops: best (default), baseline, avx2 or avx512")
       ->type_name("NAME");
 }
 
 Options DetectorArguments::options() const {
-  require_distance(min_separation_);
   Options options;
   choose_method(options, method_);
   options.paper.bounding_volume = bounding_volume_from_name(bounding_volume_);
@@ -35,23 +27,19 @@ Options DetectorArguments::options() const {
 }
 
 void ScaleArgument::declare(CLI::App& app) {
-  app.add_option("--scale", scale_, "take END = START + S (END - START); default 1")->type_name("S");
-}
-
-double ScaleArgument::value() const {
-  if (!std::isfinite(scale_) || scale_ < 0) throw InvalidOptions("--scale must be a finite number >= 0: correct it");
-  return scale_;
+  add_number(app, "--scale", "S", scale_, kNotNegative, "take END = START + S (END - START); default 1");
 }
 
 void declare_json(CLI::App& app, bool& json) {
   app.add_flag("--json", json, "print one JSON object and nothing else on the standard output");
 }
 
-void declare_repeat(CLI::App& app, int& repeat) {
-  constexpr int kMostRuns = 1000000;
-  app.add_option("--repeat", repeat, "ask N times, report the median time of the runs after the first; default 1")
-      ->type_name("N")
-      ->check(CLI::Range(1, kMostRuns));
+void declare_repeat(CLI::App& app, int& repeat, const std::string& help) {
+  add_number(app, "--repeat", "N", repeat, kRunCounts, help);
+}
+
+void declare_seed(CLI::App& app, std::uint64_t& seed, const std::string& of) {
+  add_number(app, "--seed", "S", seed, {}, "of " + of + "; default 1");
 }
 
 void declare_guarantee(CLI::App& app, std::string& guarantee) {
@@ -69,13 +57,8 @@ void declare_bounding_volume(CLI::App& app, std::string& volume) {
 }
 
 void declare_min_separation(CLI::App& app, double& distance) {
-  app.add_option("--min-separation", distance, "contact means a distance <= D, in the unit of the mesh; default 0")
-      ->type_name("D");
-}
-
-void require_distance(double distance) {
-  if (!std::isfinite(distance) || distance < 0)
-    throw InvalidOptions("--min-separation must be a finite distance >= 0: correct it");
+  add_number(app, "--min-separation", "D", distance, kNotNegative,
+             "contact means a distance <= D, in the unit of the mesh; default 0");
 }
 
 }  // namespace tamis::cli

@@ -1,13 +1,17 @@
 // Options that several verbs share.
 #pragma once
 #include <CLI/CLI.hpp>
+#include <cstdint>
 #include <string>
 
+#include "cli/number_option.hpp"
 #include "tamis/options.hpp"
 
 namespace tamis::cli {
 
 inline constexpr const char* kDefaultBoundingVolume = "16-dop";
+inline constexpr NumberRange<int> kThreadCounts{0, 1024};
+inline constexpr NumberRange<int> kRunCounts{1, 1'000'000};
 
 /// How to detect.
 class DetectorArguments {
@@ -29,20 +33,18 @@ class DetectorArguments {
 class ScaleArgument {
  public:
   void declare(CLI::App& app);
-  /// Throws InvalidOptions.
-  double value() const;
+  double value() const { return scale_; }
 
  private:
   double scale_ = 1;
 };
 
 void declare_json(CLI::App& app, bool& json);
-void declare_repeat(CLI::App& app, int& repeat);
+void declare_repeat(CLI::App& app, int& repeat, const std::string& help);
+/// `of` says what the seed is of.
+void declare_seed(CLI::App& app, std::uint64_t& seed, const std::string& of);
 void declare_guarantee(CLI::App& app, std::string& guarantee);
 void declare_bounding_volume(CLI::App& app, std::string& volume);
 void declare_min_separation(CLI::App& app, double& distance);
-
-/// Throws InvalidOptions unless the distance is finite and not negative.
-void require_distance(double distance);
 
 }  // namespace tamis::cli

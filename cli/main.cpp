@@ -6,10 +6,15 @@
 #include <exception>
 #include <memory>
 #include <new>
+#include <stdexcept>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
+#include "cli/command_line.hpp"
+#include "cli/messages.hpp"
+#include "cli/standard_streams.hpp"
 #include "cli/verb.hpp"
 #include "tamis/error.hpp"
 
@@ -30,17 +35,32 @@ std::vector<std::unique_ptr<Verb>> make_verbs() {
   return verbs;
 }
 
-int fail(std::string message) {
-  std::replace(message.begin(), message.end(), '\n', ' ');
-  message.erase(message.find_last_not_of(" .") + 1);
-  fmt::print(stderr, "tamis: {}\n", message);
-  return kError;
-}
+int fail_to_print() { return fail("the result cannot be written to the standard output: check where it leads"); }
 
 /// What was printed must have arrived: a full disk behind stdout is an error too.
-int finish(int code) {
-  if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return code;
-  return fail("the result cannot be written to the standard output: check where it leads");
+int finish(int code) { return flush_output() ? code : fail_to_print(); }
+
+/// Of what the verb was asked: it tells which of many commands was too large.
+int fail_for_memory(const CLI::App& verb) {
+  std::string subject;
+  for (const CLI::Option* option : verb.get_options())
+    if (option->get_positional())
+      for (const std::string& word : option->results()) subject += (subject.empty() ? "" : " ") + word;
+  return fail(fmt::format("{}: not enough memory for 'tamis {}': use a smaller mesh or a larger machine",
+                          subject.empty() ? verb.get_name() : subject, verb.get_name()));
+}
+
+/// Every error is one sentence and exit code 2.
+int run(Verb& verb, const CLI::App& app) {
+  try {
+    return finish(verb.run());
+  } catch (const std::bad_alloc&) {
+    return fail_for_memory(app);
+  } catch (const std::length_error&) {
+    return fail_for_memory(app);
+  } catch (const std::exception& error) {
+    return std::ferror(stdout) == 0 ? fail(error.what()) : fail_to_print();
+  }
 }
 
 int parse_error(const CLI::App& app, const CLI::ParseError& error) {
@@ -53,6 +73,7 @@ int parse_error(const CLI::App& app, const CLI::ParseError& error) {
 }
 
 int run(int argc, char** argv) {
+  occupy_standard_streams();
   CLI::App app("Tamis finds every contact between moving, deforming triangle meshes: continuous collision detection.",
                "tamis");
   app.set_version_flag("--version", "tamis " TAMIS_VERSION);
@@ -68,13 +89,15 @@ int run(int argc, char** argv) {
   const auto is_called = [&](const auto& verb) { return std::string_view(argv[1]) == verb->name(); };
   if (argc > 1 && argv[1][0] != '-' && std::none_of(verbs.begin(), verbs.end(), is_called))
     return fail(fmt::format("no verb is called '{}': see 'tamis --help'", argv[1]));
+  std::vector<std::string> words = words_of(argc, argv);
+  if (argc > 1 && argv[1][0] != '-') require_values(*app.get_subcommand(argv[1]), words);
   try {
-    app.parse(argc, argv);
+    app.parse(std::move(words));
   } catch (const CLI::ParseError& error) {
     return parse_error(app, error);
   }
   for (const auto& verb : verbs)
-    if (app.got_subcommand(verb->name())) return finish(verb->run());
+    if (app.got_subcommand(verb->name())) return run(*verb, *app.get_subcommand(verb->name()));
   return kError;
 }
 
@@ -84,8 +107,6 @@ int run(int argc, char** argv) {
 int main(int argc, char** argv) {
   try {
     return tamis::cli::run(argc, argv);
-  } catch (const std::bad_alloc&) {
-    return tamis::cli::fail("not enough memory: use a smaller mesh or a larger machine");
   } catch (const std::exception& error) {
     return tamis::cli::fail(error.what());
   }

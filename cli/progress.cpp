@@ -3,8 +3,9 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <cstdio>
 #include <string>
+
+#include "cli/messages.hpp"
 
 namespace tamis::cli {
 
@@ -18,14 +19,13 @@ void Progress::show(std::size_t done) {
   constexpr std::size_t kWidth = 30;
   const std::size_t full = kWidth * done / total_;
   const double left = done == 0 ? 0 : elapsed.count() * static_cast<double>(total_ - done) / static_cast<double>(done);
-  fmt::print(stderr, "\r[{}{}] {}/{} {}, {:.0f} s left\x1b[K", std::string(full, '#'), std::string(kWidth - full, '.'),
-             done, total_, unit_, left);
-  std::fflush(stderr);
+  cli::show(fmt::format("\r[{}{}] {}/{} {}, {:.0f} s left\x1b[K", std::string(full, '#'),
+                        std::string(kWidth - full, '.'), done, total_, unit_, left));
   is_shown_ = true;
 }
 
 void Progress::clear() {
-  if (is_shown_) fmt::print(stderr, "\r\x1b[K");
+  if (is_shown_) cli::show("\r\x1b[K");
   is_shown_ = false;
 }
 

@@ -2,6 +2,7 @@
 
 #include <cstdio>
 
+#include "cli/printable.hpp"
 #include "cli/report.hpp"
 
 namespace tamis::cli {
@@ -61,6 +62,24 @@ void add_costs(Json& json, const Detector& detector, const Timing& timing) {
       {"vertices", mesh.vertex_count()}, {"triangles", mesh.faces().size()}, {"edges", mesh.edges().size()}};
 }
 
-void print_json(const Json& json) { fmt::print("{}\n", json.dump(2)); }
+namespace {
+
+/// Names of files may hold any byte, JSON may not.
+Json with_utf8_text(const Json& json) {
+  if (json.is_string()) return utf8_text(json.get_ref<const std::string&>());
+  if (!json.is_structured()) return json;
+  Json result = json.is_array() ? Json::array() : Json::object();
+  for (const auto& [key, value] : json.items())
+    if (json.is_array())
+      result.push_back(with_utf8_text(value));
+    else
+      result[utf8_text(key)] = with_utf8_text(value);
+  return result;
+}
+
+}  // namespace
+
+// In ASCII: a terminal obeys control characters beyond it, too.
+void print_json(const Json& json) { fmt::print("{}\n", with_utf8_text(json).dump(2, ' ', true)); }
 
 }  // namespace tamis::cli

@@ -3,15 +3,15 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <cstdio>
 
+#include "cli/messages.hpp"
 #include "tamis/error.hpp"
 
 namespace tamis::cli {
 
 io::MeshFile read_with_notes(const std::filesystem::path& path) {
   io::MeshFile mesh = io::read_mesh(path);
-  for (const std::string& note : mesh.notes) fmt::print(stderr, "note: {}: {}\n", path.string(), note);
+  for (const std::string& note : mesh.notes) cli::note(fmt::format("{}: {}", path.string(), note));
   return mesh;
 }
 

@@ -15,7 +15,7 @@ class StepVerb : public Verb {
     app.add_option("END", end_, "the same mesh at t=1")->required();
     detector_.declare(app);
     scale_.declare(app);
-    declare_repeat(app, repeat_);
+    declare_repeat(app, repeat_, "ask N times, report the median time of the runs after the first; default 1");
     declare_json(app, json_);
   }
 

@@ -10,10 +10,12 @@
 
 #include "cli/arguments.hpp"
 #include "cli/benchmark.hpp"
-#include "cli/seed_argument.hpp"
+#include "cli/output_file.hpp"
+#include "cli/printable.hpp"
 #include "cli/step_files.hpp"
 #include "cli/verb.hpp"
 #include "io/atomic_file.hpp"
+#include "io/csv.hpp"
 #include "scenes/scene_list.hpp"
 #include "tamis/error.hpp"
 
@@ -37,15 +39,15 @@ class Bench final : public Verb {
     app.add_option("START", start_, "the mesh at t=0: PLY or OBJ");
     app.add_option("END", end_, "the same mesh at t=1");
     declare_lists(app);
-    const CLI::Range runs(1, 1000000);
-    app.add_option("--cold", setup_.cold, "new detectors, each timed at its first question; default 3")->check(runs);
-    app.add_option("--warm-up", setup_.warm_up, "questions to the last of them that are not timed; default 1")
-        ->check(CLI::Range(0, 1000000));
-    app.add_option("--repeat", setup_.repeat, "questions to it that are timed; default 9")->check(runs);
+    add_number(app, "--cold", "N", setup_.cold, kRunCounts,
+               "new detectors, each timed at its first question; default 3");
+    add_number(app, "--warm-up", "N", setup_.warm_up, {.least = 0, .most = kRunCounts.most},
+               "questions to the last of them that are not timed; default 1");
+    declare_repeat(app, setup_.repeat, "questions to it that are timed; default 9");
     declare_guarantee(app, guarantee_);
     declare_min_separation(app, setup_.options.min_separation);
     declare_seed(app, seed_, "the generated scene");
-    app.add_option("--out", out_, "write the rows to a CSV file")->type_name("FILE.csv");
+    declare_output(app, out_, "the rows");
     declare_json(app, json_);
   }
 
@@ -71,25 +73,18 @@ class Bench final : public Verb {
     for (const scenes::Recipe& recipe : scenes::recipes())
       if (recipe.scales) scenes += fmt::format("{}{}", scenes.empty() ? "" : ", ", recipe.name);
     app.add_option("--scene", scene_, "a generated scene instead of files: " + scenes)->type_name("NAME");
-    app.add_option("--triangles", triangles_, "its sizes; default 100000")
-        ->delimiter(',')
-        ->check(CLI::Range(1, 100'000'000));
-    app.add_option("--question", questions_, "contacts, earliest, free; default all three")->delimiter(',');
-    app.add_option("--method", methods_, "tamis (default), paper, brute, or one of the paper's competitors")
-        ->delimiter(',');
-    app.add_option("--bounding-volume", volumes_,
-                   "of method paper and its competitors: sphere, aabb, obb, 16-dop (default), 18-dop, 26-dop")
-        ->delimiter(',');
-    app.add_option("--threads", threads_, "numbers of threads; 0: all; default 1")
-        ->delimiter(',')
-        ->check(CLI::Range(0, 1024));
-    app.add_option("--isa", isas_, "best (default), baseline, avx2, avx512")->delimiter(',');
-    app.add_option("--scale", scales_, "how much of the way from START to END; default 1")->delimiter(',');
+    add_numbers(app, "--triangles", "N", triangles_, {1, 100'000'000}, "its sizes; default 100000");
+    add_names(app, "--question", questions_, "contacts, earliest, free; default all three");
+    add_names(app, "--method", methods_, "tamis (default), paper, brute, or one of the paper's competitors");
+    add_names(app, "--bounding-volume", volumes_,
+              "of method paper and its competitors: sphere, aabb, obb, 16-dop (default), 18-dop, 26-dop");
+    add_numbers(app, "--threads", "N", threads_, kThreadCounts, "numbers of threads; 0: all; default 1");
+    add_names(app, "--isa", isas_, "best (default), baseline, avx2, avx512");
+    add_numbers(app, "--scale", "S", scales_, kNotNegative, "how much of the way from START to END; default 1");
   }
 
   /// Everything that can be wrong, before the first second is spent.
   void check() {
-    require_distance(setup_.options.min_separation);
     setup_.options.guarantee = guarantee_from_name(guarantee_);
     for (const std::string& isa : isas_) isa_from_name(isa);
     for (const std::string& volume : volumes_) bounding_volume_from_name(volume);
@@ -102,12 +97,10 @@ class Bench final : public Verb {
       if (std::find(known.begin(), known.end(), question) == known.end())
         throw InvalidOptions(
             fmt::format("there is no question '{}': choose one of {}", question, fmt::join(known, ", ")));
-    for (const double scale : scales_)
-      if (!(scale >= 0)) throw InvalidOptions("--scale must be numbers >= 0: correct it");
     const bool has_files = !start_.empty() && !end_.empty();
     if (has_files == !scene_.empty() || start_.empty() != end_.empty())
       throw InvalidOptions("give either START and END or --scene");
-    if (!out_.empty()) io::require_writable(out_);
+    require_output(out_, {start_, end_});
   }
 
   BenchmarkCase from_files() const {
@@ -153,7 +146,7 @@ class Bench final : public Verb {
       fmt::print("{:<18} {:>10} {:>5} {:<9} {:<8} {:<8} {:<8} {:>2} {:>10} {:>10} {:>10} {:>9}\n", "scene", "triangles",
                  "scale", "question", "method", "volume", "isa", "T", "cold", "warm", "cpu warm", "contacts");
     fmt::print("{:<18} {:>10} {:>5} {:<9} {:<8} {:<8} {:<8} {:>2} {:>10} {:>10} {:>10} {:>9}{}\n",
-               row["scene"].get<std::string>(), grouped(row["triangles"]), row["scale"].get<double>(),
+               printable(row["scene"].get<std::string>()), grouped(row["triangles"]), row["scale"].get<double>(),
                row["question"].get<std::string>(), row["method"].get<std::string>(),
                row["bounding_volume"].get<std::string>(), row["isa"].get<std::string>(), row["threads"].get<int>(),
                readable(row["seconds_cold"]), readable(row["seconds"]), readable(row["cpu"]), grouped(row["contacts"]),
@@ -167,7 +160,8 @@ class Bench final : public Verb {
     std::string text = fmt::format("{}\n", fmt::join(cells, ","));
     for (const Json& row : rows_) {
       cells.clear();
-      for (const Json& value : row) cells.push_back(value.is_string() ? value.get<std::string>() : value.dump());
+      for (const Json& value : row)
+        cells.push_back(io::csv_cell(value.is_string() ? value.get<std::string>() : value.dump()));
       text += fmt::format("{}\n", fmt::join(cells, ","));
     }
     io::AtomicFile file(out_);

@@ -4,11 +4,11 @@
 #include <cstdio>
 #include <memory>
 
+#include "cli/output_file.hpp"
+#include "cli/printable.hpp"
 #include "cli/report.hpp"
 #include "cli/step_verb.hpp"
-#include "io/atomic_file.hpp"
 #include "io/contacts_csv.hpp"
-#include "tamis/error.hpp"
 
 namespace tamis::cli {
 namespace {
@@ -25,11 +25,11 @@ class Contacts final : public StepVerb {
   }
   void declare(CLI::App& app) override {
     StepVerb::declare(app);
-    app.add_option("--out", out_, "write the contacts to a CSV file")->type_name("FILE.csv");
+    declare_output(app, out_, "the contacts");
   }
 
   int run() override {
-    check_output();
+    require_output(out_, {start_, end_});
     StepFiles files = read();
     Detector detector(std::move(files.mesh), options());
     const Step step = files.step();
@@ -41,16 +41,6 @@ class Contacts final : public StepVerb {
   }
 
  private:
-  /// Better said now than after the work; and an input must not be overwritten.
-  void check_output() const {
-    if (out_.empty()) return;
-    std::error_code error;
-    for (const std::string& input : {start_, end_})
-      if (std::filesystem::equivalent(out_, input, error))
-        throw InvalidOptions(fmt::format("--out {} would overwrite an input: give another name", out_));
-    io::require_writable(out_);
-  }
-
   void report(const Tally& tally, const Detector& detector, const Timing& timing) const {
     if (json_) {
       Json json{{"contacts", json_of(tally)}};
@@ -65,7 +55,7 @@ class Contacts final : public StepVerb {
       fmt::print("first contact   none: the step is free, proven\n");
     else
       print_bracket(tally.toi_lower, tally.toi_upper, tally.unresolved < tally.vf + tally.ee, detector.options());
-    if (!out_.empty()) fmt::print("written to      {}\n", out_);
+    if (!out_.empty()) fmt::print("written to      {}\n", printable(out_));
     print_costs(detector, timing, repeat_);
   }
 

@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "cli/arguments.hpp"
+#include "cli/printable.hpp"
 #include "cli/query_score.hpp"
 #include "cli/verb.hpp"
 #include "io/file_bytes.hpp"
@@ -29,14 +30,11 @@ class Queries final : public Verb {
     app.add_option("FILES_OR_FOLDERS", names_, "CSV files below a folder named vertex-face or edge-edge")->required();
     declare_guarantee(app, guarantee_);
     declare_min_separation(app, min_separation_);
-    app.add_option("--repeat", repeat_, "take each query's median time of N runs, after one that warms up; default 1")
-        ->type_name("N")
-        ->check(CLI::Range(1, 1000000));
+    declare_repeat(app, repeat_, "take each query's median time of N runs, after one that warms up; default 1");
     declare_json(app, json_);
   }
 
   int run() override {
-    require_distance(min_separation_);
     const PairOptions options{guarantee_from_name(guarantee_), min_separation_};
     std::map<std::string, QueryScore> folders;
     for (const io::QueryFile& file : io::query_files(names_)) {
@@ -79,7 +77,7 @@ class Queries final : public Verb {
 
   void print_table(const std::map<std::string, QueryScore>& folders, const QueryScore& total) const {
     std::size_t width = 6;
-    for (const auto& [name, score] : folders) width = std::max(width, name.size());
+    for (const auto& [name, score] : folders) width = std::max(width, printable(name).size());
     fmt::print("{:<{}} {:>9} {:>9} {:>9} {:>9} {:>10} {:>9} {:>9} {:>9} {:>9}\n", "", width, "", "", "false", "false",
                "", "ns", "ns", "ns", "ns");
     fmt::print("{:<{}} {:>9} {:>9} {:>9} {:>9} {:>10} {:>9} {:>9} {:>9} {:>9}\n", "folder", width, "queries",
@@ -91,7 +89,7 @@ class Queries final : public Verb {
   void print_row(const std::string& name, std::size_t width, const QueryScore& s) const {
     const Percentiles ns = percentiles_of(s.nanoseconds);
     const bool is_labelled = s.labelled > 0;
-    fmt::print("{:<{}} {:>9} {:>9} {:>9} {:>9} {:>10} {:>9.0f} {:>9.0f} {:>9.0f} {:>9.0f}\n", name, width,
+    fmt::print("{:<{}} {:>9} {:>9} {:>9} {:>9} {:>10} {:>9.0f} {:>9.0f} {:>9.0f} {:>9.0f}\n", printable(name), width,
                grouped(s.queries), grouped(s.contacts),
                is_labelled && is_judged_positive() ? grouped(s.false_positives) : "-",
                is_labelled ? grouped(s.false_negatives) : "-", grouped(s.unresolved), ns.mean, ns.p50, ns.p99, ns.max);

@@ -4,8 +4,10 @@
 #include <memory>
 #include <string>
 
+#include "cli/arguments.hpp"
+#include "cli/messages.hpp"
+#include "cli/printable.hpp"
 #include "cli/progress.hpp"
-#include "cli/seed_argument.hpp"
 #include "cli/verb.hpp"
 #include "io/mesh_file.hpp"
 #include "scenes/simulation/intersections.hpp"
@@ -34,12 +36,9 @@ class Scene final : public Verb {
     app.add_option("--out", folder_, "the folder of the frames; made if it is not there")
         ->type_name("FOLDER")
         ->required();
-    app.add_option("--frames", frames_, "frames after the first; default: the whole scene")
-        ->type_name("N")
-        ->check(CLI::Range(0, 9999));
-    app.add_option("--triangles", triangles_, "about so many, obstacles included; default: the scene's full size")
-        ->type_name("N")
-        ->check(CLI::Range(kLeastTriangles, kMostTriangles));
+    add_number(app, "--frames", "N", frames_, {0, 9999}, "frames after the first; default: the whole scene");
+    add_number(app, "--triangles", "N", triangles_, {kLeastTriangles, kMostTriangles},
+               "about so many, obstacles included; default: the scene's full size");
     app.add_flag("--check", check_,
                  "then read every frame and prove it free of intersections; exit code 1 if one is not");
     declare_seed(app, seed_, "the small disorder at the start");
@@ -56,7 +55,7 @@ class Scene final : public Verb {
                          progress.show(static_cast<std::size_t>(simulator.frame()));
                        });
     progress.clear();
-    fmt::print("scene           {}, {} frames after the first in {}\n", scene.name, frames, folder_);
+    fmt::print("scene           {}, {} frames after the first in {}\n", scene.name, frames, printable(folder_));
     fmt::print("substeps        {} now, each proven free of contacts\n", sum.substeps);
     fmt::print("constraints     {} contacts, {} rounds of repair, {} vertices in impact zones\n", sum.touches,
                sum.repairs, sum.zone_vertices);
@@ -74,8 +73,8 @@ class Scene final : public Verb {
       if (!found.empty()) {
         ++intersecting;
         const auto& v = found.front().vertices;
-        fmt::print(stderr, "note: {}: {} intersections, the first with the face {} {} {}\n",
-                   simulation::frame_path(folder_, i).string(), found.size(), v[1], v[2], v[3]);
+        note(fmt::format("{}: {} intersections, the first with the face {} {} {}",
+                         simulation::frame_path(folder_, i).string(), found.size(), v[1], v[2], v[3]));
       }
       progress.show(static_cast<std::size_t>(i));
     }

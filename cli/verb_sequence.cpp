@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "cli/arguments.hpp"
+#include "cli/printable.hpp"
 #include "cli/progress.hpp"
 #include "cli/report.hpp"
 #include "cli/step_files.hpp"
@@ -64,7 +65,8 @@ class Sequence final : public Verb {
     frames_ = io::frame_files(names_);
     if (frames_.size() < 2)
       throw io::FileError(frames_.front().string(), "", "a single frame does not move: give two or more");
-    for (const auto& frame : frames_) width_ = std::max(width_, static_cast<int>(frame.filename().string().size()));
+    for (const auto& frame : frames_)
+      width_ = std::max(width_, static_cast<int>(printable(frame.filename().string()).size()));
   }
 
   std::vector<Point> read_end(const io::MeshFile& first, std::size_t i) const {
@@ -94,8 +96,8 @@ class Sequence final : public Verb {
   }
 
   void print_row(std::size_t i, const Tally& tally, const Statistics& statistics) const {
-    fmt::print("{:>5} {:<{}} {:>11} {:>11} {:>10} {:>14} {:>10}  {}\n", i, frames_[i].filename().string(), width_,
-               grouped(tally.vf), grouped(tally.ee), grouped(tally.unresolved),
+    fmt::print("{:>5} {:<{}} {:>11} {:>11} {:>10} {:>14} {:>10}  {}\n", i, printable(frames_[i].filename().string()),
+               width_, grouped(tally.vf), grouped(tally.ee), grouped(tally.unresolved),
                tally.is_free() ? std::string("end") : fmt::format("{:.10f}", tally.toi_lower),
                readable(statistics.seconds.total), statistics.rebuilt ? "built" : "refitted");
     std::fflush(stdout);

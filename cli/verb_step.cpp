@@ -6,7 +6,6 @@
 
 #include "cli/report.hpp"
 #include "cli/step_verb.hpp"
-#include "tamis/error.hpp"
 
 namespace tamis::cli {
 namespace {
@@ -23,14 +22,13 @@ class StepLength final : public StepVerb {
 
   void declare(CLI::App& app) override {
     StepVerb::declare(app);
-    keep_distance_ = app.add_option("--keep-distance", fraction_,
-                                    "how far the step may go so that every pair keeps at least F times its distance "
-                                    "at START: the step length for the line search of a barrier method; 0 <= F < 1")
-                         ->type_name("F");
+    keep_distance_ =
+        add_number(app, "--keep-distance", "F", fraction_, {.least = 0, .most = 1, .takes_most = false},
+                   "how far the step may go so that every pair keeps at least F times its distance at START: the step "
+                   "length for the line search of a barrier method");
   }
 
   int run() override {
-    if (keep_distance_->count() > 0) require_fraction();
     StepFiles files = read();
     Detector detector(std::move(files.mesh), options());
     const Step step = files.step();
@@ -59,11 +57,6 @@ class StepLength final : public StepVerb {
       fmt::print("first contact   none: the whole step is free, proven\n");
     }
     print_costs(detector, timing, repeat_);
-  }
-
-  void require_fraction() const {
-    if (!(fraction_ >= 0 && fraction_ < 1))
-      throw InvalidOptions("--keep-distance must be a number >= 0 and < 1: correct it");
   }
 
   int keep_distance(Detector& detector, const Step& step) const {

@@ -12,14 +12,17 @@
 #include <string>
 #include <vector>
 
+#include "cli/messages.hpp"
+#include "cli/number_option.hpp"
+#include "cli/output_file.hpp"
 #include "cli/paper/earlier.hpp"
 #include "cli/paper/run.hpp"
 #include "cli/paper/tables.hpp"
+#include "cli/printable.hpp"
 #include "cli/progress.hpp"
 #include "cli/verb.hpp"
 #include "io/atomic_file.hpp"
 #include "io/frames.hpp"
-#include "io/text.hpp"
 #include "scenes/simulation/recording.hpp"
 #include "tamis/error.hpp"
 
@@ -56,12 +59,8 @@ class Paper final : public Verb {
     app.add_flag("--quick", quick_, "small variants of the scenes, for minutes instead of hours");
     app.add_option("--frames", given_, "frames that are there already: a folder, under a name of its own; repeatable")
         ->type_name("NAME=FOLDER");
-    app.add_option("--scenes", scenes_, "only these of airbag, cloth-ball, funnel, funnel-92k, bunny; or none")
-        ->type_name("NAME")
-        ->delimiter(',');
-    app.add_option("--length", length_, "frames simulated after the first; default: the whole scene")
-        ->type_name("N")
-        ->check(CLI::Range(1, 9999));
+    add_names(app, "--scenes", scenes_, "only these of airbag, cloth-ball, funnel, funnel-92k, bunny; or none");
+    add_number(app, "--length", "N", length_, {1, 9999}, "frames simulated after the first; default: the whole scene");
     app.add_option(
            "--steps", most_steps_,
            "run at most so many steps of a scene at each length of step, evenly spread; repeatable; default: all")
@@ -75,7 +74,7 @@ class Paper final : public Verb {
     for (const std::string& pair : given_) given_scenes.push_back(given(pair));
     require_scenes_of_steps();
     io::make_folder(folder_);
-    io::require_writable(files::path(folder_) / "report.md");
+    require_outputs(given_scenes);
     if (resumes_) earlier_.emplace(folder_);
     std::vector<PaperScene> scenes;
     for (const Row& row : kRows)
@@ -85,7 +84,7 @@ class Paper final : public Verb {
       for (const int factor : {1, 3}) measure(scene, factor);
     write_paper_report(folder_, results_, size());
     draw();
-    fmt::print("report          {}\n", (files::path(folder_) / "report.md").string());
+    fmt::print("report          {}\n", printable((files::path(folder_) / "report.md").string()));
     for (const SceneResult& result : results_)
       if (!result.sets_agree()) return kNo;
     return kSuccess;
@@ -127,14 +126,29 @@ class Paper final : public Verb {
   static PaperScene given(const std::string& pair) {
     const std::string name = name_of(pair);
     if (name.empty()) throw InvalidOptions(fmt::format("--frames {} names no scene: write NAME=FOLDER", pair));
+    // It becomes a cell of tables, as CSV and as Markdown.
+    if (name.find_first_of(",\"|`\n\r") != std::string::npos || printable(name) != name)
+      throw InvalidOptions(
+          fmt::format("--frames {}: the name holds a comma, quote, bar or control character: leave it out", pair));
     return {name, io::frame_files({value_of(pair)})};
+  }
+
+  void require_outputs(const std::vector<PaperScene>& given_scenes) const {
+    std::vector<files::path> inputs;
+    for (const PaperScene& scene : given_scenes) inputs.insert(inputs.end(), scene.frames.begin(), scene.frames.end());
+    for (const char* name : {"report.md", "table1.csv", "stages.csv", "table1.png", "fig4.png", "fig5.png"})
+      require_output(files::path(folder_) / name, inputs);
   }
 
   /// 0: all.
   std::size_t most_steps(const std::string& scene) const {
     for (const std::string& pair : most_steps_)
-      if (name_of(pair) == scene) return io::to_integer<std::size_t>(value_of(pair)).value_or(0);
+      if (name_of(pair) == scene) return steps_in(pair);
     return 0;
+  }
+
+  static std::size_t steps_in(const std::string& pair) {
+    return number_from("--steps " + pair, value_of(pair), NumberRange<std::uint64_t>{.least = 1});
   }
 
   std::vector<std::string> names_to_run() const {
@@ -150,8 +164,8 @@ class Paper final : public Verb {
     if (names.empty()) throw InvalidOptions("there is no scene to run: give --scenes or --frames");
     for (const std::string& pair : most_steps_) {
       const std::string name = name_of(pair);
-      if (name.empty() || io::to_integer<std::size_t>(value_of(pair)).value_or(0) == 0)
-        throw InvalidOptions(fmt::format("--steps {} is no number of steps of a scene: write NAME=N, N > 0", pair));
+      if (name.empty()) throw InvalidOptions(fmt::format("--steps {} names no scene: write NAME=N", pair));
+      steps_in(pair);
       if (std::find(names.begin(), names.end(), name) == names.end())
         throw InvalidOptions(
             fmt::format("--steps {} names a scene that is not run: use one of {}", pair, fmt::join(names, ", ")));
@@ -197,7 +211,7 @@ class Paper final : public Verb {
     const std::string line = fmt::format("/usr/bin/python3 '{}' '{}'", TAMIS_PLOT_PAPER, folder_);
     if (folder_.find('\'') == std::string::npos && std::system(line.c_str()) == 0) return;
 #endif
-    fmt::print(stderr, "note: no pictures: they need python3 with matplotlib and bench/plot_paper.py\n");
+    note("no pictures: they need python3 with matplotlib and bench/plot_paper.py");
   }
 
   std::string folder_;

@@ -21,15 +21,19 @@ struct Outcome {
 /// A folder to run in, with the frames that several tests use.
 class CommandFolder : public TemporaryFolder {
  public:
-  /// `arguments` as for a shell whose working directory is the folder; stdout goes to `device` if one is given.
-  Outcome run(const std::string& arguments, const std::string& device = "") const {
+  /// `arguments` as for a shell whose working directory is the folder. `out_to` and `err_to`: a device that takes
+  /// stdout or stderr, or "&-" to close it; if empty, the outcome has what was printed. `settings` come before the
+  /// command: VARIABLE=VALUE, or a shell command and a semicolon.
+  Outcome run(const std::string& arguments, const std::string& out_to = "", const std::string& err_to = "",
+              const std::string& settings = "") const {
     const TemporaryFolder streams;
-    const std::string out = device.empty() ? (streams.path() / "out").string() : device;
-    const std::string err = (streams.path() / "err").string();
-    const std::string line =
-        "cd '" + path().string() + "' && '" + TAMIS_COMMAND + "' " + arguments + " </dev/null >" + out + " 2>" + err;
+    const std::string out = out_to.empty() ? (streams.path() / "out").string() : out_to;
+    const std::string err = err_to.empty() ? (streams.path() / "err").string() : err_to;
+    const std::string line = "cd '" + path().string() + "' && " + settings + " '" + TAMIS_COMMAND + "' " + arguments +
+                             " </dev/null >" + out + " 2>" + err;
     const int status = std::system(line.c_str());
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, device.empty() ? bytes_of_file(out) : "", bytes_of_file(err)};
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, out_to.empty() ? bytes_of_file(out) : "",
+            err_to.empty() ? bytes_of_file(err) : ""};
   }
 
   /// A loose point at height `z` above a triangle.

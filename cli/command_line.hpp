@@ -1,0 +1,17 @@
+// The words of the command line, before and after they are taken apart.
+#pragma once
+#include <CLI/CLI.hpp>
+#include <string>
+#include <vector>
+
+namespace tamis::cli {
+
+/// The words after the program's name, in the reversed order that CLI::App::parse takes. A path such as [a,b], which
+/// CLI11 would take for a list, becomes ./[a,b].
+std::vector<std::string> words_of(int argc, char** argv);
+
+/// Throws InvalidOptions if a value is empty (`--out ""`, `--scale=`, `""` for a file: a variable of the shell that is
+/// not set), or if an option stands where the value of the one before should (`--out --json`).
+void require_values(const CLI::App& verb, const std::vector<std::string>& reversed_words);
+
+}  // namespace tamis::cli

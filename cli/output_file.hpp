@@ -1,0 +1,17 @@
+// The one check of every file that a verb is told to write.
+#pragma once
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace tamis::cli {
+
+/// `--out FILE.csv`.
+void declare_output(CLI::App& app, std::string& path, const std::string& what);
+
+/// Before the work: throws InvalidOptions if `output` is one of the inputs, by whatever link or spelling, or the file
+/// that stdout or stderr goes to; io::FileError if it cannot be written. An empty name, for no output, is fine.
+void require_output(const std::filesystem::path& output, const std::vector<std::filesystem::path>& inputs);
+
+}  // namespace tamis::cli

@@ -5,6 +5,9 @@ include(CMakePackageConfigHelpers)
 set(TAMIS_PACKAGE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/tamis)
 set_target_properties(tamis PROPERTIES VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
 install(TARGETS tamis EXPORT tamis-targets FILE_SET HEADERS)
+if(TAMIS_BUILD_C)
+  install(TARGETS tamis_c EXPORT tamis-targets FILE_SET HEADERS)
+endif()
 install(EXPORT tamis-targets NAMESPACE tamis:: DESTINATION ${TAMIS_PACKAGE_DIR})
 
 # Before 1.0 a new minor version may change the interface.

@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
-# Every C++ file is as clang-format 14 would write it; exit 77 where that is not installed. --fix writes them so.
+# Every C and C++ file is as clang-format 14 would write it; exit 77 where that is not installed. --fix writes them so.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
 command -v clang-format-14 >/dev/null || { echo "skipped: no clang-format-14"; exit 77; }
 mode=(--dry-run -Werror)
 [[ ${1:-} != --fix ]] || mode=(-i)
-mapfile -t files < <(find . \( -path ./build -o -path ./out -o -name '.?*' \) -prune -o -name '*.?pp' -print | sort)
+mapfile -t files < <(find . \( -path ./build -o -path ./out -o -name '.?*' \) -prune -o -name '*.[ch]pp' -print -o -name '*.[ch]' -print | sort)
 clang-format-14 "${mode[@]}" "${files[@]}"
 echo "${#files[@]} files, all formatted"

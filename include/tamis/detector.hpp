@@ -29,6 +29,8 @@ class Detector {
   /// Every question throws InvalidStep unless start and end have one row of three numbers for each vertex of the mesh,
   /// finite for those in mesh().points().
   const std::vector<Contact>& contacts(const Step& step);
+  /// The same contacts in the caller's own vector, not copied: its memory and the detector's change places.
+  void contacts(const Step& step, std::vector<Contact>& result);
   /// The first contact: how far the step may go. Its bracket may differ from that of contacts() in the last digits:
   /// both are proven.
   EarliestContact earliest(const Step& step);

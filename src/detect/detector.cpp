@@ -139,6 +139,11 @@ const std::vector<Contact>& Detector::contacts(const Step& step) {
   return state_->contacts;
 }
 
+void Detector::contacts(const Step& step, std::vector<Contact>& result) {
+  state_->ask(step, Question::all_contacts);
+  result.swap(state_->contacts);
+}
+
 EarliestContact Detector::earliest(const Step& step) {
   state_->ask(step, Question::earliest);
   return first_of(state_->contacts, step, state_->options, state_->statistics.decided_by);

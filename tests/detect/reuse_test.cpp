@@ -51,6 +51,19 @@ std::vector<Point> crumpled(const std::vector<Point>& points, double amount) {
   return moved;
 }
 
+TEST(Reuse, ContactsInTheCallersVectorStayAsTheyAre) {
+  const Scene scene = scenes::scene_by_name("folded-cloth", 2000, 1);
+  Detector detector(scene.mesh());
+  const auto expected = bits_of(detector.contacts(scene.step()));
+  ASSERT_FALSE(expected.empty());
+  std::vector<Contact> mine(7), others;  // what stood in it before is gone
+  detector.contacts(scene.step(), mine);
+  EXPECT_EQ(bits_of(mine), expected);
+  detector.contacts({scene.end, scene.start}, others);
+  EXPECT_EQ(bits_of(mine), expected) << "a later question changed it";
+  EXPECT_NE(bits_of(others), expected);
+}
+
 TEST(Reuse, AnswersAsANewDetectorWould) {
   // Would catch a box, an order or a buffer left over from the step before.
   const Scene scene = scenes::scene_by_name("folded-cloth", 2000, 1);

@@ -1,0 +1,173 @@
+#include "tamis/detector.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <optional>
+#include <string>
+
+#include "c/mesh.hpp"
+#include "c/options.hpp"
+#include "c/sized.hpp"
+
+struct tamis_detector {
+  tamis::c::Outcome outcome;
+  std::optional<tamis::Detector> detector;  ///< none if it could not be made
+  std::atomic_flag is_asking;
+  std::vector<tamis::Contact> contacts;  ///< of the last question
+  std::vector<std::string> stage_names;  ///< ended by zeros, as C wants them
+};
+
+namespace tamis::c {
+namespace {
+
+Positions positions(const double* rows, Index count, std::ptrdiff_t stride, const char* name) {
+  if (stride != 0 && stride < 3)
+    throw InvalidArgument(std::string(name) + "_stride is " + std::to_string(stride) +
+                          ": give the doubles from one row to the next, at least 3, or 0");
+  return {count > 0 ? &required(rows, name) : rows, count, stride == 0 ? 3 : stride};
+}
+
+Step step_of(const tamis_step& given) {
+  return {positions(given.start, given.vertex_count, given.start_stride, "start"),
+          positions(given.end, given.vertex_count, given.end_stride, "end")};
+}
+
+/// Runs `work(handle)` unless another call with the handle is running: then its outcome belongs to that one.
+template <class Work>
+tamis_status with(tamis_detector* handle, const Work& work) noexcept {
+  if (!handle) return TAMIS_INVALID_ARGUMENT;
+  if (handle->is_asking.test_and_set(std::memory_order_acquire)) return TAMIS_BUSY;
+  const tamis_status status = handle->detector ? attempt(handle->outcome, [&] { work(*handle); })
+                                               : handle->outcome.status();  // it still says why it was not made
+  handle->is_asking.clear(std::memory_order_release);
+  return status;
+}
+
+/// The same for a question.
+template <class Work>
+tamis_status ask(tamis_detector* handle, const tamis_step* step, const Work& work) noexcept {
+  return with(handle, [&](tamis_detector& h) {
+    h.contacts.clear();
+    work(h, step_of(read_sized(step, "step")));
+  });
+}
+
+tamis_contact contact_of(const Contact& c) {
+  tamis_contact contact{
+      static_cast<int32_t>(c.kind), static_cast<int32_t>(c.certainty), {}, c.toi_lower, c.toi_upper, c.u, c.v, {}};
+  std::copy(c.vertices.begin(), c.vertices.end(), contact.vertices);
+  std::copy(c.normal.begin(), c.normal.end(), contact.normal);
+  return contact;
+}
+
+tamis_safe_step answer_of(const SafeStep& safe) {
+  tamis_safe_step answer{};
+  answer.lower = safe.lower;
+  answer.upper = safe.upper;
+  if (!safe.pair) return answer;
+  answer.has_pair = 1;
+  answer.kind = static_cast<int32_t>(safe.pair->kind);
+  std::copy(safe.pair->vertices.begin(), safe.pair->vertices.end(), answer.vertices);
+  answer.distance = safe.pair->distance;
+  return answer;
+}
+
+tamis_statistics statistics_of(const Statistics& s, std::vector<std::string>& names) {
+  tamis_statistics answer{};
+  answer.isa = name_of(s.isa).data();  // a literal
+  answer.threads = s.threads;
+  answer.rebuilt = s.rebuilt ? 1 : 0;
+  answer.seconds_total = s.seconds.total;
+  answer.seconds_bounds = s.seconds.bounds;
+  answer.seconds_build = s.seconds.build;
+  answer.seconds_traverse = s.seconds.traverse;
+  answer.seconds_filter = s.seconds.filter;
+  answer.seconds_solve = s.seconds.solve;
+  answer.decided_by_lanes = s.decided_by.lanes;
+  answer.decided_by_scalar = s.decided_by.scalar;
+  answer.decided_by_extended = s.decided_by.extended;
+  answer.decided_by_exact = s.decided_by.exact;
+  answer.unresolved = s.decided_by.unresolved;
+  answer.nodes_visited = s.nodes_visited;
+  answer.memory_bytes = s.memory_bytes;
+  const std::size_t count = std::min<std::size_t>(s.stages.size(), TAMIS_MOST_STAGES);
+  answer.stage_count = static_cast<int32_t>(count);
+  names.clear();
+  for (std::size_t i = 0; i < count; ++i) names.emplace_back(s.stages[i].name);
+  for (std::size_t i = 0; i < count; ++i) answer.stages[i] = {names[i].c_str(), s.stages[i].vf, s.stages[i].ee};
+  return answer;
+}
+
+}  // namespace
+}  // namespace tamis::c
+
+using namespace tamis::c;
+
+tamis_status tamis_detector_create(const tamis_mesh* mesh, const tamis_options* options, tamis_detector** detector) {
+  return make_handle(detector, [&](tamis_detector& handle) {
+    if (!required(mesh, "mesh").mesh)
+      throw tamis::InvalidMesh("the mesh could not be made: " + std::string(mesh->outcome.message()));
+    const auto given = options ? read_sized(options, "options") : tamis_options{};
+    handle.detector.emplace(*mesh->mesh, options_of(given, mesh->mesh->vertex_count()));
+  });
+}
+
+void tamis_detector_free(tamis_detector* detector) { delete detector; }
+
+const char* tamis_detector_message(const tamis_detector* detector) {
+  return detector ? detector->outcome.message() : "";
+}
+
+tamis_status tamis_detector_contacts(tamis_detector* detector, const tamis_step* step, size_t* count) {
+  return ask(detector, step, [&](tamis_detector& handle, const tamis::Step& s) {
+    size_t& number = required(count, "count");
+    handle.detector->contacts(s, handle.contacts);
+    number = handle.contacts.size();
+  });
+}
+
+tamis_status tamis_detector_earliest(tamis_detector* detector, const tamis_step* step, double* toi_lower,
+                                     double* toi_upper, size_t* count) {
+  return ask(detector, step, [&](tamis_detector& handle, const tamis::Step& s) {
+    double &lower = required(toi_lower, "toi_lower"), &upper = required(toi_upper, "toi_upper");
+    size_t& number = required(count, "count");
+    const tamis::EarliestContact first = handle.detector->earliest(s);
+    if (first.contact) handle.contacts.push_back(*first.contact);
+    lower = first.toi_lower;
+    upper = first.toi_upper;
+    number = handle.contacts.size();
+  });
+}
+
+tamis_status tamis_detector_is_free(tamis_detector* detector, const tamis_step* step, int* is_free) {
+  return ask(detector, step, [&](tamis_detector& handle, const tamis::Step& s) {
+    required(is_free, "is_free") = handle.detector->is_free(s) ? 1 : 0;
+  });
+}
+
+tamis_status tamis_detector_keep_distance(tamis_detector* detector, const tamis_step* step, double fraction,
+                                          tamis_safe_step* answer) {
+  return ask(detector, step, [&](tamis_detector& handle, const tamis::Step& s) {
+    write_sized(tamis_safe_step{}, answer, "answer");  // refused before the work
+    write_sized(answer_of(handle.detector->keep_distance(s, fraction)), answer, "answer");
+  });
+}
+
+tamis_status tamis_detector_copy_contacts(tamis_detector* detector, size_t first, size_t count, tamis_contact* contacts,
+                                          size_t contact_size) {
+  return with(detector, [&](tamis_detector& handle) {
+    const size_t all = handle.contacts.size();
+    if (first > all || count > all - first)
+      throw InvalidArgument("contacts " + std::to_string(first) + " and " + std::to_string(count) +
+                            " of them: the last question has " + std::to_string(all));
+    check_size(contact_size, sizeof(int32_t), "contact");
+    for (size_t i = 0; i < count; ++i)
+      write_element(contact_of(handle.contacts[first + i]), &required(contacts, "contacts"), i, contact_size);
+  });
+}
+
+tamis_status tamis_detector_statistics(tamis_detector* detector, tamis_statistics* statistics) {
+  return with(detector, [&](tamis_detector& handle) {
+    write_sized(statistics_of(handle.detector->statistics(), handle.stage_names), statistics, "statistics");
+  });
+}

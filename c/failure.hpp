@@ -1,0 +1,99 @@
+// What every handle has: the outcome of the last call with it, and the one place where exceptions become codes.
+#pragma once
+#include <new>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "tamis/error.hpp"
+#include "tamis/tamis.h"
+
+namespace tamis::c {
+
+/// An argument that no later layer could refuse: a pointer that is NULL, a size that cannot be.
+struct InvalidArgument : std::invalid_argument {
+  using std::invalid_argument::invalid_argument;
+};
+
+/// A second question before the first has been answered.
+struct Busy : std::runtime_error {
+  Busy() : std::runtime_error("the detector is answering another question: give each thread a detector of its own") {}
+};
+
+class Outcome {
+ public:
+  tamis_status status() const { return status_; }
+  const char* message() const { return message_.c_str(); }
+
+  void succeed() {
+    status_ = TAMIS_OK;
+    message_.clear();
+  }
+  /// A message for which there is no memory stays empty.
+  void fail(tamis_status status, const char* message) noexcept {
+    status_ = status;
+    try {
+      message_ = message;
+    } catch (...) {
+      message_.clear();
+    }
+  }
+
+ private:
+  tamis_status status_ = TAMIS_OK;
+  std::string message_;
+};
+
+/// The code and the sentence of the exception in flight.
+inline void record_exception(Outcome& outcome) noexcept {
+  try {
+    throw;
+  } catch (const InvalidArgument& e) {
+    outcome.fail(TAMIS_INVALID_ARGUMENT, e.what());
+  } catch (const Busy& e) {
+    outcome.fail(TAMIS_BUSY, e.what());
+  } catch (const InvalidMesh& e) {
+    outcome.fail(TAMIS_INVALID_MESH, e.what());
+  } catch (const InvalidStep& e) {
+    outcome.fail(TAMIS_INVALID_STEP, e.what());
+  } catch (const InvalidOptions& e) {
+    outcome.fail(TAMIS_INVALID_OPTIONS, e.what());
+  } catch (const Cancelled& e) {
+    outcome.fail(TAMIS_CANCELLED, e.what());
+  } catch (const std::bad_alloc&) {
+    outcome.fail(TAMIS_OUT_OF_MEMORY, "out of memory");
+  } catch (const std::exception& e) {
+    outcome.fail(TAMIS_FAILED, e.what());
+  } catch (...) {
+    outcome.fail(TAMIS_FAILED, "an exception of an unknown type");
+  }
+}
+
+/// Runs `work`; what it throws becomes the outcome.
+template <class Work>
+tamis_status attempt(Outcome& outcome, const Work& work) noexcept {
+  try {
+    work();
+    outcome.succeed();
+  } catch (...) {
+    record_exception(outcome);
+  }
+  return outcome.status();
+}
+
+/// Makes a handle, then `fill`s it; the handle outlives a failure, so that its sentence can be read.
+template <class Handle, class Fill>
+tamis_status make_handle(Handle** handle, const Fill& fill) noexcept {
+  if (!handle) return TAMIS_INVALID_ARGUMENT;
+  *handle = new (std::nothrow) Handle;
+  if (!*handle) return TAMIS_OUT_OF_MEMORY;
+  return attempt((*handle)->outcome, [&] { fill(**handle); });
+}
+
+template <class T>
+T& required(T* pointer, const char* name) {
+  if (!pointer) throw InvalidArgument(std::string(name) + " is NULL: give a pointer");
+  return *pointer;
+}
+
+}  // namespace tamis::c

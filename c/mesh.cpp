@@ -1,0 +1,57 @@
+#include "c/mesh.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "c/sized.hpp"
+
+namespace tamis::c {
+namespace {
+
+/// `count` rows of a caller's array of indices.
+template <class Row>
+std::vector<Row> rows(const int32_t* indices, std::size_t count, const char* name) {
+  if (count > static_cast<std::size_t>(std::numeric_limits<Index>::max()))
+    throw InvalidMesh(std::to_string(count) + " " + name + ": give at most 2^31 - 1");
+  std::vector<Row> result(count);
+  if (count > 0) std::copy_n(&required(indices, name), count * (sizeof(Row) / sizeof(Index)), &result.data()->front());
+  return result;
+}
+
+Mesh make_mesh(const tamis_mesh_input& input) {
+  const auto points = rows<std::array<Index, 1>>(input.loose_points, input.loose_point_count, "loose_points");
+  std::vector<Index> loose_points;
+  for (const auto& point : points) loose_points.push_back(point[0]);
+  return Mesh(input.vertex_count, rows<Face>(input.faces, input.face_count, "faces"),
+              rows<Edge>(input.loose_edges, input.loose_edge_count, "loose_edges"), loose_points);
+}
+
+template <class Row>
+const int32_t* first_index(std::span<const Row> rows, std::size_t* count) {
+  if (count) *count = rows.size();
+  return rows.empty() ? nullptr : reinterpret_cast<const int32_t*>(rows.data());
+}
+
+}  // namespace
+}  // namespace tamis::c
+
+using namespace tamis::c;
+
+tamis_status tamis_mesh_create(const tamis_mesh_input* input, tamis_mesh** mesh) {
+  return make_handle(mesh, [&](tamis_mesh& handle) { handle.mesh.emplace(make_mesh(read_sized(input, "input"))); });
+}
+
+void tamis_mesh_free(tamis_mesh* mesh) { delete mesh; }
+
+const char* tamis_mesh_message(const tamis_mesh* mesh) { return mesh ? mesh->outcome.message() : ""; }
+
+const int32_t* tamis_mesh_edges(const tamis_mesh* mesh, size_t* count) {
+  return first_index(mesh && mesh->mesh ? mesh->mesh->edges() : std::span<const tamis::Edge>(), count);
+}
+
+const int32_t* tamis_mesh_points(const tamis_mesh* mesh, size_t* count) {
+  return first_index(mesh && mesh->mesh ? mesh->mesh->points() : std::span<const tamis::Index>(), count);
+}

@@ -1,0 +1,50 @@
+#include "c/options.hpp"
+
+#include <cstddef>
+#include <string>
+
+#include "tamis/error.hpp"
+
+namespace tamis::c {
+namespace {
+
+PairFilter filter_of(const tamis_options& given, Index vertex_count) {
+  if (given.group_count < 0)
+    throw InvalidOptions("group_count is " + std::to_string(given.group_count) + ": give at least one group, or 0");
+  PairFilter filter;
+  filter.group_count = given.group_count == 0 ? 1 : given.group_count;
+  if (given.group_of_vertex) filter.group_of_vertex.assign(given.group_of_vertex, given.group_of_vertex + vertex_count);
+  const auto groups = static_cast<std::ptrdiff_t>(filter.group_count);
+  if (given.groups_may_touch)
+    filter.groups_may_touch.assign(given.groups_may_touch, given.groups_may_touch + groups * groups);
+  if (given.accepts)
+    filter.accepts = [ask = given.accepts, user = given.user](PairKind kind, const std::array<Index, 4>& vertices) {
+      return ask(user, static_cast<int32_t>(kind), vertices.data()) != 0;
+    };
+  return filter;
+}
+
+}  // namespace
+
+Options options_of(const tamis_options& given, Index vertex_count) {
+  Options options;
+  if (given.method) choose_method(options, given.method);
+  if (given.guarantee) options.guarantee = guarantee_from_name(given.guarantee);
+  if (given.isa) options.isa = isa_from_name(given.isa);
+  if (given.bounding_volume) options.paper.bounding_volume = bounding_volume_from_name(given.bounding_volume);
+  options.threads = given.threads;
+  options.min_separation = given.min_separation;
+  options.filter = filter_of(given, vertex_count);
+  if (given.is_cancelled)
+    options.is_cancelled = [ask = given.is_cancelled, user = given.user] { return ask(user) != 0; };
+  return options;
+}
+
+PairOptions options_of(const tamis_pair_options& given) {
+  PairOptions options;
+  if (given.guarantee) options.guarantee = guarantee_from_name(given.guarantee);
+  options.min_separation = given.min_separation;
+  return options;
+}
+
+}  // namespace tamis::c

@@ -1,0 +1,13 @@
+// Options as C gives them.
+#pragma once
+#include "tamis/options.hpp"
+#include "tamis/pair.hpp"
+#include "tamis/tamis.h"
+
+namespace tamis::c {
+
+/// `vertex_count`: of the mesh, for the arrays that have one entry a vertex. Throws InvalidOptions.
+Options options_of(const tamis_options& given, Index vertex_count);
+PairOptions options_of(const tamis_pair_options& given);
+
+}  // namespace tamis::c

@@ -1,0 +1,54 @@
+// Structs that can grow: the caller's may be older or newer than the library's.
+#pragma once
+#include <algorithm>
+#include <cstddef>
+#include <cstring>
+#include <string>
+#include <type_traits>
+
+#include "c/failure.hpp"
+
+namespace tamis::c {
+
+inline void check_size(std::size_t size, std::size_t least, const char* name) {
+  if (size < least)
+    throw InvalidArgument(std::string(name) + " has the size " + std::to_string(size) + ": set it to sizeof");
+}
+
+/// What the library knows of a caller's struct; what the caller does not know of is zero.
+template <class T>
+T read_sized(const T* given, const char* name) {
+  static_assert(std::is_trivially_copyable_v<T> && offsetof(T, size) == 0);
+  std::size_t size = 0;
+  std::memcpy(&size, &required(given, name), sizeof(size));
+  check_size(size, sizeof(size), name);
+  const auto* bytes = reinterpret_cast<const unsigned char*>(given);
+  if (size > sizeof(T) && std::any_of(bytes + sizeof(T), bytes + size, [](unsigned char b) { return b != 0; }))
+    throw InvalidArgument(std::string(name) + " asks for something that version " + tamis_version() +
+                          " does not know: set it to zero, or use a newer library");
+  T known{};
+  std::memcpy(&known, given, std::min(size, sizeof(T)));
+  return known;
+}
+
+/// Writes as much of an answer as the caller's struct has room for.
+template <class T>
+void write_sized(T answer, T* to, const char* name) {
+  static_assert(std::is_trivially_copyable_v<T> && offsetof(T, size) == 0);
+  std::size_t size = 0;
+  std::memcpy(&size, &required(to, name), sizeof(size));
+  check_size(size, sizeof(size), name);
+  answer.size = size;
+  std::memcpy(to, &answer, std::min(size, sizeof(T)));
+}
+
+/// Element `i` of a caller's array whose elements may be shorter or longer than the library's; longer ones end in
+/// zeros.
+template <class T>
+void write_element(const T& element, void* array, std::size_t i, std::size_t element_size) {
+  unsigned char* to = static_cast<unsigned char*>(array) + i * element_size;
+  std::memcpy(to, &element, std::min(element_size, sizeof(T)));
+  if (element_size > sizeof(T)) std::memset(to + sizeof(T), 0, element_size - sizeof(T));
+}
+
+}  // namespace tamis::c

@@ -1,0 +1,214 @@
+/* Tamis for C, and for every language that can call C: contacts between moving, deforming triangle meshes.
+ *
+ * Handles are opaque. Whatever makes or asks something returns a status; its sentence stands in the handle until the
+ * next call with it. A call that makes a handle writes one even if it fails, to read the sentence from, unless memory
+ * ran out (then NULL): free it in either case. Freeing NULL does nothing. Nothing is thrown across this interface.
+ *
+ * Structs begin with their size: set it to sizeof, the rest to zero, then what you need. So they may grow, and an older
+ * program still runs with a newer library: what a caller does not know of is left as it is by default, and what the
+ * library does not know of must be zero.
+ *
+ * Pointers that are given are read during the call alone. One handle serves one thread at a time; calls at once with
+ * a detector that is asking give TAMIS_BUSY. Different handles are independent. */
+#ifndef TAMIS_TAMIS_H
+#define TAMIS_TAMIS_H
+#include <stddef.h>
+#include <stdint.h>
+
+#if defined(__GNUC__)
+#define TAMIS_API __attribute__((visibility("default")))
+#else
+#define TAMIS_API
+#endif
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef enum tamis_status {
+  TAMIS_OK = 0,
+  TAMIS_INVALID_ARGUMENT = 1, /**< a pointer that is NULL, a size or a place that cannot be */
+  TAMIS_INVALID_MESH = 2,     /**< a topology that cannot be used */
+  TAMIS_INVALID_STEP = 3,     /**< positions that do not fit the mesh, or are not finite */
+  TAMIS_INVALID_OPTIONS = 4,  /**< an option outside its range, or an unknown name */
+  TAMIS_CANCELLED = 5,        /**< tamis_options.is_cancelled said so; the detector may be asked again */
+  TAMIS_BUSY = 6,             /**< the detector is answering another thread, or the filter's own caller */
+  TAMIS_OUT_OF_MEMORY = 7,
+  TAMIS_FAILED = 8 /**< anything else */
+} tamis_status;
+
+/** As the project's version, "0.1.0". Never freed, as all strings that are returned. */
+TAMIS_API const char* tamis_version(void);
+
+/* ---- Mesh: the topology, made once ---- */
+
+typedef struct tamis_mesh tamis_mesh;
+
+typedef struct tamis_mesh_input {
+  size_t size;
+  int32_t vertex_count;        /**< rows of the positions of every step, >= 0 */
+  const int32_t* faces;        /**< face_count x 3 vertex indices, any winding */
+  size_t face_count;           /**< may be 0 */
+  const int32_t* loose_edges;  /**< loose_edge_count x 2: rods */
+  size_t loose_edge_count;     /**< may be 0 */
+  const int32_t* loose_points; /**< vertices of no face and no edge that still take part in contacts */
+  size_t loose_point_count;    /**< may be 0 */
+} tamis_mesh_input;
+
+/** TAMIS_INVALID_MESH: an index outside [0, vertex_count), or no feature at all. */
+TAMIS_API tamis_status tamis_mesh_create(const tamis_mesh_input* input, tamis_mesh** mesh);
+TAMIS_API void tamis_mesh_free(tamis_mesh* mesh);
+/** What the last call with this mesh had to say; "" after TAMIS_OK. */
+TAMIS_API const char* tamis_mesh_message(const tamis_mesh* mesh);
+/** Every edge of a triangle and every loose one, once: count x 2, vertices ascending, sorted. Lives as the mesh does;
+ * NULL and 0 of a mesh that could not be made. */
+TAMIS_API const int32_t* tamis_mesh_edges(const tamis_mesh* mesh, size_t* count);
+/** The vertices that take part in contacts, ascending. Otherwise the same. */
+TAMIS_API const int32_t* tamis_mesh_points(const tamis_mesh* mesh, size_t* count);
+
+/* ---- What all questions share ---- */
+
+/** Kinds of pairs and their vertices. Vertex-face: the vertex, then the face's vertices in the mesh's order.
+ * Edge-edge: each edge ascending, the smaller edge first. */
+enum { TAMIS_VERTEX_FACE = 0, TAMIS_EDGE_EDGE = 1 };
+/** Certified: proven to touch at some time of the bracket. Unresolved: floating point could not decide; kept, because
+ * a contact must never be missed. */
+enum { TAMIS_CERTIFIED = 0, TAMIS_UNRESOLVED = 1 };
+
+/** Each vertex moves on a straight line from its row of `start` (t=0) to that of `end` (t=1). */
+typedef struct tamis_step {
+  size_t size;
+  int32_t vertex_count;   /**< rows of both */
+  const double* start;    /**< three coordinates a row */
+  const double* end;      /**< the same at t=1 */
+  ptrdiff_t start_stride; /**< doubles from one row to the next, >= 3; 0: 3 */
+  ptrdiff_t end_stride;   /**< the same of end */
+} tamis_step;
+
+/** One pair of features that touches during the step. */
+typedef struct tamis_contact {
+  int32_t kind;
+  int32_t certainty;
+  int32_t vertices[4];
+  double toi_lower; /**< fraction of the step: the pair is apart on [0, toi_lower) */
+  double toi_upper; /**< if certified, it touches at some time of [toi_lower, toi_upper] */
+  double u, v;      /**< vf: point = (1-u-v) f0 + u f1 + v f2; ee: u on the first edge, v on the second */
+  double normal[3]; /**< of unit length */
+} tamis_contact;
+
+/* ---- Detector: every contact of a mesh with itself, step after step ---- */
+
+typedef struct tamis_detector tamis_detector;
+
+/** All zero but `size` are the defaults. */
+typedef struct tamis_options {
+  size_t size;
+  const char* method;    /**< as the command's --method: "tamis", "paper", "brute", "paper-sat", ...; NULL: tamis */
+  const char* guarantee; /**< "conservative" or "exact"; NULL: the library's default */
+  const char* isa;       /**< "best", "baseline", "avx2", "avx512"; NULL: best. Speed only */
+  const char* bounding_volume;     /**< of method paper: "16-dop", "aabb", ...; NULL: 16-dop */
+  int32_t threads;                 /**< 0: as many as the caller's oneTBB arena gives. Speed only */
+  double min_separation;           /**< d >= 0: contact means Euclidean distance <= d */
+  const int32_t* group_of_vertex;  /**< one a vertex of the mesh, in [0, group_count); NULL: all are in group 0 */
+  int32_t group_count;             /**< 0: one group */
+  const uint8_t* groups_may_touch; /**< group_count x group_count, symmetric; 0 leaves out; NULL: all are tested */
+  /** Asked for every pair that is left, from several threads; 0 leaves the pair out. NULL: all are tested. */
+  int (*accepts)(void* user, int32_t kind, const int32_t* vertices);
+  /** Asked again and again during a question, from several threads; other than 0 ends it with TAMIS_CANCELLED. */
+  int (*is_cancelled)(void* user);
+  void* user; /**< handed to both */
+} tamis_options;
+
+/** Copies the mesh. NULL as options: the defaults. TAMIS_INVALID_OPTIONS: see tamis/options.hpp. */
+TAMIS_API tamis_status tamis_detector_create(const tamis_mesh* mesh, const tamis_options* options,
+                                             tamis_detector** detector);
+TAMIS_API void tamis_detector_free(tamis_detector* detector);
+/** What the last call with this detector had to say; "" after TAMIS_OK. */
+TAMIS_API const char* tamis_detector_message(const tamis_detector* detector);
+
+/** All contacts of the step, by kind, then vertices; tamis_detector_copy_contacts() hands them out. */
+TAMIS_API tamis_status tamis_detector_contacts(tamis_detector* detector, const tamis_step* step, size_t* count);
+/** The first contact: the motion is free on [0, *toi_lower), proven; *toi_upper is 1 if none is certified. *count is 0,
+ * and both times 1, if the step is free; else 1, for tamis_detector_copy_contacts(). */
+TAMIS_API tamis_status tamis_detector_earliest(tamis_detector* detector, const tamis_step* step, double* toi_lower,
+                                               double* toi_upper, size_t* count);
+/** Writes 1 if the whole step is free of contacts, else 0. */
+TAMIS_API tamis_status tamis_detector_is_free(tamis_detector* detector, const tamis_step* step, int* is_free);
+
+typedef struct tamis_safe_step {
+  size_t size;
+  double lower;        /**< on [0, lower] every pair keeps the fraction, on [0, lower) none touches: proven */
+  double upper;        /**< at this time some pair has no more than it left: proven; 1 if not known of any time */
+  int32_t has_pair;    /**< 0: the whole step may go */
+  int32_t kind;        /**< of the pair that ends the step, as in tamis_contact */
+  int32_t vertices[4]; /**< the same */
+  double distance;     /**< of the pair at t=0, rounded */
+} tamis_safe_step;
+
+/** How far may the step go so that every pair keeps at least `fraction`, 0 <= fraction < 1, of its distance? */
+TAMIS_API tamis_status tamis_detector_keep_distance(tamis_detector* detector, const tamis_step* step, double fraction,
+                                                    tamis_safe_step* answer);
+
+/** Copies contacts [first, first + count) of the last question, contacts or earliest, into an array whose elements are
+ * `contact_size` = sizeof(tamis_contact) bytes. */
+TAMIS_API tamis_status tamis_detector_copy_contacts(tamis_detector* detector, size_t first, size_t count,
+                                                    tamis_contact* contacts, size_t contact_size);
+
+typedef struct tamis_stage {
+  const char* name;
+  uint64_t vf, ee; /**< pairs that entered */
+} tamis_stage;
+
+enum { TAMIS_MOST_STAGES = 16 };
+
+/** What the last question cost; times in seconds. */
+typedef struct tamis_statistics {
+  size_t size;
+  const char* isa;
+  int32_t threads;
+  int32_t rebuilt; /**< 1: the hierarchy was built, not refitted */
+  double seconds_total, seconds_bounds, seconds_build, seconds_traverse, seconds_filter, seconds_solve;
+  uint64_t decided_by_lanes, decided_by_scalar, decided_by_extended, decided_by_exact, unresolved;
+  uint64_t nodes_visited, memory_bytes;
+  int32_t stage_count;
+  tamis_stage stages[TAMIS_MOST_STAGES]; /**< in the pipeline's order; names live until the next call for statistics */
+} tamis_statistics;
+
+TAMIS_API tamis_status tamis_detector_statistics(tamis_detector* detector, tamis_statistics* statistics);
+
+/* ---- Single pairs, and lists of them: for callers who have a broad phase of their own ---- */
+
+typedef struct tamis_pairs tamis_pairs;
+
+typedef struct tamis_pair_options {
+  size_t size;
+  const char* guarantee; /**< as in tamis_options */
+  double min_separation; /**< the same */
+} tamis_pair_options;
+
+/** Of a contact; what follows `touches` has no meaning if that is 0. */
+typedef struct tamis_pair_result {
+  int32_t touches; /**< 0: proven free */
+  int32_t certainty;
+  double toi_lower, toi_upper;
+  double u, v;
+  double normal[3];
+} tamis_pair_result;
+
+/** NULL as options: the defaults. */
+TAMIS_API tamis_status tamis_pairs_create(const tamis_pair_options* options, tamis_pairs** pairs);
+TAMIS_API void tamis_pairs_free(tamis_pairs* pairs);
+/** What the last call with these pairs had to say; "" after TAMIS_OK. */
+TAMIS_API const char* tamis_pairs_message(const tamis_pairs* pairs);
+/** `count` vertices against `count` faces: a pair is 12 doubles, p a b c, at t=0 and again at t=1. Writes `count`
+ * results of `result_size` = sizeof(tamis_pair_result) bytes. Nothing of use is written if it fails. */
+TAMIS_API tamis_status tamis_vertex_face(tamis_pairs* pairs, size_t count, const double* start, const double* end,
+                                         tamis_pair_result* results, size_t result_size);
+/** Edge (0,1) against edge (2,3); otherwise the same. */
+TAMIS_API tamis_status tamis_edge_edge(tamis_pairs* pairs, size_t count, const double* start, const double* end,
+                                       tamis_pair_result* results, size_t result_size);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

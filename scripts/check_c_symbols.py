@@ -1,0 +1,34 @@
+#!/usr/bin/env python3
+"""check_c_symbols.py LIBRARY HEADER: the library exports what the header declares, with its version, and nothing else.
+
+A symbol more is C++ that leaks into every program that loads the library, where it may replace another library's; one
+less is a function that cannot be called.
+"""
+import pathlib
+import re
+import subprocess
+import sys
+
+
+def main() -> int:
+    library, header = sys.argv[1:]
+    text = re.sub(r"/\*.*?\*/", "", pathlib.Path(header).read_text(), flags=re.DOTALL)
+    declared = set(re.findall(r"^TAMIS_API [^(]*\b(tamis_\w+)\(", text, re.MULTILINE))
+    version = re.search(r"libtamis_c\.so\.(\d+\.\d+)", pathlib.Path(library).resolve().name)
+    if not version or not declared:
+        print(f"{library} has no version in its name, or {header} declares nothing")
+        return 1
+    listing = subprocess.run(["nm", "--dynamic", "--defined-only", "--with-symbol-versions", library], check=True,
+                             capture_output=True, text=True).stdout
+    exported = {line.split(" ", 2)[2] for line in listing.splitlines() if " A " not in line}
+    wanted = {f"{name}@@TAMIS_{version[1]}" for name in declared}
+    for name in sorted(exported - wanted):
+        print(f"exported, and not declared: {name}")
+    for name in sorted(wanted - exported):
+        print(f"declared, and not exported: {name}")
+    print(f"{len(exported)} symbols exported")
+    return 0 if exported == wanted else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())

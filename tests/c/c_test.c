@@ -1,0 +1,227 @@
+/* Every function of the C interface, from C99: what it answers, what it refuses, and that it frees all it takes (the
+ * program also runs under valgrind and the sanitizers). */
+#include <math.h>
+#include <stdlib.h>
+
+#include "expect.h"
+#include "scene.h"
+
+static void expect_the_one_contact(const tamis_contact* c) {
+  EXPECT(c->kind == TAMIS_VERTEX_FACE && c->certainty == TAMIS_CERTIFIED);
+  EXPECT(c->vertices[0] == 3 && c->vertices[1] == 0 && c->vertices[2] == 1 && c->vertices[3] == 2);
+  EXPECT(c->toi_lower <= 0.5 && 0.5 <= c->toi_upper && c->toi_upper - c->toi_lower < 1e-9);
+  EXPECT(fabs(c->u - 0.25) < 1e-9 && fabs(c->v - 0.25) < 1e-9);
+  EXPECT(fabs(fabs(c->normal[2]) - 1) < 1e-9);
+}
+
+static void meshes(void) {
+  size_t count = 99;
+  const int32_t edge[] = {0, 1}, point[] = {2}, wrong[] = {0, 1, 7};
+  tamis_mesh* mesh = two_triangles();
+  EXPECT(strlen(tamis_mesh_message(mesh)) == 0);
+  EXPECT(tamis_mesh_edges(mesh, &count)[1] == 1 && count == 6);
+  EXPECT(tamis_mesh_points(mesh, &count)[5] == 5 && count == 6);
+  tamis_mesh_free(mesh);
+
+  {
+    tamis_mesh_input rods = {sizeof rods, 3, NULL, 0, edge, 1, point, 1};
+    EXPECT(tamis_mesh_create(&rods, &mesh) == TAMIS_OK);
+    EXPECT(tamis_mesh_edges(mesh, &count) && count == 1);
+    EXPECT(tamis_mesh_points(mesh, &count) && count == 3);
+    tamis_mesh_free(mesh);
+  }
+  {
+    tamis_mesh_input outside = {sizeof outside, 3, wrong, 1, NULL, 0, NULL, 0};
+    EXPECT(tamis_mesh_create(&outside, &mesh) == TAMIS_INVALID_MESH);
+    EXPECT_SAYS(tamis_mesh_message(mesh), "7");
+    EXPECT(tamis_mesh_edges(mesh, &count) == NULL && count == 0);
+    {
+      tamis_detector* detector = NULL;
+      EXPECT(tamis_detector_create(mesh, NULL, &detector) == TAMIS_INVALID_MESH);
+      EXPECT_SAYS(tamis_detector_message(detector), "7");
+      tamis_detector_free(detector);
+    }
+    tamis_mesh_free(mesh);
+    outside.faces = NULL;
+    EXPECT(tamis_mesh_create(&outside, &mesh) == TAMIS_INVALID_ARGUMENT);
+    EXPECT_SAYS(tamis_mesh_message(mesh), "faces is NULL");
+    tamis_mesh_free(mesh);
+    EXPECT(tamis_mesh_create(&outside, NULL) == TAMIS_INVALID_ARGUMENT);
+    EXPECT(tamis_mesh_create(NULL, &mesh) == TAMIS_INVALID_ARGUMENT);
+    tamis_mesh_free(mesh);
+  }
+  tamis_mesh_free(NULL);
+}
+
+static void questions(void) {
+  tamis_mesh* mesh = two_triangles();
+  tamis_detector* detector = NULL;
+  tamis_step step = falling();
+  tamis_contact contact;
+  tamis_safe_step safe = {sizeof safe, 0, 0, 0, 0, {0}, 0};
+  tamis_statistics statistics;
+  size_t count = 0;
+  double lower = 0, upper = 0;
+  int is_free = -1;
+  EXPECT(tamis_detector_create(mesh, NULL, &detector) == TAMIS_OK);
+  tamis_mesh_free(mesh); /* the detector has its own */
+
+  EXPECT(tamis_detector_contacts(detector, &step, &count) == TAMIS_OK && count == 1);
+  EXPECT(tamis_detector_copy_contacts(detector, 0, 1, &contact, sizeof contact) == TAMIS_OK);
+  expect_the_one_contact(&contact);
+  memset(&statistics, 0, sizeof statistics);
+  statistics.size = sizeof statistics;
+  EXPECT(tamis_detector_statistics(detector, &statistics) == TAMIS_OK);
+  EXPECT(statistics.rebuilt == 1 && statistics.stage_count >= 2 && statistics.seconds_total > 0);
+  EXPECT(!strcmp(statistics.stages[0].name, "boxes") && statistics.stages[0].vf >= 1 && statistics.isa != NULL);
+
+  EXPECT(tamis_detector_earliest(detector, &step, &lower, &upper, &count) == TAMIS_OK && count == 1);
+  EXPECT(lower <= 0.5 && 0.5 <= upper);
+  EXPECT(tamis_detector_copy_contacts(detector, 0, 1, &contact, sizeof contact) == TAMIS_OK);
+  expect_the_one_contact(&contact);
+
+  EXPECT(tamis_detector_is_free(detector, &step, &is_free) == TAMIS_OK && is_free == 0);
+  EXPECT(tamis_detector_keep_distance(detector, &step, 0.5, &safe) == TAMIS_OK);
+  EXPECT(fabs(safe.lower - 0.25) < 1e-6 && safe.has_pair == 1 && safe.vertices[0] == 3 && safe.distance == 1);
+  EXPECT(tamis_detector_keep_distance(detector, &step, 1, &safe) == TAMIS_INVALID_OPTIONS);
+
+  step.end = start;
+  EXPECT(tamis_detector_earliest(detector, &step, &lower, &upper, &count) == TAMIS_OK);
+  EXPECT(count == 0 && lower == 1 && upper == 1);
+  EXPECT(tamis_detector_is_free(detector, &step, &is_free) == TAMIS_OK && is_free == 1);
+  EXPECT(tamis_detector_copy_contacts(detector, 0, 1, &contact, sizeof contact) == TAMIS_INVALID_ARGUMENT);
+  tamis_detector_free(detector);
+  tamis_detector_free(NULL);
+}
+
+/* Rows of four doubles whose last is not a number: reading one of them shows. */
+static void strides(void) {
+  double padded[24];
+  int i;
+  size_t count = 0;
+  tamis_mesh* mesh = two_triangles();
+  tamis_detector* detector = NULL;
+  tamis_step step = falling();
+  for (i = 0; i < 24; ++i) padded[i] = i % 4 == 3 ? NAN : start[i / 4 * 3 + i % 4];
+  step.start = padded;
+  step.start_stride = 4;
+  EXPECT(tamis_detector_create(mesh, NULL, &detector) == TAMIS_OK);
+  EXPECT(tamis_detector_contacts(detector, &step, &count) == TAMIS_OK && count == 1);
+  step.end_stride = 2;
+  EXPECT(tamis_detector_contacts(detector, &step, &count) == TAMIS_INVALID_ARGUMENT);
+  EXPECT_SAYS(tamis_detector_message(detector), "end_stride is 2");
+  tamis_detector_free(detector);
+  tamis_mesh_free(mesh);
+}
+
+static void bad_steps(void) {
+  double bad[18];
+  size_t count = 0;
+  int is_free = 0;
+  tamis_mesh* mesh = two_triangles();
+  tamis_detector* detector = NULL;
+  tamis_step step = falling();
+  tamis_detector_create(mesh, NULL, &detector);
+  memcpy(bad, start, sizeof bad);
+  bad[4] = NAN;
+  step.start = bad;
+  EXPECT(tamis_detector_contacts(detector, &step, &count) == TAMIS_INVALID_STEP);
+  EXPECT_SAYS(tamis_detector_message(detector), "vertex 1");
+  step.start = NULL;
+  EXPECT(tamis_detector_is_free(detector, &step, &is_free) == TAMIS_INVALID_ARGUMENT);
+  step = falling();
+  step.vertex_count = 5;
+  EXPECT(tamis_detector_is_free(detector, &step, &is_free) == TAMIS_INVALID_STEP);
+  step = falling();
+  step.size = 0;
+  EXPECT(tamis_detector_is_free(detector, &step, &is_free) == TAMIS_INVALID_ARGUMENT);
+  EXPECT_SAYS(tamis_detector_message(detector), "sizeof");
+  EXPECT(tamis_detector_is_free(detector, NULL, &is_free) == TAMIS_INVALID_ARGUMENT);
+  EXPECT(tamis_detector_is_free(NULL, NULL, &is_free) == TAMIS_INVALID_ARGUMENT);
+  step = falling();
+  EXPECT(tamis_detector_is_free(detector, &step, NULL) == TAMIS_INVALID_ARGUMENT);
+  EXPECT(tamis_detector_contacts(detector, &step, NULL) == TAMIS_INVALID_ARGUMENT);
+  EXPECT(tamis_detector_contacts(detector, &step, &count) == TAMIS_OK && count == 1);
+  EXPECT(strlen(tamis_detector_message(detector)) == 0);
+  tamis_detector_free(detector);
+  tamis_mesh_free(mesh);
+}
+
+/* A caller of an older version knows a shorter struct, one of a newer version a longer one. */
+static void structs_of_other_versions(void) {
+  struct {
+    tamis_step known;
+    double later;
+  } newer;
+  size_t count = 0;
+  tamis_contact contact, *longer = NULL;
+  tamis_mesh* mesh = two_triangles();
+  tamis_detector* detector = NULL;
+  tamis_detector_create(mesh, NULL, &detector);
+  memset(&newer, 0, sizeof newer);
+  newer.known = falling();
+  newer.known.size = sizeof newer;
+  EXPECT(tamis_detector_contacts(detector, &newer.known, &count) == TAMIS_OK && count == 1);
+  newer.later = 1;
+  EXPECT(tamis_detector_contacts(detector, &newer.known, &count) == TAMIS_INVALID_ARGUMENT);
+  EXPECT_SAYS(tamis_detector_message(detector), tamis_version());
+  newer.known = falling();
+  newer.known.size = offsetof(tamis_step, start_stride); /* as if strides had come later */
+  EXPECT(tamis_detector_contacts(detector, &newer.known, &count) == TAMIS_OK && count == 1);
+
+  memset(&contact, 0x5a, sizeof contact);
+  EXPECT(tamis_detector_copy_contacts(detector, 0, 1, &contact, offsetof(tamis_contact, toi_upper)) == TAMIS_OK);
+  EXPECT(contact.toi_lower > 0.49 && contact.toi_lower <= 0.5);
+  EXPECT(memcmp(&contact.toi_upper, "\x5a\x5a\x5a\x5a", 4) == 0);
+  longer = calloc(1, sizeof contact + 8);
+  memset(longer, 0x5a, sizeof contact + 8);
+  EXPECT(tamis_detector_copy_contacts(detector, 0, 1, longer, sizeof contact + 8) == TAMIS_OK);
+  expect_the_one_contact(longer);
+  EXPECT(((unsigned char*)longer)[sizeof contact] == 0);
+  free(longer);
+  tamis_detector_free(detector);
+  tamis_mesh_free(mesh);
+}
+
+static void pairs_of_features(void) {
+  const double before[] = {0.2, 0.2, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 9, 9, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0};
+  const double after[] = {0.2, 0.2, -3, 0, 0, 0, 1, 0, 0, 0, 1, 0, 9, 9, -3, 0, 0, 0, 1, 0, 0, 0, 1, 0};
+  const double crossed[] = {-1, 0, 1, 1, 0, 1, 0, -1, 0, 0, 1, 0}, past[] = {-1, 0, -1, 1, 0, -1, 0, -1, 0, 0, 1, 0};
+  double bad[24];
+  tamis_pair_result r[2];
+  tamis_pairs* pairs = NULL;
+  tamis_pair_options options = {sizeof options, "exact", 0};
+  EXPECT(tamis_pairs_create(&options, &pairs) == TAMIS_OK);
+  EXPECT(tamis_vertex_face(pairs, 2, before, after, r, sizeof r[0]) == TAMIS_OK);
+  EXPECT(r[0].touches == 1 && r[0].certainty == TAMIS_CERTIFIED && r[1].touches == 0);
+  EXPECT(r[0].toi_lower <= 0.25 && 0.25 <= r[0].toi_upper && fabs(r[0].u - 0.2) < 1e-9);
+  EXPECT(tamis_edge_edge(pairs, 1, crossed, past, r, sizeof r[0]) == TAMIS_OK);
+  EXPECT(r[0].touches == 1 && r[0].toi_lower <= 0.5 && 0.5 <= r[0].toi_upper && fabs(r[0].v - 0.5) < 1e-9);
+  EXPECT(tamis_edge_edge(pairs, 0, NULL, NULL, NULL, 0) == TAMIS_OK);
+  EXPECT(tamis_edge_edge(pairs, 1, NULL, past, r, sizeof r[0]) == TAMIS_INVALID_ARGUMENT);
+  memcpy(bad, before, sizeof bad);
+  bad[15] = INFINITY;
+  EXPECT(tamis_vertex_face(pairs, 2, bad, after, r, sizeof r[0]) == TAMIS_INVALID_STEP);
+  EXPECT_SAYS(tamis_pairs_message(pairs), "pair 1");
+  tamis_pairs_free(pairs);
+
+  EXPECT(tamis_pairs_create(NULL, &pairs) == TAMIS_OK);
+  tamis_pairs_free(pairs);
+  options.min_separation = -1;
+  EXPECT(tamis_pairs_create(&options, &pairs) == TAMIS_INVALID_OPTIONS);
+  EXPECT_SAYS(tamis_pairs_message(pairs), "separation");
+  EXPECT(tamis_vertex_face(pairs, 1, before, after, r, sizeof r[0]) == TAMIS_INVALID_OPTIONS);
+  tamis_pairs_free(pairs);
+  tamis_pairs_free(NULL);
+}
+
+int main(void) {
+  EXPECT(strlen(tamis_version()) >= 5);
+  meshes();
+  questions();
+  strides();
+  bad_steps();
+  structs_of_other_versions();
+  pairs_of_features();
+  return expect_failures > 0;
+}

@@ -16,6 +16,7 @@
 #include "cli/messages.hpp"
 #include "cli/standard_streams.hpp"
 #include "cli/verb.hpp"
+#include "io/unfinished_file.hpp"
 #include "tamis/error.hpp"
 
 namespace tamis::cli {
@@ -74,6 +75,7 @@ int parse_error(const CLI::App& app, const CLI::ParseError& error) {
 
 int run(int argc, char** argv) {
   occupy_standard_streams();
+  io::remove_unfinished_files_on_signals();
   CLI::App app("Tamis finds every contact between moving, deforming triangle meshes: continuous collision detection.",
                "tamis");
   app.set_version_flag("--version", "tamis " TAMIS_VERSION);

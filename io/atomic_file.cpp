@@ -1,6 +1,6 @@
 #include "io/atomic_file.hpp"
 
-#include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -12,61 +12,100 @@
 namespace tamis::io {
 namespace {
 
-[[noreturn]] void fail(const std::filesystem::path& path, int error) {
+namespace fs = std::filesystem;
+
+[[noreturn]] void fail(const fs::path& path, int error) {
   throw FileError(path.string(), "",
                   fmt::format("cannot be written ({}): check the path, its permissions and the free space",
                               std::generic_category().message(error)));
 }
 
 /// A file that exists and is neither regular nor a folder: a pipe, a terminal, /dev/null.
-bool is_stream(const std::filesystem::path& path) {
+bool is_stream(const fs::path& path) {
   std::error_code error;
-  return std::filesystem::is_other(path, error) && !error;
+  return fs::is_other(path, error) && !error;
+}
+
+/// The name at the end of all links; nothing need be there.
+fs::path behind_links(const fs::path& path) {
+  constexpr int kMostLinks = 40;  // as Linux has it
+  fs::path name = path;
+  std::error_code error;
+  for (int i = 0; i < kMostLinks; ++i) {
+    if (!fs::is_symlink(name, error)) return name;
+    name = name.parent_path() / fs::read_symlink(name, error);
+    if (error) fail(path, error.value());
+  }
+  fail(path, ELOOP);
+}
+
+/// Owner, group and mode of the file that is replaced. Where the owner or group cannot be kept, nobody else may do
+/// with the new file what they could not with the old one.
+void take_over(const struct stat& old, int descriptor) {
+  constexpr mode_t kPermissions = 0777, kOfOwner = 0700;
+  struct stat made {};
+  if (fstat(descriptor, &made) != 0) return;
+  const bool is_same = made.st_uid == old.st_uid && made.st_gid == old.st_gid;
+  const bool is_kept = is_same || fchown(descriptor, old.st_uid, old.st_gid) == 0;
+  if (fchmod(descriptor, old.st_mode & (is_kept ? kPermissions : kOfOwner)) != 0 && errno != EPERM)
+    throw std::system_error(errno, std::generic_category());
 }
 
 }  // namespace
 
-AtomicFile::AtomicFile(const std::filesystem::path& path) : path_(path) {
+AtomicFile::AtomicFile(const fs::path& path) : path_(path), target_(behind_links(path)) {
   std::error_code error;
-  target_ = std::filesystem::weakly_canonical(path, error);
-  if (error) target_ = path;
-  if (std::filesystem::is_directory(target_, error)) fail(path, EISDIR);
-  if (is_stream(target_)) {
-    file_.reset(std::fopen(target_.c_str(), "wb"));
-  } else {
-    // Renaming would get past a file's own write protection.
-    if (std::filesystem::exists(target_, error) && access(target_.c_str(), W_OK) != 0) fail(path, errno);
-    temporary_ = fmt::format("{}.part{}", target_.string(), getpid());
-    const int descriptor = open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-    if (descriptor >= 0) file_.reset(fdopen(descriptor, "wb"));
+  if (target_.empty()) fail(path, ENOENT);
+  if (fs::is_directory(target_, error)) fail(path, EISDIR);
+  try {
+    if (is_stream(target_))
+      file_.reset(std::fopen(target_.c_str(), "wb"));
+    else
+      open_unfinished();
+  } catch (const std::system_error& failure) {
+    fail(path_, failure.code().value());
   }
-  if (!file_) fail(path, errno);
+  if (!file_) fail(path_, errno);
 }
 
-AtomicFile::~AtomicFile() {
-  std::error_code error;
-  if (file_ && !temporary_.empty()) std::filesystem::remove(temporary_, error);
+void AtomicFile::open_unfinished() {
+  struct stat old {};
+  const bool replaces = stat(target_.c_str(), &old) == 0;
+  // Renaming would get past a file's own write protection.
+  if (replaces && access(target_.c_str(), W_OK) != 0) fail(path_, errno);
+  constexpr mode_t kUsual = 0666, kPrivate = 0600;
+  unfinished_.emplace(target_.has_parent_path() ? target_.parent_path() : ".", replaces ? kPrivate : kUsual);
+  file_.reset(fdopen(unfinished_->descriptor(), "wb"));
+  if (replaces) take_over(old, unfinished_->descriptor());
 }
 
 void AtomicFile::append(std::string_view bytes) {
-  if (!failed_ && std::fwrite(bytes.data(), 1, bytes.size(), file_.get()) != bytes.size()) failed_ = true;
+  if (error_ != 0) return;
+  errno = 0;
+  if (std::fwrite(bytes.data(), 1, bytes.size(), file_.get()) == bytes.size()) return;
+  error_ = errno != 0 ? errno : EIO;
 }
 
 void AtomicFile::commit() {
-  if (failed_ || std::fflush(file_.get()) != 0) fail(path_, errno ? errno : EIO);
-  std::error_code error;
-  if (!temporary_.empty()) std::filesystem::rename(temporary_, target_, error);
-  if (error) fail(path_, error.value());
-  file_.reset();
+  if (error_ == 0 && std::fflush(file_.get()) != 0) error_ = errno;
+  // A name that leads to data which a power cut loses would be half a file after all.
+  if (error_ == 0 && unfinished_ && fsync(fileno(file_.get())) != 0) error_ = errno;
+  if (std::fclose(file_.release()) != 0 && error_ == 0) error_ = errno;
+  if (error_ != 0) fail(path_, error_);
+  try {
+    if (unfinished_) unfinished_->rename_to(target_);
+  } catch (const std::system_error& failure) {
+    fail(path_, failure.code().value());
+  }
 }
 
-void require_writable(const std::filesystem::path& path) {
+void require_writable(const fs::path& path) {
   if (!is_stream(path)) AtomicFile{path};
 }
 
-void make_folder(const std::filesystem::path& path) {
+void make_folder(const fs::path& path) {
   std::error_code error;
-  std::filesystem::create_directories(path, error);
+  fs::create_directories(path, error);
   if (error)
     throw FileError(path.string(), "",
                     fmt::format("the folder cannot be made ({}): check the path and its permissions", error.message()));

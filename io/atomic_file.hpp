@@ -3,23 +3,24 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string_view>
+
+#include "io/unfinished_file.hpp"
 
 namespace tamis::io {
 
 /// Writes beside the final place under a temporary name; `commit` renames it. Without `commit` the file that was there
-/// stays as it was. A pipe or device is written directly.
+/// stays as it was. The new file has the permissions of the one it replaces, and its owner as far as the system lets
+/// it; symbolic links are followed, also to a place where nothing is yet. A pipe or device is written directly.
 class AtomicFile {
  public:
   /// Throws FileError if the file cannot be made or replaced.
   explicit AtomicFile(const std::filesystem::path& path);
-  ~AtomicFile();
-  AtomicFile(const AtomicFile&) = delete;
-  AtomicFile& operator=(const AtomicFile&) = delete;
 
   /// Errors show up in `commit`.
   void append(std::string_view bytes);
-  /// Throws FileError if not every byte reached the file system.
+  /// Throws FileError if not every byte reached the disk.
   void commit();
 
  private:
@@ -27,11 +28,13 @@ class AtomicFile {
     void operator()(std::FILE* file) const { std::fclose(file); }
   };
 
+  void open_unfinished();
+
   std::filesystem::path path_;    ///< as the user named it
   std::filesystem::path target_;  ///< what is replaced: behind all symbolic links
-  std::filesystem::path temporary_;
+  std::optional<UnfinishedFile> unfinished_;
   std::unique_ptr<std::FILE, Close> file_;
-  bool failed_ = false;
+  int error_ = 0;  ///< the first
 };
 
 /// Throws FileError if the file could not be written; nothing stays behind. For asking before a long computation.

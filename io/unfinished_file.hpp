@@ -1,0 +1,36 @@
+// Files under temporary names, which must not outlive the process, whatever signal ends it.
+#pragma once
+#include <sys/types.h>
+
+#include <filesystem>
+
+namespace tamis::io {
+
+struct UnfinishedName;
+
+/// A new file for writing, with a name of its own. The destructor removes it, or a signal that ends the process (see
+/// remove_unfinished_files_on_signals), unless it got its final name before.
+class UnfinishedFile {
+ public:
+  /// In `folder`; `mode` as for open(2). Throws std::system_error if it cannot be made.
+  UnfinishedFile(const std::filesystem::path& folder, mode_t mode);
+  ~UnfinishedFile();
+  UnfinishedFile(const UnfinishedFile&) = delete;
+  UnfinishedFile& operator=(const UnfinishedFile&) = delete;
+
+  /// Whoever uses it closes it.
+  int descriptor() const { return descriptor_; }
+  /// Replaces what stood under the name `path`. Throws std::system_error.
+  void rename_to(const std::filesystem::path& path);
+
+ private:
+  UnfinishedName* name_;
+  int descriptor_ = -1;
+};
+
+/// From now on SIGINT, SIGTERM, SIGHUP and the like remove the unfinished files before they end the process. For a
+/// program, at its start. Signals that are ignored (nohup) stay so; a file that grows too large (RLIMIT_FSIZE) becomes
+/// an error of writing instead of a signal.
+void remove_unfinished_files_on_signals();
+
+}  // namespace tamis::io

@@ -33,6 +33,15 @@ struct PrecisionCount {
   std::uint64_t extended = 0;    ///< the same in double-double
   std::uint64_t exact = 0;       ///< exact algebra
   std::uint64_t unresolved = 0;  ///< none of these: unresolved contacts
+
+  PrecisionCount& operator+=(const PrecisionCount& other) {
+    lanes += other.lanes;
+    scalar += other.scalar;
+    extended += other.extended;
+    exact += other.exact;
+    unresolved += other.unresolved;
+    return *this;
+  }
 };
 
 struct Statistics {

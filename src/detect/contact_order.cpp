@@ -5,12 +5,9 @@
 #include <algorithm>
 #include <tuple>
 
-namespace tamis {
+#include "engines/found_contacts.hpp"
 
-bool comes_before(const Contact& a, const Contact& b) {
-  return std::tie(a.kind, a.vertices, a.toi_lower, a.toi_upper) <
-         std::tie(b.kind, b.vertices, b.toi_lower, b.toi_upper);
-}
+namespace tamis {
 
 /// A counting sort into one bucket a kind and first vertex, then each small bucket by the other vertices, which lie
 /// together with the contact's place: contacts are looked at once and moved once.

@@ -1,4 +1,4 @@
-// The documented order of contacts.
+// Sorting by the documented order of contacts.
 #pragma once
 #include <vector>
 
@@ -6,10 +6,7 @@
 
 namespace tamis {
 
-/// By kind, then vertices; duplicate features leave equal keys, so the time comes last.
-bool comes_before(const Contact& a, const Contact& b);
-
-/// Sorts by that order; keeps its scratch memory from call to call.
+/// By kind, then vertices; keeps its scratch memory from call to call.
 class ContactSorter {
  public:
   void sort(std::vector<Contact>& contacts, Index vertex_count);

@@ -1,28 +1,22 @@
 // What the methods have in common: a question goes in, contacts come out.
 #pragma once
 #include <memory>
-#include <vector>
 
-#include "tamis/detector.hpp"
+#include "engines/found_contacts.hpp"
 
 namespace tamis {
-
-enum class Question : std::uint8_t { all_contacts, earliest, is_free };
-
-/// `earliest` keeps every contact that starts up to this factor after the end of a certified one: no bracket is so
-/// wide that the first of two could be lost to rounding.
-inline constexpr double kNearTie = 1 + 0x1p-16;
 
 /// One per detector; keeps its hierarchy and its buffers from step to step.
 class Engine {
  public:
   virtual ~Engine() = default;
 
-  /// Writes to `contacts`, in any order: for `all_contacts` every contact, once; for `earliest` at least every
-  /// contact that may be the first (it may skip those that start after a certified one); for `is_free` at least one
-  /// if there is any. Adds stages, seconds (but `total`), counts and `rebuilt` to `statistics`.
-  /// REQUIRES: a validated step. Runs in the caller's oneTBB arena.
-  virtual void find(const Step& step, Question question, std::vector<Contact>& contacts, Statistics& statistics) = 0;
+  /// Adds to `found` what its step and question ask for: for `all_contacts` every contact, once; for `earliest` at
+  /// least every contact that may be the first; for `is_free` at least one if there is any. A pair that `found` does
+  /// not want need not be decided. Adds stages, seconds (but `total`), counts and `rebuilt` to `statistics`. REQUIRES:
+  /// a validated step. Runs in the caller's oneTBB arena. After an exception (of the caller's filter, or for want of
+  /// memory) the engine can be asked again.
+  virtual void find(FoundContacts& found, Statistics& statistics) = 0;
 
   /// Bytes held in the hierarchy and buffers.
   virtual std::uint64_t memory_bytes() const = 0;

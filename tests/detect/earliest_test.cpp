@@ -50,6 +50,7 @@ void check_questions(const Scene& scene, const Options& options) {
   EXPECT_GE(earliest.toi_lower, first_lower - 1e-9) << "not sharp";
   EXPECT_LE(earliest.toi_lower, first_known + 1e-9) << "beyond a contact";
   EXPECT_GE(earliest.toi_upper, first_lower);
+  if (earliest.toi_lower == 0) first_upper = 0;  // a pair touches at t=0, which is decided exactly
   EXPECT_NEAR(earliest.toi_upper, first_upper, 1e-9);
 }
 

@@ -2,10 +2,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <atomic>
+#include <limits>
 #include <vector>
 
 #include "support/contact_sets.hpp"
 #include "support/test_names.hpp"
+#include "tamis/detector.hpp"
 
 namespace tamis::test {
 namespace {
@@ -68,6 +71,32 @@ TEST_P(PairFilters, CallbackDecidesByTheNamesOfTheContacts) {
     PairFilter filter;
     filter.accepts = accepts;
     EXPECT_EQ(find(scene, filter), expected) << scene.name;
+  }
+}
+
+// Catches pairs that an interrupted question leaves in the buffers, which the next answer then had twice.
+TEST_P(PairFilters, AQuestionThatACallbackInterruptsLeavesNothingBehind) {
+  struct Interrupted {};
+  for (const Scene& scene : scenes_of_objects()) {
+    std::atomic<int> calls = 0, last_call = std::numeric_limits<int>::max();
+    Options options;
+    options.method = GetParam();
+    options.filter.accepts = [&](PairKind, const std::array<Index, 4>&) {
+      if (++calls > last_call) throw Interrupted();
+      return true;
+    };
+    Detector detector(scene.mesh(), options);
+    const PairSet expected = names_of(detector.contacts(scene.step()));
+    ASSERT_GT(calls, 0) << scene.name;
+    for (const int interrupted : {0, calls / 2, calls - 1}) {
+      calls = 0;
+      last_call = interrupted;
+      EXPECT_THROW(detector.contacts(scene.step()), Interrupted) << scene.name;
+      last_call = std::numeric_limits<int>::max();
+      const std::vector<Contact>& again = detector.contacts(scene.step());
+      EXPECT_EQ(again.size(), expected.size()) << scene.name << ", interrupted after " << interrupted << " calls";
+      EXPECT_EQ(names_of(again), expected);
+    }
   }
 }
 

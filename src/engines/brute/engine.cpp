@@ -12,14 +12,15 @@ class BruteEngine final : public Engine {
  public:
   BruteEngine(const Mesh& mesh, const Options& options) : mesh_(mesh), options_(options) {}
 
-  void find(const Step& step, Question, std::vector<Contact>& contacts, Statistics& statistics) override {
+  void find(FoundContacts& found, Statistics& statistics) override {
     StageCount count{"solve"};
     for_each_pair(mesh_, options_.filter, [&](PairKind kind, const PairVertices& v) {
       stop_if_cancelled(options_);
+      if (!found.wants(kind, v)) return;
       ++(kind == PairKind::vertex_face ? count.vf : count.ee);
-      const auto r =
-          decide(kind, points_of(step, v), {options_.guarantee, options_.min_separation}, statistics.decided_by);
-      if (r.touches) contacts.push_back({kind, r.certainty, v, r.toi_lower, r.toi_upper, r.u, r.v, r.normal});
+      const auto r = decide(kind, points_of(found.step(), v), {options_.guarantee, options_.min_separation},
+                            statistics.decided_by);
+      if (r.touches) found.add({kind, r.certainty, v, r.toi_lower, r.toi_upper, r.u, r.v, r.normal});
     });
     statistics.stages.push_back(count);
   }

@@ -8,7 +8,6 @@
 #include <tbb/parallel_for_each.h>
 
 #include <algorithm>
-#include <atomic>
 #include <chrono>
 #include <tuple>
 
@@ -48,14 +47,14 @@ class PaperEngine final : public Engine {
         patches_(scene_.mesh, high_level_of(options), options.paper.reduced_model.get()),
         testers_([this] { return PaperTester(scene_); }) {}
 
-  void find(const Step& step, Question question, std::vector<Contact>& contacts, Statistics& statistics) override {
-    scene_.step = &step;
+  void find(FoundContacts& found, Statistics& statistics) override {
+    scene_.answer = &found;
     update_bounds(statistics);
     const auto start = Clock::now();
-    for (PaperTester& tester : testers_) tester.clear();
-    std::visit([&](const auto& hierarchy) { visit_all(hierarchy.traversal(patches_.free_within()), question); },
+    for (PaperTester& tester : testers_) tester.begin();
+    std::visit([&](const auto& hierarchy) { visit_all(hierarchy.traversal(patches_.free_within()), found.question()); },
                hierarchy_);
-    collect(contacts, statistics, seconds_since(start));
+    collect(found, statistics, seconds_since(start));
   }
 
   std::uint64_t memory_bytes() const override {
@@ -71,7 +70,7 @@ class PaperEngine final : public Engine {
   void update_bounds(Statistics& statistics) {
     auto start = Clock::now();
     if (scene_.triangles.empty()) collect_topology();
-    scene_.points.update(scene_.mesh, *scene_.step);
+    scene_.points.update(scene_.mesh, scene_.answer->step());
     // Each of two features takes half of the separation; the factor covers its own rounding. Scaled first: half of the
     // smallest double is zero.
     const double padding = 0.5 * (scene_.options.min_separation * scene_.points.scale()) * (1 + 0x1p-50);
@@ -83,7 +82,8 @@ class PaperEngine final : public Engine {
           return hierarchy.update(scene_.mesh.faces(), scene_.points, padding, patches_.order());
         },
         hierarchy_);
-    std::visit([&](auto& hierarchy) { patches_.update(hierarchy.tree(), scene_.points, *scene_.step); }, hierarchy_);
+    std::visit([&](auto& hierarchy) { patches_.update(hierarchy.tree(), scene_.points, scene_.answer->step()); },
+               hierarchy_);
     statistics.triangles_in_free_patches = patches_.triangles_in_free_patches();
     statistics.seconds.build = seconds_since(start);
   }
@@ -101,13 +101,11 @@ class PaperEngine final : public Engine {
   /// The hierarchy's pairs of triangles in parts, the orphans in chunks; a part ends with its blocks tested.
   template <class Traversal>
   void visit_all(const Traversal& traversal, Question question) {
-    std::atomic<bool> found = false;
     const auto run = [&](const auto& work) {
-      if (question == Question::is_free && found.load(std::memory_order_relaxed)) return;
       PaperTester& tester = testers_.local();
+      if (!tester.found.wants(PairKind::vertex_face) && !tester.found.wants(PairKind::edge_edge)) return;
       work(tester);
-      if (question == Question::is_free || question == Question::earliest) tester.flush();
-      if (!tester.contacts.empty()) found.store(true, std::memory_order_relaxed);
+      if (question != Question::all_contacts) tester.flush();
     };
     const auto parts = traversal.parts(kParts);
     tbb::parallel_for_each(parts.begin(), parts.end(), [&](const SubtreePair& part) {
@@ -128,13 +126,14 @@ class PaperEngine final : public Engine {
     tbb::parallel_for_each(testers_.begin(), testers_.end(), [](PaperTester& tester) { tester.flush(); });
   }
 
-  void collect(std::vector<Contact>& contacts, Statistics& statistics, double seconds) {
+  void collect(FoundContacts& found, Statistics& statistics, double seconds) {
     PaperCounts sum(scene_.stages);
-    for (const PaperTester& tester : testers_) {
+    for (PaperTester& tester : testers_) {
       sum.add(tester.counts);
-      contacts.insert(contacts.end(), tester.contacts.begin(), tester.contacts.end());
+      found.take(tester.found);
     }
-    if (!scene_.options.paper.representative_triangles) drop_duplicates(contacts);
+    if (found.question() == Question::all_contacts && !scene_.options.paper.representative_triangles)
+      drop_duplicates(found.contacts());
     statistics.stages.push_back(sum.boxes);
     statistics.stages.insert(statistics.stages.end(), sum.filters.begin(), sum.filters.end());
     statistics.stages.push_back(sum.newton);

@@ -43,17 +43,16 @@ void PaperCounts::add(const PaperCounts& other) {
   tamis::add(newton, other.newton);
   tamis::add(decide, other.decide);
   for (std::size_t i = 0; i < filters.size(); ++i) tamis::add(filters[i], other.filters[i]);
-  decided_by.scalar += other.decided_by.scalar;
-  decided_by.extended += other.decided_by.extended;
-  decided_by.exact += other.decided_by.exact;
-  decided_by.unresolved += other.decided_by.unresolved;
+  decided_by += other.decided_by;
   filter_seconds += other.filter_seconds;
   solve_seconds += other.solve_seconds;
   bounds_tested += other.bounds_tested;
   triangle_pairs += other.triangle_pairs;
 }
 
-PaperTester::PaperTester(const PaperScene& scene) : counts(scene.stages), scene_(scene) {}
+PaperTester::PaperTester(const PaperScene& scene) : found(scene.options), counts(scene.stages), scene_(scene) {
+  begin();
+}
 
 void PaperTester::add_triangles(Index a, Index b) {
   const TriangleFeatures &s = scene_.triangles[at(a)], &t = scene_.triangles[at(b)];
@@ -89,15 +88,15 @@ void PaperTester::flush() {
   test(ee_);
 }
 
-void PaperTester::clear() {
-  vf_.size = ee_.size = 0;  // pairs of a step whose question threw
-  contacts.clear();
+void PaperTester::begin() {
+  found.begin_part_of(*scene_.answer);
+  vf_.size = ee_.size = 0;  // an exception may have left pairs of another question
   features.clear();
   counts = PaperCounts(scene_.stages);
 }
 
 std::uint64_t PaperTester::memory_bytes() const {
-  return sizeof(*this) + contacts.capacity() * sizeof(Contact) + features.capacity() * sizeof(features[0]);
+  return sizeof(*this) + found.memory_bytes() + features.capacity() * sizeof(features[0]);
 }
 
 template <PairKind kind>
@@ -142,10 +141,11 @@ std::size_t PaperTester::run_filters(const Block<kind>& block, std::span<std::ui
 
 template <PairKind kind>
 void PaperTester::solve(const Block<kind>& block, std::size_t pair) {
+  if (!found.wants(kind, block.vertices[pair])) return;
   const PairResult r = result_of(block, pair);
   if (!r.touches) return;
-  contacts.push_back({kind, r.certainty, block.vertices[pair], r.toi_lower, r.toi_upper, r.u, r.v, r.normal});
-  features.push_back(block.features[pair]);
+  found.add({kind, r.certainty, block.vertices[pair], r.toi_lower, r.toi_upper, r.u, r.v, r.normal});
+  if (found.question() == Question::all_contacts) features.push_back(block.features[pair]);
 }
 
 template <PairKind kind>
@@ -160,7 +160,7 @@ PairResult PaperTester::result_of(const Block<kind>& block, std::size_t pair) {
     }
   }
   add_to<kind>(counts.decide, 1);
-  return decide(kind, points_of(*scene_.step, block.vertices[pair]), {options.guarantee, options.min_separation},
+  return decide(kind, points_of(found.step(), block.vertices[pair]), {options.guarantee, options.min_separation},
                 counts.decided_by);
 }
 

@@ -19,7 +19,7 @@ struct PaperScene {
   std::vector<FilterStage> stages;
   MovingPoints points;
   FeatureBoxes boxes;
-  const Step* step = nullptr;
+  const FoundContacts* answer = nullptr;  ///< the question, and what is known of its answer
 };
 
 /// Pairs that enter each part, and the seconds it took. The boxes are in `boxes`, then one count a filter.
@@ -44,11 +44,11 @@ class PaperTester {
   void add_edges(Index edge0, Index edge1);
   /// Tests what still waits in the blocks.
   void flush();
-  /// Forgets contacts and counts, keeps the memory.
-  void clear();
+  /// A new question; keeps the memory.
+  void begin();
 
-  std::vector<Contact> contacts;
-  /// The features of each contact, so that duplicates can be told: vertex and face, or two edges.
+  FoundContacts found;
+  /// Of all contacts, the features of each, so that duplicates can be told: vertex and face, or two edges.
   std::vector<std::array<Index, 2>> features;
   PaperCounts counts;
   std::uint64_t memory_bytes() const;

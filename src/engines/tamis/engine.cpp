@@ -46,21 +46,21 @@ class TamisEngine final : public Engine {
     faces_.set_features(mesh.faces());
   }
 
-  void find(const Step& step, Question question, std::vector<Contact>& contacts, Statistics& statistics) override {
+  void find(FoundContacts& found, Statistics& statistics) override {
     auto start = Clock::now();
-    motion_.assign(step, mesh_.points(), min_separation_);
+    motion_.assign(found.step(), mesh_.points(), min_separation_);
     measure_motion();
     statistics.seconds.bounds = seconds_since(start);
     start = Clock::now();
     update_trees(statistics);
     statistics.seconds.build = seconds_since(start);
     start = Clock::now();
-    for (StagePipeline& pipeline : pipelines_) pipeline.begin(step);
-    if (question == Question::all_contacts)
-      search(step, kAllBlocks, [] { return true; });
+    for (StagePipeline& pipeline : pipelines_) pipeline.begin(found);
+    if (found.question() == Question::all_contacts)
+      search(found, kAllBlocks);
     else
-      search(step, kSamples, [&] { return question == Question::earliest || !has_contact(); });
-    collect(contacts, statistics, seconds_since(start));
+      search(found, kSamples);
+    collect(statistics, seconds_since(start));
   }
 
   std::uint64_t memory_bytes() const override {
@@ -103,43 +103,38 @@ class TamisEngine final : public Engine {
   bool is_short(float t_limit) const { return static_cast<double>(t_limit) * moved_ <= kShort * size_; }
 
   /// The step is shortened only between samples: the answer knows nothing of threads.
-  template <class Samples, class GoOn>
-  void search(const Step& step, const Samples& samples, const GoOn& go_on) {
+  template <class Samples>
+  void search(FoundContacts& found, const Samples& samples) {
     float t_limit = 1;
     for (const Sample& sample : samples) {
-      search_sample(step, PairKind::vertex_face, points_.view(), faces_.view(), sample, t_limit);
-      search_sample(step, PairKind::edge_edge, edges_.view(), edges_.view(), sample, t_limit);
+      search_sample(found, PairKind::vertex_face, points_.view(), faces_.view(), sample, t_limit);
+      search_sample(found, PairKind::edge_edge, edges_.view(), edges_.view(), sample, t_limit);
       for (StagePipeline& pipeline : pipelines_) {
         pipeline.finish();
-        t_limit = std::min(t_limit, float_after(pipeline.touching_by() * kNearTie));
+        found.take(pipeline.found());
       }
-      if (!go_on()) return;
+      for (StagePipeline& pipeline : pipelines_) pipeline.found().learn(found);
+      t_limit = std::min(t_limit, float_after(found.latest()));
     }
   }
 
-  void search_sample(const Step& step, PairKind kind, const TreeView& a, const TreeView& b, const Sample& sample,
-                     float t_limit) {
+  void search_sample(const FoundContacts& found, PairKind kind, const TreeView& a, const TreeView& b,
+                     const Sample& sample, float t_limit) {
     constexpr int kGrain = 8;
+    if (!found.wants(kind)) return;
     const tbb::blocked_range<int> all(0, count_in(sample, a.leaf_blocks), kGrain);
     tbb::parallel_for(all, [&](const tbb::blocked_range<int>& part) {
       bool is_known = false;
       StagePipeline& pipeline = pipelines_.local(is_known);
-      if (!is_known) pipeline.begin(step);
+      if (!is_known) pipeline.begin(found);
       const int first = sample.first + part.begin() * sample.stride, last = sample.first + part.end() * sample.stride;
       pipeline.search(kind, a, b, {first, std::min(last, a.leaf_blocks), sample.stride}, t_limit, is_short(t_limit));
     });
   }
 
-  bool has_contact() const {
-    return std::any_of(pipelines_.begin(), pipelines_.end(), [](const auto& p) { return !p.contacts().empty(); });
-  }
-
-  void collect(std::vector<Contact>& contacts, Statistics& statistics, double seconds) {
+  void collect(Statistics& statistics, double seconds) {
     PipelineCounts counts;
-    for (StagePipeline& pipeline : pipelines_) {
-      counts += pipeline.counts();
-      pipeline.move_contacts_to(contacts);
-    }
+    for (const StagePipeline& pipeline : pipelines_) counts += pipeline.counts();
     counts.report(statistics, seconds, min_separation_ == 0);
     statistics.isa = kernels_.isa;
   }

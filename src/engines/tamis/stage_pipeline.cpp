@@ -19,11 +19,7 @@ PipelineCounts& PipelineCounts::operator+=(const PipelineCounts& other) {
   add(dnf, other.dnf);
   add(ncf, other.ncf);
   add(solve, other.solve);
-  decided_by.lanes += other.decided_by.lanes;
-  decided_by.scalar += other.decided_by.scalar;
-  decided_by.extended += other.decided_by.extended;
-  decided_by.exact += other.decided_by.exact;
-  decided_by.unresolved += other.decided_by.unresolved;
+  decided_by += other.decided_by;
   nodes_visited += other.nodes_visited;
   traverse += other.traverse;
   filter += other.filter;
@@ -49,7 +45,7 @@ struct StagePipeline::Buffers {
 };
 
 StagePipeline::StagePipeline(const Kernels& kernels, const PackedMotion& motion, const Options& options)
-    : kernels_(kernels), motion_(motion), options_(options), buffers_(std::make_unique<Buffers>()) {}
+    : kernels_(kernels), motion_(motion), options_(options), buffers_(std::make_unique<Buffers>()), found_(options) {}
 
 StagePipeline::~StagePipeline() = default;
 StagePipeline::StagePipeline(StagePipeline&&) noexcept = default;
@@ -61,20 +57,13 @@ double StagePipeline::lap() {
   return seconds;
 }
 
-void StagePipeline::begin(const Step& step) {
-  step_ = step;
-  buffers_->boxes.count = 0;  // pairs of a step whose question threw
+void StagePipeline::begin(const FoundContacts& answer) {
   counts_ = {};
-  contacts_.clear();
-  touching_by_ = 1;
+  buffers_->boxes.count = 0;  // an exception may have left pairs of another question
+  found_.begin_part_of(answer);
 }
 
-void StagePipeline::add(const Contact& contact) {
-  contacts_.push_back(contact);
-  if (contact.certainty == Certainty::certified) touching_by_ = std::min(touching_by_, contact.toi_upper);
-}
-
-std::uint64_t StagePipeline::memory_bytes() const { return sizeof(Buffers) + contacts_.capacity() * sizeof(Contact); }
+std::uint64_t StagePipeline::memory_bytes() const { return sizeof(Buffers) + found_.memory_bytes(); }
 
 void StagePipeline::search(PairKind kind, const TreeView& a, const TreeView& b, const BlockRange& blocks, float t_limit,
                            bool is_short) {
@@ -87,7 +76,7 @@ void StagePipeline::search(PairKind kind, const TreeView& a, const TreeView& b, 
   search.pairs = &buffers_->boxes;
   search.flush = flush;
   search.context = this;
-  for (int block = blocks.first; block < blocks.last; block += blocks.stride)
+  for (int block = blocks.first; block < blocks.last && found_.wants(kind); block += blocks.stride)
     (kind == PairKind::vertex_face ? kernels_.search_vf : kernels_.search_ee)(search, block);
   counts_.nodes_visited += search.nodes_visited;
   counts_.traverse += lap();
@@ -107,7 +96,7 @@ void StagePipeline::flush(Search& search) {
 void StagePipeline::decide_buffered(PairKind kind) {
   stop_if_cancelled(options_);
   auto& [boxes, slab, filtered, solved, current] = *buffers_;
-  leave_out_filtered(kind);
+  leave_out_unwanted(kind);
   const bool is_vf = kind == PairKind::vertex_face;
   const PackedVertex* vertices = motion_.vertices.data();
   of(counts_.boxes, kind) += static_cast<std::uint64_t>(boxes.count);
@@ -134,12 +123,14 @@ void StagePipeline::decide_within_separation(PairKind kind) {
   counts_.solving += lap();
 }
 
-void StagePipeline::leave_out_filtered(PairKind kind) {
-  if (options_.filter.empty()) return;
+void StagePipeline::leave_out_unwanted(PairKind kind) {
   PairBuffer& pairs = buffers_->boxes;
+  if (!found_.wants(kind)) pairs.count = 0;
+  if (options_.filter.empty() && !found_.touches_at_start()) return;
   int kept = 0;
   for (int i = 0; i < pairs.count; ++i) {
-    if (!lets_pass(options_.filter, kind, vertices_of(pairs, i))) continue;
+    const PairVertices vertices = vertices_of(pairs, i);
+    if (!found_.wants(kind, vertices) || !lets_pass(options_.filter, kind, vertices)) continue;
     for (auto& corner : pairs.corner) corner[kept] = corner[i];
     pairs.t_in[kept] = pairs.t_in[i];
     pairs.t_out[kept] = pairs.t_out[i];
@@ -162,31 +153,26 @@ void StagePipeline::solve(PairKind kind) {
     }
     const PairVertices vertices = vertices_of(pairs, s.pair);
     TimeInterval<double> bracket{s.toi_lower, s.toi_upper};
-    if (bracket.t_out - bracket.t_in > kWideBracket) bracket = sharpened(kind, points_of(step_, vertices), bracket);
-    add({kind,
-         Certainty::certified,
-         vertices,
-         bracket.t_in,
-         bracket.t_out,
-         s.u,
-         s.v,
-         {s.normal[0], s.normal[1], s.normal[2]}});
+    if (bracket.t_out - bracket.t_in > kWideBracket)
+      bracket = sharpened(kind, points_of(found_.step(), vertices), bracket);
+    found_.add({kind,
+                Certainty::certified,
+                vertices,
+                bracket.t_in,
+                bracket.t_out,
+                s.u,
+                s.v,
+                {s.normal[0], s.normal[1], s.normal[2]}});
   }
   counts_.decided_by.lanes += static_cast<std::uint64_t>(pairs.count - undecided);
 }
 
-void StagePipeline::move_contacts_to(std::vector<Contact>& to) {
-  if (to.empty())
-    to.swap(contacts_);
-  else
-    to.insert(to.end(), contacts_.begin(), contacts_.end());
-}
-
 void StagePipeline::solve_singly(PairKind kind, const PairBuffer& pairs, int pair) {
   const PairVertices vertices = vertices_of(pairs, pair);
-  const auto r =
-      decide(kind, points_of(step_, vertices), {options_.guarantee, options_.min_separation}, counts_.decided_by);
-  if (r.touches) add({kind, r.certainty, vertices, r.toi_lower, r.toi_upper, r.u, r.v, r.normal});
+  if (!found_.wants(kind, vertices)) return;
+  const auto r = decide(kind, points_of(found_.step(), vertices), {options_.guarantee, options_.min_separation},
+                        counts_.decided_by);
+  if (r.touches) found_.add({kind, r.certainty, vertices, r.toi_lower, r.toi_upper, r.u, r.v, r.normal});
 }
 
 }  // namespace tamis

@@ -3,10 +3,9 @@
 #pragma once
 #include <chrono>
 #include <memory>
-#include <vector>
 
+#include "engines/found_contacts.hpp"
 #include "kernels/kernels.hpp"
-#include "tamis/detector.hpp"
 
 namespace tamis {
 
@@ -33,8 +32,8 @@ class StagePipeline {
   ~StagePipeline();
   StagePipeline(StagePipeline&&) noexcept;
 
-  /// Forgets the last step; the memory stays.
-  void begin(const Step& step);
+  /// Forgets the last question; the memory stays.
+  void begin(const FoundContacts& answer);
   /// Every `blocks.stride`-th leaf block of `a` against all of `b`, as far as they may touch until `t_limit`;
   /// `is_short` as in Search.
   void search(PairKind kind, const TreeView& a, const TreeView& b, const BlockRange& blocks, float t_limit,
@@ -44,11 +43,7 @@ class StagePipeline {
   std::uint64_t memory_bytes() const;
 
   const PipelineCounts& counts() const { return counts_; }
-  const std::vector<Contact>& contacts() const { return contacts_; }
-  /// The earliest time by which a certified contact touches; 1 if there is none.
-  double touching_by() const { return touching_by_; }
-  /// Appends the contacts to `to`, without a copy if that is empty.
-  void move_contacts_to(std::vector<Contact>& to);
+  FoundContacts& found() { return found_; }
 
  private:
   struct Buffers;
@@ -57,9 +52,9 @@ class StagePipeline {
   void decide_buffered(PairKind kind);
   /// What the slab clip leaves, where a distance must be kept: strict signs prove no distance.
   void decide_within_separation(PairKind kind);
-  void leave_out_filtered(PairKind kind);
+  /// Before any work: what the caller's filter, or what is known already, leaves out.
+  void leave_out_unwanted(PairKind kind);
   void solve(PairKind kind);
-  void add(const Contact& contact);
   void solve_singly(PairKind kind, const PairBuffer& pairs, int pair);
   /// Seconds since the last call.
   double lap();
@@ -67,11 +62,9 @@ class StagePipeline {
   const Kernels& kernels_;
   const PackedMotion& motion_;
   const Options& options_;
-  Step step_;
   std::unique_ptr<Buffers> buffers_;
   PipelineCounts counts_;
-  std::vector<Contact> contacts_;
-  double touching_by_ = 1;
+  FoundContacts found_;
   std::chrono::steady_clock::time_point lap_start_;
 };
 

@@ -1,0 +1,112 @@
+#include "engines/found_contacts.hpp"
+
+#include <algorithm>
+#include <tuple>
+
+#include "solve/decide.hpp"
+#include "solve/start_distance.hpp"
+
+namespace tamis {
+namespace {
+
+/// The contact as decided on the whole step: the last bits of what an engine found depend on how far it still had to
+/// look, and so on earlier questions.
+Contact decided_anew(const Contact& c, const Step& step, const Options& options, PrecisionCount& decided_by) {
+  const PairPoints points = points_of(step, c.vertices);
+  const auto r = decide(c.kind, points, {options.guarantee, options.min_separation}, decided_by);
+  Contact contact =
+      r.touches ? Contact{c.kind, r.certainty, c.vertices, r.toi_lower, r.toi_upper, r.u, r.v, r.normal} : c;
+  if (contact.toi_lower > 0 || contact.toi_upper == 0) return contact;
+  // Decided exactly, so that a line search never stops for nothing.
+  contact.toi_lower = std::min(apart_from_start(c.kind, points, options.min_separation), contact.toi_upper);
+  if (contact.toi_lower > 0) return contact;
+  contact.toi_upper = 0;
+  contact.certainty = Certainty::certified;
+  return contact;
+}
+
+}  // namespace
+
+bool comes_before(const Contact& a, const Contact& b) {
+  return std::tie(a.kind, a.vertices, a.toi_lower, a.toi_upper) <
+         std::tie(b.kind, b.vertices, b.toi_lower, b.toi_upper);
+}
+
+void FoundContacts::begin(const Step& step, Question question) {
+  step_ = step;
+  question_ = question;
+  is_settled_ = own_flag_;
+  is_settled_->store(false, std::memory_order_relaxed);
+  contacts_.clear();
+  latest_ = 1;
+  first_ = {};
+  decided_by_ = {};
+}
+
+void FoundContacts::begin_part_of(const FoundContacts& answer) {
+  begin(answer.step_, answer.question_);
+  is_settled_ = answer.is_settled_;
+  learn(answer);
+}
+
+void FoundContacts::add(const Contact& contact) {
+  if (question_ == Question::is_free) {
+    if (contacts_.empty()) contacts_.push_back(contact);
+    is_settled_->store(true, std::memory_order_relaxed);
+    return;
+  }
+  if (question_ == Question::earliest) {
+    if (contact.toi_lower > latest_) return;
+    if (contact.certainty == Certainty::certified) latest_ = std::min(latest_, contact.toi_upper * kNearTie);
+  }
+  contacts_.push_back(contact);
+  if (question_ == Question::earliest && (contacts_.size() >= kMost || contact.toi_lower == 0)) settle();
+}
+
+bool FoundContacts::wants(PairKind kind, const PairVertices& vertices) const {
+  if (question_ == Question::is_free) return !is_settled_->load(std::memory_order_relaxed);
+  return !touches_at_start() || std::tie(kind, vertices) < std::tie(first_.contact->kind, first_.contact->vertices);
+}
+
+void FoundContacts::take(FoundContacts& other) {
+  if (contacts_.empty())
+    contacts_.swap(other.contacts_);
+  else
+    contacts_.insert(contacts_.end(), other.contacts_.begin(), other.contacts_.end());
+  other.contacts_.clear();
+  decided_by_ += other.decided_by_;
+  other.decided_by_ = {};
+  learn(other);
+}
+
+void FoundContacts::learn(const FoundContacts& other) {
+  latest_ = std::min(latest_, other.latest_);
+  if (!other.first_.contact) return;
+  first_.toi_upper = std::min(first_.toi_upper, other.first_.toi_upper);
+  keep_first(*other.first_.contact);
+}
+
+EarliestContact FoundContacts::first() {
+  settle();
+  return first_;
+}
+
+void FoundContacts::settle() {
+  for (const Contact& c : contacts_)
+    if (c.toi_lower <= latest_ && wants(c.kind, c.vertices)) keep_first(decided_anew(c, step_, options_, decided_by_));
+  contacts_.clear();
+}
+
+void FoundContacts::keep_first(const Contact& decided) {
+  if (decided.certainty == Certainty::certified) {
+    first_.toi_upper = std::min(first_.toi_upper, decided.toi_upper);
+    latest_ = std::min(latest_, decided.toi_upper * kNearTie);
+  }
+  const bool is_first = !first_.contact || decided.toi_lower < first_.toi_lower ||
+                        (decided.toi_lower == first_.toi_lower && comes_before(decided, *first_.contact));
+  if (!is_first) return;
+  first_.toi_lower = decided.toi_lower;
+  first_.contact = decided;
+}
+
+}  // namespace tamis

@@ -1,0 +1,74 @@
+// What is kept of the contacts an engine finds: all of them, those that can still be the first, or one.
+#pragma once
+#include <atomic>
+#include <memory>
+#include <vector>
+
+#include "engines/pair_rules.hpp"
+#include "tamis/detector.hpp"
+#include "tamis/statistics.hpp"
+
+namespace tamis {
+
+enum class Question : std::uint8_t { all_contacts, earliest, is_free };
+
+/// `earliest` looks at every contact that starts up to this factor after the end of a certified one: no bracket is so
+/// wide that the first of two could be lost to rounding.
+inline constexpr double kNearTie = 1 + 0x1p-16;
+
+/// By kind, then vertices; duplicate features leave equal keys, so the time comes last.
+bool comes_before(const Contact& a, const Contact& b);
+
+/// One per thread, and one for the answer. In any order of contacts, shared out in any way, the answer is the same.
+class FoundContacts {
+ public:
+  /// Keeps a reference.
+  explicit FoundContacts(const Options& options) : options_(options) {}
+
+  /// A new question; the memory stays.
+  void begin(const Step& step, Question question);
+  /// The question that `answer` has begun with, and what it knows: for a thread that looks for a part of it.
+  void begin_part_of(const FoundContacts& answer);
+  void add(const Contact& contact);
+  /// Can this pair still change the answer? Cheap, to be asked before a pair is decided: a pair that touches at t=0
+  /// makes all that come behind it in the order of contacts irrelevant, and any contact ends the question is_free.
+  bool wants(PairKind kind, const PairVertices& vertices) const;
+  bool wants(PairKind kind) const { return wants(kind, {0, 0, 0, 0}); }
+  /// A pair touches at t=0: from now on it is worth asking `wants` of each pair first.
+  bool touches_at_start() const { return first_.contact && first_.toi_upper == 0; }
+  /// Takes what `other` has found, which then has found nothing.
+  void take(FoundContacts& other);
+  /// What `other` knows of the first contact bounds what is of interest here.
+  void learn(const FoundContacts& other);
+
+  const Step& step() const { return step_; }
+  Question question() const { return question_; }
+  /// Later than this no contact is of interest; 1 if there is no bound.
+  double latest() const { return latest_; }
+  /// all_contacts: every contact, in no order; is_free: one, if there is any.
+  std::vector<Contact>& contacts() { return contacts_; }
+  /// earliest: the answer, decided on the whole step, so that it does not depend on how far the search still looked.
+  EarliestContact first();
+  const PrecisionCount& decided_by() const { return decided_by_; }
+  std::uint64_t memory_bytes() const { return contacts_.capacity() * sizeof(Contact); }
+
+ private:
+  /// Contacts that `earliest` keeps at most before they are reduced to the first one. One that may touch at t=0, where
+  /// nothing comes before it, is not kept at all.
+  static constexpr std::size_t kMost = 1024;
+
+  void settle();
+  void keep_first(const Contact& decided);
+
+  const Options& options_;
+  Step step_;
+  Question question_ = Question::all_contacts;
+  std::shared_ptr<std::atomic<bool>> own_flag_ = std::make_shared<std::atomic<bool>>(false);
+  std::shared_ptr<std::atomic<bool>> is_settled_ = own_flag_;  ///< is_free: somebody has found a contact
+  std::vector<Contact> contacts_;                              ///< earliest: those not yet decided on the whole step
+  double latest_ = 1;
+  EarliestContact first_;  ///< of those that are
+  PrecisionCount decided_by_;
+};
+
+}  // namespace tamis

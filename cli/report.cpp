@@ -12,7 +12,8 @@ namespace tamis::cli {
 Tally tally_of(std::span<const Contact> contacts) {
   Tally tally;
   for (const Contact& c : contacts) {
-    ++(c.kind == PairKind::vertex_face ? tally.vf : tally.ee);
+    constexpr std::uint64_t Tally::*kOfKind[] = {&Tally::vf, &Tally::ee, &Tally::ve, &Tally::vv};
+    ++(tally.*kOfKind[static_cast<std::size_t>(c.kind)]);
     tally.toi_lower = std::min(tally.toi_lower, c.toi_lower);
     if (c.certainty == Certainty::unresolved)
       ++tally.unresolved;
@@ -59,10 +60,16 @@ void print_bracket(double toi_lower, double toi_upper, bool is_certified, const 
 namespace {
 
 void print_between(PairKind kind, const std::array<Index, 4>& v) {
-  if (kind == PairKind::vertex_face)
-    fmt::print("between         vertex {} and face {} {} {}", v[0], v[1], v[2], v[3]);
-  else
-    fmt::print("between         edge {} {} and edge {} {}", v[0], v[1], v[2], v[3]);
+  switch (kind) {
+    case PairKind::vertex_face:
+      return fmt::print("between         vertex {} and face {} {} {}", v[0], v[1], v[2], v[3]);
+    case PairKind::edge_edge:
+      return fmt::print("between         edge {} {} and edge {} {}", v[0], v[1], v[2], v[3]);
+    case PairKind::vertex_edge:
+      return fmt::print("between         vertex {} and edge {} {}", v[0], v[1], v[2]);
+    case PairKind::vertex_vertex:
+      return fmt::print("between         vertex {} and vertex {}", v[0], v[1]);
+  }
 }
 
 void print_limit(const SafeStep& safe, double fraction, const std::string& distance) {

@@ -17,11 +17,14 @@ using Json = nlohmann::ordered_json;
 struct Tally {
   std::uint64_t vf = 0;
   std::uint64_t ee = 0;
+  std::uint64_t ve = 0;
+  std::uint64_t vv = 0;
   std::uint64_t unresolved = 0;
   double toi_lower = 1;
   double toi_upper = 1;
 
-  bool is_free() const { return vf + ee == 0; }
+  std::uint64_t contacts() const { return vf + ee + ve + vv; }
+  bool is_free() const { return contacts() == 0; }
 };
 
 Tally tally_of(std::span<const Contact> contacts);

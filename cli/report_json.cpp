@@ -7,7 +7,9 @@
 
 namespace tamis::cli {
 
-Json json_of(const Tally& tally) { return {{"vf", tally.vf}, {"ee", tally.ee}, {"unresolved", tally.unresolved}}; }
+Json json_of(const Tally& tally) {
+  return {{"vf", tally.vf}, {"ee", tally.ee}, {"ve", tally.ve}, {"vv", tally.vv}, {"unresolved", tally.unresolved}};
+}
 
 Json json_of(const Seconds& s) {
   return {{"bounds", s.bounds}, {"build", s.build}, {"traverse", s.traverse},
@@ -15,7 +17,7 @@ Json json_of(const Seconds& s) {
 }
 
 Json json_of(const Contact& c) {
-  return {{"kind", c.kind == PairKind::vertex_face ? "vf" : "ee"},
+  return {{"kind", name_of(c.kind)},
           {"vertices", c.vertices},
           {"toi_lower", c.toi_lower},
           {"toi_upper", c.toi_upper},
@@ -26,9 +28,7 @@ Json json_of(const Contact& c) {
 }
 
 Json json_of(const LimitingPair& pair) {
-  return {{"kind", pair.kind == PairKind::vertex_face ? "vf" : "ee"},
-          {"vertices", pair.vertices},
-          {"distance", pair.distance}};
+  return {{"kind", name_of(pair.kind)}, {"vertices", pair.vertices}, {"distance", pair.distance}};
 }
 
 void add_bracket(Json& json, bool is_free, double toi_lower, double toi_upper) {

@@ -54,7 +54,7 @@ class Contacts final : public StepVerb {
     if (tally.is_free())
       fmt::print("first contact   none: the step is free, proven\n");
     else
-      print_bracket(tally.toi_lower, tally.toi_upper, tally.unresolved < tally.vf + tally.ee, detector.options());
+      print_bracket(tally.toi_lower, tally.toi_upper, tally.unresolved < tally.contacts(), detector.options());
     if (!out_.empty()) fmt::print("written to      {}\n", printable(out_));
     print_costs(detector, timing, repeat_);
   }

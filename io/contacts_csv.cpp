@@ -17,9 +17,8 @@ void write_contacts_csv(const std::filesystem::path& path, std::span<const Conta
   };
   fmt::format_to(std::back_inserter(text), "kind,v0,v1,v2,v3,toi_lower,toi_upper,u,v,status\n");
   for (const Contact& c : contacts) {
-    fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{},{},{},{},{}\n",
-                   c.kind == PairKind::vertex_face ? "vf" : "ee", c.vertices[0], c.vertices[1], c.vertices[2],
-                   c.vertices[3], c.toi_lower, c.toi_upper, c.u, c.v,
+    fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{},{},{},{},{}\n", name_of(c.kind), c.vertices[0],
+                   c.vertices[1], c.vertices[2], c.vertices[3], c.toi_lower, c.toi_upper, c.u, c.v,
                    c.certainty == Certainty::certified ? "certified" : "unresolved");
     if (text.size() > kChunk) flush();
   }

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "tamis/mesh.hpp"
@@ -10,8 +11,12 @@
 
 namespace tamis {
 
-/// Vertex-face (VF) and edge-edge (EE): between them every first contact of two triangle meshes.
-enum class PairKind : std::uint8_t { vertex_face, edge_edge };
+/// Vertex-face (VF) and edge-edge (EE): between them every first contact of two triangle meshes. Points and edges that
+/// belong to no face have closed features of their own that these leave out: vertex-edge (VE) and vertex-vertex (VV).
+enum class PairKind : std::uint8_t { vertex_face, edge_edge, vertex_edge, vertex_vertex };
+
+/// "vf", "ee", "ve", "vv": as in files and on the command line.
+std::string_view name_of(PairKind);
 
 /// How sure a reported contact is.
 enum class Certainty : std::uint8_t {
@@ -24,16 +29,18 @@ struct Contact {
   PairKind kind;
   Certainty certainty;
   /// vf: the vertex, then the face's vertices in the mesh's order. ee: each edge ascending, the smaller edge first.
+  /// ve: the vertex, then the edge's, ascending. vv: ascending. Those that a kind does not use are -1.
   std::array<Index, 4> vertices;
   /// Fractions of the step, in [0,1]: the pair is apart on [0, toi_lower); if certified it touches at some time of
   /// [toi_lower, toi_upper].
   double toi_lower;
   double toi_upper;
   /// Contact weights. vf: point = (1-u-v) f0 + u f1 + v f2. ee: u on the first edge, v on the second, each in [0,1].
+  /// ve: u on the edge, v = 0. vv: both 0.
   double u;
   double v;
-  /// Unit normal at the contact: of the face, or the cross product of the edges; any unit vector orthogonal
-  /// to what is left where those vanish.
+  /// Unit normal at the contact. vf: of the face; ee: the cross product of the edges; ve, vv: towards the first vertex
+  /// from the closest point of the other feature. Any unit vector orthogonal to what is left where those vanish.
   Point normal;
 };
 

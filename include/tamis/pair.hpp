@@ -28,5 +28,9 @@ struct PairOptions {
 PairResult vertex_face(const std::array<Point, 4>& start, const std::array<Point, 4>& end, const PairOptions& = {});
 /// Edge (0,1) against edge (2,3); otherwise the same.
 PairResult edge_edge(const std::array<Point, 4>& start, const std::array<Point, 4>& end, const PairOptions& = {});
+/// A point against a segment: p, then its ends a b; otherwise the same.
+PairResult vertex_edge(const std::array<Point, 3>& start, const std::array<Point, 3>& end, const PairOptions& = {});
+/// Two points; otherwise the same.
+PairResult vertex_vertex(const std::array<Point, 2>& start, const std::array<Point, 2>& end, const PairOptions& = {});
 
 }  // namespace tamis

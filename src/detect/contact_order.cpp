@@ -12,9 +12,12 @@ namespace tamis {
 /// A counting sort into one bucket a kind and first vertex, then each small bucket by the other vertices, which lie
 /// together with the contact's place: contacts are looked at once and moved once.
 void ContactSorter::sort(std::vector<Contact>& contacts, Index vertex_count) {
-  const auto buckets = 2 * static_cast<std::size_t>(vertex_count);
+  std::size_t kinds = 0;
+  for (const Contact& c : contacts) kinds = std::max(kinds, static_cast<std::size_t>(c.kind) + 1);
+  const auto buckets = kinds * static_cast<std::size_t>(vertex_count);
   const auto bucket_of = [&](const Contact& c) {
-    return static_cast<std::size_t>(c.vertices[0]) + (c.kind == PairKind::edge_edge ? buckets / 2 : 0);
+    return static_cast<std::size_t>(c.kind) * static_cast<std::size_t>(vertex_count) +
+           static_cast<std::size_t>(c.vertices[0]);
   };
   first_.assign(buckets + 2, 0);
   for (const Contact& c : contacts) ++first_[bucket_of(c) + 2];

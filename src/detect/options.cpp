@@ -14,6 +14,10 @@ using Names = std::array<std::pair<E, std::string_view>, n>;
 
 constexpr Names<Method, 3> kMethods{{{Method::tamis, "tamis"}, {Method::paper, "paper"}, {Method::brute, "brute"}}};
 constexpr Names<Guarantee, 2> kGuarantees{{{Guarantee::conservative, "conservative"}, {Guarantee::exact, "exact"}}};
+constexpr Names<PairKind, 4> kKinds{{{PairKind::vertex_face, "vf"},
+                                     {PairKind::edge_edge, "ee"},
+                                     {PairKind::vertex_edge, "ve"},
+                                     {PairKind::vertex_vertex, "vv"}}};
 constexpr Names<BoundingVolume, 6> kVolumes{{{BoundingVolume::sphere, "sphere"},
                                              {BoundingVolume::aabb, "aabb"},
                                              {BoundingVolume::obb, "obb"},
@@ -46,6 +50,7 @@ Method method_from_name(std::string_view text) { return find(kMethods, "method",
 Guarantee guarantee_from_name(std::string_view text) { return find(kGuarantees, "guarantee", text); }
 Isa isa_from_name(std::string_view text) { return find(kIsas, "instruction set", text); }
 BoundingVolume bounding_volume_from_name(std::string_view text) { return find(kVolumes, "bounding volume", text); }
+std::string_view name_of(PairKind value) { return name(kKinds, value); }
 std::string_view name_of(BoundingVolume value) { return name(kVolumes, value); }
 std::string_view name_of(Method value) { return name(kMethods, value); }
 std::string_view name_of(Guarantee value) { return name(kGuarantees, value); }

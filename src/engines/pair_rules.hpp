@@ -4,6 +4,7 @@
 #include <array>
 
 #include "motion/make_motion.hpp"
+#include "motion/pair_kinds.hpp"
 #include "tamis/options.hpp"
 
 namespace tamis {
@@ -11,8 +12,8 @@ namespace tamis {
 using PairVertices = std::array<Index, 4>;  ///< as in Contact, before sorting
 
 inline bool are_adjacent(PairKind kind, const PairVertices& v) {
-  if (kind == PairKind::vertex_face) return v[0] == v[1] || v[0] == v[2] || v[0] == v[3];
-  return v[0] == v[2] || v[0] == v[3] || v[1] == v[2] || v[1] == v[3];
+  if (kind == PairKind::edge_edge) return v[0] == v[2] || v[0] == v[3] || v[1] == v[2] || v[1] == v[3];
+  return v[0] == v[1] || v[0] == v[2] || v[0] == v[3];
 }
 
 /// The order of vertices that Contact documents; face winding is the mesh's.
@@ -21,6 +22,7 @@ inline PairVertices in_contact_order(PairKind kind, PairVertices v) {
     std::swap(v[0], v[2]);
     std::swap(v[1], v[3]);
   }
+  if (kind == PairKind::vertex_vertex && v[1] < v[0]) std::swap(v[0], v[1]);
   return v;
 }
 
@@ -30,7 +32,7 @@ inline bool lets_pass(const PairFilter& filter, PairKind kind, const PairVertice
     const auto group = [&](Index vertex) {
       return static_cast<std::size_t>(filter.group_of_vertex[static_cast<std::size_t>(vertex)]);
     };
-    const std::size_t a = group(v[0]), b = group(kind == PairKind::vertex_face ? v[1] : v[2]);
+    const std::size_t a = group(v[0]), b = group(v[second_feature(kind)]);
     if (!filter.groups_may_touch[a * static_cast<std::size_t>(filter.group_count) + b]) return false;
   } else if (!filter.groups_may_touch.empty() && !filter.groups_may_touch[0]) {
     return false;
@@ -53,10 +55,10 @@ void for_each_pair(const Mesh& mesh, const PairFilter& filter, const F& f) {
       offer(PairKind::edge_edge, {edges[i][0], edges[i][1], edges[j][0], edges[j][1]});
 }
 
-/// Where the four vertices are.
+/// Where the vertices are; zero where there is none.
 inline PairPoints points_of(const Step& step, const PairVertices& vertices) {
-  PairPoints points;
-  for (std::size_t i = 0; i < 4; ++i) {
+  PairPoints points{};
+  for (std::size_t i = 0; i < 4 && vertices[i] >= 0; ++i) {
     std::copy_n(step.start[vertices[i]], 3, points.start[i].begin());
     std::copy_n(step.end[vertices[i]], 3, points.end[i].begin());
   }

@@ -1,6 +1,7 @@
 // The motions of several pairs at once, one a lane.
 #pragma once
 #include "kernels/kernels.hpp"
+#include "motion/pair_kinds.hpp"
 #include "motion/pair_motion.hpp"
 #include "numerics/lanes.hpp"
 
@@ -40,13 +41,11 @@ inline Moving<DoubleLanes> scaled(const DoubleLanes& s, const Moving<DoubleLanes
 template <PairKind kind>
 inline PairMotion<DoubleLanes> load_motion(const PackedVertex* vertices, const PairBuffer& pairs, int first,
                                            double separation = 0) {
-  const auto moving = [&](int to, int from) {
-    return load_difference(vertices, pairs.corner[to] + first, pairs.corner[from] + first);
+  const auto moving = [&](VertexDifference v) {
+    return load_difference(vertices, pairs.corner[v.to] + first, pairs.corner[v.from] + first);
   };
-  constexpr bool kIsVf = kind == PairKind::vertex_face;
-  const auto e = kIsVf ? moving(2, 1) : moving(1, 0);
-  const auto f = kIsVf ? moving(3, 1) : moving(3, 2);
-  const auto d = kIsVf ? moving(0, 1) : moving(2, 0);
+  constexpr SpanningVectors kVectors = spanning_vectors(kind);
+  const auto e = moving(kVectors.e), f = moving(kVectors.f), d = moving(kVectors.d);
   const DoubleLanes size_e = largest(e), size_f = largest(f), size_d = largest(d);
   const DoubleLanes scale = scale_to_one(max(max(size_e, size_f), size_d));
   return {scaled(scale, e),

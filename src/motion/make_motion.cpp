@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "motion/pair_kinds.hpp"
 #include "numerics/scale.hpp"
 
 namespace tamis {
@@ -37,12 +38,12 @@ struct Vectors {
 /// `difference`: of two positions at one end of the step.
 template <class T, class Difference>
 inline Vectors<T> vectors_of(PairKind kind, const PairPoints& points, const Difference& difference) {
-  const auto moving = [&](std::size_t to, std::size_t from) {
+  const auto moving = [&](VertexDifference v) {
+    const auto to = static_cast<std::size_t>(v.to), from = static_cast<std::size_t>(v.from);
     return Moving<T>{difference(points.start[to], points.start[from]), difference(points.end[to], points.end[from])};
   };
-  const bool is_vf = kind == PairKind::vertex_face;
-  return {is_vf ? moving(2, 1) : moving(1, 0), is_vf ? moving(3, 1) : moving(3, 2),
-          is_vf ? moving(0, 1) : moving(2, 0)};
+  const SpanningVectors vectors = spanning_vectors(kind);
+  return {moving(vectors.e), moving(vectors.f), moving(vectors.d)};
 }
 
 double scale_of(const Vectors<double>& v) {

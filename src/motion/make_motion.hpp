@@ -8,7 +8,8 @@
 
 namespace tamis {
 
-/// Four points at t=0 and at t=1. vf: the point, then a, b, c. ee: a0, a1, b0, b1.
+/// Up to four points at t=0 and at t=1, in the order of Contact. vf: the point, then a, b, c. ee: a0, a1, b0, b1.
+/// ve: the point, then a, b. vv: two points. What is not used is zero.
 struct PairPoints {
   std::array<Point, 4> start, end;
 };

@@ -2,6 +2,7 @@
 #pragma once
 #include <vector>
 
+#include "motion/pair_kinds.hpp"
 #include "motion/pair_motion.hpp"
 #include "tamis/mesh.hpp"
 #include "tamis/step.hpp"
@@ -32,10 +33,10 @@ class MovingPoints {
 template <PairKind kind>
 inline PairMotion<double> relative_motion(const Moving<double>& p0, const Moving<double>& p1, const Moving<double>& p2,
                                           const Moving<double>& p3) {
-  constexpr bool is_vf = kind == PairKind::vertex_face;
-  const auto e = is_vf ? p2 - p1 : p1 - p0;
-  const auto f = is_vf ? p3 - p1 : p3 - p2;
-  const auto d = is_vf ? p0 - p1 : p2 - p0;
+  const Moving<double>* points[] = {&p0, &p1, &p2, &p3};
+  const auto moving = [&](VertexDifference v) { return *points[v.to] - *points[v.from]; };
+  constexpr SpanningVectors kVectors = spanning_vectors(kind);
+  const auto e = moving(kVectors.e), f = moving(kVectors.f), d = moving(kVectors.d);
   return {e, f, d, largest(e), largest(f), largest(d)};
 }
 

@@ -60,5 +60,7 @@ double AxisClip<kind>::distance_along(double now, const Vec& direction) const {
 
 template class AxisClip<PairKind::vertex_face>;
 template class AxisClip<PairKind::edge_edge>;
+template class AxisClip<PairKind::vertex_edge>;
+template class AxisClip<PairKind::vertex_vertex>;
 
 }  // namespace tamis

@@ -45,5 +45,7 @@ class AxisClip {
 
 extern template class AxisClip<PairKind::vertex_face>;
 extern template class AxisClip<PairKind::edge_edge>;
+extern template class AxisClip<PairKind::vertex_edge>;
+extern template class AxisClip<PairKind::vertex_vertex>;
 
 }  // namespace tamis

@@ -55,7 +55,17 @@ ClosestPoints segment_segment(const Vec& e, const Vec& f, const Vec& d) {
 }  // namespace
 
 ClosestPoints closest_points(PairKind kind, const Vec& e, const Vec& f, const Vec& d) {
-  return kind == PairKind::vertex_face ? point_triangle(e, f, d) : segment_segment(e, f, d);
+  switch (kind) {
+    case PairKind::vertex_face:
+      return point_triangle(e, f, d);
+    case PairKind::edge_edge:
+      return segment_segment(e, f, d);
+    case PairKind::vertex_edge:
+      return on_face(e, f, d, nearest_on_segment(d, e), 0);
+    case PairKind::vertex_vertex:
+      break;
+  }
+  return {0, 0, d};
 }
 
 }  // namespace tamis

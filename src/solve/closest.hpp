@@ -7,7 +7,8 @@
 
 namespace tamis {
 
-/// u, v as in Contact; `gap`: from the closest point of the face (the first edge) to the other's.
+/// u, v as in Contact; `gap`: from the closest point of the face (the first edge; the edge or second vertex of a first
+/// vertex) to the other's.
 struct ClosestPoints {
   double u, v;
   Vec3<double> gap;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "filters/filters.hpp"
+#include "motion/pair_kinds.hpp"
 #include "solve/closest.hpp"
 #include "solve/exact.hpp"
 #include "solve/extended.hpp"
@@ -14,6 +15,9 @@
 namespace tamis {
 namespace {
 
+/// Otherwise what counts is when the four points are coplanar.
+bool is_about_distance(PairKind kind, double separation) { return separation > 0 || !can_cross(kind); }
+
 bool is_finite(const PairMotion<double>& m) { return std::isfinite(m.size_e + m.size_f + m.size_d); }
 
 /// A face that meets the axes squarely is clipped to the very instant of contact, where no sign is certain any more.
@@ -23,9 +27,7 @@ TimeInterval<double> widened(const TimeInterval<double>& time) {
 }
 
 TimeInterval<double> slab_clip(PairKind kind, const PairMotion<double>& m) {
-  const TimeInterval<double> step{0, 1};
-  return kind == PairKind::vertex_face ? SlabClip::clip<PairKind::vertex_face>(m, step)
-                                       : SlabClip::clip<PairKind::edge_edge>(m, step);
+  return with_kind(kind, [&](auto k) { return SlabClip::clip<k()>(m, TimeInterval<double>{0, 1}); });
 }
 
 /// The decision without what the clip proves free.
@@ -40,7 +42,8 @@ Decision decide_in_doubles(PairKind kind, const PairMotion<double>& m) {
   if (!is_finite(m)) return {Verdict::unsure, 0, 1};
   const auto clip = slab_clip(kind, m);
   if (clip.t_in > clip.t_out) return {};
-  return m.separation > 0 ? first_within(kind, m, clip) : within(clip, subdivide(kind, m, widened(clip)));
+  return is_about_distance(kind, m.separation) ? first_within(kind, m, clip)
+                                               : within(clip, subdivide(kind, m, widened(clip)));
 }
 
 /// The start of the step is decided exactly: a pair that is apart there, by whatever little, has a time before it
@@ -85,17 +88,20 @@ Outcome decide_by_rounding(PairKind kind, const PairPoints& points, const PairMo
   return {{d.verdict, bracket.t_in, bracket.t_out}, &PrecisionCount::scalar};
 }
 
-Outcome decide_touching(PairKind kind, const PairPoints& points, const PairMotion<double>& m, Guarantee guarantee) {
-  const Outcome outcome = decide_by_rounding(kind, points, m);
-  if (outcome.decision.verdict != Verdict::unsure || guarantee == Guarantee::conservative) return outcome;
+Outcome decide_by_distance(PairKind kind, const PairPoints& points, const PairMotion<double>& m, double separation) {
+  const Decision d = with_exact_start(kind, points, separation, decide_in_doubles(kind, m));
+  return {d, d.verdict == Verdict::unsure ? &PrecisionCount::unresolved : &PrecisionCount::scalar};
+}
+
+Outcome decide_pair(PairKind kind, const PairPoints& points, const PairMotion<double>& m, const PairOptions& options) {
+  const double separation = options.min_separation;
+  const Outcome outcome = is_about_distance(kind, separation) ? decide_by_distance(kind, points, m, separation)
+                                                              : decide_by_rounding(kind, points, m);
+  const bool is_exact = options.guarantee == Guarantee::exact && separation == 0;
+  if (outcome.decision.verdict != Verdict::unsure || !is_exact) return outcome;
   const auto exact = decide_exactly(kind, points);
   const Verdict verdict = exact.touches ? Verdict::touches : Verdict::is_free;
   return {{verdict, exact.toi_lower, exact.toi_upper}, &PrecisionCount::exact};
-}
-
-Outcome decide_separated(PairKind kind, const PairPoints& points, const PairMotion<double>& m, double separation) {
-  const Decision d = with_exact_start(kind, points, separation, decide_in_doubles(kind, m));
-  return {d, d.verdict == Verdict::unsure ? &PrecisionCount::unresolved : &PrecisionCount::scalar};
 }
 
 double largest(const Vec3<double>& v) { return std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)}); }
@@ -106,13 +112,15 @@ Vec3<double> rescaled(const Vec3<double>& v) {
   return size > 0 ? Vec3<double>{v.x / size, v.y / size, v.z / size} : v;
 }
 
+/// REQUIRES: not zero.
+Point normalized(const Vec3<double>& a) {
+  const Vec3<double> v = rescaled(a);
+  const double length = std::sqrt(dot(v, v));
+  return {v.x / length, v.y / length, v.z / length};
+}
+
 /// A unit vector along e x f, or if that vanishes one orthogonal to what is left.
 Point unit_normal(const Vec3<double>& e, const Vec3<double>& f) {
-  const auto normalized = [](const Vec3<double>& a) {
-    const Vec3<double> v = rescaled(a);
-    const double length = std::sqrt(dot(v, v));
-    return Point{v.x / length, v.y / length, v.z / length};
-  };
   const Vec3<double> normal = cross(rescaled(e), rescaled(f)), w = largest(e) > 0 ? e : f;
   if (largest(normal) > 0) return normalized(normal);
   if (std::fabs(w.x) + std::fabs(w.y) > 0) return normalized({-w.y, w.x, 0});
@@ -129,16 +137,16 @@ void add_weights(PairKind kind, const PairMotion<double>& m, PairResult& result)
   const auto closest = closest_points(kind, e, f, d);
   result.u = closest.u;
   result.v = closest.v;
-  result.normal = unit_normal(e, f);
+  const double gap_error = error_bounds::bound(error_bounds::kGap, m.size_d + m.size_e + m.size_f);
+  const bool has_gap = largest(closest.gap) > gap_error;
+  result.normal = !can_cross(kind) && has_gap ? normalized(closest.gap) : unit_normal(e, f);
 }
 
 }  // namespace
 
 PairResult decide(PairKind kind, const PairPoints& points, const PairOptions& options, PrecisionCount& decided_by) {
-  const double separation = options.min_separation;
-  const auto m = make_motion(kind, points, separation);
-  const auto [decision, arithmetic] = separation > 0 ? decide_separated(kind, points, m, separation)
-                                                     : decide_touching(kind, points, m, options.guarantee);
+  const auto m = make_motion(kind, points, options.min_separation);
+  const auto [decision, arithmetic] = decide_pair(kind, points, m, options);
   ++(decided_by.*arithmetic);
   if (decision.verdict == Verdict::is_free) return {};
   PairResult result;

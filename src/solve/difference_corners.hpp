@@ -11,8 +11,12 @@ template <PairKind kind, class T>
 inline auto difference_corners(const PairMotion<T>& m) {
   if constexpr (kind == PairKind::vertex_face)
     return std::array{m.d, m.d - m.e, m.d - m.f};
-  else
+  else if constexpr (kind == PairKind::edge_edge)
     return std::array{m.d, m.d - m.e, m.d + m.f, m.d + m.f - m.e};
+  else if constexpr (kind == PairKind::vertex_edge)
+    return std::array{m.d, m.d - m.e};
+  else
+    return std::array{m.d};
 }
 
 }  // namespace tamis

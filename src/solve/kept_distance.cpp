@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "motion/pair_kinds.hpp"
 #include "solve/closest.hpp"
 #include "solve/difference_corners.hpp"
 #include "solve/separation.hpp"
@@ -41,7 +42,7 @@ StartBounds start_bounds(const PairMotion<double>& m) {
 }
 
 StartBounds start_bounds(PairKind kind, const PairMotion<double>& m) {
-  return kind == PairKind::vertex_face ? start_bounds<PairKind::vertex_face>(m) : start_bounds<PairKind::edge_edge>(m);
+  return with_kind(kind, [&](auto k) { return start_bounds<k()>(m); });
 }
 
 bool is_finite(const PairMotion<double>& m) { return std::isfinite(m.size_e + m.size_f + m.size_d); }

@@ -57,8 +57,17 @@ std::array<Moving<Integer>, 4> scaled(const PairPoints& points, int common) {
 MovingPolygon difference_polygon(PairKind kind, const PairPoints& points) {
   const int common = common_exponent(points);
   const auto x = scaled(points, common);
-  if (kind == PairKind::vertex_face) return {{x[0] - x[1], x[0] - x[2], x[0] - x[3], {}}, 3, common};
-  return {{x[2] - x[0], x[2] - x[1], x[3] - x[1], x[3] - x[0]}, 4, common};
+  switch (kind) {
+    case PairKind::vertex_face:
+      return {{x[0] - x[1], x[0] - x[2], x[0] - x[3], {}}, 3, common};
+    case PairKind::edge_edge:
+      return {{x[2] - x[0], x[2] - x[1], x[3] - x[1], x[3] - x[0]}, 4, common};
+    case PairKind::vertex_edge:
+      return {{x[0] - x[1], x[0] - x[2], {}, {}}, 2, common};
+    case PairKind::vertex_vertex:
+      break;
+  }
+  return {{x[0] - x[1], {}, {}, {}}, 1, common};
 }
 
 }  // namespace tamis

@@ -1,6 +1,8 @@
-// Both kinds of pair as one question: does a moving convex polygon contain the origin?
+// All kinds of pair as one question: does a moving convex polygon contain the origin?
 //   vertex-face: the triangle p-a, p-b, p-c;   edge-edge: the parallelogram b0-a0, b0-a1, b1-a1, b1-a0
-// (the Minkowski difference of the two features). All coordinates are integers, exact multiples of the inputs.
+//   vertex-edge: the segment p-a, p-b;         vertex-vertex: the point p-q
+// (the Minkowski difference of the two features; the last two are polygons without area). All coordinates are integers,
+// exact multiples of the inputs.
 #pragma once
 #include <array>
 #include <cstddef>
@@ -12,7 +14,7 @@ namespace tamis {
 
 struct MovingPolygon {
   std::array<Moving<Integer>, 4> corners;  ///< in order around it
-  std::size_t corner_count;                ///< 3 or 4
+  std::size_t corner_count;                ///< 1 to 4
   int exponent;                            ///< a coordinate 1 is a length of 2^exponent
 
   const Moving<Integer>& corner(std::size_t i) const { return corners[i % corner_count]; }

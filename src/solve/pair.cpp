@@ -1,5 +1,6 @@
 #include "tamis/pair.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -9,23 +10,28 @@
 namespace tamis {
 namespace {
 
-void check_finite(const std::array<Point, 4>& points, const char* when) {
-  for (std::size_t i = 0; i < 4; ++i)
+template <std::size_t count>
+void check_finite(const std::array<Point, count>& points, const char* when) {
+  for (std::size_t i = 0; i < count; ++i)
     for (double c : points[i])
       if (!std::isfinite(c))
         throw InvalidStep("point " + std::to_string(i) + " at the " + when +
                           " of the step is not finite: give finite coordinates");
 }
 
-PairResult decide_pair(PairKind kind, const std::array<Point, 4>& start, const std::array<Point, 4>& end,
+template <std::size_t count>
+PairResult decide_pair(PairKind kind, const std::array<Point, count>& start, const std::array<Point, count>& end,
                        const PairOptions& options) {
   check_finite(start, "start");
   check_finite(end, "end");
   if (!(options.min_separation >= 0) || std::isinf(options.min_separation))
     throw InvalidOptions("the minimum separation is " + std::to_string(options.min_separation) +
                          ": give a finite distance >= 0");
+  PairPoints points{};
+  std::copy(start.begin(), start.end(), points.start.begin());
+  std::copy(end.begin(), end.end(), points.end.begin());
   PrecisionCount decided_by;
-  return decide(kind, {start, end}, options, decided_by);
+  return decide(kind, points, options, decided_by);
 }
 
 }  // namespace
@@ -36,6 +42,15 @@ PairResult vertex_face(const std::array<Point, 4>& start, const std::array<Point
 
 PairResult edge_edge(const std::array<Point, 4>& start, const std::array<Point, 4>& end, const PairOptions& options) {
   return decide_pair(PairKind::edge_edge, start, end, options);
+}
+
+PairResult vertex_edge(const std::array<Point, 3>& start, const std::array<Point, 3>& end, const PairOptions& options) {
+  return decide_pair(PairKind::vertex_edge, start, end, options);
+}
+
+PairResult vertex_vertex(const std::array<Point, 2>& start, const std::array<Point, 2>& end,
+                         const PairOptions& options) {
+  return decide_pair(PairKind::vertex_vertex, start, end, options);
 }
 
 }  // namespace tamis

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "motion/pair_kinds.hpp"
 #include "solve/apart_times.hpp"
 #include "solve/closest.hpp"
 
@@ -26,14 +27,13 @@ template <PairKind kind>
 ActiveSides active_sides(const PairMotion<double>& m, double t, const ClosestPoints& closest) {
   const double u = closest.u, v = closest.v;
   const auto one = [&](const Moving<double>& side) { return ActiveSides{1, at_time(side, t), side.at1 - side.at0}; };
+  const bool inside_e = u > 0 && u<1, inside_f = v> 0 && v < 1;
   if constexpr (kind == PairKind::vertex_face) {
     if (u > 0 && v > 0) return u + v < 1 ? ActiveSides{2} : one(m.f - m.e);
-    return u > 0 && u < 1 ? one(m.e) : v > 0 && v < 1 ? one(m.f) : ActiveSides{};
   } else {
-    const bool inside_e = u > 0 && u<1, inside_f = v> 0 && v < 1;
     if (inside_e && inside_f) return {2};
-    return inside_e ? one(m.e) : inside_f ? one(m.f) : ActiveSides{};
   }
+  return inside_e ? one(m.e) : inside_f ? one(m.f) : ActiveSides{};
 }
 
 /// The axis of the closest points, made orthogonal to the sides that hold them: the gap is off by a few u of the
@@ -85,7 +85,7 @@ class Looker {
   /// Twice the time in which the closest points, were they fixed, would come closer by `excess`.
   double wait(const ClosestPoints& closest, double excess) const {
     const auto gap = [&](const Vec& e, const Vec& f, const Vec& d) {
-      return kind == PairKind::vertex_face ? d - (closest.u * e + closest.v * f) : d + closest.v * f - closest.u * e;
+      return kind == PairKind::edge_edge ? d + closest.v * f - closest.u * e : d - (closest.u * e + closest.v * f);
     };
     const Vec change = gap(m_.e.at1, m_.f.at1, m_.d.at1) - gap(m_.e.at0, m_.f.at0, m_.d.at0);
     const double length = std::sqrt(dot(closest.gap, closest.gap));
@@ -194,18 +194,15 @@ double start_distance_bound(const PairMotion<double>& m, const ClosestPoints& cl
 }  // namespace
 
 double start_distance_bound(PairKind kind, const PairMotion<double>& m, const ClosestPoints& closest) {
-  return kind == PairKind::vertex_face ? start_distance_bound<PairKind::vertex_face>(m, closest)
-                                       : start_distance_bound<PairKind::edge_edge>(m, closest);
+  return with_kind(kind, [&](auto k) { return start_distance_bound<k()>(m, closest); });
 }
 
 Decision first_within(PairKind kind, const PairMotion<double>& m, const TimeInterval<double>& time) {
-  return kind == PairKind::vertex_face ? Advance<PairKind::vertex_face>(m, time).run()
-                                       : Advance<PairKind::edge_edge>(m, time).run();
+  return with_kind(kind, [&](auto k) { return Advance<k()>(m, time).run(); });
 }
 
 double apart_until(PairKind kind, const PairMotion<double>& m, double from, double until) {
-  return kind == PairKind::vertex_face ? apart_until<PairKind::vertex_face>(m, from, until)
-                                       : apart_until<PairKind::edge_edge>(m, from, until);
+  return with_kind(kind, [&](auto k) { return apart_until<k()>(m, from, until); });
 }
 
 }  // namespace tamis

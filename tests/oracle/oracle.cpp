@@ -75,18 +75,24 @@ IntegerMotion integer_motion(const Motion& motion, const Times& times, double se
 /// The moving triangles of which one must contain the origin.
 std::vector<Triangle> triangles_of(PairKind kind, const std::array<Vector, 4>& p) {
   if (kind == PairKind::vertex_face) return {{p[1] - p[0], p[2] - p[0], p[3] - p[0]}};
+  if (kind == PairKind::vertex_edge) return {{p[1] - p[0], p[2] - p[0], p[2] - p[0]}};
+  if (kind == PairKind::vertex_vertex) return {{p[1] - p[0], p[1] - p[0], p[1] - p[0]}};
   return {{p[0] - p[2], p[1] - p[2], p[1] - p[3]}, {p[0] - p[2], p[0] - p[3], p[1] - p[3]}};
+}
+
+std::size_t vertex_count(PairKind kind) {
+  return kind == PairKind::vertex_vertex ? 2 : kind == PairKind::vertex_edge ? 3 : 4;
 }
 
 /// All of one feature lies beyond all of the other on an axis, at both ends of the step and so all the time.
 bool boxes_are_apart(PairKind kind, const Motion& m) {
-  const std::size_t second = kind == PairKind::vertex_face ? 1 : 2;
+  const std::size_t second = kind == PairKind::edge_edge ? 2 : 1, count = vertex_count(kind);
   for (std::size_t axis = 0; axis < 3; ++axis) {
     std::array<double, 2> low, high;
     low.fill(std::numeric_limits<double>::infinity());
     high.fill(-low[0]);
     for (const auto* points : {&m.start, &m.end})
-      for (std::size_t i = 0; i < 4; ++i) {
+      for (std::size_t i = 0; i < count; ++i) {
         const std::size_t feature = i < second ? 0 : 1;
         low[feature] = std::min(low[feature], (*points)[i][axis]);
         high[feature] = std::max(high[feature], (*points)[i][axis]);

@@ -3,7 +3,8 @@
 //
 // A feature pair is one moving triangle and the origin. Vertex p and face abc touch when the origin lies in the
 // triangle (a-p, b-p, c-p). Edges a0a1 and b0b1 touch when it lies in the parallelogram of the differences a_i - b_j,
-// that is in one of the two halves of it. And the origin lies in a triangle, degenerate or not, when it lies
+// that is in one of the two halves of it. A vertex and an edge, or two vertices, are a triangle that lies in a line, or
+// in a point. And the origin lies in a triangle, degenerate or not, when it lies
 //   on a side q r:   q x r = 0 and q.r <= 0, or
 //   in the interior: det = 0 and the three cross products of the corners point the same way.
 // All are signs of polynomials in t, which somewhere.hpp decides.
@@ -14,7 +15,8 @@
 
 namespace tamis::oracle {
 
-/// Four points at t=0 and at t=1. vf: the point, then a, b, c. ee: a0, a1, b0, b1.
+/// Four points at t=0 and at t=1. vf: the point, then a, b, c. ee: a0, a1, b0, b1. ve: the point, then a, b. vv: two
+/// points. What a kind does not use is ignored.
 struct Motion {
   std::array<Point, 4> start, end;
 };

@@ -7,6 +7,7 @@
 #include <bit>
 #include <cmath>
 
+#include "support/ask_pair.hpp"
 #include "support/pair_cases.hpp"
 #include "support/test_data.hpp"
 #include "support/test_names.hpp"
@@ -67,7 +68,7 @@ TEST_P(KeptDistance, IsKeptUntilThenAndLeftAfterwards) {
   const long cases = repetitions("TAMIS_SEPARATION_CASES", 4);
   Random random(57);
   for (long i = 0; i < cases && !HasFailure(); ++i)
-    for (const PairKind kind : {PairKind::vertex_face, PairKind::edge_edge}) {
+    for (const PairKind kind : kAllKinds) {
       const Motion m = permuted(kind, placed(family.make(kind, random), placement), random);
       const double fraction = random.coin() ? random.unit() : random.coin() ? 1 - 0x1p-30 : 0x1p-20;
       const double separation = random.coin() ? 0 : placement.scale * std::ldexp(random.unit(), -random.below(12));
@@ -93,7 +94,7 @@ TEST(KeptDistanceOfAPair, DoesNotDependOnHowFarItLooks) {
   PrecisionCount decided_by;
   for (const Family& family : kFamilies)
     for (int i = 0; i < 200; ++i)
-      for (const PairKind kind : {PairKind::vertex_face, PairKind::edge_edge}) {
+      for (const PairKind kind : kAllKinds) {
         const PairPoints points = to_points(family.make(kind, random));
         const DistanceRule rule{random.unit(), 0};
         const double time = keeps_distance_until(kind, points, rule, 1, decided_by);
@@ -110,7 +111,7 @@ TEST(KeptDistanceOfAPair, IsSharpOnPairsThatAreApart) {
   Random random(59);
   long limited = 0;
   for (int i = 0; i < 2000; ++i)
-    for (const PairKind kind : {PairKind::vertex_face, PairKind::edge_edge}) {
+    for (const PairKind kind : kAllKinds) {
       const Motion m = family_named("random").make(kind, random);
       const Found found = find(kind, m, {random.unit(), 0});
       if (found.upper == 1) continue;

@@ -5,20 +5,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "support/ask_pair.hpp"
 #include "support/pair_cases.hpp"
 #include "support/test_data.hpp"
 #include "support/test_names.hpp"
-#include "tamis/pair.hpp"
 
 namespace tamis::test {
 namespace {
 
 using oracle::Motion, oracle::touches;
-
-PairResult decide_pair(PairKind kind, const Motion& m, Guarantee guarantee) {
-  const PairOptions options{guarantee, 0};
-  return kind == PairKind::vertex_face ? vertex_face(m.start, m.end, options) : edge_edge(m.start, m.end, options);
-}
 
 /// The promises of PairResult about time.
 void check_bracket(PairKind kind, const Motion& m, const PairResult& r) {
@@ -45,14 +40,16 @@ void check_weights(PairKind kind, const Motion& m, const PairResult& r) {
   EXPECT_GE(r.v, 0);
   EXPECT_LE(r.u, 1);
   EXPECT_LE(kind == PairKind::vertex_face ? r.u + r.v : r.v, 1 + 1e-15);
+  EXPECT_FALSE(kind == PairKind::vertex_edge && r.v != 0);
+  EXPECT_FALSE(kind == PairKind::vertex_vertex && (r.u != 0 || r.v != 0));
   if (r.toi_upper - r.toi_lower > 1e-12) return;
   const double t = 0.5 * (r.toi_lower + r.toi_upper);
   double gap = 0;
   for (std::size_t k = 0; k < 3; ++k) {
     const auto x = [&](std::size_t i) { return (1 - t) * m.start[i][k] + t * m.end[i][k]; };
-    const double difference = kind == PairKind::vertex_face
-                                  ? x(0) - ((1 - r.u - r.v) * x(1) + r.u * x(2) + r.v * x(3))
-                                  : (1 - r.u) * x(0) + r.u * x(1) - ((1 - r.v) * x(2) + r.v * x(3));
+    const double difference = kind == PairKind::edge_edge
+                                  ? (1 - r.u) * x(0) + r.u * x(1) - ((1 - r.v) * x(2) + r.v * x(3))
+                                  : x(0) - ((1 - r.u - r.v) * x(1) + r.u * x(2) + r.v * x(3));
     gap = std::max(gap, std::abs(difference));
   }
   EXPECT_LE(gap, 1e-6 * size_of(m)) << "u " << r.u << " v " << r.v << " t " << t;
@@ -69,14 +66,14 @@ TEST_P(PairSoundness, BothGuaranteesKeepTheirPromises) {
   Random random(17);
   long contacts = 0, unresolved = 0;
   for (long i = 0; i < cases && !HasFailure(); ++i)
-    for (const PairKind kind : {PairKind::vertex_face, PairKind::edge_edge}) {
+    for (const PairKind kind : kAllKinds) {
       const Motion m = permuted(kind, placed(family.make(kind, random), placement), random);
       const bool truth = touches(kind, m);
       SCOPED_TRACE(describe(kind, m));
-      const PairResult conservative = decide_pair(kind, m, Guarantee::conservative);
+      const PairResult conservative = ask_pair(kind, m, {Guarantee::conservative, 0});
       EXPECT_LE(truth, conservative.touches) << "missed contact";
       EXPECT_TRUE(conservative.certainty == Certainty::unresolved || conservative.touches == truth) << "certified";
-      const PairResult exact = decide_pair(kind, m, Guarantee::exact);
+      const PairResult exact = ask_pair(kind, m, {Guarantee::exact, 0});
       EXPECT_EQ(truth, exact.touches) << "exact guarantee";
       EXPECT_EQ(exact.certainty, Certainty::certified) << "exact guarantee";
       for (const PairResult& r : {conservative, exact}) {

@@ -4,20 +4,15 @@
 
 #include <cmath>
 
+#include "support/ask_pair.hpp"
 #include "support/pair_cases.hpp"
 #include "support/test_data.hpp"
 #include "support/test_names.hpp"
-#include "tamis/pair.hpp"
 
 namespace tamis::test {
 namespace {
 
 using oracle::comes_within, oracle::Motion;
-
-PairResult decide_pair(PairKind kind, const Motion& m, double separation) {
-  const PairOptions options{Guarantee::conservative, separation};
-  return kind == PairKind::vertex_face ? vertex_face(m.start, m.end, options) : edge_edge(m.start, m.end, options);
-}
 
 /// From a millionth of the features to their size; a multiple of the lattices' unit every other time, so that features
 /// graze it exactly.
@@ -49,11 +44,11 @@ TEST_P(Separation, DecisionsAndBracketsAreProven) {
   Random random(23);
   long contacts = 0, unresolved = 0, wide = 0;
   for (long i = 0; i < cases && !HasFailure(); ++i)
-    for (const PairKind kind : {PairKind::vertex_face, PairKind::edge_edge}) {
+    for (const PairKind kind : kAllKinds) {
       const Motion m = permuted(kind, placed(family.make(kind, random), placement), random);
       const double separation = random_separation(random) * placement.scale;
       SCOPED_TRACE(describe(kind, m) + "\n  separation " + std::to_string(separation / placement.scale));
-      const PairResult r = decide_pair(kind, m, separation);
+      const PairResult r = ask_pair(kind, m, {Guarantee::conservative, separation});
       check(kind, m, separation, r);
       contacts += r.touches;
       unresolved += r.touches && r.certainty == Certainty::unresolved;

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "support/ask_pair.hpp"
 #include "support/pair_cases.hpp"
 #include "support/test_data.hpp"
 
@@ -21,7 +22,7 @@ TEST(StartDistance, IsWithinTheSeparationExactlyWhenTheOracleSaysSo) {
   Random random(31);
   for (const Family& family : kFamilies)
     for (long i = 0; i < cases; ++i)
-      for (const PairKind kind : {PairKind::vertex_face, PairKind::edge_edge}) {
+      for (const PairKind kind : kAllKinds) {
         const oracle::Motion m = permuted(kind, family.make(kind, random), random);
         for (const double separation : {0.0, 0x1p-30, 0.5, 1.0 + random.unit()}) {
           const double time = apart_from_start(kind, to_points(m), separation);

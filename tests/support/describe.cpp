@@ -6,7 +6,7 @@ namespace tamis::test {
 
 std::string describe(PairKind kind, const oracle::Motion& motion) {
   std::ostringstream out;
-  out << (kind == PairKind::vertex_face ? "vertex-face" : "edge-edge") << std::hexfloat;
+  out << name_of(kind) << std::hexfloat;
   for (const auto* points : {&motion.start, &motion.end}) {
     out << (points == &motion.start ? "\n  start" : "\n  end  ");
     for (const Point& p : *points) out << " {" << p[0] << ", " << p[1] << ", " << p[2] << "}";

@@ -11,7 +11,8 @@ PairMotion<Exact> exact_motion(PairKind kind, const oracle::Motion& motion, cons
     return Moving<Exact>{vector(motion.start[to], motion.start[from]), vector(motion.end[to], motion.end[from])};
   };
   if (kind == PairKind::vertex_face) return {moving(2, 1), moving(3, 1), moving(0, 1), {}, {}, {}};
-  return {moving(1, 0), moving(3, 2), moving(2, 0), {}, {}, {}};
+  if (kind == PairKind::edge_edge) return {moving(1, 0), moving(3, 2), moving(2, 0), {}, {}, {}};
+  return {moving(kind == PairKind::vertex_edge ? 2 : 1, 1), moving(1, 1), moving(0, 1), {}, {}, {}};
 }
 
 }  // namespace tamis::test

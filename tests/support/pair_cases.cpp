@@ -23,7 +23,7 @@ Motion random_motion(PairKind, Random& random) {
 Motion separated(PairKind kind, Random& random) {
   Motion m = random_motion(kind, random);
   const Point away = {random.coin() ? 4.0 : 0.5, random.between(-4, 4), random.coin() ? 4.0 : 0.0};
-  for (std::size_t i = kind == PairKind::vertex_face ? 1 : 2; i < 4; ++i) {
+  for (std::size_t i = kind == PairKind::edge_edge ? 2 : 1; i < 4; ++i) {
     m.start[i] = m.start[i] + away;
     m.end[i] = m.end[i] + away;
   }
@@ -50,11 +50,13 @@ Motion exact_contact(PairKind kind, Random& random) {
   const double t = dyadic_parameter(random), u = dyadic_parameter(random);
   const double v = (kind == PairKind::vertex_face ? 1 - u : 1) * dyadic_parameter(random);
   // Vertex 0 is moved, motion and all, so that it, or the point v on its edge, meets the other feature at time t.
-  const std::size_t moved = kind == PairKind::vertex_face ? 0 : 1;
+  const std::size_t moved = kind == PairKind::edge_edge ? 1 : 0;
   Point target = (1 - u) * at(m, 2, t) + u * at(m, 3, t);
   Point own = at(m, 0, t);
   if (kind == PairKind::vertex_face) target = (1 - u - v) * at(m, 1, t) + u * at(m, 2, t) + v * at(m, 3, t);
   if (kind == PairKind::edge_edge) own = (1 - v) * at(m, 0, t) + v * at(m, 1, t);
+  if (kind == PairKind::vertex_edge) target = (1 - u) * at(m, 1, t) + u * at(m, 2, t);
+  if (kind == PairKind::vertex_vertex) target = at(m, 1, t);
   for (std::size_t i = 0; i <= moved; ++i) {
     m.start[i] = m.start[i] + (target - own);
     m.end[i] = m.end[i] + (target - own);
@@ -113,7 +115,7 @@ Motion degenerate(PairKind kind, Random& random) {
       merge(3, 2, at_start, at_end);
       break;  // no length, no area
     case 1:
-      merge(3, 2, true, true), merge(1, kind == PairKind::vertex_face ? 2 : 0, at_start, at_end);
+      merge(3, 2, true, true), merge(1, kind == PairKind::edge_edge ? 0 : 2, at_start, at_end);
       break;
     case 2:
       m.end = m.start;
@@ -147,6 +149,8 @@ Motion mirrored(PairKind kind, Random& random) {
     auto& p = *points;
     if (kind == PairKind::edge_edge) p[2] = mirror(p[0]), p[3] = mirror(p[1]);
     if (kind == PairKind::vertex_face) p[0][0] = 0, p[1][0] = 0, p[3] = mirror(p[2]);
+    if (kind == PairKind::vertex_edge) p[0][0] = 0, p[2] = mirror(p[1]);
+    if (kind == PairKind::vertex_vertex) p[1] = mirror(p[0]);
   }
   return m;
 }
@@ -187,6 +191,10 @@ Motion permuted(PairKind kind, const Motion& motion, Random& random) {
   if (kind == PairKind::vertex_face) {
     std::swap(order[1], order[1 + static_cast<std::size_t>(random.below(3))]);
     if (random.coin()) std::swap(order[2], order[3]);
+  } else if (kind == PairKind::vertex_edge) {
+    if (random.coin()) std::swap(order[1], order[2]);
+  } else if (kind == PairKind::vertex_vertex) {
+    if (random.coin()) std::swap(order[0], order[1]);
   } else {
     if (random.coin()) std::swap(order[0], order[1]);
     if (random.coin()) std::swap(order[2], order[3]);

@@ -24,7 +24,7 @@ struct Family {
 /// lattice: corners on a lattice of few points: coplanar, collinear, parallel and coincident things all the time.
 /// degenerate: on the lattice, with edges of no length, faces of no area, features at rest, features that coincide.
 /// in_plane: all points move within one plane, which moves too.
-/// mirrored: the second feature is the first one's image in x = 0 (vf: its point on the mirror).
+/// mirrored: the second feature is the first one's image in x = 0 (vf, ve: its point on the mirror).
 /// nudged: exact_contact with one coordinate moved to the next double.
 /// uneven: exact_contact flattened and sheared, so that lengths differ by up to 2^88; half of them nudged.
 extern const std::array<Family, 10> kFamilies;

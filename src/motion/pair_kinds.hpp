@@ -1,0 +1,59 @@
+// What the kinds of pairs differ in: which vertices make which vectors. Everything else follows from the three vectors
+// of PairMotion (motion/pair_motion.hpp).
+#pragma once
+#include <cstddef>
+#include <type_traits>
+
+#include "tamis/contact.hpp"
+
+namespace tamis {
+
+/// A difference of two of the pair's vertices.
+struct VertexDifference {
+  int to, from;
+};
+
+/// The vectors of PairMotion. A feature that has no such side has the difference of a vertex and itself: zero, exactly.
+struct SpanningVectors {
+  VertexDifference e, f, d;
+};
+
+/// Vertices as in Contact.
+constexpr SpanningVectors spanning_vectors(PairKind kind) {
+  switch (kind) {
+    case PairKind::vertex_face:
+      return {{2, 1}, {3, 1}, {0, 1}};
+    case PairKind::edge_edge:
+      return {{1, 0}, {3, 2}, {2, 0}};
+    case PairKind::vertex_edge:
+      return {{2, 1}, {1, 1}, {0, 1}};
+    case PairKind::vertex_vertex:
+      break;
+  }
+  return {{1, 1}, {1, 1}, {0, 1}};
+}
+
+/// Vertex-face and edge-edge meet by passing through each other, when their four vertices are coplanar. The others have
+/// no inside to pass through: they meet at single times, which hardly ever happens, or come near.
+constexpr bool can_cross(PairKind kind) { return kind == PairKind::vertex_face || kind == PairKind::edge_edge; }
+
+/// The place, among the pair's vertices, of the second feature's first.
+constexpr std::size_t second_feature(PairKind kind) { return kind == PairKind::edge_edge ? 2 : 1; }
+
+/// f(kind), with the kind as a constant: `kind()` in f may stand where a template argument is asked for.
+template <class F>
+decltype(auto) with_kind(PairKind kind, const F& f) {
+  switch (kind) {
+    case PairKind::vertex_face:
+      return f(std::integral_constant<PairKind, PairKind::vertex_face>{});
+    case PairKind::edge_edge:
+      return f(std::integral_constant<PairKind, PairKind::edge_edge>{});
+    case PairKind::vertex_edge:
+      return f(std::integral_constant<PairKind, PairKind::vertex_edge>{});
+    case PairKind::vertex_vertex:
+      break;
+  }
+  return f(std::integral_constant<PairKind, PairKind::vertex_vertex>{});
+}
+
+}  // namespace tamis

@@ -12,7 +12,7 @@ using State = benchmark::State;
 
 constexpr std::size_t kMostPairs = 100'000;
 
-const char* name_of(PairKind kind) { return kind == PairKind::vertex_face ? "vf" : "ee"; }
+std::string name(PairKind kind) { return std::string(name_of(kind)); }
 
 void pairs_per_second(State& state, std::size_t pairs) {
   state.counters["pairs"] = static_cast<double>(pairs);
@@ -41,7 +41,7 @@ void add_trees(Workload& work) {
 
 /// `is_short`: with swept boxes, whether or not they serve here.
 void add_search(const Workload& work, PairKind kind, bool is_short) {
-  const std::string what = std::string(is_short ? "search_swept_" : "search_") + name_of(kind);
+  const std::string what = (is_short ? "search_swept_" : "search_") + name(kind);
   add(work, what, [&work, kind, is_short](State& state) {
     std::size_t pairs = 0;
     for (auto _ : state) {
@@ -80,15 +80,15 @@ void add_stages(const Workload& work, PairKind kind) {
   const auto filter = is_vf ? k.filter_vf : k.filter_ee;
   const auto solve = is_vf ? k.solve_vf : k.solve_ee;
   const StageInputs& inputs = work.inputs(kind);
-  add_stage(work, std::string("slab_") + name_of(kind), inputs.slab, [=](const PairBuffer& in) {
+  add_stage(work, "slab_" + name(kind), inputs.slab, [=](const PairBuffer& in) {
     scratch->out.count = 0;
     slab(vertices, kSeparation, in, scratch->out);
   });
-  add_stage(work, std::string("dnf_ncf_") + name_of(kind), inputs.filter, [=](const PairBuffer& in) {
+  add_stage(work, "dnf_ncf_" + name(kind), inputs.filter, [=](const PairBuffer& in) {
     scratch->out.count = 0;
     filter(vertices, in, scratch->out);
   });
-  add_stage(work, std::string("solve_in_lanes_") + name_of(kind), inputs.solve, [=](const PairBuffer& in) {
+  add_stage(work, "solve_in_lanes_" + name(kind), inputs.solve, [=](const PairBuffer& in) {
     benchmark::DoNotOptimize(solve(vertices, in, scratch->rest, scratch->solved));
   });
 }
@@ -97,7 +97,7 @@ void add_filters(const Workload& work, PairKind kind) {
   const auto motions =
       std::make_shared<std::vector<PairMotion<double>>>(work.motions(kind, work.inputs(kind).slab, kMostPairs));
   for (const FilterStage& filter : filter_stages()) {
-    const std::string what = "filter_" + std::string(filter.name) + "_" + name_of(kind);
+    const std::string what = "filter_" + std::string(filter.name) + "_" + name(kind);
     add(work, what, [motions, &filter, kind](State& state) {
       constexpr std::size_t kAtOnce = 1024;
       std::vector<std::uint16_t> alive(kAtOnce);
@@ -120,7 +120,7 @@ void add_filters(const Workload& work, PairKind kind) {
 /// The pairs that reach the solver, one by one: most of them touch.
 void add_one_pair(const Workload& work, PairKind kind, Guarantee guarantee) {
   const auto pairs = std::make_shared<std::vector<PairPoints>>(work.points(work.inputs(kind).solve, kMostPairs));
-  const std::string what = "one_pair_" + std::string(tamis::name_of(guarantee)) + "_" + name_of(kind);
+  const std::string what = "one_pair_" + std::string(tamis::name_of(guarantee)) + "_" + name(kind);
   add(work, what, [pairs, kind, guarantee](State& state) {
     const PairOptions options{guarantee, 0};
     std::size_t touching = 0;

@@ -106,7 +106,7 @@ const std::vector<Contact>& Detector::contacts(const Step& step) {
 
 void Detector::contacts(const Step& step, std::vector<Contact>& result) {
   state_->ask(step, Question::all_contacts);
-  result.swap(state_->contacts);
+  result.swap(state_->found.contacts());
 }
 
 EarliestContact Detector::earliest(const Step& step) {

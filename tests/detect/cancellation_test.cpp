@@ -21,6 +21,7 @@ class Cancellation : public testing::TestWithParam<Method> {
  protected:
   Cancellation() {
     options.method = GetParam();
+    options.threads = 1;  // so that each question asks as often as the last one
     options.is_cancelled = [this] { return asked++ == cancel_at; };
   }
 

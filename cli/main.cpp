@@ -41,14 +41,17 @@ int fail_to_print() { return fail("the result cannot be written to the standard 
 /// What was printed must have arrived: a full disk behind stdout is an error too.
 int finish(int code) { return flush_output() ? code : fail_to_print(); }
 
-/// Of what the verb was asked: it tells which of many commands was too large.
-int fail_for_memory(const CLI::App& verb) {
-  std::string subject;
+/// What the verb was asked about: it tells which of many commands failed.
+std::string subject_of(const CLI::App& verb) {
+  std::string subject = "tamis " + verb.get_name();
   for (const CLI::Option* option : verb.get_options())
     if (option->get_positional())
-      for (const std::string& word : option->results()) subject += (subject.empty() ? "" : " ") + word;
-  return fail(fmt::format("{}: not enough memory for 'tamis {}': use a smaller mesh or a larger machine",
-                          subject.empty() ? verb.get_name() : subject, verb.get_name()));
+      for (const std::string& word : option->results()) subject += " " + word;
+  return subject;
+}
+
+int fail_for_memory(const CLI::App& verb) {
+  return fail(subject_of(verb) + ": not enough memory: use a smaller mesh or a larger machine");
 }
 
 /// Every error is one sentence and exit code 2.
@@ -60,7 +63,11 @@ int run(Verb& verb, const CLI::App& app) {
   } catch (const std::length_error&) {
     return fail_for_memory(app);
   } catch (const std::exception& error) {
-    return std::ferror(stdout) == 0 ? fail(error.what()) : fail_to_print();
+    if (std::ferror(stdout) != 0) return fail_to_print();
+    const bool is_sentence = dynamic_cast<const Error*>(&error) || dynamic_cast<const CLI::Error*>(&error);
+    return is_sentence ? fail(error.what())
+                       : fail(fmt::format("{}: '{}': check the limits of memory, threads and files ('ulimit -a')",
+                                          subject_of(app), error.what()));
   }
 }
 

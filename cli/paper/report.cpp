@@ -110,7 +110,9 @@ void write_paper_report(const std::filesystem::path& folder, Results results, co
   text += paper_sieve(results);
   text += paper_claims(results);
   text += kDiscussion;
-  text += "\n## Pictures\n\nMade from the CSV files by `bench/plot_paper.py`: table1.png, fig4.png, fig5.png.\n";
+  text +=
+      "\n## Pictures\n\nMade from the CSV files by `plot_paper.py`, which is installed with the command: table1.png, "
+      "fig4.png, fig5.png.\n";
   io::AtomicFile file(folder / "report.md");
   file.append(text);
   file.commit();

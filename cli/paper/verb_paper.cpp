@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
-#include <cstdlib>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -16,6 +15,7 @@
 #include "cli/number_option.hpp"
 #include "cli/output_file.hpp"
 #include "cli/paper/earlier.hpp"
+#include "cli/paper/pictures.hpp"
 #include "cli/paper/run.hpp"
 #include "cli/paper/tables.hpp"
 #include "cli/printable.hpp"
@@ -83,7 +83,8 @@ class Paper final : public Verb {
     for (const PaperScene& scene : scenes)
       for (const int factor : {1, 3}) measure(scene, factor);
     write_paper_report(folder_, results_, size());
-    draw();
+    const std::string why = draw_pictures(folder_);
+    if (!why.empty()) note("no pictures, only their tables: " + why);
     fmt::print("report          {}\n", printable((files::path(folder_) / "report.md").string()));
     for (const SceneResult& result : results_)
       if (!result.sets_agree()) return kNo;
@@ -204,14 +205,6 @@ class Paper final : public Verb {
     for (const std::string& pair : given_)
       text += fmt::format(" `{}`: frames that were given, not simulated here.", name_of(pair));
     return text;
-  }
-
-  void draw() const {
-#ifdef TAMIS_PLOT_PAPER
-    const std::string line = fmt::format("/usr/bin/python3 '{}' '{}'", TAMIS_PLOT_PAPER, folder_);
-    if (folder_.find('\'') == std::string::npos && std::system(line.c_str()) == 0) return;
-#endif
-    note("no pictures: they need python3 with matplotlib and bench/plot_paper.py");
   }
 
   std::string folder_;

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """Pictures of `tamis paper`: Table 1, Fig. 4 and Fig. 5, from the CSV files in a folder."""
 import csv
+import io
 import pathlib
 import sys
 
@@ -13,7 +14,7 @@ from matplotlib import pyplot  # noqa: E402
 
 
 def read(path):
-    with open(path, newline="") as file:
+    with open(path, newline="", encoding="utf-8") as file:
         return list(csv.DictReader(file))
 
 
@@ -27,7 +28,7 @@ def bars(rows, groups, names, value, title, unit, path, log=True):
         axes.bar([g + (i - (len(names) - 1) / 2) * width for g in range(len(groups))], heights, width, label=name,
                  color=color)
     axes.set_xticks(range(len(groups)))
-    axes.set_xticklabels([f"{scene} {step}" for scene, step in groups], rotation=25, ha="right")
+    axes.set_xticklabels([f"{scene} {step}".replace("$", r"\$") for scene, step in groups], rotation=25, ha="right")
     if log:
         axes.set_yscale("log")
     axes.set_ylabel(unit)
@@ -37,8 +38,12 @@ def bars(rows, groups, names, value, title, unit, path, log=True):
     if len(names) > 1:
         axes.legend(fontsize=8, ncol=2, loc="center left", bbox_to_anchor=(1, 0.5))
     figure.tight_layout()
-    figure.savefig(path, dpi=110)
+    picture = io.BytesIO()
+    figure.savefig(picture, dpi=110)
     pyplot.close(figure)
+    unfinished = path.with_name(f".{path.name}.part")
+    unfinished.write_bytes(picture.getvalue())
+    unfinished.replace(path)
 
 
 def main():

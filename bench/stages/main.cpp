@@ -27,7 +27,7 @@ void add(const Workload& work, const std::string& what, const Run& run) {
 void add_trees(Workload& work) {
   add(work, "bounds", [&work](State& state) {
     PackedMotion motion;
-    for (auto _ : state) motion.assign(work.step(), work.mesh().points(), kSeparation);
+    for (auto _ : state) motion.assign(work.step(), work.mesh().points(), {kSeparation});
   });
   add(work, "order_and_build", [&work](State& state) {
     for (auto _ : state)
@@ -82,7 +82,7 @@ void add_stages(const Workload& work, PairKind kind) {
   const StageInputs& inputs = work.inputs(kind);
   add_stage(work, "slab_" + name(kind), inputs.slab, [=](const PairBuffer& in) {
     scratch->out.count = 0;
-    slab(vertices, kSeparation, in, scratch->out);
+    slab(vertices, {kSeparation}, in, scratch->out);
   });
   add_stage(work, "dnf_ncf_" + name(kind), inputs.filter, [=](const PairBuffer& in) {
     scratch->out.count = 0;

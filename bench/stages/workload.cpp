@@ -33,7 +33,7 @@ Workload::Workload(std::string name, Mesh mesh, std::vector<Point> start, std::v
       start_(std::move(start)),
       end_(std::move(end)),
       kernels_(tamis::kernels(Isa::best)) {
-  motion_.assign(step(), mesh_.points(), kSeparation);
+  motion_.assign(step(), mesh_.points(), {kSeparation});
   points_.set_features(mesh_.points());
   edges_.set_features(mesh_.edges());
   faces_.set_features(mesh_.faces());
@@ -48,7 +48,7 @@ StageInputs Workload::inputs_of(PairKind kind) const {
   auto slab = std::make_unique<PairBuffer>(), filtered = std::make_unique<PairBuffer>();
   search(kind, false, [&](PairBuffer& pairs) {
     slab->count = filtered->count = 0;
-    (is_vf ? kernels_.slab_vf : kernels_.slab_ee)(motion_.vertices.data(), kSeparation, pairs, *slab);
+    (is_vf ? kernels_.slab_vf : kernels_.slab_ee)(motion_.vertices.data(), {kSeparation}, pairs, *slab);
     (is_vf ? kernels_.filter_vf : kernels_.filter_ee)(motion_.vertices.data(), *slab, *filtered);
     keep(inputs.slab, pairs);
     keep(inputs.filter, *slab);

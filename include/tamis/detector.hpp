@@ -1,6 +1,7 @@
 // Continuous collision detection of a mesh with itself, step after step.
 #pragma once
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "tamis/contact.hpp"
@@ -17,8 +18,8 @@ namespace tamis {
 /// instruction set, or on earlier questions.
 class Detector {
  public:
-  /// Throws InvalidOptions: negative threads, a separation that is negative or not finite, an instruction set this
-  /// machine lacks, an unknown filter, groups or a reduced model that do not fit the mesh.
+  /// Throws InvalidOptions: negative threads, a separation or thickness that is negative or not finite, an instruction
+  /// set this machine lacks, an unknown filter, groups, thickness or a reduced model that do not fit.
   explicit Detector(Mesh mesh, Options options = {});
   ~Detector();
   /// What was moved from may only be destroyed or assigned to.
@@ -26,22 +27,24 @@ class Detector {
   Detector& operator=(Detector&&) noexcept;
 
   /// All contacts of the step, by kind, then vertices. The vector is valid until the next question.
-  /// Every question throws InvalidStep unless start and end have one row of three numbers for each vertex of the mesh,
-  /// finite for those in mesh().points().
-  const std::vector<Contact>& contacts(const Step& step);
+  /// A question may bring a minimum separation of its own (an activation distance, say), which takes the place of
+  /// Options::min_separation for it alone; the hierarchy serves all. Throws InvalidOptions unless it is finite and >=
+  /// 0. Every question throws InvalidStep unless start and end have one row of three numbers for each vertex of the
+  /// mesh, finite for those in mesh().points().
+  const std::vector<Contact>& contacts(const Step& step, std::optional<double> min_separation = {});
   /// The same contacts in the caller's own vector, not copied: its memory and the detector's change places.
-  void contacts(const Step& step, std::vector<Contact>& result);
+  void contacts(const Step& step, std::vector<Contact>& result, std::optional<double> min_separation = {});
   /// The first contact: how far the step may go. Its bracket may differ from that of contacts() in the last digits:
   /// both are proven.
-  EarliestContact earliest(const Step& step);
+  EarliestContact earliest(const Step& step, std::optional<double> min_separation = {});
   /// Is the whole step free of contacts?
-  bool is_free(const Step& step);
-  /// How far may the step go so that the distance of every pair, as far as it exceeds the minimum separation, stays at
-  /// least `fraction` of what it is at t=0? The step length for the line search of a barrier method. 0: only contacts
-  /// count, and `lower` is earliest()'s toi_lower. Same for all methods; the guarantee matters for 0 only. The closer
-  /// `fraction` is to 1, the longer the search until the first near pairs have shortened the step. Throws
-  /// InvalidOptions unless 0 <= fraction < 1.
-  SafeStep keep_distance(const Step& step, double fraction);
+  bool is_free(const Step& step, std::optional<double> min_separation = {});
+  /// How far may the step go so that the distance of every pair, as far as it exceeds the minimum separation and both
+  /// radii, stays at least `fraction` of what it is at t=0? The step length for the line search of a barrier method. 0:
+  /// only contacts count, and `lower` is earliest()'s toi_lower. Same for all methods; the guarantee matters for 0
+  /// only. The closer `fraction` is to 1, the longer the search until the first near pairs have shortened the step.
+  /// Throws InvalidOptions unless 0 <= fraction < 1.
+  SafeStep keep_distance(const Step& step, double fraction, std::optional<double> min_separation = {});
 
   const Mesh& mesh() const;
   const Options& options() const;

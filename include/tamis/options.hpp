@@ -97,6 +97,10 @@ struct Options {
   int threads = 0;
   /// d >= 0, in the unit of the positions: contact means Euclidean distance <= d at some time.
   double min_separation = 0;
+  /// A radius >= 0 for each group of filter.group_of_vertex: thickness is half on each side. Two features are in
+  /// contact when their distance is at most `min_separation` plus both radii, for every question. A feature that joins
+  /// groups has the largest radius of its vertices. Empty: all zero.
+  std::vector<double> thickness;
   /// Of method `tamis`, and of keep_distance with `paper`; else all is baseline.
   Isa isa = Isa::best;
   PairFilter filter;

@@ -46,10 +46,11 @@ struct MovingBox {
   }
   void include(const MovingBox& other) { include(other.low, other.high); }
 
-  /// By `fixed`, and by `relative` times the larger of its two distances from zero.
-  void widen(const float (&fixed)[kSize], const float (&relative)[kSize]) {
+  /// By `fixed`, by `relative` times the larger of its two distances from zero, and by `share` of `radius`.
+  void widen(const float (&fixed)[kSize], const float (&relative)[kSize], float radius, const float (&share)[kSize]) {
     for (int i = 0; i < kSize; ++i) {
-      const float size = -low[i] > high[i] ? -low[i] : high[i], margin = fixed[i] + relative[i] * size;
+      const float size = -low[i] > high[i] ? -low[i] : high[i];
+      const float margin = fixed[i] + relative[i] * size + share[i] * radius;
       low[i] -= margin;
       high[i] += margin;
     }

@@ -10,6 +10,12 @@ namespace {
 /// 2^-23: the roundings listed at BoxFrame::margin sum to under half of it.
 constexpr float kRounding = 0x1p-23f;
 
+/// Rounded up with room for what is added to it; two boxes widened by kFarthest each meet wherever they are.
+float box_distance(double distance) {
+  constexpr double kFarthest = 3.0;
+  return static_cast<float>(std::min(distance * (1 + 0x1p-20), kFarthest));
+}
+
 BoxFrame frame_of(const Step& step, std::span<const Index> used, double min_separation) {
   std::array<double, 3> low, high;
   low.fill(std::numeric_limits<double>::infinity());
@@ -30,7 +36,7 @@ BoxFrame frame_of(const Step& step, std::span<const Index> used, double min_sepa
   // One binary digit to spare, so that rounding of origin and half width stays inside [-1,1].
   const int exponent = half > 0 ? std::min(-2 - std::ilogb(half), 1000) : 0;
   frame.scale = std::ldexp(1.0, exponent);
-  frame.margin = kRounding + static_cast<float>(std::min(0.5 * (min_separation * frame.scale) * (1 + 0x1p-20), 4.0));
+  frame.margin = kRounding + box_distance(0.5 * (min_separation * frame.scale));
   return frame;
 }
 
@@ -41,8 +47,10 @@ double displacement(double start, double end, double scale) {
 
 }  // namespace
 
-void PackedMotion::assign(const Step& step, std::span<const Index> used, double min_separation, SecondHalf second) {
-  frame = frame_of(step, used, min_separation);
+void PackedMotion::assign(const Step& step, std::span<const Index> used, const Separations& kept_apart,
+                          SecondHalf second) {
+  separations = kept_apart;
+  frame = frame_of(step, used, separations.fixed);
   second_half = second;
   const auto count = static_cast<std::size_t>(step.start.count());
   vertices.resize(count);
@@ -51,6 +59,9 @@ void PackedMotion::assign(const Step& step, std::span<const Index> used, double 
     PackedVertex& packed = vertices[static_cast<std::size_t>(v)];
     BoxVertex& box = box_vertices[static_cast<std::size_t>(v)];
     const double *start = step.start[v], *end = step.end[v];
+    const double radius = separations.radii.empty() ? 0 : separations.radii[static_cast<std::size_t>(v)];
+    packed.at[3] = radius;
+    box.at[BoxVertex::kRadius] = box_distance(radius * frame.scale);
     for (std::size_t axis = 0; axis < 3; ++axis) {
       packed.at[axis] = start[axis];
       packed.at[4 + axis] = end[axis];

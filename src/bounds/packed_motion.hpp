@@ -5,11 +5,12 @@
 #include <cstdint>
 #include <vector>
 
+#include "motion/separations.hpp"
 #include "tamis/step.hpp"
 
 namespace tamis {
 
-/// A vertex at t=0 and t=1: x y z, unused, x y z, unused.
+/// A vertex at t=0 and t=1: x y z, its radius (Separations), x y z, unused.
 struct alignas(64) PackedVertex {
   double at[8];
 };
@@ -20,9 +21,10 @@ enum class SecondHalf : std::uint8_t {
   displacement,  ///< the way from t=0 to t=1, for questions about distances at t=0 and speeds
 };
 
-/// A vertex in the frame of the boxes, rounded to nearest: x y z at t=0, then its second half, two unused; half a cache
-/// line.
+/// A vertex in the frame of the boxes, rounded to nearest: x y z at t=0, then its second half, its radius (rounded up),
+/// one unused; half a cache line.
 struct alignas(32) BoxVertex {
+  static constexpr int kRadius = 6;
   float at[8] = {};
 };
 
@@ -32,7 +34,7 @@ struct BoxFrame {
   std::array<double, 3> origin;
   double scale;
   /// Added on each side of a box: rounding to float is off by 2^-25, the subtraction by 2^-53, and the box's own
-  /// subtraction of the margin by 2^-25; plus half the minimum separation.
+  /// subtraction of the margin by 2^-25; plus half the fixed separation. A vertex' radius comes on top.
   float margin;
   /// The same for displacements, times the displacement: rounding to float is off by 2^-24 of it, the box's own
   /// subtraction by as much.
@@ -43,24 +45,35 @@ struct BoxFrame {
   static constexpr float kLeastMargin = 0x1p-44f;
 };
 
+/// The separation of a pair: a fixed distance, and if there are any the radii that stand beside the vertices.
+struct PairSeparation {
+  double fixed = 0;
+  bool has_radii = false;
+
+  bool any() const { return fixed > 0 || has_radii; }
+};
+
 struct PackedMotion {
   std::vector<PackedVertex> vertices;
   std::vector<BoxVertex> box_vertices;
   BoxFrame frame;
   SecondHalf second_half = SecondHalf::end;
+  Separations separations;
 
-  /// `min_separation` >= 0 in the unit of the step. Vertices outside `used` are left as they are.
-  void assign(const Step& step, std::span<const Index> used, double min_separation,
+  /// Vertices outside `used` are left as they are.
+  void assign(const Step& step, std::span<const Index> used, const Separations& separations,
               SecondHalf second_half = SecondHalf::end);
+  /// What the kernels need of the separations.
+  PairSeparation pair_separation() const { return {separations.fixed, !separations.radii.empty()}; }
   std::uint64_t memory_bytes() const {
     return vertices.capacity() * sizeof(PackedVertex) + box_vertices.capacity() * sizeof(BoxVertex);
   }
 };
 
-/// What boxes of a motion's vertices are widened by, in the order of a BoxVertex: so much, and so much of the box's
-/// size.
+/// What boxes of a motion's vertices are widened by, in the order of a BoxVertex: so much, so much of the box's size,
+/// and (1 or 0) the largest radius of its vertices.
 struct BoxMargins {
-  float fixed[8] = {}, relative[8] = {};
+  float fixed[8] = {}, relative[8] = {}, radius[8] = {};
 
   explicit BoxMargins(const PackedMotion& motion) {
     const bool moves = motion.second_half == SecondHalf::displacement;
@@ -68,6 +81,7 @@ struct BoxMargins {
       const bool is_displacement = moves && i >= 3;
       fixed[i] = is_displacement ? BoxFrame::kLeastMargin : motion.frame.margin;
       relative[i] = is_displacement ? BoxFrame::kRelativeMargin : 0;
+      radius[i] = is_displacement ? 0 : 1;
     }
   }
 };

@@ -100,7 +100,7 @@ void BlockTree::fill_leaf(std::size_t block, const PackedMotion& motion, const B
         const BoxVertex& vertex = *vertex_of(own, lane, c);
         box.include(vertex.at, vertex.at);
       }
-      box.widen(margins.fixed, margins.relative);
+      box.widen(margins.fixed, margins.relative, box.high[BoxVertex::kRadius], margins.radius);
     }
     box.store_to(levels_[0][block], lane);
     hull.include(box);

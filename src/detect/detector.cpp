@@ -30,32 +30,48 @@ std::unique_ptr<Engine> make_engine(const Mesh& mesh, const Options& options) {
   throw InvalidOptions("unknown method");
 }
 
+/// Of each vertex; empty where all are zero.
+std::vector<double> radii_of(const Options& options, const Mesh& mesh) {
+  const auto is_zero = [](double radius) { return radius == 0; };
+  if (std::all_of(options.thickness.begin(), options.thickness.end(), is_zero)) return {};
+  const std::vector<Index>& group = options.filter.group_of_vertex;
+  std::vector<double> radii(static_cast<std::size_t>(mesh.vertex_count()), options.thickness[0]);
+  for (std::size_t v = 0; v < group.size(); ++v) radii[v] = options.thickness[static_cast<std::size_t>(group[v])];
+  return radii;
+}
+
 }  // namespace
 
 struct Detector::State {
   State(Mesh m, Options o) : mesh(std::move(m)), options(std::move(o)) {
     validate(options, mesh);
+    radii = radii_of(options, mesh);
     engine = make_engine(mesh, options);
     if (options.threads > 0) arena.initialize(options.threads);
   }
 
-  void ask(const Step& step, Question question) {
+  Separations separations(std::optional<double> min_separation) const {
+    if (min_separation) validate_distance(*min_separation, "the minimum separation");
+    return {min_separation.value_or(options.min_separation), radii};
+  }
+
+  void ask(const Step& step, const Separations& separations, Question question) {
     measure(step, [&] {
-      found.begin(step, question);
+      found.begin(step, separations, question);
       engine->find(found, statistics);
       if (question == Question::all_contacts) sorter.sort(found.contacts(), mesh.vertex_count());
     });
   }
 
-  SafeStep keep_distance(const Step& step, double fraction) {
+  SafeStep keep_distance(const Step& step, const Separations& separations, double fraction) {
     SafeStep answer;
     measure(step, [&] {
       if (options.method == Method::brute) {
-        answer = step_length_by_brute_force(mesh, options, step, fraction, statistics);
+        answer = step_length_by_brute_force(mesh, options, step, separations, fraction, statistics);
         return;
       }
       if (!step_length) step_length = std::make_unique<StepLengthSearch>(mesh, options);
-      answer = step_length->find(step, fraction, statistics);
+      answer = step_length->find(step, separations, fraction, statistics);
     });
     return answer;
   }
@@ -86,6 +102,7 @@ struct Detector::State {
 
   Mesh mesh;
   Options options;
+  std::vector<double> radii;  ///< of the vertices; empty: all zero
   tbb::task_arena arena;
   std::unique_ptr<Engine> engine;
   std::unique_ptr<StepLengthSearch> step_length;  ///< made by the first question that needs it
@@ -99,37 +116,37 @@ Detector::~Detector() = default;
 Detector::Detector(Detector&&) noexcept = default;
 Detector& Detector::operator=(Detector&&) noexcept = default;
 
-const std::vector<Contact>& Detector::contacts(const Step& step) {
-  state_->ask(step, Question::all_contacts);
+const std::vector<Contact>& Detector::contacts(const Step& step, std::optional<double> min_separation) {
+  state_->ask(step, state_->separations(min_separation), Question::all_contacts);
   return state_->found.contacts();
 }
 
-void Detector::contacts(const Step& step, std::vector<Contact>& result) {
-  state_->ask(step, Question::all_contacts);
+void Detector::contacts(const Step& step, std::vector<Contact>& result, std::optional<double> min_separation) {
+  contacts(step, min_separation);
   result.swap(state_->found.contacts());
 }
 
-EarliestContact Detector::earliest(const Step& step) {
-  state_->ask(step, Question::earliest);
+EarliestContact Detector::earliest(const Step& step, std::optional<double> min_separation) {
+  state_->ask(step, state_->separations(min_separation), Question::earliest);
   const EarliestContact first = state_->found.first();
   state_->statistics.decided_by += state_->found.decided_by();
   return first;
 }
 
-SafeStep Detector::keep_distance(const Step& step, double fraction) {
+SafeStep Detector::keep_distance(const Step& step, double fraction, std::optional<double> min_separation) {
   if (!(fraction >= 0 && fraction < 1))
     throw InvalidOptions("the fraction of the distance to keep is " + std::to_string(fraction) +
                          ": give a number >= 0 and < 1");
-  if (fraction > 0) return state_->keep_distance(step, fraction);
-  const EarliestContact first = earliest(step);
+  if (fraction > 0) return state_->keep_distance(step, state_->separations(min_separation), fraction);
+  const EarliestContact first = earliest(step, min_separation);
   if (!first.contact) return {};
   const Contact& c = *first.contact;
   const double distance = start_distance(c.kind, points_of(step, c.vertices));
   return {first.toi_lower, first.toi_upper, LimitingPair{c.kind, c.vertices, distance}};
 }
 
-bool Detector::is_free(const Step& step) {
-  state_->ask(step, Question::is_free);
+bool Detector::is_free(const Step& step, std::optional<double> min_separation) {
+  state_->ask(step, state_->separations(min_separation), Question::is_free);
   return state_->found.contacts().empty();
 }
 

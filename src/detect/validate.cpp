@@ -73,12 +73,21 @@ void validate(const Positions& positions, const Mesh& mesh, const char* when) {
 
 void validate(const Options& options, const Mesh& mesh) {
   check(options.threads >= 0, "threads is " + std::to_string(options.threads) + ": give 0 (all) or a positive number");
-  check(std::isfinite(options.min_separation) && options.min_separation >= 0,
-        "min_separation is " + std::to_string(options.min_separation) + ": give a finite distance >= 0");
+  validate_distance(options.min_separation, "min_separation");
   validate(options.filter, mesh);
+  check(options.thickness.empty() || options.thickness.size() == static_cast<std::size_t>(options.filter.group_count),
+        "thickness has " + std::to_string(options.thickness.size()) + " entries for " +
+            std::to_string(options.filter.group_count) + " groups: give one radius a group, or none");
+  for (std::size_t g = 0; g < options.thickness.size(); ++g)
+    validate_distance(options.thickness[g], "the thickness of group " + std::to_string(g));
   if (options.paper.high_level != HighLevelCulling::subspace) return;
   check(options.paper.reduced_model != nullptr, "subspace culling needs a reduced model: set paper.reduced_model");
   validate(*options.paper.reduced_model, mesh);
+}
+
+void validate_distance(double distance, const std::string& what) {
+  check(std::isfinite(distance) && distance >= 0,
+        what + " is " + std::to_string(distance) + ": give a finite distance >= 0");
 }
 
 void validate(const Step& step, const Mesh& mesh) {

@@ -12,5 +12,7 @@ void validate(const Options& options, const Mesh& mesh);
 
 /// Throws InvalidStep: positions that do not fit the mesh, or a used vertex that is not finite.
 void validate(const Step& step, const Mesh& mesh);
+/// `what`: as in "the minimum separation". Throws InvalidOptions unless finite and >= 0.
+void validate_distance(double distance, const std::string& what);
 
 }  // namespace tamis

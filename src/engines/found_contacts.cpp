@@ -11,14 +11,14 @@ namespace {
 
 /// The contact as decided on the whole step: the last bits of what an engine found depend on how far it still had to
 /// look, and so on earlier questions.
-Contact decided_anew(const Contact& c, const Step& step, const Options& options, PrecisionCount& decided_by) {
+Contact decided_anew(const Contact& c, const Step& step, const PairOptions& rule, PrecisionCount& decided_by) {
   const PairPoints points = points_of(step, c.vertices);
-  const auto r = decide(c.kind, points, {options.guarantee, options.min_separation}, decided_by);
+  const auto r = decide(c.kind, points, rule, decided_by);
   Contact contact =
       r.touches ? Contact{c.kind, r.certainty, c.vertices, r.toi_lower, r.toi_upper, r.u, r.v, r.normal} : c;
   if (contact.toi_lower > 0 || contact.toi_upper == 0) return contact;
   // Decided exactly, so that a line search never stops for nothing.
-  contact.toi_lower = std::min(apart_from_start(c.kind, points, options.min_separation), contact.toi_upper);
+  contact.toi_lower = std::min(apart_from_start(c.kind, points, rule.min_separation), contact.toi_upper);
   if (contact.toi_lower > 0) return contact;
   contact.toi_upper = 0;
   contact.certainty = Certainty::certified;
@@ -32,8 +32,9 @@ bool comes_before(const Contact& a, const Contact& b) {
          std::tie(b.kind, b.vertices, b.toi_lower, b.toi_upper);
 }
 
-void FoundContacts::begin(const Step& step, Question question) {
+void FoundContacts::begin(const Step& step, const Separations& separations, Question question) {
   step_ = step;
+  separations_ = separations;
   question_ = question;
   is_settled_ = own_flag_;
   is_settled_->store(false, std::memory_order_relaxed);
@@ -44,7 +45,7 @@ void FoundContacts::begin(const Step& step, Question question) {
 }
 
 void FoundContacts::begin_part_of(const FoundContacts& answer) {
-  begin(answer.step_, answer.question_);
+  begin(answer.step_, answer.separations_, answer.question_);
   is_settled_ = answer.is_settled_;
   learn(answer);
 }
@@ -93,7 +94,8 @@ EarliestContact FoundContacts::first() {
 
 void FoundContacts::settle() {
   for (const Contact& c : contacts_)
-    if (c.toi_lower <= latest_ && wants(c.kind, c.vertices)) keep_first(decided_anew(c, step_, options_, decided_by_));
+    if (c.toi_lower <= latest_ && wants(c.kind, c.vertices))
+      keep_first(decided_anew(c, step_, rule_for(c.kind, c.vertices), decided_by_));
   contacts_.clear();
 }
 

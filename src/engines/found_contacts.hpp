@@ -5,7 +5,9 @@
 #include <vector>
 
 #include "engines/pair_rules.hpp"
+#include "motion/separations.hpp"
 #include "tamis/detector.hpp"
+#include "tamis/pair.hpp"
 #include "tamis/statistics.hpp"
 
 namespace tamis {
@@ -26,7 +28,7 @@ class FoundContacts {
   explicit FoundContacts(const Options& options) : options_(options) {}
 
   /// A new question; the memory stays.
-  void begin(const Step& step, Question question);
+  void begin(const Step& step, const Separations& separations, Question question);
   /// The question that `answer` has begun with, and what it knows: for a thread that looks for a part of it.
   void begin_part_of(const FoundContacts& answer);
   void add(const Contact& contact);
@@ -42,6 +44,11 @@ class FoundContacts {
   void learn(const FoundContacts& other);
 
   const Step& step() const { return step_; }
+  const Separations& separations() const { return separations_; }
+  /// By which a pair is decided.
+  PairOptions rule_for(PairKind kind, const PairVertices& vertices) const {
+    return {options_.guarantee, separations_.between(kind, vertices)};
+  }
   Question question() const { return question_; }
   /// Later than this no contact is of interest; 1 if there is no bound.
   double latest() const { return latest_; }
@@ -62,6 +69,7 @@ class FoundContacts {
 
   const Options& options_;
   Step step_;
+  Separations separations_;
   Question question_ = Question::all_contacts;
   std::shared_ptr<std::atomic<bool>> own_flag_ = std::make_shared<std::atomic<bool>>(false);
   std::shared_ptr<std::atomic<bool>> is_settled_ = own_flag_;  ///< is_free: somebody has found a contact

@@ -3,6 +3,7 @@
 #include <tuple>
 
 #include "engines/pair_rules.hpp"
+#include "motion/separations.hpp"
 #include "solve/kept_distance.hpp"
 #include "tamis/contact.hpp"
 
@@ -19,8 +20,9 @@ struct StepLimit {
   }
 
   /// With the time at which the pair is proven to end the step, and its distance.
-  SafeStep answer(const Step& step, const DistanceRule& rule) const {
+  SafeStep answer(const Step& step, double fraction, const Separations& separations) const {
     if (time == 1) return {};
+    const DistanceRule rule{fraction, separations.between(kind, vertices)};
     const PairPoints points = points_of(step, vertices);
     return {time, fraction_is_left_at(kind, points, rule, time),
             LimitingPair{kind, vertices, start_distance(kind, points)}};

@@ -59,12 +59,16 @@ struct Kernels {
   void (*search_near_ee)(Search& search, int block);
   /// Pairs that are farther apart than `separation` at t=0 by more than `reach` times their relative speed are culled
   /// (solve/start_gap.hpp).
-  void (*near_vf)(const PackedVertex* vertices, double separation, float reach, const PairBuffer& in, PairBuffer& out);
-  void (*near_ee)(const PackedVertex* vertices, double separation, float reach, const PairBuffer& in, PairBuffer& out);
+  void (*near_vf)(const PackedVertex* vertices, const PairSeparation& separation, float reach, const PairBuffer& in,
+                  PairBuffer& out);
+  void (*near_ee)(const PackedVertex* vertices, const PairSeparation& separation, float reach, const PairBuffer& in,
+                  PairBuffer& out);
   /// Slab clip on the diagonal axes: pairs that stay farther apart than `separation` are culled. Survivors, with their
   /// times, go to `out`.
-  void (*slab_vf)(const PackedVertex* vertices, double separation, const PairBuffer& in, PairBuffer& out);
-  void (*slab_ee)(const PackedVertex* vertices, double separation, const PairBuffer& in, PairBuffer& out);
+  void (*slab_vf)(const PackedVertex* vertices, const PairSeparation& separation, const PairBuffer& in,
+                  PairBuffer& out);
+  void (*slab_ee)(const PackedVertex* vertices, const PairSeparation& separation, const PairBuffer& in,
+                  PairBuffer& out);
   /// DNF, then NCF, on what is left of the step. Returns how many pairs NCF had to look at.
   int (*filter_vf)(const PackedVertex* vertices, const PairBuffer& in, PairBuffer& out);
   int (*filter_ee)(const PackedVertex* vertices, const PairBuffer& in, PairBuffer& out);

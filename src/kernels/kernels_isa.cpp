@@ -39,7 +39,7 @@ void copy_pair(const PairBuffer& in, int from, PairBuffer& out) {
 
 /// In floats: the times need not be sharp here, and twice as many pairs fit.
 template <PairKind kind>
-void slab(const PackedVertex* vertices, double separation, const PairBuffer& in, PairBuffer& out) {
+void slab(const PackedVertex* vertices, const PairSeparation& separation, const PairBuffer& in, PairBuffer& out) {
   for (int first = 0; first < in.count; first += kFloatLanes) {
     const auto time =
         SlabClip::clip_diagonals<kind>(load_motion_as_float<kind>(vertices, in, first, separation),
@@ -55,7 +55,8 @@ void slab(const PackedVertex* vertices, double separation, const PairBuffer& in,
 }
 
 template <PairKind kind>
-void near(const PackedVertex* vertices, double separation, float reach, const PairBuffer& in, PairBuffer& out) {
+void near(const PackedVertex* vertices, const PairSeparation& separation, float reach, const PairBuffer& in,
+          PairBuffer& out) {
   for (int first = 0; first < in.count; first += kFloatLanes) {
     const auto m = load_motion_as_float<kind>(vertices, in, first, separation);
     const auto is_far = StartGap::exceeds<kind>(m, FloatLanes(reach));

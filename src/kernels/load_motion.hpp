@@ -36,11 +36,26 @@ inline DoubleLanes scale_to_one(const DoubleLanes& size) {
 
 inline Moving<DoubleLanes> scaled(const DoubleLanes& s, const Moving<DoubleLanes>& v) { return {s * v.at0, s * v.at1}; }
 
+/// In the unit of the vertices; the same sum as Separations::between.
+template <PairKind kind>
+inline DoubleLanes load_separation(const PackedVertex* vertices, const PairBuffer& pairs, int first,
+                                   const PairSeparation& separation) {
+  const DoubleLanes fixed(separation.fixed);
+  if (!separation.has_radii) return fixed;
+  double radii[2][kDoubleLanes] = {};
+  for (int i = 0; i < kDoubleLanes; ++i)
+    for (std::size_t corner = 0; corner < vertex_count(kind); ++corner) {
+      double& radius = radii[corner < second_feature(kind) ? 0 : 1][i];
+      radius = max(radius, vertices[pairs.corner[corner][first + i]].at[3]);
+    }
+  return DoubleLanes::load_unaligned(radii[0]) + DoubleLanes::load_unaligned(radii[1]) + fixed;
+}
+
 /// The pairs first, first + 1, ... of the buffer; lanes past its end hold whatever the padding names. `separation` is
 /// in the unit of the vertices.
 template <PairKind kind>
 inline PairMotion<DoubleLanes> load_motion(const PackedVertex* vertices, const PairBuffer& pairs, int first,
-                                           double separation = 0) {
+                                           const PairSeparation& separation = {}) {
   const auto moving = [&](VertexDifference v) {
     return load_difference(vertices, pairs.corner[v.to] + first, pairs.corner[v.from] + first);
   };
@@ -54,7 +69,7 @@ inline PairMotion<DoubleLanes> load_motion(const PackedVertex* vertices, const P
           scale * size_e,
           scale * size_f,
           scale * size_d,
-          scale * DoubleLanes(separation)};
+          scale * load_separation<kind>(vertices, pairs, first, separation)};
 }
 
 inline Vec3<FloatLanes> to_float(const Vec3<DoubleLanes>& low, const Vec3<DoubleLanes>& high) {
@@ -67,7 +82,7 @@ inline Moving<FloatLanes> to_float(const Moving<DoubleLanes>& low, const Moving<
 /// Twice as many pairs, rounded to float: the rounding is within the kInput of float lanes.
 template <PairKind kind>
 inline PairMotion<FloatLanes> load_motion_as_float(const PackedVertex* vertices, const PairBuffer& pairs, int first,
-                                                   double separation) {
+                                                   const PairSeparation& separation) {
   static_assert(kFloatLanes == 2 * kDoubleLanes);
   const auto low = load_motion<kind>(vertices, pairs, first, separation);
   const auto high = load_motion<kind>(vertices, pairs, first + kDoubleLanes, separation);

@@ -40,6 +40,11 @@ constexpr bool can_cross(PairKind kind) { return kind == PairKind::vertex_face |
 /// The place, among the pair's vertices, of the second feature's first.
 constexpr std::size_t second_feature(PairKind kind) { return kind == PairKind::edge_edge ? 2 : 1; }
 
+/// How many vertices the pair has.
+constexpr std::size_t vertex_count(PairKind kind) {
+  return kind == PairKind::vertex_vertex ? 2 : kind == PairKind::vertex_edge ? 3 : 4;
+}
+
 /// f(kind), with the kind as a constant: `kind()` in f may stand where a template argument is asked for.
 template <class F>
 decltype(auto) with_kind(PairKind kind, const F& f) {

@@ -17,7 +17,7 @@ TEST(PackedMotion, CoordinatesStayWithinTheFrame) {
     for (const SecondHalf second : {SecondHalf::end, SecondHalf::displacement}) {
       const std::vector<Point> start{{-size, 0, size}, {size, size, size}}, end{{size, 0, -size}, {0, -size, size}};
       PackedMotion motion;
-      motion.assign({start, end}, used, 0, second);
+      motion.assign({start, end}, used, {}, second);
       for (const BoxVertex& vertex : motion.box_vertices)
         for (int i = 0; i < 6; ++i) EXPECT_LE(std::fabs(vertex.at[i]), 1) << size << ", coordinate " << i;
       if (size > 1e-300) {

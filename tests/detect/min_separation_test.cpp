@@ -22,19 +22,6 @@ Options with(Method method, Guarantee guarantee, double separation) {
   return options;
 }
 
-/// Lets about `count` of the scene's pairs pass, the same for every method: the oracle takes its time.
-PairFilter some_pairs(const Scene& scene, std::uint64_t count) {
-  std::uint64_t all = 0;
-  for_each_pair(scene.mesh(), {}, [&](PairKind, const PairVertices&) { ++all; });
-  PairFilter filter;
-  filter.accepts = [stride = 1 + all / count](PairKind, const PairVertices& v) {
-    std::uint64_t hash = 0;
-    for (const Index i : v) hash = (hash ^ static_cast<std::uint64_t>(i)) * 0x9e3779b97f4a7c15;
-    return (hash >> 32) % stride == 0;
-  };
-  return filter;
-}
-
 PairSet truth_of(const Scene& scene, const PairFilter& filter, double separation) {
   PairSet truth;
   for_each_pair(scene.mesh(), filter, [&](PairKind kind, const PairVertices& v) {

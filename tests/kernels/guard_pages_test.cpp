@@ -76,7 +76,7 @@ std::array<int, 4> run(const Kernels& kernels, PairKind kind, const GuardedTree&
   search.flush = [](Search&) { FAIL() << "the soup is too large for one buffer"; };
   for (int block = 0; block < search.a.leaf_blocks; ++block)
     (is_vf ? kernels.search_vf : kernels.search_ee)(search, block);
-  (is_vf ? kernels.slab_vf : kernels.slab_ee)(vertices, 0, *boxes.data(), *slab.data());
+  (is_vf ? kernels.slab_vf : kernels.slab_ee)(vertices, {}, *boxes.data(), *slab.data());
   (is_vf ? kernels.filter_vf : kernels.filter_ee)(vertices, *slab.data(), *filtered.data());
   const int slab_count = slab.data()->count;
   const int left =
@@ -96,7 +96,7 @@ TEST_P(GuardPages, NoKernelReadsOrWritesOutsideItsArrays) {
   for (const int triangles : {2, 3, 5, 6, 7, 11, 16, 17}) {
     const Soup soup = soup_of(triangles);
     PackedMotion motion;
-    motion.assign({soup.start, soup.end}, soup.points, 0);
+    motion.assign({soup.start, soup.end}, soup.points, {});
     BlockTree points, edges, faces;
     points.set_features(std::span<const Index>(soup.points));
     edges.set_features(std::span<const Edge>(soup.edges));

@@ -4,6 +4,7 @@
 #include <iterator>
 #include <sstream>
 
+#include "engines/pair_rules.hpp"
 #include "tamis/detector.hpp"
 
 namespace tamis::test {
@@ -28,6 +29,18 @@ std::vector<Contact> find_contacts(const Scene& scene, const Options& options) {
 }
 
 PairSet find_names(const Scene& scene, const Options& options) { return names_of(find_contacts(scene, options)); }
+
+PairFilter some_pairs(const Scene& scene, std::uint64_t count) {
+  std::uint64_t all = 0;
+  for_each_pair(scene.mesh(), {}, [&](PairKind, const PairVertices&) { ++all; });
+  PairFilter filter;
+  filter.accepts = [stride = 1 + all / count](PairKind, const PairVertices& v) {
+    std::uint64_t hash = 0;
+    for (const Index i : v) hash = (hash ^ static_cast<std::uint64_t>(i)) * 0x9e3779b97f4a7c15;
+    return (hash >> 32) % stride == 0;
+  };
+  return filter;
+}
 
 oracle::Motion motion_of(const Scene& scene, const std::array<Index, 4>& vertices) {
   oracle::Motion motion;

@@ -33,6 +33,9 @@ PairSet find_names(const scenes::Scene& scene, const Options& options);
 /// The truth: from the scene's own lists of faces and edges, by the oracle.
 PairSet oracle_contacts(const scenes::Scene& scene);
 
+/// Lets about `count` of the scene's pairs pass, the same for every method: the oracle takes its time.
+PairFilter some_pairs(const scenes::Scene& scene, std::uint64_t count);
+
 /// How the four vertices of a pair move.
 oracle::Motion motion_of(const scenes::Scene& scene, const std::array<Index, 4>& vertices);
 

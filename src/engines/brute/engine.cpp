@@ -18,8 +18,7 @@ class BruteEngine final : public Engine {
       stop_if_cancelled(options_);
       if (!found.wants(kind, v)) return;
       ++(kind == PairKind::vertex_face ? count.vf : count.ee);
-      const auto r = decide(kind, points_of(found.step(), v), {options_.guarantee, options_.min_separation},
-                            statistics.decided_by);
+      const auto r = decide(kind, points_of(found.step(), v), found.rule_for(kind, v), statistics.decided_by);
       if (r.touches) found.add({kind, r.certainty, v, r.toi_lower, r.toi_upper, r.u, r.v, r.normal});
     });
     statistics.stages.push_back(count);

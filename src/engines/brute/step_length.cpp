@@ -6,18 +6,19 @@
 
 namespace tamis {
 
-SafeStep step_length_by_brute_force(const Mesh& mesh, const Options& options, const Step& step, double fraction,
-                                    Statistics& statistics) {
-  const DistanceRule rule{fraction, options.min_separation};
+SafeStep step_length_by_brute_force(const Mesh& mesh, const Options& options, const Step& step,
+                                    const Separations& separations, double fraction, Statistics& statistics) {
   StageCount count{"near"};
   StepLimit limit;
   for_each_pair(mesh, options.filter, [&](PairKind kind, const PairVertices& v) {
     stop_if_cancelled(options);
     ++(kind == PairKind::vertex_face ? count.vf : count.ee);
-    limit.add({keeps_distance_until(kind, points_of(step, v), rule, 1, statistics.decided_by), kind, v});
+    limit.add({keeps_distance_until(kind, points_of(step, v), {fraction, separations.between(kind, v)}, 1,
+                                    statistics.decided_by),
+               kind, v});
   });
   statistics.stages.push_back(count);
-  return limit.answer(step, rule);
+  return limit.answer(step, fraction, separations);
 }
 
 }  // namespace tamis

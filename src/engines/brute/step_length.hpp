@@ -1,5 +1,6 @@
 // Step lengths that keep a fraction of every distance, from every pair.
 #pragma once
+#include "motion/separations.hpp"
 #include "tamis/contact.hpp"
 #include "tamis/mesh.hpp"
 #include "tamis/options.hpp"
@@ -9,7 +10,7 @@
 namespace tamis {
 
 /// By looking at every pair: the tests' yardstick.
-SafeStep step_length_by_brute_force(const Mesh& mesh, const Options& options, const Step& step, double fraction,
-                                    Statistics& statistics);
+SafeStep step_length_by_brute_force(const Mesh& mesh, const Options& options, const Step& step,
+                                    const Separations& separations, double fraction, Statistics& statistics);
 
 }  // namespace tamis

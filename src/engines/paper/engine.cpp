@@ -34,7 +34,7 @@ std::vector<FilterStage> stages_by_name(const std::vector<std::string>& names) {
 /// say nothing.
 HighLevelCulling high_level_of(const Options& options) {
   const bool needs_orphan_sets = options.paper.high_level == HighLevelCulling::subspace;
-  const bool may_cull = options.min_separation == 0 && (options.paper.orphan_sets || !needs_orphan_sets);
+  const bool may_cull = options.paper.orphan_sets || !needs_orphan_sets;
   return may_cull ? options.paper.high_level : HighLevelCulling::none;
 }
 
@@ -42,7 +42,7 @@ class PaperEngine final : public Engine {
  public:
   PaperEngine(const Mesh& mesh, const Options& options)
       : surface_(mesh),
-        scene_{options, surface_.mesh(), surface_.face_count(), {}, stages_by_name(options.paper.filters), {}, {}, {}},
+        scene_{options, surface_.mesh(), surface_.face_count(), {}, stages_by_name(options.paper.filters), {}, {}},
         hierarchy_(make_paper_hierarchy(options.paper.bounding_volume)),
         patches_(scene_.mesh, high_level_of(options), options.paper.reduced_model.get()),
         testers_([this] { return PaperTester(scene_); }) {}
@@ -52,7 +52,7 @@ class PaperEngine final : public Engine {
     update_bounds(statistics);
     const auto start = Clock::now();
     for (PaperTester& tester : testers_) tester.begin();
-    std::visit([&](const auto& hierarchy) { visit_all(hierarchy.traversal(patches_.free_within()), found.question()); },
+    std::visit([&](const auto& hierarchy) { visit_all(hierarchy.traversal(free_within()), found.question()); },
                hierarchy_);
     collect(found, statistics, seconds_since(start));
   }
@@ -71,9 +71,11 @@ class PaperEngine final : public Engine {
     auto start = Clock::now();
     if (scene_.triangles.empty()) collect_topology();
     scene_.points.update(scene_.mesh, scene_.answer->step());
-    // Each of two features takes half of the separation; the factor covers its own rounding. Scaled first: half of the
-    // smallest double is zero.
-    const double padding = 0.5 * (scene_.options.min_separation * scene_.points.scale()) * (1 + 0x1p-50);
+    // Each of two features takes half of the fixed separation and the largest radius there is; the factor covers its
+    // own rounding. Scaled first: half of the smallest double is zero.
+    const Separations& separations = scene_.answer->separations();
+    const double scale = scene_.points.scale();
+    const double padding = (0.5 * (separations.fixed * scale) + separations.largest_radius() * scale) * (1 + 0x1p-50);
     scene_.boxes.update(scene_.mesh, scene_.points, padding);
     statistics.seconds.bounds = seconds_since(start);
     start = Clock::now();
@@ -82,10 +84,18 @@ class PaperEngine final : public Engine {
           return hierarchy.update(scene_.mesh.faces(), scene_.points, padding, patches_.order());
         },
         hierarchy_);
-    std::visit([&](auto& hierarchy) { patches_.update(hierarchy.tree(), scene_.points, scene_.answer->step()); },
-               hierarchy_);
-    statistics.triangles_in_free_patches = patches_.triangles_in_free_patches();
+    if (!separations.any()) {
+      std::visit([&](auto& hierarchy) { patches_.update(hierarchy.tree(), scene_.points, scene_.answer->step()); },
+                 hierarchy_);
+      statistics.triangles_in_free_patches = patches_.triangles_in_free_patches();
+    }
     statistics.seconds.build = seconds_since(start);
+  }
+
+  /// That a patch does not touch itself says nothing of distances.
+  std::span<const std::uint8_t> free_within() const {
+    if (scene_.answer->separations().any()) return {};
+    return patches_.free_within();
   }
 
   void collect_topology() {

@@ -121,7 +121,7 @@ void PaperTester::test(Block<kind>& block) {
   add_to<kind>(counts.boxes, alive.size());
   const double start = now();
   // A filter's strict signs say that features do not touch, not that they keep a distance.
-  if (scene_.options.min_separation == 0) alive = alive.first(run_filters(block, alive));
+  if (!scene_.answer->separations().any()) alive = alive.first(run_filters(block, alive));
   const double filtered = now();
   for (const std::uint16_t pair : alive) solve(block, pair);
   counts.filter_seconds += filtered - start;
@@ -150,8 +150,7 @@ void PaperTester::solve(const Block<kind>& block, std::size_t pair) {
 
 template <PairKind kind>
 PairResult PaperTester::result_of(const Block<kind>& block, std::size_t pair) {
-  const Options& options = scene_.options;
-  if (options.min_separation == 0) {
+  if (!scene_.answer->separations().any()) {
     add_to<kind>(counts.newton, 1);
     const auto test = interval_newton_test<kind>(block.motions[pair]);
     if (test.verdict != Verdict::unsure) {
@@ -160,8 +159,8 @@ PairResult PaperTester::result_of(const Block<kind>& block, std::size_t pair) {
     }
   }
   add_to<kind>(counts.decide, 1);
-  return decide(kind, points_of(found.step(), block.vertices[pair]), {options.guarantee, options.min_separation},
-                counts.decided_by);
+  const PairVertices& v = block.vertices[pair];
+  return decide(kind, points_of(found.step(), v), found.rule_for(kind, v), counts.decided_by);
 }
 
 }  // namespace tamis

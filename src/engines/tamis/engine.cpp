@@ -39,7 +39,6 @@ class TamisEngine final : public Engine {
   TamisEngine(const Mesh& mesh, const Options& options)
       : mesh_(mesh),
         kernels_(kernels(options.isa)),
-        min_separation_(options.min_separation),
         pipelines_([this, &options] { return StagePipeline(kernels_, motion_, options); }) {
     points_.set_features(mesh.points());
     edges_.set_features(mesh.edges());
@@ -48,7 +47,7 @@ class TamisEngine final : public Engine {
 
   void find(FoundContacts& found, Statistics& statistics) override {
     auto start = Clock::now();
-    motion_.assign(found.step(), mesh_.points(), min_separation_);
+    motion_.assign(found.step(), mesh_.points(), found.separations());
     measure_motion();
     statistics.seconds.bounds = seconds_since(start);
     start = Clock::now();
@@ -135,13 +134,12 @@ class TamisEngine final : public Engine {
   void collect(Statistics& statistics, double seconds) {
     PipelineCounts counts;
     for (const StagePipeline& pipeline : pipelines_) counts += pipeline.counts();
-    counts.report(statistics, seconds, min_separation_ == 0);
+    counts.report(statistics, seconds, !motion_.separations.any());
     statistics.isa = kernels_.isa;
   }
 
   const Mesh& mesh_;
   const Kernels& kernels_;
-  const double min_separation_;
   PackedMotion motion_;
   BlockTree points_, edges_, faces_;
   double built_area_ = 0;

@@ -9,7 +9,7 @@
 namespace tamis {
 
 float NearQuestion::reach() const {
-  const double reach = earliest.load(std::memory_order_relaxed) / (1 - rule.fraction) * (1 + 0x1p-15);
+  const double reach = earliest.load(std::memory_order_relaxed) / (1 - fraction) * (1 + 0x1p-15);
   return std::nextafter(static_cast<float>(reach), std::numeric_limits<float>::infinity());
 }
 
@@ -86,7 +86,7 @@ void NearPipeline::decide_buffered() {
   const PairKind kind = buffers_->kind;
   near.count = 0;
   (kind == PairKind::vertex_face ? kernels_.near_vf : kernels_.near_ee)(
-      motion_.vertices.data(), options_.min_separation, question_.reach(), boxes, near);
+      motion_.vertices.data(), motion_.pair_separation(), question_.reach(), boxes, near);
   of(counts_.boxes, kind) += static_cast<std::uint64_t>(boxes.count);
   of(counts_.near, kind) += static_cast<std::uint64_t>(near.count);
   boxes.count = 0;
@@ -100,8 +100,9 @@ void NearPipeline::decide(const PairVertices& vertices) {
   if (!lets_pass(options_.filter, kind, vertices)) return;
   double earliest = question_.earliest.load(std::memory_order_relaxed);
   const double until = std::nextafter(earliest, 2.0);  // a tie is of interest too
-  const double time =
-      keeps_distance_until(kind, points_of(question_.step, vertices), question_.rule, until, counts_.decided_by);
+  const double time = keeps_distance_until(kind, points_of(question_.step, vertices),
+                                           {question_.fraction, motion_.separations.between(kind, vertices)}, until,
+                                           counts_.decided_by);
   if (time > earliest) return;
   limit_.add({time, kind, vertices});
   while (time < earliest && !question_.earliest.compare_exchange_weak(earliest, time, std::memory_order_relaxed)) {

@@ -14,7 +14,7 @@ namespace tamis {
 /// What all threads share.
 struct NearQuestion {
   Step step;
-  DistanceRule rule{};
+  double fraction = 0;
   std::atomic<double> earliest{1};  ///< the first time found so far at which a pair ends the step
 
   /// For search_near: nothing beyond it can end the step by then. 2^-15 covers its own rounding, that of the searches

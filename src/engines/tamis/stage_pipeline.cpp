@@ -102,8 +102,8 @@ void StagePipeline::decide_buffered(PairKind kind) {
   of(counts_.boxes, kind) += static_cast<std::uint64_t>(boxes.count);
   of(counts_.slab, kind) += static_cast<std::uint64_t>(boxes.count);
   slab.count = filtered.count = 0;
-  (is_vf ? kernels_.slab_vf : kernels_.slab_ee)(vertices, options_.min_separation, boxes, slab);
-  if (options_.min_separation > 0) return decide_within_separation(kind);
+  (is_vf ? kernels_.slab_vf : kernels_.slab_ee)(vertices, motion_.pair_separation(), boxes, slab);
+  if (motion_.separations.any()) return decide_within_separation(kind);
   of(counts_.dnf, kind) += static_cast<std::uint64_t>(slab.count);
   of(counts_.ncf, kind) +=
       static_cast<std::uint64_t>((is_vf ? kernels_.filter_vf : kernels_.filter_ee)(vertices, slab, filtered));
@@ -170,8 +170,7 @@ void StagePipeline::solve(PairKind kind) {
 void StagePipeline::solve_singly(PairKind kind, const PairBuffer& pairs, int pair) {
   const PairVertices vertices = vertices_of(pairs, pair);
   if (!found_.wants(kind, vertices)) return;
-  const auto r = decide(kind, points_of(found_.step(), vertices), {options_.guarantee, options_.min_separation},
-                        counts_.decided_by);
+  const auto r = decide(kind, points_of(found_.step(), vertices), found_.rule_for(kind, vertices), counts_.decided_by);
   if (r.touches) found_.add({kind, r.certainty, vertices, r.toi_lower, r.toi_upper, r.u, r.v, r.normal});
 }
 

@@ -28,12 +28,13 @@ StepLengthSearch::StepLengthSearch(const Mesh& mesh, const Options& options)
   faces_.set_features(mesh.faces());
 }
 
-SafeStep StepLengthSearch::find(const Step& step, double fraction, Statistics& statistics) {
+SafeStep StepLengthSearch::find(const Step& step, const Separations& separations, double fraction,
+                                Statistics& statistics) {
   auto start = Clock::now();
   question_.step = step;
-  question_.rule = {fraction, options_.min_separation};
+  question_.fraction = fraction;
   question_.earliest = 1;
-  motion_.assign(step, mesh_.points(), options_.min_separation, SecondHalf::displacement);
+  motion_.assign(step, mesh_.points(), separations, SecondHalf::displacement);
   statistics.seconds.bounds = seconds_since(start);
   start = Clock::now();
   update_trees(statistics);
@@ -44,7 +45,7 @@ SafeStep StepLengthSearch::find(const Step& step, double fraction, Statistics& s
     search_sample(PairKind::vertex_face, points_.view(), faces_.view(), sample);
     search_sample(PairKind::edge_edge, edges_.view(), edges_.view(), sample);
   }
-  return collect(statistics, seconds_since(start)).answer(step, question_.rule);
+  return collect(statistics, seconds_since(start)).answer(step, fraction, separations);
 }
 
 void StepLengthSearch::update_trees(Statistics& statistics) {

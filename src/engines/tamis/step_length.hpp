@@ -21,7 +21,7 @@ class StepLengthSearch {
   /// Adds stages, seconds (but `total`), counts and `rebuilt` to `statistics`. Neither threads nor instruction set nor
   /// earlier questions change a bit of the answer (docs/numerics.md, "Step lengths"). REQUIRES: a validated step,
   /// 0 < fraction < 1. Runs in the caller's oneTBB arena.
-  SafeStep find(const Step& step, double fraction, Statistics& statistics);
+  SafeStep find(const Step& step, const Separations& separations, double fraction, Statistics& statistics);
   std::uint64_t memory_bytes() const;
 
  private:

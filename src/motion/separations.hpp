@@ -1,0 +1,35 @@
+// How near counts as contact: a distance for all pairs, and for each of the two features its own radius.
+#pragma once
+#include <algorithm>
+#include <array>
+#include <span>
+
+#include "motion/pair_kinds.hpp"
+
+namespace tamis {
+
+/// All in the unit of the step, finite and >= 0. Whoever makes one keeps the radii alive.
+struct Separations {
+  double fixed = 0;
+  std::span<const double> radii = {};  ///< one a vertex of the mesh; empty: all zero
+
+  /// False: contact means touching, for every pair.
+  bool any() const { return fixed > 0 || !radii.empty(); }
+  /// A feature has the largest radius of its vertices. `v` as in Contact.
+  double between(PairKind kind, const std::array<Index, 4>& v) const {
+    if (radii.empty()) return fixed;
+    const std::size_t second = second_feature(kind);
+    return (largest(v, 0, second) + largest(v, second, vertex_count(kind))) + fixed;
+  }
+  /// Of all vertices.
+  double largest_radius() const { return radii.empty() ? 0 : *std::max_element(radii.begin(), radii.end()); }
+
+ private:
+  double largest(const std::array<Index, 4>& v, std::size_t first, std::size_t last) const {
+    double radius = 0;
+    for (std::size_t i = first; i < last; ++i) radius = std::max(radius, radii[static_cast<std::size_t>(v[i])]);
+    return radius;
+  }
+};
+
+}  // namespace tamis

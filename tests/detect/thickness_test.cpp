@@ -1,0 +1,165 @@
+// Thickness, and a separation that a question brings along: what counts as contact differs from pair to pair and from
+// question to question, with one hierarchy. Against the oracle, which decides each pair's distance exactly.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "engines/pair_rules.hpp"
+#include "support/contact_sets.hpp"
+#include "support/test_names.hpp"
+#include "tamis/detector.hpp"
+#include "tamis/error.hpp"
+
+namespace tamis::test {
+namespace {
+
+using scenes::Recipe, scenes::Scene;
+
+double size_of(const Scene& scene) {
+  double size = 0;
+  for (const Point& p : scene.start) size = std::max({size, std::fabs(p[0]), std::fabs(p[1]), std::fabs(p[2])});
+  return size;
+}
+
+/// Three groups that cut through the scene's objects, so that features join them.
+Options thick(const Scene& scene, const std::vector<double>& radii, Method method) {
+  Options options;
+  options.method = method;
+  options.thickness = radii;
+  options.filter.group_count = 3;
+  for (Index v = 0; v < scene.vertex_count(); ++v) options.filter.group_of_vertex.push_back((v / 7) % 3);
+  return options;
+}
+
+/// By its own lines: the largest radius of each feature's vertices.
+double separation_of(const Options& options, double fixed, PairKind kind, const PairVertices& v) {
+  const auto radius = [&](std::size_t i) {
+    return options.thickness[static_cast<std::size_t>(options.filter.group_of_vertex[static_cast<std::size_t>(v[i])])];
+  };
+  if (kind == PairKind::vertex_face) return radius(0) + std::max({radius(1), radius(2), radius(3)}) + fixed;
+  return std::max(radius(0), radius(1)) + std::max(radius(2), radius(3)) + fixed;
+}
+
+class Thickness : public testing::TestWithParam<Recipe> {};
+
+// Bugs: boxes or lanes that take the radius of another vertex, of one feature only, or none; a method that forgets it.
+TEST_P(Thickness, EveryMethodFindsThePairsWithinBothRadii) {
+  const Scene scene = GetParam().make(20, 3);
+  const double size = size_of(scene), fixed = 0.01 * size;
+  const std::vector<double> radii{0, 0.02 * size, 0.2 * size};
+  const Options brute = thick(scene, radii, Method::brute);
+  PairSet truth;
+  const PairFilter some = some_pairs(scene, 300);
+  for_each_pair(scene.mesh(), some, [&](PairKind kind, const PairVertices& v) {
+    if (oracle::comes_within(kind, motion_of(scene, v), separation_of(brute, fixed, kind, v))) truth.insert({kind, v});
+  });
+  for (const Method method : kMethods) {
+    SCOPED_TRACE(scene.name + " by " + std::string(name_of(method)));
+    Options options = thick(scene, radii, method);
+    options.filter.accepts = some.accepts;
+    Detector detector(scene.mesh(), options);
+    const auto contacts = detector.contacts(scene.step(), fixed);
+    EXPECT_EQ(missing(truth, names_of(contacts)), "") << "missed";
+    EXPECT_EQ(missing(certified_names_of(contacts), truth), "") << "certified, but farther apart";
+    EXPECT_EQ(detector.is_free(scene.step(), fixed), contacts.empty());
+    double lower = 1;
+    for (const Contact& c : contacts) lower = std::min(lower, c.toi_lower);
+    EXPECT_NEAR(detector.earliest(scene.step(), fixed).toi_lower, lower, 1e-9);
+  }
+}
+
+// Bug: step lengths by another separation than contacts.
+TEST_P(Thickness, StepLengthsOfAllMethodsAreTheSameBits) {
+  Scene scene = GetParam().make(40, 8);
+  for (std::size_t v = 0; v < scene.end.size(); ++v)
+    for (std::size_t k = 0; k < 3; ++k)
+      scene.end[v][k] = scene.start[v][k] + (scene.end[v][k] - scene.start[v][k]) / 64;
+  const double size = size_of(scene);
+  const std::vector<double> radii{0x1p-11 * size, 0, 0x1p-9 * size};
+  for (const double fraction : {0.0, 0.3}) {
+    const auto keep = [&](Method method) {
+      return Detector(scene.mesh(), thick(scene, radii, method)).keep_distance(scene.step(), fraction, 0x1p-14 * size);
+    };
+    const SafeStep truth = keep(Method::brute);
+    for (const Method method : {Method::tamis, Method::paper}) {
+      EXPECT_EQ(keep(method).lower, truth.lower) << scene.name << " by " << name_of(method);
+      EXPECT_EQ(keep(method).pair.has_value(), truth.pair.has_value());
+    }
+  }
+}
+
+// Bug: what a question brings is kept for the next, or the tree does not grow and shrink with it.
+TEST_P(Thickness, AQuestionsOwnSeparationAnswersAsADetectorsDoes) {
+  const Scene scene = GetParam().make(60, 4);
+  const double size = size_of(scene);
+  for (const Method method : kMethods) {
+    Options options;
+    options.method = method;
+    Detector one(scene.mesh(), options);
+    for (const double separation : {0.1 * size, 0.0, 0.003 * size}) {
+      options.min_separation = separation;
+      Detector own(scene.mesh(), options);
+      const auto& asked = one.contacts(scene.step(), separation);
+      const auto& expected = own.contacts(scene.step());
+      ASSERT_EQ(asked.size(), expected.size()) << separation << " " << name_of(method);
+      for (std::size_t i = 0; i < asked.size(); ++i) {
+        EXPECT_EQ(asked[i].vertices, expected[i].vertices);
+        EXPECT_EQ(asked[i].toi_lower, expected[i].toi_lower);
+        EXPECT_EQ(asked[i].toi_upper, expected[i].toi_upper);
+      }
+      EXPECT_EQ(one.is_free(scene.step(), separation), expected.empty());
+      EXPECT_EQ(one.earliest(scene.step(), separation).toi_lower, own.earliest(scene.step()).toi_lower);
+      EXPECT_EQ(one.keep_distance(scene.step(), 0.5, separation).lower, own.keep_distance(scene.step(), 0.5).lower);
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, Thickness, testing::ValuesIn(scenes::recipes().begin(), scenes::recipes().end()),
+                         scene_test_name);
+
+// Bug: lanes of one instruction set load other radii than those of another.
+TEST(ThicknessInLanes, EveryInstructionSetGivesTheSameContacts) {
+  const Scene scene = scenes::scene_by_name("folded-cloth", 1500, 6);
+  const double size = size_of(scene);
+  Options options = thick(scene, {0.001 * size, 0, 0.004 * size}, Method::tamis);
+  options.isa = Isa::baseline;
+  const auto expected = find_contacts(scene, options);
+  EXPECT_GT(expected.size(), 100u);
+  for (const Isa isa : {Isa::avx2, Isa::avx512}) {
+    options.isa = isa;
+    try {
+      const auto found = find_contacts(scene, options);
+      ASSERT_EQ(found.size(), expected.size());
+      for (std::size_t i = 0; i < found.size(); ++i) {
+        EXPECT_EQ(found[i].vertices, expected[i].vertices);
+        EXPECT_EQ(found[i].toi_upper, expected[i].toi_upper);
+      }
+    } catch (const InvalidOptions&) {  // this machine has no such instructions
+    }
+  }
+}
+
+TEST(ThicknessThatDoesNotFit, IsRefusedByName) {
+  const Scene scene = scenes::scene_by_name("soup", 5, 1);
+  const auto message_of = [&](const std::vector<double>& thickness) -> std::string {
+    try {
+      Detector(scene.mesh(), thick(scene, thickness, Method::tamis));
+    } catch (const InvalidOptions& error) {
+      return error.what();
+    }
+    return "nothing was thrown";
+  };
+  EXPECT_NE(message_of({0, 1}).find("2 entries for 3 groups"), std::string::npos) << message_of({0, 1});
+  EXPECT_NE(message_of({0, -1, 0}).find("group 1"), std::string::npos) << message_of({0, -1, 0});
+  EXPECT_NE(message_of({0, 0, NAN}).find("group 2"), std::string::npos) << message_of({0, 0, NAN});
+  Detector detector(scene.mesh());
+  for (const double bad : {-1.0, double(NAN), double(INFINITY)}) {
+    EXPECT_THROW(detector.contacts(scene.step(), bad), InvalidOptions);
+    EXPECT_THROW(detector.earliest(scene.step(), bad), InvalidOptions);
+    EXPECT_THROW(detector.is_free(scene.step(), bad), InvalidOptions);
+    EXPECT_THROW(detector.keep_distance(scene.step(), 0.5, bad), InvalidOptions);
+  }
+}
+
+}  // namespace
+}  // namespace tamis::test

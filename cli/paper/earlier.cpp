@@ -75,7 +75,7 @@ MethodResult& method_of(SceneResult& result, std::string_view name) {
 
 EarlierResults::EarlierResults(const std::filesystem::path& folder) {
   const auto table = folder / "table1.csv", stages = folder / "stages.csv";
-  if (!std::filesystem::exists(table) && !std::filesystem::exists(stages)) return;
+  if (!std::filesystem::exists(table)) return;
   files_.reserve(2);
   read_table(table);
   read_stages(stages);
@@ -85,6 +85,13 @@ const SceneResult* EarlierResults::find(std::string_view scene, int factor) cons
   for (const SceneResult& r : results_)
     if (r.scene == scene && r.factor == factor) return &r;
   return nullptr;
+}
+
+void EarlierResults::append_rest(std::vector<SceneResult>& results) const {
+  for (const SceneResult& r : results_) {
+    const auto is_it = [&](const SceneResult& other) { return other.scene == r.scene && other.factor == r.factor; };
+    if (std::none_of(results.begin(), results.end(), is_it)) results.push_back(r);
+  }
 }
 
 SceneResult& EarlierResults::row(std::string_view scene, int factor) {
@@ -123,12 +130,13 @@ void EarlierResults::read_table(const std::filesystem::path& file) {
 void EarlierResults::read_stages(const std::filesystem::path& file) {
   for_each_row(file, files_.emplace_back(file).view(), [&](Cells& cells) {
     const std::string_view scene = cells.text();
-    SceneResult& r = row(scene, cells.factor());
-    MethodResult& m = method_of(r, cells.text());
+    const int factor = cells.factor();
+    const std::string_view method = cells.text();
     StageCount stage{cells.text()};
     stage.vf = cells.integer<std::uint64_t>();
     stage.ee = cells.integer<std::uint64_t>();
-    m.stages.push_back(stage);
+    // Stages are written before the table: those of a scene that the table lacks are of an interrupted run.
+    if (find(scene, factor)) method_of(row(scene, factor), method).stages.push_back(stage);
   });
 }
 

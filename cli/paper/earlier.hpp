@@ -11,8 +11,8 @@ namespace tamis::cli {
 
 class EarlierResults {
  public:
-  /// Reads table1.csv and stages.csv of `folder`; both missing: no rows. Throws FileError, naming the line, for a row
-  /// that write_paper_table or write_paper_stages did not write.
+  /// Reads table1.csv and stages.csv of `folder`; no table: no rows. Throws FileError, naming the line, for a row that
+  /// write_paper_table or write_paper_stages did not write.
   explicit EarlierResults(const std::filesystem::path& folder);
   // Names of stages are views of the files.
   EarlierResults(const EarlierResults&) = delete;
@@ -20,6 +20,8 @@ class EarlierResults {
 
   /// Null if there is none.
   const SceneResult* find(std::string_view scene, int factor) const;
+  /// Adds those that `results` lacks.
+  void append_rest(std::vector<SceneResult>& results) const;
 
  private:
   void read_table(const std::filesystem::path& file);

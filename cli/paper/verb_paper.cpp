@@ -192,8 +192,17 @@ class Paper final : public Verb {
     fmt::print("{:<12} {}x  paper {:>9.2f} ms a frame, default {:>9.2f}, {}\n", r.scene, factor,
                r.milliseconds("paper"), r.milliseconds("tamis"), r.sets_agree() ? "sets agree" : "SETS DIFFER");
     std::fflush(stdout);
-    write_paper_table(folder_, results_);
-    write_paper_stages(folder_, results_);
+    write_tables();
+  }
+
+  /// With what an earlier run has finished and this one has not come to: an interruption loses no row. A row of the
+  /// table says that its stages are there, so they come first.
+  void write_tables() const {
+    std::vector<SceneResult> rows = results_;
+    const bool is_last = rows.size() == 2 * names_to_run().size();
+    if (earlier_ && !is_last) earlier_->append_rest(rows);
+    write_paper_stages(folder_, rows);
+    write_paper_table(folder_, rows);
   }
 
   std::string size() const {

@@ -61,13 +61,15 @@ void resume(const std::filesystem::path& folder, const std::string& name, Simula
   simulator.resume(*frame, points_from(body.substr(0, body.size() / 2)), points_from(body.substr(body.size() / 2)));
 }
 
-/// Refuses to write over frames that are not this run's.
-void begin(const std::filesystem::path& folder, const Simulator& simulator) {
+/// Refuses to write over frames that are not this run's. The state comes before the first frame that it is needed for:
+/// an interruption between the two must not make the run's own frames another's.
+void begin(const std::filesystem::path& folder, const std::string& name, const Simulator& simulator) {
   const std::filesystem::path other = frame_path(folder, 1);
   if (std::filesystem::exists(other))
     throw Error(other.string() + " is there, but no " + state_path(folder).string() +
                 " to go on from: choose another folder, or remove its frames");
   write_frame(folder, simulator);
+  write_state(folder, name, simulator);
 }
 
 }  // namespace
@@ -83,7 +85,7 @@ void record(const SimulatedScene& scene, const Recording& recording, const Frame
   if (std::filesystem::exists(state_path(recording.folder)))
     resume(recording.folder, name, simulator);
   else
-    begin(recording.folder, simulator);
+    begin(recording.folder, name, simulator);
   while (simulator.frame() < recording.frames) {
     simulator.advance();
     write_frame(recording.folder, simulator);

@@ -45,6 +45,18 @@ TEST(Recording, AFolderOfAnotherRunIsRefused) {
   EXPECT_THROW(record_to(folder.path(), 2, 7), Error);
 }
 
+// Bug: interrupted after its first frame, before its first state, a run takes its own frame for another's.
+TEST(Recording, GoesOnFromAnyMoment) {
+  const test::TemporaryFolder folder;
+  const SimulatedScene& scene = simulated_scene("funnel");
+  const Recording recording{folder.path(), 1, 600, 1};
+  record(scene, {folder.path(), 0, 600, 1}, [](const Simulator&) {});
+  EXPECT_TRUE(std::filesystem::exists(folder.path() / "state.bin"));
+  folder.write("frame_0001.ply", "written, and then the power was cut");
+  EXPECT_NO_THROW(record(scene, recording, [](const Simulator&) {}));
+  EXPECT_GT(std::filesystem::file_size(folder.path() / "frame_0001.ply"), 1000u);
+}
+
 // Bug: going on from half a state.
 TEST(Recording, ADamagedStateIsRefused) {
   const test::TemporaryFolder folder;

@@ -1,0 +1,91 @@
+"""Small inputs, and for each verb a command line that works on them."""
+import struct
+
+TRIANGLE = [(0, 0, 0), (1, 0, 0), (0, 1, 0)]
+
+
+def obj(height):
+    points = TRIANGLE + [(0.2, 0.5, height)]
+    return "".join(f"v {x} {y} {z}\n" for x, y, z in points) + "f 1 2 3\np 4\n"
+
+
+def ply(height, order):
+    """A triangle over a triangle, so that it has faces alone."""
+    points = TRIANGLE + [(0.2, 0.2, height), (0.4, 0.2, height), (0.2, 0.4, height)]
+    name = {"": "ascii", "<": "binary_little_endian", ">": "binary_big_endian"}[order]
+    text = (f"ply\nformat {name} 1.0\nelement vertex 6\nproperty float x\nproperty float y\nproperty double z\n"
+            "element face 2\nproperty list uchar int vertex_indices\nend_header\n").encode()
+    if not order:
+        rows = [f"{x} {y} {z}\n" for x, y, z in points] + ["3 0 1 2\n", "3 3 4 5\n"]
+        return text + "".join(rows).encode()
+    for x, y, z in points:
+        text += struct.pack(order + "ffd", x, y, z)
+    return text + struct.pack(order + "Biii", 3, 0, 1, 2) + struct.pack(order + "Biii", 3, 3, 4, 5)
+
+
+def queries():
+    """Two queries, one of which touches: the vertex falls through the face."""
+    face = ["0,1,0,1,0,1", "1,1,0,1,0,1", "0,1,1,1,0,1"]
+    rows = ["1,4,1,4,1,1", *face, "1,4,1,4,-1,1", *face]
+    apart = ["1,4,1,4,1,1", *face, "1,4,1,4,1,2", *face]
+    return "".join(f"{row},1\n" for row in rows) + "".join(f"{row},0\n" for row in apart)
+
+
+def cloth(size, height):
+    """A sheet above a sheet, many contacts if it falls through."""
+    text, faces = "", ""
+    for level in range(2):
+        for i in range(size):
+            for j in range(size):
+                text += f"v {i + 0.3 * level} {j + 0.3 * level} {level * height}\n"
+                if i + 1 < size and j + 1 < size:
+                    a = level * size * size + i * size + j + 1
+                    faces += f"f {a} {a + 1} {a + size}\nf {a + 1} {a + size + 1} {a + size}\n"
+    return text + faces
+
+
+def write_inputs(folder):
+    for name, text in {"above.obj": obj(1), "below.obj": obj(-2), "high.obj": obj(3), "fall/1.obj": obj(1),
+                       "fall/2.obj": obj(0.5), "asked/vertex-face/1.csv": queries(), "cloth1.obj": cloth(40, 1),
+                       "cloth2.obj": cloth(40, -1)}.items():
+        (folder / name).parent.mkdir(parents=True, exist_ok=True)
+        (folder / name).write_text(text)
+    for name, order in {"ascii": "", "little": "<", "big": ">"}.items():
+        (folder / f"{name}1.ply").write_bytes(ply(1, order))
+        (folder / f"{name}2.ply").write_bytes(ply(-2, order))
+    # Pictures take seconds, and are not what is attacked here.
+    (folder / "bin").mkdir()
+    (folder / "bin/python3").write_text("#!/bin/sh\nexit 0\n")
+    (folder / "bin/python3").chmod(0o755)
+
+
+# What stands for a positional of this name; a verb that needs more has a line below.
+POSITIONALS = {"START": ["above.obj"], "END": ["below.obj"], "MESH": ["above.obj"],
+               "FRAMES": ["above.obj", "high.obj", "below.obj"], "FILES_OR_FOLDERS": ["asked"]}
+BASELINES = {
+    "scene": ["funnel", "--triangles", "600", "--frames", "2", "--out", "frames"],
+    "paper": ["--scenes", "none", "--frames", "fall=fall", "--out", "laboratory"],
+    "bench": ["above.obj", "below.obj", "--cold", "1", "--warm-up", "0", "--repeat", "1"],
+}
+# What writing takes long enough to be interrupted.
+LARGE = {"START": ["cloth1.obj"], "END": ["cloth2.obj"]}
+
+
+def positionals_of(verb, large=False):
+    """None for a positional that is not known."""
+    words = []
+    for name in verb.positionals:
+        known = (LARGE if large else {}).get(name) or POSITIONALS.get(name)
+        if known is None:
+            return None
+        words += known
+    return words
+
+
+def baseline(verb, large=False):
+    """The verb and arguments that give an answer; None if nobody has said how to ask this verb."""
+    words = BASELINES.get(verb.name)
+    if words is None or (large and verb.name == "bench"):
+        found = positionals_of(verb, large)
+        words = None if found is None else found + (words[2:] if words else [])
+    return None if words is None else [verb.name, *words]

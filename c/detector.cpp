@@ -43,12 +43,15 @@ tamis_status with(tamis_detector* handle, const Work& work) noexcept {
   return status;
 }
 
+using Separation = std::optional<double>;
+
 /// The same for a question.
 template <class Work>
 tamis_status ask(tamis_detector* handle, const tamis_step* step, const Work& work) noexcept {
   return with(handle, [&](tamis_detector& h) {
     h.contacts.clear();
-    work(h, step_of(read_sized(step, "step")));
+    const tamis_step given = read_sized(step, "step");
+    work(h, step_of(given), given.min_separation ? Separation(*given.min_separation) : Separation());
   });
 }
 
@@ -119,19 +122,19 @@ const char* tamis_detector_message(const tamis_detector* detector) {
 }
 
 tamis_status tamis_detector_contacts(tamis_detector* detector, const tamis_step* step, size_t* count) {
-  return ask(detector, step, [&](tamis_detector& handle, const tamis::Step& s) {
+  return ask(detector, step, [&](tamis_detector& handle, const tamis::Step& s, Separation d) {
     size_t& number = required(count, "count");
-    handle.detector->contacts(s, handle.contacts);
+    handle.detector->contacts(s, handle.contacts, d);
     number = handle.contacts.size();
   });
 }
 
 tamis_status tamis_detector_earliest(tamis_detector* detector, const tamis_step* step, double* toi_lower,
                                      double* toi_upper, size_t* count) {
-  return ask(detector, step, [&](tamis_detector& handle, const tamis::Step& s) {
+  return ask(detector, step, [&](tamis_detector& handle, const tamis::Step& s, Separation d) {
     double &lower = required(toi_lower, "toi_lower"), &upper = required(toi_upper, "toi_upper");
     size_t& number = required(count, "count");
-    const tamis::EarliestContact first = handle.detector->earliest(s);
+    const tamis::EarliestContact first = handle.detector->earliest(s, d);
     if (first.contact) handle.contacts.push_back(*first.contact);
     lower = first.toi_lower;
     upper = first.toi_upper;
@@ -140,16 +143,16 @@ tamis_status tamis_detector_earliest(tamis_detector* detector, const tamis_step*
 }
 
 tamis_status tamis_detector_is_free(tamis_detector* detector, const tamis_step* step, int* is_free) {
-  return ask(detector, step, [&](tamis_detector& handle, const tamis::Step& s) {
-    required(is_free, "is_free") = handle.detector->is_free(s) ? 1 : 0;
+  return ask(detector, step, [&](tamis_detector& handle, const tamis::Step& s, Separation d) {
+    required(is_free, "is_free") = handle.detector->is_free(s, d) ? 1 : 0;
   });
 }
 
 tamis_status tamis_detector_keep_distance(tamis_detector* detector, const tamis_step* step, double fraction,
                                           tamis_safe_step* answer) {
-  return ask(detector, step, [&](tamis_detector& handle, const tamis::Step& s) {
+  return ask(detector, step, [&](tamis_detector& handle, const tamis::Step& s, Separation d) {
     write_sized(tamis_safe_step{}, answer, "answer");  // refused before the work
-    write_sized(answer_of(handle.detector->keep_distance(s, fraction)), answer, "answer");
+    write_sized(answer_of(handle.detector->keep_distance(s, fraction, d)), answer, "answer");
   });
 }
 

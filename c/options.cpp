@@ -35,6 +35,7 @@ Options options_of(const tamis_options& given, Index vertex_count) {
   options.threads = given.threads;
   options.min_separation = given.min_separation;
   options.filter = filter_of(given, vertex_count);
+  if (given.thickness) options.thickness.assign(given.thickness, given.thickness + options.filter.group_count);
   if (given.is_cancelled)
     options.is_cancelled = [ask = given.is_cancelled, user = given.user] { return ask(user) != 0; };
   return options;

@@ -14,11 +14,14 @@ struct tamis_pairs {
 namespace tamis::c {
 namespace {
 
-using Ask = PairResult (*)(const std::array<Point, 4>&, const std::array<Point, 4>&, const PairOptions&);
+/// The question about one pair of a kind that has so many points.
+template <std::size_t corners>
+using Ask = PairResult (*)(const std::array<Point, corners>&, const std::array<Point, corners>&, const PairOptions&);
 
-std::array<Point, 4> points_of_pair(const double* rows, std::size_t pair) {
-  std::array<Point, 4> points;
-  std::copy_n(rows + 12 * pair, 12, points.front().data());
+template <std::size_t corners>
+std::array<Point, corners> points_of_pair(const double* rows, std::size_t pair) {
+  std::array<Point, corners> points;
+  std::copy_n(rows + 3 * corners * pair, 3 * corners, points.front().data());
   return points;
 }
 
@@ -36,7 +39,8 @@ struct Lists {
   std::size_t result_size;
 };
 
-tamis_status ask_all(tamis_pairs* pairs, const Lists& lists, Ask ask) noexcept {
+template <std::size_t corners>
+tamis_status ask_all(tamis_pairs* pairs, const Lists& lists, Ask<corners> ask) noexcept {
   if (!pairs) return TAMIS_INVALID_ARGUMENT;
   if (!pairs->is_made) return pairs->outcome.status();
   return attempt(pairs->outcome, [&] {
@@ -45,7 +49,7 @@ tamis_status ask_all(tamis_pairs* pairs, const Lists& lists, Ask ask) noexcept {
     required(static_cast<unsigned char*>(lists.results), "results");
     check_size(lists.result_size, sizeof(int32_t), "result");
     for (std::size_t i = 0; i < lists.count; ++i) try {
-        const PairResult r = ask(points_of_pair(&start, i), points_of_pair(&end, i), pairs->options);
+        const PairResult r = ask(points_of_pair<corners>(&start, i), points_of_pair<corners>(&end, i), pairs->options);
         write_element(result_of(r), lists.results, i, lists.result_size);
       } catch (const InvalidStep& e) {
         throw InvalidStep("pair " + std::to_string(i) + ": " + e.what());
@@ -72,10 +76,20 @@ const char* tamis_pairs_message(const tamis_pairs* pairs) { return pairs ? pairs
 
 tamis_status tamis_vertex_face(tamis_pairs* pairs, size_t count, const double* start, const double* end,
                                tamis_pair_result* results, size_t result_size) {
-  return ask_all(pairs, {count, start, end, results, result_size}, &tamis::vertex_face);
+  return ask_all<4>(pairs, {count, start, end, results, result_size}, &tamis::vertex_face);
 }
 
 tamis_status tamis_edge_edge(tamis_pairs* pairs, size_t count, const double* start, const double* end,
                              tamis_pair_result* results, size_t result_size) {
-  return ask_all(pairs, {count, start, end, results, result_size}, &tamis::edge_edge);
+  return ask_all<4>(pairs, {count, start, end, results, result_size}, &tamis::edge_edge);
+}
+
+tamis_status tamis_vertex_edge(tamis_pairs* pairs, size_t count, const double* start, const double* end,
+                               tamis_pair_result* results, size_t result_size) {
+  return ask_all<3>(pairs, {count, start, end, results, result_size}, &tamis::vertex_edge);
+}
+
+tamis_status tamis_vertex_vertex(tamis_pairs* pairs, size_t count, const double* start, const double* end,
+                                 tamis_pair_result* results, size_t result_size) {
+  return ask_all<2>(pairs, {count, start, end, results, result_size}, &tamis::vertex_vertex);
 }

@@ -69,8 +69,9 @@ TAMIS_API const int32_t* tamis_mesh_points(const tamis_mesh* mesh, size_t* count
 /* ---- What all questions share ---- */
 
 /** Kinds of pairs and their vertices. Vertex-face: the vertex, then the face's vertices in the mesh's order.
- * Edge-edge: each edge ascending, the smaller edge first. */
-enum { TAMIS_VERTEX_FACE = 0, TAMIS_EDGE_EDGE = 1 };
+ * Edge-edge: each edge ascending, the smaller edge first. Vertex-edge: the vertex, then the edge's, ascending.
+ * Vertex-vertex: ascending. Vertices that a kind does not use are -1. */
+enum { TAMIS_VERTEX_FACE = 0, TAMIS_EDGE_EDGE = 1, TAMIS_VERTEX_EDGE = 2, TAMIS_VERTEX_VERTEX = 3 };
 /** Certified: proven to touch at some time of the bracket. Unresolved: floating point could not decide; kept, because
  * a contact must never be missed. */
 enum { TAMIS_CERTIFIED = 0, TAMIS_UNRESOLVED = 1 };
@@ -78,11 +79,12 @@ enum { TAMIS_CERTIFIED = 0, TAMIS_UNRESOLVED = 1 };
 /** Each vertex moves on a straight line from its row of `start` (t=0) to that of `end` (t=1). */
 typedef struct tamis_step {
   size_t size;
-  int32_t vertex_count;   /**< rows of both */
-  const double* start;    /**< three coordinates a row */
-  const double* end;      /**< the same at t=1 */
-  ptrdiff_t start_stride; /**< doubles from one row to the next, >= 3; 0: 3 */
-  ptrdiff_t end_stride;   /**< the same of end */
+  int32_t vertex_count;         /**< rows of both */
+  const double* start;          /**< three coordinates a row */
+  const double* end;            /**< the same at t=1 */
+  ptrdiff_t start_stride;       /**< doubles from one row to the next, >= 3; 0: 3 */
+  ptrdiff_t end_stride;         /**< the same of end */
+  const double* min_separation; /**< of this question alone; NULL: the detector's */
 } tamis_step;
 
 /** One pair of features that touches during the step. */
@@ -92,7 +94,7 @@ typedef struct tamis_contact {
   int32_t vertices[4];
   double toi_lower; /**< fraction of the step: the pair is apart on [0, toi_lower) */
   double toi_upper; /**< if certified, it touches at some time of [toi_lower, toi_upper] */
-  double u, v;      /**< vf: point = (1-u-v) f0 + u f1 + v f2; ee: u on the first edge, v on the second */
+  double u, v;      /**< vf: point = (1-u-v) f0 + u f1 + v f2; ee: u on the first edge, v on the second; ve: u */
   double normal[3]; /**< of unit length */
 } tamis_contact;
 
@@ -116,7 +118,8 @@ typedef struct tamis_options {
   int (*accepts)(void* user, int32_t kind, const int32_t* vertices);
   /** Asked again and again during a question, from several threads; other than 0 ends it with TAMIS_CANCELLED. */
   int (*is_cancelled)(void* user);
-  void* user; /**< handed to both */
+  void* user;              /**< handed to both */
+  const double* thickness; /**< a radius >= 0 for each group, group_count of them; NULL: all zero */
 } tamis_options;
 
 /** Copies the mesh. NULL as options: the defaults. TAMIS_INVALID_OPTIONS: see tamis/options.hpp. */
@@ -207,6 +210,12 @@ TAMIS_API tamis_status tamis_vertex_face(tamis_pairs* pairs, size_t count, const
 /** Edge (0,1) against edge (2,3); otherwise the same. */
 TAMIS_API tamis_status tamis_edge_edge(tamis_pairs* pairs, size_t count, const double* start, const double* end,
                                        tamis_pair_result* results, size_t result_size);
+/** Points against segments: a pair is 9 doubles, p a b; otherwise the same. */
+TAMIS_API tamis_status tamis_vertex_edge(tamis_pairs* pairs, size_t count, const double* start, const double* end,
+                                         tamis_pair_result* results, size_t result_size);
+/** Two points: a pair is 6 doubles; otherwise the same. */
+TAMIS_API tamis_status tamis_vertex_vertex(tamis_pairs* pairs, size_t count, const double* start, const double* end,
+                                           tamis_pair_result* results, size_t result_size);
 
 #ifdef __cplusplus
 }

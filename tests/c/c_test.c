@@ -187,6 +187,8 @@ static void pairs_of_features(void) {
   const double before[] = {0.2, 0.2, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 9, 9, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0};
   const double after[] = {0.2, 0.2, -3, 0, 0, 0, 1, 0, 0, 0, 1, 0, 9, 9, -3, 0, 0, 0, 1, 0, 0, 0, 1, 0};
   const double crossed[] = {-1, 0, 1, 1, 0, 1, 0, -1, 0, 0, 1, 0}, past[] = {-1, 0, -1, 1, 0, -1, 0, -1, 0, 0, 1, 0};
+  const double meeting[] = {0, 0, 1, -1, 0, 0, 1, 0, 0}, met[] = {0, 0, -1, -1, 0, 0, 1, 0, 0};
+  const double apart[] = {0, 0, 1, 0, 0, 0}, passed[] = {0, 0, -3, 0, 0, 0};
   double bad[24];
   tamis_pair_result r[2];
   tamis_pairs* pairs = NULL;
@@ -197,6 +199,10 @@ static void pairs_of_features(void) {
   EXPECT(r[0].toi_lower <= 0.25 && 0.25 <= r[0].toi_upper && fabs(r[0].u - 0.2) < 1e-9);
   EXPECT(tamis_edge_edge(pairs, 1, crossed, past, r, sizeof r[0]) == TAMIS_OK);
   EXPECT(r[0].touches == 1 && r[0].toi_lower <= 0.5 && 0.5 <= r[0].toi_upper && fabs(r[0].v - 0.5) < 1e-9);
+  EXPECT(tamis_vertex_edge(pairs, 1, meeting, met, r, sizeof r[0]) == TAMIS_OK);
+  EXPECT(r[0].touches == 1 && r[0].toi_lower <= 0.5 && 0.5 <= r[0].toi_upper && fabs(r[0].u - 0.5) < 1e-9);
+  EXPECT(tamis_vertex_vertex(pairs, 1, apart, passed, r, sizeof r[0]) == TAMIS_OK);
+  EXPECT(r[0].touches == 1 && r[0].toi_lower <= 0.25 && 0.25 <= r[0].toi_upper);
   EXPECT(tamis_edge_edge(pairs, 0, NULL, NULL, NULL, 0) == TAMIS_OK);
   EXPECT(tamis_edge_edge(pairs, 1, NULL, past, r, sizeof r[0]) == TAMIS_INVALID_ARGUMENT);
   memcpy(bad, before, sizeof bad);

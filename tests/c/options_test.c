@@ -46,6 +46,29 @@ static void separation(void) {
   EXPECT(contacts_with(&options) == -1);
 }
 
+/* Radii of groups, and a separation of one question: both make the triangle stop earlier. */
+static void thickness(void) {
+  const int32_t group_of_vertex[] = {0, 0, 0, 1, 1, 1};
+  const double radii[] = {0.1, 0.2}, more = 0.2;
+  double lower = 0, upper = 0;
+  size_t count = 0;
+  tamis_options options = {sizeof options};
+  tamis_mesh* mesh = two_triangles();
+  tamis_detector* detector = NULL;
+  tamis_step step = falling();
+  options.group_of_vertex = group_of_vertex;
+  options.group_count = 2;
+  options.thickness = radii;
+  EXPECT(tamis_detector_create(mesh, &options, &detector) == TAMIS_OK);
+  EXPECT(tamis_detector_earliest(detector, &step, &lower, &upper, &count) == TAMIS_OK);
+  EXPECT(lower <= 0.35 && 0.35 <= upper && upper - lower < 1e-6);
+  step.min_separation = &more;
+  EXPECT(tamis_detector_earliest(detector, &step, &lower, &upper, &count) == TAMIS_OK);
+  EXPECT(lower <= 0.25 && 0.25 <= upper && upper - lower < 1e-6);
+  tamis_detector_free(detector);
+  tamis_mesh_free(mesh);
+}
+
 static void groups(void) {
   const int32_t group_of_vertex[] = {0, 0, 0, 1, 1, 1};
   const uint8_t only_within[] = {1, 0, 0, 1}, all[] = {1, 1, 1, 1}, lopsided[] = {1, 0, 1, 1};
@@ -137,6 +160,7 @@ static void cancelled(void) {
 int main(void) {
   by_name();
   separation();
+  thickness();
   groups();
   callbacks();
   reentry();

@@ -1,14 +1,18 @@
 #!/usr/bin/env bash
 # Installs the Debian or Ubuntu packages Tamis needs that are not here yet; with --tests, also those of the tests; with
-# --bench, those of the benchmarks and of the packages Tamis is compared with.
+# --python, those that building the module for Python takes; with --bench, those of the benchmarks and of the packages
+# Tamis is compared with.
 # Touches neither apt nor the network when nothing is missing.
 set -euo pipefail
 
 packages=(g++ cmake ninja-build pkg-config libtbb-dev libgmp-dev libxsimd-dev
           libcli11-dev libfmt-dev nlohmann-json3-dev libeigen3-dev libmeshoptimizer-dev)
 if [[ ${1:-} == --tests ]]; then
-  packages+=(libgtest-dev libbenchmark-dev glmark2-data python3 binutils valgrind clang-14 clang-format-14 clang-tidy-14
-             libclang-rt-14-dev)
+  packages+=(libgtest-dev libbenchmark-dev glmark2-data python3 python3-venv python3-dev binutils valgrind clang-14
+             clang-format-14 clang-tidy-14 libclang-rt-14-dev)
+fi
+if [[ ${1:-} == --python ]]; then
+  packages+=(python3-venv python3-dev)
 fi
 if [[ ${1:-} == --bench ]]; then
   packages+=(libbenchmark-dev libembree-dev libcgal-dev libbullet-dev python3-matplotlib)

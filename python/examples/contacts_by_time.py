@@ -1,0 +1,62 @@
+"""Contacts between two frames, coloured by time: contacts_by_time.py [START END] [--scale S] [--out PICTURE].
+
+Without files: a scene of Tamis's own.
+"""
+
+from __future__ import annotations
+
+import argparse
+
+import matplotlib.pyplot as plt
+import numpy as np
+
+import tamis
+from tamis import PairKind
+
+
+def points_of(contacts: tamis.Contacts, start: np.ndarray, end: np.ndarray) -> np.ndarray:
+    """Where each contact happens: the weights, at the time of impact."""
+    t = contacts.toi_upper[:, None, None]
+    # The last vertex, -1, is what a kind with less than four has in place of the others; its weight is zero.
+    a, b, c, d = np.moveaxis((1 - t) * start[contacts.vertices] + t * end[contacts.vertices], 1, 0)
+    u, v = contacts.u[:, None], contacts.v[:, None]
+    kind = contacts.kind[:, None]
+    return np.select(
+        [kind == PairKind.VERTEX_FACE, kind == PairKind.EDGE_EDGE, kind == PairKind.VERTEX_EDGE],
+        [(1 - u - v) * b + u * c + v * d, (1 - u) * a + u * b, (1 - u) * b + u * c],
+        default=a,
+    )
+
+
+def main() -> None:
+    """Ask, and draw."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("frames", nargs="*", help="two files, PLY or OBJ")
+    parser.add_argument("--scale", type=float, default=1.0, help="how much longer the motion is made")
+    parser.add_argument("--size", type=float, default=3.0, help="of the dots")
+    parser.add_argument("--out", default="contacts_by_time.png")
+    arguments = parser.parse_args()
+    if arguments.frames:
+        first, last = tamis.read_frames(*arguments.frames)
+        mesh, start, end = first.mesh, first.positions, last.positions
+    else:
+        mesh, start, end, _ = tamis.scene("colliding-bodies", 6000)
+    end = start + arguments.scale * (end - start)
+
+    contacts = tamis.Detector(mesh).contacts(start, end)
+    print(f"{mesh}: {contacts}")
+
+    figure = plt.figure(figsize=(9, 6), layout="constrained")
+    axes = figure.add_subplot(projection="3d", computed_zorder=False)
+    axes.plot_trisurf(*start.T, triangles=mesh.faces, color="#d5d5d5", linewidth=0, antialiased=False)
+    where = points_of(contacts, start, end)
+    points = axes.scatter(*where.T, c=contacts.toi_lower, s=arguments.size, cmap="plasma", depthshade=False)
+    figure.colorbar(points, ax=axes, shrink=0.7, label="time of impact, fraction of the step")
+    axes.set_title(f"{len(contacts):,} contacts of one step, {len(mesh.faces):,} triangles")
+    axes.set_aspect("equal")
+    axes.set_axis_off()
+    figure.savefig(arguments.out, dpi=150)
+
+
+if __name__ == "__main__":
+    main()

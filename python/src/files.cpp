@@ -1,0 +1,57 @@
+// Mesh files, frames and tables, as the command reads and writes them.
+#include <nanobind/stl/filesystem.h>
+#include <nanobind/stl/string.h>
+#include <nanobind/stl/vector.h>
+
+#include "io/contacts_csv.hpp"
+#include "io/frames.hpp"
+#include "io/mesh_file.hpp"
+#include "io/ply.hpp"
+#include "python/src/arrays.hpp"
+#include "python/src/bindings.hpp"
+#include "python/src/options.hpp"
+
+namespace tamis::python {
+namespace {
+
+using ContactBytes = nb::ndarray<const std::uint8_t, nb::shape<-1>, nb::c_contig, nb::device::cpu>;
+
+nb::tuple read_mesh(const std::filesystem::path& path) {
+  io::MeshFile file;
+  {
+    const nb::gil_scoped_release unlocked;
+    file = io::read_mesh(path);
+  }
+  return nb::make_tuple(own<double>(std::move(file.positions), 3), own<Index>(std::move(file.faces), 3),
+                        own<Index>(std::move(file.loose_edges), 2), own<Index>(std::move(file.loose_points), 0),
+                        file.notes);
+}
+
+void write_mesh(const std::filesystem::path& path, const PointRows& positions, const IndexRowsIn<3>& faces,
+                const IndexRowsIn<2>& edges) {
+  io::MeshFile file;
+  const auto* first = reinterpret_cast<const Point*>(positions.data());
+  file.positions.assign(first, first + positions.shape(0));
+  file.faces = copy_of<Face>(faces);
+  file.loose_edges = copy_of<Edge>(edges);
+  const nb::gil_scoped_release unlocked;
+  io::write_ply(path, file);
+}
+
+void write_contacts(const std::filesystem::path& path, const ContactBytes& bytes) {
+  const auto* first = reinterpret_cast<const Contact*>(bytes.data());
+  const std::span contacts(first, bytes.shape(0) / sizeof(Contact));
+  const nb::gil_scoped_release unlocked;
+  io::write_contacts_csv(path, contacts);
+}
+
+}  // namespace
+
+void bind_files(nb::module_& module) {
+  module.def("read_mesh", &read_mesh);
+  module.def("write_mesh", &write_mesh);
+  module.def("write_contacts", &write_contacts);
+  module.def("frame_files", &io::frame_files);
+}
+
+}  // namespace tamis::python

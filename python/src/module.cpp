@@ -1,0 +1,15 @@
+// What is compiled of the module `tamis`: thin, private, and typed in tamis/_core.pyi.
+#include "python/src/bindings.hpp"
+
+NB_MODULE(_core, module) {
+  using namespace tamis::python;
+  nanobind::set_leak_warnings(false);  // what lives until the interpreter ends is no concern of its user
+  module.attr("__version__") = TAMIS_VERSION;
+  bind_errors();
+  bind_mesh(module);
+  bind_options(module);
+  bind_detector(module);
+  bind_pairs(module);
+  bind_files(module);
+  bind_scenes(module);
+}

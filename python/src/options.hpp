@@ -1,0 +1,16 @@
+// Options with what belongs to Python in them.
+#pragma once
+#include "python/src/arrays.hpp"
+#include "tamis/options.hpp"
+
+namespace tamis::python {
+
+using PointRows = nb::ndarray<const double, nb::shape<-1, 3>, nb::c_contig, nb::device::cpu>;
+
+struct Asking {
+  Options options;
+  nb::object accepts = nb::none();       ///< (kind, vertices) -> bool, or none
+  nb::object is_cancelled = nb::none();  ///< () -> bool, or none
+};
+
+}  // namespace tamis::python

@@ -1,0 +1,58 @@
+"""Tamis: every contact between moving, deforming triangle meshes, and a proof that each pair left out is free.
+
+>>> import tamis
+>>> detector = tamis.Detector(tamis.Mesh(faces, vertex_count=len(start)))
+>>> contacts = detector.contacts(start, end)
+
+`Detector` has the questions; `contacts` asks one in one line; `vertex_face`, `edge_edge`, `vertex_edge` and
+`vertex_vertex` decide single pairs, many at once; `read_mesh`, `read_frames` and `scene` give something to try it on.
+"""
+
+from tamis import _core
+from tamis._contacts import Contact, Contacts, EarliestContact, LimitingPair, PairKind, SafeStep
+from tamis._core import filter_names, method_choices
+from tamis._detector import Detector, Statistics, contacts
+from tamis._errors import Busy, Cancelled, Error, FileError, InvalidMesh, InvalidOptions, InvalidStep
+from tamis._files import MeshFile, read_frames, read_mesh, write_mesh
+from tamis._mesh import Mesh
+from tamis._options import PaperOptions, ReducedModel
+from tamis._pairs import Pairs, edge_edge, vertex_edge, vertex_face, vertex_vertex
+from tamis._scenes import Scene, scene, scene_names
+
+__version__: str = _core.__version__
+
+__all__ = [
+    "Busy",
+    "Cancelled",
+    "Contact",
+    "Contacts",
+    "Detector",
+    "EarliestContact",
+    "Error",
+    "FileError",
+    "InvalidMesh",
+    "InvalidOptions",
+    "InvalidStep",
+    "LimitingPair",
+    "Mesh",
+    "MeshFile",
+    "PairKind",
+    "Pairs",
+    "PaperOptions",
+    "ReducedModel",
+    "SafeStep",
+    "Scene",
+    "Statistics",
+    "contacts",
+    "edge_edge",
+    "filter_names",
+    "method_choices",
+    "read_frames",
+    "read_mesh",
+    "scene",
+    "scene_names",
+    "vertex_edge",
+    "vertex_face",
+    "vertex_vertex",
+    "write_mesh",
+]

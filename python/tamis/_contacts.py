@@ -1,0 +1,230 @@
+"""The answers: contacts as arrays, and what is said of a whole step."""
+
+from __future__ import annotations
+
+import enum
+import os
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Any, NamedTuple, overload
+
+import numpy as np
+import numpy.typing as npt
+
+from tamis import _core
+from tamis._arrays import Doubles, Indices
+
+if TYPE_CHECKING:
+    import pandas
+
+_DTYPE: np.dtype[np.void] = np.dtype(_core.contact_layout())
+
+
+class PairKind(enum.IntEnum):
+    """Kinds of pairs of features; the last two are of points and edges that belong to no face."""
+
+    VERTEX_FACE = 0
+    EDGE_EDGE = 1
+    VERTEX_EDGE = 2
+    VERTEX_VERTEX = 3
+
+    @property
+    def short_name(self) -> str:
+        """As in files and on the command line: vf, ee, ve, vv."""
+        return _SHORT_NAMES[self]
+
+
+_SHORT_NAMES = ("vf", "ee", "ve", "vv")
+
+
+class Contact(NamedTuple):
+    """One pair of features that touches during the step.
+
+    Attributes
+    ----------
+    kind : PairKind
+        Vertex-face or edge-edge.
+    vertices : tuple of four int
+        Vertex-face: the vertex, then the face's vertices in the mesh's order. Edge-edge: each edge ascending, the
+        smaller edge first. Vertex-edge: the vertex, then the edge's. Vertex-vertex: ascending. -1 where a kind has less
+        than four.
+    toi_lower, toi_upper : float
+        Fractions of the step: the pair is apart on [0, toi_lower); if certified it touches at some time of [toi_lower,
+        toi_upper].
+    u, v : float
+        Contact weights. Vertex-face: point = (1-u-v) f0 + u f1 + v f2. Edge-edge: u on the first edge, v on the second.
+    normal : tuple of three float
+        Of unit length: of the face, or the cross product of the edges.
+    certified : bool
+        True: proven to touch. False: floating point could not decide, and a contact must never be missed.
+    """
+
+    kind: PairKind
+    vertices: tuple[int, int, int, int]
+    toi_lower: float
+    toi_upper: float
+    u: float
+    v: float
+    normal: tuple[float, float, float]
+    certified: bool
+
+
+class Contacts:
+    """Contacts of a step, by kind, then vertices. They own their memory: later questions change nothing in them.
+
+    `len()` counts them; an integer index gives a `Contact`, anything else that indexes an array gives `Contacts`.
+    The properties are views of `table`, as long as that is not indexed.
+    """
+
+    __slots__ = ("_table",)
+
+    def __init__(self, table: npt.NDArray[np.void] | npt.NDArray[np.uint8]) -> None:
+        self._table: npt.NDArray[np.void] = table.view(_DTYPE)
+
+    @property
+    def table(self) -> npt.NDArray[np.void]:
+        """One structured array: kind, certainty, vertices, toi_lower, toi_upper, u, v, normal."""
+        return self._table
+
+    @property
+    def kind(self) -> npt.NDArray[np.uint8]:
+        """`PairKind` of each, shape (n,)."""
+        return self._table["kind"]
+
+    @property
+    def vertices(self) -> Indices:
+        """Vertex indices, shape (n, 4), ordered as in `Contact`."""
+        return self._table["vertices"]
+
+    @property
+    def toi_lower(self) -> Doubles:
+        """Before this fraction of the step the pair is proven apart, shape (n,)."""
+        return self._table["toi_lower"]
+
+    @property
+    def toi_upper(self) -> Doubles:
+        """By this fraction of the step a certified pair has touched, shape (n,)."""
+        return self._table["toi_upper"]
+
+    @property
+    def u(self) -> Doubles:
+        """First contact weight, shape (n,)."""
+        return self._table["u"]
+
+    @property
+    def v(self) -> Doubles:
+        """Second contact weight, shape (n,)."""
+        return self._table["v"]
+
+    @property
+    def normal(self) -> Doubles:
+        """Unit normals, shape (n, 3)."""
+        return self._table["normal"]
+
+    @property
+    def certified(self) -> npt.NDArray[np.bool_]:
+        """True where the contact is proven, False where it is unresolved, shape (n,)."""
+        return np.equal(self._table["certainty"], 0)
+
+    def to_pandas(self) -> pandas.DataFrame:
+        """Make a DataFrame, one row a contact, with the columns of `save`. pandas must be installed."""
+        import pandas as pd
+
+        columns: dict[str, Any] = {"kind": np.asarray(_SHORT_NAMES)[self.kind]}
+        columns.update({f"v{i}": self.vertices[:, i] for i in range(4)})
+        columns.update({name: self._table[name] for name in ("toi_lower", "toi_upper", "u", "v")})
+        columns["status"] = np.where(self.certified, "certified", "unresolved")
+        return pd.DataFrame(columns)
+
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """Write a CSV file, as the command's `--out` does: complete or not at all.
+
+        Parameters
+        ----------
+        path : path_like
+            Columns are kind, v0, v1, v2, v3, toi_lower, toi_upper, u, v, status; numbers read back to the same doubles.
+
+        Raises
+        ------
+        FileError
+            The file cannot be written.
+        """
+        _core.write_contacts(os.fspath(path), np.ascontiguousarray(self._table).view(np.uint8))
+
+    def __len__(self) -> int:
+        return len(self._table)
+
+    def __iter__(self) -> Iterator[Contact]:
+        return (self[i] for i in range(len(self)))
+
+    @overload
+    def __getitem__(self, index: int) -> Contact: ...
+    @overload
+    def __getitem__(self, index: slice | npt.NDArray[Any] | list[int] | list[bool]) -> Contacts: ...
+    def __getitem__(self, index: Any) -> Contact | Contacts:
+        chosen = self._table[index]
+        if isinstance(chosen, np.ndarray):
+            return Contacts(np.atleast_1d(chosen))
+        kind, certainty, vertices, toi_lower, toi_upper, u, v, normal = chosen.item()
+        return Contact(
+            PairKind(kind), tuple(vertices.tolist()), toi_lower, toi_upper, u, v, tuple(normal.tolist()), certainty == 0
+        )
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Contacts) and np.array_equal(self._table, other._table)
+
+    __hash__ = None  # type: ignore[assignment]
+
+    def __repr__(self) -> str:
+        if not len(self):
+            return "Contacts(none)"
+        counts = zip(PairKind, np.bincount(self.kind, minlength=len(PairKind)))
+        kinds = ", ".join(f"{n} {kind.name.lower().replace('_', '-')}" for kind, n in counts if n)
+        return f"Contacts({kinds}; first at {self.toi_lower.min():g})"
+
+    def __reduce__(self) -> tuple[type[Contacts], tuple[npt.NDArray[np.void]]]:
+        return Contacts, (self._table,)
+
+
+class EarliestContact(NamedTuple):
+    """How far the step may go.
+
+    Attributes
+    ----------
+    toi_lower : float
+        The motion is free on [0, toi_lower): proven. 1 if the whole step is free.
+    toi_upper : float
+        A certified contact happens at or before this fraction of the step; 1 if none is certified.
+    contact : Contact or None
+        The contact that bounds the step first; None if the step is free.
+    """
+
+    toi_lower: float
+    toi_upper: float
+    contact: Contact | None
+
+
+class LimitingPair(NamedTuple):
+    """The pair of features that ends a step; `distance` is its own at the start, rounded."""
+
+    kind: PairKind
+    vertices: tuple[int, int, int, int]
+    distance: float
+
+
+class SafeStep(NamedTuple):
+    """How far the step may go so that every pair keeps a fraction of its distance.
+
+    Attributes
+    ----------
+    lower : float
+        On [0, lower] every pair keeps at least the fraction, and on [0, lower) none touches: proven. 1 if the whole
+        step may go.
+    upper : float
+        At this time some pair has no more than the fraction left: proven; 1 if that is not known of any time.
+    pair : LimitingPair or None
+        The pair that ends the step; None if the whole step may go.
+    """
+
+    lower: float
+    upper: float
+    pair: LimitingPair | None

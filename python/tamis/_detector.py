@@ -1,0 +1,259 @@
+"""Continuous collision detection of a mesh with itself, step after step."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import numpy.typing as npt
+
+from tamis import _core
+from tamis._arrays import rows
+from tamis._contacts import Contacts, EarliestContact, LimitingPair, PairKind, SafeStep
+from tamis._errors import InvalidOptions
+from tamis._mesh import Mesh
+from tamis._options import Filter, Guarantee, Isa, PaperOptions, set_groups
+
+
+@dataclass(frozen=True)
+class Statistics:
+    """What the last question cost.
+
+    Attributes
+    ----------
+    stages : mapping of str to (int, int)
+        Vertex-face and edge-edge pairs that entered each stage, in the pipeline's order; the first counts the pairs
+        whose boxes meet.
+    decided_by : mapping of str to int
+        Pairs decided by each arithmetic: lanes, scalar, extended, exact; and those that stay unresolved.
+    seconds : mapping of str to float
+        Wall-clock time of bounds, build, traverse, filter, solve, and the total.
+    rebuilt : bool
+        The hierarchy was built, not refitted.
+    memory_bytes : int
+        Held by the detector.
+    """
+
+    method: str
+    isa: str
+    threads: int
+    stages: Mapping[str, tuple[int, int]]
+    decided_by: Mapping[str, int]
+    seconds: Mapping[str, float]
+    nodes_visited: int
+    triangle_pairs: int
+    triangles_in_free_patches: int
+    rebuilt: bool
+    memory_bytes: int
+
+
+class Detector:
+    """Holds a mesh and the hierarchy over it; keep one for all steps of a mesh.
+
+    The first question builds the hierarchy; later ones refit it, and rebuild it by themselves once that pays. Pairs are
+    vertex-face and edge-edge, of features without a common vertex. The answers do not depend on the number of threads,
+    on the machine, or on earlier questions.
+
+    Questions take positions at the start and at the end of a step, shape (n, 3), one row a vertex; each vertex moves on
+    a straight line. Doubles whose rows are contiguous, at any positive distance from each other, are read where they
+    are; anything else that NumPy can convert is copied once. Other Python threads run meanwhile, Ctrl-C ends a
+    question, and a second question at the same time raises `Busy`. Every question raises `InvalidStep` for positions
+    that do not fit the mesh or are not finite.
+
+    Parameters
+    ----------
+    mesh : Mesh
+        What moves.
+    method : str
+        "tamis"; or "paper", "brute" and the others of `method_choices()`, which give the same contacts.
+    guarantee : str
+        What happens to a pair that doubles cannot decide. "exact": exact algebra decides it; "conservative": it is
+        reported as a contact that is not certified, as with a separation.
+    threads : int
+        To use; 0: all. Speed only.
+    min_separation : float
+        d >= 0 in the unit of the positions: contact means Euclidean distance <= d. A question may bring its own.
+    isa : str
+        Instruction set: "best", "baseline", "avx2", "avx512". Speed only.
+    groups : array_like of int, shape (n,), optional
+        The object that each vertex belongs to, from 0; a feature belongs to the group of its first vertex.
+    may_touch : array_like of bool, shape (g, g), optional
+        Symmetric; False leaves out the pairs of two groups. ``~np.eye(g, dtype=bool)``: no self-contact.
+    thickness : array_like of float, shape (g,), optional
+        A radius >= 0 for each group: contact means a distance of at most `min_separation` plus both radii.
+    filter : callable, optional
+        ``filter(kind, vertices)`` is asked for every pair that is left, and says whether it counts. From several
+        threads, one at a time: slow, a microsecond a pair. Groups cost nothing.
+    is_cancelled : callable, optional
+        Asked some 20 times a second during a question; True ends it with `Cancelled`.
+    paper : PaperOptions, optional
+        More choices for the method "paper".
+
+    Raises
+    ------
+    InvalidOptions
+        An option outside its range, an unknown name, or groups that do not fit the mesh.
+    """
+
+    __slots__ = ("_description", "_detector", "_mesh")
+
+    def __init__(
+        self,
+        mesh: Mesh,
+        *,
+        method: str = "tamis",
+        guarantee: Guarantee = "exact",
+        threads: int = 0,
+        min_separation: float = 0.0,
+        isa: Isa = "best",
+        groups: npt.ArrayLike | None = None,
+        may_touch: npt.ArrayLike | None = None,
+        thickness: npt.ArrayLike | None = None,
+        filter: Filter | None = None,
+        is_cancelled: Callable[[], bool] | None = None,
+        paper: PaperOptions | None = None,
+    ) -> None:
+        options = _core.Options()
+        options.choose_method(method)
+        options.set_guarantee(guarantee)
+        options.set_isa(isa)
+        if not -(2**31) <= threads < 2**31:
+            raise InvalidOptions(f"threads is {threads}: give the number of threads, or 0 for all")
+        options.set_threads(threads)
+        options.set_min_separation(min_separation)
+        set_groups(options, groups, may_touch, thickness)
+        if filter is not None:
+            accepts = filter
+            options.set_filter(lambda kind, vertices: accepts(PairKind(kind), vertices))
+        if is_cancelled is not None:
+            options.set_is_cancelled(is_cancelled)
+        if paper is not None:
+            paper.apply(options)
+        self._mesh = mesh
+        self._detector = _core.Detector(mesh._mesh, options)
+        self._description = f"method={method!r}, guarantee={guarantee!r}, min_separation={min_separation:g}"
+
+    @property
+    def mesh(self) -> Mesh:
+        """What moves."""
+        return self._mesh
+
+    @property
+    def statistics(self) -> Statistics:
+        """What the last question cost."""
+        return Statistics(**self._detector.statistics())
+
+    def contacts(self, start: npt.ArrayLike, end: npt.ArrayLike, *, min_separation: float | None = None) -> Contacts:
+        """Find every contact of a step.
+
+        Parameters
+        ----------
+        start, end : array_like, shape (n, 3)
+            Where each vertex is at the start and at the end of the step.
+        min_separation : float, optional
+            Of this question alone; by default the detector's.
+
+        Returns
+        -------
+        Contacts
+            By kind, then vertices.
+        """
+        return Contacts(self._detector.contacts(rows(start, "start"), rows(end, "end"), min_separation))
+
+    def earliest(
+        self, start: npt.ArrayLike, end: npt.ArrayLike, *, min_separation: float | None = None
+    ) -> EarliestContact:
+        """Find the first contact: how far the step may go.
+
+        Parameters
+        ----------
+        start, end : array_like, shape (n, 3)
+            Where each vertex is at the start and at the end of the step.
+        min_separation : float, optional
+            Of this question alone; by default the detector's.
+
+        Returns
+        -------
+        EarliestContact
+            The motion is free before its `toi_lower`: proven.
+        """
+        lower, upper, found = self._detector.earliest(rows(start, "start"), rows(end, "end"), min_separation)
+        contacts = Contacts(found)
+        return EarliestContact(lower, upper, contacts[0] if len(contacts) else None)
+
+    def is_free(self, start: npt.ArrayLike, end: npt.ArrayLike, *, min_separation: float | None = None) -> bool:
+        """Tell whether the whole step is free of contacts.
+
+        Parameters
+        ----------
+        start, end : array_like, shape (n, 3)
+            Where each vertex is at the start and at the end of the step.
+        min_separation : float, optional
+            Of this question alone; by default the detector's.
+
+        Returns
+        -------
+        bool
+            True is a proof. With the guarantee "conservative", False may be due to a contact that is not certified.
+        """
+        return self._detector.is_free(rows(start, "start"), rows(end, "end"), min_separation)
+
+    def keep_distance(
+        self, start: npt.ArrayLike, end: npt.ArrayLike, fraction: float, *, min_separation: float | None = None
+    ) -> SafeStep:
+        """Find how far the step may go so that every pair keeps a fraction of its distance.
+
+        The step length for the line search of a barrier method. The distance that counts is what exceeds the minimum
+        separation.
+
+        Parameters
+        ----------
+        start, end : array_like, shape (n, 3)
+            Where each vertex is at the start and at the end of the step.
+        min_separation : float, optional
+            Of this question alone; by default the detector's.
+        fraction : float
+            0 <= fraction < 1. 0: only contacts count. The closer to 1, the longer the search.
+
+        Returns
+        -------
+        SafeStep
+            On [0, lower] every pair keeps the fraction: proven.
+
+        Raises
+        ------
+        InvalidOptions
+            The fraction is outside its range.
+        """
+        lower, upper, pair = self._detector.keep_distance(
+            rows(start, "start"), rows(end, "end"), fraction, min_separation
+        )
+        return SafeStep(lower, upper, None if pair is None else LimitingPair(PairKind(pair[0]), *pair[1:]))
+
+    def __repr__(self) -> str:
+        return f"Detector({self._mesh!r}, {self._description})"
+
+    def __reduce__(self) -> Any:
+        raise TypeError("a Detector cannot be pickled: pickle its Mesh, and make a Detector where you need it")
+
+
+def contacts(faces: npt.ArrayLike, start: npt.ArrayLike, end: npt.ArrayLike, **options: Any) -> Contacts:
+    """Find every contact of one step of a triangle mesh. For more than one step keep a `Detector`.
+
+    Parameters
+    ----------
+    faces : array_like of int, shape (f, 3)
+        Vertex indices of each triangle.
+    start, end : array_like, shape (n, 3)
+        Where each vertex is at the start and at the end of the step.
+    **options
+        As of `Detector`.
+
+    Returns
+    -------
+    Contacts
+        By kind, then vertices.
+    """
+    first = rows(start, "start")
+    return Detector(Mesh(faces, vertex_count=len(first)), **options).contacts(first, end)

@@ -1,0 +1,31 @@
+"""What Tamis raises. Every message says what is wrong, where, and what to do."""
+
+from __future__ import annotations
+
+
+class Error(Exception):
+    """Base of all exceptions of Tamis."""
+
+
+class InvalidMesh(Error, ValueError):
+    """A topology that cannot be used: an index out of range, no feature at all."""
+
+
+class InvalidStep(Error, ValueError):
+    """Positions that do not fit the mesh, are no rows of three numbers, or are not finite."""
+
+
+class InvalidOptions(Error, ValueError):
+    """An option outside its documented range, or an unknown name."""
+
+
+class Cancelled(Error):
+    """A question that `is_cancelled` ended. The detector may be asked again."""
+
+
+class Busy(Error):
+    """A second question to a detector that is answering another thread, or its own filter's caller."""
+
+
+class FileError(Error, OSError):
+    """A file that cannot be used: which one, where in it, what is wrong, what to do."""

@@ -1,0 +1,92 @@
+"""The topology of the moving objects."""
+
+from __future__ import annotations
+
+import numpy.typing as npt
+
+from tamis import _core
+from tamis._arrays import Indices, indices
+from tamis._errors import InvalidMesh
+
+
+class Mesh:
+    """Triangles, plus optional loose edges (rods) and loose points: made once, shared by every step.
+
+    Any winding, open, non-manifold, duplicate and degenerate triangles are legal; so are vertices that nothing uses,
+    which take no part in contacts.
+
+    Parameters
+    ----------
+    faces : array_like of int, shape (f, 3)
+        Vertex indices of each triangle; may be empty.
+    vertex_count : int, optional
+        Rows of the positions of every step. By default as many as the largest index needs.
+    edges : array_like of int, shape (e, 2), optional
+        Loose edges: rods.
+    points : array_like of int, shape (p,), optional
+        Loose points: vertices of no face and no edge that still take part in contacts.
+
+    Raises
+    ------
+    InvalidMesh
+        An index outside [0, vertex_count), no feature at all, or an array of another shape or type.
+    """
+
+    __slots__ = ("_edges", "_faces", "_mesh", "_points")
+
+    def __init__(
+        self,
+        faces: npt.ArrayLike,
+        vertex_count: int | None = None,
+        edges: npt.ArrayLike | None = None,
+        points: npt.ArrayLike | None = None,
+    ) -> None:
+        given = (
+            indices(faces, 3, "faces", InvalidMesh),
+            indices(edges, 2, "edges", InvalidMesh),
+            indices(points, 0, "points", InvalidMesh),
+        )
+        if vertex_count is None:
+            vertex_count = 1 + max((int(array.max()) for array in given if array.size), default=-1)
+        if not 0 <= vertex_count < 2**31:
+            raise InvalidMesh(f"vertex_count is {vertex_count}: give a number >= 0 and < 2^31")
+        self._mesh = _core.Mesh(vertex_count, *given)
+        self._faces, self._edges, self._points = self._mesh.faces(), given[1].copy(), given[2].copy()
+        for array in (self._faces, self._edges, self._points):
+            array.flags.writeable = False
+
+    @property
+    def vertex_count(self) -> int:
+        """Rows of the positions of every step."""
+        return self._mesh.vertex_count
+
+    @property
+    def faces(self) -> Indices:
+        """The triangles as given, shape (f, 3); read-only."""
+        return self._faces
+
+    @property
+    def edges(self) -> Indices:
+        """Every edge of a triangle and every loose one, once, shape (e, 2): vertices ascending, sorted."""
+        return self._mesh.edges()
+
+    @property
+    def points(self) -> Indices:
+        """The vertices that take part in contacts, shape (p,), ascending."""
+        return self._mesh.points()
+
+    @property
+    def loose_edges(self) -> Indices:
+        """The loose edges as given, shape (e, 2); read-only."""
+        return self._edges
+
+    @property
+    def loose_points(self) -> Indices:
+        """The loose points as given, shape (p,); read-only."""
+        return self._points
+
+    def __repr__(self) -> str:
+        return f"Mesh({self.vertex_count} vertices, {len(self._faces)} triangles, {len(self.edges)} edges)"
+
+    def __reduce__(self) -> tuple[type[Mesh], tuple[Indices, int, Indices, Indices]]:
+        return Mesh, (self._faces, self.vertex_count, self._edges, self._points)

@@ -1,0 +1,183 @@
+"""Many single pairs at once: for callers who have a broad phase of their own."""
+
+from __future__ import annotations
+
+import numpy as np
+import numpy.typing as npt
+
+from tamis import _core
+from tamis._arrays import Doubles, pairs
+from tamis._errors import InvalidStep
+from tamis._options import Guarantee
+
+_DTYPE: np.dtype[np.void] = np.dtype(_core.pair_layout())
+
+
+class Pairs:
+    """What each pair does during the step, as arrays of length n. Only where `touches` have the others a meaning."""
+
+    __slots__ = ("_table",)
+
+    def __init__(self, table: npt.NDArray[np.void] | npt.NDArray[np.uint8]) -> None:
+        self._table: npt.NDArray[np.void] = table.view(_DTYPE)
+
+    @property
+    def table(self) -> npt.NDArray[np.void]:
+        """One structured array: touches, certainty, toi_lower, toi_upper, u, v, normal."""
+        return self._table
+
+    @property
+    def touches(self) -> npt.NDArray[np.bool_]:
+        """False: proven free."""
+        return self._table["touches"]
+
+    @property
+    def certified(self) -> npt.NDArray[np.bool_]:
+        """True: proven to touch. False: free, or unresolved."""
+        return np.equal(self._table["certainty"], 0) & self.touches
+
+    @property
+    def toi_lower(self) -> Doubles:
+        """Before this fraction of the step the pair is proven apart; 1 if it is free."""
+        return self._table["toi_lower"]
+
+    @property
+    def toi_upper(self) -> Doubles:
+        """By this fraction of the step a certified pair has touched; 1 if it is free."""
+        return self._table["toi_upper"]
+
+    @property
+    def u(self) -> Doubles:
+        """First contact weight, as in `Contact`."""
+        return self._table["u"]
+
+    @property
+    def v(self) -> Doubles:
+        """Second contact weight."""
+        return self._table["v"]
+
+    @property
+    def normal(self) -> Doubles:
+        """Unit normals, shape (n, 3)."""
+        return self._table["normal"]
+
+    def __len__(self) -> int:
+        return len(self._table)
+
+    def __repr__(self) -> str:
+        return f"Pairs({len(self)} pairs, {int(self.touches.sum())} touch)"
+
+    def __reduce__(self) -> tuple[type[Pairs], tuple[npt.NDArray[np.void]]]:
+        return Pairs, (self._table,)
+
+
+def vertex_face(
+    start: npt.ArrayLike, end: npt.ArrayLike, *, guarantee: Guarantee = "exact", min_separation: float = 0.0
+) -> Pairs:
+    """Decide vertices against faces, each pair by itself.
+
+    Parameters
+    ----------
+    start, end : array_like, shape (n, 4, 3)
+        At the start and at the end of the step: the vertex, then the face's corners. One pair may come as (4, 3).
+        Contiguous doubles are read where they are; anything else is copied once.
+    guarantee : str
+        As of `Detector`.
+    min_separation : float
+        d >= 0: contact means Euclidean distance <= d.
+
+    Returns
+    -------
+    Pairs
+        In the order of the input.
+
+    Raises
+    ------
+    InvalidStep
+        A wrong shape or type, or a coordinate that is not finite; the message names the pair.
+    InvalidOptions
+        An option outside its range.
+    """
+    return Pairs(_core.vertex_face(*_both(start, end, 4), guarantee, min_separation))
+
+
+def edge_edge(
+    start: npt.ArrayLike, end: npt.ArrayLike, *, guarantee: Guarantee = "exact", min_separation: float = 0.0
+) -> Pairs:
+    """Decide edges against edges, each pair by itself.
+
+    Parameters
+    ----------
+    start, end : array_like, shape (n, 4, 3)
+        At the start and at the end of the step: points 0 and 1 are one edge, 2 and 3 the other.
+    guarantee, min_separation
+        As of `vertex_face`.
+
+    Returns
+    -------
+    Pairs
+        In the order of the input.
+
+    Raises
+    ------
+    InvalidStep, InvalidOptions
+        As of `vertex_face`.
+    """
+    return Pairs(_core.edge_edge(*_both(start, end, 4), guarantee, min_separation))
+
+
+def vertex_edge(
+    start: npt.ArrayLike, end: npt.ArrayLike, *, guarantee: Guarantee = "exact", min_separation: float = 0.0
+) -> Pairs:
+    """Decide points against segments, each pair by itself.
+
+    Parameters
+    ----------
+    start, end : array_like, shape (n, 3, 3)
+        At the start and at the end of the step: the point, then the segment's ends.
+    guarantee, min_separation
+        As of `vertex_face`.
+
+    Returns
+    -------
+    Pairs
+        In the order of the input; u is the weight on the segment.
+
+    Raises
+    ------
+    InvalidStep, InvalidOptions
+        As of `vertex_face`.
+    """
+    return Pairs(_core.vertex_edge(*_both(start, end, 3), guarantee, min_separation))
+
+
+def vertex_vertex(
+    start: npt.ArrayLike, end: npt.ArrayLike, *, guarantee: Guarantee = "exact", min_separation: float = 0.0
+) -> Pairs:
+    """Decide points against points, each pair by itself.
+
+    Parameters
+    ----------
+    start, end : array_like, shape (n, 2, 3)
+        At the start and at the end of the step.
+    guarantee, min_separation
+        As of `vertex_face`.
+
+    Returns
+    -------
+    Pairs
+        In the order of the input.
+
+    Raises
+    ------
+    InvalidStep, InvalidOptions
+        As of `vertex_face`.
+    """
+    return Pairs(_core.vertex_vertex(*_both(start, end, 2), guarantee, min_separation))
+
+
+def _both(start: npt.ArrayLike, end: npt.ArrayLike, corners: int) -> tuple[Doubles, Doubles]:
+    first, last = pairs(start, corners, "start"), pairs(end, corners, "end")
+    if len(first) != len(last):
+        raise InvalidStep(f"start has {len(first)} pairs, end {len(last)}: give as many")
+    return first, last

@@ -1,0 +1,1 @@
+"""Calls of other packages by their own names, answered by Tamis."""

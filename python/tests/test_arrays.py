@@ -1,0 +1,151 @@
+"""What users hand over: layouts that are read in place, layouts that are copied, and what is refused."""
+
+from __future__ import annotations
+
+import gc
+import weakref
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+import pytest
+
+import tamis
+from tamis._arrays import pairs, rows
+
+
+def strided(points: np.ndarray, width: int = 5) -> np.ndarray:
+    """The rows of `points` in the first columns of a wider array; the others hold NaN: reading one of them shows."""
+    wide = np.full((len(points), width), np.nan)
+    wide[:, :3] = points
+    return wide[:, :3]
+
+
+def read_only(points: np.ndarray) -> np.ndarray:
+    copy = points.copy()
+    copy.flags.writeable = False
+    return copy
+
+
+IN_PLACE: dict[str, Callable[[np.ndarray], np.ndarray]] = {
+    "contiguous": np.ascontiguousarray,
+    "rows with a stride": strided,
+    "every second row": lambda p: np.repeat(p, 2, axis=0)[::2],
+    "read-only": read_only,
+}
+COPIED: dict[str, Any] = {
+    "float32": lambda p: p.astype(np.float32),
+    "integers": lambda p: (4 * p).astype(np.int64),
+    "another byte order": lambda p: p.astype(p.dtype.newbyteorder()),
+    "columns first": np.asfortranarray,
+    "negative stride": lambda p: p[::-1].copy()[::-1],
+    "columns backwards": lambda p: p[:, ::-1].copy()[:, ::-1],
+    "one row for all": lambda p: np.broadcast_to(p[:1], p.shape),
+    "not aligned": lambda p: np.frombuffer(b"x" + p.tobytes(), dtype="V1")[1:].view(np.float64).reshape(p.shape),
+    "a list": lambda p: p.tolist(),
+    "half precision": lambda p: p.astype(np.float16),
+}
+
+
+@pytest.mark.parametrize("name", IN_PLACE)
+def test_read_where_it_lies(falling: tamis.Scene, name: str) -> None:
+    start, end = IN_PLACE[name](falling.start), IN_PLACE[name](falling.end)
+    assert rows(start, "start") is start
+    found = tamis.contacts(falling.mesh.faces, start, end)
+    assert found.vertices.tolist() == [[3, 0, 1, 2]]
+
+
+@pytest.mark.parametrize("name", COPIED)
+def test_copied_once(falling: tamis.Scene, name: str) -> None:
+    start, end = COPIED[name](falling.start), COPIED[name](falling.end)
+    assert rows(start, "start") is not start
+    assert np.array_equal(rows(start, "start"), np.asarray(start, np.float64))
+    expected = tamis.contacts(falling.mesh.faces, np.array(start, float), np.array(end, float))
+    assert tamis.contacts(falling.mesh.faces, start, end) == expected
+
+
+def test_pairs_are_read_where_they_lie() -> None:
+    points = np.zeros((7, 4, 3))
+    assert pairs(points, 4, "start") is points
+    assert pairs(points[::2], 4, "start").flags.c_contiguous
+
+
+def test_arrays_that_die_early(soup: tamis.Scene) -> None:
+    """Inputs are not kept, and answers do not need them."""
+    start, end = soup.start.copy(), soup.end.copy()
+    gone = weakref.ref(start)
+    found = tamis.Detector(tamis.Mesh(soup.mesh.faces.copy())).contacts(start, end)
+    expected = found.table.copy()
+    del start, end
+    gc.collect()
+    assert gone() is None
+    assert np.array_equal(found.table, expected)
+
+
+BAD_STEPS: dict[str, Any] = {
+    "too few rows": np.zeros((5, 3)),
+    "too many rows": np.zeros((7, 3)),
+    "two columns": np.zeros((6, 2)),
+    "one dimension": np.zeros(18),
+    "three dimensions": np.zeros((6, 3, 1)),
+    "objects": np.zeros((6, 3), object),
+    "complex": np.zeros((6, 3), complex),
+    "truth values": np.zeros((6, 3), bool),
+    "text": [["a", "b", "c"]] * 6,
+    "ragged": [[1, 2], [3]],
+    "nothing": None,
+    "dates": np.zeros((6, 3), "datetime64[s]"),
+    "not a number": np.full((6, 3), np.nan),
+    "infinite": np.full((6, 3), np.inf),
+    "one row's memory": np.zeros((0, 3)),
+}
+
+
+@pytest.mark.parametrize("name", BAD_STEPS)
+@pytest.mark.parametrize("which", [0, 1])
+def test_bad_positions_are_refused_by_every_question(falling: tamis.Scene, name: str, which: int) -> None:
+    detector = tamis.Detector(falling.mesh)
+    step = [falling.start, falling.end]
+    step[which] = BAD_STEPS[name]
+    for ask in (detector.contacts, detector.earliest, detector.is_free, lambda s, e: detector.keep_distance(s, e, 0.5)):
+        with pytest.raises(tamis.InvalidStep, match=r": .*\b(give|use)\b"):
+            ask(*step)
+    assert len(detector.contacts(falling.start, falling.end)) == 1
+
+
+BAD_FACES: dict[str, Any] = {
+    "index too large": [[0, 1, 6]],
+    "negative index": [[0, 1, -1]],
+    "beyond 32 bits": [[0, 1, 2**33]],
+    "floats": [[0.0, 1.0, 2.0]],
+    "two columns": [[0, 1]],
+    "objects": np.array([[0, 1, None]]),
+    "text": [["0", "1", "2"]],
+    "ragged": [[0, 1, 2], [3]],
+    "nothing": None,
+    "empty": [],
+}
+
+
+@pytest.mark.parametrize("name", BAD_FACES)
+def test_bad_faces_are_refused(name: str) -> None:
+    with pytest.raises(tamis.InvalidMesh):
+        tamis.Mesh(BAD_FACES[name], vertex_count=6)
+
+
+def test_other_bad_topology() -> None:
+    for bad in ({"edges": [[0, 9]]}, {"edges": [0, 1]}, {"points": [[1]]}, {"points": [-1]}, {"points": ["a"]}):
+        with pytest.raises(tamis.InvalidMesh):
+            tamis.Mesh([[0, 1, 2]], vertex_count=6, **bad)
+    for count in (-1, 2, 2**31):
+        with pytest.raises(tamis.InvalidMesh):
+            tamis.Mesh([[0, 1, 2]], vertex_count=count)
+
+
+def test_the_mesh_cannot_be_changed_from_outside() -> None:
+    faces = np.array([[0, 1, 2]])
+    mesh = tamis.Mesh(faces)
+    faces[0] = 0
+    assert mesh.faces.tolist() == [[0, 1, 2]] and mesh.vertex_count == 3
+    with pytest.raises(ValueError, match="read-only"):
+        mesh.faces[0, 0] = 1

@@ -1,0 +1,82 @@
+"""Scripts written for ipctk, with one import changed. What is expected was taken from ipctk 1.6.1 itself."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+
+import tamis
+import tamis.compat.ipctk as ipctk
+
+
+@pytest.fixture
+def mesh(falling: tamis.Scene) -> ipctk.CollisionMesh:
+    faces = falling.mesh.faces
+    return ipctk.CollisionMesh(falling.start, ipctk.edges(faces), faces)
+
+
+def test_steps(mesh: ipctk.CollisionMesh, falling: tamis.Scene) -> None:
+    assert not ipctk.is_step_collision_free(mesh, falling.start, falling.end)
+    assert ipctk.is_step_collision_free(mesh, falling.start, falling.start, 0.0, ipctk.LBVH(), ipctk.AdditiveCCD())
+    step = ipctk.compute_collision_free_stepsize(mesh, falling.start, falling.end, min_distance=0.0)
+    assert step == pytest.approx(0.49994993209838867, abs=1e-6)
+    additive = ipctk.AdditiveCCD()
+    kept = ipctk.compute_collision_free_stepsize(mesh, falling.start, falling.end, narrow_phase_ccd=additive)
+    assert kept == pytest.approx(0.45, abs=1e-6)
+    assert ipctk.compute_collision_free_stepsize(mesh, falling.start, falling.start) == 1
+    with pytest.raises(tamis.InvalidOptions):
+        wrong = ipctk.AdditiveCCD(conservative_rescaling=0)
+        ipctk.compute_collision_free_stepsize(mesh, falling.start, falling.end, narrow_phase_ccd=wrong)
+
+
+def test_minimum_distance(mesh: ipctk.CollisionMesh, falling: tamis.Scene) -> None:
+    assert not ipctk.is_step_collision_free(mesh, falling.start, falling.start, 1.0)
+    assert ipctk.is_step_collision_free(mesh, falling.start, falling.start, 0.5)
+    step = ipctk.compute_collision_free_stepsize(mesh, falling.start, falling.end, 0.5)
+    assert step == pytest.approx(0.25, abs=1e-4) and step < 0.25
+
+
+def test_candidates_that_are_none(mesh: ipctk.CollisionMesh, falling: tamis.Scene) -> None:
+    candidates = ipctk.Candidates()
+    candidates.build(mesh, falling.start, falling.end, inflation_radius=0.1, broad_phase=ipctk.HashGrid())
+    assert not candidates.is_step_collision_free(mesh, falling.start, falling.end)
+    assert candidates.compute_collision_free_stepsize(mesh, falling.start, falling.end) < 0.5
+
+
+def test_vertices_that_may_not_collide(mesh: ipctk.CollisionMesh, falling: tamis.Scene) -> None:
+    mesh.can_collide = lambda a, b: not {a, b} <= {0, 1, 2, 3}
+    assert ipctk.is_step_collision_free(mesh, falling.start, falling.end)
+    mesh.can_collide = lambda a, b: {a, b} == {3, 1}
+    assert not ipctk.is_step_collision_free(mesh, falling.start, falling.end)
+
+
+def test_single_pairs() -> None:
+    a, b, c = [0, 0, 0], [1, 0, 0], [0, 1, 0]
+    p0, p1 = np.array([0.2, 0.2, 1.0]), np.array([0.2, 0.2, -3.0])
+    for ccd in (ipctk.point_triangle_ccd, ipctk.TightInclusionCCD(1e-6).point_triangle_ccd):
+        touches, toi = ccd(p0, a, b, c, p1, a, b, c)
+        assert touches and toi == pytest.approx(0.25) and toi <= 0.25
+        assert ccd(p0, a, b, c, p1, a, b, c, tmax=0.2) == (False, math.inf)
+        assert ccd(p0, a, b, c, p0, a, b, c) == (False, math.inf)
+        assert ccd(p0, a, b, c, p1, a, b, c, min_distance=0.5)[1] == pytest.approx(0.125)
+    column = p0[:, np.newaxis]  # ipctk takes columns as well
+    assert ipctk.point_triangle_ccd(column, a, b, c, p1, a, b, c)[0]
+
+    narrow = ipctk.AdditiveCCD()
+    c, d, below_c, below_d = [-1, 0, 1], [1, 0, 1], [-1, 0, -1], [1, 0, -1]
+    a, b = [0, -1, 0], [0, 1, 0]
+    for touches, toi in (
+        narrow.edge_edge_ccd(c, d, a, b, below_c, below_d, a, b),
+        narrow.point_edge_ccd([0, 0, 1], a, b, [0, 0, -1], a, b),
+        narrow.point_point_ccd([0, 0, 1], [0, 0, 0], [0, 0, -1], [0, 0, 0]),
+    ):
+        assert touches and toi == pytest.approx(0.5)
+
+
+def test_counts(mesh: ipctk.CollisionMesh) -> None:
+    assert (mesh.num_vertices, mesh.num_edges, mesh.num_faces) == (6, 6, 2)
+    assert ipctk.edges([[0, 1, 2]]).tolist() == [[0, 1], [0, 2], [1, 2]]
+    with pytest.raises(tamis.InvalidMesh):
+        ipctk.CollisionMesh(np.zeros((3, 2)), None, [[0, 1, 2]])

@@ -1,0 +1,30 @@
+"""Every Python block of the documents runs, page by page from top to bottom, and prints what the page says."""
+
+from __future__ import annotations
+
+import contextlib
+import io
+import pathlib
+import re
+
+import pytest
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+PAGES = ["README.md", "docs/python.md", "docs/python-tour.md", "docs/coming-from-ipctk.md"]
+BLOCK = re.compile(r"^```python\n(.*?)^```$(?:\s*^(?:prints\n\n)?```text\n(.*?)^```$)?", re.DOTALL | re.MULTILINE)
+
+
+@pytest.mark.parametrize("page", PAGES)
+def test_page(page: str) -> None:
+    blocks = BLOCK.findall((ROOT / page).read_text())
+    assert blocks
+    names: dict[str, object] = {"__name__": "__page__"}
+    compared = 0
+    for code, output in blocks:
+        printed = io.StringIO()
+        with contextlib.redirect_stdout(printed):
+            exec(compile(code, page, "exec"), names)
+        if output:
+            assert printed.getvalue() == output
+            compared += 1
+    assert compared

@@ -1,0 +1,31 @@
+"""The examples run as a user runs them, and draw something."""
+
+from __future__ import annotations
+
+import pathlib
+import subprocess
+import sys
+
+import matplotlib.image
+import pytest
+
+EXAMPLES = pathlib.Path(__file__).resolve().parents[1] / "examples"
+ARGUMENTS: dict[str, list[str]] = {
+    "contacts_by_time": [],
+    "cloth": ["--frames", "4", "--vertices", "13"],
+    "sequence": [],
+}
+
+
+def test_each_example_has_its_test() -> None:
+    assert {path.stem for path in EXAMPLES.glob("*.py")} == set(ARGUMENTS)
+
+
+@pytest.mark.parametrize("name", ARGUMENTS)
+def test_example(name: str, tmp_path: pathlib.Path) -> None:
+    picture = tmp_path / "picture.png"
+    command = [sys.executable, str(EXAMPLES / f"{name}.py"), *ARGUMENTS[name], "--out", str(picture)]
+    printed = subprocess.run(command, check=True, capture_output=True, text=True).stdout
+    assert printed
+    pixels = matplotlib.image.imread(picture)
+    assert pixels.shape[0] > 300 and pixels.std() > 0.01

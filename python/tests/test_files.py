@@ -1,0 +1,69 @@
+"""Files and scenes of the command."""
+
+from __future__ import annotations
+
+import pathlib
+
+import numpy as np
+import pytest
+
+import tamis
+
+
+def test_a_mesh_written_and_read(falling: tamis.Scene, tmp_path: pathlib.Path) -> None:
+    tamis.write_mesh(tmp_path / "a.ply", falling.start / 3, falling.mesh.faces, edges=[[0, 3]])
+    read = tamis.read_mesh(tmp_path / "a.ply")
+    assert np.array_equal(read.positions, falling.start / 3)
+    assert np.array_equal(read.mesh.faces, falling.mesh.faces) and read.mesh.loose_edges.tolist() == [[0, 3]]
+    assert read.notes == ()
+
+
+def test_notes_say_what_was_cut(tmp_path: pathlib.Path) -> None:
+    (tmp_path / "quad.obj").write_text("v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n")
+    read = tamis.read_mesh(str(tmp_path / "quad.obj"))
+    assert len(read.mesh.faces) == 2 and len(read.notes) == 1
+
+
+def test_frames_in_natural_order(falling: tamis.Scene, tmp_path: pathlib.Path) -> None:
+    for i in (10, 2, 1):
+        tamis.write_mesh(tmp_path / f"f{i}.ply", falling.start + i, falling.mesh.faces)
+    frames = list(tamis.read_frames(tmp_path))
+    assert [frame.positions[0, 0] for frame in frames] == [1, 2, 10]
+    assert all(frame.mesh is frames[0].mesh for frame in frames)
+    assert len(list(tamis.read_frames(tmp_path / "f1.ply", tmp_path / "f2.ply"))) == 2
+
+
+def test_frames_of_two_meshes(falling: tamis.Scene, tmp_path: pathlib.Path) -> None:
+    tamis.write_mesh(tmp_path / "a1.ply", falling.start, falling.mesh.faces)
+    tamis.write_mesh(tmp_path / "a2.ply", falling.start, falling.mesh.faces[:, ::-1])
+    with pytest.raises(tamis.FileError, match=r"a2\.ply"):
+        list(tamis.read_frames(tmp_path))
+
+
+def test_files_that_cannot_be_used(falling: tamis.Scene, tmp_path: pathlib.Path) -> None:
+    (tmp_path / "bad.ply").write_text("ply\nformat ascii 1.0\nelement vertex 9\n")
+    for name in ("bad.ply", "nowhere.ply"):
+        with pytest.raises(tamis.FileError, match=name):
+            tamis.read_mesh(tmp_path / name)
+    with pytest.raises(tamis.FileError, match="nowhere"):
+        list(tamis.read_frames(tmp_path / "nowhere"))
+    with pytest.raises(tamis.FileError):
+        tamis.write_mesh(tmp_path / "nowhere" / "a.ply", falling.start, falling.mesh.faces)
+    with pytest.raises(tamis.InvalidMesh):
+        tamis.write_mesh(tmp_path / "a.ply", falling.start, [[0, 1, 6]])
+    assert not (tmp_path / "a.ply").exists()
+
+
+@pytest.mark.parametrize("name", tamis.scene_names())
+def test_every_scene(name: str) -> None:
+    made = tamis.scene(name, 60, seed=2)
+    assert made.start.shape == made.end.shape == (made.mesh.vertex_count, 3)
+    assert made.groups.shape == (made.mesh.vertex_count,)
+    again = tamis.scene(name, 60, seed=2)
+    assert np.array_equal(made.end, again.end)
+
+
+def test_scenes_that_are_not_there() -> None:
+    for arguments in (("moon", 10), ("soup", 0)):
+        with pytest.raises(tamis.InvalidOptions):
+            tamis.scene(*arguments)

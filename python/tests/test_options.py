@@ -1,0 +1,175 @@
+"""Every option reaches the library, and every bad one is refused with a sentence."""
+
+from __future__ import annotations
+
+import gc
+import weakref
+from typing import Any
+
+import numpy as np
+import pytest
+
+import tamis
+
+
+def count(scene: tamis.Scene, **options: Any) -> int:
+    return len(tamis.Detector(scene.mesh, **options).contacts(scene.start, scene.end))
+
+
+@pytest.mark.parametrize("method", tamis.method_choices())
+def test_every_method_by_name(falling: tamis.Scene, method: str) -> None:
+    assert count(falling, method=method, guarantee="conservative", isa="baseline", threads=1) == 1
+
+
+def test_groups_leave_out_pairs(falling: tamis.Scene) -> None:
+    other = ~np.eye(2, dtype=bool)
+    assert count(falling, groups=falling.groups, may_touch=other) == 1
+    assert count(falling, groups=falling.groups, may_touch=~other) == 0
+    assert count(falling, groups=falling.groups) == 1
+    assert count(falling, groups=falling.groups * 0, may_touch=other) == 0
+
+
+def test_thickness_and_a_separation_of_one_question(falling: tamis.Scene) -> None:
+    detector = tamis.Detector(falling.mesh, groups=falling.groups, thickness=[0.1, 0.2])
+    assert detector.earliest(falling.start, falling.end).toi_lower == pytest.approx(0.35)
+    assert detector.earliest(falling.start, falling.end, min_separation=0.2).toi_lower == pytest.approx(0.25)
+    assert detector.is_free(falling.start, falling.start, min_separation=0.6)
+    assert not detector.is_free(falling.start, falling.start, min_separation=0.8)
+    assert len(detector.contacts(falling.start, falling.start, min_separation=0.8)) > 0
+    plain = tamis.Detector(falling.mesh)
+    safe = plain.keep_distance(falling.start, falling.end, 0.5, min_separation=0.5)
+    assert safe.lower == pytest.approx(0.125, abs=1e-6)
+    for bad in (-1.0, float("nan"), float("inf")):
+        with pytest.raises(tamis.InvalidOptions):
+            plain.is_free(falling.start, falling.end, min_separation=bad)
+
+
+def test_a_filter_is_asked_about_each_pair(falling: tamis.Scene) -> None:
+    asked = []
+
+    def accepts(kind: tamis.PairKind, vertices: tuple[int, int, int, int]) -> bool:
+        asked.append((kind, vertices))
+        return False
+
+    assert count(falling, filter=accepts) == 0
+    assert (tamis.PairKind.VERTEX_FACE, (3, 0, 1, 2)) in asked
+    assert count(falling, filter=lambda kind, vertices: True) == 1
+
+
+def test_a_filter_that_raises(soup: tamis.Scene) -> None:
+    """The exception arrives as it was, from whatever thread, and the detector can be asked again."""
+    calls = 0
+
+    def accepts(kind: tamis.PairKind, vertices: tuple[int, int, int, int]) -> bool:
+        nonlocal calls
+        calls += 1
+        if broken and calls > 50:
+            raise KeyError("not this one")
+        return True
+
+    expected = tamis.Detector(soup.mesh).contacts(soup.start, soup.end)
+    detector = tamis.Detector(soup.mesh, filter=accepts, threads=2)
+    for _ in range(5):
+        broken, calls = True, 0
+        with pytest.raises(KeyError, match="not this one"):
+            detector.contacts(soup.start, soup.end)
+        broken = False
+        assert detector.contacts(soup.start, soup.end) == expected
+
+
+def test_a_filter_that_answers_nonsense(falling: tamis.Scene) -> None:
+    class Neither:
+        def __bool__(self) -> bool:
+            raise ValueError("neither")
+
+    with pytest.raises(ValueError, match="neither"):
+        count(falling, filter=lambda kind, vertices: Neither())
+
+
+def test_a_filter_that_asks_its_own_detector(falling: tamis.Scene) -> None:
+    """It would wait for itself for ever."""
+
+    def accepts(kind: tamis.PairKind, vertices: tuple[int, int, int, int]) -> bool:
+        return bool(detector.contacts(falling.start, falling.end))
+
+    detector = tamis.Detector(falling.mesh, filter=accepts)
+    with pytest.raises(tamis.Busy, match="another question"):
+        detector.contacts(falling.start, falling.end)
+
+
+def test_a_filter_that_refers_to_its_detector_is_collected(falling: tamis.Scene) -> None:
+    """Would catch a cycle through the compiled part that Python cannot see."""
+
+    class Simulator:
+        def __init__(self) -> None:
+            self.detector = tamis.Detector(falling.mesh, filter=self.accepts)
+
+        def accepts(self, kind: tamis.PairKind, vertices: tuple[int, int, int, int]) -> bool:
+            return True
+
+    gone = weakref.ref(Simulator().detector._detector)
+    gc.collect()
+    assert gone() is None
+
+
+def test_the_laboratory_of_the_paper(falling: tamis.Scene) -> None:
+    basis = np.zeros((18, 2))
+    basis[:, 0] = (falling.end - falling.start).ravel()
+    model = tamis.ReducedModel(falling.start, basis)
+    for volume in ("sphere", "aabb", "obb", "16-dop", "18-dop", "26-dop"):
+        assert count(falling, method="paper", paper=tamis.PaperOptions(bounding_volume=volume)) == 1
+    for options in (
+        tamis.PaperOptions(filters=tamis.filter_names()),
+        tamis.PaperOptions(filters=[], orphan_sets=False, representative_triangles=False),
+        tamis.PaperOptions(high_level="normal-cones"),
+        tamis.PaperOptions(high_level="subspace", reduced_model=model),
+    ):
+        assert count(falling, method="paper", paper=options) == 1
+
+
+BAD: dict[str, dict[str, Any]] = {
+    "method": {"method": "magic"},
+    "guarantee": {"guarantee": "perhaps"},
+    "isa": {"isa": "sse9"},
+    "negative threads": {"threads": -1},
+    "too many threads": {"threads": 2**40},
+    "negative separation": {"min_separation": -1.0},
+    "separation that is no number": {"min_separation": float("nan")},
+    "groups of another size": {"groups": [0, 1]},
+    "negative groups": {"groups": [-1] * 6},
+    "groups that are no integers": {"groups": [0.5] * 6},
+    "a lopsided matrix": {"groups": [0, 0, 0, 1, 1, 1], "may_touch": [[True, False], [True, True]]},
+    "a matrix that is not square": {"groups": [0, 0, 0, 1, 1, 1], "may_touch": [[True, False]]},
+    "a matrix that is too small": {"groups": [0, 0, 0, 2, 2, 2], "may_touch": np.ones((2, 2), bool)},
+    "negative thickness": {"groups": [0, 0, 0, 1, 1, 1], "thickness": [-1.0, 0.0]},
+    "thickness of too few groups": {"groups": [0, 0, 0, 1, 1, 1], "thickness": [0.1]},
+    "thickness in two dimensions": {"thickness": [[0.1]]},
+    "a bounding volume": {"paper": tamis.PaperOptions(bounding_volume="egg")},
+    "a filter": {"method": "paper", "paper": tamis.PaperOptions(filters=["coffee"])},
+    "high-level culling": {"paper": tamis.PaperOptions(high_level="higher")},
+    "subspace without a model": {"method": "paper", "paper": tamis.PaperOptions(high_level="subspace")},
+    "a model of another size": {
+        "method": "paper",
+        "paper": tamis.PaperOptions(
+            high_level="subspace", reduced_model=tamis.ReducedModel(np.zeros((2, 3)), np.zeros((6, 1)))
+        ),
+    },
+}
+
+
+@pytest.mark.parametrize("name", BAD)
+def test_bad_options_are_refused(falling: tamis.Scene, name: str) -> None:
+    with pytest.raises(tamis.InvalidOptions, match=":"):
+        count(falling, **BAD[name])
+
+
+def test_bad_fractions(detector: tamis.Detector, falling: tamis.Scene) -> None:
+    for fraction in (-0.1, 1.0, float("nan")):
+        with pytest.raises(tamis.InvalidOptions):
+            detector.keep_distance(falling.start, falling.end, fraction)
+
+
+def test_errors_are_of_one_family() -> None:
+    for name in ("InvalidMesh", "InvalidStep", "InvalidOptions", "FileError", "Busy", "Cancelled"):
+        assert issubclass(getattr(tamis, name), tamis.Error)
+    assert issubclass(tamis.InvalidStep, ValueError) and issubclass(tamis.FileError, OSError)

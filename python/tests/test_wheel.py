@@ -1,0 +1,46 @@
+"""The wheel needs nothing of the system, and says under which licences its libraries stand."""
+
+from __future__ import annotations
+
+import importlib.metadata
+import pathlib
+import re
+
+import pytest
+
+import tamis
+
+
+def test_libraries_come_from_the_wheel(detector: tamis.Detector) -> None:
+    """Would catch a wheel that works only where oneTBB and GMP are installed."""
+    package = pathlib.Path(tamis.__file__).resolve().parent
+    if not package.with_name("tamis.libs").is_dir():
+        pytest.skip("tamis was not installed from a repaired wheel")
+    loaded = set(re.findall(r"/\S+\.so[\w.-]*", pathlib.Path("/proc/self/maps").read_text()))
+    for library in ("libtbb", "libgmp"):
+        ours = [path for path in loaded if pathlib.Path(path).name.startswith(library)]
+        assert ours and all(pathlib.Path(path).parent == package.with_name("tamis.libs") for path in ours)
+
+
+def test_licences_are_inside() -> None:
+    files = [str(file) for file in importlib.metadata.files("tamis") or []]
+    licences = {pathlib.Path(name).name for name in files if "/licenses/" in name}
+    assert "LICENSE" in licences
+    if any("tamis.libs/" in name for name in files):
+        for wanted in ("libtbb", "libgmp", "LGPL-3", "Apache-2.0"):
+            assert any(name.startswith(wanted) for name in licences), f"no licence of {wanted} in {licences}"
+
+
+def test_metadata() -> None:
+    assert importlib.metadata.version("tamis") == tamis.__version__
+    assert list(importlib.metadata.requires("tamis") or []) == ["numpy>=1.21"]
+    assert pathlib.Path(tamis.__file__).with_name("py.typed").exists()
+
+
+def test_everything_public_has_a_docstring() -> None:
+    for name in tamis.__all__:
+        thing = getattr(tamis, name)
+        assert thing.__doc__ and len(thing.__doc__) > 20, name
+        for attribute, value in vars(thing).items() if isinstance(thing, type) else ():
+            if not attribute.startswith("_") and (callable(value) or isinstance(value, property)):
+                assert value.__doc__, f"{name}.{attribute}"

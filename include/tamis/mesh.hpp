@@ -29,7 +29,8 @@ struct IndexRows {
 class Mesh {
  public:
   /// `vertex_count`: number of rows of the positions of every step, >= 0.
-  /// Throws InvalidMesh if an index lies outside [0, vertex_count), or if there is no feature at all.
+  /// Throws InvalidMesh if an index lies outside [0, vertex_count), if there is no feature at all, or if three times
+  /// the faces plus the loose edges are more than 2^31 - 1.
   Mesh(Index vertex_count, std::vector<Face> faces, const std::vector<Edge>& loose_edges = {},
        std::vector<Index> loose_points = {});
 

@@ -43,6 +43,8 @@ std::string_view name_of(Method);
 std::string_view name_of(Guarantee);
 std::string_view name_of(Isa);
 std::string_view name_of(BoundingVolume);
+/// What name_of says of a number that is none of the enumeration's.
+inline constexpr std::string_view kUnnamed = "unknown";
 
 /// Which pairs of objects may touch. Vertices carry a group; a feature belongs to the group of its first vertex. Sizes
 /// that do not fit the mesh, or each other, make the detector throw InvalidOptions.
@@ -93,7 +95,8 @@ std::vector<std::string_view> filter_names();
 struct Options {
   Method method = Method::tamis;
   Guarantee guarantee = Guarantee::conservative;
-  /// Threads to use, >= 0; 0: as many as the caller's oneTBB arena gives. The answer does not depend on it.
+  /// Threads to use, >= 0, but no more than oneTBB allows the process (its global_control, by default one a core); 0:
+  /// as many as the caller's oneTBB arena gives. The answer does not depend on it; Statistics say how many there were.
   int threads = 0;
   /// d >= 0, in the unit of the positions: contact means Euclidean distance <= d at some time.
   double min_separation = 0;

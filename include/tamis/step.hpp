@@ -3,6 +3,7 @@
 #include <array>
 #include <concepts>
 #include <cstddef>
+#include <limits>
 #include <span>
 
 #include "tamis/mesh.hpp"
@@ -29,13 +30,14 @@ class Positions {
   /// `stride`: distance in doubles from one vertex to the next, >= 3.
   Positions(const double* data, Index count, std::ptrdiff_t stride = 3) : data_(data), count_(count), stride_(stride) {}
   Positions(std::span<const Point> points)
-      : Positions(points.empty() ? nullptr : points.front().data(), static_cast<Index>(points.size())) {}
+      : Positions(points.empty() ? nullptr : points.front().data(), index_count(points.size())) {}
   Positions(const std::vector<Point>& points) : Positions(std::span<const Point>(points)) {}
   /// Other than three columns next to each other: no data, which every question refuses.
   template <RowMajorMatrix M>
   Positions(const M& matrix)
       : Positions(matrix.cols() == 3 && matrix.innerStride() == 1 ? matrix.data() : nullptr,
-                  static_cast<Index>(matrix.rows()), static_cast<std::ptrdiff_t>(matrix.outerStride())) {}
+                  index_count(static_cast<std::size_t>(matrix.rows())),
+                  static_cast<std::ptrdiff_t>(matrix.outerStride())) {}
 
   const double* operator[](Index vertex) const { return data_ + vertex * stride_; }
   const double* data() const { return data_; }
@@ -43,6 +45,11 @@ class Positions {
   std::ptrdiff_t stride() const { return stride_; }
 
  private:
+  /// -1, which no mesh has and every question refuses, for more than an Index counts.
+  static constexpr Index index_count(std::size_t count) {
+    return count <= static_cast<std::size_t>(std::numeric_limits<Index>::max()) ? static_cast<Index>(count) : -1;
+  }
+
   const double* data_ = nullptr;
   Index count_ = 0;
   std::ptrdiff_t stride_ = 3;

@@ -37,7 +37,7 @@ class BlockTree {
   /// New boxes in the old order.
   void refit(const PackedMotion& motion);
 
-  Index feature_count() const { return static_cast<Index>(vertices_.size()) / corners_; }
+  Index feature_count() const { return static_cast<Index>(vertices_.size() / static_cast<std::size_t>(corners_)); }
   TreeView view() const;
   /// Sum over the leaf blocks of the half area of their swept hulls: what a traversal's cost grows with.
   double swept_area() const;

@@ -3,6 +3,7 @@
 #include <tbb/global_control.h>
 #include <tbb/task_arena.h>
 
+#include <algorithm>
 #include <chrono>
 
 #include "detect/contact_order.hpp"
@@ -40,6 +41,11 @@ std::vector<double> radii_of(const Options& options, const Mesh& mesh) {
   return radii;
 }
 
+/// More are none: oneTBB warns on stderr when it is asked for them, and has no memory for a million.
+int most_threads() {
+  return static_cast<int>(tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
+}
+
 }  // namespace
 
 struct Detector::State {
@@ -47,7 +53,7 @@ struct Detector::State {
     validate(options, mesh);
     radii = radii_of(options, mesh);
     engine = make_engine(mesh, options);
-    if (options.threads > 0) arena.initialize(options.threads);
+    if (options.threads > 0) arena.initialize(std::min(options.threads, most_threads()));
   }
 
   Separations separations(std::optional<double> min_separation) const {

@@ -41,7 +41,7 @@ template <class E, std::size_t n>
 std::string_view name(const Names<E, n>& names, E value) {
   for (const auto& [key, text] : names)
     if (key == value) return text;
-  return "unknown";
+  return kUnnamed;
 }
 
 }  // namespace

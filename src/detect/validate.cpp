@@ -14,6 +14,14 @@ void check(bool ok, const std::string& message) {
   if (!ok) throw InvalidOptions(message);
 }
 
+/// A number cast to an enumeration has no name.
+template <class Enum>
+void check_is_named(Enum value, const char* what) {
+  check(name_of(value) != kUnnamed, "no " + std::string(what) + " has the number " +
+                                        std::to_string(static_cast<int>(value)) +
+                                        ": use one of the enumeration's names");
+}
+
 void validate(const PairFilter& filter, const Mesh& mesh) {
   const auto n = static_cast<std::size_t>(filter.group_count);
   check(filter.group_count > 0, "group_count is " + std::to_string(filter.group_count) + ": give at least one group");
@@ -53,6 +61,9 @@ void validate(const ReducedModel& model, const Mesh& mesh) {
 }
 
 void validate(const Positions& positions, const Mesh& mesh, const char* when) {
+  if (positions.count() < 0)
+    throw InvalidStep("the " + std::string(when) +
+                      " of the step has more than 2^31 - 1 positions: give one row a vertex");
   if (positions.count() != mesh.vertex_count())
     throw InvalidStep("the " + std::string(when) + " of the step has " + std::to_string(positions.count()) +
                       " positions, the mesh " + std::to_string(mesh.vertex_count()) +
@@ -72,6 +83,13 @@ void validate(const Positions& positions, const Mesh& mesh, const char* when) {
 }  // namespace
 
 void validate(const Options& options, const Mesh& mesh) {
+  check_is_named(options.method, "method");
+  check_is_named(options.guarantee, "guarantee");
+  check_is_named(options.isa, "instruction set");
+  check_is_named(options.paper.bounding_volume, "bounding volume");
+  check(options.paper.high_level <= HighLevelCulling::subspace,
+        "no high-level culling has the number " + std::to_string(static_cast<int>(options.paper.high_level)) +
+            ": use one of the enumeration's names");
   check(options.threads >= 0, "threads is " + std::to_string(options.threads) + ": give 0 (all) or a positive number");
   validate_distance(options.min_separation, "min_separation");
   validate(options.filter, mesh);

@@ -27,6 +27,9 @@ PairResult decide_pair(PairKind kind, const std::array<Point, count>& start, con
   if (!(options.min_separation >= 0) || std::isinf(options.min_separation))
     throw InvalidOptions("the minimum separation is " + std::to_string(options.min_separation) +
                          ": give a finite distance >= 0");
+  if (options.guarantee != Guarantee::conservative && options.guarantee != Guarantee::exact)
+    throw InvalidOptions("no guarantee has the number " + std::to_string(static_cast<int>(options.guarantee)) +
+                         ": use conservative or exact");
   PairPoints points{};
   std::copy(start.begin(), start.end(), points.start.begin());
   std::copy(end.begin(), end.end(), points.end.begin());

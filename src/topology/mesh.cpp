@@ -4,6 +4,7 @@
 #include <string>
 
 #include "tamis/error.hpp"
+#include "topology/countable.hpp"
 
 namespace tamis {
 namespace {
@@ -73,6 +74,7 @@ IndexRows faces_by_vertex(Index vertex_count, const std::vector<Face>& faces) {
 Mesh::Mesh(Index vertex_count, std::vector<Face> faces, const std::vector<Edge>& loose_edges,
            std::vector<Index> loose_points)
     : vertex_count_(vertex_count), faces_(std::move(faces)) {
+  require_countable(faces_.size(), loose_edges.size());
   check_indices(faces_, vertex_count, "face");
   check_indices(loose_edges, vertex_count, "loose edge");
   for (std::size_t i = 0; i < loose_points.size(); ++i) check_index(loose_points[i], vertex_count, "loose point", i);

@@ -1,8 +1,10 @@
 // What cannot be answered is refused with an exception of a documented type, in a sentence that names the culprit.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 #include <string>
+#include <thread>
 
 #include "support/contact_sets.hpp"
 #include "support/test_names.hpp"
@@ -47,6 +49,13 @@ TEST_P(BadInput, PositionsThatDoNotFitTheMesh) {
   EXPECT_THROW(detector.is_free(step), InvalidStep);
 }
 
+// 2^32 positions too many were as many as there should be once the count was cut to 32 bits.
+TEST_P(BadInput, MorePositionsThanAnIndexCounts) {
+  Detector detector(scene.mesh(), options);
+  const std::span<const Point> too_many(scene.start.data(), scene.start.size() + (std::size_t{1} << 32));
+  EXPECT_NE(message_of<InvalidStep>([&] { detector.contacts({too_many, too_many}); }).find("2^31"), std::string::npos);
+}
+
 TEST_P(BadInput, CoordinatesThatAreNotFiniteAreNamedByVertex) {
   for (const double bad : {kNan, kInfinity, -kInfinity})
     for (auto* points : {&scene.start, &scene.end}) {
@@ -77,6 +86,21 @@ TEST_P(BadInput, OptionsOutsideTheirRange) {
     refuses(bad);
   }
   bad = options;
+  bad.guarantee = static_cast<Guarantee>(17);
+  EXPECT_NE(message_of<InvalidOptions>([&] { Detector(scene.mesh(), bad); }).find("17"), std::string::npos);
+  bad = options;
+  bad.isa = static_cast<Isa>(99);
+  refuses(bad);
+  bad = options;
+  bad.paper.bounding_volume = static_cast<BoundingVolume>(77);
+  refuses(bad);
+  bad = options;
+  bad.paper.high_level = static_cast<HighLevelCulling>(5);
+  refuses(bad);
+  bad = options;
+  bad.method = static_cast<Method>(3);
+  refuses(bad);
+  bad = options;
   bad.filter.groups_may_touch = {1, 1};
   refuses(bad);
   bad.filter.groups_may_touch = {1};
@@ -84,6 +108,20 @@ TEST_P(BadInput, OptionsOutsideTheirRange) {
   refuses(bad);
   bad.filter.group_of_vertex.assign(scene.start.size(), 1);
   refuses(bad);
+}
+
+// oneTBB crashes when it is asked for a million threads, warns on stderr for a thousand, and gives neither.
+TEST_P(BadInput, NoNumberOfThreadsIsTooLarge) {
+  const PairSet expected = find_names(scene, options);
+  testing::internal::CaptureStderr();
+  for (const int threads : {1000, 1000000, std::numeric_limits<int>::max()}) {
+    options.threads = threads;
+    Detector detector(scene.mesh(), options);
+    EXPECT_EQ(names_of(detector.contacts(scene.step())), expected);
+    EXPECT_GE(detector.statistics().threads, 1);
+    EXPECT_LE(detector.statistics().threads, static_cast<int>(std::max(1U, std::thread::hardware_concurrency())));
+  }
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
 }
 
 INSTANTIATE_TEST_SUITE_P(Methods, BadInput, testing::ValuesIn(kMethods),
@@ -113,6 +151,7 @@ TEST(BadPair, EachCoordinateOfEachPoint) {
 
 TEST(BadPair, SeparationOutOfRange) {
   const std::array<Point, 4> points{};
+  EXPECT_THROW(vertex_face(points, points, {static_cast<Guarantee>(17), 0}), InvalidOptions);
   for (const double separation : {-1.0, kNan, kInfinity}) {
     EXPECT_THROW(vertex_face(points, points, {Guarantee::conservative, separation}), InvalidOptions);
     EXPECT_THROW(edge_edge(points, points, {Guarantee::exact, separation}), InvalidOptions);

@@ -9,6 +9,7 @@
 
 #include "support/test_names.hpp"
 #include "tamis/error.hpp"
+#include "topology/countable.hpp"
 
 namespace tamis::test {
 namespace {
@@ -101,6 +102,16 @@ TEST(Mesh, RefusesIndicesOutOfRangeAndNoFeatureAtAll) {
   EXPECT_THROW(Mesh(3, {{0, 1, 2}}, {{0, 3}}), InvalidMesh);
   EXPECT_THROW(Mesh(3, {{0, 1, 2}}, {}, {3}), InvalidMesh);
   EXPECT_THROW(Mesh(3, {}), InvalidMesh);
+}
+
+// Numbers of edges and offsets of rows were cut to 32 bits without a word.
+TEST(MeshSize, ThatNoIndexCountsIsRefused) {
+  const std::size_t most = 2147483647;
+  EXPECT_NO_THROW(require_countable(most / 3, 0));
+  EXPECT_THROW(require_countable(most / 3 + 1, 0), InvalidMesh);
+  EXPECT_NO_THROW(require_countable(0, most));
+  EXPECT_THROW(require_countable(1, most - 2), InvalidMesh);
+  EXPECT_THROW(require_countable(0, most + 1), InvalidMesh);
 }
 
 }  // namespace

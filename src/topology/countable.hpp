@@ -1,0 +1,21 @@
+// How large a mesh may be.
+#pragma once
+#include <limits>
+#include <string>
+
+#include "tamis/error.hpp"
+#include "tamis/mesh.hpp"
+
+namespace tamis {
+
+/// Edges, and the rows of faces by vertex and by edge, are numbered by Index: three sides a face and the loose edges
+/// must have a number each. Throws InvalidMesh if they have not.
+inline void require_countable(std::size_t faces, std::size_t loose_edges) {
+  constexpr auto kMost = static_cast<std::size_t>(std::numeric_limits<Index>::max());
+  if (loose_edges <= kMost && faces <= (kMost - loose_edges) / 3) return;
+  throw InvalidMesh("the mesh has " + std::to_string(faces) + " faces and " + std::to_string(loose_edges) +
+                    " loose edges: three sides a face and the loose edges together may be " + std::to_string(kMost) +
+                    " at most; split the mesh");
+}
+
+}  // namespace tamis

@@ -13,7 +13,18 @@ PairResult ask(const io::Query& query, const PairOptions& options) {
                                              : edge_edge(query.start, query.end, options);
 }
 
-double nanoseconds_of(const io::Query& query, const PairOptions& options, PairResult& result) {
+PairResult ask(const io::RigidQuery& query, const PairOptions& options) {
+  constexpr std::array<Index, 4> kVertices{0, 1, 2, 3};
+  const PathOptions on_path{options.min_separation};
+  return query.kind == PairKind::vertex_face ? vertex_face(query.path(), kVertices, on_path)
+                                             : edge_edge(query.path(), kVertices, on_path);
+}
+
+PairResult ask(const io::SingleQuery& query, const PairOptions& options) {
+  return std::visit([&](const auto& q) { return ask(q, options); }, query);
+}
+
+double nanoseconds_of(const io::SingleQuery& query, const PairOptions& options, PairResult& result) {
   const auto start = std::chrono::steady_clock::now();
   result = ask(query, options);
   return std::chrono::duration<double, std::nano>(std::chrono::steady_clock::now() - start).count();
@@ -25,16 +36,17 @@ double at_rank(const std::vector<double>& sorted, double fraction) {
 
 }  // namespace
 
-void QueryScore::add(const io::Query& query, const PairResult& result) {
+void QueryScore::add(const io::SingleQuery& query, const PairResult& result) {
+  const std::optional<bool> touches = std::visit([](const auto& q) { return q.touches; }, query);
   const bool is_unresolved = result.touches && result.certainty == Certainty::unresolved;
   ++queries;
   contacts += result.touches;
   unresolved += is_unresolved;
-  if (!query.touches) return;
+  if (!touches) return;
   ++labelled;
-  false_positives += result.touches && !*query.touches;
-  false_positives_certified += result.touches && !*query.touches && !is_unresolved;
-  false_negatives += !result.touches && *query.touches;
+  false_positives += result.touches && !*touches;
+  false_positives_certified += result.touches && !*touches && !is_unresolved;
+  false_negatives += !result.touches && *touches;
 }
 
 void QueryScore::add(const QueryScore& other) {
@@ -56,10 +68,14 @@ Percentiles percentiles_of(std::vector<double> values) {
           at_rank(values, kHalf), at_rank(values, kNearlyAll), values.back()};
 }
 
-QueryScore answer(const std::vector<io::Query>& queries, const PairOptions& options, int repeat) {
+QueryScore answer(const std::vector<io::SingleQuery>& queries, const PairOptions& options, int repeat,
+                  std::vector<PairResult>& results) {
   QueryScore score;
   PairResult result;
-  for (const io::Query& query : queries) score.add(query, ask(query, options));
+  for (const io::SingleQuery& query : queries) {
+    results.push_back(ask(query, options));
+    score.add(query, results.back());
+  }
   std::vector<std::vector<double>> times(queries.size());
   for (int pass = 0; pass < repeat; ++pass)
     for (std::size_t i = 0; i < queries.size(); ++i) times[i].push_back(nanoseconds_of(queries[i], options, result));

@@ -1,4 +1,4 @@
-// tamis queries: single vertex-face and edge-edge queries with known exact answers.
+// tamis queries: single vertex-face and edge-edge queries with known exact answers, straight or of rigid bodies.
 #include <fmt/format.h>
 
 #include <cstdio>
@@ -6,11 +6,12 @@
 #include <memory>
 
 #include "cli/arguments.hpp"
+#include "cli/output_file.hpp"
 #include "cli/printable.hpp"
 #include "cli/query_score.hpp"
 #include "cli/verb.hpp"
-#include "io/file_bytes.hpp"
 #include "io/queries.hpp"
+#include "io/query_results_csv.hpp"
 
 namespace tamis::cli {
 namespace {
@@ -22,26 +23,28 @@ class Queries final : public Verb {
   const char* examples() const override {
     return "  tamis queries data/queries\n"
            "  tamis queries data/queries/erleben-* --guarantee exact --repeat 9\n"
-           "  tamis queries mine/edge-edge/q.csv --json\n\n"
-           "A file has eight rows a query and the columns numerator, denominator of x, of y, of z, and\n"
-           "optionally the exact answer, 0 or 1. Exit code 1: an answer breaks the guarantee.";
+           "  tamis queries mine/edge-edge/q.csv --json\n"
+           "  tamis queries data/rigid --out answers.csv\n\n"
+           "A CSV file has eight rows a query and the columns numerator, denominator of x, of y, of z, and\n"
+           "optionally the exact answer, 0 or 1. A JSON file has one query: features of two rigid bodies, each\n"
+           "with its poses at t=0 and t=1; its answer is looked for in a truth.csv beside it or above.\n"
+           "Exit code 1: an answer breaks the guarantee.";
   }
   void declare(CLI::App& app) override {
-    app.add_option("FILES_OR_FOLDERS", names_, "CSV files below a folder named vertex-face or edge-edge")->required();
+    app.add_option("FILES_OR_FOLDERS", names_, "CSV files below a folder named vertex-face or edge-edge; JSON files")
+        ->required();
     declare_guarantee(app, guarantee_);
     declare_min_separation(app, min_separation_);
     declare_repeat(app, repeat_, "take each query's median time of N runs, after one that warms up; default 1");
+    declare_output(app, out_, "write every answer there, as CSV: file, kind, touches, toi_lower, toi_upper");
     declare_json(app, json_);
   }
 
   int run() override {
     const PairOptions options{guarantee_from_name(guarantee_), min_separation_};
-    std::map<std::string, QueryScore> folders;
-    for (const io::QueryFile& file : io::query_files(names_)) {
-      const io::FileBytes bytes(file.path);
-      folders[file.folder].add(
-          answer(io::parse_queries(bytes.view(), file.kind, file.path.string()), options, repeat_));
-    }
+    const auto files = io::query_files(names_);
+    require_output(out_, paths_of(files));
+    const std::map<std::string, QueryScore> folders = answer_all(files, options);
     QueryScore total;
     for (const auto& [name, score] : folders) total.add(score);
     if (json_)
@@ -52,6 +55,28 @@ class Queries final : public Verb {
   }
 
  private:
+  static std::vector<std::filesystem::path> paths_of(const std::vector<io::QueryFile>& files) {
+    std::vector<std::filesystem::path> paths;
+    for (const io::QueryFile& file : files) paths.push_back(file.path);
+    return paths;
+  }
+
+  /// Scores by folder; the answers go to `out_`.
+  std::map<std::string, QueryScore> answer_all(const std::vector<io::QueryFile>& files,
+                                               const PairOptions& options) const {
+    std::map<std::string, QueryScore> folders;
+    std::vector<io::QueryResult> table;
+    for (const io::QueryFile& file : files) {
+      const auto queries = io::read_queries(file);
+      std::vector<PairResult> results;
+      folders[file.folder].add(answer(queries, options, repeat_, results));
+      for (std::size_t i = 0; i < queries.size() && !out_.empty(); ++i)
+        table.push_back({file.name, std::visit([](const auto& q) { return q.kind; }, queries[i]), results[i]});
+    }
+    if (!out_.empty()) io::write_query_results_csv(out_, table);
+    return folders;
+  }
+
   /// The answers in the files are for distance zero: a pair that comes closer than D may be no contact there.
   bool is_judged_positive() const { return min_separation_ == 0; }
 
@@ -96,6 +121,7 @@ class Queries final : public Verb {
   }
 
   std::vector<std::string> names_;
+  std::string out_;
   std::string guarantee_ = "conservative";
   double min_separation_ = 0;
   int repeat_ = 1;

@@ -6,7 +6,7 @@ import sys
 
 # A layer includes itself and those of a smaller number.
 LAYER = {"numerics": 0, "motion": 1, "bounds": 2, "topology": 3, "bvh": 3, "filters": 3, "solve": 4,
-         "kernels": 5, "engines": 6, "detect": 7}
+         "kernels": 5, "engines": 6, "paths": 7, "detect": 8}
 # Folders outside the library, and what each may use beside itself and the public headers.
 OUTSIDE = {"include/tamis": [], "c": [], "io": [], "scenes": ["io"], "cli": ["io", "scenes"], "bench/contenders": ["io", "bench"],
            "bench/stages": ["scenes", "io", "bench", *LAYER]}

@@ -19,6 +19,12 @@ struct InvalidStep : Error {
   using Error::Error;
 };
 
+/// A path that does not fit the mesh, or breaks what it promises: a bound that is negative or not a number, positions
+/// that are not finite, a vertex that strays farther than its bound.
+struct InvalidPath : Error {
+  using Error::Error;
+};
+
 /// An option outside its documented range, or an unknown name.
 struct InvalidOptions : Error {
   using Error::Error;

@@ -6,6 +6,8 @@
 #include "tamis/mesh.hpp"
 #include "tamis/options.hpp"
 #include "tamis/pair.hpp"
+#include "tamis/path.hpp"
 #include "tamis/reduced_model.hpp"
+#include "tamis/rigid_path.hpp"
 #include "tamis/statistics.hpp"
 #include "tamis/step.hpp"

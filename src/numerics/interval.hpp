@@ -1,20 +1,32 @@
-// Interval arithmetic with outward rounding, without changing the rounding mode. On double; other number types that
-// wrap it, such as one that counts operations, run the same lines.
+// Interval arithmetic with outward rounding, without changing the rounding mode. On double and double-double; other
+// number types that wrap double, such as one that counts operations, run the same lines.
 #pragma once
 #include <limits>
 
+#include "numerics/double_double.hpp"
 #include "numerics/select.hpp"
 
 namespace tamis {
 
 namespace rounding {
 
-/// At most the predecessor, at least the second predecessor of x, for finite x (Rump, Zimmermann, Boldo, Melquiond
-/// 2009): one multiplication and two additions instead of a library call. -inf stays; NaN stays.
+/// A result moved down by kUlp of itself and kTiny lies at or below what was rounded.
+template <class T>
+struct Outward {
+  /// At most the predecessor, at least the second predecessor of x, for finite x (Rump, Zimmermann, Boldo, Melquiond
+  /// 2009): one multiplication and two additions instead of a library call.
+  static constexpr double kUlp = 0x1p-53 * (1 + 0x1p-52), kTiny = std::numeric_limits<double>::denorm_min();
+};
+template <>
+struct Outward<DoubleDouble> {
+  /// Operations are off by at most 2^-100 of themselves, the two here by 2^-103; kTiny is far above what underflows.
+  static constexpr double kUlp = 0x1p-99, kTiny = error_bounds::underflow<DoubleDouble>;
+};
+
+/// -inf stays; NaN stays.
 template <class T>
 inline T below(const T& x) {
-  constexpr double kUlp = 0x1p-53 * (1 + 0x1p-52), kTiny = std::numeric_limits<double>::denorm_min();
-  return x - (T(kUlp) * abs(x) + T(kTiny));
+  return x - (T(Outward<T>::kUlp) * abs(x) + T(Outward<T>::kTiny));
 }
 template <class T>
 inline T above(const T& x) {
@@ -40,6 +52,7 @@ struct BasicInterval {
 };
 
 using Interval = BasicInterval<double>;
+using FineInterval = BasicInterval<DoubleDouble>;
 
 template <class T>
 inline BasicInterval<T> operator-(const BasicInterval<T>& a) {
@@ -87,5 +100,13 @@ template <class T>
 inline BasicInterval<T> intersection(const BasicInterval<T>& a, const BasicInterval<T>& b) {
   return {max(a.lower, b.lower), min(a.upper, b.upper)};
 }
+
+namespace error_bounds {
+/// Intervals hold their own rounding: what certificates add for it elsewhere is nothing here.
+template <class T>
+inline constexpr double unit_roundoff<BasicInterval<T>> = 0;
+template <class T>
+inline constexpr double underflow<BasicInterval<T>> = 0;
+}  // namespace error_bounds
 
 }  // namespace tamis

@@ -5,12 +5,12 @@
 
 #include "filters/filters.hpp"
 #include "motion/pair_kinds.hpp"
-#include "solve/closest.hpp"
 #include "solve/exact.hpp"
 #include "solve/extended.hpp"
 #include "solve/separation.hpp"
 #include "solve/start_distance.hpp"
 #include "solve/subdivide.hpp"
+#include "solve/weights.hpp"
 
 namespace tamis {
 namespace {
@@ -104,44 +104,6 @@ Outcome decide_pair(PairKind kind, const PairPoints& points, const PairMotion<do
   return {{verdict, exact.toi_lower, exact.toi_upper}, &PrecisionCount::exact};
 }
 
-double largest(const Vec3<double>& v) { return std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)}); }
-
-/// Divided by its largest component, so that no square underflows; zero stays zero.
-Vec3<double> rescaled(const Vec3<double>& v) {
-  const double size = largest(v);
-  return size > 0 ? Vec3<double>{v.x / size, v.y / size, v.z / size} : v;
-}
-
-/// REQUIRES: not zero.
-Point normalized(const Vec3<double>& a) {
-  const Vec3<double> v = rescaled(a);
-  const double length = std::sqrt(dot(v, v));
-  return {v.x / length, v.y / length, v.z / length};
-}
-
-/// A unit vector along e x f, or if that vanishes one orthogonal to what is left.
-Point unit_normal(const Vec3<double>& e, const Vec3<double>& f) {
-  const Vec3<double> normal = cross(rescaled(e), rescaled(f)), w = largest(e) > 0 ? e : f;
-  if (largest(normal) > 0) return normalized(normal);
-  if (std::fabs(w.x) + std::fabs(w.y) > 0) return normalized({-w.y, w.x, 0});
-  return {1, 0, 0};
-}
-
-void add_weights(PairKind kind, const PairMotion<double>& m, PairResult& result) {
-  if (!is_finite(m)) {
-    result.normal = {1, 0, 0};
-    return;
-  }
-  const double t = 0.5 * (result.toi_lower + result.toi_upper);
-  const auto e = at_time(m.e, t), f = at_time(m.f, t), d = at_time(m.d, t);
-  const auto closest = closest_points(kind, e, f, d);
-  result.u = closest.u;
-  result.v = closest.v;
-  const double gap_error = error_bounds::bound(error_bounds::kGap, m.size_d + m.size_e + m.size_f);
-  const bool has_gap = largest(closest.gap) > gap_error;
-  result.normal = !can_cross(kind) && has_gap ? normalized(closest.gap) : unit_normal(e, f);
-}
-
 }  // namespace
 
 PairResult decide(PairKind kind, const PairPoints& points, const PairOptions& options, PrecisionCount& decided_by) {
@@ -154,7 +116,7 @@ PairResult decide(PairKind kind, const PairPoints& points, const PairOptions& op
   result.certainty = decision.verdict == Verdict::touches ? Certainty::certified : Certainty::unresolved;
   result.toi_lower = decision.lower;
   result.toi_upper = decision.upper;
-  add_weights(kind, m, result);
+  add_weights(kind, m, 0.5 * (result.toi_lower + result.toi_upper), result);
   return result;
 }
 

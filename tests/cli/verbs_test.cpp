@@ -102,5 +102,26 @@ TEST_F(Verbs, QueriesAreComparedWithTheirAnswers) {
   EXPECT_TRUE(wrong.json()["folders"]["unlabelled"]["false_negatives"].is_null());
 }
 
+// Bug: queries of turning bodies are passed over, or answers of one kind only reach the table.
+TEST_F(Verbs, QueriesOfEveryKindAreAnsweredInATable) {
+  folder_.write("all/vertex-face/q.csv", fall(",1") + fall(",1"));
+  const std::string still = R"("position":[0,0,0],"rotation":[0,0,0]})";
+  const auto edge = [&](const std::string& turn, const std::string& corners) {
+    return R"({"pose_t0":{)" + still + R"(,"pose_t1":{"position":[0,0,0],"rotation":[0,0,)" + turn + "]}," + corners +
+           "}";
+  };
+  folder_.write("all/turn.json", R"({"type":"ee","edge0":)" + edge("1.5", R"("vertex0":[-1,0,0],"vertex1":[1,0,0])") +
+                                     R"(,"edge1":)" + edge("0", R"("vertex0":[0,0.5,-1],"vertex1":[0.1,0.5,1])") + "}");
+  folder_.write("all/truth.csv", "file,kind,touches\nturn.json,ee,1\n");
+  const auto json = folder_.run("queries all --out answers.csv --json").json();
+  EXPECT_EQ(json["queries"], 3);
+  EXPECT_EQ(json["false_negatives"], 0);
+  EXPECT_EQ(json["contacts"], 3);
+  const std::string table = bytes_of_file(folder_.path() / "answers.csv");
+  EXPECT_EQ(table.substr(0, 51), "file,kind,touches,toi_lower,toi_upper\nturn.json,ee,");
+  EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), 4);
+  EXPECT_NE(table.find("\nvertex-face/q.csv,vf,1,"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace tamis::test

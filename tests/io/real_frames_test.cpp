@@ -41,7 +41,7 @@ TEST_F(RealData, FramesHaveTheSizesTheirAuthorsGive) {
 TEST_F(RealData, EveryQueryIsReadAndHasItsAnswer) {
   std::size_t queries = 0;
   for (const QueryFile& file : query_files({(data_ / "queries").string()}))
-    for (const Query& query : parse_queries(FileBytes(file.path).view(), file.kind, file.path.string())) {
+    for (const Query& query : parse_queries(FileBytes(file.path).view(), file.kind.value(), file.path.string())) {
       EXPECT_TRUE(query.touches.has_value());
       ++queries;
     }

@@ -1,0 +1,59 @@
+// Curved motion: where every vertex is at each time of a step, and how far it strays from straight pieces.
+#pragma once
+#include <array>
+#include <span>
+
+#include "tamis/pair.hpp"
+
+namespace tamis {
+
+/// A position known better than to a double: within `error` of high + low, on each axis.
+struct FinePoint {
+  Point high{0, 0, 0};
+  Point low{0, 0, 0};
+  double error = 0;
+};
+
+/// How all vertices move for t in [0,1], on continuous curves. Derive from it, or take a ready-made one
+/// (tamis/rigid_path.hpp, tamis/spline_path.hpp). All calls are const and may come from several threads at a time.
+/// Every answer is as true as what the path promises: bounds must hold beyond its own rounding.
+class Path {
+ public:
+  virtual ~Path() = default;
+
+  virtual Index vertex_count() const = 0;
+
+  /// Where the vertices are at `time` in [0,1], one point and one error each: no coordinate is off by more than the
+  /// error, >= 0, in the unit of the positions.
+  virtual void points_at(double time, std::span<const Index> vertices, std::span<Point> points,
+                         std::span<double> errors) const = 0;
+
+  /// The same, as well as the path can tell: pairs that points_at leaves undecided ask here. By default points_at.
+  virtual void fine_points_at(double time, std::span<const Index> vertices, std::span<FinePoint> points) const;
+
+  /// For each vertex a bound, >= 0, of its stray on [from, to]: at no time t of it is the vertex farther (Euclidean)
+  /// than that from ((to - t) x(from) + (t - from) x(to)) / (to - from), the chord walked at constant speed. It must go
+  /// to zero as the piece gets shorter, for smooth curves with its square: |x''| (to - from)^2 / 8.
+  virtual void strays(double from, double to, std::span<const Index> vertices, std::span<double> strays) const = 0;
+};
+
+/// How a question about a path is answered.
+struct PathOptions {
+  double min_separation = 0;  ///< d >= 0, in the unit of the positions: contact means Euclidean distance <= d
+  /// Widest bracket of a contact, in (0, 1]; a fraction of the step.
+  double tolerance = 1e-9;
+};
+
+/// A vertex against a face that move on a path: p, then the face's corners a b c, by their numbers in the path. As
+/// vertex_face for straight motion: free is proven; a certified contact's bracket is no wider than the tolerance. What
+/// double-double arithmetic cannot decide (a touch without crossing, a crossing exactly on an edge) is an unresolved
+/// contact. Throws InvalidPath where the path breaks its promises or has no such vertex, InvalidOptions.
+PairResult vertex_face(const Path& path, const std::array<Index, 4>& vertices, const PathOptions& = {});
+/// Edge (0,1) against edge (2,3); otherwise the same.
+PairResult edge_edge(const Path& path, const std::array<Index, 4>& vertices, const PathOptions& = {});
+/// A point against a segment; otherwise the same.
+PairResult vertex_edge(const Path& path, const std::array<Index, 3>& vertices, const PathOptions& = {});
+/// Two points; otherwise the same.
+PairResult vertex_vertex(const Path& path, const std::array<Index, 2>& vertices, const PathOptions& = {});
+
+}  // namespace tamis

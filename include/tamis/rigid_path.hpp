@@ -1,0 +1,60 @@
+// Ready-made paths of rigid bodies: turning, moving, and chains of such motions.
+#pragma once
+#include <vector>
+
+#include "tamis/path.hpp"
+
+namespace tamis {
+
+/// x goes to R x + position, R being the rotation by |rotation| radians about the direction of `rotation`.
+struct Pose {
+  Point position{0, 0, 0};
+  Point rotation{0, 0, 0};
+};
+
+/// A pose whose position and rotation vector go linearly from `start` (t=0) to `end` (t=1). Any angle.
+struct Link {
+  Pose start;
+  Pose end;
+};
+
+/// Outermost first: a point of the body goes through the last link first. Empty: at rest where it is given.
+using Chain = std::vector<Link>;
+
+/// Rotation vector and position linear in t, from one pose to the other.
+Chain interpolated(const Pose& start, const Pose& end);
+/// From `start`, turned at constant speed about the fixed axis of `turn` by |turn| radians, while the body's origin
+/// goes straight to `end_position`. Any angle: 2 pi is a full turn.
+Chain turned(const Pose& start, const Point& turn, const Point& end_position);
+/// From one pose to the other by the shorter turn about a fixed axis, at constant speed. The turn is computed in
+/// doubles: the end is reached within some 1e-15 of the body's size.
+Chain between(const Pose& start, const Pose& end);
+
+/// Bodies that move each on a chain of links. Positions: enclosed by interval arithmetic in doubles or double-double,
+/// sine and cosine by their alternating series. Strays: |x''| (to - from)^2 / 8 (docs/numerics.md, "Curved motion").
+class RigidPath final : public Path {
+ public:
+  /// `rest`: each vertex in its body's own frame; `body_of_vertex`: one each, in [0, chains.size()). Throws InvalidPath
+  /// on sizes that do not fit and on numbers that are not finite.
+  RigidPath(std::vector<Point> rest, std::vector<Index> body_of_vertex, std::vector<Chain> chains);
+
+  Index vertex_count() const override;
+  void points_at(double time, std::span<const Index> vertices, std::span<Point> points,
+                 std::span<double> errors) const override;
+  void fine_points_at(double time, std::span<const Index> vertices, std::span<FinePoint> points) const override;
+  void strays(double from, double to, std::span<const Index> vertices, std::span<double> strays) const override;
+
+ private:
+  /// Of one vertex, over the whole step.
+  struct Curvature {
+    double acceleration;  ///< |x''| is at most this
+    double reach;         ///< x(t), less what moves linearly, stays this near to a point
+  };
+
+  std::vector<Point> rest_;
+  std::vector<Index> body_of_vertex_;
+  std::vector<Chain> chains_;
+  std::vector<Curvature> curvatures_;
+};
+
+}  // namespace tamis

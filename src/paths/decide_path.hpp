@@ -1,0 +1,24 @@
+// The decision on one pair that moves on curves: cut in time, earliest part first, until each part is proven free,
+// holds a certified crossing in a narrow bracket, or is too short for the arithmetic, which is doubles, then
+// double-double.
+#pragma once
+#include "paths/path_reader.hpp"
+#include "solve/subdivide.hpp"
+
+namespace tamis {
+
+struct PathQuestion {
+  const Path& path;
+  PairKind kind;
+  PairVertices vertices;
+  PathOptions options;
+};
+
+/// During `time`, with the meaning that Decision has for straight motion. `touches`: the bracket is no wider than the
+/// tolerance, or with a separation, than doubles can tell.
+Decision decide_on_path(const PathQuestion& question, const TimeInterval<double>& time);
+
+/// With weights and normal at the contact.
+PairResult result_on_path(const PathQuestion& question, const Decision& decision);
+
+}  // namespace tamis

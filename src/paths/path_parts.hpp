@@ -1,0 +1,59 @@
+// Parts of the time that are still in question, the earliest on top.
+#pragma once
+#include <optional>
+#include <vector>
+
+#include "paths/path_reader.hpp"
+
+namespace tamis {
+
+template <class T>
+struct PathPart {
+  Moment<T> from, to;
+  double length() const { return to.time - from.time; }
+};
+
+template <class T>
+class PathParts {
+ public:
+  explicit PathParts(const PairReader& reader, const TimeInterval<double>& time) : reader_(reader) {
+    parts_.push_back({reader.at<T>(time.t_in), reader.at<T>(time.t_out)});
+  }
+
+  std::optional<PathPart<T>> next() {
+    if (parts_.empty()) return std::nullopt;
+    const PathPart<T> part = parts_.back();
+    parts_.pop_back();
+    return part;
+  }
+
+  /// False if no double lies strictly between.
+  bool cut(const PathPart<T>& part, double time) {
+    if (!(time > part.from.time && time < part.to.time)) return false;
+    const Moment<T> moment = reader_.at<T>(time);
+    parts_.push_back({moment, part.to});
+    parts_.push_back({part.from, moment});
+    return true;
+  }
+
+  /// Cut at `time` where that lies within.
+  void add(const PathPart<T>& part, double time) {
+    if (!cut(part, time)) parts_.push_back(part);
+  }
+
+  /// Into up to three, the middle one given.
+  void cut(const PathPart<T>& part, const TimeInterval<double>& middle) {
+    const bool has_end = middle.t_out<part.to.time, has_start = middle.t_in> part.from.time;
+    const Moment<T> start = has_start ? reader_.at<T>(middle.t_in) : part.from;
+    const Moment<T> end = has_end ? reader_.at<T>(middle.t_out) : part.to;
+    if (has_end) parts_.push_back({end, part.to});
+    parts_.push_back({start, end});
+    if (has_start) parts_.push_back({part.from, start});
+  }
+
+ private:
+  const PairReader& reader_;
+  std::vector<PathPart<T>> parts_;
+};
+
+}  // namespace tamis

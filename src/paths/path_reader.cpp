@@ -1,0 +1,107 @@
+#include "paths/path_reader.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "numerics/scale.hpp"
+#include "tamis/error.hpp"
+
+namespace tamis {
+namespace {
+
+template <class T>
+Moment<T> with_error(Moment<T> moment) {
+  using I = BasicInterval<T>;
+  for (const auto& p : moment.points)
+    for (const I& x : {p.x, p.y, p.z})
+      moment.error = std::max(moment.error, upper_double((I(x.upper) - I(x.lower)).upper));
+  return moment;
+}
+
+template <class T>
+Moment<T> fill_up(Moment<T> moment, std::size_t count) {
+  for (std::size_t i = count; i < 4; ++i) moment.points[i] = moment.points[0];
+  return moment;
+}
+
+}  // namespace
+
+void check_point(Index vertex, double time, const Point& point, double error) {
+  const std::string place = "vertex " + std::to_string(vertex) + " of the path at t = " + std::to_string(time);
+  if (!std::isfinite(point[0]) || !std::isfinite(point[1]) || !std::isfinite(point[2]))
+    throw InvalidPath(place + " is not finite: give finite positions");
+  if (!(error >= 0))
+    throw InvalidPath(place + " has the error " + std::to_string(error) + ": give a bound >= 0 of how far it is off");
+}
+
+void check_stray(Index vertex, double from, double to, double stray) {
+  if (stray >= 0) return;
+  throw InvalidPath("vertex " + std::to_string(vertex) + " of the path strays by " + std::to_string(stray) +
+                    " between t = " + std::to_string(from) + " and " + std::to_string(to) +
+                    ": give a bound >= 0 of its distance from the chord");
+}
+
+PairReader::PairReader(const Path& path, const PairVertices& vertices)
+    : path_(path),
+      vertices_(vertices),
+      count_(static_cast<std::size_t>(std::find(vertices.begin(), vertices.end(), -1) - vertices.begin())) {}
+
+void PairReader::set_unit_at(double time) {
+  scale_ = 1;
+  const auto moment = at<double>(time);
+  double size = 0;
+  for (const auto& p : moment.points)
+    for (const auto k : {&Vec3<Interval>::x, &Vec3<Interval>::y, &Vec3<Interval>::z})
+      size = std::max(size, std::fabs((p.*k).middle() - (moment.points[0].*k).middle()));
+  scale_ = scale_below_one(size);
+}
+
+template <>
+Moment<double> PairReader::at(double time) const {
+  std::array<Point, 4> points{};
+  std::array<double, 4> errors{};
+  path_.points_at(time, std::span(vertices_).first(count_), points, errors);
+  Moment<double> moment;
+  moment.time = time;
+  for (std::size_t i = 0; i < count_; ++i) {
+    check_point(vertices_[i], time, points[i], errors[i]);
+    const auto enclosed = [&](double x) {
+      return Interval(rounding::below(x - errors[i]) * scale_, rounding::above(x + errors[i]) * scale_);
+    };
+    moment.points[i] = {enclosed(points[i][0]), enclosed(points[i][1]), enclosed(points[i][2])};
+  }
+  return with_error(fill_up(moment, count_));
+}
+
+template <>
+Moment<DoubleDouble> PairReader::at(double time) const {
+  std::array<FinePoint, 4> points{};
+  path_.fine_points_at(time, std::span(vertices_).first(count_), points);
+  Moment<DoubleDouble> moment;
+  moment.time = time;
+  const FineInterval scale{DoubleDouble(scale_)};
+  for (std::size_t i = 0; i < count_; ++i) {
+    const FinePoint& p = points[i];
+    check_point(vertices_[i], time, p.high, p.error);
+    check_point(vertices_[i], time, p.low, p.error);
+    const FineInterval error{DoubleDouble(-p.error), DoubleDouble(p.error)};
+    const auto enclosed = [&](std::size_t k) {
+      return scale * (FineInterval(DoubleDouble(p.high[k])) + FineInterval(DoubleDouble(p.low[k])) + error);
+    };
+    moment.points[i] = {enclosed(0), enclosed(1), enclosed(2)};
+  }
+  return with_error(fill_up(moment, count_));
+}
+
+std::array<double, 4> PairReader::strays(double from, double to) const {
+  std::array<double, 4> strays{};
+  path_.strays(from, to, std::span(vertices_).first(count_), strays);
+  for (std::size_t i = 0; i < count_; ++i) {
+    check_stray(vertices_[i], from, to, strays[i]);
+    strays[i] *= scale_;
+  }
+  return strays;
+}
+
+}  // namespace tamis

@@ -1,0 +1,53 @@
+// What a path says of the vertices of a pair, checked: a bound that is negative or not a number is the caller's
+// mistake, and says so.
+#pragma once
+#include <array>
+
+#include "engines/pair_rules.hpp"
+#include "numerics/interval.hpp"
+#include "numerics/vec.hpp"
+#include "tamis/path.hpp"
+
+namespace tamis {
+
+/// Throw InvalidPath, naming vertex and time.
+void check_point(Index vertex, double time, const Point& point, double error);
+void check_stray(Index vertex, double from, double to, double stray);
+
+/// The vertices at one time, enclosed, in the unit of a pair.
+template <class T>
+struct Moment {
+  double time = 0;
+  std::array<Vec3<BasicInterval<T>>, 4> points;
+  double error = 0;  ///< the width of the widest interval
+};
+
+/// Asks for the vertices at a time; lengths times a power of two.
+class PairReader {
+ public:
+  /// Keeps the reference. Vertices as in Contact: those that the kind does not use are -1, and stand at the first one.
+  PairReader(const Path& path, const PairVertices& vertices);
+
+  /// Brings lengths to the size that the pair has at a time.
+  void set_unit_at(double time);
+  double scale() const { return scale_; }
+
+  /// `T`: double asks points_at, DoubleDouble fine_points_at.
+  template <class T>
+  Moment<T> at(double time) const;
+  /// Of each vertex on [from, to].
+  std::array<double, 4> strays(double from, double to) const;
+
+ private:
+  const Path& path_;
+  PairVertices vertices_;
+  std::size_t count_;  ///< vertices in use
+  double scale_ = 1;
+};
+
+template <>
+Moment<double> PairReader::at(double time) const;
+template <>
+Moment<DoubleDouble> PairReader::at(double time) const;
+
+}  // namespace tamis

@@ -1,0 +1,202 @@
+#include "tamis/rigid_path.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "paths/fine_point.hpp"
+#include "paths/rigid_transform.hpp"
+#include "tamis/error.hpp"
+
+namespace tamis {
+namespace {
+
+bool is_finite(const Point& p) { return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]); }
+
+bool is_finite(const Pose& pose) { return is_finite(pose.position) && is_finite(pose.rotation); }
+
+void check(bool ok, const std::string& message) {
+  if (!ok) throw InvalidPath(message);
+}
+
+void validate(const std::vector<Point>& rest, const std::vector<Index>& body_of_vertex,
+              const std::vector<Chain>& chains) {
+  check(rest.size() == body_of_vertex.size(), "the path has " + std::to_string(rest.size()) + " rest positions and " +
+                                                  std::to_string(body_of_vertex.size()) +
+                                                  " numbers of bodies: give one each a vertex");
+  for (std::size_t v = 0; v < rest.size(); ++v) {
+    check(is_finite(rest[v]),
+          "vertex " + std::to_string(v) + " of the path is not finite at rest: give finite positions");
+    check(body_of_vertex[v] >= 0 && static_cast<std::size_t>(body_of_vertex[v]) < chains.size(),
+          "vertex " + std::to_string(v) + " belongs to body " + std::to_string(body_of_vertex[v]) +
+              ": bodies must be in [0, " + std::to_string(chains.size()) + ")");
+  }
+  for (std::size_t b = 0; b < chains.size(); ++b)
+    for (const Link& link : chains[b])
+      check(is_finite(link.start) && is_finite(link.end),
+            "a pose of body " + std::to_string(b) + " is not finite: give finite positions and rotation vectors");
+}
+
+/// |v|, rounded up.
+double length_above(const Vec3<Interval>& v) {
+  const double square = dot(v, v).upper;
+  return rounding::above(rounding::above(std::sqrt(square)));
+}
+double length_above(const Point& p) { return length_above(enclosed<double>(p)); }
+
+/// Bounds of y and its derivatives, y being a point of the body as one link after the other has moved it. With
+/// |R'| <= w and |R''| <= w^2 for a rotation vector that changes by w (docs/numerics.md, "Curved motion"):
+///   y' = R' x + R x' + p',   y'' = R'' x + 2 R' x' + R x''.
+struct Derivatives {
+  Interval place, speed, acceleration;
+};
+
+Derivatives after(const Link& link, const Derivatives& x) {
+  const auto change = [](const Point& a, const Point& b) {
+    return length_above(enclosed<double>(b) - enclosed<double>(a));
+  };
+  const Interval w(change(link.start.rotation, link.end.rotation)), p(change(link.start.position, link.end.position));
+  const Interval farthest(std::max(length_above(link.start.position), length_above(link.end.position)));
+  return {x.place + farthest, w * x.place + x.speed + p, w * w * x.place + Interval(2) * w * x.speed + x.acceleration};
+}
+
+}  // namespace
+
+Chain interpolated(const Pose& start, const Pose& end) { return {{start, end}}; }
+
+Chain turned(const Pose& start, const Point& turn, const Point& end_position) {
+  const Pose as_given{{0, 0, 0}, start.rotation};
+  return {{{start.position, {0, 0, 0}}, {end_position, turn}}, {as_given, as_given}};
+}
+
+Chain between(const Pose& start, const Pose& end) {
+  // R = R1 R0^T; its rotation vector from the quaternion, which is well conditioned at every angle.
+  const auto quaternion = [](const Point& w) {
+    const double angle = std::sqrt(w[0] * w[0] + w[1] * w[1] + w[2] * w[2]);
+    const double s = angle > 0 ? std::sin(angle / 2) / angle : 0.5;
+    return std::array{std::cos(angle / 2), s * w[0], s * w[1], s * w[2]};
+  };
+  const auto a = quaternion(start.rotation), b = quaternion(end.rotation);
+  double cosine = a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + a[3] * b[3];
+  Point axis{a[0] * b[1] - b[0] * a[1] + a[2] * b[3] - a[3] * b[2],
+             a[0] * b[2] - b[0] * a[2] + a[3] * b[1] - a[1] * b[3],
+             a[0] * b[3] - b[0] * a[3] + a[1] * b[2] - a[2] * b[1]};
+  if (cosine < 0) {
+    cosine = -cosine;
+    for (double& x : axis) x = -x;
+  }
+  const double sine = std::hypot(axis[0], axis[1], axis[2]);
+  const double factor = sine > 0 ? 2 * std::atan2(sine, cosine) / sine : 2;
+  return turned(start, {factor * axis[0], factor * axis[1], factor * axis[2]}, end.position);
+}
+
+RigidPath::RigidPath(std::vector<Point> rest, std::vector<Index> body_of_vertex, std::vector<Chain> chains)
+    : rest_(std::move(rest)), body_of_vertex_(std::move(body_of_vertex)), chains_(std::move(chains)) {
+  validate(rest_, body_of_vertex_, chains_);
+  curvatures_.reserve(rest_.size());
+  for (std::size_t v = 0; v < rest_.size(); ++v) {
+    const Chain& chain = chains_[static_cast<std::size_t>(body_of_vertex_[v])];
+    Derivatives y{Interval(length_above(rest_[v])), Interval(0), Interval(0)};
+    double reach = 0;  // the outermost position moves linearly: no chord strays from it
+    for (auto link = chain.rbegin(); link != chain.rend(); ++link) {
+      if (link + 1 == chain.rend()) reach = y.place.upper;
+      y = after(*link, y);
+    }
+    curvatures_.push_back({y.acceleration.upper, reach});
+  }
+}
+
+Index RigidPath::vertex_count() const { return static_cast<Index>(rest_.size()); }
+
+namespace {
+
+/// Calls f(i, body) for each place in `vertices`; before, whenever the body changes, begin(body).
+template <class Begin, class F>
+void for_each_of_body(std::span<const Index> vertices, const std::vector<Index>& body_of_vertex, const Begin& begin,
+                      const F& f) {
+  Index body = -1;
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    const auto v = static_cast<std::size_t>(vertices[i]);
+    if (body_of_vertex[v] != body) begin(static_cast<std::size_t>(body = body_of_vertex[v]));
+    f(i, v);
+  }
+}
+
+/// In doubles, off by `error` (1 + |x|_1 + |shift|_max) at most.
+struct RoundedTransform {
+  std::array<Point, 3> rows;
+  Point shift;
+  double error, shift_size;
+
+  template <class T>
+  static RoundedTransform of(const RigidTransform<T>& exact) {
+    RoundedTransform rounded{};
+    const auto take = [&](const BasicInterval<T>& entry) {
+      const RoundedNumber number = rounded_number(entry);
+      rounded.error = std::max(rounded.error, number.error);
+      return number.value;
+    };
+    for (std::size_t i = 0; i < 3; ++i) {
+      rounded.rows[i] = {take(exact.rows[i].x), take(exact.rows[i].y), take(exact.rows[i].z)};
+    }
+    rounded.shift = {take(exact.shift.x), take(exact.shift.y), take(exact.shift.z)};
+    for (const double s : rounded.shift) rounded.shift_size = std::max(rounded.shift_size, std::fabs(s));
+    return rounded;
+  }
+  Point of(const Point& x) const {
+    Point y{};
+    for (std::size_t i = 0; i < 3; ++i) y[i] = rows[i][0] * x[0] + rows[i][1] * x[1] + rows[i][2] * x[2] + shift[i];
+    return y;
+  }
+  /// Each product rounds once and each sum once, of numbers below 1.1 |x|_1 + |shift|: 4 u of that, given 8 u, which
+  /// covers this sum's own rounding.
+  double error_of(const Point& x) const {
+    const double size = std::fabs(x[0]) + std::fabs(x[1]) + std::fabs(x[2]);
+    return (error + 0x1p-50) * (size + shift_size) + (error + 0x1p-1000);
+  }
+};
+
+/// Angles that rotation::any_angle halves a few times lose as many bits: in doubles only this many radians.
+constexpr double kLargestPlainAngle = 4;
+
+bool turns_far(const Chain& chain) {
+  const auto is_far = [](const Pose& pose) {
+    return std::hypot(pose.rotation[0], pose.rotation[1], pose.rotation[2]) > kLargestPlainAngle;
+  };
+  return std::any_of(chain.begin(), chain.end(), [&](const Link& l) { return is_far(l.start) || is_far(l.end); });
+}
+
+}  // namespace
+
+void RigidPath::points_at(double time, std::span<const Index> vertices, std::span<Point> points,
+                          std::span<double> errors) const {
+  RoundedTransform transform{};
+  const auto begin = [&](std::size_t body) {
+    const Chain& chain = chains_[body];
+    transform = turns_far(chain) ? RoundedTransform::of(transform_of<DoubleDouble>(chain, time))
+                                 : RoundedTransform::of(transform_of<double>(chain, time));
+  };
+  for_each_of_body(vertices, body_of_vertex_, begin, [&](std::size_t i, std::size_t v) {
+    points[i] = transform.of(rest_[v]);
+    errors[i] = transform.error_of(rest_[v]);
+  });
+}
+
+void RigidPath::fine_points_at(double time, std::span<const Index> vertices, std::span<FinePoint> points) const {
+  RigidTransform<DoubleDouble> transform;
+  const auto begin = [&](std::size_t body) { transform = transform_of<DoubleDouble>(chains_[body], time); };
+  for_each_of_body(vertices, body_of_vertex_, begin, [&](std::size_t i, std::size_t v) {
+    points[i] = fine_point(transform.rows * enclosed<DoubleDouble>(rest_[v]) + transform.shift);
+  });
+}
+
+void RigidPath::strays(double from, double to, std::span<const Index> vertices, std::span<double> strays) const {
+  const Interval h = Interval(to) - Interval(from);
+  const double eighth = (Interval(0.125) * h * h).upper;
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    const Curvature& curvature = curvatures_[static_cast<std::size_t>(vertices[i])];
+    strays[i] = std::min(rounding::above(eighth * curvature.acceleration), 2 * curvature.reach);
+  }
+}
+
+}  // namespace tamis

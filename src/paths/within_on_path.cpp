@@ -1,0 +1,68 @@
+#include "paths/within_on_path.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "paths/path_parts.hpp"
+#include "solve/separation.hpp"
+
+namespace tamis {
+namespace {
+
+constexpr int kMostParts = 1 << 16;
+/// Of a part, looked at next after a time at which the chords could not be proven apart any more.
+constexpr double kNext = 0x1p-5;
+
+Point middle_of(const Vec3<Interval>& p) { return {p.x.middle(), p.y.middle(), p.z.middle()}; }
+
+/// The largest stray and error that two points, one of each feature, can have together.
+double slack_of(const PathPart<double>& part, const std::array<double, 4>& strays) {
+  const double stray = *std::max_element(strays.begin(), strays.end());
+  // sqrt(3) for the three axes of an error, and what the middles round
+  const double error = 2 * std::max(part.from.error, part.to.error) + 0x1p-1000;
+  return 2 * (stray + error) * (1 + 0x1p-40);
+}
+
+/// At one time: is the distance within the separation, certainly?
+bool touches_at(PairKind kind, const Moment<double>& moment, double separation) {
+  const double allowed = separation - 4 * moment.error;
+  if (!(allowed > 0)) return false;
+  const auto m = make_motion(kind, points_between(moment, moment), allowed);
+  return first_within(kind, m, {0, 1}).verdict == Verdict::touches;
+}
+
+}  // namespace
+
+PairPoints points_between(const Moment<double>& from, const Moment<double>& to) {
+  PairPoints points;
+  for (std::size_t i = 0; i < 4; ++i) {
+    points.start[i] = middle_of(from.points[i]);
+    points.end[i] = middle_of(to.points[i]);
+  }
+  return points;
+}
+
+Decision first_within_on_path(const PathQuestion& question, const PairReader& reader,
+                              const TimeInterval<double>& time) {
+  const PairKind kind = question.kind;
+  const double separation = question.options.min_separation * reader.scale();
+  PathParts<double> parts(reader, time);
+  int looked_at = 0;
+  while (auto part = parts.next()) {
+    const double from = part->from.time, to = part->to.time;
+    const double slack = slack_of(*part, reader.strays(from, to));
+    const auto m = make_motion(kind, points_between(part->from, part->to), separation + slack);
+    const Decision chords = first_within(kind, m, {0, 1});
+    if (chords.verdict == Verdict::is_free) continue;
+    const double reached = from + chords.lower * (to - from) * (1 - 0x1p-50) - 0x1p-52 * to;
+    const double lower = std::clamp(reached, from, std::nextafter(to, 0.0));
+    if (to - lower <= question.options.tolerance && touches_at(kind, part->to, separation))
+      return {Verdict::touches, lower, to, false};
+    const bool is_short = to - from <= 0x1p-50 * to || to - from < 0x1p-100;
+    if (is_short || ++looked_at > kMostParts) return {Verdict::unsure, lower, to};
+    parts.add({lower > from ? reader.at<double>(lower) : part->from, part->to}, lower + kNext * (to - lower));
+  }
+  return {};
+}
+
+}  // namespace tamis

@@ -1,0 +1,15 @@
+// Minimum separation on a path: the chords of a piece are asked when they come within the separation and their strays
+// (solve/separation.hpp); until then the curves are apart, and there the next, shorter piece begins.
+#pragma once
+#include "motion/make_motion.hpp"
+#include "paths/decide_path.hpp"
+
+namespace tamis {
+
+/// The middles of two moments.
+PairPoints points_between(const Moment<double>& from, const Moment<double>& to);
+
+/// As decide_on_path. REQUIRES: a separation > 0; `reader` reads the question's pair.
+Decision first_within_on_path(const PathQuestion& question, const PairReader& reader, const TimeInterval<double>& time);
+
+}  // namespace tamis

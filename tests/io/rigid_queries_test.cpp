@@ -1,0 +1,90 @@
+#include <gtest/gtest.h>
+
+#include "io/messages.hpp"
+#include "io/queries.hpp"
+#include "io/query_results_csv.hpp"
+#include "support/temporary_folder.hpp"
+
+namespace tamis::io {
+namespace {
+
+const char* const kPoses =
+    R"("pose_t0":{"position":[1,2,3],"rotation":[0,0,4]},"pose_t1":{"position":[5,6,7],"rotation":[0,8,0]})";
+
+/// A query of two edges; `second` stands in the second one.
+std::string edges(const std::string& second = R"("vertex0":[7,8,9],"vertex1":[-7,8,9])") {
+  return std::string(R"({"type":"ee","edge0":{)") + kPoses + R"(,"vertex0":[0,0,1],"vertex1":[0,0,2]},"edge1":{)" +
+         kPoses + "," + second + "}}";
+}
+
+std::string error_of(const std::string& text) {
+  return test::file_error("q.json", [&] { parse_rigid_query(text, "q.json"); });
+}
+
+// Bug: the two bodies, or the two poses of one, exchanged.
+TEST(RigidQueries, PosesAndPointsAreTaken) {
+  const RigidQuery query = parse_rigid_query(edges(), "q.json");
+  EXPECT_EQ(query.kind, PairKind::edge_edge);
+  EXPECT_EQ(query.points[1], (Point{0, 0, 2}));
+  EXPECT_EQ(query.points[2], (Point{7, 8, 9}));
+  EXPECT_EQ(query.bodies[1].start.position, (Point{1, 2, 3}));
+  EXPECT_EQ(query.bodies[0].end.rotation, (Point{0, 8, 0}));
+  EXPECT_EQ(query.path().vertex_count(), 4);
+  const std::string face = std::string(R"({"type":"fv","face":{)") + kPoses +
+                           R"(,"vertex0":[1,0,0],"vertex1":[2,0,0],"vertex2":[3,0,0]},"vertex":{)" + kPoses +
+                           R"(,"vertex":[4,0,0]}})";
+  const RigidQuery other = parse_rigid_query(face, "q.json");
+  EXPECT_EQ(other.kind, PairKind::vertex_face);
+  EXPECT_EQ(other.points[0][0], 4);
+  EXPECT_EQ(other.points[3][0], 3);
+}
+
+// Bug: half a file answers as if a corner were at the origin.
+TEST(RigidQueries, ErrorsNameThePlace) {
+  EXPECT_TRUE(test::contains(error_of("{"), "no JSON"));
+  EXPECT_TRUE(test::contains(error_of("[]"), "type: is missing"));
+  EXPECT_TRUE(test::contains(error_of(R"({"type":"vv"})"), "neither fv nor ee"));
+  EXPECT_TRUE(test::contains(error_of(R"({"type":"ee"})"), "edge0: is missing"));
+  EXPECT_TRUE(test::contains(error_of(edges(R"("vertex0":[7,8,9])")), "edge1.vertex1: is missing"));
+  EXPECT_TRUE(test::contains(error_of(edges(R"("vertex0":[7,8])")), "edge1.vertex0: is no array of three"));
+  EXPECT_TRUE(test::contains(error_of(edges(R"("vertex0":[7,"8",9])")), "edge1.vertex0: holds something"));
+  EXPECT_TRUE(test::contains(error_of(edges(R"("vertex0":[7,1e999,9])")), "q.json"));
+}
+
+// Bug: the answer of another file of that name; a table that is no table of answers taken for one.
+TEST(RigidQueries, AnswersAreFoundInTheTableAbove) {
+  const test::TemporaryFolder folder;
+  folder.write("all/truth.csv", "file,kind,touches,toi\nq.json,ee,0,\ninner/q.json,ee,1,0.5\n");
+  folder.write("all/q.json", edges());
+  folder.write("all/inner/q.json", edges());
+  folder.write("all/inner/other.json", edges());
+  const auto files = query_files({(folder.path() / "all").string()});
+  ASSERT_EQ(files.size(), 3u);
+  std::vector<std::optional<bool>> answers;
+  std::vector<std::string> names;
+  for (const QueryFile& file : files) {
+    answers.push_back(std::get<RigidQuery>(read_queries(file).at(0)).touches);
+    names.push_back(file.name);
+  }
+  EXPECT_EQ(names, (std::vector<std::string>{"inner/other.json", "inner/q.json", "q.json"}));
+  EXPECT_EQ(answers, (std::vector<std::optional<bool>>{std::nullopt, true, false}));
+  folder.write("all/truth.csv", "file,kind,touches\nq.json,ee,2\n");
+  EXPECT_TRUE(test::contains(
+      test::file_error((folder.path() / "all/truth.csv").string(), [&] { read_queries(files[2]); }), "line 2"));
+}
+
+TEST(QueryResults, AreATable) {
+  const test::TemporaryFolder folder;
+  PairResult touching;
+  touching.touches = true;
+  touching.toi_lower = 0.1;
+  touching.toi_upper = 0.2;
+  const auto path = folder.path() / "out.csv";
+  write_query_results_csv(path,
+                          {{"a.json", PairKind::vertex_face, touching}, {"b,\"c\".csv", PairKind::edge_edge, {}}});
+  EXPECT_EQ(test::bytes_of_file(path),
+            "file,kind,touches,toi_lower,toi_upper\na.json,vf,1,0.1,0.2\n\"b,\"\"c\"\".csv\",ee,0,,\n");
+}
+
+}  // namespace
+}  // namespace tamis::io

@@ -1,0 +1,34 @@
+// The oracle of turning bodies: conservative advancement in long double, from nothing but the definition of the motion
+// (x goes to R(theta(t)) x + p(t)), distances, and a bound on speeds. Slow, and shares no code with the library.
+#pragma once
+#include <array>
+#include <cmath>
+
+#include "tamis/contact.hpp"
+
+namespace tamis::oracle {
+
+using Real = long double;
+using RealPoint = std::array<Real, 3>;
+
+/// Rotation vector and position at t=0 and t=1, both linear between.
+struct Turning {
+  Point theta0, theta1, p0, p1;
+};
+
+/// Two features in their bodies' frames. vf: the point, then a, b, c. ee: a0, a1, b0, b1.
+struct TurningPair {
+  PairKind kind;
+  std::array<Point, 4> points;
+  Turning first, second;
+};
+
+RealPoint position(const Turning& body, const Point& x, Real t);
+/// Of the closed features.
+Real distance(const TurningPair& pair, Real t);
+
+/// The first time at which the pair is nearer than `separation` and 1e-15; before it is proven farther apart, but for
+/// rounding (1e-18 of the sizes). Above 1: never.
+Real apart_until(const TurningPair& pair, Real separation = 0);
+
+}  // namespace tamis::oracle

@@ -1,0 +1,103 @@
+// Paths that break their promises, and questions that make no sense.
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "paths/turning_pairs.hpp"
+#include "tamis/error.hpp"
+
+namespace tamis::test {
+namespace {
+
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+/// A point that falls through a triangle, with whatever bounds and positions it is told to give.
+struct ToldPath final : Path {
+  Index vertex_count() const override { return 4; }
+  void points_at(double time, std::span<const Index> vertices, std::span<Point> points,
+                 std::span<double> errors) const override {
+    const std::array<Point, 4> all{Point{0.2, 0.2, height - time}, Point{0, 0, 0}, Point{1, 0, 0}, Point{0, 1, 0}};
+    for (std::size_t i = 0; i < vertices.size(); ++i) {
+      points[i] = all[static_cast<std::size_t>(vertices[i])];
+      errors[i] = error;
+    }
+  }
+  void strays(double, double, std::span<const Index> vertices, std::span<double> strays) const override {
+    for (std::size_t i = 0; i < vertices.size(); ++i) strays[i] = stray;
+  }
+  double height = 0.5, error = 0, stray = 0;
+};
+
+template <class Error, class F>
+void expect_message(const F& question, const char* part) {
+  try {
+    question();
+    FAIL() << "no exception that says " << part;
+  } catch (const Error& e) {
+    EXPECT_NE(std::string(e.what()).find(part), std::string::npos) << e.what();
+  }
+}
+
+constexpr std::array<Index, 4> kAll{0, 1, 2, 3};
+
+// Bug: a bound that is no number compares false and proves everything free.
+TEST(BadPath, IsNamed) {
+  ToldPath path;
+  const auto ask = [&] { vertex_face(path, kAll); };
+  EXPECT_TRUE(vertex_face(path, kAll).touches);
+  path.stray = -1e-3;
+  expect_message<InvalidPath>(ask, "strays by -0.001");
+  path.stray = kNan;
+  expect_message<InvalidPath>(ask, "strays by");
+  path.stray = 0;
+  path.error = -1;
+  expect_message<InvalidPath>(ask, "has the error -1");
+  path.error = kNan;
+  expect_message<InvalidPath>(ask, "has the error");
+  path.error = 0;
+  path.height = kNan;
+  expect_message<InvalidPath>(ask, "vertex 0 of the path at t = 0.000000 is not finite");
+  path.height = kInfinity;
+  expect_message<InvalidPath>(ask, "is not finite");
+}
+
+// Bug: bounds that never shrink loop for ever, or end as free.
+TEST(BadPath, BoundsThatNeverShrinkAreUnresolved) {
+  ToldPath path;
+  path.height = 10;
+  EXPECT_FALSE(vertex_face(path, kAll).touches);
+  for (const double bound : {20.0, kInfinity}) {
+    path.stray = bound;
+    EXPECT_EQ(vertex_face(path, kAll).certainty, Certainty::unresolved);
+    EXPECT_TRUE(vertex_face(path, kAll).touches);
+    path.stray = 0;
+    path.error = bound;
+    EXPECT_TRUE(vertex_face(path, kAll).touches);
+    EXPECT_EQ(vertex_face(path, kAll).certainty, Certainty::unresolved);
+    path.error = 0;
+  }
+}
+
+TEST(BadPath, OptionsAndNumbersAreChecked) {
+  const ToldPath path;
+  expect_message<InvalidPath>([&] { vertex_face(path, {0, 1, 2, 4}); }, "no vertex 4");
+  expect_message<InvalidPath>([&] { edge_edge(path, {-1, 1, 2, 3}); }, "no vertex -1");
+  expect_message<InvalidOptions>([&] { edge_edge(path, kAll, {-1.0}); }, "minimum separation is -1");
+  expect_message<InvalidOptions>([&] { edge_edge(path, kAll, {kNan}); }, "minimum separation");
+  for (const double tolerance : {0.0, -1e-9, 2.0, kNan})
+    expect_message<InvalidOptions>([&] { edge_edge(path, kAll, {0, tolerance}); }, "tolerance");
+}
+
+TEST(BadPath, RigidBodiesAreChecked) {
+  const std::vector<Point> rest{{0, 0, 0}, {1, 0, 0}};
+  expect_message<InvalidPath>([&] { RigidPath(rest, {0}, {Chain{}}); }, "2 rest positions and 1 numbers");
+  expect_message<InvalidPath>([&] { RigidPath(rest, {0, 1}, {Chain{}}); }, "vertex 1 belongs to body 1");
+  expect_message<InvalidPath>([&] { RigidPath(rest, {0, -1}, {Chain{}}); }, "vertex 1 belongs to body -1");
+  expect_message<InvalidPath>([&] { RigidPath({{0, kNan, 0}}, {0}, {Chain{}}); }, "vertex 0 of the path is not finite");
+  const Pose bad{{0, 0, 0}, {kInfinity, 0, 0}};
+  expect_message<InvalidPath>([&] { RigidPath(rest, {0, 0}, {interpolated({}, bad)}); }, "a pose of body 0");
+}
+
+}  // namespace
+}  // namespace tamis::test

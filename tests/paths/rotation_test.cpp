@@ -1,0 +1,119 @@
+// Enclosures of rotations, and the strays and errors of rigid paths, against longer arithmetic and the motion itself.
+#include "paths/rotation.hpp"
+
+#include <gmpxx.h>
+#include <gtest/gtest.h>
+
+#include "paths/turning_pairs.hpp"
+
+namespace tamis::test {
+namespace {
+
+/// cos x and sin x / x by their series, to some 250 bits, from the square of x.
+std::pair<mpf_class, mpf_class> by_series(double angle) {
+  constexpr mp_bitcnt_t kBits = 1536;  // the terms of an angle of 400 reach e^400
+  const mpf_class square = mpf_class(angle, kBits) * mpf_class(angle, kBits);
+  mpf_class cosine(0, kBits), sinc(0, kBits), term(1, kBits);
+  for (unsigned k = 0; k < 700; ++k) {
+    cosine += term;
+    const mpf_class odd = term / (2 * k + 1);
+    sinc += odd;
+    term = -(odd * square) / (2 * k + 2);
+  }
+  return {cosine, sinc};
+}
+
+mpf_class exact(double x) { return mpf_class(x, 256); }
+mpf_class exact(const DoubleDouble& x) { return exact(x.high) + exact(x.low); }
+
+template <class T>
+void expect_enclosed(double angle, double widest) {
+  const auto [cosine, sinc] = by_series(angle);
+  const BasicInterval<T> x{T(angle)};
+  const auto enclosed = rotation::any_angle(x * x);
+  for (const auto& [interval, value] : {std::pair{enclosed.cosine, cosine}, std::pair{enclosed.sinc, sinc}}) {
+    EXPECT_LE(exact(interval.lower), value) << angle;
+    EXPECT_GE(exact(interval.upper), value) << angle;
+    EXPECT_LE(upper_double(interval.upper - interval.lower), widest) << angle;
+  }
+}
+
+// Bug: a term of the series forgotten; a doubling too few; rounding inward.
+TEST(Rotation, EnclosesCosineAndSine) {
+  Random random(5);
+  for (int i = 0; i < 200; ++i) {
+    const double angle = std::pow(10.0, random.between(-8, 2.6));
+    expect_enclosed<double>(angle, 1e-14 * (1 + angle * angle));
+    expect_enclosed<DoubleDouble>(angle, 1e-28 * (1 + angle * angle));
+  }
+  expect_enclosed<double>(0, 1e-14);
+  expect_enclosed<DoubleDouble>(0, 1e-28);
+}
+
+Turning any_turning(Random& random, double angle) {
+  return {random.point_between(-angle, angle), random.point_between(-angle, angle), random.point_between(-3, 3),
+          random.point_between(-3, 3)};
+}
+
+double distance_of(const oracle::RealPoint& a, const oracle::RealPoint& b) {
+  return static_cast<double>(std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]));
+}
+
+// Bug: positions off by more than they say; a bound on a stray that is too small, for a piece of any length.
+TEST(RigidPath, KeepsItsPromises) {
+  Random random(6);
+  constexpr std::array<Index, 1> kVertex{0};
+  double tightest = 0;
+  for (int i = 0; i < 2000; ++i) {
+    const Turning body = any_turning(random, std::pow(10.0, random.between(-3, 1.5)));
+    const Point x = random.point_between(-2, 2);
+    const RigidPath path({x}, {0}, {interpolated({body.p0, body.theta0}, {body.p1, body.theta1})});
+    const double from = random.unit(), to = from + (1 - from) * std::pow(10.0, random.between(-6, 0));
+    std::array<double, 1> stray{}, error{};
+    std::array<Point, 1> point{};
+    path.strays(from, to, kVertex, stray);
+    const auto a = oracle::position(body, x, from), b = oracle::position(body, x, to);
+    for (int k = 0; k <= 8; ++k) {
+      const oracle::Real s = k / oracle::Real(8), t = from + s * (oracle::Real(to) - from);
+      const auto at = oracle::position(body, x, t);
+      const oracle::RealPoint chord{a[0] + s * (b[0] - a[0]), a[1] + s * (b[1] - a[1]), a[2] + s * (b[2] - a[2])};
+      EXPECT_LE(distance_of(at, chord), stray[0] + 1e-16);
+      tightest = std::max(tightest, distance_of(at, chord) / (stray[0] + 1e-300));
+    }
+    path.points_at(from, kVertex, point, error);
+    EXPECT_LE(distance_of(a, {point[0][0], point[0][1], point[0][2]}), 1.8 * error[0] + 1e-17);
+    std::array<FinePoint, 1> fine;
+    path.fine_points_at(from, kVertex, fine);
+    EXPECT_LT(fine[0].error, 1e-24);
+    for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(fine[0].high[k], point[0][k], error[0]);
+  }
+  EXPECT_GT(tightest, 0.9) << "the bound of the stray is not sharp";
+}
+
+// Bug: chains composed the wrong way round; the turned pose not reached.
+TEST(RigidPath, ChainsAndTurnsEndWhereTheyShould) {
+  Random random(8);
+  constexpr std::array<Index, 1> kVertex{0};
+  const auto place = [&](const Chain& chain, const Point& x, double t) {
+    std::array<FinePoint, 1> fine;
+    RigidPath({x}, {0}, {chain}).fine_points_at(t, kVertex, fine);
+    return oracle::RealPoint{fine[0].high[0], fine[0].high[1], fine[0].high[2]};
+  };
+  for (int i = 0; i < 200; ++i) {
+    const Turning a = any_turning(random, 2), b = any_turning(random, 2);
+    const Point x = random.point_between(-2, 2);
+    const Pose a0{a.p0, a.theta0}, a1{a.p1, a.theta1};
+    const Chain moved = between(a0, a1);
+    EXPECT_LT(distance_of(place(moved, x, 0), oracle::position(a, x, 0)), 1e-14);
+    EXPECT_LT(distance_of(place(moved, x, 1), oracle::position(a, x, 1)), 1e-13);
+    // first b, then a
+    const double t = random.unit();
+    const auto inner = oracle::position(b, x, t);
+    const Point y{static_cast<double>(inner[0]), static_cast<double>(inner[1]), static_cast<double>(inner[2])};
+    const Chain chain{{a0, a1}, {{b.p0, b.theta0}, {b.p1, b.theta1}}};
+    EXPECT_LT(distance_of(place(chain, x, t), oracle::position(a, y, t)), 1e-14);
+  }
+}
+
+}  // namespace
+}  // namespace tamis::test

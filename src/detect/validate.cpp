@@ -68,7 +68,9 @@ void validate(const Positions& positions, const Mesh& mesh, const std::string& w
     throw InvalidStep(what + " has " + std::to_string(positions.count()) + " positions, the mesh " +
                       std::to_string(mesh.vertex_count()) + " vertices: give one row a vertex");
   if (mesh.vertex_count() > 0 && (!positions.data() || positions.stride() < 3))
-    throw InvalidStep(what + " is no n x 3 array of doubles: give three columns and a stride of at least 3");
+    throw InvalidStep(what +
+                      " is no n x 3 array of doubles, row by row: give three columns next to each other (of Eigen a "
+                      "RowMajor matrix) and a stride of at least 3");
   for (Index v : mesh.points()) {
     const double* p = positions[v];
     // x - x is 0 for finite x, NaN otherwise: one test for the three.

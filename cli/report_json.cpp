@@ -42,7 +42,7 @@ void add_costs(Json& json, const Detector& detector, const Timing& timing) {
   json["seconds_cold"] = json_of(timing.cold);
   json["stages"] = Json::array();
   for (const StageCount& s : statistics.stages)
-    json["stages"].push_back({{"name", s.name}, {"vf", s.vf}, {"ee", s.ee}});
+    json["stages"].push_back({{"name", s.name}, {"vf", s.vf}, {"ee", s.ee}, {"ve", s.ve}, {"vv", s.vv}});
   const PrecisionCount& p = statistics.decided_by;
   json["decided_by"] = {{"lanes", p.lanes},
                         {"scalar", p.scalar},

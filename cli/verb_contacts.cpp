@@ -49,8 +49,11 @@ class Contacts final : public StepVerb {
       return print_json(json);
     }
     print_mesh(detector.mesh());
-    fmt::print("contacts        {} vertex-face, {} edge-edge, of these {} unresolved\n", grouped(tally.vf),
-               grouped(tally.ee), grouped(tally.unresolved));
+    const std::string loose = tally.ve + tally.vv > 0 ? fmt::format(", {} vertex-edge, {} vertex-vertex",
+                                                                    grouped(tally.ve), grouped(tally.vv))
+                                                      : "";
+    fmt::print("contacts        {} vertex-face, {} edge-edge{}, of these {} unresolved\n", grouped(tally.vf),
+               grouped(tally.ee), loose, grouped(tally.unresolved));
     if (tally.is_free())
       fmt::print("first contact   none: the step is free, proven\n");
     else

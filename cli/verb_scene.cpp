@@ -10,8 +10,8 @@
 #include "cli/progress.hpp"
 #include "cli/verb.hpp"
 #include "io/mesh_file.hpp"
-#include "scenes/simulation/intersections.hpp"
 #include "scenes/simulation/recording.hpp"
+#include "tamis/detector.hpp"
 
 namespace tamis::cli {
 namespace {
@@ -69,12 +69,13 @@ class Scene final : public Verb {
     int intersecting = 0;
     for (int i = 0; i <= frames; ++i) {
       const io::MeshFile frame = io::read_mesh(simulation::frame_path(folder_, i));
-      const auto found = simulation::find_intersections(io::mesh_of(frame), frame.positions);
+      Detector detector(io::mesh_of(frame));
+      const auto& found = detector.intersections(frame.positions);
       if (!found.empty()) {
         ++intersecting;
-        const auto& v = found.front().vertices;
+        const Face& face = found.front().face;
         note(fmt::format("{}: {} intersections, the first with the face {} {} {}",
-                         simulation::frame_path(folder_, i).string(), found.size(), v[1], v[2], v[3]));
+                         simulation::frame_path(folder_, i).string(), found.size(), face[0], face[1], face[2]));
       }
       progress.show(static_cast<std::size_t>(i));
     }

@@ -6,6 +6,7 @@
 
 #include "tamis/contact.hpp"
 #include "tamis/mesh.hpp"
+#include "tamis/near.hpp"
 #include "tamis/options.hpp"
 #include "tamis/statistics.hpp"
 #include "tamis/step.hpp"
@@ -45,6 +46,20 @@ class Detector {
   /// only. The closer `fraction` is to 1, the longer the search until the first near pairs have shortened the step.
   /// Throws InvalidOptions unless 0 <= fraction < 1.
   SafeStep keep_distance(const Step& step, double fraction, std::optional<double> min_separation = {});
+
+  /// Every pair of features whose distance at rest is at most `distance` plus both radii (Options::thickness), each
+  /// once, by kind, then vertices: what a barrier or penalty method starts from. A pair that is farther apart by less
+  /// than NearPair::distance may be off is in it too. The vector is valid until the next such question. Same for all
+  /// methods. Throws InvalidOptions unless `distance` is finite and >= 0, InvalidStep as above.
+  const std::vector<NearPair>& near(const Positions& positions, double distance);
+
+  /// Every edge that passes through a triangle or touches it, without a common vertex, by edge, then face: is this a
+  /// pose to start from, and if not, why? Decided exactly, whatever the guarantee and the method. Thickness does not
+  /// matter; of the filter the groups count (an edge has that of its first vertex). The vector is valid until the next
+  /// such question.
+  const std::vector<Intersection>& intersections(const Positions& positions);
+  /// Is there any? Ends at the first.
+  bool has_intersection(const Positions& positions);
 
   const Mesh& mesh() const;
   const Options& options() const;

@@ -13,6 +13,8 @@ struct StageCount {
   std::string_view name;
   std::uint64_t vf = 0;
   std::uint64_t ee = 0;
+  std::uint64_t ve = 0;
+  std::uint64_t vv = 0;
 };
 
 /// Wall-clock seconds of each part; with several threads `traverse`, `filter` and `solve` share one pass over the

@@ -4,6 +4,7 @@
 #include "tamis/detector.hpp"
 #include "tamis/error.hpp"
 #include "tamis/mesh.hpp"
+#include "tamis/near.hpp"
 #include "tamis/options.hpp"
 #include "tamis/pair.hpp"
 #include "tamis/path.hpp"

@@ -9,8 +9,8 @@
 #include <sstream>
 #include <string>
 
-#include "scenes/simulation/intersections.hpp"
 #include "scenes/simulation/scenes.hpp"
+#include "tamis/detector.hpp"
 #include "tamis/error.hpp"
 
 namespace tamis::simulation {
@@ -79,7 +79,7 @@ Surface decimated(const Surface& fine, Index triangles) {
 
 bool is_free_of_intersections(const Surface& surface) {
   const auto count = static_cast<Index>(surface.points.size());
-  return find_intersections(Mesh(count, surface.faces), {surface.points.front().data(), count}).empty();
+  return !Detector(Mesh(count, surface.faces)).has_intersection({surface.points.front().data(), count});
 }
 
 /// Edge collapses know nothing of what is near: ears and chin may end up within each other. Of the sizes around the one

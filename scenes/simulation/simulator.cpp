@@ -4,7 +4,6 @@
 #include <string>
 #include <tuple>
 
-#include "scenes/simulation/intersections.hpp"
 #include "scenes/simulation/zones.hpp"
 #include "tamis/error.hpp"
 
@@ -68,7 +67,7 @@ Simulator::Simulator(Model model)
       proof_(model_.mesh(), options_of(model_, 0)),
       body_of_vertex_(bodies_of(model_)),
       start_(model_.particles.position) {
-  if (!find_intersections(proof_.mesh(), step().start, model_.pair_filter()).empty())
+  if (proof_.has_intersection(step().start))
     throw Error("the scene's surfaces touch or pass through each other at the start: move them apart");
   near_at_start_ = near_.contacts(step());
 }

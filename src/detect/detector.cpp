@@ -11,6 +11,8 @@
 #include "engines/brute/step_length.hpp"
 #include "engines/engine.hpp"
 #include "engines/pair_rules.hpp"
+#include "engines/rest_engine.hpp"
+#include "engines/tamis/intersection_search.hpp"
 #include "engines/tamis/step_length.hpp"
 #include "solve/kept_distance.hpp"
 #include "solve/start_distance.hpp"
@@ -62,7 +64,8 @@ struct Detector::State {
   }
 
   void ask(const Step& step, const Separations& separations, Question question) {
-    measure(step, [&] {
+    validate(step, mesh);
+    measure([&] {
       found.begin(step, separations, question);
       engine->find(found, statistics);
       if (question == Question::all_contacts) sorter.sort(found.contacts(), mesh.vertex_count());
@@ -71,7 +74,8 @@ struct Detector::State {
 
   SafeStep keep_distance(const Step& step, const Separations& separations, double fraction) {
     SafeStep answer;
-    measure(step, [&] {
+    validate(step, mesh);
+    measure([&] {
       if (options.method == Method::brute) {
         answer = step_length_by_brute_force(mesh, options, step, separations, fraction, statistics);
         return;
@@ -82,10 +86,29 @@ struct Detector::State {
     return answer;
   }
 
+  void find_near(const Positions& positions, double distance) {
+    validate_distance(distance, "the distance");
+    validate(positions, mesh, "the pose");
+    measure([&] { at_rest().find_near(positions, {distance, radii}, near, statistics); });
+  }
+
+  void find_intersections(const Positions& positions, Intersections wanted) {
+    validate(positions, mesh, "the pose");
+    measure([&] {
+      if (!intersection_search) intersection_search = std::make_unique<IntersectionSearch>(mesh, options);
+      intersection_search->find(positions, wanted, intersections, statistics);
+    });
+  }
+
+  RestEngine& at_rest() {
+    if (RestEngine* own = engine->at_rest()) return *own;
+    if (!rest_engine) rest_engine = make_tamis_engine(mesh, options);
+    return *rest_engine->at_rest();
+  }
+
   /// Runs `work` in the arena, with fresh statistics.
   template <class Work>
-  void measure(const Step& step, const Work& work) {
-    validate(step, mesh);
+  void measure(const Work& work) {
     const auto start = std::chrono::steady_clock::now();
     statistics = {};
     statistics.method = options.method;
@@ -94,7 +117,10 @@ struct Detector::State {
       work();
     });
     statistics.memory_bytes = engine->memory_bytes() + sorter.memory_bytes() + found.memory_bytes() +
-                              (step_length ? step_length->memory_bytes() : 0);
+                              (step_length ? step_length->memory_bytes() : 0) +
+                              (rest_engine ? rest_engine->memory_bytes() : 0) + near.capacity() * sizeof(NearPair) +
+                              (intersection_search ? intersection_search->memory_bytes() : 0) +
+                              intersections.capacity() * sizeof(Intersection);
     statistics.seconds.total = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   }
 
@@ -112,7 +138,11 @@ struct Detector::State {
   tbb::task_arena arena;
   std::unique_ptr<Engine> engine;
   std::unique_ptr<StepLengthSearch> step_length;  ///< made by the first question that needs it
+  std::unique_ptr<Engine> rest_engine;            ///< the same, where `engine` does not answer at rest
   FoundContacts found{options};
+  std::vector<NearPair> near;
+  std::unique_ptr<IntersectionSearch> intersection_search;  ///< likewise
+  std::vector<Intersection> intersections;
   ContactSorter sorter;
   Statistics statistics;
 };
@@ -154,6 +184,21 @@ SafeStep Detector::keep_distance(const Step& step, double fraction, std::optiona
 bool Detector::is_free(const Step& step, std::optional<double> min_separation) {
   state_->ask(step, state_->separations(min_separation), Question::is_free);
   return state_->found.contacts().empty();
+}
+
+const std::vector<NearPair>& Detector::near(const Positions& positions, double distance) {
+  state_->find_near(positions, distance);
+  return state_->near;
+}
+
+const std::vector<Intersection>& Detector::intersections(const Positions& positions) {
+  state_->find_intersections(positions, Intersections::all);
+  return state_->intersections;
+}
+
+bool Detector::has_intersection(const Positions& positions) {
+  state_->find_intersections(positions, Intersections::any);
+  return !state_->intersections.empty();
 }
 
 const Mesh& Detector::mesh() const { return state_->mesh; }

@@ -60,27 +60,25 @@ void validate(const ReducedModel& model, const Mesh& mesh) {
   check(is_finite, "the reduced model has an entry that is not finite: give finite rest positions and modes");
 }
 
-void validate(const Positions& positions, const Mesh& mesh, const char* when) {
-  if (positions.count() < 0)
-    throw InvalidStep("the " + std::string(when) +
-                      " of the step has more than 2^31 - 1 positions: give one row a vertex");
+}  // namespace
+
+void validate(const Positions& positions, const Mesh& mesh, const std::string& what) {
+  if (positions.count() < 0) throw InvalidStep(what + " has more than 2^31 - 1 positions: give one row a vertex");
   if (positions.count() != mesh.vertex_count())
-    throw InvalidStep("the " + std::string(when) + " of the step has " + std::to_string(positions.count()) +
-                      " positions, the mesh " + std::to_string(mesh.vertex_count()) +
-                      " vertices: give one row a vertex");
+    throw InvalidStep(what + " has " + std::to_string(positions.count()) + " positions, the mesh " +
+                      std::to_string(mesh.vertex_count()) + " vertices: give one row a vertex");
   if (mesh.vertex_count() > 0 && (!positions.data() || positions.stride() < 3))
-    throw InvalidStep("the " + std::string(when) +
-                      " of the step is no n x 3 array of doubles: give three columns and a stride of at least 3");
+    throw InvalidStep(what +
+                      " is no n x 3 array of doubles, row by row: give three columns next to each other (of Eigen a "
+                      "RowMajor matrix) and a stride of at least 3");
   for (Index v : mesh.points()) {
     const double* p = positions[v];
     // x - x is 0 for finite x, NaN otherwise: one test for the three.
     if (p[0] - p[0] + (p[1] - p[1]) + (p[2] - p[2]) == 0) continue;
-    throw InvalidStep("vertex " + std::to_string(v) + " at the " + when +
-                      " of the step has a coordinate that is not finite: give finite positions");
+    throw InvalidStep("vertex " + std::to_string(v) + " in " + what +
+                      " has a coordinate that is not finite: give finite positions");
   }
 }
-
-}  // namespace
 
 void validate(const Options& options, const Mesh& mesh) {
   check_is_named(options.method, "method");
@@ -109,8 +107,8 @@ void validate_distance(double distance, const std::string& what) {
 }
 
 void validate(const Step& step, const Mesh& mesh) {
-  validate(step.start, mesh, "start");
-  validate(step.end, mesh, "end");
+  validate(step.start, mesh, "the start of the step");
+  validate(step.end, mesh, "the end of the step");
 }
 
 }  // namespace tamis

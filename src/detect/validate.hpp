@@ -1,5 +1,7 @@
 // Bad input is told apart here, before any work is done.
 #pragma once
+#include <string>
+
 #include "tamis/mesh.hpp"
 #include "tamis/options.hpp"
 #include "tamis/step.hpp"
@@ -12,6 +14,9 @@ void validate(const Options& options, const Mesh& mesh);
 
 /// Throws InvalidStep: positions that do not fit the mesh, or a used vertex that is not finite.
 void validate(const Step& step, const Mesh& mesh);
+/// The same of one pose. `what`: as in "the start of the step".
+void validate(const Positions& positions, const Mesh& mesh, const std::string& what);
+
 /// `what`: as in "the minimum separation". Throws InvalidOptions unless finite and >= 0.
 void validate_distance(double distance, const std::string& what);
 

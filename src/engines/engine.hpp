@@ -6,6 +6,8 @@
 
 namespace tamis {
 
+class RestEngine;
+
 /// One per detector; keeps its hierarchy and its buffers from step to step.
 class Engine {
  public:
@@ -17,6 +19,9 @@ class Engine {
   /// a validated step. Runs in the caller's oneTBB arena. After an exception (of the caller's filter, or for want of
   /// memory) the engine can be asked again.
   virtual void find(FoundContacts& found, Statistics& statistics) = 0;
+
+  /// The same engine for questions about a mesh at rest; null if this method leaves them to `tamis`.
+  virtual RestEngine* at_rest() { return nullptr; }
 
   /// Bytes held in the hierarchy and buffers.
   virtual std::uint64_t memory_bytes() const = 0;

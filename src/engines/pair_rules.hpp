@@ -6,6 +6,7 @@
 #include "motion/make_motion.hpp"
 #include "motion/pair_kinds.hpp"
 #include "tamis/options.hpp"
+#include "topology/loose_features.hpp"
 
 namespace tamis {
 
@@ -53,6 +54,12 @@ void for_each_pair(const Mesh& mesh, const PairFilter& filter, const F& f) {
   for (std::size_t j = 0; j < edges.size(); ++j)
     for (std::size_t i = 0; i < j; ++i)
       offer(PairKind::edge_edge, {edges[i][0], edges[i][1], edges[j][0], edges[j][1]});
+  const LooseFeatures loose(mesh);
+  for (Index p : loose.points) {
+    for (const Edge& edge : loose.edges) offer(PairKind::vertex_edge, {p, edge[0], edge[1], -1});
+    for (Index q : loose.points)
+      if (p < q) offer(PairKind::vertex_vertex, {p, q, -1, -1});
+  }
 }
 
 /// Where the vertices are; zero where there is none.

@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "bvh/block_tree.hpp"
+#include "motion/pair_kinds.hpp"
 #include "tamis/contact.hpp"
 #include "tamis/options.hpp"
 
@@ -28,6 +29,13 @@ struct SolvedPair {
   double toi_lower, toi_upper;
   double u, v;
   double normal[3];  ///< unit
+};
+
+/// What the lanes say of one pair at rest.
+struct RestPair {
+  double distance;  ///< in the unit of the vertices; NaN: not known well enough
+  double u, v;
+  double direction[3];  ///< unit, along the gap (solve/closest.hpp); NaN where nothing tells it
 };
 
 /// One thread's search over one pair of trees.
@@ -75,6 +83,17 @@ struct Kernels {
   /// Roots and inside test. Writes the pairs that touch or are undecided, returns their number; `rest` is scratch.
   int (*solve_vf)(const PackedVertex* vertices, const PairBuffer& in, PairBuffer& rest, SolvedPair* out);
   int (*solve_ee)(const PackedVertex* vertices, const PairBuffer& in, PairBuffer& rest, SolvedPair* out);
+  /// At rest, [kind]: appends the pairs within their separation to `near`, and to `unsure` those that may be and whose
+  /// distance doubles do not know well enough.
+  void (*find_near[kPairKinds])(const PackedVertex* vertices, const PairSeparation& separation, const PairBuffer& in,
+                                PairBuffer& near, PairBuffer& unsure);
+  /// At rest, [kind]: one RestPair for each pair of the buffer.
+  void (*measure[kPairKinds])(const PackedVertex* vertices, const PairBuffer& in, RestPair* out);
+  /// The slab clip for the kinds that cannot cross.
+  void (*slab_ve)(const PackedVertex* vertices, const PairSeparation& separation, const PairBuffer& in,
+                  PairBuffer& out);
+  void (*slab_vv)(const PackedVertex* vertices, const PairSeparation& separation, const PairBuffer& in,
+                  PairBuffer& out);
 };
 
 /// The kernels of `isa`; throws InvalidOptions if this machine or build has none. `best`: the widest there is.

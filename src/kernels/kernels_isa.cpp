@@ -5,6 +5,7 @@
 #include "filters/ncf.hpp"
 #include "filters/slab_clip.hpp"
 #include "kernels/load_motion.hpp"
+#include "kernels/rest_kernels.hpp"
 #include "kernels/search.hpp"
 #include "kernels/split.hpp"
 #include "solve/crossing.hpp"
@@ -126,9 +127,25 @@ int solve(const PackedVertex* vertices, const PairBuffer& in, PairBuffer& rest, 
 }  // namespace
 
 extern const Kernels kKernels;
-constexpr auto kVf = PairKind::vertex_face, kEe = PairKind::edge_edge;
-const Kernels kKernels{Isa::TAMIS_ISA,   split,       search<kVf>, search<kEe>, search_near<kVf>,
-                       search_near<kEe>, near<kVf>,   near<kEe>,   slab<kVf>,   slab<kEe>,
-                       filter<kVf>,      filter<kEe>, solve<kVf>,  solve<kEe>};
+constexpr auto kVf = PairKind::vertex_face, kEe = PairKind::edge_edge, kVe = PairKind::vertex_edge,
+               kVv = PairKind::vertex_vertex;
+const Kernels kKernels{Isa::TAMIS_ISA,
+                       split,
+                       search<kVf>,
+                       search<kEe>,
+                       search_near<kVf>,
+                       search_near<kEe>,
+                       near<kVf>,
+                       near<kEe>,
+                       slab<kVf>,
+                       slab<kEe>,
+                       filter<kVf>,
+                       filter<kEe>,
+                       solve<kVf>,
+                       solve<kEe>,
+                       {find_near<kVf>, find_near<kEe>, find_near<kVe>, find_near<kVv>},
+                       {measure<kVf>, measure<kEe>, measure<kVe>, measure<kVv>},
+                       slab<kVe>,
+                       slab<kVv>};
 
 }  // namespace tamis::TAMIS_ISA

@@ -8,6 +8,9 @@
 
 namespace tamis {
 
+/// How many kinds there are; PairKind counts them from 0.
+inline constexpr std::size_t kPairKinds = 4;
+
 /// A difference of two of the pair's vertices.
 struct VertexDifference {
   int to, from;

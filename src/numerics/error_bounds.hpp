@@ -103,6 +103,11 @@ inline constexpr double kAxisLater = 192;
 // together: vectors at that time 1 + 3, products 1, sums 2, so sqrt(3) * 7 = 12.2; weights whose sum rounds to 1: 2.
 inline constexpr double kGap = 20;
 
+// The distance at rest by closest points against the bound along their axis, unit D + E + F: kGap above and kAxisNow
+// below, kLength and 8 of a length below 3, together 88 where the axis is the right one; what a tilt of the axis costs
+// is let pass up to ten times that, else the distance is found in integers.
+inline constexpr double kRestDistance = 1024;
+
 // The velocity of a corner of the two features' difference, unit D + E + F, all components together: at each end kInput
 // and two sums 2, their difference (below 2) 2 more: 22 a component, sqrt(3) * 22 = 38.2.
 inline constexpr double kVelocity = 40;

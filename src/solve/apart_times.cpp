@@ -2,6 +2,8 @@
 
 #include <limits>
 
+#include "solve/distance_along.hpp"
+
 namespace tamis {
 namespace {
 
@@ -50,12 +52,9 @@ ApartTimes AxisClip<kind>::around(double now, const TurningAxis& axis) const {
 
 template <PairKind kind>
 double AxisClip<kind>::distance_along(double now, const Vec& direction) const {
-  const Vec n = (1 / largest_component(direction)) * direction;
-  double lowest = kNever;
-  for (const auto& corner : corners_) lowest = min(lowest, dot(n, at_time(corner, now)));
-  const double error = kRoundoff * size_ + error_bounds::underflow<double>;
-  const double distance = (lowest - error_bounds::kAxisNow * error) / (std::sqrt(dot(n, n)) * (1 + 8 * kRoundoff));
-  return distance > 0 ? distance : 0;
+  std::array<Vec, std::tuple_size_v<decltype(corners_)>> corners;
+  for (std::size_t i = 0; i < corners.size(); ++i) corners[i] = at_time(corners_[i], now);
+  return tamis::distance_along(corners, direction, size_);
 }
 
 template class AxisClip<PairKind::vertex_face>;

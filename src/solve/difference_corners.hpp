@@ -7,16 +7,22 @@
 
 namespace tamis {
 
+/// `V`: vectors at one time, or moving ones; named as in PairMotion.
+template <PairKind kind, class V>
+inline auto difference_corners([[maybe_unused]] const V& e, [[maybe_unused]] const V& f, const V& d) {
+  if constexpr (kind == PairKind::vertex_face)
+    return std::array{d, d - e, d - f};
+  else if constexpr (kind == PairKind::edge_edge)
+    return std::array{d, d - e, d + f, d + f - e};
+  else if constexpr (kind == PairKind::vertex_edge)
+    return std::array{d, d - e};
+  else
+    return std::array{d};
+}
+
 template <PairKind kind, class T>
 inline auto difference_corners(const PairMotion<T>& m) {
-  if constexpr (kind == PairKind::vertex_face)
-    return std::array{m.d, m.d - m.e, m.d - m.f};
-  else if constexpr (kind == PairKind::edge_edge)
-    return std::array{m.d, m.d - m.e, m.d + m.f, m.d + m.f - m.e};
-  else if constexpr (kind == PairKind::vertex_edge)
-    return std::array{m.d, m.d - m.e};
-  else
-    return std::array{m.d};
+  return difference_corners<kind>(m.e, m.f, m.d);
 }
 
 }  // namespace tamis

@@ -40,20 +40,17 @@ ActiveSides active_sides(const PairMotion<double>& m, double t, const ClosestPoi
 /// features' size, not of its own, which would tilt the axis of a small gap. It turns so that it stays orthogonal.
 template <PairKind kind>
 TurningAxis squared_axis(const PairMotion<double>& m, double t, const ClosestPoints& closest) {
-  const Vec& gap = closest.gap;
+  const Vec e = at_time(m.e, t), f = at_time(m.f, t), axis = squared_gap<kind>(e, f, closest);
   const ActiveSides active = active_sides<kind>(m, t, closest);
-  if (active.count == 0) return {gap};
+  if (active.count == 0) return {axis};
   if (active.count == 1) {
     const double inverse_square = 1 / dot(active.side, active.side);
-    const Vec axis = gap - (dot(gap, active.side) * inverse_square) * active.side;
     return {axis, -(dot(axis, active.velocity) * inverse_square) * active.side};
   }
-  // turn = x e + y f such that turn.e = -n.e' and turn.f = -n.f'.
-  const Vec e = at_time(m.e, t), f = at_time(m.f, t), normal = cross(e, f);
-  const Vec n = dot(normal, gap) < 0 ? -normal : normal;
-  const double turn_e = -dot(n, m.e.at1 - m.e.at0), turn_f = -dot(n, m.f.at1 - m.f.at0);
-  const double ee = dot(e, e), ef = dot(e, f), ff = dot(f, f), inverse = 1 / dot(n, n);
-  return {n, (inverse * (ff * turn_e - ef * turn_f)) * e + (inverse * (ee * turn_f - ef * turn_e)) * f};
+  // turn = x e + y f such that turn.e = -axis.e' and turn.f = -axis.f'.
+  const double turn_e = -dot(axis, m.e.at1 - m.e.at0), turn_f = -dot(axis, m.f.at1 - m.f.at0);
+  const double ee = dot(e, e), ef = dot(e, f), ff = dot(f, f), inverse = 1 / dot(axis, axis);
+  return {axis, (inverse * (ff * turn_e - ef * turn_f)) * e + (inverse * (ee * turn_f - ef * turn_e)) * f};
 }
 
 /// What one look at one time tells.

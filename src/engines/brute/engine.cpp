@@ -2,13 +2,17 @@
 #include "engines/engine.hpp"
 
 #include "engines/cancellation.hpp"
+#include "engines/near_order.hpp"
 #include "engines/pair_rules.hpp"
+#include "engines/rest_engine.hpp"
+#include "engines/stage_counts.hpp"
 #include "solve/decide.hpp"
+#include "solve/near_pair.hpp"
 
 namespace tamis {
 namespace {
 
-class BruteEngine final : public Engine {
+class BruteEngine final : public Engine, public RestEngine {
  public:
   BruteEngine(const Mesh& mesh, const Options& options) : mesh_(mesh), options_(options) {}
 
@@ -17,12 +21,33 @@ class BruteEngine final : public Engine {
     for_each_pair(mesh_, options_.filter, [&](PairKind kind, const PairVertices& v) {
       stop_if_cancelled(options_);
       if (!found.wants(kind, v)) return;
-      ++(kind == PairKind::vertex_face ? count.vf : count.ee);
+      ++of(count, kind);
       const auto r = decide(kind, points_of(found.step(), v), found.rule_for(kind, v), statistics.decided_by);
       if (r.touches) found.add({kind, r.certainty, v, r.toi_lower, r.toi_upper, r.u, r.v, r.normal});
     });
     statistics.stages.push_back(count);
   }
+
+  void find_near(const Positions& positions, const Separations& separations, std::vector<NearPair>& pairs,
+                 Statistics& statistics) override {
+    const Step step{positions, positions};
+    StageCount count{"near"};
+    std::array<std::vector<PairVertices>, kPairKinds> found;
+    for_each_pair(mesh_, options_.filter, [&](PairKind kind, const PairVertices& v) {
+      stop_if_cancelled(options_);
+      ++of(count, kind);
+      if (is_near(kind, points_of(step, v), separations.between(kind, v), statistics.decided_by))
+        found[static_cast<std::size_t>(kind)].push_back(v);
+    });
+    statistics.stages.push_back(count);
+    pairs.clear();
+    for (std::size_t kind = 0; kind < kPairKinds; ++kind) {
+      NearOrder().sort(found[kind], mesh_.vertex_count());
+      for (const PairVertices& v : found[kind])
+        pairs.push_back(near_pair(static_cast<PairKind>(kind), v, points_of(step, v)));
+    }
+  }
+  RestEngine* at_rest() override { return this; }
 
   std::uint64_t memory_bytes() const override { return 0; }
 

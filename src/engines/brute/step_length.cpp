@@ -2,6 +2,7 @@
 
 #include "engines/cancellation.hpp"
 #include "engines/pair_rules.hpp"
+#include "engines/stage_counts.hpp"
 #include "engines/step_limit.hpp"
 
 namespace tamis {
@@ -12,7 +13,7 @@ SafeStep step_length_by_brute_force(const Mesh& mesh, const Options& options, co
   StepLimit limit;
   for_each_pair(mesh, options.filter, [&](PairKind kind, const PairVertices& v) {
     stop_if_cancelled(options);
-    ++(kind == PairKind::vertex_face ? count.vf : count.ee);
+    ++of(count, kind);
     limit.add({keeps_distance_until(kind, points_of(step, v), {fraction, separations.between(kind, v)}, 1,
                                     statistics.decided_by),
                kind, v});

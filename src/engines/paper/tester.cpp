@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "engines/cancellation.hpp"
+#include "engines/stage_counts.hpp"
 #include "solve/decide.hpp"
 #include "solve/interval_newton.hpp"
 
@@ -13,16 +14,6 @@ namespace {
 std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
 constexpr bool is_vf(PairKind kind) { return kind == PairKind::vertex_face; }
-
-template <PairKind kind>
-void add_to(StageCount& count, std::size_t pairs) {
-  (is_vf(kind) ? count.vf : count.ee) += pairs;
-}
-
-void add(StageCount& sum, const StageCount& part) {
-  sum.vf += part.vf;
-  sum.ee += part.ee;
-}
 
 double now() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
@@ -58,6 +49,7 @@ void PaperTester::add_triangles(Index a, Index b) {
   const TriangleFeatures &s = scene_.triangles[at(a)], &t = scene_.triangles[at(b)];
   if (scene_.options.paper.orphan_sets && share_a_vertex(s.vertices, t.vertices)) return;
   ++counts.triangle_pairs;
+  if (a >= scene_.face_count && b >= scene_.face_count) add_loose(a, b);
   const bool own = scene_.options.paper.representative_triangles;
   const unsigned s_vertices = own ? s.own_vertices : s.all_vertices, s_edges = own ? s.own_edges : s.all_edges;
   const unsigned t_vertices = own ? t.own_vertices : t.all_vertices, t_edges = own ? t.own_edges : t.all_edges;
@@ -68,6 +60,22 @@ void PaperTester::add_triangles(Index a, Index b) {
     for (unsigned j = 0; j < 3; ++j)
       if (t_edges >> j & 1) add_edges(s.edges[i], t.edges[j]);
   }
+}
+
+void PaperTester::add_loose(Index a, Index b) {
+  const Face &s = scene_.triangles[at(a)].vertices, &t = scene_.triangles[at(b)].vertices;
+  const bool s_is_point = s[0] == s[1], t_is_point = t[0] == t[1];
+  if (!s_is_point && !t_is_point) return;  // two edges
+  const PairKind kind = s_is_point && t_is_point ? PairKind::vertex_vertex : PairKind::vertex_edge;
+  const Face &point = s_is_point ? s : t, &other = s_is_point ? t : s;
+  const PairVertices v =
+      in_contact_order(kind, {point[0], other[0], kind == PairKind::vertex_edge ? other[1] : -1, -1});
+  if (!lets_pass(scene_.options.filter, kind, v) || !found.wants(kind, v)) return;
+  ++of(counts.decide, kind);
+  const auto r = decide(kind, points_of(found.step(), v), found.rule_for(kind, v), counts.decided_by);
+  if (!r.touches) return;
+  found.add({kind, r.certainty, v, r.toi_lower, r.toi_upper, r.u, r.v, r.normal});
+  if (found.question() == Question::all_contacts) features.push_back({a, b});
 }
 
 void PaperTester::add_vertex_face(Index vertex, Index face) {
@@ -118,7 +126,7 @@ void PaperTester::test(Block<kind>& block) {
   std::array<std::uint16_t, kBlock> pairs;
   std::iota(pairs.begin(), pairs.end(), std::uint16_t{0});
   std::span alive = std::span(pairs).first(block.size);
-  add_to<kind>(counts.boxes, alive.size());
+  of(counts.boxes, kind) += alive.size();
   const double start = now();
   // A filter's strict signs say that features do not touch, not that they keep a distance.
   if (!scene_.answer->separations().any()) alive = alive.first(run_filters(block, alive));
@@ -132,7 +140,7 @@ void PaperTester::test(Block<kind>& block) {
 template <PairKind kind>
 std::size_t PaperTester::run_filters(const Block<kind>& block, std::span<std::uint16_t> alive) {
   for (std::size_t i = 0; i < scene_.stages.size(); ++i) {
-    add_to<kind>(counts.filters[i], alive.size());
+    of(counts.filters[i], kind) += alive.size();
     const auto cull = is_vf(kind) ? scene_.stages[i].vf : scene_.stages[i].ee;
     alive = alive.first(cull(block.motions.data(), alive));
   }
@@ -151,14 +159,14 @@ void PaperTester::solve(const Block<kind>& block, std::size_t pair) {
 template <PairKind kind>
 PairResult PaperTester::result_of(const Block<kind>& block, std::size_t pair) {
   if (!scene_.answer->separations().any()) {
-    add_to<kind>(counts.newton, 1);
+    of(counts.newton, kind) += 1;
     const auto test = interval_newton_test<kind>(block.motions[pair]);
     if (test.verdict != Verdict::unsure) {
       ++counts.decided_by.scalar;
       return test.verdict == Verdict::touches ? certified_contact(test) : PairResult{};
     }
   }
-  add_to<kind>(counts.decide, 1);
+  of(counts.decide, kind) += 1;
   const PairVertices& v = block.vertices[pair];
   return decide(kind, points_of(found.step(), v), found.rule_for(kind, v), counts.decided_by);
 }

@@ -41,6 +41,8 @@ class PaperTester {
   /// The features of two triangles against each other. Cheap to call: see `flush`.
   void add_triangles(Index a, Index b);
   void add_vertex_face(Index vertex, Index face);
+  /// Two of the degenerate triangles that stand for loose edges and points.
+  void add_loose(Index a, Index b);
   void add_edges(Index edge0, Index edge1);
   /// Tests what still waits in the blocks.
   void flush();

@@ -10,7 +10,9 @@
 #include <cmath>
 #include <limits>
 
-#include "bvh/block_tree.hpp"
+#include "engines/rest_engine.hpp"
+#include "engines/tamis/feature_trees.hpp"
+#include "engines/tamis/near_search.hpp"
 #include "engines/tamis/samples.hpp"
 #include "engines/tamis/stage_pipeline.hpp"
 
@@ -27,33 +29,22 @@ float float_after(double t) {
   return static_cast<double>(f) >= t ? f : std::nextafter(f, std::numeric_limits<float>::infinity());
 }
 
-/// Refitting goes on until the leaf blocks' swept area exceeds by this factor what it was when they were built
-/// (docs/performance.md: "When to rebuild").
-constexpr double kPoor = 1.5;
-
 /// A step is short while edges move by less than this many times their length (docs/performance.md: "Short steps").
 constexpr double kShort = 0.3;
 
-class TamisEngine final : public Engine {
+class TamisEngine final : public Engine, public RestEngine {
  public:
   TamisEngine(const Mesh& mesh, const Options& options)
       : mesh_(mesh),
         kernels_(kernels(options.isa)),
-        pipelines_([this, &options] { return StagePipeline(kernels_, motion_, options); }) {
-    points_.set_features(mesh.points());
-    edges_.set_features(mesh.edges());
-    faces_.set_features(mesh.faces());
-  }
+        trees_(mesh, kernels_),
+        pipelines_([this, &options] { return StagePipeline(kernels_, trees_.motion(), options); }),
+        near_(mesh, options, kernels_, trees_) {}
 
   void find(FoundContacts& found, Statistics& statistics) override {
-    auto start = Clock::now();
-    motion_.assign(found.step(), mesh_.points(), found.separations());
+    trees_.update(found.step(), found.separations(), statistics);
+    const auto start = Clock::now();
     measure_motion();
-    statistics.seconds.bounds = seconds_since(start);
-    start = Clock::now();
-    update_trees(statistics);
-    statistics.seconds.build = seconds_since(start);
-    start = Clock::now();
     for (StagePipeline& pipeline : pipelines_) pipeline.begin(found);
     if (found.question() == Question::all_contacts)
       search(found, kAllBlocks);
@@ -62,35 +53,28 @@ class TamisEngine final : public Engine {
     collect(statistics, seconds_since(start));
   }
 
+  void find_near(const Positions& positions, const Separations& separations, std::vector<NearPair>& pairs,
+                 Statistics& statistics) override {
+    near_.find(positions, separations, pairs, statistics);
+  }
+  RestEngine* at_rest() override { return this; }
+
   std::uint64_t memory_bytes() const override {
-    std::uint64_t bytes =
-        motion_.memory_bytes() + points_.memory_bytes() + edges_.memory_bytes() + faces_.memory_bytes();
+    std::uint64_t bytes = trees_.memory_bytes() + near_.memory_bytes();
     for (const StagePipeline& pipeline : pipelines_) bytes += pipeline.memory_bytes();
     return bytes;
   }
 
  private:
-  void update_trees(Statistics& statistics) {
-    BlockTree* const trees[] = {&points_, &edges_, &faces_};
-    const auto area = [&] { return points_.swept_area() + edges_.swept_area() + faces_.swept_area(); };
-    if (built_area_ > 0) {
-      for (BlockTree* tree : trees) tree->refit(motion_);
-      if (area() <= kPoor * built_area_) return;
-    }
-    for (BlockTree* tree : trees) tree->build(motion_, kernels_.split);
-    // Areas are of the box frame, which holds the scene whatever its size; a scene without area is rebuilt each time.
-    built_area_ = area();
-    statistics.rebuilt = true;
-  }
-
   /// Of some thousand edges, in the mesh's order: what follows from it may not depend on the trees and their past.
   void measure_motion() {
     constexpr std::size_t kSample = 4096;
     moved_ = size_ = 0;
     const auto edges = mesh_.edges();
+    const auto& boxes = trees_.motion().box_vertices;
     for (std::size_t e = 0; e < edges.size(); e += 1 + edges.size() / kSample) {
-      const auto &a = motion_.box_vertices[static_cast<std::size_t>(edges[e][0])].at,
-                 &b = motion_.box_vertices[static_cast<std::size_t>(edges[e][1])].at;
+      const auto &a = boxes[static_cast<std::size_t>(edges[e][0])].at,
+                 &b = boxes[static_cast<std::size_t>(edges[e][1])].at;
       for (int axis = 0; axis < 3; ++axis) {
         moved_ += static_cast<double>(std::fabs(a[3 + axis] - a[axis]));
         size_ += static_cast<double>(std::fabs(b[axis] - a[axis]));
@@ -106,8 +90,9 @@ class TamisEngine final : public Engine {
   void search(FoundContacts& found, const Samples& samples) {
     float t_limit = 1;
     for (const Sample& sample : samples) {
-      search_sample(found, PairKind::vertex_face, points_.view(), faces_.view(), sample, t_limit);
-      search_sample(found, PairKind::edge_edge, edges_.view(), edges_.view(), sample, t_limit);
+      trees_.for_each_kind([&](PairKind kind, const TreeView& a, const TreeView& b) {
+        search_sample(found, kind, a, b, sample, t_limit);
+      });
       for (StagePipeline& pipeline : pipelines_) {
         pipeline.finish();
         found.take(pipeline.found());
@@ -134,17 +119,16 @@ class TamisEngine final : public Engine {
   void collect(Statistics& statistics, double seconds) {
     PipelineCounts counts;
     for (const StagePipeline& pipeline : pipelines_) counts += pipeline.counts();
-    counts.report(statistics, seconds, !motion_.separations.any());
+    counts.report(statistics, seconds, !trees_.motion().separations.any());
     statistics.isa = kernels_.isa;
   }
 
   const Mesh& mesh_;
   const Kernels& kernels_;
-  PackedMotion motion_;
-  BlockTree points_, edges_, faces_;
-  double built_area_ = 0;
+  FeatureTrees trees_;
   double moved_ = 0, size_ = 0;  ///< sums of some edges' displacements and lengths
   tbb::enumerable_thread_specific<StagePipeline> pipelines_;
+  NearSearch near_;
 };
 
 }  // namespace

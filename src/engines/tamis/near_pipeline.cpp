@@ -14,10 +14,8 @@ float NearQuestion::reach() const {
 }
 
 NearCounts& NearCounts::operator+=(const NearCounts& other) {
-  boxes.vf += other.boxes.vf;
-  boxes.ee += other.boxes.ee;
-  near.vf += other.near.vf;
-  near.ee += other.near.ee;
+  add(boxes, other.boxes);
+  add(near, other.near);
   decided_by.scalar += other.decided_by.scalar;
   decided_by.exact += other.decided_by.exact;
   nodes_visited += other.nodes_visited;
@@ -67,7 +65,7 @@ void NearPipeline::search(PairKind kind, const TreeView& a, const TreeView& b, i
   search.flush = flush;
   search.context = this;
   for (int block = first; block < last; block += stride)
-    (kind == PairKind::vertex_face ? kernels_.search_near_vf : kernels_.search_near_ee)(search, block);
+    (kind == PairKind::edge_edge ? kernels_.search_near_ee : kernels_.search_near_vf)(search, block);
   counts_.nodes_visited += search.nodes_visited;
   counts_.traverse += lap();
   decide_buffered();
@@ -84,14 +82,17 @@ void NearPipeline::decide_buffered() {
   stop_if_cancelled(options_);
   PairBuffer &boxes = buffers_->boxes, &near = buffers_->near;
   const PairKind kind = buffers_->kind;
+  keep_each_once(kind, boxes);
   near.count = 0;
-  (kind == PairKind::vertex_face ? kernels_.near_vf : kernels_.near_ee)(
-      motion_.vertices.data(), motion_.pair_separation(), question_.reach(), boxes, near);
+  if (can_cross(kind))
+    (kind == PairKind::vertex_face ? kernels_.near_vf : kernels_.near_ee)(
+        motion_.vertices.data(), motion_.pair_separation(), question_.reach(), boxes, near);
+  const PairBuffer& left = can_cross(kind) ? near : boxes;  // loose points are few
   of(counts_.boxes, kind) += static_cast<std::uint64_t>(boxes.count);
-  of(counts_.near, kind) += static_cast<std::uint64_t>(near.count);
-  boxes.count = 0;
+  of(counts_.near, kind) += static_cast<std::uint64_t>(left.count);
   counts_.filter += lap();
-  for (int i = 0; i < near.count; ++i) decide(vertices_of(near, i));
+  for (int i = 0; i < left.count; ++i) decide(vertices_of(kind, left, i));
+  boxes.count = 0;
   counts_.solving += lap();
 }
 

@@ -1,18 +1,46 @@
 // What both pipelines ask of the kernels' buffers and of the counts of pairs.
 #pragma once
 #include "engines/pair_rules.hpp"
+#include "engines/stage_counts.hpp"
 #include "kernels/kernels.hpp"
-#include "tamis/statistics.hpp"
 
 namespace tamis {
 
-inline std::uint64_t& of(StageCount& count, PairKind kind) {
-  return kind == PairKind::vertex_face ? count.vf : count.ee;
+/// In contact order: the search gives them so.
+inline PairVertices vertices_of(PairKind kind, const PairBuffer& pairs, int i) {
+  PairVertices vertices{-1, -1, -1, -1};
+  for (std::size_t c = 0; c < vertex_count(kind); ++c) vertices[c] = pairs.corner[c][i];
+  return vertices;
 }
 
-/// In contact order: the search gives them so.
-inline PairVertices vertices_of(const PairBuffer& pairs, int i) {
-  return {pairs.corner[0][i], pairs.corner[1][i], pairs.corner[2][i], pairs.corner[3][i]};
+/// Loose edges and points are searched as faces are, their last vertex repeated.
+inline auto kernel_for_search(const Kernels& kernels, PairKind kind) {
+  return kind == PairKind::edge_edge ? kernels.search_ee : kernels.search_vf;
+}
+
+inline auto kernel_for_slab(const Kernels& kernels, PairKind kind) {
+  const decltype(kernels.slab_vf) slabs[] = {kernels.slab_vf, kernels.slab_ee, kernels.slab_ve, kernels.slab_vv};
+  return slabs[static_cast<std::size_t>(kind)];
+}
+
+/// Keeps the pairs of a buffer for which is_wanted(i).
+template <class F>
+void keep_wanted(PairBuffer& pairs, const F& is_wanted) {
+  int kept = 0;
+  for (int i = 0; i < pairs.count; ++i) {
+    if (!is_wanted(i)) continue;
+    for (auto& corner : pairs.corner) corner[kept] = corner[i];
+    pairs.t_in[kept] = pairs.t_in[i];
+    pairs.t_out[kept] = pairs.t_out[i];
+    ++kept;
+  }
+  pairs.count = kept;
+}
+
+/// Two loose points are found from both sides.
+inline void keep_each_once(PairKind kind, PairBuffer& pairs) {
+  if (kind == PairKind::vertex_vertex)
+    keep_wanted(pairs, [&](int i) { return pairs.corner[0][i] < pairs.corner[1][i]; });
 }
 
 }  // namespace tamis

@@ -10,10 +10,6 @@
 namespace tamis {
 
 PipelineCounts& PipelineCounts::operator+=(const PipelineCounts& other) {
-  const auto add = [](StageCount& to, const StageCount& from) {
-    to.vf += from.vf;
-    to.ee += from.ee;
-  };
   add(boxes, other.boxes);
   add(slab, other.slab);
   add(dnf, other.dnf);
@@ -77,7 +73,7 @@ void StagePipeline::search(PairKind kind, const TreeView& a, const TreeView& b, 
   search.flush = flush;
   search.context = this;
   for (int block = blocks.first; block < blocks.last && found_.wants(kind); block += blocks.stride)
-    (kind == PairKind::vertex_face ? kernels_.search_vf : kernels_.search_ee)(search, block);
+    kernel_for_search(kernels_, kind)(search, block);
   counts_.nodes_visited += search.nodes_visited;
   counts_.traverse += lap();
 }
@@ -96,14 +92,15 @@ void StagePipeline::flush(Search& search) {
 void StagePipeline::decide_buffered(PairKind kind) {
   stop_if_cancelled(options_);
   auto& [boxes, slab, filtered, solved, current] = *buffers_;
+  keep_each_once(kind, boxes);
   leave_out_unwanted(kind);
   const bool is_vf = kind == PairKind::vertex_face;
   const PackedVertex* vertices = motion_.vertices.data();
   of(counts_.boxes, kind) += static_cast<std::uint64_t>(boxes.count);
   of(counts_.slab, kind) += static_cast<std::uint64_t>(boxes.count);
   slab.count = filtered.count = 0;
-  (is_vf ? kernels_.slab_vf : kernels_.slab_ee)(vertices, motion_.pair_separation(), boxes, slab);
-  if (motion_.separations.any()) return decide_within_separation(kind);
+  kernel_for_slab(kernels_, kind)(vertices, motion_.pair_separation(), boxes, slab);
+  if (motion_.separations.any() || !can_cross(kind)) return decide_within_separation(kind);
   of(counts_.dnf, kind) += static_cast<std::uint64_t>(slab.count);
   of(counts_.ncf, kind) +=
       static_cast<std::uint64_t>((is_vf ? kernels_.filter_vf : kernels_.filter_ee)(vertices, slab, filtered));
@@ -127,16 +124,10 @@ void StagePipeline::leave_out_unwanted(PairKind kind) {
   PairBuffer& pairs = buffers_->boxes;
   if (!found_.wants(kind)) pairs.count = 0;
   if (options_.filter.empty() && !found_.touches_at_start()) return;
-  int kept = 0;
-  for (int i = 0; i < pairs.count; ++i) {
-    const PairVertices vertices = vertices_of(pairs, i);
-    if (!found_.wants(kind, vertices) || !lets_pass(options_.filter, kind, vertices)) continue;
-    for (auto& corner : pairs.corner) corner[kept] = corner[i];
-    pairs.t_in[kept] = pairs.t_in[i];
-    pairs.t_out[kept] = pairs.t_out[i];
-    ++kept;
-  }
-  pairs.count = kept;
+  keep_wanted(pairs, [&](int i) {
+    const PairVertices vertices = vertices_of(kind, pairs, i);
+    return found_.wants(kind, vertices) && lets_pass(options_.filter, kind, vertices);
+  });
 }
 
 void StagePipeline::solve(PairKind kind) {
@@ -151,7 +142,7 @@ void StagePipeline::solve(PairKind kind) {
       ++undecided;
       continue;
     }
-    const PairVertices vertices = vertices_of(pairs, s.pair);
+    const PairVertices vertices = vertices_of(kind, pairs, s.pair);
     TimeInterval<double> bracket{s.toi_lower, s.toi_upper};
     if (bracket.t_out - bracket.t_in > kWideBracket)
       bracket = sharpened(kind, points_of(found_.step(), vertices), bracket);
@@ -168,7 +159,7 @@ void StagePipeline::solve(PairKind kind) {
 }
 
 void StagePipeline::solve_singly(PairKind kind, const PairBuffer& pairs, int pair) {
-  const PairVertices vertices = vertices_of(pairs, pair);
+  const PairVertices vertices = vertices_of(kind, pairs, pair);
   if (!found_.wants(kind, vertices)) return;
   const auto r = decide(kind, points_of(found_.step(), vertices), found_.rule_for(kind, vertices), counts_.decided_by);
   if (r.touches) found_.add({kind, r.certainty, vertices, r.toi_lower, r.toi_upper, r.u, r.v, r.normal});

@@ -50,7 +50,7 @@ class StagePipeline {
 
   static void flush(Search& search);
   void decide_buffered(PairKind kind);
-  /// What the slab clip leaves, where a distance must be kept: strict signs prove no distance.
+  /// What the slab clip leaves, where a distance counts and not a crossing: strict signs prove no distance.
   void decide_within_separation(PairKind kind);
   /// Before any work: what the caller's filter, or what is known already, leaves out.
   void leave_out_unwanted(PairKind kind);

@@ -19,13 +19,14 @@ constexpr double kPoor = 1.5;
 }  // namespace
 
 StepLengthSearch::StepLengthSearch(const Mesh& mesh, const Options& options)
-    : mesh_(mesh),
-      options_(options),
-      kernels_(kernels(options.isa)),
-      pipelines_([this] { return NearPipeline(kernels_, motion_, options_, question_); }) {
+    : mesh_(mesh), options_(options), kernels_(kernels(options.isa)), loose_(mesh), pipelines_([this] {
+        return NearPipeline(kernels_, motion_, options_, question_);
+      }) {
   points_.set_features(mesh.points());
   edges_.set_features(mesh.edges());
   faces_.set_features(mesh.faces());
+  loose_points_.set_features(loose_.points);
+  loose_edges_.set_features(std::span<const Edge>(loose_.edges));
 }
 
 SafeStep StepLengthSearch::find(const Step& step, const Separations& separations, double fraction,
@@ -44,12 +45,15 @@ SafeStep StepLengthSearch::find(const Step& step, const Separations& separations
   for (const Sample& sample : kSamples) {
     search_sample(PairKind::vertex_face, points_.view(), faces_.view(), sample);
     search_sample(PairKind::edge_edge, edges_.view(), edges_.view(), sample);
+    if (loose_.points.empty()) continue;
+    if (!loose_.edges.empty()) search_sample(PairKind::vertex_edge, loose_points_.view(), loose_edges_.view(), sample);
+    search_sample(PairKind::vertex_vertex, loose_points_.view(), loose_points_.view(), sample);
   }
   return collect(statistics, seconds_since(start)).answer(step, fraction, separations);
 }
 
 void StepLengthSearch::update_trees(Statistics& statistics) {
-  BlockTree* const trees[] = {&points_, &edges_, &faces_};
+  BlockTree* const trees[] = {&points_, &edges_, &faces_, &loose_points_, &loose_edges_};
   const auto area = [&] { return points_.start_area() + edges_.start_area() + faces_.start_area(); };
   if (built_area_ > 0) {
     for (BlockTree* tree : trees) tree->refit(motion_);
@@ -91,7 +95,8 @@ StepLimit StepLengthSearch::collect(Statistics& statistics, double seconds) {
 }
 
 std::uint64_t StepLengthSearch::memory_bytes() const {
-  std::uint64_t bytes = motion_.memory_bytes() + points_.memory_bytes() + edges_.memory_bytes() + faces_.memory_bytes();
+  std::uint64_t bytes = motion_.memory_bytes() + points_.memory_bytes() + edges_.memory_bytes() +
+                        faces_.memory_bytes() + loose_points_.memory_bytes() + loose_edges_.memory_bytes();
   for (const NearPipeline& pipeline : pipelines_) bytes += pipeline.memory_bytes();
   return bytes;
 }

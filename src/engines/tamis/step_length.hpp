@@ -9,6 +9,7 @@
 #include "bvh/block_tree.hpp"
 #include "engines/tamis/near_pipeline.hpp"
 #include "engines/tamis/samples.hpp"
+#include "topology/loose_features.hpp"
 
 namespace tamis {
 
@@ -33,7 +34,8 @@ class StepLengthSearch {
   const Options& options_;
   const Kernels& kernels_;
   PackedMotion motion_;
-  BlockTree points_, edges_, faces_;
+  const LooseFeatures loose_;
+  BlockTree points_, edges_, faces_, loose_points_, loose_edges_;
   double built_area_ = 0;
   NearQuestion question_;
   tbb::enumerable_thread_specific<NearPipeline> pipelines_;

@@ -1,0 +1,42 @@
+// What the verbs of one pose, `tamis VERB MESH`, have in common.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "cli/arguments.hpp"
+#include "cli/output_file.hpp"
+#include "cli/step_files.hpp"
+#include "cli/verb.hpp"
+
+namespace tamis::cli {
+
+class PoseVerb : public Verb {
+ public:
+  void declare(CLI::App& app) override {
+    app.add_option("MESH", path_, "PLY or OBJ")->required();
+    detector_.declare(app);
+    declare_repeat(app, repeat_, "ask N times, report the median time of the runs after the first; default 1");
+    declare_json(app, json_);
+    declare_output(app, out_, what());
+  }
+
+ protected:
+  /// What is written to --out, as in "the contacts".
+  virtual const char* what() const = 0;
+  /// Options and output are checked before any file is read.
+  io::MeshFile read() const {
+    detector_.options();
+    require_output(out_, {path_});
+    return read_with_notes(path_);
+  }
+  Options options() const { return detector_.options(); }
+
+  std::string path_, out_;
+  int repeat_ = 1;
+  bool json_ = false;
+
+ private:
+  DetectorArguments detector_;
+};
+
+}  // namespace tamis::cli

@@ -1,0 +1,20 @@
+// Counts of pairs, by kind.
+#pragma once
+#include "tamis/contact.hpp"
+#include "tamis/statistics.hpp"
+
+namespace tamis {
+
+inline std::uint64_t& of(StageCount& count, PairKind kind) {
+  std::uint64_t* const counts[] = {&count.vf, &count.ee, &count.ve, &count.vv};
+  return *counts[static_cast<std::size_t>(kind)];
+}
+
+inline void add(StageCount& to, const StageCount& from) {
+  to.vf += from.vf;
+  to.ee += from.ee;
+  to.ve += from.ve;
+  to.vv += from.vv;
+}
+
+}  // namespace tamis

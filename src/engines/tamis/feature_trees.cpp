@@ -1,0 +1,61 @@
+#include "engines/tamis/feature_trees.hpp"
+
+#include <chrono>
+
+namespace tamis {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+/// Refitting goes on until the leaf blocks' swept area exceeds by this factor what it was when they were built
+/// (docs/performance.md: "When to rebuild").
+constexpr double kPoor = 1.5;
+
+}  // namespace
+
+FeatureTrees::FeatureTrees(const Mesh& mesh, const Kernels& kernels) : mesh_(mesh), kernels_(kernels), loose_(mesh) {
+  points_.set_features(mesh.points());
+  edges_.set_features(mesh.edges());
+  faces_.set_features(mesh.faces());
+  if (loose_.points.empty()) return;
+  loose_points_.set_features(loose_.points);
+  loose_edges_.set_features(std::span<const Edge>(loose_.edges));
+}
+
+void FeatureTrees::update(const Step& step, const Separations& separations, Statistics& statistics) {
+  auto start = Clock::now();
+  motion_.assign(step, mesh_.points(), separations);
+  statistics.seconds.bounds = seconds_since(start);
+  start = Clock::now();
+  update_trees(statistics);
+  statistics.seconds.build = seconds_since(start);
+}
+
+void FeatureTrees::update_trees(Statistics& statistics) {
+  BlockTree* const trees[] = {&points_, &edges_, &faces_, &loose_points_, &loose_edges_};
+  const auto area = [&] {
+    double sum = 0;
+    for (const BlockTree* tree : trees)
+      if (tree->feature_count() > 0) sum += tree->swept_area();
+    return sum;
+  };
+  if (built_area_ > 0) {
+    for (BlockTree* tree : trees) tree->refit(motion_);
+    if (area() <= kPoor * built_area_) return;
+  }
+  for (BlockTree* tree : trees) tree->build(motion_, kernels_.split);
+  // Areas are of the box frame, which holds the scene whatever its size; a scene without area is rebuilt each time.
+  built_area_ = area();
+  statistics.rebuilt = true;
+}
+
+std::uint64_t FeatureTrees::memory_bytes() const {
+  std::uint64_t bytes = motion_.memory_bytes();
+  for (const BlockTree* tree : {&points_, &edges_, &faces_, &loose_points_, &loose_edges_})
+    bytes += tree->memory_bytes();
+  return bytes;
+}
+
+}  // namespace tamis

@@ -1,0 +1,46 @@
+// The mesh as the search sees it: where its vertices are during a question, and a tree over each kind of feature.
+#pragma once
+#include "bvh/block_tree.hpp"
+#include "kernels/kernels.hpp"
+#include "tamis/statistics.hpp"
+#include "topology/loose_features.hpp"
+
+namespace tamis {
+
+/// Kept from question to question.
+class FeatureTrees {
+ public:
+  /// Keeps a reference: the mesh must outlive it.
+  FeatureTrees(const Mesh& mesh, const Kernels& kernels);
+  FeatureTrees(const FeatureTrees&) = delete;
+  FeatureTrees& operator=(const FeatureTrees&) = delete;
+
+  /// Boxes at t=0 and t=1, in the old order, or in a new one where that has become poor. Adds seconds and `rebuilt`.
+  void update(const Step& step, const Separations& separations, Statistics& statistics);
+
+  /// f(kind, a, b): the trees whose features make the pairs of each kind there is. Loose points meet loose edges, and
+  /// each other: all other pairs of closed features are among those of faces and of edges.
+  template <class F>
+  void for_each_kind(const F& f) const {
+    f(PairKind::vertex_face, points_.view(), faces_.view());
+    f(PairKind::edge_edge, edges_.view(), edges_.view());
+    if (loose_.points.empty()) return;
+    if (!loose_.edges.empty()) f(PairKind::vertex_edge, loose_points_.view(), loose_edges_.view());
+    f(PairKind::vertex_vertex, loose_points_.view(), loose_points_.view());
+  }
+
+  const PackedMotion& motion() const { return motion_; }
+  std::uint64_t memory_bytes() const;
+
+ private:
+  void update_trees(Statistics& statistics);
+
+  const Mesh& mesh_;
+  const Kernels& kernels_;
+  PackedMotion motion_;
+  const LooseFeatures loose_;
+  BlockTree points_, edges_, faces_, loose_points_, loose_edges_;
+  double built_area_ = 0;
+};
+
+}  // namespace tamis

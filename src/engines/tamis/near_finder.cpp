@@ -1,0 +1,114 @@
+#include "engines/tamis/near_finder.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engines/cancellation.hpp"
+#include "engines/tamis/pair_buffers.hpp"
+#include "solve/near_pair.hpp"
+
+namespace tamis {
+
+struct NearFinder::Buffers {
+  PairBuffer boxes, near, unsure;
+  RestPair said[PairBuffer::kSize];
+  PairKind kind = PairKind::vertex_face;
+};
+
+NearFinder::NearFinder(const Kernels& kernels, const PackedMotion& motion, const Options& options)
+    : kernels_(kernels), motion_(motion), options_(options), buffers_(std::make_unique<Buffers>()) {}
+
+NearFinder::~NearFinder() = default;
+NearFinder::NearFinder(NearFinder&&) noexcept = default;
+
+double NearFinder::lap() {
+  const auto now = std::chrono::steady_clock::now();
+  const double seconds = std::chrono::duration<double>(now - lap_start_).count();
+  lap_start_ = now;
+  return seconds;
+}
+
+void NearFinder::begin(const Step& step) {
+  step_ = step;
+  for (auto& pairs : found) pairs.clear();
+  boxes = {"boxes"};
+  near = {"near"};
+  decided_by = {};
+  nodes_visited = 0;
+  traverse = solving = 0;
+  buffers_->boxes.count = 0;  // an exception may have left pairs of another question
+}
+
+std::uint64_t NearFinder::memory_bytes() const {
+  std::uint64_t bytes = sizeof(Buffers);
+  for (const auto& pairs : found) bytes += pairs.capacity() * sizeof(PairVertices);
+  return bytes;
+}
+
+void NearFinder::search(PairKind kind, const TreeView& a, const TreeView& b, int first, int last) {
+  lap();
+  buffers_->kind = kind;
+  Search search{a, b};
+  search.t_limit = 0;
+  search.is_short = true;
+  search.pairs = &buffers_->boxes;
+  search.flush = flush;
+  search.context = this;
+  for (int block = first; block < last; ++block) kernel_for_search(kernels_, kind)(search, block);
+  nodes_visited += search.nodes_visited;
+  traverse += lap();
+  decide_buffered();
+}
+
+void NearFinder::flush(Search& search) {
+  auto& self = *static_cast<NearFinder*>(search.context);
+  self.traverse += self.lap();
+  self.decide_buffered();
+}
+
+void NearFinder::decide_buffered() {
+  stop_if_cancelled(options_);
+  auto& [pairs, is_near_enough, unsure, said, kind] = *buffers_;
+  keep_each_once(kind, pairs);
+  of(boxes, kind) += static_cast<std::uint64_t>(pairs.count);
+  is_near_enough.count = unsure.count = 0;
+  kernels_.find_near[static_cast<std::size_t>(kind)](motion_.vertices.data(), motion_.pair_separation(), pairs,
+                                                     is_near_enough, unsure);
+  decided_by.lanes += static_cast<std::uint64_t>(pairs.count - unsure.count);
+  pairs.count = 0;
+  for (int i = 0; i < is_near_enough.count; ++i) keep(vertices_of(kind, is_near_enough, i));
+  for (int i = 0; i < unsure.count; ++i) {
+    const PairVertices v = vertices_of(kind, unsure, i);
+    if (is_near(kind, points_of(step_, v), motion_.separations.between(kind, v), decided_by)) keep(v);
+  }
+  solving += lap();
+}
+
+void NearFinder::keep(const PairVertices& vertices) {
+  const PairKind kind = buffers_->kind;
+  if (!options_.filter.empty() && !lets_pass(options_.filter, kind, vertices)) return;
+  found[static_cast<std::size_t>(kind)].push_back(vertices);
+  ++of(near, kind);
+}
+
+void NearFinder::describe(PairKind kind, const Step& step, const PairVertices* pairs, std::size_t count,
+                          NearPair* out) {
+  constexpr std::size_t kAtOnce = PairBuffer::kCapacity;
+  PairBuffer& buffer = buffers_->near;
+  for (std::size_t first = 0; first < count; first += kAtOnce) {
+    buffer.count = static_cast<int>(std::min(kAtOnce, count - first));
+    for (int i = 0; i < buffer.count; ++i)
+      for (std::size_t c = 0; c < vertex_count(kind); ++c)
+        buffer.corner[c][i] = pairs[first + static_cast<std::size_t>(i)][c];
+    kernels_.measure[static_cast<std::size_t>(kind)](motion_.vertices.data(), buffer, buffers_->said);
+    for (int i = 0; i < buffer.count; ++i) {
+      const std::size_t place = first + static_cast<std::size_t>(i);
+      const PairVertices& v = pairs[place];
+      const auto& [distance, u, weight, n] = buffers_->said[i];
+      out[place] = std::isnan(distance) ? near_pair(kind, v, points_of(step, v))
+                                        : near_pair(kind, v, distance, u, weight, {n[0], n[1], n[2]});
+    }
+  }
+}
+
+}  // namespace tamis

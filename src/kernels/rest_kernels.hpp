@@ -1,0 +1,44 @@
+// Pairs at rest: which are within their separation, and what is to be said of those.
+#pragma once
+#include "kernels/load_pose.hpp"
+#include "kernels/search.hpp"
+
+namespace tamis::TAMIS_ISA {
+
+/// Pairs within their separation, or by less than doubles can tell beyond it, go to `near`; those whose distance
+/// doubles do not know well enough go to `unsure` if they may be.
+template <PairKind kind>
+void find_near(const PackedVertex* vertices, const PairSeparation& separation, const PairBuffer& in, PairBuffer& near,
+               PairBuffer& unsure) {
+  const auto append = [&](int from, PairBuffer& to) {
+    for (int c = 0; c < 4; ++c) to.corner[c][to.count] = in.corner[c][from];
+    ++to.count;
+  };
+  for (int first = 0; first < in.count; first += kDoubleLanes) {
+    const auto [pose, scale] = load_pose<kind>(vertices, in, first, separation);
+    const RestDistance<DoubleLanes> rest = rest_distance<kind>(pose);
+    const unsigned left = lanes_in_use(in, first) & ~bits(rest.low > pose.separation), sharp = bits(rest.is_sharp());
+    for_each_bit(left & sharp, [&](int lane) { append(first + lane, near); });
+    for_each_bit(left & ~sharp, [&](int lane) { append(first + lane, unsure); });
+  }
+}
+
+/// What is said of every pair of the buffer, in its order; the distance is NaN where doubles do not know it well
+/// enough.
+template <PairKind kind>
+void measure(const PackedVertex* vertices, const PairBuffer& in, RestPair* out) {
+  for (int first = 0; first < in.count; first += kDoubleLanes) {
+    const auto [pose, scale] = load_pose<kind>(vertices, in, first, {});
+    const RestDistance<DoubleLanes> rest = rest_distance<kind>(pose);
+    const auto unit = unit_vector(rest.direction);
+    const DoubleLanes distance = Masked<DoubleLanes>::nan_where(!rest.is_sharp(), rest.distance / scale);
+    const DoubleLanes fields[] = {distance, rest.closest.u, rest.closest.v, unit.x, unit.y, unit.z};
+    double f[6][kDoubleLanes];
+    for (int k = 0; k < 6; ++k) fields[k].store_unaligned(f[k]);
+    for_each_bit(lanes_in_use(in, first), [&](int i) {
+      out[first + i] = {f[0][i], f[1][i], f[2][i], {f[3][i], f[4][i], f[5][i]}};
+    });
+  }
+}
+
+}  // namespace tamis::TAMIS_ISA

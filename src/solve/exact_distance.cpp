@@ -1,0 +1,134 @@
+#include "solve/exact_distance.hpp"
+
+#include <algorithm>
+
+#include "solve/rest_distance.hpp"
+
+namespace tamis {
+namespace {
+
+using Vec = Vec3<Integer>;
+
+bool is_smaller(const Fraction& a, const Fraction& b) { return (a.above * b.below - b.above * a.below).sign() < 0; }
+
+/// Of the segment from corner x to corner y.
+NearestPoint nearest_on_side(const Vec& x, const Vec& y, std::size_t number) {
+  const Vec side = y - x;
+  if (dot(x, side).sign() >= 0) return {{dot(x, x)}, number, {0}};
+  if (dot(y, side).sign() <= 0) return {{dot(y, y)}, number, {1}};
+  const Vec n = cross(x, y);
+  return {{dot(n, n), dot(side, side)}, number, {-dot(x, side), dot(side, side)}};
+}
+
+const Vec& corner(const MovingPolygon& polygon, std::size_t i) { return polygon.corner(i).at0; }
+
+Vec normal_of(const MovingPolygon& polygon) {
+  const Vec& first = corner(polygon, 0);
+  return cross(corner(polygon, 1) - first, corner(polygon, polygon.corner_count - 1) - first);
+}
+
+double value_of(const Fraction& a) {
+  const int sign = a.above.sign();
+  if (sign == 0) return 0;
+  return sign < 0 ? -Magnitude::of(Fraction{-a.above, a.below}).value() : Magnitude::of(a).value();
+}
+
+Vec3<double> unit_vector_of(const Vec& v) {
+  const Integer* const components[] = {&v.x, &v.y, &v.z};
+  double mantissas[3] = {};
+  long exponents[3] = {}, largest = 0;
+  bool is_first = true;
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (components[k]->sign() == 0) continue;
+    mantissas[k] = mpz_get_d_2exp(&exponents[k], components[k]->get());
+    largest = is_first ? exponents[k] : std::max(largest, exponents[k]);
+    is_first = false;
+  }
+  if (is_first) return {0, 0, 0};
+  const auto value = [&](std::size_t k) {
+    return std::ldexp(mantissas[k], static_cast<int>(std::max(exponents[k] - largest, -2000L)));
+  };
+  return unit_vector(Vec3<double>{value(0), value(1), value(2)});
+}
+
+struct Weights {
+  double u, v;
+};
+
+/// Of the polygon's corners.
+Weights corner_weights(PairKind kind, std::size_t i) {
+  constexpr Weights kFace[] = {{0, 0}, {1, 0}, {0, 1}}, kEdges[] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+  return kind == PairKind::edge_edge ? kEdges[i] : kFace[i];
+}
+
+ExactDistance on_side(PairKind kind, const MovingPolygon& polygon, const NearestPoint& nearest) {
+  const std::size_t i = nearest.side, j = (i + 1) % polygon.corner_count;
+  const double s = value_of(nearest.along);
+  const Weights a = corner_weights(kind, i), b = corner_weights(kind, j);
+  const auto mixed = [&](double from, double to) { return from == to ? from : to > from ? s : 1 - s; };
+  const Vec &x = corner(polygon, i), side = corner(polygon, j) - x;
+  const Vec gap = nearest.along.below * x + nearest.along.above * side;
+  return {0, mixed(a.u, b.u), mixed(a.v, b.v), unit_vector_of(gap)};
+}
+
+ExactDistance inside(const MovingPolygon& polygon) {
+  const Vec normal = normal_of(polygon), &first = corner(polygon, 0), &last = corner(polygon, polygon.corner_count - 1);
+  const Integer square = dot(normal, normal);
+  const auto weight = [&](const Vec& x, const Vec& y) { return value_of({dot(normal, cross(x, y)), square}); };
+  const Vec3<double> direction = unit_vector_of(normal);
+  const bool is_behind = dot(normal, first).sign() < 0;
+  return {0, weight(last, first), weight(first, corner(polygon, 1)), is_behind ? -direction : direction};
+}
+
+}  // namespace
+
+Magnitude Magnitude::of(const Integer& a) {
+  long exponent = 0;
+  const double mantissa = mpz_get_d_2exp(&exponent, a.get());
+  return {mantissa, exponent};
+}
+
+Magnitude Magnitude::of(double a) {
+  int exponent = 0;
+  const double mantissa = std::frexp(a, &exponent);
+  return {mantissa, exponent};
+}
+
+Magnitude Magnitude::root() const {
+  const bool is_odd = exponent % 2 != 0;
+  return {std::sqrt(is_odd ? 2 * mantissa : mantissa), (exponent - (is_odd ? 1 : 0)) / 2};
+}
+
+Magnitude operator+(const Magnitude& a, const Magnitude& b) {
+  if (a.exponent < b.exponent) return b + a;
+  const long shift = std::max(b.exponent - a.exponent, -2000L);
+  return {a.mantissa + std::ldexp(b.mantissa, static_cast<int>(shift)), a.exponent};
+}
+
+double Magnitude::value() const { return std::ldexp(mantissa, static_cast<int>(std::clamp(exponent, -5000L, 5000L))); }
+
+/// Its plane where the foot of the perpendicular lies inside, else a side.
+NearestPoint nearest_point(const MovingPolygon& polygon) {
+  const Vec normal = normal_of(polygon);
+  bool is_inside = dot(normal, normal).sign() > 0;
+  NearestPoint nearest = nearest_on_side(corner(polygon, 0), corner(polygon, 1), 0);
+  for (std::size_t i = 0; i < polygon.corner_count; ++i) {
+    is_inside = is_inside && dot(normal, cross(corner(polygon, i), corner(polygon, i + 1))).sign() >= 0;
+    NearestPoint other = nearest_on_side(corner(polygon, i), corner(polygon, i + 1), i);
+    if (is_smaller(other.square, nearest.square)) nearest = std::move(other);
+  }
+  if (!is_inside) return nearest;
+  const Integer height = dot(normal, corner(polygon, 0));
+  return {{height * height, dot(normal, normal)}, 0, {}, true};
+}
+
+ExactDistance exact_distance(PairKind kind, const PairPoints& points) {
+  const MovingPolygon polygon = difference_polygon(kind, points);
+  const NearestPoint nearest = nearest_point(polygon);
+  ExactDistance result = nearest.is_inside ? inside(polygon) : on_side(kind, polygon, nearest);
+  if (nearest.square.above.sign() > 0)
+    result.distance = Magnitude::of(nearest.square).root().times_two_to(polygon.exponent).value();
+  return result;
+}
+
+}  // namespace tamis

@@ -1,0 +1,20 @@
+// One pair at rest: is it within a separation, and what is to be said of it? The lanes' own lines first, then integers.
+#pragma once
+#include "motion/make_motion.hpp"
+#include "tamis/near.hpp"
+#include "tamis/statistics.hpp"
+
+namespace tamis {
+
+/// At t=0: true if within the separation, or by less than doubles can tell beyond it. REQUIRES: finite coordinates,
+/// also at t=1. Counts in `decided_by` which arithmetic had the last word.
+bool is_near(PairKind kind, const PairPoints& points, double separation, PrecisionCount& decided_by);
+
+/// REQUIRES: as above.
+NearPair near_pair(PairKind kind, const std::array<Index, 4>& vertices, const PairPoints& points);
+
+/// A pair whose distance, weights and direction along the gap (solve/closest.hpp) are known.
+NearPair near_pair(PairKind kind, const std::array<Index, 4>& vertices, double distance, double u, double v,
+                   const Point& along_gap);
+
+}  // namespace tamis

@@ -1,0 +1,111 @@
+// Edges through triangles in one pose, against every pair of edge and face decided exactly, and the oracle.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "solve/exact.hpp"
+#include "support/contact_sets.hpp"
+#include "support/test_names.hpp"
+#include "tamis/detector.hpp"
+#include "tamis/error.hpp"
+
+namespace tamis::test {
+namespace {
+
+using scenes::Recipe, scenes::Scene;
+
+using Found = std::multiset<std::pair<Edge, Face>>;
+
+Found found_by(Detector& detector, const std::vector<Point>& positions) {
+  Found found;
+  for (const Intersection& i : detector.intersections(positions)) found.insert({i.edge, i.face});
+  return found;
+}
+
+/// A point that runs along the edge, against the face at rest: every edge with every face.
+template <class Touches>
+Found truth_by(const Mesh& mesh, const std::vector<Point>& at, const Touches& touches) {
+  const auto point = [&](Index v) { return at[static_cast<std::size_t>(v)]; };
+  Found truth;
+  for (const Edge& edge : mesh.edges())
+    for (const Face& face : mesh.faces()) {
+      if (std::any_of(face.begin(), face.end(), [&](Index v) { return v == edge[0] || v == edge[1]; })) continue;
+      const std::array start{point(edge[0]), point(face[0]), point(face[1]), point(face[2])};
+      auto end = start;
+      end[0] = point(edge[1]);
+      if (touches(start, end)) truth.insert({edge, face});
+    }
+  return truth;
+}
+
+class IntersectionsOf : public testing::TestWithParam<Recipe> {};
+
+// Bugs: a pair lost in the search or the filters, or an adjacent one reported; another answer by another method.
+TEST_P(IntersectionsOf, AreThoseOfEveryEdgeWithEveryFace) {
+  for (std::uint64_t seed = 0; seed < 2; ++seed) {
+    const Scene scene = GetParam().make(60, 5 + seed);
+    const Mesh mesh = scene.mesh();
+    const Found truth = truth_by(mesh, scene.end, [](const auto& start, const auto& end) {
+      return decide_exactly(PairKind::vertex_face, {start, end}).touches;
+    });
+    for (const Method method : kMethods) {
+      Options options;
+      options.method = method;
+      Detector detector(scene.mesh(), options);
+      EXPECT_EQ(found_by(detector, scene.end), truth) << scene.name << " by " << name_of(method);
+      EXPECT_EQ(detector.has_intersection(scene.end), !truth.empty());
+      EXPECT_EQ(found_by(detector, scene.end), truth) << "asked again";
+    }
+  }
+}
+
+// Bug: the library's own exact decision is wrong in the same way as its search.
+TEST_P(IntersectionsOf, AreThoseOfTheOracle) {
+  const Scene scene = GetParam().make(12, 3);
+  Detector detector(scene.mesh());
+  EXPECT_EQ(found_by(detector, scene.start),
+            truth_by(scene.mesh(), scene.start, [](const auto& start, const auto& end) {
+              return oracle::touches(PairKind::vertex_face, {start, end});
+            }));
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, IntersectionsOf, testing::ValuesIn(scenes::recipes().begin(), scenes::recipes().end()),
+                         scene_test_name);
+
+/// A face in the plane z = 0, and a rod from `a` to `b`.
+bool meets_face(const Point& a, const Point& b) {
+  Detector detector(Mesh(5, {{0, 1, 2}}, {{3, 4}}));
+  return detector.has_intersection(std::vector<Point>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, a, b});
+}
+
+// Bugs: touching is no intersection, or whatever lies in the face's plane is one.
+TEST(IntersectionsThatOnlyTouch, Count) {
+  EXPECT_TRUE(meets_face({0.25, 0.25, 0}, {0.25, 0.25, 1})) << "an end on the inside";
+  EXPECT_TRUE(meets_face({0.5, 0, -1}, {0.5, 0, 1})) << "through a border";
+  EXPECT_TRUE(meets_face({0, 0, -1}, {0, 0, 1})) << "through a corner";
+  EXPECT_TRUE(meets_face({-1, 0.5, 0}, {1, 0.25, 0})) << "within the plane, across";
+  EXPECT_TRUE(meets_face({0.25, 0.25, 0}, {0.3, 0.3, 0})) << "within the face";
+  EXPECT_FALSE(meets_face({-1, -1, 0}, {1, -1, 0})) << "within the plane, beside it";
+  EXPECT_FALSE(meets_face({0.25, 0.25, 0x1p-1074}, {0.25, 0.25, 1})) << "the smallest double above it";
+  EXPECT_FALSE(meets_face({2, 2, -1}, {2, 2, 1})) << "past it";
+}
+
+// Bug: groups that may pass through each other are reported.
+TEST(IntersectionsOfGroups, FollowTheFilter) {
+  Options options;
+  options.filter = PairFilter::no_self_contact({0, 0, 0, 0, 0});
+  Detector detector(Mesh(5, {{0, 1, 2}}, {{3, 4}}), options);
+  EXPECT_FALSE(
+      detector.has_intersection(std::vector<Point>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0.2, 0.2, -1}, {0.2, 0.2, 1}}));
+}
+
+TEST(IntersectionsBadInput, IsRefused) {
+  Detector detector(Mesh(5, {{0, 1, 2}}, {{3, 4}}));
+  EXPECT_THROW(detector.intersections(std::vector<Point>(4)), InvalidStep);
+  EXPECT_THROW(detector.has_intersection(std::vector<Point>(5, Point{NAN, 0, 0})), InvalidStep);
+}
+
+}  // namespace
+}  // namespace tamis::test

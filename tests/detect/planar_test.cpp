@@ -1,0 +1,78 @@
+// Curves in the plane: edges and points with z = 0 are decided by the same calls, exactly, though every pair of them is
+// coplanar at all times.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "engines/pair_rules.hpp"
+#include "scenes/random.hpp"
+#include "support/contact_sets.hpp"
+#include "tamis/detector.hpp"
+
+namespace tamis::test {
+namespace {
+
+using scenes::Random, scenes::Scene;
+
+/// Polylines whose vertices go from one lattice point to another, and free points among them.
+Scene curves(std::uint64_t seed) {
+  Random random(seed);
+  Scene scene;
+  const auto vertex = [&] {
+    const auto point = [&] { return Point{std::floor(random.between(0, 9)), std::floor(random.between(0, 9)), 0}; };
+    const Point start = point();
+    Point end = point();
+    for (std::size_t k = 0; k < 2; ++k) end[k] = start[k] + (end[k] - start[k]) / 4;
+    return scene.add_vertex(start, end, 0);
+  };
+  for (int curve = 0; curve < 3; ++curve) {
+    Index last = vertex();
+    for (int i = 0; i < 4; ++i) {
+      const Index next = vertex();
+      scene.loose_edges.push_back({last, next});
+      last = next;
+    }
+  }
+  for (int i = 0; i < 6; ++i) scene.loose_points.push_back(vertex());
+  return scene;
+}
+
+// Bug: a pair that is coplanar all the time is taken for free, or for unresolved with the guarantee `exact`.
+TEST(CurvesInThePlane, MeetExactlyWhereTheOracleSaysSo) {
+  for (std::uint64_t seed = 0; seed < 8; ++seed) {
+    const Scene scene = curves(seed);
+    PairSet truth;
+    for_each_pair(scene.mesh(), {}, [&](PairKind kind, const PairVertices& v) {
+      if (oracle::touches(kind, motion_of(scene, v))) truth.insert({kind, v});
+    });
+    EXPECT_FALSE(truth.empty());
+    for (const Method method : kMethods) {
+      Options options;
+      options.method = method;
+      options.guarantee = Guarantee::exact;
+      Detector detector(scene.mesh(), options);
+      const std::vector<Contact> contacts = detector.contacts(scene.step());
+      EXPECT_EQ(certified_names_of(contacts), truth) << name_of(method) << ", seed " << seed;
+      EXPECT_EQ(contacts.size(), truth.size());
+    }
+  }
+}
+
+// Bug: the plane has no distances of its own.
+TEST(CurvesInThePlane, HaveDistancesAndStepLengths) {
+  Scene scene;
+  scene.loose_edges.push_back({scene.add_vertex({0, 0, 0}, {0, 0, 0}, 0), scene.add_vertex({4, 0, 0}, {4, 0, 0}, 0)});
+  scene.loose_edges.push_back({scene.add_vertex({1, 3, 0}, {1, -1, 0}, 1), scene.add_vertex({2, 5, 0}, {2, 1, 0}, 1)});
+  Detector detector(scene.mesh());
+  const auto& near = detector.near(scene.start, 3);
+  ASSERT_EQ(near.size(), 1u);
+  EXPECT_EQ(near[0].distance, 3);
+  EXPECT_EQ(near[0].u, 0.25);
+  EXPECT_EQ(near[0].corners, 0b0111);
+  EXPECT_EQ(near[0].direction, (Point{0, -1, 0}));
+  EXPECT_NEAR(detector.keep_distance(scene.step(), 0.5).lower, 0.375, 1e-9);
+  EXPECT_NEAR(detector.earliest(scene.step(), 1.0).toi_lower, 0.5, 1e-9);
+}
+
+}  // namespace
+}  // namespace tamis::test

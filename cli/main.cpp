@@ -43,7 +43,7 @@ int finish(int code) { return flush_output() ? code : fail_to_print(); }
 
 /// What the verb was asked about: it tells which of many commands failed.
 std::string subject_of(const CLI::App& verb) {
-  std::string subject = "tamis " + verb.get_name();
+  std::string subject = verb.get_name();
   for (const CLI::Option* option : verb.get_options())
     if (option->get_positional())
       for (const std::string& word : option->results()) subject += " " + word;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <limits>
 
 #include "io/error.hpp"
 #include "io/file_bytes.hpp"
@@ -54,6 +55,8 @@ void require_same(const std::vector<T>& first, const std::vector<T>& second, con
 MeshFile read_mesh(const std::filesystem::path& path) {
   MeshFile mesh = parse(FileBytes(path), path);
   if (mesh.positions.empty()) throw FileError(path.string(), "", "no vertex in it: give a mesh");
+  if (mesh.positions.size() > static_cast<std::size_t>(std::numeric_limits<Index>::max()))
+    throw FileError(path.string(), "", "more vertices than 32-bit indices can name: give a smaller mesh");
   if (mesh.faces.empty() && mesh.loose_edges.empty() && mesh.loose_points.empty())
     throw FileError(path.string(), "", "no face and no edge in it: give a mesh, not a bare set of points");
   return mesh;

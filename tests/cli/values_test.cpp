@@ -1,6 +1,9 @@
 // What an option takes and what it refuses, before any file is read.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <thread>
+
 #include "cli/command.hpp"
 
 namespace tamis::test {
@@ -73,6 +76,20 @@ TEST_F(Values, AListEndsBeforeTheFiles) {
       folder_.run("bench --question free,contacts --cold 1 --repeat 1 --json --scale 0.1,1 above.obj below.obj");
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_EQ(outcome.json()["rows"].size(), 4u);
+}
+
+// Bug: a library below warns about threads on stderr, and the result speaks of a thousand that do not exist.
+TEST_F(Values, ThreadsThatDoNotExistAreNotReported) {
+  const unsigned processors = std::thread::hardware_concurrency();
+  for (const char* verb : {"contacts above.obj below.obj", "sequence above.obj below.obj"}) {
+    const Outcome outcome = folder_.run(std::string(verb) + " --threads 1024 --json");
+    EXPECT_EQ(outcome.code, 0);
+    EXPECT_EQ(outcome.err, "") << verb;
+    EXPECT_LE(outcome.json()["threads"], std::max(processors, 1U)) << verb;
+  }
+  const Outcome bench = folder_.run("bench above.obj below.obj --threads 1024 --cold 1 --repeat 1 --json");
+  EXPECT_EQ(bench.err, "");
+  EXPECT_LE(bench.json()["rows"][0]["threads"], std::max(processors, 1U));
 }
 
 // Bug: a path in brackets is taken apart as a list.

@@ -4,6 +4,7 @@ import signal
 import time
 
 import command
+import inputs
 
 SIGNALS = [signal.SIGINT, signal.SIGTERM, signal.SIGHUP, signal.SIGPIPE, signal.SIGKILL]
 MOMENTS = 6
@@ -30,10 +31,11 @@ def attack(folder, case, random):
     words = folder.world.baseline(verb, large=True)
     option = next((o for o in verb.options if o.is_output_file), None)
     if option:
-        words += [option.name, "out"]
-        (folder.path / "out").write_text("old")
+        out = folder.path / f"out{inputs.SUFFIXES.get(verb.name, '')}"
+        words += [option.name, out.name]
+        out.write_text("old")
     if kind == "signal":
-        return attack_signal(folder, words, value, random)
+        return attack_signal(folder, words, out if option else None, value, random)
     limit = {"size": resource.RLIMIT_FSIZE, "memory": resource.RLIMIT_AS, "files": resource.RLIMIT_NOFILE}[kind]
     outcome = folder.run(words, limits=[(limit, value << 20 if kind == "memory" else value)])
     if b"error while loading shared libraries" in outcome.err:
@@ -41,16 +43,15 @@ def attack(folder, case, random):
     command.check(outcome)
     folder.require_nothing_unfinished(outcome)
     if outcome.code == 2 and option:
-        outcome.require((folder.path / "out").read_text() == "old", "an error, and yet the old file is gone")
+        outcome.require(out.read_text() == "old", "an error, and yet the old file is gone")
     return None
 
 
-def attack_signal(folder, words, number, random):
+def attack_signal(folder, words, out, number, random):
     start = time.monotonic()
     whole = folder.run_and_check(words)
     seconds = time.monotonic() - start
-    out = folder.path / "out"
-    complete = out.read_text() if out.exists() else None
+    complete = out.read_text() if out else None
     if complete is not None:
         out.write_text("old")
     for path in folder.files():

@@ -14,16 +14,25 @@ COUNT = 300
 
 
 def cases(world):
+    """Each value of each option once, then options together."""
     for verb in world.verbs:
-        yield from ((verb, number) for number in range(COUNT))
+        for option in plain_options(world, verb):
+            yield from ((verb, [option.name, value]) for value in values_of(option))
+        yield from ((verb, None) for _ in range(COUNT))
 
 
-def value_of(option, random):
+def plain_options(world, verb):
+    words = world.baseline(verb)
+    return [o for o in verb.options if not o.is_output_file and not o.is_output_folder and "=" not in o.takes
+            and not o.is_flag and o.name not in words]
+
+
+def values_of(option):
     if not option.is_number:
-        return random.choice(NAMES)
+        return NAMES
     if option.name == "--threads":
-        return random.choice(THREADS)
-    return random.choice(COUNTS if re.match(r"N\b|INT|UINT", option.takes) else NUMBERS)
+        return THREADS
+    return COUNTS if re.match(r"N\b|INT|UINT", option.takes) else NUMBERS
 
 
 def extreme_mesh(random, points):
@@ -32,16 +41,21 @@ def extreme_mesh(random, points):
 
 
 def attack(folder, case, random):
-    verb, _ = case
-    words = folder.world.baseline(verb)
-    plain = [o for o in verb.options if not o.is_output_file and not o.is_output_folder and "=" not in o.takes
-             and o.name not in words]
-    for option in random.sample(plain, min(len(plain), random.choice([0, 1, 2, 3, 5]))):
-        words += [option.name] if option.is_flag else [option.name, value_of(option, random)]
-    if random.random() < 0.5:
+    verb, added = case
+    words = folder.world.baseline(verb) + (added or [])
+    if added is None:
+        plain = plain_options(folder.world, verb)
+        for option in random.sample(plain, min(len(plain), random.choice([1, 2, 3, 5]))):
+            words += [option.name, random.choice(values_of(option))]
+        words += random.choice([[], ["--json"] if verb.has("--json") else []])
+        write_extreme_meshes(folder, random)
+    outcome = folder.run_and_check(words)
+    folder.require_nothing_unfinished(outcome)
+
+
+def write_extreme_meshes(folder, random):
+    if random.random() < 0.7:
         points = random.choice([3, 4, 6, 9])
         faces = "".join(f"f {' '.join(str(random.randrange(points) + 1) for _ in range(3))}\n" for _ in range(points // 2))
         for name in ("above.obj", "high.obj", "below.obj", "fall/1.obj", "fall/2.obj"):
             (folder.path / name).write_text(extreme_mesh(random, points) + faces + "p 1\n")
-    outcome = folder.run_and_check(words)
-    folder.require_nothing_unfinished(outcome)

@@ -2,6 +2,8 @@
 import os
 import stat
 
+import inputs
+
 PLACES = ["new", "private", "public", "executable", "link", "dangling", "folder", "absent folder", "/dev/null", "/dev/full",
           "long name", "too long", "looping link", "through a file"]
 SPELLINGS = ["as it is", "dotted", "link", "link to link", "hard link", "absolute"]
@@ -14,7 +16,8 @@ def output_of(verb):
 def cases(world):
     for verb in world.verbs:
         if output_of(verb):
-            yield from ((verb, place, None) for place in PLACES)
+            is_free = verb.name not in inputs.SUFFIXES
+            yield from ((verb, place, None) for place in PLACES if is_free or not place.startswith("/dev"))
             for position in range(len(inputs_in(world.baseline(verb), world.template))):
                 yield from ((verb, spelling, position) for spelling in SPELLINGS)
 
@@ -27,7 +30,7 @@ def attack(folder, case, random):
     verb, kind, position = case
     words = folder.world.baseline(verb)
     if position is None:
-        return attack_place(folder, words, output_of(verb).name, kind)
+        return attack_place(folder, words, output_of(verb).name, kind, inputs.SUFFIXES.get(verb.name, ""))
     return attack_input(folder, words, output_of(verb).name, kind, inputs_in(words, folder.path)[position])
 
 
@@ -45,28 +48,35 @@ def attack_input(folder, words, option, spelling, name):
     outcome.require(folder.contents() == before, "an input was changed")
 
 
-def prepare(here, place):
-    """The name to write to, and whether it can be."""
+def prepare(out, place):
+    """Puts there what the place is called after."""
     modes = {"private": 0o600, "public": 0o666, "executable": 0o755}
     if place in modes:
-        (here / "out").write_text("old")
-        (here / "out").chmod(modes[place])
+        out.write_text("old")
+        out.chmod(modes[place])
     if place == "link":
-        (here / "behind").write_text("old")
+        out.with_name("behind").write_text("old")
     if place in ("link", "dangling"):
-        (here / "out").symlink_to("behind")
+        out.symlink_to("behind")
     if place == "folder":
-        (here / "out").mkdir()
+        out.mkdir()
     if place == "looping link":
-        (here / "out").symlink_to("out")
-    names = {"absent folder": "absent/out", "/dev/null": "/dev/null", "/dev/full": "/dev/full", "long name": "x" * 255,
-             "too long": "x" * 256, "through a file": "above.obj/out"}
-    cannot = ("folder", "absent folder", "/dev/full", "too long", "looping link", "through a file")
-    return names.get(place, "out"), place not in cannot
+        out.symlink_to(out.name)
 
 
-def attack_place(folder, words, option, place):
-    name, can_be = prepare(folder.path, place)
+def name_of(place, suffix):
+    long = {"long name": 255, "too long": 256}
+    if place in long:
+        return "x" * (long[place] - len(suffix)) + suffix
+    folders = {"absent folder": "absent/", "through a file": "above.obj/"}
+    return place if place.startswith("/dev") else folders.get(place, "") + "out" + suffix
+
+
+def attack_place(folder, words, option, place, suffix):
+    name = name_of(place, suffix)
+    can_be = place not in ("folder", "absent folder", "/dev/full", "too long", "looping link", "through a file")
+    if not place.startswith("/dev"):
+        prepare(folder.path / name, place)
     out, files = folder.path / name, folder.files()
     mode = stat.S_IMODE(out.stat().st_mode) if place in ("private", "public", "executable") else None
     outcome = folder.run_and_check([*words, option, name])

@@ -78,12 +78,12 @@ def attack(family, number, seed):
 
 def chosen(world, seed, only, is_long):
     """(family, number) of the cases of one round, in an order of the seed's."""
-    if only:
-        family, _, number = only.partition(":")
-        return [(family, int(number))] if number else [(family, n) for n in range(len(world.cases[family]))]
+    family, _, number = (only or "").partition(":")
+    if number:
+        return [(family, int(number))]
     order = random.Random(seed)
     picked = []
-    for family, cases in world.cases.items():
+    for family, cases in [(family, world.cases[family])] if only else world.cases.items():
         numbers = range(len(cases))
         picked += [(family, n) for n in (numbers if is_long else order.sample(numbers, min(SHORT, len(numbers))))]
     order.shuffle(picked)

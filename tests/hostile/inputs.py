@@ -68,7 +68,9 @@ BASELINES = {
     "bench": ["above.obj", "below.obj", "--cold", "1", "--warm-up", "0", "--repeat", "1"],
 }
 # What writing takes long enough to be interrupted.
-LARGE = {"START": ["cloth1.obj"], "END": ["cloth2.obj"]}
+LARGE = {"START": ["cloth1.obj"], "END": ["cloth2.obj"], "FRAMES": ["cloth1.obj", "cloth2.obj"]}
+# How the name of an output must end, where it tells the format.
+SUFFIXES = {"view": ".html"}
 
 
 def positionals_of(verb, large=False):

@@ -1,6 +1,7 @@
 #include "solve/exact_distance.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include "solve/rest_distance.hpp"
 
@@ -106,6 +107,12 @@ Magnitude operator+(const Magnitude& a, const Magnitude& b) {
 }
 
 double Magnitude::value() const { return std::ldexp(mantissa, static_cast<int>(std::clamp(exponent, -5000L, 5000L))); }
+
+double Magnitude::rounded_down() const {
+  constexpr double kRounding = 0x1p-46, kNormal = std::numeric_limits<double>::min();
+  const double rounded = Magnitude{mantissa * (1 - kRounding), exponent}.value();
+  return rounded < kNormal ? std::nextafter(rounded, 0) : rounded;
+}
 
 /// Its plane where the foot of the perpendicular lies inside, else a side.
 NearestPoint nearest_point(const MovingPolygon& polygon) {

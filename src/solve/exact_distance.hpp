@@ -27,6 +27,8 @@ struct Magnitude {
   }
   friend Magnitude operator+(const Magnitude& a, const Magnitude& b);
   double value() const;
+  /// A double below it by about ten roundings, or by one spacing of the smallest doubles.
+  double rounded_down() const;
 };
 
 struct NearestPoint {

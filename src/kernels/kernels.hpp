@@ -30,13 +30,20 @@ struct SolvedPair {
   double normal[3];  ///< unit
 };
 
+/// Which pairs may end the step before `t_limit`, where each must keep a fraction of its distance beyond the separation
+/// (solve/kept_gap.hpp).
+struct NearRule {
+  float fraction;  ///< rounded up
+  float reach;     ///< t_limit / (1 - fraction), rounded up
+  float t_limit;   ///< rounded up; may exceed 1
+};
+
 /// One thread's search over one pair of trees.
 struct Search {
   TreeView a, b;  ///< vf: points, faces; ee: edges, edges
   /// Nothing that starts after this time is of interest; a float, so that the stages in floats do not round it.
-  /// For search_near, the reach: pairs of boxes at t=0 farther apart than this times the largest difference of their
-  /// displacements are of no interest.
   float t_limit = 1;
+  NearRule near{};  ///< for search_near, which looks at nothing else
   /// Until t_limit things move so little that what boxes sweep over serves as well as boxes that move.
   bool is_short = false;
   PairBuffer* pairs = nullptr;
@@ -54,15 +61,14 @@ struct Kernels {
   /// no vertex; ee: with the blocks from `block` on, each pair once.
   void (*search_vf)(Search& search, int block);
   void (*search_ee)(Search& search, int block);
-  /// The same for boxes that hold displacements: pairs within reach. Times are not set.
+  /// The same for pairs that may end the step by the near rule. Trees have drifts, from t=0 on.
   void (*search_near_vf)(Search& search, int block);
   void (*search_near_ee)(Search& search, int block);
-  /// Pairs that are farther apart than `separation` at t=0 by more than `reach` times their relative speed are culled
-  /// (solve/start_gap.hpp).
-  void (*near_vf)(const PackedVertex* vertices, const PairSeparation& separation, float reach, const PairBuffer& in,
-                  PairBuffer& out);
-  void (*near_ee)(const PackedVertex* vertices, const PairSeparation& separation, float reach, const PairBuffer& in,
-                  PairBuffer& out);
+  /// Pairs that cannot end the step by the rule are culled.
+  void (*near_vf)(const PackedVertex* vertices, const PairSeparation& separation, const NearRule& rule,
+                  const PairBuffer& in, PairBuffer& out);
+  void (*near_ee)(const PackedVertex* vertices, const PairSeparation& separation, const NearRule& rule,
+                  const PairBuffer& in, PairBuffer& out);
   /// Slab clip on the diagonal axes: pairs that stay farther apart than `separation` are culled. Survivors, with their
   /// times, go to `out`.
   void (*slab_vf)(const PackedVertex* vertices, const PairSeparation& separation, const PairBuffer& in,

@@ -1,6 +1,7 @@
 #include "motion/make_motion.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "motion/pair_kinds.hpp"
 #include "numerics/scale.hpp"
@@ -8,13 +9,31 @@
 namespace tamis {
 namespace {
 
-constexpr auto kDifference = [](const Point& to, const Point& from) {
-  return Vec3<double>{to[0] - from[0], to[1] - from[1], to[2] - from[2]};
+/// Takes differences of positions times `unit`.
+struct Difference {
+  double unit;
+  Vec3<double> operator()(const Point& to, const Point& from) const {
+    const auto along = [&](std::size_t k) { return unit * to[k] - unit * from[k]; };
+    return {along(0), along(1), along(2)};
+  }
 };
-constexpr auto kExactDifference = [](const Point& to, const Point& from) {
-  const auto along = [&](std::size_t k) { return DoubleDouble::sum_of(to[k], -from[k]); };
-  return Vec3<DoubleDouble>{along(0), along(1), along(2)};
+struct ExactDifference {
+  double unit;
+  Vec3<DoubleDouble> operator()(const Point& to, const Point& from) const {
+    const auto along = [&](std::size_t k) { return DoubleDouble::sum_of(unit * to[k], -(unit * from[k])); };
+    return {along(0), along(1), along(2)};
+  }
 };
+
+/// 1, unless differences might overflow: then a power of two that keeps them below 2^1022. What is so small that it
+/// loses bits by that is far below `underflow`.
+double safe_unit(const PairPoints& points) {
+  double largest = 0;
+  for (const auto* positions : {&points.start, &points.end})
+    for (const Point& p : *positions)
+      for (const double x : p) largest = std::max(largest, std::fabs(x));
+  return largest < 0x1p1021 ? 1 : 0x1p-3;
+}
 
 Moving<double> scaled(const Moving<double>& v, double scale) { return {scale * v.at0, scale * v.at1}; }
 
@@ -53,16 +72,18 @@ double scale_of(const Vectors<double>& v) {
 }  // namespace
 
 PairMotion<double> make_motion(PairKind kind, const PairPoints& points, double separation) {
-  const auto [e, f, d] = vectors_of<double>(kind, points, kDifference);
+  const double unit = safe_unit(points);
+  const auto [e, f, d] = vectors_of<double>(kind, points, Difference{unit});
   const double scale = scale_of({e, f, d});
   return {scaled(e, scale),   scaled(f, scale),   scaled(d, scale),  scale * largest(e),
-          scale * largest(f), scale * largest(d), scale * separation};
+          scale * largest(f), scale * largest(d), scale * (unit * separation)};
 }
 
 PairMotion<DoubleDouble> make_extended_motion(PairKind kind, const PairPoints& points) {
-  const auto rounded = vectors_of<double>(kind, points, kDifference);
+  const double unit = safe_unit(points);
+  const auto rounded = vectors_of<double>(kind, points, Difference{unit});
   const double scale = scale_of(rounded);
-  const auto [e, f, d] = vectors_of<DoubleDouble>(kind, points, kExactDifference);
+  const auto [e, f, d] = vectors_of<DoubleDouble>(kind, points, ExactDifference{unit});
   return {scaled(e, scale),
           scaled(f, scale),
           scaled(d, scale),

@@ -16,6 +16,8 @@ using Vec = Vec3<double>;
 constexpr double kShortest = 0x1p-50;
 /// Looks at one pair. Newton's method needs 3 to 8; a near miss by 1e-15 of the pair's size needs about 40.
 constexpr int kMaxLooks = 160;
+/// What is promised of a pair with room (error_bounds::kRoomToAdvance) is kept even at its slowest.
+constexpr int kMaxStrides = 1 << 14;
 
 /// The sides of the two features that hold the closest points in their inside: none, one, or e and f.
 struct ActiveSides {
@@ -172,7 +174,7 @@ template <PairKind kind>
 double apart_until(const PairMotion<double>& m, double from, double until) {
   const Looker<kind> looker(m);
   double now = from;
-  for (int looks = 0; looks < kMaxLooks && now < until; ++looks) {
+  for (int strides = 0; strides < kMaxStrides && now < until; ++strides) {
     const Look look = looker.at(now);
     if (!look.apart.contains(now)) break;
     const double progress = look.apart.to - now;

@@ -7,10 +7,17 @@
 #include "engines/tamis/pair_buffers.hpp"
 
 namespace tamis {
+namespace {
 
-float NearQuestion::reach() const {
-  const double reach = earliest.load(std::memory_order_relaxed) / (1 - fraction) * (1 + 0x1p-15);
-  return std::nextafter(static_cast<float>(reach), std::numeric_limits<float>::infinity());
+float rounded_up(double x) {
+  return std::nextafter(static_cast<float>(x), std::numeric_limits<float>::infinity());
+}
+
+}  // namespace
+
+NearRule NearQuestion::near() const {
+  const double until = earliest.load(std::memory_order_relaxed) * (1 + 0x1p-15);
+  return {rounded_up(fraction), rounded_up(until / (1 - fraction)), rounded_up(until)};
 }
 
 NearCounts& NearCounts::operator+=(const NearCounts& other) {
@@ -62,7 +69,7 @@ void NearPipeline::search(PairKind kind, const TreeView& a, const TreeView& b, i
   lap();
   buffers_->kind = kind;
   Search search{a, b};
-  search.t_limit = question_.reach();
+  search.near = question_.near();
   search.pairs = &buffers_->boxes;
   search.flush = flush;
   search.context = this;
@@ -77,7 +84,7 @@ void NearPipeline::flush(Search& search) {
   auto& self = *static_cast<NearPipeline*>(search.context);
   self.counts_.traverse += self.lap();
   self.decide_buffered();
-  search.t_limit = self.question_.reach();
+  search.near = self.question_.near();
 }
 
 void NearPipeline::decide_buffered() {
@@ -86,7 +93,7 @@ void NearPipeline::decide_buffered() {
   const PairKind kind = buffers_->kind;
   near.count = 0;
   (kind == PairKind::vertex_face ? kernels_.near_vf : kernels_.near_ee)(
-      motion_.vertices.data(), motion_.pair_separation(), question_.reach(), boxes, near);
+      motion_.vertices.data(), motion_.pair_separation(), question_.near(), boxes, near);
   of(counts_.boxes, kind) += static_cast<std::uint64_t>(boxes.count);
   of(counts_.near, kind) += static_cast<std::uint64_t>(near.count);
   boxes.count = 0;

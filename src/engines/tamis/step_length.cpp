@@ -34,7 +34,8 @@ SafeStep StepLengthSearch::find(const Step& step, const Separations& separations
   question_.step = step;
   question_.fraction = fraction;
   question_.earliest = 1;
-  motion_.assign(step, mesh_.points(), separations, SecondHalf::displacement);
+  motion_.assign(step, mesh_.points(), separations);
+  motion_.assign_drifts(step, step.start, mesh_.points());
   statistics.seconds.bounds = seconds_since(start);
   start = Clock::now();
   update_trees(statistics);
@@ -50,14 +51,18 @@ SafeStep StepLengthSearch::find(const Step& step, const Separations& separations
 
 void StepLengthSearch::update_trees(Statistics& statistics) {
   BlockTree* const trees[] = {&points_, &edges_, &faces_};
-  const auto area = [&] { return points_.start_area() + edges_.start_area() + faces_.start_area(); };
-  if (built_area_ > 0) {
+  const auto area = [&] { return points_.swept_area() + edges_.swept_area() + faces_.swept_area(); };
+  bool is_good = built_area_ > 0;
+  if (is_good) {
     for (BlockTree* tree : trees) tree->refit(motion_);
-    if (area() <= kPoor * built_area_) return;
+    is_good = area() <= kPoor * built_area_;
   }
-  for (BlockTree* tree : trees) tree->build(motion_, kernels_.split);
-  built_area_ = area();
-  statistics.rebuilt = true;
+  if (!is_good) {
+    for (BlockTree* tree : trees) tree->build(motion_, kernels_.split);
+    built_area_ = area();
+    statistics.rebuilt = true;
+  }
+  for (BlockTree* tree : trees) tree->refit_drifts(motion_);
 }
 
 void StepLengthSearch::search_sample(PairKind kind, const TreeView& a, const TreeView& b, const Sample& sample) {

@@ -1,6 +1,7 @@
 // How far may the step go so that every pair keeps a fraction of its distance? A pair can end the step before t only
-// if (1 - fraction) (distance at t=0 - min_separation) < t * relative speed; so the search is for pairs of boxes at t=0
-// that lie within reach of each other, and each pair that ends the step earlier shortens the reach of all the rest.
+// if it is fast enough: (1 - fraction) (distance at t=0 - min_separation) < t * relative speed; and only if it
+// comes as near as the fraction before t. So the search is for pairs of moving boxes that come as near as that, and
+// each pair that ends the step earlier shortens the step for all the rest.
 #pragma once
 #include <tbb/enumerable_thread_specific.h>
 
@@ -12,7 +13,7 @@
 
 namespace tamis {
 
-/// Keeps its hierarchy, over boxes at t=0 and displacements, from step to step. Serves every method but `brute`.
+/// Keeps its hierarchy, moving boxes and drifts, from step to step. Serves every method but `brute`.
 class StepLengthSearch {
  public:
   /// Keeps references: mesh and options must outlive it.

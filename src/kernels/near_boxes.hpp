@@ -73,8 +73,8 @@ struct NearBoxes {
   }
 
  private:
-  /// error_bounds::kRoomToAdvance for every pair within two boxes: its three sizes are together at most three times the largest
-  /// extent of the two boxes at either end of the step; 4 covers the rounding of all the rest.
+  /// error_bounds::kRoomToAdvance for every pair within two boxes: its three sizes are together at most three times the
+  /// largest extent of the two boxes at either end of the step; 4 covers the rounding of all the rest.
   static constexpr float kRoomOfBoxes = 4 * static_cast<float>(error_bounds::kRoomToAdvance);
 };
 

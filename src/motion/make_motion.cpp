@@ -75,7 +75,7 @@ PairMotion<double> make_motion(PairKind kind, const PairPoints& points, double s
   const double unit = safe_unit(points);
   const auto [e, f, d] = vectors_of<double>(kind, points, Difference{unit});
   const double scale = scale_of({e, f, d});
-  return {scaled(e, scale),   scaled(f, scale),   scaled(d, scale),  scale * largest(e),
+  return {scaled(e, scale),   scaled(f, scale),   scaled(d, scale),           scale * largest(e),
           scale * largest(f), scale * largest(d), scale * (unit * separation)};
 }
 

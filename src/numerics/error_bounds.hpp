@@ -116,7 +116,7 @@ inline constexpr double kLength = 4;
 inline constexpr double kKeptGap = 128;
 
 // Part of D + E + F: while a pair is so much farther apart than a separation, advancement (solve/separation.hpp) goes
-// on, and each of its strides is at least 1/8 of this part of the step (docs/numerics.md, "Step lengths").
+// on, and each of its strides is at least 1/16 of this part of the step (docs/numerics.md, "Step lengths").
 inline constexpr double kRoomToAdvance = 0x1p-10;
 
 }  // namespace tamis::error_bounds

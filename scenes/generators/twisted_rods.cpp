@@ -19,9 +19,9 @@ constexpr double kBump = 0.005;          // share of the radius
 constexpr double kPress = 0.03;          // how much nearer the centre lines are at t=1
 constexpr double kFurther = 0.01;        // share of half a turn
 
-/// A point of the square's rim with corners (+-1, +-1), `part` of the way round.
+/// A point of the square's rim with corners (+-1, +-1), `part` of the way round, from the middle of a side.
 Point on_square(double part) {
-  const double along = 8 * part;
+  const double along = std::fmod(8 * part + 1, 8);
   const int side = static_cast<int>(along / 2);
   const double t = along - 2 * side - 1;
   switch (side) {
@@ -44,7 +44,8 @@ Point twisted(const Point& p, double turn) { return rotated(p, {turn * (2 * p[0]
 Scene twisted_rods(Index triangles, std::uint64_t seed) {
   // 2 x around x along triangles a rod, their cells about square.
   const double each = static_cast<double>(triangles) / kRods;
-  const Index around = std::max(Index{4}, static_cast<Index>(std::lround(std::sqrt(each / 8))));
+  // A multiple of four: vertices face those of the neighbours.
+  const Index around = 4 * std::max(Index{1}, static_cast<Index>(std::lround(std::sqrt(each / 8) / 4)));
   const Index along = std::max(Index{1}, static_cast<Index>(std::lround(each / (2.0 * around))));
   Scene scene;
   for (Index rod = 0; rod < kRods; ++rod) {

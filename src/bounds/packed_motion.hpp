@@ -15,9 +15,9 @@ struct alignas(64) PackedVertex {
   double at[8];
 };
 
-/// A vertex in the frame of the boxes, rounded to nearest: x y z at t=0, then at t=1, its radius (rounded up), one unused;
-/// half a cache line. Or its drift, without radius: how far it is at t=0, and at t=1, from where it was at some time
-/// before.
+/// A vertex in the frame of the boxes, rounded to nearest: x y z at t=0, then at t=1, its radius (rounded up), one
+/// unused; half a cache line. Or its drift, without radius: how far it is at t=0, and at t=1, from where it was at some
+/// time before.
 struct alignas(32) BoxVertex {
   static constexpr int kRadius = 6;
   float at[8] = {};

@@ -2,6 +2,7 @@
 // not emit code of shared templates, which the linker could then pick for a machine without that instruction set.
 #pragma once
 #include <cstdint>
+#include <span>
 
 #include "bvh/block_tree.hpp"
 #include "tamis/contact.hpp"
@@ -41,6 +42,8 @@ struct NearRule {
 /// One thread's search over one pair of trees.
 struct Search {
   TreeView a, b;  ///< vf: points, faces; ee: edges, edges
+  /// If there are any, only these leaf blocks of b are looked at.
+  std::span<const std::int32_t> others = {};
   /// Nothing that starts after this time is of interest; a float, so that the stages in floats do not round it.
   float t_limit = 1;
   NearRule near{};  ///< for search_near, which looks at nothing else
@@ -51,6 +54,13 @@ struct Search {
   void (*flush)(Search&) = nullptr;
   void* context = nullptr;
   std::uint64_t nodes_visited = 0;
+};
+
+/// Two trees at t=0.
+struct GapQuestion {
+  TreeView a, b;  ///< as in Search
+  const PackedVertex* vertices;
+  double unit;  ///< the length of one unit of the boxes, in the unit of the vertices
 };
 
 struct Kernels {
@@ -64,6 +74,11 @@ struct Kernels {
   /// The same for pairs that may end the step by the near rule. Trees have drifts, from t=0 on.
   void (*search_near_vf)(Search& search, int block);
   void (*search_near_ee)(Search& search, int block);
+  /// A lower bound, in the unit of the boxes, of the distance at t=0, less the room to advance
+  /// (error_bounds::kRoomToAdvance), of any two features of two leaf blocks that share no vertex and whose boxes are
+  /// nearer than `most`; `most` if there are none. Separations are not taken off. `scratch` has room.
+  float (*gap_vf)(const GapQuestion& question, int block, int other, float most, PairBuffer& scratch);
+  float (*gap_ee)(const GapQuestion& question, int block, int other, float most, PairBuffer& scratch);
   /// Pairs that cannot end the step by the rule are culled.
   void (*near_vf)(const PackedVertex* vertices, const PairSeparation& separation, const NearRule& rule,
                   const PairBuffer& in, PairBuffer& out);

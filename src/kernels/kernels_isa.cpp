@@ -4,6 +4,7 @@
 #include "filters/dnf.hpp"
 #include "filters/ncf.hpp"
 #include "filters/slab_clip.hpp"
+#include "kernels/gaps.hpp"
 #include "kernels/load_motion.hpp"
 #include "kernels/near_boxes.hpp"
 #include "kernels/search.hpp"
@@ -147,8 +148,8 @@ int solve(const PackedVertex* vertices, const PairBuffer& in, PairBuffer& rest, 
 
 extern const Kernels kKernels;
 constexpr auto kVf = PairKind::vertex_face, kEe = PairKind::edge_edge;
-const Kernels kKernels{Isa::TAMIS_ISA,   split,       search<kVf>, search<kEe>, search_near<kVf>,
-                       search_near<kEe>, near<kVf>,   near<kEe>,   slab<kVf>,   slab<kEe>,
-                       filter<kVf>,      filter<kEe>, solve<kVf>,  solve<kEe>};
+const Kernels kKernels{Isa::TAMIS_ISA, split,       search<kVf>, search<kEe>, search_near<kVf>, search_near<kEe>,
+                       gap_vf,         gap_ee,      near<kVf>,   near<kEe>,   slab<kVf>,        slab<kEe>,
+                       filter<kVf>,    filter<kEe>, solve<kVf>,  solve<kEe>};
 
 }  // namespace tamis::TAMIS_ISA

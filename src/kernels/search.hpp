@@ -39,6 +39,7 @@ class BlockSearch {
 
   void run() {
     if (search_.b.leaf_blocks == 0) return;
+    if (!search_.others.empty()) return visit_others();
     visit(search_.b.level_count - 1, 0);
   }
 
@@ -60,6 +61,15 @@ class BlockSearch {
     }
     if (level == 1) return visit_leaves(node, hulls, mask);
     for_each_bit(mask, [&](int child) { visit(level - 1, node * kBlock + child); });
+  }
+
+  void visit_others() {
+    for (const std::int32_t other : search_.others) {
+      ++search_.nodes_visited;
+      const unsigned rows = meet(boxes_, One(Sixteen(search_.b, 1, other / kBlock, search_), other % kBlock));
+      const unsigned columns = meet(Sixteen(search_.b, 0, other, search_), hull_);
+      if (rows && columns) visit_leaf(other, rows, columns);
+    }
   }
 
   /// First each side's boxes against the other's hull, in all leaf blocks before the first branch; then one by one on

@@ -91,8 +91,8 @@ TEST_P(KeepDistance, MethodsGiveTheSameBitsOnFastMotion) {
         for (const double fraction : {0.05, 0.2, 0.8}) {
           const SafeStep truth = keep(moved, fraction, with(Method::brute, separation));
           expect_same(keep(moved, fraction, with(Method::tamis, separation)), truth,
-                      scene.name + ", angle " + std::to_string(angle) + ", far " + std::to_string(far) +
-                          ", fraction " + std::to_string(fraction));
+                      scene.name + ", angle " + std::to_string(angle) + ", far " + std::to_string(far) + ", fraction " +
+                          std::to_string(fraction));
         }
       }
   }

@@ -11,6 +11,7 @@
 #include <limits>
 
 #include "bvh/block_tree.hpp"
+#include "engines/tamis/gap_memory.hpp"
 #include "engines/tamis/samples.hpp"
 #include "engines/tamis/stage_pipeline.hpp"
 
@@ -39,6 +40,7 @@ class TamisEngine final : public Engine {
   TamisEngine(const Mesh& mesh, const Options& options)
       : mesh_(mesh),
         kernels_(kernels(options.isa)),
+        memory_(mesh, kernels_, motion_, {points_, edges_, faces_}),
         pipelines_([this, &options] { return StagePipeline(kernels_, motion_, options); }) {
     points_.set_features(mesh.points());
     edges_.set_features(mesh.edges());
@@ -52,6 +54,7 @@ class TamisEngine final : public Engine {
     statistics.seconds.bounds = seconds_since(start);
     start = Clock::now();
     update_trees(statistics);
+    memory_.begin(found.step(), statistics.rebuilt);
     statistics.seconds.build = seconds_since(start);
     start = Clock::now();
     for (StagePipeline& pipeline : pipelines_) pipeline.begin(found);
@@ -59,12 +62,13 @@ class TamisEngine final : public Engine {
       search(found, kAllBlocks);
     else
       search(found, kSamples);
+    memory_.end(found.step(), t_limit_);
     collect(statistics, seconds_since(start));
   }
 
   std::uint64_t memory_bytes() const override {
-    std::uint64_t bytes =
-        motion_.memory_bytes() + points_.memory_bytes() + edges_.memory_bytes() + faces_.memory_bytes();
+    std::uint64_t bytes = motion_.memory_bytes() + points_.memory_bytes() + edges_.memory_bytes() +
+                          faces_.memory_bytes() + memory_.memory_bytes();
     for (const StagePipeline& pipeline : pipelines_) bytes += pipeline.memory_bytes();
     return bytes;
   }
@@ -101,24 +105,36 @@ class TamisEngine final : public Engine {
   /// Until `t_limit` boxes grow so little by being swept that when they meet need not be known.
   bool is_short(float t_limit) const { return static_cast<double>(t_limit) * moved_ <= kShort * size_; }
 
-  /// The step is shortened only between samples: the answer knows nothing of threads.
+  /// What is remembered first, where that serves; then everything, unless it has turned out that all else is apart.
   template <class Samples>
   void search(FoundContacts& found, const Samples& samples) {
-    float t_limit = 1;
+    t_limit_ = 1;
+    const bool may_help = memory_.serves() && (found.question() != Question::all_contacts || memory_.covers(1));
+    if (may_help && search_samples(found, samples, true)) return;
+    search_samples(found, samples, false);
+  }
+
+  /// The step is shortened only between samples: the answer knows nothing of threads. False: some of what is not listed
+  /// may touch.
+  template <class Samples>
+  bool search_samples(FoundContacts& found, const Samples& samples, bool is_listed) {
+    constexpr int kEnough = 8;  // a sample of an eighth tells whether the step becomes short
     for (const Sample& sample : samples) {
-      search_sample(found, PairKind::vertex_face, points_.view(), faces_.view(), sample, t_limit);
-      search_sample(found, PairKind::edge_edge, edges_.view(), edges_.view(), sample, t_limit);
+      search_sample(found, PairKind::vertex_face, points_.view(), faces_.view(), sample, is_listed);
+      search_sample(found, PairKind::edge_edge, edges_.view(), edges_.view(), sample, is_listed);
       for (StagePipeline& pipeline : pipelines_) {
         pipeline.finish();
         found.take(pipeline.found());
       }
       for (StagePipeline& pipeline : pipelines_) pipeline.found().learn(found);
-      t_limit = std::min(t_limit, float_after(found.latest()));
+      t_limit_ = std::min(t_limit_, float_after(found.latest()));
+      if (is_listed && sample.stride <= kEnough && !memory_.covers(t_limit_)) return false;
     }
+    return true;
   }
 
   void search_sample(const FoundContacts& found, PairKind kind, const TreeView& a, const TreeView& b,
-                     const Sample& sample, float t_limit) {
+                     const Sample& sample, bool is_listed) {
     constexpr int kGrain = 8;
     if (!found.wants(kind)) return;
     const tbb::blocked_range<int> all(0, count_in(sample, a.leaf_blocks), kGrain);
@@ -127,8 +143,22 @@ class TamisEngine final : public Engine {
       StagePipeline& pipeline = pipelines_.local(is_known);
       if (!is_known) pipeline.begin(found);
       const int first = sample.first + part.begin() * sample.stride, last = sample.first + part.end() * sample.stride;
-      pipeline.search(kind, a, b, {first, std::min(last, a.leaf_blocks), sample.stride}, t_limit, is_short(t_limit));
+      const BlockRange blocks{first, std::min(last, a.leaf_blocks), sample.stride};
+      if (is_listed)
+        search_listed(pipeline, kind, a, b, blocks);
+      else
+        pipeline.search(kind, a, b, blocks, t_limit_, is_short(t_limit_));
     });
+  }
+
+  void search_listed(StagePipeline& pipeline, PairKind kind, const TreeView& a, const TreeView& b,
+                     const BlockRange& blocks) {
+    std::vector<std::int32_t>& others = pipeline.others();
+    for (int block = blocks.first; block < blocks.last; block += blocks.stride) {
+      others.clear();
+      memory_.append_unproven(kind, block, t_limit_, others);
+      if (!others.empty()) pipeline.search(kind, a, b, block, others, t_limit_, is_short(t_limit_));
+    }
   }
 
   void collect(Statistics& statistics, double seconds) {
@@ -142,7 +172,9 @@ class TamisEngine final : public Engine {
   const Kernels& kernels_;
   PackedMotion motion_;
   BlockTree points_, edges_, faces_;
+  GapMemory memory_;
   double built_area_ = 0;
+  float t_limit_ = 1;            ///< nothing later in this question's step is of interest
   double moved_ = 0, size_ = 0;  ///< sums of some edges' displacements and lengths
   tbb::enumerable_thread_specific<StagePipeline> pipelines_;
 };

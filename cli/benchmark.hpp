@@ -17,8 +17,10 @@ struct BenchmarkCase {
 };
 
 struct BenchmarkSetup {
-  std::string question;  ///< contacts, earliest or free
-  std::string method;    ///< as choose_method() knows it
+  std::string question;       ///< contacts, earliest or free
+  std::string method;         ///< as choose_method() knows it
+  std::string mode = "warm";  ///< what the kept detector was asked before: see benchmark_modes()
+  int substeps = 20;          ///< of mode substeps
   Options options;
   int cold = 3;     ///< detectors made anew, each asked once
   int warm_up = 1;  ///< questions to the last of them that are not counted
@@ -37,7 +39,13 @@ struct BenchmarkResult {
 /// The questions' names.
 const std::vector<std::string>& benchmark_questions();
 
-/// Throws InvalidOptions if there is no such question, method, or instruction set.
+/// warm      just asked about other positions, so that nothing remembered helps: the coordinates exchanged, x for y,
+///           which leaves the hierarchy as good as it was
+/// again     just asked about the same start, in the other direction
+/// substeps  asked about equal parts of the step, one after the other; all of them are one run
+const std::vector<std::string>& benchmark_modes();
+
+/// Throws InvalidOptions if there is no such question, mode, method, or instruction set.
 BenchmarkResult measure(const BenchmarkCase& step, const BenchmarkSetup& setup);
 
 /// Do both say the same? A time may count only if they do.

@@ -27,6 +27,13 @@ void scale_step(const std::vector<Point>& start, std::vector<Point>& end, double
     }
 }
 
+std::vector<Point> between(const std::vector<Point>& start, const std::vector<Point>& end, double part) {
+  std::vector<Point> points = start;
+  for (std::size_t v = 0; v < points.size(); ++v)
+    for (std::size_t axis = 0; axis < 3; ++axis) points[v][axis] += part * (end[v][axis] - start[v][axis]);
+  return points;
+}
+
 StepFiles read_step(const std::string& start, const std::string& end, double scale) {
   io::MeshFile first = read_with_notes(start);
   io::MeshFile second = read_with_notes(end);

@@ -16,6 +16,9 @@ io::MeshFile read_with_notes(const std::filesystem::path& path);
 /// Moves every end to start + scale (end - start); 1 leaves it bit for bit. Throws InvalidOptions if one overflows.
 void scale_step(const std::vector<Point>& start, std::vector<Point>& end, double scale);
 
+/// Where things are a part of the way from start to end: start for 0, end but for rounding for 1.
+std::vector<Point> between(const std::vector<Point>& start, const std::vector<Point>& end, double part);
+
 struct StepFiles {
   Mesh mesh;
   std::vector<Point> start;

@@ -30,9 +30,12 @@ class Bench final : public Verb {
     return "  tamis bench cloth1.ply cloth2.ply --threads 1,2\n"
            "  tamis bench cloth1.ply cloth2.ply --question contacts --method tamis,paper\n"
            "  tamis bench cloth1.ply cloth2.ply --scale 1,2,3,10 --out steps.csv\n"
+           "  tamis bench cloth1.ply cloth2.ply --mode warm,again,substeps --substeps 20\n"
            "  tamis bench --scene folded-cloth --triangles 10000,100000,1000000 --json\n\n"
-           "Every combination of the lists is a row. Cold: a new detector, which builds its hierarchy. Warm: one that\n"
-           "is kept and refits. All times are medians in seconds; reading files and making scenes is not in them.\n"
+           "Every combination of the lists is a row. Cold: a new detector, which builds its hierarchy. Kept: one that\n"
+           "refits, after questions by mode: warm, about other positions; again, about the same start in the other\n"
+           "direction; substeps, all parts of the step together. All times are medians in seconds; reading files and\n"
+           "making scenes is not in them.\n"
            "Exit code 1: two rows of the same question and step differ in their answer.";
   }
   void declare(CLI::App& app) override {
@@ -44,6 +47,8 @@ class Bench final : public Verb {
     add_number(app, "--warm-up", "N", setup_.warm_up, {.least = 0, .most = kRunCounts.most},
                "questions to the last of them that are not timed; default 1");
     declare_repeat(app, setup_.repeat, "questions to it that are timed; default 9");
+    add_number(app, "--substeps", "N", setup_.substeps, kRunCounts,
+               "equal parts of the step in mode substeps; default 20");
     declare_guarantee(app, guarantee_);
     declare_min_separation(app, setup_.options.min_separation);
     declare_seed(app, seed_, "the generated scene");
@@ -75,6 +80,9 @@ class Bench final : public Verb {
     app.add_option("--scene", scene_, "a generated scene instead of files: " + scenes)->type_name("NAME");
     add_numbers(app, "--triangles", "N", triangles_, {1, 100'000'000}, "its sizes; default 100000");
     add_names(app, "--question", questions_, "contacts, earliest, free; default all three");
+    add_names(app, "--mode", modes_,
+              "what the kept detector was asked before: warm (default), other positions; again, the same start in the "
+              "other direction; substeps: parts of the step, one after the other");
     add_names(app, "--method", methods_, "tamis (default), paper, brute, or one of the paper's competitors");
     add_names(app, "--bounding-volume", volumes_,
               "of method paper and its competitors: sphere, aabb, obb, 16-dop (default), 18-dop, 26-dop");
@@ -92,15 +100,19 @@ class Bench final : public Verb {
       Options options;
       choose_method(options, method);
     }
-    const auto& known = benchmark_questions();
-    for (const std::string& question : questions_)
-      if (std::find(known.begin(), known.end(), question) == known.end())
-        throw InvalidOptions(
-            fmt::format("there is no question '{}': choose one of {}", question, fmt::join(known, ", ")));
+    require_known("question", questions_, benchmark_questions());
+    require_known("mode", modes_, benchmark_modes());
     const bool has_files = !start_.empty() && !end_.empty();
     if (has_files == !scene_.empty() || start_.empty() != end_.empty())
       throw InvalidOptions("give either START and END or --scene");
     require_output(out_, {start_, end_});
+  }
+
+  static void require_known(const char* what, const std::vector<std::string>& names,
+                            const std::vector<std::string>& known) {
+    for (const std::string& name : names)
+      if (std::find(known.begin(), known.end(), name) == known.end())
+        throw InvalidOptions(fmt::format("there is no {} '{}': choose one of {}", what, name, fmt::join(known, ", ")));
   }
 
   BenchmarkCase from_files() const {
@@ -116,22 +128,29 @@ class Bench final : public Verb {
   }
 
   void measure_all(const BenchmarkCase& step, double scale) {
-    for (const std::string& question : questions_) {
-      std::optional<BenchmarkResult> first;
-      for (const std::string& method : methods_)
-        for (const std::string& volume : volumes_)
-          for (const std::string& isa : isas_)
-            for (const int threads : threads_) {
-              setup_.question = question;
-              setup_.method = method;
-              setup_.options.paper.bounding_volume = bounding_volume_from_name(volume);
-              setup_.options.isa = isa_from_name(isa);
-              setup_.options.threads = threads;
-              const BenchmarkResult result = measure(step, setup_);
-              if (!first) first = result;
-              add_row(row_of(step, scale, setup_, result), agree(*first, result));
-            }
-    }
+    for (const std::string& question : questions_)
+      for (const std::string& mode : modes_) {
+        setup_.question = question;
+        setup_.mode = mode;
+        measure_ways(step, scale);
+      }
+  }
+
+  /// All ways of answering one question, which must agree.
+  void measure_ways(const BenchmarkCase& step, double scale) {
+    std::optional<BenchmarkResult> first;
+    for (const std::string& method : methods_)
+      for (const std::string& volume : volumes_)
+        for (const std::string& isa : isas_)
+          for (const int threads : threads_) {
+            setup_.method = method;
+            setup_.options.paper.bounding_volume = bounding_volume_from_name(volume);
+            setup_.options.isa = isa_from_name(isa);
+            setup_.options.threads = threads;
+            const BenchmarkResult result = measure(step, setup_);
+            if (!first) first = result;
+            add_row(row_of(step, scale, setup_, result), agree(*first, result));
+          }
   }
 
   void add_row(Json row, bool is_same) {
@@ -143,11 +162,12 @@ class Bench final : public Verb {
 
   void print_row(const Json& row) const {
     if (rows_.empty())
-      fmt::print("{:<18} {:>10} {:>5} {:<9} {:<8} {:<8} {:<8} {:>2} {:>10} {:>10} {:>10} {:>9}\n", "scene", "triangles",
-                 "scale", "question", "method", "volume", "isa", "T", "cold", "warm", "cpu warm", "contacts");
-    fmt::print("{:<18} {:>10} {:>5} {:<9} {:<8} {:<8} {:<8} {:>2} {:>10} {:>10} {:>10} {:>9}{}\n",
+      fmt::print("{:<18} {:>10} {:>5} {:<9} {:<8} {:<8} {:<8} {:<8} {:>2} {:>10} {:>10} {:>10} {:>9}\n", "scene",
+                 "triangles", "scale", "question", "mode", "method", "volume", "isa", "T", "cold", "kept", "cpu kept",
+                 "contacts");
+    fmt::print("{:<18} {:>10} {:>5} {:<9} {:<8} {:<8} {:<8} {:<8} {:>2} {:>10} {:>10} {:>10} {:>9}{}\n",
                printable(row["scene"].get<std::string>()), grouped(row["triangles"]), row["scale"].get<double>(),
-               row["question"].get<std::string>(), row["method"].get<std::string>(),
+               row["question"].get<std::string>(), row["mode"].get<std::string>(), row["method"].get<std::string>(),
                row["bounding_volume"].get<std::string>(), row["isa"].get<std::string>(), row["threads"].get<int>(),
                readable(row["seconds_cold"]), readable(row["seconds"]), readable(row["cpu"]), grouped(row["contacts"]),
                row["agrees"].get<bool>() ? "" : "  DIFFERS from the first answer");
@@ -174,6 +194,7 @@ class Bench final : public Verb {
   std::string guarantee_ = "exact";
   std::vector<Index> triangles_{100000};
   std::vector<std::string> questions_ = benchmark_questions();
+  std::vector<std::string> modes_{"warm"};
   std::vector<std::string> methods_{"tamis"}, isas_{"best"}, volumes_{kDefaultBoundingVolume};
   std::vector<int> threads_{1};
   std::vector<double> scales_{1};

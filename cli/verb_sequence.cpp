@@ -26,13 +26,16 @@ class Sequence final : public Verb {
   const char* examples() const override {
     return "  tamis sequence frames/\n"
            "  tamis sequence 'frames/cloth*.ply' --threads 1\n"
-           "  tamis sequence a1.ply a2.ply a10.ply --json";
+           "  tamis sequence a1.ply a2.ply a10.ply --json\n"
+           "  tamis sequence frames/ --substeps 20";
   }
   void declare(CLI::App& app) override {
     app.add_option("FRAMES", names_, "files, folders or patterns of PLY or OBJ; taken in natural order (2 before 10)")
         ->required();
     detector_.declare(app);
     scale_.declare(app);
+    add_number(app, "--substeps", "N", substeps_, kRunCounts,
+               "cut each step into N equal ones, asked one after the other; default 1");
     declare_json(app, json_);
   }
 
@@ -49,9 +52,15 @@ class Sequence final : public Verb {
       std::vector<Point> end = read_end(first, i);
       std::vector<Point> scaled = end;
       scale_step(start, scaled, scale);
-      const Tally tally = tally_of(detector.contacts({start, scaled}));
-      progress.clear();
-      add_step(i, tally, detector.statistics());
+      for (int part = 1; part <= substeps_; ++part) {
+        const auto at = [&](int n) {
+          return n == 0 ? start : n == substeps_ ? scaled : between(start, scaled, static_cast<double>(n) / substeps_);
+        };
+        const std::vector<Point> from = at(part - 1), to = at(part);
+        const Tally tally = tally_of(detector.contacts({from, to}));
+        progress.clear();
+        add_step(i, part, tally, detector.statistics());
+      }
       progress.show(i);
       start = std::move(end);
     }
@@ -66,8 +75,12 @@ class Sequence final : public Verb {
     if (frames_.size() < 2)
       throw io::FileError(frames_.front().string(), "", "a single frame does not move: give two or more");
     for (const auto& frame : frames_)
-      width_ = std::max(width_, static_cast<int>(printable(frame.filename().string()).size()));
+      width_ =
+          std::max(width_, static_cast<int>(printable(frame.filename().string()).size() + part_of(substeps_).size()));
   }
+
+  /// " 3/20", or nothing if steps are whole.
+  std::string part_of(int part) const { return substeps_ == 1 ? "" : fmt::format(" {}/{}", part, substeps_); }
 
   std::vector<Point> read_end(const io::MeshFile& first, std::size_t i) const {
     io::MeshFile frame = io::read_mesh(frames_[i]);
@@ -81,33 +94,35 @@ class Sequence final : public Verb {
                "edge-edge", "unresolved", "free until", "time", "tree");
   }
 
-  void add_step(std::size_t i, const Tally& tally, const Statistics& statistics) {
+  void add_step(std::size_t i, int part, const Tally& tally, const Statistics& statistics) {
     total_.vf += tally.vf;
     total_.ee += tally.ee;
     total_.unresolved += tally.unresolved;
     seconds_ += statistics.seconds.total;
     free_steps_ += tally.is_free() ? 1 : 0;
-    if (!json_) return print_row(i, tally, statistics);
+    ++steps_asked_;
+    if (!json_) return print_row(i, part, tally, statistics);
     Json step{{"start", frames_[i - 1].string()}, {"end", frames_[i].string()}, {"contacts", json_of(tally)}};
+    if (substeps_ > 1) step["substep"] = part;
     add_bracket(step, tally.is_free(), tally.toi_lower, tally.toi_upper);
     step["seconds"] = json_of(statistics.seconds);
     step["rebuilt"] = statistics.rebuilt;
     steps_.push_back(std::move(step));
   }
 
-  void print_row(std::size_t i, const Tally& tally, const Statistics& statistics) const {
-    fmt::print("{:>5} {:<{}} {:>11} {:>11} {:>10} {:>14} {:>10}  {}\n", i, printable(frames_[i].filename().string()),
-               width_, grouped(tally.vf), grouped(tally.ee), grouped(tally.unresolved),
+  void print_row(std::size_t i, int part, const Tally& tally, const Statistics& statistics) const {
+    fmt::print("{:>5} {:<{}} {:>11} {:>11} {:>10} {:>14} {:>10}  {}\n", i,
+               printable(frames_[i].filename().string()) + part_of(part), width_, grouped(tally.vf), grouped(tally.ee),
+               grouped(tally.unresolved),
                tally.is_free() ? std::string("end") : fmt::format("{:.10f}", tally.toi_lower),
                readable(statistics.seconds.total), statistics.rebuilt ? "built" : "refitted");
     std::fflush(stdout);
   }
 
   void report_totals(const Detector& detector) {
-    const std::size_t steps = frames_.size() - 1;
     if (!json_) {
       fmt::print("{:>5} {:<{}} {:>11} {:>11} {:>10} {:>14} {:>10}\n", "total", "", width_, grouped(total_.vf),
-                 grouped(total_.ee), grouped(total_.unresolved), fmt::format("{}/{} free", free_steps_, steps),
+                 grouped(total_.ee), grouped(total_.unresolved), fmt::format("{}/{} free", free_steps_, steps_asked_),
                  readable(seconds_));
       return;
     }
@@ -131,7 +146,8 @@ class Sequence final : public Verb {
   std::vector<std::filesystem::path> frames_;
   int width_ = 5;
   Tally total_;
-  std::size_t free_steps_ = 0;
+  int substeps_ = 1;
+  std::size_t steps_asked_ = 0, free_steps_ = 0;
   double seconds_ = 0;
   Json steps_ = Json::array();
 };

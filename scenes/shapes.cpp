@@ -32,7 +32,7 @@ class CubeSurface {
 
   Index vertex(const std::array<Index, 3>& lattice) {
     const auto [entry, is_new] = index_.try_emplace(lattice, static_cast<Index>(shape_.points.size()));
-    if (is_new) shape_.points.push_back(unit({centred(lattice[0]), centred(lattice[1]), centred(lattice[2])}));
+    if (is_new) shape_.points.push_back({centred(lattice[0]), centred(lattice[1]), centred(lattice[2])});
     return entry->second;
   }
 
@@ -44,9 +44,8 @@ class CubeSurface {
   std::map<std::array<Index, 3>, Index> index_;
 };
 
-}  // namespace
-
-Shape unit_sphere(Index cells) {
+/// Its corners at +-cells.
+Shape lattice_cube(Index cells) {
   Shape shape;
   CubeSurface surface(shape, cells);
   for (std::size_t axis = 0; axis < 3; ++axis)
@@ -65,6 +64,21 @@ Shape unit_sphere(Index cells) {
           shape.faces.push_back(outward ? Face{a, b, c} : Face{a, c, b});
           shape.faces.push_back(outward ? Face{a, c, d} : Face{a, d, c});
         }
+  return shape;
+}
+
+}  // namespace
+
+Shape unit_cube(Index cells) {
+  Shape shape = lattice_cube(cells);
+  for (Point& p : shape.points)
+    for (double& x : p) x /= cells;
+  return shape;
+}
+
+Shape unit_sphere(Index cells) {
+  Shape shape = lattice_cube(cells);
+  for (Point& p : shape.points) p = unit(p);
   return shape;
 }
 

@@ -17,10 +17,14 @@ struct Shape {
   std::vector<Face> faces;
 };
 
-/// The unit sphere as a cube of 6 x cells x cells quads, blown up: 12 cells^2 triangles, closed, symmetric in x, y, z.
+/// The cube with corners (+-1, +-1, +-1), of 6 x cells x cells quads: 12 cells^2 triangles, closed, symmetric in x, y,
+/// z.
+Shape unit_cube(Index cells);
+
+/// The same cube, blown up to the unit sphere.
 Shape unit_sphere(Index cells);
 
-/// One cell count for spheres such that about `count` of them make `triangles` triangles, within [1, most].
+/// One cell count for spheres or cubes such that about `count` of them make `triangles` triangles, within [1, most].
 Index sphere_cells(Index triangles, Index count, Index most);
 
 /// Adds `shape` with its points moved by the two maps Point -> Point.

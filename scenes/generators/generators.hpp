@@ -16,8 +16,10 @@ Scene reduced_sheet_scene(Index triangles, std::uint64_t seed);  ///< see scenes
 Scene rod(Index triangles, std::uint64_t seed);
 Scene sliding_sheets(Index triangles, std::uint64_t seed);
 Scene soup(Index triangles, std::uint64_t seed);
+Scene stacked_boxes(Index triangles, std::uint64_t seed);
 Scene static_meshes(Index triangles, std::uint64_t seed);
 Scene tangle(Index triangles, std::uint64_t seed);
 Scene touching_spheres(Index triangles, std::uint64_t seed);
+Scene twisted_rods(Index triangles, std::uint64_t seed);
 
 }  // namespace tamis::scenes

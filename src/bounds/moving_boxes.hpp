@@ -12,7 +12,7 @@ inline constexpr int kBlock = 16;
 /// meets nothing; it is finite because differences of infinities are none.
 inline constexpr float kNowhere = 1e30f;
 
-/// [axis][lane]. Made of displacements (SecondHalf), low1 and high1 bound those.
+/// [axis][lane].
 struct alignas(64) BoxBlock {
   float low0[3][kBlock], high0[3][kBlock];
   float low1[3][kBlock], high1[3][kBlock];
@@ -46,11 +46,11 @@ struct MovingBox {
   }
   void include(const MovingBox& other) { include(other.low, other.high); }
 
-  /// By `fixed`, by `relative` times the larger of its two distances from zero, and by `share` of `radius`.
-  void widen(const float (&fixed)[kSize], const float (&relative)[kSize], float radius, const float (&share)[kSize]) {
+  /// By `fixed`, by `relative` times the larger of its two distances from zero, and by `radius`.
+  void widen(float fixed, float relative, float radius) {
     for (int i = 0; i < kSize; ++i) {
       const float size = -low[i] > high[i] ? -low[i] : high[i];
-      const float margin = fixed[i] + relative[i] * size + share[i] * radius;
+      const float margin = fixed + relative * size + radius;
       low[i] -= margin;
       high[i] += margin;
     }

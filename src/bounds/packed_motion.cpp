@@ -41,17 +41,15 @@ BoxFrame frame_of(const Step& step, std::span<const Index> used, double min_sepa
 }
 
 /// Whichever comes first, the scaling can neither overflow nor lose more than what underflows.
-double displacement(double start, double end, double scale) {
-  return scale < 1 ? end * scale - start * scale : (end - start) * scale;
+float scaled_difference(double to, double from, double scale) {
+  return static_cast<float>(scale < 1 ? to * scale - from * scale : (to - from) * scale);
 }
 
 }  // namespace
 
-void PackedMotion::assign(const Step& step, std::span<const Index> used, const Separations& kept_apart,
-                          SecondHalf second) {
+void PackedMotion::assign(const Step& step, std::span<const Index> used, const Separations& kept_apart) {
   separations = kept_apart;
   frame = frame_of(step, used, separations.fixed);
-  second_half = second;
   const auto count = static_cast<std::size_t>(step.start.count());
   vertices.resize(count);
   box_vertices.resize(count);
@@ -66,11 +64,19 @@ void PackedMotion::assign(const Step& step, std::span<const Index> used, const S
       packed.at[axis] = start[axis];
       packed.at[4 + axis] = end[axis];
       box.at[axis] = static_cast<float>((start[axis] - frame.origin[axis]) * frame.scale);
-      box.at[3 + axis] =
-          static_cast<float>(second == SecondHalf::end ? (end[axis] - frame.origin[axis]) * frame.scale
-                                                       : displacement(start[axis], end[axis], frame.scale));
+      box.at[3 + axis] = static_cast<float>((end[axis] - frame.origin[axis]) * frame.scale);
     }
   }
+}
+
+void PackedMotion::assign_drifts(const Step& step, const Positions& before, std::span<const Index> used) {
+  drifts.resize(vertices.size());
+  for (Index v : used)
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      float(&at)[8] = drifts[static_cast<std::size_t>(v)].at;
+      at[axis] = scaled_difference(step.start[v][axis], before[v][axis], frame.scale);
+      at[3 + axis] = scaled_difference(step.end[v][axis], before[v][axis], frame.scale);
+    }
 }
 
 }  // namespace tamis

@@ -15,14 +15,9 @@ struct alignas(64) PackedVertex {
   double at[8];
 };
 
-/// What stands in the second half of a BoxVertex, and of the boxes made of it.
-enum class SecondHalf : std::uint8_t {
-  end,           ///< the position at t=1
-  displacement,  ///< the way from t=0 to t=1, for questions about distances at t=0 and speeds
-};
-
-/// A vertex in the frame of the boxes, rounded to nearest: x y z at t=0, then its second half, its radius (rounded up),
-/// one unused; half a cache line.
+/// A vertex in the frame of the boxes, rounded to nearest: x y z at t=0, then at t=1, its radius (rounded up), one
+/// unused; half a cache line. Or its drift, without radius: how far it is at t=0, and at t=1, from where it was at some
+/// time before.
 struct alignas(32) BoxVertex {
   static constexpr int kRadius = 6;
   float at[8] = {};
@@ -36,8 +31,8 @@ struct BoxFrame {
   /// Added on each side of a box: rounding to float is off by 2^-25, the subtraction by 2^-53, and the box's own
   /// subtraction of the margin by 2^-25; plus half the fixed separation. A vertex' radius comes on top.
   float margin;
-  /// The same for displacements, times the displacement: rounding to float is off by 2^-24 of it, the box's own
-  /// subtraction by as much.
+  /// The same for drifts, times the drift: rounding to float is off by 2^-24 of it, the box's own subtraction by as
+  /// much.
   static constexpr float kRelativeMargin = 0x1p-22f;
   /// And added to that: the speed of a single pair (solve/kept_distance.hpp) is rounded up by at most 2 * 40 * 2^-53 of
   /// its three sizes, each at most 2 here: below 2^-44, and two boxes' margins add up. No bound from boxes may be
@@ -56,34 +51,25 @@ struct PairSeparation {
 struct PackedMotion {
   std::vector<PackedVertex> vertices;
   std::vector<BoxVertex> box_vertices;
+  std::vector<BoxVertex> drifts;
   BoxFrame frame;
-  SecondHalf second_half = SecondHalf::end;
   Separations separations;
 
-  /// Vertices outside `used` are left as they are.
-  void assign(const Step& step, std::span<const Index> used, const Separations& separations,
-              SecondHalf second_half = SecondHalf::end);
+  /// Vertices outside `used` are left as they are; so are drifts.
+  void assign(const Step& step, std::span<const Index> used, const Separations& separations);
+  /// Drifts from `before`, in the frame of the step assigned last.
+  void assign_drifts(const Step& step, const Positions& before, std::span<const Index> used);
   /// What the kernels need of the separations.
   PairSeparation pair_separation() const { return {separations.fixed, !separations.radii.empty()}; }
   std::uint64_t memory_bytes() const {
-    return vertices.capacity() * sizeof(PackedVertex) + box_vertices.capacity() * sizeof(BoxVertex);
+    return vertices.capacity() * sizeof(PackedVertex) +
+           (box_vertices.capacity() + drifts.capacity()) * sizeof(BoxVertex);
   }
 };
 
-/// What boxes of a motion's vertices are widened by, in the order of a BoxVertex: so much, so much of the box's size,
-/// and (1 or 0) the largest radius of its vertices.
+/// What boxes of vertices, or of drifts, are widened by: so much, and so much of the box's size.
 struct BoxMargins {
-  float fixed[8] = {}, relative[8] = {}, radius[8] = {};
-
-  explicit BoxMargins(const PackedMotion& motion) {
-    const bool moves = motion.second_half == SecondHalf::displacement;
-    for (int i = 0; i < 6; ++i) {
-      const bool is_displacement = moves && i >= 3;
-      fixed[i] = is_displacement ? BoxFrame::kLeastMargin : motion.frame.margin;
-      relative[i] = is_displacement ? BoxFrame::kRelativeMargin : 0;
-      radius[i] = is_displacement ? 0 : 1;
-    }
-  }
+  float fixed, relative;
 };
 
 }  // namespace tamis

@@ -17,6 +17,13 @@ void parallel_blocks(std::size_t count, const F& f) {
   });
 }
 
+/// The last may stay partly empty.
+std::vector<BoxBlock> empty_blocks(std::size_t count) {
+  std::vector<BoxBlock> blocks(count);
+  for (int lane = 0; lane < kBlock && count > 0; ++lane) MovingBox().store_to(blocks.back(), lane);
+  return blocks;
+}
+
 }  // namespace
 
 void BlockTree::set_features(std::span<const Index> points) {
@@ -26,9 +33,9 @@ void BlockTree::set_features(std::span<const Index> points) {
 
 void BlockTree::build(const PackedMotion& motion, Split split) {
   levels_.clear();
+  drifts_.clear();
   for (std::size_t blocks = blocks_for(static_cast<std::size_t>(feature_count()));; blocks = blocks_for(blocks)) {
-    levels_.emplace_back(blocks);
-    for (int lane = 0; lane < kBlock && blocks > 0; ++lane) MovingBox().store_to(levels_.back().back(), lane);
+    levels_.push_back(empty_blocks(blocks));
     if (blocks <= 1 && levels_.size() > 1) break;
   }
   corner_blocks_.resize(levels_[0].size());
@@ -65,13 +72,28 @@ void BlockTree::choose_order(const PackedMotion& motion, Split split) {
   });
 }
 
-void BlockTree::refit(const PackedMotion& motion) {
-  const auto fill = corners_ == 1   ? &BlockTree::fill_leaf<1>
-                    : corners_ == 2 ? &BlockTree::fill_leaf<2>
-                                    : &BlockTree::fill_leaf<3>;
-  const BoxMargins margins(motion);
-  parallel_blocks(levels_[0].size(), [&](std::size_t block) { (this->*fill)(block, motion, margins); });
-  for (std::size_t level = 2; level < levels_.size(); ++level) fill_hulls(level);
+void BlockTree::refit(const PackedMotion& motion) { fill(levels_, motion.box_vertices, {motion.frame.margin, 0}); }
+
+void BlockTree::refit_drifts(const PackedMotion& motion) {
+  if (drifts_.size() != levels_.size()) {
+    drifts_.assign(levels_.size(), {});
+    for (std::size_t level = 1; level < levels_.size(); ++level) drifts_[level] = empty_blocks(levels_[level].size());
+  }
+  fill(drifts_, motion.drifts, {BoxFrame::kLeastMargin, BoxFrame::kRelativeMargin});
+}
+
+void BlockTree::fill(Levels& levels, const std::vector<BoxVertex>& vertices, const BoxMargins& margins) const {
+  const auto fill_block = corners_ == 1   ? &BlockTree::fill_leaf<1>
+                          : corners_ == 2 ? &BlockTree::fill_leaf<2>
+                                          : &BlockTree::fill_leaf<3>;
+  parallel_blocks(corner_blocks_.size(),
+                  [&](std::size_t block) { (this->*fill_block)(block, levels, vertices, margins); });
+  for (std::size_t level = 2; level < levels.size(); ++level)
+    parallel_blocks(levels[level - 1].size(), [&](std::size_t child) {
+      MovingBox hull;
+      for (int lane = 0; lane < kBlock; ++lane) hull.include({levels[level - 1][child], lane});
+      hull.store_to(levels[level][child / kBlock], static_cast<int>(child % kBlock));
+    });
 }
 
 int BlockTree::lanes_in_use(std::size_t block) const {
@@ -80,9 +102,10 @@ int BlockTree::lanes_in_use(std::size_t block) const {
 }
 
 template <int corners>
-void BlockTree::fill_leaf(std::size_t block, const PackedMotion& motion, const BoxMargins& margins) {
+void BlockTree::fill_leaf(std::size_t block, Levels& levels, const std::vector<BoxVertex>& vertices,
+                          const BoxMargins& margins) const {
   const auto vertex_of = [&](const CornerBlock& from, int lane, int c) {
-    return &motion.box_vertices[static_cast<std::size_t>(from.vertex[c][lane])];
+    return &vertices[static_cast<std::size_t>(from.vertex[c][lane])];
   };
   // Vertices lie scattered; those of the block after the next are on their way while this one is filled.
   if (block + 2 < corner_blocks_.size()) {
@@ -92,6 +115,7 @@ void BlockTree::fill_leaf(std::size_t block, const PackedMotion& motion, const B
   }
   const CornerBlock& own = corner_blocks_[block];
   const int in_use = lanes_in_use(block);
+  BoxBlock* const features = levels[0].empty() ? nullptr : &levels[0][block];
   MovingBox hull;
   for (int lane = 0; lane < kBlock; ++lane) {
     MovingBox box;
@@ -100,25 +124,18 @@ void BlockTree::fill_leaf(std::size_t block, const PackedMotion& motion, const B
         const BoxVertex& vertex = *vertex_of(own, lane, c);
         box.include(vertex.at, vertex.at);
       }
-      box.widen(margins.fixed, margins.relative, box.high[BoxVertex::kRadius], margins.radius);
+      box.widen(margins.fixed, margins.relative, box.high[BoxVertex::kRadius]);
     }
-    box.store_to(levels_[0][block], lane);
+    if (features) box.store_to(*features, lane);
     hull.include(box);
   }
-  hull.store_to(levels_[1][block / kBlock], static_cast<int>(block % kBlock));
-}
-
-void BlockTree::fill_hulls(std::size_t level) {
-  const auto& below = levels_[level - 1];
-  parallel_blocks(below.size(), [&](std::size_t child) {
-    MovingBox hull;
-    for (int lane = 0; lane < kBlock; ++lane) hull.include({below[child], lane});
-    hull.store_to(levels_[level][child / kBlock], static_cast<int>(child % kBlock));
-  });
+  hull.store_to(levels[1][block / kBlock], static_cast<int>(block % kBlock));
 }
 
 TreeView BlockTree::view() const {
   TreeView view{};
+  for (const auto& level : drifts_) view.drifts[view.level_count++] = level.data();
+  view.level_count = 0;
   for (const auto& level : levels_) view.levels[view.level_count++] = level.data();
   view.leaf_blocks = static_cast<int>(corner_blocks_.size());
   view.corners = corner_blocks_.data();
@@ -126,24 +143,13 @@ TreeView BlockTree::view() const {
 }
 
 double BlockTree::swept_area() const {
-  return half_area([](const BoxBlock& hulls, int axis, int lane) {
-    return std::max(hulls.high0[axis][lane], hulls.high1[axis][lane]) -
-           std::min(hulls.low0[axis][lane], hulls.low1[axis][lane]);
-  });
-}
-
-double BlockTree::start_area() const {
-  return half_area(
-      [](const BoxBlock& hulls, int axis, int lane) { return hulls.high0[axis][lane] - hulls.low0[axis][lane]; });
-}
-
-template <class Width>
-double BlockTree::half_area(const Width& width) const {
   double area = 0;
   for (const BoxBlock& hulls : levels_[1])
     for (int lane = 0; lane < kBlock; ++lane) {
       float size[3];
-      for (int axis = 0; axis < 3; ++axis) size[axis] = std::max(0.0f, width(hulls, axis, lane));
+      for (int axis = 0; axis < 3; ++axis)
+        size[axis] = std::max(0.0f, std::max(hulls.high0[axis][lane], hulls.high1[axis][lane]) -
+                                        std::min(hulls.low0[axis][lane], hulls.low1[axis][lane]));
       area += static_cast<double>(size[0] * size[1] + size[1] * size[2] + size[2] * size[0]);
     }
   return area;
@@ -151,7 +157,8 @@ double BlockTree::half_area(const Width& width) const {
 
 std::uint64_t BlockTree::memory_bytes() const {
   std::uint64_t bytes = corner_blocks_.capacity() * sizeof(CornerBlock);
-  for (const auto& level : levels_) bytes += level.capacity() * sizeof(BoxBlock);
+  for (const Levels* levels : {&levels_, &drifts_})
+    for (const auto& level : *levels) bytes += level.capacity() * sizeof(BoxBlock);
   return bytes;
 }
 

@@ -16,6 +16,7 @@ namespace tamis {
 struct TreeView {
   static constexpr int kMaxLevels = 9;  ///< 16^8 > 2^31 features
   const BoxBlock* levels[kMaxLevels];   ///< levels[0]: features, levels[k]: hulls of the blocks of levels[k-1]
+  const BoxBlock* drifts[kMaxLevels];   ///< drifts[k], k >= 1: of the vertices in those hulls; null without drifts
   int level_count;
   int leaf_blocks;
   const CornerBlock* corners;
@@ -31,34 +32,34 @@ class BlockTree {
     vertices_ = features.empty() ? std::span<const Index>() : std::span(features[0].data(), corners * features.size());
   }
 
-  /// Chooses the order from where the features are halfway through the step (where `motion` holds displacements: at
-  /// its end), then refits.
+  /// Chooses the order from where the features are halfway through the step, then refits.
   void build(const PackedMotion& motion, Split split);
   /// New boxes in the old order.
   void refit(const PackedMotion& motion);
+  /// Boxes of `motion`'s drifts, for the hulls alone.
+  void refit_drifts(const PackedMotion& motion);
 
   Index feature_count() const { return static_cast<Index>(vertices_.size() / static_cast<std::size_t>(corners_)); }
   TreeView view() const;
   /// Sum over the leaf blocks of the half area of their swept hulls: what a traversal's cost grows with.
   double swept_area() const;
-  /// The same of their hulls at t=0.
-  double start_area() const;
   std::uint64_t memory_bytes() const;
 
  private:
   void choose_order(const PackedMotion& motion, Split split);
+  using Levels = std::vector<std::vector<BoxBlock>>;
+
   int lanes_in_use(std::size_t block) const;
+  /// Boxes around `vertices`; those of single features are kept only where `levels` has blocks for them.
+  void fill(Levels& levels, const std::vector<BoxVertex>& vertices, const BoxMargins& margins) const;
   template <int corners>
-  void fill_leaf(std::size_t block, const PackedMotion& motion, const BoxMargins& margins);
-  void fill_hulls(std::size_t level);
-  /// `width(hulls, axis, lane)`: of one hull.
-  template <class Width>
-  double half_area(const Width& width) const;
+  void fill_leaf(std::size_t block, Levels& levels, const std::vector<BoxVertex>& vertices,
+                 const BoxMargins& margins) const;
 
   int corners_ = 1;
   std::span<const Index> vertices_;
   std::vector<CornerBlock> corner_blocks_;
-  std::vector<std::vector<BoxBlock>> levels_;
+  Levels levels_, drifts_;
 };
 
 }  // namespace tamis

@@ -2,7 +2,7 @@
 // of what they sweep over, which costs a third and says as much where the motion is short. And another question: which
 // are near, as fast as they move?
 #pragma once
-#include "bounds/moving_boxes.hpp"
+#include "kernels/kernels.hpp"
 #include "motion/time_clip.hpp"
 #include "numerics/lanes.hpp"
 
@@ -11,21 +11,23 @@ namespace tamis::TAMIS_ISA {
 /// Bits of the lanes whose boxes meet before `t_limit`; where bits are set, `t_in` and `t_out` get the times.
 struct MovingBoxes {
   struct Sixteen {
-    Sixteen(const BoxBlock& boxes, float limit) : block(boxes), t_limit(limit) {}
+    Sixteen(const TreeView& tree, int level, int node, const Search& search)
+        : block(tree.levels[level][node]), t_limit(search.t_limit) {}
     const BoxBlock& block;
     const float t_limit;
   };
 
   /// One box in every lane.
   struct One {
-    One(const Sixteen& boxes, int lane) {
+    One(const BoxBlock& block, int lane) {
       for (int axis = 0; axis < 3; ++axis) {
-        low0[axis] = FloatLanes(boxes.block.low0[axis][lane]);
-        high0[axis] = FloatLanes(boxes.block.high0[axis][lane]);
-        low1[axis] = FloatLanes(boxes.block.low1[axis][lane]);
-        high1[axis] = FloatLanes(boxes.block.high1[axis][lane]);
+        low0[axis] = FloatLanes(block.low0[axis][lane]);
+        high0[axis] = FloatLanes(block.high0[axis][lane]);
+        low1[axis] = FloatLanes(block.low1[axis][lane]);
+        high1[axis] = FloatLanes(block.high1[axis][lane]);
       }
     }
+    One(const Sixteen& boxes, int lane) : One(boxes.block, lane) {}
     FloatLanes low0[3], high0[3], low1[3], high1[3];
   };
 
@@ -51,9 +53,10 @@ struct MovingBoxes {
 /// The same of the boxes swept until `t_limit`: more lanes may meet, and always from the start on.
 struct SweptBoxes {
   struct Sixteen {
-    Sixteen(const BoxBlock& block, float limit) : t_limit(limit) {
+    Sixteen(const TreeView& tree, int level, int node, const Search& search) : t_limit(search.t_limit) {
+      const BoxBlock& block = tree.levels[level][node];
       // Coordinates are within [-8,8]: the three roundings below are off by at most 40 * 2^-24.
-      const FloatLanes t(limit), margin(0x1p-18f);
+      const FloatLanes t(t_limit), margin(0x1p-18f);
       for (int axis = 0; axis < 3; ++axis)
         for (int first = 0; first < kBlock; first += kFloatLanes) {
           const auto load = [&](const float* lanes) { return FloatLanes::load_aligned(lanes + first); };
@@ -88,35 +91,6 @@ struct SweptBoxes {
       FloatLanes(0.0f).store_aligned(t_in + first);
       FloatLanes(boxes.t_limit).store_aligned(t_out + first);
       result |= bits(gap <= FloatLanes(0.0f)) << first;
-    }
-    return result;
-  }
-};
-
-/// Boxes that hold displacements, with the reach for a limit: bits of the lanes whose boxes at t=0 are no farther apart
-/// than the reach times the largest difference of displacements. Squares of two lengths are compared; gaps are
-/// multiples of 2^-47, because boxes have margins, so that nothing that matters underflows.
-struct NearBoxes {
-  using Sixteen = MovingBoxes::Sixteen;
-  using One = MovingBoxes::One;
-
-  [[gnu::always_inline]] static unsigned meet(const Sixteen& boxes, const One& one, float* t_in, float* t_out) {
-    const FloatLanes zero(0.0f), reach(boxes.t_limit);
-    const BoxBlock& b = boxes.block;
-    unsigned result = 0;
-    for (int first = 0; first < kBlock; first += kFloatLanes) {
-      const auto load = [&](const float* lanes) { return FloatLanes::load_aligned(lanes + first); };
-      FloatLanes gap2(0.0f), way2(0.0f);
-      for (int axis = 0; axis < 3; ++axis) {
-        const auto gap = max(load(b.low0[axis]) - one.high0[axis], one.low0[axis] - load(b.high0[axis]));
-        const auto way = max(load(b.high1[axis]) - one.low1[axis], one.high1[axis] - load(b.low1[axis]));
-        const auto apart = max(gap, zero), reached = reach * max(way, zero);
-        gap2 = gap2 + apart * apart;
-        way2 = way2 + reached * reached;
-      }
-      zero.store_aligned(t_in + first);
-      zero.store_aligned(t_out + first);
-      result |= bits(gap2 <= way2) << first;
     }
     return result;
   }

@@ -2,6 +2,7 @@
 // not emit code of shared templates, which the linker could then pick for a machine without that instruction set.
 #pragma once
 #include <cstdint>
+#include <span>
 
 #include "bvh/block_tree.hpp"
 #include "motion/pair_kinds.hpp"
@@ -38,13 +39,22 @@ struct RestPair {
   double direction[3];  ///< unit, along the gap (solve/closest.hpp); NaN where nothing tells it
 };
 
+/// Which pairs may end the step before `t_limit`, where each must keep a fraction of its distance beyond the separation
+/// (solve/kept_gap.hpp).
+struct NearRule {
+  float fraction;  ///< rounded up
+  float reach;     ///< t_limit / (1 - fraction), rounded up
+  float t_limit;   ///< rounded up; may exceed 1
+};
+
 /// One thread's search over one pair of trees.
 struct Search {
   TreeView a, b;  ///< vf: points, faces; ee: edges, edges
+  /// If there are any, only these leaf blocks of b are looked at.
+  std::span<const std::int32_t> others = {};
   /// Nothing that starts after this time is of interest; a float, so that the stages in floats do not round it.
-  /// For search_near, the reach: pairs of boxes at t=0 farther apart than this times the largest difference of their
-  /// displacements are of no interest.
   float t_limit = 1;
+  NearRule near{};  ///< for search_near, which looks at nothing else
   /// Until t_limit things move so little that what boxes sweep over serves as well as boxes that move.
   bool is_short = false;
   PairBuffer* pairs = nullptr;
@@ -52,6 +62,13 @@ struct Search {
   void (*flush)(Search&) = nullptr;
   void* context = nullptr;
   std::uint64_t nodes_visited = 0;
+};
+
+/// Two trees at t=0.
+struct GapQuestion {
+  TreeView a, b;  ///< as in Search
+  const PackedVertex* vertices;
+  double unit;  ///< the length of one unit of the boxes, in the unit of the vertices
 };
 
 struct Kernels {
@@ -62,15 +79,19 @@ struct Kernels {
   /// no vertex; ee: with the blocks from `block` on, each pair once.
   void (*search_vf)(Search& search, int block);
   void (*search_ee)(Search& search, int block);
-  /// The same for boxes that hold displacements: pairs within reach. Times are not set.
+  /// The same for pairs that may end the step by the near rule. Trees have drifts, from t=0 on.
   void (*search_near_vf)(Search& search, int block);
   void (*search_near_ee)(Search& search, int block);
-  /// Pairs that are farther apart than `separation` at t=0 by more than `reach` times their relative speed are culled
-  /// (solve/start_gap.hpp).
-  void (*near_vf)(const PackedVertex* vertices, const PairSeparation& separation, float reach, const PairBuffer& in,
-                  PairBuffer& out);
-  void (*near_ee)(const PackedVertex* vertices, const PairSeparation& separation, float reach, const PairBuffer& in,
-                  PairBuffer& out);
+  /// A lower bound, in the unit of the boxes, of the distance at t=0, less the room to advance
+  /// (error_bounds::kRoomToAdvance), of any two features of two leaf blocks that share no vertex and whose boxes are
+  /// nearer than `most`; `most` if there are none. Separations are not taken off. `scratch` has room.
+  float (*gap_vf)(const GapQuestion& question, int block, int other, float most, PairBuffer& scratch);
+  float (*gap_ee)(const GapQuestion& question, int block, int other, float most, PairBuffer& scratch);
+  /// Pairs that cannot end the step by the rule are culled.
+  void (*near_vf)(const PackedVertex* vertices, const PairSeparation& separation, const NearRule& rule,
+                  const PairBuffer& in, PairBuffer& out);
+  void (*near_ee)(const PackedVertex* vertices, const PairSeparation& separation, const NearRule& rule,
+                  const PairBuffer& in, PairBuffer& out);
   /// Slab clip on the diagonal axes: pairs that stay farther apart than `separation` are culled. Survivors, with their
   /// times, go to `out`.
   void (*slab_vf)(const PackedVertex* vertices, const PairSeparation& separation, const PairBuffer& in,

@@ -4,11 +4,14 @@
 #include "filters/dnf.hpp"
 #include "filters/ncf.hpp"
 #include "filters/slab_clip.hpp"
+#include "kernels/gaps.hpp"
 #include "kernels/load_motion.hpp"
+#include "kernels/near_boxes.hpp"
 #include "kernels/rest_kernels.hpp"
 #include "kernels/search.hpp"
 #include "kernels/split.hpp"
 #include "solve/crossing.hpp"
+#include "solve/kept_gap.hpp"
 #include "solve/start_gap.hpp"
 
 namespace tamis::TAMIS_ISA {
@@ -55,14 +58,32 @@ void slab(const PackedVertex* vertices, const PairSeparation& separation, const 
   }
 }
 
+/// Axes turn less in each of four parts.
 template <PairKind kind>
-void near(const PackedVertex* vertices, const PairSeparation& separation, float reach, const PairBuffer& in,
+unsigned is_kept_in_parts(const KeptGap<kind, FloatLanes>& gap, FloatLanes from, const FloatLanes& until) {
+  const FloatLanes part = (until - from) * FloatLanes(0.25f);
+  unsigned kept = ~0u;
+  for (int i = 1; i <= 4; ++i) {
+    const FloatLanes next = i < 4 ? from + part : until;
+    kept &= bits(gap.is_kept(from, next));
+    from = next;
+  }
+  return kept;
+}
+
+template <PairKind kind>
+void near(const PackedVertex* vertices, const PairSeparation& separation, const NearRule& rule, const PairBuffer& in,
           PairBuffer& out) {
   for (int first = 0; first < in.count; first += kFloatLanes) {
     const auto m = load_motion_as_float<kind>(vertices, in, first, separation);
-    const auto is_far = StartGap::exceeds<kind>(m, FloatLanes(reach));
-    for_each_bit(lanes_in_use(in, first, kFloatLanes) & ~bits(is_far),
-                 [&](int lane) { copy_pair(in, first + lane, out); });
+    unsigned left = lanes_in_use(in, first, kFloatLanes) & ~bits(StartGap::exceeds<kind>(m, FloatLanes(rule.reach)));
+    if (!left) continue;
+    const KeptGap<kind, FloatLanes> gap(m, FloatLanes(rule.fraction));
+    const FloatLanes from = FloatLanes::load_unaligned(in.t_in + first);
+    const FloatLanes until = min(FloatLanes::load_unaligned(in.t_out + first), FloatLanes(1.0f));
+    left &= ~bits(gap.is_kept(from, until));
+    if (left) left &= ~is_kept_in_parts(gap, from, until);
+    for_each_bit(left, [&](int lane) { copy_pair(in, first + lane, out); });
   }
 }
 
@@ -135,6 +156,8 @@ const Kernels kKernels{Isa::TAMIS_ISA,
                        search<kEe>,
                        search_near<kVf>,
                        search_near<kEe>,
+                       gap_vf,
+                       gap_ee,
                        near<kVf>,
                        near<kEe>,
                        slab<kVf>,

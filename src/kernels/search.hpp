@@ -34,11 +34,12 @@ class BlockSearch {
   BlockSearch(Search& search, int block)
       : search_(search),
         block_(block),
-        boxes_(search.a.levels[0][block], search.t_limit),
-        hull_({search.a.levels[1][block / kBlock], search.t_limit}, block % kBlock) {}
+        boxes_(search.a, 0, block, search),
+        hull_(Sixteen(search.a, 1, block / kBlock, search), block % kBlock) {}
 
   void run() {
     if (search_.b.leaf_blocks == 0) return;
+    if (!search_.others.empty()) return visit_others();
     visit(search_.b.level_count - 1, 0);
   }
 
@@ -50,7 +51,7 @@ class BlockSearch {
 
   void visit(int level, int node) {
     ++search_.nodes_visited;
-    const Sixteen hulls(search_.b.levels[level][node], search_.t_limit);
+    const Sixteen hulls(search_.b, level, node, search_);
     unsigned mask = meet(hulls, hull_);
     // In the same tree only blocks from this one on: child c covers leaf blocks below (c + 1) 16^(level-1).
     if (kIsSelf) {
@@ -62,13 +63,22 @@ class BlockSearch {
     for_each_bit(mask, [&](int child) { visit(level - 1, node * kBlock + child); });
   }
 
+  void visit_others() {
+    for (const std::int32_t other : search_.others) {
+      ++search_.nodes_visited;
+      const unsigned rows = meet(boxes_, One(Sixteen(search_.b, 1, other / kBlock, search_), other % kBlock));
+      const unsigned columns = meet(Sixteen(search_.b, 0, other, search_), hull_);
+      if (rows && columns) visit_leaf(other, rows, columns);
+    }
+  }
+
   /// First each side's boxes against the other's hull, in all leaf blocks before the first branch; then one by one on
   /// the side where fewer remain.
   void visit_leaves(int node, const Sixteen& hulls, unsigned mask) {
     unsigned rows[kBlock], columns[kBlock], both = 0;
     for_each_bit(mask, [&](int child) {
       rows[child] = meet(boxes_, One(hulls, child));
-      columns[child] = meet({search_.b.levels[0][node * kBlock + child], search_.t_limit}, hull_);
+      columns[child] = meet(Sixteen(search_.b, 0, node * kBlock + child, search_), hull_);
       both |= static_cast<unsigned>((rows[child] != 0) & (columns[child] != 0)) << child;
     });
     for_each_bit(both, [&](int child) { visit_leaf(node * kBlock + child, rows[child], columns[child]); });
@@ -80,7 +90,7 @@ class BlockSearch {
 
   void visit_leaf(int other, unsigned rows, unsigned columns) {
     if (search_.pairs->count + kBlock * kBlock > PairBuffer::kCapacity) search_.flush(search_);
-    const Sixteen boxes(search_.b.levels[0][other], search_.t_limit);
+    const Sixteen boxes(search_.b, 0, other, search_);
     const CornerBlock &mine = search_.a.corners[block_], &theirs = search_.b.corners[other];
     if (kIsSelf && other == block_)
       match<kCornersA, kCornersB>({boxes, theirs, columns}, {boxes_, mine, rows}, [](int a) { return ~1u << a; });

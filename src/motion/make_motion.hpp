@@ -14,8 +14,8 @@ struct PairPoints {
 };
 
 /// The pair's motion times the power of two that brings its largest size into [1/2, 1), so that no decision depends
-/// on the unit of length; so is `separation`, given in the unit of the points. Sizes are infinite or NaN where a
-/// difference overflows: no comparison then proves anything.
+/// on the unit of length, nor any difference overflows; so is `separation`, given in the unit of the points. REQUIRES:
+/// finite coordinates.
 PairMotion<double> make_motion(PairKind kind, const PairPoints& points, double separation = 0);
 
 }  // namespace tamis

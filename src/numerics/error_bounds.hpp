@@ -115,4 +115,13 @@ inline constexpr double kVelocity = 40;
 // Length of a vector, unit: itself: squares 1/2, two sums 1, root 1, all below 4.
 inline constexpr double kLength = 4;
 
+// What is left of a pair's distance along an axis between two unit vectors beyond what it must keep, unit D + E + F:
+// the distance at t=0 kGap and kLength, 27; a corner on the axis, as kAxisProjection with kInput + 4: 57; halves and
+// sums 4; the axis' length 5 and what must be kept 4, of at most 3: 27. Together 115.
+inline constexpr double kKeptGap = 128;
+
+// Part of D + E + F: while a pair is so much farther apart than a separation, advancement (solve/separation.hpp) goes
+// on, and each of its strides is at least 1/16 of this part of the step (docs/numerics.md, "Step lengths").
+inline constexpr double kRoomToAdvance = 0x1p-10;
+
 }  // namespace tamis::error_bounds

@@ -67,9 +67,11 @@ Outcome decide_in_integers(PairKind kind, const PairPoints& points, double separ
   return {{verdict, exact.toi_lower, exact.toi_upper}, &PrecisionCount::exact};
 }
 
-/// What some method proves must not stay unsure in another: so all that any of them tries is tried here.
+/// What some method proves, or a detector remembers, must not stay unsure elsewhere: so all that any of them tries is
+/// tried here, and a pair that stays apart by kRoomToAdvance of its size is always free.
 Decision decide_as_any_method(PairKind kind, const PairMotion<double>& m, const Decision& open) {
   if (any_filter_proves_free(kind, m)) return {};
+  if (first_within(kind, m, {open.lower, open.upper}).verdict == Verdict::is_free) return {};
   return subdivide(kind, m, {open.lower, open.upper}, InPlane::thoroughly);
 }
 

@@ -45,8 +45,6 @@ StartBounds start_bounds(PairKind kind, const PairMotion<double>& m) {
   return with_kind(kind, [&](auto k) { return start_bounds<k()>(m); });
 }
 
-bool is_finite(const PairMotion<double>& m) { return std::isfinite(m.size_e + m.size_f + m.size_d); }
-
 /// The distance that must be kept, from one at t=0: `rounding` 1 for an upper bound, -1 for a lower one.
 double kept(double distance, const PairMotion<double>& m, double fraction, int rounding) {
   const double reserve = std::max(distance - m.separation, 0.0);
@@ -58,15 +56,14 @@ double kept(double distance, const PairMotion<double>& m, double fraction, int r
 double keeps_distance_until(PairKind kind, const PairPoints& points, const DistanceRule& rule, double until,
                             PrecisionCount& decided_by) {
   PairMotion<double> m = make_motion(kind, points, rule.min_separation);
-  StartBounds start{};
-  if (is_finite(m)) start = start_bounds(kind, m);
+  const StartBounds start = start_bounds(kind, m);
   const double reserve = start.low - m.separation, portion = (1 - rule.fraction) * (1 - 4 * kRoundoff);
   const bool is_sharp = start.high - start.low <= kSharpEnough * reserve;
   ++(is_sharp ? decided_by.scalar : decided_by.exact);
   const double at_rest = is_sharp ? portion * (reserve / start.speed) * (1 - 4 * kRoundoff)
                                   : portion * apart_from_start(kind, points, rule.min_separation);
   until = std::min(until, 1.0);
-  if (at_rest == 0 || at_rest >= until || !is_finite(m)) return std::min(at_rest, 1.0);
+  if (at_rest == 0 || at_rest >= until) return std::min(at_rest, 1.0);
   m.separation = kept(start.high, m, rule.fraction, 1);
   return apart_until(kind, m, at_rest, until);
 }
@@ -74,7 +71,6 @@ double keeps_distance_until(PairKind kind, const PairPoints& points, const Dista
 double fraction_is_left_at(PairKind kind, const PairPoints& points, const DistanceRule& rule, double lower) {
   if (lower == 0) return 0;
   PairMotion<double> m = make_motion(kind, points, rule.min_separation);
-  if (!is_finite(m)) return 1;
   m.separation = kept(start_bounds(kind, m).low, m, rule.fraction, -1);
   const Decision decision = first_within(kind, m, {lower, 1});
   return decision.verdict == Verdict::touches ? decision.upper : 1;
@@ -82,7 +78,6 @@ double fraction_is_left_at(PairKind kind, const PairPoints& points, const Distan
 
 double start_distance(PairKind kind, const PairPoints& points) {
   const PairMotion<double> m = make_motion(kind, points, 1);
-  if (!is_finite(m)) return std::numeric_limits<double>::infinity();
   const Vec gap = closest_points(kind, m.e.at0, m.f.at0, m.d.at0).gap;
   return std::sqrt(dot(gap, gap)) / m.separation;  // the separation 1 has become the unit of the motion
 }

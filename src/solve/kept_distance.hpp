@@ -27,7 +27,7 @@ double keeps_distance_until(PairKind kind, const PairPoints& points, const Dista
 /// REQUIRES: `lower` as keeps_distance_until gave it.
 double fraction_is_left_at(PairKind kind, const PairPoints& points, const DistanceRule& rule, double lower);
 
-/// Distance of the features at t=0, rounded, not certified; infinite if a difference overflows.
+/// Distance of the features at t=0, rounded, not certified; infinite if it overflows.
 double start_distance(PairKind kind, const PairPoints& points);
 
 }  // namespace tamis

@@ -16,6 +16,8 @@ using Vec = Vec3<double>;
 constexpr double kShortest = 0x1p-50;
 /// Looks at one pair. Newton's method needs 3 to 8; a near miss by 1e-15 of the pair's size needs about 40.
 constexpr int kMaxLooks = 160;
+/// Looks that bring so much of the step do not count: a pair with room (error_bounds::kRoomToAdvance) has no others.
+constexpr double kLongStride = error_bounds::kRoomToAdvance / 16;
 
 /// The sides of the two features that hold the closest points in their inside: none, one, or e and f.
 struct ActiveSides {
@@ -103,14 +105,15 @@ class Advance {
       : looker_(m), end_(time.t_out), now_(time.t_in) {}
 
   Decision run() {
-    for (int looks = 0; looks < kMaxLooks && now_ <= end_; ++looks) {
-      const double t = std::min(now_ + ahead_, end_);
+    for (int looks = 0; looks < kMaxLooks && now_ <= end_;) {
+      const double before = now_, t = std::min(now_ + ahead_, end_);
       const Look look = looker_.at(t);
       if (look.touches) return touching(t);
       if (look.apart.contains(t))
         pass(look);
       else
         wait(look, t);
+      if (now_ - before < kLongStride) ++looks;
     }
     if (now_ <= end_) add_unsure(end_);
     return decision_;
@@ -169,12 +172,13 @@ template <PairKind kind>
 double apart_until(const PairMotion<double>& m, double from, double until) {
   const Looker<kind> looker(m);
   double now = from;
-  for (int looks = 0; looks < kMaxLooks && now < until; ++looks) {
+  for (int looks = 0; looks < kMaxLooks && now < until;) {
     const Look look = looker.at(now);
     if (!look.apart.contains(now)) break;
     const double progress = look.apart.to - now;
     now = look.apart.to;
     if (progress <= 0x1p-40 * now) break;
+    if (progress < kLongStride) ++looks;
   }
   return std::min(now, 1.0);
 }

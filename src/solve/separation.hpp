@@ -15,8 +15,9 @@ namespace tamis {
 Decision first_within(PairKind kind, const PairMotion<double>& m, const TimeInterval<double>& time);
 
 /// A time in [0,1] before which the pair is proven farther apart than its separation, as late as doubles can prove
-/// within a few steps. It looks no further than `until`: a result below `until` does not depend on it.
-/// REQUIRES: as above; the pair is apart before `from`, which lies in [0,1].
+/// within a few steps; at least until the pair is first within kRoomToAdvance of its size of that (docs/numerics.md,
+/// "Step lengths"). It looks no further than `until`: a result below `until` does not depend on it. REQUIRES: as above;
+/// the pair is apart before `from`, which lies in [0,1].
 double apart_until(PairKind kind, const PairMotion<double>& m, double from, double until);
 
 /// A lower bound, beyond all rounding, of the distance at t=0: along the gap of the closest points, and where that says

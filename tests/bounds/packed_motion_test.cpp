@@ -13,17 +13,19 @@ namespace {
 TEST(PackedMotion, CoordinatesStayWithinTheFrame) {
   constexpr double kLargest = std::numeric_limits<double>::max();
   const std::vector<Index> used{0, 1};
-  for (const double size : {5e-324, 1e-300, 1.0, 1e300, kLargest / 4, kLargest})
-    for (const SecondHalf second : {SecondHalf::end, SecondHalf::displacement}) {
-      const std::vector<Point> start{{-size, 0, size}, {size, size, size}}, end{{size, 0, -size}, {0, -size, size}};
-      PackedMotion motion;
-      motion.assign({start, end}, used, {}, second);
-      for (const BoxVertex& vertex : motion.box_vertices)
+  for (const double size : {5e-324, 1e-300, 1.0, 1e300, kLargest / 4, kLargest}) {
+    const std::vector<Point> start{{-size, 0, size}, {size, size, size}}, end{{size, 0, -size}, {0, -size, size}};
+    PackedMotion motion;
+    motion.assign({start, end}, used, {});
+    motion.assign_drifts({start, end}, end, used);
+    for (const auto* vertices : {&motion.box_vertices, &motion.drifts})
+      for (const BoxVertex& vertex : *vertices)
         for (int i = 0; i < 6; ++i) EXPECT_LE(std::fabs(vertex.at[i]), 1) << size << ", coordinate " << i;
-      if (size > 1e-300) {
-        EXPECT_NEAR(static_cast<double>(motion.box_vertices[1].at[0]), size * motion.frame.scale, 1e-6) << size;
-      }
-    }
+    if (size <= 1e-300) continue;
+    EXPECT_NEAR(static_cast<double>(motion.box_vertices[1].at[0]), size * motion.frame.scale, 1e-6) << size;
+    EXPECT_EQ(static_cast<double>(motion.drifts[0].at[0]), -(size * motion.frame.scale) * 2) << size;
+    EXPECT_EQ(motion.drifts[0].at[3], 0) << size;
+  }
 }
 
 }  // namespace

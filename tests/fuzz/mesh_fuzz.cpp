@@ -1,6 +1,7 @@
 // Tiny meshes of any shape: method tamis and method paper report what method brute certifies and the other way round,
 // conservatively and exactly, and the three questions of a detector agree, also when asked a second time, of a
-// hierarchy that was refitted.
+// hierarchy that was refitted. Step lengths are the same, bit for bit, by every method, also of a detector that has
+// been asked before.
 #include <algorithm>
 #include <set>
 #include <sstream>
@@ -112,6 +113,26 @@ void check(const MovingMesh& m, Guarantee guarantee, double separation) {
   }
 }
 
+bool are_same(const SafeStep& a, const SafeStep& b) {
+  const bool same_pair = a.pair.has_value() == b.pair.has_value() &&
+                         (!a.pair || (a.pair->kind == b.pair->kind && a.pair->vertices == b.pair->vertices));
+  return a.lower == b.lower && a.upper == b.upper && same_pair;
+}
+
+void check_step_lengths(const MovingMesh& m, double fraction, double separation) {
+  const auto options = [&](Method method) { return options_of(method, Guarantee::conservative, separation); };
+  const SafeStep truth = Detector(m.mesh, options(Method::brute)).keep_distance(m.step(), fraction);
+  Detector detector(m.mesh, options(Method::tamis));
+  const SafeStep found = detector.keep_distance(m.step(), fraction);
+  const auto describe = [&] { return text_of(m) + "fraction " + std::to_string(fraction); };
+  require(are_same(found, truth), "step lengths differ", describe);
+  require(0 <= found.lower && found.lower <= found.upper && found.upper <= 1, "no bracket of a step", describe);
+  require(found.lower <= detector.earliest(m.step()).toi_upper, "a step length beyond the first contact", describe);
+  detector.keep_distance({m.points.end, m.points.start}, fraction);
+  require(are_same(detector.keep_distance(m.step(), fraction), truth), "an earlier question changes a step length",
+          describe);
+}
+
 }  // namespace
 }  // namespace tamis::fuzz
 
@@ -123,5 +144,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const MovingMesh mesh = take_mesh(bytes);
   check(mesh, tamis::Guarantee::conservative, separation);
   if (separation == 0) check(mesh, tamis::Guarantee::exact, separation);
+  check_step_lengths(mesh, (1 + bytes.below(255)) / 256.0, separation);
   return 0;
 }

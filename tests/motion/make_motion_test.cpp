@@ -54,11 +54,26 @@ TEST(MakeMotion, PointsThatCoincideHaveNoSize) {
   EXPECT_EQ(largest_size(m), 0);
 }
 
-TEST(MakeMotion, OverflowShowsInTheSizes) {
-  PairPoints points{};
-  points.start[0][0] = 0x1.8p1023;
-  points.start[1][0] = -0x1.8p1023;
-  EXPECT_FALSE(std::isfinite(largest_size(make_motion(PairKind::edge_edge, points))));
+// Bug: a difference of positions overflows, and the decision has nothing to go by.
+TEST(MakeMotion, LargestDoublesChangeNoBitEither) {
+  Random random(3);
+  for (const PairKind kind : {PairKind::vertex_face, PairKind::edge_edge})
+    for (int i = 0; i < 100; ++i) {
+      const auto motion = placed(family_named("random").make(kind, random), {"", 0x1p-3, 0});
+      const auto m = make_motion(kind, to_points(motion), 0x1p-20);
+      for (const double scale : {0x1p1020, 0x1p1021, 0x1p1022, 0x1p1023}) {
+        const auto scaled = make_motion(kind, to_points(placed(motion, {"", scale, 0})), 0x1p-20 * scale);
+        EXPECT_EQ(m.d.at0.x, scaled.d.at0.x);
+        EXPECT_EQ(m.e.at1.y, scaled.e.at1.y);
+        EXPECT_EQ(m.f.at0.z, scaled.f.at0.z);
+        EXPECT_EQ(m.size_e, scaled.size_e);
+        EXPECT_EQ(m.separation, scaled.separation);
+        const auto extended = make_extended_motion(kind, to_points(motion)),
+                   large = make_extended_motion(kind, to_points(placed(motion, {"", scale, 0})));
+        EXPECT_EQ(extended.d.at1.z.high, large.d.at1.z.high);
+        EXPECT_EQ(extended.d.at1.z.low, large.d.at1.z.low);
+      }
+    }
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 
 #include "engines/rest_engine.hpp"
 #include "engines/tamis/feature_trees.hpp"
+#include "engines/tamis/gap_memory.hpp"
 #include "engines/tamis/near_search.hpp"
 #include "engines/tamis/samples.hpp"
 #include "engines/tamis/stage_pipeline.hpp"
@@ -38,6 +39,7 @@ class TamisEngine final : public Engine, public RestEngine {
       : mesh_(mesh),
         kernels_(kernels(options.isa)),
         trees_(mesh, kernels_),
+        memory_(mesh, kernels_, trees_),
         pipelines_([this, &options] { return StagePipeline(kernels_, trees_.motion(), options); }),
         near_(mesh, options, kernels_, trees_) {}
 
@@ -45,11 +47,13 @@ class TamisEngine final : public Engine, public RestEngine {
     trees_.update(found.step(), found.separations(), statistics);
     const auto start = Clock::now();
     measure_motion();
+    memory_.begin(found.step());
     for (StagePipeline& pipeline : pipelines_) pipeline.begin(found);
     if (found.question() == Question::all_contacts)
       search(found, kAllBlocks);
     else
       search(found, kSamples);
+    memory_.end(found.step(), t_limit_);
     collect(statistics, seconds_since(start));
   }
 
@@ -60,7 +64,7 @@ class TamisEngine final : public Engine, public RestEngine {
   RestEngine* at_rest() override { return this; }
 
   std::uint64_t memory_bytes() const override {
-    std::uint64_t bytes = trees_.memory_bytes() + near_.memory_bytes();
+    std::uint64_t bytes = trees_.memory_bytes() + memory_.memory_bytes() + near_.memory_bytes();
     for (const StagePipeline& pipeline : pipelines_) bytes += pipeline.memory_bytes();
     return bytes;
   }
@@ -85,25 +89,37 @@ class TamisEngine final : public Engine, public RestEngine {
   /// Until `t_limit` boxes grow so little by being swept that when they meet need not be known.
   bool is_short(float t_limit) const { return static_cast<double>(t_limit) * moved_ <= kShort * size_; }
 
-  /// The step is shortened only between samples: the answer knows nothing of threads.
+  /// What is remembered first, where that serves; then everything, unless it has turned out that all else is apart.
   template <class Samples>
   void search(FoundContacts& found, const Samples& samples) {
-    float t_limit = 1;
+    t_limit_ = 1;
+    const bool may_help = memory_.serves() && (found.question() != Question::all_contacts || memory_.covers(1));
+    if (may_help && search_samples(found, samples, true)) return;
+    search_samples(found, samples, false);
+  }
+
+  /// The step is shortened only between samples: the answer knows nothing of threads. False: some of what is not listed
+  /// may touch.
+  template <class Samples>
+  bool search_samples(FoundContacts& found, const Samples& samples, bool is_listed) {
+    constexpr int kEnough = 8;  // a sample of an eighth tells whether the step becomes short
     for (const Sample& sample : samples) {
       trees_.for_each_kind([&](PairKind kind, const TreeView& a, const TreeView& b) {
-        search_sample(found, kind, a, b, sample, t_limit);
+        search_sample(found, kind, a, b, sample, is_listed && can_cross(kind));
       });
       for (StagePipeline& pipeline : pipelines_) {
         pipeline.finish();
         found.take(pipeline.found());
       }
       for (StagePipeline& pipeline : pipelines_) pipeline.found().learn(found);
-      t_limit = std::min(t_limit, float_after(found.latest()));
+      t_limit_ = std::min(t_limit_, float_after(found.latest()));
+      if (is_listed && sample.stride <= kEnough && !memory_.covers(t_limit_)) return false;
     }
+    return true;
   }
 
   void search_sample(const FoundContacts& found, PairKind kind, const TreeView& a, const TreeView& b,
-                     const Sample& sample, float t_limit) {
+                     const Sample& sample, bool is_listed) {
     constexpr int kGrain = 8;
     if (!found.wants(kind)) return;
     const tbb::blocked_range<int> all(0, count_in(sample, a.leaf_blocks), kGrain);
@@ -112,8 +128,22 @@ class TamisEngine final : public Engine, public RestEngine {
       StagePipeline& pipeline = pipelines_.local(is_known);
       if (!is_known) pipeline.begin(found);
       const int first = sample.first + part.begin() * sample.stride, last = sample.first + part.end() * sample.stride;
-      pipeline.search(kind, a, b, {first, std::min(last, a.leaf_blocks), sample.stride}, t_limit, is_short(t_limit));
+      const BlockRange blocks{first, std::min(last, a.leaf_blocks), sample.stride};
+      if (is_listed)
+        search_listed(pipeline, kind, a, b, blocks);
+      else
+        pipeline.search(kind, a, b, blocks, t_limit_, is_short(t_limit_));
     });
+  }
+
+  void search_listed(StagePipeline& pipeline, PairKind kind, const TreeView& a, const TreeView& b,
+                     const BlockRange& blocks) {
+    std::vector<std::int32_t>& others = pipeline.others();
+    for (int block = blocks.first; block < blocks.last; block += blocks.stride) {
+      others.clear();
+      memory_.append_unproven(kind, block, t_limit_, others);
+      if (!others.empty()) pipeline.search(kind, a, b, block, others, t_limit_, is_short(t_limit_));
+    }
   }
 
   void collect(Statistics& statistics, double seconds) {
@@ -126,6 +156,8 @@ class TamisEngine final : public Engine, public RestEngine {
   const Mesh& mesh_;
   const Kernels& kernels_;
   FeatureTrees trees_;
+  GapMemory memory_;
+  float t_limit_ = 1;            ///< nothing later in this question's step is of interest
   double moved_ = 0, size_ = 0;  ///< sums of some edges' displacements and lengths
   tbb::enumerable_thread_specific<StagePipeline> pipelines_;
   NearSearch near_;

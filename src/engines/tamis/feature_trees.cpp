@@ -48,7 +48,13 @@ void FeatureTrees::update_trees(Statistics& statistics) {
   for (BlockTree* tree : trees) tree->build(motion_, kernels_.split);
   // Areas are of the box frame, which holds the scene whatever its size; a scene without area is rebuilt each time.
   built_area_ = area();
+  ++builds_;
   statistics.rebuilt = true;
+}
+
+void FeatureTrees::count_drifts(const Step& step, const Positions& before) {
+  motion_.assign_drifts(step, before, mesh_.points());
+  for (BlockTree* tree : {&points_, &edges_, &faces_, &loose_points_, &loose_edges_}) tree->refit_drifts(motion_);
 }
 
 std::uint64_t FeatureTrees::memory_bytes() const {

@@ -18,6 +18,15 @@ class FeatureTrees {
   /// Boxes at t=0 and t=1, in the old order, or in a new one where that has become poor. Adds seconds and `rebuilt`.
   void update(const Step& step, const Separations& separations, Statistics& statistics);
 
+  /// What of each feature has moved since the positions `before`, for the questions that ask: drifts of motion and
+  /// trees.
+  void count_drifts(const Step& step, const Positions& before);
+  /// How often the trees have been built: blocks of one building are not those of another.
+  int builds() const { return builds_; }
+
+  TreeView points() const { return points_.view(); }
+  TreeView edges() const { return edges_.view(); }
+  TreeView faces() const { return faces_.view(); }
   /// f(kind, a, b): the trees whose features make the pairs of each kind there is. Loose points meet loose edges, and
   /// each other: all other pairs of closed features are among those of faces and of edges.
   template <class F>
@@ -41,6 +50,7 @@ class FeatureTrees {
   const LooseFeatures loose_;
   BlockTree points_, edges_, faces_, loose_points_, loose_edges_;
   double built_area_ = 0;
+  int builds_ = 0;
 };
 
 }  // namespace tamis

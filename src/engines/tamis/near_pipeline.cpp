@@ -7,10 +7,15 @@
 #include "engines/tamis/pair_buffers.hpp"
 
 namespace tamis {
+namespace {
 
-float NearQuestion::reach() const {
-  const double reach = earliest.load(std::memory_order_relaxed) / (1 - fraction) * (1 + 0x1p-15);
-  return std::nextafter(static_cast<float>(reach), std::numeric_limits<float>::infinity());
+float rounded_up(double x) { return std::nextafter(static_cast<float>(x), std::numeric_limits<float>::infinity()); }
+
+}  // namespace
+
+NearRule NearQuestion::near() const {
+  const double until = earliest.load(std::memory_order_relaxed) * (1 + 0x1p-15);
+  return {rounded_up(fraction), rounded_up(until / (1 - fraction)), rounded_up(until)};
 }
 
 NearCounts& NearCounts::operator+=(const NearCounts& other) {
@@ -60,7 +65,7 @@ void NearPipeline::search(PairKind kind, const TreeView& a, const TreeView& b, i
   lap();
   buffers_->kind = kind;
   Search search{a, b};
-  search.t_limit = question_.reach();
+  search.near = question_.near();
   search.pairs = &buffers_->boxes;
   search.flush = flush;
   search.context = this;
@@ -75,7 +80,7 @@ void NearPipeline::flush(Search& search) {
   auto& self = *static_cast<NearPipeline*>(search.context);
   self.counts_.traverse += self.lap();
   self.decide_buffered();
-  search.t_limit = self.question_.reach();
+  search.near = self.question_.near();
 }
 
 void NearPipeline::decide_buffered() {
@@ -86,7 +91,7 @@ void NearPipeline::decide_buffered() {
   near.count = 0;
   if (can_cross(kind))
     (kind == PairKind::vertex_face ? kernels_.near_vf : kernels_.near_ee)(
-        motion_.vertices.data(), motion_.pair_separation(), question_.reach(), boxes, near);
+        motion_.vertices.data(), motion_.pair_separation(), question_.near(), boxes, near);
   const PairBuffer& left = can_cross(kind) ? near : boxes;  // loose points are few
   of(counts_.boxes, kind) += static_cast<std::uint64_t>(boxes.count);
   of(counts_.near, kind) += static_cast<std::uint64_t>(left.count);

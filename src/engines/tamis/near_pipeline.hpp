@@ -17,10 +17,11 @@ struct NearQuestion {
   double fraction = 0;
   std::atomic<double> earliest{1};  ///< the first time found so far at which a pair ends the step
 
-  /// For search_near: nothing beyond it can end the step by then. 2^-15 covers its own rounding, that of the searches
-  /// in floats, and what the times of single pairs lose to it (2^-18, keeps_distance_until): so a pair is never left
-  /// out that might have had the same time as the first, and the order of the search changes nothing.
-  float reach() const;
+  /// Which pairs may still end the step first, in time or in the order of contacts. Until a time later by 2^-15, which
+  /// covers its own rounding, that of the searches in floats, and what the times of single pairs lose to it (2^-18,
+  /// keeps_distance_until): so a pair is never left out that might have had the same time as the first, and the order
+  /// of the search changes nothing.
+  NearRule near() const;
 };
 
 struct NearCounts {

@@ -62,12 +62,24 @@ std::uint64_t StagePipeline::memory_bytes() const { return sizeof(Buffers) + fou
 
 void StagePipeline::search(PairKind kind, const TreeView& a, const TreeView& b, const BlockRange& blocks, float t_limit,
                            bool is_short) {
-  lap();
-  if (kind != buffers_->kind) decide_buffered(buffers_->kind);
-  buffers_->kind = kind;
   Search search{a, b};
   search.t_limit = t_limit;
   search.is_short = is_short;
+  this->search(kind, search, blocks);
+}
+
+void StagePipeline::search(PairKind kind, const TreeView& a, const TreeView& b, int block,
+                           std::span<const std::int32_t> others, float t_limit, bool is_short) {
+  Search search{a, b, others};
+  search.t_limit = t_limit;
+  search.is_short = is_short;
+  this->search(kind, search, {block, block + 1, 1});
+}
+
+void StagePipeline::search(PairKind kind, Search& search, const BlockRange& blocks) {
+  lap();
+  if (kind != buffers_->kind) decide_buffered(buffers_->kind);
+  buffers_->kind = kind;
   search.pairs = &buffers_->boxes;
   search.flush = flush;
   search.context = this;

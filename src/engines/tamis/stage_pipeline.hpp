@@ -3,6 +3,7 @@
 #pragma once
 #include <chrono>
 #include <memory>
+#include <span>
 
 #include "engines/found_contacts.hpp"
 #include "kernels/kernels.hpp"
@@ -38,16 +39,22 @@ class StagePipeline {
   /// `is_short` as in Search.
   void search(PairKind kind, const TreeView& a, const TreeView& b, const BlockRange& blocks, float t_limit,
               bool is_short);
+  /// One leaf block of `a` against some of `b`.
+  void search(PairKind kind, const TreeView& a, const TreeView& b, int block, std::span<const std::int32_t> others,
+              float t_limit, bool is_short);
   /// Decides what is still in the buffers.
   void finish();
   std::uint64_t memory_bytes() const;
 
   const PipelineCounts& counts() const { return counts_; }
   FoundContacts& found() { return found_; }
+  /// Scratch, for the caller: leaf blocks.
+  std::vector<std::int32_t>& others() { return others_; }
 
  private:
   struct Buffers;
 
+  void search(PairKind kind, Search& search, const BlockRange& blocks);
   static void flush(Search& search);
   void decide_buffered(PairKind kind);
   /// What the slab clip leaves, where a distance counts and not a crossing: strict signs prove no distance.
@@ -65,6 +72,7 @@ class StagePipeline {
   std::unique_ptr<Buffers> buffers_;
   PipelineCounts counts_;
   FoundContacts found_;
+  std::vector<std::int32_t> others_;
   std::chrono::steady_clock::time_point lap_start_;
 };
 

@@ -12,56 +12,27 @@ using Clock = std::chrono::steady_clock;
 
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
-/// As in the search for contacts: refitting goes on until the leaf blocks' area exceeds by this factor what it was when
-/// they were built.
-constexpr double kPoor = 1.5;
-
 }  // namespace
 
 StepLengthSearch::StepLengthSearch(const Mesh& mesh, const Options& options)
-    : mesh_(mesh), options_(options), kernels_(kernels(options.isa)), loose_(mesh), pipelines_([this] {
-        return NearPipeline(kernels_, motion_, options_, question_);
-      }) {
-  points_.set_features(mesh.points());
-  edges_.set_features(mesh.edges());
-  faces_.set_features(mesh.faces());
-  loose_points_.set_features(loose_.points);
-  loose_edges_.set_features(std::span<const Edge>(loose_.edges));
-}
+    : options_(options),
+      kernels_(kernels(options.isa)),
+      trees_(mesh, kernels_),
+      pipelines_([this] { return NearPipeline(kernels_, trees_.motion(), options_, question_); }) {}
 
 SafeStep StepLengthSearch::find(const Step& step, const Separations& separations, double fraction,
                                 Statistics& statistics) {
-  auto start = Clock::now();
   question_.step = step;
   question_.fraction = fraction;
   question_.earliest = 1;
-  motion_.assign(step, mesh_.points(), separations, SecondHalf::displacement);
-  statistics.seconds.bounds = seconds_since(start);
-  start = Clock::now();
-  update_trees(statistics);
-  statistics.seconds.build = seconds_since(start);
-  start = Clock::now();
+  trees_.update(step, separations, statistics);
+  trees_.count_drifts(step, step.start);
+  const auto start = Clock::now();
   for (NearPipeline& pipeline : pipelines_) pipeline.begin();
-  for (const Sample& sample : kSamples) {
-    search_sample(PairKind::vertex_face, points_.view(), faces_.view(), sample);
-    search_sample(PairKind::edge_edge, edges_.view(), edges_.view(), sample);
-    if (loose_.points.empty()) continue;
-    if (!loose_.edges.empty()) search_sample(PairKind::vertex_edge, loose_points_.view(), loose_edges_.view(), sample);
-    search_sample(PairKind::vertex_vertex, loose_points_.view(), loose_points_.view(), sample);
-  }
+  for (const Sample& sample : kSamples)
+    trees_.for_each_kind(
+        [&](PairKind kind, const TreeView& a, const TreeView& b) { search_sample(kind, a, b, sample); });
   return collect(statistics, seconds_since(start)).answer(step, fraction, separations);
-}
-
-void StepLengthSearch::update_trees(Statistics& statistics) {
-  BlockTree* const trees[] = {&points_, &edges_, &faces_, &loose_points_, &loose_edges_};
-  const auto area = [&] { return points_.start_area() + edges_.start_area() + faces_.start_area(); };
-  if (built_area_ > 0) {
-    for (BlockTree* tree : trees) tree->refit(motion_);
-    if (area() <= kPoor * built_area_) return;
-  }
-  for (BlockTree* tree : trees) tree->build(motion_, kernels_.split);
-  built_area_ = area();
-  statistics.rebuilt = true;
 }
 
 void StepLengthSearch::search_sample(PairKind kind, const TreeView& a, const TreeView& b, const Sample& sample) {
@@ -95,8 +66,7 @@ StepLimit StepLengthSearch::collect(Statistics& statistics, double seconds) {
 }
 
 std::uint64_t StepLengthSearch::memory_bytes() const {
-  std::uint64_t bytes = motion_.memory_bytes() + points_.memory_bytes() + edges_.memory_bytes() +
-                        faces_.memory_bytes() + loose_points_.memory_bytes() + loose_edges_.memory_bytes();
+  std::uint64_t bytes = trees_.memory_bytes();
   for (const NearPipeline& pipeline : pipelines_) bytes += pipeline.memory_bytes();
   return bytes;
 }

@@ -1,19 +1,19 @@
 // How far may the step go so that every pair keeps a fraction of its distance? A pair can end the step before t only
-// if (1 - fraction) (distance at t=0 - min_separation) < t * relative speed; so the search is for pairs of boxes at t=0
-// that lie within reach of each other, and each pair that ends the step earlier shortens the reach of all the rest.
+// if it is fast enough: (1 - fraction) (distance at t=0 - min_separation) < t * relative speed; and only if it
+// comes as near as the fraction before t. So the search is for pairs of moving boxes that come as near as that, and
+// each pair that ends the step earlier shortens the step for all the rest.
 #pragma once
 #include <tbb/enumerable_thread_specific.h>
 
 #include <atomic>
 
-#include "bvh/block_tree.hpp"
+#include "engines/tamis/feature_trees.hpp"
 #include "engines/tamis/near_pipeline.hpp"
 #include "engines/tamis/samples.hpp"
-#include "topology/loose_features.hpp"
 
 namespace tamis {
 
-/// Keeps its hierarchy, over boxes at t=0 and displacements, from step to step. Serves every method but `brute`.
+/// Keeps its hierarchy, moving boxes and drifts, from step to step. Serves every method but `brute`.
 class StepLengthSearch {
  public:
   /// Keeps references: mesh and options must outlive it.
@@ -26,17 +26,12 @@ class StepLengthSearch {
   std::uint64_t memory_bytes() const;
 
  private:
-  void update_trees(Statistics& statistics);
   void search_sample(PairKind kind, const TreeView& a, const TreeView& b, const Sample& sample);
   StepLimit collect(Statistics& statistics, double seconds);
 
-  const Mesh& mesh_;
   const Options& options_;
   const Kernels& kernels_;
-  PackedMotion motion_;
-  const LooseFeatures loose_;
-  BlockTree points_, edges_, faces_, loose_points_, loose_edges_;
-  double built_area_ = 0;
+  FeatureTrees trees_;
   NearQuestion question_;
   tbb::enumerable_thread_specific<NearPipeline> pipelines_;
 };

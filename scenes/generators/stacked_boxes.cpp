@@ -1,0 +1,52 @@
+// Boxes in brickwork, each layer exactly on the one below it and half a box aside: faces share planes. In the step the
+// boxes rest, slide along their planes, lift off, or press down.
+#include <algorithm>
+#include <cmath>
+
+#include "scenes/generators/generators.hpp"
+#include "scenes/point_math.hpp"
+#include "scenes/random.hpp"
+#include "scenes/shapes.hpp"
+
+namespace tamis::scenes {
+namespace {
+
+constexpr Index kFewestBoxes = 8;
+constexpr Index kMostCells = 16;
+constexpr double kUnit = 0x1p-10;
+constexpr double kPitch = 2.25;  // from box to box in a layer; a side is 2
+
+Point motion(Random& random) {
+  switch (random.below(4)) {
+    case 0:
+      return {0, 0, 0};
+    case 1:
+      return {random.on_lattice(64, kUnit), random.on_lattice(64, kUnit), 0};
+    case 2:
+      return {0, 0, random.below(64) * kUnit};
+    default:
+      return {0, 0, -random.below(64) * kUnit};
+  }
+}
+
+}  // namespace
+
+Scene stacked_boxes(Index triangles, std::uint64_t seed) {
+  const Index cells = sphere_cells(triangles, kFewestBoxes, kMostCells);
+  const Shape box = unit_cube(cells);
+  const Index boxes = std::max(Index{2}, triangles / static_cast<Index>(box.faces.size()));
+  const Index side = static_cast<Index>(std::ceil(std::cbrt(boxes)));
+  Scene scene;
+  Random random(seed);
+  for (Index b = 0; b < boxes; ++b) {
+    const Index layer = b / (side * side);
+    const double aside = layer % 2 == 0 ? 0 : kPitch / 2;
+    const Point centre{kPitch * (b % side) + aside, kPitch * (b / side % side) + aside, 2.0 * layer};
+    const Point flight = motion(random);
+    add_shape(
+        scene, box, b, [&](const Point& p) { return centre + p; }, [&](const Point& p) { return centre + flight + p; });
+  }
+  return scene;
+}
+
+}  // namespace tamis::scenes

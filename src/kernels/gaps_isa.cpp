@@ -1,0 +1,81 @@
+// How far apart the features of two leaf blocks are at t=0: compiled once for each instruction set.
+#include "kernels/gaps.hpp"
+#include "kernels/load_motion.hpp"
+#include "kernels/search.hpp"
+#include "solve/difference_corners.hpp"
+#include "solve/nearly_closest.hpp"
+
+namespace tamis::TAMIS_ISA {
+namespace {
+
+/// Gaps of sixteen boxes at t=0 to one: the largest along an axis.
+unsigned nearer_than(float gap, const BoxBlock& boxes, const MovingBoxes::One& one) {
+  unsigned result = 0;
+  for (int first = 0; first < kBlock; first += kFloatLanes) {
+    const auto load = [&](const float* lanes) { return FloatLanes::load_aligned(lanes + first); };
+    FloatLanes largest(0.0f);
+    for (int axis = 0; axis < 3; ++axis)
+      largest = max(largest, max(load(boxes.low0[axis]) - one.high0[axis], one.low0[axis] - load(boxes.high0[axis])));
+    result |= bits(largest < FloatLanes(gap)) << first;
+  }
+  return result;
+}
+
+/// The smallest lower bound, of the pairs' distances at t=0 less the room to decide them, in the unit of `question`;
+/// from `most` downwards.
+template <PairKind kind>
+float smallest_gap(const GapQuestion& question, const PairBuffer& pairs, float most) {
+  FloatLanes smallest(most);
+  for (int first = 0; first < pairs.count; first += kFloatLanes) {
+    const auto m = load_motion_as_float<kind>(question.vertices, pairs, first, {question.unit, false});
+    const Vec3<FloatLanes> gap = NearlyClosest::gap<kind>(m.e.at0, m.f.at0, m.d.at0);
+    const Vec3<FloatLanes> axis = (FloatLanes(1.0f) / sqrt(dot(gap, gap))) * gap;
+    FloatLanes lowest = dot(axis, m.d.at0);
+    for (const auto& corner : difference_corners<kind>(m)) lowest = min(lowest, dot(axis, corner.at0));
+    const auto room = error_bounds::constant<FloatLanes>(
+        error_bounds::kRoomToAdvance + error_bounds::kKeptGap * error_bounds::unit_roundoff<FloatLanes>);
+    const FloatLanes left = max(lowest - room * (m.size_d + m.size_e + m.size_f), FloatLanes(0.0f));
+    smallest = min(smallest, left / m.separation);
+  }
+  float lanes[kFloatLanes];
+  smallest.store_unaligned(lanes);
+  float result = most;
+  for (const float lane : lanes) result = lane < result ? lane : result;
+  return result;
+}
+
+template <PairKind kind>
+float gap_of_blocks(const GapQuestion& question, int block, int other, float most, PairBuffer& scratch) {
+  constexpr bool kIsSelf = kind == PairKind::edge_edge;
+  constexpr int kCornersA = kIsSelf ? 2 : 1, kCornersB = kIsSelf ? 2 : 3;
+  const CornerBlock &mine = question.a.corners[block], &theirs = question.b.corners[other];
+  const BoxBlock &few = question.a.levels[0][block], &many = question.b.levels[0][other];
+  scratch.count = 0;
+  for (int lane = 0; lane < kBlock; ++lane) {
+    if (few.low0[0][lane] > few.high0[0][lane]) break;  // empty from here on
+    unsigned near = nearer_than(most, many, {few, lane});
+    if (kIsSelf && other == block) near &= ~1u << lane;
+    if (near) near &= ~adjacent_lanes<kCornersB, kCornersA>(theirs, mine, lane);
+    for_each_bit(near, [&](int i) {
+      const int at = scratch.count++;
+      for (int c = 0; c < kCornersA; ++c) scratch.corner[c][at] = mine.vertex[c][lane];
+      for (int c = 0; c < kCornersB; ++c) scratch.corner[kCornersA + c][at] = theirs.vertex[c][i];
+    });
+  }
+  // Whole batches: the last pair again.
+  for (int i = scratch.count; scratch.count > 0 && i % kFloatLanes != 0; ++i)
+    for (auto& corner : scratch.corner) corner[i] = corner[scratch.count - 1];
+  return smallest_gap<kind>(question, scratch, most);
+}
+
+}  // namespace
+
+float gap_vf(const GapQuestion& question, int block, int other, float most, PairBuffer& scratch) {
+  return gap_of_blocks<PairKind::vertex_face>(question, block, other, most, scratch);
+}
+
+float gap_ee(const GapQuestion& question, int block, int other, float most, PairBuffer& scratch) {
+  return gap_of_blocks<PairKind::edge_edge>(question, block, other, most, scratch);
+}
+
+}  // namespace tamis::TAMIS_ISA

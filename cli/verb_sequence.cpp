@@ -8,13 +8,12 @@
 #include <vector>
 
 #include "cli/arguments.hpp"
+#include "cli/moving_frames.hpp"
 #include "cli/printable.hpp"
 #include "cli/progress.hpp"
 #include "cli/report.hpp"
 #include "cli/step_files.hpp"
 #include "cli/verb.hpp"
-#include "io/error.hpp"
-#include "io/frames.hpp"
 
 namespace tamis::cli {
 namespace {
@@ -42,14 +41,17 @@ class Sequence final : public Verb {
   int run() override {
     const Options options = detector_.options();
     const double scale = scale_.value();
-    find_frames();
-    io::MeshFile first = read_with_notes(frames_.front());
-    std::vector<Point> start = first.positions;
-    Detector detector(io::mesh_of(first), options);
+    const MovingFrames frames(names_);
+    frames_ = frames.paths();
+    for (const auto& frame : frames_)
+      width_ =
+          std::max(width_, static_cast<int>(printable(frame.filename().string()).size() + part_of(substeps_).size()));
+    std::vector<Point> start = frames.first().positions;
+    Detector detector(io::mesh_of(frames.first()), options);
     if (!json_) print_head(detector);
     Progress progress(frames_.size() - 1, "steps");
     for (std::size_t i = 1; i < frames_.size(); ++i) {
-      std::vector<Point> end = read_end(first, i);
+      std::vector<Point> end = frames.read(i);
       std::vector<Point> scaled = end;
       scale_step(start, scaled, scale);
       for (int part = 1; part <= substeps_; ++part) {
@@ -70,23 +72,8 @@ class Sequence final : public Verb {
   }
 
  private:
-  void find_frames() {
-    frames_ = io::frame_files(names_);
-    if (frames_.size() < 2)
-      throw io::FileError(frames_.front().string(), "", "a single frame does not move: give two or more");
-    for (const auto& frame : frames_)
-      width_ =
-          std::max(width_, static_cast<int>(printable(frame.filename().string()).size() + part_of(substeps_).size()));
-  }
-
   /// " 3/20", or nothing if steps are whole.
   std::string part_of(int part) const { return substeps_ == 1 ? "" : fmt::format(" {}/{}", part, substeps_); }
-
-  std::vector<Point> read_end(const io::MeshFile& first, std::size_t i) const {
-    io::MeshFile frame = io::read_mesh(frames_[i]);
-    io::require_same_mesh(first, frames_.front().string(), frame, frames_[i].string());
-    return std::move(frame.positions);
-  }
 
   void print_head(const Detector& detector) const {
     print_mesh(detector.mesh());
@@ -95,9 +82,7 @@ class Sequence final : public Verb {
   }
 
   void add_step(std::size_t i, int part, const Tally& tally, const Statistics& statistics) {
-    total_.vf += tally.vf;
-    total_.ee += tally.ee;
-    total_.unresolved += tally.unresolved;
+    total_.add_counts(tally);
     seconds_ += statistics.seconds.total;
     free_steps_ += tally.is_free() ? 1 : 0;
     ++steps_asked_;

@@ -59,7 +59,7 @@ class PathSolver {
     if (crossing.is_opposite()) {
       const bool is_narrow = part.length() <= tolerance_ && part.from.time > 0;
       if (is_narrow && stays_inside<kind>(widened)) {
-        decision = {Verdict::touches, part.from.time, part.to.time, true};
+        decision = {Verdict::touches, part.from.time, part.to.time};
         return true;
       }
       if (cut_around_crossing(part, window_of(widened, crossing.sign_at_start))) return false;
@@ -90,7 +90,7 @@ class PathSolver {
       return decision.verdict != Verdict::is_free;
     } else {
       const bool touches = crossing.is_opposite() && part.length() <= tolerance_ && stays_inside<kind>(widened);
-      decision = {touches ? Verdict::touches : Verdict::unsure, part.from.time, part.to.time, touches};
+      decision = {touches ? Verdict::touches : Verdict::unsure, part.from.time, part.to.time};
       return true;
     }
   }

@@ -57,7 +57,7 @@ Decision first_within_on_path(const PathQuestion& question, const PairReader& re
     const double reached = from + chords.lower * (to - from) * (1 - 0x1p-50) - 0x1p-52 * to;
     const double lower = std::clamp(reached, from, std::nextafter(to, 0.0));
     if (to - lower <= question.options.tolerance && touches_at(kind, part->to, separation))
-      return {Verdict::touches, lower, to, false};
+      return {Verdict::touches, lower, to};
     const bool is_short = to - from <= 0x1p-50 * to || to - from < 0x1p-100;
     if (is_short || ++looked_at > kMostParts) return {Verdict::unsure, lower, to};
     parts.add({lower > from ? reader.at<double>(lower) : part->from, part->to}, lower + kNext * (to - lower));

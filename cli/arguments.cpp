@@ -43,9 +43,10 @@ void declare_seed(CLI::App& app, std::uint64_t& seed, const std::string& of) {
 }
 
 void declare_guarantee(CLI::App& app, std::string& guarantee) {
-  app.add_option("--guarantee", guarantee,
-                 "what floating point cannot decide: conservative (default) reports it as an unresolved contact, "
-                 "exact decides it by exact algebra, at separation 0")
+  app.add_option(
+         "--guarantee", guarantee,
+         "what floating point cannot decide: exact (default) decides it by exact algebra, conservative reports it "
+         "as an unresolved contact")
       ->type_name("NAME");
 }
 

@@ -22,7 +22,7 @@ class DetectorArguments {
 
  private:
   std::string method_ = "tamis";
-  std::string guarantee_ = "conservative";
+  std::string guarantee_ = "exact";
   std::string isa_ = "best";
   std::string bounding_volume_ = kDefaultBoundingVolume;
   int threads_ = 0;

@@ -46,11 +46,11 @@ std::string readable(double seconds) {
   return fmt::format("{:.1f} us", seconds * 1e6);
 }
 
-void print_bracket(double toi_lower, double toi_upper, bool is_certified, const Options& options) {
+void print_bracket(double toi_lower, double toi_upper, bool is_certified) {
   if (!is_certified) {
-    const bool exact_can = options.guarantee == Guarantee::conservative && options.min_separation == 0;
-    fmt::print("first contact   free before {}, proven; then a pair that doubles cannot decide{}\n", toi_lower,
-               exact_can ? " (--guarantee exact can)" : "");
+    fmt::print(
+        "first contact   free before {}, proven; then a pair that doubles cannot decide (--guarantee exact can)\n",
+        toi_lower);
     return;
   }
   fmt::print("first contact   at {:.12g} of the step; free before {}, proven; bracket {:.1e} wide\n", toi_upper,

@@ -40,8 +40,8 @@ void add_costs(Json& json, const Detector& detector, const Timing& timing);
 /// The one object on stdout.
 void print_json(const Json& json);
 
-/// `is_certified`: some contact is proven, so toi_upper means something. `options`: what was asked.
-void print_bracket(double toi_lower, double toi_upper, bool is_certified, const Options& options);
+/// `is_certified`: some contact is proven, so toi_upper means something.
+void print_bracket(double toi_lower, double toi_upper, bool is_certified);
 void print_contact(const Contact& contact);
 /// `fraction`: of the distance beyond `min_separation` that was to be kept.
 void print_safe_step(const SafeStep& safe, double fraction, double min_separation);

@@ -44,11 +44,7 @@ void add_costs(Json& json, const Detector& detector, const Timing& timing) {
   for (const StageCount& s : statistics.stages)
     json["stages"].push_back({{"name", s.name}, {"vf", s.vf}, {"ee", s.ee}});
   const PrecisionCount& p = statistics.decided_by;
-  json["decided_by"] = {{"lanes", p.lanes},
-                        {"scalar", p.scalar},
-                        {"extended", p.extended},
-                        {"exact", p.exact},
-                        {"unresolved", p.unresolved}};
+  json["decided_by"] = {{"lanes", p.lanes}, {"scalar", p.scalar}, {"exact", p.exact}, {"unresolved", p.unresolved}};
   json["nodes_visited"] = statistics.nodes_visited;
   json["peak_memory_bytes"] = peak_memory_bytes();
   json["detector_memory_bytes"] = statistics.memory_bytes;

@@ -171,7 +171,7 @@ class Bench final : public Verb {
 
   BenchmarkSetup setup_;
   std::string start_, end_, scene_, out_;
-  std::string guarantee_ = "conservative";
+  std::string guarantee_ = "exact";
   std::vector<Index> triangles_{100000};
   std::vector<std::string> questions_ = benchmark_questions();
   std::vector<std::string> methods_{"tamis"}, isas_{"best"}, volumes_{kDefaultBoundingVolume};

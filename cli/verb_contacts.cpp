@@ -20,7 +20,7 @@ class Contacts final : public StepVerb {
   const char* examples() const override {
     return "  tamis contacts cloth1.ply cloth2.ply\n"
            "  tamis contacts cloth1.ply cloth2.ply --out contacts.csv\n"
-           "  tamis contacts cloth1.ply cloth2.ply --guarantee exact --json\n"
+           "  tamis contacts cloth1.ply cloth2.ply --guarantee conservative --json\n"
            "  tamis contacts cloth1.ply cloth2.ply --min-separation 1e-3 --repeat 9";
   }
   void declare(CLI::App& app) override {
@@ -54,7 +54,7 @@ class Contacts final : public StepVerb {
     if (tally.is_free())
       fmt::print("first contact   none: the step is free, proven\n");
     else
-      print_bracket(tally.toi_lower, tally.toi_upper, tally.unresolved < tally.contacts(), detector.options());
+      print_bracket(tally.toi_lower, tally.toi_upper, tally.unresolved < tally.contacts());
     if (!out_.empty()) fmt::print("written to      {}\n", printable(out_));
     print_costs(detector, timing, repeat_);
   }

@@ -22,7 +22,7 @@ class Queries final : public Verb {
   const char* summary() const override { return "Answers single queries and compares with the answers in the files"; }
   const char* examples() const override {
     return "  tamis queries data/queries\n"
-           "  tamis queries data/queries/erleben-* --guarantee exact --repeat 9\n"
+           "  tamis queries data/queries/erleben-* --repeat 9\n"
            "  tamis queries mine/edge-edge/q.csv --json\n"
            "  tamis queries data/rigid --out answers.csv\n\n"
            "A CSV file has eight rows a query and the columns numerator, denominator of x, of y, of z, and\n"
@@ -122,7 +122,7 @@ class Queries final : public Verb {
 
   std::vector<std::string> names_;
   std::string out_;
-  std::string guarantee_ = "conservative";
+  std::string guarantee_ = "exact";
   double min_separation_ = 0;
   int repeat_ = 1;
   bool json_ = false;

@@ -51,7 +51,7 @@ class StepLength final : public StepVerb {
     print_mesh(detector.mesh());
     if (first.contact) {
       print_bracket(first.toi_lower, first.toi_upper,
-                    first.toi_upper < 1 || first.contact->certainty == Certainty::certified, detector.options());
+                    first.toi_upper < 1 || first.contact->certainty == Certainty::certified);
       print_contact(*first.contact);
     } else {
       fmt::print("first contact   none: the whole step is free, proven\n");

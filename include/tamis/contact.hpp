@@ -47,7 +47,7 @@ struct Contact {
 /// Answer to "how far may the step go?".
 struct EarliestContact {
   /// The motion is free on [0, toi_lower): proven. 1 and no contact if the whole step is free; 0 only if a pair touches
-  /// at t=0.
+  /// at t=0, or (toi_upper > 0) sooner than at any positive double.
   double toi_lower = 1;
   /// A certified contact happens at or before this time; 1 if none is certified.
   double toi_upper = 1;

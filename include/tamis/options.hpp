@@ -13,9 +13,9 @@
 namespace tamis {
 
 /// How pairs are found and culled. Every method returns the same set of contacts: what one certifies, every other one
-/// reports; with the exact guarantee and no minimum separation all sets are equal. Which pairs a method leaves
-/// unresolved otherwise, and which of these another proves free, differs only within the last roundings of
-/// double-double (docs/numerics.md).
+/// reports; with the exact guarantee, the default, all sets are equal. Which pairs a method leaves
+/// unresolved otherwise, and which of these another proves free, differs only within the last roundings
+/// (docs/numerics.md).
 enum class Method : std::uint8_t {
   tamis,  ///< boxes that move in time, slab clip, DNF, NCF, certified roots
   paper,  ///< the published NCF pipeline, to the letter
@@ -24,8 +24,8 @@ enum class Method : std::uint8_t {
 
 /// What happens to a pair that floating point cannot decide.
 enum class Guarantee : std::uint8_t {
-  conservative,  ///< it is reported as an unresolved contact
-  exact,         ///< it is decided by exact algebra on the double inputs; as conservative with a minimum separation
+  conservative,  ///< it is reported as an unresolved contact; bounds the time of one pair (docs/numerics.md)
+  exact,         ///< it is decided by exact algebra on the double inputs: nothing stays unresolved
 };
 
 /// Instruction set of the hot loops; every one gives the same bits. `best`: the widest that this machine has.
@@ -94,7 +94,7 @@ std::vector<std::string_view> filter_names();
 
 struct Options {
   Method method = Method::tamis;
-  Guarantee guarantee = Guarantee::conservative;
+  Guarantee guarantee = Guarantee::exact;
   /// Threads to use, >= 0, but no more than oneTBB allows the process (its global_control, by default one a core); 0:
   /// as many as the caller's oneTBB arena gives. The answer does not depend on it; Statistics say how many there were.
   int threads = 0;

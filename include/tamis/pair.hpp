@@ -19,7 +19,7 @@ struct PairResult {
 };
 
 struct PairOptions {
-  Guarantee guarantee = Guarantee::conservative;
+  Guarantee guarantee = Guarantee::exact;
   double min_separation = 0;  ///< d >= 0, in the unit of the positions: contact means Euclidean distance <= d
 };
 

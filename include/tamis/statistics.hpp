@@ -30,14 +30,12 @@ struct Seconds {
 struct PrecisionCount {
   std::uint64_t lanes = 0;       ///< SIMD doubles with error bounds
   std::uint64_t scalar = 0;      ///< subdivision in time, doubles with error bounds
-  std::uint64_t extended = 0;    ///< the same in double-double
   std::uint64_t exact = 0;       ///< exact algebra
   std::uint64_t unresolved = 0;  ///< none of these: unresolved contacts
 
   PrecisionCount& operator+=(const PrecisionCount& other) {
     lanes += other.lanes;
     scalar += other.scalar;
-    extended += other.extended;
     exact += other.exact;
     unresolved += other.unresolved;
     return *this;

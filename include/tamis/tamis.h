@@ -171,7 +171,7 @@ typedef struct tamis_statistics {
   int32_t threads;
   int32_t rebuilt; /**< 1: the hierarchy was built, not refitted */
   double seconds_total, seconds_bounds, seconds_build, seconds_traverse, seconds_filter, seconds_solve;
-  uint64_t decided_by_lanes, decided_by_scalar, decided_by_extended, decided_by_exact, unresolved;
+  uint64_t decided_by_lanes, decided_by_scalar, decided_by_exact, unresolved;
   uint64_t nodes_visited, memory_bytes;
   int32_t stage_count;
   tamis_stage stages[TAMIS_MOST_STAGES]; /**< in the pipeline's order; names live until the next call for statistics */

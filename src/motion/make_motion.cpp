@@ -8,67 +8,24 @@
 namespace tamis {
 namespace {
 
-constexpr auto kDifference = [](const Point& to, const Point& from) {
-  return Vec3<double>{to[0] - from[0], to[1] - from[1], to[2] - from[2]};
-};
-constexpr auto kExactDifference = [](const Point& to, const Point& from) {
-  const auto along = [&](std::size_t k) { return DoubleDouble::sum_of(to[k], -from[k]); };
-  return Vec3<DoubleDouble>{along(0), along(1), along(2)};
-};
-
 Moving<double> scaled(const Moving<double>& v, double scale) { return {scale * v.at0, scale * v.at1}; }
 
-/// By a power of two: exact.
-Vec3<DoubleDouble> scaled(const Vec3<DoubleDouble>& v, double scale) {
-  const auto times = [&](const DoubleDouble& x) { return DoubleDouble(scale * x.high, scale * x.low); };
-  return {times(v.x), times(v.y), times(v.z)};
-}
-Moving<DoubleDouble> scaled(const Moving<DoubleDouble>& v, double scale) {
-  return {scaled(v.at0, scale), scaled(v.at1, scale)};
-}
-
-/// |components| of a difference whose rounded ones are at most `size`.
-DoubleDouble bound_of(double size) { return size * (1 + 0x1p-52); }
-
-template <class T>
-struct Vectors {
-  Moving<T> e, f, d;
-};
-
-/// `difference`: of two positions at one end of the step.
-template <class T, class Difference>
-inline Vectors<T> vectors_of(PairKind kind, const PairPoints& points, const Difference& difference) {
-  const auto moving = [&](VertexDifference v) {
-    const auto to = static_cast<std::size_t>(v.to), from = static_cast<std::size_t>(v.from);
-    return Moving<T>{difference(points.start[to], points.start[from]), difference(points.end[to], points.end[from])};
+Moving<double> difference(const PairPoints& points, VertexDifference v) {
+  const auto at = [&](const std::array<Point, 4>& p) {
+    const Point &to = p[static_cast<std::size_t>(v.to)], &from = p[static_cast<std::size_t>(v.from)];
+    return Vec3<double>{to[0] - from[0], to[1] - from[1], to[2] - from[2]};
   };
-  const SpanningVectors vectors = spanning_vectors(kind);
-  return {moving(vectors.e), moving(vectors.f), moving(vectors.d)};
-}
-
-double scale_of(const Vectors<double>& v) {
-  return scale_below_one(std::max({largest(v.e), largest(v.f), largest(v.d)}));
+  return {at(points.start), at(points.end)};
 }
 
 }  // namespace
 
 PairMotion<double> make_motion(PairKind kind, const PairPoints& points, double separation) {
-  const auto [e, f, d] = vectors_of<double>(kind, points, kDifference);
-  const double scale = scale_of({e, f, d});
+  const SpanningVectors vectors = spanning_vectors(kind);
+  const auto e = difference(points, vectors.e), f = difference(points, vectors.f), d = difference(points, vectors.d);
+  const double scale = scale_below_one(std::max({largest(e), largest(f), largest(d)}));
   return {scaled(e, scale),   scaled(f, scale),   scaled(d, scale),  scale * largest(e),
           scale * largest(f), scale * largest(d), scale * separation};
-}
-
-PairMotion<DoubleDouble> make_extended_motion(PairKind kind, const PairPoints& points) {
-  const auto rounded = vectors_of<double>(kind, points, kDifference);
-  const double scale = scale_of(rounded);
-  const auto [e, f, d] = vectors_of<DoubleDouble>(kind, points, kExactDifference);
-  return {scaled(e, scale),
-          scaled(f, scale),
-          scaled(d, scale),
-          bound_of(scale * largest(rounded.e)),
-          bound_of(scale * largest(rounded.f)),
-          bound_of(scale * largest(rounded.d))};
 }
 
 }  // namespace tamis

@@ -3,7 +3,6 @@
 #include <array>
 
 #include "motion/pair_motion.hpp"
-#include "numerics/double_double.hpp"
 #include "tamis/step.hpp"
 
 namespace tamis {
@@ -18,8 +17,5 @@ struct PairPoints {
 /// on the unit of length; so is `separation`, given in the unit of the points. Sizes are infinite or NaN where a
 /// difference overflows: no comparison then proves anything.
 PairMotion<double> make_motion(PairKind kind, const PairPoints& points, double separation = 0);
-
-/// The same in double-double: the differences of the positions are exact. Without separation.
-PairMotion<DoubleDouble> make_extended_motion(PairKind kind, const PairPoints& points);
 
 }  // namespace tamis

@@ -100,7 +100,13 @@ inline void Integer::assign(mpz_srcptr value) {
 }
 
 inline Integer& Integer::operator=(const Integer& other) {
-  if (this != &other) assign(other.get());
+  if (this == &other) return *this;
+  if (const int limbs = other.limbs(); limbs <= kOwnLimbs) {  // fits anywhere
+    std::copy_n(other.value_->_mp_d, limbs, value_->_mp_d);
+    value_->_mp_size = other.value_->_mp_size;
+  } else {
+    assign(other.get());
+  }
   return *this;
 }
 

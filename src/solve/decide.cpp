@@ -6,7 +6,6 @@
 #include "filters/filters.hpp"
 #include "motion/pair_kinds.hpp"
 #include "solve/exact.hpp"
-#include "solve/extended.hpp"
 #include "solve/separation.hpp"
 #include "solve/start_distance.hpp"
 #include "solve/subdivide.hpp"
@@ -26,7 +25,9 @@ TimeInterval<double> widened(const TimeInterval<double>& time) {
   return {std::max(time.t_in - kRoom, 0.0), std::min(time.t_out + kRoom, 1.0)};
 }
 
-TimeInterval<double> slab_clip(PairKind kind, const PairMotion<double>& m) {
+/// The times that the slab clip leaves.
+TimeInterval<double> time_in_question(PairKind kind, const PairMotion<double>& m) {
+  if (!is_finite(m)) return {0, 1};
   return with_kind(kind, [&](auto k) { return SlabClip::clip<k()>(m, TimeInterval<double>{0, 1}); });
 }
 
@@ -38,10 +39,8 @@ Decision within(const TimeInterval<double>& clip, Decision d) {
   return d.verdict == Verdict::unsure && d.lower > d.upper ? Decision{} : d;
 }
 
-Decision decide_in_doubles(PairKind kind, const PairMotion<double>& m) {
+Decision decide_in_doubles(PairKind kind, const PairMotion<double>& m, const TimeInterval<double>& clip) {
   if (!is_finite(m)) return {Verdict::unsure, 0, 1};
-  const auto clip = slab_clip(kind, m);
-  if (clip.t_in > clip.t_out) return {};
   return is_about_distance(kind, m.separation) ? first_within(kind, m, clip)
                                                : within(clip, subdivide(kind, m, widened(clip)));
 }
@@ -62,46 +61,45 @@ struct Outcome {
   std::uint64_t PrecisionCount::*arithmetic;
 };
 
+Outcome decide_in_integers(PairKind kind, const PairPoints& points, double separation) {
+  const auto exact = decide_exactly(kind, points, separation);
+  const Verdict verdict = exact.touches ? Verdict::touches : Verdict::is_free;
+  return {{verdict, exact.toi_lower, exact.toi_upper}, &PrecisionCount::exact};
+}
+
 /// What some method proves must not stay unsure in another: so all that any of them tries is tried here.
 Decision decide_as_any_method(PairKind kind, const PairMotion<double>& m, const Decision& open) {
   if (any_filter_proves_free(kind, m)) return {};
   return subdivide(kind, m, {open.lower, open.upper}, InPlane::thoroughly);
 }
 
-/// Where doubles end.
-Outcome decide_further(PairKind kind, const PairPoints& points, const PairMotion<double>& m, const Decision& open) {
-  const Decision extended = decide_in_extended(kind, points, {open.lower, open.upper});
-  if (extended.verdict != Verdict::unsure) return {extended, &PrecisionCount::extended};
-  if (open.verdict == Verdict::touches) return {open, &PrecisionCount::scalar};
-  const Decision last = decide_as_any_method(kind, m, extended);
-  if (last.verdict != Verdict::unsure) return {last, &PrecisionCount::scalar};
-  return {extended, &PrecisionCount::unresolved};
-}
-
-Outcome decide_by_rounding(PairKind kind, const PairPoints& points, const PairMotion<double>& m) {
-  const Decision d = decide_in_doubles(kind, m);
-  if (d.verdict == Verdict::is_free) return {d, &PrecisionCount::scalar};
-  if (!is_finite(m)) return {d, &PrecisionCount::unresolved};
-  if (!d.is_one_crossing) return decide_further(kind, points, m, d);
-  if (d.upper - d.lower <= kWideBracket) return {d, &PrecisionCount::scalar};
-  const auto bracket = sharpened(kind, points, {d.lower, d.upper});
-  return {{d.verdict, bracket.t_in, bracket.t_out}, &PrecisionCount::scalar};
-}
-
-Outcome decide_by_distance(PairKind kind, const PairPoints& points, const PairMotion<double>& m, double separation) {
-  const Decision d = with_exact_start(kind, points, separation, decide_in_doubles(kind, m));
+/// REQUIRES: `separation` in the unit of the points; that of `m` has been scaled.
+Outcome decide_conservatively(PairKind kind, const PairPoints& points, const PairMotion<double>& m, double separation,
+                              Decision d) {
+  if (is_about_distance(kind, separation))
+    d = with_exact_start(kind, points, separation, d);
+  else if (d.verdict == Verdict::unsure && is_finite(m))
+    d = decide_as_any_method(kind, m, d);
   return {d, d.verdict == Verdict::unsure ? &PrecisionCount::unresolved : &PrecisionCount::scalar};
 }
 
+/// Doubles cannot decide what is coplanar at t=0, and bodies at rest on each other often are.
+bool may_start_coplanar(const PairMotion<double>& m) {
+  const double k = dot(m.d.at0, cross(m.e.at0, m.f.at0));
+  return std::fabs(k) <= error_bounds::bound(error_bounds::kCoplanarityEnd, m.size_d * m.size_e * m.size_f);
+}
+
 Outcome decide_pair(PairKind kind, const PairPoints& points, const PairMotion<double>& m, const PairOptions& options) {
-  const double separation = options.min_separation;
-  const Outcome outcome = is_about_distance(kind, separation) ? decide_by_distance(kind, points, m, separation)
-                                                              : decide_by_rounding(kind, points, m);
-  const bool is_exact = options.guarantee == Guarantee::exact && separation == 0;
-  if (outcome.decision.verdict != Verdict::unsure || !is_exact) return outcome;
-  const auto exact = decide_exactly(kind, points);
-  const Verdict verdict = exact.touches ? Verdict::touches : Verdict::is_free;
-  return {{verdict, exact.toi_lower, exact.toi_upper}, &PrecisionCount::exact};
+  const auto clip = time_in_question(kind, m);
+  if (clip.t_in > clip.t_out) return {{}, &PrecisionCount::scalar};
+  const bool is_exact = options.guarantee == Guarantee::exact;
+  if (is_exact && clip.t_in == 0 && !is_about_distance(kind, m.separation) && may_start_coplanar(m))
+    return decide_in_integers(kind, points, options.min_separation);
+  const Decision d = decide_in_doubles(kind, m, clip);
+  if (d.verdict == Verdict::is_free) return {d, &PrecisionCount::scalar};
+  if (!is_exact) return decide_conservatively(kind, points, m, options.min_separation, d);
+  if (d.verdict == Verdict::touches && is_sharp(d.lower, d.upper)) return {d, &PrecisionCount::scalar};
+  return decide_in_integers(kind, points, options.min_separation);
 }
 
 }  // namespace

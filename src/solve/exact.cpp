@@ -2,22 +2,29 @@
 
 #include <algorithm>
 #include <array>
-#include <optional>
-#include <vector>
 
 #include "motion/polynomials.hpp"
+#include "solve/exact_separation.hpp"
+#include "solve/first_time.hpp"
 #include "solve/moving_polygon.hpp"
-#include "solve/root_isolation.hpp"
 
 namespace tamis {
 namespace {
 
-constexpr std::array kAxes{&Vec3<Integer>::x, &Vec3<Integer>::y, &Vec3<Integer>::z};
+using Axis = Integer Vec3<Integer>::*;
+constexpr std::array<Axis, 3> kAxes{&Vec3<Integer>::x, &Vec3<Integer>::y, &Vec3<Integer>::z};
 
-using Bracket = AlgebraicTime::Bracket;
+template <class Product>
+IntegerPolynomial quadratic(const Moving<Integer>& x, const Moving<Integer>& y, const Product& product) {
+  return IntegerPolynomial::from_bernstein(product_polynomial(x, y, product));
+}
 
-IntegerPolynomial component(const std::array<Vec3<Integer>, 3>& quadratic, Integer Vec3<Integer>::*axis) {
-  return IntegerPolynomial::from_bernstein<3>({quadratic[0].*axis, quadratic[1].*axis, quadratic[2].*axis});
+/// (x cross y) along one axis.
+IntegerPolynomial cross_along(std::size_t axis, const Moving<Integer>& x, const Moving<Integer>& y) {
+  const Axis next = kAxes[(axis + 1) % 3], last = kAxes[(axis + 2) % 3];
+  return quadratic(x, y, [&](const Vec3<Integer>& a, const Vec3<Integer>& b) -> Integer {
+    return a.*next * b.*last - a.*last * b.*next;
+  });
 }
 
 /// One side of the polygon, from corner x to corner y: it holds the origin where x cross y = 0 and x.y <= 0.
@@ -26,10 +33,8 @@ struct Side {
   IntegerPolynomial dot;
 
   Side(const Moving<Integer>& x, const Moving<Integer>& y)
-      : dot(IntegerPolynomial::from_bernstein(product_polynomial(
-            x, y, [](const Vec3<Integer>& a, const Vec3<Integer>& b) { return tamis::dot(a, b); }))) {
-    const auto n = normal_polynomial(x, y);
-    for (std::size_t k = 0; k < 3; ++k) cross[k] = component(n, kAxes[k]);
+      : dot(quadratic(x, y, [](const Vec3<Integer>& a, const Vec3<Integer>& b) { return tamis::dot(a, b); })) {
+    for (std::size_t k = 0; k < 3; ++k) cross[k] = cross_along(k, x, y);
   }
 
   bool holds_origin(AlgebraicTime& time) const {
@@ -52,12 +57,14 @@ class MovingPolygonTest {
         normal_(normal_polynomial(polygon_.corner(1) - polygon_.corner(0),
                                   polygon_.corner(polygon_.corner_count - 1) - polygon_.corner(0))) {}
 
-  std::optional<Bracket> first_contact() const {
+  ExactDecision first_contact() const {
     const auto coplanarity = IntegerPolynomial::from_bernstein(coplanarity_polynomial(polygon_.corner(0), normal_));
-    if (coplanarity.is_zero()) return first_contact_in_plane();
-    for (AlgebraicTime& time : roots_in_unit_interval(coplanarity))
-      if (contains_origin(time)) return time.bracket();
-    return std::nullopt;
+    FirstTime first;
+    if (!coplanarity.is_zero())
+      first.add_roots(coplanarity, [&](AlgebraicTime& time) { return contains_origin(time); });
+    else
+      add_contacts_in_plane(first);
+    return first.decision();
   }
 
  private:
@@ -65,43 +72,36 @@ class MovingPolygonTest {
 
   /// REQUIRES: the origin lies in the polygon's plane at this time.
   bool contains_origin(AlgebraicTime& time) const {
-    for (const auto axis : kAxes)
-      if (const int orientation = time.sign_of(component(normal_, axis)))
-        return contains_projected_origin(time, axis, orientation);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Axis axis = kAxes[k];
+      const auto along = IntegerPolynomial::from_bernstein<3>({normal_[0].*axis, normal_[1].*axis, normal_[2].*axis});
+      if (const int orientation = time.sign_of(along)) return contains_projected_origin(time, k, orientation);
+    }
     return is_on_boundary(time);
   }
 
   /// The polygon's projection along `axis` is convex, with that orientation: the origin is on the inner side of all
   /// sides.
-  bool contains_projected_origin(AlgebraicTime& time, Integer Vec3<Integer>::*axis, int orientation) const {
+  bool contains_projected_origin(AlgebraicTime& time, std::size_t axis, int orientation) const {
     for (std::size_t i = 0; i < polygon_.corner_count; ++i)
-      if (time.sign_of(component(normal_polynomial(polygon_.corner(i), polygon_.corner(i + 1)), axis)) == -orientation)
-        return false;
+      if (time.sign_of(cross_along(axis, polygon_.corner(i), polygon_.corner(i + 1))) == -orientation) return false;
     return true;
   }
 
   bool is_on_boundary(AlgebraicTime& time) const {
-    for (std::size_t i = 0; i < polygon_.corner_count; ++i)
+    for (std::size_t i = 0; i < polygon_.side_count(); ++i)
       if (side(i).holds_origin(time)) return true;
     return false;
   }
 
   /// The origin is always in the polygon's plane: it is inside at t=0, or enters through a side.
-  std::optional<Bracket> first_contact_in_plane() const {
+  void add_contacts_in_plane(FirstTime& first) const {
     AlgebraicTime start = AlgebraicTime::exactly({0, 0});
-    if (contains_origin(start)) return Bracket{0, 0};
-    std::optional<Bracket> first;
-    for (std::size_t i = 0; i < polygon_.corner_count; ++i) {
-      const auto entry = first_contact_of(side(i));
-      if (entry && (!first || entry->lower < first->lower || entry->upper < first->upper)) first = entry;
+    if (contains_origin(start)) return first.add({0, 0});
+    for (std::size_t i = 0; i < polygon_.side_count(); ++i) {
+      const Side entry = side(i);
+      first.add_roots(entry.event(), [&](AlgebraicTime& time) { return entry.holds_origin(time); });
     }
-    return first;
-  }
-
-  static std::optional<Bracket> first_contact_of(const Side& side) {
-    for (AlgebraicTime& time : roots_in_unit_interval(side.event()))
-      if (side.holds_origin(time)) return time.bracket();
-    return std::nullopt;
   }
 
   MovingPolygon polygon_;
@@ -110,10 +110,9 @@ class MovingPolygonTest {
 
 }  // namespace
 
-ExactDecision decide_exactly(PairKind kind, const PairPoints& points) {
-  const auto first = MovingPolygonTest(kind, points).first_contact();
-  if (!first) return {};
-  return {true, first->lower, first->upper};
+ExactDecision decide_exactly(PairKind kind, const PairPoints& points, double separation) {
+  return separation > 0 ? decide_within_exactly(kind, points, separation)
+                        : MovingPolygonTest(kind, points).first_contact();
 }
 
 }  // namespace tamis

@@ -12,8 +12,8 @@ struct ExactDecision {
   double toi_upper = 1;
 };
 
-/// Is there a t in [0,1] at which the two closed features share a point? All degeneracies are decided.
-/// REQUIRES: finite coordinates.
-ExactDecision decide_exactly(PairKind kind, const PairPoints& points);
+/// Is there a t in [0,1] at which the distance of the two closed features is at most `separation`? At zero: at which
+/// they share a point. All degeneracies are decided. REQUIRES: finite coordinates, a finite separation >= 0.
+ExactDecision decide_exactly(PairKind kind, const PairPoints& points, double separation = 0);
 
 }  // namespace tamis

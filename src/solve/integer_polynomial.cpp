@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "solve/coprime.hpp"
+
 namespace tamis {
 namespace {
 
@@ -33,8 +35,8 @@ Integer IntegerPolynomial::scaled_value(const DyadicCell& t) const {
 }
 
 int IntegerPolynomial::sign_after_zero() const {
-  for (const Integer& coefficient : powers_)
-    if (const int sign = coefficient.sign()) return sign;
+  for (int i = 0; i <= degree_; ++i)
+    if (const int sign = (*this)[i].sign()) return sign;
   return 0;
 }
 
@@ -69,6 +71,31 @@ IntegerPolynomial IntegerPolynomial::on(const DyadicCell& cell) const {
 IntegerPolynomial IntegerPolynomial::left_half() const { return on({0, 1}); }
 IntegerPolynomial IntegerPolynomial::right_half() const { return on({1, 1}); }
 
+IntegerPolynomial operator+(const IntegerPolynomial& a, const IntegerPolynomial& b) {
+  IntegerPolynomial sum = a.degree_ < b.degree_ ? b : a;
+  const IntegerPolynomial& other = a.degree_ < b.degree_ ? a : b;
+  for (int i = 0; i <= other.degree_; ++i) sum.at(i) += other[i];
+  sum.find_degree(sum.degree_);
+  return sum;
+}
+
+IntegerPolynomial operator-(const IntegerPolynomial& a, const IntegerPolynomial& b) {
+  IntegerPolynomial difference = a;
+  for (int i = 0; i <= b.degree_; ++i) difference.at(i) -= b[i];
+  difference.find_degree(std::max(a.degree_, b.degree_));
+  return difference;
+}
+
+IntegerPolynomial operator*(const IntegerPolynomial& a, const IntegerPolynomial& b) {
+  IntegerPolynomial product;
+  for (int i = 0; i <= a.degree_; ++i)
+    for (int j = 0; j <= b.degree_; ++j) product.at(i + j) += a[i] * b[j];
+  product.degree_ = a.is_zero() || b.is_zero() ? -1 : a.degree_ + b.degree_;
+  return product;
+}
+
+IntegerPolynomial operator*(const Integer& a, const IntegerPolynomial& b) { return IntegerPolynomial(a) * b; }
+
 IntegerPolynomial IntegerPolynomial::derivative() const {
   IntegerPolynomial p;
   for (int i = 1; i <= degree_; ++i) p.at(i - 1) = (*this)[i] * i;
@@ -79,10 +106,10 @@ IntegerPolynomial IntegerPolynomial::derivative() const {
 void IntegerPolynomial::divide_by_powers_of_two() {
   if (is_zero()) return;
   mp_bitcnt_t common = ~mp_bitcnt_t{0};
-  for (const Integer& c : powers_)
-    if (c.sign() != 0) common = std::min(common, mpz_scan1(c.get(), 0));
+  for (int i = 0; i <= degree_; ++i)
+    if (at(i).sign() != 0) common = std::min(common, mpz_scan1(at(i).get(), 0));
   if (common == 0) return;
-  for (Integer& c : powers_) c >>= common;
+  for (int i = 0; i <= degree_; ++i) at(i) >>= common;
 }
 
 void IntegerPolynomial::divide_by_content() {
@@ -106,6 +133,7 @@ void IntegerPolynomial::reduce_modulo(const IntegerPolynomial& b) {
 }
 
 IntegerPolynomial greatest_common_divisor(IntegerPolynomial a, IntegerPolynomial b) {
+  if (are_surely_coprime(a, b)) return IntegerPolynomial(1);
   if (a.degree_ < b.degree_) std::swap(a, b);
   while (!b.is_zero() && b.degree_ > 0) {
     a.reduce_modulo(b);

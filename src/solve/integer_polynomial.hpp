@@ -1,4 +1,4 @@
-// Polynomials in t of degree <= 3 with integer coefficients: all that the exact decision computes with.
+// Polynomials in t of degree <= 6 with integer coefficients: all that the exact decision computes with.
 #pragma once
 #include <array>
 #include <cstddef>
@@ -9,10 +9,14 @@ namespace tamis {
 
 class IntegerPolynomial {
  public:
-  static constexpr int kMaxDegree = 3;
+  static constexpr int kMaxDegree = 6;
 
   /// Zero.
   IntegerPolynomial() = default;
+  explicit IntegerPolynomial(const Integer& constant) {
+    powers_[0] = constant;
+    find_degree(0);
+  }
   /// From Bernstein coefficients without their binomials, as motion/polynomials.hpp gives them.
   template <std::size_t N>
   static IntegerPolynomial from_bernstein(std::array<Integer, N> coefficients);
@@ -39,6 +43,12 @@ class IntegerPolynomial {
   /// [0,1/2] and [1/2,1] mapped to [0,1], times a positive constant.
   IntegerPolynomial left_half() const;
   IntegerPolynomial right_half() const;
+
+  /// REQUIRES: the degree of the result is at most kMaxDegree.
+  friend IntegerPolynomial operator+(const IntegerPolynomial& a, const IntegerPolynomial& b);
+  friend IntegerPolynomial operator-(const IntegerPolynomial& a, const IntegerPolynomial& b);
+  friend IntegerPolynomial operator*(const IntegerPolynomial& a, const IntegerPolynomial& b);
+  friend IntegerPolynomial operator*(const Integer& a, const IntegerPolynomial& b);
 
   IntegerPolynomial derivative() const;
   /// Same roots, all of them simple. REQUIRES: not zero.

@@ -22,30 +22,26 @@ Parts parts_of(double x) {
   return {x < 0 ? -mantissa : mantissa, std::max(biased, 1) - 1075};
 }
 
-/// Of the last bit that is set in any coordinate; 0 if there is none.
-int common_exponent(const PairPoints& points) {
-  int common = INT_MAX;
-  for (const auto* at : {&points.start, &points.end})
-    for (const Point& point : *at)
-      for (const double x : point) {
-        const Parts parts = parts_of(x);
-        if (x != 0)
-          common = std::min(common, parts.exponent + std::countr_zero(static_cast<std::uint64_t>(parts.mantissa)));
-      }
-  return common == INT_MAX ? 0 : common;
+/// Of the last bit that is set; INT_MAX for zero.
+int lowest_exponent(double x) {
+  if (x == 0) return INT_MAX;
+  const Parts parts = parts_of(x);
+  return parts.exponent + std::countr_zero(static_cast<std::uint64_t>(parts.mantissa));
 }
 
-Integer scaled(double x, int common) {
-  const Parts parts = parts_of(x);
-  const int shift = parts.exponent - common;
-  if (x == 0) return 0;
-  if (shift <= 0) return parts.mantissa / (std::int64_t{1} << -shift);
-  return Integer(parts.mantissa) << static_cast<unsigned long>(shift);
+/// Of all coordinates and the separation; 0 if none has a bit.
+int common_exponent(const PairPoints& points, double separation) {
+  int common = lowest_exponent(separation);
+  for (const auto* at : {&points.start, &points.end})
+    for (const Point& point : *at)
+      for (const double x : point) common = std::min(common, lowest_exponent(x));
+  return common == INT_MAX ? 0 : common;
 }
 
 std::array<Moving<Integer>, 4> scaled(const PairPoints& points, int common) {
   const auto vector = [common](const Point& p) {
-    return Vec3<Integer>{scaled(p[0], common), scaled(p[1], common), scaled(p[2], common)};
+    return Vec3<Integer>{scaled_to_integer(p[0], common), scaled_to_integer(p[1], common),
+                         scaled_to_integer(p[2], common)};
   };
   std::array<Moving<Integer>, 4> result;
   for (std::size_t i = 0; i < 4; ++i) result[i] = {vector(points.start[i]), vector(points.end[i])};
@@ -54,8 +50,16 @@ std::array<Moving<Integer>, 4> scaled(const PairPoints& points, int common) {
 
 }  // namespace
 
-MovingPolygon difference_polygon(PairKind kind, const PairPoints& points) {
-  const int common = common_exponent(points);
+Integer scaled_to_integer(double x, int exponent) {
+  if (x == 0) return 0;
+  const Parts parts = parts_of(x);
+  const int shift = parts.exponent - exponent;
+  if (shift <= 0) return parts.mantissa / (std::int64_t{1} << -shift);
+  return Integer(parts.mantissa) << static_cast<unsigned long>(shift);
+}
+
+MovingPolygon difference_polygon(PairKind kind, const PairPoints& points, double separation) {
+  const int common = common_exponent(points, separation);
   const auto x = scaled(points, common);
   switch (kind) {
     case PairKind::vertex_face:

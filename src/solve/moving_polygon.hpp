@@ -18,9 +18,14 @@ struct MovingPolygon {
   int exponent;                            ///< a coordinate 1 is a length of 2^exponent
 
   const Moving<Integer>& corner(std::size_t i) const { return corners[i % corner_count]; }
+  /// Side i leads from corner i to corner i + 1. A point has one too, from itself to itself.
+  std::size_t side_count() const { return corner_count == 2 ? 1 : corner_count; }
 };
 
-/// Times a power of two that makes every coordinate an integer. REQUIRES: finite coordinates.
-MovingPolygon difference_polygon(PairKind kind, const PairPoints& points);
+/// Times a power of two that makes every coordinate an integer, and the separation. REQUIRES: finite numbers.
+MovingPolygon difference_polygon(PairKind kind, const PairPoints& points, double separation = 0);
+
+/// x / 2^exponent. REQUIRES: that is an integer.
+Integer scaled_to_integer(double x, int exponent);
 
 }  // namespace tamis

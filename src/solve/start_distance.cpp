@@ -81,22 +81,30 @@ struct Magnitude {
     const long shift = std::max(b.exponent - a.exponent, -2000L);
     return {a.mantissa + std::ldexp(b.mantissa, static_cast<int>(shift)), a.exponent};
   }
-  double value() const { return std::ldexp(mantissa, static_cast<int>(std::clamp(exponent, -5000L, 5000L))); }
+  /// A double below it by about ten roundings, or by one spacing of the smallest doubles.
+  double rounded_down() const {
+    constexpr double kRounding = 0x1p-46, kNormal = std::numeric_limits<double>::min();
+    const double value = std::ldexp(mantissa * (1 - kRounding), static_cast<int>(std::clamp(exponent, -5000L, 5000L)));
+    return value < kNormal ? std::nextafter(value, 0) : value;
+  }
 };
+
+/// Squared distance minus squared separation, in the unit of the polygon squared: above / below.
+Fraction excess_at_start(const MovingPolygon& polygon, const Fraction& square, double separation) {
+  const Integer s = scaled_to_integer(separation, polygon.exponent);
+  return {square.above - s * s * square.below, square.below};
+}
 
 }  // namespace
 
+bool starts_within(const MovingPolygon& polygon, double separation) {
+  return excess_at_start(polygon, squared_distance(polygon), separation).above.sign() <= 0;
+}
+
 double apart_from_start(PairKind kind, const PairPoints& points, double separation) {
-  const MovingPolygon polygon = difference_polygon(kind, points);
-  const Fraction square = squared_distance(polygon);
-  // separation = mantissa 2^exponent; squares in the unit 4^unit, in which both are integers over square.below.
-  int exponent = 0;
-  const Integer mantissa(static_cast<std::int64_t>(std::ldexp(std::frexp(separation, &exponent), 53)));
-  exponent -= 53;
-  const long unit = std::min(polygon.exponent, exponent);
-  const Integer excess = (square.above << static_cast<unsigned long>(2 * (polygon.exponent - unit))) -
-                         ((mantissa * mantissa * square.below) << static_cast<unsigned long>(2 * (exponent - unit)));
-  if (excess.sign() <= 0) return 0;
+  const MovingPolygon polygon = difference_polygon(kind, points, separation);
+  const Fraction square = squared_distance(polygon), excess = excess_at_start(polygon, square, separation);
+  if (excess.above.sign() <= 0) return 0;
   const Integer speed = squared_speed(polygon);
   if (speed.sign() == 0) return std::numeric_limits<double>::infinity();
   // distance - separation = (distance^2 - separation^2) / (distance + separation)
@@ -104,9 +112,8 @@ double apart_from_start(PairKind kind, const PairPoints& points, double separati
   const Magnitude distance = (Magnitude::of(square.above) / below).root().times_two_to(polygon.exponent);
   const Magnitude reach = separation > 0 ? distance + Magnitude::of(separation) : distance;
   const Magnitude fastest = Magnitude::of(speed).root().times_two_to(polygon.exponent);
-  const Magnitude time = Magnitude::of(excess).times_two_to(2 * unit) / below / reach / fastest;
-  constexpr double kRounding = 0x1p-46;  // about ten operations
-  return time.value() * (1 - kRounding);
+  const Magnitude time = Magnitude::of(excess.above).times_two_to(2L * polygon.exponent) / below / reach / fastest;
+  return time.rounded_down();
 }
 
 }  // namespace tamis

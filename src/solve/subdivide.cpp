@@ -4,7 +4,7 @@
 #include <array>
 
 #include "filters/ncf.hpp"
-#include "solve/crossing_extended.hpp"
+#include "solve/crossing.hpp"
 
 namespace tamis {
 namespace {
@@ -18,8 +18,6 @@ struct Limits {
 };
 constexpr Limits kBriefly{0x1p-44, 96, 2, 0x1p-30};
 constexpr Limits kThoroughly{0x1p-44, 96, 16, 0x1p-30};
-/// Double-double sees only what doubles have left: their shortest parts, or parts that are coplanar throughout.
-constexpr Limits kExtended{0x1p-50, 3, 1, 0x1p-30};
 constexpr std::size_t kMaxDepth = 64;
 
 /// How the points of a part are coplanar, as far as doubles can tell.
@@ -27,12 +25,11 @@ struct Coplanarity {
   bool at_start, at_end, always;
 };
 
-template <class T>
-Coplanarity coplanarity(const PairMotion<T>& m) {
+Coplanarity coplanarity(const PairMotion<double>& m) {
   const auto k = coplanarity_polynomial(m.d, normal_polynomial(m.e, m.f));
-  const T unit = m.size_d * m.size_e * m.size_f;
-  const T end = error_bounds::bound(error_bounds::kCoplanarityEnd, unit);
-  const T middle = error_bounds::bound(error_bounds::kCoplanarityMiddle, unit);
+  const double unit = m.size_d * m.size_e * m.size_f;
+  const double end = error_bounds::bound(error_bounds::kCoplanarityEnd, unit);
+  const double middle = error_bounds::bound(error_bounds::kCoplanarityMiddle, unit);
   const bool at_start = abs(k[0]) <= end, at_end = abs(k[3]) <= end;
   return {at_start, at_end, at_start && at_end && abs(k[1]) <= middle && abs(k[2]) <= middle};
 }
@@ -71,31 +68,28 @@ struct Findings {
     decision.upper = std::max(decision.upper, upper);
   }
   void add_contact(double lower, double upper) {
-    const bool first = decision.verdict == Verdict::is_free;
-    decision = {Verdict::touches, first ? lower : decision.lower, upper, first};
+    decision = {Verdict::touches, decision.verdict == Verdict::is_free ? lower : decision.lower, upper};
   }
 };
 
-template <PairKind kind, class T>
-Decision subdivide_kind(const PairMotion<T>& m, const TimeInterval<double>& time, const Limits& limits) {
+template <PairKind kind>
+Decision subdivide_kind(const PairMotion<double>& m, const TimeInterval<double>& time, const Limits& limits) {
   Findings findings;
   PartStack parts(time);
   int coplanar_parts = 0;
   for (int looked_at = 0; !parts.empty(); ++looked_at) {
     const auto part = parts.pop();
-    const TimeInterval<T> part_in_t{T(part.t_in), T(part.t_out)};
-    const auto c = find_crossing<kind>(m, part_in_t);
+    const auto c = find_crossing<kind>(m, part);
     if (c.is_free) continue;
-    const double lower = lower_double(c.lower), upper = upper_double(c.upper);
     if (c.touches) {
-      findings.add_contact(lower, upper);
+      findings.add_contact(c.lower, c.upper);
       break;
     }
-    if (c.brackets && upper - lower <= limits.narrow_bracket) {
-      findings.add_unsure(lower, upper);  // its sides have said more than NCF could
+    if (c.brackets && c.upper - c.lower <= limits.narrow_bracket) {
+      findings.add_unsure(c.lower, c.upper);  // its sides have said more than NCF could
       continue;
     }
-    const auto r = restrict_to(m, part_in_t.t_in, part_in_t.t_out);
+    const auto r = restrict_to(m, part.t_in, part.t_out);
     if (Ncf::proves_free<kind>(r)) continue;
     const auto points = coplanarity(r);
     coplanar_parts += points.always;
@@ -104,27 +98,19 @@ Decision subdivide_kind(const PairMotion<T>& m, const TimeInterval<double>& time
         coplanar_parts < limits.coplanar_parts && parts.has_room())
       parts.push_halves(part, cut);
     else if (c.brackets)
-      findings.add_unsure(lower, upper);
+      findings.add_unsure(c.lower, c.upper);
     else
       findings.add_unsure(part.t_in, part.t_out);
   }
   return findings.decision;
 }
 
-template <class T>
-Decision subdivide_any(PairKind kind, const PairMotion<T>& m, const TimeInterval<double>& time, const Limits& limits) {
-  return kind == PairKind::vertex_face ? subdivide_kind<PairKind::vertex_face>(m, time, limits)
-                                       : subdivide_kind<PairKind::edge_edge>(m, time, limits);
-}
-
 }  // namespace
 
 Decision subdivide(PairKind kind, const PairMotion<double>& m, const TimeInterval<double>& time, InPlane in_plane) {
-  return subdivide_any(kind, m, time, in_plane == InPlane::briefly ? kBriefly : kThoroughly);
-}
-
-Decision subdivide(PairKind kind, const PairMotion<DoubleDouble>& m, const TimeInterval<double>& time) {
-  return subdivide_any(kind, m, time, kExtended);
+  const Limits& limits = in_plane == InPlane::briefly ? kBriefly : kThoroughly;
+  return kind == PairKind::vertex_face ? subdivide_kind<PairKind::vertex_face>(m, time, limits)
+                                       : subdivide_kind<PairKind::edge_edge>(m, time, limits);
 }
 
 }  // namespace tamis

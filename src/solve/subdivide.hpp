@@ -3,7 +3,6 @@
 #pragma once
 #include "filters/slab_clip.hpp"
 #include "motion/pair_motion.hpp"
-#include "numerics/double_double.hpp"
 #include "tamis/contact.hpp"
 
 namespace tamis {
@@ -14,18 +13,13 @@ enum class Verdict : std::uint8_t { is_free, touches, unsure };
 struct Decision {
   Verdict verdict = Verdict::is_free;
   double lower = 1, upper = 1;
-  bool is_one_crossing =
-      false;  ///< the points are coplanar once in [lower, upper], where their volume changes its sign
 };
 
 /// Motions whose points are coplanar throughout, as far as double can tell, are cut this often: it helps only NCF.
 enum class InPlane : std::uint8_t { briefly, thoroughly };
 
-/// REQUIRES: `m` is the motion of the whole step; the pair is apart outside `time`.
+/// REQUIRES: `m` is the motion of the whole step; the pair is apart outside `time`; the kind can cross.
 Decision subdivide(PairKind kind, const PairMotion<double>& m, const TimeInterval<double>& time,
                    InPlane in_plane = InPlane::briefly);
-
-/// The same in double-double, for what doubles leave open.
-Decision subdivide(PairKind kind, const PairMotion<DoubleDouble>& m, const TimeInterval<double>& time);
 
 }  // namespace tamis

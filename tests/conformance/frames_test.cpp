@@ -130,17 +130,20 @@ TEST_P(RecordedStep, MethodsLeaveTheSamePairsUnresolved) {
   RecordProperty("unresolved", static_cast<int>(unresolved(tamis).size()));
 }
 
-TEST_P(RecordedStep, ExactGuaranteeGivesTheTruth) {
+TEST_P(RecordedStep, TheDefaultGivesTheTruthAndLeavesNothingUnresolved) {
   for (const Method method : {Method::tamis, Method::paper}) {
-    const PairSet found = names(find(method, Guarantee::exact));
+    const auto contacts = find(method, Options{}.guarantee);
+    const PairSet found = names(contacts);
     EXPECT_EQ(missing(truth, found), "") << "missed by " << name_of(method);
     EXPECT_EQ(missing(found, truth), "") << "made up by " << name_of(method);
+    EXPECT_TRUE(unresolved(contacts).empty()) << name_of(method);
+    for (const Contact& c : contacts) EXPECT_LE(c.toi_upper - c.toi_lower, 1e-11) << name_of(method);
   }
 }
 
 // Every fortieth contact of a large step: the bracket is what it says.
 TEST_P(RecordedStep, BracketsHoldTheFirstContact) {
-  const auto contacts = find(Method::tamis, Guarantee::conservative);
+  const auto contacts = find(Method::tamis, Options{}.guarantee);
   const std::size_t stride = contacts.size() > 1000 ? 40 : 1;
   for (std::size_t i = 0; i < contacts.size(); i += stride) {
     const Contact& c = contacts[i];

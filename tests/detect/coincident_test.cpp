@@ -38,7 +38,7 @@ TEST_P(Coincident, TheFirstOfMillionsOfContactsNeedsLittleMemoryAndFewDecisions)
     EXPECT_FALSE(detector.is_free(pile.step()));
     const auto decided = [&] {
       const PrecisionCount& by = detector.statistics().decided_by;
-      return by.scalar + by.extended + by.exact + by.unresolved;
+      return by.scalar + by.exact + by.unresolved;
     };
     EXPECT_LE(decided(), 1024u) << "is_free went on after a contact";
     EXPECT_LE(detector.statistics().memory_bytes, contacts * sizeof(Contact) / 8);

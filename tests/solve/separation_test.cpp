@@ -50,6 +50,10 @@ TEST_P(Separation, DecisionsAndBracketsAreProven) {
       SCOPED_TRACE(describe(kind, m) + "\n  separation " + std::to_string(separation / placement.scale));
       const PairResult r = ask_pair(kind, m, {Guarantee::conservative, separation});
       check(kind, m, separation, r);
+      const PairResult exact = ask_pair(kind, m, {Guarantee::exact, separation});
+      check(kind, m, separation, exact);
+      EXPECT_EQ(exact.certainty, Certainty::certified) << "exact guarantee";
+      EXPECT_LE(exact.toi_upper - exact.toi_lower, 1e-11) << "exact guarantee";
       contacts += r.touches;
       unresolved += r.touches && r.certainty == Certainty::unresolved;
       wide += r.touches && r.certainty == Certainty::certified && r.toi_upper - r.toi_lower > 1e-12;

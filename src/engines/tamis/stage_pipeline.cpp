@@ -5,7 +5,6 @@
 #include "engines/cancellation.hpp"
 #include "engines/tamis/pair_buffers.hpp"
 #include "solve/decide.hpp"
-#include "solve/extended.hpp"
 
 namespace tamis {
 
@@ -146,20 +145,17 @@ void StagePipeline::solve(PairKind kind) {
   int undecided = 0;
   for (int i = 0; i < count; ++i) {
     const SolvedPair& s = buffers_->solved[i];
-    if (!s.is_decided) {
+    const bool is_exact = options_.guarantee == Guarantee::exact;
+    if (!s.is_decided || (is_exact && !is_sharp(s.toi_lower, s.toi_upper))) {
       solve_singly(kind, pairs, s.pair);
       ++undecided;
       continue;
     }
-    const PairVertices vertices = vertices_of(pairs, s.pair);
-    TimeInterval<double> bracket{s.toi_lower, s.toi_upper};
-    if (bracket.t_out - bracket.t_in > kWideBracket)
-      bracket = sharpened(kind, points_of(found_.step(), vertices), bracket);
     found_.add({kind,
                 Certainty::certified,
-                vertices,
-                bracket.t_in,
-                bracket.t_out,
+                vertices_of(pairs, s.pair),
+                s.toi_lower,
+                s.toi_upper,
                 s.u,
                 s.v,
                 {s.normal[0], s.normal[1], s.normal[2]}});

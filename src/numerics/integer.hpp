@@ -47,6 +47,10 @@ class Integer {
   friend Integer operator*(const Integer& a, const Integer& b) {
     return make(a.limbs() + b.limbs(), mpz_mul, a.get(), b.get());
   }
+  /// Towards zero. REQUIRES: b is not zero.
+  friend Integer quotient(const Integer& a, const Integer& b) {
+    return make(std::max(a.limbs(), 1), mpz_tdiv_q, a.get(), b.get());
+  }
   friend Integer operator<<(const Integer& a, unsigned long bits) {
     return make(a.shifted_limbs(bits), mpz_mul_2exp, a.get(), bits);
   }

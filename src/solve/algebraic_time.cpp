@@ -1,33 +1,14 @@
 #include "solve/algebraic_time.hpp"
 
 #include <cmath>
-#include <cstdint>
-#include <cstring>
 #include <utility>
+
+#include "solve/approximate_polynomial.hpp"
 
 namespace tamis {
 namespace {
 
 double next_up(double x) { return std::nextafter(x, 2.0); }
-
-/// Halfway between in the order of the doubles, so that 62 halvings separate any two in [0,1].
-double middle_double(double a, double b) {
-  std::uint64_t bits_a, bits_b;
-  std::memcpy(&bits_a, &a, sizeof a);
-  std::memcpy(&bits_b, &b, sizeof b);
-  const std::uint64_t middle = bits_a + (bits_b - bits_a) / 2;
-  double result;
-  std::memcpy(&result, &middle, sizeof result);
-  return result;
-}
-
-/// Newton's correction -p/p' at t, from the exact values; NaN or infinite where p' vanishes.
-double newton_step(const Integer& scaled_value, const IntegerPolynomial& derivative, const DyadicCell& t) {
-  long exponent, derivative_exponent;
-  const double value = mpz_get_d_2exp(&exponent, scaled_value.get());
-  const double slope = mpz_get_d_2exp(&derivative_exponent, derivative.scaled_value(t).get());
-  return std::ldexp(-value / slope, static_cast<int>(exponent - derivative_exponent - static_cast<long>(t.k)));
-}
 
 }  // namespace
 
@@ -35,6 +16,11 @@ AlgebraicTime AlgebraicTime::exactly(DyadicCell time) { return AlgebraicTime(std
 
 AlgebraicTime::AlgebraicTime(IntegerPolynomial p, DyadicCell cell) : cell_(std::move(cell)) {
   take_polynomial(std::move(p));
+}
+
+AlgebraicTime::AlgebraicTime(IntegerPolynomial p, int sign_before, double lower, double upper)
+    : polynomial_(std::move(p)), sign_before_(sign_before) {
+  narrow_to_doubles(lower, upper);
 }
 
 void AlgebraicTime::take_polynomial(IntegerPolynomial p) {
@@ -49,6 +35,28 @@ void AlgebraicTime::halve() {
   cell_ = side < 0 ? cell_.left_half() : std::move(right);
 }
 
+void AlgebraicTime::refine() {
+  DyadicCell next{cell_.n + 1, cell_.k};
+  const Integer before = polynomial_.scaled_value(cell_), after = polynomial_.scaled_value(next);
+  // An end may be a root itself, of the same polynomial.
+  if (refinement_ < 2 || before.sign() * after.sign() >= 0) {
+    refinement_ = 4;
+    return halve();
+  }
+  const unsigned long bits = refinement_;
+  const DyadicCell guess{(cell_.n << bits) + quotient(before << bits, before - after), cell_.k + bits};
+  const int side = compare_to(guess);
+  if (side > 0 && compare_to({guess.n + 1, guess.k}) < 0) {
+    cell_ = guess;
+    refinement_ *= 2;
+  } else if (side == 0) {
+    cell_ = guess;
+    is_exact_ = true;
+  } else {
+    refinement_ /= 2;
+  }
+}
+
 bool AlgebraicTime::is_root_of(const IntegerPolynomial& q) {
   IntegerPolynomial common = greatest_common_divisor(polynomial_, q);
   // It has at most one root in the cell, a simple one: the parity of the sign variations decides.
@@ -59,47 +67,44 @@ bool AlgebraicTime::is_root_of(const IntegerPolynomial& q) {
 
 int AlgebraicTime::sign_of(const IntegerPolynomial& q) {
   if (q.degree() <= 0) return q.sign_after_zero();
-  narrow_to_doubles();
+  if (const int sign = ApproximatePolynomial(q).near(lower_end(cell_)).sign()) return sign;
   for (bool is_first = true; !is_exact_; is_first = false) {
     const IntegerPolynomial local = q.on(cell_);
     if (local.sign_variations() == 0) return local.sign_after_zero();
     if (is_first && is_root_of(q)) return 0;
-    halve();
+    refine();
   }
   return q.sign_at(cell_);
 }
 
-void AlgebraicTime::narrow_to_doubles() {
-  if (is_exact_ || std::exchange(is_between_neighbours_, true)) return;
-  // Either the cell lies between two neighbouring doubles, or both its ends are doubles.
-  const double lower = lower_end(cell_);
-  if (cell_above(lower).k < cell_.k) return;
-  narrow_to_doubles(lower, lower + std::ldexp(1.0, -static_cast<int>(cell_.k)));
-}
-
 void AlgebraicTime::narrow_to_doubles(double lower, double upper) {
   constexpr int kNewtonSteps = 12;
-  const IntegerPolynomial derivative = polynomial_.derivative();
+  const ApproximatePolynomial rough(polynomial_), slope = rough.derivative();
   double guess = lower + 0.5 * (upper - lower);
   for (int step = 0; next_up(lower) < upper; ++step) {
     if (!(guess > lower && guess < upper) || step > kNewtonSteps) guess = middle_double(lower, upper);
-    DyadicCell t = cell_above(guess);
-    const Integer value = polynomial_.scaled_value(t);
-    const int side = value.sign() * sign_before_;
-    if (side == 0) {
-      is_exact_ = true;
-      cell_ = std::move(t);
-      return;
+    auto value = rough.near(guess);
+    if (value.sign() == 0) {
+      DyadicCell t = cell_above(guess);
+      const Integer exact = polynomial_.scaled_value(t);
+      if (exact.sign() == 0) {
+        is_exact_ = true;
+        cell_ = std::move(t);
+        return;
+      }
+      value = {mpz_get_d_2exp(&value.exponent, exact.get()), 0, 0};
+      value.exponent -= static_cast<long>(t.k) * polynomial_.degree();
     }
+    const int side = value.sign() * sign_before_;
     (side > 0 ? lower : upper) = guess;
-    const double next = guess + newton_step(value, derivative, t);
+    const auto fall = slope.near(guess);
+    const double next = guess - std::ldexp(value.value / fall.value, static_cast<int>(value.exponent - fall.exponent));
     guess = next != guess ? next : std::nextafter(guess, side > 0 ? 2.0 : -1.0);
   }
   cell_ = cell_above(lower);
 }
 
-AlgebraicTime::Bracket AlgebraicTime::bracket() {
-  narrow_to_doubles();
+AlgebraicTime::Bracket AlgebraicTime::bracket() const {
   const double lower = lower_end(cell_);
   return {lower, is_exact_ && lower_end_is_double(cell_) ? lower : next_up(lower)};
 }

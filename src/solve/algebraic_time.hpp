@@ -8,8 +8,11 @@ class AlgebraicTime {
  public:
   /// The lower end of the cell.
   static AlgebraicTime exactly(DyadicCell time);
-  /// REQUIRES: the open cell holds exactly one root of `p`, and it is simple.
+  /// REQUIRES: the cell lies between neighbouring doubles and holds, in its inside, exactly one root of `p`, a simple
+  /// one.
   AlgebraicTime(IntegerPolynomial p, DyadicCell cell);
+  /// REQUIRES: the open interval holds exactly one root of `p`, a simple one; just after `lower` it has that sign.
+  AlgebraicTime(IntegerPolynomial p, int sign_before, double lower, double upper);
 
   /// -1, 0 or 1; decided exactly. Narrows the cell as far as that needs.
   int sign_of(const IntegerPolynomial& q);
@@ -18,7 +21,7 @@ class AlgebraicTime {
   struct Bracket {
     double lower, upper;
   };
-  Bracket bracket();
+  Bracket bracket() const;
 
  private:
   explicit AlgebraicTime(DyadicCell time) : cell_(std::move(time)), is_exact_(true) {}
@@ -28,14 +31,17 @@ class AlgebraicTime {
   /// This time minus the lower end of the cell `t`. REQUIRES: that is inside of the present cell.
   int compare_to(const DyadicCell& t) const { return polynomial_.sign_at(t) * sign_before_; }
   void halve();
-  void narrow_to_doubles();
+  /// Makes the cell smaller, quadratically: where a straight line through the values at its ends puts the root, among
+  /// 2^refinement_ cells; twice as many bits after a success, half as many after none (Abbott 2006).
+  void refine();
+  /// Makes the cell one between neighbouring doubles, or exact.
   void narrow_to_doubles(double lower, double upper);
 
   IntegerPolynomial polynomial_;
   int sign_before_ = 0;  ///< of the polynomial between the lower end of the cell and the root
   DyadicCell cell_;
   bool is_exact_ = false;
-  bool is_between_neighbours_ = false;
+  unsigned long refinement_ = 4;
 };
 
 }  // namespace tamis

@@ -17,6 +17,16 @@ struct DyadicCell {
 /// REQUIRES: 0 <= lower < 1.
 DyadicCell cell_above(double lower);
 
+/// The interval between two doubles as so many cells from a first one on. REQUIRES: 0 <= lower < upper <= 1.
+struct Cells {
+  DyadicCell first;
+  Integer count;
+};
+Cells cells_between(double lower, double upper);
+
+/// Halfway between in the order of the doubles, so that 62 halvings separate any two. REQUIRES: 0 <= a <= b.
+double middle_double(double a, double b);
+
 /// The largest double that is not above n / 2^k.
 /// REQUIRES: 0 <= n <= 2^k.
 double lower_end(const DyadicCell& cell);

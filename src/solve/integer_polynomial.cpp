@@ -60,11 +60,15 @@ void IntegerPolynomial::shift_by(const Integer& n) {
     for (int i = degree_ - 1; i >= first; --i) at(i) += n * at(i + 1);
 }
 
-IntegerPolynomial IntegerPolynomial::on(const DyadicCell& cell) const {
+IntegerPolynomial IntegerPolynomial::on(const DyadicCell& cell, const Integer& width) const {
   IntegerPolynomial p = *this;
   if (cell.k > 0)
     for (int i = 0; i < degree_; ++i) p.at(i) <<= cell.k * static_cast<unsigned long>(degree_ - i);
   if (cell.n.sign() != 0) p.shift_by(cell.n);
+  if ((width - 1).sign() != 0) {
+    Integer power = width;
+    for (int i = 1; i <= degree_; ++i, power *= width) p.at(i) *= power;
+  }
   return p;
 }
 

@@ -38,8 +38,8 @@ class IntegerPolynomial {
   /// counted with multiplicity, and of the same parity.
   int sign_variations() const;
 
-  /// The cell mapped to [0,1], times a positive constant.
-  IntegerPolynomial on(const DyadicCell& cell) const;
+  /// The cell mapped to [0,1], times a positive constant; or `width` such cells from it on.
+  IntegerPolynomial on(const DyadicCell& cell, const Integer& width = 1) const;
   /// [0,1/2] and [1/2,1] mapped to [0,1], times a positive constant.
   IntegerPolynomial left_half() const;
   IntegerPolynomial right_half() const;

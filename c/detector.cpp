@@ -88,7 +88,6 @@ tamis_statistics statistics_of(const Statistics& s, std::vector<std::string>& na
   answer.seconds_solve = s.seconds.solve;
   answer.decided_by_lanes = s.decided_by.lanes;
   answer.decided_by_scalar = s.decided_by.scalar;
-  answer.decided_by_extended = s.decided_by.extended;
   answer.decided_by_exact = s.decided_by.exact;
   answer.unresolved = s.decided_by.unresolved;
   answer.nodes_visited = s.nodes_visited;

@@ -26,7 +26,7 @@ class Statistics:
         Vertex-face and edge-edge pairs that entered each stage, in the pipeline's order; the first counts the pairs
         whose boxes meet.
     decided_by : mapping of str to int
-        Pairs decided by each arithmetic: lanes, scalar, extended, exact; and those that stay unresolved.
+        Pairs decided by each arithmetic: lanes, scalar, exact; and those that stay unresolved.
     seconds : mapping of str to float
         Wall-clock time of bounds, build, traverse, filter, solve, and the total.
     rebuilt : bool

@@ -1,0 +1,112 @@
+// Double-double numbers: the unevaluated sum of two doubles, about 106 bits. For the few pairs that doubles cannot
+// decide; the templates of filters and solver run on it as on double. No FMA: a product is split as Dekker does, so
+// that every machine gives the same bits.
+//
+// Error bounds after Joldes, Muller, Popescu, Tight and rigorous error bounds for basic building blocks of double-word
+// arithmetic (ACM TOMS 44, 2017), with u = 2^-53: sum 3 u^2 / (1 - 4 u) (theorem 3.1), product 7 u^2 (theorem 5.1),
+// both relative; the quotient is derived below. unit_roundoff is 2^-103 = 8 u^2.
+// They hold where nothing overflows or underflows. The solver's numbers are below 2^7; an underflow costs each of the
+// 17 operations of a split product at most 2^-1075, which `underflow` covers.
+#pragma once
+#include "numerics/error_bounds.hpp"
+#include "numerics/select.hpp"
+
+namespace tamis {
+
+/// REQUIRES of every function here: |low| <= ulp(high) / 2. NaN and infinity compare false, as in double.
+struct DoubleDouble {
+  double high = 0, low = 0;
+
+  DoubleDouble() = default;
+  constexpr DoubleDouble(double value) : high(value) {}
+  constexpr DoubleDouble(double high_part, double low_part) : high(high_part), low(low_part) {}
+
+  /// a + b, exactly (Knuth).
+  static DoubleDouble sum_of(double a, double b) {
+    const double sum = a + b, b_part = sum - a, a_part = sum - b_part;
+    return {sum, (a - a_part) + (b - b_part)};
+  }
+  /// a b, exactly (Dekker, Veltkamp). REQUIRES: |a|, |b| < 2^995.
+  static DoubleDouble product_of(double a, double b) {
+    const double product = a * b;
+    const Halves x = halves(a), y = halves(b);
+    return {product, ((x.high * y.high - product) + x.high * y.low + x.low * y.high) + x.low * y.low};
+  }
+
+ private:
+  struct Halves {
+    double high, low;
+  };
+  /// Two numbers of 26 bits, whose products are exact.
+  static Halves halves(double a) {
+    const double shifted = a * 134217729.0;  // 2^27 + 1
+    const double high = shifted - (shifted - a);
+    return {high, a - high};
+  }
+};
+
+namespace double_double {
+
+/// a + b, exactly. REQUIRES: |a| >= |b|, or a = 0.
+inline DoubleDouble ordered_sum(double a, double b) {
+  const double sum = a + b;
+  return {sum, b - (sum - a)};
+}
+
+}  // namespace double_double
+
+inline DoubleDouble operator-(const DoubleDouble& a) { return {-a.high, -a.low}; }
+
+inline DoubleDouble operator+(const DoubleDouble& a, const DoubleDouble& b) {
+  const auto s = DoubleDouble::sum_of(a.high, b.high), t = DoubleDouble::sum_of(a.low, b.low);
+  const auto v = double_double::ordered_sum(s.high, s.low + t.high);
+  return double_double::ordered_sum(v.high, t.low + v.low);
+}
+inline DoubleDouble operator-(const DoubleDouble& a, const DoubleDouble& b) { return a + -b; }
+
+inline DoubleDouble operator*(const DoubleDouble& a, const DoubleDouble& b) {
+  const auto c = DoubleDouble::product_of(a.high, b.high);
+  return double_double::ordered_sum(c.high, c.low + (a.high * b.low + a.low * b.high));
+}
+
+/// Off by at most 32 u^2 = 2^-100 of itself: what is left of `a` after the first quotient is below 4 u of a and off by
+/// 11 u^2 (a product, a difference); the second quotient adds 3 u of it, and the sum is exact.
+inline DoubleDouble operator/(const DoubleDouble& a, const DoubleDouble& b) {
+  const double first = a.high / b.high;
+  const DoubleDouble rest = a - b * DoubleDouble(first);
+  return double_double::ordered_sum(first, rest.high / b.high);
+}
+
+inline bool operator<(const DoubleDouble& a, const DoubleDouble& b) {
+  return a.high < b.high || (a.high == b.high && a.low < b.low);
+}
+inline bool operator>(const DoubleDouble& a, const DoubleDouble& b) { return b < a; }
+inline bool operator<=(const DoubleDouble& a, const DoubleDouble& b) {
+  return a.high < b.high || (a.high == b.high && a.low <= b.low);
+}
+inline bool operator>=(const DoubleDouble& a, const DoubleDouble& b) { return b <= a; }
+inline bool operator==(const DoubleDouble& a, const DoubleDouble& b) { return a.high == b.high && a.low == b.low; }
+
+inline DoubleDouble select(bool mask, const DoubleDouble& yes, const DoubleDouble& no) { return mask ? yes : no; }
+inline DoubleDouble min(const DoubleDouble& a, const DoubleDouble& b) { return b < a ? b : a; }
+inline DoubleDouble max(const DoubleDouble& a, const DoubleDouble& b) { return a < b ? b : a; }
+inline DoubleDouble abs(const DoubleDouble& a) { return a.high < 0 ? -a : a; }
+
+template <>
+struct Ratio<DoubleDouble> {
+  static constexpr double kError = 0x1p-100;
+  static DoubleDouble of(const DoubleDouble& a, const DoubleDouble& b) { return a / b; }
+};
+
+namespace error_bounds {
+template <>
+inline constexpr double unit_roundoff<DoubleDouble> = 0x1p-103;
+}  // namespace error_bounds
+
+/// The nearest doubles at or below, and at or above.
+inline double lower_double(double x) { return x; }
+inline double upper_double(double x) { return x; }
+inline double lower_double(const DoubleDouble& x) { return x.low < 0 ? std::nextafter(x.high, -HUGE_VAL) : x.high; }
+inline double upper_double(const DoubleDouble& x) { return x.low > 0 ? std::nextafter(x.high, HUGE_VAL) : x.high; }
+
+}  // namespace tamis

@@ -59,7 +59,7 @@ class PathSolver {
     if (crossing.is_opposite()) {
       const bool is_narrow = part.length() <= tolerance_ && part.from.time > 0;
       if (is_narrow && stays_inside<kind>(widened)) {
-        decision = {Verdict::touches, part.from.time, part.to.time, true};
+        decision = {Verdict::touches, part.from.time, part.to.time};
         return true;
       }
       if (cut_around_crossing(part, window_of(widened, crossing.sign_at_start))) return false;

@@ -124,7 +124,6 @@ class Questions {
     seconds["total"] = s.seconds.total;
     decided_by["lanes"] = s.decided_by.lanes;
     decided_by["scalar"] = s.decided_by.scalar;
-    
     decided_by["exact"] = s.decided_by.exact;
     decided_by["unresolved"] = s.decided_by.unresolved;
     all["method"] = std::string(name_of(s.method));

@@ -7,11 +7,14 @@
 #include <chrono>
 
 #include "detect/contact_order.hpp"
+#include "detect/truncation.hpp"
 #include "detect/validate.hpp"
+#include "detect/vertex_steps.hpp"
 #include "engines/brute/step_length.hpp"
 #include "engines/engine.hpp"
 #include "engines/pair_rules.hpp"
 #include "engines/tamis/step_length.hpp"
+#include "paths/path_search.hpp"
 #include "solve/kept_distance.hpp"
 #include "solve/start_distance.hpp"
 #include "tamis/error.hpp"
@@ -46,6 +49,10 @@ int most_threads() {
   return static_cast<int>(tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
 }
 
+double seconds_since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
 }  // namespace
 
 struct Detector::State {
@@ -62,16 +69,28 @@ struct Detector::State {
   }
 
   void ask(const Step& step, const Separations& separations, Question question) {
-    measure(step, [&] {
+    validate(step, mesh);
+    measure([&] {
       found.begin(step, separations, question);
       engine->find(found, statistics);
       if (question == Question::all_contacts) sorter.sort(found.contacts(), mesh.vertex_count());
     });
   }
 
+  /// The contacts are in `found`.
+  void ask(const Path& path, const Separations& separations, double tolerance, Question question) {
+    validate_tolerance(tolerance);
+    measure([&] {
+      if (!path_search) path_search = std::make_unique<PathSearch>(mesh, options, *engine);
+      path_search->find({path, separations, tolerance}, question, found.contacts(), statistics);
+      sorter.sort(found.contacts(), mesh.vertex_count());
+    });
+  }
+
   SafeStep keep_distance(const Step& step, const Separations& separations, double fraction) {
     SafeStep answer;
-    measure(step, [&] {
+    validate(step, mesh);
+    measure([&] {
       if (options.method == Method::brute) {
         answer = step_length_by_brute_force(mesh, options, step, separations, fraction, statistics);
         return;
@@ -82,10 +101,19 @@ struct Detector::State {
     return answer;
   }
 
+  VertexSteps vertex_steps(const Step& step, const Separations& separations, double fraction) {
+    const auto start = std::chrono::steady_clock::now();
+    VertexSteps steps{keep_distance(step, separations, fraction).lower, {}};
+    measure([&] {
+      steps.until = tamis::vertex_steps(mesh, *engine, found, {step, separations, steps.together}, statistics);
+    });
+    statistics.seconds.total = seconds_since(start);
+    return steps;
+  }
+
   /// Runs `work` in the arena, with fresh statistics.
   template <class Work>
-  void measure(const Step& step, const Work& work) {
-    validate(step, mesh);
+  void measure(const Work& work) {
     const auto start = std::chrono::steady_clock::now();
     statistics = {};
     statistics.method = options.method;
@@ -94,8 +122,9 @@ struct Detector::State {
       work();
     });
     statistics.memory_bytes = engine->memory_bytes() + sorter.memory_bytes() + found.memory_bytes() +
-                              (step_length ? step_length->memory_bytes() : 0);
-    statistics.seconds.total = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+                              (step_length ? step_length->memory_bytes() : 0) +
+                              (path_search ? path_search->memory_bytes() : 0);
+    statistics.seconds.total = seconds_since(start);
   }
 
   template <class F>
@@ -111,7 +140,8 @@ struct Detector::State {
   std::vector<double> radii;  ///< of the vertices; empty: all zero
   tbb::task_arena arena;
   std::unique_ptr<Engine> engine;
-  std::unique_ptr<StepLengthSearch> step_length;  ///< made by the first question that needs it
+  std::unique_ptr<StepLengthSearch> step_length;  ///< made by the first question that needs it, as what follows
+  std::unique_ptr<PathSearch> path_search;
   FoundContacts found{options};
   ContactSorter sorter;
   Statistics statistics;
@@ -154,6 +184,48 @@ SafeStep Detector::keep_distance(const Step& step, double fraction, std::optiona
 bool Detector::is_free(const Step& step, std::optional<double> min_separation) {
   state_->ask(step, state_->separations(min_separation), Question::is_free);
   return state_->found.contacts().empty();
+}
+
+const std::vector<Contact>& Detector::contacts(const Path& path, std::optional<double> min_separation,
+                                               double tolerance) {
+  state_->ask(path, state_->separations(min_separation), tolerance, Question::all_contacts);
+  return state_->found.contacts();
+}
+
+EarliestContact Detector::earliest(const Path& path, std::optional<double> min_separation, double tolerance) {
+  state_->ask(path, state_->separations(min_separation), tolerance, Question::earliest);
+  return first_of(state_->found.contacts());
+}
+
+bool Detector::is_free(const Path& path, std::optional<double> min_separation, double tolerance) {
+  state_->ask(path, state_->separations(min_separation), tolerance, Question::is_free);
+  return state_->found.contacts().empty();
+}
+
+namespace {
+
+void validate_kept(double fraction) {
+  if (!(fraction > 0 && fraction < 1))
+    throw InvalidOptions("the fraction of the distance to keep is " + std::to_string(fraction) +
+                         ": give a number > 0 and < 1");
+}
+
+}  // namespace
+
+VertexSteps Detector::vertex_steps(const Step& step, double fraction, std::optional<double> min_separation) {
+  validate_kept(fraction);
+  return state_->vertex_steps(step, state_->separations(min_separation), fraction);
+}
+
+TruncatedStep Detector::truncate(const Step& step, double fraction, std::optional<double> min_separation) {
+  validate_kept(fraction);
+  const auto start = std::chrono::steady_clock::now();
+  Truncation truncation(step, vertex_steps(step, fraction, min_separation));
+  do {
+    truncation.pull_back(contacts(truncation.way(), min_separation));
+  } while (truncation.goes_on());
+  state_->statistics.seconds.total = seconds_since(start);
+  return truncation.take();
 }
 
 const Mesh& Detector::mesh() const { return state_->mesh; }

@@ -15,4 +15,7 @@ void validate(const Step& step, const Mesh& mesh);
 /// `what`: as in "the minimum separation". Throws InvalidOptions unless finite and >= 0.
 void validate_distance(double distance, const std::string& what);
 
+/// Throws InvalidOptions unless in (0, 1].
+void validate_tolerance(double tolerance);
+
 }  // namespace tamis

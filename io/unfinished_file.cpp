@@ -120,7 +120,7 @@ void UnfinishedFile::rename_to(const std::filesystem::path& path) {
 void remove_unfinished_files_on_signals() {
   struct sigaction removal {};
   removal.sa_handler = remove_and_end;
-  removal.sa_flags = SA_RESETHAND;
+  removal.sa_flags = static_cast<int>(SA_RESETHAND);
   for (const int signal : kEndings) {
     struct sigaction before {};
     if (sigaction(signal, nullptr, &before) == 0 && before.sa_handler == SIG_DFL) sigaction(signal, &removal, nullptr);

@@ -47,7 +47,8 @@ struct Contact {
 /// Answer to "how far may the step go?".
 struct EarliestContact {
   /// The motion is free on [0, toi_lower): proven. 1 and no contact if the whole step is free; 0 only if a pair touches
-  /// at t=0, or (toi_upper > 0) sooner than at any positive double.
+  /// at t=0, or (toi_upper > 0) sooner than at any positive double. A time, not a position: start + toi_lower
+  /// (end - start), rounded to doubles, may touch again. Detector::truncate gives positions to go to.
   double toi_lower = 1;
   /// A certified contact happens at or before this time; 1 if none is certified.
   double toi_upper = 1;
@@ -73,6 +74,25 @@ struct SafeStep {
   double upper = 1;
   /// The pair that ends the step at `lower`; none if the whole step may go.
   std::optional<LimitingPair> pair;
+};
+
+/// Answer to "how far may each vertex go?".
+struct VertexSteps {
+  /// Until here all vertices may go together, at one time of the step: what keep_distance says.
+  double together = 1;
+  /// Of each vertex, in [together, 1]. From where all are at `together`, every vertex may go, at a pace of its own, to
+  /// its time or any before it, whatever the others do: no pair comes into contact. Proven, with room for positions
+  /// that are rounded to doubles. 1 for vertices that take no part in contacts.
+  std::vector<double> until;
+};
+
+/// Where a step may end.
+struct TruncatedStep {
+  /// One a vertex: where to go. The straight way there from the start of the step, to these very doubles, is free.
+  std::vector<Point> positions;
+  /// False: not even that is proven, because something touches (within the minimum separation) at the start, where
+  /// `positions` then are.
+  bool is_free = true;
 };
 
 }  // namespace tamis

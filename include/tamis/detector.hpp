@@ -8,6 +8,7 @@
 #include "tamis/mesh.hpp"
 #include "tamis/near.hpp"
 #include "tamis/options.hpp"
+#include "tamis/path.hpp"
 #include "tamis/statistics.hpp"
 #include "tamis/step.hpp"
 
@@ -35,11 +36,20 @@ class Detector {
   const std::vector<Contact>& contacts(const Step& step, std::optional<double> min_separation = {});
   /// The same contacts in the caller's own vector, not copied: its memory and the detector's change places.
   void contacts(const Step& step, std::vector<Contact>& result, std::optional<double> min_separation = {});
-  /// The first contact: how far the step may go. Its bracket may differ from that of contacts() in the last digits:
-  /// both are proven.
+  /// The first contact: how far the step may go; `truncate` says to which positions. Its bracket may differ from that
+  /// of contacts() in the last digits: both are proven.
   EarliestContact earliest(const Step& step, std::optional<double> min_separation = {});
   /// Is the whole step free of contacts?
   bool is_free(const Step& step, std::optional<double> min_separation = {});
+  /// The same three questions of curves, with the path's own certificates (tamis/path.hpp): pieces of the path are
+  /// asked with straight chords, pairs that these leave are decided on their curves until they are proven free or their
+  /// bracket is no wider than `tolerance`, a fraction of the step in (0, 1]. Times are the path's. Same for all
+  /// methods; the guarantee does not matter. All of a piece's pairs that come nearer than their strays are held at a
+  /// time. Throw InvalidPath where the path does not fit the mesh or breaks its promises, InvalidOptions.
+  const std::vector<Contact>& contacts(const Path& path, std::optional<double> min_separation = {},
+                                       double tolerance = 1e-9);
+  EarliestContact earliest(const Path& path, std::optional<double> min_separation = {}, double tolerance = 1e-9);
+  bool is_free(const Path& path, std::optional<double> min_separation = {}, double tolerance = 1e-9);
   /// How far may the step go so that the distance of every pair, as far as it exceeds the minimum separation and both
   /// radii, stays at least `fraction` of what it is at t=0? The step length for the line search of a barrier method. 0:
   /// only contacts count, and `lower` is earliest()'s toi_lower. Same for all methods; the guarantee matters for 0
@@ -60,6 +70,16 @@ class Detector {
   const std::vector<Intersection>& intersections(const Positions& positions);
   /// Is there any? Ends at the first.
   bool has_intersection(const Positions& positions);
+
+  /// A step for each vertex, so that one near pair does not stop all: all go together as far as keep_distance(step,
+  /// fraction) lets them, from there each on its own side of planes between the features that it could reach. Beyond
+  /// `together` no vertex goes farther than half the mean edge, so as to bound the number of such pairs. Throws
+  /// InvalidOptions unless 0 < fraction < 1.
+  VertexSteps vertex_steps(const Step& step, double fraction = 0.1, std::optional<double> min_separation = {});
+  /// The positions to go to, as doubles, by vertex_steps: each vertex on its own line towards its end, none less far
+  /// than `together`, but where the straight way to the rounded positions could not be proven free. Throws
+  /// InvalidOptions unless 0 < fraction < 1.
+  TruncatedStep truncate(const Step& step, double fraction = 0.1, std::optional<double> min_separation = {});
 
   const Mesh& mesh() const;
   const Options& options() const;

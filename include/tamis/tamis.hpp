@@ -10,5 +10,6 @@
 #include "tamis/path.hpp"
 #include "tamis/reduced_model.hpp"
 #include "tamis/rigid_path.hpp"
+#include "tamis/spline_path.hpp"
 #include "tamis/statistics.hpp"
 #include "tamis/step.hpp"

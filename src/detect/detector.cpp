@@ -7,13 +7,16 @@
 #include <chrono>
 
 #include "detect/contact_order.hpp"
+#include "detect/truncation.hpp"
 #include "detect/validate.hpp"
+#include "detect/vertex_steps.hpp"
 #include "engines/brute/step_length.hpp"
 #include "engines/engine.hpp"
 #include "engines/pair_rules.hpp"
 #include "engines/rest_engine.hpp"
 #include "engines/tamis/intersection_search.hpp"
 #include "engines/tamis/step_length.hpp"
+#include "paths/path_search.hpp"
 #include "solve/kept_distance.hpp"
 #include "solve/start_distance.hpp"
 #include "tamis/error.hpp"
@@ -48,6 +51,10 @@ int most_threads() {
   return static_cast<int>(tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
 }
 
+double seconds_since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
 }  // namespace
 
 struct Detector::State {
@@ -69,6 +76,16 @@ struct Detector::State {
       found.begin(step, separations, question);
       engine->find(found, statistics);
       if (question == Question::all_contacts) sorter.sort(found.contacts(), mesh.vertex_count());
+    });
+  }
+
+  /// The contacts are in `found`.
+  void ask(const Path& path, const Separations& separations, double tolerance, Question question) {
+    validate_tolerance(tolerance);
+    measure([&] {
+      if (!path_search) path_search = std::make_unique<PathSearch>(mesh, options, *engine);
+      path_search->find({path, separations, tolerance}, question, found.contacts(), statistics);
+      sorter.sort(found.contacts(), mesh.vertex_count());
     });
   }
 
@@ -106,6 +123,16 @@ struct Detector::State {
     return *rest_engine->at_rest();
   }
 
+  VertexSteps vertex_steps(const Step& step, const Separations& separations, double fraction) {
+    const auto start = std::chrono::steady_clock::now();
+    VertexSteps steps{keep_distance(step, separations, fraction).lower, {}};
+    measure([&] {
+      steps.until = tamis::vertex_steps(mesh, *engine, found, {step, separations, steps.together}, statistics);
+    });
+    statistics.seconds.total = seconds_since(start);
+    return steps;
+  }
+
   /// Runs `work` in the arena, with fresh statistics.
   template <class Work>
   void measure(const Work& work) {
@@ -118,10 +145,11 @@ struct Detector::State {
     });
     statistics.memory_bytes = engine->memory_bytes() + sorter.memory_bytes() + found.memory_bytes() +
                               (step_length ? step_length->memory_bytes() : 0) +
+                              (path_search ? path_search->memory_bytes() : 0) +
                               (rest_engine ? rest_engine->memory_bytes() : 0) + near.capacity() * sizeof(NearPair) +
                               (intersection_search ? intersection_search->memory_bytes() : 0) +
                               intersections.capacity() * sizeof(Intersection);
-    statistics.seconds.total = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    statistics.seconds.total = seconds_since(start);
   }
 
   template <class F>
@@ -137,8 +165,9 @@ struct Detector::State {
   std::vector<double> radii;  ///< of the vertices; empty: all zero
   tbb::task_arena arena;
   std::unique_ptr<Engine> engine;
-  std::unique_ptr<StepLengthSearch> step_length;  ///< made by the first question that needs it
-  std::unique_ptr<Engine> rest_engine;            ///< the same, where `engine` does not answer at rest
+  std::unique_ptr<StepLengthSearch> step_length;  ///< made by the first question that needs it, as what follows
+  std::unique_ptr<Engine> rest_engine;            ///< where `engine` does not answer at rest
+  std::unique_ptr<PathSearch> path_search;
   FoundContacts found{options};
   std::vector<NearPair> near;
   std::unique_ptr<IntersectionSearch> intersection_search;  ///< likewise
@@ -199,6 +228,48 @@ const std::vector<Intersection>& Detector::intersections(const Positions& positi
 bool Detector::has_intersection(const Positions& positions) {
   state_->find_intersections(positions, Intersections::any);
   return !state_->intersections.empty();
+}
+
+const std::vector<Contact>& Detector::contacts(const Path& path, std::optional<double> min_separation,
+                                               double tolerance) {
+  state_->ask(path, state_->separations(min_separation), tolerance, Question::all_contacts);
+  return state_->found.contacts();
+}
+
+EarliestContact Detector::earliest(const Path& path, std::optional<double> min_separation, double tolerance) {
+  state_->ask(path, state_->separations(min_separation), tolerance, Question::earliest);
+  return first_of(state_->found.contacts());
+}
+
+bool Detector::is_free(const Path& path, std::optional<double> min_separation, double tolerance) {
+  state_->ask(path, state_->separations(min_separation), tolerance, Question::is_free);
+  return state_->found.contacts().empty();
+}
+
+namespace {
+
+void validate_kept(double fraction) {
+  if (!(fraction > 0 && fraction < 1))
+    throw InvalidOptions("the fraction of the distance to keep is " + std::to_string(fraction) +
+                         ": give a number > 0 and < 1");
+}
+
+}  // namespace
+
+VertexSteps Detector::vertex_steps(const Step& step, double fraction, std::optional<double> min_separation) {
+  validate_kept(fraction);
+  return state_->vertex_steps(step, state_->separations(min_separation), fraction);
+}
+
+TruncatedStep Detector::truncate(const Step& step, double fraction, std::optional<double> min_separation) {
+  validate_kept(fraction);
+  const auto start = std::chrono::steady_clock::now();
+  Truncation truncation(step, vertex_steps(step, fraction, min_separation));
+  do {
+    truncation.pull_back(contacts(truncation.way(), min_separation));
+  } while (truncation.goes_on());
+  state_->statistics.seconds.total = seconds_since(start);
+  return truncation.take();
 }
 
 const Mesh& Detector::mesh() const { return state_->mesh; }

@@ -111,4 +111,9 @@ void validate(const Step& step, const Mesh& mesh) {
   validate(step.end, mesh, "the end of the step");
 }
 
+void validate_tolerance(double tolerance) {
+  check(tolerance > 0 && tolerance <= 1,
+        "the tolerance of brackets is " + std::to_string(tolerance) + ": give a fraction of the step, > 0 and <= 1");
+}
+
 }  // namespace tamis

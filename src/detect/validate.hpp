@@ -20,4 +20,7 @@ void validate(const Positions& positions, const Mesh& mesh, const std::string& w
 /// `what`: as in "the minimum separation". Throws InvalidOptions unless finite and >= 0.
 void validate_distance(double distance, const std::string& what);
 
+/// Throws InvalidOptions unless in (0, 1].
+void validate_tolerance(double tolerance);
+
 }  // namespace tamis

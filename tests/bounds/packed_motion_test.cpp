@@ -23,7 +23,7 @@ TEST(PackedMotion, CoordinatesStayWithinTheFrame) {
         for (int i = 0; i < 6; ++i) EXPECT_LE(std::fabs(vertex.at[i]), 1) << size << ", coordinate " << i;
     if (size <= 1e-300) continue;
     EXPECT_NEAR(static_cast<double>(motion.box_vertices[1].at[0]), size * motion.frame.scale, 1e-6) << size;
-    EXPECT_EQ(static_cast<double>(motion.drifts[0].at[0]), -(size * motion.frame.scale) * 2) << size;
+    EXPECT_FLOAT_EQ(motion.drifts[0].at[0], static_cast<float>(-(size * motion.frame.scale) * 2)) << size;
     EXPECT_EQ(motion.drifts[0].at[3], 0) << size;
   }
 }

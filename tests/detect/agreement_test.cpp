@@ -46,7 +46,7 @@ TEST_P(Agreement, MethodsFindTheSameSet) {
     const Scene scene = GetParam().make(60 + 40 * static_cast<Index>(seed), 100 + seed);
     const auto brute = find_contacts(scene, method(Method::brute));
     for (const std::string_view name : method_choices()) {
-      Options options;
+      Options options = method(Method::brute);
       choose_method(options, name);
       const auto found = find_contacts(scene, options);
       const std::string where = std::string(name) + " on " + label(scene, seed);

@@ -45,6 +45,7 @@ PairFilter some_pairs(const Scene& scene, std::uint64_t count) {
 oracle::Motion motion_of(const Scene& scene, const std::array<Index, 4>& vertices) {
   oracle::Motion motion;
   for (std::size_t i = 0; i < 4; ++i) {
+    if (vertices[i] < 0) continue;  // a kind of fewer corners
     motion.start[i] = scene.start[static_cast<std::size_t>(vertices[i])];
     motion.end[i] = scene.end[static_cast<std::size_t>(vertices[i])];
   }
@@ -77,6 +78,25 @@ void add_if_touching(const Scene& scene, PairKind kind, const std::array<Index, 
   if (oracle::touches(kind, motion_of(scene, vertices))) contacts.insert({kind, vertices});
 }
 
+/// Loose points against loose edges and against each other: the pairs of closed features that are among no others.
+void add_loose_contacts(const Scene& scene, const std::set<Edge>& edges, PairSet& contacts) {
+  std::set<Index> loose = points_of(scene);
+  for (const Edge& e : edges) loose.erase(e[0]), loose.erase(e[1]);
+  for (const Face& f : scene.faces)
+    for (const Index v : f) loose.erase(v);
+  std::set<Edge> loose_edges = edges;
+  for (const Face& f : scene.faces)
+    for (std::size_t k = 0; k < 3; ++k)
+      loose_edges.erase({std::min(f[k], f[(k + 1) % 3]), std::max(f[k], f[(k + 1) % 3])});
+  const auto add = [&](PairKind kind, const std::array<Index, 4>& vertices) {
+    if (oracle::touches(kind, motion_of(scene, vertices))) contacts.insert({kind, vertices});
+  };
+  for (auto p = loose.begin(); p != loose.end(); ++p) {
+    for (const Edge& e : loose_edges) add(PairKind::vertex_edge, {*p, e[0], e[1], -1});
+    for (auto q = std::next(p); q != loose.end(); ++q) add(PairKind::vertex_vertex, {*p, *q, -1, -1});
+  }
+}
+
 }  // namespace
 
 PairSet oracle_contacts(const Scene& scene) {
@@ -87,6 +107,7 @@ PairSet oracle_contacts(const Scene& scene) {
   for (auto a = edges.begin(); a != edges.end(); ++a)
     for (auto b = std::next(a); b != edges.end(); ++b)
       add_if_touching(scene, PairKind::edge_edge, {(*a)[0], (*a)[1], (*b)[0], (*b)[1]}, contacts);
+  add_loose_contacts(scene, edges, contacts);
   return contacts;
 }
 

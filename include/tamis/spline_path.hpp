@@ -1,0 +1,59 @@
+// Ready-made paths of vertices that move on polynomials: Bezier curves, and frames joined by Catmull-Rom splines.
+#pragma once
+#include <vector>
+
+#include "tamis/path.hpp"
+
+namespace tamis {
+
+struct SplineWeights;
+
+/// What both have in common: x(t) is a sum of given points, with weights that depend on the time alone.
+class SplinePath : public Path {
+ public:
+  Index vertex_count() const override;
+  void points_at(double time, std::span<const Index> vertices, std::span<Point> points,
+                 std::span<double> errors) const override;
+  void fine_points_at(double time, std::span<const Index> vertices, std::span<FinePoint> points) const override;
+
+ protected:
+  /// frames[i][v]. Throws InvalidPath: fewer than `least` frames, of different sizes, numbers that are not finite.
+  SplinePath(std::vector<std::vector<Point>> frames, std::size_t least);
+
+  const std::vector<std::vector<Point>>& frames() const { return frames_; }
+
+ private:
+  virtual SplineWeights weights_at(double time) const = 0;
+
+  std::vector<std::vector<Point>> frames_;
+};
+
+/// Each vertex on a Bezier curve: every polynomial motion can be written so.
+class BezierPath final : public SplinePath {
+ public:
+  /// `control_points[i][v]`: the i-th control point of vertex v; one more than the degree, at least 1. Throws
+  /// InvalidPath.
+  explicit BezierPath(std::vector<std::vector<Point>> control_points);
+  void strays(double from, double to, std::span<const Index> vertices, std::span<double> strays) const override;
+
+ private:
+  SplineWeights weights_at(double time) const override;
+
+  std::vector<double> acceleration_;  ///< a bound of |x''|, of each vertex
+};
+
+/// Through a sequence of frames at equal distances of time, smoothly: a cubic between any two, with the slope
+/// (next - previous) / 2 at each frame; at the first and the last one that of the chord (Catmull, Rom 1974).
+class CatmullRomPath final : public SplinePath {
+ public:
+  /// `frames[i][v]`: where vertex v is at t = i / (frames - 1); at least 2. Throws InvalidPath.
+  explicit CatmullRomPath(std::vector<std::vector<Point>> frames);
+  void strays(double from, double to, std::span<const Index> vertices, std::span<double> strays) const override;
+
+ private:
+  SplineWeights weights_at(double time) const override;
+
+  std::vector<std::vector<double>> acceleration_;  ///< a bound of |x''| between two frames, of each vertex
+};
+
+}  // namespace tamis

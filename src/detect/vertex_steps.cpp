@@ -1,0 +1,160 @@
+#include "detect/vertex_steps.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "motion/pair_kinds.hpp"
+#include "numerics/interval.hpp"
+#include "numerics/vec.hpp"
+#include "solve/closest.hpp"
+#include "topology/mean_edge.hpp"
+
+namespace tamis {
+namespace {
+
+using Vec = Vec3<double>;
+using IntervalVec = Vec3<Interval>;
+
+/// Beyond the place up to which all go together no vertex goes farther than this many mean edges: pairs within reach of
+/// each other would be too many.
+constexpr double kFarthestInEdges = 0.5;
+/// Room on either side of a plane for whoever rounds positions to doubles: of the largest coordinate.
+constexpr double kRounding = 0x1p-50;
+
+Vec vec(const double* p) { return {p[0], p[1], p[2]}; }
+IntervalVec enclosed(const double* p) { return {Interval(p[0]), Interval(p[1]), Interval(p[2])}; }
+double largest(const double* p) { return std::max({std::fabs(p[0]), std::fabs(p[1]), std::fabs(p[2])}); }
+
+double length_above(const IntervalVec& v) { return rounding::above(rounding::above(std::sqrt(dot(v, v).upper))); }
+
+class PlanarTruncation {
+ public:
+  PlanarTruncation(const Mesh& mesh, const TogetherUntil& together)
+      : mesh_(mesh), step_(together.step), separations_(together.separations), time_(together.time) {
+    const auto count = static_cast<std::size_t>(mesh.vertex_count());
+    until_.assign(count, 1);
+    positions_.assign(count, {0, 0, 0});
+    radii_.assign(count, 0);
+    const double farthest = kFarthestInEdges * mean_edge(mesh, step_.start);
+    for (const Index v : mesh.points()) begin(v, farthest);
+  }
+
+  /// A step without motion: which pairs are within reach?
+  Step standing() const { return {positions_, positions_}; }
+  Separations reach() const { return {separations_.fixed, radii_}; }
+
+  /// Keeps the features of a pair on either side of a plane.
+  void keep_apart(PairKind kind, const PairVertices& v) {
+    const Plane plane = plane_between(kind, v);
+    const std::size_t second = second_feature(kind), count = vertex_count(kind);
+    std::array<double, 4> until{};
+    bool is_proven = true;
+    for (std::size_t i = 0; i < count; ++i) {
+      until[i] = i < second ? stays_below(v[i], plane.normal, plane.first_level)
+                            : stays_below(v[i], -plane.normal, -plane.second_level);
+      is_proven &= until[i] >= time_;
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+      double& own = until_[static_cast<std::size_t>(v[i])];
+      own = std::min(own, is_proven ? until[i] : time_);
+    }
+  }
+
+  std::vector<double> take() { return std::move(until_); }
+
+ private:
+  /// The first feature below one level along the normal, the second above the other.
+  struct Plane {
+    Vec normal;
+    double first_level, second_level;
+  };
+
+  Vec displacement(Index v) const { return vec(step_.end[v]) - vec(step_.start[v]); }
+
+  void begin(Index index, double farthest) {
+    const auto v = static_cast<std::size_t>(index);
+    const IntervalVec way = enclosed(step_.end[index]) - enclosed(step_.start[index]);
+    const double length = length_above(way);
+    if (length * (1 - time_) > farthest) until_[v] = std::min(1.0, time_ + farthest / length);
+    for (std::size_t k = 0; k < 3; ++k)
+      positions_[v][k] = (1 - time_) * step_.start[index][k] + time_ * step_.end[index][k];
+    // What is rounded here: four operations an axis, of numbers no larger than the coordinates.
+    const double rounded = 0x1p-49 * std::max(largest(step_.start[index]), largest(step_.end[index]));
+    const double room = ((until_[v] - time_) * length + rounded) * (1 + 0x1p-40) + 0x1p-1000;
+    radii_[v] = separations_.radii.empty() ? room : (room + separations_.radii[v]) * (1 + 0x1p-50);
+  }
+
+  /// Across the gap of the closest points; where in it, by the speeds at which the two features come nearer. Rounded:
+  /// proven by stays_below.
+  Plane plane_between(PairKind kind, const PairVertices& v) const {
+    constexpr double kLeastPart = 0.125;
+    const auto at = [&](int i) {
+      return vec(positions_[static_cast<std::size_t>(v[static_cast<std::size_t>(i)])].data());
+    };
+    const auto difference = [&](VertexDifference d) { return at(d.to) - at(d.from); };
+    const SpanningVectors vectors = spanning_vectors(kind);
+    const Vec gap = closest_points(kind, difference(vectors.e), difference(vectors.f), difference(vectors.d)).gap;
+    // Of vertex-face, vertex-edge and vertex-vertex the gap leads to the vertex, which is the first feature.
+    const Vec towards = kind == PairKind::edge_edge ? gap : -gap;
+    const double length = std::sqrt(dot(towards, towards));
+    if (!(length > 0)) return {{0, 0, 0}, 0, 0};
+    const Vec n = (1 / length) * towards;
+    double below = -HUGE_VAL, above = HUGE_VAL, first_speed = 0, second_speed = 0;
+    for (std::size_t i = 0; i < vertex_count(kind); ++i) {
+      const double place = dot(n, at(static_cast<int>(i))), speed = dot(n, displacement(v[i]));
+      if (i < second_feature(kind)) {
+        below = std::max(below, place);
+        first_speed = std::max(first_speed, speed);
+      } else {
+        above = std::min(above, place);
+        second_speed = std::max(second_speed, -speed);
+      }
+    }
+    const double separation = separations_.between(kind, v) * (1 + 0x1p-40);
+    const double room = above - below - separation, speeds = first_speed + second_speed;
+    const double part = speeds > 0 ? std::clamp(first_speed / speeds, kLeastPart, 1 - kLeastPart) : 0.5;
+    const double level = below + part * room;
+    return {n, level, level + separation};
+  }
+
+  /// The last time, at most the vertex' own, until which it is proven to stay below the level along n, with room for
+  /// rounding; below time_ if it is not even there then.
+  double stays_below(Index index, const Vec& n, double level) const {
+    const IntervalVec normal{Interval(n.x), Interval(n.y), Interval(n.z)};
+    const double size = std::max(largest(step_.start[index]), largest(step_.end[index]));
+    // Levels of a pair lie its separation apart along n, whose length is 1 within 2^-50.
+    const Interval margin(kRounding * size + 0x1p-48 * std::fabs(level) + 0x1p-1000);
+    const Interval start = dot(normal, enclosed(step_.start[index]));
+    const Interval speed = dot(normal, enclosed(step_.end[index]) - enclosed(step_.start[index]));
+    const Interval limit = Interval(level) - margin;
+    const auto is_below_at = [&](double t) { return start + Interval(t) * speed < limit; };
+    if (!is_below_at(time_)) return -1;
+    const double own = until_[static_cast<std::size_t>(index)];
+    if (is_below_at(own)) return own;
+    const double until = std::min(((limit - start) / speed).lower, own);
+    return until > time_ && is_below_at(until) ? until : time_;
+  }
+
+  const Mesh& mesh_;
+  const Step& step_;
+  const Separations& separations_;
+  const double time_;
+  std::vector<double> until_;     ///< of each vertex
+  std::vector<Point> positions_;  ///< at time_, rounded
+  std::vector<double> radii_;     ///< how far it goes from there, and the caller's own
+};
+
+}  // namespace
+
+std::vector<double> vertex_steps(const Mesh& mesh, Engine& engine, FoundContacts& found, const TogetherUntil& together,
+                                 Statistics& statistics) {
+  if (together.time >= 1) return std::vector<double>(static_cast<std::size_t>(mesh.vertex_count()), 1);
+  PlanarTruncation steps(mesh, together);
+  found.begin(steps.standing(), steps.reach(), Question::all_contacts);
+  engine.find(found, statistics);
+  for (const Contact& c : found.contacts()) steps.keep_apart(c.kind, c.vertices);
+  found.contacts().clear();
+  return steps.take();
+}
+
+}  // namespace tamis

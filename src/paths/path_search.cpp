@@ -1,0 +1,172 @@
+#include "paths/path_search.hpp"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <set>
+#include <string>
+#include <tuple>
+
+#include "engines/cancellation.hpp"
+#include "paths/decide_path.hpp"
+#include "tamis/error.hpp"
+#include "topology/mean_edge.hpp"
+
+namespace tamis {
+namespace {
+
+/// A piece is as long as lets vertices stray by this part of the mean edge: longer ones leave more pairs to be decided
+/// one by one, shorter ones ask the whole mesh more often.
+constexpr double kStrayInEdges = 0.2;
+constexpr double kShortestPiece = 0x1p-20;
+/// At no simple fraction of the step: contacts happen at those.
+constexpr double kShorter = 0.48713;
+
+using PairKey = std::tuple<PairKind, PairVertices>;
+
+}  // namespace
+
+PathSearch::Frame PathSearch::frame_at(const Path& path, double time) const {
+  Frame frame{time, std::vector<Point>(all_.size()), std::vector<double>(all_.size())};
+  path.points_at(time, all_, frame.points, frame.errors);
+  for (const Index v : mesh_.points())
+    check_point(v, time, frame.points[static_cast<std::size_t>(v)], frame.errors[static_cast<std::size_t>(v)]);
+  return frame;
+}
+
+double PathSearch::piece_length(const Path& path, const Frame& start) {
+  const double allowed = kStrayInEdges * mean_edge(mesh_, start.points);
+  double length = 1 - start.time;
+  for (; length > kShortestPiece; length *= kShorter) {
+    path.strays(start.time, start.time + length, all_, strays_);
+    double largest = 0;
+    for (const Index v : mesh_.points()) {
+      const double stray = strays_[static_cast<std::size_t>(v)];
+      check_stray(v, start.time, start.time + length, stray);
+      largest = std::max(largest, stray);
+    }
+    if (largest <= allowed || !(allowed > 0)) break;
+  }
+  return length;
+}
+
+void PathSearch::set_radii(const Separations& separations, const Frame& from, const Frame& to) {
+  constexpr double kThreeAxes = 1.7320508075688774 * (1 + 0x1p-40);
+  radii_.assign(all_.size(), 0);
+  for (const Index index : mesh_.points()) {
+    const auto v = static_cast<std::size_t>(index);
+    const double error = kThreeAxes * std::max(from.errors[v], to.errors[v]);
+    radii_[v] = (strays_[v] + error) * (1 + 0x1p-50) + 0x1p-1000;
+    if (!separations.radii.empty()) radii_[v] = (radii_[v] + separations.radii[v]) * (1 + 0x1p-50);
+    if (!std::isfinite(radii_[v]))
+      throw InvalidPath("vertex " + std::to_string(index) + " of the path strays without bound after t = " +
+                        std::to_string(from.time) + ": give a finite bound for short pieces");
+  }
+}
+
+void PathSearch::check_chords(const Path& path, const Frame& from, const Frame& to) const {
+  const Frame middle = frame_at(path, 0.5 * from.time + 0.5 * to.time);
+  for (const Index index : mesh_.points()) {
+    const auto v = static_cast<std::size_t>(index);
+    double square = 0, size = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double off = middle.points[v][k] - (0.5 * from.points[v][k] + 0.5 * to.points[v][k]);
+      square += off * off;
+      size = std::max(size, std::fabs(middle.points[v][k]));
+    }
+    const double errors = 2 * (middle.errors[v] + from.errors[v] + to.errors[v]) + 0x1p-48 * size;
+    if (std::sqrt(square) <= strays_[v] + errors) continue;
+    throw InvalidPath("vertex " + std::to_string(index) + " of the path is " + std::to_string(std::sqrt(square)) +
+                      " from its chord at t = " + std::to_string(middle.time) + ", beyond its bound " +
+                      std::to_string(strays_[v]) + ": give a bound that holds");
+  }
+}
+
+void PathSearch::find(const MeshOnPath& asked, Question question, std::vector<Contact>& contacts,
+                      Statistics& statistics) {
+  const Path& path = asked.path;
+  if (path.vertex_count() != mesh_.vertex_count())
+    throw InvalidPath("the path has " + std::to_string(path.vertex_count()) + " vertices, the mesh " +
+                      std::to_string(mesh_.vertex_count()) + ": give a path of this mesh");
+  all_.resize(static_cast<std::size_t>(mesh_.vertex_count()));
+  std::iota(all_.begin(), all_.end(), 0);
+  strays_.resize(all_.size());
+  contacts.clear();
+  std::set<PairKey> known;
+  for (Frame from = frame_at(path, 0); from.time < 1;) {
+    const double length = piece_length(path, from);
+    Frame to = frame_at(path, length < 1 - from.time ? from.time + length : 1);
+    path.strays(from.time, to.time, all_, strays_);
+    for (const Index v : mesh_.points()) check_stray(v, from.time, to.time, strays_[static_cast<std::size_t>(v)]);
+#ifndef NDEBUG
+    check_chords(path, from, to);
+#endif
+    set_radii(asked.separations, from, to);
+    found_.begin({from.points, to.points}, {asked.separations.fixed, radii_}, Question::all_contacts);
+    engine_.find(found_, statistics);
+    const auto is_known = [&](const Contact& c) { return known.contains({c.kind, c.vertices}); };
+    std::erase_if(found_.contacts(), is_known);
+    const MeshOnPath piece{path, asked.separations, asked.tolerance, {from.time, to.time}};
+    const std::size_t before = contacts.size();
+    decide_all(piece, question, contacts, statistics);
+    if (contacts.size() > before && question != Question::all_contacts) break;
+    for (std::size_t i = before; i < contacts.size(); ++i) known.insert({contacts[i].kind, contacts[i].vertices});
+    from = std::move(to);
+  }
+}
+
+/// What the linear question has left, in the order in which the chords come near: so that a first contact ends it.
+void PathSearch::decide_all(const MeshOnPath& piece, Question question, std::vector<Contact>& contacts,
+                            Statistics& statistics) {
+  constexpr std::size_t kBatch = 256;
+  std::vector<Contact>& pairs = found_.contacts();
+  std::sort(pairs.begin(), pairs.end(), [](const Contact& a, const Contact& b) {
+    return a.toi_lower != b.toi_lower ? a.toi_lower < b.toi_lower : comes_before(a, b);
+  });
+  const double start = piece.time.t_in, length = piece.time.t_out - piece.time.t_in;
+  double latest = piece.time.t_out;
+  std::vector<PairResult> results(kBatch);
+  for (std::size_t first = 0; first < pairs.size(); first += kBatch) {
+    stop_if_cancelled(options_);
+    if (question == Question::is_free && !contacts.empty()) return;
+    if (question == Question::earliest && start + pairs[first].toi_lower * length * (1 - 0x1p-40) > latest) return;
+    const std::size_t count = std::min(kBatch, pairs.size() - first);
+    tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) {
+      const Contact& pair = pairs[first + i];
+      const double separation = piece.separations.between(pair.kind, pair.vertices);
+      const PathQuestion question_of_pair{piece.path, pair.kind, pair.vertices, {separation, piece.tolerance}};
+      results[i] = result_on_path(question_of_pair, decide_on_path(question_of_pair, piece.time));
+    });
+    for (std::size_t i = 0; i < count; ++i) {
+      const PairResult& r = results[i];
+      statistics.decided_by.scalar += !r.touches || r.certainty == Certainty::certified;
+      statistics.decided_by.unresolved += r.touches && r.certainty == Certainty::unresolved;
+      if (!r.touches) continue;
+      contacts.push_back({pairs[first + i].kind, r.certainty, pairs[first + i].vertices, r.toi_lower, r.toi_upper, r.u,
+                          r.v, r.normal});
+      latest = std::min(latest, r.toi_upper);
+    }
+  }
+}
+
+std::uint64_t PathSearch::memory_bytes() const {
+  return found_.memory_bytes() + all_.capacity() * sizeof(Index) +
+         (strays_.capacity() + radii_.capacity()) * sizeof(double);
+}
+
+EarliestContact first_of(const std::vector<Contact>& contacts) {
+  EarliestContact first;
+  for (const Contact& c : contacts) {
+    if (c.certainty == Certainty::certified) first.toi_upper = std::min(first.toi_upper, c.toi_upper);
+    const bool is_earlier = !first.contact || c.toi_lower < first.toi_lower ||
+                            (c.toi_lower == first.toi_lower && comes_before(c, *first.contact));
+    if (!is_earlier) continue;
+    first.toi_lower = c.toi_lower;
+    first.contact = c;
+  }
+  return first;
+}
+
+}  // namespace tamis

@@ -1,0 +1,58 @@
+// The questions of a whole mesh on a path: piece by piece along it, a linear question in which every vertex has its
+// stray as radius; each pair that this leaves is decided on its curves.
+#pragma once
+#include <vector>
+
+#include "engines/engine.hpp"
+#include "motion/time_clip.hpp"
+#include "tamis/path.hpp"
+
+namespace tamis {
+
+/// `time`: the part of the path that is looked at.
+struct MeshOnPath {
+  const Path& path;
+  const Separations& separations;
+  double tolerance;
+  TimeInterval<double> time{0, 1};
+};
+
+class PathSearch {
+ public:
+  /// Keeps references.
+  PathSearch(const Mesh& mesh, const Options& options, Engine& engine)
+      : mesh_(mesh), options_(options), engine_(engine), found_(options) {}
+
+  /// Writes every pair that touches, once, in no order; for `earliest` and `is_free` the search ends soon after the
+  /// first. Throws InvalidPath: a path of another number of vertices, or one that breaks its promises. REQUIRES: valid
+  /// separations and tolerance. Runs in the caller's oneTBB arena.
+  void find(const MeshOnPath& asked, Question question, std::vector<Contact>& contacts, Statistics& statistics);
+  std::uint64_t memory_bytes() const;
+
+ private:
+  struct Frame {
+    double time = 0;
+    std::vector<Point> points;
+    std::vector<double> errors;
+  };
+
+  Frame frame_at(const Path& path, double time) const;
+  double piece_length(const Path& path, const Frame& start);
+  /// As radii: the stray, the error of the positions, and the caller's own.
+  void set_radii(const Separations& separations, const Frame& from, const Frame& to);
+  /// Throws if a vertex in the middle of its piece is farther from the chord than it says.
+  void check_chords(const Path& path, const Frame& from, const Frame& to) const;
+  void decide_all(const MeshOnPath& piece, Question question, std::vector<Contact>& contacts, Statistics& statistics);
+
+  const Mesh& mesh_;
+  const Options& options_;
+  Engine& engine_;
+  FoundContacts found_;
+  std::vector<Index> all_;  ///< 0, 1, 2, ...
+  std::vector<double> strays_, radii_;
+};
+
+/// The contact that bounds the step first, and until when one is certain.
+EarliestContact first_of(const std::vector<Contact>& contacts);
+
+}  // namespace tamis

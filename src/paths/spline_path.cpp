@@ -1,0 +1,209 @@
+#include "tamis/spline_path.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "paths/fine_point.hpp"
+#include "tamis/error.hpp"
+
+namespace tamis {
+
+/// Of the frames first, first + 1, ...
+struct SplineWeights {
+  std::size_t first;
+  std::vector<FineInterval> values;
+};
+
+namespace {
+
+using Frames = std::vector<std::vector<Point>>;
+
+void check(bool ok, const std::string& message) {
+  if (!ok) throw InvalidPath(message);
+}
+
+FineInterval fine(double x) { return FineInterval(DoubleDouble(x)); }
+
+/// A bound of |sum of weights times points|.
+double length_above(std::initializer_list<std::pair<double, const Point*>> terms) {
+  Interval square(0);
+  for (std::size_t k = 0; k < 3; ++k) {
+    Interval sum(0);
+    for (const auto& [weight, point] : terms) sum = sum + Interval(weight) * Interval((*point)[k]);
+    square = square + sum * sum;
+  }
+  return rounding::above(rounding::above(std::sqrt(square.upper)));
+}
+
+/// acceleration (to - from)^2 / 8, rounded up.
+double stray_of(double acceleration, double from, double to) {
+  const Interval h = Interval(to) - Interval(from);
+  return (Interval(0.125) * h * h * Interval(acceleration)).upper;
+}
+
+}  // namespace
+
+SplinePath::SplinePath(std::vector<std::vector<Point>> frames, std::size_t least) : frames_(std::move(frames)) {
+  check(frames_.size() >= least,
+        "the path has " + std::to_string(frames_.size()) + " frames of points: give at least " + std::to_string(least));
+  for (std::size_t i = 0; i < frames_.size(); ++i) {
+    check(frames_[i].size() == frames_[0].size(), "frame " + std::to_string(i) + " of the path has " +
+                                                      std::to_string(frames_[i].size()) + " points, the first one " +
+                                                      std::to_string(frames_[0].size()) + ": give one a vertex");
+    for (std::size_t v = 0; v < frames_[i].size(); ++v)
+      for (const double x : frames_[i][v])
+        check(std::isfinite(x), "vertex " + std::to_string(v) + " in frame " + std::to_string(i) +
+                                    " of the path is not finite: give finite positions");
+  }
+}
+
+Index SplinePath::vertex_count() const { return static_cast<Index>(frames_[0].size()); }
+
+void SplinePath::points_at(double time, std::span<const Index> vertices, std::span<Point> points,
+                           std::span<double> errors) const {
+  const SplineWeights weights = weights_at(time);
+  std::vector<RoundedNumber> rounded;
+  double error = 0;
+  for (const FineInterval& w : weights.values) {
+    rounded.push_back(rounded_number(w));
+    error = std::max(error, rounded.back().error);
+  }
+  // Each product rounds once and each of as many sums once: (n + 1) u of the sum of absolute values; given 2 (n + 1) u,
+  // which covers this bound's own rounding.
+  const double each = static_cast<double>(rounded.size() + 1) * 0x1p-52;
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    const auto v = static_cast<std::size_t>(vertices[i]);
+    Point x{0, 0, 0};
+    double size = 0, weighted = 0;
+    for (std::size_t k = 0; k < rounded.size(); ++k) {
+      const Point& p = frames_[weights.first + k][v];
+      for (std::size_t axis = 0; axis < 3; ++axis) x[axis] += rounded[k].value * p[axis];
+      const double largest = std::max({std::fabs(p[0]), std::fabs(p[1]), std::fabs(p[2])});
+      size += largest;
+      weighted += std::fabs(rounded[k].value) * largest;
+    }
+    points[i] = x;
+    errors[i] = (each * weighted + error * size) * (1 + 0x1p-40) + 0x1p-1000;
+  }
+}
+
+void SplinePath::fine_points_at(double time, std::span<const Index> vertices, std::span<FinePoint> points) const {
+  const SplineWeights weights = weights_at(time);
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    const auto v = static_cast<std::size_t>(vertices[i]);
+    Vec3<FineInterval> x{fine(0), fine(0), fine(0)};
+    for (std::size_t k = 0; k < weights.values.size(); ++k) {
+      const Point& p = frames_[weights.first + k][v];
+      x = x + weights.values[k] * Vec3<FineInterval>{fine(p[0]), fine(p[1]), fine(p[2])};
+    }
+    points[i] = fine_point(x);
+  }
+}
+
+BezierPath::BezierPath(std::vector<std::vector<Point>> control_points) : SplinePath(std::move(control_points), 1) {
+  const Frames& p = frames();
+  const double degree = static_cast<double>(p.size() - 1);
+  for (std::size_t v = 0; v < p[0].size(); ++v) {
+    // x'' is the Bezier curve of n (n - 1) times the second differences of the control points.
+    double largest = 0;
+    for (std::size_t i = 0; i + 2 < p.size(); ++i)
+      largest = std::max(largest, length_above({{1, &p[i][v]}, {-2, &p[i + 1][v]}, {1, &p[i + 2][v]}}));
+    acceleration_.push_back((Interval(degree * (degree - 1)) * Interval(largest)).upper);
+  }
+}
+
+/// De Casteljau's weights: those of degree n from those of n - 1.
+SplineWeights BezierPath::weights_at(double time) const {
+  const FineInterval t = fine(time), s = fine(1) - t;
+  SplineWeights weights{0, {fine(1)}};
+  auto& w = weights.values;
+  while (w.size() < frames().size()) {
+    w.push_back(w.back() * t);
+    for (std::size_t i = w.size() - 2; i > 0; --i) w[i] = s * w[i] + t * w[i - 1];
+    w[0] = s * w[0];
+  }
+  return weights;
+}
+
+void BezierPath::strays(double from, double to, std::span<const Index> vertices, std::span<double> strays) const {
+  for (std::size_t i = 0; i < vertices.size(); ++i)
+    strays[i] = stray_of(acceleration_[static_cast<std::size_t>(vertices[i])], from, to);
+}
+
+CatmullRomPath::CatmullRomPath(std::vector<std::vector<Point>> all) : SplinePath(std::move(all), 2) {
+  const Frames& p = frames();
+  const std::size_t last = p.size() - 1;
+  const double pieces = static_cast<double>(last);
+  acceleration_.assign(last, std::vector<double>(p[0].size()));
+  for (std::size_t i = 0; i < last; ++i) {
+    // Between frames b and c, with the slopes m and n there: Bezier points b, b + m/3, c - n/3, c; x'' is between
+    // 6 (c - b) - 4 m - 2 n at b and -6 (c - b) + 2 m + 4 n at c, linear between.
+    const std::size_t a = i > 0 ? i - 1 : 0, d = std::min(i + 2, last);
+    const double m = i > 0 ? 0.5 : 1, n = i + 2 <= last ? 0.5 : 1;
+    for (std::size_t v = 0; v < p[0].size(); ++v) {
+      const Point *at_a = &p[a][v], *at_b = &p[i][v], *at_c = &p[i + 1][v], *at_d = &p[d][v];
+      const double start =
+          length_above({{6, at_c}, {-6, at_b}, {-4 * m, at_c}, {4 * m, at_a}, {-2 * n, at_d}, {2 * n, at_b}});
+      const double end =
+          length_above({{-6, at_c}, {6, at_b}, {2 * m, at_c}, {-2 * m, at_a}, {4 * n, at_d}, {-4 * n, at_b}});
+      acceleration_[i][v] = (Interval(std::max(start, end)) * Interval(pieces) * Interval(pieces)).upper;
+    }
+  }
+}
+
+namespace {
+
+/// The frame at or before time t, of `last` pieces, and exactly how far t lies beyond it.
+struct PieceTime {
+  std::size_t piece;
+  FineInterval beyond;
+};
+
+PieceTime piece_at(double time, std::size_t last) {
+  const DoubleDouble place = DoubleDouble::product_of(time, static_cast<double>(last));
+  double whole = std::floor(place.high);
+  if (whole == place.high && place.low < 0) whole -= 1;
+  whole = std::clamp(whole, 0.0, static_cast<double>(last - 1));
+  return {static_cast<std::size_t>(whole), FineInterval(place) - fine(whole)};
+}
+
+}  // namespace
+
+/// Hermite's weights, the slopes written as differences of frames.
+SplineWeights CatmullRomPath::weights_at(double time) const {
+  const std::size_t last = frames().size() - 1;
+  const auto [piece, u] = piece_at(time, last);
+  const FineInterval one = fine(1), s = one - u;
+  SplineWeights weights{piece > 0 ? piece - 1 : 0, {}};
+  weights.values.assign(std::min(piece + 2, last) - weights.first + 1, fine(0));
+  const auto add = [&](std::size_t frame, const FineInterval& w) {
+    FineInterval& sum = weights.values[frame - weights.first];
+    sum = sum + w;
+  };
+  const auto add_slope = [&](std::size_t frame, const FineInterval& w) {
+    const std::size_t before = frame > 0 ? frame - 1 : 0, after = std::min(frame + 1, last);
+    const FineInterval part = fine(1.0 / static_cast<double>(after - before)) * w;  // 1 or 1/2
+    add(after, part);
+    add(before, -part);
+  };
+  add(piece, (one + fine(2) * u) * s * s);
+  add(piece + 1, u * u * (fine(3) - fine(2) * u));
+  add_slope(piece, u * s * s);
+  add_slope(piece + 1, -(u * u * s));
+  return weights;
+}
+
+void CatmullRomPath::strays(double from, double to, std::span<const Index> vertices, std::span<double> strays) const {
+  // x' has no jumps, so the largest |x''| of all pieces touched bounds the stray.
+  const std::size_t last = frames().size() - 1, first_piece = piece_at(from, last).piece,
+                    last_piece = piece_at(to, last).piece;
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    double largest = 0;
+    for (std::size_t piece = first_piece; piece <= last_piece; ++piece)
+      largest = std::max(largest, acceleration_[piece][static_cast<std::size_t>(vertices[i])]);
+    strays[i] = stray_of(largest, from, to);
+  }
+}
+
+}  // namespace tamis

@@ -1,0 +1,23 @@
+// How long the edges of a mesh are: the length that searches measure motion by.
+#pragma once
+#include <cmath>
+
+#include "tamis/mesh.hpp"
+#include "tamis/step.hpp"
+
+namespace tamis {
+
+/// Of some thousand edges, in the mesh's order; 0 without edges.
+inline double mean_edge(const Mesh& mesh, const Positions& points) {
+  constexpr std::size_t kSample = 4096;
+  const auto edges = mesh.edges();
+  double sum = 0;
+  int count = 0;
+  for (std::size_t e = 0; e < edges.size(); e += 1 + edges.size() / kSample, ++count) {
+    const double *a = points[edges[e][0]], *b = points[edges[e][1]];
+    sum += std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+  }
+  return count > 0 ? sum / count : 0;
+}
+
+}  // namespace tamis

@@ -13,7 +13,8 @@ constexpr double kReach = 0.25;
 constexpr double kFollows = 0.25;
 /// Lists of which so much has to be looked at are of no use for a while.
 constexpr double kUseless = 0.5;
-constexpr int kPause = 4;
+constexpr int kPause = 16;
+constexpr int kWorthwhile = 3;
 
 void copy(const Positions& from, std::span<const Index> used, std::vector<Point>& to) {
   to.resize(static_cast<std::size_t>(from.count()));
@@ -83,8 +84,11 @@ void GapMemory::end(const Step& step, float t) {
   if (serves_ && covers(t)) {
     if (static_cast<double>(unproven) > kUseless * static_cast<double>(all)) return give_up();
     if (most_unproven_ == 0) most_unproven_ = std::max(2 * unproven, all / 8);
+    ++served_;
     if (unproven <= most_unproven_) return;
   }
+  // Making lists costs as much as a question: they must have saved some.
+  if (!where_.empty() && served_ < kWorthwhile) return give_up();
   remember(step, t);
 }
 
@@ -114,6 +118,7 @@ void GapMemory::remember(const Step& step, float t) {
   unit_ = trees_.motion().frame.scale;
   separation_ = trees_.motion().separations.fixed;
   most_unproven_ = 0;
+  served_ = 0;
   const TreeView points = trees_.points(), edges = trees_.edges(), faces = trees_.faces();
   reach_ = static_cast<float>(kReach * std::max(mean_extent(edges), mean_extent(faces)));
   scale_ = 1;

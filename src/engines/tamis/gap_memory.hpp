@@ -51,6 +51,7 @@ class GapMemory {
   bool serves_ = false, follows_ = false;
   std::atomic<std::size_t> unproven_ = 0;  ///< in this question
   std::size_t most_unproven_ = 0;          ///< before lists are worn; 0: not known yet
+  int served_ = 0;                         ///< questions that these lists have answered
   int pause_ = 0;                          ///< questions for which no lists are made, as they did not help
 };
 

@@ -13,9 +13,9 @@ namespace {
 constexpr std::array kRecipes{
     Recipe{"folded-cloth", "one sheet in many layers that press on each other", true, folded_cloth},
     Recipe{"colliding-bodies", "a heap of closed, bumpy spheres that run into each other", true, colliding_bodies},
-    Recipe{"twisted-rods", "four round rods twisted around each other by half a turn, pressed together", true,
+    Recipe{"twisted-rods", "four round rods twisted around each other by half a turn, pressed together", false,
            twisted_rods},
-    Recipe{"stacked-boxes", "boxes in brickwork that share planes, and rest, slide, lift off or press down", true,
+    Recipe{"stacked-boxes", "boxes in brickwork that share planes, and rest, slide, lift off or press down", false,
            stacked_boxes},
     Recipe{"soup", "separate triangles that move at random", true, soup},
     Recipe{"tangle", "random triangles over few vertices: non-manifold, and most pairs touch", false, tangle},

@@ -16,8 +16,9 @@ constexpr Index kMostCells = 16;
 constexpr double kUnit = 0x1p-10;
 constexpr double kPitch = 2.25;  // from box to box in a layer; a side is 2
 
-Point motion(Random& random) {
-  switch (random.below(4)) {
+/// Neighbours rest, slide, lift off and press down in turn.
+Point motion(Index box, Random& random) {
+  switch (box % 4) {
     case 0:
       return {0, 0, 0};
     case 1:
@@ -25,7 +26,7 @@ Point motion(Random& random) {
     case 2:
       return {0, 0, random.below(64) * kUnit};
     default:
-      return {0, 0, -random.below(64) * kUnit};
+      return {0, 0, -(1 + random.below(63)) * kUnit};
   }
 }
 
@@ -42,7 +43,7 @@ Scene stacked_boxes(Index triangles, std::uint64_t seed) {
     const Index layer = b / (side * side);
     const double aside = layer % 2 == 0 ? 0 : kPitch / 2;
     const Point centre{kPitch * (b % side) + aside, kPitch * (b / side % side) + aside, 2.0 * layer};
-    const Point flight = motion(random);
+    const Point flight = motion(b, random);
     add_shape(
         scene, box, b, [&](const Point& p) { return centre + p; }, [&](const Point& p) { return centre + flight + p; });
   }

@@ -62,13 +62,14 @@ void validate(const ReducedModel& model, const Mesh& mesh) {
 
 }  // namespace
 
-void validate(const Positions& positions, const Mesh& mesh, const std::string& what) {
-  if (positions.count() < 0) throw InvalidStep(what + " has more than 2^31 - 1 positions: give one row a vertex");
+void validate(const Positions& positions, const Mesh& mesh, const char* what) {
+  if (positions.count() < 0)
+    throw InvalidStep(std::string(what) + " has more than 2^31 - 1 positions: give one row a vertex");
   if (positions.count() != mesh.vertex_count())
-    throw InvalidStep(what + " has " + std::to_string(positions.count()) + " positions, the mesh " +
+    throw InvalidStep(std::string(what) + " has " + std::to_string(positions.count()) + " positions, the mesh " +
                       std::to_string(mesh.vertex_count()) + " vertices: give one row a vertex");
   if (mesh.vertex_count() > 0 && (!positions.data() || positions.stride() < 3))
-    throw InvalidStep(what +
+    throw InvalidStep(std::string(what) +
                       " is no n x 3 array of doubles, row by row: give three columns next to each other (of Eigen a "
                       "RowMajor matrix) and a stride of at least 3");
   for (Index v : mesh.points()) {
@@ -101,9 +102,9 @@ void validate(const Options& options, const Mesh& mesh) {
   validate(*options.paper.reduced_model, mesh);
 }
 
-void validate_distance(double distance, const std::string& what) {
+void validate_distance(double distance, const char* what) {
   check(std::isfinite(distance) && distance >= 0,
-        what + " is " + std::to_string(distance) + ": give a finite distance >= 0");
+        std::string(what) + " is " + std::to_string(distance) + ": give a finite distance >= 0");
 }
 
 void validate(const Step& step, const Mesh& mesh) {

@@ -15,10 +15,10 @@ void validate(const Options& options, const Mesh& mesh);
 /// Throws InvalidStep: positions that do not fit the mesh, or a used vertex that is not finite.
 void validate(const Step& step, const Mesh& mesh);
 /// The same of one pose. `what`: as in "the start of the step".
-void validate(const Positions& positions, const Mesh& mesh, const std::string& what);
+void validate(const Positions& positions, const Mesh& mesh, const char* what);
 
 /// `what`: as in "the minimum separation". Throws InvalidOptions unless finite and >= 0.
-void validate_distance(double distance, const std::string& what);
+void validate_distance(double distance, const char* what);
 
 /// Throws InvalidOptions unless in (0, 1].
 void validate_tolerance(double tolerance);

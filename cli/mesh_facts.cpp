@@ -4,7 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+
+#include "cli/components.hpp"
 
 namespace tamis::cli {
 namespace {
@@ -53,35 +54,6 @@ std::size_t count_duplicates(std::span<const Face> faces) {
   return static_cast<std::size_t>(sorted.end() - std::unique(sorted.begin(), sorted.end()));
 }
 
-/// Union-find over the vertices.
-class Components {
- public:
-  explicit Components(Index vertices) : parent_(static_cast<std::size_t>(vertices)) {
-    std::iota(parent_.begin(), parent_.end(), 0);
-  }
-  Index root(Index v) {
-    while (parent(v) != v) v = parent(v) = parent(parent(v));
-    return v;
-  }
-  void join(Index a, Index b) { parent(root(a)) = root(b); }
-
- private:
-  Index& parent(Index v) { return parent_[static_cast<std::size_t>(v)]; }
-  std::vector<Index> parent_;
-};
-
-std::size_t count_components(const Mesh& mesh) {
-  Components components(mesh.vertex_count());
-  for (const Face& f : mesh.faces()) {
-    components.join(f[0], f[1]);
-    components.join(f[1], f[2]);
-  }
-  for (const Edge& e : mesh.edges()) components.join(e[0], e[1]);
-  const auto points = mesh.points();
-  return static_cast<std::size_t>(
-      std::count_if(points.begin(), points.end(), [&](Index v) { return components.root(v) == v; }));
-}
-
 void find_bounds(const Mesh& mesh, const std::vector<Point>& positions, MeshFacts& facts) {
   facts.lowest = facts.highest = at(positions, mesh.points().front());
   for (const Index v : mesh.points())
@@ -100,7 +72,7 @@ MeshFacts facts_of(const Mesh& mesh, const std::vector<Point>& positions) {
   for (const Face& f : mesh.faces())
     facts.degenerate_faces += has_no_area(at(positions, f[0]), at(positions, f[1]), at(positions, f[2]));
   facts.duplicate_faces = count_duplicates(mesh.faces());
-  facts.components = count_components(mesh);
+  facts.components = static_cast<std::size_t>(components_of(mesh).count);
   find_bounds(mesh, positions, facts);
   return facts;
 }

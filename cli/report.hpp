@@ -35,6 +35,8 @@ Json json_of(const Contact& contact);
 Json json_of(const LimitingPair& pair);
 /// Adds toi_lower and toi_upper: null if the step is free.
 void add_bracket(Json& json, bool is_free, double toi_lower, double toi_upper);
+/// Adds stages: the pairs that enter each.
+void add_stages(Json& json, std::span<const StageCount> stages);
 /// Adds what every question has: seconds, stages, decided_by, threads, method and so on.
 void add_costs(Json& json, const Detector& detector, const Timing& timing);
 /// The one object on stdout.

@@ -36,13 +36,16 @@ void add_bracket(Json& json, bool is_free, double toi_lower, double toi_upper) {
   json["toi_upper"] = is_free ? Json() : Json(toi_upper);
 }
 
+void add_stages(Json& json, std::span<const StageCount> stages) {
+  json["stages"] = Json::array();
+  for (const StageCount& s : stages) json["stages"].push_back({{"name", s.name}, {"vf", s.vf}, {"ee", s.ee}});
+}
+
 void add_costs(Json& json, const Detector& detector, const Timing& timing) {
   const Statistics& statistics = detector.statistics();
   json["seconds"] = json_of(timing.warm);
   json["seconds_cold"] = json_of(timing.cold);
-  json["stages"] = Json::array();
-  for (const StageCount& s : statistics.stages)
-    json["stages"].push_back({{"name", s.name}, {"vf", s.vf}, {"ee", s.ee}});
+  add_stages(json, statistics.stages);
   const PrecisionCount& p = statistics.decided_by;
   json["decided_by"] = {{"lanes", p.lanes},
                         {"scalar", p.scalar},

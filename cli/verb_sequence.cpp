@@ -8,13 +8,12 @@
 #include <vector>
 
 #include "cli/arguments.hpp"
+#include "cli/moving_frames.hpp"
 #include "cli/printable.hpp"
 #include "cli/progress.hpp"
 #include "cli/report.hpp"
 #include "cli/step_files.hpp"
 #include "cli/verb.hpp"
-#include "io/error.hpp"
-#include "io/frames.hpp"
 
 namespace tamis::cli {
 namespace {
@@ -39,14 +38,15 @@ class Sequence final : public Verb {
   int run() override {
     const Options options = detector_.options();
     const double scale = scale_.value();
-    find_frames();
-    io::MeshFile first = read_with_notes(frames_.front());
-    std::vector<Point> start = first.positions;
-    Detector detector(io::mesh_of(first), options);
+    const MovingFrames frames(names_);
+    frames_ = frames.paths();
+    for (const auto& frame : frames_) width_ = std::max(width_, static_cast<int>(printable(frame.filename().string()).size()));
+    std::vector<Point> start = frames.first().positions;
+    Detector detector(io::mesh_of(frames.first()), options);
     if (!json_) print_head(detector);
     Progress progress(frames_.size() - 1, "steps");
     for (std::size_t i = 1; i < frames_.size(); ++i) {
-      std::vector<Point> end = read_end(first, i);
+      std::vector<Point> end = frames.read(i);
       std::vector<Point> scaled = end;
       scale_step(start, scaled, scale);
       const Tally tally = tally_of(detector.contacts({start, scaled}));
@@ -61,20 +61,6 @@ class Sequence final : public Verb {
   }
 
  private:
-  void find_frames() {
-    frames_ = io::frame_files(names_);
-    if (frames_.size() < 2)
-      throw io::FileError(frames_.front().string(), "", "a single frame does not move: give two or more");
-    for (const auto& frame : frames_)
-      width_ = std::max(width_, static_cast<int>(printable(frame.filename().string()).size()));
-  }
-
-  std::vector<Point> read_end(const io::MeshFile& first, std::size_t i) const {
-    io::MeshFile frame = io::read_mesh(frames_[i]);
-    io::require_same_mesh(first, frames_.front().string(), frame, frames_[i].string());
-    return std::move(frame.positions);
-  }
-
   void print_head(const Detector& detector) const {
     print_mesh(detector.mesh());
     fmt::print("\n{:>5} {:<{}} {:>11} {:>11} {:>10} {:>14} {:>10}  {}\n", "step", "end", width_, "vertex-face",

@@ -6,7 +6,7 @@
 set -euo pipefail
 
 packages=(g++ cmake ninja-build pkg-config libtbb-dev libgmp-dev libxsimd-dev
-          libcli11-dev libfmt-dev nlohmann-json3-dev libeigen3-dev libmeshoptimizer-dev)
+          libcli11-dev libfmt-dev nlohmann-json3-dev libeigen3-dev libmeshoptimizer-dev zlib1g-dev libb64-dev)
 if [[ ${1:-} == --tests ]]; then
   packages+=(libgtest-dev libbenchmark-dev glmark2-data python3 python3-venv python3-dev binutils valgrind clang-14
              clang-format-14 clang-tidy-14 libclang-rt-14-dev)

@@ -1,0 +1,43 @@
+#include "io/contact_geometry.hpp"
+
+namespace tamis::io {
+
+PairShape shape_of(PairKind kind) {
+  switch (kind) {
+    case PairKind::vertex_face:
+      return {"vf", 1, 3};
+    case PairKind::edge_edge:
+      return {"ee", 2, 2};
+  }
+  return {};
+}
+
+std::array<double, 4> weights_of(const Contact& contact) {
+  const double u = contact.u, v = contact.v;
+  switch (contact.kind) {
+    case PairKind::vertex_face:
+      return {1, 1 - u - v, u, v};
+    case PairKind::edge_edge:
+      return {1 - u, u, 1 - v, v};
+  }
+  return {};
+}
+
+Point point_at(const Point& start, const Point& end, double t) {
+  Point point;
+  for (std::size_t axis = 0; axis < 3; ++axis) point[axis] = (1 - t) * start[axis] + t * end[axis];
+  return point;
+}
+
+Point contact_point(const Contact& contact, std::span<const Point> start, std::span<const Point> end, double t) {
+  const std::array<double, 4> weights = weights_of(contact);
+  Point sum{};
+  for (std::size_t i = 0; i < shape_of(contact.kind).first; ++i) {
+    const auto vertex = static_cast<std::size_t>(contact.vertices[i]);
+    const Point x = point_at(start[vertex], end[vertex], t);
+    for (std::size_t axis = 0; axis < 3; ++axis) sum[axis] += weights[i] * x[axis];
+  }
+  return sum;
+}
+
+}  // namespace tamis::io

@@ -1,0 +1,33 @@
+// Where a contact is: the features of its pair, and the weights of the point at which they touch.
+#pragma once
+#include <array>
+#include <cstddef>
+#include <span>
+#include <string_view>
+
+#include "tamis/contact.hpp"
+#include "tamis/step.hpp"
+
+namespace tamis::io {
+
+/// How the four vertices of a Contact are shared out: the first feature's, then the second's; the rest are unused.
+struct PairShape {
+  std::string_view name;  ///< as in files: "vf"
+  std::size_t first = 0;
+  std::size_t second = 0;
+
+  std::size_t count() const { return first + second; }
+};
+
+PairShape shape_of(PairKind kind);
+
+/// Weights of the first feature's vertices, then of the second's; each feature's add up to 1.
+std::array<double, 4> weights_of(const Contact& contact);
+
+/// Where a vertex is at time t of the step.
+Point point_at(const Point& start, const Point& end, double t);
+
+/// The point of the first feature that touches, at time t.
+Point contact_point(const Contact& contact, std::span<const Point> start, std::span<const Point> end, double t);
+
+}  // namespace tamis::io

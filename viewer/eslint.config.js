@@ -1,0 +1,16 @@
+import tseslint from "typescript-eslint";
+
+export default tseslint.config(
+  { ignores: ["dist", "node_modules", "**/*.mjs", "eslint.config.js"] },
+  ...tseslint.configs.strictTypeChecked,
+  ...tseslint.configs.stylisticTypeChecked,
+  {
+    languageOptions: { parserOptions: { projectService: true, tsconfigRootDir: import.meta.dirname ?? "." } },
+    rules: {
+      "max-lines-per-function": ["error", 80],
+      "@typescript-eslint/restrict-template-expressions": ["error", { allowNumber: true }],
+      // Typed arrays and tables are indexed with numbers that are in range by construction.
+      "@typescript-eslint/no-non-null-assertion": "off",
+    },
+  },
+);

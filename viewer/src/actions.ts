@@ -1,0 +1,141 @@
+// What buttons and keys do beyond changing one value.
+import { Box3, Vector3 } from "three";
+import type { Pair } from "./scene/pair";
+import type { Session } from "./session";
+import type { Viewpoint } from "./view3d/camera";
+import type { Stage } from "./view3d/stage";
+
+export class Actions {
+  help: () => void = () => undefined;
+  say: (message: string) => void = () => undefined;
+
+  constructor(
+    private readonly session: Session,
+    private readonly stage: Stage | null,
+  ) {}
+
+  /** In the scene, as it touches. */
+  firstContact(): void {
+    const contact = this.session.view.firstContact;
+    if (contact < 0) {
+      this.say("No contact: the step is free, proven.");
+      return;
+    }
+    this.session.select(contact);
+    this.session.store.set({ isolated: false });
+    this.flyTo(this.session.pair, 0.35);
+  }
+
+  /** The pair alone, at the time up to which the step is proven free. */
+  whatStops(): void {
+    const contact = this.session.view.limiting;
+    if (contact < 0) {
+      this.say("Nothing stops this step: all of it is free, proven.");
+      return;
+    }
+    this.session.select(contact);
+    this.session.store.set({ time: this.session.scene.contacts.toiLower[contact] });
+    this.say(`Free before ${this.session.scene.contacts.toiLower[contact]}, proven. This pair ends it.`);
+  }
+
+  leave(): void {
+    const { pair, store } = this.session;
+    if (pair === null && store.now.panelOpen && store.now.panel !== "contacts") store.set({ panel: "contacts" });
+    if (pair === null) return;
+    this.session.deselect();
+    this.overview();
+  }
+
+  overview(): void {
+    this.stage?.camera.fly(this.wholeStep());
+  }
+
+  /** `least`: how far away at least. */
+  flyTo(pair: Pair | null, least = 0): void {
+    const { stage } = this;
+    if (!pair || !stage) return;
+    const target = new Vector3(...pair.secondPoint(pair.toi));
+    const { eye, target: old } = stage.camera.viewpoint;
+    const direction = eye.sub(old).normalize();
+    const normal = new Vector3(...pair.normal);
+    if (least === 0) {
+      // Seen across the normal, the gap between the features is seen best.
+      direction.addScaledVector(normal, -0.8 * direction.dot(normal));
+      if (direction.lengthSq() < 0.05) direction.set(0.3, 0.4, 1);
+    }
+    const distance = Math.max(5.5 * pair.size, least);
+    stage.camera.fly({ eye: direction.normalize().multiplyScalar(distance).add(target), target });
+  }
+
+  turn(way: string): void {
+    const by = 0.12;
+    this.stage?.camera.turn(
+      way === "Left" ? -by : way === "Right" ? by : 0,
+      way === "Up" ? -by : way === "Down" ? by : 0,
+    );
+  }
+
+  shift(way: string): void {
+    const by = 0.06;
+    this.stage?.camera.shift(
+      way === "Left" ? -by : way === "Right" ? by : 0,
+      way === "Up" ? by : way === "Down" ? -by : 0,
+    );
+  }
+
+  zoom(factor: number): void {
+    this.stage?.camera.zoom(factor);
+  }
+
+  theme(): void {
+    const { store } = this.session;
+    store.set({ theme: store.now.theme === "dark" ? "light" : "dark" });
+  }
+
+  copyLink(): void {
+    navigator.clipboard.writeText(location.href).then(
+      () => {
+        this.say("The link to this view is copied.");
+      },
+      () => {
+        this.say("This browser lets no page copy: take the address from its bar.");
+      },
+    );
+  }
+
+  /** From above and to the side, as near as all that moves allows. */
+  wholeStep(): Viewpoint {
+    const places = this.places();
+    const target = new Box3().setFromPoints(places).getCenter(new Vector3());
+    const toEye = new Vector3(0.5, 0.42, 0.9).normalize();
+    const right = new Vector3(0, 1, 0).cross(toEye).normalize();
+    const up = toEye.clone().cross(right);
+    const camera = this.stage?.camera.camera;
+    const tall = Math.tan((((camera?.fov ?? 36) / 2) * Math.PI) / 180);
+    const wide = tall * (camera?.aspect ?? 1);
+    // What is written above and below the scene takes its share of the height.
+    const [marginX, marginY] = [0.94, 0.74];
+    let distance = 1e-3;
+    for (const place of places) {
+      const from = place.sub(target);
+      const reach = Math.max(Math.abs(from.dot(right)) / (wide * marginX), Math.abs(from.dot(up)) / (tall * marginY));
+      distance = Math.max(distance, reach + from.dot(toEye));
+    }
+    return { eye: toEye.multiplyScalar(distance).add(target), target };
+  }
+
+  /** Of the vertices that move, at both ends of the step; of all, if none does. */
+  private places(): Vector3[] {
+    const { start, end } = this.session.view.step;
+    const { objectOfVertex } = this.session.scene;
+    const moving = new Set<number>();
+    const used: number[] = [];
+    objectOfVertex.forEach((object, v) => {
+      if (object < 0) return;
+      used.push(v);
+      if ([0, 1, 2].some((axis) => start[3 * v + axis] !== end[3 * v + axis])) moving.add(object);
+    });
+    const shown = moving.size > 0 ? used.filter((v) => moving.has(objectOfVertex[v])) : used;
+    return shown.flatMap((v) => [start, end].map((at) => new Vector3().fromArray(at, 3 * v)));
+  }
+}

@@ -1,0 +1,300 @@
+// Everything by keyboard; the list that `?` shows is made from the same table.
+import { playPair, timeOf } from "./panels/pair_panel";
+import { togglePlay } from "./panels/timeline";
+import type { Session } from "./session";
+import type { Panel } from "./store";
+import type { Actions } from "./actions";
+
+export interface KeyAction {
+  /** As in KeyboardEvent.key, with Shift+ or Alt+ before it. */
+  keys: string[];
+  /** For people; the keys themselves if it is absent. */
+  label?: string;
+  does: string;
+  run: (key: string) => void;
+}
+
+function timeKeys(session: Session): KeyAction[] {
+  const { store } = session;
+  const shift = (by: number): void => {
+    store.set({ time: Math.min(Math.max(store.now.time + by, 0), 1), playing: false });
+  };
+  return [
+    {
+      keys: [" "],
+      label: "Space",
+      does: "play or pause",
+      run: () => {
+        togglePlay(session);
+      },
+    },
+    {
+      keys: ["ArrowLeft", "ArrowRight"],
+      label: "← →",
+      does: "a hundredth of the step back, on",
+      run: (key) => {
+        shift(key === "ArrowLeft" ? -0.01 : 0.01);
+      },
+    },
+    {
+      keys: [",", "."],
+      does: "a thousandth back, on",
+      run: (key) => {
+        shift(key === "," ? -0.001 : 0.001);
+      },
+    },
+    {
+      keys: ["Home", "End"],
+      does: "start and end of the step",
+      run: (key) => {
+        store.set({ time: key === "Home" ? 0 : 1, playing: false });
+      },
+    },
+    {
+      keys: ["PageUp", "PageDown"],
+      label: "Page ↑ ↓",
+      does: "step before, step after",
+      run: (key) => {
+        session.showStep(store.now.step + (key === "PageUp" ? -1 : 1));
+      },
+    },
+    {
+      keys: ["[", "]"],
+      does: "keep contacts from now on, until now",
+      run: (key) => {
+        const { brush, time } = store.now;
+        store.set({ brush: key === "[" ? [time, Math.max(brush[1], time)] : [Math.min(brush[0], time), time] });
+      },
+    },
+    {
+      keys: ["\\"],
+      does: "keep all contacts of the step",
+      run: () => {
+        store.set({ brush: [0, 1] });
+      },
+    },
+  ];
+}
+
+function pairKeys(session: Session, actions: Actions): KeyAction[] {
+  const { store } = session;
+  const moments = { "1": "before", "2": "at", "3": "after" } as const;
+  return [
+    {
+      keys: ["f"],
+      does: "first contact",
+      run: () => {
+        actions.firstContact();
+      },
+    },
+    {
+      keys: ["s"],
+      does: "what stops this step",
+      run: () => {
+        actions.whatStops();
+      },
+    },
+    {
+      keys: ["ArrowUp", "ArrowDown"],
+      label: "↑ ↓",
+      does: "contact before, contact after, in the list",
+      run: (key) => {
+        session.move(key === "ArrowUp" ? -1 : 1);
+      },
+    },
+    {
+      keys: ["1", "2", "3"],
+      does: "before, at and after the contact",
+      run: (key) => {
+        if (session.pair) store.set({ time: timeOf(session.pair, moments[key as "1" | "2" | "3"]), playing: false });
+      },
+    },
+    {
+      keys: ["o"],
+      does: "play the pair, round and round",
+      run: () => {
+        playPair(session);
+      },
+    },
+    {
+      keys: ["i"],
+      does: "the pair alone, or in the scene",
+      run: () => {
+        if (session.pair) store.set({ isolated: !store.now.isolated });
+      },
+    },
+    {
+      keys: ["Escape"],
+      label: "Esc",
+      does: "leave the pair",
+      run: () => {
+        actions.leave();
+      },
+    },
+  ];
+}
+
+function lookKeys({ store }: Session, actions: Actions): KeyAction[] {
+  const panels: Record<string, Panel> = { l: "contacts", b: "pair", v: "sieve" };
+  return [
+    {
+      keys: ["Shift+ArrowLeft", "Shift+ArrowRight", "Shift+ArrowUp", "Shift+ArrowDown"],
+      label: "Shift ← → ↑ ↓",
+      does: "turn the camera",
+      run: (key) => {
+        actions.turn(key.slice("Shift+Arrow".length));
+      },
+    },
+    {
+      keys: ["Alt+ArrowLeft", "Alt+ArrowRight", "Alt+ArrowUp", "Alt+ArrowDown"],
+      label: "Alt ← → ↑ ↓",
+      does: "shift the camera",
+      run: (key) => {
+        actions.shift(key.slice("Alt+Arrow".length));
+      },
+    },
+    {
+      keys: ["+", "=", "-"],
+      label: "+ −",
+      does: "nearer, farther",
+      run: (key) => {
+        actions.zoom(key === "-" ? 0.8 : 1.25);
+      },
+    },
+    {
+      keys: ["r"],
+      does: "see everything",
+      run: () => {
+        actions.overview();
+      },
+    },
+    {
+      keys: ["z"],
+      does: "y or z of the mesh upward",
+      run: () => {
+        store.set({ up: store.now.up === "y" ? "z" : "y" });
+        actions.overview();
+      },
+    },
+    {
+      keys: ["g"],
+      does: "smooth or flat shading",
+      run: () => {
+        store.toggle("smooth");
+      },
+    },
+    {
+      keys: ["e"],
+      does: "edges of the mesh",
+      run: () => {
+        store.toggle("edges");
+      },
+    },
+    {
+      keys: ["m"],
+      does: "contact points",
+      run: () => {
+        store.toggle("marks");
+      },
+    },
+    {
+      keys: ["n"],
+      does: "contact normals",
+      run: () => {
+        store.toggle("normals");
+      },
+    },
+    {
+      keys: ["p"],
+      does: "both features of every contact",
+      run: () => {
+        store.toggle("features");
+      },
+    },
+    {
+      keys: ["x"],
+      does: "contacts behind the surface, faintly",
+      run: () => {
+        store.toggle("xray");
+      },
+    },
+    {
+      keys: ["u"],
+      does: "unresolved pairs alone",
+      run: () => {
+        store.toggle("unresolvedOnly");
+      },
+    },
+    {
+      keys: ["l", "b", "v"],
+      label: "L B V",
+      does: "list, pair, sieve",
+      run: (key) => {
+        store.set({ panel: panels[key], panelOpen: true });
+      },
+    },
+    {
+      keys: ["h"],
+      does: "hide or show the panel",
+      run: () => {
+        store.toggle("panelOpen");
+      },
+    },
+    {
+      keys: ["t"],
+      does: "dark or light",
+      run: () => {
+        actions.theme();
+      },
+    },
+    {
+      keys: ["c"],
+      does: "copy a link to this view",
+      run: () => {
+        actions.copyLink();
+      },
+    },
+    {
+      keys: ["?"],
+      does: "this list",
+      run: () => {
+        actions.help();
+      },
+    },
+  ];
+}
+
+export function keyTable(session: Session, actions: Actions): Record<string, KeyAction[]> {
+  return {
+    Time: timeKeys(session),
+    Contacts: pairKeys(session, actions),
+    Looking: lookKeys(session, actions),
+  };
+}
+
+/** The name of a pressed key as in the table; null if the page should not take it. */
+function nameOf(event: KeyboardEvent): string | null {
+  if (event.ctrlKey || event.metaKey) return null;
+  const isArrow = event.key.startsWith("Arrow");
+  if (event.shiftKey && isArrow) return `Shift+${event.key}`;
+  if (event.altKey) return isArrow ? `Alt+${event.key}` : null;
+  return event.key.length === 1 ? event.key.toLowerCase() : event.key;
+}
+
+export function listenToKeys(table: Record<string, KeyAction[]>): void {
+  const actions = new Map<string, KeyAction>();
+  for (const action of Object.values(table).flat()) for (const key of action.keys) actions.set(key, action);
+  document.addEventListener("keydown", (event) => {
+    const target = event.target as HTMLElement;
+    const key = nameOf(event);
+    if (key === null) return;
+    const isTyping = target.matches("select, input:not([type=range]):not([type=checkbox])");
+    if (isTyping && key === "Escape") target.blur();
+    // A focused button or list keeps the keys that press it and that leave it.
+    const presses = target.matches("button, input[type=checkbox], a") && (key === " " || key === "Enter");
+    const action = actions.get(key);
+    if (!action || isTyping || presses || document.querySelector("dialog[open]")) return;
+    event.preventDefault();
+    action.run(key);
+  });
+}

@@ -1,0 +1,33 @@
+// Numbers for people.
+
+export const grouped = (n: number): string => Math.round(n).toLocaleString("en-US");
+
+/** 1.4e10 as "14 billion". */
+export function inWords(n: number): string {
+  for (const [size, name] of [
+    [1e12, "trillion"],
+    [1e9, "billion"],
+    [1e6, "million"],
+  ] as const)
+    if (n >= size) return `${(n / size).toPrecision(3)} ${name}`;
+  return grouped(n);
+}
+
+/** A share as percent with as many nines as it has, such as 99.9992 %. */
+export function percent(part: number): string {
+  if (part <= 0 || part >= 1) return `${100 * part} %`;
+  const digits = Math.max(1, Math.ceil(-Math.log10(1 - part)) - 1);
+  return `${(Math.floor(100 * part * 10 ** digits) / 10 ** digits).toFixed(digits)} %`;
+}
+
+const kSuperscripts = "⁰¹²³⁴⁵⁶⁷⁸⁹";
+
+/** 3.2e-14 as 3.2 × 10⁻¹⁴. */
+export function scientific(x: number): string {
+  if (x === 0) return "0";
+  const [digits, power] = x.toExponential(1).split("e");
+  const raised = [...power.replace("+", "")].map((c) => (c === "-" ? "⁻" : kSuperscripts[Number(c)])).join("");
+  return `${digits} × 10${raised}`;
+}
+
+export const timeText = (t: number): string => t.toFixed(4);

@@ -1,0 +1,182 @@
+// The contacts as a table that draws only the rows one sees; filters above it.
+import { colourOfTime, css } from "../colours";
+import { el } from "../dom";
+import { objectsOf } from "../scene/filter";
+import { grouped } from "../numbers";
+import { kFilterKeys, type Session } from "../session";
+import type { SortKey } from "../store";
+
+const kRowHeight = 30;
+/** Browsers stop at some 30 million pixels; beyond, the scroll bar moves by more than a row. */
+const kTallest = 8_000_000;
+
+const kColumns: { key: SortKey; label: string; title: string }[] = [
+  { key: "time", label: "time", title: "Sort by time of impact" },
+  { key: "kind", label: "kind", title: "Sort by kind of pair" },
+  { key: "features", label: "vertices", title: "Sort by the first vertex" },
+  { key: "object", label: "objects", title: "Sort by the first object" },
+];
+
+export class ContactList {
+  readonly element = el("div", { class: "panel-body list-panel", id: "contacts" });
+  private readonly scroller = el("div", {
+    class: "rows",
+    id: "rows",
+    role: "listbox",
+    tabindex: 0,
+    "aria-label": "Contacts",
+  });
+  private readonly spacer = el("div", { class: "spacer" });
+  private readonly window = el("div", { class: "window" });
+  private readonly summary = el("p", { class: "summary", id: "listed" });
+
+  constructor(private readonly session: Session) {
+    const { store } = session;
+    this.spacer.append(this.window);
+    this.scroller.append(this.spacer);
+    this.element.append(filters(session), this.summary, this.head(), this.scroller);
+    this.scroller.addEventListener("scroll", () => {
+      this.drawRows();
+    });
+    new ResizeObserver(() => {
+      this.drawRows();
+    }).observe(this.scroller);
+    store.follow(kFilterKeys, () => {
+      this.refresh();
+    });
+    store.follow(["selected"], () => {
+      this.reveal();
+      this.drawRows();
+    });
+  }
+
+  private head(): HTMLElement {
+    const { store } = this.session;
+    const cells = kColumns.map(({ key, label, title }) => {
+      const cell = el("button", { type: "button", title }, label);
+      cell.addEventListener("click", () => {
+        store.set({ sort: key, descending: store.now.sort === key && !store.now.descending });
+      });
+      store.follow(["sort", "descending"], () => {
+        const { sort, descending } = store.now;
+        cell.dataset.sorted = sort === key ? (descending ? "down" : "up") : "";
+        cell.setAttribute("aria-pressed", String(sort === key));
+      });
+      return cell;
+    });
+    return el("div", { class: "head" }, ...cells);
+  }
+
+  private refresh(): void {
+    const { rows, view } = this.session;
+    const { count } = view.step;
+    const height = Math.min(rows.length * kRowHeight, kTallest);
+    this.spacer.style.height = `${height}px`;
+    this.summary.textContent =
+      count === 0
+        ? "No contact: the step is free, proven."
+        : rows.length === count
+          ? `${grouped(count)} contacts`
+          : `${grouped(rows.length)} of ${grouped(count)} contacts`;
+    this.summary.dataset.count = String(rows.length);
+    this.scroller.scrollTop = 0;
+    this.drawRows();
+  }
+
+  /** First row that is seen. */
+  private get top(): number {
+    const { rows } = this.session;
+    const range = this.spacer.clientHeight - this.scroller.clientHeight;
+    const most = rows.length - this.scroller.clientHeight / kRowHeight;
+    return range > 0 ? Math.max((this.scroller.scrollTop / range) * most, 0) : 0;
+  }
+
+  private reveal(): void {
+    const { rows, store } = this.session;
+    const place = rows.indexOf(store.now.selected);
+    const seen = this.scroller.clientHeight / kRowHeight;
+    if (place < 0 || (place >= this.top && place <= this.top + seen - 1)) return;
+    const range = this.spacer.clientHeight - this.scroller.clientHeight;
+    this.scroller.scrollTop = (range * Math.max(place - seen / 2, 0)) / Math.max(rows.length - seen, 1);
+  }
+
+  private drawRows(): void {
+    const { rows } = this.session;
+    const first = Math.floor(this.top);
+    const shown = Math.ceil(this.scroller.clientHeight / kRowHeight) + 1;
+    this.window.style.transform = `translateY(${this.scroller.scrollTop - (this.top - first) * kRowHeight}px)`;
+    const elements: HTMLElement[] = [];
+    for (let r = first; r < Math.min(first + shown, rows.length); ++r) elements.push(this.row(rows[r]));
+    this.window.replaceChildren(...elements);
+  }
+
+  private row(contact: number): HTMLElement {
+    const { scene, store } = this.session;
+    const { contacts } = scene;
+    const time = contacts.toiLower[contact];
+    const swatch = el("i", { class: "swatch" });
+    swatch.style.background = css(colourOfTime(time));
+    const [a, b] = objectsOf(contact, scene.objectOfVertex, contacts);
+    const row = el(
+      "div",
+      {
+        class: "row",
+        role: "option",
+        "data-contact": contact,
+        "aria-selected": store.now.selected === contact,
+      },
+      el("span", {}, swatch, time.toFixed(5)),
+      el("span", {}, contacts.kindOf(contact).name + (contacts.isUnresolved(contact) ? " ?" : "")),
+      el("span", {}, `${contacts.firstFeature(contact).join(" ")} · ${contacts.secondFeature(contact).join(" ")}`),
+      el("span", {}, a === b ? `${a}` : `${a} · ${b}`),
+    );
+    if (contacts.isUnresolved(contact)) row.title = "Unresolved: doubles cannot decide whether the pair touches";
+    row.addEventListener("click", () => {
+      this.session.select(contact);
+    });
+    return row;
+  }
+}
+
+function filters(session: Session): HTMLElement {
+  const { store, scene } = session;
+  const kind = el("select", { id: "kind", title: "Kind of pair" }, el("option", { value: -1 }, "all kinds"));
+  scene.header.kinds.forEach(({ name }, i) => {
+    kind.append(el("option", { value: i }, kKindNames[name] ?? name));
+  });
+  kind.addEventListener("change", () => {
+    store.set({ kind: Number(kind.value) });
+  });
+  const number = (id: string, label: string, key: "vertex" | "object", most: number): HTMLInputElement => {
+    const input = el("input", { type: "number", id, min: 0, max: most, placeholder: label, "aria-label": label });
+    input.addEventListener("input", () => {
+      store.set({ [key]: input.value === "" ? -1 : Number(input.value) });
+    });
+    store.follow([key], () => {
+      if (Number(input.value || -1) !== store.now[key]) input.value = store.now[key] < 0 ? "" : String(store.now[key]);
+    });
+    return input;
+  };
+  const { vertices, objects } = scene.header.mesh;
+  const unresolved = el("input", { type: "checkbox", id: "unresolved" });
+  unresolved.addEventListener("change", () => {
+    store.set({ unresolvedOnly: unresolved.checked });
+  });
+  store.follow(["kind", "unresolvedOnly"], () => {
+    kind.value = String(store.now.kind);
+    unresolved.checked = store.now.unresolvedOnly;
+  });
+  const hasUnresolved = scene.header.steps.some((step) => step.contacts.unresolved > 0);
+  const label = el("label", {}, unresolved, "unresolved");
+  label.hidden = !hasUnresolved;
+  const object = number("object", "object", "object", objects - 1);
+  object.hidden = objects < 2;
+  return el("div", { class: "filters" }, kind, number("vertex", "vertex", "vertex", vertices - 1), object, label);
+}
+
+export const kKindNames: Record<string, string> = {
+  vf: "vertex-face",
+  ee: "edge-edge",
+  ve: "vertex-edge",
+  vv: "vertex-vertex",
+};

@@ -1,0 +1,133 @@
+// What is shown, what was found, and the two questions one asks first.
+import { button, el } from "../dom";
+import { grouped } from "../numbers";
+import type { Actions } from "../actions";
+import type { Session } from "../session";
+import { contactsOf } from "../scene/scene";
+
+export function header(session: Session, actions: Actions): HTMLElement {
+  const { store, scene } = session;
+  const names = el("span", { class: "names" });
+  const answer = el("p", { class: "answer", id: "answer" });
+  store.follow(["step"], () => {
+    const { step } = store.now;
+    names.textContent = `${scene.header.names[step]} → ${scene.header.names[step + 1]}`;
+    answer.replaceChildren(...sentence(session));
+  });
+  const first = button(
+    "First contact",
+    "Fly to the first contact (F)",
+    () => {
+      actions.firstContact();
+    },
+    { class: "primary", id: "first" },
+  );
+  const stops = button(
+    "What stops this step",
+    "The pair that ends it, alone (S)",
+    () => {
+      actions.whatStops();
+    },
+    { id: "stops" },
+  );
+  store.follow(["step"], () => {
+    first.disabled = stops.disabled = session.view.step.count === 0;
+  });
+  return el(
+    "header",
+    { class: "head-card" },
+    el("h1", {}, "Tamis ", names),
+    answer,
+    el("div", { class: "actions" }, first, stops),
+  );
+}
+
+function sentence({ view, scene, store }: Session): (Node | string)[] {
+  const { contacts, toi_lower: lower } = view.step.header;
+  const { faces } = scene.header.mesh;
+  const mesh = faces > 0 ? `${grouped(faces)} triangles, ` : `${grouped(scene.header.mesh.edges)} edges, `;
+  const count = contactsOf(scene.header.steps[store.now.step]);
+  if (count === 0) return [mesh, el("b", {}, "no contact"), ": the whole step is free, proven."];
+  const unresolved = contacts.unresolved > 0 ? `, ${grouped(contacts.unresolved)} of them unresolved` : "";
+  return [
+    mesh,
+    el("b", { id: "count", "data-count": count }, `${grouped(count)} ${count === 1 ? "contact" : "contacts"}`),
+    `${unresolved}. Free before `,
+    el("b", {}, (lower ?? 1).toPrecision(6)),
+    " of the step, proven.",
+  ];
+}
+
+/** Switches for the drawing, theme and help. */
+export function tools(session: Session, actions: Actions): HTMLElement {
+  const { store } = session;
+  const flip = (key: "smooth" | "edges" | "marks" | "normals" | "features" | "xray", label: string, title: string) => {
+    const element = button(
+      label,
+      title,
+      () => {
+        store.toggle(key);
+      },
+      { "data-tool": key },
+    );
+    store.follow([key], () => {
+      element.setAttribute("aria-pressed", String(store.now[key]));
+    });
+    return element;
+  };
+  const theme = button(
+    "◐",
+    "Dark or light (T)",
+    () => {
+      actions.theme();
+    },
+    { id: "theme", "aria-label": "Dark or light" },
+  );
+  return el(
+    "nav",
+    { class: "tools", "aria-label": "Drawing" },
+    flip("marks", "points", "Contact points (M)"),
+    flip("normals", "normals", "Contact normals (N)"),
+    flip("features", "features", "Both features of every contact (P)"),
+    flip("edges", "edges", "Edges of the mesh (E)"),
+    flip("smooth", "smooth", "Smooth or flat (G)"),
+    flip("xray", "x-ray", "Contacts behind the surface (X)"),
+    button(
+      "⌂",
+      "See everything (R)",
+      () => {
+        actions.overview();
+      },
+      { "aria-label": "See everything" },
+    ),
+    theme,
+    button(
+      "?",
+      "Keys (?)",
+      () => {
+        actions.help();
+      },
+      { id: "keys", "aria-label": "Keys" },
+    ),
+  );
+}
+
+export function tabs(session: Session): HTMLElement {
+  const { store } = session;
+  const items = (["contacts", "pair", "sieve"] as const).map((panel) => {
+    const element = button(
+      panel,
+      `Show: ${panel}`,
+      () => {
+        const isShown = store.now.panelOpen && store.now.panel === panel;
+        store.set({ panel, panelOpen: !isShown });
+      },
+      { role: "tab", "data-tab": panel },
+    );
+    store.follow(["panel", "panelOpen"], () => {
+      element.setAttribute("aria-selected", String(store.now.panelOpen && store.now.panel === panel));
+    });
+    return element;
+  });
+  return el("div", { class: "tabs", role: "tablist" }, ...items);
+}

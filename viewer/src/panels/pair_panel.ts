@@ -1,0 +1,113 @@
+// The selected pair: what it is, when it touches, how it moves before, at and after.
+import { button, el } from "../dom";
+import { scientific } from "../numbers";
+import type { Pair } from "../scene/pair";
+import type { Session } from "../session";
+import { kKindNames } from "./contact_list";
+import { GapPlot } from "./gap_plot";
+import { PairSketch } from "./pair_sketch";
+
+type Moment = "before" | "at" | "after";
+const kMoments: Moment[] = ["before", "at", "after"];
+
+export const timeOf = (pair: Pair, moment: Moment): number =>
+  moment === "before" ? pair.before : moment === "at" ? pair.toi : pair.after;
+
+export class PairPanel {
+  readonly element = el("div", { class: "panel-body pair-panel", id: "pair" });
+  private readonly title = el("h2");
+  private readonly verdict = el("p", { class: "verdict" });
+  private readonly facts = el("dl");
+  private readonly sketches = kMoments.map((moment) => new PairSketch(moment));
+  private readonly shown = el("div", { class: "shown" });
+  private readonly none = el(
+    "p",
+    { class: "summary" },
+    "No pair is selected. Choose a contact in the list, click on one in the scene, or press F for the first.",
+  );
+
+  constructor(private readonly session: Session) {
+    const { store } = session;
+    const sketches = kMoments.map((moment, i) => {
+      const figure = el("button", { type: "button", class: "moment", id: moment, title: `${moment} (${i + 1})` });
+      figure.append(this.sketches[i].canvas, el("span", {}, moment));
+      figure.addEventListener("click", () => {
+        if (session.pair) store.set({ time: timeOf(session.pair, moment), playing: false });
+      });
+      return figure;
+    });
+    const actions = el(
+      "div",
+      { class: "actions" },
+      button("Play the pair", "Go round from before to after (O)", () => {
+        playPair(session);
+      }),
+      button("Alone / in the scene", "Show the pair alone (I)", () => {
+        store.set({ isolated: !store.now.isolated });
+      }),
+      button("Back", "Leave the pair (Esc)", () => {
+        session.deselect();
+      }),
+    );
+    this.shown.append(
+      this.title,
+      this.verdict,
+      el("div", { class: "moments" }, ...sketches),
+      new GapPlot(session).element,
+      actions,
+      this.facts,
+    );
+    this.element.append(this.none, this.shown);
+    store.follow(["step", "selected", "theme", "panel"], () => {
+      this.refresh();
+    });
+  }
+
+  private refresh(): void {
+    const { pair, scene } = this.session;
+    this.none.hidden = pair !== null;
+    this.shown.hidden = pair === null;
+    kMoments.forEach((moment, i) => {
+      this.sketches[i].show(pair, pair ? timeOf(pair, moment) : 0);
+    });
+    if (!pair) return;
+    const { contacts } = scene;
+    const { name } = contacts.kindOf(pair.index);
+    const unresolved = contacts.isUnresolved(pair.index);
+    this.title.replaceChildren(
+      el("b", { class: "first" }, nameOf(pair.first)),
+      " meets ",
+      el("b", { class: "second" }, nameOf(pair.second)),
+    );
+    this.verdict.textContent = unresolved
+      ? "Unresolved: doubles cannot decide whether it touches, so it is reported. Nothing touches before, proven."
+      : "Certified: it touches within the bracket, and not before.";
+    this.verdict.dataset.unresolved = String(unresolved);
+    const [u, v] = contacts.uv(pair.index);
+    this.fill({
+      kind: kKindNames[name] ?? name,
+      "free before": String(pair.toiLower),
+      "touches by": String(pair.toiUpper),
+      "bracket's width": scientific(pair.toiUpper - pair.toiLower),
+      "weights u, v": `${u.toFixed(4)}, ${v.toFixed(4)}`,
+      normal: contacts
+        .normal(pair.index)
+        .map((x) => x.toFixed(4))
+        .join(", "),
+    });
+  }
+
+  private fill(facts: Record<string, string>): void {
+    this.facts.replaceChildren(
+      ...Object.entries(facts).flatMap(([name, value]) => [el("dt", {}, name), el("dd", {}, value)]),
+    );
+  }
+}
+
+function nameOf(feature: number[]): string {
+  return `${["", "vertex", "edge", "face"][feature.length]} ${feature.join(" ")}`;
+}
+
+export function playPair({ pair, store }: Session): void {
+  if (pair) store.set({ loop: [pair.before, pair.after], time: pair.before, playing: true });
+}

@@ -1,0 +1,17 @@
+// A ring around the selected contact, so that one finds it in the scene from afar.
+import { el } from "../dom";
+import type { Session } from "../session";
+import type { Stage } from "../view3d/stage";
+
+export class Ring {
+  readonly element = el("div", { class: "ring", "aria-hidden": true });
+
+  constructor(session: Session, stage: Stage) {
+    stage.drawn.push(() => {
+      const { pair, store } = session;
+      const seen = pair && !store.now.isolated ? stage.project(pair.firstPoint(store.now.time)) : null;
+      this.element.hidden = seen === null;
+      if (seen) this.element.style.transform = `translate(${seen.x}px, ${seen.y}px)`;
+    });
+  }
+}

@@ -1,0 +1,22 @@
+// Columns of numbers as cli/view/columns.hpp writes them: bytes of one significance together, neighbours as differences.
+
+/** Elements of `size` bytes, of which all lowest bytes come first, then all next ones. */
+export function fromPlanes(bytes: Uint8Array, size: number): Uint8Array<ArrayBuffer> {
+  const count = bytes.length / size;
+  const result = new Uint8Array(bytes.length);
+  for (let byte = 0; byte < size; ++byte) {
+    const plane = byte * count;
+    for (let i = 0; i < count; ++i) result[i * size + byte] = bytes[plane + i];
+  }
+  return result;
+}
+
+/** Rows of `width` integers, each of which was written as its folded difference from the row above. */
+export function fromDifferences(bytes: Uint8Array, width: number): Uint32Array {
+  const column = new Uint32Array(fromPlanes(bytes, 4).buffer);
+  for (let i = 0; i < column.length; ++i) {
+    const difference = (column[i] >>> 1) ^ -(column[i] & 1);
+    column[i] = i < width ? difference : column[i - width] + difference;
+  }
+  return column;
+}

@@ -1,0 +1,34 @@
+// The JSON header of a scene: the keys are those of `tamis --json` where it has them.
+
+export interface PairKind {
+  name: string;
+  /** Of the four vertices of a contact, how many belong to the first feature and how many to the second. */
+  first: number;
+  second: number;
+}
+
+export interface Stage {
+  name: string;
+  vf: number;
+  ee: number;
+}
+
+export interface StepHeader {
+  contacts: Record<string, number>;
+  toi_lower: number | null;
+  toi_upper: number | null;
+  stages: Stage[];
+}
+
+export interface SceneHeader {
+  names: string[];
+  scale: number;
+  method: string;
+  guarantee: string;
+  min_separation: number;
+  kinds: PairKind[];
+  steps: StepHeader[];
+  mesh: { vertices: number; faces: number; edges: number; points: number; objects: number };
+  grid: { lowest: [number, number, number]; spacing: number; error: number };
+  columns: Record<string, { offset: number; count: number }>;
+}

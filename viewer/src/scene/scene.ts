@@ -1,0 +1,130 @@
+// The mesh, its frames, and the contacts of each step between two of them.
+import { Contacts } from "./contacts";
+import type { SceneHeader, StepHeader } from "./header";
+import { SceneFile } from "./scene_file";
+import type { Up } from "../store";
+import type { Vec3 } from "../vectors";
+
+/** Coordinates of the drawing: the longest side of the box around all frames is 2, its middle the origin. */
+const kGridCells = 2 ** 24 - 1;
+
+export interface Step {
+  index: number;
+  header: StepHeader;
+  /** Its contacts are first .. first + count. */
+  first: number;
+  count: number;
+  /** Three coordinates of the drawing a vertex. */
+  start: Float32Array;
+  end: Float32Array;
+}
+
+export class Scene {
+  /** Which way of the mesh the drawing shows upward. */
+  up: Up = "y";
+  readonly header: SceneHeader;
+  readonly contacts: Contacts;
+  readonly faces: Uint32Array;
+  readonly rods: Uint32Array;
+  readonly loosePoints: Uint32Array;
+  /** -1: nothing uses the vertex. */
+  readonly objectOfVertex: Int32Array;
+  private readonly frames: Uint32Array[];
+  private readonly centre: [number, number, number];
+  private readonly firstOfStep: number[] = [0];
+
+  private constructor(file: SceneFile) {
+    this.header = file.header;
+    this.contacts = new Contacts(file);
+    this.faces = file.integers("faces", 3);
+    this.rods = file.integers("rods", 2);
+    this.loosePoints = file.integers("loose_points", 1);
+    this.objectOfVertex = new Int32Array(file.integers("object_of_vertex", 1).buffer);
+    this.frames = file.frames();
+    this.centre = this.middle();
+    this.up = this.guessUp();
+    for (const step of this.header.steps) {
+      this.firstOfStep.push(this.firstOfStep[this.firstOfStep.length - 1] + contactsOf(step));
+    }
+  }
+
+  static async read(text: string): Promise<Scene> {
+    return new Scene(await SceneFile.read(text));
+  }
+
+  get stepCount(): number {
+    return this.header.steps.length;
+  }
+
+  /** Length of the mesh's unit in the drawing. */
+  get unit(): number {
+    return 2 / (kGridCells * this.header.grid.spacing);
+  }
+
+  step(index: number): Step {
+    const first = this.firstOfStep[index];
+    const [start, end] = this.positions(index);
+    return { index, header: this.header.steps[index], first, count: this.firstOfStep[index + 1] - first, start, end };
+  }
+
+  /** A direction of the mesh as the drawing has it: turned about x where z is up. */
+  direction([x, y, z]: Vec3): Vec3 {
+    return this.up === "y" ? [x, y, z] : [x, z, -y];
+  }
+
+  private positions(index: number): [Float32Array, Float32Array] {
+    const [from, to] = [this.frames[index], this.frames[index + 1]];
+    const start = new Float32Array(from.length);
+    const end = new Float32Array(from.length);
+    const { scale } = this.header;
+    const { centre } = this;
+    const place = (v: number, part: number): Vec3 => {
+      const at = (axis: number): number => {
+        const x = from[v + axis];
+        return (2 * (x + part * (to[v + axis] - x) - centre[axis])) / kGridCells;
+      };
+      return this.direction([at(0), at(1), at(2)]);
+    };
+    for (let v = 0; v < from.length; v += 3) {
+      start.set(place(v, 0), v);
+      end.set(place(v, scale), v);
+    }
+    return [start, end];
+  }
+
+  /** A flat object that stands still is a floor. */
+  private guessUp(): Up {
+    const [first, second] = this.frames;
+    const { objects } = this.header.mesh;
+    const low = new Float64Array(3 * objects).fill(Infinity);
+    const high = new Float64Array(3 * objects).fill(-Infinity);
+    const moves = new Uint8Array(objects);
+    this.objectOfVertex.forEach((object, v) => {
+      if (object < 0) return;
+      for (let axis = 0; axis < 3; ++axis) {
+        const x = first[3 * v + axis];
+        low[3 * object + axis] = Math.min(low[3 * object + axis], x);
+        high[3 * object + axis] = Math.max(high[3 * object + axis], x);
+        if (second[3 * v + axis] !== x) moves[object] = 1;
+      }
+    });
+    const isFloor = (object: number, axis: number): boolean => {
+      const size = (of: number): number => high[3 * object + of] - low[3 * object + of];
+      const other = axis === 2 ? 1 : 2;
+      return !moves[object] && size(axis) < 1e-3 * Math.min(size(0), size(other));
+    };
+    const all = Array.from({ length: objects }, (_, i) => i);
+    return !all.some((object) => isFloor(object, 1)) && all.some((object) => isFloor(object, 2)) ? "z" : "y";
+  }
+
+  private middle(): [number, number, number] {
+    const highest = [0, 0, 0];
+    for (const frame of this.frames)
+      for (let i = 0; i < frame.length; ++i) highest[i % 3] = Math.max(highest[i % 3], frame[i]);
+    return [highest[0] / 2, highest[1] / 2, highest[2] / 2];
+  }
+}
+
+export function contactsOf(step: StepHeader): number {
+  return Object.entries(step.contacts).reduce((sum, [kind, count]) => (kind === "unresolved" ? sum : sum + count), 0);
+}

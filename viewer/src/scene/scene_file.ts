@@ -1,0 +1,55 @@
+// Reads what cli/view/scene_bytes.cpp writes: text in the page, base64 of zlib of header and columns.
+import { fromDifferences, fromPlanes } from "./columns";
+import type { SceneHeader } from "./header";
+
+function bytesOfBase64(text: string): Uint8Array<ArrayBuffer> {
+  const binary = atob(text);
+  const bytes = new Uint8Array(binary.length);
+  for (let i = 0; i < binary.length; ++i) bytes[i] = binary.charCodeAt(i);
+  return bytes;
+}
+
+async function inflate(bytes: Uint8Array<ArrayBuffer>): Promise<Uint8Array> {
+  const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("deflate"));
+  return new Uint8Array(await new Response(stream).arrayBuffer());
+}
+
+/** The columns of a scene by name. */
+export class SceneFile {
+  readonly header: SceneHeader;
+  private readonly columns: Uint8Array;
+
+  private constructor(bytes: Uint8Array) {
+    const length = new DataView(bytes.buffer).getUint32(0, true);
+    this.header = JSON.parse(new TextDecoder().decode(bytes.subarray(4, 4 + length))) as SceneHeader;
+    this.columns = bytes.subarray(4 + length);
+  }
+
+  static async read(text: string): Promise<SceneFile> {
+    return new SceneFile(await inflate(bytesOfBase64(text)));
+  }
+
+  integers(name: string, width: number): Uint32Array {
+    return fromDifferences(this.bytes(name, 4), width);
+  }
+
+  /** The frames, each written as its difference from the one before it. */
+  frames(): Uint32Array[] {
+    const width = 3 * this.header.mesh.vertices;
+    const bytes = this.bytes("positions", 4);
+    const frames = this.header.names.map((_, i) =>
+      fromDifferences(bytes.subarray(4 * width * i, 4 * width * (i + 1)), 3),
+    );
+    for (let f = 1; f < frames.length; ++f) for (let i = 0; i < width; ++i) frames[f][i] += frames[f - 1][i];
+    return frames;
+  }
+
+  planes(name: string, size: number): Uint8Array<ArrayBuffer> {
+    return fromPlanes(this.bytes(name, size), size);
+  }
+
+  private bytes(name: string, size: number): Uint8Array {
+    const { offset, count } = this.header.columns[name];
+    return this.columns.subarray(offset, offset + size * count);
+  }
+}

@@ -1,0 +1,90 @@
+// The state made whole: which step is shown, which contacts are listed, which pair is selected.
+import { Pair } from "./scene/pair";
+import { listed } from "./scene/filter";
+import type { Scene } from "./scene/scene";
+import { StepView } from "./scene/step_view";
+import type { Key, Store } from "./store";
+
+export const kFilterKeys: Key[] = [
+  "step",
+  "up",
+  "brush",
+  "kind",
+  "object",
+  "vertex",
+  "unresolvedOnly",
+  "sort",
+  "descending",
+];
+
+export class Session {
+  view: StepView;
+  /** Contacts as the list shows them. */
+  rows: Uint32Array = new Uint32Array();
+  pair: Pair | null = null;
+
+  constructor(
+    readonly scene: Scene,
+    readonly store: Store,
+  ) {
+    this.view = new StepView(scene, scene.step(store.now.step));
+    store.follow(["step", "up"], () => {
+      const { step, up } = store.now;
+      if (this.view.step.index === step && scene.up === up) return;
+      scene.up = up;
+      this.view = new StepView(scene, scene.step(step));
+    });
+    store.follow(kFilterKeys, () => {
+      this.refilter();
+    });
+    store.follow(["step", "up", "selected"], () => {
+      const { selected } = store.now;
+      const { first, count } = this.view.step;
+      const isHere = selected >= first && selected < first + count;
+      this.pair = isHere ? new Pair(scene, this.view.step, selected) : null;
+    });
+  }
+
+  showStep(step: number): void {
+    const kept = Math.min(Math.max(step, 0), this.scene.stepCount - 1);
+    if (kept !== this.store.now.step)
+      this.store.set({ step: kept, selected: -1, isolated: false, brush: [0, 1], loop: [0, 1], time: 0 });
+  }
+
+  /** Shows a contact alone, just as its features touch. */
+  select(contact: number): void {
+    if (contact < 0) return;
+    const pair = new Pair(this.scene, this.view.step, contact);
+    this.store.set({
+      selected: contact,
+      isolated: true,
+      time: pair.toi,
+      loop: [pair.before, pair.after],
+      playing: false,
+      panel: "pair",
+      panelOpen: true,
+    });
+  }
+
+  deselect(): void {
+    this.store.set({ selected: -1, isolated: false, loop: [0, 1], panel: "contacts" });
+  }
+
+  /** The next or the previous contact of the list. */
+  move(by: number): void {
+    if (this.rows.length === 0) return;
+    const place = this.rows.indexOf(this.store.now.selected);
+    const next = place < 0 ? 0 : Math.min(Math.max(place + by, 0), this.rows.length - 1);
+    this.select(this.rows[next]);
+  }
+
+  private refilter(): void {
+    this.rows = listed(this.view, this.store.now);
+    const { flags } = this.view.marks;
+    const { first } = this.view.step;
+    const { contacts } = this.scene;
+    const kHidden = 2;
+    flags.fill(kHidden);
+    for (const i of this.rows) flags[i - first] = contacts.isUnresolved(i) ? 1 : 0;
+  }
+}

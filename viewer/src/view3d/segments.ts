@@ -1,0 +1,138 @@
+// Segments of a width in pixels, all in one draw call: rods, features, normals, trails.
+import {
+  BufferAttribute,
+  InstancedBufferAttribute,
+  InstancedBufferGeometry,
+  Mesh,
+  ShaderMaterial,
+  type IUniform,
+} from "three";
+import type { SharedUniforms } from "./shared";
+
+const kVertex = /* glsl */ `
+attribute vec2 corner;
+attribute vec3 fromStart;
+attribute vec3 fromEnd;
+attribute vec3 toStart;
+attribute vec3 toEnd;
+attribute vec4 colour;
+uniform float time;
+uniform float width;
+uniform float nearness;
+uniform vec2 size;
+uniform float pixelRatio;
+varying vec4 vColour;
+void main() {
+  vec4 from = modelViewMatrix * vec4(mix(fromStart, fromEnd, time), 1.0);
+  vec4 to = modelViewMatrix * vec4(mix(toStart, toEnd, time), 1.0);
+  // What is behind the eye is cut off, or its projection would point the other way.
+  float near = -1e-4;
+  if (from.z > near && to.z < near) from = mix(to, from, (near - to.z) / (from.z - to.z));
+  if (to.z > near && from.z < near) to = mix(from, to, (near - from.z) / (to.z - from.z));
+  vec4 a = projectionMatrix * from;
+  vec4 b = projectionMatrix * to;
+  vec2 way = (b.xy / b.w - a.xy / a.w) * size;
+  way = dot(way, way) > 0.0 ? normalize(way) : vec2(1.0, 0.0);
+  vec4 at = corner.x < 0.0 ? a : b;
+  vec2 offset = (corner.x * way + corner.y * vec2(-way.y, way.x)) * width * pixelRatio;
+  at.xy += offset / size * at.w;
+  at.z -= nearness * at.w;
+  gl_Position = at;
+  vColour = colour;
+}`;
+
+const kFragment = /* glsl */ `
+uniform float opacity;
+varying vec4 vColour;
+void main() {
+  gl_FragColor = vec4(vColour.rgb, vColour.a * opacity);
+  #include <colorspace_fragment>
+}`;
+
+/** Ends of segments at the start and at the end of the step, three numbers each; colours four bytes each. */
+export interface SegmentData {
+  fromStart: Float32Array;
+  fromEnd: Float32Array;
+  toStart: Float32Array;
+  toEnd: Float32Array;
+  colour: Uint8Array;
+}
+
+export interface SegmentStyle {
+  /** In CSS pixels. */
+  width: number;
+  /** How much nearer than it is, in normalised depth. */
+  nearness?: number;
+  hidden?: boolean;
+  opacity?: number;
+  time?: IUniform<number>;
+}
+
+export class Segments extends Mesh<InstancedBufferGeometry, ShaderMaterial> {
+  constructor(shared: SharedUniforms, style: SegmentStyle) {
+    const geometry = new InstancedBufferGeometry();
+    const corners = new Float32Array([-1, -1, 1, -1, 1, 1, -1, 1]);
+    geometry.setAttribute("corner", new BufferAttribute(corners, 2));
+    geometry.setIndex([0, 1, 2, 0, 2, 3]);
+    geometry.instanceCount = 0;
+    const material = new ShaderMaterial({
+      vertexShader: kVertex,
+      fragmentShader: kFragment,
+      uniforms: {
+        ...shared,
+        ...(style.time ? { time: style.time } : {}),
+        width: { value: style.width },
+        nearness: { value: style.nearness ?? 0 },
+        opacity: { value: style.opacity ?? 1 },
+      },
+      transparent: true,
+      depthTest: !style.hidden,
+      depthWrite: false,
+    });
+    super(geometry, material);
+    this.frustumCulled = false;
+  }
+
+  show(data: SegmentData): void {
+    const set = (name: string, array: Float32Array): void => {
+      this.geometry.setAttribute(name, new InstancedBufferAttribute(array, 3));
+    };
+    set("fromStart", data.fromStart);
+    set("fromEnd", data.fromEnd);
+    set("toStart", data.toStart);
+    set("toEnd", data.toEnd);
+    this.geometry.setAttribute("colour", new InstancedBufferAttribute(data.colour, 4, true));
+    this.geometry.instanceCount = data.fromStart.length / 3;
+  }
+}
+
+/** Segments between vertices of a step, given by pairs of indices. */
+export function segmentsBetween(
+  pairs: ArrayLike<number>,
+  start: Float32Array,
+  end: Float32Array,
+  colourOf: (pair: number) => number[],
+): SegmentData {
+  const count = pairs.length / 2;
+  const data = emptySegments(count);
+  for (let i = 0; i < count; ++i) {
+    const [a, b] = [3 * pairs[2 * i], 3 * pairs[2 * i + 1]];
+    data.fromStart.set(start.subarray(a, a + 3), 3 * i);
+    data.fromEnd.set(end.subarray(a, a + 3), 3 * i);
+    data.toStart.set(start.subarray(b, b + 3), 3 * i);
+    data.toEnd.set(end.subarray(b, b + 3), 3 * i);
+    data.colour.set(colourOf(i), 4 * i);
+  }
+  return data;
+}
+
+export function emptySegments(count: number): SegmentData {
+  const points = (): Float32Array => new Float32Array(3 * count);
+  return {
+    fromStart: points(),
+    fromEnd: points(),
+    toStart: points(),
+    toEnd: points(),
+    colour: new Uint8Array(4 * count),
+  };
+}

@@ -1,0 +1,193 @@
+// The drawing: mesh, contacts, the selected pair, and a frame when something has changed.
+import { Color, Points, Scene as Scene3d, ShaderMaterial, BufferGeometry, BufferAttribute, Vector3 } from "three";
+import { WebGLRenderer } from "three";
+import type { Pair } from "../scene/pair";
+import type { Scene, Step } from "../scene/scene";
+import type { Theme } from "../store";
+import type { Vec3 } from "../vectors";
+import { Camera } from "./camera";
+import { Marks, type MarkData } from "./marks";
+import { Pair3d } from "./pair3d";
+import { Segments, segmentsBetween, type SegmentData } from "./segments";
+import { kMotion } from "./shaders";
+import { sharedUniforms } from "./shared";
+import { Surface } from "./surface";
+
+const kInk: Record<Theme, number> = { dark: 0xe8eef7, light: 0x10151d };
+
+function loosePointsMaterial(shared: ReturnType<typeof sharedUniforms>): ShaderMaterial {
+  return new ShaderMaterial({
+    vertexShader: /* glsl */ `
+${kMotion}
+uniform float pixelRatio;
+void main() {
+  gl_Position = projectionMatrix * modelViewMatrix * vec4(moved(), 1.0);
+  gl_PointSize = 6.0 * pixelRatio;
+}`,
+    fragmentShader: /* glsl */ `
+uniform vec3 ink;
+void main() {
+  if (length(2.0 * gl_PointCoord - 1.0) > 1.0) discard;
+  gl_FragColor = vec4(mix(ink, vec3(0.25, 0.36, 0.55), 0.6), 1.0);
+  #include <colorspace_fragment>
+}`,
+    uniforms: { ...shared },
+  });
+}
+
+export interface FrameCost {
+  drawCalls: number;
+  triangles: number;
+  /** Milliseconds that the page's own code took for the last frame. */
+  cpu: number;
+  frames: number;
+}
+
+export class Stage {
+  readonly camera: Camera;
+  readonly cost: FrameCost = { drawCalls: 0, triangles: 0, cpu: 0, frames: 0 };
+  /** Called before each frame with the seconds since the last; true asks for another. */
+  beforeFrame: (seconds: number) => boolean = () => false;
+  /** Called after each frame. */
+  readonly drawn: (() => void)[] = [];
+  readonly surface: Surface;
+  private readonly renderer: WebGLRenderer;
+  private readonly world = new Scene3d();
+  private readonly shared = sharedUniforms();
+  private readonly marks = new Marks(this.shared);
+  private readonly normals = new Segments(this.shared, { width: 0.8, nearness: 2e-4 });
+  private readonly features = new Segments(this.shared, { width: 0.8, nearness: 2e-4 });
+  private readonly rods = new Segments(this.shared, { width: 1.6 });
+  private readonly loose: Points<BufferGeometry, ShaderMaterial>;
+  private readonly pair3d = new Pair3d(this.shared);
+  private requested = false;
+  private last = 0;
+
+  /** Throws if the browser has no WebGL 2. */
+  constructor(
+    readonly canvas: HTMLCanvasElement,
+    private readonly scene: Scene,
+  ) {
+    this.renderer = new WebGLRenderer({ canvas, antialias: true, preserveDrawingBuffer: false });
+    this.camera = new Camera(canvas, () => {
+      this.request();
+    });
+    this.surface = new Surface(scene, this.shared);
+    this.loose = new Points(new BufferGeometry(), loosePointsMaterial(this.shared));
+    this.loose.geometry.setIndex(new BufferAttribute(scene.loosePoints, 1));
+    this.loose.frustumCulled = false;
+    this.normals.renderOrder = 3;
+    this.features.renderOrder = 3;
+    this.world.add(this.surface, this.rods, this.loose, this.marks, this.normals, this.features, this.pair3d);
+    new ResizeObserver(() => {
+      this.resize();
+    }).observe(canvas.parentElement!);
+    this.resize();
+  }
+
+  showStep(step: Step, firstTouch: Float32Array): void {
+    this.surface.show(step, firstTouch);
+    this.loose.geometry.setAttribute("position", new BufferAttribute(step.start, 3));
+    this.loose.geometry.setAttribute("end", new BufferAttribute(step.end, 3));
+    this.rods.show(segmentsBetween(this.scene.rods, step.start, step.end, () => [70, 92, 140, 255]));
+    this.request();
+  }
+
+  showMarks(data: MarkData): void {
+    this.marks.show(data);
+    this.request();
+  }
+
+  marksChanged(): void {
+    this.marks.filterChanged();
+    this.request();
+  }
+
+  showNormals(data: SegmentData | null): void {
+    if (data) this.normals.show(data);
+    this.normals.visible = data !== null;
+    this.request();
+  }
+
+  showFeatures(data: SegmentData | null): void {
+    if (data) this.features.show(data);
+    this.features.visible = data !== null;
+    this.request();
+  }
+
+  showPair(pair: Pair | null, isolated: boolean): void {
+    this.pair3d.show(pair);
+    const focused = pair !== null && isolated;
+    if (pair) this.shared.focus.value.set(...pair.firstPoint(pair.toi));
+    this.shared.focusRadius.value = focused ? 7 * pair.size : 0;
+    this.surface.faded = focused;
+    this.request();
+  }
+
+  setTime(time: number): void {
+    this.shared.time.value = time;
+    this.pair3d.moveTo(time);
+    this.request();
+  }
+
+  set brush([low, high]: [number, number]) {
+    this.shared.brush.value.set(low, high);
+    this.request();
+  }
+
+  setVisible(marks: boolean, xray: boolean): void {
+    this.marks.visible = marks;
+    this.marks.xray = xray;
+    this.request();
+  }
+
+  set theme(theme: Theme) {
+    this.shared.ink.value = new Color(kInk[theme]);
+    this.request();
+  }
+
+  /** Where a point is drawn, in CSS pixels of the canvas, with its depth; null behind the eye. */
+  project(point: Vec3): { x: number; y: number; depth: number } | null {
+    const at = new Vector3(...point).project(this.camera.camera);
+    if (at.z > 1 || at.z < -1) return null;
+    const { clientWidth, clientHeight } = this.canvas;
+    return { x: ((at.x + 1) / 2) * clientWidth, y: ((1 - at.y) / 2) * clientHeight, depth: at.z };
+  }
+
+  request(): void {
+    if (this.requested) return;
+    this.requested = true;
+    requestAnimationFrame((now) => {
+      this.frame(now);
+    });
+  }
+
+  private frame(now: number): void {
+    this.requested = false;
+    const began = performance.now();
+    const more = this.beforeFrame(this.last ? Math.min((now - this.last) / 1000, 0.1) : 0);
+    this.camera.update();
+    this.renderer.setClearAlpha(0);
+    this.renderer.render(this.world, this.camera.camera);
+    for (const listener of this.drawn) listener();
+    this.cost.cpu = performance.now() - began;
+    this.cost.drawCalls = this.renderer.info.render.calls;
+    this.cost.triangles = this.renderer.info.render.triangles;
+    ++this.cost.frames;
+    const again = more || this.camera.isFlying;
+    this.last = again ? now : 0;
+    if (again) this.request();
+  }
+
+  private resize(): void {
+    const { clientWidth: width, clientHeight: height } = this.canvas.parentElement!;
+    if (width === 0 || height === 0) return;
+    const ratio = Math.min(devicePixelRatio, 2);
+    this.renderer.setPixelRatio(ratio);
+    this.renderer.setSize(width, height, false);
+    this.shared.size.value.set(width * ratio, height * ratio);
+    this.shared.pixelRatio.value = ratio;
+    this.camera.resize(width, height);
+    this.request();
+  }
+}

@@ -1,0 +1,225 @@
+// The triangles: shaded on both sides, lit up where they have been touched.
+import { BufferAttribute, BufferGeometry, DoubleSide, Group, LineSegments, Mesh, ShaderMaterial } from "three";
+import { kObjectColours } from "../colours";
+import type { Scene, Step } from "../scene/scene";
+import { kMotion } from "./shaders";
+import type { SharedUniforms } from "./shared";
+
+const kVertex = /* glsl */ `
+${kMotion}
+attribute vec3 normalStart;
+attribute vec3 normalEnd;
+attribute vec3 tint;
+attribute float firstTouch;
+attribute float fineness;
+uniform sampler2D scale;
+uniform vec2 brush;
+varying vec3 vNormal;
+varying vec3 vView;
+varying vec3 vTint;
+varying vec4 vGlow;
+varying vec3 vPlace;
+void main() {
+  vec4 view = modelViewMatrix * vec4(moved(), 1.0);
+  vPlace = moved();
+  vView = view.xyz;
+  vNormal = normalMatrix * mix(normalStart, normalEnd, time);
+  vTint = tint;
+  bool touched = firstTouch <= time && firstTouch >= brush.x && firstTouch <= brush.y;
+  vGlow = vec4(texture2D(scale, vec2(firstTouch, 0.5)).rgb, 1.0) * (touched ? fineness : 0.0);
+  gl_Position = projectionMatrix * view;
+}`;
+
+const kFragment = /* glsl */ `
+uniform bool smoothShading;
+uniform vec3 focus;
+uniform float focusRadius;
+varying vec3 vNormal;
+varying vec3 vView;
+varying vec3 vTint;
+varying vec4 vGlow;
+varying vec3 vPlace;
+void main() {
+  vec3 flatNormal = normalize(cross(dFdx(vView), dFdy(vView)));
+  vec3 toEye = normalize(-vView);
+  vec3 normal = smoothShading && dot(vNormal, vNormal) > 1e-12 ? normalize(vNormal) : flatNormal;
+  if (dot(normal, flatNormal) < 0.0) normal = -normal;
+  float key = max(dot(normal, normalize(vec3(0.45, 0.75, 0.6))), 0.0);
+  float fill = max(dot(normal, normalize(vec3(-0.8, 0.1, 0.35))), 0.0);
+  float sky = 0.5 + 0.5 * normal.y;
+  float rim = pow(1.0 - max(dot(normal, toEye), 0.0), 3.0);
+  float shine = pow(max(dot(normal, normalize(normalize(vec3(0.45, 0.75, 0.6)) + toEye)), 0.0), 40.0);
+  vec3 tint = vTint;
+  if (!gl_FrontFacing) tint = mix(tint * vec3(0.62, 0.52, 0.5), vec3(0.16, 0.11, 0.1), 0.25);
+  vec3 colour = tint * (vec3(0.16, 0.19, 0.25) * sky + 0.07 + 0.66 * key + 0.14 * fill) + 0.07 * rim + 0.07 * shine;
+  if (vGlow.a > 0.0) {
+    vec3 glow = vGlow.rgb / vGlow.a;
+    float strength = smoothstep(0.0, 0.9, vGlow.a);
+    colour = mix(colour, glow * (0.45 + 0.75 * key + 0.25 * sky), 0.85 * strength);
+  }
+  float alpha = 1.0;
+  if (focusRadius > 0.0) {
+    alpha = 0.34 * (1.0 - smoothstep(0.35, 1.0, distance(vPlace, focus) / focusRadius));
+    if (alpha < 0.004) discard;
+  }
+  gl_FragColor = vec4(colour, alpha);
+  #include <colorspace_fragment>
+}`;
+
+const kEdgeVertex = /* glsl */ `
+${kMotion}
+varying vec3 vPlace;
+void main() {
+  vPlace = moved();
+  gl_Position = projectionMatrix * modelViewMatrix * vec4(vPlace, 1.0);
+}`;
+
+const kEdgeFragment = /* glsl */ `
+uniform vec3 ink;
+uniform vec3 focus;
+uniform float focusRadius;
+varying vec3 vPlace;
+void main() {
+  float alpha = 0.38;
+  if (focusRadius > 0.0) alpha *= 1.0 - smoothstep(0.35, 1.0, distance(vPlace, focus) / focusRadius);
+  if (alpha < 0.004) discard;
+  gl_FragColor = vec4(ink, alpha);
+  #include <colorspace_fragment>
+}`;
+
+/** Sums of the triangles' normals, each as long as its area demands. */
+function vertexNormals(faces: Uint32Array, positions: Float32Array): Float32Array {
+  const normals = new Float32Array(positions.length);
+  for (let f = 0; f < faces.length; f += 3) {
+    const [a, b, c] = [3 * faces[f], 3 * faces[f + 1], 3 * faces[f + 2]];
+    const [x, y, z] = [positions[a], positions[a + 1], positions[a + 2]];
+    const [ex, ey, ez] = [positions[b] - x, positions[b + 1] - y, positions[b + 2] - z];
+    const [gx, gy, gz] = [positions[c] - x, positions[c + 1] - y, positions[c + 2] - z];
+    const [nx, ny, nz] = [ey * gz - ez * gy, ez * gx - ex * gz, ex * gy - ey * gx];
+    for (const v of [a, b, c]) {
+      normals[v] += nx;
+      normals[v + 1] += ny;
+      normals[v + 2] += nz;
+    }
+  }
+  for (let v = 0; v < normals.length; v += 3) {
+    const length = Math.hypot(normals[v], normals[v + 1], normals[v + 2]);
+    if (length > 0) for (let k = 0; k < 3; ++k) normals[v + k] /= length;
+  }
+  return normals;
+}
+
+/** The edges of the triangles, each once, as pairs of vertices. */
+export function edgesOf(faces: Uint32Array, vertices: number): Uint32Array {
+  const keys = new Float64Array(faces.length);
+  for (let f = 0; f < faces.length; f += 3)
+    for (let k = 0; k < 3; ++k) {
+      const [a, b] = [faces[f + k], faces[f + ((k + 1) % 3)]];
+      keys[f + k] = Math.min(a, b) * vertices + Math.max(a, b);
+    }
+  keys.sort();
+  const edges: number[] = [];
+  for (let i = 0; i < keys.length; ++i)
+    if (i === 0 || keys[i] !== keys[i - 1]) edges.push(Math.floor(keys[i] / vertices), keys[i] % vertices);
+  return new Uint32Array(edges);
+}
+
+/** 1 for vertices whose triangles are small, 0 for large ones: on these a colour at a corner would say too much. */
+function fineness(faces: Uint32Array, positions: Float32Array): Float32Array {
+  const longest = new Float32Array(positions.length / 3);
+  for (let f = 0; f < faces.length; f += 3)
+    for (let k = 0; k < 3; ++k) {
+      const [a, b] = [faces[f + k], faces[f + ((k + 1) % 3)]];
+      const [x, y, z] = [0, 1, 2].map((axis) => positions[3 * a + axis] - positions[3 * b + axis]);
+      const edge = Math.hypot(x, y, z);
+      longest[a] = Math.max(longest[a], edge);
+      longest[b] = Math.max(longest[b], edge);
+    }
+  const [small, large] = [0.15, 0.4];
+  return longest.map((edge) => 1 - Math.min(Math.max((edge - small) / (large - small), 0), 1));
+}
+
+function tints(scene: Scene): Uint8Array {
+  const colours = new Uint8Array(3 * scene.objectOfVertex.length);
+  // Colours go to the shader as they count for light, not as they stand on a screen.
+  const linear = kObjectColours.map((rgb) => rgb.map((c) => Math.round(255 * (c / 255) ** 2.2)));
+  scene.objectOfVertex.forEach((object, v) => {
+    if (object >= 0) colours.set(linear[object % linear.length], 3 * v);
+  });
+  return colours;
+}
+
+export class Surface extends Group {
+  readonly geometry = new BufferGeometry();
+  private readonly material: ShaderMaterial;
+  private readonly edges = new LineSegments();
+  private hasEdges = false;
+
+  constructor(
+    private readonly scene: Scene,
+    shared: SharedUniforms,
+  ) {
+    super();
+    this.geometry.setIndex(new BufferAttribute(scene.faces, 1));
+    this.geometry.setAttribute("tint", new BufferAttribute(tints(scene), 3, true));
+    this.material = new ShaderMaterial({
+      vertexShader: kVertex,
+      fragmentShader: kFragment,
+      uniforms: { ...shared, smoothShading: { value: true } },
+      side: DoubleSide,
+      polygonOffset: true,
+      polygonOffsetFactor: 1,
+      polygonOffsetUnits: 2,
+    });
+    const mesh = new Mesh(this.geometry, this.material);
+    this.edges.material = new ShaderMaterial({
+      vertexShader: kEdgeVertex,
+      fragmentShader: kEdgeFragment,
+      uniforms: { ...shared },
+      transparent: true,
+      depthWrite: false,
+    });
+    mesh.frustumCulled = false;
+    this.edges.frustumCulled = false;
+    this.edges.visible = false;
+    this.add(mesh, this.edges);
+  }
+
+  /** `firstTouch`: a time for each vertex, above 1 for those that are in no contact. */
+  show(step: Step, firstTouch: Float32Array): void {
+    const set = (name: string, array: Float32Array, width: number): void => {
+      this.geometry.setAttribute(name, new BufferAttribute(array, width));
+    };
+    set("position", step.start, 3);
+    set("end", step.end, 3);
+    set("normalStart", vertexNormals(this.scene.faces, step.start), 3);
+    set("normalEnd", vertexNormals(this.scene.faces, step.end), 3);
+    set("firstTouch", firstTouch, 1);
+    set("fineness", fineness(this.scene.faces, step.start), 1);
+    if (this.hasEdges) this.shareEdges();
+  }
+
+  set smooth(on: boolean) {
+    this.material.uniforms.smoothShading.value = on;
+  }
+
+  /** See-through while only a part of it is shown. */
+  set faded(on: boolean) {
+    this.material.transparent = on;
+    this.material.depthWrite = !on;
+    this.material.needsUpdate = true;
+  }
+
+  showEdges(on: boolean): void {
+    this.edges.visible = on;
+    if (!on || this.hasEdges) return;
+    const edges = edgesOf(this.scene.faces, this.scene.header.mesh.vertices);
+    this.edges.geometry.setIndex(new BufferAttribute(edges, 1));
+    this.hasEdges = true;
+    this.shareEdges();
+  }
+
+  private shareEdges(): void {
+    for (const name of ["position", "end"]) this.edges.geometry.setAttribute(name, this.geometry.getAttribute(name));
+  }
+}

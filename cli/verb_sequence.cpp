@@ -40,7 +40,8 @@ class Sequence final : public Verb {
     const double scale = scale_.value();
     const MovingFrames frames(names_);
     frames_ = frames.paths();
-    for (const auto& frame : frames_) width_ = std::max(width_, static_cast<int>(printable(frame.filename().string()).size()));
+    for (const auto& frame : frames_)
+      width_ = std::max(width_, static_cast<int>(printable(frame.filename().string()).size()));
     std::vector<Point> start = frames.first().positions;
     Detector detector(io::mesh_of(frames.first()), options);
     if (!json_) print_head(detector);

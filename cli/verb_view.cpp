@@ -52,7 +52,8 @@ class View final : public Verb {
 
  private:
   static void record(const MovingFrames& frames, Detector& detector, Recording& recording) {
-    for (const std::filesystem::path& path : frames.paths()) recording.names.push_back(utf8_text(path.filename().string()));
+    for (const std::filesystem::path& path : frames.paths())
+      recording.names.push_back(utf8_text(path.filename().string()));
     recording.frames.push_back(frames.first().positions);
     Progress progress(frames.paths().size() - 1, "steps");
     for (std::size_t i = 1; i < frames.paths().size(); ++i) {

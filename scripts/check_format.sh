@@ -6,6 +6,6 @@ cd "$(dirname "$0")/.."
 command -v clang-format-14 >/dev/null || { echo "skipped: no clang-format-14"; exit 77; }
 mode=(--dry-run -Werror)
 [[ ${1:-} != --fix ]] || mode=(-i)
-mapfile -t files < <(find . \( -path ./build -o -path ./out -o -name '.?*' \) -prune -o -name '*.[ch]pp' -print -o -name '*.[ch]' -print | sort)
+mapfile -t files < <(find . \( -path ./build -o -path ./out -o -name node_modules -o -name '.?*' \) -prune -o -name '*.[ch]pp' -print -o -name '*.[ch]' -print | sort)
 clang-format-14 "${mode[@]}" "${files[@]}"
 echo "${#files[@]} files, all formatted"

@@ -17,3 +17,5 @@ show $tamis scene cloth-ball --triangles 6000 --frames 60 --out $frames
 show $tamis sequence "$frames/frame_005?.ply" --scale 10
 show $tamis contacts $frames/frame_0055.ply $frames/frame_0056.ply --scale 10 --out $frames/contacts.csv
 show head -n 3 $frames/contacts.csv
+show $tamis view "$frames/frame_005?.ply" --scale 10 --out $frames/demo.html
+printf '\nOpen this in any browser: %s\n' "$PWD/$frames/demo.html"

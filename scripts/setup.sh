@@ -9,7 +9,9 @@ packages=(g++ cmake ninja-build pkg-config libtbb-dev libgmp-dev libxsimd-dev
           libcli11-dev libfmt-dev nlohmann-json3-dev libeigen3-dev libmeshoptimizer-dev zlib1g-dev libb64-dev)
 if [[ ${1:-} == --tests ]]; then
   packages+=(libgtest-dev libbenchmark-dev glmark2-data python3 python3-venv python3-dev binutils valgrind clang-14
-             clang-format-14 clang-tidy-14 libclang-rt-14-dev)
+             clang-format-14 clang-tidy-14 libclang-rt-14-dev chromium)
+  # Node from elsewhere than Debian brings its own npm, and conflicts with Debian's.
+  command -v npm >/dev/null || packages+=(nodejs npm)
 fi
 if [[ ${1:-} == --python ]]; then
   packages+=(python3-venv python3-dev)
@@ -30,12 +32,19 @@ for package in "${packages[@]}"; do
 done
 if ((${#missing[@]} == 0)); then
   echo "setup: all ${#packages[@]} packages are installed"
-  exit 0
+else
+  as_root=()
+  ((EUID == 0)) || as_root=(sudo)
+  echo "setup: installing ${missing[*]}"
+  "${as_root[@]}" apt-get update -q
+  "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive \
+    apt-get install -q -y --no-install-recommends "${missing[@]}" </dev/null
 fi
 
-as_root=()
-((EUID == 0)) || as_root=(sudo)
-echo "setup: installing ${missing[*]}"
-"${as_root[@]}" apt-get update -q
-"${as_root[@]}" env DEBIAN_FRONTEND=noninteractive \
-  apt-get install -q -y --no-install-recommends "${missing[@]}" </dev/null
+# The viewer's tools, exactly those of its lock file.
+viewer=$(dirname "$0")/../viewer
+if [[ ${1:-} == --tests && ! $viewer/node_modules/.package-lock.json -nt $viewer/package-lock.json ]]; then
+  echo "setup: installing the viewer's tools into viewer/node_modules"
+  npm ci --prefix "$viewer" --ignore-scripts --no-audit --no-fund
+  touch "$viewer/node_modules/.package-lock.json"
+fi

@@ -14,8 +14,8 @@ void append_planes(std::string& bytes, std::span<const Number> column) {
     for (const Number x : column) bytes += static_cast<char>((x >> (8 * byte)) & 0xff);
 }
 
-/// Each row of `width` numbers less the row above it; differences wrap, and are folded so that small ones of either sign
-/// have zero bytes above (0, -1, 1, -2 become 0, 1, 2, 3). Then in planes.
+/// Each row of `width` numbers less the row above it; differences wrap, and are folded so that small ones of either
+/// sign have zero bytes above (0, -1, 1, -2 become 0, 1, 2, 3). Then in planes.
 void append_differences(std::string& bytes, std::span<const std::uint32_t> column, std::size_t width);
 
 }  // namespace tamis::cli

@@ -37,8 +37,8 @@ const Output& output_for(const std::filesystem::path& path, std::size_t steps) {
   const auto found = std::find_if(kOutputs.begin(), kOutputs.end(),
                                   [&](const Output& output) { return extension == output.extension; });
   if (found == kOutputs.end())
-    throw InvalidOptions(
-        fmt::format("--out {}: no output has this extension: give one of {}", printable(path.string()), output_extensions()));
+    throw InvalidOptions(fmt::format("--out {}: no output has this extension: give one of {}", printable(path.string()),
+                                     output_extensions()));
   if (steps > 1 && !found->holds_sequence)
     throw InvalidOptions(fmt::format("--out {}: such a file holds one step, not {}: name two frames, or write html",
                                      printable(path.string()), steps));

@@ -19,7 +19,7 @@ struct RecordedStep {
 struct Recording {
   const Mesh& mesh;
   const Options& options;
-  double scale = 1;  ///< step i goes from frame i to frame i + scale (frame i+1 - frame i)
+  double scale = 1;                ///< step i goes from frame i to frame i + scale (frame i+1 - frame i)
   std::vector<std::string> names;  ///< of the frames, in UTF-8
   std::vector<std::vector<Point>> frames;
   std::vector<RecordedStep> steps;

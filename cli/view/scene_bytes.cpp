@@ -78,8 +78,7 @@ void add_mesh(const Mesh& mesh, Columns& columns, Json& header) {
 void add_frames(const Recording& recording, Columns& columns, Json& header) {
   QuantisedFrames quantised = quantise(recording);
   for (std::size_t f = quantised.frames.size() - 1; f > 0; --f)
-    for (std::size_t i = 0; i < quantised.frames[f].size(); ++i)
-      quantised.frames[f][i] -= quantised.frames[f - 1][i];
+    for (std::size_t i = 0; i < quantised.frames[f].size(); ++i) quantised.frames[f][i] -= quantised.frames[f - 1][i];
   const auto write = [&](std::string& bytes) {
     for (const auto& frame : quantised.frames) append_differences(bytes, frame, 3);
   };

@@ -12,7 +12,8 @@
 
 // The built page becomes part of the program: who builds the command needs no Node.
 asm(".section .rodata\n"
-    "tamis_page_begin: .incbin \"" TAMIS_VIEWER_PAGE "\"\n"
+    "tamis_page_begin: .incbin \"" TAMIS_VIEWER_PAGE
+    "\"\n"
     "tamis_page_end: .byte 0\n"
     ".global tamis_page_begin, tamis_page_end\n"
     ".text\n");

@@ -2,7 +2,7 @@
 import { playPair, timeOf } from "./panels/pair_panel";
 import { togglePlay } from "./panels/timeline";
 import type { Session } from "./session";
-import type { Panel } from "./store";
+import type { Panel, Switch } from "./store";
 import type { Actions } from "./actions";
 
 export interface KeyAction {
@@ -134,23 +134,25 @@ function pairKeys(session: Session, actions: Actions): KeyAction[] {
   ];
 }
 
-function lookKeys({ store }: Session, actions: Actions): KeyAction[] {
-  const panels: Record<string, Panel> = { l: "contacts", b: "pair", v: "sieve" };
+function cameraKeys({ store }: Session, actions: Actions): KeyAction[] {
+  const arrows = (modifier: string): string[] =>
+    ["Left", "Right", "Up", "Down"].map((way) => `${modifier}+Arrow${way}`);
+  const way = (key: string): string => key.replace(/^.*Arrow/, "");
   return [
     {
-      keys: ["Shift+ArrowLeft", "Shift+ArrowRight", "Shift+ArrowUp", "Shift+ArrowDown"],
+      keys: arrows("Shift"),
       label: "Shift ← → ↑ ↓",
       does: "turn the camera",
       run: (key) => {
-        actions.turn(key.slice("Shift+Arrow".length));
+        actions.turn(way(key));
       },
     },
     {
-      keys: ["Alt+ArrowLeft", "Alt+ArrowRight", "Alt+ArrowUp", "Alt+ArrowDown"],
+      keys: arrows("Alt"),
       label: "Alt ← → ↑ ↓",
       does: "shift the camera",
       run: (key) => {
-        actions.shift(key.slice("Alt+Arrow".length));
+        actions.shift(way(key));
       },
     },
     {
@@ -176,91 +178,49 @@ function lookKeys({ store }: Session, actions: Actions): KeyAction[] {
         actions.overview();
       },
     },
-    {
-      keys: ["g"],
-      does: "smooth or flat shading",
-      run: () => {
-        store.toggle("smooth");
+  ];
+}
+
+const kSwitches: [string, Switch, string][] = [
+  ["g", "smooth", "smooth or flat shading"],
+  ["e", "edges", "edges of the mesh"],
+  ["m", "marks", "contact points"],
+  ["n", "normals", "contact normals"],
+  ["p", "features", "both features of every contact"],
+  ["x", "xray", "contacts behind the surface, faintly"],
+  ["u", "unresolvedOnly", "unresolved pairs alone"],
+  ["h", "panelOpen", "hide or show the panel"],
+];
+
+function lookKeys({ store }: Session, actions: Actions): KeyAction[] {
+  const panels: Record<string, Panel> = { l: "contacts", b: "pair", v: "sieve" };
+  const plain: [string, string, () => void][] = [
+    ["t", "dark or light", actions.theme.bind(actions)],
+    ["c", "copy a link to this view", actions.copyLink.bind(actions)],
+    [
+      "?",
+      "this list",
+      () => {
+        actions.help();
       },
-    },
-    {
-      keys: ["e"],
-      does: "edges of the mesh",
+    ],
+  ];
+  return [
+    ...kSwitches.map(([key, name, does]) => ({
+      keys: [key],
+      does,
       run: () => {
-        store.toggle("edges");
+        store.toggle(name);
       },
-    },
-    {
-      keys: ["m"],
-      does: "contact points",
-      run: () => {
-        store.toggle("marks");
-      },
-    },
-    {
-      keys: ["n"],
-      does: "contact normals",
-      run: () => {
-        store.toggle("normals");
-      },
-    },
-    {
-      keys: ["p"],
-      does: "both features of every contact",
-      run: () => {
-        store.toggle("features");
-      },
-    },
-    {
-      keys: ["x"],
-      does: "contacts behind the surface, faintly",
-      run: () => {
-        store.toggle("xray");
-      },
-    },
-    {
-      keys: ["u"],
-      does: "unresolved pairs alone",
-      run: () => {
-        store.toggle("unresolvedOnly");
-      },
-    },
+    })),
     {
       keys: ["l", "b", "v"],
-      label: "L B V",
       does: "list, pair, sieve",
       run: (key) => {
         store.set({ panel: panels[key], panelOpen: true });
       },
     },
-    {
-      keys: ["h"],
-      does: "hide or show the panel",
-      run: () => {
-        store.toggle("panelOpen");
-      },
-    },
-    {
-      keys: ["t"],
-      does: "dark or light",
-      run: () => {
-        actions.theme();
-      },
-    },
-    {
-      keys: ["c"],
-      does: "copy a link to this view",
-      run: () => {
-        actions.copyLink();
-      },
-    },
-    {
-      keys: ["?"],
-      does: "this list",
-      run: () => {
-        actions.help();
-      },
-    },
+    ...plain.map(([key, does, run]) => ({ keys: [key], does, run })),
   ];
 }
 
@@ -268,7 +228,7 @@ export function keyTable(session: Session, actions: Actions): Record<string, Key
   return {
     Time: timeKeys(session),
     Contacts: pairKeys(session, actions),
-    Looking: lookKeys(session, actions),
+    Looking: [...cameraKeys(session, actions), ...lookKeys(session, actions)],
   };
 }
 

@@ -26,7 +26,9 @@ const kSuperscripts = "⁰¹²³⁴⁵⁶⁷⁸⁹";
 export function scientific(x: number): string {
   if (x === 0) return "0";
   const [digits, power] = x.toExponential(1).split("e");
-  const raised = [...power.replace("+", "")].map((c) => (c === "-" ? "⁻" : kSuperscripts[Number(c)])).join("");
+  const raised = Array.from(power.replace("+", ""))
+    .map((c) => (c === "-" ? "⁻" : kSuperscripts[Number(c)]))
+    .join("");
   return `${digits} × 10${raised}`;
 }
 

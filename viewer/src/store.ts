@@ -5,6 +5,9 @@ export type Up = "y" | "z";
 export type Panel = "contacts" | "pair" | "sieve";
 export type SortKey = "time" | "kind" | "features" | "object";
 
+/** What is on or off. */
+export type Switch = "smooth" | "edges" | "marks" | "normals" | "features" | "xray" | "unresolvedOnly" | "panelOpen";
+
 export interface ViewState {
   step: number;
   /** Time in the step, 0 to 1. */
@@ -86,7 +89,7 @@ export class Store {
     for (const { keys, listener } of this.listeners) if (changed.some((key) => keys.has(key))) listener();
   }
 
-  toggle(key: "smooth" | "edges" | "marks" | "normals" | "features" | "xray" | "unresolvedOnly" | "panelOpen"): void {
+  toggle(key: Switch): void {
     this.set({ [key]: !this.state[key] });
   }
 

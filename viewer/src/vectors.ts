@@ -16,5 +16,5 @@ export const unit = (a: Vec3): Vec3 => times(1 / length(a), a);
 export const mix = (a: Vec3, b: Vec3, t: number): Vec3 => add(times(1 - t, a), times(t, b));
 
 export function weighted(points: Vec3[], weights: number[]): Vec3 {
-  return points.reduce((sum, point, i) => add(sum, times(weights[i], point)), [0, 0, 0] as Vec3);
+  return points.reduce<Vec3>((sum, point, i) => add(sum, times(weights[i], point)), [0, 0, 0]);
 }

@@ -3,6 +3,7 @@ import { button, el } from "../dom";
 import { grouped } from "../numbers";
 import type { Actions } from "../actions";
 import type { Session } from "../session";
+import type { Switch } from "../store";
 import { contactsOf } from "../scene/scene";
 
 export function header(session: Session, actions: Actions): HTMLElement {
@@ -61,7 +62,7 @@ function sentence({ view, scene, store }: Session): (Node | string)[] {
 /** Switches for the drawing, theme and help. */
 export function tools(session: Session, actions: Actions): HTMLElement {
   const { store } = session;
-  const flip = (key: "smooth" | "edges" | "marks" | "normals" | "features" | "xray", label: string, title: string) => {
+  const flip = (key: Switch, label: string, title: string) => {
     const element = button(
       label,
       title,

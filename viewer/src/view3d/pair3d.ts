@@ -88,7 +88,7 @@ export class Pair3d extends Group {
     if (!pair) return;
     const filled = [pair.first, pair.second].filter((feature) => feature.length === 3);
     filled.forEach((feature, i) => {
-      const mesh = this.faces.children[i] as Mesh<BufferGeometry>;
+      const mesh = this.faces.children[i] as Mesh;
       const position = mesh.geometry.getAttribute("position");
       feature.forEach((v, k) => position.setXYZ(k, ...pair.at(v, time)));
       position.needsUpdate = true;
@@ -96,7 +96,7 @@ export class Pair3d extends Group {
   }
 }
 
-function triangle(colour: Rgb): Mesh<BufferGeometry> {
+function triangle(colour: Rgb): Mesh {
   const geometry = new BufferGeometry();
   geometry.setAttribute("position", new BufferAttribute(new Float32Array(9), 3));
   const material = new MeshBasicMaterial({

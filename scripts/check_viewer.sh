@@ -1,0 +1,27 @@
+#!/usr/bin/env bash
+# check_viewer.sh style|page|tests [COMMAND SCREENSHOTS]: the viewer's sources are typed, linted and formatted; the committed
+# page is what they build, byte for byte; its tests pass in Chromium. Exit 77 where Node, its packages or Chromium is absent.
+set -euo pipefail
+cd "$(dirname "$0")/../viewer"
+
+skip() { echo "skipped: $1"; exit 77; }
+command -v node >/dev/null || skip "no node"
+[[ -d node_modules ]] || skip "no viewer/node_modules: scripts/setup.sh --tests installs it"
+case $1 in
+  style)
+    node_modules/.bin/tsc --noEmit
+    node_modules/.bin/eslint .
+    node_modules/.bin/prettier --check .
+    ;;
+  page)
+    built=$(mktemp --suffix=.html)
+    trap 'rm -f "$built"' EXIT
+    node build.mjs "$built"
+    cmp "$built" dist/viewer.html || { echo "viewer/dist/viewer.html is not what viewer/src builds: npm run build"; exit 1; }
+    ;;
+  tests)
+    export TAMIS_CHROMIUM=${TAMIS_CHROMIUM:-/usr/bin/chromium}
+    [[ -x $TAMIS_CHROMIUM ]] || skip "no $TAMIS_CHROMIUM"
+    TAMIS_COMMAND=$2 TAMIS_SCREENSHOTS=${3:-} node test.mjs
+    ;;
+esac

@@ -1,0 +1,26 @@
+// Bundles test/*.test.ts and runs them: node test.mjs. Needs TAMIS_COMMAND, the command to test.
+import { spawnSync } from "node:child_process";
+import { readdir, rm } from "node:fs/promises";
+import { dirname, join } from "node:path";
+import { fileURLToPath } from "node:url";
+import { build } from "esbuild";
+
+const folder = dirname(fileURLToPath(import.meta.url));
+// Below node_modules, so that what the bundles leave out is found.
+const out = join(folder, "node_modules", ".tests", String(process.pid));
+const names = (await readdir(join(folder, "test"))).filter((name) => name.endsWith(".test.ts"));
+await build({
+  entryPoints: names.map((name) => join(folder, "test", name)),
+  outdir: out,
+  outExtension: { ".js": ".mjs" },
+  bundle: true,
+  platform: "node",
+  format: "esm",
+  target: "node18",
+  packages: "external",
+  logLevel: "warning",
+});
+const files = names.map((name) => join(out, name.replace(/\.ts$/, ".mjs")));
+const { status } = spawnSync(process.execPath, ["--test", ...files], { stdio: "inherit" });
+await rm(out, { recursive: true, force: true });
+process.exit(status ?? 1);

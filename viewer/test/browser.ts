@@ -1,0 +1,68 @@
+// Debian's Chromium without a window, drawing in software; what goes wrong on a page is kept.
+import { mkdirSync } from "node:fs";
+import { join } from "node:path";
+import { chromium, type Browser, type BrowserContextOptions, type Page } from "playwright-core";
+
+const executablePath = process.env.TAMIS_CHROMIUM ?? "/usr/bin/chromium";
+const pictures = process.env.TAMIS_SCREENSHOTS;
+
+export function launch(...flags: string[]): Promise<Browser> {
+  // A test may run as root in a container, where Chromium's sandbox cannot be set up.
+  const args = ["--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--no-sandbox", ...flags];
+  return chromium.launch({ executablePath, args });
+}
+
+export interface Opened {
+  page: Page;
+  /** Errors, warnings of the console, and requests that leave the file. */
+  faults: string[];
+}
+
+/** Opens a file as a double click would, and waits until it is shown. */
+export async function open(
+  browser: Browser,
+  file: string,
+  hash = "",
+  options: BrowserContextOptions = {},
+): Promise<Opened> {
+  const page = await browser.newPage({ viewport: { width: 1280, height: 720 }, reducedMotion: "reduce", ...options });
+  const faults: string[] = [];
+  page.on("console", (message) => {
+    // The software renderer reports its own slowness when a page's pixels are read.
+    if (["error", "warning"].includes(message.type()) && !message.text().includes("GPU stall"))
+      faults.push(message.text());
+  });
+  page.on("pageerror", (error) => faults.push(error.message));
+  page.on("request", (request) => {
+    const [address] = request.url().split("#");
+    if (address !== `file://${file}` && !address.startsWith("data:")) faults.push(address);
+  });
+  await page.goto(`file://${file}${hash}`);
+  await page.waitForFunction(() => window.tamis ?? document.getElementById("unreadable"), null, { timeout: 60000 });
+  await settled(page);
+  return { page, faults };
+}
+
+/** After the drawing has come to rest. */
+export async function settled(page: Page): Promise<void> {
+  await page.evaluate(
+    () =>
+      new Promise<void>((done) => {
+        let last = -1;
+        const look = (): void => {
+          const frames = window.tamis?.stage?.cost.frames ?? 0;
+          if (frames === last) done();
+          else setTimeout(look, 60);
+          last = frames;
+        };
+        look();
+      }),
+  );
+}
+
+/** Kept for looking at, where a folder for that is given. */
+export async function picture(page: Page, name: string): Promise<void> {
+  if (!pictures) return;
+  mkdirSync(pictures, { recursive: true });
+  await page.screenshot({ path: join(pictures, `${name}.png`) });
+}

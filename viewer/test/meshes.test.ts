@@ -1,0 +1,138 @@
+// Meshes and browsers that are not the usual ones: each opens, or says why not.
+import assert from "node:assert/strict";
+import { statSync } from "node:fs";
+import { after, before, test } from "node:test";
+import type { Browser } from "playwright-core";
+import { launch, open, picture } from "./browser";
+import { Folder, obj } from "./command";
+
+const folder = new Folder();
+let browser: Browser;
+
+before(async () => {
+  browser = await launch();
+});
+
+after(async () => {
+  await browser.close();
+  folder.remove();
+});
+
+/** Writes a step of vertices that fall by `fall`, and opens its page. */
+async function openStep(
+  name: string,
+  vertices: number[][],
+  rest: string,
+  fall: (v: number) => number,
+): Promise<{ answer: string; faults: string[]; frames: number }> {
+  folder.write("start.obj", obj(vertices, rest));
+  const end = vertices.map(([x, y, z], v) => [x, y, z - fall(v)]);
+  folder.write("end.obj", obj(end, rest));
+  folder.run(`view start.obj end.obj --out ${name}.html`);
+  const { page, faults } = await open(browser, folder.file(`${name}.html`));
+  const answer = (await page.textContent("#answer")) ?? "";
+  const frames = await page.evaluate(() => window.tamis!.stage!.cost.frames);
+  await picture(page, name);
+  await page.close();
+  return { answer, faults, frames };
+}
+
+// Bug: a scene without contacts divides by their number.
+void test("one triangle, no contact", async () => {
+  const corners = [
+    [0, 0, 0],
+    [1, 0, 0],
+    [0, 1, 0],
+  ];
+  const { answer, faults, frames } = await openStep("one-triangle", corners, "f 1 2 3", () => 0.5);
+  assert.ok(answer.includes("no contact") && answer.includes("free, proven"), answer);
+  assert.ok(frames > 0);
+  assert.deepEqual(faults, []);
+});
+
+// Bug: a mesh without triangles has no surface, and the page expects one.
+void test("only rods", async () => {
+  const ends = [
+    [-1, 0, 0],
+    [1, 0.1, 0],
+    [0.1, -1, 1],
+    [0, 1, 1],
+  ];
+  const { answer, faults } = await openStep("only-rods", ends, "l 1 2\nl 3 4", (v) => (v < 2 ? 0 : 2));
+  assert.ok(answer.includes("1 contact"), answer);
+  assert.deepEqual(faults, []);
+});
+
+void test("only points, none of which moves", async () => {
+  const points = [
+    [0, 0, 0],
+    [1, 1, 1],
+  ];
+  const { answer, faults } = await openStep("only-points", points, "p 1\np 2", () => 0);
+  assert.ok(answer.includes("no contact"), answer);
+  assert.deepEqual(faults, []);
+});
+
+// Bug: positions are quantised over the box of all vertices, used or not.
+void test("huge coordinates, and a vertex that nothing uses far away", async () => {
+  const corners = [
+    [1e300, 0, 0],
+    [1.1e300, 0, 0],
+    [1e300, 1e299, 0],
+    [1.02e300, 3e298, 1e299],
+    [-1e308, 1e308, 0],
+  ];
+  const { answer, faults } = await openStep("huge", corners, "f 1 2 3\np 4", (v) => (v === 3 ? 2e299 : 0));
+  assert.ok(answer.includes("1 contact"), answer);
+  assert.deepEqual(faults, []);
+});
+
+// Bug: what takes a microsecond a contact for a thousand of them takes minutes for a million; or the arguments of a
+// function are a million numbers.
+void test("a million contacts open", async () => {
+  const n = 1000;
+  const lines: string[] = [];
+  const vertices: number[][] = [];
+  for (const layer of [0, 1])
+    for (let i = 0; i < n; ++i) {
+      const x = i / n;
+      // Slightly tilted, so that contacts come at different times.
+      vertices.push(layer ? [x, 0, 1] : [0, x, 0], layer ? [x, 1, 1.2] : [1, x, 0.3]);
+      lines.push(`l ${vertices.length - 1} ${vertices.length}`);
+    }
+  folder.write("start.obj", obj(vertices, lines.join("\n")));
+  const fallen = vertices.map(([x, y, z], v) => [x, y, v < 2 * n ? z : z - 2]);
+  folder.write("end.obj", obj(fallen, lines.join("\n")));
+  folder.run("view start.obj end.obj --out million.html");
+  assert.ok(statSync(folder.file("million.html")).size < 60e6);
+  const { page, faults } = await open(browser, folder.file("million.html"));
+  assert.equal(await page.getAttribute("#count", "data-count"), String(n * n));
+  await page.click("#first");
+  assert.ok(await page.evaluate(() => window.tamis!.session.pair !== null));
+  await picture(page, "million");
+  assert.deepEqual(faults, []);
+  await page.close();
+});
+
+// Bug: a blank page where the browser cannot draw.
+void test("a browser without WebGL 2 is told so, and still lists the contacts", async () => {
+  const blind = await launch("--disable-3d-apis");
+  const { page } = await open(blind, folder.file("only-rods.html"));
+  assert.ok((await page.textContent("#no-webgl"))?.includes("no WebGL 2"));
+  assert.equal(await page.locator(".row").count(), 1);
+  await page.click("#first");
+  assert.ok((await page.textContent("#pair h2"))?.includes("edge 0 1"));
+  await picture(page, "no-webgl");
+  await blind.close();
+});
+
+// Bug: a page cut short while it was copied stays on "Opening".
+void test("a damaged page says that it cannot be shown", async () => {
+  const text = await import("node:fs/promises").then((fs) => fs.readFile(folder.file("only-rods.html"), "utf8"));
+  const damaged = text.replace(/(id="scene">[\w+/\s]{200})[\w+/=\s]*/, "$1");
+  assert.notEqual(damaged, text);
+  folder.write("damaged.html", damaged);
+  const { page } = await open(browser, folder.file("damaged.html"));
+  assert.ok((await page.textContent("#unreadable"))?.startsWith("This page cannot be shown"));
+  await page.close();
+});

@@ -20,8 +20,8 @@ bool is_taken_by(int stream, const std::filesystem::path& output) {
 
 }  // namespace
 
-void declare_output(CLI::App& app, std::string& path, const std::string& what) {
-  app.add_option("--out", path, "write " + what + " to a CSV file")->type_name("FILE.csv");
+void declare_output(CLI::App& app, std::string& path, const std::string& help) {
+  app.add_option("--out", path, help)->type_name("FILE");
 }
 
 void require_output(const std::filesystem::path& output, const std::vector<std::filesystem::path>& inputs) {

@@ -7,8 +7,8 @@
 
 namespace tamis::cli {
 
-/// `--out FILE.csv`.
-void declare_output(CLI::App& app, std::string& path, const std::string& what);
+/// `--out FILE`. `help` says what is written, and in which formats.
+void declare_output(CLI::App& app, std::string& path, const std::string& help);
 
 /// Before the work: throws InvalidOptions if `output` is one of the inputs, by whatever link or spelling, or the file
 /// that stdout or stderr goes to; io::FileError if it cannot be written. An empty name, for no output, is fine.

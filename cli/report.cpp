@@ -23,6 +23,14 @@ Tally tally_of(std::span<const Contact> contacts) {
   return tally;
 }
 
+void Tally::add_counts(const Tally& step) {
+  vf += step.vf;
+  ee += step.ee;
+  ve += step.ve;
+  vv += step.vv;
+  unresolved += step.unresolved;
+}
+
 std::uint64_t peak_memory_bytes() {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);

@@ -25,6 +25,8 @@ struct Tally {
 
   std::uint64_t contacts() const { return vf + ee + ve + vv; }
   bool is_free() const { return contacts() == 0; }
+  /// Adds the counts; brackets of different steps cannot be added.
+  void add_counts(const Tally& step);
 };
 
 Tally tally_of(std::span<const Contact> contacts);

@@ -47,7 +47,7 @@ class Bench final : public Verb {
     declare_guarantee(app, guarantee_);
     declare_min_separation(app, setup_.options.min_separation);
     declare_seed(app, seed_, "the generated scene");
-    declare_output(app, out_, "the rows");
+    declare_output(app, out_, "write the rows to a CSV file");
     declare_json(app, json_);
   }
 

@@ -8,7 +8,7 @@
 #include "cli/printable.hpp"
 #include "cli/report.hpp"
 #include "cli/step_verb.hpp"
-#include "io/contacts_csv.hpp"
+#include "cli/view/outputs.hpp"
 
 namespace tamis::cli {
 namespace {
@@ -25,7 +25,9 @@ class Contacts final : public StepVerb {
   }
   void declare(CLI::App& app) override {
     StepVerb::declare(app);
-    declare_output(app, out_, "the contacts");
+    declare_output(
+        app, out_,
+        fmt::format("write the contacts to a file: {}; CSV if the extension is none of these", output_extensions()));
   }
 
   int run() override {
@@ -35,12 +37,21 @@ class Contacts final : public StepVerb {
     const Step step = files.step();
     const std::vector<Contact>* contacts = nullptr;
     const Timing timing = ask_repeatedly(detector, repeat_, [&] { contacts = &detector.contacts(step); });
-    if (!out_.empty()) io::write_contacts_csv(out_, *contacts);
+    if (!out_.empty()) write(detector, files, *contacts);
     report(tally_of(*contacts), detector, timing);
     return kSuccess;
   }
 
  private:
+  void write(const Detector& detector, const StepFiles& files, const std::vector<Contact>& contacts) const {
+    Recording recording{detector.mesh(), detector.options(), 1, {}, {files.start, files.end}, {}};
+    for (const std::filesystem::path name : {start_, end_})
+      recording.names.push_back(utf8_text(name.filename().string()));
+    recording.steps.push_back({contacts, detector.statistics().stages});
+    const Output* output = find_output(out_);
+    (output ? *output : output_for("contacts.csv", 1)).write(out_, recording);
+  }
+
   void report(const Tally& tally, const Detector& detector, const Timing& timing) const {
     if (json_) {
       Json json{{"contacts", json_of(tally)}};

@@ -69,9 +69,7 @@ class Sequence final : public Verb {
   }
 
   void add_step(std::size_t i, const Tally& tally, const Statistics& statistics) {
-    total_.vf += tally.vf;
-    total_.ee += tally.ee;
-    total_.unresolved += tally.unresolved;
+    total_.add_counts(tally);
     seconds_ += statistics.seconds.total;
     free_steps_ += tally.is_free() ? 1 : 0;
     if (!json_) return print_row(i, tally, statistics);

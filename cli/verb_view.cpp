@@ -28,8 +28,7 @@ class View final : public Verb {
   void declare(CLI::App& app) override {
     app.add_option("FRAMES", names_, "START END, or more: files, folders or patterns of PLY or OBJ, in natural order")
         ->required();
-    app.add_option("--out", out_, fmt::format("the file to write ({}); default {}", output_extensions(), out_))
-        ->type_name("FILE");
+    declare_output(app, out_, fmt::format("the file to write: {}; default {}", output_extensions(), out_));
     detector_.declare(app);
     scale_.declare(app);
     declare_json(app, json_);
@@ -70,12 +69,7 @@ class View final : public Verb {
 
   void report(const Recording& recording) const {
     Tally total;
-    for (const RecordedStep& step : recording.steps) {
-      const Tally tally = tally_of(step.contacts);
-      total.vf += tally.vf;
-      total.ee += tally.ee;
-      total.unresolved += tally.unresolved;
-    }
+    for (const RecordedStep& step : recording.steps) total.add_counts(tally_of(step.contacts));
     const auto bytes = std::filesystem::is_regular_file(out_) ? std::filesystem::file_size(out_) : 0;
     if (json_)
       return print_json(

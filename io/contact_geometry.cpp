@@ -5,9 +5,13 @@ namespace tamis::io {
 PairShape shape_of(PairKind kind) {
   switch (kind) {
     case PairKind::vertex_face:
-      return {"vf", 1, 3};
+      return {1, 3};
     case PairKind::edge_edge:
-      return {"ee", 2, 2};
+      return {2, 2};
+    case PairKind::vertex_edge:
+      return {1, 2};
+    case PairKind::vertex_vertex:
+      return {1, 1};
   }
   return {};
 }
@@ -19,6 +23,10 @@ std::array<double, 4> weights_of(const Contact& contact) {
       return {1, 1 - u - v, u, v};
     case PairKind::edge_edge:
       return {1 - u, u, 1 - v, v};
+    case PairKind::vertex_edge:
+      return {1, 1 - u, u, 0};
+    case PairKind::vertex_vertex:
+      return {1, 1, 0, 0};
   }
   return {};
 }

@@ -3,7 +3,6 @@
 #include <array>
 #include <cstddef>
 #include <span>
-#include <string_view>
 
 #include "tamis/contact.hpp"
 #include "tamis/step.hpp"
@@ -12,11 +11,8 @@ namespace tamis::io {
 
 /// How the four vertices of a Contact are shared out: the first feature's, then the second's; the rest are unused.
 struct PairShape {
-  std::string_view name;  ///< as in files: "vf"
   std::size_t first = 0;
   std::size_t second = 0;
-
-  std::size_t count() const { return first + second; }
 };
 
 PairShape shape_of(PairKind kind);

@@ -22,6 +22,7 @@ case $1 in
   tests)
     export TAMIS_CHROMIUM=${TAMIS_CHROMIUM:-/usr/bin/chromium}
     [[ -x $TAMIS_CHROMIUM ]] || skip "no $TAMIS_CHROMIUM"
+    export TAMIS_DATA=${TAMIS_DATA:-$PWD/../../shared/data}
     TAMIS_COMMAND=$2 TAMIS_SCREENSHOTS=${3:-} node test.mjs
     ;;
 esac

@@ -14,7 +14,10 @@ struct Output {
   void (*write)(const std::filesystem::path& path, const Recording& recording);
 };
 
-/// The kind of output that a file name asks for. Throws InvalidOptions, naming the choices, if it is none of them, or
+/// The kind of output that a file name asks for by its extension; none if it is none of them.
+const Output* find_output(const std::filesystem::path& path);
+
+/// The same. Throws InvalidOptions, naming the choices, if it is none of them, or
 /// if there are more steps than it holds.
 const Output& output_for(const std::filesystem::path& path, std::size_t steps);
 

@@ -9,6 +9,7 @@
 #include "cli/view/columns.hpp"
 #include "cli/view/quantised.hpp"
 #include "io/contact_geometry.hpp"
+#include "io/loose_features.hpp"
 
 namespace tamis::cli {
 namespace {
@@ -49,22 +50,14 @@ std::vector<std::uint32_t> flat(std::span<const Row> rows) {
 }
 
 void add_mesh(const Mesh& mesh, Columns& columns, Json& header) {
-  std::vector<Edge> rods;
-  for (std::size_t i = 0; i < mesh.edges().size(); ++i)
-    if (mesh.faces_of_edge(static_cast<Index>(i)).empty()) rods.push_back(mesh.edges()[i]);
-  std::vector<bool> is_on_edge(static_cast<std::size_t>(mesh.vertex_count()));
-  for (const Edge& edge : mesh.edges())
-    for (const Index v : edge) is_on_edge[static_cast<std::size_t>(v)] = true;
   std::vector<std::uint32_t> loose;
-  for (const Index v : mesh.points())
-    if (!is_on_edge[static_cast<std::size_t>(v)]) loose.push_back(bits_of(v));
-
+  for (const Index v : io::loose_points_of(mesh)) loose.push_back(bits_of(v));
   const Components components = components_of(mesh);
   std::vector<std::uint32_t> objects;
   objects.reserve(components.of_vertex.size());
   for (const Index component : components.of_vertex) objects.push_back(bits_of(component));
   columns.add_integers("faces", flat<Face>(mesh.faces()), 3);
-  columns.add_integers("rods", flat<Edge>(rods), 2);
+  columns.add_integers("rods", flat<Edge>(io::rods_of(mesh)), 2);
   columns.add_integers("loose_points", loose, 1);
   columns.add_integers("object_of_vertex", objects, 1);
   header["mesh"] = {{"vertices", mesh.vertex_count()},
@@ -123,15 +116,13 @@ void add_contacts(const Recording& recording, Columns& columns) {
   columns.add_planes("normals", normals);
 }
 
-Json kinds_of(const Recording& recording) {
-  std::size_t last = 0;
-  for (const RecordedStep& step : recording.steps)
-    for (const Contact& c : step.contacts) last = std::max(last, static_cast<std::size_t>(c.kind));
-  last = std::max(last, static_cast<std::size_t>(PairKind::edge_edge));
+/// In the order of their numbers.
+Json kinds() {
   Json kinds = Json::array();
-  for (std::size_t kind = 0; kind <= last; ++kind) {
-    const io::PairShape shape = io::shape_of(static_cast<PairKind>(kind));
-    kinds.push_back({{"name", shape.name}, {"first", shape.first}, {"second", shape.second}});
+  for (const PairKind kind :
+       {PairKind::vertex_face, PairKind::edge_edge, PairKind::vertex_edge, PairKind::vertex_vertex}) {
+    const io::PairShape shape = io::shape_of(kind);
+    kinds.push_back({{"name", name_of(kind)}, {"first", shape.first}, {"second", shape.second}});
   }
   return kinds;
 }
@@ -152,7 +143,7 @@ std::string scene_bytes(const Recording& recording) {
               {"method", name_of(recording.options.method)},
               {"guarantee", name_of(recording.options.guarantee)},
               {"min_separation", recording.options.min_separation},
-              {"kinds", kinds_of(recording)},
+              {"kinds", kinds()},
               {"steps", Json::array()}};
   for (const RecordedStep& step : recording.steps) header["steps"].push_back(json_of(step));
   Columns columns;

@@ -23,7 +23,7 @@ export class Actions {
     }
     this.session.select(contact);
     this.session.store.set({ isolated: false });
-    this.flyTo(this.session.pair, 0.35);
+    this.flyNear(this.session.pair);
   }
 
   /** The pair alone, at the time up to which the step is proven free. */
@@ -50,21 +50,34 @@ export class Actions {
     this.stage?.camera.fly(this.wholeStep());
   }
 
-  /** `least`: how far away at least. */
-  flyTo(pair: Pair | null, least = 0): void {
+  /** So near that the pair fills a good part of the view. */
+  flyTo(pair: Pair): void {
     const { stage } = this;
-    if (!pair || !stage) return;
+    if (!stage) return;
     const target = new Vector3(...pair.secondPoint(pair.toi));
     const { eye, target: old } = stage.camera.viewpoint;
     const direction = eye.sub(old).normalize();
     const normal = new Vector3(...pair.normal);
-    if (least === 0) {
-      // Seen across the normal, the gap between the features is seen best.
-      direction.addScaledVector(normal, -0.8 * direction.dot(normal));
-      if (direction.lengthSq() < 0.05) direction.set(0.3, 0.4, 1);
-    }
-    const distance = Math.max(5.5 * pair.size, least);
-    stage.camera.fly({ eye: direction.normalize().multiplyScalar(distance).add(target), target });
+    // Seen across the normal, the gap between the features is seen best.
+    direction.addScaledVector(normal, -0.8 * direction.dot(normal));
+    if (direction.lengthSq() < 0.05) direction.set(0.3, 0.4, 1);
+    stage.camera.fly({
+      eye: direction
+        .normalize()
+        .multiplyScalar(5.5 * pair.size)
+        .add(target),
+      target,
+    });
+  }
+
+  /** So near that one still sees where in the scene the pair is. */
+  private flyNear(pair: Pair | null): void {
+    if (!pair || !this.stage) return;
+    const { eye, target: middle } = this.wholeStep();
+    const target = new Vector3(...pair.firstPoint(pair.toi));
+    const arm = eye.sub(middle);
+    const distance = Math.max(0.5 * arm.length(), 8 * pair.size);
+    this.stage.camera.fly({ eye: arm.setLength(distance).add(target), target });
   }
 
   turn(way: string): void {

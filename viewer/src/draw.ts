@@ -61,11 +61,13 @@ export function draw(session: Session, stage: Stage, actions: Actions): void {
   store.follow([...kFilterKeys, "features"], () => {
     stage.showFeatures(store.now.features ? featuresOf(session) : null);
   });
+  store.follow(["step", "up", "selected", "isolated", "theme"], () => {
+    stage.showPair(session.pair, store.now.isolated, store.now.theme);
+  });
   store.follow(["step", "up", "selected", "isolated"], () => {
-    stage.showPair(session.pair, store.now.isolated);
     if (session.pair && store.now.isolated) actions.flyTo(session.pair);
   });
-  store.follow(["time", "step", "up", "selected"], () => {
+  store.follow(["time", "step", "up", "selected", "isolated", "theme"], () => {
     stage.setTime(store.now.time);
   });
   store.follow(["brush"], () => {

@@ -9,7 +9,10 @@ export class Ring {
   constructor(session: Session, stage: Stage) {
     stage.drawn.push(() => {
       const { pair, store } = session;
-      const seen = pair && !store.now.isolated ? stage.project(pair.firstPoint(store.now.time)) : null;
+      const place = pair && !store.now.isolated ? pair.firstPoint(store.now.time) : null;
+      // Near by, the pair itself shows where it is.
+      const isFar = place !== null && pair !== null && pair.size * stage.pixelsAt(place) < 40;
+      const seen = isFar ? stage.project(place) : null;
       this.element.hidden = seen === null;
       if (seen) this.element.style.transform = `translate(${seen.x}px, ${seen.y}px)`;
     });

@@ -2,12 +2,13 @@
 import { el } from "../dom";
 import { grouped, inWords, percent } from "../numbers";
 import type { Session } from "../session";
+import { SievePicture, stageColour } from "./sieve_picture";
 import { contactsOf } from "../scene/scene";
 import type { SceneHeader, Stage } from "../scene/header";
 
 /** What each stage does; pairs that enter it are counted. */
 const kStages: Record<string, string> = {
-  boxes: "boxes meet while they move",
+  boxes: "have boxes that meet while they move",
   slab: "go into the slab clip: does an axis keep them apart?",
   dnf: "go into DNF: can their four points be in one plane?",
   ncf: "go into NCF: does a plane through an edge keep them apart?",
@@ -30,15 +31,32 @@ function rowsOf(header: SceneHeader, step: number): Row[] {
   return [
     row(all, "pairs of features in the mesh", all.vf + all.ee),
     ...stages.map((stage) => row(stage, kStages[stage.name] ?? `go into ${stage.name}`, stage.vf + stage.ee)),
-    row({ name: "contacts", vf: contacts.vf, ee: contacts.ee }, "contacts", contactsOf(header.steps[step])),
+    row({ name: "contacts", vf: contacts.vf, ee: contacts.ee }, "touch: contacts", contactsOf(header.steps[step])),
   ];
 }
 
 export class Sieve {
   readonly element = el("div", { class: "panel-body sieve-panel", id: "sieve" });
+  private readonly picture = new SievePicture();
+  private readonly title = el("h2", { class: "sieve-title" });
+  private readonly share = el("p", { class: "summary" });
+  private readonly list = el("div", { class: "sieve" });
 
   constructor(private readonly session: Session) {
-    session.store.follow(["step"], () => {
+    const { error } = session.scene.header.grid;
+    this.element.append(
+      this.title,
+      this.share,
+      this.picture.canvas,
+      this.list,
+      el(
+        "p",
+        { class: "summary" },
+        `Positions here are rounded to ${error.toPrecision(2)} of the mesh's unit for drawing; ` +
+          "times, counts and brackets are those that were computed.",
+      ),
+    );
+    session.store.follow(["step", "theme", "panel"], () => {
       this.refresh();
     });
   }
@@ -48,42 +66,26 @@ export class Sieve {
     const rows = rowsOf(scene.header, store.now.step);
     const all = rows[0].total;
     const left = rows[rows.length - 1].total;
-    const bars = rows.map((row, i) => {
-      // Logarithms, or everything after the first bar would be less than a pixel wide.
-      const width = (n: number): number => (n > 0 ? Math.max(Math.log(n + 1) / Math.log(all + 1), 0.01) : 0);
-      const bar = el("div", { class: i === 0 ? "bar all" : i === rows.length - 1 ? "bar left" : "bar" });
-      bar.style.width = `${100 * width(row.total)}%`;
-      const title = `${grouped(row.vf)} vertex-face, ${grouped(row.ee)} edge-edge`;
-      const gone = i === 0 ? "" : `${percent(1 - row.total / all)} proven free`;
-      return el(
-        "div",
-        { class: "sieve-row", title, "data-stage": row.name, "data-pairs": row.total },
-        el(
+    this.title.textContent = `${inWords(all)} pairs, ${inWords(left)} ${left === 1 ? "contact" : "contacts"}`;
+    this.share.textContent = `${percent(all > 0 ? (all - left) / all : 1)} of all pairs are proven free. Areas are true to scale.`;
+    this.picture.show(rows.map((row) => row.total));
+    this.list.replaceChildren(
+      ...rows.map((row, i) => {
+        const swatch = el("i", { class: "swatch" });
+        swatch.style.background = stageColour(i, rows.length);
+        return el(
           "div",
-          { class: "sieve-head" },
+          {
+            class: "sieve-row",
+            title: `${grouped(row.vf)} vertex-face, ${grouped(row.ee)} edge-edge`,
+            "data-stage": row.name,
+            "data-pairs": row.total,
+          },
+          swatch,
           el("b", {}, grouped(row.total)),
-          el("span", {}, i < rows.length - 1 ? gone : ""),
-        ),
-        el("div", { class: "track" }, bar),
-        el("div", { class: "sieve-note" }, row.explained),
-      );
-    });
-    this.element.replaceChildren(
-      el("h2", { class: "sieve-title" }, `${inWords(all)} pairs, ${inWords(left)} contacts`),
-      el(
-        "p",
-        { class: "summary" },
-        all > left
-          ? `${percent((all - left) / all)} of all pairs are proven free. Bars are logarithmic: each is what is left to look at.`
-          : "Every pair is a contact.",
-      ),
-      el("div", { class: "sieve" }, ...bars),
-      el(
-        "p",
-        { class: "summary" },
-        `Positions here are rounded to ${scene.header.grid.error.toPrecision(2)} of the mesh's unit for drawing; ` +
-          "times, counts and brackets are those that were computed.",
-      ),
+          el("span", {}, row.explained),
+        );
+      }),
     );
   }
 }

@@ -91,6 +91,7 @@ export class Camera {
     this.camera.near = 0.005 * distance;
     this.camera.far = distance + 8;
     this.camera.updateProjectionMatrix();
+    this.camera.updateMatrixWorld();
   }
 
   private step({ from, to, began }: { from: Viewpoint; to: Viewpoint; began: number }): void {

@@ -2,9 +2,12 @@
 import { BufferAttribute, BufferGeometry, DoubleSide, Group, Mesh, MeshBasicMaterial, Color } from "three";
 import { kFirstFeature, kSecondFeature, type Rgb } from "../colours";
 import type { Pair } from "../scene/pair";
+import type { Theme } from "../store";
 import { add, times, type Vec3 } from "../vectors";
 import { emptySegments, Segments, type SegmentData } from "./segments";
 import type { SharedUniforms } from "./shared";
+
+const kInk: Record<Theme, Rgb> = { dark: [255, 255, 255], light: [16, 21, 29] };
 
 interface Stroke {
   from: [Vec3, Vec3];
@@ -33,6 +36,7 @@ export class Pair3d extends Group {
   private readonly outline: Segments;
   private readonly behind: Segments;
   private readonly dots: Segments;
+  private readonly point: Segments;
   private readonly trails: Segments;
   private readonly faces = new Group();
   private pair: Pair | null = null;
@@ -42,15 +46,16 @@ export class Pair3d extends Group {
     this.behind = new Segments(shared, { width: 2, hidden: true, opacity: 0.5 });
     this.outline = new Segments(shared, { width: 2.4, nearness: 4e-4 });
     this.dots = new Segments(shared, { width: 4.5, hidden: true });
+    this.point = new Segments(shared, { width: 2, hidden: true });
     this.trails = new Segments(shared, { width: 1, hidden: true });
-    [this.trails, this.faces, this.behind, this.outline, this.dots].forEach((part, i) => {
+    [this.trails, this.faces, this.behind, this.outline, this.dots, this.point].forEach((part, i) => {
       part.renderOrder = 10 + i;
       this.add(part);
     });
     this.visible = false;
   }
 
-  show(pair: Pair | null): void {
+  show(pair: Pair | null, theme: Theme): void {
     this.pair = pair;
     this.visible = pair !== null;
     this.faces.clear();
@@ -70,14 +75,15 @@ export class Pair3d extends Group {
         return { from: [start, start], to: [end, end], colour, alpha: 150 };
       }),
     );
-    const white: Rgb = [255, 255, 255];
+    const ink = kInk[theme];
     const point: [Vec3, Vec3] = [pair.firstPoint(0), pair.firstPoint(1)];
     const onSecond: [Vec3, Vec3] = [pair.secondPoint(0), pair.secondPoint(1)];
     const tip = (place: Vec3): Vec3 => add(place, times(0.45 * pair.size, pair.normal));
-    const arrow: Stroke = { from: onSecond, to: [tip(onSecond[0]), tip(onSecond[1])], colour: white, alpha: 230 };
+    const arrow: Stroke = { from: onSecond, to: [tip(onSecond[0]), tip(onSecond[1])], colour: ink, alpha: 230 };
     this.outline.show(segments([...edges, arrow]));
     this.behind.show(segments(edges));
-    this.dots.show(segments([...vertices, dotAt(point, white)]));
+    this.dots.show(segments(vertices));
+    this.point.show(segments([dotAt(point, ink)]));
     this.trails.show(segments(trails));
     for (const [feature, colour] of features) if (feature.length === 3) this.faces.add(triangle(colour));
   }

@@ -14,6 +14,10 @@ export interface SharedUniforms {
   /** Around which the surface stays while a pair is isolated, and how far; 0: all of it. */
   focus: IUniform<Vector3>;
   focusRadius: IUniform<number>;
+  /** Around the selected pair, in pixels of the drawing: x, y and radius; radius 0: none. */
+  window: IUniform<Vector3>;
+  /** What is nearer to the eye than this hides the pair. */
+  windowDepth: IUniform<number>;
   ink: IUniform<Color>;
 }
 
@@ -26,6 +30,8 @@ export function sharedUniforms(): SharedUniforms {
     pixelRatio: { value: 1 },
     focus: { value: new Vector3() },
     focusRadius: { value: 0 },
+    window: { value: new Vector3() },
+    windowDepth: { value: 0 },
     ink: { value: new Color() },
   };
 }

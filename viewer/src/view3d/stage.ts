@@ -60,6 +60,8 @@ export class Stage {
   private readonly rods = new Segments(this.shared, { width: 1.6 });
   private readonly loose: Points<BufferGeometry, ShaderMaterial>;
   private readonly pair3d = new Pair3d(this.shared);
+  /** The pair that is shown within the scene. */
+  private shown: Pair | null = null;
   private requested = false;
   private last = 0;
 
@@ -115,9 +117,10 @@ export class Stage {
     this.request();
   }
 
-  showPair(pair: Pair | null, isolated: boolean): void {
-    this.pair3d.show(pair);
+  showPair(pair: Pair | null, isolated: boolean, theme: Theme): void {
+    this.pair3d.show(pair, theme);
     const focused = pair !== null && isolated;
+    this.shown = focused ? null : pair;
     if (pair) this.shared.focus.value.set(...pair.firstPoint(pair.toi));
     this.shared.focusRadius.value = focused ? 7 * pair.size : 0;
     this.surface.faded = focused;
@@ -154,6 +157,13 @@ export class Stage {
     return { x: ((at.x + 1) / 2) * clientWidth, y: ((1 - at.y) / 2) * clientHeight, depth: at.z };
   }
 
+  /** Length on the canvas, in CSS pixels, of one unit of the drawing at a place. */
+  pixelsAt(point: Vec3): number {
+    const { camera } = this.camera;
+    const distance = camera.position.distanceTo(new Vector3(...point));
+    return this.canvas.clientHeight / (2 * distance * Math.tan((camera.fov * Math.PI) / 360));
+  }
+
   request(): void {
     if (this.requested) return;
     this.requested = true;
@@ -167,6 +177,7 @@ export class Stage {
     const began = performance.now();
     const more = this.beforeFrame(this.last ? Math.min((now - this.last) / 1000, 0.1) : 0);
     this.camera.update();
+    this.placeWindow();
     this.renderer.setClearAlpha(0);
     this.renderer.render(this.world, this.camera.camera);
     for (const listener of this.drawn) listener();
@@ -177,6 +188,22 @@ export class Stage {
     const again = more || this.camera.isFlying;
     this.last = again ? now : 0;
     if (again) this.request();
+  }
+
+  /** Opens what hides the pair. */
+  private placeWindow(): void {
+    const { shown, shared } = this;
+    const place = shown?.firstPoint(shared.time.value) ?? [0, 0, 0];
+    const seen = shown && this.project(place);
+    if (!shown || !seen) {
+      shared.window.value.z = 0;
+      return;
+    }
+    const ratio = shared.pixelRatio.value;
+    const radius = Math.max(0.1 * this.canvas.clientHeight, 1.2 * shown.size * this.pixelsAt(place));
+    shared.window.value.set(seen.x * ratio, (this.canvas.clientHeight - seen.y) * ratio, radius * ratio);
+    const depth = -new Vector3(...place).applyMatrix4(this.camera.camera.matrixWorldInverse).z;
+    shared.windowDepth.value = depth - 0.6 * shown.size;
   }
 
   private resize(): void {

@@ -34,12 +34,19 @@ const kFragment = /* glsl */ `
 uniform bool smoothShading;
 uniform vec3 focus;
 uniform float focusRadius;
+uniform vec3 window;
+uniform float windowDepth;
 varying vec3 vNormal;
 varying vec3 vView;
 varying vec3 vTint;
 varying vec4 vGlow;
 varying vec3 vPlace;
 void main() {
+  // What hides the selected pair is cut away around it.
+  float fromPair = distance(gl_FragCoord.xy, window.xy) / max(window.z, 1.0);
+  bool hides = -vView.z < windowDepth;
+  if (window.z > 0.0 && hides && fromPair < 1.0) discard;
+  float rimOfWindow = window.z > 0.0 && hides ? 1.0 - smoothstep(1.0, 1.06, fromPair) : 0.0;
   vec3 flatNormal = normalize(cross(dFdx(vView), dFdy(vView)));
   vec3 toEye = normalize(-vView);
   vec3 normal = smoothShading && dot(vNormal, vNormal) > 1e-12 ? normalize(vNormal) : flatNormal;
@@ -57,6 +64,7 @@ void main() {
     float strength = smoothstep(0.0, 0.9, vGlow.a);
     colour = mix(colour, glow * (0.45 + 0.75 * key + 0.25 * sky), 0.85 * strength);
   }
+  colour *= 1.0 - 0.75 * rimOfWindow;
   float alpha = 1.0;
   if (focusRadius > 0.0) {
     alpha = 0.34 * (1.0 - smoothstep(0.35, 1.0, distance(vPlace, focus) / focusRadius));

@@ -1,0 +1,19 @@
+#!/usr/bin/env bash
+# Makes the pages and pictures of docs/looking.md: make.sh TAMIS START.ply END.ply, the frames being those of cloth-ball
+# (Sample-Scalable-CCD-Data, Apache-2.0). Needs what scripts/setup.sh --tests installs.
+set -euo pipefail
+tamis=$(realpath "$1") start=$(realpath "$2") end=$(realpath "$3")
+cd "$(dirname "$0")"
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+shoot() { node ../../viewer/shoot.mjs "$@"; }
+
+"$tamis" scene cloth-ball --triangles 6000 --frames 60 --out "$work/ball"
+"$tamis" view "$work/ball/frame_005?.ply" --scale 10 --out cloth-ball.html
+"$tamis" scene bunny --triangles 3000 --frames 20 --out "$work/bunny"
+"$tamis" view "$work/bunny/frame_0018.ply" "$work/bunny/frame_0019.ply" --scale 10 --out bunny.html
+
+"$tamis" view "$start" "$end" --out "$work/step.html"
+shoot "$work/step.html" overview.png 1280x720 dark
+shoot "$work/step.html" sieve.png 1280x720 light v
+shoot cloth-ball.html pair.png 1280x720 dark s

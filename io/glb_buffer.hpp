@@ -1,0 +1,35 @@
+// The binary part of a glTF file, and the JSON that says what is where in it.
+#pragma once
+#include <array>
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace tamis::io {
+
+using FloatPoint = std::array<float, 3>;
+
+class GlbBuffer {
+ public:
+  /// Each returns the number of its accessor.
+  std::size_t add_points(std::span<const FloatPoint> points);
+  /// Of an animation, or the values at them; ascending.
+  std::size_t add_times(std::span<const float> times);
+  std::size_t add_indices(std::span<const std::int32_t> indices);
+  /// Red, green, blue, alpha in [0, 255].
+  std::size_t add_colours(std::span<const std::array<std::uint8_t, 4>> colours);
+
+  /// The file: `gltf` with buffers, views and accessors put in, then the bytes.
+  std::string file(nlohmann::ordered_json gltf) const;
+
+ private:
+  std::size_t add(std::span<const std::byte> bytes, int component_type, const char* type, std::size_t count);
+
+  nlohmann::ordered_json views_ = nlohmann::ordered_json::array();
+  nlohmann::ordered_json accessors_ = nlohmann::ordered_json::array();
+  std::string bytes_;
+};
+
+}  // namespace tamis::io

@@ -1,0 +1,15 @@
+// What of a mesh is drawn beside its triangles.
+#pragma once
+#include <vector>
+
+#include "tamis/mesh.hpp"
+
+namespace tamis::io {
+
+/// The edges of no triangle.
+std::vector<Edge> rods_of(const Mesh& mesh);
+
+/// The points of no edge.
+std::vector<Index> loose_points_of(const Mesh& mesh);
+
+}  // namespace tamis::io

@@ -1,0 +1,23 @@
+// Pictures of a page: node shoot.mjs PAGE.html OUT.png [WIDTHxHEIGHT] [dark|light] [KEY...] presses keys, then shoots.
+import { resolve } from "node:path";
+import { chromium } from "playwright-core";
+
+const [page, out, size = "1280x720", colorScheme = "dark", ...keys] = process.argv.slice(2);
+const [width, height] = size.split("x").map(Number);
+const browser = await chromium.launch({
+  executablePath: process.env.TAMIS_CHROMIUM ?? "/usr/bin/chromium",
+  args: ["--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--no-sandbox"],
+});
+const tab = await browser.newPage({ viewport: { width, height }, colorScheme, reducedMotion: "reduce" });
+const [file, hash = ""] = page.split("#");
+await tab.goto(`file://${resolve(file)}${hash && `#${hash}`}`);
+await tab.waitForFunction(() => window.tamis);
+for (const key of keys) {
+  await tab.keyboard.press(key);
+  await tab.waitForTimeout(300);
+}
+// A message that has been read would only cover the picture.
+await tab.waitForTimeout(1000);
+await tab.evaluate(() => document.getElementById("toast").remove());
+await tab.screenshot({ path: out });
+await browser.close();

@@ -29,8 +29,10 @@ void append_chunk(std::string& file, std::size_t type, const std::string& bytes)
 
 }  // namespace
 
-std::size_t GlbBuffer::add(std::span<const std::byte> bytes, int component_type, const char* type, std::size_t count) {
+std::size_t GlbBuffer::add(std::span<const std::byte> bytes, Target target, int component_type, const char* type,
+                           std::size_t count) {
   views_.push_back({{"buffer", 0}, {"byteOffset", bytes_.size()}, {"byteLength", bytes.size()}});
+  if (target != Target::none) views_.back()["target"] = target;
   accessors_.push_back(
       {{"bufferView", views_.size() - 1}, {"componentType", component_type}, {"count", count}, {"type", type}});
   // glTF is little-endian, as are the machines that Tamis runs on.
@@ -39,7 +41,7 @@ std::size_t GlbBuffer::add(std::span<const std::byte> bytes, int component_type,
 }
 
 std::size_t GlbBuffer::add_points(std::span<const FloatPoint> points) {
-  const std::size_t accessor = add(std::as_bytes(points), kFloat, "VEC3", points.size());
+  const std::size_t accessor = add(std::as_bytes(points), Target::vertices, kFloat, "VEC3", points.size());
   FloatPoint lowest = points.front(), highest = points.front();
   for (const FloatPoint& point : points)
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -52,18 +54,18 @@ std::size_t GlbBuffer::add_points(std::span<const FloatPoint> points) {
 }
 
 std::size_t GlbBuffer::add_times(std::span<const float> times) {
-  const std::size_t accessor = add(std::as_bytes(times), kFloat, "SCALAR", times.size());
+  const std::size_t accessor = add(std::as_bytes(times), Target::none, kFloat, "SCALAR", times.size());
   accessors_[accessor]["min"] = {times.front()};
   accessors_[accessor]["max"] = {times.back()};
   return accessor;
 }
 
 std::size_t GlbBuffer::add_indices(std::span<const std::int32_t> indices) {
-  return add(std::as_bytes(indices), kUnsignedInt, "SCALAR", indices.size());
+  return add(std::as_bytes(indices), Target::indices, kUnsignedInt, "SCALAR", indices.size());
 }
 
 std::size_t GlbBuffer::add_colours(std::span<const std::array<std::uint8_t, 4>> colours) {
-  const std::size_t accessor = add(std::as_bytes(colours), kUnsignedByte, "VEC4", colours.size());
+  const std::size_t accessor = add(std::as_bytes(colours), Target::vertices, kUnsignedByte, "VEC4", colours.size());
   accessors_[accessor]["normalized"] = true;
   return accessor;
 }

@@ -25,7 +25,10 @@ class GlbBuffer {
   std::string file(nlohmann::ordered_json gltf) const;
 
  private:
-  std::size_t add(std::span<const std::byte> bytes, int component_type, const char* type, std::size_t count);
+  /// What a view is for, as glTF numbers it.
+  enum class Target { none = 0, vertices = 34962, indices = 34963 };
+  std::size_t add(std::span<const std::byte> bytes, Target target, int component_type, const char* type,
+                  std::size_t count);
 
   nlohmann::ordered_json views_ = nlohmann::ordered_json::array();
   nlohmann::ordered_json accessors_ = nlohmann::ordered_json::array();

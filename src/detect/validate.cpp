@@ -102,9 +102,9 @@ void validate(const Options& options, const Mesh& mesh) {
   validate(*options.paper.reduced_model, mesh);
 }
 
-void validate_distance(double distance, const char* what) {
+void validate_distance(double distance, const std::string& what) {
   check(std::isfinite(distance) && distance >= 0,
-        std::string(what) + " is " + std::to_string(distance) + ": give a finite distance >= 0");
+        what + " is " + std::to_string(distance) + ": give a finite distance >= 0");
 }
 
 void validate(const Step& step, const Mesh& mesh) {

@@ -18,7 +18,7 @@ void validate(const Step& step, const Mesh& mesh);
 void validate(const Positions& positions, const Mesh& mesh, const char* what);
 
 /// `what`: as in "the minimum separation". Throws InvalidOptions unless finite and >= 0.
-void validate_distance(double distance, const char* what);
+void validate_distance(double distance, const std::string& what);
 
 /// Throws InvalidOptions unless in (0, 1].
 void validate_tolerance(double tolerance);

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Installs the Debian or Ubuntu packages Tamis needs that are not here yet; with --tests, also those of the tests; with
-# --python, those that building the module for Python takes; with --bench, those of the benchmarks and of the packages
+# --python, those that building the module for Python takes; with --arm64, those of the tests on 64-bit ARM; with --bench, those of the benchmarks and of the packages
 # Tamis is compared with.
 # Touches neither apt nor the network when nothing is missing.
 set -euo pipefail
@@ -15,6 +15,9 @@ if [[ ${1:-} == --tests ]]; then
 fi
 if [[ ${1:-} == --python ]]; then
   packages+=(python3-venv python3-dev)
+fi
+if [[ ${1:-} == --arm64 ]]; then
+  packages+=(g++-aarch64-linux-gnu qemu-user)
 fi
 if [[ ${1:-} == --bench ]]; then
   packages+=(libbenchmark-dev libembree-dev libcgal-dev libbullet-dev python3-matplotlib)

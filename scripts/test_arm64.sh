@@ -1,0 +1,37 @@
+#!/usr/bin/env bash
+# The same bits on 64-bit ARM (NEON): cross-compiles Tamis, runs it under qemu, and compares every contact of the
+# generated scenes and of the recorded frames with this machine's. test_arm64.sh --all also runs the unit tests there.
+# The libraries' arm64 packages are unpacked into build/arm64-packages: nothing installed here is changed.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+
+scripts/setup.sh --tests
+scripts/setup.sh --arm64
+
+packages=$PWD/build/arm64-packages
+if [[ ! -e $packages/complete ]]; then
+  apt=(apt-get -oAPT::Architecture=arm64 -oAPT::Architectures=arm64 -oDir::State::Lists="$packages/lists"
+       -oDir::Cache="$packages/cache")
+  rm -rf "$packages" && mkdir -p "$packages"/{lists/partial,cache/archives/partial,archives}
+  "${apt[@]}" update -q
+  (cd "$packages/archives" && "${apt[@]}" download -q \
+    libxsimd-dev libtbb-dev libtbb12 libtbbmalloc2 libtbbbind-2-5 libhwloc15 libudev1 libgmp-dev libgmp10 libgmpxx4ldbl libfmt-dev libfmt9 \
+    libmeshoptimizer-dev libmeshoptimizer2d zlib1g-dev zlib1g libb64-dev libb64-0d libgtest-dev)
+  for package in "$packages"/archives/*.deb; do dpkg-deb -x "$package" "$packages"; done
+  touch "$packages/complete"
+fi
+
+target=(tamis_same_bits)
+[[ ${1:-} != --all ]] || target=(all)
+cmake --preset arm64 -DTAMIS_ARM64_PACKAGES="$packages"
+cmake --build --preset arm64 --target "${target[@]}"
+cmake --preset dev
+cmake --build --preset dev --target tamis_same_bits
+
+qemu=(qemu-aarch64 -L /usr/aarch64-linux-gnu -E LD_LIBRARY_PATH="$packages/usr/lib/aarch64-linux-gnu:$packages/lib/aarch64-linux-gnu")
+build/dev/tests/same_bits/tamis_same_bits >build/same_bits_here.txt
+"${qemu[@]}" build/arm64/tests/same_bits/tamis_same_bits >build/same_bits_arm64.txt
+diff build/same_bits_here.txt build/same_bits_arm64.txt
+cat build/same_bits_here.txt
+echo "the same on both: every bit of every contact"
+[[ ${1:-} != --all ]] || ctest --preset arm64 --parallel "$(nproc)"

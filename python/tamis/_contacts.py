@@ -12,11 +12,10 @@ import numpy.typing as npt
 
 from tamis import _core
 from tamis._arrays import Doubles, Indices
+from tamis._table import Table
 
 if TYPE_CHECKING:
     import pandas
-
-_DTYPE: np.dtype[np.void] = np.dtype(_core.contact_layout())
 
 
 class PairKind(enum.IntEnum):
@@ -68,22 +67,15 @@ class Contact(NamedTuple):
     certified: bool
 
 
-class Contacts:
+class Contacts(Table):
     """Contacts of a step, by kind, then vertices. They own their memory: later questions change nothing in them.
 
     `len()` counts them; an integer index gives a `Contact`, anything else that indexes an array gives `Contacts`.
-    The properties are views of `table`, as long as that is not indexed.
+    The columns of `table` are kind, certainty, vertices, toi_lower, toi_upper, u, v, normal.
     """
 
-    __slots__ = ("_table",)
-
-    def __init__(self, table: npt.NDArray[np.void] | npt.NDArray[np.uint8]) -> None:
-        self._table: npt.NDArray[np.void] = table.view(_DTYPE)
-
-    @property
-    def table(self) -> npt.NDArray[np.void]:
-        """One structured array: kind, certainty, vertices, toi_lower, toi_upper, u, v, normal."""
-        return self._table
+    __slots__ = ()
+    _dtype = np.dtype(_core.contact_layout())
 
     @property
     def kind(self) -> npt.NDArray[np.uint8]:
@@ -150,9 +142,6 @@ class Contacts:
         """
         _core.write_contacts(os.fspath(path), np.ascontiguousarray(self._table).view(np.uint8))
 
-    def __len__(self) -> int:
-        return len(self._table)
-
     def __iter__(self) -> Iterator[Contact]:
         return (self[i] for i in range(len(self)))
 
@@ -169,20 +158,12 @@ class Contacts:
             PairKind(kind), tuple(vertices.tolist()), toi_lower, toi_upper, u, v, tuple(normal.tolist()), certainty == 0
         )
 
-    def __eq__(self, other: object) -> bool:
-        return isinstance(other, Contacts) and np.array_equal(self._table, other._table)
-
-    __hash__ = None  # type: ignore[assignment]
-
     def __repr__(self) -> str:
         if not len(self):
             return "Contacts(none)"
         counts = zip(PairKind, np.bincount(self.kind, minlength=len(PairKind)))
         kinds = ", ".join(f"{n} {kind.name.lower().replace('_', '-')}" for kind, n in counts if n)
         return f"Contacts({kinds}; first at {self.toi_lower.min():g})"
-
-    def __reduce__(self) -> tuple[type[Contacts], tuple[npt.NDArray[np.void]]]:
-        return Contacts, (self._table,)
 
 
 class EarliestContact(NamedTuple):

@@ -9,22 +9,17 @@ from tamis import _core
 from tamis._arrays import Doubles, pairs
 from tamis._errors import InvalidStep
 from tamis._options import Guarantee
+from tamis._table import Table
 
-_DTYPE: np.dtype[np.void] = np.dtype(_core.pair_layout())
 
+class Pairs(Table):
+    """What each pair does during the step, as arrays of length n. Only where `touches` have the others a meaning.
 
-class Pairs:
-    """What each pair does during the step, as arrays of length n. Only where `touches` have the others a meaning."""
+    The columns of `table` are touches, certainty, toi_lower, toi_upper, u, v, normal.
+    """
 
-    __slots__ = ("_table",)
-
-    def __init__(self, table: npt.NDArray[np.void] | npt.NDArray[np.uint8]) -> None:
-        self._table: npt.NDArray[np.void] = table.view(_DTYPE)
-
-    @property
-    def table(self) -> npt.NDArray[np.void]:
-        """One structured array: touches, certainty, toi_lower, toi_upper, u, v, normal."""
-        return self._table
+    __slots__ = ()
+    _dtype = np.dtype(_core.pair_layout())
 
     @property
     def touches(self) -> npt.NDArray[np.bool_]:
@@ -61,14 +56,8 @@ class Pairs:
         """Unit normals, shape (n, 3)."""
         return self._table["normal"]
 
-    def __len__(self) -> int:
-        return len(self._table)
-
     def __repr__(self) -> str:
         return f"Pairs({len(self)} pairs, {int(self.touches.sum())} touch)"
-
-    def __reduce__(self) -> tuple[type[Pairs], tuple[npt.NDArray[np.void]]]:
-        return Pairs, (self._table,)
 
 
 def vertex_face(

@@ -1,0 +1,17 @@
+# The libraries of a build that is there already, in place of building them: TAMIS_BUILT is its folder.
+find_package(TBB REQUIRED)
+find_package(GMP REQUIRED)
+find_package(fmt REQUIRED)
+
+function(built_library name path)
+  if(NOT EXISTS ${TAMIS_BUILT}/${path})
+    message(FATAL_ERROR "${TAMIS_BUILT} has no ${path}: build it there first, as static libraries")
+  endif()
+  add_library(${name} STATIC IMPORTED)
+  set_target_properties(${name} PROPERTIES IMPORTED_LOCATION ${TAMIS_BUILT}/${path})
+  target_include_directories(${name} INTERFACE ${PROJECT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/include)
+  target_link_libraries(${name} INTERFACE ${ARGN})
+endfunction()
+built_library(tamis::tamis src/libtamis.a TBB::tbb GMP::gmp)
+built_library(tamis_io io/libtamis_io.a tamis::tamis fmt::fmt GMP::gmp)
+built_library(tamis_scenes scenes/libtamis_scenes.a tamis::tamis)

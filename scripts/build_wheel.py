@@ -1,0 +1,167 @@
+#!/usr/bin/env python3
+"""build_wheel.py WORK [BUILD]: the module for Python as it is shipped, and an environment with nothing else in it.
+
+In WORK: `tools`, a virtual environment with what python/requirements.txt pins; `sdist`, the source distribution; `dist`,
+the wheel that is built from it, repaired so that it carries its libraries and their licences; `user`, an environment
+into which the wheel was installed, with NumPy alone at first, then with the tools of the tests. PyPI is asked when the
+requirements have changed, and not again. Exit code 77 if it cannot be reached. With BUILD, a folder in which Tamis was
+built, the wheel takes its libraries from there, which saves minutes; without, it is built from scratch as `pip install`
+does.
+"""
+import hashlib
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import tarfile
+import venv
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+REQUIREMENTS = ROOT / "python" / "requirements.txt"
+SKIPPED = 77
+
+
+def run(*command, **options) -> str:
+    return subprocess.run([str(c) for c in command], check=True, stdout=subprocess.PIPE, text=True, **options).stdout
+
+
+def environment(folder: pathlib.Path) -> pathlib.Path:
+    """A new, empty virtual environment; its Python."""
+    shutil.rmtree(folder, ignore_errors=True)
+    venv.create(folder, with_pip=True, symlinks=True)
+    return folder / "bin" / "python"
+
+
+def pip(python: pathlib.Path, *arguments) -> None:
+    run(python, "-m", "pip", "--quiet", "--disable-pip-version-check", *arguments)
+
+
+class Stamp:
+    """Remembers what something was made from, so that it is made again only when that has changed."""
+
+    def __init__(self, path: pathlib.Path, *made_from: bytes):
+        self.path, self.digest = path, hashlib.sha256(b"\0".join(made_from)).hexdigest()
+
+    def is_fresh(self) -> bool:
+        return self.path.exists() and self.path.read_text() == self.digest
+
+    def set(self) -> None:
+        self.path.write_text(self.digest)
+
+
+def make_tools(work: pathlib.Path) -> None:
+    stamp = Stamp(work / "tools.stamp", REQUIREMENTS.read_bytes(), sys.version.encode())
+    if stamp.is_fresh():
+        return
+    python = environment(work / "tools")
+    try:
+        pip(python, "download", "--only-binary", ":all:", "-r", REQUIREMENTS, "-d", work / "wheels")
+    except subprocess.CalledProcessError:
+        print("skipped: the tools of python/requirements.txt are not here, and PyPI cannot be reached")
+        sys.exit(SKIPPED)
+    pip(python, "install", "--no-index", "--find-links", work / "wheels", "-r", REQUIREMENTS)
+    stamp.set()
+
+
+def make_source(work: pathlib.Path) -> pathlib.Path:
+    """The source distribution, unpacked; what has not changed keeps its age, so that only the rest is built anew."""
+    shutil.rmtree(work / "sdist", ignore_errors=True)
+    run(work / "tools/bin/python", "-m", "build", "--sdist", "--no-isolation", "--outdir", work / "sdist", ROOT)
+    (archive,) = (work / "sdist").glob("*.tar.gz")
+    source, here = work / "source", set()
+    with tarfile.open(archive) as tar:
+        for member in filter(tarfile.TarInfo.isfile, tar.getmembers()):
+            path = source / pathlib.PurePath(*pathlib.PurePath(member.name).parts[1:])
+            content = tar.extractfile(member).read()
+            here.add(path)
+            if not path.exists() or path.read_bytes() != content:
+                path.parent.mkdir(parents=True, exist_ok=True)
+                path.write_bytes(content)
+    for path in source.rglob("*"):
+        if path.is_file() and path not in here:
+            path.unlink()
+    return source
+
+
+def source_digest(source: pathlib.Path) -> bytes:
+    digest = hashlib.sha256()
+    for path in sorted(p for p in source.rglob("*") if p.is_file()):
+        digest.update(str(path.relative_to(source)).encode() + b"\0" + path.read_bytes())
+    return digest.digest()
+
+
+def licences_of(library: str) -> "list[pathlib.Path]":
+    """What Debian says of the package that a library comes from, and the licences that this names."""
+    stem = re.sub(r"-[0-9a-f]{8,}(?=\.so)", "", library)  # auditwheel's hash
+    major = re.match(r"lib[^.]+\.so\.\d+", stem)
+    package = run("dpkg-query", "--search", f"*/{major[0] if major else stem}*").split(":")[0]
+    text = pathlib.Path("/usr/share/doc") / package / "copyright"
+    named = re.findall(r"/usr/share/common-licenses/[\w.-]*\w", text.read_text())
+    return [text, *(pathlib.Path(name) for name in sorted(set(named)))]
+
+
+def add_licences(wheel: pathlib.Path, work: pathlib.Path) -> None:
+    python, unpacked = work / "tools/bin/python", work / "unpacked"
+    shutil.rmtree(unpacked, ignore_errors=True)
+    run(python, "-m", "wheel", "unpack", wheel, "--dest", unpacked)
+    (root,) = unpacked.iterdir()
+    (info,) = root.glob("*.dist-info")
+    for library in sorted((root / "tamis.libs").iterdir()):
+        for text in licences_of(library.name):
+            name = text.parent.name if text.name == "copyright" else text.name
+            (info / "licenses").mkdir(exist_ok=True)
+            shutil.copy(text.resolve(), info / "licenses" / f"{name}.txt")
+    run(python, "-m", "wheel", "pack", root, "--dest-dir", wheel.parent)
+
+
+def make_wheel(work: pathlib.Path, source: pathlib.Path, libraries: "list[str]") -> pathlib.Path:
+    tools = work / "tools/bin"
+    search = {**os.environ, "PATH": f"{tools}:{os.environ['PATH']}"}
+    raw = work / "raw"
+    for old in (raw, work / "dist"):
+        shutil.rmtree(old, ignore_errors=True)
+    run(tools / "python", "-m", "build", "--wheel", "--no-isolation", "--outdir", raw,
+        f"-Cbuild-dir={work / 'objects'}", *libraries, source, env=search)
+    (wheel,) = raw.glob("*.whl")
+    run(tools / "auditwheel", "repair", wheel, "--wheel-dir", work / "dist", env=search, stderr=subprocess.STDOUT)
+    (repaired,) = (work / "dist").glob("*.whl")
+    add_licences(repaired, work)
+    return repaired
+
+
+def make_user(work: pathlib.Path, wheel: pathlib.Path) -> None:
+    """The wheel must work with NumPy alone before anything else comes in."""
+    python = environment(work / "user")
+    from_here = ("--no-index", "--find-links", work / "wheels")
+    pip(python, "install", *from_here, wheel)
+    run(python, "-I", "-c", "import tamis; assert len(tamis.contacts([[0,1,2]], [[0,0,0],[1,0,0],[0,1,0]], "
+        "[[0,0,0],[1,0,0],[0,1,0]])) == 0")
+    wanted = ("pytest", "hypothesis", "pandas", "matplotlib")
+    pip(python, "install", *from_here, "-c", REQUIREMENTS, *wanted)
+
+
+def main() -> int:
+    work, *build = (pathlib.Path(argument).resolve() for argument in sys.argv[1:])
+    work.mkdir(parents=True, exist_ok=True)
+    make_tools(work)
+    source = make_source(work)
+    libraries = [f"-Ccmake.define.TAMIS_BUILT={folder}" for folder in build]
+    built = [path.read_bytes() for folder in build for path in sorted(folder.glob("*/libtamis*.a"))]
+    stamp = Stamp(work / "wheel.stamp", source_digest(source), REQUIREMENTS.read_bytes(), *built)
+    if not stamp.is_fresh() or not (work / "user").exists():
+        stamp.path.unlink(missing_ok=True)
+        wheel = make_wheel(work, source, libraries)
+        make_user(work, wheel)
+        stamp.set()
+    print("installed into", work / "user")
+    return 0
+
+
+if __name__ == "__main__":
+    try:
+        sys.exit(main())
+    except subprocess.CalledProcessError as failure:
+        print(failure.stdout or "", file=sys.stderr)
+        sys.exit(f"build_wheel.py: failed: {' '.join(failure.cmd)}")

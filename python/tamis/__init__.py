@@ -15,6 +15,7 @@ from tamis._detector import Detector, Statistics, contacts
 from tamis._errors import Busy, Cancelled, Error, FileError, InvalidMesh, InvalidOptions, InvalidStep
 from tamis._files import MeshFile, read_frames, read_mesh, write_mesh
 from tamis._mesh import Mesh
+from tamis._near import Intersections, NearPairs
 from tamis._options import PaperOptions, ReducedModel
 from tamis._pairs import Pairs, edge_edge, vertex_edge, vertex_face, vertex_vertex
 from tamis._scenes import Scene, scene, scene_names
@@ -30,12 +31,14 @@ __all__ = [
     "EarliestContact",
     "Error",
     "FileError",
+    "Intersections",
     "InvalidMesh",
     "InvalidOptions",
     "InvalidStep",
     "LimitingPair",
     "Mesh",
     "MeshFile",
+    "NearPairs",
     "PairKind",
     "Pairs",
     "PaperOptions",

@@ -1,46 +1,18 @@
-#include "tamis/detector.hpp"
+#include "c/detector.hpp"
 
 #include <algorithm>
-#include <atomic>
-#include <optional>
 #include <string>
 
 #include "c/mesh.hpp"
 #include "c/options.hpp"
 #include "c/sized.hpp"
 
-struct tamis_detector {
-  tamis::c::Outcome outcome;
-  std::optional<tamis::Detector> detector;  ///< none if it could not be made
-  std::atomic_flag is_asking;
-  std::vector<tamis::Contact> contacts;  ///< of the last question
-  std::vector<std::string> stage_names;  ///< ended by zeros, as C wants them
-};
-
 namespace tamis::c {
 namespace {
-
-Positions positions(const double* rows, Index count, std::ptrdiff_t stride, const char* name) {
-  if (stride != 0 && stride < 3)
-    throw InvalidArgument(std::string(name) + "_stride is " + std::to_string(stride) +
-                          ": give the doubles from one row to the next, at least 3, or 0");
-  return {count > 0 ? &required(rows, name) : rows, count, stride == 0 ? 3 : stride};
-}
 
 Step step_of(const tamis_step& given) {
   return {positions(given.start, given.vertex_count, given.start_stride, "start"),
           positions(given.end, given.vertex_count, given.end_stride, "end")};
-}
-
-/// Runs `work(handle)` unless another call with the handle is running: then its outcome belongs to that one.
-template <class Work>
-tamis_status with(tamis_detector* handle, const Work& work) noexcept {
-  if (!handle) return TAMIS_INVALID_ARGUMENT;
-  if (handle->is_asking.test_and_set(std::memory_order_acquire)) return TAMIS_BUSY;
-  const tamis_status status = handle->detector ? attempt(handle->outcome, [&] { work(*handle); })
-                                               : handle->outcome.status();  // it still says why it was not made
-  handle->is_asking.clear(std::memory_order_release);
-  return status;
 }
 
 using Separation = std::optional<double>;
@@ -96,7 +68,8 @@ tamis_statistics statistics_of(const Statistics& s, std::vector<std::string>& na
   answer.stage_count = static_cast<int32_t>(count);
   names.clear();
   for (std::size_t i = 0; i < count; ++i) names.emplace_back(s.stages[i].name);
-  for (std::size_t i = 0; i < count; ++i) answer.stages[i] = {names[i].c_str(), s.stages[i].vf, s.stages[i].ee};
+  for (std::size_t i = 0; i < count; ++i)
+    answer.stages[i] = {names[i].c_str(), s.stages[i].vf, s.stages[i].ee, s.stages[i].ve, s.stages[i].vv};
   return answer;
 }
 
@@ -158,13 +131,7 @@ tamis_status tamis_detector_keep_distance(tamis_detector* detector, const tamis_
 tamis_status tamis_detector_copy_contacts(tamis_detector* detector, size_t first, size_t count, tamis_contact* contacts,
                                           size_t contact_size) {
   return with(detector, [&](tamis_detector& handle) {
-    const size_t all = handle.contacts.size();
-    if (first > all || count > all - first)
-      throw InvalidArgument("contacts " + std::to_string(first) + " and " + std::to_string(count) +
-                            " of them: the last question has " + std::to_string(all));
-    check_size(contact_size, sizeof(int32_t), "contact");
-    for (size_t i = 0; i < count; ++i)
-      write_element(contact_of(handle.contacts[first + i]), &required(contacts, "contacts"), i, contact_size);
+    copy_rows(handle.contacts, contact_of, {first, count, contacts, contact_size}, "contacts");
   });
 }
 

@@ -152,6 +152,37 @@ typedef struct tamis_safe_step {
 TAMIS_API tamis_status tamis_detector_keep_distance(tamis_detector* detector, const tamis_step* step, double fraction,
                                                     tamis_safe_step* answer);
 
+/** A pair of features that are near each other at rest; see NearPair in tamis/near.hpp. */
+typedef struct tamis_near_pair {
+  int32_t kind;
+  int32_t corners;     /**< bit i: vertex i has a share in the closest points */
+  int32_t vertices[4]; /**< as in tamis_contact */
+  double distance;
+  double u, v;         /**< weights of two closest points */
+  double direction[3]; /**< from the second feature's closest point to the first's */
+} tamis_near_pair;
+
+/** An edge that passes through a triangle, or touches it; see Intersection in tamis/near.hpp. */
+typedef struct tamis_intersection {
+  int32_t edge[2], face[3];
+  double s_lower, s_upper; /**< the first common point lies between these on the edge */
+  double u, v;             /**< and is (1-u-v) f0 + u f1 + v f2 */
+} tamis_intersection;
+
+/** Every pair whose distance at the step's start is at most `distance` plus both radii; the step's end is not read. */
+TAMIS_API tamis_status tamis_detector_near(tamis_detector* detector, const tamis_step* step, double distance,
+                                           size_t* count);
+/** Every edge that passes through a triangle or touches it at the step's start: exactly. The end is not read. */
+TAMIS_API tamis_status tamis_detector_intersections(tamis_detector* detector, const tamis_step* step, size_t* count);
+/** Writes 1 if there is any, else 0. */
+TAMIS_API tamis_status tamis_detector_has_intersection(tamis_detector* detector, const tamis_step* step,
+                                                       int* has_intersection);
+/** As tamis_detector_copy_contacts, of the last question for near pairs or for intersections. */
+TAMIS_API tamis_status tamis_detector_copy_near(tamis_detector* detector, size_t first, size_t count,
+                                                tamis_near_pair* pairs, size_t pair_size);
+TAMIS_API tamis_status tamis_detector_copy_intersections(tamis_detector* detector, size_t first, size_t count,
+                                                         tamis_intersection* intersections, size_t intersection_size);
+
 /** Copies contacts [first, first + count) of the last question, contacts or earliest, into an array whose elements are
  * `contact_size` = sizeof(tamis_contact) bytes. */
 TAMIS_API tamis_status tamis_detector_copy_contacts(tamis_detector* detector, size_t first, size_t count,
@@ -159,7 +190,7 @@ TAMIS_API tamis_status tamis_detector_copy_contacts(tamis_detector* detector, si
 
 typedef struct tamis_stage {
   const char* name;
-  uint64_t vf, ee; /**< pairs that entered */
+  uint64_t vf, ee, ve, vv; /**< pairs of each kind that entered */
 } tamis_stage;
 
 enum { TAMIS_MOST_STAGES = 16 };

@@ -68,6 +68,24 @@ class Questions {
         nb::make_tuple(static_cast<int>(safe.pair->kind), nb::make_tuple(v[0], v[1], v[2], v[3]), safe.pair->distance));
   }
 
+  nb::object near(const Rows& at, double distance) {
+    std::vector<NearPair> found;
+    ask([&] { found = detector_.near(positions(at), distance); });
+    return own_bytes(std::move(found));
+  }
+
+  nb::object intersections(const Rows& at) {
+    std::vector<Intersection> found;
+    ask([&] { found = detector_.intersections(positions(at)); });
+    return own_bytes(std::move(found));
+  }
+
+  bool has_intersection(const Rows& at) {
+    bool found = false;
+    ask([&] { found = detector_.has_intersection(positions(at)); });
+    return found;
+  }
+
   nb::dict statistics() {
     const Turn turn(is_asking_);
     return as_dict(detector_.statistics());
@@ -115,7 +133,7 @@ class Questions {
   static nb::dict as_dict(const Statistics& s) {
     nb::dict stages, seconds, decided_by, all;
     for (const StageCount& stage : s.stages)
-      stages[nb::str(stage.name.data(), stage.name.size())] = nb::make_tuple(stage.vf, stage.ee);
+      stages[nb::str(stage.name.data(), stage.name.size())] = nb::make_tuple(stage.vf, stage.ee, stage.ve, stage.vv);
     seconds["bounds"] = s.seconds.bounds;
     seconds["build"] = s.seconds.build;
     seconds["traverse"] = s.seconds.traverse;
@@ -174,6 +192,29 @@ nb::dict contact_layout() {
       .dict();
 }
 
+nb::dict near_layout() {
+  return Layout(sizeof(NearPair))
+      .field("kind", "u1", offsetof(NearPair, kind))
+      .field("corners", "u1", offsetof(NearPair, corners))
+      .field("vertices", "(4,)i4", offsetof(NearPair, vertices))
+      .field("distance", "f8", offsetof(NearPair, distance))
+      .field("u", "f8", offsetof(NearPair, u))
+      .field("v", "f8", offsetof(NearPair, v))
+      .field("direction", "(3,)f8", offsetof(NearPair, direction))
+      .dict();
+}
+
+nb::dict intersection_layout() {
+  return Layout(sizeof(Intersection))
+      .field("edge", "(2,)i4", offsetof(Intersection, edge))
+      .field("face", "(3,)i4", offsetof(Intersection, face))
+      .field("s_lower", "f8", offsetof(Intersection, s_lower))
+      .field("s_upper", "f8", offsetof(Intersection, s_upper))
+      .field("u", "f8", offsetof(Intersection, u))
+      .field("v", "f8", offsetof(Intersection, v))
+      .dict();
+}
+
 }  // namespace
 
 void bind_detector(nb::module_& module) {
@@ -183,7 +224,12 @@ void bind_detector(nb::module_& module) {
       .def("earliest", &Questions::earliest, nb::arg(), nb::arg(), nb::arg().none())
       .def("is_free", &Questions::is_free, nb::arg(), nb::arg(), nb::arg().none())
       .def("keep_distance", &Questions::keep_distance, nb::arg(), nb::arg(), nb::arg(), nb::arg().none())
+      .def("near", &Questions::near)
+      .def("intersections", &Questions::intersections)
+      .def("has_intersection", &Questions::has_intersection)
       .def("statistics", &Questions::statistics);
+  module.def("near_layout", &near_layout);
+  module.def("intersection_layout", &intersection_layout);
   module.def("contact_layout", &contact_layout);
 }
 

@@ -26,6 +26,8 @@ void bind_errors() {
       raise("InvalidStep", error);
     } catch (const InvalidOptions& error) {
       raise("InvalidOptions", error);
+    } catch (const InvalidPath& error) {
+      raise("InvalidPath", error);
     } catch (const Cancelled& error) {
       raise("Cancelled", error);
     } catch (const Busy& error) {

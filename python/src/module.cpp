@@ -10,6 +10,7 @@ NB_MODULE(_core, module) {
   bind_options(module);
   bind_detector(module);
   bind_pairs(module);
+  bind_paths(module);
   bind_files(module);
   bind_scenes(module);
 }

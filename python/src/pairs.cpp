@@ -5,8 +5,7 @@
 #include "python/src/arrays.hpp"
 #include "python/src/bindings.hpp"
 #include "python/src/layout.hpp"
-#include "python/src/signals.hpp"
-#include "tamis/error.hpp"
+#include "python/src/pair_results.hpp"
 #include "tamis/pair.hpp"
 
 namespace tamis::python {
@@ -23,23 +22,7 @@ nb::object decide_all(const PairRows<corners>& start, const PairRows<corners>& e
   const PairOptions options{guarantee_from_name(guarantee), min_separation};
   const auto* starts = reinterpret_cast<const Points<corners>*>(start.data());
   const auto* ends = reinterpret_cast<const Points<corners>*>(end.data());
-  std::vector<PairResult> results(start.shape(0));
-  Signals signals;
-  signals.begin();
-  {
-    const nb::gil_scoped_release unlocked;
-    constexpr std::size_t kBatch = 256;  // between two looks at the clock
-    for (std::size_t i = 0; i < results.size(); ++i) {
-      if (i % kBatch == 0 && signals.ask()) break;
-      try {
-        results[i] = decide(starts[i], ends[i], options);
-      } catch (const InvalidStep& error) {
-        throw InvalidStep("pair " + std::to_string(i) + ": " + error.what());
-      }
-    }
-  }
-  signals.rethrow();
-  return own_bytes(std::move(results));
+  return decide_each(start.shape(0), [&](std::size_t i) { return decide(starts[i], ends[i], options); });
 }
 
 nb::dict pair_layout() {

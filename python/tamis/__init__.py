@@ -12,11 +12,13 @@ from tamis import _core
 from tamis._contacts import Contact, Contacts, EarliestContact, LimitingPair, PairKind, SafeStep
 from tamis._core import filter_names, method_choices
 from tamis._detector import Detector, Statistics, contacts
-from tamis._errors import Busy, Cancelled, Error, FileError, InvalidMesh, InvalidOptions, InvalidStep
+from tamis._errors import Busy, Cancelled, Error, FileError, InvalidMesh, InvalidOptions, InvalidPath, InvalidStep
 from tamis._files import MeshFile, read_frames, read_mesh, write_mesh
 from tamis._mesh import Mesh
+from tamis._near import Intersections, NearPairs
 from tamis._options import PaperOptions, ReducedModel
 from tamis._pairs import Pairs, edge_edge, vertex_edge, vertex_face, vertex_vertex
+from tamis._paths import RigidPath, between, interpolated, turned
 from tamis._scenes import Scene, scene, scene_names
 
 __version__: str = _core.__version__
@@ -30,27 +32,34 @@ __all__ = [
     "EarliestContact",
     "Error",
     "FileError",
+    "Intersections",
     "InvalidMesh",
     "InvalidOptions",
+    "InvalidPath",
     "InvalidStep",
     "LimitingPair",
     "Mesh",
     "MeshFile",
+    "NearPairs",
     "PairKind",
     "Pairs",
     "PaperOptions",
     "ReducedModel",
+    "RigidPath",
     "SafeStep",
     "Scene",
     "Statistics",
+    "between",
     "contacts",
     "edge_edge",
     "filter_names",
+    "interpolated",
     "method_choices",
     "read_frames",
     "read_mesh",
     "scene",
     "scene_names",
+    "turned",
     "vertex_edge",
     "vertex_face",
     "vertex_vertex",

@@ -13,6 +13,7 @@ from tamis._arrays import rows
 from tamis._contacts import Contacts, EarliestContact, LimitingPair, PairKind, SafeStep
 from tamis._errors import InvalidOptions
 from tamis._mesh import Mesh
+from tamis._near import Intersections, NearPairs
 from tamis._options import Filter, Guarantee, Isa, PaperOptions, set_groups
 
 
@@ -22,9 +23,9 @@ class Statistics:
 
     Attributes
     ----------
-    stages : mapping of str to (int, int)
-        Vertex-face and edge-edge pairs that entered each stage, in the pipeline's order; the first counts the pairs
-        whose boxes meet.
+    stages : mapping of str to (int, int, int, int)
+        Pairs of each `PairKind` that entered each stage, in the pipeline's order; the first counts the pairs whose
+        boxes meet.
     decided_by : mapping of str to int
         Pairs decided by each arithmetic: lanes, scalar, exact; and those that stay unresolved.
     seconds : mapping of str to float
@@ -38,7 +39,7 @@ class Statistics:
     method: str
     isa: str
     threads: int
-    stages: Mapping[str, tuple[int, int]]
+    stages: Mapping[str, tuple[int, int, int, int]]
     decided_by: Mapping[str, int]
     seconds: Mapping[str, float]
     nodes_visited: int
@@ -230,6 +231,58 @@ class Detector:
             rows(start, "start"), rows(end, "end"), fraction, min_separation
         )
         return SafeStep(lower, upper, None if pair is None else LimitingPair(PairKind(pair[0]), *pair[1:]))
+
+    def near(self, positions: npt.ArrayLike, distance: float) -> NearPairs:
+        """Find every pair of features that is near at rest: what a barrier or penalty method starts from.
+
+        Parameters
+        ----------
+        positions : array_like, shape (n, 3)
+            Where each vertex is.
+        distance : float
+            >= 0, in the unit of the positions; both radii of `thickness` come on top.
+
+        Returns
+        -------
+        NearPairs
+            Each pair once, by kind, then vertices.
+
+        Raises
+        ------
+        InvalidOptions
+            The distance is negative or not finite.
+        """
+        return NearPairs(self._detector.near(rows(positions, "positions"), distance))
+
+    def intersections(self, positions: npt.ArrayLike) -> Intersections:
+        """Find every edge that passes through a triangle or touches it: exactly.
+
+        Parameters
+        ----------
+        positions : array_like, shape (n, 3)
+            Where each vertex is.
+
+        Returns
+        -------
+        Intersections
+            By edge, then face. Of the filter the groups count, thickness does not.
+        """
+        return Intersections(self._detector.intersections(rows(positions, "positions")))
+
+    def has_intersection(self, positions: npt.ArrayLike) -> bool:
+        """Tell whether any edge passes through a triangle or touches it: whether this is no pose to start from.
+
+        Parameters
+        ----------
+        positions : array_like, shape (n, 3)
+            Where each vertex is.
+
+        Returns
+        -------
+        bool
+            Exact. Ends at the first.
+        """
+        return self._detector.has_intersection(rows(positions, "positions"))
 
     def __repr__(self) -> str:
         return f"Detector({self._mesh!r}, {self._description})"

@@ -15,6 +15,10 @@ class InvalidStep(Error, ValueError):
     """Positions that do not fit the mesh, are no rows of three numbers, or are not finite."""
 
 
+class InvalidPath(Error, ValueError):
+    """A curved motion that breaks its promises, or lacks a vertex that it is asked about."""
+
+
 class InvalidOptions(Error, ValueError):
     """An option outside its documented range, or an unknown name."""
 

@@ -30,7 +30,7 @@ double length_above(const IntervalVec& v) { return rounding::above(rounding::abo
 class PlanarTruncation {
  public:
   PlanarTruncation(const Mesh& mesh, const TogetherUntil& together)
-      : mesh_(mesh), step_(together.step), separations_(together.separations), time_(together.time) {
+      : step_(together.step), separations_(together.separations), time_(together.time) {
     const auto count = static_cast<std::size_t>(mesh.vertex_count());
     until_.assign(count, 1);
     positions_.assign(count, {0, 0, 0});
@@ -135,7 +135,6 @@ class PlanarTruncation {
     return until > time_ && is_below_at(until) ? until : time_;
   }
 
-  const Mesh& mesh_;
   const Step& step_;
   const Separations& separations_;
   const double time_;

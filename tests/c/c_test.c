@@ -183,6 +183,40 @@ static void structs_of_other_versions(void) {
   tamis_mesh_free(mesh);
 }
 
+static void at_rest(void) {
+  tamis_mesh* mesh = two_triangles();
+  tamis_detector* detector = NULL;
+  tamis_step step = falling();
+  tamis_near_pair near[32];
+  tamis_intersection crossing;
+  size_t count = 0;
+  int intersects = -1;
+  size_t i;
+  int found = 0;
+  EXPECT(tamis_detector_create(mesh, NULL, &detector) == TAMIS_OK);
+  EXPECT(tamis_detector_near(detector, &step, 1, &count) == TAMIS_OK && count > 0 && count <= 32);
+  EXPECT(tamis_detector_copy_near(detector, 0, count, near, sizeof near[0]) == TAMIS_OK);
+  for (i = 0; i < count && i < 32; ++i)
+    found += near[i].kind == TAMIS_VERTEX_FACE && near[i].vertices[0] == 3 && near[i].distance == 1 &&
+             near[i].corners == 15 && near[i].direction[2] == 1;
+  EXPECT(found == 1);
+  EXPECT(tamis_detector_near(detector, &step, -1, &count) == TAMIS_INVALID_OPTIONS);
+  EXPECT(tamis_detector_near(detector, &step, 1, NULL) == TAMIS_INVALID_ARGUMENT);
+  EXPECT(tamis_detector_copy_near(detector, 33, 1, near, sizeof near[0]) == TAMIS_INVALID_ARGUMENT);
+  EXPECT(tamis_detector_copy_near(detector, 0, 1, NULL, sizeof near[0]) == TAMIS_INVALID_ARGUMENT);
+
+  EXPECT(tamis_detector_has_intersection(detector, &step, &intersects) == TAMIS_OK && intersects == 0);
+  EXPECT(tamis_detector_intersections(detector, &step, &count) == TAMIS_OK && count == 0);
+  step.start = end;
+  EXPECT(tamis_detector_has_intersection(detector, &step, &intersects) == TAMIS_OK && intersects == 1);
+  EXPECT(tamis_detector_intersections(detector, &step, &count) == TAMIS_OK && count > 0);
+  EXPECT(tamis_detector_copy_intersections(detector, 0, 1, &crossing, sizeof crossing) == TAMIS_OK);
+  EXPECT(crossing.edge[0] < crossing.edge[1] && crossing.s_lower <= crossing.s_upper);
+  EXPECT(crossing.face[0] == 0 || crossing.face[0] == 3);
+  tamis_detector_free(detector);
+  tamis_mesh_free(mesh);
+}
+
 static void pairs_of_features(void) {
   const double before[] = {0.2, 0.2, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 9, 9, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0};
   const double after[] = {0.2, 0.2, -3, 0, 0, 0, 1, 0, 0, 0, 1, 0, 9, 9, -3, 0, 0, 0, 1, 0, 0, 0, 1, 0};
@@ -228,6 +262,7 @@ int main(void) {
   strides();
   bad_steps();
   structs_of_other_versions();
+  at_rest();
   pairs_of_features();
   return expect_failures > 0;
 }

@@ -39,6 +39,7 @@ __all__ = [
     "compute_collision_free_stepsize",
     "edge_edge_ccd",
     "edges",
+    "has_intersections",
     "is_step_collision_free",
     "point_edge_ccd",
     "point_point_ccd",
@@ -268,6 +269,11 @@ class Candidates:
 def edges(faces: npt.ArrayLike) -> Indices:
     """Return the edges of triangles, each once, shape (e, 2)."""
     return Mesh(faces).edges
+
+
+def has_intersections(mesh: CollisionMesh, vertices: npt.ArrayLike, broad_phase: BroadPhase | None = None) -> bool:
+    """Tell whether any edge passes through a triangle or touches it: exactly."""
+    return mesh.detector.has_intersection(vertices)
 
 
 def is_step_collision_free(

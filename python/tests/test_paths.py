@@ -1,0 +1,71 @@
+"""Curved motion of single pairs: a rod that turns meets what a straight step would miss."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+
+import tamis
+
+STILL = np.zeros((2, 3))
+
+
+def turning_rod() -> tamis.RigidPath:
+    """A rod along x turns by a right angle about z, through a post at 45 degrees, at half of the step."""
+    rest = [[0, 0, 0], [2, 0, 0], [1, 1, -1], [1, 1, 1]]
+    chain = tamis.turned(STILL, [0, 0, math.pi / 2], [0, 0, 0])
+    return tamis.RigidPath(rest, [0, 0, 1, 1], [chain, np.empty((0, 4, 3))])
+
+
+def test_a_rod_that_turns_meets_a_post() -> None:
+    path = turning_rod()
+    found = path.edge_edge([[0, 1, 2, 3]])
+    assert found.touches[0] and found.toi_lower[0] <= 0.5 <= found.toi_upper[0]
+    assert found.toi_upper[0] - found.toi_lower[0] <= 1e-9
+    assert found.u[0] == pytest.approx(math.sqrt(0.5), abs=1e-6)
+    straight = tamis.edge_edge(path.points_at(0), path.points_at(1))
+    assert straight.touches[0] and straight.toi_lower[0] > 0.4
+
+
+def test_points_on_the_way() -> None:
+    path = turning_rod()
+    assert np.allclose(path.points_at(1)[1], [0, 2, 0], atol=1e-12)
+    assert np.allclose(path.points_at(0.5)[1], [math.sqrt(2), math.sqrt(2), 0], atol=1e-12)
+    assert repr(path) == "RigidPath(4 vertices)"
+
+
+def test_a_full_turn_that_no_straight_step_sees() -> None:
+    rest = [[2, 0, 0], [-1, 2, -1], [-1, -2, -1], [-1, 0, 3]]
+    rest[1:] = [[0, 2 + dy, dz] for dy, dz in ((-1, -1), (1, -1), (0, 2))]
+    path = tamis.RigidPath(
+        rest, [0, 1, 1, 1], [tamis.turned(STILL, [0, 0, 2 * math.pi], [0, 0, 0]), np.empty((0, 4, 3))]
+    )
+    found = path.vertex_face([[0, 1, 2, 3]])
+    assert found.touches[0] and found.toi_lower[0] <= 0.25 <= found.toi_upper[0]
+    assert not tamis.vertex_face(path.points_at(0), path.points_at(1)).touches[0]
+    assert path.vertex_vertex([[0, 1]], min_separation=0.5).touches.tolist() == [False]
+    assert path.vertex_edge([[0, 1, 2]], min_separation=1.5).touches.tolist() == [True]
+
+
+def test_chains() -> None:
+    end = [[1, 2, 3], [0, 0, 1]]
+    assert tamis.interpolated(STILL, end).shape == (1, 4, 3)
+    path = tamis.RigidPath([[1, 0, 0]], [0], [tamis.between(STILL, end)])
+    assert np.allclose(path.points_at(1), [[1 + math.cos(1), 2 + math.sin(1), 3]], atol=1e-12)
+
+
+def test_bad_paths() -> None:
+    with pytest.raises(tamis.InvalidPath):
+        tamis.RigidPath([[0, 0, 0]], [1], [np.empty((0, 4, 3))])
+    with pytest.raises(tamis.InvalidPath):
+        tamis.RigidPath([[0, math.nan, 0]], [0], [np.empty((0, 4, 3))])
+    with pytest.raises(tamis.InvalidPath):
+        turning_rod().edge_edge([[0, 1, 2, 9]])
+    with pytest.raises(tamis.InvalidPath):
+        turning_rod().points_at(1.5)
+    with pytest.raises(tamis.InvalidPath):
+        tamis.between(STILL, [[0, 0, 0]])
+    with pytest.raises(tamis.InvalidOptions):
+        turning_rod().edge_edge([[0, 1, 2, 3]], tolerance=0.0)

@@ -127,7 +127,7 @@ void GapMemory::remember(const Step& step, float t) {
   const PackedVertex* vertices = trees_.motion().vertices.data();
   vf_.make({PairKind::vertex_face, kernels_, {points, faces, vertices, 1 / unit_}, reach_, separation, t});
   ee_.make({PairKind::edge_edge, kernels_, {edges, edges, vertices, 1 / unit_}, reach_, separation, t});
-  const auto blocks = static_cast<std::size_t>(points.leaf_blocks + edges.leaf_blocks);
+  const auto blocks = static_cast<std::size_t>(points.leaf_blocks) + static_cast<std::size_t>(edges.leaf_blocks);
   if (vf_.size() + ee_.size() > kMostNear * blocks) give_up();
 }
 

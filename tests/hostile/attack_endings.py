@@ -43,7 +43,7 @@ def attack(folder, case, random):
     command.check(outcome)
     folder.require_nothing_unfinished(outcome)
     if outcome.code == 2 and option:
-        outcome.require(out.read_text() == "old", "an error, and yet the old file is gone")
+        outcome.require(out.read_bytes() == b"old", "an error, and yet the old file is gone")
     return None
 
 
@@ -51,7 +51,7 @@ def attack_signal(folder, words, out, number, random):
     start = time.monotonic()
     whole = folder.run_and_check(words)
     seconds = time.monotonic() - start
-    complete = out.read_text() if out else None
+    complete = out.read_bytes() if out else None
     if complete is not None:
         out.write_text("old")
     for path in folder.files():
@@ -62,8 +62,9 @@ def attack_signal(folder, words, out, number, random):
     if number != signal.SIGKILL:
         folder.require_nothing_unfinished(outcome)
     if complete is not None:
-        text = out.read_text()
+        content = out.read_bytes()
         # Times differ from run to run, the number of rows does not.
-        outcome.require(text == "old" or text.count("\n") == complete.count("\n"), "the output is neither old nor complete")
+        outcome.require(content == b"old" or content.count(b"\n") == complete.count(b"\n"),
+                        "the output is neither old nor complete")
     again = folder.run_and_check(words + (["--resume"] if "paper" in words else []))
     again.require(again.code == whole.code, f"after signal {number} the same command does not go on")

@@ -89,7 +89,7 @@ void GapMemory::end(const Step& step, float t) {
   }
   // Making lists costs as much as a question: they must have saved some.
   if (!where_.empty() && served_ < kWorthwhile) return give_up();
-  remember(step, t);
+  if (starts_again_) remember(step, t);
 }
 
 void GapMemory::give_up() {
@@ -97,7 +97,7 @@ void GapMemory::give_up() {
   pause_ = kPause;
 }
 
-bool GapMemory::follows(const Step& step) const {
+bool GapMemory::follows(const Step& step) {
   if (last_.empty()) return false;
   constexpr std::size_t kSample = 4096;
   double moved = 0, size = 0;
@@ -108,6 +108,7 @@ bool GapMemory::follows(const Step& step) const {
       moved += std::fabs(step.start[edges[e][0]][axis] - last_[v][axis]);
       size += std::fabs(step.start[edges[e][1]][axis] - step.start[edges[e][0]][axis]);
     }
+  starts_again_ = moved == 0;
   return moved <= kFollows * size;
 }
 

@@ -32,7 +32,7 @@ class GapMemory {
  private:
   static constexpr std::size_t kMostNear = 64;
 
-  bool follows(const Step& step) const;
+  bool follows(const Step& step);
   void remember(const Step& step, float t);
   void give_up();
   void forget();
@@ -49,6 +49,7 @@ class GapMemory {
   float reach_ = 0;        ///< of the lists
   float scale_ = 1;        ///< of gaps in this question's unit
   bool serves_ = false, follows_ = false;
+  bool starts_again_ = false;  ///< where the last question started: the next one will probably, too
   std::atomic<std::size_t> unproven_ = 0;  ///< in this question
   std::size_t most_unproven_ = 0;          ///< before lists are worn; 0: not known yet
   int served_ = 0;                         ///< questions that these lists have answered

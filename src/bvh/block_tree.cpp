@@ -24,7 +24,7 @@ void BlockTree::set_features(std::span<const Index> points) {
   vertices_ = points;
 }
 
-void BlockTree::build(const PackedMotion& motion, Split split) {
+void BlockTree::build(const PackedMotion& motion, const TreeKernels& kernels) {
   levels_.clear();
   for (std::size_t blocks = blocks_for(static_cast<std::size_t>(feature_count()));; blocks = blocks_for(blocks)) {
     levels_.emplace_back(blocks);
@@ -32,8 +32,8 @@ void BlockTree::build(const PackedMotion& motion, Split split) {
     if (blocks <= 1 && levels_.size() > 1) break;
   }
   corner_blocks_.resize(levels_[0].size());
-  choose_order(motion, split);
-  refit(motion);
+  choose_order(motion, kernels.split);
+  refit(motion, kernels);
 }
 
 void BlockTree::choose_order(const PackedMotion& motion, Split split) {
@@ -65,47 +65,20 @@ void BlockTree::choose_order(const PackedMotion& motion, Split split) {
   });
 }
 
-void BlockTree::refit(const PackedMotion& motion) {
-  const auto fill = corners_ == 1   ? &BlockTree::fill_leaf<1>
-                    : corners_ == 2 ? &BlockTree::fill_leaf<2>
-                                    : &BlockTree::fill_leaf<3>;
+void BlockTree::refit(const PackedMotion& motion, const TreeKernels& kernels) {
   const BoxMargins margins(motion);
-  parallel_blocks(levels_[0].size(), [&](std::size_t block) { (this->*fill)(block, motion, margins); });
+  parallel_blocks(levels_[0].size(), [&](std::size_t block) {
+    MovingBox hull;
+    kernels.bound_leaf(motion.box_vertices.data(), corner_blocks_[block], corners_, lanes_in_use(block), margins,
+                       levels_[0][block], hull);
+    hull.store_to(levels_[1][block / kBlock], static_cast<int>(block % kBlock));
+  });
   for (std::size_t level = 2; level < levels_.size(); ++level) fill_hulls(level);
 }
 
 int BlockTree::lanes_in_use(std::size_t block) const {
   const auto left = static_cast<std::size_t>(feature_count()) - block * kBlock;
   return static_cast<int>(std::min<std::size_t>(left, kBlock));
-}
-
-template <int corners>
-void BlockTree::fill_leaf(std::size_t block, const PackedMotion& motion, const BoxMargins& margins) {
-  const auto vertex_of = [&](const CornerBlock& from, int lane, int c) {
-    return &motion.box_vertices[static_cast<std::size_t>(from.vertex[c][lane])];
-  };
-  // Vertices lie scattered; those of the block after the next are on their way while this one is filled.
-  if (block + 2 < corner_blocks_.size()) {
-    const CornerBlock& later = corner_blocks_[block + 2];
-    for (int lane = 0; lane < kBlock; ++lane)
-      for (int c = 0; c < corners; ++c) __builtin_prefetch(vertex_of(later, lane, c));
-  }
-  const CornerBlock& own = corner_blocks_[block];
-  const int in_use = lanes_in_use(block);
-  MovingBox hull;
-  for (int lane = 0; lane < kBlock; ++lane) {
-    MovingBox box;
-    if (lane < in_use) {
-      for (int c = 0; c < corners; ++c) {
-        const BoxVertex& vertex = *vertex_of(own, lane, c);
-        box.include(vertex.at, vertex.at);
-      }
-      box.widen(margins.fixed, margins.relative, box.high[BoxVertex::kRadius], margins.radius);
-    }
-    box.store_to(levels_[0][block], lane);
-    hull.include(box);
-  }
-  hull.store_to(levels_[1][block / kBlock], static_cast<int>(block % kBlock));
 }
 
 void BlockTree::fill_hulls(std::size_t level) {

@@ -21,6 +21,17 @@ struct TreeView {
   const CornerBlock* corners;
 };
 
+/// Boxes of the features of a leaf block, `corners` vertices each, of which the first `in_use` lanes hold some; `hull`
+/// is made to include them. One of the kernels.
+using BoundLeaf = void (*)(const BoxVertex* vertices, const CornerBlock& block, int corners, int in_use,
+                           const BoxMargins& margins, BoxBlock& boxes, MovingBox& hull);
+
+/// The kernels that trees are made with.
+struct TreeKernels {
+  Split split;
+  BoundLeaf bound_leaf;
+};
+
 class BlockTree {
  public:
   /// Points, edges or faces. The span must outlive the tree.
@@ -33,9 +44,9 @@ class BlockTree {
 
   /// Chooses the order from where the features are halfway through the step (where `motion` holds displacements: at
   /// its end), then refits.
-  void build(const PackedMotion& motion, Split split);
+  void build(const PackedMotion& motion, const TreeKernels& kernels);
   /// New boxes in the old order.
-  void refit(const PackedMotion& motion);
+  void refit(const PackedMotion& motion, const TreeKernels& kernels);
 
   Index feature_count() const { return static_cast<Index>(vertices_.size() / static_cast<std::size_t>(corners_)); }
   TreeView view() const;
@@ -48,8 +59,6 @@ class BlockTree {
  private:
   void choose_order(const PackedMotion& motion, Split split);
   int lanes_in_use(std::size_t block) const;
-  template <int corners>
-  void fill_leaf(std::size_t block, const PackedMotion& motion, const BoxMargins& margins);
   void fill_hulls(std::size_t level);
   /// `width(hulls, axis, lane)`: of one hull.
   template <class Width>

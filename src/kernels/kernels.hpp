@@ -48,8 +48,7 @@ struct Search {
 
 struct Kernels {
   Isa isa;
-  /// Halves centers in space.
-  Split split;
+  TreeKernels trees;
   /// Finds the pairs of features of leaf block `block` of `a` with all of `b` whose moving boxes meet and that share
   /// no vertex; ee: with the blocks from `block` on, each pair once.
   void (*search_vf)(Search& search, int block);
@@ -63,12 +62,9 @@ struct Kernels {
                   PairBuffer& out);
   void (*near_ee)(const PackedVertex* vertices, const PairSeparation& separation, float reach, const PairBuffer& in,
                   PairBuffer& out);
-  /// Slab clip on the diagonal axes: pairs that stay farther apart than `separation` are culled. Survivors, with their
-  /// times, go to `out`.
-  void (*slab_vf)(const PackedVertex* vertices, const PairSeparation& separation, const PairBuffer& in,
-                  PairBuffer& out);
-  void (*slab_ee)(const PackedVertex* vertices, const PairSeparation& separation, const PairBuffer& in,
-                  PairBuffer& out);
+  /// Slab clip: pairs that stay farther apart than `separation` are culled. Survivors, with their times, go to `out`.
+  void (*slab_vf)(const BoxVertex* vertices, const BoxSeparation& separation, const PairBuffer& in, PairBuffer& out);
+  void (*slab_ee)(const BoxVertex* vertices, const BoxSeparation& separation, const PairBuffer& in, PairBuffer& out);
   /// DNF, then NCF, on what is left of the step. Returns how many pairs NCF had to look at.
   int (*filter_vf)(const PackedVertex* vertices, const PairBuffer& in, PairBuffer& out);
   int (*filter_ee)(const PackedVertex* vertices, const PairBuffer& in, PairBuffer& out);

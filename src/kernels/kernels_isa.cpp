@@ -4,6 +4,7 @@
 #include "filters/dnf.hpp"
 #include "filters/ncf.hpp"
 #include "filters/slab_clip.hpp"
+#include "kernels/bound_leaf.hpp"
 #include "kernels/load_motion.hpp"
 #include "kernels/search.hpp"
 #include "kernels/split.hpp"
@@ -18,7 +19,7 @@ void search(Search& state, int block) {
   if (state.is_short)
     BlockSearch<kind, SweptBoxes>(state, block).run();
   else
-    BlockSearch<kind, MovingBoxes>(state, block).run();
+    BlockSearch<kind, BoxesAtEnds>(state, block).run();
 }
 
 template <PairKind kind>
@@ -39,12 +40,11 @@ void copy_pair(const PairBuffer& in, int from, PairBuffer& out) {
 
 /// In floats: the times need not be sharp here, and twice as many pairs fit.
 template <PairKind kind>
-void slab(const PackedVertex* vertices, const PairSeparation& separation, const PairBuffer& in, PairBuffer& out) {
+void slab(const BoxVertex* vertices, const BoxSeparation& separation, const PairBuffer& in, PairBuffer& out) {
   for (int first = 0; first < in.count; first += kFloatLanes) {
-    const auto time =
-        SlabClip::clip_diagonals<kind>(load_motion_as_float<kind>(vertices, in, first, separation),
-                                       TimeInterval<FloatLanes>{FloatLanes::load_unaligned(in.t_in + first),
-                                                                FloatLanes::load_unaligned(in.t_out + first)});
+    const auto time = SlabClip::clip<kind>(load_box_motion<kind>(vertices, in, first, separation),
+                                           TimeInterval<FloatLanes>{FloatLanes::load_unaligned(in.t_in + first),
+                                                                    FloatLanes::load_unaligned(in.t_out + first)});
     const unsigned left = bits(time.t_in <= time.t_out) & lanes_in_use(in, first, kFloatLanes);
     for (int c = 0; c < 4; ++c)
       store_compressed(left, IntLanes::load_unaligned(in.corner[c] + first), out.corner[c] + out.count);
@@ -127,8 +127,8 @@ int solve(const PackedVertex* vertices, const PairBuffer& in, PairBuffer& rest, 
 
 extern const Kernels kKernels;
 constexpr auto kVf = PairKind::vertex_face, kEe = PairKind::edge_edge;
-const Kernels kKernels{Isa::TAMIS_ISA,   split,       search<kVf>, search<kEe>, search_near<kVf>,
-                       search_near<kEe>, near<kVf>,   near<kEe>,   slab<kVf>,   slab<kEe>,
-                       filter<kVf>,      filter<kEe>, solve<kVf>,  solve<kEe>};
+const Kernels kKernels{Isa::TAMIS_ISA,   {split, bound_leaf}, search<kVf>, search<kEe>, search_near<kVf>,
+                       search_near<kEe>, near<kVf>,           near<kEe>,   slab<kVf>,   slab<kEe>,
+                       filter<kVf>,      filter<kEe>,         solve<kVf>,  solve<kEe>};
 
 }  // namespace tamis::TAMIS_ISA

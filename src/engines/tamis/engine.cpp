@@ -74,10 +74,10 @@ class TamisEngine final : public Engine {
     BlockTree* const trees[] = {&points_, &edges_, &faces_};
     const auto area = [&] { return points_.swept_area() + edges_.swept_area() + faces_.swept_area(); };
     if (built_area_ > 0) {
-      for (BlockTree* tree : trees) tree->refit(motion_);
+      for (BlockTree* tree : trees) tree->refit(motion_, kernels_.trees);
       if (area() <= kPoor * built_area_) return;
     }
-    for (BlockTree* tree : trees) tree->build(motion_, kernels_.split);
+    for (BlockTree* tree : trees) tree->build(motion_, kernels_.trees);
     // Areas are of the box frame, which holds the scene whatever its size; a scene without area is rebuilt each time.
     built_area_ = area();
     statistics.rebuilt = true;

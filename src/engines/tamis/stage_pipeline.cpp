@@ -102,7 +102,7 @@ void StagePipeline::decide_buffered(PairKind kind) {
   of(counts_.boxes, kind) += static_cast<std::uint64_t>(boxes.count);
   of(counts_.slab, kind) += static_cast<std::uint64_t>(boxes.count);
   slab.count = filtered.count = 0;
-  (is_vf ? kernels_.slab_vf : kernels_.slab_ee)(vertices, motion_.pair_separation(), boxes, slab);
+  (is_vf ? kernels_.slab_vf : kernels_.slab_ee)(motion_.box_vertices.data(), motion_.box_separation(), boxes, slab);
   if (motion_.separations.any()) return decide_within_separation(kind);
   of(counts_.dnf, kind) += static_cast<std::uint64_t>(slab.count);
   of(counts_.ncf, kind) +=

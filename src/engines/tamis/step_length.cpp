@@ -52,10 +52,10 @@ void StepLengthSearch::update_trees(Statistics& statistics) {
   BlockTree* const trees[] = {&points_, &edges_, &faces_};
   const auto area = [&] { return points_.start_area() + edges_.start_area() + faces_.start_area(); };
   if (built_area_ > 0) {
-    for (BlockTree* tree : trees) tree->refit(motion_);
+    for (BlockTree* tree : trees) tree->refit(motion_, kernels_.trees);
     if (area() <= kPoor * built_area_) return;
   }
-  for (BlockTree* tree : trees) tree->build(motion_, kernels_.split);
+  for (BlockTree* tree : trees) tree->build(motion_, kernels_.trees);
   built_area_ = area();
   statistics.rebuilt = true;
 }

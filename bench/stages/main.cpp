@@ -31,11 +31,11 @@ void add_trees(Workload& work) {
   });
   add(work, "order_and_build", [&work](State& state) {
     for (auto _ : state)
-      for (BlockTree* tree : work.trees()) tree->build(work.motion(), work.kernels().split);
+      for (BlockTree* tree : work.trees()) tree->build(work.motion(), work.kernels().trees);
   });
   add(work, "refit", [&work](State& state) {
     for (auto _ : state)
-      for (BlockTree* tree : work.trees()) tree->refit(work.motion());
+      for (BlockTree* tree : work.trees()) tree->refit(work.motion(), work.kernels().trees);
   });
 }
 
@@ -76,13 +76,15 @@ void add_stages(const Workload& work, PairKind kind) {
   const bool is_vf = kind == PairKind::vertex_face;
   const Kernels& k = work.kernels();
   const PackedVertex* vertices = work.motion().vertices.data();
+  const BoxVertex* box_vertices = work.motion().box_vertices.data();
+  const BoxSeparation separation = work.motion().box_separation();
   const auto slab = is_vf ? k.slab_vf : k.slab_ee;
   const auto filter = is_vf ? k.filter_vf : k.filter_ee;
   const auto solve = is_vf ? k.solve_vf : k.solve_ee;
   const StageInputs& inputs = work.inputs(kind);
   add_stage(work, "slab_" + name(kind), inputs.slab, [=](const PairBuffer& in) {
     scratch->out.count = 0;
-    slab(vertices, {kSeparation}, in, scratch->out);
+    slab(box_vertices, separation, in, scratch->out);
   });
   add_stage(work, "dnf_ncf_" + name(kind), inputs.filter, [=](const PairBuffer& in) {
     scratch->out.count = 0;

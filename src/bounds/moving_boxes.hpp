@@ -46,16 +46,6 @@ struct MovingBox {
   }
   void include(const MovingBox& other) { include(other.low, other.high); }
 
-  /// By `fixed`, by `relative` times the larger of its two distances from zero, and by `radius`.
-  void widen(float fixed, float relative, float radius) {
-    for (int i = 0; i < kSize; ++i) {
-      const float size = -low[i] > high[i] ? -low[i] : high[i];
-      const float margin = fixed + relative * size + radius;
-      low[i] -= margin;
-      high[i] += margin;
-    }
-  }
-
   void store_to(BoxBlock& block, int lane) const {
     for (int axis = 0; axis < 3; ++axis) {
       block.low0[axis][lane] = low[axis];

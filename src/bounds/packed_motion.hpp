@@ -48,6 +48,12 @@ struct PairSeparation {
   bool any() const { return fixed > 0 || has_radii; }
 };
 
+/// The same in the frame of the boxes, with what rounding the vertices to floats may hide: the margins of two boxes.
+struct BoxSeparation {
+  float fixed;
+  bool has_radii;
+};
+
 struct PackedMotion {
   std::vector<PackedVertex> vertices;
   std::vector<BoxVertex> box_vertices;
@@ -61,6 +67,7 @@ struct PackedMotion {
   void assign_drifts(const Step& step, const Positions& before, std::span<const Index> used);
   /// What the kernels need of the separations.
   PairSeparation pair_separation() const { return {separations.fixed, !separations.radii.empty()}; }
+  BoxSeparation box_separation() const { return {2 * frame.margin, !separations.radii.empty()}; }
   std::uint64_t memory_bytes() const {
     return vertices.capacity() * sizeof(PackedVertex) +
            (box_vertices.capacity() + drifts.capacity()) * sizeof(BoxVertex);

@@ -31,7 +31,7 @@ void BlockTree::set_features(std::span<const Index> points) {
   vertices_ = points;
 }
 
-void BlockTree::build(const PackedMotion& motion, Split split) {
+void BlockTree::build(const PackedMotion& motion, const TreeKernels& kernels) {
   levels_.clear();
   drifts_.clear();
   for (std::size_t blocks = blocks_for(static_cast<std::size_t>(feature_count()));; blocks = blocks_for(blocks)) {
@@ -39,8 +39,8 @@ void BlockTree::build(const PackedMotion& motion, Split split) {
     if (blocks <= 1 && levels_.size() > 1) break;
   }
   corner_blocks_.resize(levels_[0].size());
-  choose_order(motion, split);
-  refit(motion);
+  choose_order(motion, kernels.split);
+  refit(motion, kernels);
 }
 
 void BlockTree::choose_order(const PackedMotion& motion, Split split) {
@@ -72,22 +72,27 @@ void BlockTree::choose_order(const PackedMotion& motion, Split split) {
   });
 }
 
-void BlockTree::refit(const PackedMotion& motion) { fill(levels_, motion.box_vertices, {motion.frame.margin, 0}); }
+void BlockTree::refit(const PackedMotion& motion, const TreeKernels& kernels) {
+  fill(levels_, motion.box_vertices, {motion.frame.margin, 0}, kernels.bound_leaf);
+}
 
-void BlockTree::refit_drifts(const PackedMotion& motion) {
+void BlockTree::refit_drifts(const PackedMotion& motion, const TreeKernels& kernels) {
   if (drifts_.size() != levels_.size()) {
     drifts_.assign(levels_.size(), {});
     for (std::size_t level = 1; level < levels_.size(); ++level) drifts_[level] = empty_blocks(levels_[level].size());
   }
-  fill(drifts_, motion.drifts, {BoxFrame::kLeastMargin, BoxFrame::kRelativeMargin});
+  fill(drifts_, motion.drifts, {BoxFrame::kLeastMargin, BoxFrame::kRelativeMargin}, kernels.bound_leaf);
 }
 
-void BlockTree::fill(Levels& levels, const std::vector<BoxVertex>& vertices, const BoxMargins& margins) const {
-  const auto fill_block = corners_ == 1   ? &BlockTree::fill_leaf<1>
-                          : corners_ == 2 ? &BlockTree::fill_leaf<2>
-                                          : &BlockTree::fill_leaf<3>;
-  parallel_blocks(corner_blocks_.size(),
-                  [&](std::size_t block) { (this->*fill_block)(block, levels, vertices, margins); });
+void BlockTree::fill(Levels& levels, const std::vector<BoxVertex>& vertices, const BoxMargins& margins,
+                     BoundLeaf bound_leaf) const {
+  parallel_blocks(corner_blocks_.size(), [&](std::size_t block) {
+    BoxBlock unkept;
+    MovingBox hull;
+    bound_leaf(vertices.data(), corner_blocks_[block], corners_, lanes_in_use(block), margins,
+               levels[0].empty() ? unkept : levels[0][block], hull);
+    hull.store_to(levels[1][block / kBlock], static_cast<int>(block % kBlock));
+  });
   for (std::size_t level = 2; level < levels.size(); ++level)
     parallel_blocks(levels[level - 1].size(), [&](std::size_t child) {
       MovingBox hull;
@@ -99,37 +104,6 @@ void BlockTree::fill(Levels& levels, const std::vector<BoxVertex>& vertices, con
 int BlockTree::lanes_in_use(std::size_t block) const {
   const auto left = static_cast<std::size_t>(feature_count()) - block * kBlock;
   return static_cast<int>(std::min<std::size_t>(left, kBlock));
-}
-
-template <int corners>
-void BlockTree::fill_leaf(std::size_t block, Levels& levels, const std::vector<BoxVertex>& vertices,
-                          const BoxMargins& margins) const {
-  const auto vertex_of = [&](const CornerBlock& from, int lane, int c) {
-    return &vertices[static_cast<std::size_t>(from.vertex[c][lane])];
-  };
-  // Vertices lie scattered; those of the block after the next are on their way while this one is filled.
-  if (block + 2 < corner_blocks_.size()) {
-    const CornerBlock& later = corner_blocks_[block + 2];
-    for (int lane = 0; lane < kBlock; ++lane)
-      for (int c = 0; c < corners; ++c) __builtin_prefetch(vertex_of(later, lane, c));
-  }
-  const CornerBlock& own = corner_blocks_[block];
-  const int in_use = lanes_in_use(block);
-  BoxBlock* const features = levels[0].empty() ? nullptr : &levels[0][block];
-  MovingBox hull;
-  for (int lane = 0; lane < kBlock; ++lane) {
-    MovingBox box;
-    if (lane < in_use) {
-      for (int c = 0; c < corners; ++c) {
-        const BoxVertex& vertex = *vertex_of(own, lane, c);
-        box.include(vertex.at, vertex.at);
-      }
-      box.widen(margins.fixed, margins.relative, box.high[BoxVertex::kRadius]);
-    }
-    if (features) box.store_to(*features, lane);
-    hull.include(box);
-  }
-  hull.store_to(levels[1][block / kBlock], static_cast<int>(block % kBlock));
 }
 
 TreeView BlockTree::view() const {

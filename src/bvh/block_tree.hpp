@@ -22,6 +22,17 @@ struct TreeView {
   const CornerBlock* corners;
 };
 
+/// Boxes of the features of a leaf block, `corners` vertices each, of which the first `in_use` lanes hold some; `hull`
+/// is made to include them. One of the kernels.
+using BoundLeaf = void (*)(const BoxVertex* vertices, const CornerBlock& block, int corners, int in_use,
+                           const BoxMargins& margins, BoxBlock& boxes, MovingBox& hull);
+
+/// The kernels that trees are made with.
+struct TreeKernels {
+  Split split;
+  BoundLeaf bound_leaf;
+};
+
 class BlockTree {
  public:
   /// Points, edges or faces. The span must outlive the tree.
@@ -33,11 +44,11 @@ class BlockTree {
   }
 
   /// Chooses the order from where the features are halfway through the step, then refits.
-  void build(const PackedMotion& motion, Split split);
+  void build(const PackedMotion& motion, const TreeKernels& kernels);
   /// New boxes in the old order.
-  void refit(const PackedMotion& motion);
+  void refit(const PackedMotion& motion, const TreeKernels& kernels);
   /// Boxes of `motion`'s drifts, for the hulls alone.
-  void refit_drifts(const PackedMotion& motion);
+  void refit_drifts(const PackedMotion& motion, const TreeKernels& kernels);
 
   Index feature_count() const { return static_cast<Index>(vertices_.size() / static_cast<std::size_t>(corners_)); }
   TreeView view() const;
@@ -51,10 +62,8 @@ class BlockTree {
 
   int lanes_in_use(std::size_t block) const;
   /// Boxes around `vertices`; those of single features are kept only where `levels` has blocks for them.
-  void fill(Levels& levels, const std::vector<BoxVertex>& vertices, const BoxMargins& margins) const;
-  template <int corners>
-  void fill_leaf(std::size_t block, Levels& levels, const std::vector<BoxVertex>& vertices,
-                 const BoxMargins& margins) const;
+  void fill(Levels& levels, const std::vector<BoxVertex>& vertices, const BoxMargins& margins,
+            BoundLeaf bound_leaf) const;
 
   int corners_ = 1;
   std::span<const Index> vertices_;

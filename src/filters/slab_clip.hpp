@@ -20,15 +20,10 @@ struct SlabClip {
     TimeClip<T> clip(time);
     const T margin = margin_of(m, 1);
     for_each_coordinate_axis([&](const auto& along) { clip_axis<kind>(m, along, margin, clip); });
-    clip_diagonals<kind>(m, clip);
-    return clip.rest();
-  }
-
-  /// The same on the ten diagonal axes only: the boxes have seen to the other three.
-  template <PairKind kind, class T>
-  static TimeInterval<T> clip_diagonals(const PairMotion<T>& m, const TimeInterval<T>& time) {
-    TimeClip<T> clip(time);
-    clip_diagonals<kind>(m, clip);
+    constexpr double kRootOfTwo = 1.41421356237309515, kRootOfThree = 1.73205080756887742;  // rounded up
+    const T planar = margin_of(m, kRootOfTwo), spatial = margin_of(m, kRootOfThree);
+    for_each_planar_diagonal([&](const auto& along) { clip_axis<kind>(m, along, planar, clip); });
+    for_each_spatial_diagonal([&](const auto& along) { clip_axis<kind>(m, along, spatial, clip); });
     return clip.rest();
   }
 
@@ -45,14 +40,6 @@ struct SlabClip {
   static T margin_of(const PairMotion<T>& m, double axis_length) {
     const T error = error_bounds::bound<T>(error_bounds::kProjection, m.size_d + m.size_e + m.size_f);
     return error + error_bounds::constant<T>(axis_length * (1 + 8 * error_bounds::unit_roundoff<T>)) * m.separation;
-  }
-
-  template <PairKind kind, class T>
-  static void clip_diagonals(const PairMotion<T>& m, TimeClip<T>& clip) {
-    constexpr double kRootOfTwo = 1.41421356237309515, kRootOfThree = 1.73205080756887742;  // rounded up
-    const T planar = margin_of(m, kRootOfTwo), spatial = margin_of(m, kRootOfThree);
-    for_each_planar_diagonal([&](const auto& along) { clip_axis<kind>(m, along, planar, clip); });
-    for_each_spatial_diagonal([&](const auto& along) { clip_axis<kind>(m, along, spatial, clip); });
   }
 
   template <class F>

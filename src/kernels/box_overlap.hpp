@@ -1,99 +1,109 @@
-// Sixteen moving boxes against one: in which of them, and when, may the two meet? Two answers: of boxes that move, and
-// of what they sweep over, which costs a third and says as much where the motion is short. And another question: which
-// are near, as fast as they move?
+// Boxes as the search sees them, and which of them may meet: by what they sweep over, or by where they are at both ends
+// of the step.
 #pragma once
+#include "bounds/moving_boxes.hpp"
 #include "kernels/kernels.hpp"
-#include "motion/time_clip.hpp"
 #include "numerics/lanes.hpp"
 
 namespace tamis::TAMIS_ISA {
 
-/// Bits of the lanes whose boxes meet before `t_limit`; where bits are set, `t_in` and `t_out` get the times.
-struct MovingBoxes {
-  struct Sixteen {
-    Sixteen(const TreeView& tree, int level, int node, const Search& search)
-        : block(tree.levels[level][node]), t_limit(search.t_limit) {}
-    const BoxBlock& block;
-    const float t_limit;
-  };
+/// `count` numbers of each of sixteen boxes, [number][lane]: first the lower ends, then as many upper ends.
+template <int count>
+struct alignas(64) BoundBlock {
+  static constexpr int kCount = count;
+  float at[count][kBlock];
 
-  /// One box in every lane.
-  struct One {
-    One(const BoxBlock& block, int lane) {
-      for (int axis = 0; axis < 3; ++axis) {
-        low0[axis] = FloatLanes(block.low0[axis][lane]);
-        high0[axis] = FloatLanes(block.high0[axis][lane]);
-        low1[axis] = FloatLanes(block.low1[axis][lane]);
-        high1[axis] = FloatLanes(block.high1[axis][lane]);
-      }
-    }
-    One(const Sixteen& boxes, int lane) : One(boxes.block, lane) {}
-    FloatLanes low0[3], high0[3], low1[3], high1[3];
-  };
-
-  [[gnu::always_inline]] static unsigned meet(const Sixteen& boxes, const One& one, float* t_in, float* t_out) {
-    unsigned result = 0;
-    for (int first = 0; first < kBlock; first += kFloatLanes) {
-      const auto load = [&](const float* lanes) { return FloatLanes::load_aligned(lanes + first); };
-      const BoxBlock& b = boxes.block;
-      TimeClip<FloatLanes> clip({FloatLanes(0.0f), FloatLanes(boxes.t_limit)});
-      for (int axis = 0; axis < 3; ++axis) {
-        clip.cut_positive(load(b.low0[axis]) - one.high0[axis], load(b.low1[axis]) - one.high1[axis]);
-        clip.cut_positive(one.low0[axis] - load(b.high0[axis]), one.low1[axis] - load(b.high1[axis]));
-      }
-      const auto time = clip.rest();
-      time.t_in.store_aligned(t_in + first);
-      time.t_out.store_aligned(t_out + first);
-      result |= bits(time.t_in <= time.t_out) << first;
-    }
-    return result;
-  }
+  FloatLanes lanes(int k, int first) const { return FloatLanes::load_aligned(at[k] + first); }
 };
 
-/// The same of the boxes swept until `t_limit`: more lanes may meet, and always from the start on.
-struct SweptBoxes {
-  struct Sixteen {
-    Sixteen(const TreeView& tree, int level, int node, const Search& search) : t_limit(search.t_limit) {
-      const BoxBlock& block = tree.levels[level][node];
-      // Coordinates are within [-8,8]: the three roundings below are off by at most 40 * 2^-24.
-      const FloatLanes t(t_limit), margin(0x1p-18f);
-      for (int axis = 0; axis < 3; ++axis)
-        for (int first = 0; first < kBlock; first += kFloatLanes) {
-          const auto load = [&](const float* lanes) { return FloatLanes::load_aligned(lanes + first); };
-          const auto l0 = load(block.low0[axis]), h0 = load(block.high0[axis]);
-          const auto l = l0 + t * (load(block.low1[axis]) - l0), h = h0 + t * (load(block.high1[axis]) - h0);
-          (min(l, l0) - margin).store_aligned(low[axis] + first);
-          (max(h, h0) + margin).store_aligned(high[axis] + first);
-        }
-    }
-    alignas(64) float low[3][kBlock], high[3][kBlock];
-    const float t_limit;
-  };
+/// Boxes between the ends of the step, and boxes seen by an observer who moves, are off by less than this
+/// (docs/numerics.md, "Boxes").
+inline constexpr float kLaterMargin = 0x1p-18f;
 
-  struct One {
-    One(const Sixteen& boxes, int lane) {
-      for (int axis = 0; axis < 3; ++axis) {
-        low[axis] = FloatLanes(boxes.low[axis][lane]);
-        high[axis] = FloatLanes(boxes.high[axis][lane]);
-      }
-    }
-    FloatLanes low[3], high[3];
-  };
+/// What boxes sweep over until t_limit, for an observer who moves as the block does from which the search starts: a
+/// motion common to all makes no box larger. Two features can meet only where their boxes do.
+class SweptBoxes {
+ public:
+  using Bounds = BoundBlock<6>;  ///< x y z
 
-  [[gnu::always_inline]] static unsigned meet(const Sixteen& boxes, const One& one, float* t_in, float* t_out) {
-    unsigned result = 0;
-    for (int first = 0; first < kBlock; first += kFloatLanes) {
-      const auto load = [&](const float* lanes) { return FloatLanes::load_aligned(lanes + first); };
-      // The largest gap: cheaper than six masks.
-      FloatLanes gap = max(load(boxes.low[0]) - one.high[0], one.low[0] - load(boxes.high[0]));
-      for (int axis = 1; axis < 3; ++axis)
-        gap = max(gap, max(load(boxes.low[axis]) - one.high[axis], one.low[axis] - load(boxes.high[axis])));
-      FloatLanes(0.0f).store_aligned(t_in + first);
-      FloatLanes(boxes.t_limit).store_aligned(t_out + first);
-      result |= bits(gap <= FloatLanes(0.0f)) << first;
-    }
-    return result;
+  /// From leaf block `block` of search.a.
+  SweptBoxes(const Search& search, int block) : t_limit_(search.t_limit) {
+    const BoxBlock& hulls = search.a.levels[1][block / kBlock];
+    const int lane = block % kBlock;
+    for (int axis = 0; axis < 3; ++axis)
+      way_[axis] =
+          0.5f * t_limit_ *
+          ((hulls.low1[axis][lane] - hulls.low0[axis][lane]) + (hulls.high1[axis][lane] - hulls.high0[axis][lane]));
   }
+
+  void bound(const TreeView& tree, int level, int node, Bounds& bounds) const {
+    const BoxBlock& block = tree.levels[level][node];
+    const FloatLanes t(t_limit_), margin(kLaterMargin);
+    for (int axis = 0; axis < 3; ++axis)
+      for (int first = 0; first < kBlock; first += kFloatLanes) {
+        const auto load = [&](const float* lanes) { return FloatLanes::load_aligned(lanes + first); };
+        const FloatLanes way(way_[axis]), l0 = load(block.low0[axis]), h0 = load(block.high0[axis]);
+        const auto l = l0 + (t * (load(block.low1[axis]) - l0) - way);
+        const auto h = h0 + (t * (load(block.high1[axis]) - h0) - way);
+        (min(l, l0) - margin).store_aligned(bounds.at[axis] + first);
+        (max(h, h0) + margin).store_aligned(bounds.at[3 + axis] + first);
+      }
+  }
+
+  /// `a(k)`, `b(k)`: bound k of the boxes in lanes.
+  template <class A, class B>
+  [[gnu::always_inline]] auto meet(const A& a, const B& b) const {
+    // The largest gap: cheaper than six masks.
+    FloatLanes gap = max(b(0) - a(3), a(0) - b(3));
+    for (int axis = 1; axis < 3; ++axis) gap = max(gap, max(b(axis) - a(3 + axis), a(axis) - b(3 + axis)));
+    return gap <= FloatLanes(0.0f);
+  }
+
+  float t_limit() const { return t_limit_; }
+
+ private:
+  const float t_limit_;
+  float way_[3];  ///< the observer's until t_limit
+};
+
+/// Boxes at t=0 and at t_limit. Where the gap between two is open on one side of an axis at both, it is open all the
+/// time between, for it is what two points that move linearly are apart: sharper than what they sweep over, and twice
+/// as much work.
+class BoxesAtEnds {
+ public:
+  using Bounds = BoundBlock<12>;  ///< x y z at t=0, then at t_limit
+
+  BoxesAtEnds(const Search& search, int) : t_limit_(search.t_limit) {}
+
+  void bound(const TreeView& tree, int level, int node, Bounds& bounds) const {
+    const BoxBlock& block = tree.levels[level][node];
+    const FloatLanes t(t_limit_), margin(kLaterMargin);
+    for (int axis = 0; axis < 3; ++axis)
+      for (int first = 0; first < kBlock; first += kFloatLanes) {
+        const auto load = [&](const float* lanes) { return FloatLanes::load_aligned(lanes + first); };
+        const auto l0 = load(block.low0[axis]), l1 = load(block.low1[axis]);
+        const auto h0 = load(block.high0[axis]), h1 = load(block.high1[axis]);
+        l0.store_aligned(bounds.at[axis] + first);
+        h0.store_aligned(bounds.at[6 + axis] + first);
+        (t_limit_ < 1 ? l0 + t * (l1 - l0) - margin : l1).store_aligned(bounds.at[3 + axis] + first);
+        (t_limit_ < 1 ? h0 + t * (h1 - h0) + margin : h1).store_aligned(bounds.at[9 + axis] + first);
+      }
+  }
+
+  template <class A, class B>
+  [[gnu::always_inline]] auto meet(const A& a, const B& b) const {
+    const auto gap = [&](int axis) {
+      const auto above = [&](int k) { return b(k) - a(6 + k); };
+      const auto below = [&](int k) { return a(k) - b(6 + k); };
+      return max(min(above(axis), above(3 + axis)), min(below(axis), below(3 + axis)));
+    };
+    return max(max(gap(0), gap(1)), gap(2)) <= FloatLanes(0.0f);
+  }
+
+  float t_limit() const { return t_limit_; }
+
+ private:
+  const float t_limit_;
 };
 
 }  // namespace tamis::TAMIS_ISA

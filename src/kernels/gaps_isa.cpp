@@ -8,15 +8,42 @@
 namespace tamis::TAMIS_ISA {
 namespace {
 
+/// One box at t=0 in every lane.
+struct StartBox {
+  StartBox(const BoxBlock& block, int lane) {
+    for (int axis = 0; axis < 3; ++axis) {
+      low[axis] = FloatLanes(block.low0[axis][lane]);
+      high[axis] = FloatLanes(block.high0[axis][lane]);
+    }
+  }
+  FloatLanes low[3], high[3];
+};
+
 /// Gaps of sixteen boxes at t=0 to one: the largest along an axis.
-unsigned nearer_than(float gap, const BoxBlock& boxes, const MovingBoxes::One& one) {
+unsigned nearer_than(float gap, const BoxBlock& boxes, const StartBox& one) {
   unsigned result = 0;
   for (int first = 0; first < kBlock; first += kFloatLanes) {
     const auto load = [&](const float* lanes) { return FloatLanes::load_aligned(lanes + first); };
     FloatLanes largest(0.0f);
     for (int axis = 0; axis < 3; ++axis)
-      largest = max(largest, max(load(boxes.low0[axis]) - one.high0[axis], one.low0[axis] - load(boxes.high0[axis])));
+      largest = max(largest, max(load(boxes.low0[axis]) - one.high[axis], one.low[axis] - load(boxes.high0[axis])));
     result |= bits(largest < FloatLanes(gap)) << first;
+  }
+  return result;
+}
+
+/// Bits of the lanes of `block` that share a vertex with feature `lane` of `other`; of empty lanes, anything.
+template <int corners, int other_corners>
+unsigned adjacent_lanes(const CornerBlock& block, const CornerBlock& other, int lane) {
+  using Unsigned = xsimd::batch<std::uint32_t, Arch>;
+  unsigned result = 0;
+  for (int first = 0; first < kBlock; first += kFloatLanes) {
+    Unsigned differ(~0u);  // 0 where two vertices are one: cheaper than as many masks
+    for (int c = 0; c < corners; ++c)
+      for (int o = 0; o < other_corners; ++o)
+        differ = xsimd::min(differ, xsimd::bitwise_cast<Unsigned>(IntLanes::load_aligned(block.vertex[c] + first) ^
+                                                                  IntLanes(other.vertex[o][lane])));
+    result |= bits(differ == Unsigned(0u)) << first;
   }
   return result;
 }

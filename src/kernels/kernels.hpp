@@ -58,7 +58,7 @@ struct Search {
   /// Until t_limit things move so little that what boxes sweep over serves as well as boxes that move.
   bool is_short = false;
   PairBuffer* pairs = nullptr;
-  /// Called when `pairs` cannot take another pair of blocks; must empty it.
+  /// Called when `pairs` cannot take sixteen pairs more; must empty it.
   void (*flush)(Search&) = nullptr;
   void* context = nullptr;
   std::uint64_t nodes_visited = 0;
@@ -73,8 +73,7 @@ struct GapQuestion {
 
 struct Kernels {
   Isa isa;
-  /// Halves centers in space.
-  Split split;
+  TreeKernels trees;
   /// Finds the pairs of features of leaf block `block` of `a` with all of `b` whose moving boxes meet and that share
   /// no vertex; ee: with the blocks from `block` on, each pair once.
   void (*search_vf)(Search& search, int block);
@@ -92,12 +91,9 @@ struct Kernels {
                   const PairBuffer& in, PairBuffer& out);
   void (*near_ee)(const PackedVertex* vertices, const PairSeparation& separation, const NearRule& rule,
                   const PairBuffer& in, PairBuffer& out);
-  /// Slab clip on the diagonal axes: pairs that stay farther apart than `separation` are culled. Survivors, with their
-  /// times, go to `out`.
-  void (*slab_vf)(const PackedVertex* vertices, const PairSeparation& separation, const PairBuffer& in,
-                  PairBuffer& out);
-  void (*slab_ee)(const PackedVertex* vertices, const PairSeparation& separation, const PairBuffer& in,
-                  PairBuffer& out);
+  /// Slab clip: pairs that stay farther apart than `separation` are culled. Survivors, with their times, go to `out`.
+  void (*slab_vf)(const BoxVertex* vertices, const BoxSeparation& separation, const PairBuffer& in, PairBuffer& out);
+  void (*slab_ee)(const BoxVertex* vertices, const BoxSeparation& separation, const PairBuffer& in, PairBuffer& out);
   /// DNF, then NCF, on what is left of the step. Returns how many pairs NCF had to look at.
   int (*filter_vf)(const PackedVertex* vertices, const PairBuffer& in, PairBuffer& out);
   int (*filter_ee)(const PackedVertex* vertices, const PairBuffer& in, PairBuffer& out);
@@ -111,10 +107,8 @@ struct Kernels {
   /// At rest, [kind]: one RestPair for each pair of the buffer.
   void (*measure[kPairKinds])(const PackedVertex* vertices, const PairBuffer& in, RestPair* out);
   /// The slab clip for the kinds that cannot cross.
-  void (*slab_ve)(const PackedVertex* vertices, const PairSeparation& separation, const PairBuffer& in,
-                  PairBuffer& out);
-  void (*slab_vv)(const PackedVertex* vertices, const PairSeparation& separation, const PairBuffer& in,
-                  PairBuffer& out);
+  void (*slab_ve)(const BoxVertex* vertices, const BoxSeparation& separation, const PairBuffer& in, PairBuffer& out);
+  void (*slab_vv)(const BoxVertex* vertices, const BoxSeparation& separation, const PairBuffer& in, PairBuffer& out);
 };
 
 /// The kernels of `isa`; throws InvalidOptions if this machine or build has none. `best`: the widest there is.

@@ -4,6 +4,7 @@
 #include "filters/dnf.hpp"
 #include "filters/ncf.hpp"
 #include "filters/slab_clip.hpp"
+#include "kernels/bound_leaf.hpp"
 #include "kernels/gaps.hpp"
 #include "kernels/load_motion.hpp"
 #include "kernels/near_boxes.hpp"
@@ -22,7 +23,7 @@ void search(Search& state, int block) {
   if (state.is_short)
     BlockSearch<kind, SweptBoxes>(state, block).run();
   else
-    BlockSearch<kind, MovingBoxes>(state, block).run();
+    BlockSearch<kind, BoxesAtEnds>(state, block).run();
 }
 
 template <PairKind kind>
@@ -43,12 +44,11 @@ void copy_pair(const PairBuffer& in, int from, PairBuffer& out) {
 
 /// In floats: the times need not be sharp here, and twice as many pairs fit.
 template <PairKind kind>
-void slab(const PackedVertex* vertices, const PairSeparation& separation, const PairBuffer& in, PairBuffer& out) {
+void slab(const BoxVertex* vertices, const BoxSeparation& separation, const PairBuffer& in, PairBuffer& out) {
   for (int first = 0; first < in.count; first += kFloatLanes) {
-    const auto time =
-        SlabClip::clip_diagonals<kind>(load_motion_as_float<kind>(vertices, in, first, separation),
-                                       TimeInterval<FloatLanes>{FloatLanes::load_unaligned(in.t_in + first),
-                                                                FloatLanes::load_unaligned(in.t_out + first)});
+    const auto time = SlabClip::clip<kind>(load_box_motion<kind>(vertices, in, first, separation),
+                                           TimeInterval<FloatLanes>{FloatLanes::load_unaligned(in.t_in + first),
+                                                                    FloatLanes::load_unaligned(in.t_out + first)});
     const unsigned left = bits(time.t_in <= time.t_out) & lanes_in_use(in, first, kFloatLanes);
     for (int c = 0; c < 4; ++c)
       store_compressed(left, IntLanes::load_unaligned(in.corner[c] + first), out.corner[c] + out.count);
@@ -151,7 +151,7 @@ extern const Kernels kKernels;
 constexpr auto kVf = PairKind::vertex_face, kEe = PairKind::edge_edge, kVe = PairKind::vertex_edge,
                kVv = PairKind::vertex_vertex;
 const Kernels kKernels{Isa::TAMIS_ISA,
-                       split,
+                       {split, bound_leaf},
                        search<kVf>,
                        search<kEe>,
                        search_near<kVf>,

@@ -95,6 +95,38 @@ inline PairMotion<FloatLanes> load_motion_as_float(const PackedVertex* vertices,
           to_float(low.separation, high.separation)};
 }
 
+inline FloatLanes largest(const Moving<FloatLanes>& v) {
+  return max(max(max(abs(v.at0.x), abs(v.at0.y)), abs(v.at0.z)), max(max(abs(v.at1.x), abs(v.at1.y)), abs(v.at1.z)));
+}
+
+/// As many pairs as there are lanes of floats, from the floats that boxes are made of; what rounding the vertices to
+/// these may hide is in the separation.
+template <PairKind kind>
+inline PairMotion<FloatLanes> load_box_motion(const BoxVertex* vertices, const PairBuffer& pairs, int first,
+                                              const BoxSeparation& separation) {
+  Moving<FloatLanes> at[vertex_count(kind)];
+  FloatLanes radius[vertex_count(kind)];
+  for (std::size_t corner = 0; corner < vertex_count(kind); ++corner) {
+    FloatLanes columns[BoxVertex::kRadius + 1];
+    load_columns(&vertices->at, pairs.corner[corner] + first, columns);
+    at[corner] = {{columns[0], columns[1], columns[2]}, {columns[3], columns[4], columns[5]}};
+    radius[corner] = columns[BoxVertex::kRadius];
+  }
+  const auto moving = [&](VertexDifference v) { return at[v.to] - at[v.from]; };
+  constexpr SpanningVectors kVectors = spanning_vectors(kind);
+  const auto e = moving(kVectors.e), f = moving(kVectors.f), d = moving(kVectors.d);
+  PairMotion<FloatLanes> motion{e, f, d, largest(e), largest(f), largest(d), FloatLanes(separation.fixed)};
+  if (separation.has_radii) {
+    FloatLanes of_feature[2] = {radius[0], radius[second_feature(kind)]};
+    for (std::size_t corner = 1; corner < vertex_count(kind); ++corner) {
+      FloatLanes& largest_radius = of_feature[corner < second_feature(kind) ? 0 : 1];
+      largest_radius = max(largest_radius, radius[corner]);
+    }
+    motion.separation = motion.separation + of_feature[0] + of_feature[1];
+  }
+  return motion;
+}
+
 /// Bits of the lanes that hold a pair, of `lanes` lanes from `first` on.
 inline unsigned lanes_in_use(const PairBuffer& pairs, int first, int lanes = kDoubleLanes) {
   const int left = pairs.count - first;

@@ -78,6 +78,71 @@ inline void store_compressed(unsigned mask, const xsimd::batch<T, Arch>& lanes, 
 #endif
 }
 
+/// first, first + 1, ...
+inline IntLanes counting_from(int first) {
+  alignas(64) static constexpr std::int32_t kCount[16] = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
+  return IntLanes(first) + IntLanes::load_aligned(kCount);
+}
+
+/// Four numbers again and again: number i in lanes i, 4 + i, 8 + i, ...
+inline IntLanes repeat_four(const std::int32_t* four) {
+#if XSIMD_WITH_AVX512F
+  return _mm512_broadcast_i32x4(_mm_loadu_si128(reinterpret_cast<const __m128i*>(four)));
+#elif XSIMD_WITH_AVX
+  return _mm256_broadcastsi128_si256(_mm_loadu_si128(reinterpret_cast<const __m128i*>(four)));
+#else
+  static_assert(IntLanes::size == 4);
+  return IntLanes::load_unaligned(four);
+#endif
+}
+inline FloatLanes repeat_four(const float* four) {
+#if XSIMD_WITH_AVX512F
+  return _mm512_broadcast_f32x4(_mm_loadu_ps(four));
+#elif XSIMD_WITH_AVX
+  return _mm256_broadcast_ps(reinterpret_cast<const __m128*>(four));
+#else
+  static_assert(FloatLanes::size == 4);
+  return FloatLanes::load_unaligned(four);
+#endif
+}
+
+/// Each of four numbers four times: lanes first, first + 1, ... of sixteen, of which lanes 4i to 4i + 3 hold number i.
+template <class T>
+inline xsimd::batch<T, Arch> each_four_times(const T* four, int first) {
+  static_assert(sizeof(T) == 4);
+#if XSIMD_WITH_AVX512F
+  const __m512i places = _mm512_setr_epi32(0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2, 3, 3, 3, 3);
+  const IntLanes raw = _mm512_permutexvar_epi32(places, xsimd::bitwise_cast<IntLanes>(repeat_four(four + first)));
+  return xsimd::bitwise_cast<xsimd::batch<T, Arch>>(raw);
+#else
+  alignas(64) T all[IntLanes::size];
+  for (int i = 0; i < static_cast<int>(IntLanes::size); ++i) all[i] = four[(first + i) / 4];
+  return xsimd::batch<T, Arch>::load_aligned(all);
+#endif
+}
+
+/// `f(a, b)` over the lanes of each four, in all of them: for minima and maxima.
+template <class F>
+inline FloatLanes over_four(const FloatLanes& lanes, const F& f) {
+#if XSIMD_WITH_AVX512F
+  const FloatLanes pairs = f(lanes, FloatLanes(_mm512_permute_ps(lanes, 0xb1)));
+  return f(pairs, FloatLanes(_mm512_permute_ps(pairs, 0x4e)));
+#elif XSIMD_WITH_AVX
+  const FloatLanes pairs = f(lanes, FloatLanes(_mm256_permute_ps(lanes, 0xb1)));
+  return f(pairs, FloatLanes(_mm256_permute_ps(pairs, 0x4e)));
+#else
+  alignas(64) float all[FloatLanes::size];
+  lanes.store_aligned(all);
+  return f(f(FloatLanes(all[0]), FloatLanes(all[1])), f(FloatLanes(all[2]), FloatLanes(all[3])));
+#endif
+}
+inline FloatLanes least_of_four(const FloatLanes& lanes) {
+  return over_four(lanes, [](const FloatLanes& a, const FloatLanes& b) { return min(a, b); });
+}
+inline FloatLanes largest_of_four(const FloatLanes& lanes) {
+  return over_four(lanes, [](const FloatLanes& a, const FloatLanes& b) { return max(a, b); });
+}
+
 /// Two batches of doubles rounded to one of floats, `low` in the lower lanes.
 inline FloatLanes to_float(const DoubleLanes& low, const DoubleLanes& high) {
 #if XSIMD_WITH_AVX512F
@@ -91,6 +156,70 @@ inline FloatLanes to_float(const DoubleLanes& low, const DoubleLanes& high) {
   high.store_unaligned(wide + kDoubleLanes);
   for (int i = 0; i < kFloatLanes; ++i) narrow[i] = static_cast<float>(wide[i]);
   return FloatLanes::load_unaligned(narrow);
+#endif
+}
+
+/// Of all lanes.
+inline float least(const FloatLanes& lanes) {
+  alignas(64) float all[FloatLanes::size];
+  least_of_four(lanes).store_aligned(all);
+  float result = all[0];
+  for (std::size_t i = 4; i < FloatLanes::size; i += 4) result = all[i] < result ? all[i] : result;
+  return result;
+}
+
+/// The first seven columns of rows of eight floats: row `index[i]` of `rows` in lane i.
+inline void load_columns(const float (*rows)[8], const std::int32_t* index, FloatLanes (&columns)[7]) {
+#if XSIMD_WITH_SSE2
+  constexpr int kQuarters = static_cast<int>(FloatLanes::size) / 4;
+#if XSIMD_WITH_AVX512F
+  using Raw = __m512;
+  const auto low = [](Raw a, Raw b) { return _mm512_unpacklo_ps(a, b); };
+  const auto high = [](Raw a, Raw b) { return _mm512_unpackhi_ps(a, b); };
+  const auto low_pairs = [](Raw a, Raw b) { return _mm512_shuffle_ps(a, b, 0x44); };
+  const auto high_pairs = [](Raw a, Raw b) { return _mm512_shuffle_ps(a, b, 0xee); };
+  const auto join = [](const __m128(&q)[kQuarters]) {
+    const Raw two = _mm512_insertf32x4(_mm512_castps128_ps512(q[0]), q[1], 1);
+    return _mm512_insertf32x4(_mm512_insertf32x4(two, q[2], 2), q[3], 3);
+  };
+#elif XSIMD_WITH_AVX
+  using Raw = __m256;
+  const auto low = [](Raw a, Raw b) { return _mm256_unpacklo_ps(a, b); };
+  const auto high = [](Raw a, Raw b) { return _mm256_unpackhi_ps(a, b); };
+  const auto low_pairs = [](Raw a, Raw b) { return _mm256_shuffle_ps(a, b, 0x44); };
+  const auto high_pairs = [](Raw a, Raw b) { return _mm256_shuffle_ps(a, b, 0xee); };
+  const auto join = [](const __m128(&q)[kQuarters]) {
+    return _mm256_insertf128_ps(_mm256_castps128_ps256(q[0]), q[1], 1);
+  };
+#else
+  using Raw = __m128;
+  const auto low = [](Raw a, Raw b) { return _mm_unpacklo_ps(a, b); };
+  const auto high = [](Raw a, Raw b) { return _mm_unpackhi_ps(a, b); };
+  const auto low_pairs = [](Raw a, Raw b) { return _mm_shuffle_ps(a, b, 0x44); };
+  const auto high_pairs = [](Raw a, Raw b) { return _mm_shuffle_ps(a, b, 0xee); };
+  const auto join = [](const __m128(&q)[kQuarters]) { return q[0]; };
+#endif
+  // Quarter q of four registers: a square of four rows by four columns, turned where it is.
+  for (int half = 0; half < 2; ++half) {
+    Raw r[4];
+    for (int i = 0; i < 4; ++i) {
+      __m128 quarters[kQuarters];
+      for (int q = 0; q < kQuarters; ++q) quarters[q] = _mm_loadu_ps(rows[index[4 * q + i]] + 4 * half);
+      r[i] = join(quarters);
+    }
+    const Raw a = low(r[0], r[1]), b = low(r[2], r[3]);
+    const Raw c = high(r[0], r[1]), d = high(r[2], r[3]);
+    columns[4 * half] = low_pairs(a, b);
+    columns[4 * half + 1] = high_pairs(a, b);
+    columns[4 * half + 2] = low_pairs(c, d);
+    if (half == 0) columns[3] = high_pairs(c, d);
+  }
+#else
+  for (int column = 0; column < 7; ++column) {
+    float lanes[FloatLanes::size];
+    for (std::size_t i = 0; i < FloatLanes::size; ++i) lanes[i] = rows[index[i]][column];
+    columns[column] = FloatLanes::load_unaligned(lanes);
+  }
 #endif
 }
 

@@ -64,7 +64,7 @@ class GuardedTree {
 
 /// Pairs that the kernels leave after search, clip, filters and roots.
 std::array<int, 4> run(const Kernels& kernels, PairKind kind, const GuardedTree& a, const GuardedTree& b,
-                       const PackedVertex* vertices, Guard guard) {
+                       const PackedVertex* vertices, const BoxVertex* box_vertices, Guard guard) {
   const bool is_vf = kind == PairKind::vertex_face;
   const auto empty = std::make_unique<PairBuffer>();
   const Guarded<PairBuffer> boxes({empty.get(), 1}, guard), slab({empty.get(), 1}, guard),
@@ -76,7 +76,7 @@ std::array<int, 4> run(const Kernels& kernels, PairKind kind, const GuardedTree&
   search.flush = [](Search&) { FAIL() << "the soup is too large for one buffer"; };
   for (int block = 0; block < search.a.leaf_blocks; ++block)
     (is_vf ? kernels.search_vf : kernels.search_ee)(search, block);
-  (is_vf ? kernels.slab_vf : kernels.slab_ee)(vertices, {}, *boxes.data(), *slab.data());
+  (is_vf ? kernels.slab_vf : kernels.slab_ee)(box_vertices, {0x1p-22f, true}, *boxes.data(), *slab.data());
   (is_vf ? kernels.filter_vf : kernels.filter_ee)(vertices, *slab.data(), *filtered.data());
   const int slab_count = slab.data()->count;
   const int left =
@@ -101,12 +101,13 @@ TEST_P(GuardPages, NoKernelReadsOrWritesOutsideItsArrays) {
     points.set_features(std::span<const Index>(soup.points));
     edges.set_features(std::span<const Edge>(soup.edges));
     faces.set_features(std::span<const Face>(soup.faces));
-    for (BlockTree* tree : {&points, &edges, &faces}) tree->build(motion, kernels->split);
+    for (BlockTree* tree : {&points, &edges, &faces}) tree->build(motion, kernels->trees);
     for (const Guard guard : {Guard::before, Guard::behind}) {
       const Guarded<PackedVertex> vertices(motion.vertices, guard);
+      const Guarded<BoxVertex> box_vertices(motion.box_vertices, guard);
       const GuardedTree p(points, guard), e(edges, guard), f(faces, guard);
-      const auto vf = run(*kernels, PairKind::vertex_face, p, f, vertices.data(), guard);
-      const auto ee = run(*kernels, PairKind::edge_edge, e, e, vertices.data(), guard);
+      const auto vf = run(*kernels, PairKind::vertex_face, p, f, vertices.data(), box_vertices.data(), guard);
+      const auto ee = run(*kernels, PairKind::edge_edge, e, e, vertices.data(), box_vertices.data(), guard);
       EXPECT_GT(vf[0], 0);
       EXPECT_LE(vf[0], 3 * triangles * (triangles - 1));
       EXPECT_GT(ee[0], 0);

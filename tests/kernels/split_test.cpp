@@ -40,7 +40,7 @@ CenterStore items_along(int axis, std::size_t count, Coordinate coordinate, Rng&
 
 void expect_split(const Kernels& kernels, const Case& c, int axis, Coordinate coordinate, Rng& rng) {
   CenterStore before = items_along(axis, c.count, coordinate, rng), after = before, scratch = before;
-  kernels.split(after.view().from(kBefore), scratch.view().from(kBefore), c.count, c.lower);
+  kernels.trees.split(after.view().from(kBefore), scratch.view().from(kBefore), c.count, c.lower);
   const Centers was = before.view(), is = after.view();
   std::vector<Index> features(after.features().begin(), after.features().end());
   for (std::size_t i = 0; i < features.size(); ++i) {

@@ -46,6 +46,45 @@ TEST(Lanes, TransposeTurnsRowsIntoColumns) {
   }
 }
 
+TEST(Lanes, ColumnsOfScatteredRows) {
+  // Would catch quarters of a register in the wrong order: pairs would get other pairs' vertices.
+  float rows[32][8];
+  for (int i = 0; i < 32; ++i)
+    for (int j = 0; j < 8; ++j) rows[i][j] = static_cast<float>(10 * i + j);
+  std::int32_t index[kFloatLanes];
+  for (int i = 0; i < kFloatLanes; ++i) index[i] = (7 * i + 3) % 32;
+  FloatLanes columns[7];
+  load_columns(rows, index, columns);
+  for (int j = 0; j < 7; ++j) {
+    float lanes[kFloatLanes];
+    columns[j].store_unaligned(lanes);
+    for (int i = 0; i < kFloatLanes; ++i) EXPECT_EQ(lanes[i], rows[index[i]][j]) << i << ' ' << j;
+  }
+}
+
+TEST(Lanes, FoursAreRepeatedSpreadAndReduced) {
+  const float four[4] = {3, 1, 4, 2};
+  const std::int32_t names[4] = {30, 10, 40, 20};
+  for (int first = 0; first < 16; first += kFloatLanes) {
+    float repeated[kFloatLanes], spread[kFloatLanes], least[kFloatLanes], largest[kFloatLanes];
+    std::int32_t repeated_names[kFloatLanes], spread_names[kFloatLanes];
+    repeat_four(four).store_unaligned(repeated);
+    repeat_four(names).store_unaligned(repeated_names);
+    each_four_times(four, first).store_unaligned(spread);
+    each_four_times(names, first).store_unaligned(spread_names);
+    least_of_four(repeat_four(four)).store_unaligned(least);
+    largest_of_four(repeat_four(four)).store_unaligned(largest);
+    for (int i = 0; i < kFloatLanes; ++i) {
+      EXPECT_EQ(repeated[i], four[(first + i) % 4]);
+      EXPECT_EQ(repeated_names[i], names[(first + i) % 4]);
+      EXPECT_EQ(spread[i], four[(first + i) / 4]);
+      EXPECT_EQ(spread_names[i], names[(first + i) / 4]);
+      EXPECT_EQ(least[i], 1);
+      EXPECT_EQ(largest[i], 4);
+    }
+  }
+}
+
 TEST(Lanes, BitsNameLanesFromTheLowest) {
   double values[kDoubleLanes];
   for (int j = 0; j < kDoubleLanes; ++j) values[j] = j;

@@ -42,10 +42,10 @@ void FeatureTrees::update_trees(Statistics& statistics) {
     return sum;
   };
   if (built_area_ > 0) {
-    for (BlockTree* tree : trees) tree->refit(motion_);
+    for (BlockTree* tree : trees) tree->refit(motion_, kernels_.trees);
     if (area() <= kPoor * built_area_) return;
   }
-  for (BlockTree* tree : trees) tree->build(motion_, kernels_.split);
+  for (BlockTree* tree : trees) tree->build(motion_, kernels_.trees);
   // Areas are of the box frame, which holds the scene whatever its size; a scene without area is rebuilt each time.
   built_area_ = area();
   ++builds_;
@@ -54,7 +54,8 @@ void FeatureTrees::update_trees(Statistics& statistics) {
 
 void FeatureTrees::count_drifts(const Step& step, const Positions& before) {
   motion_.assign_drifts(step, before, mesh_.points());
-  for (BlockTree* tree : {&points_, &edges_, &faces_, &loose_points_, &loose_edges_}) tree->refit_drifts(motion_);
+  for (BlockTree* tree : {&points_, &edges_, &faces_, &loose_points_, &loose_edges_})
+    tree->refit_drifts(motion_, kernels_.trees);
 }
 
 std::uint64_t FeatureTrees::memory_bytes() const {

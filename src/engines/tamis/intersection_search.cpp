@@ -103,10 +103,10 @@ void IntersectionSearch::update_trees(Statistics& statistics) {
   BlockTree* const trees[] = {&runner_tree_, &faces_};
   const auto area = [&] { return runner_tree_.swept_area() + faces_.swept_area(); };
   if (built_area_ > 0) {
-    for (BlockTree* tree : trees) tree->refit(motion_);
+    for (BlockTree* tree : trees) tree->refit(motion_, kernels_.trees);
     if (area() <= kPoor * built_area_) return;
   }
-  for (BlockTree* tree : trees) tree->build(motion_, kernels_.split);
+  for (BlockTree* tree : trees) tree->build(motion_, kernels_.trees);
   built_area_ = area();
   statistics.rebuilt = true;
 }

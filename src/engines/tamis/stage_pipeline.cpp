@@ -110,7 +110,7 @@ void StagePipeline::decide_buffered(PairKind kind) {
   of(counts_.boxes, kind) += static_cast<std::uint64_t>(boxes.count);
   of(counts_.slab, kind) += static_cast<std::uint64_t>(boxes.count);
   slab.count = filtered.count = 0;
-  kernel_for_slab(kernels_, kind)(vertices, motion_.pair_separation(), boxes, slab);
+  kernel_for_slab(kernels_, kind)(motion_.box_vertices.data(), motion_.box_separation(), boxes, slab);
   if (motion_.separations.any() || !can_cross(kind)) return decide_within_separation(kind);
   of(counts_.dnf, kind) += static_cast<std::uint64_t>(slab.count);
   of(counts_.ncf, kind) +=

@@ -38,7 +38,7 @@ class BlockSearch {
     for (int k = 0; k < Bounds::kCount; ++k) hull_[k] = bounds.at[k][block % kBlock];
     boxes_.bound(search.a, 0, block, bounds);
     const CornerBlock& corners = search.a.corners[block];
-    for (int four = 0; four < 4; ++four) {
+    for (std::size_t four = 0; four < 4; ++four) {
       Four& mine = fours_[four];
       for_sixteen_lanes([&](int first) {
         for (int k = 0; k < Bounds::kCount; ++k)
@@ -50,7 +50,7 @@ class BlockSearch {
     for (int k = 0; k < Bounds::kCount; ++k)
       for_sixteen_lanes([&](int first) { hull_of_fours(bounds, k, first).store_aligned(bounds.at[k] + first); });
     for (int k = 0; k < Bounds::kCount; ++k)
-      for (int four = 0; four < 4; ++four) four_hulls_[k][four] = bounds.at[k][4 * four];
+      for (std::size_t four = 0; four < 4; ++four) four_hulls_[k][four] = bounds.at[k][4 * four];
   }
 
   void run() {

@@ -200,7 +200,7 @@ inline void load_columns(const float (*rows)[8], const std::int32_t* index, Floa
   const auto join = [](const __m128(&q)[kQuarters]) { return q[0]; };
 #endif
   // Quarter q of four registers: a square of four rows by four columns, turned where it is.
-  for (int half = 0; half < 2; ++half) {
+  for (std::size_t half = 0; half < 2; ++half) {
     Raw r[4];
     for (int i = 0; i < 4; ++i) {
       __m128 quarters[kQuarters];

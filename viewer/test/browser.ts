@@ -26,6 +26,8 @@ export async function open(
   options: BrowserContextOptions = {},
 ): Promise<Opened> {
   const page = await browser.newPage({ viewport: { width: 1280, height: 720 }, reducedMotion: "reduce", ...options });
+  // Drawn in software, a million contacts take their time where other tests run beside this one.
+  page.setDefaultTimeout(120000);
   const faults: string[] = [];
   page.on("console", (message) => {
     // The software renderer reports its own slowness when a page's pixels are read.
@@ -38,7 +40,7 @@ export async function open(
     if (address !== `file://${file}` && !address.startsWith("data:")) faults.push(address);
   });
   await page.goto(`file://${file}${hash}`);
-  await page.waitForFunction(() => window.tamis ?? document.getElementById("unreadable"), null, { timeout: 60000 });
+  await page.waitForFunction(() => window.tamis ?? document.getElementById("unreadable"));
   await settled(page);
   return { page, faults };
 }

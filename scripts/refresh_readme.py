@@ -6,7 +6,7 @@ import subprocess
 
 root = pathlib.Path(__file__).resolve().parent.parent
 printed = subprocess.run([root / "scripts/demo.sh"], check=True, capture_output=True, text=True).stdout
-commands = printed[printed.index("$ build/release/bin/tamis"):].strip().replace("build/release/bin/tamis", "tamis")
+commands = printed[printed.index("$ build/release/bin/tamis"):].strip().replace("build/release/bin/tamis", "tamis").replace(str(root), "…")
 # What the shell would do to a pattern without quotes.
 commands = re.sub(r"^(\$ .* )(\S*\?\S*)", r"\1'\2'", commands, flags=re.MULTILINE)
 readme = root / "README.md"

@@ -1,5 +1,5 @@
-// Double-double numbers: the unevaluated sum of two doubles, about 106 bits. For the few pairs that doubles cannot
-// decide; the templates of filters and solver run on it as on double. No FMA: a product is split as Dekker does, so
+// Double-double numbers: the unevaluated sum of two doubles, about 106 bits. For curved motion where doubles are too
+// coarse; the same templates run on it as on double. No FMA: a product is split as Dekker does, so
 // that every machine gives the same bits.
 //
 // Error bounds after Joldes, Muller, Popescu, Tight and rigorous error bounds for basic building blocks of double-word

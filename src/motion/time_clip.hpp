@@ -24,8 +24,8 @@ class TimeClip {
   void cut_positive(const T& g0, const T& g1) {
     const T fall = g0 - g1, root = Ratio<T>::of(g0, fall);
     const auto falls = fall >= T(0);
-    first_ = max(Masked<T>::zero_unless(falls, root), first_);
-    last_ = min(Masked<T>::nan_where(falls, root), last_);  // of NaN and a number, the second
+    first_ = Masked<T>::max_number(Masked<T>::zero_unless(falls, root), first_);
+    last_ = Masked<T>::min_number(Masked<T>::nan_where(falls, root), last_);
   }
 
   /// What is left, t_out < t_in where nothing is. A root is off, of itself, by the ratio's error, 4 u for the two ends,

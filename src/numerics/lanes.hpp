@@ -221,7 +221,27 @@ struct Masked<TAMIS_ISA::FloatLanes> {
   using Mask = xsimd::batch_bool<float, TAMIS_ISA::Arch>;
   static Lanes zero_unless(const Mask& mask, const Lanes& a) { return Lanes(mask.data) & a; }
   static Lanes nan_where(const Mask& mask, const Lanes& a) { return Lanes(mask.data) | a; }
+  static Lanes min_number(const Lanes& a, const Lanes& b) { return min(a, b); }
+  static Lanes max_number(const Lanes& a, const Lanes& b) { return max(a, b); }
 };
+#elif !XSIMD_WITH_SSE2
+template <class Lanes>
+struct MaskedByComparison {
+  template <class Mask>
+  static Lanes zero_unless(const Mask& mask, const Lanes& a) {
+    return select(mask, a, Lanes(0));
+  }
+  template <class Mask>
+  static Lanes nan_where(const Mask& mask, const Lanes& a) {
+    return select(mask, Lanes(std::numeric_limits<typename Lanes::value_type>::quiet_NaN()), a);
+  }
+  static Lanes min_number(const Lanes& a, const Lanes& b) { return select(a < b, a, b); }
+  static Lanes max_number(const Lanes& a, const Lanes& b) { return select(a > b, a, b); }
+};
+template <>
+struct Masked<TAMIS_ISA::FloatLanes> : MaskedByComparison<TAMIS_ISA::FloatLanes> {};
+template <>
+struct Masked<TAMIS_ISA::DoubleLanes> : MaskedByComparison<TAMIS_ISA::DoubleLanes> {};
 #endif
 
 /// A ratio without a division, which costs as much as twenty other operations: a guess at 1/b from its bits, within

@@ -6,14 +6,15 @@
 namespace tamis {
 
 inline double select(bool mask, double yes, double no) { return mask ? yes : no; }
-/// As the lanes' instructions have it: b where either is NaN.
+/// As x86's instructions have it: b where either is NaN. Those of ARM make NaN of it.
 inline double min(double a, double b) { return a < b ? a : b; }
 inline double max(double a, double b) { return a > b ? a : b; }
 inline double abs(double a) { return std::fabs(a); }
 inline double sqrt(double a) { return std::sqrt(a); }
 inline bool any(bool mask) { return mask; }
 
-/// Selections in which one side is a constant: where a mask is as wide as what it selects, an operation each.
+/// Selections: those in which one side is a constant, where a mask is as wide as what it selects an operation each; and
+/// those that rely on what becomes of NaN, on every instruction set.
 template <class T>
 struct Masked {
   template <class Mask>
@@ -24,6 +25,9 @@ struct Masked {
   static T nan_where(const Mask& mask, const T& a) {
     return select(mask, T(std::numeric_limits<double>::quiet_NaN()), a);
   }
+  /// The smaller and the larger of two: b where a is NaN.
+  static T min_number(const T& a, const T& b) { return min(a, b); }
+  static T max_number(const T& a, const T& b) { return max(a, b); }
 };
 
 /// a / b, off by at most kError of itself. REQUIRES: b is not 0 where the result is used.

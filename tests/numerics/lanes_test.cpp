@@ -5,6 +5,7 @@
 
 #include <bit>
 #include <cmath>
+#include <limits>
 
 namespace tamis::TAMIS_ISA {
 namespace {
@@ -69,6 +70,24 @@ TEST(Lanes, TheLeastIsFoundInEveryLane) {
     for (int i = 0; i < kFloatLanes; ++i) lanes[i] = i == least_lane ? -3.0f : static_cast<float>(i);
     EXPECT_EQ(least(FloatLanes::load_unaligned(lanes)), -3.0f) << least_lane;
   }
+}
+
+TEST(Lanes, OfNaNAndANumberTheNumberIsTaken) {
+  // Would catch instructions that make NaN of both, as ARM's do: the slab clip then culled every pair.
+  const auto expect = [](auto lanes, const char* name) {
+    using Lanes = decltype(lanes);
+    using Number = typename Lanes::value_type;
+    const Lanes nan(std::numeric_limits<Number>::quiet_NaN()), two(Number(2));
+    Number least[Lanes::size], largest[Lanes::size];
+    Masked<Lanes>::min_number(nan, two).store_unaligned(least);
+    Masked<Lanes>::max_number(nan, two).store_unaligned(largest);
+    for (std::size_t i = 0; i < Lanes::size; ++i) {
+      EXPECT_EQ(least[i], 2) << name;
+      EXPECT_EQ(largest[i], 2) << name;
+    }
+  };
+  expect(FloatLanes(0), "floats");
+  expect(DoubleLanes(0), "doubles");
 }
 
 TEST(Lanes, BitsNameLanesFromTheLowest) {

@@ -1,4 +1,4 @@
-"""The answers: contacts as arrays, and what is said of a whole step."""
+"""Contacts, as arrays."""
 
 from __future__ import annotations
 
@@ -164,48 +164,3 @@ class Contacts(Table):
         counts = zip(PairKind, np.bincount(self.kind, minlength=len(PairKind)))
         kinds = ", ".join(f"{n} {kind.name.lower().replace('_', '-')}" for kind, n in counts if n)
         return f"Contacts({kinds}; first at {self.toi_lower.min():g})"
-
-
-class EarliestContact(NamedTuple):
-    """How far the step may go.
-
-    Attributes
-    ----------
-    toi_lower : float
-        The motion is free on [0, toi_lower): proven. 1 if the whole step is free.
-    toi_upper : float
-        A certified contact happens at or before this fraction of the step; 1 if none is certified.
-    contact : Contact or None
-        The contact that bounds the step first; None if the step is free.
-    """
-
-    toi_lower: float
-    toi_upper: float
-    contact: Contact | None
-
-
-class LimitingPair(NamedTuple):
-    """The pair of features that ends a step; `distance` is its own at the start, rounded."""
-
-    kind: PairKind
-    vertices: tuple[int, int, int, int]
-    distance: float
-
-
-class SafeStep(NamedTuple):
-    """How far the step may go so that every pair keeps a fraction of its distance.
-
-    Attributes
-    ----------
-    lower : float
-        On [0, lower] every pair keeps at least the fraction, and on [0, lower) none touches: proven. 1 if the whole
-        step may go.
-    upper : float
-        At this time some pair has no more than the fraction left: proven; 1 if that is not known of any time.
-    pair : LimitingPair or None
-        The pair that ends the step; None if the whole step may go.
-    """
-
-    lower: float
-    upper: float
-    pair: LimitingPair | None

@@ -1,9 +1,7 @@
 #include <algorithm>
-#include <string>
 
 #include "c/options.hpp"
-#include "c/sized.hpp"
-#include "tamis/pair.hpp"
+#include "c/pair_results.hpp"
 
 struct tamis_pairs {
   tamis::c::Outcome outcome;
@@ -25,18 +23,9 @@ std::array<Point, corners> points_of_pair(const double* rows, std::size_t pair) 
   return points;
 }
 
-tamis_pair_result result_of(const PairResult& r) {
-  tamis_pair_result result{
-      r.touches ? 1 : 0, static_cast<int32_t>(r.certainty), r.toi_lower, r.toi_upper, r.u, r.v, {}};
-  std::copy(r.normal.begin(), r.normal.end(), result.normal);
-  return result;
-}
-
 struct Lists {
-  std::size_t count;
   const double *start, *end;
-  void* results;
-  std::size_t result_size;
+  PairResults results;
 };
 
 template <std::size_t corners>
@@ -44,16 +33,11 @@ tamis_status ask_all(tamis_pairs* pairs, const Lists& lists, Ask<corners> ask) n
   if (!pairs) return TAMIS_INVALID_ARGUMENT;
   if (!pairs->is_made) return pairs->outcome.status();
   return attempt(pairs->outcome, [&] {
-    if (lists.count == 0) return;
+    if (lists.results.count == 0) return;
     const double &start = required(lists.start, "start"), &end = required(lists.end, "end");
-    required(static_cast<unsigned char*>(lists.results), "results");
-    check_size(lists.result_size, sizeof(int32_t), "result");
-    for (std::size_t i = 0; i < lists.count; ++i) try {
-        const PairResult r = ask(points_of_pair<corners>(&start, i), points_of_pair<corners>(&end, i), pairs->options);
-        write_element(result_of(r), lists.results, i, lists.result_size);
-      } catch (const InvalidStep& e) {
-        throw InvalidStep("pair " + std::to_string(i) + ": " + e.what());
-      }
+    write_each(lists.results, [&](std::size_t i) {
+      return ask(points_of_pair<corners>(&start, i), points_of_pair<corners>(&end, i), pairs->options);
+    });
   });
 }
 
@@ -76,20 +60,20 @@ const char* tamis_pairs_message(const tamis_pairs* pairs) { return pairs ? pairs
 
 tamis_status tamis_vertex_face(tamis_pairs* pairs, size_t count, const double* start, const double* end,
                                tamis_pair_result* results, size_t result_size) {
-  return ask_all<4>(pairs, {count, start, end, results, result_size}, &tamis::vertex_face);
+  return ask_all<4>(pairs, {start, end, {count, results, result_size}}, &tamis::vertex_face);
 }
 
 tamis_status tamis_edge_edge(tamis_pairs* pairs, size_t count, const double* start, const double* end,
                              tamis_pair_result* results, size_t result_size) {
-  return ask_all<4>(pairs, {count, start, end, results, result_size}, &tamis::edge_edge);
+  return ask_all<4>(pairs, {start, end, {count, results, result_size}}, &tamis::edge_edge);
 }
 
 tamis_status tamis_vertex_edge(tamis_pairs* pairs, size_t count, const double* start, const double* end,
                                tamis_pair_result* results, size_t result_size) {
-  return ask_all<3>(pairs, {count, start, end, results, result_size}, &tamis::vertex_edge);
+  return ask_all<3>(pairs, {start, end, {count, results, result_size}}, &tamis::vertex_edge);
 }
 
 tamis_status tamis_vertex_vertex(tamis_pairs* pairs, size_t count, const double* start, const double* end,
                                  tamis_pair_result* results, size_t result_size) {
-  return ask_all<2>(pairs, {count, start, end, results, result_size}, &tamis::vertex_vertex);
+  return ask_all<2>(pairs, {start, end, {count, results, result_size}}, &tamis::vertex_vertex);
 }

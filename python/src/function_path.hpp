@@ -5,8 +5,8 @@
 
 namespace tamis::python {
 
-/// `points_at(time, vertices)` gives points (n, 3) and errors (n,), `strays(from, to, vertices)` bounds (n,); the Python
-/// side has made sure that they do. Asked from several threads, one at a time.
+/// `points_at(time, vertices)` gives points (n, 3) and errors (n,), `strays(from, to, vertices)` bounds (n,); the
+/// Python side has made sure that they do. Asked from several threads, one at a time.
 class FunctionPath final : public Path {
  public:
   FunctionPath(Index vertex_count, nb::object points_at, nb::object strays)

@@ -3,9 +3,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "cli/view/recording.hpp"
+#include "io/view/recording.hpp"
 
-namespace tamis::cli {
+namespace tamis::io {
 
 struct QuantisedFrames {
   Point lowest{};
@@ -17,4 +17,4 @@ struct QuantisedFrames {
 /// Vertices that nothing uses are put at `lowest`: their positions may be anything.
 QuantisedFrames quantise(const Recording& recording);
 
-}  // namespace tamis::cli
+}  // namespace tamis::io

@@ -4,7 +4,7 @@
 
 #include "tamis/mesh.hpp"
 
-namespace tamis::cli {
+namespace tamis::io {
 
 /// Vertices that faces and edges connect.
 struct Components {
@@ -14,4 +14,4 @@ struct Components {
 
 Components components_of(const Mesh& mesh);
 
-}  // namespace tamis::cli
+}  // namespace tamis::io

@@ -2,11 +2,11 @@
 #pragma once
 #include <string>
 
-#include "cli/view/recording.hpp"
+#include "io/view/recording.hpp"
 
-namespace tamis::cli {
+namespace tamis::io {
 
 /// The length of a JSON header (32 bits, least significant byte first), the header, then the columns that it lists.
 std::string scene_bytes(const Recording& recording);
 
-}  // namespace tamis::cli
+}  // namespace tamis::io

@@ -1,8 +1,8 @@
-#include "cli/components.hpp"
+#include "io/components.hpp"
 
 #include <numeric>
 
-namespace tamis::cli {
+namespace tamis::io {
 namespace {
 
 /// Union-find over the vertices.
@@ -43,4 +43,4 @@ Components components_of(const Mesh& mesh) {
   return components;
 }
 
-}  // namespace tamis::cli
+}  // namespace tamis::io

@@ -7,7 +7,7 @@
 
 #include "tamis/detector.hpp"
 
-namespace tamis::cli {
+namespace tamis::io {
 
 /// The answer to one step.
 struct RecordedStep {
@@ -25,4 +25,12 @@ struct Recording {
   std::vector<RecordedStep> steps;
 };
 
-}  // namespace tamis::cli
+/// Where the vertices of the first step are, as it was decided.
+struct FirstStep {
+  explicit FirstStep(const Recording& recording);
+
+  const std::vector<Point>& start;
+  std::vector<Point> end;
+};
+
+}  // namespace tamis::io

@@ -1,4 +1,4 @@
-#include "cli/view/viewer_page.hpp"
+#include "io/view/viewer_page.hpp"
 
 #include <b64/encode.h>
 #include <zlib.h>
@@ -7,20 +7,21 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "cli/view/scene_bytes.hpp"
 #include "io/atomic_file.hpp"
+#include "io/view/scene_bytes.hpp"
 
-// The built page becomes part of the program: who builds the command needs no Node.
+// The built page becomes part of the program, or of the module for Python.
 asm(".section .rodata\n"
     "tamis_page_begin: .incbin \"" TAMIS_VIEWER_PAGE
     "\"\n"
     "tamis_page_end: .byte 0\n"
     ".global tamis_page_begin, tamis_page_end\n"
+    ".hidden tamis_page_begin, tamis_page_end\n"
     ".text\n");
-extern "C" const char tamis_page_begin[];
-extern "C" const char tamis_page_end[];
+extern "C" __attribute__((visibility("hidden"))) const char tamis_page_begin[];
+extern "C" __attribute__((visibility("hidden"))) const char tamis_page_end[];
 
-namespace tamis::cli {
+namespace tamis::io {
 namespace {
 
 std::string compressed(const std::string& bytes) {
@@ -34,7 +35,7 @@ std::string compressed(const std::string& bytes) {
   return result;
 }
 
-void append_base64(io::AtomicFile& file, std::string_view bytes) {
+void append_base64(AtomicFile& file, std::string_view bytes) {
   constexpr std::size_t kChunk = std::size_t{1} << 16;
   base64::base64_encodestate state;
   base64::base64_init_encodestate(&state);
@@ -54,11 +55,11 @@ void write_viewer_page(const std::filesystem::path& path, const Recording& recor
   const std::string_view page(tamis_page_begin, static_cast<std::size_t>(tamis_page_end - tamis_page_begin));
   constexpr std::string_view kPlace = "<!--SCENE-->";
   const std::size_t place = page.find(kPlace);
-  io::AtomicFile file(path);
+  AtomicFile file(path);
   file.append(page.substr(0, place));
   append_base64(file, compressed(scene_bytes(recording)));
   file.append(page.substr(place + kPlace.size()));
   file.commit();
 }
 
-}  // namespace tamis::cli
+}  // namespace tamis::io

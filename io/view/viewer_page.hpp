@@ -2,11 +2,11 @@
 #pragma once
 #include <filesystem>
 
-#include "cli/view/recording.hpp"
+#include "io/view/recording.hpp"
 
-namespace tamis::cli {
+namespace tamis::io {
 
 /// Atomically. Works without a network and without a server. Throws io::FileError.
 void write_viewer_page(const std::filesystem::path& path, const Recording& recording);
 
-}  // namespace tamis::cli
+}  // namespace tamis::io

@@ -1,8 +1,8 @@
-#include "cli/view/columns.hpp"
+#include "io/view/columns.hpp"
 
 #include <vector>
 
-namespace tamis::cli {
+namespace tamis::io {
 
 void append_differences(std::string& bytes, std::span<const std::uint32_t> column, std::size_t width) {
   std::vector<std::uint32_t> folded(column.size());
@@ -14,4 +14,4 @@ void append_differences(std::string& bytes, std::span<const std::uint32_t> colum
   append_planes<std::uint32_t>(bytes, folded);
 }
 
-}  // namespace tamis::cli
+}  // namespace tamis::io

@@ -1,4 +1,4 @@
-#include "io/time_colours.hpp"
+#include "io/colours.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,6 @@
 namespace tamis::io {
 
 Rgb colour_of_time(double time) {
-  // The list of viewer/src/colours.ts, the other way round.
   constexpr std::array<Rgb, 11> kPlasma{{{0xf0, 0xf9, 0x21},
                                          {0xfb, 0xd5, 0x24},
                                          {0xfd, 0xb4, 0x2f},
@@ -25,6 +24,16 @@ Rgb colour_of_time(double time) {
   for (std::size_t i = 0; i < colour.size(); ++i)
     colour[i] = static_cast<std::uint8_t>(std::lround((1 - part) * kPlasma[below][i] + part * kPlasma[below + 1][i]));
   return colour;
+}
+
+Rgb colour_of_object(std::size_t object) {
+  constexpr std::array<Rgb, 6> kColours{{{0x8b, 0xa3, 0xc4},
+                                         {0xc9, 0xbd, 0xa4},
+                                         {0x8f, 0xb5, 0xac},
+                                         {0xb9, 0xa6, 0xc2},
+                                         {0xb8, 0xc0, 0xc8},
+                                         {0xa9, 0xb1, 0x8c}}};
+  return kColours[object % kColours.size()];
 }
 
 }  // namespace tamis::io

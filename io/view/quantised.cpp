@@ -1,10 +1,10 @@
-#include "cli/view/quantised.hpp"
+#include "io/view/quantised.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-namespace tamis::cli {
+namespace tamis::io {
 namespace {
 
 /// A feature of a millionth of the scene still has sixteen steps of the grid.
@@ -47,4 +47,4 @@ QuantisedFrames quantise(const Recording& recording) {
   return result;
 }
 
-}  // namespace tamis::cli
+}  // namespace tamis::io

@@ -1,17 +1,17 @@
-#include "cli/view/scene_bytes.hpp"
+#include "io/view/scene_bytes.hpp"
 
 #include <algorithm>
 #include <bit>
 #include <cmath>
 
-#include "cli/components.hpp"
-#include "cli/report.hpp"
-#include "cli/view/columns.hpp"
-#include "cli/view/quantised.hpp"
+#include "io/components.hpp"
 #include "io/contact_geometry.hpp"
 #include "io/loose_features.hpp"
+#include "io/tally.hpp"
+#include "io/view/columns.hpp"
+#include "io/view/quantised.hpp"
 
-namespace tamis::cli {
+namespace tamis::io {
 namespace {
 
 std::uint32_t bits_of(Index index) { return static_cast<std::uint32_t>(index); }
@@ -51,13 +51,13 @@ std::vector<std::uint32_t> flat(std::span<const Row> rows) {
 
 void add_mesh(const Mesh& mesh, Columns& columns, Json& header) {
   std::vector<std::uint32_t> loose;
-  for (const Index v : io::loose_points_of(mesh)) loose.push_back(bits_of(v));
+  for (const Index v : loose_points_of(mesh)) loose.push_back(bits_of(v));
   const Components components = components_of(mesh);
   std::vector<std::uint32_t> objects;
   objects.reserve(components.of_vertex.size());
   for (const Index component : components.of_vertex) objects.push_back(bits_of(component));
   columns.add_integers("faces", flat<Face>(mesh.faces()), 3);
-  columns.add_integers("rods", flat<Edge>(io::rods_of(mesh)), 2);
+  columns.add_integers("rods", flat<Edge>(rods_of(mesh)), 2);
   columns.add_integers("loose_points", loose, 1);
   columns.add_integers("object_of_vertex", objects, 1);
   header["mesh"] = {{"vertices", mesh.vertex_count()},
@@ -121,7 +121,7 @@ Json kinds() {
   Json kinds = Json::array();
   for (const PairKind kind :
        {PairKind::vertex_face, PairKind::edge_edge, PairKind::vertex_edge, PairKind::vertex_vertex}) {
-    const io::PairShape shape = io::shape_of(kind);
+    const PairShape shape = shape_of(kind);
     kinds.push_back({{"name", name_of(kind)}, {"first", shape.first}, {"second", shape.second}});
   }
   return kinds;
@@ -158,4 +158,4 @@ std::string scene_bytes(const Recording& recording) {
   return bytes + text + columns.bytes();
 }
 
-}  // namespace tamis::cli
+}  // namespace tamis::io

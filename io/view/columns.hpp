@@ -5,7 +5,7 @@
 #include <span>
 #include <string>
 
-namespace tamis::cli {
+namespace tamis::io {
 
 /// Element by element least significant byte first, but first the lowest bytes of all elements, then the next ones.
 template <class Number>
@@ -18,4 +18,4 @@ void append_planes(std::string& bytes, std::span<const Number> column) {
 /// sign have zero bytes above (0, -1, 1, -2 become 0, 1, 2, 3). Then in planes.
 void append_differences(std::string& bytes, std::span<const std::uint32_t> column, std::size_t width);
 
-}  // namespace tamis::cli
+}  // namespace tamis::io

@@ -1,28 +1,16 @@
 // The detector's questions, and the layouts of their answers.
+#include <nanobind/stl/filesystem.h>
 #include <nanobind/stl/optional.h>
 
 #include <cstddef>
 
 #include "python/src/bindings.hpp"
+#include "python/src/collected.hpp"
 #include "python/src/layout.hpp"
 #include "python/src/questions.hpp"
 
 namespace tamis::python {
 namespace {
-
-int visit_questions(PyObject* self, visitproc visit, void* arg) {
-  Py_VISIT(Py_TYPE(self));
-  return nb::inst_ready(self) ? nb::inst_ptr<Questions>(self)->traverse(visit, arg) : 0;
-}
-
-int clear_questions(PyObject* self) {
-  if (nb::inst_ready(self)) nb::inst_ptr<Questions>(self)->clear();
-  return 0;
-}
-
-PyType_Slot collected[] = {{Py_tp_traverse, reinterpret_cast<void*>(&visit_questions)},
-                           {Py_tp_clear, reinterpret_cast<void*>(&clear_questions)},
-                           {0, nullptr}};
 
 nb::dict contact_layout() {
   return Layout(sizeof(Contact))
@@ -65,7 +53,7 @@ nb::dict intersection_layout() {
 void bind_detector(nb::module_& module) {
   const nb::arg any;
   const auto or_none = nb::arg().none();
-  nb::class_<Questions>(module, "Detector", nb::type_slots(collected), nb::is_weak_referenceable())
+  nb::class_<Questions>(module, "Detector", nb::type_slots(collected<Questions>), nb::is_weak_referenceable())
       .def(nb::init<const Mesh&, const Asking&>())
       .def("contacts", &Questions::contacts, any, any, or_none)
       .def("earliest", &Questions::earliest, any, any, or_none)
@@ -79,7 +67,8 @@ void bind_detector(nb::module_& module) {
       .def("near", &Questions::near)
       .def("intersections", &Questions::intersections)
       .def("has_intersection", &Questions::has_intersection)
-      .def("statistics", &Questions::statistics);
+      .def("statistics", &Questions::statistics)
+      .def("write_step", &Questions::write_step, any, any, any, any, or_none);
   module.def("near_layout", &near_layout);
   module.def("intersection_layout", &intersection_layout);
   module.def("contact_layout", &contact_layout);

@@ -3,6 +3,7 @@
 #include <nanobind/stl/string.h>
 
 #include "python/src/errors.hpp"
+#include "python/src/looking.hpp"
 
 namespace tamis::python {
 namespace {
@@ -170,6 +171,11 @@ bool Questions::has_intersection(const Rows& at) {
   bool found = false;
   ask([&] { found = detector_.has_intersection(positions(at)); });
   return found;
+}
+
+void Questions::write_step(const std::filesystem::path& path, const ContactBytes& contacts, const Rows& start,
+                           const Rows& end, Separation d) {
+  ask([&] { python::write_step(path, detector_, step_of(start, end), d, contacts_in(contacts)); });
 }
 
 nb::dict Questions::statistics() {

@@ -1,6 +1,7 @@
 // A detector that lets other Python threads run while it works, and stops when Python wants it to.
 #pragma once
 #include <atomic>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -37,6 +38,10 @@ class Questions {
   bool has_intersection(const Rows& at);
 
   nb::dict statistics();
+
+  /// As looking.hpp has it.
+  void write_step(const std::filesystem::path& path, const ContactBytes& contacts, const Rows& start, const Rows& end,
+                  Separation d);
 
   /// What Python's garbage collector must know: a callable may refer back to its detector.
   int traverse(visitproc visit, void* arg) const;

@@ -17,6 +17,7 @@ from tamis._detector import Detector, contacts
 from tamis._errors import Busy, Cancelled, Error, FileError, InvalidMesh, InvalidOptions, InvalidPath, InvalidStep
 from tamis._files import MeshFile, read_frames, read_mesh, write_mesh
 from tamis._function_path import FunctionPath
+from tamis._looking import Page
 from tamis._mesh import Mesh
 from tamis._near import Intersections, NearPairs
 from tamis._options import PaperOptions, ReducedModel
@@ -49,6 +50,7 @@ __all__ = [
     "Mesh",
     "MeshFile",
     "NearPairs",
+    "Page",
     "PairKind",
     "Pairs",
     "PaperOptions",

@@ -12,6 +12,7 @@ from tamis._answers import EarliestContact, LimitingPair, SafeStep, TruncatedSte
 from tamis._arrays import Doubles, rows
 from tamis._contacts import Contacts, PairKind
 from tamis._errors import InvalidOptions, InvalidPath, InvalidStep
+from tamis._looking import AskedStep
 from tamis._mesh import Mesh
 from tamis._near import Intersections, NearPairs
 from tamis._options import Filter, Guarantee, Isa, PaperOptions, set_groups
@@ -68,7 +69,7 @@ class Detector:
         An option outside its range, an unknown name, or groups that do not fit the mesh.
     """
 
-    __slots__ = ("_description", "_detector", "_mesh")
+    __slots__ = ("_description", "_detector", "_mesh", "_options")
 
     def __init__(
         self,
@@ -103,6 +104,7 @@ class Detector:
         if paper is not None:
             paper.apply(options)
         self._mesh = mesh
+        self._options = options
         self._detector = _core.Detector(mesh._mesh, options)
         self._description = f"method={method!r}, guarantee={guarantee!r}, min_separation={min_separation:g}"
 
@@ -146,10 +148,14 @@ class Detector:
         Returns
         -------
         Contacts
-            By kind, then vertices. On a path, what cannot be decided (a touch without crossing, say) is a contact that
-            is not certified.
+            By kind, then vertices; `Contacts.view` shows those of a step. On a path, what cannot be decided (a touch
+            without crossing, say) is a contact that is not certified.
         """
-        return Contacts(self._detector.contacts(*_motion(start, end, tolerance), min_separation))
+        first, second = _motion(start, end, tolerance)
+        found = self._detector.contacts(first, second, min_separation)
+        if isinstance(first, _core.Path) or isinstance(second, float):
+            return Contacts(found)
+        return Contacts(found, AskedStep(self._mesh._mesh, self._options, first, second, min_separation))
 
     @overload
     def earliest(

@@ -161,8 +161,8 @@ class Contacts(Table):
     def view(self, path: str | os.PathLike[str] | None = None) -> Page:
         """Show the contacts and the motion of the mesh: the page that `tamis view` writes.
 
-        A notebook shows it below the cell; elsewhere it opens in the browser. Contacts keep the positions that they
-        were asked with, and not a copy, until they are gone.
+        A notebook shows it below the cell; elsewhere it opens in the browser. For this, contacts keep the positions
+        that were asked about, without a copy; `table` alone does not.
 
         Parameters
         ----------

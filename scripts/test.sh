@@ -1,9 +1,16 @@
 #!/usr/bin/env bash
 # Set-up, build, all tests. Arguments go to ctest: `scripts/test.sh -R readme`.
+#   --quick   for the daily loop: without what takes minutes (second compiler, clang-tidy, fuzzing, attacks, the module
+#             for Python, the viewer, packages built against an installed Tamis)
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
+quick=()
+if [[ ${1:-} == --quick ]]; then
+  quick=(-E '^(fuzz|hostile|python|viewer|consumer|bench)[.]|^project[.](clang|tidy)')
+  shift
+fi
 scripts/setup.sh --tests
 cmake --preset dev
 cmake --build --preset dev
-ctest --preset dev --parallel "$(nproc)" "$@"
+ctest --preset dev --parallel "$(nproc)" "${quick[@]}" "$@"

@@ -8,11 +8,11 @@ namespace tamis {
 namespace {
 
 /// In whole blocks of the largest level that has several, so that every block of every level of the tree is one box of
-/// space; a leaf block in fours.
+/// space.
 void halve(const Centers& centers, const Centers& scratch, std::size_t count, Split split) {
-  constexpr std::size_t kParallelFrom = 8192, kFour = 4;
-  if (count <= kFour) return;
-  std::size_t unit = count <= kBlock ? kFour : kBlock;
+  constexpr std::size_t kParallelFrom = 8192;
+  if (count <= kBlock) return;
+  std::size_t unit = kBlock;
   while (unit * kBlock < count) unit *= kBlock;
   const std::size_t blocks = (count + unit - 1) / unit, lower = (blocks + 1) / 2 * unit;
   split(centers, scratch, count, lower);

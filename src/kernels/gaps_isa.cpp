@@ -19,16 +19,20 @@ struct StartBox {
   FloatLanes low[3], high[3];
 };
 
-/// Gaps of sixteen boxes at t=0 to one: the largest along an axis.
+/// How far some of sixteen boxes at t=0 are from one: the largest gap along an axis.
+FloatLanes gaps_to(const StartBox& one, const BoxBlock& boxes, int first) {
+  const auto load = [&](const float* lanes) { return FloatLanes::load_aligned(lanes + first); };
+  FloatLanes largest(0.0f);
+  for (int axis = 0; axis < 3; ++axis)
+    largest = max(largest, max(load(boxes.low0[axis]) - one.high[axis], one.low[axis] - load(boxes.high0[axis])));
+  return largest;
+}
+
+/// Bits of the boxes whose gap to one is smaller.
 unsigned nearer_than(float gap, const BoxBlock& boxes, const StartBox& one) {
   unsigned result = 0;
-  for (int first = 0; first < kBlock; first += kFloatLanes) {
-    const auto load = [&](const float* lanes) { return FloatLanes::load_aligned(lanes + first); };
-    FloatLanes largest(0.0f);
-    for (int axis = 0; axis < 3; ++axis)
-      largest = max(largest, max(load(boxes.low0[axis]) - one.high[axis], one.low[axis] - load(boxes.high0[axis])));
-    result |= bits(largest < FloatLanes(gap)) << first;
-  }
+  for (int first = 0; first < kBlock; first += kFloatLanes)
+    result |= bits(gaps_to(one, boxes, first) < FloatLanes(gap)) << first;
   return result;
 }
 
@@ -78,8 +82,9 @@ float gap_of_blocks(const GapQuestion& question, int block, int other, float mos
   const CornerBlock &mine = question.a.corners[block], &theirs = question.b.corners[other];
   const BoxBlock &few = question.a.levels[0][block], &many = question.b.levels[0][other];
   scratch.count = 0;
-  for (int lane = 0; lane < kBlock; ++lane) {
-    if (few.low0[0][lane] > few.high0[0][lane]) break;  // empty from here on
+  // Of features that are far from all of the other block's nothing is near; nor of empty lanes.
+  const StartBox their_hull(question.b.levels[1][other / kBlock], other % kBlock);
+  for_each_bit(nearer_than(most, few, their_hull), [&](int lane) {
     unsigned near = nearer_than(most, many, {few, lane});
     if (kIsSelf && other == block) near &= ~1u << lane;
     if (near) near &= ~adjacent_lanes<kCornersB, kCornersA>(theirs, mine, lane);
@@ -88,14 +93,70 @@ float gap_of_blocks(const GapQuestion& question, int block, int other, float mos
       for (int c = 0; c < kCornersA; ++c) scratch.corner[c][at] = mine.vertex[c][lane];
       for (int c = 0; c < kCornersB; ++c) scratch.corner[kCornersA + c][at] = theirs.vertex[c][i];
     });
-  }
+  });
   // Whole batches: the last pair again.
   for (int i = scratch.count; scratch.count > 0 && i % kFloatLanes != 0; ++i)
     for (auto& corner : scratch.corner) corner[i] = corner[scratch.count - 1];
   return smallest_gap<kind>(question, scratch, most);
 }
 
+/// Drifts of some leaf blocks, or of one in every lane.
+struct DriftLanes {
+  FloatLanes low[BoxVertex::kRadius + 1], high[BoxVertex::kRadius + 1];
+
+  explicit DriftLanes(const MovingBox& box) {
+    for (int k = 0; k < BoxVertex::kRadius; ++k) {
+      low[k] = FloatLanes(box.low[k]);
+      high[k] = FloatLanes(box.high[k]);
+    }
+  }
+  DriftLanes(const MovingBox* boxes, const std::int32_t* blocks) {
+    const IntLanes lows = IntLanes::load_unaligned(blocks) + IntLanes::load_unaligned(blocks);
+    alignas(64) std::int32_t rows[kFloatLanes];
+    lows.store_aligned(rows);
+    load_columns(&boxes->low, rows, low);
+    (lows + IntLanes(1)).store_aligned(rows);
+    load_columns(&boxes->low, rows, high);
+  }
+};
+static_assert(sizeof(MovingBox) == 2 * sizeof(MovingBox::low), "read as rows: low, high, low, ...");
+
+/// As RelativeDrift has it, until t.
+FloatLanes relative_drift(const DriftLanes& a, const DriftLanes& b, float t) {
+  FloatLanes squares[2] = {FloatLanes(0.0f), FloatLanes(0.0f)};
+  for (int k = 0; k < BoxVertex::kRadius; ++k) {
+    const FloatLanes way = max(a.high[k] - b.low[k], b.high[k] - a.low[k]);
+    squares[k / 3] = squares[k / 3] + way * way;
+  }
+  const FloatLanes start = sqrt(squares[0]);
+  return max(start, start + FloatLanes(t) * (sqrt(squares[1]) - start));
+}
+
 }  // namespace
+
+unsigned near_hulls(const BoxBlock& hulls, const BoxBlock& of, int lane, float reach, float* gaps) {
+  const StartBox one(of, lane);
+  for (int first = 0; first < kBlock; first += kFloatLanes) gaps_to(one, hulls, first).store_unaligned(gaps + first);
+  return nearer_than(reach, hulls, one);
+}
+
+int unproven(const GapScan& scan, std::int32_t* out) {
+  // What the room of a pair has grown by since: its sizes are larger by at most six times the relative drift.
+  constexpr float kGrown = 1 + 8 * static_cast<float>(error_bounds::kRoomToAdvance);
+  const DriftLanes own(*scan.own);
+  int count = 0;
+  for (int first = 0; first < scan.count; first += kFloatLanes) {
+    const FloatLanes drift = relative_drift(own, DriftLanes(scan.drifts, scan.others + first), scan.t);
+    const auto is_apart =
+        FloatLanes::load_unaligned(scan.gaps + first) * FloatLanes(scan.scale) > FloatLanes(kGrown) * drift;
+    const int left = scan.count - first;
+    const unsigned in_use = left < kFloatLanes ? (1u << left) - 1 : (1u << kFloatLanes) - 1;
+    const unsigned mask = in_use & ~bits(is_apart);
+    store_compressed(mask, IntLanes::load_unaligned(scan.others + first), out + count);
+    count += __builtin_popcount(mask);
+  }
+  return count;
+}
 
 float gap_vf(const GapQuestion& question, int block, int other, float most, PairBuffer& scratch) {
   return gap_of_blocks<PairKind::vertex_face>(question, block, other, most, scratch);

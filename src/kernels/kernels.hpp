@@ -71,6 +71,17 @@ struct GapQuestion {
   double unit;  ///< the length of one unit of the boxes, in the unit of the vertices
 };
 
+/// Leaf blocks that lay near one, rising by how far apart they were at least, and what has drifted since.
+struct GapScan {
+  const MovingBox* own;     ///< drifts of the one
+  const MovingBox* drifts;  ///< of all blocks
+  float scale;              ///< of gaps in the unit of the drifts
+  float t;
+  const std::int32_t* others = nullptr;  ///< may be read up to a block past `count`; as gaps
+  const float* gaps = nullptr;
+  int count = 0;
+};
+
 struct Kernels {
   Isa isa;
   TreeKernels trees;
@@ -86,6 +97,12 @@ struct Kernels {
   /// nearer than `most`; `most` if there are none. Separations are not taken off. `scratch` has room.
   float (*gap_vf)(const GapQuestion& question, int block, int other, float most, PairBuffer& scratch);
   float (*gap_ee)(const GapQuestion& question, int block, int other, float most, PairBuffer& scratch);
+  /// Sixteen gaps at t=0 between boxes and box `lane` of `of`, the largest along an axis; the bits of those below
+  /// `reach`.
+  unsigned (*near_hulls)(const BoxBlock& hulls, const BoxBlock& of, int lane, float reach, float* gaps);
+  /// Writes those blocks of a scan that may have drifted by their gap until t, and returns their number; `out` has room
+  /// for a block past them.
+  int (*unproven)(const GapScan& scan, std::int32_t* out);
   /// Pairs that cannot end the step by the rule are culled.
   void (*near_vf)(const PackedVertex* vertices, const PairSeparation& separation, const NearRule& rule,
                   const PairBuffer& in, PairBuffer& out);

@@ -1,5 +1,5 @@
 // From a leaf block of one tree down the other tree to pairs of features. Stage by stage over small lists, without
-// branches on what boxes meet, which nothing could predict: leaf blocks, fours of features against fours, features.
+// branches on what boxes meet, which nothing could predict: leaf blocks, features against leaf blocks, features.
 #pragma once
 #include "kernels/box_overlap.hpp"
 
@@ -26,31 +26,17 @@ inline void append_bits(unsigned mask, int first, std::int32_t* list, int& count
   });
 }
 
-/// `Boxes`: SweptBoxes, BoxesAtEnds or NearBoxes. A four: lanes 4k to 4k + 3 of a leaf block, which lie close together
-/// (bvh/spatial_order.hpp). Sixteen pairs at once: lane 4i + j stands for feature i of a four of the block searched
-/// from and feature j of a four of the other.
+/// `Boxes`: SweptBoxes, BoxesAtEnds or NearBoxes. A row: one feature of the block searched from and the sixteen of
+/// another block.
 template <PairKind kind, class Boxes>
 class BlockSearch {
  public:
-  BlockSearch(Search& search, int block) : search_(search), block_(block), boxes_(search, block) {
-    Bounds bounds;
-    boxes_.bound(search.a, 1, block / kBlock, bounds);
-    for (int k = 0; k < Bounds::kCount; ++k) hull_[k] = bounds.at[k][block % kBlock];
-    boxes_.bound(search.a, 0, block, bounds);
-    const CornerBlock& corners = search.a.corners[block];
-    for (std::size_t four = 0; four < 4; ++four) {
-      Four& mine = fours_[four];
-      for_sixteen_lanes([&](int first) {
-        for (int k = 0; k < Bounds::kCount; ++k)
-          each_four_times(bounds.at[k] + 4 * four, first).store_aligned(mine.bounds.at[k] + first);
-        for (int c = 0; c < kCornersA; ++c)
-          each_four_times(corners.vertex[c] + 4 * four, first).store_aligned(mine.vertex[c] + first);
-      });
-    }
-    for (int k = 0; k < Bounds::kCount; ++k)
-      for_sixteen_lanes([&](int first) { hull_of_fours(bounds, k, first).store_aligned(bounds.at[k] + first); });
-    for (int k = 0; k < Bounds::kCount; ++k)
-      for (std::size_t four = 0; four < 4; ++four) four_hulls_[k][four] = bounds.at[k][4 * four];
+  BlockSearch(Search& search, int block)
+      : search_(search), block_(block), corners_(search.a.corners[block]), boxes_(search, block) {
+    Bounds hulls;
+    boxes_.bound(search.a, 1, block / kBlock, hulls);
+    copy_lane(hulls, block % kBlock, hull_);
+    boxes_.bound(search.a, 0, block, mine_);
   }
 
   void run() {
@@ -68,15 +54,10 @@ class BlockSearch {
   static constexpr int kCornersA = kIsSelf ? 2 : 1, kCornersB = kIsSelf ? 2 : 3;
   static constexpr int kMostLeaves = 32, kAhead = 4;
 
-  /// Each of its four features four times: in lanes 4i to 4i + 3 feature i.
-  struct Four {
-    Bounds bounds;
-    alignas(64) std::int32_t vertex[kCornersA][kBlock];
-  };
+  using Hull = float[Bounds::kCount];
 
-  /// In the lanes of each four: of bound k.
-  static FloatLanes hull_of_fours(const Bounds& bounds, int k, int first) {
-    return k < Bounds::kCount / 2 ? least_of_four(bounds.lanes(k, first)) : largest_of_four(bounds.lanes(k, first));
+  static void copy_lane(const Bounds& bounds, int lane, Hull& hull) {
+    for (int k = 0; k < Bounds::kCount; ++k) hull[k] = bounds.at[k][lane];
   }
 
   void visit(int level, int node) {
@@ -96,13 +77,18 @@ class BlockSearch {
       if (first > 0) mask &= ~0u << first;
     }
     if (level > 1) return for_each_bit(mask, [&](int child) { visit(level - 1, node * kBlock + child); });
+    int place = leaf_count_;
     append_bits(mask, node * kBlock, leaves_, leaf_count_);
+    for_each_bit(mask, [&](int child) { copy_lane(hulls, child, hulls_[place++]); });
     if (leaf_count_ > kMostLeaves - kBlock) match_leaves();
   }
 
   void visit_others() {
     for (const std::int32_t other : search_.others) {
       ++search_.nodes_visited;
+      Bounds hulls;
+      boxes_.bound(search_.b, 1, other / kBlock, hulls);
+      copy_lane(hulls, other % kBlock, hulls_[leaf_count_]);
       leaves_[leaf_count_++] = other;
       if (leaf_count_ == kMostLeaves) match_leaves();
     }
@@ -114,15 +100,15 @@ class BlockSearch {
     for (int i = 0; i < leaf_count_; ++i) {
       if (i + kAhead < leaf_count_) fetch(leaves_[i + kAhead]);
       boxes_.bound(search_.b, 0, leaves_[i], theirs_[i]);
-      append_bits(fours_that_meet(leaves_[i], theirs_[i]), kBlock * i, matches_, count);
+      append_bits(rows_that_meet(hulls_[i]), kBlock * i, rows_, count);
     }
     int found_count = 0;
     for (int i = 0; i < count; ++i) {
-      found_[found_count] = features_that_meet(matches_[i]);
-      matches_[found_count] = matches_[i];
+      found_[found_count] = features_that_meet(rows_[i]);
+      rows_[found_count] = rows_[i];
       found_count += found_[found_count] != 0;
     }
-    for (int i = 0; i < found_count; ++i) append(matches_[i], found_[i]);
+    for (int i = 0; i < found_count; ++i) append(rows_[i], found_[i]);
     leaf_count_ = 0;
   }
 
@@ -136,57 +122,53 @@ class BlockSearch {
     fetch_all(search_.b.corners[leaf]);
   }
 
-  /// Bit 4i + j: their four i may meet my four j.
-  unsigned fours_that_meet(int leaf, const Bounds& theirs) const {
+  /// Bits of my features that may meet some of another block.
+  unsigned rows_that_meet(const Hull& theirs) const {
     unsigned mask = 0;
     for_sixteen_lanes([&](int first) {
-      mask |= bits(boxes_.meet([&](int k) { return repeat_four(four_hulls_[k]); },
-                               [&](int k) { return hull_of_fours(theirs, k, first); }))
-              << first;
+      mask |=
+          bits(boxes_.meet([&](int k) { return mine_.lanes(k, first); }, [&](int k) { return FloatLanes(theirs[k]); }))
+          << first;
     });
-    constexpr unsigned kNotBefore = 0xf731;  // within one block: i >= j
-    return kIsSelf && leaf == block_ ? mask & kNotBefore : mask;
+    return mask;
   }
 
-  /// `match`: place in leaves_, their four, my four.
-  unsigned features_that_meet(int match) const {
-    const int place = match / kBlock, other = match / 4 % 4, four = match % 4, leaf = leaves_[place];
+  /// Bits of a block's features that may meet one of mine. `row`: place in leaves_, my lane.
+  unsigned features_that_meet(int row) const {
+    const int place = row / kBlock, lane = row % kBlock, leaf = leaves_[place];
     const Bounds& theirs = theirs_[place];
-    const Four& mine = fours_[four];
     unsigned mask = 0;
     for_sixteen_lanes([&](int first) {
-      const auto met = boxes_.meet([&](int k) { return mine.bounds.lanes(k, first); },
-                                   [&](int k) { return repeat_four(theirs.at[k] + 4 * other); });
-      mask |= (bits(met) & ~adjacent(mine, search_.b.corners[leaf], 4 * other, first)) << first;
+      const auto met = boxes_.meet([&](int k) { return FloatLanes(mine_.at[k][lane]); },
+                                   [&](int k) { return theirs.lanes(k, first); });
+      mask |= (bits(met) & ~adjacent(lane, search_.b.corners[leaf], first)) << first;
     });
-    constexpr unsigned kAfter = 0x08ce;  // within one four: j > i
-    return kIsSelf && leaf == block_ && other == four ? mask & kAfter : mask;
+    return kIsSelf && leaf == block_ ? mask & (~1u << lane) : mask;
   }
 
-  /// Bits of the lanes whose two features share a vertex; of empty lanes, anything.
-  static unsigned adjacent(const Four& mine, const CornerBlock& theirs, int lane, int first) {
+  /// Bits of the lanes of `theirs` that share a vertex with one of mine; of empty lanes, anything.
+  unsigned adjacent(int lane, const CornerBlock& theirs, int first) const {
     using Unsigned = xsimd::batch<std::uint32_t, Arch>;
     Unsigned differ(~0u);  // 0 where two vertices are one: cheaper than as many masks
     for (int c = 0; c < kCornersA; ++c)
       for (int o = 0; o < kCornersB; ++o)
-        differ = xsimd::min(differ, xsimd::bitwise_cast<Unsigned>(IntLanes::load_aligned(mine.vertex[c] + first) ^
-                                                                  repeat_four(theirs.vertex[o] + lane)));
+        differ = xsimd::min(differ, xsimd::bitwise_cast<Unsigned>(IntLanes(corners_.vertex[c][lane]) ^
+                                                                  IntLanes::load_aligned(theirs.vertex[o] + first)));
     return bits(differ == Unsigned(0u));
   }
 
-  void append(int match, unsigned found) {
+  void append(int row, unsigned found) {
     PairBuffer& pairs = *search_.pairs;
     if (pairs.count + kBlock > PairBuffer::kCapacity) search_.flush(search_);
-    const Four& mine = fours_[match % 4];
-    const CornerBlock& theirs = search_.b.corners[leaves_[match / kBlock]];
-    const int lane = match / 4 % 4 * 4;
+    const CornerBlock& theirs = search_.b.corners[leaves_[row / kBlock]];
+    const int lane = row % kBlock;
     for_sixteen_lanes([&](int first) {
       const unsigned mask = found >> first & ((1u << kFloatLanes) - 1);
       const auto put = [&](int corner, const IntLanes& lanes) {
         store_compressed(mask, lanes, pairs.corner[corner] + pairs.count);
       };
-      const auto my = [&](int corner) { return IntLanes::load_aligned(mine.vertex[corner] + first); };
-      const auto their = [&](int corner) { return repeat_four(theirs.vertex[corner] + lane); };
+      const auto my = [&](int corner) { return IntLanes(corners_.vertex[corner][lane]); };
+      const auto their = [&](int corner) { return IntLanes::load_aligned(theirs.vertex[corner] + first); };
       if constexpr (kIsSelf) {
         // The smaller edge first, so that the answer does not depend on the order in the tree: by its first vertex,
         // in which two edges without a common vertex differ.
@@ -207,14 +189,15 @@ class BlockSearch {
 
   Search& search_;
   const int block_;
+  const CornerBlock& corners_;
   const Boxes boxes_;
-  float hull_[Bounds::kCount];
-  float four_hulls_[Bounds::kCount][4];
-  Four fours_[4];
+  Hull hull_;
+  Bounds mine_;
   int leaf_count_ = 0;
   alignas(64) std::int32_t leaves_[kMostLeaves + kBlock];
+  Hull hulls_[kMostLeaves];
   Bounds theirs_[kMostLeaves];
-  std::int32_t matches_[kMostLeaves * kBlock + kBlock];
+  std::int32_t rows_[kMostLeaves * kBlock + kBlock];
   unsigned found_[kMostLeaves * kBlock];
 };
 

@@ -84,65 +84,6 @@ inline IntLanes counting_from(int first) {
   return IntLanes(first) + IntLanes::load_aligned(kCount);
 }
 
-/// Four numbers again and again: number i in lanes i, 4 + i, 8 + i, ...
-inline IntLanes repeat_four(const std::int32_t* four) {
-#if XSIMD_WITH_AVX512F
-  return _mm512_broadcast_i32x4(_mm_loadu_si128(reinterpret_cast<const __m128i*>(four)));
-#elif XSIMD_WITH_AVX
-  return _mm256_broadcastsi128_si256(_mm_loadu_si128(reinterpret_cast<const __m128i*>(four)));
-#else
-  static_assert(IntLanes::size == 4);
-  return IntLanes::load_unaligned(four);
-#endif
-}
-inline FloatLanes repeat_four(const float* four) {
-#if XSIMD_WITH_AVX512F
-  return _mm512_broadcast_f32x4(_mm_loadu_ps(four));
-#elif XSIMD_WITH_AVX
-  return _mm256_broadcast_ps(reinterpret_cast<const __m128*>(four));
-#else
-  static_assert(FloatLanes::size == 4);
-  return FloatLanes::load_unaligned(four);
-#endif
-}
-
-/// Each of four numbers four times: lanes first, first + 1, ... of sixteen, of which lanes 4i to 4i + 3 hold number i.
-template <class T>
-inline xsimd::batch<T, Arch> each_four_times(const T* four, int first) {
-  static_assert(sizeof(T) == 4);
-#if XSIMD_WITH_AVX512F
-  const __m512i places = _mm512_setr_epi32(0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2, 3, 3, 3, 3);
-  const IntLanes raw = _mm512_permutexvar_epi32(places, xsimd::bitwise_cast<IntLanes>(repeat_four(four + first)));
-  return xsimd::bitwise_cast<xsimd::batch<T, Arch>>(raw);
-#else
-  alignas(64) T all[IntLanes::size];
-  for (int i = 0; i < static_cast<int>(IntLanes::size); ++i) all[i] = four[(first + i) / 4];
-  return xsimd::batch<T, Arch>::load_aligned(all);
-#endif
-}
-
-/// `f(a, b)` over the lanes of each four, in all of them: for minima and maxima.
-template <class F>
-inline FloatLanes over_four(const FloatLanes& lanes, const F& f) {
-#if XSIMD_WITH_AVX512F
-  const FloatLanes pairs = f(lanes, FloatLanes(_mm512_permute_ps(lanes, 0xb1)));
-  return f(pairs, FloatLanes(_mm512_permute_ps(pairs, 0x4e)));
-#elif XSIMD_WITH_AVX
-  const FloatLanes pairs = f(lanes, FloatLanes(_mm256_permute_ps(lanes, 0xb1)));
-  return f(pairs, FloatLanes(_mm256_permute_ps(pairs, 0x4e)));
-#else
-  alignas(64) float all[FloatLanes::size];
-  lanes.store_aligned(all);
-  return f(f(FloatLanes(all[0]), FloatLanes(all[1])), f(FloatLanes(all[2]), FloatLanes(all[3])));
-#endif
-}
-inline FloatLanes least_of_four(const FloatLanes& lanes) {
-  return over_four(lanes, [](const FloatLanes& a, const FloatLanes& b) { return min(a, b); });
-}
-inline FloatLanes largest_of_four(const FloatLanes& lanes) {
-  return over_four(lanes, [](const FloatLanes& a, const FloatLanes& b) { return max(a, b); });
-}
-
 /// Two batches of doubles rounded to one of floats, `low` in the lower lanes.
 inline FloatLanes to_float(const DoubleLanes& low, const DoubleLanes& high) {
 #if XSIMD_WITH_AVX512F
@@ -161,10 +102,19 @@ inline FloatLanes to_float(const DoubleLanes& low, const DoubleLanes& high) {
 
 /// Of all lanes.
 inline float least(const FloatLanes& lanes) {
+  FloatLanes fours = lanes;  // in the first lane of each four: of its four
+#if XSIMD_WITH_AVX512F
+  fours = min(fours, FloatLanes(_mm512_permute_ps(fours, 0xb1)));
+  fours = min(fours, FloatLanes(_mm512_permute_ps(fours, 0x4e)));
+#elif XSIMD_WITH_AVX
+  fours = min(fours, FloatLanes(_mm256_permute_ps(fours, 0xb1)));
+  fours = min(fours, FloatLanes(_mm256_permute_ps(fours, 0x4e)));
+#endif
   alignas(64) float all[FloatLanes::size];
-  least_of_four(lanes).store_aligned(all);
+  fours.store_aligned(all);
+  constexpr std::size_t kStride = FloatLanes::size > 4 ? 4 : 1;
   float result = all[0];
-  for (std::size_t i = 4; i < FloatLanes::size; i += 4) result = all[i] < result ? all[i] : result;
+  for (std::size_t i = kStride; i < FloatLanes::size; i += kStride) result = all[i] < result ? all[i] : result;
   return result;
 }
 

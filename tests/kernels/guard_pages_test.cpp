@@ -5,6 +5,7 @@
 #include <deque>
 #include <memory>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "kernels/kernels.hpp"
@@ -51,6 +52,10 @@ class GuardedTree {
     for (int level = 0; level < view_.level_count; ++level) {
       levels_.emplace_back(std::span(view_.levels[level], blocks), guard);
       view_.levels[level] = levels_.back().data();
+      if (level > 0) {
+        drifts_.emplace_back(std::span(view_.drifts[level], blocks), guard);
+        view_.drifts[level] = drifts_.back().data();
+      }
       blocks = (blocks + kBlock - 1) / kBlock;
     }
   }
@@ -59,7 +64,7 @@ class GuardedTree {
  private:
   TreeView view_;
   std::unique_ptr<Guarded<CornerBlock>> corners_;
-  std::deque<Guarded<BoxBlock>> levels_;
+  std::deque<Guarded<BoxBlock>> levels_, drifts_;
 };
 
 /// Pairs that the kernels leave after search, clip, filters and roots.
@@ -84,6 +89,81 @@ std::array<int, 4> run(const Kernels& kernels, PairKind kind, const GuardedTree&
   return {boxes.data()->count, slab_count, filtered.data()->count, left};
 }
 
+/// The way of step lengths: pairs that the search leaves, and of these the ones that may end the step.
+std::array<int, 2> run_near(const Kernels& kernels, PairKind kind, const GuardedTree& a, const GuardedTree& b,
+                            const PackedVertex* vertices, Guard guard) {
+  const bool is_vf = kind == PairKind::vertex_face;
+  const auto empty = std::make_unique<PairBuffer>();
+  const Guarded<PairBuffer> boxes({empty.get(), 1}, guard), near({empty.get(), 1}, guard);
+  Search search{a.view(), b.view()};
+  search.near = {0.25f, 1.5f, 1.0f};
+  search.pairs = boxes.data();
+  search.flush = [](Search&) { FAIL() << "the soup is too large for one buffer"; };
+  for (int block = 0; block < search.a.leaf_blocks; ++block)
+    (is_vf ? kernels.search_near_vf : kernels.search_near_ee)(search, block);
+  const int found = boxes.data()->count;
+  (is_vf ? kernels.near_vf : kernels.near_ee)(vertices, {0, true}, search.near, *boxes.data(), *near.data());
+  return {found, near.data()->count};
+}
+
+/// The way of remembered gaps: the smallest gap between two blocks, and the blocks near the first one whose gap is used
+/// up by drifts larger than everything.
+int run_gaps(const Kernels& kernels, PairKind kind, const GuardedTree& a, const GuardedTree& b,
+             const PackedVertex* vertices, Guard guard) {
+  const auto empty = std::make_unique<PairBuffer>();
+  const Guarded<PairBuffer> scratch({empty.get(), 1}, guard);
+  const GapQuestion question{a.view(), b.view(), vertices, 1};
+  const auto gap_of = kind == PairKind::vertex_face ? kernels.gap_vf : kernels.gap_ee;
+  std::vector<std::int32_t> others;
+  std::vector<float> gaps;
+  for (int other = 0; other < question.b.leaf_blocks; ++other) {
+    others.push_back(other);
+    gaps.push_back(gap_of(question, 0, other, 4.0f, *scratch.data()));
+    float hull_gaps[kBlock];
+    EXPECT_NE(kernels.near_hulls(question.b.levels[1][other / kBlock], question.a.levels[1][0], 0, 8.0f, hull_gaps),
+              0u);
+  }
+  const auto count = others.size();
+  others.resize(count + kBlock);
+  gaps.resize(count + kBlock);
+  MovingBox drift;
+  for (int k = 0; k < MovingBox::kSize; ++k) {
+    drift.low[k] = -100;
+    drift.high[k] = 100;
+  }
+  const std::vector<MovingBox> boxes(count, drift);
+  const Guarded<std::int32_t> guarded_others(others, guard), out(std::vector<std::int32_t>(count + kBlock), guard);
+  const Guarded<float> guarded_gaps(gaps, guard);
+  const Guarded<MovingBox> drifts(boxes, guard);
+  GapScan scan{drifts.data(),       drifts.data(),          1.0f, 1.0f, guarded_others.data(),
+               guarded_gaps.data(), static_cast<int>(count)};
+  EXPECT_EQ(kernels.unproven(scan, out.data()), static_cast<int>(count));
+  return static_cast<int>(count);
+}
+
+/// The clips of the kinds that cannot cross, and the distances at rest: of vertices of the soup, in any order.
+void run_other_kinds(const Kernels& kernels, int count, const PackedVertex* vertices, const BoxVertex* box_vertices,
+                     Guard guard) {
+  const auto pairs = std::make_unique<PairBuffer>(), empty = std::make_unique<PairBuffer>();
+  for (pairs->count = 0; pairs->count < count; ++pairs->count)
+    for (int corner = 0; corner < 4; ++corner)
+      pairs->corner[corner][pairs->count] = static_cast<std::int32_t>((corner + 3 * pairs->count) % count);
+  for (int i = 0; i < count; ++i) pairs->t_out[i] = 1;
+  const Guarded<PairBuffer> in({pairs.get(), 1}, guard);
+  for (const auto slab : {kernels.slab_ve, kernels.slab_vv}) {
+    const Guarded<PairBuffer> out({empty.get(), 1}, guard);
+    slab(box_vertices, {4, true}, *in.data(), *out.data());
+    EXPECT_GT(out.data()->count, 0);
+  }
+  for (std::size_t kind = 0; kind < kPairKinds; ++kind) {
+    const Guarded<PairBuffer> near({empty.get(), 1}, guard), unsure({empty.get(), 1}, guard);
+    kernels.find_near[kind](vertices, {8, true}, *in.data(), *near.data(), *unsure.data());
+    EXPECT_EQ(near.data()->count + unsure.data()->count, count) << kind;
+    const Guarded<RestPair> rest(std::vector<RestPair>(PairBuffer::kCapacity), guard);
+    kernels.measure[kind](vertices, *in.data(), rest.data());
+  }
+}
+
 class GuardPages : public testing::TestWithParam<Isa> {};
 
 TEST_P(GuardPages, NoKernelReadsOrWritesOutsideItsArrays) {
@@ -101,7 +181,11 @@ TEST_P(GuardPages, NoKernelReadsOrWritesOutsideItsArrays) {
     points.set_features(std::span<const Index>(soup.points));
     edges.set_features(std::span<const Edge>(soup.edges));
     faces.set_features(std::span<const Face>(soup.faces));
-    for (BlockTree* tree : {&points, &edges, &faces}) tree->build(motion, kernels->trees);
+    motion.assign_drifts({soup.start, soup.end}, soup.start, soup.points);
+    for (BlockTree* tree : {&points, &edges, &faces}) {
+      tree->build(motion, kernels->trees);
+      tree->refit_drifts(motion, kernels->trees);
+    }
     for (const Guard guard : {Guard::before, Guard::behind}) {
       const Guarded<PackedVertex> vertices(motion.vertices, guard);
       const Guarded<BoxVertex> box_vertices(motion.box_vertices, guard);
@@ -114,6 +198,13 @@ TEST_P(GuardPages, NoKernelReadsOrWritesOutsideItsArrays) {
       EXPECT_LE(ee[0], 9 * triangles * (triangles - 1) / 2);
       for (const auto& counts : {vf, ee})
         for (std::size_t stage = 1; stage < counts.size(); ++stage) EXPECT_LE(counts[stage], counts[stage - 1]);
+      for (const auto& [kind, a, b] : {std::tuple(PairKind::vertex_face, &p, &f), {PairKind::edge_edge, &e, &e}}) {
+        const auto near = run_near(*kernels, kind, *a, *b, vertices.data(), guard);
+        EXPECT_GT(near[0], 0);
+        EXPECT_LE(near[1], near[0]);
+        EXPECT_GT(run_gaps(*kernels, kind, *a, *b, vertices.data(), guard), 0);
+      }
+      run_other_kinds(*kernels, 3 * triangles, vertices.data(), box_vertices.data(), guard);
     }
   }
 }

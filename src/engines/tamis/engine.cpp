@@ -93,57 +93,79 @@ class TamisEngine final : public Engine, public RestEngine {
   template <class Samples>
   void search(FoundContacts& found, const Samples& samples) {
     t_limit_ = 1;
-    const bool may_help = memory_.serves() && (found.question() != Question::all_contacts || memory_.covers(1));
-    if (may_help && search_samples(found, samples, true)) return;
-    search_samples(found, samples, false);
-  }
-
-  /// The step is shortened only between samples: the answer knows nothing of threads. False: some of what is not listed
-  /// may touch.
-  template <class Samples>
-  bool search_samples(FoundContacts& found, const Samples& samples, bool is_listed) {
-    constexpr int kEnough = 8;  // a sample of an eighth tells whether the step becomes short
+    const bool wants_all = found.question() == Question::all_contacts;
+    const bool may_help = memory_.serves() && (!wants_all || memory_.covers(1));
+    const bool is_listed = may_help && search_listed(found, samples);
     for (const Sample& sample : samples) {
       trees_.for_each_kind([&](PairKind kind, const TreeView& a, const TreeView& b) {
-        search_sample(found, kind, a, b, sample, is_listed && can_cross(kind));
+        if (!(is_listed && can_cross(kind))) search_sample(found, kind, a, b, sample);
       });
-      for (StagePipeline& pipeline : pipelines_) {
-        pipeline.finish();
-        found.take(pipeline.found());
+      learn(found);
+    }
+  }
+
+  /// False: some of what is not listed may touch.
+  template <class Samples>
+  bool search_listed(FoundContacts& found, const Samples& samples) {
+    memory_.use_lists();
+    for (const GapBand& band : kGapBands) {
+      for (const Sample& sample : samples) {
+        trees_.for_each_kind([&](PairKind kind, const TreeView& a, const TreeView& b) {
+          if (can_cross(kind)) search_band(found, kind, a, b, band, sample);
+        });
+        learn(found);
       }
-      for (StagePipeline& pipeline : pipelines_) pipeline.found().learn(found);
-      t_limit_ = std::min(t_limit_, float_after(found.latest()));
-      if (is_listed && sample.stride <= kEnough && !memory_.covers(t_limit_)) return false;
+      if (!memory_.covers(t_limit_)) return false;
     }
     return true;
   }
 
+  /// The step is shortened only between samples, and bands: the answer knows nothing of threads.
+  void learn(FoundContacts& found) {
+    for (StagePipeline& pipeline : pipelines_) {
+      pipeline.finish();
+      found.take(pipeline.found());
+    }
+    for (StagePipeline& pipeline : pipelines_) pipeline.found().learn(found);
+    t_limit_ = std::min(t_limit_, float_after(found.latest()));
+  }
+
   void search_sample(const FoundContacts& found, PairKind kind, const TreeView& a, const TreeView& b,
-                     const Sample& sample, bool is_listed) {
+                     const Sample& sample) {
     constexpr int kGrain = 8;
+    for_each_part(found, kind, count_in(sample, a.leaf_blocks), kGrain,
+                  [&](StagePipeline& pipeline, int begin, int end) {
+                    const int first = sample.first + begin * sample.stride, last = sample.first + end * sample.stride;
+                    const BlockRange blocks{first, std::min(last, a.leaf_blocks), sample.stride};
+                    pipeline.search(kind, a, b, blocks, t_limit_, is_short(t_limit_));
+                  });
+  }
+
+  void search_band(const FoundContacts& found, PairKind kind, const TreeView& a, const TreeView& b, const GapBand& band,
+                   const Sample& sample) {
+    constexpr int kGrain = 64;
+    for_each_part(found, kind, count_in(sample, a.leaf_blocks), kGrain,
+                  [&](StagePipeline& pipeline, int begin, int end) {
+                    std::vector<std::int32_t>& others = pipeline.others();
+                    for (int i = begin; i < end; ++i) {
+                      const int block = sample.first + i * sample.stride;
+                      others.clear();
+                      memory_.append_unproven(kind, block, band, t_limit_, others);
+                      if (!others.empty()) pipeline.search(kind, a, b, block, others, t_limit_, is_short(t_limit_));
+                    }
+                  });
+  }
+
+  /// f(pipeline of the thread, begin, end) for all parts of 0 to `count`.
+  template <class F>
+  void for_each_part(const FoundContacts& found, PairKind kind, int count, int grain, const F& f) {
     if (!found.wants(kind)) return;
-    const tbb::blocked_range<int> all(0, count_in(sample, a.leaf_blocks), kGrain);
-    tbb::parallel_for(all, [&](const tbb::blocked_range<int>& part) {
+    tbb::parallel_for(tbb::blocked_range<int>(0, count, grain), [&](const tbb::blocked_range<int>& part) {
       bool is_known = false;
       StagePipeline& pipeline = pipelines_.local(is_known);
       if (!is_known) pipeline.begin(found);
-      const int first = sample.first + part.begin() * sample.stride, last = sample.first + part.end() * sample.stride;
-      const BlockRange blocks{first, std::min(last, a.leaf_blocks), sample.stride};
-      if (is_listed)
-        search_listed(pipeline, kind, a, b, blocks);
-      else
-        pipeline.search(kind, a, b, blocks, t_limit_, is_short(t_limit_));
+      f(pipeline, part.begin(), part.end());
     });
-  }
-
-  void search_listed(StagePipeline& pipeline, PairKind kind, const TreeView& a, const TreeView& b,
-                     const BlockRange& blocks) {
-    std::vector<std::int32_t>& others = pipeline.others();
-    for (int block = blocks.first; block < blocks.last; block += blocks.stride) {
-      others.clear();
-      memory_.append_unproven(kind, block, t_limit_, others);
-      if (!others.empty()) pipeline.search(kind, a, b, block, others, t_limit_, is_short(t_limit_));
-    }
   }
 
   void collect(Statistics& statistics, double seconds) {

@@ -52,8 +52,13 @@ void FeatureTrees::update_trees(Statistics& statistics) {
   statistics.rebuilt = true;
 }
 
-void FeatureTrees::count_drifts(const Step& step, const Positions& before) {
+const PackedMotion& FeatureTrees::count_vertex_drifts(const Step& step, const Positions& before) {
   motion_.assign_drifts(step, before, mesh_.points());
+  return motion_;
+}
+
+void FeatureTrees::count_drifts(const Step& step, const Positions& before) {
+  count_vertex_drifts(step, before);
   for (BlockTree* tree : {&points_, &edges_, &faces_, &loose_points_, &loose_edges_})
     tree->refit_drifts(motion_, kernels_.trees);
 }

@@ -21,6 +21,8 @@ class FeatureTrees {
   /// What of each feature has moved since the positions `before`, for the questions that ask: drifts of motion and
   /// trees.
   void count_drifts(const Step& step, const Positions& before);
+  /// The same of vertices alone.
+  const PackedMotion& count_vertex_drifts(const Step& step, const Positions& before);
   /// How often the trees have been built: blocks of one building are not those of another.
   int builds() const { return builds_; }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace tamis {
 namespace {
@@ -14,7 +15,9 @@ constexpr double kFollows = 0.25;
 /// Lists of which so much has to be looked at are of no use for a while.
 constexpr double kUseless = 0.5;
 constexpr int kPause = 16;
-constexpr int kWorthwhile = 3;
+/// Making lists takes as long as two or three questions: they are made when so many from one start would have been
+/// served.
+constexpr int kPatience = 2, kWorthwhile = 3;
 
 void copy(const Positions& from, std::span<const Index> used, std::vector<Point>& to) {
   to.resize(static_cast<std::size_t>(from.count()));
@@ -34,18 +37,6 @@ double mean_extent(const TreeView& tree) {
   return tree.leaf_blocks > 0 ? sum / tree.leaf_blocks : 0;
 }
 
-/// How far any two vertices have moved against each other, at most, until t. `tree` is that of all points.
-float drift_of_all(const TreeView& tree, float t) {
-  if (tree.leaf_blocks == 0) return 0;
-  const BoxBlock& root = tree.drifts[tree.level_count - 1][0];
-  MovingBox all;
-  for (int lane = 0; lane < kBlock; ++lane) all.include({root, lane});
-  float squares[2] = {};
-  for (int i = 0; i < 6; ++i) squares[i / 3] += (all.high[i] - all.low[i]) * (all.high[i] - all.low[i]);
-  const float start = std::sqrt(squares[0]), end = std::sqrt(squares[1]);
-  return std::max(start, start + t * (end - start));
-}
-
 }  // namespace
 
 void GapMemory::begin(const Step& step) {
@@ -60,41 +51,68 @@ void GapMemory::begin(const Step& step) {
   serves_ = holds;
   if (!holds) return;
   scale_ = static_cast<float>(ratio);
-  trees_.count_drifts(step, where_);
+  count_drifts(step);
 }
 
-bool GapMemory::covers(float t) const { return drift_of_all(trees_.points(), t) < 0.99f * (reach_ * scale_); }
+void GapMemory::count_drifts(const Step& step) {
+  all_drifts_ = drifts_of(trees_.count_vertex_drifts(step, where_), mesh_.points());
+  drift_of_blocks_is_known_ = false;
+}
 
-void GapMemory::append_unproven(PairKind kind, int block, float t, std::vector<std::int32_t>& others) {
+void GapMemory::use_lists() {
+  if (std::exchange(drift_of_blocks_is_known_, true)) return;
+  if (drifting_builds_ != trees_.builds()) {
+    const std::size_t vertices = where_.size();
+    points_.set_blocks(trees_.points(), vertices);
+    edges_.set_blocks(trees_.edges(), vertices);
+    faces_.set_blocks(trees_.faces(), vertices);
+    drifting_builds_ = trees_.builds();
+  }
+  for (BlockDrifts* drifts : {&points_, &edges_, &faces_}) drifts->count(trees_.motion());
+}
+
+/// How far any two vertices have moved against each other, at most, until t.
+float GapMemory::drift_of_all(float t) const { return RelativeDrift(all_drifts_, all_drifts_).until(t); }
+
+bool GapMemory::covers(float t) const { return drift_of_all(t) < 0.99f * (reach_ * scale_); }
+
+void GapMemory::append_unproven(PairKind kind, int block, const GapBand& band, float t,
+                                std::vector<std::int32_t>& others) {
   const std::size_t before = others.size();
-  if (kind == PairKind::vertex_face)
-    vf_.append_unproven(trees_.points(), trees_.faces(), block, t, scale_, others);
-  else
-    ee_.append_unproven(trees_.edges(), trees_.edges(), block, t, scale_, others);
-  unproven_.fetch_add(others.size() - before, std::memory_order_relaxed);
+  const bool is_vf = kind == PairKind::vertex_face;
+  const BlockDrifts &a = is_vf ? points_ : edges_, &b = is_vf ? faces_ : edges_;
+  const GapScan scan{&a.boxes()[static_cast<std::size_t>(block)], b.boxes().data(), scale_, t};
+  // No two blocks have drifted farther against each other than any two vertices.
+  const float used = 1.02f * drift_of_all(t) / scale_;
+  (is_vf ? vf_ : ee_)
+      .append_unproven(kernels_, block, band.from * reach_, std::min(band.to * reach_, used), scan, others);
+  if (others.size() > before) unproven_.fetch_add(others.size() - before, std::memory_order_relaxed);
 }
 
 void GapMemory::end(const Step& step, float t) {
   if (!follows_ || !trees_.motion().separations.radii.empty()) return;
-  if (pause_ > 0) {
-    --pause_;
-    return;
-  }
-  const std::size_t unproven = unproven_, all = vf_.size() + ee_.size();
-  if (serves_ && covers(t)) {
+  if (serves_ && covers(0)) {
+    if (!covers(t)) return;
+    const std::size_t unproven = unproven_, all = vf_.size() + ee_.size();
     if (static_cast<double>(unproven) > kUseless * static_cast<double>(all)) return give_up();
     if (most_unproven_ == 0) most_unproven_ = std::max(2 * unproven, all / 8);
     ++served_;
     if (unproven <= most_unproven_) return;
   }
-  // Making lists costs as much as a question: they must have saved some.
+  if (!starts_again_ || ++asked_again_ < kPatience) return;
+  // Making lists costs as much as some questions: the last ones must have saved some.
   if (!where_.empty() && served_ < kWorthwhile) return give_up();
-  if (starts_again_) remember(step, t);
+  remember(step, t);
+}
+
+/// In the unit of the boxes.
+float GapMemory::reach_now() const {
+  return static_cast<float>(kReach * std::max(mean_extent(trees_.edges()), mean_extent(trees_.faces())));
 }
 
 void GapMemory::give_up() {
   forget();
-  pause_ = kPause;
+  asked_again_ = -kPause;
 }
 
 bool GapMemory::follows(const Step& step) {
@@ -109,25 +127,28 @@ bool GapMemory::follows(const Step& step) {
       size += std::fabs(step.start[edges[e][1]][axis] - step.start[edges[e][0]][axis]);
     }
   starts_again_ = moved == 0;
+  if (!starts_again_) asked_again_ = std::min(asked_again_, 0);
   return moved <= kFollows * size;
 }
 
 void GapMemory::remember(const Step& step, float t) {
   where_ = last_;
-  trees_.count_drifts(step, where_);
+  count_drifts(step);
+  if (drift_of_all(t) > 0.5f * reach_now()) return forget();
+  use_lists();
   builds_ = trees_.builds();
   unit_ = trees_.motion().frame.scale;
   separation_ = trees_.motion().separations.fixed;
   most_unproven_ = 0;
   served_ = 0;
   const TreeView points = trees_.points(), edges = trees_.edges(), faces = trees_.faces();
-  reach_ = static_cast<float>(kReach * std::max(mean_extent(edges), mean_extent(faces)));
+  reach_ = reach_now();
   scale_ = 1;
-  if (drift_of_all(points, t) > 0.5f * reach_) return give_up();
   const auto separation = static_cast<float>(separation_ * unit_ * (1 + 0x1p-20));
   const PackedVertex* vertices = trees_.motion().vertices.data();
-  vf_.make({PairKind::vertex_face, kernels_, {points, faces, vertices, 1 / unit_}, reach_, separation, t});
-  ee_.make({PairKind::edge_edge, kernels_, {edges, edges, vertices, 1 / unit_}, reach_, separation, t});
+  vf_.make(
+      {PairKind::vertex_face, kernels_, {points, faces, vertices, 1 / unit_}, points_, faces_, reach_, separation, t});
+  ee_.make({PairKind::edge_edge, kernels_, {edges, edges, vertices, 1 / unit_}, edges_, edges_, reach_, separation, t});
   const auto blocks = static_cast<std::size_t>(points.leaf_blocks) + static_cast<std::size_t>(edges.leaf_blocks);
   if (vf_.size() + ee_.size() > kMostNear * blocks) give_up();
 }

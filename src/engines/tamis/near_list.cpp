@@ -17,34 +17,19 @@ constexpr float kAhead = 8;
 /// And up to this part of the reach, where hardly anything has moved.
 constexpr float kLeast = 1.0f / 32;
 
-/// The largest difference of two boxes' displacements.
-float largest_difference(const float (&low_a)[3][kBlock], const float (&high_a)[3][kBlock], int a,
-                         const float (&low_b)[3][kBlock], const float (&high_b)[3][kBlock], int b) {
-  float square = 0;
-  for (int axis = 0; axis < 3; ++axis) {
-    const float way = std::max(high_a[axis][a] - low_b[axis][b], high_b[axis][b] - low_a[axis][a]);
-    square += way * way;
-  }
-  return std::sqrt(square);
-}
-
 /// Calls f(leaf block, gap) for the leaf blocks of `tree` whose hulls at t=0 are within `reach` of one hull, by their
 /// largest gap along an axis.
 template <class F>
-void for_each_near(const TreeView& tree, int level, int node, const BoxBlock& of, int lane, float reach, const F& f) {
-  const BoxBlock& hulls = tree.levels[level][node];
-  float gaps[kBlock] = {};
-  for (int axis = 0; axis < 3; ++axis) {
-    const float low = of.low0[axis][lane], high = of.high0[axis][lane];
-    for (int i = 0; i < kBlock; ++i)
-      gaps[i] = std::max(gaps[i], std::max(hulls.low0[axis][i] - high, low - hulls.high0[axis][i]));
-  }
-  for (int i = 0; i < kBlock; ++i) {
-    if (!(gaps[i] < reach)) continue;
+void for_each_near(const Kernels& kernels, const TreeView& tree, int level, int node, const BoxBlock& of, int lane,
+                   float reach, const F& f) {
+  float gaps[kBlock];
+  unsigned near = kernels.near_hulls(tree.levels[level][node], of, lane, reach, gaps);
+  for (; near; near &= near - 1) {
+    const int i = __builtin_ctz(near);
     if (level == 1)
       f(node * kBlock + i, gaps[i]);
     else
-      for_each_near(tree, level - 1, node * kBlock + i, of, lane, reach, f);
+      for_each_near(kernels, tree, level - 1, node * kBlock + i, of, lane, reach, f);
   }
 }
 
@@ -58,18 +43,10 @@ float largest_extent(const BoxBlock& a, int i, const BoxBlock& b, int j) {
 
 }  // namespace
 
-RelativeDrift::RelativeDrift(const TreeView& a, int block, const TreeView& b, int other) {
-  const BoxBlock &of_a = a.drifts[1][block / kBlock], &of_b = b.drifts[1][other / kBlock];
-  const int i = block % kBlock, j = other % kBlock;
-  at_start = largest_difference(of_a.low0, of_a.high0, i, of_b.low0, of_b.high0, j);
-  at_end = largest_difference(of_a.low1, of_a.high1, i, of_b.low1, of_b.high1, j);
-}
-
-float RelativeDrift::until(float t) const { return std::max(at_start, at_start + t * (at_end - at_start)); }
-
 void NearList::clear() {
   first_.clear();
-  entries_.clear();
+  others_.clear();
+  gaps_.clear();
 }
 
 void NearList::make(const Making& making) {
@@ -84,11 +61,17 @@ void NearList::make(const Making& making) {
       measure(making, block, *own, rows[static_cast<std::size_t>(block)]);
   });
   clear();
-  for (const Row& row : rows) {
-    first_.push_back(entries_.size());
-    entries_.insert(entries_.end(), row.begin(), row.end());
+  for (Row& row : rows) {
+    first_.push_back(others_.size());
+    std::sort(row.begin(), row.end(), [](const Entry& a, const Entry& b) { return a.gap < b.gap; });
+    for (const Entry& entry : row) {
+      others_.push_back(entry.other);
+      gaps_.push_back(entry.gap);
+    }
   }
-  first_.push_back(entries_.size());
+  first_.push_back(others_.size());
+  others_.resize(others_.size() + kBlock);
+  gaps_.resize(others_.size());
 }
 
 void NearList::measure(const Making& making, int block, PairBuffer& scratch, Row& row) {
@@ -98,9 +81,11 @@ void NearList::measure(const Making& making, int block, PairBuffer& scratch, Row
   const auto gap_of_blocks = is_self ? making.kernels.gap_ee : making.kernels.gap_vf;
   const BoxBlock& hulls = a.levels[1][block / kBlock];
   const int lane = block % kBlock;
-  for_each_near(b, b.level_count - 1, 0, hulls, lane, making.reach, [&](int other, float hull_gap) {
+  const MovingBox& drifts = making.drifts_a.boxes()[static_cast<std::size_t>(block)];
+  for_each_near(making.kernels, b, b.level_count - 1, 0, hulls, lane, making.reach, [&](int other, float hull_gap) {
     if (is_self && other < block) return;
-    const float moved = RelativeDrift(a, block, b, other).until(making.until);
+    const float moved =
+        RelativeDrift(drifts, making.drifts_b.boxes()[static_cast<std::size_t>(other)]).until(making.until);
     // As in kernels/near_boxes.hpp: the three sizes of a pair are together at most three times the largest extent.
     const float extent = largest_extent(hulls, lane, b.levels[1][other / kBlock], other % kBlock);
     const float room = 4 * static_cast<float>(error_bounds::kRoomToAdvance) * extent;
@@ -113,15 +98,18 @@ void NearList::measure(const Making& making, int block, PairBuffer& scratch, Row
   });
 }
 
-void NearList::append_unproven(const TreeView& a, const TreeView& b, int block, float t, float scale,
+void NearList::append_unproven(const Kernels& kernels, int block, float from, float to, GapScan scan,
                                std::vector<std::int32_t>& others) const {
-  // What the room of a pair has grown by since: its sizes are larger by at most six times the relative drift.
-  constexpr float kGrown = 1 + 8 * static_cast<float>(error_bounds::kRoomToAdvance);
-  const auto i = static_cast<std::size_t>(block);
-  for (std::size_t at = first_[i]; at < first_[i + 1]; ++at) {
-    const Entry& entry = entries_[at];
-    if (!(entry.gap * scale > kGrown * RelativeDrift(a, block, b, entry.other).until(t))) others.push_back(entry.other);
-  }
+  const auto row = first_.begin() + block;
+  const float *begin = gaps_.data() + row[0], *end = gaps_.data() + row[1];
+  if (from >= to || begin == end || *begin >= to) return;
+  scan.gaps = std::lower_bound(begin, end, from);
+  scan.count = static_cast<int>(std::lower_bound(scan.gaps, end, to) - scan.gaps);
+  if (scan.count == 0) return;
+  scan.others = others_.data() + (scan.gaps - gaps_.data());
+  const std::size_t before = others.size();
+  others.resize(before + static_cast<std::size_t>(scan.count) + kBlock);
+  others.resize(before + static_cast<std::size_t>(kernels.unproven(scan, others.data() + before)));
 }
 
 }  // namespace tamis

@@ -4,27 +4,19 @@
 #include <cstdint>
 #include <vector>
 
+#include "engines/tamis/block_drifts.hpp"
 #include "kernels/kernels.hpp"
 
 namespace tamis {
 
-/// Bounds, in the unit of the boxes, of how far points of two leaf blocks have moved against each other since drifts
-/// are counted, at both ends of the step; what they have in common cancels.
-struct RelativeDrift {
-  float at_start, at_end;
-
-  RelativeDrift(const TreeView& a, int block, const TreeView& b, int other);
-  /// At any time until t: positions are linear in time, so a distance of two of them is convex.
-  float until(float t) const;
-};
-
 class NearList {
  public:
-  /// What a list is made of: trees at t=0 with drifts from there.
+  /// What a list is made of: trees at t=0, and the drifts of their blocks from there.
   struct Making {
     PairKind kind;
     const Kernels& kernels;
     GapQuestion question;
+    const BlockDrifts &drifts_a, &drifts_b;
     float reach;       ///< blocks whose hulls are farther apart are not listed
     float separation;  ///< taken off every gap
     float until;       ///< what moves until then against each other should be covered, kAhead times
@@ -33,12 +25,14 @@ class NearList {
   /// Runs in the caller's oneTBB arena.
   void make(const Making& making);
   void clear();
-  /// Appends the blocks of b that may touch `block` of a until t; gaps are multiplied by `scale` first.
-  void append_unproven(const TreeView& a, const TreeView& b, int block, float t, float scale,
+  /// Appends the blocks of b that may touch `block` of a: of those whose gap is in [from, to), the ones that the drifts
+  /// in `scan` do not leave apart.
+  void append_unproven(const Kernels& kernels, int block, float from, float to, GapScan scan,
                        std::vector<std::int32_t>& others) const;
-  std::size_t size() const { return entries_.size(); }
+  std::size_t size() const { return first_.empty() ? 0 : first_.back(); }
   std::uint64_t memory_bytes() const {
-    return entries_.capacity() * sizeof(Entry) + first_.capacity() * sizeof(std::size_t);
+    return others_.capacity() * sizeof(std::int32_t) + gaps_.capacity() * sizeof(float) +
+           first_.capacity() * sizeof(std::size_t);
   }
 
  private:
@@ -50,8 +44,9 @@ class NearList {
 
   static void measure(const Making& making, int block, PairBuffer& scratch, Row& row);
 
-  std::vector<std::size_t> first_;  ///< of each block of a, and the end
-  std::vector<Entry> entries_;
+  std::vector<std::size_t> first_;    ///< of each block of a, and the end
+  std::vector<std::int32_t> others_;  ///< a block more than there are: they are read in lanes
+  std::vector<float> gaps_;           ///< rising, of each block
 };
 
 }  // namespace tamis

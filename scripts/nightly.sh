@@ -1,0 +1,19 @@
+#!/usr/bin/env bash
+# nightly.sh: all tests, and what takes too long for every day: clang-tidy over everything, both sanitizers, the unit
+# tests on 64-bit ARM, an hour of attacks and one of fuzzing. Some four hours on two cores; goes on after a failure,
+# and names it at the end.
+set -uo pipefail
+cd "$(dirname "$0")/.."
+
+failed=()
+run() { echo "nightly: $*"; "$@" || failed+=("$*"); }
+run scripts/test.sh
+run scripts/check_tidy.sh build/dev --all
+run scripts/sanitize.sh address
+run scripts/sanitize.sh thread
+run scripts/test_arm64.sh --all
+run scripts/hostile.sh 3600
+run scripts/fuzz.sh 600
+((${#failed[@]} == 0)) && echo "nightly: all passed" && exit 0
+printf 'nightly: failed: %s\n' "${failed[@]}" >&2
+exit 1

@@ -10,11 +10,6 @@
 namespace tamis::c {
 namespace {
 
-Step step_of(const tamis_step& given) {
-  return {positions(given.start, given.vertex_count, given.start_stride, "start"),
-          positions(given.end, given.vertex_count, given.end_stride, "end")};
-}
-
 using Separation = std::optional<double>;
 
 /// The same for a question.

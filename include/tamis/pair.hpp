@@ -24,10 +24,13 @@ struct PairResult {
 struct PairOptions {
   Guarantee guarantee = Guarantee::exact;
   double min_separation = 0;  ///< d >= 0, in the unit of the positions: contact means Euclidean distance <= d
+  /// The latest time of interest, in [0,1]: a pair that is proven apart until then is free. Of others it changes
+  /// nothing.
+  double latest = 1;
 };
 
 /// A vertex against a face: p, then its corners a b c, each moving on a straight line. May be called from several
-/// threads. Throws InvalidStep on NaN or infinity, InvalidOptions unless the separation is finite and >= 0.
+/// threads. Throws InvalidStep on NaN or infinity, InvalidOptions on an option outside its range.
 PairResult vertex_face(const std::array<Point, 4>& start, const std::array<Point, 4>& end, const PairOptions& = {});
 /// Edge (0,1) against edge (2,3); otherwise the same.
 PairResult edge_edge(const std::array<Point, 4>& start, const std::array<Point, 4>& end, const PairOptions& = {});
@@ -46,9 +49,10 @@ struct Pair {
 
 struct PairListOptions {
   Guarantee guarantee = Guarantee::exact;
-  double min_separation = 0;  ///< as in PairOptions
-  int threads = 0;            ///< as in Options: 0 is as many as the caller's oneTBB arena gives
-  Isa isa = Isa::best;        ///< speed only
+  double min_separation = 0;  ///< as in PairOptions, as is what follows
+  double latest = 1;
+  int threads = 0;      ///< as in Options: 0 is as many as the caller's oneTBB arena gives
+  Isa isa = Isa::best;  ///< speed only
   /// As in Options: once it says true, asked again and again, the call throws Cancelled.
   std::function<bool()> is_cancelled = nullptr;
 };

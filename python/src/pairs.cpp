@@ -23,7 +23,7 @@ nb::object decide_all(const PairRows<corners>& start, const PairRows<corners>& e
                       double min_separation) {
   std::vector<PairResult> results(start.shape(0));
   Signals signals;
-  const PairListOptions options{guarantee_from_name(guarantee), min_separation, 0, Isa::best,
+  const PairListOptions options{guarantee_from_name(guarantee), min_separation, 1, 0, Isa::best,
                                 [&] { return signals.ask(); }};
   signals.begin();
   try {

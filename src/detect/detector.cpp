@@ -183,9 +183,7 @@ EarliestContact Detector::earliest(const Step& step, std::optional<double> min_s
 }
 
 SafeStep Detector::keep_distance(const Step& step, double fraction, std::optional<double> min_separation) {
-  if (!(fraction >= 0 && fraction < 1))
-    throw InvalidOptions("the fraction of the distance to keep is " + std::to_string(fraction) +
-                         ": give a number >= 0 and < 1");
+  validate_kept(fraction);
   if (fraction > 0) return state_->keep_distance(step, state_->separations(min_separation), fraction);
   const EarliestContact first = earliest(step, min_separation);
   if (!first.contact) return {};
@@ -232,7 +230,7 @@ bool Detector::is_free(const Path& path, std::optional<double> min_separation, d
 
 namespace {
 
-void validate_kept(double fraction) {
+void validate_kept_part(double fraction) {
   if (!(fraction > 0 && fraction < 1))
     throw InvalidOptions("the fraction of the distance to keep is " + std::to_string(fraction) +
                          ": give a number > 0 and < 1");
@@ -241,12 +239,12 @@ void validate_kept(double fraction) {
 }  // namespace
 
 VertexSteps Detector::vertex_steps(const Step& step, double fraction, std::optional<double> min_separation) {
-  validate_kept(fraction);
+  validate_kept_part(fraction);
   return state_->vertex_steps(step, state_->separations(min_separation), fraction);
 }
 
 TruncatedStep Detector::truncate(const Step& step, double fraction, std::optional<double> min_separation) {
-  validate_kept(fraction);
+  validate_kept_part(fraction);
   const auto start = std::chrono::steady_clock::now();
   Truncation truncation(step, vertex_steps(step, fraction, min_separation));
   do {

@@ -5,6 +5,7 @@
 
 #include "detect/arena.hpp"
 #include "detect/list_part.hpp"
+#include "detect/pair_faults.hpp"
 #include "detect/validate.hpp"
 #include "engines/cancellation.hpp"
 #include "solve/pair_input.hpp"
@@ -13,26 +14,6 @@
 
 namespace tamis {
 namespace {
-
-std::string no_such_kind(PairKind kind) {
-  return "no kind has the number " + std::to_string(static_cast<int>(kind)) + ": use one of the enumeration's names";
-}
-
-/// The sentence on one pair; empty if nothing is wrong with it.
-std::string fault_of(const Pair& pair, const Step& step) {
-  if (static_cast<std::size_t>(pair.kind) >= kPairKinds) return no_such_kind(pair.kind);
-  for (std::size_t i = 0; i < vertex_count(pair.kind); ++i) {
-    const Index v = pair.vertices[i];
-    if (v < 0 || v >= step.start.count())
-      return "vertex " + std::to_string(v) + " is no row of the step's " + std::to_string(step.start.count()) +
-             " positions: give indices in [0, " + std::to_string(step.start.count()) + ")";
-    for (const auto& [positions, when] : {std::pair(step.start, "start"), std::pair(step.end, "end")})
-      if (!is_finite(positions[v]))
-        return "vertex " + std::to_string(v) + " at the " + when +
-               " of the step has a coordinate that is not finite: give finite positions";
-  }
-  return {};
-}
 
 [[noreturn]] void refuse_first_fault(std::span<const Pair> pairs, const Step& step) {
   for (std::size_t i = 0;; ++i)
@@ -51,11 +32,7 @@ void validate(std::span<const Pair> pairs, const Step& step, std::span<PairResul
   if (results.size() != pairs.size())
     throw InvalidStep("there are " + std::to_string(pairs.size()) + " pairs and " + std::to_string(results.size()) +
                       " results: give as many results as pairs");
-  if (step.start.count() != step.end.count())
-    throw InvalidStep("the step has " + std::to_string(step.start.count()) + " positions at its start and " +
-                      std::to_string(step.end.count()) + " at its end: give as many");
-  validate_layout(step.start, "the start of the step");
-  validate_layout(step.end, "the end of the step");
+  validate_layout(step);
 }
 
 void validate(PairKind kind, std::span<const Point> start, std::span<const Point> end, std::span<PairResult> results) {
@@ -71,7 +48,7 @@ void validate(PairKind kind, std::span<const Point> start, std::span<const Point
 template <class PairsOf>
 bool decide_in_parts(std::span<PairResult> results, const PairListOptions& options, const PairsOf& pairs_of) {
   constexpr std::size_t kGrain = 8192;
-  const PairOptions rule{options.guarantee, options.min_separation};
+  const PairOptions rule{options.guarantee, options.min_separation, options.latest};
   validate(rule);
   validate_threads(options.threads);
   const Kernels& chosen = kernels(options.isa);

@@ -67,7 +67,15 @@ void validate_layout(const Positions& positions, const char* what) {
   if (positions.count() > 0 && (!positions.data() || positions.stride() < 3))
     throw InvalidStep(std::string(what) +
                       " is no n x 3 array of doubles, row by row: give three columns next to each other (of Eigen a "
-                      "RowMajor matrix) and a stride of at least 3");
+                      "RowMajor matrix or a Matrix3Xd, or points_of(matrix)) and a stride of at least 3");
+}
+
+void validate_layout(const Step& step) {
+  if (step.start.count() != step.end.count())
+    throw InvalidStep("the step has " + std::to_string(step.start.count()) + " positions at its start and " +
+                      std::to_string(step.end.count()) + " at its end: give as many");
+  validate_layout(step.start, "the start of the step");
+  validate_layout(step.end, "the end of the step");
 }
 
 void validate(const Positions& positions, const Mesh& mesh, const char* what) {
@@ -117,6 +125,11 @@ void validate_distance(double distance, const std::string& what) {
 void validate(const Step& step, const Mesh& mesh) {
   validate(step.start, mesh, "the start of the step");
   validate(step.end, mesh, "the end of the step");
+}
+
+void validate_kept(double fraction) {
+  check(fraction >= 0 && fraction < 1,
+        "the fraction of the distance to keep is " + std::to_string(fraction) + ": give a number >= 0 and < 1");
 }
 
 void validate_tolerance(double tolerance) {

@@ -14,12 +14,12 @@ DoubleLanes sum(const Moving<DoubleLanes>& v) { return (v.at0.x + v.at0.y + v.at
 /// As many pairs as there are lanes.
 template <PairKind kind>
 struct Clipped {
-  Clipped(const PackedVertex* vertices, double separation, const PairBuffer& pairs, int first)
-      : motion(load_motion<kind>(vertices, pairs, first, {separation, false})),
+  Clipped(const ListedPairs& list, const PairBuffer& pairs, int first)
+      : motion(load_motion<kind>(list.vertices, pairs, first, {list.options.min_separation, false})),
         time(SlabClip::clip<kind>(motion, TimeInterval<DoubleLanes>{DoubleLanes(0), DoubleLanes(1)})) {
     const DoubleLanes all = sum(motion.e) + sum(motion.f) + sum(motion.d);
     finite = bits(all - all == DoubleLanes(0));
-    free = finite & bits(time.t_in > time.t_out);
+    free = finite & bits((time.t_in > time.t_out) | (time.t_in > DoubleLanes(list.options.latest)));
   }
   unsigned starts_coplanar() const { return bits((time.t_in == DoubleLanes(0)) & may_start_coplanar(motion)); }
 
@@ -46,7 +46,7 @@ class Settling {
 
  private:
   void begin(const PairBuffer& in, int first) {
-    const Clipped<kind> c(list_.vertices, list_.options.min_separation, in, first);
+    const Clipped<kind> c(list_, in, first);
     const unsigned pairs = lanes_in_use(in, first), left = pairs & ~c.free;
     unsigned crossing = 0;
     if constexpr (can_cross(kind)) crossing = list_.options.min_separation > 0 ? 0 : left & c.finite;
@@ -64,7 +64,7 @@ class Settling {
   }
 
   void look_at_halves(int first) {
-    const Clipped<kind> c(list_.vertices, 0, rest_, first);
+    const Clipped<kind> c(list_, rest_, first);
     const std::int32_t* places = rest_places_ + first;
     const auto crossing = find_crossing_in_halves<kind>(c.motion, widened(c.time));
     for_each_bit(unsettled(c, lanes_in_use(rest_, first), places, crossing),
@@ -76,11 +76,12 @@ class Settling {
                      const Crossing<DoubleLanes>& crossing) {
     const auto s = settled(crossing, c.time, is_exact_);
     const unsigned free = lanes & bits(s.is_free), touches = lanes & ~free & bits(s.touches);
-    for_each_bit(free, [&](int i) { results_[places[i]] = {}; });
+    const unsigned late = touches & bits(s.lower > DoubleLanes(list_.options.latest));
+    for_each_bit(free | late, [&](int i) { results_[places[i]] = {}; });
     const DoubleLanes fields[] = {s.lower, s.upper, s.u, s.v, s.normal.x, s.normal.y, s.normal.z};
     double f[7][kDoubleLanes];
     for (int k = 0; k < 7; ++k) fields[k].store_unaligned(f[k]);
-    for_each_bit(touches, [&](int i) {
+    for_each_bit(touches & ~late, [&](int i) {
       results_[places[i]] = {true,    Certainty::certified,       f[0][i], f[1][i], f[2][i],
                              f[3][i], {f[4][i], f[5][i], f[6][i]}};
     });

@@ -118,13 +118,12 @@ PairResult with_weights(PairKind kind, const PairMotion<double>& m, const Decisi
   return result;
 }
 
-}  // namespace
-
-PairResult decide(PairKind kind, const PairPoints& points, const PairOptions& options, PrecisionCount& decided_by) {
+PairResult decide_step(PairKind kind, const PairPoints& points, const PairOptions& options,
+                       PrecisionCount& decided_by) {
   const auto m = make_motion(kind, points, options.min_separation);
   const auto clip = time_in_question(kind, m);
   std::optional<PairResult> settled;
-  if (clip.t_in > clip.t_out)
+  if (clip.t_in > clip.t_out || clip.t_in > options.latest)
     settled = PairResult{};
   else if (!is_about_distance(kind, m.separation))
     settled = kind == PairKind::vertex_face ? settled_by_crossings<PairKind::vertex_face>(m, clip, options.guarantee)
@@ -136,6 +135,13 @@ PairResult decide(PairKind kind, const PairPoints& points, const PairOptions& op
   const auto [decision, arithmetic] = decide_pair(kind, points, m, clip, options);
   ++(decided_by.*arithmetic);
   return with_weights(kind, m, decision);
+}
+
+}  // namespace
+
+PairResult decide(PairKind kind, const PairPoints& points, const PairOptions& options, PrecisionCount& decided_by) {
+  const PairResult result = decide_step(kind, points, options, decided_by);
+  return result.toi_lower > options.latest ? PairResult{} : result;
 }
 
 }  // namespace tamis

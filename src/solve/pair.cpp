@@ -40,6 +40,9 @@ void validate(const PairOptions& options) {
   if (!(options.min_separation >= 0) || std::isinf(options.min_separation))
     throw InvalidOptions("the minimum separation is " + std::to_string(options.min_separation) +
                          ": give a finite distance >= 0");
+  if (!(options.latest >= 0 && options.latest <= 1))
+    throw InvalidOptions("the latest time of interest is " + std::to_string(options.latest) +
+                         ": give a fraction of the step, >= 0 and <= 1");
   if (options.guarantee != Guarantee::conservative && options.guarantee != Guarantee::exact)
     throw InvalidOptions("no guarantee has the number " + std::to_string(static_cast<int>(options.guarantee)) +
                          ": use conservative or exact");

@@ -7,6 +7,7 @@
 
 #include "c/failure.hpp"
 #include "c/sized.hpp"
+#include "c/step.hpp"
 #include "tamis/detector.hpp"
 
 struct tamis_detector {
@@ -30,18 +31,6 @@ tamis_status with(tamis_detector* handle, const Work& work) noexcept {
                                                : handle->outcome.status();  // it still says why it was not made
   handle->is_asking.clear(std::memory_order_release);
   return status;
-}
-
-inline Positions positions(const double* rows, Index count, std::ptrdiff_t stride, const char* name) {
-  if (stride != 0 && stride < 3)
-    throw InvalidArgument(std::string(name) + "_stride is " + std::to_string(stride) +
-                          ": give the doubles from one row to the next, at least 3, or 0");
-  return {count > 0 ? &required(rows, name) : rows, count, stride == 0 ? 3 : stride};
-}
-
-inline Step step_of(const tamis_step& given) {
-  return {positions(given.start, given.vertex_count, given.start_stride, "start"),
-          positions(given.end, given.vertex_count, given.end_stride, "end")};
 }
 
 /// Of one question; none: the detector's.

@@ -1,19 +1,12 @@
 // Answers for lists of pairs.
 #pragma once
 #include <algorithm>
-#include <string>
+#include <vector>
 
 #include "c/sized.hpp"
 #include "tamis/pair.hpp"
 
 namespace tamis::c {
-
-/// Where the caller wants them.
-struct PairResults {
-  std::size_t count;
-  void* array;
-  std::size_t element_size;
-};
 
 inline tamis_pair_result result_of(const PairResult& r) {
   tamis_pair_result result{
@@ -22,16 +15,11 @@ inline tamis_pair_result result_of(const PairResult& r) {
   return result;
 }
 
-/// Writes `decide(i)` for each pair; a refused one is named.
-template <class Decide>
-void write_each(const PairResults& results, const Decide& decide) {
-  required(static_cast<unsigned char*>(results.array), "results");
-  check_size(results.element_size, sizeof(int32_t), "result");
-  for (std::size_t i = 0; i < results.count; ++i) try {
-      write_element(result_of(decide(i)), results.array, i, results.element_size);
-    } catch (const InvalidStep& e) {
-      throw InvalidStep("pair " + std::to_string(i) + ": " + e.what());
-    }
+inline void write_results(const std::vector<PairResult>& answers, tamis_pair_result* results, std::size_t result_size) {
+  if (answers.empty()) return;
+  required(results, "results");
+  check_size(result_size, sizeof(int32_t), "result");
+  for (std::size_t i = 0; i < answers.size(); ++i) write_element(result_of(answers[i]), results, i, result_size);
 }
 
 }  // namespace tamis::c

@@ -1,4 +1,5 @@
 // Questions about curved motion.
+#include <algorithm>
 #include <array>
 #include <numeric>
 #include <string>
@@ -46,18 +47,18 @@ template <std::size_t corners>
 using Ask = PairResult (*)(const Path&, const std::array<Index, corners>&, const PathOptions&);
 
 template <std::size_t corners>
-tamis_status ask_all(tamis_path* handle, const tamis_path_options* options, const int32_t* vertices,
-                     const PairResults& results, Ask<corners> ask) noexcept {
+tamis_status ask_all(tamis_path* handle, const tamis_path_options* options, const int32_t* vertices, std::size_t count,
+                     tamis_pair_result* results, std::size_t result_size, Ask<corners> ask) noexcept {
   return with_path(handle, [&](const Path& path) {
     const tamis_path_options given = options_of(options);
     const PathOptions chosen{separation(given.min_separation).value_or(0), given.tolerance};
-    if (results.count == 0) return;
-    const int32_t* rows = &required(vertices, "vertices");
-    write_each(results, [&](std::size_t i) {
+    std::vector<PairResult> answers;
+    for (std::size_t i = 0; i < count; ++i) {
       std::array<Index, corners> pair;
-      std::copy_n(rows + corners * i, corners, pair.begin());
-      return ask(path, pair, chosen);
-    });
+      std::copy_n(&required(vertices, "vertices") + corners * i, corners, pair.begin());
+      answers.push_back(ask(path, pair, chosen));
+    }
+    write_results(answers, results, result_size);
   });
 }
 
@@ -106,20 +107,20 @@ tamis_status tamis_path_points_at(tamis_path* path, double time, double* points)
 
 tamis_status tamis_path_vertex_face(tamis_path* path, const tamis_path_options* options, size_t count,
                                     const int32_t* vertices, tamis_pair_result* results, size_t result_size) {
-  return ask_all<4>(path, options, vertices, {count, results, result_size}, &tamis::vertex_face);
+  return ask_all<4>(path, options, vertices, count, results, result_size, &tamis::vertex_face);
 }
 
 tamis_status tamis_path_edge_edge(tamis_path* path, const tamis_path_options* options, size_t count,
                                   const int32_t* vertices, tamis_pair_result* results, size_t result_size) {
-  return ask_all<4>(path, options, vertices, {count, results, result_size}, &tamis::edge_edge);
+  return ask_all<4>(path, options, vertices, count, results, result_size, &tamis::edge_edge);
 }
 
 tamis_status tamis_path_vertex_edge(tamis_path* path, const tamis_path_options* options, size_t count,
                                     const int32_t* vertices, tamis_pair_result* results, size_t result_size) {
-  return ask_all<3>(path, options, vertices, {count, results, result_size}, &tamis::vertex_edge);
+  return ask_all<3>(path, options, vertices, count, results, result_size, &tamis::vertex_edge);
 }
 
 tamis_status tamis_path_vertex_vertex(tamis_path* path, const tamis_path_options* options, size_t count,
                                       const int32_t* vertices, tamis_pair_result* results, size_t result_size) {
-  return ask_all<2>(path, options, vertices, {count, results, result_size}, &tamis::vertex_vertex);
+  return ask_all<2>(path, options, vertices, count, results, result_size, &tamis::vertex_vertex);
 }

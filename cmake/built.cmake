@@ -2,6 +2,8 @@
 find_package(TBB REQUIRED)
 find_package(GMP REQUIRED)
 find_package(fmt REQUIRED)
+find_package(Eigen3 REQUIRED NO_MODULE)
+find_package(meshoptimizer REQUIRED)
 find_package(ZLIB REQUIRED)
 find_library(B64_LIBRARY b64 REQUIRED)
 
@@ -17,3 +19,5 @@ endfunction()
 built_library(tamis::tamis src/libtamis.a TBB::tbb GMP::gmp)
 built_library(tamis_io io/libtamis_io.a tamis::tamis fmt::fmt GMP::gmp ZLIB::ZLIB ${B64_LIBRARY})
 built_library(tamis_scenes scenes/libtamis_scenes.a tamis::tamis)
+built_library(tamis_simulation scenes/simulation/libtamis_simulation.a
+  tamis_io tamis_scenes Eigen3::Eigen meshoptimizer::meshoptimizer)

@@ -230,6 +230,8 @@ typedef struct tamis_pair_options {
   size_t size;
   const char* guarantee; /**< as in tamis_options */
   double min_separation; /**< the same */
+  int32_t threads;       /**< the same */
+  const char* isa;       /**< the same */
 } tamis_pair_options;
 
 /** Of a contact; what follows `touches` has no meaning if that is 0. */
@@ -259,6 +261,17 @@ TAMIS_API tamis_status tamis_vertex_edge(tamis_pairs* pairs, size_t count, const
 /** Two points: a pair is 6 doubles; otherwise the same. */
 TAMIS_API tamis_status tamis_vertex_vertex(tamis_pairs* pairs, size_t count, const double* start, const double* end,
                                            tamis_pair_result* results, size_t result_size);
+
+/** One pair of a list: what a broad phase hands on. */
+typedef struct tamis_pair {
+  int32_t kind;        /**< TAMIS_VERTEX_FACE, ... */
+  int32_t vertices[4]; /**< rows of the step: p a b c, a0 a1 b0 b1, p a b, or p q; the rest is not read */
+} tamis_pair;
+
+/** What each pair of a list does during the step; the positions may have any number of rows. Otherwise the same; the
+ * step's min_separation, where it is not NULL, takes the place of the handle's. */
+TAMIS_API tamis_status tamis_narrow_phase(tamis_pairs* pairs, const tamis_pair* list, size_t count,
+                                          const tamis_step* step, tamis_pair_result* results, size_t result_size);
 
 /* ---- Curved motion ---- */
 

@@ -24,7 +24,7 @@ from tamis._options import PaperOptions, ReducedModel
 from tamis._pairs import Pairs, edge_edge, vertex_edge, vertex_face, vertex_vertex
 from tamis._paths import BezierPath, CatmullRomPath, Path
 from tamis._rigid_path import RigidPath, between, interpolated, turned
-from tamis._scenes import Scene, scene, scene_names
+from tamis._scenes import Scene, scene, scene_names, simulate, simulated_scenes
 from tamis._statistics import Statistics
 
 __version__: str = _core.__version__
@@ -72,6 +72,8 @@ __all__ = [
     "read_mesh",
     "scene",
     "scene_names",
+    "simulate",
+    "simulated_scenes",
     "turned",
     "vertex_edge",
     "vertex_face",

@@ -10,23 +10,6 @@
 namespace tamis::c {
 namespace {
 
-Step step_of(const tamis_step& given) {
-  return {positions(given.start, given.vertex_count, given.start_stride, "start"),
-          positions(given.end, given.vertex_count, given.end_stride, "end")};
-}
-
-using Separation = std::optional<double>;
-
-/// The same for a question.
-template <class Work>
-tamis_status ask(tamis_detector* handle, const tamis_step* step, const Work& work) noexcept {
-  return with(handle, [&](tamis_detector& h) {
-    h.contacts.clear();
-    const tamis_step given = read_sized(step, "step");
-    work(h, step_of(given), given.min_separation ? Separation(*given.min_separation) : Separation());
-  });
-}
-
 tamis_contact contact_of(const Contact& c) {
   tamis_contact contact{
       static_cast<int32_t>(c.kind), static_cast<int32_t>(c.certainty), {}, c.toi_lower, c.toi_upper, c.u, c.v, {}};
@@ -104,13 +87,8 @@ tamis_status tamis_detector_contacts(tamis_detector* detector, const tamis_step*
 tamis_status tamis_detector_earliest(tamis_detector* detector, const tamis_step* step, double* toi_lower,
                                      double* toi_upper, size_t* count) {
   return ask(detector, step, [&](tamis_detector& handle, const tamis::Step& s, Separation d) {
-    double &lower = required(toi_lower, "toi_lower"), &upper = required(toi_upper, "toi_upper");
-    size_t& number = required(count, "count");
-    const tamis::EarliestContact first = handle.detector->earliest(s, d);
-    if (first.contact) handle.contacts.push_back(*first.contact);
-    lower = first.toi_lower;
-    upper = first.toi_upper;
-    number = handle.contacts.size();
+    const FirstTimes times = first_times(toi_lower, toi_upper, count);
+    times.write(handle, handle.detector->earliest(s, d));
   });
 }
 

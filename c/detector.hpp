@@ -7,6 +7,7 @@
 
 #include "c/failure.hpp"
 #include "c/sized.hpp"
+#include "c/step.hpp"
 #include "tamis/detector.hpp"
 
 struct tamis_detector {
@@ -32,11 +33,36 @@ tamis_status with(tamis_detector* handle, const Work& work) noexcept {
   return status;
 }
 
-inline Positions positions(const double* rows, Index count, std::ptrdiff_t stride, const char* name) {
-  if (stride != 0 && stride < 3)
-    throw InvalidArgument(std::string(name) + "_stride is " + std::to_string(stride) +
-                          ": give the doubles from one row to the next, at least 3, or 0");
-  return {count > 0 ? &required(rows, name) : rows, count, stride == 0 ? 3 : stride};
+/// Of one question; none: the detector's.
+using Separation = std::optional<double>;
+
+inline Separation separation(const double* given) { return given ? Separation(*given) : Separation(); }
+
+/// Runs `work(handle, step, separation)`.
+template <class Work>
+tamis_status ask(tamis_detector* handle, const tamis_step* step, const Work& work) noexcept {
+  return with(handle, [&](tamis_detector& h) {
+    h.contacts.clear();
+    const tamis_step given = read_sized(step, "step");
+    work(h, step_of(given), separation(given.min_separation));
+  });
+}
+
+/// Where the earliest contact goes.
+struct FirstTimes {
+  double *toi_lower, *toi_upper;
+  std::size_t* count;
+
+  void write(tamis_detector& handle, const EarliestContact& first) const {
+    if (first.contact) handle.contacts.push_back(*first.contact);
+    *toi_lower = first.toi_lower;
+    *toi_upper = first.toi_upper;
+    *count = handle.contacts.size();
+  }
+};
+
+inline FirstTimes first_times(double* toi_lower, double* toi_upper, std::size_t* count) {
+  return {&required(toi_lower, "toi_lower"), &required(toi_upper, "toi_upper"), &required(count, "count")};
 }
 
 /// Where a caller wants part of an answer.

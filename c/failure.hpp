@@ -56,6 +56,8 @@ inline void record_exception(Outcome& outcome) noexcept {
     outcome.fail(TAMIS_INVALID_MESH, e.what());
   } catch (const InvalidStep& e) {
     outcome.fail(TAMIS_INVALID_STEP, e.what());
+  } catch (const InvalidPath& e) {
+    outcome.fail(TAMIS_INVALID_PATH, e.what());
   } catch (const InvalidOptions& e) {
     outcome.fail(TAMIS_INVALID_OPTIONS, e.what());
   } catch (const Cancelled& e) {

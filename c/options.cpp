@@ -41,10 +41,12 @@ Options options_of(const tamis_options& given, Index vertex_count) {
   return options;
 }
 
-PairOptions options_of(const tamis_pair_options& given) {
-  PairOptions options;
+PairListOptions options_of(const tamis_pair_options& given) {
+  PairListOptions options;
   if (given.guarantee) options.guarantee = guarantee_from_name(given.guarantee);
   options.min_separation = given.min_separation;
+  options.threads = given.threads;
+  if (given.isa) options.isa = isa_from_name(given.isa);
   return options;
 }
 

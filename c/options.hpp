@@ -8,6 +8,6 @@ namespace tamis::c {
 
 /// `vertex_count`: of the mesh, for the arrays that have one entry a vertex. Throws InvalidOptions.
 Options options_of(const tamis_options& given, Index vertex_count);
-PairOptions options_of(const tamis_pair_options& given);
+PairListOptions options_of(const tamis_pair_options& given);
 
 }  // namespace tamis::c

@@ -1,60 +1,53 @@
 #include <algorithm>
-#include <string>
 
 #include "c/options.hpp"
+#include "c/pair_results.hpp"
 #include "c/sized.hpp"
+#include "c/step.hpp"
 #include "tamis/pair.hpp"
 
 struct tamis_pairs {
   tamis::c::Outcome outcome;
-  tamis::PairOptions options;
+  tamis::PairListOptions options;
   bool is_made = false;
 };
 
 namespace tamis::c {
 namespace {
 
-/// The question about one pair of a kind that has so many points.
-template <std::size_t corners>
-using Ask = PairResult (*)(const std::array<Point, corners>&, const std::array<Point, corners>&, const PairOptions&);
-
-template <std::size_t corners>
-std::array<Point, corners> points_of_pair(const double* rows, std::size_t pair) {
-  std::array<Point, corners> points;
-  std::copy_n(rows + 3 * corners * pair, 3 * corners, points.front().data());
-  return points;
-}
-
-tamis_pair_result result_of(const PairResult& r) {
-  tamis_pair_result result{
-      r.touches ? 1 : 0, static_cast<int32_t>(r.certainty), r.toi_lower, r.toi_upper, r.u, r.v, {}};
-  std::copy(r.normal.begin(), r.normal.end(), result.normal);
-  return result;
-}
-
-struct Lists {
-  std::size_t count;
-  const double *start, *end;
-  void* results;
-  std::size_t result_size;
-};
-
-template <std::size_t corners>
-tamis_status ask_all(tamis_pairs* pairs, const Lists& lists, Ask<corners> ask) noexcept {
+template <class Work>
+tamis_status ask(tamis_pairs* pairs, const Work& work) noexcept {
   if (!pairs) return TAMIS_INVALID_ARGUMENT;
   if (!pairs->is_made) return pairs->outcome.status();
-  return attempt(pairs->outcome, [&] {
-    if (lists.count == 0) return;
-    const double &start = required(lists.start, "start"), &end = required(lists.end, "end");
-    required(static_cast<unsigned char*>(lists.results), "results");
-    check_size(lists.result_size, sizeof(int32_t), "result");
-    for (std::size_t i = 0; i < lists.count; ++i) try {
-        const PairResult r = ask(points_of_pair<corners>(&start, i), points_of_pair<corners>(&end, i), pairs->options);
-        write_element(result_of(r), lists.results, i, lists.result_size);
-      } catch (const InvalidStep& e) {
-        throw InvalidStep("pair " + std::to_string(i) + ": " + e.what());
-      }
+  return attempt(pairs->outcome, [&] { work(*pairs); });
+}
+
+std::span<const Point> points_of(const double* rows, std::size_t count, const char* name) {
+  if (count == 0) return {};
+  return {reinterpret_cast<const Point*>(&required(rows, name)), count};
+}
+
+/// Pairs of one kind, `corners` points each.
+template <PairKind kind, std::size_t corners>
+tamis_status ask_about(tamis_pairs* pairs, std::size_t count, const double* start, const double* end,
+                       tamis_pair_result* results, std::size_t result_size) noexcept {
+  return ask(pairs, [&](tamis_pairs& handle) {
+    std::vector<PairResult> answers(count);
+    narrow_phase(kind, points_of(start, corners * count, "start"), points_of(end, corners * count, "end"), answers,
+                 handle.options);
+    write_results(answers, results, result_size);
   });
+}
+
+std::vector<Pair> list_of(const tamis_pair* list, std::size_t count) {
+  std::vector<Pair> pairs(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const tamis_pair& given = (&required(list, "list"))[i];
+    // What no kind is called must not become one when it is cut to a byte.
+    pairs[i].kind = static_cast<PairKind>(given.kind >= 0 && given.kind < 255 ? given.kind : 255);
+    std::copy_n(given.vertices, 4, pairs[i].vertices.begin());
+  }
+  return pairs;
 }
 
 }  // namespace
@@ -65,7 +58,7 @@ using namespace tamis::c;
 tamis_status tamis_pairs_create(const tamis_pair_options* options, tamis_pairs** pairs) {
   return make_handle(pairs, [&](tamis_pairs& handle) {
     if (options) handle.options = options_of(read_sized(options, "options"));
-    tamis::vertex_face({}, {}, handle.options);  // refuses options out of range
+    tamis::narrow_phase({}, tamis::Step{}, {}, handle.options);  // refuses options out of range
     handle.is_made = true;
   });
 }
@@ -76,20 +69,31 @@ const char* tamis_pairs_message(const tamis_pairs* pairs) { return pairs ? pairs
 
 tamis_status tamis_vertex_face(tamis_pairs* pairs, size_t count, const double* start, const double* end,
                                tamis_pair_result* results, size_t result_size) {
-  return ask_all<4>(pairs, {count, start, end, results, result_size}, &tamis::vertex_face);
+  return ask_about<tamis::PairKind::vertex_face, 4>(pairs, count, start, end, results, result_size);
 }
 
 tamis_status tamis_edge_edge(tamis_pairs* pairs, size_t count, const double* start, const double* end,
                              tamis_pair_result* results, size_t result_size) {
-  return ask_all<4>(pairs, {count, start, end, results, result_size}, &tamis::edge_edge);
+  return ask_about<tamis::PairKind::edge_edge, 4>(pairs, count, start, end, results, result_size);
 }
 
 tamis_status tamis_vertex_edge(tamis_pairs* pairs, size_t count, const double* start, const double* end,
                                tamis_pair_result* results, size_t result_size) {
-  return ask_all<3>(pairs, {count, start, end, results, result_size}, &tamis::vertex_edge);
+  return ask_about<tamis::PairKind::vertex_edge, 3>(pairs, count, start, end, results, result_size);
 }
 
 tamis_status tamis_vertex_vertex(tamis_pairs* pairs, size_t count, const double* start, const double* end,
                                  tamis_pair_result* results, size_t result_size) {
-  return ask_all<2>(pairs, {count, start, end, results, result_size}, &tamis::vertex_vertex);
+  return ask_about<tamis::PairKind::vertex_vertex, 2>(pairs, count, start, end, results, result_size);
+}
+
+tamis_status tamis_narrow_phase(tamis_pairs* pairs, const tamis_pair* list, size_t count, const tamis_step* step,
+                                tamis_pair_result* results, size_t result_size) {
+  return ask(pairs, [&](tamis_pairs& handle) {
+    const tamis_step given = read_sized(step, "step");
+    tamis::PairListOptions options = handle.options;
+    if (given.min_separation) options.min_separation = *given.min_separation;
+    const auto listed = list_of(list, count);
+    write_results(tamis::narrow_phase(listed, step_of(given), options), results, result_size);
+  });
 }

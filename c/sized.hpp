@@ -1,12 +1,15 @@
-// Structs that can grow: the caller's may be older or newer than the library's.
+// What goes over the border: structs that can grow, as the caller's may be older or newer than the library's, and
+// arrays.
 #pragma once
 #include <algorithm>
 #include <cstddef>
 #include <cstring>
 #include <string>
 #include <type_traits>
+#include <vector>
 
 #include "c/failure.hpp"
+#include "tamis/step.hpp"
 
 namespace tamis::c {
 
@@ -49,6 +52,11 @@ void write_element(const T& element, void* array, std::size_t i, std::size_t ele
   unsigned char* to = static_cast<unsigned char*>(array) + i * element_size;
   std::memcpy(to, &element, std::min(element_size, sizeof(T)));
   if (element_size > sizeof(T)) std::memset(to + sizeof(T), 0, element_size - sizeof(T));
+}
+
+/// Points as rows of three doubles.
+inline void copy_points(const std::vector<Point>& points, double* to) {
+  for (const Point& p : points) to = std::copy(p.begin(), p.end(), to);
 }
 
 }  // namespace tamis::c

@@ -9,28 +9,6 @@
 
 namespace tamis::cli {
 
-Tally tally_of(std::span<const Contact> contacts) {
-  Tally tally;
-  for (const Contact& c : contacts) {
-    constexpr std::uint64_t Tally::*kOfKind[] = {&Tally::vf, &Tally::ee, &Tally::ve, &Tally::vv};
-    ++(tally.*kOfKind[static_cast<std::size_t>(c.kind)]);
-    tally.toi_lower = std::min(tally.toi_lower, c.toi_lower);
-    if (c.certainty == Certainty::unresolved)
-      ++tally.unresolved;
-    else
-      tally.toi_upper = std::min(tally.toi_upper, c.toi_upper);
-  }
-  return tally;
-}
-
-void Tally::add_counts(const Tally& step) {
-  vf += step.vf;
-  ee += step.ee;
-  ve += step.ve;
-  vv += step.vv;
-  unresolved += step.unresolved;
-}
-
 std::uint64_t peak_memory_bytes() {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);

@@ -1,44 +1,25 @@
 // Answers and costs, as JSON and for people. The keys are listed in docs/files-and-command.md.
 #pragma once
 #include <cstdint>
-#include <nlohmann/json.hpp>
-#include <span>
 #include <string>
 
 #include "cli/timing.hpp"
+#include "io/tally.hpp"
 #include "tamis/contact.hpp"
 #include "tamis/detector.hpp"
 
 namespace tamis::cli {
 
-using Json = nlohmann::ordered_json;
+using io::add_bracket;
+using io::add_stages;
+using io::Json;
+using io::json_of;
+using io::Tally;
+using io::tally_of;
 
-/// Contacts of a step by kind, and the bracket of the first.
-struct Tally {
-  std::uint64_t vf = 0;
-  std::uint64_t ee = 0;
-  std::uint64_t ve = 0;
-  std::uint64_t vv = 0;
-  std::uint64_t unresolved = 0;
-  double toi_lower = 1;
-  double toi_upper = 1;
-
-  std::uint64_t contacts() const { return vf + ee + ve + vv; }
-  bool is_free() const { return contacts() == 0; }
-  /// Adds the counts; brackets of different steps cannot be added.
-  void add_counts(const Tally& step);
-};
-
-Tally tally_of(std::span<const Contact> contacts);
-
-Json json_of(const Tally& tally);
 Json json_of(const Seconds& seconds);
 Json json_of(const Contact& contact);
 Json json_of(const LimitingPair& pair);
-/// Adds toi_lower and toi_upper: null if the step is free.
-void add_bracket(Json& json, bool is_free, double toi_lower, double toi_upper);
-/// Adds stages: the pairs that enter each.
-void add_stages(Json& json, std::span<const StageCount> stages);
 /// Adds what every question has: seconds, stages, decided_by, threads, method and so on.
 void add_costs(Json& json, const Detector& detector, const Timing& timing);
 /// The one object on stdout.

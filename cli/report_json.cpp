@@ -7,10 +7,6 @@
 
 namespace tamis::cli {
 
-Json json_of(const Tally& tally) {
-  return {{"vf", tally.vf}, {"ee", tally.ee}, {"ve", tally.ve}, {"vv", tally.vv}, {"unresolved", tally.unresolved}};
-}
-
 Json json_of(const Seconds& s) {
   return {{"bounds", s.bounds}, {"build", s.build}, {"traverse", s.traverse},
           {"filter", s.filter}, {"solve", s.solve}, {"total", s.total}};
@@ -29,17 +25,6 @@ Json json_of(const Contact& c) {
 
 Json json_of(const LimitingPair& pair) {
   return {{"kind", name_of(pair.kind)}, {"vertices", pair.vertices}, {"distance", pair.distance}};
-}
-
-void add_bracket(Json& json, bool is_free, double toi_lower, double toi_upper) {
-  json["toi_lower"] = is_free ? Json() : Json(toi_lower);
-  json["toi_upper"] = is_free ? Json() : Json(toi_upper);
-}
-
-void add_stages(Json& json, std::span<const StageCount> stages) {
-  json["stages"] = Json::array();
-  for (const StageCount& s : stages)
-    json["stages"].push_back({{"name", s.name}, {"vf", s.vf}, {"ee", s.ee}, {"ve", s.ve}, {"vv", s.vv}});
 }
 
 void add_costs(Json& json, const Detector& detector, const Timing& timing) {

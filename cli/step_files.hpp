@@ -13,9 +13,6 @@ namespace tamis::cli {
 /// Reads a mesh and says on stderr what its reader should know.
 io::MeshFile read_with_notes(const std::filesystem::path& path);
 
-/// Moves every end to start + scale (end - start); 1 leaves it bit for bit. Throws InvalidOptions if one overflows.
-void scale_step(const std::vector<Point>& start, std::vector<Point>& end, double scale);
-
 /// Where things are a part of the way from start to end: start for 0, end but for rounding for 1.
 std::vector<Point> between(const std::vector<Point>& start, const std::vector<Point>& end, double part);
 

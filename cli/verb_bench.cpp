@@ -16,6 +16,7 @@
 #include "cli/verb.hpp"
 #include "io/atomic_file.hpp"
 #include "io/csv.hpp"
+#include "io/scale_step.hpp"
 #include "scenes/scene_list.hpp"
 #include "tamis/error.hpp"
 
@@ -63,7 +64,7 @@ class Bench final : public Verb {
       const std::vector<Point> end = step.end;
       for (const double scale : scales_) {
         step.end = end;
-        scale_step(step.start, step.end, scale);
+        io::scale_step(step.start, step.end, scale);
         measure_all(step, scale);
       }
     }

@@ -4,11 +4,10 @@
 #include <cstdio>
 #include <memory>
 
-#include "cli/output_file.hpp"
+#include "cli/look_output.hpp"
 #include "cli/printable.hpp"
 #include "cli/report.hpp"
 #include "cli/step_verb.hpp"
-#include "cli/view/outputs.hpp"
 
 namespace tamis::cli {
 namespace {
@@ -20,36 +19,35 @@ class Contacts final : public StepVerb {
   const char* examples() const override {
     return "  tamis contacts cloth1.ply cloth2.ply\n"
            "  tamis contacts cloth1.ply cloth2.ply --out contacts.csv\n"
+           "  tamis contacts cloth1.ply cloth2.ply --out contacts.png --from -1,0.5,2\n"
            "  tamis contacts cloth1.ply cloth2.ply --guarantee conservative --json\n"
            "  tamis contacts cloth1.ply cloth2.ply --min-separation 1e-3 --repeat 9";
   }
   void declare(CLI::App& app) override {
     StepVerb::declare(app);
-    declare_output(
-        app, out_,
-        fmt::format("write the contacts to a file: {}; CSV if the extension is none of these", output_extensions()));
+    output_.declare(app);
   }
 
   int run() override {
-    require_output(out_, {start_, end_});
+    output_.require({start_, end_}, 1);
     StepFiles files = read();
     Detector detector(std::move(files.mesh), options());
     const Step step = files.step();
     const std::vector<Contact>* contacts = nullptr;
     const Timing timing = ask_repeatedly(detector, repeat_, [&] { contacts = &detector.contacts(step); });
-    if (!out_.empty()) write(detector, files, *contacts);
+    write(detector, files, *contacts);
     report(tally_of(*contacts), detector, timing);
     return kSuccess;
   }
 
  private:
   void write(const Detector& detector, const StepFiles& files, const std::vector<Contact>& contacts) const {
-    Recording recording{detector.mesh(), detector.options(), 1, {}, {files.start, files.end}, {}};
+    if (output_.path().empty()) return;
+    io::Recording recording{detector.mesh(), detector.options(), 1, {}, {files.start, files.end}, {}};
     for (const std::filesystem::path name : {start_, end_})
       recording.names.push_back(utf8_text(name.filename().string()));
     recording.steps.push_back({contacts, detector.statistics().stages});
-    const Output* output = find_output(out_);
-    (output ? *output : output_for("contacts.csv", 1)).write(out_, recording);
+    output_.write(recording);
   }
 
   void report(const Tally& tally, const Detector& detector, const Timing& timing) const {
@@ -69,11 +67,11 @@ class Contacts final : public StepVerb {
       fmt::print("first contact   none: the step is free, proven\n");
     else
       print_bracket(tally.toi_lower, tally.toi_upper, tally.unresolved < tally.contacts());
-    if (!out_.empty()) fmt::print("written to      {}\n", printable(out_));
+    if (!output_.path().empty()) fmt::print("written to      {}\n", printable(output_.path()));
     print_costs(detector, timing, repeat_);
   }
 
-  std::string out_;
+  LookOutput output_{"", "contacts.csv"};
 };
 
 }  // namespace

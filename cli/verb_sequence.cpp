@@ -14,6 +14,7 @@
 #include "cli/report.hpp"
 #include "cli/step_files.hpp"
 #include "cli/verb.hpp"
+#include "io/scale_step.hpp"
 
 namespace tamis::cli {
 namespace {
@@ -53,7 +54,7 @@ class Sequence final : public Verb {
     for (std::size_t i = 1; i < frames_.size(); ++i) {
       std::vector<Point> end = frames.read(i);
       std::vector<Point> scaled = end;
-      scale_step(start, scaled, scale);
+      io::scale_step(start, scaled, scale);
       for (int part = 1; part <= substeps_; ++part) {
         const auto at = [&](int n) {
           return n == 0 ? start : n == substeps_ ? scaled : between(start, scaled, static_cast<double>(n) / substeps_);

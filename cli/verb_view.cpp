@@ -4,14 +4,14 @@
 #include <memory>
 
 #include "cli/arguments.hpp"
+#include "cli/look_output.hpp"
 #include "cli/moving_frames.hpp"
-#include "cli/output_file.hpp"
 #include "cli/printable.hpp"
 #include "cli/progress.hpp"
 #include "cli/report.hpp"
 #include "cli/step_files.hpp"
 #include "cli/verb.hpp"
-#include "cli/view/outputs.hpp"
+#include "io/scale_step.hpp"
 
 namespace tamis::cli {
 namespace {
@@ -28,7 +28,7 @@ class View final : public Verb {
   void declare(CLI::App& app) override {
     app.add_option("FRAMES", names_, "START END, or more: files, folders or patterns of PLY or OBJ, in natural order")
         ->required();
-    declare_output(app, out_, fmt::format("the file to write: {}; default {}", output_extensions(), out_));
+    output_.declare(app);
     detector_.declare(app);
     scale_.declare(app);
     declare_json(app, json_);
@@ -37,20 +37,19 @@ class View final : public Verb {
   int run() override {
     const Options options = detector_.options();
     const double scale = scale_.value();
-    output_for(out_, 1);
+    output_.check();
     const MovingFrames frames(names_);
-    const Output& output = output_for(out_, frames.paths().size() - 1);
-    require_output(out_, frames.paths());
+    output_.require(frames.paths(), frames.paths().size() - 1);
     Detector detector(io::mesh_of(frames.first()), options);
-    Recording recording{detector.mesh(), detector.options(), scale, {}, {}, {}};
+    io::Recording recording{detector.mesh(), detector.options(), scale, {}, {}, {}};
     record(frames, detector, recording);
-    output.write(out_, recording);
+    output_.write(recording);
     report(recording);
     return kSuccess;
   }
 
  private:
-  static void record(const MovingFrames& frames, Detector& detector, Recording& recording) {
+  static void record(const MovingFrames& frames, Detector& detector, io::Recording& recording) {
     for (const std::filesystem::path& path : frames.paths())
       recording.names.push_back(utf8_text(path.filename().string()));
     recording.frames.push_back(frames.first().positions);
@@ -59,7 +58,7 @@ class View final : public Verb {
       recording.frames.push_back(frames.read(i));
       const std::vector<Point>& start = recording.frames[i - 1];
       std::vector<Point> end = recording.frames[i];
-      scale_step(start, end, recording.scale);
+      io::scale_step(start, end, recording.scale);
       const std::vector<Contact>& contacts = detector.contacts({start, end});
       recording.steps.push_back({contacts, detector.statistics().stages});
       progress.show(i);
@@ -67,23 +66,24 @@ class View final : public Verb {
     progress.clear();
   }
 
-  void report(const Recording& recording) const {
+  void report(const io::Recording& recording) const {
+    const std::string& out = output_.path();
     Tally total;
-    for (const RecordedStep& step : recording.steps) total.add_counts(tally_of(step.contacts));
-    const auto bytes = std::filesystem::is_regular_file(out_) ? std::filesystem::file_size(out_) : 0;
+    for (const io::RecordedStep& step : recording.steps) total.add_counts(tally_of(step.contacts));
+    const auto bytes = std::filesystem::is_regular_file(out) ? std::filesystem::file_size(out) : 0;
     if (json_)
       return print_json(
-          {{"out", out_}, {"bytes", bytes}, {"steps", recording.steps.size()}, {"contacts", json_of(total)}});
+          {{"out", out}, {"bytes", bytes}, {"steps", recording.steps.size()}, {"contacts", json_of(total)}});
     print_mesh(recording.mesh);
     fmt::print("contacts        {} vertex-face, {} edge-edge, of these {} unresolved, in {} {}\n", grouped(total.vf),
                grouped(total.ee), grouped(total.unresolved), recording.steps.size(),
                recording.steps.size() == 1 ? "step" : "steps");
     constexpr double kMegabyte = 1e6;
-    fmt::print("written to      {} ({:.1f} MB)\n", printable(out_), static_cast<double>(bytes) / kMegabyte);
+    fmt::print("written to      {} ({:.1f} MB)\n", printable(out), static_cast<double>(bytes) / kMegabyte);
   }
 
   std::vector<std::string> names_;
-  std::string out_ = "view.html";
+  LookOutput output_{"view.html", ""};
   DetectorArguments detector_;
   ScaleArgument scale_;
   bool json_ = false;

@@ -1,44 +1,19 @@
 #include "io/glb.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <limits>
 
 #include "io/atomic_file.hpp"
+#include "io/colours.hpp"
 #include "io/contact_geometry.hpp"
 #include "io/error.hpp"
+#include "io/extent.hpp"
 #include "io/glb_scene.hpp"
 #include "io/loose_features.hpp"
-#include "io/time_colours.hpp"
 
 namespace tamis::io {
 namespace {
 
 using Json = GlbScene::Json;
-
-/// The box around what is used, at both ends.
-struct Extent {
-  Point middle{};
-  double half = 0;  ///< of its longest side
-};
-
-Extent extent_of(const Mesh& mesh, std::span<const Point> start, std::span<const Point> end) {
-  constexpr double kFar = std::numeric_limits<double>::max();
-  Point lowest{kFar, kFar, kFar}, highest{-kFar, -kFar, -kFar};
-  for (const std::span<const Point> positions : {start, end})
-    for (const Index v : mesh.points())
-      for (std::size_t axis = 0; axis < 3; ++axis) {
-        const double x = positions[static_cast<std::size_t>(v)][axis];
-        lowest[axis] = std::min(lowest[axis], x);
-        highest[axis] = std::max(highest[axis], x);
-      }
-  Extent extent;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    extent.middle[axis] = lowest[axis] / 2 + highest[axis] / 2;
-    extent.half = std::max(extent.half, highest[axis] / 2 - lowest[axis] / 2);
-  }
-  return extent;
-}
 
 template <class Row>
 std::vector<Index> flat(std::span<const Row> rows) {

@@ -123,7 +123,8 @@ def make_wheel(work: pathlib.Path, source: pathlib.Path, libraries: "list[str]")
     for old in (raw, work / "dist"):
         shutil.rmtree(old, ignore_errors=True)
     run(tools / "python", "-m", "build", "--wheel", "--no-isolation", "--outdir", raw,
-        f"-Cbuild-dir={work / 'objects'}", *libraries, source, env=search)
+        f"-Cbuild-dir={work / 'objects'}", "-Ccmake.define.CMAKE_EXPORT_COMPILE_COMMANDS=ON", *libraries, source,
+        env=search)
     (wheel,) = raw.glob("*.whl")
     run(tools / "auditwheel", "repair", wheel, "--wheel-dir", work / "dist", env=search, stderr=subprocess.STDOUT)
     (repaired,) = (work / "dist").glob("*.whl")
@@ -148,7 +149,7 @@ def main() -> int:
     make_tools(work)
     source = make_source(work)
     libraries = [f"-Ccmake.define.TAMIS_BUILT={folder}" for folder in build]
-    built = [path.read_bytes() for folder in build for path in sorted(folder.glob("*/libtamis*.a"))]
+    built = [path.read_bytes() for folder in build for path in sorted(folder.glob("**/libtamis*.a"))]
     stamp = Stamp(work / "wheel.stamp", source_digest(source), REQUIREMENTS.read_bytes(), *built)
     if not stamp.is_fresh() or not (work / "user").exists():
         stamp.path.unlink(missing_ok=True)

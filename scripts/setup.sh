@@ -6,7 +6,9 @@
 set -euo pipefail
 
 packages=(g++ cmake ninja-build pkg-config libtbb-dev libgmp-dev libxsimd-dev
-          libcli11-dev libfmt-dev nlohmann-json3-dev libeigen3-dev libmeshoptimizer-dev zlib1g-dev libb64-dev)
+          libcli11-dev libfmt-dev nlohmann-json3-dev libeigen3-dev libmeshoptimizer-dev zlib1g-dev libb64-dev libpng-dev)
+# What draws pictures; Debian has it for these machines alone.
+[[ $(uname -m) != x86_64 ]] || packages+=(libembree-dev)
 if [[ ${1:-} == --tests ]]; then
   packages+=(libgtest-dev libbenchmark-dev glmark2-data python3 python3-venv python3-dev binutils valgrind clang-14
              clang-format-14 clang-tidy-14 libclang-rt-14-dev chromium)

@@ -6,6 +6,7 @@
 
 #include "cli/step_files.hpp"
 #include "io/error.hpp"
+#include "io/scale_step.hpp"
 #include "tamis/detector.hpp"
 
 namespace tamis::cli {
@@ -175,7 +176,7 @@ SceneResult run_paper_scene(const PaperScene& scene, const PaperSteps& steps, co
   for (const std::size_t begin : steps.begins(count)) {
     const std::vector<Point> start = positions_at(begin);
     std::vector<Point> end = positions_at(begin + length);
-    if (extrapolates) scale_step(start, end, static_cast<double>(factor) / static_cast<double>(length));
+    if (extrapolates) io::scale_step(start, end, static_cast<double>(factor) / static_cast<double>(length));
     contest.run({start, end});
     step_done();
   }

@@ -44,6 +44,13 @@ struct Contact {
   Point normal;
 };
 
+/// The two features of a pair by their places: of a face in Mesh::faces(), of an edge in Mesh::edges(), of a vertex its
+/// index; -1 where the mesh has none. For those who keep data by feature: a Contact names vertices, as does a NearPair.
+struct FeaturePair {
+  Index first, second;
+};
+FeaturePair features_of(const Mesh& mesh, PairKind kind, const std::array<Index, 4>& vertices);
+
 /// Answer to "how far may the step go?".
 struct EarliestContact {
   /// The motion is free on [0, toi_lower): proven. 1 and no contact if the whole step is free; 0 only if a pair touches

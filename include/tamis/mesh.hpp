@@ -51,6 +51,13 @@ class Mesh {
   /// The edges of a triangle in the order (v0 v1), (v1 v2), (v2 v0); -1 where the two indices are equal.
   std::array<Index, 3> edges_of_face(Index face) const { return edges_of_face_[static_cast<std::size_t>(face)]; }
 
+  /// The place in edges() of the edge between two vertices, in either order; -1 if there is none. Looked up among the
+  /// sorted edges.
+  Index find_edge(Index a, Index b) const;
+  /// The place in faces() of the triangle with these indices in this order, the first of several; -1 if there is none.
+  /// Looked up among the triangles of its first vertex.
+  Index find_face(const Face& face) const;
+
  private:
   Index vertex_count_;
   std::vector<Face> faces_;

@@ -1,6 +1,9 @@
-// One pair of features: for callers who have a broad phase of their own.
+// Pairs of features, one or many: for callers who have a broad phase of their own.
 #pragma once
 #include <array>
+#include <functional>
+#include <span>
+#include <vector>
 
 #include "tamis/contact.hpp"
 #include "tamis/options.hpp"
@@ -21,10 +24,13 @@ struct PairResult {
 struct PairOptions {
   Guarantee guarantee = Guarantee::exact;
   double min_separation = 0;  ///< d >= 0, in the unit of the positions: contact means Euclidean distance <= d
+  /// The latest time of interest, in [0,1]: a pair that is proven apart until then is free. Of others it changes
+  /// nothing.
+  double latest = 1;
 };
 
 /// A vertex against a face: p, then its corners a b c, each moving on a straight line. May be called from several
-/// threads. Throws InvalidStep on NaN or infinity, InvalidOptions unless the separation is finite and >= 0.
+/// threads. Throws InvalidStep on NaN or infinity, InvalidOptions on an option outside its range.
 PairResult vertex_face(const std::array<Point, 4>& start, const std::array<Point, 4>& end, const PairOptions& = {});
 /// Edge (0,1) against edge (2,3); otherwise the same.
 PairResult edge_edge(const std::array<Point, 4>& start, const std::array<Point, 4>& end, const PairOptions& = {});
@@ -32,5 +38,35 @@ PairResult edge_edge(const std::array<Point, 4>& start, const std::array<Point, 
 PairResult vertex_edge(const std::array<Point, 3>& start, const std::array<Point, 3>& end, const PairOptions& = {});
 /// Two points; otherwise the same.
 PairResult vertex_vertex(const std::array<Point, 2>& start, const std::array<Point, 2>& end, const PairOptions& = {});
+
+/// One pair of a list: what a broad phase hands on.
+struct Pair {
+  PairKind kind;
+  /// Rows of the step's positions, in the order of the functions above: p a b c, a0 a1 b0 b1, p a b, or p q. What a
+  /// kind does not use is not read.
+  std::array<Index, 4> vertices;
+};
+
+struct PairListOptions {
+  Guarantee guarantee = Guarantee::exact;
+  double min_separation = 0;  ///< as in PairOptions, as is what follows
+  double latest = 1;
+  int threads = 0;      ///< as in Options: 0 is as many as the caller's oneTBB arena gives
+  Isa isa = Isa::best;  ///< speed only
+  /// As in Options: once it says true, asked again and again, the call throws Cancelled.
+  std::function<bool()> is_cancelled = nullptr;
+};
+
+/// The narrow phase of a list: `results[i]` is what pairs[i] does during the step, bit for bit what the function for
+/// one pair says of it, many times faster. The positions have any number of rows, the same at both ends; only those
+/// that pairs name are read. Throws InvalidStep, naming the first such pair: a kind that is none, an index that is no
+/// row, a coordinate that is not finite; also unless there are as many results as pairs. InvalidOptions.
+void narrow_phase(std::span<const Pair> pairs, const Step& step, std::span<PairResult> results,
+                  const PairListOptions& = {});
+std::vector<PairResult> narrow_phase(std::span<const Pair> pairs, const Step& step, const PairListOptions& = {});
+/// The same of pairs of one kind that come as points: four, three or two a pair, one pair behind the other. Throws
+/// InvalidStep unless there are as many at both ends as `results` need.
+void narrow_phase(PairKind kind, std::span<const Point> start, std::span<const Point> end,
+                  std::span<PairResult> results, const PairListOptions& = {});
 
 }  // namespace tamis

@@ -12,16 +12,22 @@ namespace tamis {
 
 using Point = std::array<double, 3>;
 
-/// An Eigen-like dense matrix: row-major, three columns. Eigen itself is not needed.
+/// An Eigen-like dense matrix of doubles. Eigen itself is not needed.
 template <class M>
-concept RowMajorMatrix = requires(const M& m) {
+concept DenseMatrix = requires(const M& m) {
   { m.data() } -> std::convertible_to<const double*>;
   { m.rows() } -> std::convertible_to<std::ptrdiff_t>;
   { m.cols() } -> std::convertible_to<std::ptrdiff_t>;
   { m.outerStride() } -> std::convertible_to<std::ptrdiff_t>;
   { m.innerStride() } -> std::convertible_to<std::ptrdiff_t>;
-  requires bool(M::IsRowMajor);
+  { M::IsRowMajor } -> std::convertible_to<bool>;
 };
+/// One vertex a row, row by row: three columns.
+template <class M>
+concept RowMajorMatrix = DenseMatrix<M> && bool(M::IsRowMajor);
+/// One vertex a column, column by column: three rows, known to the compiler (Eigen's Matrix3Xd).
+template <class M>
+concept ThreeRowMatrix = DenseMatrix<M> && !bool(M::IsRowMajor) && M::RowsAtCompileTime == 3;
 
 /// A read-only view of n x 3 doubles; the caller keeps the memory alive.
 class Positions {
@@ -38,6 +44,14 @@ class Positions {
       : Positions(matrix.cols() == 3 && matrix.innerStride() == 1 ? matrix.data() : nullptr,
                   index_count(static_cast<std::size_t>(matrix.rows())),
                   static_cast<std::ptrdiff_t>(matrix.outerStride())) {}
+  template <ThreeRowMatrix M>
+  Positions(const M& matrix)
+      : Positions(matrix.innerStride() == 1 ? matrix.data() : nullptr,
+                  index_count(static_cast<std::size_t>(matrix.cols())),
+                  static_cast<std::ptrdiff_t>(matrix.outerStride())) {}
+  /// Column by column no vertex has its three numbers side by side, and taken for rows they would be another mesh.
+  template <DenseMatrix M>
+  Positions(const M&) = delete;  // Column-major? Use a RowMajor matrix, a Matrix3Xd, or tamis::points_of(matrix).
 
   const double* operator[](Index vertex) const { return data_ + vertex * stride_; }
   const double* data() const { return data_; }

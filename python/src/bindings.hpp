@@ -12,5 +12,6 @@ void bind_pairs(nanobind::module_& module);
 void bind_paths(nanobind::module_& module);
 void bind_files(nanobind::module_& module);
 void bind_scenes(nanobind::module_& module);
+void bind_simulation(nanobind::module_& module);
 
 }  // namespace tamis::python

@@ -2,12 +2,20 @@
 #pragma once
 #include <memory>
 #include <mutex>
+#include <span>
 #include <vector>
 
 #include "python/src/arrays.hpp"
 #include "tamis/contact.hpp"
 
 namespace tamis::python {
+
+/// Contacts as the Python side hands them back.
+using ContactBytes = nb::ndarray<const std::uint8_t, nb::shape<-1>, nb::c_contig, nb::device::cpu>;
+
+inline std::span<const Contact> contacts_in(const ContactBytes& bytes) {
+  return {reinterpret_cast<const Contact*>(bytes.data()), bytes.shape(0) / sizeof(Contact)};
+}
 
 /// Memory for the next answer: that of the largest result that Python has let go. Fresh memory would cost the system
 /// a page fault for every 50 contacts.

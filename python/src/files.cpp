@@ -7,14 +7,14 @@
 #include "io/frames.hpp"
 #include "io/mesh_file.hpp"
 #include "io/ply.hpp"
+#include "io/view/outputs.hpp"
 #include "python/src/arrays.hpp"
 #include "python/src/bindings.hpp"
+#include "python/src/contact_array.hpp"
 #include "python/src/options.hpp"
 
 namespace tamis::python {
 namespace {
-
-using ContactBytes = nb::ndarray<const std::uint8_t, nb::shape<-1>, nb::c_contig, nb::device::cpu>;
 
 nb::tuple read_mesh(const std::filesystem::path& path) {
   io::MeshFile file;
@@ -39,15 +39,21 @@ void write_mesh(const std::filesystem::path& path, const PointRows& positions, c
 }
 
 void write_contacts(const std::filesystem::path& path, const ContactBytes& bytes) {
-  const auto* first = reinterpret_cast<const Contact*>(bytes.data());
-  const std::span contacts(first, bytes.shape(0) / sizeof(Contact));
+  const std::span<const Contact> contacts = contacts_in(bytes);
   const nb::gil_scoped_release unlocked;
   io::write_contacts_csv(path, contacts);
+}
+
+/// Else a table.
+bool is_file_to_look_at(const std::filesystem::path& path) {
+  const io::Output* output = io::find_output(io::outputs(), path);
+  return output && output != io::outputs().data();
 }
 
 }  // namespace
 
 void bind_files(nb::module_& module) {
+  module.def("is_file_to_look_at", &is_file_to_look_at);
   module.def("read_mesh", &read_mesh);
   module.def("write_mesh", &write_mesh);
   module.def("write_contacts", &write_contacts);

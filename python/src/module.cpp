@@ -13,4 +13,5 @@ NB_MODULE(_core, module) {
   bind_paths(module);
   bind_files(module);
   bind_scenes(module);
+  bind_simulation(module);
 }

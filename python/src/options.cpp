@@ -5,6 +5,7 @@
 
 #include "python/src/arrays.hpp"
 #include "python/src/bindings.hpp"
+#include "python/src/collected.hpp"
 #include "python/src/options.hpp"
 #include "tamis/error.hpp"
 
@@ -45,7 +46,7 @@ void set_reduced_model(Asking& asking, const PointRows& rest, const Matrix& basi
 }  // namespace
 
 void bind_options(nb::module_& module) {
-  nb::class_<Asking>(module, "Options")
+  nb::class_<Asking>(module, "Options", nb::type_slots(collected<Asking>))
       .def(nb::init<>())
       .def("choose_method", [](Asking& a, const std::string& name) { choose_method(a.options, name); })
       .def("set_guarantee", [](Asking& a, const std::string& name) { a.options.guarantee = guarantee_from_name(name); })

@@ -1,16 +1,14 @@
 // Answers for many pairs, one by one, while Python may want to stop.
 #pragma once
-#include <string>
 #include <vector>
 
 #include "python/src/arrays.hpp"
 #include "python/src/signals.hpp"
-#include "tamis/error.hpp"
 #include "tamis/pair.hpp"
 
 namespace tamis::python {
 
-/// The bytes of `decide(i)` for each i below `count`; the lock is free meanwhile. A refused pair is named.
+/// The bytes of `decide(i)` for each i below `count`; the lock is free meanwhile.
 template <class Decide>
 nb::object decide_each(std::size_t count, const Decide& decide) {
   std::vector<PairResult> results(count);
@@ -21,11 +19,7 @@ nb::object decide_each(std::size_t count, const Decide& decide) {
     constexpr std::size_t kBatch = 256;  // between two looks at the clock
     for (std::size_t i = 0; i < count; ++i) {
       if (i % kBatch == 0 && signals.ask()) break;
-      try {
-        results[i] = decide(i);
-      } catch (const InvalidStep& error) {
-        throw InvalidStep("pair " + std::to_string(i) + ": " + error.what());
-      }
+      results[i] = decide(i);
     }
   }
   signals.rethrow();

@@ -1,28 +1,39 @@
 #include <nanobind/stl/string.h>
 
 #include <cstddef>
+#include <span>
 
 #include "python/src/arrays.hpp"
 #include "python/src/bindings.hpp"
 #include "python/src/layout.hpp"
-#include "python/src/pair_results.hpp"
+#include "python/src/signals.hpp"
+#include "tamis/error.hpp"
 #include "tamis/pair.hpp"
 
 namespace tamis::python {
 namespace {
 
 template <int corners>
-using Points = std::array<Point, std::size_t{corners}>;
-template <int corners>
-using Decide = PairResult (*)(const Points<corners>&, const Points<corners>&, const PairOptions&);
+std::span<const Point> points_of(const PairRows<corners>& rows) {
+  return {reinterpret_cast<const Point*>(rows.data()), std::size_t{corners} * rows.shape(0)};
+}
 
-template <int corners, Decide<corners> decide>
+template <PairKind kind, int corners>
 nb::object decide_all(const PairRows<corners>& start, const PairRows<corners>& end, const std::string& guarantee,
                       double min_separation) {
-  const PairOptions options{guarantee_from_name(guarantee), min_separation};
-  const auto* starts = reinterpret_cast<const Points<corners>*>(start.data());
-  const auto* ends = reinterpret_cast<const Points<corners>*>(end.data());
-  return decide_each(start.shape(0), [&](std::size_t i) { return decide(starts[i], ends[i], options); });
+  std::vector<PairResult> results(start.shape(0));
+  Signals signals;
+  const PairListOptions options{guarantee_from_name(guarantee), min_separation, 1, 0, Isa::best,
+                                [&] { return signals.ask(); }};
+  signals.begin();
+  try {
+    const nb::gil_scoped_release unlocked;
+    narrow_phase(kind, points_of<corners>(start), points_of<corners>(end), results, options);
+  } catch (const Cancelled&) {
+    signals.rethrow();
+    throw;
+  }
+  return own_bytes(std::move(results));
 }
 
 nb::dict pair_layout() {
@@ -40,10 +51,10 @@ nb::dict pair_layout() {
 }  // namespace
 
 void bind_pairs(nb::module_& module) {
-  module.def("vertex_face", &decide_all<4, &vertex_face>);
-  module.def("edge_edge", &decide_all<4, &edge_edge>);
-  module.def("vertex_edge", &decide_all<3, &vertex_edge>);
-  module.def("vertex_vertex", &decide_all<2, &vertex_vertex>);
+  module.def("vertex_face", &decide_all<PairKind::vertex_face, 4>);
+  module.def("edge_edge", &decide_all<PairKind::edge_edge, 4>);
+  module.def("vertex_edge", &decide_all<PairKind::vertex_edge, 3>);
+  module.def("vertex_vertex", &decide_all<PairKind::vertex_vertex, 2>);
   module.def("pair_layout", &pair_layout);
 }
 

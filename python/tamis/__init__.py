@@ -5,33 +5,42 @@
 >>> contacts = detector.contacts(start, end)
 
 `Detector` has the questions; `contacts` asks one in one line; `vertex_face`, `edge_edge`, `vertex_edge` and
-`vertex_vertex` decide single pairs, many at once; `read_mesh`, `read_frames` and `scene` give something to try it on.
+`vertex_vertex` decide single pairs, many at once; a `Path` is curved motion, such as `RigidPath`; `read_mesh`,
+`read_frames` and `scene` give something to try it on.
 """
 
 from tamis import _core
-from tamis._contacts import Contact, Contacts, EarliestContact, LimitingPair, PairKind, SafeStep
+from tamis._answers import EarliestContact, LimitingPair, SafeStep, TruncatedStep, VertexSteps
+from tamis._contacts import Contact, Contacts, PairKind
 from tamis._core import filter_names, method_choices
-from tamis._detector import Detector, Statistics, contacts
+from tamis._detector import Detector, contacts
 from tamis._errors import Busy, Cancelled, Error, FileError, InvalidMesh, InvalidOptions, InvalidPath, InvalidStep
 from tamis._files import MeshFile, read_frames, read_mesh, write_mesh
+from tamis._function_path import FunctionPath
+from tamis._looking import Page
 from tamis._mesh import Mesh
 from tamis._near import Intersections, NearPairs
 from tamis._options import PaperOptions, ReducedModel
 from tamis._pairs import Pairs, edge_edge, vertex_edge, vertex_face, vertex_vertex
-from tamis._paths import RigidPath, between, interpolated, turned
-from tamis._scenes import Scene, scene, scene_names
+from tamis._paths import BezierPath, CatmullRomPath, Path
+from tamis._rigid_path import RigidPath, between, interpolated, turned
+from tamis._scenes import Scene, scene, scene_names, simulate, simulated_scenes
+from tamis._statistics import Statistics
 
 __version__: str = _core.__version__
 
 __all__ = [
+    "BezierPath",
     "Busy",
     "Cancelled",
+    "CatmullRomPath",
     "Contact",
     "Contacts",
     "Detector",
     "EarliestContact",
     "Error",
     "FileError",
+    "FunctionPath",
     "Intersections",
     "InvalidMesh",
     "InvalidOptions",
@@ -41,14 +50,18 @@ __all__ = [
     "Mesh",
     "MeshFile",
     "NearPairs",
+    "Page",
     "PairKind",
     "Pairs",
     "PaperOptions",
+    "Path",
     "ReducedModel",
     "RigidPath",
     "SafeStep",
     "Scene",
     "Statistics",
+    "TruncatedStep",
+    "VertexSteps",
     "between",
     "contacts",
     "edge_edge",
@@ -59,6 +72,8 @@ __all__ = [
     "read_mesh",
     "scene",
     "scene_names",
+    "simulate",
+    "simulated_scenes",
     "turned",
     "vertex_edge",
     "vertex_face",

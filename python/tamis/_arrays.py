@@ -62,6 +62,14 @@ def pairs(given: npt.ArrayLike, corners: int, name: str) -> Doubles:
     return np.require(array, dtype=_DOUBLE, requirements=["C", "ALIGNED"])
 
 
+def point_frames(given: npt.ArrayLike, name: str, error: type[Error]) -> Doubles:
+    """Return contiguous doubles, so many frames of points: (f, n, 3)."""
+    array = _numbers(given, name, error)
+    if array.ndim != 3 or array.shape[2] != 3:
+        raise error(f"{name} has the shape {_shape(array)}: give three numbers a vertex and frame, (f, n, 3)")
+    return np.require(array, dtype=_DOUBLE, requirements=["C", "ALIGNED"])
+
+
 def table(given: npt.ArrayLike, name: str, error: type[Error]) -> Doubles:
     """Return contiguous doubles in two dimensions."""
     array = _numbers(given, name, error)

@@ -1,4 +1,4 @@
-"""The answers: contacts as arrays, and what is said of a whole step."""
+"""Contacts, as arrays."""
 
 from __future__ import annotations
 
@@ -12,6 +12,8 @@ import numpy.typing as npt
 
 from tamis import _core
 from tamis._arrays import Doubles, Indices
+from tamis._errors import Error
+from tamis._looking import AskedStep, Page, place_for_page, show
 from tamis._table import Table
 
 if TYPE_CHECKING:
@@ -74,8 +76,12 @@ class Contacts(Table):
     The columns of `table` are kind, certainty, vertices, toi_lower, toi_upper, u, v, normal.
     """
 
-    __slots__ = ()
+    __slots__ = ("_asked",)
     _dtype = np.dtype(_core.contact_layout())
+
+    def __init__(self, table: npt.NDArray[np.void] | npt.NDArray[np.uint8], asked: AskedStep | None = None) -> None:
+        super().__init__(table)
+        self._asked = asked
 
     @property
     def kind(self) -> npt.NDArray[np.uint8]:
@@ -128,19 +134,66 @@ class Contacts(Table):
         return pd.DataFrame(columns)
 
     def save(self, path: str | os.PathLike[str]) -> None:
-        """Write a CSV file, as the command's `--out` does: complete or not at all.
+        """Write a file, as the command's `--out` does: complete or not at all.
 
         Parameters
         ----------
         path : path_like
-            Columns are kind, v0, v1, v2, v3, toi_lower, toi_upper, u, v, status; numbers read back to the same doubles.
+            The extension decides. ``.html``, ``.glb``, ``.vtp``, ``.vtu``: files to look at, with the mesh in motion or
+            the contacts as points; they need the step, see `view`. Else CSV, whose columns are kind, v0, v1, v2, v3,
+            toi_lower, toi_upper, u, v, status; numbers read back to the same doubles.
 
         Raises
         ------
         FileError
             The file cannot be written.
+        Error
+            As of `view`; and for a picture, ``.png``, which the command draws.
         """
-        _core.write_contacts(os.fspath(path), np.ascontiguousarray(self._table).view(np.uint8))
+        name, rows = os.fspath(path), np.ascontiguousarray(self._table).view(np.uint8)
+        if name.lower().endswith(".png"):
+            raise Error(f"{name}: pictures are drawn by the command, tamis contacts --out; save html or glb instead")
+        if _core.is_file_to_look_at(name):
+            self._step().write(name, rows)
+        else:
+            _core.write_contacts(name, rows)
+
+    def view(self, path: str | os.PathLike[str] | None = None) -> Page:
+        """Show the contacts and the motion of the mesh: the page that `tamis view` writes.
+
+        A notebook shows it below the cell; elsewhere it opens in the browser. For this, contacts keep the positions
+        that were asked about, without a copy; `table` alone does not.
+
+        Parameters
+        ----------
+        path : path_like, optional
+            Of the page, ending in ``.html``; by default among the temporary files.
+
+        Returns
+        -------
+        Page
+            Its `path` is the file: send it along.
+
+        Raises
+        ------
+        FileError
+            The file cannot be written.
+        InvalidStep
+            The positions were changed in place since the contacts were found.
+        Error
+            Contacts of a path, and those that come out of `pickle`, know no step.
+        """
+        place = place_for_page(path)
+        self.save(place)
+        return show(place)
+
+    def _step(self) -> AskedStep:
+        if self._asked is None:
+            raise Error(
+                "these contacts know no step, as they are of a path or were pickled: look at what "
+                "Detector.contacts(start, end) has returned"
+            )
+        return self._asked
 
     def __iter__(self) -> Iterator[Contact]:
         return (self[i] for i in range(len(self)))
@@ -152,7 +205,7 @@ class Contacts(Table):
     def __getitem__(self, index: Any) -> Contact | Contacts:
         chosen = self._table[index]
         if isinstance(chosen, np.ndarray):
-            return Contacts(np.atleast_1d(chosen))
+            return Contacts(np.atleast_1d(chosen), self._asked)
         kind, certainty, vertices, toi_lower, toi_upper, u, v, normal = chosen.item()
         return Contact(
             PairKind(kind), tuple(vertices.tolist()), toi_lower, toi_upper, u, v, tuple(normal.tolist()), certainty == 0
@@ -164,48 +217,3 @@ class Contacts(Table):
         counts = zip(PairKind, np.bincount(self.kind, minlength=len(PairKind)))
         kinds = ", ".join(f"{n} {kind.name.lower().replace('_', '-')}" for kind, n in counts if n)
         return f"Contacts({kinds}; first at {self.toi_lower.min():g})"
-
-
-class EarliestContact(NamedTuple):
-    """How far the step may go.
-
-    Attributes
-    ----------
-    toi_lower : float
-        The motion is free on [0, toi_lower): proven. 1 if the whole step is free.
-    toi_upper : float
-        A certified contact happens at or before this fraction of the step; 1 if none is certified.
-    contact : Contact or None
-        The contact that bounds the step first; None if the step is free.
-    """
-
-    toi_lower: float
-    toi_upper: float
-    contact: Contact | None
-
-
-class LimitingPair(NamedTuple):
-    """The pair of features that ends a step; `distance` is its own at the start, rounded."""
-
-    kind: PairKind
-    vertices: tuple[int, int, int, int]
-    distance: float
-
-
-class SafeStep(NamedTuple):
-    """How far the step may go so that every pair keeps a fraction of its distance.
-
-    Attributes
-    ----------
-    lower : float
-        On [0, lower] every pair keeps at least the fraction, and on [0, lower) none touches: proven. 1 if the whole
-        step may go.
-    upper : float
-        At this time some pair has no more than the fraction left: proven; 1 if that is not known of any time.
-    pair : LimitingPair or None
-        The pair that ends the step; None if the whole step may go.
-    """
-
-    lower: float
-    upper: float
-    pair: LimitingPair | None

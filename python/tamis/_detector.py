@@ -2,51 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
-from dataclasses import dataclass
-from typing import Any
+from collections.abc import Callable
+from typing import Any, overload
 
 import numpy.typing as npt
 
 from tamis import _core
-from tamis._arrays import rows
-from tamis._contacts import Contacts, EarliestContact, LimitingPair, PairKind, SafeStep
-from tamis._errors import InvalidOptions
+from tamis._answers import EarliestContact, LimitingPair, SafeStep, TruncatedStep, VertexSteps
+from tamis._arrays import Doubles, rows
+from tamis._contacts import Contacts, PairKind
+from tamis._errors import InvalidOptions, InvalidPath, InvalidStep
+from tamis._looking import AskedStep
 from tamis._mesh import Mesh
 from tamis._near import Intersections, NearPairs
 from tamis._options import Filter, Guarantee, Isa, PaperOptions, set_groups
-
-
-@dataclass(frozen=True)
-class Statistics:
-    """What the last question cost.
-
-    Attributes
-    ----------
-    stages : mapping of str to (int, int, int, int)
-        Pairs of each `PairKind` that entered each stage, in the pipeline's order; the first counts the pairs whose
-        boxes meet.
-    decided_by : mapping of str to int
-        Pairs decided by each arithmetic: lanes, scalar, exact; and those that stay unresolved.
-    seconds : mapping of str to float
-        Wall-clock time of bounds, build, traverse, filter, solve, and the total.
-    rebuilt : bool
-        The hierarchy was built, not refitted.
-    memory_bytes : int
-        Held by the detector.
-    """
-
-    method: str
-    isa: str
-    threads: int
-    stages: Mapping[str, tuple[int, int, int, int]]
-    decided_by: Mapping[str, int]
-    seconds: Mapping[str, float]
-    nodes_visited: int
-    triangle_pairs: int
-    triangles_in_free_patches: int
-    rebuilt: bool
-    memory_bytes: int
+from tamis._paths import Path
+from tamis._statistics import Statistics
 
 
 class Detector:
@@ -58,9 +29,10 @@ class Detector:
 
     Questions take positions at the start and at the end of a step, shape (n, 3), one row a vertex; each vertex moves on
     a straight line. Doubles whose rows are contiguous, at any positive distance from each other, are read where they
-    are; anything else that NumPy can convert is copied once. Other Python threads run meanwhile, Ctrl-C ends a
-    question, and a second question at the same time raises `Busy`. Every question raises `InvalidStep` for positions
-    that do not fit the mesh or are not finite.
+    are; anything else that NumPy can convert is copied once. `contacts`, `earliest` and `is_free` take a `Path` in
+    place of both, for curved motion. Other Python threads run meanwhile, Ctrl-C ends a question, and a second question
+    at the same time raises `Busy`. Every question raises `InvalidStep` for positions that do not fit the mesh or are
+    not finite, `InvalidPath` for a path that does not fit or breaks its promises.
 
     Parameters
     ----------
@@ -97,7 +69,7 @@ class Detector:
         An option outside its range, an unknown name, or groups that do not fit the mesh.
     """
 
-    __slots__ = ("_description", "_detector", "_mesh")
+    __slots__ = ("_description", "_detector", "_mesh", "_options")
 
     def __init__(
         self,
@@ -132,6 +104,7 @@ class Detector:
         if paper is not None:
             paper.apply(options)
         self._mesh = mesh
+        self._options = options
         self._detector = _core.Detector(mesh._mesh, options)
         self._description = f"method={method!r}, guarantee={guarantee!r}, min_separation={min_separation:g}"
 
@@ -145,60 +118,105 @@ class Detector:
         """What the last question cost."""
         return Statistics(**self._detector.statistics())
 
-    def contacts(self, start: npt.ArrayLike, end: npt.ArrayLike, *, min_separation: float | None = None) -> Contacts:
-        """Find every contact of a step.
+    @overload
+    def contacts(
+        self, start: npt.ArrayLike, end: npt.ArrayLike, *, min_separation: float | None = None
+    ) -> Contacts: ...
+    @overload
+    def contacts(
+        self, start: Path, /, *, min_separation: float | None = None, tolerance: float | None = None
+    ) -> Contacts: ...
+    def contacts(
+        self,
+        start: npt.ArrayLike | Path,
+        end: npt.ArrayLike | None = None,
+        *,
+        min_separation: float | None = None,
+        tolerance: float | None = None,
+    ) -> Contacts:
+        """Find every contact of a step, or of a path.
 
         Parameters
         ----------
         start, end : array_like, shape (n, 3)
-            Where each vertex is at the start and at the end of the step.
+            Where each vertex is at the start and at the end of the step. Or a `Path` alone: curved motion.
         min_separation : float, optional
             Of this question alone; by default the detector's.
+        tolerance : float, optional
+            Of a path: widest bracket of a contact, in (0, 1], a fraction of the step; by default 1e-9.
 
         Returns
         -------
         Contacts
-            By kind, then vertices.
+            By kind, then vertices; `Contacts.view` shows those of a step. On a path, what cannot be decided (a touch
+            without crossing, say) is a contact that is not certified.
         """
-        return Contacts(self._detector.contacts(rows(start, "start"), rows(end, "end"), min_separation))
+        first, second = _motion(start, end, tolerance)
+        found = self._detector.contacts(first, second, min_separation)
+        if isinstance(first, _core.Path) or isinstance(second, float):
+            return Contacts(found)
+        return Contacts(found, AskedStep(self._mesh._mesh, self._options, first, second, min_separation))
 
+    @overload
     def earliest(
         self, start: npt.ArrayLike, end: npt.ArrayLike, *, min_separation: float | None = None
+    ) -> EarliestContact: ...
+    @overload
+    def earliest(
+        self, start: Path, /, *, min_separation: float | None = None, tolerance: float | None = None
+    ) -> EarliestContact: ...
+    def earliest(
+        self,
+        start: npt.ArrayLike | Path,
+        end: npt.ArrayLike | None = None,
+        *,
+        min_separation: float | None = None,
+        tolerance: float | None = None,
     ) -> EarliestContact:
-        """Find the first contact: how far the step may go.
+        """Find the first contact: how far the step, or the path, may go. `truncate` says to which positions.
 
         Parameters
         ----------
-        start, end : array_like, shape (n, 3)
-            Where each vertex is at the start and at the end of the step.
-        min_separation : float, optional
-            Of this question alone; by default the detector's.
+        start, end, min_separation, tolerance
+            As of `contacts`.
 
         Returns
         -------
         EarliestContact
             The motion is free before its `toi_lower`: proven.
         """
-        lower, upper, found = self._detector.earliest(rows(start, "start"), rows(end, "end"), min_separation)
+        lower, upper, found = self._detector.earliest(*_motion(start, end, tolerance), min_separation)
         contacts = Contacts(found)
         return EarliestContact(lower, upper, contacts[0] if len(contacts) else None)
 
-    def is_free(self, start: npt.ArrayLike, end: npt.ArrayLike, *, min_separation: float | None = None) -> bool:
-        """Tell whether the whole step is free of contacts.
+    @overload
+    def is_free(self, start: npt.ArrayLike, end: npt.ArrayLike, *, min_separation: float | None = None) -> bool: ...
+    @overload
+    def is_free(
+        self, start: Path, /, *, min_separation: float | None = None, tolerance: float | None = None
+    ) -> bool: ...
+    def is_free(
+        self,
+        start: npt.ArrayLike | Path,
+        end: npt.ArrayLike | None = None,
+        *,
+        min_separation: float | None = None,
+        tolerance: float | None = None,
+    ) -> bool:
+        """Tell whether the whole step, or the whole path, is free of contacts.
 
         Parameters
         ----------
-        start, end : array_like, shape (n, 3)
-            Where each vertex is at the start and at the end of the step.
-        min_separation : float, optional
-            Of this question alone; by default the detector's.
+        start, end, min_separation, tolerance
+            As of `contacts`.
 
         Returns
         -------
         bool
-            True is a proof. With the guarantee "conservative", False may be due to a contact that is not certified.
+            True is a proof. With the guarantee "conservative", or on a path, False may be due to a contact that is not
+            certified.
         """
-        return self._detector.is_free(rows(start, "start"), rows(end, "end"), min_separation)
+        return self._detector.is_free(*_motion(start, end, tolerance), min_separation)
 
     def keep_distance(
         self, start: npt.ArrayLike, end: npt.ArrayLike, fraction: float, *, min_separation: float | None = None
@@ -231,6 +249,59 @@ class Detector:
             rows(start, "start"), rows(end, "end"), fraction, min_separation
         )
         return SafeStep(lower, upper, None if pair is None else LimitingPair(PairKind(pair[0]), *pair[1:]))
+
+    def vertex_steps(
+        self, start: npt.ArrayLike, end: npt.ArrayLike, fraction: float = 0.1, *, min_separation: float | None = None
+    ) -> VertexSteps:
+        """Find a step for each vertex, so that one near pair does not stop all.
+
+        All go together as far as `keep_distance` lets them, from there each on its own side of planes between the
+        features that it could reach, and no farther than half the mean edge.
+
+        Parameters
+        ----------
+        start, end : array_like, shape (n, 3)
+            Where each vertex is at the start and at the end of the step.
+        fraction : float
+            Of its distance that every pair keeps on the way that all go together: 0 < fraction < 1.
+        min_separation : float, optional
+            Of this question alone; by default the detector's.
+
+        Returns
+        -------
+        VertexSteps
+            Fractions of the step up to which every vertex may go, whatever the others do: proven.
+
+        Raises
+        ------
+        InvalidOptions
+            The fraction is outside its range.
+        """
+        return VertexSteps(
+            *self._detector.vertex_steps(rows(start, "start"), rows(end, "end"), fraction, min_separation)
+        )
+
+    def truncate(
+        self, start: npt.ArrayLike, end: npt.ArrayLike, fraction: float = 0.1, *, min_separation: float | None = None
+    ) -> TruncatedStep:
+        """Find the positions to go to, by `vertex_steps`: the straight way to these very doubles is proven free.
+
+        Parameters
+        ----------
+        start, end, fraction, min_separation
+            As of `vertex_steps`.
+
+        Returns
+        -------
+        TruncatedStep
+            Each vertex on its own line towards its end.
+
+        Raises
+        ------
+        InvalidOptions
+            The fraction is outside its range.
+        """
+        return TruncatedStep(*self._detector.truncate(rows(start, "start"), rows(end, "end"), fraction, min_separation))
 
     def near(self, positions: npt.ArrayLike, distance: float) -> NearPairs:
         """Find every pair of features that is near at rest: what a barrier or penalty method starts from.
@@ -289,6 +360,21 @@ class Detector:
 
     def __reduce__(self) -> Any:
         raise TypeError("a Detector cannot be pickled: pickle its Mesh, and make a Detector where you need it")
+
+
+def _motion(
+    start: npt.ArrayLike | Path, end: npt.ArrayLike | None, tolerance: float | None
+) -> tuple[Doubles | _core.Path, Doubles | float]:
+    """Return the two ends of a step; or a path and its tolerance."""
+    if isinstance(start, Path):
+        if end is not None:
+            raise InvalidPath("the path says where everything goes: give no end beside it")
+        return start._native(), 1e-9 if tolerance is None else tolerance
+    if end is None:
+        raise InvalidStep("the end is missing: give the positions at the end of the step, or a Path alone")
+    if tolerance is not None:
+        raise InvalidOptions("tolerance is an option of paths: leave it out for a step")
+    return rows(start, "start"), rows(end, "end")
 
 
 def contacts(faces: npt.ArrayLike, start: npt.ArrayLike, end: npt.ArrayLike, **options: Any) -> Contacts:

@@ -1,53 +1,43 @@
-"""Curved motion: rigid bodies that turn, and single pairs of their features."""
+"""Curved motion: what all paths have in common, and the ready-made ones along polynomials."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+import abc
 
 import numpy as np
 import numpy.typing as npt
 
 from tamis import _core
-from tamis._arrays import Doubles, indices, rows, vector
+from tamis._arrays import Doubles, indices, point_frames
 from tamis._errors import InvalidPath
 from tamis._pairs import Pairs
 
 
-class RigidPath:
-    """Bodies that each move on a chain of links: curves, on which pairs are decided without cutting them into pieces.
+class Path(abc.ABC):
+    """How all vertices move for t in [0, 1], on curves: what `Detector.contacts` takes in place of start and end.
 
-    Parameters
-    ----------
-    rest : array_like, shape (n, 3)
-        Each vertex in its body's own frame.
-    body_of_vertex : array_like of int, shape (n,)
-        The body of each vertex, from 0.
-    chains : sequence of array_like, shape (links, 4, 3)
-        One a body; a link is position and rotation vector at the start, then at the end, and both go linearly.
-        Outermost first: a point of the body goes through the last link first. See `interpolated`, `turned`, `between`.
-
-    Raises
-    ------
-    InvalidPath
-        Sizes that do not fit, or numbers that are not finite.
+    Ready-made: `RigidPath`, `BezierPath`, `CatmullRomPath`. Any other motion: `FunctionPath`.
     """
 
-    __slots__ = ("_path", "_vertex_count")
+    __slots__ = ()
 
-    def __init__(self, rest: npt.ArrayLike, body_of_vertex: npt.ArrayLike, chains: Sequence[npt.ArrayLike]) -> None:
-        points = np.ascontiguousarray(rows(rest, "rest", InvalidPath))
-        links = [np.ascontiguousarray(chain, dtype=np.float64).reshape(-1, 4, 3) for chain in chains]
-        self._path = _core.RigidPath(points, indices(body_of_vertex, 0, "body_of_vertex", InvalidPath), links)
-        self._vertex_count = len(points)
+    @abc.abstractmethod
+    def _native(self) -> _core.Path:
+        """Return what the compiled part asks."""
+
+    @property
+    def vertex_count(self) -> int:
+        """Vertices that move on it."""
+        return self._native().vertex_count
 
     def points_at(self, time: float) -> Doubles:
         """Where the vertices are at a time in [0, 1], shape (n, 3), rounded."""
         if not 0 <= time <= 1:
             raise InvalidPath(f"the time is {time}: give a number in [0, 1]")
-        return self._path.points_at(time)
+        return self._native().points_at(time)
 
     def vertex_face(self, vertices: npt.ArrayLike, *, min_separation: float = 0.0, tolerance: float = 1e-9) -> Pairs:
-        """Decide vertices against faces.
+        """Decide vertices against faces, each pair by itself.
 
         Parameters
         ----------
@@ -62,45 +52,80 @@ class RigidPath:
         -------
         Pairs
             Free is proven. What cannot be decided is a contact that is not certified.
+
+        Raises
+        ------
+        InvalidPath
+            A vertex that the path does not have, or a path that breaks its promises.
+        InvalidOptions
+            The separation or the tolerance is outside its range.
         """
-        return Pairs(self._path.vertex_face(indices(vertices, 4, "vertices", InvalidPath), min_separation, tolerance))
+        return Pairs(self._native().vertex_face(_vertices(vertices, 4), min_separation, tolerance))
 
     def edge_edge(self, vertices: npt.ArrayLike, *, min_separation: float = 0.0, tolerance: float = 1e-9) -> Pairs:
         """Decide edges against edges, shape (n, 4); otherwise as `vertex_face`."""
-        return Pairs(self._path.edge_edge(indices(vertices, 4, "vertices", InvalidPath), min_separation, tolerance))
+        return Pairs(self._native().edge_edge(_vertices(vertices, 4), min_separation, tolerance))
 
     def vertex_edge(self, vertices: npt.ArrayLike, *, min_separation: float = 0.0, tolerance: float = 1e-9) -> Pairs:
         """Decide points against segments, shape (n, 3); otherwise as `vertex_face`."""
-        return Pairs(self._path.vertex_edge(indices(vertices, 3, "vertices", InvalidPath), min_separation, tolerance))
+        return Pairs(self._native().vertex_edge(_vertices(vertices, 3), min_separation, tolerance))
 
     def vertex_vertex(self, vertices: npt.ArrayLike, *, min_separation: float = 0.0, tolerance: float = 1e-9) -> Pairs:
         """Decide points against points, shape (n, 2); otherwise as `vertex_face`."""
-        return Pairs(self._path.vertex_vertex(indices(vertices, 2, "vertices", InvalidPath), min_separation, tolerance))
+        return Pairs(self._native().vertex_vertex(_vertices(vertices, 2), min_separation, tolerance))
 
     def __repr__(self) -> str:
-        return f"RigidPath({self._vertex_count} vertices)"
+        return f"{type(self).__name__}({self.vertex_count} vertices)"
 
 
-def interpolated(start: npt.ArrayLike, end: npt.ArrayLike) -> Doubles:
-    """Make a chain whose position and rotation vector go linearly from one pose, shape (2, 3), to the other."""
-    return _core.interpolated(_pose(start, "start"), _pose(end, "end")).reshape(-1, 4, 3)
+class BezierPath(Path):
+    """Each vertex on a Bezier curve: every polynomial motion can be written so.
+
+    Parameters
+    ----------
+    control_points : array_like, shape (degree + 1, n, 3)
+        The i-th control point of every vertex; at least one.
+
+    Raises
+    ------
+    InvalidPath
+        Another shape, or numbers that are not finite.
+    """
+
+    __slots__ = ("_path",)
+
+    def __init__(self, control_points: npt.ArrayLike) -> None:
+        self._path = _core.BezierPath(point_frames(control_points, "control_points", InvalidPath))
+
+    def _native(self) -> _core.Path:
+        return self._path
 
 
-def turned(start: npt.ArrayLike, turn: npt.ArrayLike, end_position: npt.ArrayLike) -> Doubles:
-    """Make a chain that turns about the axis `turn`, by its length in radians, while the origin goes straight."""
-    axis, end = vector(turn, "turn", InvalidPath), vector(end_position, "end_position", InvalidPath)
-    if axis.shape != (3,) or end.shape != (3,):
-        raise InvalidPath("turn and end_position are three numbers each: give them so")
-    return _core.turned(_pose(start, "start"), axis, end).reshape(-1, 4, 3)
+class CatmullRomPath(Path):
+    """Through a sequence of frames at equal distances of time, smoothly.
+
+    Between any two frames a cubic; its slope at a frame is (next - previous) / 2, at the first and the last one that of
+    the chord.
+
+    Parameters
+    ----------
+    frames : array_like, shape (frames, n, 3)
+        Where each vertex is at t = i / (frames - 1); at least two.
+
+    Raises
+    ------
+    InvalidPath
+        Another shape, less than two frames, or numbers that are not finite.
+    """
+
+    __slots__ = ("_path",)
+
+    def __init__(self, frames: npt.ArrayLike) -> None:
+        self._path = _core.CatmullRomPath(point_frames(frames, "frames", InvalidPath))
+
+    def _native(self) -> _core.Path:
+        return self._path
 
 
-def between(start: npt.ArrayLike, end: npt.ArrayLike) -> Doubles:
-    """Make a chain from one pose to the other by the shorter turn about a fixed axis, at constant speed."""
-    return _core.between(_pose(start, "start"), _pose(end, "end")).reshape(-1, 4, 3)
-
-
-def _pose(given: npt.ArrayLike, name: str) -> Doubles:
-    pose = np.ascontiguousarray(rows(given, name, InvalidPath))
-    if len(pose) != 2:
-        raise InvalidPath(f"{name} is no pose: give its position and its rotation vector, (2, 3)")
-    return pose
+def _vertices(given: npt.ArrayLike, corners: int) -> npt.NDArray[np.int32]:
+    return indices(given, corners, "vertices", InvalidPath)

@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
+import os
+from collections.abc import Iterator
 from typing import NamedTuple
 
 from tamis import _core
 from tamis._arrays import Doubles, Indices
+from tamis._errors import InvalidOptions
+from tamis._files import MeshFile, read_frames
 from tamis._mesh import Mesh
 
 
@@ -42,6 +46,50 @@ def scene(name: str, triangles: int = 1000, seed: int = 1) -> Scene:
     """
     start, end, faces, edges, points, groups = _core.scene(name, triangles, seed)
     return Scene(Mesh(faces, len(start), edges, points), start, end, groups)
+
+
+def simulate(
+    name: str, folder: str | os.PathLike[str], triangles: int | None = None, frames: int | None = None, seed: int = 1
+) -> Iterator[MeshFile]:
+    """Simulate one of the scenes of `tamis scene` into a folder, and read its frames one after the other.
+
+    Every frame is free of intersections. Ctrl-C ends it after a frame; the same call goes on from there.
+
+    Parameters
+    ----------
+    name : str
+        One of `simulated_scenes()`.
+    folder : path_like
+        Where frame_0000.ply, frame_0001.ply, ... go; made if it is not there.
+    triangles : int, optional
+        About so many, obstacles included, at least 500; by default the scene's full size, for which it takes hours.
+    frames : int, optional
+        After the first; by default the whole scene.
+    seed : int
+        Of the small disorder at the start.
+
+    Yields
+    ------
+    MeshFile
+        One frame. All share one `Mesh`.
+
+    Raises
+    ------
+    InvalidOptions
+        No scene has this name, or a number is out of range.
+    Error
+        The folder holds another run, or a file that the scene needs is missing.
+    """
+    for value, least, what in ((triangles, 500, "triangles"), (frames, 0, "frames"), (seed, 0, "seed")):
+        if value is not None and not least <= value < 2**31:
+            raise InvalidOptions(f"{what} is {value}: give a number >= {least} and < 2^31")
+    last = _core.simulate(name, os.fspath(folder), triangles, frames, seed)
+    return read_frames(*(_core.frame_path(os.fspath(folder), frame) for frame in range(last + 1)))
+
+
+def simulated_scenes() -> dict[str, str]:
+    """Return the name of every scene of the simulator, and what it shows."""
+    return _core.simulated_scenes()
 
 
 def scene_names() -> dict[str, str]:

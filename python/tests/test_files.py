@@ -67,3 +67,22 @@ def test_scenes_that_are_not_there() -> None:
     for arguments in (("moon", 10), ("soup", 0)):
         with pytest.raises(tamis.InvalidOptions):
             tamis.scene(*arguments)
+
+
+def test_simulated_frames(tmp_path: pathlib.Path) -> None:
+    assert "cloth-ball" in tamis.simulated_scenes()
+    frames = list(tamis.simulate("cloth-ball", tmp_path / "run", triangles=500, frames=2))
+    assert len(frames) == 3 and frames[0].mesh is frames[2].mesh
+    assert not np.array_equal(frames[0].positions, frames[2].positions)
+    detector = tamis.Detector(frames[0].mesh)
+    assert not any(detector.has_intersection(frame.positions) for frame in frames)
+    again = list(tamis.simulate("cloth-ball", tmp_path / "run", triangles=500, frames=3))
+    assert np.array_equal(again[2].positions, frames[2].positions) and len(again) == 4
+
+
+def test_bad_simulations(tmp_path: pathlib.Path) -> None:
+    with pytest.raises(tamis.InvalidOptions, match="cloth-ball"):
+        tamis.simulate("unknown", tmp_path)
+    for wrong in ({"triangles": 3}, {"frames": -1}, {"seed": -1}):
+        with pytest.raises(tamis.InvalidOptions, match="give a number"):
+            tamis.simulate("cloth-ball", tmp_path, **wrong)

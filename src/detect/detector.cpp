@@ -1,11 +1,9 @@
 #include "tamis/detector.hpp"
 
-#include <tbb/global_control.h>
-#include <tbb/task_arena.h>
-
 #include <algorithm>
 #include <chrono>
 
+#include "detect/arena.hpp"
 #include "detect/contact_order.hpp"
 #include "detect/truncation.hpp"
 #include "detect/validate.hpp"
@@ -46,11 +44,6 @@ std::vector<double> radii_of(const Options& options, const Mesh& mesh) {
   return radii;
 }
 
-/// More are none: oneTBB warns on stderr when it is asked for them, and has no memory for a million.
-int most_threads() {
-  return static_cast<int>(tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
-}
-
 double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
@@ -58,11 +51,10 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
 }  // namespace
 
 struct Detector::State {
-  State(Mesh m, Options o) : mesh(std::move(m)), options(std::move(o)) {
+  State(Mesh m, Options o) : mesh(std::move(m)), options(std::move(o)), arena(options.threads) {
     validate(options, mesh);
     radii = radii_of(options, mesh);
     engine = make_engine(mesh, options);
-    if (options.threads > 0) arena.initialize(std::min(options.threads, most_threads()));
   }
 
   Separations separations(std::optional<double> min_separation) const {
@@ -139,8 +131,8 @@ struct Detector::State {
     const auto start = std::chrono::steady_clock::now();
     statistics = {};
     statistics.method = options.method;
-    in_arena([&] {
-      statistics.threads = tbb::this_task_arena::max_concurrency();
+    arena.run([&] {
+      statistics.threads = Arena::threads_here();
       work();
     });
     statistics.memory_bytes = engine->memory_bytes() + sorter.memory_bytes() + found.memory_bytes() +
@@ -152,18 +144,10 @@ struct Detector::State {
     statistics.seconds.total = seconds_since(start);
   }
 
-  template <class F>
-  void in_arena(const F& f) {
-    if (options.threads > 0)
-      arena.execute(f);
-    else
-      f();
-  }
-
   Mesh mesh;
   Options options;
   std::vector<double> radii;  ///< of the vertices; empty: all zero
-  tbb::task_arena arena;
+  Arena arena;
   std::unique_ptr<Engine> engine;
   std::unique_ptr<StepLengthSearch> step_length;  ///< made by the first question that needs it, as what follows
   std::unique_ptr<Engine> rest_engine;            ///< where `engine` does not answer at rest
@@ -199,9 +183,7 @@ EarliestContact Detector::earliest(const Step& step, std::optional<double> min_s
 }
 
 SafeStep Detector::keep_distance(const Step& step, double fraction, std::optional<double> min_separation) {
-  if (!(fraction >= 0 && fraction < 1))
-    throw InvalidOptions("the fraction of the distance to keep is " + std::to_string(fraction) +
-                         ": give a number >= 0 and < 1");
+  validate_kept(fraction);
   if (fraction > 0) return state_->keep_distance(step, state_->separations(min_separation), fraction);
   const EarliestContact first = earliest(step, min_separation);
   if (!first.contact) return {};
@@ -248,7 +230,7 @@ bool Detector::is_free(const Path& path, std::optional<double> min_separation, d
 
 namespace {
 
-void validate_kept(double fraction) {
+void validate_kept_part(double fraction) {
   if (!(fraction > 0 && fraction < 1))
     throw InvalidOptions("the fraction of the distance to keep is " + std::to_string(fraction) +
                          ": give a number > 0 and < 1");
@@ -257,12 +239,12 @@ void validate_kept(double fraction) {
 }  // namespace
 
 VertexSteps Detector::vertex_steps(const Step& step, double fraction, std::optional<double> min_separation) {
-  validate_kept(fraction);
+  validate_kept_part(fraction);
   return state_->vertex_steps(step, state_->separations(min_separation), fraction);
 }
 
 TruncatedStep Detector::truncate(const Step& step, double fraction, std::optional<double> min_separation) {
-  validate_kept(fraction);
+  validate_kept_part(fraction);
   const auto start = std::chrono::steady_clock::now();
   Truncation truncation(step, vertex_steps(step, fraction, min_separation));
   do {

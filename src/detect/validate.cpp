@@ -5,6 +5,7 @@
 #include <span>
 #include <string>
 
+#include "solve/pair_input.hpp"
 #include "tamis/error.hpp"
 
 namespace tamis {
@@ -62,20 +63,30 @@ void validate(const ReducedModel& model, const Mesh& mesh) {
 
 }  // namespace
 
+void validate_layout(const Positions& positions, const char* what) {
+  if (positions.count() > 0 && (!positions.data() || positions.stride() < 3))
+    throw InvalidStep(std::string(what) +
+                      " is no n x 3 array of doubles, row by row: give three columns next to each other (of Eigen a "
+                      "RowMajor matrix or a Matrix3Xd, or points_of(matrix)) and a stride of at least 3");
+}
+
+void validate_layout(const Step& step) {
+  if (step.start.count() != step.end.count())
+    throw InvalidStep("the step has " + std::to_string(step.start.count()) + " positions at its start and " +
+                      std::to_string(step.end.count()) + " at its end: give as many");
+  validate_layout(step.start, "the start of the step");
+  validate_layout(step.end, "the end of the step");
+}
+
 void validate(const Positions& positions, const Mesh& mesh, const char* what) {
   if (positions.count() < 0)
     throw InvalidStep(std::string(what) + " has more than 2^31 - 1 positions: give one row a vertex");
   if (positions.count() != mesh.vertex_count())
     throw InvalidStep(std::string(what) + " has " + std::to_string(positions.count()) + " positions, the mesh " +
                       std::to_string(mesh.vertex_count()) + " vertices: give one row a vertex");
-  if (mesh.vertex_count() > 0 && (!positions.data() || positions.stride() < 3))
-    throw InvalidStep(std::string(what) +
-                      " is no n x 3 array of doubles, row by row: give three columns next to each other (of Eigen a "
-                      "RowMajor matrix) and a stride of at least 3");
+  validate_layout(positions, what);
   for (Index v : mesh.points()) {
-    const double* p = positions[v];
-    // x - x is 0 for finite x, NaN otherwise: one test for the three.
-    if (p[0] - p[0] + (p[1] - p[1]) + (p[2] - p[2]) == 0) continue;
+    if (is_finite(positions[v])) continue;
     throw InvalidStep("vertex " + std::to_string(v) + " in " + what +
                       " has a coordinate that is not finite: give finite positions");
   }
@@ -89,7 +100,7 @@ void validate(const Options& options, const Mesh& mesh) {
   check(options.paper.high_level <= HighLevelCulling::subspace,
         "no high-level culling has the number " + std::to_string(static_cast<int>(options.paper.high_level)) +
             ": use one of the enumeration's names");
-  check(options.threads >= 0, "threads is " + std::to_string(options.threads) + ": give 0 (all) or a positive number");
+  validate_threads(options.threads);
   validate_distance(options.min_separation, "min_separation");
   validate(options.filter, mesh);
   check(options.thickness.empty() || options.thickness.size() == static_cast<std::size_t>(options.filter.group_count),
@@ -102,6 +113,10 @@ void validate(const Options& options, const Mesh& mesh) {
   validate(*options.paper.reduced_model, mesh);
 }
 
+void validate_threads(int threads) {
+  check(threads >= 0, "threads is " + std::to_string(threads) + ": give 0 (all) or a positive number");
+}
+
 void validate_distance(double distance, const std::string& what) {
   check(std::isfinite(distance) && distance >= 0,
         what + " is " + std::to_string(distance) + ": give a finite distance >= 0");
@@ -110,6 +125,11 @@ void validate_distance(double distance, const std::string& what) {
 void validate(const Step& step, const Mesh& mesh) {
   validate(step.start, mesh, "the start of the step");
   validate(step.end, mesh, "the end of the step");
+}
+
+void validate_kept(double fraction) {
+  check(fraction >= 0 && fraction < 1,
+        "the fraction of the distance to keep is " + std::to_string(fraction) + ": give a number >= 0 and < 1");
 }
 
 void validate_tolerance(double tolerance) {

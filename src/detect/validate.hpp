@@ -17,8 +17,20 @@ void validate(const Step& step, const Mesh& mesh);
 /// The same of one pose. `what`: as in "the start of the step".
 void validate(const Positions& positions, const Mesh& mesh, const char* what);
 
+/// Throws InvalidStep unless three numbers of a row stand side by side. `what` as before.
+void validate_layout(const Positions& positions, const char* what);
+
+/// Both ends, which must have as many rows.
+void validate_layout(const Step& step);
+
+/// Throws InvalidOptions if negative.
+void validate_threads(int threads);
+
 /// `what`: as in "the minimum separation". Throws InvalidOptions unless finite and >= 0.
 void validate_distance(double distance, const std::string& what);
+
+/// Throws InvalidOptions unless in [0, 1).
+void validate_kept(double fraction);
 
 /// Throws InvalidOptions unless in (0, 1].
 void validate_tolerance(double tolerance);

@@ -5,8 +5,9 @@
 
 namespace tamis {
 
-/// Throws Cancelled once the caller wants no answer any more.
-inline void stop_if_cancelled(const Options& options) {
+/// Throws Cancelled once the caller wants no answer any more. Options, or those of a list of pairs.
+template <class AnyOptions>
+void stop_if_cancelled(const AnyOptions& options) {
   if (options.is_cancelled && options.is_cancelled()) throw Cancelled("the question was cancelled: ask it again");
 }
 

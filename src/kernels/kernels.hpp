@@ -8,6 +8,7 @@
 #include "motion/pair_kinds.hpp"
 #include "tamis/contact.hpp"
 #include "tamis/options.hpp"
+#include "tamis/pair.hpp"
 
 namespace tamis {
 
@@ -82,6 +83,13 @@ struct GapScan {
   int count = 0;
 };
 
+/// What goes with the pairs of a list.
+struct ListedPairs {
+  const PackedVertex* vertices;  ///< without radii
+  const std::int32_t* places;    ///< of the pairs of the buffer in the list
+  const PairOptions& options;
+};
+
 struct Kernels {
   Isa isa;
   TreeKernels trees;
@@ -126,6 +134,11 @@ struct Kernels {
   /// The slab clip for the kinds that cannot cross.
   void (*slab_ve)(const BoxVertex* vertices, const BoxSeparation& separation, const PairBuffer& in, PairBuffer& out);
   void (*slab_vv)(const BoxVertex* vertices, const BoxSeparation& separation, const PairBuffer& in, PairBuffer& out);
+  /// [kind]: the pairs of a list, each for the whole step and by itself, as far as doubles settle it
+  /// (solve/settled.hpp): with the bits of decide(). Writes results[places[i]], or the place to `open`, whose number is
+  /// returned: of pairs that more has to be tried for, or whose coordinates are not finite. `rest` is scratch.
+  int (*settle[kPairKinds])(const ListedPairs& list, const PairBuffer& in, PairBuffer& rest, PairResult* results,
+                            std::int32_t* open);
 };
 
 /// The kernels of `isa`; throws InvalidOptions if this machine or build has none. `best`: the widest there is.

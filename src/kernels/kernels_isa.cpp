@@ -10,6 +10,7 @@
 #include "kernels/near_boxes.hpp"
 #include "kernels/rest_kernels.hpp"
 #include "kernels/search.hpp"
+#include "kernels/settle.hpp"
 #include "kernels/split.hpp"
 #include "solve/crossing.hpp"
 #include "solve/kept_gap.hpp"
@@ -106,13 +107,10 @@ int filter(const PackedVertex* vertices, const PairBuffer& in, PairBuffer& out) 
 /// Returns the new number of entries.
 int write_solved(const Crossing<DoubleLanes>& c, unsigned left, unsigned touches, const std::int32_t* pairs,
                  SolvedPair* out, int count) {
-  // Divided by its largest component first, so that no square underflows.
-  const DoubleLanes size = max(max(abs(c.normal.x), abs(c.normal.y)), abs(c.normal.z)), zero(0), one(1);
-  const Vec3<DoubleLanes> normal{c.normal.x / size, c.normal.y / size, c.normal.z / size};
-  const DoubleLanes length = sqrt(dot(normal, normal));
-  const DoubleLanes fields[] = {
-      c.lower,           c.upper,           min(max(c.u, zero), one), min(max(c.v, zero), one),
-      normal.x / length, normal.y / length, normal.z / length};
+  const DoubleLanes zero(0), one(1);
+  const Vec3<DoubleLanes> normal = unit_vector(c.normal);
+  const DoubleLanes fields[] = {c.lower,  c.upper, min(max(c.u, zero), one), min(max(c.v, zero), one), normal.x,
+                                normal.y, normal.z};
   double f[7][kDoubleLanes];
   for (int k = 0; k < 7; ++k) fields[k].store_unaligned(f[k]);
   for_each_bit(left, [&](int i) {
@@ -171,6 +169,7 @@ const Kernels kKernels{Isa::TAMIS_ISA,
                        {find_near<kVf>, find_near<kEe>, find_near<kVe>, find_near<kVv>},
                        {measure<kVf>, measure<kEe>, measure<kVe>, measure<kVv>},
                        slab<kVe>,
-                       slab<kVv>};
+                       slab<kVv>,
+                       {settle_vf, settle_ee, settle_ve, settle_vv}};
 
 }  // namespace tamis::TAMIS_ISA

@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "filters/filters.hpp"
 #include "motion/pair_kinds.hpp"
 #include "solve/exact.hpp"
 #include "solve/separation.hpp"
+#include "solve/settled.hpp"
 #include "solve/start_distance.hpp"
 #include "solve/subdivide.hpp"
 #include "solve/weights.hpp"
@@ -18,12 +20,6 @@ namespace {
 bool is_about_distance(PairKind kind, double separation) { return separation > 0 || !can_cross(kind); }
 
 bool is_finite(const PairMotion<double>& m) { return std::isfinite(m.size_e + m.size_f + m.size_d); }
-
-/// A face that meets the axes squarely is clipped to the very instant of contact, where no sign is certain any more.
-TimeInterval<double> widened(const TimeInterval<double>& time) {
-  constexpr double kRoom = 1.0 / 1024;
-  return {std::max(time.t_in - kRoom, 0.0), std::min(time.t_out + kRoom, 1.0)};
-}
 
 /// The times that the slab clip leaves.
 TimeInterval<double> time_in_question(PairKind kind, const PairMotion<double>& m) {
@@ -85,15 +81,22 @@ Outcome decide_conservatively(PairKind kind, const PairPoints& points, const Pai
   return {d, d.verdict == Verdict::unsure ? &PrecisionCount::unresolved : &PrecisionCount::scalar};
 }
 
-/// Doubles cannot decide what is coplanar at t=0, and bodies at rest on each other often are.
-bool may_start_coplanar(const PairMotion<double>& m) {
-  const double k = dot(m.d.at0, cross(m.e.at0, m.f.at0));
-  return std::fabs(k) <= error_bounds::bound(error_bounds::kCoplanarityEnd, m.size_d * m.size_e * m.size_f);
+/// What crossings settle; nothing where that takes more.
+template <PairKind kind>
+std::optional<PairResult> settled_by_crossings(const PairMotion<double>& m, const TimeInterval<double>& clip,
+                                               Guarantee guarantee) {
+  const bool is_exact = guarantee == Guarantee::exact;
+  if (!is_finite(m) || (is_exact && clip.t_in == 0 && may_start_coplanar(m))) return {};
+  const auto time = widened(clip);
+  auto s = settled(find_crossing<kind>(m, time), clip, is_exact);
+  if (!s.is_free && !s.touches) s = settled(find_crossing_in_halves<kind>(m, time), clip, is_exact);
+  if (s.is_free) return PairResult{};
+  if (!s.touches) return {};
+  return PairResult{true, Certainty::certified, s.lower, s.upper, s.u, s.v, {s.normal.x, s.normal.y, s.normal.z}};
 }
 
-Outcome decide_pair(PairKind kind, const PairPoints& points, const PairMotion<double>& m, const PairOptions& options) {
-  const auto clip = time_in_question(kind, m);
-  if (clip.t_in > clip.t_out) return {{}, &PrecisionCount::scalar};
+Outcome decide_pair(PairKind kind, const PairPoints& points, const PairMotion<double>& m,
+                    const TimeInterval<double>& clip, const PairOptions& options) {
   const bool is_exact = options.guarantee == Guarantee::exact;
   if (is_exact && clip.t_in == 0 && !is_about_distance(kind, m.separation) && may_start_coplanar(m))
     return decide_in_integers(kind, points, options.min_separation);
@@ -104,12 +107,7 @@ Outcome decide_pair(PairKind kind, const PairPoints& points, const PairMotion<do
   return decide_in_integers(kind, points, options.min_separation);
 }
 
-}  // namespace
-
-PairResult decide(PairKind kind, const PairPoints& points, const PairOptions& options, PrecisionCount& decided_by) {
-  const auto m = make_motion(kind, points, options.min_separation);
-  const auto [decision, arithmetic] = decide_pair(kind, points, m, options);
-  ++(decided_by.*arithmetic);
+PairResult with_weights(PairKind kind, const PairMotion<double>& m, const Decision& decision) {
   if (decision.verdict == Verdict::is_free) return {};
   PairResult result;
   result.touches = true;
@@ -118,6 +116,32 @@ PairResult decide(PairKind kind, const PairPoints& points, const PairOptions& op
   result.toi_upper = decision.upper;
   add_weights(kind, m, 0.5 * (result.toi_lower + result.toi_upper), result);
   return result;
+}
+
+PairResult decide_step(PairKind kind, const PairPoints& points, const PairOptions& options,
+                       PrecisionCount& decided_by) {
+  const auto m = make_motion(kind, points, options.min_separation);
+  const auto clip = time_in_question(kind, m);
+  std::optional<PairResult> settled;
+  if (clip.t_in > clip.t_out || clip.t_in > options.latest)
+    settled = PairResult{};
+  else if (!is_about_distance(kind, m.separation))
+    settled = kind == PairKind::vertex_face ? settled_by_crossings<PairKind::vertex_face>(m, clip, options.guarantee)
+                                            : settled_by_crossings<PairKind::edge_edge>(m, clip, options.guarantee);
+  if (settled) {
+    ++decided_by.scalar;
+    return *settled;
+  }
+  const auto [decision, arithmetic] = decide_pair(kind, points, m, clip, options);
+  ++(decided_by.*arithmetic);
+  return with_weights(kind, m, decision);
+}
+
+}  // namespace
+
+PairResult decide(PairKind kind, const PairPoints& points, const PairOptions& options, PrecisionCount& decided_by) {
+  const PairResult result = decide_step(kind, points, options, decided_by);
+  return result.toi_lower > options.latest ? PairResult{} : result;
 }
 
 }  // namespace tamis

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "solve/decide.hpp"
+#include "solve/pair_input.hpp"
 #include "tamis/error.hpp"
 
 namespace tamis {
@@ -13,10 +14,7 @@ namespace {
 template <std::size_t count>
 void check_finite(const std::array<Point, count>& points, const char* when) {
   for (std::size_t i = 0; i < count; ++i)
-    for (double c : points[i])
-      if (!std::isfinite(c))
-        throw InvalidStep("point " + std::to_string(i) + " at the " + when +
-                          " of the step is not finite: give finite coordinates");
+    if (!is_finite(points[i].data())) throw InvalidStep(not_finite(i, when));
 }
 
 template <std::size_t count>
@@ -24,12 +22,7 @@ PairResult decide_pair(PairKind kind, const std::array<Point, count>& start, con
                        const PairOptions& options) {
   check_finite(start, "start");
   check_finite(end, "end");
-  if (!(options.min_separation >= 0) || std::isinf(options.min_separation))
-    throw InvalidOptions("the minimum separation is " + std::to_string(options.min_separation) +
-                         ": give a finite distance >= 0");
-  if (options.guarantee != Guarantee::conservative && options.guarantee != Guarantee::exact)
-    throw InvalidOptions("no guarantee has the number " + std::to_string(static_cast<int>(options.guarantee)) +
-                         ": use conservative or exact");
+  validate(options);
   PairPoints points{};
   std::copy(start.begin(), start.end(), points.start.begin());
   std::copy(end.begin(), end.end(), points.end.begin());
@@ -38,6 +31,22 @@ PairResult decide_pair(PairKind kind, const std::array<Point, count>& start, con
 }
 
 }  // namespace
+
+std::string not_finite(std::size_t point, const char* when) {
+  return "point " + std::to_string(point) + " at the " + when + " of the step is not finite: give finite coordinates";
+}
+
+void validate(const PairOptions& options) {
+  if (!(options.min_separation >= 0) || std::isinf(options.min_separation))
+    throw InvalidOptions("the minimum separation is " + std::to_string(options.min_separation) +
+                         ": give a finite distance >= 0");
+  if (!(options.latest >= 0 && options.latest <= 1))
+    throw InvalidOptions("the latest time of interest is " + std::to_string(options.latest) +
+                         ": give a fraction of the step, >= 0 and <= 1");
+  if (options.guarantee != Guarantee::conservative && options.guarantee != Guarantee::exact)
+    throw InvalidOptions("no guarantee has the number " + std::to_string(static_cast<int>(options.guarantee)) +
+                         ": use conservative or exact");
+}
 
 PairResult vertex_face(const std::array<Point, 4>& start, const std::array<Point, 4>& end, const PairOptions& options) {
   return decide_pair(PairKind::vertex_face, start, end, options);

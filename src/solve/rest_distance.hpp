@@ -2,6 +2,7 @@
 // above, and from below the axis along which they lie. Error bounds: kGap, kAxisNow. Cost: about 200 operations.
 #pragma once
 #include "motion/pair_motion.hpp"
+#include "numerics/unit_vector.hpp"
 #include "solve/closest.hpp"
 #include "solve/difference_corners.hpp"
 #include "solve/distance_along.hpp"
@@ -36,15 +37,6 @@ inline RestDistance<T> rest_distance(const PairPose<T>& p) {
   const T size = p.size_d + p.size_e + p.size_f;
   return {closest, distance_along(difference_corners<kind>(p.e, p.f, p.d), direction, size),
           sqrt(dot(closest.gap, closest.gap)), error_bounds::bound<T>(error_bounds::kRestDistance, size), direction};
-}
-
-/// Of unit length; NaN where `v` is zero or NaN. Divided by its largest component first, so that no square underflows.
-template <class T>
-inline Vec3<T> unit_vector(const Vec3<T>& v) {
-  const T size = max(max(abs(v.x), abs(v.y)), abs(v.z));
-  const Vec3<T> scaled{v.x / size, v.y / size, v.z / size};
-  const T length = sqrt(dot(scaled, scaled));
-  return {scaled.x / length, scaled.y / length, scaled.z / length};
 }
 
 }  // namespace tamis

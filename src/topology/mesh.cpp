@@ -104,4 +104,17 @@ Mesh::Mesh(Index vertex_count, std::vector<Face> faces, const std::vector<Edge>&
     if (used[at(v)]) points_.push_back(v);
 }
 
+Index Mesh::find_edge(Index a, Index b) const {
+  const Edge edge = ascending(a, b);
+  const auto found = std::lower_bound(edges_.begin(), edges_.end(), edge);
+  return found != edges_.end() && *found == edge ? static_cast<Index>(found - edges_.begin()) : -1;
+}
+
+Index Mesh::find_face(const Face& face) const {
+  if (face[0] < 0 || face[0] >= vertex_count_) return -1;
+  const auto row = faces_of_vertex(face[0]);
+  const auto found = std::find_if(row.begin(), row.end(), [&](Index f) { return faces_[at(f)] == face; });
+  return found != row.end() ? *found : -1;
+}
+
 }  // namespace tamis

@@ -226,7 +226,7 @@ static void pairs_of_features(void) {
   double bad[24];
   tamis_pair_result r[2];
   tamis_pairs* pairs = NULL;
-  tamis_pair_options options = {sizeof options, "exact", 0};
+  tamis_pair_options options = {sizeof options, "exact", 0, 0, NULL};
   EXPECT(tamis_pairs_create(&options, &pairs) == TAMIS_OK);
   EXPECT(tamis_vertex_face(pairs, 2, before, after, r, sizeof r[0]) == TAMIS_OK);
   EXPECT(r[0].touches == 1 && r[0].certainty == TAMIS_CERTIFIED && r[1].touches == 0);
@@ -255,6 +255,38 @@ static void pairs_of_features(void) {
   tamis_pairs_free(NULL);
 }
 
+static void lists_of_pairs(void) {
+  const double start[] = {0.2, 0.2, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 9, 9, 1};
+  const double end[] = {0.2, 0.2, -3, 0, 0, 0, 1, 0, 0, 0, 1, 0, 9, 9, -3};
+  const double wide = 100;
+  tamis_pair list[] = {
+      {TAMIS_VERTEX_FACE, {0, 1, 2, 3}}, {TAMIS_VERTEX_FACE, {4, 1, 2, 3}}, {TAMIS_VERTEX_VERTEX, {0, 4, -1, -1}}};
+  tamis_step step = {sizeof step, 5, start, end, 0, 0, NULL};
+  tamis_pair_result r[3];
+  tamis_pairs* pairs = NULL;
+  tamis_pair_options options = {sizeof options, NULL, 0, 1, "baseline"};
+  EXPECT(tamis_pairs_create(&options, &pairs) == TAMIS_OK);
+  EXPECT(tamis_narrow_phase(pairs, list, 3, &step, r, sizeof r[0]) == TAMIS_OK);
+  EXPECT(r[0].touches == 1 && r[1].touches == 0 && r[2].touches == 0);
+  EXPECT(r[0].toi_lower <= 0.25 && 0.25 <= r[0].toi_upper);
+  step.min_separation = &wide;
+  EXPECT(tamis_narrow_phase(pairs, list, 3, &step, r, sizeof r[0]) == TAMIS_OK);
+  EXPECT(r[0].touches == 1 && r[1].touches == 1 && r[2].touches == 1 && r[2].toi_upper == 0);
+  EXPECT(tamis_narrow_phase(pairs, NULL, 0, &step, NULL, 0) == TAMIS_OK);
+  EXPECT(tamis_narrow_phase(pairs, NULL, 1, &step, r, sizeof r[0]) == TAMIS_INVALID_ARGUMENT);
+  EXPECT(tamis_narrow_phase(pairs, list, 3, NULL, r, sizeof r[0]) == TAMIS_INVALID_ARGUMENT);
+  list[2].vertices[1] = 5;
+  EXPECT(tamis_narrow_phase(pairs, list, 3, &step, r, sizeof r[0]) == TAMIS_INVALID_STEP);
+  EXPECT_SAYS(tamis_pairs_message(pairs), "pair 2: vertex 5 is no row of the step's 5 positions");
+  list[1].kind = 256;
+  EXPECT(tamis_narrow_phase(pairs, list, 3, &step, r, sizeof r[0]) == TAMIS_INVALID_STEP);
+  EXPECT_SAYS(tamis_pairs_message(pairs), "pair 1: no kind");
+  tamis_pairs_free(pairs);
+  options.threads = -1;
+  EXPECT(tamis_pairs_create(&options, &pairs) == TAMIS_INVALID_OPTIONS);
+  tamis_pairs_free(pairs);
+}
+
 int main(void) {
   EXPECT(strlen(tamis_version()) >= 5);
   meshes();
@@ -264,5 +296,6 @@ int main(void) {
   structs_of_other_versions();
   at_rest();
   pairs_of_features();
+  lists_of_pairs();
   return expect_failures > 0;
 }

@@ -9,6 +9,12 @@
 namespace tamis::test {
 namespace {
 
+#ifdef TAMIS_HAS_PICTURES
+constexpr bool kHasPictures = true;
+#else
+constexpr bool kHasPictures = false;
+#endif
+
 class View : public testing::Test {
  protected:
   View() { folder_.write_fall(); }
@@ -51,10 +57,12 @@ TEST_F(View, TwoFilesStayInTheirOrder) {
 
 // Bug: the same step gives another page when it is asked again, or on another number of threads.
 TEST_F(View, TheSameStepGivesTheSameBytes) {
-  for (const char* extension : {"html", "glb", "vtp", "vtu", "csv"}) {
-    const std::string one = std::string("one.") + extension, two = std::string("two.") + extension;
-    EXPECT_EQ(folder_.run("view above.obj below.obj --threads 1 --out " + one).code, 0);
-    EXPECT_EQ(folder_.run("contacts above.obj below.obj --threads 2 --out " + two).code, 0);
+  for (const std::string extension : {"html", "glb", "vtp", "vtu", "csv", "png"}) {
+    if (extension == "png" && !kHasPictures) continue;
+    const std::string one = "one." + extension, two = "two." + extension;
+    const std::string more = extension == "png" ? " --size 64,48" : "";
+    EXPECT_EQ(folder_.run("view above.obj below.obj --threads 1 --out " + one + more).code, 0);
+    EXPECT_EQ(folder_.run("contacts above.obj below.obj --threads 2 --out " + two + more).code, 0);
     EXPECT_FALSE(bytes(one).empty());
     EXPECT_EQ(bytes(one), bytes(two)) << extension;
   }
@@ -80,6 +88,37 @@ TEST_F(View, WhatFloatsCannotHoldIsNoGltf) {
   folder_.write("far.obj", "v 0 0 1\nv 1e39 0 1\nv 0 1 1\nf 1 2 3\n");
   expect_refused("view near.obj far.obj --out step.glb", "step.glb: the mesh is too large for the floats of glTF");
   EXPECT_EQ(folder_.run("view near.obj far.obj --out step.html").code, 0);
+}
+
+TEST_F(View, APictureTakesATimeADirectionAndASize) {
+  if (!kHasPictures) {
+    expect_refused("contacts above.obj below.obj --out step.png", "built without Embree and libpng");
+    GTEST_SKIP() << "no pictures on this machine";
+  }
+  const std::string step = "contacts above.obj below.obj --out step.png --size 64,48";
+  EXPECT_EQ(folder_.run(step).code, 0);
+  const std::string plain = bytes("step.png");
+  EXPECT_TRUE(plain.starts_with("\x89PNG"));
+  EXPECT_EQ(plain.substr(16, 8), std::string("\0\0\0\x40\0\0\0\x30", 8)) << "width and height";
+  for (const char* more : {" --time 0.5", " --from -1,0.5,2"}) {
+    EXPECT_EQ(folder_.run(step + more).code, 0) << more;
+    EXPECT_NE(bytes("step.png"), plain) << more;
+  }
+}
+
+TEST_F(View, OptionsOfPicturesAreRefusedWithASentence) {
+  if (!kHasPictures) GTEST_SKIP() << "no pictures on this machine";
+  const std::string step = "view above.obj below.obj --out step.png ";
+  expect_refused(step + "--time 1.5", "--time: '1.5' is no number from 0 to 1");
+  expect_refused(step + "--from 1,2", "--from is no direction: give three numbers");
+  expect_refused(step + "--from 0,0,0", "--from is no direction");
+  expect_refused(step + "--size 640", "--size takes a width and a height");
+  expect_refused(step + "--size 640,1000000", "--size: '1000000' is no whole number from 16 to 8192");
+  expect_refused("view above.obj below.obj lower.obj --out film.png", "film.png: such a file holds one step, not 2");
+  for (const char* out : {"", " --out step.html", " --out contacts.csv"})
+    expect_refused(std::string("contacts above.obj below.obj --time 0.5") + out,
+                   "--time, --from and --size are of pictures: give --out a name that ends in .png");
+  EXPECT_FALSE(std::filesystem::exists(folder_.path() / "step.png"));
 }
 
 // Bug: a name that is no extension makes `contacts` fail where it wrote a table before.

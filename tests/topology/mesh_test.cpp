@@ -114,5 +114,21 @@ TEST(MeshSize, ThatNoIndexCountsIsRefused) {
   EXPECT_THROW(require_countable(0, most + 1), InvalidMesh);
 }
 
+TEST(Mesh, FeaturesAreFoundByTheirVertices) {
+  const Mesh mesh(8, {{2, 0, 1}, {1, 3, 2}, {2, 0, 1}, {4, 4, 5}}, {{7, 6}});
+  for (std::size_t e = 0; e < mesh.edges().size(); ++e) {
+    EXPECT_EQ(mesh.find_edge(mesh.edges()[e][0], mesh.edges()[e][1]), static_cast<Index>(e));
+    EXPECT_EQ(mesh.find_edge(mesh.edges()[e][1], mesh.edges()[e][0]), static_cast<Index>(e));
+  }
+  EXPECT_EQ(mesh.find_face({2, 0, 1}), 0);  // the first of two
+  EXPECT_EQ(mesh.find_face({1, 3, 2}), 1);
+  EXPECT_EQ(mesh.find_face({4, 4, 5}), 3);
+  EXPECT_EQ(mesh.find_face({0, 1, 2}), -1);  // another order is another face
+  for (const Index none : {-1, 8, 1000}) EXPECT_EQ(mesh.find_face({none, 0, 1}), -1);
+  EXPECT_EQ(mesh.find_edge(0, 3), -1);
+  EXPECT_EQ(mesh.find_edge(4, 4), -1);
+  EXPECT_EQ(mesh.find_edge(-1, 99), -1);
+}
+
 }  // namespace
 }  // namespace tamis::test

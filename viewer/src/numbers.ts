@@ -2,6 +2,9 @@
 
 export const grouped = (n: number): string => Math.round(n).toLocaleString("en-US");
 
+/** "1 contact", "1,588 contacts". */
+export const counted = (n: number, name: string): string => `${grouped(n)} ${name}${n === 1 ? "" : "s"}`;
+
 /** 1.4e10 as "14 billion". */
 export function inWords(n: number): string {
   for (const [size, name] of [

@@ -3,6 +3,8 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { after, before, test } from "node:test";
 import { validateBytes } from "gltf-validator";
+import { AnimationMixer, Vector3, type Mesh, type Points } from "three";
+import { GLTFLoader } from "three/addons/loaders/GLTFLoader.js";
 import { Folder, obj, sheet, type Row } from "./command";
 
 const folder = new Folder();
@@ -87,6 +89,32 @@ void test("glTF moves every vertex from the start to the end, and holds every co
     held.map(({ kind, v0, v1, v2, v3, toi_lower, toi_upper }) => [kind, v0, v1, v2, v3, toi_lower, toi_upper]),
     rows.map(({ kind, vertices, toiLower, toiUpper }) => [kind, ...vertices, toiLower, toiUpper]),
   );
+});
+
+// Bug: a file that is valid, and yet is nothing to look at: no animation that moves it, or extras that a reader drops.
+void test("three.js loads the glTF, and its animation plays the motion", async () => {
+  folder.run("view start.obj end.obj --out step.glb");
+  const bytes = readFileSync(folder.file("step.glb"));
+  const buffer = bytes.buffer.slice(bytes.byteOffset, bytes.byteOffset + bytes.byteLength);
+  const loaded = await new GLTFLoader().parseAsync(buffer, "");
+  const surface = loaded.scene.getObjectByName("mesh")!.getObjectByProperty("type", "Mesh") as Mesh;
+  const contacts = loaded.scene.getObjectByName("contacts")!;
+  assert.equal((contacts.userData.rows as unknown[]).length, rows.length);
+  assert.deepEqual((contacts.getObjectByProperty("type", "Points") as Points).morphTargetInfluences, [0]);
+
+  const mixer = new AnimationMixer(loaded.scene);
+  mixer.clipAction(loaded.animations[0]).play();
+  loaded.scene.updateMatrixWorld(true);
+  for (const time of [0, 0.25, 0.5]) {
+    mixer.setTime(time);
+    start.forEach((place, v) => {
+      if (v >= surface.geometry.getAttribute("position").count) return;
+      const shown = surface.localToWorld(surface.getVertexPosition(v, new Vector3())).toArray();
+      shown.forEach((x, axis) => {
+        assert.ok(Math.abs(x - (1 - time) * place[axis] - time * end[v][axis]) < 1e-4);
+      });
+    });
+  }
 });
 
 const numbersOf = (xml: string, name: string): number[] => {

@@ -7,6 +7,7 @@
 #include "engines/stage_counts.hpp"
 #include "solve/decide.hpp"
 #include "solve/interval_newton.hpp"
+#include "solve/sharp_bracket.hpp"
 
 namespace tamis {
 namespace {

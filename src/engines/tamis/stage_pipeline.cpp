@@ -5,6 +5,7 @@
 #include "engines/cancellation.hpp"
 #include "engines/tamis/pair_buffers.hpp"
 #include "solve/decide.hpp"
+#include "solve/sharp_bracket.hpp"
 
 namespace tamis {
 

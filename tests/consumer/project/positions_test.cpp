@@ -62,6 +62,42 @@ TEST(Positions, of_a_raw_pointer_with_stride) {
 static_assert(!std::is_constructible_v<tamis::Positions, Eigen::Matrix<double, Eigen::Dynamic, 3>>);
 static_assert(!std::is_constructible_v<tamis::Positions, Eigen::Matrix<float, Eigen::Dynamic, 3, Eigen::RowMajor>>);
 
+TEST(Positions, of_a_matrix_of_three_rows_are_its_columns) {
+  const Eigen::Matrix3Xd start = padded(kStart, 3).transpose();
+  const Eigen::Matrix<double, 5, Eigen::Dynamic> wide = padded(kEnd, 5).transpose();
+  expect_the_one_contact({start, wide.topRows<3>()});
+}
+
+TEST(Positions, of_columns_side_by_side_are_copied_by_points_of) {
+  const Eigen::MatrixXd start = padded(kStart, 3);
+  const Eigen::Matrix<double, Eigen::Dynamic, 3> end = padded(kEnd, 3);
+  const auto starts = tamis::points_of(start), ends = tamis::points_of(end);
+  expect_the_one_contact({starts, ends});
+  EXPECT_THROW(tamis::points_of(start.leftCols(2)), tamis::InvalidStep);
+}
+
+TEST(Topology, comes_from_pointers_and_from_integer_matrices_of_either_layout) {
+  Eigen::MatrixXi faces(2, 3);
+  faces << 0, 1, 2, 3, 4, 5;
+  const std::vector<tamis::Face> expected{{0, 1, 2}, {3, 4, 5}};
+  EXPECT_EQ(tamis::faces_of(faces), expected);
+  const Eigen::Matrix<std::int64_t, Eigen::Dynamic, 3, Eigen::RowMajor> wide = faces.cast<std::int64_t>();
+  EXPECT_EQ(tamis::faces_of(wide), expected);
+  const int rows[] = {0, 1, 2, -9, 3, 4, 5, -9};
+  EXPECT_EQ(tamis::faces_of(rows, 2, 4), expected);
+  EXPECT_EQ(tamis::edges_of(faces.leftCols(2)), (std::vector<tamis::Edge>{{0, 1}, {3, 4}}));
+  EXPECT_EQ(tamis::edges_of(rows, 1), (std::vector<tamis::Edge>{{0, 1}}));
+  EXPECT_EQ(tamis::Mesh(6, tamis::faces_of(faces)).edges().size(), 6u);
+}
+
+TEST(Topology, that_does_not_fit_is_refused) {
+  EXPECT_THROW(tamis::faces_of(Eigen::MatrixXi::Zero(3, 4)), tamis::InvalidMesh);
+  EXPECT_THROW(tamis::edges_of(Eigen::MatrixXi::Zero(4, 3)), tamis::InvalidMesh);
+  Eigen::Matrix<std::int64_t, 1, 3> face;
+  face << 0, 1, (std::int64_t{1} << 32) + 2;  // cut to 32 bits it would be vertex 2
+  EXPECT_THROW(tamis::Mesh(6, tamis::faces_of(face)), tamis::InvalidMesh);
+}
+
 TEST(Positions, that_are_no_rows_of_three_doubles_are_refused) {
   tamis::Detector detector(tamis::Mesh(6, {{0, 1, 2}, {3, 4, 5}}));
   const RowMajorAnyWidth good = padded(kStart, 3), wide = padded(kStart, 4);

@@ -2,7 +2,7 @@
 import { colourOfTime, css } from "../colours";
 import { el } from "../dom";
 import { objectsOf } from "../scene/filter";
-import { grouped } from "../numbers";
+import { counted, grouped } from "../numbers";
 import { kFilterKeys, type Session } from "../session";
 import type { SortKey } from "../store";
 
@@ -76,8 +76,8 @@ export class ContactList {
       count === 0
         ? "No contact: the step is free, proven."
         : rows.length === count
-          ? `${grouped(count)} contacts`
-          : `${grouped(rows.length)} of ${grouped(count)} contacts`;
+          ? counted(count, "contact")
+          : `${grouped(rows.length)} of ${counted(count, "contact")}`;
     this.summary.dataset.count = String(rows.length);
     this.scroller.scrollTop = 0;
     this.drawRows();

@@ -1,6 +1,6 @@
 // What is shown, what was found, and the two questions one asks first.
 import { button, el } from "../dom";
-import { grouped } from "../numbers";
+import { counted, grouped } from "../numbers";
 import type { Actions } from "../actions";
 import type { Session } from "../session";
 import type { Switch } from "../store";
@@ -46,13 +46,13 @@ export function header(session: Session, actions: Actions): HTMLElement {
 function sentence({ view, scene, store }: Session): (Node | string)[] {
   const { contacts, toi_lower: lower } = view.step.header;
   const { faces } = scene.header.mesh;
-  const mesh = faces > 0 ? `${grouped(faces)} triangles, ` : `${grouped(scene.header.mesh.edges)} edges, `;
+  const mesh = `${faces > 0 ? counted(faces, "triangle") : counted(scene.header.mesh.edges, "edge")}, `;
   const count = contactsOf(scene.header.steps[store.now.step]);
   if (count === 0) return [mesh, el("b", {}, "no contact"), ": the whole step is free, proven."];
   const unresolved = contacts.unresolved > 0 ? `, ${grouped(contacts.unresolved)} of them unresolved` : "";
   return [
     mesh,
-    el("b", { id: "count", "data-count": count }, `${grouped(count)} ${count === 1 ? "contact" : "contacts"}`),
+    el("b", { id: "count", "data-count": count }, counted(count, "contact")),
     `${unresolved}. Free before `,
     el("b", {}, (lower ?? 1).toPrecision(6)),
     " of the step, proven.",

@@ -1,4 +1,4 @@
-// Columns of numbers as cli/view/columns.hpp writes them: bytes of one significance together, neighbours as differences.
+// Columns of numbers as io/view/columns.hpp writes them: bytes of one significance together, neighbours as differences.
 
 /** Elements of `size` bytes, of which all lowest bytes come first, then all next ones. */
 export function fromPlanes(bytes: Uint8Array, size: number): Uint8Array<ArrayBuffer> {

@@ -1,4 +1,4 @@
-// Reads what cli/view/scene_bytes.cpp writes: text in the page, base64 of zlib of header and columns.
+// Reads what io/view/scene_bytes.cpp writes: text in the page, base64 of zlib of header and columns.
 import { fromDifferences, fromPlanes } from "./columns";
 import type { SceneHeader } from "./header";
 

@@ -1,0 +1,142 @@
+// Paths are made: ready-made ones, and those that the caller's functions describe.
+#include "c/path.hpp"
+
+#include <string>
+#include <vector>
+
+#include "c/sized.hpp"
+#include "tamis/rigid_path.hpp"
+#include "tamis/spline_path.hpp"
+
+namespace tamis::c {
+namespace {
+
+Point point_of(const double* p) { return {p[0], p[1], p[2]}; }
+Pose pose_of(const tamis_pose& pose) { return {point_of(pose.position), point_of(pose.rotation)}; }
+
+tamis_pose to_c(const Pose& pose) {
+  const Point &p = pose.position, &r = pose.rotation;
+  return {{p[0], p[1], p[2]}, {r[0], r[1], r[2]}};
+}
+
+std::size_t vertices(int32_t count) {
+  if (count < 0) throw InvalidPath("vertex_count is " + std::to_string(count) + ": give a number >= 0");
+  return static_cast<std::size_t>(count);
+}
+
+/// NULL is no array, unless it has no elements.
+template <class T>
+const T* array(const T* first, std::size_t count, const char* name) {
+  return count > 0 ? &required(first, name) : first;
+}
+
+std::vector<Point> points(const double* coordinates, std::size_t count, const char* name) {
+  std::vector<Point> result(count);
+  const double* first = array(coordinates, count, name);
+  for (std::size_t i = 0; i < count; ++i) result[i] = point_of(first + 3 * i);
+  return result;
+}
+
+std::vector<Chain> chains_of(const tamis_rigid_path_input& input) {
+  const std::size_t* counts = array(input.links_of_body, input.body_count, "links_of_body");
+  std::vector<Chain> chains(input.body_count);
+  const tamis_link* link = input.links;
+  for (std::size_t body = 0; body < input.body_count; ++body)
+    for (std::size_t i = 0; i < counts[body]; ++i, ++link)
+      chains[body].push_back({pose_of(required(link, "links").start), pose_of(link->end)});
+  return chains;
+}
+
+RigidPath rigid_path_of(const tamis_rigid_path_input& input) {
+  const std::size_t count = vertices(input.vertex_count);
+  const int32_t* bodies = array(input.body_of_vertex, count, "body_of_vertex");
+  return {points(input.rest, count, "rest"), {bodies, bodies + count}, chains_of(input)};
+}
+
+std::vector<std::vector<Point>> frames_of(const tamis_spline_path_input& input) {
+  const std::size_t count = vertices(input.vertex_count);
+  std::vector<std::vector<Point>> frames;
+  for (std::size_t i = 0; i < input.frame_count; ++i)
+    frames.push_back(points(array(input.frames, count, "frames") + 3 * count * i, count, "frames"));
+  return frames;
+}
+
+template <class Spline>
+tamis_status create_spline(const tamis_spline_path_input* input, tamis_path** path) noexcept {
+  return make_handle(path, [&](tamis_path& handle) {
+    handle.path = std::make_unique<const Spline>(frames_of(read_sized(input, "input")));
+  });
+}
+
+/// As the caller's functions say.
+class FunctionPath final : public Path {
+ public:
+  explicit FunctionPath(const tamis_path_functions& functions) : functions_(functions) {
+    vertices(functions.vertex_count);
+    required(functions.points_at, "points_at");
+    required(functions.strays, "strays");
+  }
+
+  Index vertex_count() const override { return functions_.vertex_count; }
+  void points_at(double time, std::span<const Index> vertices, std::span<Point> points,
+                 std::span<double> errors) const override {
+    functions_.points_at(functions_.user, time, vertices.data(), vertices.size(), points.data()->data(), errors.data());
+  }
+  void strays(double from, double to, std::span<const Index> vertices, std::span<double> strays) const override {
+    functions_.strays(functions_.user, from, to, vertices.data(), vertices.size(), strays.data());
+  }
+
+ private:
+  tamis_path_functions functions_;
+};
+
+/// Writes the chain that `make` gives, in a call without a handle.
+template <class Make>
+tamis_status write_chain(tamis_link* links, const Make& make) noexcept {
+  Outcome outcome;
+  return attempt(outcome, [&] {
+    tamis_link* to = &required(links, "links");
+    for (const Link& link : make()) *to++ = {to_c(link.start), to_c(link.end)};
+  });
+}
+
+}  // namespace
+}  // namespace tamis::c
+
+using namespace tamis::c;
+
+tamis_status tamis_turned(const tamis_pose* start, const double* turn, const double* end_position, tamis_link* links) {
+  return write_chain(links, [&] {
+    const double &axis = required(turn, "turn"), &end = required(end_position, "end_position");
+    return tamis::turned(pose_of(required(start, "start")), point_of(&axis), point_of(&end));
+  });
+}
+
+tamis_status tamis_between(const tamis_pose* start, const tamis_pose* end, tamis_link* links) {
+  return write_chain(links,
+                     [&] { return tamis::between(pose_of(required(start, "start")), pose_of(required(end, "end"))); });
+}
+
+tamis_status tamis_rigid_path_create(const tamis_rigid_path_input* input, tamis_path** path) {
+  return make_handle(path, [&](tamis_path& handle) {
+    handle.path = std::make_unique<const tamis::RigidPath>(rigid_path_of(read_sized(input, "input")));
+  });
+}
+
+tamis_status tamis_bezier_path_create(const tamis_spline_path_input* input, tamis_path** path) {
+  return create_spline<tamis::BezierPath>(input, path);
+}
+
+tamis_status tamis_catmull_rom_path_create(const tamis_spline_path_input* input, tamis_path** path) {
+  return create_spline<tamis::CatmullRomPath>(input, path);
+}
+
+tamis_status tamis_function_path_create(const tamis_path_functions* functions, tamis_path** path) {
+  return make_handle(path, [&](tamis_path& handle) {
+    handle.path = std::make_unique<const FunctionPath>(read_sized(functions, "functions"));
+  });
+}
+
+void tamis_path_free(tamis_path* path) { delete path; }
+
+const char* tamis_path_message(const tamis_path* path) { return path ? path->outcome.message() : ""; }

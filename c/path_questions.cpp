@@ -1,0 +1,126 @@
+// Questions about curved motion.
+#include <algorithm>
+#include <array>
+#include <numeric>
+#include <string>
+#include <vector>
+
+#include "c/detector.hpp"
+#include "c/pair_results.hpp"
+#include "c/path.hpp"
+
+namespace tamis::c {
+namespace {
+
+tamis_path_options options_of(const tamis_path_options* given) {
+  tamis_path_options options = given ? read_sized(given, "options") : tamis_path_options{};
+  if (options.tolerance == 0) options.tolerance = PathOptions().tolerance;
+  return options;
+}
+
+const Path& made(const tamis_path* path) {
+  if (!required(path, "path").path)
+    throw InvalidPath("the path could not be made: " + std::string(path->outcome.message()));
+  return *path->path;
+}
+
+/// Runs `work(handle, path, separation, tolerance)`.
+template <class Work>
+tamis_status ask_on_path(tamis_detector* handle, const tamis_path* path, const tamis_path_options* options,
+                         const Work& work) noexcept {
+  return with(handle, [&](tamis_detector& h) {
+    h.contacts.clear();
+    const tamis_path_options given = options_of(options);
+    work(h, made(path), separation(given.min_separation), given.tolerance);
+  });
+}
+
+/// Runs `work(path)`, unless the path could not be made: then it still says why.
+template <class Work>
+tamis_status with_path(tamis_path* handle, const Work& work) noexcept {
+  if (!handle) return TAMIS_INVALID_ARGUMENT;
+  if (!handle->path) return handle->outcome.status();
+  return attempt(handle->outcome, [&] { work(*handle->path); });
+}
+
+template <std::size_t corners>
+using Ask = PairResult (*)(const Path&, const std::array<Index, corners>&, const PathOptions&);
+
+template <std::size_t corners>
+tamis_status ask_all(tamis_path* handle, const tamis_path_options* options, const int32_t* vertices, std::size_t count,
+                     tamis_pair_result* results, std::size_t result_size, Ask<corners> ask) noexcept {
+  return with_path(handle, [&](const Path& path) {
+    const tamis_path_options given = options_of(options);
+    const PathOptions chosen{separation(given.min_separation).value_or(0), given.tolerance};
+    std::vector<PairResult> answers;
+    for (std::size_t i = 0; i < count; ++i) {
+      std::array<Index, corners> pair;
+      std::copy_n(&required(vertices, "vertices") + corners * i, corners, pair.begin());
+      answers.push_back(ask(path, pair, chosen));
+    }
+    write_results(answers, results, result_size);
+  });
+}
+
+}  // namespace
+}  // namespace tamis::c
+
+using namespace tamis::c;
+
+tamis_status tamis_detector_contacts_on_path(tamis_detector* detector, const tamis_path* path,
+                                             const tamis_path_options* options, size_t* count) {
+  return ask_on_path(detector, path, options, [&](auto& handle, const auto& p, Separation d, double tolerance) {
+    size_t& number = required(count, "count");
+    handle.contacts = handle.detector->contacts(p, d, tolerance);
+    number = handle.contacts.size();
+  });
+}
+
+tamis_status tamis_detector_earliest_on_path(tamis_detector* detector, const tamis_path* path,
+                                             const tamis_path_options* options, double* toi_lower, double* toi_upper,
+                                             size_t* count) {
+  return ask_on_path(detector, path, options, [&](auto& handle, const auto& p, Separation d, double tolerance) {
+    const FirstTimes times = first_times(toi_lower, toi_upper, count);
+    times.write(handle, handle.detector->earliest(p, d, tolerance));
+  });
+}
+
+tamis_status tamis_detector_is_free_on_path(tamis_detector* detector, const tamis_path* path,
+                                            const tamis_path_options* options, int* is_free) {
+  return ask_on_path(detector, path, options, [&](auto& handle, const auto& p, Separation d, double tolerance) {
+    required(is_free, "is_free") = handle.detector->is_free(p, d, tolerance) ? 1 : 0;
+  });
+}
+
+tamis_status tamis_path_points_at(tamis_path* path, double time, double* points) {
+  return with_path(path, [&](const tamis::Path& p) {
+    if (!(time >= 0 && time <= 1))
+      throw InvalidArgument("the time is " + std::to_string(time) + ": give a number in [0, 1]");
+    std::vector<tamis::Index> vertices(static_cast<std::size_t>(p.vertex_count()));
+    std::iota(vertices.begin(), vertices.end(), 0);
+    std::vector<tamis::Point> answer(vertices.size());
+    std::vector<double> errors(vertices.size());
+    p.points_at(time, vertices, answer, errors);
+    copy_points(answer, &required(points, "points"));
+  });
+}
+
+tamis_status tamis_path_vertex_face(tamis_path* path, const tamis_path_options* options, size_t count,
+                                    const int32_t* vertices, tamis_pair_result* results, size_t result_size) {
+  return ask_all<4>(path, options, vertices, count, results, result_size, &tamis::vertex_face);
+}
+
+tamis_status tamis_path_edge_edge(tamis_path* path, const tamis_path_options* options, size_t count,
+                                  const int32_t* vertices, tamis_pair_result* results, size_t result_size) {
+  return ask_all<4>(path, options, vertices, count, results, result_size, &tamis::edge_edge);
+}
+
+tamis_status tamis_path_vertex_edge(tamis_path* path, const tamis_path_options* options, size_t count,
+                                    const int32_t* vertices, tamis_pair_result* results, size_t result_size) {
+  return ask_all<3>(path, options, vertices, count, results, result_size, &tamis::vertex_edge);
+}
+
+tamis_status tamis_path_vertex_vertex(tamis_path* path, const tamis_path_options* options, size_t count,
+                                      const int32_t* vertices, tamis_pair_result* results, size_t result_size) {
+  return ask_all<2>(path, options, vertices, count, results, result_size, &tamis::vertex_vertex);
+}

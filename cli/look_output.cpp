@@ -1,0 +1,95 @@
+#include "cli/look_output.hpp"
+
+#include <fmt/format.h>
+
+#include "cli/number_option.hpp"
+#include "cli/output_file.hpp"
+#include "cli/printable.hpp"
+#include "io/view/outputs.hpp"
+#include "tamis/error.hpp"
+
+namespace tamis::cli {
+namespace {
+
+/// Unlike the others it takes options, and a library that may be absent.
+constexpr io::Output kPicture{"png", false, nullptr};
+
+std::vector<io::Output> choices() {
+  std::vector<io::Output> all(io::outputs().begin(), io::outputs().end());
+  all.push_back(kPicture);
+  return all;
+}
+
+bool is_picture(const io::Output& output) { return output.write == nullptr; }
+
+/// Throws InvalidOptions.
+io::Output output_for(const std::string& path, const std::string& otherwise) {
+  const std::vector<io::Output> all = choices();
+  const io::Output* found = io::find_output(all, path);
+  if (!found) found = io::find_output(all, otherwise);
+  if (!found)
+    throw InvalidOptions(
+        fmt::format("--out {}: no output has this extension: give one of {}", printable(path), io::extensions(all)));
+  return *found;
+}
+
+}  // namespace
+
+void LookOutput::declare(CLI::App& app) {
+  std::string help = fmt::format("the file to write: {}", io::extensions(choices()));
+  if (!otherwise_.empty()) help += "; csv if the extension is none of these";
+  if (!path_.empty()) help += fmt::format("; default {}", path_);
+  declare_output(app, path_, help);
+  time_option_ = add_number(app, "--time", "T", time_, NumberRange<double>{0, 1},
+                            "of a picture: show this time of the step; default 0, the start");
+  add_numbers(app, "--from", "X", from_, NumberRange<double>{},
+              "of a picture: look from this direction, three numbers as in -1,0.5,2; y is up");
+  add_numbers(app, "--size", "N", size_, NumberRange<int>{16, 8192},
+              "of a picture: width and height in pixels; default 1280,720");
+}
+
+io::PictureOptions LookOutput::picture() const {
+  io::PictureOptions options;
+  options.time = time_;
+  if (!from_.empty()) {
+    if (from_.size() != 3 || (from_[0] == 0 && from_[1] == 0 && from_[2] == 0))
+      throw InvalidOptions("--from is no direction: give three numbers that are not all zero, as in -1,0.5,2");
+    options.from = {from_[0], from_[1], from_[2]};
+  }
+  if (!size_.empty()) {
+    if (size_.size() != 2) throw InvalidOptions("--size takes a width and a height: give two numbers, as in 640,480");
+    options.width = size_[0];
+    options.height = size_[1];
+  }
+  return options;
+}
+
+void LookOutput::check() const {
+  const bool draws = !path_.empty() && is_picture(output_for(path_, otherwise_));
+  if (draws) {
+    io::require_pictures();
+    picture();
+  } else if (time_option_->count() > 0 || !from_.empty() || !size_.empty()) {
+    throw InvalidOptions("--time, --from and --size are of pictures: give --out a name that ends in .png as well");
+  }
+}
+
+void LookOutput::require(const std::vector<std::filesystem::path>& inputs, std::size_t steps) const {
+  check();
+  if (path_.empty()) return;
+  if (steps > 1 && !output_for(path_, otherwise_).holds_sequence)
+    throw InvalidOptions(fmt::format("--out {}: such a file holds one step, not {}: name two frames, or write html",
+                                     printable(path_), steps));
+  require_output(path_, inputs);
+}
+
+void LookOutput::write(const io::Recording& recording) const {
+  if (path_.empty()) return;
+  const io::Output output = output_for(path_, otherwise_);
+  if (is_picture(output))
+    io::write_picture(path_, recording, picture());
+  else
+    output.write(path_, recording);
+}
+
+}  // namespace tamis::cli

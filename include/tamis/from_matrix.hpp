@@ -1,0 +1,95 @@
+// Topology and positions from other people's memory: raw pointers, and matrices of either layout (Eigen's, or whatever
+// has rows(), cols() and an element (row, column)).
+#pragma once
+#include <concepts>
+#include <cstddef>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "tamis/error.hpp"
+#include "tamis/mesh.hpp"
+#include "tamis/step.hpp"
+
+namespace tamis {
+
+template <class M>
+concept AnyMatrix = requires(const M& m, std::ptrdiff_t i) {
+  { m.rows() } -> std::convertible_to<std::ptrdiff_t>;
+  { m.cols() } -> std::convertible_to<std::ptrdiff_t>;
+  m(i, i);
+};
+/// Of integers of any size.
+template <class M>
+concept IndexMatrix = AnyMatrix<M> && requires(const M& m, std::ptrdiff_t i) {
+  requires std::integral<std::remove_cvref_t<decltype(m(i, i))>>;
+};
+
+namespace from_matrix {
+
+template <class Error, AnyMatrix M>
+void require_columns(const M& matrix, std::ptrdiff_t columns, const char* what) {
+  if (matrix.cols() != columns)
+    throw Error("the matrix of " + std::string(what) + " has " + std::to_string(matrix.rows()) + " rows and " +
+                std::to_string(matrix.cols()) + " columns: give a row of " + std::to_string(columns) +
+                " for each (of a matrix with a column for each its transpose())");
+}
+
+/// One row a feature. An index that is none of an Index becomes -1, which Mesh refuses with its name.
+template <class Feature, IndexMatrix M>
+std::vector<Feature> rows_of(const M& matrix, const char* what) {
+  std::vector<Feature> rows(static_cast<std::size_t>(matrix.rows()));
+  require_columns<InvalidMesh>(matrix, std::tuple_size_v<Feature>, what);
+  for (std::size_t row = 0; row < rows.size(); ++row)
+    for (std::size_t column = 0; column < rows[row].size(); ++column) {
+      const auto index = matrix(static_cast<std::ptrdiff_t>(row), static_cast<std::ptrdiff_t>(column));
+      rows[row][column] = std::in_range<Index>(index) ? static_cast<Index>(index) : -1;
+    }
+  return rows;
+}
+
+/// `stride`: from one feature's first index to the next one's.
+template <class Feature>
+std::vector<Feature> rows_of(const Index* indices, std::size_t count, std::ptrdiff_t stride) {
+  std::vector<Feature> rows(count);
+  for (std::size_t row = 0; row < count; ++row)
+    for (std::size_t column = 0; column < rows[row].size(); ++column)
+      rows[row][column] = indices[static_cast<std::ptrdiff_t>(row) * stride + static_cast<std::ptrdiff_t>(column)];
+  return rows;
+}
+
+}  // namespace from_matrix
+
+/// For Mesh: n x 3 indices. Throws InvalidMesh on another number of columns; what the indices are is for Mesh to judge.
+template <IndexMatrix M>
+std::vector<Face> faces_of(const M& matrix) {
+  return from_matrix::rows_of<Face>(matrix, "faces");
+}
+/// n x 2 indices.
+template <IndexMatrix M>
+std::vector<Edge> edges_of(const M& matrix) {
+  return from_matrix::rows_of<Edge>(matrix, "edges");
+}
+
+/// `count` triples of indices, `stride` apart.
+inline std::vector<Face> faces_of(const Index* indices, std::size_t count, std::ptrdiff_t stride = 3) {
+  return from_matrix::rows_of<Face>(indices, count, stride);
+}
+inline std::vector<Edge> edges_of(const Index* indices, std::size_t count, std::ptrdiff_t stride = 2) {
+  return from_matrix::rows_of<Edge>(indices, count, stride);
+}
+
+/// A copy, for positions that stand column by column: n x 3. Throws InvalidStep on another number of columns.
+template <AnyMatrix M>
+std::vector<Point> points_of(const M& matrix) {
+  from_matrix::require_columns<InvalidStep>(matrix, 3, "positions");
+  std::vector<Point> points(static_cast<std::size_t>(matrix.rows()));
+  for (std::size_t row = 0; row < points.size(); ++row) {
+    const auto r = static_cast<std::ptrdiff_t>(row);
+    points[row] = {matrix(r, 0), matrix(r, 1), matrix(r, 2)};
+  }
+  return points;
+}
+
+}  // namespace tamis

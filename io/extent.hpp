@@ -1,0 +1,18 @@
+// The box around a step.
+#pragma once
+#include <span>
+
+#include "tamis/mesh.hpp"
+#include "tamis/step.hpp"
+
+namespace tamis::io {
+
+/// The box around what is used of a mesh, at both ends.
+struct Extent {
+  Point middle{};
+  double half = 0;  ///< of its longest side
+};
+
+Extent extent_of(const Mesh& mesh, std::span<const Point> start, std::span<const Point> end);
+
+}  // namespace tamis::io

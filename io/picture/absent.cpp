@@ -1,0 +1,15 @@
+// In place of pictures, where Embree or libpng is not there.
+#include "io/picture/picture.hpp"
+#include "tamis/error.hpp"
+
+namespace tamis::io {
+
+void require_pictures() {
+  throw InvalidOptions(
+      "this program was built without Embree and libpng, which draw pictures: install them (Debian: libembree-dev "
+      "libpng-dev) and build again, or write html");
+}
+
+void write_picture(const std::filesystem::path&, const Recording&, const PictureOptions&) { require_pictures(); }
+
+}  // namespace tamis::io

@@ -1,0 +1,58 @@
+// Where one looks from, and the ray of sight through each place of a picture.
+#pragma once
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+#include "io/picture/drawing.hpp"
+
+namespace tamis::io {
+
+/// y is up, unless one looks along it: then z is.
+class Camera {
+ public:
+  /// From this direction, as near as all points stay within the picture. `aspect`: its width over its height.
+  Camera(const Vector& from, float aspect, std::span<const Vector> points)
+      : back_(unit(from)),
+        right_(unit(cross(std::abs(back_[1]) > kAlongUp ? Vector{0, 0, -1} : Vector{0, 1, 0}, back_))),
+        up_(cross(back_, right_)),
+        target_(middle(points, right_) * right_ + middle(points, up_) * up_),
+        aspect_(aspect) {
+    for (const Vector& point : points) {
+      const Vector p = point - target_;
+      const float sideways = std::max(std::abs(dot(p, right_)) / aspect_, std::abs(dot(p, up_)));
+      distance_ = std::max(distance_, dot(p, back_) + kMargin * sideways / kSlope);
+    }
+  }
+
+  /// Through (x, y): (-1, -1) is the lower left corner, (1, 1) the upper right one.
+  Ray sight(float x, float y) const {
+    return {target_ + distance_ * back_, unit(kSlope * (aspect_ * x * right_ + y * up_) - back_), 0};
+  }
+
+  /// How large something in the middle is that takes up this part of the picture's height.
+  float size_of(float part) const { return 2 * distance_ * kSlope * part; }
+
+  const Vector& back() const { return back_; }
+  const Vector& right() const { return right_; }
+  const Vector& up() const { return up_; }
+
+ private:
+  static constexpr float kSlope = 0.325F;   // of the upper border: an angle of 18 degrees
+  static constexpr float kMargin = 1.06F;   // so that nothing touches the border
+  static constexpr float kAlongUp = 0.99F;  // cosine of the angle to the axis
+
+  /// Of the points along an axis.
+  static float middle(std::span<const Vector> points, const Vector& axis) {
+    const auto along = [&](const Vector& a, const Vector& b) { return dot(a, axis) < dot(b, axis); };
+    const auto [lowest, highest] = std::minmax_element(points.begin(), points.end(), along);
+    return points.empty() ? 0 : (dot(*lowest, axis) + dot(*highest, axis)) / 2;
+  }
+
+  Vector back_, right_, up_;
+  Vector target_;
+  float aspect_;
+  float distance_ = 1e-3F;
+};
+
+}  // namespace tamis::io

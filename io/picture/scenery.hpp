@@ -1,0 +1,38 @@
+// A step at one time, drawn: the mesh, and the contacts of the step.
+#pragma once
+#include <array>
+#include <vector>
+
+#include "io/extent.hpp"
+#include "io/picture/camera.hpp"
+#include "io/picture/picture.hpp"
+#include "io/picture/shading.hpp"
+
+namespace tamis::io {
+
+/// About the middle of the scene, in the unit of half its size.
+class Scenery {
+ public:
+  Scenery(const Recording& recording, const PictureOptions& options);
+
+  /// What one sees at (x, y) of the picture, as Camera::sight has it; `turn` and `part` as of sky_at().
+  Light seen_at(float x, float y, float turn, std::size_t part) const;
+
+ private:
+  Vector placed(const Point& point) const;
+  std::vector<Vector> placed_vertices(const Mesh& mesh) const;
+  void draw_mesh(const Mesh& mesh);
+  void draw_contacts(std::span<const Contact> contacts);
+
+  FirstStep step_;
+  double time_;
+  Extent extent_;
+  std::vector<Vector> vertices_;  ///< those that nothing uses stand in the middle
+  Camera camera_;
+  Drawing surfaces_;
+  Drawing contacts_;
+  std::array<std::vector<Light>, 3> colours_;  ///< of what was drawn, by Hit::Shape
+  std::vector<Light> contact_colours_;
+};
+
+}  // namespace tamis::io

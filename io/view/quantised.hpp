@@ -1,0 +1,20 @@
+// Positions as integers over the box of all frames.
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "io/view/recording.hpp"
+
+namespace tamis::io {
+
+struct QuantisedFrames {
+  Point lowest{};
+  double spacing = 1;  ///< of the grid: position = lowest + spacing * integer
+  double error = 0;    ///< largest |component| of what rounding took, over all frames
+  std::vector<std::vector<std::uint32_t>> frames;
+};
+
+/// Vertices that nothing uses are put at `lowest`: their positions may be anything.
+QuantisedFrames quantise(const Recording& recording);
+
+}  // namespace tamis::io

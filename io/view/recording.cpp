@@ -1,0 +1,11 @@
+#include "io/view/recording.hpp"
+
+#include "io/scale_step.hpp"
+
+namespace tamis::io {
+
+FirstStep::FirstStep(const Recording& recording) : start(recording.frames[0]), end(recording.frames[1]) {
+  scale_step(start, end, recording.scale);
+}
+
+}  // namespace tamis::io

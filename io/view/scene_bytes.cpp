@@ -1,0 +1,161 @@
+#include "io/view/scene_bytes.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include "io/components.hpp"
+#include "io/contact_geometry.hpp"
+#include "io/loose_features.hpp"
+#include "io/tally.hpp"
+#include "io/view/columns.hpp"
+#include "io/view/quantised.hpp"
+
+namespace tamis::io {
+namespace {
+
+std::uint32_t bits_of(Index index) { return static_cast<std::uint32_t>(index); }
+
+/// Columns one behind the other, and where each begins.
+class Columns {
+ public:
+  /// `write` appends to the bytes.
+  template <class Write>
+  void add(const char* name, std::size_t count, const Write& write) {
+    list_[name] = {{"offset", bytes_.size()}, {"count", count}};
+    write(bytes_);
+  }
+  void add_integers(const char* name, std::span<const std::uint32_t> column, std::size_t width) {
+    add(name, column.size(), [&](std::string& bytes) { append_differences(bytes, column, width); });
+  }
+  template <class Number>
+  void add_planes(const char* name, const std::vector<Number>& column) {
+    add(name, column.size(), [&](std::string& bytes) { append_planes<Number>(bytes, column); });
+  }
+  const Json& list() const { return list_; }
+  const std::string& bytes() const { return bytes_; }
+
+ private:
+  Json list_ = Json::object();
+  std::string bytes_;
+};
+
+template <class Row, std::size_t width = std::tuple_size_v<Row>>
+std::vector<std::uint32_t> flat(std::span<const Row> rows) {
+  std::vector<std::uint32_t> numbers;
+  numbers.reserve(width * rows.size());
+  for (const Row& row : rows)
+    for (const Index i : row) numbers.push_back(bits_of(i));
+  return numbers;
+}
+
+void add_mesh(const Mesh& mesh, Columns& columns, Json& header) {
+  std::vector<std::uint32_t> loose;
+  for (const Index v : loose_points_of(mesh)) loose.push_back(bits_of(v));
+  const Components components = components_of(mesh);
+  std::vector<std::uint32_t> objects;
+  objects.reserve(components.of_vertex.size());
+  for (const Index component : components.of_vertex) objects.push_back(bits_of(component));
+  columns.add_integers("faces", flat<Face>(mesh.faces()), 3);
+  columns.add_integers("rods", flat<Edge>(rods_of(mesh)), 2);
+  columns.add_integers("loose_points", loose, 1);
+  columns.add_integers("object_of_vertex", objects, 1);
+  header["mesh"] = {{"vertices", mesh.vertex_count()},
+                    {"faces", mesh.faces().size()},
+                    {"edges", mesh.edges().size()},
+                    {"points", mesh.points().size()},
+                    {"objects", components.count}};
+}
+
+/// Every frame after the first as its difference from the one before.
+void add_frames(const Recording& recording, Columns& columns, Json& header) {
+  QuantisedFrames quantised = quantise(recording);
+  for (std::size_t f = quantised.frames.size() - 1; f > 0; --f)
+    for (std::size_t i = 0; i < quantised.frames[f].size(); ++i) quantised.frames[f][i] -= quantised.frames[f - 1][i];
+  const auto write = [&](std::string& bytes) {
+    for (const auto& frame : quantised.frames) append_differences(bytes, frame, 3);
+  };
+  columns.add("positions", quantised.frames.size() * quantised.frames.front().size(), write);
+  header["grid"] = {{"lowest", quantised.lowest}, {"spacing", quantised.spacing}, {"error", quantised.error}};
+}
+
+/// A weight in [0,1] in 16 bits, rounded to nearest.
+std::uint16_t fraction(double x) {
+  constexpr double kLargest = 65535;
+  return static_cast<std::uint16_t>(std::lround(std::clamp(x, 0.0, 1.0) * kLargest));
+}
+
+/// A component of a unit vector in 16 bits, rounded to nearest.
+std::uint16_t component(double x) {
+  constexpr double kLargest = 32767;
+  return static_cast<std::uint16_t>(static_cast<std::int16_t>(std::lround(std::clamp(x, -1.0, 1.0) * kLargest)));
+}
+
+void add_contacts(const Recording& recording, Columns& columns) {
+  std::vector<std::uint8_t> kinds, certainties;
+  std::vector<std::uint32_t> vertices;
+  std::vector<std::uint64_t> lower, width;
+  std::vector<std::uint16_t> weights, normals;
+  for (const RecordedStep& step : recording.steps)
+    for (const Contact& c : step.contacts) {
+      kinds.push_back(static_cast<std::uint8_t>(c.kind));
+      certainties.push_back(static_cast<std::uint8_t>(c.certainty));
+      for (const Index v : c.vertices) vertices.push_back(bits_of(v));
+      // Doubles are ordered as their bits are, so the width in units in the last place is small where the bracket is.
+      lower.push_back(std::bit_cast<std::uint64_t>(c.toi_lower));
+      width.push_back(std::bit_cast<std::uint64_t>(c.toi_upper) - lower.back());
+      for (const double w : {c.u, c.v}) weights.push_back(fraction(w));
+      for (const double x : c.normal) normals.push_back(component(x));
+    }
+  columns.add_planes("kind", kinds);
+  columns.add_planes("certainty", certainties);
+  columns.add_integers("vertices", vertices, 4);
+  columns.add_planes("toi_lower", lower);
+  columns.add_planes("toi_width", width);
+  columns.add_planes("weights", weights);
+  columns.add_planes("normals", normals);
+}
+
+/// In the order of their numbers.
+Json kinds() {
+  Json kinds = Json::array();
+  for (const PairKind kind :
+       {PairKind::vertex_face, PairKind::edge_edge, PairKind::vertex_edge, PairKind::vertex_vertex}) {
+    const PairShape shape = shape_of(kind);
+    kinds.push_back({{"name", name_of(kind)}, {"first", shape.first}, {"second", shape.second}});
+  }
+  return kinds;
+}
+
+Json json_of(const RecordedStep& step) {
+  const Tally tally = tally_of(step.contacts);
+  Json json{{"contacts", json_of(tally)}};
+  add_bracket(json, tally.is_free(), tally.toi_lower, tally.toi_upper);
+  add_stages(json, step.stages);
+  return json;
+}
+
+}  // namespace
+
+std::string scene_bytes(const Recording& recording) {
+  Json header{{"names", recording.names},
+              {"scale", recording.scale},
+              {"method", name_of(recording.options.method)},
+              {"guarantee", name_of(recording.options.guarantee)},
+              {"min_separation", recording.options.min_separation},
+              {"kinds", kinds()},
+              {"steps", Json::array()}};
+  for (const RecordedStep& step : recording.steps) header["steps"].push_back(json_of(step));
+  Columns columns;
+  add_mesh(recording.mesh, columns, header);
+  add_frames(recording, columns, header);
+  add_contacts(recording, columns);
+  header["columns"] = columns.list();
+  const std::string text = header.dump();
+  std::string bytes;
+  for (std::size_t byte = 0; byte < sizeof(std::uint32_t); ++byte)
+    bytes += static_cast<char>((text.size() >> (8 * byte)) & 0xff);
+  return bytes + text + columns.bytes();
+}
+
+}  // namespace tamis::io

@@ -1,0 +1,62 @@
+// A detector that lets other Python threads run while it works, and stops when Python wants it to.
+#pragma once
+#include <atomic>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "python/src/arrays.hpp"
+#include "python/src/contact_array.hpp"
+#include "python/src/options.hpp"
+#include "python/src/signals.hpp"
+#include "tamis/detector.hpp"
+
+namespace tamis::python {
+
+/// Of one question; none: the detector's.
+using Separation = std::optional<double>;
+
+/// One question at a time: a second one is refused, from another thread or from the filter.
+class Questions {
+ public:
+  Questions(const Mesh& mesh, const Asking& asking);
+
+  nb::object contacts(const Rows& start, const Rows& end, Separation d);
+  nb::tuple earliest(const Rows& start, const Rows& end, Separation d);
+  bool is_free(const Rows& start, const Rows& end, Separation d);
+  nb::object contacts_on_path(const Path& path, double tolerance, Separation d);
+  nb::tuple earliest_on_path(const Path& path, double tolerance, Separation d);
+  bool is_free_on_path(const Path& path, double tolerance, Separation d);
+
+  nb::tuple keep_distance(const Rows& start, const Rows& end, double fraction, Separation d);
+  nb::tuple vertex_steps(const Rows& start, const Rows& end, double fraction, Separation d);
+  nb::tuple truncate(const Rows& start, const Rows& end, double fraction, Separation d);
+
+  nb::object near(const Rows& at, double distance);
+  nb::object intersections(const Rows& at);
+  bool has_intersection(const Rows& at);
+
+  nb::dict statistics();
+
+  /// As looking.hpp has it.
+  void write_step(const std::filesystem::path& path, const ContactBytes& contacts, const Rows& start, const Rows& end,
+                  Separation d);
+
+  /// What Python's garbage collector must know: a callable may refer back to its detector.
+  int traverse(visitproc visit, void* arg) const;
+  void clear();
+
+ private:
+  template <class Work>
+  void ask(const Work& work);
+  Options with_callbacks(Options options);
+
+  nb::object accepts_;
+  Signals signals_;
+  Detector detector_;
+  std::shared_ptr<SpareContacts> spare_ = std::make_shared<SpareContacts>();
+  std::atomic_flag is_asking_;
+};
+
+}  // namespace tamis::python

@@ -1,0 +1,71 @@
+"""The page that shows contacts."""
+
+from __future__ import annotations
+
+import html
+import os
+import pathlib
+import sys
+import tempfile
+import webbrowser
+from dataclasses import dataclass
+
+import numpy as np
+import numpy.typing as npt
+
+from tamis import _core
+from tamis._arrays import Doubles
+from tamis._errors import Error
+
+
+@dataclass(frozen=True)
+class AskedStep:
+    """The question whose answer some contacts are: what a file to look at needs beside them."""
+
+    mesh: _core.Mesh
+    options: _core.Options
+    start: Doubles
+    end: Doubles
+    min_separation: float | None
+
+    def write(self, path: str, contacts: npt.NDArray[np.uint8]) -> None:
+        """Write the contacts, all of the step or some, in the format that the extension names."""
+        detector = _core.Detector(self.mesh, self.options)
+        detector.write_step(path, contacts, self.start, self.end, self.min_separation)
+
+
+class Page:
+    """A page that shows contacts: one file that works without a server. A notebook shows it where it is the result."""
+
+    __slots__ = ("path",)
+
+    def __init__(self, path: pathlib.Path) -> None:
+        self.path = path
+
+    def _repr_html_(self) -> str:
+        text = html.escape(self.path.read_text(encoding="utf-8"), quote=True)
+        return f'<iframe srcdoc="{text}" style="width: 100%; height: 720px; border: 0"></iframe>'
+
+    def __fspath__(self) -> str:
+        return str(self.path)
+
+    def __repr__(self) -> str:
+        return f"Page({str(self.path)!r})"
+
+
+def place_for_page(path: str | os.PathLike[str] | None) -> pathlib.Path:
+    """Return where a page goes: by default into a new folder among the temporary files."""
+    if path is None:
+        return pathlib.Path(tempfile.mkdtemp(prefix="tamis-")) / "contacts.html"
+    place = pathlib.Path(path).resolve()
+    if place.suffix.lower() != ".html":
+        raise Error(f"{place} is no name for a page: let it end in .html, or use save() for other formats")
+    return place
+
+
+def show(path: pathlib.Path) -> Page:
+    """Open the page in the browser, unless a notebook will show it."""
+    shell = sys.modules["IPython"].get_ipython() if "IPython" in sys.modules else None
+    if not hasattr(shell, "kernel"):
+        webbrowser.open(path.as_uri())
+    return Page(path)

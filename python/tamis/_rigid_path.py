@@ -1,0 +1,75 @@
+"""Rigid bodies that turn, and chains of such motions."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+import numpy.typing as npt
+
+from tamis import _core
+from tamis._arrays import Doubles, indices, point_frames, rows, vector
+from tamis._errors import InvalidPath
+from tamis._paths import Path
+
+
+class RigidPath(Path):
+    """Bodies that each move on a chain of links.
+
+    Parameters
+    ----------
+    rest : array_like, shape (n, 3)
+        Each vertex in its body's own frame.
+    body_of_vertex : array_like of int, shape (n,)
+        The body of each vertex, from 0.
+    chains : sequence of array_like, shape (links, 4, 3)
+        One a body; a link is position and rotation vector at the start, then at the end, and both go linearly.
+        Outermost first: a point of the body goes through the last link first. See `interpolated`, `turned`, `between`.
+
+    Raises
+    ------
+    InvalidPath
+        Sizes that do not fit, or numbers that are not finite.
+    """
+
+    __slots__ = ("_path",)
+
+    def __init__(self, rest: npt.ArrayLike, body_of_vertex: npt.ArrayLike, chains: Sequence[npt.ArrayLike]) -> None:
+        points = np.ascontiguousarray(rows(rest, "rest", InvalidPath))
+        links = [_links(chain, f"chain {body}") for body, chain in enumerate(chains)]
+        self._path = _core.RigidPath(points, indices(body_of_vertex, 0, "body_of_vertex", InvalidPath), links)
+
+    def _native(self) -> _core.Path:
+        return self._path
+
+
+def interpolated(start: npt.ArrayLike, end: npt.ArrayLike) -> Doubles:
+    """Make a chain whose position and rotation vector go linearly from one pose, shape (2, 3), to the other."""
+    return _core.interpolated(_pose(start, "start"), _pose(end, "end")).reshape(-1, 4, 3)
+
+
+def turned(start: npt.ArrayLike, turn: npt.ArrayLike, end_position: npt.ArrayLike) -> Doubles:
+    """Make a chain that turns about the axis `turn`, by its length in radians, while the origin goes straight."""
+    axis, end = vector(turn, "turn", InvalidPath), vector(end_position, "end_position", InvalidPath)
+    if axis.shape != (3,) or end.shape != (3,):
+        raise InvalidPath("turn and end_position are three numbers each: give them so")
+    return _core.turned(_pose(start, "start"), axis, end).reshape(-1, 4, 3)
+
+
+def between(start: npt.ArrayLike, end: npt.ArrayLike) -> Doubles:
+    """Make a chain from one pose to the other by the shorter turn about a fixed axis, at constant speed."""
+    return _core.between(_pose(start, "start"), _pose(end, "end")).reshape(-1, 4, 3)
+
+
+def _links(given: npt.ArrayLike, name: str) -> Doubles:
+    links = point_frames(given, name, InvalidPath)
+    if links.shape[1] != 4:
+        raise InvalidPath(f"{name} has links of {links.shape[1]} rows: give position and rotation, at start and end")
+    return links
+
+
+def _pose(given: npt.ArrayLike, name: str) -> Doubles:
+    pose = np.ascontiguousarray(rows(given, name, InvalidPath))
+    if len(pose) != 2:
+        raise InvalidPath(f"{name} is no pose: give its position and its rotation vector, (2, 3)")
+    return pose

@@ -1,0 +1,38 @@
+"""What the last question to a detector cost."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True)
+class Statistics:
+    """What the last question cost.
+
+    Attributes
+    ----------
+    stages : mapping of str to (int, int, int, int)
+        Pairs of each `PairKind` that entered each stage, in the pipeline's order; the first counts the pairs whose
+        boxes meet.
+    decided_by : mapping of str to int
+        Pairs decided by each arithmetic: lanes, scalar, exact; and those that stay unresolved.
+    seconds : mapping of str to float
+        Wall-clock time of bounds, build, traverse, filter, solve, and the total.
+    rebuilt : bool
+        The hierarchy was built, not refitted.
+    memory_bytes : int
+        Held by the detector.
+    """
+
+    method: str
+    isa: str
+    threads: int
+    stages: Mapping[str, tuple[int, int, int, int]]
+    decided_by: Mapping[str, int]
+    seconds: Mapping[str, float]
+    nodes_visited: int
+    triangle_pairs: int
+    triangles_in_free_patches: int
+    rebuilt: bool
+    memory_bytes: int

@@ -1,0 +1,41 @@
+"""The calls of ipctk's users for continuous collision detection, by their names and argument orders.
+
+>>> import tamis.compat.ipctk as ipctk  # instead of: import ipctk
+
+Broad phases are accepted and ignored: Tamis has its own, and the answer is that of all pairs. The narrow phases decide
+how much of its distance every pair keeps; contacts themselves are decided by Tamis, exactly. Everything else of ipctk
+(distances, barriers, potentials, friction) is not here: keep importing ipctk for it.
+"""
+
+from tamis.compat.ipctk._broad_phase import LBVH, BroadPhase, BruteForce, HashGrid, SpatialHash, SweepAndPrune
+from tamis.compat.ipctk._mesh import CollisionMesh, edges
+from tamis.compat.ipctk._narrow_phase import AdditiveCCD, NarrowPhaseCCD, TightInclusionCCD
+from tamis.compat.ipctk._pairs import edge_edge_ccd, point_edge_ccd, point_point_ccd, point_triangle_ccd
+from tamis.compat.ipctk._steps import (
+    Candidates,
+    compute_collision_free_stepsize,
+    has_intersections,
+    is_step_collision_free,
+)
+
+__all__ = [
+    "LBVH",
+    "AdditiveCCD",
+    "BroadPhase",
+    "BruteForce",
+    "Candidates",
+    "CollisionMesh",
+    "HashGrid",
+    "NarrowPhaseCCD",
+    "SpatialHash",
+    "SweepAndPrune",
+    "TightInclusionCCD",
+    "compute_collision_free_stepsize",
+    "edge_edge_ccd",
+    "edges",
+    "has_intersections",
+    "is_step_collision_free",
+    "point_edge_ccd",
+    "point_point_ccd",
+    "point_triangle_ccd",
+]

@@ -1,0 +1,158 @@
+"""Contacts in a page, and in other files to look at."""
+
+from __future__ import annotations
+
+import base64
+import gc
+import json
+import os
+import pathlib
+import pickle
+import re
+import subprocess
+import sys
+import types
+import weakref
+import zlib
+from typing import Any
+
+import numpy as np
+import pytest
+
+import tamis
+
+
+@pytest.fixture
+def opened(monkeypatch: pytest.MonkeyPatch) -> list[str]:
+    """Addresses that a browser would have been asked for."""
+    addresses: list[str] = []
+    monkeypatch.setattr("webbrowser.open", addresses.append)
+    return addresses
+
+
+def scene_in(page: pathlib.Path) -> tuple[dict[str, Any], bytes]:
+    """Header and columns, as the page's script reads them."""
+    text = re.search(r'<script[^>]*id="scene"[^>]*>([^<]*)<', page.read_text())
+    assert text
+    data = zlib.decompress(base64.b64decode(text[1]))
+    size = int.from_bytes(data[:4], "little")
+    return json.loads(data[4 : 4 + size]), data[4 + size :]
+
+
+def test_view_opens_the_page_in_the_browser(soup: tamis.Scene, opened: list[str]) -> None:
+    contacts = tamis.Detector(soup.mesh).contacts(soup.start, soup.end)
+    page = contacts.view()
+    assert opened == [page.path.as_uri()] and repr(page) == f"Page({str(page.path)!r})"
+    assert os.fspath(page) == str(page.path) and page.path.suffix == ".html"
+    header, _ = scene_in(page.path)
+    assert header["steps"][0]["contacts"]["ee"] == int((contacts.kind == tamis.PairKind.EDGE_EDGE).sum())
+    assert header["mesh"]["faces"] == len(soup.mesh.faces) and header["names"] == ["start", "end"]
+    assert header["steps"][0]["stages"][0]["name"] == "boxes"
+
+
+@pytest.mark.skipif("TAMIS_COMMAND" not in os.environ, reason="TAMIS_COMMAND names no command")
+def test_it_is_the_page_of_the_command(soup: tamis.Scene, opened: list[str], tmp_path: pathlib.Path) -> None:
+    for name, positions in (("start.ply", soup.start), ("end.ply", soup.end)):
+        tamis.write_mesh(tmp_path / name, positions, soup.mesh.faces)
+    command = [os.environ["TAMIS_COMMAND"], "view", "start.ply", "end.ply", "--min-separation", "0.01"]
+    subprocess.run(command, cwd=tmp_path, check=True, stdout=subprocess.PIPE)
+    detector = tamis.Detector(soup.mesh)
+    ours = scene_in(detector.contacts(soup.start, soup.end, min_separation=0.01).view(tmp_path / "ours.html").path)
+    theirs = scene_in(tmp_path / "view.html")
+    assert theirs[0].pop("names") == ["start.ply", "end.ply"] and ours[0].pop("names")
+    assert ours == theirs
+
+
+def test_a_part_of_the_contacts(soup: tamis.Scene, opened: list[str], tmp_path: pathlib.Path) -> None:
+    contacts = tamis.Detector(soup.mesh).contacts(soup.start, soup.end)
+    early = contacts[contacts.toi_lower < np.median(contacts.toi_lower)]
+    header, _ = scene_in(early.view(tmp_path / "early.html").path)
+    counts = header["steps"][0]["contacts"]
+    assert sum(counts[kind] for kind in ("vf", "ee", "ve", "vv")) == len(early) < len(contacts)
+
+
+def test_a_notebook_shows_the_page_itself(
+    falling: tamis.Scene, opened: list[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    shell = types.SimpleNamespace(kernel=object())
+    monkeypatch.setitem(sys.modules, "IPython", types.SimpleNamespace(get_ipython=lambda: shell))
+    page = tamis.Detector(falling.mesh).contacts(falling.start, falling.end).view()
+    assert not opened
+    frame = page._repr_html_()
+    assert frame.startswith('<iframe srcdoc="&lt;!doctype html&gt;') and frame.count('"') == 4
+    monkeypatch.setitem(sys.modules, "IPython", types.SimpleNamespace(get_ipython=lambda: None))
+    tamis.Detector(falling.mesh).contacts(falling.start, falling.end).view()
+    assert len(opened) == 1
+
+
+@pytest.mark.parametrize(
+    ("name", "begins"),
+    [("s.glb", b"glTF"), ("s.vtp", b"<?xml"), ("s.VTU", b"<?xml"), ("s.csv", b"kind,"), ("s", b"kind,")],
+)
+def test_other_files(falling: tamis.Scene, tmp_path: pathlib.Path, name: str, begins: bytes) -> None:
+    tamis.Detector(falling.mesh).contacts(falling.start, falling.end).save(tmp_path / name)
+    assert (tmp_path / name).read_bytes().startswith(begins)
+
+
+def test_options_of_the_question_hold_for_the_page(falling: tamis.Scene, opened: list[str]) -> None:
+    """Would catch a page that is made without the filter, the separation or the groups of the question."""
+    asked = []
+
+    def accepts(kind: tamis.PairKind, vertices: tuple[int, int, int, int]) -> bool:
+        asked.append(vertices)
+        return kind == tamis.PairKind.VERTEX_FACE
+
+    detector = tamis.Detector(falling.mesh, filter=accepts, groups=falling.groups, thickness=[0.1, 0.2])
+    contacts = detector.contacts(falling.start, falling.end)
+    asked.clear()
+    header, _ = scene_in(contacts.view().path)
+    assert asked and header["steps"][0]["contacts"]["vf"] == len(contacts)
+    wide = detector.contacts(falling.start, falling.end, min_separation=0.25)
+    assert scene_in(wide.view().path)[0]["min_separation"] == 0.25
+
+
+def test_positions_that_have_changed_are_refused(falling: tamis.Scene, tmp_path: pathlib.Path) -> None:
+    contacts = tamis.Detector(falling.mesh).contacts(falling.start, falling.end)
+    falling.start[3, 2] = 0.5
+    with pytest.raises(tamis.InvalidStep, match="changed since"):
+        contacts.view(tmp_path / "late.html")
+    assert not (tmp_path / "late.html").exists()
+    contacts.save(tmp_path / "late.csv")
+
+
+def test_what_knows_no_step_says_so(falling: tamis.Scene, tmp_path: pathlib.Path) -> None:
+    detector = tamis.Detector(falling.mesh)
+    contacts = detector.contacts(falling.start, falling.end)
+    for lost in (
+        pickle.loads(pickle.dumps(contacts)),
+        detector.contacts(tamis.BezierPath([falling.start, falling.end])),
+    ):
+        with pytest.raises(tamis.Error, match="know no step"):
+            lost.view(tmp_path / "lost.html")
+    for name, said in (("page.txt", "end in .html"), ("picture.png", "end in .html")):
+        with pytest.raises(tamis.Error, match=said):
+            contacts.view(tmp_path / name)
+    with pytest.raises(tamis.Error, match="drawn by the command"):
+        contacts.save(tmp_path / "picture.png")
+    with pytest.raises(tamis.FileError):
+        contacts.view(tmp_path / "absent" / "page.html")
+    assert not list(tmp_path.iterdir())
+
+
+def test_contacts_and_their_question_are_collected(falling: tamis.Scene) -> None:
+    """Would catch a cycle from a detector over its filter that Python's garbage collector does not see."""
+
+    class Filter:
+        detector: tamis.Detector
+        contacts: tamis.Contacts
+
+        def __call__(self, kind: tamis.PairKind, vertices: tuple[int, int, int, int]) -> bool:
+            return True
+
+    accepts = Filter()
+    accepts.detector = tamis.Detector(falling.mesh, filter=accepts)
+    accepts.contacts = accepts.detector.contacts(falling.start, falling.end)
+    gone = weakref.ref(accepts)
+    del accepts
+    gc.collect()
+    assert gone() is None

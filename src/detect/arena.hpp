@@ -1,0 +1,27 @@
+// Where the work of a question runs.
+#pragma once
+#include <tbb/task_arena.h>
+
+namespace tamis {
+
+class Arena {
+ public:
+  /// `threads`, >= 0: as in Options.
+  explicit Arena(int threads);
+
+  template <class Work>
+  void run(const Work& work) {
+    if (is_own_)
+      arena_.execute(work);
+    else
+      work();
+  }
+  /// For the work itself: how many threads there are.
+  static int threads_here() { return tbb::this_task_arena::max_concurrency(); }
+
+ private:
+  bool is_own_;  ///< false: the caller's
+  tbb::task_arena arena_;
+};
+
+}  // namespace tamis

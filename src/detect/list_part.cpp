@@ -1,0 +1,111 @@
+#include "detect/list_part.hpp"
+
+#include <algorithm>
+#include <memory>
+
+#include "engines/pair_rules.hpp"
+#include "solve/decide.hpp"
+#include "solve/pair_input.hpp"
+
+namespace tamis {
+namespace {
+
+template <std::size_t count>
+bool are_rows(const Pair& pair, Index rows) {
+  bool result = true;
+  for (std::size_t i = 0; i < count; ++i)
+    result &= static_cast<std::uint32_t>(pair.vertices[i]) < static_cast<std::uint32_t>(rows);
+  return result;
+}
+
+bool has_finite_points(const Pair& pair, const Step& step) {
+  const auto* v = pair.vertices.data();
+  return std::all_of(v, v + vertex_count(pair.kind),
+                     [&](Index i) { return is_finite(step.start[i]) && is_finite(step.end[i]); });
+}
+
+/// Pairs of one kind on their way through the lanes: each brings its own vertices, so that what it comes to depends on
+/// nothing else.
+struct Batch {
+  static constexpr int kMost = 128;  // so that their vertices stay in the first cache
+
+  Batch() {
+    for (int i = 0; i < PairBuffer::kSize; ++i)
+      for (int c = 0; c < 4; ++c) pairs.corner[c][i] = 4 * std::min(i, kMost - 1) + c;
+  }
+
+  PairBuffer pairs, rest;
+  PackedVertex vertices[4 * kMost] = {};
+  std::int32_t places[kMost + PairBuffer::kPadding] = {};
+  std::int32_t open[kMost];
+};
+
+void copy_point(const double* from, double* to) {
+  for (int axis = 0; axis < 3; ++axis) to[axis] = from[axis];
+}
+
+class PartDecision {
+ public:
+  PartDecision(const ListPart& part, PairResult* results)
+      : pairs_(part.pairs), step_(part.step), results_(results), options_(part.options), kernels_(part.kernels) {}
+
+  bool run() {
+    for (std::size_t i = 0; i < pairs_.size(); ++i) {
+      const PairKind kind = pairs_[i].kind;
+      if (static_cast<std::size_t>(kind) >= kPairKinds) return false;
+      if (!with_kind(kind, [&](auto k) { return add<k()>(static_cast<std::int32_t>(i)); })) return false;
+    }
+    for (std::size_t kind = 0; kind < kPairKinds; ++kind)
+      if (batches_[kind] && !decide_batch(static_cast<PairKind>(kind))) return false;
+    return true;
+  }
+
+ private:
+  template <PairKind kind>
+  bool add(std::int32_t place) {
+    constexpr std::size_t kCorners = vertex_count(kind);
+    const Pair& pair = pairs_[static_cast<std::size_t>(place)];
+    if (!are_rows<kCorners>(pair, step_.start.count())) return false;
+    auto& batch = batches_[static_cast<std::size_t>(kind)];
+    if (!batch) batch = std::make_unique<Batch>();
+    const int at = batch->pairs.count++;
+    for (std::size_t i = 0; i < kCorners; ++i) {
+      PackedVertex& vertex = batch->vertices[static_cast<std::size_t>(4 * at) + i];
+      copy_point(step_.start[pair.vertices[i]], vertex.at);
+      copy_point(step_.end[pair.vertices[i]], vertex.at + 4);
+    }
+    batch->places[at] = place;
+    return batch->pairs.count < Batch::kMost || decide_batch(kind);
+  }
+
+  bool decide_batch(PairKind kind) {
+    Batch& batch = *batches_[static_cast<std::size_t>(kind)];
+    const int open = kernels_.settle[static_cast<std::size_t>(kind)]({batch.vertices, batch.places, options_},
+                                                                     batch.pairs, batch.rest, results_, batch.open);
+    batch.pairs.count = 0;
+    return std::all_of(batch.open, batch.open + open, [&](std::int32_t place) { return decide_singly(kind, place); });
+  }
+
+  bool decide_singly(PairKind kind, std::int32_t place) {
+    const Pair& pair = pairs_[static_cast<std::size_t>(place)];
+    if (!has_finite_points(pair, step_)) return false;
+    PairVertices vertices{-1, -1, -1, -1};
+    std::copy_n(pair.vertices.begin(), vertex_count(kind), vertices.begin());
+    PrecisionCount decided_by;
+    results_[place] = tamis::decide(kind, points_of(step_, vertices), options_, decided_by);
+    return true;
+  }
+
+  std::span<const Pair> pairs_;
+  const Step& step_;
+  PairResult* results_;
+  const PairOptions& options_;
+  const Kernels& kernels_;
+  std::unique_ptr<Batch> batches_[kPairKinds];
+};
+
+}  // namespace
+
+bool decide_part_of_list(const ListPart& part, PairResult* results) { return PartDecision(part, results).run(); }
+
+}  // namespace tamis

@@ -1,0 +1,21 @@
+// One thread's part of a list of pairs: through the lanes, and one by one what those leave open.
+#pragma once
+#include <span>
+
+#include "kernels/kernels.hpp"
+#include "tamis/pair.hpp"
+
+namespace tamis {
+
+struct ListPart {
+  std::span<const Pair> pairs;  ///< fewer than 2^31
+  const Step& step;
+  const PairOptions& options;
+  const Kernels& kernels;
+};
+
+/// results[i]: what pairs[i] does. False if some pair is not legal: its kind is none, a vertex no row of the step, a
+/// coordinate not finite; the results then have no meaning. REQUIRES: as many positions at both ends of the step.
+bool decide_part_of_list(const ListPart& part, PairResult* results);
+
+}  // namespace tamis

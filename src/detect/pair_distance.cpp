@@ -1,0 +1,70 @@
+#include "tamis/pair_distance.hpp"
+
+#include <algorithm>
+#include <optional>
+
+#include "detect/pair_faults.hpp"
+#include "detect/validate.hpp"
+#include "engines/step_limit.hpp"
+#include "motion/time_clip.hpp"
+#include "solve/decide.hpp"
+#include "solve/kept_distance.hpp"
+#include "solve/near_pair.hpp"
+#include "solve/pair_input.hpp"
+#include "tamis/error.hpp"
+
+namespace tamis {
+namespace {
+
+/// As Contact has them: -1 where the kind has no vertex.
+PairVertices vertices_of(const Pair& pair) {
+  PairVertices vertices{-1, -1, -1, -1};
+  std::copy_n(pair.vertices.begin(), vertex_count(pair.kind), vertices.begin());
+  return vertices;
+}
+
+void validate(const Pair& pair, const Step& step) {
+  validate_layout(step);
+  if (const std::string fault = fault_of(pair, step); !fault.empty()) throw InvalidStep(fault);
+}
+
+/// When a pair ends a step: proven not before t_in; at t_out proven, or 1. None: not until the latest time of interest.
+using End = std::optional<TimeInterval<double>>;
+
+End end_by_contact(const Pair& pair, const PairPoints& points, const PairOptions& options) {
+  PrecisionCount decided_by;
+  const PairResult r = decide(pair.kind, points, options, decided_by);
+  if (!r.touches) return {};
+  return TimeInterval<double>{r.toi_lower, r.certainty == Certainty::certified ? r.toi_upper : 1};
+}
+
+End end_by_distance(const Pair& pair, const PairPoints& points, double fraction, const PairOptions& options) {
+  PrecisionCount decided_by;
+  const DistanceRule rule{fraction, options.min_separation};
+  const double until = keeps_distance_until(pair.kind, points, rule, options.latest, decided_by);
+  if (until >= options.latest) return {};
+  return TimeInterval<double>{until, fraction_is_left_at(pair.kind, points, rule, until)};
+}
+
+}  // namespace
+
+NearPair distance_of(const Pair& pair, const Positions& positions) {
+  const Step rest{positions, positions};
+  validate(pair, rest);
+  const PairVertices vertices = vertices_of(pair);
+  return near_pair(pair.kind, vertices, points_of(rest, vertices));
+}
+
+SafeStep keep_distance(const Pair& pair, const Step& step, double fraction, const PairOptions& options) {
+  validate(pair, step);
+  validate(options);
+  validate_kept(fraction);
+  const PairVertices vertices = vertices_of(pair);
+  const PairPoints points = points_of(step, vertices);
+  const End end =
+      fraction > 0 ? end_by_distance(pair, points, fraction, options) : end_by_contact(pair, points, options);
+  if (!end) return {options.latest, 1, {}};
+  return {end->t_in, end->t_out, LimitingPair{pair.kind, vertices, start_distance(pair.kind, points)}};
+}
+
+}  // namespace tamis

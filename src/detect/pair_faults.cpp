@@ -1,0 +1,27 @@
+#include "detect/pair_faults.hpp"
+
+#include "motion/pair_kinds.hpp"
+#include "solve/pair_input.hpp"
+
+namespace tamis {
+
+std::string no_such_kind(PairKind kind) {
+  return "no kind has the number " + std::to_string(static_cast<int>(kind)) + ": use one of the enumeration's names";
+}
+
+std::string fault_of(const Pair& pair, const Step& step) {
+  if (static_cast<std::size_t>(pair.kind) >= kPairKinds) return no_such_kind(pair.kind);
+  for (std::size_t i = 0; i < vertex_count(pair.kind); ++i) {
+    const Index v = pair.vertices[i];
+    if (v < 0 || v >= step.start.count())
+      return "vertex " + std::to_string(v) + " is no row of the step's " + std::to_string(step.start.count()) +
+             " positions: give indices in [0, " + std::to_string(step.start.count()) + ")";
+    for (const auto& [positions, when] : {std::pair(step.start, "start"), std::pair(step.end, "end")})
+      if (!is_finite(positions[v]))
+        return "vertex " + std::to_string(v) + " at the " + when +
+               " of the step has a coordinate that is not finite: give finite positions";
+  }
+  return {};
+}
+
+}  // namespace tamis

@@ -1,0 +1,17 @@
+// A vector of length one.
+#pragma once
+#include "numerics/select.hpp"
+#include "numerics/vec.hpp"
+
+namespace tamis {
+
+/// Of unit length; NaN where `v` is zero or NaN. Divided by its largest component first, so that no square underflows.
+template <class T>
+inline Vec3<T> unit_vector(const Vec3<T>& v) {
+  const T size = max(max(abs(v.x), abs(v.y)), abs(v.z));
+  const Vec3<T> scaled{v.x / size, v.y / size, v.z / size};
+  const T length = sqrt(dot(scaled, scaled));
+  return {scaled.x / length, scaled.y / length, scaled.z / length};
+}
+
+}  // namespace tamis

@@ -1,0 +1,225 @@
+// Lists of pairs. Would catch: a lane that decides otherwise than one pair alone, a result in another pair's place, a
+// pair whose answer depends on its neighbours in the list, an index or a coordinate that is read before it is checked.
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "scenes/scene_list.hpp"
+#include "support/ask_pair.hpp"
+#include "support/contact_sets.hpp"
+#include "support/pair_cases.hpp"
+#include "tamis/detector.hpp"
+#include "tamis/error.hpp"
+
+namespace tamis {
+namespace {
+
+struct Asked {
+  Isa isa;
+  double latest;
+};
+constexpr Asked kAsked[] = {
+    {Isa::baseline, 1}, {Isa::avx2, 0.5}, {Isa::avx512, 1}, {Isa::avx512, 0.25}, {Isa::best, 1}};
+
+bool is_here(Isa isa) {
+  try {
+    narrow_phase(std::vector<Pair>{}, Step{}, {.isa = isa});
+    return true;
+  } catch (const InvalidOptions&) {
+    return false;
+  }
+}
+
+/// Bit for bit, as a sentence.
+std::string difference(const PairResult& a, const PairResult& b) {
+  if (a.touches != b.touches) return "touches";
+  if (a.certainty != b.certainty) return "certainty";
+  if (a.toi_lower != b.toi_lower || a.toi_upper != b.toi_upper) return "bracket";
+  if (a.u != b.u || a.v != b.v) return "weights";
+  return a.normal == b.normal ? "" : "normal";
+}
+
+/// Motions of all kinds and families, and a list in which the kinds alternate.
+struct Cases {
+  std::vector<Point> start, end;
+  std::vector<Pair> pairs;
+  std::vector<oracle::Motion> motions;
+};
+
+Cases make_cases(int count) {
+  test::Random random(7);
+  Cases cases;
+  for (int i = 0; i < count; ++i)
+    for (const auto& family : test::kFamilies)
+      for (const PairKind kind : test::kAllKinds) {
+        const oracle::Motion motion =
+            test::placed(family.make(kind, random), test::kPlacements[static_cast<std::size_t>(random.below(6))]);
+        const auto first = static_cast<Index>(cases.start.size());
+        cases.start.insert(cases.start.end(), motion.start.begin(), motion.start.end());
+        cases.end.insert(cases.end.end(), motion.end.begin(), motion.end.end());
+        cases.pairs.push_back({kind, {first, first + 1, first + 2, first + 3}});
+        cases.motions.push_back(motion);
+      }
+  return cases;
+}
+
+TEST(NarrowPhase, ListsSayBitForBitWhatTheFunctionsForOnePairSay) {
+  const Cases cases = make_cases(20);
+  for (const Guarantee guarantee : {Guarantee::exact, Guarantee::conservative})
+    for (const double separation : {0.0, 0.125})
+      for (const auto& [isa, latest] : kAsked) {
+        if (!is_here(isa)) continue;
+        const auto results =
+            narrow_phase(cases.pairs, {cases.start, cases.end}, {guarantee, separation, latest, 1, isa});
+        ASSERT_EQ(results.size(), cases.pairs.size());
+        for (std::size_t i = 0; i < results.size(); ++i) {
+          const auto alone = test::ask_pair(cases.pairs[i].kind, cases.motions[i], {guarantee, separation, latest});
+          ASSERT_EQ(difference(results[i], alone), "")
+              << "pair " << i << ", " << name_of(isa) << ", separation " << separation << ", latest " << latest << '\n'
+              << test::describe(cases.pairs[i].kind, cases.motions[i]);
+        }
+      }
+}
+
+TEST(NarrowPhase, ThreadsAndPlacesInTheListChangeNoBit) {
+  const Cases cases = make_cases(500);  // more than one thread's part
+  const auto results = narrow_phase(cases.pairs, {cases.start, cases.end}, {.threads = 1});
+  const auto threads = narrow_phase(cases.pairs, {cases.start, cases.end}, {.threads = 3});
+  std::vector<Pair> reversed(cases.pairs.rbegin(), cases.pairs.rend());
+  const auto backwards = narrow_phase(reversed, {cases.start, cases.end});
+  for (std::size_t i = 0; i < results.size(); ++i) {
+    ASSERT_EQ(difference(results[i], threads[i]), "") << i;
+    ASSERT_EQ(difference(results[i], backwards[results.size() - 1 - i]), "") << i;
+  }
+}
+
+TEST(NarrowPhase, ListsOfADetectorsPairsTouchWhereItFindsContacts) {
+  const scenes::Scene scene = scenes::scene_by_name("folded-cloth", 800, 3);
+  const test::PairSet contacts = test::find_names(scene, {});
+  std::vector<Pair> pairs;
+  Options options;
+  options.method = Method::brute;
+  options.threads = 1;
+  options.filter.accepts = [&](PairKind kind, const std::array<Index, 4>& vertices) {
+    pairs.push_back({kind, vertices});
+    return false;
+  };
+  test::find_names(scene, options);
+  const auto results = narrow_phase(pairs, scene.step());
+  test::PairSet touching;
+  for (std::size_t i = 0; i < pairs.size(); ++i)
+    if (results[i].touches) touching.insert({pairs[i].kind, pairs[i].vertices});
+  EXPECT_GT(contacts.size(), 0u);
+  EXPECT_TRUE(touching == contacts);
+}
+
+TEST(NarrowPhase, StridesAreFollowedAndRowsThatNoPairNamesAreNotRead) {
+  const Cases cases = make_cases(2);
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  std::vector<double> start, end;
+  for (std::size_t i = 0; i < cases.start.size(); ++i)
+    for (const auto& [from, to] : {std::pair(&cases.start, &start), std::pair(&cases.end, &end)}) {
+      to->insert(to->end(), (*from)[i].begin(), (*from)[i].end());
+      to->insert(to->end(), to == &start ? 2 : 1, nan);
+    }
+  start.insert(start.end(), 5, nan);
+  end.insert(end.end(), 4, nan);
+  const auto count = static_cast<Index>(cases.start.size()) + 1;
+  const Step step{{start.data(), count, 5}, {end.data(), count, 4}};
+  const auto results = narrow_phase(cases.pairs, step);
+  const auto expected = narrow_phase(cases.pairs, {cases.start, cases.end});
+  for (std::size_t i = 0; i < results.size(); ++i) EXPECT_EQ(difference(results[i], expected[i]), "") << i;
+}
+
+TEST(NarrowPhase, AnEmptyListHasNoResults) { EXPECT_TRUE(narrow_phase(std::vector<Pair>{}, Step{}).empty()); }
+
+template <class Bad>
+std::string sentence(std::vector<Pair> pairs, const Step& step, const PairListOptions& options = {}) {
+  try {
+    narrow_phase(pairs, step, options);
+  } catch (const Bad& e) {
+    return e.what();
+  }
+  return "nothing was thrown";
+}
+
+TEST(NarrowPhase, BadPairsAreNamedTheFirstOfThem) {
+  const Cases cases = make_cases(300);
+  const Step step{cases.start, cases.end};
+  const std::string count = std::to_string(cases.start.size());
+  auto pairs = cases.pairs;
+  pairs[9000].vertices[1] = -1;
+  pairs[11000].vertices[0] = static_cast<Index>(cases.start.size());
+  EXPECT_EQ(sentence<InvalidStep>(pairs, step),
+            "pair 9000: vertex -1 is no row of the step's " + count + " positions: give indices in [0, " + count + ")");
+  pairs[70].kind = static_cast<PairKind>(4);
+  EXPECT_EQ(sentence<InvalidStep>(pairs, step),
+            "pair 70: no kind has the number 4: use one of the enumeration's names");
+  for (const double bad : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()})
+    for (std::size_t place = 0; place < 4; ++place) {
+      auto end = cases.end;
+      const auto vertex = static_cast<std::size_t>(cases.pairs[41].vertices[place]);
+      end[vertex][place % 3] = bad;
+      EXPECT_EQ(sentence<InvalidStep>(cases.pairs, {cases.start, end}),
+                "pair 41: vertex " + std::to_string(vertex) +
+                    " at the end of the step has a coordinate that is not finite: give finite positions");
+    }
+}
+
+TEST(NarrowPhase, VerticesThatAKindDoesNotUseAreNotRead) {
+  const std::vector<Point> start{{0, 0, 0}, {1, 0, 0}}, end{{1, 0, 0}, {1, 0, 0}};
+  const auto results = narrow_phase(std::vector<Pair>{{PairKind::vertex_vertex, {0, 1, -7, 99}}}, {start, end});
+  EXPECT_TRUE(results[0].touches);
+}
+
+TEST(NarrowPhase, PairsThatComeAsPointsSayTheSame) {
+  const Cases cases = make_cases(300);
+  for (const PairKind kind : test::kAllKinds) {
+    const std::size_t corners = kind == PairKind::vertex_vertex ? 2 : kind == PairKind::vertex_edge ? 3 : 4;
+    std::vector<Point> start, end;
+    std::vector<Pair> pairs;
+    for (const Pair& pair : cases.pairs)
+      if (pair.kind == kind) {
+        for (std::size_t i = 0; i < corners; ++i) {
+          start.push_back(cases.start[static_cast<std::size_t>(pair.vertices[i])]);
+          end.push_back(cases.end[static_cast<std::size_t>(pair.vertices[i])]);
+        }
+        pairs.push_back(pair);
+      }
+    std::vector<PairResult> results(pairs.size());
+    narrow_phase(kind, start, end, results);
+    const auto expected = narrow_phase(pairs, {cases.start, cases.end});
+    for (std::size_t i = 0; i < pairs.size(); ++i) ASSERT_EQ(difference(results[i], expected[i]), "") << i;
+    start[corners * 5 + 1][2] = std::numeric_limits<double>::quiet_NaN();
+    try {
+      narrow_phase(kind, start, end, results);
+      FAIL() << "nothing was thrown";
+    } catch (const InvalidStep& e) {
+      EXPECT_STREQ(e.what(), "pair 5: point 1 at the start of the step is not finite: give finite coordinates");
+    }
+    start.pop_back();
+    EXPECT_THROW(narrow_phase(kind, start, end, results), InvalidStep);
+  }
+}
+
+TEST(NarrowPhase, ACancelledListThrows) {
+  const Cases cases = make_cases(1);
+  EXPECT_THROW(narrow_phase(cases.pairs, {cases.start, cases.end}, {.is_cancelled = [] { return true; }}), Cancelled);
+}
+
+TEST(NarrowPhase, BadStepsAndOptionsAreRefused) {
+  const std::vector<Point> two(2), three(3);
+  EXPECT_EQ(sentence<InvalidStep>({}, {two, three}),
+            "the step has 2 positions at its start and 3 at its end: give as many");
+  EXPECT_NE(sentence<InvalidStep>({}, {{nullptr, 2}, two}).find("the start of the step is no n x 3 array"),
+            std::string::npos);
+  EXPECT_NE(sentence<InvalidOptions>({}, {}, {.min_separation = -1}).find("give a finite distance"), std::string::npos);
+  EXPECT_NE(sentence<InvalidOptions>({}, {}, {.threads = -1}).find("threads is -1"), std::string::npos);
+  EXPECT_NE(sentence<InvalidOptions>({}, {}, {.guarantee = static_cast<Guarantee>(9)}).find("number 9"),
+            std::string::npos);
+  std::vector<PairResult> results(1);
+  EXPECT_THROW(narrow_phase({}, Step{}, results), InvalidStep);
+}
+
+}  // namespace
+}  // namespace tamis

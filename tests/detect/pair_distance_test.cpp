@@ -1,0 +1,134 @@
+// One pair: how far apart it is, how long it keeps a part of that, and until when it is of interest. Would catch: an
+// answer that differs from the detector's, a time of interest that loses a contact before it or changes a bracket.
+#include "tamis/pair_distance.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "support/ask_pair.hpp"
+#include "support/pair_cases.hpp"
+#include "tamis/detector.hpp"
+#include "tamis/error.hpp"
+
+namespace tamis {
+namespace {
+
+constexpr std::array<Index, 4> kAll{0, 1, 2, 3};
+
+/// A mesh in which the pair is one of few.
+Detector detector_of(PairKind kind) {
+  if (kind == PairKind::vertex_face) return Detector(Mesh(4, {{1, 2, 3}}, {}, {0}));
+  if (kind == PairKind::edge_edge) return Detector(Mesh(4, {}, {{0, 1}, {2, 3}}));
+  return Detector(Mesh(4, {}, {{1, 2}}, {0}));
+}
+
+TEST(PairDistance, IsWhatNearSaysOfThePair) {
+  test::Random random(3);
+  for (const PairKind kind : {PairKind::vertex_face, PairKind::edge_edge, PairKind::vertex_edge})
+    for (int i = 0; i < 50; ++i) {
+      const auto motion = test::family_named(i % 2 ? "random" : "lattice").make(kind, random);
+      const std::vector<Point> points(motion.start.begin(), motion.start.end());
+      const NearPair alone = distance_of({kind, kAll}, points);
+      Detector detector = detector_of(kind);
+      bool is_found = false;
+      for (const NearPair& pair : detector.near(points, 1e3))
+        if (pair.kind == kind) {
+          is_found = true;
+          EXPECT_EQ(alone.distance, pair.distance);
+          EXPECT_EQ(alone.corners, pair.corners);
+          EXPECT_EQ(alone.vertices, pair.vertices);
+          EXPECT_EQ(alone.direction, pair.direction);
+        }
+      EXPECT_TRUE(is_found);
+    }
+}
+
+TEST(PairDistance, OfTwoPointsIsTheirs) {
+  const std::vector<Point> points{{9, 9, 9}, {1, 2, 3}, {1, 2, 7}};
+  const NearPair pair = distance_of({PairKind::vertex_vertex, {1, 2, 99, -9}}, points);
+  EXPECT_EQ(pair.distance, 4);
+  EXPECT_EQ(pair.vertices, (std::array<Index, 4>{1, 2, -1, -1}));
+}
+
+TEST(PairDistance, AFractionIsKeptAsLongAsTheDetectorSays) {
+  test::Random random(5);
+  int limits = 0;
+  for (const PairKind kind : {PairKind::vertex_face, PairKind::edge_edge})
+    for (int i = 0; i < 200; ++i) {
+      const auto motion = test::family_named("random").make(kind, random);
+      const std::vector<Point> start(motion.start.begin(), motion.start.end()),
+          end(motion.end.begin(), motion.end.end());
+      for (const double fraction : {0.0, 0.1, 0.9}) {
+        const SafeStep alone = keep_distance({kind, kAll}, {start, end}, fraction, {.min_separation = 0.01});
+        Detector detector = detector_of(kind);
+        const SafeStep step = detector.keep_distance({start, end}, fraction, 0.01);
+        EXPECT_EQ(alone.lower, step.lower);
+        EXPECT_EQ(alone.upper, step.upper);
+        ASSERT_EQ(alone.pair.has_value(), step.pair.has_value());
+        if (!alone.pair) continue;
+        ++limits;
+        EXPECT_EQ(alone.pair->vertices, step.pair->vertices);
+        EXPECT_EQ(alone.pair->distance, step.pair->distance);
+      }
+    }
+  EXPECT_GT(limits, 50);
+}
+
+TEST(PairDistance, NothingAfterTheLatestTimeOfInterestMatters) {
+  // From 1 to -3 above a still point's place: half of the distance is left at t = 1/8.
+  const std::vector<Point> start{{0, 0, 1}, {0, 0, 0}}, end{{0, 0, -3}, {0, 0, 0}};
+  const Pair pair{PairKind::vertex_vertex, {0, 1, -1, -1}};
+  EXPECT_NEAR(keep_distance(pair, {start, end}, 0.5).lower, 0.125, 1e-6);
+  const SafeStep early = keep_distance(pair, {start, end}, 0.5, {.latest = 0.1});
+  EXPECT_EQ(early.lower, 0.1);
+  EXPECT_FALSE(early.pair.has_value());
+  EXPECT_EQ(keep_distance(pair, {start, end}, 0, {.latest = 0.2}).lower, 0.2);
+  EXPECT_NEAR(keep_distance(pair, {start, end}, 0, {.latest = 0.3}).lower, 0.25, 1e-9);
+}
+
+TEST(Pair, ALatestTimeOfInterestOnlyMakesLaterPairsFree) {
+  test::Random random(11);
+  int early = 0, late = 0;
+  for (const auto& family : test::kFamilies)
+    for (int i = 0; i < 40; ++i)
+      for (const PairKind kind : test::kAllKinds) {
+        const auto motion = family.make(kind, random);
+        const PairResult whole = test::ask_pair(kind, motion, {});
+        const PairResult part = test::ask_pair(kind, motion, {.latest = 0.5});
+        EXPECT_EQ(part.touches, whole.touches && whole.toi_lower <= 0.5);
+        if (part.touches) {
+          EXPECT_EQ(part.toi_lower, whole.toi_lower);
+          EXPECT_EQ(part.toi_upper, whole.toi_upper);
+        }
+        early += part.touches;
+        late += whole.touches && !part.touches;
+      }
+  EXPECT_GT(early, 50);
+  EXPECT_GT(late, 50);
+}
+
+TEST(PairDistance, BadInputIsNamed) {
+  const std::vector<Point> points(4, Point{0, 0, 0}), fewer(3);
+  const Pair pair{PairKind::vertex_face, kAll};
+  EXPECT_THROW(distance_of({PairKind::vertex_face, {0, 1, 2, 4}}, points), InvalidStep);
+  EXPECT_THROW(distance_of({static_cast<PairKind>(7), kAll}, points), InvalidStep);
+  EXPECT_THROW(keep_distance(pair, {points, fewer}, 0.5), InvalidStep);
+  EXPECT_THROW(keep_distance(pair, {points, points}, 1), InvalidOptions);
+  EXPECT_THROW(keep_distance(pair, {points, points}, std::nan("")), InvalidOptions);
+  for (const double latest : {-0.1, 1.5, std::nan("")})
+    EXPECT_THROW(keep_distance(pair, {points, points}, 0.5, {.latest = latest}), InvalidOptions);
+  auto bad = points;
+  bad[2][1] = std::numeric_limits<double>::infinity();
+  try {
+    keep_distance(pair, {points, bad}, 0.5);
+    FAIL() << "nothing was thrown";
+  } catch (const InvalidStep& e) {
+    EXPECT_STREQ(e.what(),
+                 "vertex 2 at the end of the step has a coordinate that is not finite: give finite positions");
+  }
+}
+
+}  // namespace
+}  // namespace tamis

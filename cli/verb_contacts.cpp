@@ -31,7 +31,7 @@ class Contacts final : public StepVerb {
   int run() override {
     output_.require({start_, end_}, 1);
     StepFiles files = read();
-    Detector detector(std::move(files.mesh), options());
+    Detector detector = detector_for(std::move(files.mesh));
     const Step step = files.step();
     const std::vector<Contact>* contacts = nullptr;
     const Timing timing = ask_repeatedly(detector, repeat_, [&] { contacts = &detector.contacts(step); });

@@ -35,12 +35,12 @@ class View final : public Verb {
   }
 
   int run() override {
-    const Options options = detector_.options();
+    detector_.check();
     const double scale = scale_.value();
     output_.check();
     const MovingFrames frames(names_);
     output_.require(frames.paths(), frames.paths().size() - 1);
-    Detector detector(io::mesh_of(frames.first()), options);
+    Detector detector = detector_.detector(io::mesh_of(frames.first()));
     io::Recording recording{detector.mesh(), detector.options(), scale, {}, {}, {}};
     record(frames, detector, recording);
     output_.write(recording);

@@ -30,6 +30,12 @@ void ScaleArgument::declare(CLI::App& app) {
   add_number(app, "--scale", "S", scale_, kNotNegative, "take END = START + S (END - START); default 1");
 }
 
+void KeepDistanceArgument::declare(CLI::App& app) {
+  option_ = add_number(app, "--keep-distance", "F", fraction_, {.least = 0, .most = 1, .takes_most = false},
+                       "how far the step may go so that every pair keeps at least F times its distance at START: the "
+                       "step length for the line search of a barrier method");
+}
+
 void declare_json(CLI::App& app, bool& json) {
   app.add_flag("--json", json, "print one JSON object and nothing else on the standard output");
 }

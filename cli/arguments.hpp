@@ -39,6 +39,18 @@ class ScaleArgument {
   double scale_ = 1;
 };
 
+/// `--keep-distance F`: how far the step may go so that every pair keeps a part of its distance.
+class KeepDistanceArgument {
+ public:
+  void declare(CLI::App& app);
+  bool is_asked() const { return option_->count() > 0; }
+  double fraction() const { return fraction_; }
+
+ private:
+  double fraction_ = 0;
+  CLI::Option* option_ = nullptr;
+};
+
 void declare_json(CLI::App& app, bool& json);
 void declare_repeat(CLI::App& app, int& repeat, const std::string& help);
 /// `of` says what the seed is of.

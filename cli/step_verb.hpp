@@ -23,9 +23,10 @@ class StepVerb : public Verb {
   /// Options are checked before any file is read.
   StepFiles read() const {
     detector_.options();
-    return read_step(start_, end_, scale_.value());
+    return read_step(start_, end_, scale());
   }
   Options options() const { return detector_.options(); }
+  double scale() const { return scale_.value(); }
 
   std::string start_;
   std::string end_;

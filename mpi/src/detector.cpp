@@ -163,8 +163,8 @@ struct Detector::State {
     return failure_of([&] {
       if (borrowing.borrowed().empty()) return;
       const ElementSet mine = borrowing.own_near_borrowed(may_matter);
-      const ElementSet* const sets[] = {&mine, &borrowing.borrowed(), &frame_elements};
-      border.assign(sets);
+      const ElementSet* const others[] = {&borrowing.borrowed(), &frame_elements};
+      border.assign_sides(mine, others);
       ask(border);
       statistics.pairs_tested += border.pairs_tested();
     });
@@ -243,7 +243,10 @@ struct Detector::State {
   /// Where work has become unequal, the next question counts pairs, and the one after it has a new decomposition.
   void watch_balance() {
     if (counts_pairs) {
-      decomposition.report_weights(own().empty() ? std::vector<std::uint64_t>() : interior.weights_of(own()));
+      std::vector<std::uint64_t> weights = interior.weights_of(own());
+      const std::vector<std::uint64_t> of_border = border.weights_of(own());
+      for (std::size_t e = 0; e < weights.size(); ++e) weights[e] += of_border[e];
+      decomposition.report_weights(weights);
       counts_pairs = false;
       is_to_decompose = true;
       allowed = 0;

@@ -6,6 +6,8 @@
 namespace tamis::distributed {
 namespace {
 
+constexpr std::uint8_t kMine = 1, kOthers = 2;
+
 std::vector<ElementId> ids_of(std::span<const ElementSet* const> sets) {
   std::vector<ElementId> ids;
   for (const ElementSet* set : sets) ids.insert(ids.end(), set->ids.begin(), set->ids.end());
@@ -47,6 +49,30 @@ void LocalSearch::assign(std::span<const ElementSet* const> sets) {
   pairs_of_vertex_.assign(counts_pairs_ ? set_.vertices.size() : 0, 0);
 }
 
+void LocalSearch::assign_sides(const ElementSet& mine, std::span<const ElementSet* const> others) {
+  std::vector<const ElementSet*> all{&mine};
+  all.insert(all.end(), others.begin(), others.end());
+  if (side_.empty()) detector_.reset();
+  side_.assign(1, 0);
+  assign(all);
+  side_.assign(set_.vertices.size(), 0);
+  const auto mark = [&](const ElementSet& set, std::uint8_t side) {
+    std::size_t place = 0;
+    for (const Vertex& vertex : set.vertices) {
+      while (set_.vertices[place].number < vertex.number) ++place;
+      side_[place] |= side;
+    }
+  };
+  mark(mine, kMine);
+  for (const ElementSet* set : others) mark(*set, kOthers);
+}
+
+void LocalSearch::forget() {
+  ids_.clear();
+  set_ = {};
+  detector_.reset();
+}
+
 void LocalSearch::count_pairs(bool counts) {
   if (counts != counts_pairs_) forget();
   counts_pairs_ = counts;
@@ -59,18 +85,29 @@ Options LocalSearch::local_options() {
   options.filter.group_of_vertex.clear();
   if (!options.filter.groups_may_touch.empty() || !options.thickness.empty())
     for (const Vertex& vertex : set_.vertices) options.filter.group_of_vertex.push_back(vertex.group);
-  if (counts_pairs_)
-    options.filter.accepts = [this](PairKind kind, const auto& vertices) { return count(kind, vertices); };
-  else if (options_.filter.accepts)
-    options.filter.accepts = [this](PairKind kind, const auto& vertices) { return accepts(kind, vertices); };
+  if (counts_pairs_ || !side_.empty() || options_.filter.accepts)
+    options.filter.accepts = [this](PairKind kind, const auto& vertices) { return is_wanted(kind, vertices); };
   return options;
 }
 
-bool LocalSearch::count(PairKind kind, const std::array<Index, 4>& vertices) {
+bool LocalSearch::is_wanted(PairKind kind, const std::array<Index, 4>& vertices) {
+  if (!side_.empty() && is_within_a_side(vertices)) return false;
+  if (counts_pairs_) count(vertices);
+  return !options_.filter.accepts || accepts(kind, vertices);
+}
+
+/// A vertex of one side alone belongs to features of that side alone.
+bool LocalSearch::is_within_a_side(const std::array<Index, 4>& vertices) const {
+  std::uint8_t sides = 0;
+  for (const Index v : vertices)
+    if (v >= 0) sides |= side_[static_cast<std::size_t>(v)];
+  return sides != (kMine | kOthers);
+}
+
+void LocalSearch::count(const std::array<Index, 4>& vertices) {
   for (const Index v : vertices)
     if (v >= 0)
       std::atomic_ref(pairs_of_vertex_[static_cast<std::size_t>(v)]).fetch_add(1, std::memory_order_relaxed);
-  return !options_.filter.accepts || accepts(kind, vertices);
 }
 
 bool LocalSearch::accepts(PairKind kind, std::array<Index, 4> vertices) const {

@@ -24,8 +24,10 @@ class LocalSearch {
 
   /// What to search, with its motions. Keeps the detector where elements have the ids of last time.
   void assign(std::span<const ElementSet* const> sets);
+  /// The same, of pairs with a feature of `mine` and one of `others`; pairs within either may be left out.
+  void assign_sides(const ElementSet& mine, std::span<const ElementSet* const> others);
   /// Ids mean other elements from now on.
-  void forget() { ids_.clear(); }
+  void forget();
   /// From the next question on: in how many pairs whose boxes meet each vertex takes part.
   void count_pairs(bool counts);
 
@@ -43,7 +45,9 @@ class LocalSearch {
  private:
   void make_detector();
   Options local_options();
-  bool count(PairKind kind, const std::array<Index, 4>& vertices);
+  bool is_wanted(PairKind kind, const std::array<Index, 4>& vertices);
+  bool is_within_a_side(const std::array<Index, 4>& vertices) const;
+  void count(const std::array<Index, 4>& vertices);
   bool accepts(PairKind kind, std::array<Index, 4> vertices) const;
   void translate(std::array<Index, 4>& vertices) const;
   Step step() const { return {start_, end_}; }
@@ -53,6 +57,7 @@ class LocalSearch {
   ElementSet set_;
   std::vector<Point> start_, end_;
   std::optional<Detector> detector_;
+  std::vector<std::uint8_t> side_;  ///< of each vertex, a bit each; empty: sides do not matter
   bool counts_pairs_ = false;
   std::vector<std::uint64_t> pairs_of_vertex_;
 };

@@ -1,6 +1,7 @@
 #include "sparse_exchange.hpp"
 
 #include <algorithm>
+#include <thread>
 
 namespace tamis::distributed {
 namespace {
@@ -61,6 +62,7 @@ std::vector<Message> SparseExchange::finish() {
       MPI_Test(&barrier, &is_over, MPI_STATUS_IGNORE);
     else if (all_sent())
       MPI_Ibarrier(communicator_.raw(), &barrier);
+    std::this_thread::yield();  // there may be more ranks than cores
   }
   std::ranges::sort(incoming_, {}, &Message::rank);
   return std::move(incoming_);

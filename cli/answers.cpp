@@ -51,9 +51,9 @@ void print_contact(const Contact& c) {
 }  // namespace
 
 void print_tally(const Tally& tally) {
-  const std::string loose = tally.ve + tally.vv > 0
-                                ? fmt::format(", {} vertex-edge, {} vertex-vertex", grouped(tally.ve), grouped(tally.vv))
-                                : "";
+  const std::string loose =
+      tally.ve + tally.vv > 0 ? fmt::format(", {} vertex-edge, {} vertex-vertex", grouped(tally.ve), grouped(tally.vv))
+                              : "";
   fmt::print("contacts        {} vertex-face, {} edge-edge{}, of these {} unresolved\n", grouped(tally.vf),
              grouped(tally.ee), loose, grouped(tally.unresolved));
   if (tally.is_free())

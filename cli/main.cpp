@@ -2,8 +2,8 @@
 #include <exception>
 #include <memory>
 
-#include "cli/command.hpp"
 #include "cli/messages.hpp"
+#include "cli/run_command.hpp"
 
 namespace tamis::cli {
 

@@ -9,8 +9,8 @@
 
 namespace tamis::cli {
 
-/// Calls f(SequenceStep) for each step that ends at a frame in [first, last), 1 <= first, with one detector; each is cut
-/// into `substeps` equal ones and goes `scale` times as far.
+/// Calls f(SequenceStep) for each step that ends at a frame in [first, last), 1 <= first, with one detector; each is
+/// cut into `substeps` equal ones and goes `scale` times as far.
 template <class F>
 void ask_steps(Detector& detector, const MovingFrames& frames, std::size_t first, std::size_t last, int substeps,
                double scale, const F& f) {

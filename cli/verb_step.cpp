@@ -48,7 +48,8 @@ class StepLength final : public StepVerb {
 
   int keep_distance(Detector& detector, const Step& step) const {
     SafeStep safe;
-    const Timing timing = ask_repeatedly(detector, repeat_, [&] { safe = detector.keep_distance(step, kept_.fraction()); });
+    const Timing timing =
+        ask_repeatedly(detector, repeat_, [&] { safe = detector.keep_distance(step, kept_.fraction()); });
     if (json_) {
       Json json;
       add_safe_step(json, safe, kept_.fraction());

@@ -8,7 +8,7 @@ set -euo pipefail
 packages=(g++ cmake ninja-build pkg-config libtbb-dev libgmp-dev libxsimd-dev
           libcli11-dev libfmt-dev nlohmann-json3-dev libeigen3-dev libmeshoptimizer-dev zlib1g-dev libb64-dev)
 if [[ ${1:-} == --tests ]]; then
-  packages+=(libgtest-dev libbenchmark-dev glmark2-data python3 python3-venv python3-dev binutils valgrind clang-14
+  packages+=(libopenmpi-dev openmpi-bin libgtest-dev libbenchmark-dev glmark2-data python3 python3-venv python3-dev binutils valgrind clang-14
              clang-format-14 clang-tidy-14 libclang-rt-14-dev chromium)
   # Node from elsewhere than Debian brings its own npm, and conflicts with Debian's.
   command -v npm >/dev/null || packages+=(nodejs npm)

@@ -7,9 +7,9 @@
 #include <exception>
 #include <thread>
 
-#include "cli/command.hpp"
 #include "cli/messages.hpp"
-#include "verbs.hpp"
+#include "cli/run_command.hpp"
+#include "mpi/command/verbs.hpp"
 
 namespace tamis::distributed {
 namespace {
@@ -39,9 +39,8 @@ bool all_have_come(bool has_failed) {
 }
 
 int run(int argc, char** argv) {
-  cli::Command command{"tamis-mpi",
-                       "Tamis on many machines: start it with mpirun, or what stands for it on your cluster.",
-                       {}};
+  cli::Command command{
+      "tamis-mpi", "Tamis on many machines: start it with mpirun, or what stands for it on your cluster.", {}};
   command.verbs.push_back(make_contacts());
   command.verbs.push_back(make_step());
   command.verbs.push_back(make_free());

@@ -1,4 +1,4 @@
-#include "ply_part.hpp"
+#include "mpi/command/ply_part.hpp"
 
 #include <bit>
 #include <cstring>
@@ -83,8 +83,8 @@ std::optional<PlyPart> read_part(std::ifstream& file, const Block& block) {
     return read_bytes(file, start + first * bytes, count * bytes);
   };
   const std::string vertices = rows_of(header.bytes, vertex.count, row);
-  const std::string text = file_of_vertices(std::string_view(head).substr(0, header.bytes), vertex,
-                                            vertices.size() / row, vertices);
+  const std::string text =
+      file_of_vertices(std::string_view(head).substr(0, header.bytes), vertex, vertices.size() / row, vertices);
   auto triangles = triangles_in(rows_of(faces_start, face.count, kTriangleBytes), vertex.count);
   if (!triangles) return {};
   return PlyPart{vertex.count, face.count, io::parse_ply(text, "").positions, std::move(*triangles)};

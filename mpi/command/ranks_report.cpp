@@ -1,4 +1,4 @@
-#include "ranks_report.hpp"
+#include "mpi/command/ranks_report.hpp"
 
 #include <fmt/format.h>
 

@@ -1,8 +1,8 @@
 // What the ranks did, for people and as JSON.
 #pragma once
 #include "cli/report.hpp"
-#include "communicator.hpp"
-#include "step_parts.hpp"
+#include "mpi/command/step_parts.hpp"
+#include "mpi/src/communicator.hpp"
 #include "tamis/distributed.hpp"
 
 namespace tamis::distributed {

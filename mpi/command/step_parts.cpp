@@ -1,12 +1,12 @@
-#include "step_parts.hpp"
+#include "mpi/command/step_parts.hpp"
 
 #include <algorithm>
 #include <numeric>
 #include <optional>
 
-#include "agreement.hpp"
 #include "cli/step_files.hpp"
-#include "ply_part.hpp"
+#include "mpi/command/ply_part.hpp"
+#include "mpi/src/agreement.hpp"
 
 namespace tamis::distributed {
 namespace {

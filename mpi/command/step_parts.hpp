@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "communicator.hpp"
+#include "mpi/src/communicator.hpp"
 #include "tamis/distributed.hpp"
 
 namespace tamis::distributed {
@@ -18,8 +18,9 @@ struct StepParts {
   Step step() const { return {start, end}; }
 };
 
-/// Collective. Each rank gets a block of the vertices and one of each kind of features. Of binary PLY files of triangles it
-/// reads no more than that; other files are read whole by every rank. Throws io::FileError, as Error, on all ranks.
+/// Collective. Each rank gets a block of the vertices and one of each kind of features. Of binary PLY files of
+/// triangles it reads no more than that; other files are read whole by every rank. Throws io::FileError, as Error, on
+/// all ranks.
 StepParts read_step_parts(Communicator& communicator, const std::string& start, const std::string& end, double scale);
 
 }  // namespace tamis::distributed

@@ -3,14 +3,14 @@
 
 #include <cstdio>
 
-#include "agreement.hpp"
 #include "cli/answers.hpp"
 #include "cli/output_file.hpp"
 #include "cli/printable.hpp"
 #include "io/contacts_csv.hpp"
-#include "ranks_verb.hpp"
+#include "mpi/command/ranks_verb.hpp"
+#include "mpi/command/verbs.hpp"
+#include "mpi/src/agreement.hpp"
 #include "tamis/error.hpp"
-#include "verbs.hpp"
 
 namespace tamis::distributed {
 namespace {
@@ -44,9 +44,10 @@ class Contacts final : public RanksVerb {
   void require_out(const Communicator& communicator) const {
     const std::filesystem::path path = out_;
     if (path.has_extension() && path.extension() != ".csv")
-      throw InvalidOptions(fmt::format("--out {}: tamis-mpi writes CSV alone: give a name that ends in .csv, and "
-                                       "'tamis view' the frames for a picture",
-                                       cli::printable(out_)));
+      throw InvalidOptions(
+          fmt::format("--out {}: tamis-mpi writes CSV alone: give a name that ends in .csv, and "
+                      "'tamis view' the frames for a picture",
+                      cli::printable(out_)));
     if (communicator.rank() == 0) cli::require_output(out_, {start_, end_});
   }
 

@@ -1,9 +1,9 @@
 // tamis-mpi sequence: the contacts of each pair of consecutive frames, a run of steps a rank.
-#include "agreement.hpp"
 #include "cli/sequence_steps.hpp"
 #include "cli/sequence_verb.hpp"
-#include "ply_part.hpp"
-#include "verbs.hpp"
+#include "mpi/command/ply_part.hpp"
+#include "mpi/command/verbs.hpp"
+#include "mpi/src/agreement.hpp"
 
 namespace tamis::distributed {
 namespace {

@@ -1,7 +1,7 @@
 // tamis-mpi step: how far the step may go.
 #include "cli/answers.hpp"
-#include "ranks_verb.hpp"
-#include "verbs.hpp"
+#include "mpi/command/ranks_verb.hpp"
+#include "mpi/command/verbs.hpp"
 
 namespace tamis::distributed {
 namespace {

@@ -1,4 +1,4 @@
-#include "agreement.hpp"
+#include "mpi/src/agreement.hpp"
 
 #include <new>
 #include <string>

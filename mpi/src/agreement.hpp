@@ -2,7 +2,7 @@
 #pragma once
 #include <exception>
 
-#include "communicator.hpp"
+#include "mpi/src/communicator.hpp"
 
 namespace tamis::distributed {
 

@@ -1,4 +1,4 @@
-#include "borrowing.hpp"
+#include "mpi/src/borrowing.hpp"
 
 namespace tamis::distributed {
 namespace {

@@ -4,10 +4,10 @@
 #include <optional>
 #include <vector>
 
-#include "box_tree.hpp"
-#include "communicator.hpp"
-#include "element_set.hpp"
-#include "sparse_exchange.hpp"
+#include "mpi/src/box_tree.hpp"
+#include "mpi/src/communicator.hpp"
+#include "mpi/src/element_set.hpp"
+#include "mpi/src/sparse_exchange.hpp"
 
 namespace tamis::distributed {
 

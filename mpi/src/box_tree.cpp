@@ -1,4 +1,4 @@
-#include "box_tree.hpp"
+#include "mpi/src/box_tree.hpp"
 
 namespace tamis::distributed {
 

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "moving_box.hpp"
+#include "mpi/src/moving_box.hpp"
 
 namespace tamis::distributed {
 
@@ -36,8 +36,7 @@ class BoxTree {
 template <class Test>
 std::vector<std::uint32_t> BoxTree::leaves_that_meet(const BoxTree& other, const Test& may_matter) const {
   Nodes found;
-  if (!empty() && !other.empty())
-    visit(levels_.size() - 1, 0, other, other.levels_.size() - 1, {0}, may_matter, found);
+  if (!empty() && !other.empty()) visit(levels_.size() - 1, 0, other, other.levels_.size() - 1, {0}, may_matter, found);
   return found;
 }
 

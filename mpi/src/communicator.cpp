@@ -1,4 +1,4 @@
-#include "communicator.hpp"
+#include "mpi/src/communicator.hpp"
 
 #include <limits>
 

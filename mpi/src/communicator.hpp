@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "bytes.hpp"
+#include "mpi/src/bytes.hpp"
 
 namespace tamis::distributed {
 

@@ -1,13 +1,13 @@
-#include "decomposition.hpp"
+#include "mpi/src/decomposition.hpp"
 
 #include <algorithm>
 #include <map>
 #include <numeric>
 
-#include "agreement.hpp"
-#include "recursive_bisection.hpp"
-#include "sparse_exchange.hpp"
-#include "spatial_order.hpp"
+#include "mpi/src/agreement.hpp"
+#include "mpi/src/recursive_bisection.hpp"
+#include "mpi/src/sparse_exchange.hpp"
+#include "mpi/src/spatial_order.hpp"
 
 namespace tamis::distributed {
 namespace {

@@ -1,10 +1,10 @@
-#include "deliver.hpp"
+#include "mpi/src/deliver.hpp"
 
 #include <algorithm>
 #include <map>
 #include <tuple>
 
-#include "sparse_exchange.hpp"
+#include "mpi/src/sparse_exchange.hpp"
 
 namespace tamis::distributed {
 namespace {
@@ -29,8 +29,7 @@ std::vector<Contact> merged(const std::vector<std::vector<Contact>>& lists) {
     std::size_t best = first, most = 0, end = first;
     while (end < all.size() && key(all[end].contact) == key(all[first].contact)) {
       const std::size_t run = end;
-      while (end < all.size() && all[end].list == all[run].list &&
-             key(all[end].contact) == key(all[first].contact))
+      while (end < all.size() && all[end].list == all[run].list && key(all[end].contact) == key(all[first].contact))
         ++end;
       if (end - run > most) most = end - run, best = run;
     }
@@ -61,7 +60,8 @@ std::vector<Contact> deliver(Communicator& communicator, const std::vector<std::
     outgoing.push_back({home, packer.take()});
   }
   std::vector<std::vector<Contact>> lists;
-  for (const Message& message : exchange(communicator, std::move(outgoing))) lists.push_back(contacts_in(message.bytes));
+  for (const Message& message : exchange(communicator, std::move(outgoing)))
+    lists.push_back(contacts_in(message.bytes));
   return merged(lists);
 }
 

@@ -2,8 +2,8 @@
 #pragma once
 #include <vector>
 
-#include "communicator.hpp"
-#include "local_search.hpp"
+#include "mpi/src/communicator.hpp"
+#include "mpi/src/local_search.hpp"
 
 namespace tamis::distributed {
 

@@ -3,15 +3,15 @@
 #include <cmath>
 #include <tuple>
 
-#include "agreement.hpp"
-#include "borrowing.hpp"
-#include "decomposition.hpp"
-#include "deliver.hpp"
-#include "frame.hpp"
-#include "input_part.hpp"
-#include "input_positions.hpp"
-#include "local_search.hpp"
-#include "same_on_all.hpp"
+#include "mpi/src/agreement.hpp"
+#include "mpi/src/borrowing.hpp"
+#include "mpi/src/decomposition.hpp"
+#include "mpi/src/deliver.hpp"
+#include "mpi/src/frame.hpp"
+#include "mpi/src/input_part.hpp"
+#include "mpi/src/input_positions.hpp"
+#include "mpi/src/local_search.hpp"
+#include "mpi/src/same_on_all.hpp"
 #include "tamis/distributed.hpp"
 #include "tamis/error.hpp"
 
@@ -25,8 +25,7 @@ constexpr double kBalanced = 1.2;
 
 /// Throws as `tamis::Detector` does, before any rank has an element.
 void validate(const Options& options) {
-  if (options.method == Method::paper)
-    throw InvalidOptions("method paper is a laboratory on one machine: use tamis");
+  if (options.method == Method::paper) throw InvalidOptions("method paper is a laboratory on one machine: use tamis");
   Options alone = options;
   alone.filter.group_of_vertex.clear();
   tamis::Detector(Mesh(1, {}, {}, {0}), std::move(alone));
@@ -83,7 +82,9 @@ SafeStep first_of_all(Communicator& communicator, const SafeStep& mine) {
 /// Of two searches of one rank.
 void keep_first(EarliestContact& first, const EarliestContact& other) {
   const double upper = std::min(first.toi_upper, other.toi_upper);
-  const auto key = [](const EarliestContact& e) { return std::tuple(e.toi_lower, e.contact->kind, e.contact->vertices); };
+  const auto key = [](const EarliestContact& e) {
+    return std::tuple(e.toi_lower, e.contact->kind, e.contact->vertices);
+  };
   if (other.contact && (!first.contact || key(other) < key(first))) first = other;
   first.toi_upper = upper;
 }

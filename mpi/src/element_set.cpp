@@ -1,4 +1,4 @@
-#include "element_set.hpp"
+#include "mpi/src/element_set.hpp"
 
 #include <algorithm>
 

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "bytes.hpp"
+#include "mpi/src/bytes.hpp"
 #include "tamis/mesh.hpp"
 #include "tamis/step.hpp"
 
@@ -37,8 +37,8 @@ inline ElementId element_id(int rank, std::size_t place) {
 }
 
 struct ElementSet {
-  std::vector<Vertex> vertices;  ///< by number
-  std::vector<Motion> motions;   ///< one a vertex, or none where it is only about topology
+  std::vector<Vertex> vertices;   ///< by number
+  std::vector<Motion> motions;    ///< one a vertex, or none where it is only about topology
   std::vector<Corners> elements;  ///< places in `vertices`
   std::vector<ElementId> ids;     ///< one an element, or none before it has an owner
 

@@ -1,4 +1,4 @@
-#include "frame.hpp"
+#include "mpi/src/frame.hpp"
 
 #include <algorithm>
 #include <array>

@@ -3,8 +3,8 @@
 #pragma once
 #include <set>
 
-#include "communicator.hpp"
-#include "element_set.hpp"
+#include "mpi/src/communicator.hpp"
+#include "mpi/src/element_set.hpp"
 
 namespace tamis::distributed {
 

@@ -1,13 +1,13 @@
-#include "input_part.hpp"
+#include "mpi/src/input_part.hpp"
 
 #include <algorithm>
 #include <limits>
 #include <map>
 #include <string>
 
-#include "agreement.hpp"
+#include "mpi/src/agreement.hpp"
+#include "mpi/src/vertex_directory.hpp"
 #include "tamis/error.hpp"
-#include "vertex_directory.hpp"
 
 namespace tamis::distributed {
 namespace {
@@ -65,8 +65,8 @@ class InputPartMaker {
 
   InputPart make() {
     together(communicator_, [&] { validate(mesh_, filter_); });
-    part_.vertex_count = static_cast<Index>(
-        communicator_.largest(static_cast<std::uint64_t>(largest_number(mesh_) + 1)));
+    part_.vertex_count =
+        static_cast<Index>(communicator_.largest(static_cast<std::uint64_t>(largest_number(mesh_) + 1)));
     part_.row_count = static_cast<Index>(mesh_.vertices.size());
     together(communicator_, [&] { mention_all(); });
     VertexDirectory directory(communicator_, part_.vertex_count);
@@ -147,7 +147,8 @@ class InputPartMaker {
         edges.push_back(ascending(edge[0], edge[1]));
     std::ranges::for_each(mesh_.loose_points, add_point);
     const bool may_meet = communicator_.any(!points.empty()) && communicator_.any(!edges.empty());
-    const auto covered = may_meet ? directory.covered_edges(edges, sides_near_loose_edges(entries)) : std::vector<Edge>{};
+    const auto covered =
+        may_meet ? directory.covered_edges(edges, sides_near_loose_edges(entries)) : std::vector<Edge>{};
     part_.is_used.assign(entries.size(), false);
     for (const Face& face : mesh_.faces) add({face[0], face[1], face[2]});
     for (const Edge& edge : edges)

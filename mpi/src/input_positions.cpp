@@ -1,11 +1,11 @@
-#include "input_positions.hpp"
+#include "mpi/src/input_positions.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <string>
 
-#include "agreement.hpp"
-#include "sparse_exchange.hpp"
+#include "mpi/src/agreement.hpp"
+#include "mpi/src/sparse_exchange.hpp"
 #include "tamis/error.hpp"
 
 namespace tamis::distributed {

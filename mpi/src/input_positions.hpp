@@ -1,7 +1,7 @@
 // From the caller's rows to the motion of every vertex that a rank gives or uses.
 #pragma once
-#include "communicator.hpp"
-#include "input_part.hpp"
+#include "mpi/src/communicator.hpp"
+#include "mpi/src/input_part.hpp"
 #include "tamis/step.hpp"
 
 namespace tamis::distributed {

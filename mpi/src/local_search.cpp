@@ -1,4 +1,4 @@
-#include "local_search.hpp"
+#include "mpi/src/local_search.hpp"
 
 #include <algorithm>
 #include <atomic>
@@ -106,8 +106,7 @@ bool LocalSearch::is_within_a_side(const std::array<Index, 4>& vertices) const {
 
 void LocalSearch::count(const std::array<Index, 4>& vertices) {
   for (const Index v : vertices)
-    if (v >= 0)
-      std::atomic_ref(pairs_of_vertex_[static_cast<std::size_t>(v)]).fetch_add(1, std::memory_order_relaxed);
+    if (v >= 0) std::atomic_ref(pairs_of_vertex_[static_cast<std::size_t>(v)]).fetch_add(1, std::memory_order_relaxed);
 }
 
 bool LocalSearch::accepts(PairKind kind, std::array<Index, 4> vertices) const {

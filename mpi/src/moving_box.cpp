@@ -1,4 +1,4 @@
-#include "moving_box.hpp"
+#include "mpi/src/moving_box.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -47,8 +47,8 @@ void widen_drifts(Box& box) {
 struct Times {
   double first, last;
 
-  /// Leaves out those at which a line from `at0` to `at1` is positive; it is off by less than 2^-40 in time, as its ends
-  /// are each rounded once. NaN leaves out nothing.
+  /// Leaves out those at which a line from `at0` to `at1` is positive; it is off by less than 2^-40 in time, as its
+  /// ends are each rounded once. NaN leaves out nothing.
   void leave_out_positive(double at0, double at1) {
     constexpr double kRoom = 0x1p-40;
     if (at0 > 0 && at1 > 0) last = -1;

@@ -3,7 +3,7 @@
 #pragma once
 #include <limits>
 
-#include "element_set.hpp"
+#include "mpi/src/element_set.hpp"
 
 namespace tamis::distributed {
 

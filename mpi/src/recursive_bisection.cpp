@@ -1,4 +1,4 @@
-#include "recursive_bisection.hpp"
+#include "mpi/src/recursive_bisection.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -94,7 +94,8 @@ class Bisection {
     for (std::size_t c = 0; c < cells_.size(); ++c) {
       Cell& cell = cells_[c];
       std::size_t bin = 0;
-      while (bin + 1 < kBins && cell.before + bins[kBins * c + bin] < cell.wanted) cell.before += bins[kBins * c + bin++];
+      while (bin + 1 < kBins && cell.before + bins[kBins * c + bin] < cell.wanted)
+        cell.before += bins[kBins * c + bin++];
       const double high = cell.end_of_bin(bin);
       if (bin > 0) cell.low = cell.end_of_bin(bin - 1);
       cell.high = high;

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "communicator.hpp"
+#include "mpi/src/communicator.hpp"
 #include "tamis/step.hpp"
 
 namespace tamis::distributed {

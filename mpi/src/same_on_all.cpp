@@ -1,9 +1,9 @@
-#include "same_on_all.hpp"
+#include "mpi/src/same_on_all.hpp"
 
 #include <array>
 #include <charconv>
 
-#include "agreement.hpp"
+#include "mpi/src/agreement.hpp"
 #include "tamis/error.hpp"
 
 namespace tamis::distributed {
@@ -41,10 +41,9 @@ void require_same(Communicator& communicator, const std::vector<std::string>& sa
 }
 
 std::vector<std::string> sayings_of(const Options& options) {
-  std::vector<std::string> sayings{"method " + std::string(name_of(options.method)),
-                                   "guarantee " + std::string(name_of(options.guarantee)),
-                                   "min_separation " + exact(options.min_separation),
-                                   "group_count " + std::to_string(options.filter.group_count)};
+  std::vector<std::string> sayings{
+      "method " + std::string(name_of(options.method)), "guarantee " + std::string(name_of(options.guarantee)),
+      "min_separation " + exact(options.min_separation), "group_count " + std::to_string(options.filter.group_count)};
   std::string thickness = "thickness", touch = "groups_may_touch";
   for (const double radius : options.thickness) thickness += " " + exact(radius);
   for (const std::uint8_t flag : options.filter.groups_may_touch) touch += flag != 0 ? " 1" : " 0";

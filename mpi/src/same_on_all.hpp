@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "communicator.hpp"
+#include "mpi/src/communicator.hpp"
 #include "tamis/options.hpp"
 
 namespace tamis::distributed {

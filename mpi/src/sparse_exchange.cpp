@@ -1,4 +1,4 @@
-#include "sparse_exchange.hpp"
+#include "mpi/src/sparse_exchange.hpp"
 
 #include <algorithm>
 #include <thread>
@@ -24,8 +24,8 @@ void SparseExchange::send(const Message& message) {
   std::size_t sent = 0;
   do {
     const std::size_t length = std::min(message.bytes.size() - sent, kLongest);
-    MPI_Issend(message.bytes.data() + sent, static_cast<int>(length), MPI_BYTE, message.rank, tag_,
-               communicator_.raw(), &requests_.emplace_back());
+    MPI_Issend(message.bytes.data() + sent, static_cast<int>(length), MPI_BYTE, message.rank, tag_, communicator_.raw(),
+               &requests_.emplace_back());
     communicator_.count_message(length);
     sent += length;
   } while (sent < message.bytes.size());

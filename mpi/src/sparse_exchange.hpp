@@ -1,9 +1,9 @@
-// Messages to some ranks, where nobody knows from whom it will hear: synchronous sends, and a barrier that a rank enters
-// when all of its own have been received (NBX: Hoefler, Siebert, Lumsdaine 2010). No rank talks to all.
+// Messages to some ranks, where nobody knows from whom it will hear: synchronous sends, and a barrier that a rank
+// enters when all of its own have been received (NBX: Hoefler, Siebert, Lumsdaine 2010). No rank talks to all.
 #pragma once
 #include <vector>
 
-#include "communicator.hpp"
+#include "mpi/src/communicator.hpp"
 
 namespace tamis::distributed {
 

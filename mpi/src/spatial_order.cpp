@@ -1,9 +1,9 @@
-#include "spatial_order.hpp"
+#include "mpi/src/spatial_order.hpp"
 
 #include <algorithm>
 #include <numeric>
 
-#include "box_tree.hpp"
+#include "mpi/src/box_tree.hpp"
 
 namespace tamis::distributed {
 namespace {

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "element_set.hpp"
+#include "mpi/src/element_set.hpp"
 
 namespace tamis::distributed {
 

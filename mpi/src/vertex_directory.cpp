@@ -1,10 +1,10 @@
-#include "vertex_directory.hpp"
+#include "mpi/src/vertex_directory.hpp"
 
 #include <algorithm>
 #include <map>
 #include <set>
 
-#include "sparse_exchange.hpp"
+#include "mpi/src/sparse_exchange.hpp"
 
 namespace tamis::distributed {
 namespace {

@@ -4,7 +4,7 @@
 #include <functional>
 #include <vector>
 
-#include "communicator.hpp"
+#include "mpi/src/communicator.hpp"
 #include "tamis/mesh.hpp"
 
 namespace tamis::distributed {
@@ -21,10 +21,10 @@ struct Mention {
 /// What it hears.
 struct Entry {
   Index number;
-  Index group;                    ///< as its home has it
-  int home;                       ///< the lowest rank that gives its position; -1: none does
-  bool is_covered;                ///< by a face or an edge of any rank
-  bool is_on_loose_edge;          ///< of any rank
+  Index group;            ///< as its home has it
+  int home;               ///< the lowest rank that gives its position; -1: none does
+  bool is_covered;        ///< by a face or an edge of any rank
+  bool is_on_loose_edge;  ///< of any rank
 };
 
 /// A vertex of this rank, its home, that another rank gives or uses as well.

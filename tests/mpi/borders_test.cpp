@@ -36,8 +36,8 @@ TEST(Borders, MoreRanksThanTriangles) { expect_same_for_all_cuts(two_triangles()
 TEST(Borders, TrianglesGivenSeveralTimesHaveTheirContactsAsOften) {
   Scene scene = two_triangles();
   for (int copy = 0; copy < 5; ++copy) scene.faces.push_back(scene.faces[static_cast<std::size_t>(copy % 2)]);
-  ASSERT_GT(Detector(scene.mesh()).contacts(scene.step()).size(), Detector(two_triangles().mesh())
-                                                                      .contacts(scene.step()).size());
+  ASSERT_GT(Detector(scene.mesh()).contacts(scene.step()).size(),
+            Detector(two_triangles().mesh()).contacts(scene.step()).size());
   expect_same_for_all_cuts(scene);
 }
 

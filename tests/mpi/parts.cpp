@@ -28,9 +28,8 @@ std::vector<Cut> make_cuts() {
           {"round robin, vertices too", [](const Scene&, std::size_t i, std::size_t) { return turn_of(i); }, true},
           {"all on the last", [](const Scene&, std::size_t, std::size_t) { return rank_count() - 1; }},
           {"odd ranks empty", [](const Scene&, std::size_t i, std::size_t) { return turn_of(i) / 2 * 2; }},
-          {"one rank an object", [](const Scene& scene, std::size_t i, std::size_t) {
-             return object_of(scene, i) % rank_count();
-           }}};
+          {"one rank an object",
+           [](const Scene& scene, std::size_t i, std::size_t) { return object_of(scene, i) % rank_count(); }}};
 }
 
 }  // namespace

@@ -39,8 +39,8 @@ struct Seconds {
 /// Of this rank and the last question. Features are counted as elements: a triangle with its edges and corners, a
 /// loose edge with its ends, a loose point.
 struct Statistics {
-  std::uint64_t owned = 0;     ///< elements that are this rank's to search
-  std::uint64_t borrowed = 0;  ///< elements that others sent, because boxes meet
+  std::uint64_t owned = 0;         ///< elements that are this rank's to search
+  std::uint64_t borrowed = 0;      ///< elements that others sent, because boxes meet
   std::uint64_t pairs_tested = 0;  ///< pairs of features whose boxes meet, some of them in two searches
   std::uint64_t boxes = 0;         ///< moving boxes of all ranks, which every rank has
   std::uint64_t messages_sent = 0;

@@ -1,4 +1,4 @@
-#include "cli/command.hpp"
+#include "cli/run_command.hpp"
 
 #include <fmt/format.h>
 
@@ -66,9 +66,10 @@ int parse_error(const CLI::App& app, const CLI::ParseError& error) {
 void declare(const Command& command, CLI::App& app) {
   app.set_version_flag("--version", fmt::format("{} {}", command.name, TAMIS_VERSION));
   app.require_subcommand(1);
-  app.footer(fmt::format("'{} VERB --help' explains a verb and gives examples.\n"
-                         "Exit codes: 0 done, 1 the answer is no, 2 error.",
-                         command.name));
+  app.footer(
+      fmt::format("'{} VERB --help' explains a verb and gives examples.\n"
+                  "Exit codes: 0 done, 1 the answer is no, 2 error.",
+                  command.name));
   for (const auto& verb : command.verbs) {
     CLI::App* sub = app.add_subcommand(verb->name(), verb->summary());
     verb->declare(*sub);

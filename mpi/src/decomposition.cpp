@@ -35,7 +35,6 @@ void Decomposition::decompose(const ElementSet& input) {
   weights_.resize(input.elements.size(), 1);
   const std::vector<int> owners = bisect(communicator_, centers_of(input), weights_);
   send_elements(input, owners);
-  exists_ = true;
   is_ordered_ = false;
 }
 

@@ -12,7 +12,6 @@ class Decomposition {
  public:
   explicit Decomposition(Communicator& communicator) : communicator_(communicator) {}
 
-  bool exists() const { return exists_; }
   /// Collective. Cuts space anew by where elements are in the middle of what they sweep over, each with the weight that
   /// was reported for it last, and sends every element to its owner. `input`: with motions, the same ones at every
   /// call.
@@ -37,7 +36,7 @@ class Decomposition {
   void put_in_spatial_order();
 
   Communicator& communicator_;
-  bool exists_ = false, is_ordered_ = false;
+  bool is_ordered_ = false;
   std::vector<std::uint64_t> weights_;  ///< of the input's elements
   std::vector<Share> sent_, received_;
   ElementSet own_;

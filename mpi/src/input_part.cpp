@@ -81,26 +81,31 @@ class InputPartMaker {
  private:
   /// Every vertex that is given or used here, by number.
   void mention_all() {
-    std::map<Index, Mention> by_number;
-    const auto mention = [&](Index number) -> Mention& {
-      return by_number.try_emplace(number, Mention{number}).first->second;
-    };
-    for (std::size_t row = 0; row < mesh_.vertices.size(); ++row) {
-      Mention& given = mention(mesh_.vertices[row]);
-      if (given.is_given)
-        throw InvalidMesh("vertex " + std::to_string(given.number) + " has two rows of positions: give it one");
-      given.is_given = true;
-      if (!filter_.group_of_vertex.empty()) given.group = filter_.group_of_vertex[row];
-    }
+    std::vector<Mention> all;
+    for (std::size_t row = 0; row < mesh_.vertices.size(); ++row)
+      all.push_back({mesh_.vertices[row], filter_.group_of_vertex.empty() ? 0 : filter_.group_of_vertex[row], true});
     for (const Face& face : mesh_.faces)
-      for (const Index v : face) mention(v).is_covered = true;
+      for (const Index v : face) all.push_back({.number = v, .is_covered = true});
     for (const Edge& edge : mesh_.loose_edges)
       for (const Index v : edge) {
-        mention(v).is_covered |= edge[0] != edge[1];
-        mention(v).is_on_loose_edge |= edge[0] != edge[1];
+        const bool is_edge = edge[0] != edge[1];
+        all.push_back({.number = v, .is_covered = is_edge, .is_on_loose_edge = is_edge});
       }
-    for (const Index v : mesh_.loose_points) mention(v);
-    for (const auto& [number, m] : by_number) mentions_.push_back(m);
+    for (const Index v : mesh_.loose_points) all.push_back({.number = v});
+    std::ranges::stable_sort(all, {}, &Mention::number);
+    for (const Mention& mention : all)
+      if (mentions_.empty() || mentions_.back().number != mention.number)
+        mentions_.push_back(mention);
+      else
+        add_to(mentions_.back(), mention);
+  }
+
+  /// Rows come first.
+  static void add_to(Mention& mention, const Mention& other) {
+    if (mention.is_given && other.is_given)
+      throw InvalidMesh("vertex " + std::to_string(other.number) + " has two rows of positions: give it one");
+    mention.is_covered |= other.is_covered;
+    mention.is_on_loose_edge |= other.is_on_loose_edge;
   }
 
   void take_vertices(const DirectoryAnswer& answer) {

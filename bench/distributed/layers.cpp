@@ -8,12 +8,11 @@ namespace {
 
 constexpr Index kLayers = 8;
 
-/// In units of an edge: waves of twenty edges, layers as far apart as half an edge, so that crests meet troughs.
+/// In units of an edge: waves of twenty edges, in every other layer turned over, so that crests press into crests.
 Point at(Index layer, Index row, Index column, double slide) {
-  constexpr double kWave = 0.31, kHeight = 0.35, kApart = 0.5;
-  const double side = layer % 2 == 0 ? slide : -slide;
-  const double x = row + side, y = column + 0.37 * layer;
-  return {x, y, kApart * layer + kHeight * std::sin(kWave * x + layer) * std::cos(kWave * y)};
+  constexpr double kWave = 0.31, kHeight = 0.28, kApart = 0.5;
+  const double side = layer % 2 == 0 ? 1 : -1, x = row + side * slide, y = column + 0.37 * layer;
+  return {x, y, kApart * layer + side * kHeight * std::sin(kWave * x) * std::cos(kWave * y)};
 }
 
 class Maker {

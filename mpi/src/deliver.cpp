@@ -11,35 +11,51 @@ namespace {
 
 auto key(const Contact& c) { return std::tie(c.kind, c.vertices); }
 
-struct Listed {
-  Contact contact;
-  std::size_t list;
-};
+/// How many from `first` on have its key.
+std::size_t run_length(const std::vector<Contact>& list, std::size_t first) {
+  std::size_t end = first;
+  while (end < list.size() && key(list[end]) == key(list[first])) ++end;
+  return end - first;
+}
 
-/// Of each key the longest run that any list has.
-std::vector<Contact> merged(const std::vector<std::vector<Contact>>& lists) {
-  std::vector<Listed> all;
-  for (std::size_t list = 0; list < lists.size(); ++list)
-    for (const Contact& contact : lists[list]) all.push_back({contact, list});
-  std::ranges::sort(all, [](const Listed& a, const Listed& b) {
-    return std::tuple(key(a.contact), a.list) < std::tuple(key(b.contact), b.list);
-  });
+/// Of each key the longer run. REQUIRES: both in order.
+std::vector<Contact> merged(const std::vector<Contact>& a, const std::vector<Contact>& b) {
   std::vector<Contact> result;
-  for (std::size_t first = 0; first < all.size();) {
-    std::size_t best = first, most = 0, end = first;
-    while (end < all.size() && key(all[end].contact) == key(all[first].contact)) {
-      const std::size_t run = end;
-      while (end < all.size() && all[end].list == all[run].list && key(all[end].contact) == key(all[first].contact))
-        ++end;
-      if (end - run > most) most = end - run, best = run;
-    }
-    for (std::size_t i = best; i < best + most; ++i) result.push_back(all[i].contact);
-    first = end;
+  result.reserve(a.size() + b.size());
+  const auto take = [&](const std::vector<Contact>& list, std::size_t first, std::size_t count) {
+    const auto begin = list.begin() + static_cast<std::ptrdiff_t>(first);
+    result.insert(result.end(), begin, begin + static_cast<std::ptrdiff_t>(count));
+  };
+  for (std::size_t i = 0, j = 0; i < a.size() || j < b.size();) {
+    const bool has_a = j == b.size() || (i < a.size() && !comes_before(b[j], a[i]));
+    const bool has_b = i == a.size() || (j < b.size() && !comes_before(a[i], b[j]));
+    const std::size_t of_a = has_a ? run_length(a, i) : 0, of_b = has_b ? run_length(b, j) : 0;
+    if (of_a >= of_b)
+      take(a, i, of_a);
+    else
+      take(b, j, of_b);
+    i += of_a;
+    j += of_b;
   }
   return result;
 }
 
-std::vector<Contact> contacts_in(const Bytes& bytes) { return Unpacker(bytes).get_all<Contact>(); }
+/// Two by two, until one is left.
+std::vector<Contact> merged(std::vector<std::vector<Contact>> lists) {
+  if (lists.empty()) return {};
+  for (; lists.size() > 1; lists.resize((lists.size() + 1) / 2))
+    for (std::size_t i = 0; i < lists.size(); i += 2)
+      lists[i / 2] = i + 1 < lists.size() ? merged(lists[i], lists[i + 1]) : std::move(lists[i]);
+  return std::move(lists.front());
+}
+
+/// Collective: a list of each rank that sends one.
+std::vector<std::vector<Contact>> received(Communicator& communicator, std::vector<Message> outgoing) {
+  std::vector<std::vector<Contact>> lists;
+  for (const Message& message : exchange(communicator, std::move(outgoing)))
+    lists.push_back(Unpacker(message.bytes).get_all<Contact>());
+  return lists;
+}
 
 }  // namespace
 
@@ -54,26 +70,19 @@ std::vector<Contact> deliver(Communicator& communicator, const std::vector<std::
       lists[list].push_back(homed.contact);
     }
   std::vector<Message> outgoing;
-  for (const auto& [home, lists] : by_home) {
+  for (auto& [home, lists] : by_home) {
     Packer packer;
-    packer.put_all(merged(lists));
+    packer.put_all(merged(std::move(lists)));
     outgoing.push_back({home, packer.take()});
   }
-  std::vector<std::vector<Contact>> lists;
-  for (const Message& message : exchange(communicator, std::move(outgoing)))
-    lists.push_back(contacts_in(message.bytes));
-  return merged(lists);
+  return merged(received(communicator, std::move(outgoing)));
 }
 
 std::vector<Contact> gather(Communicator& communicator, const std::vector<Contact>& mine, int root) {
   Packer packer;
   packer.put_all(mine);
   std::vector<Message> outgoing{{root, packer.take()}};
-  std::vector<Contact> all;
-  for (const Message& message : exchange(communicator, std::move(outgoing)))
-    std::ranges::copy(contacts_in(message.bytes), std::back_inserter(all));
-  std::ranges::sort(all, comes_before);
-  return all;
+  return merged(received(communicator, std::move(outgoing)));
 }
 
 }  // namespace tamis::distributed

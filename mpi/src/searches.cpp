@@ -12,7 +12,10 @@ namespace {
 
 /// Work is balanced while the busiest rank has this much more than the mean.
 constexpr double kBalanced = 1.2;
-/// And this much more than a decomposition by weights could do.
+/// Cuts by weights, one after the other, until what is left of the imbalance is taken as it is: the weights are those
+/// of the cuts before.
+constexpr int kCuts = 3;
+/// And until the busiest rank has this much more than that.
 constexpr double kWorse = 1.25;
 
 /// Throws as `tamis::Detector` does, before any rank has an element.
@@ -79,11 +82,11 @@ void Searches::watch_balance() {
   if (counts_pairs_) {
     std::vector<std::uint64_t> weights = interior_.weights_of(own());
     const std::vector<std::uint64_t> of_border = border_.weights_of(own());
-    for (std::size_t e = 0; e < weights.size(); ++e) weights[e] += of_border[e];
+    for (std::size_t e = 0; e < weights.size(); ++e) weights[e] += 2 * of_border[e];  // the other half is borrowed
     decomposition_.report_weights(weights);
     counts_pairs_ = false;
     is_to_decompose_ = true;
-    allowed_ = 0;
+    allowed_ = ++cuts_ % kCuts != 0 ? kBalanced : 0;
     return;
   }
   if (allowed_ == 0) allowed_ = std::max(kBalanced, kWorse * balance_.pairs);

@@ -62,6 +62,7 @@ class Searches {
   double separation_ = 0;
   bool is_to_decompose_ = true, counts_pairs_ = false;
   double allowed_;  ///< imbalance; 0: what the next question has, and some more
+  int cuts_ = 0;    ///< by weights
   Traffic traffic_before_;
   Statistics statistics_;
   Balance balance_;

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "cli/components.hpp"
+#include "io/components.hpp"
 #include "tamis/error.hpp"
 
 namespace tamis::cli {
@@ -37,7 +37,7 @@ void DetectorArguments::declare(CLI::App& app) {
       ->type_name("NAME");
 }
 
-Options DetectorArguments::options() const {
+Options DetectorArguments::chosen() const {
   Options options;
   choose_method(options, method_);
   options.paper.bounding_volume = bounding_volume_from_name(bounding_volume_);
@@ -48,11 +48,21 @@ Options DetectorArguments::options() const {
   return options;
 }
 
+Options DetectorArguments::options() const {
+  if (thickness_.size() > 1)
+    throw InvalidOptions(fmt::format(
+        "--thickness: {} radii: which vertices make an object takes the whole mesh; give one radius for all",
+        thickness_.size()));
+  Options options = chosen();
+  options.thickness = thickness_;
+  return options;
+}
+
 Detector DetectorArguments::detector(Mesh mesh) const {
-  Options chosen = options();
+  Options chosen = this->chosen();
   chosen.thickness = thickness_;
   if (thickness_.size() > 1) {
-    Components objects = components_of(mesh);
+    io::Components objects = io::components_of(mesh);
     require_one_each(thickness_.size(), objects.count);
     for (Index& object : objects.of_vertex) object = std::max(object, Index{0});  // of no use, but in some group
     chosen.filter.group_of_vertex = std::move(objects.of_vertex);
@@ -63,6 +73,12 @@ Detector DetectorArguments::detector(Mesh mesh) const {
 
 void ScaleArgument::declare(CLI::App& app) {
   add_number(app, "--scale", "S", scale_, kNotNegative, "take END = START + S (END - START); default 1");
+}
+
+void KeepDistanceArgument::declare(CLI::App& app) {
+  option_ = add_number(app, "--keep-distance", "F", fraction_, {.least = 0, .most = 1, .takes_most = false},
+                       "how far the step may go so that every pair keeps at least F times its distance at START: the "
+                       "step length for the line search of a barrier method");
 }
 
 void declare_json(CLI::App& app, bool& json) {

@@ -19,12 +19,15 @@ class DetectorArguments {
  public:
   void declare(CLI::App& app);
   /// Before any file is read. Throws InvalidOptions.
-  void check() const { options(); }
+  void check() const { chosen(); }
+  /// All of them, for a mesh that nobody has as a whole. Throws InvalidOptions; also if objects have radii of their own.
+  Options options() const;
   /// Asks about `mesh` as the options say. Throws InvalidOptions.
   Detector detector(Mesh mesh) const;
 
  private:
-  Options options() const;
+  /// But for radii.
+  Options chosen() const;
 
   std::string method_ = "tamis";
   std::string guarantee_ = "exact";
@@ -43,6 +46,18 @@ class ScaleArgument {
 
  private:
   double scale_ = 1;
+};
+
+/// `--keep-distance F`: how far the step may go so that every pair keeps a part of its distance.
+class KeepDistanceArgument {
+ public:
+  void declare(CLI::App& app);
+  bool is_asked() const { return option_->count() > 0; }
+  double fraction() const { return fraction_; }
+
+ private:
+  double fraction_ = 0;
+  CLI::Option* option_ = nullptr;
 };
 
 void declare_json(CLI::App& app, bool& json);

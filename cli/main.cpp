@@ -1,23 +1,9 @@
-// The command `tamis`: picks the verb, turns every error into one sentence and exit code 2.
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cstdio>
+// The command `tamis`: its verbs.
 #include <exception>
 #include <memory>
-#include <new>
-#include <stdexcept>
-#include <string>
-#include <string_view>
-#include <utility>
-#include <vector>
 
-#include "cli/command_line.hpp"
 #include "cli/messages.hpp"
-#include "cli/standard_streams.hpp"
-#include "cli/verb.hpp"
-#include "io/unfinished_file.hpp"
-#include "tamis/error.hpp"
+#include "cli/run_command.hpp"
 
 namespace tamis::cli {
 
@@ -28,86 +14,15 @@ namespace tamis::cli {
 
 namespace {
 
-std::vector<std::unique_ptr<Verb>> make_verbs() {
-  std::vector<std::unique_ptr<Verb>> verbs;
-#define TAMIS_VERB(name) verbs.push_back(make_##name());
+Command make_command() {
+  Command command{
+      "tamis",
+      "Tamis finds every contact between moving, deforming triangle meshes: continuous collision detection.",
+      {}};
+#define TAMIS_VERB(name) command.verbs.push_back(make_##name());
 #include "cli/verbs.inc"
 #undef TAMIS_VERB
-  return verbs;
-}
-
-int fail_to_print() { return fail("the result cannot be written to the standard output: check where it leads"); }
-
-/// What was printed must have arrived: a full disk behind stdout is an error too.
-int finish(int code) { return flush_output() ? code : fail_to_print(); }
-
-/// What the verb was asked about: it tells which of many commands failed.
-std::string subject_of(const CLI::App& verb) {
-  std::string subject = verb.get_name();
-  for (const CLI::Option* option : verb.get_options())
-    if (option->get_positional())
-      for (const std::string& word : option->results()) subject += " " + word;
-  return subject;
-}
-
-int fail_for_memory(const CLI::App& verb) {
-  return fail(subject_of(verb) + ": not enough memory: use a smaller mesh or a larger machine");
-}
-
-/// Every error is one sentence and exit code 2.
-int run(Verb& verb, const CLI::App& app) {
-  try {
-    return finish(verb.run());
-  } catch (const std::bad_alloc&) {
-    return fail_for_memory(app);
-  } catch (const std::length_error&) {
-    return fail_for_memory(app);
-  } catch (const std::exception& error) {
-    if (std::ferror(stdout) != 0) return fail_to_print();
-    const bool is_sentence = dynamic_cast<const Error*>(&error) || dynamic_cast<const CLI::Error*>(&error);
-    return is_sentence ? fail(error.what())
-                       : fail(fmt::format("{}: '{}': check the limits of memory, threads and files ('ulimit -a')",
-                                          subject_of(app), error.what()));
-  }
-}
-
-int parse_error(const CLI::App& app, const CLI::ParseError& error) {
-  if (error.get_exit_code() == 0) return finish(app.exit(error));
-  if (app.get_subcommands().empty() && dynamic_cast<const CLI::RequiredError*>(&error))
-    return fail("no verb is given: see 'tamis --help'");
-  std::string verb;
-  for (const CLI::App* used : app.get_subcommands()) verb = " " + used->get_name();
-  return fail(fmt::format("{}: see 'tamis{} --help'", error.what(), verb));
-}
-
-int run(int argc, char** argv) {
-  occupy_standard_streams();
-  io::remove_unfinished_files_on_signals();
-  CLI::App app("Tamis finds every contact between moving, deforming triangle meshes: continuous collision detection.",
-               "tamis");
-  app.set_version_flag("--version", "tamis " TAMIS_VERSION);
-  app.require_subcommand(1);
-  app.footer(
-      "'tamis VERB --help' explains a verb and gives examples.\nExit codes: 0 done, 1 the answer is no, 2 error.");
-  const auto verbs = make_verbs();
-  for (const auto& verb : verbs) {
-    CLI::App* sub = app.add_subcommand(verb->name(), verb->summary());
-    verb->declare(*sub);
-    sub->footer(fmt::format("Examples:\n{}", verb->examples()));
-  }
-  const auto is_called = [&](const auto& verb) { return std::string_view(argv[1]) == verb->name(); };
-  if (argc > 1 && argv[1][0] != '-' && std::none_of(verbs.begin(), verbs.end(), is_called))
-    return fail(fmt::format("no verb is called '{}': see 'tamis --help'", argv[1]));
-  std::vector<std::string> words = words_of(argc, argv);
-  if (argc > 1 && argv[1][0] != '-') require_values(*app.get_subcommand(argv[1]), words);
-  try {
-    app.parse(std::move(words));
-  } catch (const CLI::ParseError& error) {
-    return parse_error(app, error);
-  }
-  for (const auto& verb : verbs)
-    if (app.got_subcommand(verb->name())) return run(*verb, *app.get_subcommand(verb->name()));
-  return kError;
+  return command;
 }
 
 }  // namespace
@@ -115,7 +30,7 @@ int run(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   try {
-    return tamis::cli::run(argc, argv);
+    return tamis::cli::run_command(tamis::cli::make_command(), argc, argv);
   } catch (const std::exception& error) {
     return tamis::cli::fail(error.what());
   }

@@ -32,63 +32,6 @@ std::string readable(double seconds) {
   return fmt::format("{:.1f} us", seconds * 1e6);
 }
 
-void print_bracket(double toi_lower, double toi_upper, bool is_certified) {
-  if (!is_certified) {
-    fmt::print(
-        "first contact   free before {}, proven; then a pair that doubles cannot decide (--guarantee exact can)\n",
-        toi_lower);
-    return;
-  }
-  fmt::print("first contact   at {:.12g} of the step; free before {}, proven; bracket {:.1e} wide\n", toi_upper,
-             toi_lower, toi_upper - toi_lower);
-}
-
-namespace {
-
-void print_between(PairKind kind, const std::array<Index, 4>& v) {
-  switch (kind) {
-    case PairKind::vertex_face:
-      return fmt::print("between         vertex {} and face {} {} {}", v[0], v[1], v[2], v[3]);
-    case PairKind::edge_edge:
-      return fmt::print("between         edge {} {} and edge {} {}", v[0], v[1], v[2], v[3]);
-    case PairKind::vertex_edge:
-      return fmt::print("between         vertex {} and edge {} {}", v[0], v[1], v[2]);
-    case PairKind::vertex_vertex:
-      return fmt::print("between         vertex {} and vertex {}", v[0], v[1]);
-  }
-}
-
-void print_limit(const SafeStep& safe, double fraction, const std::string& distance) {
-  if (safe.lower == 0)
-    fmt::print("step            0: a pair touches at the start\n");
-  else if (fraction == 0)
-    fmt::print("step            {}; no pair touches before it, proven\n", safe.lower);
-  else
-    fmt::print("step            {}; on it every pair keeps {} of its {}, proven\n", safe.lower, fraction, distance);
-  if (safe.lower > 0 && safe.upper < 1)
-    fmt::print("largest         not above {}, proven: {:.1e} more\n", safe.upper, safe.upper - safe.lower);
-}
-
-}  // namespace
-
-void print_safe_step(const SafeStep& safe, double fraction, double min_separation) {
-  const std::string distance =
-      min_separation > 0 ? fmt::format("distance beyond {}", min_separation) : std::string("distance");
-  if (!safe.pair) {
-    fmt::print("step            1: the whole step may go, proven\n");
-    return;
-  }
-  print_limit(safe, fraction, distance);
-  print_between(safe.pair->kind, safe.pair->vertices);
-  fmt::print(", {:.6g} apart at the start\n", safe.pair->distance);
-}
-
-void print_contact(const Contact& c) {
-  print_between(c.kind, c.vertices);
-  fmt::print(", u = {:.6g}, v = {:.6g}, normal ({:.6g}, {:.6g}, {:.6g}), {}\n", c.u, c.v, c.normal[0], c.normal[1],
-             c.normal[2], c.certainty == Certainty::certified ? "certified" : "unresolved");
-}
-
 void print_mesh(const Mesh& mesh) {
   fmt::print("mesh            {} vertices, {} triangles, {} edges\n",
              grouped(static_cast<std::uint64_t>(mesh.vertex_count())), grouped(mesh.faces().size()),

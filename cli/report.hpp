@@ -25,11 +25,6 @@ void add_costs(Json& json, const Detector& detector, const Timing& timing);
 /// The one object on stdout.
 void print_json(const Json& json);
 
-/// `is_certified`: some contact is proven, so toi_upper means something.
-void print_bracket(double toi_lower, double toi_upper, bool is_certified);
-void print_contact(const Contact& contact);
-/// `fraction`: of the distance beyond `min_separation` that was to be kept.
-void print_safe_step(const SafeStep& safe, double fraction, double min_separation);
 void print_mesh(const Mesh& mesh);
 void print_costs(const Detector& detector, const Timing& timing, int repeat);
 

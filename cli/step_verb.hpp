@@ -23,9 +23,12 @@ class StepVerb : public Verb {
   /// Options are checked before any file is read.
   StepFiles read() const {
     detector_.check();
-    return read_step(start_, end_, scale_.value());
+    return read_step(start_, end_, scale());
   }
   Detector detector_for(Mesh mesh) const { return detector_.detector(std::move(mesh)); }
+  /// For a mesh that nobody has as a whole.
+  Options options() const { return detector_.options(); }
+  double scale() const { return scale_.value(); }
 
   std::string start_;
   std::string end_;

@@ -4,9 +4,9 @@
 #include <cstdio>
 #include <memory>
 
+#include "cli/answers.hpp"
 #include "cli/look_output.hpp"
 #include "cli/printable.hpp"
-#include "cli/report.hpp"
 #include "cli/step_verb.hpp"
 
 namespace tamis::cli {
@@ -52,21 +52,13 @@ class Contacts final : public StepVerb {
 
   void report(const Tally& tally, const Detector& detector, const Timing& timing) const {
     if (json_) {
-      Json json{{"contacts", json_of(tally)}};
-      add_bracket(json, tally.is_free(), tally.toi_lower, tally.toi_upper);
+      Json json;
+      add_tally(json, tally);
       add_costs(json, detector, timing);
       return print_json(json);
     }
     print_mesh(detector.mesh());
-    const std::string loose = tally.ve + tally.vv > 0 ? fmt::format(", {} vertex-edge, {} vertex-vertex",
-                                                                    grouped(tally.ve), grouped(tally.vv))
-                                                      : "";
-    fmt::print("contacts        {} vertex-face, {} edge-edge{}, of these {} unresolved\n", grouped(tally.vf),
-               grouped(tally.ee), loose, grouped(tally.unresolved));
-    if (tally.is_free())
-      fmt::print("first contact   none: the step is free, proven\n");
-    else
-      print_bracket(tally.toi_lower, tally.toi_upper, tally.unresolved < tally.contacts());
+    print_tally(tally);
     if (!output_.path().empty()) fmt::print("written to      {}\n", printable(output_.path()));
     print_costs(detector, timing, repeat_);
   }

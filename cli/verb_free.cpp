@@ -1,10 +1,7 @@
 // tamis free: is the step free of contacts? The exit code says so.
-#include <fmt/format.h>
-
-#include <cstdio>
 #include <memory>
 
-#include "cli/report.hpp"
+#include "cli/answers.hpp"
 #include "cli/step_verb.hpp"
 
 namespace tamis::cli {
@@ -33,8 +30,7 @@ class Free final : public StepVerb {
       print_json(json);
     } else {
       print_mesh(detector.mesh());
-      fmt::print("{}\n", is_free ? "free            no contact during the step, proven"
-                                 : "not free        there is a contact ('tamis step' tells where)");
+      print_free(is_free);
       print_costs(detector, timing, repeat_);
     }
     return is_free ? kSuccess : kNo;

@@ -8,6 +8,10 @@ install(TARGETS tamis EXPORT tamis-targets FILE_SET HEADERS)
 if(TAMIS_BUILD_C)
   install(TARGETS tamis_c EXPORT tamis-targets FILE_SET HEADERS)
 endif()
+if(TAMIS_BUILD_MPI)
+  install(TARGETS tamis_mpi EXPORT tamis-mpi-targets FILE_SET HEADERS)
+  install(EXPORT tamis-mpi-targets NAMESPACE tamis:: DESTINATION ${TAMIS_PACKAGE_DIR})
+endif()
 install(EXPORT tamis-targets NAMESPACE tamis:: DESTINATION ${TAMIS_PACKAGE_DIR})
 
 # Before 1.0 a new minor version may change the interface.

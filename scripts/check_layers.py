@@ -9,7 +9,8 @@ LAYER = {"numerics": 0, "motion": 1, "bounds": 2, "topology": 3, "bvh": 3, "filt
          "kernels": 5, "engines": 6, "paths": 7, "detect": 8}
 # Folders outside the library, and what each may use beside itself and the public headers.
 OUTSIDE = {"include/tamis": [], "c": [], "python/src": ["python", "io", "scenes"],
-           "io": [], "scenes": ["io"], "cli": ["io", "scenes"], "bench/contenders": ["io", "bench"],
+           "mpi/include": [], "mpi/src": ["mpi"], "mpi/command": ["mpi", "io", "cli"],
+           "io": [], "scenes": ["io"], "cli": ["io", "scenes"], "bench/contenders": ["io", "bench"], "bench/distributed": ["bench"],
            "bench/stages": ["scenes", "io", "bench", *LAYER]}
 INCLUDE = re.compile(r'^\s*#\s*include\s+"([^"]+)"', re.MULTILINE)
 

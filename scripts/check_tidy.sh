@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# check_tidy.sh BUILD [--all]: clang-tidy 14 over the library, its C interface, the files and the command, as BUILD
+# check_tidy.sh BUILD [--all]: clang-tidy 14 over the library, its C interface, the files, the commands and MPI, as BUILD
 # compiles them: the sources that have changed since origin/main, or in the last commits where there is nothing newer;
 # a header brings the source of its name. --all: every source. Exit 77 where clang-tidy is absent.
 set -euo pipefail
@@ -7,7 +7,7 @@ cd "$(dirname "$0")/.."
 kLastCommits=10
 
 command -v run-clang-tidy-14 >/dev/null || { echo "skipped: no clang-tidy-14"; exit 77; }
-folders='(src|c|io|scenes|cli)'
+folders='(src|c|io|scenes|cli|mpi)'
 changed_since() { { git diff --name-only "$1" -- && git ls-files --others --exclude-standard; } | sort -u; }
 # As names without extension, one behind the other: src/detect/detector|io/obj
 stems_of() { grep -E "^$folders/.*[.](cpp|hpp)$" | sed 's/[.][ch]pp$//' | sort -u | paste -sd'|'; }

@@ -1,0 +1,20 @@
+// The answers to one step, for people and as JSON, whoever found them.
+#pragma once
+#include "cli/report.hpp"
+
+namespace tamis::cli {
+
+/// How many contacts of which kind, and the first.
+void print_tally(const Tally& tally);
+void add_tally(Json& json, const Tally& tally);
+
+void print_earliest(const EarliestContact& first);
+void add_earliest(Json& json, const EarliestContact& first);
+
+/// `fraction`: of the distance beyond `min_separation` that was to be kept.
+void print_safe_step(const SafeStep& safe, double fraction, double min_separation);
+void add_safe_step(Json& json, const SafeStep& safe, double fraction);
+
+void print_free(bool is_free);
+
+}  // namespace tamis::cli

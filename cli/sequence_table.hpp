@@ -1,0 +1,43 @@
+// What is said of a sequence of steps: a row each and totals, or one JSON object.
+#pragma once
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "cli/report.hpp"
+
+namespace tamis::cli {
+
+/// The answer to one step and what it cost. Plain data.
+struct SequenceStep {
+  std::size_t end;  ///< the frame to which it goes
+  int part;         ///< of `substeps`, counted from 1
+  Tally tally;
+  Seconds seconds;
+  bool rebuilt;
+};
+
+class SequenceTable {
+ public:
+  SequenceTable(std::vector<std::filesystem::path> frames, int substeps, bool json);
+
+  void print_head(const Mesh& mesh) const;
+  /// In order.
+  void add(const SequenceStep& step);
+  void print_totals(const Options& options, const Statistics& statistics);
+
+ private:
+  std::string part_of(int part) const;
+  void print_row(const SequenceStep& step) const;
+
+  std::vector<std::filesystem::path> frames_;
+  int substeps_;
+  bool json_;
+  int width_ = 5;
+  Tally total_;
+  std::size_t steps_asked_ = 0, free_steps_ = 0;
+  double seconds_ = 0;
+  Json steps_ = Json::array();
+};
+
+}  // namespace tamis::cli

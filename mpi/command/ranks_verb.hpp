@@ -1,0 +1,40 @@
+// What the verbs of one step have in common: parts are read, all ranks ask, rank 0 prints (main.cpp).
+#pragma once
+#include "cli/step_verb.hpp"
+#include "mpi/command/ranks_report.hpp"
+#include "mpi/command/step_parts.hpp"
+
+namespace tamis::distributed {
+
+class RanksVerb : public cli::StepVerb {
+ protected:
+  /// Collective: `ask(detector, step)`, as often as the caller wants.
+  template <class Ask>
+  void ask_all(Communicator& communicator, const Ask& ask) {
+    const Options options = this->options();
+    parts_ = read_step_parts(communicator, start_, end_, scale());
+    detector_.emplace(communicator.raw(), std::move(parts_.mesh), options);
+    for (int run = 0; run < repeat_; ++run) ask(*detector_, parts_.step());
+  }
+
+  /// Collective. `add` and `print` say the answer.
+  template <class Add, class Print>
+  void report(Communicator& communicator, const Add& add, const Print& print) {
+    const RanksReport ranks(communicator, *detector_);
+    if (json_) {
+      cli::Json json;
+      add(json);
+      add_facts(json, parts_, options());
+      ranks.add_to(json);
+      return cli::print_json(json);
+    }
+    print_mesh(parts_);
+    print();
+    ranks.print();
+  }
+
+  StepParts parts_;
+  std::optional<Detector> detector_;
+};
+
+}  // namespace tamis::distributed

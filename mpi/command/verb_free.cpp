@@ -1,0 +1,31 @@
+// tamis-mpi free: is the step free of contacts? The exit code says so.
+#include "cli/answers.hpp"
+#include "mpi/command/ranks_verb.hpp"
+#include "mpi/command/verbs.hpp"
+
+namespace tamis::distributed {
+namespace {
+
+class Free final : public RanksVerb {
+ public:
+  const char* name() const override { return "free"; }
+  const char* summary() const override {
+    return "Is the step free of contacts? Exit code 0: free, 1: contact, 2: error";
+  }
+  const char* examples() const override { return "  mpirun -n 4 tamis-mpi free cloth1.ply cloth2.ply && echo may go"; }
+
+  int run() override {
+    Communicator communicator(MPI_COMM_WORLD);
+    bool is_free = false;
+    ask_all(communicator, [&](Detector& detector, const Step& step) { is_free = detector.is_free(step); });
+    report(
+        communicator, [&](cli::Json& json) { json["free"] = is_free; }, [&] { cli::print_free(is_free); });
+    return is_free ? cli::kSuccess : cli::kNo;
+  }
+};
+
+}  // namespace
+
+std::unique_ptr<cli::Verb> make_free() { return std::make_unique<Free>(); }
+
+}  // namespace tamis::distributed

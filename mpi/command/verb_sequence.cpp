@@ -1,0 +1,54 @@
+// tamis-mpi sequence: the contacts of each pair of consecutive frames, a run of steps a rank.
+#include "cli/sequence_steps.hpp"
+#include "cli/sequence_verb.hpp"
+#include "mpi/command/ply_part.hpp"
+#include "mpi/command/verbs.hpp"
+#include "mpi/src/agreement.hpp"
+
+namespace tamis::distributed {
+namespace {
+
+/// Frames as files are few: every rank looks at their list, and reads those of its own steps.
+class Sequence final : public cli::SequenceVerb {
+ public:
+  const char* name() const override { return "sequence"; }
+  const char* summary() const override { return "Contacts of each consecutive pair of frames, shared out over ranks"; }
+  const char* examples() const override {
+    return "  mpirun -n 4 tamis-mpi sequence frames/\n"
+           "  mpirun -n 4 tamis-mpi sequence 'frames/cloth*.ply' --threads 1 --json";
+  }
+
+  int run() override {
+    Communicator communicator(MPI_COMM_WORLD);
+    std::optional<cli::MovingFrames> frames;
+    std::optional<tamis::Detector> detector;
+    Packer packer;
+    together(communicator, [&] {
+      check();
+      frames.emplace(names_);
+      detector.emplace(detector_for(io::mesh_of(frames->first())));
+      const std::uint64_t steps = frames->paths().size() - 1;
+      const Block block{static_cast<std::uint64_t>(communicator.rank()),
+                        static_cast<std::uint64_t>(communicator.size())};
+      cli::ask_steps(*detector, *frames, 1 + block.first_of(steps), 1 + block.last_of(steps), substeps_, scale(),
+                     [&](const cli::SequenceStep& step) { packer.put(step); });
+    });
+    print(communicator.gather_for_all(packer.take()), *frames, *detector);
+    return cli::kSuccess;
+  }
+
+ private:
+  void print(const std::vector<Bytes>& of_ranks, const cli::MovingFrames& frames, const tamis::Detector& detector) {
+    cli::SequenceTable table(frames.paths(), substeps_, json_);
+    table.print_head(detector.mesh());
+    for (const Bytes& bytes : of_ranks)
+      for (Unpacker unpacker(bytes); !unpacker.empty();) table.add(unpacker.get<cli::SequenceStep>());
+    table.print_totals(detector.options(), detector.statistics());
+  }
+};
+
+}  // namespace
+
+std::unique_ptr<cli::Verb> make_sequence() { return std::make_unique<Sequence>(); }
+
+}  // namespace tamis::distributed

@@ -1,0 +1,51 @@
+// tamis-mpi step: how far the step may go.
+#include "cli/answers.hpp"
+#include "mpi/command/ranks_verb.hpp"
+#include "mpi/command/verbs.hpp"
+
+namespace tamis::distributed {
+namespace {
+
+class StepLength final : public RanksVerb {
+ public:
+  const char* name() const override { return "step"; }
+  const char* summary() const override { return "The earliest contact: how far the step may go"; }
+  const char* examples() const override {
+    return "  mpirun -n 4 tamis-mpi step cloth1.ply cloth2.ply\n"
+           "  mpirun -n 4 tamis-mpi step cloth1.ply cloth2.ply --keep-distance 0.1";
+  }
+
+  void declare(CLI::App& app) override {
+    StepVerb::declare(app);
+    kept_.declare(app);
+  }
+
+  int run() override {
+    Communicator communicator(MPI_COMM_WORLD);
+    if (kept_.is_asked()) return keep_distance(communicator);
+    EarliestContact first;
+    ask_all(communicator, [&](Detector& detector, const Step& step) { first = detector.earliest(step); });
+    report(
+        communicator, [&](cli::Json& json) { cli::add_earliest(json, first); }, [&] { cli::print_earliest(first); });
+    return cli::kSuccess;
+  }
+
+ private:
+  int keep_distance(Communicator& communicator) {
+    SafeStep safe;
+    ask_all(communicator,
+            [&](Detector& detector, const Step& step) { safe = detector.keep_distance(step, kept_.fraction()); });
+    report(
+        communicator, [&](cli::Json& json) { cli::add_safe_step(json, safe, kept_.fraction()); },
+        [&] { cli::print_safe_step(safe, kept_.fraction(), options().min_separation); });
+    return cli::kSuccess;
+  }
+
+  cli::KeepDistanceArgument kept_;
+};
+
+}  // namespace
+
+std::unique_ptr<cli::Verb> make_step() { return std::make_unique<StepLength>(); }
+
+}  // namespace tamis::distributed

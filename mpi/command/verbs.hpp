@@ -1,0 +1,14 @@
+// The verbs of tamis-mpi.
+#pragma once
+#include <memory>
+
+#include "cli/verb.hpp"
+
+namespace tamis::distributed {
+
+std::unique_ptr<cli::Verb> make_contacts();
+std::unique_ptr<cli::Verb> make_step();
+std::unique_ptr<cli::Verb> make_free();
+std::unique_ptr<cli::Verb> make_sequence();
+
+}  // namespace tamis::distributed

@@ -1,0 +1,61 @@
+// Elements that a rank needs beside its own: every rank publishes some moving boxes around what it owns; where those of
+// two ranks meet, one of the two sends its elements there to the other, which searches.
+#pragma once
+#include <optional>
+#include <vector>
+
+#include "mpi/src/box_tree.hpp"
+#include "mpi/src/communicator.hpp"
+#include "mpi/src/element_set.hpp"
+#include "mpi/src/sparse_exchange.hpp"
+
+namespace tamis::distributed {
+
+/// Which of two ranks searches the pairs between their elements: by turns the lower and the higher, so that each has
+/// half of its neighbours to search for.
+inline int searcher_of(int a, int b) { return (a + b) % 2 != 0 ? std::min(a, b) : std::max(a, b); }
+
+class Borrowing {
+ public:
+  /// Collective. What this rank sends is on its way when it returns. Keeps a reference to `own`.
+  template <class Test>
+  Borrowing(Communicator& communicator, const ElementSet& own, const BoxRule& rule, const Test& may_matter);
+
+  /// Collective, to be called once: the elements of other ranks that matter to some of this rank's.
+  void finish();
+  const ElementSet& borrowed() const { return borrowed_; }
+  /// The elements of this rank to which those matter.
+  template <class Test>
+  ElementSet own_near_borrowed(const Test& may_matter) const;
+  std::uint64_t boxes_published() const { return boxes_; }
+
+ private:
+  std::vector<BoxTree> publish();
+  void send(int rank, const std::vector<std::uint32_t>& places, std::vector<Message>& messages) const;
+
+  Communicator& communicator_;
+  const ElementSet& own_;
+  const BoxRule rule_;
+  const BoxTree tree_;  ///< over own elements
+  std::uint64_t boxes_ = 0;
+  std::optional<SparseExchange> exchange_;
+  ElementSet borrowed_;
+};
+
+template <class Test>
+Borrowing::Borrowing(Communicator& communicator, const ElementSet& own, const BoxRule& rule, const Test& may_matter)
+    : communicator_(communicator), own_(own), rule_(rule), tree_(boxes_of(own, rule)) {
+  const std::vector<BoxTree> trees = publish();
+  std::vector<Message> messages;
+  for (int rank = 0; rank < communicator.size(); ++rank)
+    if (rank != communicator.rank() && searcher_of(rank, communicator.rank()) == rank)
+      send(rank, tree_.leaves_that_meet(trees[static_cast<std::size_t>(rank)], may_matter), messages);
+  exchange_.emplace(communicator, std::move(messages));
+}
+
+template <class Test>
+ElementSet Borrowing::own_near_borrowed(const Test& may_matter) const {
+  return subset(own_, tree_.leaves_that_meet(BoxTree(boxes_of(borrowed_, rule_)), may_matter));
+}
+
+}  // namespace tamis::distributed

@@ -1,0 +1,127 @@
+#include <algorithm>
+
+#include "mpi/src/deliver.hpp"
+#include "mpi/src/first_of_all.hpp"
+#include "mpi/src/same_on_all.hpp"
+#include "mpi/src/searches.hpp"
+#include "tamis/distributed.hpp"
+
+namespace tamis::distributed {
+namespace {
+
+/// The time until which others may still have the first: brackets of contacts that come first end a little later.
+double soon_after(double time) {
+  constexpr double kRoom = 0x1p-10;
+  return std::min(time + kRoom, 1.0);
+}
+
+}  // namespace
+
+struct Detector::State {
+  State(MPI_Comm communicator, const LocalMesh& mesh, Options options)
+      : searches(communicator, mesh, std::move(options)) {}
+
+  void find_contacts() {
+    std::vector<std::vector<HomedContact>> found;
+    searches.search_at_once([&](LocalSearch& search) { found.push_back(search.contacts(searches.min_separation())); },
+                            MeetUntil{1});
+    const Stopwatch watch(searches.statistics().seconds.deliver);
+    contacts = deliver(searches.communicator(), found);
+  }
+
+  EarliestContact find_earliest() {
+    EarliestContact first;
+    searches.search_in_turn([&](LocalSearch& search) { keep_first(first, search.earliest(searches.min_separation())); },
+                            false,
+                            [&] { return MeetUntil{soon_after(searches.communicator().least(first.toi_upper))}; });
+    const Stopwatch watch(searches.statistics().seconds.deliver);
+    return first_of_all(searches.communicator(), first);
+  }
+
+  /// Once any rank has a contact, nobody need borrow.
+  bool find_whether_free() {
+    bool is_free = true;
+    searches.search_in_turn(
+        [&](LocalSearch& search) { is_free = is_free && search.is_free(searches.min_separation()); }, false,
+        [&] { return MeetUntil{searches.communicator().any(!is_free) ? -1.0 : 1.0}; });
+    return !searches.communicator().any(!is_free);
+  }
+
+  SafeStep find_safe_step(double fraction) {
+    SafeStep first;
+    double upper = 1;  // of fraction 0: of the first certified contact, whatever pair comes first
+    const auto ask = [&](LocalSearch& search) {
+      const SafeStep safe = search.keep_distance(fraction, searches.min_separation());
+      keep_first(first, safe);
+      upper = std::min(upper, safe.upper);
+    };
+    // What a pair's own time is rounded by is in the factor (docs/numerics.md, "Step lengths").
+    searches.search_in_turn(ask, true, [&] {
+      const double until = soon_after(searches.communicator().least(first.lower)) * (1 + 0x1p-14);
+      return NearWithin{until / (1 - fraction)};
+    });
+    const Stopwatch watch(searches.statistics().seconds.deliver);
+    SafeStep answer = first_of_all(searches.communicator(), first);
+    if (fraction == 0) answer.upper = searches.communicator().least(upper);
+    return answer;
+  }
+
+  /// Collective: all that belongs to one question.
+  template <class Find>
+  void ask(const std::string& question, const Step& step, std::optional<double> min_separation, const Find& find) {
+    double total = 0;
+    {
+      const Stopwatch watch(total);
+      searches.begin(question, step, min_separation);
+      find();
+      searches.end();
+    }
+    searches.statistics().seconds.total = total;
+  }
+
+  Searches searches;
+  std::vector<Contact> contacts;
+};
+
+Detector::Detector(MPI_Comm communicator, LocalMesh mesh, Options options)
+    : state_(std::make_unique<State>(communicator, mesh, std::move(options))) {}
+Detector::~Detector() = default;
+Detector::Detector(Detector&&) noexcept = default;
+Detector& Detector::operator=(Detector&&) noexcept = default;
+
+const std::vector<Contact>& Detector::contacts(const Step& step, std::optional<double> min_separation) {
+  state_->ask("contacts", step, min_separation, [&] { state_->find_contacts(); });
+  state_->searches.watch_balance();
+  return state_->contacts;
+}
+
+std::vector<Contact> Detector::gather_contacts(int root) {
+  Communicator& communicator = state_->searches.communicator();
+  require_same(communicator, {"gather contacts on rank " + std::to_string(root)});
+  return gather(communicator, state_->contacts, root);
+}
+
+EarliestContact Detector::earliest(const Step& step, std::optional<double> min_separation) {
+  EarliestContact first;
+  state_->ask("earliest", step, min_separation, [&] { first = state_->find_earliest(); });
+  return first;
+}
+
+bool Detector::is_free(const Step& step, std::optional<double> min_separation) {
+  bool is_free = false;
+  state_->ask("is_free", step, min_separation, [&] { is_free = state_->find_whether_free(); });
+  return is_free;
+}
+
+SafeStep Detector::keep_distance(const Step& step, double fraction, std::optional<double> min_separation) {
+  SafeStep safe;
+  state_->ask("keep_distance " + exact(fraction), step, min_separation,
+              [&] { safe = state_->find_safe_step(fraction); });
+  return safe;
+}
+
+Index Detector::vertex_count() const { return state_->searches.vertex_count(); }
+const Statistics& Detector::statistics() const { return state_->searches.statistics(); }
+const Balance& Detector::balance() const { return state_->searches.balance(); }
+
+}  // namespace tamis::distributed

@@ -1,0 +1,65 @@
+// Elements of the mesh with all that a search among them needs: triangles, loose edges and loose points, each with its
+// edges and corners, so that no feature is ever without what it belongs to.
+#pragma once
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "mpi/src/bytes.hpp"
+#include "tamis/mesh.hpp"
+#include "tamis/step.hpp"
+
+namespace tamis::distributed {
+
+/// Of a vertex of the whole mesh.
+struct Vertex {
+  Index number;
+  Index group;  ///< of the pair filter
+  int home;     ///< the lowest rank that gives its position; contacts go to that of their first vertex
+
+  friend bool operator==(const Vertex&, const Vertex&) = default;
+};
+
+/// Where a vertex is at t=0 and t=1.
+struct Motion {
+  Point start, end;
+};
+
+/// Vertices of a triangle, in its winding, of a loose edge or of a loose point; -1 where there is none.
+using Corners = std::array<Index, 3>;
+/// Of the rank that owns an element, and its place there.
+using ElementId = std::uint64_t;
+
+inline ElementId element_id(int rank, std::size_t place) {
+  constexpr int kPlaceBits = 32;
+  return static_cast<ElementId>(rank) << kPlaceBits | place;
+}
+
+struct ElementSet {
+  std::vector<Vertex> vertices;   ///< by number
+  std::vector<Motion> motions;    ///< one a vertex, or none where it is only about topology
+  std::vector<Corners> elements;  ///< places in `vertices`
+  std::vector<ElementId> ids;     ///< one an element, or none before it has an owner
+
+  bool empty() const { return elements.empty(); }
+};
+
+/// Calls f(place) for each corner of an element.
+template <class F>
+void for_each_corner(const Corners& corners, const F& f) {
+  for (const Index corner : corners)
+    if (corner >= 0) f(static_cast<std::size_t>(corner));
+}
+
+/// The elements at `places` with their vertices.
+ElementSet subset(const ElementSet& set, std::span<const std::uint32_t> places);
+/// Every element of any of the sets, and every vertex, once. REQUIRES: ids, motions.
+ElementSet united(std::span<const ElementSet* const> sets);
+/// Motions of the vertices that both have. REQUIRES: `to` has a place for each.
+void copy_motions(const ElementSet& from, ElementSet& to);
+
+void pack(Packer& packer, const ElementSet& set);
+ElementSet unpack_elements(Unpacker& unpacker);
+
+}  // namespace tamis::distributed

@@ -1,0 +1,203 @@
+#include "mpi/src/input_part.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <map>
+#include <string>
+
+#include "mpi/src/agreement.hpp"
+#include "mpi/src/vertex_directory.hpp"
+#include "tamis/error.hpp"
+
+namespace tamis::distributed {
+namespace {
+
+constexpr Index kMostVertices = std::numeric_limits<Index>::max();
+
+Edge ascending(Index a, Index b) { return a < b ? Edge{a, b} : Edge{b, a}; }
+
+void check_number(Index number, const std::string& who) {
+  if (number < 0 || number >= kMostVertices)
+    throw InvalidMesh(who + " names vertex " + std::to_string(number) + ": numbers must be in [0, 2^31 - 1)");
+}
+
+template <class Elements>
+void check_numbers(const Elements& elements, const std::string& what) {
+  for (std::size_t i = 0; i < elements.size(); ++i)
+    for (const Index number : elements[i]) check_number(number, what + " " + std::to_string(i));
+}
+
+void check_groups(const PairFilter& filter, std::size_t rows) {
+  const std::vector<Index>& groups = filter.group_of_vertex;
+  if (!groups.empty() && groups.size() != rows)
+    throw InvalidOptions("group_of_vertex has " + std::to_string(groups.size()) + " entries for " +
+                         std::to_string(rows) + " vertices of this rank: give one group a vertex, or none");
+  for (std::size_t row = 0; row < groups.size(); ++row)
+    if (groups[row] < 0 || groups[row] >= filter.group_count)
+      throw InvalidOptions("the vertex in row " + std::to_string(row) + " is in group " + std::to_string(groups[row]) +
+                           ": groups must be in [0, " + std::to_string(filter.group_count) + ")");
+}
+
+void validate(const LocalMesh& mesh, const PairFilter& filter) {
+  for (std::size_t row = 0; row < mesh.vertices.size(); ++row)
+    check_number(mesh.vertices[row], "row " + std::to_string(row));
+  check_numbers(mesh.faces, "face");
+  check_numbers(mesh.loose_edges, "loose edge");
+  for (std::size_t i = 0; i < mesh.loose_points.size(); ++i)
+    check_number(mesh.loose_points[i], "loose point " + std::to_string(i));
+  check_groups(filter, mesh.vertices.size());
+}
+
+Index largest_number(const LocalMesh& mesh) {
+  Index largest = -1;
+  const auto see = [&](Index number) { largest = std::max(largest, number); };
+  std::ranges::for_each(mesh.vertices, see);
+  for (const Face& face : mesh.faces) std::ranges::for_each(face, see);
+  for (const Edge& edge : mesh.loose_edges) std::ranges::for_each(edge, see);
+  std::ranges::for_each(mesh.loose_points, see);
+  return largest;
+}
+
+class InputPartMaker {
+ public:
+  InputPartMaker(Communicator& communicator, const LocalMesh& mesh, const PairFilter& filter)
+      : communicator_(communicator), mesh_(mesh), filter_(filter) {}
+
+  InputPart make() {
+    together(communicator_, [&] { validate(mesh_, filter_); });
+    part_.vertex_count =
+        static_cast<Index>(communicator_.largest(static_cast<std::uint64_t>(largest_number(mesh_) + 1)));
+    part_.row_count = static_cast<Index>(mesh_.vertices.size());
+    together(communicator_, [&] { mention_all(); });
+    VertexDirectory directory(communicator_, part_.vertex_count);
+    const DirectoryAnswer answer = directory.look_up(mentions_);
+    together(communicator_, [&] { take_vertices(answer); });
+    take_elements(directory, answer.entries);
+    if (communicator_.sum(part_.elements.elements.size()) == 0)
+      throw InvalidMesh("the mesh has no face, no edge and no point on any rank: give at least one feature");
+    return std::move(part_);
+  }
+
+ private:
+  /// Every vertex that is given or used here, by number.
+  void mention_all() {
+    std::vector<Mention> all;
+    for (std::size_t row = 0; row < mesh_.vertices.size(); ++row)
+      all.push_back({mesh_.vertices[row], filter_.group_of_vertex.empty() ? 0 : filter_.group_of_vertex[row], true});
+    for (const Face& face : mesh_.faces)
+      for (const Index v : face) all.push_back({.number = v, .is_covered = true});
+    for (const Edge& edge : mesh_.loose_edges)
+      for (const Index v : edge) {
+        const bool is_edge = edge[0] != edge[1];
+        all.push_back({.number = v, .is_covered = is_edge, .is_on_loose_edge = is_edge});
+      }
+    for (const Index v : mesh_.loose_points) all.push_back({.number = v});
+    std::ranges::stable_sort(all, {}, &Mention::number);
+    for (const Mention& mention : all)
+      if (mentions_.empty() || mentions_.back().number != mention.number)
+        mentions_.push_back(mention);
+      else
+        add_to(mentions_.back(), mention);
+  }
+
+  /// Rows come first.
+  static void add_to(Mention& mention, const Mention& other) {
+    if (mention.is_given && other.is_given)
+      throw InvalidMesh("vertex " + std::to_string(other.number) + " has two rows of positions: give it one");
+    mention.is_covered |= other.is_covered;
+    mention.is_on_loose_edge |= other.is_on_loose_edge;
+  }
+
+  void take_vertices(const DirectoryAnswer& answer) {
+    for (std::size_t v = 0; v < mentions_.size(); ++v) {
+      const Entry& entry = answer.entries[v];
+      if (entry.home < 0)
+        throw InvalidMesh("vertex " + std::to_string(entry.number) +
+                          " is used, but no rank gives its position: list it in `vertices` of one");
+      if (mentions_[v].is_given && mentions_[v].group != entry.group)
+        throw InvalidOptions("vertex " + std::to_string(entry.number) + " is in group " +
+                             std::to_string(mentions_[v].group) + ", on rank " + std::to_string(entry.home) +
+                             " in group " + std::to_string(entry.group) + ": give it the same group everywhere");
+      part_.elements.vertices.push_back({entry.number, entry.group, entry.home});
+    }
+    part_.row_of_vertex.assign(mentions_.size(), -1);
+    for (std::size_t row = 0; row < mesh_.vertices.size(); ++row)
+      part_.row_of_vertex[place_of(mesh_.vertices[row])] = static_cast<Index>(row);
+    share(answer.sharers);
+  }
+
+  void share(const std::vector<Sharer>& sharers) {
+    for (const Sharer& sharer : sharers) {
+      if (part_.lent.empty() || part_.lent.back().rank != sharer.rank) part_.lent.push_back({sharer.rank, {}});
+      part_.lent.back().places.push_back(place_of(sharer.number));
+    }
+    std::map<int, std::vector<std::size_t>> by_home;
+    for (std::size_t v = 0; v < part_.elements.vertices.size(); ++v)
+      by_home[part_.elements.vertices[v].home].push_back(v);
+    by_home.erase(communicator_.rank());
+    for (auto& [home, places] : by_home) part_.borrowed.push_back({home, std::move(places)});
+  }
+
+  /// Without loose features that belong to larger ones: a search that does not see these would take them for loose.
+  void take_elements(VertexDirectory& directory, const std::vector<Entry>& entries) {
+    std::vector<Index> points;
+    const auto add_point = [&](Index v) {
+      if (!entries[place_of(v)].is_covered) points.push_back(v);
+    };
+    std::vector<Edge> edges;
+    for (const Edge& edge : mesh_.loose_edges)
+      if (edge[0] == edge[1])
+        add_point(edge[0]);
+      else
+        edges.push_back(ascending(edge[0], edge[1]));
+    std::ranges::for_each(mesh_.loose_points, add_point);
+    const bool may_meet = communicator_.any(!points.empty()) && communicator_.any(!edges.empty());
+    const auto covered =
+        may_meet ? directory.covered_edges(edges, sides_near_loose_edges(entries)) : std::vector<Edge>{};
+    part_.is_used.assign(entries.size(), false);
+    for (const Face& face : mesh_.faces) add({face[0], face[1], face[2]});
+    for (const Edge& edge : edges)
+      if (!std::ranges::binary_search(covered, edge)) add({edge[0], edge[1], -1});
+    for (const Index point : points) add({point, -1, -1});
+  }
+
+  std::vector<Edge> sides_near_loose_edges(const std::vector<Entry>& entries) const {
+    std::vector<Edge> sides;
+    const auto is_near = [&](Index v) { return entries[place_of(v)].is_on_loose_edge; };
+    for (const Face& face : mesh_.faces)
+      for (std::size_t k = 0; k < 3; ++k) {
+        const Index a = face[k], b = face[(k + 1) % 3];
+        if (a != b && is_near(a) && is_near(b)) sides.push_back(ascending(a, b));
+      }
+    return sides;
+  }
+
+  void add(Corners numbers) {
+    for (Index& corner : numbers) {
+      if (corner < 0) continue;
+      const std::size_t place = place_of(corner);
+      part_.is_used[place] = true;
+      corner = static_cast<Index>(place);
+    }
+    part_.elements.elements.push_back(numbers);
+  }
+
+  std::size_t place_of(Index number) const {
+    return static_cast<std::size_t>(std::ranges::lower_bound(mentions_, number, {}, &Mention::number) -
+                                    mentions_.begin());
+  }
+
+  Communicator& communicator_;
+  const LocalMesh& mesh_;
+  const PairFilter& filter_;
+  std::vector<Mention> mentions_;  ///< by number
+  InputPart part_;
+};
+
+}  // namespace
+
+InputPart make_input_part(Communicator& communicator, const LocalMesh& mesh, const PairFilter& filter) {
+  return InputPartMaker(communicator, mesh, filter).make();
+}
+
+}  // namespace tamis::distributed

@@ -1,0 +1,126 @@
+// The path of every question up to its answer on one rank: positions to owners, the frame, a search among own elements,
+// one against borrowed ones; and the balance of work.
+#pragma once
+#include <exception>
+#include <string>
+
+#include "mpi/src/agreement.hpp"
+#include "mpi/src/borrowing.hpp"
+#include "mpi/src/decomposition.hpp"
+#include "mpi/src/frame.hpp"
+#include "mpi/src/input_part.hpp"
+#include "mpi/src/local_search.hpp"
+#include "mpi/src/stopwatch.hpp"
+#include "tamis/distributed.hpp"
+
+namespace tamis::distributed {
+
+class Searches {
+ public:
+  /// Collective.
+  Searches(MPI_Comm raw, const LocalMesh& mesh, Options options);
+
+  /// Collective: every question begins so. All ranks ask the same; everybody has its own elements and those of the
+  /// frame.
+  void begin(const std::string& question, const Step& step, std::optional<double> min_separation);
+  /// Collective. `ask(search)` among own elements and, while messages are on their way or after that, against all that
+  /// `may_matter`.
+  template <class Ask, class Test>
+  void search_at_once(const Ask& ask, const Test& may_matter);
+  /// Collective. The same in turn: what own elements say bounds, by `make_test()`, what has to be borrowed.
+  template <class Ask, class MakeTest>
+  void search_in_turn(const Ask& ask, bool by_drifts, const MakeTest& make_test);
+  /// Collective: and ends so.
+  void end();
+  /// Collective, after a question that tests all pairs. Where work has become unequal, the next one counts pairs, and
+  /// the one after it has a new decomposition.
+  void watch_balance();
+
+  double min_separation() const { return separation_; }
+  Communicator& communicator() { return communicator_; }
+  Index vertex_count() const { return input_.vertex_count; }
+  Statistics& statistics() { return statistics_; }
+  const Balance& balance() const { return balance_; }
+
+ private:
+  const ElementSet& own() const { return decomposition_.own(); }
+  void decompose();
+  template <class Test>
+  Borrowing borrow(bool by_drifts, const Test& may_matter);
+  template <class Ask>
+  std::exception_ptr search_interior(const Ask& ask);
+  template <class Test, class Ask>
+  std::exception_ptr search_border(Borrowing& borrowing, const Test& may_matter, const Ask& ask);
+
+  Communicator communicator_;
+  const Options options_;
+  InputPart input_;
+  Decomposition decomposition_{communicator_};
+  Frame frame_{communicator_};
+  ElementSet frame_elements_;
+  LocalSearch interior_{options_}, border_{options_};
+  double separation_ = 0;
+  bool is_to_decompose_ = true, counts_pairs_ = false;
+  double allowed_;  ///< imbalance; 0: what the next question has, and some more
+  int cuts_ = 0;    ///< by weights
+  Traffic traffic_before_;
+  Statistics statistics_;
+  Balance balance_;
+};
+
+template <class Ask, class Test>
+void Searches::search_at_once(const Ask& ask, const Test& may_matter) {
+  interior_.count_pairs(counts_pairs_);
+  border_.count_pairs(counts_pairs_);
+  Borrowing borrowing = borrow(false, may_matter);
+  const std::exception_ptr of_interior = search_interior(ask);
+  const std::exception_ptr of_border = search_border(borrowing, may_matter, ask);
+  agree(communicator_, of_interior ? of_interior : of_border);
+}
+
+template <class Ask, class MakeTest>
+void Searches::search_in_turn(const Ask& ask, bool by_drifts, const MakeTest& make_test) {
+  agree(communicator_, search_interior(ask));
+  const auto may_matter = make_test();
+  Borrowing borrowing = borrow(by_drifts, may_matter);
+  agree(communicator_, search_border(borrowing, may_matter, ask));
+}
+
+template <class Test>
+Borrowing Searches::borrow(bool by_drifts, const Test& may_matter) {
+  const Stopwatch watch(statistics_.seconds.borrow);
+  return Borrowing(communicator_, own(), {separation_, options_.thickness, by_drifts}, may_matter);
+}
+
+template <class Ask>
+std::exception_ptr Searches::search_interior(const Ask& ask) {
+  const Stopwatch watch(statistics_.seconds.interior);
+  return failure_of([&] {
+    if (own().empty()) return;
+    const ElementSet* const sets[] = {&own(), &frame_elements_};
+    interior_.assign(sets);
+    ask(interior_);
+    statistics_.pairs_tested += interior_.pairs_tested();
+  });
+}
+
+template <class Test, class Ask>
+std::exception_ptr Searches::search_border(Borrowing& borrowing, const Test& may_matter, const Ask& ask) {
+  {
+    const Stopwatch watch(statistics_.seconds.borrow);
+    borrowing.finish();
+  }
+  statistics_.borrowed = borrowing.borrowed().elements.size();
+  statistics_.boxes = borrowing.boxes_published();
+  const Stopwatch watch(statistics_.seconds.border);
+  return failure_of([&] {
+    if (borrowing.borrowed().empty()) return;
+    const ElementSet mine = borrowing.own_near_borrowed(may_matter);
+    const ElementSet* const others[] = {&borrowing.borrowed(), &frame_elements_};
+    border_.assign_sides(mine, others);
+    ask(border_);
+    statistics_.pairs_tested += border_.pairs_tested();
+  });
+}
+
+}  // namespace tamis::distributed

@@ -1,0 +1,104 @@
+// Features that belong together, on different ranks: what one rank alone would take for loose, for apart or for one.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "mpi/same_answers.hpp"
+#include "tamis/detector.hpp"
+
+namespace tamis::test {
+namespace {
+
+using scenes::Scene;
+
+Scene two_triangles() {
+  Scene scene;
+  for (const double z : {0.0, 1.0})
+    for (const Point& p : {Point{0, 0, z}, Point{1, 0, z}, Point{0, 1, z}})
+      scene.add_vertex(p, {p[0], p[1], 0.25 - 0.5 * z}, z > 0 ? 1 : 0);
+  scene.faces = {{0, 1, 2}, {3, 4, 5}};
+  return scene;
+}
+
+void expect_same_for_all_cuts(const Scene& scene, const Options& options = one_thread()) {
+  Detector one(scene.mesh(), options);
+  for (const Cut& cut : cuts()) {
+    const Part part = part_of(scene, cut);
+    Options local = options;
+    if (!options.filter.group_of_vertex.empty()) local.filter.group_of_vertex = part.group_of_vertex;
+    distributed::Detector many(MPI_COMM_WORLD, part.mesh, local);
+    expect_same_answers(one, many, scene, part, cut.name);
+  }
+}
+
+TEST(Borders, MoreRanksThanTriangles) { expect_same_for_all_cuts(two_triangles()); }
+
+TEST(Borders, TrianglesGivenSeveralTimesHaveTheirContactsAsOften) {
+  Scene scene = two_triangles();
+  for (int copy = 0; copy < 5; ++copy) scene.faces.push_back(scene.faces[static_cast<std::size_t>(copy % 2)]);
+  ASSERT_GT(Detector(scene.mesh()).contacts(scene.step()).size(),
+            Detector(two_triangles().mesh()).contacts(scene.step()).size());
+  expect_same_for_all_cuts(scene);
+}
+
+// Taken for loose, they would meet the loose point and edge below: pairs that one process does not have.
+TEST(Borders, LooseFeaturesThatBelongToTrianglesOfOtherRanksAreNotLoose) {
+  Scene scene = two_triangles();
+  const Index a = scene.add_vertex({0.5, 0, 0.5}, {0.5, 0, -0.5}, 2);
+  const Index b = scene.add_vertex({0.5, -1, 0.5}, {0.5, -1, -0.5}, 2);
+  const Index c = scene.add_vertex({0.5, 0, 2}, {0.5, 0, -2}, 3);
+  scene.loose_points = {c, 3, 0};
+  scene.loose_edges = {{a, b}, {1, 0}, {4, 3}, {c, c}};
+  const auto contacts = Detector(scene.mesh()).contacts(scene.step());
+  ASSERT_TRUE(std::ranges::any_of(contacts, [](const Contact& x) { return x.kind == PairKind::vertex_edge; }));
+  expect_same_for_all_cuts(scene);
+}
+
+TEST(Borders, AVertexOnBothRanksIsOneVertex) {
+  // A strip folded on itself: neighbours share vertices, and must not be in contact wherever the strip is cut.
+  Scene scene;
+  for (int i = 0; i < 40; ++i) {
+    const double x = 0.1 * (i / 2 % 10), y = i % 2, z = 0.05 * (i / 20);
+    scene.add_vertex({x, y, z}, {x, y, i / 20 == 1 ? -0.05 : 0}, 0);
+  }
+  for (Index v = 0; v + 2 < 40; ++v) scene.faces.push_back({v, v + 1, v + 2});
+  expect_same_for_all_cuts(scene);
+}
+
+TEST(Borders, ContactsGoToTheRankThatGivesTheirFirstVertex) {
+  const Scene scene = scenes::scene_by_name("soup", 300, 4);
+  const Part part = part_of(scene, cuts()[2]);  // vertex v on rank v mod size
+  distributed::Detector many(MPI_COMM_WORLD, part.mesh, one_thread());
+  for (const Contact& contact : many.contacts(part.step())) EXPECT_EQ(contact.vertices[0] % rank_count(), rank_of());
+}
+
+TEST(Borders, TheFirstQuestionMayBeAny) {
+  const Scene scene = scenes::scene_by_name("colliding-bodies", 400, 4);
+  const Part part = part_of(scene, cuts()[0]);
+  const SafeStep one = Detector(scene.mesh()).keep_distance(scene.step(), 0.2);
+  const SafeStep many = distributed::Detector(MPI_COMM_WORLD, part.mesh, one_thread()).keep_distance(part.step(), 0.2);
+  expect_same(one, many, "keep_distance");
+}
+
+TEST(Borders, StatisticsSayWhatWasDone) {
+  const Scene scene = scenes::scene_by_name("folded-cloth", 3000, 1);
+  const Part part = part_of(scene, cuts()[0]);
+  distributed::Detector many(MPI_COMM_WORLD, part.mesh, one_thread());
+  many.contacts(part.step());
+  const auto of_all = [](std::uint64_t number) {
+    MPI_Allreduce(MPI_IN_PLACE, &number, 1, MPI_UINT64_T, MPI_SUM, MPI_COMM_WORLD);
+    return number;
+  };
+  const std::uint64_t owned = of_all(many.statistics().owned), pairs = of_all(many.statistics().pairs_tested);
+  EXPECT_EQ(owned, scene.faces.size());
+  Detector one(scene.mesh());
+  one.contacts(scene.step());
+  const StageCount boxes = one.statistics().stages.front();
+  EXPECT_GE(pairs, boxes.vf + boxes.ee);
+  EXPECT_LT(static_cast<double>(pairs), 1.5 * static_cast<double>(boxes.vf + boxes.ee));
+  EXPECT_LT(many.balance().owned, 1.1);
+  EXPECT_EQ(of_all(many.statistics().borrowed) == 0, rank_count() == 1);
+}
+
+}  // namespace
+}  // namespace tamis::test

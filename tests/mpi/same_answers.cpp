@@ -1,0 +1,57 @@
+#include "mpi/same_answers.hpp"
+
+namespace tamis::test {
+namespace {
+
+bool same_bits(const Contact& a, const Contact& b) {
+  return a.kind == b.kind && a.certainty == b.certainty && a.vertices == b.vertices && a.toi_lower == b.toi_lower &&
+         a.toi_upper == b.toi_upper && a.u == b.u && a.v == b.v && a.normal == b.normal;
+}
+
+}  // namespace
+
+void expect_same(const std::vector<Contact>& one, const std::vector<Contact>& many, const std::string& what) {
+  ASSERT_EQ(one.size(), many.size()) << what;
+  for (std::size_t i = 0; i < one.size(); ++i) ASSERT_TRUE(same_bits(one[i], many[i])) << what << ", contact " << i;
+}
+
+void expect_same(const EarliestContact& one, const EarliestContact& many, const std::string& what) {
+  EXPECT_EQ(one.toi_lower, many.toi_lower) << what;
+  EXPECT_EQ(one.toi_upper, many.toi_upper) << what;
+  ASSERT_EQ(one.contact.has_value(), many.contact.has_value()) << what;
+  if (!one.contact) return;
+  EXPECT_TRUE(same_bits(*one.contact, *many.contact)) << what;
+}
+
+void expect_same(const SafeStep& one, const SafeStep& many, const std::string& what) {
+  EXPECT_EQ(one.lower, many.lower) << what;
+  EXPECT_EQ(one.upper, many.upper) << what;
+  ASSERT_EQ(one.pair.has_value(), many.pair.has_value()) << what;
+  if (!one.pair) return;
+  EXPECT_EQ(one.pair->kind, many.pair->kind) << what;
+  EXPECT_EQ(one.pair->vertices, many.pair->vertices) << what;
+  EXPECT_EQ(one.pair->distance, many.pair->distance) << what;
+}
+
+Options one_thread() {
+  Options options;
+  options.threads = 1;
+  return options;
+}
+
+void expect_same_answers(Detector& one, distributed::Detector& many, const scenes::Scene& scene, const Part& part,
+                         const std::string& what) {
+  const auto expected = one.contacts(scene.step());
+  many.contacts(part.step());
+  const auto gathered = many.gather_contacts(0);
+  if (rank_of() == 0)
+    expect_same(expected, gathered, what);
+  else
+    EXPECT_TRUE(gathered.empty()) << what;
+  expect_same(one.earliest(scene.step()), many.earliest(part.step()), what);
+  EXPECT_EQ(one.is_free(scene.step()), many.is_free(part.step())) << what;
+  for (const double fraction : {0.0, 0.1, 0.9})
+    expect_same(one.keep_distance(scene.step(), fraction), many.keep_distance(part.step(), fraction), what);
+}
+
+}  // namespace tamis::test

@@ -83,7 +83,7 @@ struct Detector::State {
   std::vector<Contact> contacts;
 };
 
-Detector::Detector(MPI_Comm communicator, LocalMesh mesh, Options options)
+Detector::Detector(MPI_Comm communicator, const LocalMesh& mesh, Options options)
     : state_(std::make_unique<State>(communicator, mesh, std::move(options))) {}
 Detector::~Detector() = default;
 Detector::Detector(Detector&&) noexcept = default;

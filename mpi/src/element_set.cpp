@@ -30,8 +30,8 @@ std::vector<NamedElement> named_elements(std::span<const ElementSet* const> sets
     for (std::size_t e = 0; e < set->elements.size(); ++e)
       all.push_back({set->ids[e], numbered(set->elements[e], set->vertices)});
   std::ranges::sort(all, {}, &NamedElement::id);
-  const auto repeated = std::ranges::unique(all, {}, &NamedElement::id);
-  all.erase(repeated.begin(), repeated.end());
+  const auto has_same_id = [](const NamedElement& a, const NamedElement& b) { return a.id == b.id; };
+  all.erase(std::unique(all.begin(), all.end(), has_same_id), all.end());
   return all;
 }
 
@@ -62,8 +62,7 @@ ElementSet united(std::span<const ElementSet* const> sets) {
   for (const ElementSet* set : sets)
     result.vertices.insert(result.vertices.end(), set->vertices.begin(), set->vertices.end());
   std::ranges::sort(result.vertices, {}, &Vertex::number);
-  const auto repeated = std::ranges::unique(result.vertices, {}, &Vertex::number);
-  result.vertices.erase(repeated.begin(), repeated.end());
+  result.vertices.erase(std::unique(result.vertices.begin(), result.vertices.end()), result.vertices.end());
   for (const NamedElement& element : named_elements(sets)) {
     Corners corners = element.numbers;
     for (Index& corner : corners)

@@ -48,14 +48,15 @@ void validate(const LocalMesh& mesh, const PairFilter& filter) {
   check_groups(filter, mesh.vertices.size());
 }
 
-Index largest_number(const LocalMesh& mesh) {
-  Index largest = -1;
-  const auto see = [&](Index number) { largest = std::max(largest, number); };
+/// The largest number and 1.
+std::uint64_t end_of_numbers(const LocalMesh& mesh) {
+  std::uint64_t end = 0;
+  const auto see = [&](Index number) { end = std::max(end, static_cast<std::uint64_t>(number) + 1); };
   std::ranges::for_each(mesh.vertices, see);
   for (const Face& face : mesh.faces) std::ranges::for_each(face, see);
   for (const Edge& edge : mesh.loose_edges) std::ranges::for_each(edge, see);
   std::ranges::for_each(mesh.loose_points, see);
-  return largest;
+  return end;
 }
 
 class InputPartMaker {
@@ -65,8 +66,7 @@ class InputPartMaker {
 
   InputPart make() {
     together(communicator_, [&] { validate(mesh_, filter_); });
-    part_.vertex_count =
-        static_cast<Index>(communicator_.largest(static_cast<std::uint64_t>(largest_number(mesh_) + 1)));
+    part_.vertex_count = static_cast<Index>(communicator_.largest(end_of_numbers(mesh_)));
     part_.row_count = static_cast<Index>(mesh_.vertices.size());
     together(communicator_, [&] { mention_all(); });
     VertexDirectory directory(communicator_, part_.vertex_count);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 #include <set>
+#include <utility>
 
 #include "mpi/src/sparse_exchange.hpp"
 
@@ -81,7 +82,7 @@ DirectoryAnswer VertexDirectory::look_up(const std::vector<Mention>& mentions) {
   for (const Message& message : exchange(communicator_, sharers.take()))
     std::ranges::copy(all_of<Sharer>(message.bytes), std::back_inserter(answer.sharers));
   std::ranges::sort(answer.entries, {}, &Entry::number);
-  std::ranges::sort(answer.sharers);
+  std::ranges::sort(answer.sharers, {}, [](const Sharer& s) { return std::pair(s.rank, s.number); });
   return answer;
 }
 

@@ -31,8 +31,6 @@ struct Entry {
 struct Sharer {
   int rank;
   Index number;
-
-  friend auto operator<=>(const Sharer&, const Sharer&) = default;
 };
 
 struct DirectoryAnswer {

@@ -66,7 +66,7 @@ class Detector {
   /// of a pair may not: it is asked on any rank, with the numbers of the whole mesh. Keeps a duplicate of the
   /// communicator, which must be freed before MPI is. Throws InvalidMesh and InvalidOptions as `tamis::Detector` does,
   /// InvalidMesh also if no rank gives the position of a vertex that is used.
-  Detector(MPI_Comm communicator, LocalMesh mesh, Options options = {});
+  Detector(MPI_Comm communicator, const LocalMesh& mesh, Options options = {});
   ~Detector();
   Detector(Detector&&) noexcept;
   Detector& operator=(Detector&&) noexcept;

@@ -1,6 +1,24 @@
 #include "cli/arguments.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "cli/components.hpp"
+#include "tamis/error.hpp"
+
 namespace tamis::cli {
+namespace {
+
+void require_one_each(std::size_t radii, Index objects) {
+  if (radii == static_cast<std::size_t>(objects)) return;
+  throw InvalidOptions(fmt::format(
+      "--thickness: {} radii for {} object{} (what vertices connect; 'tamis info' counts them): give one radius for "
+      "all, or one for each, in the order of their first vertices",
+      radii, objects, objects == 1 ? "" : "s"));
+}
+
+}  // namespace
 
 void DetectorArguments::declare(CLI::App& app) {
   app.add_option("--method", method_,
@@ -10,6 +28,10 @@ void DetectorArguments::declare(CLI::App& app) {
   declare_bounding_volume(app, bounding_volume_);
   declare_guarantee(app, guarantee_);
   declare_min_separation(app, min_separation_);
+  add_numbers(app, "--thickness", "R", thickness_, kNotNegative,
+              "a radius for all objects, or one for each; contact then means a distance <= the sum of both radii and "
+              "the minimum separation. An object is what vertices connect ('tamis info' counts them, as components), "
+              "in the order of their first vertices");
   add_number(app, "--threads", "N", threads_, kThreadCounts, "threads to use; 0, the default: all");
   app.add_option("--isa", isa_, "instruction set of the hot loops: best (default), baseline, avx2 or avx512")
       ->type_name("NAME");
@@ -24,6 +46,19 @@ Options DetectorArguments::options() const {
   options.threads = threads_;
   options.min_separation = min_separation_;
   return options;
+}
+
+Detector DetectorArguments::detector(Mesh mesh) const {
+  Options chosen = options();
+  chosen.thickness = thickness_;
+  if (thickness_.size() > 1) {
+    Components objects = components_of(mesh);
+    require_one_each(thickness_.size(), objects.count);
+    for (Index& object : objects.of_vertex) object = std::max(object, Index{0});  // of no use, but in some group
+    chosen.filter.group_of_vertex = std::move(objects.of_vertex);
+    chosen.filter.group_count = objects.count;
+  }
+  return Detector(std::move(mesh), std::move(chosen));
 }
 
 void ScaleArgument::declare(CLI::App& app) {

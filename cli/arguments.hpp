@@ -3,9 +3,10 @@
 #include <CLI/CLI.hpp>
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "cli/number_option.hpp"
-#include "tamis/options.hpp"
+#include "tamis/detector.hpp"
 
 namespace tamis::cli {
 
@@ -17,16 +18,21 @@ inline constexpr NumberRange<int> kRunCounts{1, 1'000'000};
 class DetectorArguments {
  public:
   void declare(CLI::App& app);
-  /// Throws InvalidOptions.
-  Options options() const;
+  /// Before any file is read. Throws InvalidOptions.
+  void check() const { options(); }
+  /// Asks about `mesh` as the options say. Throws InvalidOptions.
+  Detector detector(Mesh mesh) const;
 
  private:
+  Options options() const;
+
   std::string method_ = "tamis";
   std::string guarantee_ = "exact";
   std::string isa_ = "best";
   std::string bounding_volume_ = kDefaultBoundingVolume;
   int threads_ = 0;
   double min_separation_ = 0;
+  std::vector<double> thickness_;  ///< one radius for all objects, or one for each; empty: none
 };
 
 /// `--scale S`: how much of the way from START to END a step goes.

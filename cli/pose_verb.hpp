@@ -25,11 +25,11 @@ class PoseVerb : public Verb {
   virtual const char* what() const = 0;
   /// Options and output are checked before any file is read.
   io::MeshFile read() const {
-    detector_.options();
+    detector_.check();
     require_output(out_, {path_});
     return read_with_notes(path_);
   }
-  Options options() const { return detector_.options(); }
+  Detector detector_for(Mesh mesh) const { return detector_.detector(std::move(mesh)); }
 
   std::string path_, out_;
   int repeat_ = 1;

@@ -56,6 +56,7 @@ void add_costs(Json& json, const Detector& detector, const Timing& timing) {
   json["method"] = name_of(statistics.method);
   json["guarantee"] = name_of(detector.options().guarantee);
   json["min_separation"] = detector.options().min_separation;
+  json["thickness"] = detector.options().thickness;
   json["isa"] = name_of(statistics.isa);
   const Mesh& mesh = detector.mesh();
   json["mesh"] = {

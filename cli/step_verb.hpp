@@ -22,10 +22,10 @@ class StepVerb : public Verb {
  protected:
   /// Options are checked before any file is read.
   StepFiles read() const {
-    detector_.options();
+    detector_.check();
     return read_step(start_, end_, scale_.value());
   }
-  Options options() const { return detector_.options(); }
+  Detector detector_for(Mesh mesh) const { return detector_.detector(std::move(mesh)); }
 
   std::string start_;
   std::string end_;

@@ -33,7 +33,7 @@ class Contacts final : public StepVerb {
   int run() override {
     require_output(out_, {start_, end_});
     StepFiles files = read();
-    Detector detector(std::move(files.mesh), options());
+    Detector detector = detector_for(std::move(files.mesh));
     const Step step = files.step();
     const std::vector<Contact>* contacts = nullptr;
     const Timing timing = ask_repeatedly(detector, repeat_, [&] { contacts = &detector.contacts(step); });

@@ -23,7 +23,7 @@ class Free final : public StepVerb {
 
   int run() override {
     StepFiles files = read();
-    Detector detector(std::move(files.mesh), options());
+    Detector detector = detector_for(std::move(files.mesh));
     const Step step = files.step();
     bool is_free = false;
     const Timing timing = ask_repeatedly(detector, repeat_, [&] { is_free = detector.is_free(step); });

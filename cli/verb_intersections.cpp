@@ -26,7 +26,7 @@ class IntersectionsVerb final : public PoseVerb {
   int run() override {
     io::MeshFile file = read();
     const std::vector<Point> positions = file.positions;
-    Detector detector(io::mesh_of(std::move(file)), options());
+    Detector detector = detector_for(io::mesh_of(std::move(file)));
     const std::vector<Intersection>* found = nullptr;
     const Timing timing = ask_repeatedly(detector, repeat_, [&] { found = &detector.intersections(positions); });
     if (!out_.empty()) io::write_intersections_csv(out_, *found);

@@ -29,7 +29,7 @@ class Near final : public PoseVerb {
   int run() override {
     io::MeshFile file = read();
     const std::vector<Point> positions = file.positions;
-    Detector detector(io::mesh_of(std::move(file)), options());
+    Detector detector = detector_for(io::mesh_of(std::move(file)));
     const std::vector<NearPair>* pairs = nullptr;
     const Timing timing = ask_repeatedly(detector, repeat_, [&] { pairs = &detector.near(positions, distance_); });
     if (!out_.empty()) io::write_near_csv(out_, *pairs);

@@ -39,7 +39,7 @@ class Sequence final : public Verb {
   }
 
   int run() override {
-    const Options options = detector_.options();
+    detector_.check();
     const double scale = scale_.value();
     const MovingFrames frames(names_);
     frames_ = frames.paths();
@@ -47,7 +47,7 @@ class Sequence final : public Verb {
       width_ =
           std::max(width_, static_cast<int>(printable(frame.filename().string()).size() + part_of(substeps_).size()));
     std::vector<Point> start = frames.first().positions;
-    Detector detector(io::mesh_of(frames.first()), options);
+    Detector detector = detector_.detector(io::mesh_of(frames.first()));
     if (!json_) print_head(detector);
     Progress progress(frames_.size() - 1, "steps");
     for (std::size_t i = 1; i < frames_.size(); ++i) {
@@ -121,6 +121,7 @@ class Sequence final : public Verb {
                 {"method", name_of(statistics.method)},
                 {"guarantee", name_of(detector.options().guarantee)},
                 {"min_separation", detector.options().min_separation},
+                {"thickness", detector.options().thickness},
                 {"isa", name_of(statistics.isa)}});
   }
 

@@ -30,7 +30,7 @@ class StepLength final : public StepVerb {
 
   int run() override {
     StepFiles files = read();
-    Detector detector(std::move(files.mesh), options());
+    Detector detector = detector_for(std::move(files.mesh));
     const Step step = files.step();
     if (keep_distance_->count() > 0) return keep_distance(detector, step);
     EarliestContact first;

@@ -57,7 +57,7 @@ class Truncate final : public StepVerb {
   int run() override {
     require_output(out_, {start_, end_});
     StepFiles files = read();
-    Detector detector(std::move(files.mesh), options());
+    Detector detector = detector_for(std::move(files.mesh));
     const Step step = files.step();
     TruncatedStep to;
     const Timing timing = ask_repeatedly(detector, repeat_, [&] { to = detector.truncate(step, fraction_); });

@@ -35,13 +35,13 @@ class View final : public Verb {
   }
 
   int run() override {
-    const Options options = detector_.options();
+    detector_.check();
     const double scale = scale_.value();
     output_for(out_, 1);
     const MovingFrames frames(names_);
     const Output& output = output_for(out_, frames.paths().size() - 1);
     require_output(out_, frames.paths());
-    Detector detector(io::mesh_of(frames.first()), options);
+    Detector detector = detector_.detector(io::mesh_of(frames.first()));
     Recording recording{detector.mesh(), detector.options(), scale, {}, {}, {}};
     record(frames, detector, recording);
     output.write(out_, recording);

@@ -1,5 +1,6 @@
 // What a simulator asks beside contacts, of one step: lists of pairs, what is near, what intersects, how far each
-// vertex may go. tamis_questions START END [REPEAT]: a Markdown table; medians, processor time of one thread, warm.
+// vertex may go. tamis_questions START END [REPEAT], or SCENE TRIANGLES [REPEAT]: a Markdown table; medians, processor
+// time of one thread, warm.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -8,6 +9,7 @@
 #include <string>
 
 #include "io/mesh_file.hpp"
+#include "scenes/scene_list.hpp"
 #include "tamis/detector.hpp"
 
 namespace {
@@ -90,23 +92,43 @@ struct Bench {
   }
 };
 
+/// A frame of the step, and what it is a frame of.
+struct Frames {
+  Mesh mesh;
+  std::vector<Point> start, end;
+};
+
+bool is_scene(const std::string& name) {
+  const auto recipes = scenes::recipes();
+  return std::any_of(recipes.begin(), recipes.end(), [&](const auto& recipe) { return recipe.name == name; });
+}
+
+/// Two files, or a scene and its number of triangles.
+Frames read_frames(const char* first, const char* second) {
+  if (is_scene(first)) {
+    const scenes::Scene scene = scenes::scene_by_name(first, std::atoi(second), 1);
+    return {scene.mesh(), scene.start, scene.end};
+  }
+  io::MeshFile start = io::read_mesh(first);
+  std::vector<Point> positions = start.positions;
+  return {io::mesh_of(std::move(start)), std::move(positions), io::read_mesh(second).positions};
+}
+
 }  // namespace
 
 int main(int count, char** arguments) {
   if (count < 3) {
-    std::fprintf(stderr, "usage: tamis_questions START END [REPEAT]\n");
+    std::fprintf(stderr, "usage: tamis_questions START END [REPEAT], or SCENE TRIANGLES [REPEAT]\n");
     return 2;
   }
-  io::MeshFile first = io::read_mesh(arguments[1]);
-  const std::vector<Point> start = first.positions, end = io::read_mesh(arguments[2]).positions;
+  const Frames frames = read_frames(arguments[1], arguments[2]);
   Options options;
   options.threads = 1;
-  const Mesh mesh = io::mesh_of(std::move(first));
-  const double edge = mean_edge(mesh, start);
-  Bench bench{Detector(mesh, options), {start, end}, std::max(1, count > 3 ? std::atoi(arguments[3]) : 9)};
+  Bench bench{
+      Detector(frames.mesh, options), {frames.start, frames.end}, std::max(1, count > 3 ? std::atoi(arguments[3]) : 9)};
   std::printf("| question | answers | ms |\n|---|--:|--:|\n");
   bench.list_of_pairs();
-  bench.at_rest(edge);
+  bench.at_rest(mean_edge(frames.mesh, frames.start));
   bench.own_steps();
   return 0;
 }

@@ -27,17 +27,21 @@ inline PairVertices in_contact_order(PairKind kind, PairVertices v) {
   return v;
 }
 
+/// Does the filter know groups at all?
+inline bool has_groups(const PairFilter& filter) { return !filter.groups_may_touch.empty(); }
+
+/// May the groups of two vertices? REQUIRES: has_groups.
+inline bool may_touch(const PairFilter& filter, Index a, Index b) {
+  if (filter.group_of_vertex.empty()) return filter.groups_may_touch[0] != 0;
+  const auto group = [&](Index v) {
+    return static_cast<std::size_t>(filter.group_of_vertex[static_cast<std::size_t>(v)]);
+  };
+  return filter.groups_may_touch[group(a) * static_cast<std::size_t>(filter.group_count) + group(b)] != 0;
+}
+
 /// The caller's PairFilter. `v` in contact order.
 inline bool lets_pass(const PairFilter& filter, PairKind kind, const PairVertices& v) {
-  if (!filter.groups_may_touch.empty() && !filter.group_of_vertex.empty()) {
-    const auto group = [&](Index vertex) {
-      return static_cast<std::size_t>(filter.group_of_vertex[static_cast<std::size_t>(vertex)]);
-    };
-    const std::size_t a = group(v[0]), b = group(v[second_feature(kind)]);
-    if (!filter.groups_may_touch[a * static_cast<std::size_t>(filter.group_count) + b]) return false;
-  } else if (!filter.groups_may_touch.empty() && !filter.groups_may_touch[0]) {
-    return false;
-  }
+  if (has_groups(filter) && !may_touch(filter, v[0], v[second_feature(kind)])) return false;
   return !filter.accepts || filter.accepts(kind, v);
 }
 

@@ -28,11 +28,11 @@ Moment<T> fill_up(Moment<T> moment, std::size_t count) {
 }  // namespace
 
 void check_point(Index vertex, double time, const Point& point, double error) {
+  const bool is_finite = std::isfinite(point[0]) && std::isfinite(point[1]) && std::isfinite(point[2]);
+  if (is_finite && error >= 0) return;
   const std::string place = "vertex " + std::to_string(vertex) + " of the path at t = " + std::to_string(time);
-  if (!std::isfinite(point[0]) || !std::isfinite(point[1]) || !std::isfinite(point[2]))
-    throw InvalidPath(place + " is not finite: give finite positions");
-  if (!(error >= 0))
-    throw InvalidPath(place + " has the error " + std::to_string(error) + ": give a bound >= 0 of how far it is off");
+  if (!is_finite) throw InvalidPath(place + " is not finite: give finite positions");
+  throw InvalidPath(place + " has the error " + std::to_string(error) + ": give a bound >= 0 of how far it is off");
 }
 
 void check_stray(Index vertex, double from, double to, double stray) {

@@ -1,5 +1,6 @@
 #include "paths/path_search.hpp"
 
+#include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
@@ -11,6 +12,7 @@
 
 #include "engines/cancellation.hpp"
 #include "paths/decide_path.hpp"
+#include "paths/remembered_path.hpp"
 #include "tamis/error.hpp"
 #include "topology/mean_edge.hpp"
 
@@ -25,6 +27,17 @@ constexpr double kShortestPiece = 0x1p-20;
 constexpr double kShorter = 0.48713;
 
 using PairKey = std::tuple<PairKind, PairVertices>;
+
+/// Ascending, each once.
+std::vector<Index> vertices_of(std::span<const Contact> pairs) {
+  std::vector<Index> vertices;
+  for (const Contact& pair : pairs)
+    std::copy_if(pair.vertices.begin(), pair.vertices.end(), std::back_inserter(vertices),
+                 [](Index v) { return v >= 0; });
+  std::sort(vertices.begin(), vertices.end());
+  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+  return vertices;
+}
 
 }  // namespace
 
@@ -133,10 +146,12 @@ void PathSearch::decide_all(const MeshOnPath& piece, Question question, std::vec
     if (question == Question::is_free && !contacts.empty()) return;
     if (question == Question::earliest && start + pairs[first].toi_lower * length * (1 - 0x1p-40) > latest) return;
     const std::size_t count = std::min(kBatch, pairs.size() - first);
+    const std::vector<Index> used = vertices_of({pairs.data() + first, count});
+    tbb::enumerable_thread_specific<RememberedPath> paths([&] { return RememberedPath(piece.path, used); });
     tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) {
       const Contact& pair = pairs[first + i];
       const double separation = piece.separations.between(pair.kind, pair.vertices);
-      const PathQuestion question_of_pair{piece.path, pair.kind, pair.vertices, {separation, piece.tolerance}};
+      const PathQuestion question_of_pair{paths.local(), pair.kind, pair.vertices, {separation, piece.tolerance}};
       results[i] = result_on_path(question_of_pair, decide_on_path(question_of_pair, piece.time));
     });
     for (std::size_t i = 0; i < count; ++i) {

@@ -82,6 +82,20 @@ TEST_F(OneStep, MinSeparationReachesTheDetector) {
   EXPECT_EQ(folder_.run("free below.obj lower.obj --min-separation 1.9 --json").json()["min_separation"], 1.9);
 }
 
+// Bug: a radius that is not doubled for one object against another, or given to the wrong one.
+TEST_F(OneStep, ThicknessReachesTheDetector) {
+  EXPECT_EQ(folder_.run("free below.obj lower.obj --thickness 0.9").code, 0);
+  EXPECT_EQ(folder_.run("free below.obj lower.obj --thickness 1").code, 1);
+  EXPECT_EQ(folder_.run("free below.obj lower.obj --thickness 0,1.9").code, 0);
+  EXPECT_EQ(folder_.run("free below.obj lower.obj --thickness 1.5,0.5 --min-separation 0").code, 1);
+  const auto json = folder_.run("sequence above.obj below.obj --thickness 0.25,0 --json").json();
+  EXPECT_EQ(json["thickness"], (std::vector<double>{0.25, 0}));
+  EXPECT_NEAR(json["steps"][0]["toi_lower"].get<double>(), 0.25, 1e-9);
+  const Outcome outcome = folder_.run("step above.obj below.obj --thickness 1,2,3");
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_NE(outcome.err.find("--thickness: 3 radii for 2 objects"), std::string::npos) << outcome.err;
+}
+
 TEST_F(OneStep, EveryMethodAndGuaranteeIsKnownByName) {
   for (const char* options : {"--method brute", "--guarantee exact", "--isa baseline"}) {
     const Outcome outcome = folder_.run(std::string("contacts above.obj below.obj --json ") + options);

@@ -27,6 +27,17 @@ TEST_F(PoseVerbs, NearListsPairsWithTheirDistance) {
   EXPECT_NE(folder_.run("near above.obj --distance 1").out.find("1 vertex-face"), std::string::npos);
 }
 
+// Bug: a radius that is taken for another object, or counted once.
+TEST_F(PoseVerbs, ThicknessOfObjectsAddsToTheDistance) {
+  const auto near = [&](const std::string& options) { return folder_.run("near above.obj --json " + options).json(); };
+  EXPECT_EQ(near("--distance 0.5 --thickness 0.25")["near"]["vf"], 1);
+  EXPECT_EQ(near("--distance 0.5 --thickness 0.2")["near"]["vf"], 0);
+  EXPECT_EQ(near("--distance 0 --thickness 0.75,0.25")["near"]["vf"], 1);
+  EXPECT_EQ(near("--distance 0 --thickness 0,1")["near"]["vf"], 1);
+  EXPECT_EQ(near("--distance 0 --thickness 0.5,0.25")["near"]["vf"], 0);
+  EXPECT_EQ(near("--distance 0 --thickness 0.5,0.25")["thickness"], (std::vector<double>{0.5, 0.25}));
+}
+
 // Bug: an exit code that scripts cannot go by.
 TEST_F(PoseVerbs, IntersectionsAnswerByTheirExitCode) {
   EXPECT_EQ(folder_.run("intersections above.obj").code, 0);
@@ -39,9 +50,12 @@ TEST_F(PoseVerbs, IntersectionsAnswerByTheirExitCode) {
 
 // Bug: what cannot be asked is answered.
 TEST_F(PoseVerbs, RefuseWhatTheyCannotAnswer) {
-  for (const char* arguments : {"near above.obj", "near above.obj --distance -1", "near above.obj --distance nan",
-                                "near nowhere.obj --distance 1", "near above.obj --distance 1 --out above.obj",
-                                "intersections nowhere.obj", "intersections above.obj --out above.obj"})
+  for (const char* arguments :
+       {"near above.obj", "near above.obj --distance -1", "near above.obj --distance nan",
+        "near nowhere.obj --distance 1", "near above.obj --distance 1 --out above.obj",
+        "near above.obj --distance 1 --thickness 1,2,3", "near above.obj --distance 1 --thickness 1,",
+        "near above.obj --distance 1 --thickness -1", "intersections nowhere.obj",
+        "intersections above.obj --out above.obj"})
     EXPECT_EQ(folder_.run(arguments).code, 2) << arguments;
 }
 

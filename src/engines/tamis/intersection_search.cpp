@@ -17,21 +17,14 @@ double seconds_since(Clock::time_point start) { return std::chrono::duration<dou
 /// As in the search for contacts.
 constexpr double kPoor = 1.5;
 
-/// A runner meets the faces around its edge's ends there, which is no intersection; otherwise the groups of its edge
-/// and of the face count. The caller's own function is about pairs of other kinds.
+/// The groups of a runner's edge and of the face count. The caller's own function is about pairs of other kinds.
 Options options_of_runners(const Mesh& mesh, const Options& options) {
   Options result = options;
   result.guarantee = Guarantee::exact;
-  PairFilter groups;
-  groups.group_of_vertex = options.filter.group_of_vertex;
-  groups.group_count = options.filter.group_count;
-  groups.groups_may_touch = options.filter.groups_may_touch;
-  result.filter = {};
-  result.filter.accepts = [&mesh, groups](PairKind kind, const std::array<Index, 4>& v) {
-    const Edge& edge = mesh.edges()[static_cast<std::size_t>(v[0] - mesh.vertex_count())];
-    const bool is_adjacent = std::any_of(v.begin() + 1, v.end(), [&](Index c) { return c == edge[0] || c == edge[1]; });
-    return !is_adjacent && lets_pass(groups, kind, {edge[0], v[1], v[2], v[3]});
-  };
+  result.filter.accepts = nullptr;
+  std::vector<Index>& group = result.filter.group_of_vertex;
+  if (!group.empty())
+    for (const Edge& edge : mesh.edges()) group.push_back(group[static_cast<std::size_t>(edge[0])]);
   return result;
 }
 
@@ -42,7 +35,7 @@ IntersectionSearch::IntersectionSearch(const Mesh& mesh, const Options& options)
       options_(options_of_runners(mesh, options)),
       kernels_(kernels(options.isa)),
       found_(options_),
-      pipelines_([this] { return StagePipeline(kernels_, motion_, options_); }) {
+      pipelines_([this] { return StagePipeline(kernels_, motion_, options_, &mesh_); }) {
   runners_.resize(mesh.edges().size());
   std::iota(runners_.begin(), runners_.end(), mesh.vertex_count());
   for (const Index p : mesh.points())

@@ -23,16 +23,16 @@ inline auto kernel_for_slab(const Kernels& kernels, PairKind kind) {
   return slabs[static_cast<std::size_t>(kind)];
 }
 
-/// Keeps the pairs of a buffer for which is_wanted(i).
+/// Keeps the pairs of a buffer for which is_wanted(i). Nothing here waits for a branch.
 template <class F>
 void keep_wanted(PairBuffer& pairs, const F& is_wanted) {
   int kept = 0;
   for (int i = 0; i < pairs.count; ++i) {
-    if (!is_wanted(i)) continue;
+    const bool is_kept = is_wanted(i);
     for (auto& corner : pairs.corner) corner[kept] = corner[i];
     pairs.t_in[kept] = pairs.t_in[i];
     pairs.t_out[kept] = pairs.t_out[i];
-    ++kept;
+    kept += is_kept;
   }
   pairs.count = kept;
 }

@@ -40,8 +40,14 @@ struct StagePipeline::Buffers {
   PairKind kind = PairKind::vertex_face;
 };
 
-StagePipeline::StagePipeline(const Kernels& kernels, const PackedMotion& motion, const Options& options)
-    : kernels_(kernels), motion_(motion), options_(options), buffers_(std::make_unique<Buffers>()), found_(options) {}
+StagePipeline::StagePipeline(const Kernels& kernels, const PackedMotion& motion, const Options& options,
+                             const Mesh* runners)
+    : kernels_(kernels),
+      motion_(motion),
+      options_(options),
+      runners_(runners),
+      buffers_(std::make_unique<Buffers>()),
+      found_(options) {}
 
 StagePipeline::~StagePipeline() = default;
 StagePipeline::StagePipeline(StagePipeline&&) noexcept = default;
@@ -135,10 +141,24 @@ void StagePipeline::decide_within_separation(PairKind kind) {
 void StagePipeline::leave_out_unwanted(PairKind kind) {
   PairBuffer& pairs = buffers_->boxes;
   if (!found_.wants(kind)) pairs.count = 0;
-  if (options_.filter.empty() && !found_.touches_at_start()) return;
+  if (runners_) leave_out_ends(pairs);
+  const PairFilter& filter = options_.filter;
+  if (has_groups(filter))
+    keep_wanted(pairs, [&, second = second_feature(kind)](int i) {
+      return may_touch(filter, pairs.corner[0][i], pairs.corner[second][i]);
+    });
+  if (!filter.accepts && !found_.touches_at_start()) return;
   keep_wanted(pairs, [&](int i) {
     const PairVertices vertices = vertices_of(kind, pairs, i);
-    return found_.wants(kind, vertices) && lets_pass(options_.filter, kind, vertices);
+    return found_.wants(kind, vertices) && (!filter.accepts || filter.accepts(kind, vertices));
+  });
+}
+
+void StagePipeline::leave_out_ends(PairBuffer& pairs) {
+  keep_wanted(pairs, [&](int i) {
+    const Edge& edge = runners_->edges()[static_cast<std::size_t>(pairs.corner[0][i] - runners_->vertex_count())];
+    const auto is_off = [&](Index c) { return (c != edge[0]) & (c != edge[1]); };
+    return is_off(pairs.corner[1][i]) & is_off(pairs.corner[2][i]) & is_off(pairs.corner[3][i]);
   });
 }
 

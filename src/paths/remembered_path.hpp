@@ -1,0 +1,44 @@
+// A path that remembers where some vertices are: pairs that are cut at the same times share what it costs to know a
+// time, such as the poses of turning bodies.
+#pragma once
+#include <vector>
+
+#include "tamis/path.hpp"
+
+namespace tamis {
+
+/// For one thread. Positions are the path's own, bit for bit.
+class RememberedPath final : public Path {
+ public:
+  /// Keeps references. `used`: ascending; others may be asked for, too.
+  RememberedPath(const Path& path, const std::vector<Index>& used) : path_(path), used_(used), times_(kTimes) {}
+
+  Index vertex_count() const override { return path_.vertex_count(); }
+  void points_at(double time, std::span<const Index> vertices, std::span<Point> points,
+                 std::span<double> errors) const override;
+  void fine_points_at(double time, std::span<const Index> vertices, std::span<FinePoint> points) const override {
+    path_.fine_points_at(time, vertices, points);
+  }
+  void strays(double from, double to, std::span<const Index> vertices, std::span<double> strays) const override {
+    path_.strays(from, to, vertices, strays);
+  }
+
+ private:
+  static constexpr std::size_t kTimes = 64;  ///< a power of two
+
+  /// Most times are asked for once: the second time all used vertices are looked at.
+  struct Time {
+    double time = -1;
+    std::vector<Point> points;  ///< of the used vertices; empty after the first time
+    std::vector<double> errors;
+  };
+
+  /// False if a vertex is not a used one.
+  bool copy(const Time& from, std::span<const Index> vertices, std::span<Point> points, std::span<double> errors) const;
+
+  const Path& path_;
+  const std::vector<Index>& used_;
+  mutable std::vector<Time> times_;
+};
+
+}  // namespace tamis

@@ -1,0 +1,75 @@
+// tamis truncate: what it writes is a place to go to.
+#include <gtest/gtest.h>
+
+#include "cli/command.hpp"
+#include "io/mesh_file.hpp"
+
+namespace tamis::test {
+namespace {
+
+class Truncate : public testing::Test {
+ protected:
+  Truncate() {
+    folder_.write_fall();
+    for (const auto& [name, height] : {std::pair("high.obj", 1), std::pair("low.obj", -2)}) {
+      const std::string z = std::to_string(height);
+      folder_.write(name, "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0.2 0.2 " + z + "\nv 0.4 0.2 " + z + "\nv 0.2 0.4 " + z +
+                              "\nf 1 2 3\nf 4 5 6\n");
+    }
+    folder_.write("touching.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0.2 0.5 0\nf 1 2 3\np 4\n");
+  }
+  io::MeshFile written(const std::string& name) const { return io::read_mesh(folder_.path() / name); }
+
+  CommandFolder folder_;
+};
+
+// Bug: positions whose straight way is not free, or that are not the truncated ones.
+TEST_F(Truncate, WritesPositionsThatAStepMayGoTo) {
+  const Outcome outcome = folder_.run("truncate high.obj low.obj --out next.ply --json");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_EQ(outcome.json()["free"], true);
+  double gone = 0;
+  for (const std::size_t v : {3u, 4u, 5u}) {
+    const double height = written("next.ply").positions[v][2];
+    EXPECT_LT(height, 0.1 + 1e-6);  // a tenth of the distance is left when all stop together; then each goes on alone
+    EXPECT_GT(height, 0);
+    gone += (1 - height) / 9;
+  }
+  EXPECT_NEAR(outcome.json()["part_of_way"].get<double>(), gone, 1e-12);
+  EXPECT_EQ(folder_.run("free high.obj next.ply").code, 0);
+  EXPECT_EQ(written("next.ply").faces, written("high.obj").faces);
+}
+
+// Bug: the option is not handed on, or means the part that is gone.
+TEST_F(Truncate, KeepsAFractionOfTheDistanceUntilVerticesGoAlone) {
+  const auto part = [&](const char* options) -> double {
+    return folder_.run(std::string("truncate above.obj below.obj --json ") + options).json()["part_of_way"];
+  };
+  EXPECT_GE(part("--keep-distance 0.5"), 0.5 / 3 - 1e-6);
+  EXPECT_LT(part("--keep-distance 0.9"), part("--keep-distance 0.001"));
+  EXPECT_EQ(part("--scale 0.1"), 1);
+  EXPECT_LE(part("--min-separation 0.5"), 0.5 / 3 + 1e-12);
+  EXPECT_LE(part("--thickness 0.25"), 0.5 / 3 + 1e-12);
+}
+
+// Bug: success is claimed where nothing may move.
+TEST_F(Truncate, SaysByItsExitCodeThatSomethingTouchesAtTheStart) {
+  const Outcome outcome = folder_.run("truncate touching.obj below.obj --out stay.ply");
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_NE(outcome.out.find("something touches there"), std::string::npos) << outcome.out;
+  EXPECT_EQ(written("stay.ply").positions, written("touching.obj").positions);
+  EXPECT_EQ(folder_.run("truncate touching.obj below.obj --json").json()["free"], false);
+}
+
+TEST_F(Truncate, RefusesWhatItCannotAnswer) {
+  for (const char* arguments : {"above.obj below.obj --keep-distance 0", "above.obj below.obj --keep-distance 1",
+                                "above.obj below.obj --keep-distance nan", "above.obj below.obj --out above.obj",
+                                "above.obj absent.obj", "above.obj below.obj --thickness 1,2,3"}) {
+    const Outcome outcome = folder_.run(std::string("truncate ") + arguments);
+    EXPECT_EQ(outcome.code, 2) << arguments;
+    EXPECT_TRUE(outcome.err.starts_with("tamis: ")) << outcome.err;
+  }
+}
+
+}  // namespace
+}  // namespace tamis::test

@@ -1,34 +1,31 @@
 #include "paths/remembered_path.hpp"
 
 #include <algorithm>
-#include <bit>
 
 namespace tamis {
-namespace {
-
-/// The upper bits of a product depend on all bits of the time.
-std::size_t hash_of(double time) {
-  constexpr std::uint64_t kGolden = 0x9e3779b97f4a7c15;
-  return static_cast<std::size_t>((std::bit_cast<std::uint64_t>(time) * kGolden) >> 32);
-}
-
-}  // namespace
 
 void RememberedPath::points_at(double time, std::span<const Index> vertices, std::span<Point> points,
                                std::span<double> errors) const {
-  Time& slot = times_[hash_of(time) % kTimes];
-  if (slot.time != time) {
-    slot.time = time;
-    slot.points.clear();
-  } else {
-    if (slot.points.empty()) {
-      slot.points.resize(used_.size());
-      slot.errors.resize(used_.size());
-      path_.points_at(time, used_, slot.points, slot.errors);
-    }
-    if (copy(slot, vertices, points, errors)) return;
-  }
-  path_.points_at(time, vertices, points, errors);
+  const Time* kept = kept_at(time);
+  if (!kept || !copy(*kept, vertices, points, errors)) path_.points_at(time, vertices, points, errors);
+}
+
+const RememberedPath::Time* RememberedPath::kept_at(double time) const {
+  const auto found = std::find_if(kept_.begin(), kept_.end(), [&](const Time& t) { return t.time == time; });
+  if (found != kept_.end()) return &*found;
+  if (!was_seen(time) || kept_.size() >= kMostKept) return nullptr;
+  Time& now = kept_.emplace_back(Time{time, std::vector<Point>(used_.size()), std::vector<double>(used_.size())});
+  path_.points_at(time, used_, now.points, now.errors);
+  return &now;
+}
+
+bool RememberedPath::was_seen(double time) const {
+  if (std::find(seen_.begin(), seen_.end(), time) != seen_.end()) return true;
+  if (seen_.size() < kMostSeen)
+    seen_.push_back(time);
+  else
+    seen_[oldest_++ % kMostSeen] = time;
+  return false;
 }
 
 bool RememberedPath::copy(const Time& from, std::span<const Index> vertices, std::span<Point> points,

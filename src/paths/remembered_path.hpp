@@ -11,7 +11,7 @@ namespace tamis {
 class RememberedPath final : public Path {
  public:
   /// Keeps references. `used`: ascending; others may be asked for, too.
-  RememberedPath(const Path& path, const std::vector<Index>& used) : path_(path), used_(used), times_(kTimes) {}
+  RememberedPath(const Path& path, const std::vector<Index>& used) : path_(path), used_(used) {}
 
   Index vertex_count() const override { return path_.vertex_count(); }
   void points_at(double time, std::span<const Index> vertices, std::span<Point> points,
@@ -24,21 +24,26 @@ class RememberedPath final : public Path {
   }
 
  private:
-  static constexpr std::size_t kTimes = 64;  ///< a power of two
+  static constexpr std::size_t kMostKept = 32, kMostSeen = 32;
 
-  /// Most times are asked for once: the second time all used vertices are looked at.
   struct Time {
-    double time = -1;
-    std::vector<Point> points;  ///< of the used vertices; empty after the first time
+    double time;
+    std::vector<Point> points;  ///< of the used vertices
     std::vector<double> errors;
   };
 
+  /// Null where the time is asked for for the first time, or there is no more room.
+  const Time* kept_at(double time) const;
+  /// Was it asked for not long ago? Notes that it is now.
+  bool was_seen(double time) const;
   /// False if a vertex is not a used one.
   bool copy(const Time& from, std::span<const Index> vertices, std::span<Point> points, std::span<double> errors) const;
 
   const Path& path_;
   const std::vector<Index>& used_;
-  mutable std::vector<Time> times_;
+  mutable std::vector<Time> kept_;
+  mutable std::vector<double> seen_;  ///< most times are asked for once: only the second time all are looked at
+  mutable std::size_t oldest_ = 0;    ///< of those
 };
 
 }  // namespace tamis

@@ -47,7 +47,8 @@ struct PathOptions {
 /// A vertex against a face that move on a path: p, then the face's corners a b c, by their numbers in the path. As
 /// vertex_face for straight motion: free is proven; a certified contact's bracket is no wider than the tolerance. What
 /// double-double arithmetic cannot decide (a touch without crossing, a crossing exactly on an edge) is an unresolved
-/// contact. Throws InvalidPath where the path breaks its promises or has no such vertex, InvalidOptions.
+/// contact; with a separation doubles have the last word (docs/numerics.md, "Curved motion"). Throws InvalidPath where
+/// the path breaks its promises or has no such vertex, InvalidOptions.
 PairResult vertex_face(const Path& path, const std::array<Index, 4>& vertices, const PathOptions& = {});
 /// Edge (0,1) against edge (2,3); otherwise the same.
 PairResult edge_edge(const Path& path, const std::array<Index, 4>& vertices, const PathOptions& = {});

@@ -59,7 +59,7 @@ StepParts read_step_parts(Communicator& communicator, const std::string& start, 
   const bool all_have = !communicator.any(!parts);
   together(communicator, [&] {
     if (!all_have) parts = read_whole(start, end, block);
-    cli::scale_step(parts->start, parts->end, scale);
+    io::scale_step(parts->start, parts->end, scale);
   });
   return std::move(*parts);
 }

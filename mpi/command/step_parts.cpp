@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "cli/step_files.hpp"
+#include "io/scale_step.hpp"
 #include "mpi/command/ply_part.hpp"
 #include "mpi/src/agreement.hpp"
 

@@ -17,6 +17,15 @@ inline Point cross(const Point& a, const Point& b) {
 }
 inline Point unit(const Point& a) { return (1 / std::sqrt(dot(a, a))) * a; }
 
+/// Of x >= 1, within some units in the last place, and exact for cubes of whole numbers; libraries' differ among machines.
+inline double cube_root(double x) {
+  double root = x;
+  for (double next = (2 * root + x / (root * root)) / 3; next < root; next = (2 * root + x / (root * root)) / 3)
+    root = next;  // Newton's steps fall until rounding stops them
+  const double whole = std::round(root);
+  return whole * whole * whole == x ? whole : root;
+}
+
 /// Rotates `p` about the direction of `axis`; the angle is 2 atan |axis|.
 inline Point rotated(const Point& p, const Point& axis) {
   const double norm = 1 + dot(axis, axis);

@@ -26,7 +26,7 @@ Scene colliding_bodies(Index triangles, std::uint64_t seed) {
   const Index cells = std::max(Index{2}, sphere_cells(triangles, kFewestBodies, kMostCells));
   const Shape sphere = unit_sphere(cells);
   const Index bodies = std::max(Index{2}, triangles / static_cast<Index>(sphere.faces.size()));
-  const Index side = static_cast<Index>(std::ceil(std::cbrt(bodies)));
+  const Index side = static_cast<Index>(std::ceil(cube_root(bodies)));
   const double scale = 1.0 / side;
   const double half = 0.5 * (side - 1);
   const Point middle{half, half, half};

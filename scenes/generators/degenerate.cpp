@@ -28,7 +28,7 @@ Scene degenerate(Index triangles, std::uint64_t seed) {
   Scene scene;
   Random random(seed);
   // A larger box for more triangles keeps the number of contacts of each in bounds.
-  const Index side = static_cast<Index>(2 * std::cbrt(static_cast<double>(triangles)));
+  const Index side = static_cast<Index>(2 * cube_root(static_cast<double>(triangles)));
   for (Index i = 0; static_cast<Index>(scene.faces.size()) < triangles; ++i) {
     const Point centre = random.point_on_lattice(side, kUnit);
     Corners start = lattice_corners(centre, random), end = lattice_corners(centre, random);

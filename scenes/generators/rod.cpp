@@ -10,7 +10,7 @@ Scene rod(Index triangles, std::uint64_t seed) {
   for (Index& group : scene.group_of_vertex) group = 1;
   Random random(seed + 1);
   Point at = random.point_between(0, 1);
-  const double length = 1 / std::cbrt(static_cast<double>(triangles));
+  const double length = 1 / cube_root(static_cast<double>(triangles));
   Index last = -1;
   for (Index i = 0; i < 2 * triangles; ++i) {
     const Index next = scene.add_vertex(at, at + random.point_between(-length / 2, length / 2), 0);

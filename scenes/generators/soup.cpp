@@ -9,7 +9,7 @@
 namespace tamis::scenes {
 
 Scene soup(Index triangles, std::uint64_t seed) {
-  const double distance = 1 / std::cbrt(static_cast<double>(triangles));
+  const double distance = 1 / cube_root(static_cast<double>(triangles));
   Scene scene;
   Random random(seed);
   for (Index i = 0; i < triangles; ++i) {

@@ -36,7 +36,7 @@ Scene stacked_boxes(Index triangles, std::uint64_t seed) {
   const Index cells = sphere_cells(triangles, kFewestBoxes, kMostCells);
   const Shape box = unit_cube(cells);
   const Index boxes = std::max(Index{2}, triangles / static_cast<Index>(box.faces.size()));
-  const Index side = static_cast<Index>(std::cbrt(boxes));  // several layers, however few boxes
+  const Index side = static_cast<Index>(cube_root(boxes));  // several layers, however few boxes
   Scene scene;
   Random random(seed);
   for (Index b = 0; b < boxes; ++b) {

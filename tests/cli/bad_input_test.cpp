@@ -103,7 +103,7 @@ TEST_F(BadInput, NonsenseOptions) {
       {"third.obj", "third.obj"},
   };
   for (const auto& [option, says] : cases) expect_error(std::string("contacts above.obj below.obj ") + option, says);
-  expect_error("contacts above.obj far.obj --scale 10", "--scale 10 takes vertex 3");
+  expect_error("contacts above.obj far.obj --scale 10", "a scale of 10 takes vertex 3");
   for (const char* fraction : {"nan", "-0.1", "1", "much", ""})
     expect_error(std::string("step absent.obj below.obj --keep-distance ") + fraction, "--keep-distance");
   expect_error("contacts above.obj", "END");

@@ -20,7 +20,8 @@ class DetectorArguments {
   void declare(CLI::App& app);
   /// Before any file is read. Throws InvalidOptions.
   void check() const { chosen(); }
-  /// All of them, for a mesh that nobody has as a whole. Throws InvalidOptions; also if objects have radii of their own.
+  /// All of them, for a mesh that nobody has as a whole. Throws InvalidOptions; also if objects have radii of their
+  /// own.
   Options options() const;
   /// Asks about `mesh` as the options say. Throws InvalidOptions.
   Detector detector(Mesh mesh) const;

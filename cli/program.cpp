@@ -19,14 +19,16 @@ int exit_code_of(pid_t child) {
   return WIFEXITED(status) ? WEXITSTATUS(status) : kOfSignals + WTERMSIG(status);
 }
 
-int run(std::vector<std::string> words, bool is_quiet) {
+}  // namespace
+
+int run_quietly(std::vector<std::string> words) {
   std::vector<char*> argv;
   for (std::string& word : words) argv.push_back(word.data());
   argv.push_back(nullptr);
   posix_spawn_file_actions_t streams;
   posix_spawn_file_actions_init(&streams);
   posix_spawn_file_actions_addopen(&streams, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-  if (is_quiet) posix_spawn_file_actions_addopen(&streams, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
+  posix_spawn_file_actions_addopen(&streams, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
   posix_spawn_file_actions_adddup2(&streams, STDERR_FILENO, STDOUT_FILENO);
   // Ignored signals stay ignored in a child unless it is told otherwise; SIGXFSZ is
   // (remove_unfinished_files_on_signals).
@@ -43,11 +45,5 @@ int run(std::vector<std::string> words, bool is_quiet) {
   posix_spawn_file_actions_destroy(&streams);
   return error == 0 ? exit_code_of(child) : kNotStarted;
 }
-
-}  // namespace
-
-int run_program(const std::vector<std::string>& words) { return run(words, false); }
-
-int run_quietly(const std::vector<std::string>& words) { return run(words, true); }
 
 }  // namespace tamis::cli

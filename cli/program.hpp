@@ -8,11 +8,8 @@ namespace tamis::cli {
 inline constexpr int kNotStarted = -1;
 
 /// Runs `words`, the program and its arguments as they are, to its end; a name without a slash is looked for in PATH.
-/// It reads nothing; what it prints goes to stderr. Returns its exit code, 128 and more if a signal ended it,
+/// It reads nothing, and what it prints goes nowhere. Returns its exit code, 128 and more if a signal ended it,
 /// kNotStarted if there is no such program.
-int run_program(const std::vector<std::string>& words);
-
-/// The same, and what it prints goes nowhere.
-int run_quietly(const std::vector<std::string>& words);
+int run_quietly(std::vector<std::string> words);
 
 }  // namespace tamis::cli

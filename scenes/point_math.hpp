@@ -17,7 +17,8 @@ inline Point cross(const Point& a, const Point& b) {
 }
 inline Point unit(const Point& a) { return (1 / std::sqrt(dot(a, a))) * a; }
 
-/// Of x >= 1, within some units in the last place, and exact for cubes of whole numbers; libraries' differ among machines.
+/// Of x >= 1, within some units in the last place, and exact for cubes of whole numbers; libraries' differ among
+/// machines.
 inline double cube_root(double x) {
   double root = x;
   for (double next = (2 * root + x / (root * root)) / 3; next < root; next = (2 * root + x / (root * root)) / 3)

@@ -132,7 +132,7 @@ class TamisEngine final : public Engine, public RestEngine {
 
   void search_sample(const FoundContacts& found, PairKind kind, const TreeView& a, const TreeView& b,
                      const Sample& sample) {
-    constexpr int kGrain = 8;
+    constexpr std::size_t kGrain = 8;
     for_each_part(found, kind, count_in(sample, a.leaf_blocks), kGrain,
                   [&](StagePipeline& pipeline, int begin, int end) {
                     const int first = sample.first + begin * sample.stride, last = sample.first + end * sample.stride;
@@ -143,7 +143,7 @@ class TamisEngine final : public Engine, public RestEngine {
 
   void search_band(const FoundContacts& found, PairKind kind, const TreeView& a, const TreeView& b, const GapBand& band,
                    const Sample& sample) {
-    constexpr int kGrain = 64;
+    constexpr std::size_t kGrain = 64;
     for_each_part(found, kind, count_in(sample, a.leaf_blocks), kGrain,
                   [&](StagePipeline& pipeline, int begin, int end) {
                     std::vector<std::int32_t>& others = pipeline.others();
@@ -158,7 +158,7 @@ class TamisEngine final : public Engine, public RestEngine {
 
   /// f(pipeline of the thread, begin, end) for all parts of 0 to `count`.
   template <class F>
-  void for_each_part(const FoundContacts& found, PairKind kind, int count, int grain, const F& f) {
+  void for_each_part(const FoundContacts& found, PairKind kind, int count, std::size_t grain, const F& f) {
     if (!found.wants(kind)) return;
     tbb::parallel_for(tbb::blocked_range<int>(0, count, grain), [&](const tbb::blocked_range<int>& part) {
       bool is_known = false;

@@ -35,8 +35,10 @@ std::string draw_pictures(const std::filesystem::path& folder) {
   const std::string interpreter = interpreter_with_matplotlib(why);
   if (interpreter.empty()) return why;
   const int code = run_quietly({interpreter, script.string(), folder.string()});
-  // What Python says of a failure are pages: who wants them runs the script.
-  return code == 0 ? "" : fmt::format("{} {} ended with exit code {}", interpreter, script.string(), code);
+  // What Python says of a failure are pages.
+  return code == 0 ? ""
+                   : fmt::format("{} {} ended with exit code {}: run it on '{}' to see why", interpreter,
+                                 script.string(), code, folder.string());
 }
 
 }  // namespace tamis::cli

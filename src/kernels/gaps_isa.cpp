@@ -141,8 +141,7 @@ unsigned near_hulls(const BoxBlock& hulls, const BoxBlock& of, int lane, float r
 }
 
 int unproven(const GapScan& scan, std::int32_t* out) {
-  // What the room of a pair has grown by since: its sizes are larger by at most six times the relative drift.
-  constexpr float kGrown = 1 + 8 * static_cast<float>(error_bounds::kRoomToAdvance);
+  constexpr auto kGrown = static_cast<float>(error_bounds::kDriftWithRoom);
   const DriftLanes own(*scan.own);
   int count = 0;
   for (int first = 0; first < scan.count; first += kFloatLanes) {

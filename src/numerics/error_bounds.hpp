@@ -124,4 +124,8 @@ inline constexpr double kKeptGap = 128;
 // on, and each of its strides is at least 1/16 of this part of the step (docs/numerics.md, "Step lengths").
 inline constexpr double kRoomToAdvance = 0x1p-10;
 
+// A gap outlasts a drift that is so many times smaller: the room has grown, for D + E + F is larger by at most six
+// times the drift; eight are given, and their rest is for rounding (docs/numerics.md, "Remembered gaps").
+inline constexpr double kDriftWithRoom = 1 + 8 * kRoomToAdvance;
+
 }  // namespace tamis::error_bounds

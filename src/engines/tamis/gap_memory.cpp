@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "numerics/error_bounds.hpp"
+
 namespace tamis {
 namespace {
 
@@ -82,8 +84,8 @@ void GapMemory::append_unproven(PairKind kind, int block, const GapBand& band, f
   const bool is_vf = kind == PairKind::vertex_face;
   const BlockDrifts &a = is_vf ? points_ : edges_, &b = is_vf ? faces_ : edges_;
   const GapScan scan{&a.boxes()[static_cast<std::size_t>(block)], b.boxes().data(), scale_, t};
-  // No two blocks have drifted farther against each other than any two vertices.
-  const float used = 1.02f * drift_of_all(t) / scale_;
+  // No two blocks have drifted farther against each other than any two vertices; 2^-20 is for rounding.
+  const float used = static_cast<float>(error_bounds::kDriftWithRoom * (1 + 0x1p-20)) * drift_of_all(t) / scale_;
   (is_vf ? vf_ : ee_)
       .append_unproven(kernels_, block, band.from * reach_, std::min(band.to * reach_, used), scan, others);
   if (others.size() > before) unproven_.fetch_add(others.size() - before, std::memory_order_relaxed);

@@ -28,6 +28,15 @@ FloatLanes gaps_to(const StartBox& one, const BoxBlock& boxes, int first) {
   return largest;
 }
 
+/// The largest extent, along an axis, of one box and each of some of sixteen together, at t=0.
+FloatLanes extents_with(const StartBox& one, const BoxBlock& boxes, int first) {
+  const auto load = [&](const float* lanes) { return FloatLanes::load_aligned(lanes + first); };
+  FloatLanes largest(0.0f);
+  for (int axis = 0; axis < 3; ++axis)
+    largest = max(largest, max(load(boxes.high0[axis]) - one.low[axis], one.high[axis] - load(boxes.low0[axis])));
+  return largest;
+}
+
 /// Bits of the boxes whose gap to one is smaller.
 unsigned nearer_than(float gap, const BoxBlock& boxes, const StartBox& one) {
   unsigned result = 0;
@@ -134,10 +143,18 @@ FloatLanes relative_drift(const DriftLanes& a, const DriftLanes& b, float t) {
 
 }  // namespace
 
-unsigned near_hulls(const BoxBlock& hulls, const BoxBlock& of, int lane, float reach, float* gaps) {
+unsigned near_hulls(const BoxBlock& hulls, const BoxBlock& of, int lane, float reach, HullGaps& found) {
   const StartBox one(of, lane);
-  for (int first = 0; first < kBlock; first += kFloatLanes) gaps_to(one, hulls, first).store_unaligned(gaps + first);
-  return nearer_than(reach, hulls, one);
+  unsigned near = 0;
+  for (int first = 0; first < kBlock; first += kFloatLanes) {
+    const FloatLanes gap = gaps_to(one, hulls, first);
+    const FloatLanes room =
+        FloatLanes(static_cast<float>(error_bounds::kRoomOfBoxes)) * extents_with(one, hulls, first);
+    gap.store_unaligned(found.gap + first);
+    room.store_unaligned(found.room + first);
+    near |= bits(gap - room < FloatLanes(reach)) << first;
+  }
+  return near;
 }
 
 int unproven(const GapScan& scan, std::int32_t* out) {

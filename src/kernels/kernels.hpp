@@ -72,6 +72,12 @@ struct GapQuestion {
   double unit;  ///< the length of one unit of the boxes, in the unit of the vertices
 };
 
+/// How far sixteen boxes are from one: the largest gap along an axis, and the room that every pair within them needs
+/// (error_bounds::kRoomOfBoxes).
+struct HullGaps {
+  float gap[kBlock], room[kBlock];
+};
+
 /// Leaf blocks that lay near one, rising by how far apart they were at least, and what has drifted since.
 struct GapScan {
   const MovingBox* own;     ///< drifts of the one
@@ -105,9 +111,9 @@ struct Kernels {
   /// nearer than `most`; `most` if there are none. Separations are not taken off. `scratch` has room.
   float (*gap_vf)(const GapQuestion& question, int block, int other, float most, PairBuffer& scratch);
   float (*gap_ee)(const GapQuestion& question, int block, int other, float most, PairBuffer& scratch);
-  /// Sixteen gaps at t=0 between boxes and box `lane` of `of`, the largest along an axis; the bits of those below
+  /// Between sixteen boxes and box `lane` of `of`, at t=0; the bits of those whose gap, less the room, is below
   /// `reach`.
-  unsigned (*near_hulls)(const BoxBlock& hulls, const BoxBlock& of, int lane, float reach, float* gaps);
+  unsigned (*near_hulls)(const BoxBlock& hulls, const BoxBlock& of, int lane, float reach, HullGaps& found);
   /// Writes those blocks of a scan that may have drifted by their gap until t, and returns their number; `out` has room
   /// for a block past them.
   int (*unproven)(const GapScan& scan, std::int32_t* out);

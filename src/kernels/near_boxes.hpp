@@ -65,9 +65,8 @@ class NearBoxes {
 
  private:
   static constexpr int kStart = 0, kEnd = 3, kDrift = 6, kHigh = 9;
-  /// error_bounds::kRoomToAdvance for every pair within two boxes: its three sizes are together at most three times the
-  /// largest extent of the two boxes at either end of the step; 4 covers the rounding of all the rest.
-  static constexpr float kRoomOfBoxes = 4 * static_cast<float>(error_bounds::kRoomToAdvance);
+  /// Of the boxes at both ends of the step.
+  static constexpr auto kRoomOfBoxes = static_cast<float>(error_bounds::kRoomOfBoxes);
 
   const NearRule near_;
 };

@@ -124,6 +124,10 @@ inline constexpr double kKeptGap = 128;
 // on, and each of its strides is at least 1/16 of this part of the step (docs/numerics.md, "Step lengths").
 inline constexpr double kRoomToAdvance = 0x1p-10;
 
+// The same of every pair within two boxes, times their largest extent along an axis: the three sizes of a pair are
+// together at most three times that; 4 covers the rounding of all the rest.
+inline constexpr double kRoomOfBoxes = 4 * kRoomToAdvance;
+
 // A gap outlasts a drift that is so many times smaller: the room has grown, for D + E + F is larger by at most six
 // times the drift; eight are given, and their rest is for rounding (docs/numerics.md, "Remembered gaps").
 inline constexpr double kDriftWithRoom = 1 + 8 * kRoomToAdvance;

@@ -119,7 +119,7 @@ int run_gaps(const Kernels& kernels, PairKind kind, const GuardedTree& a, const 
   for (int other = 0; other < question.b.leaf_blocks; ++other) {
     others.push_back(other);
     gaps.push_back(gap_of(question, 0, other, 4.0f, *scratch.data()));
-    float hull_gaps[kBlock];
+    HullGaps hull_gaps;
     EXPECT_NE(kernels.near_hulls(question.b.levels[1][other / kBlock], question.a.levels[1][0], 0, 8.0f, hull_gaps),
               0u);
   }

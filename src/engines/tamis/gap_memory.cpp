@@ -20,6 +20,8 @@ constexpr int kPause = 16;
 /// Making lists takes as long as two or three questions: they are made when so many from one start would have been
 /// served.
 constexpr int kPatience = 2, kWorthwhile = 3;
+/// Lists are made only if what has moved by then leaves this part of their reach.
+constexpr float kHalf = 0.5f;
 
 void copy(const Positions& from, std::span<const Index> used, std::vector<Point>& to) {
   to.resize(static_cast<std::size_t>(from.count()));
@@ -76,7 +78,13 @@ void GapMemory::use_lists() {
 /// How far any two vertices have moved against each other, at most, until t.
 float GapMemory::drift_of_all(float t) const { return RelativeDrift(all_drifts_, all_drifts_).until(t); }
 
-bool GapMemory::covers(float t) const { return drift_of_all(t) < 0.99f * (reach_ * scale_); }
+/// Gaps above this outlast the drift of any two blocks, which is no more than that of any two vertices; 2^-20 is for
+/// rounding.
+float GapMemory::used_up(float t) const {
+  return static_cast<float>(error_bounds::kDriftWithRoom * (1 + 0x1p-20)) * drift_of_all(t);
+}
+
+bool GapMemory::covers(float t) const { return used_up(t) < reach_ * scale_; }
 
 void GapMemory::append_unproven(PairKind kind, int block, const GapBand& band, float t,
                                 std::vector<std::int32_t>& others) {
@@ -84,10 +92,9 @@ void GapMemory::append_unproven(PairKind kind, int block, const GapBand& band, f
   const bool is_vf = kind == PairKind::vertex_face;
   const BlockDrifts &a = is_vf ? points_ : edges_, &b = is_vf ? faces_ : edges_;
   const GapScan scan{&a.boxes()[static_cast<std::size_t>(block)], b.boxes().data(), scale_, t};
-  // No two blocks have drifted farther against each other than any two vertices; 2^-20 is for rounding.
-  const float used = static_cast<float>(error_bounds::kDriftWithRoom * (1 + 0x1p-20)) * drift_of_all(t) / scale_;
   (is_vf ? vf_ : ee_)
-      .append_unproven(kernels_, block, band.from * reach_, std::min(band.to * reach_, used), scan, others);
+      .append_unproven(kernels_, block, band.from * reach_, std::min(band.to * reach_, used_up(t) / scale_), scan,
+                       others);
   if (others.size() > before) unproven_.fetch_add(others.size() - before, std::memory_order_relaxed);
 }
 
@@ -136,7 +143,7 @@ bool GapMemory::follows(const Step& step) {
 void GapMemory::remember(const Step& step, float t) {
   where_ = last_;
   count_drifts(step);
-  if (drift_of_all(t) > 0.5f * reach_now()) return forget();
+  if (drift_of_all(t) > kHalf * reach_now()) return forget();
   use_lists();
   builds_ = trees_.builds();
   unit_ = trees_.motion().frame.scale;

@@ -48,6 +48,7 @@ class GapMemory {
   void remember(const Step& step, float t);
   void count_drifts(const Step& step);
   float drift_of_all(float t) const;
+  float used_up(float t) const;
   void give_up();
   void forget();
 

@@ -7,8 +7,6 @@
 #include <cmath>
 #include <memory>
 
-#include "numerics/error_bounds.hpp"
-
 namespace tamis {
 namespace {
 
@@ -17,28 +15,20 @@ constexpr float kAhead = 8;
 /// And up to this part of the reach, where hardly anything has moved.
 constexpr float kLeast = 1.0f / 32;
 
-/// Calls f(leaf block, gap) for the leaf blocks of `tree` whose hulls at t=0 are within `reach` of one hull, by their
-/// largest gap along an axis.
+/// Calls f(leaf block, gap, room) for the leaf blocks of `tree` whose hulls at t=0 are within `reach` of one hull, as
+/// Kernels::near_hulls has it: a node's gap is no larger than its children's, its room no smaller.
 template <class F>
 void for_each_near(const Kernels& kernels, const TreeView& tree, int level, int node, const BoxBlock& of, int lane,
                    float reach, const F& f) {
-  float gaps[kBlock];
-  unsigned near = kernels.near_hulls(tree.levels[level][node], of, lane, reach, gaps);
+  HullGaps found;
+  unsigned near = kernels.near_hulls(tree.levels[level][node], of, lane, reach, found);
   for (; near; near &= near - 1) {
     const int i = __builtin_ctz(near);
     if (level == 1)
-      f(node * kBlock + i, gaps[i]);
+      f(node * kBlock + i, found.gap[i], found.room[i]);
     else
       for_each_near(kernels, tree, level - 1, node * kBlock + i, of, lane, reach, f);
   }
-}
-
-/// Of two boxes at t=0, along an axis.
-float largest_extent(const BoxBlock& a, int i, const BoxBlock& b, int j) {
-  float extent = 0;
-  for (int axis = 0; axis < 3; ++axis)
-    extent = std::max({extent, a.high0[axis][i] - b.low0[axis][j], b.high0[axis][j] - a.low0[axis][i]});
-  return extent;
 }
 
 }  // namespace
@@ -82,20 +72,18 @@ void NearList::measure(const Making& making, int block, PairBuffer& scratch, Row
   const BoxBlock& hulls = a.levels[1][block / kBlock];
   const int lane = block % kBlock;
   const MovingBox& drifts = making.drifts_a.boxes()[static_cast<std::size_t>(block)];
-  for_each_near(making.kernels, b, b.level_count - 1, 0, hulls, lane, making.reach, [&](int other, float hull_gap) {
-    if (is_self && other < block) return;
-    const float moved =
-        RelativeDrift(drifts, making.drifts_b.boxes()[static_cast<std::size_t>(other)]).until(making.until);
-    // As in kernels/near_boxes.hpp: the three sizes of a pair are together at most three times the largest extent.
-    const float extent = largest_extent(hulls, lane, b.levels[1][other / kBlock], other % kBlock);
-    const float room = 4 * static_cast<float>(error_bounds::kRoomToAdvance) * extent;
-    const float ahead = std::max(kAhead * moved, kLeast * making.reach);
-    const float most = std::min(making.reach, ahead + making.separation + room);
-    // Boxes have half the separation on each side already, features have not.
-    const float by_hulls = hull_gap - room;
-    const float by_features = hull_gap < most ? gap_of_blocks(making.question, block, other, most, scratch) : 0;
-    row.push_back({other, std::max({0.0f, by_hulls, std::min(by_features, most - room) - making.separation})});
-  });
+  for_each_near(
+      making.kernels, b, b.level_count - 1, 0, hulls, lane, making.reach, [&](int other, float gap, float room) {
+        if (is_self && other < block) return;
+        const float moved =
+            RelativeDrift(drifts, making.drifts_b.boxes()[static_cast<std::size_t>(other)]).until(making.until);
+        const float ahead = std::max(kAhead * moved, kLeast * making.reach);
+        const float most = std::min(making.reach, ahead + making.separation + room);
+        // Boxes have half the separation on each side already, features have not.
+        const float by_hulls = gap - room;
+        const float by_features = gap < most ? gap_of_blocks(making.question, block, other, most, scratch) : 0;
+        row.push_back({other, std::max({0.0f, by_hulls, std::min(by_features, most - room) - making.separation})});
+      });
 }
 
 void NearList::append_unproven(const Kernels& kernels, int block, float from, float to, GapScan scan,

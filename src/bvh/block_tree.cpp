@@ -78,8 +78,8 @@ void BlockTree::refit(const PackedMotion& motion, const TreeKernels& kernels) {
 
 void BlockTree::refit_drifts(const PackedMotion& motion, const TreeKernels& kernels) {
   if (drifts_.size() != levels_.size()) {
-    drifts_.assign(levels_.size(), {});
-    for (std::size_t level = 1; level < levels_.size(); ++level) drifts_[level] = empty_blocks(levels_[level].size());
+    drifts_.clear();
+    for (const auto& level : levels_) drifts_.push_back(empty_blocks(level.size()));
   }
   fill(drifts_, motion.drifts, {BoxFrame::kLeastMargin, BoxFrame::kRelativeMargin}, kernels.bound_leaf);
 }
@@ -87,10 +87,8 @@ void BlockTree::refit_drifts(const PackedMotion& motion, const TreeKernels& kern
 void BlockTree::fill(Levels& levels, const std::vector<BoxVertex>& vertices, const BoxMargins& margins,
                      BoundLeaf bound_leaf) const {
   parallel_blocks(corner_blocks_.size(), [&](std::size_t block) {
-    BoxBlock unkept;
     MovingBox hull;
-    bound_leaf(vertices.data(), corner_blocks_[block], corners_, lanes_in_use(block), margins,
-               levels[0].empty() ? unkept : levels[0][block], hull);
+    bound_leaf(vertices.data(), corner_blocks_[block], corners_, lanes_in_use(block), margins, levels[0][block], hull);
     hull.store_to(levels[1][block / kBlock], static_cast<int>(block % kBlock));
   });
   for (std::size_t level = 2; level < levels.size(); ++level)

@@ -16,7 +16,7 @@ namespace tamis {
 struct TreeView {
   static constexpr int kMaxLevels = 9;  ///< 16^8 > 2^31 features
   const BoxBlock* levels[kMaxLevels];   ///< levels[0]: features, levels[k]: hulls of the blocks of levels[k-1]
-  const BoxBlock* drifts[kMaxLevels];   ///< drifts[k], k >= 1: of the vertices in those hulls; null without drifts
+  const BoxBlock* drifts[kMaxLevels];   ///< the same of the drifts of their vertices; null without drifts
   int level_count;
   int leaf_blocks;
   const CornerBlock* corners;
@@ -47,7 +47,7 @@ class BlockTree {
   void build(const PackedMotion& motion, const TreeKernels& kernels);
   /// New boxes in the old order.
   void refit(const PackedMotion& motion, const TreeKernels& kernels);
-  /// Boxes of `motion`'s drifts, for the hulls alone.
+  /// Boxes of `motion`'s drifts.
   void refit_drifts(const PackedMotion& motion, const TreeKernels& kernels);
 
   Index feature_count() const { return static_cast<Index>(vertices_.size() / static_cast<std::size_t>(corners_)); }
@@ -61,7 +61,7 @@ class BlockTree {
   using Levels = std::vector<std::vector<BoxBlock>>;
 
   int lanes_in_use(std::size_t block) const;
-  /// Boxes around `vertices`; those of single features are kept only where `levels` has blocks for them.
+  /// Boxes around `vertices`.
   void fill(Levels& levels, const std::vector<BoxVertex>& vertices, const BoxMargins& margins,
             BoundLeaf bound_leaf) const;
 

@@ -7,6 +7,12 @@
 
 namespace tamis::TAMIS_ISA {
 
+/// Calls f(first) for the batches that make up sixteen lanes.
+template <class F>
+[[gnu::always_inline]] inline void for_sixteen_lanes(const F& f) {
+  for (int first = 0; first < kBlock; first += kFloatLanes) f(first);
+}
+
 /// `count` numbers of each of sixteen boxes, [number][lane]: first the lower ends, then as many upper ends.
 template <int count>
 struct alignas(64) BoundBlock {
@@ -66,9 +72,38 @@ class SweptBoxes {
   float way_[3];  ///< the observer's until t_limit
 };
 
+/// Bounds of boxes that move linearly, x y z at t=0, then at a later time: their lower ends from 0 on, their upper ends
+/// from `kHigh` on.
+template <int kHigh>
+struct EndBounds {
+  template <class Bounds>
+  static void store(const BoxBlock& block, float later, Bounds& bounds) {
+    const FloatLanes t(later), margin(kLaterMargin);
+    for (int axis = 0; axis < 3; ++axis)
+      for_sixteen_lanes([&](int first) {
+        const auto load = [&](const float* lanes) { return FloatLanes::load_aligned(lanes + first); };
+        const auto l0 = load(block.low0[axis]), l1 = load(block.low1[axis]);
+        const auto h0 = load(block.high0[axis]), h1 = load(block.high1[axis]);
+        l0.store_aligned(bounds.at[axis] + first);
+        h0.store_aligned(bounds.at[kHigh + axis] + first);
+        (later < 1 ? l0 + t * (l1 - l0) - margin : l1).store_aligned(bounds.at[3 + axis] + first);
+        (later < 1 ? h0 + t * (h1 - h0) + margin : h1).store_aligned(bounds.at[kHigh + 3 + axis] + first);
+      });
+  }
+
+  /// f(gap at t=0, gap later) of two boxes for both sides of each axis. `a(k)`, `b(k)`: bound k of the boxes in lanes.
+  /// Each is what two points that move linearly are apart.
+  template <class A, class B, class F>
+  [[gnu::always_inline]] static void for_each_side(const A& a, const B& b, const F& f) {
+    for (int axis = 0; axis < 3; ++axis) {
+      f(b(axis) - a(kHigh + axis), b(3 + axis) - a(kHigh + 3 + axis));
+      f(a(axis) - b(kHigh + axis), a(3 + axis) - b(kHigh + 3 + axis));
+    }
+  }
+};
+
 /// Boxes at t=0 and at t_limit. Where the gap between two is open on one side of an axis at both, it is open all the
-/// time between, for it is what two points that move linearly are apart: sharper than what they sweep over, and twice
-/// as much work.
+/// time between: sharper than what they sweep over, and twice as much work.
 class BoxesAtEnds {
  public:
   using Bounds = BoundBlock<12>;  ///< x y z at t=0, then at t_limit
@@ -76,33 +111,21 @@ class BoxesAtEnds {
   BoxesAtEnds(const Search& search, int) : t_limit_(search.t_limit) {}
 
   void bound(const TreeView& tree, int level, int node, Bounds& bounds) const {
-    const BoxBlock& block = tree.levels[level][node];
-    const FloatLanes t(t_limit_), margin(kLaterMargin);
-    for (int axis = 0; axis < 3; ++axis)
-      for (int first = 0; first < kBlock; first += kFloatLanes) {
-        const auto load = [&](const float* lanes) { return FloatLanes::load_aligned(lanes + first); };
-        const auto l0 = load(block.low0[axis]), l1 = load(block.low1[axis]);
-        const auto h0 = load(block.high0[axis]), h1 = load(block.high1[axis]);
-        l0.store_aligned(bounds.at[axis] + first);
-        h0.store_aligned(bounds.at[6 + axis] + first);
-        (t_limit_ < 1 ? l0 + t * (l1 - l0) - margin : l1).store_aligned(bounds.at[3 + axis] + first);
-        (t_limit_ < 1 ? h0 + t * (h1 - h0) + margin : h1).store_aligned(bounds.at[9 + axis] + first);
-      }
+    Ends::store(tree.levels[level][node], t_limit_, bounds);
   }
 
   template <class A, class B>
   [[gnu::always_inline]] auto meet(const A& a, const B& b) const {
-    const auto gap = [&](int axis) {
-      const auto above = [&](int k) { return b(k) - a(6 + k); };
-      const auto below = [&](int k) { return a(k) - b(6 + k); };
-      return max(min(above(axis), above(3 + axis)), min(below(axis), below(3 + axis)));
-    };
-    return max(max(gap(0), gap(1)), gap(2)) <= FloatLanes(0.0f);
+    FloatLanes gap(-kNowhere);
+    Ends::for_each_side(a, b, [&](const auto& at0, const auto& later) { gap = max(gap, min(at0, later)); });
+    return gap <= FloatLanes(0.0f);
   }
 
   float t_limit() const { return t_limit_; }
 
  private:
+  using Ends = EndBounds<6>;
+
   const float t_limit_;
 };
 

@@ -11,12 +11,6 @@ inline void for_each_bit(unsigned mask, const F& f) {
   for (; mask; mask &= mask - 1) f(__builtin_ctz(mask));
 }
 
-/// Calls f(first, count) for the batches that make up sixteen lanes.
-template <class F>
-[[gnu::always_inline]] inline void for_sixteen_lanes(const F& f) {
-  for (int first = 0; first < kBlock; first += kFloatLanes) f(first);
-}
-
 /// Appends first, first + 1, ... for the bits of `mask`, sixteen at most.
 inline void append_bits(unsigned mask, int first, std::int32_t* list, int& count) {
   for_sixteen_lanes([&](int lane) {

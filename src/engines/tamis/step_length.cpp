@@ -4,11 +4,16 @@
 
 #include <algorithm>
 #include <chrono>
+#include <span>
 
 namespace tamis {
 namespace {
 
 using Clock = std::chrono::steady_clock;
+
+/// Where a leaf block meets so many pairs short steps come first, which meet few: a pair that ends one spares the rest.
+constexpr std::uint64_t kMany = 1024;
+constexpr double kShortSteps[] = {0x1p-6, 0x1p-3};
 
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
@@ -29,10 +34,36 @@ SafeStep StepLengthSearch::find(const Step& step, const Separations& separations
   trees_.count_drifts(step, step.start);
   const auto start = Clock::now();
   for (NearPipeline& pipeline : pipelines_) pipeline.begin();
-  for (const Sample& sample : kSamples)
-    trees_.for_each_kind(
-        [&](PairKind kind, const TreeView& a, const TreeView& b) { search_sample(kind, a, b, sample); });
+  search(kSamples[0]);
+  if (meets_many(kSamples[0])) search_short_steps();
+  for (const Sample& sample : std::span(kSamples).subspan(1)) search(sample);
   return collect(statistics, seconds_since(start)).answer(step, fraction, separations);
+}
+
+/// Of the sample, which has been searched.
+bool StepLengthSearch::meets_many(const Sample& sample) const {
+  std::uint64_t pairs = 0, blocks = 0;
+  for (const NearPipeline& pipeline : pipelines_) pairs += pipeline.counts().boxes.vf + pipeline.counts().boxes.ee;
+  trees_.for_each_kind([&](PairKind, const TreeView& a, const TreeView&) {
+    blocks += static_cast<std::uint64_t>(count_in(sample, a.leaf_blocks));
+  });
+  return pairs > kMany * blocks;
+}
+
+/// A pair that ends a short step ends it first of all.
+void StepLengthSearch::search_short_steps() {
+  for (const double until : kShortSteps) {
+    const double earliest = question_.earliest;
+    if (until >= earliest) return;
+    question_.earliest = until;
+    for (const Sample& sample : kSamples) search(sample);
+    if (question_.earliest < until) return;
+    question_.earliest = earliest;
+  }
+}
+
+void StepLengthSearch::search(const Sample& sample) {
+  trees_.for_each_kind([&](PairKind kind, const TreeView& a, const TreeView& b) { search_sample(kind, a, b, sample); });
 }
 
 void StepLengthSearch::search_sample(PairKind kind, const TreeView& a, const TreeView& b, const Sample& sample) {

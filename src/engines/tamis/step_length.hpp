@@ -26,6 +26,9 @@ class StepLengthSearch {
   std::uint64_t memory_bytes() const;
 
  private:
+  void search(const Sample& sample);
+  bool meets_many(const Sample& sample) const;
+  void search_short_steps();
   void search_sample(PairKind kind, const TreeView& a, const TreeView& b, const Sample& sample);
   StepLimit collect(Statistics& statistics, double seconds);
 

@@ -31,6 +31,13 @@ void BlockTree::set_features(std::span<const Index> points) {
   vertices_ = points;
 }
 
+void BlockTree::set_groups(std::span<const Index> group_of_vertex, std::span<const std::uint8_t> may_touch,
+                           Index group_count) {
+  group_of_vertex_ = group_of_vertex;
+  groups_.may_touch = group_of_vertex.empty() || may_touch.empty() ? nullptr : may_touch.data();
+  groups_.group_count = group_count;
+}
+
 void BlockTree::build(const PackedMotion& motion, const TreeKernels& kernels) {
   levels_.clear();
   drifts_.clear();
@@ -40,7 +47,28 @@ void BlockTree::build(const PackedMotion& motion, const TreeKernels& kernels) {
   }
   corner_blocks_.resize(levels_[0].size());
   choose_order(motion, kernels.split);
+  if (groups_.may_touch) group_blocks();
   refit(motion, kernels);
+}
+
+void BlockTree::group_blocks() {
+  group_of_block_.assign(levels_.size(), {});
+  // Empty lanes repeat a feature that there is.
+  const auto group_of_feature = [&](std::size_t block, int lane) {
+    return group_of_vertex_[static_cast<std::size_t>(corner_blocks_[block].vertex[0][lane])];
+  };
+  for (std::size_t level = 0; level < levels_.size(); ++level) {
+    std::vector<Index>& groups = group_of_block_[level];
+    const std::size_t below = level == 0 ? corner_blocks_.size() * kBlock : group_of_block_[level - 1].size();
+    for (std::size_t child = 0; child < below; ++child) {
+      const Index group = level == 0 ? group_of_feature(child / kBlock, static_cast<int>(child % kBlock))
+                                     : group_of_block_[level - 1][child];
+      if (child % kBlock == 0)
+        groups.push_back(group);
+      else if (groups.back() != group)
+        groups.back() = BlockGroups::kMixed;
+    }
+  }
 }
 
 void BlockTree::choose_order(const PackedMotion& motion, Split split) {
@@ -111,6 +139,9 @@ TreeView BlockTree::view() const {
   for (const auto& level : levels_) view.levels[view.level_count++] = level.data();
   view.leaf_blocks = static_cast<int>(corner_blocks_.size());
   view.corners = corner_blocks_.data();
+  view.groups = groups_;
+  for (std::size_t level = 0; level < group_of_block_.size(); ++level)
+    view.groups.of[level] = group_of_block_[level].data();
   return view;
 }
 

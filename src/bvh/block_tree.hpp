@@ -12,15 +12,35 @@
 
 namespace tamis {
 
+/// 16^8 > 2^31 features.
+inline constexpr int kMaxLevels = 9;
+
+/// Which blocks hold features of one group alone, and which groups may touch.
+struct BlockGroups {
+  const Index* of[kMaxLevels];    ///< of[k]: the group of each block of levels[k], kMixed if there are several
+  const std::uint8_t* may_touch;  ///< group_count x group_count, symmetric, row-major; null: all may
+  Index group_count;
+
+  static constexpr Index kMixed = -1;
+};
+
 /// What the kernels see of a tree.
 struct TreeView {
-  static constexpr int kMaxLevels = 9;  ///< 16^8 > 2^31 features
-  const BoxBlock* levels[kMaxLevels];   ///< levels[0]: features, levels[k]: hulls of the blocks of levels[k-1]
-  const BoxBlock* drifts[kMaxLevels];   ///< the same of the drifts of their vertices; null without drifts
+  const BoxBlock* levels[kMaxLevels];  ///< levels[0]: features, levels[k]: hulls of the blocks of levels[k-1]
+  const BoxBlock* drifts[kMaxLevels];  ///< the same of the drifts of their vertices; null without drifts
   int level_count;
   int leaf_blocks;
   const CornerBlock* corners;
+  BlockGroups groups;
 };
+
+/// No feature of leaf block `block` of a may touch any of block `other` of level `level` of b, by their groups.
+[[gnu::always_inline]] inline bool are_kept_apart(const TreeView& a, int block, const TreeView& b, int level,
+                                                  int other) {
+  if (!a.groups.may_touch) return false;
+  const Index mine = a.groups.of[0][block], theirs = b.groups.of[level][other];
+  return mine >= 0 && theirs >= 0 && a.groups.may_touch[mine * a.groups.group_count + theirs] == 0;
+}
 
 /// Boxes of the features of a leaf block, `corners` vertices each, of which the first `in_use` lanes hold some; `hull`
 /// is made to include them. One of the kernels.
@@ -43,6 +63,9 @@ class BlockTree {
     vertices_ = features.empty() ? std::span<const Index>() : std::span(features[0].data(), corners * features.size());
   }
 
+  /// Of the features' first vertices, as PairFilter has them; both empty, or spans that outlive the tree.
+  void set_groups(std::span<const Index> group_of_vertex, std::span<const std::uint8_t> may_touch, Index group_count);
+
   /// Chooses the order from where the features are halfway through the step, then refits.
   void build(const PackedMotion& motion, const TreeKernels& kernels);
   /// New boxes in the old order.
@@ -58,6 +81,7 @@ class BlockTree {
 
  private:
   void choose_order(const PackedMotion& motion, Split split);
+  void group_blocks();
   using Levels = std::vector<std::vector<BoxBlock>>;
 
   int lanes_in_use(std::size_t block) const;
@@ -69,6 +93,9 @@ class BlockTree {
   std::span<const Index> vertices_;
   std::vector<CornerBlock> corner_blocks_;
   Levels levels_, drifts_;
+  std::span<const Index> group_of_vertex_;
+  BlockGroups groups_{};
+  std::vector<std::vector<Index>> group_of_block_;  ///< as BlockGroups::of
 };
 
 }  // namespace tamis

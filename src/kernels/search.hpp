@@ -70,11 +70,21 @@ class BlockSearch {
       if (first >= kBlock) return;
       if (first > 0) mask &= ~0u << first;
     }
+    if (search_.a.groups.may_touch) mask = without_kept_apart(mask, level, node);
     if (level > 1) return for_each_bit(mask, [&](int child) { visit(level - 1, node * kBlock + child); });
     int place = leaf_count_;
     append_bits(mask, node * kBlock, leaves_, leaf_count_);
     for_each_bit(mask, [&](int child) { copy_lane(hulls, child, hulls_[place++]); });
     if (leaf_count_ > kMostLeaves - kBlock) match_leaves();
+  }
+
+  /// Of the bits of a node's children, those that may touch by their groups.
+  unsigned without_kept_apart(unsigned mask, int level, int node) const {
+    unsigned rest = mask;
+    for_each_bit(mask, [&](int child) {
+      if (are_kept_apart(search_.a, block_, search_.b, level - 1, node * kBlock + child)) rest &= ~(1u << child);
+    });
+    return rest;
   }
 
   void visit_others() {

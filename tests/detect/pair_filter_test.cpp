@@ -101,6 +101,26 @@ TEST_P(PairFilters, AQuestionThatACallbackInterruptsLeavesNothingBehind) {
   }
 }
 
+// Catches a question that forms pairs of groups that may not touch, only to drop them one by one.
+TEST(PairFilterBlocks, WholeBlocksAreLeftOut) {
+  const Scene scene = scenes::scene_by_name("touching-spheres", 20000, 1);
+  const auto nodes_of = [&](const PairFilter& filter) {
+    Options options;
+    options.filter = filter;
+    Detector detector(scene.mesh(), options);
+    std::vector<std::uint64_t> nodes;
+    detector.contacts(scene.step());
+    nodes.push_back(detector.statistics().nodes_visited);
+    (void)detector.keep_distance(scene.step(), 0.1);
+    nodes.push_back(detector.statistics().nodes_visited);
+    detector.near(scene.step().start, 1e-3);
+    nodes.push_back(detector.statistics().nodes_visited);
+    return nodes;
+  };
+  const auto all = nodes_of({}), others = nodes_of(PairFilter::no_self_contact(scene.group_of_vertex));
+  for (std::size_t question = 0; question < all.size(); ++question) EXPECT_LT(others[question], all[question]);
+}
+
 INSTANTIATE_TEST_SUITE_P(Methods, PairFilters, testing::ValuesIn(kMethods),
                          [](const testing::TestParamInfo<Method>& method) { return test_name(name_of(method.param)); });
 

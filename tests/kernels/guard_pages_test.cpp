@@ -52,10 +52,10 @@ class GuardedTree {
     for (int level = 0; level < view_.level_count; ++level) {
       levels_.emplace_back(std::span(view_.levels[level], blocks), guard);
       view_.levels[level] = levels_.back().data();
-      if (level > 0) {
-        drifts_.emplace_back(std::span(view_.drifts[level], blocks), guard);
-        view_.drifts[level] = drifts_.back().data();
-      }
+      drifts_.emplace_back(std::span(view_.drifts[level], blocks), guard);
+      view_.drifts[level] = drifts_.back().data();
+      groups_.emplace_back(std::span(view_.groups.of[level], blocks), guard);
+      view_.groups.of[level] = groups_.back().data();
       blocks = (blocks + kBlock - 1) / kBlock;
     }
   }
@@ -65,6 +65,7 @@ class GuardedTree {
   TreeView view_;
   std::unique_ptr<Guarded<CornerBlock>> corners_;
   std::deque<Guarded<BoxBlock>> levels_, drifts_;
+  std::deque<Guarded<Index>> groups_;
 };
 
 /// Pairs that the kernels leave after search, clip, filters and roots.
@@ -182,7 +183,12 @@ TEST_P(GuardPages, NoKernelReadsOrWritesOutsideItsArrays) {
     edges.set_features(std::span<const Edge>(soup.edges));
     faces.set_features(std::span<const Face>(soup.faces));
     motion.assign_drifts({soup.start, soup.end}, soup.start, soup.points);
+    // Groups that may all touch: they are read, and change nothing.
+    std::vector<Index> group_of_vertex;
+    for (const Index v : soup.points) group_of_vertex.push_back(v / 3 % 2);
+    const std::vector<std::uint8_t> may_touch(4, 1);
     for (BlockTree* tree : {&points, &edges, &faces}) {
+      tree->set_groups(group_of_vertex, may_touch, 2);
       tree->build(motion, kernels->trees);
       tree->refit_drifts(motion, kernels->trees);
     }

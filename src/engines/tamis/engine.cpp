@@ -38,7 +38,7 @@ class TamisEngine final : public Engine, public RestEngine {
   TamisEngine(const Mesh& mesh, const Options& options)
       : mesh_(mesh),
         kernels_(kernels(options.isa)),
-        trees_(mesh, kernels_),
+        trees_(mesh, kernels_, options.filter),
         memory_(mesh, kernels_, trees_),
         pipelines_([this, &options] { return StagePipeline(kernels_, trees_.motion(), options); }),
         near_(mesh, options, kernels_, trees_) {}

@@ -15,7 +15,10 @@ constexpr double kPoor = 1.5;
 
 }  // namespace
 
-FeatureTrees::FeatureTrees(const Mesh& mesh, const Kernels& kernels) : mesh_(mesh), kernels_(kernels), loose_(mesh) {
+FeatureTrees::FeatureTrees(const Mesh& mesh, const Kernels& kernels, const PairFilter& filter)
+    : mesh_(mesh), kernels_(kernels), loose_(mesh) {
+  for (BlockTree* tree : {&points_, &edges_, &faces_, &loose_points_, &loose_edges_})
+    tree->set_groups(filter.group_of_vertex, filter.groups_may_touch, filter.group_count);
   points_.set_features(mesh.points());
   edges_.set_features(mesh.edges());
   faces_.set_features(mesh.faces());

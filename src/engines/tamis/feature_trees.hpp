@@ -2,6 +2,7 @@
 #pragma once
 #include "bvh/block_tree.hpp"
 #include "kernels/kernels.hpp"
+#include "tamis/options.hpp"
 #include "tamis/statistics.hpp"
 #include "topology/loose_features.hpp"
 
@@ -10,8 +11,8 @@ namespace tamis {
 /// Kept from question to question.
 class FeatureTrees {
  public:
-  /// Keeps a reference: the mesh must outlive it.
-  FeatureTrees(const Mesh& mesh, const Kernels& kernels);
+  /// Keeps references: mesh and filter must outlive it.
+  FeatureTrees(const Mesh& mesh, const Kernels& kernels, const PairFilter& filter);
   FeatureTrees(const FeatureTrees&) = delete;
   FeatureTrees& operator=(const FeatureTrees&) = delete;
 

@@ -74,7 +74,7 @@ void NearList::measure(const Making& making, int block, PairBuffer& scratch, Row
   const MovingBox& drifts = making.drifts_a.boxes()[static_cast<std::size_t>(block)];
   for_each_near(
       making.kernels, b, b.level_count - 1, 0, hulls, lane, making.reach, [&](int other, float gap, float room) {
-        if (is_self && other < block) return;
+        if ((is_self && other < block) || are_kept_apart(a, block, b, 0, other)) return;
         const float moved =
             RelativeDrift(drifts, making.drifts_b.boxes()[static_cast<std::size_t>(other)]).until(making.until);
         const float ahead = std::max(kAhead * moved, kLeast * making.reach);

@@ -22,7 +22,7 @@ double seconds_since(Clock::time_point start) { return std::chrono::duration<dou
 StepLengthSearch::StepLengthSearch(const Mesh& mesh, const Options& options)
     : options_(options),
       kernels_(kernels(options.isa)),
-      trees_(mesh, kernels_),
+      trees_(mesh, kernels_, options.filter),
       pipelines_([this] { return NearPipeline(kernels_, trees_.motion(), options_, question_); }) {}
 
 SafeStep StepLengthSearch::find(const Step& step, const Separations& separations, double fraction,

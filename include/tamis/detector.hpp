@@ -73,7 +73,7 @@ class Detector {
 
   /// A step for each vertex, so that one near pair does not stop all: all go together as far as keep_distance(step,
   /// fraction) lets them, from there each on its own side of planes between the features that it could reach. Beyond
-  /// `together` no vertex goes farther than half the mean edge, so as to bound the number of such pairs. Throws
+  /// `together` no vertex goes farther than a quarter of the mean edge, so as to bound the number of such pairs. Throws
   /// InvalidOptions unless 0 < fraction < 1.
   VertexSteps vertex_steps(const Step& step, double fraction = 0.1, std::optional<double> min_separation = {});
   /// The positions to go to, as doubles, by vertex_steps: each vertex on its own line towards its end, none less far

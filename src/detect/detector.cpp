@@ -119,7 +119,7 @@ struct Detector::State {
     const auto start = std::chrono::steady_clock::now();
     VertexSteps steps{keep_distance(step, separations, fraction).lower, {}};
     measure([&] {
-      steps.until = tamis::vertex_steps(mesh, *engine, found, {step, separations, steps.together}, statistics);
+      steps.until = tamis::vertex_steps(mesh, at_rest(), near, {step, separations, steps.together}, statistics);
     });
     statistics.seconds.total = seconds_since(start);
     return steps;

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "motion/pair_kinds.hpp"
 #include "numerics/interval.hpp"
 #include "numerics/vec.hpp"
-#include "solve/closest.hpp"
 #include "topology/mean_edge.hpp"
 
 namespace tamis {
@@ -17,7 +17,7 @@ using IntervalVec = Vec3<Interval>;
 
 /// Beyond the place up to which all go together no vertex goes farther than this many mean edges: pairs within reach of
 /// each other would be too many.
-constexpr double kFarthestInEdges = 0.5;
+constexpr double kFarthestInEdges = 0.25;
 /// Room on either side of a plane for whoever rounds positions to doubles: of the largest coordinate.
 constexpr double kRounding = 0x1p-50;
 
@@ -39,13 +39,15 @@ class PlanarTruncation {
     for (const Index v : mesh.points()) begin(v, farthest);
   }
 
-  /// A step without motion: which pairs are within reach?
-  Step standing() const { return {positions_, positions_}; }
+  /// At rest there, which pairs are within reach?
+  Positions positions() const { return positions_; }
   Separations reach() const { return {separations_.fixed, radii_}; }
 
   /// Keeps the features of a pair on either side of a plane.
-  void keep_apart(PairKind kind, const PairVertices& v) {
-    const Plane plane = plane_between(kind, v);
+  void keep_apart(const NearPair& pair) {
+    const auto& v = pair.vertices;
+    const PairKind kind = pair.kind;
+    const Plane plane = plane_between(pair);
     const std::size_t second = second_feature(kind), count = vertex_count(kind);
     std::array<double, 4> until{};
     bool is_proven = true;
@@ -69,6 +71,7 @@ class PlanarTruncation {
     double first_level, second_level;
   };
 
+  Vec placed(Index v) const { return vec(positions_[static_cast<std::size_t>(v)].data()); }
   Vec displacement(Index v) const { return vec(step_.end[v]) - vec(step_.start[v]); }
 
   void begin(Index index, double farthest) {
@@ -86,22 +89,14 @@ class PlanarTruncation {
 
   /// Across the gap of the closest points; where in it, by the speeds at which the two features come nearer. Rounded:
   /// proven by stays_below.
-  Plane plane_between(PairKind kind, const PairVertices& v) const {
+  Plane plane_between(const NearPair& pair) const {
     constexpr double kLeastPart = 0.125;
-    const auto at = [&](int i) {
-      return vec(positions_[static_cast<std::size_t>(v[static_cast<std::size_t>(i)])].data());
-    };
-    const auto difference = [&](VertexDifference d) { return at(d.to) - at(d.from); };
-    const SpanningVectors vectors = spanning_vectors(kind);
-    const Vec gap = closest_points(kind, difference(vectors.e), difference(vectors.f), difference(vectors.d)).gap;
-    // Of vertex-face, vertex-edge and vertex-vertex the gap leads to the vertex, which is the first feature.
-    const Vec towards = kind == PairKind::edge_edge ? gap : -gap;
-    const double length = std::sqrt(dot(towards, towards));
-    if (!(length > 0)) return {{0, 0, 0}, 0, 0};
-    const Vec n = (1 / length) * towards;
+    const auto& [kind, v] = std::tie(pair.kind, pair.vertices);
+    const Vec n = -vec(pair.direction.data());
+    if (!(dot(n, n) > 0)) return {{0, 0, 0}, 0, 0};
     double below = -HUGE_VAL, above = HUGE_VAL, first_speed = 0, second_speed = 0;
     for (std::size_t i = 0; i < vertex_count(kind); ++i) {
-      const double place = dot(n, at(static_cast<int>(i))), speed = dot(n, displacement(v[i]));
+      const double place = dot(n, placed(v[i])), speed = dot(n, displacement(v[i]));
       if (i < second_feature(kind)) {
         below = std::max(below, place);
         first_speed = std::max(first_speed, speed);
@@ -123,16 +118,25 @@ class PlanarTruncation {
     const IntervalVec normal{Interval(n.x), Interval(n.y), Interval(n.z)};
     const double size = std::max(largest(step_.start[index]), largest(step_.end[index]));
     // Levels of a pair lie its separation apart along n, whose length is 1 within 2^-50.
+    const double own = until_[static_cast<std::size_t>(index)];
+    if (is_far_below(index, n, level, size)) return own;
     const Interval margin(kRounding * size + 0x1p-48 * std::fabs(level) + 0x1p-1000);
     const Interval start = dot(normal, enclosed(step_.start[index]));
     const Interval speed = dot(normal, enclosed(step_.end[index]) - enclosed(step_.start[index]));
     const Interval limit = Interval(level) - margin;
     const auto is_below_at = [&](double t) { return start + Interval(t) * speed < limit; };
     if (!is_below_at(time_)) return -1;
-    const double own = until_[static_cast<std::size_t>(index)];
     if (is_below_at(own)) return own;
     const double until = std::min(((limit - start) / speed).lower, own);
     return until > time_ && is_below_at(until) ? until : time_;
+  }
+
+  /// By so much that doubles, off by less than 2^-46 of the largest coordinate and of the level, prove it: of most.
+  bool is_far_below(Index index, const Vec& n, double level, double size) const {
+    const double own = until_[static_cast<std::size_t>(index)];
+    const double start = dot(n, vec(step_.start[index])), end = dot(n, vec(step_.end[index]));
+    const double limit = level - 0x1p-40 * (size + std::fabs(level)) - 0x1p-1000;
+    return (1 - time_) * start + time_ * end < limit && (1 - own) * start + own * end < limit;
   }
 
   const Step& step_;
@@ -145,14 +149,13 @@ class PlanarTruncation {
 
 }  // namespace
 
-std::vector<double> vertex_steps(const Mesh& mesh, Engine& engine, FoundContacts& found, const TogetherUntil& together,
-                                 Statistics& statistics) {
+std::vector<double> vertex_steps(const Mesh& mesh, RestEngine& engine, std::vector<NearPair>& near,
+                                 const TogetherUntil& together, Statistics& statistics) {
   if (together.time >= 1) return std::vector<double>(static_cast<std::size_t>(mesh.vertex_count()), 1);
   PlanarTruncation steps(mesh, together);
-  found.begin(steps.standing(), steps.reach(), Question::all_contacts);
-  engine.find(found, statistics);
-  for (const Contact& c : found.contacts()) steps.keep_apart(c.kind, c.vertices);
-  found.contacts().clear();
+  engine.find_near(steps.positions(), steps.reach(), near, statistics);
+  for (const NearPair& pair : near) steps.keep_apart(pair);
+  near.clear();
   return steps.take();
 }
 

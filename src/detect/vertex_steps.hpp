@@ -3,7 +3,8 @@
 #pragma once
 #include <vector>
 
-#include "engines/engine.hpp"
+#include "engines/rest_engine.hpp"
+#include "tamis/mesh.hpp"
 
 namespace tamis {
 
@@ -16,7 +17,8 @@ struct TogetherUntil {
 
 /// For each vertex of the mesh a time in [time, 1]: whatever times from `time` up to their own the vertices are at, no
 /// pair comes into contact; proven. REQUIRES: a validated step; runs in the caller's oneTBB arena.
-std::vector<double> vertex_steps(const Mesh& mesh, Engine& engine, FoundContacts& found, const TogetherUntil& together,
-                                 Statistics& statistics);
+/// `near` is scratch.
+std::vector<double> vertex_steps(const Mesh& mesh, RestEngine& engine, std::vector<NearPair>& near,
+                                 const TogetherUntil& together, Statistics& statistics);
 
 }  // namespace tamis

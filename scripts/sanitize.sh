@@ -7,7 +7,7 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-# build/tsan-tbb/tbb: oneTBB under the thread sanitizer. Nothing installed here is changed.
+# build/tsan-tbb/installed: oneTBB under the thread sanitizer. Nothing installed here is changed.
 build_tbb() {
   local folder=$PWD/build/tsan-tbb
   [[ -e $folder/complete ]] && return
@@ -21,8 +21,9 @@ build_tbb() {
   "${apt[@]}" update
   (cd "$folder/source" && "${apt[@]}" source --download-only onetbb && tar -xf ./*.orig.tar.* --strip-components=1)
   cmake -S "$folder/source" -B "$folder/tbb" -G Ninja -DCMAKE_BUILD_TYPE=RelWithDebInfo -DTBB_SANITIZE=thread \
-    -DTBB_TEST=OFF -DTBB_STRICT=OFF -DTBBMALLOC_BUILD=OFF
-  cmake --build "$folder/tbb" --target tbb
+    -DTBB_TEST=OFF -DTBB_STRICT=OFF -DTBBMALLOC_BUILD=OFF -DTBB_DISABLE_HWLOC_AUTOMATIC_SEARCH=ON
+  cmake --build "$folder/tbb"
+  cmake --install "$folder/tbb" --prefix "$folder/installed"
   touch "$folder/complete"
 }
 
@@ -30,7 +31,7 @@ kind=${1:-}
 shift || true
 case $kind in
   address) preset=asan options=() ;;
-  thread) preset=tsan options=("-DTBB_DIR=$PWD/build/tsan-tbb/tbb") ;;
+  thread) preset=tsan options=("-DTBB_DIR=$PWD/build/tsan-tbb/installed/lib/cmake/TBB") ;;
   *) echo "sanitize.sh: say address or thread" >&2; exit 2 ;;
 esac
 scripts/setup.sh --tests

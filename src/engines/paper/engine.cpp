@@ -8,21 +8,17 @@
 #include <tbb/parallel_for_each.h>
 
 #include <algorithm>
-#include <chrono>
 #include <tuple>
 
 #include "engines/paper/hierarchy.hpp"
 #include "engines/paper/patch_culling.hpp"
 #include "engines/paper/tester.hpp"
+#include "engines/stopwatch.hpp"
 #include "topology/orphan_sets.hpp"
 #include "topology/surface.hpp"
 
 namespace tamis {
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
 std::vector<FilterStage> stages_by_name(const std::vector<std::string>& names) {
   std::vector<FilterStage> stages;
@@ -50,11 +46,11 @@ class PaperEngine final : public Engine {
   void find(FoundContacts& found, Statistics& statistics) override {
     scene_.answer = &found;
     update_bounds(statistics);
-    const auto start = Clock::now();
+    const Stopwatch watch;
     for (PaperTester& tester : testers_) tester.begin();
     std::visit([&](const auto& hierarchy) { visit_all(hierarchy.traversal(free_within()), found.question()); },
                hierarchy_);
-    collect(found, statistics, seconds_since(start));
+    collect(found, statistics, watch.seconds());
   }
 
   std::uint64_t memory_bytes() const override {
@@ -68,7 +64,7 @@ class PaperEngine final : public Engine {
 
  private:
   void update_bounds(Statistics& statistics) {
-    auto start = Clock::now();
+    Stopwatch watch;
     if (scene_.triangles.empty()) collect_topology();
     scene_.points.update(scene_.mesh, scene_.answer->step());
     // Each of two features takes half of the fixed separation and the largest radius there is; the factor covers its
@@ -77,8 +73,7 @@ class PaperEngine final : public Engine {
     const double scale = scene_.points.scale();
     const double padding = (0.5 * (separations.fixed * scale) + separations.largest_radius() * scale) * (1 + 0x1p-50);
     scene_.boxes.update(scene_.mesh, scene_.points, padding);
-    statistics.seconds.bounds = seconds_since(start);
-    start = Clock::now();
+    statistics.seconds.bounds = watch.lap();
     statistics.rebuilt = std::visit(
         [&](auto& hierarchy) {
           return hierarchy.update(scene_.mesh.faces(), scene_.points, padding, patches_.order());
@@ -89,7 +84,7 @@ class PaperEngine final : public Engine {
                  hierarchy_);
       statistics.triangles_in_free_patches = patches_.triangles_in_free_patches();
     }
-    statistics.seconds.build = seconds_since(start);
+    statistics.seconds.build = watch.lap();
   }
 
   /// That a patch does not touch itself says nothing of distances.

@@ -1,10 +1,10 @@
 #include "engines/paper/tester.hpp"
 
-#include <chrono>
 #include <numeric>
 
 #include "engines/cancellation.hpp"
 #include "engines/stage_counts.hpp"
+#include "engines/stopwatch.hpp"
 #include "solve/decide.hpp"
 #include "solve/interval_newton.hpp"
 #include "solve/sharp_bracket.hpp"
@@ -15,8 +15,6 @@ namespace {
 std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
 constexpr bool is_vf(PairKind kind) { return kind == PairKind::vertex_face; }
-
-double now() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
 PairResult certified_contact(const ElementaryTest<double>& test) {
   const double length = std::sqrt(dot(test.normal, test.normal));
@@ -128,13 +126,12 @@ void PaperTester::test(Block<kind>& block) {
   std::iota(pairs.begin(), pairs.end(), std::uint16_t{0});
   std::span alive = std::span(pairs).first(block.size);
   of(counts.boxes, kind) += alive.size();
-  const double start = now();
+  Stopwatch watch;
   // A filter's strict signs say that features do not touch, not that they keep a distance.
   if (!scene_.answer->separations().any()) alive = alive.first(run_filters(block, alive));
-  const double filtered = now();
+  counts.filter_seconds += watch.lap();
   for (const std::uint16_t pair : alive) solve(block, pair);
-  counts.filter_seconds += filtered - start;
-  counts.solve_seconds += now() - filtered;
+  counts.solve_seconds += watch.lap();
   block.size = 0;
 }
 

@@ -6,11 +6,11 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <limits>
 
 #include "engines/rest_engine.hpp"
+#include "engines/stopwatch.hpp"
 #include "engines/tamis/feature_trees.hpp"
 #include "engines/tamis/gap_memory.hpp"
 #include "engines/tamis/near_search.hpp"
@@ -19,10 +19,6 @@
 
 namespace tamis {
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
 /// The smallest float at or after a time of the step.
 float float_after(double t) {
@@ -45,7 +41,7 @@ class TamisEngine final : public Engine, public RestEngine {
 
   void find(FoundContacts& found, Statistics& statistics) override {
     trees_.update(found.step(), found.separations(), statistics);
-    const auto start = Clock::now();
+    const Stopwatch watch;
     measure_motion();
     memory_.begin(found.step());
     for (StagePipeline& pipeline : pipelines_) pipeline.begin(found);
@@ -54,7 +50,7 @@ class TamisEngine final : public Engine, public RestEngine {
     else
       search(found, kSamples);
     memory_.end(found.step(), t_limit_);
-    collect(statistics, seconds_since(start));
+    collect(statistics, watch.seconds());
   }
 
   void find_near(const Positions& positions, const Separations& separations, std::vector<NearPair>& pairs,

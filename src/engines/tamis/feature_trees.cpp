@@ -1,13 +1,9 @@
 #include "engines/tamis/feature_trees.hpp"
 
-#include <chrono>
+#include "engines/stopwatch.hpp"
 
 namespace tamis {
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
 /// Refitting goes on until the leaf blocks' swept area exceeds by this factor what it was when they were built
 /// (docs/performance.md: "When to rebuild").
@@ -28,12 +24,11 @@ FeatureTrees::FeatureTrees(const Mesh& mesh, const Kernels& kernels, const PairF
 }
 
 void FeatureTrees::update(const Step& step, const Separations& separations, Statistics& statistics) {
-  auto start = Clock::now();
+  Stopwatch watch;
   motion_.assign(step, mesh_.points(), separations);
-  statistics.seconds.bounds = seconds_since(start);
-  start = Clock::now();
+  statistics.seconds.bounds = watch.lap();
   update_trees(statistics);
-  statistics.seconds.build = seconds_since(start);
+  statistics.seconds.build = watch.lap();
 }
 
 void FeatureTrees::update_trees(Statistics& statistics) {

@@ -3,16 +3,13 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <chrono>
 #include <numeric>
 #include <tuple>
 
+#include "engines/stopwatch.hpp"
+
 namespace tamis {
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
 /// As in the search for contacts.
 constexpr double kPoor = 1.5;
@@ -49,15 +46,13 @@ IntersectionSearch::IntersectionSearch(const Mesh& mesh, const Options& options)
 
 void IntersectionSearch::find(const Positions& positions, Intersections wanted, std::vector<Intersection>& found,
                               Statistics& statistics) {
-  auto start = Clock::now();
+  Stopwatch watch;
   place_runners(positions);
   const Step step{start_, end_};
   motion_.assign(step, used_, {});
-  statistics.seconds.bounds = seconds_since(start);
-  start = Clock::now();
+  statistics.seconds.bounds = watch.lap();
   update_trees(statistics);
-  statistics.seconds.build = seconds_since(start);
-  start = Clock::now();
+  statistics.seconds.build = watch.lap();
   found_.begin(step, {}, wanted == Intersections::any ? Question::is_free : Question::all_contacts);
   for (StagePipeline& pipeline : pipelines_) pipeline.begin(found_);
   search();
@@ -67,7 +62,7 @@ void IntersectionSearch::find(const Positions& positions, Intersections wanted, 
     found_.take(pipeline.found());
     counts += pipeline.counts();
   }
-  counts.report(statistics, seconds_since(start), true);
+  counts.report(statistics, watch.lap(), true);
   statistics.isa = kernels_.isa;
   found.clear();
   for (const Contact& c : found_.contacts())

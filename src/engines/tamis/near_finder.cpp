@@ -21,13 +21,6 @@ NearFinder::NearFinder(const Kernels& kernels, const PackedMotion& motion, const
 NearFinder::~NearFinder() = default;
 NearFinder::NearFinder(NearFinder&&) noexcept = default;
 
-double NearFinder::lap() {
-  const auto now = std::chrono::steady_clock::now();
-  const double seconds = std::chrono::duration<double>(now - lap_start_).count();
-  lap_start_ = now;
-  return seconds;
-}
-
 void NearFinder::begin(const Step& step) {
   step_ = step;
   for (auto& pairs : found) pairs.clear();
@@ -46,7 +39,7 @@ std::uint64_t NearFinder::memory_bytes() const {
 }
 
 void NearFinder::search(PairKind kind, const TreeView& a, const TreeView& b, int first, int last) {
-  lap();
+  watch_.lap();
   buffers_->kind = kind;
   Search search{a, b};
   search.t_limit = 0;
@@ -56,13 +49,13 @@ void NearFinder::search(PairKind kind, const TreeView& a, const TreeView& b, int
   search.context = this;
   for (int block = first; block < last; ++block) kernel_for_search(kernels_, kind)(search, block);
   nodes_visited += search.nodes_visited;
-  traverse += lap();
+  traverse += watch_.lap();
   decide_buffered();
 }
 
 void NearFinder::flush(Search& search) {
   auto& self = *static_cast<NearFinder*>(search.context);
-  self.traverse += self.lap();
+  self.traverse += self.watch_.lap();
   self.decide_buffered();
 }
 
@@ -81,7 +74,7 @@ void NearFinder::decide_buffered() {
     const PairVertices v = vertices_of(kind, unsure, i);
     if (is_near(kind, points_of(step_, v), motion_.separations.between(kind, v), decided_by)) keep(v);
   }
-  solving += lap();
+  solving += watch_.lap();
 }
 
 void NearFinder::keep(const PairVertices& vertices) {

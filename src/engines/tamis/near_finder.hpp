@@ -1,11 +1,11 @@
 // One thread's part of a search for near pairs: a small buffer of pairs whose boxes meet, and what is near of them.
 #pragma once
 #include <array>
-#include <chrono>
 #include <memory>
 #include <vector>
 
 #include "engines/pair_rules.hpp"
+#include "engines/stopwatch.hpp"
 #include "kernels/kernels.hpp"
 #include "tamis/near.hpp"
 #include "tamis/statistics.hpp"
@@ -39,14 +39,13 @@ class NearFinder {
   static void flush(Search& search);
   void decide_buffered();
   void keep(const PairVertices& vertices);
-  double lap();
 
   const Kernels& kernels_;
   const PackedMotion& motion_;
   const Options& options_;
   Step step_;
   std::unique_ptr<Buffers> buffers_;
-  std::chrono::steady_clock::time_point lap_start_;
+  Stopwatch watch_;
 };
 
 }  // namespace tamis

@@ -46,13 +46,6 @@ NearPipeline::NearPipeline(const Kernels& kernels, const PackedMotion& motion, c
 NearPipeline::~NearPipeline() = default;
 NearPipeline::NearPipeline(NearPipeline&&) noexcept = default;
 
-double NearPipeline::lap() {
-  const auto now = std::chrono::steady_clock::now();
-  const double seconds = std::chrono::duration<double>(now - lap_start_).count();
-  lap_start_ = now;
-  return seconds;
-}
-
 void NearPipeline::begin() {
   buffers_->boxes.count = 0;  // pairs of a step whose question threw
   limit_ = {};
@@ -62,7 +55,7 @@ void NearPipeline::begin() {
 std::uint64_t NearPipeline::memory_bytes() const { return sizeof(Buffers); }
 
 void NearPipeline::search(PairKind kind, const TreeView& a, const TreeView& b, int first, int last, int stride) {
-  lap();
+  watch_.lap();
   buffers_->kind = kind;
   Search search{a, b};
   search.near = question_.near();
@@ -72,13 +65,13 @@ void NearPipeline::search(PairKind kind, const TreeView& a, const TreeView& b, i
   for (int block = first; block < last; block += stride)
     (kind == PairKind::edge_edge ? kernels_.search_near_ee : kernels_.search_near_vf)(search, block);
   counts_.nodes_visited += search.nodes_visited;
-  counts_.traverse += lap();
+  counts_.traverse += watch_.lap();
   decide_buffered();
 }
 
 void NearPipeline::flush(Search& search) {
   auto& self = *static_cast<NearPipeline*>(search.context);
-  self.counts_.traverse += self.lap();
+  self.counts_.traverse += self.watch_.lap();
   self.decide_buffered();
   search.near = self.question_.near();
 }
@@ -95,10 +88,10 @@ void NearPipeline::decide_buffered() {
   const PairBuffer& left = can_cross(kind) ? near : boxes;  // loose points are few
   of(counts_.boxes, kind) += static_cast<std::uint64_t>(boxes.count);
   of(counts_.near, kind) += static_cast<std::uint64_t>(left.count);
-  counts_.filter += lap();
+  counts_.filter += watch_.lap();
   for (int i = 0; i < left.count; ++i) decide(vertices_of(kind, left, i));
   boxes.count = 0;
-  counts_.solving += lap();
+  counts_.solving += watch_.lap();
 }
 
 void NearPipeline::decide(const PairVertices& vertices) {

@@ -2,10 +2,10 @@
 // one what those leave.
 #pragma once
 #include <atomic>
-#include <chrono>
 #include <memory>
 
 #include "engines/step_limit.hpp"
+#include "engines/stopwatch.hpp"
 #include "kernels/kernels.hpp"
 #include "tamis/statistics.hpp"
 
@@ -55,8 +55,6 @@ class NearPipeline {
   static void flush(Search& search);
   void decide_buffered();
   void decide(const PairVertices& vertices);
-  /// Seconds since the last call.
-  double lap();
 
   const Kernels& kernels_;
   const PackedMotion& motion_;
@@ -65,7 +63,7 @@ class NearPipeline {
   std::unique_ptr<Buffers> buffers_;
   StepLimit limit_;
   NearCounts counts_;
-  std::chrono::steady_clock::time_point lap_start_;
+  Stopwatch watch_;
 };
 
 }  // namespace tamis

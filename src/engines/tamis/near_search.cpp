@@ -5,16 +5,9 @@
 #include <algorithm>
 
 #include "engines/stage_counts.hpp"
+#include "engines/stopwatch.hpp"
 
 namespace tamis {
-namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
-
-}  // namespace
-
 NearSearch::NearSearch(const Mesh& mesh, const Options& options, const Kernels& kernels, FeatureTrees& trees)
     : mesh_(mesh),
       kernels_(kernels),
@@ -25,13 +18,12 @@ void NearSearch::find(const Positions& positions, const Separations& separations
                       Statistics& statistics) {
   step_ = {positions, positions};
   trees_.update(step_, separations, statistics);
-  const auto start = Clock::now();
+  Stopwatch watch;
   for (NearFinder& finder : finders_) finder.begin(step_);
   trees_.for_each_kind([&](PairKind kind, const TreeView& a, const TreeView& b) { search(kind, a, b); });
-  gather(statistics, seconds_since(start));
-  const auto found = Clock::now();
+  gather(statistics, watch.lap());
   describe(pairs);
-  statistics.seconds.solve += seconds_since(found);
+  statistics.seconds.solve += watch.lap();
 }
 
 void NearSearch::search(PairKind kind, const TreeView& a, const TreeView& b) {

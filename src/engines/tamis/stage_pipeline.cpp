@@ -52,13 +52,6 @@ StagePipeline::StagePipeline(const Kernels& kernels, const PackedMotion& motion,
 StagePipeline::~StagePipeline() = default;
 StagePipeline::StagePipeline(StagePipeline&&) noexcept = default;
 
-double StagePipeline::lap() {
-  const auto now = std::chrono::steady_clock::now();
-  const double seconds = std::chrono::duration<double>(now - lap_start_).count();
-  lap_start_ = now;
-  return seconds;
-}
-
 void StagePipeline::begin(const FoundContacts& answer) {
   counts_ = {};
   buffers_->boxes.count = 0;  // an exception may have left pairs of another question
@@ -84,7 +77,7 @@ void StagePipeline::search(PairKind kind, const TreeView& a, const TreeView& b, 
 }
 
 void StagePipeline::search(PairKind kind, Search& search, const BlockRange& blocks) {
-  lap();
+  watch_.lap();
   if (kind != buffers_->kind) decide_buffered(buffers_->kind);
   buffers_->kind = kind;
   search.pairs = &buffers_->boxes;
@@ -93,17 +86,17 @@ void StagePipeline::search(PairKind kind, Search& search, const BlockRange& bloc
   for (int block = blocks.first; block < blocks.last && found_.wants(kind); block += blocks.stride)
     kernel_for_search(kernels_, kind)(search, block);
   counts_.nodes_visited += search.nodes_visited;
-  counts_.traverse += lap();
+  counts_.traverse += watch_.lap();
 }
 
 void StagePipeline::finish() {
-  lap();
+  watch_.lap();
   decide_buffered(buffers_->kind);
 }
 
 void StagePipeline::flush(Search& search) {
   auto& self = *static_cast<StagePipeline*>(search.context);
-  self.counts_.traverse += self.lap();
+  self.counts_.traverse += self.watch_.lap();
   self.decide_buffered(self.buffers_->kind);
 }
 
@@ -124,18 +117,18 @@ void StagePipeline::decide_buffered(PairKind kind) {
       static_cast<std::uint64_t>((is_vf ? kernels_.filter_vf : kernels_.filter_ee)(vertices, slab, filtered));
   of(counts_.solve, kind) += static_cast<std::uint64_t>(filtered.count);
   boxes.count = 0;
-  counts_.filter += lap();
+  counts_.filter += watch_.lap();
   solve(kind);
-  counts_.solving += lap();
+  counts_.solving += watch_.lap();
 }
 
 void StagePipeline::decide_within_separation(PairKind kind) {
   PairBuffer& pairs = buffers_->slab;
   of(counts_.solve, kind) += static_cast<std::uint64_t>(pairs.count);
   buffers_->boxes.count = 0;
-  counts_.filter += lap();
+  counts_.filter += watch_.lap();
   for (int i = 0; i < pairs.count; ++i) solve_singly(kind, pairs, i);
-  counts_.solving += lap();
+  counts_.solving += watch_.lap();
 }
 
 void StagePipeline::leave_out_unwanted(PairKind kind) {

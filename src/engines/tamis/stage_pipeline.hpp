@@ -1,11 +1,11 @@
 // One thread's way from pairs of blocks to contacts: search, slab clip, DNF and NCF, roots in lanes, and one by one
 // what those leave open. Buffers are small and reused.
 #pragma once
-#include <chrono>
 #include <memory>
 #include <span>
 
 #include "engines/found_contacts.hpp"
+#include "engines/stopwatch.hpp"
 #include "kernels/kernels.hpp"
 
 namespace tamis {
@@ -68,8 +68,6 @@ class StagePipeline {
   void leave_out_ends(PairBuffer& pairs);
   void solve(PairKind kind);
   void solve_singly(PairKind kind, const PairBuffer& pairs, int pair);
-  /// Seconds since the last call.
-  double lap();
 
   const Kernels& kernels_;
   const PackedMotion& motion_;
@@ -79,7 +77,7 @@ class StagePipeline {
   PipelineCounts counts_;
   FoundContacts found_;
   std::vector<std::int32_t> others_;
-  std::chrono::steady_clock::time_point lap_start_;
+  Stopwatch watch_;
 };
 
 }  // namespace tamis

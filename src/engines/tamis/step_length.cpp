@@ -3,19 +3,16 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <chrono>
 #include <span>
+
+#include "engines/stopwatch.hpp"
 
 namespace tamis {
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
 /// Where a leaf block meets so many pairs short steps come first, which meet few: a pair that ends one spares the rest.
 constexpr std::uint64_t kMany = 1024;
 constexpr double kShortSteps[] = {0x1p-6, 0x1p-3};
-
-double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
 }  // namespace
 
@@ -32,12 +29,12 @@ SafeStep StepLengthSearch::find(const Step& step, const Separations& separations
   question_.earliest = 1;
   trees_.update(step, separations, statistics);
   trees_.count_drifts(step, step.start);
-  const auto start = Clock::now();
+  const Stopwatch watch;
   for (NearPipeline& pipeline : pipelines_) pipeline.begin();
   search(kSamples[0]);
   if (meets_many(kSamples[0])) search_short_steps();
   for (const Sample& sample : std::span(kSamples).subspan(1)) search(sample);
-  return collect(statistics, seconds_since(start)).answer(step, fraction, separations);
+  return collect(statistics, watch.seconds()).answer(step, fraction, separations);
 }
 
 /// Of the sample, which has been searched.

@@ -2,8 +2,10 @@
 // compressed stores past the padding. Every array a kernel sees lies against a page that nobody may touch.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <deque>
 #include <memory>
+#include <numeric>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -12,6 +14,7 @@
 #include "scenes/random.hpp"
 #include "support/guarded.hpp"
 #include "tamis/error.hpp"
+#include "tamis/pair.hpp"
 
 namespace tamis {
 namespace {
@@ -143,6 +146,29 @@ int run_gaps(const Kernels& kernels, PairKind kind, const GuardedTree& a, const 
 }
 
 /// The clips of the kinds that cannot cross, and the distances at rest: of vertices of the soup, in any order.
+/// The way of a list of pairs, each of which is answered or left open.
+void run_list(const Kernels& kernels, std::size_t kind, const PairBuffer& in, const PackedVertex* vertices,
+              Guard guard) {
+  const auto count = static_cast<std::size_t>(in.count);
+  const auto empty = std::make_unique<PairBuffer>();
+  for (const double min_separation : {0.0, 0.5}) {
+    PairOptions options;
+    options.min_separation = min_separation;
+    std::vector<std::int32_t> numbers(count);
+    std::iota(numbers.begin(), numbers.end(), 0);
+    const Guarded<std::int32_t> places(numbers, guard), open(std::vector<std::int32_t>(count), guard);
+    const Guarded<PairBuffer> rest({empty.get(), 1}, guard);
+    PairResult none;
+    none.toi_lower = -1;
+    const Guarded<PairResult> results(std::vector<PairResult>(count, none), guard);
+    const int left =
+        kernels.settle[kind]({vertices, places.data(), options}, in, *rest.data(), results.data(), open.data());
+    const auto answered =
+        std::count_if(results.data(), results.data() + count, [](const PairResult& r) { return r.toi_lower >= 0; });
+    EXPECT_EQ(static_cast<std::size_t>(answered) + static_cast<std::size_t>(left), count) << kind;
+  }
+}
+
 void run_other_kinds(const Kernels& kernels, int count, const PackedVertex* vertices, const BoxVertex* box_vertices,
                      Guard guard) {
   const auto pairs = std::make_unique<PairBuffer>(), empty = std::make_unique<PairBuffer>();
@@ -162,6 +188,7 @@ void run_other_kinds(const Kernels& kernels, int count, const PackedVertex* vert
     EXPECT_EQ(near.data()->count + unsure.data()->count, count) << kind;
     const Guarded<RestPair> rest(std::vector<RestPair>(PairBuffer::kCapacity), guard);
     kernels.measure[kind](vertices, *in.data(), rest.data());
+    run_list(kernels, kind, *in.data(), vertices, guard);
   }
 }
 

@@ -94,10 +94,15 @@ TEST_P(Invariance, PowersOfTwoAsUnitOfLengthChangeNoDecision) {
 
 /// Renames vertex v to order[v] in a pair, and brings the name into the order contacts have.
 PairName renamed(PairName name, const std::vector<Index>& order) {
-  for (Index& v : name.vertices) v = order[static_cast<std::size_t>(v)];
   auto& v = name.vertices;
+  for (Index& index : v)
+    if (index >= 0) index = order[static_cast<std::size_t>(index)];
   if (name.kind == PairKind::vertex_face) {
     std::sort(v.begin() + 1, v.end());  // faces are compared as sets: windings are turned below
+  } else if (name.kind == PairKind::vertex_edge) {
+    std::sort(v.begin() + 1, v.begin() + 3);
+  } else if (name.kind == PairKind::vertex_vertex) {
+    std::sort(v.begin(), v.begin() + 2);
   } else {
     std::sort(v.begin(), v.begin() + 2);
     std::sort(v.begin() + 2, v.end());

@@ -34,9 +34,10 @@ Options thick(const Scene& scene, const std::vector<double>& radii, Method metho
 /// By its own lines: the largest radius of each feature's vertices.
 double separation_of(const Options& options, double fixed, PairKind kind, const PairVertices& v) {
   const auto radius = [&](std::size_t i) {
+    if (v[i] < 0) return 0.0;  // loose features have fewer vertices
     return options.thickness[static_cast<std::size_t>(options.filter.group_of_vertex[static_cast<std::size_t>(v[i])])];
   };
-  if (kind == PairKind::vertex_face) return radius(0) + std::max({radius(1), radius(2), radius(3)}) + fixed;
+  if (kind != PairKind::edge_edge) return radius(0) + std::max({radius(1), radius(2), radius(3)}) + fixed;
   return std::max(radius(0), radius(1)) + std::max(radius(2), radius(3)) + fixed;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string>
 
+#include "c/answers.hpp"
 #include "c/mesh.hpp"
 #include "c/options.hpp"
 #include "c/sized.hpp"
@@ -16,18 +17,6 @@ tamis_contact contact_of(const Contact& c) {
   std::copy(c.vertices.begin(), c.vertices.end(), contact.vertices);
   std::copy(c.normal.begin(), c.normal.end(), contact.normal);
   return contact;
-}
-
-tamis_safe_step answer_of(const SafeStep& safe) {
-  tamis_safe_step answer{};
-  answer.lower = safe.lower;
-  answer.upper = safe.upper;
-  if (!safe.pair) return answer;
-  answer.has_pair = 1;
-  answer.kind = static_cast<int32_t>(safe.pair->kind);
-  std::copy(safe.pair->vertices.begin(), safe.pair->vertices.end(), answer.vertices);
-  answer.distance = safe.pair->distance;
-  return answer;
 }
 
 tamis_statistics statistics_of(const Statistics& s, std::vector<std::string>& names) {

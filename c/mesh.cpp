@@ -1,12 +1,14 @@
 #include "c/mesh.hpp"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "c/sized.hpp"
+#include "tamis/contact.hpp"
 
 namespace tamis::c {
 namespace {
@@ -35,6 +37,12 @@ const int32_t* first_index(std::span<const Row> rows, std::size_t* count) {
   return rows.empty() ? nullptr : reinterpret_cast<const int32_t*>(rows.data());
 }
 
+PairKind known_kind(int32_t kind) {
+  if (kind < TAMIS_VERTEX_FACE || kind > TAMIS_VERTEX_VERTEX)
+    throw InvalidArgument("no kind has the number " + std::to_string(kind) + ": give TAMIS_VERTEX_FACE, ...");
+  return static_cast<PairKind>(kind);
+}
+
 }  // namespace
 }  // namespace tamis::c
 
@@ -54,4 +62,18 @@ const int32_t* tamis_mesh_edges(const tamis_mesh* mesh, size_t* count) {
 
 const int32_t* tamis_mesh_points(const tamis_mesh* mesh, size_t* count) {
   return first_index(mesh && mesh->mesh ? mesh->mesh->points() : std::span<const tamis::Index>(), count);
+}
+
+tamis_status tamis_mesh_features_of(tamis_mesh* mesh, int32_t kind, const int32_t* vertices, int32_t* first,
+                                    int32_t* second) {
+  if (!mesh) return TAMIS_INVALID_ARGUMENT;
+  if (!mesh->mesh) return mesh->outcome.status();  // it still says why it was not made
+  return attempt(mesh->outcome, [&] {
+    std::array<tamis::Index, 4> given;
+    std::copy_n(&required(vertices, "vertices"), 4, given.begin());
+    int32_t &one = required(first, "first"), &other = required(second, "second");
+    const tamis::FeaturePair pair = features_of(*mesh->mesh, known_kind(kind), given);
+    one = pair.first;
+    other = pair.second;
+  });
 }

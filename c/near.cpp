@@ -1,6 +1,7 @@
 // Questions about a mesh at rest.
 #include <algorithm>
 
+#include "c/answers.hpp"
 #include "c/detector.hpp"
 
 namespace tamis::c {
@@ -13,13 +14,6 @@ tamis_status ask_at_rest(tamis_detector* handle, const tamis_step* step, const W
     const tamis_step given = read_sized(step, "step");
     work(h, positions(given.start, given.vertex_count, given.start_stride, "start"));
   });
-}
-
-tamis_near_pair near_pair_of(const NearPair& n) {
-  tamis_near_pair pair{static_cast<int32_t>(n.kind), n.corners, {}, n.distance, n.u, n.v, {}};
-  std::copy(n.vertices.begin(), n.vertices.end(), pair.vertices);
-  std::copy(n.direction.begin(), n.direction.end(), pair.direction);
-  return pair;
 }
 
 tamis_intersection intersection_of(const Intersection& i) {

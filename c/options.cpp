@@ -47,6 +47,7 @@ PairListOptions options_of(const tamis_pair_options& given) {
   options.min_separation = given.min_separation;
   options.threads = given.threads;
   if (given.isa) options.isa = isa_from_name(given.isa);
+  if (given.latest) options.latest = *given.latest;
   return options;
 }
 

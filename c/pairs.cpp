@@ -1,26 +1,11 @@
-#include <algorithm>
-
 #include "c/options.hpp"
 #include "c/pair_results.hpp"
+#include "c/pairs.hpp"
 #include "c/sized.hpp"
 #include "c/step.hpp"
-#include "tamis/pair.hpp"
-
-struct tamis_pairs {
-  tamis::c::Outcome outcome;
-  tamis::PairListOptions options;
-  bool is_made = false;
-};
 
 namespace tamis::c {
 namespace {
-
-template <class Work>
-tamis_status ask(tamis_pairs* pairs, const Work& work) noexcept {
-  if (!pairs) return TAMIS_INVALID_ARGUMENT;
-  if (!pairs->is_made) return pairs->outcome.status();
-  return attempt(pairs->outcome, [&] { work(*pairs); });
-}
 
 std::span<const Point> points_of(const double* rows, std::size_t count, const char* name) {
   if (count == 0) return {};
@@ -37,17 +22,6 @@ tamis_status ask_about(tamis_pairs* pairs, std::size_t count, const double* star
                  handle.options);
     write_results(answers, results, result_size);
   });
-}
-
-std::vector<Pair> list_of(const tamis_pair* list, std::size_t count) {
-  std::vector<Pair> pairs(count);
-  for (std::size_t i = 0; i < count; ++i) {
-    const tamis_pair& given = (&required(list, "list"))[i];
-    // What no kind is called must not become one when it is cut to a byte.
-    pairs[i].kind = static_cast<PairKind>(given.kind >= 0 && given.kind < 255 ? given.kind : 255);
-    std::copy_n(given.vertices, 4, pairs[i].vertices.begin());
-  }
-  return pairs;
 }
 
 }  // namespace

@@ -66,6 +66,11 @@ TAMIS_API const char* tamis_mesh_message(const tamis_mesh* mesh);
 TAMIS_API const int32_t* tamis_mesh_edges(const tamis_mesh* mesh, size_t* count);
 /** The vertices that take part in contacts, ascending. Otherwise the same. */
 TAMIS_API const int32_t* tamis_mesh_points(const tamis_mesh* mesh, size_t* count);
+/** The two features of a contact, or of a near pair, by their places: of a face among those that the mesh was made of,
+ * of an edge in tamis_mesh_edges(), of a vertex its number; -1 where the mesh has none. For who keeps data by feature.
+ * TAMIS_INVALID_ARGUMENT: no such kind. */
+TAMIS_API tamis_status tamis_mesh_features_of(tamis_mesh* mesh, int32_t kind, const int32_t* vertices, int32_t* first,
+                                              int32_t* second);
 
 /* ---- What all questions share ---- */
 
@@ -232,6 +237,9 @@ typedef struct tamis_pair_options {
   double min_separation; /**< the same */
   int32_t threads;       /**< the same */
   const char* isa;       /**< the same */
+  /** The latest time of interest, in [0,1]: a pair that is proven apart until then is free. Of others it changes
+   * nothing. NULL: 1. */
+  const double* latest;
 } tamis_pair_options;
 
 /** Of a contact; what follows `touches` has no meaning if that is 0. */
@@ -272,6 +280,15 @@ typedef struct tamis_pair {
  * step's min_separation, where it is not NULL, takes the place of the handle's. */
 TAMIS_API tamis_status tamis_narrow_phase(tamis_pairs* pairs, const tamis_pair* list, size_t count,
                                           const tamis_step* step, tamis_pair_result* results, size_t result_size);
+
+/** How far apart each pair of a list is at the step's start; the end is not read. Writes `count` answers of
+ * `answer_size` = sizeof(tamis_near_pair) bytes, as a detector's near pairs have them; no separation comes off. */
+TAMIS_API tamis_status tamis_distances_of(tamis_pairs* pairs, const tamis_pair* list, size_t count,
+                                          const tamis_step* step, tamis_near_pair* answers, size_t answer_size);
+/** As tamis_detector_keep_distance, for one pair. It looks no further than the latest time of interest, which `lower`
+ * then is. */
+TAMIS_API tamis_status tamis_pair_keep_distance(tamis_pairs* pairs, const tamis_pair* pair, const tamis_step* step,
+                                                double fraction, tamis_safe_step* answer);
 
 /* ---- Curved motion ---- */
 

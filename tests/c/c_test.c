@@ -217,85 +217,38 @@ static void at_rest(void) {
   tamis_mesh_free(mesh);
 }
 
-static void pairs_of_features(void) {
-  const double before[] = {0.2, 0.2, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 9, 9, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0};
-  const double after[] = {0.2, 0.2, -3, 0, 0, 0, 1, 0, 0, 0, 1, 0, 9, 9, -3, 0, 0, 0, 1, 0, 0, 0, 1, 0};
-  const double crossed[] = {-1, 0, 1, 1, 0, 1, 0, -1, 0, 0, 1, 0}, past[] = {-1, 0, -1, 1, 0, -1, 0, -1, 0, 0, 1, 0};
-  const double meeting[] = {0, 0, 1, -1, 0, 0, 1, 0, 0}, met[] = {0, 0, -1, -1, 0, 0, 1, 0, 0};
-  const double apart[] = {0, 0, 1, 0, 0, 0}, passed[] = {0, 0, -3, 0, 0, 0};
-  double bad[24];
-  tamis_pair_result r[2];
-  tamis_pairs* pairs = NULL;
-  tamis_pair_options options = {sizeof options, "exact", 0, 0, NULL};
-  EXPECT(tamis_pairs_create(&options, &pairs) == TAMIS_OK);
-  EXPECT(tamis_vertex_face(pairs, 2, before, after, r, sizeof r[0]) == TAMIS_OK);
-  EXPECT(r[0].touches == 1 && r[0].certainty == TAMIS_CERTIFIED && r[1].touches == 0);
-  EXPECT(r[0].toi_lower <= 0.25 && 0.25 <= r[0].toi_upper && fabs(r[0].u - 0.2) < 1e-9);
-  EXPECT(tamis_edge_edge(pairs, 1, crossed, past, r, sizeof r[0]) == TAMIS_OK);
-  EXPECT(r[0].touches == 1 && r[0].toi_lower <= 0.5 && 0.5 <= r[0].toi_upper && fabs(r[0].v - 0.5) < 1e-9);
-  EXPECT(tamis_vertex_edge(pairs, 1, meeting, met, r, sizeof r[0]) == TAMIS_OK);
-  EXPECT(r[0].touches == 1 && r[0].toi_lower <= 0.5 && 0.5 <= r[0].toi_upper && fabs(r[0].u - 0.5) < 1e-9);
-  EXPECT(tamis_vertex_vertex(pairs, 1, apart, passed, r, sizeof r[0]) == TAMIS_OK);
-  EXPECT(r[0].touches == 1 && r[0].toi_lower <= 0.25 && 0.25 <= r[0].toi_upper);
-  EXPECT(tamis_edge_edge(pairs, 0, NULL, NULL, NULL, 0) == TAMIS_OK);
-  EXPECT(tamis_edge_edge(pairs, 1, NULL, past, r, sizeof r[0]) == TAMIS_INVALID_ARGUMENT);
-  memcpy(bad, before, sizeof bad);
-  bad[15] = INFINITY;
-  EXPECT(tamis_vertex_face(pairs, 2, bad, after, r, sizeof r[0]) == TAMIS_INVALID_STEP);
-  EXPECT_SAYS(tamis_pairs_message(pairs), "pair 1");
-  tamis_pairs_free(pairs);
-
-  EXPECT(tamis_pairs_create(NULL, &pairs) == TAMIS_OK);
-  tamis_pairs_free(pairs);
-  options.min_separation = -1;
-  EXPECT(tamis_pairs_create(&options, &pairs) == TAMIS_INVALID_OPTIONS);
-  EXPECT_SAYS(tamis_pairs_message(pairs), "separation");
-  EXPECT(tamis_vertex_face(pairs, 1, before, after, r, sizeof r[0]) == TAMIS_INVALID_OPTIONS);
-  tamis_pairs_free(pairs);
-  tamis_pairs_free(NULL);
-}
-
-static void lists_of_pairs(void) {
-  const double start[] = {0.2, 0.2, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 9, 9, 1};
-  const double end[] = {0.2, 0.2, -3, 0, 0, 0, 1, 0, 0, 0, 1, 0, 9, 9, -3};
-  const double wide = 100;
-  tamis_pair list[] = {
-      {TAMIS_VERTEX_FACE, {0, 1, 2, 3}}, {TAMIS_VERTEX_FACE, {4, 1, 2, 3}}, {TAMIS_VERTEX_VERTEX, {0, 4, -1, -1}}};
-  tamis_step step = {sizeof step, 5, start, end, 0, 0, NULL};
-  tamis_pair_result r[3];
-  tamis_pairs* pairs = NULL;
-  tamis_pair_options options = {sizeof options, NULL, 0, 1, "baseline"};
-  EXPECT(tamis_pairs_create(&options, &pairs) == TAMIS_OK);
-  EXPECT(tamis_narrow_phase(pairs, list, 3, &step, r, sizeof r[0]) == TAMIS_OK);
-  EXPECT(r[0].touches == 1 && r[1].touches == 0 && r[2].touches == 0);
-  EXPECT(r[0].toi_lower <= 0.25 && 0.25 <= r[0].toi_upper);
-  step.min_separation = &wide;
-  EXPECT(tamis_narrow_phase(pairs, list, 3, &step, r, sizeof r[0]) == TAMIS_OK);
-  EXPECT(r[0].touches == 1 && r[1].touches == 1 && r[2].touches == 1 && r[2].toi_upper == 0);
-  EXPECT(tamis_narrow_phase(pairs, NULL, 0, &step, NULL, 0) == TAMIS_OK);
-  EXPECT(tamis_narrow_phase(pairs, NULL, 1, &step, r, sizeof r[0]) == TAMIS_INVALID_ARGUMENT);
-  EXPECT(tamis_narrow_phase(pairs, list, 3, NULL, r, sizeof r[0]) == TAMIS_INVALID_ARGUMENT);
-  list[2].vertices[1] = 5;
-  EXPECT(tamis_narrow_phase(pairs, list, 3, &step, r, sizeof r[0]) == TAMIS_INVALID_STEP);
-  EXPECT_SAYS(tamis_pairs_message(pairs), "pair 2: vertex 5 is no row of the step's 5 positions");
-  list[1].kind = 256;
-  EXPECT(tamis_narrow_phase(pairs, list, 3, &step, r, sizeof r[0]) == TAMIS_INVALID_STEP);
-  EXPECT_SAYS(tamis_pairs_message(pairs), "pair 1: no kind");
-  tamis_pairs_free(pairs);
-  options.threads = -1;
-  EXPECT(tamis_pairs_create(&options, &pairs) == TAMIS_INVALID_OPTIONS);
-  tamis_pairs_free(pairs);
+static void features_by_number(void) {
+  tamis_mesh_input nothing = {sizeof nothing, 3, NULL, 0, NULL, 0, NULL, 0};
+  const int32_t corner_and_face[] = {3, 0, 1, 2}, edges[] = {0, 1, 4, 5}, none[] = {3, 0, 1, 4};
+  int32_t first = -2, second = -2;
+  size_t count = 0;
+  tamis_mesh *mesh = two_triangles(), *failed = NULL;
+  const int32_t* all = tamis_mesh_edges(mesh, &count);
+  EXPECT(tamis_mesh_features_of(mesh, TAMIS_VERTEX_FACE, corner_and_face, &first, &second) == TAMIS_OK);
+  EXPECT(first == 3 && second == 0);
+  EXPECT(tamis_mesh_features_of(mesh, TAMIS_EDGE_EDGE, edges, &first, &second) == TAMIS_OK);
+  EXPECT(first >= 0 && all[2 * first] == 0 && all[2 * first + 1] == 1);
+  EXPECT(second >= 0 && all[2 * second] == 4 && all[2 * second + 1] == 5);
+  EXPECT(tamis_mesh_features_of(mesh, TAMIS_VERTEX_FACE, none, &first, &second) == TAMIS_OK && second == -1);
+  EXPECT(tamis_mesh_features_of(mesh, 4, edges, &first, &second) == TAMIS_INVALID_ARGUMENT);
+  EXPECT_SAYS(tamis_mesh_message(mesh), "kind");
+  EXPECT(tamis_mesh_features_of(mesh, TAMIS_EDGE_EDGE, NULL, &first, &second) == TAMIS_INVALID_ARGUMENT);
+  EXPECT(tamis_mesh_features_of(mesh, TAMIS_EDGE_EDGE, edges, &first, NULL) == TAMIS_INVALID_ARGUMENT);
+  EXPECT(tamis_mesh_features_of(NULL, TAMIS_EDGE_EDGE, edges, &first, &second) == TAMIS_INVALID_ARGUMENT);
+  EXPECT(tamis_mesh_create(&nothing, &failed) == TAMIS_INVALID_MESH);
+  EXPECT(tamis_mesh_features_of(failed, TAMIS_EDGE_EDGE, edges, &first, &second) == TAMIS_INVALID_MESH);
+  tamis_mesh_free(failed);
+  tamis_mesh_free(mesh);
 }
 
 int main(void) {
   EXPECT(strlen(tamis_version()) >= 5);
   meshes();
   questions();
+  features_by_number();
   strides();
   bad_steps();
   structs_of_other_versions();
   at_rest();
-  pairs_of_features();
-  lists_of_pairs();
   return expect_failures > 0;
 }

@@ -1,0 +1,50 @@
+// How far apart single pairs are, and how long one may go so as to keep a part of that.
+#include "tamis/pair_distance.hpp"
+
+#include "c/answers.hpp"
+#include "c/pairs.hpp"
+#include "c/sized.hpp"
+#include "c/step.hpp"
+
+namespace tamis::c {
+namespace {
+
+/// As a list has it: what is refused names its pair.
+NearPair distance_in_list(const std::vector<Pair>& list, std::size_t i, const Positions& at) {
+  try {
+    return distance_of(list[i], at);
+  } catch (const InvalidStep& fault) {
+    throw InvalidStep("pair " + std::to_string(i) + ": " + fault.what());
+  }
+}
+
+}  // namespace
+}  // namespace tamis::c
+
+using namespace tamis::c;
+
+tamis_status tamis_distances_of(tamis_pairs* pairs, const tamis_pair* list, size_t count, const tamis_step* step,
+                                tamis_near_pair* answers, size_t answer_size) {
+  return ask(pairs, [&](tamis_pairs&) {
+    const tamis_step given = read_sized(step, "step");
+    const tamis::Positions at = positions(given.start, given.vertex_count, given.start_stride, "start");
+    const auto listed = list_of(list, count);
+    if (count == 0) return;
+    required(answers, "answers");
+    check_size(answer_size, sizeof(int32_t), "answer");
+    for (std::size_t i = 0; i < count; ++i)
+      write_element(near_pair_of(distance_in_list(listed, i, at)), answers, i, answer_size);
+  });
+}
+
+tamis_status tamis_pair_keep_distance(tamis_pairs* pairs, const tamis_pair* pair, const tamis_step* step,
+                                      double fraction, tamis_safe_step* answer) {
+  return ask(pairs, [&](tamis_pairs& handle) {
+    write_sized(tamis_safe_step{}, answer, "answer");  // refused before the work
+    const tamis_step given = read_sized(step, "step");
+    const auto& [guarantee, separation, latest, threads, isa, is_cancelled] = handle.options;
+    const tamis::PairOptions options{guarantee, given.min_separation ? *given.min_separation : separation, latest};
+    const tamis::Pair asked = pair_of(required(pair, "pair"));
+    write_sized(answer_of(tamis::keep_distance(asked, step_of(given), fraction, options)), answer, "answer");
+  });
+}

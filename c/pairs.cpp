@@ -1,6 +1,7 @@
+#include "c/pairs.hpp"
+
 #include "c/options.hpp"
 #include "c/pair_results.hpp"
-#include "c/pairs.hpp"
 #include "c/sized.hpp"
 #include "c/step.hpp"
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""check_c_symbols.py LIBRARY HEADER: the library exports what the header declares, with its version, and nothing else.
+"""check_c_symbols.py LIBRARY HEADERS: the library exports what the folder's headers declare, with its version, and nothing else.
 
 A symbol more is C++ that leaks into every program that loads the library, where it may replace another library's; one
 less is a function that cannot be called.
@@ -11,12 +11,13 @@ import sys
 
 
 def main() -> int:
-    library, header = sys.argv[1:]
-    text = re.sub(r"/\*.*?\*/", "", pathlib.Path(header).read_text(), flags=re.DOTALL)
+    library, folder = sys.argv[1:]
+    headers = "".join(path.read_text() for path in sorted(pathlib.Path(folder).glob("*.h")))
+    text = re.sub(r"/\*.*?\*/", "", headers, flags=re.DOTALL)
     declared = set(re.findall(r"^TAMIS_API [^(]*\b(tamis_\w+)\(", text, re.MULTILINE))
     version = re.search(r"libtamis_c\.so\.(\d+\.\d+)", pathlib.Path(library).resolve().name)
     if not version or not declared:
-        print(f"{library} has no version in its name, or {header} declares nothing")
+        print(f"{library} has no version in its name, or {folder} declares nothing")
         return 1
     listing = subprocess.run(["nm", "--dynamic", "--defined-only", "--with-symbol-versions", library], check=True,
                              capture_output=True, text=True).stdout

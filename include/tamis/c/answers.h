@@ -1,0 +1,66 @@
+/* What is asked about, and what is answered, by more than one handle. */
+#ifndef TAMIS_C_ANSWERS_H
+#define TAMIS_C_ANSWERS_H
+#include "tamis/c/status.h"
+
+/** Kinds of pairs and their vertices. Vertex-face: the vertex, then the face's vertices in the mesh's order.
+ * Edge-edge: each edge ascending, the smaller edge first. Vertex-edge: the vertex, then the edge's, ascending.
+ * Vertex-vertex: ascending. Vertices that a kind does not use are -1. */
+enum { TAMIS_VERTEX_FACE = 0, TAMIS_EDGE_EDGE = 1, TAMIS_VERTEX_EDGE = 2, TAMIS_VERTEX_VERTEX = 3 };
+/** Certified: proven to touch at some time of the bracket. Unresolved: floating point could not decide; kept, because
+ * a contact must never be missed. */
+enum { TAMIS_CERTIFIED = 0, TAMIS_UNRESOLVED = 1 };
+
+/** Each vertex moves on a straight line from its row of `start` (t=0) to that of `end` (t=1). */
+typedef struct tamis_step {
+  size_t size;
+  int32_t vertex_count;         /**< rows of both */
+  const double* start;          /**< three coordinates a row */
+  const double* end;            /**< the same at t=1 */
+  ptrdiff_t start_stride;       /**< doubles from one row to the next, >= 3; 0: 3 */
+  ptrdiff_t end_stride;         /**< the same of end */
+  const double* min_separation; /**< of this question alone; NULL: the detector's */
+} tamis_step;
+
+/** One pair of features that touches during the step. */
+typedef struct tamis_contact {
+  int32_t kind;
+  int32_t certainty;
+  int32_t vertices[4];
+  double toi_lower; /**< fraction of the step: the pair is apart on [0, toi_lower) */
+  double toi_upper; /**< if certified, it touches at some time of [toi_lower, toi_upper] */
+  double u, v;      /**< vf: point = (1-u-v) f0 + u f1 + v f2; ee: u on the first edge, v on the second; ve: u */
+  double normal[3]; /**< of unit length */
+} tamis_contact;
+
+/** How far a step may go so that a fraction of every distance is kept. */
+typedef struct tamis_safe_step {
+  size_t size;
+  double lower;        /**< on [0, lower] every pair keeps the fraction, on [0, lower) none touches: proven */
+  double upper;        /**< at this time some pair has no more than it left: proven; 1 if not known of any time */
+  int32_t has_pair;    /**< 0: the whole step may go */
+  int32_t kind;        /**< of the pair that ends the step, as in tamis_contact */
+  int32_t vertices[4]; /**< the same */
+  double distance;     /**< of the pair at t=0, rounded */
+} tamis_safe_step;
+
+/** A pair of features that are near each other at rest; see NearPair in tamis/near.hpp. */
+typedef struct tamis_near_pair {
+  int32_t kind;
+  int32_t corners;     /**< bit i: vertex i has a share in the closest points */
+  int32_t vertices[4]; /**< as in tamis_contact */
+  double distance;
+  double u, v;         /**< weights of two closest points */
+  double direction[3]; /**< from the second feature's closest point to the first's */
+} tamis_near_pair;
+
+/** What one pair does, as of a contact; what follows `touches` has no meaning if that is 0. */
+typedef struct tamis_pair_result {
+  int32_t touches; /**< 0: proven free */
+  int32_t certainty;
+  double toi_lower, toi_upper;
+  double u, v;
+  double normal[3];
+} tamis_pair_result;
+
+#endif

@@ -1,0 +1,115 @@
+/* Detector: every contact of a mesh with itself, step after step. */
+#ifndef TAMIS_C_DETECTOR_H
+#define TAMIS_C_DETECTOR_H
+#include "tamis/c/answers.h"
+#include "tamis/c/mesh.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef struct tamis_detector tamis_detector;
+
+/** All zero but `size` are the defaults. */
+typedef struct tamis_options {
+  size_t size;
+  const char* method;    /**< as the command's --method: "tamis", "paper", "brute", "paper-sat", ...; NULL: tamis */
+  const char* guarantee; /**< "conservative" or "exact"; NULL: the library's default */
+  const char* isa;       /**< "best", "baseline", "avx2", "avx512"; NULL: best. Speed only */
+  const char* bounding_volume;     /**< of method paper: "16-dop", "aabb", ...; NULL: 16-dop */
+  int32_t threads;                 /**< 0: as many as the caller's oneTBB arena gives. Speed only */
+  double min_separation;           /**< d >= 0: contact means Euclidean distance <= d */
+  const int32_t* group_of_vertex;  /**< one a vertex of the mesh, in [0, group_count); NULL: all are in group 0 */
+  int32_t group_count;             /**< 0: one group */
+  const uint8_t* groups_may_touch; /**< group_count x group_count, symmetric; 0 leaves out; NULL: all are tested */
+  /** Asked for every pair that is left, from several threads; 0 leaves the pair out. NULL: all are tested. */
+  int (*accepts)(void* user, int32_t kind, const int32_t* vertices);
+  /** Asked again and again during a question, from several threads; other than 0 ends it with TAMIS_CANCELLED. */
+  int (*is_cancelled)(void* user);
+  void* user;              /**< handed to both */
+  const double* thickness; /**< a radius >= 0 for each group, group_count of them; NULL: all zero */
+} tamis_options;
+
+/** Copies the mesh. NULL as options: the defaults. TAMIS_INVALID_OPTIONS: see tamis/options.hpp. */
+TAMIS_API tamis_status tamis_detector_create(const tamis_mesh* mesh, const tamis_options* options,
+                                             tamis_detector** detector);
+TAMIS_API void tamis_detector_free(tamis_detector* detector);
+/** What the last call with this detector had to say; "" after TAMIS_OK. */
+TAMIS_API const char* tamis_detector_message(const tamis_detector* detector);
+
+/** All contacts of the step, by kind, then vertices; tamis_detector_copy_contacts() hands them out. */
+TAMIS_API tamis_status tamis_detector_contacts(tamis_detector* detector, const tamis_step* step, size_t* count);
+/** The first contact: the motion is free on [0, *toi_lower), proven; *toi_upper is 1 if none is certified. *count is 0,
+ * and both times 1, if the step is free; else 1, for tamis_detector_copy_contacts(). */
+TAMIS_API tamis_status tamis_detector_earliest(tamis_detector* detector, const tamis_step* step, double* toi_lower,
+                                               double* toi_upper, size_t* count);
+/** Writes 1 if the whole step is free of contacts, else 0. */
+TAMIS_API tamis_status tamis_detector_is_free(tamis_detector* detector, const tamis_step* step, int* is_free);
+
+/** How far may the step go so that every pair keeps at least `fraction`, 0 <= fraction < 1, of its distance? */
+TAMIS_API tamis_status tamis_detector_keep_distance(tamis_detector* detector, const tamis_step* step, double fraction,
+                                                    tamis_safe_step* answer);
+
+/** A step for each vertex, so that one near pair does not stop all: all go together until the time `*together`, which
+ * is keep_distance's, from there each up to its own time of `until`, one a vertex of the mesh, at a pace of its own: no
+ * pair comes into contact. 0 < fraction < 1. See VertexSteps in tamis/contact.hpp. */
+TAMIS_API tamis_status tamis_detector_vertex_steps(tamis_detector* detector, const tamis_step* step, double fraction,
+                                                   double* together, double* until);
+/** The positions to go to, by vertex steps: three doubles for each vertex of the mesh, whose straight path from the
+ * start is proven free. *is_free is 0 if not even that is so, because something touches at the start; then they are
+ * there. */
+TAMIS_API tamis_status tamis_detector_truncate(tamis_detector* detector, const tamis_step* step, double fraction,
+                                               double* positions, int* is_free);
+
+/** An edge that passes through a triangle, or touches it; see Intersection in tamis/near.hpp. */
+typedef struct tamis_intersection {
+  int32_t edge[2], face[3];
+  double s_lower, s_upper; /**< the first common point lies between these on the edge */
+  double u, v;             /**< and is (1-u-v) f0 + u f1 + v f2 */
+} tamis_intersection;
+
+/** Every pair whose distance at the step's start is at most `distance` plus both radii; the step's end is not read. */
+TAMIS_API tamis_status tamis_detector_near(tamis_detector* detector, const tamis_step* step, double distance,
+                                           size_t* count);
+/** Every edge that passes through a triangle or touches it at the step's start: exactly. The end is not read. */
+TAMIS_API tamis_status tamis_detector_intersections(tamis_detector* detector, const tamis_step* step, size_t* count);
+/** Writes 1 if there is any, else 0. */
+TAMIS_API tamis_status tamis_detector_has_intersection(tamis_detector* detector, const tamis_step* step,
+                                                       int* has_intersection);
+/** As tamis_detector_copy_contacts, of the last question for near pairs or for intersections. */
+TAMIS_API tamis_status tamis_detector_copy_near(tamis_detector* detector, size_t first, size_t count,
+                                                tamis_near_pair* pairs, size_t pair_size);
+TAMIS_API tamis_status tamis_detector_copy_intersections(tamis_detector* detector, size_t first, size_t count,
+                                                         tamis_intersection* intersections, size_t intersection_size);
+
+/** Copies contacts [first, first + count) of the last question for contacts or the earliest one, of a step or a path,
+ * into an array whose elements are `contact_size` = sizeof(tamis_contact) bytes. */
+TAMIS_API tamis_status tamis_detector_copy_contacts(tamis_detector* detector, size_t first, size_t count,
+                                                    tamis_contact* contacts, size_t contact_size);
+
+typedef struct tamis_stage {
+  const char* name;
+  uint64_t vf, ee, ve, vv; /**< pairs of each kind that entered */
+} tamis_stage;
+
+enum { TAMIS_MOST_STAGES = 16 };
+
+/** What the last question cost; times in seconds. */
+typedef struct tamis_statistics {
+  size_t size;
+  const char* isa;
+  int32_t threads;
+  int32_t rebuilt; /**< 1: the hierarchy was built, not refitted */
+  double seconds_total, seconds_bounds, seconds_build, seconds_traverse, seconds_filter, seconds_solve;
+  uint64_t decided_by_lanes, decided_by_scalar, decided_by_exact, unresolved;
+  uint64_t nodes_visited, memory_bytes;
+  int32_t stage_count;
+  tamis_stage stages[TAMIS_MOST_STAGES]; /**< in the pipeline's order; names live until the next call for statistics */
+} tamis_statistics;
+
+TAMIS_API tamis_status tamis_detector_statistics(tamis_detector* detector, tamis_statistics* statistics);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,42 @@
+/* Mesh: the topology, made once. */
+#ifndef TAMIS_C_MESH_H
+#define TAMIS_C_MESH_H
+#include "tamis/c/status.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef struct tamis_mesh tamis_mesh;
+
+typedef struct tamis_mesh_input {
+  size_t size;
+  int32_t vertex_count;        /**< rows of the positions of every step, >= 0 */
+  const int32_t* faces;        /**< face_count x 3 vertex indices, any winding */
+  size_t face_count;           /**< may be 0 */
+  const int32_t* loose_edges;  /**< loose_edge_count x 2: rods */
+  size_t loose_edge_count;     /**< may be 0 */
+  const int32_t* loose_points; /**< vertices of no face and no edge that still take part in contacts */
+  size_t loose_point_count;    /**< may be 0 */
+} tamis_mesh_input;
+
+/** TAMIS_INVALID_MESH: an index outside [0, vertex_count), or no feature at all. */
+TAMIS_API tamis_status tamis_mesh_create(const tamis_mesh_input* input, tamis_mesh** mesh);
+TAMIS_API void tamis_mesh_free(tamis_mesh* mesh);
+/** What the last call with this mesh had to say; "" after TAMIS_OK. */
+TAMIS_API const char* tamis_mesh_message(const tamis_mesh* mesh);
+/** Every edge of a triangle and every loose one, once: count x 2, vertices ascending, sorted. Lives as the mesh does;
+ * NULL and 0 of a mesh that could not be made. */
+TAMIS_API const int32_t* tamis_mesh_edges(const tamis_mesh* mesh, size_t* count);
+/** The vertices that take part in contacts, ascending. Otherwise the same. */
+TAMIS_API const int32_t* tamis_mesh_points(const tamis_mesh* mesh, size_t* count);
+/** The two features of a contact, or of a near pair, by their places: of a face among those that the mesh was made of,
+ * of an edge in tamis_mesh_edges(), of a vertex its number; -1 where the mesh has none. For who keeps data by feature.
+ * TAMIS_INVALID_ARGUMENT: no such kind. */
+TAMIS_API tamis_status tamis_mesh_features_of(tamis_mesh* mesh, int32_t kind, const int32_t* vertices, int32_t* first,
+                                              int32_t* second);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

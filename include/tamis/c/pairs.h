@@ -1,0 +1,65 @@
+/* Single pairs, and lists of them: for callers who have a broad phase of their own. */
+#ifndef TAMIS_C_PAIRS_H
+#define TAMIS_C_PAIRS_H
+#include "tamis/c/answers.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef struct tamis_pairs tamis_pairs;
+
+typedef struct tamis_pair_options {
+  size_t size;
+  const char* guarantee; /**< as in tamis_options */
+  double min_separation; /**< the same */
+  int32_t threads;       /**< the same */
+  const char* isa;       /**< the same */
+  /** The latest time of interest, in [0,1]: a pair that is proven apart until then is free. Of others it changes
+   * nothing. NULL: 1. */
+  const double* latest;
+} tamis_pair_options;
+
+/** NULL as options: the defaults. */
+TAMIS_API tamis_status tamis_pairs_create(const tamis_pair_options* options, tamis_pairs** pairs);
+TAMIS_API void tamis_pairs_free(tamis_pairs* pairs);
+/** What the last call with these pairs had to say; "" after TAMIS_OK. */
+TAMIS_API const char* tamis_pairs_message(const tamis_pairs* pairs);
+/** `count` vertices against `count` faces: a pair is 12 doubles, p a b c, at t=0 and again at t=1. Writes `count`
+ * results of `result_size` = sizeof(tamis_pair_result) bytes. Nothing of use is written if it fails. */
+TAMIS_API tamis_status tamis_vertex_face(tamis_pairs* pairs, size_t count, const double* start, const double* end,
+                                         tamis_pair_result* results, size_t result_size);
+/** Edge (0,1) against edge (2,3); otherwise the same. */
+TAMIS_API tamis_status tamis_edge_edge(tamis_pairs* pairs, size_t count, const double* start, const double* end,
+                                       tamis_pair_result* results, size_t result_size);
+/** Points against segments: a pair is 9 doubles, p a b; otherwise the same. */
+TAMIS_API tamis_status tamis_vertex_edge(tamis_pairs* pairs, size_t count, const double* start, const double* end,
+                                         tamis_pair_result* results, size_t result_size);
+/** Two points: a pair is 6 doubles; otherwise the same. */
+TAMIS_API tamis_status tamis_vertex_vertex(tamis_pairs* pairs, size_t count, const double* start, const double* end,
+                                           tamis_pair_result* results, size_t result_size);
+
+/** One pair of a list: what a broad phase hands on. */
+typedef struct tamis_pair {
+  int32_t kind;        /**< TAMIS_VERTEX_FACE, ... */
+  int32_t vertices[4]; /**< rows of the step: p a b c, a0 a1 b0 b1, p a b, or p q; the rest is not read */
+} tamis_pair;
+
+/** What each pair of a list does during the step; the positions may have any number of rows. Otherwise the same; the
+ * step's min_separation, where it is not NULL, takes the place of the handle's. */
+TAMIS_API tamis_status tamis_narrow_phase(tamis_pairs* pairs, const tamis_pair* list, size_t count,
+                                          const tamis_step* step, tamis_pair_result* results, size_t result_size);
+
+/** How far apart each pair of a list is at the step's start; the end is not read. Writes `count` answers of
+ * `answer_size` = sizeof(tamis_near_pair) bytes, as a detector's near pairs have them; no separation comes off. */
+TAMIS_API tamis_status tamis_distances_of(tamis_pairs* pairs, const tamis_pair* list, size_t count,
+                                          const tamis_step* step, tamis_near_pair* answers, size_t answer_size);
+/** As tamis_detector_keep_distance, for one pair. It looks no further than the latest time of interest, which `lower`
+ * then is. */
+TAMIS_API tamis_status tamis_pair_keep_distance(tamis_pairs* pairs, const tamis_pair* pair, const tamis_step* step,
+                                                double fraction, tamis_safe_step* answer);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,54 +1,12 @@
-// The detector's questions, and the layouts of their answers.
+// The detector's questions.
 #include <nanobind/stl/filesystem.h>
 #include <nanobind/stl/optional.h>
 
-#include <cstddef>
-
 #include "python/src/bindings.hpp"
 #include "python/src/collected.hpp"
-#include "python/src/layout.hpp"
 #include "python/src/questions.hpp"
 
 namespace tamis::python {
-namespace {
-
-nb::dict contact_layout() {
-  return Layout(sizeof(Contact))
-      .field("kind", "u1", offsetof(Contact, kind))
-      .field("certainty", "u1", offsetof(Contact, certainty))
-      .field("vertices", "(4,)i4", offsetof(Contact, vertices))
-      .field("toi_lower", "f8", offsetof(Contact, toi_lower))
-      .field("toi_upper", "f8", offsetof(Contact, toi_upper))
-      .field("u", "f8", offsetof(Contact, u))
-      .field("v", "f8", offsetof(Contact, v))
-      .field("normal", "(3,)f8", offsetof(Contact, normal))
-      .dict();
-}
-
-nb::dict near_layout() {
-  return Layout(sizeof(NearPair))
-      .field("kind", "u1", offsetof(NearPair, kind))
-      .field("corners", "u1", offsetof(NearPair, corners))
-      .field("vertices", "(4,)i4", offsetof(NearPair, vertices))
-      .field("distance", "f8", offsetof(NearPair, distance))
-      .field("u", "f8", offsetof(NearPair, u))
-      .field("v", "f8", offsetof(NearPair, v))
-      .field("direction", "(3,)f8", offsetof(NearPair, direction))
-      .dict();
-}
-
-nb::dict intersection_layout() {
-  return Layout(sizeof(Intersection))
-      .field("edge", "(2,)i4", offsetof(Intersection, edge))
-      .field("face", "(3,)i4", offsetof(Intersection, face))
-      .field("s_lower", "f8", offsetof(Intersection, s_lower))
-      .field("s_upper", "f8", offsetof(Intersection, s_upper))
-      .field("u", "f8", offsetof(Intersection, u))
-      .field("v", "f8", offsetof(Intersection, v))
-      .dict();
-}
-
-}  // namespace
 
 void bind_detector(nb::module_& module) {
   const nb::arg any;
@@ -68,10 +26,8 @@ void bind_detector(nb::module_& module) {
       .def("intersections", &Questions::intersections)
       .def("has_intersection", &Questions::has_intersection)
       .def("statistics", &Questions::statistics)
-      .def("write_step", &Questions::write_step, any, any, any, any, or_none);
-  module.def("near_layout", &near_layout);
-  module.def("intersection_layout", &intersection_layout);
-  module.def("contact_layout", &contact_layout);
+      .def("write", &Questions::write_step, any, any, any, any, or_none)
+      .def("write", &Questions::write_path, any, any, any, any, or_none);
 }
 
 }  // namespace tamis::python

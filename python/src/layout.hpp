@@ -2,29 +2,57 @@
 #pragma once
 #include <nanobind/nanobind.h>
 
+#include <array>
+#include <cstddef>
+#include <string>
+#include <type_traits>
+
 namespace tamis::python {
 
+template <class T>
+inline constexpr std::size_t kColumns = 0;  ///< numbers in a field that is an array; 0: it is one number
+template <class T, std::size_t n>
+inline constexpr std::size_t kColumns<std::array<T, n>> = n;
+
+/// In NumPy's words: "u1", "(4,)i4".
+template <class T>
+std::string format_of() {
+  if constexpr (kColumns < T >> 0)
+    return "(" + std::to_string(kColumns<T>) + ",)" + format_of<typename T::value_type>();
+  else if constexpr (std::is_same_v<T, bool>)
+    return "?";
+  else if constexpr (std::is_floating_point_v<T>)
+    return "f" + std::to_string(sizeof(T));
+  else if constexpr (std::is_enum_v<T>)
+    return "u" + std::to_string(sizeof(T));
+  else
+    return (std::is_signed_v<T> ? "i" : "u") + std::to_string(sizeof(T));
+}
+
 /// What numpy.dtype() understands: names, formats, offsets, itemsize.
+template <class Record>
 class Layout {
  public:
-  explicit Layout(std::size_t record_size) { layout_["itemsize"] = record_size; }
-  /// `format` in NumPy's words: "u1", "f8", "(4,)i4".
-  Layout& field(const char* name, const char* format, std::size_t offset) {
+  template <class T>
+  Layout& field(const char* name, T Record::*member) {
+    static const Record record{};
+    const auto* place = reinterpret_cast<const char*>(&(record.*member));
     names_.append(name);
-    formats_.append(format);
-    offsets_.append(offset);
+    formats_.append(format_of<T>());
+    offsets_.append(place - reinterpret_cast<const char*>(&record));
     return *this;
   }
-  nanobind::dict dict() {
-    layout_["names"] = names_;
-    layout_["formats"] = formats_;
-    layout_["offsets"] = offsets_;
-    return layout_;
+  nanobind::dict dict() const {
+    nanobind::dict layout;
+    layout["names"] = names_;
+    layout["formats"] = formats_;
+    layout["offsets"] = offsets_;
+    layout["itemsize"] = sizeof(Record);
+    return layout;
   }
 
  private:
   nanobind::list names_, formats_, offsets_;
-  nanobind::dict layout_;
 };
 
 }  // namespace tamis::python

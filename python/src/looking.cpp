@@ -1,9 +1,12 @@
 #include "python/src/looking.hpp"
 
 #include <algorithm>
+#include <limits>
+#include <sstream>
 #include <tuple>
 
 #include "io/view/outputs.hpp"
+#include "python/src/path_positions.hpp"
 #include "tamis/error.hpp"
 
 namespace tamis::python {
@@ -12,14 +15,10 @@ namespace {
 auto key_of(const Contact& c) { return std::tie(c.kind, c.vertices, c.toi_lower, c.toi_upper); }
 
 /// REQUIRES: `found` in its fixed order, by kind, then vertices.
-void require_part(std::span<const Contact> part, std::span<const Contact> found) {
+bool is_part(std::span<const Contact> part, std::span<const Contact> found) {
   const auto before = [](const Contact& a, const Contact& b) { return key_of(a) < key_of(b); };
-  if (!std::all_of(part.begin(), part.end(),
-                   [&](const Contact& c) { return std::binary_search(found.begin(), found.end(), c, before); }))
-    throw InvalidStep(
-        "the positions have changed since these contacts were found: look at contacts before the next step, or give "
-        "the "
-        "detector arrays that stay as they are");
+  return std::all_of(part.begin(), part.end(),
+                     [&](const Contact& c) { return std::binary_search(found.begin(), found.end(), c, before); });
 }
 
 std::vector<Point> points_of(const Positions& positions) {
@@ -29,20 +28,96 @@ std::vector<Point> points_of(const Positions& positions) {
   return points;
 }
 
+Options with(Options options, std::optional<double> min_separation) {
+  options.min_separation = min_separation.value_or(options.min_separation);
+  return options;
+}
+
+/// Of the box of the vertices that the mesh uses, its longest side.
+double size_of(const Mesh& mesh, const std::vector<Point>& positions) {
+  double size = 0;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
+    for (const Index v : mesh.points()) {
+      lowest = std::min(lowest, positions[static_cast<std::size_t>(v)][axis]);
+      highest = std::max(highest, positions[static_cast<std::size_t>(v)][axis]);
+    }
+    size = std::max(size, highest - lowest);
+  }
+  return size;
+}
+
+/// Do straight pieces of this number look like the path?
+bool looks_straight(const Path& path, const Mesh& mesh, int pieces, double size) {
+  constexpr double kSeen = 1.0 / 256;  // of the scene
+  const std::vector<Index> vertices(mesh.points().begin(), mesh.points().end());
+  std::vector<double> strays(vertices.size());
+  for (int i = 0; i < pieces; ++i) {
+    path.strays(double(i) / pieces, double(i + 1) / pieces, vertices, strays);
+    if (std::any_of(strays.begin(), strays.end(), [&](double stray) { return stray > kSeen * size; })) return false;
+  }
+  return true;
+}
+
+int pieces_of(const Path& path, const Mesh& mesh) {
+  constexpr int kMost = 64;  // a power of two: times of a piece are exact
+  const double size = size_of(mesh, positions_at(path, 0));
+  int pieces = 1;
+  while (pieces < kMost && !looks_straight(path, mesh, pieces, size)) pieces *= 2;
+  return pieces;
+}
+
+/// As short as it can be: "0.25".
+std::string text_of(double time) {
+  std::ostringstream text;
+  text << time;
+  return text.str();
+}
+
+io::Recording film_of(const Path& path, const Mesh& mesh, const Options& options, std::span<const Contact> contacts) {
+  const int pieces = pieces_of(path, mesh);
+  io::Recording film{mesh, options, 1, {}, {}, std::vector<io::RecordedStep>(static_cast<std::size_t>(pieces))};
+  for (int i = 0; i <= pieces; ++i) {
+    const double time = double(i) / pieces;
+    film.names.push_back("t = " + text_of(time));
+    film.frames.push_back(positions_at(path, time));
+  }
+  for (Contact c : contacts) {
+    const int piece = std::min(static_cast<int>(c.toi_lower * pieces), pieces - 1);
+    c.toi_lower = c.toi_lower * pieces - piece;
+    c.toi_upper = std::min(1.0, c.toi_upper * pieces - piece);
+    film.steps[static_cast<std::size_t>(piece)].contacts.push_back(c);
+  }
+  return film;
+}
+
 }  // namespace
 
-void write_step(const std::filesystem::path& path, Detector& detector, const Step& step,
+void write_step(const std::filesystem::path& to, Detector& detector, const Step& step,
                 std::optional<double> min_separation, std::span<const Contact> part) {
-  require_part(part, detector.contacts(step, min_separation));
-  Options options = detector.options();
-  options.min_separation = min_separation.value_or(options.min_separation);
+  if (!is_part(part, detector.contacts(step, min_separation)))
+    throw InvalidStep(
+        "the positions have changed since these contacts were found: look at contacts before the next step, or give "
+        "the detector arrays that stay as they are");
+  const Options options = with(detector.options(), min_separation);
   const io::Recording recording{detector.mesh(),
                                 options,
                                 1,
                                 {"start", "end"},
                                 {points_of(step.start), points_of(step.end)},
                                 {{{part.begin(), part.end()}, detector.statistics().stages}}};
-  io::find_output(io::outputs(), path)->write(path, recording);
+  io::find_output(io::outputs(), to)->write(to, recording);
+}
+
+void write_path(const std::filesystem::path& to, Detector& detector, const Path& path, double tolerance,
+                std::optional<double> min_separation, std::span<const Contact> part) {
+  const io::Output& output = *io::find_output(io::outputs(), to);
+  if (!output.holds_sequence)
+    throw Error(to.string() + " would hold one straight piece, and these contacts are of a path: save html or csv");
+  if (!is_part(part, detector.contacts(path, min_separation, tolerance)))
+    throw InvalidPath("the path has changed since these contacts were found: look at them before it does");
+  const Options options = with(detector.options(), min_separation);
+  output.write(to, film_of(path, detector.mesh(), options, part));
 }
 
 }  // namespace tamis::python

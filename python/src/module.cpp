@@ -8,8 +8,10 @@ NB_MODULE(_core, module) {
   bind_errors();
   bind_mesh(module);
   bind_options(module);
+  bind_layouts(module);
   bind_detector(module);
   bind_pairs(module);
+  bind_pair_distance(module);
   bind_paths(module);
   bind_files(module);
   bind_scenes(module);

@@ -1,17 +1,17 @@
 // Answers for many pairs, one by one, while Python may want to stop.
 #pragma once
+#include <type_traits>
 #include <vector>
 
 #include "python/src/arrays.hpp"
 #include "python/src/signals.hpp"
-#include "tamis/pair.hpp"
 
 namespace tamis::python {
 
 /// The bytes of `decide(i)` for each i below `count`; the lock is free meanwhile.
 template <class Decide>
 nb::object decide_each(std::size_t count, const Decide& decide) {
-  std::vector<PairResult> results(count);
+  std::vector<std::invoke_result_t<Decide, std::size_t>> results(count);
   Signals signals;
   signals.begin();
   {

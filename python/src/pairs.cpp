@@ -1,11 +1,9 @@
 #include <nanobind/stl/string.h>
 
-#include <cstddef>
 #include <span>
 
 #include "python/src/arrays.hpp"
 #include "python/src/bindings.hpp"
-#include "python/src/layout.hpp"
 #include "python/src/signals.hpp"
 #include "tamis/error.hpp"
 #include "tamis/pair.hpp"
@@ -20,10 +18,10 @@ std::span<const Point> points_of(const PairRows<corners>& rows) {
 
 template <PairKind kind, int corners>
 nb::object decide_all(const PairRows<corners>& start, const PairRows<corners>& end, const std::string& guarantee,
-                      double min_separation) {
+                      double min_separation, double latest) {
   std::vector<PairResult> results(start.shape(0));
   Signals signals;
-  const PairListOptions options{guarantee_from_name(guarantee), min_separation, 1, 0, Isa::best,
+  const PairListOptions options{guarantee_from_name(guarantee), min_separation, latest, 0, Isa::best,
                                 [&] { return signals.ask(); }};
   signals.begin();
   try {
@@ -36,18 +34,6 @@ nb::object decide_all(const PairRows<corners>& start, const PairRows<corners>& e
   return own_bytes(std::move(results));
 }
 
-nb::dict pair_layout() {
-  return Layout(sizeof(PairResult))
-      .field("touches", "?", offsetof(PairResult, touches))
-      .field("certainty", "u1", offsetof(PairResult, certainty))
-      .field("toi_lower", "f8", offsetof(PairResult, toi_lower))
-      .field("toi_upper", "f8", offsetof(PairResult, toi_upper))
-      .field("u", "f8", offsetof(PairResult, u))
-      .field("v", "f8", offsetof(PairResult, v))
-      .field("normal", "(3,)f8", offsetof(PairResult, normal))
-      .dict();
-}
-
 }  // namespace
 
 void bind_pairs(nb::module_& module) {
@@ -55,7 +41,6 @@ void bind_pairs(nb::module_& module) {
   module.def("edge_edge", &decide_all<PairKind::edge_edge, 4>);
   module.def("vertex_edge", &decide_all<PairKind::vertex_edge, 3>);
   module.def("vertex_vertex", &decide_all<PairKind::vertex_vertex, 2>);
-  module.def("pair_layout", &pair_layout);
 }
 
 }  // namespace tamis::python

@@ -1,12 +1,11 @@
 // Curved motion: ready-made paths, those that Python describes, and their single pairs.
 #include <nanobind/stl/vector.h>
 
-#include <numeric>
-
 #include "python/src/bindings.hpp"
 #include "python/src/function_path.hpp"
 #include "python/src/options.hpp"
 #include "python/src/pair_results.hpp"
+#include "python/src/path_positions.hpp"
 #include "tamis/rigid_path.hpp"
 #include "tamis/spline_path.hpp"
 
@@ -55,14 +54,7 @@ nb::object decide_all(const Path& path, const IndexRowsIn<corners>& rows, double
   return decide_each(rows.shape(0), [&](std::size_t i) { return decide(path, vertices[i], options); });
 }
 
-nb::object points_at(const Path& path, double time) {
-  std::vector<Index> vertices(static_cast<std::size_t>(path.vertex_count()));
-  std::iota(vertices.begin(), vertices.end(), 0);
-  std::vector<Point> points(vertices.size());
-  std::vector<double> errors(vertices.size());
-  path.points_at(time, vertices, points, errors);
-  return own<double>(std::move(points), 3);
-}
+nb::object points_at(const Path& path, double time) { return own<double>(positions_at(path, time), 3); }
 
 void bind_chains(nb::module_& module) {
   module.def("interpolated", [](const PoseRows& start, const PoseRows& end) {

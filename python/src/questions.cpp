@@ -2,6 +2,7 @@
 
 #include <nanobind/stl/string.h>
 
+#include "python/src/answers.hpp"
 #include "python/src/errors.hpp"
 #include "python/src/looking.hpp"
 
@@ -30,24 +31,26 @@ nb::tuple as_tuple(const EarliestContact& first) {
   return nb::make_tuple(first.toi_lower, first.toi_upper, own_bytes(std::move(contact)));
 }
 
+/// Numbers by their names.
+template <class Number>
+nb::dict named(std::initializer_list<std::pair<const char*, Number>> numbers) {
+  nb::dict result;
+  for (const auto& [name, number] : numbers) result[name] = number;
+  return result;
+}
+
 nb::dict as_dict(const Seconds& s) {
-  nb::dict seconds;
-  seconds["bounds"] = s.bounds;
-  seconds["build"] = s.build;
-  seconds["traverse"] = s.traverse;
-  seconds["filter"] = s.filter;
-  seconds["solve"] = s.solve;
-  seconds["total"] = s.total;
-  return seconds;
+  return named<double>({{"bounds", s.bounds},
+                        {"build", s.build},
+                        {"traverse", s.traverse},
+                        {"filter", s.filter},
+                        {"solve", s.solve},
+                        {"total", s.total}});
 }
 
 nb::dict as_dict(const PrecisionCount& count) {
-  nb::dict decided_by;
-  decided_by["lanes"] = count.lanes;
-  decided_by["scalar"] = count.scalar;
-  decided_by["exact"] = count.exact;
-  decided_by["unresolved"] = count.unresolved;
-  return decided_by;
+  return named<std::uint64_t>(
+      {{"lanes", count.lanes}, {"scalar", count.scalar}, {"exact", count.exact}, {"unresolved", count.unresolved}});
 }
 
 nb::dict as_dict(const Statistics& s) {
@@ -79,7 +82,7 @@ Options Questions::with_callbacks(Options options) {
   if (accepts_.is_none()) return options;
   options.filter.accepts = [this](PairKind kind, const std::array<Index, 4>& v) {
     const nb::gil_scoped_acquire lock;
-    return nb::cast<bool>(nb::bool_(accepts_(static_cast<int>(kind), nb::make_tuple(v[0], v[1], v[2], v[3]))));
+    return nb::cast<bool>(nb::bool_(accepts_(static_cast<int>(kind), as_tuple(v))));
   };
   return options;
 }
@@ -136,11 +139,7 @@ bool Questions::is_free_on_path(const Path& path, double tolerance, Separation d
 nb::tuple Questions::keep_distance(const Rows& start, const Rows& end, double fraction, Separation d) {
   SafeStep safe;
   ask([&] { safe = detector_.keep_distance(step_of(start, end), fraction, d); });
-  if (!safe.pair) return nb::make_tuple(safe.lower, safe.upper, nb::none());
-  const auto& v = safe.pair->vertices;
-  return nb::make_tuple(
-      safe.lower, safe.upper,
-      nb::make_tuple(static_cast<int>(safe.pair->kind), nb::make_tuple(v[0], v[1], v[2], v[3]), safe.pair->distance));
+  return as_tuple(safe);
 }
 
 nb::tuple Questions::vertex_steps(const Rows& start, const Rows& end, double fraction, Separation d) {
@@ -176,6 +175,11 @@ bool Questions::has_intersection(const Rows& at) {
 void Questions::write_step(const std::filesystem::path& path, const ContactBytes& contacts, const Rows& start,
                            const Rows& end, Separation d) {
   ask([&] { python::write_step(path, detector_, step_of(start, end), d, contacts_in(contacts)); });
+}
+
+void Questions::write_path(const std::filesystem::path& to, const ContactBytes& contacts, const Path& path,
+                           double tolerance, Separation d) {
+  ask([&] { python::write_path(to, detector_, path, tolerance, d, contacts_in(contacts)); });
 }
 
 nb::dict Questions::statistics() {

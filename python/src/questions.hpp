@@ -42,6 +42,8 @@ class Questions {
   /// As looking.hpp has it.
   void write_step(const std::filesystem::path& path, const ContactBytes& contacts, const Rows& start, const Rows& end,
                   Separation d);
+  void write_path(const std::filesystem::path& to, const ContactBytes& contacts, const Path& path, double tolerance,
+                  Separation d);
 
   /// What Python's garbage collector must know: a callable may refer back to its detector.
   int traverse(visitproc visit, void* arg) const;

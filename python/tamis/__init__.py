@@ -21,6 +21,7 @@ from tamis._looking import Page
 from tamis._mesh import Mesh
 from tamis._near import Intersections, NearPairs
 from tamis._options import PaperOptions, ReducedModel
+from tamis._pair_distance import distance_of, keep_distance
 from tamis._pairs import Pairs, edge_edge, vertex_edge, vertex_face, vertex_vertex
 from tamis._paths import BezierPath, CatmullRomPath, Path
 from tamis._rigid_path import RigidPath, between, interpolated, turned
@@ -64,9 +65,11 @@ __all__ = [
     "VertexSteps",
     "between",
     "contacts",
+    "distance_of",
     "edge_edge",
     "filter_names",
     "interpolated",
+    "keep_distance",
     "method_choices",
     "read_frames",
     "read_mesh",

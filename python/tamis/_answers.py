@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 from tamis._arrays import Doubles
 from tamis._contacts import Contact, PairKind
+
+if TYPE_CHECKING:
+    from tamis import _core
 
 
 class EarliestContact(NamedTuple):
@@ -51,6 +54,12 @@ class SafeStep(NamedTuple):
     lower: float
     upper: float
     pair: LimitingPair | None
+
+
+def safe_step(found: _core._SafeStep) -> SafeStep:
+    """Give what the compiled part has found its names."""
+    lower, upper, pair = found
+    return SafeStep(lower, upper, None if pair is None else LimitingPair(PairKind(pair[0]), *pair[1:]))
 
 
 class VertexSteps(NamedTuple):

@@ -104,3 +104,15 @@ def indices(given: npt.ArrayLike | None, columns: int, name: str, error: type[Er
     if wrong.any():
         raise error(f"{name} holds {array[wrong][0]}: give indices below 2^31")
     return np.require(array, dtype=np.int32, requirements=["C", "ALIGNED"])
+
+
+def pair_list(kind: npt.ArrayLike, vertices: npt.ArrayLike, error: type[Error]) -> tuple[Groups, Indices]:
+    """Return kinds (n,) and vertices (n, 4) of pairs of features; one kind may serve for all, one pair come alone."""
+    given = indices(np.atleast_2d(_numbers(vertices, "vertices", error)), 4, "vertices", error)
+    kinds = indices(np.atleast_1d(_numbers(kind, "kind", error)), 0, "kind", error)
+    if len(kinds) not in (1, len(given)):
+        raise error(f"kind has {len(kinds)} entries, vertices {len(given)} rows: give as many, or one kind for all")
+    wrong = (kinds < 0) | (kinds > 3)
+    if wrong.any():
+        raise error(f"kind holds {kinds[wrong][0]}, which is none: give a PairKind")
+    return np.ascontiguousarray(np.broadcast_to(kinds, len(given)), dtype=np.uint8), given

@@ -11,10 +11,9 @@ import numpy as np
 import numpy.typing as npt
 
 from tamis import _core
-from tamis._arrays import Doubles, Indices
+from tamis._columns import NamedPairs, TimedPairs
 from tamis._errors import Error
-from tamis._looking import AskedStep, Page, place_for_page, show
-from tamis._table import Table
+from tamis._looking import Asked, Page, place_for_page, show
 
 if TYPE_CHECKING:
     import pandas
@@ -69,7 +68,7 @@ class Contact(NamedTuple):
     certified: bool
 
 
-class Contacts(Table):
+class Contacts(NamedPairs, TimedPairs):
     """Contacts of a step, by kind, then vertices. They own their memory: later questions change nothing in them.
 
     `len()` counts them; an integer index gives a `Contact`, anything else that indexes an array gives `Contacts`.
@@ -79,44 +78,9 @@ class Contacts(Table):
     __slots__ = ("_asked",)
     _dtype = np.dtype(_core.contact_layout())
 
-    def __init__(self, table: npt.NDArray[np.void] | npt.NDArray[np.uint8], asked: AskedStep | None = None) -> None:
+    def __init__(self, table: npt.NDArray[np.void] | npt.NDArray[np.uint8], asked: Asked | None = None) -> None:
         super().__init__(table)
         self._asked = asked
-
-    @property
-    def kind(self) -> npt.NDArray[np.uint8]:
-        """`PairKind` of each, shape (n,)."""
-        return self._table["kind"]
-
-    @property
-    def vertices(self) -> Indices:
-        """Vertex indices, shape (n, 4), ordered as in `Contact`."""
-        return self._table["vertices"]
-
-    @property
-    def toi_lower(self) -> Doubles:
-        """Before this fraction of the step the pair is proven apart, shape (n,)."""
-        return self._table["toi_lower"]
-
-    @property
-    def toi_upper(self) -> Doubles:
-        """By this fraction of the step a certified pair has touched, shape (n,)."""
-        return self._table["toi_upper"]
-
-    @property
-    def u(self) -> Doubles:
-        """First contact weight, shape (n,)."""
-        return self._table["u"]
-
-    @property
-    def v(self) -> Doubles:
-        """Second contact weight, shape (n,)."""
-        return self._table["v"]
-
-    @property
-    def normal(self) -> Doubles:
-        """Unit normals, shape (n, 3)."""
-        return self._table["normal"]
 
     @property
     def certified(self) -> npt.NDArray[np.bool_]:
@@ -140,8 +104,9 @@ class Contacts(Table):
         ----------
         path : path_like
             The extension decides. ``.html``, ``.glb``, ``.vtp``, ``.vtu``: files to look at, with the mesh in motion or
-            the contacts as points; they need the step, see `view`. Else CSV, whose columns are kind, v0, v1, v2, v3,
-            toi_lower, toi_upper, u, v, status; numbers read back to the same doubles.
+            the contacts as points; they need the step, see `view`, and of a path only ``.html`` can be made. Else CSV,
+            whose columns are kind, v0, v1, v2, v3, toi_lower, toi_upper, u, v, status; numbers read back to the same
+            doubles.
 
         Raises
         ------
@@ -154,7 +119,7 @@ class Contacts(Table):
         if name.lower().endswith(".png"):
             raise Error(f"{name}: pictures are drawn by the command, tamis contacts --out; save html or glb instead")
         if _core.is_file_to_look_at(name):
-            self._step().write(name, rows)
+            self._question().write(name, rows)
         else:
             _core.write_contacts(name, rows)
 
@@ -162,7 +127,9 @@ class Contacts(Table):
         """Show the contacts and the motion of the mesh: the page that `tamis view` writes.
 
         A notebook shows it below the cell; elsewhere it opens in the browser. For this, contacts keep the positions
-        that were asked about, without a copy; `table` alone does not.
+        that were asked about, without a copy; `table` alone does not. Contacts of a path are shown as a film of
+        straight pieces, so many (64 at the most) that they look like the curves; each in the piece where it happens, at
+        a time of that piece.
 
         Parameters
         ----------
@@ -180,18 +147,20 @@ class Contacts(Table):
             The file cannot be written.
         InvalidStep
             The positions were changed in place since the contacts were found.
+        InvalidPath
+            The same of a path.
         Error
-            Contacts of a path, and those that come out of `pickle`, know no step.
+            Contacts that come out of `pickle` know no step.
         """
         place = place_for_page(path)
         self.save(place)
         return show(place)
 
-    def _step(self) -> AskedStep:
+    def _question(self) -> Asked:
         if self._asked is None:
             raise Error(
-                "these contacts know no step, as they are of a path or were pickled: look at what "
-                "Detector.contacts(start, end) has returned"
+                "these contacts know no step, as they were pickled: look at what Detector.contacts(start, end) has "
+                "returned"
             )
         return self._asked
 

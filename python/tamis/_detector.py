@@ -8,19 +8,21 @@ from typing import Any, overload
 import numpy.typing as npt
 
 from tamis import _core
-from tamis._answers import EarliestContact, LimitingPair, SafeStep, TruncatedStep, VertexSteps
-from tamis._arrays import Doubles, rows
+from tamis._answers import EarliestContact
+from tamis._arrays import rows
+from tamis._at_rest import AtRest
 from tamis._contacts import Contacts, PairKind
-from tamis._errors import InvalidOptions, InvalidPath, InvalidStep
-from tamis._looking import AskedStep
+from tamis._errors import InvalidOptions
+from tamis._looking import Asked
 from tamis._mesh import Mesh
-from tamis._near import Intersections, NearPairs
+from tamis._motion import motion
 from tamis._options import Filter, Guarantee, Isa, PaperOptions, set_groups
 from tamis._paths import Path
 from tamis._statistics import Statistics
+from tamis._step_lengths import StepLengths
 
 
-class Detector:
+class Detector(StepLengths, AtRest):
     """Holds a mesh and the hierarchy over it; keep one for all steps of a mesh.
 
     The first question builds the hierarchy; later ones refit it, and rebuild it by themselves once that pays. Pairs are
@@ -148,14 +150,12 @@ class Detector:
         Returns
         -------
         Contacts
-            By kind, then vertices; `Contacts.view` shows those of a step. On a path, what cannot be decided (a touch
+            By kind, then vertices; `Contacts.view` shows them. On a path, what cannot be decided (a touch
             without crossing, say) is a contact that is not certified.
         """
-        first, second = _motion(start, end, tolerance)
-        found = self._detector.contacts(first, second, min_separation)
-        if isinstance(first, _core.Path) or isinstance(second, float):
-            return Contacts(found)
-        return Contacts(found, AskedStep(self._mesh._mesh, self._options, first, second, min_separation))
+        moving = motion(start, end, tolerance)
+        found = self._detector.contacts(*moving.native(), min_separation)
+        return Contacts(found, Asked(self._mesh._mesh, self._options, moving, min_separation))
 
     @overload
     def earliest(
@@ -185,7 +185,7 @@ class Detector:
         EarliestContact
             The motion is free before its `toi_lower`: proven.
         """
-        lower, upper, found = self._detector.earliest(*_motion(start, end, tolerance), min_separation)
+        lower, upper, found = self._detector.earliest(*motion(start, end, tolerance).native(), min_separation)
         contacts = Contacts(found)
         return EarliestContact(lower, upper, contacts[0] if len(contacts) else None)
 
@@ -216,165 +216,13 @@ class Detector:
             True is a proof. With the guarantee "conservative", or on a path, False may be due to a contact that is not
             certified.
         """
-        return self._detector.is_free(*_motion(start, end, tolerance), min_separation)
-
-    def keep_distance(
-        self, start: npt.ArrayLike, end: npt.ArrayLike, fraction: float, *, min_separation: float | None = None
-    ) -> SafeStep:
-        """Find how far the step may go so that every pair keeps a fraction of its distance.
-
-        The step length for the line search of a barrier method. The distance that counts is what exceeds the minimum
-        separation.
-
-        Parameters
-        ----------
-        start, end : array_like, shape (n, 3)
-            Where each vertex is at the start and at the end of the step.
-        min_separation : float, optional
-            Of this question alone; by default the detector's.
-        fraction : float
-            0 <= fraction < 1. 0: only contacts count. The closer to 1, the longer the search.
-
-        Returns
-        -------
-        SafeStep
-            On [0, lower] every pair keeps the fraction: proven.
-
-        Raises
-        ------
-        InvalidOptions
-            The fraction is outside its range.
-        """
-        lower, upper, pair = self._detector.keep_distance(
-            rows(start, "start"), rows(end, "end"), fraction, min_separation
-        )
-        return SafeStep(lower, upper, None if pair is None else LimitingPair(PairKind(pair[0]), *pair[1:]))
-
-    def vertex_steps(
-        self, start: npt.ArrayLike, end: npt.ArrayLike, fraction: float = 0.1, *, min_separation: float | None = None
-    ) -> VertexSteps:
-        """Find a step for each vertex, so that one near pair does not stop all.
-
-        All go together as far as `keep_distance` lets them, from there each on its own side of planes between the
-        features that it could reach, and no farther than half the mean edge.
-
-        Parameters
-        ----------
-        start, end : array_like, shape (n, 3)
-            Where each vertex is at the start and at the end of the step.
-        fraction : float
-            Of its distance that every pair keeps on the way that all go together: 0 < fraction < 1.
-        min_separation : float, optional
-            Of this question alone; by default the detector's.
-
-        Returns
-        -------
-        VertexSteps
-            Fractions of the step up to which every vertex may go, whatever the others do: proven.
-
-        Raises
-        ------
-        InvalidOptions
-            The fraction is outside its range.
-        """
-        return VertexSteps(
-            *self._detector.vertex_steps(rows(start, "start"), rows(end, "end"), fraction, min_separation)
-        )
-
-    def truncate(
-        self, start: npt.ArrayLike, end: npt.ArrayLike, fraction: float = 0.1, *, min_separation: float | None = None
-    ) -> TruncatedStep:
-        """Find the positions to go to, by `vertex_steps`: the straight way to these very doubles is proven free.
-
-        Parameters
-        ----------
-        start, end, fraction, min_separation
-            As of `vertex_steps`.
-
-        Returns
-        -------
-        TruncatedStep
-            Each vertex on its own line towards its end.
-
-        Raises
-        ------
-        InvalidOptions
-            The fraction is outside its range.
-        """
-        return TruncatedStep(*self._detector.truncate(rows(start, "start"), rows(end, "end"), fraction, min_separation))
-
-    def near(self, positions: npt.ArrayLike, distance: float) -> NearPairs:
-        """Find every pair of features that is near at rest: what a barrier or penalty method starts from.
-
-        Parameters
-        ----------
-        positions : array_like, shape (n, 3)
-            Where each vertex is.
-        distance : float
-            >= 0, in the unit of the positions; both radii of `thickness` come on top.
-
-        Returns
-        -------
-        NearPairs
-            Each pair once, by kind, then vertices.
-
-        Raises
-        ------
-        InvalidOptions
-            The distance is negative or not finite.
-        """
-        return NearPairs(self._detector.near(rows(positions, "positions"), distance))
-
-    def intersections(self, positions: npt.ArrayLike) -> Intersections:
-        """Find every edge that passes through a triangle or touches it: exactly.
-
-        Parameters
-        ----------
-        positions : array_like, shape (n, 3)
-            Where each vertex is.
-
-        Returns
-        -------
-        Intersections
-            By edge, then face. Of the filter the groups count, thickness does not.
-        """
-        return Intersections(self._detector.intersections(rows(positions, "positions")))
-
-    def has_intersection(self, positions: npt.ArrayLike) -> bool:
-        """Tell whether any edge passes through a triangle or touches it: whether this is no pose to start from.
-
-        Parameters
-        ----------
-        positions : array_like, shape (n, 3)
-            Where each vertex is.
-
-        Returns
-        -------
-        bool
-            Exact. Ends at the first.
-        """
-        return self._detector.has_intersection(rows(positions, "positions"))
+        return self._detector.is_free(*motion(start, end, tolerance).native(), min_separation)
 
     def __repr__(self) -> str:
         return f"Detector({self._mesh!r}, {self._description})"
 
     def __reduce__(self) -> Any:
         raise TypeError("a Detector cannot be pickled: pickle its Mesh, and make a Detector where you need it")
-
-
-def _motion(
-    start: npt.ArrayLike | Path, end: npt.ArrayLike | None, tolerance: float | None
-) -> tuple[Doubles | _core.Path, Doubles | float]:
-    """Return the two ends of a step; or a path and its tolerance."""
-    if isinstance(start, Path):
-        if end is not None:
-            raise InvalidPath("the path says where everything goes: give no end beside it")
-        return start._native(), 1e-9 if tolerance is None else tolerance
-    if end is None:
-        raise InvalidStep("the end is missing: give the positions at the end of the step, or a Path alone")
-    if tolerance is not None:
-        raise InvalidOptions("tolerance is an option of paths: leave it out for a step")
-    return rows(start, "start"), rows(end, "end")
 
 
 def contacts(faces: npt.ArrayLike, start: npt.ArrayLike, end: npt.ArrayLike, **options: Any) -> Contacts:

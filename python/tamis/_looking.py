@@ -9,29 +9,30 @@ import sys
 import tempfile
 import webbrowser
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import numpy as np
 import numpy.typing as npt
 
 from tamis import _core
-from tamis._arrays import Doubles
 from tamis._errors import Error
+
+if TYPE_CHECKING:
+    from tamis._motion import CurvedMotion, StraightMotion
 
 
 @dataclass(frozen=True)
-class AskedStep:
+class Asked:
     """The question whose answer some contacts are: what a file to look at needs beside them."""
 
     mesh: _core.Mesh
     options: _core.Options
-    start: Doubles
-    end: Doubles
+    motion: StraightMotion | CurvedMotion
     min_separation: float | None
 
     def write(self, path: str, contacts: npt.NDArray[np.uint8]) -> None:
-        """Write the contacts, all of the step or some, in the format that the extension names."""
-        detector = _core.Detector(self.mesh, self.options)
-        detector.write_step(path, contacts, self.start, self.end, self.min_separation)
+        """Write the contacts, all that were found or some, in the format that the extension names."""
+        _core.Detector(self.mesh, self.options).write(path, contacts, *self.motion.native(), self.min_separation)
 
 
 class Page:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy.typing as npt
 
 from tamis import _core
-from tamis._arrays import Indices, indices
+from tamis._arrays import Indices, indices, pair_list
 from tamis._errors import InvalidMesh
 
 
@@ -84,6 +84,29 @@ class Mesh:
     def loose_points(self) -> Indices:
         """The loose points as given, shape (p,); read-only."""
         return self._points
+
+    def features_of(self, kind: npt.ArrayLike, vertices: npt.ArrayLike) -> Indices:
+        """Find edges and faces by their places, for data that is kept by feature.
+
+        Parameters
+        ----------
+        kind : array_like of PairKind, shape (n,)
+            As in `Contacts` or `NearPairs`; one may serve for all.
+        vertices : array_like of int, shape (n, 4)
+            The same; one pair may come as (4,).
+
+        Returns
+        -------
+        array of int, shape (n, 2)
+            The two features of each pair: the row of `faces` or of `edges`, the index of a vertex; -1 where the mesh
+            has no such edge or face.
+
+        Raises
+        ------
+        InvalidMesh
+            A kind that is none, or an array of another shape or type.
+        """
+        return _core.features_of(self._mesh, *pair_list(kind, vertices, InvalidMesh))
 
     def __repr__(self) -> str:
         return f"Mesh({self.vertex_count} vertices, {len(self._faces)} triangles, {len(self.edges)} edges)"

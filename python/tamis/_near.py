@@ -7,10 +7,11 @@ import numpy.typing as npt
 
 from tamis import _core
 from tamis._arrays import Doubles, Indices
+from tamis._columns import NamedPairs, WeightedPairs
 from tamis._table import Table
 
 
-class NearPairs(Table):
+class NearPairs(NamedPairs, WeightedPairs):
     """Pairs of features that are near each other at rest, by kind, then vertices; arrays of length n.
 
     The columns of `table` are kind, corners, vertices, distance, u, v, direction.
@@ -20,34 +21,14 @@ class NearPairs(Table):
     _dtype = np.dtype(_core.near_layout())
 
     @property
-    def kind(self) -> npt.NDArray[np.uint8]:
-        """`PairKind` of each."""
-        return self._table["kind"]
-
-    @property
     def corners(self) -> npt.NDArray[np.uint8]:
         """Bit i is set if vertex i has a share in the closest points: which corners, borders or insides they lie on."""
         return self._table["corners"]
 
     @property
-    def vertices(self) -> Indices:
-        """Vertex indices, shape (n, 4), ordered as in `Contact`."""
-        return self._table["vertices"]
-
-    @property
     def distance(self) -> Doubles:
         """Between the closed features, in the unit of the positions; correct to 2^-41 of the pair's extent."""
         return self._table["distance"]
-
-    @property
-    def u(self) -> Doubles:
-        """First weight of the closest points, as in `Contact`."""
-        return self._table["u"]
-
-    @property
-    def v(self) -> Doubles:
-        """Second weight of the closest points."""
-        return self._table["v"]
 
     @property
     def direction(self) -> Doubles:

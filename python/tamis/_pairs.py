@@ -7,12 +7,12 @@ import numpy.typing as npt
 
 from tamis import _core
 from tamis._arrays import Doubles, pairs
+from tamis._columns import TimedPairs
 from tamis._errors import InvalidStep
 from tamis._options import Guarantee
-from tamis._table import Table
 
 
-class Pairs(Table):
+class Pairs(TimedPairs):
     """What each pair does during the step, as arrays of length n. Only where `touches` have the others a meaning.
 
     The columns of `table` are touches, certainty, toi_lower, toi_upper, u, v, normal.
@@ -31,37 +31,17 @@ class Pairs(Table):
         """True: proven to touch. False: free, or unresolved."""
         return np.equal(self._table["certainty"], 0) & self.touches
 
-    @property
-    def toi_lower(self) -> Doubles:
-        """Before this fraction of the step the pair is proven apart; 1 if it is free."""
-        return self._table["toi_lower"]
-
-    @property
-    def toi_upper(self) -> Doubles:
-        """By this fraction of the step a certified pair has touched; 1 if it is free."""
-        return self._table["toi_upper"]
-
-    @property
-    def u(self) -> Doubles:
-        """First contact weight, as in `Contact`."""
-        return self._table["u"]
-
-    @property
-    def v(self) -> Doubles:
-        """Second contact weight."""
-        return self._table["v"]
-
-    @property
-    def normal(self) -> Doubles:
-        """Unit normals, shape (n, 3)."""
-        return self._table["normal"]
-
     def __repr__(self) -> str:
         return f"Pairs({len(self)} pairs, {int(self.touches.sum())} touch)"
 
 
 def vertex_face(
-    start: npt.ArrayLike, end: npt.ArrayLike, *, guarantee: Guarantee = "exact", min_separation: float = 0.0
+    start: npt.ArrayLike,
+    end: npt.ArrayLike,
+    *,
+    guarantee: Guarantee = "exact",
+    min_separation: float = 0.0,
+    latest: float = 1.0,
 ) -> Pairs:
     """Decide vertices against faces, each pair by itself.
 
@@ -74,6 +54,9 @@ def vertex_face(
         As of `Detector`.
     min_separation : float
         d >= 0: contact means Euclidean distance <= d.
+    latest : float
+        The latest time of interest, in [0, 1]: a pair that is proven apart until then is free. Of others it changes
+        nothing.
 
     Returns
     -------
@@ -87,11 +70,16 @@ def vertex_face(
     InvalidOptions
         An option outside its range.
     """
-    return Pairs(_core.vertex_face(*_both(start, end, 4), guarantee, min_separation))
+    return Pairs(_core.vertex_face(*_both(start, end, 4), guarantee, min_separation, latest))
 
 
 def edge_edge(
-    start: npt.ArrayLike, end: npt.ArrayLike, *, guarantee: Guarantee = "exact", min_separation: float = 0.0
+    start: npt.ArrayLike,
+    end: npt.ArrayLike,
+    *,
+    guarantee: Guarantee = "exact",
+    min_separation: float = 0.0,
+    latest: float = 1.0,
 ) -> Pairs:
     """Decide edges against edges, each pair by itself.
 
@@ -99,7 +87,7 @@ def edge_edge(
     ----------
     start, end : array_like, shape (n, 4, 3)
         At the start and at the end of the step: points 0 and 1 are one edge, 2 and 3 the other.
-    guarantee, min_separation
+    guarantee, min_separation, latest
         As of `vertex_face`.
 
     Returns
@@ -112,11 +100,16 @@ def edge_edge(
     InvalidStep, InvalidOptions
         As of `vertex_face`.
     """
-    return Pairs(_core.edge_edge(*_both(start, end, 4), guarantee, min_separation))
+    return Pairs(_core.edge_edge(*_both(start, end, 4), guarantee, min_separation, latest))
 
 
 def vertex_edge(
-    start: npt.ArrayLike, end: npt.ArrayLike, *, guarantee: Guarantee = "exact", min_separation: float = 0.0
+    start: npt.ArrayLike,
+    end: npt.ArrayLike,
+    *,
+    guarantee: Guarantee = "exact",
+    min_separation: float = 0.0,
+    latest: float = 1.0,
 ) -> Pairs:
     """Decide points against segments, each pair by itself.
 
@@ -124,7 +117,7 @@ def vertex_edge(
     ----------
     start, end : array_like, shape (n, 3, 3)
         At the start and at the end of the step: the point, then the segment's ends.
-    guarantee, min_separation
+    guarantee, min_separation, latest
         As of `vertex_face`.
 
     Returns
@@ -137,11 +130,16 @@ def vertex_edge(
     InvalidStep, InvalidOptions
         As of `vertex_face`.
     """
-    return Pairs(_core.vertex_edge(*_both(start, end, 3), guarantee, min_separation))
+    return Pairs(_core.vertex_edge(*_both(start, end, 3), guarantee, min_separation, latest))
 
 
 def vertex_vertex(
-    start: npt.ArrayLike, end: npt.ArrayLike, *, guarantee: Guarantee = "exact", min_separation: float = 0.0
+    start: npt.ArrayLike,
+    end: npt.ArrayLike,
+    *,
+    guarantee: Guarantee = "exact",
+    min_separation: float = 0.0,
+    latest: float = 1.0,
 ) -> Pairs:
     """Decide points against points, each pair by itself.
 
@@ -149,7 +147,7 @@ def vertex_vertex(
     ----------
     start, end : array_like, shape (n, 2, 3)
         At the start and at the end of the step.
-    guarantee, min_separation
+    guarantee, min_separation, latest
         As of `vertex_face`.
 
     Returns
@@ -162,7 +160,7 @@ def vertex_vertex(
     InvalidStep, InvalidOptions
         As of `vertex_face`.
     """
-    return Pairs(_core.vertex_vertex(*_both(start, end, 2), guarantee, min_separation))
+    return Pairs(_core.vertex_vertex(*_both(start, end, 2), guarantee, min_separation, latest))
 
 
 def _both(start: npt.ArrayLike, end: npt.ArrayLike, corners: int) -> tuple[Doubles, Doubles]:

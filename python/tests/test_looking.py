@@ -120,15 +120,55 @@ def test_positions_that_have_changed_are_refused(falling: tamis.Scene, tmp_path:
     contacts.save(tmp_path / "late.csv")
 
 
+def test_a_path_is_a_film_of_its_pieces(opened: list[str], tmp_path: pathlib.Path) -> None:
+    """A rod makes a full turn and meets two posts, at a quarter and at 0.7 of it."""
+    angle = 2 * np.pi * 0.7
+    posts: list[list[float]] = [
+        [x, y, z] for x, y in ((0, 1.5), (1.5 * np.cos(angle), 1.5 * np.sin(angle))) for z in (-1, 1)
+    ]
+    turn = tamis.turned(np.zeros((2, 3)), [0, 0, 2 * np.pi], [0, 0, 0])
+    path = tamis.RigidPath([[1.0, 0, 0], [2.0, 0, 0], *posts], [0, 0, 1, 1, 1, 1], [turn, np.empty((0, 4, 3))])
+    contacts = tamis.Detector(tamis.Mesh([], edges=[[0, 1], [2, 3], [4, 5]])).contacts(path)
+    assert len(contacts) == 2
+    header, _ = scene_in(contacts.view(tmp_path / "film.html").path)
+    assert len(opened) == 1
+    pieces = len(header["steps"])
+    assert 16 <= pieces <= 64 and header["names"][:2] == ["t = 0", f"t = {1 / pieces:g}"]
+    met = {i: step for i, step in enumerate(header["steps"]) if step["contacts"]["ee"]}
+    for i, time in zip(met, (0.25, 0.7)):
+        assert (i + met[i]["toi_lower"]) / pieces == pytest.approx(time, abs=1e-6)
+    assert len(met) == 2
+    header, _ = scene_in(contacts[:1].view(tmp_path / "part.html").path)
+    assert sum(step["contacts"]["ee"] for step in header["steps"]) == 1
+
+
+def test_straight_paths_are_one_piece_and_other_files_are_refused(
+    falling: tamis.Scene, opened: list[str], tmp_path: pathlib.Path
+) -> None:
+    detector = tamis.Detector(falling.mesh)
+    contacts = detector.contacts(tamis.BezierPath([falling.start, falling.end]))
+    header, _ = scene_in(contacts.view(tmp_path / "straight.html").path)
+    assert header["names"] == ["t = 0", "t = 1"] and header["steps"][0]["contacts"]["vf"] == 1
+    with pytest.raises(tamis.Error, match="save html or csv"):
+        contacts.save(tmp_path / "straight.glb")
+    contacts.save(tmp_path / "straight.csv")
+
+    moved = [falling.start, falling.end]
+    path = tamis.FunctionPath(6, lambda t, v: ((1 - t) * moved[0][v] + t * moved[1][v], 1e-15), lambda s, t, v: 1e-15)
+    contacts = detector.contacts(path)
+    assert len(contacts) == 1
+    assert scene_in(contacts.view(tmp_path / "function.html").path)[0]["steps"][0]["contacts"]["vf"] == 1
+    moved[1] = falling.start
+    with pytest.raises(tamis.InvalidPath, match="changed since"):
+        contacts.view(tmp_path / "late.html")
+    assert not (tmp_path / "late.html").exists()
+
+
 def test_what_knows_no_step_says_so(falling: tamis.Scene, tmp_path: pathlib.Path) -> None:
     detector = tamis.Detector(falling.mesh)
     contacts = detector.contacts(falling.start, falling.end)
-    for lost in (
-        pickle.loads(pickle.dumps(contacts)),
-        detector.contacts(tamis.BezierPath([falling.start, falling.end])),
-    ):
-        with pytest.raises(tamis.Error, match="know no step"):
-            lost.view(tmp_path / "lost.html")
+    with pytest.raises(tamis.Error, match="know no step"):
+        pickle.loads(pickle.dumps(contacts)).view(tmp_path / "lost.html")
     for name, said in (("page.txt", "end in .html"), ("picture.png", "end in .html")):
         with pytest.raises(tamis.Error, match=said):
             contacts.view(tmp_path / name)

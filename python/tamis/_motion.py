@@ -1,0 +1,56 @@
+"""What moves a mesh: both ends of a step, or a path."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy.typing as npt
+
+from tamis._arrays import Doubles, rows
+from tamis._errors import InvalidOptions, InvalidPath, InvalidStep
+from tamis._paths import Path
+
+if TYPE_CHECKING:
+    from tamis import _core
+
+    Native = tuple[Doubles | _core.Path, Doubles | float]  # what the compiled part takes
+
+
+@dataclass(frozen=True)
+class StraightMotion:
+    """Each vertex on a straight line."""
+
+    start: Doubles
+    end: Doubles
+
+    def native(self) -> Native:
+        """Return what the compiled part takes."""
+        return self.start, self.end
+
+
+@dataclass(frozen=True)
+class CurvedMotion:
+    """On a path, whose brackets are as narrow as the tolerance."""
+
+    path: Path
+    tolerance: float
+
+    def native(self) -> Native:
+        """Return what the compiled part takes."""
+        return self.path._native(), self.tolerance
+
+
+def motion(
+    start: npt.ArrayLike | Path, end: npt.ArrayLike | None, tolerance: float | None
+) -> StraightMotion | CurvedMotion:
+    """Tell one from the other by what the user gave."""
+    if isinstance(start, Path):
+        if end is not None:
+            raise InvalidPath("the path says where everything goes: give no end beside it")
+        return CurvedMotion(start, 1e-9 if tolerance is None else tolerance)
+    if end is None:
+        raise InvalidStep("the end is missing: give the positions at the end of the step, or a Path alone")
+    if tolerance is not None:
+        raise InvalidOptions("tolerance is an option of paths: leave it out for a step")
+    return StraightMotion(rows(start, "start"), rows(end, "end"))

@@ -1,0 +1,94 @@
+"""Single pairs: until a latest time, how far apart they are, how long they keep it; and features by number."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import pytest
+
+import tamis
+
+VF = tamis.PairKind.VERTEX_FACE
+START = np.array([[0.2, 0.2, 1.0], [0, 0, 0], [1, 0, 0], [0, 1, 0]])
+END = START - [[0, 0, 4], [0, 0, 0], [0, 0, 0], [0, 0, 0]]  # they meet at 0.25
+
+
+@pytest.mark.parametrize(("latest", "touches"), [(0.0, False), (0.2, False), (0.3, True), (1.0, True)])
+def test_only_until_the_latest_time(latest: float, touches: bool) -> None:
+    above, below = np.array([[0, 0, 1.0]]), np.array([[0, 0, -3.0]])
+    rest = np.array([[-1, -1, 0], [1, -1, 0], [0, 1, 0.0]])
+    along = np.array([[0, -1, 0], [0, 1, 0.0]])
+    for ask, moving, still in (
+        (tamis.vertex_face, [[0, 0, 0]], rest),
+        (tamis.edge_edge, [[-1, 0, 0], [1, 0, 0]], along),
+        (tamis.vertex_edge, [[0, 0, 0]], along),
+        (tamis.vertex_vertex, [[0, 0, 0]], along[:1] * 0),
+    ):
+        start, end = (np.vstack([moving + height, still]) for height in (above, below))
+        assert bool(ask(start, end, latest=latest).touches[0]) == touches
+
+
+def test_latest_times_that_are_none() -> None:
+    for latest in (-0.1, 1.1, float("nan")):
+        with pytest.raises(tamis.InvalidOptions, match="latest"):
+            tamis.vertex_face(START, END, latest=latest)
+
+
+def test_distances_are_those_of_near_pairs(soup: tamis.Scene) -> None:
+    near = tamis.Detector(soup.mesh).near(soup.start, 0.05)
+    assert len(near) > 100
+    assert tamis.distance_of(near.kind, near.vertices, soup.start) == near
+    one = tamis.distance_of(VF, [0, 1, 2, 3], START)
+    assert one.distance.tolist() == [1] and one.corners.tolist() == [15]
+    apart = tamis.distance_of(tamis.PairKind.VERTEX_VERTEX, [[0, 1, -1, -1], [2, 3, -1, -1]], START)
+    assert apart.distance == pytest.approx([np.sqrt(1.08), np.sqrt(2)])
+    assert len(tamis.distance_of(VF, np.empty((0, 4), int), START)) == 0
+
+
+def test_a_pair_keeps_its_distance() -> None:
+    kept = tamis.keep_distance(VF, [0, 1, 2, 3], START, END, 0.2)
+    assert 0.199 < kept.lower <= 0.2 <= kept.upper
+    assert kept.pair == tamis.LimitingPair(VF, (0, 1, 2, 3), 1.0)
+    assert 0.124 < tamis.keep_distance(VF, [0, 1, 2, 3], START, END, 0, min_separation=0.5).lower <= 0.125
+    assert tamis.keep_distance(VF, [0, 1, 2, 3], START, END, 0.2, latest=0.1) == (0.1, 1.0, None)
+    with pytest.raises(tamis.InvalidOptions):
+        tamis.keep_distance(VF, [0, 1, 2, 3], START, END, 1.0)
+
+
+def test_features_by_number(soup: tamis.Scene) -> None:
+    contacts = tamis.Detector(soup.mesh).contacts(soup.start, soup.end)
+    places = soup.mesh.features_of(contacts.kind, contacts.vertices)
+    assert places.shape == (len(contacts), 2)
+    of_faces = contacts.kind == VF
+    assert of_faces.any() and not of_faces.all()
+    assert np.array_equal(places[of_faces, 0], contacts.vertices[of_faces, 0])
+    assert np.array_equal(soup.mesh.faces[places[of_faces, 1]], contacts.vertices[of_faces, 1:])
+    assert np.array_equal(soup.mesh.edges[places[~of_faces]].reshape(-1, 4), contacts.vertices[~of_faces])
+    contact = contacts[0]
+    assert np.array_equal(soup.mesh.features_of(contact.kind, contact.vertices), places[:1])
+    assert soup.mesh.features_of(VF, [0, 1, 2, 10**6]).tolist() == [[0, -1]]
+
+
+def test_bad_input_is_named(soup: tamis.Scene) -> None:
+    kinds: list[Any] = [4, -1, [0, 0, 0], "vf", 0.5, None]
+    two = [[0, 1, 2, 3], [0, 1, 2, 4]]
+    with pytest.raises(tamis.InvalidStep, match="pair 1: vertex 4"):
+        tamis.distance_of(VF, two, START)
+    with pytest.raises(tamis.InvalidStep, match="one pair"):
+        tamis.keep_distance(VF, two, START, END, 0)
+    for ask, error in (
+        (lambda kind, vertices: tamis.distance_of(kind, vertices, START), tamis.InvalidStep),
+        (lambda kind, vertices: tamis.keep_distance(kind, vertices, START, END, 0), tamis.InvalidStep),
+        (soup.mesh.features_of, tamis.InvalidMesh),
+    ):
+        for kind in kinds:
+            with pytest.raises(error, match="kind"):
+                ask(kind, two)
+        for vertices in ([0, 1, 2], [[[0, 1, 2, 3]]], "no", [[0, 1, 2, 0.5]], [0, 1, 2, 2**40]):
+            with pytest.raises(error, match="vertices"):
+                ask(VF, vertices)
+    bad = START.copy()
+    bad[2, 1] = np.nan
+    with pytest.raises(tamis.InvalidStep, match="pair 0: vertex 2"):
+        tamis.distance_of(VF, [0, 1, 2, 3], bad)

@@ -2,6 +2,7 @@
 
 #include <tbb/parallel_for.h>
 
+#include "io/picture/legend.hpp"
 #include "io/picture/png.hpp"
 #include "io/picture/scenery.hpp"
 
@@ -44,6 +45,7 @@ void write_picture(const std::filesystem::path& path, const Recording& recording
       image.pixels[static_cast<std::size_t>(row) * static_cast<std::size_t>(options.width) +
                    static_cast<std::size_t>(column)] = pixel_at(scenery, options, column, row);
   });
+  if (!recording.steps.front().contacts.empty()) draw_legend(image);
   write_png(path, image);
 }
 

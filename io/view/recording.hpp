@@ -1,6 +1,7 @@
 // What the outputs for looking show: a mesh, its frames, and what was found in each step between two of them.
 #pragma once
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -13,6 +14,8 @@ namespace tamis::io {
 struct RecordedStep {
   std::vector<Contact> contacts;
   std::vector<StageCount> stages;
+  /// What is proven free where not all contacts are listed; none: the listed ones say it.
+  std::optional<double> free_before = {};
 };
 
 /// REQUIRES: one frame more than steps; frames have a row for each vertex of the mesh.

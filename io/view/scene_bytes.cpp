@@ -130,7 +130,8 @@ Json kinds() {
 Json json_of(const RecordedStep& step) {
   const Tally tally = tally_of(step.contacts);
   Json json{{"contacts", json_of(tally)}};
-  add_bracket(json, tally.is_free(), tally.toi_lower, tally.toi_upper);
+  const bool is_free = !step.free_before && tally.is_free();
+  add_bracket(json, is_free, step.free_before.value_or(tally.toi_lower), tally.toi_upper);
   add_stages(json, step.stages);
   return json;
 }

@@ -14,6 +14,13 @@ namespace {
 
 auto key_of(const Contact& c) { return std::tie(c.kind, c.vertices, c.toi_lower, c.toi_upper); }
 
+/// Before the first of all contacts; 1 if there is none.
+double free_before(std::span<const Contact> found) {
+  double time = 1;
+  for (const Contact& c : found) time = std::min(time, c.toi_lower);
+  return time;
+}
+
 /// REQUIRES: `found` in its fixed order, by kind, then vertices.
 bool is_part(std::span<const Contact> part, std::span<const Contact> found) {
   const auto before = [](const Contact& a, const Contact& b) { return key_of(a) < key_of(b); };
@@ -74,7 +81,9 @@ std::string text_of(double time) {
   return text.str();
 }
 
-io::Recording film_of(const Path& path, const Mesh& mesh, const Options& options, std::span<const Contact> contacts) {
+/// `free_before`: of the path.
+io::Recording film_of(const Path& path, const Mesh& mesh, const Options& options, std::span<const Contact> contacts,
+                      double free_before) {
   const int pieces = pieces_of(path, mesh);
   io::Recording film{mesh, options, 1, {}, {}, std::vector<io::RecordedStep>(static_cast<std::size_t>(pieces))};
   for (int i = 0; i <= pieces; ++i) {
@@ -88,6 +97,10 @@ io::Recording film_of(const Path& path, const Mesh& mesh, const Options& options
     c.toi_upper = std::min(1.0, c.toi_upper * pieces - piece);
     film.steps[static_cast<std::size_t>(piece)].contacts.push_back(c);
   }
+  // A pair is listed where it meets first. It may touch from then on.
+  for (int i = 0; i < pieces; ++i)
+    if (free_before * pieces < i + 1)
+      film.steps[static_cast<std::size_t>(i)].free_before = std::max(0.0, free_before * pieces - i);
   return film;
 }
 
@@ -95,17 +108,19 @@ io::Recording film_of(const Path& path, const Mesh& mesh, const Options& options
 
 void write_step(const std::filesystem::path& to, Detector& detector, const Step& step,
                 std::optional<double> min_separation, std::span<const Contact> part) {
-  if (!is_part(part, detector.contacts(step, min_separation)))
+  const auto& found = detector.contacts(step, min_separation);
+  if (!is_part(part, found))
     throw InvalidStep(
         "the positions have changed since these contacts were found: look at contacts before the next step, or give "
         "the detector arrays that stay as they are");
   const Options options = with(detector.options(), min_separation);
-  const io::Recording recording{detector.mesh(),
-                                options,
-                                1,
-                                {"start", "end"},
-                                {points_of(step.start), points_of(step.end)},
-                                {{{part.begin(), part.end()}, detector.statistics().stages}}};
+  io::Recording recording{detector.mesh(),
+                          options,
+                          1,
+                          {"start", "end"},
+                          {points_of(step.start), points_of(step.end)},
+                          {{{part.begin(), part.end()}, detector.statistics().stages}}};
+  if (part.size() < found.size()) recording.steps.front().free_before = free_before(found);
   io::find_output(io::outputs(), to)->write(to, recording);
 }
 
@@ -114,10 +129,11 @@ void write_path(const std::filesystem::path& to, Detector& detector, const Path&
   const io::Output& output = *io::find_output(io::outputs(), to);
   if (!output.holds_sequence)
     throw Error(to.string() + " would hold one straight piece, and these contacts are of a path: save html or csv");
-  if (!is_part(part, detector.contacts(path, min_separation, tolerance)))
+  const auto& found = detector.contacts(path, min_separation, tolerance);
+  if (!is_part(part, found))
     throw InvalidPath("the path has changed since these contacts were found: look at them before it does");
   const Options options = with(detector.options(), min_separation);
-  output.write(to, film_of(path, detector.mesh(), options, part));
+  output.write(to, film_of(path, detector.mesh(), options, part, free_before(found)));
 }
 
 }  // namespace tamis::python

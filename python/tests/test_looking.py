@@ -69,6 +69,8 @@ def test_a_part_of_the_contacts(soup: tamis.Scene, opened: list[str], tmp_path: 
     header, _ = scene_in(early.view(tmp_path / "early.html").path)
     counts = header["steps"][0]["contacts"]
     assert sum(counts[kind] for kind in ("vf", "ee", "ve", "vv")) == len(early) < len(contacts)
+    header, _ = scene_in(contacts[contacts.toi_lower > 0.9].view(tmp_path / "late.html").path)
+    assert header["steps"][0]["toi_lower"] == contacts.toi_lower.min(), "what is not shown is no less a contact"
 
 
 def test_a_notebook_shows_the_page_itself(
@@ -136,10 +138,14 @@ def test_a_path_is_a_film_of_its_pieces(opened: list[str], tmp_path: pathlib.Pat
     assert 16 <= pieces <= 64 and header["names"][:2] == ["t = 0", f"t = {1 / pieces:g}"]
     met = {i: step for i, step in enumerate(header["steps"]) if step["contacts"]["ee"]}
     for i, time in zip(met, (0.25, 0.7)):
-        assert (i + met[i]["toi_lower"]) / pieces == pytest.approx(time, abs=1e-6)
+        assert (i + met[i]["toi_upper"]) / pieces == pytest.approx(time, abs=1e-6)
     assert len(met) == 2
-    header, _ = scene_in(contacts[:1].view(tmp_path / "part.html").path)
+    free = [step["toi_lower"] for step in header["steps"]]
+    first = min(met)
+    assert free[:first] == [None] * first and free[first + 1 :] == [0] * (pieces - first - 1), "it may touch still"
+    header, _ = scene_in(contacts[1:].view(tmp_path / "part.html").path)
     assert sum(step["contacts"]["ee"] for step in header["steps"]) == 1
+    assert [step["toi_lower"] for step in header["steps"]] == free
 
 
 def test_straight_paths_are_one_piece_and_other_files_are_refused(

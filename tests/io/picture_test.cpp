@@ -11,6 +11,7 @@
 #include <tbb/global_control.h>
 #endif
 
+#include "io/colours.hpp"
 #include "tamis/error.hpp"
 
 namespace tamis::test {
@@ -140,6 +141,23 @@ TEST_F(Wall, EarlyIsBrightAndLateIsDark) {
   int brighter = 0;
   for (std::size_t i = 1; i < early.bytes.size(); i += 3) brighter += early.bytes[i] > late.bytes[i] + 100;
   EXPECT_GT(brighter, 0);
+}
+
+// Bug: colours that nothing explains, or a bar the wrong way round.
+TEST_F(Wall, ALegendSaysWhatTheColoursMean) {
+  const io::PictureOptions large{.from = {0, 0, 1}, .width = 1280, .height = 720};
+  const Pixels with = picture(large);
+  const auto column_of = [&](const io::Rgb& colour) {
+    for (int column = 0; column < with.width / 3; ++column)
+      if (with.channel(column, 690, 0) == colour[0] && with.channel(column, 690, 1) == colour[1]) return column;
+    return -1;
+  };
+  const int early = column_of(io::colour_of_time(0.0025)), late = column_of(io::colour_of_time(0.9975));
+  EXPECT_GT(early, 0);
+  EXPECT_EQ(late - early, 199);
+  recording_.steps[0].contacts.clear();
+  const Pixels without = picture(large);
+  EXPECT_LT(without.channel(late, 690, 0), 60) << "nothing needs to be explained";
 }
 
 TEST_F(Wall, TheBytesDoNotDependOnTheThreads) {

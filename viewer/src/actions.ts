@@ -1,5 +1,6 @@
 // What buttons and keys do beyond changing one value.
 import { Box3, Vector3 } from "three";
+import { withoutContacts } from "./scene/header";
 import type { Pair } from "./scene/pair";
 import type { Session } from "./session";
 import type { Viewpoint } from "./view3d/camera";
@@ -18,7 +19,7 @@ export class Actions {
   firstContact(): void {
     const contact = this.session.view.firstContact;
     if (contact < 0) {
-      this.say("No contact: the step is free, proven.");
+      this.say(`No contact: ${withoutContacts(this.session.view.step.header)}`);
       return;
     }
     this.session.select(contact);
@@ -30,12 +31,18 @@ export class Actions {
   whatStops(): void {
     const contact = this.session.view.limiting;
     if (contact < 0) {
-      this.say("Nothing stops this step: all of it is free, proven.");
+      this.say(`Nothing stops this step: ${withoutContacts(this.session.view.step.header)}`);
       return;
     }
     this.session.select(contact);
-    this.session.store.set({ time: this.session.scene.contacts.toiLower[contact] });
-    this.say(`Free before ${this.session.scene.contacts.toiLower[contact]}, proven. This pair ends it.`);
+    const time = this.session.scene.contacts.toiLower[contact];
+    this.session.store.set({ time });
+    const free = this.session.view.step.header.toi_lower ?? 1;
+    this.say(
+      free === time
+        ? `Free before ${time}, proven. This pair ends it.`
+        : `Free before ${free}, proven. Of what is listed here this pair is the first, at ${time}.`,
+    );
   }
 
   leave(): void {

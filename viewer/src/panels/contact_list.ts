@@ -3,6 +3,7 @@ import { colourOfTime, css } from "../colours";
 import { el } from "../dom";
 import { objectsOf } from "../scene/filter";
 import { counted, grouped } from "../numbers";
+import { withoutContacts } from "../scene/header";
 import { kFilterKeys, type Session } from "../session";
 import type { SortKey } from "../store";
 
@@ -74,7 +75,7 @@ export class ContactList {
     this.spacer.style.height = `${height}px`;
     this.summary.textContent =
       count === 0
-        ? "No contact: the step is free, proven."
+        ? `No contact: ${withoutContacts(view.step.header)}`
         : rows.length === count
           ? counted(count, "contact")
           : `${grouped(rows.length)} of ${counted(count, "contact")}`;

@@ -4,6 +4,7 @@ import { counted, grouped } from "../numbers";
 import type { Actions } from "../actions";
 import type { Session } from "../session";
 import type { Switch } from "../store";
+import { withoutContacts } from "../scene/header";
 import { contactsOf } from "../scene/scene";
 
 export function header(session: Session, actions: Actions): HTMLElement {
@@ -48,7 +49,7 @@ function sentence({ view, scene, store }: Session): (Node | string)[] {
   const { faces } = scene.header.mesh;
   const mesh = `${faces > 0 ? counted(faces, "triangle") : counted(scene.header.mesh.edges, "edge")}, `;
   const count = contactsOf(scene.header.steps[store.now.step]);
-  if (count === 0) return [mesh, el("b", {}, "no contact"), ": the whole step is free, proven."];
+  if (count === 0) return [mesh, el("b", {}, "no contact"), `: ${withoutContacts(view.step.header)}`];
   const unresolved = contacts.unresolved > 0 ? `, ${grouped(contacts.unresolved)} of them unresolved` : "";
   return [
     mesh,

@@ -15,6 +15,7 @@ export interface Stage {
 
 export interface StepHeader {
   contacts: Record<string, number>;
+  /** Before this time the step is proven free; null: all of it is. */
   toi_lower: number | null;
   toi_upper: number | null;
   stages: Stage[];
@@ -31,4 +32,11 @@ export interface SceneHeader {
   mesh: { vertices: number; faces: number; edges: number; points: number; objects: number };
   grid: { lowest: [number, number, number]; spacing: number; error: number };
   columns: Record<string, { offset: number; count: number }>;
+}
+
+/** What is said of a step without contacts. Where not all are listed that means little. */
+export function withoutContacts({ toi_lower: lower }: StepHeader): string {
+  return lower === null
+    ? "the step is free, proven."
+    : `none is listed here, but only what is before ${lower} is proven free.`;
 }

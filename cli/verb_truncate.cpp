@@ -9,19 +9,14 @@
 #include "cli/printable.hpp"
 #include "cli/report.hpp"
 #include "cli/step_verb.hpp"
+#include "io/loose_features.hpp"
 #include "io/ply.hpp"
 
 namespace tamis::cli {
 namespace {
 
-/// What a PLY file can hold of a mesh.
 io::MeshFile file_of(const Mesh& mesh, const std::vector<Point>& positions) {
-  io::MeshFile file;
-  file.positions = positions;
-  file.faces.assign(mesh.faces().begin(), mesh.faces().end());
-  for (std::size_t e = 0; e < mesh.edges().size(); ++e)
-    if (mesh.faces_of_edge(static_cast<Index>(e)).empty()) file.loose_edges.push_back(mesh.edges()[e]);
-  return file;
+  return {positions, {mesh.faces().begin(), mesh.faces().end()}, io::rods_of(mesh), io::loose_points_of(mesh), {}};
 }
 
 /// How much of the way from start to end the vertices go, all together.

@@ -14,6 +14,7 @@ int place_of(ElementKind element, const PlyProperty& p) {
     return element == ElementKind::face && is_corners ? kCorners : kSkipped;
   }
   if (element == ElementKind::vertex && (p.name == "x" || p.name == "y" || p.name == "z")) return p.name[0] - 'x';
+  if (element == ElementKind::point && p.name == "vertex") return 0;
   if (element == ElementKind::edge && (p.name == "vertex1" || p.name == "vertex2")) return p.name[6] - '1';
   return kSkipped;
 }
@@ -29,6 +30,7 @@ void require_places(const PlyElement& element, const std::vector<int>& places, c
   };
   if (element.name == "vertex")
     for (const char* coordinate : {"x", "y", "z"}) require(*coordinate - 'x', fmt::format("property {}", coordinate));
+  if (kind_of(element) == ElementKind::point) require(0, "property vertex");
   if (element.name == "face") require(kCorners, "list property vertex_indices");
   if (element.name == "edge")
     for (const char digit : {'1', '2'}) require(digit - '1', fmt::format("property vertex{}", digit));
@@ -40,6 +42,10 @@ ElementKind kind_of(const PlyElement& element) {
   if (element.name == "vertex") return ElementKind::vertex;
   if (element.name == "face") return ElementKind::face;
   if (element.name == "edge") return ElementKind::edge;
+  // Others call something else a point.
+  const auto is_vertex = [](const PlyProperty& p) { return !p.is_list && p.name == "vertex"; };
+  if (element.name == "point" && std::any_of(element.properties.begin(), element.properties.end(), is_vertex))
+    return ElementKind::point;
   return ElementKind::other;
 }
 

@@ -8,11 +8,11 @@
 
 namespace tamis::io {
 
-enum class ElementKind : std::uint8_t { vertex, face, edge, other };
+enum class ElementKind : std::uint8_t { vertex, face, edge, point, other };
 
 ElementKind kind_of(const PlyElement& element);
 
-/// Where a property goes: a place in the row (x, y, z; vertex1, vertex2), the corners of a polygon, or nowhere.
+/// Where a property goes: a place in the row (x, y, z; vertex1, vertex2; vertex), the corners of a polygon, or nowhere.
 inline constexpr int kSkipped = -1;
 inline constexpr int kCorners = 3;
 

@@ -59,6 +59,7 @@ class BodyReader {
     source_.end_row();
     if (kind == ElementKind::vertex) add_vertex();
     if (kind == ElementKind::face) add_face();
+    if (kind == ElementKind::point) mesh_.loose_points.push_back(index(values_[0]));
     if (kind == ElementKind::edge) mesh_.loose_edges.push_back({index(values_[0]), index(values_[1])});
   }
 

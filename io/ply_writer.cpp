@@ -22,6 +22,8 @@ std::string header_of(const MeshFile& mesh) {
       kFormat, mesh.positions.size(), mesh.faces.size());
   if (!mesh.loose_edges.empty())
     header += fmt::format("element edge {}\nproperty int vertex1\nproperty int vertex2\n", mesh.loose_edges.size());
+  if (!mesh.loose_points.empty())
+    header += fmt::format("element point {}\nproperty int vertex\n", mesh.loose_points.size());
   return header + "end_header\n";
 }
 
@@ -41,6 +43,7 @@ void write_ply(const std::filesystem::path& path, const MeshFile& mesh) {
     file.append(bytes_of(f));
   }
   for (const Edge& e : mesh.loose_edges) file.append(bytes_of(e));
+  for (const Index& v : mesh.loose_points) file.append(bytes_of(v));
   file.commit();
 }
 

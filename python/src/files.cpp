@@ -28,12 +28,13 @@ nb::tuple read_mesh(const std::filesystem::path& path) {
 }
 
 void write_mesh(const std::filesystem::path& path, const PointRows& positions, const IndexRowsIn<3>& faces,
-                const IndexRowsIn<2>& edges) {
+                const IndexRowsIn<2>& edges, const Indices& points) {
   io::MeshFile file;
   const auto* first = reinterpret_cast<const Point*>(positions.data());
   file.positions.assign(first, first + positions.shape(0));
   file.faces = copy_of<Face>(faces);
   file.loose_edges = copy_of<Edge>(edges);
+  file.loose_points = copy_of<Index>(points);
   const nb::gil_scoped_release unlocked;
   io::write_ply(path, file);
 }

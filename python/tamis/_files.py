@@ -50,6 +50,7 @@ def write_mesh(
     positions: npt.ArrayLike,
     faces: npt.ArrayLike,
     edges: npt.ArrayLike | None = None,
+    points: npt.ArrayLike | None = None,
 ) -> None:
     """Write a binary PLY file in doubles: complete or not at all.
 
@@ -62,7 +63,9 @@ def write_mesh(
     faces : array_like of int, shape (f, 3)
         Triangles.
     edges : array_like of int, shape (e, 2), optional
-        Loose edges. Loose points have no place in PLY but among the vertices.
+        Loose edges: rods.
+    points : array_like of int, shape (p,), optional
+        Loose points. PLY itself has none: other programs skip them, or show all vertices.
 
     Raises
     ------
@@ -73,9 +76,10 @@ def write_mesh(
     """
     vertices = np.ascontiguousarray(rows(positions, "positions", InvalidMesh))
     triangles, rods = indices(faces, 3, "faces", InvalidMesh), indices(edges, 2, "edges", InvalidMesh)
-    if triangles.size or rods.size:
-        Mesh(triangles, len(vertices), rods)  # refuses indices out of range
-    _core.write_mesh(os.fspath(path), vertices, triangles, rods)
+    loose = indices(points, 0, "points", InvalidMesh)
+    if triangles.size or rods.size or loose.size:
+        Mesh(triangles, len(vertices), rods, loose)  # refuses indices out of range
+    _core.write_mesh(os.fspath(path), vertices, triangles, rods, loose)
 
 
 def read_frames(*names: str | os.PathLike[str]) -> Iterator[MeshFile]:

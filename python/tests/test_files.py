@@ -11,10 +11,11 @@ import tamis
 
 
 def test_a_mesh_written_and_read(falling: tamis.Scene, tmp_path: pathlib.Path) -> None:
-    tamis.write_mesh(tmp_path / "a.ply", falling.start / 3, falling.mesh.faces, edges=[[0, 3]])
+    tamis.write_mesh(tmp_path / "a.ply", falling.start / 3, falling.mesh.faces, edges=[[0, 3]], points=[4])
     read = tamis.read_mesh(tmp_path / "a.ply")
     assert np.array_equal(read.positions, falling.start / 3)
     assert np.array_equal(read.mesh.faces, falling.mesh.faces) and read.mesh.loose_edges.tolist() == [[0, 3]]
+    assert read.mesh.loose_points.tolist() == [4]
     assert read.notes == ()
 
 

@@ -40,6 +40,15 @@ TEST_F(Truncate, WritesPositionsThatAStepMayGoTo) {
   EXPECT_EQ(written("next.ply").faces, written("high.obj").faces);
 }
 
+// Bug: the file forgets the loose point, so that it takes part in no later step.
+TEST_F(Truncate, KeepsLoosePoints) {
+  EXPECT_EQ(folder_.run("truncate above.obj below.obj --out next.ply").code, 0);
+  EXPECT_EQ(written("next.ply").loose_points, (std::vector<Index>{3}));
+  const Outcome onwards = folder_.run("contacts next.ply below.obj --json");
+  ASSERT_EQ(onwards.code, 0) << onwards.err;
+  EXPECT_EQ(onwards.json()["contacts"]["vf"], 1);
+}
+
 // Bug: the option is not handed on, or means the part that is gone.
 TEST_F(Truncate, KeepsAFractionOfTheDistanceUntilVerticesGoAlone) {
   const auto part = [&](const char* options) -> double {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "io/error.hpp"
 #include "io/ply_builder.hpp"
 #include "support/temporary_folder.hpp"
 
@@ -118,16 +119,33 @@ TEST(Ply, ReadsTinyAndSignedNumbersInText) {
   EXPECT_EQ(mesh.positions, (std::vector<Point>{{5e-324, 0, 2.5}}));
 }
 
-// Bug: the writer loses bits, edges or the order of faces.
+// Bug: the writer loses bits, edges, points or the order of faces.
 TEST(Ply, WritesWhatItReads) {
   const test::TemporaryFolder folder;
   MeshFile mesh = parse_ply(test::two_triangles(Encoding::big), "m.ply");
   mesh.loose_edges = {{0, 3}};
+  mesh.loose_points = {2, 1};
   write_ply(folder.path() / "copy.ply", mesh);
   const MeshFile copy = read_mesh(folder.path() / "copy.ply");
   EXPECT_EQ(copy.positions, mesh.positions);
   EXPECT_EQ(copy.faces, mesh.faces);
   EXPECT_EQ(copy.loose_edges, mesh.loose_edges);
+  EXPECT_EQ(copy.loose_points, mesh.loose_points);
+}
+
+// Bug: what another program calls a point is taken for a vertex number, or an index out of range for a vertex.
+TEST(Ply, LoosePointsNameVertices) {
+  const std::string two =
+      "ply\nformat ascii 1.0\nelement vertex 2\nproperty double x\nproperty double y\nproperty double z\n"
+      "element point 1\nproperty int ";
+  const std::string rows = "end_header\n0 0 0\n1 1 1\n";
+  const MeshFile ours = parse_ply(two + "vertex\n" + rows + "1\n", "m.ply");
+  EXPECT_EQ(ours.loose_points, (std::vector<Index>{1}));
+  EXPECT_TRUE(ours.notes.empty());
+  const MeshFile theirs = parse_ply(two + "colour\n" + rows + "7\n", "m.ply");
+  EXPECT_TRUE(theirs.loose_points.empty());
+  EXPECT_EQ(theirs.notes.size(), 1u);
+  EXPECT_THROW(parse_ply(two + "vertex\n" + rows + "2\n", "m.ply"), FileError);
 }
 
 }  // namespace

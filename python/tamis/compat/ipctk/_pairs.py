@@ -23,7 +23,7 @@ def point_triangle_ccd(
 ) -> tuple[bool, float]:
     """Tell whether a point meets a triangle until tmax, and before which time it does not."""
     start, end = _points(p_t0, t0_t0, t1_t0, t2_t0), _points(p_t1, t0_t1, t1_t1, t2_t1)
-    return _until(tmax, vertex_face(start, end, min_separation=min_distance))
+    return _found(vertex_face(start, end, min_separation=min_distance, latest=tmax))
 
 
 def edge_edge_ccd(
@@ -40,7 +40,7 @@ def edge_edge_ccd(
 ) -> tuple[bool, float]:
     """Tell whether two edges meet until tmax, and before which time they do not."""
     start, end = _points(ea0_t0, ea1_t0, eb0_t0, eb1_t0), _points(ea0_t1, ea1_t1, eb0_t1, eb1_t1)
-    return _until(tmax, edge_edge(start, end, min_separation=min_distance))
+    return _found(edge_edge(start, end, min_separation=min_distance, latest=tmax))
 
 
 def point_edge_ccd(
@@ -55,7 +55,7 @@ def point_edge_ccd(
 ) -> tuple[bool, float]:
     """Tell whether a point meets an edge until tmax, and before which time it does not."""
     start, end = _points(p_t0, e0_t0, e1_t0), _points(p_t1, e0_t1, e1_t1)
-    return _until(tmax, vertex_edge(start, end, min_separation=min_distance))
+    return _found(vertex_edge(start, end, min_separation=min_distance, latest=tmax))
 
 
 def point_point_ccd(
@@ -68,15 +68,13 @@ def point_point_ccd(
 ) -> tuple[bool, float]:
     """Tell whether two points meet until tmax, and before which time they do not."""
     start, end = _points(p0_t0, p1_t0), _points(p0_t1, p1_t1)
-    return _until(tmax, vertex_vertex(start, end, min_separation=min_distance))
+    return _found(vertex_vertex(start, end, min_separation=min_distance, latest=tmax))
 
 
 def _points(*points: npt.ArrayLike) -> Doubles:
     return np.stack([np.asarray(point, dtype=np.float64).ravel() for point in points])
 
 
-def _until(tmax: float, found: Pairs) -> tuple[bool, float]:
-    """What ipctk returns: does it touch until tmax, and when; infinity if not."""
-    when = float(found.toi_lower[0])
-    touches = bool(found.touches[0]) and when <= tmax
-    return touches, when if touches else float("inf")
+def _found(pair: Pairs) -> tuple[bool, float]:
+    """What ipctk returns: does it touch, and when; infinity if not."""
+    return (True, float(pair.toi_lower[0])) if pair.touches[0] else (False, float("inf"))

@@ -1,8 +1,8 @@
-"""What Python adds to a question: overhead.py FRAMES [--c-library FILE].
+"""What Python adds to a question: overhead.py FRAMES [--list-call FILE].
 
 In one process, warm: the time of the call as Python sees it, and the library's own time of the same call, which
-`statistics` gives. With the library of the C interface also a million single pairs, through NumPy and through C, in
-turns.
+`statistics` gives. With the module that the preset bench builds from list_call.cpp also a million single pairs, through
+NumPy and by the C++ call for lists of pairs, in turns.
 """
 
 from __future__ import annotations
@@ -47,38 +47,30 @@ def compare_steps(frames: pathlib.Path, threads: int, repeat: int) -> None:
 
 
 def compare_pairs(path: pathlib.Path, repeat: int, count: int = 1_000_000) -> None:
-    """A million vertices against as many faces."""
-    library, handle = ctypes.CDLL(str(path)), ctypes.c_void_p()
-    library.tamis_pairs_create(None, ctypes.byref(handle))
+    """A million vertices against as many faces; two copies of the library, one in each module."""
+    call = ctypes.CDLL(str(path)).tamis_list_call
+    call.restype, call.argtypes = ctypes.c_double, (ctypes.c_size_t, ctypes.c_void_p, ctypes.c_void_p)
     start, end = np.random.default_rng(1).uniform(-1, 1, (2, count, 4, 3))
-    pointer = ctypes.POINTER(ctypes.c_double)
+    given = count, start.ctypes.data, end.ctypes.data
 
-    def through_c() -> None:
-        results = np.empty((count, 8))  # 64 bytes each
-        arguments = (ctypes.c_size_t(count), start.ctypes.data_as(pointer), end.ctypes.data_as(pointer))
-        library.tamis_vertex_face(handle, *arguments, ctypes.c_void_p(results.ctypes.data), ctypes.c_size_t(64))
-
-    def through_numpy() -> None:
-        tamis.vertex_face(start, end)
-
-    through_c()
-    times = np.array([[seconds(through_c), seconds(through_numpy)] for _ in range(repeat)])
-    c, python = np.median(times, axis=0)
+    call(*given)
+    times = np.array([[call(*given), seconds(lambda: tamis.vertex_face(start, end))] for _ in range(repeat)])
+    cpp, python = np.median(times, axis=0)
     ratio = np.median(times[:, 1] / times[:, 0])
-    print(f"{count:,} pairs: C {1000 * c:.0f} ms, NumPy {1000 * python:.0f} ms, ratio {ratio:.3f}")
+    print(f"{count:,} pairs: C++ {1000 * cpp:.0f} ms, NumPy {1000 * python:.0f} ms, ratio {ratio:.3f}")
 
 
 def main() -> None:
     """Ask, and print."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("frames", type=pathlib.Path, help="the folder that holds cloth-ball and cloth-funnel")
-    parser.add_argument("--c-library", type=pathlib.Path, help="libtamis_c.so of the same build")
+    parser.add_argument("--list-call", type=pathlib.Path, help="libtamis_list_call.so")
     parser.add_argument("--threads", type=int, default=1)
     parser.add_argument("--repeat", type=int, default=40)
     arguments = parser.parse_args()
     compare_steps(arguments.frames, arguments.threads, arguments.repeat)
-    if arguments.c_library:
-        compare_pairs(arguments.c_library, max(3, arguments.repeat // 8))
+    if arguments.list_call:
+        compare_pairs(arguments.list_call, max(3, arguments.repeat // 8))
 
 
 if __name__ == "__main__":

@@ -3,26 +3,23 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Any, overload
+from typing import Any
 
 import numpy.typing as npt
 
 from tamis import _core
-from tamis._answers import EarliestContact
 from tamis._arrays import rows
 from tamis._at_rest import AtRest
 from tamis._contacts import Contacts, PairKind
 from tamis._errors import InvalidOptions
-from tamis._looking import Asked
+from tamis._in_motion import InMotion
 from tamis._mesh import Mesh
-from tamis._motion import motion
 from tamis._options import Filter, Guarantee, Isa, PaperOptions, set_groups
-from tamis._paths import Path
 from tamis._statistics import Statistics
 from tamis._step_lengths import StepLengths
 
 
-class Detector(StepLengths, AtRest):
+class Detector(InMotion, StepLengths, AtRest):
     """Holds a mesh and the hierarchy over it; keep one for all steps of a mesh.
 
     The first question builds the hierarchy; later ones refit it, and rebuild it by themselves once that pays. Pairs are
@@ -119,104 +116,6 @@ class Detector(StepLengths, AtRest):
     def statistics(self) -> Statistics:
         """What the last question cost."""
         return Statistics(**self._detector.statistics())
-
-    @overload
-    def contacts(
-        self, start: npt.ArrayLike, end: npt.ArrayLike, *, min_separation: float | None = None
-    ) -> Contacts: ...
-    @overload
-    def contacts(
-        self, start: Path, /, *, min_separation: float | None = None, tolerance: float | None = None
-    ) -> Contacts: ...
-    def contacts(
-        self,
-        start: npt.ArrayLike | Path,
-        end: npt.ArrayLike | None = None,
-        *,
-        min_separation: float | None = None,
-        tolerance: float | None = None,
-    ) -> Contacts:
-        """Find every contact of a step, or of a path.
-
-        Parameters
-        ----------
-        start, end : array_like, shape (n, 3)
-            Where each vertex is at the start and at the end of the step. Or a `Path` alone: curved motion.
-        min_separation : float, optional
-            Of this question alone; by default the detector's.
-        tolerance : float, optional
-            Of a path: widest bracket of a contact, in (0, 1], a fraction of the step; by default 1e-9.
-
-        Returns
-        -------
-        Contacts
-            By kind, then vertices; `Contacts.view` shows them. On a path, what cannot be decided (a touch
-            without crossing, say) is a contact that is not certified.
-        """
-        moving = motion(start, end, tolerance)
-        found = self._detector.contacts(*moving.native(), min_separation)
-        return Contacts(found, Asked(self._mesh._mesh, self._options, moving, min_separation))
-
-    @overload
-    def earliest(
-        self, start: npt.ArrayLike, end: npt.ArrayLike, *, min_separation: float | None = None
-    ) -> EarliestContact: ...
-    @overload
-    def earliest(
-        self, start: Path, /, *, min_separation: float | None = None, tolerance: float | None = None
-    ) -> EarliestContact: ...
-    def earliest(
-        self,
-        start: npt.ArrayLike | Path,
-        end: npt.ArrayLike | None = None,
-        *,
-        min_separation: float | None = None,
-        tolerance: float | None = None,
-    ) -> EarliestContact:
-        """Find the first contact: how far the step, or the path, may go. `truncate` says to which positions.
-
-        Parameters
-        ----------
-        start, end, min_separation, tolerance
-            As of `contacts`.
-
-        Returns
-        -------
-        EarliestContact
-            The motion is free before its `toi_lower`: proven.
-        """
-        lower, upper, found = self._detector.earliest(*motion(start, end, tolerance).native(), min_separation)
-        contacts = Contacts(found)
-        return EarliestContact(lower, upper, contacts[0] if len(contacts) else None)
-
-    @overload
-    def is_free(self, start: npt.ArrayLike, end: npt.ArrayLike, *, min_separation: float | None = None) -> bool: ...
-    @overload
-    def is_free(
-        self, start: Path, /, *, min_separation: float | None = None, tolerance: float | None = None
-    ) -> bool: ...
-    def is_free(
-        self,
-        start: npt.ArrayLike | Path,
-        end: npt.ArrayLike | None = None,
-        *,
-        min_separation: float | None = None,
-        tolerance: float | None = None,
-    ) -> bool:
-        """Tell whether the whole step, or the whole path, is free of contacts.
-
-        Parameters
-        ----------
-        start, end, min_separation, tolerance
-            As of `contacts`.
-
-        Returns
-        -------
-        bool
-            True is a proof. With the guarantee "conservative", or on a path, False may be due to a contact that is not
-            certified.
-        """
-        return self._detector.is_free(*motion(start, end, tolerance).native(), min_separation)
 
     def __repr__(self) -> str:
         return f"Detector({self._mesh!r}, {self._description})"

@@ -41,6 +41,7 @@ def test_everything_public_has_a_docstring() -> None:
     for name in tamis.__all__:
         thing = getattr(tamis, name)
         assert thing.__doc__ and len(thing.__doc__) > 20, name
-        for attribute, value in vars(thing).items() if isinstance(thing, type) else ():
-            if not attribute.startswith("_") and (callable(value) or isinstance(value, property)):
-                assert value.__doc__, f"{name}.{attribute}"
+        for part in thing.__mro__ if isinstance(thing, type) else ():
+            for attribute, value in vars(part).items() if part.__module__.startswith("tamis") else ():
+                if not attribute.startswith("_") and (callable(value) or isinstance(value, property)):
+                    assert value.__doc__, f"{name}.{attribute}"

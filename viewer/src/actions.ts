@@ -144,7 +144,7 @@ export class Actions {
     return { eye: toEye.multiplyScalar(distance).add(target), target };
   }
 
-  /** Of the vertices that move, at both ends of the step; of all, if none does. */
+  /** Of the vertices that move in this step, in any frame that is looked at; of all, if none does. */
   private places(): Vector3[] {
     const { start, end } = this.session.view.step;
     const { objectOfVertex } = this.session.scene;
@@ -156,6 +156,14 @@ export class Actions {
       if ([0, 1, 2].some((axis) => start[3 * v + axis] !== end[3 * v + axis])) moving.add(object);
     });
     const shown = moving.size > 0 ? used.filter((v) => moving.has(objectOfVertex[v])) : used;
-    return shown.flatMap((v) => [start, end].map((at) => new Vector3().fromArray(at, 3 * v)));
+    const frames = [start, end, ...this.otherFrames(shown.length)];
+    return shown.flatMap((v) => frames.map((at) => new Vector3().fromArray(at, 3 * v)));
+  }
+
+  /** Some steps of a sequence, evenly, as many as take no noticeable time. */
+  private otherFrames(vertices: number): Float32Array[] {
+    const { scene } = this.session;
+    const count = Math.min(scene.stepCount - 1, 16, Math.floor(200_000 / Math.max(vertices, 1)));
+    return Array.from({ length: count }, (_, i) => scene.step(Math.floor(((i + 0.5) * scene.stepCount) / count)).start);
   }
 }

@@ -36,7 +36,6 @@ export interface SceneHeader {
 
 /** What is said of a step without contacts. Where not all are listed that means little. */
 export function withoutContacts({ toi_lower: lower }: StepHeader): string {
-  return lower === null
-    ? "the step is free, proven."
-    : `none is listed here, but only what is before ${lower} is proven free.`;
+  if (lower === null) return "the step is free, proven.";
+  return `none is listed here, but pairs listed elsewhere may touch${lower > 0 ? ` from ${lower} on` : ""}.`;
 }

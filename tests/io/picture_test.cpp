@@ -145,19 +145,19 @@ TEST_F(Wall, EarlyIsBrightAndLateIsDark) {
 
 // Bug: colours that nothing explains, or a bar the wrong way round.
 TEST_F(Wall, ALegendSaysWhatTheColoursMean) {
-  const io::PictureOptions large{.from = {0, 0, 1}, .width = 1280, .height = 720};
+  const io::PictureOptions large{.from = {0, 0, 1}, .width = 320, .height = 180};
   const Pixels with = picture(large);
   const auto column_of = [&](const io::Rgb& colour) {
-    for (int column = 0; column < with.width / 3; ++column)
-      if (with.channel(column, 690, 0) == colour[0] && with.channel(column, 690, 1) == colour[1]) return column;
+    for (int column = 0; column < with.width / 2; ++column)
+      if (with.channel(column, 164, 0) == colour[0] && with.channel(column, 164, 1) == colour[1]) return column;
     return -1;
   };
-  const int early = column_of(io::colour_of_time(0.0025)), late = column_of(io::colour_of_time(0.9975));
+  const int early = column_of(io::colour_of_time(0.005)), late = column_of(io::colour_of_time(0.995));
   EXPECT_GT(early, 0);
-  EXPECT_EQ(late - early, 199);
+  EXPECT_EQ(late - early, 99);
   recording_.steps[0].contacts.clear();
   const Pixels without = picture(large);
-  EXPECT_LT(without.channel(late, 690, 0), 60) << "nothing needs to be explained";
+  EXPECT_LT(without.channel(early, 164, 0), 60) << "nothing needs to be explained";
 }
 
 TEST_F(Wall, TheBytesDoNotDependOnTheThreads) {

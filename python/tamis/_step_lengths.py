@@ -50,7 +50,7 @@ class StepLengths:
         """Find a step for each vertex, so that one near pair does not stop all.
 
         All go together as far as `keep_distance` lets them, from there each on its own side of planes between the
-        features that it could reach, and no farther than half the mean edge.
+        features that it could reach, and no farther than a quarter of the mean edge.
 
         Parameters
         ----------

@@ -21,3 +21,9 @@ built_library(tamis_io io/libtamis_io.a tamis::tamis fmt::fmt GMP::gmp ZLIB::ZLI
 built_library(tamis_scenes scenes/libtamis_scenes.a tamis::tamis)
 built_library(tamis_simulation scenes/simulation/libtamis_simulation.a
   tamis_io tamis_scenes Eigen3::Eigen meshoptimizer::meshoptimizer)
+if(TAMIS_PYTHON_MPI)
+  set(MPI_CXX_SKIP_MPICXX ON)
+  find_package(MPI REQUIRED COMPONENTS CXX)
+  built_library(tamis_mpi mpi/libtamis_mpi.a tamis::tamis MPI::MPI_CXX)
+  target_include_directories(tamis_mpi INTERFACE ${PROJECT_SOURCE_DIR}/mpi/include)
+endif()

@@ -116,17 +116,26 @@ def add_licences(wheel: pathlib.Path, work: pathlib.Path) -> None:
     run(python, "-m", "wheel", "pack", root, "--dest-dir", wheel.parent)
 
 
-def make_wheel(work: pathlib.Path, source: pathlib.Path, libraries: "list[str]") -> pathlib.Path:
-    tools = work / "tools/bin"
-    search = {**os.environ, "PATH": f"{tools}:{os.environ['PATH']}"}
-    raw = work / "raw"
-    for old in (raw, work / "dist"):
-        shutil.rmtree(old, ignore_errors=True)
-    run(tools / "python", "-m", "build", "--wheel", "--no-isolation", "--outdir", raw,
-        f"-Cbuild-dir={work / 'objects'}", "-Ccmake.define.CMAKE_EXPORT_COMPILE_COMMANDS=ON", *libraries, source,
-        env=search)
-    (wheel,) = raw.glob("*.whl")
-    run(tools / "auditwheel", "repair", wheel, "--wheel-dir", work / "dist", env=search, stderr=subprocess.STDOUT)
+def search_path(work: pathlib.Path) -> "dict[str, str]":
+    """The environment in which what PyPI has given is found first."""
+    return {**os.environ, "PATH": f"{work / 'tools/bin'}:{os.environ['PATH']}"}
+
+
+def compile_wheel(work: pathlib.Path, source: pathlib.Path, name: str, defines: "list[str]") -> pathlib.Path:
+    """The wheel in WORK/name, not repaired; its objects stay for next time."""
+    shutil.rmtree(work / name, ignore_errors=True)
+    options = [f"-Ccmake.define.{define}" for define in ("CMAKE_EXPORT_COMPILE_COMMANDS=ON", *defines)]
+    run(work / "tools/bin/python", "-m", "build", "--wheel", "--no-isolation", "--outdir", work / name,
+        f"-Cbuild-dir={work / f'{name}_objects'}", *options, source, env=search_path(work))
+    (wheel,) = (work / name).glob("*.whl")
+    return wheel
+
+
+def make_wheel(work: pathlib.Path, source: pathlib.Path, defines: "list[str]") -> pathlib.Path:
+    wheel = compile_wheel(work, source, "raw", defines)
+    shutil.rmtree(work / "dist", ignore_errors=True)
+    run(work / "tools/bin/auditwheel", "repair", wheel, "--wheel-dir", work / "dist", env=search_path(work),
+        stderr=subprocess.STDOUT)
     (repaired,) = (work / "dist").glob("*.whl")
     add_licences(repaired, work)
     return repaired
@@ -148,12 +157,12 @@ def main() -> int:
     work.mkdir(parents=True, exist_ok=True)
     make_tools(work)
     source = make_source(work)
-    libraries = [f"-Ccmake.define.TAMIS_BUILT={folder}" for folder in build]
+    defines = [f"TAMIS_BUILT={folder}" for folder in build]
     built = [path.read_bytes() for folder in build for path in sorted(folder.glob("**/libtamis*.a"))]
     stamp = Stamp(work / "wheel.stamp", source_digest(source), REQUIREMENTS.read_bytes(), *built)
     if not stamp.is_fresh() or not (work / "user").exists():
         stamp.path.unlink(missing_ok=True)
-        wheel = make_wheel(work, source, libraries)
+        wheel = make_wheel(work, source, defines)
         make_user(work, wheel)
         stamp.set()
     print("installed into", work / "user")

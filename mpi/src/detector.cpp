@@ -5,6 +5,7 @@
 #include "mpi/src/same_on_all.hpp"
 #include "mpi/src/searches.hpp"
 #include "tamis/distributed.hpp"
+#include "tamis/error.hpp"
 
 namespace tamis::distributed {
 namespace {
@@ -98,6 +99,9 @@ const std::vector<Contact>& Detector::contacts(const Step& step, std::optional<d
 std::vector<Contact> Detector::gather_contacts(int root) {
   Communicator& communicator = state_->searches.communicator();
   require_same(communicator, {"gather contacts on rank " + std::to_string(root)});
+  if (root < 0 || root >= communicator.size())
+    throw InvalidOptions("there is no rank " + std::to_string(root) + ": there are " +
+                         std::to_string(communicator.size()) + ", from 0");
   return gather(communicator, state_->contacts, root);
 }
 

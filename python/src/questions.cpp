@@ -3,33 +3,12 @@
 #include <nanobind/stl/string.h>
 
 #include "python/src/answers.hpp"
-#include "python/src/errors.hpp"
 #include "python/src/looking.hpp"
 
 namespace tamis::python {
 namespace {
 
-/// Held by whoever asks.
-class Turn {
- public:
-  explicit Turn(std::atomic_flag& flag) : flag_(flag) {
-    if (flag_.test_and_set(std::memory_order_acquire)) throw Busy();
-  }
-  ~Turn() { flag_.clear(std::memory_order_release); }
-  Turn(const Turn&) = delete;
-  Turn& operator=(const Turn&) = delete;
-
- private:
-  std::atomic_flag& flag_;
-};
-
 Step step_of(const Rows& start, const Rows& end) { return {positions(start), positions(end)}; }
-
-nb::tuple as_tuple(const EarliestContact& first) {
-  std::vector<Contact> contact;
-  if (first.contact) contact.push_back(*first.contact);
-  return nb::make_tuple(first.toi_lower, first.toi_upper, own_bytes(std::move(contact)));
-}
 
 /// Numbers by their names.
 template <class Number>
@@ -74,128 +53,93 @@ nb::dict as_dict(const Statistics& s) {
 }  // namespace
 
 Questions::Questions(const Mesh& mesh, const Asking& asking)
-    : accepts_(asking.accepts), signals_(asking.is_cancelled), detector_(mesh, with_callbacks(asking.options)) {}
-
-/// The library copies its options, so that these refer to what is kept here.
-Options Questions::with_callbacks(Options options) {
-  options.is_cancelled = [this] { return signals_.ask(); };
-  if (accepts_.is_none()) return options;
-  options.filter.accepts = [this](PairKind kind, const std::array<Index, 4>& v) {
-    const nb::gil_scoped_acquire lock;
-    return nb::cast<bool>(nb::bool_(accepts_(static_cast<int>(kind), as_tuple(v))));
-  };
-  return options;
-}
-
-template <class Work>
-void Questions::ask(const Work& work) {
-  const Turn turn(is_asking_);
-  signals_.begin();
-  try {
-    const nb::gil_scoped_release unlocked;
-    work();
-  } catch (const Cancelled&) {
-    signals_.rethrow();
-    throw;
-  }
-}
+    : asker_(asking), detector_(mesh, asker_.with_callbacks(asking.options)) {}
 
 nb::object Questions::contacts(const Rows& start, const Rows& end, Separation d) {
   std::vector<Contact> found = spare_->take();
-  ask([&] { detector_.contacts(step_of(start, end), found, d); });
+  asker_.ask([&] { detector_.contacts(step_of(start, end), found, d); });
   return own_contacts(std::move(found), spare_);
 }
 
 nb::tuple Questions::earliest(const Rows& start, const Rows& end, Separation d) {
   EarliestContact first;
-  ask([&] { first = detector_.earliest(step_of(start, end), d); });
+  asker_.ask([&] { first = detector_.earliest(step_of(start, end), d); });
   return as_tuple(first);
 }
 
 bool Questions::is_free(const Rows& start, const Rows& end, Separation d) {
   bool free = false;
-  ask([&] { free = detector_.is_free(step_of(start, end), d); });
+  asker_.ask([&] { free = detector_.is_free(step_of(start, end), d); });
   return free;
 }
 
 nb::object Questions::contacts_on_path(const Path& path, double tolerance, Separation d) {
   std::vector<Contact> found = spare_->take();
-  ask([&] { found = detector_.contacts(path, d, tolerance); });
+  asker_.ask([&] { found = detector_.contacts(path, d, tolerance); });
   return own_contacts(std::move(found), spare_);
 }
 
 nb::tuple Questions::earliest_on_path(const Path& path, double tolerance, Separation d) {
   EarliestContact first;
-  ask([&] { first = detector_.earliest(path, d, tolerance); });
+  asker_.ask([&] { first = detector_.earliest(path, d, tolerance); });
   return as_tuple(first);
 }
 
 bool Questions::is_free_on_path(const Path& path, double tolerance, Separation d) {
   bool free = false;
-  ask([&] { free = detector_.is_free(path, d, tolerance); });
+  asker_.ask([&] { free = detector_.is_free(path, d, tolerance); });
   return free;
 }
 
 nb::tuple Questions::keep_distance(const Rows& start, const Rows& end, double fraction, Separation d) {
   SafeStep safe;
-  ask([&] { safe = detector_.keep_distance(step_of(start, end), fraction, d); });
+  asker_.ask([&] { safe = detector_.keep_distance(step_of(start, end), fraction, d); });
   return as_tuple(safe);
 }
 
 nb::tuple Questions::vertex_steps(const Rows& start, const Rows& end, double fraction, Separation d) {
   VertexSteps steps;
-  ask([&] { steps = detector_.vertex_steps(step_of(start, end), fraction, d); });
+  asker_.ask([&] { steps = detector_.vertex_steps(step_of(start, end), fraction, d); });
   return nb::make_tuple(steps.together, own<double>(std::move(steps.until), 0));
 }
 
 nb::tuple Questions::truncate(const Rows& start, const Rows& end, double fraction, Separation d) {
   TruncatedStep step;
-  ask([&] { step = detector_.truncate(step_of(start, end), fraction, d); });
+  asker_.ask([&] { step = detector_.truncate(step_of(start, end), fraction, d); });
   return nb::make_tuple(own<double>(std::move(step.positions), 3), step.is_free);
 }
 
 nb::object Questions::near(const Rows& at, double distance) {
   std::vector<NearPair> found;
-  ask([&] { found = detector_.near(positions(at), distance); });
+  asker_.ask([&] { found = detector_.near(positions(at), distance); });
   return own_bytes(std::move(found));
 }
 
 nb::object Questions::intersections(const Rows& at) {
   std::vector<Intersection> found;
-  ask([&] { found = detector_.intersections(positions(at)); });
+  asker_.ask([&] { found = detector_.intersections(positions(at)); });
   return own_bytes(std::move(found));
 }
 
 bool Questions::has_intersection(const Rows& at) {
   bool found = false;
-  ask([&] { found = detector_.has_intersection(positions(at)); });
+  asker_.ask([&] { found = detector_.has_intersection(positions(at)); });
   return found;
 }
 
 void Questions::write_step(const std::filesystem::path& path, const ContactBytes& contacts, const Rows& start,
                            const Rows& end, Separation d) {
-  ask([&] { python::write_step(path, detector_, step_of(start, end), d, contacts_in(contacts)); });
+  asker_.ask([&] { python::write_step(path, detector_, step_of(start, end), d, contacts_in(contacts)); });
 }
 
 void Questions::write_path(const std::filesystem::path& to, const ContactBytes& contacts, const Path& path,
                            double tolerance, Separation d) {
-  ask([&] { python::write_path(to, detector_, path, tolerance, d, contacts_in(contacts)); });
+  asker_.ask([&] { python::write_path(to, detector_, path, tolerance, d, contacts_in(contacts)); });
 }
 
 nb::dict Questions::statistics() {
-  const Turn turn(is_asking_);
+  const Turn turn = asker_.turn();
   return as_dict(detector_.statistics());
-}
-
-int Questions::traverse(visitproc visit, void* arg) const {
-  Py_VISIT(accepts_.ptr());
-  Py_VISIT(signals_.is_cancelled().ptr());
-  return 0;
-}
-
-void Questions::clear() {
-  accepts_ = nb::none();
-  signals_.clear();
 }
 
 }  // namespace tamis::python

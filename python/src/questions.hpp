@@ -1,15 +1,13 @@
 // A detector that lets other Python threads run while it works, and stops when Python wants it to.
 #pragma once
-#include <atomic>
 #include <filesystem>
 #include <memory>
 #include <optional>
 #include <vector>
 
 #include "python/src/arrays.hpp"
+#include "python/src/asker.hpp"
 #include "python/src/contact_array.hpp"
-#include "python/src/options.hpp"
-#include "python/src/signals.hpp"
 #include "tamis/detector.hpp"
 
 namespace tamis::python {
@@ -45,20 +43,13 @@ class Questions {
   void write_path(const std::filesystem::path& to, const ContactBytes& contacts, const Path& path, double tolerance,
                   Separation d);
 
-  /// What Python's garbage collector must know: a callable may refer back to its detector.
-  int traverse(visitproc visit, void* arg) const;
-  void clear();
+  int traverse(visitproc visit, void* arg) const { return asker_.traverse(visit, arg); }
+  void clear() { asker_.clear(); }
 
  private:
-  template <class Work>
-  void ask(const Work& work);
-  Options with_callbacks(Options options);
-
-  nb::object accepts_;
-  Signals signals_;
+  Asker asker_;
   Detector detector_;
   std::shared_ptr<SpareContacts> spare_ = std::make_shared<SpareContacts>();
-  std::atomic_flag is_asking_;
 };
 
 }  // namespace tamis::python

@@ -159,8 +159,8 @@ class Contacts(NamedPairs, TimedPairs):
     def _question(self) -> Asked:
         if self._asked is None:
             raise Error(
-                "these contacts know no step, as they were pickled: look at what Detector.contacts(start, end) has "
-                "returned"
+                "these contacts know no step, as they are of many ranks or were pickled: look at what "
+                "Detector.contacts(start, end) has returned"
             )
         return self._asked
 

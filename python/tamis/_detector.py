@@ -10,11 +10,10 @@ import numpy.typing as npt
 from tamis import _core
 from tamis._arrays import rows
 from tamis._at_rest import AtRest
-from tamis._contacts import Contacts, PairKind
-from tamis._errors import InvalidOptions
+from tamis._contacts import Contacts
 from tamis._in_motion import InMotion
 from tamis._mesh import Mesh
-from tamis._options import Filter, Guarantee, Isa, PaperOptions, set_groups
+from tamis._options import Filter, Guarantee, Isa, PaperOptions, make_options
 from tamis._statistics import Statistics
 from tamis._step_lengths import StepLengths
 
@@ -86,20 +85,18 @@ class Detector(InMotion, StepLengths, AtRest):
         is_cancelled: Callable[[], bool] | None = None,
         paper: PaperOptions | None = None,
     ) -> None:
-        options = _core.Options()
-        options.choose_method(method)
-        options.set_guarantee(guarantee)
-        options.set_isa(isa)
-        if not -(2**31) <= threads < 2**31:
-            raise InvalidOptions(f"threads is {threads}: give the number of threads, or 0 for all")
-        options.set_threads(threads)
-        options.set_min_separation(min_separation)
-        set_groups(options, groups, may_touch, thickness)
-        if filter is not None:
-            accepts = filter
-            options.set_filter(lambda kind, vertices: accepts(PairKind(kind), vertices))
-        if is_cancelled is not None:
-            options.set_is_cancelled(is_cancelled)
+        options = make_options(
+            method=method,
+            guarantee=guarantee,
+            threads=threads,
+            min_separation=min_separation,
+            isa=isa,
+            groups=groups,
+            may_touch=may_touch,
+            thickness=thickness,
+            filter=filter,
+            is_cancelled=is_cancelled,
+        )
         if paper is not None:
             paper.apply(options)
         self._mesh = mesh

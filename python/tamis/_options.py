@@ -87,14 +87,15 @@ def set_groups(
     groups: npt.ArrayLike | None,
     may_touch: npt.ArrayLike | None,
     thickness: npt.ArrayLike | None,
+    group_count: int = 1,
 ) -> None:
-    """Set which groups of vertices may touch which, and how thick they are."""
+    """Set which groups of vertices may touch which, and how thick they are; there are `group_count` or more."""
     radii = np.empty(0) if thickness is None else vector(thickness, "thickness", InvalidOptions)
     options.set_thickness(radii.tolist())
     if groups is None and may_touch is None:
         return
     group_of_vertex: Indices = indices(groups, 0, "groups", InvalidOptions)
-    count = max(len(radii), 1 + int(group_of_vertex.max()) if group_of_vertex.size else 1)
+    count = max(group_count, len(radii), 1 + int(group_of_vertex.max()) if group_of_vertex.size else 1)
     allowed: Groups = np.empty((0, 0), np.uint8)
     if may_touch is not None:
         flags = np.asarray(may_touch)
@@ -103,3 +104,35 @@ def set_groups(
         allowed = np.ascontiguousarray(flags != 0).view(np.uint8)
         count = max(count, len(flags))
     options.set_groups(group_of_vertex, count, allowed)
+
+
+def make_options(
+    *,
+    method: str,
+    guarantee: Guarantee,
+    threads: int,
+    min_separation: float,
+    isa: Isa,
+    groups: npt.ArrayLike | None,
+    may_touch: npt.ArrayLike | None,
+    thickness: npt.ArrayLike | None,
+    filter: Filter | None,
+    is_cancelled: Callable[[], bool] | None,
+    group_count: int = 1,
+) -> _core.Options:
+    """Return what the keywords of a detector say; `group_count` as of `set_groups`."""
+    options = _core.Options()
+    options.choose_method(method)
+    options.set_guarantee(guarantee)
+    options.set_isa(isa)
+    if not -(2**31) <= threads < 2**31:
+        raise InvalidOptions(f"threads is {threads}: give the number of threads, or 0 for all")
+    options.set_threads(threads)
+    options.set_min_separation(min_separation)
+    set_groups(options, groups, may_touch, thickness, group_count)
+    if filter is not None:
+        accepts = filter
+        options.set_filter(lambda kind, vertices: accepts(PairKind(kind), vertices))
+    if is_cancelled is not None:
+        options.set_is_cancelled(is_cancelled)
+    return options

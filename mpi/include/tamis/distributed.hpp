@@ -64,8 +64,8 @@ class Detector {
   /// Options::filter.group_of_vertex has one group a row of the positions; methods are tamis and brute; threads are
   /// those of a rank. `threads`, `isa`, `accepts` and `is_cancelled` may differ from rank to rank, what `accepts` says
   /// of a pair may not: it is asked on any rank, with the numbers of the whole mesh. Keeps a duplicate of the
-  /// communicator, which must be freed before MPI is. Throws InvalidMesh and InvalidOptions as `tamis::Detector` does,
-  /// InvalidMesh also if no rank gives the position of a vertex that is used.
+  /// communicator, on which MPI's own errors are fatal, and which must be freed before MPI is. Throws InvalidMesh and
+  /// InvalidOptions as `tamis::Detector` does, InvalidMesh also if no rank gives the position of a vertex that is used.
   Detector(MPI_Comm communicator, const LocalMesh& mesh, Options options = {});
   ~Detector();
   Detector(Detector&&) noexcept;
@@ -75,7 +75,8 @@ class Detector {
   /// lowest. By kind, then vertices. Valid until the next question. `step`: a row for each of LocalMesh::vertices.
   /// Every question throws InvalidStep as `tamis::Detector` does, and where positions of a vertex differ.
   const std::vector<Contact>& contacts(const Step& step, std::optional<double> min_separation = {});
-  /// The contacts of the last such question, of all ranks, in order, on rank `root`; none elsewhere. Collective.
+  /// The contacts of the last such question, of all ranks, in order, on rank `root`; none elsewhere. Collective. Throws
+  /// InvalidOptions if there is no such rank.
   std::vector<Contact> gather_contacts(int root = 0);
   /// As in `tamis::Detector`; the same answer on every rank.
   EarliestContact earliest(const Step& step, std::optional<double> min_separation = {});

@@ -1,0 +1,79 @@
+// How Python asks: one question at a time, other threads run meanwhile, callables of Python answer, Ctrl-C stops it.
+#pragma once
+#include <atomic>
+
+#include "python/src/errors.hpp"
+#include "python/src/options.hpp"
+#include "python/src/signals.hpp"
+
+namespace tamis::python {
+
+/// Held by whoever asks.
+class Turn {
+ public:
+  explicit Turn(std::atomic_flag& flag) : flag_(flag) {
+    if (flag_.test_and_set(std::memory_order_acquire)) throw Busy();
+  }
+  ~Turn() { flag_.clear(std::memory_order_release); }
+  Turn(const Turn&) = delete;
+  Turn& operator=(const Turn&) = delete;
+
+ private:
+  std::atomic_flag& flag_;
+};
+
+/// A second question is refused, from another thread or from the filter.
+class Asker {
+ public:
+  explicit Asker(const Asking& asking) : accepts_(asking.accepts), signals_(asking.is_cancelled) {}
+  Asker(const Asker&) = delete;
+  Asker& operator=(const Asker&) = delete;
+
+  /// The library copies its options, so that these refer to what is kept here.
+  Options with_callbacks(Options options) {
+    options.is_cancelled = [this] { return signals_.ask(); };
+    if (!accepts_.is_none())
+      options.filter.accepts = [this](PairKind kind, const std::array<Index, 4>& vertices) {
+        const nb::gil_scoped_acquire lock;
+        return accepts(kind, vertices);
+      };
+    return options;
+  }
+
+  template <class Work>
+  void ask(const Work& work) {
+    const Turn turn(is_asking_);
+    signals_.begin();
+    try {
+      const nb::gil_scoped_release unlocked;
+      work();
+    } catch (const Cancelled&) {
+      signals_.rethrow();
+      throw;
+    }
+  }
+  /// For what is read between questions.
+  Turn turn() { return Turn(is_asking_); }
+
+  /// What Python's garbage collector must know: a callable may refer back to its detector.
+  int traverse(visitproc visit, void* arg) const {
+    Py_VISIT(accepts_.ptr());
+    Py_VISIT(signals_.is_cancelled().ptr());
+    return 0;
+  }
+  void clear() {
+    accepts_ = nb::none();
+    signals_.clear();
+  }
+
+ private:
+  bool accepts(PairKind kind, const std::array<Index, 4>& v) const {
+    return nb::cast<bool>(nb::bool_(accepts_(static_cast<int>(kind), nb::make_tuple(v[0], v[1], v[2], v[3]))));
+  }
+
+  nb::object accepts_;
+  Signals signals_;
+  std::atomic_flag is_asking_;
+};
+
+}  // namespace tamis::python

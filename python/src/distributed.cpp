@@ -1,0 +1,142 @@
+// What is compiled of the module `tamis.distributed`: the only part that knows of MPI, built where TAMIS_PYTHON_MPI is
+// on; thin, private, and typed in tamis/_distributed.pyi.
+#include "tamis/distributed.hpp"
+
+#include <nanobind/stl/optional.h>
+#include <nanobind/stl/string.h>
+
+#include <array>
+
+#include "python/src/answers.hpp"
+#include "python/src/asker.hpp"
+#include "python/src/collected.hpp"
+#include "python/src/contact_array.hpp"
+
+namespace tamis::python {
+namespace {
+
+using Separation = std::optional<double>;
+
+/// Of this rank.
+struct Part {
+  Part(const Indices& vertices, const IndexRowsIn<3>& faces, const IndexRowsIn<2>& edges, const Indices& points)
+      : mesh{copy_of<Index>(vertices), copy_of<Face>(faces), copy_of<Edge>(edges), copy_of<Index>(points)} {}
+
+  distributed::LocalMesh mesh;
+};
+
+/// What the filter raises becomes an error of all ranks, in one sentence: Python's exceptions do not travel.
+Options with_sentences(Options options) {
+  if (!options.filter.accepts) return options;
+  options.filter.accepts = [accepts = std::move(options.filter.accepts)](PairKind kind, const auto& vertices) {
+    try {
+      return accepts(kind, vertices);
+    } catch (const nb::python_error& error) {
+      const nb::gil_scoped_acquire lock;
+      throw Error("the filter raised " + nb::cast<std::string>(error.type().attr("__name__")) + ": " +
+                  nb::str(error.value()).c_str());
+    }
+  };
+  return options;
+}
+
+/// Everything is collective. `communicator` is what Fortran calls it, as mpi4py's py2f() says.
+class RankQuestions {
+ public:
+  RankQuestions(int communicator, const Part& part, const Asking& asking)
+      : asker_(asking),
+        detector_(MPI_Comm_f2c(communicator), part.mesh, with_sentences(asker_.with_callbacks(asking.options))) {}
+
+  nb::object contacts(const Rows& start, const Rows& end, Separation d) {
+    std::vector<Contact> found;
+    asker_.ask([&] { found = detector_.contacts({positions(start), positions(end)}, d); });
+    return own_bytes(std::move(found));
+  }
+
+  nb::object gather_contacts(int root) {
+    std::vector<Contact> found;
+    asker_.ask([&] { found = detector_.gather_contacts(root); });
+    return own_bytes(std::move(found));
+  }
+
+  nb::tuple earliest(const Rows& start, const Rows& end, Separation d) {
+    EarliestContact first;
+    asker_.ask([&] { first = detector_.earliest({positions(start), positions(end)}, d); });
+    return as_tuple(first);
+  }
+
+  bool is_free(const Rows& start, const Rows& end, Separation d) {
+    bool free = false;
+    asker_.ask([&] { free = detector_.is_free({positions(start), positions(end)}, d); });
+    return free;
+  }
+
+  nb::tuple keep_distance(const Rows& start, const Rows& end, double fraction, Separation d) {
+    SafeStep safe;
+    asker_.ask([&] { safe = detector_.keep_distance({positions(start), positions(end)}, fraction, d); });
+    return as_tuple(safe);
+  }
+
+  Index vertex_count() const { return detector_.vertex_count(); }
+
+  nb::dict statistics() {
+    const distributed::Statistics& s = detector_.statistics();
+    nb::dict seconds, all;
+    seconds["positions"] = s.seconds.positions;
+    seconds["decompose"] = s.seconds.decompose;
+    seconds["borrow"] = s.seconds.borrow;
+    seconds["interior"] = s.seconds.interior;
+    seconds["border"] = s.seconds.border;
+    seconds["deliver"] = s.seconds.deliver;
+    seconds["total"] = s.seconds.total;
+    all["owned"] = s.owned;
+    all["borrowed"] = s.borrowed;
+    all["pairs_tested"] = s.pairs_tested;
+    all["boxes"] = s.boxes;
+    all["messages_sent"] = s.messages_sent;
+    all["bytes_sent"] = s.bytes_sent;
+    all["decomposed_anew"] = s.decomposed_anew;
+    all["seconds"] = seconds;
+    return all;
+  }
+
+  nb::tuple balance() { return nb::make_tuple(detector_.balance().pairs, detector_.balance().owned); }
+
+  int traverse(visitproc visit, void* arg) const { return asker_.traverse(visit, arg); }
+  void clear() { asker_.clear(); }
+
+ private:
+  Asker asker_;
+  distributed::Detector detector_;
+};
+
+/// As mpi4py says it of its own.
+std::string library_version() {
+  std::array<char, MPI_MAX_LIBRARY_VERSION_STRING> text{};
+  int length = 0;
+  MPI_Get_library_version(text.data(), &length);
+  return text.data();
+}
+
+}  // namespace
+}  // namespace tamis::python
+
+NB_MODULE(_distributed, module) {
+  using namespace tamis::python;
+  nanobind::set_leak_warnings(false);  // as in _core
+  const nb::arg any;
+  const auto or_none = nb::arg().none();
+  nb::class_<Part>(module, "Part")
+      .def(nb::init<const Indices&, const IndexRowsIn<3>&, const IndexRowsIn<2>&, const Indices&>());
+  nb::class_<RankQuestions>(module, "Detector", nb::type_slots(collected<RankQuestions>), nb::is_weak_referenceable())
+      .def(nb::init<int, const Part&, const Asking&>())
+      .def("contacts", &RankQuestions::contacts, any, any, or_none)
+      .def("gather_contacts", &RankQuestions::gather_contacts)
+      .def("earliest", &RankQuestions::earliest, any, any, or_none)
+      .def("is_free", &RankQuestions::is_free, any, any, or_none)
+      .def("keep_distance", &RankQuestions::keep_distance, any, any, any, or_none)
+      .def("vertex_count", &RankQuestions::vertex_count)
+      .def("statistics", &RankQuestions::statistics)
+      .def("balance", &RankQuestions::balance);
+  module.def("library_version", &library_version);
+}

@@ -9,10 +9,10 @@ namespace {
 constexpr Index kLayers = 8;
 
 /// In units of an edge: waves of twenty edges, in every other layer turned over, so that crests press into crests.
-Point at(Index layer, Index row, Index column, double slide) {
-  constexpr double kWave = 0.31, kHeight = 0.28, kApart = 0.5;
+Point at(Index layer, Index row, Index column, double slide, double height) {
+  constexpr double kWave = 0.31, kApart = 0.5;
   const double side = layer % 2 == 0 ? 1 : -1, x = row + side * slide, y = column + 0.37 * layer;
-  return {x, y, kApart * layer + side * kHeight * std::sin(kWave * x) * std::cos(kWave * y)};
+  return {x, y, kApart * layer + side * height * std::sin(kWave * x) * std::cos(kWave * y)};
 }
 
 class Maker {
@@ -33,6 +33,7 @@ class Maker {
       part_.mesh.vertices.push_back(number);
       part_.start.push_back(motion[0]);
       part_.end.push_back(motion[1]);
+      part_.apart.push_back(motion[2]);
     }
     return std::move(part_);
   }
@@ -40,14 +41,15 @@ class Maker {
  private:
   Index vertex(Index layer, Index row, Index column) {
     const Index number = (layer * (side_ + 1) + row) * (side_ + 1) + column;
-    constexpr double kSlide = 0.4;
-    given_.try_emplace(number, std::array{at(layer, row, column, 0), at(layer, row, column, kSlide)});
+    constexpr double kSlide = 0.4, kHigh = 0.28, kLow = 0.2;
+    given_.try_emplace(number, std::array{at(layer, row, column, 0, kHigh), at(layer, row, column, kSlide, kHigh),
+                                          at(layer, row, column, 0, kLow)});
     return number;
   }
 
   const Index side_;
   LayersPart part_;
-  std::map<Index, std::array<Point, 2>> given_;
+  std::map<Index, std::array<Point, 3>> given_;
 };
 
 }  // namespace

@@ -10,10 +10,12 @@ namespace tamis::bench {
 /// contact.
 struct LayersPart {
   distributed::LocalMesh mesh;
-  std::vector<Point> start, end;
+  std::vector<Point> start, end, apart;
 
   Step step() const { return {start, end}; }
   Step back() const { return {end, start}; }
+  /// From waves that are too low to meet: the first contact comes late.
+  Step closing() const { return {apart, end}; }
 };
 
 /// About `triangles` in all, in eight layers; contacts per triangle do not depend on the number.

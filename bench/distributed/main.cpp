@@ -60,6 +60,8 @@ void run(double triangles, bool has_header) {
   report("contacts", triangles, ranks, rank, detector, contacts);
   detector.earliest(part.step());
   report("earliest", triangles, ranks, rank, detector, 0);
+  detector.earliest(part.closing());
+  report("earliest_closing", triangles, ranks, rank, detector, 0);
   detector.keep_distance(part.step(), 0.1);
   report("keep_distance", triangles, ranks, rank, detector, 0);
 }

@@ -1,5 +1,6 @@
 #include "mpi/src/agreement.hpp"
 
+#include <cstdlib>
 #include <new>
 #include <string>
 
@@ -52,6 +53,12 @@ Report report_of(const std::exception_ptr& failure) {
 }
 
 }  // namespace
+
+void end_all(MPI_Comm communicator) {
+  constexpr int kNoMemory = 12;  // ENOMEM: nothing else fails there
+  MPI_Abort(communicator, kNoMemory);
+  std::abort();  // MPI_Abort does not return, but does not say so
+}
 
 void agree(Communicator& communicator, const std::exception_ptr& failure) {
   int first = failure ? communicator.rank() : communicator.size();

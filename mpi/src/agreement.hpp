@@ -3,6 +3,7 @@
 #include <exception>
 
 #include "mpi/src/communicator.hpp"
+#include "tamis/error.hpp"
 
 namespace tamis::distributed {
 
@@ -25,6 +26,21 @@ void agree(Communicator& communicator, const std::exception_ptr& failure);
 template <class Work>
 void together(Communicator& communicator, const Work& work) {
   agree(communicator, failure_of(work));
+}
+
+/// Ends all ranks: this one has failed where nobody agrees, and the others would wait for it for ever.
+[[noreturn]] void end_all(MPI_Comm communicator);
+
+/// Collective: what an entry point does. Errors that are agreed upon are the library's own types, others are not.
+template <class Work>
+auto agreed_or_ended(MPI_Comm communicator, const Work& work) {
+  try {
+    return work();
+  } catch (const Error&) {
+    throw;
+  } catch (...) {
+    end_all(communicator);
+  }
 }
 
 }  // namespace tamis::distributed

@@ -31,14 +31,17 @@ void Borrowing::send(int rank, const std::vector<std::uint32_t>& places, std::ve
 }
 
 void Borrowing::finish() {
-  std::vector<ElementSet> sets;
-  for (const Message& message : exchange_->finish()) {
-    Unpacker unpacker(message.bytes);
-    sets.push_back(unpack_elements(unpacker));
-  }
-  std::vector<const ElementSet*> all;
-  for (const ElementSet& set : sets) all.push_back(&set);
-  borrowed_ = united(all);
+  const std::vector<Message> messages = exchange_->finish();
+  attempt([&] {
+    std::vector<ElementSet> sets;
+    for (const Message& message : messages) {
+      Unpacker unpacker(message.bytes);
+      sets.push_back(unpack_elements(unpacker));
+    }
+    std::vector<const ElementSet*> all;
+    for (const ElementSet& set : sets) all.push_back(&set);
+    borrowed_ = united(all);
+  });
 }
 
 }  // namespace tamis::distributed

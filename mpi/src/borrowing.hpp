@@ -1,9 +1,11 @@
 // Elements that a rank needs beside its own: every rank publishes some moving boxes around what it owns; where those of
 // two ranks meet, one of the two sends its elements there to the other, which searches.
 #pragma once
+#include <exception>
 #include <optional>
 #include <vector>
 
+#include "mpi/src/agreement.hpp"
 #include "mpi/src/box_tree.hpp"
 #include "mpi/src/communicator.hpp"
 #include "mpi/src/element_set.hpp"
@@ -17,7 +19,8 @@ inline int searcher_of(int a, int b) { return (a + b) % 2 != 0 ? std::min(a, b) 
 
 class Borrowing {
  public:
-  /// Collective. What this rank sends is on its way when it returns. Keeps a reference to `own`.
+  /// Collective. What this rank sends is on its way when it returns. Keeps a reference to `own`. A rank that fails
+  /// (`failure`) goes on as if it had nothing, so that nobody waits; what it has found then counts for nothing.
   template <class Test>
   Borrowing(Communicator& communicator, const ElementSet& own, const BoxRule& rule, const Test& may_matter);
 
@@ -28,28 +31,42 @@ class Borrowing {
   template <class Test>
   ElementSet own_near_borrowed(const Test& may_matter) const;
   std::uint64_t boxes_published() const { return boxes_; }
+  /// To be agreed upon before any answer is believed.
+  const std::exception_ptr& failure() const { return failure_; }
 
  private:
+  template <class Work>
+  void attempt(const Work& work);
   std::vector<BoxTree> publish();
   void send(int rank, const std::vector<std::uint32_t>& places, std::vector<Message>& messages) const;
 
   Communicator& communicator_;
   const ElementSet& own_;
   const BoxRule rule_;
-  const BoxTree tree_;  ///< over own elements
+  BoxTree tree_;  ///< over own elements
   std::uint64_t boxes_ = 0;
   std::optional<SparseExchange> exchange_;
   ElementSet borrowed_;
+  std::exception_ptr failure_;
 };
+
+template <class Work>
+void Borrowing::attempt(const Work& work) {
+  if (!failure_) failure_ = failure_of(work);
+}
 
 template <class Test>
 Borrowing::Borrowing(Communicator& communicator, const ElementSet& own, const BoxRule& rule, const Test& may_matter)
-    : communicator_(communicator), own_(own), rule_(rule), tree_(boxes_of(own, rule)) {
+    : communicator_(communicator), own_(own), rule_(rule) {
+  attempt([&] { tree_ = BoxTree(boxes_of(own, rule)); });
   const std::vector<BoxTree> trees = publish();
   std::vector<Message> messages;
-  for (int rank = 0; rank < communicator.size(); ++rank)
-    if (rank != communicator.rank() && searcher_of(rank, communicator.rank()) == rank)
-      send(rank, tree_.leaves_that_meet(trees[static_cast<std::size_t>(rank)], may_matter), messages);
+  attempt([&] {
+    for (int rank = 0; rank < communicator.size(); ++rank)
+      if (rank != communicator.rank() && searcher_of(rank, communicator.rank()) == rank)
+        send(rank, tree_.leaves_that_meet(trees[static_cast<std::size_t>(rank)], may_matter), messages);
+  });
+  if (failure_) messages.clear();
   exchange_.emplace(communicator, std::move(messages));
 }
 

@@ -32,8 +32,12 @@ ElementSet topology_of(ElementSet set) {
 }  // namespace
 
 void Decomposition::decompose(const ElementSet& input) {
-  weights_.resize(input.elements.size(), 1);
-  const std::vector<int> owners = bisect(communicator_, centers_of(input), weights_);
+  std::vector<Point> centers;
+  together(communicator_, [&] {
+    weights_.resize(input.elements.size(), 1);
+    centers = centers_of(input);
+  });
+  const std::vector<int> owners = bisect(communicator_, centers, weights_);
   send_elements(input, owners);
   is_ordered_ = false;
 }
@@ -77,18 +81,20 @@ void Decomposition::send_elements(const ElementSet& input, const std::vector<int
 
 void Decomposition::send_motions(const ElementSet& input) {
   std::vector<Message> outgoing;
-  for (const Share& share : sent_) {
-    Packer packer;
-    for (const std::uint32_t v : share.vertices) packer.put(input.motions[v]);
-    outgoing.push_back({share.rank, packer.take()});
-  }
+  together(communicator_, [&] {
+    for (const Share& share : sent_) {
+      Packer packer;
+      for (const std::uint32_t v : share.vertices) packer.put(input.motions[v]);
+      outgoing.push_back({share.rank, packer.take()});
+    }
+  });
   // Both ends are by rank: whoever sent elements sends their motions.
   const std::vector<Message> incoming = exchange(communicator_, std::move(outgoing));
   for (std::size_t i = 0; i < incoming.size(); ++i) {
     Unpacker unpacker(incoming[i].bytes);
     for (const std::uint32_t v : received_[i].vertices) own_.motions[v] = unpacker.get<Motion>();
   }
-  if (!is_ordered_) put_in_spatial_order();
+  if (!is_ordered_) together(communicator_, [&] { put_in_spatial_order(); });
 }
 
 void Decomposition::put_in_spatial_order() {

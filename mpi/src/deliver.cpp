@@ -4,6 +4,7 @@
 #include <map>
 #include <tuple>
 
+#include "mpi/src/agreement.hpp"
 #include "mpi/src/sparse_exchange.hpp"
 
 namespace tamis::distributed {
@@ -49,19 +50,23 @@ std::vector<Contact> merged(std::vector<std::vector<Contact>> lists) {
   return std::move(lists.front());
 }
 
-/// Collective: a list of each rank that sends one.
-std::vector<std::vector<Contact>> received(Communicator& communicator, std::vector<Message> outgoing) {
-  std::vector<std::vector<Contact>> lists;
-  for (const Message& message : exchange(communicator, std::move(outgoing)))
-    lists.push_back(Unpacker(message.bytes).get_all<Contact>());
-  return lists;
+/// Collective: of what every rank's `pack()` sends; nothing where that fails, so that nobody waits.
+template <class Pack>
+std::vector<Contact> merged_of_all(Communicator& communicator, const Pack& pack) {
+  std::vector<Message> outgoing;
+  const std::exception_ptr failure = failure_of([&] { outgoing = pack(); });
+  const std::vector<Message> incoming = exchange(communicator, std::move(outgoing));
+  std::vector<Contact> contacts;
+  together(communicator, [&] {
+    if (failure) std::rethrow_exception(failure);
+    std::vector<std::vector<Contact>> lists;
+    for (const Message& message : incoming) lists.push_back(Unpacker(message.bytes).get_all<Contact>());
+    contacts = merged(std::move(lists));
+  });
+  return contacts;
 }
 
-}  // namespace
-
-bool comes_before(const Contact& a, const Contact& b) { return key(a) < key(b); }
-
-std::vector<Contact> deliver(Communicator& communicator, const std::vector<std::vector<HomedContact>>& found) {
+std::vector<Message> to_homes(const std::vector<std::vector<HomedContact>>& found) {
   std::map<int, std::vector<std::vector<Contact>>> by_home;
   for (std::size_t list = 0; list < found.size(); ++list)
     for (const HomedContact& homed : found[list]) {
@@ -75,14 +80,27 @@ std::vector<Contact> deliver(Communicator& communicator, const std::vector<std::
     packer.put_all(merged(std::move(lists)));
     outgoing.push_back({home, packer.take()});
   }
-  return merged(received(communicator, std::move(outgoing)));
+  return outgoing;
+}
+
+std::vector<Message> to_root(const std::vector<Contact>& mine, int root) {
+  Packer packer;
+  packer.put_all(mine);
+  std::vector<Message> outgoing;
+  outgoing.push_back({root, packer.take()});
+  return outgoing;
+}
+
+}  // namespace
+
+bool comes_before(const Contact& a, const Contact& b) { return key(a) < key(b); }
+
+std::vector<Contact> deliver(Communicator& communicator, const std::vector<std::vector<HomedContact>>& found) {
+  return merged_of_all(communicator, [&] { return to_homes(found); });
 }
 
 std::vector<Contact> gather(Communicator& communicator, const std::vector<Contact>& mine, int root) {
-  Packer packer;
-  packer.put_all(mine);
-  std::vector<Message> outgoing{{root, packer.take()}};
-  return merged(received(communicator, std::move(outgoing)));
+  return merged_of_all(communicator, [&] { return to_root(mine, root); });
 }
 
 }  // namespace tamis::distributed

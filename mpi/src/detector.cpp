@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "mpi/src/agreement.hpp"
 #include "mpi/src/deliver.hpp"
 #include "mpi/src/first_of_all.hpp"
 #include "mpi/src/same_on_all.hpp"
@@ -71,12 +72,12 @@ struct Detector::State {
   template <class Find>
   void ask(const std::string& question, const Step& step, std::optional<double> min_separation, const Find& find) {
     double total = 0;
-    {
+    agreed_or_ended(searches.communicator().raw(), [&] {
       const Stopwatch watch(total);
       searches.begin(question, step, min_separation);
       find();
       searches.end();
-    }
+    });
     searches.statistics().seconds.total = total;
   }
 
@@ -85,24 +86,27 @@ struct Detector::State {
 };
 
 Detector::Detector(MPI_Comm communicator, const LocalMesh& mesh, Options options)
-    : state_(std::make_unique<State>(communicator, mesh, std::move(options))) {}
+    : state_(agreed_or_ended(communicator,
+                             [&] { return std::make_unique<State>(communicator, mesh, std::move(options)); })) {}
 Detector::~Detector() = default;
 Detector::Detector(Detector&&) noexcept = default;
 Detector& Detector::operator=(Detector&&) noexcept = default;
 
 const std::vector<Contact>& Detector::contacts(const Step& step, std::optional<double> min_separation) {
   state_->ask("contacts", step, min_separation, [&] { state_->find_contacts(); });
-  state_->searches.watch_balance();
+  agreed_or_ended(state_->searches.communicator().raw(), [&] { state_->searches.watch_balance(); });
   return state_->contacts;
 }
 
 std::vector<Contact> Detector::gather_contacts(int root) {
   Communicator& communicator = state_->searches.communicator();
-  require_same(communicator, {"gather contacts on rank " + std::to_string(root)});
-  if (root < 0 || root >= communicator.size())
-    throw InvalidOptions("there is no rank " + std::to_string(root) + ": there are " +
-                         std::to_string(communicator.size()) + ", from 0");
-  return gather(communicator, state_->contacts, root);
+  return agreed_or_ended(communicator.raw(), [&] {
+    require_same(communicator, {"gather contacts on rank " + std::to_string(root)});
+    if (root < 0 || root >= communicator.size())
+      throw InvalidOptions("there is no rank " + std::to_string(root) + ": there are " +
+                           std::to_string(communicator.size()) + ", from 0");
+    return gather(communicator, state_->contacts, root);
+  });
 }
 
 EarliestContact Detector::earliest(const Step& step, std::optional<double> min_separation) {

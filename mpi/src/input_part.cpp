@@ -145,20 +145,24 @@ class InputPartMaker {
       if (!entries[place_of(v)].is_covered) points.push_back(v);
     };
     std::vector<Edge> edges;
-    for (const Edge& edge : mesh_.loose_edges)
-      if (edge[0] == edge[1])
-        add_point(edge[0]);
-      else
-        edges.push_back(ascending(edge[0], edge[1]));
-    std::ranges::for_each(mesh_.loose_points, add_point);
+    together(communicator_, [&] {
+      for (const Edge& edge : mesh_.loose_edges)
+        if (edge[0] == edge[1])
+          add_point(edge[0]);
+        else
+          edges.push_back(ascending(edge[0], edge[1]));
+      std::ranges::for_each(mesh_.loose_points, add_point);
+    });
     const bool may_meet = communicator_.any(!points.empty()) && communicator_.any(!edges.empty());
     const auto covered =
         may_meet ? directory.covered_edges(edges, sides_near_loose_edges(entries)) : std::vector<Edge>{};
-    part_.is_used.assign(entries.size(), false);
-    for (const Face& face : mesh_.faces) add({face[0], face[1], face[2]});
-    for (const Edge& edge : edges)
-      if (!std::ranges::binary_search(covered, edge)) add({edge[0], edge[1], -1});
-    for (const Index point : points) add({point, -1, -1});
+    together(communicator_, [&] {
+      part_.is_used.assign(entries.size(), false);
+      for (const Face& face : mesh_.faces) add({face[0], face[1], face[2]});
+      for (const Edge& edge : edges)
+        if (!std::ranges::binary_search(covered, edge)) add({edge[0], edge[1], -1});
+      for (const Index point : points) add({point, -1, -1});
+    });
   }
 
   std::vector<Edge> sides_near_loose_edges(const std::vector<Entry>& entries) const {

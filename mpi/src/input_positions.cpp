@@ -88,8 +88,12 @@ void check_finite(const InputPart& part) {
 }  // namespace
 
 void take_positions(Communicator& communicator, const Step& step, InputPart& part) {
-  together(communicator, [&] { read_rows(step, part); });
-  const std::vector<Message> messages = exchange(communicator, lent_motions(part));
+  std::vector<Message> lent;
+  together(communicator, [&] {
+    read_rows(step, part);
+    lent = lent_motions(part);
+  });
+  const std::vector<Message> messages = exchange(communicator, std::move(lent));
   together(communicator, [&] {
     // Both ends are by rank: every lender sends one message.
     for (std::size_t i = 0; i < messages.size(); ++i) take_borrowed(part.borrowed[i], messages[i].bytes, part);

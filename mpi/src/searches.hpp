@@ -112,6 +112,7 @@ std::exception_ptr Searches::search_border(Borrowing& borrowing, const Test& may
   }
   statistics_.borrowed = borrowing.borrowed().elements.size();
   statistics_.boxes = borrowing.boxes_published();
+  if (borrowing.failure()) return borrowing.failure();
   const Stopwatch watch(statistics_.seconds.border);
   return failure_of([&] {
     if (borrowing.borrowed().empty()) return;

@@ -5,7 +5,7 @@
 #include <set>
 #include <utility>
 
-#include "mpi/src/sparse_exchange.hpp"
+#include "mpi/src/agreement.hpp"
 
 namespace tamis::distributed {
 namespace {
@@ -58,32 +58,51 @@ Entry entry_of(std::span<const MentionOfRank> mentions) {
   return entry;
 }
 
+/// To those who asked, and to homes, who else has their vertices.
+void answer_all(const std::vector<Message>& asked, std::vector<Message>& answers, std::vector<Message>& sharers) {
+  Mail to_askers, to_homes;
+  const std::vector<MentionOfRank> all = sorted_mentions(asked);
+  for (std::size_t first = 0, last = 0; first < all.size(); first = last) {
+    while (last < all.size() && all[last].mention.number == all[first].mention.number) ++last;
+    const auto of_vertex = std::span(all).subspan(first, last - first);
+    const Entry entry = entry_of(of_vertex);
+    for (const MentionOfRank& m : of_vertex) {
+      to_askers.to(m.rank).put(entry);
+      if (entry.home >= 0 && m.rank != entry.home) to_homes.to(entry.home).put(Sharer{m.rank, entry.number});
+    }
+  }
+  answers = to_askers.take();
+  sharers = to_homes.take();
+}
+
 }  // namespace
 
 VertexDirectory::VertexDirectory(Communicator& communicator, Index vertex_count)
     : communicator_(communicator), range_(vertex_count / communicator.size() + 1) {}
 
 DirectoryAnswer VertexDirectory::look_up(const std::vector<Mention>& mentions) {
-  Mail questions, answers, sharers;
-  for (const Mention& mention : mentions) questions.to(rank_for(mention.number)).put(mention);
-  const std::vector<MentionOfRank> all = sorted_mentions(exchange(communicator_, questions.take()));
-  for (std::size_t first = 0, last = 0; first < all.size(); first = last) {
-    while (last < all.size() && all[last].mention.number == all[first].mention.number) ++last;
-    const auto of_vertex = std::span(all).subspan(first, last - first);
-    const Entry entry = entry_of(of_vertex);
-    for (const MentionOfRank& m : of_vertex) {
-      answers.to(m.rank).put(entry);
-      if (entry.home >= 0 && m.rank != entry.home) sharers.to(entry.home).put(Sharer{m.rank, entry.number});
-    }
-  }
+  std::vector<Message> questions, answers, sharers;
+  together(communicator_, [&] { questions = questions_of(mentions); });
+  const std::vector<Message> asked = exchange(communicator_, std::move(questions));
+  together(communicator_, [&] { answer_all(asked, answers, sharers); });
+  answers = exchange(communicator_, std::move(answers));
+  sharers = exchange(communicator_, std::move(sharers));
   DirectoryAnswer answer;
-  for (const Message& message : exchange(communicator_, answers.take()))
-    std::ranges::copy(all_of<Entry>(message.bytes), std::back_inserter(answer.entries));
-  for (const Message& message : exchange(communicator_, sharers.take()))
-    std::ranges::copy(all_of<Sharer>(message.bytes), std::back_inserter(answer.sharers));
-  std::ranges::sort(answer.entries, {}, &Entry::number);
-  std::ranges::sort(answer.sharers, {}, [](const Sharer& s) { return std::pair(s.rank, s.number); });
+  together(communicator_, [&] {
+    for (const Message& message : answers)
+      std::ranges::copy(all_of<Entry>(message.bytes), std::back_inserter(answer.entries));
+    for (const Message& message : sharers)
+      std::ranges::copy(all_of<Sharer>(message.bytes), std::back_inserter(answer.sharers));
+    std::ranges::sort(answer.entries, {}, &Entry::number);
+    std::ranges::sort(answer.sharers, {}, [](const Sharer& s) { return std::pair(s.rank, s.number); });
+  });
   return answer;
+}
+
+std::vector<Message> VertexDirectory::questions_of(const std::vector<Mention>& mentions) const {
+  Mail questions;
+  for (const Mention& mention : mentions) questions.to(rank_for(mention.number)).put(mention);
+  return questions.take();
 }
 
 std::vector<Edge> VertexDirectory::covered_edges(const std::vector<Edge>& loose, const std::vector<Edge>& sides) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "mpi/src/communicator.hpp"
+#include "mpi/src/sparse_exchange.hpp"
 #include "tamis/mesh.hpp"
 
 namespace tamis::distributed {
@@ -48,6 +49,7 @@ class VertexDirectory {
   std::vector<Edge> covered_edges(const std::vector<Edge>& loose, const std::vector<Edge>& sides);
 
  private:
+  std::vector<Message> questions_of(const std::vector<Mention>& mentions) const;
   int rank_for(Index number) const { return static_cast<int>(number / range_); }
 
   Communicator& communicator_;

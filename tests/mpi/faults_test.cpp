@@ -157,6 +157,14 @@ TEST_F(Faults, AFractionThatIsNone) {
   expect_right_answer(many);
 }
 
+TEST_F(Faults, ARankThatIsNone) {
+  auto many = detector();
+  many.contacts(part_.step());
+  for (const int rank : {-1, rank_count()})
+    expect_on_all<InvalidOptions>("there is no rank " + std::to_string(rank), [&] { many.gather_contacts(rank); });
+  expect_right_answer(many);
+}
+
 TEST_F(Faults, AnExceptionInACallbackOfOneRank) {
   bool throws = true;
   options_.filter.accepts = [&](PairKind, const auto&) {

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import importlib
 import importlib.metadata
 import pathlib
 import re
@@ -29,6 +30,15 @@ def test_licences_are_inside() -> None:
     if any("tamis.libs/" in name for name in files):
         for wanted in ("libtbb", "libgmp", "LGPL-3", "Apache-2.0"):
             assert any(name.startswith(wanted) for name in licences), f"no licence of {wanted} in {licences}"
+
+
+def test_knows_no_mpi() -> None:
+    """Would catch a wheel that loads MPI, or that cannot be imported without it."""
+    package = pathlib.Path(tamis.__file__).resolve().parent
+    assert not list(package.glob("_distributed*.so"))
+    assert "libmpi" not in pathlib.Path("/proc/self/maps").read_text()
+    with pytest.raises(ImportError):
+        importlib.import_module("tamis.distributed")
 
 
 def test_metadata() -> None:

@@ -24,9 +24,9 @@ import numpy.typing as npt
 from mpi4py import MPI
 
 from tamis import _errors
-from tamis._answers import EarliestContact, LimitingPair, SafeStep
+from tamis._answers import EarliestContact, SafeStep, safe_step
 from tamis._arrays import Doubles, indices, rows
-from tamis._contacts import Contacts, PairKind
+from tamis._contacts import Contacts
 from tamis._errors import Busy, Error, InvalidMesh, InvalidOptions
 from tamis._options import Filter, Guarantee, Isa, make_options
 
@@ -312,8 +312,7 @@ class Detector:
             first, second, kept, d = self._together(
                 lambda: (*_step(start, end), float(fraction), _number(min_separation))
             )
-            lower, upper, pair = self._detector.keep_distance(first, second, kept, d)
-        return SafeStep(lower, upper, None if pair is None else LimitingPair(PairKind(pair[0]), *pair[1:]))
+            return safe_step(self._detector.keep_distance(first, second, kept, d))
 
     @contextmanager
     def _turn(self) -> Iterator[None]:

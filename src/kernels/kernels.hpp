@@ -58,6 +58,8 @@ struct Search {
   NearRule near{};  ///< for search_near, which looks at nothing else
   /// Until t_limit things move so little that what boxes sweep over serves as well as boxes that move.
   bool is_short = false;
+  /// Points of a run along edges, as BlockTree::set_runners has them: faces that hold an end of theirs are left out.
+  bool are_runners = false;
   PairBuffer* pairs = nullptr;
   /// Called when `pairs` cannot take sixteen pairs more; must empty it.
   void (*flush)(Search&) = nullptr;

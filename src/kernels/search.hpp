@@ -150,11 +150,12 @@ class BlockSearch {
     return kIsSelf && leaf == block_ ? mask & (~1u << lane) : mask;
   }
 
-  /// Bits of the lanes of `theirs` that share a vertex with one of mine; of empty lanes, anything.
+  /// Bits of the lanes of `theirs` that share a vertex with one of mine, or with its edge; of empty lanes, anything.
   unsigned adjacent(int lane, const CornerBlock& theirs, int first) const {
     using Unsigned = xsimd::batch<std::uint32_t, Arch>;
     Unsigned differ(~0u);  // 0 where two vertices are one: cheaper than as many masks
-    for (int c = 0; c < kCornersA; ++c)
+    const int corners = kIsSelf || !search_.are_runners ? kCornersA : 3;
+    for (int c = 0; c < corners; ++c)
       for (int o = 0; o < kCornersB; ++o)
         differ = xsimd::min(differ, xsimd::bitwise_cast<Unsigned>(IntLanes(corners_.vertex[c][lane]) ^
                                                                   IntLanes::load_aligned(theirs.vertex[o] + first)));

@@ -3,7 +3,6 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <numeric>
 #include <tuple>
 
 #include "engines/stopwatch.hpp"
@@ -32,16 +31,19 @@ IntersectionSearch::IntersectionSearch(const Mesh& mesh, const Options& options)
       options_(options_of_runners(mesh, options)),
       kernels_(kernels(options.isa)),
       found_(options_),
-      pipelines_([this] { return StagePipeline(kernels_, motion_, options_, &mesh_); }) {
-  runners_.resize(mesh.edges().size());
-  std::iota(runners_.begin(), runners_.end(), mesh.vertex_count());
+      pipelines_([this] { return StagePipeline(kernels_, motion_, options_, true); }) {
+  for (Index runner = mesh.vertex_count(); const Edge& edge : mesh.edges())
+    runners_.push_back({runner++, edge[0], edge[1]});
   for (const Index p : mesh.points())
     if (!mesh.faces_of_vertex(p).empty()) used_.push_back(p);
-  used_.insert(used_.end(), runners_.begin(), runners_.end());
+  for (const auto& runner : runners_) used_.push_back(runner[0]);
   start_.resize(static_cast<std::size_t>(mesh.vertex_count()) + runners_.size());
   end_ = start_;
-  runner_tree_.set_features(runners_);
+  runner_tree_.set_runners(runners_);
   faces_.set_features(mesh.faces());
+  const PairFilter& filter = options_.filter;
+  for (BlockTree* tree : {&runner_tree_, &faces_})
+    tree->set_groups(filter.group_of_vertex, filter.groups_may_touch, filter.group_count);
 }
 
 void IntersectionSearch::find(const Positions& positions, Intersections wanted, std::vector<Intersection>& found,
@@ -113,7 +115,7 @@ void IntersectionSearch::search() {
 std::uint64_t IntersectionSearch::memory_bytes() const {
   std::uint64_t bytes = motion_.memory_bytes() + runner_tree_.memory_bytes() + faces_.memory_bytes() +
                         (start_.capacity() + end_.capacity()) * sizeof(Point) +
-                        (runners_.capacity() + used_.capacity()) * sizeof(Index) + found_.memory_bytes();
+                        (3 * runners_.capacity() + used_.capacity()) * sizeof(Index) + found_.memory_bytes();
   for (const StagePipeline& pipeline : pipelines_) bytes += pipeline.memory_bytes();
   return bytes;
 }

@@ -4,6 +4,9 @@
 #pragma once
 #include <tbb/enumerable_thread_specific.h>
 
+#include <array>
+#include <vector>
+
 #include "bvh/block_tree.hpp"
 #include "engines/tamis/stage_pipeline.hpp"
 #include "tamis/near.hpp"
@@ -31,8 +34,8 @@ class IntersectionSearch {
   const Mesh& mesh_;
   const Options options_;  ///< of the question about the runners
   const Kernels& kernels_;
-  std::vector<Index> runners_;  ///< vertex n + e runs along edge e
-  std::vector<Index> used_;     ///< runners and the faces' vertices
+  std::vector<std::array<Index, 3>> runners_;  ///< vertex n + e runs along edge e, whose ends follow
+  std::vector<Index> used_;                    ///< runners and the faces' vertices
   std::vector<Point> start_, end_;
   PackedMotion motion_;
   BlockTree runner_tree_, faces_;

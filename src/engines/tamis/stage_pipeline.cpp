@@ -41,11 +41,11 @@ struct StagePipeline::Buffers {
 };
 
 StagePipeline::StagePipeline(const Kernels& kernels, const PackedMotion& motion, const Options& options,
-                             const Mesh* runners)
+                             bool are_runners)
     : kernels_(kernels),
       motion_(motion),
       options_(options),
-      runners_(runners),
+      are_runners_(are_runners),
       buffers_(std::make_unique<Buffers>()),
       found_(options) {}
 
@@ -81,6 +81,7 @@ void StagePipeline::search(PairKind kind, Search& search, const BlockRange& bloc
   if (kind != buffers_->kind) decide_buffered(buffers_->kind);
   buffers_->kind = kind;
   search.pairs = &buffers_->boxes;
+  search.are_runners = are_runners_;
   search.flush = flush;
   search.context = this;
   for (int block = blocks.first; block < blocks.last && found_.wants(kind); block += blocks.stride)
@@ -134,7 +135,6 @@ void StagePipeline::decide_within_separation(PairKind kind) {
 void StagePipeline::leave_out_unwanted(PairKind kind) {
   PairBuffer& pairs = buffers_->boxes;
   if (!found_.wants(kind)) pairs.count = 0;
-  if (runners_) leave_out_ends(pairs);
   const PairFilter& filter = options_.filter;
   if (has_groups(filter))
     keep_wanted(pairs, [&, second = second_feature(kind)](int i) {
@@ -144,14 +144,6 @@ void StagePipeline::leave_out_unwanted(PairKind kind) {
   keep_wanted(pairs, [&](int i) {
     const PairVertices vertices = vertices_of(kind, pairs, i);
     return found_.wants(kind, vertices) && (!filter.accepts || filter.accepts(kind, vertices));
-  });
-}
-
-void StagePipeline::leave_out_ends(PairBuffer& pairs) {
-  keep_wanted(pairs, [&](int i) {
-    const Edge& edge = runners_->edges()[static_cast<std::size_t>(pairs.corner[0][i] - runners_->vertex_count())];
-    const auto is_off = [&](Index c) { return (c != edge[0]) & (c != edge[1]); };
-    return is_off(pairs.corner[1][i]) & is_off(pairs.corner[2][i]) & is_off(pairs.corner[3][i]);
   });
 }
 

@@ -29,10 +29,8 @@ struct BlockRange {
 
 class StagePipeline {
  public:
-  /// Keeps references. `runners`: where there are any, vertices from the mesh's number of vertices on run along its
-  /// edges, and what they meet at the edge's own ends is left out.
-  StagePipeline(const Kernels& kernels, const PackedMotion& motion, const Options& options,
-                const Mesh* runners = nullptr);
+  /// Keeps references. `are_runners`: as Search has it.
+  StagePipeline(const Kernels& kernels, const PackedMotion& motion, const Options& options, bool are_runners = false);
   ~StagePipeline();
   StagePipeline(StagePipeline&&) noexcept;
 
@@ -64,15 +62,13 @@ class StagePipeline {
   void decide_within_separation(PairKind kind);
   /// Before any work: what the caller's filter, or what is known already, leaves out.
   void leave_out_unwanted(PairKind kind);
-  /// Runners against faces that have an end of their edge.
-  void leave_out_ends(PairBuffer& pairs);
   void solve(PairKind kind);
   void solve_singly(PairKind kind, const PairBuffer& pairs, int pair);
 
   const Kernels& kernels_;
   const PackedMotion& motion_;
   const Options& options_;
-  const Mesh* runners_;
+  const bool are_runners_;
   std::unique_ptr<Buffers> buffers_;
   PipelineCounts counts_;
   FoundContacts found_;

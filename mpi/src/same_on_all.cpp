@@ -33,7 +33,8 @@ void require_same(Communicator& communicator, const std::vector<std::string>& sa
     for (std::size_t a = 0, b = 0; a < mine.size() || b < theirs.size();) {
       const std::string here = line_at(mine, a), there = line_at(theirs, b);
       if (here != there)
-        throw InvalidOptions("here it is '" + here + "', on rank 0 '" + there + "': say the same on all ranks");
+        throw InvalidOptions(std::string("here it is '").append(here).append("', on rank 0 '").append(there) +
+                             "': say the same on all ranks");
       a += here.size() + 1;
       b += there.size() + 1;
     }

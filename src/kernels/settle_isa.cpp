@@ -18,7 +18,7 @@ struct Clipped {
       : motion(load_motion<kind>(list.vertices, pairs, first, {list.options.min_separation, false})),
         time(SlabClip::clip<kind>(motion, TimeInterval<DoubleLanes>{DoubleLanes(0), DoubleLanes(1)})) {
     const DoubleLanes all = sum(motion.e) + sum(motion.f) + sum(motion.d);
-    finite = bits(all - all == DoubleLanes(0));
+    finite = bits(all - all == DoubleLanes(0));  // NOLINT(misc-redundant-expression): NaN where all is not finite
     free = finite & bits((time.t_in > time.t_out) | (time.t_in > DoubleLanes(list.options.latest)));
   }
   unsigned starts_coplanar() const { return bits((time.t_in == DoubleLanes(0)) & may_start_coplanar(motion)); }

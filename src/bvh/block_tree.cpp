@@ -52,22 +52,20 @@ void BlockTree::build(const PackedMotion& motion, const TreeKernels& kernels) {
 }
 
 void BlockTree::group_blocks() {
-  group_of_block_.assign(levels_.size(), {});
-  // Empty lanes repeat a feature that there is.
-  const auto group_of_feature = [&](std::size_t block, int lane) {
-    return group_of_vertex_[static_cast<std::size_t>(corner_blocks_[block].vertex[0][lane])];
-  };
+  std::vector<Index> below;  // groups of features, then of the blocks of each level
+  for (const CornerBlock& block : corner_blocks_)
+    for (const Index vertex : block.vertex[0])  // empty lanes repeat a feature that there is
+      below.push_back(group_of_vertex_[static_cast<std::size_t>(vertex)]);
+  group_of_block_.clear();
   for (std::size_t level = 0; level < levels_.size(); ++level) {
-    std::vector<Index>& groups = group_of_block_[level];
-    const std::size_t below = level == 0 ? corner_blocks_.size() * kBlock : group_of_block_[level - 1].size();
-    for (std::size_t child = 0; child < below; ++child) {
-      const Index group = level == 0 ? group_of_feature(child / kBlock, static_cast<int>(child % kBlock))
-                                     : group_of_block_[level - 1][child];
+    std::vector<Index> groups;
+    for (std::size_t child = 0; child < below.size(); ++child)
       if (child % kBlock == 0)
-        groups.push_back(group);
-      else if (groups.back() != group)
+        groups.push_back(below[child]);
+      else if (groups.back() != below[child])
         groups.back() = BlockGroups::kMixed;
-    }
+    group_of_block_.push_back(groups);
+    below = std::move(groups);
   }
 }
 
@@ -163,6 +161,7 @@ std::uint64_t BlockTree::memory_bytes() const {
   std::uint64_t bytes = corner_blocks_.capacity() * sizeof(CornerBlock);
   for (const Levels* levels : {&levels_, &drifts_})
     for (const auto& level : *levels) bytes += level.capacity() * sizeof(BoxBlock);
+  for (const auto& level : group_of_block_) bytes += level.capacity() * sizeof(Index);
   return bytes;
 }
 

@@ -2,6 +2,7 @@
 // so on up to one root block. The tree is implicit: child c of block b is block 16 b + c of the level below.
 #pragma once
 #include <array>
+#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -38,7 +39,7 @@ struct TreeView {
 [[gnu::always_inline]] inline bool are_kept_apart(const TreeView& a, int block, const TreeView& b, int level,
                                                   int other) {
   if (!a.groups.may_touch) return false;
-  const Index mine = a.groups.of[0][block], theirs = b.groups.of[level][other];
+  const std::ptrdiff_t mine = a.groups.of[0][block], theirs = b.groups.of[level][other];
   return mine >= 0 && theirs >= 0 && a.groups.may_touch[mine * a.groups.group_count + theirs] == 0;
 }
 

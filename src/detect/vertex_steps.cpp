@@ -117,9 +117,9 @@ class PlanarTruncation {
   double stays_below(Index index, const Vec& n, double level) const {
     const IntervalVec normal{Interval(n.x), Interval(n.y), Interval(n.z)};
     const double size = std::max(largest(step_.start[index]), largest(step_.end[index]));
-    // Levels of a pair lie its separation apart along n, whose length is 1 within 2^-50.
     const double own = until_[static_cast<std::size_t>(index)];
     if (is_far_below(index, n, level, size)) return own;
+    // Levels of a pair lie its separation apart along n, whose length is 1 within 2^-50.
     const Interval margin(kRounding * size + 0x1p-48 * std::fabs(level) + 0x1p-1000);
     const Interval start = dot(normal, enclosed(step_.start[index]));
     const Interval speed = dot(normal, enclosed(step_.end[index]) - enclosed(step_.start[index]));
@@ -131,11 +131,12 @@ class PlanarTruncation {
     return until > time_ && is_below_at(until) ? until : time_;
   }
 
-  /// By so much that doubles, off by less than 2^-46 of the largest coordinate and of the level, prove it: of most.
+  /// By so much that doubles prove it (docs/numerics.md, "Every vertex its own step"): of most.
   bool is_far_below(Index index, const Vec& n, double level, double size) const {
     const double own = until_[static_cast<std::size_t>(index)];
     const double start = dot(n, vec(step_.start[index])), end = dot(n, vec(step_.end[index]));
     const double limit = level - 0x1p-40 * (size + std::fabs(level)) - 0x1p-1000;
+    if (!std::isfinite(start) || !std::isfinite(end)) return false;  // a sum may have overflowed on its way
     return (1 - time_) * start + time_ * end < limit && (1 - own) * start + own * end < limit;
   }
 

@@ -20,8 +20,8 @@ constexpr int kPause = 16;
 /// Making lists takes as long as two or three questions: they are made when so many from one start would have been
 /// served.
 constexpr int kPatience = 2, kWorthwhile = 3;
-/// Lists are made only if what has moved by then leaves this part of their reach.
-constexpr float kHalf = 0.5f;
+/// Lists are made only if things have moved by less than this part of their reach.
+constexpr float kMostDrifted = 0.5f;
 
 void copy(const Positions& from, std::span<const Index> used, std::vector<Point>& to) {
   to.resize(static_cast<std::size_t>(from.count()));
@@ -143,7 +143,7 @@ bool GapMemory::follows(const Step& step) {
 void GapMemory::remember(const Step& step, float t) {
   where_ = last_;
   count_drifts(step);
-  if (drift_of_all(t) > kHalf * reach_now()) return forget();
+  if (drift_of_all(t) > kMostDrifted * reach_now()) return forget();
   use_lists();
   builds_ = trees_.builds();
   unit_ = trees_.motion().frame.scale;
@@ -170,7 +170,8 @@ void GapMemory::forget() {
 }
 
 std::uint64_t GapMemory::memory_bytes() const {
-  return (last_.capacity() + where_.capacity()) * sizeof(Point) + vf_.memory_bytes() + ee_.memory_bytes();
+  return (last_.capacity() + where_.capacity()) * sizeof(Point) + vf_.memory_bytes() + ee_.memory_bytes() +
+         points_.memory_bytes() + edges_.memory_bytes() + faces_.memory_bytes();
 }
 
 }  // namespace tamis

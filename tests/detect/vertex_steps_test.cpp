@@ -61,7 +61,7 @@ TEST_P(VertexStepsOf, AnyCombinationIsFree) {
     }
 }
 
-// Catches sums that overflow on their way and are then taken for far below a plane.
+// There sums of products overflow on their way, though the result would not.
 TEST_P(VertexStepsOf, AnyCombinationIsFreeAmongTheLargestDoubles) {
   Scene scene = GetParam().make(100, 7);
   double largest = 0;

@@ -1,6 +1,7 @@
 #include "detect/list_part.hpp"
 
 #include <algorithm>
+#include <cstring>
 #include <memory>
 
 #include "engines/pair_rules.hpp"
@@ -40,9 +41,7 @@ struct Batch {
   std::int32_t open[kMost];
 };
 
-void copy_point(const double* from, double* to) {
-  for (int axis = 0; axis < 3; ++axis) to[axis] = from[axis];
-}
+void copy_point(const double* from, double* to) { std::memcpy(to, from, 3 * sizeof(double)); }
 
 class PartDecision {
  public:

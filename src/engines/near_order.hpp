@@ -6,16 +6,20 @@
 
 namespace tamis {
 
-/// Sorts pairs of one kind by their vertices; keeps its scratch memory from call to call.
+/// Sorts pairs of one kind by their vertices; keeps its scratch memory from call to call. Runs in the caller's oneTBB
+/// arena.
 class NearOrder {
  public:
   void sort(std::vector<PairVertices>& pairs, Index vertex_count);
   std::uint64_t memory_bytes() const {
-    return first_.capacity() * sizeof(first_[0]) + sorted_.capacity() * sizeof(PairVertices);
+    return places_.capacity() * sizeof(places_[0]) + sorted_.capacity() * sizeof(PairVertices);
   }
 
  private:
-  std::vector<std::uint32_t> first_;  ///< of each first vertex
+  void sort_by(std::size_t corner, std::vector<PairVertices>& pairs, std::size_t buckets);
+
+  std::vector<std::uint32_t>
+      places_;  ///< [part of the pairs][vertex]: how many there are, then where the next one goes
   std::vector<PairVertices> sorted_;
 };
 

@@ -7,6 +7,7 @@
 #include "bvh/block_tree.hpp"
 #include "motion/pair_kinds.hpp"
 #include "tamis/contact.hpp"
+#include "tamis/near.hpp"
 #include "tamis/options.hpp"
 #include "tamis/pair.hpp"
 
@@ -31,13 +32,6 @@ struct SolvedPair {
   double toi_lower, toi_upper;
   double u, v;
   double normal[3];  ///< unit
-};
-
-/// What the lanes say of one pair at rest.
-struct RestPair {
-  double distance;  ///< in the unit of the vertices; NaN: not known well enough
-  double u, v;
-  double direction[3];  ///< unit, along the gap (solve/closest.hpp); NaN where nothing tells it
 };
 
 /// Which pairs may end the step before `t_limit`, where each must keep a fraction of its distance beyond the separation
@@ -137,8 +131,9 @@ struct Kernels {
   /// distance doubles do not know well enough.
   void (*find_near[kPairKinds])(const PackedVertex* vertices, const PairSeparation& separation, const PairBuffer& in,
                                 PairBuffer& near, PairBuffer& unsure);
-  /// At rest, [kind]: one RestPair for each pair of the buffer.
-  void (*measure[kPairKinds])(const PackedVertex* vertices, const PairBuffer& in, RestPair* out);
+  /// At rest, [kind]: one NearPair for each pair of the buffer; the distance is NaN where doubles do not know it well
+  /// enough.
+  void (*measure[kPairKinds])(const PackedVertex* vertices, const PairBuffer& in, NearPair* out);
   /// The slab clip for the kinds that cannot cross.
   void (*slab_ve)(const BoxVertex* vertices, const BoxSeparation& separation, const PairBuffer& in, PairBuffer& out);
   void (*slab_vv)(const BoxVertex* vertices, const BoxSeparation& separation, const PairBuffer& in, PairBuffer& out);

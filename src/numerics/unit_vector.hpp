@@ -10,8 +10,7 @@ template <class T>
 inline Vec3<T> unit_vector(const Vec3<T>& v) {
   const T size = max(max(abs(v.x), abs(v.y)), abs(v.z));
   const Vec3<T> scaled{v.x / size, v.y / size, v.z / size};
-  const T length = sqrt(dot(scaled, scaled));
-  return {scaled.x / length, scaled.y / length, scaled.z / length};
+  return (T(1) / sqrt(dot(scaled, scaled))) * scaled;
 }
 
 }  // namespace tamis

@@ -42,7 +42,8 @@ inline T slope(const std::array<T, 4>& k, const T& t) {
 template <class T>
 inline T find_root(const std::array<T, 4>& k) {
   constexpr int kMaxIterations = 60;
-  const T tolerance(2 * error_bounds::unit_roundoff<T>);
+  // Of the last stride d: the root is then off by at most kBend d^2 / fall, a third of what the sign is certain within.
+  const T tolerance(0x1p-27);
   T low(0), high(1), t = k[0] / (k[0] - k[3]);
   Mask<T> active = (k[0] > T(0)) & (k[3] < T(0));
   for (int i = 0; i < kMaxIterations && any(active); ++i) {

@@ -13,8 +13,4 @@ bool is_near(PairKind kind, const PairPoints& points, double separation, Precisi
 /// REQUIRES: as above.
 NearPair near_pair(PairKind kind, const std::array<Index, 4>& vertices, const PairPoints& points);
 
-/// A pair whose distance, weights and direction along the gap (solve/closest.hpp) are known.
-NearPair near_pair(PairKind kind, const std::array<Index, 4>& vertices, double distance, double u, double v,
-                   const Point& along_gap);
-
 }  // namespace tamis

@@ -186,7 +186,7 @@ void run_other_kinds(const Kernels& kernels, int count, const PackedVertex* vert
     const Guarded<PairBuffer> near({empty.get(), 1}, guard), unsure({empty.get(), 1}, guard);
     kernels.find_near[kind](vertices, {8, true}, *in.data(), *near.data(), *unsure.data());
     EXPECT_EQ(near.data()->count + unsure.data()->count, count) << kind;
-    const Guarded<RestPair> rest(std::vector<RestPair>(PairBuffer::kCapacity), guard);
+    const Guarded<NearPair> rest(std::vector<NearPair>(PairBuffer::kCapacity), guard);
     kernels.measure[kind](vertices, *in.data(), rest.data());
     run_list(kernels, kind, *in.data(), vertices, guard);
   }

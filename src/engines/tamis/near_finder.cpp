@@ -11,7 +11,6 @@ namespace tamis {
 
 struct NearFinder::Buffers {
   PairBuffer boxes, near, unsure;
-  RestPair said[PairBuffer::kSize];
   PairKind kind = PairKind::vertex_face;
 };
 
@@ -61,7 +60,7 @@ void NearFinder::flush(Search& search) {
 
 void NearFinder::decide_buffered() {
   stop_if_cancelled(options_);
-  auto& [pairs, is_near_enough, unsure, said, kind] = *buffers_;
+  auto& [pairs, is_near_enough, unsure, kind] = *buffers_;
   keep_each_once(kind, pairs);
   of(boxes, kind) += static_cast<std::uint64_t>(pairs.count);
   is_near_enough.count = unsure.count = 0;
@@ -86,21 +85,17 @@ void NearFinder::keep(const PairVertices& vertices) {
 
 void NearFinder::describe(PairKind kind, const Step& step, const PairVertices* pairs, std::size_t count,
                           NearPair* out) {
-  constexpr std::size_t kAtOnce = PairBuffer::kCapacity;
+  constexpr std::size_t kAtOnce = 128;  // what is on its way stays in the first cache
   PairBuffer& buffer = buffers_->near;
   for (std::size_t first = 0; first < count; first += kAtOnce) {
     buffer.count = static_cast<int>(std::min(kAtOnce, count - first));
     for (int i = 0; i < buffer.count; ++i)
       for (std::size_t c = 0; c < vertex_count(kind); ++c)
         buffer.corner[c][i] = pairs[first + static_cast<std::size_t>(i)][c];
-    kernels_.measure[static_cast<std::size_t>(kind)](motion_.vertices.data(), buffer, buffers_->said);
-    for (int i = 0; i < buffer.count; ++i) {
-      const std::size_t place = first + static_cast<std::size_t>(i);
-      const PairVertices& v = pairs[place];
-      const auto& [distance, u, weight, n] = buffers_->said[i];
-      out[place] = std::isnan(distance) ? near_pair(kind, v, points_of(step, v))
-                                        : near_pair(kind, v, distance, u, weight, {n[0], n[1], n[2]});
-    }
+    NearPair* const said = out + first;
+    kernels_.measure[static_cast<std::size_t>(kind)](motion_.vertices.data(), buffer, said);
+    for (int i = 0; i < buffer.count; ++i)
+      if (std::isnan(said[i].distance)) said[i] = near_pair(kind, said[i].vertices, points_of(step, said[i].vertices));
   }
 }
 

@@ -27,13 +27,15 @@ struct alignas(64) BoundBlock {
 inline constexpr float kLaterMargin = 0x1p-18f;
 
 /// What boxes sweep over until t_limit, for an observer who moves as the block does from which the search starts: a
-/// motion common to all makes no box larger. Two features can meet only where their boxes do.
+/// motion common to all makes no box larger. Two features can meet only where their boxes do. Faces that runners are
+/// asked about rest, and so does the observer.
 class SweptBoxes {
  public:
   using Bounds = BoundBlock<6>;  ///< x y z
 
   /// From leaf block `block` of search.a.
   SweptBoxes(const Search& search, int block) : t_limit_(search.t_limit) {
+    if (search.are_runners) return;
     const BoxBlock& hulls = search.a.levels[1][block / kBlock];
     const int lane = block % kBlock;
     for (int axis = 0; axis < 3; ++axis)
@@ -69,7 +71,7 @@ class SweptBoxes {
 
  private:
   const float t_limit_;
-  float way_[3];  ///< the observer's until t_limit
+  float way_[3] = {};  ///< the observer's until t_limit
 };
 
 /// Bounds of boxes that move linearly, x y z at t=0, then at a later time: their lower ends from 0 on, their upper ends

@@ -108,7 +108,7 @@ void IntersectionSearch::search() {
     bool is_known = false;
     StagePipeline& pipeline = pipelines_.local(is_known);
     if (!is_known) pipeline.begin(found_);
-    pipeline.search(PairKind::vertex_face, runners, faces, {part.begin(), part.end(), 1}, 1, false);
+    pipeline.search(PairKind::vertex_face, runners, faces, {part.begin(), part.end(), 1}, 1, true);
   });
 }
 

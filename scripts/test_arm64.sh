@@ -1,37 +1,53 @@
 #!/usr/bin/env bash
 # The same bits on 64-bit ARM (NEON): cross-compiles Tamis, runs it under qemu, and compares every contact of the
-# generated scenes and of the recorded frames with this machine's. test_arm64.sh --all also runs the unit tests there.
-# The libraries' arm64 packages are unpacked into build/arm64-packages: nothing installed here is changed.
+# generated scenes and of the recorded frames with this machine's.
+#   --all          also runs the unit tests there
+#   --here FOLDER  a finished build of this machine's, in place of build/dev
+# The libraries' arm64 packages are unpacked into build/arm64-packages: nothing installed here is changed. Exits with 77
+# where the packages cannot be had.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-scripts/setup.sh --tests
-scripts/setup.sh --arm64
+target=tamis_same_bits here=
+while (($#)); do
+  case $1 in
+    --all) target=all ;;
+    --here) here=$2 && shift ;;
+    *) echo "test_arm64.sh: $1: say --all, --here FOLDER or nothing" >&2; exit 2 ;;
+  esac
+  shift
+done
 
-packages=$PWD/build/arm64-packages
-if [[ ! -e $packages/complete ]]; then
+download() {
   apt=(apt-get -oAPT::Architecture=arm64 -oAPT::Architectures=arm64 -oDir::State::Lists="$packages/lists"
        -oDir::Cache="$packages/cache")
   rm -rf "$packages" && mkdir -p "$packages"/{lists/partial,cache/archives/partial,archives}
-  "${apt[@]}" update -q
+  "${apt[@]}" update -q || return
   (cd "$packages/archives" && "${apt[@]}" download -q \
     libxsimd-dev libtbb-dev libtbb12 libtbbmalloc2 libtbbbind-2-5 libhwloc15 libudev1 libgmp-dev libgmp10 libgmpxx4ldbl libfmt-dev libfmt9 \
-    libmeshoptimizer-dev libmeshoptimizer2d zlib1g-dev zlib1g libb64-dev libb64-0d libgtest-dev)
+    libmeshoptimizer-dev libmeshoptimizer2d zlib1g-dev zlib1g libb64-dev libb64-0d libgtest-dev) || return
   for package in "$packages"/archives/*.deb; do dpkg-deb -x "$package" "$packages"; done
   touch "$packages/complete"
+}
+no_packages() { echo "skipped: $1 cannot be had"; exit 77; }
+
+packages=$PWD/build/arm64-packages
+scripts/setup.sh --arm64 || no_packages "Debian's compiler for ARM, or qemu"
+[[ -e $packages/complete ]] || download || no_packages "the libraries' arm64 packages"
+
+cmake --preset arm64 -DTAMIS_ARM64_PACKAGES="$packages"
+cmake --build --preset arm64 --target "$target"
+if [[ -z $here ]]; then
+  scripts/setup.sh --tests
+  cmake --preset dev
+  cmake --build --preset dev --target tamis_same_bits
+  here=build/dev
 fi
 
-target=(tamis_same_bits)
-[[ ${1:-} != --all ]] || target=(all)
-cmake --preset arm64 -DTAMIS_ARM64_PACKAGES="$packages"
-cmake --build --preset arm64 --target "${target[@]}"
-cmake --preset dev
-cmake --build --preset dev --target tamis_same_bits
-
 qemu=(qemu-aarch64 -L /usr/aarch64-linux-gnu -E LD_LIBRARY_PATH="$packages/usr/lib/aarch64-linux-gnu:$packages/lib/aarch64-linux-gnu")
-build/dev/tests/same_bits/tamis_same_bits >build/same_bits_here.txt
+"$here/tests/same_bits/tamis_same_bits" >build/same_bits_here.txt
 "${qemu[@]}" build/arm64/tests/same_bits/tamis_same_bits >build/same_bits_arm64.txt
 diff build/same_bits_here.txt build/same_bits_arm64.txt
 cat build/same_bits_here.txt
 echo "the same on both: every bit of every contact"
-[[ ${1:-} != --all ]] || ctest --preset arm64 --parallel "$(nproc)"
+[[ $target != all ]] || ctest --preset arm64 --parallel "$(nproc)"

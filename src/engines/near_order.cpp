@@ -13,6 +13,9 @@ namespace {
 /// Parts that are counted on their own need as many counters as there are vertices, and this many pairs for each.
 constexpr std::size_t kPairsACounter = 4;
 
+/// With fewer pairs the counters would be most of the work.
+constexpr std::size_t kVerticesAPair = 8;
+
 /// -1 where there is none.
 std::size_t bucket_of(const PairVertices& pair, std::size_t corner) {
   return static_cast<std::size_t>(pair[corner] + 1);
@@ -38,6 +41,7 @@ void sort_by_last(std::span<PairVertices> pairs) {
 /// comparison sort of each vertex's pairs twice as slow.
 void NearOrder::sort(std::vector<PairVertices>& pairs, Index vertex_count) {
   const std::size_t buckets = static_cast<std::size_t>(vertex_count) + 1;
+  if (pairs.size() < buckets / kVerticesAPair) return std::sort(pairs.begin(), pairs.end());
   sorted_.resize(pairs.size());
   for (const std::size_t corner : {2u, 1u, 0u}) sort_by(corner, pairs, buckets);
   sort_by_last(pairs);

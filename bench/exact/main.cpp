@@ -35,7 +35,7 @@ void print_row(const std::string& name, std::vector<double> times) {
   const auto at = [&](double fraction) {
     return times[static_cast<std::size_t>(fraction * static_cast<double>(times.size() - 1))];
   };
-  std::printf("%-28s %9.2f %9.2f %9.2f %9.2f\n", name.c_str(), sum / static_cast<double>(times.size()), at(0.5),
+  std::printf("%-38s %9.2f %9.2f %9.2f %9.2f\n", name.c_str(), sum / static_cast<double>(times.size()), at(0.5),
               at(0.99), times.back());
 }
 
@@ -61,11 +61,13 @@ void run(const std::string& name, const test::Family& family, int count, int spr
 int main(int argc, char** argv) {
   using namespace tamis;
   const int count = argc > 1 ? std::atoi(argv[1]) : 1000;
-  std::printf("%-28s %9s %9s %9s %9s\n", "microseconds a pair", "mean", "median", "99%", "largest");
+  std::printf("%-38s %9s %9s %9s %9s\n", "microseconds a pair", "mean", "median", "99%", "largest");
   for (const auto& family : test::kFamilies) bench::run(std::string(family.name), family, count, 0, false);
   const auto& random = test::family_named("random");
   bench::run("exponents within 2^+-60", random, count, 60, false);
   bench::run("exponents within 2^+-1000", random, std::max(1, count / 10), 1000, false);
   for (const auto& family : test::kFamilies)
     bench::run(std::string(family.name) + ", separated", family, count, 0, true);
+  bench::run("exponents within 2^+-60, separated", random, std::max(1, count / 10), 60, true);
+  bench::run("exponents within 2^+-1000, separated", random, std::max(1, count / 50), 1000, true);
 }

@@ -115,6 +115,10 @@ inline constexpr double kVelocity = 40;
 // Length of a vector, unit: itself: squares 1/2, two sums 1, root 1, all below 4.
 inline constexpr double kLength = 4;
 
+// A polynomial of degree <= 6 with integer coefficients, unit: the sum of its terms' sizes. A coefficient cut to a
+// double 2 u, a power 5 u, their product 1 u, six sums 6 u, the unit's own sums 6 u: below 20 u.
+inline constexpr double kOddsPolynomial = 32;
+
 // What is left of a pair's distance along an axis between two unit vectors beyond what it must keep, unit D + E + F:
 // the distance at t=0 kGap and kLength, 27; a corner on the axis, as kAxisProjection with kInput + 4: 57; halves and
 // sums 4; the axis' length 5 and what must be kept 4, of at most 3: 27. Together 115.

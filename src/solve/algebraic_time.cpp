@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "solve/approximate_polynomial.hpp"
+#include "solve/odds_polynomial.hpp"
 
 namespace tamis {
 namespace {
@@ -18,6 +19,14 @@ AlgebraicTime::AlgebraicTime(IntegerPolynomial p, DyadicCell cell) : cell_(std::
   take_polynomial(std::move(p));
 }
 
+AlgebraicTime::AlgebraicTime(IntegerPolynomial p, const OddsBracket& odds, DyadicCell cell)
+    : polynomial_(std::move(p)), sign_before_(odds.sign_before), cell_(std::move(cell)), odds_(odds) {}
+
+AlgebraicTime::AlgebraicTime(IntegerPolynomial p, const OddsBracket& odds)
+    : AlgebraicTime(std::move(p), odds.sign_before, odds.lower_time(), odds.upper_time()) {
+  odds_ = odds;
+}
+
 AlgebraicTime::AlgebraicTime(IntegerPolynomial p, int sign_before, double lower, double upper)
     : polynomial_(std::move(p)), sign_before_(sign_before) {
   narrow_to_doubles(lower, upper);
@@ -26,6 +35,7 @@ AlgebraicTime::AlgebraicTime(IntegerPolynomial p, int sign_before, double lower,
 void AlgebraicTime::take_polynomial(IntegerPolynomial p) {
   polynomial_ = std::move(p);
   sign_before_ = polynomial_.on(cell_).sign_after_zero();
+  ends_.reset();
 }
 
 void AlgebraicTime::halve() {
@@ -33,28 +43,32 @@ void AlgebraicTime::halve() {
   const int side = compare_to(right);
   is_exact_ = side == 0;
   cell_ = side < 0 ? cell_.left_half() : std::move(right);
+  ends_.reset();
 }
 
 void AlgebraicTime::refine() {
-  DyadicCell next{cell_.n + 1, cell_.k};
-  const Integer before = polynomial_.scaled_value(cell_), after = polynomial_.scaled_value(next);
+  if (!ends_) ends_ = {polynomial_.scaled_value(cell_), polynomial_.scaled_value({cell_.n + 1, cell_.k})};
   // An end may be a root itself, of the same polynomial.
-  if (refinement_ < 2 || before.sign() * after.sign() >= 0) {
+  if (refinement_ < 2 || ends_->lower.sign() * ends_->upper.sign() >= 0) {
     refinement_ = 4;
     return halve();
   }
   const unsigned long bits = refinement_;
-  const DyadicCell guess{(cell_.n << bits) + quotient(before << bits, before - after), cell_.k + bits};
-  const int side = compare_to(guess);
-  if (side > 0 && compare_to({guess.n + 1, guess.k}) < 0) {
-    cell_ = guess;
-    refinement_ *= 2;
-  } else if (side == 0) {
+  const DyadicCell guess{(cell_.n << bits) + quotient(ends_->lower << bits, ends_->lower - ends_->upper),
+                         cell_.k + bits};
+  Integer lower = polynomial_.scaled_value(guess);
+  if (lower.sign() == 0) {
     cell_ = guess;
     is_exact_ = true;
-  } else {
-    refinement_ /= 2;
+    return;
   }
+  refinement_ /= 2;
+  if (lower.sign() != sign_before_) return;
+  Integer upper = polynomial_.scaled_value({guess.n + 1, guess.k});
+  if (upper.sign() != -sign_before_) return;
+  cell_ = guess;
+  ends_ = {std::move(lower), std::move(upper)};
+  refinement_ = 2 * bits;
 }
 
 bool AlgebraicTime::is_root_of(const IntegerPolynomial& q) {
@@ -68,6 +82,8 @@ bool AlgebraicTime::is_root_of(const IntegerPolynomial& q) {
 int AlgebraicTime::sign_of(const IntegerPolynomial& q) {
   if (q.degree() <= 0) return q.sign_after_zero();
   if (const int sign = ApproximatePolynomial(q).near(lower_end(cell_)).sign()) return sign;
+  if (odds_)
+    if (const int sign = OddsPolynomial(q).sign_between(odds_->low, odds_->high)) return sign;
   for (bool is_first = true; !is_exact_; is_first = false) {
     const IntegerPolynomial local = q.on(cell_);
     if (local.sign_variations() == 0) return local.sign_after_zero();
@@ -79,6 +95,7 @@ int AlgebraicTime::sign_of(const IntegerPolynomial& q) {
 
 void AlgebraicTime::narrow_to_doubles(double lower, double upper) {
   constexpr int kNewtonSteps = 12;
+  refinement_ = 32;  // between neighbouring doubles it is nearly a straight line
   const ApproximatePolynomial rough(polynomial_), slope = rough.derivative();
   double guess = lower + 0.5 * (upper - lower);
   for (int step = 0; next_up(lower) < upper; ++step) {

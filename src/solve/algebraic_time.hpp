@@ -1,6 +1,9 @@
 // A time in [0,1] that is a root of an integer polynomial, and the signs of other polynomials at it.
 #pragma once
+#include <optional>
+
 #include "solve/integer_polynomial.hpp"
+#include "solve/odds.hpp"
 
 namespace tamis {
 
@@ -13,6 +16,9 @@ class AlgebraicTime {
   AlgebraicTime(IntegerPolynomial p, DyadicCell cell);
   /// REQUIRES: the open interval holds exactly one root of `p`, a simple one; just after `lower` it has that sign.
   AlgebraicTime(IntegerPolynomial p, int sign_before, double lower, double upper);
+  /// REQUIRES: the odds' doubles enclose no other root of `p`; or the cell is that of the odds.
+  AlgebraicTime(IntegerPolynomial p, const OddsBracket& odds);
+  AlgebraicTime(IntegerPolynomial p, const OddsBracket& odds, DyadicCell cell);
 
   /// -1, 0 or 1; decided exactly. Narrows the cell as far as that needs.
   int sign_of(const IntegerPolynomial& q);
@@ -41,7 +47,12 @@ class AlgebraicTime {
   int sign_before_ = 0;  ///< of the polynomial between the lower end of the cell and the root
   DyadicCell cell_;
   bool is_exact_ = false;
-  unsigned long refinement_ = 4;
+  unsigned long refinement_ = 8;
+  struct Ends {
+    Integer lower, upper;
+  };
+  std::optional<Ends> ends_;         ///< the polynomial's scaled values at the ends of the cell, once asked
+  std::optional<OddsBracket> odds_;  ///< where the cell came from them
 };
 
 }  // namespace tamis

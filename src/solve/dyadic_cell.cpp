@@ -4,7 +4,6 @@
 #include <bit>
 #include <cmath>
 #include <limits>
-#include <utility>
 
 namespace tamis {
 namespace {
@@ -20,29 +19,7 @@ long spacing_above(const DyadicCell& cell) {
   return std::min(kDigits - above_binary_point, kFinestSpacing);
 }
 
-/// The least k for which x 2^k is an integer.
-long fraction_bits(double x) {
-  if (x == 0) return 0;
-  int exponent = 0;
-  const auto digits = static_cast<std::uint64_t>(std::ldexp(std::frexp(x, &exponent), kDigits));
-  return std::max(0L, long{kDigits} - exponent - std::countr_zero(digits));
-}
-
-/// x 2^k. REQUIRES: an integer, x >= 0.
-Integer times_power_of_two(double x, long k) {
-  int exponent = 0;
-  const Integer digits(static_cast<std::int64_t>(std::ldexp(std::frexp(x, &exponent), kDigits)));
-  const long shift = exponent - kDigits + k;
-  return shift >= 0 ? digits << static_cast<unsigned long>(shift) : digits >> static_cast<unsigned long>(-shift);
-}
-
 }  // namespace
-
-Cells cells_between(double lower, double upper) {
-  const long k = std::max(fraction_bits(lower), fraction_bits(upper));
-  Integer first = times_power_of_two(lower, k), count = times_power_of_two(upper, k) - first;
-  return {{std::move(first), static_cast<unsigned long>(k)}, std::move(count)};
-}
 
 DyadicCell cell_above(double lower) {
   long spacing = kFinestSpacing;

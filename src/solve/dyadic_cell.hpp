@@ -11,18 +11,13 @@ struct DyadicCell {
 
   DyadicCell left_half() const { return {n << 1, k + 1}; }
   DyadicCell right_half() const { return {(n << 1) + 1, k + 1}; }
+  /// The cell `p` of [0,1], mapped into this one.
+  DyadicCell part(const DyadicCell& p) const { return {(n << p.k) + p.n, k + p.k}; }
 };
 
 /// The cell whose lower end is `lower` and whose upper end is the next double.
 /// REQUIRES: 0 <= lower < 1.
 DyadicCell cell_above(double lower);
-
-/// The interval between two doubles as so many cells from a first one on. REQUIRES: 0 <= lower < upper <= 1.
-struct Cells {
-  DyadicCell first;
-  Integer count;
-};
-Cells cells_between(double lower, double upper);
 
 /// Halfway between in the order of the doubles, so that 62 halvings separate any two. REQUIRES: 0 <= a <= b.
 double middle_double(double a, double b);

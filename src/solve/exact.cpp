@@ -53,7 +53,7 @@ struct Side {
 class MovingPolygonTest {
  public:
   MovingPolygonTest(PairKind kind, const PairPoints& points)
-      : polygon_(difference_polygon(kind, points)),
+      : polygon_(stretched_polygon(kind, points)),
         normal_(normal_polynomial(polygon_.corner(1) - polygon_.corner(0),
                                   polygon_.corner(polygon_.corner_count - 1) - polygon_.corner(0))) {}
 

@@ -34,20 +34,30 @@ Integer IntegerPolynomial::scaled_value(const DyadicCell& t) const {
   return value;
 }
 
+bool IntegerPolynomial::is_long() const {
+  constexpr long kBits = 768;  // which fit without the heap
+  return std::any_of(powers_.begin(), powers_.end(), [](const Integer& a) { return a.bits() > kBits; });
+}
+
 int IntegerPolynomial::sign_after_zero() const {
   for (int i = 0; i <= degree_; ++i)
     if (const int sign = (*this)[i].sign()) return sign;
   return 0;
 }
 
-int IntegerPolynomial::sign_variations() const {
-  // Powers to Bernstein: the Taylor shift by 1 of the coefficients in reverse order.
-  auto bernstein = powers_;
+std::array<Integer, IntegerPolynomial::kMaxDegree + 1> IntegerPolynomial::bernstein() const {
+  // The Taylor shift by 1 of the coefficients in reverse order.
+  auto result = powers_;
   for (std::size_t last = static_cast<std::size_t>(std::max(degree_, 0)); last > 0; --last)
-    for (std::size_t i = 1; i <= last; ++i) bernstein[i] += bernstein[i - 1];
+    for (std::size_t i = 1; i <= last; ++i) result[i] += result[i - 1];
+  return result;
+}
+
+int IntegerPolynomial::sign_variations() const {
+  const auto coefficients = bernstein();
   int variations = 0, previous = 0;
   for (int i = 0; i <= degree_; ++i) {
-    const int sign = bernstein[static_cast<std::size_t>(i)].sign();
+    const int sign = coefficients[static_cast<std::size_t>(i)].sign();
     if (sign == 0) continue;
     if (sign == -previous) ++variations;
     previous = sign;
@@ -60,15 +70,11 @@ void IntegerPolynomial::shift_by(const Integer& n) {
     for (int i = degree_ - 1; i >= first; --i) at(i) += n * at(i + 1);
 }
 
-IntegerPolynomial IntegerPolynomial::on(const DyadicCell& cell, const Integer& width) const {
+IntegerPolynomial IntegerPolynomial::on(const DyadicCell& cell) const {
   IntegerPolynomial p = *this;
   if (cell.k > 0)
     for (int i = 0; i < degree_; ++i) p.at(i) <<= cell.k * static_cast<unsigned long>(degree_ - i);
   if (cell.n.sign() != 0) p.shift_by(cell.n);
-  if ((width - 1).sign() != 0) {
-    Integer power = width;
-    for (int i = 1; i <= degree_; ++i, power *= width) p.at(i) *= power;
-  }
   return p;
 }
 

@@ -24,6 +24,8 @@ class IntegerPolynomial {
   /// -1 for zero.
   int degree() const { return degree_; }
   bool is_zero() const { return degree_ < 0; }
+  /// Are any numbers so large that most work is saved where doubles can be asked before them?
+  bool is_long() const;
   /// Of t^i. REQUIRES: i <= kMaxDegree.
   const Integer& operator[](int i) const { return powers_[static_cast<std::size_t>(i)]; }
 
@@ -34,12 +36,14 @@ class IntegerPolynomial {
   /// Of the values just after t = 0.
   int sign_after_zero() const;
 
+  /// On [0,1], without their binomials.
+  std::array<Integer, kMaxDegree + 1> bernstein() const;
   /// Of the Bernstein coefficients on [0,1]. Descartes' rule: at least the number of roots in the open interval,
   /// counted with multiplicity, and of the same parity.
   int sign_variations() const;
 
-  /// The cell mapped to [0,1], times a positive constant; or `width` such cells from it on.
-  IntegerPolynomial on(const DyadicCell& cell, const Integer& width = 1) const;
+  /// The cell mapped to [0,1], times a positive constant.
+  IntegerPolynomial on(const DyadicCell& cell) const;
   /// [0,1/2] and [1/2,1] mapped to [0,1], times a positive constant.
   IntegerPolynomial left_half() const;
   IntegerPolynomial right_half() const;

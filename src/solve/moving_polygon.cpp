@@ -29,23 +29,36 @@ int lowest_exponent(double x) {
   return parts.exponent + std::countr_zero(static_cast<std::uint64_t>(parts.mantissa));
 }
 
-/// Of all coordinates and the separation; 0 if none has a bit.
-int common_exponent(const PairPoints& points, double separation) {
-  int common = lowest_exponent(separation);
+/// By axis.
+using Exponents = std::array<int, 3>;
+
+/// Of each axis' coordinates; INT_MAX for one that has no bit.
+Exponents lowest_exponents(const PairPoints& points) {
+  Exponents lowest{INT_MAX, INT_MAX, INT_MAX};
   for (const auto* at : {&points.start, &points.end})
     for (const Point& point : *at)
-      for (const double x : point) common = std::min(common, lowest_exponent(x));
-  return common == INT_MAX ? 0 : common;
+      for (std::size_t k = 0; k < 3; ++k) lowest[k] = std::min(lowest[k], lowest_exponent(point[k]));
+  return lowest;
 }
 
-std::array<Moving<Integer>, 4> scaled(const PairPoints& points, int common) {
-  const auto vector = [common](const Point& p) {
-    return Vec3<Integer>{scaled_to_integer(p[0], common), scaled_to_integer(p[1], common),
-                         scaled_to_integer(p[2], common)};
+MovingPolygon polygon(PairKind kind, const PairPoints& points, const Exponents& units) {
+  const auto vector = [&](const Point& p) {
+    return Vec3<Integer>{scaled_to_integer(p[0], units[0]), scaled_to_integer(p[1], units[1]),
+                         scaled_to_integer(p[2], units[2])};
   };
-  std::array<Moving<Integer>, 4> result;
-  for (std::size_t i = 0; i < 4; ++i) result[i] = {vector(points.start[i]), vector(points.end[i])};
-  return result;
+  std::array<Moving<Integer>, 4> x;
+  for (std::size_t i = 0; i < 4; ++i) x[i] = {vector(points.start[i]), vector(points.end[i])};
+  switch (kind) {
+    case PairKind::vertex_face:
+      return {{x[0] - x[1], x[0] - x[2], x[0] - x[3], {}}, 3, units[0]};
+    case PairKind::edge_edge:
+      return {{x[2] - x[0], x[2] - x[1], x[3] - x[1], x[3] - x[0]}, 4, units[0]};
+    case PairKind::vertex_edge:
+      return {{x[0] - x[1], x[0] - x[2], {}, {}}, 2, units[0]};
+    case PairKind::vertex_vertex:
+      break;
+  }
+  return {{x[0] - x[1], {}, {}, {}}, 1, units[0]};
 }
 
 }  // namespace
@@ -59,19 +72,14 @@ Integer scaled_to_integer(double x, int exponent) {
 }
 
 MovingPolygon difference_polygon(PairKind kind, const PairPoints& points, double separation) {
-  const int common = common_exponent(points, separation);
-  const auto x = scaled(points, common);
-  switch (kind) {
-    case PairKind::vertex_face:
-      return {{x[0] - x[1], x[0] - x[2], x[0] - x[3], {}}, 3, common};
-    case PairKind::edge_edge:
-      return {{x[2] - x[0], x[2] - x[1], x[3] - x[1], x[3] - x[0]}, 4, common};
-    case PairKind::vertex_edge:
-      return {{x[0] - x[1], x[0] - x[2], {}, {}}, 2, common};
-    case PairKind::vertex_vertex:
-      break;
-  }
-  return {{x[0] - x[1], {}, {}, {}}, 1, common};
+  const Exponents lowest = lowest_exponents(points);
+  const int common = std::min({lowest[0], lowest[1], lowest[2], lowest_exponent(separation)});
+  const int unit = common == INT_MAX ? 0 : common;
+  return polygon(kind, points, {unit, unit, unit});
+}
+
+MovingPolygon stretched_polygon(PairKind kind, const PairPoints& points) {
+  return polygon(kind, points, lowest_exponents(points));
 }
 
 }  // namespace tamis

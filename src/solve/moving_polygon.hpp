@@ -25,6 +25,10 @@ struct MovingPolygon {
 /// Times a power of two that makes every coordinate an integer, and the separation. REQUIRES: finite numbers.
 MovingPolygon difference_polygon(PairKind kind, const PairPoints& points, double separation = 0);
 
+/// The same with each axis times a power of two of its own: shorter numbers, the same times of touching, but no
+/// distances. The exponent means nothing.
+MovingPolygon stretched_polygon(PairKind kind, const PairPoints& points);
+
 /// x / 2^exponent. REQUIRES: that is an integer.
 Integer scaled_to_integer(double x, int exponent);
 

@@ -1,7 +1,11 @@
 #include "solve/root_isolation.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
+
+#include "solve/odds_polynomial.hpp"
 
 namespace tamis {
 namespace {
@@ -10,11 +14,9 @@ class RootIsolation {
  public:
   explicit RootIsolation(const IntegerPolynomial& p) : polynomial_(p) {}
 
-  std::vector<AlgebraicTime> run() {
-    // Bisection ends only if all roots are simple; one sign variation means one simple root already.
-    if (polynomial_.sign_variations() > 1) polynomial_ = polynomial_.squarefree_part();
+  std::vector<AlgebraicTime> run(bool may_ask_doubles) {
     add_if_root({0, 0});
-    isolate(0, 1, polynomial_, 0);
+    if (!may_ask_doubles || !add_roots_by_odds()) add_roots_by_bisection();
     add_if_root({1, 0});
     return std::move(roots_);
   }
@@ -24,36 +26,67 @@ class RootIsolation {
     if (polynomial_.sign_at(time) == 0) roots_.push_back(AlgebraicTime::exactly(time));
   }
 
-  /// Between two doubles. `local`: the polynomial with that interval mapped to [0,1].
-  void isolate(double lower, double upper, const IntegerPolynomial& local, int depth) {
-    const int variations = local.sign_variations();
-    if (variations == 1) roots_.emplace_back(polynomial_, local.sign_after_zero(), lower, upper);
-    if (variations <= 1) return;
-    if (std::nextafter(lower, 2.0) == upper) return isolate_in(cell_above(lower), local);
-    // Ordinary roots are soon told apart; those among the smallest doubles by halving exponents.
-    constexpr int kHalvings = 6;
-    const double halfway = 0.5 * (lower + upper);
-    const bool is_ordinary = depth < kHalvings && lower < halfway && halfway < upper;
-    const double middle = is_ordinary ? halfway : middle_double(lower, upper);
-    isolate(lower, middle, between(lower, middle), depth + 1);
-    add_if_root(cell_above(middle));
-    isolate(middle, upper, between(middle, upper), depth + 1);
+  /// Those between 0 and 1. Adds none if they are not certain.
+  bool add_roots_by_odds() {
+    std::vector<OddsBracket> brackets;
+    if (!OddsPolynomial(polynomial_).find_roots(brackets)) return false;
+    std::vector<AlgebraicTime> roots;
+    for (std::size_t i = 0; i < brackets.size(); ++i) {
+      const OddsBracket& odds = brackets[i];
+      if (auto cell = odds.cell())
+        roots.emplace_back(polynomial_, odds, *std::move(cell));
+      else if ((i == 0 || brackets[i - 1].upper_time() <= odds.lower_time()) &&
+               (i + 1 == brackets.size() || odds.upper_time() <= brackets[i + 1].lower_time()))
+        roots.emplace_back(polynomial_, odds);
+      else
+        return false;
+    }
+    std::move(roots.begin(), roots.end(), std::back_inserter(roots_));
+    return true;
   }
 
-  IntegerPolynomial between(double lower, double upper) const {
-    const auto [first, width] = cells_between(lower, upper);
-    return polynomial_.on(first, width);
+  void add_roots_by_bisection() {
+    // Bisection ends only if all roots are simple; one sign variation means one simple root already.
+    if (polynomial_.sign_variations() > 1) polynomial_ = polynomial_.squarefree_part();
+    isolate({0, 0}, polynomial_, 0, 4);
   }
 
-  /// Between neighbouring doubles.
-  void isolate_in(const DyadicCell& cell, const IntegerPolynomial& local) {
+  /// `local`: the polynomial with the cell mapped to [0,1]. Roots close together are tried in one of 2^bits smaller
+  /// cells, ever smaller ones, where Newton's method puts them (Sagraloff, Mehlhorn 2016): one with all the variations
+  /// leaves none, and so no root, to the rest. Ordinary roots are soon told apart: at first cells are halved.
+  void isolate(const DyadicCell& cell, const IntegerPolynomial& local, int depth, unsigned long bits) {
+    constexpr int kHalvings = 3;
     const int variations = local.sign_variations();
-    if (variations == 1) roots_.emplace_back(polynomial_, cell);
+    if (variations == 1) add_root_in(cell, local);
     if (variations <= 1) return;
+    for (int end = 0; end < 2 && depth >= kHalvings; ++end) {
+      const DyadicCell part = cell_of_roots(local, variations, end, bits);
+      const IntegerPolynomial there = local.on(part);
+      if (there.sign_variations() == variations) return isolate(cell.part(part), there, depth, 2 * bits);
+    }
     const DyadicCell right = cell.right_half();
-    isolate_in(cell.left_half(), local.left_half());
+    const unsigned long fewer_bits = std::max(bits / 2, 2UL);
+    isolate(cell.left_half(), local.left_half(), depth + 1, fewer_bits);
     add_if_root(right);
-    isolate_in(right, local.right_half());
+    isolate(right, local.right_half(), depth + 1, fewer_bits);
+  }
+
+  /// Of 2^bits cells of [0,1] one that may hold so many roots, by one step of Newton's method from an end.
+  static DyadicCell cell_of_roots(const IntegerPolynomial& local, int roots, int end, unsigned long bits) {
+    const Integer value = local.scaled_value({end, 0}), slope = local.derivative().scaled_value({end, 0});
+    const Integer last = (Integer(1) << bits) - 1;
+    Integer n = end == 0 ? Integer(0) : last;
+    if (slope.sign() != 0) n -= quotient((value * roots) << bits, slope);
+    if (n.sign() < 0) n = 0;
+    return {(last - n).sign() < 0 ? last : n, bits};
+  }
+
+  void add_root_in(const DyadicCell& cell, const IntegerPolynomial& local) {
+    const double lower = lower_end(cell), upper = lower_end({cell.n + 1, cell.k});
+    if (std::nextafter(lower, 2.0) < upper)
+      roots_.emplace_back(polynomial_, local.sign_after_zero(), lower, upper);
+    else
+      roots_.emplace_back(polynomial_, cell);
   }
 
   IntegerPolynomial polynomial_;
@@ -62,6 +95,10 @@ class RootIsolation {
 
 }  // namespace
 
-std::vector<AlgebraicTime> roots_in_unit_interval(const IntegerPolynomial& p) { return RootIsolation(p).run(); }
+std::vector<AlgebraicTime> roots_in_unit_interval(const IntegerPolynomial& p) {
+  return RootIsolation(p).run(p.is_long());
+}
+
+std::vector<AlgebraicTime> roots_by_bisection(const IntegerPolynomial& p) { return RootIsolation(p).run(false); }
 
 }  // namespace tamis

@@ -16,9 +16,9 @@ constexpr std::size_t kPairsACounter = 4;
 /// With fewer pairs the counters would be most of the work.
 constexpr std::size_t kVerticesAPair = 8;
 
-/// -1 where there is none.
+/// The first is of -1, which stands for no vertex: it wraps around.
 std::size_t bucket_of(const PairVertices& pair, std::size_t corner) {
-  return static_cast<std::size_t>(pair[corner] + 1);
+  return static_cast<std::size_t>(pair[corner]) + 1;
 }
 
 /// What differs in the last vertex alone.

@@ -50,7 +50,8 @@ struct Search {
   /// Nothing that starts after this time is of interest; a float, so that the stages in floats do not round it.
   float t_limit = 1;
   NearRule near{};  ///< for search_near, which looks at nothing else
-  /// Until t_limit things move so little that what boxes sweep over serves as well as boxes that move.
+  /// Until t_limit things move so little that what boxes sweep over serves as well as boxes that move; or those of b
+  /// rest, against which the two are the same.
   bool is_short = false;
   /// Points of a run along edges, as BlockTree::set_runners has them: faces that hold an end of theirs are left out.
   bool are_runners = false;

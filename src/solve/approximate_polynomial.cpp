@@ -8,17 +8,14 @@
 namespace tamis {
 
 ApproximatePolynomial::ApproximatePolynomial(const IntegerPolynomial& p) : degree_(p.degree()) {
-  for (int i = 0; i <= degree_; ++i) {
-    Coefficient& c = powers_[static_cast<std::size_t>(i)];
-    if (p[i].sign() != 0) c.mantissa = mpz_get_d_2exp(&c.exponent, p[i].get());
-  }
+  for (int i = 0; i <= degree_; ++i) powers_[static_cast<std::size_t>(i)] = WideDouble::of(p[i]);
 }
 
 ApproximatePolynomial ApproximatePolynomial::derivative() const {
   ApproximatePolynomial result;
   result.degree_ = std::max(degree_ - 1, -1);
   for (int i = 1; i <= degree_; ++i) {
-    const Coefficient& c = powers_[static_cast<std::size_t>(i)];
+    const WideDouble& c = powers_[static_cast<std::size_t>(i)];
     result.powers_[static_cast<std::size_t>(i) - 1] = {i * c.mantissa, c.exponent};
   }
   return result;
@@ -28,7 +25,7 @@ ApproximatePolynomial::Value ApproximatePolynomial::near(double t) const {
   if (t < std::numeric_limits<double>::min()) return {};  // the next double is not near
   int time_exponent = 0;
   const double time = std::frexp(t, &time_exponent);
-  std::array<Coefficient, IntegerPolynomial::kMaxDegree + 1> terms;
+  std::array<WideDouble, IntegerPolynomial::kMaxDegree + 1> terms;
   double power = 1;
   long highest = LONG_MIN;
   for (int i = 0; i <= degree_; ++i, power *= time) {
@@ -38,14 +35,14 @@ ApproximatePolynomial::Value ApproximatePolynomial::near(double t) const {
   }
   double sum = 0, size = 0;
   for (int i = 0; i <= degree_; ++i) {
-    const Coefficient& term = terms[static_cast<std::size_t>(i)];
+    const WideDouble& term = terms[static_cast<std::size_t>(i)];
     if (term.mantissa == 0) continue;
-    const double value = std::ldexp(term.mantissa, static_cast<int>(std::max(term.exponent - highest, -1000L)));
+    const double value = times_power_of_two(term.mantissa, term.exponent - highest);
     sum += value;
     size += std::fabs(value);
   }
   // A term: coefficient 2 u, power 5 u, product 1 u, its change up to the next double 6 * 2 u; six sums 6 u of the
-  // size. In all below 32 u; what lies 2^-1000 below the largest is lost in that.
+  // size. In all below 32 u; what lies 2^-900 below the largest is lost in that.
   return {sum, 0x1p-47 * size, highest};
 }
 

@@ -2,6 +2,7 @@
 // Newton's method. Most signs of an exact decision are plain; only the others need integers.
 #pragma once
 #include "solve/integer_polynomial.hpp"
+#include "solve/wide_double.hpp"
 
 namespace tamis {
 
@@ -23,11 +24,7 @@ class ApproximatePolynomial {
  private:
   ApproximatePolynomial() = default;
 
-  struct Coefficient {
-    double mantissa = 0;
-    long exponent = 0;
-  };
-  std::array<Coefficient, IntegerPolynomial::kMaxDegree + 1> powers_;
+  std::array<WideDouble, IntegerPolynomial::kMaxDegree + 1> powers_;
   int degree_ = -1;
 };
 

@@ -84,8 +84,7 @@ ExactDistance inside(const MovingPolygon& polygon) {
 }  // namespace
 
 Magnitude Magnitude::of(const Integer& a) {
-  long exponent = 0;
-  const double mantissa = mpz_get_d_2exp(&exponent, a.get());
+  const auto [mantissa, exponent] = WideDouble::of(a);
   return {mantissa, exponent};
 }
 

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "solve/moving_polygon.hpp"
+#include "solve/wide_double.hpp"
 
 namespace tamis {
 

@@ -5,6 +5,8 @@
 #include <cstdlib>
 #include <limits>
 
+#include "solve/wide_double.hpp"
+
 namespace tamis {
 namespace {
 
@@ -15,10 +17,6 @@ constexpr long kNextToZero = -1080, kNextToOne = 60;
 double value(const Odds& s) { return std::ldexp(s.mantissa, static_cast<int>(s.exponent)); }
 
 }  // namespace
-
-double times_power_of_two(double x, long exponent) {
-  return std::ldexp(x, static_cast<int>(std::clamp(exponent, -900L, 900L)));
-}
 
 // The quotients are off by less than 2^-51 of themselves, and where they are subnormal by less than two units.
 double OddsBracket::lower_time() const {

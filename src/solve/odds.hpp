@@ -7,9 +7,6 @@
 
 namespace tamis {
 
-/// x 2^exponent; what is 2^-900 of the rest does not count, nor how much more than 2^900 of it.
-double times_power_of_two(double x, long exponent);
-
 /// s = mantissa 2^exponent. The mantissa is in [1/2, 1].
 struct Odds {
   double mantissa = 0.5;

@@ -19,19 +19,18 @@ OddsPolynomial::OddsPolynomial(const IntegerPolynomial& p) : first_(p.degree()) 
   for (int i = 0; i <= p.degree(); ++i) {
     const Integer& b = bernstein[static_cast<std::size_t>(i)];
     if (b.sign() == 0) continue;
-    Coefficient& c = coefficients_[static_cast<std::size_t>(i)];
-    c.mantissa = mpz_get_d_2exp(&c.exponent, b.get());
+    coefficients_[static_cast<std::size_t>(i)] = WideDouble::of(b);
     first_ = std::min(first_, i);
     last_ = i;
   }
 }
 
 int OddsPolynomial::sign_between(const Odds& low, const Odds& high) const {
-  std::array<Coefficient, IntegerPolynomial::kMaxDegree + 1> least{}, most{};
+  std::array<WideDouble, IntegerPolynomial::kMaxDegree + 1> least{}, most{};
   double power_low = 1, power_high = 1;
   long highest = LONG_MIN;
   for (int i = 0; i <= last_; ++i, power_low *= low.mantissa, power_high *= high.mantissa) {
-    const Coefficient& c = at(i);
+    const WideDouble& c = at(i);
     if (c.sign() == 0) continue;
     const auto k = static_cast<std::size_t>(i);
     least[k] = {c.mantissa * power_low, c.exponent + low.exponent * i};

@@ -10,6 +10,7 @@
 
 #include "solve/integer_polynomial.hpp"
 #include "solve/odds.hpp"
+#include "solve/wide_double.hpp"
 
 namespace tamis {
 
@@ -25,13 +26,7 @@ class OddsPolynomial {
   bool find_roots(std::vector<OddsBracket>& roots) const;
 
  private:
-  struct Coefficient {
-    double mantissa = 0;
-    long exponent = 0;
-    int sign() const { return (mantissa > 0) - (mantissa < 0); }
-  };
-
-  const Coefficient& at(int i) const { return coefficients_[static_cast<std::size_t>(i)]; }
+  const WideDouble& at(int i) const { return coefficients_[static_cast<std::size_t>(i)]; }
   /// Where the terms i < j are equally large: the exponent of s, to 1.
   double meeting(int i, int j) const;
   /// Of Newton's polygon, after the corner i. REQUIRES: i < last_.
@@ -42,7 +37,7 @@ class OddsPolynomial {
   OddsPolynomial slope_over_power(int i) const;
   OddsBracket narrowed(OddsBracket bracket) const;
 
-  std::array<Coefficient, IntegerPolynomial::kMaxDegree + 1> coefficients_;
+  std::array<WideDouble, IntegerPolynomial::kMaxDegree + 1> coefficients_;
   int first_ = 0, last_ = 0;  ///< of the coefficients that are not zero
 };
 

@@ -97,10 +97,14 @@ struct EndBounds {
   /// Each is what two points that move linearly are apart.
   template <class A, class B, class F>
   [[gnu::always_inline]] static void for_each_side(const A& a, const B& b, const F& f) {
-    for (int axis = 0; axis < 3; ++axis) {
-      f(b(axis) - a(kHigh + axis), b(3 + axis) - a(kHigh + 3 + axis));
-      f(a(axis) - b(kHigh + axis), a(3 + axis) - b(kHigh + 3 + axis));
-    }
+    for (int axis = 0; axis < 3; ++axis) for_each_side_of(axis, a, b, f);
+  }
+
+  /// The same of one axis.
+  template <class A, class B, class F>
+  [[gnu::always_inline]] static void for_each_side_of(int axis, const A& a, const B& b, const F& f) {
+    f(b(axis) - a(kHigh + axis), b(3 + axis) - a(kHigh + 3 + axis));
+    f(a(axis) - b(kHigh + axis), a(3 + axis) - b(kHigh + 3 + axis));
   }
 };
 

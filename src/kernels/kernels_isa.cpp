@@ -61,29 +61,28 @@ void slab(const BoxVertex* vertices, const BoxSeparation& separation, const Pair
 
 /// Axes turn less in each of four parts.
 template <PairKind kind>
-unsigned is_kept_in_parts(const KeptGap<kind, FloatLanes>& gap, FloatLanes from, const FloatLanes& until) {
-  const FloatLanes part = (until - from) * FloatLanes(0.25f);
+unsigned is_kept_in_parts(const KeptGap<kind, FloatLanes>& gap, const FloatLanes& until) {
   unsigned kept = ~0u;
+  auto from = gap.start();
   for (int i = 1; i <= 4; ++i) {
-    const FloatLanes next = i < 4 ? from + part : until;
+    const auto next = gap.at(i < 4 ? FloatLanes(0.25f * static_cast<float>(i)) * until : until);
     kept &= bits(gap.is_kept(from, next));
     from = next;
   }
   return kept;
 }
 
+/// Turning axes leave few of the pairs that boxes do: first of all, though they cost most.
 template <PairKind kind>
 void near(const PackedVertex* vertices, const PairSeparation& separation, const NearRule& rule, const PairBuffer& in,
           PairBuffer& out) {
   for (int first = 0; first < in.count; first += kFloatLanes) {
     const auto m = load_motion_as_float<kind>(vertices, in, first, separation);
-    unsigned left = lanes_in_use(in, first, kFloatLanes) & ~bits(StartGap::exceeds<kind>(m, FloatLanes(rule.reach)));
-    if (!left) continue;
     const KeptGap<kind, FloatLanes> gap(m, FloatLanes(rule.fraction));
-    const FloatLanes from = FloatLanes::load_unaligned(in.t_in + first);
     const FloatLanes until = min(FloatLanes::load_unaligned(in.t_out + first), FloatLanes(1.0f));
-    left &= ~bits(gap.is_kept(from, until));
-    if (left) left &= ~is_kept_in_parts(gap, from, until);
+    unsigned left = lanes_in_use(in, first, kFloatLanes) & ~bits(gap.is_kept(gap.start(), gap.at(until)));
+    if (left) left &= ~bits(StartGap::exceeds<kind>(m, FloatLanes(rule.reach)));
+    if (left) left &= ~is_kept_in_parts(gap, until);
     for_each_bit(left, [&](int lane) { copy_pair(in, first + lane, out); });
   }
 }

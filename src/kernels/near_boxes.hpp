@@ -15,10 +15,13 @@ class NearBoxes {
  public:
   using Bounds = BoundBlock<18>;  ///< x y z at t=0, at t_limit, of drifts
 
-  NearBoxes(const Search& search, int) : near_(search.near) {}
+  NearBoxes(const Search& search, int)
+      : t_limit_(search.near.t_limit),
+        reach2_(search.near.reach * search.near.reach),
+        kept2_((1 + kShare) * search.near.fraction * search.near.fraction) {}
 
   void bound(const TreeView& tree, int level, int node, Bounds& bounds) const {
-    Ends::store(tree.levels[level][node], near_.t_limit, bounds);
+    Ends::store(tree.levels[level][node], t_limit_, bounds);
     const BoxBlock& drifts = tree.drifts[level][node];
     __builtin_memcpy(bounds.at[kDrift], drifts.low1, sizeof(drifts.low1));
     __builtin_memcpy(bounds.at[kHigh + kDrift], drifts.high1, sizeof(drifts.high1));
@@ -27,44 +30,44 @@ class NearBoxes {
   /// `a(k)`, `b(k)`: bound k of the boxes in lanes.
   template <class A, class B>
   [[gnu::always_inline]] auto meet(const A& a, const B& b) const {
-    const FloatLanes zero(0.0f), reach(near_.reach);
-    const auto above = [&](int k) { return b(k) - a(kHigh + k); };
-    const auto below = [&](int k) { return a(k) - b(kHigh + k); };
-    FloatLanes gap2(0.0f), way2(0.0f), far2(0.0f), size(0.0f);
+    const FloatLanes zero(0.0f);
+    FloatLanes gap2(0.0f), way2(0.0f), far2(0.0f), first2(0.0f), second2(0.0f);
     for (int axis = 0; axis < 3; ++axis) {
-      const auto way = max(-min(above(kDrift + axis), below(kDrift + axis)), zero), reached = reach * way;
-      const auto apart = max(max(above(axis), below(axis)), zero), far = max(-min(above(axis), below(axis)), zero);
-      gap2 = gap2 + apart * apart;
-      way2 = way2 + reached * reached;
-      far2 = far2 + far * far;
-      size = max(size, far + way);
+      const int drift = axis + kDrift;
+      add_square(way2, max(max(b(kHigh + drift) - a(drift), a(kHigh + drift) - b(drift)), zero));
+      FloatLanes gap(0.0f), far(0.0f), first(0.0f), second(0.0f);
+      Ends::for_each_side_of(axis, a, b, [&](const auto& at0, const auto& later) {
+        gap = max(gap, at0);
+        far = min(far, at0);
+        const FloatLanes least = min(at0, later);  // halfway is the mean of both
+        first = max(first, at0 + least);
+        second = max(second, least + later);
+      });
+      add_square(gap2, gap);
+      add_square(far2, far);
+      add_square(first2, first);
+      add_square(second2, second);
     }
-    const auto kept = FloatLanes(near_.fraction) * sqrt(min(far2, way2)) + FloatLanes(kRoomOfBoxes) * size;
-    return (gap2 <= way2) & (gap_in_halves(a, b) <= kept);
+    const FloatLanes reached2 = FloatLanes(reach2_) * way2;
+    const FloatLanes kept2 = FloatLanes(kept2_) * min(far2, reached2) + FloatLanes(kRoom2) * (far2 + way2);
+    return (gap2 <= reached2) & (FloatLanes(0.25f) * min(first2, second2) <= kept2);
   }
 
-  float t_limit() const { return near_.t_limit; }
+  float t_limit() const { return t_limit_; }
 
  private:
   static constexpr int kDrift = 6, kHigh = 9;
   using Ends = EndBounds<kHigh>;
-  /// At the end of the step the boxes are together larger by their way at most.
-  static constexpr auto kRoomOfBoxes = static_cast<float>(error_bounds::kRoomOfBoxes);
+  /// (x + y)^2 is at most (1 + kShare) x^2 + (1 + 1 / kShare) y^2.
+  static constexpr float kShare = 0x1p-4f;
+  /// At the end of the step the boxes are together larger by their way at most: their largest extent is below the
+  /// square root of 2 (far2 + way2).
+  static constexpr auto kRoom2 =
+      static_cast<float>(2 * (1 + 1 / kShare) * error_bounds::kRoomOfBoxes * error_bounds::kRoomOfBoxes);
 
-  /// What is open in each half of the time until t_limit, on one side of an axis: as much as a clip in time sees, but
-  /// for few pairs, in less time (docs/performance.md, "Step lengths").
-  template <class A, class B>
-  [[gnu::always_inline]] static FloatLanes gap_in_halves(const A& a, const B& b) {
-    FloatLanes first(-kNowhere), second(-kNowhere);
-    Ends::for_each_side(a, b, [&](const auto& at0, const auto& later) {
-      const FloatLanes halfway = FloatLanes(0.5f) * (at0 + later);
-      first = max(first, min(at0, halfway));
-      second = max(second, min(halfway, later));
-    });
-    return min(first, second);
-  }
+  [[gnu::always_inline]] static void add_square(FloatLanes& sum, const FloatLanes& x) { sum = sum + x * x; }
 
-  const NearRule near_;
+  const float t_limit_, reach2_, kept2_;
 };
 
 }  // namespace tamis::TAMIS_ISA

@@ -11,6 +11,9 @@ inline void for_each_bit(unsigned mask, const F& f) {
   for (; mask; mask &= mask - 1) f(__builtin_ctz(mask));
 }
 
+/// The bits of sixteen from `first` on.
+inline unsigned from_bit(int first) { return first >= kBlock ? 0 : ~0u << std::max(first, 0); }
+
 /// Appends first, first + 1, ... for the bits of `mask`, sixteen at most.
 inline void append_bits(unsigned mask, int first, std::int32_t* list, int& count) {
   for_sixteen_lanes([&](int lane) {
@@ -29,7 +32,7 @@ class BlockSearch {
       : search_(search), block_(block), corners_(search.a.corners[block]), boxes_(search, block) {
     Bounds hulls;
     boxes_.bound(search.a, 1, block / kBlock, hulls);
-    copy_lane(hulls, block % kBlock, hull_);
+    for (int k = 0; k < Bounds::kCount; ++k) my_hull_[k] = hulls.at[k][block % kBlock];
     boxes_.bound(search.a, 0, block, mine_);
   }
 
@@ -48,34 +51,33 @@ class BlockSearch {
   static constexpr int kCornersA = kIsSelf ? 2 : 1, kCornersB = kIsSelf ? 2 : 3;
   static constexpr int kMostLeaves = 32, kAhead = 4;
 
-  using Hull = float[Bounds::kCount];
-
-  static void copy_lane(const Bounds& bounds, int lane, Hull& hull) {
-    for (int k = 0; k < Bounds::kCount; ++k) hull[k] = bounds.at[k][lane];
-  }
-
   void visit(int level, int node) {
     ++search_.nodes_visited;
     Bounds hulls;
     boxes_.bound(search_.b, level, node, hulls);
+    const unsigned mask = children_that_meet(level, node, hulls);
+    if (level > 1) return for_each_bit(mask, [&](int child) { visit(level - 1, node * kBlock + child); });
+    for_each_bit(mask, [&](int child) { append_leaf(node * kBlock + child, hulls, child); });
+    if (leaf_count_ > kMostLeaves - kBlock) match_leaves();
+  }
+
+  /// Unless none of my features may meet its hull, which is lane `lane` of `hulls`.
+  void append_leaf(int leaf, const Bounds& hulls, int lane) {
+    leaves_[leaf_count_] = leaf;
+    rows_of_[leaf_count_] = rows_that_meet(hulls, lane);
+    leaf_count_ += rows_of_[leaf_count_] != 0;
+  }
+
+  unsigned children_that_meet(int level, int node, const Bounds& hulls) const {
     unsigned mask = 0;
     for_sixteen_lanes([&](int first) {
       mask |=
-          bits(boxes_.meet([&](int k) { return FloatLanes(hull_[k]); }, [&](int k) { return hulls.lanes(k, first); }))
+          bits(boxes_.meet([&](int k) { return FloatLanes(my_hull_[k]); }, [&](int k) { return hulls.lanes(k, first); }))
           << first;
     });
     // In the same tree only blocks from this one on: child c covers leaf blocks below (c + 1) 16^(level-1).
-    if (kIsSelf) {
-      const int first = (block_ >> (4 * (level - 1))) - node * kBlock;
-      if (first >= kBlock) return;
-      if (first > 0) mask &= ~0u << first;
-    }
-    if (search_.a.groups.may_touch) mask = without_kept_apart(mask, level, node);
-    if (level > 1) return for_each_bit(mask, [&](int child) { visit(level - 1, node * kBlock + child); });
-    int place = leaf_count_;
-    append_bits(mask, node * kBlock, leaves_, leaf_count_);
-    for_each_bit(mask, [&](int child) { copy_lane(hulls, child, hulls_[place++]); });
-    if (leaf_count_ > kMostLeaves - kBlock) match_leaves();
+    if (kIsSelf) mask &= from_bit((block_ >> (4 * (level - 1))) - node * kBlock);
+    return search_.a.groups.may_touch ? without_kept_apart(mask, level, node) : mask;
   }
 
   /// Of the bits of a node's children, those that may touch by their groups.
@@ -92,8 +94,7 @@ class BlockSearch {
       ++search_.nodes_visited;
       Bounds hulls;
       boxes_.bound(search_.b, 1, other / kBlock, hulls);
-      copy_lane(hulls, other % kBlock, hulls_[leaf_count_]);
-      leaves_[leaf_count_++] = other;
+      append_leaf(other, hulls, other % kBlock);
       if (leaf_count_ == kMostLeaves) match_leaves();
     }
   }
@@ -104,7 +105,7 @@ class BlockSearch {
     for (int i = 0; i < leaf_count_; ++i) {
       if (i + kAhead < leaf_count_) fetch(leaves_[i + kAhead]);
       boxes_.bound(search_.b, 0, leaves_[i], theirs_[i]);
-      append_bits(rows_that_meet(hulls_[i]), kBlock * i, rows_, count);
+      append_bits(rows_of_[i], kBlock * i, rows_, count);
     }
     int found_count = 0;
     for (int i = 0; i < count; ++i) {
@@ -126,12 +127,13 @@ class BlockSearch {
     fetch_all(search_.b.corners[leaf]);
   }
 
-  /// Bits of my features that may meet some of another block.
-  unsigned rows_that_meet(const Hull& theirs) const {
+  /// Bits of my features that may meet some of the block whose hull is in that lane.
+  unsigned rows_that_meet(const Bounds& hulls, int lane) const {
     unsigned mask = 0;
     for_sixteen_lanes([&](int first) {
       mask |=
-          bits(boxes_.meet([&](int k) { return mine_.lanes(k, first); }, [&](int k) { return FloatLanes(theirs[k]); }))
+          bits(boxes_.meet([&](int k) { return mine_.lanes(k, first); },
+                           [&](int k) { return FloatLanes(hulls.at[k][lane]); }))
           << first;
     });
     return mask;
@@ -196,11 +198,11 @@ class BlockSearch {
   const int block_;
   const CornerBlock& corners_;
   const Boxes boxes_;
-  Hull hull_;
+  float my_hull_[Bounds::kCount];
   Bounds mine_;
   int leaf_count_ = 0;
   alignas(64) std::int32_t leaves_[kMostLeaves + kBlock];
-  Hull hulls_[kMostLeaves];
+  unsigned rows_of_[kMostLeaves + kBlock];
   Bounds theirs_[kMostLeaves];
   std::int32_t rows_[kMostLeaves * kBlock + kBlock];
   unsigned found_[kMostLeaves * kBlock];

@@ -12,37 +12,44 @@ namespace tamis {
 template <PairKind kind, class T>
 class KeptGap {
  public:
+  /// A time, and a unit vector along the gap at it.
+  struct Axis {
+    T time;
+    Vec3<T> along;
+  };
+
   KeptGap(const PairMotion<T>& m, const T& fraction) : m_(m) {
-    const T distance = length(NearlyClosest::gap<kind>(m.e.at0, m.f.at0, m.d.at0));
+    const Vec3<T> gap = NearlyClosest::gap<kind>(m.e.at0, m.f.at0, m.d.at0);
+    const T distance = sqrt(dot(gap, gap));
+    start_ = {T(0), (T(1) / distance) * gap};
     // Only pairs with room are left out: for these the advancement (keeps_distance_until) comes to the same result.
     const T room = error_bounds::constant<T>(error_bounds::kRoomToAdvance +
                                              error_bounds::kKeptGap * error_bounds::unit_roundoff<T>);
     kept_ = m.separation + fraction * max(distance - m.separation, T(0)) + room * (m.size_d + m.size_e + m.size_f);
   }
 
+  const Axis& start() const { return start_; }
+  Axis at(const T& t) const {
+    const Vec3<T> gap = NearlyClosest::gap<kind>(at_time(m_.e, t), at_time(m_.f, t), at_time(m_.d, t));
+    return {t, (T(1) / sqrt(dot(gap, gap))) * gap};
+  }
+
   /// Is the distance proven to stay, from one time in [0,1] to another, beyond the separation, the fraction of its
   /// excess at t=0, and the room to advance?
-  auto is_kept(const T& from, const T& until) const {
-    const Vec3<T> n0 = axis_at(from), n1 = axis_at(until);
+  auto is_kept(const Axis& from, const Axis& until) const {
     const T half = error_bounds::constant<T>(0.5);
-    T lowest = dot(n0, at_time(m_.d, from));
+    T lowest = dot(from.along, at_time(m_.d, from.time));
     for (const auto& corner : difference_corners<kind>(m_)) {
-      const Vec3<T> first = at_time(corner, from), last = at_time(corner, until);
-      lowest = min(lowest, min(dot(n0, first), dot(n1, last)));
-      lowest = min(lowest, half * (dot(n0, last) + dot(n1, first)));  // NaN if any axis is
+      const Vec3<T> first = at_time(corner, from.time), last = at_time(corner, until.time);
+      lowest = min(lowest, min(dot(from.along, first), dot(until.along, last)));
+      lowest = min(lowest, half * (dot(from.along, last) + dot(until.along, first)));  // NaN if any axis is
     }
     return lowest > kept_;
   }
 
  private:
-  static T length(const Vec3<T>& v) { return sqrt(dot(v, v)); }
-
-  Vec3<T> axis_at(const T& t) const {
-    const Vec3<T> gap = NearlyClosest::gap<kind>(at_time(m_.e, t), at_time(m_.f, t), at_time(m_.d, t));
-    return (T(1) / length(gap)) * gap;
-  }
-
   const PairMotion<T>& m_;
+  Axis start_;
   T kept_;
 };
 

@@ -74,6 +74,39 @@ class SweptBoxes {
   float way_[3] = {};  ///< the observer's until t_limit
 };
 
+/// Boxes at rest: two features are near only where their boxes, without what these are widened by, are no farther apart
+/// than that: by the root of the sum of the squares of the gaps on three axes.
+class RestBoxes {
+ public:
+  using Bounds = BoundBlock<6>;  ///< x y z
+
+  RestBoxes(const Search& search, int)
+      : widened_(search.widened), widened2_(search.widened * search.widened * (1 + 0x1p-20f)) {}
+
+  void bound(const TreeView& tree, int level, int node, Bounds& bounds) const {
+    const BoxBlock& block = tree.levels[level][node];
+    __builtin_memcpy(bounds.at, block.low0, sizeof(block.low0));
+    __builtin_memcpy(bounds.at[3], block.high0, sizeof(block.high0));
+  }
+
+  /// `a(k)`, `b(k)`: bound k of the boxes in lanes.
+  template <class A, class B>
+  [[gnu::always_inline]] auto meet(const A& a, const B& b) const {
+    const FloatLanes zero(0.0f), widened(widened_);
+    FloatLanes gap2(0.0f);
+    for (int axis = 0; axis < 3; ++axis) {
+      const auto gap = max(max(b(axis) - a(3 + axis), a(axis) - b(3 + axis)) + widened, zero);
+      gap2 = gap2 + gap * gap;
+    }
+    return gap2 <= FloatLanes(widened2_);
+  }
+
+  float t_limit() const { return 0; }
+
+ private:
+  const float widened_, widened2_;
+};
+
 /// Bounds of boxes that move linearly, x y z at t=0, then at a later time: their lower ends from 0 on, their upper ends
 /// from `kHigh` on.
 template <int kHigh>

@@ -53,6 +53,8 @@ struct Search {
   /// Until t_limit things move so little that what boxes sweep over serves as well as boxes that move; or those of b
   /// rest, against which the two are the same.
   bool is_short = false;
+  /// If positive, boxes are looked at as they are at t=0, wider together by this much than what is near.
+  float widened = 0;
   /// Points of a run along edges, as BlockTree::set_runners has them: faces that hold an end of theirs are left out.
   bool are_runners = false;
   PairBuffer* pairs = nullptr;

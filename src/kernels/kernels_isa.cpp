@@ -21,7 +21,9 @@ namespace {
 
 template <PairKind kind>
 void search(Search& state, int block) {
-  if (state.is_short)
+  if (state.widened > 0)
+    BlockSearch<kind, RestBoxes>(state, block).run();
+  else if (state.is_short)
     BlockSearch<kind, SweptBoxes>(state, block).run();
   else
     BlockSearch<kind, BoxesAtEnds>(state, block).run();

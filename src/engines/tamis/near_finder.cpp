@@ -41,8 +41,7 @@ void NearFinder::search(PairKind kind, const TreeView& a, const TreeView& b, int
   watch_.lap();
   buffers_->kind = kind;
   Search search{a, b};
-  search.t_limit = 0;
-  search.is_short = true;
+  search.widened = motion_.box_separation().fixed;
   search.pairs = &buffers_->boxes;
   search.flush = flush;
   search.context = this;

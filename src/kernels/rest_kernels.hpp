@@ -11,16 +11,22 @@ namespace tamis::TAMIS_ISA {
 template <PairKind kind>
 void find_near(const PackedVertex* vertices, const PairSeparation& separation, const PairBuffer& in, PairBuffer& near,
                PairBuffer& unsure) {
-  const auto append = [&](int from, PairBuffer& to) {
-    for (int c = 0; c < 4; ++c) to.corner[c][to.count] = in.corner[c][from];
-    ++to.count;
+  const auto append = [&](int first, unsigned lanes, PairBuffer& to) {
+    for (int c = 0; c < 4; ++c)
+      store_compressed(lanes, IntLanes::load_unaligned(in.corner[c] + first), to.corner[c] + to.count);
+    to.count += __builtin_popcount(lanes);
   };
-  for (int first = 0; first < in.count; first += kDoubleLanes) {
-    const auto [pose, scale] = load_pose<kind>(vertices, in, first, separation);
-    const RestDistance<DoubleLanes> rest = rest_distance<kind>(pose);
-    const unsigned left = lanes_in_use(in, first) & ~bits(rest.low > pose.separation), sharp = bits(rest.is_sharp());
-    for_each_bit(left & sharp, [&](int lane) { append(first + lane, near); });
-    for_each_bit(left & ~sharp, [&](int lane) { append(first + lane, unsure); });
+  for (int first = 0; first < in.count; first += kFloatLanes) {
+    unsigned far = 0, sharp = 0;
+    for (int lane = 0; lane < kFloatLanes; lane += kDoubleLanes) {
+      const auto [pose, scale] = load_pose<kind>(vertices, in, first + lane, separation);
+      const RestDistance<DoubleLanes> rest = rest_distance<kind>(pose);
+      far |= bits(rest.low > pose.separation) << lane;
+      sharp |= bits(rest.is_sharp()) << lane;
+    }
+    const unsigned left = lanes_in_use(in, first, kFloatLanes) & ~far;
+    append(first, left & sharp, near);
+    append(first, left & ~sharp, unsure);
   }
 }
 

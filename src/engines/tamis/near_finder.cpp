@@ -67,12 +67,25 @@ void NearFinder::decide_buffered() {
                                                      is_near_enough, unsure);
   decided_by.lanes += static_cast<std::uint64_t>(pairs.count - unsure.count);
   pairs.count = 0;
-  for (int i = 0; i < is_near_enough.count; ++i) keep(vertices_of(kind, is_near_enough, i));
+  keep_all(is_near_enough);
   for (int i = 0; i < unsure.count; ++i) {
     const PairVertices v = vertices_of(kind, unsure, i);
     if (is_near(kind, points_of(step_, v), motion_.separations.between(kind, v), decided_by)) keep(v);
   }
   solving += watch_.lap();
+}
+
+void NearFinder::keep_all(const PairBuffer& pairs) {
+  const PairKind kind = buffers_->kind;
+  if (!options_.filter.empty()) {
+    for (int i = 0; i < pairs.count; ++i) keep(vertices_of(kind, pairs, i));
+    return;
+  }
+  auto& list = found[static_cast<std::size_t>(kind)];
+  const std::size_t before = list.size(), count = static_cast<std::size_t>(pairs.count);
+  list.resize(before + count);
+  for (std::size_t i = 0; i < count; ++i) list[before + i] = vertices_of(kind, pairs, static_cast<int>(i));
+  of(near, kind) += count;
 }
 
 void NearFinder::keep(const PairVertices& vertices) {

@@ -71,9 +71,9 @@ class BlockSearch {
   unsigned children_that_meet(int level, int node, const Bounds& hulls) const {
     unsigned mask = 0;
     for_sixteen_lanes([&](int first) {
-      mask |=
-          bits(boxes_.meet([&](int k) { return FloatLanes(my_hull_[k]); }, [&](int k) { return hulls.lanes(k, first); }))
-          << first;
+      mask |= bits(boxes_.meet([&](int k) { return FloatLanes(my_hull_[k]); },
+                               [&](int k) { return hulls.lanes(k, first); }))
+              << first;
     });
     // In the same tree only blocks from this one on: child c covers leaf blocks below (c + 1) 16^(level-1).
     if (kIsSelf) mask &= from_bit((block_ >> (4 * (level - 1))) - node * kBlock);
@@ -131,10 +131,9 @@ class BlockSearch {
   unsigned rows_that_meet(const Bounds& hulls, int lane) const {
     unsigned mask = 0;
     for_sixteen_lanes([&](int first) {
-      mask |=
-          bits(boxes_.meet([&](int k) { return mine_.lanes(k, first); },
-                           [&](int k) { return FloatLanes(hulls.at[k][lane]); }))
-          << first;
+      mask |= bits(boxes_.meet([&](int k) { return mine_.lanes(k, first); },
+                               [&](int k) { return FloatLanes(hulls.at[k][lane]); }))
+              << first;
     });
     return mask;
   }

@@ -38,4 +38,5 @@ scripts/setup.sh --tests
 [[ $kind != thread ]] || build_tbb
 cmake --preset "$preset" "${options[@]}"
 cmake --build --preset "$preset"
-UBSAN_OPTIONS=print_stacktrace=1 ctest --preset "$preset" --parallel "$(nproc)" "$@"
+export UBSAN_OPTIONS=print_stacktrace=1 TSAN_OPTIONS=suppressions=$PWD/scripts/tsan.supp
+ctest --preset "$preset" --parallel "$(nproc)" "$@"

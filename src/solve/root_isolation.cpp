@@ -48,27 +48,52 @@ class RootIsolation {
   void add_roots_by_bisection() {
     // Bisection ends only if all roots are simple; one sign variation means one simple root already.
     if (polynomial_.sign_variations() > 1) polynomial_ = polynomial_.squarefree_part();
-    isolate({0, 0}, polynomial_, 0, 4);
+    isolate();
   }
 
-  /// `local`: the polynomial with the cell mapped to [0,1]. Roots close together are tried in one of 2^bits smaller
-  /// cells, ever smaller ones, where Newton's method puts them (Sagraloff, Mehlhorn 2016): one with all the variations
-  /// leaves none, and so no root, to the rest. Ordinary roots are soon told apart: at first cells are halved.
-  void isolate(const DyadicCell& cell, const IntegerPolynomial& local, int depth, unsigned long bits) {
-    constexpr int kHalvings = 3;
-    const int variations = local.sign_variations();
-    if (variations == 1) add_root_in(cell, local);
-    if (variations <= 1) return;
-    for (int end = 0; end < 2 && depth >= kHalvings; ++end) {
-      const DyadicCell part = cell_of_roots(local, variations, end, bits);
-      const IntegerPolynomial there = local.on(part);
-      if (there.sign_variations() == variations) return isolate(cell.part(part), there, depth, 2 * bits);
+  /// A cell that may hold roots.
+  struct Part {
+    Part(const DyadicCell& where, IntegerPolynomial there, int halvings, unsigned long next_bits, bool is_right_half)
+        : cell(where), local(std::move(there)), depth(halvings), bits(next_bits), may_start_with_root(is_right_half) {}
+
+    DyadicCell cell;
+    IntegerPolynomial local;  ///< the polynomial with the cell mapped to [0,1]
+    int depth;
+    unsigned long bits;
+    bool may_start_with_root;
+  };
+
+  /// From left to right. What is left to look at is a list, for exponents make cells thousands of halvings deep.
+  void isolate() {
+    std::vector<Part> parts;
+    parts.emplace_back(DyadicCell{0, 0}, polynomial_, 0, 4, false);
+    while (!parts.empty()) {
+      const Part part = std::move(parts.back());
+      parts.pop_back();
+      if (part.may_start_with_root) add_if_root(part.cell);
+      const int variations = part.local.sign_variations();
+      if (variations == 1) add_root_in(part.cell, part.local);
+      if (variations > 1) divide(part, variations, parts);
     }
-    const DyadicCell right = cell.right_half();
+  }
+
+  /// Roots close together are tried in one of 2^bits smaller cells, ever smaller ones, where Newton's method puts them
+  /// (Sagraloff, Mehlhorn 2016): one with all the variations leaves none, and so no root, to the rest. Ordinary roots
+  /// are soon told apart: at first cells are halved.
+  static void divide(const Part& part, int variations, std::vector<Part>& parts) {
+    constexpr int kHalvings = 3;
+    const auto& [cell, local, depth, bits, is_right] = part;
+    for (int end = 0; end < 2 && depth >= kHalvings; ++end) {
+      const DyadicCell smaller = cell_of_roots(local, variations, end, bits);
+      IntegerPolynomial there = local.on(smaller);
+      if (there.sign_variations() == variations) {
+        parts.emplace_back(cell.part(smaller), std::move(there), depth, 2 * bits, false);
+        return;
+      }
+    }
     const unsigned long fewer_bits = std::max(bits / 2, 2UL);
-    isolate(cell.left_half(), local.left_half(), depth + 1, fewer_bits);
-    add_if_root(right);
-    isolate(right, local.right_half(), depth + 1, fewer_bits);
+    parts.emplace_back(cell.right_half(), local.right_half(), depth + 1, fewer_bits, true);
+    parts.emplace_back(cell.left_half(), local.left_half(), depth + 1, fewer_bits, false);
   }
 
   /// Of 2^bits cells of [0,1] one that may hold so many roots, by one step of Newton's method from an end.

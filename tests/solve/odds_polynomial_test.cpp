@@ -3,6 +3,7 @@
 #include "solve/odds_polynomial.hpp"
 
 #include <gtest/gtest.h>
+#include <pthread.h>
 
 #include <cmath>
 #include <limits>
@@ -76,6 +77,26 @@ TEST(Odds, find_the_roots_and_signs_that_integers_find) {
   Random random(5);
   for (long i = 10 * repetitions("TAMIS_EXACT_CASES", 200); i > 0 && !testing::Test::HasFailure(); --i)
     if (const IntegerPolynomial p = random_polynomial(random); !p.is_zero()) expect_same_roots(p, random);
+}
+
+// Catches cells halved by calls within calls, as many as exponents have bits: threads have small stacks.
+TEST(Odds, and_integers_need_little_stack) {
+  const auto find_roots = [](void*) -> void* {
+    Random random(5);
+    for (int i = 0; i < 500; ++i)
+      if (const IntegerPolynomial p = random_polynomial(random); !p.is_zero()) {
+        roots_by_bisection(p);
+        roots_in_unit_interval(p);
+      }
+    return nullptr;
+  };
+  pthread_attr_t attributes;
+  ASSERT_EQ(pthread_attr_init(&attributes), 0);
+  ASSERT_EQ(pthread_attr_setstacksize(&attributes, std::size_t{1} << 18), 0);
+  pthread_t thread;
+  ASSERT_EQ(pthread_create(&thread, &attributes, find_roots, nullptr), 0);
+  EXPECT_EQ(pthread_join(thread, nullptr), 0);
+  pthread_attr_destroy(&attributes);
 }
 
 // Catches odds that claim too much of short polynomials, too, which are not asked in doubles.

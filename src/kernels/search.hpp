@@ -23,8 +23,8 @@ inline void append_bits(unsigned mask, int first, std::int32_t* list, int& count
   });
 }
 
-/// `Boxes`: SweptBoxes, RestBoxes, BoxesAtEnds or NearBoxes. A row: one feature of the block searched from and the sixteen of
-/// another block.
+/// `Boxes`: SweptBoxes, RestBoxes, BoxesAtEnds or NearBoxes. A row: one feature of the block searched from and the
+/// sixteen of another block.
 template <PairKind kind, class Boxes>
 class BlockSearch {
  public:

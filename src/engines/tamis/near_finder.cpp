@@ -67,32 +67,24 @@ void NearFinder::decide_buffered() {
                                                      is_near_enough, unsure);
   decided_by.lanes += static_cast<std::uint64_t>(pairs.count - unsure.count);
   pairs.count = 0;
-  keep_all(is_near_enough);
-  for (int i = 0; i < unsure.count; ++i) {
+  keep_wanted(unsure, [&](int i) {
     const PairVertices v = vertices_of(kind, unsure, i);
-    if (is_near(kind, points_of(step_, v), motion_.separations.between(kind, v), decided_by)) keep(v);
-  }
+    return is_near(kind, points_of(step_, v), motion_.separations.between(kind, v), decided_by);
+  });
+  keep(is_near_enough);
+  keep(unsure);
   solving += watch_.lap();
 }
 
-void NearFinder::keep_all(const PairBuffer& pairs) {
+void NearFinder::keep(PairBuffer& pairs) {
   const PairKind kind = buffers_->kind;
-  if (!options_.filter.empty()) {
-    for (int i = 0; i < pairs.count; ++i) keep(vertices_of(kind, pairs, i));
-    return;
-  }
+  if (!options_.filter.empty())
+    keep_wanted(pairs, [&](int i) { return lets_pass(options_.filter, kind, vertices_of(kind, pairs, i)); });
   auto& list = found[static_cast<std::size_t>(kind)];
   const std::size_t before = list.size(), count = static_cast<std::size_t>(pairs.count);
   list.resize(before + count);
   for (std::size_t i = 0; i < count; ++i) list[before + i] = vertices_of(kind, pairs, static_cast<int>(i));
   of(near, kind) += count;
-}
-
-void NearFinder::keep(const PairVertices& vertices) {
-  const PairKind kind = buffers_->kind;
-  if (!options_.filter.empty() && !lets_pass(options_.filter, kind, vertices)) return;
-  found[static_cast<std::size_t>(kind)].push_back(vertices);
-  ++of(near, kind);
 }
 
 void NearFinder::describe(PairKind kind, const Step& step, const PairVertices* pairs, std::size_t count,

@@ -38,8 +38,7 @@ class NearFinder {
 
   static void flush(Search& search);
   void decide_buffered();
-  void keep_all(const PairBuffer& pairs);
-  void keep(const PairVertices& vertices);
+  void keep(PairBuffer& pairs);
 
   const Kernels& kernels_;
   const PackedMotion& motion_;

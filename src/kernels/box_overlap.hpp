@@ -1,5 +1,5 @@
-// Boxes as the search sees them, and which of them may meet: by what they sweep over, or by where they are at both ends
-// of the step.
+// Boxes as the search sees them, and which of them may meet: by what they sweep over, by where they are at both ends of
+// the step, or at rest.
 #pragma once
 #include "bounds/moving_boxes.hpp"
 #include "kernels/kernels.hpp"
@@ -126,16 +126,10 @@ struct EndBounds {
       });
   }
 
-  /// f(gap at t=0, gap later) of two boxes for both sides of each axis. `a(k)`, `b(k)`: bound k of the boxes in lanes.
+  /// f(gap at t=0, gap later) of two boxes for both sides of an axis. `a(k)`, `b(k)`: bound k of the boxes in lanes.
   /// Each is what two points that move linearly are apart.
   template <class A, class B, class F>
-  [[gnu::always_inline]] static void for_each_side(const A& a, const B& b, const F& f) {
-    for (int axis = 0; axis < 3; ++axis) for_each_side_of(axis, a, b, f);
-  }
-
-  /// The same of one axis.
-  template <class A, class B, class F>
-  [[gnu::always_inline]] static void for_each_side_of(int axis, const A& a, const B& b, const F& f) {
+  [[gnu::always_inline]] static void for_each_side(int axis, const A& a, const B& b, const F& f) {
     f(b(axis) - a(kHigh + axis), b(3 + axis) - a(kHigh + 3 + axis));
     f(a(axis) - b(kHigh + axis), a(3 + axis) - b(kHigh + 3 + axis));
   }
@@ -156,7 +150,8 @@ class BoxesAtEnds {
   template <class A, class B>
   [[gnu::always_inline]] auto meet(const A& a, const B& b) const {
     FloatLanes gap(-kNowhere);
-    Ends::for_each_side(a, b, [&](const auto& at0, const auto& later) { gap = max(gap, min(at0, later)); });
+    for (int axis = 0; axis < 3; ++axis)
+      Ends::for_each_side(axis, a, b, [&](const auto& at0, const auto& later) { gap = max(gap, min(at0, later)); });
     return gap <= FloatLanes(0.0f);
   }
 

@@ -116,7 +116,7 @@ struct Kernels {
   /// Writes those blocks of a scan that may have drifted by their gap until t, and returns their number; `out` has room
   /// for a block past them.
   int (*unproven)(const GapScan& scan, std::int32_t* out);
-  /// Pairs that cannot end the step by the rule are culled.
+  /// Pairs that cannot end the step by the rule, from t=0 to their t_out, are culled.
   void (*near_vf)(const PackedVertex* vertices, const PairSeparation& separation, const NearRule& rule,
                   const PairBuffer& in, PairBuffer& out);
   void (*near_ee)(const PackedVertex* vertices, const PairSeparation& separation, const NearRule& rule,

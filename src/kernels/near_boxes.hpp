@@ -36,7 +36,7 @@ class NearBoxes {
       const int drift = axis + kDrift;
       add_square(way2, max(max(b(kHigh + drift) - a(drift), a(kHigh + drift) - b(drift)), zero));
       FloatLanes gap(0.0f), far(0.0f), first(0.0f), second(0.0f);
-      Ends::for_each_side_of(axis, a, b, [&](const auto& at0, const auto& later) {
+      Ends::for_each_side(axis, a, b, [&](const auto& at0, const auto& later) {
         gap = max(gap, at0);
         far = min(far, at0);
         const FloatLanes least = min(at0, later);  // halfway is the mean of both
@@ -60,8 +60,8 @@ class NearBoxes {
   using Ends = EndBounds<kHigh>;
   /// (x + y)^2 is at most (1 + kShare) x^2 + (1 + 1 / kShare) y^2.
   static constexpr float kShare = 0x1p-4f;
-  /// At the end of the step the boxes are together larger by their way at most: their largest extent is below the
-  /// square root of 2 (far2 + way2).
+  /// At the end of the step the boxes are together larger by their way at most: along an axis they extend over far +
+  /// way, whose square is at most 2 (far^2 + way^2).
   static constexpr auto kRoom2 =
       static_cast<float>(2 * (1 + 1 / kShare) * error_bounds::kRoomOfBoxes * error_bounds::kRoomOfBoxes);
 

@@ -71,6 +71,13 @@ class GuardedTree {
   std::deque<Guarded<Index>> groups_;
 };
 
+/// From every block of search.a; what is found goes to `pairs`.
+void find(Search& search, void (*kernel)(Search&, int), PairBuffer& pairs) {
+  search.pairs = &pairs;
+  search.flush = [](Search&) { FAIL() << "the soup is too large for one buffer"; };
+  for (int block = 0; block < search.a.leaf_blocks; ++block) kernel(search, block);
+}
+
 /// Pairs that the kernels leave after search, clip, filters and roots.
 std::array<int, 4> run(const Kernels& kernels, PairKind kind, const GuardedTree& a, const GuardedTree& b,
                        const PackedVertex* vertices, const BoxVertex* box_vertices, Guard guard) {
@@ -81,16 +88,27 @@ std::array<int, 4> run(const Kernels& kernels, PairKind kind, const GuardedTree&
   const std::vector<SolvedPair> none(PairBuffer::kCapacity);
   const Guarded<SolvedPair> solved(none, guard);
   Search search{a.view(), b.view()};
-  search.pairs = boxes.data();
-  search.flush = [](Search&) { FAIL() << "the soup is too large for one buffer"; };
-  for (int block = 0; block < search.a.leaf_blocks; ++block)
-    (is_vf ? kernels.search_vf : kernels.search_ee)(search, block);
+  find(search, is_vf ? kernels.search_vf : kernels.search_ee, *boxes.data());
   (is_vf ? kernels.slab_vf : kernels.slab_ee)(box_vertices, {0x1p-22f, true}, *boxes.data(), *slab.data());
   (is_vf ? kernels.filter_vf : kernels.filter_ee)(vertices, *slab.data(), *filtered.data());
   const int slab_count = slab.data()->count;
   const int left =
       (is_vf ? kernels.solve_vf : kernels.solve_ee)(vertices, *filtered.data(), *slab.data(), solved.data());
   return {boxes.data()->count, slab_count, filtered.data()->count, left};
+}
+
+/// The ways of short steps and of distances at rest: pairs that the search leaves.
+std::array<int, 2> run_boxes(const Kernels& kernels, PairKind kind, const GuardedTree& a, const GuardedTree& b,
+                             Guard guard) {
+  const auto kernel = kind == PairKind::vertex_face ? kernels.search_vf : kernels.search_ee;
+  const auto empty = std::make_unique<PairBuffer>();
+  const Guarded<PairBuffer> swept({empty.get(), 1}, guard), at_rest({empty.get(), 1}, guard);
+  Search search{a.view(), b.view()};
+  search.is_short = true;
+  find(search, kernel, *swept.data());
+  search.widened = 0x1p-10f;
+  find(search, kernel, *at_rest.data());
+  return {swept.data()->count, at_rest.data()->count};
 }
 
 /// The way of step lengths: pairs that the search leaves, and of these the ones that may end the step.
@@ -101,10 +119,7 @@ std::array<int, 2> run_near(const Kernels& kernels, PairKind kind, const Guarded
   const Guarded<PairBuffer> boxes({empty.get(), 1}, guard), near({empty.get(), 1}, guard);
   Search search{a.view(), b.view()};
   search.near = {0.25f, 1.5f, 1.0f};
-  search.pairs = boxes.data();
-  search.flush = [](Search&) { FAIL() << "the soup is too large for one buffer"; };
-  for (int block = 0; block < search.a.leaf_blocks; ++block)
-    (is_vf ? kernels.search_near_vf : kernels.search_near_ee)(search, block);
+  find(search, is_vf ? kernels.search_near_vf : kernels.search_near_ee, *boxes.data());
   const int found = boxes.data()->count;
   (is_vf ? kernels.near_vf : kernels.near_ee)(vertices, {0, true}, search.near, *boxes.data(), *near.data());
   return {found, near.data()->count};
@@ -145,7 +160,6 @@ int run_gaps(const Kernels& kernels, PairKind kind, const GuardedTree& a, const 
   return static_cast<int>(count);
 }
 
-/// The clips of the kinds that cannot cross, and the distances at rest: of vertices of the soup, in any order.
 /// The way of a list of pairs, each of which is answered or left open.
 void run_list(const Kernels& kernels, std::size_t kind, const PairBuffer& in, const PackedVertex* vertices,
               Guard guard) {
@@ -169,6 +183,7 @@ void run_list(const Kernels& kernels, std::size_t kind, const PairBuffer& in, co
   }
 }
 
+/// The clips of the kinds that cannot cross, and the distances at rest: of vertices of the soup, in any order.
 void run_other_kinds(const Kernels& kernels, int count, const PackedVertex* vertices, const BoxVertex* box_vertices,
                      Guard guard) {
   const auto pairs = std::make_unique<PairBuffer>(), empty = std::make_unique<PairBuffer>();
@@ -235,6 +250,10 @@ TEST_P(GuardPages, NoKernelReadsOrWritesOutsideItsArrays) {
         const auto near = run_near(*kernels, kind, *a, *b, vertices.data(), guard);
         EXPECT_GT(near[0], 0);
         EXPECT_LE(near[1], near[0]);
+        const auto [swept, at_rest] = run_boxes(*kernels, kind, *a, *b, guard);
+        EXPECT_GT(swept, 0);
+        EXPECT_GT(at_rest, 0);
+        EXPECT_LE(at_rest, swept);
         EXPECT_GT(run_gaps(*kernels, kind, *a, *b, vertices.data(), guard), 0);
       }
       run_other_kinds(*kernels, 3 * triangles, vertices.data(), box_vertices.data(), guard);

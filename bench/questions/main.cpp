@@ -16,17 +16,27 @@ namespace {
 
 using namespace tamis;
 
-/// Median of the processor time in milliseconds; `ask` runs once before.
+double median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+/// Processor time, milliseconds.
+template <class Ask>
+double time_of(const Ask& ask) {
+  const std::clock_t start = std::clock();
+  ask();
+  return 1e3 * static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+}
+
+/// Median of the processor time; `ask` runs once before.
 template <class Ask>
 double milliseconds(int repeat, const Ask& ask) {
+  ask();
   std::vector<double> times;
-  for (int run = 0; run <= repeat; ++run) {
-    const std::clock_t start = std::clock();
-    ask();
-    if (run > 0) times.push_back(1e3 * static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC);
-  }
-  std::nth_element(times.begin(), times.begin() + repeat / 2, times.end());
-  return times[static_cast<std::size_t>(repeat / 2)];
+  for (int run = 0; run < repeat; ++run) times.push_back(time_of(ask));
+  return median(times);
 }
 
 void print_row(const std::string& question, std::size_t answers, double ms) {
@@ -72,13 +82,32 @@ struct Bench {
     }
   }
 
+  /// How far may every pair keep a part of its distance? In turns with the largest step, each after the way back, so
+  /// that nothing remembered helps.
+  void step_lengths() {
+    Detector other(detector.mesh(), detector.options());
+    const Step back{step.end, step.start};
+    for (const double fraction : {0.1, 0.2, 0.5}) {
+      std::vector<double> times, ratios;
+      for (int run = 0; run <= repeat; ++run) {
+        detector.earliest(back);
+        other.keep_distance(back, fraction);
+        const double largest = time_of([&] { detector.earliest(step); });
+        times.push_back(time_of([&] { other.keep_distance(step, fraction); }));
+        ratios.push_back(times.back() / largest);
+      }
+      char question[64];
+      std::snprintf(question, sizeof question, "keep_distance, %.1f: %.1f times the largest step", fraction,
+                    median(ratios));
+      print_row(question, 1, median(times));
+    }
+  }
+
   /// How far all vertices go, against how far one step for all would take them.
   void own_steps() {
     TruncatedStep truncated;
-    double ms = milliseconds(repeat, [&] { detector.keep_distance(step, 0.1); });
     const SafeStep together = detector.keep_distance(step, 0.1);
-    print_row("keep_distance, 0.1", 1, ms);
-    ms = milliseconds(repeat, [&] { truncated = detector.truncate(step, 0.1); });
+    const double ms = milliseconds(repeat, [&] { truncated = detector.truncate(step, 0.1); });
     print_row("truncate, 0.1", truncated.positions.size(), ms);
     double went = 0, whole = 0;
     for (const Index v : detector.mesh().points()) {
@@ -129,6 +158,7 @@ int main(int count, char** arguments) {
   std::printf("| question | answers | ms |\n|---|--:|--:|\n");
   bench.list_of_pairs();
   bench.at_rest(mean_edge(frames.mesh, frames.start));
+  bench.step_lengths();
   bench.own_steps();
   return 0;
 }

@@ -59,7 +59,8 @@ void NearFinder::flush(Search& search) {
 
 void NearFinder::decide_buffered() {
   stop_if_cancelled(options_);
-  auto& [pairs, is_near_enough, unsure, kind] = *buffers_;
+  const PairKind kind = buffers_->kind;
+  PairBuffer &pairs = buffers_->boxes, &is_near_enough = buffers_->near, &unsure = buffers_->unsure;
   keep_each_once(kind, pairs);
   of(boxes, kind) += static_cast<std::uint64_t>(pairs.count);
   is_near_enough.count = unsure.count = 0;

@@ -4,6 +4,7 @@
 #include <cstring>
 #include <memory>
 
+#include "engines/cancellation.hpp"
 #include "engines/pair_rules.hpp"
 #include "solve/decide.hpp"
 #include "solve/pair_input.hpp"
@@ -46,7 +47,12 @@ void copy_point(const double* from, double* to) { std::memcpy(to, from, 3 * size
 class PartDecision {
  public:
   PartDecision(const ListPart& part, PairResult* results)
-      : pairs_(part.pairs), step_(part.step), results_(results), options_(part.options), kernels_(part.kernels) {}
+      : pairs_(part.pairs),
+        step_(part.step),
+        results_(results),
+        options_(part.options),
+        kernels_(part.kernels),
+        list_(part.list) {}
 
   bool run() {
     for (std::size_t i = 0; i < pairs_.size(); ++i) {
@@ -86,6 +92,7 @@ class PartDecision {
   }
 
   bool decide_singly(PairKind kind, std::int32_t place) {
+    stop_if_cancelled(list_);
     const Pair& pair = pairs_[static_cast<std::size_t>(place)];
     if (!has_finite_points(pair, step_)) return false;
     PairVertices vertices{-1, -1, -1, -1};
@@ -100,6 +107,7 @@ class PartDecision {
   PairResult* results_;
   const PairOptions& options_;
   const Kernels& kernels_;
+  const PairListOptions& list_;
   std::unique_ptr<Batch> batches_[kPairKinds];
 };
 

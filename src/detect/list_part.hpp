@@ -12,10 +12,12 @@ struct ListPart {
   const Step& step;
   const PairOptions& options;
   const Kernels& kernels;
+  const PairListOptions& list;  ///< who may cancel
 };
 
 /// results[i]: what pairs[i] does. False if some pair is not legal: its kind is none, a vertex no row of the step, a
-/// coordinate not finite; the results then have no meaning. REQUIRES: as many positions at both ends of the step.
+/// coordinate not finite; the results then have no meaning. Throws Cancelled. REQUIRES: as many positions at both ends
+/// of the step.
 bool decide_part_of_list(const ListPart& part, PairResult* results);
 
 }  // namespace tamis

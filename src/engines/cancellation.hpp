@@ -1,4 +1,5 @@
-// How a question ends before its answer: every place that takes a batch of pairs asks first.
+// How a question ends before its answer: every place that takes a batch of pairs asks first, and every one that
+// decides a pair by itself, which can take milliseconds.
 #pragma once
 #include "tamis/error.hpp"
 #include "tamis/options.hpp"

@@ -73,6 +73,14 @@ TEST_P(Cancellation, AtAnyMomentLeavesTheDetectorUsable) {
   }
 }
 
+// With a separation every pair may take milliseconds: who cancels must not wait for a buffer of thousands.
+TEST_P(Cancellation, ComesBetweenPairsThatAreDecidedOneByOne) {
+  options.min_separation = 0.1;
+  Detector detector(scene.mesh(), options);
+  EXPECT_GE(detector.contacts(scene.step()).size(), 100u);
+  EXPECT_GE(asked, 100);
+}
+
 TEST_P(Cancellation, ThatNeverHappensChangesNothing) {
   Detector detector(scene.mesh(), options);
   expect_whole_answer(detector);

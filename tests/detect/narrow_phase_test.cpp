@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <random>
 
 #include "scenes/scene_list.hpp"
 #include "support/ask_pair.hpp"
@@ -200,6 +201,21 @@ TEST(NarrowPhase, PairsThatComeAsPointsSayTheSame) {
     start.pop_back();
     EXPECT_THROW(narrow_phase(kind, start, end, results), InvalidStep);
   }
+}
+
+// Points that all pass the origin at once are what takes longest to decide: who cancels must not wait for thousands.
+TEST(NarrowPhase, IsCancelledBetweenHardPairsToo) {
+  constexpr std::size_t kPairs = 40;  // less than a batch of the lanes
+  std::vector<Point> start(4 * kPairs), end(start.size());
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> coordinate(-1, 1);
+  for (std::size_t i = 0; i < start.size(); ++i)
+    for (int axis = 0; axis < 3; ++axis) end[i][axis] = -(start[i][axis] = coordinate(random));
+  int asked = 0;
+  std::vector<PairResult> results(kPairs);
+  EXPECT_THROW(narrow_phase(PairKind::edge_edge, start, end, results,
+                            {.threads = 1, .is_cancelled = [&] { return ++asked == 20; }}),
+               Cancelled);
 }
 
 TEST(NarrowPhase, ACancelledListThrows) {

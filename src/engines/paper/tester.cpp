@@ -147,6 +147,7 @@ std::size_t PaperTester::run_filters(const Block<kind>& block, std::span<std::ui
 
 template <PairKind kind>
 void PaperTester::solve(const Block<kind>& block, std::size_t pair) {
+  stop_if_cancelled(scene_.options);
   if (!found.wants(kind, block.vertices[pair])) return;
   const PairResult r = result_of(block, pair);
   if (!r.touches) return;

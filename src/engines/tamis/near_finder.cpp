@@ -69,6 +69,7 @@ void NearFinder::decide_buffered() {
   decided_by.lanes += static_cast<std::uint64_t>(pairs.count - unsure.count);
   pairs.count = 0;
   keep_wanted(unsure, [&](int i) {
+    stop_if_cancelled(options_);
     const PairVertices v = vertices_of(kind, unsure, i);
     return is_near(kind, points_of(step_, v), motion_.separations.between(kind, v), decided_by);
   });

@@ -95,6 +95,7 @@ void NearPipeline::decide_buffered() {
 }
 
 void NearPipeline::decide(const PairVertices& vertices) {
+  stop_if_cancelled(options_);
   const PairKind kind = buffers_->kind;
   if (!lets_pass(options_.filter, kind, vertices)) return;
   double earliest = question_.earliest.load(std::memory_order_relaxed);

@@ -173,6 +173,7 @@ void StagePipeline::solve(PairKind kind) {
 }
 
 void StagePipeline::solve_singly(PairKind kind, const PairBuffer& pairs, int pair) {
+  stop_if_cancelled(options_);
   const PairVertices vertices = vertices_of(kind, pairs, pair);
   if (!found_.wants(kind, vertices)) return;
   const auto r = decide(kind, points_of(found_.step(), vertices), found_.rule_for(kind, vertices), counts_.decided_by);

@@ -20,21 +20,23 @@ void require_one_each(std::size_t radii, Index objects) {
 
 }  // namespace
 
-void DetectorArguments::declare(CLI::App& app) {
-  app.add_option("--method", method_,
-                 "tamis (default), paper (the published pipeline), brute (every pair; slow), or a competitor of the "
-                 "paper: paper-sat, paper-pfs, ...")
-      ->type_name("NAME");
-  declare_bounding_volume(app, bounding_volume_);
-  declare_guarantee(app, guarantee_);
-  declare_min_separation(app, min_separation_);
-  add_numbers(app, "--thickness", "R", thickness_, kNotNegative,
-              "a radius for all objects, or one for each; contact then means a distance <= the sum of both radii and "
-              "the minimum separation. An object is what vertices connect ('tamis info' counts them, as components), "
-              "in the order of their first vertices");
-  add_number(app, "--threads", "N", threads_, kThreadCounts, "threads to use; 0, the default: all");
-  app.add_option("--isa", isa_, "instruction set of the hot loops: best (default), baseline, avx2 or avx512")
-      ->type_name("NAME");
+void DetectorArguments::declare(OptionList& options) {
+  options
+      .add_text("--method", method_,
+                "tamis (default), paper (the published pipeline), brute (every pair; slow), or a competitor of the "
+                "paper: paper-sat, paper-pfs, ...")
+      .shown_as("NAME");
+  declare_bounding_volume(options, bounding_volume_);
+  declare_guarantee(options, guarantee_);
+  declare_min_separation(options, min_separation_);
+  options.add_numbers(
+      "--thickness", "R", thickness_, kNotNegative,
+      "a radius for all objects, or one for each; contact then means a distance <= the sum of both radii and "
+      "the minimum separation. An object is what vertices connect ('tamis info' counts them, as components), "
+      "in the order of their first vertices");
+  options.add_number("--threads", "N", threads_, kThreadCounts, "threads to use; 0, the default: all");
+  options.add_text("--isa", isa_, "instruction set of the hot loops: best (default), baseline, avx2 or avx512")
+      .shown_as("NAME");
 }
 
 Options DetectorArguments::chosen() const {
@@ -71,46 +73,49 @@ Detector DetectorArguments::detector(Mesh mesh) const {
   return Detector(std::move(mesh), std::move(chosen));
 }
 
-void ScaleArgument::declare(CLI::App& app) {
-  add_number(app, "--scale", "S", scale_, kNotNegative, "take END = START + S (END - START); default 1");
+void ScaleArgument::declare(OptionList& options) {
+  options.add_number("--scale", "S", scale_, kNotNegative, "take END = START + S (END - START); default 1");
 }
 
-void KeepDistanceArgument::declare(CLI::App& app) {
-  option_ = add_number(app, "--keep-distance", "F", fraction_, {.least = 0, .most = 1, .takes_most = false},
-                       "how far the step may go so that every pair keeps at least F times its distance at START: the "
-                       "step length for the line search of a barrier method");
+void KeepDistanceArgument::declare(OptionList& options) {
+  option_ =
+      options.add_number("--keep-distance", "F", fraction_, {.least = 0, .most = 1, .takes_most = false},
+                         "how far the step may go so that every pair keeps at least F times its distance at START: the "
+                         "step length for the line search of a barrier method");
 }
 
-void declare_json(CLI::App& app, bool& json) {
-  app.add_flag("--json", json, "print one JSON object and nothing else on the standard output");
+void declare_json(OptionList& options, bool& json) {
+  options.add_flag("--json", json, "print one JSON object and nothing else on the standard output");
 }
 
-void declare_repeat(CLI::App& app, int& repeat, const std::string& help) {
-  add_number(app, "--repeat", "N", repeat, kRunCounts, help);
+void declare_repeat(OptionList& options, int& repeat, const std::string& help) {
+  options.add_number("--repeat", "N", repeat, kRunCounts, help);
 }
 
-void declare_seed(CLI::App& app, std::uint64_t& seed, const std::string& of) {
-  add_number(app, "--seed", "S", seed, {}, "of " + of + "; default 1");
+void declare_seed(OptionList& options, std::uint64_t& seed, const std::string& of) {
+  options.add_number("--seed", "S", seed, {}, "of " + of + "; default 1");
 }
 
-void declare_guarantee(CLI::App& app, std::string& guarantee) {
-  app.add_option(
-         "--guarantee", guarantee,
-         "what floating point cannot decide: exact (default) decides it by exact algebra, conservative reports it "
-         "as an unresolved contact")
-      ->type_name("NAME");
+void declare_guarantee(OptionList& options, std::string& guarantee) {
+  options
+      .add_text(
+          "--guarantee", guarantee,
+          "what floating point cannot decide: exact (default) decides it by exact algebra, conservative reports it "
+          "as an unresolved contact")
+      .shown_as("NAME");
 }
 
-void declare_bounding_volume(CLI::App& app, std::string& volume) {
-  app.add_option("--bounding-volume", volume,
-                 "of the paper's hierarchy and its competitors': sphere, aabb, obb, 16-dop (default), 18-dop or "
-                 "26-dop; other methods have their own")
-      ->type_name("NAME");
+void declare_bounding_volume(OptionList& options, std::string& volume) {
+  options
+      .add_text("--bounding-volume", volume,
+                "of the paper's hierarchy and its competitors': sphere, aabb, obb, 16-dop (default), 18-dop or "
+                "26-dop; other methods have their own")
+      .shown_as("NAME");
 }
 
-void declare_min_separation(CLI::App& app, double& distance) {
-  add_number(app, "--min-separation", "D", distance, kNotNegative,
-             "contact means a distance <= D, in the unit of the mesh; default 0");
+void declare_min_separation(OptionList& options, double& distance) {
+  options.add_number("--min-separation", "D", distance, kNotNegative,
+                     "contact means a distance <= D, in the unit of the mesh; default 0");
 }
 
 }  // namespace tamis::cli

@@ -1,11 +1,10 @@
 // Options that several verbs share.
 #pragma once
-#include <CLI/CLI.hpp>
 #include <cstdint>
 #include <string>
 #include <vector>
 
-#include "cli/number_option.hpp"
+#include "cli/option_list.hpp"
 #include "tamis/detector.hpp"
 
 namespace tamis::cli {
@@ -17,7 +16,7 @@ inline constexpr NumberRange<int> kRunCounts{1, 1'000'000};
 /// How to detect.
 class DetectorArguments {
  public:
-  void declare(CLI::App& app);
+  void declare(OptionList& options);
   /// Before any file is read. Throws InvalidOptions.
   void check() const { chosen(); }
   /// All of them, for a mesh that nobody has as a whole. Throws InvalidOptions; also if objects have radii of their
@@ -42,7 +41,7 @@ class DetectorArguments {
 /// `--scale S`: how much of the way from START to END a step goes.
 class ScaleArgument {
  public:
-  void declare(CLI::App& app);
+  void declare(OptionList& options);
   double value() const { return scale_; }
 
  private:
@@ -52,21 +51,21 @@ class ScaleArgument {
 /// `--keep-distance F`: how far the step may go so that every pair keeps a part of its distance.
 class KeepDistanceArgument {
  public:
-  void declare(CLI::App& app);
-  bool is_asked() const { return option_->count() > 0; }
+  void declare(OptionList& options);
+  bool is_asked() const { return option_.is_given(); }
   double fraction() const { return fraction_; }
 
  private:
   double fraction_ = 0;
-  CLI::Option* option_ = nullptr;
+  Option option_;
 };
 
-void declare_json(CLI::App& app, bool& json);
-void declare_repeat(CLI::App& app, int& repeat, const std::string& help);
+void declare_json(OptionList& options, bool& json);
+void declare_repeat(OptionList& options, int& repeat, const std::string& help);
 /// `of` says what the seed is of.
-void declare_seed(CLI::App& app, std::uint64_t& seed, const std::string& of);
-void declare_guarantee(CLI::App& app, std::string& guarantee);
-void declare_bounding_volume(CLI::App& app, std::string& volume);
-void declare_min_separation(CLI::App& app, double& distance);
+void declare_seed(OptionList& options, std::uint64_t& seed, const std::string& of);
+void declare_guarantee(OptionList& options, std::string& guarantee);
+void declare_bounding_volume(OptionList& options, std::string& volume);
+void declare_min_separation(OptionList& options, double& distance);
 
 }  // namespace tamis::cli

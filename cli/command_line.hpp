@@ -1,8 +1,11 @@
 // The words of the command line, before and after they are taken apart.
 #pragma once
-#include <CLI/CLI.hpp>
 #include <string>
 #include <vector>
+
+namespace CLI {
+class App;
+}
 
 namespace tamis::cli {
 

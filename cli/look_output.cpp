@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "cli/number_option.hpp"
 #include "cli/output_file.hpp"
 #include "cli/printable.hpp"
 #include "io/view/outputs.hpp"
@@ -35,17 +34,17 @@ io::Output output_for(const std::string& path, const std::string& otherwise) {
 
 }  // namespace
 
-void LookOutput::declare(CLI::App& app) {
+void LookOutput::declare(OptionList& options) {
   std::string help = fmt::format("the file to write: {}", io::extensions(choices()));
   if (!otherwise_.empty()) help += "; csv if the extension is none of these";
   if (!path_.empty()) help += fmt::format("; default {}", path_);
-  declare_output(app, path_, help);
-  time_option_ = add_number(app, "--time", "T", time_, NumberRange<double>{0, 1},
-                            "of a picture: show this time of the step; default 0, the start");
-  add_numbers(app, "--from", "X", from_, NumberRange<double>{},
-              "of a picture: look from this direction, three numbers as in -1,0.5,2; y is up");
-  add_numbers(app, "--size", "N", size_, NumberRange<int>{16, 8192},
-              "of a picture: width and height in pixels; default 1280,720");
+  declare_output(options, path_, help);
+  time_option_ = options.add_number("--time", "T", time_, NumberRange<double>{0, 1},
+                                    "of a picture: show this time of the step; default 0, the start");
+  options.add_numbers("--from", "X", from_, NumberRange<double>{},
+                      "of a picture: look from this direction, three numbers as in -1,0.5,2; y is up");
+  options.add_numbers("--size", "N", size_, NumberRange<int>{16, 8192},
+                      "of a picture: width and height in pixels; default 1280,720");
 }
 
 io::PictureOptions LookOutput::picture() const {
@@ -69,7 +68,7 @@ void LookOutput::check() const {
   if (draws) {
     io::require_pictures();
     picture();
-  } else if (time_option_->count() > 0 || !from_.empty() || !size_.empty()) {
+  } else if (time_option_.is_given() || !from_.empty() || !size_.empty()) {
     throw InvalidOptions("--time, --from and --size are of pictures: give --out a name that ends in .png as well");
   }
 }

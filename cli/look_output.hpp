@@ -1,10 +1,10 @@
 // `--out` of the verbs that show contacts: tables, files to look at, pictures.
 #pragma once
-#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <string>
 #include <vector>
 
+#include "cli/option_list.hpp"
 #include "io/picture/picture.hpp"
 
 namespace tamis::cli {
@@ -15,7 +15,7 @@ class LookOutput {
   /// `path`: by default, "" for none. `otherwise`: a name with the extension that stands for unknown ones; "": refused.
   LookOutput(std::string path, std::string otherwise) : path_(std::move(path)), otherwise_(std::move(otherwise)) {}
 
-  void declare(CLI::App& app);
+  void declare(OptionList& options);
   /// Before anything is read: throws InvalidOptions if no output has this extension, or none can be made, or an option
   /// of pictures comes without one.
   void check() const;
@@ -31,7 +31,7 @@ class LookOutput {
 
   std::string path_;
   std::string otherwise_;
-  CLI::Option* time_option_ = nullptr;
+  Option time_option_;
   double time_ = io::PictureOptions().time;
   std::vector<double> from_;  ///< as given
   std::vector<int> size_;     ///< as given

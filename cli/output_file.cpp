@@ -20,8 +20,8 @@ bool is_taken_by(int stream, const std::filesystem::path& output) {
 
 }  // namespace
 
-void declare_output(CLI::App& app, std::string& path, const std::string& help) {
-  app.add_option("--out", path, help)->type_name("FILE");
+void declare_output(OptionList& options, std::string& path, const std::string& help) {
+  options.add_text("--out", path, help).shown_as("FILE");
 }
 
 void require_output(const std::filesystem::path& output, const std::vector<std::filesystem::path>& inputs) {

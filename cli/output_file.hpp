@@ -1,14 +1,15 @@
 // The one check of every file that a verb is told to write.
 #pragma once
-#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <string>
 #include <vector>
 
+#include "cli/option_list.hpp"
+
 namespace tamis::cli {
 
 /// `--out FILE`. `help` says what is written, and in which formats.
-void declare_output(CLI::App& app, std::string& path, const std::string& help);
+void declare_output(OptionList& options, std::string& path, const std::string& help);
 
 /// Before the work: throws InvalidOptions if `output` is one of the inputs, by whatever link or spelling, or the file
 /// that stdout or stderr goes to; io::FileError if it cannot be written. An empty name, for no output, is fine.

@@ -12,12 +12,12 @@ namespace tamis::cli {
 
 class PoseVerb : public Verb {
  public:
-  void declare(CLI::App& app) override {
-    app.add_option("MESH", path_, "PLY or OBJ")->required();
-    detector_.declare(app);
-    declare_repeat(app, repeat_, "ask N times, report the median time of the runs after the first; default 1");
-    declare_json(app, json_);
-    declare_output(app, out_, what());
+  void declare(OptionList& options) override {
+    options.add_text("MESH", path_, "PLY or OBJ").required();
+    detector_.declare(options);
+    declare_repeat(options, repeat_, "ask N times, report the median time of the runs after the first; default 1");
+    declare_json(options, json_);
+    declare_output(options, out_, what());
   }
 
  protected:

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
 #include <exception>
@@ -72,7 +73,8 @@ void declare(const Command& command, CLI::App& app) {
                   command.name));
   for (const auto& verb : command.verbs) {
     CLI::App* sub = app.add_subcommand(verb->name(), verb->summary());
-    verb->declare(*sub);
+    OptionList options(*sub);
+    verb->declare(options);
     sub->footer(fmt::format("Examples:\n{}", verb->examples()));
   }
 }

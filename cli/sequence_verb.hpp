@@ -10,14 +10,15 @@ namespace tamis::cli {
 
 class SequenceVerb : public Verb {
  public:
-  void declare(CLI::App& app) override {
-    app.add_option("FRAMES", names_, "files, folders or patterns of PLY or OBJ; taken in natural order (2 before 10)")
-        ->required();
-    detector_.declare(app);
-    scale_.declare(app);
-    add_number(app, "--substeps", "N", substeps_, kRunCounts,
-               "cut each step into N equal ones, asked one after the other; default 1");
-    declare_json(app, json_);
+  void declare(OptionList& options) override {
+    options
+        .add_texts("FRAMES", names_, "files, folders or patterns of PLY or OBJ; taken in natural order (2 before 10)")
+        .required();
+    detector_.declare(options);
+    scale_.declare(options);
+    options.add_number("--substeps", "N", substeps_, kRunCounts,
+                       "cut each step into N equal ones, asked one after the other; default 1");
+    declare_json(options, json_);
   }
 
  protected:

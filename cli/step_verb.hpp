@@ -10,13 +10,13 @@ namespace tamis::cli {
 
 class StepVerb : public Verb {
  public:
-  void declare(CLI::App& app) override {
-    app.add_option("START", start_, "the mesh at t=0: PLY or OBJ")->required();
-    app.add_option("END", end_, "the same mesh at t=1")->required();
-    detector_.declare(app);
-    scale_.declare(app);
-    declare_repeat(app, repeat_, "ask N times, report the median time of the runs after the first; default 1");
-    declare_json(app, json_);
+  void declare(OptionList& options) override {
+    options.add_text("START", start_, "the mesh at t=0: PLY or OBJ").required();
+    options.add_text("END", end_, "the same mesh at t=1").required();
+    detector_.declare(options);
+    scale_.declare(options);
+    declare_repeat(options, repeat_, "ask N times, report the median time of the runs after the first; default 1");
+    declare_json(options, json_);
   }
 
  protected:

@@ -1,6 +1,6 @@
 // A verb of the command: `tamis VERB ...`.
 #pragma once
-#include <CLI/CLI.hpp>
+#include "cli/option_list.hpp"
 
 namespace tamis::cli {
 
@@ -18,7 +18,7 @@ class Verb {
   /// Shown below the options, a command a line.
   virtual const char* examples() const = 0;
   /// Declares options that write to members of this object.
-  virtual void declare(CLI::App& app) = 0;
+  virtual void declare(OptionList& options) = 0;
   /// Does the work, prints to stdout, and returns the exit code; throws on any error.
   virtual int run() = 0;
 };

@@ -39,22 +39,22 @@ class Bench final : public Verb {
            "making scenes is not in them.\n"
            "Exit code 1: two rows of the same question and step differ in their answer.";
   }
-  void declare(CLI::App& app) override {
-    app.add_option("START", start_, "the mesh at t=0: PLY or OBJ");
-    app.add_option("END", end_, "the same mesh at t=1");
-    declare_lists(app);
-    add_number(app, "--cold", "N", setup_.cold, kRunCounts,
-               "new detectors, each timed at its first question; default 3");
-    add_number(app, "--warm-up", "N", setup_.warm_up, {.least = 0, .most = kRunCounts.most},
-               "questions to the last of them that are not timed; default 1");
-    declare_repeat(app, setup_.repeat, "questions to it that are timed; default 9");
-    add_number(app, "--substeps", "N", setup_.substeps, kRunCounts,
-               "equal parts of the step in mode substeps; default 20");
-    declare_guarantee(app, guarantee_);
-    declare_min_separation(app, setup_.options.min_separation);
-    declare_seed(app, seed_, "the generated scene");
-    declare_output(app, out_, "write the rows to a CSV file");
-    declare_json(app, json_);
+  void declare(OptionList& options) override {
+    options.add_text("START", start_, "the mesh at t=0: PLY or OBJ");
+    options.add_text("END", end_, "the same mesh at t=1");
+    declare_lists(options);
+    options.add_number("--cold", "N", setup_.cold, kRunCounts,
+                       "new detectors, each timed at its first question; default 3");
+    options.add_number("--warm-up", "N", setup_.warm_up, {.least = 0, .most = kRunCounts.most},
+                       "questions to the last of them that are not timed; default 1");
+    declare_repeat(options, setup_.repeat, "questions to it that are timed; default 9");
+    options.add_number("--substeps", "N", setup_.substeps, kRunCounts,
+                       "equal parts of the step in mode substeps; default 20");
+    declare_guarantee(options, guarantee_);
+    declare_min_separation(options, setup_.options.min_separation);
+    declare_seed(options, seed_, "the generated scene");
+    declare_output(options, out_, "write the rows to a CSV file");
+    declare_json(options, json_);
   }
 
   int run() override {
@@ -74,22 +74,23 @@ class Bench final : public Verb {
   }
 
  private:
-  void declare_lists(CLI::App& app) {
+  void declare_lists(OptionList& options) {
     std::string scenes;
     for (const scenes::Recipe& recipe : scenes::recipes())
       if (recipe.scales) scenes += fmt::format("{}{}", scenes.empty() ? "" : ", ", recipe.name);
-    app.add_option("--scene", scene_, "a generated scene instead of files: " + scenes)->type_name("NAME");
-    add_numbers(app, "--triangles", "N", triangles_, {1, 100'000'000}, "its sizes; default 100000");
-    add_names(app, "--question", questions_, "contacts, earliest, free; default all three");
-    add_names(app, "--mode", modes_,
-              "what the kept detector was asked before: warm (default), other positions; again, the same start in the "
-              "other direction; substeps: parts of the step, one after the other");
-    add_names(app, "--method", methods_, "tamis (default), paper, brute, or one of the paper's competitors");
-    add_names(app, "--bounding-volume", volumes_,
-              "of method paper and its competitors: sphere, aabb, obb, 16-dop (default), 18-dop, 26-dop");
-    add_numbers(app, "--threads", "N", threads_, kThreadCounts, "numbers of threads; 0: all; default 1");
-    add_names(app, "--isa", isas_, "best (default), baseline, avx2, avx512");
-    add_numbers(app, "--scale", "S", scales_, kNotNegative, "how much of the way from START to END; default 1");
+    options.add_text("--scene", scene_, "a generated scene instead of files: " + scenes).shown_as("NAME");
+    options.add_numbers("--triangles", "N", triangles_, {1, 100'000'000}, "its sizes; default 100000");
+    options.add_names("--question", questions_, "contacts, earliest, free; default all three");
+    options.add_names(
+        "--mode", modes_,
+        "what the kept detector was asked before: warm (default), other positions; again, the same start in the "
+        "other direction; substeps: parts of the step, one after the other");
+    options.add_names("--method", methods_, "tamis (default), paper, brute, or one of the paper's competitors");
+    options.add_names("--bounding-volume", volumes_,
+                      "of method paper and its competitors: sphere, aabb, obb, 16-dop (default), 18-dop, 26-dop");
+    options.add_numbers("--threads", "N", threads_, kThreadCounts, "numbers of threads; 0: all; default 1");
+    options.add_names("--isa", isas_, "best (default), baseline, avx2, avx512");
+    options.add_numbers("--scale", "S", scales_, kNotNegative, "how much of the way from START to END; default 1");
   }
 
   /// Everything that can be wrong, before the first second is spent.

@@ -23,9 +23,9 @@ class Contacts final : public StepVerb {
            "  tamis contacts cloth1.ply cloth2.ply --guarantee conservative --json\n"
            "  tamis contacts cloth1.ply cloth2.ply --min-separation 1e-3 --repeat 9";
   }
-  void declare(CLI::App& app) override {
-    StepVerb::declare(app);
-    output_.declare(app);
+  void declare(OptionList& options) override {
+    StepVerb::declare(options);
+    output_.declare(options);
   }
 
   int run() override {

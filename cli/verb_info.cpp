@@ -21,9 +21,9 @@ class Info final : public Verb {
     return "  tamis info cloth.ply\n"
            "  tamis info cloth.obj --json";
   }
-  void declare(CLI::App& app) override {
-    app.add_option("MESH", path_, "PLY or OBJ")->required();
-    declare_json(app, json_);
+  void declare(OptionList& options) override {
+    options.add_text("MESH", path_, "PLY or OBJ").required();
+    declare_json(options, json_);
   }
 
   int run() override {

@@ -21,9 +21,9 @@ class Near final : public PoseVerb {
     return "  tamis near cloth.ply --distance 1e-3\n"
            "  tamis near cloth.ply --distance 1e-3 --out near.csv --json";
   }
-  void declare(CLI::App& app) override {
-    PoseVerb::declare(app);
-    add_number(app, "--distance", "D", distance_, kNotNegative, "in the unit of the mesh")->required();
+  void declare(OptionList& options) override {
+    PoseVerb::declare(options);
+    options.add_number("--distance", "D", distance_, kNotNegative, "in the unit of the mesh").required();
   }
 
   int run() override {

@@ -30,14 +30,14 @@ class Queries final : public Verb {
            "with its poses at t=0 and t=1; its answer is looked for in a truth.csv beside it or above.\n"
            "Exit code 1: an answer breaks the guarantee.";
   }
-  void declare(CLI::App& app) override {
-    app.add_option("FILES_OR_FOLDERS", names_, "CSV files below a folder named vertex-face or edge-edge; JSON files")
-        ->required();
-    declare_guarantee(app, guarantee_);
-    declare_min_separation(app, min_separation_);
-    declare_repeat(app, repeat_, "take each query's median time of N runs, after one that warms up; default 1");
-    declare_output(app, out_, "write every answer there, as CSV: file, kind, touches, toi_lower, toi_upper");
-    declare_json(app, json_);
+  void declare(OptionList& options) override {
+    options.add_texts("FILES_OR_FOLDERS", names_, "CSV files below a folder named vertex-face or edge-edge; JSON files")
+        .required();
+    declare_guarantee(options, guarantee_);
+    declare_min_separation(options, min_separation_);
+    declare_repeat(options, repeat_, "take each query's median time of N runs, after one that warms up; default 1");
+    declare_output(options, out_, "write every answer there, as CSV: file, kind, touches, toi_lower, toi_upper");
+    declare_json(options, json_);
   }
 
   int run() override {

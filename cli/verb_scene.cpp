@@ -28,20 +28,20 @@ class Scene final : public Verb {
            "Frames are frame_0000.ply, frame_0001.ply, ...: binary PLY in doubles, free of intersections. The same\n"
            "command goes on where an interrupted one stopped.";
   }
-  void declare(CLI::App& app) override {
+  void declare(OptionList& options) override {
     std::string names;
     for (const auto& scene : simulation::simulated_scenes())
       names += fmt::format("{}{}: {}", names.empty() ? "" : "; ", scene.name, scene.description);
-    app.add_option("NAME", scene_, names)->required();
-    app.add_option("--out", folder_, "the folder of the frames; made if it is not there")
-        ->type_name("FOLDER")
-        ->required();
-    add_number(app, "--frames", "N", frames_, {0, 9999}, "frames after the first; default: the whole scene");
-    add_number(app, "--triangles", "N", triangles_, {kLeastTriangles, kMostTriangles},
-               "about so many, obstacles included; default: the scene's full size");
-    app.add_flag("--check", check_,
-                 "then read every frame and prove it free of intersections; exit code 1 if one is not");
-    declare_seed(app, seed_, "the small disorder at the start");
+    options.add_text("NAME", scene_, names).required();
+    options.add_text("--out", folder_, "the folder of the frames; made if it is not there")
+        .shown_as("FOLDER")
+        .required();
+    options.add_number("--frames", "N", frames_, {0, 9999}, "frames after the first; default: the whole scene");
+    options.add_number("--triangles", "N", triangles_, {kLeastTriangles, kMostTriangles},
+                       "about so many, obstacles included; default: the scene's full size");
+    options.add_flag("--check", check_,
+                     "then read every frame and prove it free of intersections; exit code 1 if one is not");
+    declare_seed(options, seed_, "the small disorder at the start");
   }
 
   int run() override {

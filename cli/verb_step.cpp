@@ -17,9 +17,9 @@ class StepLength final : public StepVerb {
            "  tamis step cloth1.ply cloth2.ply --keep-distance 0.1";
   }
 
-  void declare(CLI::App& app) override {
-    StepVerb::declare(app);
-    kept_.declare(app);
+  void declare(OptionList& options) override {
+    StepVerb::declare(options);
+    kept_.declare(options);
   }
 
   int run() override {

@@ -40,11 +40,11 @@ class Truncate final : public StepVerb {
            "Exit code 1: something touches at the start, so that no way is free; the file then holds the start.";
   }
 
-  void declare(CLI::App& app) override {
-    StepVerb::declare(app);
-    declare_output(app, out_, "the positions, as PLY");
-    add_number(
-        app, "--keep-distance", "F", fraction_, {.least = 1e-6, .most = 1, .takes_most = false},
+  void declare(OptionList& options) override {
+    StepVerb::declare(options);
+    declare_output(options, out_, "the positions, as PLY");
+    options.add_number(
+        "--keep-distance", "F", fraction_, {.least = 1e-6, .most = 1, .takes_most = false},
         "all vertices go together until some pair has only F of its distance at START left, then each on its own "
         "side of planes; default 0.1");
   }

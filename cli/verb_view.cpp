@@ -25,13 +25,14 @@ class View final : public Verb {
            "  tamis view 'frames/cloth*.ply' --out film.html\n"
            "  tamis view cloth1.ply cloth2.ply --scale 10 --out step.glb";
   }
-  void declare(CLI::App& app) override {
-    app.add_option("FRAMES", names_, "START END, or more: files, folders or patterns of PLY or OBJ, in natural order")
-        ->required();
-    output_.declare(app);
-    detector_.declare(app);
-    scale_.declare(app);
-    declare_json(app, json_);
+  void declare(OptionList& options) override {
+    options
+        .add_texts("FRAMES", names_, "START END, or more: files, folders or patterns of PLY or OBJ, in natural order")
+        .required();
+    output_.declare(options);
+    detector_.declare(options);
+    scale_.declare(options);
+    declare_json(options, json_);
   }
 
   int run() override {

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "cli/messages.hpp"
-#include "cli/number_option.hpp"
+#include "cli/option_list.hpp"
 #include "cli/output_file.hpp"
 #include "cli/paper/earlier.hpp"
 #include "cli/paper/pictures.hpp"
@@ -52,20 +52,23 @@ class Paper final : public Verb {
            "Simulated frames go to FOLDER/frames/SCENE and are used again by the next run. A folder of frames given\n"
            "under the name of a scene takes its place.";
   }
-  void declare(CLI::App& app) override {
-    app.add_option("--out", folder_, "the folder of the report; made if it is not there")
-        ->type_name("FOLDER")
-        ->required();
-    app.add_flag("--quick", quick_, "small variants of the scenes, for minutes instead of hours");
-    app.add_option("--frames", given_, "frames that are there already: a folder, under a name of its own; repeatable")
-        ->type_name("NAME=FOLDER");
-    add_names(app, "--scenes", scenes_, "only these of airbag, cloth-ball, funnel, funnel-92k, bunny; or none");
-    add_number(app, "--length", "N", length_, {1, 9999}, "frames simulated after the first; default: the whole scene");
-    app.add_option(
-           "--steps", most_steps_,
-           "run at most so many steps of a scene at each length of step, evenly spread; repeatable; default: all")
-        ->type_name("NAME=N");
-    app.add_flag("--resume", resumes_, "take the rows that an interrupted run of the same command has finished");
+  void declare(OptionList& options) override {
+    options.add_text("--out", folder_, "the folder of the report; made if it is not there")
+        .shown_as("FOLDER")
+        .required();
+    options.add_flag("--quick", quick_, "small variants of the scenes, for minutes instead of hours");
+    options
+        .add_texts("--frames", given_, "frames that are there already: a folder, under a name of its own; repeatable")
+        .shown_as("NAME=FOLDER");
+    options.add_names("--scenes", scenes_, "only these of airbag, cloth-ball, funnel, funnel-92k, bunny; or none");
+    options.add_number("--length", "N", length_, {1, 9999},
+                       "frames simulated after the first; default: the whole scene");
+    options
+        .add_texts(
+            "--steps", most_steps_,
+            "run at most so many steps of a scene at each length of step, evenly spread; repeatable; default: all")
+        .shown_as("NAME=N");
+    options.add_flag("--resume", resumes_, "take the rows that an interrupted run of the same command has finished");
   }
 
   int run() override {

@@ -23,9 +23,9 @@ class Contacts final : public RanksVerb {
     return "  mpirun -n 4 tamis-mpi contacts cloth1.ply cloth2.ply --out contacts.csv\n"
            "  mpirun -n 4 tamis-mpi contacts cloth1.ply cloth2.ply --repeat 4 --json";
   }
-  void declare(CLI::App& app) override {
-    StepVerb::declare(app);
-    cli::declare_output(app, out_, "write the contacts to a CSV file, which rank 0 does");
+  void declare(cli::OptionList& options) override {
+    StepVerb::declare(options);
+    cli::declare_output(options, out_, "write the contacts to a CSV file, which rank 0 does");
   }
 
   int run() override {

@@ -15,9 +15,9 @@ class StepLength final : public RanksVerb {
            "  mpirun -n 4 tamis-mpi step cloth1.ply cloth2.ply --keep-distance 0.1";
   }
 
-  void declare(CLI::App& app) override {
-    StepVerb::declare(app);
-    kept_.declare(app);
+  void declare(cli::OptionList& options) override {
+    StepVerb::declare(options);
+    kept_.declare(options);
   }
 
   int run() override {

@@ -1,4 +1,4 @@
-#include "cli/number_option.hpp"
+#include "cli/number_range.hpp"
 
 #include <fmt/format.h>
 
@@ -9,6 +9,7 @@
 
 #include "io/error.hpp"
 #include "io/text.hpp"
+#include "tamis/error.hpp"
 
 namespace tamis::cli {
 namespace {
@@ -48,9 +49,9 @@ template <class T>
 T number_from(const std::string& option, const std::string& text, const NumberRange<T>& range) {
   const auto value = read_number<T>(text);
   if (value && takes(range, *value)) return *value;
-  throw CLI::ValidationError(
-      option, fmt::format("{} is no {}number{}: correct it", text.empty() ? "an empty value" : io::in_quotes(text),
-                          std::is_floating_point_v<T> ? "" : "whole ", bounds_of(range)));
+  throw InvalidOptions(fmt::format("{}: {} is no {}number{}: correct it", option,
+                                   text.empty() ? "an empty value" : io::in_quotes(text),
+                                   std::is_floating_point_v<T> ? "" : "whole ", bounds_of(range)));
 }
 
 template <class T>
@@ -64,29 +65,5 @@ template std::uint64_t number_from(const std::string&, const std::string&, const
 template std::string shown_range(const std::string&, const NumberRange<int>&);
 template std::string shown_range(const std::string&, const NumberRange<double>&);
 template std::string shown_range(const std::string&, const NumberRange<std::uint64_t>&);
-
-std::vector<std::string> split_list(const std::string& text) {
-  std::vector<std::string> parts{""};
-  for (const char c : text)
-    if (c == ',')
-      parts.emplace_back();
-    else
-      parts.back() += c;
-  return parts;
-}
-
-CLI::Option* add_names(CLI::App& app, const std::string& name, std::vector<std::string>& values,
-                       const std::string& help) {
-  const auto read = [&values, name](const CLI::results_t& texts) {
-    values.clear();
-    for (const std::string& text : texts)
-      for (std::string& part : split_list(text)) {
-        if (part.empty()) throw CLI::ValidationError(name, "a name in the list is empty: correct it");
-        values.push_back(std::move(part));
-      }
-    return true;
-  };
-  return app.add_option(name, read, help)->type_name("NAME,...")->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-}
 
 }  // namespace tamis::cli

@@ -1,9 +1,29 @@
-# tamis_test(name source...): one GoogleTest program of a layer; it may include the library's own headers.
 include(GoogleTest)
+
+# Less optimised than the libraries, which do the work: that takes a third less time to compile.
+function(tamis_test_options name)
+  tamis_target(${name})
+  target_compile_options(${name} PRIVATE $<$<CONFIG:RelWithDebInfo>:-O1>)
+endfunction()
+
+# What makes an executable a program of tests.
+function(tamis_test_program name)
+  tamis_test_options(${name})
+  target_precompile_headers(${name} REUSE_FROM tamis_test_headers)
+endfunction()
+
+# tamis_test(name source...): one GoogleTest program of a layer; it may include the library's own headers.
 function(tamis_test name)
   add_executable(${name} ${ARGN})
-  tamis_target(${name})
+  tamis_test_program(${name})
   target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/src)
   target_link_libraries(${name} PRIVATE tamis::tamis GTest::gtest_main)
   gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST PROPERTIES TIMEOUT ${TAMIS_TEST_TIMEOUT})
 endfunction()
+
+# Nobody runs it: an executable as the tests are, so that they can take what it has read.
+file(CONFIGURE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/test_headers.cpp CONTENT "int main() {}\n")
+add_executable(tamis_test_headers ${CMAKE_CURRENT_BINARY_DIR}/test_headers.cpp)
+tamis_test_options(tamis_test_headers)
+target_link_libraries(tamis_test_headers PRIVATE GTest::gtest)
+tamis_precompile(tamis_test_headers <gtest/gtest.h>)

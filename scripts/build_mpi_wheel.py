@@ -25,7 +25,7 @@ def main() -> int:
     if stamp.is_fresh() and (work / "ranks").exists():
         return 0
     stamp.path.unlink(missing_ok=True)
-    wheel = ordinary.compile_wheel(work, source, "raw_ranks", [f"TAMIS_BUILT={build}", "TAMIS_PYTHON_MPI=ON"])
+    wheel = ordinary.compile_wheel(work, source, "raw_ranks", [f"TAMIS_BUILT={build}"], mpi="ON")
     python = ordinary.environment(work / "ranks")
     ordinary.pip(
         python,

@@ -121,12 +121,14 @@ def search_path(work: pathlib.Path) -> "dict[str, str]":
     return {**os.environ, "PATH": f"{work / 'tools/bin'}:{os.environ['PATH']}"}
 
 
-def compile_wheel(work: pathlib.Path, source: pathlib.Path, name: str, defines: "list[str]") -> pathlib.Path:
-    """The wheel in WORK/name, not repaired; its objects stay for next time."""
+def compile_wheel(
+    work: pathlib.Path, source: pathlib.Path, name: str, defines: "list[str]", mpi: str = "OFF"
+) -> pathlib.Path:
+    """The wheel in WORK/name, not repaired; its objects stay for next time, and for the other wheel."""
     shutil.rmtree(work / name, ignore_errors=True)
-    options = [f"-Ccmake.define.{define}" for define in ("CMAKE_EXPORT_COMPILE_COMMANDS=ON", *defines)]
+    options = [f"-Ccmake.define.{define}" for define in (f"TAMIS_PYTHON_MPI={mpi}", *defines)]
     run(work / "tools/bin/python", "-m", "build", "--wheel", "--no-isolation", "--outdir", work / name,
-        f"-Cbuild-dir={work / f'{name}_objects'}", *options, source, env=search_path(work))
+        f"-Cbuild-dir={work / 'objects'}", *options, source, env=search_path(work))
     (wheel,) = (work / name).glob("*.whl")
     return wheel
 

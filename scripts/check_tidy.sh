@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # check_tidy.sh BUILD [--all]: clang-tidy 14 over the library, its C interface, the files, the commands and MPI, as
-# BUILD compiles them: the sources that differ from the commit in tests/project/tidy_base, up to which all have passed (a
-# header brings the source of its name), or with --all every one, as scripts/nightly.sh does. When all pass, write HEAD
-# to that file, so that ordinary runs stay short. Exit 77 where clang-tidy is absent.
+# BUILD, made by check_clang.sh, compiles them: the sources that differ from the commit in tests/project/tidy_base, up to
+# which all have passed (a header brings the source of its name), or with --all every one, as scripts/nightly.sh does.
+# When all pass, write HEAD to that file, so that ordinary runs stay short. Exit 77 where clang-tidy is absent.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 

@@ -31,6 +31,10 @@ struct BoxFrame {
   /// Added on each side of a box: rounding to float is off by 2^-25, the subtraction by 2^-53, and the box's own
   /// subtraction of the margin by 2^-25; plus half the fixed separation. A vertex' radius comes on top.
   float margin;
+  /// What is left of a distance in floats against a fraction of what it was (KeptGap): rounding hides 2^-23 of either,
+  /// since no component of a vector between vertices is off by more than 2^-24; the separation of a pair in floats is
+  /// larger by 2^-22, which is for the first, and is taken off the second.
+  static constexpr float kBlur = 0x1p-21f;
   /// The same for drifts, times the drift: rounding to float is off by 2^-24 of it, the box's own subtraction by as
   /// much.
   static constexpr float kRelativeMargin = 0x1p-22f;

@@ -42,6 +42,14 @@ struct NearRule {
   float t_limit;   ///< rounded up; may exceed 1
 };
 
+/// The vertices of a step, and what pairs of them are kept apart by, in floats and in doubles.
+struct NearVertices {
+  const BoxVertex* in_boxes;
+  BoxSeparation box_separation;
+  const PackedVertex* exact;
+  PairSeparation separation;
+};
+
 /// One thread's search over one pair of trees.
 struct Search {
   TreeView a, b;  ///< vf: points, faces; ee: edges, edges
@@ -116,11 +124,9 @@ struct Kernels {
   /// Writes those blocks of a scan that may have drifted by their gap until t, and returns their number; `out` has room
   /// for a block past them.
   int (*unproven)(const GapScan& scan, std::int32_t* out);
-  /// Pairs that cannot end the step by the rule, from t=0 to their t_out, are culled.
-  void (*near_vf)(const PackedVertex* vertices, const PairSeparation& separation, const NearRule& rule,
-                  const PairBuffer& in, PairBuffer& out);
-  void (*near_ee)(const PackedVertex* vertices, const PairSeparation& separation, const NearRule& rule,
-                  const PairBuffer& in, PairBuffer& out);
+  /// Pairs that cannot end the step by the rule, from t=0 to their t_out, are culled; of `pairs` some of them stay.
+  void (*near_vf)(const NearVertices& vertices, const NearRule& rule, PairBuffer& pairs, PairBuffer& out);
+  void (*near_ee)(const NearVertices& vertices, const NearRule& rule, PairBuffer& pairs, PairBuffer& out);
   /// Slab clip: pairs that stay farther apart than `separation` are culled. Survivors, with their times, go to `out`.
   void (*slab_vf)(const BoxVertex* vertices, const BoxSeparation& separation, const PairBuffer& in, PairBuffer& out);
   void (*slab_ee)(const BoxVertex* vertices, const BoxSeparation& separation, const PairBuffer& in, PairBuffer& out);

@@ -18,14 +18,15 @@ class KeptGap {
     Vec3<T> along;
   };
 
-  KeptGap(const PairMotion<T>& m, const T& fraction) : m_(m) {
+  /// `blur`: the pair may have been so much farther apart at t=0 than its vectors say.
+  KeptGap(const PairMotion<T>& m, const T& fraction, const T& blur = T(0)) : m_(m) {
     const Vec3<T> gap = NearlyClosest::gap<kind>(m.e.at0, m.f.at0, m.d.at0);
     const T distance = sqrt(dot(gap, gap));
     start_ = {T(0), (T(1) / distance) * gap};
     // Only pairs with room are left out: for these the advancement (keeps_distance_until) comes to the same result.
     const T room = error_bounds::constant<T>(error_bounds::kRoomToAdvance +
                                              error_bounds::kKeptGap * error_bounds::unit_roundoff<T>);
-    kept_ = m.separation + fraction * max(distance - m.separation, T(0)) + room * (m.size_d + m.size_e + m.size_f);
+    kept_ = m.separation + fraction * max(distance + blur - m.separation, T(0)) + room * (m.size_d + m.size_e + m.size_f);
   }
 
   const Axis& start() const { return start_; }

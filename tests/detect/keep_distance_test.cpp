@@ -132,6 +132,29 @@ TEST_P(KeepDistance, ThreadsAndInstructionSetsChangeNoBit) {
   }
 }
 
+/// All of it in a corner of a frame that is larger by 2^exponent, where a triangle stays.
+Scene in_a_corner(Scene scene, int exponent) {
+  for (auto* points : {&scene.start, &scene.end})
+    for (Point& p : *points)
+      for (std::size_t axis = 0; axis < 3; ++axis) p[axis] = 0.7 + std::ldexp(p[axis], -exponent);
+  const Index first = scene.vertex_count();
+  for (const Point& p : {Point{-1, -1, -1}, {-1, -1, -0.9}, {-1, -0.9, -1}}) scene.add_vertex(p, p, 0);
+  scene.faces.push_back({first, first + 1, first + 2});
+  return scene;
+}
+
+// Bug: floats in a common frame, in which distances are as small as what rounding hides, prove what is not so.
+TEST_P(KeepDistance, RoundingInALargeFrameChangesNoBit) {
+  for (const int exponent : {8, 14, 18, 20, 22, 24, 28}) {
+    const Scene scene = in_a_corner(GetParam().make(40, 83), exponent);
+    for (const double fraction : {0.05, 0.5, 0.97})
+      for (const double separation : {0.0, std::ldexp(0.01, -exponent)})
+        expect_same(keep(scene, fraction, with(Method::tamis, separation)),
+                    keep(scene, fraction, with(Method::brute, separation)),
+                    scene.name + ", 2^" + std::to_string(exponent) + ", fraction " + std::to_string(fraction));
+  }
+}
+
 TEST_P(KeepDistance, UnitOfLengthChangesNoBit) {
   const Scene scene = GetParam().make(80, 78);
   const SafeStep reference = keep(scene, 0.2);

@@ -113,7 +113,7 @@ std::array<int, 2> run_boxes(const Kernels& kernels, PairKind kind, const Guarde
 
 /// The way of step lengths: pairs that the search leaves, and of these the ones that may end the step.
 std::array<int, 2> run_near(const Kernels& kernels, PairKind kind, const GuardedTree& a, const GuardedTree& b,
-                            const PackedVertex* vertices, Guard guard) {
+                            const NearVertices& vertices, Guard guard) {
   const bool is_vf = kind == PairKind::vertex_face;
   const auto empty = std::make_unique<PairBuffer>();
   const Guarded<PairBuffer> boxes({empty.get(), 1}, guard), near({empty.get(), 1}, guard);
@@ -121,7 +121,7 @@ std::array<int, 2> run_near(const Kernels& kernels, PairKind kind, const Guarded
   search.near = {0.25f, 1.5f, 1.0f};
   find(search, is_vf ? kernels.search_near_vf : kernels.search_near_ee, *boxes.data());
   const int found = boxes.data()->count;
-  (is_vf ? kernels.near_vf : kernels.near_ee)(vertices, {0, true}, search.near, *boxes.data(), *near.data());
+  (is_vf ? kernels.near_vf : kernels.near_ee)(vertices, search.near, *boxes.data(), *near.data());
   return {found, near.data()->count};
 }
 
@@ -246,8 +246,9 @@ TEST_P(GuardPages, NoKernelReadsOrWritesOutsideItsArrays) {
       EXPECT_LE(ee[0], 9 * triangles * (triangles - 1) / 2);
       for (const auto& counts : {vf, ee})
         for (std::size_t stage = 1; stage < counts.size(); ++stage) EXPECT_LE(counts[stage], counts[stage - 1]);
+      const NearVertices on_both{box_vertices.data(), {0x1p-20f, true}, vertices.data(), {0, true}};
       for (const auto& [kind, a, b] : {std::tuple(PairKind::vertex_face, &p, &f), {PairKind::edge_edge, &e, &e}}) {
-        const auto near = run_near(*kernels, kind, *a, *b, vertices.data(), guard);
+        const auto near = run_near(*kernels, kind, *a, *b, on_both, guard);
         EXPECT_GT(near[0], 0);
         EXPECT_LE(near[1], near[0]);
         const auto [swept, at_rest] = run_boxes(*kernels, kind, *a, *b, guard);

@@ -82,11 +82,13 @@ void NearPipeline::decide_buffered() {
   const PairKind kind = buffers_->kind;
   keep_each_once(kind, boxes);
   near.count = 0;
-  if (can_cross(kind))
-    (kind == PairKind::vertex_face ? kernels_.near_vf : kernels_.near_ee)(
-        motion_.vertices.data(), motion_.pair_separation(), question_.near(), boxes, near);
-  const PairBuffer& left = can_cross(kind) ? near : boxes;  // loose points are few
   of(counts_.boxes, kind) += static_cast<std::uint64_t>(boxes.count);
+  if (can_cross(kind)) {
+    const NearVertices vertices{motion_.box_vertices.data(), motion_.box_separation(), motion_.vertices.data(),
+                                motion_.pair_separation()};
+    (kind == PairKind::vertex_face ? kernels_.near_vf : kernels_.near_ee)(vertices, question_.near(), boxes, near);
+  }
+  const PairBuffer& left = can_cross(kind) ? near : boxes;  // loose points are few
   of(counts_.near, kind) += static_cast<std::uint64_t>(left.count);
   counts_.filter += watch_.lap();
   for (int i = 0; i < left.count; ++i) decide(vertices_of(kind, left, i));

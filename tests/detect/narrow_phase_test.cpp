@@ -210,7 +210,7 @@ TEST(NarrowPhase, IsCancelledBetweenHardPairsToo) {
   std::mt19937 random(1);
   std::uniform_real_distribution<double> coordinate(-1, 1);
   for (std::size_t i = 0; i < start.size(); ++i)
-    for (int axis = 0; axis < 3; ++axis) end[i][axis] = -(start[i][axis] = coordinate(random));
+    for (std::size_t axis = 0; axis < 3; ++axis) end[i][axis] = -(start[i][axis] = coordinate(random));
   int asked = 0;
   std::vector<PairResult> results(kPairs);
   EXPECT_THROW(narrow_phase(PairKind::edge_edge, start, end, results,

@@ -85,8 +85,7 @@ void leave_out_kept(const BoxVertex* vertices, const BoxSeparation& separation, 
     const FloatLanes t_out = FloatLanes::load_unaligned(pairs.t_out + first);
     const unsigned left =
         lanes_in_use(pairs, first, kFloatLanes) & ~bits(gap.is_kept(gap.start(), gap.at(min(t_out, FloatLanes(1.0f)))));
-    for (int c = 0; c < 4; ++c)
-      store_compressed(left, IntLanes::load_unaligned(pairs.corner[c] + first), pairs.corner[c] + count);
+    for (auto& corner : pairs.corner) store_compressed(left, IntLanes::load_unaligned(corner + first), corner + count);
     store_compressed(left, FloatLanes::load_unaligned(pairs.t_in + first), pairs.t_in + count);
     store_compressed(left, t_out, pairs.t_out + count);
     count += __builtin_popcount(left);

@@ -26,7 +26,8 @@ class KeptGap {
     // Only pairs with room are left out: for these the advancement (keeps_distance_until) comes to the same result.
     const T room = error_bounds::constant<T>(error_bounds::kRoomToAdvance +
                                              error_bounds::kKeptGap * error_bounds::unit_roundoff<T>);
-    kept_ = m.separation + fraction * max(distance + blur - m.separation, T(0)) + room * (m.size_d + m.size_e + m.size_f);
+    kept_ =
+        m.separation + fraction * max(distance + blur - m.separation, T(0)) + room * (m.size_d + m.size_e + m.size_f);
   }
 
   const Axis& start() const { return start_; }

@@ -52,6 +52,14 @@ double mean_edge(const Mesh& mesh, const std::vector<Point>& points) {
   return sum / static_cast<double>(mesh.edges().size());
 }
 
+/// All of it, about the z axis.
+std::vector<Point> turned_by_60_degrees(const std::vector<Point>& points) {
+  const double c = 0.5, s = std::sqrt(0.75);
+  std::vector<Point> result;
+  for (const Point& p : points) result.push_back({c * p[0] - s * p[1], s * p[0] + c * p[1], p[2]});
+  return result;
+}
+
 struct Bench {
   Detector detector;
   Step step;
@@ -84,20 +92,20 @@ struct Bench {
 
   /// How far may every pair keep a part of its distance? In turns with the largest step, each after the way back, so
   /// that nothing remembered helps.
-  void step_lengths() {
+  void step_lengths(const Step& way, const char* which) {
     Detector other(detector.mesh(), detector.options());
-    const Step back{step.end, step.start};
+    const Step back{way.end, way.start};
     for (const double fraction : {0.1, 0.2, 0.5}) {
       std::vector<double> times, ratios;
       for (int run = 0; run <= repeat; ++run) {
         detector.earliest(back);
         other.keep_distance(back, fraction);
-        const double largest = time_of([&] { detector.earliest(step); });
-        times.push_back(time_of([&] { other.keep_distance(step, fraction); }));
+        const double largest = time_of([&] { detector.earliest(way); });
+        times.push_back(time_of([&] { other.keep_distance(way, fraction); }));
         ratios.push_back(times.back() / largest);
       }
-      char question[64];
-      std::snprintf(question, sizeof question, "keep_distance, %.1f: %.1f times the largest step", fraction,
+      char question[80];
+      std::snprintf(question, sizeof question, "keep_distance, %.1f%s: %.1f times the largest step", fraction, which,
                     median(ratios));
       print_row(question, 1, median(times));
     }
@@ -158,7 +166,9 @@ int main(int count, char** arguments) {
   std::printf("| question | answers | ms |\n|---|--:|--:|\n");
   bench.list_of_pairs();
   bench.at_rest(mean_edge(frames.mesh, frames.start));
-  bench.step_lengths();
+  bench.step_lengths(bench.step, "");
+  const std::vector<Point> turned = turned_by_60_degrees(frames.start);
+  bench.step_lengths({frames.start, turned}, ", all turned by 60 degrees");
   bench.own_steps();
   return 0;
 }

@@ -46,17 +46,11 @@ void copy_point(const double* from, double* to) { std::memcpy(to, from, 3 * size
 
 class PartDecision {
  public:
-  PartDecision(const ListPart& part, PairResult* results)
-      : pairs_(part.pairs),
-        step_(part.step),
-        results_(results),
-        options_(part.options),
-        kernels_(part.kernels),
-        list_(part.list) {}
+  PartDecision(const ListPart& part, PairResult* results) : part_(part), results_(results) {}
 
   bool run() {
-    for (std::size_t i = 0; i < pairs_.size(); ++i) {
-      const PairKind kind = pairs_[i].kind;
+    for (std::size_t i = 0; i < part_.pairs.size(); ++i) {
+      const PairKind kind = part_.pairs[i].kind;
       if (static_cast<std::size_t>(kind) >= kPairKinds) return false;
       if (!with_kind(kind, [&](auto k) { return add<k()>(static_cast<std::int32_t>(i)); })) return false;
     }
@@ -69,15 +63,15 @@ class PartDecision {
   template <PairKind kind>
   bool add(std::int32_t place) {
     constexpr std::size_t kCorners = vertex_count(kind);
-    const Pair& pair = pairs_[static_cast<std::size_t>(place)];
-    if (!are_rows<kCorners>(pair, step_.start.count())) return false;
+    const Pair& pair = part_.pairs[static_cast<std::size_t>(place)];
+    if (!are_rows<kCorners>(pair, part_.step.start.count())) return false;
     auto& batch = batches_[static_cast<std::size_t>(kind)];
     if (!batch) batch = std::make_unique<Batch>();
     const int at = batch->pairs.count++;
     for (std::size_t i = 0; i < kCorners; ++i) {
       PackedVertex& vertex = batch->vertices[static_cast<std::size_t>(4 * at) + i];
-      copy_point(step_.start[pair.vertices[i]], vertex.at);
-      copy_point(step_.end[pair.vertices[i]], vertex.at + 4);
+      copy_point(part_.step.start[pair.vertices[i]], vertex.at);
+      copy_point(part_.step.end[pair.vertices[i]], vertex.at + 4);
     }
     batch->places[at] = place;
     return batch->pairs.count < Batch::kMost || decide_batch(kind);
@@ -85,29 +79,25 @@ class PartDecision {
 
   bool decide_batch(PairKind kind) {
     Batch& batch = *batches_[static_cast<std::size_t>(kind)];
-    const int open = kernels_.settle[static_cast<std::size_t>(kind)]({batch.vertices, batch.places, options_},
-                                                                     batch.pairs, batch.rest, results_, batch.open);
+    const int open = part_.kernels.settle[static_cast<std::size_t>(kind)](
+        {batch.vertices, batch.places, part_.options}, batch.pairs, batch.rest, results_, batch.open);
     batch.pairs.count = 0;
     return std::all_of(batch.open, batch.open + open, [&](std::int32_t place) { return decide_singly(kind, place); });
   }
 
   bool decide_singly(PairKind kind, std::int32_t place) {
-    stop_if_cancelled(list_);
-    const Pair& pair = pairs_[static_cast<std::size_t>(place)];
-    if (!has_finite_points(pair, step_)) return false;
+    stop_if_cancelled(part_);
+    const Pair& pair = part_.pairs[static_cast<std::size_t>(place)];
+    if (!has_finite_points(pair, part_.step)) return false;
     PairVertices vertices{-1, -1, -1, -1};
     std::copy_n(pair.vertices.begin(), vertex_count(kind), vertices.begin());
     PrecisionCount decided_by;
-    results_[place] = tamis::decide(kind, points_of(step_, vertices), options_, decided_by);
+    results_[place] = tamis::decide(kind, points_of(part_.step, vertices), part_.options, decided_by);
     return true;
   }
 
-  std::span<const Pair> pairs_;
-  const Step& step_;
+  const ListPart part_;
   PairResult* results_;
-  const PairOptions& options_;
-  const Kernels& kernels_;
-  const PairListOptions& list_;
   std::unique_ptr<Batch> batches_[kPairKinds];
 };
 

@@ -1,5 +1,6 @@
 // One thread's part of a list of pairs: through the lanes, and one by one what those leave open.
 #pragma once
+#include <functional>
 #include <span>
 
 #include "kernels/kernels.hpp"
@@ -12,7 +13,7 @@ struct ListPart {
   const Step& step;
   const PairOptions& options;
   const Kernels& kernels;
-  const PairListOptions& list;  ///< who may cancel
+  const std::function<bool()>& is_cancelled;
 };
 
 /// results[i]: what pairs[i] does. False if some pair is not legal: its kind is none, a vertex no row of the step, a

@@ -58,7 +58,8 @@ bool decide_in_parts(std::span<PairResult> results, const PairListOptions& optio
     const auto decide_part = [&](const tbb::blocked_range<std::size_t>& part) {
       stop_if_cancelled(options);
       const auto mine = pairs_of(part.begin(), part.end());
-      if (!decide_part_of_list({mine.pairs, mine.step, rule, chosen, options}, results.data() + part.begin()))
+      if (!decide_part_of_list({mine.pairs, mine.step, rule, chosen, options.is_cancelled},
+                               results.data() + part.begin()))
         is_legal = false;
     };
     tbb::parallel_for(all, decide_part, tbb::simple_partitioner());

@@ -6,7 +6,7 @@
 
 namespace tamis {
 
-/// Throws Cancelled once the caller wants no answer any more. Options, or those of a list of pairs.
+/// Throws Cancelled once the caller wants no answer any more. Options, those of a list of pairs, or of its parts.
 template <class AnyOptions>
 void stop_if_cancelled(const AnyOptions& options) {
   if (options.is_cancelled && options.is_cancelled()) throw Cancelled("the question was cancelled: ask it again");

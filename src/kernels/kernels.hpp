@@ -124,7 +124,8 @@ struct Kernels {
   /// Writes those blocks of a scan that may have drifted by their gap until t, and returns their number; `out` has room
   /// for a block past them.
   int (*unproven)(const GapScan& scan, std::int32_t* out);
-  /// Pairs that cannot end the step by the rule, from t=0 to their t_out, are culled; of `pairs` some of them stay.
+  /// Pairs that cannot end the step by the rule, from t=0 to their t_out, are culled. `pairs` is used up: what it holds
+  /// then are those that floats could not cull.
   void (*near_vf)(const NearVertices& vertices, const NearRule& rule, PairBuffer& pairs, PairBuffer& out);
   void (*near_ee)(const NearVertices& vertices, const NearRule& rule, PairBuffer& pairs, PairBuffer& out);
   /// Slab clip: pairs that stay farther apart than `separation` are culled. Survivors, with their times, go to `out`.

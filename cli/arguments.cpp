@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "io/components.hpp"
+#include "tamis/components.hpp"
 #include "tamis/error.hpp"
 
 namespace tamis::cli {
@@ -64,7 +64,7 @@ Detector DetectorArguments::detector(Mesh mesh) const {
   Options chosen = this->chosen();
   chosen.thickness = thickness_;
   if (thickness_.size() > 1) {
-    io::Components objects = io::components_of(mesh);
+    Components objects = components_of(mesh);
     require_one_each(thickness_.size(), objects.count);
     for (Index& object : objects.of_vertex) object = std::max(object, Index{0});  // of no use, but in some group
     chosen.filter.group_of_vertex = std::move(objects.of_vertex);

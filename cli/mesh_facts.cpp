@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "io/components.hpp"
+#include "tamis/components.hpp"
 
 namespace tamis::cli {
 namespace {
@@ -72,7 +72,7 @@ MeshFacts facts_of(const Mesh& mesh, const std::vector<Point>& positions) {
   for (const Face& f : mesh.faces())
     facts.degenerate_faces += has_no_area(at(positions, f[0]), at(positions, f[1]), at(positions, f[2]));
   facts.duplicate_faces = count_duplicates(mesh.faces());
-  facts.components = static_cast<std::size_t>(io::components_of(mesh).count);
+  facts.components = static_cast<std::size_t>(components_of(mesh).count);
   find_bounds(mesh, positions, facts);
   return facts;
 }

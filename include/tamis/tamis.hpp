@@ -1,5 +1,6 @@
 // Tamis: every contact between moving, deforming triangle meshes.
 #pragma once
+#include "tamis/components.hpp"
 #include "tamis/contact.hpp"
 #include "tamis/detector.hpp"
 #include "tamis/error.hpp"

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "io/components.hpp"
 #include "io/contact_geometry.hpp"
 #include "io/loose_features.hpp"
+#include "tamis/components.hpp"
 
 namespace tamis::io {
 namespace {

@@ -4,12 +4,12 @@
 #include <bit>
 #include <cmath>
 
-#include "io/components.hpp"
 #include "io/contact_geometry.hpp"
 #include "io/loose_features.hpp"
 #include "io/tally.hpp"
 #include "io/view/columns.hpp"
 #include "io/view/quantised.hpp"
+#include "tamis/components.hpp"
 
 namespace tamis::io {
 namespace {

@@ -1,8 +1,8 @@
-#include "io/components.hpp"
+#include "tamis/components.hpp"
 
 #include <numeric>
 
-namespace tamis::io {
+namespace tamis {
 namespace {
 
 /// Union-find over the vertices.
@@ -43,4 +43,4 @@ Components components_of(const Mesh& mesh) {
   return components;
 }
 
-}  // namespace tamis::io
+}  // namespace tamis

@@ -1,0 +1,20 @@
+// The objects of a mesh: what is connected by common vertices.
+#pragma once
+#include <vector>
+
+#include "tamis/mesh.hpp"
+
+namespace tamis {
+
+/// Connected components, as groups for PairFilter::group_of_vertex or for a thickness each.
+struct Components {
+  /// One number a vertex of the mesh, in [0, count): components in the order of their first vertices. -1 for a vertex
+  /// that takes no part in contacts (Mesh::points).
+  std::vector<Index> of_vertex;
+  Index count = 0;
+};
+
+/// By faces and edges; a loose point is a component of its own. Time: nearly linear (union-find: Tarjan 1975).
+Components components_of(const Mesh& mesh);
+
+}  // namespace tamis

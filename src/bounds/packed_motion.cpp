@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "bounds/shared_motion.hpp"
+
 namespace tamis {
 namespace {
 
@@ -41,11 +43,24 @@ BoxFrame frame_of(const Step& step, std::span<const Index> used, double min_sepa
 }
 
 /// Whichever comes first, the scaling can neither overflow nor lose more than what underflows.
-float scaled_difference(double to, double from, double scale) {
-  return static_cast<float>(scale < 1 ? to * scale - from * scale : (to - from) * scale);
+double scaled_difference(double to, double from, double scale) {
+  return scale < 1 ? to * scale - from * scale : (to - from) * scale;
+}
+
+Vec3<double> scaled_difference(const double* to, const double* from, double scale) {
+  const auto on = [&](int axis) { return scaled_difference(to[axis], from[axis], scale); };
+  return {on(0), on(1), on(2)};
 }
 
 }  // namespace
+
+Vec3<double> BoxFrame::place(const Positions& positions, Index vertex) const {
+  return scaled_difference(positions[vertex], origin.data(), scale);
+}
+
+Vec3<double> BoxFrame::displacement(const Step& step, Index vertex) const {
+  return scaled_difference(step.end[vertex], step.start[vertex], scale);
+}
 
 void PackedMotion::assign(const Step& step, std::span<const Index> used, const Separations& kept_apart) {
   separations = kept_apart;
@@ -74,9 +89,17 @@ void PackedMotion::assign_drifts(const Step& step, const Positions& before, std:
   for (Index v : used)
     for (std::size_t axis = 0; axis < 3; ++axis) {
       float(&at)[8] = drifts[static_cast<std::size_t>(v)].at;
-      at[axis] = scaled_difference(step.start[v][axis], before[v][axis], frame.scale);
-      at[3 + axis] = scaled_difference(step.end[v][axis], before[v][axis], frame.scale);
+      at[axis] = static_cast<float>(scaled_difference(step.start[v][axis], before[v][axis], frame.scale));
+      at[3 + axis] = static_cast<float>(scaled_difference(step.end[v][axis], before[v][axis], frame.scale));
     }
+}
+
+void PackedMotion::assign_rests(const Step& step, const SharedMotion& shared) {
+  drifts.resize(vertices.size());
+  shared.for_each_rest(step, frame, [&](Index v, const Vec3<double>& rest) {
+    drifts[static_cast<std::size_t>(v)] = {
+        {0, 0, 0, static_cast<float>(rest.x), static_cast<float>(rest.y), static_cast<float>(rest.z)}};
+  });
 }
 
 }  // namespace tamis

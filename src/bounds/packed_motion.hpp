@@ -6,9 +6,12 @@
 #include <vector>
 
 #include "motion/separations.hpp"
+#include "numerics/vec.hpp"
 #include "tamis/step.hpp"
 
 namespace tamis {
+
+class SharedMotion;
 
 /// A vertex at t=0 and t=1: x y z, its radius (Separations), x y z, unused.
 struct alignas(64) PackedVertex {
@@ -17,7 +20,7 @@ struct alignas(64) PackedVertex {
 
 /// A vertex in the frame of the boxes, rounded to nearest: x y z at t=0, then at t=1, its radius (rounded up), one
 /// unused; half a cache line. Or its drift, without radius: how far it is at t=0, and at t=1, from where it was at some
-/// time before.
+/// time before; or at t=0 nothing, at t=1 its rest beside a shared motion.
 struct alignas(32) BoxVertex {
   static constexpr int kRadius = 6;
   float at[8] = {};
@@ -42,6 +45,10 @@ struct BoxFrame {
   /// its three sizes, each at most 2 here: below 2^-44, and two boxes' margins add up. No bound from boxes may be
   /// sharper.
   static constexpr float kLeastMargin = 0x1p-44f;
+
+  /// Where a vertex is, and how far it goes during the step.
+  Vec3<double> place(const Positions& positions, Index vertex) const;
+  Vec3<double> displacement(const Step& step, Index vertex) const;
 };
 
 /// The separation of a pair: a fixed distance, and if there are any the radii that stand beside the vertices.
@@ -69,6 +76,8 @@ struct PackedMotion {
   void assign(const Step& step, std::span<const Index> used, const Separations& separations);
   /// Drifts from `before`, in the frame of the step assigned last.
   void assign_drifts(const Step& step, const Positions& before, std::span<const Index> used);
+  /// In the place of drifts, for the step assigned last, to which the motion has been fitted.
+  void assign_rests(const Step& step, const SharedMotion& shared);
   /// What the kernels need of the separations.
   PairSeparation pair_separation() const { return {separations.fixed, !separations.radii.empty()}; }
   BoxSeparation box_separation() const { return {2 * frame.margin, !separations.radii.empty()}; }

@@ -34,12 +34,20 @@ struct SolvedPair {
   double normal[3];  ///< unit
 };
 
+/// How large the reserve of a pair within two boxes may be if it can end the step, in their frame:
+/// reserve^2 <= per_way2 way^2 + per_size2 size^2 + fixed2, where way is the largest difference of rests
+/// (SharedMotion), and size the largest extent of the two at either end. All rounded up.
+struct ReserveBounds {
+  float per_way2, per_size2, fixed2;
+};
+
 /// Which pairs may end the step before `t_limit`, where each must keep a fraction of its distance beyond the separation
 /// (solve/kept_gap.hpp).
 struct NearRule {
   float fraction;  ///< rounded up
   float reach;     ///< t_limit / (1 - fraction), rounded up
   float t_limit;   ///< rounded up; may exceed 1
+  ReserveBounds reserve;
 };
 
 /// The vertices of a step, and what pairs of them are kept apart by, in floats and in doubles.

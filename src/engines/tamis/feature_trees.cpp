@@ -55,8 +55,8 @@ const PackedMotion& FeatureTrees::count_vertex_drifts(const Step& step, const Po
   return motion_;
 }
 
-void FeatureTrees::count_drifts(const Step& step, const Positions& before) {
-  count_vertex_drifts(step, before);
+void FeatureTrees::count_rests(const Step& step, const SharedMotion& shared) {
+  motion_.assign_rests(step, shared);
   for (BlockTree* tree : {&points_, &edges_, &faces_, &loose_points_, &loose_edges_})
     tree->refit_drifts(motion_, kernels_.trees);
 }

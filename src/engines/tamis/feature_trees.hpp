@@ -19,10 +19,10 @@ class FeatureTrees {
   /// Boxes at t=0 and t=1, in the old order, or in a new one where that has become poor. Adds seconds and `rebuilt`.
   void update(const Step& step, const Separations& separations, Statistics& statistics);
 
-  /// What of each feature has moved since the positions `before`, for the questions that ask: drifts of motion and
-  /// trees.
-  void count_drifts(const Step& step, const Positions& before);
-  /// The same of vertices alone.
+  /// What the displacements of each feature have besides a motion they share, for the questions that ask: in place of
+  /// drifts, of motion and trees.
+  void count_rests(const Step& step, const SharedMotion& shared);
+  /// How far vertices have drifted since the positions `before`.
   const PackedMotion& count_vertex_drifts(const Step& step, const Positions& before);
   /// How often the trees have been built: blocks of one building are not those of another.
   int builds() const { return builds_; }

@@ -5,6 +5,7 @@
 
 #include "engines/cancellation.hpp"
 #include "engines/tamis/pair_buffers.hpp"
+#include "numerics/error_bounds.hpp"
 
 namespace tamis {
 namespace {
@@ -15,7 +16,18 @@ float rounded_up(double x) { return std::nextafter(static_cast<float>(x), std::n
 
 NearRule NearQuestion::near() const {
   const double until = earliest.load(std::memory_order_relaxed) * (1 + 0x1p-15);
-  return {rounded_up(fraction), rounded_up(until / (1 - fraction)), rounded_up(until)};
+  return {rounded_up(fraction), rounded_up(until / (1 - fraction)), rounded_up(until), reserve_bounds(until)};
+}
+
+/// (stretch - fraction) reserve <= until way + room + (1 - stretch) separation; without gradients this is what speed
+/// alone allows, of which single pairs know no less.
+ReserveBounds NearQuestion::reserve_bounds(double until) const {
+  constexpr double kShare = 0.25;  // (x + y + z)^2 <= (1 + kShare) x^2 + 2 (1 + 1 / kShare) (y^2 + z^2)
+  const double left = stretch.least - fraction, reach = until / left;
+  if (!stretch.is_any) return {rounded_up(reach * reach), 0, 0};
+  const double room = error_bounds::kRoomOfBoxes / left, apart = (1 - stretch.least) * separation / left;
+  return {rounded_up((1 + kShare) * reach * reach), rounded_up(2 * (1 + 1 / kShare) * room * room),
+          rounded_up(2 * (1 + 1 / kShare) * apart * apart)};
 }
 
 NearCounts& NearCounts::operator+=(const NearCounts& other) {

@@ -4,6 +4,7 @@
 #include <atomic>
 #include <memory>
 
+#include "bounds/shared_motion.hpp"
 #include "engines/step_limit.hpp"
 #include "engines/stopwatch.hpp"
 #include "kernels/kernels.hpp"
@@ -15,6 +16,8 @@ namespace tamis {
 struct NearQuestion {
   Step step;
   double fraction = 0;
+  SharedMotion::Stretch stretch;    ///< of the motion beside which the trees have rests
+  double separation = 0;            ///< of any pair at most, in the frame of the boxes
   std::atomic<double> earliest{1};  ///< the first time found so far at which a pair ends the step
 
   /// Which pairs may still end the step first, in time or in the order of contacts. Until a time later by 2^-15, which
@@ -22,6 +25,9 @@ struct NearQuestion {
   /// keeps_distance_until): so a pair is never left out that might have had the same time as the first, and the order
   /// of the search changes nothing.
   NearRule near() const;
+
+ private:
+  ReserveBounds reserve_bounds(double until) const;
 };
 
 struct NearCounts {

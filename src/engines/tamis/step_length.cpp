@@ -20,6 +20,7 @@ StepLengthSearch::StepLengthSearch(const Mesh& mesh, const Options& options)
     : options_(options),
       kernels_(kernels(options.isa)),
       trees_(mesh, kernels_, options.filter),
+      shared_(mesh),
       pipelines_([this] { return NearPipeline(kernels_, trees_.motion(), options_, question_); }) {}
 
 SafeStep StepLengthSearch::find(const Step& step, const Separations& separations, double fraction,
@@ -28,7 +29,11 @@ SafeStep StepLengthSearch::find(const Step& step, const Separations& separations
   question_.fraction = fraction;
   question_.earliest = 1;
   trees_.update(step, separations, statistics);
-  trees_.count_drifts(step, step.start);
+  const BoxFrame& frame = trees_.motion().frame;
+  shared_.fit(step, frame, fraction);
+  trees_.count_rests(step, shared_);
+  question_.stretch = shared_.stretch();
+  question_.separation = (separations.fixed + 2 * separations.largest_radius()) * frame.scale;
   const Stopwatch watch;
   for (NearPipeline& pipeline : pipelines_) pipeline.begin();
   search(kSamples[0]);
@@ -94,7 +99,7 @@ StepLimit StepLengthSearch::collect(Statistics& statistics, double seconds) {
 }
 
 std::uint64_t StepLengthSearch::memory_bytes() const {
-  std::uint64_t bytes = trees_.memory_bytes();
+  std::uint64_t bytes = trees_.memory_bytes() + shared_.memory_bytes();
   for (const NearPipeline& pipeline : pipelines_) bytes += pipeline.memory_bytes();
   return bytes;
 }

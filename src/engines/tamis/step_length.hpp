@@ -1,19 +1,20 @@
 // How far may the step go so that every pair keeps a fraction of its distance? A pair can end the step before t only
-// if it is fast enough: (1 - fraction) (distance at t=0 - min_separation) < t * relative speed; and only if it
-// comes as near as the fraction before t. So the search is for pairs of moving boxes that come as near as that, and
-// each pair that ends the step earlier shortens the step for all the rest.
+// if it is fast enough: (1 - fraction) (distance at t=0 - min_separation) < t * relative speed, or what of that is left
+// beside a motion that many share; and only if it comes as near as the fraction before t. So the search is for pairs of
+// moving boxes that come as near as that, and each pair that ends the step earlier shortens the step for all the rest.
 #pragma once
 #include <tbb/enumerable_thread_specific.h>
 
 #include <atomic>
 
+#include "bounds/shared_motion.hpp"
 #include "engines/tamis/feature_trees.hpp"
 #include "engines/tamis/near_pipeline.hpp"
 #include "engines/tamis/samples.hpp"
 
 namespace tamis {
 
-/// Keeps its hierarchy, moving boxes and drifts, from step to step. Serves every method but `brute`.
+/// Keeps its hierarchy, moving boxes and rests, from step to step. Serves every method but `brute`.
 class StepLengthSearch {
  public:
   /// Keeps references: mesh and options must outlive it.
@@ -35,6 +36,7 @@ class StepLengthSearch {
   const Options& options_;
   const Kernels& kernels_;
   FeatureTrees trees_;
+  SharedMotion shared_;
   NearQuestion question_;
   tbb::enumerable_thread_specific<NearPipeline> pipelines_;
 };

@@ -1,0 +1,63 @@
+// What all vertices of a scene, or those of each of its objects, have in common in how they move during a step: turned
+// or stretched as a whole, they lose no more of their distances than that takes (docs/numerics.md, "Step lengths").
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "bounds/displacement_gradient.hpp"
+#include "tamis/mesh.hpp"
+
+namespace tamis {
+
+class SharedMotion {
+ public:
+  /// Keeps a reference.
+  explicit SharedMotion(const Mesh& mesh);
+
+  /// Takes the gradients beside which the least is left that may bring pairs to `fraction` of their distance: that of
+  /// the scene, one for each object, or none.
+  void fit(const Step& step, const BoxFrame& frame, double fraction);
+
+  /// Of all gradients, if there are any.
+  struct Stretch {
+    bool is_any = false;
+    double least = 1;
+  };
+  const Stretch& stretch() const { return stretch_; }
+  /// f(vertex, rest) for all that take part in contacts, in the frame of the boxes. Rests of two objects that have
+  /// gradients of their own differ by more than displacements can.
+  template <class F>
+  void for_each_rest(const Step& step, const BoxFrame& frame, const F& f) const {
+    for (const Part& part : parts_)
+      for (const Index v : part.vertices) {
+        const Vec3<double> rest =
+            frame.displacement(step, v) - part.gradient.at(frame.place(step.start, v) - part.middle);
+        f(v, Vec3<double>{rest.x + part.offset, rest.y, rest.z});
+      }
+  }
+
+  std::uint64_t memory_bytes() const;
+
+ private:
+  struct Part {
+    std::span<const Index> vertices;
+    DisplacementGradient gradient{};
+    Vec3<double> middle{};
+    double offset = 0;
+  };
+  /// Sums over the vertices: the squares of displacements, and those of rests as much as they count.
+  struct Fit {
+    std::vector<Part> parts;
+    double stretch = 1, displacement2 = 0, rest2 = 0;
+  };
+
+  static Fit fit_parts(std::vector<Part> parts, const Step& step, const BoxFrame& frame, double fraction);
+  void take(Fit&& fit);
+
+  const Mesh& mesh_;
+  std::vector<std::vector<Index>> objects_;  ///< the vertices of each
+  std::vector<Part> parts_;
+  Stretch stretch_;
+};
+
+}  // namespace tamis

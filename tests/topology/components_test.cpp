@@ -16,7 +16,5 @@ TEST(Components, AreConnectedByFacesAndEdgesAndNumberedByTheirFirstVertices) {
   EXPECT_EQ(components.of_vertex, (std::vector<Index>{0, 1, 1, 1, 1, 2, -1, 0, 0, 0}));
 }
 
-TEST(Components, AreNoneOfAnEmptyMesh) { EXPECT_EQ(components_of(Mesh(0, {})).count, 0); }
-
 }  // namespace
 }  // namespace tamis

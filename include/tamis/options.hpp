@@ -49,7 +49,7 @@ inline constexpr std::string_view kUnnamed = "unknown";
 /// Which pairs of objects may touch. Vertices carry a group; a feature belongs to the group of its first vertex. Sizes
 /// that do not fit the mesh, or each other, make the detector throw InvalidOptions.
 struct PairFilter {
-  /// Group of each vertex, in [0, group_count); empty: all in group 0.
+  /// Group of each vertex, in [0, group_count); empty: all in group 0. components_of numbers connected objects.
   std::vector<Index> group_of_vertex;
   Index group_count = 1;
   /// group_count x group_count, symmetric, row-major; 0 leaves the pair of groups out. Empty: all are tested.

@@ -29,17 +29,18 @@ SafeStep StepLengthSearch::find(const Step& step, const Separations& separations
   question_.fraction = fraction;
   question_.earliest = 1;
   trees_.update(step, separations, statistics);
+  Stopwatch watch;
   const BoxFrame& frame = trees_.motion().frame;
   shared_.fit(step, frame, fraction);
   trees_.count_rests(step, shared_);
   question_.stretch = shared_.stretch();
   question_.separation = (separations.fixed + 2 * separations.largest_radius()) * frame.scale;
-  const Stopwatch watch;
+  statistics.seconds.bounds += watch.lap();
   for (NearPipeline& pipeline : pipelines_) pipeline.begin();
   search(kSamples[0]);
   if (meets_many(kSamples[0])) search_short_steps();
   for (const Sample& sample : std::span(kSamples).subspan(1)) search(sample);
-  return collect(statistics, watch.seconds()).answer(step, fraction, separations);
+  return collect(statistics, watch.lap()).answer(step, fraction, separations);
 }
 
 /// Of the sample, which has been searched.

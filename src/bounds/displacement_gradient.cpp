@@ -45,6 +45,12 @@ double least_eigenvalue(const SymmetricMatrix& m) {
   return std::max(low - 0x1p-30, 0.0);
 }
 
+/// Gershgorin: rows of |m|.
+double greatest_eigenvalue(const SymmetricMatrix& m) {
+  const double xy = std::fabs(m.xy), xz = std::fabs(m.xz), yz = std::fabs(m.yz);
+  return std::max({m.xx + xy + xz, m.yy + xy + yz, m.zz + xz + yz});
+}
+
 /// x -> M^-1 x, by cofactors.
 Columns inverse(const SymmetricMatrix& m) {
   const Vec a{m.xx, m.xy, m.xz}, b{m.xy, m.yy, m.yz}, c{m.xz, m.yz, m.zz};
@@ -63,11 +69,11 @@ class Sampled {
       ways_.push_back(frame.displacement(step, vertices[i]));
     }
     middle = centre(places_);
-    centre(ways_);
+    way = centre(ways_);
   }
 
   DisplacementGradient least_squares() const {
-    constexpr double kRidge = 0x1p-30;  // what lies in a plane has no gradient out of it
+    constexpr double kRidge = 0x1p-20;  // what lies in a plane, or on a line, has no gradient out of it
     SymmetricMatrix squares;
     Columns products{};
     for (std::size_t i = 0; i < places_.size(); ++i) {
@@ -76,6 +82,7 @@ class Sampled {
       products = {products[0] + u.x * x, products[1] + u.y * x, products[2] + u.z * x};
     }
     const double ridge = kRidge * (squares.xx + squares.yy + squares.zz);
+    if (!(ridge > 0)) return {};  // a point turns as one likes
     for (double* diagonal : {&squares.xx, &squares.yy, &squares.zz}) *diagonal += ridge;
     const DisplacementGradient solve{inverse(squares)};
     return {{solve.at(products[0]), solve.at(products[1]), solve.at(products[2])}};
@@ -90,7 +97,7 @@ class Sampled {
     return sum / static_cast<double>(places_.size());
   }
 
-  Vec middle;
+  Vec middle, way;
 
  private:
   static Vec centre(std::vector<Vec>& vectors) {
@@ -105,8 +112,9 @@ class Sampled {
 
 }  // namespace
 
-/// |(I + t G) x|^2 is quadratic in t: in each part of the time at least the least of its Bernstein coefficients.
-double least_stretch(const DisplacementGradient& gradient) {
+/// |(I + t G) x|^2 is quadratic in t: in each part of the time at least the least of its Bernstein coefficients; and
+/// convex, so largest at an end.
+StretchBounds stretch_bounds(const DisplacementGradient& gradient) {
   constexpr int kParts = 4;
   double least = 1;
   Columns from = columns_at(gradient, 0);
@@ -115,13 +123,14 @@ double least_stretch(const DisplacementGradient& gradient) {
     least = std::min({least, least_eigenvalue(product(from, to)), least_eigenvalue(product(to, to))});
     from = to;
   }
-  return std::sqrt(least) * (1 - 0x1p-50);
+  const double greatest = std::max(1.0, greatest_eigenvalue(product(from, from)));
+  return {std::sqrt(least) * (1 - 0x1p-50), std::sqrt(greatest) * (1 + 0x1p-48)};
 }
 
 GradientFit fit_gradient(const Step& step, const BoxFrame& frame, std::span<const Index> vertices) {
   const Sampled sampled(step, frame, vertices);
   const DisplacementGradient gradient = sampled.least_squares();
-  return {gradient, sampled.middle, sampled.mean_square_beside({}), sampled.mean_square_beside(gradient)};
+  return {gradient, sampled.middle, sampled.way, sampled.mean_square_beside({}), sampled.mean_square_beside(gradient)};
 }
 
 }  // namespace tamis

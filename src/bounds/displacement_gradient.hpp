@@ -15,14 +15,18 @@ struct DisplacementGradient {
   Vec3<double> at(const Vec3<double>& x) const { return {dot(rows[0], x), dot(rows[1], x), dot(rows[2], x)}; }
 };
 
-/// At most 1, and proven: |(I + t G) x| is at least so many times |x|, for all x and all t in [0,1].
-double least_stretch(const DisplacementGradient& gradient);
+/// Proven for all x and all t in [0,1]: least |x| <= |(I + t G) x| <= greatest |x|.
+struct StretchBounds {
+  double least = 1, greatest = 1;
+};
+
+StretchBounds stretch_bounds(const DisplacementGradient& gradient);
 
 /// The gradient of least squares, and what of the displacements it explains. Any gradient is a true one, with its
 /// rests; so nothing is proven here, and NaN is an answer.
 struct GradientFit {
   DisplacementGradient gradient;
-  Vec3<double> middle{};  ///< of the vertices at t=0
+  Vec3<double> middle{}, way{};  ///< means of places at t=0, and of displacements
   /// Means of the squares of displacements, and of rests, without what translation explains.
   double displacement2 = 0, rest2 = 0;
 };

@@ -1,6 +1,7 @@
 #include "bounds/shared_motion.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "tamis/components.hpp"
@@ -12,15 +13,7 @@ namespace {
 constexpr Index kMostObjects = 8;
 /// A gradient is worth the room it takes (NearQuestion) if it leaves half of the displacements: squares.
 constexpr double kWorth = 4, kWorthOfObjects = 16;
-constexpr double kLeastBeyond = 0x1p-4;
-/// A rest then has components up to 2 + 3 * 2 sqrt(3) < 13 in the frame of the boxes, displacements differ by less than
-/// 7, and rests that are kept so far apart by more.
-constexpr double kSteepest = 3, kOffset = 64;
-
-bool is_steep(const DisplacementGradient& gradient) {
-  return !std::all_of(gradient.rows.begin(), gradient.rows.end(),
-                      [](const Vec3<double>& row) { return dot(row, row) <= kSteepest * kSteepest; });
-}
+constexpr double kLeastBeyond = 0x1p-4, kGreatest = 4;
 
 std::vector<std::vector<Index>> objects_of(const Mesh& mesh) {
   const Components components = components_of(mesh);
@@ -47,28 +40,29 @@ void SharedMotion::fit(const Step& step, const BoxFrame& frame, double fraction)
   }
   if (objects_.size() < 2) return;
   std::vector<Part> parts;
-  for (const auto& object : objects_) parts.push_back({object, {}, {}, kOffset * static_cast<double>(parts.size())});
+  for (const auto& object : objects_) parts.push_back({object});
   Fit each = fit_parts(std::move(parts), step, frame, fraction);
-  if (kWorthOfObjects * each.rest2 < std::min(least, each.displacement2)) take(std::move(each));
+  if (!(kWorthOfObjects * each.rest2 < std::min(least, each.displacement2))) return;
+  take(std::move(each));
+  keep_apart(step, frame);
 }
 
 SharedMotion::Fit SharedMotion::fit_parts(std::vector<Part> parts, const Step& step, const BoxFrame& frame,
                                           double fraction) {
   Fit result;
-  bool is_any_steep = false;
   for (Part& part : parts) {
-    const GradientFit fit = fit_gradient(step, frame, part.vertices);
-    part.gradient = fit.gradient;
-    part.middle = fit.middle;
-    is_any_steep |= is_steep(fit.gradient);
-    result.stretch = std::min(result.stretch, least_stretch(fit.gradient));
+    part.fit = fit_gradient(step, frame, part.vertices);
+    const StretchBounds stretch = stretch_bounds(part.fit.gradient);
+    result.stretch.least = std::min(result.stretch.least, stretch.least);
+    result.stretch.greatest = std::max(result.stretch.greatest, stretch.greatest);
     const auto count = static_cast<double>(part.vertices.size());
-    result.displacement2 += count * fit.displacement2;
-    result.rest2 += count * fit.rest2;
+    result.displacement2 += count * part.fit.displacement2;
+    result.rest2 += count * part.fit.rest2;
   }
-  const double left = result.stretch - fraction, weight = (1 - fraction) / left;
+  const double left = result.stretch.least - fraction, weight = (1 - fraction) / left;
   result.rest2 *= weight * weight;
-  if (is_any_steep || !(left > kLeastBeyond)) result.rest2 = std::numeric_limits<double>::infinity();
+  if (!(left > kLeastBeyond && result.stretch.greatest <= kGreatest))
+    result.rest2 = std::numeric_limits<double>::infinity();
   result.parts = std::move(parts);
   return result;
 }
@@ -81,7 +75,20 @@ std::uint64_t SharedMotion::memory_bytes() const {
 
 void SharedMotion::take(Fit&& fit) {
   parts_ = std::move(fit.parts);
-  stretch_ = {true, fit.stretch};
+  stretch_ = {fit.stretch, true};
+}
+
+/// Displacements differ by twice the longest at most.
+void SharedMotion::keep_apart(const Step& step, const BoxFrame& frame) {
+  double longest2 = 0, widest = 0;
+  for (const Part& part : parts_)
+    for (const Index v : part.vertices) {
+      const Vec3<double> way = frame.displacement(step, v);
+      longest2 = std::max(longest2, dot(way, way));
+      widest = std::max(widest, std::fabs(part.rest(frame.place(step.start, v), way).x));
+    }
+  const double apart = 2 * (1 + 0x1p-20) * (widest + std::sqrt(longest2));
+  for (std::size_t i = 0; i < parts_.size(); ++i) parts_[i].offset = apart * static_cast<double>(i);
 }
 
 }  // namespace tamis

@@ -19,19 +19,17 @@ class SharedMotion {
   void fit(const Step& step, const BoxFrame& frame, double fraction);
 
   /// Of all gradients, if there are any.
-  struct Stretch {
+  struct Stretch : StretchBounds {
     bool is_any = false;
-    double least = 1;
   };
   const Stretch& stretch() const { return stretch_; }
   /// f(vertex, rest) for all that take part in contacts, in the frame of the boxes. Rests of two objects that have
-  /// gradients of their own differ by more than displacements can.
+  /// gradients of their own differ by no less than displacements do.
   template <class F>
   void for_each_rest(const Step& step, const BoxFrame& frame, const F& f) const {
     for (const Part& part : parts_)
       for (const Index v : part.vertices) {
-        const Vec3<double> rest =
-            frame.displacement(step, v) - part.gradient.at(frame.place(step.start, v) - part.middle);
+        const Vec3<double> rest = part.rest(frame.place(step.start, v), frame.displacement(step, v));
         f(v, Vec3<double>{rest.x + part.offset, rest.y, rest.z});
       }
   }
@@ -41,18 +39,23 @@ class SharedMotion {
  private:
   struct Part {
     std::span<const Index> vertices;
-    DisplacementGradient gradient{};
-    Vec3<double> middle{};
+    GradientFit fit{};
     double offset = 0;
+
+    Vec3<double> rest(const Vec3<double>& place, const Vec3<double>& way) const {
+      return way - fit.way - fit.gradient.at(place - fit.middle);
+    }
   };
   /// Sums over the vertices: the squares of displacements, and those of rests as much as they count.
   struct Fit {
     std::vector<Part> parts;
-    double stretch = 1, displacement2 = 0, rest2 = 0;
+    StretchBounds stretch;
+    double displacement2 = 0, rest2 = 0;
   };
 
   static Fit fit_parts(std::vector<Part> parts, const Step& step, const BoxFrame& frame, double fraction);
   void take(Fit&& fit);
+  void keep_apart(const Step& step, const BoxFrame& frame);
 
   const Mesh& mesh_;
   std::vector<std::vector<Index>> objects_;  ///< the vertices of each

@@ -36,9 +36,10 @@ struct SolvedPair {
 
 /// How large the reserve of a pair within two boxes may be if it can end the step, in their frame:
 /// reserve^2 <= per_way2 way^2 + per_size2 size^2 + fixed2, where way is the largest difference of rests
-/// (SharedMotion), and size the largest extent of the two at either end. All rounded up.
+/// (SharedMotion) and size^2 at least half of the square of their extent together, at t=0 and t=1. All rounded up.
 struct ReserveBounds {
   float per_way2, per_size2, fixed2;
+  float stretch2;  ///< size^2 = stretch2 far^2 + way^2, where far is the largest distance of corners at t=0
 };
 
 /// Which pairs may end the step before `t_limit`, where each must keep a fraction of its distance beyond the separation

@@ -29,26 +29,27 @@ class NearBoxes {
   template <class A, class B>
   [[gnu::always_inline]] auto meet(const A& a, const B& b) const {
     const FloatLanes zero(0.0f);
-    FloatLanes gap2(0.0f), way2(0.0f), size2(0.0f), first2(0.0f), second2(0.0f);
+    FloatLanes gap2(0.0f), way2(0.0f), far2(0.0f), first2(0.0f), second2(0.0f);
     for (int axis = 0; axis < 3; ++axis) {
       const int rest = axis + kRest;
       add_square(way2, max(max(b(kHigh + rest) - a(rest), a(kHigh + rest) - b(rest)), zero));
-      FloatLanes gap(0.0f), size(0.0f), first(0.0f), second(0.0f);
+      FloatLanes gap(0.0f), far(0.0f), first(0.0f), second(0.0f);
       Ends::for_each_side(axis, a, b, [&](const auto& at0, const auto& later) {
         gap = max(gap, at0);
+        far = min(far, at0);
         const FloatLanes least = min(at0, later);  // halfway is the mean of both
-        size = min(size, least);
         first = max(first, at0 + least);
         second = max(second, least + later);
       });
       add_square(gap2, gap);
-      add_square(size2, size);
+      add_square(far2, far);
       add_square(first2, first);
       add_square(second2, second);
     }
+    const FloatLanes size2 = FloatLanes(reserve_.stretch2) * far2 + way2;
     const FloatLanes reserve2 =
         FloatLanes(reserve_.per_way2) * way2 + FloatLanes(reserve_.per_size2) * size2 + FloatLanes(reserve_.fixed2);
-    const FloatLanes kept2 = FloatLanes(kept2_) * min(size2, reserve2) + FloatLanes(kRoom2) * size2;
+    const FloatLanes kept2 = FloatLanes(kept2_) * min(far2, reserve2) + FloatLanes(kRoom2) * size2;
     return (gap2 <= reserve2) & (FloatLanes(0.25f) * min(first2, second2) <= kept2);
   }
 
@@ -60,7 +61,7 @@ class NearBoxes {
   /// (x + y)^2 is at most (1 + kShare) x^2 + (1 + 1 / kShare) y^2.
   static constexpr float kShare = 0x1p-4f;
   static constexpr auto kRoom2 =
-      static_cast<float>((1 + 1 / kShare) * error_bounds::kRoomOfBoxes * error_bounds::kRoomOfBoxes);
+      static_cast<float>(2 * (1 + 1 / kShare) * error_bounds::kRoomOfBoxes * error_bounds::kRoomOfBoxes);
 
   [[gnu::always_inline]] static void add_square(FloatLanes& sum, const FloatLanes& x) { sum = sum + x * x; }
 

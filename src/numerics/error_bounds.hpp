@@ -128,9 +128,10 @@ inline constexpr double kKeptGap = 128;
 // on, and each of its strides is at least 1/16 of this part of the step (docs/numerics.md, "Step lengths").
 inline constexpr double kRoomToAdvance = 0x1p-10;
 
-// The same of every pair within two boxes, times their largest extent along an axis: the three sizes of a pair are
-// together at most three times that; 4 covers the rounding of all the rest.
-inline constexpr double kRoomOfBoxes = 4 * kRoomToAdvance;
+// The same of every pair within two boxes, times their largest extent along an axis, from the lower end of the one to
+// the upper end of the other: D is at most that, and a box at most twice as wide, so that E + F of a face, whose sides
+// are in one box, are at most four times that; 6 covers the rounding of all the rest.
+inline constexpr double kRoomOfBoxes = 6 * kRoomToAdvance;
 
 // A gap outlasts a drift that is so many times smaller: the room has grown, for D + E + F is larger by at most six
 // times the drift; eight are given, and their rest is for rounding (docs/numerics.md, "Remembered gaps").

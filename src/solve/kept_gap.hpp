@@ -12,7 +12,7 @@ namespace tamis {
 template <PairKind kind, class T>
 class KeptGap {
  public:
-  /// A time, and a unit vector along the gap at it.
+  /// A time, and a vector along the gap at it, not longer than 1.
   struct Axis {
     T time;
     Vec3<T> along;
@@ -21,7 +21,7 @@ class KeptGap {
   /// `blur`: the pair may have been so much farther apart at t=0 than its vectors say.
   KeptGap(const PairMotion<T>& m, const T& fraction, const T& blur = T(0)) : m_(m) {
     const Vec3<T> gap = NearlyClosest::gap<kind>(m.e.at0, m.f.at0, m.d.at0);
-    const T distance = sqrt(dot(gap, gap));
+    const T distance = length(gap);
     start_ = {T(0), (T(1) / distance) * gap};
     // Only pairs with room are left out: for these the advancement (keeps_distance_until) comes to the same result.
     const T room = error_bounds::constant<T>(error_bounds::kRoomToAdvance +
@@ -33,7 +33,7 @@ class KeptGap {
   const Axis& start() const { return start_; }
   Axis at(const T& t) const {
     const Vec3<T> gap = NearlyClosest::gap<kind>(at_time(m_.e, t), at_time(m_.f, t), at_time(m_.d, t));
-    return {t, (T(1) / sqrt(dot(gap, gap))) * gap};
+    return {t, (T(1) / length(gap)) * gap};
   }
 
   /// Is the distance proven to stay, from one time in [0,1] to another, beyond the separation, the fraction of its
@@ -50,6 +50,11 @@ class KeptGap {
   }
 
  private:
+  /// At least; where squares underflow, axes are so shorter than 1.
+  static T length(const Vec3<T>& v) {
+    return sqrt(max(dot(v, v), error_bounds::constant<T>(error_bounds::underflow<T>)));
+  }
+
   const PairMotion<T>& m_;
   Axis start_;
   T kept_;

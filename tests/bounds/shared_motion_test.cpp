@@ -59,7 +59,7 @@ TEST(SharedMotion, LeavesNothingOfAnObjectThatTurns) {
   const Fitted fitted(turned(scene, 1, 1, 0));
   ASSERT_TRUE(fitted.shared.stretch().is_any);
   EXPECT_NEAR(fitted.shared.stretch().least, std::cos(0.5), 0.01);
-  for (const auto& rest : fitted.rests) EXPECT_LT(length(rest - fitted.rests[0]), 1e-6);
+  for (const auto& rest : fitted.rests) EXPECT_LT(length(rest - fitted.rests[0]), 1e-4);
 }
 
 // Bug: two objects seem to stay as far apart as they are because neither changes its shape.
@@ -69,8 +69,8 @@ TEST(SharedMotion, TellsObjectsApartThatTurnAgainstEachOther) {
   const Fitted fitted(turned(two_of(one), 1, -1, one.vertex_count()));
   ASSERT_TRUE(fitted.shared.stretch().is_any);
   for (std::size_t v = 1; v < count; ++v) {
-    EXPECT_LT(length(fitted.rests[v] - fitted.rests[0]), 1e-6);
-    EXPECT_LT(length(fitted.rests[count + v] - fitted.rests[count]), 1e-6);
+    EXPECT_LT(length(fitted.rests[v] - fitted.rests[0]), 1e-4);
+    EXPECT_LT(length(fitted.rests[count + v] - fitted.rests[count]), 1e-4);
     EXPECT_GT(length(fitted.rests[count + v] - fitted.rests[v - 1]),
               length(fitted.ways[count + v] - fitted.ways[v - 1]));
   }

@@ -7,6 +7,7 @@
 #include <bit>
 #include <cmath>
 
+#include "solve/kept_gap.hpp"
 #include "support/ask_pair.hpp"
 #include "support/pair_cases.hpp"
 #include "support/test_data.hpp"
@@ -150,6 +151,26 @@ TEST(KeptDistanceOfAPair, IsSharpOnPairsThatNearlyTouch) {
       if (found.upper == 1) continue;
       EXPECT_LE(found.upper - found.lower, 1e-5 * found.upper) << describe(kind, m);
     }
+}
+
+/// A point and a face that shrink to one point; all so many times larger.
+PairMotion<double> shrinking(double size) {
+  const auto to_zero = [&](double x, double y, double z) {
+    return Moving<double>{{size * x, size * y, size * z}, {0, 0, 0}};
+  };
+  return {to_zero(-2, 1, 2), to_zero(0, 1, 1), to_zero(-2, -1, 3), 2 * size, size, 3 * size};
+}
+
+// Bug: axes longer than 1, which prove what is not so.
+TEST(KeptGap, ProvesNothingThatIsNotSoWhereSquaresUnderflow) {
+  for (int exponent = 0; exponent > -700; --exponent) {
+    const PairMotion<double> shrinks = shrinking(std::ldexp(1.0, exponent));
+    const KeptGap<PairKind::vertex_face, double> gap(shrinks, 0.8);
+    EXPECT_FALSE(gap.is_kept(gap.start(), gap.at(0.2))) << exponent;
+    if (exponent > -400) {
+      EXPECT_TRUE(gap.is_kept(gap.start(), gap.at(0.19))) << exponent;
+    }
+  }
 }
 
 }  // namespace

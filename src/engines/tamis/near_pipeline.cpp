@@ -24,10 +24,11 @@ NearRule NearQuestion::near() const {
 ReserveBounds NearQuestion::reserve_bounds(double until) const {
   constexpr double kShare = 0.25;  // (x + y + z)^2 <= (1 + kShare) x^2 + 2 (1 + 1 / kShare) (y^2 + z^2)
   const double left = stretch.least - fraction, reach = until / left;
-  if (!stretch.is_any) return {rounded_up(reach * reach), 0, 0};
+  const float stretch2 = rounded_up(stretch.greatest * stretch.greatest);
+  if (!stretch.is_any) return {rounded_up(reach * reach), 0, 0, stretch2};
   const double room = error_bounds::kRoomOfBoxes / left, apart = (1 - stretch.least) * separation / left;
-  return {rounded_up((1 + kShare) * reach * reach), rounded_up(2 * (1 + 1 / kShare) * room * room),
-          rounded_up(2 * (1 + 1 / kShare) * apart * apart)};
+  return {rounded_up((1 + kShare) * reach * reach), rounded_up(4 * (1 + 1 / kShare) * room * room),
+          rounded_up(2 * (1 + 1 / kShare) * apart * apart), stretch2};
 }
 
 NearCounts& NearCounts::operator+=(const NearCounts& other) {

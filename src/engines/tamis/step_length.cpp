@@ -13,6 +13,8 @@ namespace {
 /// Where a leaf block meets so many pairs short steps come first, which meet few: a pair that ends one spares the rest.
 constexpr std::uint64_t kMany = 1024;
 constexpr double kShortSteps[] = {0x1p-6, 0x1p-3};
+/// In the frame of the boxes: with a larger separation no two have a gap.
+constexpr double kMeetsAll = 8;
 
 }  // namespace
 
@@ -34,7 +36,8 @@ SafeStep StepLengthSearch::find(const Step& step, const Separations& separations
   shared_.fit(step, frame, fraction);
   trees_.count_rests(step, shared_);
   question_.stretch = shared_.stretch();
-  question_.separation = (separations.fixed + 2 * separations.largest_radius()) * frame.scale;
+  const double separation = (separations.fixed + 2 * separations.largest_radius()) * frame.scale;
+  question_.separation = std::min(separation, kMeetsAll);
   statistics.seconds.bounds += watch.lap();
   for (NearPipeline& pipeline : pipelines_) pipeline.begin();
   search(kSamples[0]);

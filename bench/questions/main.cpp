@@ -8,8 +8,7 @@
 #include <ctime>
 #include <string>
 
-#include "io/mesh_file.hpp"
-#include "scenes/scene_list.hpp"
+#include "questions/frames.hpp"
 #include "tamis/detector.hpp"
 
 namespace {
@@ -52,14 +51,6 @@ double mean_edge(const Mesh& mesh, const std::vector<Point>& points) {
   return sum / static_cast<double>(mesh.edges().size());
 }
 
-/// All of it, about the z axis.
-std::vector<Point> turned_by_60_degrees(const std::vector<Point>& points) {
-  const double c = 0.5, s = std::sqrt(0.75);
-  std::vector<Point> result;
-  for (const Point& p : points) result.push_back({c * p[0] - s * p[1], s * p[0] + c * p[1], p[2]});
-  return result;
-}
-
 struct Bench {
   Detector detector;
   Step step;
@@ -90,27 +81,6 @@ struct Bench {
     }
   }
 
-  /// How far may every pair keep a part of its distance? In turns with the largest step, each after the way back, so
-  /// that nothing remembered helps.
-  void step_lengths(const Step& way, const char* which) {
-    Detector other(detector.mesh(), detector.options());
-    const Step back{way.end, way.start};
-    for (const double fraction : {0.1, 0.2, 0.5}) {
-      std::vector<double> times, ratios;
-      for (int run = 0; run <= repeat; ++run) {
-        detector.earliest(back);
-        other.keep_distance(back, fraction);
-        const double largest = time_of([&] { detector.earliest(way); });
-        times.push_back(time_of([&] { other.keep_distance(way, fraction); }));
-        ratios.push_back(times.back() / largest);
-      }
-      char question[80];
-      std::snprintf(question, sizeof question, "keep_distance, %.1f%s: %.1f times the largest step", fraction, which,
-                    median(ratios));
-      print_row(question, 1, median(times));
-    }
-  }
-
   /// How far all vertices go, against how far one step for all would take them.
   void own_steps() {
     TruncatedStep truncated;
@@ -129,26 +99,25 @@ struct Bench {
   }
 };
 
-/// A frame of the step, and what it is a frame of.
-struct Frames {
-  Mesh mesh;
-  std::vector<Point> start, end;
-};
-
-bool is_scene(const std::string& name) {
-  const auto recipes = scenes::recipes();
-  return std::any_of(recipes.begin(), recipes.end(), [&](const auto& recipe) { return recipe.name == name; });
-}
-
-/// Two files, or a scene and its number of triangles.
-Frames read_frames(const char* first, const char* second) {
-  if (is_scene(first)) {
-    const scenes::Scene scene = scenes::scene_by_name(first, std::atoi(second), 1);
-    return {scene.mesh(), scene.start, scene.end};
+/// How far may every pair keep a part of its distance? In turns with the largest step, each after the way back, so that
+/// nothing remembered helps.
+void step_lengths(const bench::Frames& frames, const Options& options, int repeat, const std::string& which) {
+  Detector largest(frames.mesh, options), keeping(frames.mesh, options);
+  const Step way = frames.step(), back{way.end, way.start};
+  for (const double fraction : {0.1, 0.2, 0.5}) {
+    std::vector<double> times, ratios;
+    for (int run = 0; run <= repeat; ++run) {
+      largest.earliest(back);
+      keeping.keep_distance(back, fraction);
+      const double other = time_of([&] { largest.earliest(way); });
+      times.push_back(time_of([&] { keeping.keep_distance(way, fraction); }));
+      ratios.push_back(times.back() / other);
+    }
+    char question[100];
+    std::snprintf(question, sizeof question, "keep_distance, %.1f%s: %.1f times the largest step", fraction,
+                  which.c_str(), median(ratios));
+    print_row(question, 1, median(times));
   }
-  io::MeshFile start = io::read_mesh(first);
-  std::vector<Point> positions = start.positions;
-  return {io::mesh_of(std::move(start)), std::move(positions), io::read_mesh(second).positions};
 }
 
 }  // namespace
@@ -158,17 +127,18 @@ int main(int count, char** arguments) {
     std::fprintf(stderr, "usage: tamis_questions START END [REPEAT], or SCENE TRIANGLES [REPEAT]\n");
     return 2;
   }
-  const Frames frames = read_frames(arguments[1], arguments[2]);
+  const bench::Frames frames = bench::read_frames(arguments[1], arguments[2]);
+  const int repeat = std::max(1, count > 3 ? std::atoi(arguments[3]) : 9);
   Options options;
   options.threads = 1;
-  Bench bench{
-      Detector(frames.mesh, options), {frames.start, frames.end}, std::max(1, count > 3 ? std::atoi(arguments[3]) : 9)};
+  Bench asked{Detector(frames.mesh, options), frames.step(), repeat};
   std::printf("| question | answers | ms |\n|---|--:|--:|\n");
-  bench.list_of_pairs();
-  bench.at_rest(mean_edge(frames.mesh, frames.start));
-  bench.step_lengths(bench.step, "");
-  const std::vector<Point> turned = turned_by_60_degrees(frames.start);
-  bench.step_lengths({frames.start, turned}, ", all turned by 60 degrees");
-  bench.own_steps();
+  asked.list_of_pairs();
+  asked.at_rest(mean_edge(frames.mesh, frames.start));
+  step_lengths(frames, options, repeat, "");
+  step_lengths(bench::turned_as_a_whole(frames), options, repeat, ", turned by 60 degrees");
+  if (!frames.mesh.faces().empty())
+    step_lengths(bench::turned_against_each_other(frames), options, repeat, ", two turned against each other");
+  asked.own_steps();
   return 0;
 }

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bounds/symmetric_axes.hpp"
-
 namespace tamis {
 namespace {
 
@@ -51,64 +49,14 @@ double greatest_eigenvalue(const SymmetricMatrix& m) {
   return std::max({m.xx + xy + xz, m.yy + xy + yz, m.zz + xz + yz});
 }
 
+Columns rows_of(const SymmetricMatrix& m) { return {{{m.xx, m.xy, m.xz}, {m.xy, m.yy, m.yz}, {m.xz, m.yz, m.zz}}}; }
+
 /// x -> M^-1 x, by cofactors.
 Columns inverse(const SymmetricMatrix& m) {
-  const Vec a{m.xx, m.xy, m.xz}, b{m.xy, m.yy, m.yz}, c{m.xz, m.yz, m.zz};
+  const auto [a, b, c] = rows_of(m);
   const double scale = 1 / dot(a, cross(b, c));
   return {scale * cross(b, c), scale * cross(c, a), scale * cross(a, b)};
 }
-
-/// Some of the vertices of a step, in the frame of the boxes.
-class Sampled {
- public:
-  Sampled(const Step& step, const BoxFrame& frame, std::span<const Index> vertices) {
-    constexpr std::size_t kMost = 1024;
-    const std::size_t stride = vertices.size() / kMost + 1;
-    for (std::size_t i = 0; i < vertices.size(); i += stride) {
-      places_.push_back(frame.place(step.start, vertices[i]));
-      ways_.push_back(frame.displacement(step, vertices[i]));
-    }
-    middle = centre(places_);
-    way = centre(ways_);
-  }
-
-  DisplacementGradient least_squares() const {
-    constexpr double kRidge = 0x1p-20;  // what lies in a plane, or on a line, has no gradient out of it
-    SymmetricMatrix squares;
-    Columns products{};
-    for (std::size_t i = 0; i < places_.size(); ++i) {
-      const Vec &x = places_[i], &u = ways_[i];
-      squares.add_square(x);
-      products = {products[0] + u.x * x, products[1] + u.y * x, products[2] + u.z * x};
-    }
-    const double ridge = kRidge * (squares.xx + squares.yy + squares.zz);
-    if (!(ridge > 0)) return {};  // a point turns as one likes
-    for (double* diagonal : {&squares.xx, &squares.yy, &squares.zz}) *diagonal += ridge;
-    const DisplacementGradient solve{inverse(squares)};
-    return {{solve.at(products[0]), solve.at(products[1]), solve.at(products[2])}};
-  }
-
-  double mean_square_beside(const DisplacementGradient& gradient) const {
-    double sum = 0;
-    for (std::size_t i = 0; i < places_.size(); ++i) {
-      const Vec rest = ways_[i] - gradient.at(places_[i]);
-      sum += dot(rest, rest);
-    }
-    return sum / static_cast<double>(places_.size());
-  }
-
-  Vec middle, way;
-
- private:
-  static Vec centre(std::vector<Vec>& vectors) {
-    Vec mean{};
-    for (const Vec& v : vectors) mean = mean + (1 / static_cast<double>(vectors.size())) * v;
-    for (Vec& v : vectors) v = v - mean;
-    return mean;
-  }
-
-  std::vector<Vec> places_, ways_;  ///< around their means
-};
 
 }  // namespace
 
@@ -127,10 +75,59 @@ StretchBounds stretch_bounds(const DisplacementGradient& gradient) {
   return {std::sqrt(least) * (1 - 0x1p-50), std::sqrt(greatest) * (1 + 0x1p-48)};
 }
 
-GradientFit fit_gradient(const Step& step, const BoxFrame& frame, std::span<const Index> vertices) {
-  const Sampled sampled(step, frame, vertices);
-  const DisplacementGradient gradient = sampled.least_squares();
-  return {gradient, sampled.middle, sampled.way, sampled.mean_square_beside({}), sampled.mean_square_beside(gradient)};
+void DisplacementMoments::add(const Vec& place, const Vec& way, double count) {
+  DisplacementMoments one;
+  one.count_ = count;
+  one.place_ = count * place;
+  one.way_ = count * way;
+  one.place2_.add_square(place, count);
+  one.way_place_ = {(count * way.x) * place, (count * way.y) * place, (count * way.z) * place};
+  one.way2_ = count * dot(way, way);
+  *this += one;
+}
+
+DisplacementMoments& DisplacementMoments::operator+=(const DisplacementMoments& other) {
+  count_ += other.count_;
+  place_ = place_ + other.place_;
+  way_ = way_ + other.way_;
+  place2_ += other.place2_;
+  for (std::size_t i = 0; i < 3; ++i) way_place_[i] = way_place_[i] + other.way_place_[i];
+  way2_ += other.way2_;
+  return *this;
+}
+
+GradientFit DisplacementMoments::fit() const {
+  constexpr double kRidge = 0x1p-20;  // what lies in a plane, or on a line, has no gradient out of it
+  GradientFit result;
+  if (!(count_ > 0)) return result;
+  result.middle = (1 / count_) * place_;
+  result.way = (1 / count_) * way_;
+  result.rest2 = result.displacement2 = std::max(0.0, way2_ - dot(way_, result.way));
+  SymmetricMatrix squares = place2_;
+  squares.add_square(result.middle, -count_);
+  const double ridge = kRidge * (squares.xx + squares.yy + squares.zz);
+  if (!(ridge > 0)) return result;  // a point turns as one likes
+  SymmetricMatrix ridged = squares;
+  for (double* diagonal : {&ridged.xx, &ridged.yy, &ridged.zz}) *diagonal += ridge;
+  const DisplacementGradient solve{inverse(ridged)}, spread{rows_of(squares)};
+  const Vec& way = result.way;
+  const std::array<double, 3> ways{way.x, way.y, way.z};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Vec products = way_place_[i] - ways[i] * place_;
+    const Vec row = result.gradient.rows[i] = solve.at(products);
+    result.rest2 += dot(row, spread.at(row)) - 2 * dot(row, products);
+  }
+  result.rest2 = std::max(0.0, result.rest2);
+  return result;
+}
+
+DisplacementMoments moments_of(const Step& step, const BoxFrame& frame, std::span<const Index> vertices,
+                               std::size_t stride) {
+  DisplacementMoments moments;
+  const double count = static_cast<double>(vertices.size()) / static_cast<double>((vertices.size() - 1) / stride + 1);
+  for (std::size_t i = 0; i < vertices.size(); i += stride)
+    moments.add(frame.place(step.start, vertices[i]), frame.displacement(step, vertices[i]), count);
+  return moments;
 }
 
 }  // namespace tamis

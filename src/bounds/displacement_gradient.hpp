@@ -6,6 +6,7 @@
 #include <span>
 
 #include "bounds/packed_motion.hpp"
+#include "bounds/symmetric_axes.hpp"
 
 namespace tamis {
 
@@ -27,11 +28,30 @@ StretchBounds stretch_bounds(const DisplacementGradient& gradient);
 struct GradientFit {
   DisplacementGradient gradient;
   Vec3<double> middle{}, way{};  ///< means of places at t=0, and of displacements
-  /// Means of the squares of displacements, and of rests, without what translation explains.
+  /// Sums of the squares of displacements, and of rests, without what translation explains.
   double displacement2 = 0, rest2 = 0;
 };
 
-/// In the frame of the boxes, of up to a thousand of the vertices.
-GradientFit fit_gradient(const Step& step, const BoxFrame& frame, std::span<const Index> vertices);
+/// What a fit needs to know of some vertices; that of two sets together is the sum of theirs.
+class DisplacementMoments {
+ public:
+  /// Of one vertex that stands for `count`, in the frame of the boxes.
+  void add(const Vec3<double>& place, const Vec3<double>& way, double count);
+  DisplacementMoments& operator+=(const DisplacementMoments& other);
+
+  double count() const { return count_; }
+  GradientFit fit() const;
+
+ private:
+  double count_ = 0;
+  Vec3<double> place_{}, way_{};
+  SymmetricMatrix place2_;
+  std::array<Vec3<double>, 3> way_place_{};  ///< [i]: way[i] times place
+  double way2_ = 0;
+};
+
+/// Of every `stride`-th of the vertices, from the first on; each stands for as many as there are for one of them.
+DisplacementMoments moments_of(const Step& step, const BoxFrame& frame, std::span<const Index> vertices,
+                               std::size_t stride);
 
 }  // namespace tamis

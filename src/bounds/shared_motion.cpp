@@ -9,61 +9,113 @@
 namespace tamis {
 namespace {
 
-/// Rests are floats: of more objects, farther apart, they would tell little.
-constexpr Index kMostObjects = 8;
+/// More objects are one. Of all together about so many vertices are looked at.
+constexpr Index kMostObjects = 256;
+constexpr std::size_t kSamples = 4096;
+/// Nothing cancels between objects that move differently: little is won by more motions, or where more of the pairs of
+/// two lie within half of the longest displacement beside a translation.
+constexpr std::size_t kMostMotions = 8;
+constexpr double kMostNear = 0.5;
 /// A gradient is worth the room it takes (NearQuestion) if it leaves half of the displacements: squares.
-constexpr double kWorth = 4, kWorthOfObjects = 16;
+constexpr double kWorth = 4, kWorthOfMotions = 16;
+/// So much is left beyond the fraction, and distances grow by so much at most: else the room takes more than is won.
 constexpr double kLeastBeyond = 0x1p-4, kGreatest = 4;
 
 std::vector<std::vector<Index>> objects_of(const Mesh& mesh) {
   const Components components = components_of(mesh);
-  if (components.count > kMostObjects) return {};
-  std::vector<std::vector<Index>> objects(static_cast<std::size_t>(components.count));
+  const bool is_one = components.count > kMostObjects;
+  std::vector<std::vector<Index>> objects(static_cast<std::size_t>(is_one ? 1 : components.count));
   for (const Index v : mesh.points())
-    objects[static_cast<std::size_t>(components.of_vertex[static_cast<std::size_t>(v)])].push_back(v);
+    objects[is_one ? 0 : static_cast<std::size_t>(components.of_vertex[static_cast<std::size_t>(v)])].push_back(v);
+  std::erase_if(objects, [](const auto& object) { return object.empty(); });
+  std::stable_sort(objects.begin(), objects.end(), [](const auto& a, const auto& b) { return a.size() > b.size(); });
   return objects;
 }
 
+struct Extent {
+  Vec3<double> low{1e300, 1e300, 1e300}, high = -low;
+
+  void include(const Vec3<double>& p) {
+    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+  }
+  bool is_within(double reach, const Vec3<double>& p) const {
+    const Vec3<double> below = low - p, above = p - high;
+    return std::max({below.x, below.y, below.z, above.x, above.y, above.z}) <= reach;
+  }
+};
+
 }  // namespace
 
-SharedMotion::SharedMotion(const Mesh& mesh) : mesh_(mesh), objects_(objects_of(mesh)) {}
+SharedMotion::SharedMotion(const Mesh& mesh) : objects_(objects_of(mesh)), vertex_count_(mesh.points().size()) {}
 
 void SharedMotion::fit(const Step& step, const BoxFrame& frame, double fraction) {
-  const Part all{mesh_.points()};
-  parts_ = {all};
+  parts_.clear();
   stretch_ = {};
-  Fit scene = fit_parts(parts_, step, frame, fraction);
-  double least = scene.displacement2;
-  if (kWorth * scene.rest2 < least) {
-    least = scene.rest2;
-    take(std::move(scene));
+  std::vector<DisplacementMoments> moments;
+  Motion scene;
+  double turned2 = 0;  // squares of displacements beside a translation of each object
+  for (const auto& object : objects_) {
+    parts_.push_back({object});
+    moments.push_back(moments_of(step, frame, object, vertex_count_ / kSamples + 1));
+    scene.objects.push_back(scene.objects.size());
+    scene.moments += moments.back();
+    turned2 += moments.back().fit().displacement2;
   }
-  if (objects_.size() < 2) return;
-  std::vector<Part> parts;
-  for (const auto& object : objects_) parts.push_back({object});
-  Fit each = fit_parts(std::move(parts), step, frame, fraction);
-  if (!(kWorthOfObjects * each.rest2 < std::min(least, each.displacement2))) return;
-  take(std::move(each));
-  keep_apart(step, frame);
+  const Fit one = fit_to({&scene, 1}, fraction);
+  const bool is_worth = kWorth * one.rest2 < one.displacement2;
+  if (is_worth) take({&scene, 1}, one);
+  const double most_rest2 = std::min(is_worth ? one.rest2 : one.displacement2, turned2) / kWorthOfMotions;
+  const std::vector<Motion> motions = motions_of_objects(moments, 0.5 * most_rest2);
+  if (motions.size() < 2) return;
+  const Fit each = fit_to(motions, fraction);
+  if (!(each.rest2 < most_rest2)) return;
+  if (!lie_apart(motions, each, step, frame)) return;
+  take(motions, each);
+  keep_apart(motions, step, frame);
 }
 
-SharedMotion::Fit SharedMotion::fit_parts(std::vector<Part> parts, const Step& step, const BoxFrame& frame,
-                                          double fraction) {
+/// Each object joins the motion that explains it best, if then no more is left of the object than its share of
+/// `most_rest2`; else it begins one.
+std::vector<SharedMotion::Motion> SharedMotion::motions_of_objects(std::span<const DisplacementMoments> objects,
+                                                                   double most_rest2) const {
+  std::vector<Motion> motions;
+  for (std::size_t i = 0; i < objects.size(); ++i) {
+    double least = most_rest2 * objects[i].count() / static_cast<double>(vertex_count_);
+    Motion* best = nullptr;
+    for (Motion& motion : motions) {
+      DisplacementMoments both = motion.moments;
+      both += objects[i];
+      const double more = both.fit().rest2 - motion.moments.fit().rest2;
+      if (!(more <= least)) continue;
+      least = more;
+      best = &motion;
+    }
+    if (!best) {
+      if (motions.size() == kMostMotions) return {};
+      best = &motions.emplace_back();
+    }
+    best->objects.push_back(i);
+    best->moments += objects[i];
+  }
+  return motions;
+}
+
+SharedMotion::Fit SharedMotion::fit_to(std::span<const Motion> motions, double fraction) {
   Fit result;
-  for (Part& part : parts) {
-    part.fit = fit_gradient(step, frame, part.vertices);
-    const StretchBounds stretch = stretch_bounds(part.fit.gradient);
+  for (const Motion& motion : motions) {
+    const GradientFit fit = motion.moments.fit();
+    const StretchBounds stretch = stretch_bounds(fit.gradient);
     result.stretch.least = std::min(result.stretch.least, stretch.least);
     result.stretch.greatest = std::max(result.stretch.greatest, stretch.greatest);
-    const auto count = static_cast<double>(part.vertices.size());
-    result.displacement2 += count * part.fit.displacement2;
-    result.rest2 += count * part.fit.rest2;
+    result.displacement2 += fit.displacement2;
+    result.rest2 += fit.rest2;
+    result.fits.push_back(fit);
   }
   const double left = result.stretch.least - fraction, weight = (1 - fraction) / left;
   result.rest2 *= weight * weight;
   if (!(left > kLeastBeyond && result.stretch.greatest <= kGreatest))
     result.rest2 = std::numeric_limits<double>::infinity();
-  result.parts = std::move(parts);
   return result;
 }
 
@@ -73,13 +125,40 @@ std::uint64_t SharedMotion::memory_bytes() const {
   return bytes;
 }
 
-void SharedMotion::take(Fit&& fit) {
-  parts_ = std::move(fit.parts);
+void SharedMotion::take(std::span<const Motion> motions, const Fit& fit) {
+  for (std::size_t m = 0; m < motions.size(); ++m)
+    for (const std::size_t i : motions[m].objects) parts_[i].fit = fit.fits[m];
   stretch_ = {fit.stretch, true};
 }
 
+bool SharedMotion::lie_apart(std::span<const Motion> motions, const Fit& fit, const Step& step,
+                             const BoxFrame& frame) const {
+  const auto for_each_vertex = [&](const Motion& motion, const auto& f) {
+    for (const std::size_t i : motion.objects)
+      for (const Index v : objects_[i]) f(v, frame.place(step.start, v));
+  };
+  std::vector<Extent> extents(motions.size());
+  double longest2 = 0;
+  for (std::size_t m = 0; m < motions.size(); ++m)
+    for_each_vertex(motions[m], [&](Index v, const Vec3<double>& place) {
+      extents[m].include(place);
+      const Vec3<double> way = frame.displacement(step, v) - fit.fits[m].way;
+      longest2 = std::max(longest2, dot(way, way));
+    });
+  const double reach = 0.5 * std::sqrt(longest2);
+  const auto share_within = [&](const Extent& extent, const Motion& motion) {
+    double count = 0;
+    for_each_vertex(motion, [&](Index, const Vec3<double>& place) { count += extent.is_within(reach, place); });
+    return count / motion.moments.count();
+  };
+  for (std::size_t a = 0; a < motions.size(); ++a)
+    for (std::size_t b = 0; b < a; ++b)
+      if (share_within(extents[a], motions[b]) * share_within(extents[b], motions[a]) > kMostNear) return false;
+  return true;
+}
+
 /// Displacements differ by twice the longest at most.
-void SharedMotion::keep_apart(const Step& step, const BoxFrame& frame) {
+void SharedMotion::keep_apart(std::span<const Motion> motions, const Step& step, const BoxFrame& frame) {
   double longest2 = 0, widest = 0;
   for (const Part& part : parts_)
     for (const Index v : part.vertices) {
@@ -88,7 +167,8 @@ void SharedMotion::keep_apart(const Step& step, const BoxFrame& frame) {
       widest = std::max(widest, std::fabs(part.rest(frame.place(step.start, v), way).x));
     }
   const double apart = 2 * (1 + 0x1p-20) * (widest + std::sqrt(longest2));
-  for (std::size_t i = 0; i < parts_.size(); ++i) parts_[i].offset = apart * static_cast<double>(i);
+  for (std::size_t m = 0; m < motions.size(); ++m)
+    for (const std::size_t i : motions[m].objects) parts_[i].offset = apart * static_cast<double>(m);
 }
 
 }  // namespace tamis

@@ -1,4 +1,4 @@
-// What all vertices of a scene, or those of each of its objects, have in common in how they move during a step: turned
+// What all vertices of a scene, or those of objects that move alike, have in common in how they move in a step: turned
 // or stretched as a whole, they lose no more of their distances than that takes (docs/numerics.md, "Step lengths").
 #pragma once
 #include <cstdint>
@@ -11,11 +11,10 @@ namespace tamis {
 
 class SharedMotion {
  public:
-  /// Keeps a reference.
   explicit SharedMotion(const Mesh& mesh);
 
   /// Takes the gradients beside which the least is left that may bring pairs to `fraction` of their distance: that of
-  /// the scene, one for each object, or none.
+  /// the scene, one for all objects that move alike, or none.
   void fit(const Step& step, const BoxFrame& frame, double fraction);
 
   /// Of all gradients, if there are any.
@@ -24,7 +23,7 @@ class SharedMotion {
   };
   const Stretch& stretch() const { return stretch_; }
   /// f(vertex, rest) for all that take part in contacts, in the frame of the boxes. Rests of two objects that have
-  /// gradients of their own differ by no less than displacements do.
+  /// other gradients differ by no less than displacements do.
   template <class F>
   void for_each_rest(const Step& step, const BoxFrame& frame, const F& f) const {
     for (const Part& part : parts_)
@@ -46,20 +45,29 @@ class SharedMotion {
       return way - fit.way - fit.gradient.at(place - fit.middle);
     }
   };
+  /// Objects that move alike, and how.
+  struct Motion {
+    std::vector<std::size_t> objects;
+    DisplacementMoments moments;
+  };
   /// Sums over the vertices: the squares of displacements, and those of rests as much as they count.
   struct Fit {
-    std::vector<Part> parts;
+    std::vector<GradientFit> fits;  ///< of each motion
     StretchBounds stretch;
     double displacement2 = 0, rest2 = 0;
   };
 
-  static Fit fit_parts(std::vector<Part> parts, const Step& step, const BoxFrame& frame, double fraction);
-  void take(Fit&& fit);
-  void keep_apart(const Step& step, const BoxFrame& frame);
+  static Fit fit_to(std::span<const Motion> motions, double fraction);
+  /// None if there are too many.
+  std::vector<Motion> motions_of_objects(std::span<const DisplacementMoments> objects, double most_rest2) const;
+  void take(std::span<const Motion> motions, const Fit& fit);
+  /// Do few pairs of vertices of two motions lie near?
+  bool lie_apart(std::span<const Motion> motions, const Fit& fit, const Step& step, const BoxFrame& frame) const;
+  void keep_apart(std::span<const Motion> motions, const Step& step, const BoxFrame& frame);
 
-  const Mesh& mesh_;
-  std::vector<std::vector<Index>> objects_;  ///< the vertices of each
-  std::vector<Part> parts_;
+  std::vector<std::vector<Index>> objects_;  ///< the vertices of each, large ones first
+  std::size_t vertex_count_ = 0;             ///< of all of them
+  std::vector<Part> parts_;                  ///< of each object
   Stretch stretch_;
 };
 

@@ -32,13 +32,19 @@ Vec3<double> normalized(const Vec3<double>& v) { return (1 / std::sqrt(dot(v, v)
 
 }  // namespace
 
-void SymmetricMatrix::add_square(const Vec3<double>& v) {
-  xx += v.x * v.x;
-  yy += v.y * v.y;
-  zz += v.z * v.z;
-  xy += v.x * v.y;
-  xz += v.x * v.z;
-  yz += v.y * v.z;
+void SymmetricMatrix::add_square(const Vec3<double>& v, double weight) {
+  const Vec3<double> w = weight * v;
+  *this += {w.x * v.x, w.y * v.y, w.z * v.z, w.x * v.y, w.x * v.z, w.y * v.z};
+}
+
+SymmetricMatrix& SymmetricMatrix::operator+=(const SymmetricMatrix& other) {
+  xx += other.xx;
+  yy += other.yy;
+  zz += other.zz;
+  xy += other.xy;
+  xz += other.xz;
+  yz += other.yz;
+  return *this;
 }
 
 std::array<Vec3<double>, 3> principal_axes(const SymmetricMatrix& m) {

@@ -76,7 +76,7 @@ class BlockTree {
   void build(const PackedMotion& motion, const TreeKernels& kernels);
   /// New boxes in the old order.
   void refit(const PackedMotion& motion, const TreeKernels& kernels);
-  /// Boxes of `motion`'s drifts.
+  /// Boxes of `motion`'s drifts, or of what stands in their place.
   void refit_drifts(const PackedMotion& motion, const TreeKernels& kernels);
 
   Index feature_count() const { return static_cast<Index>(vertices_.size() / static_cast<std::size_t>(corners_)); }

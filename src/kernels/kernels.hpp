@@ -119,7 +119,7 @@ struct Kernels {
   /// no vertex; ee: with the blocks from `block` on, each pair once.
   void (*search_vf)(Search& search, int block);
   void (*search_ee)(Search& search, int block);
-  /// The same for pairs that may end the step by the near rule. Trees have drifts, from t=0 on.
+  /// The same for pairs that may end the step by the near rule. Trees have rests.
   void (*search_near_vf)(Search& search, int block);
   void (*search_near_ee)(Search& search, int block);
   /// A lower bound, in the unit of the boxes, of the distance at t=0, less the room to advance

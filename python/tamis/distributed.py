@@ -14,9 +14,8 @@ from __future__ import annotations
 import operator
 import threading
 import weakref
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
-from dataclasses import dataclass
 from typing import Any, TypeVar
 
 import numpy as np
@@ -27,6 +26,7 @@ from tamis import _errors
 from tamis._answers import EarliestContact, SafeStep, safe_step
 from tamis._arrays import Doubles, indices, rows
 from tamis._contacts import Contacts
+from tamis._distributed_statistics import Balance, Statistics
 from tamis._errors import Busy, Error, InvalidMesh, InvalidOptions
 from tamis._options import Filter, Guarantee, Isa, make_options
 
@@ -50,45 +50,6 @@ def _require_one_mpi() -> None:
 
 
 _require_one_mpi()
-
-
-@dataclass(frozen=True)
-class Statistics:
-    """What the last question cost this rank.
-
-    Attributes
-    ----------
-    owned, borrowed : int
-        Elements (a triangle with its edges and corners, a loose edge, a loose point) that are this rank's to search,
-        and those that others sent because boxes meet.
-    pairs_tested : int
-        Pairs of features whose boxes meet, some of them in two searches.
-    boxes : int
-        Moving boxes of all ranks, which every rank has.
-    messages_sent, bytes_sent : int
-        Collective operations included.
-    decomposed_anew : bool
-        Work was shared out anew.
-    seconds : mapping of str to float
-        Wall-clock time of positions, decompose, borrow, interior, border, deliver, and the total; with waiting.
-    """
-
-    owned: int
-    borrowed: int
-    pairs_tested: int
-    boxes: int
-    messages_sent: int
-    bytes_sent: int
-    decomposed_anew: bool
-    seconds: Mapping[str, float]
-
-
-@dataclass(frozen=True)
-class Balance:
-    """Largest over mean, of all ranks: 1 where work is shared evenly."""
-
-    pairs: float
-    owned: float
 
 
 class Detector:

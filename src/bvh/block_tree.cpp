@@ -27,7 +27,7 @@ std::vector<BoxBlock> empty_blocks(std::size_t count) {
 }  // namespace
 
 void BlockTree::set_features(std::span<const Index> points) {
-  corners_ = boxed_corners_ = 1;
+  corners_ = 1;
   vertices_ = points;
 }
 
@@ -76,12 +76,12 @@ void BlockTree::choose_order(const PackedMotion& motion, Split split) {
   parallel_blocks(blocks_for(n), [&](std::size_t block) {
     for (std::size_t i = block * kBlock; i < std::min(n, (block + 1) * kBlock); ++i) {
       float sum[6] = {};
-      for (std::size_t c = 0; c < static_cast<std::size_t>(boxed_corners_); ++c) {
+      for (std::size_t c = 0; c < static_cast<std::size_t>(corners_); ++c) {
         const auto& at = motion.box_vertices[static_cast<std::size_t>(vertices_[i * corners + c])].at;
         for (int k = 0; k < 6; ++k) sum[k] += at[k];
       }
       for (int axis = 0; axis < 3; ++axis)
-        centers.at[axis][i] = (sum[axis] + sum[3 + axis]) / static_cast<float>(2 * boxed_corners_);
+        centers.at[axis][i] = (sum[axis] + sum[3 + axis]) / static_cast<float>(2 * corners_);
       centers.feature[i] = static_cast<Index>(i);
     }
   });
@@ -114,8 +114,7 @@ void BlockTree::fill(Levels& levels, const std::vector<BoxVertex>& vertices, con
                      BoundLeaf bound_leaf) const {
   parallel_blocks(corner_blocks_.size(), [&](std::size_t block) {
     MovingBox hull;
-    bound_leaf(vertices.data(), corner_blocks_[block], boxed_corners_, lanes_in_use(block), margins, levels[0][block],
-               hull);
+    bound_leaf(vertices.data(), corner_blocks_[block], corners_, lanes_in_use(block), margins, levels[0][block], hull);
     hull.store_to(levels[1][block / kBlock], static_cast<int>(block % kBlock));
   });
   for (std::size_t level = 2; level < levels.size(); ++level)

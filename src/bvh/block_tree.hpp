@@ -60,14 +60,8 @@ class BlockTree {
   void set_features(std::span<const Index> points);
   template <std::size_t corners>
   void set_features(std::span<const std::array<Index, corners>> features) {
-    corners_ = boxed_corners_ = static_cast<int>(corners);
+    corners_ = static_cast<int>(corners);
     vertices_ = features.empty() ? std::span<const Index>() : std::span(features[0].data(), corners * features.size());
-  }
-
-  /// Points that run along edges: (the point, the edge's ends). Boxes are around the points alone.
-  void set_runners(std::span<const std::array<Index, 3>> runners) {
-    set_features(runners);
-    boxed_corners_ = 1;
   }
   /// Of the features' first vertices, as PairFilter has them; both empty, or spans that outlive the tree.
   void set_groups(std::span<const Index> group_of_vertex, std::span<const std::uint8_t> may_touch, Index group_count);
@@ -95,7 +89,7 @@ class BlockTree {
   void fill(Levels& levels, const std::vector<BoxVertex>& vertices, const BoxMargins& margins,
             BoundLeaf bound_leaf) const;
 
-  int corners_ = 1, boxed_corners_ = 1;
+  int corners_ = 1;
   std::span<const Index> vertices_;
   std::vector<CornerBlock> corner_blocks_;
   Levels levels_, drifts_;

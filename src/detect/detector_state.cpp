@@ -96,10 +96,7 @@ void Detector::State::find_near(const Positions& positions, double distance) {
 
 void Detector::State::find_intersections(const Positions& positions, Intersections wanted) {
   validate(positions, mesh, "the pose");
-  measure([&] {
-    if (!intersection_search_) intersection_search_ = std::make_unique<IntersectionSearch>(mesh, options);
-    intersection_search_->find(positions, wanted, intersections, statistics);
-  });
+  measure([&] { at_rest().find_intersections(positions, wanted, intersections, statistics); });
 }
 
 RestEngine& Detector::State::at_rest() {
@@ -124,8 +121,7 @@ void Detector::State::measure(const Work& work) {
 std::uint64_t Detector::State::memory_bytes() const {
   const auto of = [](const auto& part) { return part ? part->memory_bytes() : 0; };
   return engine_->memory_bytes() + sorter_.memory_bytes() + found.memory_bytes() + of(step_length_) + of(path_search_) +
-         of(rest_engine_) + of(intersection_search_) + near.capacity() * sizeof(NearPair) +
-         intersections.capacity() * sizeof(Intersection);
+         of(rest_engine_) + near.capacity() * sizeof(NearPair) + intersections.capacity() * sizeof(Intersection);
 }
 
 }  // namespace tamis

@@ -8,7 +8,6 @@
 #include "detect/contact_order.hpp"
 #include "engines/engine.hpp"
 #include "engines/rest_engine.hpp"
-#include "engines/tamis/intersection_search.hpp"
 #include "engines/tamis/step_length.hpp"
 #include "paths/path_search.hpp"
 #include "tamis/detector.hpp"
@@ -52,7 +51,6 @@ struct Detector::State {
   std::unique_ptr<StepLengthSearch> step_length_;  ///< made by the first question that needs it, as what follows
   std::unique_ptr<Engine> rest_engine_;            ///< where `engine_` does not answer at rest
   std::unique_ptr<PathSearch> path_search_;
-  std::unique_ptr<IntersectionSearch> intersection_search_;
   ContactSorter sorter_;
 };
 

@@ -76,4 +76,11 @@ inline PairPoints points_of(const Step& step, const PairVertices& vertices) {
   return points;
 }
 
+/// Of a vertex that runs along the edge within the step, and the face at rest: where the two meet, edge and face do.
+inline PairPoints points_along(const Positions& at, const Edge& edge, const Face& face) {
+  PairPoints points = points_of({at, at}, {edge[0], face[0], face[1], face[2]});
+  std::copy_n(at[edge[1]], 3, points.end[0].begin());
+  return points;
+}
+
 }  // namespace tamis

@@ -1,5 +1,7 @@
 // Questions about a mesh at rest.
 #pragma once
+#include <cstdint>
+#include <tuple>
 #include <vector>
 
 #include "motion/separations.hpp"
@@ -9,6 +11,12 @@
 
 namespace tamis {
 
+enum class Intersections : std::uint8_t { all, any };
+
+inline bool comes_first(const Intersection& a, const Intersection& b) {
+  return std::tie(a.edge, a.face) < std::tie(b.edge, b.face);
+}
+
 class RestEngine {
  public:
   virtual ~RestEngine() = default;
@@ -17,6 +25,10 @@ class RestEngine {
   /// to `statistics`. REQUIRES: validated positions. Runs in the caller's oneTBB arena.
   virtual void find_near(const Positions& positions, const Separations& separations, std::vector<NearPair>& pairs,
                          Statistics& statistics) = 0;
+
+  /// By edge, then the face's vertices; `any`: at most one. Decided exactly, otherwise as find_near.
+  virtual void find_intersections(const Positions& positions, Intersections wanted, std::vector<Intersection>& found,
+                                  Statistics& statistics) = 0;
 };
 
 }  // namespace tamis

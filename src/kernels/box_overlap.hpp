@@ -26,16 +26,43 @@ struct alignas(64) BoundBlock {
 /// (docs/numerics.md, "Boxes").
 inline constexpr float kLaterMargin = 0x1p-18f;
 
+/// Of boxes along three axes, x y z: 0 or less if two meet. `a(k)`, `b(k)`: bound k of the boxes in lanes.
+template <class A, class B>
+[[gnu::always_inline]] inline FloatLanes largest_gap(const A& a, const B& b) {
+  FloatLanes gap = max(b(0) - a(3), a(0) - b(3));  // cheaper than six masks
+  for (int axis = 1; axis < 3; ++axis) gap = max(gap, max(b(axis) - a(3 + axis), a(axis) - b(3 + axis)));
+  return gap;
+}
+
+/// Boxes at t=0.
+class StillBoxes {
+ public:
+  using Bounds = BoundBlock<6>;  ///< x y z
+
+  StillBoxes(const Search&, int) {}
+
+  void bound(const TreeView& tree, int level, int node, Bounds& bounds) const {
+    const BoxBlock& block = tree.levels[level][node];
+    __builtin_memcpy(bounds.at, block.low0, sizeof(block.low0));
+    __builtin_memcpy(bounds.at[3], block.high0, sizeof(block.high0));
+  }
+
+  template <class A, class B>
+  [[gnu::always_inline]] auto meet(const A& a, const B& b) const {
+    return largest_gap(a, b) <= FloatLanes(0.0f);
+  }
+
+  float t_limit() const { return 1; }
+};
+
 /// What boxes sweep over until t_limit, for an observer who moves as the block does from which the search starts: a
-/// motion common to all makes no box larger. Two features can meet only where their boxes do. Faces that runners are
-/// asked about rest, and so does the observer.
+/// motion common to all makes no box larger. Two features can meet only where their boxes do.
 class SweptBoxes {
  public:
   using Bounds = BoundBlock<6>;  ///< x y z
 
   /// From leaf block `block` of search.a.
   SweptBoxes(const Search& search, int block) : t_limit_(search.t_limit) {
-    if (search.are_runners) return;
     const BoxBlock& hulls = search.a.levels[1][block / kBlock];
     const int lane = block % kBlock;
     for (int axis = 0; axis < 3; ++axis)
@@ -58,13 +85,9 @@ class SweptBoxes {
       }
   }
 
-  /// `a(k)`, `b(k)`: bound k of the boxes in lanes.
   template <class A, class B>
   [[gnu::always_inline]] auto meet(const A& a, const B& b) const {
-    // The largest gap: cheaper than six masks.
-    FloatLanes gap = max(b(0) - a(3), a(0) - b(3));
-    for (int axis = 1; axis < 3; ++axis) gap = max(gap, max(b(axis) - a(3 + axis), a(axis) - b(3 + axis)));
-    return gap <= FloatLanes(0.0f);
+    return largest_gap(a, b) <= FloatLanes(0.0f);
   }
 
   float t_limit() const { return t_limit_; }
@@ -76,18 +99,12 @@ class SweptBoxes {
 
 /// Boxes at rest: two features are near only where their boxes, without what these are widened by, are no farther apart
 /// than that: by the root of the sum of the squares of the gaps on three axes.
-class RestBoxes {
+class RestBoxes : public StillBoxes {
  public:
-  using Bounds = BoundBlock<6>;  ///< x y z
-
-  RestBoxes(const Search& search, int)
-      : widened_(search.widened), widened2_(search.widened * search.widened * (1 + 0x1p-20f)) {}
-
-  void bound(const TreeView& tree, int level, int node, Bounds& bounds) const {
-    const BoxBlock& block = tree.levels[level][node];
-    __builtin_memcpy(bounds.at, block.low0, sizeof(block.low0));
-    __builtin_memcpy(bounds.at[3], block.high0, sizeof(block.high0));
-  }
+  RestBoxes(const Search& search, int block)
+      : StillBoxes(search, block),
+        widened_(search.widened),
+        widened2_(search.widened * search.widened * (1 + 0x1p-20f)) {}
 
   /// `a(k)`, `b(k)`: bound k of the boxes in lanes.
   template <class A, class B>

@@ -14,13 +14,15 @@
 namespace tamis {
 
 /// Pairs of features on their way through the stages: corners in Contact's order, and the part of the step in which
-/// they may touch. Kernels may read (not use) and overwrite, with valid vertices, up to kPadding entries past `count`.
+/// they may touch. An edge and a face in one pose are a vertex and a face: the vertex starts at corner 0, runs along
+/// the edge within the step, and ends at corner 4, which other pairs do not have. Kernels may read (not use) and
+/// overwrite, with valid vertices, up to kPadding entries past `count`.
 struct PairBuffer {
   static constexpr int kPadding = 16;
   static constexpr int kCapacity = 2048;
   static constexpr int kSize = kCapacity + kPadding;
   int count = 0;
-  std::int32_t corner[4][kSize] = {};
+  std::int32_t corner[5][kSize] = {};
   float t_in[kSize] = {};
   float t_out[kSize] = {};
 };
@@ -67,13 +69,10 @@ struct Search {
   /// Nothing that starts after this time is of interest; a float, so that the stages in floats do not round it.
   float t_limit = 1;
   NearRule near{};  ///< for search_near, which looks at nothing else
-  /// Until t_limit things move so little that what boxes sweep over serves as well as boxes that move; or those of b
-  /// rest, against which the two are the same.
+  /// Until t_limit things move so little that what boxes sweep over serves as well as boxes that move.
   bool is_short = false;
   /// If positive, boxes are looked at as they are at t=0, wider together by this much than what is near.
   float widened = 0;
-  /// Points of a run along edges, as BlockTree::set_runners has them: faces that hold an end of theirs are left out.
-  bool are_runners = false;
   PairBuffer* pairs = nullptr;
   /// Called when `pairs` cannot take sixteen pairs more; must empty it.
   void (*flush)(Search&) = nullptr;
@@ -119,7 +118,9 @@ struct Kernels {
   /// no vertex; ee: with the blocks from `block` on, each pair once.
   void (*search_vf)(Search& search, int block);
   void (*search_ee)(Search& search, int block);
-  /// The same for pairs that may end the step by the near rule. Trees have rests.
+  /// Edges of a that meet faces of b at t=0 and share no vertex with them.
+  void (*search_ef)(Search& search, int block);
+  /// vf and ee for pairs that may end the step by the near rule. Trees have rests.
   void (*search_near_vf)(Search& search, int block);
   void (*search_near_ee)(Search& search, int block);
   /// A lower bound, in the unit of the boxes, of the distance at t=0, less the room to advance
@@ -140,12 +141,15 @@ struct Kernels {
   /// Slab clip: pairs that stay farther apart than `separation` are culled. Survivors, with their times, go to `out`.
   void (*slab_vf)(const BoxVertex* vertices, const BoxSeparation& separation, const PairBuffer& in, PairBuffer& out);
   void (*slab_ee)(const BoxVertex* vertices, const BoxSeparation& separation, const PairBuffer& in, PairBuffer& out);
+  void (*slab_ef)(const BoxVertex* vertices, const BoxSeparation& separation, const PairBuffer& in, PairBuffer& out);
   /// DNF, then NCF, on what is left of the step. Returns how many pairs NCF had to look at.
   int (*filter_vf)(const PackedVertex* vertices, const PairBuffer& in, PairBuffer& out);
   int (*filter_ee)(const PackedVertex* vertices, const PairBuffer& in, PairBuffer& out);
+  int (*filter_ef)(const PackedVertex* vertices, const PairBuffer& in, PairBuffer& out);
   /// Roots and inside test. Writes the pairs that touch or are undecided, returns their number; `rest` is scratch.
   int (*solve_vf)(const PackedVertex* vertices, const PairBuffer& in, PairBuffer& rest, SolvedPair* out);
   int (*solve_ee)(const PackedVertex* vertices, const PairBuffer& in, PairBuffer& rest, SolvedPair* out);
+  int (*solve_ef)(const PackedVertex* vertices, const PairBuffer& in, PairBuffer& rest, SolvedPair* out);
   /// At rest, [kind]: appends the pairs within their separation to `near`, and to `unsure` those that may be and whose
   /// distance doubles do not know well enough.
   void (*find_near[kPairKinds])(const PackedVertex* vertices, const PairSeparation& separation, const PairBuffer& in,

@@ -29,6 +29,10 @@ void search(Search& state, int block) {
     BlockSearch<kind, BoxesAtEnds>(state, block).run();
 }
 
+void search_along_edges(Search& state, int block) {
+  BlockSearch<PairKind::vertex_face, StillBoxes, Course::along_edge>(state, block).run();
+}
+
 template <PairKind kind>
 void search_near(Search& state, int block) {
   BlockSearch<kind, NearBoxes>(state, block).run();
@@ -39,21 +43,24 @@ TimeInterval<DoubleLanes> load_time(const PairBuffer& pairs, int first) {
 }
 
 void copy_pair(const PairBuffer& in, int from, PairBuffer& out) {
-  for (int c = 0; c < 4; ++c) out.corner[c][out.count] = in.corner[c][from];
+  for (int c = 0; c < 5; ++c) out.corner[c][out.count] = in.corner[c][from];
   out.t_in[out.count] = in.t_in[from];
   out.t_out[out.count] = in.t_out[from];
   ++out.count;
 }
 
+/// Corners of a pair on its way.
+constexpr int corners_of(Course course) { return course == Course::along_edge ? 5 : 4; }
+
 /// In floats: the times need not be sharp here, and twice as many pairs fit.
-template <PairKind kind>
+template <PairKind kind, Course course = Course::step>
 void slab(const BoxVertex* vertices, const BoxSeparation& separation, const PairBuffer& in, PairBuffer& out) {
   for (int first = 0; first < in.count; first += kFloatLanes) {
-    const auto time = SlabClip::clip<kind>(load_box_motion<kind>(vertices, in, first, separation),
+    const auto time = SlabClip::clip<kind>(load_box_motion<kind, course>(vertices, in, first, separation),
                                            TimeInterval<FloatLanes>{FloatLanes::load_unaligned(in.t_in + first),
                                                                     FloatLanes::load_unaligned(in.t_out + first)});
     const unsigned left = bits(time.t_in <= time.t_out) & lanes_in_use(in, first, kFloatLanes);
-    for (int c = 0; c < 4; ++c)
+    for (int c = 0; c < corners_of(course); ++c)
       store_compressed(left, IntLanes::load_unaligned(in.corner[c] + first), out.corner[c] + out.count);
     store_compressed(left, time.t_in, out.t_in + out.count);
     store_compressed(left, time.t_out, out.t_out + out.count);
@@ -108,12 +115,12 @@ void near(const NearVertices& vertices, const NearRule& rule, PairBuffer& in, Pa
   }
 }
 
-template <PairKind kind>
+template <PairKind kind, Course course = Course::step>
 int filter(const PackedVertex* vertices, const PairBuffer& in, PairBuffer& out) {
   int ncf_count = 0;
   for (int first = 0; first < in.count; first += kDoubleLanes) {
     const auto time = load_time(in, first);
-    const auto m = restrict_to(load_motion<kind>(vertices, in, first), time.t_in, time.t_out);
+    const auto m = restrict_to(load_motion<kind, course>(vertices, in, first), time.t_in, time.t_out);
     unsigned left = lanes_in_use(in, first) & ~bits(Dnf::proves_free<kind>(m));
     if (!left) continue;
     ncf_count += __builtin_popcount(left);
@@ -140,13 +147,13 @@ int write_solved(const Crossing<DoubleLanes>& c, unsigned left, unsigned touches
 }
 
 /// First with one crossing; what that leaves open goes to `rest` and is cut in two.
-template <PairKind kind>
+template <PairKind kind, Course course = Course::step>
 int solve(const PackedVertex* vertices, const PairBuffer& in, PairBuffer& rest, SolvedPair* out) {
   std::int32_t pairs[kDoubleLanes], rest_pairs[PairBuffer::kSize] = {};
   int count = 0;
   rest.count = 0;
   for (int first = 0; first < in.count; first += kDoubleLanes) {
-    const auto c = find_crossing<kind>(load_motion<kind>(vertices, in, first), load_time(in, first));
+    const auto c = find_crossing<kind>(load_motion<kind, course>(vertices, in, first), load_time(in, first));
     const unsigned left = lanes_in_use(in, first) & ~bits(c.is_free), touches = left & bits(c.touches);
     for (int i = 0; i < kDoubleLanes; ++i) pairs[i] = first + i;
     if (touches) count = write_solved(c, touches, touches, pairs, out, count);
@@ -156,7 +163,8 @@ int solve(const PackedVertex* vertices, const PairBuffer& in, PairBuffer& rest, 
     });
   }
   for (int first = 0; first < rest.count; first += kDoubleLanes) {
-    const auto c = find_crossing_in_halves<kind>(load_motion<kind>(vertices, rest, first), load_time(rest, first));
+    const auto c =
+        find_crossing_in_halves<kind>(load_motion<kind, course>(vertices, rest, first), load_time(rest, first));
     const unsigned left = lanes_in_use(rest, first) & ~bits(c.is_free);
     if (left) count = write_solved(c, left, bits(c.touches), rest_pairs + first, out, count);
   }
@@ -168,10 +176,12 @@ int solve(const PackedVertex* vertices, const PairBuffer& in, PairBuffer& rest, 
 extern const Kernels kKernels;
 constexpr auto kVf = PairKind::vertex_face, kEe = PairKind::edge_edge, kVe = PairKind::vertex_edge,
                kVv = PairKind::vertex_vertex;
+constexpr auto kAlong = Course::along_edge;
 const Kernels kKernels{Isa::TAMIS_ISA,
                        {split, bound_leaf},
                        search<kVf>,
                        search<kEe>,
+                       search_along_edges,
                        search_near<kVf>,
                        search_near<kEe>,
                        gap_vf,
@@ -182,10 +192,13 @@ const Kernels kKernels{Isa::TAMIS_ISA,
                        near<kEe>,
                        slab<kVf>,
                        slab<kEe>,
+                       slab<kVf, kAlong>,
                        filter<kVf>,
                        filter<kEe>,
+                       filter<kVf, kAlong>,
                        solve<kVf>,
                        solve<kEe>,
+                       solve<kVf, kAlong>,
                        {find_near<kVf>, find_near<kEe>, find_near<kVe>, find_near<kVv>},
                        {measure<kVf>, measure<kEe>, measure<kVe>, measure<kVv>},
                        slab<kVe>,

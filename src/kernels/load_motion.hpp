@@ -7,6 +7,10 @@
 
 namespace tamis::TAMIS_ISA {
 
+/// How the first vertex of a pair goes: as all do in the step, or along an edge, where all else rests at t=0
+/// (PairBuffer).
+enum class Course { step, along_edge };
+
 /// Differences to - from of as many pairs as there are lanes: read as rows, turned into columns.
 inline Moving<DoubleLanes> load_difference(const PackedVertex* vertices, const std::int32_t* to,
                                            const std::int32_t* from) {
@@ -20,6 +24,35 @@ inline Moving<DoubleLanes> load_difference(const PackedVertex* vertices, const s
     for (int i = 0; i < kDoubleLanes; ++i) columns[chunk + i] = rows[i];
   }
   return {{columns[0], columns[1], columns[2]}, {columns[4], columns[5], columns[6]}};
+}
+
+/// Differences to - from at t=0 of as many pairs as there are lanes: half a row each, turned into columns.
+inline Vec3<DoubleLanes> load_start_difference(const PackedVertex* vertices, const std::int32_t* to,
+                                               const std::int32_t* from) {
+#if XSIMD_WITH_AVX512F
+  const auto row = [&](int i) {
+    return _mm256_sub_pd(_mm256_load_pd(vertices[to[i]].at), _mm256_load_pd(vertices[from[i]].at));
+  };
+  const auto rows = [&](int low, int high) {
+    return _mm512_insertf64x4(_mm512_castpd256_pd512(row(low)), row(high), 1);
+  };
+  const __m512d r0 = rows(0, 2), r1 = rows(1, 3), r2 = rows(4, 6), r3 = rows(5, 7);
+  const __m512d xz0 = _mm512_unpacklo_pd(r0, r1), xz1 = _mm512_unpacklo_pd(r2, r3);
+  const __m512d y0 = _mm512_unpackhi_pd(r0, r1), y1 = _mm512_unpackhi_pd(r2, r3);
+  return {_mm512_shuffle_f64x2(xz0, xz1, 0x88), _mm512_shuffle_f64x2(y0, y1, 0x88),
+          _mm512_shuffle_f64x2(xz0, xz1, 0xdd)};
+#else
+  DoubleLanes columns[4];
+  for (int chunk = 0; chunk < 4; chunk += kDoubleLanes) {
+    DoubleLanes rows[kDoubleLanes];
+    for (int i = 0; i < kDoubleLanes; ++i)
+      rows[i] = DoubleLanes::load_aligned(vertices[to[i]].at + chunk) -
+                DoubleLanes::load_aligned(vertices[from[i]].at + chunk);
+    transpose(rows);
+    for (int i = 0; i < kDoubleLanes; ++i) columns[chunk + i] = rows[i];
+  }
+  return {columns[0], columns[1], columns[2]};
+#endif
 }
 
 inline DoubleLanes largest(const Moving<DoubleLanes>& v) {
@@ -53,11 +86,14 @@ inline DoubleLanes load_separation(const PackedVertex* vertices, const PairBuffe
 
 /// The pairs first, first + 1, ... of the buffer; lanes past its end hold whatever the padding names. `separation` is
 /// in the unit of the vertices.
-template <PairKind kind>
+template <PairKind kind, Course course = Course::step>
 inline PairMotion<DoubleLanes> load_motion(const PackedVertex* vertices, const PairBuffer& pairs, int first,
                                            const PairSeparation& separation = {}) {
-  const auto moving = [&](VertexDifference v) {
-    return load_difference(vertices, pairs.corner[v.to] + first, pairs.corner[v.from] + first);
+  const auto moving = [&](VertexDifference v) -> Moving<DoubleLanes> {
+    const std::int32_t *to = pairs.corner[v.to] + first, *from = pairs.corner[v.from] + first;
+    if constexpr (course == Course::step) return load_difference(vertices, to, from);
+    const auto at0 = load_start_difference(vertices, to, from);
+    return {at0, v.to == 0 ? load_start_difference(vertices, pairs.corner[4] + first, from) : at0};
   };
   constexpr SpanningVectors kVectors = spanning_vectors(kind);
   const auto e = moving(kVectors.e), f = moving(kVectors.f), d = moving(kVectors.d);
@@ -101,7 +137,7 @@ inline FloatLanes largest(const Moving<FloatLanes>& v) {
 
 /// As many pairs as there are lanes of floats, from the floats that boxes are made of; what rounding the vertices to
 /// these may hide is in the separation.
-template <PairKind kind>
+template <PairKind kind, Course course = Course::step>
 inline PairMotion<FloatLanes> load_box_motion(const BoxVertex* vertices, const PairBuffer& pairs, int first,
                                               const BoxSeparation& separation) {
   Moving<FloatLanes> at[vertex_count(kind)];
@@ -111,6 +147,11 @@ inline PairMotion<FloatLanes> load_box_motion(const BoxVertex* vertices, const P
     load_columns(&vertices->at, pairs.corner[corner] + first, columns);
     at[corner] = {{columns[0], columns[1], columns[2]}, {columns[3], columns[4], columns[5]}};
     radius[corner] = columns[BoxVertex::kRadius];
+  }
+  if constexpr (course == Course::along_edge) {
+    FloatLanes columns[BoxVertex::kRadius + 1];
+    load_columns(&vertices->at, pairs.corner[4] + first, columns);
+    at[0].at1 = {columns[0], columns[1], columns[2]};
   }
   const auto moving = [&](VertexDifference v) { return at[v.to] - at[v.from]; };
   constexpr SpanningVectors kVectors = spanning_vectors(kind);

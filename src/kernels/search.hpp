@@ -23,9 +23,9 @@ inline void append_bits(unsigned mask, int first, std::int32_t* list, int& count
   });
 }
 
-/// `Boxes`: SweptBoxes, RestBoxes, BoxesAtEnds or NearBoxes. A row: one feature of the block searched from and the
-/// sixteen of another block.
-template <PairKind kind, class Boxes>
+/// `Boxes`: SweptBoxes, StillBoxes, RestBoxes, BoxesAtEnds or NearBoxes. A row: one feature of the block searched from
+/// and the sixteen of another block.
+template <PairKind kind, class Boxes, Course course = Course::step>
 class BlockSearch {
  public:
   BlockSearch(Search& search, int block)
@@ -48,7 +48,7 @@ class BlockSearch {
  private:
   using Bounds = typename Boxes::Bounds;
   static constexpr bool kIsSelf = kind == PairKind::edge_edge;
-  static constexpr int kCornersA = kIsSelf ? 2 : 1, kCornersB = kIsSelf ? 2 : 3;
+  static constexpr int kCornersA = kIsSelf || course == Course::along_edge ? 2 : 1, kCornersB = kIsSelf ? 2 : 3;
   static constexpr int kMostLeaves = 32, kAhead = 4;
 
   void visit(int level, int node) {
@@ -151,12 +151,11 @@ class BlockSearch {
     return kIsSelf && leaf == block_ ? mask & (~1u << lane) : mask;
   }
 
-  /// Bits of the lanes of `theirs` that share a vertex with one of mine, or with its edge; of empty lanes, anything.
+  /// Bits of the lanes of `theirs` that share a vertex with one of mine; of empty lanes, anything.
   unsigned adjacent(int lane, const CornerBlock& theirs, int first) const {
     using Unsigned = xsimd::batch<std::uint32_t, Arch>;
     Unsigned differ(~0u);  // 0 where two vertices are one: cheaper than as many masks
-    const int corners = kIsSelf || !search_.are_runners ? kCornersA : 3;
-    for (int c = 0; c < corners; ++c)
+    for (int c = 0; c < kCornersA; ++c)
       for (int o = 0; o < kCornersB; ++o)
         differ = xsimd::min(differ, xsimd::bitwise_cast<Unsigned>(IntLanes(corners_.vertex[c][lane]) ^
                                                                   IntLanes::load_aligned(theirs.vertex[o] + first)));
@@ -186,6 +185,7 @@ class BlockSearch {
       } else {
         put(0, my(0));
         for (int c = 0; c < kCornersB; ++c) put(1 + c, their(c));
+        if constexpr (course == Course::along_edge) put(4, my(1));
       }
       FloatLanes(0.0f).store_unaligned(pairs.t_in + pairs.count);
       FloatLanes(boxes_.t_limit()).store_unaligned(pairs.t_out + pairs.count);

@@ -1,6 +1,8 @@
 // Every pair of features, no hierarchy and no filter but the decision itself: slow and plain, for tests.
 #include "engines/engine.hpp"
 
+#include <algorithm>
+
 #include "engines/cancellation.hpp"
 #include "engines/near_order.hpp"
 #include "engines/pair_rules.hpp"
@@ -47,11 +49,35 @@ class BruteEngine final : public Engine, public RestEngine {
         pairs.push_back(near_pair(static_cast<PairKind>(kind), v, points_of(step, v)));
     }
   }
+
+  void find_intersections(const Positions& positions, Intersections wanted, std::vector<Intersection>& found,
+                          Statistics& statistics) override {
+    StageCount count{"solve"};
+    const PairOptions rule{Guarantee::exact};
+    found.clear();
+    for (const Edge& edge : mesh_.edges())
+      for (const Face& face : mesh_.faces()) {
+        stop_if_cancelled(options_);
+        if (wanted == Intersections::any && !found.empty()) break;
+        if (!is_pair(edge, face)) continue;
+        ++count.vf;
+        const auto r = decide(PairKind::vertex_face, points_along(positions, edge, face), rule, statistics.decided_by);
+        if (r.touches) found.push_back({edge, face, r.toi_lower, r.toi_upper, r.u, r.v});
+      }
+    statistics.stages.push_back(count);
+    std::sort(found.begin(), found.end(), comes_first);
+  }
   RestEngine* at_rest() override { return this; }
 
   std::uint64_t memory_bytes() const override { return 0; }
 
  private:
+  bool is_pair(const Edge& edge, const Face& face) const {
+    const auto shares = [&](Index v) { return v == edge[0] || v == edge[1]; };
+    if (std::any_of(face.begin(), face.end(), shares)) return false;
+    return !has_groups(options_.filter) || may_touch(options_.filter, edge[0], face[0]);
+  }
+
   const Mesh& mesh_;
   const Options& options_;
 };

@@ -13,6 +13,7 @@
 #include "engines/stopwatch.hpp"
 #include "engines/tamis/feature_trees.hpp"
 #include "engines/tamis/gap_memory.hpp"
+#include "engines/tamis/intersection_search.hpp"
 #include "engines/tamis/near_search.hpp"
 #include "engines/tamis/samples.hpp"
 #include "engines/tamis/stage_pipeline.hpp"
@@ -37,7 +38,8 @@ class TamisEngine final : public Engine, public RestEngine {
         trees_(mesh, kernels_, options.filter),
         memory_(mesh, kernels_, trees_),
         pipelines_([this, &options] { return StagePipeline(kernels_, trees_.motion(), options); }),
-        near_(mesh, options, kernels_, trees_) {}
+        near_(mesh, options, kernels_, trees_),
+        intersections_(mesh, options, kernels_, trees_) {}
 
   void find(FoundContacts& found, Statistics& statistics) override {
     trees_.update(found.step(), found.separations(), statistics);
@@ -57,10 +59,15 @@ class TamisEngine final : public Engine, public RestEngine {
                  Statistics& statistics) override {
     near_.find(positions, separations, pairs, statistics);
   }
+  void find_intersections(const Positions& positions, Intersections wanted, std::vector<Intersection>& found,
+                          Statistics& statistics) override {
+    intersections_.find(positions, wanted, found, statistics);
+  }
   RestEngine* at_rest() override { return this; }
 
   std::uint64_t memory_bytes() const override {
-    std::uint64_t bytes = trees_.memory_bytes() + memory_.memory_bytes() + near_.memory_bytes();
+    std::uint64_t bytes =
+        trees_.memory_bytes() + memory_.memory_bytes() + near_.memory_bytes() + intersections_.memory_bytes();
     for (const StagePipeline& pipeline : pipelines_) bytes += pipeline.memory_bytes();
     return bytes;
   }
@@ -179,6 +186,7 @@ class TamisEngine final : public Engine, public RestEngine {
   double moved_ = 0, size_ = 0;  ///< sums of some edges' displacements and lengths
   tbb::enumerable_thread_specific<StagePipeline> pipelines_;
   NearSearch near_;
+  IntersectionSearch intersections_;
 };
 
 }  // namespace

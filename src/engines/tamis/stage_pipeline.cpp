@@ -8,6 +8,23 @@
 #include "solve/sharp_bracket.hpp"
 
 namespace tamis {
+namespace {
+
+struct StageKernels {
+  decltype(Kernels::search_vf) search;
+  decltype(Kernels::slab_vf) slab;
+  decltype(Kernels::filter_vf) filter;
+  decltype(Kernels::solve_vf) solve;
+};
+
+StageKernels kernels_of(const Kernels& k, PairKind kind, bool are_edges_and_faces) {
+  if (are_edges_and_faces) return {k.search_ef, k.slab_ef, k.filter_ef, k.solve_ef};
+  const bool is_vf = kind == PairKind::vertex_face;
+  return {kernel_for_search(k, kind), kernel_for_slab(k, kind), is_vf ? k.filter_vf : k.filter_ee,
+          is_vf ? k.solve_vf : k.solve_ee};
+}
+
+}  // namespace
 
 PipelineCounts& PipelineCounts::operator+=(const PipelineCounts& other) {
   add(boxes, other.boxes);
@@ -41,11 +58,11 @@ struct StagePipeline::Buffers {
 };
 
 StagePipeline::StagePipeline(const Kernels& kernels, const PackedMotion& motion, const Options& options,
-                             bool are_runners)
+                             const Mesh* edges_of)
     : kernels_(kernels),
       motion_(motion),
       options_(options),
-      are_runners_(are_runners),
+      edges_of_(edges_of),
       buffers_(std::make_unique<Buffers>()),
       found_(options) {}
 
@@ -81,11 +98,10 @@ void StagePipeline::search(PairKind kind, Search& search, const BlockRange& bloc
   if (kind != buffers_->kind) decide_buffered(buffers_->kind);
   buffers_->kind = kind;
   search.pairs = &buffers_->boxes;
-  search.are_runners = are_runners_;
   search.flush = flush;
   search.context = this;
   for (int block = blocks.first; block < blocks.last && found_.wants(kind); block += blocks.stride)
-    kernel_for_search(kernels_, kind)(search, block);
+    kernels_of(kernels_, kind, edges_of_ != nullptr).search(search, block);
   counts_.nodes_visited += search.nodes_visited;
   counts_.traverse += watch_.lap();
 }
@@ -106,16 +122,15 @@ void StagePipeline::decide_buffered(PairKind kind) {
   auto& [boxes, slab, filtered, solved, current] = *buffers_;
   keep_each_once(kind, boxes);
   leave_out_unwanted(kind);
-  const bool is_vf = kind == PairKind::vertex_face;
+  const StageKernels kernels = kernels_of(kernels_, kind, edges_of_ != nullptr);
   const PackedVertex* vertices = motion_.vertices.data();
   of(counts_.boxes, kind) += static_cast<std::uint64_t>(boxes.count);
   of(counts_.slab, kind) += static_cast<std::uint64_t>(boxes.count);
   slab.count = filtered.count = 0;
-  kernel_for_slab(kernels_, kind)(motion_.box_vertices.data(), motion_.box_separation(), boxes, slab);
+  kernels.slab(motion_.box_vertices.data(), motion_.box_separation(), boxes, slab);
   if (motion_.separations.any() || !can_cross(kind)) return decide_within_separation(kind);
   of(counts_.dnf, kind) += static_cast<std::uint64_t>(slab.count);
-  of(counts_.ncf, kind) +=
-      static_cast<std::uint64_t>((is_vf ? kernels_.filter_vf : kernels_.filter_ee)(vertices, slab, filtered));
+  of(counts_.ncf, kind) += static_cast<std::uint64_t>(kernels.filter(vertices, slab, filtered));
   of(counts_.solve, kind) += static_cast<std::uint64_t>(filtered.count);
   boxes.count = 0;
   counts_.filter += watch_.lap();
@@ -149,8 +164,8 @@ void StagePipeline::leave_out_unwanted(PairKind kind) {
 
 void StagePipeline::solve(PairKind kind) {
   const PairBuffer& pairs = buffers_->filtered;
-  const int count = (kind == PairKind::vertex_face ? kernels_.solve_vf : kernels_.solve_ee)(
-      motion_.vertices.data(), pairs, buffers_->slab, buffers_->solved);
+  const int count = kernels_of(kernels_, kind, edges_of_ != nullptr)
+                        .solve(motion_.vertices.data(), pairs, buffers_->slab, buffers_->solved);
   int undecided = 0;
   for (int i = 0; i < count; ++i) {
     const SolvedPair& s = buffers_->solved[i];
@@ -162,7 +177,7 @@ void StagePipeline::solve(PairKind kind) {
     }
     found_.add({kind,
                 Certainty::certified,
-                vertices_of(kind, pairs, s.pair),
+                vertices_at(kind, pairs, s.pair),
                 s.toi_lower,
                 s.toi_upper,
                 s.u,
@@ -176,8 +191,21 @@ void StagePipeline::solve_singly(PairKind kind, const PairBuffer& pairs, int pai
   stop_if_cancelled(options_);
   const PairVertices vertices = vertices_of(kind, pairs, pair);
   if (!found_.wants(kind, vertices)) return;
-  const auto r = decide(kind, points_of(found_.step(), vertices), found_.rule_for(kind, vertices), counts_.decided_by);
-  if (r.touches) found_.add({kind, r.certainty, vertices, r.toi_lower, r.toi_upper, r.u, r.v, r.normal});
+  const auto r = decide(kind, points_at(kind, pairs, pair), found_.rule_for(kind, vertices), counts_.decided_by);
+  if (!r.touches) return;
+  found_.add({kind, r.certainty, vertices_at(kind, pairs, pair), r.toi_lower, r.toi_upper, r.u, r.v, r.normal});
+}
+
+PairVertices StagePipeline::vertices_at(PairKind kind, const PairBuffer& pairs, int pair) const {
+  PairVertices vertices = vertices_of(kind, pairs, pair);
+  if (edges_of_) vertices[0] = edges_of_->vertex_count() + edges_of_->find_edge(vertices[0], pairs.corner[4][pair]);
+  return vertices;
+}
+
+PairPoints StagePipeline::points_at(PairKind kind, const PairBuffer& pairs, int pair) const {
+  const PairVertices v = vertices_of(kind, pairs, pair);
+  if (!edges_of_) return points_of(found_.step(), v);
+  return points_along(found_.step().start, {v[0], pairs.corner[4][pair]}, {v[1], v[2], v[3]});
 }
 
 }  // namespace tamis

@@ -29,8 +29,11 @@ struct BlockRange {
 
 class StagePipeline {
  public:
-  /// Keeps references. `are_runners`: as Search has it.
-  StagePipeline(const Kernels& kernels, const PackedMotion& motion, const Options& options, bool are_runners = false);
+  /// Keeps references. With `edges_of`, all questions are about that mesh's edges (of the tree `a`) and faces in one
+  /// pose: a contact is that of a vertex which runs along the edge within the step, and has the number vertex_count() +
+  /// edge.
+  StagePipeline(const Kernels& kernels, const PackedMotion& motion, const Options& options,
+                const Mesh* edges_of = nullptr);
   ~StagePipeline();
   StagePipeline(StagePipeline&&) noexcept;
 
@@ -64,11 +67,14 @@ class StagePipeline {
   void leave_out_unwanted(PairKind kind);
   void solve(PairKind kind);
   void solve_singly(PairKind kind, const PairBuffer& pairs, int pair);
+  /// As a contact names them, and where they are.
+  PairVertices vertices_at(PairKind kind, const PairBuffer& pairs, int pair) const;
+  PairPoints points_at(PairKind kind, const PairBuffer& pairs, int pair) const;
 
   const Kernels& kernels_;
   const PackedMotion& motion_;
   const Options& options_;
-  const bool are_runners_;
+  const Mesh* const edges_of_;
   std::unique_ptr<Buffers> buffers_;
   PipelineCounts counts_;
   FoundContacts found_;

@@ -1,0 +1,33 @@
+// Step lengths by any method, and whether two are the same bit for bit.
+#pragma once
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "scenes/scene.hpp"
+#include "tamis/detector.hpp"
+
+namespace tamis::test {
+
+inline SafeStep keep(const scenes::Scene& scene, double fraction, const Options& options = {}) {
+  return Detector(scene.mesh(), options).keep_distance(scene.step(), fraction);
+}
+
+inline Options with(Method method, double min_separation = 0) {
+  Options options;
+  options.method = method;
+  options.min_separation = min_separation;
+  return options;
+}
+
+inline void expect_same(const SafeStep& a, const SafeStep& b, const std::string& where) {
+  EXPECT_EQ(a.lower, b.lower) << where;
+  EXPECT_EQ(a.upper, b.upper) << where;
+  ASSERT_EQ(a.pair.has_value(), b.pair.has_value()) << where;
+  if (!a.pair) return;
+  EXPECT_EQ(a.pair->kind, b.pair->kind) << where;
+  EXPECT_EQ(a.pair->vertices, b.pair->vertices) << where;
+  EXPECT_EQ(a.pair->distance, b.pair->distance) << where;
+}
+
+}  // namespace tamis::test

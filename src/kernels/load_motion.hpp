@@ -1,5 +1,7 @@
 // The motions of several pairs at once, one a lane.
 #pragma once
+#include <array>
+
 #include "kernels/kernels.hpp"
 #include "motion/pair_kinds.hpp"
 #include "motion/pair_motion.hpp"
@@ -11,22 +13,30 @@ namespace tamis::TAMIS_ISA {
 /// (PairBuffer).
 enum class Course { step, along_edge };
 
-/// Differences to - from of as many pairs as there are lanes: read as rows, turned into columns.
-inline Moving<DoubleLanes> load_difference(const PackedVertex* vertices, const std::int32_t* to,
-                                           const std::int32_t* from) {
-  DoubleLanes columns[8];
-  for (int chunk = 0; chunk < 8; chunk += kDoubleLanes) {
+/// The first `count` numbers of differences to - from of as many pairs as there are lanes: read as rows, turned into
+/// columns.
+template <int count>
+inline std::array<DoubleLanes, count> difference_columns(const PackedVertex* vertices, const std::int32_t* to,
+                                                         const std::int32_t* from) {
+  std::array<DoubleLanes, count> columns;
+  for (int chunk = 0; chunk < count; chunk += kDoubleLanes) {
     DoubleLanes rows[kDoubleLanes];
     for (int i = 0; i < kDoubleLanes; ++i)
       rows[i] = DoubleLanes::load_aligned(vertices[to[i]].at + chunk) -
                 DoubleLanes::load_aligned(vertices[from[i]].at + chunk);
     transpose(rows);
-    for (int i = 0; i < kDoubleLanes; ++i) columns[chunk + i] = rows[i];
+    for (int i = 0; i < kDoubleLanes; ++i) columns[static_cast<std::size_t>(chunk + i)] = rows[i];
   }
-  return {{columns[0], columns[1], columns[2]}, {columns[4], columns[5], columns[6]}};
+  return columns;
 }
 
-/// Differences to - from at t=0 of as many pairs as there are lanes: half a row each, turned into columns.
+inline Moving<DoubleLanes> load_difference(const PackedVertex* vertices, const std::int32_t* to,
+                                           const std::int32_t* from) {
+  const auto c = difference_columns<8>(vertices, to, from);
+  return {{c[0], c[1], c[2]}, {c[4], c[5], c[6]}};
+}
+
+/// At t=0: half a row each.
 inline Vec3<DoubleLanes> load_start_difference(const PackedVertex* vertices, const std::int32_t* to,
                                                const std::int32_t* from) {
 #if XSIMD_WITH_AVX512F
@@ -42,16 +52,8 @@ inline Vec3<DoubleLanes> load_start_difference(const PackedVertex* vertices, con
   return {_mm512_shuffle_f64x2(xz0, xz1, 0x88), _mm512_shuffle_f64x2(y0, y1, 0x88),
           _mm512_shuffle_f64x2(xz0, xz1, 0xdd)};
 #else
-  DoubleLanes columns[4];
-  for (int chunk = 0; chunk < 4; chunk += kDoubleLanes) {
-    DoubleLanes rows[kDoubleLanes];
-    for (int i = 0; i < kDoubleLanes; ++i)
-      rows[i] = DoubleLanes::load_aligned(vertices[to[i]].at + chunk) -
-                DoubleLanes::load_aligned(vertices[from[i]].at + chunk);
-    transpose(rows);
-    for (int i = 0; i < kDoubleLanes; ++i) columns[chunk + i] = rows[i];
-  }
-  return {columns[0], columns[1], columns[2]};
+  const auto c = difference_columns<4>(vertices, to, from);
+  return {c[0], c[1], c[2]};
 #endif
 }
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 import numpy as np
 import pytest
 from hypothesis import settings
@@ -16,6 +18,14 @@ FACES = np.array([[0, 1, 2], [3, 4, 5]])
 START = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0.25, 0.25, 1], [1, 0.5, 2], [0.5, 1, 2]], float)
 END = START.copy()
 END[3, 2] = -1
+
+
+@pytest.fixture(scope="session", autouse=True)
+def _pages(tmp_path_factory: pytest.TempPathFactory) -> Iterator[None]:
+    """Pages that nobody has named a place for are left where pytest clears up."""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr("tempfile.tempdir", str(tmp_path_factory.mktemp("pages")))
+        yield
 
 
 @pytest.fixture

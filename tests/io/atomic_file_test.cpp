@@ -117,7 +117,6 @@ void write_and_raise(const fs::path& folder, int signal) {
 
 // Bug: each interrupted run leaves a file under a temporary name.
 TEST_F(AtomicFiles, ASignalLeavesNothing) {
-  testing::FLAGS_gtest_death_test_style = "threadsafe";
   for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGPIPE}) {
     const fs::path path = folder_.write("out.csv", "old");
     EXPECT_EXIT(write_and_raise(folder_.path(), signal), testing::KilledBySignal(signal), "");
@@ -138,7 +137,6 @@ void write_beyond_limit(const fs::path& path) {
 
 // Bug: a limit of the shell kills the process in the middle of the file.
 TEST_F(AtomicFiles, AFileThatMayNotGrowIsAnError) {
-  testing::FLAGS_gtest_death_test_style = "threadsafe";
   const fs::path path = folder_.write("out.csv", "old");
   const auto try_to_write = [&] {
     const std::string message = test::file_error(path.string(), [&] { write_beyond_limit(path); });

@@ -124,7 +124,8 @@ GradientFit DisplacementMoments::fit() const {
 DisplacementMoments moments_of(const Step& step, const BoxFrame& frame, std::span<const Index> vertices,
                                std::size_t stride) {
   DisplacementMoments moments;
-  const double count = static_cast<double>(vertices.size()) / static_cast<double>((vertices.size() - 1) / stride + 1);
+  const std::size_t looked_at = (vertices.size() + stride - 1) / stride;  // perhaps none
+  const double count = static_cast<double>(vertices.size()) / static_cast<double>(looked_at);
   for (std::size_t i = 0; i < vertices.size(); i += stride)
     moments.add(frame.place(step.start, vertices[i]), frame.displacement(step, vertices[i]), count);
   return moments;

@@ -18,16 +18,17 @@ enum class Course { step, along_edge };
 template <int count>
 inline std::array<DoubleLanes, count> difference_columns(const PackedVertex* vertices, const std::int32_t* to,
                                                          const std::int32_t* from) {
-  std::array<DoubleLanes, count> columns;
+  std::array<DoubleLanes, count> result;
+  DoubleLanes* const columns = result.data();
   for (int chunk = 0; chunk < count; chunk += kDoubleLanes) {
     DoubleLanes rows[kDoubleLanes];
     for (int i = 0; i < kDoubleLanes; ++i)
       rows[i] = DoubleLanes::load_aligned(vertices[to[i]].at + chunk) -
                 DoubleLanes::load_aligned(vertices[from[i]].at + chunk);
     transpose(rows);
-    for (int i = 0; i < kDoubleLanes; ++i) columns[static_cast<std::size_t>(chunk + i)] = rows[i];
+    for (int i = 0; i < kDoubleLanes; ++i) columns[chunk + i] = rows[i];
   }
-  return columns;
+  return result;
 }
 
 inline Moving<DoubleLanes> load_difference(const PackedVertex* vertices, const std::int32_t* to,

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <limits>
 
 #include "io/mesh_file.hpp"
 #include "scenes/scene_list.hpp"

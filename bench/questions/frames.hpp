@@ -20,7 +20,8 @@ Frames read_frames(const std::string& first, const std::string& second);
 
 /// All of the start, by 60 degrees about the z axis.
 Frames turned_as_a_whole(const Frames& frames);
-/// The start twice, side by side along x, each turned by 60 degrees about the middle of its box, one to and one fro.
+/// The faces of the start twice, side by side along x, each turned by 60 degrees about the middle of its box, one to
+/// and one fro. REQUIRES: there are some.
 Frames turned_against_each_other(const Frames& frames);
 
 }  // namespace tamis::bench

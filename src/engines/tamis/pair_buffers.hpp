@@ -18,11 +18,6 @@ inline auto kernel_for_search(const Kernels& kernels, PairKind kind) {
   return kind == PairKind::edge_edge ? kernels.search_ee : kernels.search_vf;
 }
 
-inline auto kernel_for_slab(const Kernels& kernels, PairKind kind) {
-  const decltype(kernels.slab_vf) slabs[] = {kernels.slab_vf, kernels.slab_ee, kernels.slab_ve, kernels.slab_vv};
-  return slabs[static_cast<std::size_t>(kind)];
-}
-
 /// Keeps the pairs of a buffer for which is_wanted(i). Nothing here waits for a branch.
 template <class F>
 void keep_wanted(PairBuffer& pairs, const F& is_wanted) {

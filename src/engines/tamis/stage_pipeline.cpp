@@ -10,6 +10,7 @@
 namespace tamis {
 namespace {
 
+/// Of one kind of pairs; kinds that cannot cross have no use for the last two.
 struct StageKernels {
   decltype(Kernels::search_vf) search;
   decltype(Kernels::slab_vf) slab;
@@ -19,8 +20,9 @@ struct StageKernels {
 
 StageKernels kernels_of(const Kernels& k, PairKind kind, bool are_edges_and_faces) {
   if (are_edges_and_faces) return {k.search_ef, k.slab_ef, k.filter_ef, k.solve_ef};
+  const decltype(k.slab_vf) slabs[] = {k.slab_vf, k.slab_ee, k.slab_ve, k.slab_vv};
   const bool is_vf = kind == PairKind::vertex_face;
-  return {kernel_for_search(k, kind), kernel_for_slab(k, kind), is_vf ? k.filter_vf : k.filter_ee,
+  return {kernel_for_search(k, kind), slabs[static_cast<std::size_t>(kind)], is_vf ? k.filter_vf : k.filter_ee,
           is_vf ? k.solve_vf : k.solve_ee};
 }
 
@@ -100,8 +102,9 @@ void StagePipeline::search(PairKind kind, Search& search, const BlockRange& bloc
   search.pairs = &buffers_->boxes;
   search.flush = flush;
   search.context = this;
+  const StageKernels stages = kernels_of(kernels_, kind, edges_of_ != nullptr);
   for (int block = blocks.first; block < blocks.last && found_.wants(kind); block += blocks.stride)
-    kernels_of(kernels_, kind, edges_of_ != nullptr).search(search, block);
+    stages.search(search, block);
   counts_.nodes_visited += search.nodes_visited;
   counts_.traverse += watch_.lap();
 }
@@ -122,15 +125,15 @@ void StagePipeline::decide_buffered(PairKind kind) {
   auto& [boxes, slab, filtered, solved, current] = *buffers_;
   keep_each_once(kind, boxes);
   leave_out_unwanted(kind);
-  const StageKernels kernels = kernels_of(kernels_, kind, edges_of_ != nullptr);
+  const StageKernels stages = kernels_of(kernels_, kind, edges_of_ != nullptr);
   const PackedVertex* vertices = motion_.vertices.data();
   of(counts_.boxes, kind) += static_cast<std::uint64_t>(boxes.count);
   of(counts_.slab, kind) += static_cast<std::uint64_t>(boxes.count);
   slab.count = filtered.count = 0;
-  kernels.slab(motion_.box_vertices.data(), motion_.box_separation(), boxes, slab);
+  stages.slab(motion_.box_vertices.data(), motion_.box_separation(), boxes, slab);
   if (motion_.separations.any() || !can_cross(kind)) return decide_within_separation(kind);
   of(counts_.dnf, kind) += static_cast<std::uint64_t>(slab.count);
-  of(counts_.ncf, kind) += static_cast<std::uint64_t>(kernels.filter(vertices, slab, filtered));
+  of(counts_.ncf, kind) += static_cast<std::uint64_t>(stages.filter(vertices, slab, filtered));
   of(counts_.solve, kind) += static_cast<std::uint64_t>(filtered.count);
   boxes.count = 0;
   counts_.filter += watch_.lap();

@@ -40,13 +40,18 @@ void print_mesh(const Mesh& mesh) {
 
 namespace {
 
-void print_stages(const Statistics& statistics) {
+void print_stages(const Statistics& statistics, std::string_view only_kind) {
   if (statistics.stages.empty()) return;
   std::size_t width = 15;
   for (const StageCount& s : statistics.stages) width = std::max(width, s.name.size());
-  fmt::print("\n{:<{}} {:>15} {:>15}\n", "pairs entering", width, "vertex-face", "edge-edge");
-  for (const StageCount& s : statistics.stages)
-    fmt::print("{:<{}} {:>15} {:>15}\n", s.name, width, grouped(s.vf), grouped(s.ee));
+  const auto print_row = [&](std::string_view name, std::string_view first, std::string_view second) {
+    fmt::print("{:<{}} {:>15}", name, width, first);
+    if (only_kind.empty()) fmt::print(" {:>15}", second);
+    fmt::print("\n");
+  };
+  fmt::print("\n");
+  print_row("pairs entering", only_kind.empty() ? "vertex-face" : only_kind, "edge-edge");
+  for (const StageCount& s : statistics.stages) print_row(s.name, grouped(s.vf), grouped(s.ee));
 }
 
 void print_seconds(const char* name, const Seconds& s) {
@@ -56,9 +61,9 @@ void print_seconds(const char* name, const Seconds& s) {
 
 }  // namespace
 
-void print_costs(const Detector& detector, const Timing& timing, int repeat) {
+void print_costs(const Detector& detector, const Timing& timing, int repeat, std::string_view only_kind) {
   const Statistics& statistics = detector.statistics();
-  print_stages(statistics);
+  print_stages(statistics, only_kind);
   fmt::print("\n");
   print_seconds(repeat > 1 ? "first run" : "time", timing.cold);
   if (repeat > 1) print_seconds("later runs", timing.warm);

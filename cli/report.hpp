@@ -2,6 +2,7 @@
 #pragma once
 #include <cstdint>
 #include <string>
+#include <string_view>
 
 #include "cli/timing.hpp"
 #include "io/tally.hpp"
@@ -26,7 +27,8 @@ void add_costs(Json& json, const Detector& detector, const Timing& timing);
 void print_json(const Json& json);
 
 void print_mesh(const Mesh& mesh);
-void print_costs(const Detector& detector, const Timing& timing, int repeat);
+/// `only_kind`: what the pairs are called where they are of one kind alone.
+void print_costs(const Detector& detector, const Timing& timing, int repeat, std::string_view only_kind = {});
 
 /// Largest memory this process held so far.
 std::uint64_t peak_memory_bytes();

@@ -53,7 +53,7 @@ class IntersectionsVerb final : public PoseVerb {
                  face[1], face[2], s_upper);
     }
     if (!out_.empty()) fmt::print("written to      {}\n", printable(out_));
-    print_costs(detector, timing, repeat_);
+    print_costs(detector, timing, repeat_, "edge-face");
   }
 };
 

@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-[[noreturn]] void fail(const fs::path& path, int error) {
+[[noreturn]] void refuse_to_write(const fs::path& path, int error) {
   throw FileError(path.string(), "",
                   fmt::format("cannot be written ({}): check the path, its permissions and the free space",
                               std::generic_category().message(error)));
@@ -34,9 +34,9 @@ fs::path behind_links(const fs::path& path) {
   for (int i = 0; i < kMostLinks; ++i) {
     if (!fs::is_symlink(name, error)) return name;
     name = name.parent_path() / fs::read_symlink(name, error);
-    if (error) fail(path, error.value());
+    if (error) refuse_to_write(path, error.value());
   }
-  fail(path, ELOOP);
+  refuse_to_write(path, ELOOP);
 }
 
 /// Owner, group and mode of the file that is replaced. Where the owner or group cannot be kept, nobody else may do
@@ -55,24 +55,24 @@ void take_over(const struct stat& old, int descriptor) {
 
 AtomicFile::AtomicFile(const fs::path& path) : path_(path), target_(behind_links(path)) {
   std::error_code error;
-  if (target_.empty()) fail(path, ENOENT);
-  if (fs::is_directory(target_, error)) fail(path, EISDIR);
+  if (target_.empty()) refuse_to_write(path, ENOENT);
+  if (fs::is_directory(target_, error)) refuse_to_write(path, EISDIR);
   try {
     if (is_stream(target_))
       file_.reset(std::fopen(target_.c_str(), "wb"));
     else
       open_unfinished();
   } catch (const std::system_error& failure) {
-    fail(path_, failure.code().value());
+    refuse_to_write(path_, failure.code().value());
   }
-  if (!file_) fail(path_, errno);
+  if (!file_) refuse_to_write(path_, errno);
 }
 
 void AtomicFile::open_unfinished() {
   struct stat old {};
   const bool replaces = stat(target_.c_str(), &old) == 0;
   // Renaming would get past a file's own write protection.
-  if (replaces && access(target_.c_str(), W_OK) != 0) fail(path_, errno);
+  if (replaces && access(target_.c_str(), W_OK) != 0) refuse_to_write(path_, errno);
   constexpr mode_t kUsual = 0666, kPrivate = 0600;
   unfinished_.emplace(target_.has_parent_path() ? target_.parent_path() : ".", replaces ? kPrivate : kUsual);
   file_.reset(fdopen(unfinished_->descriptor(), "wb"));
@@ -91,11 +91,11 @@ void AtomicFile::commit() {
   // A name that leads to data which a power cut loses would be half a file after all.
   if (error_ == 0 && unfinished_ && fsync(fileno(file_.get())) != 0) error_ = errno;
   if (std::fclose(file_.release()) != 0 && error_ == 0) error_ = errno;
-  if (error_ != 0) fail(path_, error_);
+  if (error_ != 0) refuse_to_write(path_, error_);
   try {
     if (unfinished_) unfinished_->rename_to(target_);
   } catch (const std::system_error& failure) {
-    fail(path_, failure.code().value());
+    refuse_to_write(path_, failure.code().value());
   }
 }
 

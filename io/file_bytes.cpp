@@ -10,7 +10,7 @@
 namespace tamis::io {
 namespace {
 
-[[noreturn]] void fail(const std::filesystem::path& path, int error) {
+[[noreturn]] void refuse_to_read(const std::filesystem::path& path, int error) {
   throw FileError(
       path.string(), "",
       fmt::format("cannot be read ({}): check the path and its permissions", std::generic_category().message(error)));
@@ -21,7 +21,7 @@ namespace {
 FileBytes::FileBytes(const std::filesystem::path& path) {
   const auto close = [](std::FILE* file) { std::fclose(file); };
   const std::unique_ptr<std::FILE, decltype(close)> file(std::fopen(path.c_str(), "rb"), close);
-  if (!file) fail(path, errno);
+  if (!file) refuse_to_read(path, errno);
   std::error_code is_no_regular_file;
   const auto size = std::filesystem::file_size(path, is_no_regular_file);
   // One byte more than the file has, so that a single read meets its end.
@@ -32,7 +32,7 @@ FileBytes::FileBytes(const std::filesystem::path& path) {
     bytes_.resize(used + room);
     const std::size_t got = std::fread(bytes_.data() + used, 1, room, file.get());
     used += got;
-    if (std::ferror(file.get())) fail(path, errno);
+    if (std::ferror(file.get())) refuse_to_read(path, errno);
     if (got < room) break;
     room = used;
   }

@@ -13,8 +13,6 @@
 namespace tamis::io {
 namespace {
 
-using Json = GlbScene::Json;
-
 template <class Row>
 std::vector<Index> flat(std::span<const Row> rows) {
   std::vector<Index> indices;

@@ -5,8 +5,6 @@
 namespace tamis::io {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 // As glTF numbers them.
 constexpr int kUnsignedByte = 5121;
 constexpr int kUnsignedInt = 5125;

@@ -2,10 +2,11 @@
 #pragma once
 #include <array>
 #include <cstdint>
-#include <nlohmann/json.hpp>
 #include <span>
 #include <string>
 #include <vector>
+
+#include "io/json.hpp"
 
 namespace tamis::io {
 
@@ -22,7 +23,7 @@ class GlbBuffer {
   std::size_t add_colours(std::span<const std::array<std::uint8_t, 4>> colours);
 
   /// The file: `gltf` with buffers, views and accessors put in, then the bytes.
-  std::string file(nlohmann::ordered_json gltf) const;
+  std::string file(Json gltf) const;
 
  private:
   /// What a view is for, as glTF numbers it.
@@ -30,8 +31,8 @@ class GlbBuffer {
   std::size_t add(std::span<const std::byte> bytes, Target target, int component_type, const char* type,
                   std::size_t count);
 
-  nlohmann::ordered_json views_ = nlohmann::ordered_json::array();
-  nlohmann::ordered_json accessors_ = nlohmann::ordered_json::array();
+  Json views_ = Json::array();
+  Json accessors_ = Json::array();
   std::string bytes_;
 };
 

@@ -3,8 +3,6 @@
 namespace tamis::io {
 namespace {
 
-using Json = GlbScene::Json;
-
 constexpr int kMeshMaterial = 0;
 constexpr int kContactMaterial = 1;
 

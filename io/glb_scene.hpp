@@ -24,8 +24,6 @@ using Colour = std::array<std::uint8_t, 4>;
 
 class GlbScene {
  public:
-  using Json = nlohmann::ordered_json;
-
   /// Positions are written relative to `middle`, where floats are finest.
   explicit GlbScene(const Point& middle) : middle_(middle) {}
 

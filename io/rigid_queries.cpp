@@ -1,12 +1,9 @@
-#include <nlohmann/json.hpp>
-
 #include "io/error.hpp"
+#include "io/json.hpp"
 #include "io/queries.hpp"
 
 namespace tamis::io {
 namespace {
-
-using Json = nlohmann::json;
 
 class RigidParser {
  public:

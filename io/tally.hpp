@@ -1,15 +1,13 @@
 // Contacts of a step in numbers, for people and as JSON. The keys are listed in docs/files-and-command.md.
 #pragma once
 #include <cstdint>
-#include <nlohmann/json.hpp>
 #include <span>
 
+#include "io/json.hpp"
 #include "tamis/contact.hpp"
 #include "tamis/statistics.hpp"
 
 namespace tamis::io {
-
-using Json = nlohmann::ordered_json;
 
 /// Contacts of a step by kind, and the bracket of the first.
 struct Tally {

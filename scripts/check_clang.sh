@@ -1,9 +1,11 @@
 #!/usr/bin/env bash
 # check_clang.sh BUILD: everything, tests included, compiles with clang 14 without a warning; exit 77 where it is absent.
-# Not optimised: clang warns before it optimises. What clang-tidy reads of BUILD (check_tidy.sh) is complete then, too.
+# Not optimised: clang warns before it optimises. The library is a shared one, which consumer.shared_library_from_readme
+# installs.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
 command -v clang++-14 >/dev/null || { echo "skipped: no clang++-14"; exit 77; }
-cmake --preset clang -B "$1" -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS_DEBUG=-O0 -DTAMIS_OPTIMIZE_KERNELS=OFF
+cmake --preset clang -B "$1" -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS_DEBUG=-O0 -DTAMIS_OPTIMIZE_KERNELS=OFF \
+  -DBUILD_SHARED_LIBS=ON
 cmake --build "$1" --parallel "$(nproc)"

@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
-# check_tidy.sh BUILD [--all]: clang-tidy 14 over the library, its C interface, the files, the commands and MPI, as
-# BUILD, made by check_clang.sh, compiles them: the sources that differ from the commit in tests/project/tidy_base, up to
-# which all have passed (a header brings the source of its name), or with --all every one, as scripts/nightly.sh does.
-# When all pass, write HEAD to that file, so that ordinary runs stay short. Exit 77 where clang-tidy is absent.
+# check_tidy.sh BUILD [--all]: clang-tidy 14 over the library, its C interface, the files, the commands and MPI, each
+# source by itself as clang 14 would compile it (BUILD is configured for that, and nothing built): the sources that
+# differ from the commit in tests/project/tidy_base, up to which all have passed (a header brings the source of its
+# name), or with --all every one, as scripts/nightly.sh does. When all pass, write HEAD to that file, so that ordinary
+# runs stay short. Exit 77 where clang-tidy is absent.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -21,4 +22,5 @@ else
   [[ -n $stems ]] || { echo "no source differs from $base"; exit 0; }
   chosen="($stems)[.]cpp\$"
 fi
+cmake --preset clang -B "$1" -DCMAKE_UNITY_BUILD=OFF -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON >/dev/null
 run-clang-tidy-14 -quiet -p "$1" -j "$(nproc)" "^$PWD/$chosen"

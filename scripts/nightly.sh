@@ -8,7 +8,7 @@ cd "$(dirname "$0")/.."
 failed=()
 run() { echo "nightly: $*"; "$@" || failed+=("$*"); }
 run scripts/test.sh
-run scripts/check_tidy.sh build/dev/clang --all
+run scripts/check_tidy.sh build/dev/tidy --all
 run scripts/sanitize.sh address
 run scripts/sanitize.sh thread
 run scripts/test_arm64.sh --all

@@ -15,7 +15,7 @@ constexpr double kClaimedRate = 0.9;
 constexpr double kPercent = 100;
 
 /// Rows on which a claim holds, of the paper's own rows or of the others.
-struct Tally {
+struct CullingTally {
   std::size_t rows = 0, holds = 0;
   std::string fails;
 
@@ -31,7 +31,7 @@ struct Tally {
 
 template <class Holds>
 std::string claim(Results results, const std::string& words, const Holds& holds) {
-  Tally ours, others;
+  CullingTally ours, others;
   for (const SceneResult& r : results) (published_row(r) ? ours : others).count(r, holds(r));
   std::string text = fmt::format("- {}: ", words);
   if (ours.rows > 0)

@@ -21,14 +21,6 @@ Vector unit(const Vector& a) {
 
 namespace {
 
-struct Release {
-  void operator()(RTCDevice device) const { rtcReleaseDevice(device); }
-  void operator()(RTCScene scene) const { rtcReleaseScene(scene); }
-  void operator()(RTCGeometry geometry) const { rtcReleaseGeometry(geometry); }
-};
-template <class Handle>
-using Owned = std::unique_ptr<std::remove_pointer_t<Handle>, Release>;
-
 /// A point with the radius of what is around it, as Embree wants it.
 struct Ball {
   float x, y, z, radius;
@@ -63,6 +55,14 @@ RTCRay embree_ray(const Ray& ray, float farthest) {
 }  // namespace
 
 struct Drawing::Handles {
+  struct Release {
+    void operator()(RTCDevice handle) const { rtcReleaseDevice(handle); }
+    void operator()(RTCScene handle) const { rtcReleaseScene(handle); }
+    void operator()(RTCGeometry handle) const { rtcReleaseGeometry(handle); }
+  };
+  template <class Handle>
+  using Owned = std::unique_ptr<std::remove_pointer_t<Handle>, Release>;
+
   /// What `fill` fills.
   template <class Fill>
   void add(RTCGeometryType type, Hit::Shape shape, const Fill& fill) {

@@ -41,7 +41,7 @@ class Columns {
 };
 
 template <class Row, std::size_t width = std::tuple_size_v<Row>>
-std::vector<std::uint32_t> flat(std::span<const Row> rows) {
+std::vector<std::uint32_t> flat_bits(std::span<const Row> rows) {
   std::vector<std::uint32_t> numbers;
   numbers.reserve(width * rows.size());
   for (const Row& row : rows)
@@ -56,8 +56,8 @@ void add_mesh(const Mesh& mesh, Columns& columns, Json& header) {
   std::vector<std::uint32_t> objects;
   objects.reserve(components.of_vertex.size());
   for (const Index component : components.of_vertex) objects.push_back(bits_of(component));
-  columns.add_integers("faces", flat<Face>(mesh.faces()), 3);
-  columns.add_integers("rods", flat<Edge>(rods_of(mesh)), 2);
+  columns.add_integers("faces", flat_bits<Face>(mesh.faces()), 3);
+  columns.add_integers("rods", flat_bits<Edge>(rods_of(mesh)), 2);
   columns.add_integers("loose_points", loose, 1);
   columns.add_integers("object_of_vertex", objects, 1);
   header["mesh"] = {{"vertices", mesh.vertex_count()},

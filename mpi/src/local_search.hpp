@@ -56,7 +56,7 @@ class LocalSearch {
   std::vector<ElementId> ids_;
   ElementSet set_;
   std::vector<Point> start_, end_;
-  std::optional<Detector> detector_;
+  std::optional<tamis::Detector> detector_;
   std::vector<std::uint8_t> side_;  ///< of each vertex, a bit each; empty: sides do not matter
   bool counts_pairs_ = false;
   std::vector<std::uint64_t> pairs_of_vertex_;

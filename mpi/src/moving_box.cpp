@@ -6,8 +6,6 @@
 namespace tamis::distributed {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
 void include(Box& box, const Point& point) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
     box.low[axis] = std::min(box.low[axis], point[axis]);

@@ -7,6 +7,8 @@
 
 namespace tamis::distributed {
 
+inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
 struct Box {
   Point low, high;
 };
@@ -17,7 +19,6 @@ struct MovingBox {
 
   /// Holds nothing.
   static MovingBox empty() {
-    constexpr double kInfinity = std::numeric_limits<double>::infinity();
     const Box box{{kInfinity, kInfinity, kInfinity}, {-kInfinity, -kInfinity, -kInfinity}};
     return {box, box};
   }

@@ -2,12 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace tamis::distributed {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// Each pass looks at 64 places in every cell at once: after four a cut is known to 2^-24 of its cell.
 constexpr std::size_t kBins = 64;
 constexpr int kPasses = 4;
@@ -52,7 +50,7 @@ class Bisection {
  private:
   /// The longest of each cell.
   void choose_axes() {
-    std::vector<double> ends(6 * cells_.size(), kInfinity);
+    std::vector<double> ends(6 * cells_.size(), HUGE_VAL);
     for (std::size_t i = 0; i < points_.size(); ++i)
       for (std::size_t axis = 0; axis < 3; ++axis) {
         double* end = &ends[6 * cell_of_[i] + 2 * axis];
@@ -67,7 +65,7 @@ class Bisection {
       for (std::size_t axis = 1; axis < 3; ++axis)
         if (length(axis) > length(cell.axis)) cell.axis = axis;
       cell.low = ends[6 * c + 2 * cell.axis];
-      cell.high = std::nextafter(-ends[6 * c + 2 * cell.axis + 1], kInfinity);
+      cell.high = std::nextafter(-ends[6 * c + 2 * cell.axis + 1], HUGE_VAL);
     }
   }
 

@@ -1,7 +1,6 @@
 // A folded bag, held at the hub of a steering wheel, fills with gas.
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "scenes/random.hpp"
 #include "scenes/simulation/scenes.hpp"
@@ -9,7 +8,6 @@
 namespace tamis::simulation {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 constexpr double kBagRadius = 0.33;
 constexpr double kBase = 0.065;     ///< half the width of the panel that lies on the hub
 constexpr double kInflator = 0.05;  ///< radius of the bag's opening, held at the hub

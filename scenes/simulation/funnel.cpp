@@ -9,7 +9,7 @@
 namespace tamis::simulation {
 namespace {
 
-constexpr double kClothSide = 0.9;
+constexpr double kSheetSide = 0.9;
 constexpr double kBallRadius = 0.07;
 constexpr double kSpoutRadius = 0.1;
 constexpr double kSpoutLength = 0.45;
@@ -51,14 +51,14 @@ Model funnel(Index triangles, std::uint64_t seed) {
   const auto ball_cells = static_cast<Index>(std::clamp(std::sqrt(triangles / 200.0), 4.0, 12.0));
   const auto obstacles = static_cast<Index>(cone.faces.size()) + 12 * ball_cells * ball_cells;
   const auto cells = static_cast<Index>(std::sqrt(std::max(200.0, (triangles - obstacles) / 2.0)));
-  const double edge = kClothSide / cells;
-  const double height = height_of_cone(kClothSide / std::numbers::sqrt2) + edge;
+  const double edge = kSheetSide / cells;
+  const double height = height_of_cone(kSheetSide / std::numbers::sqrt2) + edge;
   const double ball_height = height + edge + kBallRadius;
 
   scenes::Random random(seed);
   const auto laid = [&](const Vec& p) -> Vec { return p + Vec(0, 0, height - random.between(0, 0.1 * edge)); };
   const auto held = [&](const Vec& p) -> Vec { return p + Vec(0, 0, ball_height); };
-  const Surface sheet = square(cells, kClothSide);
+  const Surface sheet = square(cells, kSheetSide);
   model.add_cloth(mapped(sheet, laid), sheet, {0.2, 2000, 1e-5});
   model.add_obstacle(mapped(ball(ball_cells, kBallRadius), held), [ball_height](double time) {
     return Eigen::Isometry3d(Eigen::Translation3d(0, 0, -(ball_height + kSpoutLength) * time / kDescent));

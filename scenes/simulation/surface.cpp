@@ -8,8 +8,6 @@
 namespace tamis::simulation {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-
 /// Point j of the 6 k points of ring k; the centre is ring 0.
 Index in_ring(Index k, Index j) { return k == 0 ? 0 : 1 + 3 * k * (k - 1) + j % (6 * k); }
 

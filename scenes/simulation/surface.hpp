@@ -1,11 +1,14 @@
 // Surfaces that scenes are made of.
 #pragma once
+#include <numbers>
 #include <vector>
 
 #include "scenes/simulation/vectors.hpp"
 #include "tamis/mesh.hpp"
 
 namespace tamis::simulation {
+
+inline constexpr double kPi = std::numbers::pi;
 
 struct Surface {
   std::vector<Vec> points;

@@ -11,7 +11,7 @@ namespace {
 
 /// More objects are one. Of all together about so many vertices are looked at.
 constexpr Index kMostObjects = 256;
-constexpr std::size_t kSamples = 4096;
+constexpr std::size_t kSampledVertices = 4096;
 /// Nothing cancels between objects that move differently: little is won by more motions, or where more of the pairs of
 /// two lie within half of the longest displacement beside a translation.
 constexpr std::size_t kMostMotions = 8;
@@ -57,7 +57,7 @@ void SharedMotion::fit(const Step& step, const BoxFrame& frame, double fraction)
   double turned2 = 0;  // squares of displacements beside a translation of each object
   for (const auto& object : objects_) {
     parts_.push_back({object});
-    moments.push_back(moments_of(step, frame, object, vertex_count_ / kSamples + 1));
+    moments.push_back(moments_of(step, frame, object, vertex_count_ / kSampledVertices + 1));
     scene.objects.push_back(scene.objects.size());
     scene.moments += moments.back();
     turned2 += moments.back().fit().displacement2;

@@ -19,13 +19,11 @@ using IntervalVec = Vec3<Interval>;
 /// each other would be too many.
 constexpr double kFarthestInEdges = 0.25;
 /// Room on either side of a plane for whoever rounds positions to doubles: of the largest coordinate.
-constexpr double kRounding = 0x1p-50;
+constexpr double kPlaneRounding = 0x1p-50;
 
 Vec vec(const double* p) { return {p[0], p[1], p[2]}; }
 IntervalVec enclosed(const double* p) { return {Interval(p[0]), Interval(p[1]), Interval(p[2])}; }
 double largest(const double* p) { return std::max({std::fabs(p[0]), std::fabs(p[1]), std::fabs(p[2])}); }
-
-double length_above(const IntervalVec& v) { return rounding::above(rounding::above(std::sqrt(dot(v, v).upper))); }
 
 class PlanarTruncation {
  public:
@@ -120,7 +118,7 @@ class PlanarTruncation {
     const double own = until_[static_cast<std::size_t>(index)];
     if (is_far_below(index, n, level, size)) return own;
     // Levels of a pair lie its separation apart along n, whose length is 1 within 2^-50.
-    const Interval margin(kRounding * size + 0x1p-48 * std::fabs(level) + 0x1p-1000);
+    const Interval margin(kPlaneRounding * size + 0x1p-48 * std::fabs(level) + 0x1p-1000);
     const Interval start = dot(normal, enclosed(step_.start[index]));
     const Interval speed = dot(normal, enclosed(step_.end[index]) - enclosed(step_.start[index]));
     const Interval limit = Interval(level) - margin;

@@ -6,13 +6,13 @@
 namespace tamis {
 namespace {
 
-using Pair = std::array<double, 2>;
+using Projected = std::array<double, 2>;
 
-Pair operator-(const Pair& a, const Pair& b) { return {a[0] - b[0], a[1] - b[1]}; }
+Projected operator-(const Projected& a, const Projected& b) { return {a[0] - b[0], a[1] - b[1]}; }
 Moving2 operator-(const Moving2& a, const Moving2& b) { return {a.at0 - b.at0, a.at1 - b.at1}; }
 
-double cross(const Pair& a, const Pair& b) { return a[0] * b[1] - a[1] * b[0]; }
-double dot(const Pair& a, const Pair& b) { return a[0] * b[0] + a[1] * b[1]; }
+double cross(const Projected& a, const Projected& b) { return a[0] * b[1] - a[1] * b[0]; }
+double dot(const Projected& a, const Projected& b) { return a[0] * b[0] + a[1] * b[1]; }
 
 /// Bernstein coefficients, without binomials, of a product of two moving vectors.
 template <class Product>
@@ -21,10 +21,10 @@ std::array<double, 3> coefficients(const Moving2& a, const Moving2& b, const Pro
 }
 
 std::array<double, 3> cross(const Moving2& a, const Moving2& b) {
-  return coefficients(a, b, [](const Pair& x, const Pair& y) { return cross(x, y); });
+  return coefficients(a, b, [](const Projected& x, const Projected& y) { return cross(x, y); });
 }
 std::array<double, 3> dot(const Moving2& a, const Moving2& b) {
-  return coefficients(a, b, [](const Pair& x, const Pair& y) { return dot(x, y); });
+  return coefficients(a, b, [](const Projected& x, const Projected& y) { return dot(x, y); });
 }
 
 bool all_above(const std::array<double, 3>& k, double error) { return k[0] > error && k[1] > error && k[2] > error; }
@@ -93,8 +93,8 @@ bool ProjectedContour::edges_stay_apart(std::size_t i, std::size_t j) const {
   const std::size_t n = points_.size();
   const Moving2 a = points_[i], b = points_[(i + 1) % n], c = points_[j], d = points_[(j + 1) % n];
   for (std::size_t axis = 0; axis < 2; ++axis) {
-    const auto low = [&](const Pair& x, const Pair& y) { return std::min(x[axis], y[axis]) - slack_; };
-    const auto high = [&](const Pair& x, const Pair& y) { return std::max(x[axis], y[axis]) + slack_; };
+    const auto low = [&](const Projected& x, const Projected& y) { return std::min(x[axis], y[axis]) - slack_; };
+    const auto high = [&](const Projected& x, const Projected& y) { return std::max(x[axis], y[axis]) + slack_; };
     if (high(a.at0, b.at0) < low(c.at0, d.at0) && high(a.at1, b.at1) < low(c.at1, d.at1)) return true;
     if (high(c.at0, d.at0) < low(a.at0, b.at0) && high(c.at1, d.at1) < low(a.at1, b.at1)) return true;
   }

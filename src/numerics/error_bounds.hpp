@@ -17,6 +17,8 @@ inline constexpr double unit_roundoff = [] {
 }();
 template <>
 inline constexpr double unit_roundoff<double> = 0x1p-53;
+/// Of doubles.
+inline constexpr double kRoundoff = unit_roundoff<double>;
 
 /// Added to every bound: products that underflow are wrong by at most 2^-1075 each, after fewer than 2^10
 /// operations on numbers below 2^7.
@@ -114,6 +116,8 @@ inline constexpr double kVelocity = 40;
 
 // Length of a vector, unit: itself: squares 1/2, two sums 1, root 1, all below 4.
 inline constexpr double kLength = 4;
+/// A computed length times this is no less than the length.
+inline constexpr double kLengthUp = 1 + kLength * unit_roundoff<double>;
 
 // A polynomial of degree <= 6 with integer coefficients, unit: the sum of its terms' sizes. A coefficient cut to a
 // double 2 u, a power 5 u, their product 1 u, six sums 6 u, the unit's own sums 6 u: below 20 u.

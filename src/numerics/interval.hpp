@@ -1,10 +1,12 @@
 // Interval arithmetic with outward rounding, without changing the rounding mode. On double and double-double; other
 // number types that wrap double, such as one that counts operations, run the same lines.
 #pragma once
+#include <cmath>
 #include <limits>
 
 #include "numerics/double_double.hpp"
 #include "numerics/select.hpp"
+#include "numerics/vec.hpp"
 
 namespace tamis {
 
@@ -99,6 +101,11 @@ inline bool operator<(const BasicInterval<T>& a, const BasicInterval<T>& b) {
 template <class T>
 inline BasicInterval<T> intersection(const BasicInterval<T>& a, const BasicInterval<T>& b) {
   return {max(a.lower, b.lower), min(a.upper, b.upper)};
+}
+
+/// |v|, rounded up.
+inline double length_above(const Vec3<BasicInterval<double>>& v) {
+  return rounding::above(rounding::above(std::sqrt(dot(v, v).upper)));
 }
 
 namespace error_bounds {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include "paths/check_path.hpp"
 #include "paths/fine_point.hpp"
 #include "paths/rigid_transform.hpp"
 #include "tamis/error.hpp"
@@ -15,33 +16,24 @@ bool is_finite(const Point& p) { return std::isfinite(p[0]) && std::isfinite(p[1
 
 bool is_finite(const Pose& pose) { return is_finite(pose.position) && is_finite(pose.rotation); }
 
-void check(bool ok, const std::string& message) {
-  if (!ok) throw InvalidPath(message);
-}
-
 void validate(const std::vector<Point>& rest, const std::vector<Index>& body_of_vertex,
               const std::vector<Chain>& chains) {
-  check(rest.size() == body_of_vertex.size(), "the path has " + std::to_string(rest.size()) + " rest positions and " +
-                                                  std::to_string(body_of_vertex.size()) +
-                                                  " numbers of bodies: give one each a vertex");
+  check_path(rest.size() == body_of_vertex.size(), "the path has " + std::to_string(rest.size()) +
+                                                       " rest positions and " + std::to_string(body_of_vertex.size()) +
+                                                       " numbers of bodies: give one each a vertex");
   for (std::size_t v = 0; v < rest.size(); ++v) {
-    check(is_finite(rest[v]),
-          "vertex " + std::to_string(v) + " of the path is not finite at rest: give finite positions");
-    check(body_of_vertex[v] >= 0 && static_cast<std::size_t>(body_of_vertex[v]) < chains.size(),
-          "vertex " + std::to_string(v) + " belongs to body " + std::to_string(body_of_vertex[v]) +
-              ": bodies must be in [0, " + std::to_string(chains.size()) + ")");
+    check_path(is_finite(rest[v]),
+               "vertex " + std::to_string(v) + " of the path is not finite at rest: give finite positions");
+    check_path(body_of_vertex[v] >= 0 && static_cast<std::size_t>(body_of_vertex[v]) < chains.size(),
+               "vertex " + std::to_string(v) + " belongs to body " + std::to_string(body_of_vertex[v]) +
+                   ": bodies must be in [0, " + std::to_string(chains.size()) + ")");
   }
   for (std::size_t b = 0; b < chains.size(); ++b)
     for (const Link& link : chains[b])
-      check(is_finite(link.start) && is_finite(link.end),
-            "a pose of body " + std::to_string(b) + " is not finite: give finite positions and rotation vectors");
+      check_path(is_finite(link.start) && is_finite(link.end),
+                 "a pose of body " + std::to_string(b) + " is not finite: give finite positions and rotation vectors");
 }
 
-/// |v|, rounded up.
-double length_above(const Vec3<Interval>& v) {
-  const double square = dot(v, v).upper;
-  return rounding::above(rounding::above(std::sqrt(square)));
-}
 double length_above(const Point& p) { return length_above(enclosed<double>(p)); }
 
 /// Bounds of y and its derivatives, y being a point of the body as one link after the other has moved it. With

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include "paths/check_path.hpp"
 #include "paths/fine_point.hpp"
 #include "tamis/error.hpp"
 
@@ -18,10 +19,6 @@ struct SplineWeights {
 namespace {
 
 using Frames = std::vector<std::vector<Point>>;
-
-void check(bool ok, const std::string& message) {
-  if (!ok) throw InvalidPath(message);
-}
 
 FineInterval fine(double x) { return FineInterval(DoubleDouble(x)); }
 
@@ -45,16 +42,16 @@ double stray_of(double acceleration, double from, double to) {
 }  // namespace
 
 SplinePath::SplinePath(std::vector<std::vector<Point>> frames, std::size_t least) : frames_(std::move(frames)) {
-  check(frames_.size() >= least,
-        "the path has " + std::to_string(frames_.size()) + " frames of points: give at least " + std::to_string(least));
+  check_path(frames_.size() >= least, "the path has " + std::to_string(frames_.size()) +
+                                          " frames of points: give at least " + std::to_string(least));
   for (std::size_t i = 0; i < frames_.size(); ++i) {
-    check(frames_[i].size() == frames_[0].size(), "frame " + std::to_string(i) + " of the path has " +
-                                                      std::to_string(frames_[i].size()) + " points, the first one " +
-                                                      std::to_string(frames_[0].size()) + ": give one a vertex");
+    check_path(frames_[i].size() == frames_[0].size(),
+               "frame " + std::to_string(i) + " of the path has " + std::to_string(frames_[i].size()) +
+                   " points, the first one " + std::to_string(frames_[0].size()) + ": give one a vertex");
     for (std::size_t v = 0; v < frames_[i].size(); ++v)
       for (const double x : frames_[i][v])
-        check(std::isfinite(x), "vertex " + std::to_string(v) + " in frame " + std::to_string(i) +
-                                    " of the path is not finite: give finite positions");
+        check_path(std::isfinite(x), "vertex " + std::to_string(v) + " in frame " + std::to_string(i) +
+                                         " of the path is not finite: give finite positions");
   }
 }
 

@@ -9,7 +9,7 @@ namespace {
 
 using Vec = Vec3<double>;
 
-constexpr double kRoundoff = error_bounds::unit_roundoff<double>;
+using error_bounds::kRoundoff;
 constexpr double kNever = std::numeric_limits<double>::infinity();
 
 double largest_component(const Vec& v) { return max(max(abs(v.x), abs(v.y)), abs(v.z)); }

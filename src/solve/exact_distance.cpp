@@ -8,23 +8,23 @@
 namespace tamis {
 namespace {
 
-using Vec = Vec3<Integer>;
+using IntegerVec = Vec3<Integer>;
 
 bool is_smaller(const Fraction& a, const Fraction& b) { return (a.above * b.below - b.above * a.below).sign() < 0; }
 
 /// Of the segment from corner x to corner y.
-NearestPoint nearest_on_side(const Vec& x, const Vec& y, std::size_t number) {
-  const Vec side = y - x;
+NearestPoint nearest_on_side(const IntegerVec& x, const IntegerVec& y, std::size_t number) {
+  const IntegerVec side = y - x;
   if (dot(x, side).sign() >= 0) return {{dot(x, x)}, number, {0}};
   if (dot(y, side).sign() <= 0) return {{dot(y, y)}, number, {1}};
-  const Vec n = cross(x, y);
+  const IntegerVec n = cross(x, y);
   return {{dot(n, n), dot(side, side)}, number, {-dot(x, side), dot(side, side)}};
 }
 
-const Vec& corner(const MovingPolygon& polygon, std::size_t i) { return polygon.corner(i).at0; }
+const IntegerVec& corner(const MovingPolygon& polygon, std::size_t i) { return polygon.corner(i).at0; }
 
-Vec normal_of(const MovingPolygon& polygon) {
-  const Vec& first = corner(polygon, 0);
+IntegerVec normal_of(const MovingPolygon& polygon) {
+  const IntegerVec& first = corner(polygon, 0);
   return cross(corner(polygon, 1) - first, corner(polygon, polygon.corner_count - 1) - first);
 }
 
@@ -34,7 +34,7 @@ double value_of(const Fraction& a) {
   return sign < 0 ? -Magnitude::of(Fraction{-a.above, a.below}).value() : Magnitude::of(a).value();
 }
 
-Vec3<double> unit_vector_of(const Vec& v) {
+Vec3<double> unit_vector_of(const IntegerVec& v) {
   const Integer* const components[] = {&v.x, &v.y, &v.z};
   double mantissas[3] = {};
   long exponents[3] = {}, largest = 0;
@@ -67,15 +67,18 @@ ExactDistance on_side(PairKind kind, const MovingPolygon& polygon, const Nearest
   const double s = value_of(nearest.along);
   const Weights a = corner_weights(kind, i), b = corner_weights(kind, j);
   const auto mixed = [&](double from, double to) { return from == to ? from : to > from ? s : 1 - s; };
-  const Vec &x = corner(polygon, i), side = corner(polygon, j) - x;
-  const Vec gap = nearest.along.below * x + nearest.along.above * side;
+  const IntegerVec &x = corner(polygon, i), side = corner(polygon, j) - x;
+  const IntegerVec gap = nearest.along.below * x + nearest.along.above * side;
   return {0, mixed(a.u, b.u), mixed(a.v, b.v), unit_vector_of(gap)};
 }
 
 ExactDistance inside(const MovingPolygon& polygon) {
-  const Vec normal = normal_of(polygon), &first = corner(polygon, 0), &last = corner(polygon, polygon.corner_count - 1);
+  const IntegerVec normal = normal_of(polygon), &first = corner(polygon, 0),
+                   &last = corner(polygon, polygon.corner_count - 1);
   const Integer square = dot(normal, normal);
-  const auto weight = [&](const Vec& x, const Vec& y) { return value_of({dot(normal, cross(x, y)), square}); };
+  const auto weight = [&](const IntegerVec& x, const IntegerVec& y) {
+    return value_of({dot(normal, cross(x, y)), square});
+  };
   const Vec3<double> direction = unit_vector_of(normal);
   const bool is_behind = dot(normal, first).sign() < 0;
   return {0, weight(last, first), weight(first, corner(polygon, 1)), is_behind ? -direction : direction};
@@ -115,7 +118,7 @@ double Magnitude::rounded_down() const {
 
 /// Its plane where the foot of the perpendicular lies inside, else a side.
 NearestPoint nearest_point(const MovingPolygon& polygon) {
-  const Vec normal = normal_of(polygon);
+  const IntegerVec normal = normal_of(polygon);
   bool is_inside = dot(normal, normal).sign() > 0;
   NearestPoint nearest = nearest_on_side(corner(polygon, 0), corner(polygon, 1), 0);
   for (std::size_t i = 0; i < polygon.corner_count; ++i) {

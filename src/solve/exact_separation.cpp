@@ -8,9 +8,9 @@ namespace tamis {
 namespace {
 
 /// Its components are polynomials in time.
-using Vec = Vec3<IntegerPolynomial>;
+using PolynomialVec = Vec3<IntegerPolynomial>;
 
-Vec vector_of(const Moving<Integer>& v) {
+PolynomialVec vector_of(const Moving<Integer>& v) {
   const auto along = [](const Integer& at0, const Integer& at1) {
     return IntegerPolynomial::from_bernstein<2>({at0, at1});
   };
@@ -32,7 +32,7 @@ class SeparationTest {
   }
 
  private:
-  const Vec& corner(std::size_t i) const { return corners_[i % polygon_.corner_count]; }
+  const PolynomialVec& corner(std::size_t i) const { return corners_[i % polygon_.corner_count]; }
 
   /// A polynomial that is always zero begins nothing: the pair would have been as near before.
   template <class Condition>
@@ -40,12 +40,12 @@ class SeparationTest {
     if (!p.is_zero()) first_.add_roots(p, holds);
   }
 
-  void add_corner(const Vec& c) {
+  void add_corner(const PolynomialVec& c) {
     add_roots(dot(c, c) - IntegerPolynomial(square_), [](AlgebraicTime&) { return true; });
   }
 
-  void add_side(const Vec& x, const Vec& y) {
-    const Vec side = y - x, normal = cross(x, y);
+  void add_side(const PolynomialVec& x, const PolynomialVec& y) {
+    const PolynomialVec side = y - x, normal = cross(x, y);
     add_roots(dot(normal, normal) - square_ * dot(side, side), [&](AlgebraicTime& time) {
       const int before = time.sign_of(dot(x, side));
       if (before > 0) return false;
@@ -55,7 +55,7 @@ class SeparationTest {
   }
 
   void add_plane() {
-    const Vec normal = cross(corner(1) - corner(0), corner(polygon_.corner_count - 1) - corner(0));
+    const PolynomialVec normal = cross(corner(1) - corner(0), corner(polygon_.corner_count - 1) - corner(0));
     const IntegerPolynomial height = dot(corner(0), normal);
     add_roots(height * height - square_ * dot(normal, normal), [&](AlgebraicTime& time) {
       bool has_area = false;
@@ -70,7 +70,7 @@ class SeparationTest {
 
   const MovingPolygon& polygon_;
   const Integer square_;
-  std::array<Vec, 4> corners_;
+  std::array<PolynomialVec, 4> corners_;
   FirstTime first_;
 };
 

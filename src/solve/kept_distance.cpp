@@ -15,8 +15,7 @@ namespace {
 
 using Vec = Vec3<double>;
 
-constexpr double kRoundoff = error_bounds::unit_roundoff<double>;
-constexpr double kLength = 1 + error_bounds::kLength * kRoundoff;
+using error_bounds::kRoundoff;
 /// The distance at t=0 is good enough for a rate if known to this fraction of itself; else it is decided in integers.
 constexpr double kSharpEnough = 0x1p-20;
 
@@ -30,14 +29,14 @@ template <PairKind kind>
 StartBounds start_bounds(const PairMotion<double>& m) {
   const double size = m.size_d + m.size_e + m.size_f;
   const ClosestPoints closest = closest_points(kind, m.e.at0, m.f.at0, m.d.at0);
-  const double high =
-      std::sqrt(dot(closest.gap, closest.gap)) * kLength + error_bounds::bound(error_bounds::kGap, size);
+  const double high = std::sqrt(dot(closest.gap, closest.gap)) * error_bounds::kLengthUp +
+                      error_bounds::bound(error_bounds::kGap, size);
   double square = 0;  // convex combinations of the corners' velocities are those of all pairs of points
   for (const auto& corner : difference_corners<kind>(m)) {
     const Vec velocity = corner.at1 - corner.at0;
     square = std::max(square, dot(velocity, velocity));
   }
-  const double speed = std::sqrt(square) * kLength + error_bounds::bound(error_bounds::kVelocity, size);
+  const double speed = std::sqrt(square) * error_bounds::kLengthUp + error_bounds::bound(error_bounds::kVelocity, size);
   return {start_distance_bound(kind, m, closest), high, speed};
 }
 

@@ -71,8 +71,7 @@ class Looker {
   Look at(double t) const {
     const Vec e = at_time(m_.e, t), f = at_time(m_.f, t), d = at_time(m_.d, t);
     const ClosestPoints closest = closest_points(kind, e, f, d);
-    constexpr double kLength = 1 + error_bounds::kLength * error_bounds::unit_roundoff<double>;
-    const double farthest = std::sqrt(dot(closest.gap, closest.gap)) * kLength + error_;
+    const double farthest = std::sqrt(dot(closest.gap, closest.gap)) * error_bounds::kLengthUp + error_;
     if (farthest <= m_.separation) return {true, {2, -1}, 0};
     ApartTimes apart = clip_.around(t, {closest.gap});
     const ApartTimes turning = clip_.around(t, squared_axis<kind>(m_, t, closest));

@@ -9,13 +9,13 @@
 namespace tamis {
 namespace {
 
-using Vec = Vec3<Integer>;
+using IntegerVec = Vec3<Integer>;
 
 /// Convex combinations of the corners' velocities are those of all points of the polygon.
 Integer squared_speed(const MovingPolygon& polygon) {
   Integer largest;
   for (std::size_t i = 0; i < polygon.corner_count; ++i) {
-    const Vec velocity = polygon.corner(i).at1 - polygon.corner(i).at0;
+    const IntegerVec velocity = polygon.corner(i).at1 - polygon.corner(i).at0;
     Integer square = dot(velocity, velocity);
     if ((square - largest).sign() > 0) largest = std::move(square);
   }

@@ -19,7 +19,7 @@ Vec3<double> rescaled(const Vec3<double>& v) {
 }
 
 /// REQUIRES: not zero.
-Point normalized(const Vec3<double>& a) {
+Point unit_point(const Vec3<double>& a) {
   const Vec3<double> v = rescaled(a);
   const double length = std::sqrt(dot(v, v));
   return {v.x / length, v.y / length, v.z / length};
@@ -28,8 +28,8 @@ Point normalized(const Vec3<double>& a) {
 /// A unit vector along e x f, or if that vanishes one orthogonal to what is left.
 Point unit_normal(const Vec3<double>& e, const Vec3<double>& f) {
   const Vec3<double> normal = cross(rescaled(e), rescaled(f)), w = largest(e) > 0 ? e : f;
-  if (largest(normal) > 0) return normalized(normal);
-  if (std::fabs(w.x) + std::fabs(w.y) > 0) return normalized({-w.y, w.x, 0});
+  if (largest(normal) > 0) return unit_point(normal);
+  if (std::fabs(w.x) + std::fabs(w.y) > 0) return unit_point({-w.y, w.x, 0});
   return {1, 0, 0};
 }
 
@@ -46,7 +46,7 @@ void add_weights(PairKind kind, const PairMotion<double>& m, double time, PairRe
   result.v = closest.v;
   const double gap_error = error_bounds::bound(error_bounds::kGap, m.size_d + m.size_e + m.size_f);
   const bool has_gap = largest(closest.gap) > gap_error;
-  result.normal = !can_cross(kind) && has_gap ? normalized(closest.gap) : unit_normal(e, f);
+  result.normal = !can_cross(kind) && has_gap ? unit_point(closest.gap) : unit_normal(e, f);
 }
 
 }  // namespace tamis

@@ -4,12 +4,11 @@
 #include <string>
 
 #include "tamis/error.hpp"
+#include "topology/at.hpp"
 #include "topology/countable.hpp"
 
 namespace tamis {
 namespace {
-
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
 void check_index(Index index, Index vertex_count, const char* what, std::size_t element) {
   if (index >= 0 && index < vertex_count) return;
@@ -27,14 +26,14 @@ void check_indices(const Elements& elements, Index vertex_count, const char* wha
 Edge ascending(Index a, Index b) { return a < b ? Edge{a, b} : Edge{b, a}; }
 
 /// The edge of a face's side, if it is one.
-struct Side {
+struct FaceSide {
   Edge edge;
   Index face;  ///< -1 for a loose edge
   Index side;
 };
 
-std::vector<Side> collect_sides(const std::vector<Face>& faces, const std::vector<Edge>& loose_edges) {
-  std::vector<Side> sides;
+std::vector<FaceSide> collect_sides(const std::vector<Face>& faces, const std::vector<Edge>& loose_edges) {
+  std::vector<FaceSide> sides;
   sides.reserve(3 * faces.size() + loose_edges.size());
   for (std::size_t f = 0; f < faces.size(); ++f)
     for (std::size_t k = 0; k < 3; ++k) {
@@ -43,7 +42,7 @@ std::vector<Side> collect_sides(const std::vector<Face>& faces, const std::vecto
     }
   for (const Edge& edge : loose_edges)
     if (edge[0] != edge[1]) sides.push_back({ascending(edge[0], edge[1]), -1, 0});
-  std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
+  std::sort(sides.begin(), sides.end(), [](const FaceSide& a, const FaceSide& b) {
     return a.edge != b.edge ? a.edge < b.edge : a.face != b.face ? a.face < b.face : a.side < b.side;
   });
   return sides;
@@ -82,7 +81,7 @@ Mesh::Mesh(Index vertex_count, std::vector<Face> faces, const std::vector<Edge>&
     throw InvalidMesh("the mesh has no face, no edge and no point: give at least one feature");
 
   edges_of_face_.assign(faces_.size(), {-1, -1, -1});
-  for (const Side& side : collect_sides(faces_, loose_edges)) {
+  for (const FaceSide& side : collect_sides(faces_, loose_edges)) {
     if (edges_.empty() || edges_.back() != side.edge) {
       if (!edges_.empty()) close_row(faces_of_edge_);
       edges_.push_back(side.edge);

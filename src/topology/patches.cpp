@@ -4,10 +4,10 @@
 #include <map>
 #include <numeric>
 
+#include "topology/at.hpp"
+
 namespace tamis {
 namespace {
-
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
 class PatchOrder {
  public:
@@ -68,10 +68,10 @@ class PatchOrder {
 
 /// Oriented sides with how often they stay after opposite ones have cancelled: key (smaller, larger vertex), positive
 /// from the smaller to the larger.
-using Chain = std::vector<std::pair<Edge, int>>;
+using EdgeChain = std::vector<std::pair<Edge, int>>;
 
-Chain chain_of(const Face& face) {
-  Chain chain;
+EdgeChain chain_of(const Face& face) {
+  EdgeChain chain;
   for (std::size_t k = 0; k < 3; ++k) {
     const Index a = face[k], b = face[(k + 1) % 3];
     chain.push_back(a < b ? std::pair{Edge{a, b}, 1} : std::pair{Edge{b, a}, -1});
@@ -80,8 +80,8 @@ Chain chain_of(const Face& face) {
   return chain;
 }
 
-Chain sum(const Chain& a, const Chain& b) {
-  Chain result;
+EdgeChain sum(const EdgeChain& a, const EdgeChain& b) {
+  EdgeChain result;
   for (auto i = a.begin(), j = b.begin(); i != a.end() || j != b.end();) {
     if (j == b.end() || (i != a.end() && i->first < j->first)) {
       result.push_back(*i++);
@@ -97,7 +97,7 @@ Chain sum(const Chain& a, const Chain& b) {
 }
 
 /// The chain as one loop of vertices; empty if it is none.
-std::vector<Index> loop_of(const Chain& chain) {
+std::vector<Index> loop_of(const EdgeChain& chain) {
   std::vector<Edge> sides;  // from, to
   for (const auto& [edge, count] : chain) {
     if (count != 1 && count != -1) return {};
@@ -132,13 +132,13 @@ class ContourCollector {
   }
 
  private:
-  Chain visit(std::span<const Index> patch) {
+  EdgeChain visit(std::span<const Index> patch) {
     const std::size_t node = loops_.size();
     loops_.emplace_back();
     if (patch.size() == 1) return chain_of(mesh_.faces()[at(patch[0])]);
     const std::size_t half = patch.size() / 2;
-    const Chain first = visit(patch.first(half));
-    Chain chain = sum(first, visit(patch.subspan(half)));
+    const EdgeChain first = visit(patch.first(half));
+    EdgeChain chain = sum(first, visit(patch.subspan(half)));
     if (patch.size() >= smallest_) loops_[node] = loop_of(chain);
     return chain;
   }

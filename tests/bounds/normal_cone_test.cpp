@@ -5,15 +5,12 @@
 
 #include <random>
 
+#include "random_point.hpp"
+
 namespace tamis {
 namespace {
 
 using Triangle = std::array<Moving<double>, 3>;
-
-Vec3<double> random_point(std::mt19937_64& random, double size) {
-  std::uniform_real_distribution<double> unit(-size, size);
-  return {unit(random), unit(random), unit(random)};
-}
 
 /// Near the xy-plane, moving by up to `motion`.
 Triangle random_triangle(std::mt19937_64& random, double motion) {

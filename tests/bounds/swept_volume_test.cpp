@@ -8,6 +8,7 @@
 
 #include "bounds/oriented_box.hpp"
 #include "bounds/sphere.hpp"
+#include "random_point.hpp"
 
 namespace tamis {
 namespace {
@@ -18,11 +19,6 @@ using Volumes = testing::Types<Sphere, OrientedBox, Aabb, Dop16, Dop18, Dop26>;
 TYPED_TEST_SUITE(SweptVolume, Volumes);
 
 const Vec3<double> kOrigin{0.25, -0.125, 0.3};
-
-Vec3<double> random_point(std::mt19937_64& random, double size) {
-  std::uniform_real_distribution<double> unit(-size, size);
-  return {unit(random), unit(random), unit(random)};
-}
 
 using Triangle = std::array<Moving<double>, 3>;
 

@@ -17,7 +17,7 @@ std::string edges(const std::string& second = R"("vertex0":[7,8,9],"vertex1":[-7
          kPoses + "," + second + "}}";
 }
 
-std::string error_of(const std::string& text) {
+std::string rigid_error_of(const std::string& text) {
   return test::file_error("q.json", [&] { parse_rigid_query(text, "q.json"); });
 }
 
@@ -41,14 +41,14 @@ TEST(RigidQueries, PosesAndPointsAreTaken) {
 
 // Bug: half a file answers as if a corner were at the origin.
 TEST(RigidQueries, ErrorsNameThePlace) {
-  EXPECT_TRUE(test::contains(error_of("{"), "no JSON"));
-  EXPECT_TRUE(test::contains(error_of("[]"), "type: is missing"));
-  EXPECT_TRUE(test::contains(error_of(R"({"type":"vv"})"), "neither fv nor ee"));
-  EXPECT_TRUE(test::contains(error_of(R"({"type":"ee"})"), "edge0: is missing"));
-  EXPECT_TRUE(test::contains(error_of(edges(R"("vertex0":[7,8,9])")), "edge1.vertex1: is missing"));
-  EXPECT_TRUE(test::contains(error_of(edges(R"("vertex0":[7,8])")), "edge1.vertex0: is no array of three"));
-  EXPECT_TRUE(test::contains(error_of(edges(R"("vertex0":[7,"8",9])")), "edge1.vertex0: holds something"));
-  EXPECT_TRUE(test::contains(error_of(edges(R"("vertex0":[7,1e999,9])")), "q.json"));
+  EXPECT_TRUE(test::contains(rigid_error_of("{"), "no JSON"));
+  EXPECT_TRUE(test::contains(rigid_error_of("[]"), "type: is missing"));
+  EXPECT_TRUE(test::contains(rigid_error_of(R"({"type":"vv"})"), "neither fv nor ee"));
+  EXPECT_TRUE(test::contains(rigid_error_of(R"({"type":"ee"})"), "edge0: is missing"));
+  EXPECT_TRUE(test::contains(rigid_error_of(edges(R"("vertex0":[7,8,9])")), "edge1.vertex1: is missing"));
+  EXPECT_TRUE(test::contains(rigid_error_of(edges(R"("vertex0":[7,8])")), "edge1.vertex0: is no array of three"));
+  EXPECT_TRUE(test::contains(rigid_error_of(edges(R"("vertex0":[7,"8",9])")), "edge1.vertex0: holds something"));
+  EXPECT_TRUE(test::contains(rigid_error_of(edges(R"("vertex0":[7,1e999,9])")), "q.json"));
 }
 
 // Bug: the answer of another file of that name; a table that is no table of answers taken for one.

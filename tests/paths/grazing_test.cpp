@@ -4,14 +4,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 
 #include "paths/turning_pairs.hpp"
 
 namespace tamis::test {
 namespace {
-
-constexpr double kPi = std::numbers::pi;
 
 /// `rod` at t=0; turned by `turn` about z.
 TurningPair beside_wall(PairKind kind, double x, double y, double wall, double turn) {

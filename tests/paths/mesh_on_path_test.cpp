@@ -2,7 +2,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 
 #include "paths/turning_pairs.hpp"
 #include "scenes/shapes.hpp"
@@ -14,7 +13,6 @@
 namespace tamis::test {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 using scenes::Shape;
 
 /// Two closed bodies, or more, each a group of its own.

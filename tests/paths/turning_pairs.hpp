@@ -1,5 +1,7 @@
 // Pairs of features of turning bodies, for the library and for the oracle.
 #pragma once
+#include <numbers>
+
 #include "oracle/turning.hpp"
 #include "scenes/random.hpp"
 #include "tamis/rigid_path.hpp"
@@ -9,6 +11,8 @@ namespace tamis::test {
 using oracle::Turning;
 using oracle::TurningPair;
 using scenes::Random;
+
+inline constexpr double kPi = std::numbers::pi;
 
 inline RigidPath path_of(const TurningPair& pair) {
   const auto chain = [](const Turning& b) { return interpolated({b.p0, b.theta0}, {b.p1, b.theta1}); };

@@ -12,7 +12,7 @@
 namespace tamis::simulation {
 namespace {
 
-constexpr Index kTriangles = 1500;
+constexpr Index kAboutTriangles = 1500;
 
 class EveryScene : public testing::TestWithParam<const char*> {
  protected:
@@ -20,7 +20,7 @@ class EveryScene : public testing::TestWithParam<const char*> {
     if (std::string_view(GetParam()) == "bunny" && !std::filesystem::exists("/usr/share/glmark2/models/bunny.obj"))
       GTEST_SKIP() << "the Debian package glmark2-data is not installed";
   }
-  static Model make(std::uint64_t seed = 1) { return simulated_scene(GetParam()).make(kTriangles, seed); }
+  static Model make(std::uint64_t seed = 1) { return simulated_scene(GetParam()).make(kAboutTriangles, seed); }
 };
 
 std::vector<Point> mesh_positions(const Simulator& simulator) {
@@ -43,7 +43,7 @@ TEST(Crossings, AreFoundWhereTheyAre) {
 TEST_P(EveryScene, StartsFreeOfIntersectionsAtTheSizeAskedFor) {
   const Simulator simulator(make());
   EXPECT_FALSE(test::find_crossing(mesh_positions(simulator), simulator.model().faces));
-  EXPECT_NEAR(static_cast<double>(simulator.model().faces.size()), kTriangles, 0.15 * kTriangles);
+  EXPECT_NEAR(static_cast<double>(simulator.model().faces.size()), kAboutTriangles, 0.15 * kAboutTriangles);
 }
 
 // Bug: a scene that is fine at the size of the tests and starts intersecting at its own (edge collapses of the bunny).
@@ -109,7 +109,8 @@ INSTANTIATE_TEST_SUITE_P(Scenes, EveryScene, testing::Values("airbag", "cloth-ba
 
 // Bug: a seed that changes nothing, or everything.
 TEST(Scenes, TheSeedCreasesTheClothALittle) {
-  const Points a = cloth_ball(kTriangles, 1).particles.position, b = cloth_ball(kTriangles, 2).particles.position;
+  const Points a = cloth_ball(kAboutTriangles, 1).particles.position,
+               b = cloth_ball(kAboutTriangles, 2).particles.position;
   EXPECT_GT((a - b).norm(), 0);
   EXPECT_LT((a - b).cwiseAbs().maxCoeff(), 0.05);
 }

@@ -7,11 +7,10 @@
 #include <bit>
 #include <cmath>
 
+#include "case_name.hpp"
 #include "solve/kept_gap.hpp"
 #include "support/ask_pair.hpp"
-#include "support/pair_cases.hpp"
 #include "support/test_data.hpp"
-#include "support/test_names.hpp"
 
 namespace tamis::test {
 namespace {
@@ -77,11 +76,6 @@ TEST_P(KeptDistance, IsKeptUntilThenAndLeftAfterwards) {
                    std::to_string(separation / placement.scale));
       check(kind, m, {fraction, separation}, find(kind, m, {fraction, separation}));
     }
-}
-
-std::string case_name(const testing::TestParamInfo<KeptDistance::ParamType>& parameter) {
-  return test_name(kFamilies[std::get<0>(parameter.param)].name) + "_" +
-         test_name(kPlacements[std::get<1>(parameter.param)].name);
 }
 
 INSTANTIATE_TEST_SUITE_P(Cases, KeptDistance,

@@ -5,10 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "case_name.hpp"
 #include "support/ask_pair.hpp"
-#include "support/pair_cases.hpp"
 #include "support/test_data.hpp"
-#include "support/test_names.hpp"
 
 namespace tamis::test {
 namespace {
@@ -86,11 +85,6 @@ TEST_P(PairSoundness, BothGuaranteesKeepTheirPromises) {
     }
   RecordProperty("contacts", static_cast<int>(contacts));
   RecordProperty("unresolved", static_cast<int>(unresolved));
-}
-
-std::string case_name(const testing::TestParamInfo<PairSoundness::ParamType>& parameter) {
-  return test_name(kFamilies[std::get<0>(parameter.param)].name) + "_" +
-         test_name(kPlacements[std::get<1>(parameter.param)].name);
 }
 
 INSTANTIATE_TEST_SUITE_P(Cases, PairSoundness,

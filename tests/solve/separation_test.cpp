@@ -4,10 +4,9 @@
 
 #include <cmath>
 
+#include "case_name.hpp"
 #include "support/ask_pair.hpp"
-#include "support/pair_cases.hpp"
 #include "support/test_data.hpp"
-#include "support/test_names.hpp"
 
 namespace tamis::test {
 namespace {
@@ -61,11 +60,6 @@ TEST_P(Separation, DecisionsAndBracketsAreProven) {
   RecordProperty("contacts", static_cast<int>(contacts));
   RecordProperty("unresolved", static_cast<int>(unresolved));
   RecordProperty("wide", static_cast<int>(wide));
-}
-
-std::string case_name(const testing::TestParamInfo<Separation::ParamType>& parameter) {
-  return test_name(kFamilies[std::get<0>(parameter.param)].name) + "_" +
-         test_name(kPlacements[std::get<1>(parameter.param)].name);
 }
 
 INSTANTIATE_TEST_SUITE_P(Cases, Separation,

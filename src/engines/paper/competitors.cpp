@@ -28,19 +28,19 @@ constexpr std::array kCompetitors{
     Competitor{"paper-normal-cones", {"dnf", "ncf-published"}, true, true, HighLevelCulling::normal_cones},
     Competitor{"paper-star-contours", {"dnf", "ncf-published"}, true, true, HighLevelCulling::star_contours}};
 
-constexpr std::array kMethods{Method::tamis, Method::paper, Method::brute};
+constexpr std::array kCompeting{Method::tamis, Method::paper, Method::brute};
 
 }  // namespace
 
 std::vector<std::string_view> method_choices() {
   std::vector<std::string_view> names;
-  for (const Method method : kMethods) names.push_back(name_of(method));
+  for (const Method method : kCompeting) names.push_back(name_of(method));
   for (const Competitor& c : kCompetitors) names.push_back(c.name);
   return names;
 }
 
 void choose_method(Options& options, std::string_view name) {
-  for (const Method method : kMethods)
+  for (const Method method : kCompeting)
     if (name_of(method) == name) {
       options.method = method;
       return;

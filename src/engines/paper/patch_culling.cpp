@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "bvh/refit.hpp"
+#include "topology/at.hpp"
 
 namespace tamis {
 namespace {
@@ -12,8 +13,6 @@ namespace {
 /// Half angle up to which all normals face the axis; what is left to the right angle is far above the rounding of the
 /// axis and the projection along it.
 constexpr double kWidestCone = std::numbers::pi / 2 - 1e-3;
-
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
 }  // namespace
 

@@ -5,14 +5,13 @@
 #include <limits>
 
 #include "numerics/interval.hpp"
+#include "topology/at.hpp"
 
 namespace tamis {
 namespace {
 
 /// Added to the diagonal of U^T U, relative to its trace: dependent columns share what they could each do.
 constexpr double kRidge = 1e-12;
-
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
 }  // namespace
 

@@ -6,6 +6,7 @@
 
 #include "numerics/interval.hpp"
 #include "numerics/vec.hpp"
+#include "topology/at.hpp"
 #include "topology/representatives.hpp"
 
 namespace tamis {
@@ -15,8 +16,6 @@ namespace {
 /// matter.
 constexpr double kAllowance = 0x1p-20;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
 using Direction = Vec3<double>;
 

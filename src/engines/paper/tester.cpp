@@ -8,11 +8,10 @@
 #include "solve/decide.hpp"
 #include "solve/interval_newton.hpp"
 #include "solve/sharp_bracket.hpp"
+#include "topology/at.hpp"
 
 namespace tamis {
 namespace {
-
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
 constexpr bool is_vf(PairKind kind) { return kind == PairKind::vertex_face; }
 

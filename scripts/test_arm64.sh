@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # The same bits on 64-bit ARM (NEON): cross-compiles Tamis, runs it under qemu, and compares every contact of the
 # generated scenes and of the recorded frames with this machine's.
+#   --short        without the largest frames
 #   --all          also runs the unit tests there
 #   --here FOLDER  a finished build of this machine's, in place of build/dev
 # The libraries' arm64 packages are unpacked into build/arm64-packages: nothing installed here is changed. Exits with 77
@@ -8,12 +9,13 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-target=tamis_same_bits here=
+target=tamis_same_bits here= short=()
 while (($#)); do
   case $1 in
+    --short) short=(--short) ;;
     --all) target=all ;;
     --here) here=$2 && shift ;;
-    *) echo "test_arm64.sh: $1: say --all, --here FOLDER or nothing" >&2; exit 2 ;;
+    *) echo "test_arm64.sh: $1: say --short, --all, --here FOLDER or nothing" >&2; exit 2 ;;
   esac
   shift
 done
@@ -45,8 +47,8 @@ if [[ -z $here ]]; then
 fi
 
 qemu=(qemu-aarch64 -L /usr/aarch64-linux-gnu -E LD_LIBRARY_PATH="$packages/usr/lib/aarch64-linux-gnu:$packages/lib/aarch64-linux-gnu")
-"$here/tests/same_bits/tamis_same_bits" >build/same_bits_here.txt
-"${qemu[@]}" build/arm64/tests/same_bits/tamis_same_bits >build/same_bits_arm64.txt
+"$here/tests/same_bits/tamis_same_bits" "${short[@]}" >build/same_bits_here.txt
+"${qemu[@]}" build/arm64/tests/same_bits/tamis_same_bits "${short[@]}" >build/same_bits_arm64.txt
 diff build/same_bits_here.txt build/same_bits_arm64.txt
 cat build/same_bits_here.txt
 echo "the same on both: every bit of every contact"

@@ -1,7 +1,6 @@
 #include "detect/list_part.hpp"
 
 #include <algorithm>
-#include <cstring>
 #include <memory>
 
 #include "engines/cancellation.hpp"
@@ -26,23 +25,14 @@ bool has_finite_points(const Pair& pair, const Step& step) {
                      [&](Index i) { return is_finite(step.start[i]) && is_finite(step.end[i]); });
 }
 
-/// Pairs of one kind on their way through the lanes: each brings its own vertices, so that what it comes to depends on
-/// nothing else.
+/// Pairs of one kind on their way through the lanes.
 struct Batch {
-  static constexpr int kMost = 128;  // so that their vertices stay in the first cache
-
-  Batch() {
-    for (int i = 0; i < PairBuffer::kSize; ++i)
-      for (int c = 0; c < 4; ++c) pairs.corner[c][i] = 4 * std::min(i, kMost - 1) + c;
-  }
+  static constexpr int kMost = 128;  // so that the vertices they name, fetched as they come, stay in the first cache
 
   PairBuffer pairs, rest;
-  PackedVertex vertices[4 * kMost] = {};
   std::int32_t places[kMost + PairBuffer::kPadding] = {};
   std::int32_t open[kMost];
 };
-
-void copy_point(const double* from, double* to) { std::memcpy(to, from, 3 * sizeof(double)); }
 
 class PartDecision {
  public:
@@ -69,9 +59,9 @@ class PartDecision {
     if (!batch) batch = std::make_unique<Batch>();
     const int at = batch->pairs.count++;
     for (std::size_t i = 0; i < kCorners; ++i) {
-      PackedVertex& vertex = batch->vertices[static_cast<std::size_t>(4 * at) + i];
-      copy_point(part_.step.start[pair.vertices[i]], vertex.at);
-      copy_point(part_.step.end[pair.vertices[i]], vertex.at + 4);
+      batch->pairs.corner[i][at] = pair.vertices[i];
+      __builtin_prefetch(part_.step.start[pair.vertices[i]]);
+      __builtin_prefetch(part_.step.end[pair.vertices[i]]);
     }
     batch->places[at] = place;
     return batch->pairs.count < Batch::kMost || decide_batch(kind);
@@ -79,8 +69,10 @@ class PartDecision {
 
   bool decide_batch(PairKind kind) {
     Batch& batch = *batches_[static_cast<std::size_t>(kind)];
+    const auto& [start, end] = part_.step;
+    const StepRows vertices{start.data(), end.data(), start.stride(), end.stride()};
     const int open = part_.kernels.settle[static_cast<std::size_t>(kind)](
-        {batch.vertices, batch.places, part_.options}, batch.pairs, batch.rest, results_, batch.open);
+        {vertices, batch.places, part_.options}, batch.pairs, batch.rest, results_, batch.open);
     batch.pairs.count = 0;
     return std::all_of(batch.open, batch.open + open, [&](std::int32_t place) { return decide_singly(kind, place); });
   }

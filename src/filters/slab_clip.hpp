@@ -27,6 +27,16 @@ struct SlabClip {
     return clip.rest();
   }
 
+  /// The same on the three axes of the coordinates alone: nearly as short for pairs that touch, at a quarter of the
+  /// cost.
+  template <PairKind kind, class T>
+  static TimeInterval<T> clip_on_coordinates(const PairMotion<T>& m, const TimeInterval<T>& time) {
+    TimeClip<T> clip(time);
+    const T margin = margin_of(m, 1);
+    for_each_coordinate_axis([&](const auto& along) { clip_axis<kind>(m, along, margin, clip); });
+    return clip.rest();
+  }
+
   template <PairKind kind, class T>
   static Mask<T> proves_free(const PairMotion<T>& m) {
     const auto time = clip<kind>(m, TimeInterval<T>{T(0), T(1)});

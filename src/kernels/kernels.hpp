@@ -1,6 +1,7 @@
 // The hot loops, compiled once per instruction set and chosen at run time. Plain pointers only: a kernel object must
 // not emit code of shared templates, which the linker could then pick for a machine without that instruction set.
 #pragma once
+#include <cstddef>
 #include <cstdint>
 #include <span>
 
@@ -104,10 +105,16 @@ struct GapScan {
   int count = 0;
 };
 
+/// The vertices of a step as Positions has them: distances from one to the next in doubles.
+struct StepRows {
+  const double *start, *end;
+  std::ptrdiff_t start_stride, end_stride;
+};
+
 /// What goes with the pairs of a list.
 struct ListedPairs {
-  const PackedVertex* vertices;  ///< without radii
-  const std::int32_t* places;    ///< of the pairs of the buffer in the list
+  StepRows vertices;
+  const std::int32_t* places;  ///< of the pairs of the buffer in the list
   const PairOptions& options;
 };
 

@@ -13,37 +13,37 @@ namespace tamis::TAMIS_ISA {
 /// (PairBuffer).
 enum class Course { step, along_edge };
 
-/// The first `count` numbers of differences to - from of as many pairs as there are lanes: read as rows, turned into
-/// columns.
-template <int count>
-inline std::array<DoubleLanes, count> difference_columns(const PackedVertex* vertices, const std::int32_t* to,
-                                                         const std::int32_t* from) {
-  std::array<DoubleLanes, count> result;
-  DoubleLanes* const columns = result.data();
-  for (int chunk = 0; chunk < count; chunk += kDoubleLanes) {
-    DoubleLanes rows[kDoubleLanes];
-    for (int i = 0; i < kDoubleLanes; ++i)
-      rows[i] = DoubleLanes::load_aligned(vertices[to[i]].at + chunk) -
-                DoubleLanes::load_aligned(vertices[from[i]].at + chunk);
-    transpose(rows);
-    for (int i = 0; i < kDoubleLanes; ++i) columns[chunk + i] = rows[i];
-  }
-  return result;
+/// Three numbers of a vertex: where it is at t=0 or t=1.
+inline const double* position(const PackedVertex* vertices, std::int32_t vertex, bool at_end) {
+  return vertices[vertex].at + (at_end ? 4 : 0);
+}
+inline const double* position(const StepRows& vertices, std::int32_t vertex, bool at_end) {
+  return at_end ? vertices.end + vertex * vertices.end_stride : vertices.start + vertex * vertices.start_stride;
 }
 
-inline Moving<DoubleLanes> load_difference(const PackedVertex* vertices, const std::int32_t* to,
-                                           const std::int32_t* from) {
-  const auto c = difference_columns<8>(vertices, to, from);
-  return {{c[0], c[1], c[2]}, {c[4], c[5], c[6]}};
+#if XSIMD_WITH_AVX
+/// With any fourth number; behind the three of a StepRows nothing is read.
+inline __m256d load_position(const PackedVertex* vertices, std::int32_t vertex, bool at_end) {
+  return _mm256_load_pd(position(vertices, vertex, at_end));
 }
-
-/// At t=0: half a row each.
-inline Vec3<DoubleLanes> load_start_difference(const PackedVertex* vertices, const std::int32_t* to,
-                                               const std::int32_t* from) {
+inline __m256d load_position(const StepRows& vertices, std::int32_t vertex, bool at_end) {
 #if XSIMD_WITH_AVX512F
+  return _mm256_maskz_loadu_pd(7, position(vertices, vertex, at_end));
+#else
+  return _mm256_maskload_pd(position(vertices, vertex, at_end), _mm256_setr_epi64x(-1, -1, -1, 0));
+#endif
+}
+#endif
+
+/// to - from at t=0 or t=1, of as many pairs as there are lanes: read as rows, turned into columns.
+template <class Vertices>
+inline Vec3<DoubleLanes> load_difference_at(Vertices vertices, bool at_end, const std::int32_t* to,
+                                            const std::int32_t* from) {
+#if XSIMD_WITH_AVX
   const auto row = [&](int i) {
-    return _mm256_sub_pd(_mm256_load_pd(vertices[to[i]].at), _mm256_load_pd(vertices[from[i]].at));
+    return _mm256_sub_pd(load_position(vertices, to[i], at_end), load_position(vertices, from[i], at_end));
   };
+#if XSIMD_WITH_AVX512F
   const auto rows = [&](int low, int high) {
     return _mm512_insertf64x4(_mm512_castpd256_pd512(row(low)), row(high), 1);
   };
@@ -53,8 +53,20 @@ inline Vec3<DoubleLanes> load_start_difference(const PackedVertex* vertices, con
   return {_mm512_shuffle_f64x2(xz0, xz1, 0x88), _mm512_shuffle_f64x2(y0, y1, 0x88),
           _mm512_shuffle_f64x2(xz0, xz1, 0xdd)};
 #else
-  const auto c = difference_columns<4>(vertices, to, from);
-  return {c[0], c[1], c[2]};
+  const __m256d r0 = row(0), r1 = row(1), r2 = row(2), r3 = row(3);
+  const __m256d xz0 = _mm256_unpacklo_pd(r0, r1), xz1 = _mm256_unpacklo_pd(r2, r3);
+  const __m256d y0 = _mm256_unpackhi_pd(r0, r1), y1 = _mm256_unpackhi_pd(r2, r3);
+  return {_mm256_permute2f128_pd(xz0, xz1, 0x20), _mm256_permute2f128_pd(y0, y1, 0x20),
+          _mm256_permute2f128_pd(xz0, xz1, 0x31)};
+#endif
+#else
+  const double *to0 = position(vertices, to[0], at_end), *to1 = position(vertices, to[1], at_end);
+  const double *from0 = position(vertices, from[0], at_end), *from1 = position(vertices, from[1], at_end);
+  const auto column = [&](int k) {
+    const double lanes[kDoubleLanes] = {to0[k] - from0[k], to1[k] - from1[k]};
+    return DoubleLanes::load_unaligned(lanes);
+  };
+  return {column(0), column(1), column(2)};
 #endif
 }
 
@@ -87,16 +99,21 @@ inline DoubleLanes load_separation(const PackedVertex* vertices, const PairBuffe
   return DoubleLanes::load_unaligned(radii[0]) + DoubleLanes::load_unaligned(radii[1]) + fixed;
 }
 
+template <PairKind>
+inline DoubleLanes load_separation(const StepRows&, const PairBuffer&, int, const PairSeparation& separation) {
+  return DoubleLanes(separation.fixed);
+}
+
 /// The pairs first, first + 1, ... of the buffer; lanes past its end hold whatever the padding names. `separation` is
 /// in the unit of the vertices.
-template <PairKind kind, Course course = Course::step>
-inline PairMotion<DoubleLanes> load_motion(const PackedVertex* vertices, const PairBuffer& pairs, int first,
+template <PairKind kind, Course course = Course::step, class Vertices>
+inline PairMotion<DoubleLanes> load_motion(Vertices vertices, const PairBuffer& pairs, int first,
                                            const PairSeparation& separation = {}) {
   const auto moving = [&](VertexDifference v) -> Moving<DoubleLanes> {
     const std::int32_t *to = pairs.corner[v.to] + first, *from = pairs.corner[v.from] + first;
-    if constexpr (course == Course::step) return load_difference(vertices, to, from);
-    const auto at0 = load_start_difference(vertices, to, from);
-    return {at0, v.to == 0 ? load_start_difference(vertices, pairs.corner[4] + first, from) : at0};
+    const auto at0 = load_difference_at(vertices, false, to, from);
+    if constexpr (course == Course::step) return {at0, load_difference_at(vertices, true, to, from)};
+    return {at0, v.to == 0 ? load_difference_at(vertices, false, pairs.corner[4] + first, from) : at0};
   };
   constexpr SpanningVectors kVectors = spanning_vectors(kind);
   const auto e = moving(kVectors.e), f = moving(kVectors.f), d = moving(kVectors.d);

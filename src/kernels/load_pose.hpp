@@ -17,7 +17,7 @@ template <PairKind kind>
 inline LoadedPoses load_pose(const PackedVertex* vertices, const PairBuffer& pairs, int first,
                              const PairSeparation& separation) {
   const auto difference = [&](VertexDifference v) {
-    return load_start_difference(vertices, pairs.corner[v.to] + first, pairs.corner[v.from] + first);
+    return load_difference_at(vertices, false, pairs.corner[v.to] + first, pairs.corner[v.from] + first);
   };
   constexpr SpanningVectors kVectors = spanning_vectors(kind);
   const auto e = difference(kVectors.e), f = difference(kVectors.f), d = difference(kVectors.d);

@@ -11,12 +11,15 @@ namespace {
 /// Of all components: not finite if one is not.
 DoubleLanes sum(const Moving<DoubleLanes>& v) { return (v.at0.x + v.at0.y + v.at0.z) + (v.at1.x + v.at1.y + v.at1.z); }
 
+enum class Axes { coordinates, all };
+
 /// As many pairs as there are lanes.
-template <PairKind kind>
+template <PairKind kind, Axes axes>
 struct Clipped {
   Clipped(const ListedPairs& list, const PairBuffer& pairs, int first)
-      : motion(load_motion<kind>(list.vertices, pairs, first, {list.options.min_separation, false})),
-        time(SlabClip::clip<kind>(motion, TimeInterval<DoubleLanes>{DoubleLanes(0), DoubleLanes(1)})) {
+      : motion(load_motion<kind>(list.vertices, pairs, first, {list.options.min_separation, false})) {
+    const TimeInterval<DoubleLanes> step{DoubleLanes(0), DoubleLanes(1)};
+    time = axes == Axes::all ? SlabClip::clip<kind>(motion, step) : SlabClip::clip_on_coordinates<kind>(motion, step);
     const DoubleLanes all = sum(motion.e) + sum(motion.f) + sum(motion.d);
     finite = bits(all - all == DoubleLanes(0));  // NOLINT(misc-redundant-expression): NaN where all is not finite
     free = finite & bits((time.t_in > time.t_out) | (time.t_in > DoubleLanes(list.options.latest)));
@@ -38,46 +41,62 @@ class Settling {
 
   /// Returns how many pairs are left open.
   int run(const PairBuffer& in) {
-    for (int first = 0; first < in.count; first += kDoubleLanes) begin(in, first);
     if constexpr (can_cross(kind))
-      for (int first = 0; first < rest_.count; first += kDoubleLanes) look_at_halves(first);
+      if (list_.options.min_separation == 0) return find_crossings(in);
+    for (int first = 0; first < in.count; first += kDoubleLanes) {
+      const Clipped<kind, Axes::all> c(list_, in, first);
+      const unsigned pairs = lanes_in_use(in, first);
+      keep_free(pairs & c.free, list_.places + first);
+      leave_open(pairs & ~c.free, list_.places + first);
+    }
     return open_count_;
   }
 
  private:
-  void begin(const PairBuffer& in, int first) {
-    const Clipped<kind> c(list_, in, first);
-    const unsigned pairs = lanes_in_use(in, first), left = pairs & ~c.free;
-    unsigned crossing = 0;
-    if constexpr (can_cross(kind)) crossing = list_.options.min_separation > 0 ? 0 : left & c.finite;
-    if (crossing && is_exact_) crossing &= ~c.starts_coplanar();
-    const std::int32_t* places = list_.places + first;
-    for_each_bit(pairs & c.free, [&](int i) { results_[places[i]] = {}; });
-    for_each_bit(left & ~crossing, [&](int i) { open_[open_count_++] = places[i]; });
-    if constexpr (can_cross(kind))
-      if (crossing)
-        for_each_bit(unsettled(c, crossing, places, find_crossing<kind>(c.motion, widened(c.time))), [&](int i) {
-          rest_places_[rest_.count] = places[i];
-          for (int corner = 0; corner < 4; ++corner) rest_.corner[corner][rest_.count] = in.corner[corner][first + i];
-          ++rest_.count;
-        });
+  int find_crossings(const PairBuffer& in) {
+    for (int first = 0; first < in.count; first += kDoubleLanes) look_for_one(in, first);
+    for (int first = 0; first < rest_.count; first += kDoubleLanes) look_in_halves(first);
+    return open_count_;
   }
 
-  void look_at_halves(int first) {
-    const Clipped<kind> c(list_, rest_, first);
+  void look_for_one(const PairBuffer& in, int first) {
+    const Clipped<kind, Axes::coordinates> c(list_, in, first);
+    const std::int32_t* places = list_.places + first;
+    const unsigned pairs = lanes_in_use(in, first), left = pairs & ~c.free;
+    const unsigned crossing = left & c.finite & ~(is_exact_ ? c.starts_coplanar() : 0);
+    keep_free(pairs & c.free, places);
+    leave_open(left & ~crossing, places);
+    if (!crossing) return;
+    for_each_bit(unsettled(c, crossing, places, find_crossing<kind>(c.motion, widened(c.time))), [&](int i) {
+      rest_places_[rest_.count] = places[i];
+      for (int corner = 0; corner < 4; ++corner) rest_.corner[corner][rest_.count] = in.corner[corner][first + i];
+      ++rest_.count;
+    });
+  }
+
+  void look_in_halves(int first) {
+    const Clipped<kind, Axes::all> c(list_, rest_, first);
     const std::int32_t* places = rest_places_ + first;
-    const auto crossing = find_crossing_in_halves<kind>(c.motion, widened(c.time));
-    for_each_bit(unsettled(c, lanes_in_use(rest_, first), places, crossing),
-                 [&](int i) { open_[open_count_++] = places[i]; });
+    const unsigned pairs = lanes_in_use(rest_, first), left = pairs & ~c.free;
+    keep_free(pairs & c.free, places);
+    if (left) leave_open(unsettled(c, left, places, find_crossing_in_halves<kind>(c.motion, widened(c.time))), places);
+  }
+
+  void keep_free(unsigned lanes, const std::int32_t* places) {
+    for_each_bit(lanes, [&](int i) { results_[places[i]] = {}; });
+  }
+  void leave_open(unsigned lanes, const std::int32_t* places) {
+    for_each_bit(lanes, [&](int i) { open_[open_count_++] = places[i]; });
   }
 
   /// Writes what the crossing settles of `lanes`; returns what it does not.
-  unsigned unsettled(const Clipped<kind>& c, unsigned lanes, const std::int32_t* places,
+  template <Axes axes>
+  unsigned unsettled(const Clipped<kind, axes>& c, unsigned lanes, const std::int32_t* places,
                      const Crossing<DoubleLanes>& crossing) {
     const auto s = settled(crossing, c.time, is_exact_);
     const unsigned free = lanes & bits(s.is_free), touches = lanes & ~free & bits(s.touches);
     const unsigned late = touches & bits(s.lower > DoubleLanes(list_.options.latest));
-    for_each_bit(free | late, [&](int i) { results_[places[i]] = {}; });
+    keep_free(free | late, places);
     const DoubleLanes fields[] = {s.lower, s.upper, s.u, s.v, s.normal.x, s.normal.y, s.normal.z};
     double f[7][kDoubleLanes];
     for (int k = 0; k < 7; ++k) fields[k].store_unaligned(f[k]);

@@ -1,5 +1,5 @@
-// SIMD lanes: xsimd batches for arithmetic, and the three operations its Debian version lacks (a mask as bits, a
-// transposition, positions of set bits). Include only from the kernels, which are compiled once per instruction set.
+// SIMD lanes: xsimd batches for arithmetic, and the three operations its Debian version lacks (a mask as bits, columns
+// of rows, positions of set bits). Include only from the kernels, which are compiled once per instruction set.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -169,43 +169,6 @@ inline void load_columns(const float (*rows)[8], const std::int32_t* index, Floa
     float lanes[FloatLanes::size];
     for (std::size_t i = 0; i < FloatLanes::size; ++i) lanes[i] = rows[index[i]][column];
     columns[column] = FloatLanes::load_unaligned(lanes);
-  }
-#endif
-}
-
-/// Transposes a square of doubles in place: rows become columns.
-inline void transpose(DoubleLanes (&r)[kDoubleLanes]) {
-#if XSIMD_WITH_AVX512F
-  __m512d a[8], b[8];
-  for (int i = 0; i < 8; i += 2) {
-    a[i] = _mm512_unpacklo_pd(r[i], r[i + 1]);
-    a[i + 1] = _mm512_unpackhi_pd(r[i], r[i + 1]);
-  }
-  for (int i = 0; i < 8; i += 4)
-    for (int k = 0; k < 2; ++k) {
-      b[i + k] = _mm512_shuffle_f64x2(a[i + k], a[i + k + 2], 0x88);
-      b[i + k + 2] = _mm512_shuffle_f64x2(a[i + k], a[i + k + 2], 0xdd);
-    }
-  for (int k = 0; k < 2; ++k) {
-    r[k] = _mm512_shuffle_f64x2(b[k], b[k + 4], 0x88);
-    r[k + 4] = _mm512_shuffle_f64x2(b[k], b[k + 4], 0xdd);
-    r[k + 2] = _mm512_shuffle_f64x2(b[k + 2], b[k + 6], 0x88);
-    r[k + 6] = _mm512_shuffle_f64x2(b[k + 2], b[k + 6], 0xdd);
-  }
-#elif XSIMD_WITH_AVX
-  const __m256d a = _mm256_unpacklo_pd(r[0], r[1]), b = _mm256_unpackhi_pd(r[0], r[1]);
-  const __m256d c = _mm256_unpacklo_pd(r[2], r[3]), d = _mm256_unpackhi_pd(r[2], r[3]);
-  r[0] = _mm256_permute2f128_pd(a, c, 0x20);
-  r[1] = _mm256_permute2f128_pd(b, d, 0x20);
-  r[2] = _mm256_permute2f128_pd(a, c, 0x31);
-  r[3] = _mm256_permute2f128_pd(b, d, 0x31);
-#else
-  double square[kDoubleLanes][kDoubleLanes];
-  for (int i = 0; i < kDoubleLanes; ++i) r[i].store_unaligned(square[i]);
-  for (int i = 0; i < kDoubleLanes; ++i) {
-    double column[kDoubleLanes];
-    for (int j = 0; j < kDoubleLanes; ++j) column[j] = square[j][i];
-    r[i] = DoubleLanes::load_unaligned(column);
   }
 #endif
 }

@@ -176,7 +176,7 @@ inline Crossing<T> find_crossing_in_halves(const PairMotion<T>& step, const Time
   const T cut = min(max((T(1) - s) * part.t_in + s * part.t_out, part.t_in), part.t_out);
   const auto in_half = [&](const T& t_in, const T& t_out) {
     auto c = find_crossing<kind>(step, TimeInterval<T>{t_in, t_out});
-    c.is_free = c.is_free | Ncf::proves_free<kind>(restrict_to(step, t_in, t_out));
+    if (any(!(c.is_free | c.touches))) c.is_free = c.is_free | Ncf::proves_free<kind>(restrict_to(step, t_in, t_out));
     return c;
   };
   const auto a = in_half(part.t_in, cut), b = in_half(cut, part.t_out);

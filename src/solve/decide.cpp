@@ -21,10 +21,12 @@ bool is_about_distance(PairKind kind, double separation) { return separation > 0
 
 bool is_finite(const PairMotion<double>& m) { return std::isfinite(m.size_e + m.size_f + m.size_d); }
 
+constexpr TimeInterval<double> kWholeStep{0, 1};
+
 /// The times that the slab clip leaves.
 TimeInterval<double> time_in_question(PairKind kind, const PairMotion<double>& m) {
-  if (!is_finite(m)) return {0, 1};
-  return with_kind(kind, [&](auto k) { return SlabClip::clip<k()>(m, TimeInterval<double>{0, 1}); });
+  if (!is_finite(m)) return kWholeStep;
+  return with_kind(kind, [&](auto k) { return SlabClip::clip<k()>(m, kWholeStep); });
 }
 
 /// The decision without what the clip proves free.
@@ -81,22 +83,41 @@ Outcome decide_conservatively(PairKind kind, const PairPoints& points, const Pai
   return {d, d.verdict == Verdict::unsure ? &PrecisionCount::unresolved : &PrecisionCount::scalar};
 }
 
-/// What crossings settle; nothing where that takes more.
-template <PairKind kind>
-std::optional<PairResult> settled_by_crossings(const PairMotion<double>& m, const TimeInterval<double>& clip,
-                                               Guarantee guarantee) {
-  const bool is_exact = guarantee == Guarantee::exact;
-  if (!is_finite(m) || (is_exact && clip.t_in == 0 && may_start_coplanar(m))) return {};
-  const auto time = widened(clip);
-  auto s = settled(find_crossing<kind>(m, time), clip, is_exact);
-  if (!s.is_free && !s.touches) s = settled(find_crossing_in_halves<kind>(m, time), clip, is_exact);
+bool is_proven_free(const TimeInterval<double>& clip, const PairOptions& options) {
+  return clip.t_in > clip.t_out || clip.t_in > options.latest;
+}
+
+/// What a crossing that `find` finds in widened(clip) settles; nothing where that takes more.
+template <class Find>
+std::optional<PairResult> settled_within(const PairMotion<double>& m, const TimeInterval<double>& clip,
+                                         const PairOptions& options, const Find& find) {
+  const bool is_exact = options.guarantee == Guarantee::exact;
+  if (is_proven_free(clip, options)) return PairResult{};
+  if (is_exact && clip.t_in == 0 && may_start_coplanar(m)) return {};
+  const auto s = settled(find(m, widened(clip)), clip, is_exact);
   if (s.is_free) return PairResult{};
   if (!s.touches) return {};
   return PairResult{true, Certainty::certified, s.lower, s.upper, s.u, s.v, {s.normal.x, s.normal.y, s.normal.z}};
 }
 
+template <PairKind kind>
+std::optional<PairResult> settled_by_crossings(const PairMotion<double>& m, const PairOptions& options) {
+  const auto one = [](const auto&... in) { return find_crossing<kind>(in...); };
+  const auto in_halves = [](const auto&... in) { return find_crossing_in_halves<kind>(in...); };
+  if (const auto result = settled_within(m, SlabClip::clip_on_coordinates<kind>(m, kWholeStep), options, one))
+    return result;
+  return settled_within(m, SlabClip::clip<kind>(m, kWholeStep), options, in_halves);
+}
+
+std::optional<PairResult> settled_by_crossings(PairKind kind, const PairMotion<double>& m, const PairOptions& options) {
+  if (is_about_distance(kind, m.separation) || !is_finite(m)) return {};
+  return kind == PairKind::vertex_face ? settled_by_crossings<PairKind::vertex_face>(m, options)
+                                       : settled_by_crossings<PairKind::edge_edge>(m, options);
+}
+
 Outcome decide_pair(PairKind kind, const PairPoints& points, const PairMotion<double>& m,
                     const TimeInterval<double>& clip, const PairOptions& options) {
+  if (is_proven_free(clip, options)) return {{}, &PrecisionCount::scalar};
   const bool is_exact = options.guarantee == Guarantee::exact;
   if (is_exact && clip.t_in == 0 && !is_about_distance(kind, m.separation) && may_start_coplanar(m))
     return decide_in_integers(kind, points, options.min_separation);
@@ -121,18 +142,11 @@ PairResult with_weights(PairKind kind, const PairMotion<double>& m, const Decisi
 PairResult decide_step(PairKind kind, const PairPoints& points, const PairOptions& options,
                        PrecisionCount& decided_by) {
   const auto m = make_motion(kind, points, options.min_separation);
-  const auto clip = time_in_question(kind, m);
-  std::optional<PairResult> settled;
-  if (clip.t_in > clip.t_out || clip.t_in > options.latest)
-    settled = PairResult{};
-  else if (!is_about_distance(kind, m.separation))
-    settled = kind == PairKind::vertex_face ? settled_by_crossings<PairKind::vertex_face>(m, clip, options.guarantee)
-                                            : settled_by_crossings<PairKind::edge_edge>(m, clip, options.guarantee);
-  if (settled) {
+  if (const auto settled = settled_by_crossings(kind, m, options)) {
     ++decided_by.scalar;
     return *settled;
   }
-  const auto [decision, arithmetic] = decide_pair(kind, points, m, clip, options);
+  const auto [decision, arithmetic] = decide_pair(kind, points, m, time_in_question(kind, m), options);
   ++(decided_by.*arithmetic);
   return with_weights(kind, m, decision);
 }

@@ -1,6 +1,6 @@
-// What doubles settle of nearly every pair that crosses: the slab clip, one crossing in what it leaves, and where that
-// is not enough one on each side of where the cubic turns. The same lines serve one pair and pairs in lanes, so that a
-// pair has the same bits however it is asked.
+// What doubles settle of nearly every pair that crosses: one crossing in what the slab clip on the coordinates leaves;
+// and where that is not enough, in what the clip on all its axes leaves, one on each side of where the cubic turns. The
+// same lines serve one pair and pairs in lanes, so that a pair has the same bits however it is asked.
 #pragma once
 #include "filters/slab_clip.hpp"
 #include "numerics/unit_vector.hpp"

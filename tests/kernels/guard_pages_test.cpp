@@ -161,8 +161,9 @@ int run_gaps(const Kernels& kernels, PairKind kind, const GuardedTree& a, const 
 }
 
 /// The way of a list of pairs, each of which is answered or left open.
-void run_list(const Kernels& kernels, std::size_t kind, const PairBuffer& in, const PackedVertex* vertices,
-              Guard guard) {
+void run_list(const Kernels& kernels, std::size_t kind, const PairBuffer& in, const Soup& soup, Guard guard) {
+  const Guarded<Point> start(soup.start, guard), end(soup.end, guard);
+  const StepRows vertices{start.data()->data(), end.data()->data(), 3, 3};
   const auto count = static_cast<std::size_t>(in.count);
   const auto empty = std::make_unique<PairBuffer>();
   for (const double min_separation : {0.0, 0.5}) {
@@ -184,8 +185,9 @@ void run_list(const Kernels& kernels, std::size_t kind, const PairBuffer& in, co
 }
 
 /// The clips of the kinds that cannot cross, and the distances at rest: of vertices of the soup, in any order.
-void run_other_kinds(const Kernels& kernels, int count, const PackedVertex* vertices, const BoxVertex* box_vertices,
-                     Guard guard) {
+void run_other_kinds(const Kernels& kernels, const Soup& soup, const PackedVertex* vertices,
+                     const BoxVertex* box_vertices, Guard guard) {
+  const auto count = static_cast<int>(soup.start.size());
   const auto pairs = std::make_unique<PairBuffer>(), empty = std::make_unique<PairBuffer>();
   for (pairs->count = 0; pairs->count < count; ++pairs->count)
     for (int corner = 0; corner < 4; ++corner)
@@ -203,7 +205,7 @@ void run_other_kinds(const Kernels& kernels, int count, const PackedVertex* vert
     EXPECT_EQ(near.data()->count + unsure.data()->count, count) << kind;
     const Guarded<NearPair> rest(std::vector<NearPair>(PairBuffer::kCapacity), guard);
     kernels.measure[kind](vertices, *in.data(), rest.data());
-    run_list(kernels, kind, *in.data(), vertices, guard);
+    run_list(kernels, kind, *in.data(), soup, guard);
   }
 }
 
@@ -257,7 +259,7 @@ TEST_P(GuardPages, NoKernelReadsOrWritesOutsideItsArrays) {
         EXPECT_LE(at_rest, swept);
         EXPECT_GT(run_gaps(*kernels, kind, *a, *b, vertices.data(), guard), 0);
       }
-      run_other_kinds(*kernels, 3 * triangles, vertices.data(), box_vertices.data(), guard);
+      run_other_kinds(*kernels, soup, vertices.data(), box_vertices.data(), guard);
     }
   }
 }

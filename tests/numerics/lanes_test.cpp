@@ -33,20 +33,6 @@ TEST(Ratio, StaysWithinItsStatedErrorForEveryMantissa) {
   EXPECT_GE(worst_error(127u << 23), Ratio<FloatLanes>::kError / 2);  // the bound is no fiction
 }
 
-TEST(Lanes, TransposeTurnsRowsIntoColumns) {
-  DoubleLanes rows[kDoubleLanes];
-  double values[kDoubleLanes];
-  for (int i = 0; i < kDoubleLanes; ++i) {
-    for (int j = 0; j < kDoubleLanes; ++j) values[j] = 10 * i + j;
-    rows[i] = DoubleLanes::load_unaligned(values);
-  }
-  transpose(rows);
-  for (int i = 0; i < kDoubleLanes; ++i) {
-    rows[i].store_unaligned(values);
-    for (int j = 0; j < kDoubleLanes; ++j) EXPECT_EQ(values[j], 10 * j + i);
-  }
-}
-
 TEST(Lanes, ColumnsOfScatteredRows) {
   // Would catch quarters of a register in the wrong order: pairs would get other pairs' vertices.
   float rows[32][8];

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# nightly.sh: all tests, and what takes too long for every day: clang-tidy over everything, both sanitizers, the unit
+# nightly.sh: all tests, and what takes too long for every day: each source compiled by itself, clang-tidy over everything, both sanitizers, the unit
 # tests on 64-bit ARM, an hour of attacks and one of fuzzing. Some four hours on two cores; goes on after a failure,
 # and names it at the end.
 set -uo pipefail
@@ -8,6 +8,8 @@ cd "$(dirname "$0")/.."
 failed=()
 run() { echo "nightly: $*"; "$@" || failed+=("$*"); }
 run scripts/test.sh
+run cmake --preset dev -B build/alone -DCMAKE_UNITY_BUILD=OFF -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON
+run cmake --build build/alone
 run scripts/check_tidy.sh build/dev/tidy --all
 run scripts/sanitize.sh address
 run scripts/sanitize.sh thread

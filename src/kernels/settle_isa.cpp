@@ -11,15 +11,14 @@ namespace {
 /// Of all components: not finite if one is not.
 DoubleLanes sum(const Moving<DoubleLanes>& v) { return (v.at0.x + v.at0.y + v.at0.z) + (v.at1.x + v.at1.y + v.at1.z); }
 
-enum class Axes { coordinates, all };
+using Axes = SlabClip::Axes;
 
 /// As many pairs as there are lanes.
 template <PairKind kind, Axes axes>
 struct Clipped {
   Clipped(const ListedPairs& list, const PairBuffer& pairs, int first)
-      : motion(load_motion<kind>(list.vertices, pairs, first, {list.options.min_separation, false})) {
-    const TimeInterval<DoubleLanes> step{DoubleLanes(0), DoubleLanes(1)};
-    time = axes == Axes::all ? SlabClip::clip<kind>(motion, step) : SlabClip::clip_on_coordinates<kind>(motion, step);
+      : motion(load_motion<kind>(list.vertices, pairs, first, {list.options.min_separation, false})),
+        time(SlabClip::clip<kind, axes>(motion, TimeInterval<DoubleLanes>{DoubleLanes(0), DoubleLanes(1)})) {
     const DoubleLanes all = sum(motion.e) + sum(motion.f) + sum(motion.d);
     finite = bits(all - all == DoubleLanes(0));  // NOLINT(misc-redundant-expression): NaN where all is not finite
     free = finite & bits((time.t_in > time.t_out) | (time.t_in > DoubleLanes(list.options.latest)));

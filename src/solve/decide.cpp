@@ -104,7 +104,8 @@ template <PairKind kind>
 std::optional<PairResult> settled_by_crossings(const PairMotion<double>& m, const PairOptions& options) {
   const auto one = [](const auto&... in) { return find_crossing<kind>(in...); };
   const auto in_halves = [](const auto&... in) { return find_crossing_in_halves<kind>(in...); };
-  if (const auto result = settled_within(m, SlabClip::clip_on_coordinates<kind>(m, kWholeStep), options, one))
+  if (const auto result =
+          settled_within(m, SlabClip::clip<kind, SlabClip::Axes::coordinates>(m, kWholeStep), options, one))
     return result;
   return settled_within(m, SlabClip::clip<kind>(m, kWholeStep), options, in_halves);
 }

@@ -5,6 +5,7 @@
 #include "filters/ncf.hpp"
 #include "filters/slab_clip.hpp"
 #include "kernels/bound_leaf.hpp"
+#include "kernels/crossings.hpp"
 #include "kernels/gaps.hpp"
 #include "kernels/load_motion.hpp"
 #include "kernels/near_boxes.hpp"
@@ -12,7 +13,6 @@
 #include "kernels/search.hpp"
 #include "kernels/settle.hpp"
 #include "kernels/split.hpp"
-#include "solve/crossing.hpp"
 #include "solve/kept_gap.hpp"
 #include "solve/start_gap.hpp"
 
@@ -152,16 +152,19 @@ int solve(const PackedVertex* vertices, const PairBuffer& in, PairBuffer& rest, 
   std::int32_t pairs[kDoubleLanes], rest_pairs[PairBuffer::kSize] = {};
   int count = 0;
   rest.count = 0;
-  for (int first = 0; first < in.count; first += kDoubleLanes) {
-    const auto c = find_crossing<kind>(load_motion<kind, course>(vertices, in, first), load_time(in, first));
-    const unsigned left = lanes_in_use(in, first) & ~bits(c.is_free), touches = left & bits(c.touches);
-    for (int i = 0; i < kDoubleLanes; ++i) pairs[i] = first + i;
+  const auto make = [&](int first) {
+    return CrossingStride{first, lanes_in_use(in, first), load_motion<kind, course>(vertices, in, first),
+                          load_time(in, first)};
+  };
+  for_each_crossing<kind>(in.count, make, [&](const CrossingStride& stride, const Crossing<DoubleLanes>& c) {
+    const unsigned left = stride.lanes & ~bits(c.is_free), touches = left & bits(c.touches);
+    for (int i = 0; i < kDoubleLanes; ++i) pairs[i] = stride.first + i;
     if (touches) count = write_solved(c, touches, touches, pairs, out, count);
     for_each_bit(left & ~touches, [&](int i) {
-      rest_pairs[rest.count] = first + i;
-      copy_pair(in, first + i, rest);
+      rest_pairs[rest.count] = stride.first + i;
+      copy_pair(in, stride.first + i, rest);
     });
-  }
+  });
   for (int first = 0; first < rest.count; first += kDoubleLanes) {
     const auto c =
         find_crossing_in_halves<kind>(load_motion<kind, course>(vertices, rest, first), load_time(rest, first));

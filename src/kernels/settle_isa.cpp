@@ -1,5 +1,6 @@
 // The pairs of a list: compiled once for each instruction set. What is asked of a pair here is asked of it in decide()
 // too, in the same order, so that it has the same bits.
+#include "kernels/crossings.hpp"
 #include "kernels/load_motion.hpp"
 #include "kernels/search.hpp"
 #include "kernels/settle.hpp"
@@ -13,20 +14,26 @@ DoubleLanes sum(const Moving<DoubleLanes>& v) { return (v.at0.x + v.at0.y + v.at
 
 using Axes = SlabClip::Axes;
 
-/// As many pairs as there are lanes.
+/// The pairs first, first + 1, ... of `pairs`, whose places in the list of results are `places`; clipped.
 template <PairKind kind, Axes axes>
-struct Clipped {
-  Clipped(const ListedPairs& list, const PairBuffer& pairs, int first)
-      : motion(load_motion<kind>(list.vertices, pairs, first, {list.options.min_separation, false})),
-        time(SlabClip::clip<kind, axes>(motion, TimeInterval<DoubleLanes>{DoubleLanes(0), DoubleLanes(1)})) {
+struct ClippedStride : CrossingStride {
+  ClippedStride(const ListedPairs& list, const PairBuffer& pairs, const std::int32_t* all_places, int at)
+      : CrossingStride{at,
+                       lanes_in_use(pairs, at),
+                       load_motion<kind>(list.vertices, pairs, at, {list.options.min_separation, false}),
+                       {}},
+        places(all_places + at),
+        clip(SlabClip::clip<kind, axes>(motion, TimeInterval<DoubleLanes>{DoubleLanes(0), DoubleLanes(1)})) {
+    part = widened(clip);
     const DoubleLanes all = sum(motion.e) + sum(motion.f) + sum(motion.d);
     finite = bits(all - all == DoubleLanes(0));  // NOLINT(misc-redundant-expression): NaN where all is not finite
-    free = finite & bits((time.t_in > time.t_out) | (time.t_in > DoubleLanes(list.options.latest)));
+    free = lanes & finite & bits((clip.t_in > clip.t_out) | (clip.t_in > DoubleLanes(list.options.latest)));
+    lanes &= ~free;
   }
-  unsigned starts_coplanar() const { return bits((time.t_in == DoubleLanes(0)) & may_start_coplanar(motion)); }
+  unsigned starts_coplanar() const { return bits((clip.t_in == DoubleLanes(0)) & may_start_coplanar(motion)); }
 
-  PairMotion<DoubleLanes> motion;
-  TimeInterval<DoubleLanes> time;
+  const std::int32_t* places;
+  TimeInterval<DoubleLanes> clip;
   unsigned finite, free;  ///< bits of lanes
 };
 
@@ -43,42 +50,42 @@ class Settling {
     if constexpr (can_cross(kind))
       if (list_.options.min_separation == 0) return find_crossings(in);
     for (int first = 0; first < in.count; first += kDoubleLanes) {
-      const Clipped<kind, Axes::all> c(list_, in, first);
-      const unsigned pairs = lanes_in_use(in, first);
-      keep_free(pairs & c.free, list_.places + first);
-      leave_open(pairs & ~c.free, list_.places + first);
+      const ClippedStride<kind, Axes::all> stride(list_, in, list_.places, first);
+      keep_free(stride.free, stride.places);
+      leave_open(stride.lanes, stride.places);
     }
     return open_count_;
   }
 
  private:
   int find_crossings(const PairBuffer& in) {
-    for (int first = 0; first < in.count; first += kDoubleLanes) look_for_one(in, first);
+    using Stride = ClippedStride<kind, Axes::coordinates>;
+    const auto make = [&](int first) {
+      Stride stride(list_, in, list_.places, first);
+      const unsigned unfit = stride.lanes & ~(stride.finite & ~(is_exact_ ? stride.starts_coplanar() : 0));
+      keep_free(stride.free, stride.places);
+      leave_open(unfit, stride.places);
+      stride.lanes &= ~unfit;
+      return stride;
+    };
+    for_each_crossing<kind>(in.count, make, [&](const Stride& stride, const Crossing<DoubleLanes>& crossing) {
+      for_each_bit(unsettled(stride, crossing), [&](int i) {
+        rest_places_[rest_.count] = stride.places[i];
+        for (int corner = 0; corner < 4; ++corner)
+          rest_.corner[corner][rest_.count] = in.corner[corner][stride.first + i];
+        ++rest_.count;
+      });
+    });
     for (int first = 0; first < rest_.count; first += kDoubleLanes) look_in_halves(first);
     return open_count_;
   }
 
-  void look_for_one(const PairBuffer& in, int first) {
-    const Clipped<kind, Axes::coordinates> c(list_, in, first);
-    const std::int32_t* places = list_.places + first;
-    const unsigned pairs = lanes_in_use(in, first), left = pairs & ~c.free;
-    const unsigned crossing = left & c.finite & ~(is_exact_ ? c.starts_coplanar() : 0);
-    keep_free(pairs & c.free, places);
-    leave_open(left & ~crossing, places);
-    if (!crossing) return;
-    for_each_bit(unsettled(c, crossing, places, find_crossing<kind>(c.motion, widened(c.time))), [&](int i) {
-      rest_places_[rest_.count] = places[i];
-      for (int corner = 0; corner < 4; ++corner) rest_.corner[corner][rest_.count] = in.corner[corner][first + i];
-      ++rest_.count;
-    });
-  }
-
   void look_in_halves(int first) {
-    const Clipped<kind, Axes::all> c(list_, rest_, first);
-    const std::int32_t* places = rest_places_ + first;
-    const unsigned pairs = lanes_in_use(rest_, first), left = pairs & ~c.free;
-    keep_free(pairs & c.free, places);
-    if (left) leave_open(unsettled(c, left, places, find_crossing_in_halves<kind>(c.motion, widened(c.time))), places);
+    const ClippedStride<kind, Axes::all> stride(list_, rest_, rest_places_, first);
+    keep_free(stride.free, stride.places);
+    if (!stride.lanes) return;
+    const auto crossing = find_crossing_in_halves<kind>(stride.motion, stride.part);
+    leave_open(unsettled(stride, crossing), stride.places);
   }
 
   void keep_free(unsigned lanes, const std::int32_t* places) {
@@ -88,20 +95,20 @@ class Settling {
     for_each_bit(lanes, [&](int i) { open_[open_count_++] = places[i]; });
   }
 
-  /// Writes what the crossing settles of `lanes`; returns what it does not.
+  /// Writes what the crossing settles of the stride; returns the lanes that it does not.
   template <Axes axes>
-  unsigned unsettled(const Clipped<kind, axes>& c, unsigned lanes, const std::int32_t* places,
-                     const Crossing<DoubleLanes>& crossing) {
-    const auto s = settled(crossing, c.time, is_exact_);
+  unsigned unsettled(const ClippedStride<kind, axes>& stride, const Crossing<DoubleLanes>& crossing) {
+    const auto s = settled(crossing, stride.clip, is_exact_);
+    const unsigned lanes = stride.lanes;
     const unsigned free = lanes & bits(s.is_free), touches = lanes & ~free & bits(s.touches);
     const unsigned late = touches & bits(s.lower > DoubleLanes(list_.options.latest));
-    keep_free(free | late, places);
+    keep_free(free | late, stride.places);
     const DoubleLanes fields[] = {s.lower, s.upper, s.u, s.v, s.normal.x, s.normal.y, s.normal.z};
     double f[7][kDoubleLanes];
     for (int k = 0; k < 7; ++k) fields[k].store_unaligned(f[k]);
     for_each_bit(touches & ~late, [&](int i) {
-      results_[places[i]] = {true,    Certainty::certified,       f[0][i], f[1][i], f[2][i],
-                             f[3][i], {f[4][i], f[5][i], f[6][i]}};
+      results_[stride.places[i]] = {true,    Certainty::certified,       f[0][i], f[1][i], f[2][i],
+                                    f[3][i], {f[4][i], f[5][i], f[6][i]}};
     });
     return lanes & ~free & ~touches;
   }

@@ -6,7 +6,7 @@
 #include "filters/ncf.hpp"
 #include "motion/polynomials.hpp"
 #include "motion/time_clip.hpp"
-#include "numerics/select.hpp"
+#include "solve/crossing_root.hpp"
 
 namespace tamis {
 
@@ -24,40 +24,6 @@ struct Crossing {
 };
 
 namespace crossing {
-
-template <class T>
-inline T value(const std::array<T, 4>& k, const T& t) {
-  const T s = T(1) - t;
-  return s * s * (s * k[0] + t * k[1]) + t * t * (s * k[2] + t * k[3]);
-}
-
-/// Derivative in the Bernstein basis; k[1], k[2] are 3 times the Bernstein coefficients.
-template <class T>
-inline T slope(const std::array<T, 4>& k, const T& t) {
-  const T s = T(1) - t;
-  return s * s * (k[1] - T(3) * k[0]) + T(2) * s * t * (k[2] - k[1]) + t * t * (T(3) * k[3] - k[2]);
-}
-
-/// Newton's iteration kept inside a shrinking bracket. REQUIRES: k[0] > 0 > k[3], one root. Not certified.
-template <class T>
-inline T find_root(const std::array<T, 4>& k) {
-  constexpr int kMaxIterations = 60;
-  // Of the last stride d: the root is then off by at most kBend d^2 / fall, a third of what the sign is certain within.
-  const T tolerance(0x1p-27);
-  T low(0), high(1), t = k[0] / (k[0] - k[3]);
-  Mask<T> active = (k[0] > T(0)) & (k[3] < T(0));
-  for (int i = 0; i < kMaxIterations && any(active); ++i) {
-    const T f = value(k, t);
-    low = select(f > T(0), t, low);
-    high = select(f > T(0), high, t);
-    const T newton = t - f / slope(k, t);
-    const T next = select((newton >= low) & (newton <= high), newton, T(0.5) * (low + high));
-    const auto moves = abs(next - t) > tolerance * t;
-    t = select(active, next, t);
-    active = active & moves & (f != T(0));
-  }
-  return t;
-}
 
 /// How far a component goes at most, rounding included (the difference is off by 11 u of the size).
 template <class T>
@@ -124,47 +90,73 @@ inline T turning_point(const std::array<T, 4>& k) {
 
 }  // namespace crossing
 
+/// The question that the root of `cubic` answers. REQUIRES: `step` outlives it.
+template <PairKind kind, class T>
+struct CrossingSearch {
+  CrossingSearch(const PairMotion<T>& whole, const TimeInterval<T>& part_of_step) : step(whole), part(part_of_step) {
+    const auto m = restrict_to(step, part.t_in, part.t_out);
+    auto& k = cubic;
+    k = coplanarity_polynomial(m.d, normal_polynomial(m.e, m.f));
+    unit = m.size_d * m.size_e * m.size_f;
+    const T end = error_bounds::bound(error_bounds::kCoplanarityEnd, unit);
+    const T middle = error_bounds::bound(error_bounds::kCoplanarityMiddle, unit);
+    // Turned so that the cubic falls; one sign change whatever the uncertain signs, unless k1 < 0 < k2.
+    rises = k[0] < T(0);
+    for (T& c : k) c = select(rises, -c, c);
+    stays = (k[0] > end) & (k[1] > middle) & (k[2] > middle) & (k[3] > end);  // DNF
+    falls_once = (k[0] > end) & (k[3] < -end) & ((k[1] > middle) | (k[2] < -middle));
+    k[0] = select(falls_once, k[0], T(1));  // the others solve 1 - 2t, and are not used
+    k[3] = select(falls_once, k[3], T(-1));
+  }
+
+  Crossing<T> at_root(const T& s) const {
+    const T error = error_bounds::bound(error_bounds::kCoplanarityNow, unit), fall = -crossing::slope(cubic, s);
+    const T radius = T(1.5) * error / fall + T(8 * error_bounds::unit_roundoff<T>);
+    const T t = crossing::to_step(part, s, 0);
+    const Vec3<T> n = cross(at_time(step.e, t), at_time(step.f, t));
+    // K at t, from the vectors there; and how far it falls, beyond all rounding, within the radius. Where that proves
+    // nothing, the sign at t itself still tells on which side of it the root is.
+    const T value = dot(at_time(step.d, t), n), turned = select(rises, -value, value);
+    const T length = part.t_out - part.t_in, bend = T(error_bounds::kBend) * length * length * unit;
+    const T least_fall = fall - error_bounds::bound(error_bounds::kCoplanaritySlopeNow, unit) - radius * bend;
+    const T drop = radius * max(least_fall, T(0)) - error;
+    const Mask<T> brackets =
+        falls_once & ((radius >= s) | (turned + drop > T(0))) & ((s + radius >= T(1)) | (turned - drop < T(0)));
+    const T lower = crossing::to_step(part, max(s - radius, T(0)), -1);
+    const T upper = crossing::to_step(part, min(s + radius, T(1)), 1);
+    const auto sides = crossing::sides<kind>(step, n, t, max(upper - t, t - lower));
+    return {Mask<T>(stays | (brackets & sides.outside)),
+            Mask<T>(brackets & sides.inside),
+            brackets,
+            lower,
+            upper,
+            sides.u,
+            sides.v,
+            n};
+  }
+
+  const PairMotion<T>& step;
+  const TimeInterval<T> part;
+  std::array<T, 4> cubic;
+  T unit;
+  Mask<T> rises, stays, falls_once;
+};
+
 template <PairKind kind, class T>
 inline Crossing<T> find_crossing(const PairMotion<T>& step, const TimeInterval<T>& part) {
-  const auto m = restrict_to(step, part.t_in, part.t_out);
-  auto k = coplanarity_polynomial(m.d, normal_polynomial(m.e, m.f));
-  const T unit = m.size_d * m.size_e * m.size_f;
-  const T end = error_bounds::bound(error_bounds::kCoplanarityEnd, unit);
-  const T middle = error_bounds::bound(error_bounds::kCoplanarityMiddle, unit);
-  const T error = error_bounds::bound(error_bounds::kCoplanarityNow, unit);
-  // Turned so that the cubic falls; one sign change whatever the uncertain signs, unless k1 < 0 < k2.
-  const auto rises = k[0] < T(0);
-  for (T& c : k) c = select(rises, -c, c);
-  const Mask<T> stays = (k[0] > end) & (k[1] > middle) & (k[2] > middle) & (k[3] > end);  // DNF
+  const CrossingSearch<kind, T> search(step, part);
   if constexpr (std::is_same_v<Mask<T>, bool>)
-    if (stays) return Crossing<T>::free();
-  const auto falls_once = (k[0] > end) & (k[3] < -end) & ((k[1] > middle) | (k[2] < -middle));
-  k[0] = select(falls_once, k[0], T(1));  // the other lanes solve 1 - 2t, and are not used
-  k[3] = select(falls_once, k[3], T(-1));
+    if (search.stays) return Crossing<T>::free();
+  return search.at_root(crossing::find_root(search.cubic));
+}
 
-  const T s = crossing::find_root(k), fall = -crossing::slope(k, s);
-  const T radius = T(1.5) * error / fall + T(8 * error_bounds::unit_roundoff<T>);
-  const T t = crossing::to_step(part, s, 0);
-  const Vec3<T> n = cross(at_time(step.e, t), at_time(step.f, t));
-  // K at t, from the vectors there; and how far it falls, beyond all rounding, within the radius. Where that proves
-  // nothing, the sign at t itself still tells on which side of it the root is.
-  const T value = dot(at_time(step.d, t), n), turned = select(rises, -value, value);
-  const T length = part.t_out - part.t_in, bend = T(error_bounds::kBend) * length * length * unit;
-  const T least_fall = fall - error_bounds::bound(error_bounds::kCoplanaritySlopeNow, unit) - radius * bend;
-  const T drop = radius * max(least_fall, T(0)) - error;
-  const Mask<T> brackets =
-      falls_once & ((radius >= s) | (turned + drop > T(0))) & ((s + radius >= T(1)) | (turned - drop < T(0)));
-  const T lower = crossing::to_step(part, max(s - radius, T(0)), -1);
-  const T upper = crossing::to_step(part, min(s + radius, T(1)), 1);
-  const auto sides = crossing::sides<kind>(step, n, t, max(upper - t, t - lower));
-  return {Mask<T>(stays | (brackets & sides.outside)),
-          Mask<T>(brackets & sides.inside),
-          brackets,
-          lower,
-          upper,
-          sides.u,
-          sides.v,
-          n};
+/// Two that have nothing to do with each other, in the time of one and a half.
+template <PairKind kind, class T>
+inline std::array<Crossing<T>, 2> find_two_crossings(const PairMotion<T>& step_a, const TimeInterval<T>& part_a,
+                                                     const PairMotion<T>& step_b, const TimeInterval<T>& part_b) {
+  const CrossingSearch<kind, T> a(step_a, part_a), b(step_b, part_b);
+  const auto roots = crossing::find_two_roots(a.cubic, b.cubic);
+  return {a.at_root(roots[0]), b.at_root(roots[1])};
 }
 
 /// The same where one crossing is not enough: the part is cut where the cubic turns, and the first half that is not
@@ -174,12 +166,12 @@ inline Crossing<T> find_crossing_in_halves(const PairMotion<T>& step, const Time
   const auto m = restrict_to(step, part.t_in, part.t_out);
   const T s = crossing::turning_point(coplanarity_polynomial(m.d, normal_polynomial(m.e, m.f)));
   const T cut = min(max((T(1) - s) * part.t_in + s * part.t_out, part.t_in), part.t_out);
-  const auto in_half = [&](const T& t_in, const T& t_out) {
-    auto c = find_crossing<kind>(step, TimeInterval<T>{t_in, t_out});
-    if (any(!(c.is_free | c.touches))) c.is_free = c.is_free | Ncf::proves_free<kind>(restrict_to(step, t_in, t_out));
-    return c;
-  };
-  const auto a = in_half(part.t_in, cut), b = in_half(cut, part.t_out);
+  const TimeInterval<T> parts[] = {{part.t_in, cut}, {cut, part.t_out}};
+  auto halves = find_two_crossings<kind>(step, parts[0], step, parts[1]);
+  for (int i = 0; i < 2; ++i)
+    if (auto& c = halves[i]; any(!(c.is_free | c.touches)))
+      c.is_free = c.is_free | Ncf::proves_free<kind>(restrict_to(step, parts[i].t_in, parts[i].t_out));
+  const auto &a = halves[0], &b = halves[1];
   const auto pick = [&](const T& first, const T& second) { return select(a.is_free, second, first); };
   const Mask<T> touches = (a.touches & !a.is_free) | (a.is_free & b.touches);
   return {Mask<T>(a.is_free & b.is_free),

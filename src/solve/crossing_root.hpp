@@ -1,0 +1,72 @@
+// Where a cubic that falls through zero once does so: a guess, which solve/crossing.hpp certifies. A cubic is four
+// Bernstein coefficients, the middle ones times 3 (motion/polynomials.hpp). For double and for SIMD lanes.
+#pragma once
+#include <array>
+
+#include "numerics/select.hpp"
+
+namespace tamis::crossing {
+
+template <class T>
+inline T value(const std::array<T, 4>& k, const T& t) {
+  const T s = T(1) - t;
+  return s * s * (s * k[0] + t * k[1]) + t * t * (s * k[2] + t * k[3]);
+}
+
+/// Derivative of `value`.
+template <class T>
+inline T slope(const std::array<T, 4>& k, const T& t) {
+  const T s = T(1) - t;
+  return s * s * (k[1] - T(3) * k[0]) + T(2) * s * t * (k[2] - k[1]) + t * t * (T(3) * k[3] - k[2]);
+}
+
+/// Newton's iteration kept inside a shrinking bracket, stride by stride. REQUIRES: k[0] > 0 > k[3], one root.
+template <class T>
+class RootSearch {
+ public:
+  explicit RootSearch(const std::array<T, 4>& cubic)
+      : k_(cubic), low_(0), high_(1), root_(k_[0] / (k_[0] - k_[3])), goes_on_((k_[0] > T(0)) & (k_[3] < T(0))) {}
+
+  const Mask<T>& goes_on() const { return goes_on_; }
+  const T& root() const { return root_; }
+
+  void stride() {
+    // Of the last stride d: the root is then off by at most kBend d^2 / fall, a third of what the sign is certain
+    // within.
+    const T tolerance(0x1p-27), f = value(k_, root_);
+    low_ = select(f > T(0), root_, low_);
+    high_ = select(f > T(0), high_, root_);
+    const T newton = root_ - f / slope(k_, root_);
+    const T next = select((newton >= low_) & (newton <= high_), newton, T(0.5) * (low_ + high_));
+    const auto moves = abs(next - root_) > tolerance * root_;
+    root_ = select(goes_on_, next, root_);
+    goes_on_ = goes_on_ & moves & (f != T(0));
+  }
+
+ private:
+  const std::array<T, 4> k_;
+  T low_, high_, root_;
+  Mask<T> goes_on_;
+};
+
+inline constexpr int kMostStrides = 60;
+
+template <class T>
+inline T find_root(const std::array<T, 4>& k) {
+  RootSearch<T> search(k);
+  for (int i = 0; i < kMostStrides && any(search.goes_on()); ++i) search.stride();
+  return search.root();
+}
+
+/// The same of two, stride by stride: each waits for its divisions, and neither for the other's.
+template <class T>
+inline std::array<T, 2> find_two_roots(const std::array<T, 4>& k, const std::array<T, 4>& other) {
+  RootSearch<T> a(k), b(other);
+  for (int i = 0; i < kMostStrides && any(Mask<T>(a.goes_on() | b.goes_on())); ++i) {
+    a.stride();
+    b.stride();
+  }
+  return {a.root(), b.root()};
+}
+
+}  // namespace tamis::crossing

@@ -130,7 +130,7 @@ def draw_contenders(results, pictures):
         ax.set_xticks([])
         ax.spines["bottom"].set_visible(False)
     figure.suptitle(f"cloth-ball, {data['triangles']:,} triangles, {data['contacts']:,} contacts: "
-                    "processor milliseconds, less is better", fontsize=10, color=GREY)
+                    "processor milliseconds, less is better; each panel has its own scale", fontsize=10, color=GREY)
     figure.tight_layout()
     figure.savefig(pictures / "performance-contenders.png")
 

@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "tamis/components.hpp"
 #include "tamis/error.hpp"
 
@@ -21,6 +19,12 @@ void require_one_each(std::size_t radii, Index objects) {
 }  // namespace
 
 void DetectorArguments::declare(OptionList& options) {
+  declare_means(options);
+  declare_min_separation(options, min_separation_);
+  declare_thickness(options, "contact then means a distance <= the sum of both radii and the minimum separation");
+}
+
+void DetectorArguments::declare_means(OptionList& options) {
   options
       .add_text("--method", method_,
                 "tamis (default), paper (the published pipeline), brute (every pair; slow), or a competitor of the "
@@ -28,15 +32,16 @@ void DetectorArguments::declare(OptionList& options) {
       .shown_as("NAME");
   declare_bounding_volume(options, bounding_volume_);
   declare_guarantee(options, guarantee_);
-  declare_min_separation(options, min_separation_);
-  options.add_numbers(
-      "--thickness", "R", thickness_, kNotNegative,
-      "a radius for all objects, or one for each; contact then means a distance <= the sum of both radii and "
-      "the minimum separation. An object is what vertices connect ('tamis info' counts them, as components), "
-      "in the order of their first vertices");
   options.add_number("--threads", "N", threads_, kThreadCounts, "threads to use; 0, the default: all");
   options.add_text("--isa", isa_, "instruction set of the hot loops: best (default), baseline, avx2 or avx512")
       .shown_as("NAME");
+}
+
+void DetectorArguments::declare_thickness(OptionList& options, const std::string& meaning) {
+  options.add_numbers("--thickness", "R", thickness_, kNotNegative,
+                      "a radius for all objects, or one for each; " + meaning +
+                          ". An object is what vertices connect ('tamis info' counts them, as components), in the "
+                          "order of their first vertices");
 }
 
 Options DetectorArguments::chosen() const {
@@ -66,7 +71,6 @@ Detector DetectorArguments::detector(Mesh mesh) const {
   if (thickness_.size() > 1) {
     Components objects = components_of(mesh);
     require_one_each(thickness_.size(), objects.count);
-    for (Index& object : objects.of_vertex) object = std::max(object, Index{0});  // of no use, but in some group
     chosen.filter.group_of_vertex = std::move(objects.of_vertex);
     chosen.filter.group_count = objects.count;
   }
@@ -92,8 +96,8 @@ void declare_repeat(OptionList& options, int& repeat, const std::string& help) {
   options.add_number("--repeat", "N", repeat, kRunCounts, help);
 }
 
-void declare_seed(OptionList& options, std::uint64_t& seed, const std::string& of) {
-  options.add_number("--seed", "S", seed, {}, "of " + of + "; default 1");
+Option declare_seed(OptionList& options, std::uint64_t& seed, const std::string& of) {
+  return options.add_number("--seed", "S", seed, {}, "of " + of + "; default 1");
 }
 
 void declare_guarantee(OptionList& options, std::string& guarantee) {

@@ -17,6 +17,10 @@ inline constexpr NumberRange<int> kRunCounts{1, 1'000'000};
 class DetectorArguments {
  public:
   void declare(OptionList& options);
+  /// Only what a question has that no radius and no separation concerns.
+  void declare_means(OptionList& options);
+  /// `meaning`: of such a radius for the question.
+  void declare_thickness(OptionList& options, const std::string& meaning);
   /// Before any file is read. Throws InvalidOptions.
   void check() const { chosen(); }
   /// All of them, for a mesh that nobody has as a whole. Throws InvalidOptions; also if objects have radii of their
@@ -63,7 +67,7 @@ class KeepDistanceArgument {
 void declare_json(OptionList& options, bool& json);
 void declare_repeat(OptionList& options, int& repeat, const std::string& help);
 /// `of` says what the seed is of.
-void declare_seed(OptionList& options, std::uint64_t& seed, const std::string& of);
+Option declare_seed(OptionList& options, std::uint64_t& seed, const std::string& of);
 void declare_guarantee(OptionList& options, std::string& guarantee);
 void declare_bounding_volume(OptionList& options, std::string& volume);
 void declare_min_separation(OptionList& options, double& distance);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "io/loose_features.hpp"
 #include "tamis/components.hpp"
 
 namespace tamis::cli {
@@ -68,6 +69,7 @@ void find_bounds(const Mesh& mesh, const std::vector<Point>& positions, MeshFact
 MeshFacts facts_of(const Mesh& mesh, const std::vector<Point>& positions) {
   MeshFacts facts;
   count_edges(mesh, facts);
+  facts.loose_points = io::loose_points_of(mesh).size();
   facts.unused_vertices = static_cast<std::size_t>(mesh.vertex_count()) - mesh.points().size();
   for (const Face& f : mesh.faces())
     facts.degenerate_faces += has_no_area(at(positions, f[0]), at(positions, f[1]), at(positions, f[2]));

@@ -12,6 +12,7 @@ struct MeshFacts {
   std::size_t rods = 0;                ///< edges of no triangle
   std::size_t boundary_edges = 0;      ///< of one triangle
   std::size_t non_manifold_edges = 0;  ///< of three or more
+  std::size_t loose_points = 0;        ///< of no triangle and no edge, but listed as points
   std::size_t unused_vertices = 0;     ///< they take no part in contacts
   std::size_t degenerate_faces = 0;    ///< of area exactly zero
   std::size_t duplicate_faces = 0;     ///< triangles that repeat the vertices of another one

@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include "io/atomic_file.hpp"
+#include "io/extension.hpp"
 #include "tamis/error.hpp"
 
 namespace tamis::cli {
@@ -24,7 +25,8 @@ void declare_output(OptionList& options, std::string& path, const std::string& h
   options.add_text("--out", path, help).shown_as("FILE");
 }
 
-void require_output(const std::filesystem::path& output, const std::vector<std::filesystem::path>& inputs) {
+void require_output(const std::filesystem::path& output, const std::vector<std::filesystem::path>& inputs,
+                    std::string_view extension) {
   if (output.empty()) return;
   std::error_code error;
   for (const std::filesystem::path& input : inputs)
@@ -34,6 +36,10 @@ void require_output(const std::filesystem::path& output, const std::vector<std::
     if (is_taken_by(stream, output))
       throw InvalidOptions(
           fmt::format("--out {} is where the answer or its notes go: give another name", output.string()));
+  const std::string given = io::extension_of(output);
+  if (!given.empty() && !extension.empty() && given != extension)
+    throw InvalidOptions(
+        fmt::format("--out {}: this verb writes {} alone: let the name end so", output.string(), extension));
   io::require_writable(output);
 }
 

@@ -14,19 +14,19 @@ class PoseVerb : public Verb {
  public:
   void declare(OptionList& options) override {
     options.add_text("MESH", path_, "PLY or OBJ").required();
-    detector_.declare(options);
+    detector_.declare_means(options);
     declare_repeat(options, repeat_, "ask N times, report the median time of the runs after the first; default 1");
     declare_json(options, json_);
     declare_output(options, out_, what());
   }
 
  protected:
-  /// What is written to --out, as in "the contacts".
+  /// What is written to --out, and how.
   virtual const char* what() const = 0;
   /// Options and output are checked before any file is read.
   io::MeshFile read() const {
     detector_.check();
-    require_output(out_, {path_});
+    require_output(out_, {path_}, ".csv");
     return read_with_notes(path_);
   }
   Detector detector_for(Mesh mesh) const { return detector_.detector(std::move(mesh)); }
@@ -35,7 +35,6 @@ class PoseVerb : public Verb {
   int repeat_ = 1;
   bool json_ = false;
 
- private:
   DetectorArguments detector_;
 };
 

@@ -26,6 +26,12 @@ std::string grouped(std::uint64_t number) {
   return text;
 }
 
+std::string no_later(double time) {
+  constexpr double kLastDecimal = 1e-10;
+  const std::string nearest = fmt::format("{:.10f}", time);
+  return std::stod(nearest) <= time ? nearest : fmt::format("{:.10f}", std::max(time - kLastDecimal, 0.0));
+}
+
 std::string readable(double seconds) {
   if (seconds >= 1) return fmt::format("{:.2f} s", seconds);
   if (seconds >= 1e-3) return fmt::format("{:.1f} ms", seconds * 1e3);
@@ -55,7 +61,7 @@ void print_stages(const Statistics& statistics, std::string_view only_kind) {
 }
 
 void print_seconds(const char* name, const Seconds& s) {
-  fmt::print("{:<15} {} = bounds {} + build {} + traverse {} + filter {} + solve {}\n", name, readable(s.total),
+  fmt::print("{:<15} {}, of this bounds {}, build {}, traverse {}, filter {}, solve {}\n", name, readable(s.total),
              readable(s.bounds), readable(s.build), readable(s.traverse), readable(s.filter), readable(s.solve));
 }
 

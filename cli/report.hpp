@@ -34,6 +34,8 @@ void print_costs(const Detector& detector, const Timing& timing, int repeat, std
 std::uint64_t peak_memory_bytes();
 /// 1234567 as "1,234,567".
 std::string grouped(std::uint64_t number);
+/// A time of the step with ten decimals, rounded down: before it nothing touches if nothing does before `time`.
+std::string no_later(double time);
 /// Seconds in a unit that suits them.
 std::string readable(double seconds);
 

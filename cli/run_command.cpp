@@ -88,7 +88,11 @@ int run_words(const Command& command, int argc, char** argv) {
   if (argc > 1 && argv[1][0] != '-' && std::none_of(command.verbs.begin(), command.verbs.end(), is_called))
     return fail(fmt::format("no verb is called '{}': see '{} --help'", argv[1], command.name));
   std::vector<std::string> words = words_of(argc, argv);
-  if (argc > 1 && argv[1][0] != '-') require_values(*app.get_subcommand(argv[1]), words);
+  if (argc > 1 && argv[1][0] != '-')
+    require_sound(*app.get_subcommand(argv[1]), words);
+  else if (argc > 2 && app.get_option_no_throw(argv[1]) == nullptr)
+    return fail(fmt::format("{} comes before the verb: options follow it, as in '{} VERB FILES {}'", argv[1],
+                            command.name, argv[1]));
   try {
     app.parse(std::move(words));
   } catch (const CLI::ParseError& error) {

@@ -49,8 +49,8 @@ void SequenceTable::print_row(const SequenceStep& step) const {
   fmt::print("{:>5} {:<{}} {:>11} {:>11} {:>10} {:>14} {:>10}  {}\n", step.end,
              printable(frames_[step.end].filename().string()) + part_of(step.part), width_, grouped(tally.vf),
              grouped(tally.ee), grouped(tally.unresolved),
-             tally.is_free() ? std::string("end") : fmt::format("{:.10f}", tally.toi_lower),
-             readable(step.seconds.total), step.rebuilt ? "built" : "refitted");
+             tally.is_free() ? std::string("end") : no_later(tally.toi_lower), readable(step.seconds.total),
+             step.rebuilt ? "built" : "refitted");
   std::fflush(stdout);
 }
 

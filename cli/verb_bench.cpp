@@ -52,8 +52,8 @@ class Bench final : public Verb {
                        "equal parts of the step in mode substeps; default 20");
     declare_guarantee(options, guarantee_);
     declare_min_separation(options, setup_.options.min_separation);
-    declare_seed(options, seed_, "the generated scene");
-    declare_output(options, out_, "write the rows to a CSV file");
+    seed_option_ = declare_seed(options, seed_, "the generated scene");
+    declare_output(options, out_, "write the rows, as CSV");
     declare_json(options, json_);
   }
 
@@ -78,8 +78,13 @@ class Bench final : public Verb {
     std::string scenes;
     for (const scenes::Recipe& recipe : scenes::recipes())
       if (recipe.scales) scenes += fmt::format("{}{}", scenes.empty() ? "" : ", ", recipe.name);
-    options.add_text("--scene", scene_, "a generated scene instead of files: " + scenes).shown_as("NAME");
-    options.add_numbers("--triangles", "N", triangles_, {1, 100'000'000}, "its sizes; default 100000");
+    options
+        .add_text(
+            "--scene", scene_,
+            "a generated scene instead of files: " + scenes + ", or one of the small ones, which an unknown name lists")
+        .shown_as("NAME");
+    triangles_option_ =
+        options.add_numbers("--triangles", "N", triangles_, {1, 100'000'000}, "its sizes; default 100000");
     options.add_names("--question", questions_, "contacts, earliest, free; default all three");
     options.add_names(
         "--mode", modes_,
@@ -107,7 +112,9 @@ class Bench final : public Verb {
     const bool has_files = !start_.empty() && !end_.empty();
     if (has_files == !scene_.empty() || start_.empty() != end_.empty())
       throw InvalidOptions("give either START and END or --scene");
-    require_output(out_, {start_, end_});
+    if (has_files && (triangles_option_.is_given() || seed_option_.is_given()))
+      throw InvalidOptions("--triangles and --seed are of generated scenes: give --scene in place of START and END");
+    require_output(out_, {start_, end_}, ".csv");
   }
 
   static void require_known(const char* what, const std::vector<std::string>& names,
@@ -201,6 +208,7 @@ class Bench final : public Verb {
   std::vector<int> threads_{1};
   std::vector<double> scales_{1};
   std::uint64_t seed_ = 1;
+  Option triangles_option_, seed_option_;
   bool json_ = false;
   bool agree_ = true;
   Json rows_ = Json::array();

@@ -45,6 +45,7 @@ class Info final : public Verb {
             {"triangles", mesh.faces().size()},
             {"edges", mesh.edges().size()},
             {"loose_edges", facts.rods},
+            {"loose_points", facts.loose_points},
             {"boundary_edges", facts.boundary_edges},
             {"non_manifold_edges", facts.non_manifold_edges},
             {"unused_vertices", facts.unused_vertices},
@@ -61,6 +62,7 @@ class Info final : public Verb {
 
   static void print(const Mesh& mesh, const MeshFacts& f) {
     print_count("vertices", static_cast<std::size_t>(mesh.vertex_count()), "");
+    print_count("  loose", f.loose_points, f.loose_points ? "of no triangle and no edge: particles" : "");
     print_count("  unused", f.unused_vertices, f.unused_vertices ? "they take no part in contacts" : "");
     print_count("triangles", mesh.faces().size(), "");
     print_count("  degenerate", f.degenerate_faces, f.degenerate_faces ? "of area exactly zero; legal" : "");

@@ -35,7 +35,7 @@ class IntersectionsVerb final : public PoseVerb {
   }
 
  private:
-  const char* what() const override { return "the intersections"; }
+  const char* what() const override { return "write the intersections, as CSV: e0,e1,f0,f1,f2"; }
 
   void report(const std::vector<Intersection>& found, const Detector& detector, const Timing& timing) const {
     if (json_) {

@@ -24,6 +24,7 @@ class Near final : public PoseVerb {
   void declare(OptionList& options) override {
     PoseVerb::declare(options);
     options.add_number("--distance", "D", distance_, kNotNegative, "in the unit of the mesh").required();
+    detector_.declare_thickness(options, "a distance is then what is left of it beyond the sum of both radii");
   }
 
   int run() override {
@@ -38,7 +39,7 @@ class Near final : public PoseVerb {
   }
 
  private:
-  const char* what() const override { return "the pairs"; }
+  const char* what() const override { return "write the pairs, as CSV: kind,v0,v1,v2,v3,distance,u,v"; }
 
   void report(const std::vector<NearPair>& pairs, const Detector& detector, const Timing& timing) const {
     std::size_t counts[4] = {};

@@ -43,7 +43,7 @@ class Queries final : public Verb {
   int run() override {
     const PairOptions options{guarantee_from_name(guarantee_), min_separation_};
     const auto files = io::query_files(names_);
-    require_output(out_, paths_of(files));
+    require_output(out_, paths_of(files), ".csv");
     const std::map<std::string, QueryScore> folders = answer_all(files, options);
     QueryScore total;
     for (const auto& [name, score] : folders) total.add(score);

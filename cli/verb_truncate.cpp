@@ -19,7 +19,7 @@ io::MeshFile file_of(const Mesh& mesh, const std::vector<Point>& positions) {
   return {positions, {mesh.faces().begin(), mesh.faces().end()}, io::rods_of(mesh), io::loose_points_of(mesh), {}};
 }
 
-/// How much of the way from start to end the vertices go, all together.
+/// How much of the way from start to end the vertices go, their ways added up.
 double part_of_way(const Step& step, const std::vector<Point>& to) {
   double gone = 0, all = 0;
   for (Index v = 0; v < step.start.count(); ++v) {
@@ -42,7 +42,7 @@ class Truncate final : public StepVerb {
 
   void declare(OptionList& options) override {
     StepVerb::declare(options);
-    declare_output(options, out_, "the positions, as PLY");
+    declare_output(options, out_, "write the positions, as PLY");
     options.add_number(
         "--keep-distance", "F", fraction_, {.least = 1e-6, .most = 1, .takes_most = false},
         "all vertices go together until some pair has only F of its distance at START left, then each on its own "
@@ -50,7 +50,7 @@ class Truncate final : public StepVerb {
   }
 
   int run() override {
-    require_output(out_, {start_, end_});
+    require_output(out_, {start_, end_}, ".ply");
     StepFiles files = read();
     Detector detector = detector_for(std::move(files.mesh));
     const Step step = files.step();
@@ -71,7 +71,8 @@ class Truncate final : public StepVerb {
     print_mesh(detector.mesh());
     if (to.is_free)
       fmt::print(
-          "truncated       to {:.6g} of the way, all vertices together; the straight way there is free, proven\n",
+          "truncated       to {:.6g} of the way, that of all vertices added up; the straight way there is free, "
+          "proven\n",
           part);
     else
       fmt::print("truncated       to the start: something touches there\n");

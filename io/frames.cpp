@@ -3,10 +3,10 @@
 #include <glob.h>
 
 #include <algorithm>
-#include <cctype>
 #include <memory>
 
 #include "io/error.hpp"
+#include "io/extension.hpp"
 
 namespace tamis::io {
 namespace {
@@ -35,8 +35,7 @@ int compare_parts(std::string_view a, std::string_view b) {
 }
 
 bool is_mesh_name(const std::filesystem::path& path) {
-  std::string extension = path.extension().string();
-  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  const std::string extension = extension_of(path);
   return extension == ".ply" || extension == ".obj";
 }
 
@@ -60,12 +59,14 @@ bool natural_less(std::string_view a, std::string_view b) {
   return whole_a < whole_b;  // a7 and a07: equal as numbers, yet the order must be fixed
 }
 
-std::vector<std::filesystem::path> glob_files(const std::string& pattern) {
+std::vector<std::filesystem::path> paths_named(const std::string& name) {
+  std::error_code error;
+  if (std::filesystem::exists(name, error)) return {name};
   glob_t found{};
   const auto release = [](glob_t* g) { globfree(g); };
   const std::unique_ptr<glob_t, decltype(release)> guard(&found, release);
-  if (glob(pattern.c_str(), GLOB_NOSORT, nullptr, &found) != 0)
-    throw FileError(pattern, "", "no such file, and no file matches it as a pattern: check the path");
+  if (glob(name.c_str(), GLOB_NOSORT, nullptr, &found) != 0)
+    throw FileError(name, "", "no such file, and no file matches it as a pattern: check the path");
   return {found.gl_pathv, found.gl_pathv + found.gl_pathc};
 }
 
@@ -73,12 +74,10 @@ std::vector<std::filesystem::path> frame_files(const std::vector<std::string>& n
   std::vector<std::filesystem::path> files;
   std::error_code error;
   for (const std::string& name : names) {
-    std::vector<std::filesystem::path> some{name};
-    if (std::filesystem::is_directory(name, error))
-      some = mesh_files_in(name);
-    else if (!std::filesystem::exists(name, error))
-      some = glob_files(name);
-    files.insert(files.end(), some.begin(), some.end());
+    for (const std::filesystem::path& path : paths_named(name)) {
+      const auto some = std::filesystem::is_directory(path, error) ? mesh_files_in(path) : std::vector{path};
+      files.insert(files.end(), some.begin(), some.end());
+    }
   }
   std::stable_sort(files.begin(), files.end(),
                    [](const auto& a, const auto& b) { return natural_less(a.string(), b.string()); });

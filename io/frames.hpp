@@ -14,7 +14,8 @@ bool natural_less(std::string_view a, std::string_view b);
 /// exists is never taken for a pattern. Throws FileError if one of them stands for no file.
 std::vector<std::filesystem::path> frame_files(const std::vector<std::string>& names);
 
-/// The paths a glob pattern stands for, unordered. Throws FileError if it matches nothing.
-std::vector<std::filesystem::path> glob_files(const std::string& pattern);
+/// The path of this name, or if there is none, those the name stands for as a glob pattern, unordered. Throws FileError
+/// if there is none either.
+std::vector<std::filesystem::path> paths_named(const std::string& name);
 
 }  // namespace tamis::io

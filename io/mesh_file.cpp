@@ -1,10 +1,10 @@
 #include "io/mesh_file.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <limits>
 
 #include "io/error.hpp"
+#include "io/extension.hpp"
 #include "io/file_bytes.hpp"
 #include "io/obj.hpp"
 #include "io/ply.hpp"
@@ -12,21 +12,15 @@
 namespace tamis::io {
 namespace {
 
-std::string lower_case_extension(const std::filesystem::path& path) {
-  std::string extension = path.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return extension;
-}
-
 MeshFile parse(const FileBytes& bytes, const std::filesystem::path& path) {
   const std::string name = path.string();
   if (bytes.view().empty()) throw FileError(name, "", "the file is empty: give a PLY or OBJ file");
   if (looks_like_ply(bytes.view())) return parse_ply(bytes.view(), name);
-  const std::string extension = lower_case_extension(path);
+  const std::string extension = extension_of(path);
   if (extension == ".obj") return parse_obj(bytes.view(), name);
   if (extension == ".ply") throw FileError(name, "line 1", "a PLY file starts with the line 'ply': write it again");
-  throw FileError(name, "", "neither PLY nor OBJ: convert it to one of these");
+  throw FileError(name, "",
+                  "neither PLY nor OBJ: convert it to one of these, or let the name of an OBJ file end in .obj");
 }
 
 /// Two files under comparison.

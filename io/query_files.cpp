@@ -55,14 +55,13 @@ void add_file(const fs::path& path, std::vector<QueryFile>& files) {
 std::vector<QueryFile> query_files(const std::vector<std::string>& names) {
   std::vector<QueryFile> files;
   std::error_code error;
-  for (const std::string& name : names) {
-    if (fs::is_directory(name, error))
-      add_folder(name, files);
-    else if (fs::exists(name, error))
-      add_file(name, files);
-    else
-      for (const fs::path& path : glob_files(name)) add_file(path, files);
-  }
+  for (const std::string& name : names)
+    for (const fs::path& path : paths_named(name)) {
+      if (fs::is_directory(path, error))
+        add_folder(path, files);
+      else
+        add_file(path, files);
+    }
   std::stable_sort(files.begin(), files.end(), [](const QueryFile& a, const QueryFile& b) {
     return natural_less(a.path.string(), b.path.string());
   });

@@ -49,7 +49,8 @@ inline constexpr std::string_view kUnnamed = "unknown";
 /// Which pairs of objects may touch. Vertices carry a group; a feature belongs to the group of its first vertex. Sizes
 /// that do not fit the mesh, or each other, make the detector throw InvalidOptions.
 struct PairFilter {
-  /// Group of each vertex, in [0, group_count); empty: all in group 0. components_of numbers connected objects.
+  /// Group of each vertex, in [0, group_count), or -1 where it takes no part in contacts (Mesh::points); empty: all in
+  /// group 0. components_of numbers connected objects so.
   std::vector<Index> group_of_vertex;
   Index group_count = 1;
   /// group_count x group_count, symmetric, row-major; 0 leaves the pair of groups out. Empty: all are tested.
@@ -58,7 +59,7 @@ struct PairFilter {
   std::function<bool(PairKind, const std::array<Index, 4>&)> accepts;
 
   bool empty() const { return groups_may_touch.empty() && !accepts; }
-  /// Pairs within one group are left out (no self-contact). One group a vertex, >= 0.
+  /// Pairs within one group are left out (no self-contact). One group a vertex, as above.
   static PairFilter no_self_contact(std::vector<Index> group_of_vertex);
   /// Pairs of two static groups, or within one, are left out. `is_static`: one flag a group.
   static PairFilter no_static_pairs(std::vector<Index> group_of_vertex, const std::vector<bool>& is_static);

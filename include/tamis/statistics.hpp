@@ -26,6 +26,16 @@ struct Seconds {
   double filter = 0;
   double solve = 0;
   double total = 0;
+
+  Seconds& operator+=(const Seconds& other) {
+    bounds += other.bounds;
+    build += other.build;
+    traverse += other.traverse;
+    filter += other.filter;
+    solve += other.solve;
+    total += other.total;
+    return *this;
+  }
 };
 
 /// Pairs decided by each arithmetic.

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 
 #include "io/contacts_csv.hpp"
 #include "io/contacts_vtk.hpp"
+#include "io/extension.hpp"
 #include "io/glb.hpp"
 #include "io/view/viewer_page.hpp"
 
@@ -36,21 +36,15 @@ constexpr std::array kOutputs{
     Output{"vtp", false, write_vtp}, Output{"vtu", false, write_vtu},
 };
 
-std::string lower_extension(const std::filesystem::path& path) {
-  std::string text = path.extension().string();
-  if (!text.empty()) text.erase(0, 1);
-  for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return text;
-}
-
 }  // namespace
 
 std::span<const Output> outputs() { return kOutputs; }
 
 const Output* find_output(std::span<const Output> choices, const std::filesystem::path& path) {
-  const std::string extension = lower_extension(path);
-  const auto found =
-      std::find_if(choices.begin(), choices.end(), [&](const Output& output) { return extension == output.extension; });
+  const std::string extension = extension_of(path);
+  const auto found = std::find_if(choices.begin(), choices.end(), [&](const Output& output) {
+    return extension == "." + std::string(output.extension);
+  });
   return found == choices.end() ? nullptr : &*found;
 }
 

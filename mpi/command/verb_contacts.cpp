@@ -48,7 +48,7 @@ class Contacts final : public RanksVerb {
           fmt::format("--out {}: tamis-mpi writes CSV alone: give a name that ends in .csv, and "
                       "'tamis view' the frames for a picture",
                       cli::printable(out_)));
-    if (communicator.rank() == 0) cli::require_output(out_, {start_, end_});
+    if (communicator.rank() == 0) cli::require_output(out_, {start_, end_}, ".csv");
   }
 
   void write(Communicator& communicator) {

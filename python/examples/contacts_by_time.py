@@ -50,7 +50,8 @@ def main() -> None:
     axes = figure.add_subplot(projection="3d", computed_zorder=False)
     axes.plot_trisurf(*start.T, triangles=mesh.faces, color="#d5d5d5", linewidth=0, antialiased=False)
     where = points_of(contacts, start, end)
-    points = axes.scatter(*where.T, c=contacts.toi_lower, s=arguments.size, cmap="plasma", depthshade=False)
+    # As in the viewer: early is bright, late is dark.
+    points = axes.scatter(*where.T, c=contacts.toi_lower, s=arguments.size, cmap="plasma_r", depthshade=False)
     figure.colorbar(points, ax=axes, shrink=0.7, label="time of impact, fraction of the step")
     axes.set_title(f"{len(contacts):,} contacts of one step, {len(mesh.faces):,} triangles")
     axes.set_aspect("equal")

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
+from typing import Any
 
 import numpy as np
 import pytest
@@ -50,6 +52,22 @@ def test_vertices_that_may_not_collide(mesh: ipctk.CollisionMesh, falling: tamis
     assert ipctk.is_step_collision_free(mesh, falling.start, falling.end)
     mesh.can_collide = lambda a, b: {a, b} == {3, 1}
     assert not ipctk.is_step_collision_free(mesh, falling.start, falling.end)
+
+
+# Bug: an ipctk.CollisionMesh, which cannot answer here, ends in an AttributeError about an attribute no user knows.
+@pytest.mark.parametrize("wrong", [tamis.Mesh([[0, 1, 2]]), None])
+def test_meshes_of_another_kind(wrong: Any) -> None:
+    positions, candidates = np.zeros((3, 3)), ipctk.Candidates()
+    calls: list[Callable[[], object]] = [
+        lambda: ipctk.has_intersections(wrong, positions),
+        lambda: ipctk.is_step_collision_free(wrong, positions, positions),
+        lambda: ipctk.compute_collision_free_stepsize(wrong, positions, positions),
+        lambda: candidates.is_step_collision_free(wrong, positions, positions),
+        lambda: candidates.compute_collision_free_stepsize(wrong, positions, positions),
+    ]
+    for call in calls:
+        with pytest.raises(tamis.InvalidMesh, match=rf"{type(wrong).__name__}: give a .*ipctk\.CollisionMesh"):
+            call()
 
 
 def test_single_pairs() -> None:

@@ -96,10 +96,13 @@ TruncatedStep Detector::truncate(const Step& step, double fraction, std::optiona
   validate_kept_part(fraction);
   const Stopwatch watch;
   Truncation truncation(step, vertex_steps(step, fraction, min_separation));
+  Seconds spent = state_->statistics.seconds;
   do {
     truncation.pull_back(contacts(truncation.way(), min_separation));
+    spent += state_->statistics.seconds;
   } while (truncation.goes_on());
-  state_->statistics.seconds.total = watch.seconds();
+  spent.total = watch.seconds();
+  state_->statistics.seconds = spent;
   return truncation.take();
 }
 

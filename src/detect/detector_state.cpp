@@ -29,7 +29,8 @@ std::vector<double> radii_of(const Options& options, const Mesh& mesh) {
   if (std::all_of(options.thickness.begin(), options.thickness.end(), is_zero)) return {};
   const std::vector<Index>& group = options.filter.group_of_vertex;
   std::vector<double> radii(static_cast<std::size_t>(mesh.vertex_count()), options.thickness[0]);
-  for (std::size_t v = 0; v < group.size(); ++v) radii[v] = options.thickness[static_cast<std::size_t>(group[v])];
+  for (std::size_t v = 0; v < group.size(); ++v)
+    if (group[v] >= 0) radii[v] = options.thickness[static_cast<std::size_t>(group[v])];
   return radii;
 }
 
@@ -81,9 +82,11 @@ SafeStep Detector::State::keep_distance(const Step& step, const Separations& sep
 VertexSteps Detector::State::vertex_steps(const Step& step, const Separations& separations, double fraction) {
   const Stopwatch watch;
   VertexSteps steps{keep_distance(step, separations, fraction).lower, {}};
+  const Seconds together = statistics.seconds;
   measure([&] {
     steps.until = tamis::vertex_steps(mesh, at_rest(), near, {step, separations, steps.together}, statistics);
   });
+  statistics.seconds += together;
   statistics.seconds.total = watch.seconds();
   return steps;
 }

@@ -38,10 +38,15 @@ void validate(const PairFilter& filter, const Mesh& mesh) {
   check(filter.group_of_vertex.size() == static_cast<std::size_t>(mesh.vertex_count()),
         "group_of_vertex has " + std::to_string(filter.group_of_vertex.size()) + " entries for " +
             std::to_string(mesh.vertex_count()) + " vertices: give one group a vertex, or none");
-  for (std::size_t v = 0; v < filter.group_of_vertex.size(); ++v)
-    check(filter.group_of_vertex[v] >= 0 && filter.group_of_vertex[v] < filter.group_count,
-          "vertex " + std::to_string(v) + " is in group " + std::to_string(filter.group_of_vertex[v]) +
-              ": groups must be in [0, " + std::to_string(n) + ")");
+  auto point = mesh.points().begin();
+  for (Index v = 0; v < mesh.vertex_count(); ++v) {
+    const Index group = filter.group_of_vertex[static_cast<std::size_t>(v)];
+    const bool is_point = point != mesh.points().end() && *point == v;
+    if (is_point) ++point;
+    check(group >= (is_point ? 0 : -1) && group < filter.group_count,
+          "vertex " + std::to_string(v) + " is in group " + std::to_string(group) + ": groups must be in [0, " +
+              std::to_string(n) + ")");
+  }
 }
 
 bool are_finite(std::span<const double> numbers) {

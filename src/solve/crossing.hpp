@@ -168,7 +168,7 @@ inline Crossing<T> find_crossing_in_halves(const PairMotion<T>& step, const Time
   const T cut = min(max((T(1) - s) * part.t_in + s * part.t_out, part.t_in), part.t_out);
   const TimeInterval<T> parts[] = {{part.t_in, cut}, {cut, part.t_out}};
   auto halves = find_two_crossings<kind>(step, parts[0], step, parts[1]);
-  for (int i = 0; i < 2; ++i)
+  for (std::size_t i = 0; i < 2; ++i)
     if (auto& c = halves[i]; any(!(c.is_free | c.touches)))
       c.is_free = c.is_free | Ncf::proves_free<kind>(restrict_to(step, parts[i].t_in, parts[i].t_out));
   const auto &a = halves[0], &b = halves[1];

@@ -99,13 +99,21 @@ TEST_F(BadInput, NonsenseOptions) {
       {"--scale", "--scale"},
       {"--min-separation -1", "--min-separation"},
       {"--min-separation nan", "--min-separation"},
-      {"--what", "--what"},
+      {"--what", "contacts has no option --what: see"},
+      {"--min-seperation 1", "contacts has no option --min-seperation (--min-separation?): see"},
+      {"--thread=2", "--thread (--threads?)"},
+      {"--scale 1 --scale 2", "--scale is given twice"},
+      {"--scale 1 --scale=1", "--scale is given twice"},
       {"third.obj", "third.obj"},
   };
   for (const auto& [option, says] : cases) expect_error(std::string("contacts above.obj below.obj ") + option, says);
   expect_error("contacts above.obj far.obj --scale 10", "a scale of 10 takes vertex 3");
   for (const char* fraction : {"nan", "-0.1", "1", "much", ""})
     expect_error(std::string("step absent.obj below.obj --keep-distance ") + fraction, "--keep-distance");
+  expect_error("--threads 1 contacts above.obj below.obj", "--threads comes before the verb");
+  expect_error("near above.obj --distance 1 --min-separation 1", "near has no option --min-separation");
+  expect_error("intersections above.obj --thickness 1", "intersections has no option --thickness");
+  expect_error("bench above.obj below.obj --seed 4", "--triangles and --seed are of generated scenes");
   expect_error("contacts above.obj", "END");
   expect_error("dance above.obj below.obj", "dance");
   expect_error("", "--help");
@@ -123,6 +131,20 @@ TEST_F(BadInput, NoOutputFileIsLeft) {
     EXPECT_FALSE(entry.path().filename().string().starts_with("c.csv")) << entry.path();
   }
   EXPECT_TRUE(std::filesystem::is_empty(folder_.path() / "hollow"));
+}
+
+// Bug: a name that promises another format is given what the verb writes.
+TEST_F(BadInput, OutputsOfOneFormatAreNamedSo) {
+  const std::pair<const char*, const char*> cases[] = {{"truncate above.obj below.obj --out t.obj", ".ply"},
+                                                       {"near above.obj --distance 1 --out n.vtp", ".csv"},
+                                                       {"intersections above.obj --out i.png", ".csv"},
+                                                       {"queries q --out q.json", ".csv"},
+                                                       {"bench above.obj below.obj --out b.txt", ".csv"}};
+  for (const auto& [command, format] : cases) {
+    expect_error(command, std::string(": this verb writes ") + format + " alone");
+  }
+  EXPECT_EQ(folder_.run("near above.obj --distance 1 --out n.CSV").code, 0);
+  EXPECT_EQ(folder_.run("near above.obj --distance 1 --out /dev/null").code, 0);
 }
 
 // Bug: hours of simulation before a wrong option is told.

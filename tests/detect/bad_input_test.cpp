@@ -8,6 +8,7 @@
 
 #include "support/contact_sets.hpp"
 #include "support/test_names.hpp"
+#include "tamis/components.hpp"
 #include "tamis/detector.hpp"
 #include "tamis/error.hpp"
 #include "tamis/pair.hpp"
@@ -108,6 +109,22 @@ TEST_P(BadInput, OptionsOutsideTheirRange) {
   refuses(bad);
   bad.filter.group_of_vertex.assign(scene.start.size(), 1);
   refuses(bad);
+  bad.filter.group_of_vertex.assign(scene.start.size(), -1);
+  refuses(bad);
+}
+
+// Bug: the groups of components_of, -1 where a vertex is of no feature, are refused; or such a vertex has a radius.
+TEST(Groups, AreThoseOfComponents) {
+  const Mesh mesh(5, {{1, 2, 3}});
+  const std::vector<Point> points{{9, 9, 9}, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {9, 9, 9}};
+  const Components objects = components_of(mesh);
+  Options options;
+  options.filter.group_of_vertex = objects.of_vertex;
+  options.filter.group_count = objects.count;
+  options.thickness.assign(static_cast<std::size_t>(objects.count), 0.5);
+  EXPECT_TRUE(Detector(mesh, options).is_free({points, points}));
+  options.filter = PairFilter::no_self_contact(objects.of_vertex);
+  EXPECT_TRUE(Detector(mesh, options).is_free({points, points}));
 }
 
 // oneTBB crashes when it is asked for a million threads, warns on stderr for a thousand, and gives neither.

@@ -35,4 +35,16 @@ export function scientific(x: number): string {
   return `${digits} × 10${raised}`;
 }
 
+/** `x` >= 0 with so many digits, read back never more than `x`: for times that are proven free before. */
+export function roundedDown(x: number, digits: number): string {
+  const text = x.toPrecision(digits);
+  if (Number(text) <= x) return text;
+  const [mantissa, power] = x.toExponential(digits - 1).split("e");
+  // One less in the last digit; 1.00000 becomes .999999, which has one digit more behind the point.
+  const unit = Number(power) - (digits - 1);
+  const less = Number(mantissa.replace(".", "")) - 1;
+  const below = less < 10 ** (digits - 1) ? `${10 * less + 9}e${unit - 1}` : `${less}e${unit}`;
+  return Number(below).toPrecision(digits);
+}
+
 export const timeText = (t: number): string => t.toFixed(4);

@@ -3,6 +3,7 @@ import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import type { Browser, Page } from "playwright-core";
 import type { ViewState } from "../src/store";
+import { roundedDown } from "../src/numbers";
 import { launch, open, picture, settled } from "./browser";
 import { Folder, obj, sheet, type Row } from "./command";
 
@@ -73,7 +74,7 @@ void test("shows the counts of --json, and asks nothing of any server", async ()
   const total = json.contacts.vf + json.contacts.ee;
   assert.equal(await page.getAttribute("#count", "data-count"), String(total));
   assert.equal(await page.getAttribute("#listed", "data-count"), String(total));
-  assert.ok((await page.textContent("#answer"))?.includes(json.toi_lower.toPrecision(6)));
+  assert.ok((await page.textContent("#answer"))?.includes(roundedDown(json.toi_lower, 6)));
   await page.keyboard.press("v");
   for (const stage of json.stages)
     assert.equal(await page.getAttribute(`[data-stage=${stage.name}]`, "data-pairs"), String(stage.vf + stage.ee));

@@ -1,6 +1,6 @@
 // What is shown, what was found, and the two questions one asks first.
 import { button, el } from "../dom";
-import { counted, grouped } from "../numbers";
+import { counted, grouped, roundedDown } from "../numbers";
 import type { Actions } from "../actions";
 import type { Session } from "../session";
 import type { Switch } from "../store";
@@ -55,7 +55,7 @@ function sentence({ view, scene, store }: Session): (Node | string)[] {
     mesh,
     el("b", { id: "count", "data-count": count }, counted(count, "contact")),
     `${unresolved}. Free before `,
-    el("b", {}, (lower ?? 1).toPrecision(6)),
+    el("b", {}, roundedDown(lower ?? 1, 6)),
     " of the step, proven.",
   ];
 }

@@ -4,7 +4,7 @@
 
 Broad phases are accepted and ignored: Tamis has its own, and the answer is that of all pairs. The narrow phases decide
 how much of its distance every pair keeps; contacts themselves are decided by Tamis, exactly. Everything else of ipctk
-(distances, barriers, potentials, friction) is not here: keep importing ipctk for it.
+(distances, barriers, potentials, friction) is not here: keep importing ipctk for it, with a mesh of its own.
 """
 
 from tamis.compat.ipctk._broad_phase import LBVH, BroadPhase, BruteForce, HashGrid, SpatialHash, SweepAndPrune

@@ -74,6 +74,17 @@ class CollisionMesh:
         return self._detector
 
 
+def detector_of(mesh: CollisionMesh) -> Detector:
+    """Return what answers for a mesh; one of another library is refused."""
+    if not isinstance(mesh, CollisionMesh):
+        given = type(mesh)
+        raise InvalidMesh(
+            f"the mesh is of the type {given.__module__}.{given.__qualname__}: give a "
+            "tamis.compat.ipctk.CollisionMesh, made from the same positions, edges and faces"
+        )
+    return mesh.detector
+
+
 def edges(faces: npt.ArrayLike) -> Indices:
     """Return the edges of triangles, each once, shape (e, 2)."""
     return Mesh(faces).edges

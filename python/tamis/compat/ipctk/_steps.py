@@ -6,13 +6,13 @@ import numpy.typing as npt
 
 from tamis._errors import InvalidOptions
 from tamis.compat.ipctk._broad_phase import BroadPhase
-from tamis.compat.ipctk._mesh import CollisionMesh
+from tamis.compat.ipctk._mesh import CollisionMesh, detector_of
 from tamis.compat.ipctk._narrow_phase import NarrowPhaseCCD, TightInclusionCCD
 
 
 def has_intersections(mesh: CollisionMesh, vertices: npt.ArrayLike, broad_phase: BroadPhase | None = None) -> bool:
     """Tell whether any edge passes through a triangle or touches it: exactly."""
-    return mesh.detector.has_intersection(vertices)
+    return detector_of(mesh).has_intersection(vertices)
 
 
 def is_step_collision_free(
@@ -24,7 +24,7 @@ def is_step_collision_free(
     narrow_phase_ccd: NarrowPhaseCCD | None = None,
 ) -> bool:
     """Tell whether the whole step is free of contacts: exactly; ipctk may say no of a step that comes near one."""
-    return mesh.detector.is_free(vertices_t0, vertices_t1, min_separation=min_distance)
+    return detector_of(mesh).is_free(vertices_t0, vertices_t1, min_separation=min_distance)
 
 
 def compute_collision_free_stepsize(
@@ -45,7 +45,7 @@ def compute_collision_free_stepsize(
             f"conservative_rescaling is {narrow_phase.conservative_rescaling}: give a number > 0 and <= 1"
         )
     kept = narrow_phase.kept_fraction
-    return mesh.detector.keep_distance(vertices_t0, vertices_t1, kept, min_separation=min_distance).lower
+    return detector_of(mesh).keep_distance(vertices_t0, vertices_t1, kept, min_separation=min_distance).lower
 
 
 class Candidates:

@@ -19,7 +19,8 @@ typedef struct tamis_options {
   const char* bounding_volume;     /**< of method paper: "16-dop", "aabb", ...; NULL: 16-dop */
   int32_t threads;                 /**< 0: as many as the caller's oneTBB arena gives. Speed only */
   double min_separation;           /**< d >= 0: contact means Euclidean distance <= d */
-  const int32_t* group_of_vertex;  /**< one a vertex of the mesh, in [0, group_count); NULL: all are in group 0 */
+  const int32_t* group_of_vertex;  /**< one a vertex of the mesh, in [0, group_count), or -1 if no feature has it; NULL:
+                                      all are in group 0 */
   int32_t group_count;             /**< 0: one group */
   const uint8_t* groups_may_touch; /**< group_count x group_count, symmetric; 0 leaves out; NULL: all are tested */
   /** Asked for every pair that is left, from several threads; 0 leaves the pair out. NULL: all are tested. */

@@ -76,7 +76,9 @@ void require_sound(const CLI::App& verb, const std::vector<std::string>& reverse
     if (!has_options || !is_option(*word)) continue;
     if (word->back() == '=') fail_without(word->substr(0, word->size() - 1) + " has an empty value");
     const CLI::Option& option = option_named(verb, word->substr(0, word->find('=')));
-    if (!given.insert(&option).second && option.get_multi_option_policy() == CLI::MultiOptionPolicy::Throw)
+    const bool takes_one =
+        option.get_expected_max() <= 1 && option.get_multi_option_policy() == CLI::MultiOptionPolicy::Throw;
+    if (!given.insert(&option).second && takes_one)
       throw InvalidOptions(option.get_name() + " is given twice: give it once");
     if (option.get_items_expected_min() == 0 || word->find('=') != std::string::npos) continue;
     const auto value = std::next(word);

@@ -13,16 +13,12 @@
 #pragma once
 #include <string_view>
 #include <type_traits>
-#include <utility>
 
 #include "motion/pair_motion.hpp"
 #include "numerics/error_bounds.hpp"
+#include "numerics/select.hpp"
 
 namespace tamis {
-
-/// Result of a comparison: bool for double, a lane mask for SIMD lanes.
-template <class T>
-using Mask = decltype(std::declval<T>() > std::declval<T>());
 
 /// a | b() and a & b(): one pair at a time skips `b` where `a` decides, lanes compute both.
 template <class M, class Other>

@@ -2,8 +2,13 @@
 #pragma once
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace tamis {
+
+/// Result of a comparison: bool for double, a lane mask for SIMD lanes.
+template <class T>
+using Mask = decltype(std::declval<T>() > std::declval<T>());
 
 inline double select(bool mask, double yes, double no) { return mask ? yes : no; }
 /// As x86's instructions have it: b where either is NaN. Those of ARM make NaN of it.

@@ -4,8 +4,12 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <iterator>
+
 #include "io/atomic_file.hpp"
 #include "io/extension.hpp"
+#include "io/view/outputs.hpp"
 #include "tamis/error.hpp"
 
 namespace tamis::cli {
@@ -17,6 +21,15 @@ bool is_taken_by(int stream, const std::filesystem::path& output) {
   }, of_output{};
   return fstat(stream, &of_stream) == 0 && stat(output.c_str(), &of_output) == 0 && S_ISREG(of_stream.st_mode) &&
          of_stream.st_dev == of_output.st_dev && of_stream.st_ino == of_output.st_ino;
+}
+
+/// An extension that stands for no format promises none.
+bool promises_other_format(const std::filesystem::path& output, std::string_view extension) {
+  constexpr std::string_view kOthers[] = {".ply", ".obj", ".json", ".png"};
+  const std::string given = io::extension_of(output);
+  const bool is_known = std::count(std::begin(kOthers), std::end(kOthers), given) > 0 ||
+                        io::find_output(io::outputs(), output) != nullptr;
+  return is_known && given != extension;
 }
 
 }  // namespace
@@ -36,8 +49,7 @@ void require_output(const std::filesystem::path& output, const std::vector<std::
     if (is_taken_by(stream, output))
       throw InvalidOptions(
           fmt::format("--out {} is where the answer or its notes go: give another name", output.string()));
-  const std::string given = io::extension_of(output);
-  if (!given.empty() && !extension.empty() && given != extension)
+  if (!extension.empty() && promises_other_format(output, extension))
     throw InvalidOptions(
         fmt::format("--out {}: this verb writes {} alone: let the name end so", output.string(), extension));
   io::require_writable(output);

@@ -139,11 +139,12 @@ TEST_F(BadInput, OutputsOfOneFormatAreNamedSo) {
                                                        {"near above.obj --distance 1 --out n.vtp", ".csv"},
                                                        {"intersections above.obj --out i.png", ".csv"},
                                                        {"queries q --out q.json", ".csv"},
-                                                       {"bench above.obj below.obj --out b.txt", ".csv"}};
+                                                       {"bench above.obj below.obj --out b.html", ".csv"}};
   for (const auto& [command, format] : cases) {
     expect_error(command, std::string(": this verb writes ") + format + " alone");
   }
   EXPECT_EQ(folder_.run("near above.obj --distance 1 --out n.CSV").code, 0);
+  EXPECT_EQ(folder_.run("near above.obj --distance 1 --out n.txt").code, 0) << "no format has this name";
   EXPECT_EQ(folder_.run("near above.obj --distance 1 --out /dev/null").code, 0);
 }
 

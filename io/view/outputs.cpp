@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <string_view>
 
 #include "io/contacts_csv.hpp"
 #include "io/contacts_vtk.hpp"
@@ -42,9 +43,9 @@ std::span<const Output> outputs() { return kOutputs; }
 
 const Output* find_output(std::span<const Output> choices, const std::filesystem::path& path) {
   const std::string extension = extension_of(path);
-  const auto found = std::find_if(choices.begin(), choices.end(), [&](const Output& output) {
-    return extension == "." + std::string(output.extension);
-  });
+  const std::string_view without_dot = std::string_view(extension).substr(extension.empty() ? 0 : 1);
+  const auto found = std::find_if(choices.begin(), choices.end(),
+                                  [&](const Output& output) { return without_dot == output.extension; });
   return found == choices.end() ? nullptr : &*found;
 }
 

@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "mpi/src/box_tree.hpp"
+#include "mpi/src/moving_box.hpp"
 
 namespace tamis::distributed {
 namespace {
@@ -43,14 +44,12 @@ std::vector<Point> centers_of(const ElementSet& set) {
   std::vector<Point> centers;
   centers.reserve(set.elements.size());
   for (const Corners& corners : set.elements) {
-    Point low, high;
-    bool is_first = true;
+    Point low{kInfinity, kInfinity, kInfinity}, high{-kInfinity, -kInfinity, -kInfinity};
     for_each_corner(corners, [&](std::size_t v) {
       for (const Point& p : {set.motions[v].start, set.motions[v].end})
         for (std::size_t axis = 0; axis < 3; ++axis) {
-          low[axis] = is_first ? p[axis] : std::min(low[axis], p[axis]);
-          high[axis] = is_first ? p[axis] : std::max(high[axis], p[axis]);
-          if (axis == 2) is_first = false;
+          low[axis] = std::min(low[axis], p[axis]);
+          high[axis] = std::max(high[axis], p[axis]);
         }
     });
     centers.push_back({0.5 * low[0] + 0.5 * high[0], 0.5 * low[1] + 0.5 * high[1], 0.5 * low[2] + 0.5 * high[2]});

@@ -106,7 +106,7 @@ inline Crossing<T> find_crossing(const PairMotion<T>& step, const TimeInterval<T
   return search.at_root(crossing::find_root(search.cubic));
 }
 
-/// Two that have nothing to do with each other, in the time of one and a half.
+/// Two that have nothing to do with each other: while one waits for its root, the other is worked on.
 template <PairKind kind, class T>
 inline std::array<Crossing<T>, 2> find_two_crossings(const PairMotion<T>& step_a, const TimeInterval<T>& part_a,
                                                      const PairMotion<T>& step_b, const TimeInterval<T>& part_b) {

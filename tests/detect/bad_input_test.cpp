@@ -113,16 +113,21 @@ TEST_P(BadInput, OptionsOutsideTheirRange) {
   refuses(bad);
 }
 
-// Bug: the groups of components_of, -1 where a vertex is of no feature, are refused; or such a vertex has a radius.
+// Bug: the groups of components_of, -1 where a vertex is of no feature, are refused; or radii go to other vertices.
 TEST(Groups, AreThoseOfComponents) {
-  const Mesh mesh(5, {{1, 2, 3}});
-  const std::vector<Point> points{{9, 9, 9}, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {9, 9, 9}};
+  const Mesh mesh(8, {{1, 2, 3}, {5, 6, 7}});
+  const std::vector<Point> points{{9, 9, 9}, {0, 0, 0}, {1, 0, 0}, {0, 1, 0},
+                                  {9, 9, 9}, {0, 0, 1}, {1, 0, 1}, {0, 1, 1}};
   const Components objects = components_of(mesh);
   Options options;
   options.filter.group_of_vertex = objects.of_vertex;
   options.filter.group_count = objects.count;
-  options.thickness.assign(static_cast<std::size_t>(objects.count), 0.5);
-  EXPECT_TRUE(Detector(mesh, options).is_free({points, points}));
+  ASSERT_EQ(objects.count, 2);
+  for (const auto& [thickness, is_free] : {std::pair(0.375, true), std::pair(0.625, false)}) {
+    options.thickness = {0.5, thickness};  // the triangles are 1 apart
+    EXPECT_EQ(Detector(mesh, options).is_free({points, points}), is_free);
+  }
+  options.thickness.clear();
   options.filter = PairFilter::no_self_contact(objects.of_vertex);
   EXPECT_TRUE(Detector(mesh, options).is_free({points, points}));
 }

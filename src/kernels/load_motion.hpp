@@ -35,14 +35,11 @@ inline __m256d load_position(const StepRows& vertices, std::int32_t vertex, bool
 }
 #endif
 
-/// to - from at t=0 or t=1, of as many pairs as there are lanes: read as rows, turned into columns.
+/// A vertex of as many pairs as there are lanes, at t=0 or t=1: read as rows, turned into columns.
 template <class Vertices>
-inline Vec3<DoubleLanes> load_difference_at(Vertices vertices, bool at_end, const std::int32_t* to,
-                                            const std::int32_t* from) {
+inline Vec3<DoubleLanes> load_vertices_at(Vertices vertices, bool at_end, const std::int32_t* index) {
 #if XSIMD_WITH_AVX
-  const auto row = [&](int i) {
-    return _mm256_sub_pd(load_position(vertices, to[i], at_end), load_position(vertices, from[i], at_end));
-  };
+  const auto row = [&](int i) { return load_position(vertices, index[i], at_end); };
 #if XSIMD_WITH_AVX512F
   const auto rows = [&](int low, int high) {
     return _mm512_insertf64x4(_mm512_castpd256_pd512(row(low)), row(high), 1);
@@ -60,14 +57,30 @@ inline Vec3<DoubleLanes> load_difference_at(Vertices vertices, bool at_end, cons
           _mm256_permute2f128_pd(xz0, xz1, 0x31)};
 #endif
 #else
-  const double *to0 = position(vertices, to[0], at_end), *to1 = position(vertices, to[1], at_end);
-  const double *from0 = position(vertices, from[0], at_end), *from1 = position(vertices, from[1], at_end);
+  const double *row0 = position(vertices, index[0], at_end), *row1 = position(vertices, index[1], at_end);
   const auto column = [&](int k) {
-    const double lanes[kDoubleLanes] = {to0[k] - from0[k], to1[k] - from1[k]};
+    const double lanes[kDoubleLanes] = {row0[k], row1[k]};
     return DoubleLanes::load_unaligned(lanes);
   };
   return {column(0), column(1), column(2)};
 #endif
+}
+
+/// Vertices of pairs, [place in the pair].
+template <PairKind kind>
+using VertexLanes = std::array<Vec3<DoubleLanes>, vertex_count(kind)>;
+
+template <PairKind kind, class Vertices>
+inline VertexLanes<kind> load_vertices_at(Vertices vertices, bool at_end, const PairBuffer& pairs, int first) {
+  VertexLanes<kind> result;
+  for (std::size_t corner = 0; corner < result.size(); ++corner)
+    result[corner] = load_vertices_at(vertices, at_end, pairs.corner[corner] + first);
+  return result;
+}
+
+template <std::size_t count>
+inline Vec3<DoubleLanes> difference(const std::array<Vec3<DoubleLanes>, count>& at, VertexDifference v) {
+  return at[static_cast<std::size_t>(v.to)] - at[static_cast<std::size_t>(v.from)];
 }
 
 inline DoubleLanes largest(const Moving<DoubleLanes>& v) {
@@ -109,11 +122,14 @@ inline DoubleLanes load_separation(const StepRows&, const PairBuffer&, int, cons
 template <PairKind kind, Course course = Course::step, class Vertices>
 inline PairMotion<DoubleLanes> load_motion(Vertices vertices, const PairBuffer& pairs, int first,
                                            const PairSeparation& separation = {}) {
+  const auto at0 = load_vertices_at<kind>(vertices, false, pairs, first);
+  auto at1 = at0;
+  if constexpr (course == Course::step)
+    at1 = load_vertices_at<kind>(vertices, true, pairs, first);
+  else
+    at1[0] = load_vertices_at(vertices, false, pairs.corner[4] + first);
   const auto moving = [&](VertexDifference v) -> Moving<DoubleLanes> {
-    const std::int32_t *to = pairs.corner[v.to] + first, *from = pairs.corner[v.from] + first;
-    const auto at0 = load_difference_at(vertices, false, to, from);
-    if constexpr (course == Course::step) return {at0, load_difference_at(vertices, true, to, from)};
-    return {at0, v.to == 0 ? load_difference_at(vertices, false, pairs.corner[4] + first, from) : at0};
+    return {difference(at0, v), difference(at1, v)};
   };
   constexpr SpanningVectors kVectors = spanning_vectors(kind);
   const auto e = moving(kVectors.e), f = moving(kVectors.f), d = moving(kVectors.d);

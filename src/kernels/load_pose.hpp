@@ -16,11 +16,9 @@ struct LoadedPoses {
 template <PairKind kind>
 inline LoadedPoses load_pose(const PackedVertex* vertices, const PairBuffer& pairs, int first,
                              const PairSeparation& separation) {
-  const auto difference = [&](VertexDifference v) {
-    return load_difference_at(vertices, false, pairs.corner[v.to] + first, pairs.corner[v.from] + first);
-  };
+  const auto at = load_vertices_at<kind>(vertices, false, pairs, first);
   constexpr SpanningVectors kVectors = spanning_vectors(kind);
-  const auto e = difference(kVectors.e), f = difference(kVectors.f), d = difference(kVectors.d);
+  const auto e = difference(at, kVectors.e), f = difference(at, kVectors.f), d = difference(at, kVectors.d);
   const DoubleLanes size_e = largest(e), size_f = largest(f), size_d = largest(d);
   const DoubleLanes scale = scale_to_one(max(max(size_e, size_f), size_d));
   return {{scale * e, scale * f, scale * d, scale * size_e, scale * size_f, scale * size_d,

@@ -19,18 +19,25 @@ struct CrossingStride {
 /// go to keep(stride, crossings), unless no lane of it is asked.
 template <PairKind kind, class Make, class Keep>
 inline void for_each_crossing(int count, const Make& make, const Keep& keep) {
-  std::optional<decltype(make(0))> waiting;
+  using Stride = decltype(make(0));
+  struct Made {  // in its place: a stride is too large to copy
+    operator Stride() const { return make(first); }
+    const Make& make;
+    int first;
+  };
+  std::optional<Stride> waiting, stride;
   for (int first = 0; first < count; first += kDoubleLanes) {
-    const auto stride = make(first);
-    if (!stride.lanes) continue;
-    if (!waiting) {
-      waiting.emplace(stride);
+    auto& next = waiting ? stride : waiting;
+    if (!next.emplace(Made{make, first}).lanes) {
+      next.reset();
       continue;
     }
-    const auto crossings = find_two_crossings<kind>(waiting->motion, waiting->part, stride.motion, stride.part);
+    if (!stride) continue;
+    const auto crossings = find_two_crossings<kind>(waiting->motion, waiting->part, stride->motion, stride->part);
     keep(*waiting, crossings[0]);
-    keep(stride, crossings[1]);
+    keep(*stride, crossings[1]);
     waiting.reset();
+    stride.reset();
   }
   if (waiting) keep(*waiting, find_crossing<kind>(waiting->motion, waiting->part));
 }

@@ -74,17 +74,17 @@ class PartDecision {
     const int open = part_.kernels.settle[static_cast<std::size_t>(kind)](
         {vertices, batch.places, part_.options}, batch.pairs, batch.rest, results_, batch.open);
     batch.pairs.count = 0;
-    return std::all_of(batch.open, batch.open + open, [&](std::int32_t place) { return decide_singly(kind, place); });
+    return std::all_of(batch.open, batch.open + open, [&](std::int32_t place) { return decide_open(kind, place); });
   }
 
-  bool decide_singly(PairKind kind, std::int32_t place) {
+  bool decide_open(PairKind kind, std::int32_t place) {
     stop_if_cancelled(part_);
     const Pair& pair = part_.pairs[static_cast<std::size_t>(place)];
     if (!has_finite_points(pair, part_.step)) return false;
     PairVertices vertices{-1, -1, -1, -1};
     std::copy_n(pair.vertices.begin(), vertex_count(kind), vertices.begin());
     PrecisionCount decided_by;
-    results_[place] = tamis::decide(kind, points_of(part_.step, vertices), part_.options, decided_by);
+    results_[place] = decide_unsettled(kind, points_of(part_.step, vertices), part_.options, decided_by);
     return true;
   }
 

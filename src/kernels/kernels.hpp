@@ -169,7 +169,7 @@ struct Kernels {
   void (*slab_vv)(const BoxVertex* vertices, const BoxSeparation& separation, const PairBuffer& in, PairBuffer& out);
   /// [kind]: the pairs of a list, each for the whole step and by itself, as far as doubles settle it
   /// (solve/settled.hpp): with the bits of decide(). Writes results[places[i]], or the place to `open`, whose number is
-  /// returned: of pairs that more has to be tried for, or whose coordinates are not finite. `rest` is scratch.
+  /// returned: of pairs for decide_unsettled(), or whose coordinates are not finite. `rest` is scratch.
   int (*settle[kPairKinds])(const ListedPairs& list, const PairBuffer& in, PairBuffer& rest, PairResult* results,
                             std::int32_t* open);
 };

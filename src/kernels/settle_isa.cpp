@@ -62,28 +62,42 @@ class Settling {
     using Stride = ClippedStride<kind, Axes::coordinates>;
     const auto make = [&](int first) {
       Stride stride(list_, in, list_.places, first);
-      const unsigned unfit = stride.lanes & ~(stride.finite & ~(is_exact_ ? stride.starts_coplanar() : 0));
       keep_free(stride.free, stride.places);
-      leave_open(unfit, stride.places);
-      stride.lanes &= ~unfit;
+      const unsigned fit = stride.lanes & fit_lanes(stride);
+      try_again(stride.lanes & ~fit, in, stride);
+      stride.lanes = fit;
       return stride;
     };
     for_each_crossing<kind>(in.count, make, [&](const Stride& stride, const Crossing<DoubleLanes>& crossing) {
-      for_each_bit(unsettled(stride, crossing), [&](int i) {
-        rest_places_[rest_.count] = stride.places[i];
-        for (int corner = 0; corner < 4; ++corner)
-          rest_.corner[corner][rest_.count] = in.corner[corner][stride.first + i];
-        ++rest_.count;
-      });
+      try_again(unsettled(stride, crossing), in, stride);
     });
     for (int first = 0; first < rest_.count; first += kDoubleLanes) look_in_halves(first);
     return open_count_;
   }
 
+  /// Those that a crossing may settle.
+  template <Axes axes>
+  unsigned fit_lanes(const ClippedStride<kind, axes>& stride) const {
+    return stride.finite & ~(is_exact_ ? stride.starts_coplanar() : 0);
+  }
+
+  template <class Stride>
+  void try_again(unsigned lanes, const PairBuffer& in, const Stride& stride) {
+    for_each_bit(lanes, [&](int i) {
+      rest_places_[rest_.count] = stride.places[i];
+      for (int corner = 0; corner < 4; ++corner)
+        rest_.corner[corner][rest_.count] = in.corner[corner][stride.first + i];
+      ++rest_.count;
+    });
+  }
+
   void look_in_halves(int first) {
-    const ClippedStride<kind, Axes::all> stride(list_, rest_, rest_places_, first);
+    ClippedStride<kind, Axes::all> stride(list_, rest_, rest_places_, first);
     keep_free(stride.free, stride.places);
-    if (!stride.lanes) return;
+    const unsigned fit = stride.lanes & fit_lanes(stride);
+    leave_open(stride.lanes & ~fit, stride.places);
+    stride.lanes = fit;
+    if (!fit) return;
     const auto crossing = find_crossing_in_halves<kind>(stride.motion, stride.part);
     leave_open(unsettled(stride, crossing), stride.places);
   }

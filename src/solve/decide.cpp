@@ -140,23 +140,27 @@ PairResult with_weights(PairKind kind, const PairMotion<double>& m, const Decisi
   return result;
 }
 
-PairResult decide_step(PairKind kind, const PairPoints& points, const PairOptions& options,
-                       PrecisionCount& decided_by) {
-  const auto m = make_motion(kind, points, options.min_separation);
-  if (const auto settled = settled_by_crossings(kind, m, options)) {
-    ++decided_by.scalar;
-    return *settled;
-  }
+/// REQUIRES: crossings do not settle `m`.
+PairResult decide_motion(PairKind kind, const PairPoints& points, const PairMotion<double>& m,
+                         const PairOptions& options, PrecisionCount& decided_by) {
   const auto [decision, arithmetic] = decide_pair(kind, points, m, time_in_question(kind, m), options);
   ++(decided_by.*arithmetic);
-  return with_weights(kind, m, decision);
+  return decision.lower > options.latest ? PairResult{} : with_weights(kind, m, decision);
 }
 
 }  // namespace
 
 PairResult decide(PairKind kind, const PairPoints& points, const PairOptions& options, PrecisionCount& decided_by) {
-  const PairResult result = decide_step(kind, points, options, decided_by);
-  return result.toi_lower > options.latest ? PairResult{} : result;
+  const auto m = make_motion(kind, points, options.min_separation);
+  const auto settled = settled_by_crossings(kind, m, options);
+  if (!settled) return decide_motion(kind, points, m, options, decided_by);
+  ++decided_by.scalar;
+  return settled->toi_lower > options.latest ? PairResult{} : *settled;
+}
+
+PairResult decide_unsettled(PairKind kind, const PairPoints& points, const PairOptions& options,
+                            PrecisionCount& decided_by) {
+  return decide_motion(kind, points, make_motion(kind, points, options.min_separation), options, decided_by);
 }
 
 }  // namespace tamis

@@ -11,4 +11,8 @@ namespace tamis {
 /// REQUIRES: finite coordinates. Counts in `decided_by` which arithmetic had the last word.
 PairResult decide(PairKind kind, const PairPoints& points, const PairOptions& options, PrecisionCount& decided_by);
 
+/// The same of a pair that settled.hpp does not settle, which has been tried where many are tried at once.
+PairResult decide_unsettled(PairKind kind, const PairPoints& points, const PairOptions& options,
+                            PrecisionCount& decided_by);
+
 }  // namespace tamis

@@ -12,7 +12,7 @@ struct Dnf {
 
   template <PairKind kind, class T>
   static Mask<T> proves_free(const PairMotion<T>& m) {
-    const auto k = coplanarity_polynomial(m.d, normal_polynomial(m.e, m.f));
+    const auto k = coplanarity_polynomial(m);
     const T unit = m.size_d * m.size_e * m.size_f;
     const T end = error_bounds::bound(error_bounds::kCoplanarityEnd, unit);
     const T middle = error_bounds::bound(error_bounds::kCoplanarityMiddle, unit);

@@ -135,9 +135,8 @@ int filter(const PackedVertex* vertices, const PairBuffer& in, PairBuffer& out) 
 int write_solved(const Crossing<DoubleLanes>& c, unsigned left, unsigned touches, const std::int32_t* pairs,
                  SolvedPair* out, int count) {
   const DoubleLanes zero(0), one(1);
-  const Vec3<DoubleLanes> normal = unit_vector(c.normal);
-  const DoubleLanes fields[] = {c.lower,  c.upper, min(max(c.u, zero), one), min(max(c.v, zero), one), normal.x,
-                                normal.y, normal.z};
+  const DoubleLanes fields[] = {c.lower,    c.upper,   min(max(c.u, zero), one), min(max(c.v, zero), one), c.normal.x,
+                                c.normal.y, c.normal.z};
   double f[7][kDoubleLanes];
   for (int k = 0; k < 7; ++k) fields[k].store_unaligned(f[k]);
   for_each_bit(left, [&](int i) {

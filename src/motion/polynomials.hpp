@@ -27,6 +27,27 @@ inline std::array<T, 4> coplanarity_polynomial(const Moving<T>& d, const std::ar
   return {dot(d.at0, n[0]), dot(d.at0, n[1]) + dot(d.at1, n[0]), dot(d.at0, n[2]) + dot(d.at1, n[1]), dot(d.at1, n[2])};
 }
 
+template <class T>
+inline std::array<T, 4> coplanarity_polynomial(const PairMotion<T>& m) {
+  return coplanarity_polynomial(m.d, normal_polynomial(m.e, m.f));
+}
+
+/// The same cubic during [t_in, t_out], with that time mapped to [0,1]: its polar form at the two times (de Casteljau).
+/// Off by less than what the motion, restricted to that part, gives: kCoplanarityEnd and kCoplanarityMiddle.
+template <class T>
+inline std::array<T, 4> restrict_to(const std::array<T, 4>& k, const T& t_in, const T& t_out) {
+  const T before_in = T(1) - t_in, before_out = T(1) - t_out;
+  const auto at_in = [&](const T& a, const T& b) { return before_in * a + t_in * b; };
+  const auto at_out = [&](const T& a, const T& b) { return before_out * a + t_out * b; };
+  const T b0 = T(3) * k[0], b3 = T(3) * k[3];
+  const T in0 = at_in(b0, k[1]), in1 = at_in(k[1], k[2]), in2 = at_in(k[2], b3);
+  const T out0 = at_out(b0, k[1]), out1 = at_out(k[1], k[2]), out2 = at_out(k[2], b3);
+  const T in_in0 = at_in(in0, in1), in_in1 = at_in(in1, in2);
+  const T out_out0 = at_out(out0, out1), out_out1 = at_out(out1, out2);
+  return {T(1.0 / 3) * at_in(in_in0, in_in1), at_out(in_in0, in_in1), at_in(out_out0, out_out1),
+          T(1.0 / 3) * at_out(out_out0, out_out1)};
+}
+
 /// M(t) = w(t) x n(t), cubic: normal of the moving plane through an edge with direction w, orthogonal to the pair's.
 template <class T>
 inline std::array<Vec3<T>, 4> edge_plane_polynomial(const Moving<T>& w, const std::array<Vec3<T>, 3>& n) {

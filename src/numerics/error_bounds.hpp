@@ -46,6 +46,9 @@ inline constexpr double kInput = 8;
 
 // Coplanarity K = d.(e x f), unit D E F. N0, N2: 4 kInput + 4 = 36, |N0| <= 2; N1: 76, |N1| <= 4.
 // K0, K3: 3 (2 kInput + 36 + 2) + 10 = 172. K1, K2: 3 (4 kInput + 76 + 4) + 20 + 172 + 18 = 546.
+// From the cubic of the whole step, restricted to the part, less: with kInput = 1 N is off by 8 and 20, K0 and K3 by
+// 46, K1 and K2 by 168, as are 3 K0 and 3 K3; these four are at most 18, so that each of three mixtures adds 3 * 18:
+// 330, of which a third is 110, and 122 with its rounding.
 inline constexpr double kCoplanarityEnd = 180;
 inline constexpr double kCoplanarityMiddle = 560;
 
@@ -79,11 +82,12 @@ inline constexpr double kBend = 72;
 inline constexpr double kCoplanaritySlopeNow = 2100;
 
 // The value of S from vectors at one time (3 u more than kInput each, see at_time): as S0 with kInput = 12:
-// N 52, M 2 (2*12 + 52 + 2) + 4 = 160, S 3 (4*12 + 160 + 4) + 20 = 656. Within a time r of there S changes by at most
-// 12 r times the sum, over its four factors, of that factor's change times the sizes of the others, because
-// |S| <= 12 X W E F. A computed change is off by 20 u of the size: 12 * 4 * 20 r = 960 r, given as 2 r kSideValue.
+// N 52, M 2 (2*12 + 52 + 2) + 4 = 160, S 3 (4*12 + 160 + 4) + 20 = 656.
 inline constexpr double kSideValue = 700;
-inline constexpr double kSideSlope = 13;
+// Within a time r of there S changes by at most 12 r times the sum, over its four factors, of that factor's change
+// times the sizes of the others, because |S| <= 12 X W E F; and no factor changes by more than twice its size: 12 * 4 *
+// 2 = 96 times r X W E F.
+inline constexpr double kSideSlope = 97;
 
 // A difference projected on an axis with components in {-1,0,1}, unit D + E + F: 3 (kInput + 3) + 2 * 3 = 39.
 inline constexpr double kProjection = 48;

@@ -18,8 +18,8 @@ struct Crossing {
   Mask<T> touches;   ///< proven: contact within [lower, upper], none before in that part
   Mask<T> brackets;  ///< proven: no contact in that part but within [lower, upper]; implied by `touches`
   T lower, upper;
-  T u, v;          ///< weights at the root, see Contact
-  Vec3<T> normal;  ///< not normalized
+  T u, v;          ///< weights at the root, see Contact; as is the normal, where it touches
+  Vec3<T> normal;  ///< of unit length
 
   static Crossing free() { return {true, false, false, T(1), T(1), T(0), T(0), {T(0), T(0), T(0)}}; }
 };
@@ -46,14 +46,13 @@ inline T turning_point(const std::array<T, 4>& k) {
 
 }  // namespace crossing
 
-/// The question that the root of `cubic` answers. REQUIRES: `step` outlives it.
+/// The question that the root of `cubic` answers. REQUIRES: `step` outlives it; `whole` is its cubic.
 template <PairKind kind, class T>
 struct CrossingSearch {
-  CrossingSearch(const PairMotion<T>& whole, const TimeInterval<T>& part_of_step) : step(whole), part(part_of_step) {
-    const auto m = restrict_to(step, part.t_in, part.t_out);
+  CrossingSearch(const PairMotion<T>& whole_step, const std::array<T, 4>& whole, const TimeInterval<T>& part_of_step)
+      : step(whole_step), part(part_of_step), cubic(restrict_to(whole, part.t_in, part.t_out)) {
     auto& k = cubic;
-    k = coplanarity_polynomial(m.d, normal_polynomial(m.e, m.f));
-    unit = m.size_d * m.size_e * m.size_f;
+    unit = step.size_d * step.size_e * step.size_f;
     const T end = error_bounds::bound(error_bounds::kCoplanarityEnd, unit);
     const T middle = error_bounds::bound(error_bounds::kCoplanarityMiddle, unit);
     // Turned so that the cubic falls; one sign change whatever the uncertain signs, unless k1 < 0 < k2.
@@ -88,7 +87,7 @@ struct CrossingSearch {
             upper,
             sides.u,
             sides.v,
-            n};
+            sqrt(sides.per_norm2) * n};
   }
 
   const PairMotion<T>& step;
@@ -98,9 +97,19 @@ struct CrossingSearch {
   Mask<T> rises, stays, falls_once;
 };
 
+namespace crossing {
+
+template <PairKind kind, class T>
+inline std::array<Crossing<T>, 2> of_two(const CrossingSearch<kind, T>& a, const CrossingSearch<kind, T>& b) {
+  const auto roots = find_two_roots(a.cubic, b.cubic);
+  return {a.at_root(roots[0]), b.at_root(roots[1])};
+}
+
+}  // namespace crossing
+
 template <PairKind kind, class T>
 inline Crossing<T> find_crossing(const PairMotion<T>& step, const TimeInterval<T>& part) {
-  const CrossingSearch<kind, T> search(step, part);
+  const CrossingSearch<kind, T> search(step, coplanarity_polynomial(step), part);
   if constexpr (std::is_same_v<Mask<T>, bool>)
     if (search.stays) return Crossing<T>::free();
   return search.at_root(crossing::find_root(search.cubic));
@@ -110,20 +119,20 @@ inline Crossing<T> find_crossing(const PairMotion<T>& step, const TimeInterval<T
 template <PairKind kind, class T>
 inline std::array<Crossing<T>, 2> find_two_crossings(const PairMotion<T>& step_a, const TimeInterval<T>& part_a,
                                                      const PairMotion<T>& step_b, const TimeInterval<T>& part_b) {
-  const CrossingSearch<kind, T> a(step_a, part_a), b(step_b, part_b);
-  const auto roots = crossing::find_two_roots(a.cubic, b.cubic);
-  return {a.at_root(roots[0]), b.at_root(roots[1])};
+  return crossing::of_two(CrossingSearch<kind, T>(step_a, coplanarity_polynomial(step_a), part_a),
+                          CrossingSearch<kind, T>(step_b, coplanarity_polynomial(step_b), part_b));
 }
 
 /// The same where one crossing is not enough: the part is cut where the cubic turns, and the first half that is not
 /// free gives the answer.
 template <PairKind kind, class T>
 inline Crossing<T> find_crossing_in_halves(const PairMotion<T>& step, const TimeInterval<T>& part) {
-  const auto m = restrict_to(step, part.t_in, part.t_out);
-  const T s = crossing::turning_point(coplanarity_polynomial(m.d, normal_polynomial(m.e, m.f)));
+  const auto whole = coplanarity_polynomial(step);
+  const T s = crossing::turning_point(restrict_to(whole, part.t_in, part.t_out));
   const T cut = min(max((T(1) - s) * part.t_in + s * part.t_out, part.t_in), part.t_out);
   const TimeInterval<T> parts[] = {{part.t_in, cut}, {cut, part.t_out}};
-  auto halves = find_two_crossings<kind>(step, parts[0], step, parts[1]);
+  auto halves =
+      crossing::of_two(CrossingSearch<kind, T>(step, whole, parts[0]), CrossingSearch<kind, T>(step, whole, parts[1]));
   for (std::size_t i = 0; i < 2; ++i)
     if (auto& c = halves[i]; any(!(c.is_free | c.touches)))
       c.is_free = c.is_free | Ncf::proves_free<kind>(restrict_to(step, parts[i].t_in, parts[i].t_out));

@@ -24,8 +24,13 @@ inline T slope(const std::array<T, 4>& k, const T& t) {
 template <class T>
 class RootSearch {
  public:
-  explicit RootSearch(const std::array<T, 4>& cubic)
-      : k_(cubic), low_(0), high_(1), root_(k_[0] / (k_[0] - k_[3])), goes_on_((k_[0] > T(0)) & (k_[3] < T(0))) {}
+  explicit RootSearch(const std::array<T, 4>& k)
+      : c0_(k[0]),
+        c1_(k[1] - T(3) * k[0]),
+        c2_(T(3) * k[0] - T(2) * k[1] + k[2]),
+        c3_((k[3] - k[0]) + (k[1] - k[2])),
+        root_(k[0] / (k[0] - k[3])),
+        goes_on_((k[0] > T(0)) & (k[3] < T(0))) {}
 
   const Mask<T>& goes_on() const { return goes_on_; }
   const T& root() const { return root_; }
@@ -33,10 +38,12 @@ class RootSearch {
   void stride() {
     // Of the last stride d: the root is then off by at most kBend d^2 / fall, a third of what the sign is certain
     // within.
-    const T tolerance(0x1p-27), f = value(k_, root_);
+    const T tolerance(0x1p-27), square = root_ * root_;
+    const T f = (c0_ + c1_ * root_) + square * (c2_ + c3_ * root_);
+    const T slope = (c1_ + T(2) * c2_ * root_) + T(3) * c3_ * square;
     low_ = select(f > T(0), root_, low_);
     high_ = select(f > T(0), high_, root_);
-    const T newton = root_ - f / slope(k_, root_);
+    const T newton = root_ - f / slope;
     const T next = select((newton >= low_) & (newton <= high_), newton, T(0.5) * (low_ + high_));
     const auto moves = abs(next - root_) > tolerance * root_;
     root_ = select(goes_on_, next, root_);
@@ -44,8 +51,8 @@ class RootSearch {
   }
 
  private:
-  const std::array<T, 4> k_;
-  T low_, high_, root_;
+  const T c0_, c1_, c2_, c3_;  // times the powers of t
+  T low_ = T(0), high_ = T(1), root_;
   Mask<T> goes_on_;
 };
 

@@ -31,7 +31,7 @@ inline constexpr std::size_t kMaxDepth = 32;
 template <class T>
 class Cubic {
  public:
-  explicit Cubic(const PairMotion<T>& m) : k_(coplanarity_polynomial(m.d, normal_polynomial(m.e, m.f))) {
+  explicit Cubic(const PairMotion<T>& m) : k_(coplanarity_polynomial(m)) {
     const T unit = m.size_d * m.size_e * m.size_f;
     value_error_ = error_bounds::bound(error_bounds::kCoplanarityValue, unit);
     slope_error_ = error_bounds::bound(error_bounds::kCoplanaritySlope, unit);

@@ -3,7 +3,6 @@
 // same lines serve one pair and pairs in lanes, so that a pair has the same bits however it is asked.
 #pragma once
 #include "filters/slab_clip.hpp"
-#include "numerics/unit_vector.hpp"
 #include "solve/crossing.hpp"
 #include "solve/sharp_bracket.hpp"
 
@@ -39,7 +38,7 @@ inline Settled<T> settled(const Crossing<T>& c, const TimeInterval<T>& clip, boo
   Mask<T> touches = c.touches;
   if (must_be_sharp) touches = touches & is_sharp(lower, upper);
   const auto within_one = [&](const T& weight) { return min(max(weight, zero), one); };
-  return {c.is_free, touches, lower, upper, within_one(c.u), within_one(c.v), unit_vector(c.normal)};
+  return {c.is_free, touches, lower, upper, within_one(c.u), within_one(c.v), c.normal};
 }
 
 }  // namespace tamis

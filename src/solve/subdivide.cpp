@@ -26,7 +26,7 @@ struct Coplanarity {
 };
 
 Coplanarity coplanarity(const PairMotion<double>& m) {
-  const auto k = coplanarity_polynomial(m.d, normal_polynomial(m.e, m.f));
+  const auto k = coplanarity_polynomial(m);
   const double unit = m.size_d * m.size_e * m.size_f;
   const double end = error_bounds::bound(error_bounds::kCoplanarityEnd, unit);
   const double middle = error_bounds::bound(error_bounds::kCoplanarityMiddle, unit);

@@ -90,7 +90,7 @@ TEST(ErrorBounds, CoplanarityPolynomial) {
   Worst end, middle;
   for_each_case([&](const Case& c) {
     const PairMotion<double>& m = c.rounded;
-    const auto k = coplanarity_polynomial(m.d, normal_polynomial(m.e, m.f));
+    const auto k = coplanarity_polynomial(m);
     const auto truth = coplanarity_polynomial(c.exact.d, normal_polynomial(c.exact.e, c.exact.f));
     const double unit = m.size_d * m.size_e * m.size_f;
     for (std::size_t i : {0u, 3u}) end.add(k[i], truth[i], error_bounds::bound(error_bounds::kCoplanarityEnd, unit));
@@ -99,6 +99,27 @@ TEST(ErrorBounds, CoplanarityPolynomial) {
   });
   end.check("kCoplanarityEnd");
   middle.check("kCoplanarityMiddle");
+}
+
+// Of a part of the step, from the cubic of the whole: not worse than from the motion during that part.
+TEST(ErrorBounds, CoplanarityPolynomialRestricted) {
+  Worst end, middle;
+  Random random(59);
+  for_each_case(
+      [&](const Case& c) {
+        const double a = random.unit(), b = random.unit(), from = std::min(a, b),
+                     to = random.coin() ? std::max(a, b) : 1;
+        const auto k = restrict_to(coplanarity_polynomial(c.rounded), from, to);
+        const auto truth = coplanarity_polynomial(restrict_to(c.exact, Exact(from), Exact(to)));
+        const double unit = c.rounded.size_d * c.rounded.size_e * c.rounded.size_f;
+        for (std::size_t i : {0u, 3u})
+          end.add(k[i], truth[i], error_bounds::bound(error_bounds::kCoplanarityEnd, unit));
+        for (std::size_t i : {1u, 2u})
+          middle.add(k[i], truth[i], error_bounds::bound(error_bounds::kCoplanarityMiddle, unit));
+      },
+      true);
+  end.check("kCoplanarityEnd of a part");
+  middle.check("kCoplanarityMiddle of a part");
 }
 
 template <class T>
@@ -160,6 +181,35 @@ TEST(ErrorBounds, SidePolynomial) {
   end.check("kSideEnd");
   next.check("kSideNext");
   middle.check("kSideMiddle");
+}
+
+template <class T>
+T side_at(const PairMotion<T>& m, const T& t) {
+  const auto e = at_time(m.e, t), f = at_time(m.f, t), d = at_time(m.d, t);
+  const auto n = cross(e, f);
+  return dot(d - e, cross(f, n) - cross(e, n));
+}
+
+// What one crossing relies on where it says inside or outside: the side's value, and how little it changes near by.
+TEST(ErrorBounds, SideAtOneTimeAndNearIt) {
+  Worst now;
+  double slope = 0;
+  Random random(53);
+  for_each_case(
+      [&](const Case& c) {
+        const auto& m = c.rounded;
+        const double t = random.unit(), there = random.unit();
+        const double unit = (m.size_d + m.size_e) * (m.size_e + m.size_f) * m.size_e * m.size_f;
+        const Exact truth = side_at(c.exact, Exact(t));
+        now.add(side_at(m, t), truth, error_bounds::bound(error_bounds::kSideValue, unit));
+        const Exact change = side_at(c.exact, Exact(there)) - truth;
+        if (there != t) slope = std::max(slope, std::abs(change.value.get_d()) / (std::abs(there - t) * unit));
+      },
+      true);
+  now.check("kSideValue");
+  RecordProperty("slope", std::to_string(slope));
+  EXPECT_LE(slope, error_bounds::kSideSlope);
+  EXPECT_GE(slope, 1e-3 * error_bounds::kSideSlope);
 }
 
 TEST(ErrorBounds, ProjectionOnADiagonal) {

@@ -120,7 +120,7 @@ TEST(interval, polynomials_of_a_motion_confirm_the_error_bounds_of_the_filters) 
     const auto widen = [](const Moving<double>& v) {
       return Moving<Interval>{{v.at0.x, v.at0.y, v.at0.z}, {v.at1.x, v.at1.y, v.at1.z}};
     };
-    const auto k = coplanarity_polynomial(m.d, normal_polynomial(m.e, m.f));
+    const auto k = coplanarity_polynomial(m);
     const auto wide = coplanarity_polynomial(widen(m.d), normal_polynomial(widen(m.e), widen(m.f)));
     const double unit = m.size_d * m.size_e * m.size_f;
     for (std::size_t c = 0; c < 4; ++c) {

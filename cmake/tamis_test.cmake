@@ -26,4 +26,4 @@ file(CONFIGURE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/test_headers.cpp CONTENT "int 
 add_executable(tamis_test_headers ${CMAKE_CURRENT_BINARY_DIR}/test_headers.cpp)
 tamis_test_options(tamis_test_headers)
 target_link_libraries(tamis_test_headers PRIVATE GTest::gtest)
-tamis_precompile(tamis_test_headers <gtest/gtest.h>)
+target_precompile_headers(tamis_test_headers PRIVATE ${tamis_common_headers} <gtest/gtest.h>)

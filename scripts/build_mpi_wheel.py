@@ -25,20 +25,9 @@ def main() -> int:
     if stamp.is_fresh() and (work / "ranks").exists():
         return 0
     stamp.path.unlink(missing_ok=True)
-    wheel = ordinary.compile_wheel(work, source, "raw_ranks", [f"TAMIS_BUILT={build}"], mpi="ON")
+    wheel = ordinary.compile_wheel(work, source, "raw_ranks", ordinary.with_libraries_of(build), mpi="ON")
     python = ordinary.environment(work / "ranks")
-    ordinary.pip(
-        python,
-        "install",
-        "--no-index",
-        "--find-links",
-        work / "wheels",
-        "-c",
-        ordinary.REQUIREMENTS,
-        wheel,
-        "pytest",
-        "mpi4py",
-    )
+    ordinary.install(work, python, "-c", ordinary.REQUIREMENTS, wheel, "pytest", "mpi4py")
     stamp.set()
     print("installed into", work / "ranks")
     return 0

@@ -27,15 +27,21 @@ def run(*command, **options) -> str:
     return subprocess.run([str(c) for c in command], check=True, stdout=subprocess.PIPE, text=True, **options).stdout
 
 
-def environment(folder: pathlib.Path) -> pathlib.Path:
+def environment(folder: pathlib.Path, with_pip: bool = False) -> pathlib.Path:
     """A new, empty virtual environment; its Python."""
     shutil.rmtree(folder, ignore_errors=True)
-    venv.create(folder, with_pip=True, symlinks=True)
+    venv.create(folder, with_pip=with_pip, symlinks=True)
     return folder / "bin" / "python"
 
 
-def pip(python: pathlib.Path, *arguments) -> None:
-    run(python, "-m", "pip", "--quiet", "--disable-pip-version-check", *arguments)
+def pip(work: pathlib.Path, *arguments) -> None:
+    """The pip of the tools."""
+    run(work / "tools/bin/python", "-m", "pip", "--quiet", "--disable-pip-version-check", *arguments)
+
+
+def install(work: pathlib.Path, python: pathlib.Path, *what) -> None:
+    """From what PyPI has given before; each module is compiled when it is first imported, as most never are."""
+    pip(work, "--python", python, "install", "--no-compile", "--no-index", "--find-links", work / "wheels", *what)
 
 
 class Stamp:
@@ -55,13 +61,13 @@ def make_tools(work: pathlib.Path) -> None:
     stamp = Stamp(work / "tools.stamp", REQUIREMENTS.read_bytes(), sys.version.encode())
     if stamp.is_fresh():
         return
-    python = environment(work / "tools")
+    python = environment(work / "tools", with_pip=True)
     try:
-        pip(python, "download", "--only-binary", ":all:", "-r", REQUIREMENTS, "-d", work / "wheels")
+        pip(work, "download", "--only-binary", ":all:", "-r", REQUIREMENTS, "-d", work / "wheels")
     except subprocess.CalledProcessError:
         print("skipped: the tools of python/requirements.txt are not here, and PyPI cannot be reached")
         sys.exit(SKIPPED)
-    pip(python, "install", "--no-index", "--find-links", work / "wheels", "-r", REQUIREMENTS)
+    install(work, python, "-r", REQUIREMENTS)
     stamp.set()
 
 
@@ -121,6 +127,12 @@ def search_path(work: pathlib.Path) -> "dict[str, str]":
     return {**os.environ, "PATH": f"{work / 'tools/bin'}:{os.environ['PATH']}"}
 
 
+def with_libraries_of(build: pathlib.Path) -> "list[str]":
+    """What is left to compile is compiled at once: the least work where nothing is compiled again."""
+    return [f"TAMIS_BUILT={build}", "CMAKE_UNITY_BUILD=ON", "CMAKE_UNITY_BUILD_BATCH_SIZE=0",
+            "CMAKE_DISABLE_PRECOMPILE_HEADERS=ON"]
+
+
 def compile_wheel(
     work: pathlib.Path, source: pathlib.Path, name: str, defines: "list[str]", mpi: str = "OFF"
 ) -> pathlib.Path:
@@ -146,12 +158,11 @@ def make_wheel(work: pathlib.Path, source: pathlib.Path, defines: "list[str]") -
 def make_user(work: pathlib.Path, wheel: pathlib.Path) -> None:
     """The wheel must work with NumPy alone before anything else comes in."""
     python = environment(work / "user")
-    from_here = ("--no-index", "--find-links", work / "wheels")
-    pip(python, "install", *from_here, wheel)
+    install(work, python, wheel)
     run(python, "-I", "-c", "import tamis; assert len(tamis.contacts([[0,1,2]], [[0,0,0],[1,0,0],[0,1,0]], "
         "[[0,0,0],[1,0,0],[0,1,0]])) == 0")
     wanted = ("pytest", "hypothesis", "pandas", "matplotlib")
-    pip(python, "install", *from_here, "-c", REQUIREMENTS, *wanted)
+    install(work, python, "-c", REQUIREMENTS, *wanted)
 
 
 def main() -> int:
@@ -159,7 +170,7 @@ def main() -> int:
     work.mkdir(parents=True, exist_ok=True)
     make_tools(work)
     source = make_source(work)
-    defines = [f"TAMIS_BUILT={folder}" for folder in build]
+    defines = with_libraries_of(*build) if build else []
     built = [path.read_bytes() for folder in build for path in sorted(folder.glob("**/libtamis*.a"))]
     stamp = Stamp(work / "wheel.stamp", source_digest(source), REQUIREMENTS.read_bytes(), *built)
     if not stamp.is_fresh() or not (work / "user").exists():

@@ -12,7 +12,6 @@ namespace {
 
 /// Of NCF after DNF.
 constexpr double kClaimedRate = 0.9;
-constexpr double kPercent = 100;
 
 /// Rows on which a claim holds, of the paper's own rows or of the others.
 struct CullingTally {

@@ -8,6 +8,8 @@
 
 namespace tamis::cli {
 
+inline constexpr double kPercent = 100;
+
 using Results = std::span<const SceneResult>;
 
 /// A row of the paper's Table 1: 2.33 GHz Pentium, one thread.

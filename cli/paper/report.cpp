@@ -51,7 +51,6 @@ std::string table_by_method(Results results, const std::string& title, const Cel
 }
 
 std::string figure_5(Results results) {
-  constexpr double kPercent = 100;
   std::string text =
       "\n## Fig. 5: what NCF culls of the pairs that DNF leaves\n\n"
       "| scene, step | pairs after DNF | after NCF | culled | of vertex-face | of edge-edge | of those that are no "

@@ -14,25 +14,25 @@ namespace {
 
 bool before(const Contact& a, const Contact& b) { return std::tie(a.kind, a.vertices) < std::tie(b.kind, b.vertices); }
 
-using Contacts = std::vector<Contact>;
+using ContactList = std::vector<Contact>;
 
-Contacts united(const Contacts& a, const Contacts& b) {
-  Contacts both;
+ContactList united(const ContactList& a, const ContactList& b) {
+  ContactList both;
   std::set_union(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(both), before);
   return both;
 }
 
-std::uint64_t count_missing(const Contacts& wanted, const Contacts& there) {
-  Contacts missing;
+std::uint64_t count_missing(const ContactList& wanted, const ContactList& there) {
+  ContactList missing;
   std::set_difference(wanted.begin(), wanted.end(), there.begin(), there.end(), std::back_inserter(missing), before);
   return missing.size();
 }
 
 /// A contact is true if any method certifies it, so a method that all others disagree with shows.
-void compare(const std::vector<Contacts>& answers, std::vector<MethodResult>& methods) {
-  Contacts certified;
-  for (const Contacts& answer : answers) {
-    Contacts sure;
+void compare(const std::vector<ContactList>& answers, std::vector<MethodResult>& methods) {
+  ContactList certified;
+  for (const ContactList& answer : answers) {
+    ContactList sure;
     std::copy_if(answer.begin(), answer.end(), std::back_inserter(sure),
                  [](const Contact& c) { return c.certainty == Certainty::certified; });
     certified = united(certified, sure);
@@ -80,11 +80,11 @@ class Contest {
   /// The methods take turns within a step, so that a slow phase of the machine is shared by all.
   void run(const Step& step) {
     const bool is_first = result_.steps++ == 0;
-    std::vector<Contacts> answers;
+    std::vector<ContactList> answers;
     for (std::size_t i = 0; i < result_.methods.size(); ++i) {
       if (is_first) detectors_[i].contacts(step);
       const double start = processor_seconds();
-      const Contacts& found = detectors_[i].contacts(step);
+      const ContactList& found = detectors_[i].contacts(step);
       result_.methods[i].seconds += processor_seconds() - start;
       answers.push_back(found);
       add_stages(detectors_[i].statistics(), result_.methods[i]);

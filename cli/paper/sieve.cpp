@@ -23,7 +23,6 @@ struct Left {
 };
 
 std::string share(std::uint64_t part, std::uint64_t whole) {
-  constexpr double kPercent = 100;
   return fmt::format("{:.1f}%", whole == 0 ? 0.0 : kPercent * static_cast<double>(part) / static_cast<double>(whole));
 }
 

@@ -12,18 +12,18 @@ namespace tamis::scenes {
 namespace {
 
 // Lengths in units of the lattice.
-constexpr double kRadius = 0.47;
-constexpr double kBump = 0.05;  // share of the radius: no contact at t=0
+constexpr double kBodyRadius = 0.47;
+constexpr double kBodyBump = 0.05;  // share of the radius: no contact at t=0
 constexpr double kPull = 0.08;
 constexpr double kFlight = 0.1;
 constexpr double kTurn = 0.05;  // tangent of half the angle
 constexpr Index kFewestBodies = 8;
-constexpr Index kMostCells = 24;
+constexpr Index kMostBodyCells = 24;
 
 }  // namespace
 
 Scene colliding_bodies(Index triangles, std::uint64_t seed) {
-  const Index cells = std::max(Index{2}, sphere_cells(triangles, kFewestBodies, kMostCells));
+  const Index cells = std::max(Index{2}, sphere_cells(triangles, kFewestBodies, kMostBodyCells));
   const Shape sphere = unit_sphere(cells);
   const Index bodies = std::max(Index{2}, triangles / static_cast<Index>(sphere.faces.size()));
   const Index side = static_cast<Index>(std::ceil(cube_root(bodies)));
@@ -39,7 +39,7 @@ Scene colliding_bodies(Index triangles, std::uint64_t seed) {
     const Point flight = kPull * (middle - centre) + random.point_between(-kFlight, kFlight);
     const SmoothNoise bumps(random.bits());
     const auto bumpy = [&](const Point& p) {
-      return (kRadius * (1 + kBump * bumps(4 * p[0], 4 * p[1], 4 * p[2]))) * p;
+      return (kBodyRadius * (1 + kBodyBump * bumps(4 * p[0], 4 * p[1], 4 * p[2]))) * p;
     };
     add_shape(
         scene, sphere, body, [&](const Point& p) { return scale * (centre + rotated(bumpy(p), turned)); },

@@ -12,11 +12,11 @@ namespace {
 
 using Corners = std::array<Point, 3>;
 
-constexpr double kUnit = 0.25;
+constexpr double kLatticeUnit = 0.25;
 
 Corners lattice_corners(const Point& centre, Random& random) {
   Corners corners;
-  for (Point& p : corners) p = centre + random.point_on_lattice(4, kUnit);
+  for (Point& p : corners) p = centre + random.point_on_lattice(4, kLatticeUnit);
   return corners;
 }
 
@@ -30,7 +30,7 @@ Scene degenerate(Index triangles, std::uint64_t seed) {
   // A larger box for more triangles keeps the number of contacts of each in bounds.
   const Index side = static_cast<Index>(2 * cube_root(static_cast<double>(triangles)));
   for (Index i = 0; static_cast<Index>(scene.faces.size()) < triangles; ++i) {
-    const Point centre = random.point_on_lattice(side, kUnit);
+    const Point centre = random.point_on_lattice(side, kLatticeUnit);
     Corners start = lattice_corners(centre, random), end = lattice_corners(centre, random);
     const Index which = i % 10;
     if (which == 0 || which == 2) make_collinear(start);   // no area at t=0

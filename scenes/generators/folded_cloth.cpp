@@ -14,7 +14,7 @@ namespace {
 constexpr double kLayerGap = 0.4;
 constexpr double kRippleStart = 0.15;  // below half the gap: no contact at t=0
 constexpr double kRippleEnd = 0.35;
-constexpr double kPress = 0.1;  // share of its height that the pile loses
+constexpr double kPilePress = 0.1;  // share of its height that the pile loses
 constexpr double kCreep = 0.5;
 constexpr double kLongestRipple = 8;
 constexpr Index kLongestLayer = 96;
@@ -39,7 +39,7 @@ Scene folded_cloth(Index triangles, std::uint64_t seed) {
       const double z = j, px = x / ripple, pz = z / ripple;
       const double height = layer * kLayerGap;
       const Point at_start{x, height + kRippleStart * start(px, pz), z};
-      const Point at_end{x + kCreep * creep_x(px, pz), (1 - kPress) * height + kRippleEnd * end(px, pz),
+      const Point at_end{x + kCreep * creep_x(px, pz), (1 - kPilePress) * height + kRippleEnd * end(px, pz),
                          z + kCreep * creep_z(px, pz)};
       scene.add_vertex({cell * at_start[0], cell * at_start[1], cell * at_start[2]},
                        {cell * at_end[0], cell * at_end[1], cell * at_end[2]}, 0);

@@ -13,18 +13,18 @@ namespace tamis::scenes {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-constexpr double kRadius = kReducedArmGap / 2, kArm = 1.0, kWidth = 1.0;
-constexpr double kLength = 2 * kArm + kPi * kRadius;
+constexpr double kArmRadius = kReducedArmGap / 2, kArm = 1.0, kWidth = 1.0;
+constexpr double kLength = 2 * kArm + kPi * kArmRadius;
 constexpr std::array<std::array<double, 2>, 3> kWaves{{{1, 0}, {2, 0}, {0, 1}}};
 constexpr Index kModes = 3 * static_cast<Index>(kWaves.size());
 constexpr double kUsualLength = 2.0;  ///< arms and sheet pass through each other for nearly every q
 
 /// The U at arc length s from the end of its lower arm.
 Point place(double s, double y) {
-  if (s < kArm) return {s, y, -kRadius};
-  const double angle = (s - kArm) / kRadius;
-  if (angle < kPi) return {kArm + kRadius * std::sin(angle), y, -kRadius * std::cos(angle)};
-  return {kLength - s, y, kRadius};
+  if (s < kArm) return {s, y, -kArmRadius};
+  const double angle = (s - kArm) / kArmRadius;
+  if (angle < kPi) return {kArm + kArmRadius * std::sin(angle), y, -kArmRadius * std::cos(angle)};
+  return {kLength - s, y, kArmRadius};
 }
 
 std::vector<double> random_direction(Random& random, double length) {

@@ -12,17 +12,17 @@
 namespace tamis::scenes {
 namespace {
 
-constexpr double kUnit = 0x1p-10;  // radius 1
+constexpr double kSphereUnit = 0x1p-10;  // radius 1
 
 Shape lattice_sphere(Index cells) {
   Shape sphere = unit_sphere(cells);
   for (Point& p : sphere.points)
-    for (double& x : p) x = kUnit * std::round(x / kUnit);
+    for (double& x : p) x = kSphereUnit * std::round(x / kSphereUnit);
   return sphere;
 }
 
 /// How the sphere at lattice position (i,j,k) moves in its row: towards its neighbour, the other way round, or not.
-Point motion(Index variant, bool is_even, Random& random) {
+Point sphere_motion(Index variant, bool is_even, Random& random) {
   const double towards = is_even ? 1 : -1;
   switch (variant) {
     case 0:
@@ -36,7 +36,7 @@ Point motion(Index variant, bool is_even, Random& random) {
     case 4:
       return {towards * 0.75, 0, 0};
     default:
-      return random.point_on_lattice(256, kUnit);
+      return random.point_on_lattice(256, kSphereUnit);
   }
 }
 
@@ -55,7 +55,7 @@ Scene touching_spheres(Index triangles, std::uint64_t seed) {
     // Variants 1 and 4 start a gap apart, to arrive at t=1 exactly, or to pass through at t=1/3.
     const double gap = variant == 1 || variant == 4 ? 0.5 : 0;
     const Point centre{is_even ? 0 : 2 + gap, 2.0 * (row % 3), 2.0 * (row / 3)};
-    const Point flight = motion(variant, is_even, random);
+    const Point flight = sphere_motion(variant, is_even, random);
     add_shape(
         scene, sphere, body, [&](const Point& p) { return centre + p; },
         [&](const Point& p) { return centre + flight + p; });

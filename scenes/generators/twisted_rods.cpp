@@ -13,11 +13,11 @@ namespace {
 
 constexpr Index kRods = 4;
 // Lengths in units of the rods' length.
-constexpr double kOffset = 0.04;         // of a rod's centre line from the axis, in y and in z
-constexpr double kRadius = 0.99 * 0.04;  // of a rod: they do not touch at t=0
-constexpr double kBump = 0.005;          // share of the radius
-constexpr double kPress = 0.03;          // how much nearer the centre lines are at t=1
-constexpr double kFurther = 0.01;        // share of half a turn
+constexpr double kOffset = 0.04;            // of a rod's centre line from the axis, in y and in z
+constexpr double kRodRadius = 0.99 * 0.04;  // of a rod: they do not touch at t=0
+constexpr double kRodBump = 0.005;          // share of the radius
+constexpr double kRodPress = 0.03;          // how much nearer the centre lines are at t=1
+constexpr double kFurther = 0.01;           // share of half a turn
 
 /// A point of the square's rim with corners (+-1, +-1), `part` of the way round, from the middle of a side.
 Point on_square(double part) {
@@ -56,9 +56,9 @@ Scene twisted_rods(Index triangles, std::uint64_t seed) {
       for (Index j = 0; j < around; ++j) {
         const Point rim = unit(on_square(static_cast<double>(j) / around));
         const double x = static_cast<double>(i) / along;
-        const double radius = kRadius * (1 - kBump * (1 + bumps(40 * x, 2 * rim[1], 2 * rim[2])));
+        const double radius = kRodRadius * (1 - kRodBump * (1 + bumps(40 * x, 2 * rim[1], 2 * rim[2])));
         const Point p = Point{x, 0, 0} + radius * rim;
-        scene.add_vertex(twisted(p + centre, 1), twisted(p + (1 - kPress) * centre, 1 + kFurther), rod);
+        scene.add_vertex(twisted(p + centre, 1), twisted(p + (1 - kRodPress) * centre, 1 + kFurther), rod);
       }
     for (Index i = 0; i < along; ++i)
       for (Index j = 0; j < around; ++j) {

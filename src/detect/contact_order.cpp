@@ -37,10 +37,10 @@ void ContactSorter::sort(std::vector<Contact>& contacts, Index vertex_count) {
     const auto begin = entries_.begin();
     for (std::size_t b = range.begin(); b != range.end(); ++b)
       if (first_[b + 1] > first_[b] + 1) std::sort(begin + first_[b], begin + first_[b + 1], is_before);
-    constexpr std::uint32_t kAhead = 8;             // contacts lie scattered
+    constexpr std::uint32_t kFetched = 8;           // contacts lie scattered
     const std::uint32_t end = first_[range.end()];  // what is behind it may be being sorted
     for (std::uint32_t i = first_[range.begin()]; i < end; ++i) {
-      if (i + kAhead < end) __builtin_prefetch(&contacts[entries_[i + kAhead].place]);
+      if (i + kFetched < end) __builtin_prefetch(&contacts[entries_[i + kFetched].place]);
       sorted_[i] = contacts[entries_[i].place];
     }
   });

@@ -5,6 +5,7 @@
 
 #include "engines/cancellation.hpp"
 #include "engines/pair_rules.hpp"
+#include "numerics/finite.hpp"
 #include "solve/decide.hpp"
 #include "solve/pair_input.hpp"
 

@@ -8,6 +8,7 @@
 #include "detect/pair_faults.hpp"
 #include "detect/validate.hpp"
 #include "engines/cancellation.hpp"
+#include "numerics/finite.hpp"
 #include "solve/pair_input.hpp"
 #include "tamis/error.hpp"
 #include "tamis/pair.hpp"

@@ -1,6 +1,7 @@
 #include "detect/pair_faults.hpp"
 
 #include "motion/pair_kinds.hpp"
+#include "numerics/finite.hpp"
 #include "solve/pair_input.hpp"
 
 namespace tamis {

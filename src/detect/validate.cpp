@@ -5,6 +5,7 @@
 #include <span>
 #include <string>
 
+#include "numerics/finite.hpp"
 #include "solve/pair_input.hpp"
 #include "tamis/error.hpp"
 

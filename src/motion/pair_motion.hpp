@@ -5,6 +5,8 @@
 //   vertex-vertex p against q:     e = 0,        f = 0,        d = p - q
 // One template on the number type T: double, SIMD lanes, interval, exact rational.
 #pragma once
+#include <cmath>
+
 #include "numerics/select.hpp"
 #include "numerics/vec.hpp"
 #include "tamis/contact.hpp"
@@ -44,6 +46,8 @@ struct PairMotion {
   T size_e, size_f, size_d;
   T separation = T(0);
 };
+
+inline bool is_finite(const PairMotion<double>& m) { return std::isfinite(m.size_e + m.size_f + m.size_d); }
 
 /// Position of the vector at time t; off by at most 3 u times its size.
 template <class T>

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include "numerics/finite.hpp"
 #include "numerics/scale.hpp"
 #include "tamis/error.hpp"
 
@@ -28,10 +29,9 @@ Moment<T> fill_up(Moment<T> moment, std::size_t count) {
 }  // namespace
 
 void check_point(Index vertex, double time, const Point& point, double error) {
-  const bool is_finite = std::isfinite(point[0]) && std::isfinite(point[1]) && std::isfinite(point[2]);
-  if (is_finite && error >= 0) return;
+  if (is_finite(point) && error >= 0) return;
   const std::string place = "vertex " + std::to_string(vertex) + " of the path at t = " + std::to_string(time);
-  if (!is_finite) throw InvalidPath(place + " is not finite: give finite positions");
+  if (!is_finite(point)) throw InvalidPath(place + " is not finite: give finite positions");
   throw InvalidPath(place + " has the error " + std::to_string(error) + ": give a bound >= 0 of how far it is off");
 }
 

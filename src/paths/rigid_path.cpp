@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include "numerics/finite.hpp"
 #include "paths/check_path.hpp"
 #include "paths/fine_point.hpp"
 #include "paths/rigid_transform.hpp"
@@ -12,9 +13,7 @@
 namespace tamis {
 namespace {
 
-bool is_finite(const Point& p) { return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]); }
-
-bool is_finite(const Pose& pose) { return is_finite(pose.position) && is_finite(pose.rotation); }
+bool has_finite_numbers(const Pose& pose) { return is_finite(pose.position) && is_finite(pose.rotation); }
 
 void validate(const std::vector<Point>& rest, const std::vector<Index>& body_of_vertex,
               const std::vector<Chain>& chains) {
@@ -30,7 +29,7 @@ void validate(const std::vector<Point>& rest, const std::vector<Index>& body_of_
   }
   for (std::size_t b = 0; b < chains.size(); ++b)
     for (const Link& link : chains[b])
-      check_path(is_finite(link.start) && is_finite(link.end),
+      check_path(has_finite_numbers(link.start) && has_finite_numbers(link.end),
                  "a pose of body " + std::to_string(b) + " is not finite: give finite positions and rotation vectors");
 }
 

@@ -19,8 +19,6 @@ namespace {
 /// Otherwise what counts is when the four points are coplanar.
 bool is_about_distance(PairKind kind, double separation) { return separation > 0 || !can_cross(kind); }
 
-bool is_finite(const PairMotion<double>& m) { return std::isfinite(m.size_e + m.size_f + m.size_d); }
-
 constexpr TimeInterval<double> kWholeStep{0, 1};
 
 /// The times that the slab clip leaves.

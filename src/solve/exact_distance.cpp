@@ -111,8 +111,8 @@ Magnitude operator+(const Magnitude& a, const Magnitude& b) {
 double Magnitude::value() const { return std::ldexp(mantissa, static_cast<int>(std::clamp(exponent, -5000L, 5000L))); }
 
 double Magnitude::rounded_down() const {
-  constexpr double kRounding = 0x1p-46, kNormal = std::numeric_limits<double>::min();
-  const double rounded = Magnitude{mantissa * (1 - kRounding), exponent}.value();
+  constexpr double kError = 0x1p-46, kNormal = std::numeric_limits<double>::min();
+  const double rounded = Magnitude{mantissa * (1 - kError), exponent}.value();
   return rounded < kNormal ? std::nextafter(rounded, 0) : rounded;
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include "numerics/finite.hpp"
 #include "solve/decide.hpp"
 #include "solve/pair_input.hpp"
 #include "tamis/error.hpp"

@@ -9,7 +9,7 @@ namespace {
 
 using test::Encoding;
 
-std::string error_of(const std::string& text) {
+std::string error_of_ply(const std::string& text) {
   return test::file_error("m.ply", [&] { parse_ply(text, "m.ply"); });
 }
 
@@ -17,7 +17,7 @@ std::string error_of(const std::string& text) {
 TEST(MalformedPly, NoPrefixOfABinaryFilePasses) {
   for (const Encoding encoding : {Encoding::little, Encoding::big}) {
     const std::string whole = test::two_triangles(encoding);
-    for (std::size_t size = 0; size < whole.size(); ++size) error_of(whole.substr(0, size));
+    for (std::size_t size = 0; size < whole.size(); ++size) error_of_ply(whole.substr(0, size));
   }
 }
 
@@ -25,15 +25,15 @@ TEST(MalformedPly, NoPrefixOfABinaryFilePasses) {
 TEST(MalformedPly, NoPrefixOfATextFilePassesWithoutAWord) {
   const std::string whole = test::two_triangles(Encoding::ascii);
   const std::size_t last_number = whole.rfind('3');
-  for (std::size_t size = 0; size <= last_number; ++size) error_of(whole.substr(0, size));
+  for (std::size_t size = 0; size <= last_number; ++size) error_of_ply(whole.substr(0, size));
   for (std::size_t size = last_number + 1; size < whole.size(); ++size)
     EXPECT_FALSE(parse_ply(whole.substr(0, size), "m.ply").notes.empty());
 }
 
 // Bug: the body is longer than the header says and the rest is dropped in silence.
 TEST(MalformedPly, RefusesMoreThanTheHeaderAnnounces) {
-  EXPECT_TRUE(test::contains(error_of(test::two_triangles(Encoding::ascii) + "3 0 1 2\n"), "line 16"));
-  EXPECT_TRUE(test::contains(error_of(test::two_triangles(Encoding::little) + "abc"), "more than its header"));
+  EXPECT_TRUE(test::contains(error_of_ply(test::two_triangles(Encoding::ascii) + "3 0 1 2\n"), "line 16"));
+  EXPECT_TRUE(test::contains(error_of_ply(test::two_triangles(Encoding::little) + "abc"), "more than its header"));
   EXPECT_NO_THROW(parse_ply(test::two_triangles(Encoding::little) + "\r\n", "m.ply"));
   EXPECT_NO_THROW(parse_ply(test::two_triangles(Encoding::ascii) + "\n \n", "m.ply"));
 }
@@ -44,13 +44,13 @@ TEST(MalformedPly, RefusesHugeCountsBeforeTakingMemory) {
     for (const char* count : {"1000000000000", "2000000000", "18446744073709551615", "18446744073709551616", "-1"}) {
       const std::string head = std::string("ply\nformat ") + format + " 1.0\n";
       const std::string xyz = "property double x\nproperty double y\nproperty double z\n";
-      error_of(head + "element vertex " + count + "\n" + xyz + "end_header\n0 0 0\n");
-      error_of(head + "element vertex 0\n" + xyz + "element face " + count +
-               "\nproperty list uchar int vertex_indices\nend_header\n3 0 0 0\n");
-      error_of(head + "element vertex 0\n" + xyz + "element other " + count +
-               "\nproperty list int int a\nend_header\n");
+      error_of_ply(head + "element vertex " + count + "\n" + xyz + "end_header\n0 0 0\n");
+      error_of_ply(head + "element vertex 0\n" + xyz + "element face " + count +
+                   "\nproperty list uchar int vertex_indices\nend_header\n3 0 0 0\n");
+      error_of_ply(head + "element vertex 0\n" + xyz + "element other " + count +
+                   "\nproperty list int int a\nend_header\n");
     }
-  error_of(
+  error_of_ply(
       "ply\nformat binary_little_endian 1.0\nelement vertex 0\nproperty char x\nproperty char y\nproperty char z\n"
       "element other 1\nproperty list uint char a\nend_header\n\xff\xff\xff\xff....");
 }
@@ -100,14 +100,15 @@ TEST(MalformedPly, EachErrorNamesItsPlace) {
       {f1 + tail, "0 0 0\n4 0 0 0\n", "the line ends too early"},
   };
   for (const auto& c : cases) {
-    const std::string message = error_of("ply\n" + c.header + c.body);
+    const std::string message = error_of_ply("ply\n" + c.header + c.body);
     EXPECT_TRUE(test::contains(message, c.says)) << message << "\nshould say: " << c.says;
   }
 }
 
 // Bug: binary rubbish from the file reaches the terminal, in full length.
 TEST(MalformedPly, MessagesShowForeignWordsShortAndPrintable) {
-  const std::string message = error_of("ply\nformat ascii 1.0\n\x1b[31m" + std::string(1000, 'x') + "\nend_header\n");
+  const std::string message =
+      error_of_ply("ply\nformat ascii 1.0\n\x1b[31m" + std::string(1000, 'x') + "\nend_header\n");
   EXPECT_LT(message.size(), 200u);
   EXPECT_FALSE(test::contains(message, "\x1b"));
 }

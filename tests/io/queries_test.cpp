@@ -15,7 +15,7 @@ std::string rows(int count, const std::string& answer) {
   return text;
 }
 
-std::string error_of(const std::string& text) {
+std::string error_of_queries(const std::string& text) {
   return test::file_error("q.csv", [&] { parse_queries(text, PairKind::edge_edge, "q.csv"); });
 }
 
@@ -37,14 +37,14 @@ TEST(Queries, TheAnswerMayBeMissing) {
 
 // Bug: a rounded coordinate, a cut file or a mixed answer goes into the statistics.
 TEST(Queries, EachErrorNamesItsLine) {
-  EXPECT_TRUE(test::contains(error_of(rows(12, ",1")), "4 of its 8 rows"));
-  EXPECT_TRUE(test::contains(error_of(rows(7, ",1") + "1,2,1,2,1,2,0\n"), "line 8: the answer differs"));
-  EXPECT_TRUE(test::contains(error_of(rows(7, ",1") + "1,2,1,2,1,2\n"), "line 8: the answer differs"));
-  EXPECT_TRUE(test::contains(error_of("1,3,0,1,0,1,1\n"), "line 1: '1' / '3' is not exactly a double"));
-  EXPECT_TRUE(test::contains(error_of("1,0,0,1,0,1,1\n"), "not exactly a double"));
-  EXPECT_TRUE(test::contains(error_of("1,1,0,1,0,1,2\n"), "the answer is '2'"));
-  EXPECT_TRUE(test::contains(error_of("1,1,0,1,0\n"), "5 columns"));
-  EXPECT_TRUE(test::contains(error_of("1,1,0,1,0,1,1,1\n"), "8 columns"));
+  EXPECT_TRUE(test::contains(error_of_queries(rows(12, ",1")), "4 of its 8 rows"));
+  EXPECT_TRUE(test::contains(error_of_queries(rows(7, ",1") + "1,2,1,2,1,2,0\n"), "line 8: the answer differs"));
+  EXPECT_TRUE(test::contains(error_of_queries(rows(7, ",1") + "1,2,1,2,1,2\n"), "line 8: the answer differs"));
+  EXPECT_TRUE(test::contains(error_of_queries("1,3,0,1,0,1,1\n"), "line 1: '1' / '3' is not exactly a double"));
+  EXPECT_TRUE(test::contains(error_of_queries("1,0,0,1,0,1,1\n"), "not exactly a double"));
+  EXPECT_TRUE(test::contains(error_of_queries("1,1,0,1,0,1,2\n"), "the answer is '2'"));
+  EXPECT_TRUE(test::contains(error_of_queries("1,1,0,1,0\n"), "5 columns"));
+  EXPECT_TRUE(test::contains(error_of_queries("1,1,0,1,0,1,1,1\n"), "8 columns"));
 }
 
 // Bug: the kind is guessed from a folder further up, or other tables are taken for queries.

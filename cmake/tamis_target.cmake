@@ -12,3 +12,8 @@ function(tamis_target target)
     target_compile_options(${target} PRIVATE -Werror)
   endif()
 endfunction()
+
+# Of what only calls the libraries, which do the work: a quarter to a third less time to compile.
+function(tamis_optimise_less target)
+  target_compile_options(${target} PRIVATE $<$<CONFIG:RelWithDebInfo>:-O1>)
+endfunction()

@@ -1,9 +1,8 @@
 include(GoogleTest)
 
-# Less optimised than the libraries, which do the work: that takes a quarter to a third less time to compile.
 function(tamis_test_options name)
   tamis_target(${name})
-  target_compile_options(${name} PRIVATE $<$<CONFIG:RelWithDebInfo>:-O1>)
+  tamis_optimise_less(${name})
 endfunction()
 
 # What makes an executable a program of tests.

@@ -7,5 +7,5 @@ cd "$(dirname "$0")/.."
 
 command -v clang++-14 >/dev/null || { echo "skipped: no clang++-14"; exit 77; }
 cmake --preset clang -B "$1" -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS_DEBUG=-O0 -DTAMIS_OPTIMIZE_KERNELS=OFF \
-  -DBUILD_SHARED_LIBS=ON -DCMAKE_UNITY_BUILD_BATCH_SIZE=0 -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON
+  -DBUILD_SHARED_LIBS=ON -DCMAKE_UNITY_BUILD_BATCH_SIZE=0
 cmake --build "$1" --parallel "$(nproc)"

@@ -1,15 +1,27 @@
 // Debian's Chromium without a window, drawing in software; what goes wrong on a page is kept.
 import { mkdirSync } from "node:fs";
 import { join } from "node:path";
+import { after } from "node:test";
 import { chromium, type Browser, type BrowserContextOptions, type Page } from "playwright-core";
 
 const executablePath = process.env.TAMIS_CHROMIUM ?? "/usr/bin/chromium";
 const pictures = process.env.TAMIS_SCREENSHOTS;
 
-export function launch(...flags: string[]): Promise<Browser> {
+const launched: Browser[] = [];
+
+// One left open by a test that fails would keep the tests from ending.
+after(() => Promise.all(launched.map((browser) => browser.close())));
+
+/** Closed after the last test of the file. */
+export async function launch(...flags: string[]): Promise<Browser> {
+  const args = ["--use-angle=swiftshader", "--enable-unsafe-swiftshader", ...flags];
+  // A third of the drawing; no test looks at single pixels of an edge.
+  args.push("--webgl-antialiasing-mode=none", "--disable-gpu-compositing");
   // A test may run as root in a container, where Chromium's sandbox cannot be set up.
-  const args = ["--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--no-sandbox", ...flags];
-  return chromium.launch({ executablePath, args });
+  args.push("--no-sandbox");
+  const browser = await chromium.launch({ executablePath, args });
+  launched.push(browser);
+  return browser;
 }
 
 export interface Opened {
@@ -25,7 +37,7 @@ export async function open(
   hash = "",
   options: BrowserContextOptions = {},
 ): Promise<Opened> {
-  const page = await browser.newPage({ viewport: { width: 1280, height: 720 }, reducedMotion: "reduce", ...options });
+  const page = await browser.newPage({ viewport: { width: 960, height: 540 }, reducedMotion: "reduce", ...options });
   // Drawn in software, a million contacts take their time where other tests run beside this one.
   page.setDefaultTimeout(120000);
   const faults: string[] = [];

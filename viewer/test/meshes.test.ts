@@ -14,8 +14,7 @@ before(async () => {
   browser = await launch();
 });
 
-after(async () => {
-  await browser.close();
+after(() => {
   folder.remove();
 });
 
@@ -151,7 +150,6 @@ void test("a browser without WebGL 2 is told so, and still lists the contacts", 
   await page.click("#first");
   assert.ok((await page.textContent("#pair h2"))?.includes("edge 0 1"));
   await picture(page, "no-webgl");
-  await blind.close();
 });
 
 // Bug: a page cut short while it was copied stays on "Opening".

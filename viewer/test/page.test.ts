@@ -25,8 +25,7 @@ before(async () => {
   browser = await launch();
 });
 
-after(async () => {
-  await browser.close();
+after(() => {
   folder.remove();
 });
 

@@ -39,7 +39,6 @@ void test("cloth-ball with all its contacts: size, draw calls, work a frame", { 
   await settled(page);
   await picture(page, "cloth-ball-pair");
   assert.deepEqual(faults, []);
-  await browser.close();
   folder.remove();
 });
 
@@ -63,6 +62,5 @@ void test("the steps of a sequence have the counts of tamis sequence", { skip },
   await settled(page);
   await picture(page, "film");
   assert.deepEqual(faults, []);
-  await browser.close();
   folder.remove();
 });

@@ -20,6 +20,7 @@ void require_one_each(std::size_t radii, Index objects) {
 
 void DetectorArguments::declare(OptionList& options) {
   declare_means(options);
+  declare_guarantee(options, guarantee_);
   declare_min_separation(options, min_separation_);
   declare_thickness(options, "contact then means a distance <= the sum of both radii and the minimum separation");
 }
@@ -31,7 +32,6 @@ void DetectorArguments::declare_means(OptionList& options) {
                 "paper: paper-sat, paper-pfs, ...")
       .shown_as("NAME");
   declare_bounding_volume(options, bounding_volume_);
-  declare_guarantee(options, guarantee_);
   options.add_number("--threads", "N", threads_, kThreadCounts, "threads to use; 0, the default: all");
   options.add_text("--isa", isa_, "instruction set of the hot loops: best (default), baseline, avx2 or avx512")
       .shown_as("NAME");

@@ -17,7 +17,7 @@ inline constexpr NumberRange<int> kRunCounts{1, 1'000'000};
 class DetectorArguments {
  public:
   void declare(OptionList& options);
-  /// Only what a question has that no radius and no separation concerns.
+  /// Only what a question at rest has, too: no guarantee, radius or separation concerns it.
   void declare_means(OptionList& options);
   /// `meaning`: of such a radius for the question.
   void declare_thickness(OptionList& options, const std::string& meaning);

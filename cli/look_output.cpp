@@ -10,12 +10,9 @@
 namespace tamis::cli {
 namespace {
 
-/// Unlike the others it takes options, and a library that may be absent.
-constexpr io::Output kPicture{"png", false, nullptr};
-
 std::vector<io::Output> choices() {
   std::vector<io::Output> all(io::outputs().begin(), io::outputs().end());
-  all.push_back(kPicture);
+  all.push_back(io::kPicture);
   return all;
 }
 

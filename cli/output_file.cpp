@@ -4,11 +4,9 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <algorithm>
-#include <iterator>
-
 #include "io/atomic_file.hpp"
 #include "io/extension.hpp"
+#include "io/mesh_file.hpp"
 #include "io/view/outputs.hpp"
 #include "tamis/error.hpp"
 
@@ -25,10 +23,9 @@ bool is_taken_by(int stream, const std::filesystem::path& output) {
 
 /// An extension that stands for no format promises none.
 bool promises_other_format(const std::filesystem::path& output, std::string_view extension) {
-  constexpr std::string_view kOthers[] = {".ply", ".obj", ".json", ".png"};
   const std::string given = io::extension_of(output);
-  const bool is_known = std::count(std::begin(kOthers), std::end(kOthers), given) > 0 ||
-                        io::find_output(io::outputs(), output) != nullptr;
+  const bool is_known = io::find_output(io::outputs(), output) || io::find_output({&io::kPicture, 1}, output) ||
+                        io::is_mesh_name(output) || given == ".json";
   return is_known && given != extension;
 }
 

@@ -6,7 +6,7 @@
 #include <memory>
 
 #include "io/error.hpp"
-#include "io/extension.hpp"
+#include "io/mesh_file.hpp"
 
 namespace tamis::io {
 namespace {
@@ -32,11 +32,6 @@ int compare_parts(std::string_view a, std::string_view b) {
   a = without_leading_zeros(a);
   b = without_leading_zeros(b);
   return a.size() != b.size() ? (a.size() < b.size() ? -1 : 1) : a.compare(b);
-}
-
-bool is_mesh_name(const std::filesystem::path& path) {
-  const std::string extension = extension_of(path);
-  return extension == ".ply" || extension == ".obj";
 }
 
 std::vector<std::filesystem::path> mesh_files_in(const std::filesystem::path& folder) {

@@ -56,6 +56,11 @@ MeshFile read_mesh(const std::filesystem::path& path) {
   return mesh;
 }
 
+bool is_mesh_name(const std::filesystem::path& path) {
+  const std::string extension = extension_of(path);
+  return extension == ".ply" || extension == ".obj";
+}
+
 void note_open_end(std::string_view text, MeshFile& mesh) {
   if (!text.ends_with('\n')) mesh.notes.emplace_back("the last line has no line end: was the file cut short?");
 }

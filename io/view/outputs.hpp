@@ -17,6 +17,9 @@ struct Output {
 /// All of them; the first is a table.
 std::span<const Output> outputs();
 
+/// None of outputs(): it takes options, and a library that may be absent (write_picture).
+inline constexpr Output kPicture{"png", false, nullptr};
+
 /// The kind of output that a file name asks for by its extension; none if it is none of them.
 const Output* find_output(std::span<const Output> choices, const std::filesystem::path& path);
 

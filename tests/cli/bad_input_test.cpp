@@ -112,6 +112,7 @@ TEST_F(BadInput, NonsenseOptions) {
     expect_error(std::string("step absent.obj below.obj --keep-distance ") + fraction, "--keep-distance");
   expect_error("--threads 1 contacts above.obj below.obj", "--threads comes before the verb");
   expect_error("near above.obj --distance 1 --min-separation 1", "near has no option --min-separation");
+  expect_error("near above.obj --distance 1 --guarantee exact", "near has no option --guarantee");
   expect_error("intersections above.obj --thickness 1", "intersections has no option --thickness");
   expect_error("bench above.obj below.obj --seed 4", "--triangles and --seed are of generated scenes");
   expect_error("contacts above.obj", "END");

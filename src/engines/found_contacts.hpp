@@ -12,7 +12,8 @@
 
 namespace tamis {
 
-enum class Question : std::uint8_t { all_contacts, earliest, is_free };
+/// `candidates`, of the method `tamis` alone: pairs that may touch, listed and not decided.
+enum class Question : std::uint8_t { all_contacts, earliest, is_free, candidates };
 
 /// `earliest` looks at every contact that starts up to this factor after the end of a certified one: no bracket is so
 /// wide that the first of two could be lost to rounding.

@@ -1,35 +1,17 @@
 // A detector that remembers what lies near answers every question as one that was never asked before, bit for bit.
 #include <gtest/gtest.h>
 
-#include <algorithm>
+#include <cmath>
 
+#include "detect/as_new.hpp"
 #include "scenes/random.hpp"
-#include "support/contact_sets.hpp"
+#include "scenes/scene_list.hpp"
 #include "support/test_names.hpp"
-#include "tamis/detector.hpp"
-#include "tamis/error.hpp"
 
 namespace tamis::test {
 namespace {
 
 using scenes::Recipe, scenes::Scene;
-
-/// Every number of every contact.
-std::vector<std::array<double, 12>> bits_of(const std::vector<Contact>& contacts) {
-  std::vector<std::array<double, 12>> rows;
-  for (const Contact& c : contacts)
-    rows.push_back({double(c.kind), double(c.certainty), double(c.vertices[0]), double(c.vertices[1]),
-                    double(c.vertices[2]), double(c.vertices[3]), c.toi_lower, c.toi_upper, c.u, c.v,
-                    c.normal[0] + 2 * c.normal[1], c.normal[2]});
-  return rows;
-}
-
-std::vector<Point> between(const std::vector<Point>& a, const std::vector<Point>& b, double t) {
-  std::vector<Point> points = a;
-  for (std::size_t v = 0; v < points.size(); ++v)
-    for (std::size_t k = 0; k < 3; ++k) points[v][k] += t * (b[v][k] - a[v][k]);
-  return points;
-}
 
 /// A walk along the scene's step, back and forth: long stays, small steps, sometimes far away; other directions; a
 /// vertex that moves alone.
@@ -49,28 +31,6 @@ struct Walk {
     if (choice == 7) end[static_cast<std::size_t>(random.below(scene.vertex_count()))] = scene.end[0];
   }
 };
-
-void expect_as_new(Detector& kept, const Step& step, Index question, const std::string& where) {
-  Options options = kept.options();
-  Detector fresh(kept.mesh(), options);
-  if (question == 0) {
-    EXPECT_EQ(bits_of(kept.contacts(step)), bits_of(fresh.contacts(step))) << where;
-  } else if (question == 1) {
-    const EarliestContact a = kept.earliest(step), b = fresh.earliest(step);
-    EXPECT_EQ(a.toi_lower, b.toi_lower) << where;
-    EXPECT_EQ(a.toi_upper, b.toi_upper) << where;
-    ASSERT_EQ(a.contact.has_value(), b.contact.has_value()) << where;
-    if (a.contact) {
-      EXPECT_EQ(bits_of({*a.contact}), bits_of({*b.contact})) << where;
-    }
-  } else if (question == 2) {
-    EXPECT_EQ(kept.is_free(step), fresh.is_free(step)) << where;
-  } else {
-    const SafeStep a = kept.keep_distance(step, 0.2), b = fresh.keep_distance(step, 0.2);
-    EXPECT_EQ(a.lower, b.lower) << where;
-    EXPECT_EQ(a.upper, b.upper) << where;
-  }
-}
 
 class Memory : public testing::TestWithParam<Recipe> {};
 

@@ -15,6 +15,7 @@
 #include "engines/tamis/gap_memory.hpp"
 #include "engines/tamis/intersection_search.hpp"
 #include "engines/tamis/near_search.hpp"
+#include "engines/tamis/pairs_ahead.hpp"
 #include "engines/tamis/samples.hpp"
 #include "engines/tamis/stage_pipeline.hpp"
 
@@ -34,24 +35,26 @@ class TamisEngine final : public Engine, public RestEngine {
  public:
   TamisEngine(const Mesh& mesh, const Options& options)
       : mesh_(mesh),
+        options_(options),
         kernels_(kernels(options.isa)),
         trees_(mesh, kernels_, options.filter),
+        ahead_(mesh),
         memory_(mesh, kernels_, trees_),
         pipelines_([this, &options] { return StagePipeline(kernels_, trees_.motion(), options); }),
         near_(mesh, options, kernels_, trees_),
         intersections_(mesh, options, kernels_, trees_) {}
 
   void find(FoundContacts& found, Statistics& statistics) override {
-    trees_.update(found.step(), found.separations(), statistics);
+    const bool is_listed = prepare(found, statistics);
     const Stopwatch watch;
-    measure_motion();
-    memory_.begin(found.step());
     for (StagePipeline& pipeline : pipelines_) pipeline.begin(found);
-    if (found.question() == Question::all_contacts)
-      search(found, kAllBlocks);
+    const bool wants_all = found.question() == Question::all_contacts;
+    const std::span<const Sample> samples = wants_all ? std::span<const Sample>(kAllBlocks) : kSamples;
+    if (is_listed)
+      search_lists(found, samples);
     else
-      search(found, kSamples);
-    memory_.end(found.step(), t_limit_);
+      search_trees(found, samples);
+    ahead_.end(found.question() == Question::is_free && !found.contacts().empty());
     collect(statistics, watch.seconds());
   }
 
@@ -66,13 +69,49 @@ class TamisEngine final : public Engine, public RestEngine {
   RestEngine* at_rest() override { return this; }
 
   std::uint64_t memory_bytes() const override {
-    std::uint64_t bytes =
-        trees_.memory_bytes() + memory_.memory_bytes() + near_.memory_bytes() + intersections_.memory_bytes();
+    std::uint64_t bytes = trees_.memory_bytes() + ahead_.memory_bytes() + memory_.memory_bytes() +
+                          near_.memory_bytes() + intersections_.memory_bytes();
     for (const StagePipeline& pipeline : pipelines_) bytes += pipeline.memory_bytes();
     return bytes;
   }
 
  private:
+  /// Positions and what is to be searched are those of the question then: true, lists; false, the trees.
+  bool prepare(const FoundContacts& found, Statistics& statistics) {
+    bool is_listed = ahead_.covers(found.step(), found.separations());
+    if (!is_listed) {
+      trees_.update(found.step(), found.separations(), statistics);
+      if (!ahead_.promises(found.step(), found.separations())) return false;
+      const Stopwatch watch;
+      is_listed = look_ahead();
+      if (!is_listed) trees_.look_at(found.step(), found.separations());
+      statistics.seconds.build += watch.seconds();
+    }
+    if (is_listed) trees_.move_vertices(found.step(), found.separations(), statistics);
+    return is_listed;
+  }
+
+  /// Lists what may touch within the next steps. False: that is too much.
+  bool look_ahead() {
+    FoundContacts candidates(options_);
+    candidates.begin(ahead_.way(), ahead_.separations_ahead(), Question::candidates);
+    trees_.look_at(ahead_.way(), ahead_.separations_ahead());
+    measure_motion();
+    t_limit_ = 1;
+    for (StagePipeline& pipeline : pipelines_) pipeline.begin(candidates);
+    for (const Sample& sample : kSamples) {
+      trees_.for_each_kind(
+          [&](PairKind kind, const TreeView& a, const TreeView& b) { search_sample(candidates, kind, a, b, sample); });
+      for (StagePipeline& pipeline : pipelines_) {
+        pipeline.finish();
+        ahead_.take(pipeline);
+      }
+      if (!ahead_.has_room(trees_.points().leaf_blocks + trees_.edges().leaf_blocks)) return false;
+    }
+    ahead_.end_list();
+    return true;
+  }
+
   /// Of some thousand edges, in the mesh's order: what follows from it may not depend on the trees and their past.
   void measure_motion() {
     constexpr std::size_t kSample = 4096;
@@ -92,13 +131,38 @@ class TamisEngine final : public Engine, public RestEngine {
   /// Until `t_limit` boxes grow so little by being swept that when they meet need not be known.
   bool is_short(float t_limit) const { return static_cast<double>(t_limit) * moved_ <= kShort * size_; }
 
+  /// The pairs that were listed ahead.
+  void search_lists(FoundContacts& found, std::span<const Sample> samples) {
+    t_limit_ = 1;
+    constexpr std::size_t kPart = 1024;
+    for (const Sample& sample : samples) {
+      trees_.for_each_kind([&](PairKind kind, const TreeView&, const TreeView&) {
+        const PairList& pairs = ahead_.list(kind);
+        const int parts = static_cast<int>((pairs.size() + kPart - 1) / kPart);
+        for_each_part(found, kind, count_in(sample, parts), 8, [&](StagePipeline& pipeline, int begin, int end) {
+          for (int i = begin; i < end; ++i) {
+            const auto first = static_cast<std::size_t>(sample.first + i * sample.stride) * kPart;
+            pipeline.search(kind, pairs, first, std::min(first + kPart, pairs.size()), ahead_.when(), t_limit_);
+          }
+        });
+      });
+      learn(found);
+    }
+  }
+
+  void search_trees(FoundContacts& found, std::span<const Sample> samples) {
+    measure_motion();
+    memory_.begin(found.step());
+    search(found, samples);
+    memory_.end(found.step(), t_limit_);
+  }
+
   /// What is remembered first, where that serves; then everything, unless it has turned out that all else is apart.
-  template <class Samples>
-  void search(FoundContacts& found, const Samples& samples) {
+  void search(FoundContacts& found, std::span<const Sample> samples) {
     t_limit_ = 1;
     const bool wants_all = found.question() == Question::all_contacts;
     const bool may_help = memory_.serves() && (!wants_all || memory_.covers(1));
-    const bool is_listed = may_help && search_listed(found, samples);
+    const bool is_listed = may_help && search_remembered(found, samples);
     for (const Sample& sample : samples) {
       trees_.for_each_kind([&](PairKind kind, const TreeView& a, const TreeView& b) {
         if (!(is_listed && can_cross(kind))) search_sample(found, kind, a, b, sample);
@@ -108,8 +172,7 @@ class TamisEngine final : public Engine, public RestEngine {
   }
 
   /// False: some of what is not listed may touch.
-  template <class Samples>
-  bool search_listed(FoundContacts& found, const Samples& samples) {
+  bool search_remembered(FoundContacts& found, std::span<const Sample> samples) {
     memory_.use_lists();
     for (const GapBand& band : kGapBands) {
       for (const Sample& sample : samples) {
@@ -179,8 +242,10 @@ class TamisEngine final : public Engine, public RestEngine {
   }
 
   const Mesh& mesh_;
+  const Options& options_;
   const Kernels& kernels_;
   FeatureTrees trees_;
+  PairsAhead ahead_;
   GapMemory memory_;
   float t_limit_ = 1;            ///< nothing later in this question's step is of interest
   double moved_ = 0, size_ = 0;  ///< sums of some edges' displacements and lengths

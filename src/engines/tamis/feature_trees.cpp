@@ -31,6 +31,18 @@ void FeatureTrees::update(const Step& step, const Separations& separations, Stat
   statistics.seconds.build = watch.lap();
 }
 
+void FeatureTrees::look_at(const Step& step, const Separations& separations) {
+  motion_.assign(step, mesh_.points(), separations);
+  for (BlockTree* tree : {&points_, &edges_, &faces_, &loose_points_, &loose_edges_})
+    tree->refit(motion_, kernels_.trees);
+}
+
+void FeatureTrees::move_vertices(const Step& step, const Separations& separations, Statistics& statistics) {
+  const Stopwatch watch;
+  motion_.assign(step, mesh_.points(), separations);
+  statistics.seconds.bounds += watch.seconds();
+}
+
 void FeatureTrees::update_trees(Statistics& statistics) {
   BlockTree* const trees[] = {&points_, &edges_, &faces_, &loose_points_, &loose_edges_};
   const auto area = [&] {

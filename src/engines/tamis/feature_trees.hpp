@@ -19,6 +19,10 @@ class FeatureTrees {
   /// Boxes at t=0 and t=1, in the old order, or in a new one where that has become poor. Adds seconds and `rebuilt`.
   void update(const Step& step, const Separations& separations, Statistics& statistics);
 
+  /// The same in the old order, whatever the step. REQUIRES: update() before.
+  void look_at(const Step& step, const Separations& separations);
+  /// Vertices alone: boxes are left as they are, of another step.
+  void move_vertices(const Step& step, const Separations& separations, Statistics& statistics);
   /// What the displacements of each feature have besides a motion they share, for the questions that ask: in place of
   /// drifts, of motion and trees.
   void count_rests(const Step& step, const SharedMotion& shared);

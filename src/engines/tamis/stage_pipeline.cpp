@@ -73,11 +73,16 @@ StagePipeline::StagePipeline(StagePipeline&&) noexcept = default;
 
 void StagePipeline::begin(const FoundContacts& answer) {
   counts_ = {};
+  for (PairList& pairs : candidates_) pairs.clear();
   buffers_->boxes.count = 0;  // an exception may have left pairs of another question
   found_.begin_part_of(answer);
 }
 
-std::uint64_t StagePipeline::memory_bytes() const { return sizeof(Buffers) + found_.memory_bytes(); }
+std::uint64_t StagePipeline::memory_bytes() const {
+  std::uint64_t bytes = sizeof(Buffers) + found_.memory_bytes();
+  for (const PairList& pairs : candidates_) bytes += pairs.memory_bytes();
+  return bytes;
+}
 
 void StagePipeline::search(PairKind kind, const TreeView& a, const TreeView& b, const BlockRange& blocks, float t_limit,
                            bool is_short) {
@@ -109,6 +114,19 @@ void StagePipeline::search(PairKind kind, Search& search, const BlockRange& bloc
   counts_.traverse += watch_.lap();
 }
 
+void StagePipeline::search(PairKind kind, const PairList& pairs, std::size_t first, std::size_t last,
+                           const TimeInterval<float>& when, float t_limit) {
+  watch_.lap();
+  if (kind != buffers_->kind) decide_buffered(buffers_->kind);
+  buffers_->kind = kind;
+  constexpr std::size_t kSome = 256;
+  for (; first < last && found_.wants(kind); first += kSome) {
+    if (static_cast<std::size_t>(buffers_->boxes.count) + kSome > PairBuffer::kCapacity) decide_buffered(kind);
+    pairs.copy(first, std::min(last, first + kSome), when, t_limit, buffers_->boxes);
+  }
+  counts_.traverse += watch_.lap();
+}
+
 void StagePipeline::finish() {
   watch_.lap();
   decide_buffered(buffers_->kind);
@@ -120,8 +138,18 @@ void StagePipeline::flush(Search& search) {
   self.decide_buffered(self.buffers_->kind);
 }
 
+void StagePipeline::keep_buffered(PairKind kind) {
+  auto& [boxes, slab, filtered, solved, current] = *buffers_;
+  keep_each_once(kind, boxes);
+  slab.count = 0;
+  kernels_of(kernels_, kind, false).slab(motion_.box_vertices.data(), motion_.box_separation(), boxes, slab);
+  candidates(kind).append(slab, vertex_count(kind));
+  boxes.count = 0;
+}
+
 void StagePipeline::decide_buffered(PairKind kind) {
   stop_if_cancelled(options_);
+  if (found_.question() == Question::candidates) return keep_buffered(kind);
   auto& [boxes, slab, filtered, solved, current] = *buffers_;
   keep_each_once(kind, boxes);
   leave_out_unwanted(kind);

@@ -6,6 +6,7 @@
 
 #include "engines/found_contacts.hpp"
 #include "engines/stopwatch.hpp"
+#include "engines/tamis/pair_list.hpp"
 #include "kernels/kernels.hpp"
 
 namespace tamis {
@@ -46,8 +47,14 @@ class StagePipeline {
   /// One leaf block of `a` against some of `b`.
   void search(PairKind kind, const TreeView& a, const TreeView& b, int block, std::span<const std::int32_t> others,
               float t_limit, bool is_short);
+  /// The pairs first to last of a list, as far as they may touch at some time of `when`, by the list, and until
+  /// `t_limit`, by this question.
+  void search(PairKind kind, const PairList& pairs, std::size_t first, std::size_t last,
+              const TimeInterval<float>& when, float t_limit);
   /// Decides what is still in the buffers.
   void finish();
+  /// Of the question `candidates`: what the slab clip leaves.
+  PairList& candidates(PairKind kind) { return candidates_[static_cast<std::size_t>(kind)]; }
   std::uint64_t memory_bytes() const;
 
   const PipelineCounts& counts() const { return counts_; }
@@ -65,6 +72,7 @@ class StagePipeline {
   void decide_within_separation(PairKind kind);
   /// Before any work: what the caller's filter, or what is known already, leaves out.
   void leave_out_unwanted(PairKind kind);
+  void keep_buffered(PairKind kind);
   void solve(PairKind kind);
   void solve_singly(PairKind kind, const PairBuffer& pairs, int pair);
   /// As a contact names them, and where they are.
@@ -79,6 +87,7 @@ class StagePipeline {
   PipelineCounts counts_;
   FoundContacts found_;
   std::vector<std::int32_t> others_;
+  PairList candidates_[kPairKinds];
   Stopwatch watch_;
 };
 

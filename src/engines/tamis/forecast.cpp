@@ -1,0 +1,64 @@
+#include "engines/tamis/forecast.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace tamis {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+}  // namespace
+
+void Forecast::make(const Step& step, std::span<const Index> vertices, double steps) {
+  vertices_ = vertices;
+  from_.resize(static_cast<std::size_t>(step.start.count()));
+  to_.resize(from_.size());
+  for (const Index vertex : vertices) {
+    const auto v = static_cast<std::size_t>(vertex);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      from_[v][axis] = step.start[vertex][axis];
+      to_[v][axis] = from_[v][axis] + steps * (step.end[vertex][axis] - from_[v][axis]);
+    }
+  }
+}
+
+Forecast::Fit Forecast::fit(const Step& step, double most) const {
+  const double start = nearest_time(step.start), end = nearest_time(step.end);
+  if (!(start <= end)) return {start, end, kInfinity};
+  return {start, end, std::max(stray(step.start, start, most), stray(step.end, end, most))};
+}
+
+/// By least squares, of some vertices.
+double Forecast::nearest_time(const Positions& positions) const {
+  constexpr std::size_t kSample = 512;
+  double along = 0, all = 0;
+  for (std::size_t i = 0; i < vertices_.size(); i += 1 + vertices_.size() / kSample) {
+    const auto v = static_cast<std::size_t>(vertices_[i]);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const double way = to_[v][axis] - from_[v][axis];
+      along += way * (positions[vertices_[i]][axis] - from_[v][axis]);
+      all += way * way;
+    }
+  }
+  return all > 0 ? std::clamp(along / all, 0.0, 1.0) : 0;
+}
+
+/// Sums of the axes, which are no less than distances; rounding is below 2^-49 of the coordinates.
+double Forecast::stray(const Positions& positions, double t, double most) const {
+  double largest = 0;
+  for (const Index vertex : vertices_) {
+    const auto v = static_cast<std::size_t>(vertex);
+    double off = 0;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const double a = from_[v][axis], b = to_[v][axis], x = positions[vertex][axis];
+      off += std::fabs(x - (a + t * (b - a))) + 0x1p-49 * (std::fabs(a) + std::fabs(b) + std::fabs(x));
+    }
+    if (!(off <= most)) return kInfinity;
+    largest = std::max(largest, off);
+  }
+  return largest;
+}
+
+}  // namespace tamis

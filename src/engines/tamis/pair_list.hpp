@@ -1,0 +1,32 @@
+// Pairs of features, as many as there are, as a PairBuffer has them: the vertices of their corners, and the part of a
+// step in which they may touch.
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "kernels/kernels.hpp"
+#include "motion/time_clip.hpp"
+
+namespace tamis {
+
+class PairList {
+ public:
+  std::size_t size() const { return t_in_.size(); }
+  void clear();
+  /// All of a buffer; `corners` of a pair.
+  void append(const PairBuffer& pairs, std::size_t corners);
+  /// All of `other`, which is empty then.
+  void take(PairList& other);
+  /// Of the pairs first to last those that may touch at some time of `when` go to `pairs`, whose times are then from 0
+  /// to `t_limit`. REQUIRES: room for all of them.
+  void copy(std::size_t first, std::size_t last, const TimeInterval<float>& when, float t_limit,
+            PairBuffer& pairs) const;
+  std::uint64_t memory_bytes() const;
+
+ private:
+  static constexpr std::size_t kCorners = 4;
+  std::vector<std::int32_t> corner_[kCorners];  ///< those that the kind has not are empty
+  std::vector<float> t_in_, t_out_;
+};
+
+}  // namespace tamis

@@ -1,0 +1,66 @@
+// Pairs listed ahead: where a mesh goes on as it did, what may come near within the next steps is found once, and each
+// of these steps asks about that alone. It decides what is looked at, never what the answer is.
+#pragma once
+#include <vector>
+
+#include "engines/tamis/feature_trees.hpp"
+#include "engines/tamis/forecast.hpp"
+#include "engines/tamis/stage_pipeline.hpp"
+
+namespace tamis {
+
+/// Bounded memory: at most kMostListed pairs a leaf block of sixteen features, 16 bytes each, and positions.
+class PairsAhead {
+ public:
+  /// Keeps a reference.
+  explicit PairsAhead(const Mesh& mesh);
+
+  /// A new question. True: all pairs that may touch are listed.
+  bool covers(const Step& step, const Separations& separations);
+  /// Else: did the last question foresee this one, so that looking ahead promises to help the next ones? Then way() is
+  /// to be searched for what comes nearer than separations_ahead().
+  bool promises(const Step& step, const Separations& separations);
+  Step way() const { return window_.way(); }
+  Separations separations_ahead() const { return {separation_ + 2 * room_}; }
+  /// What one thread has found there since the last time.
+  void take(StagePipeline& pipeline);
+  /// False, and all is forgotten: that is too much for trees of so many leaf blocks.
+  bool has_room(int leaf_blocks);
+  /// Everything has been taken.
+  void end_list() { are_listed_ = true; }
+  /// When this question is, as part of the way.
+  const TimeInterval<float>& when() const { return when_; }
+  const PairList& list(PairKind kind) const { return lists_[static_cast<std::size_t>(kind)]; }
+  /// The question has been answered. `was_cut_short`: without looking at everything, as the next one will be, then.
+  void end(bool was_cut_short) { was_cut_short_ = was_cut_short; }
+  std::uint64_t memory_bytes() const;
+
+ private:
+  static constexpr std::size_t kMostListed = 256;
+
+  Step sample_of(const Step& step);
+  bool is_on_way(const Step& step);
+  void forget();
+  void learn();
+  void pause();
+  double steps_to_foresee(double stray) const;
+
+  const Mesh& mesh_;
+  std::vector<Index> some_, places_;          ///< vertices in use; 0, 1, ...
+  std::vector<Point> some_start_, some_end_;  ///< of these vertices
+  Forecast next_;                             ///< by the last question, of some vertices
+  Forecast window_;                           ///< of the lists
+  double room_ = 0;                           ///< how far vertices may stray from it
+  double edge_ = 0;                           ///< mean length, once
+  double separation_ = 0;                     ///< in question when the lists were made
+  TimeInterval<float> when_{};
+  PairList lists_[kPairKinds];
+  bool are_listed_ = false, was_cut_short_ = false;
+  double steps_;  ///< to look ahead
+  double steps_listed_ = 0;
+  int served_ = 0;  ///< questions, by these lists
+  int pause_ = 0;   ///< questions until it is worth another try
+  int next_pause_;
+};
+
+}  // namespace tamis

@@ -8,6 +8,7 @@
 #include "scenes/scene_list.hpp"
 #include "support/test_names.hpp"
 #include "tamis/error.hpp"
+#include "tamis/spline_path.hpp"
 
 namespace tamis::test {
 namespace {
@@ -58,7 +59,7 @@ TEST_P(PairsAhead, ChangeNoBitOfAnyAnswer) {
       options.threads = threads;
       options.isa = threads == 1 ? Isa::best : Isa::baseline;
       options.min_separation = wobble == 0 ? 0 : 0x1p-9;
-      options.guarantee = wobble == 0 ? Guarantee::conservative : Guarantee::exact;
+      options.guarantee = wobble == 1e-7 ? Guarantee::conservative : Guarantee::exact;
       Detector kept(scene.mesh(), options);
       Journey journey{scene, scenes::Random(72 + static_cast<std::uint64_t>(threads)), 1.0 / 32, wobble};
       for (int i = 0; i < 32 && !HasFailure(); ++i) {
@@ -171,6 +172,22 @@ TEST(TwoFacesOnTheirWay, AreFoundWhenBothStray) {
     was_listed_once |= was_listed(kept);
   }
   EXPECT_TRUE(was_listed_once);
+}
+
+// Bug: pieces of a curve, which stray from their chords, taken for what was listed.
+TEST(TwoFacesOnTheirWay, AreFoundWhenTheyLeaveItOnACurve) {
+  const auto place = [&](double x, double bulge) {
+    return std::vector<Point>{{x, 0, bulge},  {x + 1, 0, bulge},  {x, 1, bulge},
+                              {x, 0.25, 0.1}, {x + 1, 0.25, 1.1}, {x, 1.25, 1.1}};
+  };
+  const std::vector<Face> faces{{0, 1, 2}, {3, 4, 5}};
+  Detector kept(Mesh(6, faces));
+  for (int i = 0; i < 3; ++i) {
+    const std::vector<Point> start = place(i, 0), end = place(i + 1, 0);
+    EXPECT_TRUE(kept.contacts({start, end}).empty());
+  }
+  ASSERT_TRUE(was_listed(kept));
+  EXPECT_FALSE(kept.contacts(BezierPath({place(3, 0), place(3.5, 0.3), place(4, 0)})).empty());
 }
 
 // Bug: lists without bounds; or, once they are given up, boxes of the way ahead.

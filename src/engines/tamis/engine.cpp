@@ -38,7 +38,7 @@ class TamisEngine final : public Engine, public RestEngine {
         options_(options),
         kernels_(kernels(options.isa)),
         trees_(mesh, kernels_, options.filter),
-        ahead_(mesh),
+        ahead_(mesh, options),
         memory_(mesh, kernels_, trees_),
         pipelines_([this, &options] { return StagePipeline(kernels_, trees_.motion(), options); }),
         near_(mesh, options, kernels_, trees_),

@@ -26,8 +26,13 @@ std::vector<Index> some_of(std::span<const Index> points) {
 
 }  // namespace
 
-PairsAhead::PairsAhead(const Mesh& mesh)
-    : mesh_(mesh), some_(some_of(mesh.points())), places_(some_.size()), steps_(kFirstSteps), next_pause_(kFirstPause) {
+PairsAhead::PairsAhead(const Mesh& mesh, const Options& options)
+    : mesh_(mesh),
+      options_(options),
+      some_(some_of(mesh.points())),
+      places_(some_.size()),
+      steps_(kFirstSteps),
+      next_pause_(kFirstPause) {
   std::iota(places_.begin(), places_.end(), 0);
 }
 
@@ -50,13 +55,14 @@ bool PairsAhead::covers(const Step& step, const Separations& separations) {
 }
 
 bool PairsAhead::promises(const Step& step, const Separations& separations) {
+  if (options_.guarantee != Guarantee::exact || !separations.radii.empty()) return false;
   if (are_listed_) learn();
   forget();
   constexpr double kAnywhere = std::numeric_limits<double>::max();
   const Step sample = sample_of(step);
   const Forecast::Fit fit = next_.is_made() ? next_.fit(sample, kAnywhere) : Forecast::Fit{0, 0, kAnywhere};
   next_.make(sample, places_, kFirstSteps);
-  if (fit.start == 0 || was_cut_short_ || !separations.radii.empty()) return false;
+  if (fit.start == 0 || was_cut_short_) return false;
   if (edge_ == 0) edge_ = mean_edge(mesh_, step.start);
   const double steps = steps_to_foresee(fit.stray);
   if (!(steps >= kFewestSteps)) return false;

@@ -9,11 +9,12 @@
 
 namespace tamis {
 
-/// Bounded memory: at most kMostListed pairs a leaf block of sixteen features, 16 bytes each, and positions.
+/// Bounded memory: at most twice kMostListed pairs a leaf block of sixteen features, 24 bytes each, and positions. For
+/// exact answers alone: which pairs doubles leave unresolved may not depend on what was listed.
 class PairsAhead {
  public:
-  /// Keeps a reference.
-  explicit PairsAhead(const Mesh& mesh);
+  /// Keeps references.
+  PairsAhead(const Mesh& mesh, const Options& options);
 
   /// A new question. True: all pairs that may touch are listed.
   bool covers(const Step& step, const Separations& separations);
@@ -46,6 +47,7 @@ class PairsAhead {
   double steps_to_foresee(double stray) const;
 
   const Mesh& mesh_;
+  const Options& options_;
   std::vector<Index> some_, places_;          ///< vertices in use; 0, 1, ...
   std::vector<Point> some_start_, some_end_;  ///< of these vertices
   Forecast next_;                             ///< by the last question, of some vertices

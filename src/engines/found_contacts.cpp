@@ -32,10 +32,11 @@ bool comes_before(const Contact& a, const Contact& b) {
          std::tie(b.kind, b.vertices, b.toi_lower, b.toi_upper);
 }
 
-void FoundContacts::begin(const Step& step, const Separations& separations, Question question) {
+void FoundContacts::begin(const Step& step, const Separations& separations, Question question, double stray) {
   step_ = step;
   separations_ = separations;
   question_ = question;
+  stray_ = stray;
   is_settled_ = own_flag_;
   is_settled_->store(false, std::memory_order_relaxed);
   contacts_.clear();
@@ -45,7 +46,7 @@ void FoundContacts::begin(const Step& step, const Separations& separations, Ques
 }
 
 void FoundContacts::begin_part_of(const FoundContacts& answer) {
-  begin(answer.step_, answer.separations_, answer.question_);
+  begin(answer.step_, answer.separations_, answer.question_, answer.stray_);
   is_settled_ = answer.is_settled_;
   learn(answer);
 }

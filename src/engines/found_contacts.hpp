@@ -28,8 +28,8 @@ class FoundContacts {
   /// Keeps a reference.
   explicit FoundContacts(const Options& options) : options_(options) {}
 
-  /// A new question; the memory stays.
-  void begin(const Step& step, const Separations& separations, Question question);
+  /// A new question; the memory stays. `stray`, of candidates: how far vertices may be from where the step has them.
+  void begin(const Step& step, const Separations& separations, Question question, double stray = 0);
   /// The question that `answer` has begun with, and what it knows: for a thread that looks for a part of it.
   void begin_part_of(const FoundContacts& answer);
   void add(const Contact& contact);
@@ -51,6 +51,7 @@ class FoundContacts {
     return {options_.guarantee, separations_.between(kind, vertices)};
   }
   Question question() const { return question_; }
+  double stray() const { return stray_; }
   /// Later than this no contact is of interest; 1 if there is no bound.
   double latest() const { return latest_; }
   /// all_contacts: every contact, in no order; is_free: one, if there is any.
@@ -72,6 +73,7 @@ class FoundContacts {
   Step step_;
   Separations separations_;
   Question question_ = Question::all_contacts;
+  double stray_ = 0;
   std::shared_ptr<std::atomic<bool>> own_flag_ = std::make_shared<std::atomic<bool>>(false);
   std::shared_ptr<std::atomic<bool>> is_settled_ = own_flag_;  ///< is_free: somebody has found a contact
   std::vector<Contact> contacts_;                              ///< earliest: those not yet decided on the whole step

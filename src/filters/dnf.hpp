@@ -12,10 +12,25 @@ struct Dnf {
 
   template <PairKind kind, class T>
   static Mask<T> proves_free(const PairMotion<T>& m) {
-    const auto k = coplanarity_polynomial(m);
     const T unit = m.size_d * m.size_e * m.size_f;
-    const T end = error_bounds::bound(error_bounds::kCoplanarityEnd, unit);
-    const T middle = error_bounds::bound(error_bounds::kCoplanarityMiddle, unit);
+    return has_one_sign(coplanarity_polynomial(m), error_bounds::bound(error_bounds::kCoplanarityEnd, unit),
+                        error_bounds::bound(error_bounds::kCoplanarityMiddle, unit));
+  }
+
+  /// The same for every motion, straight or not, of which no vertex is ever farther than `stray` from that of `m` along
+  /// any axis (docs/numerics.md: "Pairs listed ahead").
+  template <PairKind kind, class T>
+  static Mask<T> proves_free_though_straying(const PairMotion<T>& m, const T& stray) {
+    const T x = T(2) * stray, d = m.size_d, e = m.size_e, f = m.size_f, unit = d * e * f;
+    const T change = T(6 * (1 + 0x1p-40)) * (x * (d * e + d * f + e * f) + x * x * (d + e + f + x));
+    return has_one_sign(coplanarity_polynomial(m), change + error_bounds::bound(error_bounds::kCoplanarityEnd, unit),
+                        T(3) * change + error_bounds::bound(error_bounds::kCoplanarityMiddle, unit));
+  }
+
+ private:
+  /// All coefficients are beyond what they may be off by.
+  template <class T>
+  static Mask<T> has_one_sign(const std::array<T, 4>& k, const T& end, const T& middle) {
     return ((k[0] > end) & (k[1] > middle) & (k[2] > middle) & (k[3] > end)) |
            ((k[0] < -end) & (k[1] < -middle) & (k[2] < -middle) & (k[3] < -end));
   }

@@ -153,6 +153,10 @@ struct Kernels {
   int (*filter_vf)(const PackedVertex* vertices, const PairBuffer& in, PairBuffer& out);
   int (*filter_ee)(const PackedVertex* vertices, const PairBuffer& in, PairBuffer& out);
   int (*filter_ef)(const PackedVertex* vertices, const PairBuffer& in, PairBuffer& out);
+  /// DNF for motions that are not quite known: pairs that cannot touch while no vertex is farther than `stray` from
+  /// where it is here, along any axis, are culled.
+  void (*filter_straying_vf)(const PackedVertex* vertices, double stray, const PairBuffer& in, PairBuffer& out);
+  void (*filter_straying_ee)(const PackedVertex* vertices, double stray, const PairBuffer& in, PairBuffer& out);
   /// Roots and inside test. Writes the pairs that touch or are undecided, returns their number; `rest` is scratch.
   int (*solve_vf)(const PackedVertex* vertices, const PairBuffer& in, PairBuffer& rest, SolvedPair* out);
   int (*solve_ee)(const PackedVertex* vertices, const PairBuffer& in, PairBuffer& rest, SolvedPair* out);

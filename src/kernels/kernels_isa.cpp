@@ -130,6 +130,17 @@ int filter(const PackedVertex* vertices, const PairBuffer& in, PairBuffer& out) 
   return ncf_count;
 }
 
+template <PairKind kind>
+void filter_straying(const PackedVertex* vertices, double stray, const PairBuffer& in, PairBuffer& out) {
+  for (int first = 0; first < in.count; first += kDoubleLanes) {
+    const auto time = load_time(in, first);
+    const auto whole = load_motion<kind>(vertices, in, first, {stray, false});  // scaled as the motion is
+    const auto m = restrict_to(whole, time.t_in, time.t_out);
+    const auto free = Dnf::proves_free_though_straying<kind>(m, whole.separation);
+    for_each_bit(lanes_in_use(in, first) & ~bits(free), [&](int lane) { copy_pair(in, first + lane, out); });
+  }
+}
+
 /// Writes the lanes of `left` to `out`, of which those of `touches` are decided; `pairs` names each lane's pair.
 /// Returns the new number of entries.
 int write_solved(const Crossing<DoubleLanes>& c, unsigned left, unsigned touches, const std::int32_t* pairs,
@@ -198,6 +209,8 @@ const Kernels kKernels{Isa::TAMIS_ISA,
                        filter<kVf>,
                        filter<kEe>,
                        filter<kVf, kAlong>,
+                       filter_straying<kVf>,
+                       filter_straying<kEe>,
                        solve<kVf>,
                        solve<kEe>,
                        solve<kVf, kAlong>,

@@ -83,7 +83,7 @@ class TamisEngine final : public Engine, public RestEngine {
       trees_.update(found.step(), found.separations(), statistics);
       if (!ahead_.promises(found.step(), found.separations())) return false;
       const Stopwatch watch;
-      is_listed = look_ahead();
+      is_listed = look_ahead(found.separations());
       if (!is_listed) trees_.look_at(found.step(), found.separations());
       statistics.seconds.build += watch.seconds();
     }
@@ -92,10 +92,10 @@ class TamisEngine final : public Engine, public RestEngine {
   }
 
   /// Lists what may touch within the next steps. False: that is too much.
-  bool look_ahead() {
+  bool look_ahead(const Separations& separations) {
     FoundContacts candidates(options_);
-    candidates.begin(ahead_.way(), ahead_.separations_ahead(), Question::candidates);
-    trees_.look_at(ahead_.way(), ahead_.separations_ahead());
+    candidates.begin(ahead_.way(), separations, Question::candidates, ahead_.room());
+    trees_.look_at(ahead_.way(), {separations.fixed + 2 * ahead_.room()});
     measure_motion();
     t_limit_ = 1;
     for (StagePipeline& pipeline : pipelines_) pipeline.begin(candidates);

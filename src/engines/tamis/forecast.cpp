@@ -7,7 +7,7 @@
 namespace tamis {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kTooFar = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
@@ -26,7 +26,7 @@ void Forecast::make(const Step& step, std::span<const Index> vertices, double st
 
 Forecast::Fit Forecast::fit(const Step& step, double most) const {
   const double start = nearest_time(step.start), end = nearest_time(step.end);
-  if (!(start <= end)) return {start, end, kInfinity};
+  if (!(start <= end)) return {start, end, kTooFar};
   return {start, end, std::max(stray(step.start, start, most), stray(step.end, end, most))};
 }
 
@@ -55,7 +55,7 @@ double Forecast::stray(const Positions& positions, double t, double most) const 
       const double a = from_[v][axis], b = to_[v][axis], x = positions[vertex][axis];
       off += std::fabs(x - (a + t * (b - a))) + 0x1p-49 * (std::fabs(a) + std::fabs(b) + std::fabs(x));
     }
-    if (!(off <= most)) return kInfinity;
+    if (!(off <= most)) return kTooFar;
     largest = std::max(largest, off);
   }
   return largest;

@@ -1,6 +1,7 @@
 // Pairs of features, as many as there are, as a PairBuffer has them: the vertices of their corners, and the part of a
 // step in which they may touch.
 #pragma once
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -25,7 +26,7 @@ class PairList {
 
  private:
   static constexpr std::size_t kCorners = 4;
-  std::vector<std::int32_t> corner_[kCorners];  ///< those that the kind has not are empty
+  std::array<std::vector<std::int32_t>, kCorners> corner_;  ///< those that the kind has not are empty
   std::vector<float> t_in_, t_out_;
 };
 

@@ -13,7 +13,7 @@ namespace {
 /// Steps to look ahead: more, when all that were foreseen came; fewer, where vertices stray.
 constexpr double kFewestSteps = 4, kFirstSteps = 8, kMostSteps = 32;
 /// Room to stray, of the mean edge: as much as nothing costs, and where lists become too long.
-constexpr double kLeastRoom = 0x1p-10, kMostRoom = 0x1p-4;
+constexpr double kLeastRoom = 0x1p-12, kMostRoom = 0x1p-4;
 /// Lists that serve fewer questions cost more than they save: none are made for a while, each time twice as long.
 constexpr int kWorthIt = 2, kFirstPause = 2, kLongestPause = 64;
 
@@ -78,8 +78,8 @@ bool PairsAhead::promises(const Step& step, const Separations& separations) {
 
 bool PairsAhead::is_on_way(const Step& step) {
   const Forecast::Fit fit = window_.fit(step, room_);
-  constexpr float kRounding = 0x1p-22f;
-  when_ = {static_cast<float>(fit.start) - kRounding, static_cast<float>(fit.end) + kRounding};
+  constexpr float kRoundedTime = 0x1p-22f;
+  when_ = {static_cast<float>(fit.start) - kRoundedTime, static_cast<float>(fit.end) + kRoundedTime};
   return fit.stray <= room_;
 }
 

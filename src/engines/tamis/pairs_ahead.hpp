@@ -19,10 +19,10 @@ class PairsAhead {
   /// A new question. True: all pairs that may touch are listed.
   bool covers(const Step& step, const Separations& separations);
   /// Else: did the last question foresee this one, so that looking ahead promises to help the next ones? Then way() is
-  /// to be searched for what comes nearer than separations_ahead().
+  /// to be searched for what may touch though no vertex is farther than room() from there.
   bool promises(const Step& step, const Separations& separations);
   Step way() const { return window_.way(); }
-  Separations separations_ahead() const { return {separation_ + 2 * room_}; }
+  double room() const { return room_; }
   /// What one thread has found there since the last time.
   void take(StagePipeline& pipeline);
   /// False, and all is forgotten: that is too much for trees of so many leaf blocks.

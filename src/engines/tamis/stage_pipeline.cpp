@@ -15,15 +15,16 @@ struct StageKernels {
   decltype(Kernels::search_vf) search;
   decltype(Kernels::slab_vf) slab;
   decltype(Kernels::filter_vf) filter;
+  decltype(Kernels::filter_straying_vf) filter_straying;
   decltype(Kernels::solve_vf) solve;
 };
 
 StageKernels kernels_of(const Kernels& k, PairKind kind, bool are_edges_and_faces) {
-  if (are_edges_and_faces) return {k.search_ef, k.slab_ef, k.filter_ef, k.solve_ef};
+  if (are_edges_and_faces) return {k.search_ef, k.slab_ef, k.filter_ef, nullptr, k.solve_ef};
   const decltype(k.slab_vf) slabs[] = {k.slab_vf, k.slab_ee, k.slab_ve, k.slab_vv};
   const bool is_vf = kind == PairKind::vertex_face;
   return {kernel_for_search(k, kind), slabs[static_cast<std::size_t>(kind)], is_vf ? k.filter_vf : k.filter_ee,
-          is_vf ? k.solve_vf : k.solve_ee};
+          is_vf ? k.filter_straying_vf : k.filter_straying_ee, is_vf ? k.solve_vf : k.solve_ee};
 }
 
 }  // namespace
@@ -141,9 +142,12 @@ void StagePipeline::flush(Search& search) {
 void StagePipeline::keep_buffered(PairKind kind) {
   auto& [boxes, slab, filtered, solved, current] = *buffers_;
   keep_each_once(kind, boxes);
-  slab.count = 0;
-  kernels_of(kernels_, kind, false).slab(motion_.box_vertices.data(), motion_.box_separation(), boxes, slab);
-  candidates(kind).append(slab, vertex_count(kind));
+  slab.count = filtered.count = 0;
+  const StageKernels stages = kernels_of(kernels_, kind, false);
+  stages.slab(motion_.box_vertices.data(), motion_.box_separation(), boxes, slab);
+  const bool has_filter = can_cross(kind) && !found_.separations().any();
+  if (has_filter) stages.filter_straying(motion_.vertices.data(), found_.stray(), slab, filtered);
+  candidates(kind).append(has_filter ? filtered : slab, vertex_count(kind));
   boxes.count = 0;
 }
 

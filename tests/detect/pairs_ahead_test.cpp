@@ -164,7 +164,7 @@ TEST(TwoFacesOnTheirWay, AreFoundWhenBothStray) {
         return std::vector<Point>{{x, 0, low},
                                   {x + edge, 0, low},
                                   {x, edge, low},
-                                  {x, 0.25 * edge, high},
+                                  {x + 0.25 * edge, 0.25 * edge, high},
                                   {x + edge, 0.25 * edge, high + edge},
                                   {x, 1.25 * edge, high + edge}};
       };

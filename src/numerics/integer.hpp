@@ -1,5 +1,5 @@
 // Integers of any size by GMP, those up to 768 bits without the heap: an exact decision makes hundreds of them, and
-// with mpz_class half of its time went to malloc.
+// with mpz_class half of its time went to malloc. Sums and products within 127 bits, which most are, do not ask GMP.
 #pragma once
 #include <gmp.h>
 
@@ -39,12 +39,15 @@ class Integer {
 
   friend Integer operator-(const Integer& a) { return make(a.limbs(), mpz_neg, a.get()); }
   friend Integer operator+(const Integer& a, const Integer& b) {
+    if (are_short(a, b)) return of(a.wide() + b.wide());
     return make(sum_limbs(a, b), mpz_add, a.get(), b.get());
   }
   friend Integer operator-(const Integer& a, const Integer& b) {
+    if (are_short(a, b)) return of(a.wide() - b.wide());
     return make(sum_limbs(a, b), mpz_sub, a.get(), b.get());
   }
   friend Integer operator*(const Integer& a, const Integer& b) {
+    if (a.limbs() == 1 && b.limbs() == 1) return product_of_limbs(a, b);
     return make(a.limbs() + b.limbs(), mpz_mul, a.get(), b.get());
   }
   /// Towards zero. REQUIRES: b is not zero.
@@ -61,6 +64,52 @@ class Integer {
  private:
   static constexpr int kOwnLimbs = 12;
   static_assert(GMP_NUMB_BITS == 64);
+
+  __extension__ using Wide = __int128;
+  __extension__ using UnsignedWide = unsigned __int128;
+
+  static Integer of(Wide value) {
+    Integer result;
+    result.set(value);
+    return result;
+  }
+  void set(Wide value) { set(value < 0, static_cast<UnsignedWide>(value < 0 ? -value : value)); }
+  void set(bool is_negative, UnsignedWide magnitude) {
+    mp_limb_t* const to = value_->_mp_d;
+    to[0] = static_cast<mp_limb_t>(magnitude);
+    to[1] = static_cast<mp_limb_t>(magnitude >> GMP_NUMB_BITS);
+    const int size = to[1] != 0 ? 2 : to[0] != 0;
+    value_->_mp_size = is_negative ? -size : size;
+  }
+  /// Below 2^126, so that sums are below 2^127.
+  bool is_short() const {
+    const int count = limbs();
+    return count < 2 || (count == 2 && value_->_mp_d[1] >> 62 == 0);
+  }
+  static bool are_short(const Integer& a, const Integer& b) { return a.is_short() && b.is_short(); }
+  /// REQUIRES: is_short().
+  Wide wide() const {
+    const int count = limbs();
+    const mp_limb_t* const from = value_->_mp_d;
+    const auto magnitude = static_cast<Wide>((count > 1 ? UnsignedWide{from[1]} << GMP_NUMB_BITS : 0) |
+                                             (count > 0 ? from[0] : 0));
+    return sign() < 0 ? -magnitude : magnitude;
+  }
+  /// REQUIRES: room for them. Mostly there are few: calling memmove would take longer than copying.
+  void copy_limbs(const Integer& other) {
+    const int count = other.limbs();
+    const mp_limb_t* const from = other.value_->_mp_d;
+    mp_limb_t* const to = value_->_mp_d;
+    if (count > 0) to[0] = from[0];
+    if (count > 1) to[1] = from[1];
+    if (count > 2) std::copy(from + 2, from + count, to + 2);
+    value_->_mp_size = other.value_->_mp_size;
+  }
+  static Integer product_of_limbs(const Integer& a, const Integer& b) {
+    Integer result;
+    result.set(a.sign() != b.sign(), UnsignedWide{*a.value_->_mp_d} * *b.value_->_mp_d);
+    return result;
+  }
 
   bool has_own_limbs() const { return value_->_mp_d == limbs_; }
   void use_own_limbs() {
@@ -105,9 +154,8 @@ inline void Integer::assign(mpz_srcptr value) {
 
 inline Integer& Integer::operator=(const Integer& other) {
   if (this == &other) return *this;
-  if (const int limbs = other.limbs(); limbs <= kOwnLimbs) {  // fits anywhere
-    std::copy_n(other.value_->_mp_d, limbs, value_->_mp_d);
-    value_->_mp_size = other.value_->_mp_size;
+  if (other.limbs() <= kOwnLimbs) {  // fits anywhere
+    copy_limbs(other);
   } else {
     assign(other.get());
   }
@@ -128,12 +176,14 @@ inline Integer& Integer::operator=(Integer&& other) noexcept {
 }
 
 inline Integer& Integer::operator+=(const Integer& b) {
+  if (are_short(*this, b)) return set(wide() + b.wide()), *this;
   reserve(sum_limbs(*this, b));
   mpz_add(value_, value_, b.value_);
   return *this;
 }
 
 inline Integer& Integer::operator-=(const Integer& b) {
+  if (are_short(*this, b)) return set(wide() - b.wide()), *this;
   reserve(sum_limbs(*this, b));
   mpz_sub(value_, value_, b.value_);
   return *this;

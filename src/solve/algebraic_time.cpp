@@ -84,11 +84,10 @@ int AlgebraicTime::sign_of(const IntegerPolynomial& q) {
   if (const int sign = ApproximatePolynomial(q).near(lower_end(cell_)).sign()) return sign;
   if (odds_)
     if (const int sign = OddsPolynomial(q).sign_between(odds_->low, odds_->high)) return sign;
-  for (bool is_first = true; !is_exact_; is_first = false) {
+  if (!is_exact_ && is_root_of(q)) return 0;
+  for (; !is_exact_; refine()) {
     const IntegerPolynomial local = q.on(cell_);
     if (local.sign_variations() == 0) return local.sign_after_zero();
-    if (is_first && is_root_of(q)) return 0;
-    refine();
   }
   return q.sign_at(cell_);
 }
@@ -115,7 +114,7 @@ void AlgebraicTime::narrow_to_doubles(double lower, double upper) {
     const int side = value.sign() * sign_before_;
     (side > 0 ? lower : upper) = guess;
     const auto fall = slope.near(guess);
-    const double next = guess - std::ldexp(value.value / fall.value, static_cast<int>(value.exponent - fall.exponent));
+    const double next = guess - times_power_of_two(value.value / fall.value, value.exponent - fall.exponent);
     guess = next != guess ? next : std::nextafter(guess, side > 0 ? 2.0 : -1.0);
   }
   cell_ = cell_above(lower);

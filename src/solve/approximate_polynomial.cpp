@@ -25,19 +25,18 @@ ApproximatePolynomial::Value ApproximatePolynomial::near(double t) const {
   if (t < std::numeric_limits<double>::min()) return {};  // the next double is not near
   int time_exponent = 0;
   const double time = std::frexp(t, &time_exponent);
-  std::array<WideDouble, IntegerPolynomial::kMaxDegree + 1> terms;
-  double power = 1;
-  long highest = LONG_MIN;
+  double terms[IntegerPolynomial::kMaxDegree + 1], power = 1;
+  long exponents[IntegerPolynomial::kMaxDegree + 1], highest = LONG_MIN;
   for (int i = 0; i <= degree_; ++i, power *= time) {
-    const auto k = static_cast<std::size_t>(i);
-    terms[k] = {powers_[k].mantissa * power, powers_[k].exponent + long{time_exponent} * i};
-    if (terms[k].mantissa != 0) highest = std::max(highest, terms[k].exponent);
+    const WideDouble& c = powers_[static_cast<std::size_t>(i)];
+    terms[i] = c.mantissa * power;
+    exponents[i] = c.exponent + long{time_exponent} * i;
+    if (c.mantissa != 0) highest = std::max(highest, exponents[i]);
   }
   double sum = 0, size = 0;
   for (int i = 0; i <= degree_; ++i) {
-    const WideDouble& term = terms[static_cast<std::size_t>(i)];
-    if (term.mantissa == 0) continue;
-    const double value = times_power_of_two(term.mantissa, term.exponent - highest);
+    if (terms[i] == 0) continue;
+    const double value = times_power_of_two(terms[i], exponents[i] - highest);
     sum += value;
     size += std::fabs(value);
   }

@@ -25,11 +25,11 @@ void IntegerPolynomial::find_degree(int at_most) {
 
 Integer IntegerPolynomial::scaled_value(const DyadicCell& t) const {
   if (is_zero()) return 0;
-  Integer value = (*this)[degree_], shifted;
+  if (t.n.sign() == 0) return (*this)[0] << (t.k * static_cast<unsigned long>(degree_));
+  Integer value = (*this)[degree_];
   for (int i = degree_ - 1; i >= 0; --i) {
     value *= t.n;
-    shifted = (*this)[i] << (t.k * static_cast<unsigned long>(degree_ - i));
-    value += shifted;
+    value += (*this)[i] << (t.k * static_cast<unsigned long>(degree_ - i));
   }
   return value;
 }

@@ -67,7 +67,7 @@ Integer scaled_to_integer(double x, int exponent) {
   if (x == 0) return 0;
   const Parts parts = parts_of(x);
   const int shift = parts.exponent - exponent;
-  if (shift <= 0) return parts.mantissa / (std::int64_t{1} << -shift);
+  if (shift <= 0) return parts.mantissa >> -shift;
   return Integer(parts.mantissa) << static_cast<unsigned long>(shift);
 }
 

@@ -1,7 +1,8 @@
 // A double with room for any exponent: what is left of an integer when most of its bits are not needed.
 #pragma once
 #include <algorithm>
-#include <cmath>
+#include <bit>
+#include <cstdint>
 
 #include "numerics/integer.hpp"
 
@@ -23,7 +24,9 @@ struct WideDouble {
 
 /// x 2^exponent; what is 2^-900 of the rest does not count, nor how much more than 2^900 of it.
 inline double times_power_of_two(double x, long exponent) {
-  return std::ldexp(x, static_cast<int>(std::clamp(exponent, -900L, 900L)));
+  constexpr long kBias = 1023, kMantissaBits = 52;
+  const auto biased = static_cast<std::uint64_t>(kBias + std::clamp(exponent, -900L, 900L));
+  return x * std::bit_cast<double>(biased << kMantissaBits);
 }
 
 }  // namespace tamis

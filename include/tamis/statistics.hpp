@@ -18,7 +18,8 @@ struct StageCount {
 };
 
 /// Wall-clock seconds of each part; with several threads `traverse`, `filter` and `solve` share one pass over the
-/// tree, and their parts are scaled from the sums over the threads. Method `brute` measures `total` alone.
+/// tree, and their parts are scaled from the sums over the threads; `build` includes listing pairs ahead. Method
+/// `brute` measures `total` alone.
 struct Seconds {
   double bounds = 0;
   double build = 0;
@@ -62,7 +63,7 @@ struct Statistics {
   std::vector<StageCount> stages;
   PrecisionCount decided_by;
   Seconds seconds;
-  std::uint64_t nodes_visited = 0;
+  std::uint64_t nodes_visited = 0;              ///< 0: all pairs had been listed ahead
   std::uint64_t triangle_pairs = 0;             ///< that the hierarchy leaves; method `paper` only
   std::uint64_t triangles_in_free_patches = 0;  ///< by high-level culling; method `paper` only
   bool rebuilt = false;                         ///< the hierarchy was built, not refitted

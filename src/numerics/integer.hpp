@@ -91,8 +91,8 @@ class Integer {
   Wide wide() const {
     const int count = limbs();
     const mp_limb_t* const from = value_->_mp_d;
-    const auto magnitude = static_cast<Wide>((count > 1 ? UnsignedWide{from[1]} << GMP_NUMB_BITS : 0) |
-                                             (count > 0 ? from[0] : 0));
+    const auto magnitude =
+        static_cast<Wide>((count > 1 ? UnsignedWide{from[1]} << GMP_NUMB_BITS : 0) | (count > 0 ? from[0] : 0));
     return sign() < 0 ? -magnitude : magnitude;
   }
   /// REQUIRES: room for them. Mostly there are few: calling memmove would take longer than copying.

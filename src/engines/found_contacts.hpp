@@ -56,6 +56,7 @@ class FoundContacts {
   double latest() const { return latest_; }
   /// all_contacts: every contact, in no order; is_free: one, if there is any.
   std::vector<Contact>& contacts() { return contacts_; }
+  const std::vector<Contact>& contacts() const { return contacts_; }
   /// earliest: the answer, decided on the whole step, so that it does not depend on how far the search still looked.
   EarliestContact first();
   const PrecisionCount& decided_by() const { return decided_by_; }

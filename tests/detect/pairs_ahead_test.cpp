@@ -156,6 +156,19 @@ TEST_F(Substeps, AfterAnInterruptionAreAnsweredInFull) {
   }
 }
 
+// A question that ends at its first contact promises nothing to others like it, but takes nothing from the others.
+TEST_F(Substeps, AreListedWhereAllQuestionsAreAskedOfEach) {
+  Detector kept(scene.mesh());
+  for (int i = 10; i < 14; ++i) {
+    kept.contacts(part(i));
+    if (i > 11) {
+      EXPECT_TRUE(was_listed(kept)) << i;
+    }
+    kept.earliest(part(i));
+    EXPECT_FALSE(kept.is_free(part(i))) << i;
+  }
+}
+
 // Bug: a filter that is asked once, when pairs are listed, and not in each question.
 TEST_F(Substeps, AskTheFilterEachTime) {
   bool accepts = true;

@@ -54,7 +54,7 @@ class TamisEngine final : public Engine, public RestEngine {
       search_lists(found, samples);
     else
       search_trees(found, samples);
-    ahead_.end(found.question() == Question::is_free && !found.contacts().empty());
+    ahead_.end(found);
     collect(statistics, watch.seconds());
   }
 
@@ -78,10 +78,10 @@ class TamisEngine final : public Engine, public RestEngine {
  private:
   /// Positions and what is to be searched are those of the question then: true, lists; false, the trees.
   bool prepare(const FoundContacts& found, Statistics& statistics) {
-    bool is_listed = ahead_.covers(found.step(), found.separations());
+    bool is_listed = ahead_.covers(found);
     if (!is_listed) {
       trees_.update(found.step(), found.separations(), statistics);
-      if (!ahead_.promises(found.step(), found.separations())) return false;
+      if (!ahead_.promises(found)) return false;
       const Stopwatch watch;
       is_listed = look_ahead(found.separations());
       if (!is_listed) trees_.look_at(found.step(), found.separations());

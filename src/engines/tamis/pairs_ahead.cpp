@@ -46,15 +46,18 @@ Step PairsAhead::sample_of(const Step& step) {
   return {some_start_, some_end_};
 }
 
-bool PairsAhead::covers(const Step& step, const Separations& separations) {
+bool PairsAhead::covers(const FoundContacts& asked) {
+  const Separations& separations = asked.separations();
   if (!are_listed_ || separations.fixed > separation_ || !separations.radii.empty()) return false;
-  if (!is_on_way(step)) return false;
-  next_.make(sample_of(step), places_, kFirstSteps);
+  if (!is_on_way(asked.step())) return false;
+  next_.make(sample_of(asked.step()), places_, kFirstSteps);
   ++served_;
   return true;
 }
 
-bool PairsAhead::promises(const Step& step, const Separations& separations) {
+bool PairsAhead::promises(const FoundContacts& asked) {
+  const Step& step = asked.step();
+  const Separations& separations = asked.separations();
   if (options_.guarantee != Guarantee::exact || !separations.radii.empty()) return false;
   if (are_listed_) learn();
   forget();
@@ -62,7 +65,7 @@ bool PairsAhead::promises(const Step& step, const Separations& separations) {
   const Step sample = sample_of(step);
   const Forecast::Fit fit = next_.is_made() ? next_.fit(sample, kAnywhere) : Forecast::Fit{0, 0, kAnywhere};
   next_.make(sample, places_, kFirstSteps);
-  if (fit.start == 0 || was_cut_short_) return false;
+  if (fit.start == 0 || (asked.question() == Question::is_free && is_soon_touching_)) return false;
   if (edge_ == 0) edge_ = mean_edge(mesh_, step.start);
   const double steps = steps_to_foresee(fit.stray);
   if (!(steps >= kFewestSteps)) return false;
@@ -74,6 +77,10 @@ bool PairsAhead::promises(const Step& step, const Separations& separations) {
   room_ = std::max(kLeastRoom * edge_, steps * steps * fit.stray);
   separation_ = separations.fixed;
   return is_on_way(step);
+}
+
+void PairsAhead::end(const FoundContacts& answered) {
+  if (answered.question() == Question::is_free) is_soon_touching_ = !answered.contacts().empty();
 }
 
 bool PairsAhead::is_on_way(const Step& step) {

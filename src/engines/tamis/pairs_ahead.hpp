@@ -17,10 +17,10 @@ class PairsAhead {
   PairsAhead(const Mesh& mesh, const Options& options);
 
   /// A new question. True: all pairs that may touch are listed.
-  bool covers(const Step& step, const Separations& separations);
+  bool covers(const FoundContacts& asked);
   /// Else: did the last question foresee this one, so that looking ahead promises to help the next ones? Then way() is
   /// to be searched for what may touch though no vertex is farther than room() from there.
-  bool promises(const Step& step, const Separations& separations);
+  bool promises(const FoundContacts& asked);
   Step way() const { return window_.way(); }
   double room() const { return room_; }
   /// What one thread has found there since the last time.
@@ -32,8 +32,8 @@ class PairsAhead {
   /// When this question is, as part of the way.
   const TimeInterval<float>& when() const { return when_; }
   const PairList& list(PairKind kind) const { return lists_[static_cast<std::size_t>(kind)]; }
-  /// The question has been answered. `was_cut_short`: without looking at everything, as the next one will be, then.
-  void end(bool was_cut_short) { was_cut_short_ = was_cut_short; }
+  /// The question has been answered.
+  void end(const FoundContacts& answered);
   std::uint64_t memory_bytes() const;
 
  private:
@@ -57,7 +57,8 @@ class PairsAhead {
   double separation_ = 0;                     ///< in question when the lists were made
   TimeInterval<float> when_{};
   PairList lists_[kPairKinds];
-  bool are_listed_ = false, was_cut_short_ = false;
+  bool are_listed_ = false;
+  bool is_soon_touching_ = false;  ///< is_free found a contact when it was last asked, without looking at everything
   double steps_;  ///< to look ahead
   double steps_listed_ = 0;
   int served_ = 0;  ///< questions, by these lists

@@ -57,12 +57,8 @@ struct Setting {
   Guarantee guarantee = Guarantee::exact;
 };
 constexpr Setting kSettings[] = {
-    {0, 0, 1},
-    {1e-7, 0, 2, Isa::baseline},
-    {1e-4, 0, 1},
-    {1e-7, 0x1p-9, 1},
-    {1e-4, 0x1p-9, 2, Isa::baseline},
-    {1e-7, 0, 2, Isa::baseline, Guarantee::conservative},
+    {0, 0, 1},         {1e-7, 0, 2, Isa::baseline},      {1e-4, 0, 1},
+    {1e-7, 0x1p-9, 1}, {1e-4, 0x1p-9, 2, Isa::baseline}, {1e-7, 0, 2, Isa::baseline, Guarantee::conservative},
 };
 
 // Bugs: room to stray that is not searched, or not checked for one vertex; pairs left out at times when they are near;

@@ -2,9 +2,6 @@
 // buffers, so no list of the step's candidates is ever stored.
 #include "engines/engine.hpp"
 
-#include <tbb/enumerable_thread_specific.h>
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -16,8 +13,8 @@
 #include "engines/tamis/intersection_search.hpp"
 #include "engines/tamis/near_search.hpp"
 #include "engines/tamis/pairs_ahead.hpp"
+#include "engines/tamis/pipelines.hpp"
 #include "engines/tamis/samples.hpp"
-#include "engines/tamis/stage_pipeline.hpp"
 
 namespace tamis {
 namespace {
@@ -40,14 +37,14 @@ class TamisEngine final : public Engine, public RestEngine {
         trees_(mesh, kernels_, options.filter),
         ahead_(mesh, options),
         memory_(mesh, kernels_, trees_),
-        pipelines_([this, &options] { return StagePipeline(kernels_, trees_.motion(), options); }),
+        pipelines_(kernels_, trees_.motion(), options),
         near_(mesh, options, kernels_, trees_),
         intersections_(mesh, options, kernels_, trees_) {}
 
   void find(FoundContacts& found, Statistics& statistics) override {
     const bool is_listed = prepare(found, statistics);
     const Stopwatch watch;
-    for (StagePipeline& pipeline : pipelines_) pipeline.begin(found);
+    pipelines_.begin(found);
     const bool wants_all = found.question() == Question::all_contacts;
     const std::span<const Sample> samples = wants_all ? std::span<const Sample>(kAllBlocks) : kSamples;
     if (is_listed)
@@ -69,10 +66,8 @@ class TamisEngine final : public Engine, public RestEngine {
   RestEngine* at_rest() override { return this; }
 
   std::uint64_t memory_bytes() const override {
-    std::uint64_t bytes = trees_.memory_bytes() + ahead_.memory_bytes() + memory_.memory_bytes() +
-                          near_.memory_bytes() + intersections_.memory_bytes();
-    for (const StagePipeline& pipeline : pipelines_) bytes += pipeline.memory_bytes();
-    return bytes;
+    return trees_.memory_bytes() + ahead_.memory_bytes() + memory_.memory_bytes() + pipelines_.memory_bytes() +
+           near_.memory_bytes() + intersections_.memory_bytes();
   }
 
  private:
@@ -98,14 +93,11 @@ class TamisEngine final : public Engine, public RestEngine {
     trees_.look_at(ahead_.way(), {separations.fixed + 2 * ahead_.room()});
     measure_motion();
     t_limit_ = 1;
-    for (StagePipeline& pipeline : pipelines_) pipeline.begin(candidates);
+    pipelines_.begin(candidates);
     for (const Sample& sample : kSamples) {
       trees_.for_each_kind(
           [&](PairKind kind, const TreeView& a, const TreeView& b) { search_sample(candidates, kind, a, b, sample); });
-      for (StagePipeline& pipeline : pipelines_) {
-        pipeline.finish();
-        ahead_.take(pipeline);
-      }
+      pipelines_.finish([&](StagePipeline& pipeline) { ahead_.take(pipeline); });
       if (!ahead_.has_room(trees_.points().leaf_blocks + trees_.edges().leaf_blocks)) return false;
     }
     ahead_.end_list();
@@ -139,12 +131,13 @@ class TamisEngine final : public Engine, public RestEngine {
       trees_.for_each_kind([&](PairKind kind, const TreeView&, const TreeView&) {
         const PairList& pairs = ahead_.list(kind);
         const int parts = static_cast<int>((pairs.size() + kPart - 1) / kPart);
-        for_each_part(found, kind, count_in(sample, parts), 8, [&](StagePipeline& pipeline, int begin, int end) {
-          for (int i = begin; i < end; ++i) {
-            const auto first = static_cast<std::size_t>(sample.first + i * sample.stride) * kPart;
-            pipeline.search(kind, pairs, first, std::min(first + kPart, pairs.size()), ahead_.when(), t_limit_);
-          }
-        });
+        pipelines_.for_each_part(
+            found, kind, count_in(sample, parts), 8, [&](StagePipeline& pipeline, int begin, int end) {
+              for (int i = begin; i < end; ++i) {
+                const auto first = static_cast<std::size_t>(sample.first + i * sample.stride) * kPart;
+                pipeline.search(kind, pairs, first, std::min(first + kPart, pairs.size()), ahead_.when(), t_limit_);
+              }
+            });
       });
       learn(found);
     }
@@ -188,56 +181,39 @@ class TamisEngine final : public Engine, public RestEngine {
 
   /// The step is shortened only between samples, and bands: the answer knows nothing of threads.
   void learn(FoundContacts& found) {
-    for (StagePipeline& pipeline : pipelines_) {
-      pipeline.finish();
-      found.take(pipeline.found());
-    }
-    for (StagePipeline& pipeline : pipelines_) pipeline.found().learn(found);
+    pipelines_.gather(found);
     t_limit_ = std::min(t_limit_, float_after(found.latest()));
   }
 
   void search_sample(const FoundContacts& found, PairKind kind, const TreeView& a, const TreeView& b,
                      const Sample& sample) {
     constexpr std::size_t kGrain = 8;
-    for_each_part(found, kind, count_in(sample, a.leaf_blocks), kGrain,
-                  [&](StagePipeline& pipeline, int begin, int end) {
-                    const int first = sample.first + begin * sample.stride, last = sample.first + end * sample.stride;
-                    const BlockRange blocks{first, std::min(last, a.leaf_blocks), sample.stride};
-                    pipeline.search(kind, a, b, blocks, t_limit_, is_short(t_limit_));
-                  });
+    pipelines_.for_each_part(
+        found, kind, count_in(sample, a.leaf_blocks), kGrain, [&](StagePipeline& pipeline, int begin, int end) {
+          const int first = sample.first + begin * sample.stride, last = sample.first + end * sample.stride;
+          const BlockRange blocks{first, std::min(last, a.leaf_blocks), sample.stride};
+          pipeline.search(kind, a, b, blocks, t_limit_, is_short(t_limit_));
+        });
   }
 
   void search_band(const FoundContacts& found, PairKind kind, const TreeView& a, const TreeView& b, const GapBand& band,
                    const Sample& sample) {
     constexpr std::size_t kGrain = 64;
-    for_each_part(found, kind, count_in(sample, a.leaf_blocks), kGrain,
-                  [&](StagePipeline& pipeline, int begin, int end) {
-                    std::vector<std::int32_t>& others = pipeline.others();
-                    for (int i = begin; i < end; ++i) {
-                      const int block = sample.first + i * sample.stride;
-                      others.clear();
-                      memory_.append_unproven(kind, block, band, t_limit_, others);
-                      if (!others.empty()) pipeline.search(kind, a, b, block, others, t_limit_, is_short(t_limit_));
-                    }
-                  });
-  }
-
-  /// f(pipeline of the thread, begin, end) for all parts of 0 to `count`.
-  template <class F>
-  void for_each_part(const FoundContacts& found, PairKind kind, int count, std::size_t grain, const F& f) {
-    if (!found.wants(kind)) return;
-    tbb::parallel_for(tbb::blocked_range<int>(0, count, grain), [&](const tbb::blocked_range<int>& part) {
-      bool is_known = false;
-      StagePipeline& pipeline = pipelines_.local(is_known);
-      if (!is_known) pipeline.begin(found);
-      f(pipeline, part.begin(), part.end());
-    });
+    pipelines_.for_each_part(found, kind, count_in(sample, a.leaf_blocks), kGrain,
+                             [&](StagePipeline& pipeline, int begin, int end) {
+                               std::vector<std::int32_t>& others = pipeline.others();
+                               for (int i = begin; i < end; ++i) {
+                                 const int block = sample.first + i * sample.stride;
+                                 others.clear();
+                                 memory_.append_unproven(kind, block, band, t_limit_, others);
+                                 if (!others.empty())
+                                   pipeline.search(kind, a, b, block, others, t_limit_, is_short(t_limit_));
+                               }
+                             });
   }
 
   void collect(Statistics& statistics, double seconds) {
-    PipelineCounts counts;
-    for (const StagePipeline& pipeline : pipelines_) counts += pipeline.counts();
-    counts.report(statistics, seconds, !trees_.motion().separations.any());
+    pipelines_.counts().report(statistics, seconds, !trees_.motion().separations.any());
     statistics.isa = kernels_.isa;
   }
 
@@ -249,7 +225,7 @@ class TamisEngine final : public Engine, public RestEngine {
   GapMemory memory_;
   float t_limit_ = 1;            ///< nothing later in this question's step is of interest
   double moved_ = 0, size_ = 0;  ///< sums of some edges' displacements and lengths
-  tbb::enumerable_thread_specific<StagePipeline> pipelines_;
+  Pipelines pipelines_;
   NearSearch near_;
   IntersectionSearch intersections_;
 };

@@ -1,7 +1,5 @@
 #include "engines/tamis/intersection_search.hpp"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 
 #include "engines/stopwatch.hpp"
@@ -25,7 +23,7 @@ IntersectionSearch::IntersectionSearch(const Mesh& mesh, const Options& options,
       kernels_(kernels),
       trees_(trees),
       found_(options_),
-      pipelines_([this] { return StagePipeline(kernels_, trees_.motion(), options_, &mesh_); }) {}
+      pipelines_(kernels_, trees_.motion(), options_, &mesh_) {}
 
 void IntersectionSearch::find(const Positions& positions, Intersections wanted, std::vector<Intersection>& found,
                               Statistics& statistics) {
@@ -33,15 +31,10 @@ void IntersectionSearch::find(const Positions& positions, Intersections wanted, 
   trees_.update(step, {}, statistics);
   Stopwatch watch;
   found_.begin(step, {}, wanted == Intersections::any ? Question::is_free : Question::all_contacts);
-  for (StagePipeline& pipeline : pipelines_) pipeline.begin(found_);
+  pipelines_.begin(found_);
   search();
-  PipelineCounts counts;
-  for (StagePipeline& pipeline : pipelines_) {
-    pipeline.finish();
-    found_.take(pipeline.found());
-    counts += pipeline.counts();
-  }
-  counts.report(statistics, watch.lap(), true);
+  pipelines_.gather(found_);
+  pipelines_.counts().report(statistics, watch.lap(), true);
   statistics.isa = kernels_.isa;
   found.clear();
   for (const Contact& contact : found_.contacts()) found.push_back(intersection_of(contact));
@@ -49,14 +42,13 @@ void IntersectionSearch::find(const Positions& positions, Intersections wanted, 
 }
 
 void IntersectionSearch::search() {
-  constexpr int kGrain = 8;
+  constexpr std::size_t kGrain = 8;
+  constexpr PairKind kRunner = PairKind::vertex_face;
   const TreeView edges = trees_.edges(), faces = trees_.faces();
-  tbb::parallel_for(tbb::blocked_range<int>(0, edges.leaf_blocks, kGrain), [&](const auto& part) {
-    bool is_known = false;
-    StagePipeline& pipeline = pipelines_.local(is_known);
-    if (!is_known) pipeline.begin(found_);
-    pipeline.search(PairKind::vertex_face, edges, faces, {part.begin(), part.end(), 1}, 1, true);
-  });
+  pipelines_.for_each_part(found_, kRunner, edges.leaf_blocks, kGrain,
+                           [&](StagePipeline& pipeline, int first, int last) {
+                             pipeline.search(kRunner, edges, faces, {first, last, 1}, 1, true);
+                           });
 }
 
 Intersection IntersectionSearch::intersection_of(const Contact& contact) const {
@@ -65,10 +57,6 @@ Intersection IntersectionSearch::intersection_of(const Contact& contact) const {
   return {edge, {f0, f1, f2}, contact.toi_lower, contact.toi_upper, contact.u, contact.v};
 }
 
-std::uint64_t IntersectionSearch::memory_bytes() const {
-  std::uint64_t bytes = found_.memory_bytes();
-  for (const StagePipeline& pipeline : pipelines_) bytes += pipeline.memory_bytes();
-  return bytes;
-}
+std::uint64_t IntersectionSearch::memory_bytes() const { return found_.memory_bytes() + pipelines_.memory_bytes(); }
 
 }  // namespace tamis

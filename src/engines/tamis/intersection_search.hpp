@@ -1,13 +1,11 @@
 // Which edges pass through triangles, or touch them, in one pose? A vertex that runs along the edge within a step meets
 // every triangle that the edge meets: so that this is a question of vertex-face contacts, and decided as they are.
 #pragma once
-#include <tbb/enumerable_thread_specific.h>
-
 #include <vector>
 
 #include "engines/rest_engine.hpp"
 #include "engines/tamis/feature_trees.hpp"
-#include "engines/tamis/stage_pipeline.hpp"
+#include "engines/tamis/pipelines.hpp"
 
 namespace tamis {
 
@@ -29,7 +27,7 @@ class IntersectionSearch {
   const Kernels& kernels_;
   FeatureTrees& trees_;
   FoundContacts found_;
-  tbb::enumerable_thread_specific<StagePipeline> pipelines_;
+  Pipelines pipelines_;
 };
 
 }  // namespace tamis

@@ -59,7 +59,7 @@ class PairsAhead {
   PairList lists_[kPairKinds];
   bool are_listed_ = false;
   bool is_soon_touching_ = false;  ///< is_free found a contact when it was last asked, without looking at everything
-  double steps_;  ///< to look ahead
+  double steps_;                   ///< to look ahead
   double steps_listed_ = 0;
   int served_ = 0;  ///< questions, by these lists
   int pause_ = 0;   ///< questions until it is worth another try

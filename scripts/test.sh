@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Set-up, build, all tests. Arguments go to ctest: `scripts/test.sh -R readme`.
-#   --quick   for the daily loop: without what takes minutes (second compiler, clang-tidy, ARM, fuzzing, attacks, the module
+#   --quick   for the daily loop: without what takes minutes (tests by clang, clang-tidy, ARM, fuzzing, attacks, the module
 #             for Python, the viewer, packages built against an installed Tamis)
 set -euo pipefail
 cd "$(dirname "$0")/.."

@@ -81,7 +81,8 @@ class PlanarTruncation {
       positions_[v][k] = (1 - time_) * step_.start[index][k] + time_ * step_.end[index][k];
     // What is rounded here: four operations an axis, of numbers no larger than the coordinates.
     const double rounded = 0x1p-49 * std::max(largest(step_.start[index]), largest(step_.end[index]));
-    const double room = ((until_[v] - time_) * length + rounded) * (1 + 0x1p-40) + 0x1p-1000;
+    const double farther = until_[v] > time_ ? (until_[v] - time_) * length : 0;  // nothing is none of infinity
+    const double room = (farther + rounded) * (1 + 0x1p-40) + 0x1p-1000;
     radii_[v] = separations_.radii.empty() ? room : (room + separations_.radii[v]) * (1 + 0x1p-50);
   }
 

@@ -32,29 +32,42 @@ bool comes_before(const Contact& a, const Contact& b) {
          std::tie(b.kind, b.vertices, b.toi_lower, b.toi_upper);
 }
 
-void FoundContacts::begin(const Step& step, const Separations& separations, Question question, double stray) {
+void FoundContacts::begin(const Step& step, const Separations& separations, Question question) {
   step_ = step;
   separations_ = separations;
   question_ = question;
-  stray_ = stray;
-  is_settled_ = own_flag_;
-  is_settled_->store(false, std::memory_order_relaxed);
+  stray_ = 0;
+  shared_ = own_;
+  shared_->is_settled.store(false, std::memory_order_relaxed);
   contacts_.clear();
   latest_ = 1;
   first_ = {};
   decided_by_ = {};
 }
 
+void FoundContacts::begin_candidates(const Step& step, const Separations& separations, double stray,
+                                     std::int64_t most) {
+  begin(step, separations, Question::candidates);
+  stray_ = stray;
+  shared_->candidates_left.store(most, std::memory_order_relaxed);
+}
+
 void FoundContacts::begin_part_of(const FoundContacts& answer) {
-  begin(answer.step_, answer.separations_, answer.question_, answer.stray_);
-  is_settled_ = answer.is_settled_;
+  begin(answer.step_, answer.separations_, answer.question_);
+  stray_ = answer.stray_;
+  shared_ = answer.shared_;
   learn(answer);
+}
+
+void FoundContacts::count_candidates(int count) {
+  const std::int64_t left = shared_->candidates_left.fetch_sub(count, std::memory_order_relaxed) - count;
+  if (left < 0) shared_->is_settled.store(true, std::memory_order_relaxed);
 }
 
 void FoundContacts::add(const Contact& contact) {
   if (question_ == Question::is_free) {
     if (contacts_.empty()) contacts_.push_back(contact);
-    is_settled_->store(true, std::memory_order_relaxed);
+    shared_->is_settled.store(true, std::memory_order_relaxed);
     return;
   }
   if (question_ == Question::earliest) {
@@ -66,7 +79,8 @@ void FoundContacts::add(const Contact& contact) {
 }
 
 bool FoundContacts::wants(PairKind kind, const PairVertices& vertices) const {
-  if (question_ == Question::is_free) return !is_settled_->load(std::memory_order_relaxed);
+  if (question_ == Question::is_free || question_ == Question::candidates)
+    return !shared_->is_settled.load(std::memory_order_relaxed);
   return !touches_at_start() || std::tie(kind, vertices) < std::tie(first_.contact->kind, first_.contact->vertices);
 }
 

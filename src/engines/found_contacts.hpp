@@ -28,8 +28,11 @@ class FoundContacts {
   /// Keeps a reference.
   explicit FoundContacts(const Options& options) : options_(options) {}
 
-  /// A new question; the memory stays. `stray`, of candidates: how far vertices may be from where the step has them.
-  void begin(const Step& step, const Separations& separations, Question question, double stray = 0);
+  /// A new question; the memory stays.
+  void begin(const Step& step, const Separations& separations, Question question);
+  /// The question `candidates`, until there are too many: `stray` is how far vertices may be from where the step has
+  /// them.
+  void begin_candidates(const Step& step, const Separations& separations, double stray, std::int64_t most);
   /// The question that `answer` has begun with, and what it knows: for a thread that looks for a part of it.
   void begin_part_of(const FoundContacts& answer);
   void add(const Contact& contact);
@@ -39,6 +42,9 @@ class FoundContacts {
   bool wants(PairKind kind) const { return wants(kind, {0, 0, 0, 0}); }
   /// A pair touches at t=0: from now on it is worth asking `wants` of each pair first.
   bool touches_at_start() const { return first_.contact && first_.toi_upper == 0; }
+  /// Of candidates.
+  void count_candidates(int count);
+  bool are_too_many() const { return shared_->is_settled.load(std::memory_order_relaxed); }
   /// Takes what `other` has found, which then has found nothing.
   void take(FoundContacts& other);
   /// What `other` knows of the first contact bounds what is of interest here.
@@ -75,9 +81,13 @@ class FoundContacts {
   Separations separations_;
   Question question_ = Question::all_contacts;
   double stray_ = 0;
-  std::shared_ptr<std::atomic<bool>> own_flag_ = std::make_shared<std::atomic<bool>>(false);
-  std::shared_ptr<std::atomic<bool>> is_settled_ = own_flag_;  ///< is_free: somebody has found a contact
-  std::vector<Contact> contacts_;                              ///< earliest: those not yet decided on the whole step
+  struct Shared {
+    std::atomic<bool> is_settled = false;           ///< is_free: somebody has found a contact; candidates: too many
+    std::atomic<std::int64_t> candidates_left = 0;  ///< to be found before they are too many
+  };
+  std::shared_ptr<Shared> own_ = std::make_shared<Shared>();
+  std::shared_ptr<Shared> shared_ = own_;  ///< by all who look for a part of the answer
+  std::vector<Contact> contacts_;          ///< earliest: those not yet decided on the whole step
   double latest_ = 1;
   EarliestContact first_;  ///< of those that are
   PrecisionCount decided_by_;

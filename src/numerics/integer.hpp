@@ -1,5 +1,6 @@
 // Integers of any size by GMP, those up to 768 bits without the heap: an exact decision makes hundreds of them, and
-// with mpz_class half of its time went to malloc. Sums and products within 127 bits, which most are, do not ask GMP.
+// with mpz_class half of its time went to malloc. Sums of what is below 2^126, and products of
+// single limbs, which most are, do not ask GMP.
 #pragma once
 #include <gmp.h>
 
@@ -26,7 +27,6 @@ class Integer {
   int sign() const { return mpz_sgn(value_); }
   /// Number of bits of the absolute value; 1 for zero.
   long bits() const { return static_cast<long>(mpz_sizeinbase(value_, 2)); }
-  bool is_odd() const { return mpz_odd_p(value_) != 0; }
   /// Towards zero.
   double to_double() const { return mpz_get_d(value_); }
 

@@ -1,10 +1,12 @@
 // Interval arithmetic with outward rounding, without changing the rounding mode. On double and double-double; other
 // number types that wrap double, such as one that counts operations, run the same lines.
 #pragma once
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "numerics/double_double.hpp"
+#include "numerics/scale.hpp"
 #include "numerics/select.hpp"
 #include "numerics/vec.hpp"
 
@@ -103,9 +105,14 @@ inline BasicInterval<T> intersection(const BasicInterval<T>& a, const BasicInter
   return {max(a.lower, b.lower), min(a.upper, b.upper)};
 }
 
-/// |v|, rounded up.
+/// |v|, rounded up; infinite only where it may be beyond the largest double.
 inline double length_above(const Vec3<BasicInterval<double>>& v) {
-  return rounding::above(rounding::above(std::sqrt(dot(v, v).upper)));
+  double size = 0;
+  for (const Interval& x : {v.x, v.y, v.z}) size = std::max({size, std::fabs(x.lower), std::fabs(x.upper)});
+  const double scale = scale_below_one(size);
+  const auto scaled = [&](const Interval& x) { return Interval{x.lower * scale, x.upper * scale}; };
+  const Vec3<Interval> w{scaled(v.x), scaled(v.y), scaled(v.z)};
+  return rounding::above(rounding::above(std::sqrt(dot(w, w).upper)) / scale);
 }
 
 namespace error_bounds {

@@ -1,13 +1,15 @@
 // How long the edges of a mesh are: the length that searches measure motion by.
 #pragma once
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "tamis/mesh.hpp"
 #include "tamis/step.hpp"
 
 namespace tamis {
 
-/// Of some thousand edges, in the mesh's order; 0 without edges.
+/// Of some thousand edges, in the mesh's order; 0 without edges, and finite always.
 inline double mean_edge(const Mesh& mesh, const Positions& points) {
   constexpr std::size_t kSample = 4096;
   const auto edges = mesh.edges();
@@ -17,7 +19,7 @@ inline double mean_edge(const Mesh& mesh, const Positions& points) {
     const double *a = points[edges[e][0]], *b = points[edges[e][1]];
     sum += std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
   }
-  return count > 0 ? sum / count : 0;
+  return count > 0 ? std::min(sum / count, std::numeric_limits<double>::max()) : 0;
 }
 
 }  // namespace tamis

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,26 +28,54 @@ inline std::vector<Point> between(const std::vector<Point>& a, const std::vector
   return points;
 }
 
-/// `question`: contacts, earliest, is_free, keep_distance.
-inline void expect_as_new(Detector& kept, const Step& step, Index question, const std::string& where) {
+/// What lies near, and what passes through what, as rows.
+inline std::vector<std::array<double, 8>> at_rest(Detector& detector, const Step& step) {
+  std::vector<std::array<double, 8>> rows;
+  for (const NearPair& p : detector.near(step.start, 0.01))
+    rows.push_back({double(p.kind), double(p.vertices[0]), double(p.vertices[1]), double(p.vertices[2]),
+                    double(p.vertices[3]), p.distance, p.u, p.v});
+  for (const Intersection& p : detector.intersections(step.start))
+    rows.push_back({double(p.edge[0]), double(p.edge[1]), double(p.face[0]), double(p.face[1]), double(p.face[2]),
+                    p.s_lower, p.s_upper, p.u});
+  return rows;
+}
+
+/// What can be asked of a step; the first three are about contacts alone.
+enum class Asked : std::uint8_t { contacts, earliest, is_free, keep_distance, at_rest, vertex_steps };
+constexpr Index kAsked = 6, kAskedOfContacts = 3;
+
+inline void expect_as_new(Detector& kept, const Step& step, Asked question, const std::string& where,
+                          std::optional<double> separation = {}) {
   Options options = kept.options();
   Detector fresh(kept.mesh(), options);
-  if (question == 0) {
-    EXPECT_EQ(bits_of(kept.contacts(step)), bits_of(fresh.contacts(step))) << where;
-  } else if (question == 1) {
-    const EarliestContact a = kept.earliest(step), b = fresh.earliest(step);
-    EXPECT_EQ(a.toi_lower, b.toi_lower) << where;
-    EXPECT_EQ(a.toi_upper, b.toi_upper) << where;
-    ASSERT_EQ(a.contact.has_value(), b.contact.has_value()) << where;
-    if (a.contact) {
-      EXPECT_EQ(bits_of({*a.contact}), bits_of({*b.contact})) << where;
+  switch (question) {
+    case Asked::contacts:
+      EXPECT_EQ(bits_of(kept.contacts(step, separation)), bits_of(fresh.contacts(step, separation))) << where;
+      break;
+    case Asked::earliest: {
+      const EarliestContact a = kept.earliest(step, separation), b = fresh.earliest(step, separation);
+      EXPECT_EQ(a.toi_lower, b.toi_lower) << where;
+      EXPECT_EQ(a.toi_upper, b.toi_upper) << where;
+      ASSERT_EQ(a.contact.has_value(), b.contact.has_value()) << where;
+      if (a.contact) {
+        EXPECT_EQ(bits_of({*a.contact}), bits_of({*b.contact})) << where;
+      }
+      break;
     }
-  } else if (question == 2) {
-    EXPECT_EQ(kept.is_free(step), fresh.is_free(step)) << where;
-  } else {
-    const SafeStep a = kept.keep_distance(step, 0.2), b = fresh.keep_distance(step, 0.2);
-    EXPECT_EQ(a.lower, b.lower) << where;
-    EXPECT_EQ(a.upper, b.upper) << where;
+    case Asked::is_free:
+      EXPECT_EQ(kept.is_free(step, separation), fresh.is_free(step, separation)) << where;
+      break;
+    case Asked::keep_distance: {
+      const SafeStep a = kept.keep_distance(step, 0.2), b = fresh.keep_distance(step, 0.2);
+      EXPECT_EQ(a.lower, b.lower) << where;
+      EXPECT_EQ(a.upper, b.upper) << where;
+      break;
+    }
+    case Asked::at_rest:
+      EXPECT_EQ(at_rest(kept, step), at_rest(fresh, step)) << where;
+      break;
+    case Asked::vertex_steps:
+      EXPECT_EQ(kept.vertex_steps(step).until, fresh.vertex_steps(step).until) << where;
   }
 }
 

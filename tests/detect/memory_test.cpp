@@ -48,7 +48,7 @@ TEST_P(Memory, ChangesNoBitOfAnyAnswer) {
       Walk walk{scene, scenes::Random(62 + static_cast<std::uint64_t>(threads)), {}, {}};
       for (int i = 0; i < 24 && !HasFailure(); ++i) {
         walk.go_on();
-        expect_as_new(kept, {walk.start, walk.end}, walk.random.below(i < 8 ? 2 : 4),
+        expect_as_new(kept, {walk.start, walk.end}, static_cast<Asked>(walk.random.below(i < 8 ? 2 : kAsked)),
                       scene.name + ", question " + std::to_string(i));
       }
     }

@@ -130,6 +130,19 @@ TEST(VertexSteps, ANearPairDoesNotStopTheOthers) {
 }
 
 // Bug: a start that touches is called free, or moves.
+// Bug: no reach where the square of a length is infinite. The face slides within its plane until it meets a point.
+TEST(VertexSteps, AVertexDoesNotPassAFaceThatIsFast) {
+  for (const double away : {1e3, 1e150, 4e159, 1e300}) {
+    const Mesh mesh(5, {{0, 1, 2}}, {}, {3, 4});
+    const std::vector<Point> start{{-1, -1, 0}, {2, -1, 0}, {-1, 2, 0}, {0.7, 0, 0.5}, {2.5, 0, 0}};
+    std::vector<Point> end = start;
+    for (std::size_t v = 0; v < 3; ++v) end[v][0] += away;
+    end[3][2] = -0.5;
+    const VertexSteps steps = Detector(mesh).vertex_steps({start, end}, 0.1);
+    EXPECT_LT(steps.until[3], 0.5) << away;
+  }
+}
+
 TEST(VertexSteps, WhatTouchesAtTheStartStays) {
   Scene scene = two_falls();
   scene.start[3][2] = 0;

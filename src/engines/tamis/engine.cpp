@@ -1,5 +1,5 @@
 // The default method: boxes that move in time, slab clip, DNF, NCF, certified roots; pairs stream through in small
-// buffers, so no list of the step's candidates is ever stored.
+// buffers. What may touch within the next steps is listed where a mesh goes on as it did, and nothing else.
 #include "engines/engine.hpp"
 
 #include <algorithm>
@@ -73,10 +73,11 @@ class TamisEngine final : public Engine, public RestEngine {
  private:
   /// Positions and what is to be searched are those of the question then: true, lists; false, the trees.
   bool prepare(const FoundContacts& found, Statistics& statistics) {
-    bool is_listed = ahead_.covers(found);
+    nodes_ahead_ = 0;
+    bool is_listed = ahead_.begin(found);
     if (!is_listed) {
       trees_.update(found.step(), found.separations(), statistics);
-      if (!ahead_.promises(found)) return false;
+      if (!ahead_.plan(found)) return false;
       const Stopwatch watch;
       is_listed = look_ahead(found.separations());
       if (!is_listed) trees_.look_at(found.step(), found.separations());
@@ -89,7 +90,8 @@ class TamisEngine final : public Engine, public RestEngine {
   /// Lists what may touch within the next steps. False: that is too much.
   bool look_ahead(const Separations& separations) {
     FoundContacts candidates(options_);
-    candidates.begin(ahead_.way(), separations, Question::candidates, ahead_.room());
+    const int leaf_blocks = trees_.points().leaf_blocks + trees_.edges().leaf_blocks;
+    candidates.begin_candidates(ahead_.way(), separations, ahead_.room(), PairsAhead::most_pairs(leaf_blocks));
     trees_.look_at(ahead_.way(), {separations.fixed + 2 * ahead_.room()});
     measure_motion();
     t_limit_ = 1;
@@ -97,11 +99,12 @@ class TamisEngine final : public Engine, public RestEngine {
     for (const Sample& sample : kSamples) {
       trees_.for_each_kind(
           [&](PairKind kind, const TreeView& a, const TreeView& b) { search_sample(candidates, kind, a, b, sample); });
-      pipelines_.finish([&](StagePipeline& pipeline) { ahead_.take(pipeline); });
-      if (!ahead_.has_room(trees_.points().leaf_blocks + trees_.edges().leaf_blocks)) return false;
+      pipelines_.finish([&](StagePipeline& pipeline) { ahead_.list_found(pipeline); });
     }
-    ahead_.end_list();
-    return true;
+    nodes_ahead_ = pipelines_.counts().nodes_visited;
+    const bool are_too_many = candidates.are_too_many();
+    are_too_many ? ahead_.give_up() : ahead_.complete();
+    return !are_too_many;
   }
 
   /// Of some thousand edges, in the mesh's order: what follows from it may not depend on the trees and their past.
@@ -155,10 +158,10 @@ class TamisEngine final : public Engine, public RestEngine {
     t_limit_ = 1;
     const bool wants_all = found.question() == Question::all_contacts;
     const bool may_help = memory_.serves() && (!wants_all || memory_.covers(1));
-    const bool is_listed = may_help && search_remembered(found, samples);
+    const bool is_all_else_apart = may_help && search_remembered(found, samples);
     for (const Sample& sample : samples) {
       trees_.for_each_kind([&](PairKind kind, const TreeView& a, const TreeView& b) {
-        if (!(is_listed && can_cross(kind))) search_sample(found, kind, a, b, sample);
+        if (!(is_all_else_apart && can_cross(kind))) search_sample(found, kind, a, b, sample);
       });
       learn(found);
     }
@@ -214,6 +217,7 @@ class TamisEngine final : public Engine, public RestEngine {
 
   void collect(Statistics& statistics, double seconds) {
     pipelines_.counts().report(statistics, seconds, !trees_.motion().separations.any());
+    statistics.nodes_visited += nodes_ahead_;
     statistics.isa = kernels_.isa;
   }
 
@@ -223,8 +227,9 @@ class TamisEngine final : public Engine, public RestEngine {
   FeatureTrees trees_;
   PairsAhead ahead_;
   GapMemory memory_;
-  float t_limit_ = 1;            ///< nothing later in this question's step is of interest
-  double moved_ = 0, size_ = 0;  ///< sums of some edges' displacements and lengths
+  float t_limit_ = 1;              ///< nothing later in this question's step is of interest
+  double moved_ = 0, size_ = 0;    ///< sums of some edges' displacements and lengths
+  std::uint64_t nodes_ahead_ = 0;  ///< visited to list pairs, in this question
   Pipelines pipelines_;
   NearSearch near_;
   IntersectionSearch intersections_;

@@ -16,7 +16,7 @@ class FeatureTrees {
   FeatureTrees(const FeatureTrees&) = delete;
   FeatureTrees& operator=(const FeatureTrees&) = delete;
 
-  /// Boxes at t=0 and t=1, in the old order, or in a new one where that has become poor. Adds seconds and `rebuilt`.
+  /// Boxes at t=0 and t=1, in the old order, or in a new one where that has become poor. Says seconds and `rebuilt`.
   void update(const Step& step, const Separations& separations, Statistics& statistics);
 
   /// The same in the old order, whatever the step. REQUIRES: update() before.

@@ -2,19 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace tamis {
-namespace {
-
-constexpr double kTooFar = std::numeric_limits<double>::infinity();
-
-}  // namespace
-
 void Forecast::make(const Step& step, std::span<const Index> vertices, double steps) {
   vertices_ = vertices;
-  from_.resize(static_cast<std::size_t>(step.start.count()));
-  to_.resize(from_.size());
+  to_.resize(static_cast<std::size_t>(step.start.count()));
+  from_.resize(to_.size());  // the last: it says that this is made
   for (const Index vertex : vertices) {
     const auto v = static_cast<std::size_t>(vertex);
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -24,10 +17,13 @@ void Forecast::make(const Step& step, std::span<const Index> vertices, double st
   }
 }
 
-Forecast::Fit Forecast::fit(const Step& step, double most) const {
+std::optional<Forecast::Fit> Forecast::fit(const Step& step, double most) const {
   const double start = nearest_time(step.start), end = nearest_time(step.end);
-  if (!(start <= end)) return {start, end, kTooFar};
-  return {start, end, std::max(stray(step.start, start, most), stray(step.end, end, most))};
+  if (!(start <= end)) return {};
+  const auto at_start = stray(step.start, start, most);
+  const auto at_end = at_start ? stray(step.end, end, most) : std::nullopt;
+  if (!at_end) return {};
+  return Fit{start, end, std::max(*at_start, *at_end)};
 }
 
 /// By least squares, of some vertices.
@@ -46,7 +42,7 @@ double Forecast::nearest_time(const Positions& positions) const {
 }
 
 /// Sums of the axes, which are no less than distances; rounding is below 2^-49 of the coordinates.
-double Forecast::stray(const Positions& positions, double t, double most) const {
+std::optional<double> Forecast::stray(const Positions& positions, double t, double most) const {
   double largest = 0;
   for (const Index vertex : vertices_) {
     const auto v = static_cast<std::size_t>(vertex);
@@ -55,7 +51,7 @@ double Forecast::stray(const Positions& positions, double t, double most) const 
       const double a = from_[v][axis], b = to_[v][axis], x = positions[vertex][axis];
       off += std::fabs(x - (a + t * (b - a))) + 0x1p-49 * (std::fabs(a) + std::fabs(b) + std::fabs(x));
     }
-    if (!(off <= most)) return kTooFar;
+    if (!(off <= most) || std::isinf(off)) return {};
     largest = std::max(largest, off);
   }
   return largest;

@@ -1,5 +1,6 @@
 // Where vertices will be if they go on as they do.
 #pragma once
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -19,15 +20,15 @@ class Forecast {
   void make(const Step& step, std::span<const Index> vertices, double steps);
   void clear() { from_.clear(); }
   bool is_made() const { return !from_.empty(); }
-  /// Stray is infinite if it exceeds `most`, or if the step goes backwards. REQUIRES: is_made().
-  Fit fit(const Step& step, double most) const;
+  /// Nothing if stray exceeds `most`, or is not finite, or if the step goes backwards. REQUIRES: is_made().
+  std::optional<Fit> fit(const Step& step, double most) const;
   /// All of it; other vertices are anywhere.
   Step way() const { return {from_, to_}; }
   std::uint64_t memory_bytes() const { return (from_.capacity() + to_.capacity()) * sizeof(Point); }
 
  private:
   double nearest_time(const Positions& positions) const;
-  double stray(const Positions& positions, double t, double most) const;
+  std::optional<double> stray(const Positions& positions, double t, double most) const;
 
   std::span<const Index> vertices_;
   std::vector<Point> from_, to_;  ///< by vertex

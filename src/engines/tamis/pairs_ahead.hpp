@@ -9,37 +9,39 @@
 
 namespace tamis {
 
-/// Bounded memory: at most twice kMostListed pairs a leaf block of sixteen features, 24 bytes each, and positions. For
-/// exact answers alone: which pairs doubles leave unresolved may not depend on what was listed.
+/// Bounded memory: kMostListed pairs a leaf block of sixteen features, 24 bytes each, with room to grow to twice that;
+/// and positions. For exact answers alone: which pairs doubles leave unresolved may not depend on what was listed.
 class PairsAhead {
  public:
   /// Keeps references.
   PairsAhead(const Mesh& mesh, const Options& options);
 
-  /// A new question. True: all pairs that may touch are listed.
-  bool covers(const FoundContacts& asked);
-  /// Else: did the last question foresee this one, so that looking ahead promises to help the next ones? Then way() is
-  /// to be searched for what may touch though no vertex is farther than room() from there.
-  bool promises(const FoundContacts& asked);
-  Step way() const { return window_.way(); }
+  /// A new question. True: all pairs that may touch are listed, and when() the question is.
+  bool begin(const FoundContacts& asked);
+  /// Else: has the last question foreseen this one, so that lists promise to help the next ones? Then way() is to be
+  /// searched for pairs that may touch while every vertex is within room() of it, and they are listed by list_found(),
+  /// until complete() or give_up().
+  bool plan(const FoundContacts& asked);
+  Step way() const { return way_.way(); }
   double room() const { return room_; }
+  /// Where a mesh has so many leaf blocks.
+  static std::int64_t most_pairs(int leaf_blocks) { return kMostListed * leaf_blocks; }
   /// What one thread has found there since the last time.
-  void take(StagePipeline& pipeline);
-  /// False, and all is forgotten: that is too much for trees of so many leaf blocks.
-  bool has_room(int leaf_blocks);
-  /// Everything has been taken.
-  void end_list() { are_listed_ = true; }
-  /// When this question is, as part of the way.
+  void list_found(StagePipeline& pipeline);
+  void complete() { are_listed_ = true; }
+  /// There are too many.
+  void give_up();
+  /// This question, as part of the way.
   const TimeInterval<float>& when() const { return when_; }
   const PairList& list(PairKind kind) const { return lists_[static_cast<std::size_t>(kind)]; }
-  /// The question has been answered.
   void end(const FoundContacts& answered);
   std::uint64_t memory_bytes() const;
 
  private:
-  static constexpr std::size_t kMostListed = 256;
+  static constexpr std::int64_t kMostListed = 256;
 
   Step sample_of(const Step& step);
+  /// Says when, too.
   bool is_on_way(const Step& step);
   void forget();
   void learn();
@@ -48,13 +50,13 @@ class PairsAhead {
 
   const Mesh& mesh_;
   const Options& options_;
-  std::vector<Index> some_, places_;          ///< vertices in use; 0, 1, ...
-  std::vector<Point> some_start_, some_end_;  ///< of these vertices
-  Forecast next_;                             ///< by the last question, of some vertices
-  Forecast window_;                           ///< of the lists
-  double room_ = 0;                           ///< how far vertices may stray from it
-  double edge_ = 0;                           ///< mean length, once
-  double separation_ = 0;                     ///< in question when the lists were made
+  std::vector<Index> sample_, sample_numbers_;    ///< some vertices in use; 0, 1, ...
+  std::vector<Point> sample_start_, sample_end_;  ///< where they are in a step
+  Forecast next_;                                 ///< by the last question, of the sample
+  Forecast way_;                                  ///< that the lists are for, of all vertices in use
+  double room_ = 0;                               ///< how far vertices may stray from it
+  double edge_ = 0;                               ///< mean length, when last planned
+  double separation_ = 0;                         ///< in question when the lists were made
   TimeInterval<float> when_{};
   PairList lists_[kPairKinds];
   bool are_listed_ = false;

@@ -10,7 +10,7 @@
 namespace tamis {
 namespace {
 
-/// Of one kind of pairs; kinds that cannot cross have no use for the last two.
+/// Of one kind of pairs; kinds that cannot cross have no use for the last three.
 struct StageKernels {
   decltype(Kernels::search_vf) search;
   decltype(Kernels::slab_vf) slab;
@@ -74,7 +74,7 @@ StagePipeline::StagePipeline(StagePipeline&&) noexcept = default;
 
 void StagePipeline::begin(const FoundContacts& answer) {
   counts_ = {};
-  for (PairList& pairs : candidates_) pairs.clear();
+  for (PairList& pairs : candidates_) pairs = {};
   buffers_->boxes.count = 0;  // an exception may have left pairs of another question
   found_.begin_part_of(answer);
 }
@@ -122,7 +122,10 @@ void StagePipeline::search(PairKind kind, const PairList& pairs, std::size_t fir
   buffers_->kind = kind;
   constexpr std::size_t kSome = 256;
   for (; first < last && found_.wants(kind); first += kSome) {
-    if (static_cast<std::size_t>(buffers_->boxes.count) + kSome > PairBuffer::kCapacity) decide_buffered(kind);
+    if (static_cast<std::size_t>(buffers_->boxes.count) + kSome > PairBuffer::kCapacity) {
+      counts_.traverse += watch_.lap();
+      decide_buffered(kind);
+    }
     pairs.copy(first, std::min(last, first + kSome), when, t_limit, buffers_->boxes);
   }
   counts_.traverse += watch_.lap();
@@ -147,7 +150,9 @@ void StagePipeline::keep_buffered(PairKind kind) {
   stages.slab(motion_.box_vertices.data(), motion_.box_separation(), boxes, slab);
   const bool has_filter = can_cross(kind) && !found_.separations().any();
   if (has_filter) stages.filter_straying(motion_.vertices.data(), found_.stray(), slab, filtered);
-  candidates(kind).append(has_filter ? filtered : slab, vertex_count(kind));
+  const PairBuffer& left = has_filter ? filtered : slab;
+  candidates(kind).append(left, vertex_count(kind));
+  found_.count_candidates(left.count);
   boxes.count = 0;
 }
 

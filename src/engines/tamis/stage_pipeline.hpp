@@ -53,7 +53,7 @@ class StagePipeline {
               const TimeInterval<float>& when, float t_limit);
   /// Decides what is still in the buffers.
   void finish();
-  /// Of the question `candidates`: what the slab clip leaves.
+  /// Of the question `candidates`: what the slab clip leaves, and where only crossings count DNF.
   PairList& candidates(PairKind kind) { return candidates_[static_cast<std::size_t>(kind)]; }
   std::uint64_t memory_bytes() const;
 

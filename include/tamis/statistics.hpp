@@ -63,7 +63,7 @@ struct Statistics {
   std::vector<StageCount> stages;
   PrecisionCount decided_by;
   Seconds seconds;
-  std::uint64_t nodes_visited = 0;              ///< 0: all pairs had been listed ahead
+  std::uint64_t nodes_visited = 0;              ///< also to list pairs ahead; 0 where they had been
   std::uint64_t triangle_pairs = 0;             ///< that the hierarchy leaves; method `paper` only
   std::uint64_t triangles_in_free_patches = 0;  ///< by high-level culling; method `paper` only
   bool rebuilt = false;                         ///< the hierarchy was built, not refitted

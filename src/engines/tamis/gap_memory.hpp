@@ -68,7 +68,7 @@ class GapMemory {
   float reach_ = 0;        ///< of the lists
   float scale_ = 1;        ///< of gaps in this question's unit
   bool serves_ = false, follows_ = false;
-  bool starts_again_ = false;              ///< where the last question to the trees started: the next one will probably, too
+  bool starts_again_ = false;              ///< where the last question started: the next one will probably, too
   int asked_again_ = 0;                    ///< questions from one start that lists would have served; below 0: a pause
   std::atomic<std::size_t> unproven_ = 0;  ///< in this question
   std::size_t most_unproven_ = 0;          ///< before lists are worn; 0: not known yet

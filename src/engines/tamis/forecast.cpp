@@ -18,6 +18,7 @@ void Forecast::make(const Step& step, std::span<const Index> vertices, double st
 }
 
 std::optional<Forecast::Fit> Forecast::fit(const Step& step, double most) const {
+  if (from_.empty()) return {};
   const double start = nearest_time(step.start), end = nearest_time(step.end);
   if (!(start <= end)) return {};
   const auto at_start = stray(step.start, start, most);

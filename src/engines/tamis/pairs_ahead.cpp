@@ -62,7 +62,7 @@ bool PairsAhead::plan(const FoundContacts& asked) {
   if (are_listed_) learn();
   forget();
   const Step sample = sample_of(step);
-  const auto fit = next_.is_made() ? next_.fit(sample, std::numeric_limits<double>::max()) : std::nullopt;
+  const auto fit = next_.fit(sample, std::numeric_limits<double>::max());
   next_.make(sample, sample_numbers_, kFirstSteps);
   if (!fit || fit->start == 0 || (asked.question() == Question::is_free && is_soon_touching_)) return false;
   edge_ = mean_edge(mesh_, step.start);

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# check_clang.sh BUILD [TARGET]: TARGET, or everything, tests included, compiles with clang 14 without a warning; exit 77 where it is absent.
-# All sources of a target at once, so that two that have a name in common come to light. Not optimised: clang warns
-# before it optimises. The library is a shared one, which consumer.shared_library_from_readme installs.
+# check_clang.sh BUILD [TARGET]: TARGET, or everything, tests included, compiles with clang 14 without a warning; exit
+# 77 where it is absent. All sources of a target at once, so that two that have a name in common come to light. Not
+# optimised: clang warns before it optimises. The library is a shared one, which consumer.shared_library_from_readme installs.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 

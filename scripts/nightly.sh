@@ -5,7 +5,8 @@
 set -uo pipefail
 cd "$(dirname "$0")/.."
 
-export TAMIS_LONG=1 TAMIS_JOURNEYS=50  # a million contacts and a million triangles in the viewer; kept detectors against new ones
+export TAMIS_LONG=1       # the viewer's tests: a million contacts, a million triangles
+export TAMIS_JOURNEYS=50  # kept detectors against new ones, through every scene
 failed=()
 run() { echo "nightly: $*"; "$@" || failed+=("$*"); }
 run scripts/test.sh

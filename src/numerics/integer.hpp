@@ -1,6 +1,6 @@
 // Integers of any size by GMP, those up to 768 bits without the heap: an exact decision makes hundreds of them, and
-// with mpz_class half of its time went to malloc. Sums of what is below 2^126, and products of
-// single limbs, which most are, do not ask GMP.
+// with mpz_class half of its time went to malloc. Most are sums of what is below 2^126, or products of single limbs,
+// and do not ask GMP.
 #pragma once
 #include <gmp.h>
 

@@ -76,6 +76,7 @@ class TamisEngine final : public Engine, public RestEngine {
     nodes_ahead_ = 0;
     bool is_listed = ahead_.begin(found);
     if (!is_listed) {
+      // Also where lists are made, of another step: whether the order has become poor shows in questions alone.
       trees_.update(found.step(), found.separations(), statistics);
       if (!ahead_.plan(found)) return false;
       const Stopwatch watch;
@@ -103,7 +104,10 @@ class TamisEngine final : public Engine, public RestEngine {
     }
     nodes_ahead_ = pipelines_.counts().nodes_visited;
     const bool are_too_many = candidates.are_too_many();
-    are_too_many ? ahead_.give_up() : ahead_.complete();
+    if (are_too_many)
+      ahead_.give_up();
+    else
+      ahead_.complete();
     return !are_too_many;
   }
 
@@ -129,13 +133,13 @@ class TamisEngine final : public Engine, public RestEngine {
   /// The pairs that were listed ahead.
   void search_lists(FoundContacts& found, std::span<const Sample> samples) {
     t_limit_ = 1;
-    constexpr std::size_t kPart = 1024;
+    constexpr std::size_t kPart = 1024, kGrain = 8;
     for (const Sample& sample : samples) {
       trees_.for_each_kind([&](PairKind kind, const TreeView&, const TreeView&) {
         const PairList& pairs = ahead_.list(kind);
         const int parts = static_cast<int>((pairs.size() + kPart - 1) / kPart);
         pipelines_.for_each_part(
-            found, kind, count_in(sample, parts), 8, [&](StagePipeline& pipeline, int begin, int end) {
+            found, kind, count_in(sample, parts), kGrain, [&](StagePipeline& pipeline, int begin, int end) {
               for (int i = begin; i < end; ++i) {
                 const auto first = static_cast<std::size_t>(sample.first + i * sample.stride) * kPart;
                 pipeline.search(kind, pairs, first, std::min(first + kPart, pairs.size()), ahead_.when(), t_limit_);

@@ -29,7 +29,6 @@ std::optional<Forecast::Fit> Forecast::fit(const Step& step, double most) const 
 
 /// By least squares, of some vertices.
 double Forecast::nearest_time(const Positions& positions) const {
-  constexpr std::size_t kSample = 512;
   double along = 0, all = 0;
   for (std::size_t i = 0; i < vertices_.size(); i += 1 + vertices_.size() / kSample) {
     const auto v = static_cast<std::size_t>(vertices_[i]);
@@ -42,7 +41,7 @@ double Forecast::nearest_time(const Positions& positions) const {
   return all > 0 ? std::clamp(along / all, 0.0, 1.0) : 0;
 }
 
-/// Sums of the axes, which are no less than distances; rounding is below 2^-49 of the coordinates.
+/// Sums of the axes, which are no less than distances. Rounding (docs/numerics.md: "Pairs listed ahead"): 2^-49.
 std::optional<double> Forecast::stray(const Positions& positions, double t, double most) const {
   double largest = 0;
   for (const Index vertex : vertices_) {

@@ -10,6 +10,9 @@ namespace tamis {
 
 class Forecast {
  public:
+  /// Time is found by so many vertices.
+  static constexpr std::size_t kSample = 512;
+
   /// How a step goes along the way that was foreseen.
   struct Fit {
     double start, end;  ///< as parts of the way

@@ -18,9 +18,8 @@ constexpr double kLeastRoom = 0x1p-12, kMostRoom = 0x1p-4;
 constexpr int kWorthIt = 2, kFirstPause = 2, kLongestPause = 64;
 
 std::vector<Index> some_of(std::span<const Index> points) {
-  constexpr std::size_t kSample = 512;
   std::vector<Index> some;
-  for (std::size_t i = 0; i < points.size(); i += 1 + points.size() / kSample) some.push_back(points[i]);
+  for (std::size_t i = 0; i < points.size(); i += 1 + points.size() / Forecast::kSample) some.push_back(points[i]);
   return some;
 }
 

@@ -8,6 +8,15 @@
 #include "cli/printable.hpp"
 
 namespace tamis::cli {
+namespace {
+
+/// What became of the hierarchy. It stays as it was where all pairs had been listed ahead, and in method `brute`.
+const char* tree_of(const SequenceStep& step) {
+  if (step.rebuilt) return "built";
+  return step.seconds.build > 0 ? "refitted" : "unused";
+}
+
+}  // namespace
 
 SequenceTable::SequenceTable(std::vector<std::filesystem::path> frames, int substeps, bool json)
     : frames_(std::move(frames)), substeps_(substeps), json_(json) {
@@ -50,7 +59,7 @@ void SequenceTable::print_row(const SequenceStep& step) const {
              printable(frames_[step.end].filename().string()) + part_of(step.part), width_, grouped(tally.vf),
              grouped(tally.ee), grouped(tally.unresolved),
              tally.is_free() ? std::string("end") : no_later(tally.toi_lower), readable(step.seconds.total),
-             step.rebuilt ? "built" : "refitted");
+             tree_of(step));
   std::fflush(stdout);
 }
 

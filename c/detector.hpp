@@ -1,6 +1,5 @@
 // The handle of a detector, and what all calls with it share.
 #pragma once
-#include <atomic>
 #include <optional>
 #include <string>
 #include <vector>
@@ -9,11 +8,12 @@
 #include "c/sized.hpp"
 #include "c/step.hpp"
 #include "tamis/detector.hpp"
+#include "tamis/turn.hpp"
 
 struct tamis_detector {
   tamis::c::Outcome outcome;
   std::optional<tamis::Detector> detector;  ///< none if it could not be made
-  std::atomic_flag is_asking;
+  std::atomic_flag is_asked;
   std::vector<tamis::Contact> contacts;            ///< of the last question about a step
   std::vector<tamis::NearPair> near;               ///< of the last question for them
   std::vector<tamis::Intersection> intersections;  ///< the same
@@ -26,11 +26,13 @@ namespace tamis::c {
 template <class Work>
 tamis_status with(tamis_detector* handle, const Work& work) noexcept {
   if (!handle) return TAMIS_INVALID_ARGUMENT;
-  if (handle->is_asking.test_and_set(std::memory_order_acquire)) return TAMIS_BUSY;
-  const tamis_status status = handle->detector ? attempt(handle->outcome, [&] { work(*handle); })
-                                               : handle->outcome.status();  // it still says why it was not made
-  handle->is_asking.clear(std::memory_order_release);
-  return status;
+  try {
+    const Turn turn(handle->is_asked);
+    if (!handle->detector) return handle->outcome.status();  // it still says why it was not made
+    return attempt(handle->outcome, [&] { work(*handle); });
+  } catch (const Busy&) {
+    return TAMIS_BUSY;
+  }
 }
 
 /// Of one question; none: the detector's.

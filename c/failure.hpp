@@ -1,5 +1,7 @@
 // What every handle has: the outcome of the last call with it, and the one place where exceptions become codes.
 #pragma once
+#include <array>
+#include <charconv>
 #include <new>
 #include <stdexcept>
 #include <string>
@@ -15,10 +17,11 @@ struct InvalidArgument : std::invalid_argument {
   using std::invalid_argument::invalid_argument;
 };
 
-/// A second question before the first has been answered.
-struct Busy : std::runtime_error {
-  Busy() : std::runtime_error("the detector is answering another question: give each thread a detector of its own") {}
-};
+/// As short as it can be so that it reads back as the same double.
+inline std::string text_of(double number) {
+  std::array<char, 32> text{};
+  return {text.data(), std::to_chars(text.data(), text.data() + text.size(), number).ptr};
+}
 
 class Outcome {
  public:
@@ -44,6 +47,9 @@ class Outcome {
   std::string message_;
 };
 
+inline constexpr const char* kOutOfMemory =
+    "out of memory: look at the counts that were given, or ask for less at once";
+
 /// The code and the sentence of the exception in flight.
 inline void record_exception(Outcome& outcome) noexcept {
   try {
@@ -63,7 +69,9 @@ inline void record_exception(Outcome& outcome) noexcept {
   } catch (const Cancelled& e) {
     outcome.fail(TAMIS_CANCELLED, e.what());
   } catch (const std::bad_alloc&) {
-    outcome.fail(TAMIS_OUT_OF_MEMORY, "out of memory");
+    outcome.fail(TAMIS_OUT_OF_MEMORY, kOutOfMemory);
+  } catch (const std::length_error&) {  // of a container that could never be so long
+    outcome.fail(TAMIS_OUT_OF_MEMORY, kOutOfMemory);
   } catch (const std::exception& e) {
     outcome.fail(TAMIS_FAILED, e.what());
   } catch (...) {

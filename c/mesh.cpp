@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "c/kind.hpp"
 #include "c/sized.hpp"
 #include "tamis/contact.hpp"
 
@@ -37,10 +38,23 @@ const int32_t* first_index(std::span<const Row> rows, std::size_t* count) {
   return rows.empty() ? nullptr : reinterpret_cast<const int32_t*>(rows.data());
 }
 
-PairKind known_kind(int32_t kind) {
-  if (kind < TAMIS_VERTEX_FACE || kind > TAMIS_VERTEX_VERTEX)
-    throw InvalidArgument("no kind has the number " + std::to_string(kind) + ": give TAMIS_VERTEX_FACE, ...");
-  return static_cast<PairKind>(kind);
+/// Runs `work(mesh)`, unless it could not be made: then the handle still says why.
+template <class Work>
+tamis_status with_mesh(tamis_mesh* handle, const Work& work) noexcept {
+  if (!handle) return TAMIS_INVALID_ARGUMENT;
+  if (!handle->mesh) return handle->outcome.status();
+  return attempt(handle->outcome, [&] { work(*handle->mesh); });
+}
+
+/// Writes the place of each row, as `place_of` finds it.
+template <class Row, class PlaceOf>
+tamis_status find(tamis_mesh* handle, const int32_t* indices, std::size_t count, int32_t* places,
+                  const PlaceOf& place_of) noexcept {
+  return with_mesh(handle, [&](const Mesh& mesh) {
+    const std::vector<Row> asked = rows<Row>(indices, count, "rows");
+    if (count > 0) required(places, "places");
+    std::transform(asked.begin(), asked.end(), places, [&](const Row& row) { return place_of(mesh, row); });
+  });
 }
 
 }  // namespace
@@ -66,14 +80,23 @@ const int32_t* tamis_mesh_points(const tamis_mesh* mesh, size_t* count) {
 
 tamis_status tamis_mesh_features_of(tamis_mesh* mesh, int32_t kind, const int32_t* vertices, int32_t* first,
                                     int32_t* second) {
-  if (!mesh) return TAMIS_INVALID_ARGUMENT;
-  if (!mesh->mesh) return mesh->outcome.status();  // it still says why it was not made
-  return attempt(mesh->outcome, [&] {
+  return with_mesh(mesh, [&](const tamis::Mesh& made) {
     std::array<tamis::Index, 4> given;
     std::copy_n(&required(vertices, "vertices"), 4, given.begin());
     int32_t &one = required(first, "first"), &other = required(second, "second");
-    const tamis::FeaturePair pair = features_of(*mesh->mesh, known_kind(kind), given);
+    const tamis::FeaturePair pair = features_of(made, known_kind(kind), given);
     one = pair.first;
     other = pair.second;
   });
+}
+
+tamis_status tamis_mesh_find_edges(tamis_mesh* mesh, const int32_t* edges, size_t count, int32_t* places) {
+  return find<tamis::Edge>(mesh, edges, count, places, [](const tamis::Mesh& made, const tamis::Edge& edge) {
+    return made.find_edge(edge[0], edge[1]);
+  });
+}
+
+tamis_status tamis_mesh_find_faces(tamis_mesh* mesh, const int32_t* faces, size_t count, int32_t* places) {
+  return find<tamis::Face>(mesh, faces, count, places,
+                           [](const tamis::Mesh& made, const tamis::Face& face) { return made.find_face(face); });
 }

@@ -26,28 +26,31 @@ PairFilter filter_of(const tamis_options& given, Index vertex_count) {
 
 }  // namespace
 
+std::function<bool()> cancelling(int (*ask)(void* user), void* user) {
+  if (!ask) return nullptr;
+  return [ask, user] { return ask(user) != 0; };
+}
+
 Options options_of(const tamis_options& given, Index vertex_count) {
   Options options;
   if (given.method) choose_method(options, given.method);
-  if (given.guarantee) options.guarantee = guarantee_from_name(given.guarantee);
   if (given.isa) options.isa = isa_from_name(given.isa);
   if (given.bounding_volume) options.paper.bounding_volume = bounding_volume_from_name(given.bounding_volume);
   options.threads = given.threads;
   options.min_separation = given.min_separation;
   options.filter = filter_of(given, vertex_count);
   if (given.thickness) options.thickness.assign(given.thickness, given.thickness + options.filter.group_count);
-  if (given.is_cancelled)
-    options.is_cancelled = [ask = given.is_cancelled, user = given.user] { return ask(user) != 0; };
+  options.is_cancelled = cancelling(given.is_cancelled, given.user);
   return options;
 }
 
 PairListOptions options_of(const tamis_pair_options& given) {
   PairListOptions options;
-  if (given.guarantee) options.guarantee = guarantee_from_name(given.guarantee);
   options.min_separation = given.min_separation;
   options.threads = given.threads;
   if (given.isa) options.isa = isa_from_name(given.isa);
   if (given.latest) options.latest = *given.latest;
+  options.is_cancelled = cancelling(given.is_cancelled, given.user);
   return options;
 }
 

@@ -42,8 +42,8 @@ tamis_status tamis_pair_keep_distance(tamis_pairs* pairs, const tamis_pair* pair
   return ask(pairs, [&](tamis_pairs& handle) {
     write_sized(tamis_safe_step{}, answer, "answer");  // refused before the work
     const tamis_step given = read_sized(step, "step");
-    const auto& [guarantee, separation, latest, threads, isa, is_cancelled] = handle.options;
-    const tamis::PairOptions options{guarantee, given.min_separation ? *given.min_separation : separation, latest};
+    const auto& [separation, latest, threads, isa, is_cancelled] = handle.options;
+    const tamis::PairOptions options{given.min_separation ? *given.min_separation : separation, latest};
     const tamis::Pair asked = pair_of(required(pair, "pair"));
     write_sized(answer_of(tamis::keep_distance(asked, step_of(given), fraction, options)), answer, "answer");
   });

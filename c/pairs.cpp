@@ -18,6 +18,7 @@ template <PairKind kind, std::size_t corners>
 tamis_status ask_about(tamis_pairs* pairs, std::size_t count, const double* start, const double* end,
                        tamis_pair_result* results, std::size_t result_size) noexcept {
   return ask(pairs, [&](tamis_pairs& handle) {
+    check_count(count, "count");
     std::vector<PairResult> answers(count);
     narrow_phase(kind, points_of(start, corners * count, "start"), points_of(end, corners * count, "end"), answers,
                  handle.options);

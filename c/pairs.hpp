@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "c/failure.hpp"
+#include "c/sized.hpp"
 #include "tamis/pair.hpp"
 
 struct tamis_pairs {
@@ -31,6 +31,7 @@ inline Pair pair_of(const tamis_pair& given) {
 }
 
 inline std::vector<Pair> list_of(const tamis_pair* list, std::size_t count) {
+  check_count(count, "count");
   std::vector<Pair> pairs(count);
   if (count > 0) std::transform(&required(list, "list"), list + count, pairs.begin(), pair_of);
   return pairs;

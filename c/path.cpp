@@ -1,6 +1,8 @@
 // Paths are made: ready-made ones, and those that the caller's functions describe.
 #include "c/path.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -17,6 +19,13 @@ Pose pose_of(const tamis_pose& pose) { return {point_of(pose.position), point_of
 tamis_pose to_c(const Pose& pose) {
   const Point &p = pose.position, &r = pose.rotation;
   return {{p[0], p[1], p[2]}, {r[0], r[1], r[2]}};
+}
+
+bool is_finite(const Pose& pose) {
+  const auto all_finite = [](const Point& p) {
+    return std::all_of(p.begin(), p.end(), [](double x) { return std::isfinite(x); });
+  };
+  return all_finite(pose.position) && all_finite(pose.rotation);
 }
 
 std::size_t vertices(int32_t count) {
@@ -38,12 +47,16 @@ std::vector<Point> points(const double* coordinates, std::size_t count, const ch
 }
 
 std::vector<Chain> chains_of(const tamis_rigid_path_input& input) {
+  check_count(input.body_count, "body_count");
   const std::size_t* counts = array(input.links_of_body, input.body_count, "links_of_body");
   std::vector<Chain> chains(input.body_count);
   const tamis_link* link = input.links;
-  for (std::size_t body = 0; body < input.body_count; ++body)
+  for (std::size_t body = 0; body < input.body_count; ++body) {
+    check_count(counts[body], "an entry of links_of_body");
+    chains[body].reserve(counts[body]);
     for (std::size_t i = 0; i < counts[body]; ++i, ++link)
       chains[body].push_back({pose_of(required(link, "links").start), pose_of(link->end)});
+  }
   return chains;
 }
 
@@ -55,7 +68,9 @@ RigidPath rigid_path_of(const tamis_rigid_path_input& input) {
 
 std::vector<std::vector<Point>> frames_of(const tamis_spline_path_input& input) {
   const std::size_t count = vertices(input.vertex_count);
+  check_count(input.frame_count, "frame_count");
   std::vector<std::vector<Point>> frames;
+  frames.reserve(input.frame_count);
   for (std::size_t i = 0; i < input.frame_count; ++i)
     frames.push_back(points(array(input.frames, count, "frames") + 3 * count * i, count, "frames"));
   return frames;
@@ -96,7 +111,11 @@ tamis_status write_chain(tamis_link* links, const Make& make) noexcept {
   Outcome outcome;
   return attempt(outcome, [&] {
     tamis_link* to = &required(links, "links");
-    for (const Link& link : make()) *to++ = {to_c(link.start), to_c(link.end)};
+    for (const Link& link : make()) {
+      if (!is_finite(link.start) || !is_finite(link.end))
+        throw InvalidPath("a pose or a turn is not finite: give finite numbers");
+      *to++ = {to_c(link.start), to_c(link.end)};
+    }
   });
 }
 

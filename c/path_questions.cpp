@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "c/detector.hpp"
+#include "c/options.hpp"
 #include "c/pair_results.hpp"
 #include "c/path.hpp"
 
@@ -51,8 +52,11 @@ tamis_status ask_all(tamis_path* handle, const tamis_path_options* options, cons
                      tamis_pair_result* results, std::size_t result_size, Ask<corners> ask) noexcept {
   return with_path(handle, [&](const Path& path) {
     const tamis_path_options given = options_of(options);
-    const PathOptions chosen{separation(given.min_separation).value_or(0), given.tolerance};
+    const PathOptions chosen{separation(given.min_separation).value_or(0), given.tolerance,
+                             cancelling(given.is_cancelled, given.user)};
+    check_count(count, "count");
     std::vector<PairResult> answers;
+    answers.reserve(count);
     for (std::size_t i = 0; i < count; ++i) {
       std::array<Index, corners> pair;
       std::copy_n(&required(vertices, "vertices") + corners * i, corners, pair.begin());
@@ -94,8 +98,7 @@ tamis_status tamis_detector_is_free_on_path(tamis_detector* detector, const tami
 
 tamis_status tamis_path_points_at(tamis_path* path, double time, double* points) {
   return with_path(path, [&](const tamis::Path& p) {
-    if (!(time >= 0 && time <= 1))
-      throw InvalidArgument("the time is " + std::to_string(time) + ": give a number in [0, 1]");
+    if (!(time >= 0 && time <= 1)) throw InvalidArgument("the time is " + text_of(time) + ": give a number in [0, 1]");
     std::vector<tamis::Index> vertices(static_cast<std::size_t>(p.vertex_count()));
     std::iota(vertices.begin(), vertices.end(), 0);
     std::vector<tamis::Point> answer(vertices.size());

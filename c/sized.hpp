@@ -13,9 +13,18 @@
 
 namespace tamis::c {
 
+/// No struct grows beyond this: what is larger was never set.
+inline constexpr std::size_t kMostBytes = 1U << 16U;
+
 inline void check_size(std::size_t size, std::size_t least, const char* name) {
-  if (size < least)
+  if (size < least || size > kMostBytes)
     throw InvalidArgument(std::string(name) + " has the size " + std::to_string(size) + ": set it to sizeof");
+}
+
+/// More rows than any address space holds: a negative number, or one that was never set. Refused before one is read.
+inline void check_count(std::size_t count, const char* name) {
+  if (count >> 48U != 0)
+    throw InvalidArgument(std::string(name) + " is " + std::to_string(count) + ": give a number of rows below 2^48");
 }
 
 /// What the library knows of a caller's struct; what the caller does not know of is zero.

@@ -1,14 +1,22 @@
 // Positions as C gives them.
 #pragma once
+#include <limits>
+#include <string>
+
 #include "c/failure.hpp"
 #include "tamis/step.hpp"
 
 namespace tamis::c {
 
 inline Positions positions(const double* rows, Index count, std::ptrdiff_t stride, const char* name) {
+  if (count < 0) throw InvalidStep("vertex_count is " + std::to_string(count) + ": give a number of rows, >= 0");
   if (stride != 0 && stride < 3)
     throw InvalidArgument(std::string(name) + "_stride is " + std::to_string(stride) +
                           ": give the doubles from one row to the next, at least 3, or 0");
+  if (count > 0 && stride > std::numeric_limits<std::ptrdiff_t>::max() / 8 / count)
+    throw InvalidArgument(std::string(name) + "_stride is " + std::to_string(stride) + ", and there are " +
+                          std::to_string(count) +
+                          " rows: no memory is so large; give the doubles from one to the next");
   return {count > 0 ? &required(rows, name) : rows, count, stride == 0 ? 3 : stride};
 }
 

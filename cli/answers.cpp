@@ -7,13 +7,7 @@
 namespace tamis::cli {
 namespace {
 
-void print_bracket(double toi_lower, double toi_upper, bool is_certified) {
-  if (!is_certified) {
-    fmt::print(
-        "first contact   free before {}, proven; then a pair that doubles cannot decide (--guarantee exact can)\n",
-        toi_lower);
-    return;
-  }
+void print_bracket(double toi_lower, double toi_upper) {
   fmt::print("first contact   at {:.12g} of the step; free before {}, proven; bracket {:.1e} wide\n", toi_upper,
              toi_lower, toi_upper - toi_lower);
 }
@@ -44,8 +38,8 @@ void print_limit(const SafeStep& safe, double fraction, const std::string& dista
 
 void print_contact(const Contact& c) {
   print_between(c.kind, c.vertices);
-  fmt::print(", u = {:.6g}, v = {:.6g}, normal ({:.6g}, {:.6g}, {:.6g}), {}\n", c.u, c.v, c.normal[0], c.normal[1],
-             c.normal[2], c.certainty == Certainty::certified ? "certified" : "unresolved");
+  fmt::print(", u = {:.6g}, v = {:.6g}, normal ({:.6g}, {:.6g}, {:.6g})\n", c.u, c.v, c.normal[0], c.normal[1],
+             c.normal[2]);
 }
 
 }  // namespace
@@ -54,12 +48,11 @@ void print_tally(const Tally& tally) {
   const std::string loose =
       tally.ve + tally.vv > 0 ? fmt::format(", {} vertex-edge, {} vertex-vertex", grouped(tally.ve), grouped(tally.vv))
                               : "";
-  fmt::print("contacts        {} vertex-face, {} edge-edge{}, of these {} unresolved\n", grouped(tally.vf),
-             grouped(tally.ee), loose, grouped(tally.unresolved));
+  fmt::print("contacts        {} vertex-face, {} edge-edge{}\n", grouped(tally.vf), grouped(tally.ee), loose);
   if (tally.is_free())
     fmt::print("first contact   none: the step is free, proven\n");
   else
-    print_bracket(tally.toi_lower, tally.toi_upper, tally.unresolved < tally.contacts());
+    print_bracket(tally.toi_lower, tally.toi_upper);
 }
 
 void add_tally(Json& json, const Tally& tally) {
@@ -72,8 +65,7 @@ void print_earliest(const EarliestContact& first) {
     fmt::print("first contact   none: the whole step is free, proven\n");
     return;
   }
-  print_bracket(first.toi_lower, first.toi_upper,
-                first.toi_upper < 1 || first.contact->certainty == Certainty::certified);
+  print_bracket(first.toi_lower, first.toi_upper);
   print_contact(*first.contact);
 }
 
@@ -101,9 +93,11 @@ void add_safe_step(Json& json, const SafeStep& safe, double fraction) {
   json["pair"] = safe.pair ? json_of(*safe.pair) : Json();
 }
 
-void print_free(bool is_free) {
-  fmt::print("{}\n", is_free ? "free            no contact during the step, proven"
-                             : "not free        there is a contact ('tamis step' tells where)");
+void print_free(bool is_free, const std::string& during) {
+  if (is_free)
+    fmt::print("free            no contact during {}, proven\n", during);
+  else
+    fmt::print("not free        there is a contact ('tamis step' tells where)\n");
 }
 
 }  // namespace tamis::cli

@@ -15,6 +15,7 @@ void add_earliest(Json& json, const EarliestContact& first);
 void print_safe_step(const SafeStep& safe, double fraction, double min_separation);
 void add_safe_step(Json& json, const SafeStep& safe, double fraction);
 
-void print_free(bool is_free);
+/// `during`: "the step".
+void print_free(bool is_free, const std::string& during);
 
 }  // namespace tamis::cli

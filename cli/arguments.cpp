@@ -20,7 +20,6 @@ void require_one_each(std::size_t radii, Index objects) {
 
 void DetectorArguments::declare(OptionList& options) {
   declare_means(options);
-  declare_guarantee(options, guarantee_);
   declare_min_separation(options, min_separation_);
   declare_thickness(options, "contact then means a distance <= the sum of both radii and the minimum separation");
 }
@@ -48,7 +47,6 @@ Options DetectorArguments::chosen() const {
   Options options;
   choose_method(options, method_);
   options.paper.bounding_volume = bounding_volume_from_name(bounding_volume_);
-  options.guarantee = guarantee_from_name(guarantee_);
   options.isa = isa_from_name(isa_);
   options.threads = threads_;
   options.min_separation = min_separation_;
@@ -83,9 +81,11 @@ void ScaleArgument::declare(OptionList& options) {
 
 void KeepDistanceArgument::declare(OptionList& options) {
   option_ =
-      options.add_number("--keep-distance", "F", fraction_, {.least = 0, .most = 1, .takes_most = false},
-                         "how far the step may go so that every pair keeps at least F times its distance at START: the "
-                         "step length for the line search of a barrier method");
+      options
+          .add_number("--keep-distance", "F", fraction_, {.least = 0, .most = 1, .takes_most = false},
+                      "how far the step may go so that every pair keeps at least F times its distance at START: the "
+                      "step length for the line search of a barrier method; 0.1 if no number follows")
+          .standing_alone_for("0.1");
 }
 
 void declare_json(OptionList& options, bool& json) {
@@ -98,15 +98,6 @@ void declare_repeat(OptionList& options, int& repeat, const std::string& help) {
 
 Option declare_seed(OptionList& options, std::uint64_t& seed, const std::string& of) {
   return options.add_number("--seed", "S", seed, {}, "of " + of + "; default 1");
-}
-
-void declare_guarantee(OptionList& options, std::string& guarantee) {
-  options
-      .add_text(
-          "--guarantee", guarantee,
-          "what floating point cannot decide: exact (default) decides it by exact algebra, conservative reports it "
-          "as an unresolved contact")
-      .shown_as("NAME");
 }
 
 void declare_bounding_volume(OptionList& options, std::string& volume) {

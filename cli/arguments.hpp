@@ -17,7 +17,7 @@ inline constexpr NumberRange<int> kRunCounts{1, 1'000'000};
 class DetectorArguments {
  public:
   void declare(OptionList& options);
-  /// Only what a question at rest has, too: no guarantee, radius or separation concerns it.
+  /// Only what a question at rest has, too: no radius or separation concerns it.
   void declare_means(OptionList& options);
   /// `meaning`: of such a radius for the question.
   void declare_thickness(OptionList& options, const std::string& meaning);
@@ -34,7 +34,6 @@ class DetectorArguments {
   Options chosen() const;
 
   std::string method_ = "tamis";
-  std::string guarantee_ = "exact";
   std::string isa_ = "best";
   std::string bounding_volume_ = kDefaultBoundingVolume;
   int threads_ = 0;
@@ -68,7 +67,6 @@ void declare_json(OptionList& options, bool& json);
 void declare_repeat(OptionList& options, int& repeat, const std::string& help);
 /// `of` says what the seed is of.
 Option declare_seed(OptionList& options, std::uint64_t& seed, const std::string& of);
-void declare_guarantee(OptionList& options, std::string& guarantee);
 void declare_bounding_volume(OptionList& options, std::string& volume);
 void declare_min_separation(OptionList& options, double& distance);
 

@@ -191,7 +191,6 @@ Json row_of(const BenchmarkCase& step, double scale, const BenchmarkSetup& setup
            {"method", setup.method},
            {"bounding_volume",
             s.method == Method::paper ? name_of(setup.options.paper.bounding_volume) : std::string_view("own")},
-           {"guarantee", name_of(setup.options.guarantee)},
            {"isa", name_of(s.isa)},
            {"threads", s.threads},
            {"seconds_cold", result.cold.total},

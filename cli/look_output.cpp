@@ -10,39 +10,32 @@
 namespace tamis::cli {
 namespace {
 
-std::vector<io::Output> choices() {
-  std::vector<io::Output> all(io::outputs().begin(), io::outputs().end());
-  all.push_back(io::kPicture);
-  return all;
-}
-
 bool is_picture(const io::Output& output) { return output.write == nullptr; }
-
-/// Throws InvalidOptions.
-io::Output output_for(const std::string& path, const std::string& otherwise) {
-  const std::vector<io::Output> all = choices();
-  const io::Output* found = io::find_output(all, path);
-  if (!found) found = io::find_output(all, otherwise);
-  if (!found)
-    throw InvalidOptions(
-        fmt::format("--out {}: no output has this extension: give one of {}", printable(path), io::extensions(all)));
-  return *found;
-}
 
 }  // namespace
 
+std::vector<io::Output> LookOutput::choices() const {
+  std::vector<io::Output> all(io::outputs().begin(), io::outputs().end());
+  all.push_back(io::kPicture);
+  if (shown_ == Shown::pose) std::erase_if(all, [](const io::Output& output) { return !output.holds_pose; });
+  return all;
+}
+
 void LookOutput::declare(OptionList& options) {
   std::string help = fmt::format("the file to write: {}", io::extensions(choices()));
-  if (!otherwise_.empty()) help += "; csv if the extension is none of these";
+  if (without_ == io::NoExtension::is_first_format) help += "; csv if the name has no extension";
   if (!path_.empty()) help += fmt::format("; default {}", path_);
   declare_output(options, path_, help);
-  time_option_ = options.add_number("--time", "T", time_, NumberRange<double>{0, 1},
-                                    "of a picture: show this time of the step; default 0, the start");
+  if (shown_ == Shown::steps)
+    time_option_ = options.add_number("--time", "T", time_, NumberRange<double>{0, 1},
+                                      "of a picture: show this time of the step; default 0, the start");
   options.add_numbers("--from", "X", from_, NumberRange<double>{},
                       "of a picture: look from this direction, three numbers as in -1,0.5,2; y is up");
   options.add_numbers("--size", "N", size_, NumberRange<int>{16, 8192},
                       "of a picture: width and height in pixels; default 1280,720");
 }
+
+io::Output LookOutput::output() const { return io::output_for(path_, choices(), without_); }
 
 io::PictureOptions LookOutput::picture() const {
   io::PictureOptions options;
@@ -61,31 +54,48 @@ io::PictureOptions LookOutput::picture() const {
 }
 
 void LookOutput::check() const {
-  const bool draws = !path_.empty() && is_picture(output_for(path_, otherwise_));
+  const bool draws = !path_.empty() && is_picture(output());
   if (draws) {
     io::require_pictures();
     picture();
   } else if (time_option_.is_given() || !from_.empty() || !size_.empty()) {
-    throw InvalidOptions("--time, --from and --size are of pictures: give --out a name that ends in .png as well");
+    throw InvalidOptions(fmt::format("{}--from and --size are of pictures: give --out a name that ends in .png as well",
+                                     shown_ == Shown::steps ? "--time, " : ""));
   }
 }
 
 void LookOutput::require(const std::vector<std::filesystem::path>& inputs, std::size_t steps) const {
+  require_output(path_, inputs);
   check();
   if (path_.empty()) return;
-  if (steps > 1 && !output_for(path_, otherwise_).holds_sequence)
+  if (steps == 0 && !output().holds_pose)
+    throw InvalidOptions(
+        fmt::format("--out {}: such a file holds a step, not a single frame: name two frames, or write "
+                    "html, png or csv",
+                    printable(path_)));
+  if (steps > 1 && !output().holds_sequence)
     throw InvalidOptions(fmt::format("--out {}: such a file holds one step, not {}: name two frames, or write html",
                                      printable(path_), steps));
-  require_output(path_, inputs);
 }
 
 void LookOutput::write(const io::Recording& recording) const {
   if (path_.empty()) return;
-  const io::Output output = output_for(path_, otherwise_);
-  if (is_picture(output))
+  const io::Output chosen = output();
+  if (is_picture(chosen))
     io::write_picture(path_, recording, picture());
   else
-    output.write(path_, recording);
+    chosen.write(path_, recording);
+}
+
+io::Recording recording_of(const Detector& detector, const std::filesystem::path& name, std::vector<Point> positions,
+                           const std::vector<Intersection>& found) {
+  return {detector.mesh(),
+          detector.options(),
+          1,
+          {utf8_text(name.filename().string())},
+          {std::move(positions)},
+          {},
+          io::RecordedPose{found, detector.statistics().stages}};
 }
 
 }  // namespace tamis::cli

@@ -1,4 +1,4 @@
-// `--out` of the verbs that show contacts: tables, files to look at, pictures.
+// `--out` of the verbs that show contacts or intersections: tables, files to look at, pictures.
 #pragma once
 #include <filesystem>
 #include <string>
@@ -6,20 +6,25 @@
 
 #include "cli/option_list.hpp"
 #include "io/picture/picture.hpp"
+#include "io/view/outputs.hpp"
 
 namespace tamis::cli {
+
+enum class Shown { steps, pose };
 
 /// The file to write, and how a picture looks.
 class LookOutput {
  public:
-  /// `path`: by default, "" for none. `otherwise`: a name with the extension that stands for unknown ones; "": refused.
-  LookOutput(std::string path, std::string otherwise) : path_(std::move(path)), otherwise_(std::move(otherwise)) {}
+  /// `path`: by default, "" for none. `shown`: for a pose there are fewer formats, and no time.
+  LookOutput(std::string path, io::NoExtension without, Shown shown = Shown::steps)
+      : path_(std::move(path)), without_(without), shown_(shown) {}
 
   void declare(OptionList& options);
-  /// Before anything is read: throws InvalidOptions if no output has this extension, or none can be made, or an option
-  /// of pictures comes without one.
+  /// Before anything is read: throws io::FileError if no output has this extension, InvalidOptions if none can be made,
+  /// or an option of pictures comes without one.
   void check() const;
-  /// Before the work: throws as check() and require_output(), and if the output does not hold so many steps.
+  /// Before the work: throws as check() and require_output(), and if the output does not hold so many steps; none: a
+  /// pose.
   void require(const std::vector<std::filesystem::path>& inputs, std::size_t steps) const;
   /// Nothing if there is no output.
   void write(const io::Recording& recording) const;
@@ -27,14 +32,22 @@ class LookOutput {
   const std::string& path() const { return path_; }
 
  private:
+  std::vector<io::Output> choices() const;
+  /// REQUIRES: a path.
+  io::Output output() const;
   io::PictureOptions picture() const;
 
   std::string path_;
-  std::string otherwise_;
+  io::NoExtension without_;
+  Shown shown_;
   Option time_option_;
   double time_ = io::PictureOptions().time;
   std::vector<double> from_;  ///< as given
   std::vector<int> size_;     ///< as given
 };
+
+/// What is shown of a pose. Valid as long as the detector; it has just answered.
+io::Recording recording_of(const Detector& detector, const std::filesystem::path& name, std::vector<Point> positions,
+                           const std::vector<Intersection>& found);
 
 }  // namespace tamis::cli

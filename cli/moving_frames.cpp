@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "cli/messages.hpp"
 #include "cli/step_files.hpp"
 #include "io/error.hpp"
 #include "io/frames.hpp"
@@ -18,12 +19,12 @@ bool are_two_files(const std::vector<std::string>& names) {
 
 }  // namespace
 
-MovingFrames::MovingFrames(const std::vector<std::string>& names) {
+MovingFrames::MovingFrames(const std::vector<std::string>& names, std::size_t least) {
   if (are_two_files(names))
     paths_.assign(names.begin(), names.end());
   else
     paths_ = io::frame_files(names);
-  if (paths_.size() < 2)
+  if (paths_.size() < least)
     throw io::FileError(paths_.front().string(), "", "a single frame does not move: give two or more");
   first_ = read_with_notes(paths_.front());
 }
@@ -31,6 +32,9 @@ MovingFrames::MovingFrames(const std::vector<std::string>& names) {
 std::vector<Point> MovingFrames::read(std::size_t i) const {
   io::MeshFile frame = io::read_mesh(paths_[i]);
   io::require_same_mesh(first_, paths_.front().string(), frame, paths_[i].string());
+  for (const std::string& sentence : frame.notes)
+    if (std::find(first_.notes.begin(), first_.notes.end(), sentence) == first_.notes.end())
+      note(fmt::format("{}: {}", paths_[i].string(), sentence));
   return std::move(frame.positions);
 }
 

@@ -12,12 +12,13 @@ namespace tamis::cli {
 class MovingFrames {
  public:
   /// Files, folders and patterns, in natural order; two files stay in the order in which they are given. Reads the
-  /// first. Throws io::FileError if there are fewer than two.
-  explicit MovingFrames(const std::vector<std::string>& names);
+  /// first. Throws io::FileError if there are fewer than `least`.
+  explicit MovingFrames(const std::vector<std::string>& names, std::size_t least = 2);
 
   const std::vector<std::filesystem::path>& paths() const { return paths_; }
   const io::MeshFile& first() const { return first_; }
-  /// Reads frame i. Throws io::FileError unless it has the topology of the first.
+  /// Reads frame i. Says on stderr what its reader should know, unless it is what was said of the first. Throws
+  /// io::FileError unless it has the topology of the first.
   std::vector<Point> read(std::size_t i) const;
 
  private:

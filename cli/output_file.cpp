@@ -5,9 +5,7 @@
 #include <unistd.h>
 
 #include "io/atomic_file.hpp"
-#include "io/extension.hpp"
-#include "io/mesh_file.hpp"
-#include "io/view/outputs.hpp"
+#include "io/format.hpp"
 #include "tamis/error.hpp"
 
 namespace tamis::cli {
@@ -19,14 +17,6 @@ bool is_taken_by(int stream, const std::filesystem::path& output) {
   }, of_output{};
   return fstat(stream, &of_stream) == 0 && stat(output.c_str(), &of_output) == 0 && S_ISREG(of_stream.st_mode) &&
          of_stream.st_dev == of_output.st_dev && of_stream.st_ino == of_output.st_ino;
-}
-
-/// An extension that stands for no format promises none.
-bool promises_other_format(const std::filesystem::path& output, std::string_view extension) {
-  const std::string given = io::extension_of(output);
-  const bool is_known = io::find_output(io::outputs(), output) || io::find_output({&io::kPicture, 1}, output) ||
-                        io::is_mesh_name(output) || given == ".json";
-  return is_known && given != extension;
 }
 
 }  // namespace
@@ -46,9 +36,7 @@ void require_output(const std::filesystem::path& output, const std::vector<std::
     if (is_taken_by(stream, output))
       throw InvalidOptions(
           fmt::format("--out {} is where the answer or its notes go: give another name", output.string()));
-  if (!extension.empty() && promises_other_format(output, extension))
-    throw InvalidOptions(
-        fmt::format("--out {}: this verb writes {} alone: let the name end so", output.string(), extension));
+  if (!extension.empty()) io::format_of(output, {&extension, 1});
   io::require_writable(output);
 }
 

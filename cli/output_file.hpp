@@ -13,8 +13,8 @@ namespace tamis::cli {
 void declare_output(OptionList& options, std::string& path, const std::string& help);
 
 /// Before the work: throws InvalidOptions if `output` is one of the inputs, by whatever link or spelling, or the file
-/// that stdout or stderr goes to, or if its name promises another format than that of `extension` (if one is given);
-/// io::FileError if it cannot be written. An empty name, for no output, is fine.
+/// that stdout or stderr goes to; io::FileError if its name has another extension than the one given here ("csv", if
+/// any), or if it cannot be written. An empty name, for no output, is fine.
 void require_output(const std::filesystem::path& output, const std::vector<std::filesystem::path>& inputs,
                     std::string_view extension = {});
 

@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "cli/arguments.hpp"
-#include "cli/output_file.hpp"
 #include "cli/step_files.hpp"
 #include "cli/verb.hpp"
 
@@ -17,21 +16,17 @@ class PoseVerb : public Verb {
     detector_.declare_means(options);
     declare_repeat(options, repeat_, "ask N times, report the median time of the runs after the first; default 1");
     declare_json(options, json_);
-    declare_output(options, out_, what());
   }
 
  protected:
-  /// What is written to --out, and how.
-  virtual const char* what() const = 0;
-  /// Options and output are checked before any file is read.
+  /// Options are checked before any file is read.
   io::MeshFile read() const {
     detector_.check();
-    require_output(out_, {path_}, ".csv");
     return read_with_notes(path_);
   }
   Detector detector_for(Mesh mesh) const { return detector_.detector(std::move(mesh)); }
 
-  std::string path_, out_;
+  std::string path_;
   int repeat_ = 1;
   bool json_ = false;
 

@@ -19,8 +19,7 @@ Json json_of(const Contact& c) {
           {"toi_upper", c.toi_upper},
           {"u", c.u},
           {"v", c.v},
-          {"normal", c.normal},
-          {"status", c.certainty == Certainty::certified ? "certified" : "unresolved"}};
+          {"normal", c.normal}};
 }
 
 Json json_of(const LimitingPair& pair) {
@@ -33,13 +32,12 @@ void add_costs(Json& json, const Detector& detector, const Timing& timing) {
   json["seconds_cold"] = json_of(timing.cold);
   add_stages(json, statistics.stages);
   const PrecisionCount& p = statistics.decided_by;
-  json["decided_by"] = {{"lanes", p.lanes}, {"scalar", p.scalar}, {"exact", p.exact}, {"unresolved", p.unresolved}};
+  json["decided_by"] = {{"lanes", p.lanes}, {"scalar", p.scalar}, {"exact", p.exact}};
   json["nodes_visited"] = statistics.nodes_visited;
   json["peak_memory_bytes"] = peak_memory_bytes();
   json["detector_memory_bytes"] = statistics.memory_bytes;
   json["threads"] = statistics.threads;
   json["method"] = name_of(statistics.method);
-  json["guarantee"] = name_of(detector.options().guarantee);
   json["min_separation"] = detector.options().min_separation;
   json["thickness"] = detector.options().thickness;
   json["isa"] = name_of(statistics.isa);

@@ -1,6 +1,5 @@
 // The steps between frames of a sequence, asked one after the other.
 #pragma once
-#include <algorithm>
 #include <vector>
 
 #include "cli/moving_frames.hpp"
@@ -10,27 +9,44 @@
 
 namespace tamis::cli {
 
-/// Calls f(SequenceStep) for each step that ends at a frame in [first, last), 1 <= first, with one detector; each is
-/// cut into `substeps` equal ones and goes `scale` times as far.
+/// The frames in [first, last) at which steps end, 1 <= first; each step is cut into `substeps` equal ones, and goes
+/// `scale` times as far.
+struct StepRange {
+  std::size_t first, last;
+  int substeps = 1;
+  double scale = 1;
+};
+
+/// Calls f(end, part, step) for each, until it says false. `part` is counted from 1.
 template <class F>
-void ask_steps(Detector& detector, const MovingFrames& frames, std::size_t first, std::size_t last, int substeps,
-               double scale, const F& f) {
-  if (first >= last) return;
-  std::vector<Point> start = first == 1 ? frames.first().positions : frames.read(first - 1);
-  for (std::size_t i = first; i < last; ++i) {
+void for_each_step(const MovingFrames& frames, const StepRange& range, const F& f) {
+  if (range.first >= range.last) return;
+  std::vector<Point> start = range.first == 1 ? frames.first().positions : frames.read(range.first - 1);
+  for (std::size_t i = range.first; i < range.last; ++i) {
     std::vector<Point> end = frames.read(i);
     std::vector<Point> scaled = end;
-    io::scale_step(start, scaled, scale);
-    for (int part = 1; part <= substeps; ++part) {
+    io::scale_step(start, scaled, range.scale);
+    for (int part = 1; part <= range.substeps; ++part) {
       const auto at = [&](int n) {
-        return n == 0 ? start : n == substeps ? scaled : between(start, scaled, static_cast<double>(n) / substeps);
+        return n == 0                ? start
+               : n == range.substeps ? scaled
+                                     : between(start, scaled, static_cast<double>(n) / range.substeps);
       };
       const std::vector<Point> from = at(part - 1), to = at(part);
-      const Tally tally = tally_of(detector.contacts({from, to}));
-      f(SequenceStep{i, part, tally, detector.statistics().seconds, detector.statistics().rebuilt});
+      if (!f(i, part, Step{from, to})) return;
     }
     start = std::move(end);
   }
+}
+
+/// Calls f(SequenceStep) for each, with one detector.
+template <class F>
+void ask_steps(Detector& detector, const MovingFrames& frames, const StepRange& range, const F& f) {
+  for_each_step(frames, range, [&](std::size_t end, int part, const Step& step) {
+    const Tally tally = tally_of(detector.contacts(step));
+    f(SequenceStep{end, part, tally, detector.statistics().seconds, detector.statistics().rebuilt});
+    return true;
+  });
 }
 
 }  // namespace tamis::cli

@@ -33,8 +33,8 @@ std::string SequenceTable::part_of(int part) const {
 void SequenceTable::print_head(const Mesh& mesh) const {
   if (json_) return;
   print_mesh(mesh);
-  fmt::print("\n{:>5} {:<{}} {:>11} {:>11} {:>10} {:>14} {:>10}  {}\n", "step", "end", width_, "vertex-face",
-             "edge-edge", "unresolved", "free until", "time", "tree");
+  fmt::print("\n{:>5} {:<{}} {:>11} {:>11} {:>14} {:>10}  {}\n", "step", "end", width_, "vertex-face", "edge-edge",
+             "free until", "time", "tree");
 }
 
 void SequenceTable::add(const SequenceStep& step) {
@@ -55,32 +55,30 @@ void SequenceTable::add(const SequenceStep& step) {
 
 void SequenceTable::print_row(const SequenceStep& step) const {
   const Tally& tally = step.tally;
-  fmt::print("{:>5} {:<{}} {:>11} {:>11} {:>10} {:>14} {:>10}  {}\n", step.end,
+  fmt::print("{:>5} {:<{}} {:>11} {:>11} {:>14} {:>10}  {}\n", step.end,
              printable(frames_[step.end].filename().string()) + part_of(step.part), width_, grouped(tally.vf),
-             grouped(tally.ee), grouped(tally.unresolved),
-             tally.is_free() ? std::string("end") : no_later(tally.toi_lower), readable(step.seconds.total),
-             tree_of(step));
+             grouped(tally.ee), tally.is_free() ? std::string("end") : no_later(tally.toi_lower),
+             readable(step.seconds.total), tree_of(step));
   std::fflush(stdout);
 }
 
-void SequenceTable::print_totals(const Options& options, const Statistics& statistics) {
+void SequenceTable::print_totals(const Options& options, const Statistics& statistics, const StartCheck& start) {
   if (!json_) {
-    fmt::print("{:>5} {:<{}} {:>11} {:>11} {:>10} {:>14} {:>10}\n", "total", "", width_, grouped(total_.vf),
-               grouped(total_.ee), grouped(total_.unresolved), fmt::format("{}/{} free", free_steps_, steps_asked_),
-               readable(seconds_));
+    fmt::print("{:>5} {:<{}} {:>11} {:>11} {:>14} {:>10}\n", "total", "", width_, grouped(total_.vf),
+               grouped(total_.ee), fmt::format("{}/{} free", free_steps_, steps_asked_), readable(seconds_));
+    if (is_free()) start.print();
     return;
   }
-  print_json({{"steps", std::move(steps_)},
-              {"contacts", json_of(total_)},
-              {"free_steps", free_steps_},
-              {"seconds", {{"total", seconds_}}},
-              {"peak_memory_bytes", peak_memory_bytes()},
-              {"threads", statistics.threads},
-              {"method", name_of(statistics.method)},
-              {"guarantee", name_of(options.guarantee)},
-              {"min_separation", options.min_separation},
-              {"thickness", options.thickness},
-              {"isa", name_of(statistics.isa)}});
+  Json json{{"steps", std::move(steps_)}, {"contacts", json_of(total_)}, {"free_steps", free_steps_}};
+  start.add_to(json);
+  json.update({{"seconds", {{"total", seconds_}}},
+               {"peak_memory_bytes", peak_memory_bytes()},
+               {"threads", statistics.threads},
+               {"method", name_of(statistics.method)},
+               {"min_separation", options.min_separation},
+               {"thickness", options.thickness},
+               {"isa", name_of(statistics.isa)}});
+  print_json(json);
 }
 
 }  // namespace tamis::cli

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "cli/report.hpp"
+#include "cli/start_check.hpp"
 
 namespace tamis::cli {
 
@@ -24,7 +25,9 @@ class SequenceTable {
   void print_head(const Mesh& mesh) const;
   /// In order.
   void add(const SequenceStep& step);
-  void print_totals(const Options& options, const Statistics& statistics);
+  void print_totals(const Options& options, const Statistics& statistics, const StartCheck& start);
+  /// Every step that was added.
+  bool is_free() const { return free_steps_ == steps_asked_; }
 
  private:
   std::string part_of(int part) const;

@@ -11,6 +11,13 @@ struct Timing {
   Seconds cold;  ///< the first run: the hierarchy is built
   Seconds
       warm;  ///< of the later runs the one of median total, so that its parts add up; the first if it was the only one
+
+  /// Of another question.
+  Timing& operator+=(const Timing& other) {
+    cold += other.cold;
+    warm += other.warm;
+    return *this;
+  }
 };
 
 /// REQUIRES: repeat >= 1. The answer is that of the last run.

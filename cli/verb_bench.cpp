@@ -50,7 +50,6 @@ class Bench final : public Verb {
     declare_repeat(options, setup_.repeat, "questions to it that are timed; default 9");
     options.add_number("--substeps", "N", setup_.substeps, kRunCounts,
                        "equal parts of the step in mode substeps; default 20");
-    declare_guarantee(options, guarantee_);
     declare_min_separation(options, setup_.options.min_separation);
     seed_option_ = declare_seed(options, seed_, "the generated scene");
     declare_output(options, out_, "write the rows, as CSV");
@@ -100,7 +99,6 @@ class Bench final : public Verb {
 
   /// Everything that can be wrong, before the first second is spent.
   void check() {
-    setup_.options.guarantee = guarantee_from_name(guarantee_);
     for (const std::string& isa : isas_) isa_from_name(isa);
     for (const std::string& volume : volumes_) bounding_volume_from_name(volume);
     for (const std::string& method : methods_) {
@@ -114,7 +112,7 @@ class Bench final : public Verb {
       throw InvalidOptions("give either START and END or --scene");
     if (has_files && (triangles_option_.is_given() || seed_option_.is_given()))
       throw InvalidOptions("--triangles and --seed are of generated scenes: give --scene in place of START and END");
-    require_output(out_, {start_, end_}, ".csv");
+    require_output(out_, {start_, end_}, "csv");
   }
 
   static void require_known(const char* what, const std::vector<std::string>& names,
@@ -200,7 +198,6 @@ class Bench final : public Verb {
 
   BenchmarkSetup setup_;
   std::string start_, end_, scene_, out_;
-  std::string guarantee_ = "exact";
   std::vector<Index> triangles_{100000};
   std::vector<std::string> questions_ = benchmark_questions();
   std::vector<std::string> modes_{"warm"};

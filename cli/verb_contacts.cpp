@@ -20,7 +20,7 @@ class Contacts final : public StepVerb {
     return "  tamis contacts cloth1.ply cloth2.ply\n"
            "  tamis contacts cloth1.ply cloth2.ply --out contacts.csv\n"
            "  tamis contacts cloth1.ply cloth2.ply --out contacts.png --from -1,0.5,2\n"
-           "  tamis contacts cloth1.ply cloth2.ply --guarantee conservative --json\n"
+           "  tamis contacts cloth1.ply cloth2.ply --scale 0.5 --json\n"
            "  tamis contacts cloth1.ply cloth2.ply --min-separation 1e-3 --repeat 9";
   }
   void declare(OptionList& options) override {
@@ -63,7 +63,7 @@ class Contacts final : public StepVerb {
     print_costs(detector, timing, repeat_);
   }
 
-  LookOutput output_{"", "contacts.csv"};
+  LookOutput output_{"", io::NoExtension::is_first_format};
 };
 
 }  // namespace

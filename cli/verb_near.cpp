@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <memory>
 
+#include "cli/output_file.hpp"
 #include "cli/pose_verb.hpp"
 #include "cli/printable.hpp"
 #include "cli/report.hpp"
@@ -23,11 +24,13 @@ class Near final : public PoseVerb {
   }
   void declare(OptionList& options) override {
     PoseVerb::declare(options);
+    declare_output(options, out_, "write the pairs, as CSV");
     options.add_number("--distance", "D", distance_, kNotNegative, "in the unit of the mesh").required();
     detector_.declare_thickness(options, "a distance is then what is left of it beyond the sum of both radii");
   }
 
   int run() override {
+    require_output(out_, {path_}, "csv");
     io::MeshFile file = read();
     const std::vector<Point> positions = file.positions;
     Detector detector = detector_for(io::mesh_of(std::move(file)));
@@ -39,8 +42,6 @@ class Near final : public PoseVerb {
   }
 
  private:
-  const char* what() const override { return "write the pairs, as CSV: kind,v0,v1,v2,v3,distance,u,v"; }
-
   void report(const std::vector<NearPair>& pairs, const Detector& detector, const Timing& timing) const {
     std::size_t counts[4] = {};
     for (const NearPair& pair : pairs) ++counts[static_cast<std::size_t>(pair.kind)];
@@ -61,6 +62,7 @@ class Near final : public PoseVerb {
     print_costs(detector, timing, repeat_);
   }
 
+  std::string out_;
   double distance_ = 0;
 };
 

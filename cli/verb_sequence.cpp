@@ -4,6 +4,7 @@
 #include "cli/progress.hpp"
 #include "cli/sequence_steps.hpp"
 #include "cli/sequence_verb.hpp"
+#include "cli/start_check.hpp"
 
 namespace tamis::cli {
 namespace {
@@ -11,7 +12,9 @@ namespace {
 class Sequence final : public SequenceVerb {
  public:
   const char* name() const override { return "sequence"; }
-  const char* summary() const override { return "Contacts of each consecutive pair of frames"; }
+  const char* summary() const override {
+    return "Contacts of each consecutive pair of frames. Exit code 0: every step is free, 1: contact, 2: error";
+  }
   const char* examples() const override {
     return "  tamis sequence frames/\n"
            "  tamis sequence 'frames/cloth*.ply' --threads 1\n"
@@ -19,22 +22,31 @@ class Sequence final : public SequenceVerb {
            "  tamis sequence frames/ --substeps 20";
   }
 
+  void declare(OptionList& options) override {
+    SequenceVerb::declare(options);
+    start_.declare(options);
+  }
+
   int run() override {
     check();
     const MovingFrames frames(names_);
     Detector detector = detector_for(io::mesh_of(frames.first()));
+    if (!start_.passes(detector, frames.first().positions)) return start_.refuse(detector, json_, Json::object());
     SequenceTable table(frames.paths(), substeps_, json_);
     table.print_head(detector.mesh());
     Progress progress(frames.paths().size() - 1, "steps");
-    ask_steps(detector, frames, 1, frames.paths().size(), substeps_, scale(), [&](const SequenceStep& step) {
+    ask_steps(detector, frames, {1, frames.paths().size(), substeps_, scale()}, [&](const SequenceStep& step) {
       progress.clear();
       table.add(step);
       progress.show(step.part == substeps_ ? step.end : step.end - 1);
     });
     progress.clear();
-    table.print_totals(detector.options(), detector.statistics());
-    return kSuccess;
+    table.print_totals(detector.options(), detector.statistics(), start_);
+    return table.is_free() ? kSuccess : kNo;
   }
+
+ private:
+  StartCheck start_;
 };
 
 }  // namespace

@@ -2,6 +2,7 @@
 #include <memory>
 
 #include "cli/answers.hpp"
+#include "cli/start_check.hpp"
 #include "cli/step_verb.hpp"
 
 namespace tamis::cli {
@@ -14,18 +15,20 @@ class StepLength final : public StepVerb {
   const char* examples() const override {
     return "  tamis step cloth1.ply cloth2.ply\n"
            "  tamis step cloth1.ply cloth2.ply --scale 3 --json\n"
-           "  tamis step cloth1.ply cloth2.ply --keep-distance 0.1";
+           "  tamis step cloth1.ply cloth2.ply --keep-distance 0.1 --check-start";
   }
 
   void declare(OptionList& options) override {
     StepVerb::declare(options);
     kept_.declare(options);
+    start_.declare(options);
   }
 
   int run() override {
     StepFiles files = read();
     Detector detector = detector_for(std::move(files.mesh));
     const Step step = files.step();
+    if (!start_.passes(detector, step.start)) return start_.refuse(detector, json_, Json::object());
     if (kept_.is_asked()) return keep_distance(detector, step);
     EarliestContact first;
     const Timing timing = ask_repeatedly(detector, repeat_, [&] { first = detector.earliest(step); });
@@ -38,11 +41,13 @@ class StepLength final : public StepVerb {
     if (json_) {
       Json json;
       add_earliest(json, first);
+      start_.add_to(json);
       add_costs(json, detector, timing);
       return print_json(json);
     }
     print_mesh(detector.mesh());
     print_earliest(first);
+    if (!first.contact) start_.print();
     print_costs(detector, timing, repeat_);
   }
 
@@ -53,17 +58,20 @@ class StepLength final : public StepVerb {
     if (json_) {
       Json json;
       add_safe_step(json, safe, kept_.fraction());
+      start_.add_to(json);
       add_costs(json, detector, timing);
       print_json(json);
       return kSuccess;
     }
     print_mesh(detector.mesh());
     print_safe_step(safe, kept_.fraction(), detector.options().min_separation);
+    if (!safe.pair) start_.print();
     print_costs(detector, timing, repeat_);
     return kSuccess;
   }
 
   KeepDistanceArgument kept_;
+  StartCheck start_;
 };
 
 }  // namespace

@@ -37,7 +37,7 @@ class Truncate final : public StepVerb {
   const char* examples() const override {
     return "  tamis truncate cloth1.ply cloth2.ply --out next.ply\n"
            "  tamis truncate cloth1.ply cloth2.ply --out next.ply --keep-distance 0.5 --json\n\n"
-           "Exit code 1: something touches at the start, so that no way is free; the file then holds the start.";
+           "Exit code 1: something touches at the start. It comes no nearer, but no way from there is free.";
   }
 
   void declare(OptionList& options) override {
@@ -45,12 +45,12 @@ class Truncate final : public StepVerb {
     declare_output(options, out_, "write the positions, as PLY");
     options.add_number(
         "--keep-distance", "F", fraction_, {.least = 1e-6, .most = 1, .takes_most = false},
-        "all vertices go together until some pair has only F of its distance at START left, then each on its own "
-        "side of planes; default 0.1");
+        "every pair keeps at least F of its distance at START, with a minimum separation of what exceeds that; "
+        "default 0.1");
   }
 
   int run() override {
-    require_output(out_, {start_, end_}, ".ply");
+    require_output(out_, {start_, end_}, "ply");
     StepFiles files = read();
     Detector detector = detector_for(std::move(files.mesh));
     const Step step = files.step();
@@ -69,13 +69,9 @@ class Truncate final : public StepVerb {
       return print_json(json);
     }
     print_mesh(detector.mesh());
-    if (to.is_free)
-      fmt::print(
-          "truncated       to {:.6g} of the way, that of all vertices added up; the straight way there is free, "
-          "proven\n",
-          part);
-    else
-      fmt::print("truncated       to the start: something touches there\n");
+    fmt::print(
+        "truncated       to {:.6g} of the way, that of all vertices added up; {}\n", part,
+        to.is_free ? "the straight way there is free, proven" : "something touches at the start, and comes no nearer");
     if (!out_.empty()) fmt::print("written to      {}\n", printable(out_));
     print_costs(detector, timing, repeat_);
   }

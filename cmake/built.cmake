@@ -21,6 +21,10 @@ built_library(tamis_io io/libtamis_io.a tamis::tamis fmt::fmt GMP::gmp ZLIB::ZLI
 built_library(tamis_scenes scenes/libtamis_scenes.a tamis::tamis)
 built_library(tamis_simulation scenes/simulation/libtamis_simulation.a
   tamis_io tamis_scenes Eigen3::Eigen meshoptimizer::meshoptimizer)
+if(TAMIS_PYTHON_COMMAND)
+  add_executable(tamis_command IMPORTED)
+  set_target_properties(tamis_command PROPERTIES IMPORTED_LOCATION ${TAMIS_BUILT}/bin/tamis)
+endif()
 if(TAMIS_PYTHON_MPI)
   set(MPI_CXX_SKIP_MPICXX ON)
   find_package(MPI REQUIRED COMPONENTS CXX)

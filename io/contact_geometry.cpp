@@ -1,5 +1,7 @@
 #include "io/contact_geometry.hpp"
 
+#include <cmath>
+
 namespace tamis::io {
 
 PairShape shape_of(PairKind kind) {
@@ -46,6 +48,24 @@ Point contact_point(const Contact& contact, std::span<const Point> start, std::s
     for (std::size_t axis = 0; axis < 3; ++axis) sum[axis] += weights[i] * x[axis];
   }
   return sum;
+}
+
+Point face_normal(const Face& face, std::span<const Point> positions) {
+  const auto corner = [&](std::size_t i) { return positions[static_cast<std::size_t>(face[i])]; };
+  Point ab{}, ac{};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    ab[axis] = corner(1)[axis] - corner(0)[axis];
+    ac[axis] = corner(2)[axis] - corner(0)[axis];
+  }
+  const Point n{ab[1] * ac[2] - ab[2] * ac[1], ab[2] * ac[0] - ab[0] * ac[2], ab[0] * ac[1] - ab[1] * ac[0]};
+  const double length = std::hypot(n[0], n[1], n[2]);
+  if (!(length > 0 && std::isfinite(length))) return {0, 0, 1};
+  return {n[0] / length, n[1] / length, n[2] / length};
+}
+
+Point intersection_point(const Intersection& intersection, std::span<const Point> positions) {
+  const auto [a, b] = intersection.edge;
+  return point_at(positions[static_cast<std::size_t>(a)], positions[static_cast<std::size_t>(b)], intersection.s_upper);
 }
 
 }  // namespace tamis::io

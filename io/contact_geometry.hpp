@@ -5,7 +5,7 @@
 #include <span>
 
 #include "tamis/contact.hpp"
-#include "tamis/step.hpp"
+#include "tamis/near.hpp"
 
 namespace tamis::io {
 
@@ -25,5 +25,11 @@ Point point_at(const Point& start, const Point& end, double t);
 
 /// The point of the first feature that touches, at time t.
 Point contact_point(const Contact& contact, std::span<const Point> start, std::span<const Point> end, double t);
+
+/// Of unit length; +z if the face has no area.
+Point face_normal(const Face& face, std::span<const Point> positions);
+
+/// Where the edge first meets the face.
+Point intersection_point(const Intersection& intersection, std::span<const Point> positions);
 
 }  // namespace tamis::io

@@ -26,9 +26,7 @@ void Tally::add_counts(const Tally& step) {
   unresolved += step.unresolved;
 }
 
-Json json_of(const Tally& tally) {
-  return {{"vf", tally.vf}, {"ee", tally.ee}, {"ve", tally.ve}, {"vv", tally.vv}, {"unresolved", tally.unresolved}};
-}
+Json json_of(const Tally& tally) { return {{"vf", tally.vf}, {"ee", tally.ee}, {"ve", tally.ve}, {"vv", tally.vv}}; }
 
 void add_bracket(Json& json, bool is_free, double toi_lower, double toi_upper) {
   json["toi_lower"] = is_free ? Json() : Json(toi_lower);

@@ -98,14 +98,39 @@ def source_digest(source: pathlib.Path) -> bytes:
     return digest.digest()
 
 
-def licences_of(library: str) -> "list[pathlib.Path]":
-    """What Debian says of the package that a library comes from, and the licences that this names."""
+# Of what a wheel carries, by Debian's packages; and what is compiled into it without being a library of its own.
+LICENCES = {"libb64-0d": "CC0-1.0", "libcli11-dev": "BSD-3-Clause", "libeigen3-dev": "MPL-2.0",
+            "libembree3-3": "Apache-2.0", "libfmt9": "MIT", "libgmp10": "(LGPL-3.0-or-later OR GPL-2.0-or-later)",
+            "libmeshoptimizer2d": "MIT", "libpng16-16": "libpng-2.0", "libtbb12": "Apache-2.0", "nanobind": "BSD-3-Clause",
+            "nlohmann-json3-dev": "MIT", "zlib1g": "Zlib"}
+HEADERS = {"libcli11-dev", "libeigen3-dev", "nlohmann-json3-dev"}
+
+
+def package_of(library: str) -> str:
+    """Debian's package that a library comes from."""
     stem = re.sub(r"-[0-9a-f]{8,}(?=\.so)", "", library)  # auditwheel's hash
     major = re.match(r"lib[^.]+\.so\.\d+", stem)
     package = run("dpkg-query", "--search", f"*/{major[0] if major else stem}*").split(":")[0]
+    if package not in LICENCES:
+        sys.exit(f"build_wheel.py: the wheel carries {library} of {package}: say in LICENCES under which licence")
+    return package
+
+
+def licences_of(package: str) -> "list[pathlib.Path]":
+    """What Debian says of a package, and the licences that this names."""
     text = pathlib.Path("/usr/share/doc") / package / "copyright"
     named = re.findall(r"/usr/share/common-licenses/[\w.-]*\w", text.read_text())
     return [text, *(pathlib.Path(name) for name in sorted(set(named)))]
+
+
+def name_licences(info: pathlib.Path, licences: "set[str]") -> None:
+    """The metadata say what the wheel as a whole is under, and where the texts are."""
+    expression = " AND ".join(["MIT", *sorted(licences - {"MIT"})])
+    head, _, rest = (info / "METADATA").read_text().partition("\n\n")
+    lines = [line for line in head.splitlines() if not line.startswith("License-")]
+    texts = sorted(path.name for path in (info / "licenses").iterdir())
+    lines += [f"License-Expression: {expression}", *(f"License-File: {name}" for name in texts)]
+    (info / "METADATA").write_text("\n".join(lines) + "\n\n" + rest)
 
 
 def add_licences(wheel: pathlib.Path, work: pathlib.Path) -> None:
@@ -114,11 +139,13 @@ def add_licences(wheel: pathlib.Path, work: pathlib.Path) -> None:
     run(python, "-m", "wheel", "unpack", wheel, "--dest", unpacked)
     (root,) = unpacked.iterdir()
     (info,) = root.glob("*.dist-info")
-    for library in sorted((root / "tamis.libs").iterdir()):
-        for text in licences_of(library.name):
-            name = text.parent.name if text.name == "copyright" else text.name
-            (info / "licenses").mkdir(exist_ok=True)
-            shutil.copy(text.resolve(), info / "licenses" / f"{name}.txt")
+    packages = {package_of(library.name) for library in (root / "tamis.libs").iterdir()} | HEADERS
+    for text in {text for package in packages for text in licences_of(package)}:
+        name = text.parent.name if text.name == "copyright" else text.name
+        shutil.copy(text.resolve(), info / "licenses" / f"{name}.txt")
+    (nanobind,) = (work / "tools").glob("lib/python*/site-packages/nanobind-*.dist-info/licenses/LICENSE")
+    shutil.copy(nanobind, info / "licenses" / "nanobind.txt")
+    name_licences(info, {LICENCES[package] for package in packages | {"nanobind"}})
     run(python, "-m", "wheel", "pack", root, "--dest-dir", wheel.parent)
 
 
@@ -138,7 +165,7 @@ def compile_wheel(
 ) -> pathlib.Path:
     """The wheel in WORK/name, not repaired; its objects stay for next time, and for the other wheel."""
     shutil.rmtree(work / name, ignore_errors=True)
-    options = [f"-Ccmake.define.{define}" for define in (f"TAMIS_PYTHON_MPI={mpi}", *defines)]
+    options = [f"-Ccmake.define.{define}" for define in (f"TAMIS_PYTHON_MPI={mpi}", "TAMIS_PYTHON_COMMAND=ON", *defines)]
     run(work / "tools/bin/python", "-m", "build", "--wheel", "--no-isolation", "--outdir", work / name,
         f"-Cbuild-dir={work / 'objects'}", *options, source, env=search_path(work))
     (wheel,) = (work / name).glob("*.whl")
@@ -161,7 +188,7 @@ def make_user(work: pathlib.Path, wheel: pathlib.Path) -> None:
     install(work, python, wheel)
     run(python, "-I", "-c", "import tamis; assert len(tamis.contacts([[0,1,2]], [[0,0,0],[1,0,0],[0,1,0]], "
         "[[0,0,0],[1,0,0],[0,1,0]])) == 0")
-    wanted = ("pytest", "hypothesis", "pandas", "matplotlib")
+    wanted = ("pytest", "hypothesis", "ipctk", "pandas", "matplotlib")
     install(work, python, "-c", REQUIREMENTS, *wanted)
 
 
@@ -171,7 +198,7 @@ def main() -> int:
     make_tools(work)
     source = make_source(work)
     defines = with_libraries_of(*build) if build else []
-    built = [path.read_bytes() for folder in build for path in sorted(folder.glob("**/libtamis*.a"))]
+    built = [path.read_bytes() for folder in build for path in [*sorted(folder.glob("**/libtamis*.a")), folder / "bin/tamis"]]
     stamp = Stamp(work / "wheel.stamp", source_digest(source), REQUIREMENTS.read_bytes(), *built)
     if not stamp.is_fresh() or not (work / "user").exists():
         stamp.path.unlink(missing_ok=True)

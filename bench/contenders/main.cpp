@@ -30,7 +30,6 @@ Task read_task(const std::string& start, const std::string& end, double scale) {
 /// Everything the answers are measured against, by exact algebra.
 void find_truth(Task& task) {
   Options options;
-  options.guarantee = Guarantee::exact;
   Detector detector(task.mesh, options);
   for (const Contact& contact : detector.contacts({task.start, task.end}))
     task.contacts.insert({contact.kind, contact.vertices});

@@ -31,7 +31,7 @@ void add_trees(Workload& work) {
   });
   add(work, "order_and_build", [&work](State& state) {
     for (auto _ : state)
-      for (BlockTree* tree : work.trees()) tree->build(work.motion(), work.kernels().trees);
+      for (BlockTree* tree : work.trees()) tree->build(work.motion(), 3, work.kernels().trees);
   });
   add(work, "refit", [&work](State& state) {
     for (auto _ : state)
@@ -39,14 +39,12 @@ void add_trees(Workload& work) {
   });
 }
 
-/// `is_short`: with swept boxes, whether or not they serve here.
-void add_search(const Workload& work, PairKind kind, bool is_short) {
-  const std::string what = (is_short ? "search_swept_" : "search_") + name(kind);
-  add(work, what, [&work, kind, is_short](State& state) {
+void add_search(const Workload& work, PairKind kind) {
+  add(work, "search_" + name(kind), [&work, kind](State& state) {
     std::size_t pairs = 0;
     for (auto _ : state) {
       pairs = 0;
-      work.search(kind, is_short, [&](PairBuffer& found) {
+      work.search(kind, [&](PairBuffer& found) {
         pairs += static_cast<std::size_t>(found.count);
         found.count = 0;
       });
@@ -120,20 +118,16 @@ void add_filters(const Workload& work, PairKind kind) {
 }
 
 /// The pairs that reach the solver, one by one: most of them touch.
-void add_one_pair(const Workload& work, PairKind kind, Guarantee guarantee) {
+void add_one_pair(const Workload& work, PairKind kind) {
   const auto pairs = std::make_shared<std::vector<PairPoints>>(work.points(work.inputs(kind).solve, kMostPairs));
-  const std::string what = "one_pair_" + std::string(tamis::name_of(guarantee)) + "_" + name(kind);
-  add(work, what, [pairs, kind, guarantee](State& state) {
-    const PairOptions options{guarantee, 0};
+  const std::string what = "one_pair_" + name(kind);
+  add(work, what, [pairs, kind](State& state) {
     std::size_t touching = 0;
     for (auto _ : state) {
       touching = 0;
       for (const PairPoints& p : *pairs)
         touching +=
-            (kind == PairKind::vertex_face ? vertex_face(p.start, p.end, options) : edge_edge(p.start, p.end, options))
-                    .touches
-                ? 1
-                : 0;
+            (kind == PairKind::vertex_face ? vertex_face(p.start, p.end) : edge_edge(p.start, p.end)).touches ? 1 : 0;
     }
     pairs_per_second(state, pairs->size());
     state.counters["touching"] = static_cast<double>(touching);
@@ -150,11 +144,10 @@ int main(int argc, char** argv) {
   for (const auto& work : workloads) {
     bench::add_trees(*work);
     for (const PairKind kind : {PairKind::vertex_face, PairKind::edge_edge}) {
-      for (const bool is_short : {false, true}) bench::add_search(*work, kind, is_short);
+      bench::add_search(*work, kind);
       bench::add_stages(*work, kind);
       bench::add_filters(*work, kind);
-      for (const Guarantee guarantee : {Guarantee::conservative, Guarantee::exact})
-        bench::add_one_pair(*work, kind, guarantee);
+      bench::add_one_pair(*work, kind);
     }
   }
   benchmark::RunSpecifiedBenchmarks();

@@ -37,7 +37,7 @@ Workload::Workload(std::string name, Mesh mesh, std::vector<Point> start, std::v
   points_.set_features(mesh_.points());
   edges_.set_features(mesh_.edges());
   faces_.set_features(mesh_.faces());
-  for (BlockTree* tree : trees()) tree->build(motion_, kernels_.trees);
+  for (BlockTree* tree : trees()) tree->build(motion_, 3, kernels_.trees);
   vf_ = inputs_of(PairKind::vertex_face);
   ee_ = inputs_of(PairKind::edge_edge);
 }
@@ -46,7 +46,7 @@ StageInputs Workload::inputs_of(PairKind kind) const {
   const bool is_vf = kind == PairKind::vertex_face;
   StageInputs inputs;
   auto slab = std::make_unique<PairBuffer>(), filtered = std::make_unique<PairBuffer>();
-  search(kind, false, [&](PairBuffer& pairs) {
+  search(kind, [&](PairBuffer& pairs) {
     slab->count = filtered->count = 0;
     (is_vf ? kernels_.slab_vf : kernels_.slab_ee)(motion_.box_vertices.data(), motion_.box_separation(), pairs, *slab);
     (is_vf ? kernels_.filter_vf : kernels_.filter_ee)(motion_.vertices.data(), *slab, *filtered);

@@ -34,14 +34,13 @@ class Workload {
   const PackedMotion& motion() const { return motion_; }
   std::vector<BlockTree*> trees() { return {&points_, &edges_, &faces_}; }
 
-  /// Searches the whole step, with swept boxes if `is_short`; `flush` must empty the buffer it is handed. Returns the
+  /// Searches the whole step; `flush` must empty the buffer it is handed. Returns the
   /// number of nodes visited.
   template <class Flush>
-  std::uint64_t search(PairKind kind, bool is_short, const Flush& flush) const {
+  std::uint64_t search(PairKind kind, const Flush& flush) const {
     const bool is_vf = kind == PairKind::vertex_face;
     auto pairs = std::make_unique<PairBuffer>();
     Search search{is_vf ? points_.view() : edges_.view(), is_vf ? faces_.view() : edges_.view()};
-    search.is_short = is_short;
     search.pairs = pairs.get();
     search.context = const_cast<void*>(static_cast<const void*>(&flush));
     search.flush = [](Search& s) { (*static_cast<const Flush*>(s.context))(*s.pairs); };

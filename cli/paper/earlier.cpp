@@ -121,9 +121,7 @@ void EarlierResults::read_table(const std::filesystem::path& file) {
     cells.text();  // elementary tests and false pairs follow from the stages
     cells.text();
     m.contacts = cells.integer<std::uint64_t>();
-    m.unresolved = cells.integer<std::uint64_t>();
     m.missed = cells.integer<std::uint64_t>();
-    m.extra = cells.integer<std::uint64_t>();
   });
 }
 

@@ -84,9 +84,7 @@ constexpr std::string_view kDiscussion = R"(
 
 One thread. Milliseconds are the mean over the steps, of processor time, everything included: bounds, refitting, building anew where
 refitting has made the hierarchy poor. A method's first step is asked twice; the first time, which builds, does not count.
-The methods take turns within every step. "Missed" counts contacts that any method certifies and this one does not report, step by step;
-"extra" those reported as unresolved that no method certifies: the elementary test cannot decide
-them in floating point, so they are kept as contacts; a filter that proves some of them free first reports fewer. "Pairs left" enter the elementary test; a pair may count more than once
+The methods take turns within every step. "Missed" counts contacts that any method reports and this one does not, step by step. "Pairs left" enter the elementary test; a pair may count more than once
 without representative triangles. `table1.csv` and `stages.csv` hold the sums behind every figure.
 )";
 
@@ -102,8 +100,8 @@ void write_paper_report(const std::filesystem::path& folder, Results results, co
                           [](const SceneResult&, const MethodResult& m) { return grouped(m.elementary_tests()); });
   text += table_by_method(results, "False pairs left: elementary tests that find no contact",
                           [](const SceneResult&, const MethodResult& m) { return grouped(m.false_pairs()); });
-  text += table_by_method(results, "Contacts (missed, extra, unresolved)", [](const auto&, const MethodResult& m) {
-    return fmt::format("{} ({}, {}, {})", grouped(m.contacts), m.missed, m.extra, m.unresolved);
+  text += table_by_method(results, "Contacts (missed)", [](const auto&, const MethodResult& m) {
+    return fmt::format("{} ({})", grouped(m.contacts), m.missed);
   });
   text += figure_5(results);
   text += paper_sieve(results);

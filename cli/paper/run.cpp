@@ -28,21 +28,13 @@ std::uint64_t count_missing(const ContactList& wanted, const ContactList& there)
   return missing.size();
 }
 
-/// A contact is true if any method certifies it, so a method that all others disagree with shows.
+/// A contact is true if any method reports it, so a method that all others disagree with shows.
 void compare(const std::vector<ContactList>& answers, std::vector<MethodResult>& methods) {
-  ContactList certified;
-  for (const ContactList& answer : answers) {
-    ContactList sure;
-    std::copy_if(answer.begin(), answer.end(), std::back_inserter(sure),
-                 [](const Contact& c) { return c.certainty == Certainty::certified; });
-    certified = united(certified, sure);
-  }
+  ContactList all;
+  for (const ContactList& answer : answers) all = united(all, answer);
   for (std::size_t i = 0; i < methods.size(); ++i) {
-    methods[i].missed += count_missing(certified, answers[i]);
-    methods[i].extra += count_missing(answers[i], certified);
+    methods[i].missed += count_missing(all, answers[i]);
     methods[i].contacts += answers[i].size();
-    methods[i].unresolved += static_cast<std::uint64_t>(std::count_if(
-        answers[i].begin(), answers[i].end(), [](const Contact& c) { return c.certainty == Certainty::unresolved; }));
   }
 }
 

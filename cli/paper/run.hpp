@@ -22,9 +22,7 @@ struct MethodResult {
   double seconds = 0;  ///< of processor time; the first question, which builds the hierarchy, is asked beforehand
   std::vector<StageCount> stages;
   std::uint64_t contacts = 0;
-  std::uint64_t unresolved = 0;
-  std::uint64_t missed = 0;  ///< certified by some other method in the same step, not reported by this one
-  std::uint64_t extra = 0;   ///< reported as unresolved, and certified by no method: a tighter filter may prove it free
+  std::uint64_t missed = 0;  ///< reported by some other method in the same step, not by this one
 
   /// Pairs of features that enter the named stage; 0 if the method has no such stage.
   std::uint64_t entering(std::string_view stage) const;
@@ -48,7 +46,7 @@ struct SceneResult {
 
   const MethodResult& method(std::string_view name) const;
   double milliseconds(std::string_view name) const;
-  /// Every method reports every contact that any method certifies; they may differ in unresolved pairs only.
+  /// Every method reports every contact that any method reports.
   bool sets_agree() const;
 };
 

@@ -14,14 +14,12 @@ void write_paper_table(const std::filesystem::path& folder, std::span<const Scen
   io::AtomicFile file(folder / "table1.csv");
   file.append(
       "scene,step,extrapolated,triangles,steps,all_steps,method,ms_a_frame,elementary_tests,false_pairs_left,contacts,"
-      "unresolved,"
-      "missed,extra\n");
+      "missed\n");
   for (const SceneResult& r : results)
     for (const MethodResult& m : r.methods)
-      file.append(fmt::format("{},{}x,{},{},{},{},{},{:.4f},{},{},{},{},{},{}\n", r.scene, r.factor,
-                              r.extrapolated ? 1 : 0, r.triangles, r.steps, r.all_steps, m.method,
-                              r.milliseconds(m.method), m.elementary_tests(), m.false_pairs(), m.contacts, m.unresolved,
-                              m.missed, m.extra));
+      file.append(fmt::format("{},{}x,{},{},{},{},{},{:.4f},{},{},{},{}\n", r.scene, r.factor, r.extrapolated ? 1 : 0,
+                              r.triangles, r.steps, r.all_steps, m.method, r.milliseconds(m.method),
+                              m.elementary_tests(), m.false_pairs(), m.contacts, m.missed));
   file.commit();
 }
 

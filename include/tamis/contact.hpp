@@ -18,10 +18,10 @@ enum class PairKind : std::uint8_t { vertex_face, edge_edge, vertex_edge, vertex
 /// "vf", "ee", "ve", "vv": as in files and on the command line.
 std::string_view name_of(PairKind);
 
-/// How sure a reported contact is.
+/// How sure a reported contact is. Of straight motion all are certified; curved motion (Path) has both.
 enum class Certainty : std::uint8_t {
   certified,   ///< proven: the closed features touch (within the minimum separation) at some time of the bracket
-  unresolved,  ///< floating point could not decide; kept, because a contact must never be missed
+  unresolved,  ///< arithmetic could not decide; kept, because a contact must never be missed
 };
 
 /// One pair of features that touches during the step.
@@ -39,17 +39,30 @@ struct Contact {
   /// ve: u on the edge, v = 0. vv: both 0.
   double u;
   double v;
-  /// Unit normal at the contact. vf: of the face; ee: the cross product of the edges; ve, vv: towards the first vertex
-  /// from the closest point of the other feature. Any unit vector orthogonal to what is left where those vanish.
+  /// Unit vector: the direction in which the first feature (the vertex; the first edge) must go, or the second be
+  /// pushed back, so that they part. With a minimum separation or radii, and of ve and vv, from the second feature's
+  /// closest point to the first's at toi_lower. Else of the face, or of both edges (their cross product), on the side
+  /// where the first feature is just before they touch; where all stay in one plane, or the face has no area, or the
+  /// edges are parallel, that of the closest points. Features that share a point at t=0 are taken to have come against
+  /// their motion; if they are at rest it is the normal, on either side, or any unit vector where there is none.
   Point normal;
 };
 
 /// The two features of a pair by their places: of a face in Mesh::faces(), of an edge in Mesh::edges(), of a vertex its
-/// index; -1 where the mesh has none. For those who keep data by feature: a Contact names vertices, as does a NearPair.
+/// index. For those who keep data by feature: a Contact names vertices, as does a NearPair. Mesh::edges() has an order
+/// of its own, which another library's list of edges need not have: Mesh::find_edge leads from one to the other. Throws
+/// InvalidMesh where the mesh has no such vertex, edge or face (a face counts in the mesh's order of its vertices
+/// only), or there is no such kind.
 struct FeaturePair {
   Index first, second;
 };
 FeaturePair features_of(const Mesh& mesh, PairKind kind, const std::array<Index, 4>& vertices);
+
+/// Of each of a pair's vertices, as signed weights that add up to 0: sums over the first feature's give its point, and
+/// those over the second's the other point, negative. So the sum over all is the vector from the second point to the
+/// first. vf: 1, u+v-1, -u, -v; ee: 1-u, u, v-1, -v; ve: 1, u-1, -u, 0; vv: 1, -1, 0, 0. u and v as of a Contact, a
+/// NearPair or a PairResult. Throws Error if there is no such kind.
+std::array<double, 4> weights_of(PairKind kind, double u, double v);
 
 /// Answer to "how far may the step go?".
 struct EarliestContact {
@@ -57,7 +70,7 @@ struct EarliestContact {
   /// at t=0, or (toi_upper > 0) sooner than at any positive double. A time, not a position: start + toi_lower
   /// (end - start), rounded to doubles, may touch again. Detector::truncate gives positions to go to.
   double toi_lower = 1;
-  /// A certified contact happens at or before this time; 1 if none is certified.
+  /// A certified contact happens at or before this time; 1 if none is certified, as may be on a path.
   double toi_upper = 1;
   /// The contact that bounds the step first; none if the step is free.
   std::optional<Contact> contact;
@@ -83,22 +96,16 @@ struct SafeStep {
   std::optional<LimitingPair> pair;
 };
 
-/// Answer to "how far may each vertex go?".
-struct VertexSteps {
-  /// Until here all vertices may go together, at one time of the step: what keep_distance says.
-  double together = 1;
-  /// Of each vertex, in [together, 1]. From where all are at `together`, every vertex may go, at a pace of its own, to
-  /// its time or any before it, whatever the others do: no pair comes into contact. Proven, with room for positions
-  /// that are rounded to doubles. 1 for vertices that take no part in contacts.
-  std::vector<double> until;
-};
-
-/// Where a step may end.
+/// Where a step may end, each vertex on its own line towards its end.
 struct TruncatedStep {
-  /// One a vertex: where to go. The straight way there from the start of the step, to these very doubles, is free.
+  /// One a vertex: where to go. On the straight way there from the start of the step, to these very doubles, every pair
+  /// keeps the fraction of its distance, as far as that exceeds the minimum separation and both radii: proven. A pair
+  /// that starts within those keeps all of its distance but a millionth, or none of its vertices moves.
   std::vector<Point> positions;
-  /// False: not even that is proven, because something touches (within the minimum separation) at the start, where
-  /// `positions` then are.
+  /// One a vertex: the part of its way that it goes, in [0, 1], 1 for vertices that take no part in contacts. What
+  /// start + part (end - start) is rounded to need not be `positions`.
+  std::vector<double> parts;
+  /// The whole way is free of contacts. False: some pair touches (is within the minimum separation) at the start.
   bool is_free = true;
 };
 

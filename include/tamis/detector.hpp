@@ -16,15 +16,17 @@ namespace tamis {
 
 /// Holds a mesh and the hierarchy over it. The first question builds the hierarchy; later ones refit it, and
 /// rebuild it by themselves once refitting has made it poor. Pairs are vertex-face and edge-edge, of features
-/// without a common vertex. One question at a time; the answers do not depend on the number of threads, on the
-/// instruction set, or on earlier questions.
+/// without a common vertex. The answers do not depend on the number of threads, on the instruction set, or on earlier
+/// questions. One question at a time: a second one meanwhile, of another thread or of a function that the question
+/// calls (a filter, a path), throws Busy at once. Such functions may ask other detectors, and use oneTBB.
 class Detector {
  public:
   /// Throws InvalidOptions: negative threads, a separation or thickness that is negative or not finite, an instruction
   /// set this machine lacks, an unknown filter, groups, thickness or a reduced model that do not fit.
   explicit Detector(Mesh mesh, Options options = {});
   ~Detector();
-  /// What was moved from may only be destroyed or assigned to.
+  /// What was moved from may be destroyed or assigned to; all else throws Error. Not to be moved, assigned to or
+  /// destroyed by another thread while it answers.
   Detector(Detector&&) noexcept;
   Detector& operator=(Detector&&) noexcept;
 
@@ -44,7 +46,7 @@ class Detector {
   /// The same three questions of curves, with the path's own certificates (tamis/path.hpp): pieces of the path are
   /// asked with straight chords, pairs that these leave are decided on their curves until they are proven free or their
   /// bracket is no wider than `tolerance`, a fraction of the step in (0, 1]. Times are the path's. Same for all
-  /// methods; the guarantee does not matter. All of a piece's pairs that come nearer than their strays are held at a
+  /// methods. All of a piece's pairs that come nearer than their strays are held at a
   /// time. Throw InvalidPath where the path does not fit the mesh or breaks its promises, InvalidOptions.
   const std::vector<Contact>& contacts(const Path& path, std::optional<double> min_separation = {},
                                        double tolerance = 1e-9);
@@ -52,10 +54,12 @@ class Detector {
   bool is_free(const Path& path, std::optional<double> min_separation = {}, double tolerance = 1e-9);
   /// How far may the step go so that the distance of every pair, as far as it exceeds the minimum separation and both
   /// radii, stays at least `fraction` of what it is at t=0? The step length for the line search of a barrier method. 0:
-  /// only contacts count, and `lower` is earliest()'s toi_lower. Same for all methods; the guarantee matters for 0
-  /// only. The closer `fraction` is to 1, the longer the search until the first near pairs have shortened the step.
-  /// Throws InvalidOptions unless 0 <= fraction < 1.
-  SafeStep keep_distance(const Step& step, double fraction, std::optional<double> min_separation = {});
+  /// only contacts count, and `lower` is earliest()'s toi_lower. Same for all methods. The
+  /// closer `fraction` is to 1, the longer the search until the first near pairs have shortened the step.
+  /// Which: 0.1 for a barrier's line search, where the next steps need room; 0.01 and less where a step should come
+  /// near what it meets, as towards a first contact; 0.5 and more where distances may shrink slowly only. Throws
+  /// InvalidOptions unless 0 <= fraction < 1.
+  SafeStep keep_distance(const Step& step, double fraction = 0.1, std::optional<double> min_separation = {});
 
   /// Every pair of features whose distance at rest is at most `distance` plus both radii (Options::thickness), each
   /// once, by kind, then vertices: what a barrier or penalty method starts from. A pair that is farther apart by less
@@ -64,30 +68,30 @@ class Detector {
   const std::vector<NearPair>& near(const Positions& positions, double distance);
 
   /// Every edge that passes through a triangle or touches it, without a common vertex, by edge, then face: is this a
-  /// pose to start from, and if not, why? Decided exactly, whatever the guarantee and the method. Thickness does not
+  /// pose to start from, and if not, why? Decided exactly, whatever the method. Thickness does not
   /// matter; of the filter the groups count (an edge has that of its first vertex). The vector is valid until the next
   /// such question.
   const std::vector<Intersection>& intersections(const Positions& positions);
   /// Is there any? Ends at the first.
   bool has_intersection(const Positions& positions);
 
-  /// A step for each vertex, so that one near pair does not stop all: all go together as far as keep_distance(step,
-  /// fraction) lets them, from there each on its own side of planes between the features that it could reach. Beyond
-  /// `together` no vertex goes farther than a quarter of the mean edge, so as to bound the number of such pairs. Throws
-  /// InvalidOptions unless 0 < fraction < 1.
-  VertexSteps vertex_steps(const Step& step, double fraction = 0.1, std::optional<double> min_separation = {});
-  /// The positions to go to, as doubles, by vertex_steps: each vertex on its own line towards its end, none less far
-  /// than `together`, but where the straight way to the rounded positions could not be proven free. Throws
-  /// InvalidOptions unless 0 < fraction < 1.
+  /// Positions to go to, as doubles, so that every pair keeps `fraction` of its distance, and one near pair does not
+  /// stop all: all vertices go together as far as every pair keeps a little more than that, from there each on its own
+  /// side of planes between the features that it could reach, by a quarter of the mean edge at most, so as to bound the
+  /// number of such pairs. What starts within the minimum separation may move as long as it comes no nearer; then no
+  /// vertex goes farther than that. Throws InvalidOptions unless 0 < fraction < 1.
   TruncatedStep truncate(const Step& step, double fraction = 0.1, std::optional<double> min_separation = {});
 
   const Mesh& mesh() const;
   const Options& options() const;
-  /// Of the last question.
+  /// Of the last question. Throws Busy during one.
   const Statistics& statistics() const;
 
  private:
   struct State;
+  class Asked;
+  State& state() const;
+
   std::unique_ptr<State> state_;
 };
 

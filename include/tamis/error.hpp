@@ -35,4 +35,10 @@ struct Cancelled : Error {
   using Error::Error;
 };
 
+/// A question to a detector that is answering another one: of another thread, or of the filter's or path's own caller.
+struct Busy : Error {
+  using Error::Error;
+  Busy() : Error("the detector is answering another question: give each thread a detector of its own") {}
+};
+
 }  // namespace tamis

@@ -1,5 +1,5 @@
-// Topology and positions from other people's memory: raw pointers, and matrices of either layout (Eigen's, or whatever
-// has rows(), cols() and an element (row, column)).
+// Topology and positions copied from other people's memory: raw pointers, matrices of either layout (Eigen's, or
+// whatever has rows(), cols() and an element (row, column)), and vectors of points of any number type.
 #pragma once
 #include <concepts>
 #include <cstddef>
@@ -90,6 +90,13 @@ std::vector<Point> points_of(const M& matrix) {
     points[row] = {matrix(r, 0), matrix(r, 1), matrix(r, 2)};
   }
   return points;
+}
+/// The same of points such as Eigen::Vector3f or std::array<float, 3>, one an element.
+template <ContiguousRange R>
+std::vector<Point> points_of(const R& points) {
+  std::vector<Point> copies;
+  for (const auto& p : points) copies.push_back({p[0], p[1], p[2]});
+  return copies;
 }
 
 }  // namespace tamis

@@ -12,20 +12,12 @@
 
 namespace tamis {
 
-/// How pairs are found and culled. Every method returns the same set of contacts: what one certifies, every other one
-/// reports; with the exact guarantee, the default, all sets are equal. Which pairs a method leaves
-/// unresolved otherwise, and which of these another proves free, differs only within the last roundings
-/// (docs/numerics.md).
+/// How pairs are found and culled. Every method returns the same set of contacts: what doubles cannot decide of a
+/// straight motion is decided by exact algebra on the double inputs.
 enum class Method : std::uint8_t {
   tamis,  ///< boxes that move in time, slab clip, DNF, NCF, certified roots
   paper,  ///< the published NCF pipeline, to the letter
   brute,  ///< every pair, no hierarchy: for tests
-};
-
-/// What happens to a pair that floating point cannot decide.
-enum class Guarantee : std::uint8_t {
-  conservative,  ///< it is reported as an unresolved contact; bounds the time of one pair (docs/numerics.md)
-  exact,         ///< it is decided by exact algebra on the double inputs: nothing stays unresolved
 };
 
 /// Instruction set of the hot loops; every one gives the same bits. `best`: the widest that this machine has.
@@ -36,11 +28,9 @@ enum class BoundingVolume : std::uint8_t { sphere, aabb, obb, dop16, dop18, dop2
 
 /// Names as on the command line, and back. Throw InvalidOptions, naming the choices, if there is no such name.
 Method method_from_name(std::string_view name);
-Guarantee guarantee_from_name(std::string_view name);
 Isa isa_from_name(std::string_view name);
 BoundingVolume bounding_volume_from_name(std::string_view name);
 std::string_view name_of(Method);
-std::string_view name_of(Guarantee);
 std::string_view name_of(Isa);
 std::string_view name_of(BoundingVolume);
 /// What name_of says of a number that is none of the enumeration's.
@@ -50,13 +40,13 @@ inline constexpr std::string_view kUnnamed = "unknown";
 /// that do not fit the mesh, or each other, make the detector throw InvalidOptions.
 struct PairFilter {
   /// Group of each vertex, in [0, group_count), or -1 where it takes no part in contacts (Mesh::points); empty: all in
-  /// group 0. components_of numbers connected objects so.
+  /// group 0, the only one, and groups_may_touch is empty too. components_of numbers connected objects so.
   std::vector<Index> group_of_vertex;
   Index group_count = 1;
   /// group_count x group_count, symmetric, row-major; 0 leaves the pair of groups out. Empty: all are tested.
-  std::vector<std::uint8_t> groups_may_touch;
+  std::vector<std::uint8_t> groups_may_touch = std::vector<std::uint8_t>();
   /// Asked last, for every pair still there; must be safe to call from several threads. Vertices as in Contact.
-  std::function<bool(PairKind, const std::array<Index, 4>&)> accepts;
+  std::function<bool(PairKind, const std::array<Index, 4>&)> accepts = nullptr;
 
   bool empty() const { return groups_may_touch.empty() && !accepts; }
   /// Pairs within one group are left out (no self-contact). One group a vertex, as above.
@@ -93,9 +83,9 @@ struct PaperOptions {
 /// What PaperOptions::filters may name.
 std::vector<std::string_view> filter_names();
 
+/// Every member has a default, so that {.threads = 1} names all there is to say, without a warning.
 struct Options {
   Method method = Method::tamis;
-  Guarantee guarantee = Guarantee::exact;
   /// Threads to use, >= 0, but no more than oneTBB allows the process (its global_control, by default one a core); 0:
   /// as many as the caller's oneTBB arena gives. The answer does not depend on it; Statistics say how many there were.
   int threads = 0;
@@ -104,14 +94,14 @@ struct Options {
   /// A radius >= 0 for each group of filter.group_of_vertex: thickness is half on each side. Two features are in
   /// contact when their distance is at most `min_separation` plus both radii, for every question. A feature that joins
   /// groups has the largest radius of its vertices. Empty: all zero.
-  std::vector<double> thickness;
+  std::vector<double> thickness = {};
   /// Of method `tamis`, and of keep_distance with `paper`; else all is baseline.
   Isa isa = Isa::best;
-  PairFilter filter;
+  PairFilter filter = PairFilter();
   /// Asked again and again during a question, a thousand times a second or more; must be safe to call from several
   /// threads. Once it says true the question throws Cancelled; the detector answers the next one as if nothing was.
-  std::function<bool()> is_cancelled;
-  PaperOptions paper;
+  std::function<bool()> is_cancelled = nullptr;
+  PaperOptions paper = {};
 };
 
 /// Sets `method` and `paper` from one name: that of a method, or "paper-" and that of a competitor: dnf, ncf (one

@@ -12,8 +12,8 @@ namespace tamis {
 
 /// What one pair does during the step: as in Contact. What follows `touches` has no meaning if the pair is free.
 struct PairResult {
-  bool touches = false;  ///< false: proven free
-  Certainty certainty = Certainty::certified;
+  bool touches = false;                        ///< false: proven free
+  Certainty certainty = Certainty::certified;  ///< unresolved on a path alone
   double toi_lower = 1;
   double toi_upper = 1;
   double u = 0;
@@ -22,7 +22,6 @@ struct PairResult {
 };
 
 struct PairOptions {
-  Guarantee guarantee = Guarantee::exact;
   double min_separation = 0;  ///< d >= 0, in the unit of the positions: contact means Euclidean distance <= d
   /// The latest time of interest, in [0,1]: a pair that is proven apart until then is free. Of others it changes
   /// nothing.
@@ -48,7 +47,6 @@ struct Pair {
 };
 
 struct PairListOptions {
-  Guarantee guarantee = Guarantee::exact;
   double min_separation = 0;  ///< as in PairOptions, as is what follows
   double latest = 1;
   int threads = 0;      ///< as in Options: 0 is as many as the caller's oneTBB arena gives

@@ -12,6 +12,6 @@ NearPair distance_of(const Pair& pair, const Positions& positions);
 /// How far may one pair go so that its distance, as far as it exceeds the minimum separation, stays at least `fraction`
 /// of what it is at t=0? As Detector::keep_distance, for one pair; it looks no further than options.latest, which
 /// `lower` then is. Throws InvalidOptions unless 0 <= fraction < 1, InvalidStep as narrow_phase does.
-SafeStep keep_distance(const Pair& pair, const Step& step, double fraction, const PairOptions& options = {});
+SafeStep keep_distance(const Pair& pair, const Step& step, double fraction = 0.1, const PairOptions& options = {});
 
 }  // namespace tamis

@@ -1,6 +1,7 @@
 // Curved motion: where every vertex is at each time of a step, and how far it strays from straight pieces.
 #pragma once
 #include <array>
+#include <functional>
 #include <span>
 
 #include "tamis/pair.hpp"
@@ -42,6 +43,8 @@ struct PathOptions {
   double min_separation = 0;  ///< d >= 0, in the unit of the positions: contact means Euclidean distance <= d
   /// Widest bracket of a contact, in (0, 1]; a fraction of the step.
   double tolerance = 1e-9;
+  /// As in Options: once it says true, asked again and again, the call throws Cancelled.
+  std::function<bool()> is_cancelled = nullptr;
 };
 
 /// A vertex against a face that move on a path: p, then the face's corners a b c, by their numbers in the path. As

@@ -14,8 +14,8 @@ struct Pose {
 
 /// A pose whose position and rotation vector go linearly from `start` (t=0) to `end` (t=1). Any angle.
 struct Link {
-  Pose start;
-  Pose end;
+  Pose start = {};
+  Pose end = {};
 };
 
 /// Outermost first: a point of the body goes through the last link first. Empty: at rest where it is given.

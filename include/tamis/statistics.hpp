@@ -44,7 +44,7 @@ struct PrecisionCount {
   std::uint64_t lanes = 0;       ///< SIMD doubles with error bounds
   std::uint64_t scalar = 0;      ///< subdivision in time, doubles with error bounds
   std::uint64_t exact = 0;       ///< exact algebra
-  std::uint64_t unresolved = 0;  ///< none of these: unresolved contacts
+  std::uint64_t unresolved = 0;  ///< none of these: unresolved contacts, of curved motion alone
 
   PrecisionCount& operator+=(const PrecisionCount& other) {
     lanes += other.lanes;

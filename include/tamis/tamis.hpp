@@ -16,3 +16,4 @@
 #include "tamis/spline_path.hpp"
 #include "tamis/statistics.hpp"
 #include "tamis/step.hpp"
+#include "tamis/turn.hpp"

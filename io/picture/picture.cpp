@@ -45,7 +45,7 @@ void write_picture(const std::filesystem::path& path, const Recording& recording
       image.pixels[static_cast<std::size_t>(row) * static_cast<std::size_t>(options.width) +
                    static_cast<std::size_t>(column)] = pixel_at(scenery, options, column, row);
   });
-  if (!recording.steps.front().contacts.empty()) draw_legend(image);
+  if (!recording.pose && !recording.steps.front().contacts.empty()) draw_legend(image);  // it is of times
   write_png(path, image);
 }
 

@@ -35,7 +35,7 @@ Scenery::Scenery(const Recording& recording, const PictureOptions& options)
       camera_(direction(options.from), static_cast<float>(options.width) / static_cast<float>(options.height),
               vertices_) {
   draw_mesh(recording.mesh);
-  draw_contacts(recording.steps.front().contacts);
+  draw_contacts(recording);
 }
 
 Vector Scenery::placed(const Point& point) const {
@@ -76,13 +76,18 @@ void Scenery::draw_mesh(const Mesh& mesh) {
   surfaces_.finish();
 }
 
-void Scenery::draw_contacts(std::span<const Contact> contacts) {
-  std::vector<Vector> points;
-  for (const Contact& c : contacts) {
-    points.push_back(placed(contact_point(c, step_.start, step_.end, time_)));
-    contact_colours_.push_back(light_of(colour_of_time(c.toi_lower)));
-  }
-  contacts_.add_points(points, camera_.size_of(kContactSize));
+void Scenery::draw_ball(const Point& point, double time) {
+  contact_places_.push_back(placed(point));
+  contact_colours_.push_back(light_of(colour_of_time(time)));
+}
+
+void Scenery::draw_contacts(const Recording& recording) {
+  if (recording.pose)
+    for (const Intersection& i : recording.pose->intersections) draw_ball(intersection_point(i, step_.start), 0);
+  else
+    for (const Contact& c : recording.steps.front().contacts)
+      draw_ball(contact_point(c, step_.start, step_.end, time_), c.toi_lower);
+  contacts_.add_points(contact_places_, camera_.size_of(kContactSize));
   contacts_.finish();
 }
 

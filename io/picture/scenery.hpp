@@ -1,4 +1,4 @@
-// A step at one time, drawn: the mesh, and the contacts of the step.
+// A step at one time, drawn: the mesh, and the contacts of the step; or a pose with its intersections.
 #pragma once
 #include <array>
 #include <vector>
@@ -22,7 +22,8 @@ class Scenery {
   Vector placed(const Point& point) const;
   std::vector<Vector> placed_vertices(const Mesh& mesh) const;
   void draw_mesh(const Mesh& mesh);
-  void draw_contacts(std::span<const Contact> contacts);
+  void draw_contacts(const Recording& recording);
+  void draw_ball(const Point& point, double time);
 
   FirstStep step_;
   double time_;
@@ -32,6 +33,7 @@ class Scenery {
   Drawing surfaces_;
   Drawing contacts_;
   std::array<std::vector<Light>, 3> colours_;  ///< of what was drawn, by Hit::Shape
+  std::vector<Vector> contact_places_;
   std::vector<Light> contact_colours_;
 };
 

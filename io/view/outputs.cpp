@@ -1,20 +1,22 @@
 #include "io/view/outputs.hpp"
 
-#include <algorithm>
 #include <array>
 #include <string_view>
 
 #include "io/contacts_csv.hpp"
 #include "io/contacts_vtk.hpp"
-#include "io/extension.hpp"
 #include "io/glb.hpp"
+#include "io/near_csv.hpp"
 #include "io/view/viewer_page.hpp"
 
 namespace tamis::io {
 namespace {
 
 void write_csv(const std::filesystem::path& path, const Recording& recording) {
-  write_contacts_csv(path, recording.steps.front().contacts);
+  if (recording.pose)
+    write_intersections_csv(path, recording.pose->intersections);
+  else
+    write_contacts_csv(path, recording.steps.front().contacts);
 }
 
 void write_first_glb(const std::filesystem::path& path, const Recording& recording) {
@@ -33,20 +35,19 @@ void write_vtu(const std::filesystem::path& path, const Recording& recording) {
 }
 
 constexpr std::array kOutputs{
-    Output{"csv", false, write_csv}, Output{"html", true, write_viewer_page}, Output{"glb", false, write_first_glb},
-    Output{"vtp", false, write_vtp}, Output{"vtu", false, write_vtu},
+    Output{"csv", true, false, write_csv},        Output{"html", true, true, write_viewer_page},
+    Output{"glb", false, false, write_first_glb}, Output{"vtp", false, false, write_vtp},
+    Output{"vtu", false, false, write_vtu},
 };
 
 }  // namespace
 
 std::span<const Output> outputs() { return kOutputs; }
 
-const Output* find_output(std::span<const Output> choices, const std::filesystem::path& path) {
-  const std::string extension = extension_of(path);
-  const std::string_view without_dot = std::string_view(extension).substr(extension.empty() ? 0 : 1);
-  const auto found = std::find_if(choices.begin(), choices.end(),
-                                  [&](const Output& output) { return without_dot == output.extension; });
-  return found == choices.end() ? nullptr : &*found;
+const Output& output_for(const std::filesystem::path& path, std::span<const Output> choices, NoExtension without) {
+  std::vector<std::string_view> extensions;
+  for (const Output& output : choices) extensions.emplace_back(output.extension);
+  return choices[format_of(path, extensions, without)];
 }
 
 std::string extensions(std::span<const Output> choices) {

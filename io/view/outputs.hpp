@@ -1,15 +1,17 @@
-// The files in which a step can be looked at, told apart by their extensions.
+// The files in which a step, or a pose, can be looked at, told apart by their extensions.
 #pragma once
 #include <filesystem>
 #include <span>
 #include <string>
 
+#include "io/format.hpp"
 #include "io/view/recording.hpp"
 
 namespace tamis::io {
 
 struct Output {
   const char* extension;
+  bool holds_pose;
   bool holds_sequence;  ///< else one step
   void (*write)(const std::filesystem::path& path, const Recording& recording);
 };
@@ -18,12 +20,13 @@ struct Output {
 std::span<const Output> outputs();
 
 /// None of outputs(): it takes options, and a library that may be absent (write_picture).
-inline constexpr Output kPicture{"png", false, nullptr};
+inline constexpr Output kPicture{"png", true, false, nullptr};
 
-/// The kind of output that a file name asks for by its extension; none if it is none of them.
-const Output* find_output(std::span<const Output> choices, const std::filesystem::path& path);
+/// The one that a file name asks for by its extension (format_of). Throws FileError.
+const Output& output_for(const std::filesystem::path& path, std::span<const Output> choices,
+                         NoExtension without = NoExtension::is_first_format);
 
-/// "html, glb, ...": for sentences.
+/// "html, glb, ...": for the help.
 std::string extensions(std::span<const Output> choices);
 
 }  // namespace tamis::io

@@ -10,25 +10,44 @@ namespace {
 /// A feature of a millionth of the scene still has sixteen steps of the grid.
 constexpr std::uint32_t kFinest = (std::uint32_t{1} << 24) - 1;
 
-void set_grid(const Recording& recording, QuantisedFrames& result) {
-  constexpr double kFar = std::numeric_limits<double>::max();
-  Point lowest{kFar, kFar, kFar}, highest{-kFar, -kFar, -kFar};
+/// Around what is used, in all frames.
+struct Box {
+  Point lowest{kFar, kFar, kFar};
+  Point highest{-kFar, -kFar, -kFar};
+
+  static constexpr double kFar = std::numeric_limits<double>::max();
+};
+
+Box box_of(const Recording& recording) {
+  Box box;
   for (const auto& frame : recording.frames)
     for (const Index v : recording.mesh.points())
       for (std::size_t axis = 0; axis < 3; ++axis) {
         const double x = frame[static_cast<std::size_t>(v)][axis];
-        lowest[axis] = std::min(lowest[axis], x);
-        highest[axis] = std::max(highest[axis], x);
+        box.lowest[axis] = std::min(box.lowest[axis], x);
+        box.highest[axis] = std::max(box.highest[axis], x);
       }
-  // Divided before they are subtracted, lest the difference of two huge coordinates overflow.
+  return box;
+}
+
+void set_grid(const Recording& recording, QuantisedFrames& result) {
+  const Box box = box_of(recording);
   double spacing = 0;
   for (std::size_t axis = 0; axis < 3; ++axis)
-    spacing = std::max(spacing, highest[axis] / kFinest - lowest[axis] / kFinest);
-  result.lowest = lowest;
+    spacing = std::max(spacing, (box.highest[axis] - box.lowest[axis]) / kFinest);
+  result.lowest = box.lowest;
   if (spacing > 0) result.spacing = spacing;
 }
 
 }  // namespace
+
+bool can_quantise(const Recording& recording) {
+  const Box box = box_of(recording);
+  bool is_finite = true;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    is_finite = is_finite && std::isfinite(2 * (box.highest[axis] - box.lowest[axis]));
+  return is_finite;
+}
 
 QuantisedFrames quantise(const Recording& recording) {
   QuantisedFrames result;

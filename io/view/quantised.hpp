@@ -14,7 +14,10 @@ struct QuantisedFrames {
   std::vector<std::vector<std::uint32_t>> frames;
 };
 
-/// Vertices that nothing uses are put at `lowest`: their positions may be anything.
+/// Is the box of all frames no larger than half the largest double, so that nothing here overflows?
+bool can_quantise(const Recording& recording);
+
+/// REQUIRES: can_quantise(recording). Vertices that nothing uses are put at `lowest`: their positions may be anything.
 QuantisedFrames quantise(const Recording& recording);
 
 }  // namespace tamis::io

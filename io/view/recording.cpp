@@ -4,8 +4,9 @@
 
 namespace tamis::io {
 
-FirstStep::FirstStep(const Recording& recording) : start(recording.frames[0]), end(recording.frames[1]) {
-  scale_step(start, end, recording.scale);
+FirstStep::FirstStep(const Recording& recording)
+    : start(recording.frames[0]), end(recording.frames[recording.steps.empty() ? 0 : 1]) {
+  if (!recording.steps.empty()) scale_step(start, end, recording.scale);
 }
 
 }  // namespace tamis::io

@@ -1,4 +1,5 @@
-// What the outputs for looking show: a mesh, its frames, and what was found in each step between two of them.
+// What the outputs for looking show: a mesh, its frames, and what was found in each step between two of them; or one
+// pose, and what passes through what in it.
 #pragma once
 #include <cstdint>
 #include <optional>
@@ -18,7 +19,14 @@ struct RecordedStep {
   std::optional<double> free_before = {};
 };
 
-/// REQUIRES: one frame more than steps; frames have a row for each vertex of the mesh.
+/// What passes through what.
+struct RecordedPose {
+  std::vector<Intersection> intersections;
+  std::vector<StageCount> stages;
+};
+
+/// REQUIRES: one frame more than steps; frames have a row for each vertex of the mesh. A single frame comes with
+/// `pose`.
 struct Recording {
   const Mesh& mesh;
   const Options& options;
@@ -26,9 +34,10 @@ struct Recording {
   std::vector<std::string> names;  ///< of the frames, in UTF-8
   std::vector<std::vector<Point>> frames;
   std::vector<RecordedStep> steps;
+  std::optional<RecordedPose> pose = {};
 };
 
-/// Where the vertices of the first step are, as it was decided.
+/// Where the vertices of the first step are, as it was decided; of a pose both are the pose.
 struct FirstStep {
   explicit FirstStep(const Recording& recording);
 

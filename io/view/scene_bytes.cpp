@@ -91,33 +91,59 @@ std::uint16_t component(double x) {
   return static_cast<std::uint16_t>(static_cast<std::int16_t>(std::lround(std::clamp(x, -1.0, 1.0) * kLargest)));
 }
 
-void add_contacts(const Recording& recording, Columns& columns) {
-  std::vector<std::uint8_t> kinds, certainties;
-  std::vector<std::uint32_t> vertices;
-  std::vector<std::uint64_t> lower, width;
-  std::vector<std::uint16_t> weights, normals;
+/// The pairs that are shown, a column a property.
+class PairColumns {
+ public:
+  void add(const Contact& c) {
+    for (const Index v : c.vertices) vertices_.push_back(bits_of(v));
+    for (const double w : {c.u, c.v}) weights_.push_back(fraction(w));
+    add(static_cast<std::uint8_t>(c.kind), c.certainty, {c.toi_lower, c.toi_upper}, c.normal);
+  }
+  void add(const Intersection& i, const Point& normal) {
+    for (const Index v : i.edge) vertices_.push_back(bits_of(v));
+    for (const Index v : i.face) vertices_.push_back(bits_of(v));
+    for (const double w : {i.s_upper, i.u, i.v}) weights_.push_back(fraction(w));
+    add(0, Certainty::certified, {0, 0}, normal);
+  }
+  void write(Columns& columns) const {
+    columns.add_planes("kind", kinds_);
+    columns.add_planes("certainty", certainties_);
+    columns.add_integers("vertices", vertices_, kinds_.empty() ? 1 : vertices_.size() / kinds_.size());
+    columns.add_planes("toi_lower", lower_);
+    columns.add_planes("toi_width", width_);
+    columns.add_planes("weights", weights_);
+    columns.add_planes("normals", normals_);
+  }
+
+ private:
+  void add(std::uint8_t kind, Certainty certainty, std::array<double, 2> bracket, const Point& normal) {
+    kinds_.push_back(kind);
+    certainties_.push_back(static_cast<std::uint8_t>(certainty));
+    // Doubles are ordered as their bits are, so the width in units in the last place is small where the bracket is.
+    lower_.push_back(std::bit_cast<std::uint64_t>(bracket[0]));
+    width_.push_back(std::bit_cast<std::uint64_t>(bracket[1]) - lower_.back());
+    for (const double x : normal) normals_.push_back(component(x));
+  }
+
+  std::vector<std::uint8_t> kinds_, certainties_;
+  std::vector<std::uint32_t> vertices_;
+  std::vector<std::uint64_t> lower_, width_;
+  std::vector<std::uint16_t> weights_, normals_;
+};
+
+void add_pairs(const Recording& recording, Columns& columns) {
+  PairColumns pairs;
   for (const RecordedStep& step : recording.steps)
-    for (const Contact& c : step.contacts) {
-      kinds.push_back(static_cast<std::uint8_t>(c.kind));
-      certainties.push_back(static_cast<std::uint8_t>(c.certainty));
-      for (const Index v : c.vertices) vertices.push_back(bits_of(v));
-      // Doubles are ordered as their bits are, so the width in units in the last place is small where the bracket is.
-      lower.push_back(std::bit_cast<std::uint64_t>(c.toi_lower));
-      width.push_back(std::bit_cast<std::uint64_t>(c.toi_upper) - lower.back());
-      for (const double w : {c.u, c.v}) weights.push_back(fraction(w));
-      for (const double x : c.normal) normals.push_back(component(x));
-    }
-  columns.add_planes("kind", kinds);
-  columns.add_planes("certainty", certainties);
-  columns.add_integers("vertices", vertices, 4);
-  columns.add_planes("toi_lower", lower);
-  columns.add_planes("toi_width", width);
-  columns.add_planes("weights", weights);
-  columns.add_planes("normals", normals);
+    for (const Contact& c : step.contacts) pairs.add(c);
+  if (recording.pose)
+    for (const Intersection& i : recording.pose->intersections)
+      pairs.add(i, face_normal(i.face, recording.frames.front()));
+  pairs.write(columns);
 }
 
 /// In the order of their numbers.
-Json kinds() {
+Json kinds(const Recording& recording) {
+  if (recording.pose) return Json::array({{{"name", "ef"}, {"first", 2}, {"second", 3}}});
   Json kinds = Json::array();
   for (const PairKind kind :
        {PairKind::vertex_face, PairKind::edge_edge, PairKind::vertex_edge, PairKind::vertex_vertex}) {
@@ -130,9 +156,18 @@ Json kinds() {
 Json json_of(const RecordedStep& step) {
   const Tally tally = tally_of(step.contacts);
   Json json{{"contacts", json_of(tally)}};
+  json["contacts"]["unresolved"] = tally.unresolved;
   const bool is_free = !step.free_before && tally.is_free();
   add_bracket(json, is_free, step.free_before.value_or(tally.toi_lower), tally.toi_upper);
   add_stages(json, step.stages);
+  return json;
+}
+
+/// As a step that stands still.
+Json json_of(const RecordedPose& pose) {
+  Json json{{"contacts", {{"ef", pose.intersections.size()}, {"unresolved", 0}}}};
+  add_bracket(json, pose.intersections.empty(), 0, 0);
+  add_stages(json, pose.stages);
   return json;
 }
 
@@ -142,15 +177,15 @@ std::string scene_bytes(const Recording& recording) {
   Json header{{"names", recording.names},
               {"scale", recording.scale},
               {"method", name_of(recording.options.method)},
-              {"guarantee", name_of(recording.options.guarantee)},
               {"min_separation", recording.options.min_separation},
-              {"kinds", kinds()},
+              {"kinds", kinds(recording)},
               {"steps", Json::array()}};
   for (const RecordedStep& step : recording.steps) header["steps"].push_back(json_of(step));
+  if (recording.pose) header["steps"].push_back(json_of(*recording.pose));
   Columns columns;
   add_mesh(recording.mesh, columns, header);
   add_frames(recording, columns, header);
-  add_contacts(recording, columns);
+  add_pairs(recording, columns);
   header["columns"] = columns.list();
   const std::string text = header.dump();
   std::string bytes;

@@ -8,6 +8,8 @@
 #include <string_view>
 
 #include "io/atomic_file.hpp"
+#include "io/error.hpp"
+#include "io/view/quantised.hpp"
 #include "io/view/scene_bytes.hpp"
 
 // The built page becomes part of the program, or of the module for Python.
@@ -52,6 +54,9 @@ void append_base64(AtomicFile& file, std::string_view bytes) {
 }  // namespace
 
 void write_viewer_page(const std::filesystem::path& path, const Recording& recording) {
+  if (!can_quantise(recording))
+    throw FileError(path.string(), "",
+                    "the mesh is too large for a page, which doubles place: scale it down, or write csv or vtp");
   const std::string_view page(tamis_page_begin, static_cast<std::size_t>(tamis_page_end - tamis_page_begin));
   constexpr std::string_view kPlace = "<!--SCENE-->";
   const std::size_t place = page.find(kPlace);

@@ -71,7 +71,6 @@ void print_mesh(const StepParts& parts) {
 
 void add_facts(Json& json, const StepParts& parts, const Options& options) {
   json["method"] = name_of(options.method);
-  json["guarantee"] = name_of(options.guarantee);
   json["min_separation"] = options.min_separation;
   json["mesh"] = {{"vertices", parts.vertices}, {"triangles", parts.triangles}};
 }

@@ -10,7 +10,6 @@
 #include "mpi/command/ranks_verb.hpp"
 #include "mpi/command/verbs.hpp"
 #include "mpi/src/agreement.hpp"
-#include "tamis/error.hpp"
 
 namespace tamis::distributed {
 namespace {
@@ -30,7 +29,9 @@ class Contacts final : public RanksVerb {
 
   int run() override {
     Communicator communicator(MPI_COMM_WORLD);
-    together(communicator, [&] { require_out(communicator); });
+    together(communicator, [&] {
+      if (communicator.rank() == 0) cli::require_output(out_, {start_, end_}, "csv");
+    });
     const std::vector<Contact>* contacts = nullptr;
     ask_all(communicator, [&](Detector& detector, const Step& step) { contacts = &detector.contacts(step); });
     const cli::Tally tally = tally_of_all(communicator, *contacts);
@@ -41,16 +42,6 @@ class Contacts final : public RanksVerb {
   }
 
  private:
-  void require_out(const Communicator& communicator) const {
-    const std::filesystem::path path = out_;
-    if (path.has_extension() && path.extension() != ".csv")
-      throw InvalidOptions(
-          fmt::format("--out {}: tamis-mpi writes CSV alone: give a name that ends in .csv, and "
-                      "'tamis view' the frames for a picture",
-                      cli::printable(out_)));
-    if (communicator.rank() == 0) cli::require_output(out_, {start_, end_}, ".csv");
-  }
-
   void write(Communicator& communicator) {
     const std::vector<Contact> contacts = detector_->gather_contacts(0);
     together(communicator, [&] {

@@ -1,5 +1,6 @@
 // tamis-mpi free: is the step free of contacts? The exit code says so.
 #include "cli/answers.hpp"
+#include "cli/start_check.hpp"
 #include "mpi/command/ranks_verb.hpp"
 #include "mpi/command/verbs.hpp"
 
@@ -19,8 +20,14 @@ class Free final : public RanksVerb {
     bool is_free = false;
     ask_all(communicator, [&](Detector& detector, const Step& step) { is_free = detector.is_free(step); });
     report(
-        communicator, [&](cli::Json& json) { json["free"] = is_free; }, [&] { cli::print_free(is_free); });
+        communicator, [&](cli::Json& json) { json["free"] = is_free; }, [&] { print(is_free); });
     return is_free ? cli::kSuccess : cli::kNo;
+  }
+
+ private:
+  static void print(bool is_free) {
+    cli::print_free(is_free, "the step");
+    if (is_free) cli::StartCheck().print();
   }
 };
 

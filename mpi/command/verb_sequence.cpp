@@ -12,7 +12,10 @@ namespace {
 class Sequence final : public cli::SequenceVerb {
  public:
   const char* name() const override { return "sequence"; }
-  const char* summary() const override { return "Contacts of each consecutive pair of frames, shared out over ranks"; }
+  const char* summary() const override {
+    return "Contacts of each consecutive pair of frames, shared out over ranks. Exit code 0: every step is free, 1: "
+           "contact, 2: error";
+  }
   const char* examples() const override {
     return "  mpirun -n 4 tamis-mpi sequence frames/\n"
            "  mpirun -n 4 tamis-mpi sequence 'frames/cloth*.ply' --threads 1 --json";
@@ -30,20 +33,21 @@ class Sequence final : public cli::SequenceVerb {
       const std::uint64_t steps = frames->paths().size() - 1;
       const Block block{static_cast<std::uint64_t>(communicator.rank()),
                         static_cast<std::uint64_t>(communicator.size())};
-      cli::ask_steps(*detector, *frames, 1 + block.first_of(steps), 1 + block.last_of(steps), substeps_, scale(),
+      cli::ask_steps(*detector, *frames, {1 + block.first_of(steps), 1 + block.last_of(steps), substeps_, scale()},
                      [&](const cli::SequenceStep& step) { packer.put(step); });
     });
-    print(communicator.gather_for_all(packer.take()), *frames, *detector);
-    return cli::kSuccess;
+    return print(communicator.gather_for_all(packer.take()), *frames, *detector) ? cli::kSuccess : cli::kNo;
   }
 
  private:
-  void print(const std::vector<Bytes>& of_ranks, const cli::MovingFrames& frames, const tamis::Detector& detector) {
+  /// Returns whether every step is free.
+  bool print(const std::vector<Bytes>& of_ranks, const cli::MovingFrames& frames, const tamis::Detector& detector) {
     cli::SequenceTable table(frames.paths(), substeps_, json_);
     table.print_head(detector.mesh());
     for (const Bytes& bytes : of_ranks)
       for (Unpacker unpacker(bytes); !unpacker.empty();) table.add(unpacker.get<cli::SequenceStep>());
-    table.print_totals(detector.options(), detector.statistics());
+    table.print_totals(detector.options(), detector.statistics(), {});
+    return table.is_free();
   }
 };
 

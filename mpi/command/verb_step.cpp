@@ -1,5 +1,6 @@
 // tamis-mpi step: how far the step may go.
 #include "cli/answers.hpp"
+#include "cli/start_check.hpp"
 #include "mpi/command/ranks_verb.hpp"
 #include "mpi/command/verbs.hpp"
 
@@ -26,18 +27,27 @@ class StepLength final : public RanksVerb {
     EarliestContact first;
     ask_all(communicator, [&](Detector& detector, const Step& step) { first = detector.earliest(step); });
     report(
-        communicator, [&](cli::Json& json) { cli::add_earliest(json, first); }, [&] { cli::print_earliest(first); });
+        communicator, [&](cli::Json& json) { cli::add_earliest(json, first); }, [&] { print(first); });
     return cli::kSuccess;
   }
 
  private:
+  static void print(const EarliestContact& first) {
+    cli::print_earliest(first);
+    if (!first.contact) cli::StartCheck().print();
+  }
+
+  void print(const SafeStep& safe) const {
+    cli::print_safe_step(safe, kept_.fraction(), options().min_separation);
+    if (!safe.pair) cli::StartCheck().print();
+  }
+
   int keep_distance(Communicator& communicator) {
     SafeStep safe;
     ask_all(communicator,
             [&](Detector& detector, const Step& step) { safe = detector.keep_distance(step, kept_.fraction()); });
     report(
-        communicator, [&](cli::Json& json) { cli::add_safe_step(json, safe, kept_.fraction()); },
-        [&] { cli::print_safe_step(safe, kept_.fraction(), options().min_separation); });
+        communicator, [&](cli::Json& json) { cli::add_safe_step(json, safe, kept_.fraction()); }, [&] { print(safe); });
     return cli::kSuccess;
   }
 

@@ -9,7 +9,7 @@
 namespace tamis::distributed {
 namespace {
 
-enum class Kind : int { mesh, step, options, cancelled, other };
+enum class Kind : int { mesh, step, options, cancelled, busy, other };
 
 struct Report {
   Kind kind;
@@ -27,6 +27,8 @@ Report report_of(const std::exception_ptr& failure) {
     return {Kind::options, error.what()};
   } catch (const Cancelled& error) {
     return {Kind::cancelled, error.what()};
+  } catch (const Busy& error) {
+    return {Kind::busy, error.what()};
   } catch (const std::bad_alloc&) {
     return {Kind::other, "not enough memory: use more ranks, or larger machines"};
   } catch (const std::exception& error) {
@@ -46,6 +48,8 @@ Report report_of(const std::exception_ptr& failure) {
       throw InvalidOptions(sentence);
     case Kind::cancelled:
       throw Cancelled(sentence);
+    case Kind::busy:
+      throw Busy(sentence);
     case Kind::other:
       break;
   }

@@ -7,6 +7,7 @@
 #include "mpi/src/searches.hpp"
 #include "tamis/distributed.hpp"
 #include "tamis/error.hpp"
+#include "tamis/turn.hpp"
 
 namespace tamis::distributed {
 namespace {
@@ -51,7 +52,7 @@ struct Detector::State {
 
   SafeStep find_safe_step(double fraction) {
     SafeStep first;
-    double upper = 1;  // of fraction 0: of the first certified contact, whatever pair comes first
+    double upper = 1;  // of fraction 0: of any contact, whatever pair comes first
     const auto ask = [&](LocalSearch& search) {
       const SafeStep safe = search.keep_distance(fraction, searches.min_separation());
       keep_first(first, safe);
@@ -81,8 +82,13 @@ struct Detector::State {
     searches.statistics().seconds.total = total;
   }
 
+  void refuse_while_asked() const {
+    if (is_asked.test(std::memory_order_acquire)) throw Busy();
+  }
+
   Searches searches;
   std::vector<Contact> contacts;
+  std::atomic_flag is_asked;  ///< the turn of this rank's question
 };
 
 Detector::Detector(MPI_Comm communicator, const LocalMesh& mesh, Options options)
@@ -93,12 +99,14 @@ Detector::Detector(Detector&&) noexcept = default;
 Detector& Detector::operator=(Detector&&) noexcept = default;
 
 const std::vector<Contact>& Detector::contacts(const Step& step, std::optional<double> min_separation) {
+  const Turn turn(state_->is_asked);
   state_->ask("contacts", step, min_separation, [&] { state_->find_contacts(); });
   agreed_or_ended(state_->searches.communicator().raw(), [&] { state_->searches.watch_balance(); });
   return state_->contacts;
 }
 
 std::vector<Contact> Detector::gather_contacts(int root) {
+  const Turn turn(state_->is_asked);
   Communicator& communicator = state_->searches.communicator();
   return agreed_or_ended(communicator.raw(), [&] {
     require_same(communicator, {"gather contacts on rank " + std::to_string(root)});
@@ -110,18 +118,21 @@ std::vector<Contact> Detector::gather_contacts(int root) {
 }
 
 EarliestContact Detector::earliest(const Step& step, std::optional<double> min_separation) {
+  const Turn turn(state_->is_asked);
   EarliestContact first;
   state_->ask("earliest", step, min_separation, [&] { first = state_->find_earliest(); });
   return first;
 }
 
 bool Detector::is_free(const Step& step, std::optional<double> min_separation) {
+  const Turn turn(state_->is_asked);
   bool is_free = false;
   state_->ask("is_free", step, min_separation, [&] { is_free = state_->find_whether_free(); });
   return is_free;
 }
 
 SafeStep Detector::keep_distance(const Step& step, double fraction, std::optional<double> min_separation) {
+  const Turn turn(state_->is_asked);
   SafeStep safe;
   state_->ask("keep_distance " + exact(fraction), step, min_separation,
               [&] { safe = state_->find_safe_step(fraction); });
@@ -129,7 +140,13 @@ SafeStep Detector::keep_distance(const Step& step, double fraction, std::optiona
 }
 
 Index Detector::vertex_count() const { return state_->searches.vertex_count(); }
-const Statistics& Detector::statistics() const { return state_->searches.statistics(); }
-const Balance& Detector::balance() const { return state_->searches.balance(); }
+const Statistics& Detector::statistics() const {
+  state_->refuse_while_asked();
+  return state_->searches.statistics();
+}
+const Balance& Detector::balance() const {
+  state_->refuse_while_asked();
+  return state_->searches.balance();
+}
 
 }  // namespace tamis::distributed

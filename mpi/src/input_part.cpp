@@ -32,6 +32,9 @@ void check_groups(const PairFilter& filter, std::size_t rows) {
   if (!groups.empty() && groups.size() != rows)
     throw InvalidOptions("group_of_vertex has " + std::to_string(groups.size()) + " entries for " +
                          std::to_string(rows) + " vertices of this rank: give one group a vertex, or none");
+  if (groups.empty() && rows > 0 && (filter.group_count > 1 || !filter.groups_may_touch.empty()))
+    throw InvalidOptions(
+        "group_of_vertex is empty, but group_count or groups_may_touch speak of groups: give one group a vertex");
   for (std::size_t row = 0; row < groups.size(); ++row)
     if (groups[row] < 0 || groups[row] >= filter.group_count)
       throw InvalidOptions("the vertex in row " + std::to_string(row) + " is in group " + std::to_string(groups[row]) +

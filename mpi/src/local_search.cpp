@@ -83,8 +83,11 @@ void LocalSearch::make_detector() { detector_.emplace(mesh_of(set_), local_optio
 Options LocalSearch::local_options() {
   Options options = options_;
   options.filter.group_of_vertex.clear();
-  if (!options.filter.groups_may_touch.empty() || !options.thickness.empty())
+  if (options.filter.groups_may_touch.empty() && options.thickness.empty()) {
+    options.filter.group_count = 1;
+  } else {
     for (const Vertex& vertex : set_.vertices) options.filter.group_of_vertex.push_back(vertex.group);
+  }
   if (counts_pairs_ || !side_.empty() || options_.filter.accepts)
     options.filter.accepts = [this](PairKind kind, const auto& vertices) { return is_wanted(kind, vertices); };
   return options;

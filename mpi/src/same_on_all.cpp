@@ -42,9 +42,9 @@ void require_same(Communicator& communicator, const std::vector<std::string>& sa
 }
 
 std::vector<std::string> sayings_of(const Options& options) {
-  std::vector<std::string> sayings{
-      "method " + std::string(name_of(options.method)), "guarantee " + std::string(name_of(options.guarantee)),
-      "min_separation " + exact(options.min_separation), "group_count " + std::to_string(options.filter.group_count)};
+  std::vector<std::string> sayings{"method " + std::string(name_of(options.method)),
+                                   "min_separation " + exact(options.min_separation),
+                                   "group_count " + std::to_string(options.filter.group_count)};
   std::string thickness = "thickness", touch = "groups_may_touch";
   for (const double radius : options.thickness) thickness.append(" ").append(exact(radius));
   for (const std::uint8_t flag : options.filter.groups_may_touch) touch += flag != 0 ? " 1" : " 0";

@@ -48,9 +48,7 @@ def pull(target: np.ndarray, springs: np.ndarray, rest: np.ndarray, weight: np.n
 
 def push(x: np.ndarray, target: np.ndarray, near: tamis.Contacts, moves: np.ndarray) -> np.ndarray:
     """Move the features of each near pair apart along its normal, until they are GAP from each other."""
-    u, v = near.u, near.v
-    face = near.kind == tamis.PairKind.VERTEX_FACE
-    weights = np.where(face, [1 + 0 * u, u + v - 1, -u, -v], [1 - u, u, v - 1, -v]).T
+    weights = near.weights
     before = np.einsum("ni,nij,nj->n", weights, x[near.vertices], near.normal)
     after = np.einsum("ni,nij,nj->n", weights, target[near.vertices], near.normal)
     missing = np.maximum(GAP - np.sign(before) * after, 0) * np.sign(before)
@@ -87,7 +85,7 @@ def main() -> None:
             target = pull(target, springs, rest, 1.5 * weight)
         for _ in range(5):
             target = push(x, target, detector.contacts(x, target, min_separation=GAP), moves)
-        safe = detector.keep_distance(x, target, 0.1)
+        safe = detector.keep_distance(x, target)
         assert safe.lower > 0
         shortest = min(shortest, safe.lower)
         new = x + safe.lower * (target - x)

@@ -8,24 +8,8 @@ from __future__ import annotations
 import argparse
 
 import matplotlib.pyplot as plt
-import numpy as np
 
 import tamis
-from tamis import PairKind
-
-
-def points_of(contacts: tamis.Contacts, start: np.ndarray, end: np.ndarray) -> np.ndarray:
-    """Where each contact happens: the weights, at the time of impact."""
-    t = contacts.toi_upper[:, None, None]
-    # The last vertex, -1, is what a kind with less than four has in place of the others; its weight is zero.
-    a, b, c, d = np.moveaxis((1 - t) * start[contacts.vertices] + t * end[contacts.vertices], 1, 0)
-    u, v = contacts.u[:, None], contacts.v[:, None]
-    kind = contacts.kind[:, None]
-    return np.select(
-        [kind == PairKind.VERTEX_FACE, kind == PairKind.EDGE_EDGE, kind == PairKind.VERTEX_EDGE],
-        [(1 - u - v) * b + u * c + v * d, (1 - u) * a + u * b, (1 - u) * b + u * c],
-        default=a,
-    )
 
 
 def main() -> None:
@@ -49,7 +33,7 @@ def main() -> None:
     figure = plt.figure(figsize=(9, 6), layout="constrained")
     axes = figure.add_subplot(projection="3d", computed_zorder=False)
     axes.plot_trisurf(*start.T, triangles=mesh.faces, color="#d5d5d5", linewidth=0, antialiased=False)
-    where = points_of(contacts, start, end)
+    where = contacts.points(start, end)[:, 0]
     # As in the viewer: early is bright, late is dark.
     points = axes.scatter(*where.T, c=contacts.toi_lower, s=arguments.size, cmap="plasma_r", depthshade=False)
     figure.colorbar(points, ax=axes, shrink=0.7, label="time of impact, fraction of the step")

@@ -1,26 +1,10 @@
 // How Python asks: one question at a time, other threads run meanwhile, callables of Python answer, Ctrl-C stops it.
 #pragma once
-#include <atomic>
-
-#include "python/src/errors.hpp"
 #include "python/src/options.hpp"
 #include "python/src/signals.hpp"
+#include "tamis/turn.hpp"
 
 namespace tamis::python {
-
-/// Held by whoever asks.
-class Turn {
- public:
-  explicit Turn(std::atomic_flag& flag) : flag_(flag) {
-    if (flag_.test_and_set(std::memory_order_acquire)) throw Busy();
-  }
-  ~Turn() { flag_.clear(std::memory_order_release); }
-  Turn(const Turn&) = delete;
-  Turn& operator=(const Turn&) = delete;
-
- private:
-  std::atomic_flag& flag_;
-};
 
 /// A second question is refused, from another thread or from the filter.
 class Asker {
@@ -42,7 +26,7 @@ class Asker {
 
   template <class Work>
   void ask(const Work& work) {
-    const Turn turn(is_asking_);
+    const Turn turn(is_asked_);
     signals_.begin();
     try {
       const nb::gil_scoped_release unlocked;
@@ -53,7 +37,7 @@ class Asker {
     }
   }
   /// For what is read between questions.
-  Turn turn() { return Turn(is_asking_); }
+  Turn turn() { return Turn(is_asked_); }
 
   /// What Python's garbage collector must know: a callable may refer back to its detector.
   int traverse(visitproc visit, void* arg) const {
@@ -73,7 +57,7 @@ class Asker {
 
   nb::object accepts_;
   Signals signals_;
-  std::atomic_flag is_asking_;
+  std::atomic_flag is_asked_;
 };
 
 }  // namespace tamis::python

@@ -20,7 +20,6 @@ void bind_detector(nb::module_& module) {
       .def("earliest", &Questions::earliest_on_path, any, any, or_none)
       .def("is_free", &Questions::is_free_on_path, any, any, or_none)
       .def("keep_distance", &Questions::keep_distance, any, any, any, or_none)
-      .def("vertex_steps", &Questions::vertex_steps, any, any, any, or_none)
       .def("truncate", &Questions::truncate, any, any, any, or_none)
       .def("near", &Questions::near)
       .def("intersections", &Questions::intersections)

@@ -1,9 +1,8 @@
-#include "python/src/errors.hpp"
-
 #include <exception>
 
 #include "io/error.hpp"
 #include "python/src/bindings.hpp"
+#include "tamis/error.hpp"
 
 namespace tamis::python {
 namespace {

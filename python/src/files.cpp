@@ -45,10 +45,9 @@ void write_contacts(const std::filesystem::path& path, const ContactBytes& bytes
   io::write_contacts_csv(path, contacts);
 }
 
-/// Else a table.
+/// Else a table. Throws io::FileError if nothing is written under such a name.
 bool is_file_to_look_at(const std::filesystem::path& path) {
-  const io::Output* output = io::find_output(io::outputs(), path);
-  return output && output != io::outputs().data();
+  return &io::output_for(path, io::outputs()) != io::outputs().data();
 }
 
 }  // namespace

@@ -121,12 +121,12 @@ void write_step(const std::filesystem::path& to, Detector& detector, const Step&
                           {points_of(step.start), points_of(step.end)},
                           {{{part.begin(), part.end()}, detector.statistics().stages}}};
   if (part.size() < found.size()) recording.steps.front().free_before = free_before(found);
-  io::find_output(io::outputs(), to)->write(to, recording);
+  io::output_for(to, io::outputs()).write(to, recording);
 }
 
 void write_path(const std::filesystem::path& to, Detector& detector, const Path& path, double tolerance,
                 std::optional<double> min_separation, std::span<const Contact> part) {
-  const io::Output& output = *io::find_output(io::outputs(), to);
+  const io::Output& output = io::output_for(to, io::outputs());
   if (!output.holds_sequence)
     throw Error(to.string() + " would hold one straight piece, and these contacts are of a path: save html or csv");
   const auto& found = detector.contacts(path, min_separation, tolerance);

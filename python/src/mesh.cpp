@@ -1,5 +1,7 @@
 #include "tamis/mesh.hpp"
 
+#include <algorithm>
+
 #include "python/src/arrays.hpp"
 #include "python/src/bindings.hpp"
 
@@ -9,6 +11,23 @@ namespace {
 template <class Row>
 nb::object index_rows(std::span<const Row> rows) {
   return own<Index>(std::vector<Row>(rows.begin(), rows.end()), sizeof(Row) / sizeof(Index));
+}
+
+/// The place of each row, as `place_of` finds it.
+template <class Row, class Rows, class PlaceOf>
+nb::object places(const Rows& rows, const PlaceOf& place_of) {
+  const auto* first = reinterpret_cast<const Row*>(rows.data());
+  std::vector<Index> found(rows.shape(0));
+  std::transform(first, first + rows.shape(0), found.begin(), place_of);
+  return own<Index>(std::move(found), 0);
+}
+
+nb::object find_edges(const Mesh& mesh, const IndexRowsIn<2>& edges) {
+  return places<Edge>(edges, [&](const Edge& edge) { return mesh.find_edge(edge[0], edge[1]); });
+}
+
+nb::object find_faces(const Mesh& mesh, const IndexRowsIn<3>& faces) {
+  return places<Face>(faces, [&](const Face& face) { return mesh.find_face(face); });
 }
 
 }  // namespace
@@ -27,6 +46,8 @@ void bind_mesh(nb::module_& module) {
         const auto points = mesh.points();
         return own<Index>(std::vector<Index>(points.begin(), points.end()), 0);
       });
+  module.def("find_edges", &find_edges);
+  module.def("find_faces", &find_faces);
 }
 
 }  // namespace tamis::python

@@ -49,7 +49,6 @@ void bind_options(nb::module_& module) {
   nb::class_<Asking>(module, "Options", nb::type_slots(collected<Asking>))
       .def(nb::init<>())
       .def("choose_method", [](Asking& a, const std::string& name) { choose_method(a.options, name); })
-      .def("set_guarantee", [](Asking& a, const std::string& name) { a.options.guarantee = guarantee_from_name(name); })
       .def("set_isa", [](Asking& a, const std::string& name) { a.options.isa = isa_from_name(name); })
       .def("set_threads", [](Asking& a, int threads) { a.options.threads = threads; })
       .def("set_min_separation", [](Asking& a, double distance) { a.options.min_separation = distance; })

@@ -1,8 +1,6 @@
 // How far apart single pairs are, and how long one keeps a part of that.
 #include "tamis/pair_distance.hpp"
 
-#include <nanobind/stl/string.h>
-
 #include <algorithm>
 
 #include "python/src/answers.hpp"
@@ -15,6 +13,8 @@ namespace {
 
 /// Numbers of kinds; what is none is no kind either when it comes here.
 using Kinds = nb::ndarray<const std::uint8_t, nb::shape<-1>, nb::c_contig, nb::device::cpu>;
+/// Of a table's column, whose entries lie apart.
+using Numbers = nb::ndarray<const double, nb::ndim<1>, nb::device::cpu>;
 
 Pair pair_at(const Kinds& kinds, const IndexRowsIn<4>& vertices, std::size_t i) {
   Pair pair{static_cast<PairKind>(kinds.data()[i]), {}};
@@ -24,7 +24,7 @@ Pair pair_at(const Kinds& kinds, const IndexRowsIn<4>& vertices, std::size_t i) 
 
 /// REQUIRES: as many kinds as rows of vertices, which the Python side sees to.
 nb::object distances_of(const Kinds& kinds, const IndexRowsIn<4>& vertices, const Rows& at) {
-  return decide_each(kinds.shape(0), [&](std::size_t i) {
+  return decide_each(kinds.shape(0), [&](std::size_t i, const auto&) {
     try {
       return distance_of(pair_at(kinds, vertices, i), positions(at));
     } catch (const InvalidStep& fault) {
@@ -34,9 +34,9 @@ nb::object distances_of(const Kinds& kinds, const IndexRowsIn<4>& vertices, cons
 }
 
 nb::tuple pair_keep_distance(const Kinds& kind, const IndexRowsIn<4>& vertices, const Rows& start, const Rows& end,
-                             double fraction, const std::string& guarantee, double min_separation, double latest) {
+                             double fraction, double min_separation, double latest) {
   return as_tuple(keep_distance(pair_at(kind, vertices, 0), {positions(start), positions(end)}, fraction,
-                                {guarantee_from_name(guarantee), min_separation, latest}));
+                                {min_separation, latest}));
 }
 
 /// Places of both features of each pair, two a row.
@@ -44,9 +44,20 @@ nb::object features(const Mesh& mesh, const Kinds& kinds, const IndexRowsIn<4>& 
   std::vector<FeaturePair> places(kinds.shape(0));
   for (std::size_t i = 0; i < places.size(); ++i) {
     const Pair pair = pair_at(kinds, vertices, i);
-    places[i] = features_of(mesh, pair.kind, pair.vertices);
+    try {
+      places[i] = features_of(mesh, pair.kind, pair.vertices);
+    } catch (const InvalidMesh& fault) {
+      throw InvalidMesh("pair " + std::to_string(i) + ": " + fault.what());
+    }
   }
   return own<Index>(std::move(places), 2);
+}
+
+/// Signed weights of each, four a row. REQUIRES: kinds that there are, and as many weights.
+nb::object weights(const Kinds& kinds, const Numbers& u, const Numbers& v) {
+  std::vector<std::array<double, 4>> all(kinds.shape(0));
+  for (std::size_t i = 0; i < all.size(); ++i) all[i] = weights_of(static_cast<PairKind>(kinds.data()[i]), u(i), v(i));
+  return own<double>(std::move(all), 4);
 }
 
 }  // namespace
@@ -55,6 +66,7 @@ void bind_pair_distance(nb::module_& module) {
   module.def("distances_of", &distances_of);
   module.def("keep_distance", &pair_keep_distance);
   module.def("features_of", &features);
+  module.def("weights_of", &weights);
 }
 
 }  // namespace tamis::python

@@ -1,26 +1,32 @@
 // Answers for many pairs, one by one, while Python may want to stop.
 #pragma once
+#include <functional>
 #include <type_traits>
 #include <vector>
 
 #include "python/src/arrays.hpp"
 #include "python/src/signals.hpp"
+#include "tamis/error.hpp"
 
 namespace tamis::python {
 
-/// The bytes of `decide(i)` for each i below `count`; the lock is free meanwhile.
+/// The bytes of `decide(i, is_cancelled)` for each i below `count`; the lock is free meanwhile.
 template <class Decide>
 nb::object decide_each(std::size_t count, const Decide& decide) {
-  std::vector<std::invoke_result_t<Decide, std::size_t>> results(count);
   Signals signals;
   signals.begin();
-  {
+  const std::function<bool()> is_cancelled = [&] { return signals.ask(); };
+  std::vector<std::invoke_result_t<Decide, std::size_t, decltype(is_cancelled)>> results(count);
+  try {
     const nb::gil_scoped_release unlocked;
     constexpr std::size_t kBatch = 256;  // between two looks at the clock
     for (std::size_t i = 0; i < count; ++i) {
       if (i % kBatch == 0 && signals.ask()) break;
-      results[i] = decide(i);
+      results[i] = decide(i, is_cancelled);
     }
+  } catch (const Cancelled&) {
+    signals.rethrow();
+    throw;
   }
   signals.rethrow();
   return own_bytes(std::move(results));

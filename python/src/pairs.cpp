@@ -1,5 +1,3 @@
-#include <nanobind/stl/string.h>
-
 #include <span>
 
 #include "python/src/arrays.hpp"
@@ -17,12 +15,11 @@ std::span<const Point> points_of(const PairRows<corners>& rows) {
 }
 
 template <PairKind kind, int corners>
-nb::object decide_all(const PairRows<corners>& start, const PairRows<corners>& end, const std::string& guarantee,
-                      double min_separation, double latest) {
+nb::object decide_all(const PairRows<corners>& start, const PairRows<corners>& end, double min_separation,
+                      double latest) {
   std::vector<PairResult> results(start.shape(0));
   Signals signals;
-  const PairListOptions options{guarantee_from_name(guarantee), min_separation, latest, 0, Isa::best,
-                                [&] { return signals.ask(); }};
+  const PairListOptions options{min_separation, latest, 0, Isa::best, [&] { return signals.ask(); }};
   signals.begin();
   try {
     const nb::gil_scoped_release unlocked;

@@ -50,8 +50,23 @@ using Decide = PairResult (*)(const Path&, const Vertices<corners>&, const PathO
 template <int corners, Decide<corners> decide>
 nb::object decide_all(const Path& path, const IndexRowsIn<corners>& rows, double min_separation, double tolerance) {
   const auto* vertices = reinterpret_cast<const Vertices<corners>*>(rows.data());
-  const PathOptions options{min_separation, tolerance};
-  return decide_each(rows.shape(0), [&](std::size_t i) { return decide(path, vertices[i], options); });
+  return decide_each(rows.shape(0), [&](std::size_t i, const std::function<bool()>& is_cancelled) {
+    return decide(path, vertices[i], {min_separation, tolerance, is_cancelled});
+  });
+}
+
+using Times = nb::ndarray<const double, nb::ndim<1>, nb::c_contig, nb::device::cpu>;
+using VertexRows = nb::ndarray<const Index, nb::ndim<2>, nb::c_contig, nb::device::cpu>;
+
+/// Where the vertices of each row are at a time of its own, rounded. REQUIRES: vertices of the path, and as many times.
+nb::object corners_at(const Path& path, const Times& times, const VertexRows& rows) {
+  const std::size_t columns = rows.shape(1);
+  std::vector<Point> corners(rows.size());
+  std::vector<double> errors(columns);
+  for (std::size_t i = 0; i < rows.shape(0); ++i)
+    path.points_at(times.data()[i], {rows.data() + columns * i, columns}, {corners.data() + columns * i, columns},
+                   errors);
+  return own<double>(std::move(corners), 3);
 }
 
 nb::object points_at(const Path& path, double time) { return own<double>(positions_at(path, time), 3); }
@@ -75,6 +90,7 @@ void bind_paths(nb::module_& module) {
   nb::class_<Path>(module, "Path")
       .def_prop_ro("vertex_count", &Path::vertex_count)
       .def("points_at", &points_at)
+      .def("corners_at", &corners_at)
       .def("vertex_face", &decide_all<4, &vertex_face>)
       .def("edge_edge", &decide_all<4, &edge_edge>)
       .def("vertex_edge", &decide_all<3, &vertex_edge>)

@@ -97,16 +97,10 @@ nb::tuple Questions::keep_distance(const Rows& start, const Rows& end, double fr
   return as_tuple(safe);
 }
 
-nb::tuple Questions::vertex_steps(const Rows& start, const Rows& end, double fraction, Separation d) {
-  VertexSteps steps;
-  asker_.ask([&] { steps = detector_.vertex_steps(step_of(start, end), fraction, d); });
-  return nb::make_tuple(steps.together, own<double>(std::move(steps.until), 0));
-}
-
 nb::tuple Questions::truncate(const Rows& start, const Rows& end, double fraction, Separation d) {
   TruncatedStep step;
   asker_.ask([&] { step = detector_.truncate(step_of(start, end), fraction, d); });
-  return nb::make_tuple(own<double>(std::move(step.positions), 3), step.is_free);
+  return nb::make_tuple(own<double>(std::move(step.positions), 3), own<double>(std::move(step.parts), 0), step.is_free);
 }
 
 nb::object Questions::near(const Rows& at, double distance) {

@@ -28,7 +28,6 @@ class Questions {
   bool is_free_on_path(const Path& path, double tolerance, Separation d);
 
   nb::tuple keep_distance(const Rows& start, const Rows& end, double fraction, Separation d);
-  nb::tuple vertex_steps(const Rows& start, const Rows& end, double fraction, Separation d);
   nb::tuple truncate(const Rows& start, const Rows& end, double fraction, Separation d);
 
   nb::object near(const Rows& at, double distance);

@@ -10,19 +10,20 @@
 """
 
 from tamis import _core
-from tamis._answers import EarliestContact, LimitingPair, SafeStep, TruncatedStep, VertexSteps
-from tamis._contacts import Contact, Contacts, PairKind
+from tamis._answers import EarliestContact, LimitingPair, SafeStep, TruncatedStep
+from tamis._contacts import Contact, Contacts
 from tamis._core import filter_names, method_choices
 from tamis._detector import Detector, contacts
 from tamis._errors import Busy, Cancelled, Error, FileError, InvalidMesh, InvalidOptions, InvalidPath, InvalidStep
 from tamis._files import MeshFile, read_frames, read_mesh, write_mesh
 from tamis._function_path import FunctionPath
+from tamis._kinds import PairKind
 from tamis._looking import Page
 from tamis._mesh import Mesh
-from tamis._near import Intersections, NearPairs
+from tamis._near import Intersection, Intersections, NearPair, NearPairs
 from tamis._options import PaperOptions, ReducedModel
 from tamis._pair_distance import distance_of, keep_distance
-from tamis._pairs import Pairs, edge_edge, vertex_edge, vertex_face, vertex_vertex
+from tamis._pairs import PairResult, Pairs, edge_edge, vertex_edge, vertex_face, vertex_vertex
 from tamis._paths import BezierPath, CatmullRomPath, Path
 from tamis._rigid_path import RigidPath, between, interpolated, turned
 from tamis._scenes import Scene, scene, scene_names, simulate, simulated_scenes
@@ -42,6 +43,7 @@ __all__ = [
     "Error",
     "FileError",
     "FunctionPath",
+    "Intersection",
     "Intersections",
     "InvalidMesh",
     "InvalidOptions",
@@ -50,9 +52,11 @@ __all__ = [
     "LimitingPair",
     "Mesh",
     "MeshFile",
+    "NearPair",
     "NearPairs",
     "Page",
     "PairKind",
+    "PairResult",
     "Pairs",
     "PaperOptions",
     "Path",
@@ -62,7 +66,6 @@ __all__ = [
     "Scene",
     "Statistics",
     "TruncatedStep",
-    "VertexSteps",
     "between",
     "contacts",
     "distance_of",

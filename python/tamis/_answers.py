@@ -5,7 +5,8 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, NamedTuple
 
 from tamis._arrays import Doubles
-from tamis._contacts import Contact, PairKind
+from tamis._contacts import Contact
+from tamis._kinds import PairKind
 
 if TYPE_CHECKING:
     from tamis import _core
@@ -19,7 +20,7 @@ class EarliestContact(NamedTuple):
     toi_lower : float
         The motion is free on [0, toi_lower): proven. 1 if the whole step is free.
     toi_upper : float
-        A certified contact happens at or before this fraction of the step; 1 if none is certified.
+        A certified contact happens at or before this fraction of the step; 1 if none is certified, as may be on a path.
     contact : Contact or None
         The contact that bounds the step first; None if the step is free.
     """
@@ -62,33 +63,22 @@ def safe_step(found: _core._SafeStep) -> SafeStep:
     return SafeStep(lower, upper, None if pair is None else LimitingPair(PairKind(pair[0]), *pair[1:]))
 
 
-class VertexSteps(NamedTuple):
-    """How far each vertex may go.
-
-    Attributes
-    ----------
-    together : float
-        Until here all vertices may go together, at one time of the step: what `Detector.keep_distance` says.
-    until : array, shape (n,)
-        Of each vertex, in [together, 1]. From where all are at `together`, every vertex may go, at a pace of its own,
-        to its time or any before it, whatever the others do: no pair comes into contact. Proven, with room for
-        positions that are rounded to doubles. 1 for vertices that take no part in contacts.
-    """
-
-    together: float
-    until: Doubles
-
-
 class TruncatedStep(NamedTuple):
-    """Where a step may end.
+    """Where a step may end, each vertex on its own line towards its end.
 
     Attributes
     ----------
     positions : array, shape (n, 3)
-        Where to go. The straight way there from the start of the step, to these very doubles, is free.
+        Where to go. On the straight way there from the start of the step, to these very doubles, every pair keeps the
+        fraction of its distance: proven. A pair that starts within the minimum separation keeps all of its distance but
+        a millionth, or none of its vertices moves.
+    parts : array, shape (n,)
+        The part of its way that each vertex goes, in [0, 1]; 1 for vertices that take no part in contacts. What
+        ``start + part * (end - start)`` is rounded to need not be `positions`.
     is_free : bool
-        False: not even that is proven, because something touches at the start, where `positions` then are.
+        The whole way is free of contacts. False: some pair touches, or is within the minimum separation, at the start.
     """
 
     positions: Doubles
+    parts: Doubles
     is_free: bool

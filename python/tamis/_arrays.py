@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
+from tamis._checks import shown
 from tamis._errors import Error, InvalidStep
 
 Doubles = npt.NDArray[np.float64]
@@ -16,15 +17,24 @@ Groups = npt.NDArray[np.uint8]
 _DOUBLE = np.dtype(np.float64)
 
 
-def _numbers(given: npt.ArrayLike, name: str, error: type[Error]) -> npt.NDArray[Any]:
-    """Make an array of integers or floating-point numbers; anything else is refused with a sentence."""
+_REAL = "floating-point numbers or integers"
+_WHOLE = "integers below 2^31"
+
+
+def _array(given: npt.ArrayLike, name: str, error: type[Error], kinds: str, wanted: str) -> npt.NDArray[Any]:
+    """Make an array of one of these kinds of numbers; anything else is refused with a sentence."""
     try:
         array = np.asarray(given)
-    except (TypeError, ValueError) as reason:
-        raise error(f"{name} is no array of numbers ({reason}): give numbers") from None
-    if array.dtype.kind not in "iuf":
-        raise error(f"{name} has the dtype {array.dtype}: give integers or floating-point numbers")
+    except (TypeError, ValueError, OverflowError):  # rows of several lengths, say
+        raise error(f"{name} is {shown(given)}, which is no array: give {wanted}, as many in each row") from None
+    if array.dtype.kind not in kinds:
+        raise error(f"{name} is {shown(given)}, of the dtype {array.dtype}: give {wanted}")
     return array
+
+
+def numbers(given: npt.ArrayLike, name: str, error: type[Error]) -> npt.NDArray[Any]:
+    """Make an array of numbers, in any shape."""
+    return _array(given, name, error, "iuf", _REAL)
 
 
 def _shape(array: npt.NDArray[Any]) -> str:
@@ -44,15 +54,22 @@ def _is_view(array: npt.NDArray[Any]) -> bool:
 
 def rows(given: npt.ArrayLike, name: str, error: type[Error] = InvalidStep) -> Doubles:
     """Return n rows of three doubles, without a copy if they lie so already, also with a stride between rows."""
-    array = _numbers(given, name, error)
+    array = numbers(given, name, error)
     if array.ndim != 2 or array.shape[1] != 3:
         raise error(f"{name} has the shape {_shape(array)}: give one row of three numbers a vertex, (n, 3)")
     return array if _is_view(array) else np.require(array, dtype=_DOUBLE, requirements=["C", "ALIGNED"])
 
 
+def finite(array: Doubles, name: str, error: type[Error]) -> Doubles:
+    """Return numbers that the compiled part does not look at; what is not finite is refused."""
+    if not np.isfinite(array).all():
+        raise error(f"{name} holds a number that is not finite: give finite ones")
+    return array
+
+
 def pairs(given: npt.ArrayLike, corners: int, name: str) -> Doubles:
     """Return n pairs of so many points, without a copy if they are contiguous doubles; one pair may come alone."""
-    array = _numbers(given, name, InvalidStep)
+    array = numbers(given, name, InvalidStep)
     if array.shape == (corners, 3):
         array = array[np.newaxis]
     if array.ndim != 3 or array.shape[1:] != (corners, 3):
@@ -64,7 +81,7 @@ def pairs(given: npt.ArrayLike, corners: int, name: str) -> Doubles:
 
 def point_frames(given: npt.ArrayLike, name: str, error: type[Error]) -> Doubles:
     """Return contiguous doubles, so many frames of points: (f, n, 3)."""
-    array = _numbers(given, name, error)
+    array = numbers(given, name, error)
     if array.ndim != 3 or array.shape[2] != 3:
         raise error(f"{name} has the shape {_shape(array)}: give three numbers a vertex and frame, (f, n, 3)")
     return np.require(array, dtype=_DOUBLE, requirements=["C", "ALIGNED"])
@@ -72,7 +89,7 @@ def point_frames(given: npt.ArrayLike, name: str, error: type[Error]) -> Doubles
 
 def table(given: npt.ArrayLike, name: str, error: type[Error]) -> Doubles:
     """Return contiguous doubles in two dimensions."""
-    array = _numbers(given, name, error)
+    array = numbers(given, name, error)
     if array.ndim != 2:
         raise error(f"{name} has the shape {_shape(array)}: give two dimensions")
     return np.require(array, dtype=_DOUBLE, requirements=["C", "ALIGNED"])
@@ -80,36 +97,47 @@ def table(given: npt.ArrayLike, name: str, error: type[Error]) -> Doubles:
 
 def vector(given: npt.ArrayLike, name: str, error: type[Error]) -> Doubles:
     """Return contiguous doubles in one dimension."""
-    array = _numbers(given, name, error)
+    array = numbers(given, name, error)
     if array.ndim != 1:
         raise error(f"{name} has the shape {_shape(array)}: give one dimension")
     return np.require(array, dtype=_DOUBLE, requirements=["C", "ALIGNED"])
 
 
-def indices(given: npt.ArrayLike | None, columns: int, name: str, error: type[Error]) -> Indices:
-    """Return contiguous 32-bit indices, `columns` a row (0: in one dimension); None and [] are none."""
+def indices_or_none(given: npt.ArrayLike | None, columns: int, name: str, error: type[Error]) -> Indices:
+    """Return indices that may be left out, as `indices` does."""
+    return indices([] if given is None else given, columns, name, error)
+
+
+def indices(given: npt.ArrayLike, columns: int, name: str, error: type[Error]) -> Indices:
+    """Return contiguous 32-bit indices, `columns` a row (0: in one dimension); [] are none."""
     shape = (0, columns) if columns else (0,)
-    if given is None:
-        return np.empty(shape, np.int32)
-    array = _numbers(given, name, error)
+    array = _array(given, name, error, "iuf", _WHOLE)
     if array.size == 0:
         return np.empty(shape, np.int32)
     if array.ndim != len(shape) or (columns and array.shape[1] != columns):
         wanted = f"(n, {columns})" if columns else "(n,)"
         raise error(f"{name} has the shape {_shape(array)}: give {wanted}")
     if array.dtype.kind == "f":
-        raise error(f"{name} has the dtype {array.dtype}: give integers")
+        raise error(f"{name} has the dtype {array.dtype}: give {_WHOLE}")
     limits = np.iinfo(np.int32)
     wrong = (array < limits.min) | (array > limits.max)
     if wrong.any():
-        raise error(f"{name} holds {array[wrong][0]}: give indices below 2^31")
+        raise error(f"{name} holds {array[wrong][0]}: give {_WHOLE}")
     return np.require(array, dtype=np.int32, requirements=["C", "ALIGNED"])
+
+
+def flags(given: npt.ArrayLike, name: str, error: type[Error]) -> Groups:
+    """Return a contiguous square matrix of truth values, one byte each."""
+    array = _array(given, name, error, "bui", "True or False")
+    if array.ndim != 2 or array.shape[0] != array.shape[1]:
+        raise error(f"{name} has the shape {_shape(array)}: give a square matrix, one row and one column a group")
+    return np.ascontiguousarray(array != 0).view(np.uint8)
 
 
 def pair_list(kind: npt.ArrayLike, vertices: npt.ArrayLike, error: type[Error]) -> tuple[Groups, Indices]:
     """Return kinds (n,) and vertices (n, 4) of pairs of features; one kind may serve for all, one pair come alone."""
-    given = indices(np.atleast_2d(_numbers(vertices, "vertices", error)), 4, "vertices", error)
-    kinds = indices(np.atleast_1d(_numbers(kind, "kind", error)), 0, "kind", error)
+    given = indices(np.atleast_2d(_array(vertices, "vertices", error, "iuf", _WHOLE)), 4, "vertices", error)
+    kinds = indices(np.atleast_1d(_array(kind, "kind", error, "iuf", "a PairKind")), 0, "kind", error)
     if len(kinds) not in (1, len(given)):
         raise error(f"kind has {len(kinds)} entries, vertices {len(given)} rows: give as many, or one kind for all")
     wrong = (kinds < 0) | (kinds > 3)

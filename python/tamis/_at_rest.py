@@ -6,6 +6,7 @@ import numpy.typing as npt
 
 from tamis import _core
 from tamis._arrays import rows
+from tamis._checks import number
 from tamis._near import Intersections, NearPairs
 
 
@@ -35,7 +36,7 @@ class AtRest:
         InvalidOptions
             The distance is negative or not finite.
         """
-        return NearPairs(self._detector.near(rows(positions, "positions"), distance))
+        return NearPairs(self._detector.near(rows(positions, "positions"), number(distance, "distance")))
 
     def intersections(self, positions: npt.ArrayLike) -> Intersections:
         """Find every edge that passes through a triangle or touches it: exactly.

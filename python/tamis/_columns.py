@@ -2,30 +2,29 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 import numpy.typing as npt
 
+from tamis import _core
 from tamis._arrays import Doubles, Indices
-from tamis._table import Table
+from tamis._checks import instance
+from tamis._errors import InvalidMesh
+from tamis._kinds import SHORT_NAMES
+from tamis._mesh import Mesh
+from tamis._points import Corners, both_points
+from tamis._table import Row, Table
+
+Columns = dict[str, npt.NDArray[Any]]
 
 
-class NamedPairs(Table):
-    """Pairs of features by kind and vertices."""
-
-    __slots__ = ()
-
-    @property
-    def kind(self) -> npt.NDArray[np.uint8]:
-        """`PairKind` of each, shape (n,)."""
-        return self._table["kind"]
-
-    @property
-    def vertices(self) -> Indices:
-        """Vertex indices, shape (n, 4), ordered as in `Contact`."""
-        return self._table["vertices"]
+def numbered(letter: str, array: npt.NDArray[Any], numbers: str = "0123") -> Columns:
+    """Make a column of each of an array's: v0, v1, ..., or nx, ny, nz."""
+    return {letter + number: array[:, i] for i, number in enumerate(numbers[: array.shape[1]])}
 
 
-class WeightedPairs(Table):
+class WeightedPairs(Table[Row]):
     """Pairs of features with a point on each."""
 
     __slots__ = ()
@@ -40,8 +39,66 @@ class WeightedPairs(Table):
         """Second weight, shape (n,)."""
         return self._table["v"]
 
+    @property
+    def weights(self) -> Doubles:
+        """Signed weights of each pair's vertices, shape (n, 4): of the first feature positive, of the second negative.
 
-class TimedPairs(WeightedPairs):
+        ``np.einsum("ni,nij->nj", pairs.weights, x[pairs.vertices])`` is the vector from the second feature's point to
+        the first's. 0 where a kind has no vertex.
+        """
+        return _core.weights_of(self._kinds(), self.u, self.v)
+
+    def _kinds(self) -> npt.NDArray[np.uint8]:
+        raise NotImplementedError
+
+    def _points(self, corners: Corners) -> Doubles:
+        return both_points(self._kinds(), self.weights, corners)
+
+
+class NamedPairs(WeightedPairs[Row]):
+    """Pairs of features by kind and vertices."""
+
+    __slots__ = ()
+
+    @property
+    def kind(self) -> npt.NDArray[np.uint8]:
+        """`PairKind` of each, shape (n,)."""
+        return self._table["kind"]
+
+    @property
+    def vertices(self) -> Indices:
+        """Vertex indices, shape (n, 4), ordered as in `Contact`."""
+        return self._table["vertices"]
+
+    def features(self, mesh: Mesh) -> Indices:
+        """Find both features of each by their places: `Mesh.features_of` of all rows, shape (n, 2).
+
+        Parameters
+        ----------
+        mesh : Mesh
+            That was asked about.
+
+        Returns
+        -------
+        array of int, shape (n, 2)
+            The row of `Mesh.faces` or of `Mesh.edges`, the index of a vertex.
+
+        Raises
+        ------
+        InvalidMesh
+            The mesh has no such vertex, edge or face.
+        """
+        known = instance(mesh, Mesh, "mesh", "the tamis.Mesh that was asked about", InvalidMesh)
+        return known.features_of(self.kind, self.vertices)
+
+    def _kinds(self) -> npt.NDArray[np.uint8]:
+        return np.ascontiguousarray(self.kind)
+
+    def _names(self) -> Columns:
+        return {"kind": np.asarray(SHORT_NAMES)[self.kind], **numbered("v", self.vertices)}
+
+
+class TimedPairs(WeightedPairs[Row]):
     """What pairs do during a step."""
 
     __slots__ = ()
@@ -58,5 +115,14 @@ class TimedPairs(WeightedPairs):
 
     @property
     def normal(self) -> Doubles:
-        """Unit normals, shape (n, 3)."""
+        """Unit vectors along which the first feature leaves the second, shape (n, 3): as `Contact.normal`."""
         return self._table["normal"]
+
+    @property
+    def certified(self) -> npt.NDArray[np.bool_]:
+        """True where touching is proven, False where it is unresolved, as on a path alone, shape (n,)."""
+        proven: npt.NDArray[np.bool_] = np.equal(self._table["certainty"], 0)
+        return proven
+
+    def _times(self) -> Columns:
+        return {name: self._table[name] for name in ("toi_lower", "toi_upper", "u", "v")}

@@ -2,38 +2,21 @@
 
 from __future__ import annotations
 
-import enum
 import os
-from collections.abc import Iterator
-from typing import TYPE_CHECKING, Any, NamedTuple, overload
+from typing import Any, NamedTuple
 
 import numpy as np
 import numpy.typing as npt
 
 from tamis import _core
-from tamis._columns import NamedPairs, TimedPairs
+from tamis._arrays import Doubles
+from tamis._checks import file_name, instance
+from tamis._columns import Columns, NamedPairs, TimedPairs, numbered
 from tamis._errors import Error
+from tamis._kinds import PairKind
 from tamis._looking import Asked, Page, place_for_page, show
-
-if TYPE_CHECKING:
-    import pandas
-
-
-class PairKind(enum.IntEnum):
-    """Kinds of pairs of features; the last two are of points and edges that belong to no face."""
-
-    VERTEX_FACE = 0
-    EDGE_EDGE = 1
-    VERTEX_EDGE = 2
-    VERTEX_VERTEX = 3
-
-    @property
-    def short_name(self) -> str:
-        """As in files and on the command line: vf, ee, ve, vv."""
-        return _SHORT_NAMES[self]
-
-
-_SHORT_NAMES = ("vf", "ee", "ve", "vv")
+from tamis._motion import motion
+from tamis._paths import Path
 
 
 class Contact(NamedTuple):
@@ -53,9 +36,12 @@ class Contact(NamedTuple):
     u, v : float
         Contact weights. Vertex-face: point = (1-u-v) f0 + u f1 + v f2. Edge-edge: u on the first edge, v on the second.
     normal : tuple of three float
-        Of unit length: of the face, or the cross product of the edges.
+        Of unit length: the direction in which the first feature (the vertex; the first edge) must go, or the second be
+        pushed back, so that they part. With a separation or thickness along the closest points at `toi_lower`; else of
+        the face, or of both edges, on the side where the first feature is just before they touch.
     certified : bool
-        True: proven to touch. False: floating point could not decide, and a contact must never be missed.
+        True: proven to touch. False, on a path alone: floating point could not decide, and a contact must never be
+        missed.
     """
 
     kind: PairKind
@@ -68,7 +54,7 @@ class Contact(NamedTuple):
     certified: bool
 
 
-class Contacts(NamedPairs, TimedPairs):
+class Contacts(NamedPairs[Contact], TimedPairs[Contact]):
     """Contacts of a step, by kind, then vertices. They own their memory: later questions change nothing in them.
 
     `len()` counts them; an integer index gives a `Contact`, anything else that indexes an array gives `Contacts`.
@@ -80,22 +66,28 @@ class Contacts(NamedPairs, TimedPairs):
 
     def __init__(self, table: npt.NDArray[np.void] | npt.NDArray[np.uint8], asked: Asked | None = None) -> None:
         super().__init__(table)
+        if asked is not None:
+            instance(asked, Asked, "asked", "none: only what a question returns knows what was asked")
         self._asked = asked
 
-    @property
-    def certified(self) -> npt.NDArray[np.bool_]:
-        """True where the contact is proven, False where it is unresolved, shape (n,)."""
-        return np.equal(self._table["certainty"], 0)
+    def points(self, start: npt.ArrayLike | Path, end: npt.ArrayLike | None = None) -> Doubles:
+        """Tell where both features of each contact meet, at its `toi_upper`.
 
-    def to_pandas(self) -> pandas.DataFrame:
-        """Make a DataFrame, one row a contact, with the columns of `save`. pandas must be installed."""
-        import pandas as pd
+        Parameters
+        ----------
+        start, end : array_like, shape (n, 3)
+            Of the step that was asked about. Or its `Path` alone.
 
-        columns: dict[str, Any] = {"kind": np.asarray(_SHORT_NAMES)[self.kind]}
-        columns.update({f"v{i}": self.vertices[:, i] for i in range(4)})
-        columns.update({name: self._table[name] for name in ("toi_lower", "toi_upper", "u", "v")})
-        columns["status"] = np.where(self.certified, "certified", "unresolved")
-        return pd.DataFrame(columns)
+        Returns
+        -------
+        array, shape (n, 2, 3)
+            A point on the first feature and one on the second, by `weights`; a separation lies between them.
+        """
+        return self._points(motion(start, end, None).corners(self.toi_upper, self.vertices))
+
+    def _columns(self) -> Columns:
+        status = np.where(self.certified, "certified", "unresolved")
+        return {**self._names(), **self._times(), "status": status, **numbered("n", self.normal, "xyz")}
 
     def save(self, path: str | os.PathLike[str]) -> None:
         """Write a file, as the command's `--out` does: complete or not at all.
@@ -104,18 +96,18 @@ class Contacts(NamedPairs, TimedPairs):
         ----------
         path : path_like
             The extension decides. ``.html``, ``.glb``, ``.vtp``, ``.vtu``: files to look at, with the mesh in motion or
-            the contacts as points; they need the step, see `view`, and of a path only ``.html`` can be made. Else CSV,
-            whose columns are kind, v0, v1, v2, v3, toi_lower, toi_upper, u, v, status; numbers read back to the same
-            doubles.
+            the contacts as points; they need the step, see `view`, and of a path only ``.html`` can be made. ``.csv``,
+            or no extension: a table with the columns kind, v0, v1, v2, v3, toi_lower, toi_upper, u, v, status,
+            nx, ny, nz; numbers read back to the same doubles.
 
         Raises
         ------
         FileError
-            The file cannot be written.
+            The file cannot be written, or its name has another extension.
         Error
             As of `view`; and for a picture, ``.png``, which the command draws.
         """
-        name, rows = os.fspath(path), np.ascontiguousarray(self._table).view(np.uint8)
+        name, rows = file_name(path, "path"), np.ascontiguousarray(self._table).view(np.uint8)
         if name.lower().endswith(".png"):
             raise Error(f"{name}: pictures are drawn by the command, tamis contacts --out; save html or glb instead")
         if _core.is_file_to_look_at(name):
@@ -164,25 +156,18 @@ class Contacts(NamedPairs, TimedPairs):
             )
         return self._asked
 
-    def __iter__(self) -> Iterator[Contact]:
-        return (self[i] for i in range(len(self)))
-
-    @overload
-    def __getitem__(self, index: int) -> Contact: ...
-    @overload
-    def __getitem__(self, index: slice | npt.NDArray[Any] | list[int] | list[bool]) -> Contacts: ...
-    def __getitem__(self, index: Any) -> Contact | Contacts:
-        chosen = self._table[index]
-        if isinstance(chosen, np.ndarray):
-            return Contacts(np.atleast_1d(chosen), self._asked)
-        kind, certainty, vertices, toi_lower, toi_upper, u, v, normal = chosen.item()
+    def _row(self, values: Any) -> Contact:
+        kind, certainty, vertices, toi_lower, toi_upper, u, v, normal = values
         return Contact(
             PairKind(kind), tuple(vertices.tolist()), toi_lower, toi_upper, u, v, tuple(normal.tolist()), certainty == 0
         )
+
+    def _part(self, table: npt.NDArray[np.void]) -> Contacts:
+        return Contacts(table, self._asked)
 
     def __repr__(self) -> str:
         if not len(self):
             return "Contacts(none)"
         counts = zip(PairKind, np.bincount(self.kind, minlength=len(PairKind)))
-        kinds = ", ".join(f"{n} {kind.name.lower().replace('_', '-')}" for kind, n in counts if n)
+        kinds = ", ".join(f"{n} {kind.long_name}" for kind, n in counts if n)
         return f"Contacts({kinds}; first at {self.toi_lower.min():g})"

@@ -10,10 +10,12 @@ import numpy.typing as npt
 from tamis import _core
 from tamis._arrays import rows
 from tamis._at_rest import AtRest
+from tamis._checks import instance
 from tamis._contacts import Contacts
+from tamis._errors import InvalidMesh
 from tamis._in_motion import InMotion
 from tamis._mesh import Mesh
-from tamis._options import Filter, Guarantee, Isa, PaperOptions, make_options
+from tamis._options import Filter, Isa, PaperOptions, make_options
 from tamis._statistics import Statistics
 from tamis._step_lengths import StepLengths
 
@@ -38,9 +40,6 @@ class Detector(InMotion, StepLengths, AtRest):
         What moves.
     method : str
         "tamis"; or "paper", "brute" and the others of `method_choices()`, which give the same contacts.
-    guarantee : str
-        What happens to a pair that doubles cannot decide. "exact": exact algebra decides it; "conservative": it is
-        reported as a contact that is not certified, as with a separation.
     threads : int
         To use; 0: all. Speed only.
     min_separation : float
@@ -74,7 +73,6 @@ class Detector(InMotion, StepLengths, AtRest):
         mesh: Mesh,
         *,
         method: str = "tamis",
-        guarantee: Guarantee = "exact",
         threads: int = 0,
         min_separation: float = 0.0,
         isa: Isa = "best",
@@ -85,9 +83,9 @@ class Detector(InMotion, StepLengths, AtRest):
         is_cancelled: Callable[[], bool] | None = None,
         paper: PaperOptions | None = None,
     ) -> None:
+        known = instance(mesh, Mesh, "mesh", "a tamis.Mesh, as of tamis.Mesh(faces)", InvalidMesh)
         options = make_options(
             method=method,
-            guarantee=guarantee,
             threads=threads,
             min_separation=min_separation,
             isa=isa,
@@ -98,11 +96,11 @@ class Detector(InMotion, StepLengths, AtRest):
             is_cancelled=is_cancelled,
         )
         if paper is not None:
-            paper.apply(options)
-        self._mesh = mesh
+            instance(paper, PaperOptions, "paper", "a tamis.PaperOptions")._apply(options)
+        self._mesh = known
         self._options = options
-        self._detector = _core.Detector(mesh._mesh, options)
-        self._description = f"method={method!r}, guarantee={guarantee!r}, min_separation={min_separation:g}"
+        self._detector = _core.Detector(known._mesh, options)
+        self._description = f"method={method!r}, min_separation={float(min_separation):g}"
 
     @property
     def mesh(self) -> Mesh:

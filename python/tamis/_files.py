@@ -10,7 +10,8 @@ import numpy as np
 import numpy.typing as npt
 
 from tamis import _core
-from tamis._arrays import Doubles, indices, rows
+from tamis._arrays import Doubles, finite, indices, indices_or_none, rows
+from tamis._checks import file_name
 from tamis._errors import FileError, InvalidMesh
 from tamis._mesh import Mesh
 
@@ -41,7 +42,7 @@ def read_mesh(path: str | os.PathLike[str]) -> MeshFile:
     FileError
         The file cannot be used; the message says where and why.
     """
-    positions, faces, edges, points, notes = _core.read_mesh(os.fspath(path))
+    positions, faces, edges, points, notes = _core.read_mesh(file_name(path, "path"))
     return MeshFile(positions, Mesh(faces, len(positions), edges, points), tuple(notes))
 
 
@@ -72,14 +73,14 @@ def write_mesh(
     FileError
         The file cannot be written.
     InvalidMesh
-        An index that is no row of the positions, or an array of another shape or type.
+        An index that is no row of the positions, a coordinate that is not finite, or an array of another shape or type.
     """
-    vertices = np.ascontiguousarray(rows(positions, "positions", InvalidMesh))
-    triangles, rods = indices(faces, 3, "faces", InvalidMesh), indices(edges, 2, "edges", InvalidMesh)
-    loose = indices(points, 0, "points", InvalidMesh)
+    vertices = finite(np.ascontiguousarray(rows(positions, "positions", InvalidMesh)), "positions", InvalidMesh)
+    triangles, rods = indices(faces, 3, "faces", InvalidMesh), indices_or_none(edges, 2, "edges", InvalidMesh)
+    loose = indices_or_none(points, 0, "points", InvalidMesh)
     if triangles.size or rods.size or loose.size:
         Mesh(triangles, len(vertices), rods, loose)  # refuses indices out of range
-    _core.write_mesh(os.fspath(path), vertices, triangles, rods, loose)
+    _core.write_mesh(file_name(path, "path"), vertices, triangles, rods, loose)
 
 
 def read_frames(*names: str | os.PathLike[str]) -> Iterator[MeshFile]:
@@ -100,7 +101,7 @@ def read_frames(*names: str | os.PathLike[str]) -> Iterator[MeshFile]:
     FileError
         A name stands for no file, a file cannot be used, or a frame has another topology than the first.
     """
-    paths = _core.frame_files([os.fspath(name) for name in names])
+    paths = _core.frame_files([file_name(name, f"names[{i}]") for i, name in enumerate(names)])
     return _frames(paths)
 
 

@@ -8,7 +8,8 @@ import numpy as np
 import numpy.typing as npt
 
 from tamis import _core
-from tamis._arrays import Doubles, Indices, rows, vector
+from tamis._arrays import Doubles, Indices, numbers, rows, vector
+from tamis._checks import function, whole
 from tamis._errors import InvalidPath
 from tamis._paths import Path
 
@@ -44,9 +45,9 @@ class FunctionPath(Path):
     __slots__ = ("_points_at", "_strays", "_vertex_count")
 
     def __init__(self, vertex_count: int, points_at: PointsAt, strays: Strays) -> None:
-        if not 0 <= vertex_count < 2**31:
-            raise InvalidPath(f"vertex_count is {vertex_count}: give a number >= 0 and < 2^31")
-        self._vertex_count, self._points_at, self._strays = vertex_count, points_at, strays
+        self._vertex_count = whole(vertex_count, "vertex_count", 0, InvalidPath)
+        self._points_at: PointsAt = function(points_at, "points_at", "points_at(time, vertices)", InvalidPath)
+        self._strays: Strays = function(strays, "strays", "strays(start, end, vertices)", InvalidPath)
 
     def _native(self) -> _core.Path:
         # Made anew for each question, so that Python's garbage collector sees all that refers to the functions.
@@ -66,9 +67,8 @@ class FunctionPath(Path):
 
 
 def _one_each(given: npt.ArrayLike, count: int, name: str) -> Doubles:
-    if np.ndim(given) == 0:
-        given = np.repeat(given, count)
-    bounds = vector(given, name, InvalidPath)
+    array = numbers(given, name, InvalidPath)
+    bounds = vector(array if array.ndim else np.repeat(array, count), name, InvalidPath)
     if len(bounds) != count:
         raise InvalidPath(f"{name}: {len(bounds)} numbers for {count} vertices: give one each")
     return bounds

@@ -8,6 +8,7 @@ import numpy.typing as npt
 
 from tamis import _core
 from tamis._answers import EarliestContact
+from tamis._checks import number_or_none
 from tamis._contacts import Contacts
 from tamis._looking import Asked
 from tamis._mesh import Mesh
@@ -57,8 +58,9 @@ class InMotion:
             without crossing, say) is a contact that is not certified.
         """
         moving = motion(start, end, tolerance)
-        found = self._detector.contacts(*moving.native(), min_separation)
-        return Contacts(found, Asked(self._mesh._mesh, self._options, moving, min_separation))
+        separation = number_or_none(min_separation, "min_separation")
+        found = self._detector.contacts(*moving.native(), separation)
+        return Contacts(found, Asked(self._mesh._mesh, self._options, moving, separation))
 
     @overload
     def earliest(
@@ -88,7 +90,8 @@ class InMotion:
         EarliestContact
             The motion is free before its `toi_lower`: proven.
         """
-        lower, upper, found = self._detector.earliest(*motion(start, end, tolerance).native(), min_separation)
+        separation = number_or_none(min_separation, "min_separation")
+        lower, upper, found = self._detector.earliest(*motion(start, end, tolerance).native(), separation)
         contacts = Contacts(found)
         return EarliestContact(lower, upper, contacts[0] if len(contacts) else None)
 
@@ -116,7 +119,7 @@ class InMotion:
         Returns
         -------
         bool
-            True is a proof. With the guarantee "conservative", or on a path, False may be due to a contact that is not
-            certified.
+            True is a proof. On a path False may be due to a contact that is not certified.
         """
-        return self._detector.is_free(*motion(start, end, tolerance).native(), min_separation)
+        separation = number_or_none(min_separation, "min_separation")
+        return self._detector.is_free(*motion(start, end, tolerance).native(), separation)

@@ -15,6 +15,7 @@ import numpy as np
 import numpy.typing as npt
 
 from tamis import _core
+from tamis._checks import file_name
 from tamis._errors import Error
 
 if TYPE_CHECKING:
@@ -40,8 +41,8 @@ class Page:
 
     __slots__ = ("path",)
 
-    def __init__(self, path: pathlib.Path) -> None:
-        self.path = path
+    def __init__(self, path: str | os.PathLike[str]) -> None:
+        self.path = pathlib.Path(file_name(path, "path"))
 
     def _repr_html_(self) -> str:
         text = html.escape(self.path.read_text(encoding="utf-8"), quote=True)
@@ -58,7 +59,7 @@ def place_for_page(path: str | os.PathLike[str] | None) -> pathlib.Path:
     """Return where a page goes: by default into a new folder among the temporary files."""
     if path is None:
         return pathlib.Path(tempfile.mkdtemp(prefix="tamis-")) / "contacts.html"
-    place = pathlib.Path(path).resolve()
+    place = pathlib.Path(file_name(path, "path")).resolve()
     if place.suffix.lower() != ".html":
         raise Error(f"{place} is no name for a page: let it end in .html, or use save() for other formats")
     return place

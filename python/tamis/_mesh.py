@@ -5,7 +5,8 @@ from __future__ import annotations
 import numpy.typing as npt
 
 from tamis import _core
-from tamis._arrays import Indices, indices, pair_list
+from tamis._arrays import Indices, indices, indices_or_none, pair_list
+from tamis._checks import whole
 from tamis._errors import InvalidMesh
 
 
@@ -43,14 +44,13 @@ class Mesh:
     ) -> None:
         given = (
             indices(faces, 3, "faces", InvalidMesh),
-            indices(edges, 2, "edges", InvalidMesh),
-            indices(points, 0, "points", InvalidMesh),
+            indices_or_none(edges, 2, "edges", InvalidMesh),
+            indices_or_none(points, 0, "points", InvalidMesh),
         )
         if vertex_count is None:
             vertex_count = 1 + max((int(array.max()) for array in given if array.size), default=-1)
-        if not 0 <= vertex_count < 2**31:
-            raise InvalidMesh(f"vertex_count is {vertex_count}: give a number >= 0 and < 2^31")
-        self._mesh = _core.Mesh(vertex_count, *given)
+        edges_by_name = "; loose edges go by their name, edges=..." if hasattr(vertex_count, "__len__") else ""
+        self._mesh = _core.Mesh(whole(vertex_count, "vertex_count", 0, InvalidMesh, edges_by_name), *given)
         self._faces, self._edges, self._points = self._mesh.faces(), given[1].copy(), given[2].copy()
         for array in (self._faces, self._edges, self._points):
             array.flags.writeable = False
@@ -67,7 +67,10 @@ class Mesh:
 
     @property
     def edges(self) -> Indices:
-        """Every edge of a triangle and every loose one, once, shape (e, 2): vertices ascending, sorted."""
+        """Every edge of a triangle and every loose one, once, shape (e, 2): vertices ascending, sorted.
+
+        Another library lists the same edges in another order, so that its rows are not these: `find_edges`.
+        """
         return self._mesh.edges()
 
     @property
@@ -77,7 +80,7 @@ class Mesh:
 
     @property
     def loose_edges(self) -> Indices:
-        """The loose edges as given, shape (e, 2); read-only."""
+        """The loose edges as given, shape (e, 2), which are no rows of `edges`; read-only."""
         return self._edges
 
     @property
@@ -98,15 +101,58 @@ class Mesh:
         Returns
         -------
         array of int, shape (n, 2)
-            The two features of each pair: the row of `faces` or of `edges`, the index of a vertex; -1 where the mesh
-            has no such edge or face.
+            The two features of each pair: the row of `faces` or of `edges`, the index of a vertex. Another library's
+            list of edges has other rows: `find_edges` leads from one to the other.
 
         Raises
         ------
         InvalidMesh
-            A kind that is none, or an array of another shape or type.
+            The mesh has no such vertex, no such edge, or no such face in this order of its vertices; a kind that is
+            none, or an array of another shape or type. The message names the pair.
         """
         return _core.features_of(self._mesh, *pair_list(kind, vertices, InvalidMesh))
+
+    def find_edges(self, edges: npt.ArrayLike) -> Indices:
+        """Find edges by their vertices: what leads from another library's list of edges to the rows of `edges`.
+
+        Parameters
+        ----------
+        edges : array_like of int, shape (n, 2)
+            In any order, each in either direction.
+
+        Returns
+        -------
+        array of int, shape (n,)
+            The row of `edges` that each is; -1 where the mesh has none. Data that has a row for each of `edges` goes
+            to another list's order as ``data[mesh.find_edges(theirs)]``, and comes from it as
+            ``data[mesh.find_edges(theirs)] = their_data``.
+
+        Raises
+        ------
+        InvalidMesh
+            An array of another shape or type.
+        """
+        return _core.find_edges(self._mesh, indices(edges, 2, "edges", InvalidMesh))
+
+    def find_faces(self, faces: npt.ArrayLike) -> Indices:
+        """Find faces by their vertices.
+
+        Parameters
+        ----------
+        faces : array_like of int, shape (n, 3)
+            Each in the mesh's order of its vertices.
+
+        Returns
+        -------
+        array of int, shape (n,)
+            The row of `faces` that each is, the first of several; -1 where the mesh has none.
+
+        Raises
+        ------
+        InvalidMesh
+            An array of another shape or type.
+        """
+        return _core.find_faces(self._mesh, indices(faces, 3, "faces", InvalidMesh))
 
     def __repr__(self) -> str:
         return f"Mesh({self.vertex_count} vertices, {len(self._faces)} triangles, {len(self.edges)} edges)"

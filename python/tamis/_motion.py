@@ -5,11 +5,14 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+import numpy as np
 import numpy.typing as npt
 
-from tamis._arrays import Doubles, rows
+from tamis._arrays import Doubles, Indices, rows
+from tamis._checks import number
 from tamis._errors import InvalidOptions, InvalidPath, InvalidStep
 from tamis._paths import Path
+from tamis._points import Corners, corners_at_rest, used_vertices
 
 if TYPE_CHECKING:
     from tamis import _core
@@ -28,6 +31,11 @@ class StraightMotion:
         """Return what the compiled part takes."""
         return self.start, self.end
 
+    def corners(self, times: Doubles, vertices: Indices) -> Corners:
+        """Return where the vertices of each pair are at a time of its own."""
+        t = times[:, np.newaxis, np.newaxis]
+        return (1 - t) * corners_at_rest(self.start, vertices, "start") + t * corners_at_rest(self.end, vertices, "end")
+
 
 @dataclass(frozen=True)
 class CurvedMotion:
@@ -40,6 +48,12 @@ class CurvedMotion:
         """Return what the compiled part takes."""
         return self.path._native(), self.tolerance
 
+    def corners(self, times: Doubles, vertices: Indices) -> Corners:
+        """Return where the vertices of each pair are at a time of its own."""
+        path = self.path._native()
+        used = used_vertices(path.vertex_count, vertices, InvalidPath)
+        return path.corners_at(np.ascontiguousarray(times), np.ascontiguousarray(used)).reshape(*used.shape, 3)
+
 
 def motion(
     start: npt.ArrayLike | Path, end: npt.ArrayLike | None, tolerance: float | None
@@ -48,7 +62,7 @@ def motion(
     if isinstance(start, Path):
         if end is not None:
             raise InvalidPath("the path says where everything goes: give no end beside it")
-        return CurvedMotion(start, 1e-9 if tolerance is None else tolerance)
+        return CurvedMotion(start, 1e-9 if tolerance is None else number(tolerance, "tolerance"))
     if end is None:
         raise InvalidStep("the end is missing: give the positions at the end of the step, or a Path alone")
     if tolerance is not None:

@@ -2,17 +2,54 @@
 
 from __future__ import annotations
 
+from typing import Any, NamedTuple
+
 import numpy as np
 import numpy.typing as npt
 
 from tamis import _core
-from tamis._arrays import Doubles, Indices
-from tamis._columns import NamedPairs, WeightedPairs
+from tamis._arrays import Doubles, Indices, rows
+from tamis._checks import instance
+from tamis._columns import Columns, NamedPairs, numbered
+from tamis._errors import InvalidMesh
+from tamis._kinds import PairKind
+from tamis._mesh import Mesh
+from tamis._points import corners_at_rest
 from tamis._table import Table
 
 
-class NearPairs(NamedPairs, WeightedPairs):
+class NearPair(NamedTuple):
+    """A pair of features that are near each other at rest.
+
+    Attributes
+    ----------
+    kind : PairKind
+        As in `Contact`.
+    vertices : tuple of four int
+        The same.
+    distance : float
+        Between the closed features, in the unit of the positions; correct to 2^-41 of the pair's extent.
+    u, v : float
+        Weights of two closest points, as in `Contact`.
+    direction : tuple of three float
+        Of unit length: from the second feature's closest point to the first's. Where they touch, their normal, or zero.
+    corners : int
+        Bit i is set if vertex i has a share in the closest points: which corners, borders or insides they lie on.
+    """
+
+    kind: PairKind
+    vertices: tuple[int, int, int, int]
+    distance: float
+    u: float
+    v: float
+    direction: tuple[float, float, float]
+    corners: int
+
+
+class NearPairs(NamedPairs[NearPair]):
     """Pairs of features that are near each other at rest, by kind, then vertices; arrays of length n.
+
+    `len()` counts them; an integer index gives a `NearPair`, anything else that indexes an array gives `NearPairs`.
 
     The columns of `table` are kind, corners, vertices, distance, u, v, direction.
     """
@@ -27,7 +64,10 @@ class NearPairs(NamedPairs, WeightedPairs):
 
     @property
     def distance(self) -> Doubles:
-        """Between the closed features, in the unit of the positions; correct to 2^-41 of the pair's extent."""
+        """Between the closed features, in the unit of the positions, shape (n,).
+
+        Correct to 2^-41 of the pair's extent, and where it is no normal double to half the smallest one more.
+        """
         return self._table["distance"]
 
     @property
@@ -35,13 +75,60 @@ class NearPairs(NamedPairs, WeightedPairs):
         """Unit vectors from the second feature's closest point to the first's, shape (n, 3)."""
         return self._table["direction"]
 
+    def points(self, positions: npt.ArrayLike) -> Doubles:
+        """Tell where the closest points of each pair are.
+
+        Parameters
+        ----------
+        positions : array_like, shape (n, 3)
+            That were asked about.
+
+        Returns
+        -------
+        array, shape (n, 2, 3)
+            The point on the first feature and that on the second, by `weights`.
+        """
+        return self._points(corners_at_rest(rows(positions, "positions"), self.vertices, "positions"))
+
+    def _columns(self) -> Columns:
+        weights = {"u": self.u, "v": self.v}
+        direction = numbered("d", self.direction, "xyz")
+        return {**self._names(), "distance": self.distance, **weights, **direction, "corners": self.corners}
+
+    def _row(self, values: Any) -> NearPair:
+        kind, corners, vertices, distance, u, v, direction = values
+        return NearPair(PairKind(kind), tuple(vertices.tolist()), distance, u, v, tuple(direction.tolist()), corners)
+
     def __repr__(self) -> str:
         nearest = f", nearest {self.distance.min():g}" if len(self) else ""
         return f"NearPairs({len(self)} pairs{nearest})"
 
 
-class Intersections(Table):
+class Intersection(NamedTuple):
+    """An edge that passes through a triangle, or touches it.
+
+    Attributes
+    ----------
+    edge, face : tuple of int
+        Vertex indices: of the edge ascending, of the face in the mesh's order.
+    s_lower, s_upper : float
+        The first common point along the edge, from its first vertex, has a parameter between these.
+    u, v : float
+        Weights of that point in the face, as of a vertex-face `Contact`.
+    """
+
+    edge: tuple[int, int]
+    face: tuple[int, int, int]
+    s_lower: float
+    s_upper: float
+    u: float
+    v: float
+
+
+class Intersections(Table[Intersection]):
     """Edges that pass through triangles or touch them, by edge, then face; arrays of length n.
+
+    `len()` counts them; an integer index gives an `Intersection`, anything else that indexes an array `Intersections`.
 
     The columns of `table` are edge, face, s_lower, s_upper, u, v.
     """
@@ -78,6 +165,69 @@ class Intersections(Table):
     def v(self) -> Doubles:
         """Weight of the triangle's third corner, rounded."""
         return self._table["v"]
+
+    @property
+    def vertices(self) -> Indices:
+        """The edge's vertices, then the face's, shape (n, 5)."""
+        return np.concatenate([self.edge, self.face], axis=1)
+
+    @property
+    def weights(self) -> Doubles:
+        """Signed weights of these vertices, shape (n, 5): of the edge positive, of the face negative."""
+        s = (self.s_lower + self.s_upper) / 2
+        return np.stack([1 - s, s, self.u + self.v - 1, -self.u, -self.v], axis=1)
+
+    def points(self, positions: npt.ArrayLike) -> Doubles:
+        """Tell where each common point is.
+
+        Parameters
+        ----------
+        positions : array_like, shape (n, 3)
+            That were asked about.
+
+        Returns
+        -------
+        array, shape (n, 2, 3)
+            The point as one of the edge and as one of the face, by `weights`: the same but for rounding.
+        """
+        corners = corners_at_rest(rows(positions, "positions"), self.vertices, "positions")
+        shares = self.weights[:, :, np.newaxis] * corners
+        return np.stack([shares[:, :2].sum(1), -shares[:, 2:].sum(1)], axis=1)
+
+    def features(self, mesh: Mesh) -> Indices:
+        """Find each edge and face by its place.
+
+        Parameters
+        ----------
+        mesh : Mesh
+            That was asked about.
+
+        Returns
+        -------
+        array of int, shape (n, 2)
+            The rows of `Mesh.edges` and of `Mesh.faces`.
+
+        Raises
+        ------
+        InvalidMesh
+            The mesh has no such edge or face.
+        """
+        known = instance(mesh, Mesh, "mesh", "the tamis.Mesh that was asked about", InvalidMesh)
+        places = np.stack([known.find_edges(self.edge), known.find_faces(self.face)], axis=1)
+        if (places < 0).any():
+            first = self[int(np.argmax((places < 0).any(1)))]
+            raise InvalidMesh(
+                f"the mesh has no edge {first.edge} or no face {first.face}: give the mesh that was asked"
+            )
+        return places
+
+    def _columns(self) -> Columns:
+        lines = {name: self._table[name] for name in ("s_lower", "s_upper", "u", "v")}
+        return {**numbered("e", self.edge), **numbered("f", self.face), **lines}
+
+    def _row(self, values: Any) -> Intersection:
+        edge, face, *numbers = values
+        return Intersection(tuple(edge.tolist()), tuple(face.tolist()), *numbers)
 
     def __repr__(self) -> str:
         return f"Intersections({len(self)} of edges with triangles)"

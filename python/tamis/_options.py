@@ -10,11 +10,11 @@ import numpy as np
 import numpy.typing as npt
 
 from tamis import _core
-from tamis._arrays import Doubles, Groups, Indices, indices, rows, table, vector
-from tamis._contacts import PairKind
+from tamis._arrays import Doubles, Groups, Indices, finite, flags, indices, rows, table, vector
+from tamis._checks import function, instance, number, shown, truth, whole, word
 from tamis._errors import InvalidOptions
+from tamis._kinds import PairKind
 
-Guarantee = Literal["conservative", "exact"]
 Isa = Literal["best", "baseline", "avx2", "avx512"]
 Filter = Callable[[PairKind, "tuple[int, int, int, int]"], bool]
 
@@ -33,8 +33,8 @@ class ReducedModel:
     __slots__ = ("basis", "rest")
 
     def __init__(self, rest: npt.ArrayLike, basis: npt.ArrayLike) -> None:
-        self.rest: Doubles = np.ascontiguousarray(rows(rest, "rest", InvalidOptions))
-        self.basis: Doubles = table(basis, "basis", InvalidOptions)
+        self.rest: Doubles = finite(np.ascontiguousarray(rows(rest, "rest", InvalidOptions)), "rest", InvalidOptions)
+        self.basis: Doubles = finite(table(basis, "basis", InvalidOptions), "basis", InvalidOptions)
 
     def __repr__(self) -> str:
         return f"ReducedModel({len(self.rest)} vertices, {self.basis.shape[1]} modes)"
@@ -67,19 +67,29 @@ class PaperOptions:
     high_level: str | None = None
     reduced_model: ReducedModel | None = None
 
-    def apply(self, options: _core.Options) -> None:
+    def __post_init__(self) -> None:
+        self._apply(_core.Options())
+
+    def _apply(self, options: _core.Options) -> None:
         """Set what is given; the rest stays as the method's name has it."""
-        options.set_bounding_volume(self.bounding_volume)
+        options.set_bounding_volume(word(self.bounding_volume, "bounding_volume"))
         if self.filters is not None:
-            options.set_paper_filters(list(self.filters))
+            options.set_paper_filters(_words(self.filters))
         if self.orphan_sets is not None:
-            options.set_orphan_sets(self.orphan_sets)
+            options.set_orphan_sets(truth(self.orphan_sets, "orphan_sets"))
         if self.representative_triangles is not None:
-            options.set_representative_triangles(self.representative_triangles)
+            options.set_representative_triangles(truth(self.representative_triangles, "representative_triangles"))
         if self.high_level is not None:
-            options.set_high_level(self.high_level)
+            options.set_high_level(word(self.high_level, "high_level"))
         if self.reduced_model is not None:
-            options.set_reduced_model(self.reduced_model.rest, self.reduced_model.basis)
+            model = instance(self.reduced_model, ReducedModel, "reduced_model", "a tamis.ReducedModel")
+            options.set_reduced_model(model.rest, model.basis)
+
+
+def _words(given: Sequence[str]) -> list[str]:
+    if isinstance(given, str) or not isinstance(given, Sequence):
+        raise InvalidOptions(f"filters is {shown(given)}: give a list of names, of filter_names()")
+    return [word(name, "a name in filters") for name in given]
 
 
 def set_groups(
@@ -94,22 +104,20 @@ def set_groups(
     options.set_thickness(radii.tolist())
     if groups is None and may_touch is None:
         return
+    if groups is None:
+        raise InvalidOptions("may_touch is given without groups: give the group of each vertex")
     group_of_vertex: Indices = indices(groups, 0, "groups", InvalidOptions)
     count = max(group_count, len(radii), 1 + int(group_of_vertex.max()) if group_of_vertex.size else 1)
     allowed: Groups = np.empty((0, 0), np.uint8)
     if may_touch is not None:
-        flags = np.asarray(may_touch)
-        if flags.dtype.kind not in "bui" or flags.ndim != 2 or flags.shape[0] != flags.shape[1]:
-            raise InvalidOptions("may_touch is no square matrix of truth values: give one row and one column a group")
-        allowed = np.ascontiguousarray(flags != 0).view(np.uint8)
-        count = max(count, len(flags))
+        allowed = flags(may_touch, "may_touch", InvalidOptions)
+        count = max(count, len(allowed))
     options.set_groups(group_of_vertex, count, allowed)
 
 
 def make_options(
     *,
     method: str,
-    guarantee: Guarantee,
     threads: int,
     min_separation: float,
     isa: Isa,
@@ -122,17 +130,14 @@ def make_options(
 ) -> _core.Options:
     """Return what the keywords of a detector say; `group_count` as of `set_groups`."""
     options = _core.Options()
-    options.choose_method(method)
-    options.set_guarantee(guarantee)
-    options.set_isa(isa)
-    if not -(2**31) <= threads < 2**31:
-        raise InvalidOptions(f"threads is {threads}: give the number of threads, or 0 for all")
-    options.set_threads(threads)
-    options.set_min_separation(min_separation)
+    options.choose_method(word(method, "method"))
+    options.set_isa(word(isa, "isa"))
+    options.set_threads(whole(threads, "threads", advice=", 0 being all"))
+    options.set_min_separation(number(min_separation, "min_separation"))
     set_groups(options, groups, may_touch, thickness, group_count)
     if filter is not None:
-        accepts = filter
+        accepts = function(filter, "filter", "filter(kind, vertices)")
         options.set_filter(lambda kind, vertices: accepts(PairKind(kind), vertices))
     if is_cancelled is not None:
-        options.set_is_cancelled(is_cancelled)
+        options.set_is_cancelled(function(is_cancelled, "is_cancelled", "is_cancelled()"))
     return options

@@ -7,9 +7,9 @@ import numpy.typing as npt
 from tamis import _core
 from tamis._answers import SafeStep, safe_step
 from tamis._arrays import pair_list, rows
+from tamis._checks import number
 from tamis._errors import InvalidStep
 from tamis._near import NearPairs
-from tamis._options import Guarantee
 
 
 def distance_of(kind: npt.ArrayLike, vertices: npt.ArrayLike, positions: npt.ArrayLike) -> NearPairs:
@@ -43,9 +43,8 @@ def keep_distance(
     vertices: npt.ArrayLike,
     start: npt.ArrayLike,
     end: npt.ArrayLike,
-    fraction: float,
+    fraction: float = 0.1,
     *,
-    guarantee: Guarantee = "exact",
     min_separation: float = 0.0,
     latest: float = 1.0,
 ) -> SafeStep:
@@ -61,7 +60,7 @@ def keep_distance(
         Where each vertex is at the start and at the end of the step.
     fraction : float
         0 <= fraction < 1, of what exceeds the minimum separation. 0: only contact counts.
-    guarantee, min_separation
+    min_separation : float
         As of `vertex_face`.
     latest : float
         The latest time of interest, in [0, 1]: the search ends there, and `lower` is then this time.
@@ -80,4 +79,5 @@ def keep_distance(
     if len(pair[1]) != 1:
         raise InvalidStep(f"vertices has {len(pair[1])} rows: give one pair, (4,)")
     both = rows(start, "start"), rows(end, "end")
-    return safe_step(_core.keep_distance(*pair, *both, fraction, guarantee, min_separation, latest))
+    kept, d, until = number(fraction, "fraction"), number(min_separation, "min_separation"), number(latest, "latest")
+    return safe_step(_core.keep_distance(*pair, *both, kept, d, until))

@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 import abc
+from collections.abc import Callable
 
 import numpy as np
 import numpy.typing as npt
 
 from tamis import _core
-from tamis._arrays import Doubles, indices, point_frames
+from tamis._arrays import Doubles, Indices, indices, point_frames
+from tamis._checks import number
 from tamis._errors import InvalidPath
+from tamis._kinds import PairKind
 from tamis._pairs import Pairs
 
 
@@ -32,9 +35,10 @@ class Path(abc.ABC):
 
     def points_at(self, time: float) -> Doubles:
         """Where the vertices are at a time in [0, 1], shape (n, 3), rounded."""
-        if not 0 <= time <= 1:
-            raise InvalidPath(f"the time is {time}: give a number in [0, 1]")
-        return self._native().points_at(time)
+        moment = number(time, "time", InvalidPath)
+        if not 0 <= moment <= 1:
+            raise InvalidPath(f"time is {moment}: give a number in [0, 1]")
+        return self._native().points_at(moment)
 
     def vertex_face(self, vertices: npt.ArrayLike, *, min_separation: float = 0.0, tolerance: float = 1e-9) -> Pairs:
         """Decide vertices against faces, each pair by itself.
@@ -60,19 +64,19 @@ class Path(abc.ABC):
         InvalidOptions
             The separation or the tolerance is outside its range.
         """
-        return Pairs(self._native().vertex_face(_vertices(vertices, 4), min_separation, tolerance))
+        return _decided(PairKind.VERTEX_FACE, self._native().vertex_face, vertices, 4, min_separation, tolerance)
 
     def edge_edge(self, vertices: npt.ArrayLike, *, min_separation: float = 0.0, tolerance: float = 1e-9) -> Pairs:
         """Decide edges against edges, shape (n, 4); otherwise as `vertex_face`."""
-        return Pairs(self._native().edge_edge(_vertices(vertices, 4), min_separation, tolerance))
+        return _decided(PairKind.EDGE_EDGE, self._native().edge_edge, vertices, 4, min_separation, tolerance)
 
     def vertex_edge(self, vertices: npt.ArrayLike, *, min_separation: float = 0.0, tolerance: float = 1e-9) -> Pairs:
         """Decide points against segments, shape (n, 3); otherwise as `vertex_face`."""
-        return Pairs(self._native().vertex_edge(_vertices(vertices, 3), min_separation, tolerance))
+        return _decided(PairKind.VERTEX_EDGE, self._native().vertex_edge, vertices, 3, min_separation, tolerance)
 
     def vertex_vertex(self, vertices: npt.ArrayLike, *, min_separation: float = 0.0, tolerance: float = 1e-9) -> Pairs:
         """Decide points against points, shape (n, 2); otherwise as `vertex_face`."""
-        return Pairs(self._native().vertex_vertex(_vertices(vertices, 2), min_separation, tolerance))
+        return _decided(PairKind.VERTEX_VERTEX, self._native().vertex_vertex, vertices, 2, min_separation, tolerance)
 
     def __repr__(self) -> str:
         return f"{type(self).__name__}({self.vertex_count} vertices)"
@@ -127,5 +131,13 @@ class CatmullRomPath(Path):
         return self._path
 
 
-def _vertices(given: npt.ArrayLike, corners: int) -> npt.NDArray[np.int32]:
-    return indices(given, corners, "vertices", InvalidPath)
+def _decided(
+    kind: PairKind,
+    decide: Callable[[Indices, float, float], npt.NDArray[np.uint8]],
+    vertices: npt.ArrayLike,
+    corners: int,
+    min_separation: float,
+    tolerance: float,
+) -> Pairs:
+    rows = indices(vertices, corners, "vertices", InvalidPath)
+    return Pairs(decide(rows, number(min_separation, "min_separation"), number(tolerance, "tolerance")), kind)

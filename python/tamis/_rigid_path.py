@@ -8,7 +8,8 @@ import numpy as np
 import numpy.typing as npt
 
 from tamis import _core
-from tamis._arrays import Doubles, indices, point_frames, rows, vector
+from tamis._arrays import Doubles, finite, indices, point_frames, rows, vector
+from tamis._checks import shown
 from tamis._errors import InvalidPath
 from tamis._paths import Path
 
@@ -36,6 +37,9 @@ class RigidPath(Path):
 
     def __init__(self, rest: npt.ArrayLike, body_of_vertex: npt.ArrayLike, chains: Sequence[npt.ArrayLike]) -> None:
         points = np.ascontiguousarray(rows(rest, "rest", InvalidPath))
+        is_list = isinstance(chains, (Sequence, np.ndarray)) and getattr(chains, "ndim", 1) > 0
+        if not is_list or isinstance(chains, (str, bytes)):
+            raise InvalidPath(f"chains is {shown(chains)}: give a list with a chain for each body, (links, 4, 3)")
         links = [_links(chain, f"chain {body}") for body, chain in enumerate(chains)]
         self._path = _core.RigidPath(points, indices(body_of_vertex, 0, "body_of_vertex", InvalidPath), links)
 
@@ -50,9 +54,7 @@ def interpolated(start: npt.ArrayLike, end: npt.ArrayLike) -> Doubles:
 
 def turned(start: npt.ArrayLike, turn: npt.ArrayLike, end_position: npt.ArrayLike) -> Doubles:
     """Make a chain that turns about the axis `turn`, by its length in radians, while the origin goes straight."""
-    axis, end = vector(turn, "turn", InvalidPath), vector(end_position, "end_position", InvalidPath)
-    if axis.shape != (3,) or end.shape != (3,):
-        raise InvalidPath("turn and end_position are three numbers each: give them so")
+    axis, end = _three(turn, "turn"), _three(end_position, "end_position")
     return _core.turned(_pose(start, "start"), axis, end).reshape(-1, 4, 3)
 
 
@@ -68,8 +70,15 @@ def _links(given: npt.ArrayLike, name: str) -> Doubles:
     return links
 
 
+def _three(given: npt.ArrayLike, name: str) -> Doubles:
+    numbers = finite(vector(given, name, InvalidPath), name, InvalidPath)
+    if len(numbers) != 3:
+        raise InvalidPath(f"{name} has {len(numbers)} numbers: give three")
+    return numbers
+
+
 def _pose(given: npt.ArrayLike, name: str) -> Doubles:
-    pose = np.ascontiguousarray(rows(given, name, InvalidPath))
+    pose = finite(np.ascontiguousarray(rows(given, name, InvalidPath)), name, InvalidPath)
     if len(pose) != 2:
         raise InvalidPath(f"{name} is no pose: give its position and its rotation vector, (2, 3)")
     return pose

@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 from tamis import _core
 from tamis._arrays import Doubles, Indices
-from tamis._errors import InvalidOptions
+from tamis._checks import file_name, whole, word
 from tamis._files import MeshFile, read_frames
 from tamis._mesh import Mesh
 
@@ -44,7 +44,9 @@ def scene(name: str, triangles: int = 1000, seed: int = 1) -> Scene:
     InvalidOptions
         No scene has this name, or less than one triangle is asked for.
     """
-    start, end, faces, edges, points, groups = _core.scene(name, triangles, seed)
+    start, end, faces, edges, points, groups = _core.scene(
+        word(name, "name"), whole(triangles, "triangles", 1), whole(seed, "seed")
+    )
     return Scene(Mesh(faces, len(start), edges, points), start, end, groups)
 
 
@@ -80,11 +82,11 @@ def simulate(
     Error
         The folder holds another run, or a file that the scene needs is missing.
     """
-    for value, least, what in ((triangles, 500, "triangles"), (frames, 0, "frames"), (seed, 0, "seed")):
-        if value is not None and not least <= value < 2**31:
-            raise InvalidOptions(f"{what} is {value}: give a number >= {least} and < 2^31")
-    last = _core.simulate(name, os.fspath(folder), triangles, frames, seed)
-    return read_frames(*(_core.frame_path(os.fspath(folder), frame) for frame in range(last + 1)))
+    count = None if triangles is None else whole(triangles, "triangles", 500)
+    most = None if frames is None else whole(frames, "frames")
+    place = file_name(folder, "folder")
+    last = _core.simulate(word(name, "name"), place, count, most, whole(seed, "seed"))
+    return read_frames(*(_core.frame_path(place, frame) for frame in range(last + 1)))
 
 
 def simulated_scenes() -> dict[str, str]:

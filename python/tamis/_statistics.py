@@ -16,7 +16,7 @@ class Statistics:
         Pairs of each `PairKind` that entered each stage, in the pipeline's order; the first counts the pairs whose
         boxes meet.
     decided_by : mapping of str to int
-        Pairs decided by each arithmetic: lanes, scalar, exact; and those that stay unresolved.
+        Pairs decided by each arithmetic: lanes, scalar, exact; and unresolved, of paths alone.
     seconds : mapping of str to float
         Wall-clock time of bounds, build, traverse, filter, solve, and the total.
     rebuilt : bool

@@ -5,8 +5,9 @@ from __future__ import annotations
 import numpy.typing as npt
 
 from tamis import _core
-from tamis._answers import SafeStep, TruncatedStep, VertexSteps, safe_step
-from tamis._arrays import rows
+from tamis._answers import SafeStep, TruncatedStep, safe_step
+from tamis._arrays import Doubles, rows
+from tamis._checks import number, number_or_none
 
 
 class StepLengths:
@@ -16,7 +17,7 @@ class StepLengths:
     _detector: _core.Detector
 
     def keep_distance(
-        self, start: npt.ArrayLike, end: npt.ArrayLike, fraction: float, *, min_separation: float | None = None
+        self, start: npt.ArrayLike, end: npt.ArrayLike, fraction: float = 0.1, *, min_separation: float | None = None
     ) -> SafeStep:
         """Find how far the step may go so that every pair keeps a fraction of its distance.
 
@@ -30,7 +31,9 @@ class StepLengths:
         min_separation : float, optional
             Of this question alone; by default the detector's.
         fraction : float
-            0 <= fraction < 1. 0: only contacts count. The closer to 1, the longer the search.
+            0 <= fraction < 1. 0.1 for the line search of a barrier, where the next steps need room; 0.01 and less to
+            come near what is met; 0.5 and more where distances may shrink slowly only. 0: only contacts count. The
+            closer to 1, the longer the search.
 
         Returns
         -------
@@ -42,57 +45,41 @@ class StepLengths:
         InvalidOptions
             The fraction is outside its range.
         """
-        return safe_step(self._detector.keep_distance(rows(start, "start"), rows(end, "end"), fraction, min_separation))
+        return safe_step(self._detector.keep_distance(*_given(start, end, fraction, min_separation)))
 
-    def vertex_steps(
+    def truncate(
         self, start: npt.ArrayLike, end: npt.ArrayLike, fraction: float = 0.1, *, min_separation: float | None = None
-    ) -> VertexSteps:
-        """Find a step for each vertex, so that one near pair does not stop all.
+    ) -> TruncatedStep:
+        """Find positions to go to, so that every pair keeps a fraction of its distance, and one does not stop all.
 
-        All go together as far as `keep_distance` lets them, from there each on its own side of planes between the
-        features that it could reach, and no farther than a quarter of the mean edge.
+        All vertices go together as far as every pair keeps a little more than the fraction, from there each on its own
+        side of planes between the features that it could reach, by a quarter of the mean edge at most. What starts
+        within the minimum separation may move as long as it comes no nearer; then no vertex goes farther than that.
 
         Parameters
         ----------
         start, end : array_like, shape (n, 3)
             Where each vertex is at the start and at the end of the step.
         fraction : float
-            Of its distance that every pair keeps on the way that all go together: 0 < fraction < 1.
+            0 < fraction < 1, of the distance as far as that exceeds the minimum separation.
         min_separation : float, optional
             Of this question alone; by default the detector's.
 
         Returns
         -------
-        VertexSteps
-            Fractions of the step up to which every vertex may go, whatever the others do: proven.
-
-        Raises
-        ------
-        InvalidOptions
-            The fraction is outside its range.
-        """
-        return VertexSteps(
-            *self._detector.vertex_steps(rows(start, "start"), rows(end, "end"), fraction, min_separation)
-        )
-
-    def truncate(
-        self, start: npt.ArrayLike, end: npt.ArrayLike, fraction: float = 0.1, *, min_separation: float | None = None
-    ) -> TruncatedStep:
-        """Find the positions to go to, by `vertex_steps`: the straight way to these very doubles is proven free.
-
-        Parameters
-        ----------
-        start, end, fraction, min_separation
-            As of `vertex_steps`.
-
-        Returns
-        -------
         TruncatedStep
-            Each vertex on its own line towards its end.
+            Positions as doubles: the straight way there is proven.
 
         Raises
         ------
         InvalidOptions
             The fraction is outside its range.
         """
-        return TruncatedStep(*self._detector.truncate(rows(start, "start"), rows(end, "end"), fraction, min_separation))
+        return TruncatedStep(*self._detector.truncate(*_given(start, end, fraction, min_separation)))
+
+
+def _given(
+    start: npt.ArrayLike, end: npt.ArrayLike, fraction: float, min_separation: float | None
+) -> tuple[Doubles, Doubles, float, float | None]:
+    separation = number_or_none(min_separation, "min_separation")
+    return rows(start, "start"), rows(end, "end"), number(fraction, "fraction"), separation

@@ -2,33 +2,92 @@
 
 from __future__ import annotations
 
-from typing import Any, ClassVar
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Any, ClassVar, Generic, TypeVar, overload
 
 import numpy as np
 import numpy.typing as npt
 
+from tamis._checks import shown
+from tamis._errors import Error
 
-class Table:
-    """Rows of one structured array; the columns are views of it."""
+if TYPE_CHECKING:
+    import pandas
+
+Row = TypeVar("Row")
+Part = TypeVar("Part", bound="Table[Any]")
+
+
+class Table(Generic[Row]):
+    """Rows of one structured array; the columns are views of it.
+
+    `len()` counts the rows; an integer index gives one of them, anything else that indexes an array gives a table.
+    """
 
     __slots__ = ("_table",)
     _dtype: ClassVar[np.dtype[np.void]]
 
     def __init__(self, table: npt.NDArray[np.void] | npt.NDArray[np.uint8]) -> None:
-        self._table: npt.NDArray[np.void] = table.view(self._dtype)
+        self._table: npt.NDArray[np.void] = _as_rows(table, self._dtype, type(self).__name__)
 
     @property
     def table(self) -> npt.NDArray[np.void]:
         """One structured array; its fields are the columns."""
         return self._table
 
+    def to_pandas(self) -> pandas.DataFrame:
+        """Make a DataFrame, one row each, with the columns of the command's tables. pandas must be installed."""
+        import pandas as pd
+
+        return pd.DataFrame(self._columns())
+
+    def _columns(self) -> dict[str, npt.NDArray[Any]]:
+        raise NotImplementedError
+
+    def _row(self, values: Any) -> Row:
+        """Give the fields of one row their names."""
+        raise NotImplementedError
+
+    def _part(self: Part, table: npt.NDArray[np.void]) -> Part:
+        """Make a table of some of the rows."""
+        return type(self)(table)
+
     def __len__(self) -> int:
         return len(self._table)
+
+    def __iter__(self) -> Iterator[Row]:
+        return (self._row(values) for values in self._table.tolist())
+
+    @overload
+    def __getitem__(self, index: int | np.integer[Any]) -> Row: ...
+    @overload
+    def __getitem__(self: Part, index: slice | npt.NDArray[Any] | list[int] | list[bool]) -> Part: ...
+    def __getitem__(self, index: Any) -> Any:
+        try:
+            chosen = self._table[index]
+        except (IndexError, KeyError, TypeError, ValueError):
+            raise self._no_rows(index) from None
+        if chosen.dtype != self._dtype or chosen.ndim > 1:
+            raise self._no_rows(index)
+        return self._part(chosen) if isinstance(chosen, np.ndarray) and chosen.ndim else self._row(chosen.tolist())
+
+    def _no_rows(self, index: object) -> IndexError:
+        advice = "give integers, slices or masks; columns are attributes"
+        return IndexError(f"the index {shown(index)} chooses none of {len(self)} rows: {advice}")
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, type(self)) and np.array_equal(self._table, other._table)
 
     __hash__ = None  # type: ignore[assignment]
 
-    def __reduce__(self) -> tuple[type[Any], tuple[npt.NDArray[np.void]]]:
+    def __reduce__(self) -> tuple[type[Any], tuple[Any, ...]]:
         return type(self), (self._table,)
+
+
+def _as_rows(given: Any, dtype: np.dtype[np.void], name: str) -> npt.NDArray[np.void]:
+    is_array = isinstance(given, np.ndarray) and given.ndim == 1
+    if is_array and given.dtype == dtype:
+        return given  # type: ignore[no-any-return]
+    if is_array and given.dtype == np.uint8 and len(given) % dtype.itemsize == 0:
+        return given.view(dtype)  # type: ignore[no-any-return]
+    raise Error(f"{shown(given)} is no table of {name}: take what a question has returned, or its `table`")

@@ -11,7 +11,6 @@ as ``mpirun -n 4 python -m mpi4py script.py``, so that one that ends with an exc
 
 from __future__ import annotations
 
-import operator
 import threading
 import weakref
 from collections.abc import Callable, Iterator
@@ -24,11 +23,12 @@ from mpi4py import MPI
 
 from tamis import _errors
 from tamis._answers import EarliestContact, SafeStep, safe_step
-from tamis._arrays import Doubles, indices, rows
+from tamis._arrays import Doubles, indices, indices_or_none, rows
+from tamis._checks import instance, number, number_or_none, whole
 from tamis._contacts import Contacts
 from tamis._distributed_statistics import Balance, Statistics
 from tamis._errors import Busy, Error, InvalidMesh, InvalidOptions
-from tamis._options import Filter, Guarantee, Isa, make_options
+from tamis._options import Filter, Isa, make_options
 
 try:
     from tamis import _distributed
@@ -85,7 +85,7 @@ class Detector:
         The object of each row's vertex.
     filter : callable, optional
         As of `tamis.Detector`; asked on any rank, so what it says of a pair may not depend on the rank.
-    guarantee, min_separation, isa, may_touch, thickness, is_cancelled
+    min_separation, isa, may_touch, thickness, is_cancelled
         As of `tamis.Detector`.
 
     Raises
@@ -107,7 +107,6 @@ class Detector:
         edges: npt.ArrayLike | None = None,
         points: npt.ArrayLike | None = None,
         method: str = "tamis",
-        guarantee: Guarantee = "exact",
         threads: int = 0,
         min_separation: float = 0.0,
         isa: Isa = "best",
@@ -118,14 +117,14 @@ class Detector:
         is_cancelled: Callable[[], bool] | None = None,
     ) -> None:
         self._lock = threading.Lock()
-        self._comm = comm.Dup()
+        self._comm = instance(comm, MPI.Intracomm, "comm", "a communicator of mpi4py, such as MPI.COMM_WORLD").Dup()
         weakref.finalize(self, _free, self._comm)
         part = self._together(
             lambda: _distributed.Part(
                 indices(vertices, 0, "vertices", InvalidMesh),
                 indices(faces, 3, "faces", InvalidMesh),
-                indices(edges, 2, "edges", InvalidMesh),
-                indices(points, 0, "points", InvalidMesh),
+                indices_or_none(edges, 2, "edges", InvalidMesh),
+                indices_or_none(points, 0, "points", InvalidMesh),
             )
         )
         # No rank need have a vertex of each group.
@@ -133,7 +132,6 @@ class Detector:
         options = self._together(
             lambda: make_options(
                 method=method,
-                guarantee=guarantee,
                 threads=threads,
                 min_separation=min_separation,
                 isa=isa,
@@ -146,7 +144,7 @@ class Detector:
             )
         )
         self._detector = _distributed.Detector(self._comm.py2f(), part, options)
-        self._description = f"method={method!r}, guarantee={guarantee!r}, min_separation={min_separation:g}"
+        self._description = f"method={method!r}, min_separation={min_separation:g}"
 
     @property
     def vertex_count(self) -> int:
@@ -184,7 +182,9 @@ class Detector:
             Positions that do not fit the vertices, are not finite, or differ between ranks.
         """
         with self._turn():
-            first, second, d = self._together(lambda: (*_step(start, end), _number(min_separation)))
+            first, second, d = self._together(
+                lambda: (*_step(start, end), number_or_none(min_separation, "min_separation"))
+            )
             return Contacts(self._detector.contacts(first, second, d))
 
     def gather_contacts(self, root: int = 0) -> Contacts:
@@ -206,7 +206,7 @@ class Detector:
             There is no such rank.
         """
         with self._turn():
-            rank = self._together(lambda: operator.index(root))
+            rank = self._together(lambda: whole(root, "root"))
             return Contacts(self._detector.gather_contacts(rank))
 
     def earliest(
@@ -225,7 +225,9 @@ class Detector:
             The motion is free before its `toi_lower`: proven.
         """
         with self._turn():
-            first, second, d = self._together(lambda: (*_step(start, end), _number(min_separation)))
+            first, second, d = self._together(
+                lambda: (*_step(start, end), number_or_none(min_separation, "min_separation"))
+            )
             lower, upper, found = self._detector.earliest(first, second, d)
         contacts = Contacts(found)
         return EarliestContact(lower, upper, contacts[0] if len(contacts) else None)
@@ -244,11 +246,13 @@ class Detector:
             True is a proof.
         """
         with self._turn():
-            first, second, d = self._together(lambda: (*_step(start, end), _number(min_separation)))
+            first, second, d = self._together(
+                lambda: (*_step(start, end), number_or_none(min_separation, "min_separation"))
+            )
             return self._detector.is_free(first, second, d)
 
     def keep_distance(
-        self, start: npt.ArrayLike, end: npt.ArrayLike, fraction: float, *, min_separation: float | None = None
+        self, start: npt.ArrayLike, end: npt.ArrayLike, fraction: float = 0.1, *, min_separation: float | None = None
     ) -> SafeStep:
         """Find how far the step may go so that every pair keeps a fraction of its distance. The same on every rank.
 
@@ -257,7 +261,7 @@ class Detector:
         start, end, min_separation
             As of `contacts`.
         fraction : float
-            0 <= fraction < 1. 0: only contacts count.
+            0 <= fraction < 1; which, `tamis.Detector.keep_distance` says. 0: only contacts count.
 
         Returns
         -------
@@ -271,7 +275,11 @@ class Detector:
         """
         with self._turn():
             first, second, kept, d = self._together(
-                lambda: (*_step(start, end), float(fraction), _number(min_separation))
+                lambda: (
+                    *_step(start, end),
+                    number(fraction, "fraction"),
+                    number_or_none(min_separation, "min_separation"),
+                )
             )
             return safe_step(self._detector.keep_distance(first, second, kept, d))
 
@@ -323,9 +331,5 @@ def _step(start: npt.ArrayLike, end: npt.ArrayLike) -> tuple[Doubles, Doubles]:
     return rows(start, "start"), rows(end, "end")
 
 
-def _number(given: float | None) -> float | None:
-    return None if given is None else float(given)
-
-
 def _group_count(groups: npt.ArrayLike | None) -> int:
-    return 1 + int(np.max(indices(groups, 0, "groups", InvalidOptions), initial=-1))
+    return 1 + int(np.max(indices_or_none(groups, 0, "groups", InvalidOptions), initial=-1))

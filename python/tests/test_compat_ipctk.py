@@ -98,3 +98,23 @@ def test_counts(mesh: ipctk.CollisionMesh) -> None:
     assert ipctk.edges([[0, 1, 2]]).tolist() == [[0, 1], [0, 2], [1, 2]]
     with pytest.raises(tamis.InvalidMesh):
         ipctk.CollisionMesh(np.zeros((3, 2)), None, [[0, 1, 2]])
+
+
+def test_points_of_no_edge_and_no_face(falling: tamis.Scene) -> None:
+    """Bug: they passed through everything."""
+    faces = falling.mesh.faces[:1]
+    mesh = ipctk.CollisionMesh(falling.start[:4], ipctk.edges(faces), faces)
+    step = falling.start[:4], falling.end[:4]
+    assert mesh.codim_vertices.tolist() == [3] and mesh.num_codim_vertices == 1
+    assert not ipctk.is_step_collision_free(mesh, *step)
+    assert ipctk.compute_collision_free_stepsize(mesh, *step) == pytest.approx(0.49994993209838867, abs=1e-6)
+    assert not ipctk.is_step_collision_free(ipctk.CollisionMesh(np.eye(3)), np.eye(3), -np.eye(3), 0.1)
+
+
+def test_intersections_that_do_not_count(mesh: ipctk.CollisionMesh, falling: tamis.Scene) -> None:
+    """Bug: `can_collide` was not asked of them, as ipctk does."""
+    assert ipctk.has_intersections(mesh, falling.end)
+    mesh.can_collide = lambda a, b: {a, b} == {3, 1}
+    assert ipctk.has_intersections(mesh, falling.end)
+    mesh.can_collide = lambda a, b: False
+    assert not ipctk.has_intersections(mesh, falling.end)

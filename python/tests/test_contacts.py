@@ -46,13 +46,6 @@ def test_contacts_are_sorted_by_kind_and_vertices(found: tamis.Contacts) -> None
     assert keys == sorted(keys)
 
 
-def test_to_pandas(found: tamis.Contacts) -> None:
-    frame = found.to_pandas()
-    assert list(frame.columns) == ["kind", "v0", "v1", "v2", "v3", "toi_lower", "toi_upper", "u", "v", "status"]
-    assert set(frame["kind"]) == {"vf", "ee"} and len(frame) == len(found)
-    assert frame["v3"].tolist() == found.vertices[:, 3].tolist()
-
-
 def test_saved_numbers_read_back_to_the_same_doubles(found: tamis.Contacts, tmp_path: pathlib.Path) -> None:
     for part in (found, found[::3]):  # with gaps between the records
         part.save(tmp_path / "contacts.csv")
@@ -60,7 +53,15 @@ def test_saved_numbers_read_back_to_the_same_doubles(found: tamis.Contacts, tmp_
             rows = list(csv.DictReader(file))
         assert [float(row["toi_upper"]) for row in rows] == part.toi_upper.tolist()
         assert [int(row["v2"]) for row in rows] == part.vertices[:, 2].tolist()
-        assert {row["status"] for row in rows} <= {"certified", "unresolved"}
+        assert {row["status"] for row in rows} == {"certified"}
+        frame = part.to_pandas()
+        assert list(frame.columns) == list(rows[0])
+        assert [[str(row[name]) for row in rows] for name in ("kind", "v0", "v3", "status")] == [
+            [str(value) for value in frame[name]] for name in ("kind", "v0", "v3", "status")
+        ]
+        for name in ("toi_lower", "u", "v", "nx", "ny", "nz"):
+            assert [float(row[name]) for row in rows] == frame[name].tolist()
+        assert np.array_equal(frame[["nx", "ny", "nz"]], part.normal)
 
 
 def test_a_folder_that_is_not_there(found: tamis.Contacts, tmp_path: pathlib.Path) -> None:

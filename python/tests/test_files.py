@@ -85,5 +85,5 @@ def test_bad_simulations(tmp_path: pathlib.Path) -> None:
     with pytest.raises(tamis.InvalidOptions, match="cloth-ball"):
         tamis.simulate("unknown", tmp_path)
     for wrong in ({"triangles": 3}, {"frames": -1}, {"seed": -1}):
-        with pytest.raises(tamis.InvalidOptions, match="give a number"):
+        with pytest.raises(tamis.InvalidOptions, match="give a whole number"):
             tamis.simulate("cloth-ball", tmp_path, **wrong)

@@ -96,6 +96,25 @@ def test_other_files(falling: tamis.Scene, tmp_path: pathlib.Path, name: str, be
     assert (tmp_path / name).read_bytes().startswith(begins)
 
 
+@pytest.mark.parametrize("name", ["c.json", "c.npz", "c.csv.gz"])
+def test_nothing_is_written_under_the_name_of_another_format(
+    falling: tamis.Scene, tmp_path: pathlib.Path, name: str
+) -> None:
+    """Would catch a table that a reader of JSON or NumPy's archives is handed."""
+    contacts = tamis.Detector(falling.mesh).contacts(falling.start, falling.end)
+    with pytest.raises(tamis.FileError, match=r"let the name end in \.csv, \.html, \.glb, \.vtp or \.vtu"):
+        contacts.save(tmp_path / name)
+    assert not (tmp_path / name).exists()
+
+
+def test_what_a_double_cannot_span_is_no_page(falling: tamis.Scene, tmp_path: pathlib.Path) -> None:
+    """Would catch a page that cannot be shown."""
+    far = 1.7e308 * (falling.start / np.abs(falling.start).max())
+    far[0, 0], far[1, 0] = 1.7e308, -1.7e308
+    with pytest.raises(tamis.FileError, match="too large for a page"):
+        tamis.Detector(falling.mesh).contacts(far, far).save(tmp_path / "page.html")
+
+
 def test_options_of_the_question_hold_for_the_page(falling: tamis.Scene, opened: list[str]) -> None:
     """Would catch a page that is made without the filter, the separation or the groups of the question."""
     asked = []

@@ -18,7 +18,7 @@ def count(scene: tamis.Scene, **options: Any) -> int:
 
 @pytest.mark.parametrize("method", tamis.method_choices())
 def test_every_method_by_name(falling: tamis.Scene, method: str) -> None:
-    assert count(falling, method=method, guarantee="conservative", isa="baseline", threads=1) == 1
+    assert count(falling, method=method, isa="baseline", threads=1) == 1
 
 
 def test_groups_leave_out_pairs(falling: tamis.Scene) -> None:
@@ -129,7 +129,6 @@ def test_the_laboratory_of_the_paper(falling: tamis.Scene) -> None:
 
 BAD: dict[str, dict[str, Any]] = {
     "method": {"method": "magic"},
-    "guarantee": {"guarantee": "perhaps"},
     "isa": {"isa": "sse9"},
     "negative threads": {"threads": -1},
     "too many threads": {"threads": 2**40},
@@ -144,9 +143,7 @@ BAD: dict[str, dict[str, Any]] = {
     "negative thickness": {"groups": [0, 0, 0, 1, 1, 1], "thickness": [-1.0, 0.0]},
     "thickness of too few groups": {"groups": [0, 0, 0, 1, 1, 1], "thickness": [0.1]},
     "thickness in two dimensions": {"thickness": [[0.1]]},
-    "a bounding volume": {"paper": tamis.PaperOptions(bounding_volume="egg")},
     "a filter": {"method": "paper", "paper": tamis.PaperOptions(filters=["coffee"])},
-    "high-level culling": {"paper": tamis.PaperOptions(high_level="higher")},
     "subspace without a model": {"method": "paper", "paper": tamis.PaperOptions(high_level="subspace")},
     "a model of another size": {
         "method": "paper",
@@ -161,6 +158,12 @@ BAD: dict[str, dict[str, Any]] = {
 def test_bad_options_are_refused(falling: tamis.Scene, name: str) -> None:
     with pytest.raises(tamis.InvalidOptions, match=":"):
         count(falling, **BAD[name])
+
+
+@pytest.mark.parametrize("given", [{"bounding_volume": "egg"}, {"high_level": "higher"}], ids=str)
+def test_unknown_names_of_the_paper_are_refused(given: dict[str, Any]) -> None:
+    with pytest.raises(tamis.InvalidOptions, match=":"):
+        tamis.PaperOptions(**given)
 
 
 def test_bad_fractions(detector: tamis.Detector, falling: tamis.Scene) -> None:

@@ -6,6 +6,8 @@ import importlib
 import importlib.metadata
 import pathlib
 import re
+import subprocess
+import sys
 
 import pytest
 
@@ -30,6 +32,46 @@ def test_licences_are_inside() -> None:
     if any("tamis.libs/" in name for name in files):
         for wanted in ("libtbb", "libgmp", "LGPL-3", "Apache-2.0"):
             assert any(name.startswith(wanted) for name in licences), f"no licence of {wanted} in {licences}"
+
+
+def test_metadata_name_every_licence() -> None:
+    """Bug: a wheel that carries LGPL libraries said MIT, and no more."""
+    metadata, files = importlib.metadata.metadata("tamis"), importlib.metadata.files("tamis") or []
+    inside = {file.name for file in files if "/licenses/" in str(file)}
+    assert set(metadata.get_all("License-File") or []) == inside
+    if any("tamis.libs/" in str(file) for file in files):
+        expression = metadata["License-Expression"].split(" AND ")
+        assert {"MIT", "Apache-2.0", "MPL-2.0", "BSD-3-Clause"} < set(expression)
+        assert "(LGPL-3.0-or-later OR GPL-2.0-or-later)" in expression
+
+
+def test_the_command_comes_along(tmp_path: pathlib.Path) -> None:
+    """Would catch a command that is not there, not executable, without its libraries or its files."""
+    command = pathlib.Path(sys.executable).with_name("tamis")
+    if not command.exists():
+        pytest.skip("tamis was not installed into this environment")
+    environment = {"PATH": "/usr/bin:/bin"}
+    version = subprocess.run([command, "--version"], env=environment, check=True, capture_output=True, text=True)
+    assert tamis.__version__ in version.stdout
+    scene = tamis.scene("soup", 100)
+    for name, positions in (("start", scene.start), ("end", scene.end)):
+        tamis.write_mesh(tmp_path / f"{name}.ply", positions, scene.mesh.faces)
+    for out in ("contacts.csv", "picture.png"):
+        words = [str(command), "contacts", "start.ply", "end.ply", "--out", out]
+        asked = subprocess.run(words, env=environment, cwd=tmp_path, capture_output=True, text=True)
+        assert asked.returncode in (0, 1) and not asked.stderr, asked.stderr
+    rows = (tmp_path / "contacts.csv").read_text().splitlines()
+    found = tamis.Detector(scene.mesh).contacts(scene.start, scene.end)
+    assert len(rows) == 1 + len(found) > 10 and (tmp_path / "picture.png").stat().st_size > 1000
+
+
+def test_the_examples_come_along() -> None:
+    shipped = pathlib.Path(tamis.__file__).with_name("examples")
+    if not pathlib.Path(tamis.__file__).resolve().parent.with_name("tamis.libs").is_dir():
+        pytest.skip("tamis was not installed from a repaired wheel")
+    ours = pathlib.Path(__file__).resolve().parents[1] / "examples"
+    texts = {path.name: path.read_text() for path in ours.glob("*.py")}
+    assert texts and {path.name: path.read_text() for path in shipped.glob("*.py")} == texts
 
 
 def test_knows_no_mpi() -> None:

@@ -134,7 +134,7 @@ std::vector<Touch> Simulator::touches_near_path() {
   std::vector<Touch> touches;
   for (const Contact& c : near_.contacts(step()))
     if (!std::binary_search(near_at_start_.begin(), near_at_start_.end(), c, comes_before))
-      touches.push_back(make_touch(c, start_, model_.particles.position, model_.thickness));
+      touches.push_back(make_touch(c, start_, model_.thickness));
   return touches;
 }
 
@@ -162,8 +162,7 @@ bool Simulator::make_free(std::vector<Touch>& touches, double time, double dt) {
     const std::vector<Contact>& found = proof_.contacts(step());
     if (found.empty()) return true;
     ++effort_.repairs;
-    for (const Contact& c : found)
-      touches.push_back(make_touch(c, start_, model_.particles.position, model_.thickness));
+    for (const Contact& c : found) touches.push_back(make_touch(c, start_, model_.thickness));
     for (int pass = 0; pass < kRepairPasses; ++pass) project_touches(touches);
   }
   return move_in_zones(time, dt);

@@ -2,13 +2,12 @@
 
 #include <algorithm>
 
-#include "scenes/simulation/nearest.hpp"
-
 namespace tamis::simulation {
 namespace {
 
-/// Share of the way to its first contact at which a pair is looked at.
-constexpr double kJustBefore = 0.9;
+/// One column a vertex, in the order of Contact.
+using Corners = Eigen::Matrix<double, 3, 4>;
+
 /// Share of the missing thickness that is regained in a step.
 constexpr double kRecovery = 0.1;
 
@@ -18,17 +17,17 @@ Corners corners(const std::array<Index, 4>& v, const Points& points) {
   return result;
 }
 
+Eigen::Vector4d weights_of(const Contact& c) {
+  if (c.kind == PairKind::edge_edge) return {1 - c.u, c.u, c.v - 1, -c.v};
+  return {1, c.u + c.v - 1, -c.u, -c.v};
+}
+
 }  // namespace
 
-Touch make_touch(const Contact& contact, const Points& start, const Points& end, double thickness) {
-  const auto from = corners(contact.vertices, start), to = corners(contact.vertices, end);
-  const double t = kJustBefore * contact.toi_lower;
-  const Corners then = (1 - t) * from + t * to;
-  const Eigen::Vector4d weights = nearest_weights(contact.kind, then);
-  const Vec gap = then * weights;
-  const double length = gap.norm();
-  const Vec normal = length > 0 ? Vec(gap / length) : Vec(contact.normal.data());
-  const double at_start = normal.dot(from * weights);
+Touch make_touch(const Contact& contact, const Points& start, double thickness) {
+  const Eigen::Vector4d weights = weights_of(contact);
+  const Vec normal(contact.normal.data());
+  const double at_start = normal.dot(corners(contact.vertices, start) * weights);
   const double wanted = at_start < thickness ? at_start + kRecovery * (thickness - at_start) : thickness;
   return {contact.vertices, weights, normal, wanted};
 }

@@ -9,15 +9,14 @@ namespace tamis::simulation {
 
 struct Touch {
   std::array<Index, 4> vertices;
-  Eigen::Vector4d weights;  ///< points * weights: from the closest point of the second feature to that of the first
-  Vec normal;               ///< unit, along that gap while the features are still apart
+  Eigen::Vector4d weights;  ///< points * weights: from the second feature's point of contact to that of the first
+  Vec normal;               ///< that of the contact: along that gap when they come near
   double gap;               ///< to be kept along the normal at the end of the step, metres
 };
 
-/// The pair as it stands shortly before it touches: there the gap has a direction, and the right side.
 /// `thickness`: the gap wanted, metres. Features closer than that are moved apart little by little, so that the
-/// push adds no speed worth mentioning.
-Touch make_touch(const Contact& contact, const Points& start, const Points& end, double thickness);
+/// push adds no speed worth mentioning. REQUIRES: vertex and face, or two edges.
+Touch make_touch(const Contact& contact, const Points& start, double thickness);
 
 /// Moves the features apart; sliding during the step is held back in proportion to the push (Coulomb).
 void project(const Touch& touch, Particles& particles, const Points& start, double friction);

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "bounds/symmetric_axes.hpp"
+#include "numerics/assert.hpp"
 
 namespace tamis {
 namespace {
@@ -61,6 +62,7 @@ bool separates(const OrientedBox& a, const OrientedBox& b, const Vec& axis) {
 }  // namespace
 
 OrientedBox OrientedBox::around(std::span<const Moving<double>> points, const Vec& origin, double padding) {
+  TAMIS_ASSERT(!points.empty() && points.size() <= 3);
   std::array<Vec, 6> ends;
   std::size_t count = 0;
   for (const Moving<double>& p : points) {

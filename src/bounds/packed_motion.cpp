@@ -84,20 +84,10 @@ void PackedMotion::assign(const Step& step, std::span<const Index> used, const S
   }
 }
 
-void PackedMotion::assign_drifts(const Step& step, const Positions& before, std::span<const Index> used) {
-  drifts.resize(vertices.size());
-  for (Index v : used)
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      float(&at)[8] = drifts[static_cast<std::size_t>(v)].at;
-      at[axis] = static_cast<float>(scaled_difference(step.start[v][axis], before[v][axis], frame.scale));
-      at[3 + axis] = static_cast<float>(scaled_difference(step.end[v][axis], before[v][axis], frame.scale));
-    }
-}
-
-void PackedMotion::assign_rests(const Step& step, const SharedMotion& shared) {
-  drifts.resize(vertices.size());
+void PackedMotion::assign_residuals(const Step& step, const SharedMotion& shared) {
+  residuals.resize(vertices.size());
   shared.for_each_rest(step, frame, [&](Index v, const Vec3<double>& rest) {
-    drifts[static_cast<std::size_t>(v)] = {
+    residuals[static_cast<std::size_t>(v)] = {
         {0, 0, 0, static_cast<float>(rest.x), static_cast<float>(rest.y), static_cast<float>(rest.z)}};
   });
 }

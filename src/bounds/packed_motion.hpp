@@ -19,8 +19,8 @@ struct alignas(64) PackedVertex {
 };
 
 /// A vertex in the frame of the boxes, rounded to nearest: x y z at t=0, then at t=1, its radius (rounded up), one
-/// unused; half a cache line. Or its drift, without radius: how far it is at t=0, and at t=1, from where it was at some
-/// time before; or at t=0 nothing, at t=1 its rest beside a shared motion.
+/// unused; half a cache line. Or, at t=1 alone, what its displacement has besides a motion that it shares: its
+/// residual.
 struct alignas(32) BoxVertex {
   static constexpr int kRadius = 6;
   float at[8] = {};
@@ -38,8 +38,8 @@ struct BoxFrame {
   /// since no component of a vector between vertices is off by more than 2^-24; the separation of a pair in floats is
   /// larger by 2^-22, which is for the first, and is taken off the second.
   static constexpr float kBlur = 0x1p-21f;
-  /// The same for drifts, times the drift: rounding to float is off by 2^-24 of it, the box's own subtraction by as
-  /// much.
+  /// The same for residuals, times the residual: rounding to float is off by 2^-24 of it, the box's own subtraction by
+  /// as much.
   static constexpr float kRelativeMargin = 0x1p-22f;
   /// And added to that: the speed of a single pair (solve/kept_distance.hpp) is rounded up by at most 2 * 40 * 2^-53 of
   /// its three sizes, each at most 2 here: below 2^-44, and two boxes' margins add up. No bound from boxes may be
@@ -68,26 +68,24 @@ struct BoxSeparation {
 struct PackedMotion {
   std::vector<PackedVertex> vertices;
   std::vector<BoxVertex> box_vertices;
-  std::vector<BoxVertex> drifts;
+  std::vector<BoxVertex> residuals;
   BoxFrame frame;
   Separations separations;
 
-  /// Vertices outside `used` are left as they are; so are drifts.
+  /// Vertices outside `used` are left as they are; so are residuals.
   void assign(const Step& step, std::span<const Index> used, const Separations& separations);
-  /// Drifts from `before`, in the frame of the step assigned last.
-  void assign_drifts(const Step& step, const Positions& before, std::span<const Index> used);
-  /// In the place of drifts, for the step assigned last, to which the motion has been fitted.
-  void assign_rests(const Step& step, const SharedMotion& shared);
+  /// Residuals, for the step assigned last, to which the motion has been fitted.
+  void assign_residuals(const Step& step, const SharedMotion& shared);
   /// What the kernels need of the separations.
   PairSeparation pair_separation() const { return {separations.fixed, !separations.radii.empty()}; }
   BoxSeparation box_separation() const { return {2 * frame.margin, !separations.radii.empty()}; }
   std::uint64_t memory_bytes() const {
     return vertices.capacity() * sizeof(PackedVertex) +
-           (box_vertices.capacity() + drifts.capacity()) * sizeof(BoxVertex);
+           (box_vertices.capacity() + residuals.capacity()) * sizeof(BoxVertex);
   }
 };
 
-/// What boxes of vertices, or of drifts, are widened by: so much, and so much of the box's size.
+/// What boxes of vertices, or of residuals, are widened by: so much, and so much of the box's size.
 struct BoxMargins {
   float fixed, relative;
 };

@@ -3,6 +3,7 @@
 #include <span>
 #include <vector>
 
+#include "numerics/assert.hpp"
 #include "numerics/vec.hpp"
 #include "tamis/mesh.hpp"
 
@@ -22,7 +23,10 @@ class BinaryTree {
   Index left(Index node) const { return node + 1; }
   Index right(Index node) const { return link(node); }
   /// REQUIRES: a leaf.
-  Index triangle(Index node) const { return ~link(node); }
+  Index triangle(Index node) const {
+    TAMIS_ASSERT(is_leaf(node));
+    return ~link(node);
+  }
   std::uint64_t memory_bytes() const { return links_.capacity() * sizeof(Index); }
 
  private:

@@ -38,15 +38,15 @@ void BlockTree::set_groups(std::span<const Index> group_of_vertex, std::span<con
   groups_.group_count = group_count;
 }
 
-void BlockTree::build(const PackedMotion& motion, const TreeKernels& kernels) {
+void BlockTree::build(const PackedMotion& motion, int axes, const TreeKernels& kernels, const Pause& pause) {
   levels_.clear();
-  drifts_.clear();
+  residuals_.clear();
   for (std::size_t blocks = blocks_for(static_cast<std::size_t>(feature_count()));; blocks = blocks_for(blocks)) {
     levels_.push_back(empty_blocks(blocks));
     if (blocks <= 1 && levels_.size() > 1) break;
   }
   corner_blocks_.resize(levels_[0].size());
-  choose_order(motion, kernels.split);
+  choose_order(motion, axes, kernels.split, pause);
   if (groups_.may_touch) group_blocks();
   refit(motion, kernels);
 }
@@ -69,9 +69,9 @@ void BlockTree::group_blocks() {
   }
 }
 
-void BlockTree::choose_order(const PackedMotion& motion, Split split) {
+void BlockTree::choose_order(const PackedMotion& motion, int axes, Split split, const Pause& pause) {
   const auto n = static_cast<std::size_t>(feature_count()), corners = static_cast<std::size_t>(corners_);
-  CenterStore store(n);
+  CenterStore store(n, axes);
   const Centers centers = store.view();
   parallel_blocks(blocks_for(n), [&](std::size_t block) {
     for (std::size_t i = block * kBlock; i < std::min(n, (block + 1) * kBlock); ++i) {
@@ -81,11 +81,14 @@ void BlockTree::choose_order(const PackedMotion& motion, Split split) {
         for (int k = 0; k < 6; ++k) sum[k] += at[k];
       }
       for (int axis = 0; axis < 3; ++axis)
-        centers.at[axis][i] = (sum[axis] + sum[3 + axis]) / static_cast<float>(2 * corners_);
+        centers.at[axis][i] = (sum[3 + axis] + sum[axis]) / static_cast<float>(2 * corners_);
+      for (int axis = 0; axis < axes - 3; ++axis)
+        centers.at[3 + axis][i] = (sum[3 + axis] - sum[axis]) / static_cast<float>(2 * corners_);
       centers.feature[i] = static_cast<Index>(i);
     }
   });
-  order_in_space(centers, n, split);
+  pause();
+  order_in_space(centers, n, split, pause);
   const auto order = store.features();
   parallel_blocks(corner_blocks_.size(), [&](std::size_t block) {
     const std::size_t first = block * kBlock;
@@ -102,12 +105,12 @@ void BlockTree::refit(const PackedMotion& motion, const TreeKernels& kernels) {
   fill(levels_, motion.box_vertices, {motion.frame.margin, 0}, kernels.bound_leaf);
 }
 
-void BlockTree::refit_drifts(const PackedMotion& motion, const TreeKernels& kernels) {
-  if (drifts_.size() != levels_.size()) {
-    drifts_.clear();
-    for (const auto& level : levels_) drifts_.push_back(empty_blocks(level.size()));
+void BlockTree::refit_residuals(const PackedMotion& motion, const TreeKernels& kernels) {
+  if (residuals_.size() != levels_.size()) {
+    residuals_.clear();
+    for (const auto& level : levels_) residuals_.push_back(empty_blocks(level.size()));
   }
-  fill(drifts_, motion.drifts, {BoxFrame::kLeastMargin, BoxFrame::kRelativeMargin}, kernels.bound_leaf);
+  fill(residuals_, motion.residuals, {BoxFrame::kLeastMargin, BoxFrame::kRelativeMargin}, kernels.bound_leaf);
 }
 
 void BlockTree::fill(Levels& levels, const std::vector<BoxVertex>& vertices, const BoxMargins& margins,
@@ -132,7 +135,7 @@ int BlockTree::lanes_in_use(std::size_t block) const {
 
 TreeView BlockTree::view() const {
   TreeView view{};
-  for (const auto& level : drifts_) view.drifts[view.level_count++] = level.data();
+  for (const auto& level : residuals_) view.residuals[view.level_count++] = level.data();
   view.level_count = 0;
   for (const auto& level : levels_) view.levels[view.level_count++] = level.data();
   view.leaf_blocks = static_cast<int>(corner_blocks_.size());
@@ -158,7 +161,7 @@ double BlockTree::swept_area() const {
 
 std::uint64_t BlockTree::memory_bytes() const {
   std::uint64_t bytes = corner_blocks_.capacity() * sizeof(CornerBlock);
-  for (const Levels* levels : {&levels_, &drifts_})
+  for (const Levels* levels : {&levels_, &residuals_})
     for (const auto& level : *levels) bytes += level.capacity() * sizeof(BoxBlock);
   for (const auto& level : group_of_block_) bytes += level.capacity() * sizeof(Index);
   return bytes;

@@ -27,8 +27,8 @@ struct BlockGroups {
 
 /// What the kernels see of a tree.
 struct TreeView {
-  const BoxBlock* levels[kMaxLevels];  ///< levels[0]: features, levels[k]: hulls of the blocks of levels[k-1]
-  const BoxBlock* drifts[kMaxLevels];  ///< the same of the drifts of their vertices; null without drifts
+  const BoxBlock* levels[kMaxLevels];     ///< levels[0]: features, levels[k]: hulls of the blocks of levels[k-1]
+  const BoxBlock* residuals[kMaxLevels];  ///< the same of the residuals of their vertices; null without
   int level_count;
   int leaf_blocks;
   const CornerBlock* corners;
@@ -66,12 +66,14 @@ class BlockTree {
   /// Of the features' first vertices, as PairFilter has them; both empty, or spans that outlive the tree.
   void set_groups(std::span<const Index> group_of_vertex, std::span<const std::uint8_t> may_touch, Index group_count);
 
-  /// Chooses the order from where the features are halfway through the step, then refits.
-  void build(const PackedMotion& motion, const TreeKernels& kernels);
+  /// Chooses the order, by as many axes (order_axes.hpp), then refits. What `pause` throws leaves a tree that can only
+  /// be built.
+  void build(
+      const PackedMotion& motion, int axes, const TreeKernels& kernels, const Pause& pause = [] {});
   /// New boxes in the old order.
   void refit(const PackedMotion& motion, const TreeKernels& kernels);
-  /// Boxes of `motion`'s drifts, or of what stands in their place.
-  void refit_drifts(const PackedMotion& motion, const TreeKernels& kernels);
+  /// Boxes of `motion`'s residuals.
+  void refit_residuals(const PackedMotion& motion, const TreeKernels& kernels);
 
   Index feature_count() const { return static_cast<Index>(vertices_.size() / static_cast<std::size_t>(corners_)); }
   TreeView view() const;
@@ -80,7 +82,7 @@ class BlockTree {
   std::uint64_t memory_bytes() const;
 
  private:
-  void choose_order(const PackedMotion& motion, Split split);
+  void choose_order(const PackedMotion& motion, int axes, Split split, const Pause& pause);
   void group_blocks();
   using Levels = std::vector<std::vector<BoxBlock>>;
 
@@ -92,7 +94,7 @@ class BlockTree {
   int corners_ = 1;
   std::span<const Index> vertices_;
   std::vector<CornerBlock> corner_blocks_;
-  Levels levels_, drifts_;
+  Levels levels_, residuals_;
   std::span<const Index> group_of_vertex_;
   BlockGroups groups_{};
   std::vector<std::vector<Index>> group_of_block_;  ///< as BlockGroups::of

@@ -2,6 +2,7 @@
 #pragma once
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -9,33 +10,44 @@
 
 namespace tamis {
 
-/// Centers of features, [axis], and whose they are: parallel arrays.
+/// Centers of features, [axis], and whose they are: parallel arrays. Three axes, or six: where the centers are halfway
+/// through the step, then half of how far they go.
 struct Centers {
-  float* at[3];
+  static constexpr int kMostAxes = 6;
+  float* at[kMostAxes];
   Index* feature;
+  int axes;
 
-  Centers from(std::size_t first) const { return {{at[0] + first, at[1] + first, at[2] + first}, feature + first}; }
+  Centers from(std::size_t first) const {
+    Centers rest = *this;
+    for (float*& axis : rest.at) axis += axis ? first : 0;
+    rest.feature += first;
+    return rest;
+  }
 };
 
 /// Puts the `lower` of `count` centers that come first along their longest axis in front, in an order that depends on
 /// the centers alone. `scratch` has room for `count`. One of the kernels.
 using Split = void (*)(const Centers& centers, const Centers& scratch, std::size_t count, std::size_t lower);
 
+/// Called now and then, from several threads; what it throws ends the work.
+using Pause = std::function<void()>;
+
 /// Memory for centers.
 class CenterStore {
  public:
-  explicit CenterStore(std::size_t count);
+  CenterStore(std::size_t count, int axes);
   Centers view();
   std::span<const Index> features() const { return features_; }
 
  private:
-  std::vector<float> at_[3];
+  std::vector<std::vector<float>> at_;  ///< [axis]
   std::vector<Index> features_;
 };
 
 /// Orders centers such that every sixteen, and every sixteen times sixteen, and so on, lie close together: halved
 /// again and again along the longest axis. Costs more than a Morton order, and saves as much on every question
-/// (docs/performance.md). The same for any number of threads.
-void order_in_space(const Centers& centers, std::size_t count, Split split);
+/// (docs/history/performance.md). The same for any number of threads.
+void order_in_space(const Centers& centers, std::size_t count, Split split, const Pause& pause);
 
 }  // namespace tamis

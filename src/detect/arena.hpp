@@ -2,6 +2,8 @@
 #pragma once
 #include <tbb/task_arena.h>
 
+#include "engines/isolated.hpp"
+
 namespace tamis {
 
 class Arena {
@@ -12,9 +14,9 @@ class Arena {
   template <class Work>
   void run(const Work& work) {
     if (is_own_)
-      arena_.execute(work);
+      arena_.execute([&] { isolated(work); });
     else
-      work();
+      isolated(work);
   }
   /// For the work itself: how many threads there are.
   static int threads_here() { return tbb::this_task_arena::max_concurrency(); }

@@ -2,10 +2,13 @@
 
 #include <algorithm>
 
+#include "detect/truncation.hpp"
 #include "detect/validate.hpp"
-#include "detect/vertex_steps.hpp"
 #include "engines/brute/step_length.hpp"
+#include "engines/pair_rules.hpp"
 #include "engines/stopwatch.hpp"
+#include "numerics/number_text.hpp"
+#include "solve/start_distance.hpp"
 #include "tamis/error.hpp"
 
 namespace tamis {
@@ -34,6 +37,12 @@ std::vector<double> radii_of(const Options& options, const Mesh& mesh) {
   return radii;
 }
 
+void validate_kept_part(double fraction) {
+  if (!(fraction > 0 && fraction < 1))
+    throw InvalidOptions("the fraction of the distance to keep is " + number_text(fraction) +
+                         ": give a number > 0 and < 1");
+}
+
 }  // namespace
 
 Detector::State::State(Mesh m, Options o) : mesh(std::move(m)), options(std::move(o)), arena_(options.threads) {
@@ -42,30 +51,49 @@ Detector::State::State(Mesh m, Options o) : mesh(std::move(m)), options(std::mov
   engine_ = make_engine(mesh, options);
 }
 
-Separations Detector::State::separations(std::optional<double> min_separation) const {
+Separations Detector::State::separations(Separation min_separation) const {
   if (min_separation) validate_distance(*min_separation, "the minimum separation");
   return {min_separation.value_or(options.min_separation), radii_};
 }
 
-void Detector::State::ask(const Step& step, const Separations& separations, Question question) {
+void Detector::State::ask(const Step& step, Separation min_separation, Question question) {
+  const Separations kept = separations(min_separation);
   validate(step, mesh);
   measure([&] {
-    found.begin(step, separations, question);
+    found.begin(step, kept, question);
     engine_->find(found, statistics);
     if (question == Question::all_contacts) sorter_.sort(found.contacts(), mesh.vertex_count());
   });
 }
 
-void Detector::State::ask(const Path& path, const Separations& separations, double tolerance, Question question) {
+void Detector::State::ask(const Path& path, Separation min_separation, double tolerance, Question question) {
+  const Separations kept = separations(min_separation);
   validate_tolerance(tolerance);
   measure([&] {
     if (!path_search_) path_search_ = std::make_unique<PathSearch>(mesh, options, *engine_);
-    path_search_->find({path, separations, tolerance}, question, found.contacts(), statistics);
+    path_search_->find({path, kept, tolerance}, question, found.contacts(), statistics);
     sorter_.sort(found.contacts(), mesh.vertex_count());
   });
 }
 
-SafeStep Detector::State::keep_distance(const Step& step, const Separations& separations, double fraction) {
+EarliestContact Detector::State::earliest(const Step& step, Separation min_separation) {
+  ask(step, min_separation, Question::earliest);
+  const EarliestContact first = found.first();
+  statistics.decided_by += found.decided_by();
+  return first;
+}
+
+SafeStep Detector::State::keep_distance(const Step& step, double fraction, Separation min_separation) {
+  validate_kept(fraction);
+  if (fraction > 0) return step_length(step, separations(min_separation), fraction);
+  const EarliestContact first = earliest(step, min_separation);
+  if (!first.contact) return {};
+  const Contact& c = *first.contact;
+  const double distance = start_distance(c.kind, points_of(step, c.vertices));
+  return {first.toi_lower, first.toi_upper, LimitingPair{c.kind, c.vertices, distance}};
+}
+
+SafeStep Detector::State::step_length(const Step& step, const Separations& separations, double fraction) {
   SafeStep answer;
   validate(step, mesh);
   measure([&] {
@@ -73,22 +101,49 @@ SafeStep Detector::State::keep_distance(const Step& step, const Separations& sep
       answer = step_length_by_brute_force(mesh, options, step, separations, fraction, statistics);
       return;
     }
-    if (!step_length_) step_length_ = std::make_unique<StepLengthSearch>(mesh, options);
-    answer = step_length_->find(step, separations, fraction, statistics);
+    answer = step_lengths().find(step, separations, fraction, statistics);
   });
   return answer;
 }
 
-VertexSteps Detector::State::vertex_steps(const Step& step, const Separations& separations, double fraction) {
+TruncatedStep Detector::State::truncate(const Step& step, double fraction, Separation min_separation) {
+  validate_kept_part(fraction);
+  const Separations kept = separations(min_separation);
+  using Next = Truncation::Next;
   const Stopwatch watch;
-  VertexSteps steps{keep_distance(step, separations, fraction).lower, {}};
-  const Seconds together = statistics.seconds;
+  const KeptFractions fractions(fraction);
+  const double together = step_length(step, kept, fractions.together).lower;
+  Seconds spent = statistics.seconds;
+  Truncation truncation(mesh, step, kept, fractions, together);
+  std::vector<StepLimit> ends;
+  for (Next next = together < 1 ? Next::ask : Next::done; next != Next::done; next = truncation.after(ends)) {
+    if (next == Next::plan_apart) {
+      std::vector<NearPair> within_reach;
+      measure([&] { at_rest().find_near(step.start, truncation.reach(), within_reach, statistics); });
+      spent += statistics.seconds;
+      truncation.keep_apart(within_reach);
+    }
+    find_step_ends(truncation.way(), kept, fraction, ends);
+    spent += statistics.seconds;
+  }
+  spent.total = watch.seconds();
+  statistics.seconds = spent;
+  return truncation.take();
+}
+
+void Detector::State::find_step_ends(const Step& step, const Separations& separations, double fraction,
+                                     std::vector<StepLimit>& ends) {
   measure([&] {
-    steps.until = tamis::vertex_steps(mesh, at_rest(), near, {step, separations, steps.together}, statistics);
+    if (options.method == Method::brute)
+      step_ends_by_brute_force(mesh, options, step, separations, fraction, ends, statistics);
+    else
+      step_lengths().find_all(step, separations, fraction, ends, statistics);
   });
-  statistics.seconds += together;
-  statistics.seconds.total = watch.seconds();
-  return steps;
+}
+
+StepLengthSearch& Detector::State::step_lengths() {
+  if (!step_lengths_) step_lengths_ = std::make_unique<StepLengthSearch>(mesh, options);
+  return *step_lengths_;
 }
 
 void Detector::State::find_near(const Positions& positions, double distance) {
@@ -123,8 +178,9 @@ void Detector::State::measure(const Work& work) {
 
 std::uint64_t Detector::State::memory_bytes() const {
   const auto of = [](const auto& part) { return part ? part->memory_bytes() : 0; };
-  return engine_->memory_bytes() + sorter_.memory_bytes() + found.memory_bytes() + of(step_length_) + of(path_search_) +
-         of(rest_engine_) + near.capacity() * sizeof(NearPair) + intersections.capacity() * sizeof(Intersection);
+  return engine_->memory_bytes() + sorter_.memory_bytes() + found.memory_bytes() + of(step_lengths_) +
+         of(path_search_) + of(rest_engine_) + near.capacity() * sizeof(NearPair) +
+         intersections.capacity() * sizeof(Intersection);
 }
 
 }  // namespace tamis

@@ -11,21 +11,22 @@
 #include "engines/tamis/step_length.hpp"
 #include "paths/path_search.hpp"
 #include "tamis/detector.hpp"
+#include "tamis/turn.hpp"
 
 namespace tamis {
 
 struct Detector::State {
+  /// Of a question; none: the detector's.
+  using Separation = std::optional<double>;
+
   State(Mesh m, Options o);
 
-  /// Of a question; throws InvalidOptions.
-  Separations separations(std::optional<double> min_separation) const;
-
   /// The contacts are in `found`.
-  void ask(const Step& step, const Separations& separations, Question question);
-  void ask(const Path& path, const Separations& separations, double tolerance, Question question);
-  /// 0 < fraction < 1.
-  SafeStep keep_distance(const Step& step, const Separations& separations, double fraction);
-  VertexSteps vertex_steps(const Step& step, const Separations& separations, double fraction);
+  void ask(const Step& step, Separation min_separation, Question question);
+  void ask(const Path& path, Separation min_separation, double tolerance, Question question);
+  EarliestContact earliest(const Step& step, Separation min_separation);
+  SafeStep keep_distance(const Step& step, double fraction, Separation min_separation);
+  TruncatedStep truncate(const Step& step, double fraction, Separation min_separation);
   /// The pairs are in `near`.
   void find_near(const Positions& positions, double distance);
   /// They are in `intersections`.
@@ -37,9 +38,17 @@ struct Detector::State {
   std::vector<NearPair> near;
   std::vector<Intersection> intersections;
   Statistics statistics;
+  std::atomic_flag is_asked;  ///< the turn of the question that is being answered
 
  private:
+  /// Throws InvalidOptions.
+  Separations separations(Separation min_separation) const;
+  /// 0 < fraction < 1.
+  SafeStep step_length(const Step& step, const Separations& separations, double fraction);
   RestEngine& at_rest();
+  /// As StepLengthSearch::find_all, of any method.
+  void find_step_ends(const Step& step, const Separations& separations, double fraction, std::vector<StepLimit>& ends);
+  StepLengthSearch& step_lengths();
   /// Runs `work` in the arena, with fresh statistics.
   template <class Work>
   void measure(const Work& work);
@@ -48,10 +57,22 @@ struct Detector::State {
   Arena arena_;
   std::vector<double> radii_;  ///< of the vertices; empty: all zero
   std::unique_ptr<Engine> engine_;
-  std::unique_ptr<StepLengthSearch> step_length_;  ///< made by the first question that needs it, as what follows
-  std::unique_ptr<Engine> rest_engine_;            ///< where `engine_` does not answer at rest
+  std::unique_ptr<StepLengthSearch> step_lengths_;  ///< made by the first question that needs it, as what follows
+  std::unique_ptr<Engine> rest_engine_;             ///< where `engine_` does not answer at rest
   std::unique_ptr<PathSearch> path_search_;
   ContactSorter sorter_;
+};
+
+/// What a question asks: the state, for as long as the question has its turn.
+class Detector::Asked {
+ public:
+  /// Throws Busy, and Error of a detector that has been moved from.
+  explicit Asked(const Detector& detector) : state_(detector.state()), turn_(state_.is_asked) {}
+  State* operator->() const { return &state_; }
+
+ private:
+  State& state_;
+  const Turn turn_;
 };
 
 }  // namespace tamis

@@ -1,20 +1,66 @@
-#include "motion/pair_kinds.hpp"
+#include <algorithm>
+#include <string>
+
+#include "detect/pair_faults.hpp"
 #include "tamis/contact.hpp"
+#include "tamis/error.hpp"
 
 namespace tamis {
+namespace {
+
+constexpr const char* kAdvice = ": give a pair of this mesh, its vertices as in Contact";
+
+Index known_vertex(const Mesh& mesh, Index v) {
+  if (v < 0 || v >= mesh.vertex_count())
+    throw InvalidMesh("the mesh has " + std::to_string(mesh.vertex_count()) + " vertices and none with the number " +
+                      std::to_string(v) + kAdvice);
+  return v;
+}
+
+Index known_edge(const Mesh& mesh, Index a, Index b) {
+  const Index place = mesh.find_edge(known_vertex(mesh, a), known_vertex(mesh, b));
+  if (place < 0)
+    throw InvalidMesh("the mesh has no edge between the vertices " + std::to_string(a) + " and " + std::to_string(b) +
+                      kAdvice);
+  return place;
+}
+
+std::string text_of(const Face& f) {
+  return std::to_string(f[0]) + ", " + std::to_string(f[1]) + ", " + std::to_string(f[2]);
+}
+
+/// The mesh's own order of these vertices.
+std::string known_order(const Mesh& mesh, Face face) {
+  std::sort(face.begin(), face.end());
+  do
+    if (mesh.find_face(face) >= 0) return text_of(face);
+  while (std::next_permutation(face.begin(), face.end()));
+  return "";
+}
+
+Index known_face(const Mesh& mesh, const Face& face) {
+  for (const Index v : face) known_vertex(mesh, v);
+  const Index place = mesh.find_face(face);
+  if (place >= 0) return place;
+  const std::string other = known_order(mesh, face);
+  throw InvalidMesh("the mesh has no face of the vertices " + text_of(face) +
+                    (other.empty() ? kAdvice : " in this order, but " + other + ": give them so"));
+}
+
+}  // namespace
 
 FeaturePair features_of(const Mesh& mesh, PairKind kind, const std::array<Index, 4>& v) {
   switch (kind) {
     case PairKind::vertex_face:
-      return {v[0], mesh.find_face({v[1], v[2], v[3]})};
+      return {known_vertex(mesh, v[0]), known_face(mesh, {v[1], v[2], v[3]})};
     case PairKind::edge_edge:
-      return {mesh.find_edge(v[0], v[1]), mesh.find_edge(v[2], v[3])};
+      return {known_edge(mesh, v[0], v[1]), known_edge(mesh, v[2], v[3])};
     case PairKind::vertex_edge:
-      return {v[0], mesh.find_edge(v[1], v[2])};
+      return {known_vertex(mesh, v[0]), known_edge(mesh, v[1], v[2])};
     case PairKind::vertex_vertex:
-      break;
+      return {known_vertex(mesh, v[0]), known_vertex(mesh, v[1])};
   }
-  return {v[0], v[1]};
+  throw InvalidMesh(no_such_kind(kind));
 }
 
 }  // namespace tamis

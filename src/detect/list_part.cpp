@@ -8,6 +8,7 @@
 #include "numerics/finite.hpp"
 #include "solve/decide.hpp"
 #include "solve/pair_input.hpp"
+#include "solve/separation.hpp"
 
 namespace tamis {
 namespace {
@@ -73,9 +74,15 @@ class PartDecision {
     const auto& [start, end] = part_.step;
     const StepRows vertices{start.data(), end.data(), start.stride(), end.stride()};
     const int open = part_.kernels.settle[static_cast<std::size_t>(kind)](
-        {vertices, batch.places, part_.options}, batch.pairs, batch.rest, results_, batch.open);
+        {vertices, batch.places, part_.options, within(kind)}, batch.pairs, batch.rest, results_, batch.open);
     batch.pairs.count = 0;
     return std::all_of(batch.open, batch.open + open, [&](std::int32_t place) { return decide_open(kind, place); });
+  }
+
+  WithinScratch* within(PairKind kind) {
+    if (!is_about_distance(kind, part_.options.min_separation)) return nullptr;
+    if (!within_) within_ = std::make_unique<WithinScratch>();
+    return within_.get();
   }
 
   bool decide_open(PairKind kind, std::int32_t place) {
@@ -92,6 +99,7 @@ class PartDecision {
   const ListPart part_;
   PairResult* results_;
   std::unique_ptr<Batch> batches_[kPairKinds];
+  std::unique_ptr<WithinScratch> within_;
 };
 
 }  // namespace

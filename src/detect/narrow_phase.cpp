@@ -49,7 +49,7 @@ void validate(PairKind kind, std::span<const Point> start, std::span<const Point
 template <class PairsOf>
 bool decide_in_parts(std::span<PairResult> results, const PairListOptions& options, const PairsOf& pairs_of) {
   constexpr std::size_t kGrain = 8192;
-  const PairOptions rule{options.guarantee, options.min_separation, options.latest};
+  const PairOptions rule{options.min_separation, options.latest};
   validate(rule);
   validate_threads(options.threads);
   const Kernels& chosen = kernels(options.isa);

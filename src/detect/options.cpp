@@ -13,7 +13,6 @@ template <class E, std::size_t n>
 using Names = std::array<std::pair<E, std::string_view>, n>;
 
 constexpr Names<Method, 3> kMethods{{{Method::tamis, "tamis"}, {Method::paper, "paper"}, {Method::brute, "brute"}}};
-constexpr Names<Guarantee, 2> kGuarantees{{{Guarantee::conservative, "conservative"}, {Guarantee::exact, "exact"}}};
 constexpr Names<PairKind, 4> kKinds{{{PairKind::vertex_face, "vf"},
                                      {PairKind::edge_edge, "ee"},
                                      {PairKind::vertex_edge, "ve"},
@@ -47,13 +46,11 @@ std::string_view name(const Names<E, n>& names, E value) {
 }  // namespace
 
 Method method_from_name(std::string_view text) { return find(kMethods, "method", text); }
-Guarantee guarantee_from_name(std::string_view text) { return find(kGuarantees, "guarantee", text); }
 Isa isa_from_name(std::string_view text) { return find(kIsas, "instruction set", text); }
 BoundingVolume bounding_volume_from_name(std::string_view text) { return find(kVolumes, "bounding volume", text); }
 std::string_view name_of(PairKind value) { return name(kKinds, value); }
 std::string_view name_of(BoundingVolume value) { return name(kVolumes, value); }
 std::string_view name_of(Method value) { return name(kMethods, value); }
-std::string_view name_of(Guarantee value) { return name(kGuarantees, value); }
 std::string_view name_of(Isa value) { return name(kIsas, value); }
 
 namespace {

@@ -35,7 +35,7 @@ End end_by_contact(const Pair& pair, const PairPoints& points, const PairOptions
   PrecisionCount decided_by;
   const PairResult r = decide(pair.kind, points, options, decided_by);
   if (!r.touches) return {};
-  return TimeInterval<double>{r.toi_lower, r.certainty == Certainty::certified ? r.toi_upper : 1};
+  return TimeInterval<double>{r.toi_lower, r.toi_upper};
 }
 
 End end_by_distance(const Pair& pair, const PairPoints& points, double fraction, const PairOptions& options) {

@@ -1,40 +1,143 @@
 #include "detect/truncation.hpp"
 
 #include <algorithm>
+#include <cmath>
+
+#include "engines/pair_rules.hpp"
+#include "solve/near_pair.hpp"
+#include "solve/start_distance.hpp"
+#include "topology/mean_edge.hpp"
 
 namespace tamis {
+namespace {
 
-Truncation::Truncation(const Step& step, VertexSteps steps)
-    : step_(step), steps_(std::move(steps)), positions_(steps_.until.size()) {
-  place_all();
+/// Beyond the place up to which all go together no vertex goes farther than this many mean edges: there would be too
+/// many pairs that it could meet.
+constexpr double kFarthestInEdges = 0.25;
+/// Rounds in which pairs get planes as they turn out to need them: what follows in a stack stops one round later than
+/// what it follows. Recorded steps take 3 to 20.
+constexpr int kRounds = 32;
+/// Rounds in which, where all have planes, only those go back that are not proven; then all do.
+constexpr int kRoundsApart = 8;
+/// What a pair keeps of a distance that is within its separation at the start.
+constexpr double kAllButAMillionth = 1 - 0x1p-20;
+
+double length_of_way(const Step& step, Index v) {
+  const double *from = step.start[v], *to = step.end[v];
+  return std::hypot(to[0] - from[0], to[1] - from[1], to[2] - from[2]);
 }
 
-void Truncation::place_all() {
-  for (std::size_t v = 0; v < positions_.size(); ++v) {
-    const double t = steps_.until[v];
-    const double *start = step_.start[static_cast<Index>(v)], *end = step_.end[static_cast<Index>(v)];
-    for (std::size_t k = 0; k < 3; ++k)
-      positions_[v][k] = t == 1 ? end[k] : t == 0 ? start[k] : (1 - t) * start[k] + t * end[k];
+}  // namespace
+
+Truncation::Truncation(const Mesh& mesh, const Step& step, const Separations& separations,
+                       const KeptFractions& fractions, double together)
+    : mesh_(mesh), step_(step), separations_(separations), fractions_(fractions) {
+  begin(together);
+}
+
+void Truncation::begin(double together) {
+  together_ = together;
+  rounds_ = 0;
+  const auto count = static_cast<std::size_t>(mesh_.vertex_count());
+  to_ = {std::vector<Point>(count), std::vector<double>(count, 1), true};
+  for (Index v = 0; v < mesh_.vertex_count(); ++v) place(v);
+  const double edge = mean_edge(mesh_, step_.start), farthest = edge > 0 ? kFarthestInEdges * edge : HUGE_VAL;
+  for (const Index v : mesh_.points())
+    if (const double length = length_of_way(step_, v); length * (1 - together) > farthest)
+      stop(v, together + farthest / length);
+}
+
+void Truncation::begin_apart() {
+  begin(0);
+  is_apart_ = true;
+  // A pair keeps its fraction of what it has beyond its separation, unless its vertices go the rest of that.
+  const double reach = 1 / (1 - fractions_.between_planes(0));
+  radii_.assign(to_.parts.size(), 0);
+  for (const Index index : mesh_.points()) {
+    const auto v = static_cast<std::size_t>(index);
+    const double way =
+        to_.parts[v] > 0 ? to_.parts[v] * length_of_way(step_, index) : 0;  // nothing is none of infinity
+    radii_[v] = std::min(reach * way, 0x1p1020) + (separations_.radii.empty() ? 0 : separations_.radii[v]);
   }
 }
 
-void Truncation::pull_back(const std::vector<Contact>& contacts) {
-  constexpr int kOneByOne = 8;      // rounds in which only what touches goes back
-  constexpr int kAllTogether = 64;  // then all, half as far each time
-  is_free_ = contacts.empty();
-  goes_on_ = !is_free_ && steps_.together > 0;
-  if (is_free_) return;
-  if (++rounds_ < kOneByOne) {
-    goes_on_ = true;
-    for (const Contact& contact : contacts)
-      for (const Index v : contact.vertices)
-        if (v >= 0) steps_.until[static_cast<std::size_t>(v)] = steps_.together;
-  } else {
-    if (rounds_ > kOneByOne) steps_.together = rounds_ < kAllTogether ? 0.5 * steps_.together : 0;
-    std::fill(steps_.until.begin(), steps_.until.end(), steps_.together);
-    goes_on_ = goes_on_ || rounds_ == kOneByOne;
+void Truncation::keep_apart(const std::vector<NearPair>& near) {
+  for (const NearPair& pair : near) {
+    const auto times = planar_times(pair, points_of(step_, pair.vertices), fractions_,
+                                    separations_.between(pair.kind, pair.vertices), 0);
+    for (std::size_t i = 0; i < vertex_count(pair.kind); ++i) stop(pair.vertices[i], times[i]);
   }
-  place_all();
+}
+
+void Truncation::place(Index vertex) {
+  const auto v = static_cast<std::size_t>(vertex);
+  const double t = to_.parts[v];
+  const double *start = step_.start[vertex], *end = step_.end[vertex];
+  for (std::size_t k = 0; k < 3; ++k)
+    to_.positions[v][k] = t == 1 ? end[k] : t == 0 ? start[k] : (1 - t) * start[k] + t * end[k];
+}
+
+void Truncation::stop(Index vertex, double time) {
+  double& part = to_.parts[static_cast<std::size_t>(vertex)];
+  if (!(time < part)) return;
+  part = time;
+  place(vertex);
+}
+
+Truncation::Next Truncation::after(const std::vector<StepLimit>& ends) {
+  to_.is_free = true;
+  std::vector<StepLimit> broken;
+  for (const StepLimit& pair : ends)
+    if (is_broken(pair)) broken.push_back(pair);
+  if (broken.empty()) return Next::done;
+  const auto is_beyond = [&](const StepLimit& pair) { return this->is_beyond(pair); };
+  const bool is_tight = !std::all_of(broken.begin(), broken.end(), is_beyond);  // it is rounding that breaks them
+  ++rounds_;
+  if (!is_apart_ && (is_tight || rounds_ > kRounds)) {
+    begin_apart();
+    return Next::plan_apart;
+  }
+  const std::vector<double> asked = to_.parts;
+  for (const StepLimit& pair : broken) stop_at_planes(pair, asked);
+  if (is_apart_ && rounds_ > kRoundsApart)
+    for (const Index v : mesh_.points()) stop(v, 0);
+  return Next::ask;
+}
+
+/// Where all are on their sides already, and it is not proven all the same, they go back.
+void Truncation::stop_at_planes(const StepLimit& pair, const std::vector<double>& asked) {
+  const PairPoints points = points_of(step_, pair.vertices);
+  const NearPair there = near_pair(pair.kind, pair.vertices, at_rest_at(points, together_));
+  const auto times = planar_times(there, points, fractions_, separation_of(pair), together_);
+  const std::size_t count = vertex_count(pair.kind);
+  bool is_stopped = false;
+  for (std::size_t i = 0; i < count; ++i) is_stopped |= times[i] < asked[static_cast<std::size_t>(pair.vertices[i])];
+  for (std::size_t i = 0; i < count; ++i) stop(pair.vertices[i], is_stopped ? times[i] : together_);
+}
+
+bool Truncation::is_broken(const StepLimit& pair) {
+  if (pair.time > 0 || !starts_within(pair)) return true;
+  to_.is_free = false;
+  if (!moves(pair)) return false;
+  PrecisionCount decided_by;
+  const DistanceRule comes_no_nearer{kAllButAMillionth, 0};
+  return keeps_distance_until(pair.kind, points_of(way(), pair.vertices), comes_no_nearer, 1, decided_by) < 1;
+}
+
+bool Truncation::starts_within(const StepLimit& pair) const {
+  const PairPoints points = points_of({step_.start, step_.start}, pair.vertices);
+  return apart_from_start(pair.kind, points, separation_of(pair)) == 0;
+}
+
+bool Truncation::moves(const StepLimit& pair) const {
+  const PairPoints points = points_of(way(), pair.vertices);
+  return points.start != points.end;
+}
+
+bool Truncation::is_beyond(const StepLimit& pair) const {
+  const auto* v = pair.vertices.data();
+  return std::any_of(v, v + vertex_count(pair.kind),
+                     [&](Index i) { return to_.parts[static_cast<std::size_t>(i)] > together_; });
 }
 
 }  // namespace tamis

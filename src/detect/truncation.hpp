@@ -1,33 +1,60 @@
-// From the times that each vertex may go to, to doubles: positions are rounded, and the straight way to them is another
-// one than all together first and then each on its own. So it is asked, and what touches is pulled back.
+// Every vertex its own step. All go together as far as every pair keeps a little more than it must; from there each
+// goes on by itself. Of the straight way to these very doubles it is asked which pairs do not keep what they must: they
+// get planes between them (detect/planar_times.hpp), until there is none. Where that does not come to an end each goes
+// by itself from the start, with planes between all that it could reach.
 #pragma once
 #include <vector>
 
-#include "tamis/contact.hpp"
-#include "tamis/step.hpp"
+#include "detect/planar_times.hpp"
+#include "engines/step_limit.hpp"
+#include "motion/separations.hpp"
+#include "tamis/mesh.hpp"
 
 namespace tamis {
 
 class Truncation {
  public:
-  /// The positions of `step` must outlive it.
-  Truncation(const Step& step, VertexSteps steps);
+  /// Until `together` it is proven that every pair keeps fractions.together. Keeps references. REQUIRES: a validated
+  /// step.
+  Truncation(const Mesh& mesh, const Step& step, const Separations& separations, const KeptFractions& fractions,
+             double together);
 
-  Step way() const { return {step_.start, positions_}; }
-  /// What touches on the way: vertices go back to where all may go together; if that does not help, all do, and go
-  /// less and less far.
-  void pull_back(const std::vector<Contact>& contacts);
-  bool goes_on() const { return goes_on_; }
-  TruncatedStep take() { return {std::move(positions_), is_free_}; }
+  /// To be asked: all pairs that are not proven to keep their fraction on it.
+  Step way() const { return {step_.start, to_.positions}; }
+  enum class Next : std::uint8_t {
+    done,        ///< the way is proven
+    ask,         ///< of another way
+    plan_apart,  ///< the same, after keep_apart() of what is near at the start within reach()
+  };
+  Next after(const std::vector<StepLimit>& ends);
+
+  Separations reach() const { return {separations_.fixed, radii_}; }
+  void keep_apart(const std::vector<NearPair>& near);
+
+  TruncatedStep take() { return std::move(to_); }
 
  private:
-  void place_all();
+  void begin(double together);
+  void begin_apart();
+  void place(Index vertex);
+  void stop(Index vertex, double time);
+  /// Is it to go less far? REQUIRES: one of the pairs that were asked for.
+  bool is_broken(const StepLimit& pair);
+  bool starts_within(const StepLimit& pair) const;
+  bool moves(const StepLimit& pair) const;
+  bool is_beyond(const StepLimit& pair) const;
+  double separation_of(const StepLimit& pair) const { return separations_.between(pair.kind, pair.vertices); }
+  void stop_at_planes(const StepLimit& pair, const std::vector<double>& asked);
 
-  Step step_;
-  VertexSteps steps_;
-  std::vector<Point> positions_;
+  const Mesh& mesh_;
+  const Step& step_;
+  const Separations& separations_;
+  const KeptFractions fractions_;
+  TruncatedStep to_;
+  double together_ = 0;
+  bool is_apart_ = false;
   int rounds_ = 0;
-  bool goes_on_ = true, is_free_ = false;
+  std::vector<double> radii_;  ///< how far each vertex reaches from the start, and the caller's own
 };
 
 }  // namespace tamis

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "numerics/finite.hpp"
+#include "numerics/number_text.hpp"
 #include "solve/pair_input.hpp"
 #include "tamis/error.hpp"
 
@@ -35,7 +36,11 @@ void validate(const PairFilter& filter, const Mesh& mesh) {
       check(!filter.groups_may_touch[a * n + b] == !filter.groups_may_touch[b * n + a],
             "groups_may_touch differs for (" + std::to_string(a) + ", " + std::to_string(b) +
                 ") and its mirror image: make it symmetric");
-  if (filter.group_of_vertex.empty()) return;
+  if (filter.group_of_vertex.empty()) {
+    check(n == 1 && filter.groups_may_touch.empty(),
+          "group_of_vertex is empty, but group_count or groups_may_touch speak of groups: give one group a vertex");
+    return;
+  }
   check(filter.group_of_vertex.size() == static_cast<std::size_t>(mesh.vertex_count()),
         "group_of_vertex has " + std::to_string(filter.group_of_vertex.size()) + " entries for " +
             std::to_string(mesh.vertex_count()) + " vertices: give one group a vertex, or none");
@@ -70,6 +75,8 @@ void validate(const ReducedModel& model, const Mesh& mesh) {
 }  // namespace
 
 void validate_layout(const Positions& positions, const char* what) {
+  if (positions.count() < 0)
+    throw InvalidStep(std::string(what) + " has more than 2^31 - 1 positions: give one row a vertex");
   if (positions.count() > 0 && (!positions.data() || positions.stride() < 3))
     throw InvalidStep(std::string(what) +
                       " is no n x 3 array of doubles, row by row: give three columns next to each other (of Eigen a "
@@ -85,12 +92,10 @@ void validate_layout(const Step& step) {
 }
 
 void validate(const Positions& positions, const Mesh& mesh, const char* what) {
-  if (positions.count() < 0)
-    throw InvalidStep(std::string(what) + " has more than 2^31 - 1 positions: give one row a vertex");
+  validate_layout(positions, what);
   if (positions.count() != mesh.vertex_count())
     throw InvalidStep(std::string(what) + " has " + std::to_string(positions.count()) + " positions, the mesh " +
                       std::to_string(mesh.vertex_count()) + " vertices: give one row a vertex");
-  validate_layout(positions, what);
   for (Index v : mesh.points()) {
     if (is_finite(positions[v])) continue;
     throw InvalidStep("vertex " + std::to_string(v) + " in " + what +
@@ -100,7 +105,6 @@ void validate(const Positions& positions, const Mesh& mesh, const char* what) {
 
 void validate(const Options& options, const Mesh& mesh) {
   check_is_named(options.method, "method");
-  check_is_named(options.guarantee, "guarantee");
   check_is_named(options.isa, "instruction set");
   check_is_named(options.paper.bounding_volume, "bounding volume");
   check(options.paper.high_level <= HighLevelCulling::subspace,
@@ -125,7 +129,7 @@ void validate_threads(int threads) {
 
 void validate_distance(double distance, const std::string& what) {
   check(std::isfinite(distance) && distance >= 0,
-        what + " is " + std::to_string(distance) + ": give a finite distance >= 0");
+        what + " is " + number_text(distance) + ": give a finite distance >= 0");
 }
 
 void validate(const Step& step, const Mesh& mesh) {
@@ -135,12 +139,12 @@ void validate(const Step& step, const Mesh& mesh) {
 
 void validate_kept(double fraction) {
   check(fraction >= 0 && fraction < 1,
-        "the fraction of the distance to keep is " + std::to_string(fraction) + ": give a number >= 0 and < 1");
+        "the fraction of the distance to keep is " + number_text(fraction) + ": give a number >= 0 and < 1");
 }
 
 void validate_tolerance(double tolerance) {
   check(tolerance > 0 && tolerance <= 1,
-        "the tolerance of brackets is " + std::to_string(tolerance) + ": give a fraction of the step, > 0 and <= 1");
+        "the tolerance of brackets is " + number_text(tolerance) + ": give a fraction of the step, > 0 and <= 1");
 }
 
 }  // namespace tamis

@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <tuple>
 
+#include "engines/cancellation.hpp"
+#include "numerics/assert.hpp"
 #include "solve/decide.hpp"
-#include "solve/start_distance.hpp"
 
 namespace tamis {
 namespace {
@@ -12,17 +13,9 @@ namespace {
 /// The contact as decided on the whole step: the last bits of what an engine found depend on how far it still had to
 /// look, and so on earlier questions.
 Contact decided_anew(const Contact& c, const Step& step, const PairOptions& rule, PrecisionCount& decided_by) {
-  const PairPoints points = points_of(step, c.vertices);
-  const auto r = decide(c.kind, points, rule, decided_by);
-  Contact contact =
-      r.touches ? Contact{c.kind, r.certainty, c.vertices, r.toi_lower, r.toi_upper, r.u, r.v, r.normal} : c;
-  if (contact.toi_lower > 0 || contact.toi_upper == 0) return contact;
-  // Decided exactly, so that a line search never stops for nothing.
-  contact.toi_lower = std::min(apart_from_start(c.kind, points, rule.min_separation), contact.toi_upper);
-  if (contact.toi_lower > 0) return contact;
-  contact.toi_upper = 0;
-  contact.certainty = Certainty::certified;
-  return contact;
+  const auto r = decide(c.kind, points_of(step, c.vertices), rule, decided_by);
+  TAMIS_ASSERT(r.touches);
+  return {c.kind, r.certainty, c.vertices, r.toi_lower, r.toi_upper, r.u, r.v, r.normal};
 }
 
 }  // namespace
@@ -72,7 +65,7 @@ void FoundContacts::add(const Contact& contact) {
   }
   if (question_ == Question::earliest) {
     if (contact.toi_lower > latest_) return;
-    if (contact.certainty == Certainty::certified) latest_ = std::min(latest_, contact.toi_upper * kNearTie);
+    latest_ = std::min(latest_, contact.toi_upper * kNearTie);
   }
   contacts_.push_back(contact);
   if (question_ == Question::earliest && (contacts_.size() >= kMost || contact.toi_lower == 0)) settle();
@@ -108,17 +101,17 @@ EarliestContact FoundContacts::first() {
 }
 
 void FoundContacts::settle() {
-  for (const Contact& c : contacts_)
-    if (c.toi_lower <= latest_ && wants(c.kind, c.vertices))
-      keep_first(decided_anew(c, step_, rule_for(c.kind, c.vertices), decided_by_));
+  for (const Contact& c : contacts_) {
+    if (c.toi_lower > latest_ || !wants(c.kind, c.vertices)) continue;
+    stop_if_cancelled(options_);
+    keep_first(decided_anew(c, step_, rule_for(c.kind, c.vertices), decided_by_));
+  }
   contacts_.clear();
 }
 
 void FoundContacts::keep_first(const Contact& decided) {
-  if (decided.certainty == Certainty::certified) {
-    first_.toi_upper = std::min(first_.toi_upper, decided.toi_upper);
-    latest_ = std::min(latest_, decided.toi_upper * kNearTie);
-  }
+  first_.toi_upper = std::min(first_.toi_upper, decided.toi_upper);
+  latest_ = std::min(latest_, decided.toi_upper * kNearTie);
   const bool is_first = !first_.contact || decided.toi_lower < first_.toi_lower ||
                         (decided.toi_lower == first_.toi_lower && comes_before(decided, *first_.contact));
   if (!is_first) return;

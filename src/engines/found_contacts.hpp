@@ -15,7 +15,7 @@ namespace tamis {
 /// `candidates`, of the method `tamis` alone: pairs that may touch, listed and not decided.
 enum class Question : std::uint8_t { all_contacts, earliest, is_free, candidates };
 
-/// `earliest` looks at every contact that starts up to this factor after the end of a certified one: no bracket is so
+/// `earliest` looks at every contact that starts up to this factor after the end of another one: no bracket is so
 /// wide that the first of two could be lost to rounding.
 inline constexpr double kNearTie = 1 + 0x1p-16;
 
@@ -54,7 +54,7 @@ class FoundContacts {
   const Separations& separations() const { return separations_; }
   /// By which a pair is decided.
   PairOptions rule_for(PairKind kind, const PairVertices& vertices) const {
-    return {options_.guarantee, separations_.between(kind, vertices)};
+    return {.min_separation = separations_.between(kind, vertices)};
   }
   Question question() const { return question_; }
   double stray() const { return stray_; }

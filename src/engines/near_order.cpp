@@ -39,11 +39,14 @@ void sort_by_last(std::span<PairVertices> pairs) {
 
 /// By all vertices but the last, the first one last: each pass is stable. No branch depends on a pair, which made a
 /// comparison sort of each vertex's pairs twice as slow.
-void NearOrder::sort(std::vector<PairVertices>& pairs, Index vertex_count) {
+void NearOrder::sort(std::vector<PairVertices>& pairs, Index vertex_count, const std::function<void()>& pause) {
   const std::size_t buckets = static_cast<std::size_t>(vertex_count) + 1;
   if (pairs.size() < buckets / kVerticesAPair) return std::sort(pairs.begin(), pairs.end());
   sorted_.resize(pairs.size());
-  for (const std::size_t corner : {2u, 1u, 0u}) sort_by(corner, pairs, buckets);
+  for (const std::size_t corner : {2u, 1u, 0u}) {
+    sort_by(corner, pairs, buckets);
+    pause();
+  }
   sort_by_last(pairs);
 }
 

@@ -1,5 +1,6 @@
 // The documented order of pairs at rest.
 #pragma once
+#include <functional>
 #include <vector>
 
 #include "engines/pair_rules.hpp"
@@ -7,10 +8,11 @@
 namespace tamis {
 
 /// Sorts pairs of one kind by their vertices; keeps its scratch memory from call to call. Runs in the caller's oneTBB
-/// arena.
+/// arena. What `pause`, called now and then, throws ends it.
 class NearOrder {
  public:
-  void sort(std::vector<PairVertices>& pairs, Index vertex_count);
+  void sort(
+      std::vector<PairVertices>& pairs, Index vertex_count, const std::function<void()>& pause = [] {});
   std::uint64_t memory_bytes() const {
     return places_.capacity() * sizeof(places_[0]) + sorted_.capacity() * sizeof(PairVertices);
   }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "engines/isolated.hpp"
 #include "motion/make_motion.hpp"
 #include "motion/pair_kinds.hpp"
 #include "tamis/options.hpp"
@@ -32,7 +33,6 @@ inline bool has_groups(const PairFilter& filter) { return !filter.groups_may_tou
 
 /// May the groups of two vertices? REQUIRES: has_groups.
 inline bool may_touch(const PairFilter& filter, Index a, Index b) {
-  if (filter.group_of_vertex.empty()) return filter.groups_may_touch[0] != 0;
   const auto group = [&](Index v) {
     return static_cast<std::size_t>(filter.group_of_vertex[static_cast<std::size_t>(v)]);
   };
@@ -42,7 +42,7 @@ inline bool may_touch(const PairFilter& filter, Index a, Index b) {
 /// The caller's PairFilter. `v` in contact order.
 inline bool lets_pass(const PairFilter& filter, PairKind kind, const PairVertices& v) {
   if (has_groups(filter) && !may_touch(filter, v[0], v[second_feature(kind)])) return false;
-  return !filter.accepts || filter.accepts(kind, v);
+  return !filter.accepts || isolated([&] { return filter.accepts(kind, v); });
 }
 
 /// Calls f(kind, vertices) for every pair of features that is one; vertices in contact order.

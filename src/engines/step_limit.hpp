@@ -19,6 +19,11 @@ struct StepLimit {
     if (other.time < 1 && other.key() < key()) *this = other;
   }
 
+  /// A pair that ends the step at once leaves no room for those behind it.
+  bool rules_out(PairKind other_kind, const PairVertices& others) const {
+    return time == 0 && key() < StepLimit{0, other_kind, others}.key();
+  }
+
   /// With the time at which the pair is proven to end the step, and its distance.
   SafeStep answer(const Step& step, double fraction, const Separations& separations) const {
     if (time == 1) return {};
@@ -31,5 +36,10 @@ struct StepLimit {
  private:
   std::tuple<double, PairKind, PairVertices> key() const { return {time, kind, vertices}; }
 };
+
+/// By kind, then vertices, whatever their times.
+inline bool comes_before_in_order(const StepLimit& a, const StepLimit& b) {
+  return std::tie(a.kind, a.vertices) < std::tie(b.kind, b.vertices);
+}
 
 }  // namespace tamis

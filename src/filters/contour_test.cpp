@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "numerics/assert.hpp"
+
 namespace tamis {
 namespace {
 
@@ -40,6 +42,7 @@ std::array<Vec3<double>, 2> plane_of(const Vec3<double>& n) {
 }  // namespace
 
 void ProjectedContour::project(std::span<const Moving<double>> loop, const Vec3<double>& axis) {
+  TAMIS_ASSERT(loop.size() >= 3);
   Moving<double> mean{{0, 0, 0}, {0, 0, 0}};
   for (const auto& p : loop) mean = mean + p;
   const double share = 1 / static_cast<double>(loop.size());

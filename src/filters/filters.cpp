@@ -25,17 +25,7 @@ constexpr auto stages_of(FilterList<F...>) {
 
 constexpr auto kStages = stages_of(Filters{});
 
-template <PairKind kind, class... F>
-bool any_proves_free(FilterList<F...>, const PairMotion<double>& m) {
-  return (F::template proves_free<kind>(m) || ...);
-}
-
 }  // namespace
-
-bool any_filter_proves_free(PairKind kind, const PairMotion<double>& m) {
-  return kind == PairKind::vertex_face ? any_proves_free<PairKind::vertex_face>(Filters{}, m)
-                                       : any_proves_free<PairKind::edge_edge>(Filters{}, m);
-}
 
 std::span<const FilterStage> filter_stages() { return kStages; }
 

@@ -27,9 +27,6 @@ struct FilterStage {
 
 std::span<const FilterStage> filter_stages();
 
-/// Is there a filter in the list that proves this pair free?
-bool any_filter_proves_free(PairKind kind, const PairMotion<double>& m);
-
 /// Throws InvalidOptions, naming the choices, if there is no such filter.
 const FilterStage& filter_stage_by_name(std::string_view name);
 

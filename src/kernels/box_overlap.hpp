@@ -3,6 +3,7 @@
 #pragma once
 #include "bounds/moving_boxes.hpp"
 #include "kernels/kernels.hpp"
+#include "motion/time_clip.hpp"
 #include "numerics/lanes.hpp"
 
 namespace tamis::TAMIS_ISA {
@@ -37,6 +38,7 @@ template <class A, class B>
 /// Boxes at t=0.
 class StillBoxes {
  public:
+  static constexpr bool kMoves = false;
   using Bounds = BoundBlock<6>;  ///< x y z
 
   StillBoxes(const Search&, int) {}
@@ -55,14 +57,16 @@ class StillBoxes {
   float t_limit() const { return 1; }
 };
 
-/// What boxes sweep over until t_limit, for an observer who moves as the block does from which the search starts: a
-/// motion common to all makes no box larger. Two features can meet only where their boxes do.
-class SweptBoxes {
+/// Boxes that move until t_limit. A cheap test looks at what they sweep over, for an observer who moves as the block
+/// does from which the search starts: a motion common to all makes no box larger. A sharp one looks for a time at which
+/// all gaps between two boxes are closed. Two features can meet only where their boxes do.
+class MovingBoxes {
  public:
-  using Bounds = BoundBlock<6>;  ///< x y z
+  static constexpr bool kMoves = true;
+  using Bounds = BoundBlock<6>;  ///< what boxes sweep over: x y z
 
   /// From leaf block `block` of search.a.
-  SweptBoxes(const Search& search, int block) : t_limit_(search.t_limit) {
+  MovingBoxes(const Search& search, int block) : t_limit_(search.t_limit) {
     const BoxBlock& hulls = search.a.levels[1][block / kBlock];
     const int lane = block % kBlock;
     for (int axis = 0; axis < 3; ++axis)
@@ -90,9 +94,77 @@ class SweptBoxes {
     return largest_gap(a, b) <= FloatLanes(0.0f);
   }
 
+  /// What the boxes of a leaf block are like, in the mean, as sums over the axes: how large, and how much larger by
+  /// being swept.
+  struct Means {
+    float size = 0, growth = 0;
+  };
+  Means means(const BoxBlock& block, const Bounds& swept) const {
+    float sizes[kBlock], growths[kBlock], used = 0;
+    for_sixteen_lanes([&](int first) {
+      const FloatLanes size = extent(block, first);
+      size.store_unaligned(sizes + first);
+      (swept_extent(swept, first) - size).store_unaligned(growths + first);
+    });
+    Means sum;
+    for (int lane = 0; lane < kBlock; ++lane) {
+      const bool is_used = sizes[lane] >= 0;
+      sum.size += is_used ? sizes[lane] : 0;
+      sum.growth += is_used ? growths[lane] : 0;
+      used += is_used ? 1 : 0;
+    }
+    return {sum.size / used, sum.growth / used};
+  }
+
+  /// Bits of the leaf blocks of a node, by their hulls, whose features move far, for their size and that of mine.
+  unsigned move_far(const BoxBlock& block, const Bounds& swept, const Means& mine) const {
+    unsigned mask = 0;
+    for_sixteen_lanes([&](int first) {
+      const FloatLanes size = extent(block, first);
+      const FloatLanes growth = swept_extent(swept, first) - size + FloatLanes(mine.growth);
+      mask |= bits(growth > FloatLanes(kShort) * (FloatLanes(mine.size) + FloatLanes(0.25f) * size)) << first;
+    });
+    return mask;
+  }
+
+  /// Bits of the sixteen that meet one box at some time.
+  unsigned meet_at_some_time(const BoxBlock& one, int lane, const BoxBlock& sixteen) const {
+    unsigned mask = 0;
+    for_sixteen_lanes([&](int first) {
+      const auto load = [&](const float* lanes) { return FloatLanes::load_aligned(lanes + first); };
+      TimeClip<FloatLanes> clip({FloatLanes(0.0f), FloatLanes(t_limit_)});
+      for (int axis = 0; axis < 3; ++axis) {
+        clip.cut_positive(load(sixteen.low0[axis]) - FloatLanes(one.high0[axis][lane]),
+                          load(sixteen.low1[axis]) - FloatLanes(one.high1[axis][lane]));
+        clip.cut_positive(FloatLanes(one.low0[axis][lane]) - load(sixteen.high0[axis]),
+                          FloatLanes(one.low1[axis][lane]) - load(sixteen.high1[axis]));
+      }
+      const auto time = clip.rest();
+      mask |= bits(time.t_in <= time.t_out) << first;
+    });
+    return mask;
+  }
+
   float t_limit() const { return t_limit_; }
 
  private:
+  /// At t=0.
+  static FloatLanes extent(const BoxBlock& block, int first) {
+    FloatLanes sum(0.0f);
+    for (int axis = 0; axis < 3; ++axis)
+      sum = sum +
+            (FloatLanes::load_aligned(block.high0[axis] + first) - FloatLanes::load_aligned(block.low0[axis] + first));
+    return sum;
+  }
+  static FloatLanes swept_extent(const Bounds& swept, int first) {
+    FloatLanes sum(0.0f);
+    for (int axis = 0; axis < 3; ++axis) sum = sum + (swept.lanes(3 + axis, first) - swept.lanes(axis, first));
+    return sum;
+  }
+
+  /// Growth of a box by what it sweeps over, for its size, up to which the cheap test is as sharp (docs/performance.md,
+  /// "On every step").
+  static constexpr float kShort = 0.3f;
   const float t_limit_;
   float way_[3] = {};  ///< the observer's until t_limit
 };
@@ -122,62 +194,6 @@ class RestBoxes : public StillBoxes {
 
  private:
   const float widened_, widened2_;
-};
-
-/// Bounds of boxes that move linearly, x y z at t=0, then at a later time: their lower ends from 0 on, their upper ends
-/// from `kHigh` on.
-template <int kHigh>
-struct EndBounds {
-  template <class Bounds>
-  static void store(const BoxBlock& block, float later, Bounds& bounds) {
-    const FloatLanes t(later), margin(kLaterMargin);
-    for (int axis = 0; axis < 3; ++axis)
-      for_sixteen_lanes([&](int first) {
-        const auto load = [&](const float* lanes) { return FloatLanes::load_aligned(lanes + first); };
-        const auto l0 = load(block.low0[axis]), l1 = load(block.low1[axis]);
-        const auto h0 = load(block.high0[axis]), h1 = load(block.high1[axis]);
-        l0.store_aligned(bounds.at[axis] + first);
-        h0.store_aligned(bounds.at[kHigh + axis] + first);
-        (later < 1 ? l0 + t * (l1 - l0) - margin : l1).store_aligned(bounds.at[3 + axis] + first);
-        (later < 1 ? h0 + t * (h1 - h0) + margin : h1).store_aligned(bounds.at[kHigh + 3 + axis] + first);
-      });
-  }
-
-  /// f(gap at t=0, gap later) of two boxes for both sides of an axis. `a(k)`, `b(k)`: bound k of the boxes in lanes.
-  /// Each is what two points that move linearly are apart.
-  template <class A, class B, class F>
-  [[gnu::always_inline]] static void for_each_side(int axis, const A& a, const B& b, const F& f) {
-    f(b(axis) - a(kHigh + axis), b(3 + axis) - a(kHigh + 3 + axis));
-    f(a(axis) - b(kHigh + axis), a(3 + axis) - b(kHigh + 3 + axis));
-  }
-};
-
-/// Boxes at t=0 and at t_limit. Where the gap between two is open on one side of an axis at both, it is open all the
-/// time between: sharper than what they sweep over, and twice as much work.
-class BoxesAtEnds {
- public:
-  using Bounds = BoundBlock<12>;  ///< x y z at t=0, then at t_limit
-
-  BoxesAtEnds(const Search& search, int) : t_limit_(search.t_limit) {}
-
-  void bound(const TreeView& tree, int level, int node, Bounds& bounds) const {
-    Ends::store(tree.levels[level][node], t_limit_, bounds);
-  }
-
-  template <class A, class B>
-  [[gnu::always_inline]] auto meet(const A& a, const B& b) const {
-    FloatLanes gap(-kNowhere);
-    for (int axis = 0; axis < 3; ++axis)
-      Ends::for_each_side(axis, a, b, [&](const auto& at0, const auto& later) { gap = max(gap, min(at0, later)); });
-    return gap <= FloatLanes(0.0f);
-  }
-
-  float t_limit() const { return t_limit_; }
-
- private:
-  using Ends = EndBounds<6>;
-
-  const float t_limit_;
 };
 
 }  // namespace tamis::TAMIS_ISA

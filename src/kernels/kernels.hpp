@@ -37,6 +37,26 @@ struct SolvedPair {
   double normal[3];  ///< unit
 };
 
+/// Pairs on the way to the time at which they come within their separation (solve/advancement.hpp): proven apart until
+/// `now`, and what is asked of them ends at `until`.
+struct AdvanceBuffer {
+  PairBuffer pairs;
+  std::int32_t places[PairBuffer::kSize] = {};  ///< in the buffer or the list that they came from
+  double now[PairBuffer::kSize] = {};
+  double until[PairBuffer::kSize] = {};
+};
+
+/// Which contacts are asked for.
+struct WithinRule {
+  PairSeparation separation;
+  double latest;  ///< none that begins later
+};
+
+/// Scratch of the kernels that decide pairs within a separation.
+struct WithinScratch {
+  AdvanceBuffer moving, touching;
+};
+
 /// How large the reserve of a pair within two boxes may be if it can end the step, in their frame:
 /// reserve^2 <= per_way2 way^2 + per_size2 size^2 + fixed2, where way is the largest difference of rests
 /// (SharedMotion) and size^2 at least half of the square of their extent together, at t=0 and t=1. All rounded up.
@@ -65,13 +85,9 @@ struct NearVertices {
 /// One thread's search over one pair of trees.
 struct Search {
   TreeView a, b;  ///< vf: points, faces; ee: edges, edges
-  /// If there are any, only these leaf blocks of b are looked at.
-  std::span<const std::int32_t> others = {};
   /// Nothing that starts after this time is of interest; a float, so that the stages in floats do not round it.
   float t_limit = 1;
   NearRule near{};  ///< for search_near, which looks at nothing else
-  /// Until t_limit things move so little that what boxes sweep over serves as well as boxes that move.
-  bool is_short = false;
   /// If positive, boxes are looked at as they are at t=0, wider together by this much than what is near.
   float widened = 0;
   PairBuffer* pairs = nullptr;
@@ -79,30 +95,6 @@ struct Search {
   void (*flush)(Search&) = nullptr;
   void* context = nullptr;
   std::uint64_t nodes_visited = 0;
-};
-
-/// Two trees at t=0.
-struct GapQuestion {
-  TreeView a, b;  ///< as in Search
-  const PackedVertex* vertices;
-  double unit;  ///< the length of one unit of the boxes, in the unit of the vertices
-};
-
-/// How far sixteen boxes are from one: the largest gap along an axis, and the room that every pair within them needs
-/// (error_bounds::kRoomOfBoxes).
-struct HullGaps {
-  float gap[kBlock], room[kBlock];
-};
-
-/// Leaf blocks that lay near one, rising by how far apart they were at least, and what has drifted since.
-struct GapScan {
-  const MovingBox* own;     ///< drifts of the one
-  const MovingBox* drifts;  ///< of all blocks
-  float scale;              ///< of gaps in the unit of the drifts
-  float t;
-  const std::int32_t* others = nullptr;  ///< may be read up to a block past `count`; as gaps
-  const float* gaps = nullptr;
-  int count = 0;
 };
 
 /// The vertices of a step as Positions has them: distances from one to the next in doubles.
@@ -116,6 +108,7 @@ struct ListedPairs {
   StepRows vertices;
   const std::int32_t* places;  ///< of the pairs of the buffer in the list
   const PairOptions& options;
+  WithinScratch* within;  ///< where a separation is asked for, or a kind that cannot cross
 };
 
 struct Kernels {
@@ -130,17 +123,6 @@ struct Kernels {
   /// vf and ee for pairs that may end the step by the near rule. Trees have rests.
   void (*search_near_vf)(Search& search, int block);
   void (*search_near_ee)(Search& search, int block);
-  /// A lower bound, in the unit of the boxes, of the distance at t=0, less the room to advance
-  /// (error_bounds::kRoomToAdvance), of any two features of two leaf blocks that share no vertex and whose boxes are
-  /// nearer than `most`; `most` if there are none. Separations are not taken off. `scratch` has room.
-  float (*gap_vf)(const GapQuestion& question, int block, int other, float most, PairBuffer& scratch);
-  float (*gap_ee)(const GapQuestion& question, int block, int other, float most, PairBuffer& scratch);
-  /// Between sixteen boxes and box `lane` of `of`, at t=0; the bits of those whose gap, less the room, is below
-  /// `reach`.
-  unsigned (*near_hulls)(const BoxBlock& hulls, const BoxBlock& of, int lane, float reach, HullGaps& found);
-  /// Writes those blocks of a scan that may have drifted by their gap until t, and returns their number; `out` has room
-  /// for a block past them.
-  int (*unproven)(const GapScan& scan, std::int32_t* out);
   /// Pairs that cannot end the step by the rule, from t=0 to their t_out, are culled. `pairs` is used up: what it holds
   /// then are those that floats could not cull.
   void (*near_vf)(const NearVertices& vertices, const NearRule& rule, PairBuffer& pairs, PairBuffer& out);
@@ -161,6 +143,14 @@ struct Kernels {
   int (*solve_vf)(const PackedVertex* vertices, const PairBuffer& in, PairBuffer& rest, SolvedPair* out);
   int (*solve_ee)(const PackedVertex* vertices, const PairBuffer& in, PairBuffer& rest, SolvedPair* out);
   int (*solve_ef)(const PackedVertex* vertices, const PairBuffer& in, PairBuffer& rest, SolvedPair* out);
+  /// [kind]: pairs that one axis which turns with them, or four, prove farther apart than their separation during their
+  /// times are culled. `pairs` is used up.
+  void (*cull_apart[kPairKinds])(const BoxVertex* vertices, const BoxSeparation& separation, PairBuffer& pairs,
+                                 PairBuffer& out);
+  /// [kind]: when do pairs come within their separation? Asked of the whole step, with the bits of decide(). Writes the
+  /// pairs that do, and those left undecided; returns their number.
+  int (*come_within[kPairKinds])(const PackedVertex* vertices, const WithinRule& rule, const PairBuffer& in,
+                                 WithinScratch& scratch, SolvedPair* out);
   /// At rest, [kind]: appends the pairs within their separation to `near`, and to `unsure` those that may be and whose
   /// distance doubles do not know well enough.
   void (*find_near[kPairKinds])(const PackedVertex* vertices, const PairSeparation& separation, const PairBuffer& in,

@@ -6,13 +6,13 @@
 #include "filters/slab_clip.hpp"
 #include "kernels/bound_leaf.hpp"
 #include "kernels/crossings.hpp"
-#include "kernels/gaps.hpp"
 #include "kernels/load_motion.hpp"
 #include "kernels/near_boxes.hpp"
 #include "kernels/rest_kernels.hpp"
 #include "kernels/search.hpp"
 #include "kernels/settle.hpp"
 #include "kernels/split.hpp"
+#include "kernels/within.hpp"
 #include "solve/kept_gap.hpp"
 #include "solve/start_gap.hpp"
 
@@ -23,10 +23,8 @@ template <PairKind kind>
 void search(Search& state, int block) {
   if (state.widened > 0)
     BlockSearch<kind, RestBoxes>(state, block).run();
-  else if (state.is_short)
-    BlockSearch<kind, SweptBoxes>(state, block).run();
   else
-    BlockSearch<kind, BoxesAtEnds>(state, block).run();
+    BlockSearch<kind, MovingBoxes>(state, block).run();
 }
 
 void search_along_edges(Search& state, int block) {
@@ -197,10 +195,6 @@ const Kernels kKernels{Isa::TAMIS_ISA,
                        search_along_edges,
                        search_near<kVf>,
                        search_near<kEe>,
-                       gap_vf,
-                       gap_ee,
-                       near_hulls,
-                       unproven,
                        near<kVf>,
                        near<kEe>,
                        slab<kVf>,
@@ -214,6 +208,8 @@ const Kernels kKernels{Isa::TAMIS_ISA,
                        solve<kVf>,
                        solve<kEe>,
                        solve<kVf, kAlong>,
+                       {cull_apart<kVf>, cull_apart<kEe>, cull_apart<kVe>, cull_apart<kVv>},
+                       {come_within<kVf>, come_within<kEe>, come_within<kVe>, come_within<kVv>},
                        {find_near<kVf>, find_near<kEe>, find_near<kVe>, find_near<kVv>},
                        {measure<kVf>, measure<kEe>, measure<kVe>, measure<kVv>},
                        slab<kVe>,

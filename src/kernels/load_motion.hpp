@@ -204,10 +204,12 @@ inline PairMotion<FloatLanes> load_box_motion(const BoxVertex* vertices, const P
   return motion;
 }
 
+/// Bits of the first `count` of `lanes` lanes, or of all.
+inline unsigned first_lanes(int count, int lanes = kDoubleLanes) { return (1u << (count < lanes ? count : lanes)) - 1; }
+
 /// Bits of the lanes that hold a pair, of `lanes` lanes from `first` on.
 inline unsigned lanes_in_use(const PairBuffer& pairs, int first, int lanes = kDoubleLanes) {
-  const int left = pairs.count - first;
-  return left >= lanes ? (1u << lanes) - 1 : (1u << left) - 1;
+  return first_lanes(pairs.count - first, lanes);
 }
 
 }  // namespace tamis::TAMIS_ISA

@@ -4,6 +4,34 @@
 
 namespace tamis::TAMIS_ISA {
 
+/// Bounds of boxes that move linearly, x y z at t=0, then at a later time: their lower ends from 0 on, their upper ends
+/// from `kHigh` on.
+template <int kHigh>
+struct EndBounds {
+  template <class Bounds>
+  static void store(const BoxBlock& block, float later, Bounds& bounds) {
+    const FloatLanes t(later), margin(kLaterMargin);
+    for (int axis = 0; axis < 3; ++axis)
+      for_sixteen_lanes([&](int first) {
+        const auto load = [&](const float* lanes) { return FloatLanes::load_aligned(lanes + first); };
+        const auto l0 = load(block.low0[axis]), l1 = load(block.low1[axis]);
+        const auto h0 = load(block.high0[axis]), h1 = load(block.high1[axis]);
+        l0.store_aligned(bounds.at[axis] + first);
+        h0.store_aligned(bounds.at[kHigh + axis] + first);
+        (later < 1 ? l0 + t * (l1 - l0) - margin : l1).store_aligned(bounds.at[3 + axis] + first);
+        (later < 1 ? h0 + t * (h1 - h0) + margin : h1).store_aligned(bounds.at[kHigh + 3 + axis] + first);
+      });
+  }
+
+  /// f(gap at t=0, gap later) of two boxes for both sides of an axis. `a(k)`, `b(k)`: bound k of the boxes in lanes.
+  /// Each is what two points that move linearly are apart.
+  template <class A, class B, class F>
+  [[gnu::always_inline]] static void for_each_side(int axis, const A& a, const B& b, const F& f) {
+    f(b(axis) - a(kHigh + axis), b(3 + axis) - a(kHigh + 3 + axis));
+    f(a(axis) - b(kHigh + axis), a(3 + axis) - b(kHigh + 3 + axis));
+  }
+};
+
 /// Boxes that move, with the rests of what they hold. A pair of features can, by search.near, end the step only
 /// - if its reserve, and so the boxes' gap at t=0, is within ReserveBounds; squares of lengths are compared: gaps are
 ///   multiples of 2^-47, because boxes have margins, so that nothing that matters underflows;
@@ -11,6 +39,7 @@ namespace tamis::TAMIS_ISA {
 ///   farthest corners. Boxes are wider by the minimum separation, which so is in all gaps.
 class NearBoxes {
  public:
+  static constexpr bool kMoves = false;
   using Bounds = BoundBlock<18>;  ///< x y z at t=0, at t_limit, of rests
 
   NearBoxes(const Search& search, int)
@@ -20,7 +49,7 @@ class NearBoxes {
 
   void bound(const TreeView& tree, int level, int node, Bounds& bounds) const {
     Ends::store(tree.levels[level][node], t_limit_, bounds);
-    const BoxBlock& rests = tree.drifts[level][node];
+    const BoxBlock& rests = tree.residuals[level][node];
     __builtin_memcpy(bounds.at[kRest], rests.low1, sizeof(rests.low1));
     __builtin_memcpy(bounds.at[kHigh + kRest], rests.high1, sizeof(rests.high1));
   }

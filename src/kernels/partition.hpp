@@ -39,7 +39,9 @@ class Ranks {
   alignas(64) std::int32_t keys_[kRanked], ranks_[kRanked];
 };
 
-/// Moves lanes between arrays that are one behind the other: the low ones within `items`, the high ones to `scratch`.
+/// Of centers that have so many axes. Moves lanes between arrays that are one behind the other: the low ones within
+/// `items`, the high ones to `scratch`.
+template <int axes>
 class Partition {
  public:
   Partition(const Centers& items, const Centers& scratch) : items_(items), scratch_(scratch) {}
@@ -48,36 +50,38 @@ class Partition {
   void take(std::size_t first, unsigned low, int count) {
     if (count < kFloatLanes) return put_singly(first, low, count);
     constexpr unsigned kAll = (1u << kFloatLanes) - 1;
-    FloatLanes at[3];
-    for (int axis = 0; axis < 3; ++axis) at[axis] = FloatLanes::load_unaligned(items_.at[axis] + first);
+    FloatLanes at[axes];
+    for (int axis = 0; axis < axes; ++axis) at[axis] = FloatLanes::load_unaligned(items_.at[axis] + first);
     const auto feature = IntLanes::load_unaligned(items_.feature + first);
-    put(low & kAll, at, feature, items_.from(low_count_));
-    put(~low & kAll, at, feature, scratch_.from(high_count_));
+    put(low & kAll, at, feature, items_, low_count_);
+    put(~low & kAll, at, feature, scratch_, high_count_);
     low_count_ += static_cast<std::size_t>(__builtin_popcount(low & kAll));
     high_count_ += static_cast<std::size_t>(__builtin_popcount(~low & kAll));
   }
 
   /// Puts the high ones behind the low ones; returns the number of these.
   std::size_t finish() {
-    const Centers to = items_.from(low_count_);
-    for (int axis = 0; axis < 3; ++axis) __builtin_memcpy(to.at[axis], scratch_.at[axis], high_count_ * sizeof(float));
-    __builtin_memcpy(to.feature, scratch_.feature, high_count_ * sizeof(Index));
+    for (int axis = 0; axis < axes; ++axis)
+      __builtin_memcpy(items_.at[axis] + low_count_, scratch_.at[axis], high_count_ * sizeof(float));
+    __builtin_memcpy(items_.feature + low_count_, scratch_.feature, high_count_ * sizeof(Index));
     return low_count_;
   }
 
  private:
-  static void put(unsigned mask, const FloatLanes (&at)[3], const IntLanes& feature, const Centers& to) {
-    for (int axis = 0; axis < 3; ++axis) store_compressed(mask, at[axis], to.at[axis]);
-    store_compressed(mask, feature, to.feature);
+  static void put(unsigned mask, const FloatLanes (&at)[axes], const IntLanes& feature, const Centers& to,
+                  std::size_t first) {
+    for (int axis = 0; axis < axes; ++axis) store_compressed(mask, at[axis], to.at[axis] + first);
+    store_compressed(mask, feature, to.feature + first);
   }
 
   /// Fewer than a batch: nothing behind them may be overwritten.
   void put_singly(std::size_t first, unsigned low, int count) {
     for (int i = 0; i < count; ++i) {
       const std::size_t is_low = low >> i & 1, from = first + static_cast<std::size_t>(i);
-      const Centers to = is_low ? items_.from(low_count_) : scratch_.from(high_count_);
-      for (int axis = 0; axis < 3; ++axis) *to.at[axis] = items_.at[axis][from];
-      *to.feature = items_.feature[from];
+      const Centers& to = is_low ? items_ : scratch_;
+      const std::size_t place = is_low ? low_count_ : high_count_;
+      for (int axis = 0; axis < axes; ++axis) to.at[axis][place] = items_.at[axis][from];
+      to.feature[place] = items_.feature[from];
       low_count_ += is_low;
       high_count_ += 1 - is_low;
     }

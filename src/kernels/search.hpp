@@ -23,7 +23,7 @@ inline void append_bits(unsigned mask, int first, std::int32_t* list, int& count
   });
 }
 
-/// `Boxes`: SweptBoxes, StillBoxes, RestBoxes, BoxesAtEnds or NearBoxes. A row: one feature of the block searched from
+/// `Boxes`: MovingBoxes, StillBoxes, RestBoxes or NearBoxes. A row: one feature of the block searched from
 /// and the sixteen of another block.
 template <PairKind kind, class Boxes, Course course = Course::step>
 class BlockSearch {
@@ -34,14 +34,12 @@ class BlockSearch {
     boxes_.bound(search.a, 1, block / kBlock, hulls);
     for (int k = 0; k < Bounds::kCount; ++k) my_hull_[k] = hulls.at[k][block % kBlock];
     boxes_.bound(search.a, 0, block, mine_);
+    if constexpr (Boxes::kMoves) means_ = boxes_.means(search.a.levels[0][block], mine_);
   }
 
   void run() {
     if (search_.b.leaf_blocks == 0) return;
-    if (search_.others.empty())
-      visit(search_.b.level_count - 1, 0);
-    else
-      visit_others();
+    visit(search_.b.level_count - 1, 0);
     match_leaves();
   }
 
@@ -50,34 +48,58 @@ class BlockSearch {
   static constexpr bool kIsSelf = kind == PairKind::edge_edge;
   static constexpr int kCornersA = kIsSelf || course == Course::along_edge ? 2 : 1, kCornersB = kIsSelf ? 2 : 3;
   static constexpr int kMostLeaves = 32, kAhead = 4;
+  /// Rows that are looked at first, and the part of them above which the cheap test leaves too many to be asked at all
+  /// (docs/performance.md, "On every step").
+  static constexpr int kSample = 16;
+  static constexpr double kMostMet = 0.65;
 
   void visit(int level, int node) {
     ++search_.nodes_visited;
     Bounds hulls;
     boxes_.bound(search_.b, level, node, hulls);
-    const unsigned mask = children_that_meet(level, node, hulls);
+    unsigned mask = children_that_meet(level, node, hulls), fast = 0;
+    if constexpr (Boxes::kMoves) fast = mask & boxes_.move_far(search_.b.levels[level][node], hulls, means_);
+    if (fast) mask &= ~fast | sharply(level, node);
     if (level > 1) return for_each_bit(mask, [&](int child) { visit(level - 1, node * kBlock + child); });
-    for_each_bit(mask, [&](int child) { append_leaf(node * kBlock + child, hulls, child); });
+    for_each_bit(mask, [&](int child) { append_leaf(node * kBlock + child, hulls, child, fast >> child & 1); });
     if (leaf_count_ > kMostLeaves - kBlock) match_leaves();
   }
 
   /// Unless none of my features may meet its hull, which is lane `lane` of `hulls`.
-  void append_leaf(int leaf, const Bounds& hulls, int lane) {
+  void append_leaf(int leaf, const Bounds& hulls, int lane, bool is_fast) {
     leaves_[leaf_count_] = leaf;
     rows_of_[leaf_count_] = rows_that_meet(hulls, lane);
+    if constexpr (Boxes::kMoves)
+      if (is_fast)
+        rows_of_[leaf_count_] &=
+            boxes_.meet_at_some_time(search_.b.levels[1][leaf / kBlock], leaf % kBlock, search_.a.levels[0][block_]);
+    is_fast_[leaf_count_] = is_fast;
     leaf_count_ += rows_of_[leaf_count_] != 0;
   }
 
   unsigned children_that_meet(int level, int node, const Bounds& hulls) const {
-    unsigned mask = 0;
-    for_sixteen_lanes([&](int first) {
-      mask |= bits(boxes_.meet([&](int k) { return FloatLanes(my_hull_[k]); },
-                               [&](int k) { return hulls.lanes(k, first); }))
-              << first;
-    });
+    unsigned mask = meet([&](int k, int) { return FloatLanes(my_hull_[k]); },
+                         [&](int k, int first) { return hulls.lanes(k, first); });
     // In the same tree only blocks from this one on: child c covers leaf blocks below (c + 1) 16^(level-1).
     if (kIsSelf) mask &= from_bit((block_ >> (4 * (level - 1))) - node * kBlock);
     return search_.a.groups.may_touch ? without_kept_apart(mask, level, node) : mask;
+  }
+
+  unsigned sharply(int level, int node) const {
+    if constexpr (Boxes::kMoves)
+      return boxes_.meet_at_some_time(search_.a.levels[1][block_ / kBlock], block_ % kBlock,
+                                      search_.b.levels[level][node]);
+    return ~0u;
+  }
+
+  /// Bits of sixteen lanes whose boxes may meet. `a(k, first)`, `b(k, first)`: bound k of those from lane `first` on.
+  template <class A, class B>
+  [[gnu::always_inline]] unsigned meet(const A& a, const B& b) const {
+    unsigned mask = 0;
+    for_sixteen_lanes([&](int first) {
+      mask |= bits(boxes_.meet([&](int k) { return a(k, first); }, [&](int k) { return b(k, first); })) << first;
+    });
+    return mask;
   }
 
   /// Of the bits of a node's children, those that may touch by their groups.
@@ -89,32 +111,47 @@ class BlockSearch {
     return rest;
   }
 
-  void visit_others() {
-    for (const std::int32_t other : search_.others) {
-      ++search_.nodes_visited;
-      Bounds hulls;
-      boxes_.bound(search_.b, 1, other / kBlock, hulls);
-      append_leaf(other, hulls, other % kBlock);
-      if (leaf_count_ == kMostLeaves) match_leaves();
-    }
-  }
-
   void match_leaves() {
-    int count = 0;
     for (int i = 0; i < kAhead && i < leaf_count_; ++i) fetch(leaves_[i]);
     for (int i = 0; i < leaf_count_; ++i) {
       if (i + kAhead < leaf_count_) fetch(leaves_[i + kAhead]);
       boxes_.bound(search_.b, 0, leaves_[i], theirs_[i]);
-      append_bits(rows_of_[i], kBlock * i, rows_, count);
     }
-    int found_count = 0;
-    for (int i = 0; i < count; ++i) {
-      found_[found_count] = features_that_meet(rows_[i]);
-      rows_[found_count] = rows_[i];
-      found_count += found_[found_count] != 0;
-    }
+    int count = 0;
+    for (int i = 0; i < leaf_count_; ++i) append_bits(is_fast_[i] ? 0 : rows_of_[i], kBlock * i, rows_, count);
+    const int slow = count;
+    for (int i = 0; i < leaf_count_; ++i) append_bits(is_fast_[i] ? rows_of_[i] : 0, kBlock * i, rows_, count);
+    int found_count = keep_rows(0, slow, 0, [&](int i) { return others_that_meet(rows_[i]); });
+    if constexpr (Boxes::kMoves)
+      if (slow < count) found_count = match_fast_rows(slow, count, found_count);
     for (int i = 0; i < found_count; ++i) append(rows_[i], found_[i]);
     leaf_count_ = 0;
+  }
+
+  /// Of the rows up to `count`, those of features that may meet, with the bits of these; their number.
+  int match_fast_rows(int first, int count, int to) {
+    const auto cheap = [&](int i) { return others_that_meet(rows_[i]); };
+    // The first rows tell whether the cheap test leaves so much that the sharp one is better asked at once.
+    const int sample = std::min(count, first + kSample);
+    const int met = keep_rows(first, sample, to, cheap);
+    const int found =
+        keep_rows(to, met, to, [&](int i) { return found_[i] & others_that_meet_at_some_time(rows_[i]); });
+    if (met - to > kMostMet * (sample - first))
+      return keep_rows(sample, count, found,
+                       [&](int i) { return others_that_meet_at_some_time(rows_[i]) & ~neighbours(rows_[i]); });
+    const int last = keep_rows(sample, count, found, cheap);
+    return keep_rows(found, last, found, [&](int i) { return found_[i] & others_that_meet_at_some_time(rows_[i]); });
+  }
+
+  /// Of the rows first to last those where bits(i) has some, from place `to` on. Returns the place behind them.
+  template <class Bits>
+  int keep_rows(int first, int last, int to, const Bits& bits) {
+    for (int i = first; i < last; ++i) {
+      found_[to] = bits(i);
+      rows_[to] = rows_[i];
+      to += found_[to] != 0;
+    }
+    return to;
   }
 
   /// Boxes and corners are on their way while other blocks are looked at.
@@ -129,26 +166,30 @@ class BlockSearch {
 
   /// Bits of my features that may meet some of the block whose hull is in that lane.
   unsigned rows_that_meet(const Bounds& hulls, int lane) const {
-    unsigned mask = 0;
-    for_sixteen_lanes([&](int first) {
-      mask |= bits(boxes_.meet([&](int k) { return mine_.lanes(k, first); },
-                               [&](int k) { return FloatLanes(hulls.at[k][lane]); }))
-              << first;
-    });
-    return mask;
+    return meet([&](int k, int first) { return mine_.lanes(k, first); },
+                [&](int k, int) { return FloatLanes(hulls.at[k][lane]); });
   }
 
-  /// Bits of a block's features that may meet one of mine. `row`: place in leaves_, my lane.
-  unsigned features_that_meet(int row) const {
-    const int place = row / kBlock, lane = row % kBlock, leaf = leaves_[place];
-    const Bounds& theirs = theirs_[place];
-    unsigned mask = 0;
-    for_sixteen_lanes([&](int first) {
-      const auto met = boxes_.meet([&](int k) { return FloatLanes(mine_.at[k][lane]); },
-                                   [&](int k) { return theirs.lanes(k, first); });
-      mask |= (bits(met) & ~adjacent(lane, search_.b.corners[leaf], first)) << first;
-    });
-    return kIsSelf && leaf == block_ ? mask & (~1u << lane) : mask;
+  /// Bits of a block's features that may meet one of mine and are no neighbours. `row`: place in leaves_, my lane.
+  unsigned others_that_meet(int row) const {
+    const int lane = row % kBlock;
+    const Bounds& theirs = theirs_[row / kBlock];
+    return meet([&](int k, int) { return FloatLanes(mine_.at[k][lane]); },
+                [&](int k, int first) { return theirs.lanes(k, first); }) &
+           ~neighbours(row);
+  }
+
+  unsigned others_that_meet_at_some_time(int row) const {
+    return boxes_.meet_at_some_time(search_.a.levels[0][block_], row % kBlock,
+                                    search_.b.levels[0][leaves_[row / kBlock]]);
+  }
+
+  /// Bits of the features of a row's block that share a vertex with mine; in my own block, also of those up to mine.
+  unsigned neighbours(int row) const {
+    const int lane = row % kBlock, leaf = leaves_[row / kBlock];
+    unsigned mask = kIsSelf && leaf == block_ ? ~(~1u << lane) : 0;
+    for_sixteen_lanes([&](int first) { mask |= adjacent(lane, search_.b.corners[leaf], first) << first; });
+    return mask;
   }
 
   /// Bits of the lanes of `theirs` that share a vertex with one of mine; of empty lanes, anything.
@@ -202,6 +243,8 @@ class BlockSearch {
   int leaf_count_ = 0;
   alignas(64) std::int32_t leaves_[kMostLeaves + kBlock];
   unsigned rows_of_[kMostLeaves + kBlock];
+  bool is_fast_[kMostLeaves + kBlock];
+  MovingBoxes::Means means_;
   Bounds theirs_[kMostLeaves];
   std::int32_t rows_[kMostLeaves * kBlock + kBlock];
   unsigned found_[kMostLeaves * kBlock];

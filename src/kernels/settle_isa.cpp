@@ -1,5 +1,6 @@
 // The pairs of a list: compiled once for each instruction set. What is asked of a pair here is asked of it in decide()
 // too, in the same order, so that it has the same bits.
+#include "kernels/advance_lanes.hpp"
 #include "kernels/crossings.hpp"
 #include "kernels/load_motion.hpp"
 #include "kernels/search.hpp"
@@ -8,9 +9,6 @@
 
 namespace tamis::TAMIS_ISA {
 namespace {
-
-/// Of all components: not finite if one is not.
-DoubleLanes sum(const Moving<DoubleLanes>& v) { return (v.at0.x + v.at0.y + v.at0.z) + (v.at1.x + v.at1.y + v.at1.z); }
 
 using Axes = SlabClip::Axes;
 
@@ -25,12 +23,12 @@ struct ClippedStride : CrossingStride {
         places(all_places + at),
         clip(SlabClip::clip<kind, axes>(motion, TimeInterval<DoubleLanes>{DoubleLanes(0), DoubleLanes(1)})) {
     part = widened(clip);
-    const DoubleLanes all = sum(motion.e) + sum(motion.f) + sum(motion.d);
-    finite = bits(all - all == DoubleLanes(0));  // NOLINT(misc-redundant-expression): NaN where all is not finite
+    finite = finite_lanes(motion);
     free = lanes & finite & bits((clip.t_in > clip.t_out) | (clip.t_in > DoubleLanes(list.options.latest)));
     lanes &= ~free;
   }
-  unsigned starts_coplanar() const { return bits((clip.t_in == DoubleLanes(0)) & may_start_coplanar(motion)); }
+  /// Lanes that a crossing may settle.
+  unsigned may_be_settled() const { return finite & ~bits((clip.t_in == DoubleLanes(0)) & may_start_coplanar(motion)); }
 
   const std::int32_t* places;
   TimeInterval<DoubleLanes> clip;
@@ -49,12 +47,22 @@ class Settling {
   int run(const PairBuffer& in) {
     if constexpr (can_cross(kind))
       if (list_.options.min_separation == 0) return find_crossings(in);
-    for (int first = 0; first < in.count; first += kDoubleLanes) {
-      const ClippedStride<kind, Axes::all> stride(list_, in, list_.places, first);
-      keep_free(stride.free, stride.places);
-      leave_open(stride.lanes, stride.places);
-    }
+    const WithinRule rule{{list_.options.min_separation, false}, list_.options.latest};
+    AdvanceLanes<kind, StepRows, Settling>(list_.vertices, rule, *list_.within, *this).run(in);
     return open_count_;
+  }
+
+  // Of pairs within a separation.
+  void free(int i) { results_[list_.places[i]] = {}; }
+  void open(int i) { open_[open_count_++] = list_.places[i]; }
+  void touches(int i, const TouchingLanes& t, int lane) {
+    results_[list_.places[i]] = {true,
+                                 Certainty::certified,
+                                 t.lower[lane],
+                                 t.upper[lane],
+                                 t.u[lane],
+                                 t.v[lane],
+                                 {t.x[lane], t.y[lane], t.z[lane]}};
   }
 
  private:
@@ -63,7 +71,7 @@ class Settling {
     const auto make = [&](int first) {
       Stride stride(list_, in, list_.places, first);
       keep_free(stride.free, stride.places);
-      const unsigned fit = stride.lanes & fit_lanes(stride);
+      const unsigned fit = stride.lanes & stride.may_be_settled();
       try_again(stride.lanes & ~fit, in, stride);
       stride.lanes = fit;
       return stride;
@@ -73,12 +81,6 @@ class Settling {
     });
     for (int first = 0; first < rest_.count; first += kDoubleLanes) look_in_halves(first);
     return open_count_;
-  }
-
-  /// Those that a crossing may settle.
-  template <Axes axes>
-  unsigned fit_lanes(const ClippedStride<kind, axes>& stride) const {
-    return stride.finite & ~(is_exact_ ? stride.starts_coplanar() : 0);
   }
 
   template <class Stride>
@@ -94,7 +96,7 @@ class Settling {
   void look_in_halves(int first) {
     ClippedStride<kind, Axes::all> stride(list_, rest_, rest_places_, first);
     keep_free(stride.free, stride.places);
-    const unsigned fit = stride.lanes & fit_lanes(stride);
+    const unsigned fit = stride.lanes & stride.may_be_settled();
     leave_open(stride.lanes & ~fit, stride.places);
     stride.lanes = fit;
     if (!fit) return;
@@ -112,7 +114,7 @@ class Settling {
   /// Writes what the crossing settles of the stride; returns the lanes that it does not.
   template <Axes axes>
   unsigned unsettled(const ClippedStride<kind, axes>& stride, const Crossing<DoubleLanes>& crossing) {
-    const auto s = settled(crossing, stride.clip, is_exact_);
+    const auto s = settled(crossing, stride.clip);
     const unsigned lanes = stride.lanes;
     const unsigned free = lanes & bits(s.is_free), touches = lanes & ~free & bits(s.touches);
     const unsigned late = touches & bits(s.lower > DoubleLanes(list_.options.latest));
@@ -133,7 +135,6 @@ class Settling {
   std::int32_t* open_;
   std::int32_t rest_places_[PairBuffer::kSize];
   int open_count_ = 0;
-  const bool is_exact_ = list_.options.guarantee == Guarantee::exact;
 };
 
 }  // namespace

@@ -28,10 +28,16 @@ inline float extent(const float* at, std::size_t count) {
   return highs[0] - lows[0];
 }
 
-inline int longest_axis(const Centers& centers, std::size_t count) {
-  const float x = extent(centers.at[0], count), y = extent(centers.at[1], count), z = extent(centers.at[2], count);
-  if (x >= y && x >= z) return 0;
-  return y >= z ? 1 : 2;
+template <int axes>
+int longest_axis(const Centers& centers, std::size_t count) {
+  int longest = 0;
+  float most = extent(centers.at[0], count);
+  for (int axis = 1; axis < axes; ++axis) {
+    const float here = extent(centers.at[axis], count);
+    longest = here > most ? axis : longest;
+    most = here > most ? here : most;
+  }
+  return longest;
 }
 
 /// A number of which `wanted` of `count` are likely to be on the nearer side of it, with few others.
@@ -52,11 +58,12 @@ inline FloatLanes load_some(const float* at, int lanes) {
   return FloatLanes::load_unaligned(padded);
 }
 
-inline void split(const Centers& centers, const Centers& scratch, std::size_t count, std::size_t lower) {
-  const float* const at = centers.at[longest_axis(centers, count)];
+template <int axes>
+void split_along_longest(const Centers& centers, const Centers& scratch, std::size_t count, std::size_t lower) {
+  const float* const at = centers.at[longest_axis<axes>(centers, count)];
   std::size_t begin = 0, end = count;  // the place looked for is between them
   const auto part = [&](const auto& low_lanes) {
-    Partition parts(centers.from(begin), scratch.from(begin));
+    Partition<axes> parts(centers.from(begin), scratch.from(begin));
     for (std::size_t first = begin; first < end; first += kFloatLanes) {
       const int lanes = end - first < kFloatLanes ? static_cast<int>(end - first) : kFloatLanes;
       parts.take(first - begin, low_lanes(first, lanes), lanes);
@@ -74,6 +81,11 @@ inline void split(const Centers& centers, const Centers& scratch, std::size_t co
   }
   const Ranks ranks(static_cast<int>(end - begin), [&](int i) { return at[begin + static_cast<std::size_t>(i)]; });
   part([&](std::size_t i, int) { return ranks.below(static_cast<int>(lower - begin), static_cast<int>(i - begin)); });
+}
+
+inline void split(const Centers& centers, const Centers& scratch, std::size_t count, std::size_t lower) {
+  const auto part = centers.axes == 3 ? split_along_longest<3> : split_along_longest<6>;
+  part(centers, scratch, count, lower);
 }
 
 }  // namespace tamis::TAMIS_ISA

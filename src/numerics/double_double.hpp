@@ -3,10 +3,10 @@
 // that every machine gives the same bits.
 //
 // Error bounds after Joldes, Muller, Popescu, Tight and rigorous error bounds for basic building blocks of double-word
-// arithmetic (ACM TOMS 44, 2017), with u = 2^-53: sum 3 u^2 / (1 - 4 u) (theorem 3.1), product 7 u^2 (theorem 5.1),
-// both relative; the quotient is derived below. unit_roundoff is 2^-103 = 8 u^2.
-// They hold where nothing overflows or underflows. The solver's numbers are below 2^7; an underflow costs each of the
-// 17 operations of a split product at most 2^-1075, which `underflow` covers.
+// arithmetic (ACM TOMS 44, 2017), with u = 2^-53: sum 3 u^2 / (1 - 4 u) (theorem 3.1), with a double 2 u^2
+// (algorithm 4), product 7 u^2 (theorem 5.1), all relative; the quotient is derived below. unit_roundoff is 2^-103 = 8
+// u^2. They hold where nothing overflows or underflows. The solver's numbers are below 2^7; an underflow costs each of
+// the 17 operations of a split product at most 2^-1075, which `underflow` covers.
 #pragma once
 #include "numerics/error_bounds.hpp"
 #include "numerics/select.hpp"
@@ -63,6 +63,10 @@ inline DoubleDouble operator+(const DoubleDouble& a, const DoubleDouble& b) {
   return double_double::ordered_sum(v.high, t.low + v.low);
 }
 inline DoubleDouble operator-(const DoubleDouble& a, const DoubleDouble& b) { return a + -b; }
+inline DoubleDouble operator-(const DoubleDouble& a, double b) {
+  const auto s = DoubleDouble::sum_of(a.high, -b);
+  return double_double::ordered_sum(s.high, a.low + s.low);
+}
 
 inline DoubleDouble operator*(const DoubleDouble& a, const DoubleDouble& b) {
   const auto c = DoubleDouble::product_of(a.high, b.high);

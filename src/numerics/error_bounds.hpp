@@ -127,9 +127,11 @@ inline constexpr double kLengthUp = 1 + kLength * unit_roundoff<double>;
 // double 2 u, a power 5 u, their product 1 u, six sums 6 u, the unit's own sums 6 u: below 20 u.
 inline constexpr double kOddsPolynomial = 32;
 
-// What is left of a pair's distance along an axis between two unit vectors beyond what it must keep, unit D + E + F:
-// the distance at t=0 kGap and kLength, 27; a corner on the axis, as kAxisProjection with kInput + 4: 57; halves and
-// sums 4; the axis' length 5 and what must be kept 4, of at most 3: 27. Together 115.
+// A pair's distance along an axis between two unit vectors beyond a least one, unit D + E + F: a corner on the axis, as
+// kAxisProjection with kInput + 4: 57; halves and sums 4; the axis' length 5, and the least distance 4, of at most 3:
+// 27. Together 88.
+inline constexpr double kTurningGap = 96;
+// The same, where the least distance is a part of that at t=0: kGap and kLength, 27 more.
 inline constexpr double kKeptGap = 128;
 
 // Part of D + E + F: while a pair is so much farther apart than a separation, advancement (solve/separation.hpp) goes
@@ -140,9 +142,5 @@ inline constexpr double kRoomToAdvance = 0x1p-10;
 // the upper end of the other: D is at most that, and a box at most twice as wide, so that E + F of a face, whose sides
 // are in one box, are at most four times that; 6 covers the rounding of all the rest.
 inline constexpr double kRoomOfBoxes = 6 * kRoomToAdvance;
-
-// A gap outlasts a drift that is so many times smaller: the room has grown, for D + E + F is larger by at most six
-// times the drift; eight are given, and their rest is for rounding (docs/numerics.md, "Remembered gaps").
-inline constexpr double kDriftWithRoom = 1 + 8 * kRoomToAdvance;
 
 }  // namespace tamis::error_bounds

@@ -8,6 +8,8 @@
 #include <cstdint>
 #include <cstdlib>
 
+#include "numerics/assert.hpp"
+
 namespace tamis {
 
 /// What the templates of motion/polynomials.hpp and Horner's rule need; for the rest of GMP there is `get()`.
@@ -52,6 +54,7 @@ class Integer {
   }
   /// Towards zero. REQUIRES: b is not zero.
   friend Integer quotient(const Integer& a, const Integer& b) {
+    TAMIS_ASSERT(b.sign() != 0);
     return make(std::max(a.limbs(), 1), mpz_tdiv_q, a.get(), b.get());
   }
   friend Integer operator<<(const Integer& a, unsigned long bits) {
@@ -89,6 +92,7 @@ class Integer {
   static bool are_short(const Integer& a, const Integer& b) { return a.is_short() && b.is_short(); }
   /// REQUIRES: is_short().
   Wide wide() const {
+    TAMIS_ASSERT(is_short());
     const int count = limbs();
     const mp_limb_t* const from = value_->_mp_d;
     const auto magnitude =
@@ -97,6 +101,7 @@ class Integer {
   }
   /// REQUIRES: room for them. Mostly there are few: calling memmove would take longer than copying.
   void copy_limbs(const Integer& other) {
+    TAMIS_ASSERT(other.limbs() <= value_->_mp_alloc);
     const int count = other.limbs();
     const mp_limb_t* const from = other.value_->_mp_d;
     mp_limb_t* const to = value_->_mp_d;

@@ -14,23 +14,19 @@ namespace tamis {
 
 namespace rounding {
 
-/// A result moved down by kUlp of itself and kTiny lies at or below what was rounded.
-template <class T>
-struct Outward {
-  /// At most the predecessor, at least the second predecessor of x, for finite x (Rump, Zimmermann, Boldo, Melquiond
-  /// 2009): one multiplication and two additions instead of a library call.
-  static constexpr double kUlp = 0x1p-53 * (1 + 0x1p-52), kTiny = std::numeric_limits<double>::denorm_min();
-};
-template <>
-struct Outward<DoubleDouble> {
-  /// Operations are off by at most 2^-100 of themselves, the two here by 2^-103; kTiny is far above what underflows.
-  static constexpr double kUlp = 0x1p-99, kTiny = error_bounds::underflow<DoubleDouble>;
-};
-
-/// -inf stays; NaN stays.
+/// A result moved down lies at or below what was rounded: at most the predecessor, at least the second predecessor of
+/// x, for finite x (Rump, Zimmermann, Boldo, Melquiond 2009): one multiplication and two additions instead of a library
+/// call. -inf stays; NaN stays.
 template <class T>
 inline T below(const T& x) {
-  return x - (T(Outward<T>::kUlp) * abs(x) + T(Outward<T>::kTiny));
+  constexpr double kUlp = 0x1p-53 * (1 + 0x1p-52), kTiny = std::numeric_limits<double>::denorm_min();
+  return x - (T(kUlp) * abs(x) + T(kTiny));
+}
+/// Operations are off by at most 2^-100 of themselves, the subtraction here by 2^-104 of x; kUlp of the high part, in
+/// doubles, is more than both together. kTiny is far above what underflows.
+inline DoubleDouble below(const DoubleDouble& x) {
+  constexpr double kUlp = 0x1p-99, kTiny = error_bounds::underflow<DoubleDouble>;
+  return x - (kUlp * std::fabs(x.high) + kTiny);
 }
 template <class T>
 inline T above(const T& x) {
@@ -105,8 +101,16 @@ inline BasicInterval<T> intersection(const BasicInterval<T>& a, const BasicInter
   return {max(a.lower, b.lower), min(a.upper, b.upper)};
 }
 
+/// Exactly.
+template <class T>
+inline bool is_zero(const Vec3<BasicInterval<T>>& v) {
+  const auto is_zero = [](const BasicInterval<T>& x) { return x.lower == T(0) && x.upper == T(0); };
+  return is_zero(v.x) && is_zero(v.y) && is_zero(v.z);
+}
+
 /// |v|, rounded up; infinite only where it may be beyond the largest double.
 inline double length_above(const Vec3<BasicInterval<double>>& v) {
+  if (is_zero(v)) return 0;
   double size = 0;
   for (const Interval& x : {v.x, v.y, v.z}) size = std::max({size, std::fabs(x.lower), std::fabs(x.upper)});
   const double scale = scale_below_one(size);

@@ -5,25 +5,20 @@
 #include "paths/crossing_on_path.hpp"
 #include "paths/path_parts.hpp"
 #include "paths/within_on_path.hpp"
-#include "solve/weights.hpp"
+#include "solve/contact_normal.hpp"
 
 namespace tamis {
 namespace {
 
-/// What is spent on one pair in one arithmetic. While strays are larger than errors cutting makes proofs sharper; below
-/// that only because chords turn less, for parts longer than kShortest.
+/// What is spent on one pair: parts that are looked at in doubles, and in double-double, of which so many within one
+/// part that doubles leave.
+constexpr int kMostParts = 1 << 17, kMostFineParts = 1 << 17, kMostWithinPart = 1 << 13;
+/// While strays are larger than errors cutting makes proofs sharper; below that only because chords turn less, for
+/// parts longer than this.
 template <class T>
-struct Effort;
+constexpr double kShortest = 0x1p-6;
 template <>
-struct Effort<double> {
-  static constexpr int kParts = 1 << 17;
-  static constexpr double kShortest = 0x1p-6;
-};
-template <>
-struct Effort<DoubleDouble> {
-  static constexpr int kParts = 1 << 13;
-  static constexpr double kShortest = 0x1p-100;
-};
+constexpr double kShortest<DoubleDouble> = 0x1p-100;
 
 /// At no simple fraction: contacts happen at those, and one at a cut is undecided on both sides.
 double near_middle(double from, double to) {
@@ -34,8 +29,8 @@ double near_middle(double from, double to) {
 template <PairKind kind, class T>
 class PathSolver {
  public:
-  PathSolver(const PairReader& reader, double tolerance, const TimeInterval<double>& time)
-      : reader_(reader), tolerance_(tolerance), parts_(reader, time) {}
+  PathSolver(const PathQuestion& question, const PairReader& reader, const TimeInterval<double>& time, int most_parts)
+      : question_(question), reader_(reader), parts_(question, reader, time), parts_left_(most_parts) {}
 
   Decision run() {
     Decision decision;
@@ -43,6 +38,7 @@ class PathSolver {
       if (settles(*part, decision)) break;
     return decision;
   }
+  int parts_looked_at() const { return parts_.taken(); }
 
  private:
   /// True if `decision` is final: the earliest time that cannot be proven free is known.
@@ -57,7 +53,7 @@ class PathSolver {
     }
     const PathCrossing crossing = can_cross(kind) ? crossing_of(ends) : PathCrossing{};
     if (crossing.is_opposite()) {
-      const bool is_narrow = part.length() <= tolerance_ && part.from.time > 0;
+      const bool is_narrow = part.length() <= question_.tolerance && part.from.time > 0;
       if (is_narrow && stays_inside<kind>(widened)) {
         decision = {Verdict::touches, part.from.time, part.to.time};
         return true;
@@ -65,9 +61,8 @@ class PathSolver {
       if (cut_around_crossing(part, window_of(widened, crossing.sign_at_start))) return false;
     }
     const double stray = *std::max_element(strays.begin(), strays.end());
-    const bool may_gain = stray > 4 * std::max(part.from.error, part.to.error) || part.length() > Effort<T>::kShortest;
-    if (++looked_at_ < Effort<T>::kParts && may_gain && parts_.cut(part, near_middle(part.from.time, part.to.time)))
-      return false;
+    const bool may_gain = stray > 4 * std::max(part.from.error, part.to.error) || part.length() > kShortest<T>;
+    if (--parts_left_ > 0 && may_gain && parts_.cut(part, near_middle(part.from.time, part.to.time))) return false;
     return settles_further(part, widened, crossing, decision);
   }
 
@@ -86,30 +81,49 @@ class PathSolver {
   bool settles_further(const PathPart<T>& part, const PairMotion<BasicInterval<T>>& widened,
                        const PathCrossing& crossing, Decision& decision) {
     if constexpr (std::is_same_v<T, double>) {
-      decision = PathSolver<kind, DoubleDouble>(reader_, tolerance_, {part.from.time, part.to.time}).run();
+      const int most_parts = std::min(kMostWithinPart, fine_parts_left_);
+      PathSolver<kind, DoubleDouble> fine(question_, reader_, {part.from.time, part.to.time}, most_parts);
+      decision = fine.run();
+      fine_parts_left_ -= fine.parts_looked_at();
       return decision.verdict != Verdict::is_free;
     } else {
-      const bool touches = crossing.is_opposite() && part.length() <= tolerance_ && stays_inside<kind>(widened);
+      const bool touches =
+          crossing.is_opposite() && part.length() <= question_.tolerance && stays_inside<kind>(widened);
       decision = {touches ? Verdict::touches : Verdict::unsure, part.from.time, part.to.time};
       return true;
     }
   }
 
+  const PathQuestion& question_;
   const PairReader& reader_;
-  const double tolerance_;
   PathParts<T> parts_;
-  int looked_at_ = 0;
+  int parts_left_, fine_parts_left_ = kMostFineParts;
 };
+
+/// Of the chord between the ends of the bracket; on which side it begins the path knows better than doubles.
+ContactPlace place_on_path(const PathQuestion& question, const Decision& decision) {
+  const PairKind kind = question.kind;
+  PairReader reader(question.path, question.vertices);
+  reader.set_unit_at(decision.lower);
+  const PairPoints points = points_between(reader.at<double>(decision.lower), reader.at<double>(decision.upper));
+  const PairMotion<double> chord = make_motion(kind, points);
+  if (is_about_distance(kind, question.min_separation)) return closest_place(kind, points, chord, 0);
+  const auto start = reader.at<DoubleDouble>(decision.lower);
+  const std::array<double, 4> strays{};
+  const int sign = with_kind(kind, [&](auto k) {
+    return crossing_of(Chords<k(), DoubleDouble>(start, start, strays).at_ends()).sign_at_start;
+  });
+  return crossing_place(kind, points, chord, {0, 1}, kind == PairKind::edge_edge ? -sign : sign);
+}
 
 }  // namespace
 
 Decision decide_on_path(const PathQuestion& question, const TimeInterval<double>& time) {
   PairReader reader(question.path, question.vertices);
   reader.set_unit_at(time.t_in);
-  if (question.options.min_separation > 0) return first_within_on_path(question, reader, time);
-  return with_kind(question.kind, [&](auto kind) {
-    return PathSolver<kind(), double>(reader, question.options.tolerance, time).run();
-  });
+  if (question.min_separation > 0) return first_within_on_path(question, reader, time);
+  return with_kind(question.kind,
+                   [&](auto kind) { return PathSolver<kind(), double>(question, reader, time, kMostParts).run(); });
 }
 
 PairResult result_on_path(const PathQuestion& question, const Decision& decision) {
@@ -119,9 +133,10 @@ PairResult result_on_path(const PathQuestion& question, const Decision& decision
   result.certainty = decision.verdict == Verdict::touches ? Certainty::certified : Certainty::unresolved;
   result.toi_lower = decision.lower;
   result.toi_upper = decision.upper;
-  PairReader reader(question.path, question.vertices);
-  const PairPoints points = points_between(reader.at<double>(decision.lower), reader.at<double>(decision.upper));
-  add_weights(question.kind, make_motion(question.kind, points), 0.5, result);
+  const auto [u, v, normal] = place_on_path(question, decision);
+  result.u = u;
+  result.v = v;
+  result.normal = normal;
   return result;
 }
 

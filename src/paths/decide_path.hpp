@@ -11,11 +11,12 @@ struct PathQuestion {
   const Path& path;
   PairKind kind;
   PairVertices vertices;
-  PathOptions options;
+  double min_separation, tolerance;  ///< as in PathOptions
+  const std::function<bool()>& is_cancelled;
 };
 
 /// During `time`, with the meaning that Decision has for straight motion. `touches`: the bracket is no wider than the
-/// tolerance, or with a separation, than doubles can tell.
+/// tolerance, or with a separation, than doubles can tell. Throws Cancelled.
 Decision decide_on_path(const PathQuestion& question, const TimeInterval<double>& time);
 
 /// With weights and normal at the contact.

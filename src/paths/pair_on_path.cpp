@@ -2,6 +2,7 @@
 #include <cmath>
 #include <string>
 
+#include "numerics/number_text.hpp"
 #include "paths/decide_path.hpp"
 #include "tamis/error.hpp"
 
@@ -18,10 +19,10 @@ namespace {
 
 void validate(const PathOptions& options) {
   if (!(options.min_separation >= 0) || std::isinf(options.min_separation))
-    throw InvalidOptions("the minimum separation is " + std::to_string(options.min_separation) +
+    throw InvalidOptions("the minimum separation is " + number_text(options.min_separation) +
                          ": give a finite distance >= 0");
   if (!(options.tolerance > 0 && options.tolerance <= 1))
-    throw InvalidOptions("the tolerance of brackets is " + std::to_string(options.tolerance) +
+    throw InvalidOptions("the tolerance of brackets is " + number_text(options.tolerance) +
                          ": give a fraction of the step, > 0 and <= 1");
 }
 
@@ -35,7 +36,7 @@ PairResult decide_pair(PairKind kind, const Path& path, const std::array<Index, 
     if (v < 0 || v >= path.vertex_count())
       throw InvalidPath("the path has no vertex " + std::to_string(v) + ": give numbers in [0, " +
                         std::to_string(path.vertex_count()) + ")");
-  const PathQuestion question{path, kind, vertices, options};
+  const PathQuestion question{path, kind, vertices, options.min_separation, options.tolerance, options.is_cancelled};
   return result_on_path(question, decide_on_path(question, {0, 1}));
 }
 

@@ -1,8 +1,11 @@
-// Parts of the time that are still in question, the earliest on top.
+// Parts of the time that are still in question, the earliest on top. Who cancels waits for some of them, not for a
+// pair: that may take seconds.
 #pragma once
 #include <optional>
 #include <vector>
 
+#include "engines/cancellation.hpp"
+#include "paths/decide_path.hpp"
 #include "paths/path_reader.hpp"
 
 namespace tamis {
@@ -16,16 +19,22 @@ struct PathPart {
 template <class T>
 class PathParts {
  public:
-  explicit PathParts(const PairReader& reader, const TimeInterval<double>& time) : reader_(reader) {
+  /// Keeps references.
+  PathParts(const PathQuestion& question, const PairReader& reader, const TimeInterval<double>& time)
+      : question_(question), reader_(reader) {
     parts_.push_back({reader.at<T>(time.t_in), reader.at<T>(time.t_out)});
   }
 
+  /// Throws Cancelled.
   std::optional<PathPart<T>> next() {
+    constexpr int kSome = 64;  // some milliseconds at most
     if (parts_.empty()) return std::nullopt;
+    if (taken_++ % kSome == 0) stop_if_cancelled(question_);
     const PathPart<T> part = parts_.back();
     parts_.pop_back();
     return part;
   }
+  int taken() const { return taken_; }
 
   /// False if no double lies strictly between.
   bool cut(const PathPart<T>& part, double time) {
@@ -52,8 +61,10 @@ class PathParts {
   }
 
  private:
+  const PathQuestion& question_;
   const PairReader& reader_;
   std::vector<PathPart<T>> parts_;
+  int taken_ = 0;
 };
 
 }  // namespace tamis

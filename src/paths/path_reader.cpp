@@ -5,6 +5,7 @@
 #include <string>
 
 #include "numerics/finite.hpp"
+#include "numerics/number_text.hpp"
 #include "numerics/scale.hpp"
 #include "tamis/error.hpp"
 
@@ -30,15 +31,15 @@ Moment<T> fill_up(Moment<T> moment, std::size_t count) {
 
 void check_point(Index vertex, double time, const Point& point, double error) {
   if (is_finite(point) && error >= 0) return;
-  const std::string place = "vertex " + std::to_string(vertex) + " of the path at t = " + std::to_string(time);
+  const std::string place = "vertex " + std::to_string(vertex) + " of the path at t = " + number_text(time);
   if (!is_finite(point)) throw InvalidPath(place + " is not finite: give finite positions");
-  throw InvalidPath(place + " has the error " + std::to_string(error) + ": give a bound >= 0 of how far it is off");
+  throw InvalidPath(place + " has the error " + number_text(error) + ": give a bound >= 0 of how far it is off");
 }
 
 void check_stray(Index vertex, double from, double to, double stray) {
   if (stray >= 0) return;
-  throw InvalidPath("vertex " + std::to_string(vertex) + " of the path strays by " + std::to_string(stray) +
-                    " between t = " + std::to_string(from) + " and " + std::to_string(to) +
+  throw InvalidPath("vertex " + std::to_string(vertex) + " of the path strays by " + number_text(stray) +
+                    " between t = " + number_text(from) + " and " + number_text(to) +
                     ": give a bound >= 0 of its distance from the chord");
 }
 

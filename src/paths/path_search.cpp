@@ -11,7 +11,9 @@
 #include <tuple>
 
 #include "engines/cancellation.hpp"
+#include "numerics/number_text.hpp"
 #include "paths/decide_path.hpp"
+#include "paths/isolated_path.hpp"
 #include "paths/remembered_path.hpp"
 #include "tamis/error.hpp"
 #include "topology/mean_edge.hpp"
@@ -23,6 +25,8 @@ namespace {
 /// one by one, shorter ones ask the whole mesh more often.
 constexpr double kStrayInEdges = 0.2;
 constexpr double kShortestPiece = 0x1p-20;
+/// Pairs that are decided together, and between two looks at whether the question is cancelled.
+constexpr std::size_t kBatch = 256;
 /// At no simple fraction of the step: contacts happen at those.
 constexpr double kShorter = 0.48713;
 
@@ -75,7 +79,7 @@ void PathSearch::set_radii(const Separations& separations, const Frame& from, co
     if (!separations.radii.empty()) radii_[v] = (radii_[v] + separations.radii[v]) * (1 + 0x1p-50);
     if (!std::isfinite(radii_[v]))
       throw InvalidPath("vertex " + std::to_string(index) + " of the path strays without bound after t = " +
-                        std::to_string(from.time) + ": give a finite bound for short pieces");
+                        number_text(from.time) + ": give a finite bound for short pieces");
   }
 }
 
@@ -91,15 +95,15 @@ void PathSearch::check_chords(const Path& path, const Frame& from, const Frame& 
     }
     const double errors = 2 * (middle.errors[v] + from.errors[v] + to.errors[v]) + 0x1p-48 * size;
     if (std::sqrt(square) <= strays_[v] + errors) continue;
-    throw InvalidPath("vertex " + std::to_string(index) + " of the path is " + std::to_string(std::sqrt(square)) +
-                      " from its chord at t = " + std::to_string(middle.time) + ", beyond its bound " +
-                      std::to_string(strays_[v]) + ": give a bound that holds");
+    throw InvalidPath("vertex " + std::to_string(index) + " of the path is " + number_text(std::sqrt(square)) +
+                      " from its chord at t = " + number_text(middle.time) + ", beyond its bound " +
+                      number_text(strays_[v]) + ": give a bound that holds");
   }
 }
 
 void PathSearch::find(const MeshOnPath& asked, Question question, std::vector<Contact>& contacts,
                       Statistics& statistics) {
-  const Path& path = asked.path;
+  const IsolatedPath path(asked.path);
   if (path.vertex_count() != mesh_.vertex_count())
     throw InvalidPath("the path has " + std::to_string(path.vertex_count()) + " vertices, the mesh " +
                       std::to_string(mesh_.vertex_count()) + ": give a path of this mesh");
@@ -109,13 +113,12 @@ void PathSearch::find(const MeshOnPath& asked, Question question, std::vector<Co
   contacts.clear();
   std::set<PairKey> known;
   for (Frame from = frame_at(path, 0); from.time < 1;) {
+    stop_if_cancelled(options_);
     const double length = piece_length(path, from);
     Frame to = frame_at(path, length < 1 - from.time ? from.time + length : 1);
     path.strays(from.time, to.time, all_, strays_);
     for (const Index v : mesh_.points()) check_stray(v, from.time, to.time, strays_[static_cast<std::size_t>(v)]);
-#ifndef NDEBUG
     check_chords(path, from, to);
-#endif
     set_radii(asked.separations, from, to);
     found_.begin({from.points, to.points}, {asked.separations.fixed, radii_}, Question::all_contacts);
     engine_.find(found_, statistics);
@@ -125,7 +128,10 @@ void PathSearch::find(const MeshOnPath& asked, Question question, std::vector<Co
     const std::size_t before = contacts.size();
     decide_all(piece, question, contacts, statistics);
     if (contacts.size() > before && question != Question::all_contacts) break;
-    for (std::size_t i = before; i < contacts.size(); ++i) known.insert({contacts[i].kind, contacts[i].vertices});
+    for (std::size_t i = before; i < contacts.size(); ++i) {
+      if (i % kBatch == 0) stop_if_cancelled(options_);
+      known.insert({contacts[i].kind, contacts[i].vertices});
+    }
     from = std::move(to);
   }
 }
@@ -133,7 +139,6 @@ void PathSearch::find(const MeshOnPath& asked, Question question, std::vector<Co
 /// What the linear question has left, in the order in which the chords come near: so that a first contact ends it.
 void PathSearch::decide_all(const MeshOnPath& piece, Question question, std::vector<Contact>& contacts,
                             Statistics& statistics) {
-  constexpr std::size_t kBatch = 256;
   std::vector<Contact>& pairs = found_.contacts();
   std::sort(pairs.begin(), pairs.end(), [](const Contact& a, const Contact& b) {
     return a.toi_lower != b.toi_lower ? a.toi_lower < b.toi_lower : comes_before(a, b);
@@ -142,7 +147,6 @@ void PathSearch::decide_all(const MeshOnPath& piece, Question question, std::vec
   double latest = piece.time.t_out;
   std::vector<PairResult> results(kBatch);
   for (std::size_t first = 0; first < pairs.size(); first += kBatch) {
-    stop_if_cancelled(options_);
     if (question == Question::is_free && !contacts.empty()) return;
     if (question == Question::earliest && start + pairs[first].toi_lower * length * (1 - 0x1p-40) > latest) return;
     const std::size_t count = std::min(kBatch, pairs.size() - first);
@@ -151,7 +155,8 @@ void PathSearch::decide_all(const MeshOnPath& piece, Question question, std::vec
     tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) {
       const Contact& pair = pairs[first + i];
       const double separation = piece.separations.between(pair.kind, pair.vertices);
-      const PathQuestion question_of_pair{paths.local(), pair.kind, pair.vertices, {separation, piece.tolerance}};
+      const PathQuestion question_of_pair{paths.local(), pair.kind,       pair.vertices,
+                                          separation,    piece.tolerance, options_.is_cancelled};
       results[i] = result_on_path(question_of_pair, decide_on_path(question_of_pair, piece.time));
     });
     for (std::size_t i = 0; i < count; ++i) {

@@ -113,24 +113,26 @@ void for_each_of_body(std::span<const Index> vertices, const std::vector<Index>&
   }
 }
 
-/// In doubles, off by `error` (1 + |x|_1 + |shift|_max) at most.
+/// In doubles: entries of the matrix are off by `turn_error` at most, which is a number, those of the shift by
+/// `shift_error`, which is a length.
 struct RoundedTransform {
   std::array<Point, 3> rows;
   Point shift;
-  double error, shift_size;
+  double turn_error, shift_error, shift_size;
 
   template <class T>
   static RoundedTransform of(const RigidTransform<T>& exact) {
     RoundedTransform rounded{};
-    const auto take = [&](const BasicInterval<T>& entry) {
-      const RoundedNumber number = rounded_number(entry);
-      rounded.error = std::max(rounded.error, number.error);
-      return number.value;
+    const auto take = [](const Vec3<BasicInterval<T>>& entries, double& error) {
+      const auto one = [&](const BasicInterval<T>& entry) {
+        const RoundedNumber number = rounded_number(entry);
+        error = std::max(error, number.error);
+        return number.value;
+      };
+      return Point{one(entries.x), one(entries.y), one(entries.z)};
     };
-    for (std::size_t i = 0; i < 3; ++i) {
-      rounded.rows[i] = {take(exact.rows[i].x), take(exact.rows[i].y), take(exact.rows[i].z)};
-    }
-    rounded.shift = {take(exact.shift.x), take(exact.shift.y), take(exact.shift.z)};
+    for (std::size_t i = 0; i < 3; ++i) rounded.rows[i] = take(exact.rows[i], rounded.turn_error);
+    rounded.shift = take(exact.shift, rounded.shift_error);
     for (const double s : rounded.shift) rounded.shift_size = std::max(rounded.shift_size, std::fabs(s));
     return rounded;
   }
@@ -139,11 +141,12 @@ struct RoundedTransform {
     for (std::size_t i = 0; i < 3; ++i) y[i] = rows[i][0] * x[0] + rows[i][1] * x[1] + rows[i][2] * x[2] + shift[i];
     return y;
   }
-  /// Each product rounds once and each sum once, of numbers below 1.1 |x|_1 + |shift|: 4 u of that, given 8 u, which
-  /// covers this sum's own rounding.
+  /// Each product rounds once and each sum once, of numbers below 1.1 |x|_1 + |shift|: 4 u of that, given 8 u. The
+  /// factor covers this sum's own rounding.
   double error_of(const Point& x) const {
     const double size = std::fabs(x[0]) + std::fabs(x[1]) + std::fabs(x[2]);
-    return (error + 0x1p-50) * (size + shift_size) + (error + 0x1p-1000);
+    const double turned = (turn_error + 0x1p-50) * size, shifted = shift_error + 0x1p-50 * shift_size;
+    return (turned + shifted) * (1 + 0x1p-40) + 0x1p-1000;
   }
 };
 

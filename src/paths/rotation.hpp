@@ -46,8 +46,16 @@ template <class T>
 using Rows = std::array<Vec3<BasicInterval<T>>, 3>;
 
 template <class T>
+Rows<T> identity() {
+  using I = BasicInterval<T>;
+  const I one(T(1)), zero(T(0));
+  return {{{one, zero, zero}, {zero, one, zero}, {zero, zero, one}}};
+}
+
+template <class T>
 Rows<T> matrix(const Vec3<BasicInterval<T>>& w) {
   using I = BasicInterval<T>;
+  if (is_zero(w)) return identity<T>();
   const I square = dot(w, w);
   const auto half = any_angle(I(T(0.25)) * square);
   const I a = half.sinc * half.cosine, b = I(T(0.5)) * half.sinc * half.sinc;

@@ -24,13 +24,12 @@ FineInterval fine(double x) { return FineInterval(DoubleDouble(x)); }
 
 /// A bound of |sum of weights times points|.
 double length_above(std::initializer_list<std::pair<double, const Point*>> terms) {
-  Interval square(0);
-  for (std::size_t k = 0; k < 3; ++k) {
+  const auto along = [&](std::size_t axis) {
     Interval sum(0);
-    for (const auto& [weight, point] : terms) sum = sum + Interval(weight) * Interval((*point)[k]);
-    square = square + sum * sum;
-  }
-  return rounding::above(rounding::above(std::sqrt(square.upper)));
+    for (const auto& [weight, point] : terms) sum = sum + Interval(weight) * Interval((*point)[axis]);
+    return sum;
+  };
+  return tamis::length_above({along(0), along(1), along(2)});
 }
 
 /// acceleration (to - from)^2 / 8, rounded up.

@@ -3,13 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "numerics/assert.hpp"
 #include "paths/path_parts.hpp"
 #include "solve/separation.hpp"
 
 namespace tamis {
 namespace {
 
-constexpr int kMostParts = 1 << 16;
+constexpr int kMostPartsWithin = 1 << 16;
 /// Of a part, looked at next after a time at which the chords could not be proven apart any more.
 constexpr double kNext = 0x1p-5;
 
@@ -44,10 +45,10 @@ PairPoints points_between(const Moment<double>& from, const Moment<double>& to) 
 
 Decision first_within_on_path(const PathQuestion& question, const PairReader& reader,
                               const TimeInterval<double>& time) {
+  TAMIS_ASSERT(question.min_separation > 0);
   const PairKind kind = question.kind;
-  const double separation = question.options.min_separation * reader.scale();
-  PathParts<double> parts(reader, time);
-  int looked_at = 0;
+  const double separation = question.min_separation * reader.scale();
+  PathParts<double> parts(question, reader, time);
   while (auto part = parts.next()) {
     const double from = part->from.time, to = part->to.time;
     const double slack = slack_of(*part, reader.strays(from, to));
@@ -56,10 +57,10 @@ Decision first_within_on_path(const PathQuestion& question, const PairReader& re
     if (chords.verdict == Verdict::is_free) continue;
     const double reached = from + chords.lower * (to - from) * (1 - 0x1p-50) - 0x1p-52 * to;
     const double lower = std::clamp(reached, from, std::nextafter(to, 0.0));
-    if (to - lower <= question.options.tolerance && touches_at(kind, part->to, separation))
+    if (to - lower <= question.tolerance && touches_at(kind, part->to, separation))
       return {Verdict::touches, lower, to};
     const bool is_short = to - from <= 0x1p-50 * to || to - from < 0x1p-100;
-    if (is_short || ++looked_at > kMostParts) return {Verdict::unsure, lower, to};
+    if (is_short || parts.taken() > kMostPartsWithin) return {Verdict::unsure, lower, to};
     parts.add({lower > from ? reader.at<double>(lower) : part->from, part->to}, lower + kNext * (to - lower));
   }
   return {};

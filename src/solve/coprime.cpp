@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "numerics/assert.hpp"
+
 namespace tamis {
 namespace {
 
@@ -44,6 +46,7 @@ struct Residues {
 }  // namespace
 
 bool are_surely_coprime(const IntegerPolynomial& p, const IntegerPolynomial& q) {
+  TAMIS_ASSERT(!p.is_zero() && !q.is_zero());
   Residues a(p), b(q);
   if (a.has_lost_degree() || b.has_lost_degree()) return false;
   if (a.degree < b.degree) std::swap(a, b);

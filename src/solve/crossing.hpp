@@ -19,7 +19,7 @@ struct Crossing {
   Mask<T> brackets;  ///< proven: no contact in that part but within [lower, upper]; implied by `touches`
   T lower, upper;
   T u, v;          ///< weights at the root, see Contact; as is the normal, where it touches
-  Vec3<T> normal;  ///< of unit length
+  Vec3<T> normal;  ///< of unit length, towards the side on which the first feature was
 
   static Crossing free() { return {true, false, false, T(1), T(1), T(0), T(0), {T(0), T(0), T(0)}}; }
 };
@@ -80,6 +80,10 @@ struct CrossingSearch {
     const T lower = crossing::to_step(part, max(s - radius, T(0)), -1);
     const T upper = crossing::to_step(part, min(s + radius, T(1)), 1);
     const auto sides = crossing::sides<kind>(step, n, t, max(upper - t, t - lower));
+    // K falls to zero where a vertex comes along n, and rises where the first edge does: it points to the second one.
+    const T per_norm = sqrt(sides.per_norm2);
+    const T along =
+        kind == PairKind::vertex_face ? select(rises, -per_norm, per_norm) : select(rises, per_norm, -per_norm);
     return {Mask<T>(stays | (brackets & sides.outside)),
             Mask<T>(brackets & sides.inside),
             brackets,
@@ -87,7 +91,7 @@ struct CrossingSearch {
             upper,
             sides.u,
             sides.v,
-            sqrt(sides.per_norm2) * n};
+            along * n};
   }
 
   const PairMotion<T>& step;

@@ -1,23 +1,18 @@
 #include "solve/decide.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 
-#include "filters/filters.hpp"
+#include "filters/slab_clip.hpp"
 #include "motion/pair_kinds.hpp"
+#include "solve/contact_normal.hpp"
 #include "solve/exact.hpp"
 #include "solve/separation.hpp"
 #include "solve/settled.hpp"
-#include "solve/start_distance.hpp"
 #include "solve/subdivide.hpp"
-#include "solve/weights.hpp"
 
 namespace tamis {
 namespace {
-
-/// Otherwise what counts is when the four points are coplanar.
-bool is_about_distance(PairKind kind, double separation) { return separation > 0 || !can_cross(kind); }
 
 constexpr TimeInterval<double> kWholeStep{0, 1};
 
@@ -41,16 +36,6 @@ Decision decide_in_doubles(PairKind kind, const PairMotion<double>& m, const Tim
                                                : within(clip, subdivide(kind, m, widened(clip)));
 }
 
-/// The start of the step is decided exactly: a pair that is apart there, by whatever little, has a time before it
-/// touches; so a line search never stops for nothing.
-Decision with_exact_start(PairKind kind, const PairPoints& points, double separation, const Decision& decision) {
-  if (decision.verdict == Verdict::is_free || decision.lower > 0 || decision.upper == 0) return decision;
-  const double apart = apart_from_start(kind, points, separation);
-  if (apart == 0) return {Verdict::touches, 0, 0};
-  if (std::isinf(apart)) return {};
-  return {decision.verdict, std::min(apart, decision.upper), decision.upper};
-}
-
 /// What is decided of a pair, and by what arithmetic.
 struct Outcome {
   Decision decision;
@@ -63,24 +48,6 @@ Outcome decide_in_integers(PairKind kind, const PairPoints& points, double separ
   return {{verdict, exact.toi_lower, exact.toi_upper}, &PrecisionCount::exact};
 }
 
-/// What some method proves, or a detector remembers, must not stay unsure elsewhere: so all that any of them tries is
-/// tried here, and a pair that stays apart by kRoomToAdvance of its size is always free.
-Decision decide_as_any_method(PairKind kind, const PairMotion<double>& m, const Decision& open) {
-  if (any_filter_proves_free(kind, m)) return {};
-  if (first_within(kind, m, {open.lower, open.upper}).verdict == Verdict::is_free) return {};
-  return subdivide(kind, m, {open.lower, open.upper}, InPlane::thoroughly);
-}
-
-/// REQUIRES: `separation` in the unit of the points; that of `m` has been scaled.
-Outcome decide_conservatively(PairKind kind, const PairPoints& points, const PairMotion<double>& m, double separation,
-                              Decision d) {
-  if (is_about_distance(kind, separation))
-    d = with_exact_start(kind, points, separation, d);
-  else if (d.verdict == Verdict::unsure && is_finite(m))
-    d = decide_as_any_method(kind, m, d);
-  return {d, d.verdict == Verdict::unsure ? &PrecisionCount::unresolved : &PrecisionCount::scalar};
-}
-
 bool is_proven_free(const TimeInterval<double>& clip, const PairOptions& options) {
   return clip.t_in > clip.t_out || clip.t_in > options.latest;
 }
@@ -89,10 +56,9 @@ bool is_proven_free(const TimeInterval<double>& clip, const PairOptions& options
 template <class Find>
 std::optional<PairResult> settled_within(const PairMotion<double>& m, const TimeInterval<double>& clip,
                                          const PairOptions& options, const Find& find) {
-  const bool is_exact = options.guarantee == Guarantee::exact;
   if (is_proven_free(clip, options)) return PairResult{};
-  if (is_exact && clip.t_in == 0 && may_start_coplanar(m)) return {};
-  const auto s = settled(find(m, widened(clip)), clip, is_exact);
+  if (clip.t_in == 0 && may_start_coplanar(m)) return {};
+  const auto s = settled(find(m, widened(clip)), clip);
   if (s.is_free) return PairResult{};
   if (!s.touches) return {};
   return PairResult{true, Certainty::certified, s.lower, s.upper, s.u, s.v, {s.normal.x, s.normal.y, s.normal.z}};
@@ -109,7 +75,7 @@ std::optional<PairResult> settled_by_crossings(const PairMotion<double>& m, cons
 }
 
 std::optional<PairResult> settled_by_crossings(PairKind kind, const PairMotion<double>& m, const PairOptions& options) {
-  if (is_about_distance(kind, m.separation) || !is_finite(m)) return {};
+  if (is_about_distance(kind, options.min_separation) || !is_finite(m)) return {};
   return kind == PairKind::vertex_face ? settled_by_crossings<PairKind::vertex_face>(m, options)
                                        : settled_by_crossings<PairKind::edge_edge>(m, options);
 }
@@ -117,24 +83,21 @@ std::optional<PairResult> settled_by_crossings(PairKind kind, const PairMotion<d
 Outcome decide_pair(PairKind kind, const PairPoints& points, const PairMotion<double>& m,
                     const TimeInterval<double>& clip, const PairOptions& options) {
   if (is_proven_free(clip, options)) return {{}, &PrecisionCount::scalar};
-  const bool is_exact = options.guarantee == Guarantee::exact;
-  if (is_exact && clip.t_in == 0 && !is_about_distance(kind, m.separation) && may_start_coplanar(m))
+  if (clip.t_in == 0 && !is_about_distance(kind, m.separation) && may_start_coplanar(m))
     return decide_in_integers(kind, points, options.min_separation);
   const Decision d = decide_in_doubles(kind, m, clip);
   if (d.verdict == Verdict::is_free) return {d, &PrecisionCount::scalar};
-  if (!is_exact) return decide_conservatively(kind, points, m, options.min_separation, d);
   if (d.verdict == Verdict::touches && is_sharp(d.lower, d.upper)) return {d, &PrecisionCount::scalar};
   return decide_in_integers(kind, points, options.min_separation);
 }
 
-PairResult with_weights(PairKind kind, const PairMotion<double>& m, const Decision& decision) {
+PairResult described(PairKind kind, const PairPoints& points, const PairMotion<double>& m, const Decision& decision) {
   if (decision.verdict == Verdict::is_free) return {};
   PairResult result;
   result.touches = true;
-  result.certainty = decision.verdict == Verdict::touches ? Certainty::certified : Certainty::unresolved;
   result.toi_lower = decision.lower;
   result.toi_upper = decision.upper;
-  add_weights(kind, m, 0.5 * (result.toi_lower + result.toi_upper), result);
+  describe_contact(kind, points, m, result);
   return result;
 }
 
@@ -143,7 +106,7 @@ PairResult decide_motion(PairKind kind, const PairPoints& points, const PairMoti
                          const PairOptions& options, PrecisionCount& decided_by) {
   const auto [decision, arithmetic] = decide_pair(kind, points, m, time_in_question(kind, m), options);
   ++(decided_by.*arithmetic);
-  return decision.lower > options.latest ? PairResult{} : with_weights(kind, m, decision);
+  return decision.lower > options.latest ? PairResult{} : described(kind, points, m, decision);
 }
 
 }  // namespace

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "numerics/assert.hpp"
+
 namespace tamis {
 namespace {
 
@@ -22,6 +24,7 @@ long spacing_above(const DyadicCell& cell) {
 }  // namespace
 
 DyadicCell cell_above(double lower) {
+  TAMIS_ASSERT(0 <= lower && lower <= 1);
   long spacing = kFinestSpacing;
   if (lower > 0) spacing = std::min<long>(kDigits - 1 - std::ilogb(lower), kFinestSpacing);
   // Two steps: 2^1074 is not a double.
@@ -31,11 +34,13 @@ DyadicCell cell_above(double lower) {
 }
 
 double middle_double(double a, double b) {
+  TAMIS_ASSERT(0 <= a && a <= b);
   const auto bits_a = std::bit_cast<std::uint64_t>(a), bits_b = std::bit_cast<std::uint64_t>(b);
   return std::bit_cast<double>(bits_a + (bits_b - bits_a) / 2);
 }
 
 double lower_end(const DyadicCell& cell) {
+  TAMIS_ASSERT(cell.n.sign() >= 0);
   const long spacing = spacing_above(cell);
   const long excess = static_cast<long>(cell.k) - spacing;
   if (excess <= 0) return std::ldexp(cell.n.to_double(), -static_cast<int>(cell.k));

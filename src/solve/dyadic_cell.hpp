@@ -16,7 +16,7 @@ struct DyadicCell {
 };
 
 /// The cell whose lower end is `lower` and whose upper end is the next double.
-/// REQUIRES: 0 <= lower < 1.
+/// REQUIRES: 0 <= lower <= 1.
 DyadicCell cell_above(double lower);
 
 /// Halfway between in the order of the doubles, so that 62 halvings separate any two. REQUIRES: 0 <= a <= b.

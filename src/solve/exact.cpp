@@ -4,6 +4,7 @@
 #include <array>
 
 #include "motion/polynomials.hpp"
+#include "numerics/assert.hpp"
 #include "solve/exact_separation.hpp"
 #include "solve/first_time.hpp"
 #include "solve/moving_polygon.hpp"
@@ -53,9 +54,7 @@ struct Side {
 class MovingPolygonTest {
  public:
   MovingPolygonTest(PairKind kind, const PairPoints& points)
-      : polygon_(stretched_polygon(kind, points)),
-        normal_(normal_polynomial(polygon_.corner(1) - polygon_.corner(0),
-                                  polygon_.corner(polygon_.corner_count - 1) - polygon_.corner(0))) {}
+      : polygon_(stretched_polygon(kind, points)), normal_(normal_polynomial(polygon_)) {}
 
   ExactDecision first_contact() const {
     const auto coplanarity = IntegerPolynomial::from_bernstein(coplanarity_polynomial(polygon_.corner(0), normal_));
@@ -111,6 +110,7 @@ class MovingPolygonTest {
 }  // namespace
 
 ExactDecision decide_exactly(PairKind kind, const PairPoints& points, double separation) {
+  TAMIS_ASSERT(separation >= 0 && std::isfinite(separation));
   return separation > 0 ? decide_within_exactly(kind, points, separation)
                         : MovingPolygonTest(kind, points).first_contact();
 }

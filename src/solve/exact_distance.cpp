@@ -62,26 +62,48 @@ Weights corner_weights(PairKind kind, std::size_t i) {
   return kind == PairKind::edge_edge ? kEdges[i] : kFace[i];
 }
 
-ExactDistance on_side(PairKind kind, const MovingPolygon& polygon, const NearestPoint& nearest) {
+/// Of the point from corner i to corner j, at that time.
+IntegerVec at_weight(const IntegerVec& i, const IntegerVec& j, const Fraction& along) {
+  return along.below * i + along.above * (j - i);
+}
+
+IntegerVec velocity(const MovingPolygon& moving, std::size_t i) { return moving.corner(i).at1 - moving.corner(i).at0; }
+
+/// The gap's direction; where there is none, that which it had before: against its velocity, as far as the side does
+/// not take part in that.
+Vec3<double> direction_on_side(const MovingPolygon& polygon, const MovingPolygon& moving, const NearestPoint& nearest) {
+  const std::size_t i = nearest.side, j = i + 1;
+  const IntegerVec gap = at_weight(corner(polygon, i), corner(polygon, j), nearest.along);
+  if (dot(gap, gap).sign() > 0) return unit_vector_of(gap);
+  const IntegerVec came = -at_weight(velocity(moving, i), velocity(moving, j), nearest.along);
+  const bool is_corner = nearest.along.above.sign() == 0 || (nearest.along.below - nearest.along.above).sign() == 0;
+  if (is_corner) return unit_vector_of(came);
+  const IntegerVec side = corner(polygon, j) - corner(polygon, i);
+  return unit_vector_of(dot(side, side) * came - dot(came, side) * side);
+}
+
+ExactDistance on_side(PairKind kind, const MovingPolygon& polygon, const MovingPolygon& moving,
+                      const NearestPoint& nearest) {
   const std::size_t i = nearest.side, j = (i + 1) % polygon.corner_count;
   const double s = value_of(nearest.along);
   const Weights a = corner_weights(kind, i), b = corner_weights(kind, j);
   const auto mixed = [&](double from, double to) { return from == to ? from : to > from ? s : 1 - s; };
-  const IntegerVec &x = corner(polygon, i), side = corner(polygon, j) - x;
-  const IntegerVec gap = nearest.along.below * x + nearest.along.above * side;
-  return {0, mixed(a.u, b.u), mixed(a.v, b.v), unit_vector_of(gap)};
+  return {0, mixed(a.u, b.u), mixed(a.v, b.v), direction_on_side(polygon, moving, nearest)};
 }
 
-ExactDistance inside(const MovingPolygon& polygon) {
-  const IntegerVec normal = normal_of(polygon), &first = corner(polygon, 0),
-                   &last = corner(polygon, polygon.corner_count - 1);
-  const Integer square = dot(normal, normal);
-  const auto weight = [&](const IntegerVec& x, const IntegerVec& y) {
-    return value_of({dot(normal, cross(x, y)), square});
+ExactDistance inside(const MovingPolygon& polygon, const MovingPolygon& moving) {
+  const std::size_t end = polygon.corner_count - 1;
+  const IntegerVec normal = normal_of(polygon), &first = corner(polygon, 0), &last = corner(polygon, end);
+  const Integer square = dot(normal, normal), u = dot(normal, cross(last, first)),
+                v = dot(normal, cross(first, corner(polygon, 1)));
+  const auto height_of_velocity = [&] {
+    const IntegerVec v0 = velocity(moving, 0);
+    return dot(normal, square * v0 + u * (velocity(moving, 1) - v0) + v * (velocity(moving, end) - v0));
   };
+  const int height = dot(normal, first).sign();
+  const bool is_behind = height != 0 ? height < 0 : height_of_velocity().sign() > 0;
   const Vec3<double> direction = unit_vector_of(normal);
-  const bool is_behind = dot(normal, first).sign() < 0;
-  return {0, weight(last, first), weight(first, corner(polygon, 1)), is_behind ? -direction : direction};
+  return {0, value_of({u, square}), value_of({v, square}), is_behind ? -direction : direction};
 }
 
 }  // namespace
@@ -116,7 +138,7 @@ double Magnitude::rounded_down() const {
   return rounded < kNormal ? std::nextafter(rounded, 0) : rounded;
 }
 
-/// Its plane where the foot of the perpendicular lies inside, else a side.
+/// Its plane where the foot of the perpendicular lies inside, else a side; a side that holds the origin in any case.
 NearestPoint nearest_point(const MovingPolygon& polygon) {
   const IntegerVec normal = normal_of(polygon);
   bool is_inside = dot(normal, normal).sign() > 0;
@@ -126,18 +148,23 @@ NearestPoint nearest_point(const MovingPolygon& polygon) {
     NearestPoint other = nearest_on_side(corner(polygon, i), corner(polygon, i + 1), i);
     if (is_smaller(other.square, nearest.square)) nearest = std::move(other);
   }
-  if (!is_inside) return nearest;
+  if (!is_inside || nearest.square.above.sign() == 0) return nearest;
   const Integer height = dot(normal, corner(polygon, 0));
   return {{height * height, dot(normal, normal)}, 0, {}, true};
 }
 
-ExactDistance exact_distance(PairKind kind, const PairPoints& points) {
-  const MovingPolygon polygon = difference_polygon(kind, points);
+ExactDistance exact_distance(PairKind kind, const PairPoints& points, double time) {
+  const MovingPolygon moving = difference_polygon(kind, points), polygon = at_rest_at(moving, time);
   const NearestPoint nearest = nearest_point(polygon);
-  ExactDistance result = nearest.is_inside ? inside(polygon) : on_side(kind, polygon, nearest);
+  ExactDistance result = nearest.is_inside ? inside(polygon, moving) : on_side(kind, polygon, moving, nearest);
   if (nearest.square.above.sign() > 0)
     result.distance = Magnitude::of(nearest.square).root().times_two_to(polygon.exponent).value();
   return result;
+}
+
+Vec3<double> exact_normal(PairKind kind, const PairPoints& points, double time) {
+  const Vec3<double> normal = unit_vector_of(normal_of(at_rest_at(difference_polygon(kind, points), time)));
+  return kind == PairKind::edge_edge ? -normal : normal;  // the polygon's sides are -e and f
 }
 
 }  // namespace tamis

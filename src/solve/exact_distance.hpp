@@ -1,4 +1,4 @@
-// Distances at t=0 in integers: the point of the difference polygon nearest to the origin.
+// Distances at one time in integers: the point of the difference polygon nearest to the origin.
 #pragma once
 #include <cmath>
 
@@ -42,14 +42,18 @@ struct NearestPoint {
 /// Of the polygon at t=0.
 NearestPoint nearest_point(const MovingPolygon& polygon);
 
-/// As NearPair has them, each rounded by a few u of itself; `direction` along the gap (solve/closest.hpp), or the
-/// normal where there is none, or zero where there is neither.
+/// As NearPair has them, each rounded by a few u of itself; `direction` along the gap (solve/closest.hpp). Where there
+/// is none the one that it had before, as the features came together; of those that did not the normal, or zero where
+/// there is none.
 struct ExactDistance {
   double distance, u, v;
   Vec3<double> direction;
 };
 
-/// REQUIRES: finite coordinates.
-ExactDistance exact_distance(PairKind kind, const PairPoints& points);
+/// REQUIRES, both: finite coordinates, `time` in [0,1].
+ExactDistance exact_distance(PairKind kind, const PairPoints& points, double time = 0);
+
+/// Along e x f (motion/pair_motion.hpp), of unit length; zero if that is.
+Vec3<double> exact_normal(PairKind kind, const PairPoints& points, double time);
 
 }  // namespace tamis

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "numerics/assert.hpp"
 #include "solve/coprime.hpp"
 
 namespace tamis {
@@ -97,6 +98,7 @@ IntegerPolynomial operator-(const IntegerPolynomial& a, const IntegerPolynomial&
 }
 
 IntegerPolynomial operator*(const IntegerPolynomial& a, const IntegerPolynomial& b) {
+  TAMIS_ASSERT(a.degree_ + b.degree_ <= IntegerPolynomial::kMaxDegree);
   IntegerPolynomial product;
   for (int i = 0; i <= a.degree_; ++i)
     for (int j = 0; j <= b.degree_; ++j) product.at(i + j) += a[i] * b[j];
@@ -143,6 +145,7 @@ void IntegerPolynomial::reduce_modulo(const IntegerPolynomial& b) {
 }
 
 IntegerPolynomial greatest_common_divisor(IntegerPolynomial a, IntegerPolynomial b) {
+  TAMIS_ASSERT(!a.is_zero() && !b.is_zero());
   if (are_surely_coprime(a, b)) return IntegerPolynomial(1);
   if (a.degree_ < b.degree_) std::swap(a, b);
   while (!b.is_zero() && b.degree_ > 0) {
@@ -167,6 +170,7 @@ IntegerPolynomial IntegerPolynomial::divided_exactly_by(const IntegerPolynomial&
 }
 
 IntegerPolynomial IntegerPolynomial::squarefree_part() const {
+  TAMIS_ASSERT(!is_zero());
   if (degree_ < 2) return *this;
   const IntegerPolynomial repeated = greatest_common_divisor(*this, derivative());
   return repeated.degree() == 0 ? *this : divided_exactly_by(repeated);

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 
+#include "numerics/assert.hpp"
 #include "solve/dyadic_cell.hpp"
 
 namespace tamis {
@@ -27,7 +28,10 @@ class IntegerPolynomial {
   /// Are any numbers so large that most work is saved where doubles can be asked before them?
   bool is_long() const;
   /// Of t^i. REQUIRES: i <= kMaxDegree.
-  const Integer& operator[](int i) const { return powers_[static_cast<std::size_t>(i)]; }
+  const Integer& operator[](int i) const {
+    TAMIS_ASSERT(0 <= i && i <= kMaxDegree);
+    return powers_[static_cast<std::size_t>(i)];
+  }
 
   /// 2^(k degree) times the value at the lower end of the cell.
   Integer scaled_value(const DyadicCell& at) const;

@@ -16,7 +16,7 @@ struct ElementaryTest {
   Verdict verdict = Verdict::is_free;
   T lower = T(1), upper = T(1);
   T u = T(0), v = T(0);
-  Vec3<T> normal{T(0), T(0), T(0)};  ///< not normalized
+  Vec3<T> normal{T(0), T(0), T(0)};  ///< as in Contact, but not of unit length
 };
 
 namespace interval_newton {
@@ -136,7 +136,11 @@ inline ElementaryTest<T> interval_newton_test(const PairMotion<T>& m) {
     const auto sides = newton::inside_test<kind>(m, part.time, normal);
     if (sides.outside) continue;
     const BasicInterval<T>& time = part.time;
-    if (part.holds_root && sides.inside) return {Verdict::touches, time.lower, time.upper, sides.u, sides.v, normal};
+    if (part.holds_root && sides.inside) {
+      // The cubic is monotone here. It rises where a vertex comes from below, and an edge from above.
+      const bool is_from_above = (cubic.slope(time).upper < T(0)) == (kind == PairKind::vertex_face);
+      return {Verdict::touches, time.lower, time.upper, sides.u, sides.v, is_from_above ? normal : -normal};
+    }
     if (Ncf::proves_free<kind>(restrict_to(m, time.lower, time.upper))) continue;
     return {Verdict::unsure, time.lower, T(1)};
   }

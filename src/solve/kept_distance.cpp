@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "motion/pair_kinds.hpp"
+#include "numerics/assert.hpp"
 #include "solve/closest.hpp"
 #include "solve/difference_corners.hpp"
 #include "solve/separation.hpp"
@@ -54,11 +55,14 @@ double kept(double distance, const PairMotion<double>& m, double fraction, int r
 
 double keeps_distance_until(PairKind kind, const PairPoints& points, const DistanceRule& rule, double until,
                             PrecisionCount& decided_by) {
+  TAMIS_ASSERT(0 < rule.fraction && rule.fraction < 1);
   PairMotion<double> m = make_motion(kind, points, rule.min_separation);
   const StartBounds start = start_bounds(kind, m);
+  const bool starts_within = start.high <= m.separation;  // certified
   const double reserve = start.low - m.separation, portion = (1 - rule.fraction) * (1 - 4 * kRoundoff);
   const bool is_sharp = start.high - start.low <= kSharpEnough * reserve;
-  ++(is_sharp ? decided_by.scalar : decided_by.exact);
+  ++(starts_within || is_sharp ? decided_by.scalar : decided_by.exact);
+  if (starts_within) return 0;
   const double at_rest = is_sharp ? portion * (reserve / start.speed) * (1 - 4 * kRoundoff)
                                   : portion * apart_from_start(kind, points, rule.min_separation);
   until = std::min(until, 1.0);

@@ -78,6 +78,18 @@ MovingPolygon difference_polygon(PairKind kind, const PairPoints& points, double
   return polygon(kind, points, {unit, unit, unit});
 }
 
+MovingPolygon at_rest_at(const MovingPolygon& polygon, double time) {
+  const DyadicCell now = cell_above(time);
+  const Integer before = (Integer(1) << now.k) - now.n;
+  MovingPolygon resting{{}, polygon.corner_count, polygon.exponent - static_cast<int>(now.k)};
+  for (std::size_t i = 0; i < polygon.corner_count; ++i) {
+    const auto& [at0, at1] = polygon.corners[i];
+    const Vec3<Integer> at = before * at0 + now.n * at1;
+    resting.corners[i] = {at, at};
+  }
+  return resting;
+}
+
 MovingPolygon stretched_polygon(PairKind kind, const PairPoints& points) {
   return polygon(kind, points, lowest_exponents(points));
 }

@@ -8,6 +8,7 @@
 #include <cstddef>
 
 #include "motion/make_motion.hpp"
+#include "motion/polynomials.hpp"
 #include "solve/dyadic_cell.hpp"
 
 namespace tamis {
@@ -28,6 +29,15 @@ MovingPolygon difference_polygon(PairKind kind, const PairPoints& points, double
 /// The same with each axis times a power of two of its own: shorter numbers, the same times of touching, but no
 /// distances. The exponent means nothing.
 MovingPolygon stretched_polygon(PairKind kind, const PairPoints& points);
+
+/// The same polygon, not moving: as it is at `time`, in [0,1], of the step.
+MovingPolygon at_rest_at(const MovingPolygon& polygon, double time);
+
+/// Of the polygon's plane, as motion/polynomials.hpp has it; zero if there are less than three corners.
+inline std::array<Vec3<Integer>, 3> normal_polynomial(const MovingPolygon& polygon) {
+  const Moving<Integer>& first = polygon.corner(0);
+  return normal_polynomial(polygon.corner(1) - first, polygon.corner(polygon.corner_count - 1) - first);
+}
 
 /// x / 2^exponent. REQUIRES: that is an integer.
 Integer scaled_to_integer(double x, int exponent);

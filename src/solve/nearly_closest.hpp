@@ -10,11 +10,15 @@ namespace tamis {
 struct NearlyClosest {
   /// `e`, `f`, `d` as in PairMotion at one time. The weights lie in [0,1]; any degenerate feature is legal.
   template <PairKind kind, class T>
-  static Vec3<T> gap(const Vec3<T>& e, const Vec3<T>& f, const Vec3<T>& d) {
+  static Vec3<T> gap(const Vec3<T>& e, [[maybe_unused]] const Vec3<T>& f, const Vec3<T>& d) {
     if constexpr (kind == PairKind::vertex_face)
       return point_triangle(e, f, d);
-    else
+    else if constexpr (kind == PairKind::edge_edge)
       return segment_segment(e, f, d);
+    else if constexpr (kind == PairKind::vertex_edge)
+      return to_segment(d, e);
+    else
+      return d;
   }
 
  private:

@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <limits>
 
+#include "numerics/assert.hpp"
 #include "solve/wide_double.hpp"
 
 namespace tamis {
@@ -14,7 +15,10 @@ namespace {
 constexpr long kNextToZero = -1080, kNextToOne = 60;
 
 /// REQUIRES: kNextToZero <= exponent <= kNextToOne.
-double value(const Odds& s) { return std::ldexp(s.mantissa, static_cast<int>(s.exponent)); }
+double value(const Odds& s) {
+  TAMIS_ASSERT(kNextToZero <= s.exponent && s.exponent <= kNextToOne);
+  return std::ldexp(s.mantissa, static_cast<int>(s.exponent));
+}
 
 }  // namespace
 

@@ -4,6 +4,7 @@
 #include <climits>
 #include <cmath>
 
+#include "numerics/assert.hpp"
 #include "numerics/error_bounds.hpp"
 
 namespace tamis {
@@ -15,6 +16,7 @@ constexpr long kUnbounded = 1L << 40;
 }  // namespace
 
 OddsPolynomial::OddsPolynomial(const IntegerPolynomial& p) : first_(p.degree()) {
+  TAMIS_ASSERT(!p.is_zero());
   const auto bernstein = p.bernstein();
   for (int i = 0; i <= p.degree(); ++i) {
     const Integer& b = bernstein[static_cast<std::size_t>(i)];
@@ -55,6 +57,7 @@ double OddsPolynomial::meeting(int i, int j) const {
 }
 
 int OddsPolynomial::next_corner(int i) const {
+  TAMIS_ASSERT(i < last_);
   int next = last_;
   for (int j = last_ - 1; j > i; --j)
     if (at(j).sign() != 0 && meeting(i, j) < meeting(i, next)) next = j;

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "numerics/finite.hpp"
+#include "numerics/number_text.hpp"
 #include "solve/decide.hpp"
 #include "solve/pair_input.hpp"
 #include "tamis/error.hpp"
@@ -39,14 +40,11 @@ std::string not_finite(std::size_t point, const char* when) {
 
 void validate(const PairOptions& options) {
   if (!(options.min_separation >= 0) || std::isinf(options.min_separation))
-    throw InvalidOptions("the minimum separation is " + std::to_string(options.min_separation) +
+    throw InvalidOptions("the minimum separation is " + number_text(options.min_separation) +
                          ": give a finite distance >= 0");
   if (!(options.latest >= 0 && options.latest <= 1))
-    throw InvalidOptions("the latest time of interest is " + std::to_string(options.latest) +
+    throw InvalidOptions("the latest time of interest is " + number_text(options.latest) +
                          ": give a fraction of the step, >= 0 and <= 1");
-  if (options.guarantee != Guarantee::conservative && options.guarantee != Guarantee::exact)
-    throw InvalidOptions("no guarantee has the number " + std::to_string(static_cast<int>(options.guarantee)) +
-                         ": use conservative or exact");
 }
 
 PairResult vertex_face(const std::array<Point, 4>& start, const std::array<Point, 4>& end, const PairOptions& options) {

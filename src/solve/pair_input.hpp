@@ -6,7 +6,7 @@
 
 namespace tamis {
 
-/// Throws InvalidOptions unless the separation is finite and >= 0 and the guarantee has a name.
+/// Throws InvalidOptions unless the separation is finite and >= 0 and the latest time lies in [0,1].
 void validate(const PairOptions& options);
 
 /// The sentence on a point of a pair. `when`: "start" or "end".

@@ -5,6 +5,7 @@
 #include <iterator>
 #include <utility>
 
+#include "numerics/assert.hpp"
 #include "solve/odds_polynomial.hpp"
 
 namespace tamis {
@@ -121,6 +122,7 @@ class RootIsolation {
 }  // namespace
 
 std::vector<AlgebraicTime> roots_in_unit_interval(const IntegerPolynomial& p) {
+  TAMIS_ASSERT(!p.is_zero());
   return RootIsolation(p).run(p.is_long());
 }
 

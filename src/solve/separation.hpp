@@ -1,14 +1,19 @@
 // Minimum separation: when do two features come within m.separation of each other? By advancement along separating
 // axes: at a time that is still in question the closest points give an axis that turns with the pair, and the times it
-// proves apart are known in closed form (solve/apart_times.hpp). The next
-// time in question is where they end: Newton's method on the distance, from the safe side (after conservative
-// advancement, Mirtich 1996; Zhang, Lee, Kim 2006, whose bound on the speed needs many more steps).
+// proves apart are known in closed form (solve/advancement.hpp). The next time in question is where they end: Newton's
+// method on the distance, from the safe side (after conservative advancement, Mirtich 1996; Zhang, Lee, Kim 2006, whose
+// bound on the speed needs many more steps). Here one pair at a time, to the end; most have been decided before, in
+// lanes, by the same looks (kernels/advance_lanes.hpp).
 #pragma once
 #include "filters/slab_clip.hpp"
+#include "motion/pair_kinds.hpp"
 #include "solve/closest.hpp"
 #include "solve/subdivide.hpp"
 
 namespace tamis {
+
+/// Is contact a matter of the distance? If not, of when the four points are coplanar.
+constexpr bool is_about_distance(PairKind kind, double separation) { return separation > 0 || !can_cross(kind); }
 
 /// REQUIRES: `m` is the motion of the whole step; its sizes are finite; the pair is apart outside `time`. `touches`: at
 /// `upper` the distance is within the separation, certified.

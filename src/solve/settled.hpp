@@ -31,12 +31,11 @@ struct Settled {
   Vec3<T> normal;  ///< unit
 };
 
-/// What a crossing found in widened(clip) settles. `must_be_sharp`: a contact whose bracket is not is not settled.
+/// What a crossing found in widened(clip) settles. A contact whose bracket is not sharp is not settled.
 template <class T>
-inline Settled<T> settled(const Crossing<T>& c, const TimeInterval<T>& clip, bool must_be_sharp) {
+inline Settled<T> settled(const Crossing<T>& c, const TimeInterval<T>& clip) {
   const T lower = max(c.lower, clip.t_in), upper = min(c.upper, clip.t_out), zero(0), one(1);
-  Mask<T> touches = c.touches;
-  if (must_be_sharp) touches = touches & is_sharp(lower, upper);
+  const Mask<T> touches = c.touches & is_sharp(lower, upper);
   const auto within_one = [&](const T& weight) { return min(max(weight, zero), one); };
   return {c.is_free, touches, lower, upper, within_one(c.u), within_one(c.v), c.normal};
 }

@@ -4,7 +4,7 @@
 namespace tamis {
 
 /// Is this bracket of a certified contact good enough? Wider ones, and ones that leave open whether the pair touches at
-/// t=0, are sharpened by exact algebra, where the guarantee is exact: where the coplanarity cubic is nearly flat,
+/// t=0, are sharpened by exact algebra: where the coplanarity cubic is nearly flat,
 /// doubles know its root to few digits. For double and for SIMD lanes.
 template <class T>
 inline auto is_sharp(const T& toi_lower, const T& toi_upper) {

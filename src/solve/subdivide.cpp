@@ -9,15 +9,11 @@
 namespace tamis {
 namespace {
 
-/// What is spent on one pair.
-struct Limits {
-  double shortest;        ///< part that is cut further, as a fraction of the step
-  int parts;              ///< looked at
-  int coplanar_parts;     ///< of these, coplanar throughout: cutting them helps only NCF
-  double narrow_bracket;  ///< of a crossing that is not cut further
-};
-constexpr Limits kBriefly{0x1p-44, 96, 2, 0x1p-30};
-constexpr Limits kThoroughly{0x1p-44, 96, 16, 0x1p-30};
+// What is spent on one pair.
+/// Part that is cut further, and bracket of a crossing that is not: fractions of the step.
+constexpr double kShortestPart = 0x1p-44, kNarrowBracket = 0x1p-30;
+/// Parts that are looked at; of these, coplanar throughout: cutting them helps only NCF.
+constexpr int kMostPartsOfStep = 96, kMostCoplanarParts = 2;
 constexpr std::size_t kMaxDepth = 64;
 
 /// How the points of a part are coplanar, as far as doubles can tell.
@@ -73,7 +69,7 @@ struct Findings {
 };
 
 template <PairKind kind>
-Decision subdivide_kind(const PairMotion<double>& m, const TimeInterval<double>& time, const Limits& limits) {
+Decision subdivide_kind(const PairMotion<double>& m, const TimeInterval<double>& time) {
   Findings findings;
   PartStack parts(time);
   int coplanar_parts = 0;
@@ -85,7 +81,7 @@ Decision subdivide_kind(const PairMotion<double>& m, const TimeInterval<double>&
       findings.add_contact(c.lower, c.upper);
       break;
     }
-    if (c.brackets && c.upper - c.lower <= limits.narrow_bracket) {
+    if (c.brackets && c.upper - c.lower <= kNarrowBracket) {
       findings.add_unsure(c.lower, c.upper);  // its sides have said more than NCF could
       continue;
     }
@@ -94,8 +90,8 @@ Decision subdivide_kind(const PairMotion<double>& m, const TimeInterval<double>&
     const auto points = coplanarity(r);
     coplanar_parts += points.always;
     const double cut = cut_at(points, part);
-    if (cut > part.t_in && cut < part.t_out && part.t_out - part.t_in > limits.shortest && looked_at < limits.parts &&
-        coplanar_parts < limits.coplanar_parts && parts.has_room())
+    if (cut > part.t_in && cut < part.t_out && part.t_out - part.t_in > kShortestPart && looked_at < kMostPartsOfStep &&
+        coplanar_parts < kMostCoplanarParts && parts.has_room())
       parts.push_halves(part, cut);
     else if (c.brackets)
       findings.add_unsure(c.lower, c.upper);
@@ -107,10 +103,9 @@ Decision subdivide_kind(const PairMotion<double>& m, const TimeInterval<double>&
 
 }  // namespace
 
-Decision subdivide(PairKind kind, const PairMotion<double>& m, const TimeInterval<double>& time, InPlane in_plane) {
-  const Limits& limits = in_plane == InPlane::briefly ? kBriefly : kThoroughly;
-  return kind == PairKind::vertex_face ? subdivide_kind<PairKind::vertex_face>(m, time, limits)
-                                       : subdivide_kind<PairKind::edge_edge>(m, time, limits);
+Decision subdivide(PairKind kind, const PairMotion<double>& m, const TimeInterval<double>& time) {
+  return kind == PairKind::vertex_face ? subdivide_kind<PairKind::vertex_face>(m, time)
+                                       : subdivide_kind<PairKind::edge_edge>(m, time);
 }
 
 }  // namespace tamis

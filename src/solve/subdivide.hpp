@@ -15,11 +15,7 @@ struct Decision {
   double lower = 1, upper = 1;
 };
 
-/// Motions whose points are coplanar throughout, as far as double can tell, are cut this often: it helps only NCF.
-enum class InPlane : std::uint8_t { briefly, thoroughly };
-
 /// REQUIRES: `m` is the motion of the whole step; the pair is apart outside `time`; the kind can cross.
-Decision subdivide(PairKind kind, const PairMotion<double>& m, const TimeInterval<double>& time,
-                   InPlane in_plane = InPlane::briefly);
+Decision subdivide(PairKind kind, const PairMotion<double>& m, const TimeInterval<double>& time);
 
 }  // namespace tamis

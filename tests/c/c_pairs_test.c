@@ -13,7 +13,7 @@ static void pairs_of_features(void) {
   double bad[24];
   tamis_pair_result r[2];
   tamis_pairs* pairs = NULL;
-  tamis_pair_options options = {sizeof options, "exact", 0, 0, NULL, NULL};
+  tamis_pair_options options = {sizeof options, 0, 0, NULL, NULL};
   EXPECT(tamis_pairs_create(&options, &pairs) == TAMIS_OK);
   EXPECT(tamis_vertex_face(pairs, 2, before, after, r, sizeof r[0]) == TAMIS_OK);
   EXPECT(r[0].touches == 1 && r[0].certainty == TAMIS_CERTIFIED && r[1].touches == 0);
@@ -51,7 +51,7 @@ static void lists_of_pairs(void) {
   tamis_step step = {sizeof step, 5, start, end, 0, 0, NULL};
   tamis_pair_result r[3];
   tamis_pairs* pairs = NULL;
-  tamis_pair_options options = {sizeof options, NULL, 0, 1, "baseline", NULL};
+  tamis_pair_options options = {sizeof options, 0, 1, "baseline", NULL};
   EXPECT(tamis_pairs_create(&options, &pairs) == TAMIS_OK);
   EXPECT(tamis_narrow_phase(pairs, list, 3, &step, r, sizeof r[0]) == TAMIS_OK);
   EXPECT(r[0].touches == 1 && r[1].touches == 0 && r[2].touches == 0);
@@ -81,7 +81,7 @@ static void until_the_latest_time(void) {
   const double times[] = {0, 0.2, 0.3, 1};
   const int touches[] = {0, 0, 1, 1};
   double latest;
-  tamis_pair_options options = {sizeof options, NULL, 0, 0, NULL, NULL};
+  tamis_pair_options options = {sizeof options, 0, 0, NULL, NULL};
   const tamis_pair pair = {TAMIS_VERTEX_FACE, {0, 1, 2, 3}};
   tamis_step step = {sizeof step, 4, before, after, 0, 0, NULL};
   tamis_pairs* pairs = NULL;
@@ -135,7 +135,7 @@ static void kept_distance(void) {
   const double latest = 0.1, half = 0.5;
   tamis_pair pair = {TAMIS_VERTEX_FACE, {0, 1, 2, 3}};
   tamis_step step = {sizeof step, 4, before, after, 0, 0, NULL};
-  tamis_pair_options options = {sizeof options, NULL, 0, 0, NULL, NULL};
+  tamis_pair_options options = {sizeof options, 0, 0, NULL, NULL};
   tamis_safe_step safe = {sizeof safe};
   tamis_pairs* pairs = NULL;
   EXPECT(tamis_pairs_create(NULL, &pairs) == TAMIS_OK);

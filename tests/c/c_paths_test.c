@@ -195,25 +195,25 @@ static void bad_paths(void) {
 static void a_step_for_each_vertex(void) {
   tamis_detector* detector = detector_of_two();
   tamis_step step = falling();
-  double sideways[18], together = 0, until[6], positions[18];
+  double sideways[18], positions[18], parts[6], same[18];
   int is_free = -1, i;
   memcpy(sideways, end, sizeof end);
   sideways[7] = 1.25; /* vertex 2 meets nothing */
   step.end = sideways;
-  EXPECT(tamis_detector_vertex_steps(detector, &step, 0.1, &together, until) == TAMIS_OK);
-  EXPECT(0 < together && together < 0.5 && until[2] > together);
-  for (i = 0; i < 6; ++i) EXPECT(together <= until[i] && until[i] <= 1);
-  EXPECT(tamis_detector_truncate(detector, &step, 0.1, positions, &is_free) == TAMIS_OK && is_free == 1);
-  EXPECT(0 < positions[11] && positions[11] < 0.5);
+  EXPECT(tamis_detector_truncate(detector, &step, 0.1, positions, parts, &is_free) == TAMIS_OK && is_free == 1);
+  EXPECT(0.1 <= positions[11] && positions[11] < 0.5);
+  for (i = 0; i < 6; ++i) EXPECT(0 <= parts[i] && parts[i] <= 1);
+  EXPECT(parts[2] > parts[3] && fabs(positions[11] - (1 - 2 * parts[3])) < 1e-12);
+  EXPECT(tamis_detector_truncate(detector, &step, 0.1, same, NULL, &is_free) == TAMIS_OK);
+  EXPECT(memcmp(same, positions, sizeof same) == 0);
   step.end = positions;
   is_free = -1;
   EXPECT(tamis_detector_is_free(detector, &step, &is_free) == TAMIS_OK && is_free == 1);
 
-  EXPECT(tamis_detector_vertex_steps(detector, &step, 1, &together, until) == TAMIS_INVALID_OPTIONS);
-  EXPECT(tamis_detector_vertex_steps(detector, &step, 0.1, &together, NULL) == TAMIS_INVALID_ARGUMENT);
-  EXPECT(tamis_detector_truncate(detector, &step, 0, positions, &is_free) == TAMIS_INVALID_OPTIONS);
-  EXPECT(tamis_detector_truncate(detector, &step, 0.1, NULL, &is_free) == TAMIS_INVALID_ARGUMENT);
-  EXPECT(tamis_detector_truncate(detector, &step, 0.1, positions, NULL) == TAMIS_INVALID_ARGUMENT);
+  EXPECT(tamis_detector_truncate(detector, &step, 0, positions, parts, &is_free) == TAMIS_INVALID_OPTIONS);
+  EXPECT(tamis_detector_truncate(detector, &step, 1, positions, parts, &is_free) == TAMIS_INVALID_OPTIONS);
+  EXPECT(tamis_detector_truncate(detector, &step, 0.1, NULL, parts, &is_free) == TAMIS_INVALID_ARGUMENT);
+  EXPECT(tamis_detector_truncate(detector, &step, 0.1, positions, parts, NULL) == TAMIS_INVALID_ARGUMENT);
   tamis_detector_free(detector);
 }
 

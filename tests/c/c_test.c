@@ -11,7 +11,7 @@ static void expect_the_one_contact(const tamis_contact* c) {
   EXPECT(c->vertices[0] == 3 && c->vertices[1] == 0 && c->vertices[2] == 1 && c->vertices[3] == 2);
   EXPECT(c->toi_lower <= 0.5 && 0.5 <= c->toi_upper && c->toi_upper - c->toi_lower < 1e-9);
   EXPECT(fabs(c->u - 0.25) < 1e-9 && fabs(c->v - 0.25) < 1e-9);
-  EXPECT(fabs(fabs(c->normal[2]) - 1) < 1e-9);
+  EXPECT(fabs(c->normal[2] - 1) < 1e-9);
 }
 
 static void meshes(void) {
@@ -217,6 +217,31 @@ static void at_rest(void) {
   tamis_mesh_free(mesh);
 }
 
+/* The same edges in another order and direction, as another library lists them, and one that the mesh has not. */
+static void edges_of_another_list(void) {
+  const int32_t others[] = {5, 4, 1, 0, 2, 5}, faces_of_it[] = {3, 4, 5, 1, 0, 2};
+  int32_t places[3] = {-2, -2, -2};
+  size_t count = 0;
+  tamis_mesh* mesh = two_triangles();
+  const int32_t* edges = tamis_mesh_edges(mesh, &count);
+  EXPECT(tamis_mesh_find_edges(mesh, others, 3, places) == TAMIS_OK && places[2] == -1);
+  EXPECT(places[0] >= 0 && edges[2 * places[0]] == 4 && edges[2 * places[0] + 1] == 5);
+  EXPECT(places[1] >= 0 && edges[2 * places[1]] == 0 && edges[2 * places[1] + 1] == 1);
+  EXPECT(tamis_mesh_find_faces(mesh, faces_of_it, 2, places) == TAMIS_OK && places[0] == 1 && places[1] == -1);
+  EXPECT(tamis_mesh_find_edges(mesh, NULL, 0, NULL) == TAMIS_OK);
+  EXPECT(tamis_mesh_find_edges(mesh, NULL, 1, places) == TAMIS_INVALID_ARGUMENT);
+  EXPECT(tamis_mesh_find_faces(mesh, faces_of_it, 1, NULL) == TAMIS_INVALID_ARGUMENT);
+  tamis_mesh_free(mesh);
+}
+
+static void signed_weights(void) {
+  double weights[4] = {9, 9, 9, 9};
+  EXPECT(tamis_weights_of(TAMIS_VERTEX_FACE, 0.25, 0.5, weights) == TAMIS_OK);
+  EXPECT(weights[0] == 1 && weights[1] == -0.25 && weights[2] == -0.25 && weights[3] == -0.5);
+  EXPECT(tamis_weights_of(4, 0.25, 0.5, weights) == TAMIS_INVALID_ARGUMENT);
+  EXPECT(tamis_weights_of(TAMIS_EDGE_EDGE, 0.25, 0.5, NULL) == TAMIS_INVALID_ARGUMENT);
+}
+
 static void features_by_number(void) {
   tamis_mesh_input nothing = {sizeof nothing, 3, NULL, 0, NULL, 0, NULL, 0};
   const int32_t corner_and_face[] = {3, 0, 1, 2}, edges[] = {0, 1, 4, 5}, none[] = {3, 0, 1, 4};
@@ -229,7 +254,8 @@ static void features_by_number(void) {
   EXPECT(tamis_mesh_features_of(mesh, TAMIS_EDGE_EDGE, edges, &first, &second) == TAMIS_OK);
   EXPECT(first >= 0 && all[2 * first] == 0 && all[2 * first + 1] == 1);
   EXPECT(second >= 0 && all[2 * second] == 4 && all[2 * second + 1] == 5);
-  EXPECT(tamis_mesh_features_of(mesh, TAMIS_VERTEX_FACE, none, &first, &second) == TAMIS_OK && second == -1);
+  EXPECT(tamis_mesh_features_of(mesh, TAMIS_VERTEX_FACE, none, &first, &second) == TAMIS_INVALID_MESH);
+  EXPECT_SAYS(tamis_mesh_message(mesh), "no face of the vertices 0, 1, 4");
   EXPECT(tamis_mesh_features_of(mesh, 4, edges, &first, &second) == TAMIS_INVALID_ARGUMENT);
   EXPECT_SAYS(tamis_mesh_message(mesh), "kind");
   EXPECT(tamis_mesh_features_of(mesh, TAMIS_EDGE_EDGE, NULL, &first, &second) == TAMIS_INVALID_ARGUMENT);
@@ -246,6 +272,8 @@ int main(void) {
   meshes();
   questions();
   features_by_number();
+  edges_of_another_list();
+  signed_weights();
   strides();
   bad_steps();
   structs_of_other_versions();

@@ -23,7 +23,7 @@ TEST_F(PoseVerbs, NearListsPairsWithTheirDistance) {
   EXPECT_EQ(outcome.json()["near"]["vf"], 1);
   EXPECT_EQ(outcome.json()["smallest_distance"], 1);
   const std::string table = bytes_of_file(folder_.path() / "near.csv");
-  EXPECT_EQ(table.rfind("kind,v0,v1,v2,v3,distance,u,v\nvf,3,0,1,2,1,0.2", 0), 0u) << table;
+  EXPECT_EQ(table.rfind("kind,v0,v1,v2,v3,distance,u,v,dx,dy,dz,corners\nvf,3,0,1,2,1,0.2", 0), 0u) << table;
   EXPECT_NE(folder_.run("near above.obj --distance 1").out.find("1 vertex-face"), std::string::npos);
 }
 
@@ -44,8 +44,32 @@ TEST_F(PoseVerbs, IntersectionsAnswerByTheirExitCode) {
   const Outcome outcome = folder_.run("intersections pierced.obj --out found.csv --json");
   EXPECT_EQ(outcome.code, 1) << outcome.err;
   EXPECT_EQ(outcome.json()["intersections"], 1);
-  EXPECT_EQ(bytes_of_file(folder_.path() / "found.csv"), "e0,e1,f0,f1,f2\n3,4,0,1,2\n");
-  EXPECT_NE(folder_.run("intersections pierced.obj").out.find("edge 3 4 and face 0 1 2"), std::string::npos);
+  const std::string table = bytes_of_file(folder_.path() / "found.csv");
+  EXPECT_TRUE(table.starts_with("e0,e1,f0,f1,f2,s_lower,s_upper,u,v\n3,4,0,1,2,0.4999999")) << table;
+  EXPECT_TRUE(table.ends_with(",0.25,0.25\n")) << table;
+  const auto pair = outcome.json()["pairs"][0];
+  EXPECT_EQ(pair["edge"], (std::vector<int>{3, 4}));
+  EXPECT_EQ(pair["face"], (std::vector<int>{0, 1, 2}));
+  EXPECT_LE(pair["s_lower"].get<double>(), 0.5);
+  EXPECT_GE(pair["s_upper"].get<double>(), 0.5);
+  EXPECT_EQ(pair["u"], 0.25);
+}
+
+// Bug: of many intersections the first alone is shown, and none by --json.
+TEST_F(PoseVerbs, IntersectionsAreListed) {
+  std::string spikes = "v 0 0 0\nv 9 0 0\nv 0 9 0\nf 1 2 3\n";
+  for (int i = 0; i < 23; ++i)
+    spikes += "v 1 " + std::to_string(0.1 * (i + 1)) + " -1\nv 1 " + std::to_string(0.1 * (i + 1)) + " 1\nl " +
+              std::to_string(2 * i + 4) + " " + std::to_string(2 * i + 5) + "\n";
+  folder_.write("spikes.obj", spikes);
+  const std::string text = folder_.run("intersections spikes.obj").out;
+  EXPECT_NE(text.find("intersections   23\n"), std::string::npos) << text;
+  for (const char* row : {"\n3 4    ", "\n41 42  ", "\nand 3 more: --json or --out FILE.csv lists all"})
+    EXPECT_NE(text.find(row), std::string::npos) << row << text;
+  EXPECT_EQ(text.find("\n43 44"), std::string::npos) << text;
+  const auto json = folder_.run("intersections spikes.obj --json").json();
+  ASSERT_EQ(json["pairs"].size(), 23u);
+  EXPECT_EQ(json["pairs"][22]["edge"], (std::vector<int>{47, 48}));
 }
 
 // Bug: what cannot be asked is answered.

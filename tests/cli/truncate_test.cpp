@@ -31,8 +31,8 @@ TEST_F(Truncate, WritesPositionsThatAStepMayGoTo) {
   double gone = 0;
   for (const std::size_t v : {3u, 4u, 5u}) {
     const double height = written("next.ply").positions[v][2];
-    EXPECT_LT(height, 0.1 + 1e-6);  // a tenth of the distance is left when all stop together; then each goes on alone
-    EXPECT_GT(height, 0);
+    EXPECT_LT(height, 0.2 + 1e-6);  // a fifth of the distance is left when all stop together; then each goes on alone
+    EXPECT_GE(height, 0.1);         // but a tenth is kept
     gone += (1 - height) / 9;
   }
   EXPECT_NEAR(outcome.json()["part_of_way"].get<double>(), gone, 1e-12);
@@ -49,23 +49,24 @@ TEST_F(Truncate, KeepsLoosePoints) {
   EXPECT_EQ(onwards.json()["contacts"]["vf"], 1);
 }
 
-// Bug: the option is not handed on, or means the part that is gone.
-TEST_F(Truncate, KeepsAFractionOfTheDistanceUntilVerticesGoAlone) {
+// Bug: the option is not handed on, or means the part that is gone, or holds until vertices go on alone.
+TEST_F(Truncate, KeepsAFractionOfTheDistance) {
   const auto part = [&](const char* options) -> double {
     return folder_.run(std::string("truncate above.obj below.obj --json ") + options).json()["part_of_way"];
   };
-  EXPECT_GE(part("--keep-distance 0.5"), 0.5 / 3 - 1e-6);
+  EXPECT_GE(part("--keep-distance 0.5"), 0.25 / 3 - 1e-6);
+  EXPECT_LE(part("--keep-distance 0.5"), 0.5 / 3);
   EXPECT_LT(part("--keep-distance 0.9"), part("--keep-distance 0.001"));
   EXPECT_EQ(part("--scale 0.1"), 1);
   EXPECT_LE(part("--min-separation 0.5"), 0.5 / 3 + 1e-12);
   EXPECT_LE(part("--thickness 0.25"), 0.5 / 3 + 1e-12);
 }
 
-// Bug: success is claimed where nothing may move.
+// Bug: success is claimed where what touches may not move.
 TEST_F(Truncate, SaysByItsExitCodeThatSomethingTouchesAtTheStart) {
   const Outcome outcome = folder_.run("truncate touching.obj below.obj --out stay.ply");
   EXPECT_EQ(outcome.code, 1);
-  EXPECT_NE(outcome.out.find("something touches there"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("something touches at the start"), std::string::npos) << outcome.out;
   EXPECT_EQ(written("stay.ply").positions, written("touching.obj").positions);
   EXPECT_EQ(folder_.run("truncate touching.obj below.obj --json").json()["free"], false);
 }

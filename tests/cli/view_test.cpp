@@ -46,6 +46,26 @@ TEST_F(View, WritesOnePageOfAStepOrASequence) {
   }
 }
 
+// Bug: a single frame cannot be looked at, nor where it passes through itself.
+TEST_F(View, ASingleFrameShowsItsIntersections) {
+  folder_.write("pierced.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0.25 0.25 -1\nv 0.25 0.25 1\nf 1 2 3\nl 4 5\n");
+  const Outcome pose = folder_.run("view pierced.obj --out pose.html --json");
+  EXPECT_EQ(pose.code, 0) << pose.err;
+  EXPECT_EQ(pose.json()["intersections"], 1);
+  EXPECT_EQ(pose.json()["steps"], 0);
+  EXPECT_EQ(folder_.run("intersections pierced.obj --out same.html").code, 1);
+  EXPECT_EQ(bytes("pose.html"), bytes("same.html"));
+  EXPECT_EQ(folder_.run("view pierced.obj --out rows.csv").code, 0);
+  EXPECT_TRUE(bytes("rows.csv").starts_with("e0,e1,f0,f1,f2"));
+  EXPECT_NE(bytes("rows.csv").find("\n3,4,0,1,2"), std::string::npos);
+  EXPECT_EQ(folder_.run("view above.obj --out none.html").code, 0);
+  EXPECT_EQ(folder_.run("view above.obj below.obj --json").json()["intersections"], nullptr);
+  expect_refused("intersections pierced.obj --time 0.5", "intersections has no option --time");
+  if (!kHasPictures) return;
+  EXPECT_EQ(folder_.run("intersections pierced.obj --size 64,48 --out pose.png").code, 1);
+  EXPECT_TRUE(bytes("pose.png").starts_with("\x89PNG"));
+}
+
 // Bug: START and END are sorted like the frames of a sequence, and the motion runs backwards.
 TEST_F(View, TwoFilesStayInTheirOrder) {
   folder_.write_frame("b.obj", 1);
@@ -69,10 +89,12 @@ TEST_F(View, TheSameStepGivesTheSameBytes) {
 }
 
 TEST_F(View, OutputsThatCannotBeMadeAreRefusedBeforeTheWork) {
-  expect_refused("view above.obj below.obj --out step.mp4", "step.mp4: no output has this extension");
+  expect_refused(
+      "view above.obj below.obj --out step.mp4",
+      "step.mp4: nothing is written as .mp4 here: let the name end in .csv, .html, .glb, .vtp, .vtu or .png");
   expect_refused("view above.obj below.obj lower.obj --out film.glb", "film.glb: such a file holds one step, not 2");
   expect_refused("view above.obj below.obj --out absent/step.html", "absent/step.html: cannot be written");
-  expect_refused("view above.obj", "above.obj: a single frame does not move");
+  expect_refused("view above.obj --out pose.glb", "pose.glb: such a file holds a step, not a single frame");
   folder_.write("nan.obj", "v 0 0 nan\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
   expect_refused("view above.obj nan.obj --out step.html", "nan.obj: line 1");
   EXPECT_FALSE(std::filesystem::exists(folder_.path() / "step.html"));
@@ -88,6 +110,16 @@ TEST_F(View, WhatFloatsCannotHoldIsNoGltf) {
   folder_.write("far.obj", "v 0 0 1\nv 1e39 0 1\nv 0 1 1\nf 1 2 3\n");
   expect_refused("view near.obj far.obj --out step.glb", "step.glb: the mesh is too large for the floats of glTF");
   EXPECT_EQ(folder_.run("view near.obj far.obj --out step.html").code, 0);
+}
+
+// Bug: a page that says "This page cannot be shown", and exit code 0.
+TEST_F(View, WhatADoubleCannotSpanIsNoPage) {
+  folder_.write("near.obj", "v 0 0 -1.7e308\nv 1 0 0\nv 0 1 1.7e308\nf 1 2 3\n");
+  expect_refused("view near.obj near.obj --out step.html", "step.html: the mesh is too large for a page");
+  EXPECT_FALSE(std::filesystem::exists(folder_.path() / "step.html"));
+  EXPECT_EQ(folder_.run("view near.obj near.obj --out step.vtp").code, 0);
+  folder_.write("half.obj", "v 0 0 0\nv 1 0 0\nv 0 1 8e307\nf 1 2 3\n");
+  EXPECT_EQ(folder_.run("view half.obj half.obj --out step.html").code, 0);
 }
 
 TEST_F(View, APictureTakesATimeADirectionAndASize) {
@@ -125,6 +157,17 @@ TEST_F(View, OptionsOfPicturesAreRefusedWithASentence) {
 TEST_F(View, ContactsAreATableUnlessTheExtensionSaysOtherwise) {
   EXPECT_EQ(folder_.run("contacts above.obj below.obj --out table").code, 0);
   EXPECT_TRUE(bytes("table").starts_with("kind,v0,v1"));
+}
+
+// Bug: what another program would read is written as CSV, without a word.
+TEST_F(View, WhatTheNameSaysIsWrittenOrNothing) {
+  for (const std::string name : {"c.json", "c.npz", "c.csv.gz", "c.txt"}) {
+    expect_refused(
+        "contacts above.obj below.obj --out " + name,
+        name + ": nothing is written as " + name.substr(name.rfind('.')) + " here: let the name end in .csv");
+    EXPECT_FALSE(std::filesystem::exists(folder_.path() / name));
+  }
+  expect_refused("view above.obj below.obj --out page", "page: nothing is written without an extension here");
 }
 
 }  // namespace

@@ -76,18 +76,10 @@ class RecordedStep : public testing::TestWithParam<Frames> {
     ASSERT_EQ(truth.size(), GetParam().contacts);
   }
 
-  std::vector<Contact> find(Method method, Guarantee guarantee) const {
+  std::vector<Contact> find(Method method) const {
     Options options;
     options.method = method;
-    options.guarantee = guarantee;
     return Detector(io::mesh_of(start), options).contacts({start.positions, end.positions});
-  }
-
-  static PairSet unresolved(const std::vector<Contact>& contacts) {
-    PairSet result;
-    for (const Contact& c : contacts)
-      if (c.certainty == Certainty::unresolved) result.insert(in_one_order({c.kind, c.vertices}));
-    return result;
   }
 
   static PairSet names(const std::vector<Contact>& contacts) {
@@ -110,48 +102,29 @@ class RecordedStep : public testing::TestWithParam<Frames> {
   PairSet truth;
 };
 
-TEST_P(RecordedStep, ConservativeMethodsMissNothingAndReportFewMore) {
+TEST_P(RecordedStep, MethodsGiveTheTruth) {
   for (const Method method : {Method::tamis, Method::paper}) {
-    const auto contacts = find(method, Guarantee::conservative);
-    const PairSet found = names(contacts);
-    EXPECT_EQ(missing(truth, found), "") << "missed by " << name_of(method);
-    EXPECT_LE(found.size(), truth.size() + 20) << name_of(method);
-    EXPECT_EQ(found.size(), contacts.size()) << name_of(method) << " reports a pair twice";
-    RecordProperty("extra_" + std::string(name_of(method)), static_cast<int>(found.size() - truth.size()));
-    for (const Contact& c : contacts)
-      EXPECT_TRUE(c.certainty == Certainty::unresolved || truth.contains(in_one_order({c.kind, c.vertices})));
-  }
-}
-
-TEST_P(RecordedStep, MethodsLeaveTheSamePairsUnresolved) {
-  const auto tamis = find(Method::tamis, Guarantee::conservative), paper = find(Method::paper, Guarantee::conservative);
-  EXPECT_EQ(names(tamis), names(paper));
-  EXPECT_EQ(unresolved(tamis), unresolved(paper));
-  RecordProperty("unresolved", static_cast<int>(unresolved(tamis).size()));
-}
-
-TEST_P(RecordedStep, TheDefaultGivesTheTruthAndLeavesNothingUnresolved) {
-  for (const Method method : {Method::tamis, Method::paper}) {
-    const auto contacts = find(method, Options{}.guarantee);
+    const auto contacts = find(method);
     const PairSet found = names(contacts);
     EXPECT_EQ(missing(truth, found), "") << "missed by " << name_of(method);
     EXPECT_EQ(missing(found, truth), "") << "made up by " << name_of(method);
-    EXPECT_TRUE(unresolved(contacts).empty()) << name_of(method);
-    for (const Contact& c : contacts) EXPECT_LE(c.toi_upper - c.toi_lower, 1e-11) << name_of(method);
+    EXPECT_EQ(found.size(), contacts.size()) << name_of(method) << " reports a pair twice";
+    for (const Contact& c : contacts) {
+      EXPECT_EQ(c.certainty, Certainty::certified) << name_of(method);
+      EXPECT_LE(c.toi_upper - c.toi_lower, 1e-11) << name_of(method);
+    }
   }
 }
 
 // Every fortieth contact of a large step: the bracket is what it says.
 TEST_P(RecordedStep, BracketsHoldTheFirstContact) {
-  const auto contacts = find(Method::tamis, Options{}.guarantee);
+  const auto contacts = find(Method::tamis);
   const std::size_t stride = contacts.size() > 1000 ? 40 : 1;
   for (std::size_t i = 0; i < contacts.size(); i += stride) {
     const Contact& c = contacts[i];
     const auto m = motion(c.vertices);
     EXPECT_FALSE(c.toi_lower > 0 && oracle::touches(c.kind, m, {0, c.toi_lower, true})) << "contact " << i;
-    if (c.certainty == Certainty::certified) {
-      EXPECT_TRUE(oracle::touches(c.kind, m, {c.toi_lower, c.toi_upper})) << "contact " << i;
-    }
+    EXPECT_TRUE(oracle::touches(c.kind, m, {c.toi_lower, c.toi_upper})) << "contact " << i;
   }
 }
 

@@ -41,8 +41,11 @@ inline std::vector<std::array<double, 8>> at_rest(Detector& detector, const Step
 }
 
 /// What can be asked of a step; the first three are about contacts alone.
-enum class Asked : std::uint8_t { contacts, earliest, is_free, keep_distance, at_rest, vertex_steps };
+enum class Asked : std::uint8_t { contacts, earliest, is_free, keep_distance, at_rest, truncate };
 constexpr Index kAsked = 6, kAskedOfContacts = 3;
+
+/// Before the question, so that nothing of the trees was left to visit.
+inline bool was_listed(const Detector& detector) { return detector.statistics().nodes_visited == 0; }
 
 inline void expect_as_new(Detector& kept, const Step& step, Asked question, const std::string& where,
                           std::optional<double> separation = {}) {
@@ -74,8 +77,11 @@ inline void expect_as_new(Detector& kept, const Step& step, Asked question, cons
     case Asked::at_rest:
       EXPECT_EQ(at_rest(kept, step), at_rest(fresh, step)) << where;
       break;
-    case Asked::vertex_steps:
-      EXPECT_EQ(kept.vertex_steps(step).until, fresh.vertex_steps(step).until) << where;
+    case Asked::truncate: {
+      const TruncatedStep a = kept.truncate(step), b = fresh.truncate(step);
+      EXPECT_EQ(a.positions, b.positions) << where;
+      EXPECT_EQ(a.parts, b.parts) << where;
+    }
   }
 }
 

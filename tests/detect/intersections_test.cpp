@@ -114,7 +114,8 @@ INSTANTIATE_TEST_SUITE_P(Scenes, IntersectionsOf, testing::ValuesIn(scenes::reci
 /// A face in the plane z = 0, and a rod from `a` to `b`.
 bool meets_face(const Point& a, const Point& b) {
   Detector detector(Mesh(5, {{0, 1, 2}}, {{3, 4}}));
-  return detector.has_intersection(std::vector<Point>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, a, b});
+  const std::vector<Point> positions{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, a, b};
+  return detector.has_intersection(positions);
 }
 
 // Bugs: touching is no intersection, or whatever lies in the face's plane is one.
@@ -144,8 +145,9 @@ TEST(IntersectionsOfGroups, FollowTheFilter) {
 
 TEST(IntersectionsBadInput, IsRefused) {
   Detector detector(Mesh(5, {{0, 1, 2}}, {{3, 4}}));
-  EXPECT_THROW(detector.intersections(std::vector<Point>(4)), InvalidStep);
-  EXPECT_THROW(detector.has_intersection(std::vector<Point>(5, Point{NAN, 0, 0})), InvalidStep);
+  const std::vector<Point> few(4), not_finite(5, Point{NAN, 0, 0});
+  EXPECT_THROW(detector.intersections(few), InvalidStep);
+  EXPECT_THROW(detector.has_intersection(not_finite), InvalidStep);
 }
 
 }  // namespace

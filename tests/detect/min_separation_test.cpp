@@ -1,4 +1,4 @@
-// Minimum separation through whole detectors: every method, both guarantees, all three questions, against the oracle,
+// Minimum separation through whole detectors: every method, all three questions, against the oracle,
 // which decides each pair's distance exactly.
 #include <gtest/gtest.h>
 
@@ -14,10 +14,9 @@ namespace {
 
 using scenes::Recipe, scenes::Scene;
 
-Options with(Method method, Guarantee guarantee, double separation) {
+Options with(Method method, double separation) {
   Options options;
   options.method = method;
-  options.guarantee = guarantee;
   options.min_separation = separation;
   return options;
 }
@@ -34,7 +33,7 @@ void check(const Scene& scene, const Options& options, const PairSet& truth) {
   Detector detector(scene.mesh(), options);
   const std::vector<Contact> contacts = detector.contacts(scene.step());
   EXPECT_EQ(missing(truth, names_of(contacts)), "") << "missed";
-  EXPECT_EQ(missing(certified_names_of(contacts), truth), "") << "certified, but farther apart";
+  EXPECT_EQ(missing(names_of(contacts), truth), "") << "made up";
   for (std::size_t i = 0; i < contacts.size(); i += 1 + contacts.size() / 6) {
     const Contact& c = contacts[i];
     const auto motion = motion_of(scene, c.vertices);
@@ -43,7 +42,7 @@ void check(const Scene& scene, const Options& options, const PairSet& truth) {
     };
     EXPECT_FALSE(c.toi_lower > 0 && within({0, c.toi_lower, true})) << "near before " << c.toi_lower;
     EXPECT_FALSE(c.toi_lower == 0 && !within({0, 0})) << "apart at t=0, but toi_lower is 0";
-    EXPECT_TRUE(c.certainty == Certainty::unresolved || within({c.toi_lower, c.toi_upper})) << "not in the bracket";
+    EXPECT_TRUE(within({c.toi_lower, c.toi_upper})) << "not in the bracket";
   }
   EXPECT_EQ(detector.is_free(scene.step()), contacts.empty());
   const EarliestContact first = detector.earliest(scene.step());
@@ -64,14 +63,13 @@ TEST_P(MinSeparation, NoMethodMissesAPairThatComesNear) {
     for (const Point& p : scene.start) size = std::max({size, std::fabs(p[0]), std::fabs(p[1]), std::fabs(p[2])});
     for (const double part : {0x1p-10, 0.05, 0.6}) {
       const PairSet truth = truth_of(scene, filter, part * size);
-      for (const Method method : kMethods)
-        for (const Guarantee guarantee : {Guarantee::conservative, Guarantee::exact}) {
-          SCOPED_TRACE(scene.name + " by " + std::string(name_of(method)) + ", " + std::string(name_of(guarantee)) +
-                       ", seed " + std::to_string(40 + seed) + ", separation " + std::to_string(part) + " of the size");
-          Options options = with(method, guarantee, part * size);
-          options.filter = filter;
-          check(scene, options, truth);
-        }
+      for (const Method method : kMethods) {
+        SCOPED_TRACE(scene.name + " by " + std::string(name_of(method)) + ", seed " + std::to_string(40 + seed) +
+                     ", separation " + std::to_string(part) + " of the size");
+        Options options = with(method, part * size);
+        options.filter = filter;
+        check(scene, options, truth);
+      }
     }
   }
 }
@@ -88,10 +86,10 @@ Scene sinking_point(double from, double to) {
   return scene;
 }
 
-class MinSeparationAtTheStart : public testing::TestWithParam<std::tuple<Method, Guarantee>> {
+class MinSeparationAtTheStart : public testing::TestWithParam<Method> {
  protected:
   std::vector<Contact> contacts(double from, double to, double separation) const {
-    return find_contacts(sinking_point(from, to), with(std::get<0>(GetParam()), std::get<1>(GetParam()), separation));
+    return find_contacts(sinking_point(from, to), with(GetParam(), separation));
   }
 };
 
@@ -121,17 +119,12 @@ TEST_P(MinSeparationAtTheStart, HoldsForTheSmallestDoubles) {
     for (std::size_t v = 0; v < points->size(); ++v)
       for (std::size_t k = 0; k < 2; ++k) (*points)[v][k] *= 16 * kLeast;
   for (const double separation : {0.0, kLeast, 2 * kLeast, 5 * kLeast})
-    EXPECT_EQ(find_contacts(scene, with(std::get<0>(GetParam()), std::get<1>(GetParam()), separation)).size(),
-              separation > 0 ? 1u : 0u)
-        << separation;
+    EXPECT_EQ(find_contacts(scene, with(GetParam(), separation)).size(), separation > 0 ? 1u : 0u) << separation;
 }
 
-INSTANTIATE_TEST_SUITE_P(All, MinSeparationAtTheStart,
-                         testing::Combine(testing::ValuesIn(kMethods),
-                                          testing::Values(Guarantee::conservative, Guarantee::exact)),
-                         [](const testing::TestParamInfo<std::tuple<Method, Guarantee>>& parameter) {
-                           return test_name(name_of(std::get<0>(parameter.param))) + "_" +
-                                  test_name(name_of(std::get<1>(parameter.param)));
+INSTANTIATE_TEST_SUITE_P(All, MinSeparationAtTheStart, testing::ValuesIn(kMethods),
+                         [](const testing::TestParamInfo<Method>& parameter) {
+                           return test_name(name_of(parameter.param));
                          });
 
 }  // namespace

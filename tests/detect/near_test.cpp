@@ -1,16 +1,20 @@
 // What is near at rest: the methods, instruction sets and threads against each other, and distances, weights and
 // directions against exact arithmetic, in plain, degenerate and touching scenes.
+#include <gmpxx.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <cstring>
+#include <limits>
 
 #include "engines/pair_rules.hpp"
+#include "scenes/random.hpp"
 #include "solve/exact_distance.hpp"
 #include "support/contact_sets.hpp"
 #include "support/test_names.hpp"
 #include "tamis/detector.hpp"
 #include "tamis/error.hpp"
+#include "tamis/pair_distance.hpp"
 
 namespace tamis::test {
 namespace {
@@ -188,6 +192,52 @@ TEST(NearLoosePoints, MeetLooseEdgesAndEachOther) {
   EXPECT_EQ(wide.back().kind, PairKind::vertex_vertex);
   EXPECT_EQ(wide.back().vertices, (std::array<Index, 4>{5, 6, -1, -1}));
   EXPECT_EQ(wide.back().corners, 0b11);
+}
+
+/// |a - sqrt(square)| <= tolerance.
+bool is_root_within(const mpq_class& a, const mpq_class& square, const mpq_class& tolerance) {
+  const mpq_class low = a - tolerance, high = a + tolerance;
+  return (low <= 0 || low * low <= square) && high * high >= square;
+}
+
+mpq_class exact_square_of_distance(PairKind kind, const PairPoints& points) {
+  const MovingPolygon polygon = difference_polygon(kind, points);
+  const Fraction square = nearest_point(polygon).square;
+  mpq_class result(mpz_class(square.above.get()), mpz_class(square.below.get()));
+  result.canonicalize();
+  for (int i = 0; i < std::abs(polygon.exponent); ++i) polygon.exponent < 0 ? result /= 4 : result *= 4;
+  return result;
+}
+
+// Bug: a bound of 2^-41 of a pair that is a few of the smallest doubles long, which no double can keep.
+TEST(NearAmongTheSmallestDoubles, DistancesAreOffByHalfTheSmallestMore) {
+  scenes::Random random(5);
+  const mpq_class smallest(std::numeric_limits<double>::denorm_min());
+  int beyond_part = 0;
+  for (const double unit : {0x1p-1074, 0x1p-1050, 0x1p-1025}) {
+    Scene scene;
+    for (int i = 0; i < 24; ++i) {
+      const auto at = [&] { return unit * static_cast<double>(random.below(9)); };
+      const Point p{at(), at(), at()};
+      scene.add_vertex(p, p, 0);
+    }
+    scene.faces = {{0, 1, 2}, {3, 4, 5}, {6, 7, 8}};
+    scene.loose_edges = {{9, 10}, {11, 12}, {13, 14}};
+    for (Index v = 15; v < 24; ++v) scene.loose_points.push_back(v);
+    Detector detector(scene.mesh());
+    std::array<int, kPairKinds> kinds{};
+    for (const NearPair& pair : detector.near(scene.start, 20 * unit)) {
+      const PairPoints points = points_of({scene.start, scene.start}, pair.vertices);
+      const mpq_class square = exact_square_of_distance(pair.kind, points);
+      const mpq_class part = mpq_class(size_of(points, pair.kind)) / mpq_class(0x1p41);
+      EXPECT_TRUE(is_root_within(mpq_class(pair.distance), square, part + smallest / 2)) << pair.distance / unit;
+      EXPECT_EQ(pair.distance, distance_of({pair.kind, pair.vertices}, scene.start).distance);
+      beyond_part += !is_root_within(mpq_class(pair.distance), square, part);
+      ++kinds[static_cast<std::size_t>(pair.kind)];
+    }
+    for (const int count : kinds) EXPECT_GT(count, 10);
+  }
+  EXPECT_GT(beyond_part, 100) << "without that half the bound would hold: say so";
 }
 
 // Bug: a sliver's foot of the perpendicular, rounded, is taken for its nearest point.

@@ -8,7 +8,7 @@ namespace tamis::io {
 namespace {
 
 Contact contact(PairKind kind, Certainty certainty, double toi) {
-  return {kind, certainty, {4, 1, 3, 2}, toi, toi + 0x1p-52, 1.0 / 3, 0, {0, 0, 1}};
+  return {kind, certainty, {4, 1, 3, 2}, toi, toi + 0x1p-52, 1.0 / 3, 0, {0, 0.1, -1}};
 }
 
 // Bug: other columns than documented, numbers rounded to six digits.
@@ -18,9 +18,9 @@ TEST(ContactsCsv, NumbersReadBackToTheSameDoubles) {
                                       contact(PairKind::edge_edge, Certainty::unresolved, 0)};
   write_contacts_csv(folder.path() / "c.csv", contacts);
   EXPECT_EQ(test::bytes_of_file(folder.path() / "c.csv"),
-            "kind,v0,v1,v2,v3,toi_lower,toi_upper,u,v,status\n"
-            "vf,4,1,3,2,0.1,0.10000000000000023,0.3333333333333333,0,certified\n"
-            "ee,4,1,3,2,0,2.220446049250313e-16,0.3333333333333333,0,unresolved\n");
+            "kind,v0,v1,v2,v3,toi_lower,toi_upper,u,v,status,nx,ny,nz\n"
+            "vf,4,1,3,2,0.1,0.10000000000000023,0.3333333333333333,0,certified,0,0.1,-1\n"
+            "ee,4,1,3,2,0,2.220446049250313e-16,0.3333333333333333,0,unresolved,0,0.1,-1\n");
 }
 
 // Bug: rows get lost where one chunk ends and the next begins.

@@ -71,7 +71,8 @@ class Wall : public testing::Test {
   };
   Spot spot(const io::PictureOptions& options = kFront) const {
     io::Recording bare = recording_;
-    bare.steps[0].contacts.clear();
+    for (io::RecordedStep& step : bare.steps) step.contacts.clear();
+    if (bare.pose) bare.pose->intersections.clear();
     const Pixels with = picture(options), without = picture_of(bare, options);
     Spot spot;
     for (int row = 0; row < with.height; ++row)
@@ -105,6 +106,17 @@ TEST_F(Wall, IsInTheMiddleAndTheBackgroundIsDark) {
 
 // Bug: pictures that are mirrored or upside down.
 TEST_F(Wall, TheContactIsWhereItsPointIs) {
+  const Spot left = spot();
+  EXPECT_GT(left.pixels, 0);
+  EXPECT_LT(left.column, -0.1);
+  EXPECT_GT(left.row, 0.2);
+}
+
+// Bug: a pose has no second frame to look for.
+TEST_F(Wall, TheIntersectionOfAPoseIsWhereItsPointIs) {
+  recording_.frames.pop_back();
+  recording_.steps.clear();
+  recording_.pose = {{{{0, 4}, {0, 1, 2}, 1, 1, 0, 0}}, {}};
   const Spot left = spot();
   EXPECT_GT(left.pixels, 0);
   EXPECT_LT(left.column, -0.1);

@@ -1,5 +1,9 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <ctime>
+#include <limits>
+
 #include "io/messages.hpp"
 #include "io/queries.hpp"
 #include "io/query_results_csv.hpp"
@@ -49,6 +53,38 @@ TEST(RigidQueries, ErrorsNameThePlace) {
   EXPECT_TRUE(test::contains(rigid_error_of(edges(R"("vertex0":[7,8])")), "edge1.vertex0: is no array of three"));
   EXPECT_TRUE(test::contains(rigid_error_of(edges(R"("vertex0":[7,"8",9])")), "edge1.vertex0: holds something"));
   EXPECT_TRUE(test::contains(rigid_error_of(edges(R"("vertex0":[7,1e999,9])")), "q.json"));
+}
+
+/// A query of two edges with so many keys that nothing asks for.
+std::string edges_among_keys(int count) {
+  std::string keys;
+  for (int i = 0; i < count; ++i) keys += "\"key" + std::to_string(i) + "\":{},";
+  return "{" + keys + edges().substr(1);
+}
+
+/// Seconds of processor time, the least of three runs.
+double parsing_time(const std::string& text) {
+  double least = std::numeric_limits<double>::infinity();
+  for (int run = 0; run < 3; ++run) {
+    const std::clock_t begin = std::clock();
+    parse_rigid_query(text, "q.json");
+    least = std::min(least, static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC);
+  }
+  return least;
+}
+
+// Bug: every key is looked for among all before it: eight times as many took sixty-four times as long, 12 s.
+TEST(RigidQueries, TimeGrowsWithTheNumberOfKeys) {
+  const double few = parsing_time(edges_among_keys(12'500)), many = parsing_time(edges_among_keys(100'000));
+  EXPECT_LT(many, 24 * std::max(few, 1e-3));
+}
+
+// Bug: a file that is no query takes all memory, or the stack.
+TEST(RigidQueries, WhatNoQueryNeedsIsRefused) {
+  EXPECT_TRUE(test::contains(rigid_error_of(std::string(5'000'000, ' ')), "a query takes no more than 4194304"));
+  EXPECT_TRUE(test::contains(rigid_error_of(std::string(1'000'000, '[')), "nests deeper than 64 levels"));
+  const std::string quoted = R"("name":"[{\"[[{", )" + std::string(100, ' ');
+  EXPECT_EQ(parse_rigid_query("{" + quoted + edges().substr(1), "q.json").kind, PairKind::edge_edge);
 }
 
 // Bug: the answer of another file of that name; a table that is no table of answers taken for one.

@@ -26,11 +26,11 @@ struct Case {
 constexpr std::size_t kBefore = 3, kAfter = 40;
 
 /// Centers whose longest axis is `axis`, with others around them that must stay.
-CenterStore items_along(int axis, std::size_t count, Coordinate coordinate, Rng& rng) {
-  CenterStore store(kBefore + count + kAfter);
+CenterStore items_along(int axis, int axes, std::size_t count, Coordinate coordinate, Rng& rng) {
+  CenterStore store(kBefore + count + kAfter, axes);
   const Centers all = store.view();
   for (std::size_t i = 0; i < store.features().size(); ++i) {
-    for (int k = 0; k < 3; ++k) all.at[k][i] = coordinate(rng) * (k == axis ? 1.0f : 0.5f);
+    for (int k = 0; k < axes; ++k) all.at[k][i] = coordinate(rng) * (k == axis ? 1.0f : 0.5f);
     all.feature[i] = static_cast<Index>(i);
   }
   all.at[axis][kBefore] = -1;
@@ -38,14 +38,14 @@ CenterStore items_along(int axis, std::size_t count, Coordinate coordinate, Rng&
   return store;
 }
 
-void expect_split(const Kernels& kernels, const Case& c, int axis, Coordinate coordinate, Rng& rng) {
-  CenterStore before = items_along(axis, c.count, coordinate, rng), after = before, scratch = before;
+void expect_split(const Kernels& kernels, const Case& c, int axis, int axes, Coordinate coordinate, Rng& rng) {
+  CenterStore before = items_along(axis, axes, c.count, coordinate, rng), after = before, scratch = before;
   kernels.trees.split(after.view().from(kBefore), scratch.view().from(kBefore), c.count, c.lower);
   const Centers was = before.view(), is = after.view();
   std::vector<Index> features(after.features().begin(), after.features().end());
   for (std::size_t i = 0; i < features.size(); ++i) {
     const auto home = static_cast<std::size_t>(features[i]);
-    for (int k = 0; k < 3; ++k) ASSERT_EQ(is.at[k][i], was.at[k][home]) << "a center was torn apart";
+    for (int k = 0; k < axes; ++k) ASSERT_EQ(is.at[k][i], was.at[k][home]) << "a center was torn apart";
     const bool is_outside = i < kBefore || i >= kBefore + c.count;
     ASSERT_TRUE(!is_outside || home == i) << "a neighbour was moved";
     ASSERT_TRUE(!is_outside || scratch.features()[i] == static_cast<Index>(i)) << "a neighbour's scratch was used";
@@ -70,10 +70,11 @@ TEST_P(Splitting, TheLowerOnesComeFirstAndNothingIsLost) {
   const Case cases[] = {{17, 16}, {31, 16},   {32, 16},   {33, 32},    {64, 32},     {65, 48},
                         {80, 48}, {257, 256}, {511, 256}, {1000, 512}, {4111, 2304}, {20000, 12288}};
   for (const Case& c : cases)
-    for (int axis = 0; axis < 3; ++axis)
-      for (const Coordinate coordinate : {anywhere, on_a_grid, mostly_equal})
-        for (int repeat = 0; repeat < 4; ++repeat) expect_split(*kernels, c, axis, coordinate, rng);
-  for (const Case& c : cases) expect_split(*kernels, c, 0, in_one_place, rng);
+    for (const int axes : {3, 6})
+      for (int axis = 0; axis < axes; ++axis)
+        for (const Coordinate coordinate : {anywhere, on_a_grid, mostly_equal})
+          for (int repeat = 0; repeat < 4; ++repeat) expect_split(*kernels, c, axis, axes, coordinate, rng);
+  for (const Case& c : cases) expect_split(*kernels, c, 0, 3, in_one_place, rng);
 }
 
 INSTANTIATE_TEST_SUITE_P(Isas, Splitting, testing::Values(Isa::baseline, Isa::avx2, Isa::avx512));

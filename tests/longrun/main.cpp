@@ -1,7 +1,7 @@
 // tamis_longrun pair|lanes oracle|exact COUNT [--seed S]: so many pairs of all families and placements, random and
-// degenerate, one by one or many in a mesh, against a judge. The answer of each guarantee is judged; brackets too,
-// where the judge gives times for nothing, and for one pair in 16 elsewhere. Prints what it has seen ten times on its
-// way. Exit code 1: a promise is broken; the pairs are on the standard error output.
+// degenerate, one by one or many in a mesh, against a judge. Brackets are judged too, where the judge gives times for
+// nothing, and for one pair in 16 elsewhere. Prints what it has seen ten times on its way. Exit code 1: a promise is
+// broken; the pairs are on the standard error output.
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
@@ -39,49 +39,44 @@ class LongRun {
 
   int go() {
     std::int64_t next_report = run_.count / 10;
-    for (int turn = 0; conservative_.pairs < run_.count; ++turn) {
+    for (int turn = 0; tally_.pairs < run_.count; ++turn) {
       next_report = std::min(next_report, run_.count);
       const PairKind kind = kKinds[turn % 2];
       judge(kind, next_motions(kind, random_));
-      if (conservative_.pairs < next_report) continue;
+      if (tally_.pairs < next_report) continue;
       report();
       next_report += run_.count / 10 + 1;
     }
-    return conservative_.failures + exact_.failures > 0 ? 1 : 0;
+    return tally_.failures > 0 ? 1 : 0;
   }
 
  private:
   void judge(PairKind kind, const std::vector<oracle::Motion>& motions) {
-    const auto conservative = answers(kind, motions, Guarantee::conservative);
-    const auto exact = run_.judge == Judge::oracle ? answers(kind, motions, Guarantee::exact) : conservative;
+    const auto found = answers(kind, motions);
     for (std::size_t i = 0; i < motions.size(); ++i) {
       const Truth truth(run_.judge, kind, motions[i]);
       const bool checks_times = run_.judge == Judge::exact || random_.below(16) == 0;
-      conservative_.add(kind, motions[i], conservative[i], truth, false, checks_times);
-      if (run_.judge == Judge::oracle) exact_.add(kind, motions[i], exact[i], truth, true, checks_times);
+      tally_.add(kind, motions[i], found[i], truth, checks_times);
     }
   }
 
-  std::vector<PairResult> answers(PairKind kind, const std::vector<oracle::Motion>& motions, Guarantee guarantee) {
-    if (run_.in_lanes) return lanes_[kind == kKinds[1]][guarantee == Guarantee::exact].answers(motions);
+  std::vector<PairResult> answers(PairKind kind, const std::vector<oracle::Motion>& motions) {
+    if (run_.in_lanes) return lanes_[kind == kKinds[1]].answers(motions);
     std::vector<PairResult> results;
     for (const oracle::Motion& m : motions)
-      results.push_back(kind == PairKind::vertex_face ? vertex_face(m.start, m.end, {guarantee, 0})
-                                                      : edge_edge(m.start, m.end, {guarantee, 0}));
+      results.push_back(kind == PairKind::vertex_face ? vertex_face(m.start, m.end) : edge_edge(m.start, m.end));
     return results;
   }
 
   void report() const {
-    std::printf("conservative: %s\n", conservative_.line().c_str());
-    if (run_.judge == Judge::oracle) std::printf("exact: %s\n", exact_.line().c_str());
+    std::printf("%s\n", tally_.line().c_str());
     std::fflush(stdout);
   }
 
   Run run_;
   Random random_;
-  OnePlace lanes_[2][2] = {{{kKinds[0], Guarantee::conservative}, {kKinds[0], Guarantee::exact}},
-                           {{kKinds[1], Guarantee::conservative}, {kKinds[1], Guarantee::exact}}};
-  Tally conservative_, exact_;
+  OnePlace lanes_[2] = {OnePlace(kKinds[0]), OnePlace(kKinds[1])};
+  Tally tally_;
 };
 
 Run run_of(const std::vector<std::string>& arguments) {

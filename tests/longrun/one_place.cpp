@@ -20,9 +20,8 @@ Mesh mesh_of(PairKind kind) {
   return Mesh(4 * OnePlace::kPairs, std::move(faces), edges, std::move(points));
 }
 
-Options options_of(PairKind kind, Guarantee guarantee) {
+Options options_of(PairKind kind) {
   Options options;
-  options.guarantee = guarantee;
   options.threads = 1;
   options.filter.accepts = [kind](PairKind k, const std::array<Index, 4>& v) {
     return k == kind && v[0] / 4 == v[1] / 4 && v[0] / 4 == v[2] / 4 && v[0] / 4 == v[3] / 4;
@@ -32,8 +31,7 @@ Options options_of(PairKind kind, Guarantee guarantee) {
 
 }  // namespace
 
-OnePlace::OnePlace(PairKind kind, Guarantee guarantee)
-    : detector_(mesh_of(kind), options_of(kind, guarantee)), start_(4 * kPairs), end_(4 * kPairs) {}
+OnePlace::OnePlace(PairKind kind) : detector_(mesh_of(kind), options_of(kind)), start_(4 * kPairs), end_(4 * kPairs) {}
 
 const std::vector<PairResult>& OnePlace::answers(const std::vector<oracle::Motion>& motions) {
   for (std::size_t i = 0; i < motions.size(); ++i)

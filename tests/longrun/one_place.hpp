@@ -13,7 +13,7 @@ class OnePlace {
  public:
   static constexpr Index kPairs = 48;
 
-  OnePlace(PairKind kind, Guarantee guarantee);
+  explicit OnePlace(PairKind kind);
   /// The answers in the order of the motions. REQUIRES: kPairs motions, each of this kind.
   const std::vector<PairResult>& answers(const std::vector<oracle::Motion>& motions);
 

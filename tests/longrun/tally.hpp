@@ -10,10 +10,10 @@
 namespace tamis::test {
 
 struct Tally {
-  std::int64_t pairs = 0, touching = 0, certified = 0, unresolved = 0, unresolved_free = 0, failures = 0;
+  std::int64_t pairs = 0, touching = 0, failures = 0;
 
   /// Judges one answer; `checks_times`: its bracket too. Failures are printed, up to ten.
-  void add(PairKind kind, const oracle::Motion& motion, const PairResult& answer, const Truth& truth, bool is_exact,
+  void add(PairKind kind, const oracle::Motion& motion, const PairResult& answer, const Truth& truth,
            bool checks_times);
   std::string line() const;
 

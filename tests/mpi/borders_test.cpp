@@ -93,8 +93,12 @@ TEST(Borders, StatisticsSayWhatWasDone) {
   EXPECT_EQ(owned, scene.faces.size());
   Detector one(scene.mesh());
   one.contacts(scene.step());
-  const StageCount boxes = one.statistics().stages.front();
-  EXPECT_GE(pairs, boxes.vf + boxes.ee);
+  // Which boxes are found to meet depends on the trees; a pair that the clip leaves meets in every tree.
+  const auto& stages = one.statistics().stages;
+  const StageCount &boxes = stages[0], &clipped = stages[2];
+  ASSERT_EQ(boxes.name, "boxes");
+  ASSERT_EQ(clipped.name, "dnf");
+  EXPECT_GE(pairs, clipped.vf + clipped.ee);
   EXPECT_LT(static_cast<double>(pairs), 1.5 * static_cast<double>(boxes.vf + boxes.ee));
   EXPECT_LT(many.balance().owned, 1.1);
   EXPECT_EQ(of_all(many.statistics().borrowed) == 0, rank_count() == 1);

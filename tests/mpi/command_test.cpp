@@ -119,6 +119,8 @@ TEST_F(MpiCommand, StepAndFreeAnswerAsTamisDoes) {
 TEST_F(MpiCommand, ASequenceIsInOrderWhoeverAskedIt) {
   folder_.write_fall();
   const std::string frames = "sequence above.obj below.obj lower.obj --substeps 3 --json";
+  EXPECT_EQ(folder_.run(frames).code, 1);
+  EXPECT_EQ(folder_.run_ranks(2, frames).code, 1);
   auto one = folder_.run(frames).json(), many = folder_.run_ranks(2, frames).json();
   ASSERT_EQ(one["steps"].size(), many["steps"].size());
   for (auto* json : {&one, &many})
@@ -140,7 +142,7 @@ TEST_F(MpiCommand, ErrorsAreOneSentenceOfOneRank) {
   for (const auto& [arguments, sentence] :
        {std::pair{"contacts above.obj none.obj", "none.obj"},
         std::pair{"contacts above.obj below.obj --out no/such/folder.csv", "no/such/folder.csv"},
-        std::pair{"contacts above.obj below.obj --out page.html", "writes CSV alone"},
+        std::pair{"contacts above.obj below.obj --out page.html", "let the name end in .csv"},
         std::pair{"contacts above.obj below.obj --method paper", "use tamis"},
         std::pair{"contact above.obj below.obj", "no verb is called 'contact'"}}) {
     const Outcome many = folder_.run_ranks(3, arguments);

@@ -57,7 +57,7 @@ TEST(BadPath, IsNamed) {
   expect_message<InvalidPath>(ask, "has the error");
   path.error = 0;
   path.height = kNan;
-  expect_message<InvalidPath>(ask, "vertex 0 of the path at t = 0.000000 is not finite");
+  expect_message<InvalidPath>(ask, "vertex 0 of the path at t = 0 is not finite");
   path.height = kInfinity;
   expect_message<InvalidPath>(ask, "is not finite");
 }

@@ -1,6 +1,6 @@
 // What buttons and keys do beyond changing one value.
 import { Box3, Vector3 } from "three";
-import { withoutContacts } from "./scene/header";
+import { isPose, nothingFound, nounOf } from "./scene/header";
 import type { Pair } from "./scene/pair";
 import type { Session } from "./session";
 import type { Viewpoint } from "./view3d/camera";
@@ -17,9 +17,10 @@ export class Actions {
 
   /** In the scene, as it touches. */
   firstContact(): void {
+    const { header } = this.session.scene;
     const contact = this.session.view.firstContact;
     if (contact < 0) {
-      this.say(`No contact: ${withoutContacts(this.session.view.step.header)}`);
+      this.say(`No ${nounOf(header)}: ${nothingFound(header, this.session.view.step.header)}`);
       return;
     }
     this.session.select(contact);
@@ -29,9 +30,11 @@ export class Actions {
 
   /** The pair alone, at the time up to which the step is proven free. */
   whatStops(): void {
+    const { header } = this.session.scene;
+    if (isPose(header)) return;
     const contact = this.session.view.limiting;
     if (contact < 0) {
-      this.say(`Nothing stops this step: ${withoutContacts(this.session.view.step.header)}`);
+      this.say(`Nothing stops this step: ${nothingFound(header, this.session.view.step.header)}`);
       return;
     }
     this.session.select(contact);

@@ -1,6 +1,7 @@
 // Everything by keyboard; the list that `?` shows is made from the same table.
 import { playPair, timeOf } from "./panels/pair_panel";
 import { togglePlay } from "./panels/timeline";
+import { isPose } from "./scene/header";
 import type { Session } from "./session";
 import type { Panel, Switch } from "./store";
 import type { Actions } from "./actions";
@@ -225,11 +226,10 @@ function lookKeys({ store }: Session, actions: Actions): KeyAction[] {
 }
 
 export function keyTable(session: Session, actions: Actions): Record<string, KeyAction[]> {
-  return {
-    Time: timeKeys(session),
-    Contacts: pairKeys(session, actions),
-    Looking: [...cameraKeys(session, actions), ...lookKeys(session, actions)],
-  };
+  const pairs = pairKeys(session, actions);
+  const looking = [...cameraKeys(session, actions), ...lookKeys(session, actions)];
+  if (isPose(session.scene.header)) return { Intersections: pairs, Looking: looking };
+  return { Time: timeKeys(session), Contacts: pairs, Looking: looking };
 }
 
 /** The name of a pressed key as in the table; null if the page should not take it. */

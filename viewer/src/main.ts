@@ -12,6 +12,7 @@ import { Sieve } from "./panels/sieve";
 import { Timeline } from "./panels/timeline";
 import { listenToClicks } from "./picking";
 import { Ring } from "./panels/ring";
+import { isPose } from "./scene/header";
 import { Scene } from "./scene/scene";
 import { Session } from "./session";
 import { initialState, Store } from "./store";
@@ -97,6 +98,7 @@ function open(scene: Scene, began: number): void {
   const narrow = matchMedia("(max-width: 760px)").matches;
   const store = new Store({ ...initialState, up: scene.up, theme, panelOpen: !narrow });
   store.follow(["theme"], () => (document.documentElement.dataset.theme = store.now.theme));
+  if (isPose(scene.header)) document.documentElement.dataset.pose = "true";
   const session = new Session(scene, store);
   const place = el("main", { class: "stage" });
   const { element: message, say } = toast();

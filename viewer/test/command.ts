@@ -32,14 +32,14 @@ export class Folder {
     writeFileSync(this.file(name), text);
   }
 
-  /** Throws unless the command succeeds. Arguments may not hold blanks. */
-  run(line: string): string {
+  /** Throws unless the command ends with the expected exit code. Arguments may not hold blanks. */
+  run(line: string, expected = 0): string {
     const { status, stdout, stderr } = spawnSync(command!, line.split(" "), {
       cwd: this.path,
       encoding: "utf8",
       maxBuffer: 2 ** 30,
     });
-    if (status !== 0) throw new Error(`tamis ${line}: exit code ${status}: ${stderr}`);
+    if (status !== expected) throw new Error(`tamis ${line}: exit code ${status}: ${stderr}`);
     return stdout;
   }
 
@@ -48,9 +48,9 @@ export class Folder {
     this.run(`contacts ${arguments_} --out rows.csv`);
     const [, ...lines] = readFileSync(this.file("rows.csv"), "utf8").trim().split("\n");
     return lines.map((line) => {
-      const [kind, ...rest] = line.split(",");
-      const status = rest.pop()!;
-      const [a, b, c, d, toiLower, toiUpper, u, v] = rest.map(Number);
+      const cells = line.split(",");
+      const [kind, status] = [cells[0], cells[9]];
+      const [a, b, c, d, toiLower, toiUpper, u, v] = cells.slice(1, 9).map(Number);
       return { kind, vertices: [a, b, c, d], toiLower, toiUpper, u, v, status };
     });
   }

@@ -50,13 +50,13 @@ void test("holds every contact with the doubles of the table", async () => {
       vertices: [...contacts.firstFeature(i), ...contacts.secondFeature(i)],
       toiLower: contacts.toiLower[i],
       toiUpper: contacts.toiUpper[i],
-      uv: contacts.uv(i),
+      weights: contacts.storedWeights(i),
     }));
   });
   assert.deepEqual(shown.map(key), rows.map(key));
   for (const [i, row] of rows.entries()) {
-    assert.ok(Math.abs(shown[i].uv[0] - row.u) < 1e-5);
-    assert.ok(Math.abs(shown[i].uv[1] - row.v) < 1e-5);
+    assert.ok(Math.abs(shown[i].weights[0] - row.u) < 1e-5);
+    assert.ok(Math.abs(shown[i].weights[1] - row.v) < 1e-5);
   }
   assert.deepEqual(faults, []);
   await page.close();

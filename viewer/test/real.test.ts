@@ -47,7 +47,9 @@ void test("the steps of a sequence have the counts of tamis sequence", { skip },
   const folder = new Folder();
   const kick = join(frames, "kick");
   folder.run(`view ${kick} --out film.html`);
-  const json = JSON.parse(folder.run(`sequence ${kick} --json`)) as { steps: { contacts: Record<string, number> }[] };
+  const json = JSON.parse(folder.run(`sequence ${kick} --json`, 1)) as {
+    steps: { contacts: Record<string, number> }[];
+  };
   const browser = await launch();
   const { page, faults } = await open(browser, folder.file("film.html"));
   for (const [i, { contacts }] of json.steps.entries()) {

@@ -3,12 +3,16 @@
 #define TAMIS_C_ANSWERS_H
 #include "tamis/c/status.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /** Kinds of pairs and their vertices. Vertex-face: the vertex, then the face's vertices in the mesh's order.
  * Edge-edge: each edge ascending, the smaller edge first. Vertex-edge: the vertex, then the edge's, ascending.
  * Vertex-vertex: ascending. Vertices that a kind does not use are -1. */
 enum { TAMIS_VERTEX_FACE = 0, TAMIS_EDGE_EDGE = 1, TAMIS_VERTEX_EDGE = 2, TAMIS_VERTEX_VERTEX = 3 };
-/** Certified: proven to touch at some time of the bracket. Unresolved: floating point could not decide; kept, because
- * a contact must never be missed. */
+/** Certified: proven to touch at some time of the bracket. Unresolved, on a path alone: arithmetic could not decide;
+ * kept, because a contact must never be missed. */
 enum { TAMIS_CERTIFIED = 0, TAMIS_UNRESOLVED = 1 };
 
 /** Each vertex moves on a straight line from its row of `start` (t=0) to that of `end` (t=1). */
@@ -30,8 +34,16 @@ typedef struct tamis_contact {
   double toi_lower; /**< fraction of the step: the pair is apart on [0, toi_lower) */
   double toi_upper; /**< if certified, it touches at some time of [toi_lower, toi_upper] */
   double u, v;      /**< vf: point = (1-u-v) f0 + u f1 + v f2; ee: u on the first edge, v on the second; ve: u */
-  double normal[3]; /**< of unit length */
+  /** Of unit length: the direction in which the first feature must go, or the second be pushed back, so that they part.
+   * With a separation along the closest points at toi_lower; else of the face, or of both edges, on the side where the
+   * first feature is just before they touch. Special cases: tamis/contact.hpp. */
+  double normal[3];
 } tamis_contact;
+
+/** Writes a signed weight for each of the four vertices of a contact, a near pair or a pair's result. The sum of
+ * weights times positions is the vector from the second feature's point to the first's; over the first feature's
+ * vertices alone it is the point there. TAMIS_INVALID_ARGUMENT: no such kind, or `weights` is NULL. */
+TAMIS_API tamis_status tamis_weights_of(int32_t kind, double u, double v, double* weights);
 
 /** How far a step may go so that a fraction of every distance is kept. */
 typedef struct tamis_safe_step {
@@ -49,7 +61,7 @@ typedef struct tamis_near_pair {
   int32_t kind;
   int32_t corners;     /**< bit i: vertex i has a share in the closest points */
   int32_t vertices[4]; /**< as in tamis_contact */
-  double distance;
+  double distance;     /**< off by 2^-41 of the pair's extent at most; by 2^-1075 more if it is no normal double */
   double u, v;         /**< weights of two closest points */
   double direction[3]; /**< from the second feature's closest point to the first's */
 } tamis_near_pair;
@@ -63,4 +75,7 @@ typedef struct tamis_pair_result {
   double normal[3];
 } tamis_pair_result;
 
+#ifdef __cplusplus
+}
+#endif
 #endif

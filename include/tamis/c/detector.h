@@ -13,14 +13,13 @@ typedef struct tamis_detector tamis_detector;
 /** All zero but `size` are the defaults. */
 typedef struct tamis_options {
   size_t size;
-  const char* method;    /**< as the command's --method: "tamis", "paper", "brute", "paper-sat", ...; NULL: tamis */
-  const char* guarantee; /**< "conservative" or "exact"; NULL: the library's default */
-  const char* isa;       /**< "best", "baseline", "avx2", "avx512"; NULL: best. Speed only */
+  const char* method; /**< as the command's --method: "tamis", "paper", "brute", "paper-sat", ...; NULL: tamis */
+  const char* isa;    /**< "best", "baseline", "avx2", "avx512"; NULL: best. Speed only */
   const char* bounding_volume;     /**< of method paper: "16-dop", "aabb", ...; NULL: 16-dop */
   int32_t threads;                 /**< 0: as many as the caller's oneTBB arena gives. Speed only */
   double min_separation;           /**< d >= 0: contact means Euclidean distance <= d */
   const int32_t* group_of_vertex;  /**< one a vertex of the mesh, in [0, group_count), or -1 if no feature has it; NULL:
-                                      all are in group 0 */
+                                      all are in group 0, the only one, and groups_may_touch is NULL too */
   int32_t group_count;             /**< 0: one group */
   const uint8_t* groups_may_touch; /**< group_count x group_count, symmetric; 0 leaves out; NULL: all are tested */
   /** Asked for every pair that is left, from several threads; 0 leaves the pair out. NULL: all are tested. */
@@ -40,27 +39,25 @@ TAMIS_API const char* tamis_detector_message(const tamis_detector* detector);
 
 /** All contacts of the step, by kind, then vertices; tamis_detector_copy_contacts() hands them out. */
 TAMIS_API tamis_status tamis_detector_contacts(tamis_detector* detector, const tamis_step* step, size_t* count);
-/** The first contact: the motion is free on [0, *toi_lower), proven; *toi_upper is 1 if none is certified. *count is 0,
- * and both times 1, if the step is free; else 1, for tamis_detector_copy_contacts(). */
+/** The first contact: the motion is free on [0, *toi_lower), proven; at *toi_upper some pair has touched. *count
+ * is 0, and both times 1, if the step is free; else 1, for tamis_detector_copy_contacts(). */
 TAMIS_API tamis_status tamis_detector_earliest(tamis_detector* detector, const tamis_step* step, double* toi_lower,
                                                double* toi_upper, size_t* count);
 /** Writes 1 if the whole step is free of contacts, else 0. */
 TAMIS_API tamis_status tamis_detector_is_free(tamis_detector* detector, const tamis_step* step, int* is_free);
 
-/** How far may the step go so that every pair keeps at least `fraction`, 0 <= fraction < 1, of its distance? */
+/** How far may the step go so that every pair keeps at least `fraction`, 0 <= fraction < 1, of its distance? C has no
+ * defaults: C++ and Python take 0.1, here and of tamis_detector_truncate. Which when: Detector in tamis/detector.hpp.
+ */
 TAMIS_API tamis_status tamis_detector_keep_distance(tamis_detector* detector, const tamis_step* step, double fraction,
                                                     tamis_safe_step* answer);
 
-/** A step for each vertex, so that one near pair does not stop all: all go together until the time `*together`, which
- * is keep_distance's, from there each up to its own time of `until`, one a vertex of the mesh, at a pace of its own: no
- * pair comes into contact. 0 < fraction < 1. See VertexSteps in tamis/contact.hpp. */
-TAMIS_API tamis_status tamis_detector_vertex_steps(tamis_detector* detector, const tamis_step* step, double fraction,
-                                                   double* together, double* until);
-/** The positions to go to, by vertex steps: three doubles for each vertex of the mesh, whose straight path from the
- * start is proven free. *is_free is 0 if not even that is so, because something touches at the start; then they are
- * there. */
+/** Positions to go to, each vertex as far as it may on its own line: three doubles for each vertex of the mesh, on the
+ * straight way to which every pair keeps the fraction of its distance, 0 < fraction < 1: proven. `parts`, one a vertex,
+ * is the part of its way that each goes, in [0, 1]; NULL: not wanted. *is_free is 0 if something touches at the start;
+ * of that no pair comes nearer. See TruncatedStep in tamis/contact.hpp. */
 TAMIS_API tamis_status tamis_detector_truncate(tamis_detector* detector, const tamis_step* step, double fraction,
-                                               double* positions, int* is_free);
+                                               double* positions, double* parts, int* is_free);
 
 /** An edge that passes through a triangle, or touches it; see Intersection in tamis/near.hpp. */
 typedef struct tamis_intersection {
@@ -102,7 +99,7 @@ typedef struct tamis_statistics {
   int32_t threads;
   int32_t rebuilt; /**< 1: the hierarchy was built, not refitted */
   double seconds_total, seconds_bounds, seconds_build, seconds_traverse, seconds_filter, seconds_solve;
-  uint64_t decided_by_lanes, decided_by_scalar, decided_by_exact, unresolved;
+  uint64_t decided_by_lanes, decided_by_scalar, decided_by_exact, unresolved; /**< the last on paths alone */
   uint64_t nodes_visited, memory_bytes;
   int32_t stage_count;
   tamis_stage stages[TAMIS_MOST_STAGES]; /**< in the pipeline's order; names live until the next call for statistics */

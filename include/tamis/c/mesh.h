@@ -25,16 +25,23 @@ TAMIS_API tamis_status tamis_mesh_create(const tamis_mesh_input* input, tamis_me
 TAMIS_API void tamis_mesh_free(tamis_mesh* mesh);
 /** What the last call with this mesh had to say; "" after TAMIS_OK. */
 TAMIS_API const char* tamis_mesh_message(const tamis_mesh* mesh);
-/** Every edge of a triangle and every loose one, once: count x 2, vertices ascending, sorted. Lives as the mesh does;
- * NULL and 0 of a mesh that could not be made. */
+/** Every edge of a triangle and every loose one, once: count x 2, vertices ascending, sorted. Another library's list of
+ * the same edges need not have this order: see tamis_mesh_find_edges(). Lives as the mesh does; NULL and 0 of a mesh
+ * that could not be made. */
 TAMIS_API const int32_t* tamis_mesh_edges(const tamis_mesh* mesh, size_t* count);
 /** The vertices that take part in contacts, ascending. Otherwise the same. */
 TAMIS_API const int32_t* tamis_mesh_points(const tamis_mesh* mesh, size_t* count);
 /** The two features of a contact, or of a near pair, by their places: of a face among those that the mesh was made of,
- * of an edge in tamis_mesh_edges(), of a vertex its number; -1 where the mesh has none. For who keeps data by feature.
- * TAMIS_INVALID_ARGUMENT: no such kind. */
+ * of an edge in tamis_mesh_edges(), of a vertex its number. For who keeps data by feature. TAMIS_INVALID_ARGUMENT: no
+ * such kind; TAMIS_INVALID_MESH: the mesh has no such vertex, edge, or face in this order of its vertices. */
 TAMIS_API tamis_status tamis_mesh_features_of(tamis_mesh* mesh, int32_t kind, const int32_t* vertices, int32_t* first,
                                               int32_t* second);
+/** From edges by their vertices, `count` x 2 in either order, to their places in tamis_mesh_edges(), one each; -1 where
+ * the mesh has none. So data that follows another list of the same edges is found. */
+TAMIS_API tamis_status tamis_mesh_find_edges(tamis_mesh* mesh, const int32_t* edges, size_t count, int32_t* places);
+/** The same of faces, `count` x 3 in the mesh's order of their vertices: their places among those that the mesh was
+ * made of. */
+TAMIS_API tamis_status tamis_mesh_find_faces(tamis_mesh* mesh, const int32_t* faces, size_t count, int32_t* places);
 
 #ifdef __cplusplus
 }

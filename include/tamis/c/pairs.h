@@ -11,13 +11,15 @@ typedef struct tamis_pairs tamis_pairs;
 
 typedef struct tamis_pair_options {
   size_t size;
-  const char* guarantee; /**< as in tamis_options */
-  double min_separation; /**< the same */
+  double min_separation; /**< as in tamis_options */
   int32_t threads;       /**< the same */
   const char* isa;       /**< the same */
   /** The latest time of interest, in [0,1]: a pair that is proven apart until then is free. Of others it changes
    * nothing. NULL: 1. */
   const double* latest;
+  /** Asked again and again by a list of pairs, from several threads; other than 0 ends it with TAMIS_CANCELLED. */
+  int (*is_cancelled)(void* user);
+  void* user; /**< handed to it */
 } tamis_pair_options;
 
 /** NULL as options: the defaults. */
@@ -54,8 +56,8 @@ TAMIS_API tamis_status tamis_narrow_phase(tamis_pairs* pairs, const tamis_pair* 
  * `answer_size` = sizeof(tamis_near_pair) bytes, as a detector's near pairs have them; no separation comes off. */
 TAMIS_API tamis_status tamis_distances_of(tamis_pairs* pairs, const tamis_pair* list, size_t count,
                                           const tamis_step* step, tamis_near_pair* answers, size_t answer_size);
-/** As tamis_detector_keep_distance, for one pair. It looks no further than the latest time of interest, which `lower`
- * then is. */
+/** As tamis_detector_keep_distance, for one pair; 0.1 is a usual fraction. It looks no further than the latest time of
+ * interest, which `lower` then is. */
 TAMIS_API tamis_status tamis_pair_keep_distance(tamis_pairs* pairs, const tamis_pair* pair, const tamis_step* step,
                                                 double fraction, tamis_safe_step* answer);
 

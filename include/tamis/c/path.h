@@ -82,6 +82,10 @@ typedef struct tamis_path_options {
   size_t size;
   double tolerance;             /**< widest bracket of a contact, in (0, 1], a fraction of the step; 0: 1e-9 */
   const double* min_separation; /**< of this question; NULL: the detector's, or 0 for pairs */
+  /** Of lists of pairs, of which each may take seconds: asked again and again; other than 0 ends the call with
+   * TAMIS_CANCELLED. A detector asks its own. */
+  int (*is_cancelled)(void* user);
+  void* user; /**< handed to it */
 } tamis_path_options;
 
 /** As without a path; NULL as options: the defaults. TAMIS_INVALID_PATH: one that does not fit the mesh, or breaks its

@@ -21,8 +21,8 @@ struct LocalMesh {
   std::vector<Index> vertices;
   /// Each triangle on one rank.
   std::vector<Face> faces;
-  std::vector<Edge> loose_edges;
-  std::vector<Index> loose_points;
+  std::vector<Edge> loose_edges = {};
+  std::vector<Index> loose_points = {};
 };
 
 /// Wall-clock seconds of this rank, waiting for others included.
@@ -58,7 +58,8 @@ struct Balance {
 /// A `tamis::Detector` over all ranks of a communicator. Construction and every question are collective: all ranks
 /// call them, in the same order and with the same options. The answers are bit for bit those of one `tamis::Detector`
 /// with the whole mesh, whatever rank has what. An error on any rank is thrown on every rank, with the same sentence,
-/// which names the rank; the next question may be asked.
+/// which names the rank; the next question may be asked. A second question on a rank that is answering one, of another
+/// thread or of the filter, throws Busy there at once.
 class Detector {
  public:
   /// Options::filter.group_of_vertex has one group a row of the positions; methods are tamis and brute; threads are
@@ -81,11 +82,11 @@ class Detector {
   /// As in `tamis::Detector`; the same answer on every rank.
   EarliestContact earliest(const Step& step, std::optional<double> min_separation = {});
   bool is_free(const Step& step, std::optional<double> min_separation = {});
-  SafeStep keep_distance(const Step& step, double fraction, std::optional<double> min_separation = {});
+  SafeStep keep_distance(const Step& step, double fraction = 0.1, std::optional<double> min_separation = {});
 
   /// Largest number of a vertex that is used, of all ranks, plus 1.
   Index vertex_count() const;
-  /// Of the last question.
+  /// Of the last question. Both throw Busy during one.
   const Statistics& statistics() const;
   const Balance& balance() const;
 

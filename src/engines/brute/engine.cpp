@@ -45,15 +45,16 @@ class BruteEngine final : public Engine, public RestEngine {
     pairs.clear();
     for (std::size_t kind = 0; kind < kPairKinds; ++kind) {
       NearOrder().sort(found[kind], mesh_.vertex_count());
-      for (const PairVertices& v : found[kind])
+      for (const PairVertices& v : found[kind]) {
+        stop_if_cancelled(options_);
         pairs.push_back(near_pair(static_cast<PairKind>(kind), v, points_of(step, v)));
+      }
     }
   }
 
   void find_intersections(const Positions& positions, Intersections wanted, std::vector<Intersection>& found,
                           Statistics& statistics) override {
     StageCount count{"solve"};
-    const PairOptions rule{Guarantee::exact};
     found.clear();
     for (const Edge& edge : mesh_.edges())
       for (const Face& face : mesh_.faces()) {
@@ -61,7 +62,7 @@ class BruteEngine final : public Engine, public RestEngine {
         if (wanted == Intersections::any && !found.empty()) break;
         if (!is_pair(edge, face)) continue;
         ++count.vf;
-        const auto r = decide(PairKind::vertex_face, points_along(positions, edge, face), rule, statistics.decided_by);
+        const auto r = decide(PairKind::vertex_face, points_along(positions, edge, face), {}, statistics.decided_by);
         if (r.touches) found.push_back({edge, face, r.toi_lower, r.toi_upper, r.u, r.v});
       }
     statistics.stages.push_back(count);

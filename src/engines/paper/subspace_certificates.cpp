@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "numerics/assert.hpp"
 #include "numerics/interval.hpp"
 #include "numerics/vec.hpp"
 #include "topology/at.hpp"
@@ -125,6 +126,7 @@ class Builder {
 
   /// gap / sqrt(squares), rounded down. REQUIRES: gap > 0.
   static double quotient(double gap, double squares) {
+    TAMIS_ASSERT(gap > 0);
     if (!(squares > 0)) return squares == 0 ? kInfinity : 0;
     const double result = rounding::below(gap / rounding::above(std::sqrt(squares)));
     return result > 0 ? result : 0;

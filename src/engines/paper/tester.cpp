@@ -159,8 +159,7 @@ PairResult PaperTester::result_of(const Block<kind>& block, std::size_t pair) {
   if (!scene_.answer->separations().any()) {
     of(counts.newton, kind) += 1;
     const auto test = interval_newton_test<kind>(block.motions[pair]);
-    const bool is_good = scene_.options.guarantee == Guarantee::conservative || is_sharp(test.lower, test.upper);
-    if (test.verdict == Verdict::is_free || (test.verdict == Verdict::touches && is_good)) {
+    if (test.verdict == Verdict::is_free || (test.verdict == Verdict::touches && is_sharp(test.lower, test.upper))) {
       ++counts.decided_by.scalar;
       return test.verdict == Verdict::touches ? certified_contact(test) : PairResult{};
     }

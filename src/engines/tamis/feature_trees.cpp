@@ -1,18 +1,21 @@
 #include "engines/tamis/feature_trees.hpp"
 
+#include "bvh/order_axes.hpp"
+#include "engines/cancellation.hpp"
 #include "engines/stopwatch.hpp"
 
 namespace tamis {
 namespace {
 
 /// Refitting goes on until the leaf blocks' swept area exceeds by this factor what it was when they were built
-/// (docs/performance.md: "When to rebuild").
+/// (docs/history/performance.md: "When to rebuild").
 constexpr double kPoor = 1.5;
 
 }  // namespace
 
-FeatureTrees::FeatureTrees(const Mesh& mesh, const Kernels& kernels, const PairFilter& filter)
-    : mesh_(mesh), kernels_(kernels), loose_(mesh) {
+FeatureTrees::FeatureTrees(const Mesh& mesh, const Options& options, const Kernels& kernels)
+    : mesh_(mesh), options_(options), kernels_(kernels), loose_(mesh) {
+  const PairFilter& filter = options.filter;
   for (BlockTree* tree : {&points_, &edges_, &faces_, &loose_points_, &loose_edges_})
     tree->set_groups(filter.group_of_vertex, filter.groups_may_touch, filter.group_count);
   points_.set_features(mesh.points());
@@ -33,8 +36,14 @@ void FeatureTrees::update(const Step& step, const Separations& separations, Stat
 
 void FeatureTrees::look_at(const Step& step, const Separations& separations) {
   motion_.assign(step, mesh_.points(), separations);
-  for (BlockTree* tree : {&points_, &edges_, &faces_, &loose_points_, &loose_edges_})
+  refit_trees();
+}
+
+void FeatureTrees::refit_trees() {
+  for (BlockTree* tree : {&points_, &edges_, &faces_, &loose_points_, &loose_edges_}) {
+    stop_if_cancelled(options_);
     tree->refit(motion_, kernels_.trees);
+  }
 }
 
 void FeatureTrees::move_vertices(const Step& step, const Separations& separations, Statistics& statistics) {
@@ -52,25 +61,23 @@ void FeatureTrees::update_trees(Statistics& statistics) {
     return sum;
   };
   if (built_area_ > 0) {
-    for (BlockTree* tree : trees) tree->refit(motion_, kernels_.trees);
+    refit_trees();
     if (area() <= kPoor * built_area_) return;
   }
-  for (BlockTree* tree : trees) tree->build(motion_, kernels_.trees);
+  const int axes = order_axes(motion_, mesh_.points(), kernels_.trees.split);
+  built_area_ = 0;  // until all are built
+  for (BlockTree* tree : trees) tree->build(motion_, axes, kernels_.trees, [&] { stop_if_cancelled(options_); });
   // Areas are of the box frame, which holds the scene whatever its size; a scene without area is rebuilt each time.
   built_area_ = area();
-  ++builds_;
   statistics.rebuilt = true;
 }
 
-const PackedMotion& FeatureTrees::count_vertex_drifts(const Step& step, const Positions& before) {
-  motion_.assign_drifts(step, before, mesh_.points());
-  return motion_;
-}
-
-void FeatureTrees::count_rests(const Step& step, const SharedMotion& shared) {
-  motion_.assign_rests(step, shared);
-  for (BlockTree* tree : {&points_, &edges_, &faces_, &loose_points_, &loose_edges_})
-    tree->refit_drifts(motion_, kernels_.trees);
+void FeatureTrees::fit_residuals(const Step& step, const SharedMotion& shared) {
+  motion_.assign_residuals(step, shared);
+  for (BlockTree* tree : {&points_, &edges_, &faces_, &loose_points_, &loose_edges_}) {
+    stop_if_cancelled(options_);
+    tree->refit_residuals(motion_, kernels_.trees);
+  }
 }
 
 std::uint64_t FeatureTrees::memory_bytes() const {

@@ -11,8 +11,9 @@ namespace tamis {
 /// Kept from question to question.
 class FeatureTrees {
  public:
-  /// Keeps references: mesh and filter must outlive it.
-  FeatureTrees(const Mesh& mesh, const Kernels& kernels, const PairFilter& filter);
+  /// Keeps references: mesh and options must outlive it. Whatever throws Cancelled leaves trees that the next question
+  /// can use.
+  FeatureTrees(const Mesh& mesh, const Options& options, const Kernels& kernels);
   FeatureTrees(const FeatureTrees&) = delete;
   FeatureTrees& operator=(const FeatureTrees&) = delete;
 
@@ -23,13 +24,8 @@ class FeatureTrees {
   void look_at(const Step& step, const Separations& separations);
   /// Vertices alone: boxes are left as they are, of another step.
   void move_vertices(const Step& step, const Separations& separations, Statistics& statistics);
-  /// What the displacements of each feature have besides a motion they share, for the questions that ask: in place of
-  /// drifts, of motion and trees.
-  void count_rests(const Step& step, const SharedMotion& shared);
-  /// How far vertices have drifted since the positions `before`.
-  const PackedMotion& count_vertex_drifts(const Step& step, const Positions& before);
-  /// How often the trees have been built: blocks of one building are not those of another.
-  int builds() const { return builds_; }
+  /// What the displacements of each feature have besides a motion they share, for the questions that ask.
+  void fit_residuals(const Step& step, const SharedMotion& shared);
 
   TreeView points() const { return points_.view(); }
   TreeView edges() const { return edges_.view(); }
@@ -50,14 +46,15 @@ class FeatureTrees {
 
  private:
   void update_trees(Statistics& statistics);
+  void refit_trees();
 
   const Mesh& mesh_;
+  const Options& options_;
   const Kernels& kernels_;
   PackedMotion motion_;
   const LooseFeatures loose_;
   BlockTree points_, edges_, faces_, loose_points_, loose_edges_;
   double built_area_ = 0;
-  int builds_ = 0;
 };
 
 }  // namespace tamis

@@ -8,8 +8,7 @@ namespace tamis {
 namespace {
 
 /// The caller's own function is about pairs of other kinds.
-Options exact_by_groups(Options options) {
-  options.guarantee = Guarantee::exact;
+Options by_groups(Options options) {
   options.filter.accepts = nullptr;
   return options;
 }
@@ -19,7 +18,7 @@ Options exact_by_groups(Options options) {
 IntersectionSearch::IntersectionSearch(const Mesh& mesh, const Options& options, const Kernels& kernels,
                                        FeatureTrees& trees)
     : mesh_(mesh),
-      options_(exact_by_groups(options)),
+      options_(by_groups(options)),
       kernels_(kernels),
       trees_(trees),
       found_(options_),
@@ -47,13 +46,13 @@ void IntersectionSearch::search() {
   const TreeView edges = trees_.edges(), faces = trees_.faces();
   pipelines_.for_each_part(found_, kRunner, edges.leaf_blocks, kGrain,
                            [&](StagePipeline& pipeline, int first, int last) {
-                             pipeline.search(kRunner, edges, faces, {first, last, 1}, 1, true);
+                             pipeline.search(kRunner, edges, faces, {first, last, 1}, 1);
                            });
 }
 
 Intersection IntersectionSearch::intersection_of(const Contact& contact) const {
   const auto& [runner, f0, f1, f2] = contact.vertices;
-  const Edge& edge = mesh_.edges()[static_cast<std::size_t>(runner - mesh_.vertex_count())];
+  const Edge& edge = mesh_.edges()[static_cast<std::size_t>(runner)];
   return {edge, {f0, f1, f2}, contact.toi_lower, contact.toi_upper, contact.u, contact.v};
 }
 

@@ -94,6 +94,7 @@ void NearFinder::describe(PairKind kind, const Step& step, const PairVertices* p
   constexpr std::size_t kAtOnce = 128;  // what is on its way stays in the first cache
   PairBuffer& buffer = buffers_->near;
   for (std::size_t first = 0; first < count; first += kAtOnce) {
+    stop_if_cancelled(options_);
     buffer.count = static_cast<int>(std::min(kAtOnce, count - first));
     for (int i = 0; i < buffer.count; ++i)
       for (std::size_t c = 0; c < vertex_count(kind); ++c)

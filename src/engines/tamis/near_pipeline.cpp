@@ -62,10 +62,11 @@ NearPipeline::NearPipeline(NearPipeline&&) noexcept = default;
 void NearPipeline::begin() {
   buffers_->boxes.count = 0;  // pairs of a step whose question threw
   limit_ = {};
+  ends_.clear();
   counts_ = {};
 }
 
-std::uint64_t NearPipeline::memory_bytes() const { return sizeof(Buffers); }
+std::uint64_t NearPipeline::memory_bytes() const { return sizeof(Buffers) + ends_.capacity() * sizeof(StepLimit); }
 
 void NearPipeline::search(PairKind kind, const TreeView& a, const TreeView& b, int first, int last, int stride) {
   watch_.lap();
@@ -112,13 +113,17 @@ void NearPipeline::decide_buffered() {
 void NearPipeline::decide(const PairVertices& vertices) {
   stop_if_cancelled(options_);
   const PairKind kind = buffers_->kind;
-  if (!lets_pass(options_.filter, kind, vertices)) return;
+  if (limit_.rules_out(kind, vertices) || !lets_pass(options_.filter, kind, vertices)) return;
   double earliest = question_.earliest.load(std::memory_order_relaxed);
   const double until = std::nextafter(earliest, 2.0);  // a tie is of interest too
   const double time = keeps_distance_until(kind, points_of(question_.step, vertices),
                                            {question_.fraction, motion_.separations.between(kind, vertices)}, until,
                                            counts_.decided_by);
   if (time > earliest) return;
+  if (question_.lists_all) {
+    if (time < 1) ends_.push_back({time, kind, vertices});
+    return;
+  }
   limit_.add({time, kind, vertices});
   while (time < earliest && !question_.earliest.compare_exchange_weak(earliest, time, std::memory_order_relaxed)) {
   }

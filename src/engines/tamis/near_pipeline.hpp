@@ -3,6 +3,7 @@
 #pragma once
 #include <atomic>
 #include <memory>
+#include <vector>
 
 #include "bounds/shared_motion.hpp"
 #include "engines/step_limit.hpp"
@@ -19,6 +20,7 @@ struct NearQuestion {
   SharedMotion::Stretch stretch;    ///< of the motion beside which the trees have rests
   double separation = 0;            ///< of any pair at most, in the frame of the boxes
   std::atomic<double> earliest{1};  ///< the first time found so far at which a pair ends the step
+  bool lists_all = false;           ///< every pair that ends the step is of interest: `earliest` stays
 
   /// Which pairs may still end the step first, in time or in the order of contacts. Until a time later by 2^-15, which
   /// covers its own rounding, that of the searches in floats, and what the times of single pairs lose to it (2^-18,
@@ -53,6 +55,8 @@ class NearPipeline {
   std::uint64_t memory_bytes() const;
 
   const StepLimit& limit() const { return limit_; }
+  /// If the question lists all, in no order.
+  const std::vector<StepLimit>& ends() const { return ends_; }
   const NearCounts& counts() const { return counts_; }
 
  private:
@@ -68,6 +72,7 @@ class NearPipeline {
   NearQuestion& question_;
   std::unique_ptr<Buffers> buffers_;
   StepLimit limit_;
+  std::vector<StepLimit> ends_;
   NearCounts counts_;
   Stopwatch watch_;
 };

@@ -4,15 +4,15 @@
 
 #include <algorithm>
 
+#include "engines/cancellation.hpp"
 #include "engines/stage_counts.hpp"
 #include "engines/stopwatch.hpp"
 
 namespace tamis {
 NearSearch::NearSearch(const Mesh& mesh, const Options& options, const Kernels& kernels, FeatureTrees& trees)
-    : mesh_(mesh),
-      kernels_(kernels),
-      trees_(trees),
-      finders_([this, &options] { return NearFinder(kernels_, trees_.motion(), options); }) {}
+    : mesh_(mesh), options_(options), kernels_(kernels), trees_(trees), finders_([this] {
+        return NearFinder(kernels_, trees_.motion(), options_);
+      }) {}
 
 void NearSearch::find(const Positions& positions, const Separations& separations, std::vector<NearPair>& pairs,
                       Statistics& statistics) {
@@ -60,7 +60,7 @@ void NearSearch::gather(Statistics& statistics, double seconds) {
   const double sum = traverse + solving, share = sum > 0 ? seconds / sum : 0;
   statistics.seconds.traverse = share * traverse;
   statistics.seconds.solve = share * solving;
-  for (auto& list : lists_) order_.sort(list, mesh_.vertex_count());
+  for (auto& list : lists_) order_.sort(list, mesh_.vertex_count(), [&] { stop_if_cancelled(options_); });
 }
 
 void NearSearch::describe(std::vector<NearPair>& pairs) {

@@ -31,6 +31,7 @@ class NearSearch {
   void describe(std::vector<NearPair>& pairs);
 
   const Mesh& mesh_;
+  const Options& options_;
   const Kernels& kernels_;
   FeatureTrees& trees_;
   Step step_;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "numerics/assert.hpp"
+
 namespace tamis {
 namespace {
 
@@ -36,6 +38,8 @@ void PairList::take(PairList& other) {
 
 void PairList::copy(std::size_t first, std::size_t last, const TimeInterval<float>& when, float t_limit,
                     PairBuffer& pairs) const {
+  TAMIS_ASSERT(first <= last && last <= t_in_.size() &&
+               last - first <= static_cast<std::size_t>(PairBuffer::kCapacity - pairs.count));
   std::size_t kept[PairBuffer::kCapacity];
   std::size_t count = 0;
   for (std::size_t i = first; i < last; ++i) {

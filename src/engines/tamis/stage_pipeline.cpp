@@ -32,6 +32,7 @@ StageKernels kernels_of(const Kernels& k, PairKind kind, bool are_edges_and_face
 PipelineCounts& PipelineCounts::operator+=(const PipelineCounts& other) {
   add(boxes, other.boxes);
   add(slab, other.slab);
+  add(apart, other.apart);
   add(dnf, other.dnf);
   add(ncf, other.ncf);
   add(solve, other.solve);
@@ -45,7 +46,7 @@ PipelineCounts& PipelineCounts::operator+=(const PipelineCounts& other) {
 
 void PipelineCounts::report(Statistics& statistics, double wall, bool has_filters) const {
   statistics.stages = {boxes, slab, dnf, ncf, solve};
-  if (!has_filters) statistics.stages = {boxes, slab, solve};
+  if (!has_filters) statistics.stages = {boxes, slab, apart, solve};
   statistics.decided_by = decided_by;
   statistics.nodes_visited = nodes_visited;
   const double sum = traverse + filter + solving, share = sum > 0 ? wall / sum : 0;
@@ -57,6 +58,7 @@ void PipelineCounts::report(Statistics& statistics, double wall, bool has_filter
 struct StagePipeline::Buffers {
   PairBuffer boxes, slab, filtered;
   SolvedPair solved[PairBuffer::kCapacity];
+  std::unique_ptr<WithinScratch> within;  ///< made where it is used
   PairKind kind = PairKind::vertex_face;
 };
 
@@ -82,26 +84,13 @@ void StagePipeline::begin(const FoundContacts& answer) {
 std::uint64_t StagePipeline::memory_bytes() const {
   std::uint64_t bytes = sizeof(Buffers) + found_.memory_bytes();
   for (const PairList& pairs : candidates_) bytes += pairs.memory_bytes();
-  return bytes;
+  return bytes + (buffers_->within ? sizeof(WithinScratch) : 0);
 }
 
-void StagePipeline::search(PairKind kind, const TreeView& a, const TreeView& b, const BlockRange& blocks, float t_limit,
-                           bool is_short) {
+void StagePipeline::search(PairKind kind, const TreeView& a, const TreeView& b, const BlockRange& blocks,
+                           float t_limit) {
   Search search{a, b};
   search.t_limit = t_limit;
-  search.is_short = is_short;
-  this->search(kind, search, blocks);
-}
-
-void StagePipeline::search(PairKind kind, const TreeView& a, const TreeView& b, int block,
-                           std::span<const std::int32_t> others, float t_limit, bool is_short) {
-  Search search{a, b, others};
-  search.t_limit = t_limit;
-  search.is_short = is_short;
-  this->search(kind, search, {block, block + 1, 1});
-}
-
-void StagePipeline::search(PairKind kind, Search& search, const BlockRange& blocks) {
   watch_.lap();
   if (kind != buffers_->kind) decide_buffered(buffers_->kind);
   buffers_->kind = kind;
@@ -143,23 +132,24 @@ void StagePipeline::flush(Search& search) {
 }
 
 void StagePipeline::keep_buffered(PairKind kind) {
-  auto& [boxes, slab, filtered, solved, current] = *buffers_;
+  auto& [boxes, slab, filtered, solved, within, current] = *buffers_;
   keep_each_once(kind, boxes);
   slab.count = filtered.count = 0;
   const StageKernels stages = kernels_of(kernels_, kind, false);
   stages.slab(motion_.box_vertices.data(), motion_.box_separation(), boxes, slab);
-  const bool has_filter = can_cross(kind) && !found_.separations().any();
-  if (has_filter) stages.filter_straying(motion_.vertices.data(), found_.stray(), slab, filtered);
-  const PairBuffer& left = has_filter ? filtered : slab;
-  candidates(kind).append(left, vertex_count(kind));
-  found_.count_candidates(left.count);
+  if (can_cross(kind) && !found_.separations().any())
+    stages.filter_straying(motion_.vertices.data(), found_.stray(), slab, filtered);
+  else
+    cull_apart(kind);
+  candidates(kind).append(filtered, vertex_count(kind));
+  found_.count_candidates(filtered.count);
   boxes.count = 0;
 }
 
 void StagePipeline::decide_buffered(PairKind kind) {
   stop_if_cancelled(options_);
   if (found_.question() == Question::candidates) return keep_buffered(kind);
-  auto& [boxes, slab, filtered, solved, current] = *buffers_;
+  auto& [boxes, slab, filtered, solved, within, current] = *buffers_;
   keep_each_once(kind, boxes);
   leave_out_unwanted(kind);
   const StageKernels stages = kernels_of(kernels_, kind, edges_of_ != nullptr);
@@ -178,12 +168,22 @@ void StagePipeline::decide_buffered(PairKind kind) {
   counts_.solving += watch_.lap();
 }
 
+void StagePipeline::cull_apart(PairKind kind) {
+  kernels_.cull_apart[static_cast<std::size_t>(kind)](motion_.box_vertices.data(), motion_.box_separation(),
+                                                      buffers_->slab, buffers_->filtered);
+}
+
 void StagePipeline::decide_within_separation(PairKind kind) {
-  PairBuffer& pairs = buffers_->slab;
-  of(counts_.solve, kind) += static_cast<std::uint64_t>(pairs.count);
-  buffers_->boxes.count = 0;
+  auto& [boxes, slab, filtered, solved, within, current] = *buffers_;
+  of(counts_.apart, kind) += static_cast<std::uint64_t>(slab.count);
+  cull_apart(kind);
+  of(counts_.solve, kind) += static_cast<std::uint64_t>(filtered.count);
+  boxes.count = 0;
   counts_.filter += watch_.lap();
-  for (int i = 0; i < pairs.count; ++i) solve_singly(kind, pairs, i);
+  if (!within) within = std::make_unique<WithinScratch>();
+  const WithinRule rule{motion_.pair_separation(), found_.latest()};
+  const auto come_within = kernels_.come_within[static_cast<std::size_t>(kind)];
+  add_solved(kind, filtered, come_within(motion_.vertices.data(), rule, filtered, *within, solved));
   counts_.solving += watch_.lap();
 }
 
@@ -196,21 +196,25 @@ void StagePipeline::leave_out_unwanted(PairKind kind) {
       return may_touch(filter, pairs.corner[0][i], pairs.corner[second][i]);
     });
   if (!filter.accepts && !found_.touches_at_start()) return;
-  keep_wanted(pairs, [&](int i) {
+  const auto is_wanted = [&](int i) {
     const PairVertices vertices = vertices_of(kind, pairs, i);
     return found_.wants(kind, vertices) && (!filter.accepts || filter.accepts(kind, vertices));
-  });
+  };
+  isolated([&] { keep_wanted(pairs, is_wanted); });
 }
 
 void StagePipeline::solve(PairKind kind) {
   const PairBuffer& pairs = buffers_->filtered;
   const int count = kernels_of(kernels_, kind, edges_of_ != nullptr)
                         .solve(motion_.vertices.data(), pairs, buffers_->slab, buffers_->solved);
+  add_solved(kind, pairs, count);
+}
+
+void StagePipeline::add_solved(PairKind kind, const PairBuffer& pairs, int count) {
   int undecided = 0;
   for (int i = 0; i < count; ++i) {
     const SolvedPair& s = buffers_->solved[i];
-    const bool is_exact = options_.guarantee == Guarantee::exact;
-    if (!s.is_decided || (is_exact && !is_sharp(s.toi_lower, s.toi_upper))) {
+    if (!s.is_decided || !is_sharp(s.toi_lower, s.toi_upper)) {
       solve_singly(kind, pairs, s.pair);
       ++undecided;
       continue;
@@ -238,7 +242,7 @@ void StagePipeline::solve_singly(PairKind kind, const PairBuffer& pairs, int pai
 
 PairVertices StagePipeline::vertices_at(PairKind kind, const PairBuffer& pairs, int pair) const {
   PairVertices vertices = vertices_of(kind, pairs, pair);
-  if (edges_of_) vertices[0] = edges_of_->vertex_count() + edges_of_->find_edge(vertices[0], pairs.corner[4][pair]);
+  if (edges_of_) vertices[0] = edges_of_->find_edge(vertices[0], pairs.corner[4][pair]);
   return vertices;
 }
 

@@ -13,7 +13,7 @@ namespace tamis {
 
 /// Pairs that entered each stage, and where the time went, of one thread.
 struct PipelineCounts {
-  StageCount boxes{"boxes"}, slab{"slab"}, dnf{"dnf"}, ncf{"ncf"}, solve{"solve"};
+  StageCount boxes{"boxes"}, slab{"slab"}, apart{"apart"}, dnf{"dnf"}, ncf{"ncf"}, solve{"solve"};
   PrecisionCount decided_by;
   std::uint64_t nodes_visited = 0;
   double traverse = 0, filter = 0, solving = 0;  ///< seconds
@@ -31,8 +31,8 @@ struct BlockRange {
 class StagePipeline {
  public:
   /// Keeps references. With `edges_of`, all questions are about that mesh's edges (of the tree `a`) and faces in one
-  /// pose: a contact is that of a vertex which runs along the edge within the step, and has the number vertex_count() +
-  /// edge.
+  /// pose: a contact is that of a vertex which runs along the edge within the step, and has the edge's
+  /// number.
   StagePipeline(const Kernels& kernels, const PackedMotion& motion, const Options& options,
                 const Mesh* edges_of = nullptr);
   ~StagePipeline();
@@ -40,13 +40,8 @@ class StagePipeline {
 
   /// Forgets the last question; the memory stays.
   void begin(const FoundContacts& answer);
-  /// Every `blocks.stride`-th leaf block of `a` against all of `b`, as far as they may touch until `t_limit`;
-  /// `is_short` as in Search.
-  void search(PairKind kind, const TreeView& a, const TreeView& b, const BlockRange& blocks, float t_limit,
-              bool is_short);
-  /// One leaf block of `a` against some of `b`.
-  void search(PairKind kind, const TreeView& a, const TreeView& b, int block, std::span<const std::int32_t> others,
-              float t_limit, bool is_short);
+  /// Every `blocks.stride`-th leaf block of `a` against all of `b`, as far as they may touch until `t_limit`.
+  void search(PairKind kind, const TreeView& a, const TreeView& b, const BlockRange& blocks, float t_limit);
   /// The pairs first to last of a list, as far as they may touch at some time of `when`, by the list, and until
   /// `t_limit`, by this question.
   void search(PairKind kind, const PairList& pairs, std::size_t first, std::size_t last,
@@ -59,17 +54,18 @@ class StagePipeline {
 
   const PipelineCounts& counts() const { return counts_; }
   FoundContacts& found() { return found_; }
-  /// Scratch, for the caller: leaf blocks.
-  std::vector<std::int32_t>& others() { return others_; }
 
  private:
   struct Buffers;
 
-  void search(PairKind kind, Search& search, const BlockRange& blocks);
   static void flush(Search& search);
   void decide_buffered(PairKind kind);
-  /// What the slab clip leaves, where a distance counts and not a crossing: strict signs prove no distance.
+  /// What the slab clip leaves, where a distance counts and not a crossing: strict signs prove no distance. Leaves
+  /// `filtered`.
+  void cull_apart(PairKind kind);
   void decide_within_separation(PairKind kind);
+  /// The first `count` of `solved`, which speak of `pairs`.
+  void add_solved(PairKind kind, const PairBuffer& pairs, int count);
   /// Before any work: what the caller's filter, or what is known already, leaves out.
   void leave_out_unwanted(PairKind kind);
   void keep_buffered(PairKind kind);
@@ -86,7 +82,6 @@ class StagePipeline {
   std::unique_ptr<Buffers> buffers_;
   PipelineCounts counts_;
   FoundContacts found_;
-  std::vector<std::int32_t> others_;
   PairList candidates_[kPairKinds];
   Stopwatch watch_;
 };

@@ -6,6 +6,7 @@
 #include <span>
 
 #include "engines/stopwatch.hpp"
+#include "numerics/assert.hpp"
 
 namespace tamis {
 namespace {
@@ -21,29 +22,50 @@ constexpr double kMeetsAll = 8;
 StepLengthSearch::StepLengthSearch(const Mesh& mesh, const Options& options)
     : options_(options),
       kernels_(kernels(options.isa)),
-      trees_(mesh, kernels_, options.filter),
+      trees_(mesh, options, kernels_),
       shared_(mesh),
       pipelines_([this] { return NearPipeline(kernels_, trees_.motion(), options_, question_); }) {}
 
-SafeStep StepLengthSearch::find(const Step& step, const Separations& separations, double fraction,
-                                Statistics& statistics) {
+void StepLengthSearch::begin(const Step& step, const Separations& separations, double fraction, bool lists_all,
+                             Statistics& statistics) {
   question_.step = step;
   question_.fraction = fraction;
   question_.earliest = 1;
+  question_.lists_all = lists_all;
   trees_.update(step, separations, statistics);
   Stopwatch watch;
   const BoxFrame& frame = trees_.motion().frame;
   shared_.fit(step, frame, fraction);
-  trees_.count_rests(step, shared_);
+  trees_.fit_residuals(step, shared_);
   question_.stretch = shared_.stretch();
   const double separation = (separations.fixed + 2 * separations.largest_radius()) * frame.scale;
   question_.separation = std::min(separation, kMeetsAll);
   statistics.seconds.bounds += watch.lap();
   for (NearPipeline& pipeline : pipelines_) pipeline.begin();
+}
+
+SafeStep StepLengthSearch::find(const Step& step, const Separations& separations, double fraction,
+                                Statistics& statistics) {
+  TAMIS_ASSERT(0 < fraction && fraction < 1);
+  begin(step, separations, fraction, false, statistics);
+  Stopwatch watch;
   search(kSamples[0]);
   if (meets_many(kSamples[0])) search_short_steps();
   for (const Sample& sample : std::span(kSamples).subspan(1)) search(sample);
   return collect(statistics, watch.lap()).answer(step, fraction, separations);
+}
+
+void StepLengthSearch::find_all(const Step& step, const Separations& separations, double fraction,
+                                std::vector<StepLimit>& ends, Statistics& statistics) {
+  TAMIS_ASSERT(0 < fraction && fraction < 1);
+  begin(step, separations, fraction, true, statistics);
+  Stopwatch watch;
+  search(kAllBlocks[0]);
+  collect(statistics, watch.lap());
+  ends.clear();
+  for (const NearPipeline& pipeline : pipelines_)
+    ends.insert(ends.end(), pipeline.ends().begin(), pipeline.ends().end());
+  std::sort(ends.begin(), ends.end(), comes_before_in_order);
 }
 
 /// Of the sample, which has been searched.

@@ -24,9 +24,14 @@ class StepLengthSearch {
   /// earlier questions change a bit of the answer (docs/numerics.md, "Step lengths"). REQUIRES: a validated step,
   /// 0 < fraction < 1. Runs in the caller's oneTBB arena.
   SafeStep find(const Step& step, const Separations& separations, double fraction, Statistics& statistics);
+  /// Every pair that is not proven to keep the fraction during the whole step, by kind, then vertices, with the time
+  /// until which it is. Otherwise the same.
+  void find_all(const Step& step, const Separations& separations, double fraction, std::vector<StepLimit>& ends,
+                Statistics& statistics);
   std::uint64_t memory_bytes() const;
 
  private:
+  void begin(const Step& step, const Separations& separations, double fraction, bool lists_all, Statistics& statistics);
   void search(const Sample& sample);
   bool meets_many(const Sample& sample) const;
   void search_short_steps();

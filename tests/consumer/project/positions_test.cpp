@@ -2,9 +2,9 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <limits>
 #include <tamis/tamis.hpp>
-#include <type_traits>
 
 namespace {
 
@@ -58,9 +58,28 @@ TEST(Positions, of_a_raw_pointer_with_stride) {
   expect_the_one_contact({tamis::Positions(start.data(), 6, 4), tamis::Positions(end.data(), 6, 9)});
 }
 
-// Taken for rows, columns would be a mesh torn to pieces, silently.
-static_assert(!std::is_constructible_v<tamis::Positions, Eigen::Matrix<double, Eigen::Dynamic, 3>>);
-static_assert(!std::is_constructible_v<tamis::Positions, Eigen::Matrix<float, Eigen::Dynamic, 3, Eigen::RowMajor>>);
+TEST(Positions, of_anything_that_holds_three_doubles_a_vertex) {
+  struct Xyz {
+    double x, y, z;
+  };
+  std::vector<Eigen::Vector3d> vectors;
+  std::vector<Xyz> structs;
+  double arrays[6][3];
+  for (std::size_t v = 0; v < kStart.size(); ++v) {
+    vectors.emplace_back(kStart[v].data());
+    structs.push_back({kEnd[v][0], kEnd[v][1], kEnd[v][2]});
+    std::copy(kEnd[v].begin(), kEnd[v].end(), arrays[v]);
+  }
+  expect_the_one_contact({vectors, structs});
+  expect_the_one_contact({std::span<const Eigen::Vector3d>(vectors), arrays});
+}
+
+TEST(Positions, of_floats_are_copied_by_points_of) {
+  std::vector<Eigen::Vector3f> floats;
+  for (const tamis::Point& p : kStart) floats.emplace_back(Eigen::Vector3d(p.data()).cast<float>());
+  const auto copies = tamis::points_of(floats);
+  expect_the_one_contact({copies, kEnd});
+}
 
 TEST(Positions, of_a_matrix_of_three_rows_are_its_columns) {
   const Eigen::Matrix3Xd start = padded(kStart, 3).transpose();

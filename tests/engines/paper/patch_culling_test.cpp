@@ -13,7 +13,6 @@ namespace {
 Options with(std::string_view method) {
   Options options;
   choose_method(options, method);
-  options.guarantee = Guarantee::exact;
   return options;
 }
 

@@ -16,7 +16,6 @@ using scenes::ReducedScene;
 Options subspace_options(std::shared_ptr<const ReducedModel> model) {
   Options options;
   options.method = Method::paper;
-  options.guarantee = Guarantee::exact;
   options.paper.high_level = HighLevelCulling::subspace;
   options.paper.reduced_model = std::move(model);
   return options;
@@ -39,7 +38,6 @@ struct Answer {
 Answer checked(const scenes::Scene& scene, std::shared_ptr<const ReducedModel> model) {
   Options brute;
   brute.method = Method::brute;
-  brute.guarantee = Guarantee::exact;
   Detector yardstick(scene.mesh(), brute), detector(scene.mesh(), subspace_options(std::move(model)));
   const Vertices expected = vertices_of(yardstick.contacts(scene.step()));
   EXPECT_EQ(vertices_of(detector.contacts(scene.step())), expected);

@@ -153,16 +153,20 @@ def or_bad(right: Any, bad: Any) -> Any:
 
 WRONG: list[tuple[type[Exception], str, Ask]] = [
     (_STEP, "start has the shape (2)", lambda d, p: d.contacts(or_bad(p.start, [1, 2]), p.end)),
-    (_STEP, "end has the dtype object", lambda d, p: d.is_free(p.start, or_bad(p.end, [[None] * 3]))),
+    (_STEP, "of the dtype object", lambda d, p: d.is_free(p.start, or_bad(p.end, [[None] * 3]))),
     (_STEP, "has 1 positions", lambda d, p: d.earliest(or_bad(p.start, p.start[:1]), p.end)),
-    (tamis.Error, "could not convert", lambda d, p: d.keep_distance(p.start, p.end, or_bad(0.1, "all"))),
-    (tamis.Error, "TypeError: ", lambda d, p: d.contacts(p.start, p.end, min_separation=or_bad(None, [1]))),
-    (tamis.Error, "TypeError: ", lambda d, p: d.gather_contacts(or_bad(0, None))),
+    (tamis.InvalidOptions, "fraction is 'all'", lambda d, p: d.keep_distance(p.start, p.end, or_bad(0.1, "all"))),
+    (
+        tamis.InvalidOptions,
+        "min_separation is [1]",
+        lambda d, p: d.contacts(p.start, p.end, min_separation=or_bad(None, [1])),
+    ),
+    (tamis.InvalidOptions, "root is None", lambda d, p: d.gather_contacts(or_bad(0, None))),
     (_MESH, "faces has the shape", lambda d, p: distributed.Detector(COMM, or_bad([], [[1]]), [])),
     (_MESH, "names vertex -7", lambda d, p: distributed.Detector(COMM, or_bad([], [[0, 1, -7]]), [])),
     (_OPTIONS, "no method is called", lambda d, p: p.detector(method=or_bad("tamis", "other"))),
     (_OPTIONS, "threads is -1", lambda d, p: distributed.Detector(COMM, p.faces, p.vertices, threads=or_bad(1, -1))),
-    (_OPTIONS, "groups has the dtype", lambda d, p: p.detector(groups=or_bad(p.groups, ["a"]))),
+    (_OPTIONS, "of the dtype <U1", lambda d, p: p.detector(groups=or_bad(p.groups, ["a"]))),
 ]
 
 
@@ -178,7 +182,7 @@ def test_what_one_rank_gives_wrong_is_raised_on_all(
 
 def test_a_rank_that_is_none(cloth: Part) -> None:
     many = cloth.detector()
-    assert "there is no rank -1" in raised_on_all(tamis.InvalidOptions, lambda: many.gather_contacts(-1))
+    assert "root is -1" in raised_on_all(tamis.InvalidOptions, lambda: many.gather_contacts(-1))
 
 
 def test_a_filter_that_raises_on_one_rank(cloth: Part) -> None:

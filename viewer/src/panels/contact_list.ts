@@ -3,7 +3,7 @@ import { colourOfTime, css } from "../colours";
 import { el } from "../dom";
 import { objectsOf } from "../scene/filter";
 import { counted, grouped } from "../numbers";
-import { withoutContacts } from "../scene/header";
+import { nothingFound, nounOf } from "../scene/header";
 import { kFilterKeys, type Session } from "../session";
 import type { SortKey } from "../store";
 
@@ -69,16 +69,17 @@ export class ContactList {
   }
 
   private refresh(): void {
-    const { rows, view } = this.session;
+    const { rows, view, scene } = this.session;
     const { count } = view.step;
+    const noun = nounOf(scene.header);
     const height = Math.min(rows.length * kRowHeight, kTallest);
     this.spacer.style.height = `${height}px`;
     this.summary.textContent =
       count === 0
-        ? `No contact: ${withoutContacts(view.step.header)}`
+        ? `No ${noun}: ${nothingFound(scene.header, view.step.header)}`
         : rows.length === count
-          ? counted(count, "contact")
-          : `${grouped(rows.length)} of ${counted(count, "contact")}`;
+          ? counted(count, noun)
+          : `${grouped(rows.length)} of ${counted(count, noun)}`;
     this.summary.dataset.count = String(rows.length);
     this.scroller.scrollTop = 0;
     this.drawRows();
@@ -180,4 +181,5 @@ export const kKindNames: Record<string, string> = {
   ee: "edge-edge",
   ve: "vertex-edge",
   vv: "vertex-vertex",
+  ef: "edge-face",
 };

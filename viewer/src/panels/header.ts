@@ -4,7 +4,7 @@ import { counted, grouped, roundedDown } from "../numbers";
 import type { Actions } from "../actions";
 import type { Session } from "../session";
 import type { Switch } from "../store";
-import { withoutContacts } from "../scene/header";
+import { isPose, nothingFound, nounOf } from "../scene/header";
 import { contactsOf } from "../scene/scene";
 
 export function header(session: Session, actions: Actions): HTMLElement {
@@ -13,12 +13,13 @@ export function header(session: Session, actions: Actions): HTMLElement {
   const answer = el("p", { class: "answer", id: "answer" });
   store.follow(["step"], () => {
     const { step } = store.now;
-    names.textContent = `${scene.header.names[step]} → ${scene.header.names[step + 1]}`;
+    names.textContent = scene.header.names.slice(step, step + 2).join(" → ");
     answer.replaceChildren(...sentence(session));
   });
+  const noun = nounOf(scene.header);
   const first = button(
-    "First contact",
-    "Fly to the first contact (F)",
+    `First ${noun}`,
+    `Fly to the first ${noun} (F)`,
     () => {
       actions.firstContact();
     },
@@ -32,6 +33,7 @@ export function header(session: Session, actions: Actions): HTMLElement {
     },
     { id: "stops" },
   );
+  stops.hidden = isPose(scene.header);
   store.follow(["step"], () => {
     first.disabled = stops.disabled = session.view.step.count === 0;
   });
@@ -46,23 +48,23 @@ export function header(session: Session, actions: Actions): HTMLElement {
 
 function sentence({ view, scene, store }: Session): (Node | string)[] {
   const { contacts, toi_lower: lower } = view.step.header;
+  const noun = nounOf(scene.header);
   const { faces } = scene.header.mesh;
   const mesh = `${faces > 0 ? counted(faces, "triangle") : counted(scene.header.mesh.edges, "edge")}, `;
   const count = contactsOf(scene.header.steps[store.now.step]);
-  if (count === 0) return [mesh, el("b", {}, "no contact"), `: ${withoutContacts(view.step.header)}`];
+  if (count === 0) return [mesh, el("b", {}, `no ${noun}`), `: ${nothingFound(scene.header, view.step.header)}`];
+  const found = el("b", { id: "count", "data-count": count }, counted(count, noun));
+  if (isPose(scene.header))
+    return [mesh, found, ": edges that pass through triangles, or touch them; decided exactly."];
   const unresolved = contacts.unresolved > 0 ? `, ${grouped(contacts.unresolved)} of them unresolved` : "";
-  return [
-    mesh,
-    el("b", { id: "count", "data-count": count }, counted(count, "contact")),
-    `${unresolved}. Free before `,
-    el("b", {}, roundedDown(lower ?? 1, 6)),
-    " of the step, proven.",
-  ];
+  return [mesh, found, `${unresolved}. Free before `, el("b", {}, roundedDown(lower ?? 1, 6)), " of the step, proven."];
 }
 
 /** Switches for the drawing, theme and help. */
 export function tools(session: Session, actions: Actions): HTMLElement {
   const { store } = session;
+  const noun = nounOf(session.scene.header);
+  const points = `${noun[0].toUpperCase()}${noun.slice(1)}`;
   const flip = (key: Switch, label: string, title: string) => {
     const element = button(
       label,
@@ -88,12 +90,12 @@ export function tools(session: Session, actions: Actions): HTMLElement {
   return el(
     "nav",
     { class: "tools", "aria-label": "Drawing" },
-    flip("marks", "points", "Contact points (M)"),
-    flip("normals", "normals", "Contact normals (N)"),
-    flip("features", "features", "Both features of every contact (P)"),
+    flip("marks", "points", `${points} points (M)`),
+    flip("normals", "normals", `${points} normals (N)`),
+    flip("features", "features", `Both features of every ${noun} (P)`),
     flip("edges", "edges", "Edges of the mesh (E)"),
     flip("smooth", "smooth", "Smooth or flat (G)"),
-    flip("xray", "x-ray", "Contacts behind the surface (X)"),
+    flip("xray", "x-ray", `${points}s behind the surface (X)`),
     button(
       "⌂",
       "See everything (R)",
@@ -117,9 +119,10 @@ export function tools(session: Session, actions: Actions): HTMLElement {
 export function tabs(session: Session): HTMLElement {
   const { store } = session;
   const items = (["contacts", "pair", "sieve"] as const).map((panel) => {
+    const label = panel === "contacts" ? `${nounOf(session.scene.header)}s` : panel;
     const element = button(
-      panel,
-      `Show: ${panel}`,
+      label,
+      `Show: ${label}`,
       () => {
         const isShown = store.now.panelOpen && store.now.panel === panel;
         store.set({ panel, panelOpen: !isShown });

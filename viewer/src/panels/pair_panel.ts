@@ -2,6 +2,7 @@
 import { button, el } from "../dom";
 import { scientific } from "../numbers";
 import type { Pair } from "../scene/pair";
+import { isPose, nounOf } from "../scene/header";
 import type { Session } from "../session";
 import { kKindNames } from "./contact_list";
 import { GapPlot } from "./gap_plot";
@@ -20,14 +21,13 @@ export class PairPanel {
   private readonly facts = el("dl");
   private readonly sketches = kMoments.map((moment) => new PairSketch(moment));
   private readonly shown = el("div", { class: "shown" });
-  private readonly none = el(
-    "p",
-    { class: "summary" },
-    "No pair is selected. Choose a contact in the list, click on one in the scene, or press F for the first.",
-  );
+  private readonly none = el("p", { class: "summary" });
 
   constructor(private readonly session: Session) {
     const { store } = session;
+    const noun = nounOf(session.scene.header);
+    const article = isPose(session.scene.header) ? "an" : "a";
+    this.none.textContent = `No pair is selected. Choose ${article} ${noun} in the list, click on one in the scene, or press F for the first.`;
     const sketches = kMoments.map((moment, i) => {
       const figure = el("button", { type: "button", class: "moment", id: moment, title: `${moment} (${i + 1})` });
       figure.append(this.sketches[i].canvas, el("span", {}, moment));
@@ -39,9 +39,14 @@ export class PairPanel {
     const actions = el(
       "div",
       { class: "actions" },
-      button("Play the pair", "Go round from before to after (O)", () => {
-        playPair(session);
-      }),
+      button(
+        "Play the pair",
+        "Go round from before to after (O)",
+        () => {
+          playPair(session);
+        },
+        { class: "of-time" },
+      ),
       button("Alone / in the scene", "Show the pair alone (I)", () => {
         store.set({ isolated: !store.now.isolated });
       }),
@@ -74,26 +79,33 @@ export class PairPanel {
     const { contacts } = scene;
     const { name } = contacts.kindOf(pair.index);
     const unresolved = contacts.isUnresolved(pair.index);
+    const weights = contacts.storedWeights(pair.index).map((w) => w.toFixed(4));
+    const normal = contacts
+      .normal(pair.index)
+      .map((x) => x.toFixed(4))
+      .join(", ");
     this.title.replaceChildren(
       el("b", { class: "first" }, nameOf(pair.first)),
       " meets ",
       el("b", { class: "second" }, nameOf(pair.second)),
     );
+    if (isPose(scene.header)) {
+      this.verdict.textContent = "They share a point, though no vertex: decided exactly.";
+      const [along, u, v] = weights;
+      this.fill({ kind: kKindNames[name], "along the edge": along, "weights u, v": `${u}, ${v}`, normal });
+      return;
+    }
     this.verdict.textContent = unresolved
       ? "Unresolved: doubles cannot decide whether it touches, so it is reported. Nothing touches before, proven."
       : "Certified: it touches within the bracket, and not before.";
     this.verdict.dataset.unresolved = String(unresolved);
-    const [u, v] = contacts.uv(pair.index);
     this.fill({
       kind: kKindNames[name] ?? name,
       "free before": String(pair.toiLower),
       "touches by": String(pair.toiUpper),
       "bracket's width": scientific(pair.toiUpper - pair.toiLower),
-      "weights u, v": `${u.toFixed(4)}, ${v.toFixed(4)}`,
-      normal: contacts
-        .normal(pair.index)
-        .map((x) => x.toFixed(4))
-        .join(", "),
+      "weights u, v": weights.join(", "),
+      normal,
     });
   }
 

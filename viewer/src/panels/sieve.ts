@@ -4,7 +4,7 @@ import { grouped, inWords, percent } from "../numbers";
 import type { Session } from "../session";
 import { SievePicture, stageColour } from "./sieve_picture";
 import { contactsOf } from "../scene/scene";
-import type { SceneHeader, Stage } from "../scene/header";
+import { isPose, nounOf, type SceneHeader, type Stage } from "../scene/header";
 
 /** What each stage does; pairs that enter it are counted. */
 const kStages: Record<string, string> = {
@@ -27,11 +27,16 @@ function rowsOf(header: SceneHeader, step: number): Row[] {
   const { points, faces, edges } = header.mesh;
   const { stages, contacts } = header.steps[step];
   const row = (stage: Stage, explained: string, total: number): Row => ({ ...stage, explained, total });
-  const all = { name: "all pairs", vf: points * faces, ee: (edges * (edges - 1)) / 2 };
+  // Pairs of an edge and a face are counted as those of a vertex and a face are.
+  const all = isPose(header)
+    ? { name: "all pairs", vf: edges * faces, ee: 0 }
+    : { name: "all pairs", vf: points * faces, ee: (edges * (edges - 1)) / 2 };
+  const [vf, ee] = isPose(header) ? [contacts.ef, 0] : [contacts.vf, contacts.ee];
+  const found = { name: `${nounOf(header)}s`, vf, ee };
   return [
     row(all, "pairs of features in the mesh", all.vf + all.ee),
     ...stages.map((stage) => row(stage, kStages[stage.name] ?? `go into ${stage.name}`, stage.vf + stage.ee)),
-    row({ name: "contacts", vf: contacts.vf, ee: contacts.ee }, "touch: contacts", contactsOf(header.steps[step])),
+    row(found, `touch: ${found.name}`, contactsOf(header.steps[step])),
   ];
 }
 
@@ -66,7 +71,7 @@ export class Sieve {
     const rows = rowsOf(scene.header, store.now.step);
     const all = rows[0].total;
     const left = rows[rows.length - 1].total;
-    this.title.textContent = `${inWords(all)} pairs, ${inWords(left)} ${left === 1 ? "contact" : "contacts"}`;
+    this.title.textContent = `${inWords(all)} pairs, ${inWords(left)} ${nounOf(scene.header)}${left === 1 ? "" : "s"}`;
     this.share.textContent = `${percent(all > 0 ? (all - left) / all : 1)} of all pairs are proven free. Areas are true to scale.`;
     this.picture.show(rows.map((row) => row.total));
     this.list.replaceChildren(
@@ -77,7 +82,9 @@ export class Sieve {
           "div",
           {
             class: "sieve-row",
-            title: `${grouped(row.vf)} vertex-face, ${grouped(row.ee)} edge-edge`,
+            title: isPose(scene.header)
+              ? `${grouped(row.vf)} edge-face`
+              : `${grouped(row.vf)} vertex-face, ${grouped(row.ee)} edge-edge`,
             "data-stage": row.name,
             "data-pairs": row.total,
           },

@@ -1,4 +1,4 @@
-// The contacts of all steps, a column a property.
+// The contacts of all steps, or the intersections of a pose, a column a property.
 import type { PairKind } from "./header";
 import type { SceneFile } from "./scene_file";
 
@@ -9,12 +9,18 @@ function upperEnds(lower: Float64Array, width: BigUint64Array): Float64Array {
   return new Float64Array(bits.buffer);
 }
 
+/** Weights that add up to 1, of which all but the first are stored. */
+const completed = (stored: number[]): number[] => [1 - stored.reduce((sum, w) => sum + w, 0), ...stored];
+
 export class Contacts {
   readonly count: number;
   readonly kinds: PairKind[];
   readonly kind: Uint8Array;
   readonly toiLower: Float64Array;
   readonly toiUpper: Float64Array;
+  /** Vertices, and weights, of a pair of the kind that has most. */
+  private readonly vertexWidth: number;
+  private readonly weightWidth: number;
   private readonly certainty: Uint8Array;
   private readonly vertices: Int32Array;
   private readonly weights: Uint16Array;
@@ -25,7 +31,9 @@ export class Contacts {
     this.kind = file.planes("kind", 1);
     this.count = this.kind.length;
     this.certainty = file.planes("certainty", 1);
-    this.vertices = new Int32Array(file.integers("vertices", 4).buffer);
+    this.vertexWidth = Math.max(...this.kinds.map(({ first, second }) => first + second));
+    this.weightWidth = this.vertexWidth - 2;
+    this.vertices = new Int32Array(file.integers("vertices", this.vertexWidth).buffer);
     this.toiLower = new Float64Array(file.planes("toi_lower", 8).buffer);
     this.toiUpper = upperEnds(this.toiLower, new BigUint64Array(file.planes("toi_width", 8).buffer));
     this.weights = new Uint16Array(file.planes("weights", 2).buffer);
@@ -41,44 +49,42 @@ export class Contacts {
   }
 
   firstFeature(i: number): number[] {
-    return [...this.vertices.subarray(4 * i, 4 * i + this.kindOf(i).first)];
+    const at = this.vertexWidth * i;
+    return [...this.vertices.subarray(at, at + this.kindOf(i).first)];
   }
 
   secondFeature(i: number): number[] {
     const { first, second } = this.kindOf(i);
-    return [...this.vertices.subarray(4 * i + first, 4 * i + first + second)];
+    const at = this.vertexWidth * i + first;
+    return [...this.vertices.subarray(at, at + second)];
   }
 
   has(i: number, vertex: number): boolean {
     const { first, second } = this.kindOf(i);
-    for (let k = 0; k < first + second; ++k) if (this.vertices[4 * i + k] === vertex) return true;
+    for (let k = 0; k < first + second; ++k) if (this.vertex(i, k) === vertex) return true;
     return false;
   }
 
   /** The vertex in place k of contact i, without a copy. */
   vertex(i: number, k: number): number {
-    return this.vertices[4 * i + k];
+    return this.vertices[this.vertexWidth * i + k];
   }
 
-  /** u and v, to 1/65535. */
-  uv(i: number): [number, number] {
-    return [this.weights[2 * i] / 65535, this.weights[2 * i + 1] / 65535];
+  /** Those that are stored, to 1/65535: u and v; of an edge and a face the edge's, then u and v. */
+  storedWeights(i: number): number[] {
+    const at = this.weightWidth * i;
+    return Array.from(this.weights.subarray(at, at + this.weightWidth), (w) => w / 65535);
   }
 
   /** Weights of the first feature's vertices. */
   firstWeights(i: number): number[] {
-    const [u] = this.uv(i);
-    return this.kindOf(i).first === 1 ? [1] : [1 - u, u];
+    return completed(this.storedWeights(i).slice(0, this.kindOf(i).first - 1));
   }
 
-  /** Weights of the second feature's vertices: the pair's first free weight is u, its next one v. */
+  /** Weights of the second feature's vertices: they follow the first one's. */
   secondWeights(i: number): number[] {
     const { first, second } = this.kindOf(i);
-    const [u, v] = this.uv(i);
-    if (second === 3) return [1 - u - v, u, v];
-    if (second === 1) return [1];
-    const w = first === 1 ? u : v;
-    return [1 - w, w];
+    return completed(this.storedWeights(i).slice(first - 1, first + second - 2));
   }
 
   /** Unit up to 1/32767 a component. */

@@ -2,7 +2,7 @@
 
 export interface PairKind {
   name: string;
-  /** Of the four vertices of a contact, how many belong to the first feature and how many to the second. */
+  /** Of the vertices of a pair, how many belong to the first feature and how many to the second. */
   first: number;
   second: number;
 }
@@ -25,13 +25,23 @@ export interface SceneHeader {
   names: string[];
   scale: number;
   method: string;
-  guarantee: string;
   min_separation: number;
   kinds: PairKind[];
   steps: StepHeader[];
   mesh: { vertices: number; faces: number; edges: number; points: number; objects: number };
   grid: { lowest: [number, number, number]; spacing: number; error: number };
   columns: Record<string, { offset: number; count: number }>;
+}
+
+/** A single frame: its pairs are intersections, and nothing moves. */
+export const isPose = ({ names }: Pick<SceneHeader, "names">): boolean => names.length === 1;
+
+/** What the pairs of a scene are called. */
+export const nounOf = (header: Pick<SceneHeader, "names">): string => (isPose(header) ? "intersection" : "contact");
+
+/** What is said where nothing was found. */
+export function nothingFound(header: SceneHeader, step: StepHeader): string {
+  return isPose(header) ? "no edge passes through a triangle or touches one, proven." : withoutContacts(step);
 }
 
 /** What is said of a step without contacts. Where not all are listed that means little. */

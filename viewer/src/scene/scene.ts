@@ -1,4 +1,5 @@
-// The mesh, its frames, and the contacts of each step between two of them.
+// The mesh, its frames, and the contacts of each step between two of them; or a single frame and its intersections, as
+// a step that stands still.
 import { Contacts } from "./contacts";
 import type { SceneHeader, StepHeader } from "./header";
 import { SceneFile } from "./scene_file";
@@ -73,7 +74,8 @@ export class Scene {
   }
 
   private positions(index: number): [Float32Array, Float32Array] {
-    const [from, to] = [this.frames[index], this.frames[index + 1]];
+    const from = this.frames[index];
+    const to = this.frames[Math.min(index + 1, this.frames.length - 1)];
     const start = new Float32Array(from.length);
     const end = new Float32Array(from.length);
     const { scale } = this.header;
@@ -94,7 +96,7 @@ export class Scene {
 
   /** A flat object that stands still is a floor. */
   private guessUp(): Up {
-    const [first, second] = this.frames;
+    const [first, second = first] = this.frames;
     const { objects } = this.header.mesh;
     const low = new Float64Array(3 * objects).fill(Infinity);
     const high = new Float64Array(3 * objects).fill(-Infinity);

@@ -4,25 +4,27 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
+import numpy as np
 import numpy.typing as npt
 
-from tamis._arrays import Doubles, Indices, indices, rows
-from tamis._contacts import PairKind
+from tamis._arrays import Doubles, Indices, finite, indices_or_none, rows
+from tamis._checks import function
 from tamis._detector import Detector
 from tamis._errors import InvalidMesh
+from tamis._kinds import PairKind
 from tamis._mesh import Mesh
 from tamis._options import Filter
 
 
 class CollisionMesh:
-    """Topology, and which vertices may collide.
+    """Topology, and which vertices may collide. A vertex of no face and no edge is a point, which may collide too.
 
     Parameters
     ----------
     rest_positions : array_like, shape (n, 3)
         Only their number counts here.
     edges : array_like of int, shape (e, 2), optional
-        Those of the faces and loose ones.
+        Those of the faces and loose ones. They keep their order here, which is not that of `tamis.Mesh.edges`.
     faces : array_like of int, shape (f, 3), optional
         Triangles.
     """
@@ -33,10 +35,11 @@ class CollisionMesh:
         edges: npt.ArrayLike | None = None,
         faces: npt.ArrayLike | None = None,
     ) -> None:
-        self.rest_positions: Doubles = rows(rest_positions, "rest_positions", InvalidMesh)
-        self.edges: Indices = indices(edges, 2, "edges", InvalidMesh)
-        self.faces: Indices = indices(faces, 3, "faces", InvalidMesh)
-        self._mesh = Mesh(self.faces, len(self.rest_positions), self.edges)
+        positions = rows(rest_positions, "rest_positions", InvalidMesh)
+        self.rest_positions: Doubles = finite(positions, "rest_positions", InvalidMesh)
+        self.edges: Indices = indices_or_none(edges, 2, "edges", InvalidMesh)
+        self.faces: Indices = indices_or_none(faces, 3, "faces", InvalidMesh)
+        self._mesh = Mesh(self.faces, self.num_vertices, self.edges, self.codim_vertices)
         self._can_collide: Callable[[int, int], bool] | None = None
         self._detector: Detector | None = None
 
@@ -46,8 +49,10 @@ class CollisionMesh:
         return self._can_collide
 
     @can_collide.setter
-    def can_collide(self, function: Callable[[int, int], bool] | None) -> None:
-        self._can_collide = function
+    def can_collide(self, can_collide: Callable[[int, int], bool] | None) -> None:
+        if can_collide is not None:
+            function(can_collide, "can_collide", "can_collide(a, b)")
+        self._can_collide = can_collide
         self._detector = None
 
     @property
@@ -64,6 +69,17 @@ class CollisionMesh:
     def num_faces(self) -> int:
         """Number of triangles."""
         return len(self.faces)
+
+    @property
+    def codim_vertices(self) -> Indices:
+        """The vertices of no face and no edge, ascending."""
+        used = np.concatenate([self.edges.ravel(), self.faces.ravel()])
+        return np.setdiff1d(np.arange(self.num_vertices, dtype=np.int32), used)
+
+    @property
+    def num_codim_vertices(self) -> int:
+        """Number of vertices of no face and no edge."""
+        return len(self.codim_vertices)
 
     @property
     def detector(self) -> Detector:
@@ -86,8 +102,12 @@ def detector_of(mesh: CollisionMesh) -> Detector:
 
 
 def edges(faces: npt.ArrayLike) -> Indices:
-    """Return the edges of triangles, each once, shape (e, 2)."""
-    return Mesh(faces).edges
+    """Return the edges of triangles, each once, shape (e, 2), in ipctk's order: by the larger vertex, then the smaller.
+
+    `tamis.Mesh.edges` has another order; `tamis.Mesh.find_edges` leads from one to the other.
+    """
+    found = Mesh(faces).edges
+    return found[np.lexsort(found.T)]
 
 
 def _between(can_collide: Callable[[int, int], bool]) -> Filter:

@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import numpy.typing as npt
 
-from tamis._errors import InvalidOptions
+from tamis._arrays import Doubles, finite, rows
+from tamis._checks import instance, number, number_from_zero
+from tamis._errors import InvalidStep
 from tamis.compat.ipctk._broad_phase import BroadPhase
 from tamis.compat.ipctk._mesh import CollisionMesh, detector_of
 from tamis.compat.ipctk._narrow_phase import NarrowPhaseCCD, TightInclusionCCD
@@ -12,7 +14,16 @@ from tamis.compat.ipctk._narrow_phase import NarrowPhaseCCD, TightInclusionCCD
 
 def has_intersections(mesh: CollisionMesh, vertices: npt.ArrayLike, broad_phase: BroadPhase | None = None) -> bool:
     """Tell whether any edge passes through a triangle or touches it: exactly."""
-    return detector_of(mesh).has_intersection(vertices)
+    detector = detector_of(mesh)
+    _accept(broad_phase)
+    positions = rows(vertices, "vertices")
+    may = mesh.can_collide
+    if may is None:
+        return detector.has_intersection(positions)
+    found = detector.intersections(positions)  # of a detector's filter only the groups count here
+    return any(
+        any(may(a, b) for a in edge for b in face) for edge, face in zip(found.edge.tolist(), found.face.tolist())
+    )
 
 
 def is_step_collision_free(
@@ -24,7 +35,10 @@ def is_step_collision_free(
     narrow_phase_ccd: NarrowPhaseCCD | None = None,
 ) -> bool:
     """Tell whether the whole step is free of contacts: exactly; ipctk may say no of a step that comes near one."""
-    return detector_of(mesh).is_free(vertices_t0, vertices_t1, min_separation=min_distance)
+    _accept(broad_phase)
+    _kept_fraction(narrow_phase_ccd)
+    start, end, distance = _step(vertices_t0, vertices_t1, min_distance)
+    return detector_of(mesh).is_free(start, end, min_separation=distance)
 
 
 def compute_collision_free_stepsize(
@@ -39,13 +53,10 @@ def compute_collision_free_stepsize(
 
     The part is the narrow phase's `kept_fraction`. That they keep it is proven, and no longer step would do.
     """
-    narrow_phase = narrow_phase_ccd or TightInclusionCCD()
-    if not 0 < narrow_phase.conservative_rescaling <= 1:
-        raise InvalidOptions(
-            f"conservative_rescaling is {narrow_phase.conservative_rescaling}: give a number > 0 and <= 1"
-        )
-    kept = narrow_phase.kept_fraction
-    return detector_of(mesh).keep_distance(vertices_t0, vertices_t1, kept, min_separation=min_distance).lower
+    _accept(broad_phase)
+    kept = _kept_fraction(narrow_phase_ccd)
+    start, end, distance = _step(vertices_t0, vertices_t1, min_distance)
+    return detector_of(mesh).keep_distance(start, end, kept, min_separation=distance).lower
 
 
 class Candidates:
@@ -59,7 +70,12 @@ class Candidates:
         inflation_radius: float = 0.0,
         broad_phase: BroadPhase | None = None,
     ) -> None:
-        """Do nothing."""
+        """Look at the arguments, and do nothing."""
+        detector_of(mesh)
+        for name, given in (("vertices_t0", vertices_t0), ("vertices_t1", vertices_t1)):
+            finite(rows(given, name), name, InvalidStep)
+        number_from_zero(inflation_radius, "inflation_radius")
+        _accept(broad_phase)
 
     def is_step_collision_free(
         self,
@@ -82,3 +98,21 @@ class Candidates:
     ) -> float:
         """As the function of this name."""
         return compute_collision_free_stepsize(mesh, vertices_t0, vertices_t1, min_distance, None, narrow_phase_ccd)
+
+
+def _accept(broad_phase: BroadPhase | None) -> None:
+    """A narrow phase in its place, say, would be ignored with it."""
+    if broad_phase is not None:
+        instance(broad_phase, BroadPhase, "broad_phase", "None, or a broad phase of tamis.compat.ipctk")
+
+
+def _kept_fraction(narrow_phase_ccd: NarrowPhaseCCD | None) -> float:
+    narrow = TightInclusionCCD() if narrow_phase_ccd is None else narrow_phase_ccd
+    return instance(narrow, NarrowPhaseCCD, "narrow_phase_ccd", "a TightInclusionCCD or an AdditiveCCD").kept_fraction
+
+
+def _step(
+    vertices_t0: npt.ArrayLike, vertices_t1: npt.ArrayLike, min_distance: float
+) -> tuple[Doubles, Doubles, float]:
+    start, end = rows(vertices_t0, "vertices_t0"), rows(vertices_t1, "vertices_t1")
+    return start, end, number(min_distance, "min_distance")

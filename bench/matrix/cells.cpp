@@ -1,0 +1,117 @@
+#include "matrix/cells.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+
+#include "tamis/error.hpp"
+
+namespace tamis::matrix {
+namespace {
+
+constexpr std::array kScales{0.01, 0.1, 1., 3., 10., 30.};
+constexpr std::array kQuestions{"contacts", "earliest", "free", "keep", "three"};
+constexpr std::array kStates{"new", "kept", "line", "substeps"};
+constexpr std::array kSeparations{0., 0.001, 0.1};
+constexpr std::array kParts{"night", "daily", "quick"};
+
+// The rule of what is left out: a cell whose work exceeds its part's limit. A unit takes about a microsecond.
+constexpr std::array kMostWork{7e6, 2.5e6, 2.5e5};
+
+/// What is asked in a state, the question about other positions included: how many questions, and how far they go
+/// together, in steps.
+struct Asked {
+  double questions, steps;
+};
+constexpr std::array kAsked{Asked{1, 1}, Asked{2, 2}, Asked{9, 3}, Asked{21, 2}};
+constexpr Asked kAskedThrice{6, 6};
+
+/// All ways to ask a scene at a scale, in a fixed order.
+std::vector<Cell> ways_to_ask(const SceneName& scene, double scale) {
+  std::vector<Cell> cells;
+  for (const double separation : kSeparations) {
+    for (const auto question : {Question::contacts, Question::earliest, Question::free, Question::keep})
+      for (const auto state : {State::fresh, State::kept, State::line, State::substeps})
+        cells.push_back({scene, scale, question, state, separation});
+    cells.push_back({scene, scale, Question::three, State::kept, separation});
+  }
+  return cells;
+}
+
+bool is_asked(const Cell& cell, Part part) { return work_of(cell) <= kMostWork[static_cast<std::size_t>(part)]; }
+
+/// Calls visit(scene, scale, ways, number of the step) for each step of the matrix.
+template <class Visit>
+void for_each_step(const Visit& visit) {
+  std::size_t number = 0;
+  for (const SceneName& scene : scene_names()) {
+    for (const double scale : kScales) visit(ways_to_ask(scene, scale), number++);
+    ++number;  // seven a scene: the ways come in turn at each scale, too
+  }
+}
+
+/// The way to ask a step that its number brings, or the next that is not left out. A stride without a common divisor
+/// with the number of ways lets all of them come in turn.
+void add_daily(const std::vector<Cell>& ways, std::size_t number, std::vector<Cell>& cells) {
+  constexpr std::size_t kStride = 20;
+  for (std::size_t i = 0; i < ways.size(); ++i) {
+    const Cell& cell = ways[(number + i) * kStride % ways.size()];
+    if (is_asked(cell, Part::daily)) return cells.push_back(cell);
+  }
+}
+
+}  // namespace
+
+std::string name_of(const Cell& cell) {
+  return fmt::format("{}/x{}/{}/{}/d{}", cell.scene.name, cell.scale,
+                     kQuestions[static_cast<std::size_t>(cell.question)], kStates[static_cast<std::size_t>(cell.state)],
+                     cell.separation);
+}
+
+double work_of(const Cell& cell) {
+  const Asked& asked = cell.question == Question::three ? kAskedThrice : kAsked[static_cast<std::size_t>(cell.state)];
+  return cell.scene.triangles * (asked.questions + asked.steps * cell.scale * cell.scene.crowding);
+}
+
+std::vector<Cell> cells_of(Part part) {
+  std::vector<Cell> cells;
+  for_each_step([&](const std::vector<Cell>& ways, std::size_t number) {
+    if (!ways.front().scene.is_here) return;
+    if (part != Part::night) return add_daily(ways, number, cells);
+    std::copy_if(ways.begin(), ways.end(), std::back_inserter(cells),
+                 [](const Cell& cell) { return is_asked(cell, Part::night); });
+  });
+  std::erase_if(cells, [&](const Cell& cell) { return !is_asked(cell, part); });
+  return cells;
+}
+
+std::vector<Cell> cells_left_out() {
+  std::vector<Cell> cells;
+  for_each_step([&](const std::vector<Cell>& ways, std::size_t) {
+    std::copy_if(ways.begin(), ways.end(), std::back_inserter(cells),
+                 [](const Cell& cell) { return cell.scene.is_here && !is_asked(cell, Part::night); });
+  });
+  return cells;
+}
+
+Cell cell_from_name(const std::string& name) {
+  static const std::map<std::string, Cell> cells = [] {
+    std::map<std::string, Cell> by_name;
+    for (const Cell& cell : cells_of(Part::night)) by_name.emplace(name_of(cell), cell);
+    return by_name;
+  }();
+  const auto found = cells.find(name);
+  if (found == cells.end())
+    throw InvalidOptions(fmt::format("there is no cell '{}': tamis_matrix --list names all of them", name));
+  return found->second;
+}
+
+Part part_from_name(const std::string& name) {
+  const auto found = std::find(kParts.begin(), kParts.end(), name);
+  if (found == kParts.end()) throw InvalidOptions(fmt::format("there is no part '{}': night, daily or quick", name));
+  return static_cast<Part>(found - kParts.begin());
+}
+
+}  // namespace tamis::matrix

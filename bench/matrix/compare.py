@@ -1,0 +1,191 @@
+#!/usr/bin/env python3
+"""Compares two builds of tamis_matrix, cell by cell and in turns: ratios of time, old to new, worst first, and their
+geometric mean. Answers are compared, too: cells whose answers contradict each other are an error.
+
+    bench/matrix/compare.py OLD/bin/tamis_matrix NEW/bin/tamis_matrix --part daily --csv daily.csv
+    bench/matrix/compare.py OLD/bin/tamis_matrix NEW/bin/tamis_matrix --cells 'kick*/x3/*' --isa avx2 --repeat 7
+
+Parts (bench/matrix/cells.hpp): night, every cell below a limit of work; daily, one of each scene and scale, so that
+every question, state and separation comes in turn, with every instruction set; quick, those of the daily ones that
+take little. What the night leaves out is counted at the start.
+"""
+import argparse
+import collections
+import csv
+import fnmatch
+import json
+import math
+import statistics
+import subprocess
+import sys
+
+ISAS = ["baseline", "avx2", "avx512"]
+LONG = 0.5  # seconds: a cell that takes longer is asked in two turns, whatever --repeat says
+
+
+class Driver:
+    """One build, serving. Scenes are made once; a question is timed by the process itself."""
+
+    def __init__(self, program, isa):
+        self.process = subprocess.Popen([program, "--isa", isa, "--serve"], stdin=subprocess.PIPE,
+                                        stdout=subprocess.PIPE, text=True, bufsize=1)
+
+    def ask(self, line):
+        self.process.stdin.write(line + "\n")
+        self.process.stdin.flush()
+        answer = self.process.stdout.readline()
+        if not answer:
+            raise SystemExit(f"compare: {self.process.args[0]} ended at {line or 'a timed question'}")
+        return json.loads(answer)
+
+
+def contradiction(old, new):
+    """What two answers to one cell disagree about, or nothing. Brackets may differ: they must meet."""
+    if old["contacts"] != new["contacts"]:
+        return f"{old['contacts']} and {new['contacts']} contacts"
+    if old["pairs"] != new["pairs"]:
+        return "other pairs touch"
+    for old_lower, old_upper, new_lower, new_upper in zip(old["lower"], old["upper"], new["lower"], new["upper"]):
+        if old_lower > new_upper or new_lower > old_upper:
+            return f"times [{old_lower}, {old_upper}] and [{new_lower}, {new_upper}]"
+    return ""
+
+
+def parts_of(cell, questions):
+    """A line search of 8 trials holds those of 2 and 4. Yields name, and the cost: sum and most of one question."""
+    if "/line/" not in cell:
+        yield cell, sum(questions), max(questions)
+        return
+    for count in (2, 4, 8):
+        yield cell.replace("/line/", f"/line{count}/"), sum(questions[:count]), max(questions[:count])
+
+
+def medians_of(turns):
+    """Of each question, over the turns of one build."""
+    return [statistics.median(times) for times in zip(*turns)]
+
+
+def measure(cell, isa, old, new, repeat):
+    """Yields the rows of a cell. `old` and `new` are drivers of one instruction set."""
+    answers = old.ask(cell), new.ask(cell)
+    turns = [], []
+    for turn in range(min(repeat, 2) if answers[0]["seconds"] > LONG else repeat):
+        for which in ((0, 1) if turn % 2 == 0 else (1, 0)):
+            turns[which].append((old, new)[which].ask("")["ms"])
+    medians = [medians_of(of_build) for of_build in turns]
+    for (name, old_sum, old_most), (_, new_sum, new_most) in zip(parts_of(cell, medians[0]), parts_of(cell, medians[1])):
+        yield {"cell": name, "isa": isa, "ratio": old_sum / new_sum, "old_ms": old_sum, "new_ms": new_sum,
+               "old_most_ms": old_most, "new_most_ms": new_most, "old_second_ms": medians[0][1] if "/line/" in cell else "",
+               "same_bits": answers[0]["bits"] == answers[1]["bits"], "old_boxes": boxes(answers[0]),
+               "new_boxes": boxes(answers[1]), "contacts": answers[1]["contacts"], "bits": answers[1]["bits"],
+               "problem": contradiction(*answers)}
+
+
+def boxes(answer):
+    return answer["counts"].get("boxes", "")
+
+
+def geometric_mean(values):
+    return math.exp(sum(map(math.log, values)) / len(values))
+
+
+def number(value):
+    return f"{value:.4g}" if isinstance(value, float) else str(value)
+
+
+def print_group(title, ratios):
+    print(f"{title:24} {len(ratios):6} cells, {sum(ratio < 1 for ratio in ratios):6} slower, "
+          f"{sum(ratio < 0.95 for ratio in ratios):6} by more than 5%, worst {min(ratios):.3f}, "
+          f"geometric mean {geometric_mean(ratios):.3f}")
+
+
+def print_table(rows):
+    columns = ["ratio", "old_ms", "new_ms", "old_most_ms", "new_most_ms", "old_boxes", "new_boxes", "contacts", "isa",
+               "cell", "problem"]
+    print(" ".join(f"{column:>11}" for column in columns))
+    for row in sorted(rows, key=lambda row: row["ratio"]):
+        print(" ".join(f"{number(row[column]):>11}" for column in columns))
+    print()
+    groups = collections.defaultdict(list)
+    for row in rows:
+        _, _, question, state, separation = row["cell"].split("/")
+        for group in (f"{question}, {state}", f"separation {separation[1:]}", row["isa"]):
+            groups[group].append(row["ratio"])
+    for group, ratios in sorted(groups.items()):
+        print_group(group, ratios)
+    print_group("all", [row["ratio"] for row in rows])
+
+
+def list_cells(program, part, patterns):
+    command = [program, "--part", part, "--list", *patterns]
+    return subprocess.run(command, check=True, capture_output=True, text=True).stdout.split()
+
+
+def print_left_out(program, patterns):
+    steps = collections.Counter("/".join(cell.split("/")[:2]) for cell in list_cells(program, "left-out", patterns))
+    if steps:
+        print(f"left out, as too much work: {sum(steps.values())} cells: "
+              + ", ".join(f"{count} of {step}" for step, count in steps.items()), file=sys.stderr)
+
+
+def arguments():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("old", help="tamis_matrix, built against the old version")
+    parser.add_argument("new")
+    parser.add_argument("--part", choices=("night", "daily", "quick"), default="night", help="[night]")
+    parser.add_argument("--cells", action="append", metavar="PATTERN", help="only these; may be given again")
+    parser.add_argument("--without", action="append", default=[], metavar="PATTERN", help="not these")
+    parser.add_argument("--repeat", type=int, default=3, metavar="N", help="turns a cell [3]")
+    parser.add_argument("--isa", metavar="NAME,...", help="instruction sets [night: best; else: all]")
+    parser.add_argument("--csv", metavar="FILE", help="all rows, for plot.py")
+    return parser.parse_args()
+
+
+def isas_of(asked):
+    if asked.isa:
+        return asked.isa.split(",")
+    return ["best"] if asked.part == "night" else ISAS
+
+
+def measure_all(asked, cells):
+    drivers = {isa: (Driver(asked.old, isa), Driver(asked.new, isa)) for isa in isas_of(asked)}
+    rows = []
+    for i, cell in enumerate(cells):
+        print(f"\r{i + 1}/{len(cells)} {cell:60}", end="", file=sys.stderr, flush=True)
+        for isa, (old, new) in drivers.items():
+            rows += measure(cell, isa, old, new, asked.repeat)
+    print(file=sys.stderr)
+    return rows
+
+
+def problems_of(rows):
+    """Cells whose answers contradict each other, between the builds or between the new one's instruction sets."""
+    bits = collections.defaultdict(set)
+    for row in rows:
+        bits[row["cell"]].add(row["bits"])
+    return ([row["cell"] for row in rows if row["problem"]] + [cell for cell, seen in bits.items() if len(seen) > 1])
+
+
+def main():
+    asked = arguments()
+    patterns = asked.cells or ["*"]
+    cells = list_cells(asked.new, asked.part, patterns)
+    cells = [cell for cell in cells if not any(fnmatch.fnmatch(cell, pattern) for pattern in asked.without)]
+    if not cells:
+        raise SystemExit("compare: no such cells")
+    if asked.part == "night":
+        print_left_out(asked.new, patterns)
+    rows = measure_all(asked, cells)
+    if asked.csv:
+        with open(asked.csv, "w", newline="") as file:
+            writer = csv.DictWriter(file, rows[0].keys(), lineterminator="\n")
+            writer.writeheader()
+            writer.writerows(rows)
+    print_table(rows)
+    wrong = problems_of(rows)
+    if wrong:
+        raise SystemExit(f"compare: the answers of {len(wrong)} cells contradict each other: {', '.join(wrong[:5])} ...")
+
+
+if __name__ == "__main__":
+    main()

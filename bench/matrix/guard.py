@@ -1,0 +1,85 @@
+#!/usr/bin/env python3
+"""Fails when a cell of the matrix costs more than the committed counts say: any count of nodes or of pairs after a stage
+that grew by more than 5%. Counts are the same on every machine and instruction set, so a change of cost is a decision:
+--update writes what is counted now, and the commit says why.
+
+    bench/matrix/guard.py build/dev/bin/tamis_matrix              the quick part, as the tests do
+    bench/matrix/guard.py build/dev/bin/tamis_matrix --update     writes the counts of the quick part
+
+Cells of recorded scenes are skipped, and counted, where the data is absent; --update keeps what stands there for them.
+"""
+import argparse
+import csv
+import json
+import pathlib
+import subprocess
+import sys
+
+MOST_GROWTH = 1.05
+COUNTS = ["nodes", "boxes", "slab", "apart", "near", "dnf", "ncf", "solve", "exact"]  # in the order of the pipeline
+COMMITTED = pathlib.Path(__file__).with_name("counts.csv")
+
+
+def counted(driver):
+    """Counts of each cell of the quick part that can be asked here, by its name."""
+    lines = subprocess.run([driver, "--part", "quick", "*"], check=True, capture_output=True, text=True).stdout
+    cells = {}
+    for row in map(json.loads, lines.splitlines()):
+        unknown = row["counts"].keys() - set(COUNTS)
+        if unknown:
+            raise SystemExit(f"guard: {row['cell']} counts {', '.join(unknown)}: name it in COUNTS")
+        cells[row["cell"]] = {name: row["counts"].get(name, 0) for name in COUNTS}
+    return cells
+
+
+def committed():
+    with open(COMMITTED, newline="") as file:
+        return {row.pop("cell"): {name: int(count) for name, count in row.items()} for row in csv.DictReader(file)}
+
+
+def write(cells):
+    with open(COMMITTED, "w", newline="") as file:
+        writer = csv.DictWriter(file, ["cell", *COUNTS], lineterminator="\n")
+        writer.writeheader()
+        writer.writerows({"cell": cell, **counts} for cell, counts in sorted(cells.items()))
+
+
+def changes(old, new):
+    """Yields cell, name of the count, committed, counted: of those that left 5% on either side."""
+    for cell in sorted(old.keys() & new.keys()):
+        for name in COUNTS:
+            before, now = old[cell][name], new[cell][name]
+            if max(before, now) > MOST_GROWTH * min(before, now):
+                yield cell, name, before, now
+
+
+def check(old, new):
+    uncommitted = sorted(new.keys() - old.keys())
+    for cell in uncommitted:
+        print(f"{cell}: no committed counts")
+    grown = 0
+    for cell, name, before, now in changes(old, new):
+        grown += now > before
+        print(f"{cell}: {name} {'grew' if now > before else 'fell'} from {before} to {now}")
+    print(f"{len(new)} cells, {grown} counts grew by more than 5%; "
+          f"{len(old.keys() - new.keys())} committed cells skipped: their recorded scenes are not here")
+    if grown or uncommitted:
+        raise SystemExit("guard: is the cost meant? Then run this with --update and say why in the commit")
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("driver", help="tamis_matrix")
+    parser.add_argument("--update", action="store_true")
+    asked = parser.parse_args()
+    new = counted(asked.driver)
+    if not new:
+        sys.exit("guard: the driver asked no cell")
+    if asked.update:
+        write((committed() if COMMITTED.exists() else {}) | new)
+    else:
+        check(committed(), new)
+
+
+if __name__ == "__main__":
+    main()

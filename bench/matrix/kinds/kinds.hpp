@@ -1,0 +1,23 @@
+// Scenes that only the matrix needs: same signature as scenes/generators/generators.hpp.
+#pragma once
+#include <cstdint>
+
+#include "scenes/scene.hpp"
+
+namespace tamis::matrix {
+
+/// Two sheets that run into each other, whose grids' lines are a thousand times as far apart at the rim as in the
+/// middle.
+scenes::Scene graded_sheets(Index triangles, std::uint64_t seed);
+
+// Colliding bodies or folded cloth, moved otherwise.
+scenes::Scene fast_body(Index triangles, std::uint64_t seed);        ///< one body flies through the whole heap
+scenes::Scene spinning_bodies(Index triangles, std::uint64_t seed);  ///< each about itself by a quarter of a turn
+scenes::Scene fast_together(Index triangles, std::uint64_t seed);  ///< all a hundred times as far as the scene is wide
+
+// Bad input.
+scenes::Scene huge_beside_tiny(Index triangles, std::uint64_t seed);   ///< motion of 1e300 beside 1e-300
+scenes::Scene infinite_ratio(Index triangles, std::uint64_t seed);     ///< a mesh of 1e-310 that moves by 1
+scenes::Scene one_flies_through(Index triangles, std::uint64_t seed);  ///< one vertex, through all layers of a cloth
+
+}  // namespace tamis::matrix

@@ -1,0 +1,16 @@
+// Kinds of pairs as C gives them.
+#pragma once
+#include <string>
+
+#include "c/failure.hpp"
+#include "tamis/contact.hpp"
+
+namespace tamis::c {
+
+inline PairKind known_kind(int32_t kind) {
+  if (kind < TAMIS_VERTEX_FACE || kind > TAMIS_VERTEX_VERTEX)
+    throw InvalidArgument("no kind has the number " + std::to_string(kind) + ": give TAMIS_VERTEX_FACE, ...");
+  return static_cast<PairKind>(kind);
+}
+
+}  // namespace tamis::c

@@ -1,0 +1,136 @@
+// Where every vertex is: a view of the caller's own memory.
+#pragma once
+#include <array>
+#include <concepts>
+#include <cstddef>
+#include <limits>
+#include <span>
+#include <type_traits>
+#include <utility>
+
+#include "tamis/mesh.hpp"
+
+namespace tamis {
+
+using Point = std::array<double, 3>;
+
+/// An Eigen-like dense matrix of doubles. Eigen itself is not needed.
+template <class M>
+concept DenseMatrix = requires(const M& m) {
+  { m.data() } -> std::convertible_to<const double*>;
+  { m.rows() } -> std::convertible_to<std::ptrdiff_t>;
+  { m.cols() } -> std::convertible_to<std::ptrdiff_t>;
+  { m.outerStride() } -> std::convertible_to<std::ptrdiff_t>;
+  { m.innerStride() } -> std::convertible_to<std::ptrdiff_t>;
+  { M::IsRowMajor } -> std::convertible_to<bool>;
+};
+/// One vertex a row, row by row: three columns.
+template <class M>
+concept RowMajorMatrix = DenseMatrix<M> && bool(M::IsRowMajor);
+/// One vertex a column, column by column: three rows, known to the compiler (Eigen's Matrix3Xd).
+template <class M>
+concept ThreeRowMatrix = DenseMatrix<M> && !bool(M::IsRowMajor) && M::RowsAtCompileTime == 3;
+/// A matrix or an expression of any kind.
+template <class M>
+concept MatrixLike = requires(const M& m) {
+  m.rows();
+  m.cols();
+};
+/// A matrix that is no view: its memory goes with it.
+template <class M>
+concept OwningMatrix = DenseMatrix<M> && requires {
+  requires std::same_as<M, typename M::PlainObject>;
+};
+
+/// Three by its type: an array, or one of Eigen's fixed vectors.
+template <class V>
+concept CountsThree = std::extent_v<V>
+== 3 || requires { requires std::tuple_size<V>::value == 3; }
+|| requires { requires int(V::SizeAtCompileTime) == 3; };
+template <class V>
+concept IndexedDoubles = CountsThree<V> && requires(const V& v) {
+  { v[0] } -> std::same_as<const double&>;
+};
+template <class V>
+concept DoublesXyz = std::is_standard_layout_v<V> && requires(const V& v) {
+  { (v.x) } -> std::same_as<const double&>;
+  { (v.y) } -> std::same_as<const double&>;
+  { (v.z) } -> std::same_as<const double&>;
+  requires offsetof(V, x)
+  < offsetof(V, y) && offsetof(V, y) < offsetof(V, z);
+};
+/// Three doubles next to each other and nothing else: std::array<double, 3>, double[3], Eigen::Vector3d, glm::dvec3, or
+/// a struct of x, y and z.
+template <class V>
+concept ThreeDoubles = sizeof(V) == 3 * sizeof(double) && (IndexedDoubles<V> || DoublesXyz<V>);
+
+/// What stands in memory one behind the other, as in a std::vector, std::array or std::span.
+template <class R>
+concept ContiguousRange = !MatrixLike<R> && requires(const R& r) {
+  std::span(r);
+};
+template <ContiguousRange R>
+using ElementOf = typename decltype(std::span(std::declval<const R&>()))::value_type;
+template <class R>
+concept PointRange = ContiguousRange<R> && ThreeDoubles<ElementOf<R>>;
+/// A range that is no view.
+template <class R>
+concept OwningRange = PointRange<R> && !std::ranges::enable_borrowed_range<R> && !std::ranges::enable_view<R>;
+
+/// A read-only view of n x 3 doubles; the caller keeps the memory alive.
+class Positions {
+ public:
+  Positions() = default;
+  /// `stride`: distance in doubles from one vertex to the next, >= 3.
+  Positions(const double* data, Index count, std::ptrdiff_t stride = 3) : data_(data), count_(count), stride_(stride) {}
+  /// One vertex an element.
+  template <PointRange R>
+  Positions(const R& points)
+      : Positions(reinterpret_cast<const double*>(std::span(points).data()), index_count(std::span(points).size())) {}
+  /// Other than three columns next to each other: no data, which every question refuses.
+  template <RowMajorMatrix M>
+  Positions(const M& matrix)
+      : Positions(matrix.cols() == 3 && matrix.innerStride() == 1 ? matrix.data() : nullptr,
+                  index_count(static_cast<std::size_t>(matrix.rows())),
+                  static_cast<std::ptrdiff_t>(matrix.outerStride())) {}
+  template <ThreeRowMatrix M>
+  Positions(const M& matrix)
+      : Positions(matrix.innerStride() == 1 ? matrix.data() : nullptr,
+                  index_count(static_cast<std::size_t>(matrix.cols())),
+                  static_cast<std::ptrdiff_t>(matrix.outerStride())) {}
+
+  // Compilers show the line that they stop at; each says what to do.
+  template <OwningRange R>
+  Positions(const R&&) = delete;  // A temporary may be gone when the question is asked: keep it in a variable.
+  template <OwningMatrix M>
+  Positions(const M&&) = delete;  // A temporary may be gone when the question is asked: keep it in a variable.
+  template <MatrixLike M>
+  requires DenseMatrix<M> &&(!RowMajorMatrix<M> && !ThreeRowMatrix<M>)
+      Positions(const M&) = delete;  // Column-major? Use a RowMajor matrix, a Matrix3Xd, or tamis::points_of(matrix).
+  // The sentence must stand in the line that compilers show.
+  // clang-format off
+  template <MatrixLike M>
+  requires(!DenseMatrix<M>)
+  Positions(const M&) = delete;  // Floats, or an expression without memory? tamis::points_of(x) copies it as doubles.
+  template <ContiguousRange R>
+  requires(!PointRange<R>)
+  Positions(const R&) = delete;  // Floats? tamis::points_of(x). Flat doubles, x y z x y z? Positions(data, vertices).
+  // clang-format on
+
+  const double* operator[](Index vertex) const { return data_ + vertex * stride_; }
+  const double* data() const { return data_; }
+  Index count() const { return count_; }
+  std::ptrdiff_t stride() const { return stride_; }
+
+ private:
+  /// -1, which no mesh has and every question refuses, for more than an Index counts.
+  static constexpr Index index_count(std::size_t count) {
+    return count <= static_cast<std::size_t>(std::numeric_limits<Index>::max()) ? static_cast<Index>(count) : -1;
+  }
+
+  const double* data_ = nullptr;
+  Index count_ = 0;
+  std::ptrdiff_t stride_ = 3;
+};
+
+}  // namespace tamis

@@ -1,0 +1,98 @@
+"""What users give, as single values: numbers, words, functions, names of files. What is none is refused by its name."""
+
+from __future__ import annotations
+
+import operator
+import os
+import reprlib
+from collections.abc import Callable
+from typing import Any, TypeVar
+
+import numpy as np
+
+from tamis._errors import Error, FileError, InvalidOptions
+
+_Kind = TypeVar("_Kind")
+
+
+def shown(given: object) -> str:
+    """Return what was given as a sentence can hold it: short, and in one line."""
+    text = " ".join(reprlib.repr(given).split())
+    return f"of the type {type(given).__name__}" if text.startswith("<") or len(text) > 80 else text
+
+
+def number(given: Any, name: str, error: type[Error] = InvalidOptions) -> float:
+    """Return a floating-point number; what is no single number is refused."""
+    is_single = not isinstance(given, (str, bytes, bytearray, bool, np.bool_)) and getattr(given, "ndim", 0) == 0
+    try:
+        if is_single and (hasattr(given, "__float__") or hasattr(given, "__index__")) and not np.iscomplexobj(given):
+            return float(given)
+    except (TypeError, ValueError, OverflowError):
+        pass
+    raise error(f"{name} is {shown(given)}: give one number")
+
+
+def number_from_zero(given: Any, name: str) -> float:
+    """Return a finite number that is not negative, where the library itself does not look at it."""
+    value = number(given, name)
+    if not 0 <= value < float("inf"):
+        raise InvalidOptions(f"{name} is {value}: give a finite number >= 0")
+    return value
+
+
+def number_or_none(given: Any, name: str) -> float | None:
+    """Return a number that may be left out."""
+    return None if given is None else number(given, name)
+
+
+def whole(given: Any, name: str, least: int = 0, error: type[Error] = InvalidOptions, advice: str = "") -> int:
+    """Return a whole number, from `least` on, that 32 bits hold."""
+    try:
+        value = None if isinstance(given, (bool, np.bool_)) else operator.index(given)
+    except TypeError:
+        value = None
+    if value is None or not least <= value < 2**31:
+        raise error(f"{name} is {shown(given)}: give a whole number >= {least} and < 2^31{advice}")
+    return value
+
+
+def word(given: Any, name: str) -> str:
+    """Return a text; which texts there are is for others to say."""
+    try:
+        if isinstance(given, str) and "\0" not in given and given.encode():
+            return given
+    except UnicodeEncodeError:
+        pass
+    raise InvalidOptions(f"{name} is {shown(given)}: give a name, as text")
+
+
+def truth(given: Any, name: str) -> bool:
+    """Return a truth value, and nothing that merely counts as one."""
+    if not isinstance(given, (bool, np.bool_)):
+        raise InvalidOptions(f"{name} is {shown(given)}: give True or False")
+    return bool(given)
+
+
+def function(given: Any, name: str, call: str, error: type[Error] = InvalidOptions) -> Callable[..., Any]:
+    """Return what can be called; `call` shows how it will be."""
+    if not callable(given):
+        raise error(f"{name} is {shown(given)}, which cannot be called: give a function, {call}")
+    return given  # type: ignore[no-any-return]
+
+
+def instance(given: Any, kind: type[_Kind], name: str, advice: str, error: type[Error] = InvalidOptions) -> _Kind:
+    """Return an object of a class of Tamis's."""
+    if not isinstance(given, kind):
+        raise error(f"{name} is {shown(given)}: give {advice}")
+    return given
+
+
+def file_name(given: Any, name: str) -> str:
+    """Return the name of a file, as the system may have one."""
+    try:
+        result = os.fsdecode(given)
+        if "\0" not in result and os.fsencode(result):
+            return result
+    except (TypeError, ValueError):
+        pass
+    raise FileError(f"{name} is {shown(given)}: give the name of a file")

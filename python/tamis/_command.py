@@ -1,0 +1,18 @@
+"""The command `tamis`, as the wheel brings it."""
+
+from __future__ import annotations
+
+import os
+import pathlib
+import sys
+
+
+def main() -> None:
+    """Go on as the command; the arguments are those of this process."""
+    command = pathlib.Path(__file__).resolve().parent / "command/bin/tamis"
+    if not command.exists():
+        sys.exit(
+            f"tamis: {command} is not there: this module was built without the command; "
+            "build it with CMake, or the module with -Ccmake.define.TAMIS_PYTHON_COMMAND=ON"
+        )
+    os.execv(command, ["tamis", *sys.argv[1:]])

@@ -1,0 +1,39 @@
+"""Kinds of pairs of features."""
+
+from __future__ import annotations
+
+import enum
+from typing import Any
+
+from tamis._checks import shown, whole
+from tamis._errors import InvalidOptions
+
+
+class PairKind(enum.IntEnum):
+    """Kinds of pairs of features; the last two are of points and edges that belong to no face."""
+
+    VERTEX_FACE = 0
+    EDGE_EDGE = 1
+    VERTEX_EDGE = 2
+    VERTEX_VERTEX = 3
+
+    @property
+    def short_name(self) -> str:
+        """As in files and on the command line: vf, ee, ve, vv."""
+        return SHORT_NAMES[self]
+
+    @property
+    def long_name(self) -> str:
+        """As in sentences: vertex-face, edge-edge, vertex-edge, vertex-vertex."""
+        return self.name.lower().replace("_", "-")
+
+
+SHORT_NAMES = ("vf", "ee", "ve", "vv")
+
+
+def one_kind(given: Any) -> PairKind:
+    """Return a kind; what is none is refused."""
+    try:
+        return PairKind(whole(given, "kind"))
+    except ValueError:
+        raise InvalidOptions(f"kind is {shown(given)}: give a PairKind") from None

@@ -1,0 +1,142 @@
+"""A right value for every argument, by name: what a wrong one is put beside. A name that is not here fails the test."""
+
+from __future__ import annotations
+
+import inspect
+import pathlib
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+from conftest import END, FACES, START
+
+import tamis
+import tamis.compat.ipctk as ipctk
+from misuse.public import Argument, Callee
+
+_MESH = tamis.Mesh(FACES)
+_POSE = np.zeros((2, 3))
+PATH = tamis.BezierPath(np.stack([START, END]))
+_BARRIER_MESH = ipctk.CollisionMesh(START, ipctk.edges(FACES), FACES)
+_FIRST = {"vertex_face": 4, "edge_edge": 4, "vertex_edge": 3, "vertex_vertex": 2}
+
+
+def _still(time: float, vertices: Any) -> tuple[Any, float]:
+    return START[vertices], 0.0
+
+
+def _no_deviation(start: float, end: float, vertices: Any) -> float:
+    return 0.0
+
+
+_NAMED: Mapping[str, Any] = {
+    "basis": np.ones((18, 2)),
+    "body_of_vertex": np.zeros(6, int),
+    "chains": [tamis.interpolated(_POSE, _POSE)],
+    "control_points": np.stack([START, END]),
+    "distance": 1.5,
+    "edges": np.array([[0, 1], [3, 4]]),
+    "end": END,
+    "end_position": np.ones(3),
+    "faces": FACES,
+    "frames": np.stack([START, END]),
+    "fraction": 0.1,
+    "index": 0,
+    "kind": tamis.PairKind.VERTEX_FACE,
+    "mesh": _MESH,
+    "conservative_rescaling": 0.5,
+    "points_at": _still,
+    "positions": START,
+    "can_collide": lambda a, b: True,
+    "rest": START,
+    "rest_positions": START,
+    "start": START,
+    "strays": _no_deviation,
+    "time": 0.5,
+    "turn": np.ones(3),
+    "vertex_count": 6,
+    "vertices": np.array([[3, 0, 1, 2]]),
+    "vertices_t0": START,
+    "vertices_t1": END,
+}
+
+
+def _objects() -> list[Any]:
+    """Return an object of each class that has methods."""
+    detector = tamis.Detector(_MESH, threads=1)
+    pairs = tamis.vertex_face(START[[3, 0, 1, 2]], END[[3, 0, 1, 2]])
+    crossing = START - [0, 0, 1] * (np.arange(6) == 3)[:, np.newaxis] * 2
+    return [
+        *(_MESH, detector, pairs, PATH, ipctk.Candidates(), _BARRIER_MESH, ipctk.TightInclusionCCD()),
+        *(ipctk.AdditiveCCD(), detector.contacts(START, END), detector.near(START, 1.5)),
+        *(detector.intersections(crossing), tamis.CatmullRomPath(np.stack([START, END]))),
+        tamis.FunctionPath(6, _still, _no_deviation),
+        tamis.RigidPath(START, np.zeros(6, int), [tamis.interpolated(_POSE, _POSE)]),
+    ]
+
+
+def receiver_of(callee: Callee) -> Any:
+    """Return a new object to call it on; None if it is no method."""
+    return next(thing for thing in _objects() if isinstance(thing, callee.of)) if callee.of else None
+
+
+def use(thing: Any) -> None:
+    """Ask what keeps its arguments for later, functions above all, something that needs them."""
+    if isinstance(thing, tamis.Detector):
+        thing.contacts(START, END)
+    elif isinstance(thing, tamis.FunctionPath):
+        tamis.Detector(_MESH, threads=1).contacts(thing)
+        thing.points_at(0.5)
+    elif isinstance(thing, tamis.ReducedModel):
+        use(tamis.PaperOptions(high_level="subspace", reduced_model=thing))
+    elif isinstance(thing, tamis.PaperOptions):
+        use(tamis.Detector(_MESH, threads=1, method="paper", paper=thing))
+    elif isinstance(thing, ipctk.CollisionMesh):
+        ipctk.is_step_collision_free(thing, START, END)
+
+
+def _of_callee(callee: Callee, folder: pathlib.Path) -> dict[str, Any]:
+    """Return what these arguments are in this call alone."""
+    short = callee.name.rpartition(".")[2]
+    if short in ("interpolated", "turned", "between"):
+        return {"start": _POSE, "end": _POSE}
+    if callee.of and issubclass(callee.of, tamis.Path) and short in _FIRST:
+        return {"vertices": np.arange(_FIRST[short])[np.newaxis]}
+    if short in _FIRST:
+        return {"start": START[np.newaxis, : _FIRST[short]], "end": END[np.newaxis, : _FIRST[short]]}
+    if callee.name == "Pairs.points":
+        return {"start": START[[3, 0, 1, 2]], "end": END[[3, 0, 1, 2]]}
+    if callee.name.startswith("ipctk"):
+        return {"mesh": _BARRIER_MESH, "vertices": START}
+    if short == "read_mesh" or short == "read_frames":
+        tamis.write_mesh(folder / "mesh.ply", START, FACES)
+        return {"path": folder / "mesh.ply", "names": folder / "mesh.ply"}
+    if short == "simulate":
+        return {"name": "funnel", "folder": folder / "run", "triangles": 500, "frames": 0}
+    same = next((thing for thing in _objects() if type(thing) is callee.function), None)
+    return {
+        "name": "soup",
+        "path": folder / {"view": "page.html", "Page": "page.html", "write_mesh": "new.ply"}.get(short, "table.csv"),
+        "table": getattr(same, "table", None),
+    }
+
+
+def _needed(callee: Callee, argument: Argument) -> bool:
+    default = inspect.signature(callee.function).parameters[argument.name].default
+    return default is inspect.Parameter.empty or callee.name == "simulate"
+
+
+def right_calls(callee: Callee, folder: pathlib.Path) -> list[dict[str, Any]]:
+    """Return arguments with which the call works: as few as it takes; and where a path may come, those with a path."""
+    known = {**_NAMED, **_of_callee(callee, folder)}
+    if "_ccd" in callee.name:
+        known.update({a.name: START[i % 4] for i, a in enumerate(callee.arguments) if a.takes == ("array",)})
+    needed = [a.name for a in callee.arguments if _needed(callee, a)]
+    missing = [name for name in needed if known.get(name) is None and name != "seed"]
+    assert not missing, f"{callee.name}: what is right for {missing}? Say so in python/tests/misuse/right.py"
+    calls = [{name: known[name] for name in needed if name in known}]
+    moving = [a.name for a in callee.arguments if "Path" in a.takes]
+    if moving:
+        calls[0].update({"end": END})
+        calls.append({moving[0]: PATH})
+    return calls

@@ -1,0 +1,71 @@
+"""Where a step may end, every vertex going as far as it may."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+import tamis
+
+
+def test_a_far_vertex_is_not_stopped_by_a_near_pair(falling: tamis.Scene) -> None:
+    end = falling.end.copy()
+    end[2, 1] = 1.25  # sideways: it meets nothing
+    step = tamis.Detector(falling.mesh).truncate(falling.start, end)
+    assert step.parts.shape == (6,) and (step.parts >= 0).all() and (step.parts <= 1).all()
+    assert step.parts[2] > step.parts[3]
+    assert np.allclose(step.positions, falling.start + step.parts[:, np.newaxis] * (end - falling.start), atol=1e-15)
+
+
+@pytest.mark.parametrize("fraction", [0.1, 0.5])
+def test_every_pair_keeps_its_fraction(fraction: float) -> None:
+    scene = tamis.scene("folded-cloth", 400, seed=2)
+    detector = tamis.Detector(scene.mesh)
+    step = detector.truncate(scene.start, scene.end, fraction)
+    assert step.is_free and step.parts.min() < 1
+    before = detector.near(scene.start, 0.05)
+    way = tamis.Detector(scene.mesh, method="brute")
+    assert way.keep_distance(scene.start, step.positions, fraction).lower == 1
+    after = tamis.distance_of(before.kind, before.vertices, step.positions)
+    assert (after.distance >= fraction * before.distance * (1 - 1e-9)).all()
+
+
+def test_truncated_positions_are_proven_free(falling: tamis.Scene) -> None:
+    detector = tamis.Detector(falling.mesh)
+    step = detector.truncate(falling.start, falling.end)
+    assert step.is_free and step.positions.shape == (6, 3)
+    assert detector.is_free(falling.start, step.positions)
+    assert not detector.is_free(falling.start, falling.end)
+    farther = detector.truncate(falling.start, falling.end, 0.01).positions
+    assert 0 < farther[3, 2] < step.positions[3, 2] < falling.start[3, 2]
+    kept = detector.truncate(falling.start, falling.end, min_separation=0.5).positions
+    assert kept[3, 2] > 0.5
+
+
+def test_what_touches_at_the_start_stays_and_the_rest_moves(falling: tamis.Scene) -> None:
+    start = falling.start.copy()
+    start[3, 2] = 0
+    step = tamis.Detector(falling.mesh).truncate(start, falling.end)
+    assert not step.is_free
+    assert np.array_equal(step.positions[3], start[3]) and step.parts[3] == 0
+    assert step.parts[5] > 0
+
+
+def test_answers_own_their_memory(falling: tamis.Scene) -> None:
+    detector = tamis.Detector(falling.mesh)
+    step = detector.truncate(falling.start, falling.end)
+    before = step.parts.copy(), step.positions.copy()
+    detector.truncate(falling.start, falling.start)
+    del detector
+    assert np.array_equal(step.parts, before[0]) and np.array_equal(step.positions, before[1])
+
+
+@pytest.mark.parametrize("fraction", [0.0, 1.0, -0.5, float("nan")])
+def test_bad_fractions(falling: tamis.Scene, fraction: float) -> None:
+    detector = tamis.Detector(falling.mesh)
+    with pytest.raises(tamis.InvalidOptions, match="fraction"):
+        detector.truncate(falling.start, falling.end, fraction)
+    with pytest.raises(tamis.InvalidStep):
+        detector.truncate(falling.start[:5], falling.end)
+    with pytest.raises(tamis.InvalidOptions):
+        detector.truncate(falling.start, falling.end, min_separation=-1.0)

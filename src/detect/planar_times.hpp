@@ -1,0 +1,34 @@
+// How far may each vertex of a pair go by itself? From where all are at one time, each stays on its side of planes
+// between the two features. A plan in doubles: detect/truncation.hpp proves what comes of it.
+#pragma once
+#include <algorithm>
+#include <array>
+
+#include "motion/make_motion.hpp"
+#include "tamis/near.hpp"
+
+namespace tamis {
+
+/// By what a step is truncated: every pair keeps `fraction` of its distance, and while all go at one pace a little
+/// more, `together`: what lies between both is for vertices that go on alone.
+struct KeptFractions {
+  explicit KeptFractions(double kept) : fraction(kept), together(std::min(1.25 * kept, kept + 0.25 * (1 - kept))) {}
+
+  /// What is kept of the distance that a pair had at t=0, where all have come to at one pace by that time.
+  double at(double time) const { return time > 0 ? together : 1; }
+  /// What planes there leave of it: a little more than must be kept, for rounding.
+  double between_planes(double time) const { return fraction + (at(time) - fraction) / 16; }
+
+  double fraction, together;
+};
+
+/// Where a pair is at a time, at rest.
+PairPoints at_rest_at(const PairPoints& points, double time);
+
+/// Of each vertex of the pair the last time, from `time` to 1, at which it is on its side. `there`: the pair at `time`,
+/// until which all go at one pace. What starts within the separation keeps all of its distance. REQUIRES: finite
+/// coordinates.
+std::array<double, 4> planar_times(const NearPair& there, const PairPoints& points, const KeptFractions& fractions,
+                                   double separation, double time);
+
+}  // namespace tamis

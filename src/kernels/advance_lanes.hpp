@@ -1,0 +1,151 @@
+// When do pairs come within their separation? Each takes as many looks as it needs (solve/advancement.hpp), one after
+// the other; after each look those that go on close their ranks, so that no lane waits for the slowest. What this
+// leaves open, the same looks settle one pair at a time (solve/separation.hpp), with the same bits.
+#pragma once
+#include "filters/slab_clip.hpp"
+#include "kernels/load_motion.hpp"
+#include "kernels/search.hpp"
+#include "solve/advancement.hpp"
+#include "solve/direction_apart.hpp"
+#include "solve/sharp_bracket.hpp"
+
+namespace tamis::TAMIS_ISA {
+
+/// Of all components: not finite if one is not.
+inline DoubleLanes sum(const Moving<DoubleLanes>& v) {
+  return (v.at0.x + v.at0.y + v.at0.z) + (v.at1.x + v.at1.y + v.at1.z);
+}
+
+/// Bits of the lanes all of whose numbers are finite.
+inline unsigned finite_lanes(const PairMotion<DoubleLanes>& m) {
+  const DoubleLanes all = sum(m.e) + sum(m.f) + sum(m.d);
+  return bits(all - all == DoubleLanes(0));  // NOLINT(misc-redundant-expression): NaN where all is not finite
+}
+
+/// What is written of a pair that touches, one a lane.
+struct TouchingLanes {
+  double lower[kDoubleLanes], upper[kDoubleLanes], u[kDoubleLanes], v[kDoubleLanes];
+  double x[kDoubleLanes], y[kDoubleLanes], z[kDoubleLanes];  ///< normal
+};
+
+/// `Sink`: free(place), open(place), touches(place, lanes, lane): each pair of the buffer comes to one of them.
+template <PairKind kind, class Vertices, class Sink>
+class AdvanceLanes {
+ public:
+  AdvanceLanes(Vertices vertices, const WithinRule& rule, WithinScratch& scratch, Sink& sink)
+      : vertices_(vertices), rule_(rule), moving_(scratch.moving), touching_(scratch.touching), sink_(sink) {}
+
+  void run(const PairBuffer& in) {
+    moving_.pairs.count = touching_.pairs.count = 0;
+    for (int first = 0; first < in.count; first += kDoubleLanes) start(in, first);
+    for (int looks = 1; moving_.pairs.count > 0 && looks < kMostLooks; ++looks) look_again();
+    for (int i = 0; i < moving_.pairs.count; ++i) sink_.open(moving_.places[i]);
+    for (int first = 0; first < touching_.pairs.count; first += kDoubleLanes) describe(first);
+  }
+
+ private:
+  using Lanes = DoubleLanes;
+  /// Hardly any pair needs more; these go one by one.
+  static constexpr int kMostLooks = 24;
+
+  PairMotion<Lanes> load(const PairBuffer& pairs, int first) const {
+    return load_motion<kind>(vertices_, pairs, first, rule_.separation);
+  }
+
+  void start(const PairBuffer& in, int first) {
+    const auto m = load(in, first);
+    const unsigned all = lanes_in_use(in, first);
+    unsigned fit = all & finite_lanes(m);
+    if constexpr (can_cross(kind)) fit &= bits(m.separation > Lanes(0));  // no separation, or one that underflows
+    const auto clip = SlabClip::clip<kind>(m, TimeInterval<Lanes>{Lanes(0), Lanes(1)});
+    const unsigned free = fit & bits((clip.t_in > clip.t_out) | (clip.t_in > Lanes(rule_.latest)));
+    std::int32_t places[kDoubleLanes];
+    for (int i = 0; i < kDoubleLanes; ++i) places[i] = first + i;
+    for_each_bit(all & ~fit, [&](int i) { sink_.open(places[i]); });
+    for_each_bit(free, [&](int i) { sink_.free(places[i]); });
+    if (fit & ~free) look(in, first, places, m, clip.t_in, clip.t_out, fit & ~free);
+  }
+
+  void look_again() {
+    PairBuffer& pairs = moving_.pairs;
+    const int count = pairs.count;
+    pairs.count = 0;
+    for (int first = 0; first < count; first += kDoubleLanes) {
+      std::int32_t places[kDoubleLanes];  // what goes on is written over what has been read
+      for (int i = 0; i < kDoubleLanes; ++i) places[i] = moving_.places[first + i];
+      const Lanes now = Lanes::load_unaligned(moving_.now + first), end = Lanes::load_unaligned(moving_.until + first);
+      look(pairs, first, places, load(pairs, first), now, end, first_lanes(count - first));
+    }
+  }
+
+  /// One look at the pairs first, first + 1, ... of a buffer.
+  void look(const PairBuffer& pairs, int first, const std::int32_t* places, const PairMotion<Lanes>& m,
+            const Lanes& now, const Lanes& end, unsigned lanes) {
+    const Looker<kind, Lanes> looker(m);
+    const Sight<Lanes> sight = looker.sight(now);
+    const unsigned touches = lanes & bits(looker.touches(sight));
+    append(pairs, first, touches, places, now, now, touching_);
+    lanes &= ~touches;
+    if (!lanes) return;
+    const Look<Lanes> look = looker.at(now, sight);
+    const auto apart = look.until > now;
+    Advancement<Lanes> next{now};
+    next.pass(apart, look);
+    next.wait(!apart, look);
+    const unsigned passes = lanes & bits(apart), open = lanes & ~passes & bits(now >= end);
+    const unsigned free = passes & bits((next.now > end) | (next.now > Lanes(rule_.latest)));
+    const unsigned goes_on = passes & ~free & bits(next.ahead == Lanes(0));
+    for_each_bit(open, [&](int i) { sink_.open(places[i]); });
+    for_each_bit(free, [&](int i) { sink_.free(places[i]); });
+    append(pairs, first, lanes & ~free & ~goes_on & ~open, places, next.now, min(next.now + next.ahead, end),
+           touching_);
+    append(pairs, first, goes_on, places, next.now, end, moving_);  // last: `pairs` may be moving_'s
+  }
+
+  static void append(const PairBuffer& from, int first, unsigned lanes, const std::int32_t* places, const Lanes& now,
+                     const Lanes& until, AdvanceBuffer& to) {
+    double times[2][kDoubleLanes];
+    now.store_unaligned(times[0]);
+    until.store_unaligned(times[1]);
+    for_each_bit(lanes, [&](int i) {
+      int& count = to.pairs.count;
+      for (int c = 0; c < 4; ++c) to.pairs.corner[c][count] = from.corner[c][first + i];
+      to.places[count] = places[i];
+      to.now[count] = times[0][i];
+      to.until[count] = times[1][i];
+      ++count;
+    });
+  }
+
+  /// Of pairs that should touch at the end of the time they have been given.
+  void describe(int first) {
+    const unsigned lanes = lanes_in_use(touching_.pairs, first);
+    const Lanes lower = Lanes::load_unaligned(touching_.now + first);
+    const Lanes upper = Lanes::load_unaligned(touching_.until + first);
+    const auto m = load(touching_.pairs, first);
+    const auto place = direction_apart<kind>(m, lower);
+    const unsigned late = lanes & bits(lower > Lanes(rule_.latest));
+    const Looker<kind, Lanes> looker(m);
+    const auto touches = looker.touches(looker.sight(upper));
+    const unsigned settled = lanes & ~late & bits(touches & is_sharp(lower, upper) & place.is_sure);
+    TouchingLanes out;
+    lower.store_unaligned(out.lower);
+    upper.store_unaligned(out.upper);
+    place.u.store_unaligned(out.u);
+    place.v.store_unaligned(out.v);
+    place.direction.x.store_unaligned(out.x);
+    place.direction.y.store_unaligned(out.y);
+    place.direction.z.store_unaligned(out.z);
+    const std::int32_t* places = touching_.places + first;
+    for_each_bit(late, [&](int i) { sink_.free(places[i]); });
+    for_each_bit(lanes & ~late & ~settled, [&](int i) { sink_.open(places[i]); });
+    for_each_bit(settled, [&](int i) { sink_.touches(places[i], out, i); });
+  }
+
+  const Vertices vertices_;
+  const WithinRule& rule_;
+  AdvanceBuffer &moving_, &touching_;
+  Sink& sink_;
+};
+
+}  // namespace tamis::TAMIS_ISA

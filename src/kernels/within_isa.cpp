@@ -1,0 +1,69 @@
+// Pairs within a separation: compiled once for each instruction set.
+#include "kernels/advance_lanes.hpp"
+#include "kernels/within.hpp"
+#include "solve/turning_gap.hpp"
+
+namespace tamis::TAMIS_ISA {
+namespace {
+
+/// In floats: what is culled need not be culled sharply, and twice as many pairs fit. Returns the number of pairs that
+/// are left, in `out`, which may be `in`.
+template <PairKind kind>
+int cull_in_parts(int parts, const BoxVertex* vertices, const BoxSeparation& separation, const PairBuffer& in,
+                  PairBuffer& out) {
+  int count = 0;
+  for (int first = 0; first < in.count; first += kFloatLanes) {
+    const auto m = load_box_motion<kind>(vertices, in, first, separation);
+    const FloatLanes t_in = FloatLanes::load_unaligned(in.t_in + first);
+    const FloatLanes t_out = FloatLanes::load_unaligned(in.t_out + first);
+    const TimeInterval<FloatLanes> time{t_in, min(t_out, FloatLanes(1.0f))};
+    const unsigned left =
+        lanes_in_use(in, first, kFloatLanes) & ~bits(TurningGap<kind, FloatLanes>(m).stays_apart(time, parts));
+    for (int c = 0; c < 4; ++c)
+      store_compressed(left, IntLanes::load_unaligned(in.corner[c] + first), out.corner[c] + count);
+    store_compressed(left, t_in, out.t_in + count);
+    store_compressed(left, t_out, out.t_out + count);
+    count += __builtin_popcount(left);
+  }
+  return count;
+}
+
+/// To a list of what is left.
+struct SolvedSink {
+  void free(std::int32_t) {}
+  void open(std::int32_t place) { out[count++] = {place, false, 0, 1, 0, 0, {0, 0, 0}}; }
+  void touches(std::int32_t place, const TouchingLanes& t, int i) {
+    out[count++] = {place, true, t.lower[i], t.upper[i], t.u[i], t.v[i], {t.x[i], t.y[i], t.z[i]}};
+  }
+
+  SolvedPair* out;
+  int count = 0;
+};
+
+}  // namespace
+
+template <PairKind kind>
+void cull_apart(const BoxVertex* vertices, const BoxSeparation& separation, PairBuffer& pairs, PairBuffer& out) {
+  pairs.count = cull_in_parts<kind>(1, vertices, separation, pairs, pairs);
+  out.count = cull_in_parts<kind>(kTurningGapParts, vertices, separation, pairs, out);
+}
+
+template <PairKind kind>
+int come_within(const PackedVertex* vertices, const WithinRule& rule, const PairBuffer& in, WithinScratch& scratch,
+                SolvedPair* out) {
+  SolvedSink sink{out};
+  AdvanceLanes<kind, const PackedVertex*, SolvedSink>(vertices, rule, scratch, sink).run(in);
+  return sink.count;
+}
+
+#define TAMIS_WITHIN(kind)                                                                                            \
+  template void cull_apart<PairKind::kind>(const BoxVertex*, const BoxSeparation&, PairBuffer&, PairBuffer&);         \
+  template int come_within<PairKind::kind>(const PackedVertex*, const WithinRule&, const PairBuffer&, WithinScratch&, \
+                                           SolvedPair*);
+TAMIS_WITHIN(vertex_face)
+TAMIS_WITHIN(edge_edge)
+TAMIS_WITHIN(vertex_edge)
+TAMIS_WITHIN(vertex_vertex)
+#undef TAMIS_WITHIN
+
+}  // namespace tamis::TAMIS_ISA

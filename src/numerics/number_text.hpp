@@ -1,0 +1,15 @@
+// Numbers in error messages.
+#pragma once
+#include <array>
+#include <charconv>
+#include <string>
+
+namespace tamis {
+
+/// As short as it can be so that it reads back as the same double: std::to_string(-1e-9) is "-0.000000".
+inline std::string number_text(double number) {
+  std::array<char, 32> text{};
+  return {text.data(), std::to_chars(text.data(), text.data() + text.size(), number).ptr};
+}
+
+}  // namespace tamis

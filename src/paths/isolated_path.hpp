@@ -1,0 +1,29 @@
+// A caller's path, asked in the middle of a question.
+#pragma once
+#include "engines/isolated.hpp"
+#include "tamis/path.hpp"
+
+namespace tamis {
+
+class IsolatedPath final : public Path {
+ public:
+  /// Keeps a reference.
+  explicit IsolatedPath(const Path& path) : path_(path) {}
+
+  Index vertex_count() const override { return path_.vertex_count(); }
+  void points_at(double time, std::span<const Index> vertices, std::span<Point> points,
+                 std::span<double> errors) const override {
+    isolated([&] { path_.points_at(time, vertices, points, errors); });
+  }
+  void fine_points_at(double time, std::span<const Index> vertices, std::span<FinePoint> points) const override {
+    isolated([&] { path_.fine_points_at(time, vertices, points); });
+  }
+  void strays(double from, double to, std::span<const Index> vertices, std::span<double> strays) const override {
+    isolated([&] { path_.strays(from, to, vertices, strays); });
+  }
+
+ private:
+  const Path& path_;
+};
+
+}  // namespace tamis

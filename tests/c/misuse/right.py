@@ -1,0 +1,118 @@
+"""A right value for every argument and every field, by name. A name that is not here fails the test."""
+import ctypes
+
+import headers
+
+FACES, START = (0, 1, 2, 3, 4, 5), (0, 0, 0, 1, 0, 0, 0, 1, 0, .25, .25, 1, 1, .5, 2, .5, 1, 2)
+END = (*START[:11], -1, *START[12:])
+ROOM = 4096  # bytes for whatever is written
+
+POINTS_AT = ctypes.CFUNCTYPE(None, ctypes.c_void_p, ctypes.c_double, ctypes.POINTER(ctypes.c_int32), ctypes.c_size_t,
+                             ctypes.POINTER(ctypes.c_double), ctypes.POINTER(ctypes.c_double))
+STRAYS = ctypes.CFUNCTYPE(None, ctypes.c_void_p, ctypes.c_double, ctypes.c_double, ctypes.POINTER(ctypes.c_int32),
+                          ctypes.c_size_t, ctypes.POINTER(ctypes.c_double))
+ASKED = ctypes.CFUNCTYPE(ctypes.c_int, ctypes.c_void_p)
+ACCEPTS = ctypes.CFUNCTYPE(ctypes.c_int, ctypes.c_void_p, ctypes.c_int32, ctypes.POINTER(ctypes.c_int32))
+
+
+@POINTS_AT
+def _still(user, time, vertices, count, points, errors):
+    for i in range(count):
+        errors[i] = 0
+        for axis in range(3):
+            points[3 * i + axis] = START[3 * vertices[i] + axis]
+
+
+@STRAYS
+def _no_deviation(user, start, end, vertices, count, strays):
+    for i in range(count):
+        strays[i] = 0
+
+
+def doubles(*values):
+    return (ctypes.c_double * len(values))(*values)
+
+
+def indices(*values):
+    return (ctypes.c_int32 * len(values))(*values)
+
+
+def pair(name, vertex_count):
+    """So many corners of the falling triangle and the one below, for calls that take pairs by their points."""
+    return doubles(*[number for corner in (3, 0, 1, 2)[:vertex_count] for number in START[3 * corner:3 * corner + 3]])
+
+
+# Of all structs, then of one.
+FIELDS = {
+    "vertex_count": 6, "start": doubles(*START), "end": doubles(*END), "start_stride": 0, "end_stride": 0,
+    "faces": indices(*FACES), "face_count": 2, "loose_edges": indices(0, 3), "loose_edge_count": 1,
+    "loose_points": indices(1), "loose_point_count": 1, "threads": 1, "min_separation": 0.0, "group_count": 2,
+    "group_of_vertex": indices(0, 0, 0, 1, 1, 1), "groups_may_touch": (ctypes.c_uint8 * 4)(1, 1, 1, 1),
+    "thickness": doubles(0, 0), "method": b"tamis", "isa": b"best", "bounding_volume": b"aabb",
+    "accepts": ACCEPTS(lambda user, kind, vertices: 1), "is_cancelled": ASKED(lambda user: 0), "user": None,
+    "latest": doubles(1), "kind": 0, "vertices": (3, 0, 1, 2), "rest": doubles(*START), "body_count": 1,
+    "body_of_vertex": indices(0, 0, 0, 0, 0, 0), "links_of_body": (ctypes.c_size_t * 1)(0), "links": None,
+    "frame_count": 2, "frames": doubles(*START, *END), "points_at": _still, "strays": _no_deviation, "tolerance": 0.0,
+    "position": (0., 0., 0.), "rotation": (0., 0., 1.),
+}
+INPUTS = ("tamis_step", "tamis_mesh_input", "tamis_options", "tamis_pair_options", "tamis_rigid_path_input",
+          "tamis_spline_path_input", "tamis_path_functions", "tamis_path_options", "tamis_pair", "tamis_pose")
+ARGUMENTS = {
+    "kind": 0, "u": .25, "v": .25, "fraction": .1, "distance": 1.5, "time": .5, "first": 0, "turn": doubles(0, 0, 1),
+    "end_position": doubles(1, 1, 1), "edges": indices(0, 1), "faces": indices(0, 1, 2),
+}
+_CORNERS = {"vertex_face": 4, "edge_edge": 4, "vertex_edge": 3, "vertex_vertex": 2}
+
+
+def struct(interface: headers.Interface, name: str, **changed) -> ctypes.Structure:
+    """With right values but for those; NULL for what is needed by none of the calls here."""
+    made = interface.types[name]()
+    keep = made.kept = []
+    for field in interface.structs[name]:
+        value = changed.get(field.name, FIELDS.get(field.name, ctypes.sizeof(made) if field.name == "size" else 0))
+        assert field.name in changed or field.name in FIELDS or field.name == "size", \
+            f"{name}.{field.name}: what is right for it? Say so in tests/c/misuse/right.py"
+        put(made, field, value, keep)
+    return made
+
+
+def put(made: ctypes.Structure, field: headers.Parameter, value, keep: list) -> None:
+    """Writes a field; what it points to lives as long as the struct."""
+    if field.type == "const double*" and isinstance(value, float):
+        value = doubles(value)
+    if field.is_pointer and value is not None:
+        keep.append(value)
+        value = ctypes.cast(ctypes.c_char_p(value) if isinstance(value, bytes) else value, ctypes.c_void_p)
+    is_array = isinstance(getattr(made, field.name), ctypes.Array)
+    if is_array:
+        value = type(getattr(made, field.name))(*value)
+    setattr(made, field.name, value)
+
+
+def argument(interface: headers.Interface, function: headers.Function, parameter: headers.Parameter, handles: dict):
+    """A right value for one argument of this function."""
+    kind = parameter.type.replace("const ", "").rstrip("*")
+    if parameter.type.endswith("**"):
+        return ctypes.c_void_p()
+    if kind in handles:
+        return handles[kind]
+    if kind in INPUTS and parameter.type.startswith("const"):
+        return struct(interface, kind)
+    corners = next((n for name, n in _CORNERS.items() if function.name.endswith(name)), 4)
+    if parameter.name in ("start", "end"):
+        return pair(parameter.name, corners)
+    if parameter.name == "vertices":
+        return indices(*(3, 0, 1, 2)[:corners])
+    if parameter.name == "count" and not parameter.is_pointer:
+        return 0 if "_copy_" in function.name else 1
+    if parameter.name.endswith("_size"):
+        return next(ctypes.sizeof(interface.types[p.type.rstrip("*")]) for p in function.parameters
+                    if p.type.rstrip("*") in interface.types and not p.type.startswith("const"))
+    if parameter.is_pointer and not parameter.type.startswith("const"):
+        room = ctypes.create_string_buffer(ROOM)
+        if kind in interface.structs and interface.structs[kind][0].name == "size":
+            ctypes.c_size_t.from_buffer(room).value = ctypes.sizeof(interface.types[kind])
+        return room
+    assert parameter.name in ARGUMENTS, \
+        f"{function.name}: what is right for {parameter.name}? Say so in tests/c/misuse/right.py"
+    return ARGUMENTS[parameter.name]

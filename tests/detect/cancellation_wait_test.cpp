@@ -1,0 +1,192 @@
+// How long who cancels has to wait, at every question: 50 ms. Bug: a pair, a list or a hierarchy that takes seconds
+// without looking whether anybody still wants the answer.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <ctime>
+
+#include "support/every_question.hpp"
+#include "support/test_names.hpp"
+#include "tamis/error.hpp"
+#include "tamis/pair.hpp"
+#include "tamis/rigid_path.hpp"
+
+namespace tamis::test {
+namespace {
+
+using scenes::Scene;
+
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr double kSlower = 20;  // and all that is measured is a check of this test
+#else
+constexpr double kSlower = 1;
+#endif
+constexpr double kLongestWait = 0.05 * kSlower;
+
+/// Seconds of this thread: others may use the machine, too.
+double thread_seconds() {
+  timespec time{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+/// The longest time between two looks at whether a question is cancelled, its start and its end among them.
+class Waits {
+ public:
+  /// Says true after `patience` seconds.
+  explicit Waits(double patience) : patience_(patience * kSlower) {}
+
+  std::function<bool()> is_cancelled() {
+    return [this] { return look() - start_ > patience_; };
+  }
+  /// Of one question.
+  template <class Ask>
+  double longest_of(const Ask& ask) {
+    longest_ = 0;
+    start_ = last_ = thread_seconds();
+    try {
+      ask();
+    } catch (const Cancelled&) {
+      was_cancelled_ = true;
+    }
+    look();
+    return longest_;
+  }
+  bool was_cancelled() const { return was_cancelled_; }
+
+ private:
+  double look() {
+    const double now = thread_seconds();
+    longest_ = std::max(longest_, now - last_);
+    return last_ = now;
+  }
+
+  const double patience_;
+  double start_ = 0, last_ = 0, longest_ = 0;
+  bool was_cancelled_ = false;
+};
+
+Options alone(Waits& waits, Method method = Method::tamis) {
+  Options options;
+  options.method = method;
+  options.threads = 1;
+  options.is_cancelled = waits.is_cancelled();
+  return options;
+}
+
+class CancellationWait : public testing::TestWithParam<Method> {};
+
+TEST_P(CancellationWait, IsShortInAMeshOfManyTriangles) {
+  const Index cells = GetParam() == Method::tamis ? 120 : GetParam() == Method::paper ? 30 : 6;
+  const Scene scene = two_sheets(cells);
+  Waits waits(1);
+  for (const AnyQuestion& question : questions_of(scene, 0.3 * edge_of_sheets(cells))) {
+    Detector detector(scene.mesh(), alone(waits, GetParam()));
+    for (const char* const when : {"asked first", "then", "and again, from the same start"})
+      EXPECT_LT(waits.longest_of([&] { question.ask(detector); }), kLongestWait) << question.name << ", " << when;
+  }
+}
+
+TEST_P(CancellationWait, IsShortOnAPath) {
+  const Index cells = GetParam() == Method::brute ? 6 : 30;
+  const Scene scene = two_sheets(cells);
+  const BezierPath path = bent_path(scene);
+  Waits waits(0.5);
+  Detector detector(scene.mesh(), alone(waits, GetParam()));
+  for (const AnyQuestion& question : questions_of(path, 0.1 * edge_of_sheets(cells)))
+    EXPECT_LT(waits.longest_of([&] { question.ask(detector); }), kLongestWait) << question.name;
+}
+
+INSTANTIATE_TEST_SUITE_P(Methods, CancellationWait, testing::Values(Method::tamis, Method::paper, Method::brute),
+                         [](const testing::TestParamInfo<Method>& method) { return test_name(name_of(method.param)); });
+
+/// Two unit squares, of which one moves: each pair takes seconds.
+struct Squares {
+  std::vector<Point> rest;
+  std::vector<Face> faces{{0, 1, 2}, {0, 2, 3}, {4, 5, 6}, {4, 6, 7}};
+  std::vector<Index> body{0, 0, 0, 0, 1, 1, 1, 1};
+
+  Squares() {
+    for (int i = 0; i < 2; ++i) rest.insert(rest.end(), {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}});
+  }
+  Mesh mesh() const { return {8, faces}; }
+  RigidPath path(double height, const Point& turn) const {
+    return {rest, body, {Chain{}, turned({{0.1, 0.05, height}, {0, 0, 0}}, turn, {0.3, 0.15, height})}};
+  }
+};
+
+struct HardPath {
+  const char* name;
+  double height;
+  Point turn;
+};
+
+class HardPaths : public testing::TestWithParam<HardPath> {
+ protected:
+  const Squares squares_;
+  const RigidPath path_ = squares_.path(GetParam().height, GetParam().turn);
+};
+
+TEST_P(HardPaths, EndSoonOnceCancelled) {
+  Waits waits(0.1);
+  Options options = alone(waits);
+  options.filter = PairFilter::no_self_contact(squares_.body);
+  Detector detector(squares_.mesh(), options);
+  for (const AnyQuestion& question : questions_of(path_, 1e-14))
+    EXPECT_LT(waits.longest_of([&] { question.ask(detector); }), kLongestWait) << question.name;
+  EXPECT_TRUE(waits.was_cancelled()) << "these were easy";
+}
+
+TEST_P(HardPaths, EndSoonOnceCancelledPairByPair) {
+  Waits waits(0.02);
+  for (const double separation : {0.0, 1e-14}) {
+    const PathOptions options{separation, 1e-9, waits.is_cancelled()};
+    const auto expect_short = [&](const char* kind, const auto& ask) {
+      EXPECT_LT(waits.longest_of(ask), kLongestWait) << kind << " within " << separation;
+    };
+    using Four = std::array<Index, 4>;
+    for (const Four& v : {Four{2, 4, 5, 6}, Four{3, 4, 6, 7}, Four{5, 0, 1, 2}, Four{6, 0, 1, 2}})
+      expect_short("vf", [&] { (void)vertex_face(path_, v, options); });
+    for (const Four& v : {Four{1, 2, 4, 5}, Four{1, 2, 4, 6}, Four{0, 1, 5, 6}})
+      expect_short("ee", [&] { (void)edge_edge(path_, v, options); });
+    expect_short("ve", [&] { (void)vertex_edge(path_, {2, 4, 5}, options); });
+    expect_short("vv", [&] { (void)vertex_vertex(path_, {2, 6}, options); });
+  }
+  EXPECT_TRUE(waits.was_cancelled()) << "these were easy";
+}
+
+INSTANTIATE_TEST_SUITE_P(Of, HardPaths,
+                         testing::Values(HardPath{"ASlide", 1e-13, {0, 0, 0.5}}, HardPath{"ASpin", 0.5, {1e30, 0, 0}},
+                                         HardPath{"ASpinInThePlane", 1e-13, {0, 0, 1e30}}),
+                         [](const testing::TestParamInfo<HardPath>& path) { return path.param.name; });
+
+// Bug: 2^17 parts in doubles of which each gets 2^13 in double-double: a minute for one pair.
+TEST(HardPairs, AreGivenUpInSeconds) {
+  const Squares squares;
+  const RigidPath path = squares.path(1e-13, {0, 0, 0.5});
+  const double start = thread_seconds();
+  const PairResult result = vertex_face(path, {2, 4, 5, 6});
+  EXPECT_LT(thread_seconds() - start, 15 * kSlower);
+  EXPECT_TRUE(!result.touches || result.certainty == Certainty::unresolved) << "they are 1e-13 apart";
+}
+
+TEST(CancellationWaitOfLists, IsShort) {
+  const Scene scene = two_sheets(60);
+  std::vector<Pair> pairs;
+  const Mesh mesh = scene.mesh();
+  const auto vertices = static_cast<Index>(mesh.points().size());
+  for (std::size_t f = 0; f < mesh.faces().size(); ++f)
+    for (Index k = 0; k < 32; ++k) {
+      const Index p = (vertices / 2 + static_cast<Index>(f) / 2 + 61 * k) % vertices;
+      const auto [a, b, c] = mesh.faces()[f];
+      if (p != a && p != b && p != c) pairs.push_back({PairKind::vertex_face, {p, a, b, c}});
+    }
+  Waits waits(2);
+  for (const double separation : {0.0, 0.01}) {
+    const PairListOptions options{.min_separation = separation, .threads = 1, .is_cancelled = waits.is_cancelled()};
+    EXPECT_LT(waits.longest_of([&] { (void)narrow_phase(pairs, scene.step(), options); }), kLongestWait) << separation;
+  }
+}
+
+}  // namespace
+}  // namespace tamis::test

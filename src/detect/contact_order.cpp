@@ -8,25 +8,28 @@
 #include "engines/found_contacts.hpp"
 
 namespace tamis {
+namespace {
+
+/// Between two calls of `pause`: well below a millisecond.
+constexpr std::size_t kContactsAPause = std::size_t{1} << 14;
+
+/// f(i) of all i below `count`, in order, `pause` now and then.
+template <class F>
+void for_each_place(std::size_t count, const std::function<void()>& pause, const F& f) {
+  for (std::size_t first = 0; first < count; first += kContactsAPause) {
+    pause();
+    const std::size_t end = std::min(count, first + kContactsAPause);
+    for (std::size_t i = first; i < end; ++i) f(i);
+  }
+}
+
+}  // namespace
 
 /// A counting sort into one bucket a kind and first vertex, then each small bucket by the other vertices, which lie
 /// together with the contact's place: contacts are looked at once and moved once.
-void ContactSorter::sort(std::vector<Contact>& contacts, Index vertex_count) {
-  std::size_t kinds = 0;
-  for (const Contact& c : contacts) kinds = std::max(kinds, static_cast<std::size_t>(c.kind) + 1);
-  const auto buckets = kinds * static_cast<std::size_t>(vertex_count);
-  const auto bucket_of = [&](const Contact& c) {
-    return static_cast<std::size_t>(c.kind) * static_cast<std::size_t>(vertex_count) +
-           static_cast<std::size_t>(c.vertices[0]);
-  };
-  first_.assign(buckets + 2, 0);
-  for (const Contact& c : contacts) ++first_[bucket_of(c) + 2];
-  for (std::size_t b = 2; b < first_.size(); ++b) first_[b] += first_[b - 1];
-  entries_.resize(contacts.size());
-  for (std::size_t i = 0; i < contacts.size(); ++i) {
-    const Contact& c = contacts[i];
-    entries_[first_[bucket_of(c) + 1]++] = {c.vertices[1], c.vertices[2], c.vertices[3], static_cast<std::uint32_t>(i)};
-  }
+void ContactSorter::sort(std::vector<Contact>& contacts, Index vertex_count, const std::function<void()>& pause) {
+  fill_buckets(contacts, vertex_count, pause);
+  const std::size_t buckets = first_.size() - 2;
   const auto is_before = [&](const Entry& a, const Entry& b) {
     const auto key = [](const Entry& e) { return std::tie(e.v1, e.v2, e.v3); };
     return key(a) != key(b) ? key(a) < key(b) : comes_before(contacts[a.place], contacts[b.place]);
@@ -34,6 +37,7 @@ void ContactSorter::sort(std::vector<Contact>& contacts, Index vertex_count) {
   sorted_.resize(contacts.size());
   constexpr std::size_t kGrain = 2048;
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, buckets, kGrain), [&](const auto& range) {
+    pause();
     const auto begin = entries_.begin();
     for (std::size_t b = range.begin(); b != range.end(); ++b)
       if (first_[b + 1] > first_[b] + 1) std::sort(begin + first_[b], begin + first_[b + 1], is_before);
@@ -45,6 +49,26 @@ void ContactSorter::sort(std::vector<Contact>& contacts, Index vertex_count) {
     }
   });
   contacts.swap(sorted_);
+}
+
+void ContactSorter::fill_buckets(const std::vector<Contact>& contacts, Index vertex_count,
+                                 const std::function<void()>& pause) {
+  std::size_t kinds = 0;
+  for_each_place(contacts.size(), pause,
+                 [&](std::size_t i) { kinds = std::max(kinds, static_cast<std::size_t>(contacts[i].kind) + 1); });
+  const auto buckets = kinds * static_cast<std::size_t>(vertex_count);
+  const auto bucket_of = [&](const Contact& c) {
+    return static_cast<std::size_t>(c.kind) * static_cast<std::size_t>(vertex_count) +
+           static_cast<std::size_t>(c.vertices[0]);
+  };
+  first_.assign(buckets + 2, 0);
+  for_each_place(contacts.size(), pause, [&](std::size_t i) { ++first_[bucket_of(contacts[i]) + 2]; });
+  for (std::size_t b = 2; b < first_.size(); ++b) first_[b] += first_[b - 1];
+  entries_.resize(contacts.size());
+  for_each_place(contacts.size(), pause, [&](std::size_t i) {
+    const Contact& c = contacts[i];
+    entries_[first_[bucket_of(c) + 1]++] = {c.vertices[1], c.vertices[2], c.vertices[3], static_cast<std::uint32_t>(i)};
+  });
 }
 
 }  // namespace tamis

@@ -5,6 +5,7 @@
 #include "detect/truncation.hpp"
 #include "detect/validate.hpp"
 #include "engines/brute/step_length.hpp"
+#include "engines/cancellation.hpp"
 #include "engines/pair_rules.hpp"
 #include "engines/stopwatch.hpp"
 #include "numerics/number_text.hpp"
@@ -62,7 +63,7 @@ void Detector::State::ask(const Step& step, Separation min_separation, Question 
   measure([&] {
     found.begin(step, kept, question);
     engine_->find(found, statistics);
-    if (question == Question::all_contacts) sorter_.sort(found.contacts(), mesh.vertex_count());
+    if (question == Question::all_contacts) sort_found();
   });
 }
 
@@ -72,8 +73,12 @@ void Detector::State::ask(const Path& path, Separation min_separation, double to
   measure([&] {
     if (!path_search_) path_search_ = std::make_unique<PathSearch>(mesh, options, *engine_);
     path_search_->find({path, kept, tolerance}, question, found.contacts(), statistics);
-    sorter_.sort(found.contacts(), mesh.vertex_count());
+    sort_found();
   });
+}
+
+void Detector::State::sort_found() {
+  sorter_.sort(found.contacts(), mesh.vertex_count(), [this] { stop_if_cancelled(options); });
 }
 
 EarliestContact Detector::State::earliest(const Step& step, Separation min_separation) {

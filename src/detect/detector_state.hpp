@@ -45,6 +45,8 @@ struct Detector::State {
   Separations separations(Separation min_separation) const;
   /// 0 < fraction < 1.
   SafeStep step_length(const Step& step, const Separations& separations, double fraction);
+  /// Into the documented order.
+  void sort_found();
   RestEngine& at_rest();
   /// As StepLengthSearch::find_all, of any method.
   void find_step_ends(const Step& step, const Separations& separations, double fraction, std::vector<StepLimit>& ends);

@@ -74,6 +74,7 @@ Numbers numbers_of(bool answer) { return {double(answer)}; }
 template <class Ask>
 AnyQuestion question(std::string name, const Ask& ask) {
   return {std::move(name), [ask](Detector& d) { return numbers_of(ask(d)); },
+          [ask](Detector& d) { static_cast<void>(ask(d)); },
           !std::is_reference_v<std::invoke_result_t<Ask, Detector&>>};
 }
 

@@ -15,6 +15,8 @@ struct AnyQuestion {
   std::string name;
   /// Every number of the answer.
   std::function<std::vector<double>(Detector&)> ask;
+  /// Leaves the answer where it is: what the question itself takes.
+  std::function<void(Detector&)> ask_only;
   /// False: the answer is the detector's, until the next question of whatever thread.
   bool is_by_value;
 };

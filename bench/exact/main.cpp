@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "solve/exact.hpp"
+#include "exact/exact.hpp"
 #include "support/ask_pair.hpp"
 #include "support/pair_cases.hpp"
 

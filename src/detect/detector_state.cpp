@@ -8,8 +8,8 @@
 #include "engines/cancellation.hpp"
 #include "engines/pair_rules.hpp"
 #include "engines/stopwatch.hpp"
+#include "exact/start_distance.hpp"
 #include "numerics/number_text.hpp"
-#include "solve/start_distance.hpp"
 #include "tamis/error.hpp"
 
 namespace tamis {

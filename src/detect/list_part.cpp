@@ -5,10 +5,10 @@
 
 #include "engines/cancellation.hpp"
 #include "engines/pair_rules.hpp"
+#include "narrow/decide.hpp"
+#include "narrow/pair_input.hpp"
+#include "narrow/separation.hpp"
 #include "numerics/finite.hpp"
-#include "solve/decide.hpp"
-#include "solve/pair_input.hpp"
-#include "solve/separation.hpp"
 
 namespace tamis {
 namespace {

@@ -8,8 +8,8 @@
 #include "detect/pair_faults.hpp"
 #include "detect/validate.hpp"
 #include "engines/cancellation.hpp"
+#include "narrow/pair_input.hpp"
 #include "numerics/finite.hpp"
-#include "solve/pair_input.hpp"
 #include "tamis/error.hpp"
 #include "tamis/pair.hpp"
 

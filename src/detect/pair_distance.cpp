@@ -7,10 +7,10 @@
 #include "detect/validate.hpp"
 #include "engines/step_limit.hpp"
 #include "motion/time_clip.hpp"
-#include "solve/decide.hpp"
-#include "solve/kept_distance.hpp"
-#include "solve/near_pair.hpp"
-#include "solve/pair_input.hpp"
+#include "narrow/decide.hpp"
+#include "narrow/kept_distance.hpp"
+#include "narrow/near_pair.hpp"
+#include "narrow/pair_input.hpp"
 #include "tamis/error.hpp"
 
 namespace tamis {

@@ -1,8 +1,8 @@
 #include "detect/pair_faults.hpp"
 
 #include "motion/pair_kinds.hpp"
+#include "narrow/pair_input.hpp"
 #include "numerics/finite.hpp"
-#include "solve/pair_input.hpp"
 
 namespace tamis {
 

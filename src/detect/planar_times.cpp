@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "motion/pair_kinds.hpp"
-#include "solve/kept_distance.hpp"
+#include "narrow/kept_distance.hpp"
 
 namespace tamis {
 namespace {

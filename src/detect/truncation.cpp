@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "engines/pair_rules.hpp"
-#include "solve/near_pair.hpp"
-#include "solve/start_distance.hpp"
+#include "exact/start_distance.hpp"
+#include "narrow/near_pair.hpp"
 #include "topology/mean_edge.hpp"
 
 namespace tamis {

@@ -5,9 +5,9 @@
 #include <span>
 #include <string>
 
+#include "narrow/pair_input.hpp"
 #include "numerics/finite.hpp"
 #include "numerics/number_text.hpp"
-#include "solve/pair_input.hpp"
 #include "tamis/error.hpp"
 
 namespace tamis {

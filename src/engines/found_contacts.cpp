@@ -4,8 +4,8 @@
 #include <tuple>
 
 #include "engines/cancellation.hpp"
+#include "narrow/decide.hpp"
 #include "numerics/assert.hpp"
-#include "solve/decide.hpp"
 
 namespace tamis {
 namespace {

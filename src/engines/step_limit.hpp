@@ -4,7 +4,7 @@
 
 #include "engines/pair_rules.hpp"
 #include "motion/separations.hpp"
-#include "solve/kept_distance.hpp"
+#include "narrow/kept_distance.hpp"
 #include "tamis/contact.hpp"
 
 namespace tamis {

@@ -1,13 +1,13 @@
-// When do pairs come within their separation? Each takes as many looks as it needs (solve/advancement.hpp), one after
+// When do pairs come within their separation? Each takes as many looks as it needs (narrow/advancement.hpp), one after
 // the other; after each look those that go on close their ranks, so that no lane waits for the slowest. What this
-// leaves open, the same looks settle one pair at a time (solve/separation.hpp), with the same bits.
+// leaves open, the same looks settle one pair at a time (narrow/separation.hpp), with the same bits.
 #pragma once
+#include "distance/direction_apart.hpp"
 #include "filters/slab_clip.hpp"
 #include "kernels/load_motion.hpp"
 #include "kernels/search.hpp"
-#include "solve/advancement.hpp"
-#include "solve/direction_apart.hpp"
-#include "solve/sharp_bracket.hpp"
+#include "narrow/advancement.hpp"
+#include "narrow/sharp_bracket.hpp"
 
 namespace tamis::TAMIS_ISA {
 

@@ -2,8 +2,8 @@
 #pragma once
 #include <optional>
 
+#include "narrow/crossing.hpp"
 #include "numerics/lanes.hpp"
-#include "solve/crossing.hpp"
 
 namespace tamis::TAMIS_ISA {
 

@@ -37,7 +37,7 @@ struct SolvedPair {
   double normal[3];  ///< unit
 };
 
-/// Pairs on the way to the time at which they come within their separation (solve/advancement.hpp): proven apart until
+/// Pairs on the way to the time at which they come within their separation (narrow/advancement.hpp): proven apart until
 /// `now`, and what is asked of them ends at `until`.
 struct AdvanceBuffer {
   PairBuffer pairs;
@@ -66,7 +66,7 @@ struct ReserveBounds {
 };
 
 /// Which pairs may end the step before `t_limit`, where each must keep a fraction of its distance beyond the separation
-/// (solve/kept_gap.hpp).
+/// (distance/kept_gap.hpp).
 struct NearRule {
   float fraction;  ///< rounded up
   float reach;     ///< t_limit / (1 - fraction), rounded up
@@ -162,8 +162,8 @@ struct Kernels {
   void (*slab_ve)(const BoxVertex* vertices, const BoxSeparation& separation, const PairBuffer& in, PairBuffer& out);
   void (*slab_vv)(const BoxVertex* vertices, const BoxSeparation& separation, const PairBuffer& in, PairBuffer& out);
   /// [kind]: the pairs of a list, each for the whole step and by itself, as far as doubles settle it
-  /// (solve/settled.hpp): with the bits of decide(). Writes results[places[i]], or the place to `open`, whose number is
-  /// returned: of pairs for decide_unsettled(), or whose coordinates are not finite. `rest` is scratch.
+  /// (narrow/settled.hpp): with the bits of decide(). Writes results[places[i]], or the place to `open`, whose number
+  /// is returned: of pairs for decide_unsettled(), or whose coordinates are not finite. `rest` is scratch.
   int (*settle[kPairKinds])(const ListedPairs& list, const PairBuffer& in, PairBuffer& rest, PairResult* results,
                             std::int32_t* open);
 };

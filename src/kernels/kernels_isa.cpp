@@ -1,6 +1,8 @@
 // All kernels of one instruction set: this file is compiled once for each.
 #include <cstring>
 
+#include "distance/kept_gap.hpp"
+#include "distance/start_gap.hpp"
 #include "filters/dnf.hpp"
 #include "filters/ncf.hpp"
 #include "filters/slab_clip.hpp"
@@ -13,8 +15,6 @@
 #include "kernels/settle.hpp"
 #include "kernels/split.hpp"
 #include "kernels/within.hpp"
-#include "solve/kept_gap.hpp"
-#include "solve/start_gap.hpp"
 
 namespace tamis::TAMIS_ISA {
 namespace {

@@ -1,7 +1,7 @@
 // Pairs at rest, one a lane: only the vertices' positions at t=0 are read.
 #pragma once
+#include "distance/rest_distance.hpp"
 #include "kernels/load_motion.hpp"
-#include "solve/rest_distance.hpp"
 
 namespace tamis::TAMIS_ISA {
 

@@ -1,8 +1,8 @@
 // Pairs at rest: which are within their separation, and what is to be said of those.
 #pragma once
+#include "distance/near_facts.hpp"
 #include "kernels/load_pose.hpp"
 #include "kernels/search.hpp"
-#include "solve/near_facts.hpp"
 
 namespace tamis::TAMIS_ISA {
 

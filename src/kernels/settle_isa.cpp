@@ -5,7 +5,7 @@
 #include "kernels/load_motion.hpp"
 #include "kernels/search.hpp"
 #include "kernels/settle.hpp"
-#include "solve/settled.hpp"
+#include "narrow/settled.hpp"
 
 namespace tamis::TAMIS_ISA {
 namespace {

@@ -1,7 +1,7 @@
 // Pairs within a separation: compiled once for each instruction set.
+#include "distance/turning_gap.hpp"
 #include "kernels/advance_lanes.hpp"
 #include "kernels/within.hpp"
-#include "solve/turning_gap.hpp"
 
 namespace tamis::TAMIS_ISA {
 namespace {

@@ -6,12 +6,12 @@
 #include <cmath>
 #include <utility>
 
+#include "distance/closest.hpp"
 #include "filters/dnf.hpp"
 #include "filters/ncf.hpp"
 #include "motion/pair_kinds.hpp"
 #include "paths/fine_point.hpp"
 #include "paths/path_reader.hpp"
-#include "solve/closest.hpp"
 
 namespace tamis {
 

@@ -1,7 +1,7 @@
 // A crossing on a piece of a path: which sign the coplanarity has at its ends, and where it passes zero.
 #pragma once
+#include "narrow/crossing.hpp"
 #include "paths/chords.hpp"
-#include "solve/crossing.hpp"
 
 namespace tamis {
 

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
+#include "narrow/contact_normal.hpp"
 #include "paths/crossing_on_path.hpp"
 #include "paths/path_parts.hpp"
 #include "paths/within_on_path.hpp"
-#include "solve/contact_normal.hpp"
 
 namespace tamis {
 namespace {

@@ -2,8 +2,8 @@
 // holds a certified crossing in a narrow bracket, or is too short for the arithmetic, which is doubles, then
 // double-double.
 #pragma once
+#include "narrow/subdivide.hpp"
 #include "paths/path_reader.hpp"
-#include "solve/subdivide.hpp"
 
 namespace tamis {
 

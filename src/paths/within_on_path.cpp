@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "narrow/separation.hpp"
 #include "numerics/assert.hpp"
 #include "paths/path_parts.hpp"
-#include "solve/separation.hpp"
 
 namespace tamis {
 namespace {

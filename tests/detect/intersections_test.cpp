@@ -5,7 +5,7 @@
 #include <cmath>
 #include <set>
 
-#include "solve/exact.hpp"
+#include "exact/exact.hpp"
 #include "support/contact_sets.hpp"
 #include "support/test_names.hpp"
 #include "tamis/detector.hpp"

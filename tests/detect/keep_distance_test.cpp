@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "engines/pair_rules.hpp"
-#include "solve/kept_distance.hpp"
+#include "narrow/kept_distance.hpp"
 #include "support/contact_sets.hpp"
 #include "support/step_lengths.hpp"
 #include "support/test_names.hpp"

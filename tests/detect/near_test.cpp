@@ -8,8 +8,8 @@
 #include <limits>
 
 #include "engines/pair_rules.hpp"
+#include "exact/exact_distance.hpp"
 #include "scenes/random.hpp"
-#include "solve/exact_distance.hpp"
 #include "support/contact_sets.hpp"
 #include "support/test_names.hpp"
 #include "tamis/detector.hpp"

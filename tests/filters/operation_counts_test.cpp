@@ -6,9 +6,9 @@
 #include <cstdio>
 #include <random>
 
+#include "engines/paper/interval_newton.hpp"
 #include "filters/filters.hpp"
 #include "motion/make_motion.hpp"
-#include "solve/interval_newton.hpp"
 #include "support/counted.hpp"
 
 namespace tamis::test {

@@ -2,8 +2,8 @@
 #pragma once
 #include <string_view>
 
+#include "exact/exact.hpp"
 #include "oracle/oracle.hpp"
-#include "solve/exact.hpp"
 
 namespace tamis::test {
 

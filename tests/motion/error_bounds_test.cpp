@@ -9,7 +9,7 @@
 #include <iostream>
 
 #include "motion/polynomials.hpp"
-#include "solve/crossing.hpp"
+#include "narrow/crossing.hpp"
 #include "support/exact_motion.hpp"
 #include "support/pair_cases.hpp"
 #include "support/test_data.hpp"

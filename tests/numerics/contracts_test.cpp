@@ -1,11 +1,11 @@
 // A broken contract ends the program and says which: a check that is compiled away, or says the opposite, would show.
 #include <gtest/gtest.h>
 
+#include "exact/dyadic_cell.hpp"
+#include "exact/integer_polynomial.hpp"
+#include "exact/root_isolation.hpp"
 #include "filters/contour_test.hpp"
 #include "numerics/assert.hpp"
-#include "solve/dyadic_cell.hpp"
-#include "solve/integer_polynomial.hpp"
-#include "solve/root_isolation.hpp"
 
 namespace tamis {
 namespace {

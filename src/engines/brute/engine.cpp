@@ -8,8 +8,8 @@
 #include "engines/pair_rules.hpp"
 #include "engines/rest_engine.hpp"
 #include "engines/stage_counts.hpp"
-#include "solve/decide.hpp"
-#include "solve/near_pair.hpp"
+#include "narrow/decide.hpp"
+#include "narrow/near_pair.hpp"
 
 namespace tamis {
 namespace {

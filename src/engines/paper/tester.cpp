@@ -3,11 +3,11 @@
 #include <numeric>
 
 #include "engines/cancellation.hpp"
+#include "engines/paper/interval_newton.hpp"
 #include "engines/stage_counts.hpp"
 #include "engines/stopwatch.hpp"
-#include "solve/decide.hpp"
-#include "solve/interval_newton.hpp"
-#include "solve/sharp_bracket.hpp"
+#include "narrow/decide.hpp"
+#include "narrow/sharp_bracket.hpp"
 #include "topology/at.hpp"
 
 namespace tamis {

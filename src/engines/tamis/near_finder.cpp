@@ -5,7 +5,7 @@
 
 #include "engines/cancellation.hpp"
 #include "engines/tamis/pair_buffers.hpp"
-#include "solve/near_pair.hpp"
+#include "narrow/near_pair.hpp"
 
 namespace tamis {
 

@@ -4,8 +4,8 @@
 
 #include "engines/cancellation.hpp"
 #include "engines/tamis/pair_buffers.hpp"
-#include "solve/decide.hpp"
-#include "solve/sharp_bracket.hpp"
+#include "narrow/decide.hpp"
+#include "narrow/sharp_bracket.hpp"
 
 namespace tamis {
 namespace {

@@ -1,0 +1,92 @@
+// Until when does an axis keep a pair apart? The slab clip on one axis chosen for the pair, which may turn with it. On
+// a fixed axis the two features close in linearly, corner by corner; on one that turns at a constant rate,
+// quadratically. Both are sharper than a bound on the speed of the pair. For double and for SIMD lanes.
+#pragma once
+#include <limits>
+
+#include "distance/difference_corners.hpp"
+#include "distance/distance_along.hpp"
+#include "numerics/error_bounds.hpp"
+
+namespace tamis {
+
+/// n(t) = direction + (t - now) turn. Of any length, not zero at `now`.
+template <class T>
+struct TurningAxis {
+  Vec3<T> direction;
+  Vec3<T> turn{T(0), T(0), T(0)};
+};
+
+template <class T>
+inline T largest_component(const Vec3<T>& v) {
+  return max(max(abs(v.x), abs(v.y)), abs(v.z));
+}
+
+/// A lower bound, beyond all rounding, of the first x > 0 at which c0 + c1 x + c2 x^2 <= 0; 0 if c0 <= 0, and infinite
+/// if there is none. Never NaN.
+template <class T>
+inline T first_root(const T& c0, const T& c1, const T& c2) {
+  // 2 c0 / (sqrt(c1^2 - 4 c0 c2) - c1) with each rounding taken the way that makes it smaller.
+  constexpr double u = error_bounds::unit_roundoff<T>;
+  const T zero(0), never(std::numeric_limits<double>::infinity());
+  const T square = c1 * c1, product = T(4) * c0 * c2;
+  const T discriminant = square - product + T(8 * u) * (square + abs(product));
+  const T root = sqrt(discriminant);
+  const T divisor = root - c1 + T(8 * u) * (root + abs(c1));
+  const T first = select(divisor > zero, T(2) * c0 / divisor * T(1 - 4 * u), zero);  // zero where it is NaN
+  return select(c0 > zero, select((discriminant < zero) | (divisor <= zero), never, first), zero);
+}
+
+/// REQUIRES: `m` is the motion of the whole step, its sizes are finite.
+template <PairKind kind, class T>
+class AxisClip {
+ public:
+  explicit AxisClip(const PairMotion<T>& m)
+      : corners_(difference_corners<kind>(m)), separation_(m.separation), size_(m.size_d + m.size_e + m.size_f) {}
+
+  /// From `now` until the time that is returned, proven, all corners lie beyond the separation along the axis; no later
+  /// than `now` if not even then.
+  T apart_until(const T& now, const TurningAxis<T>& axis) const {
+    return (now + time_from(now, axis, T(1))) * T(1 - 4 * error_bounds::unit_roundoff<T>);
+  }
+  /// The same backwards: from the time that is returned until `now`.
+  T apart_since(const T& now, const TurningAxis<T>& axis) const {
+    return (now - time_from(now, axis, T(-1))) * T(1 + 4 * error_bounds::unit_roundoff<T>);
+  }
+  /// A lower bound, beyond all rounding, of the distance at `now` by a direction of any length; 0 if it proves none.
+  T distance_along(const T& now, const Vec3<T>& direction) const {
+    std::array<Vec3<T>, std::tuple_size_v<Corners>> corners;
+    for (std::size_t i = 0; i < corners.size(); ++i) corners[i] = at_time(corners_[i], now);
+    return tamis::distance_along(corners, direction, size_);
+  }
+
+ private:
+  using Corners = decltype(difference_corners<kind>(PairMotion<T>{}));
+
+  /// For how long, `forward` 1 or -1.
+  T time_from(const T& now, const TurningAxis<T>& axis, const T& forward) const {
+    constexpr double u = error_bounds::unit_roundoff<T>;
+    const T inverse_size = T(1) / largest_component(axis.direction);
+    const Vec3<T> n = inverse_size * axis.direction, turn = inverse_size * axis.turn;
+    const T turning = largest_component(turn), error = T(u) * size_ + T(error_bounds::underflow<T>);
+    // The axis' length is at most |n| + (n.turn / |n|) x + (turn.turn / 2|n|) x^2, x = t - now: a root lies below its
+    // tangent.
+    const T length = sqrt(dot(n, n));
+    const T threshold = separation_ * length * T(1 + 8 * u) + T(error_bounds::kAxisNow) * error;
+    const T slope = separation_ * (dot(n, turn) / length), bend = separation_ * (dot(turn, turn) / (T(2) * length));
+    const T drift = T(error_bounds::kAxisLater) * error * (T(1) + turning);
+    T least = select(turning > T(0), T(1) / turning, T(std::numeric_limits<double>::infinity()));
+    for (const auto& corner : corners_) {
+      const Vec3<T> at = at_time(corner, now), velocity = corner.at1 - corner.at0;
+      const T c0 = dot(n, at) - threshold, c1 = dot(n, velocity) + dot(turn, at) - slope;
+      const T c2 = dot(turn, velocity) - bend;
+      least = min(least, first_root(c0, forward * c1 - drift, c2));
+    }
+    return least;
+  }
+
+  Corners corners_;
+  T separation_, size_;
+};
+
+}  // namespace tamis

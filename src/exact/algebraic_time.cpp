@@ -1,0 +1,128 @@
+#include "exact/algebraic_time.hpp"
+
+#include <cmath>
+#include <utility>
+
+#include "exact/approximate_polynomial.hpp"
+#include "exact/odds_polynomial.hpp"
+
+namespace tamis {
+namespace {
+
+double next_up(double x) { return std::nextafter(x, 2.0); }
+
+}  // namespace
+
+AlgebraicTime AlgebraicTime::exactly(DyadicCell time) { return AlgebraicTime(std::move(time)); }
+
+AlgebraicTime::AlgebraicTime(IntegerPolynomial p, DyadicCell cell) : cell_(std::move(cell)) {
+  take_polynomial(std::move(p));
+}
+
+AlgebraicTime::AlgebraicTime(IntegerPolynomial p, const OddsBracket& odds, DyadicCell cell)
+    : polynomial_(std::move(p)), sign_before_(odds.sign_before), cell_(std::move(cell)), odds_(odds) {}
+
+AlgebraicTime::AlgebraicTime(IntegerPolynomial p, const OddsBracket& odds)
+    : AlgebraicTime(std::move(p), odds.sign_before, odds.lower_time(), odds.upper_time()) {
+  odds_ = odds;
+}
+
+AlgebraicTime::AlgebraicTime(IntegerPolynomial p, int sign_before, double lower, double upper)
+    : polynomial_(std::move(p)), sign_before_(sign_before) {
+  narrow_to_doubles(lower, upper);
+}
+
+void AlgebraicTime::take_polynomial(IntegerPolynomial p) {
+  polynomial_ = std::move(p);
+  sign_before_ = polynomial_.on(cell_).sign_after_zero();
+  ends_.reset();
+}
+
+void AlgebraicTime::halve() {
+  DyadicCell right = cell_.right_half();
+  const int side = compare_to(right);
+  is_exact_ = side == 0;
+  cell_ = side < 0 ? cell_.left_half() : std::move(right);
+  ends_.reset();
+}
+
+void AlgebraicTime::refine() {
+  if (!ends_) ends_ = {polynomial_.scaled_value(cell_), polynomial_.scaled_value({cell_.n + 1, cell_.k})};
+  // An end may be a root itself, of the same polynomial.
+  if (refinement_ < 2 || ends_->lower.sign() * ends_->upper.sign() >= 0) {
+    refinement_ = 4;
+    return halve();
+  }
+  const unsigned long bits = refinement_;
+  const DyadicCell guess{(cell_.n << bits) + quotient(ends_->lower << bits, ends_->lower - ends_->upper),
+                         cell_.k + bits};
+  Integer lower = polynomial_.scaled_value(guess);
+  if (lower.sign() == 0) {
+    cell_ = guess;
+    is_exact_ = true;
+    return;
+  }
+  refinement_ /= 2;
+  if (lower.sign() != sign_before_) return;
+  Integer upper = polynomial_.scaled_value({guess.n + 1, guess.k});
+  if (upper.sign() != -sign_before_) return;
+  cell_ = guess;
+  ends_ = {std::move(lower), std::move(upper)};
+  refinement_ = 2 * bits;
+}
+
+bool AlgebraicTime::is_root_of(const IntegerPolynomial& q) {
+  IntegerPolynomial common = greatest_common_divisor(polynomial_, q);
+  // It has at most one root in the cell, a simple one: the parity of the sign variations decides.
+  if (common.degree() <= 0 || common.on(cell_).sign_variations() % 2 == 0) return false;
+  if (common.degree() < polynomial_.degree()) take_polynomial(std::move(common));
+  return true;
+}
+
+int AlgebraicTime::sign_of(const IntegerPolynomial& q) {
+  if (q.degree() <= 0) return q.sign_after_zero();
+  if (const int sign = ApproximatePolynomial(q).near(lower_end(cell_)).sign()) return sign;
+  if (odds_)
+    if (const int sign = OddsPolynomial(q).sign_between(odds_->low, odds_->high)) return sign;
+  if (!is_exact_ && is_root_of(q)) return 0;
+  for (; !is_exact_; refine()) {
+    const IntegerPolynomial local = q.on(cell_);
+    if (local.sign_variations() == 0) return local.sign_after_zero();
+  }
+  return q.sign_at(cell_);
+}
+
+void AlgebraicTime::narrow_to_doubles(double lower, double upper) {
+  constexpr int kNewtonSteps = 12;
+  refinement_ = 32;  // between neighbouring doubles it is nearly a straight line
+  const ApproximatePolynomial rough(polynomial_), slope = rough.derivative();
+  double guess = lower + 0.5 * (upper - lower);
+  for (int step = 0; next_up(lower) < upper; ++step) {
+    if (!(guess > lower && guess < upper) || step > kNewtonSteps) guess = middle_double(lower, upper);
+    auto value = rough.near(guess);
+    if (value.sign() == 0) {
+      DyadicCell t = cell_above(guess);
+      const Integer exact = polynomial_.scaled_value(t);
+      if (exact.sign() == 0) {
+        is_exact_ = true;
+        cell_ = std::move(t);
+        return;
+      }
+      value = {mpz_get_d_2exp(&value.exponent, exact.get()), 0, 0};
+      value.exponent -= static_cast<long>(t.k) * polynomial_.degree();
+    }
+    const int side = value.sign() * sign_before_;
+    (side > 0 ? lower : upper) = guess;
+    const auto fall = slope.near(guess);
+    const double next = guess - times_power_of_two(value.value / fall.value, value.exponent - fall.exponent);
+    guess = next != guess ? next : std::nextafter(guess, side > 0 ? 2.0 : -1.0);
+  }
+  cell_ = cell_above(lower);
+}
+
+AlgebraicTime::Bracket AlgebraicTime::bracket() const {
+  const double lower = lower_end(cell_);
+  return {lower, is_exact_ && lower_end_is_double(cell_) ? lower : next_up(lower)};
+}
+
+}  // namespace tamis

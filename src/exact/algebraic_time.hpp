@@ -1,0 +1,58 @@
+// A time in [0,1] that is a root of an integer polynomial, and the signs of other polynomials at it.
+#pragma once
+#include <optional>
+
+#include "exact/integer_polynomial.hpp"
+#include "exact/odds.hpp"
+
+namespace tamis {
+
+class AlgebraicTime {
+ public:
+  /// The lower end of the cell.
+  static AlgebraicTime exactly(DyadicCell time);
+  /// REQUIRES: the cell lies between neighbouring doubles and holds, in its inside, exactly one root of `p`, a simple
+  /// one.
+  AlgebraicTime(IntegerPolynomial p, DyadicCell cell);
+  /// REQUIRES: the open interval holds exactly one root of `p`, a simple one; just after `lower` it has that sign.
+  AlgebraicTime(IntegerPolynomial p, int sign_before, double lower, double upper);
+  /// REQUIRES: the odds' doubles enclose no other root of `p`; or the cell is that of the odds.
+  AlgebraicTime(IntegerPolynomial p, const OddsBracket& odds);
+  AlgebraicTime(IntegerPolynomial p, const OddsBracket& odds, DyadicCell cell);
+
+  /// -1, 0 or 1; decided exactly. Narrows the cell as far as that needs.
+  int sign_of(const IntegerPolynomial& q);
+
+  /// Largest double <= this time, smallest double >= it.
+  struct Bracket {
+    double lower, upper;
+  };
+  Bracket bracket() const;
+
+ private:
+  explicit AlgebraicTime(DyadicCell time) : cell_(std::move(time)), is_exact_(true) {}
+
+  void take_polynomial(IntegerPolynomial p);
+  bool is_root_of(const IntegerPolynomial& q);
+  /// This time minus the lower end of the cell `t`. REQUIRES: that is inside of the present cell.
+  int compare_to(const DyadicCell& t) const { return polynomial_.sign_at(t) * sign_before_; }
+  void halve();
+  /// Makes the cell smaller, quadratically: where a straight line through the values at its ends puts the root, among
+  /// 2^refinement_ cells; twice as many bits after a success, half as many after none (Abbott 2006).
+  void refine();
+  /// Makes the cell one between neighbouring doubles, or exact.
+  void narrow_to_doubles(double lower, double upper);
+
+  IntegerPolynomial polynomial_;
+  int sign_before_ = 0;  ///< of the polynomial between the lower end of the cell and the root
+  DyadicCell cell_;
+  bool is_exact_ = false;
+  unsigned long refinement_ = 8;
+  struct Ends {
+    Integer lower, upper;
+  };
+  std::optional<Ends> ends_;         ///< the polynomial's scaled values at the ends of the cell, once asked
+  std::optional<OddsBracket> odds_;  ///< where the cell came from them
+};
+
+}  // namespace tamis

@@ -1,0 +1,48 @@
+#include "exact/approximate_polynomial.hpp"
+
+#include <algorithm>
+#include <climits>
+#include <cmath>
+#include <limits>
+
+namespace tamis {
+
+ApproximatePolynomial::ApproximatePolynomial(const IntegerPolynomial& p) : degree_(p.degree()) {
+  for (int i = 0; i <= degree_; ++i) powers_[static_cast<std::size_t>(i)] = WideDouble::of(p[i]);
+}
+
+ApproximatePolynomial ApproximatePolynomial::derivative() const {
+  ApproximatePolynomial result;
+  result.degree_ = std::max(degree_ - 1, -1);
+  for (int i = 1; i <= degree_; ++i) {
+    const WideDouble& c = powers_[static_cast<std::size_t>(i)];
+    result.powers_[static_cast<std::size_t>(i) - 1] = {i * c.mantissa, c.exponent};
+  }
+  return result;
+}
+
+ApproximatePolynomial::Value ApproximatePolynomial::near(double t) const {
+  if (t < std::numeric_limits<double>::min()) return {};  // the next double is not near
+  int time_exponent = 0;
+  const double time = std::frexp(t, &time_exponent);
+  double terms[IntegerPolynomial::kMaxDegree + 1], power = 1;
+  long exponents[IntegerPolynomial::kMaxDegree + 1], highest = LONG_MIN;
+  for (int i = 0; i <= degree_; ++i, power *= time) {
+    const WideDouble& c = powers_[static_cast<std::size_t>(i)];
+    terms[i] = c.mantissa * power;
+    exponents[i] = c.exponent + long{time_exponent} * i;
+    if (c.mantissa != 0) highest = std::max(highest, exponents[i]);
+  }
+  double sum = 0, size = 0;
+  for (int i = 0; i <= degree_; ++i) {
+    if (terms[i] == 0) continue;
+    const double value = times_power_of_two(terms[i], exponents[i] - highest);
+    sum += value;
+    size += std::fabs(value);
+  }
+  // A term: coefficient 2 u, power 5 u, product 1 u, its change up to the next double 6 * 2 u; six sums 6 u of the
+  // size. In all below 32 u; what lies 2^-900 below the largest is lost in that.
+  return {sum, 0x1p-47 * size, highest};
+}
+
+}  // namespace tamis

@@ -1,0 +1,57 @@
+#include "exact/dyadic_cell.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
+
+#include "numerics/assert.hpp"
+
+namespace tamis {
+namespace {
+
+constexpr int kDigits = std::numeric_limits<double>::digits;
+/// 2^-1074 is the spacing of the smallest doubles.
+constexpr long kFinestSpacing = 1074;
+
+/// The spacing 2^-s of the doubles from n / 2^k upward, as s.
+long spacing_above(const DyadicCell& cell) {
+  if (cell.n.sign() == 0) return kFinestSpacing;
+  const long above_binary_point = cell.n.bits() - static_cast<long>(cell.k);
+  return std::min(kDigits - above_binary_point, kFinestSpacing);
+}
+
+}  // namespace
+
+DyadicCell cell_above(double lower) {
+  TAMIS_ASSERT(0 <= lower && lower <= 1);
+  long spacing = kFinestSpacing;
+  if (lower > 0) spacing = std::min<long>(kDigits - 1 - std::ilogb(lower), kFinestSpacing);
+  // Two steps: 2^1074 is not a double.
+  const double half_scaled = std::ldexp(lower, static_cast<int>(spacing / 2));
+  return {static_cast<std::int64_t>(std::ldexp(half_scaled, static_cast<int>(spacing - spacing / 2))),
+          static_cast<unsigned long>(spacing)};
+}
+
+double middle_double(double a, double b) {
+  TAMIS_ASSERT(0 <= a && a <= b);
+  const auto bits_a = std::bit_cast<std::uint64_t>(a), bits_b = std::bit_cast<std::uint64_t>(b);
+  return std::bit_cast<double>(bits_a + (bits_b - bits_a) / 2);
+}
+
+double lower_end(const DyadicCell& cell) {
+  TAMIS_ASSERT(cell.n.sign() >= 0);
+  const long spacing = spacing_above(cell);
+  const long excess = static_cast<long>(cell.k) - spacing;
+  if (excess <= 0) return std::ldexp(cell.n.to_double(), -static_cast<int>(cell.k));
+  const Integer kept = cell.n >> static_cast<unsigned long>(excess);
+  return std::ldexp(kept.to_double(), -static_cast<int>(spacing));
+}
+
+bool lower_end_is_double(const DyadicCell& cell) {
+  const long excess = static_cast<long>(cell.k) - spacing_above(cell);
+  return excess <= 0 || cell.n.sign() == 0 ||
+         mpz_divisible_2exp_p(cell.n.get(), static_cast<unsigned long>(excess)) != 0;
+}
+
+}  // namespace tamis

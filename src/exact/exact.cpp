@@ -1,0 +1,118 @@
+#include "exact/exact.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "exact/exact_separation.hpp"
+#include "exact/first_time.hpp"
+#include "exact/moving_polygon.hpp"
+#include "motion/polynomials.hpp"
+#include "numerics/assert.hpp"
+
+namespace tamis {
+namespace {
+
+using Axis = Integer Vec3<Integer>::*;
+constexpr std::array<Axis, 3> kAxes{&Vec3<Integer>::x, &Vec3<Integer>::y, &Vec3<Integer>::z};
+
+template <class Product>
+IntegerPolynomial quadratic(const Moving<Integer>& x, const Moving<Integer>& y, const Product& product) {
+  return IntegerPolynomial::from_bernstein(product_polynomial(x, y, product));
+}
+
+/// (x cross y) along one axis.
+IntegerPolynomial cross_along(std::size_t axis, const Moving<Integer>& x, const Moving<Integer>& y) {
+  const Axis next = kAxes[(axis + 1) % 3], last = kAxes[(axis + 2) % 3];
+  return quadratic(x, y, [&](const Vec3<Integer>& a, const Vec3<Integer>& b) -> Integer {
+    return a.*next * b.*last - a.*last * b.*next;
+  });
+}
+
+/// One side of the polygon, from corner x to corner y: it holds the origin where x cross y = 0 and x.y <= 0.
+struct Side {
+  std::array<IntegerPolynomial, 3> cross;
+  IntegerPolynomial dot;
+
+  Side(const Moving<Integer>& x, const Moving<Integer>& y)
+      : dot(quadratic(x, y, [](const Vec3<Integer>& a, const Vec3<Integer>& b) { return tamis::dot(a, b); })) {
+    for (std::size_t k = 0; k < 3; ++k) cross[k] = cross_along(k, x, y);
+  }
+
+  bool holds_origin(AlgebraicTime& time) const {
+    return std::all_of(cross.begin(), cross.end(), [&](const auto& c) { return time.sign_of(c) == 0; }) &&
+           time.sign_of(dot) <= 0;
+  }
+
+  /// A polynomial that vanishes whenever the side begins to hold the origin; zero only if it always does.
+  const IntegerPolynomial& event() const {
+    for (const auto& c : cross)
+      if (!c.is_zero()) return c;
+    return dot;
+  }
+};
+
+class MovingPolygonTest {
+ public:
+  MovingPolygonTest(PairKind kind, const PairPoints& points)
+      : polygon_(stretched_polygon(kind, points)), normal_(normal_polynomial(polygon_)) {}
+
+  ExactDecision first_contact() const {
+    const auto coplanarity = IntegerPolynomial::from_bernstein(coplanarity_polynomial(polygon_.corner(0), normal_));
+    FirstTime first;
+    if (!coplanarity.is_zero())
+      first.add_roots(coplanarity, [&](AlgebraicTime& time) { return contains_origin(time); });
+    else
+      add_contacts_in_plane(first);
+    return first.decision();
+  }
+
+ private:
+  Side side(std::size_t i) const { return {polygon_.corner(i), polygon_.corner(i + 1)}; }
+
+  /// REQUIRES: the origin lies in the polygon's plane at this time.
+  bool contains_origin(AlgebraicTime& time) const {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Axis axis = kAxes[k];
+      const auto along = IntegerPolynomial::from_bernstein<3>({normal_[0].*axis, normal_[1].*axis, normal_[2].*axis});
+      if (const int orientation = time.sign_of(along)) return contains_projected_origin(time, k, orientation);
+    }
+    return is_on_boundary(time);
+  }
+
+  /// The polygon's projection along `axis` is convex, with that orientation: the origin is on the inner side of all
+  /// sides.
+  bool contains_projected_origin(AlgebraicTime& time, std::size_t axis, int orientation) const {
+    for (std::size_t i = 0; i < polygon_.corner_count; ++i)
+      if (time.sign_of(cross_along(axis, polygon_.corner(i), polygon_.corner(i + 1))) == -orientation) return false;
+    return true;
+  }
+
+  bool is_on_boundary(AlgebraicTime& time) const {
+    for (std::size_t i = 0; i < polygon_.side_count(); ++i)
+      if (side(i).holds_origin(time)) return true;
+    return false;
+  }
+
+  /// The origin is always in the polygon's plane: it is inside at t=0, or enters through a side.
+  void add_contacts_in_plane(FirstTime& first) const {
+    AlgebraicTime start = AlgebraicTime::exactly({0, 0});
+    if (contains_origin(start)) return first.add({0, 0});
+    for (std::size_t i = 0; i < polygon_.side_count(); ++i) {
+      const Side entry = side(i);
+      first.add_roots(entry.event(), [&](AlgebraicTime& time) { return entry.holds_origin(time); });
+    }
+  }
+
+  MovingPolygon polygon_;
+  std::array<Vec3<Integer>, 3> normal_;
+};
+
+}  // namespace
+
+ExactDecision decide_exactly(PairKind kind, const PairPoints& points, double separation) {
+  TAMIS_ASSERT(separation >= 0 && std::isfinite(separation));
+  return separation > 0 ? decide_within_exactly(kind, points, separation)
+                        : MovingPolygonTest(kind, points).first_contact();
+}
+
+}  // namespace tamis

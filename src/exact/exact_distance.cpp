@@ -1,0 +1,170 @@
+#include "exact/exact_distance.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "distance/rest_distance.hpp"
+
+namespace tamis {
+namespace {
+
+using IntegerVec = Vec3<Integer>;
+
+bool is_smaller(const Fraction& a, const Fraction& b) { return (a.above * b.below - b.above * a.below).sign() < 0; }
+
+/// Of the segment from corner x to corner y.
+NearestPoint nearest_on_side(const IntegerVec& x, const IntegerVec& y, std::size_t number) {
+  const IntegerVec side = y - x;
+  if (dot(x, side).sign() >= 0) return {{dot(x, x)}, number, {0}};
+  if (dot(y, side).sign() <= 0) return {{dot(y, y)}, number, {1}};
+  const IntegerVec n = cross(x, y);
+  return {{dot(n, n), dot(side, side)}, number, {-dot(x, side), dot(side, side)}};
+}
+
+const IntegerVec& corner(const MovingPolygon& polygon, std::size_t i) { return polygon.corner(i).at0; }
+
+IntegerVec normal_of(const MovingPolygon& polygon) {
+  const IntegerVec& first = corner(polygon, 0);
+  return cross(corner(polygon, 1) - first, corner(polygon, polygon.corner_count - 1) - first);
+}
+
+double value_of(const Fraction& a) {
+  const int sign = a.above.sign();
+  if (sign == 0) return 0;
+  return sign < 0 ? -Magnitude::of(Fraction{-a.above, a.below}).value() : Magnitude::of(a).value();
+}
+
+Vec3<double> unit_vector_of(const IntegerVec& v) {
+  const Integer* const components[] = {&v.x, &v.y, &v.z};
+  double mantissas[3] = {};
+  long exponents[3] = {}, largest = 0;
+  bool is_first = true;
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (components[k]->sign() == 0) continue;
+    mantissas[k] = mpz_get_d_2exp(&exponents[k], components[k]->get());
+    largest = is_first ? exponents[k] : std::max(largest, exponents[k]);
+    is_first = false;
+  }
+  if (is_first) return {0, 0, 0};
+  const auto value = [&](std::size_t k) {
+    return std::ldexp(mantissas[k], static_cast<int>(std::max(exponents[k] - largest, -2000L)));
+  };
+  return unit_vector(Vec3<double>{value(0), value(1), value(2)});
+}
+
+struct Weights {
+  double u, v;
+};
+
+/// Of the polygon's corners.
+Weights corner_weights(PairKind kind, std::size_t i) {
+  constexpr Weights kFace[] = {{0, 0}, {1, 0}, {0, 1}}, kEdges[] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+  return kind == PairKind::edge_edge ? kEdges[i] : kFace[i];
+}
+
+/// Of the point from corner i to corner j, at that time.
+IntegerVec at_weight(const IntegerVec& i, const IntegerVec& j, const Fraction& along) {
+  return along.below * i + along.above * (j - i);
+}
+
+IntegerVec velocity(const MovingPolygon& moving, std::size_t i) { return moving.corner(i).at1 - moving.corner(i).at0; }
+
+/// The gap's direction; where there is none, that which it had before: against its velocity, as far as the side does
+/// not take part in that.
+Vec3<double> direction_on_side(const MovingPolygon& polygon, const MovingPolygon& moving, const NearestPoint& nearest) {
+  const std::size_t i = nearest.side, j = i + 1;
+  const IntegerVec gap = at_weight(corner(polygon, i), corner(polygon, j), nearest.along);
+  if (dot(gap, gap).sign() > 0) return unit_vector_of(gap);
+  const IntegerVec came = -at_weight(velocity(moving, i), velocity(moving, j), nearest.along);
+  const bool is_corner = nearest.along.above.sign() == 0 || (nearest.along.below - nearest.along.above).sign() == 0;
+  if (is_corner) return unit_vector_of(came);
+  const IntegerVec side = corner(polygon, j) - corner(polygon, i);
+  return unit_vector_of(dot(side, side) * came - dot(came, side) * side);
+}
+
+ExactDistance on_side(PairKind kind, const MovingPolygon& polygon, const MovingPolygon& moving,
+                      const NearestPoint& nearest) {
+  const std::size_t i = nearest.side, j = (i + 1) % polygon.corner_count;
+  const double s = value_of(nearest.along);
+  const Weights a = corner_weights(kind, i), b = corner_weights(kind, j);
+  const auto mixed = [&](double from, double to) { return from == to ? from : to > from ? s : 1 - s; };
+  return {0, mixed(a.u, b.u), mixed(a.v, b.v), direction_on_side(polygon, moving, nearest)};
+}
+
+ExactDistance inside(const MovingPolygon& polygon, const MovingPolygon& moving) {
+  const std::size_t end = polygon.corner_count - 1;
+  const IntegerVec normal = normal_of(polygon), &first = corner(polygon, 0), &last = corner(polygon, end);
+  const Integer square = dot(normal, normal), u = dot(normal, cross(last, first)),
+                v = dot(normal, cross(first, corner(polygon, 1)));
+  const auto height_of_velocity = [&] {
+    const IntegerVec v0 = velocity(moving, 0);
+    return dot(normal, square * v0 + u * (velocity(moving, 1) - v0) + v * (velocity(moving, end) - v0));
+  };
+  const int height = dot(normal, first).sign();
+  const bool is_behind = height != 0 ? height < 0 : height_of_velocity().sign() > 0;
+  const Vec3<double> direction = unit_vector_of(normal);
+  return {0, value_of({u, square}), value_of({v, square}), is_behind ? -direction : direction};
+}
+
+}  // namespace
+
+Magnitude Magnitude::of(const Integer& a) {
+  const auto [mantissa, exponent] = WideDouble::of(a);
+  return {mantissa, exponent};
+}
+
+Magnitude Magnitude::of(double a) {
+  int exponent = 0;
+  const double mantissa = std::frexp(a, &exponent);
+  return {mantissa, exponent};
+}
+
+Magnitude Magnitude::root() const {
+  const bool is_odd = exponent % 2 != 0;
+  return {std::sqrt(is_odd ? 2 * mantissa : mantissa), (exponent - (is_odd ? 1 : 0)) / 2};
+}
+
+Magnitude operator+(const Magnitude& a, const Magnitude& b) {
+  if (a.exponent < b.exponent) return b + a;
+  const long shift = std::max(b.exponent - a.exponent, -2000L);
+  return {a.mantissa + std::ldexp(b.mantissa, static_cast<int>(shift)), a.exponent};
+}
+
+double Magnitude::value() const { return std::ldexp(mantissa, static_cast<int>(std::clamp(exponent, -5000L, 5000L))); }
+
+double Magnitude::rounded_down() const {
+  constexpr double kError = 0x1p-46, kNormal = std::numeric_limits<double>::min();
+  const double rounded = Magnitude{mantissa * (1 - kError), exponent}.value();
+  return rounded < kNormal ? std::nextafter(rounded, 0) : rounded;
+}
+
+/// Its plane where the foot of the perpendicular lies inside, else a side; a side that holds the origin in any case.
+NearestPoint nearest_point(const MovingPolygon& polygon) {
+  const IntegerVec normal = normal_of(polygon);
+  bool is_inside = dot(normal, normal).sign() > 0;
+  NearestPoint nearest = nearest_on_side(corner(polygon, 0), corner(polygon, 1), 0);
+  for (std::size_t i = 0; i < polygon.corner_count; ++i) {
+    is_inside = is_inside && dot(normal, cross(corner(polygon, i), corner(polygon, i + 1))).sign() >= 0;
+    NearestPoint other = nearest_on_side(corner(polygon, i), corner(polygon, i + 1), i);
+    if (is_smaller(other.square, nearest.square)) nearest = std::move(other);
+  }
+  if (!is_inside || nearest.square.above.sign() == 0) return nearest;
+  const Integer height = dot(normal, corner(polygon, 0));
+  return {{height * height, dot(normal, normal)}, 0, {}, true};
+}
+
+ExactDistance exact_distance(PairKind kind, const PairPoints& points, double time) {
+  const MovingPolygon moving = difference_polygon(kind, points), polygon = at_rest_at(moving, time);
+  const NearestPoint nearest = nearest_point(polygon);
+  ExactDistance result = nearest.is_inside ? inside(polygon, moving) : on_side(kind, polygon, moving, nearest);
+  if (nearest.square.above.sign() > 0)
+    result.distance = Magnitude::of(nearest.square).root().times_two_to(polygon.exponent).value();
+  return result;
+}
+
+Vec3<double> exact_normal(PairKind kind, const PairPoints& points, double time) {
+  const Vec3<double> normal = unit_vector_of(normal_of(at_rest_at(difference_polygon(kind, points), time)));
+  return kind == PairKind::edge_edge ? -normal : normal;  // the polygon's sides are -e and f
+}
+
+}  // namespace tamis

@@ -1,0 +1,59 @@
+// Distances at one time in integers: the point of the difference polygon nearest to the origin.
+#pragma once
+#include <cmath>
+
+#include "exact/moving_polygon.hpp"
+#include "numerics/wide_double.hpp"
+
+namespace tamis {
+
+/// REQUIRES of all: below > 0.
+struct Fraction {
+  Integer above, below{1};
+};
+
+/// A positive number with room for any exponent; each operation is off by 2^-51 of the result at most.
+struct Magnitude {
+  double mantissa;
+  long exponent;
+
+  static Magnitude of(const Integer& a);
+  static Magnitude of(double a);
+  static Magnitude of(const Fraction& a) { return of(a.above) / of(a.below); }
+  Magnitude times_two_to(long power) const { return {mantissa, exponent + power}; }
+  /// REQUIRES: 0 <= `mantissa` < 4 or so, as all the others leave it.
+  Magnitude root() const;
+  friend Magnitude operator/(const Magnitude& a, const Magnitude& b) {
+    return {a.mantissa / b.mantissa, a.exponent - b.exponent};
+  }
+  friend Magnitude operator+(const Magnitude& a, const Magnitude& b);
+  double value() const;
+  /// A double below it by about ten roundings, or by one spacing of the smallest doubles.
+  double rounded_down() const;
+};
+
+struct NearestPoint {
+  Fraction square;       ///< of the distance, in the unit 4^exponent of the polygon
+  std::size_t side = 0;  ///< on the side from corner `side` to the next, at `along`; or, if is_inside, off the sides
+  Fraction along;
+  bool is_inside = false;
+};
+
+/// Of the polygon at t=0.
+NearestPoint nearest_point(const MovingPolygon& polygon);
+
+/// As NearPair has them, each rounded by a few u of itself; `direction` along the gap (distance/closest.hpp). Where
+/// there is none the one that it had before, as the features came together; of those that did not the normal, or zero
+/// where there is none.
+struct ExactDistance {
+  double distance, u, v;
+  Vec3<double> direction;
+};
+
+/// REQUIRES, both: finite coordinates, `time` in [0,1].
+ExactDistance exact_distance(PairKind kind, const PairPoints& points, double time = 0);
+
+/// Along e x f (motion/pair_motion.hpp), of unit length; zero if that is.
+Vec3<double> exact_normal(PairKind kind, const PairPoints& points, double time);
+
+}  // namespace tamis

@@ -1,0 +1,45 @@
+// All kinds of pair as one question: does a moving convex polygon contain the origin?
+//   vertex-face: the triangle p-a, p-b, p-c;   edge-edge: the parallelogram b0-a0, b0-a1, b1-a1, b1-a0
+//   vertex-edge: the segment p-a, p-b;         vertex-vertex: the point p-q
+// (the Minkowski difference of the two features; the last two are polygons without area). All coordinates are integers,
+// exact multiples of the inputs.
+#pragma once
+#include <array>
+#include <cstddef>
+
+#include "exact/dyadic_cell.hpp"
+#include "motion/make_motion.hpp"
+#include "motion/polynomials.hpp"
+
+namespace tamis {
+
+struct MovingPolygon {
+  std::array<Moving<Integer>, 4> corners;  ///< in order around it
+  std::size_t corner_count;                ///< 1 to 4
+  int exponent;                            ///< a coordinate 1 is a length of 2^exponent
+
+  const Moving<Integer>& corner(std::size_t i) const { return corners[i % corner_count]; }
+  /// Side i leads from corner i to corner i + 1. A point has one too, from itself to itself.
+  std::size_t side_count() const { return corner_count == 2 ? 1 : corner_count; }
+};
+
+/// Times a power of two that makes every coordinate an integer, and the separation. REQUIRES: finite numbers.
+MovingPolygon difference_polygon(PairKind kind, const PairPoints& points, double separation = 0);
+
+/// The same with each axis times a power of two of its own: shorter numbers, the same times of touching, but no
+/// distances. The exponent means nothing.
+MovingPolygon stretched_polygon(PairKind kind, const PairPoints& points);
+
+/// The same polygon, not moving: as it is at `time`, in [0,1], of the step.
+MovingPolygon at_rest_at(const MovingPolygon& polygon, double time);
+
+/// Of the polygon's plane, as motion/polynomials.hpp has it; zero if there are less than three corners.
+inline std::array<Vec3<Integer>, 3> normal_polynomial(const MovingPolygon& polygon) {
+  const Moving<Integer>& first = polygon.corner(0);
+  return normal_polynomial(polygon.corner(1) - first, polygon.corner(polygon.corner_count - 1) - first);
+}
+
+/// x / 2^exponent. REQUIRES: that is an integer.
+Integer scaled_to_integer(double x, int exponent);
+
+}  // namespace tamis

@@ -1,0 +1,131 @@
+#include "exact/root_isolation.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <utility>
+
+#include "exact/odds_polynomial.hpp"
+#include "numerics/assert.hpp"
+
+namespace tamis {
+namespace {
+
+class RootIsolation {
+ public:
+  explicit RootIsolation(const IntegerPolynomial& p) : polynomial_(p) {}
+
+  std::vector<AlgebraicTime> run(bool may_ask_doubles) {
+    add_if_root({0, 0});
+    if (!may_ask_doubles || !add_roots_by_odds()) add_roots_by_bisection();
+    add_if_root({1, 0});
+    return std::move(roots_);
+  }
+
+ private:
+  void add_if_root(const DyadicCell& time) {
+    if (polynomial_.sign_at(time) == 0) roots_.push_back(AlgebraicTime::exactly(time));
+  }
+
+  /// Those between 0 and 1. Adds none if they are not certain.
+  bool add_roots_by_odds() {
+    std::vector<OddsBracket> brackets;
+    if (!OddsPolynomial(polynomial_).find_roots(brackets)) return false;
+    std::vector<AlgebraicTime> roots;
+    for (std::size_t i = 0; i < brackets.size(); ++i) {
+      const OddsBracket& odds = brackets[i];
+      if (auto cell = odds.cell())
+        roots.emplace_back(polynomial_, odds, *std::move(cell));
+      else if ((i == 0 || brackets[i - 1].upper_time() <= odds.lower_time()) &&
+               (i + 1 == brackets.size() || odds.upper_time() <= brackets[i + 1].lower_time()))
+        roots.emplace_back(polynomial_, odds);
+      else
+        return false;
+    }
+    std::move(roots.begin(), roots.end(), std::back_inserter(roots_));
+    return true;
+  }
+
+  void add_roots_by_bisection() {
+    // Bisection ends only if all roots are simple; one sign variation means one simple root already.
+    if (polynomial_.sign_variations() > 1) polynomial_ = polynomial_.squarefree_part();
+    isolate();
+  }
+
+  /// A cell that may hold roots.
+  struct Part {
+    Part(const DyadicCell& where, IntegerPolynomial there, int halvings, unsigned long next_bits, bool is_right_half)
+        : cell(where), local(std::move(there)), depth(halvings), bits(next_bits), may_start_with_root(is_right_half) {}
+
+    DyadicCell cell;
+    IntegerPolynomial local;  ///< the polynomial with the cell mapped to [0,1]
+    int depth;
+    unsigned long bits;
+    bool may_start_with_root;
+  };
+
+  /// From left to right. What is left to look at is a list, for exponents make cells thousands of halvings deep.
+  void isolate() {
+    std::vector<Part> parts;
+    parts.emplace_back(DyadicCell{0, 0}, polynomial_, 0, 4, false);
+    while (!parts.empty()) {
+      const Part part = std::move(parts.back());
+      parts.pop_back();
+      if (part.may_start_with_root) add_if_root(part.cell);
+      const int variations = part.local.sign_variations();
+      if (variations == 1) add_root_in(part.cell, part.local);
+      if (variations > 1) divide(part, variations, parts);
+    }
+  }
+
+  /// Roots close together are tried in one of 2^bits smaller cells, ever smaller ones, where Newton's method puts them
+  /// (Sagraloff, Mehlhorn 2016): one with all the variations leaves none, and so no root, to the rest. Ordinary roots
+  /// are soon told apart: at first cells are halved.
+  static void divide(const Part& part, int variations, std::vector<Part>& parts) {
+    constexpr int kHalvings = 3;
+    const auto& [cell, local, depth, bits, is_right] = part;
+    for (int end = 0; end < 2 && depth >= kHalvings; ++end) {
+      const DyadicCell smaller = cell_of_roots(local, variations, end, bits);
+      IntegerPolynomial there = local.on(smaller);
+      if (there.sign_variations() == variations) {
+        parts.emplace_back(cell.part(smaller), std::move(there), depth, 2 * bits, false);
+        return;
+      }
+    }
+    const unsigned long fewer_bits = std::max(bits / 2, 2UL);
+    parts.emplace_back(cell.right_half(), local.right_half(), depth + 1, fewer_bits, true);
+    parts.emplace_back(cell.left_half(), local.left_half(), depth + 1, fewer_bits, false);
+  }
+
+  /// Of 2^bits cells of [0,1] one that may hold so many roots, by one step of Newton's method from an end.
+  static DyadicCell cell_of_roots(const IntegerPolynomial& local, int roots, int end, unsigned long bits) {
+    const Integer value = local.scaled_value({end, 0}), slope = local.derivative().scaled_value({end, 0});
+    const Integer last = (Integer(1) << bits) - 1;
+    Integer n = end == 0 ? Integer(0) : last;
+    if (slope.sign() != 0) n -= quotient((value * roots) << bits, slope);
+    if (n.sign() < 0) n = 0;
+    return {(last - n).sign() < 0 ? last : n, bits};
+  }
+
+  void add_root_in(const DyadicCell& cell, const IntegerPolynomial& local) {
+    const double lower = lower_end(cell), upper = lower_end({cell.n + 1, cell.k});
+    if (std::nextafter(lower, 2.0) < upper)
+      roots_.emplace_back(polynomial_, local.sign_after_zero(), lower, upper);
+    else
+      roots_.emplace_back(polynomial_, cell);
+  }
+
+  IntegerPolynomial polynomial_;
+  std::vector<AlgebraicTime> roots_;
+};
+
+}  // namespace
+
+std::vector<AlgebraicTime> roots_in_unit_interval(const IntegerPolynomial& p) {
+  TAMIS_ASSERT(!p.is_zero());
+  return RootIsolation(p).run(p.is_long());
+}
+
+std::vector<AlgebraicTime> roots_by_bisection(const IntegerPolynomial& p) { return RootIsolation(p).run(false); }
+
+}  // namespace tamis

@@ -1,0 +1,16 @@
+// The roots of an integer polynomial in [0,1], told apart by Descartes' rule, bisection (Collins, Akritas 1976) and
+// Newton's method (Sagraloff, Mehlhorn 2016); those of long coefficients in doubles, where these are certain.
+#pragma once
+#include <vector>
+
+#include "exact/algebraic_time.hpp"
+
+namespace tamis {
+
+/// Distinct, ascending, both ends of the interval included. REQUIRES: `p` is not zero.
+std::vector<AlgebraicTime> roots_in_unit_interval(const IntegerPolynomial& p);
+
+/// The same without doubles.
+std::vector<AlgebraicTime> roots_by_bisection(const IntegerPolynomial& p);
+
+}  // namespace tamis

@@ -1,0 +1,52 @@
+#include "exact/start_distance.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "exact/exact_distance.hpp"
+
+namespace tamis {
+namespace {
+
+using IntegerVec = Vec3<Integer>;
+
+/// Convex combinations of the corners' velocities are those of all points of the polygon.
+Integer squared_speed(const MovingPolygon& polygon) {
+  Integer largest;
+  for (std::size_t i = 0; i < polygon.corner_count; ++i) {
+    const IntegerVec velocity = polygon.corner(i).at1 - polygon.corner(i).at0;
+    Integer square = dot(velocity, velocity);
+    if ((square - largest).sign() > 0) largest = std::move(square);
+  }
+  return largest;
+}
+
+/// Squared distance minus squared separation, in the unit of the polygon squared: above / below.
+Fraction excess_at_start(const MovingPolygon& polygon, const Fraction& square, double separation) {
+  const Integer s = scaled_to_integer(separation, polygon.exponent);
+  return {square.above - s * s * square.below, square.below};
+}
+
+}  // namespace
+
+bool starts_within(const MovingPolygon& polygon, double separation) {
+  return excess_at_start(polygon, nearest_point(polygon).square, separation).above.sign() <= 0;
+}
+
+double apart_from_start(PairKind kind, const PairPoints& points, double separation) {
+  const MovingPolygon polygon = difference_polygon(kind, points, separation);
+  const Fraction square = nearest_point(polygon).square, excess = excess_at_start(polygon, square, separation);
+  if (excess.above.sign() <= 0) return 0;
+  const Integer speed = squared_speed(polygon);
+  if (speed.sign() == 0) return std::numeric_limits<double>::infinity();
+  // distance - separation = (distance^2 - separation^2) / (distance + separation)
+  const Magnitude distance = Magnitude::of(square).root().times_two_to(polygon.exponent);
+  const Magnitude reach = separation > 0 ? distance + Magnitude::of(separation) : distance;
+  const Magnitude fastest = Magnitude::of(speed).root().times_two_to(polygon.exponent);
+  const Magnitude time =
+      Magnitude::of(excess.above).times_two_to(2L * polygon.exponent) / Magnitude::of(square.below) / reach / fastest;
+  return time.rounded_down();
+}
+
+}  // namespace tamis

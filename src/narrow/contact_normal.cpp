@@ -1,0 +1,95 @@
+#include "narrow/contact_normal.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "distance/direction_apart.hpp"
+#include "exact/exact_distance.hpp"
+#include "exact/exact_side.hpp"
+#include "motion/polynomials.hpp"
+#include "narrow/crossing_root.hpp"
+
+namespace tamis {
+namespace {
+
+using Vec = Vec3<double>;
+
+double largest_of(const Vec& v) { return std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)}); }
+
+/// Along e x f, of any length; zero: there is none. Where rounding would tilt it by more than 2^-28 (components are off
+/// by at most 20 u E F, as those of N in error_bounds.hpp), as of slivers, by integers.
+Vec normal_at(PairKind kind, const PairPoints& points, const PairMotion<double>& m, double time) {
+  const Vec normal = cross(at_time(m.e, time), at_time(m.f, time));
+  const bool is_sharp = largest_of(normal) > 0x1p-20 * m.size_e * m.size_f + error_bounds::underflow<double>;
+  return is_sharp ? normal : exact_normal(kind, points, time);
+}
+
+Point unit_point(const Vec& v) {
+  const Vec unit = unit_vector(v);
+  return {unit.x, unit.y, unit.z};
+}
+
+/// A unit vector along e x f, or if that vanishes one orthogonal to what is left.
+Point any_normal(PairKind kind, const PairPoints& points, const PairMotion<double>& m, double time) {
+  const Vec normal = normal_at(kind, points, m, time), e = at_time(m.e, time);
+  if (largest_of(normal) > 0) return unit_point(normal);
+  const Vec w = largest_of(e) > 0 ? e : at_time(m.f, time);
+  if (std::fabs(w.x) + std::fabs(w.y) > 0) return unit_point({-w.y, w.x, 0});
+  return {1, 0, 0};
+}
+
+template <PairKind kind>
+ContactPlace closest_place(const PairPoints& points, const PairMotion<double>& m, double time) {
+  const auto apart = direction_apart<kind>(m, time);
+  if (apart.is_sure) return {apart.u, apart.v, {apart.direction.x, apart.direction.y, apart.direction.z}};
+  const ExactDistance exact = exact_distance(kind, points, time);
+  const Vec direction = near_facts<kind>(exact.u, exact.v, exact.direction).direction;
+  const bool is_known = largest_of(direction) > 0;
+  return {exact.u, exact.v, is_known ? unit_point(direction) : any_normal(kind, points, m, time)};
+}
+
+/// Of a contact: the sign of the slope of the coplanarity during `time`, -1, 1, or 0 if not certain.
+int slope_during(const PairMotion<double>& m, const TimeInterval<double>& time) {
+  const double unit = m.size_d * m.size_e * m.size_f, middle = 0.5 * (time.t_in + time.t_out);
+  const double slope = crossing::slope(coplanarity_polynomial(m), middle);
+  // The slope changes by at most 2 kBend a unit of time.
+  const double error = error_bounds::bound(error_bounds::kCoplanaritySlope, unit) +
+                       2 * error_bounds::kBend * (time.t_out - time.t_in) * unit;
+  return std::fabs(slope) > error ? (slope > 0 ? 1 : -1) : 0;
+}
+
+/// As side_just_before: the coplanarity, which has that sign for a vertex and the other for edges, falls to zero from
+/// it.
+int side_before_crossing(PairKind kind, const PairPoints& points, const PairMotion<double>& m,
+                         const PairResult& result) {
+  const int slope = slope_during(m, {result.toi_lower, result.toi_upper});
+  if (slope == 0) return side_just_before(kind, points, result.toi_lower);
+  return kind == PairKind::edge_edge ? slope : -slope;
+}
+
+}  // namespace
+
+ContactPlace closest_place(PairKind kind, const PairPoints& points, const PairMotion<double>& m, double time) {
+  return with_kind(kind, [&](auto k) { return closest_place<k()>(points, m, time); });
+}
+
+ContactPlace crossing_place(PairKind kind, const PairPoints& points, const PairMotion<double>& m,
+                            const TimeInterval<double>& time, int side) {
+  const Vec normal = normal_at(kind, points, m, time.t_in);  // where the side is meant, as the two may turn over
+  const double middle = 0.5 * (time.t_in + time.t_out);
+  if (side == 0 || !(largest_of(normal) > 0)) return closest_place(kind, points, m, time.t_in);
+  const auto closest = closest_points(kind, at_time(m.e, middle), at_time(m.f, middle), at_time(m.d, middle));
+  return {closest.u, closest.v, unit_point(side > 0 ? normal : -normal)};
+}
+
+void describe_contact(PairKind kind, const PairPoints& points, const PairMotion<double>& m, PairResult& result) {
+  const auto [u, v, normal] = is_about_distance(kind, m.separation)
+                                  ? closest_place(kind, points, m, result.toi_lower)
+                                  : crossing_place(kind, points, m, {result.toi_lower, result.toi_upper},
+                                                   side_before_crossing(kind, points, m, result));
+  result.u = u;
+  result.v = v;
+  result.normal = normal;
+}
+
+}  // namespace tamis

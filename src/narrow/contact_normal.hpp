@@ -1,0 +1,32 @@
+// Where two features touch: contact weights, and the normal: the direction in which the first feature must go, or the
+// second be pushed back, so that they part. Of a pair that comes near (a minimum separation, or a kind that cannot
+// cross) that of the closest points at toi_lower; of one that crosses that of the face, or of both edges, towards the
+// side on which the first feature was. Doubles tell where they can, integers the rest (docs/numerics.md, "Normals").
+#pragma once
+#include "motion/make_motion.hpp"
+#include "motion/pair_kinds.hpp"
+#include "motion/time_clip.hpp"
+#include "narrow/separation.hpp"
+#include "tamis/pair.hpp"
+
+namespace tamis {
+
+/// As in Contact.
+struct ContactPlace {
+  double u, v;
+  Point normal;
+};
+
+/// Of the closest points at `time`. REQUIRES, as all below: finite coordinates, times in [0,1]; `m` is the motion of
+/// `points`.
+ContactPlace closest_place(PairKind kind, const PairPoints& points, const PairMotion<double>& m, double time);
+
+/// Of a crossing within `time`, before which the first feature is on that side of the second: 1 or -1, along e x f; 0:
+/// there is no side.
+ContactPlace crossing_place(PairKind kind, const PairPoints& points, const PairMotion<double>& m,
+                            const TimeInterval<double>& time, int side);
+
+/// Sets u, v and normal of a contact whose times are known.
+void describe_contact(PairKind kind, const PairPoints& points, const PairMotion<double>& m, PairResult& result);
+
+}  // namespace tamis

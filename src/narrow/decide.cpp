@@ -1,0 +1,127 @@
+#include "narrow/decide.hpp"
+
+#include <algorithm>
+#include <optional>
+
+#include "exact/exact.hpp"
+#include "filters/slab_clip.hpp"
+#include "motion/pair_kinds.hpp"
+#include "narrow/contact_normal.hpp"
+#include "narrow/separation.hpp"
+#include "narrow/settled.hpp"
+#include "narrow/subdivide.hpp"
+
+namespace tamis {
+namespace {
+
+constexpr TimeInterval<double> kWholeStep{0, 1};
+
+/// The times that the slab clip leaves.
+TimeInterval<double> time_in_question(PairKind kind, const PairMotion<double>& m) {
+  if (!is_finite(m)) return kWholeStep;
+  return with_kind(kind, [&](auto k) { return SlabClip::clip<k()>(m, kWholeStep); });
+}
+
+/// The decision without what the clip proves free.
+Decision within(const TimeInterval<double>& clip, Decision d) {
+  if (d.verdict == Verdict::is_free) return d;
+  d.lower = std::max(d.lower, clip.t_in);
+  d.upper = std::min(d.upper, clip.t_out);
+  return d.verdict == Verdict::unsure && d.lower > d.upper ? Decision{} : d;
+}
+
+Decision decide_in_doubles(PairKind kind, const PairMotion<double>& m, const TimeInterval<double>& clip) {
+  if (!is_finite(m)) return {Verdict::unsure, 0, 1};
+  return is_about_distance(kind, m.separation) ? first_within(kind, m, clip)
+                                               : within(clip, subdivide(kind, m, widened(clip)));
+}
+
+/// What is decided of a pair, and by what arithmetic.
+struct Outcome {
+  Decision decision;
+  std::uint64_t PrecisionCount::*arithmetic;
+};
+
+Outcome decide_in_integers(PairKind kind, const PairPoints& points, double separation) {
+  const auto exact = decide_exactly(kind, points, separation);
+  const Verdict verdict = exact.touches ? Verdict::touches : Verdict::is_free;
+  return {{verdict, exact.toi_lower, exact.toi_upper}, &PrecisionCount::exact};
+}
+
+bool is_proven_free(const TimeInterval<double>& clip, const PairOptions& options) {
+  return clip.t_in > clip.t_out || clip.t_in > options.latest;
+}
+
+/// What a crossing that `find` finds in widened(clip) settles; nothing where that takes more.
+template <class Find>
+std::optional<PairResult> settled_within(const PairMotion<double>& m, const TimeInterval<double>& clip,
+                                         const PairOptions& options, const Find& find) {
+  if (is_proven_free(clip, options)) return PairResult{};
+  if (clip.t_in == 0 && may_start_coplanar(m)) return {};
+  const auto s = settled(find(m, widened(clip)), clip);
+  if (s.is_free) return PairResult{};
+  if (!s.touches) return {};
+  return PairResult{true, Certainty::certified, s.lower, s.upper, s.u, s.v, {s.normal.x, s.normal.y, s.normal.z}};
+}
+
+template <PairKind kind>
+std::optional<PairResult> settled_by_crossings(const PairMotion<double>& m, const PairOptions& options) {
+  const auto one = [](const auto&... in) { return find_crossing<kind>(in...); };
+  const auto in_halves = [](const auto&... in) { return find_crossing_in_halves<kind>(in...); };
+  if (const auto result =
+          settled_within(m, SlabClip::clip<kind, SlabClip::Axes::coordinates>(m, kWholeStep), options, one))
+    return result;
+  return settled_within(m, SlabClip::clip<kind>(m, kWholeStep), options, in_halves);
+}
+
+std::optional<PairResult> settled_by_crossings(PairKind kind, const PairMotion<double>& m, const PairOptions& options) {
+  if (is_about_distance(kind, options.min_separation) || !is_finite(m)) return {};
+  return kind == PairKind::vertex_face ? settled_by_crossings<PairKind::vertex_face>(m, options)
+                                       : settled_by_crossings<PairKind::edge_edge>(m, options);
+}
+
+Outcome decide_pair(PairKind kind, const PairPoints& points, const PairMotion<double>& m,
+                    const TimeInterval<double>& clip, const PairOptions& options) {
+  if (is_proven_free(clip, options)) return {{}, &PrecisionCount::scalar};
+  if (clip.t_in == 0 && !is_about_distance(kind, m.separation) && may_start_coplanar(m))
+    return decide_in_integers(kind, points, options.min_separation);
+  const Decision d = decide_in_doubles(kind, m, clip);
+  if (d.verdict == Verdict::is_free) return {d, &PrecisionCount::scalar};
+  if (d.verdict == Verdict::touches && is_sharp(d.lower, d.upper)) return {d, &PrecisionCount::scalar};
+  return decide_in_integers(kind, points, options.min_separation);
+}
+
+PairResult described(PairKind kind, const PairPoints& points, const PairMotion<double>& m, const Decision& decision) {
+  if (decision.verdict == Verdict::is_free) return {};
+  PairResult result;
+  result.touches = true;
+  result.toi_lower = decision.lower;
+  result.toi_upper = decision.upper;
+  describe_contact(kind, points, m, result);
+  return result;
+}
+
+/// REQUIRES: crossings do not settle `m`.
+PairResult decide_motion(PairKind kind, const PairPoints& points, const PairMotion<double>& m,
+                         const PairOptions& options, PrecisionCount& decided_by) {
+  const auto [decision, arithmetic] = decide_pair(kind, points, m, time_in_question(kind, m), options);
+  ++(decided_by.*arithmetic);
+  return decision.lower > options.latest ? PairResult{} : described(kind, points, m, decision);
+}
+
+}  // namespace
+
+PairResult decide(PairKind kind, const PairPoints& points, const PairOptions& options, PrecisionCount& decided_by) {
+  const auto m = make_motion(kind, points, options.min_separation);
+  const auto settled = settled_by_crossings(kind, m, options);
+  if (!settled) return decide_motion(kind, points, m, options, decided_by);
+  ++decided_by.scalar;
+  return settled->toi_lower > options.latest ? PairResult{} : *settled;
+}
+
+PairResult decide_unsettled(PairKind kind, const PairPoints& points, const PairOptions& options,
+                            PrecisionCount& decided_by) {
+  return decide_motion(kind, points, make_motion(kind, points, options.min_separation), options, decided_by);
+}
+
+}  // namespace tamis

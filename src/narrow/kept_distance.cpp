@@ -1,0 +1,88 @@
+#include "narrow/kept_distance.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "distance/closest.hpp"
+#include "distance/difference_corners.hpp"
+#include "exact/start_distance.hpp"
+#include "motion/pair_kinds.hpp"
+#include "narrow/separation.hpp"
+#include "numerics/assert.hpp"
+
+namespace tamis {
+namespace {
+
+using Vec = Vec3<double>;
+
+using error_bounds::kRoundoff;
+/// The distance at t=0 is good enough for a rate if known to this fraction of itself; else it is decided in integers.
+constexpr double kSharpEnough = 0x1p-20;
+
+/// In the unit of the motion, proven.
+struct StartBounds {
+  double low, high;  ///< the distance at t=0
+  double speed;      ///< at least the speed of any point of one feature against any of the other
+};
+
+template <PairKind kind>
+StartBounds start_bounds(const PairMotion<double>& m) {
+  const double size = m.size_d + m.size_e + m.size_f;
+  const ClosestPoints closest = closest_points(kind, m.e.at0, m.f.at0, m.d.at0);
+  const double high = std::sqrt(dot(closest.gap, closest.gap)) * error_bounds::kLengthUp +
+                      error_bounds::bound(error_bounds::kGap, size);
+  double square = 0;  // convex combinations of the corners' velocities are those of all pairs of points
+  for (const auto& corner : difference_corners<kind>(m)) {
+    const Vec velocity = corner.at1 - corner.at0;
+    square = std::max(square, dot(velocity, velocity));
+  }
+  const double speed = std::sqrt(square) * error_bounds::kLengthUp + error_bounds::bound(error_bounds::kVelocity, size);
+  return {start_distance_bound(kind, m, closest), high, speed};
+}
+
+StartBounds start_bounds(PairKind kind, const PairMotion<double>& m) {
+  return with_kind(kind, [&](auto k) { return start_bounds<k()>(m); });
+}
+
+/// The distance that must be kept, from one at t=0: `rounding` 1 for an upper bound, -1 for a lower one.
+double kept(double distance, const PairMotion<double>& m, double fraction, int rounding) {
+  const double reserve = std::max(distance - m.separation, 0.0);
+  return (m.separation + fraction * reserve) * (1 + rounding * 8 * kRoundoff);
+}
+
+}  // namespace
+
+double keeps_distance_until(PairKind kind, const PairPoints& points, const DistanceRule& rule, double until,
+                            PrecisionCount& decided_by) {
+  TAMIS_ASSERT(0 < rule.fraction && rule.fraction < 1);
+  PairMotion<double> m = make_motion(kind, points, rule.min_separation);
+  const StartBounds start = start_bounds(kind, m);
+  const bool starts_within = start.high <= m.separation;  // certified
+  const double reserve = start.low - m.separation, portion = (1 - rule.fraction) * (1 - 4 * kRoundoff);
+  const bool is_sharp = start.high - start.low <= kSharpEnough * reserve;
+  ++(starts_within || is_sharp ? decided_by.scalar : decided_by.exact);
+  if (starts_within) return 0;
+  const double at_rest = is_sharp ? portion * (reserve / start.speed) * (1 - 4 * kRoundoff)
+                                  : portion * apart_from_start(kind, points, rule.min_separation);
+  until = std::min(until, 1.0);
+  if (at_rest == 0 || at_rest >= until) return std::min(at_rest, 1.0);
+  m.separation = kept(start.high, m, rule.fraction, 1);
+  return apart_until(kind, m, at_rest, until);
+}
+
+double fraction_is_left_at(PairKind kind, const PairPoints& points, const DistanceRule& rule, double lower) {
+  if (lower == 0) return 0;
+  PairMotion<double> m = make_motion(kind, points, rule.min_separation);
+  m.separation = kept(start_bounds(kind, m).low, m, rule.fraction, -1);
+  const Decision decision = first_within(kind, m, {lower, 1});
+  return decision.verdict == Verdict::touches ? decision.upper : 1;
+}
+
+double start_distance(PairKind kind, const PairPoints& points) {
+  const PairMotion<double> m = make_motion(kind, points, 1);
+  const Vec gap = closest_points(kind, m.e.at0, m.f.at0, m.d.at0).gap;
+  return std::sqrt(dot(gap, gap)) / m.separation;  // the separation 1 has become the unit of the motion
+}
+
+}  // namespace tamis

@@ -1,0 +1,50 @@
+#include "narrow/near_pair.hpp"
+
+#include "distance/near_facts.hpp"
+#include "distance/rest_distance.hpp"
+#include "exact/exact_distance.hpp"
+#include "exact/start_distance.hpp"
+
+namespace tamis {
+namespace {
+
+PairPose<double> pose_of(const PairMotion<double>& m) {
+  return {m.e.at0, m.f.at0, m.d.at0, m.size_e, m.size_f, m.size_d, m.separation};
+}
+
+/// Of known distance; `unit` as for near_facts.
+template <PairKind kind>
+NearPair described(const std::array<Index, 4>& vertices, double distance, double u, double v,
+                   const Vec3<double>& unit) {
+  const auto [corners, direction] = near_facts<kind>(u, v, unit);
+  NearPair pair{kind, 0, vertices, distance, u, v, {direction.x, direction.y, direction.z}};
+  for (std::size_t i = 0; i < 4; ++i) pair.corners |= static_cast<std::uint8_t>(corners[i] << i);
+  return pair;
+}
+
+}  // namespace
+
+bool is_near(PairKind kind, const PairPoints& points, double separation, PrecisionCount& decided_by) {
+  const PairPose<double> pose = pose_of(make_motion(kind, {points.start, points.start}, separation));
+  const auto rest = with_kind(kind, [&](auto k) { return rest_distance<k()>(pose); });
+  if (rest.low > pose.separation || rest.is_sharp()) {
+    ++decided_by.scalar;
+    return !(rest.low > pose.separation);
+  }
+  ++decided_by.exact;
+  return apart_from_start(kind, {points.start, points.start}, separation) == 0;
+}
+
+NearPair near_pair(PairKind kind, const std::array<Index, 4>& vertices, const PairPoints& points) {
+  const PairMotion<double> m = make_motion(kind, {points.start, points.start}, 1);
+  return with_kind(kind, [&](auto k) {
+    const auto rest = rest_distance<k()>(pose_of(m));
+    if (rest.is_sharp())
+      return described<k()>(vertices, rest.distance / m.separation, rest.closest.u, rest.closest.v,
+                            unit_vector(rest.direction));
+    const ExactDistance exact = exact_distance(kind, points);
+    return described<k()>(vertices, exact.distance, exact.u, exact.v, exact.direction);
+  });
+}
+
+}  // namespace tamis

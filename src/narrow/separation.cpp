@@ -1,0 +1,128 @@
+#include "narrow/separation.hpp"
+
+#include <algorithm>
+#include <optional>
+
+#include "motion/pair_kinds.hpp"
+#include "narrow/advancement.hpp"
+
+namespace tamis {
+namespace {
+
+/// Looks at one pair. Newton's method needs 3 to 8; a near miss by 1e-15 of the pair's size needs about 40.
+constexpr int kMaxLooks = 160;
+/// Looks that bring so much of the step do not count: a pair with room (error_bounds::kRoomToAdvance) has no others.
+constexpr double kLongStride = error_bounds::kRoomToAdvance / 16;
+
+/// Goes through the step from its start. Until `at_.now` everything is settled.
+template <PairKind kind>
+class Advance {
+ public:
+  Advance(const PairMotion<double>& m, const TimeInterval<double>& time)
+      : looker_(m), end_(time.t_out), at_{time.t_in} {}
+
+  Decision run() {
+    for (int looks = 0; looks < kMaxLooks && at_.now <= end_;) {
+      const double before = at_.now, t = std::min(before + at_.ahead, end_);
+      const Sight<double> sight = looker_.sight(t);
+      if (looker_.touches(sight)) return touching(t);
+      const Look<double> look = looker_.at(t, sight);
+      if (look.until > t)
+        pass(look, t);
+      else
+        wait(look, t);
+      if (at_.now - before < kLongStride) ++looks;
+    }
+    if (at_.now <= end_) add_unsure(end_);
+    return decision_;
+  }
+
+ private:
+  /// A time proven apart: everything up to the end of that proof is settled, or all but a part before it.
+  void pass(const Look<double>& look, double t) {
+    const double since = t > at_.now ? looker_.clip().apart_since(t, look.axis) : t;
+    if (t > at_.now && since >= at_.now) {
+      beyond_ = {since, look.until};
+      at_.ahead = 0.5 * (since - at_.now);
+      if (at_.ahead > kShortestStride) return;
+      add_unsure(since);
+    }
+    at_.pass(true, look);
+    beyond_.reset();
+  }
+
+  /// A time at which doubles cannot tell: look later, until the answer is clear.
+  void wait(const Look<double>& look, double t) {
+    if (beyond_) {
+      add_unsure(beyond_->t_in);
+      settle(beyond_->t_out);
+    } else if (t >= end_) {
+      add_unsure(end_);
+      settle(2);
+    } else {
+      at_.wait(true, look);
+    }
+  }
+
+  void settle(double until) {
+    at_ = {until};
+    beyond_.reset();
+  }
+
+  void add_unsure(double until) {
+    if (decision_.verdict == Verdict::is_free) decision_ = {Verdict::unsure, at_.now, until};
+    decision_.upper = until;
+  }
+
+  Decision touching(double t) const {
+    return {Verdict::touches, decision_.verdict == Verdict::is_free ? at_.now : decision_.lower, t};
+  }
+
+  const Looker<kind, double> looker_;
+  const double end_;
+  Advancement<double> at_;
+  std::optional<TimeInterval<double>> beyond_;  ///< proven apart again, after times that are not
+  Decision decision_;
+};
+
+template <PairKind kind>
+double apart_until(const PairMotion<double>& m, double from, double until) {
+  const Looker<kind, double> looker(m);
+  double now = from;
+  for (int looks = 0; looks < kMaxLooks && now < until;) {
+    const Sight<double> sight = looker.sight(now);
+    if (looker.touches(sight)) break;
+    const Look<double> look = looker.at(now, sight);
+    if (!(look.until > now)) break;
+    const double progress = look.until - now;
+    now = look.until;
+    if (progress <= 0x1p-40 * now) break;
+    if (progress < kLongStride) ++looks;
+  }
+  return std::min(now, 1.0);
+}
+
+template <PairKind kind>
+double start_distance_bound(const PairMotion<double>& m, const ClosestPoints& closest) {
+  constexpr double kSharp = 1 - 0x1p-40;
+  const AxisClip<kind, double> clip(m);
+  const double along_gap = clip.distance_along(0.0, closest.gap);
+  if (along_gap >= kSharp * std::sqrt(dot(closest.gap, closest.gap))) return along_gap;
+  return std::max(along_gap, clip.distance_along(0, squared_axis<kind>(m, 0.0, closest).direction));
+}
+
+}  // namespace
+
+double start_distance_bound(PairKind kind, const PairMotion<double>& m, const ClosestPoints& closest) {
+  return with_kind(kind, [&](auto k) { return start_distance_bound<k()>(m, closest); });
+}
+
+Decision first_within(PairKind kind, const PairMotion<double>& m, const TimeInterval<double>& time) {
+  return with_kind(kind, [&](auto k) { return Advance<k()>(m, time).run(); });
+}
+
+double apart_until(PairKind kind, const PairMotion<double>& m, double from, double until) {
+  return with_kind(kind, [&](auto k) { return apart_until<k()>(m, from, until); });
+}
+
+}  // namespace tamis

@@ -1,0 +1,32 @@
+// Minimum separation: when do two features come within m.separation of each other? By advancement along separating
+// axes: at a time that is still in question the closest points give an axis that turns with the pair, and the times it
+// proves apart are known in closed form (narrow/advancement.hpp). The next time in question is where they end: Newton's
+// method on the distance, from the safe side (after conservative advancement, Mirtich 1996; Zhang, Lee, Kim 2006, whose
+// bound on the speed needs many more steps). Here one pair at a time, to the end; most have been decided before, in
+// lanes, by the same looks (kernels/advance_lanes.hpp).
+#pragma once
+#include "distance/closest.hpp"
+#include "filters/slab_clip.hpp"
+#include "motion/pair_kinds.hpp"
+#include "narrow/subdivide.hpp"
+
+namespace tamis {
+
+/// Is contact a matter of the distance? If not, of when the four points are coplanar.
+constexpr bool is_about_distance(PairKind kind, double separation) { return separation > 0 || !can_cross(kind); }
+
+/// REQUIRES: `m` is the motion of the whole step; its sizes are finite; the pair is apart outside `time`. `touches`: at
+/// `upper` the distance is within the separation, certified.
+Decision first_within(PairKind kind, const PairMotion<double>& m, const TimeInterval<double>& time);
+
+/// A time in [0,1] before which the pair is proven farther apart than its separation, as late as doubles can prove
+/// within a few steps; at least until the pair is first within kRoomToAdvance of its size of that (docs/numerics.md,
+/// "Step lengths"). It looks no further than `until`: a result below `until` does not depend on it. REQUIRES: as above;
+/// the pair is apart before `from`, which lies in [0,1].
+double apart_until(PairKind kind, const PairMotion<double>& m, double from, double until);
+
+/// A lower bound, beyond all rounding, of the distance at t=0: along the gap of the closest points, and where that says
+/// little, along that squared with the features, as a small gap is tilted by rounding. REQUIRES: finite sizes.
+double start_distance_bound(PairKind kind, const PairMotion<double>& m, const ClosestPoints& closest);
+
+}  // namespace tamis

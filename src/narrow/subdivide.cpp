@@ -1,0 +1,111 @@
+#include "narrow/subdivide.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "filters/ncf.hpp"
+#include "narrow/crossing.hpp"
+
+namespace tamis {
+namespace {
+
+// What is spent on one pair.
+/// Part that is cut further, and bracket of a crossing that is not: fractions of the step.
+constexpr double kShortestPart = 0x1p-44, kNarrowBracket = 0x1p-30;
+/// Parts that are looked at; of these, coplanar throughout: cutting them helps only NCF.
+constexpr int kMostPartsOfStep = 96, kMostCoplanarParts = 2;
+constexpr std::size_t kMaxDepth = 64;
+
+/// How the points of a part are coplanar, as far as doubles can tell.
+struct Coplanarity {
+  bool at_start, at_end, always;
+};
+
+Coplanarity coplanarity(const PairMotion<double>& m) {
+  const auto k = coplanarity_polynomial(m);
+  const double unit = m.size_d * m.size_e * m.size_f;
+  const double end = error_bounds::bound(error_bounds::kCoplanarityEnd, unit);
+  const double middle = error_bounds::bound(error_bounds::kCoplanarityMiddle, unit);
+  const bool at_start = abs(k[0]) <= end, at_end = abs(k[3]) <= end;
+  return {at_start, at_end, at_start && at_end && abs(k[1]) <= middle && abs(k[2]) <= middle};
+}
+
+/// Where to cut an undecided part: near an end at which the points are coplanar (contacts at the very start of a step
+/// are common), otherwise near the middle. At no simple fraction: contacts happen at those, and one at a cut is
+/// undecided on both sides.
+double cut_at(const Coplanarity& points, const TimeInterval<double>& part) {
+  constexpr double kNearMiddle = 0.48713, kNearEnd = 0.03137;
+  const double s = points.at_start == points.at_end ? kNearMiddle : points.at_start ? kNearEnd : 1 - kNearEnd;
+  return (1 - s) * part.t_in + s * part.t_out;
+}
+
+/// Parts still to be looked at, the earliest on top.
+class PartStack {
+ public:
+  explicit PartStack(const TimeInterval<double>& all) { parts_[size_++] = all; }
+  bool empty() const { return size_ == 0; }
+  TimeInterval<double> pop() { return parts_[--size_]; }
+  bool has_room() const { return size_ + 2 <= kMaxDepth; }
+  void push_halves(const TimeInterval<double>& part, double cut) {
+    parts_[size_++] = {cut, part.t_out};
+    parts_[size_++] = {part.t_in, cut};
+  }
+
+ private:
+  std::array<TimeInterval<double>, kMaxDepth> parts_;
+  std::size_t size_ = 0;
+};
+
+/// Keeps the whole answer: an undecided part before a certified one moves only the lower end.
+struct Findings {
+  Decision decision;
+  void add_unsure(double lower, double upper) {
+    if (decision.verdict == Verdict::is_free) decision = {Verdict::unsure, lower, upper};
+    decision.upper = std::max(decision.upper, upper);
+  }
+  void add_contact(double lower, double upper) {
+    decision = {Verdict::touches, decision.verdict == Verdict::is_free ? lower : decision.lower, upper};
+  }
+};
+
+template <PairKind kind>
+Decision subdivide_kind(const PairMotion<double>& m, const TimeInterval<double>& time) {
+  Findings findings;
+  PartStack parts(time);
+  int coplanar_parts = 0;
+  for (int looked_at = 0; !parts.empty(); ++looked_at) {
+    const auto part = parts.pop();
+    const auto c = find_crossing<kind>(m, part);
+    if (c.is_free) continue;
+    if (c.touches) {
+      findings.add_contact(c.lower, c.upper);
+      break;
+    }
+    if (c.brackets && c.upper - c.lower <= kNarrowBracket) {
+      findings.add_unsure(c.lower, c.upper);  // its sides have said more than NCF could
+      continue;
+    }
+    const auto r = restrict_to(m, part.t_in, part.t_out);
+    if (Ncf::proves_free<kind>(r)) continue;
+    const auto points = coplanarity(r);
+    coplanar_parts += points.always;
+    const double cut = cut_at(points, part);
+    if (cut > part.t_in && cut < part.t_out && part.t_out - part.t_in > kShortestPart && looked_at < kMostPartsOfStep &&
+        coplanar_parts < kMostCoplanarParts && parts.has_room())
+      parts.push_halves(part, cut);
+    else if (c.brackets)
+      findings.add_unsure(c.lower, c.upper);
+    else
+      findings.add_unsure(part.t_in, part.t_out);
+  }
+  return findings.decision;
+}
+
+}  // namespace
+
+Decision subdivide(PairKind kind, const PairMotion<double>& m, const TimeInterval<double>& time) {
+  return kind == PairKind::vertex_face ? subdivide_kind<PairKind::vertex_face>(m, time)
+                                       : subdivide_kind<PairKind::edge_edge>(m, time);
+}
+
+}  // namespace tamis

@@ -1,0 +1,88 @@
+// Roots told apart, and signs at them, where bisection has a hard time: neighbours, halving points, common factors.
+#include "exact/algebraic_time.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "exact/root_isolation.hpp"
+
+namespace tamis {
+namespace {
+
+/// Product of (a_i t - b_i), from its Bernstein coefficients without binomials: a_i t - b_i has (-b_i, a_i - b_i).
+IntegerPolynomial with_roots(const std::array<std::pair<Integer, Integer>, 3>& ratios) {
+  std::array<Integer, 4> product{Integer(1), {}, {}, {}};
+  for (const auto& [b, a] : ratios)
+    for (std::size_t i = 4; i-- > 0;) product[i] = product[i] * -b + (i > 0 ? product[i - 1] * (a - b) : Integer(0));
+  return IntegerPolynomial::from_bernstein(product);
+}
+
+IntegerPolynomial linear(const Integer& b, const Integer& a) {
+  return IntegerPolynomial::from_bernstein<2>({-b, a - b});
+}
+
+void expect_brackets(const IntegerPolynomial& p, const std::vector<std::pair<double, double>>& expected) {
+  auto roots = roots_in_unit_interval(p);
+  ASSERT_EQ(roots.size(), expected.size());
+  for (std::size_t i = 0; i < roots.size(); ++i) {
+    EXPECT_EQ(roots[i].bracket().lower, expected[i].first);
+    EXPECT_EQ(roots[i].bracket().upper, expected[i].second);
+  }
+}
+
+// Catches an end or a halving point that is reported twice, or by neither of its halves.
+TEST(Roots, at_ends_and_halving_points_come_once_and_in_order) {
+  expect_brackets(with_roots({{{0, 1}, {1, 2}, {1, 1}}}), {{0, 0}, {0.5, 0.5}, {1, 1}});
+  expect_brackets(with_roots({{{1, 4}, {1, 2}, {3, 4}}}), {{0.25, 0.25}, {0.5, 0.5}, {0.75, 0.75}});
+  expect_brackets(with_roots({{{1, 2}, {1, 2}, {0, 1}}}), {{0, 0}, {0.5, 0.5}});
+  expect_brackets(with_roots({{{1, 1}, {1, 1}, {1, 1}}}), {{1, 1}});
+  expect_brackets(with_roots({{{-1, 1}, {2, 1}, {3, 1}}}), {});
+}
+
+// Catches a bracket that a second root shares, and a loop that stops at double precision.
+TEST(Roots, closer_than_doubles_are_told_apart) {
+  const Integer unit = Integer(1) << 200;
+  const double half = 0.5, next = std::nextafter(0.5, 1.0), before = std::nextafter(0.5, 0.0);
+  expect_brackets(with_roots({{{unit - 1, unit << 1}, {unit + 1, unit << 1}, {5, 1}}}), {{before, half}, {half, next}});
+  expect_brackets(with_roots({{{unit + 1, unit << 1}, {unit + 2, unit << 1}, {unit + 4, unit << 1}}}),
+                  {{half, next}, {half, next}, {half, next}});
+}
+
+// Catches brackets that mistake a subnormal's spacing.
+TEST(Roots, among_the_smallest_doubles) {
+  const double smallest = std::numeric_limits<double>::denorm_min();
+  const Integer huge = Integer(1) << 1074;
+  expect_brackets(with_roots({{{1, huge}, {3, huge << 1}, {1, huge << 1}}}),
+                  {{0, smallest}, {smallest, smallest}, {smallest, 2 * smallest}});
+}
+
+// Catches a common factor that is not seen, or is taken for a root of this cell when it is one of another cell.
+TEST(Signs, at_a_root_are_zero_only_for_a_common_root) {
+  const auto p = with_roots({{{1, 3}, {2, 3}, {5, 7}}});
+  auto roots = roots_in_unit_interval(p);
+  ASSERT_EQ(roots.size(), 3u);
+  for (int i = 0; i < 2; ++i) {  // twice: the first question may change how the root is kept
+    EXPECT_EQ(roots[0].sign_of(linear(1, 3)), 0);
+    EXPECT_EQ(roots[1].sign_of(linear(1, 3)), 1);
+    EXPECT_EQ(roots[1].sign_of(linear(2, 3)), 0);
+    EXPECT_EQ(roots[2].sign_of(linear(2, 3)), 1);
+    EXPECT_EQ(roots[0].sign_of(p), 0);
+    EXPECT_EQ(roots[0].sign_of(linear(5, 7)), -1);
+    EXPECT_EQ(roots[0].sign_of({}), 0);
+  }
+}
+
+// Catches a sign that is taken before the root and the other polynomial's root are apart.
+TEST(Signs, beside_a_root_are_right_at_any_distance) {
+  auto roots = roots_in_unit_interval(with_roots({{{1, 3}, {5, 1}, {7, 1}}}));
+  for (unsigned long bits = 1; bits < 600; bits += 37) {
+    const Integer unit = Integer(3) << bits;
+    EXPECT_EQ(roots.at(0).sign_of(linear((Integer(1) << bits) - 1, unit)), 1);
+    EXPECT_EQ(roots.at(0).sign_of(linear((Integer(1) << bits) + 1, unit)), -1);
+  }
+}
+
+}  // namespace
+}  // namespace tamis

@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "cli/command_line/printable.hpp"
 #include "cli/output_file.hpp"
-#include "cli/printable.hpp"
 #include "io/view/outputs.hpp"
 #include "tamis/error.hpp"
 

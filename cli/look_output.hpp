@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "cli/option_list.hpp"
+#include "cli/command_line/option_list.hpp"
 #include "io/picture/picture.hpp"
 #include "io/view/outputs.hpp"
 

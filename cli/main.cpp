@@ -2,8 +2,8 @@
 #include <exception>
 #include <memory>
 
-#include "cli/messages.hpp"
-#include "cli/run_command.hpp"
+#include "cli/command_line/messages.hpp"
+#include "cli/command_line/run_command.hpp"
 
 namespace tamis::cli {
 

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "cli/option_list.hpp"
+#include "cli/command_line/option_list.hpp"
 
 namespace tamis::cli {
 

@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include "cli/messages.hpp"
+#include "cli/command_line/messages.hpp"
 
 namespace tamis::cli {
 

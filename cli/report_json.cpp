@@ -2,7 +2,7 @@
 
 #include <cstdio>
 
-#include "cli/printable.hpp"
+#include "cli/command_line/printable.hpp"
 #include "cli/report.hpp"
 
 namespace tamis::cli {

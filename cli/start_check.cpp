@@ -4,7 +4,7 @@
 
 #include <cstdio>
 
-#include "cli/verb.hpp"
+#include "cli/command_line/verb.hpp"
 
 namespace tamis::cli {
 

@@ -1,7 +1,7 @@
 // What an answer about contacts presupposes: that nothing passes through anything at the start. Two sheets that are
 // through each other may move without a contact.
 #pragma once
-#include "cli/option_list.hpp"
+#include "cli/command_line/option_list.hpp"
 #include "cli/report.hpp"
 
 namespace tamis::cli {

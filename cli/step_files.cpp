@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "cli/messages.hpp"
+#include "cli/command_line/messages.hpp"
 #include "io/scale_step.hpp"
 
 namespace tamis::cli {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "io/mesh_file.hpp"
+#include "io/mesh/mesh_file.hpp"
 #include "tamis/mesh.hpp"
 #include "tamis/step.hpp"
 

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <span>
 
-#include "io/json.hpp"
+#include "io/output/json.hpp"
 #include "tamis/contact.hpp"
 #include "tamis/statistics.hpp"
 

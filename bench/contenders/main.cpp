@@ -8,8 +8,8 @@
 #include <nlohmann/json.hpp>
 
 #include "bench/contenders/swept_boxes.hpp"
-#include "io/frames.hpp"
-#include "io/mesh_file.hpp"
+#include "io/mesh/frames.hpp"
+#include "io/mesh/mesh_file.hpp"
 #include "tamis/detector.hpp"
 
 namespace tamis::bench {

@@ -11,18 +11,18 @@
 #include <string>
 #include <vector>
 
-#include "cli/messages.hpp"
-#include "cli/option_list.hpp"
+#include "cli/command_line/messages.hpp"
+#include "cli/command_line/option_list.hpp"
+#include "cli/command_line/printable.hpp"
+#include "cli/command_line/verb.hpp"
 #include "cli/output_file.hpp"
 #include "cli/paper/earlier.hpp"
 #include "cli/paper/pictures.hpp"
 #include "cli/paper/run.hpp"
 #include "cli/paper/tables.hpp"
-#include "cli/printable.hpp"
 #include "cli/progress.hpp"
-#include "cli/verb.hpp"
 #include "io/atomic_file.hpp"
-#include "io/frames.hpp"
+#include "io/mesh/frames.hpp"
 #include "scenes/simulation/recording.hpp"
 #include "tamis/error.hpp"
 

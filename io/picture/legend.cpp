@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <string_view>
 
-#include "io/colours.hpp"
+#include "io/output/colours.hpp"
 
 namespace tamis::io {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "io/contact_geometry.hpp"
-#include "io/loose_features.hpp"
+#include "io/mesh/loose_features.hpp"
+#include "io/output/contact_geometry.hpp"
 #include "tamis/components.hpp"
 
 namespace tamis::io {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "io/colours.hpp"
+#include "io/output/colours.hpp"
 #include "io/picture/camera.hpp"
 
 namespace tamis::io {

@@ -3,10 +3,10 @@
 #include <array>
 #include <string_view>
 
-#include "io/contacts_csv.hpp"
-#include "io/contacts_vtk.hpp"
-#include "io/glb.hpp"
-#include "io/near_csv.hpp"
+#include "io/output/contacts_csv.hpp"
+#include "io/output/contacts_vtk.hpp"
+#include "io/output/glb.hpp"
+#include "io/output/near_csv.hpp"
 #include "io/view/viewer_page.hpp"
 
 namespace tamis::io {

@@ -4,8 +4,8 @@
 #include <bit>
 #include <cmath>
 
-#include "io/contact_geometry.hpp"
-#include "io/loose_features.hpp"
+#include "io/mesh/loose_features.hpp"
+#include "io/output/contact_geometry.hpp"
 #include "io/tally.hpp"
 #include "io/view/columns.hpp"
 #include "io/view/quantised.hpp"

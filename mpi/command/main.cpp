@@ -7,8 +7,8 @@
 #include <exception>
 #include <thread>
 
-#include "cli/messages.hpp"
-#include "cli/run_command.hpp"
+#include "cli/command_line/messages.hpp"
+#include "cli/command_line/run_command.hpp"
 #include "mpi/command/verbs.hpp"
 
 namespace tamis::distributed {

@@ -5,9 +5,9 @@
 #include <fstream>
 
 #include "io/error.hpp"
-#include "io/ply.hpp"
-#include "io/ply_header.hpp"
-#include "io/ply_layout.hpp"
+#include "io/mesh/ply.hpp"
+#include "io/mesh/ply_header.hpp"
+#include "io/mesh/ply_layout.hpp"
 
 namespace tamis::distributed {
 namespace {

@@ -1,6 +1,6 @@
 // What the verbs of one step have in common: parts are read, all ranks ask, rank 0 prints (main.cpp).
 #pragma once
-#include "cli/step_verb.hpp"
+#include "cli/verbs/step_verb.hpp"
 #include "mpi/command/ranks_report.hpp"
 #include "mpi/command/step_parts.hpp"
 

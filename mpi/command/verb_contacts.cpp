@@ -4,9 +4,9 @@
 #include <cstdio>
 
 #include "cli/answers.hpp"
+#include "cli/command_line/printable.hpp"
 #include "cli/output_file.hpp"
-#include "cli/printable.hpp"
-#include "io/contacts_csv.hpp"
+#include "io/output/contacts_csv.hpp"
 #include "mpi/command/ranks_verb.hpp"
 #include "mpi/command/verbs.hpp"
 #include "mpi/src/agreement.hpp"

@@ -1,6 +1,6 @@
 // tamis-mpi sequence: the contacts of each pair of consecutive frames, a run of steps a rank.
-#include "cli/sequence_steps.hpp"
-#include "cli/sequence_verb.hpp"
+#include "cli/verbs/sequence_steps.hpp"
+#include "cli/verbs/sequence_verb.hpp"
 #include "mpi/command/ply_part.hpp"
 #include "mpi/command/verbs.hpp"
 #include "mpi/src/agreement.hpp"

@@ -2,7 +2,7 @@
 #pragma once
 #include <memory>
 
-#include "cli/verb.hpp"
+#include "cli/command_line/verb.hpp"
 
 namespace tamis::distributed {
 

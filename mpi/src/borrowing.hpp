@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "mpi/src/agreement.hpp"
-#include "mpi/src/box_tree.hpp"
 #include "mpi/src/communicator.hpp"
-#include "mpi/src/element_set.hpp"
+#include "mpi/src/partition/box_tree.hpp"
+#include "mpi/src/partition/element_set.hpp"
 #include "mpi/src/sparse_exchange.hpp"
 
 namespace tamis::distributed {

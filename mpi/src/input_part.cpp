@@ -6,7 +6,7 @@
 #include <string>
 
 #include "mpi/src/agreement.hpp"
-#include "mpi/src/vertex_directory.hpp"
+#include "mpi/src/partition/vertex_directory.hpp"
 #include "tamis/error.hpp"
 
 namespace tamis::distributed {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "mpi/src/communicator.hpp"
-#include "mpi/src/element_set.hpp"
+#include "mpi/src/partition/element_set.hpp"
 #include "tamis/distributed.hpp"
 
 namespace tamis::distributed {

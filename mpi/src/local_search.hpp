@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "mpi/src/element_set.hpp"
+#include "mpi/src/partition/element_set.hpp"
 #include "tamis/detector.hpp"
 
 namespace tamis::distributed {

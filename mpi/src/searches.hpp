@@ -6,10 +6,10 @@
 
 #include "mpi/src/agreement.hpp"
 #include "mpi/src/borrowing.hpp"
-#include "mpi/src/decomposition.hpp"
-#include "mpi/src/frame.hpp"
 #include "mpi/src/input_part.hpp"
 #include "mpi/src/local_search.hpp"
+#include "mpi/src/partition/decomposition.hpp"
+#include "mpi/src/partition/frame.hpp"
 #include "mpi/src/stopwatch.hpp"
 #include "tamis/distributed.hpp"
 

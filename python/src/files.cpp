@@ -3,10 +3,10 @@
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/vector.h>
 
-#include "io/contacts_csv.hpp"
-#include "io/frames.hpp"
-#include "io/mesh_file.hpp"
-#include "io/ply.hpp"
+#include "io/mesh/frames.hpp"
+#include "io/mesh/mesh_file.hpp"
+#include "io/mesh/ply.hpp"
+#include "io/output/contacts_csv.hpp"
 #include "io/view/outputs.hpp"
 #include "python/src/arrays.hpp"
 #include "python/src/bindings.hpp"

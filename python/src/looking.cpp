@@ -6,7 +6,7 @@
 #include <tuple>
 
 #include "io/view/outputs.hpp"
-#include "python/src/path_positions.hpp"
+#include "python/src/paths/path_positions.hpp"
 #include "tamis/error.hpp"
 
 namespace tamis::python {

@@ -6,7 +6,7 @@
 
 #include "io/atomic_file.hpp"
 #include "io/file_bytes.hpp"
-#include "io/ply.hpp"
+#include "io/mesh/ply.hpp"
 #include "io/text.hpp"
 #include "tamis/error.hpp"
 

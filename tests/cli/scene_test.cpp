@@ -2,8 +2,8 @@
 #include <gtest/gtest.h>
 
 #include "cli/command.hpp"
-#include "io/mesh_file.hpp"
-#include "io/ply.hpp"
+#include "io/mesh/mesh_file.hpp"
+#include "io/mesh/ply.hpp"
 
 namespace tamis::test {
 namespace {

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "cli/command.hpp"
-#include "io/mesh_file.hpp"
+#include "io/mesh/mesh_file.hpp"
 
 namespace tamis::test {
 namespace {

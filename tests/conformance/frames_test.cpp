@@ -7,7 +7,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "io/mesh_file.hpp"
+#include "io/mesh/mesh_file.hpp"
 #include "support/contact_sets.hpp"
 #include "support/test_data.hpp"
 #include "support/test_names.hpp"

@@ -8,7 +8,7 @@
 
 #include "fuzz/require.hpp"
 #include "io/error.hpp"
-#include "io/mesh_file.hpp"
+#include "io/mesh/mesh_file.hpp"
 
 namespace tamis::fuzz {
 

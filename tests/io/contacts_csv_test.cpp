@@ -1,4 +1,4 @@
-#include "io/contacts_csv.hpp"
+#include "io/output/contacts_csv.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "io/frames.hpp"
+#include "io/mesh/frames.hpp"
 
 #include <gtest/gtest.h>
 

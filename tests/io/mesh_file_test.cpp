@@ -1,4 +1,4 @@
-#include "io/mesh_file.hpp"
+#include "io/mesh/mesh_file.hpp"
 
 #include <gtest/gtest.h>
 

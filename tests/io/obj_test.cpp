@@ -1,4 +1,4 @@
-#include "io/obj.hpp"
+#include "io/mesh/obj.hpp"
 
 #include <gtest/gtest.h>
 

@@ -11,7 +11,7 @@
 #include <tbb/global_control.h>
 #endif
 
-#include "io/colours.hpp"
+#include "io/output/colours.hpp"
 #include "tamis/error.hpp"
 
 namespace tamis::test {

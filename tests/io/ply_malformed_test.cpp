@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
+#include "io/mesh/ply.hpp"
 #include "io/messages.hpp"
-#include "io/ply.hpp"
 #include "io/ply_builder.hpp"
 
 namespace tamis::io {

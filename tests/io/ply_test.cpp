@@ -1,4 +1,4 @@
-#include "io/ply.hpp"
+#include "io/mesh/ply.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "io/queries.hpp"
+#include "io/queries/queries.hpp"
 
 #include <gtest/gtest.h>
 

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "io/file_bytes.hpp"
-#include "io/mesh_file.hpp"
-#include "io/queries.hpp"
+#include "io/mesh/mesh_file.hpp"
+#include "io/queries/queries.hpp"
 #include "support/test_data.hpp"
 
 namespace tamis::io {

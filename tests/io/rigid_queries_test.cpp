@@ -5,8 +5,8 @@
 #include <limits>
 
 #include "io/messages.hpp"
-#include "io/queries.hpp"
-#include "io/query_results_csv.hpp"
+#include "io/queries/queries.hpp"
+#include "io/queries/query_results_csv.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace tamis::io {

@@ -7,7 +7,7 @@
 #include <functional>
 #include <memory>
 
-#include "detect/as_new.hpp"
+#include "engines/tamis/as_new.hpp"
 #include "paths/turning_pairs.hpp"
 #include "scenes/shapes.hpp"
 #include "tamis/detector.hpp"

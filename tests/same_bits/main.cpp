@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "io/mesh_file.hpp"
+#include "io/mesh/mesh_file.hpp"
 #include "scenes/scene_list.hpp"
 #include "support/test_data.hpp"
 #include "tamis/detector.hpp"

@@ -1,0 +1,116 @@
+#include "cli/command_line/arguments.hpp"
+
+#include <fmt/format.h>
+
+#include "tamis/components.hpp"
+#include "tamis/error.hpp"
+
+namespace tamis::cli {
+namespace {
+
+void require_one_each(std::size_t radii, Index objects) {
+  if (radii == static_cast<std::size_t>(objects)) return;
+  throw InvalidOptions(fmt::format(
+      "--thickness: {} radii for {} object{} (what vertices connect; 'tamis info' counts them): give one radius for "
+      "all, or one for each, in the order of their first vertices",
+      radii, objects, objects == 1 ? "" : "s"));
+}
+
+}  // namespace
+
+void DetectorArguments::declare(OptionList& options) {
+  declare_means(options);
+  declare_min_separation(options, min_separation_);
+  declare_thickness(options, "contact then means a distance <= the sum of both radii and the minimum separation");
+}
+
+void DetectorArguments::declare_means(OptionList& options) {
+  options
+      .add_text("--method", method_,
+                "tamis (default), paper (the published pipeline), brute (every pair; slow), or a competitor of the "
+                "paper: paper-sat, paper-pfs, ...")
+      .shown_as("NAME");
+  declare_bounding_volume(options, bounding_volume_);
+  options.add_number("--threads", "N", threads_, kThreadCounts, "threads to use; 0, the default: all");
+  options.add_text("--isa", isa_, "instruction set of the hot loops: best (default), baseline, avx2 or avx512")
+      .shown_as("NAME");
+}
+
+void DetectorArguments::declare_thickness(OptionList& options, const std::string& meaning) {
+  options.add_numbers("--thickness", "R", thickness_, kNotNegative,
+                      "a radius for all objects, or one for each; " + meaning +
+                          ". An object is what vertices connect ('tamis info' counts them, as components), in the "
+                          "order of their first vertices");
+}
+
+Options DetectorArguments::chosen() const {
+  Options options;
+  choose_method(options, method_);
+  options.paper.bounding_volume = bounding_volume_from_name(bounding_volume_);
+  options.isa = isa_from_name(isa_);
+  options.threads = threads_;
+  options.min_separation = min_separation_;
+  return options;
+}
+
+Options DetectorArguments::options() const {
+  if (thickness_.size() > 1)
+    throw InvalidOptions(fmt::format(
+        "--thickness: {} radii: which vertices make an object takes the whole mesh; give one radius for all",
+        thickness_.size()));
+  Options options = chosen();
+  options.thickness = thickness_;
+  return options;
+}
+
+Detector DetectorArguments::detector(Mesh mesh) const {
+  Options chosen = this->chosen();
+  chosen.thickness = thickness_;
+  if (thickness_.size() > 1) {
+    Components objects = components_of(mesh);
+    require_one_each(thickness_.size(), objects.count);
+    chosen.filter.group_of_vertex = std::move(objects.of_vertex);
+    chosen.filter.group_count = objects.count;
+  }
+  return Detector(std::move(mesh), std::move(chosen));
+}
+
+void ScaleArgument::declare(OptionList& options) {
+  options.add_number("--scale", "S", scale_, kNotNegative, "take END = START + S (END - START); default 1");
+}
+
+void KeepDistanceArgument::declare(OptionList& options) {
+  option_ =
+      options
+          .add_number("--keep-distance", "F", fraction_, {.least = 0, .most = 1, .takes_most = false},
+                      "how far the step may go so that every pair keeps at least F times its distance at START: the "
+                      "step length for the line search of a barrier method; 0.1 if no number follows")
+          .standing_alone_for("0.1");
+}
+
+void declare_json(OptionList& options, bool& json) {
+  options.add_flag("--json", json, "print one JSON object and nothing else on the standard output");
+}
+
+void declare_repeat(OptionList& options, int& repeat, const std::string& help) {
+  options.add_number("--repeat", "N", repeat, kRunCounts, help);
+}
+
+Option declare_seed(OptionList& options, std::uint64_t& seed, const std::string& of) {
+  return options.add_number("--seed", "S", seed, {}, "of " + of + "; default 1");
+}
+
+void declare_bounding_volume(OptionList& options, std::string& volume) {
+  options
+      .add_text("--bounding-volume", volume,
+                "of the paper's hierarchy and its competitors': sphere, aabb, obb, 16-dop (default), 18-dop or "
+                "26-dop; other methods have their own")
+      .shown_as("NAME");
+}
+
+void declare_min_separation(OptionList& options, double& distance) {
+  options.add_number("--min-separation", "D", distance, kNotNegative,
+                     "contact means a distance <= D, in the unit of the mesh; default 0");
+}
+
+}  // namespace tamis::cli

@@ -1,0 +1,73 @@
+// Options that several verbs share.
+#pragma once
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "cli/command_line/option_list.hpp"
+#include "tamis/detector.hpp"
+
+namespace tamis::cli {
+
+inline constexpr const char* kDefaultBoundingVolume = "16-dop";
+inline constexpr NumberRange<int> kThreadCounts{0, 1024};
+inline constexpr NumberRange<int> kRunCounts{1, 1'000'000};
+
+/// How to detect.
+class DetectorArguments {
+ public:
+  void declare(OptionList& options);
+  /// Only what a question at rest has, too: no radius or separation concerns it.
+  void declare_means(OptionList& options);
+  /// `meaning`: of such a radius for the question.
+  void declare_thickness(OptionList& options, const std::string& meaning);
+  /// Before any file is read. Throws InvalidOptions.
+  void check() const { chosen(); }
+  /// All of them, for a mesh that nobody has as a whole. Throws InvalidOptions; also if objects have radii of their
+  /// own.
+  Options options() const;
+  /// Asks about `mesh` as the options say. Throws InvalidOptions.
+  Detector detector(Mesh mesh) const;
+
+ private:
+  /// But for radii.
+  Options chosen() const;
+
+  std::string method_ = "tamis";
+  std::string isa_ = "best";
+  std::string bounding_volume_ = kDefaultBoundingVolume;
+  int threads_ = 0;
+  double min_separation_ = 0;
+  std::vector<double> thickness_;  ///< one radius for all objects, or one for each; empty: none
+};
+
+/// `--scale S`: how much of the way from START to END a step goes.
+class ScaleArgument {
+ public:
+  void declare(OptionList& options);
+  double value() const { return scale_; }
+
+ private:
+  double scale_ = 1;
+};
+
+/// `--keep-distance F`: how far the step may go so that every pair keeps a part of its distance.
+class KeepDistanceArgument {
+ public:
+  void declare(OptionList& options);
+  bool is_asked() const { return option_.is_given(); }
+  double fraction() const { return fraction_; }
+
+ private:
+  double fraction_ = 0;
+  Option option_;
+};
+
+void declare_json(OptionList& options, bool& json);
+void declare_repeat(OptionList& options, int& repeat, const std::string& help);
+/// `of` says what the seed is of.
+Option declare_seed(OptionList& options, std::uint64_t& seed, const std::string& of);
+void declare_bounding_volume(OptionList& options, std::string& volume);
+void declare_min_separation(OptionList& options, double& distance);
+
+}  // namespace tamis::cli

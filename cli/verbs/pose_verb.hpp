@@ -1,0 +1,36 @@
+// What the verbs of one pose, `tamis VERB MESH`, have in common.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "cli/command_line/arguments.hpp"
+#include "cli/command_line/verb.hpp"
+#include "cli/step_files.hpp"
+
+namespace tamis::cli {
+
+class PoseVerb : public Verb {
+ public:
+  void declare(OptionList& options) override {
+    options.add_text("MESH", path_, "PLY or OBJ").required();
+    detector_.declare_means(options);
+    declare_repeat(options, repeat_, "ask N times, report the median time of the runs after the first; default 1");
+    declare_json(options, json_);
+  }
+
+ protected:
+  /// Options are checked before any file is read.
+  io::MeshFile read() const {
+    detector_.check();
+    return read_with_notes(path_);
+  }
+  Detector detector_for(Mesh mesh) const { return detector_.detector(std::move(mesh)); }
+
+  std::string path_;
+  int repeat_ = 1;
+  bool json_ = false;
+
+  DetectorArguments detector_;
+};
+
+}  // namespace tamis::cli

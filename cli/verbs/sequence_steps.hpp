@@ -1,0 +1,52 @@
+// The steps between frames of a sequence, asked one after the other.
+#pragma once
+#include <vector>
+
+#include "cli/step_files.hpp"
+#include "cli/verbs/moving_frames.hpp"
+#include "cli/verbs/sequence_table.hpp"
+#include "io/scale_step.hpp"
+
+namespace tamis::cli {
+
+/// The frames in [first, last) at which steps end, 1 <= first; each step is cut into `substeps` equal ones, and goes
+/// `scale` times as far.
+struct StepRange {
+  std::size_t first, last;
+  int substeps = 1;
+  double scale = 1;
+};
+
+/// Calls f(end, part, step) for each, until it says false. `part` is counted from 1.
+template <class F>
+void for_each_step(const MovingFrames& frames, const StepRange& range, const F& f) {
+  if (range.first >= range.last) return;
+  std::vector<Point> start = range.first == 1 ? frames.first().positions : frames.read(range.first - 1);
+  for (std::size_t i = range.first; i < range.last; ++i) {
+    std::vector<Point> end = frames.read(i);
+    std::vector<Point> scaled = end;
+    io::scale_step(start, scaled, range.scale);
+    for (int part = 1; part <= range.substeps; ++part) {
+      const auto at = [&](int n) {
+        return n == 0                ? start
+               : n == range.substeps ? scaled
+                                     : between(start, scaled, static_cast<double>(n) / range.substeps);
+      };
+      const std::vector<Point> from = at(part - 1), to = at(part);
+      if (!f(i, part, Step{from, to})) return;
+    }
+    start = std::move(end);
+  }
+}
+
+/// Calls f(SequenceStep) for each, with one detector.
+template <class F>
+void ask_steps(Detector& detector, const MovingFrames& frames, const StepRange& range, const F& f) {
+  for_each_step(frames, range, [&](std::size_t end, int part, const Step& step) {
+    const Tally tally = tally_of(detector.contacts(step));
+    f(SequenceStep{end, part, tally, detector.statistics().seconds, detector.statistics().rebuilt});
+    return true;
+  });
+}
+
+}  // namespace tamis::cli

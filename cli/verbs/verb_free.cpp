@@ -1,0 +1,105 @@
+// tamis free: is the step free of contacts, is every step of a sequence? The exit code says so.
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <memory>
+#include <optional>
+
+#include "cli/answers.hpp"
+#include "cli/command_line/arguments.hpp"
+#include "cli/command_line/printable.hpp"
+#include "cli/command_line/verb.hpp"
+#include "cli/progress.hpp"
+#include "cli/start_check.hpp"
+#include "cli/verbs/sequence_steps.hpp"
+
+namespace tamis::cli {
+namespace {
+
+class Free final : public Verb {
+ public:
+  const char* name() const override { return "free"; }
+  const char* summary() const override {
+    return "Is the step, or each step of a sequence, free of contacts? Exit code 0: free, 1: contact, 2: error";
+  }
+  const char* examples() const override {
+    return "  tamis free cloth1.ply cloth2.ply && echo may go\n"
+           "  tamis free cloth1.ply cloth2.ply --check-start --json\n"
+           "  tamis free 'frames/cloth*.ply' --min-separation 1e-3";
+  }
+
+  void declare(OptionList& options) override {
+    options
+        .add_texts("FRAMES", names_, "START END, or more: files, folders or patterns of PLY or OBJ, in natural order")
+        .required();
+    detector_.declare(options);
+    scale_.declare(options);
+    start_.declare(options);
+    declare_repeat(options, repeat_, "ask N times, report the median time of the runs after the first; default 1");
+    declare_json(options, json_);
+  }
+
+  int run() override {
+    detector_.check();
+    const MovingFrames frames(names_);
+    Detector detector = detector_.detector(io::mesh_of(frames.first()));
+    if (!start_.passes(detector, frames.first().positions)) return start_.refuse(detector, json_, {{"free", false}});
+    Timing timing;
+    const std::optional<std::size_t> met = ask(frames, detector, timing);
+    report(frames, met, detector, timing);
+    return met ? kNo : kSuccess;
+  }
+
+ private:
+  /// The frame at which the first step ends that is not free; none if all are.
+  std::optional<std::size_t> ask(const MovingFrames& frames, Detector& detector, Timing& timing) const {
+    std::optional<std::size_t> met;
+    Progress progress(frames.paths().size() - 1, "steps");
+    for_each_step(frames, {1, frames.paths().size(), 1, scale_.value()},
+                  [&](std::size_t end, int /*part*/, const Step& step) {
+                    bool is_free = false;
+                    timing += ask_repeatedly(detector, repeat_, [&] { is_free = detector.is_free(step); });
+                    if (!is_free) met = end;
+                    progress.show(end);
+                    return is_free;
+                  });
+    progress.clear();
+    return met;
+  }
+
+  void report(const MovingFrames& frames, const std::optional<std::size_t>& met, const Detector& detector,
+              const Timing& timing) const {
+    if (json_) {
+      Json json{{"free", !met}, {"steps", frames.paths().size() - 1}, {"first_not_free", step_to(frames, met)}};
+      start_.add_to(json);
+      add_costs(json, detector, timing);
+      return print_json(json);
+    }
+    print_mesh(detector.mesh());
+    const std::size_t steps = frames.paths().size() - 1;
+    print_free(!met, steps == 1 ? "the step" : fmt::format("any of {} steps", grouped(steps)));
+    if (met && steps > 1)
+      fmt::print("first           in step {}, to {}; later ones were not asked\n", *met,
+                 printable(frames.paths()[*met].string()));
+    if (!met) start_.print();
+    print_costs(detector, timing, repeat_);
+  }
+
+  static Json step_to(const MovingFrames& frames, const std::optional<std::size_t>& end) {
+    if (!end) return nullptr;
+    return {{"start", frames.paths()[*end - 1].string()}, {"end", frames.paths()[*end].string()}};
+  }
+
+  std::vector<std::string> names_;
+  int repeat_ = 1;
+  bool json_ = false;
+  DetectorArguments detector_;
+  ScaleArgument scale_;
+  StartCheck start_;
+};
+
+}  // namespace
+
+std::unique_ptr<Verb> make_free() { return std::make_unique<Free>(); }
+
+}  // namespace tamis::cli

@@ -1,0 +1,73 @@
+// tamis near: the pairs of features of one pose that are near each other.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <memory>
+
+#include "cli/command_line/printable.hpp"
+#include "cli/output_file.hpp"
+#include "cli/report.hpp"
+#include "cli/verbs/pose_verb.hpp"
+#include "io/output/near_csv.hpp"
+
+namespace tamis::cli {
+namespace {
+
+class Near final : public PoseVerb {
+ public:
+  const char* name() const override { return "near"; }
+  const char* summary() const override { return "All pairs of features of MESH within a distance of each other"; }
+  const char* examples() const override {
+    return "  tamis near cloth.ply --distance 1e-3\n"
+           "  tamis near cloth.ply --distance 1e-3 --out near.csv --json";
+  }
+  void declare(OptionList& options) override {
+    PoseVerb::declare(options);
+    declare_output(options, out_, "write the pairs, as CSV");
+    options.add_number("--distance", "D", distance_, kNotNegative, "in the unit of the mesh").required();
+    detector_.declare_thickness(options, "a distance is then what is left of it beyond the sum of both radii");
+  }
+
+  int run() override {
+    require_output(out_, {path_}, "csv");
+    io::MeshFile file = read();
+    const std::vector<Point> positions = file.positions;
+    Detector detector = detector_for(io::mesh_of(std::move(file)));
+    const std::vector<NearPair>* pairs = nullptr;
+    const Timing timing = ask_repeatedly(detector, repeat_, [&] { pairs = &detector.near(positions, distance_); });
+    if (!out_.empty()) io::write_near_csv(out_, *pairs);
+    report(*pairs, detector, timing);
+    return kSuccess;
+  }
+
+ private:
+  void report(const std::vector<NearPair>& pairs, const Detector& detector, const Timing& timing) const {
+    std::size_t counts[4] = {};
+    for (const NearPair& pair : pairs) ++counts[static_cast<std::size_t>(pair.kind)];
+    const auto nearest = std::min_element(pairs.begin(), pairs.end(),
+                                          [](const NearPair& a, const NearPair& b) { return a.distance < b.distance; });
+    if (json_) {
+      Json json{{"distance", distance_},
+                {"near", {{"vf", counts[0]}, {"ee", counts[1]}, {"ve", counts[2]}, {"vv", counts[3]}}},
+                {"smallest_distance", pairs.empty() ? Json() : Json(nearest->distance)}};
+      add_costs(json, detector, timing);
+      return print_json(json);
+    }
+    print_mesh(detector.mesh());
+    fmt::print("within {:<9.4g}{} vertex-face, {} edge-edge, {} vertex-edge, {} vertex-vertex\n", distance_,
+               grouped(counts[0]), grouped(counts[1]), grouped(counts[2]), grouped(counts[3]));
+    if (!pairs.empty()) fmt::print("smallest        {}\n", nearest->distance);
+    if (!out_.empty()) fmt::print("written to      {}\n", printable(out_));
+    print_costs(detector, timing, repeat_);
+  }
+
+  std::string out_;
+  double distance_ = 0;
+};
+
+}  // namespace
+
+std::unique_ptr<Verb> make_near() { return std::make_unique<Near>(); }
+
+}  // namespace tamis::cli

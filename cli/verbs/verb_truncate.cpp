@@ -1,0 +1,87 @@
+// tamis truncate: where a step may end, every vertex going its own way.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstdio>
+#include <memory>
+
+#include "cli/command_line/printable.hpp"
+#include "cli/output_file.hpp"
+#include "cli/report.hpp"
+#include "cli/verbs/step_verb.hpp"
+#include "io/mesh/loose_features.hpp"
+#include "io/mesh/ply.hpp"
+
+namespace tamis::cli {
+namespace {
+
+io::MeshFile file_of(const Mesh& mesh, const std::vector<Point>& positions) {
+  return {positions, {mesh.faces().begin(), mesh.faces().end()}, io::rods_of(mesh), io::loose_points_of(mesh), {}};
+}
+
+/// How much of the way from start to end the vertices go, their ways added up.
+double part_of_way(const Step& step, const std::vector<Point>& to) {
+  double gone = 0, all = 0;
+  for (Index v = 0; v < step.start.count(); ++v) {
+    const double *a = step.start[v], *b = step.end[v], *c = to[static_cast<std::size_t>(v)].data();
+    gone += std::hypot(c[0] - a[0], c[1] - a[1], c[2] - a[2]);
+    all += std::hypot(b[0] - a[0], b[1] - a[1], b[2] - a[2]);
+  }
+  return all > 0 ? gone / all : 1;
+}
+
+class Truncate final : public StepVerb {
+ public:
+  const char* name() const override { return "truncate"; }
+  const char* summary() const override { return "Positions to go to: the way there is proven free"; }
+  const char* examples() const override {
+    return "  tamis truncate cloth1.ply cloth2.ply --out next.ply\n"
+           "  tamis truncate cloth1.ply cloth2.ply --out next.ply --keep-distance 0.5 --json\n\n"
+           "Exit code 1: something touches at the start. It comes no nearer, but no way from there is free.";
+  }
+
+  void declare(OptionList& options) override {
+    StepVerb::declare(options);
+    declare_output(options, out_, "write the positions, as PLY");
+    options.add_number(
+        "--keep-distance", "F", fraction_, {.least = 1e-6, .most = 1, .takes_most = false},
+        "every pair keeps at least F of its distance at START, with a minimum separation of what exceeds that; "
+        "default 0.1");
+  }
+
+  int run() override {
+    require_output(out_, {start_, end_}, "ply");
+    StepFiles files = read();
+    Detector detector = detector_for(std::move(files.mesh));
+    const Step step = files.step();
+    TruncatedStep to;
+    const Timing timing = ask_repeatedly(detector, repeat_, [&] { to = detector.truncate(step, fraction_); });
+    if (!out_.empty()) io::write_ply(out_, file_of(detector.mesh(), to.positions));
+    report(to, part_of_way(step, to.positions), detector, timing);
+    return to.is_free ? kSuccess : kNo;
+  }
+
+ private:
+  void report(const TruncatedStep& to, double part, const Detector& detector, const Timing& timing) const {
+    if (json_) {
+      Json json{{"free", to.is_free}, {"part_of_way", part}};
+      add_costs(json, detector, timing);
+      return print_json(json);
+    }
+    print_mesh(detector.mesh());
+    fmt::print(
+        "truncated       to {:.6g} of the way, that of all vertices added up; {}\n", part,
+        to.is_free ? "the straight way there is free, proven" : "something touches at the start, and comes no nearer");
+    if (!out_.empty()) fmt::print("written to      {}\n", printable(out_));
+    print_costs(detector, timing, repeat_);
+  }
+
+  std::string out_;
+  double fraction_ = 0.1;
+};
+
+}  // namespace
+
+std::unique_ptr<Verb> make_truncate() { return std::make_unique<Truncate>(); }
+
+}  // namespace tamis::cli

@@ -1,0 +1,111 @@
+// tamis view: a step, a sequence of them, or a single frame, in one HTML file.
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "cli/command_line/arguments.hpp"
+#include "cli/command_line/printable.hpp"
+#include "cli/command_line/verb.hpp"
+#include "cli/look_output.hpp"
+#include "cli/progress.hpp"
+#include "cli/report.hpp"
+#include "cli/step_files.hpp"
+#include "cli/verbs/moving_frames.hpp"
+#include "io/scale_step.hpp"
+
+namespace tamis::cli {
+namespace {
+
+class View final : public Verb {
+ public:
+  const char* name() const override { return "view"; }
+  const char* summary() const override {
+    return "One HTML file that shows a step or a sequence with its contacts, or one frame with its intersections";
+  }
+  const char* examples() const override {
+    return "  tamis view cloth1.ply cloth2.ply --out step.html\n"
+           "  tamis view 'frames/cloth*.ply' --out film.html\n"
+           "  tamis view cloth1.ply --out pose.html\n"
+           "  tamis view cloth1.ply cloth2.ply --scale 10 --out step.glb";
+  }
+  void declare(OptionList& options) override {
+    options
+        .add_texts("FRAMES", names_,
+                   "START END, or one frame, or more: files, folders or patterns of PLY or OBJ, in natural order")
+        .required();
+    output_.declare(options);
+    detector_.declare(options);
+    scale_.declare(options);
+    declare_json(options, json_);
+  }
+
+  int run() override {
+    detector_.check();
+    output_.check();
+    const MovingFrames frames(names_, 1);
+    output_.require(frames.paths(), frames.paths().size() - 1);
+    Detector detector = detector_.detector(io::mesh_of(frames.first()));
+    const io::Recording recording = frames.paths().size() == 1 ? pose_of(frames, detector) : steps_of(frames, detector);
+    output_.write(recording);
+    report(recording);
+    return kSuccess;
+  }
+
+ private:
+  static io::Recording pose_of(const MovingFrames& frames, Detector& detector) {
+    const std::vector<Point>& positions = frames.first().positions;
+    const std::vector<Intersection>& found = detector.intersections(positions);
+    return recording_of(detector, frames.paths().front(), positions, found);
+  }
+
+  io::Recording steps_of(const MovingFrames& frames, Detector& detector) const {
+    io::Recording recording{detector.mesh(), detector.options(), scale_.value(), {}, {}, {}};
+    for (const std::filesystem::path& path : frames.paths())
+      recording.names.push_back(utf8_text(path.filename().string()));
+    recording.frames.push_back(frames.first().positions);
+    Progress progress(frames.paths().size() - 1, "steps");
+    for (std::size_t i = 1; i < frames.paths().size(); ++i) {
+      recording.frames.push_back(frames.read(i));
+      const std::vector<Point>& start = recording.frames[i - 1];
+      std::vector<Point> end = recording.frames[i];
+      io::scale_step(start, end, recording.scale);
+      const std::vector<Contact>& contacts = detector.contacts({start, end});
+      recording.steps.push_back({contacts, detector.statistics().stages});
+      progress.show(i);
+    }
+    progress.clear();
+    return recording;
+  }
+
+  void report(const io::Recording& recording) const {
+    const std::string& out = output_.path();
+    Tally total;
+    for (const io::RecordedStep& step : recording.steps) total.add_counts(tally_of(step.contacts));
+    const auto bytes = std::filesystem::is_regular_file(out) ? std::filesystem::file_size(out) : 0;
+    if (json_) {
+      Json json{{"out", out}, {"bytes", bytes}, {"steps", recording.steps.size()}, {"contacts", json_of(total)}};
+      json["intersections"] = recording.pose ? Json(recording.pose->intersections.size()) : Json();
+      return print_json(json);
+    }
+    print_mesh(recording.mesh);
+    if (recording.pose)
+      fmt::print("intersections   {}\n", grouped(recording.pose->intersections.size()));
+    else
+      fmt::print("contacts        {} vertex-face, {} edge-edge, in {} {}\n", grouped(total.vf), grouped(total.ee),
+                 recording.steps.size(), recording.steps.size() == 1 ? "step" : "steps");
+    constexpr double kMegabyte = 1e6;
+    fmt::print("written to      {} ({:.1f} MB)\n", printable(out), static_cast<double>(bytes) / kMegabyte);
+  }
+
+  std::vector<std::string> names_;
+  LookOutput output_{"view.html", io::NoExtension::is_refused};
+  DetectorArguments detector_;
+  ScaleArgument scale_;
+  bool json_ = false;
+};
+
+}  // namespace
+
+std::unique_ptr<Verb> make_view() { return std::make_unique<View>(); }
+
+}  // namespace tamis::cli

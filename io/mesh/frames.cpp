@@ -1,0 +1,82 @@
+#include "io/mesh/frames.hpp"
+
+#include <glob.h>
+
+#include <algorithm>
+#include <memory>
+
+#include "io/error.hpp"
+#include "io/mesh/mesh_file.hpp"
+
+namespace tamis::io {
+namespace {
+
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+/// Takes the run of digits, or the single character, at the front.
+std::string_view take_part(std::string_view& rest) {
+  std::size_t size = 1;
+  while (is_digit(rest[0]) && size < rest.size() && is_digit(rest[size])) ++size;
+  const std::string_view part = rest.substr(0, size);
+  rest.remove_prefix(size);
+  return part;
+}
+
+std::string_view without_leading_zeros(std::string_view digits) {
+  return digits.substr(std::min(digits.find_first_not_of('0'), digits.size() - 1));
+}
+
+/// Negative, zero or positive; numbers of any length.
+int compare_parts(std::string_view a, std::string_view b) {
+  if (!is_digit(a[0]) || !is_digit(b[0])) return a.compare(b);
+  a = without_leading_zeros(a);
+  b = without_leading_zeros(b);
+  return a.size() != b.size() ? (a.size() < b.size() ? -1 : 1) : a.compare(b);
+}
+
+std::vector<std::filesystem::path> mesh_files_in(const std::filesystem::path& folder) {
+  std::vector<std::filesystem::path> files;
+  std::error_code error;
+  for (std::filesystem::directory_iterator it(folder, error), end; !error && it != end; it.increment(error))
+    if (!it->is_directory() && is_mesh_name(it->path())) files.push_back(it->path());
+  if (error) throw FileError(folder.string(), "", "the folder cannot be read: check its permissions");
+  if (files.empty()) throw FileError(folder.string(), "", "no PLY or OBJ file in this folder: give one that has some");
+  return files;
+}
+
+}  // namespace
+
+bool natural_less(std::string_view a, std::string_view b) {
+  const auto whole_a = a, whole_b = b;
+  while (!a.empty() && !b.empty())
+    if (const int order = compare_parts(take_part(a), take_part(b)); order != 0) return order < 0;
+  if (a.empty() != b.empty()) return a.empty();
+  return whole_a < whole_b;  // a7 and a07: equal as numbers, yet the order must be fixed
+}
+
+std::vector<std::filesystem::path> paths_named(const std::string& name) {
+  std::error_code error;
+  if (std::filesystem::exists(name, error)) return {name};
+  glob_t found{};
+  const auto release = [](glob_t* g) { globfree(g); };
+  const std::unique_ptr<glob_t, decltype(release)> guard(&found, release);
+  if (glob(name.c_str(), GLOB_NOSORT, nullptr, &found) != 0)
+    throw FileError(name, "", "no such file, and no file matches it as a pattern: check the path");
+  return {found.gl_pathv, found.gl_pathv + found.gl_pathc};
+}
+
+std::vector<std::filesystem::path> frame_files(const std::vector<std::string>& names) {
+  std::vector<std::filesystem::path> files;
+  std::error_code error;
+  for (const std::string& name : names) {
+    for (const std::filesystem::path& path : paths_named(name)) {
+      const auto some = std::filesystem::is_directory(path, error) ? mesh_files_in(path) : std::vector{path};
+      files.insert(files.end(), some.begin(), some.end());
+    }
+  }
+  std::stable_sort(files.begin(), files.end(),
+                   [](const auto& a, const auto& b) { return natural_less(a.string(), b.string()); });
+  return files;
+}
+
+}  // namespace tamis::io

@@ -1,0 +1,157 @@
+#include "io/mesh/obj.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "io/error.hpp"
+#include "io/mesh/polygons.hpp"
+#include "io/text.hpp"
+
+namespace tamis::io {
+namespace {
+
+/// Words that say nothing about vertices and faces: texture, normals, groups, materials, display.
+constexpr std::array<std::string_view, 17> kPassedOver{"vt",    "vn",       "vp",       "g",          "o",        "s",
+                                                       "mg",    "usemtl",   "mtllib",   "usemap",     "maplib",   "lod",
+                                                       "bevel", "c_interp", "d_interp", "shadow_obj", "trace_obj"};
+/// Free-form curves and surfaces: no mesh can be made of them here.
+constexpr std::array<std::string_view, 16> kFreeForm{"cstype", "deg",  "bmat",  "step", "curv", "curv2",
+                                                     "surf",   "parm", "trim",  "hole", "scrv", "sp",
+                                                     "end",    "con",  "ctech", "stech"};
+
+template <std::size_t n>
+bool contains(const std::array<std::string_view, n>& words, std::string_view word) {
+  return std::find(words.begin(), words.end(), word) != words.end();
+}
+
+class ObjParser {
+ public:
+  ObjParser(std::string_view bytes, const std::string& name) : bytes_(bytes), lines_(bytes), name_(name) {}
+
+  MeshFile parse() {
+    while (next_line()) {
+      const std::string_view keyword = take_word(rest_);
+      if (!keyword.empty() && keyword[0] != '#') parse_line(keyword);
+    }
+    // A face may name vertices that follow it, so only now is it known whether they exist.
+    if (largest_index_ >= vertex_count())
+      throw FileError(name_, fmt::format("line {}", largest_index_line_),
+                      fmt::format("vertex {} is named, but the file has only {} vertices: correct the file",
+                                  largest_index_ + 1, vertex_count()));
+    polygons_.note(mesh_);
+    note_open_end(bytes_, mesh_);
+    if (has_free_form_) mesh_.notes.emplace_back("free-form curves and surfaces were skipped");
+    return std::move(mesh_);
+  }
+
+ private:
+  /// A line that ends in a backslash goes on in the next one.
+  bool next_line() {
+    if (!lines_.next()) return false;
+    rest_ = lines_.line();
+    if (rest_.empty() || rest_.back() != '\\') return true;
+    joined_ = rest_;
+    while (!joined_.empty() && joined_.back() == '\\') {
+      joined_.back() = ' ';
+      if (lines_.next()) joined_ += lines_.line();
+    }
+    rest_ = joined_;
+    return true;
+  }
+
+  void parse_line(std::string_view keyword) {
+    if (keyword == "v")
+      add_vertex();
+    else if (keyword == "f")
+      add_face();
+    else if (keyword == "l")
+      add_line();
+    else if (keyword == "p")
+      add_points();
+    else if (contains(kFreeForm, keyword))
+      has_free_form_ = true;
+    else if (!contains(kPassedOver, keyword))
+      fail(fmt::format("{} is no word of OBJ: correct the line, or give a PLY or OBJ file", in_quotes(keyword)));
+  }
+
+  /// What may follow the coordinates, a weight or a colour, is left alone.
+  void add_vertex() {
+    if (vertex_count() == std::numeric_limits<Index>::max())
+      fail("more vertices than a 32-bit index can name: split the mesh");
+    Point p;
+    for (double& coordinate : p) {
+      const std::string_view word = take_word(rest_);
+      if (word.empty()) fail("a vertex needs three coordinates: correct the line");
+      const auto value = to_double(word);
+      if (!value) fail(fmt::format("{} is no number: correct the line", in_quotes(word)));
+      if (!std::isfinite(*value)) fail("a coordinate is not finite: give finite coordinates");
+      coordinate = *value;
+    }
+    mesh_.positions.push_back(p);
+  }
+
+  void add_face() {
+    read_indices();
+    if (indices_.size() < 3) fail("a face needs three corners or more: correct the line");
+    polygons_.add(indices_, mesh_);
+  }
+
+  void add_line() {
+    read_indices();
+    if (indices_.size() < 2) fail("a line needs two vertices or more: correct the line");
+    for (std::size_t i = 1; i < indices_.size(); ++i) mesh_.loose_edges.push_back({indices_[i - 1], indices_[i]});
+  }
+
+  void add_points() {
+    read_indices();
+    mesh_.loose_points.insert(mesh_.loose_points.end(), indices_.begin(), indices_.end());
+  }
+
+  void read_indices() {
+    indices_.clear();
+    for (std::string_view word = take_word(rest_); !word.empty(); word = take_word(rest_))
+      if (word[0] == '#')
+        return;
+      else
+        indices_.push_back(index(word));
+  }
+
+  /// OBJ counts from 1; the texture and normal after a slash do not matter.
+  Index index(std::string_view word) {
+    const auto number = to_integer<std::int64_t>(word.substr(0, word.find('/')));
+    if (!number || *number == 0 || *number < -vertex_count() || *number > std::numeric_limits<Index>::max())
+      fail(fmt::format("{} names no vertex: correct the index (it counts from 1, or back from -1)", in_quotes(word)));
+    const std::int64_t index = *number > 0 ? *number - 1 : vertex_count() + *number;
+    if (index > largest_index_) {
+      largest_index_ = index;
+      largest_index_line_ = lines_.number();
+    }
+    return static_cast<Index>(index);
+  }
+
+  std::int64_t vertex_count() const { return static_cast<std::int64_t>(mesh_.positions.size()); }
+
+  [[noreturn]] void fail(const std::string& what) const {
+    throw FileError(name_, fmt::format("line {}", lines_.number()), what);
+  }
+
+  std::string_view bytes_;
+  Lines lines_;
+  std::string joined_;
+  std::string_view rest_;
+  const std::string& name_;
+  std::vector<Index> indices_;
+  std::int64_t largest_index_ = -1;
+  std::size_t largest_index_line_ = 0;
+  Polygons polygons_;
+  bool has_free_form_ = false;
+  MeshFile mesh_;
+};
+
+}  // namespace
+
+MeshFile parse_obj(std::string_view bytes, const std::string& name) { return ObjParser(bytes, name).parse(); }
+
+}  // namespace tamis::io

@@ -1,0 +1,105 @@
+// Curved motion: ready-made paths, those that Python describes, and their single pairs.
+#include <nanobind/stl/vector.h>
+
+#include "python/src/bindings.hpp"
+#include "python/src/options.hpp"
+#include "python/src/pair_results.hpp"
+#include "python/src/paths/function_path.hpp"
+#include "python/src/paths/path_positions.hpp"
+#include "tamis/rigid_path.hpp"
+#include "tamis/spline_path.hpp"
+
+namespace tamis::python {
+namespace {
+
+/// Links as they lie in NumPy: position and rotation at the start, then at the end.
+using Links = nb::ndarray<const double, nb::shape<-1, 4, 3>, nb::c_contig, nb::device::cpu>;
+using PoseRows = nb::ndarray<const double, nb::shape<2, 3>, nb::c_contig, nb::device::cpu>;
+using PointRow = nb::ndarray<const double, nb::shape<3>, nb::c_contig, nb::device::cpu>;
+using Frames = nb::ndarray<const double, nb::shape<-1, -1, 3>, nb::c_contig, nb::device::cpu>;
+static_assert(sizeof(Link) == 12 * sizeof(double));
+
+Pose pose_of(const PoseRows& rows) { return *reinterpret_cast<const Pose*>(rows.data()); }
+
+nb::object array_of(const Chain& chain) { return own<double>(std::vector<Link>(chain), 12); }
+
+void make_rigid_path(RigidPath* path, const PointRows& rest, const Indices& bodies, const std::vector<Links>& links) {
+  std::vector<Chain> chains;
+  for (const Links& chain : links) {
+    const auto* first = reinterpret_cast<const Link*>(chain.data());
+    chains.emplace_back(first, first + chain.shape(0));
+  }
+  const auto* first = reinterpret_cast<const Point*>(rest.data());
+  new (path) RigidPath({first, first + rest.shape(0)}, copy_of<Index>(bodies), std::move(chains));
+}
+
+template <class SplinePath>
+void make_spline_path(SplinePath* path, const Frames& given) {
+  const auto* first = reinterpret_cast<const Point*>(given.data());
+  const std::size_t vertices = given.shape(1);
+  std::vector<std::vector<Point>> frames;
+  for (std::size_t i = 0; i < given.shape(0); ++i, first += vertices) frames.emplace_back(first, first + vertices);
+  new (path) SplinePath(std::move(frames));
+}
+
+template <int corners>
+using Vertices = std::array<Index, std::size_t{corners}>;
+template <int corners>
+using Decide = PairResult (*)(const Path&, const Vertices<corners>&, const PathOptions&);
+
+template <int corners, Decide<corners> decide>
+nb::object decide_all(const Path& path, const IndexRowsIn<corners>& rows, double min_separation, double tolerance) {
+  const auto* vertices = reinterpret_cast<const Vertices<corners>*>(rows.data());
+  return decide_each(rows.shape(0), [&](std::size_t i, const std::function<bool()>& is_cancelled) {
+    return decide(path, vertices[i], {min_separation, tolerance, is_cancelled});
+  });
+}
+
+using Times = nb::ndarray<const double, nb::ndim<1>, nb::c_contig, nb::device::cpu>;
+using VertexRows = nb::ndarray<const Index, nb::ndim<2>, nb::c_contig, nb::device::cpu>;
+
+/// Where the vertices of each row are at a time of its own, rounded. REQUIRES: vertices of the path, and as many times.
+nb::object corners_at(const Path& path, const Times& times, const VertexRows& rows) {
+  const std::size_t columns = rows.shape(1);
+  std::vector<Point> corners(rows.size());
+  std::vector<double> errors(columns);
+  for (std::size_t i = 0; i < rows.shape(0); ++i)
+    path.points_at(times.data()[i], {rows.data() + columns * i, columns}, {corners.data() + columns * i, columns},
+                   errors);
+  return own<double>(std::move(corners), 3);
+}
+
+nb::object points_at(const Path& path, double time) { return own<double>(positions_at(path, time), 3); }
+
+void bind_chains(nb::module_& module) {
+  module.def("interpolated", [](const PoseRows& start, const PoseRows& end) {
+    return array_of(interpolated(pose_of(start), pose_of(end)));
+  });
+  module.def("turned", [](const PoseRows& start, const PointRow& turn, const PointRow& end) {
+    const auto* axis = reinterpret_cast<const Point*>(turn.data());
+    return array_of(turned(pose_of(start), *axis, *reinterpret_cast<const Point*>(end.data())));
+  });
+  module.def("between", [](const PoseRows& start, const PoseRows& end) {
+    return array_of(between(pose_of(start), pose_of(end)));
+  });
+}
+
+}  // namespace
+
+void bind_paths(nb::module_& module) {
+  nb::class_<Path>(module, "Path")
+      .def_prop_ro("vertex_count", &Path::vertex_count)
+      .def("points_at", &points_at)
+      .def("corners_at", &corners_at)
+      .def("vertex_face", &decide_all<4, &vertex_face>)
+      .def("edge_edge", &decide_all<4, &edge_edge>)
+      .def("vertex_edge", &decide_all<3, &vertex_edge>)
+      .def("vertex_vertex", &decide_all<2, &vertex_vertex>);
+  nb::class_<RigidPath, Path>(module, "RigidPath").def("__init__", &make_rigid_path);
+  nb::class_<BezierPath, Path>(module, "BezierPath").def("__init__", &make_spline_path<BezierPath>);
+  nb::class_<CatmullRomPath, Path>(module, "CatmullRomPath").def("__init__", &make_spline_path<CatmullRomPath>);
+  nb::class_<FunctionPath, Path>(module, "FunctionPath").def(nb::init<Index, nb::object, nb::object>());
+  bind_chains(module);
+}
+
+}  // namespace tamis::python

@@ -1,8 +1,10 @@
 #include "bounds/packed_motion.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "bounds/shared_motion.hpp"
 
@@ -52,6 +54,16 @@ Vec3<double> scaled_difference(const double* to, const double* from, double scal
   return {on(0), on(1), on(2)};
 }
 
+/// Of any bit of some numbers.
+class Difference {
+ public:
+  void add(double a, double b) { bits_ |= std::bit_cast<std::uint64_t>(a) ^ std::bit_cast<std::uint64_t>(b); }
+  bool is_any() const { return bits_ != 0; }
+
+ private:
+  std::uint64_t bits_ = 0;
+};
+
 }  // namespace
 
 Vec3<double> BoxFrame::place(const Positions& positions, Index vertex) const {
@@ -62,8 +74,11 @@ Vec3<double> BoxFrame::displacement(const Step& step, Index vertex) const {
   return scaled_difference(step.end[vertex], step.start[vertex], scale);
 }
 
-void PackedMotion::assign(const Step& step, std::span<const Index> used, const Separations& kept_apart) {
-  separations = kept_apart;
+bool PackedMotion::assign(const Step& step, std::span<const Index> used, const Separations& kept_apart) {
+  const bool is_first = vertices.empty();
+  const double last_separation = std::exchange(separations, kept_apart).fixed;
+  Difference difference;
+  difference.add(last_separation, separations.fixed);
   frame = frame_of(step, used, separations.fixed);
   const auto count = static_cast<std::size_t>(step.start.count());
   vertices.resize(count);
@@ -73,15 +88,19 @@ void PackedMotion::assign(const Step& step, std::span<const Index> used, const S
     BoxVertex& box = box_vertices[static_cast<std::size_t>(v)];
     const double *start = step.start[v], *end = step.end[v];
     const double radius = separations.radii.empty() ? 0 : separations.radii[static_cast<std::size_t>(v)];
+    difference.add(packed.at[3], radius);
     packed.at[3] = radius;
     box.at[BoxVertex::kRadius] = box_distance(radius * frame.scale);
     for (std::size_t axis = 0; axis < 3; ++axis) {
+      difference.add(packed.at[axis], start[axis]);
+      difference.add(packed.at[4 + axis], end[axis]);
       packed.at[axis] = start[axis];
       packed.at[4 + axis] = end[axis];
       box.at[axis] = static_cast<float>((start[axis] - frame.origin[axis]) * frame.scale);
       box.at[3 + axis] = static_cast<float>((end[axis] - frame.origin[axis]) * frame.scale);
     }
   }
+  return is_first || difference.is_any();
 }
 
 void PackedMotion::assign_residuals(const Step& step, const SharedMotion& shared) {

@@ -72,8 +72,8 @@ struct PackedMotion {
   BoxFrame frame;
   Separations separations;
 
-  /// Vertices outside `used` are left as they are; so are residuals.
-  void assign(const Step& step, std::span<const Index> used, const Separations& separations);
+  /// Vertices outside `used` are left as they are; so are residuals. False: everything is, to the bit.
+  bool assign(const Step& step, std::span<const Index> used, const Separations& separations);
   /// Residuals, for the step assigned last, to which the motion has been fitted.
   void assign_residuals(const Step& step, const SharedMotion& shared);
   /// What the kernels need of the separations.

@@ -4,7 +4,6 @@
 
 #include "detect/truncation.hpp"
 #include "detect/validate.hpp"
-#include "engines/brute/step_length.hpp"
 #include "engines/cancellation.hpp"
 #include "engines/pair_rules.hpp"
 #include "engines/stopwatch.hpp"
@@ -101,13 +100,7 @@ SafeStep Detector::State::keep_distance(const Step& step, double fraction, Separ
 SafeStep Detector::State::step_length(const Step& step, const Separations& separations, double fraction) {
   SafeStep answer;
   validate(step, mesh);
-  measure([&] {
-    if (options.method == Method::brute) {
-      answer = step_length_by_brute_force(mesh, options, step, separations, fraction, statistics);
-      return;
-    }
-    answer = step_lengths().find(step, separations, fraction, statistics);
-  });
+  measure([&] { answer = engine_->find_step_length(step, separations, fraction, statistics); });
   return answer;
 }
 
@@ -124,11 +117,11 @@ TruncatedStep Detector::State::truncate(const Step& step, double fraction, Separ
   for (Next next = together < 1 ? Next::ask : Next::done; next != Next::done; next = truncation.after(ends)) {
     if (next == Next::plan_apart) {
       std::vector<NearPair> within_reach;
-      measure([&] { at_rest().find_near(step.start, truncation.reach(), within_reach, statistics); });
+      measure([&] { engine_->find_near(step.start, truncation.reach(), within_reach, statistics); });
       spent += statistics.seconds;
       truncation.keep_apart(within_reach);
     }
-    find_step_ends(truncation.way(), kept, fraction, ends);
+    measure([&] { engine_->find_step_ends(truncation.way(), kept, fraction, ends, statistics); });
     spent += statistics.seconds;
   }
   spent.total = watch.seconds();
@@ -136,36 +129,15 @@ TruncatedStep Detector::State::truncate(const Step& step, double fraction, Separ
   return truncation.take();
 }
 
-void Detector::State::find_step_ends(const Step& step, const Separations& separations, double fraction,
-                                     std::vector<StepLimit>& ends) {
-  measure([&] {
-    if (options.method == Method::brute)
-      step_ends_by_brute_force(mesh, options, step, separations, fraction, ends, statistics);
-    else
-      step_lengths().find_all(step, separations, fraction, ends, statistics);
-  });
-}
-
-StepLengthSearch& Detector::State::step_lengths() {
-  if (!step_lengths_) step_lengths_ = std::make_unique<StepLengthSearch>(mesh, options);
-  return *step_lengths_;
-}
-
 void Detector::State::find_near(const Positions& positions, double distance) {
   validate_distance(distance, "the distance");
   validate(positions, mesh, "the pose");
-  measure([&] { at_rest().find_near(positions, {distance, radii_}, near, statistics); });
+  measure([&] { engine_->find_near(positions, {distance, radii_}, near, statistics); });
 }
 
 void Detector::State::find_intersections(const Positions& positions, Intersections wanted) {
   validate(positions, mesh, "the pose");
-  measure([&] { at_rest().find_intersections(positions, wanted, intersections, statistics); });
-}
-
-RestEngine& Detector::State::at_rest() {
-  if (RestEngine* own = engine_->at_rest()) return *own;
-  if (!rest_engine_) rest_engine_ = make_tamis_engine(mesh, options);
-  return *rest_engine_->at_rest();
+  measure([&] { engine_->find_intersections(positions, wanted, intersections, statistics); });
 }
 
 template <class Work>
@@ -183,9 +155,8 @@ void Detector::State::measure(const Work& work) {
 
 std::uint64_t Detector::State::memory_bytes() const {
   const auto of = [](const auto& part) { return part ? part->memory_bytes() : 0; };
-  return engine_->memory_bytes() + sorter_.memory_bytes() + found.memory_bytes() + of(step_lengths_) +
-         of(path_search_) + of(rest_engine_) + near.capacity() * sizeof(NearPair) +
-         intersections.capacity() * sizeof(Intersection);
+  return engine_->memory_bytes() + sorter_.memory_bytes() + found.memory_bytes() + of(path_search_) +
+         near.capacity() * sizeof(NearPair) + intersections.capacity() * sizeof(Intersection);
 }
 
 }  // namespace tamis

@@ -7,8 +7,6 @@
 #include "detect/arena.hpp"
 #include "detect/contact_order.hpp"
 #include "engines/engine.hpp"
-#include "engines/rest_engine.hpp"
-#include "engines/tamis/step_length.hpp"
 #include "paths/path_search.hpp"
 #include "tamis/detector.hpp"
 #include "tamis/turn.hpp"
@@ -47,10 +45,6 @@ struct Detector::State {
   SafeStep step_length(const Step& step, const Separations& separations, double fraction);
   /// Into the documented order.
   void sort_found();
-  RestEngine& at_rest();
-  /// As StepLengthSearch::find_all, of any method.
-  void find_step_ends(const Step& step, const Separations& separations, double fraction, std::vector<StepLimit>& ends);
-  StepLengthSearch& step_lengths();
   /// Runs `work` in the arena, with fresh statistics.
   template <class Work>
   void measure(const Work& work);
@@ -59,9 +53,7 @@ struct Detector::State {
   Arena arena_;
   std::vector<double> radii_;  ///< of the vertices; empty: all zero
   std::unique_ptr<Engine> engine_;
-  std::unique_ptr<StepLengthSearch> step_lengths_;  ///< made by the first question that needs it, as what follows
-  std::unique_ptr<Engine> rest_engine_;             ///< where `engine_` does not answer at rest
-  std::unique_ptr<PathSearch> path_search_;
+  std::unique_ptr<PathSearch> path_search_;  ///< made by the first question that needs it
   ContactSorter sorter_;
 };
 

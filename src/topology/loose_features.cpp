@@ -1,18 +1,20 @@
 #include "topology/loose_features.hpp"
 
+#include <algorithm>
+
 namespace tamis {
 
 LooseFeatures::LooseFeatures(const Mesh& mesh) {
-  std::vector<bool> is_covered(static_cast<std::size_t>(mesh.vertex_count()), false);
-  for (const Face& face : mesh.faces())
-    for (const Index v : face) is_covered[static_cast<std::size_t>(v)] = true;
-  for (Index e = 0; e < static_cast<Index>(mesh.edges().size()); ++e) {
-    if (!mesh.faces_of_edge(e).empty()) continue;
-    edges.push_back(mesh.edges()[static_cast<std::size_t>(e)]);
-    for (const Index v : edges.back()) is_covered[static_cast<std::size_t>(v)] = true;
-  }
+  const auto edge_count = static_cast<Index>(mesh.edges().size());
+  for (Index e = 0; e < edge_count; ++e)
+    if (mesh.faces_of_edge(e).empty()) edges.push_back(mesh.edges()[static_cast<std::size_t>(e)]);
   for (const Index p : mesh.points())
-    if (!is_covered[static_cast<std::size_t>(p)]) points.push_back(p);
+    if (mesh.faces_of_vertex(p).empty()) points.push_back(p);
+  if (points.empty() || edges.empty()) return;
+  std::vector<Index> ends;
+  for (const Edge& edge : edges) ends.insert(ends.end(), edge.begin(), edge.end());
+  std::sort(ends.begin(), ends.end());
+  std::erase_if(points, [&](Index p) { return std::binary_search(ends.begin(), ends.end(), p); });
 }
 
 }  // namespace tamis

@@ -6,7 +6,6 @@
 #include "engines/cancellation.hpp"
 #include "engines/near_order.hpp"
 #include "engines/pair_rules.hpp"
-#include "engines/rest_engine.hpp"
 #include "engines/stage_counts.hpp"
 #include "narrow/decide.hpp"
 #include "narrow/near_pair.hpp"
@@ -14,7 +13,7 @@
 namespace tamis {
 namespace {
 
-class BruteEngine final : public Engine, public RestEngine {
+class BruteEngine final : public Engine {
  public:
   BruteEngine(const Mesh& mesh, const Options& options) : mesh_(mesh), options_(options) {}
 
@@ -28,6 +27,22 @@ class BruteEngine final : public Engine, public RestEngine {
       if (r.touches) found.add({kind, r.certainty, v, r.toi_lower, r.toi_upper, r.u, r.v, r.normal});
     });
     statistics.stages.push_back(count);
+  }
+
+  SafeStep find_step_length(const Step& step, const Separations& separations, double fraction,
+                            Statistics& statistics) override {
+    StepLimit limit;
+    for_each_limit(step, {fraction, separations}, statistics, [&](const StepLimit& pair) { limit.add(pair); });
+    return limit.answer(step, fraction, separations);
+  }
+
+  void find_step_ends(const Step& step, const Separations& separations, double fraction, std::vector<StepLimit>& ends,
+                      Statistics& statistics) override {
+    ends.clear();
+    for_each_limit(step, {fraction, separations}, statistics, [&](const StepLimit& pair) {
+      if (pair.time < 1) ends.push_back(pair);
+    });
+    std::sort(ends.begin(), ends.end(), comes_before_in_order);
   }
 
   void find_near(const Positions& positions, const Separations& separations, std::vector<NearPair>& pairs,
@@ -68,11 +83,28 @@ class BruteEngine final : public Engine, public RestEngine {
     statistics.stages.push_back(count);
     std::sort(found.begin(), found.end(), comes_first);
   }
-  RestEngine* at_rest() override { return this; }
 
   std::uint64_t memory_bytes() const override { return 0; }
 
  private:
+  struct KeptFraction {
+    double fraction;
+    const Separations& separations;
+  };
+
+  /// keep(StepLimit) for every pair.
+  template <class Keep>
+  void for_each_limit(const Step& step, const KeptFraction& kept, Statistics& statistics, const Keep& keep) const {
+    StageCount count{"near"};
+    for_each_pair(mesh_, options_.filter, [&](PairKind kind, const PairVertices& v) {
+      stop_if_cancelled(options_);
+      ++of(count, kind);
+      const DistanceRule rule{kept.fraction, kept.separations.between(kind, v)};
+      keep(StepLimit{keeps_distance_until(kind, points_of(step, v), rule, 1, statistics.decided_by), kind, v});
+    });
+    statistics.stages.push_back(count);
+  }
+
   bool is_pair(const Edge& edge, const Face& face) const {
     const auto shares = [&](Index v) { return v == edge[0] || v == edge[1]; };
     if (std::any_of(face.begin(), face.end(), shares)) return false;

@@ -1,7 +1,5 @@
 // The published pipeline (Du, Tang, Tong 2012): a binary hierarchy of swept k-DOPs over triangles, refitted every step;
 // triangle pairs without a common vertex, orphan sets for the rest; representative triangles; filters; interval Newton.
-#include "engines/engine.hpp"
-
 #include <tbb/blocked_range.h>
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
@@ -10,6 +8,7 @@
 #include <algorithm>
 #include <tuple>
 
+#include "engines/contacts_engine.hpp"
 #include "engines/paper/hierarchy.hpp"
 #include "engines/paper/patch_culling.hpp"
 #include "engines/paper/tester.hpp"
@@ -34,10 +33,11 @@ HighLevelCulling high_level_of(const Options& options) {
   return may_cull ? options.paper.high_level : HighLevelCulling::none;
 }
 
-class PaperEngine final : public Engine {
+class PaperEngine final : public ContactsEngine {
  public:
   PaperEngine(const Mesh& mesh, const Options& options)
-      : surface_(mesh),
+      : ContactsEngine(mesh, options),
+        surface_(mesh),
         scene_{options, surface_.mesh(), surface_.face_count(), {}, stages_by_name(options.paper.filters), {}, {}},
         hierarchy_(make_paper_hierarchy(options.paper.bounding_volume)),
         patches_(scene_.mesh, high_level_of(options), options.paper.reduced_model.get()),
@@ -53,7 +53,8 @@ class PaperEngine final : public Engine {
     collect(found, statistics, watch.seconds());
   }
 
-  std::uint64_t memory_bytes() const override {
+ private:
+  std::uint64_t memory_for_contacts() const override {
     std::uint64_t bytes = patches_.memory_bytes() + scene_.points.memory_bytes() + scene_.boxes.memory_bytes() +
                           scene_.triangles.capacity() * sizeof(TriangleFeatures) +
                           std::visit([](const auto& h) { return h.memory_bytes(); }, hierarchy_);
@@ -62,7 +63,6 @@ class PaperEngine final : public Engine {
     return bytes;
   }
 
- private:
   void update_bounds(Statistics& statistics) {
     Stopwatch watch;
     if (scene_.triangles.empty()) collect_topology();

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <limits>
 
-#include "engines/rest_engine.hpp"
 #include "engines/stopwatch.hpp"
 #include "engines/tamis/feature_trees.hpp"
 #include "engines/tamis/intersection_search.hpp"
@@ -14,6 +13,7 @@
 #include "engines/tamis/pairs_ahead.hpp"
 #include "engines/tamis/pipelines.hpp"
 #include "engines/tamis/samples.hpp"
+#include "engines/tamis/step_length.hpp"
 
 namespace tamis {
 namespace {
@@ -24,10 +24,11 @@ float float_after(double t) {
   return static_cast<double>(f) >= t ? f : std::nextafter(f, std::numeric_limits<float>::infinity());
 }
 
-class TamisEngine final : public Engine, public RestEngine {
+class TamisEngine final : public Engine {
  public:
   TamisEngine(const Mesh& mesh, const Options& options)
-      : options_(options),
+      : mesh_(mesh),
+        options_(options),
         kernels_(kernels(options.isa)),
         trees_(mesh, options, kernels_),
         ahead_(mesh),
@@ -39,16 +40,22 @@ class TamisEngine final : public Engine, public RestEngine {
     const bool is_listed = prepare(found, statistics);
     const Stopwatch watch;
     pipelines_.begin(found);
-    const bool wants_all = found.question() == Question::all_contacts;
-    const std::span<const Sample> samples = wants_all ? std::span<const Sample>(kAllBlocks) : kSamples;
-    if (is_listed) search_lists(found, samples);
+    if (is_listed) search_lists(found);
     const bool is_open = !is_listed || ahead_.leaves_open(found);
     if (is_listed && is_open) trees_.update(found.step(), found.separations(), statistics);
-    if (is_open) search_trees(found, samples);
+    if (is_open) search_trees(found);
     ahead_.end(found);
     collect(statistics, watch.seconds());
   }
 
+  SafeStep find_step_length(const Step& step, const Separations& separations, double fraction,
+                            Statistics& statistics) override {
+    return step_lengths().find(step, separations, fraction, statistics);
+  }
+  void find_step_ends(const Step& step, const Separations& separations, double fraction, std::vector<StepLimit>& ends,
+                      Statistics& statistics) override {
+    step_lengths().find_all(step, separations, fraction, ends, statistics);
+  }
   void find_near(const Positions& positions, const Separations& separations, std::vector<NearPair>& pairs,
                  Statistics& statistics) override {
     near_.find(positions, separations, pairs, statistics);
@@ -57,11 +64,10 @@ class TamisEngine final : public Engine, public RestEngine {
                           Statistics& statistics) override {
     intersections_.find(positions, wanted, found, statistics);
   }
-  RestEngine* at_rest() override { return this; }
 
   std::uint64_t memory_bytes() const override {
     return trees_.memory_bytes() + ahead_.memory_bytes() + pipelines_.memory_bytes() + near_.memory_bytes() +
-           intersections_.memory_bytes();
+           intersections_.memory_bytes() + (step_lengths_ ? step_lengths_->memory_bytes() : 0);
   }
 
  private:
@@ -91,7 +97,7 @@ class TamisEngine final : public Engine, public RestEngine {
     trees_.look_at(ahead_.way(), {separations.fixed + 2 * ahead_.room()});
     t_limit_ = ahead_.until();
     pipelines_.begin(candidates);
-    for (const Sample& sample : kSamples) {
+    for (const Sample& sample : Samples(trees_.most_leaf_blocks())) {
       trees_.for_each_kind(
           [&](PairKind kind, const TreeView& a, const TreeView& b) { search_sample(candidates, kind, a, b, sample); });
       pipelines_.finish([&](StagePipeline& pipeline) { ahead_.list_found(pipeline); });
@@ -106,15 +112,18 @@ class TamisEngine final : public Engine, public RestEngine {
   }
 
   /// The pairs that were listed ahead.
-  void search_lists(FoundContacts& found, std::span<const Sample> samples) {
+  void search_lists(FoundContacts& found) {
     t_limit_ = 1;
     constexpr std::size_t kPart = 1024, kGrain = 8;
-    for (const Sample& sample : samples) {
+    const auto parts_of = [&](PairKind kind) {
+      return static_cast<int>((ahead_.list(kind).size() + kPart - 1) / kPart);
+    };
+    const int most_parts = std::max(parts_of(PairKind::vertex_face), parts_of(PairKind::edge_edge));
+    for (const Sample& sample : samples_for(found, most_parts)) {
       trees_.for_each_kind([&](PairKind kind, const TreeView&, const TreeView&) {
         const PairList& pairs = ahead_.list(kind);
-        const int parts = static_cast<int>((pairs.size() + kPart - 1) / kPart);
         pipelines_.for_each_part(
-            found, kind, count_in(sample, parts), kGrain, [&](StagePipeline& pipeline, int begin, int end) {
+            found, kind, sample.count_in(parts_of(kind)), kGrain, [&](StagePipeline& pipeline, int begin, int end) {
               for (int i = begin; i < end; ++i) {
                 const auto first = static_cast<std::size_t>(sample.first + i * sample.stride) * kPart;
                 pipeline.search(kind, pairs, first, std::min(first + kPart, pairs.size()), ahead_.when(), t_limit_);
@@ -125,13 +134,18 @@ class TamisEngine final : public Engine, public RestEngine {
     }
   }
 
-  void search_trees(FoundContacts& found, std::span<const Sample> samples) {
+  void search_trees(FoundContacts& found) {
     t_limit_ = 1;
-    for (const Sample& sample : samples) {
+    for (const Sample& sample : samples_for(found, trees_.most_leaf_blocks())) {
       trees_.for_each_kind(
           [&](PairKind kind, const TreeView& a, const TreeView& b) { search_sample(found, kind, a, b, sample); });
       learn(found);
     }
+  }
+
+  /// All contacts have nothing to learn from an early one.
+  static Samples samples_for(const FoundContacts& asked, int parts) {
+    return asked.question() == Question::all_contacts ? Samples() : Samples(parts);
   }
 
   /// The step is shortened only between samples: the answer knows nothing of threads.
@@ -144,11 +158,16 @@ class TamisEngine final : public Engine, public RestEngine {
                      const Sample& sample) {
     constexpr std::size_t kGrain = 8;
     pipelines_.for_each_part(
-        found, kind, count_in(sample, a.leaf_blocks), kGrain, [&](StagePipeline& pipeline, int begin, int end) {
+        found, kind, sample.count_in(a.leaf_blocks), kGrain, [&](StagePipeline& pipeline, int begin, int end) {
           const int first = sample.first + begin * sample.stride, last = sample.first + end * sample.stride;
           const BlockRange blocks{first, std::min(last, a.leaf_blocks), sample.stride};
           pipeline.search(kind, a, b, blocks, t_limit_);
         });
+  }
+
+  StepLengthSearch& step_lengths() {
+    if (!step_lengths_) step_lengths_ = std::make_unique<StepLengthSearch>(mesh_, options_, kernels_, trees_);
+    return *step_lengths_;
   }
 
   void collect(Statistics& statistics, double seconds) {
@@ -157,6 +176,7 @@ class TamisEngine final : public Engine, public RestEngine {
     statistics.isa = kernels_.isa;
   }
 
+  const Mesh& mesh_;
   const Options& options_;
   const Kernels& kernels_;
   FeatureTrees trees_;
@@ -166,6 +186,7 @@ class TamisEngine final : public Engine, public RestEngine {
   Pipelines pipelines_;
   NearSearch near_;
   IntersectionSearch intersections_;
+  std::unique_ptr<StepLengthSearch> step_lengths_;  ///< made by the first question that needs it
 };
 
 }  // namespace

@@ -28,15 +28,19 @@ FeatureTrees::FeatureTrees(const Mesh& mesh, const Options& options, const Kerne
 
 void FeatureTrees::update(const Step& step, const Separations& separations, Statistics& statistics) {
   Stopwatch watch;
-  motion_.assign(step, mesh_.points(), separations);
+  assign(step, separations);
   statistics.seconds.bounds = watch.lap();
-  update_trees(statistics);
+  if (!are_of_motion_) update_trees(statistics);
   statistics.seconds.build = watch.lap();
 }
 
 void FeatureTrees::look_at(const Step& step, const Separations& separations) {
-  motion_.assign(step, mesh_.points(), separations);
-  refit_trees();
+  assign(step, separations);
+  if (!are_of_motion_) refit_trees();
+}
+
+void FeatureTrees::assign(const Step& step, const Separations& separations) {
+  if (motion_.assign(step, mesh_.points(), separations)) are_of_motion_ = false;
 }
 
 void FeatureTrees::refit_trees() {
@@ -44,11 +48,12 @@ void FeatureTrees::refit_trees() {
     stop_if_cancelled(options_);
     tree->refit(motion_, kernels_.trees);
   }
+  are_of_motion_ = true;
 }
 
 void FeatureTrees::move_vertices(const Step& step, const Separations& separations, Statistics& statistics) {
   const Stopwatch watch;
-  motion_.assign(step, mesh_.points(), separations);
+  assign(step, separations);
   statistics.seconds.bounds += watch.seconds();
 }
 
@@ -66,9 +71,11 @@ void FeatureTrees::update_trees(Statistics& statistics) {
   }
   const int axes = order_axes(motion_, mesh_.points(), kernels_.trees.split);
   built_area_ = 0;  // until all are built
+  are_of_motion_ = false;
   for (BlockTree* tree : trees) tree->build(motion_, axes, kernels_.trees, [&] { stop_if_cancelled(options_); });
   // Areas are of the box frame, which holds the scene whatever its size; a scene without area is rebuilt each time.
   built_area_ = area();
+  are_of_motion_ = true;
   statistics.rebuilt = true;
 }
 

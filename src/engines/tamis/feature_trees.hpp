@@ -1,5 +1,7 @@
 // The mesh as the search sees it: where its vertices are during a question, and a tree over each kind of feature.
 #pragma once
+#include <algorithm>
+
 #include "bvh/block_tree.hpp"
 #include "kernels/kernels.hpp"
 #include "tamis/options.hpp"
@@ -17,7 +19,8 @@ class FeatureTrees {
   FeatureTrees(const FeatureTrees&) = delete;
   FeatureTrees& operator=(const FeatureTrees&) = delete;
 
-  /// Boxes at t=0 and t=1, in the old order, or in a new one where that has become poor. Says seconds and `rebuilt`.
+  /// Boxes at t=0 and t=1, in the old order, or in a new one where that has become poor: nothing, where they are of
+  /// this step already. Says seconds and `rebuilt`.
   void update(const Step& step, const Separations& separations, Statistics& statistics);
 
   /// The same in the old order, whatever the step. REQUIRES: update() before.
@@ -27,6 +30,8 @@ class FeatureTrees {
   /// What the displacements of each feature have besides a motion they share, for the questions that ask.
   void fit_residuals(const Step& step, const SharedMotion& shared);
 
+  /// Of the largest of the trees that make pairs.
+  int most_leaf_blocks() const { return std::max(points_.view().leaf_blocks, edges_.view().leaf_blocks); }
   TreeView points() const { return points_.view(); }
   TreeView edges() const { return edges_.view(); }
   TreeView faces() const { return faces_.view(); }
@@ -47,6 +52,8 @@ class FeatureTrees {
  private:
   void update_trees(Statistics& statistics);
   void refit_trees();
+  /// Leaves boxes of another step unless the vertices are where they were.
+  void assign(const Step& step, const Separations& separations);
 
   const Mesh& mesh_;
   const Options& options_;
@@ -55,6 +62,7 @@ class FeatureTrees {
   const LooseFeatures loose_;
   BlockTree points_, edges_, faces_, loose_points_, loose_edges_;
   double built_area_ = 0;
+  bool are_of_motion_ = false;  ///< the boxes
 };
 
 }  // namespace tamis

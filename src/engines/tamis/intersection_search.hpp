@@ -3,7 +3,7 @@
 #pragma once
 #include <vector>
 
-#include "engines/rest_engine.hpp"
+#include "engines/engine.hpp"
 #include "engines/tamis/feature_trees.hpp"
 #include "engines/tamis/pipelines.hpp"
 
@@ -14,7 +14,7 @@ class IntersectionSearch {
   /// Keeps references.
   IntersectionSearch(const Mesh& mesh, const Options& options, const Kernels& kernels, FeatureTrees& trees);
 
-  /// As RestEngine::find_intersections.
+  /// As Engine::find_intersections.
   void find(const Positions& positions, Intersections wanted, std::vector<Intersection>& found, Statistics& statistics);
   std::uint64_t memory_bytes() const;
 

@@ -17,7 +17,7 @@ class NearSearch {
   /// Keeps references.
   NearSearch(const Mesh& mesh, const Options& options, const Kernels& kernels, FeatureTrees& trees);
 
-  /// As RestEngine::find_near.
+  /// As Engine::find_near.
   void find(const Positions& positions, const Separations& separations, std::vector<NearPair>& pairs,
             Statistics& statistics);
   std::uint64_t memory_bytes() const;

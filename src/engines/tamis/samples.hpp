@@ -1,20 +1,41 @@
 // The order in which leaf blocks are searched when an early answer shortens the rest of the work.
 #pragma once
+#include <array>
 
 namespace tamis {
 
+/// Leaf blocks first, first + stride, ...
 struct Sample {
   int first, stride;
+
+  /// Of `blocks` leaf blocks.
+  int count_in(int blocks) const { return blocks > first ? (blocks - first + stride - 1) / stride : 0; }
 };
 
-/// The leaf blocks in seven samples, each as large as all before it: an early contact found in a small one shortens
-/// the step for the rest.
-inline constexpr Sample kSamples[] = {{0, 64}, {32, 64}, {16, 32}, {8, 16}, {4, 8}, {2, 4}, {1, 2}};
-inline constexpr Sample kAllBlocks[] = {{0, 1}};
+/// The leaf blocks in up to seven samples, each as large as all before it: an early contact found in a small one
+/// shortens the step for the rest.
+class Samples {
+ public:
+  /// All blocks at once.
+  Samples() { add({0, 1}); }
+  /// Of so many leaf blocks. A sample costs as much as some blocks do: the first has no fewer than kFewest.
+  explicit Samples(int blocks) {
+    int stride = 1 << (kMost - 1);
+    while (stride > 1 && blocks < kFewest * stride) stride /= 2;
+    add({0, stride});
+    for (; stride > 1; stride /= 2) add({stride / 2, stride});
+  }
 
-/// Number of leaf blocks of `blocks` in a sample.
-inline int count_in(const Sample& sample, int blocks) {
-  return blocks > sample.first ? (blocks - sample.first + sample.stride - 1) / sample.stride : 0;
-}
+  const Sample* begin() const { return samples_.data(); }
+  const Sample* end() const { return begin() + count_; }
+
+ private:
+  static constexpr int kMost = 7, kFewest = 8;
+
+  void add(const Sample& sample) { samples_[static_cast<std::size_t>(count_++)] = sample; }
+
+  std::array<Sample, kMost> samples_;
+  int count_ = 0;
+};
 
 }  // namespace tamis

@@ -19,12 +19,11 @@ constexpr double kMeetsAll = 8;
 
 }  // namespace
 
-StepLengthSearch::StepLengthSearch(const Mesh& mesh, const Options& options)
-    : options_(options),
-      kernels_(kernels(options.isa)),
-      trees_(mesh, options, kernels_),
-      shared_(mesh),
-      pipelines_([this] { return NearPipeline(kernels_, trees_.motion(), options_, question_); }) {}
+StepLengthSearch::StepLengthSearch(const Mesh& mesh, const Options& options, const Kernels& kernels,
+                                   FeatureTrees& trees)
+    : options_(options), kernels_(kernels), trees_(trees), shared_(mesh), pipelines_([this] {
+        return NearPipeline(kernels_, trees_.motion(), options_, question_);
+      }) {}
 
 void StepLengthSearch::begin(const Step& step, const Separations& separations, double fraction, bool lists_all,
                              Statistics& statistics) {
@@ -49,9 +48,11 @@ SafeStep StepLengthSearch::find(const Step& step, const Separations& separations
   TAMIS_ASSERT(0 < fraction && fraction < 1);
   begin(step, separations, fraction, false, statistics);
   Stopwatch watch;
-  search(kSamples[0]);
-  if (meets_many(kSamples[0])) search_short_steps();
-  for (const Sample& sample : std::span(kSamples).subspan(1)) search(sample);
+  const Samples samples(trees_.most_leaf_blocks());
+  const Sample& first = *samples.begin();
+  search(first);
+  if (meets_many(first)) search_short_steps(samples);
+  for (const Sample& sample : std::span(samples).subspan(1)) search(sample);
   return collect(statistics, watch.lap()).answer(step, fraction, separations);
 }
 
@@ -60,7 +61,7 @@ void StepLengthSearch::find_all(const Step& step, const Separations& separations
   TAMIS_ASSERT(0 < fraction && fraction < 1);
   begin(step, separations, fraction, true, statistics);
   Stopwatch watch;
-  search(kAllBlocks[0]);
+  search(*Samples().begin());
   collect(statistics, watch.lap());
   ends.clear();
   for (const NearPipeline& pipeline : pipelines_)
@@ -73,18 +74,18 @@ bool StepLengthSearch::meets_many(const Sample& sample) const {
   std::uint64_t pairs = 0, blocks = 0;
   for (const NearPipeline& pipeline : pipelines_) pairs += pipeline.counts().boxes.vf + pipeline.counts().boxes.ee;
   trees_.for_each_kind([&](PairKind, const TreeView& a, const TreeView&) {
-    blocks += static_cast<std::uint64_t>(count_in(sample, a.leaf_blocks));
+    blocks += static_cast<std::uint64_t>(sample.count_in(a.leaf_blocks));
   });
   return pairs > kMany * blocks;
 }
 
 /// A pair that ends a short step ends it first of all.
-void StepLengthSearch::search_short_steps() {
+void StepLengthSearch::search_short_steps(const Samples& samples) {
   for (const double until : kShortSteps) {
     const double earliest = question_.earliest;
     if (until >= earliest) return;
     question_.earliest = until;
-    for (const Sample& sample : kSamples) search(sample);
+    for (const Sample& sample : samples) search(sample);
     if (question_.earliest < until) return;
     question_.earliest = earliest;
   }
@@ -96,7 +97,7 @@ void StepLengthSearch::search(const Sample& sample) {
 
 void StepLengthSearch::search_sample(PairKind kind, const TreeView& a, const TreeView& b, const Sample& sample) {
   constexpr int kGrain = 8;
-  const tbb::blocked_range<int> all(0, count_in(sample, a.leaf_blocks), kGrain);
+  const tbb::blocked_range<int> all(0, sample.count_in(a.leaf_blocks), kGrain);
   tbb::parallel_for(all, [&](const tbb::blocked_range<int>& part) {
     bool is_known = false;
     NearPipeline& pipeline = pipelines_.local(is_known);
@@ -125,7 +126,7 @@ StepLimit StepLengthSearch::collect(Statistics& statistics, double seconds) {
 }
 
 std::uint64_t StepLengthSearch::memory_bytes() const {
-  std::uint64_t bytes = trees_.memory_bytes() + shared_.memory_bytes();
+  std::uint64_t bytes = shared_.memory_bytes();
   for (const NearPipeline& pipeline : pipelines_) bytes += pipeline.memory_bytes();
   return bytes;
 }

@@ -14,18 +14,14 @@
 
 namespace tamis {
 
-/// Keeps its hierarchy, moving boxes and rests, from step to step. Serves every method but `brute`.
 class StepLengthSearch {
  public:
-  /// Keeps references: mesh and options must outlive it.
-  StepLengthSearch(const Mesh& mesh, const Options& options);
+  /// Keeps references.
+  StepLengthSearch(const Mesh& mesh, const Options& options, const Kernels& kernels, FeatureTrees& trees);
 
-  /// Adds stages, seconds (but `total`), counts and `rebuilt` to `statistics`. Neither threads nor instruction set nor
-  /// earlier questions change a bit of the answer (docs/numerics.md, "Step lengths"). REQUIRES: a validated step,
-  /// 0 < fraction < 1. Runs in the caller's oneTBB arena.
+  /// As Engine::find_step_length (docs/numerics.md, "Step lengths").
   SafeStep find(const Step& step, const Separations& separations, double fraction, Statistics& statistics);
-  /// Every pair that is not proven to keep the fraction during the whole step, by kind, then vertices, with the time
-  /// until which it is. Otherwise the same.
+  /// As Engine::find_step_ends.
   void find_all(const Step& step, const Separations& separations, double fraction, std::vector<StepLimit>& ends,
                 Statistics& statistics);
   std::uint64_t memory_bytes() const;
@@ -34,13 +30,13 @@ class StepLengthSearch {
   void begin(const Step& step, const Separations& separations, double fraction, bool lists_all, Statistics& statistics);
   void search(const Sample& sample);
   bool meets_many(const Sample& sample) const;
-  void search_short_steps();
+  void search_short_steps(const Samples& samples);
   void search_sample(PairKind kind, const TreeView& a, const TreeView& b, const Sample& sample);
   StepLimit collect(Statistics& statistics, double seconds);
 
   const Options& options_;
   const Kernels& kernels_;
-  FeatureTrees trees_;
+  FeatureTrees& trees_;
   SharedMotion shared_;
   NearQuestion question_;
   tbb::enumerable_thread_specific<NearPipeline> pipelines_;

@@ -157,7 +157,7 @@ int write_solved(const Crossing<DoubleLanes>& c, unsigned left, unsigned touches
 /// First with one crossing; what that leaves open goes to `rest` and is cut in two.
 template <PairKind kind, Course course = Course::step>
 int solve(const PackedVertex* vertices, const PairBuffer& in, PairBuffer& rest, SolvedPair* out) {
-  std::int32_t pairs[kDoubleLanes], rest_pairs[PairBuffer::kSize] = {};
+  std::int32_t pairs[kDoubleLanes], rest_pairs[PairBuffer::kSize];
   int count = 0;
   rest.count = 0;
   const auto make = [&](int first) {

@@ -11,7 +11,7 @@ namespace tamis {
 class Forecast {
  public:
   /// Time is found by so many vertices.
-  static constexpr std::size_t kSample = 512;
+  static constexpr std::size_t kSample = 64;
 
   /// How a step goes along the way that was foreseen.
   struct Fit {

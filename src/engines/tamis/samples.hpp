@@ -30,7 +30,7 @@ class Samples {
   const Sample* end() const { return begin() + count_; }
 
  private:
-  static constexpr int kMost = 7, kFewest = 8;
+  static constexpr int kMost = 7, kFewest = 2;
 
   void add(const Sample& sample) { samples_[static_cast<std::size_t>(count_++)] = sample; }
 

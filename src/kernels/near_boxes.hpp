@@ -54,24 +54,32 @@ class NearBoxes {
     __builtin_memcpy(bounds.at[kHigh + kRest], rests.high1, sizeof(rests.high1));
   }
 
-  /// `a(k)`, `b(k)`: bound k of the boxes in lanes. Small motions leave few pairs to the second test.
+  /// `a(k)`, `b(k)`: bound k of the boxes in lanes.
   template <class A, class B>
   [[gnu::always_inline]] auto meet(const A& a, const B& b) const {
     const FloatLanes zero(0.0f);
-    FloatLanes gap2(0.0f), way2(0.0f), far2(0.0f);
+    FloatLanes gap2(0.0f), way2(0.0f), far2(0.0f), first2(0.0f), second2(0.0f);
     for (int axis = 0; axis < 3; ++axis) {
       const int rest = axis + kRest;
-      const auto one = b(axis) - a(kHigh + axis), other = a(axis) - b(kHigh + axis);
       add_square(way2, max(max(b(kHigh + rest) - a(rest), a(kHigh + rest) - b(rest)), zero));
-      add_square(gap2, max(max(one, other), zero));
-      add_square(far2, min(min(one, other), zero));
+      FloatLanes gap(0.0f), far(0.0f), first(0.0f), second(0.0f);
+      Ends::for_each_side(axis, a, b, [&](const auto& at0, const auto& later) {
+        gap = max(gap, at0);
+        far = min(far, at0);
+        const FloatLanes least = min(at0, later);  // halfway is the mean of both
+        first = max(first, at0 + least);
+        second = max(second, least + later);
+      });
+      add_square(gap2, gap);
+      add_square(far2, far);
+      add_square(first2, first);
+      add_square(second2, second);
     }
     const FloatLanes size2 = FloatLanes(reserve_.stretch2) * far2 + way2;
     const FloatLanes reserve2 =
         FloatLanes(reserve_.per_way2) * way2 + FloatLanes(reserve_.per_size2) * size2 + FloatLanes(reserve_.fixed2);
-    const auto is_within_reserve = gap2 <= reserve2;
-    if (bits(is_within_reserve) == 0) return is_within_reserve;
-    return is_within_reserve & come_near(a, b, FloatLanes(kept2_) * min(far2, reserve2) + FloatLanes(kRoom2) * size2);
+    const FloatLanes kept2 = FloatLanes(kept2_) * min(far2, reserve2) + FloatLanes(kRoom2) * size2;
+    return (gap2 <= reserve2) & (FloatLanes(0.25f) * min(first2, second2) <= kept2);
   }
 
   float t_limit() const { return t_limit_; }
@@ -83,23 +91,6 @@ class NearBoxes {
   static constexpr float kShare = 0x1p-4f;
   static constexpr auto kRoom2 =
       static_cast<float>(2 * (1 + 1 / kShare) * error_bounds::kRoomOfBoxes * error_bounds::kRoomOfBoxes);
-
-  /// Are they, in either half of the time, ever as near as kept2 says? Halfway a gap is the mean of both ends.
-  template <class A, class B>
-  [[gnu::always_inline]] static auto come_near(const A& a, const B& b, const FloatLanes& kept2) {
-    FloatLanes first2(0.0f), second2(0.0f);
-    for (int axis = 0; axis < 3; ++axis) {
-      FloatLanes first(0.0f), second(0.0f);
-      Ends::for_each_side(axis, a, b, [&](const auto& at0, const auto& later) {
-        const FloatLanes least = min(at0, later);
-        first = max(first, at0 + least);
-        second = max(second, least + later);
-      });
-      add_square(first2, first);
-      add_square(second2, second);
-    }
-    return FloatLanes(0.25f) * min(first2, second2) <= kept2;
-  }
 
   [[gnu::always_inline]] static void add_square(FloatLanes& sum, const FloatLanes& x) { sum = sum + x * x; }
 

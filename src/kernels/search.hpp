@@ -48,9 +48,6 @@ class BlockSearch {
   static constexpr bool kIsSelf = kind == PairKind::edge_edge;
   static constexpr int kCornersA = kIsSelf || course == Course::along_edge ? 2 : 1, kCornersB = kIsSelf ? 2 : 3;
   static constexpr int kMostLeaves = 32, kAhead = 4;
-  /// A leaf none of whose features meets my hull has no rows. Worth asking where one test takes all sixteen: contacts
-  /// take 0.95 of the time with AVX-512, 1.01 with the others; a kept distance, whose test costs more, 1.03.
-  static constexpr bool kSkipsByMyHull = Boxes::kMoves && kFloatLanes == kBlock;
   /// Rows that are looked at first, and the part of them above which the cheap test leaves too many to be asked at all
   /// (docs/performance.md, "On every step").
   static constexpr int kSample = 16;
@@ -119,8 +116,6 @@ class BlockSearch {
     for (int i = 0; i < leaf_count_; ++i) {
       if (i + kAhead < leaf_count_) fetch(leaves_[i + kAhead]);
       boxes_.bound(search_.b, 0, leaves_[i], theirs_[i]);
-      if constexpr (kSkipsByMyHull)
-        if (!others_that_meet_my_hull(theirs_[i])) rows_of_[i] = 0;
     }
     int count = 0;
     for (int i = 0; i < leaf_count_; ++i) append_bits(is_fast_[i] ? 0 : rows_of_[i], kBlock * i, rows_, count);
@@ -173,11 +168,6 @@ class BlockSearch {
   unsigned rows_that_meet(const Bounds& hulls, int lane) const {
     return meet([&](int k, int first) { return mine_.lanes(k, first); },
                 [&](int k, int) { return FloatLanes(hulls.at[k][lane]); });
-  }
-
-  unsigned others_that_meet_my_hull(const Bounds& theirs) const {
-    return meet([&](int k, int) { return FloatLanes(my_hull_[k]); },
-                [&](int k, int first) { return theirs.lanes(k, first); });
   }
 
   /// Bits of a block's features that may meet one of mine and are no neighbours. `row`: place in leaves_, my lane.

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "bounds/shared_motion.hpp"
+#include "numerics/assert.hpp"
 
 namespace tamis {
 namespace {
@@ -63,6 +64,8 @@ Vec3<double> BoxFrame::displacement(const Step& step, Index vertex) const {
 }
 
 void PackedMotion::assign(const Step& step, std::span<const Index> used, const Separations& kept_apart) {
+  TAMIS_ASSERT(step.start.count() == step.end.count());
+  TAMIS_ASSERT(kept_apart.radii.empty() || kept_apart.radii.size() == static_cast<std::size_t>(step.start.count()));
   separations = kept_apart;
   frame = frame_of(step, used, separations.fixed);
   const auto count = static_cast<std::size_t>(step.start.count());
@@ -85,6 +88,7 @@ void PackedMotion::assign(const Step& step, std::span<const Index> used, const S
 }
 
 void PackedMotion::assign_residuals(const Step& step, const SharedMotion& shared) {
+  TAMIS_ASSERT(static_cast<std::size_t>(step.start.count()) == vertices.size());
   residuals.resize(vertices.size());
   shared.for_each_rest(step, frame, [&](Index v, const Vec3<double>& rest) {
     residuals[static_cast<std::size_t>(v)] = {

@@ -16,8 +16,8 @@ class Engine {
   /// Adds to `found` what its step and question ask for: for `all_contacts` every contact, once; for `earliest` at
   /// least every contact that may be the first; for `is_free` at least one if there is any. A pair that `found` does
   /// not want need not be decided. Adds stages, seconds (but `total`), counts and `rebuilt` to `statistics`. REQUIRES:
-  /// a validated step. Runs in the caller's oneTBB arena. After an exception (of the caller's filter, or for want of
-  /// memory) the engine can be asked again.
+  /// positions of the mesh's vertices. REQUIRES (not checked: O(n)): a validated step. Runs in the caller's oneTBB
+  /// arena. After an exception (of the caller's filter, or for want of memory) the engine can be asked again.
   virtual void find(FoundContacts& found, Statistics& statistics) = 0;
 
   /// The same engine for questions about a mesh at rest; null if this method leaves them to `tamis`.

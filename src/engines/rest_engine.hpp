@@ -22,7 +22,8 @@ class RestEngine {
   virtual ~RestEngine() = default;
 
   /// Every pair within its separation, by kind, then vertices. Adds stages, seconds (but `total`), counts and `rebuilt`
-  /// to `statistics`. REQUIRES: validated positions. Runs in the caller's oneTBB arena.
+  /// to `statistics`. REQUIRES: positions of the mesh's vertices. REQUIRES (not checked: O(n)): validated positions.
+  /// Runs in the caller's oneTBB arena.
   virtual void find_near(const Positions& positions, const Separations& separations, std::vector<NearPair>& pairs,
                          Statistics& statistics) = 0;
 

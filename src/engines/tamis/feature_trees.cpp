@@ -3,6 +3,7 @@
 #include "bvh/order_axes.hpp"
 #include "engines/cancellation.hpp"
 #include "engines/stopwatch.hpp"
+#include "numerics/assert.hpp"
 
 namespace tamis {
 namespace {
@@ -28,15 +29,31 @@ FeatureTrees::FeatureTrees(const Mesh& mesh, const Options& options, const Kerne
 
 void FeatureTrees::update(const Step& step, const Separations& separations, Statistics& statistics) {
   Stopwatch watch;
-  motion_.assign(step, mesh_.points(), separations);
+  assign(step, separations);
   statistics.seconds.bounds = watch.lap();
   update_trees(statistics);
+  boxed_ = step;
   statistics.seconds.build = watch.lap();
 }
 
-void FeatureTrees::look_at(const Step& step, const Separations& separations) {
+void FeatureTrees::assign(const Step& step, const Separations& separations) {
+  TAMIS_ASSERT(step.start.count() == mesh_.vertex_count() && step.end.count() == mesh_.vertex_count());
+  boxed_ = {};
   motion_.assign(step, mesh_.points(), separations);
+}
+
+bool FeatureTrees::are_of(const Step& step) const {
+  const auto are_same = [](const Positions& a, const Positions& b) {
+    return a.data() == b.data() && a.count() == b.count() && a.stride() == b.stride();
+  };
+  return are_same(boxed_.start, step.start) && are_same(boxed_.end, step.end);
+}
+
+void FeatureTrees::look_at(const Step& step, const Separations& separations) {
+  TAMIS_ASSERT(points_.is_built());
+  assign(step, separations);
   refit_trees();
+  boxed_ = step;
 }
 
 void FeatureTrees::refit_trees() {
@@ -47,8 +64,9 @@ void FeatureTrees::refit_trees() {
 }
 
 void FeatureTrees::move_vertices(const Step& step, const Separations& separations, Statistics& statistics) {
+  TAMIS_ASSERT(points_.is_built());
   const Stopwatch watch;
-  motion_.assign(step, mesh_.points(), separations);
+  assign(step, separations);
   statistics.seconds.bounds += watch.seconds();
 }
 
@@ -73,6 +91,7 @@ void FeatureTrees::update_trees(Statistics& statistics) {
 }
 
 void FeatureTrees::fit_residuals(const Step& step, const SharedMotion& shared) {
+  TAMIS_ASSERT(are_of(step));
   motion_.assign_residuals(step, shared);
   for (BlockTree* tree : {&points_, &edges_, &faces_, &loose_points_, &loose_edges_}) {
     stop_if_cancelled(options_);

@@ -21,8 +21,9 @@ class StepLengthSearch {
   StepLengthSearch(const Mesh& mesh, const Options& options);
 
   /// Adds stages, seconds (but `total`), counts and `rebuilt` to `statistics`. Neither threads nor instruction set nor
-  /// earlier questions change a bit of the answer (docs/numerics.md, "Step lengths"). REQUIRES: a validated step,
-  /// 0 < fraction < 1. Runs in the caller's oneTBB arena.
+  /// earlier questions change a bit of the answer (docs/numerics.md, "Step lengths"). REQUIRES: positions of
+  /// the mesh's vertices, 0 < fraction < 1. REQUIRES (not checked: O(n)): a validated step. Runs in the caller's oneTBB
+  /// arena.
   SafeStep find(const Step& step, const Separations& separations, double fraction, Statistics& statistics);
   /// Every pair that is not proven to keep the fraction during the whole step, by kind, then vertices, with the time
   /// until which it is. Otherwise the same.

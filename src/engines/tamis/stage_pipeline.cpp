@@ -64,6 +64,12 @@ void PipelineCounts::report(Statistics& statistics, double wall, bool has_filter
 }
 
 struct StagePipeline::Buffers {
+  /// For what becomes of the filtered pairs.
+  SolvedPair* room_for_solved() {
+    TAMIS_ASSERT(static_cast<std::size_t>(filtered.count) <= std::size(solved));
+    return solved;
+  }
+
   PairBuffer boxes, slab, filtered;
   SolvedPair solved[PairBuffer::kCapacity];
   std::unique_ptr<WithinScratch> within;  ///< made where it is used
@@ -191,7 +197,8 @@ void StagePipeline::decide_within_separation(PairKind kind) {
   if (!within) within = std::make_unique<WithinScratch>();
   const WithinRule rule{motion_.pair_separation(), found_.latest()};
   const auto come_within = kernels_.come_within[static_cast<std::size_t>(kind)];
-  add_solved(kind, filtered, come_within(motion_.vertices.data(), rule, filtered, *within, solved));
+  add_solved(kind, filtered,
+             come_within(motion_.vertices.data(), rule, filtered, *within, buffers_->room_for_solved()));
   counts_.solving += watch_.lap();
 }
 
@@ -214,13 +221,13 @@ void StagePipeline::leave_out_unwanted(PairKind kind) {
 void StagePipeline::solve(PairKind kind) {
   const PairBuffer& pairs = buffers_->filtered;
   const int count = kernels_of(kernels_, kind, edges_of_ != nullptr)
-                        .solve(motion_.vertices.data(), pairs, buffers_->slab, buffers_->solved);
+                        .solve(motion_.vertices.data(), pairs, buffers_->slab, buffers_->room_for_solved());
   add_solved(kind, pairs, count);
 }
 
 void StagePipeline::add_solved(PairKind kind, const PairBuffer& pairs, int count) {
   int undecided = 0;
-  TAMIS_ASSERT(0 <= count && count <= pairs.count && pairs.count <= static_cast<int>(std::size(buffers_->solved)));
+  TAMIS_ASSERT(0 <= count && count <= pairs.count);
   for (int i = 0; i < count; ++i) {
     const SolvedPair& s = buffers_->solved[i];
     if (!s.is_decided || !is_sharp(s.toi_lower, s.toi_upper)) {

@@ -5,7 +5,9 @@
 #include <limits>
 
 #include "motion/pair_motion.hpp"
+#include "numerics/assert.hpp"
 #include "numerics/axes.hpp"
+#include "numerics/scale.hpp"
 
 namespace tamis {
 
@@ -15,8 +17,9 @@ struct KDop {
   std::array<float, axes> lower, upper;
 
   /// Around a moving point, blown up by a Euclidean distance of `padding`, relative to `origin`.
-  /// REQUIRES: coordinates in [-1,1].
+  /// REQUIRES: coordinates of MovingPoints, which floats can hold.
   static KDop around(const Moving<double>& point, const Vec3<double>& origin, double padding) {
+    TAMIS_ASSERT(largest(point) < kLargestScaled);
     const Vec3<double> p0 = point.at0 - origin, p1 = point.at1 - origin;
     const double size = std::max(norm1(p0), norm1(p1)) + padding;
     // Subtracting the origin and projecting round by less than 8 * 2^-53 size, the way to float by 2^-24 size, and

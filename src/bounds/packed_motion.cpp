@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "bounds/shared_motion.hpp"
+#include "numerics/assert.hpp"
 
 namespace tamis {
 namespace {
@@ -75,6 +76,8 @@ Vec3<double> BoxFrame::displacement(const Step& step, Index vertex) const {
 }
 
 bool PackedMotion::assign(const Step& step, std::span<const Index> used, const Separations& kept_apart) {
+  TAMIS_ASSERT(step.start.count() == step.end.count());
+  TAMIS_ASSERT(kept_apart.radii.empty() || kept_apart.radii.size() == static_cast<std::size_t>(step.start.count()));
   const bool is_first = vertices.empty();
   const double last_separation = std::exchange(separations, kept_apart).fixed;
   Difference difference;
@@ -104,6 +107,7 @@ bool PackedMotion::assign(const Step& step, std::span<const Index> used, const S
 }
 
 void PackedMotion::assign_residuals(const Step& step, const SharedMotion& shared) {
+  TAMIS_ASSERT(static_cast<std::size_t>(step.start.count()) == vertices.size());
   residuals.resize(vertices.size());
   shared.for_each_rest(step, frame, [&](Index v, const Vec3<double>& rest) {
     residuals[static_cast<std::size_t>(v)] = {

@@ -72,9 +72,11 @@ struct PackedMotion {
   BoxFrame frame;
   Separations separations;
 
-  /// Vertices outside `used` are left as they are; so are residuals. False: everything is, to the bit.
+  /// Vertices outside `used` are left as they are; so are residuals. False: everything is, to the bit. REQUIRES: as
+  /// many positions at both ends, and as many radii or none. REQUIRES (not checked: O(n)): a validated step.
   bool assign(const Step& step, std::span<const Index> used, const Separations& separations);
-  /// Residuals, for the step assigned last, to which the motion has been fitted.
+  /// Residuals. REQUIRES: as many positions as the step assigned last. REQUIRES (not checked: history): that very step,
+  /// to which the motion has been fitted.
   void assign_residuals(const Step& step, const SharedMotion& shared);
   /// What the kernels need of the separations.
   PairSeparation pair_separation() const { return {separations.fixed, !separations.radii.empty()}; }

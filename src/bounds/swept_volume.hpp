@@ -1,5 +1,5 @@
 // What the paper's hierarchy asks of a bounding volume V of moving features, over the whole step:
-//   V::around(points, origin, padding)  bounds moving points, blown up by a Euclidean distance; coordinates in [-1,1]
+//   V::around(points, origin, padding)  bounds coordinates of MovingPoints, blown up by a Euclidean distance
 //   merge(a, b)                         bounds what either bounds
 //   overlap(a, b)                       false only if the two provably share no point, rounding included
 //   extent()                            a length: what the cost of a tree is measured by

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "numerics/assert.hpp"
+
 namespace tamis {
 namespace {
 
@@ -39,6 +41,7 @@ void BlockTree::set_groups(std::span<const Index> group_of_vertex, std::span<con
 }
 
 void BlockTree::build(const PackedMotion& motion, int axes, const TreeKernels& kernels, const Pause& pause) {
+  is_built_ = false;
   levels_.clear();
   residuals_.clear();
   for (std::size_t blocks = blocks_for(static_cast<std::size_t>(feature_count()));; blocks = blocks_for(blocks)) {
@@ -48,6 +51,7 @@ void BlockTree::build(const PackedMotion& motion, int axes, const TreeKernels& k
   corner_blocks_.resize(levels_[0].size());
   choose_order(motion, axes, kernels.split, pause);
   if (groups_.may_touch) group_blocks();
+  is_built_ = true;
   refit(motion, kernels);
 }
 
@@ -102,10 +106,12 @@ void BlockTree::choose_order(const PackedMotion& motion, int axes, Split split, 
 }
 
 void BlockTree::refit(const PackedMotion& motion, const TreeKernels& kernels) {
+  TAMIS_ASSERT(is_built_);
   fill(levels_, motion.box_vertices, {motion.frame.margin, 0}, kernels.bound_leaf);
 }
 
 void BlockTree::refit_residuals(const PackedMotion& motion, const TreeKernels& kernels) {
+  TAMIS_ASSERT(is_built_ && motion.residuals.size() == motion.box_vertices.size());
   if (residuals_.size() != levels_.size()) {
     residuals_.clear();
     for (const auto& level : levels_) residuals_.push_back(empty_blocks(level.size()));

@@ -70,9 +70,10 @@ class BlockTree {
   /// be built.
   void build(
       const PackedMotion& motion, int axes, const TreeKernels& kernels, const Pause& pause = [] {});
-  /// New boxes in the old order.
+  bool is_built() const { return is_built_; }
+  /// New boxes in the old order. REQUIRES: is_built(); REQUIRES (not checked: O(n)): positions of all vertices.
   void refit(const PackedMotion& motion, const TreeKernels& kernels);
-  /// Boxes of `motion`'s residuals.
+  /// Boxes of `motion`'s residuals. REQUIRES: as above, and a residual for each vertex.
   void refit_residuals(const PackedMotion& motion, const TreeKernels& kernels);
 
   Index feature_count() const { return static_cast<Index>(vertices_.size() / static_cast<std::size_t>(corners_)); }
@@ -91,6 +92,7 @@ class BlockTree {
   void fill(Levels& levels, const std::vector<BoxVertex>& vertices, const BoxMargins& margins,
             BoundLeaf bound_leaf) const;
 
+  bool is_built_ = false;
   int corners_ = 1;
   std::span<const Index> vertices_;
   std::vector<CornerBlock> corner_blocks_;

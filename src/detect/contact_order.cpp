@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "engines/found_contacts.hpp"
+#include "numerics/assert.hpp"
 
 namespace tamis {
 namespace {
@@ -58,6 +59,7 @@ void ContactSorter::fill_buckets(const std::vector<Contact>& contacts, Index ver
                  [&](std::size_t i) { kinds = std::max(kinds, static_cast<std::size_t>(contacts[i].kind) + 1); });
   const auto buckets = kinds * static_cast<std::size_t>(vertex_count);
   const auto bucket_of = [&](const Contact& c) {
+    TAMIS_ASSERT(0 <= c.vertices[0] && c.vertices[0] < vertex_count);
     return static_cast<std::size_t>(c.kind) * static_cast<std::size_t>(vertex_count) +
            static_cast<std::size_t>(c.vertices[0]);
   };

@@ -8,6 +8,7 @@
 #include "narrow/decide.hpp"
 #include "narrow/pair_input.hpp"
 #include "narrow/separation.hpp"
+#include "numerics/assert.hpp"
 #include "numerics/finite.hpp"
 
 namespace tamis {
@@ -43,7 +44,7 @@ class PartDecision {
   bool run() {
     for (std::size_t i = 0; i < part_.pairs.size(); ++i) {
       const PairKind kind = part_.pairs[i].kind;
-      if (static_cast<std::size_t>(kind) >= kPairKinds) return false;
+      if (!is_kind(kind)) return false;
       if (!with_kind(kind, [&](auto k) { return add<k()>(static_cast<std::int32_t>(i)); })) return false;
     }
     for (std::size_t kind = 0; kind < kPairKinds; ++kind)
@@ -71,10 +72,12 @@ class PartDecision {
 
   bool decide_batch(PairKind kind) {
     Batch& batch = *batches_[static_cast<std::size_t>(kind)];
+    TAMIS_ASSERT(batch.pairs.count <= Batch::kMost);
     const auto& [start, end] = part_.step;
     const StepRows vertices{start.data(), end.data(), start.stride(), end.stride()};
     const int open = part_.kernels.settle[static_cast<std::size_t>(kind)](
         {vertices, batch.places, part_.options, within(kind)}, batch.pairs, batch.rest, results_, batch.open);
+    TAMIS_ASSERT(0 <= open && open <= batch.pairs.count);
     batch.pairs.count = 0;
     return std::all_of(batch.open, batch.open + open, [&](std::int32_t place) { return decide_open(kind, place); });
   }
@@ -104,6 +107,9 @@ class PartDecision {
 
 }  // namespace
 
-bool decide_part_of_list(const ListPart& part, PairResult* results) { return PartDecision(part, results).run(); }
+bool decide_part_of_list(const ListPart& part, std::span<PairResult> results) {
+  TAMIS_ASSERT(part.step.start.count() == part.step.end.count() && results.size() == part.pairs.size());
+  return PartDecision(part, results.data()).run();
+}
 
 }  // namespace tamis

@@ -18,7 +18,7 @@ struct ListPart {
 
 /// results[i]: what pairs[i] does. False if some pair is not legal: its kind is none, a vertex no row of the step, a
 /// coordinate not finite; the results then have no meaning. Throws Cancelled. REQUIRES: as many positions at both ends
-/// of the step.
-bool decide_part_of_list(const ListPart& part, PairResult* results);
+/// of the step, as many results as pairs.
+bool decide_part_of_list(const ListPart& part, std::span<PairResult> results);
 
 }  // namespace tamis

@@ -37,7 +37,7 @@ void validate(std::span<const Pair> pairs, const Step& step, std::span<PairResul
 }
 
 void validate(PairKind kind, std::span<const Point> start, std::span<const Point> end, std::span<PairResult> results) {
-  if (static_cast<std::size_t>(kind) >= kPairKinds) throw InvalidStep(no_such_kind(kind));
+  if (!is_kind(kind)) throw InvalidStep(no_such_kind(kind));
   const std::size_t needed = vertex_count(kind) * results.size();
   if (start.size() == needed && end.size() == needed) return;
   throw InvalidStep(std::to_string(results.size()) + " pairs of kind " + std::string(name_of(kind)) + " have " +
@@ -60,7 +60,7 @@ bool decide_in_parts(std::span<PairResult> results, const PairListOptions& optio
       stop_if_cancelled(options);
       const auto mine = pairs_of(part.begin(), part.end());
       if (!decide_part_of_list({mine.pairs, mine.step, rule, chosen, options.is_cancelled},
-                               results.data() + part.begin()))
+                               results.subspan(part.begin(), part.size())))
         is_legal = false;
     };
     tbb::parallel_for(all, decide_part, tbb::simple_partitioner());

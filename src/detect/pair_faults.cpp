@@ -11,7 +11,7 @@ std::string no_such_kind(PairKind kind) {
 }
 
 std::string fault_of(const Pair& pair, const Step& step) {
-  if (static_cast<std::size_t>(pair.kind) >= kPairKinds) return no_such_kind(pair.kind);
+  if (!is_kind(pair.kind)) return no_such_kind(pair.kind);
   for (std::size_t i = 0; i < vertex_count(pair.kind); ++i) {
     const Index v = pair.vertices[i];
     if (v < 0 || v >= step.start.count())

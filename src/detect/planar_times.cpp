@@ -41,6 +41,7 @@ PairPoints at_rest_at(const PairPoints& points, double time) {
 
 std::array<double, 4> planar_times(const NearPair& there, const PairPoints& points, const KeptFractions& fractions,
                                    double separation, double time) {
+  TAMIS_ASSERT(is_kind(there.kind) && is_finite(points) && 0 <= time && time <= 1);
   const PairPoints at = at_rest_at(points, time);
   const Point n{-there.direction[0], -there.direction[1], -there.direction[2]};  // from the first to the second
   const std::size_t second = second_feature(there.kind), count = vertex_count(there.kind);

@@ -5,6 +5,7 @@
 #include <array>
 
 #include "motion/make_motion.hpp"
+#include "numerics/assert.hpp"
 #include "tamis/near.hpp"
 
 namespace tamis {
@@ -12,7 +13,10 @@ namespace tamis {
 /// By what a step is truncated: every pair keeps `fraction` of its distance, and while all go at one pace a little
 /// more, `together`: what lies between both is for vertices that go on alone.
 struct KeptFractions {
-  explicit KeptFractions(double kept) : fraction(kept), together(std::min(1.25 * kept, kept + 0.25 * (1 - kept))) {}
+  /// REQUIRES: 0 < kept < 1.
+  explicit KeptFractions(double kept) : fraction(kept), together(std::min(1.25 * kept, kept + 0.25 * (1 - kept))) {
+    TAMIS_ASSERT(0 < kept && kept < 1);
+  }
 
   /// What is kept of the distance that a pair had at t=0, where all have come to at one pace by that time.
   double at(double time) const { return time > 0 ? together : 1; }
@@ -27,7 +31,7 @@ PairPoints at_rest_at(const PairPoints& points, double time);
 
 /// Of each vertex of the pair the last time, from `time` to 1, at which it is on its side. `there`: the pair at `time`,
 /// until which all go at one pace. What starts within the separation keeps all of its distance. REQUIRES: finite
-/// coordinates.
+/// coordinates, 0 <= time <= 1.
 std::array<double, 4> planar_times(const NearPair& there, const PairPoints& points, const KeptFractions& fractions,
                                    double separation, double time);
 

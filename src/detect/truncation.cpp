@@ -6,6 +6,7 @@
 #include "engines/pair_rules.hpp"
 #include "exact/start_distance.hpp"
 #include "narrow/near_pair.hpp"
+#include "numerics/assert.hpp"
 #include "topology/mean_edge.hpp"
 
 namespace tamis {
@@ -32,6 +33,8 @@ double length_of_way(const Step& step, Index v) {
 Truncation::Truncation(const Mesh& mesh, const Step& step, const Separations& separations,
                        const KeptFractions& fractions, double together)
     : mesh_(mesh), step_(step), separations_(separations), fractions_(fractions) {
+  TAMIS_ASSERT(step.start.count() == mesh.vertex_count() && step.end.count() == mesh.vertex_count());
+  TAMIS_ASSERT(0 <= together && together <= 1);
   begin(together);
 }
 
@@ -116,6 +119,7 @@ void Truncation::stop_at_planes(const StepLimit& pair, const std::vector<double>
 }
 
 bool Truncation::is_broken(const StepLimit& pair) {
+  TAMIS_ASSERT(0 <= pair.time && pair.time < 1);
   if (pair.time > 0 || !starts_within(pair)) return true;
   to_.is_free = false;
   if (!moves(pair)) return false;

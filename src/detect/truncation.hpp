@@ -14,8 +14,8 @@ namespace tamis {
 
 class Truncation {
  public:
-  /// Until `together` it is proven that every pair keeps fractions.together. Keeps references. REQUIRES: a validated
-  /// step.
+  /// Until `together` it is proven that every pair keeps fractions.together. Keeps references. REQUIRES: as many
+  /// positions as the mesh has vertices, 0 <= together <= 1. REQUIRES (not checked: O(n)): a validated step.
   Truncation(const Mesh& mesh, const Step& step, const Separations& separations, const KeptFractions& fractions,
              double together);
 
@@ -38,7 +38,8 @@ class Truncation {
   void begin_apart();
   void place(Index vertex);
   void stop(Index vertex, double time);
-  /// Is it to go less far? REQUIRES: one of the pairs that were asked for.
+  /// Is it to go less far? REQUIRES: a time in [0,1). REQUIRES (not checked: history): one of the pairs that were asked
+  /// for.
   bool is_broken(const StepLimit& pair);
   bool starts_within(const StepLimit& pair) const;
   bool moves(const StepLimit& pair) const;

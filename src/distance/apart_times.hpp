@@ -6,6 +6,7 @@
 
 #include "distance/difference_corners.hpp"
 #include "distance/distance_along.hpp"
+#include "numerics/assert.hpp"
 #include "numerics/error_bounds.hpp"
 
 namespace tamis {
@@ -37,12 +38,14 @@ inline T first_root(const T& c0, const T& c1, const T& c2) {
   return select(c0 > zero, select((discriminant < zero) | (divisor <= zero), never, first), zero);
 }
 
-/// REQUIRES: `m` is the motion of the whole step, its sizes are finite.
+/// REQUIRES: `m` is the motion of the whole step, finite.
 template <PairKind kind, class T>
 class AxisClip {
  public:
   explicit AxisClip(const PairMotion<T>& m)
-      : corners_(difference_corners<kind>(m)), separation_(m.separation), size_(m.size_d + m.size_e + m.size_f) {}
+      : corners_(difference_corners<kind>(m)), separation_(m.separation), size_(m.size_d + m.size_e + m.size_f) {
+    TAMIS_ASSERT(is_whole(m));
+  }
 
   /// From `now` until the time that is returned, proven, all corners lie beyond the separation along the axis; no later
   /// than `now` if not even then.

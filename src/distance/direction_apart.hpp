@@ -4,6 +4,7 @@
 #pragma once
 #include "distance/near_facts.hpp"
 #include "distance/rest_distance.hpp"
+#include "numerics/assert.hpp"
 
 namespace tamis {
 
@@ -17,6 +18,7 @@ struct DirectionApart {
 /// REQUIRES: `m` is the motion of the whole step, `time` in [0,1].
 template <PairKind kind, class T>
 inline DirectionApart<T> direction_apart(const PairMotion<T>& m, const T& time) {
+  TAMIS_ASSERT(is_whole(m) && !any(!((time >= T(0)) & (time <= T(1)))));
   // Where the corners of the difference are at least c g along a unit vector, g the length of the gap, the gap is no
   // more than acos(c) off it: below sqrt(2 (1 - c)), and g is off by kGap, which is small beside what `low` lost.
   constexpr double kSharp = 1 - 0x1p-20;

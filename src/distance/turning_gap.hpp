@@ -7,6 +7,7 @@
 #include "distance/nearly_closest.hpp"
 #include "filters/filter.hpp"
 #include "motion/time_clip.hpp"
+#include "numerics/assert.hpp"
 
 namespace tamis {
 
@@ -22,8 +23,8 @@ class TurningGap {
     Vec3<T> along;
   };
 
-  /// REQUIRES: `m` outlives it, and is not restricted.
-  explicit TurningGap(const PairMotion<T>& m) : m_(m) {}
+  /// Keeps a reference. REQUIRES: `m` is the motion of the whole step, finite.
+  explicit TurningGap(const PairMotion<T>& m) : m_(m) { TAMIS_ASSERT(is_whole(m)); }
 
   Vec3<T> gap(const T& t) const {
     return NearlyClosest::gap<kind>(at_time(m_.e, t), at_time(m_.f, t), at_time(m_.d, t));

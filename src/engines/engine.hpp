@@ -17,9 +17,10 @@ inline bool comes_first(const Intersection& a, const Intersection& b) {
 }
 
 /// One per detector; keeps its hierarchy and its buffers from question to question. Every question adds stages, seconds
-/// (but `total`), counts and `rebuilt` to `statistics`, REQUIRES what is validated, and runs in the caller's oneTBB
-/// arena. After an exception (of the caller's filter, of a cancellation, or for want of memory) the engine can be asked
-/// again. Neither threads nor instruction set nor earlier questions change a bit of an answer.
+/// (but `total`), counts and `rebuilt` to `statistics`, and runs in the caller's oneTBB arena. After an exception (of
+/// the caller's filter, of a cancellation, or for want of memory) the engine can be asked again. Neither threads nor
+/// instruction set nor earlier questions change a bit of an answer. REQUIRES: positions of the mesh's vertices.
+/// REQUIRES (not checked: O(n)): that they are validated.
 class Engine {
  public:
   virtual ~Engine() = default;

@@ -4,6 +4,7 @@
 #include <tuple>
 
 #include "engines/cancellation.hpp"
+#include "motion/time_clip.hpp"
 #include "narrow/decide.hpp"
 #include "numerics/assert.hpp"
 
@@ -58,6 +59,7 @@ void FoundContacts::count_candidates(int count) {
 }
 
 void FoundContacts::add(const Contact& contact) {
+  TAMIS_ASSERT(is_kind(contact.kind) && is_part_of_step(TimeInterval<double>{contact.toi_lower, contact.toi_upper}));
   if (question_ == Question::is_free) {
     if (contacts_.empty()) contacts_.push_back(contact);
     shared_->is_settled.store(true, std::memory_order_relaxed);

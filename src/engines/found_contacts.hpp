@@ -35,6 +35,7 @@ class FoundContacts {
   void begin_candidates(const Step& step, const Separations& separations, double stray, std::int64_t most);
   /// The question that `answer` has begun with, and what it knows: for a thread that looks for a part of it.
   void begin_part_of(const FoundContacts& answer);
+  /// REQUIRES: a kind there is, times in [0,1] and in order.
   void add(const Contact& contact);
   /// Can this pair still change the answer? Cheap, to be asked before a pair is decided: a pair that touches at t=0
   /// makes all that come behind it in the order of contacts irrelevant, and any contact ends the question is_free.

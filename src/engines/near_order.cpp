@@ -7,6 +7,8 @@
 #include <span>
 #include <utility>
 
+#include "numerics/assert.hpp"
+
 namespace tamis {
 namespace {
 
@@ -16,9 +18,11 @@ constexpr std::size_t kPairsACounter = 4;
 /// With fewer pairs the counters would be most of the work.
 constexpr std::size_t kVerticesAPair = 8;
 
-/// The first is of -1, which stands for no vertex: it wraps around.
-std::size_t bucket_of(const PairVertices& pair, std::size_t corner) {
-  return static_cast<std::size_t>(pair[corner]) + 1;
+/// The first is of -1, which stands for no vertex: it wraps around. REQUIRES: a vertex of the mesh, or -1.
+std::size_t bucket_of(const PairVertices& pair, std::size_t corner, [[maybe_unused]] std::size_t buckets) {
+  const std::size_t bucket = static_cast<std::size_t>(pair[corner]) + 1;
+  TAMIS_ASSERT(bucket < buckets);
+  return bucket;
 }
 
 /// What differs in the last vertex alone.
@@ -57,7 +61,8 @@ void NearOrder::sort_by(std::size_t corner, std::vector<PairVertices>& pairs, st
   const auto for_each_part = [&](const auto& f) {
     tbb::parallel_for(std::size_t{0}, parts, [&](std::size_t part) {
       const std::size_t first = pairs.size() * part / parts, last = pairs.size() * (part + 1) / parts;
-      for (std::size_t i = first; i < last; ++i) f(pairs[i], places_[part * buckets + bucket_of(pairs[i], corner)]);
+      for (std::size_t i = first; i < last; ++i)
+        f(pairs[i], places_[part * buckets + bucket_of(pairs[i], corner, buckets)]);
     });
   };
   places_.assign(parts * buckets, 0);

@@ -6,6 +6,7 @@
 #include "engines/isolated.hpp"
 #include "motion/make_motion.hpp"
 #include "motion/pair_kinds.hpp"
+#include "numerics/assert.hpp"
 #include "tamis/options.hpp"
 #include "topology/loose_features.hpp"
 
@@ -31,10 +32,14 @@ inline PairVertices in_contact_order(PairKind kind, PairVertices v) {
 /// Does the filter know groups at all?
 inline bool has_groups(const PairFilter& filter) { return !filter.groups_may_touch.empty(); }
 
-/// May the groups of two vertices? REQUIRES: has_groups.
+/// May the groups of two vertices? REQUIRES: has_groups; vertices that have a group, groups that there are.
 inline bool may_touch(const PairFilter& filter, Index a, Index b) {
+  TAMIS_ASSERT(has_groups(filter));
   const auto group = [&](Index v) {
-    return static_cast<std::size_t>(filter.group_of_vertex[static_cast<std::size_t>(v)]);
+    TAMIS_ASSERT(static_cast<std::size_t>(v) < filter.group_of_vertex.size());
+    const Index g = filter.group_of_vertex[static_cast<std::size_t>(v)];
+    TAMIS_ASSERT(0 <= g && g < filter.group_count);
+    return static_cast<std::size_t>(g);
   };
   return filter.groups_may_touch[group(a) * static_cast<std::size_t>(filter.group_count) + group(b)] != 0;
 }
@@ -66,10 +71,11 @@ void for_each_pair(const Mesh& mesh, const PairFilter& filter, const F& f) {
   }
 }
 
-/// Where the vertices are; zero where there is none.
+/// Where the vertices are; zero where there is none. REQUIRES: vertices of the step.
 inline PairPoints points_of(const Step& step, const PairVertices& vertices) {
   PairPoints points{};
   for (std::size_t i = 0; i < 4 && vertices[i] >= 0; ++i) {
+    TAMIS_ASSERT(vertices[i] < step.start.count() && vertices[i] < step.end.count());
     std::copy_n(step.start[vertices[i]], 3, points.start[i].begin());
     std::copy_n(step.end[vertices[i]], 3, points.end[i].begin());
   }

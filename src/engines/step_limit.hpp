@@ -5,6 +5,7 @@
 #include "engines/pair_rules.hpp"
 #include "motion/separations.hpp"
 #include "narrow/kept_distance.hpp"
+#include "numerics/assert.hpp"
 #include "tamis/contact.hpp"
 
 namespace tamis {
@@ -16,6 +17,7 @@ struct StepLimit {
 
   /// Of equal times the first in the order of contacts stays.
   void add(const StepLimit& other) {
+    TAMIS_ASSERT(0 <= other.time && other.time <= 1);
     if (other.time < 1 && other.key() < key()) *this = other;
   }
 

@@ -5,6 +5,7 @@
 
 #include "exact/approximate_polynomial.hpp"
 #include "exact/odds_polynomial.hpp"
+#include "numerics/assert.hpp"
 
 namespace tamis {
 namespace {
@@ -20,7 +21,9 @@ AlgebraicTime::AlgebraicTime(IntegerPolynomial p, DyadicCell cell) : cell_(std::
 }
 
 AlgebraicTime::AlgebraicTime(IntegerPolynomial p, const OddsBracket& odds, DyadicCell cell)
-    : polynomial_(std::move(p)), sign_before_(odds.sign_before), cell_(std::move(cell)), odds_(odds) {}
+    : polynomial_(std::move(p)), sign_before_(odds.sign_before), cell_(std::move(cell)), odds_(odds) {
+  TAMIS_ASSERT(sign_before_ == 1 || sign_before_ == -1);
+}
 
 AlgebraicTime::AlgebraicTime(IntegerPolynomial p, const OddsBracket& odds)
     : AlgebraicTime(std::move(p), odds.sign_before, odds.lower_time(), odds.upper_time()) {
@@ -29,18 +32,21 @@ AlgebraicTime::AlgebraicTime(IntegerPolynomial p, const OddsBracket& odds)
 
 AlgebraicTime::AlgebraicTime(IntegerPolynomial p, int sign_before, double lower, double upper)
     : polynomial_(std::move(p)), sign_before_(sign_before) {
+  TAMIS_ASSERT(0 <= lower && lower < upper && upper <= 1);
+  TAMIS_ASSERT(sign_before_ != 0 && polynomial_.on(cell_above(lower)).sign_after_zero() == sign_before_);
   narrow_to_doubles(lower, upper);
 }
 
 void AlgebraicTime::take_polynomial(IntegerPolynomial p) {
   polynomial_ = std::move(p);
   sign_before_ = polynomial_.on(cell_).sign_after_zero();
+  TAMIS_ASSERT(sign_before_ != 0);
   ends_.reset();
 }
 
 void AlgebraicTime::halve() {
   DyadicCell right = cell_.right_half();
-  const int side = compare_to(right);
+  const int side = polynomial_.sign_at(right) * sign_before_;  // of this time minus the middle of the cell
   is_exact_ = side == 0;
   cell_ = side < 0 ? cell_.left_half() : std::move(right);
   ends_.reset();

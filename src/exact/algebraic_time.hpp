@@ -11,12 +11,14 @@ class AlgebraicTime {
  public:
   /// The lower end of the cell.
   static AlgebraicTime exactly(DyadicCell time);
-  /// REQUIRES: the cell lies between neighbouring doubles and holds, in its inside, exactly one root of `p`, a simple
-  /// one.
+  /// REQUIRES: `p` has a sign just after the lower end of the cell. REQUIRES (not checked: exact), of all three:
+  /// exactly one root of `p` lies inside of the cell or the open interval, a simple one; the cell lies between
+  /// neighbouring doubles.
   AlgebraicTime(IntegerPolynomial p, DyadicCell cell);
-  /// REQUIRES: the open interval holds exactly one root of `p`, a simple one; just after `lower` it has that sign.
+  /// REQUIRES: 0 <= lower < upper <= 1; a sign, which `p` has just after `lower`.
   AlgebraicTime(IntegerPolynomial p, int sign_before, double lower, double upper);
-  /// REQUIRES: the odds' doubles enclose no other root of `p`; or the cell is that of the odds.
+  /// REQUIRES: the sign before the root. REQUIRES (not checked: exact): the odds' doubles enclose no other root of `p`;
+  /// or the cell is that of the odds.
   AlgebraicTime(IntegerPolynomial p, const OddsBracket& odds);
   AlgebraicTime(IntegerPolynomial p, const OddsBracket& odds, DyadicCell cell);
 
@@ -34,8 +36,6 @@ class AlgebraicTime {
 
   void take_polynomial(IntegerPolynomial p);
   bool is_root_of(const IntegerPolynomial& q);
-  /// This time minus the lower end of the cell `t`. REQUIRES: that is inside of the present cell.
-  int compare_to(const DyadicCell& t) const { return polynomial_.sign_at(t) * sign_before_; }
   void halve();
   /// Makes the cell smaller, quadratically: where a straight line through the values at its ends puts the root, among
   /// 2^refinement_ cells; twice as many bits after a success, half as many after none (Abbott 2006).

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "numerics/assert.hpp"
+
 namespace tamis {
 
 ApproximatePolynomial::ApproximatePolynomial(const IntegerPolynomial& p) : degree_(p.degree()) {
@@ -22,6 +24,7 @@ ApproximatePolynomial ApproximatePolynomial::derivative() const {
 }
 
 ApproximatePolynomial::Value ApproximatePolynomial::near(double t) const {
+  TAMIS_ASSERT(0 <= t && t <= 1);
   if (t < std::numeric_limits<double>::min()) return {};  // the next double is not near
   int time_exponent = 0;
   const double time = std::frexp(t, &time_exponent);

@@ -40,7 +40,7 @@ double middle_double(double a, double b) {
 }
 
 double lower_end(const DyadicCell& cell) {
-  TAMIS_ASSERT(cell.n.sign() >= 0);
+  TAMIS_ASSERT(cell.n.sign() >= 0 && ((Integer(1) << cell.k) - cell.n).sign() >= 0);
   const long spacing = spacing_above(cell);
   const long excess = static_cast<long>(cell.k) - spacing;
   if (excess <= 0) return std::ldexp(cell.n.to_double(), -static_cast<int>(cell.k));

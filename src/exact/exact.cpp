@@ -69,7 +69,7 @@ class MovingPolygonTest {
  private:
   Side side(std::size_t i) const { return {polygon_.corner(i), polygon_.corner(i + 1)}; }
 
-  /// REQUIRES: the origin lies in the polygon's plane at this time.
+  /// REQUIRES (not checked: exact): the origin lies in the polygon's plane at this time.
   bool contains_origin(AlgebraicTime& time) const {
     for (std::size_t k = 0; k < 3; ++k) {
       const Axis axis = kAxes[k];
@@ -110,7 +110,7 @@ class MovingPolygonTest {
 }  // namespace
 
 ExactDecision decide_exactly(PairKind kind, const PairPoints& points, double separation) {
-  TAMIS_ASSERT(separation >= 0 && std::isfinite(separation));
+  TAMIS_ASSERT(separation >= 0 && std::isfinite(separation) && is_finite(points));
   return separation > 0 ? decide_within_exactly(kind, points, separation)
                         : MovingPolygonTest(kind, points).first_contact();
 }

@@ -10,7 +10,10 @@ namespace {
 
 using IntegerVec = Vec3<Integer>;
 
-bool is_smaller(const Fraction& a, const Fraction& b) { return (a.above * b.below - b.above * a.below).sign() < 0; }
+bool is_smaller(const Fraction& a, const Fraction& b) {
+  TAMIS_ASSERT(a.below.sign() > 0 && b.below.sign() > 0);
+  return (a.above * b.below - b.above * a.below).sign() < 0;
+}
 
 /// Of the segment from corner x to corner y.
 NearestPoint nearest_on_side(const IntegerVec& x, const IntegerVec& y, std::size_t number) {
@@ -64,6 +67,7 @@ Weights corner_weights(PairKind kind, std::size_t i) {
 
 /// Of the point from corner i to corner j, at that time.
 IntegerVec at_weight(const IntegerVec& i, const IntegerVec& j, const Fraction& along) {
+  TAMIS_ASSERT(along.below.sign() > 0);
   return along.below * i + along.above * (j - i);
 }
 
@@ -120,6 +124,7 @@ Magnitude Magnitude::of(double a) {
 }
 
 Magnitude Magnitude::root() const {
+  TAMIS_ASSERT(0 <= mantissa && mantissa < 4);
   const bool is_odd = exponent % 2 != 0;
   return {std::sqrt(is_odd ? 2 * mantissa : mantissa), (exponent - (is_odd ? 1 : 0)) / 2};
 }
@@ -154,6 +159,7 @@ NearestPoint nearest_point(const MovingPolygon& polygon) {
 }
 
 ExactDistance exact_distance(PairKind kind, const PairPoints& points, double time) {
+  TAMIS_ASSERT(is_finite(points) && 0 <= time && time <= 1);
   const MovingPolygon moving = difference_polygon(kind, points), polygon = at_rest_at(moving, time);
   const NearestPoint nearest = nearest_point(polygon);
   ExactDistance result = nearest.is_inside ? inside(polygon, moving) : on_side(kind, polygon, moving, nearest);
@@ -163,6 +169,7 @@ ExactDistance exact_distance(PairKind kind, const PairPoints& points, double tim
 }
 
 Vec3<double> exact_normal(PairKind kind, const PairPoints& points, double time) {
+  TAMIS_ASSERT(is_finite(points) && 0 <= time && time <= 1);
   const Vec3<double> normal = unit_vector_of(normal_of(at_rest_at(difference_polygon(kind, points), time)));
   return kind == PairKind::edge_edge ? -normal : normal;  // the polygon's sides are -e and f
 }

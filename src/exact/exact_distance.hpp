@@ -3,11 +3,12 @@
 #include <cmath>
 
 #include "exact/moving_polygon.hpp"
+#include "numerics/assert.hpp"
 #include "numerics/wide_double.hpp"
 
 namespace tamis {
 
-/// REQUIRES of all: below > 0.
+/// REQUIRES, whoever reads its value: below > 0.
 struct Fraction {
   Integer above, below{1};
 };
@@ -19,9 +20,12 @@ struct Magnitude {
 
   static Magnitude of(const Integer& a);
   static Magnitude of(double a);
-  static Magnitude of(const Fraction& a) { return of(a.above) / of(a.below); }
+  static Magnitude of(const Fraction& a) {
+    TAMIS_ASSERT(a.below.sign() > 0);
+    return of(a.above) / of(a.below);
+  }
   Magnitude times_two_to(long power) const { return {mantissa, exponent + power}; }
-  /// REQUIRES: 0 <= `mantissa` < 4 or so, as all the others leave it.
+  /// REQUIRES: 0 <= mantissa < 4, as all the others leave it.
   Magnitude root() const;
   friend Magnitude operator/(const Magnitude& a, const Magnitude& b) {
     return {a.mantissa / b.mantissa, a.exponent - b.exponent};

@@ -1,8 +1,11 @@
 #include "exact/exact_separation.hpp"
 
+#include <cmath>
+
 #include "exact/first_time.hpp"
 #include "exact/moving_polygon.hpp"
 #include "exact/start_distance.hpp"
+#include "numerics/assert.hpp"
 
 namespace tamis {
 namespace {
@@ -77,6 +80,7 @@ class SeparationTest {
 }  // namespace
 
 ExactDecision decide_within_exactly(PairKind kind, const PairPoints& points, double separation) {
+  TAMIS_ASSERT(separation > 0 && std::isfinite(separation) && is_finite(points));
   const MovingPolygon polygon = difference_polygon(kind, points, separation);
   if (starts_within(polygon, separation)) return {true, 0, 0};
   return SeparationTest(polygon, scaled_to_integer(separation, polygon.exponent)).first_contact();

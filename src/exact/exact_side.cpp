@@ -2,10 +2,13 @@
 
 #include "exact/algebraic_time.hpp"
 #include "exact/moving_polygon.hpp"
+#include "motion/pair_kinds.hpp"
+#include "numerics/assert.hpp"
 
 namespace tamis {
 
 int side_just_before(PairKind kind, const PairPoints& points, double time) {
+  TAMIS_ASSERT(can_cross(kind) && is_finite(points) && 0 <= time && time <= 1);
   // The normal of edges' polygon is -(e x f), and its corners lead from the first edge to the second: two changes of
   // sign.
   const MovingPolygon polygon = stretched_polygon(kind, points);

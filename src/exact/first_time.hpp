@@ -2,6 +2,7 @@
 #pragma once
 #include "exact/exact.hpp"
 #include "exact/root_isolation.hpp"
+#include "numerics/assert.hpp"
 
 namespace tamis {
 
@@ -11,6 +12,7 @@ class FirstTime {
   /// The first root of `p` in [0,1] for which `holds(time)`, if there is one. REQUIRES: `p` is not zero.
   template <class Condition>
   void add_roots(const IntegerPolynomial& p, const Condition& holds) {
+    TAMIS_ASSERT(!p.is_zero());
     for (AlgebraicTime& time : roots_in_unit_interval(p))
       if (holds(time)) return add(time.bracket());
   }

@@ -27,7 +27,7 @@ class IntegerPolynomial {
   bool is_zero() const { return degree_ < 0; }
   /// Are any numbers so large that most work is saved where doubles can be asked before them?
   bool is_long() const;
-  /// Of t^i. REQUIRES: i <= kMaxDegree.
+  /// Of t^i. REQUIRES: 0 <= i <= kMaxDegree.
   const Integer& operator[](int i) const {
     TAMIS_ASSERT(0 <= i && i <= kMaxDegree);
     return powers_[static_cast<std::size_t>(i)];

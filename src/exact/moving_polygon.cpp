@@ -3,7 +3,11 @@
 #include <algorithm>
 #include <bit>
 #include <climits>
+#include <cmath>
 #include <cstdint>
+
+#include "motion/pair_kinds.hpp"
+#include "numerics/assert.hpp"
 
 namespace tamis {
 namespace {
@@ -67,11 +71,13 @@ Integer scaled_to_integer(double x, int exponent) {
   if (x == 0) return 0;
   const Parts parts = parts_of(x);
   const int shift = parts.exponent - exponent;
+  TAMIS_ASSERT(std::isfinite(x) && lowest_exponent(x) >= exponent);
   if (shift <= 0) return parts.mantissa >> -shift;
   return Integer(parts.mantissa) << static_cast<unsigned long>(shift);
 }
 
 MovingPolygon difference_polygon(PairKind kind, const PairPoints& points, double separation) {
+  TAMIS_ASSERT(is_kind(kind) && is_finite(points) && std::isfinite(separation));
   const Exponents lowest = lowest_exponents(points);
   const int common = std::min({lowest[0], lowest[1], lowest[2], lowest_exponent(separation)});
   const int unit = common == INT_MAX ? 0 : common;
@@ -79,6 +85,7 @@ MovingPolygon difference_polygon(PairKind kind, const PairPoints& points, double
 }
 
 MovingPolygon at_rest_at(const MovingPolygon& polygon, double time) {
+  TAMIS_ASSERT(0 <= time && time <= 1);
   const DyadicCell now = cell_above(time);
   const Integer before = (Integer(1) << now.k) - now.n;
   MovingPolygon resting{{}, polygon.corner_count, polygon.exponent - static_cast<int>(now.k)};
@@ -91,6 +98,7 @@ MovingPolygon at_rest_at(const MovingPolygon& polygon, double time) {
 }
 
 MovingPolygon stretched_polygon(PairKind kind, const PairPoints& points) {
+  TAMIS_ASSERT(is_kind(kind) && is_finite(points));
   return polygon(kind, points, lowest_exponents(points));
 }
 

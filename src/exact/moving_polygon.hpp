@@ -23,14 +23,15 @@ struct MovingPolygon {
   std::size_t side_count() const { return corner_count == 2 ? 1 : corner_count; }
 };
 
-/// Times a power of two that makes every coordinate an integer, and the separation. REQUIRES: finite numbers.
+/// Times a power of two that makes every coordinate an integer, and the separation. REQUIRES: finite numbers,
+/// a kind there is.
 MovingPolygon difference_polygon(PairKind kind, const PairPoints& points, double separation = 0);
 
 /// The same with each axis times a power of two of its own: shorter numbers, the same times of touching, but no
-/// distances. The exponent means nothing.
+/// distances. The exponent means nothing. REQUIRES: as above.
 MovingPolygon stretched_polygon(PairKind kind, const PairPoints& points);
 
-/// The same polygon, not moving: as it is at `time`, in [0,1], of the step.
+/// The same polygon, not moving: as it is at `time` of the step. REQUIRES: 0 <= time <= 1.
 MovingPolygon at_rest_at(const MovingPolygon& polygon, double time);
 
 /// Of the polygon's plane, as motion/polynomials.hpp has it; zero if there are less than three corners.
@@ -39,7 +40,7 @@ inline std::array<Vec3<Integer>, 3> normal_polynomial(const MovingPolygon& polyg
   return normal_polynomial(polygon.corner(1) - first, polygon.corner(polygon.corner_count - 1) - first);
 }
 
-/// x / 2^exponent. REQUIRES: that is an integer.
+/// x / 2^exponent. REQUIRES: x is finite, and that is an integer.
 Integer scaled_to_integer(double x, int exponent);
 
 }  // namespace tamis

@@ -126,6 +126,9 @@ std::vector<AlgebraicTime> roots_in_unit_interval(const IntegerPolynomial& p) {
   return RootIsolation(p).run(p.is_long());
 }
 
-std::vector<AlgebraicTime> roots_by_bisection(const IntegerPolynomial& p) { return RootIsolation(p).run(false); }
+std::vector<AlgebraicTime> roots_by_bisection(const IntegerPolynomial& p) {
+  TAMIS_ASSERT(!p.is_zero());
+  return RootIsolation(p).run(false);
+}
 
 }  // namespace tamis

@@ -10,7 +10,7 @@ namespace tamis {
 /// Distinct, ascending, both ends of the interval included. REQUIRES: `p` is not zero.
 std::vector<AlgebraicTime> roots_in_unit_interval(const IntegerPolynomial& p);
 
-/// The same without doubles.
+/// The same without doubles. REQUIRES: `p` is not zero.
 std::vector<AlgebraicTime> roots_by_bisection(const IntegerPolynomial& p);
 
 }  // namespace tamis

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "exact/exact_distance.hpp"
+#include "numerics/assert.hpp"
 
 namespace tamis {
 namespace {
@@ -31,10 +32,12 @@ Fraction excess_at_start(const MovingPolygon& polygon, const Fraction& square, d
 }  // namespace
 
 bool starts_within(const MovingPolygon& polygon, double separation) {
+  TAMIS_ASSERT(separation >= 0 && std::isfinite(separation));
   return excess_at_start(polygon, nearest_point(polygon).square, separation).above.sign() <= 0;
 }
 
 double apart_from_start(PairKind kind, const PairPoints& points, double separation) {
+  TAMIS_ASSERT(separation >= 0);
   const MovingPolygon polygon = difference_polygon(kind, points, separation);
   const Fraction square = nearest_point(polygon).square, excess = excess_at_start(polygon, square, separation);
   if (excess.above.sign() <= 0) return 0;

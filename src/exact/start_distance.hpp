@@ -9,7 +9,7 @@ namespace tamis {
 struct MovingPolygon;
 
 /// Is the origin within the separation of the polygon at t=0? Decided exactly.
-/// REQUIRES: the separation is a multiple of the polygon's unit.
+/// REQUIRES: the separation is finite, >= 0 and a multiple of the polygon's unit.
 bool starts_within(const MovingPolygon& polygon, double separation);
 
 /// 0 if at t=0 the features are within `separation` of each other; else a time > 0 (unless it underflows) before which

@@ -4,6 +4,8 @@
 #include <cmath>
 
 #include "motion/pair_kinds.hpp"
+#include "numerics/assert.hpp"
+#include "numerics/finite.hpp"
 #include "numerics/scale.hpp"
 
 namespace tamis {
@@ -17,6 +19,12 @@ double safe_unit(const PairPoints& points) {
     for (const Point& p : *positions)
       for (const double x : p) largest = std::max(largest, std::fabs(x));
   return largest < 0x1p1021 ? 1 : 0x1p-3;
+}
+
+bool are_equal(const Vec3<double>& a, const Vec3<double>& b) { return a.x == b.x && a.y == b.y && a.z == b.z; }
+
+bool are_equal(const Moving<double>& a, const Moving<double>& b) {
+  return are_equal(a.at0, b.at0) && are_equal(a.at1, b.at1);
 }
 
 Moving<double> scaled(const Moving<double>& v, double scale) { return {scale * v.at0, scale * v.at1}; }
@@ -33,6 +41,7 @@ Moving<double> difference(const PairPoints& points, VertexDifference v, double u
 }  // namespace
 
 PairMotion<double> make_motion(PairKind kind, const PairPoints& points, double separation) {
+  TAMIS_ASSERT(is_kind(kind) && is_finite(points) && separation >= 0);
   const SpanningVectors vectors = spanning_vectors(kind);
   const double unit = safe_unit(points);
   const auto e = difference(points, vectors.e, unit), f = difference(points, vectors.f, unit),
@@ -40,6 +49,18 @@ PairMotion<double> make_motion(PairKind kind, const PairPoints& points, double s
   const double scale = scale_below_one(std::max({largest(e), largest(f), largest(d)}));
   return {scaled(e, scale),   scaled(f, scale),   scaled(d, scale),           scale * largest(e),
           scale * largest(f), scale * largest(d), scale * (unit * separation)};
+}
+
+bool is_finite(const PairPoints& points) {
+  const auto are_finite = [](const std::array<Point, 4>& at) {
+    return std::all_of(at.begin(), at.end(), [](const Point& p) { return is_finite(p); });
+  };
+  return are_finite(points.start) && are_finite(points.end);
+}
+
+bool is_motion_of(const PairMotion<double>& m, PairKind kind, const PairPoints& points) {
+  const PairMotion<double> own = make_motion(kind, points);
+  return are_equal(m.e, own.e) && are_equal(m.f, own.f) && are_equal(m.d, own.d);
 }
 
 }  // namespace tamis

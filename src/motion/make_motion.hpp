@@ -15,7 +15,11 @@ struct PairPoints {
 
 /// The pair's motion times the power of two that brings its largest size into [1/2, 1), so that no decision depends
 /// on the unit of length, nor any difference overflows; so is `separation`, given in the unit of the points. REQUIRES:
-/// finite coordinates.
+/// a kind there is, finite coordinates, a separation >= 0; infinite where nothing bounds it.
 PairMotion<double> make_motion(PairKind kind, const PairPoints& points, double separation = 0);
+
+bool is_finite(const PairPoints& points);
+/// Is `m` what make_motion() makes of the points, whatever its separation?
+bool is_motion_of(const PairMotion<double>& m, PairKind kind, const PairPoints& points);
 
 }  // namespace tamis

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "numerics/assert.hpp"
 #include "numerics/scale.hpp"
 
 namespace tamis {
@@ -22,6 +23,7 @@ double largest_coordinate(const Mesh& mesh, const Step& step) {
 }  // namespace
 
 void MovingPoints::update(const Mesh& mesh, const Step& step) {
+  TAMIS_ASSERT(step.start.count() == mesh.vertex_count() && step.end.count() == mesh.vertex_count());
   scale_ = scale_below_one(largest_coordinate(mesh, step));
   points_.resize(static_cast<std::size_t>(mesh.vertex_count()));
   constexpr double kHuge = std::numeric_limits<double>::max();

@@ -4,15 +4,19 @@
 
 #include "motion/pair_kinds.hpp"
 #include "motion/pair_motion.hpp"
+#include "numerics/assert.hpp"
+#include "numerics/scale.hpp"
 #include "tamis/mesh.hpp"
 #include "tamis/step.hpp"
 
 namespace tamis {
 
-/// Positions times a power of two: the largest |coordinate| of the vertices in use lies in [1/2, 1).
+/// Positions times a power of two: the largest |coordinate| of the vertices in use lies in [1/2, 1), or as near to that
+/// as scale_below_one() brings it: below kLargestScaled.
 class MovingPoints {
  public:
-  /// REQUIRES: a validated step. Vertices that take no part in contacts are left at zero.
+  /// REQUIRES: as many positions as the mesh has vertices. REQUIRES (not checked: O(n)): a validated step. Vertices
+  /// that take no part in contacts are left at zero.
   void update(const Mesh& mesh, const Step& step);
 
   const Moving<double>& operator[](Index vertex) const { return points_[static_cast<std::size_t>(vertex)]; }
@@ -29,10 +33,13 @@ class MovingPoints {
   Vec3<double> centre_{0, 0, 0};
 };
 
-/// The pair's motion with its sizes. REQUIRES: coordinates of MovingPoints. vf: p, a, b, c; ee: a0, a1, b0, b1.
+/// The pair's motion with its sizes. REQUIRES: coordinates of MovingPoints. vf: p, a, b, c; ee: a0, a1, b0,
+/// b1.
 template <PairKind kind>
 inline PairMotion<double> relative_motion(const Moving<double>& p0, const Moving<double>& p1, const Moving<double>& p2,
                                           const Moving<double>& p3) {
+  TAMIS_ASSERT(largest(p0) < kLargestScaled && largest(p1) < kLargestScaled);
+  TAMIS_ASSERT(largest(p2) < kLargestScaled && largest(p3) < kLargestScaled);
   const Moving<double>* points[] = {&p0, &p1, &p2, &p3};
   const auto moving = [&](VertexDifference v) { return *points[v.to] - *points[v.from]; };
   constexpr SpanningVectors kVectors = spanning_vectors(kind);

@@ -4,12 +4,15 @@
 #include <cstddef>
 #include <type_traits>
 
+#include "numerics/assert.hpp"
 #include "tamis/contact.hpp"
 
 namespace tamis {
 
 /// How many kinds there are; PairKind counts them from 0.
 inline constexpr std::size_t kPairKinds = 4;
+
+constexpr bool is_kind(PairKind kind) { return static_cast<std::size_t>(kind) < kPairKinds; }
 
 /// A difference of two of the pair's vertices.
 struct VertexDifference {
@@ -48,9 +51,11 @@ constexpr std::size_t vertex_count(PairKind kind) {
   return kind == PairKind::vertex_vertex ? 2 : kind == PairKind::vertex_edge ? 3 : 4;
 }
 
-/// f(kind), with the kind as a constant: `kind()` in f may stand where a template argument is asked for.
+/// f(kind), with the kind as a constant: `kind()` in f may stand where a template argument is asked for. REQUIRES: a
+/// kind there is.
 template <class F>
 decltype(auto) with_kind(PairKind kind, const F& f) {
+  TAMIS_ASSERT(is_kind(kind));
   switch (kind) {
     case PairKind::vertex_face:
       return f(std::integral_constant<PairKind, PairKind::vertex_face>{});

@@ -5,6 +5,7 @@
 #include <span>
 
 #include "motion/pair_kinds.hpp"
+#include "numerics/assert.hpp"
 
 namespace tamis {
 
@@ -15,7 +16,7 @@ struct Separations {
 
   /// False: contact means touching, for every pair.
   bool any() const { return fixed > 0 || !radii.empty(); }
-  /// A feature has the largest radius of its vertices. `v` as in Contact.
+  /// A feature has the largest radius of its vertices. `v` as in Contact. REQUIRES: a radius of each.
   double between(PairKind kind, const std::array<Index, 4>& v) const {
     if (radii.empty()) return fixed;
     const std::size_t second = second_feature(kind);
@@ -27,7 +28,10 @@ struct Separations {
  private:
   double largest(const std::array<Index, 4>& v, std::size_t first, std::size_t last) const {
     double radius = 0;
-    for (std::size_t i = first; i < last; ++i) radius = std::max(radius, radii[static_cast<std::size_t>(v[i])]);
+    for (std::size_t i = first; i < last; ++i) {
+      TAMIS_ASSERT(static_cast<std::size_t>(v[i]) < radii.size());
+      radius = std::max(radius, radii[static_cast<std::size_t>(v[i])]);
+    }
     return radius;
   }
 };

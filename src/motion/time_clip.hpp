@@ -12,6 +12,15 @@ struct TimeInterval {
   T t_in, t_out;
 };
 
+/// Neither empty nor beyond the step. Of numbers other than doubles it is not asked.
+inline bool is_part_of_step(const TimeInterval<double>& time) {
+  return 0 <= time.t_in && time.t_in <= time.t_out && time.t_out <= 1;
+}
+template <class T>
+constexpr bool is_part_of_step(const TimeInterval<T>&) {
+  return true;
+}
+
 template <class T>
 class TimeClip {
  public:
@@ -20,7 +29,7 @@ class TimeClip {
   /// Cuts the times at which the line from g0 (t=0) to g1 (t=1) is positive: those before its root if it falls, those
   /// after it if it rises; where the root is outside the step that is all or nothing, without a case of its own. A
   /// constant line has its root at +infinity (cut all), -infinity (nothing) or NaN (nothing).
-  /// REQUIRES: g0, g1 off by at most 2 u of themselves. NaN cuts nothing.
+  /// REQUIRES (not checked: exact): g0, g1 off by at most 2 u of themselves. NaN cuts nothing.
   void cut_positive(const T& g0, const T& g1) {
     const T fall = g0 - g1, root = Ratio<T>::of(g0, fall);
     const auto falls = fall >= T(0);

@@ -4,6 +4,7 @@
 #pragma once
 #include "distance/squared_axis.hpp"
 #include "filters/filter.hpp"
+#include "numerics/assert.hpp"
 
 namespace tamis {
 
@@ -26,12 +27,14 @@ struct Look {
   TurningAxis<T> axis;  ///< along which it is apart
 };
 
-/// REQUIRES: `m` is the motion of the whole step, outlives this, and its sizes are finite.
+/// Keeps a reference. REQUIRES: `m` is the motion of the whole step, finite.
 template <PairKind kind, class T>
 class Looker {
  public:
   explicit Looker(const PairMotion<T>& m)
-      : m_(m), clip_(m), error_(error_bounds::bound<T>(error_bounds::kGap, m.size_d + m.size_e + m.size_f)) {}
+      : m_(m), clip_(m), error_(error_bounds::bound<T>(error_bounds::kGap, m.size_d + m.size_e + m.size_f)) {
+    TAMIS_ASSERT(is_whole(m));
+  }
 
   Sight<T> sight(const T& t) const {
     const auto closest = closest_points<kind>(at_time(m_.e, t), at_time(m_.f, t), at_time(m_.d, t));

@@ -8,6 +8,7 @@
 #include "exact/exact_side.hpp"
 #include "motion/polynomials.hpp"
 #include "narrow/crossing_root.hpp"
+#include "numerics/assert.hpp"
 
 namespace tamis {
 namespace {
@@ -70,11 +71,13 @@ int side_before_crossing(PairKind kind, const PairPoints& points, const PairMoti
 }  // namespace
 
 ContactPlace closest_place(PairKind kind, const PairPoints& points, const PairMotion<double>& m, double time) {
+  TAMIS_ASSERT(0 <= time && time <= 1 && is_motion_of(m, kind, points));
   return with_kind(kind, [&](auto k) { return closest_place<k()>(points, m, time); });
 }
 
 ContactPlace crossing_place(PairKind kind, const PairPoints& points, const PairMotion<double>& m,
                             const TimeInterval<double>& time, int side) {
+  TAMIS_ASSERT(can_cross(kind) && is_part_of_step(time) && is_motion_of(m, kind, points) && -1 <= side && side <= 1);
   const Vec normal = normal_at(kind, points, m, time.t_in);  // where the side is meant, as the two may turn over
   const double middle = 0.5 * (time.t_in + time.t_out);
   if (side == 0 || !(largest_of(normal) > 0)) return closest_place(kind, points, m, time.t_in);

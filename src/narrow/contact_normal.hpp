@@ -17,12 +17,12 @@ struct ContactPlace {
   Point normal;
 };
 
-/// Of the closest points at `time`. REQUIRES, as all below: finite coordinates, times in [0,1]; `m` is the motion of
-/// `points`.
+/// Of the closest points at `time`. REQUIRES, as all below: finite coordinates, times in [0,1] and in order; `m` is the
+/// motion of `points`.
 ContactPlace closest_place(PairKind kind, const PairPoints& points, const PairMotion<double>& m, double time);
 
 /// Of a crossing within `time`, before which the first feature is on that side of the second: 1 or -1, along e x f; 0:
-/// there is no side.
+/// there is no side. REQUIRES: a kind that can cross.
 ContactPlace crossing_place(PairKind kind, const PairPoints& points, const PairMotion<double>& m,
                             const TimeInterval<double>& time, int side);
 

@@ -8,6 +8,7 @@
 #include "motion/time_clip.hpp"
 #include "narrow/crossing_root.hpp"
 #include "narrow/crossing_sides.hpp"
+#include "numerics/assert.hpp"
 
 namespace tamis {
 
@@ -46,11 +47,14 @@ inline T turning_point(const std::array<T, 4>& k) {
 
 }  // namespace crossing
 
-/// The question that the root of `cubic` answers. REQUIRES: `step` outlives it; `whole` is its cubic.
+/// The question that the root of `cubic` answers. Keeps a reference to `step`. REQUIRES: the motion of a whole step,
+/// a part of it, and its cubic, of which the first coefficient is checked.
 template <PairKind kind, class T>
 struct CrossingSearch {
   CrossingSearch(const PairMotion<T>& whole_step, const std::array<T, 4>& whole, const TimeInterval<T>& part_of_step)
       : step(whole_step), part(part_of_step), cubic(restrict_to(whole, part.t_in, part.t_out)) {
+    TAMIS_ASSERT(is_whole(step) && is_part_of_step(part));
+    TAMIS_ASSERT(!any(whole[0] != dot(step.d.at0, cross(step.e.at0, step.f.at0))));
     auto& k = cubic;
     unit = step.size_d * step.size_e * step.size_f;
     const T end = error_bounds::bound(error_bounds::kCoplanarityEnd, unit);

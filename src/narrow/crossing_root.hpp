@@ -20,7 +20,8 @@ inline T slope(const std::array<T, 4>& k, const T& t) {
   return s * s * (k[1] - T(3) * k[0]) + T(2) * s * t * (k[2] - k[1]) + t * t * (T(3) * k[3] - k[2]);
 }
 
-/// Newton's iteration kept inside a shrinking bracket, stride by stride. REQUIRES: k[0] > 0 > k[3], one root.
+/// Newton's iteration kept inside a shrinking bracket, stride by stride: to one of the roots, if k[0] > 0 > k[3]; else
+/// it does not begin, and root() means nothing.
 template <class T>
 class RootSearch {
  public:

@@ -10,6 +10,7 @@
 #include "narrow/separation.hpp"
 #include "narrow/settled.hpp"
 #include "narrow/subdivide.hpp"
+#include "numerics/assert.hpp"
 
 namespace tamis {
 namespace {
@@ -101,7 +102,7 @@ PairResult described(PairKind kind, const PairPoints& points, const PairMotion<d
   return result;
 }
 
-/// REQUIRES: crossings do not settle `m`.
+/// Of a pair that crossings do not settle.
 PairResult decide_motion(PairKind kind, const PairPoints& points, const PairMotion<double>& m,
                          const PairOptions& options, PrecisionCount& decided_by) {
   const auto [decision, arithmetic] = decide_pair(kind, points, m, time_in_question(kind, m), options);
@@ -112,6 +113,7 @@ PairResult decide_motion(PairKind kind, const PairPoints& points, const PairMoti
 }  // namespace
 
 PairResult decide(PairKind kind, const PairPoints& points, const PairOptions& options, PrecisionCount& decided_by) {
+  TAMIS_ASSERT(0 <= options.latest && options.latest <= 1);
   const auto m = make_motion(kind, points, options.min_separation);
   const auto settled = settled_by_crossings(kind, m, options);
   if (!settled) return decide_motion(kind, points, m, options, decided_by);
@@ -121,7 +123,9 @@ PairResult decide(PairKind kind, const PairPoints& points, const PairOptions& op
 
 PairResult decide_unsettled(PairKind kind, const PairPoints& points, const PairOptions& options,
                             PrecisionCount& decided_by) {
-  return decide_motion(kind, points, make_motion(kind, points, options.min_separation), options, decided_by);
+  const auto m = make_motion(kind, points, options.min_separation);
+  TAMIS_ASSERT(!settled_by_crossings(kind, m, options));
+  return decide_motion(kind, points, m, options, decided_by);
 }
 
 }  // namespace tamis

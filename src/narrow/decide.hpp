@@ -8,10 +8,11 @@
 
 namespace tamis {
 
-/// REQUIRES: finite coordinates. Counts in `decided_by` which arithmetic had the last word.
+/// REQUIRES: a kind there is, finite coordinates, valid options (pair_input.hpp). Counts in `decided_by` which
+/// arithmetic had the last word.
 PairResult decide(PairKind kind, const PairPoints& points, const PairOptions& options, PrecisionCount& decided_by);
 
-/// The same of a pair that settled.hpp does not settle, which has been tried where many are tried at once.
+/// The same. REQUIRES: settled.hpp does not settle the pair, which has been tried where many are tried at once.
 PairResult decide_unsettled(PairKind kind, const PairPoints& points, const PairOptions& options,
                             PrecisionCount& decided_by);
 

@@ -24,7 +24,7 @@ double keeps_distance_until(PairKind kind, const PairPoints& points, const Dista
                             PrecisionCount& decided_by);
 
 /// A time at which the pair is proven to have no more than the fraction left; 1 if that is not known of any.
-/// REQUIRES: `lower` as keeps_distance_until gave it.
+/// REQUIRES: `lower` in [0,1]. REQUIRES (not checked: history): as keeps_distance_until gave it.
 double fraction_is_left_at(PairKind kind, const PairPoints& points, const DistanceRule& rule, double lower);
 
 /// Distance of the features at t=0, rounded, not certified; infinite if it overflows.

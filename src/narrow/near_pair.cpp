@@ -4,6 +4,7 @@
 #include "distance/rest_distance.hpp"
 #include "exact/exact_distance.hpp"
 #include "exact/start_distance.hpp"
+#include "numerics/assert.hpp"
 
 namespace tamis {
 namespace {
@@ -25,6 +26,7 @@ NearPair described(const std::array<Index, 4>& vertices, double distance, double
 }  // namespace
 
 bool is_near(PairKind kind, const PairPoints& points, double separation, PrecisionCount& decided_by) {
+  TAMIS_ASSERT(is_finite(points));
   const PairPose<double> pose = pose_of(make_motion(kind, {points.start, points.start}, separation));
   const auto rest = with_kind(kind, [&](auto k) { return rest_distance<k()>(pose); });
   if (rest.low > pose.separation || rest.is_sharp()) {
@@ -36,6 +38,7 @@ bool is_near(PairKind kind, const PairPoints& points, double separation, Precisi
 }
 
 NearPair near_pair(PairKind kind, const std::array<Index, 4>& vertices, const PairPoints& points) {
+  TAMIS_ASSERT(is_finite(points));
   const PairMotion<double> m = make_motion(kind, {points.start, points.start}, 1);
   return with_kind(kind, [&](auto k) {
     const auto rest = rest_distance<k()>(pose_of(m));

@@ -5,6 +5,7 @@
 
 #include "motion/pair_kinds.hpp"
 #include "narrow/advancement.hpp"
+#include "numerics/assert.hpp"
 
 namespace tamis {
 namespace {
@@ -118,10 +119,12 @@ double start_distance_bound(PairKind kind, const PairMotion<double>& m, const Cl
 }
 
 Decision first_within(PairKind kind, const PairMotion<double>& m, const TimeInterval<double>& time) {
+  TAMIS_ASSERT(is_part_of_step(time));
   return with_kind(kind, [&](auto k) { return Advance<k()>(m, time).run(); });
 }
 
 double apart_until(PairKind kind, const PairMotion<double>& m, double from, double until) {
+  TAMIS_ASSERT(0 <= from && from <= 1);
   return with_kind(kind, [&](auto k) { return apart_until<k()>(m, from, until); });
 }
 

@@ -15,18 +15,19 @@ namespace tamis {
 /// Is contact a matter of the distance? If not, of when the four points are coplanar.
 constexpr bool is_about_distance(PairKind kind, double separation) { return separation > 0 || !can_cross(kind); }
 
-/// REQUIRES: `m` is the motion of the whole step; its sizes are finite; the pair is apart outside `time`. `touches`: at
-/// `upper` the distance is within the separation, certified.
+/// REQUIRES: `m` is the motion of the whole step, finite; `time` is a part of it. REQUIRES (not checked: exact): the
+/// pair is apart outside `time`. `touches`: at `upper` the distance is within the separation, certified.
 Decision first_within(PairKind kind, const PairMotion<double>& m, const TimeInterval<double>& time);
 
 /// A time in [0,1] before which the pair is proven farther apart than its separation, as late as doubles can prove
 /// within a few steps; at least until the pair is first within kRoomToAdvance of its size of that (docs/numerics.md,
-/// "Step lengths"). It looks no further than `until`: a result below `until` does not depend on it. REQUIRES: as above;
-/// the pair is apart before `from`, which lies in [0,1].
+/// "Step lengths"). It looks no further than `until`: a result below `until` does not depend on it. REQUIRES: the
+/// motion of the whole step, finite; `from` in [0,1]. REQUIRES (not checked: exact): the pair is apart before `from`.
 double apart_until(PairKind kind, const PairMotion<double>& m, double from, double until);
 
 /// A lower bound, beyond all rounding, of the distance at t=0: along the gap of the closest points, and where that says
-/// little, along that squared with the features, as a small gap is tilted by rounding. REQUIRES: finite sizes.
+/// little, along that squared with the features, as a small gap is tilted by rounding. REQUIRES: the motion of
+/// the whole step, finite.
 double start_distance_bound(PairKind kind, const PairMotion<double>& m, const ClosestPoints& closest);
 
 }  // namespace tamis

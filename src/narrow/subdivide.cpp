@@ -4,7 +4,9 @@
 #include <array>
 
 #include "filters/ncf.hpp"
+#include "motion/pair_kinds.hpp"
 #include "narrow/crossing.hpp"
+#include "numerics/assert.hpp"
 
 namespace tamis {
 namespace {
@@ -104,6 +106,7 @@ Decision subdivide_kind(const PairMotion<double>& m, const TimeInterval<double>&
 }  // namespace
 
 Decision subdivide(PairKind kind, const PairMotion<double>& m, const TimeInterval<double>& time) {
+  TAMIS_ASSERT(can_cross(kind) && is_whole(m) && is_part_of_step(time));
   return kind == PairKind::vertex_face ? subdivide_kind<PairKind::vertex_face>(m, time)
                                        : subdivide_kind<PairKind::edge_edge>(m, time);
 }

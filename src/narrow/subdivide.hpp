@@ -15,7 +15,8 @@ struct Decision {
   double lower = 1, upper = 1;
 };
 
-/// REQUIRES: `m` is the motion of the whole step; the pair is apart outside `time`; the kind can cross.
+/// REQUIRES: `m` is the motion of the whole step, finite; `time` is a part of it; the kind can cross. REQUIRES (not
+/// checked: exact): the pair is apart outside `time`.
 Decision subdivide(PairKind kind, const PairMotion<double>& m, const TimeInterval<double>& time);
 
 }  // namespace tamis

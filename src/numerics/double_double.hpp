@@ -8,25 +8,30 @@
 // u^2. They hold where nothing overflows or underflows. The solver's numbers are below 2^7; an underflow costs each of
 // the 17 operations of a split product at most 2^-1075, which `underflow` covers.
 #pragma once
+#include "numerics/assert.hpp"
 #include "numerics/error_bounds.hpp"
 #include "numerics/select.hpp"
 
 namespace tamis {
 
-/// REQUIRES of every function here: |low| <= ulp(high) / 2. NaN and infinity compare false, as in double.
+/// `high` is the sum of both, rounded: |low| <= ulp(high) / 2; unless something overflowed, or underflows. NaN and
+/// infinity compare false, as in double.
 struct DoubleDouble {
   double high = 0, low = 0;
 
   DoubleDouble() = default;
   constexpr DoubleDouble(double value) : high(value) {}
-  constexpr DoubleDouble(double high_part, double low_part) : high(high_part), low(low_part) {}
+  /// REQUIRES: as above; where products underflow, below 2^-1000, it is not checked.
+  constexpr DoubleDouble(double high_part, double low_part) : high(high_part), low(low_part) {
+    TAMIS_ASSERT(high + low == high || abs_of(high) < 0x1p-1000 || !(high - high == 0 && low - low == 0));
+  }
 
   /// a + b, exactly (Knuth).
   static DoubleDouble sum_of(double a, double b) {
     const double sum = a + b, b_part = sum - a, a_part = sum - b_part;
     return {sum, (a - a_part) + (b - b_part)};
   }
-  /// a b, exactly (Dekker, Veltkamp). REQUIRES: |a|, |b| < 2^995.
+  /// a b, exactly (Dekker, Veltkamp), where |a|, |b| < 2^995; of larger ones the low part is NaN, which proves nothing.
   static DoubleDouble product_of(double a, double b) {
     const double product = a * b;
     const Halves x = halves(a), y = halves(b);
@@ -34,6 +39,7 @@ struct DoubleDouble {
   }
 
  private:
+  static constexpr double abs_of(double a) { return a < 0 ? -a : a; }
   struct Halves {
     double high, low;
   };
@@ -49,6 +55,7 @@ namespace double_double {
 
 /// a + b, exactly. REQUIRES: |a| >= |b|, or a = 0.
 inline DoubleDouble ordered_sum(double a, double b) {
+  TAMIS_ASSERT(a == 0 || !(std::fabs(a) < std::fabs(b)));
   const double sum = a + b;
   return {sum, b - (sum - a)};
 }

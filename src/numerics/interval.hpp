@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "numerics/assert.hpp"
 #include "numerics/double_double.hpp"
 #include "numerics/scale.hpp"
 #include "numerics/select.hpp"
@@ -43,7 +44,8 @@ struct BasicInterval {
 
   BasicInterval() = default;
   BasicInterval(const T& value) : lower(value), upper(value) {}
-  BasicInterval(const T& low, const T& high) : lower(low), upper(high) {}
+  /// REQUIRES: the ends in order, or NaN.
+  BasicInterval(const T& low, const T& high) : lower(low), upper(high) { TAMIS_ASSERT(!(low > high)); }
 
   T width() const { return upper - lower; }
   T middle() const { return T(0.5) * lower + T(0.5) * upper; }
@@ -80,6 +82,7 @@ inline BasicInterval<T> operator*(const BasicInterval<T>& a, const BasicInterval
 /// REQUIRES: !b.may_be_zero().
 template <class T>
 inline BasicInterval<T> operator/(const BasicInterval<T>& a, const BasicInterval<T>& b) {
+  TAMIS_ASSERT(!b.may_be_zero());
   if (b.upper < T(0)) return -a / -b;
   return {rounding::below(a.lower / (a.lower < T(0) ? b.lower : b.upper)),
           rounding::above(a.upper / (a.upper < T(0) ? b.upper : b.lower))};
@@ -98,7 +101,10 @@ inline bool operator<(const BasicInterval<T>& a, const BasicInterval<T>& b) {
 /// Empty (lower > upper) if they have nothing in common.
 template <class T>
 inline BasicInterval<T> intersection(const BasicInterval<T>& a, const BasicInterval<T>& b) {
-  return {max(a.lower, b.lower), min(a.upper, b.upper)};
+  BasicInterval<T> common;
+  common.lower = max(a.lower, b.lower);
+  common.upper = min(a.upper, b.upper);
+  return common;
 }
 
 /// Exactly.

@@ -209,7 +209,7 @@ struct Masked<TAMIS_ISA::DoubleLanes> : MaskedByComparison<TAMIS_ISA::DoubleLane
 
 /// A ratio without a division, which costs as much as twenty other operations: a guess at 1/b from its bits, within
 /// 5.1%, then a step of Newton that squares the error. Measured over all mantissas: 2.56e-3 (numerics/lanes_test).
-/// REQUIRES: |b| in [2^-100, 2^100].
+/// REQUIRES (not checked: lanes): |b| in [2^-100, 2^100].
 template <>
 struct Ratio<TAMIS_ISA::FloatLanes> {
   using Lanes = TAMIS_ISA::FloatLanes;

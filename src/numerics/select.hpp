@@ -35,7 +35,8 @@ struct Masked {
   static T max_number(const T& a, const T& b) { return max(a, b); }
 };
 
-/// a / b, off by at most kError of itself. REQUIRES: b is not 0 where the result is used.
+/// a / b, off by at most kError of itself. REQUIRES (not checked: lanes): b is not 0 where the
+/// result is used.
 template <class T>
 struct Ratio {
   static constexpr double kError = 0x1p-53;

@@ -1,6 +1,7 @@
 // A crossing on a piece of a path: which sign the coplanarity has at its ends, and where it passes zero.
 #pragma once
 #include "narrow/crossing.hpp"
+#include "numerics/assert.hpp"
 #include "paths/chords.hpp"
 
 namespace tamis {
@@ -23,9 +24,10 @@ PathCrossing crossing_of(const PairMotion<BasicInterval<T>>& ends) {
 }
 
 /// A part of [0,1], in the unit of the piece, around the place where the chords cross, as narrow as the strays allow;
-/// a guess, which nothing relies on. REQUIRES: opposite signs.
+/// a guess, which nothing relies on. REQUIRES: a sign, -1 or 1. REQUIRES (not checked: history): the other at the end.
 template <class T>
 TimeInterval<double> window_of(const PairMotion<BasicInterval<T>>& widened, int sign_at_start) {
+  TAMIS_ASSERT(sign_at_start == 1 || sign_at_start == -1);
   const auto k = coplanarity_polynomial(widened.d, normal_polynomial(widened.e, widened.f));
   std::array<double, 4> middle{};
   double width = 0;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "narrow/contact_normal.hpp"
+#include "numerics/assert.hpp"
 #include "paths/crossing_on_path.hpp"
 #include "paths/path_parts.hpp"
 #include "paths/within_on_path.hpp"
@@ -119,6 +120,7 @@ ContactPlace place_on_path(const PathQuestion& question, const Decision& decisio
 }  // namespace
 
 Decision decide_on_path(const PathQuestion& question, const TimeInterval<double>& time) {
+  TAMIS_ASSERT(is_kind(question.kind) && is_part_of_step(time));
   PairReader reader(question.path, question.vertices);
   reader.set_unit_at(time.t_in);
   if (question.min_separation > 0) return first_within_on_path(question, reader, time);

@@ -15,8 +15,9 @@ struct PathQuestion {
   const std::function<bool()>& is_cancelled;
 };
 
-/// During `time`, with the meaning that Decision has for straight motion. `touches`: the bracket is no wider than the
-/// tolerance, or with a separation, than doubles can tell. Throws Cancelled.
+/// During `time`, with the meaning that Decision has for straight motion. `touches`: the
+/// bracket is no wider than the tolerance, or with a separation, than doubles can tell. Throws Cancelled. REQUIRES: a
+/// kind there is, a part of the path.
 Decision decide_on_path(const PathQuestion& question, const TimeInterval<double>& time);
 
 /// With weights and normal at the contact.

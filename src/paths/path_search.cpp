@@ -11,6 +11,7 @@
 #include <tuple>
 
 #include "engines/cancellation.hpp"
+#include "numerics/assert.hpp"
 #include "numerics/number_text.hpp"
 #include "paths/decide_path.hpp"
 #include "paths/isolated_path.hpp"
@@ -103,6 +104,9 @@ void PathSearch::check_chords(const Path& path, const Frame& from, const Frame& 
 
 void PathSearch::find(const MeshOnPath& asked, Question question, std::vector<Contact>& contacts,
                       Statistics& statistics) {
+  TAMIS_ASSERT(asked.separations.fixed >= 0 && std::isfinite(asked.separations.fixed) && asked.tolerance > 0);
+  TAMIS_ASSERT(asked.separations.radii.empty() ||
+               asked.separations.radii.size() == static_cast<std::size_t>(mesh_.vertex_count()));
   const IsolatedPath path(asked.path);
   if (path.vertex_count() != mesh_.vertex_count())
     throw InvalidPath("the path has " + std::to_string(path.vertex_count()) + " vertices, the mesh " +

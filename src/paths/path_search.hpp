@@ -24,8 +24,9 @@ class PathSearch {
       : mesh_(mesh), options_(options), engine_(engine), found_(options) {}
 
   /// Writes every pair that touches, once, in no order; for `earliest` and `is_free` the search ends soon after the
-  /// first. Throws InvalidPath: a path of another number of vertices, or one that breaks its promises. REQUIRES: valid
-  /// separations and tolerance. Runs in the caller's oneTBB arena.
+  /// first. Throws InvalidPath: a path of another number of vertices, or one that breaks its promises. REQUIRES: a
+  /// finite fixed separation >= 0, radii of all vertices or none, a tolerance > 0. REQUIRES (not checked: O(n)): finite
+  /// radii >= 0. Runs in the caller's oneTBB arena.
   void find(const MeshOnPath& asked, Question question, std::vector<Contact>& contacts, Statistics& statistics);
   std::uint64_t memory_bytes() const;
 

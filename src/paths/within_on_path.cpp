@@ -45,7 +45,7 @@ PairPoints points_between(const Moment<double>& from, const Moment<double>& to) 
 
 Decision first_within_on_path(const PathQuestion& question, const PairReader& reader,
                               const TimeInterval<double>& time) {
-  TAMIS_ASSERT(question.min_separation > 0);
+  TAMIS_ASSERT(question.min_separation > 0 && is_part_of_step(time));
   const PairKind kind = question.kind;
   const double separation = question.min_separation * reader.scale();
   PathParts<double> parts(question, reader, time);

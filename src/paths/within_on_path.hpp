@@ -9,7 +9,8 @@ namespace tamis {
 /// The middles of two moments.
 PairPoints points_between(const Moment<double>& from, const Moment<double>& to);
 
-/// As decide_on_path. REQUIRES: a separation > 0; `reader` reads the question's pair.
+/// As decide_on_path. REQUIRES: a separation > 0, a part of the path. REQUIRES (not checked: history): `reader` reads
+/// the question's pair.
 Decision first_within_on_path(const PathQuestion& question, const PairReader& reader, const TimeInterval<double>& time);
 
 }  // namespace tamis

@@ -3,6 +3,7 @@
 #include <limits>
 #include <string>
 
+#include "numerics/assert.hpp"
 #include "tamis/error.hpp"
 #include "tamis/mesh.hpp"
 
@@ -16,6 +17,13 @@ inline void require_countable(std::size_t faces, std::size_t loose_edges) {
   throw InvalidMesh("the mesh has " + std::to_string(faces) + " faces and " + std::to_string(loose_edges) +
                     " loose edges: three sides a face and the loose edges together may be " + std::to_string(kMost) +
                     " at most; split the mesh");
+}
+
+/// The number of an edge, or of an item of a row, by how many come before it. REQUIRES: a mesh that is countable, so
+/// that it has one.
+inline Index number_of(std::size_t before) {
+  TAMIS_ASSERT(before <= static_cast<std::size_t>(std::numeric_limits<Index>::max()));
+  return static_cast<Index>(before);
 }
 
 }  // namespace tamis

@@ -48,7 +48,7 @@ std::vector<FaceSide> collect_sides(const std::vector<Face>& faces, const std::v
   return sides;
 }
 
-void close_row(IndexRows& rows) { rows.offsets.push_back(static_cast<Index>(rows.items.size())); }
+void close_row(IndexRows& rows) { rows.offsets.push_back(number_of(rows.items.size())); }
 
 IndexRows faces_by_vertex(Index vertex_count, const std::vector<Face>& faces) {
   IndexRows rows;
@@ -87,7 +87,7 @@ Mesh::Mesh(Index vertex_count, std::vector<Face> faces, const std::vector<Edge>&
       edges_.push_back(side.edge);
     }
     if (side.face < 0) continue;
-    edges_of_face_[at(side.face)][at(side.side)] = static_cast<Index>(edges_.size()) - 1;
+    edges_of_face_[at(side.face)][at(side.side)] = number_of(edges_.size() - 1);
     const auto row = std::span(faces_of_edge_.items).subspan(at(faces_of_edge_.offsets.back()));
     if (row.empty() || row.back() != side.face) faces_of_edge_.items.push_back(side.face);
   }
@@ -106,7 +106,7 @@ Mesh::Mesh(Index vertex_count, std::vector<Face> faces, const std::vector<Edge>&
 Index Mesh::find_edge(Index a, Index b) const {
   const Edge edge = ascending(a, b);
   const auto found = std::lower_bound(edges_.begin(), edges_.end(), edge);
-  return found != edges_.end() && *found == edge ? static_cast<Index>(found - edges_.begin()) : -1;
+  return found != edges_.end() && *found == edge ? number_of(static_cast<std::size_t>(found - edges_.begin())) : -1;
 }
 
 Index Mesh::find_face(const Face& face) const {

@@ -15,7 +15,8 @@ struct TriangleFeatures {
   std::uint8_t all_vertices, all_edges;  ///< each once, also where the triangle is degenerate
 };
 
-/// The representative is the first incident triangle. REQUIRES: every feature has one (topology/surface.hpp).
+/// The representative is the first incident triangle. REQUIRES (not checked: O(n)): every feature has one
+/// (topology/surface.hpp).
 std::vector<TriangleFeatures> choose_representatives(const Mesh& mesh);
 
 inline bool share_a_vertex(const Face& a, const Face& b) {

@@ -114,6 +114,18 @@ TEST(MeshSize, ThatNoIndexCountsIsRefused) {
   EXPECT_THROW(require_countable(0, most + 1), InvalidMesh);
 }
 
+// Of the largest meshes that are not refused: as many edges as fit, as faces' sides, as loose edges, and as both.
+TEST(MeshSize, NumbersOfTheLargestMeshesDoNotOverflow) {
+  const std::size_t most = 2147483647;
+  for (const std::size_t faces : {most / 3, most / 4, std::size_t{0}}) {
+    const std::size_t loose_edges = most - 3 * faces, edges = 3 * faces + loose_edges;
+    EXPECT_NO_THROW(require_countable(faces, loose_edges));
+    EXPECT_EQ(number_of(edges - 1), 2147483646);  // the last edge
+    EXPECT_EQ(number_of(edges), 2147483647);      // the end of the last row
+    EXPECT_THROW(require_countable(faces, loose_edges + 1), InvalidMesh);
+  }
+}
+
 TEST(Mesh, FeaturesAreFoundByTheirVertices) {
   const Mesh mesh(8, {{2, 0, 1}, {1, 3, 2}, {2, 0, 1}, {4, 4, 5}}, {{7, 6}});
   for (std::size_t e = 0; e < mesh.edges().size(); ++e) {

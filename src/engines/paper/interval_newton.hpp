@@ -6,6 +6,7 @@
 #include "filters/ncf.hpp"
 #include "narrow/crossing.hpp"
 #include "narrow/subdivide.hpp"
+#include "numerics/assert.hpp"
 #include "numerics/interval.hpp"
 
 namespace tamis {
@@ -125,6 +126,7 @@ inline crossing::Sides<T> inside_test(const PairMotion<T>& m, const BasicInterva
 /// REQUIRES: `m` is the motion of the whole step.
 template <PairKind kind, class T>
 inline ElementaryTest<T> interval_newton_test(const PairMotion<T>& m) {
+  TAMIS_ASSERT(is_whole(m));
   namespace newton = interval_newton;
   const newton::Cubic<T> cubic(m);
   newton::TimeStack<T> parts;

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "bvh/refit.hpp"
+#include "numerics/assert.hpp"
 #include "topology/at.hpp"
 
 namespace tamis {
@@ -28,6 +29,7 @@ PatchCulling::PatchCulling(const Mesh& mesh, HighLevelCulling method, const Redu
 
 void PatchCulling::update(const BinaryTree& tree, const MovingPoints& points, const Step& step) {
   if (method_ == HighLevelCulling::none || tree.size() == 0) return;
+  TAMIS_ASSERT(tree.size() == 2 * static_cast<Index>(order_.size()) - 1);
   if (pose_finder_)
     update_norm(tree, step);
   else

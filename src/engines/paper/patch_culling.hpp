@@ -24,7 +24,8 @@ class PatchCulling {
   /// The order of triangles from which the hierarchy must be built; empty: any.
   const std::vector<Index>& order() const { return order_; }
 
-  /// Proves what it can of the nodes, from the root down. REQUIRES: the tree was built in `order()`.
+  /// Proves what it can of the nodes, from the root down. REQUIRES: a tree of as many triangles as `order()`. REQUIRES
+  /// (not checked: O(n)): built in that order.
   void update(const BinaryTree& tree, const MovingPoints& points, const Step& step);
 
   /// One flag a node: its triangles are proven free of contact among each other. Empty if there is no culling.

@@ -14,6 +14,7 @@
 #include "engines/tamis/pipelines.hpp"
 #include "engines/tamis/samples.hpp"
 #include "engines/tamis/step_length.hpp"
+#include "numerics/assert.hpp"
 
 namespace tamis {
 namespace {
@@ -154,8 +155,10 @@ class TamisEngine final : public Engine {
     t_limit_ = std::min(t_limit_, float_after(found.latest()));
   }
 
+  /// REQUIRES: trees of the question's step.
   void search_sample(const FoundContacts& found, PairKind kind, const TreeView& a, const TreeView& b,
                      const Sample& sample) {
+    TAMIS_ASSERT(trees_.are_of(found.step()));
     constexpr std::size_t kGrain = 8;
     pipelines_.for_each_part(
         found, kind, sample.count_in(a.leaf_blocks), kGrain, [&](StagePipeline& pipeline, int begin, int end) {

@@ -3,6 +3,7 @@
 #include "bvh/order_axes.hpp"
 #include "engines/cancellation.hpp"
 #include "engines/stopwatch.hpp"
+#include "numerics/assert.hpp"
 
 namespace tamis {
 namespace {
@@ -34,13 +35,23 @@ void FeatureTrees::update(const Step& step, const Separations& separations, Stat
   statistics.seconds.build = watch.lap();
 }
 
-void FeatureTrees::look_at(const Step& step, const Separations& separations) {
-  assign(step, separations);
-  if (!are_of_motion_) refit_trees();
+void FeatureTrees::assign(const Step& step, const Separations& separations) {
+  TAMIS_ASSERT(step.start.count() == mesh_.vertex_count() && step.end.count() == mesh_.vertex_count());
+  assigned_ = step;
+  if (motion_.assign(step, mesh_.points(), separations)) are_of_motion_ = false;
 }
 
-void FeatureTrees::assign(const Step& step, const Separations& separations) {
-  if (motion_.assign(step, mesh_.points(), separations)) are_of_motion_ = false;
+bool FeatureTrees::are_of(const Step& step) const {
+  const auto are_same = [](const Positions& a, const Positions& b) {
+    return a.data() == b.data() && a.count() == b.count() && a.stride() == b.stride();
+  };
+  return are_of_motion_ && are_same(assigned_.start, step.start) && are_same(assigned_.end, step.end);
+}
+
+void FeatureTrees::look_at(const Step& step, const Separations& separations) {
+  TAMIS_ASSERT(points_.is_built());
+  assign(step, separations);
+  if (!are_of_motion_) refit_trees();
 }
 
 void FeatureTrees::refit_trees() {
@@ -52,6 +63,7 @@ void FeatureTrees::refit_trees() {
 }
 
 void FeatureTrees::move_vertices(const Step& step, const Separations& separations, Statistics& statistics) {
+  TAMIS_ASSERT(points_.is_built());
   const Stopwatch watch;
   assign(step, separations);
   statistics.seconds.bounds += watch.seconds();
@@ -80,6 +92,7 @@ void FeatureTrees::update_trees(Statistics& statistics) {
 }
 
 void FeatureTrees::fit_residuals(const Step& step, const SharedMotion& shared) {
+  TAMIS_ASSERT(are_of(step));
   motion_.assign_residuals(step, shared);
   for (BlockTree* tree : {&points_, &edges_, &faces_, &loose_points_, &loose_edges_}) {
     stop_if_cancelled(options_);

@@ -19,15 +19,21 @@ class FeatureTrees {
   FeatureTrees(const FeatureTrees&) = delete;
   FeatureTrees& operator=(const FeatureTrees&) = delete;
 
+  // REQUIRES of all: as many positions as the mesh has vertices. REQUIRES (not checked: O(n)): a validated step.
+
   /// Boxes at t=0 and t=1, in the old order, or in a new one where that has become poor: nothing, where they are of
   /// this step already. Says seconds and `rebuilt`.
   void update(const Step& step, const Separations& separations, Statistics& statistics);
 
-  /// The same in the old order, whatever the step. REQUIRES: update() before.
+  /// The same in the old order, whatever the step. REQUIRES: an update() before that ended.
   void look_at(const Step& step, const Separations& separations);
-  /// Vertices alone: boxes are left as they are, of another step.
+  /// Vertices alone: boxes are left as they are, of another step, and must not be searched. REQUIRES: an update()
+  /// before that ended.
   void move_vertices(const Step& step, const Separations& separations, Statistics& statistics);
-  /// What the displacements of each feature have besides a motion they share, for the questions that ask.
+  /// Are the boxes, and the vertices, those of this step? By where its positions stand in memory.
+  bool are_of(const Step& step) const;
+  /// What the displacements of each feature have besides a motion they share, for the questions that ask. REQUIRES:
+  /// are_of(step).
   void fit_residuals(const Step& step, const SharedMotion& shared);
 
   /// Of the largest of the trees that make pairs.
@@ -59,6 +65,7 @@ class FeatureTrees {
   const Options& options_;
   const Kernels& kernels_;
   PackedMotion motion_;
+  Step assigned_;  ///< where the vertices are from
   const LooseFeatures loose_;
   BlockTree points_, edges_, faces_, loose_points_, loose_edges_;
   double built_area_ = 0;

@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "numerics/assert.hpp"
+
 namespace tamis {
 void Forecast::make(const Step& step, std::span<const Index> vertices, double steps) {
+  TAMIS_ASSERT(step.start.count() == step.end.count() && steps > 0);
   vertices_ = vertices;
   to_.resize(static_cast<std::size_t>(step.start.count()));
   from_.resize(to_.size());  // the last: it says that this is made
@@ -19,6 +22,7 @@ void Forecast::make(const Step& step, std::span<const Index> vertices, double st
 
 std::optional<Forecast::Fit> Forecast::fit(const Step& step, double most) const {
   if (from_.empty()) return {};
+  TAMIS_ASSERT(static_cast<std::size_t>(step.start.count()) == from_.size());
   const double start = nearest_time(step.start), end = nearest_time(step.end);
   if (!(start <= end)) return {};
   const auto at_start = stray(step.start, start, most);

@@ -22,7 +22,8 @@ class Forecast {
   /// `steps` times as far as `step` goes, straight; for some of its vertices, which the caller keeps alive.
   void make(const Step& step, std::span<const Index> vertices, double steps);
   void clear() { from_.clear(); }
-  /// Nothing if none was made, if stray exceeds `most`, or is not finite, or if the step goes backwards.
+  /// REQUIRES: as many positions as it was made of. Nothing if none was made, if stray exceeds `most`, or is not
+  /// finite, or if the step goes backwards.
   std::optional<Fit> fit(const Step& step, double most) const;
   /// All of it; other vertices are anywhere.
   Step way() const { return {from_, to_}; }

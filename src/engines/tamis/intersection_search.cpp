@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "engines/stopwatch.hpp"
+#include "numerics/assert.hpp"
 
 namespace tamis {
 namespace {
@@ -41,6 +42,7 @@ void IntersectionSearch::find(const Positions& positions, Intersections wanted, 
 }
 
 void IntersectionSearch::search() {
+  TAMIS_ASSERT(trees_.are_of(found_.step()));
   constexpr std::size_t kGrain = 8;
   constexpr PairKind kRunner = PairKind::vertex_face;
   const TreeView edges = trees_.edges(), faces = trees_.faces();
@@ -52,6 +54,7 @@ void IntersectionSearch::search() {
 
 Intersection IntersectionSearch::intersection_of(const Contact& contact) const {
   const auto& [runner, f0, f1, f2] = contact.vertices;
+  TAMIS_ASSERT(0 <= runner && static_cast<std::size_t>(runner) < mesh_.edges().size());
   const Edge& edge = mesh_.edges()[static_cast<std::size_t>(runner)];
   return {edge, {f0, f1, f2}, contact.toi_lower, contact.toi_upper, contact.u, contact.v};
 }

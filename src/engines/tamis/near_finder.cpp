@@ -45,7 +45,7 @@ void NearFinder::search(PairKind kind, const TreeView& a, const TreeView& b, int
   search.pairs = &buffers_->boxes;
   search.flush = flush;
   search.context = this;
-  for (int block = first; block < last; ++block) kernel_for_search(kernels_, kind)(search, block);
+  for (int block = first; block < last; ++block) search_block(kernel_for_search(kernels_, kind), search, block);
   nodes_visited += search.nodes_visited;
   traverse += watch_.lap();
   decide_buffered();

@@ -5,6 +5,7 @@
 
 #include "engines/cancellation.hpp"
 #include "engines/tamis/pair_buffers.hpp"
+#include "numerics/assert.hpp"
 #include "numerics/error_bounds.hpp"
 
 namespace tamis {
@@ -15,6 +16,7 @@ float rounded_up(double x) { return std::nextafter(static_cast<float>(x), std::n
 }  // namespace
 
 NearRule NearQuestion::near() const {
+  TAMIS_ASSERT(0 < fraction && fraction < 1);
   const double until = earliest.load(std::memory_order_relaxed) * (1 + 0x1p-15);
   return {rounded_up(fraction), rounded_up(until / (1 - fraction)), rounded_up(until), reserve_bounds(until)};
 }
@@ -76,8 +78,8 @@ void NearPipeline::search(PairKind kind, const TreeView& a, const TreeView& b, i
   search.pairs = &buffers_->boxes;
   search.flush = flush;
   search.context = this;
-  for (int block = first; block < last; block += stride)
-    (kind == PairKind::edge_edge ? kernels_.search_near_ee : kernels_.search_near_vf)(search, block);
+  const auto kernel = kind == PairKind::edge_edge ? kernels_.search_near_ee : kernels_.search_near_vf;
+  for (int block = first; block < last; block += stride) search_block(kernel, search, block);
   counts_.nodes_visited += search.nodes_visited;
   counts_.traverse += watch_.lap();
   decide_buffered();

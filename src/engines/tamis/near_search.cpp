@@ -7,6 +7,7 @@
 #include "engines/cancellation.hpp"
 #include "engines/stage_counts.hpp"
 #include "engines/stopwatch.hpp"
+#include "numerics/assert.hpp"
 
 namespace tamis {
 NearSearch::NearSearch(const Mesh& mesh, const Options& options, const Kernels& kernels, FeatureTrees& trees)
@@ -27,6 +28,7 @@ void NearSearch::find(const Positions& positions, const Separations& separations
 }
 
 void NearSearch::search(PairKind kind, const TreeView& a, const TreeView& b) {
+  TAMIS_ASSERT(trees_.are_of(step_));
   constexpr int kGrain = 8;
   tbb::parallel_for(tbb::blocked_range<int>(0, a.leaf_blocks, kGrain), [&](const tbb::blocked_range<int>& part) {
     bool is_known = false;

@@ -3,11 +3,13 @@
 #include "engines/pair_rules.hpp"
 #include "engines/stage_counts.hpp"
 #include "kernels/kernels.hpp"
+#include "numerics/assert.hpp"
 
 namespace tamis {
 
-/// In contact order: the search gives them so.
+/// In contact order: the search gives them so. REQUIRES: a pair of the buffer.
 inline PairVertices vertices_of(PairKind kind, const PairBuffer& pairs, int i) {
+  TAMIS_ASSERT(0 <= i && i < pairs.count);
   PairVertices vertices{-1, -1, -1, -1};
   for (std::size_t c = 0; c < vertex_count(kind); ++c) vertices[c] = pairs.corner[c][i];
   return vertices;
@@ -18,9 +20,20 @@ inline auto kernel_for_search(const Kernels& kernels, PairKind kind) {
   return kind == PairKind::edge_edge ? kernels.search_ee : kernels.search_vf;
 }
 
-/// Keeps the pairs of a buffer for which is_wanted(i). Nothing here waits for a branch.
+/// Searches from one leaf block, into the buffer. REQUIRES: a buffer, and what empties it; a block that there is; a
+/// time limit in [0,1].
+inline void search_block(void (*kernel)(Search&, int), Search& search, int block) {
+  TAMIS_ASSERT(search.pairs && search.flush && search.pairs->count <= PairBuffer::kCapacity);
+  TAMIS_ASSERT(0 <= block && block < search.a.leaf_blocks);
+  TAMIS_ASSERT(0 <= search.t_limit && search.t_limit <= 1 && search.widened >= 0);
+  kernel(search, block);
+}
+
+/// Keeps the pairs of a buffer for which is_wanted(i). Nothing here waits for a branch. REQUIRES: no more than it
+/// holds.
 template <class F>
 void keep_wanted(PairBuffer& pairs, const F& is_wanted) {
+  TAMIS_ASSERT(0 <= pairs.count && pairs.count <= PairBuffer::kCapacity);
   int kept = 0;
   for (int i = 0; i < pairs.count; ++i) {
     const bool is_kept = is_wanted(i);

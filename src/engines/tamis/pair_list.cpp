@@ -22,6 +22,9 @@ void PairList::clear() {
 }
 
 void PairList::append(const PairBuffer& pairs, std::size_t corners) {
+  TAMIS_ASSERT(0 <= pairs.count && pairs.count <= PairBuffer::kCapacity && corners <= kCorners);
+  TAMIS_ASSERT(size() == 0 ||
+               (corner_[corners - 1].size() == size() && (corners == kCorners || corner_[corners].empty())));
   for (std::size_t c = 0; c < corners; ++c)
     corner_[c].insert(corner_[c].end(), pairs.corner[c], pairs.corner[c] + pairs.count);
   t_in_.insert(t_in_.end(), pairs.t_in, pairs.t_in + pairs.count);
@@ -30,7 +33,10 @@ void PairList::append(const PairBuffer& pairs, std::size_t corners) {
 
 void PairList::take(PairList& other) {
   if (size() == 0) return std::swap(*this, other);
-  for (std::size_t c = 0; c < kCorners; ++c) append_to(corner_[c], other.corner_[c]);
+  for (std::size_t c = 0; c < kCorners; ++c) {
+    TAMIS_ASSERT(other.size() == 0 || corner_[c].empty() == other.corner_[c].empty());
+    append_to(corner_[c], other.corner_[c]);
+  }
   append_to(t_in_, other.t_in_);
   append_to(t_out_, other.t_out_);
   other.clear();
@@ -40,6 +46,7 @@ void PairList::copy(std::size_t first, std::size_t last, const TimeInterval<floa
                     PairBuffer& pairs) const {
   TAMIS_ASSERT(first <= last && last <= t_in_.size() &&
                last - first <= static_cast<std::size_t>(PairBuffer::kCapacity - pairs.count));
+  TAMIS_ASSERT(when.t_in <= when.t_out && 0 <= t_limit && t_limit <= 1);
   std::size_t kept[PairBuffer::kCapacity];
   std::size_t count = 0;
   for (std::size_t i = first; i < last; ++i) {

@@ -14,12 +14,12 @@ class PairList {
  public:
   std::size_t size() const { return t_in_.size(); }
   void clear();
-  /// All of a buffer; `corners` of a pair.
+  /// All of a buffer; `corners` of a pair. REQUIRES: as many as the pairs that are here have.
   void append(const PairBuffer& pairs, std::size_t corners);
-  /// All of `other`, which is empty then.
+  /// All of `other`, which is empty then. REQUIRES: the same kind.
   void take(PairList& other);
   /// Of the pairs first to last those that may touch at some time of `when` go to `pairs`, whose times are then from 0
-  /// to `t_limit`. REQUIRES: room for all of them.
+  /// to `t_limit`. REQUIRES: pairs that there are, room for all of them, times in order.
   void copy(std::size_t first, std::size_t last, const TimeInterval<float>& when, float t_limit,
             PairBuffer& pairs) const;
   std::uint64_t memory_bytes() const;

@@ -1,11 +1,13 @@
 #include "engines/tamis/stage_pipeline.hpp"
 
 #include <algorithm>
+#include <iterator>
 
 #include "engines/cancellation.hpp"
 #include "engines/tamis/pair_buffers.hpp"
 #include "narrow/decide.hpp"
 #include "narrow/sharp_bracket.hpp"
+#include "numerics/assert.hpp"
 
 namespace tamis {
 namespace {
@@ -25,6 +27,12 @@ StageKernels kernels_of(const Kernels& k, PairKind kind, bool are_edges_and_face
   const bool is_vf = kind == PairKind::vertex_face;
   return {kernel_for_search(k, kind), slabs[static_cast<std::size_t>(kind)], is_vf ? k.filter_vf : k.filter_ee,
           is_vf ? k.filter_straying_vf : k.filter_straying_ee, is_vf ? k.solve_vf : k.solve_ee};
+}
+
+/// Has the edge between these vertices that number?
+[[maybe_unused]] bool is_edge(const Mesh& mesh, Index number, Index start, Index end) {
+  return 0 <= number && static_cast<std::size_t>(number) < mesh.edges().size() &&
+         mesh.edges()[static_cast<std::size_t>(number)] == Edge{std::min(start, end), std::max(start, end)};
 }
 
 }  // namespace
@@ -56,6 +64,12 @@ void PipelineCounts::report(Statistics& statistics, double wall, bool has_filter
 }
 
 struct StagePipeline::Buffers {
+  /// For what becomes of the filtered pairs.
+  SolvedPair* room_for_solved() {
+    TAMIS_ASSERT(static_cast<std::size_t>(filtered.count) <= std::size(solved));
+    return solved;
+  }
+
   PairBuffer boxes, slab, filtered;
   SolvedPair solved[PairBuffer::kCapacity];
   std::unique_ptr<WithinScratch> within;  ///< made where it is used
@@ -99,7 +113,7 @@ void StagePipeline::search(PairKind kind, const TreeView& a, const TreeView& b, 
   search.context = this;
   const StageKernels stages = kernels_of(kernels_, kind, edges_of_ != nullptr);
   for (int block = blocks.first; block < blocks.last && found_.wants(kind); block += blocks.stride)
-    stages.search(search, block);
+    search_block(stages.search, search, block);
   counts_.nodes_visited += search.nodes_visited;
   counts_.traverse += watch_.lap();
 }
@@ -183,7 +197,8 @@ void StagePipeline::decide_within_separation(PairKind kind) {
   if (!within) within = std::make_unique<WithinScratch>();
   const WithinRule rule{motion_.pair_separation(), found_.latest()};
   const auto come_within = kernels_.come_within[static_cast<std::size_t>(kind)];
-  add_solved(kind, filtered, come_within(motion_.vertices.data(), rule, filtered, *within, solved));
+  add_solved(kind, filtered,
+             come_within(motion_.vertices.data(), rule, filtered, *within, buffers_->room_for_solved()));
   counts_.solving += watch_.lap();
 }
 
@@ -206,12 +221,13 @@ void StagePipeline::leave_out_unwanted(PairKind kind) {
 void StagePipeline::solve(PairKind kind) {
   const PairBuffer& pairs = buffers_->filtered;
   const int count = kernels_of(kernels_, kind, edges_of_ != nullptr)
-                        .solve(motion_.vertices.data(), pairs, buffers_->slab, buffers_->solved);
+                        .solve(motion_.vertices.data(), pairs, buffers_->slab, buffers_->room_for_solved());
   add_solved(kind, pairs, count);
 }
 
 void StagePipeline::add_solved(PairKind kind, const PairBuffer& pairs, int count) {
   int undecided = 0;
+  TAMIS_ASSERT(0 <= count && count <= pairs.count);
   for (int i = 0; i < count; ++i) {
     const SolvedPair& s = buffers_->solved[i];
     if (!s.is_decided || !is_sharp(s.toi_lower, s.toi_upper)) {
@@ -242,7 +258,10 @@ void StagePipeline::solve_singly(PairKind kind, const PairBuffer& pairs, int pai
 
 PairVertices StagePipeline::vertices_at(PairKind kind, const PairBuffer& pairs, int pair) const {
   PairVertices vertices = vertices_of(kind, pairs, pair);
-  if (edges_of_) vertices[0] = edges_of_->find_edge(vertices[0], pairs.corner[4][pair]);
+  if (!edges_of_) return vertices;
+  const Index start = vertices[0], end = pairs.corner[4][pair];
+  vertices[0] = edges_of_->find_edge(start, end);
+  TAMIS_ASSERT(is_edge(*edges_of_, vertices[0], start, end));
   return vertices;
 }
 

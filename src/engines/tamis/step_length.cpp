@@ -92,6 +92,7 @@ void StepLengthSearch::search_short_steps(const Samples& samples) {
 }
 
 void StepLengthSearch::search(const Sample& sample) {
+  TAMIS_ASSERT(trees_.are_of(question_.step));
   trees_.for_each_kind([&](PairKind kind, const TreeView& a, const TreeView& b) { search_sample(kind, a, b, sample); });
 }
 

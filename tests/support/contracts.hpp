@@ -1,0 +1,19 @@
+// Death tests of contracts (numerics/assert.hpp): only where they are checked.
+#pragma once
+#include <gtest/gtest.h>
+
+#include "numerics/assert.hpp"
+
+namespace tamis::test {
+
+class Contracts : public testing::Test {
+ protected:
+  void SetUp() override {
+#ifndef TAMIS_CHECK_CONTRACTS
+    GTEST_SKIP() << "built without TAMIS_CHECK_CONTRACTS";
+#endif
+    GTEST_FLAG_SET(death_test_style, "threadsafe");
+  }
+};
+
+}  // namespace tamis::test

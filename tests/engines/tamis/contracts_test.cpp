@@ -46,6 +46,8 @@ TEST_F(Contracts, TreesKnowWhoseBoxesTheyHave) {
   EXPECT_FALSE(t.trees.are_of(t.other_step));
   t.trees.look_at(t.other_step, {});
   EXPECT_TRUE(t.trees.are_of(t.other_step));
+  for (Point& p : t.other) p[2] += 1;  // another step in the same memory
+  EXPECT_FALSE(t.trees.are_of(t.other_step));
   t.trees.move_vertices(t.other_step, {}, t.statistics);
   EXPECT_FALSE(t.trees.are_of(t.other_step));
 }

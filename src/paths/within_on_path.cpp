@@ -14,7 +14,13 @@ constexpr int kMostPartsWithin = 1 << 16;
 /// Of a part, looked at next after a time at which the chords could not be proven apart any more.
 constexpr double kNext = 0x1p-5;
 
-Point middle_of(const Vec3<Interval>& p) { return {p.x.middle(), p.y.middle(), p.z.middle()}; }
+/// Zero where it may be anywhere: there an infinite error says so.
+double finite_middle(const Interval& x) {
+  const double middle = x.middle();
+  return std::isfinite(middle) ? middle : 0;
+}
+
+Point middle_of(const Vec3<Interval>& p) { return {finite_middle(p.x), finite_middle(p.y), finite_middle(p.z)}; }
 
 /// The largest stray and error that two points, one of each feature, can have together.
 double slack_of(const PathPart<double>& part, const std::array<double, 4>& strays) {

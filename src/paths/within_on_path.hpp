@@ -6,7 +6,7 @@
 
 namespace tamis {
 
-/// The middles of two moments.
+/// The middles of two moments; finite, also where an error is not.
 PairPoints points_between(const Moment<double>& from, const Moment<double>& to);
 
 /// As decide_on_path. REQUIRES: a separation > 0, a part of the path. REQUIRES (not checked: history): `reader` reads

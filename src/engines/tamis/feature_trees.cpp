@@ -1,5 +1,7 @@
 #include "engines/tamis/feature_trees.hpp"
 
+#include <algorithm>
+
 #include "bvh/order_axes.hpp"
 #include "engines/cancellation.hpp"
 #include "engines/stopwatch.hpp"
@@ -45,7 +47,10 @@ bool FeatureTrees::are_of(const Step& step) const {
   const auto are_same = [](const Positions& a, const Positions& b) {
     return a.data() == b.data() && a.count() == b.count() && a.stride() == b.stride();
   };
-  return are_of_motion_ && are_same(assigned_.start, step.start) && are_same(assigned_.end, step.end);
+  if (!are_of_motion_ || !are_same(assigned_.start, step.start) || !are_same(assigned_.end, step.end)) return false;
+  const Index some = mesh_.points()[mesh_.points().size() / 2];
+  const double* packed = motion_.vertices[static_cast<std::size_t>(some)].at;
+  return std::equal(packed, packed + 3, step.start[some]) && std::equal(packed + 4, packed + 7, step.end[some]);
 }
 
 void FeatureTrees::look_at(const Step& step, const Separations& separations) {

@@ -30,7 +30,7 @@ class FeatureTrees {
   /// Vertices alone: boxes are left as they are, of another step, and must not be searched. REQUIRES: an update()
   /// before that ended.
   void move_vertices(const Step& step, const Separations& separations, Statistics& statistics);
-  /// Are the boxes, and the vertices, those of this step? By where its positions stand in memory.
+  /// Are the boxes, and the vertices, those of this step? By where its positions stand in memory, and by one of them.
   bool are_of(const Step& step) const;
   /// What the displacements of each feature have besides a motion they share, for the questions that ask. REQUIRES:
   /// are_of(step).

@@ -10,6 +10,16 @@
 #include "numerics/assert.hpp"
 
 namespace tamis {
+namespace {
+
+/// Has the edge between these vertices that number?
+[[maybe_unused]] bool is_edge(const Mesh& mesh, Index number, Index start, Index end) {
+  return 0 <= number && static_cast<std::size_t>(number) < mesh.edges().size() &&
+         mesh.edges()[static_cast<std::size_t>(number)] == Edge{std::min(start, end), std::max(start, end)};
+}
+
+}  // namespace
+
 PipelineCounts& PipelineCounts::operator+=(const PipelineCounts& other) {
   add(boxes, other.boxes);
   add(slab, other.slab);

@@ -71,14 +71,13 @@ void add_stages(const Workload& work, PairKind kind) {
     SolvedPair solved[PairBuffer::kCapacity];
   };
   const auto scratch = std::make_shared<Scratch>();
-  const bool is_vf = kind == PairKind::vertex_face;
-  const Kernels& k = work.kernels();
+  const PairKernels& k = work.kernels().of(kind);
   const PackedVertex* vertices = work.motion().vertices.data();
   const BoxVertex* box_vertices = work.motion().box_vertices.data();
   const BoxSeparation separation = work.motion().box_separation();
-  const auto slab = is_vf ? k.slab_vf : k.slab_ee;
-  const auto filter = is_vf ? k.filter_vf : k.filter_ee;
-  const auto solve = is_vf ? k.solve_vf : k.solve_ee;
+  const auto slab = k.slab;
+  const auto filter = k.filter;
+  const auto solve = k.solve;
   const StageInputs& inputs = work.inputs(kind);
   add_stage(work, "slab_" + name(kind), inputs.slab, [=](const PairBuffer& in) {
     scratch->out.count = 0;

@@ -43,13 +43,12 @@ Workload::Workload(std::string name, Mesh mesh, std::vector<Point> start, std::v
 }
 
 StageInputs Workload::inputs_of(PairKind kind) const {
-  const bool is_vf = kind == PairKind::vertex_face;
   StageInputs inputs;
   auto slab = std::make_unique<PairBuffer>(), filtered = std::make_unique<PairBuffer>();
   search(kind, [&](PairBuffer& pairs) {
     slab->count = filtered->count = 0;
-    (is_vf ? kernels_.slab_vf : kernels_.slab_ee)(motion_.box_vertices.data(), motion_.box_separation(), pairs, *slab);
-    (is_vf ? kernels_.filter_vf : kernels_.filter_ee)(motion_.vertices.data(), *slab, *filtered);
+    kernels_.of(kind).slab(motion_.box_vertices.data(), motion_.box_separation(), pairs, *slab);
+    kernels_.of(kind).filter(motion_.vertices.data(), *slab, *filtered);
     keep(inputs.slab, pairs);
     keep(inputs.filter, *slab);
     keep(inputs.solve, *filtered);

@@ -44,8 +44,7 @@ class Workload {
     search.pairs = pairs.get();
     search.context = const_cast<void*>(static_cast<const void*>(&flush));
     search.flush = [](Search& s) { (*static_cast<const Flush*>(s.context))(*s.pairs); };
-    for (int block = 0; block < search.a.leaf_blocks; ++block)
-      (is_vf ? kernels_.search_vf : kernels_.search_ee)(search, block);
+    for (int block = 0; block < search.a.leaf_blocks; ++block) kernels_.of(kind).search(search, block);
     flush(*pairs);
     return search.nodes_visited;
   }

@@ -75,8 +75,8 @@ class PartDecision {
     TAMIS_ASSERT(batch.pairs.count <= Batch::kMost);
     const auto& [start, end] = part_.step;
     const StepRows vertices{start.data(), end.data(), start.stride(), end.stride()};
-    const int open = part_.kernels.settle[static_cast<std::size_t>(kind)](
-        {vertices, batch.places, part_.options, within(kind)}, batch.pairs, batch.rest, results_, batch.open);
+    const int open = part_.kernels.of(kind).settle({vertices, batch.places, part_.options, within(kind)}, batch.pairs,
+                                                   batch.rest, results_, batch.open);
     TAMIS_ASSERT(0 <= open && open <= batch.pairs.count);
     batch.pairs.count = 0;
     return std::all_of(batch.open, batch.open + open, [&](std::int32_t place) { return decide_open(kind, place); });

@@ -88,7 +88,7 @@ struct Search {
   /// Nothing that starts after this time is of interest; a float, so that the stages in floats do not round it.
   float t_limit = 1;
   NearRule near{};  ///< for search_near, which looks at nothing else
-  /// If positive, boxes are looked at as they are at t=0, wider together by this much than what is near.
+  /// For search_at_rest: by how much boxes are wider, together, than what is near.
   float widened = 0;
   PairBuffer* pairs = nullptr;
   /// Called when `pairs` cannot take sixteen pairs more; must empty it.
@@ -111,61 +111,59 @@ struct ListedPairs {
   WithinScratch* within;  ///< where a separation is asked for, or a kind that cannot cross
 };
 
+/// The kernels of one type of pairs; null where the type has no use for one.
+struct PairKernels {
+  /// Finds the pairs of features of leaf block `block` of `a` with all of `b` whose moving boxes meet and that share
+  /// no vertex; of edges: with the blocks from `block` on, each pair once. Loose edges and points are searched as faces
+  /// are, their last vertex repeated.
+  void (*search)(Search& search, int block) = nullptr;
+  /// The same of boxes at t=0 that are wider, together, by search.widened.
+  void (*search_at_rest)(Search& search, int block) = nullptr;
+  /// The same of pairs that may end the step by the near rule. Trees have rests.
+  void (*search_near)(Search& search, int block) = nullptr;
+  /// Pairs that cannot end the step by the rule, from t=0 to their t_out, are culled. `pairs` is used up: what it holds
+  /// then are those that floats could not cull. Of pairs that can cross.
+  void (*near)(const NearVertices& vertices, const NearRule& rule, PairBuffer& pairs, PairBuffer& out) = nullptr;
+  /// Slab clip: pairs that stay farther apart than `separation` are culled. Survivors, with their times, go to `out`.
+  void (*slab)(const BoxVertex* vertices, const BoxSeparation& separation, const PairBuffer& in,
+               PairBuffer& out) = nullptr;
+  /// DNF, then NCF, on what is left of the step. Returns how many pairs NCF had to look at. Of pairs that can cross, as
+  /// the next two.
+  int (*filter)(const PackedVertex* vertices, const PairBuffer& in, PairBuffer& out) = nullptr;
+  /// DNF for motions that are not quite known: pairs that cannot touch while no vertex is farther than `stray` from
+  /// where it is here, along any axis, are culled.
+  void (*filter_straying)(const PackedVertex* vertices, double stray, const PairBuffer& in, PairBuffer& out) = nullptr;
+  /// Roots and inside test. Writes the pairs that touch or are undecided, returns their number; `rest` is scratch.
+  int (*solve)(const PackedVertex* vertices, const PairBuffer& in, PairBuffer& rest, SolvedPair* out) = nullptr;
+  /// Pairs that one axis which turns with them, or four, prove farther apart than their separation during their times
+  /// are culled. `pairs` is used up.
+  void (*cull_apart)(const BoxVertex* vertices, const BoxSeparation& separation, PairBuffer& pairs,
+                     PairBuffer& out) = nullptr;
+  /// When do pairs come within their separation? Asked of the whole step, with the bits of decide(). Writes the pairs
+  /// that do, and those left undecided; returns their number.
+  int (*come_within)(const PackedVertex* vertices, const WithinRule& rule, const PairBuffer& in, WithinScratch& scratch,
+                     SolvedPair* out) = nullptr;
+  /// At rest: appends the pairs within their separation to `near`, and to `unsure` those that may be and whose distance
+  /// doubles do not know well enough.
+  void (*find_near)(const PackedVertex* vertices, const PairSeparation& separation, const PairBuffer& in,
+                    PairBuffer& near, PairBuffer& unsure) = nullptr;
+  /// At rest: one NearPair for each pair of the buffer; the distance is NaN where doubles do not know it well enough.
+  void (*measure)(const PackedVertex* vertices, const PairBuffer& in, NearPair* out) = nullptr;
+  /// The pairs of a list, each for the whole step and by itself, as far as doubles settle it (narrow/settled.hpp): with
+  /// the bits of decide(). Writes results[places[i]], or the place to `open`, whose number is returned: of pairs for
+  /// decide_unsettled(), or whose coordinates are not finite. `rest` is scratch.
+  int (*settle)(const ListedPairs& list, const PairBuffer& in, PairBuffer& rest, PairResult* results,
+                std::int32_t* open) = nullptr;
+};
+
 struct Kernels {
   Isa isa;
   TreeKernels trees;
-  /// Finds the pairs of features of leaf block `block` of `a` with all of `b` whose moving boxes meet and that share
-  /// no vertex; ee: with the blocks from `block` on, each pair once.
-  void (*search_vf)(Search& search, int block);
-  void (*search_ee)(Search& search, int block);
-  /// Edges of a that meet faces of b at t=0 and share no vertex with them.
-  void (*search_ef)(Search& search, int block);
-  /// vf and ee for pairs that may end the step by the near rule. Trees have rests.
-  void (*search_near_vf)(Search& search, int block);
-  void (*search_near_ee)(Search& search, int block);
-  /// Pairs that cannot end the step by the rule, from t=0 to their t_out, are culled. `pairs` is used up: what it holds
-  /// then are those that floats could not cull.
-  void (*near_vf)(const NearVertices& vertices, const NearRule& rule, PairBuffer& pairs, PairBuffer& out);
-  void (*near_ee)(const NearVertices& vertices, const NearRule& rule, PairBuffer& pairs, PairBuffer& out);
-  /// Slab clip: pairs that stay farther apart than `separation` are culled. Survivors, with their times, go to `out`.
-  void (*slab_vf)(const BoxVertex* vertices, const BoxSeparation& separation, const PairBuffer& in, PairBuffer& out);
-  void (*slab_ee)(const BoxVertex* vertices, const BoxSeparation& separation, const PairBuffer& in, PairBuffer& out);
-  void (*slab_ef)(const BoxVertex* vertices, const BoxSeparation& separation, const PairBuffer& in, PairBuffer& out);
-  /// DNF, then NCF, on what is left of the step. Returns how many pairs NCF had to look at.
-  int (*filter_vf)(const PackedVertex* vertices, const PairBuffer& in, PairBuffer& out);
-  int (*filter_ee)(const PackedVertex* vertices, const PairBuffer& in, PairBuffer& out);
-  int (*filter_ef)(const PackedVertex* vertices, const PairBuffer& in, PairBuffer& out);
-  /// DNF for motions that are not quite known: pairs that cannot touch while no vertex is farther than `stray` from
-  /// where it is here, along any axis, are culled.
-  void (*filter_straying_vf)(const PackedVertex* vertices, double stray, const PairBuffer& in, PairBuffer& out);
-  void (*filter_straying_ee)(const PackedVertex* vertices, double stray, const PairBuffer& in, PairBuffer& out);
-  /// Roots and inside test. Writes the pairs that touch or are undecided, returns their number; `rest` is scratch.
-  int (*solve_vf)(const PackedVertex* vertices, const PairBuffer& in, PairBuffer& rest, SolvedPair* out);
-  int (*solve_ee)(const PackedVertex* vertices, const PairBuffer& in, PairBuffer& rest, SolvedPair* out);
-  int (*solve_ef)(const PackedVertex* vertices, const PairBuffer& in, PairBuffer& rest, SolvedPair* out);
-  /// [kind]: pairs that one axis which turns with them, or four, prove farther apart than their separation during their
-  /// times are culled. `pairs` is used up.
-  void (*cull_apart[kPairKinds])(const BoxVertex* vertices, const BoxSeparation& separation, PairBuffer& pairs,
-                                 PairBuffer& out);
-  /// [kind]: when do pairs come within their separation? Asked of the whole step, with the bits of decide(). Writes the
-  /// pairs that do, and those left undecided; returns their number.
-  int (*come_within[kPairKinds])(const PackedVertex* vertices, const WithinRule& rule, const PairBuffer& in,
-                                 WithinScratch& scratch, SolvedPair* out);
-  /// At rest, [kind]: appends the pairs within their separation to `near`, and to `unsure` those that may be and whose
-  /// distance doubles do not know well enough.
-  void (*find_near[kPairKinds])(const PackedVertex* vertices, const PairSeparation& separation, const PairBuffer& in,
-                                PairBuffer& near, PairBuffer& unsure);
-  /// At rest, [kind]: one NearPair for each pair of the buffer; the distance is NaN where doubles do not know it well
-  /// enough.
-  void (*measure[kPairKinds])(const PackedVertex* vertices, const PairBuffer& in, NearPair* out);
-  /// The slab clip for the kinds that cannot cross.
-  void (*slab_ve)(const BoxVertex* vertices, const BoxSeparation& separation, const PairBuffer& in, PairBuffer& out);
-  void (*slab_vv)(const BoxVertex* vertices, const BoxSeparation& separation, const PairBuffer& in, PairBuffer& out);
-  /// [kind]: the pairs of a list, each for the whole step and by itself, as far as doubles settle it
-  /// (narrow/settled.hpp): with the bits of decide(). Writes results[places[i]], or the place to `open`, whose number
-  /// is returned: of pairs for decide_unsettled(), or whose coordinates are not finite. `rest` is scratch.
-  int (*settle[kPairKinds])(const ListedPairs& list, const PairBuffer& in, PairBuffer& rest, PairResult* results,
-                            std::int32_t* open);
+  PairKernels of_kind[kPairKinds];
+  /// Edges of a that meet faces of b in one pose, boxes at t=0: PairBuffer says how such a pair moves.
+  PairKernels along_edges;
+
+  const PairKernels& of(PairKind kind) const { return of_kind[static_cast<std::size_t>(kind)]; }
 };
 
 /// The kernels of `isa`; throws InvalidOptions if this machine or build has none. `best`: the widest there is.

@@ -19,21 +19,9 @@
 namespace tamis::TAMIS_ISA {
 namespace {
 
-template <PairKind kind>
+template <PairKind kind, class Boxes, Course course = Course::step>
 void search(Search& state, int block) {
-  if (state.widened > 0)
-    BlockSearch<kind, RestBoxes>(state, block).run();
-  else
-    BlockSearch<kind, MovingBoxes>(state, block).run();
-}
-
-void search_along_edges(Search& state, int block) {
-  BlockSearch<PairKind::vertex_face, StillBoxes, Course::along_edge>(state, block).run();
-}
-
-template <PairKind kind>
-void search_near(Search& state, int block) {
-  BlockSearch<kind, NearBoxes>(state, block).run();
+  BlockSearch<kind, Boxes, course>(state, block).run();
 }
 
 TimeInterval<DoubleLanes> load_time(const PairBuffer& pairs, int first) {
@@ -182,38 +170,41 @@ int solve(const PackedVertex* vertices, const PairBuffer& in, PairBuffer& rest, 
   return count;
 }
 
+constexpr auto kVf = PairKind::vertex_face, kEe = PairKind::edge_edge;
+
+template <PairKind kind>
+constexpr PairKernels kernels_of() {
+  constexpr PairKind kSearched = kind == kEe ? kEe : kVf;
+  PairKernels kernels{.search = search<kSearched, MovingBoxes>,
+                      .search_at_rest = search<kSearched, RestBoxes>,
+                      .search_near = search<kSearched, NearBoxes>,
+                      .slab = slab<kind>,
+                      .cull_apart = cull_apart<kind>,
+                      .come_within = come_within<kind>,
+                      .find_near = find_near<kind>,
+                      .measure = measure<kind>,
+                      .settle = settle<kind>};
+  if constexpr (can_cross(kind)) {
+    kernels.near = near<kind>;
+    kernels.filter = filter<kind>;
+    kernels.filter_straying = filter_straying<kind>;
+    kernels.solve = solve<kind>;
+  }
+  return kernels;
+}
+
+constexpr PairKernels kAlongEdges{.search = search<kVf, StillBoxes, Course::along_edge>,
+                                  .slab = slab<kVf, Course::along_edge>,
+                                  .filter = filter<kVf, Course::along_edge>,
+                                  .solve = solve<kVf, Course::along_edge>};
+
 }  // namespace
 
 extern const Kernels kKernels;
-constexpr auto kVf = PairKind::vertex_face, kEe = PairKind::edge_edge, kVe = PairKind::vertex_edge,
-               kVv = PairKind::vertex_vertex;
-constexpr auto kAlong = Course::along_edge;
-const Kernels kKernels{Isa::TAMIS_ISA,
-                       {split, bound_leaf},
-                       search<kVf>,
-                       search<kEe>,
-                       search_along_edges,
-                       search_near<kVf>,
-                       search_near<kEe>,
-                       near<kVf>,
-                       near<kEe>,
-                       slab<kVf>,
-                       slab<kEe>,
-                       slab<kVf, kAlong>,
-                       filter<kVf>,
-                       filter<kEe>,
-                       filter<kVf, kAlong>,
-                       filter_straying<kVf>,
-                       filter_straying<kEe>,
-                       solve<kVf>,
-                       solve<kEe>,
-                       solve<kVf, kAlong>,
-                       {cull_apart<kVf>, cull_apart<kEe>, cull_apart<kVe>, cull_apart<kVv>},
-                       {come_within<kVf>, come_within<kEe>, come_within<kVe>, come_within<kVv>},
-                       {find_near<kVf>, find_near<kEe>, find_near<kVe>, find_near<kVv>},
-                       {measure<kVf>, measure<kEe>, measure<kVe>, measure<kVv>},
-                       slab<kVe>,
-                       slab<kVv>,
-                       {settle_vf, settle_ee, settle_ve, settle_vv}};
+constinit const Kernels kKernels{
+    Isa::TAMIS_ISA,
+    {split, bound_leaf},
+    {kernels_of<kVf>(), kernels_of<kEe>(), kernels_of<PairKind::vertex_edge>(), kernels_of<PairKind::vertex_vertex>()},
+    kAlongEdges};
 
 }  // namespace tamis::TAMIS_ISA

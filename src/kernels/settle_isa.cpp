@@ -139,21 +139,16 @@ class Settling {
 
 }  // namespace
 
-int settle_vf(const ListedPairs& list, const PairBuffer& in, PairBuffer& rest, PairResult* results,
-              std::int32_t* open) {
-  return Settling<PairKind::vertex_face>(list, rest, results, open).run(in);
+template <PairKind kind>
+int settle(const ListedPairs& list, const PairBuffer& in, PairBuffer& rest, PairResult* results, std::int32_t* open) {
+  return Settling<kind>(list, rest, results, open).run(in);
 }
-int settle_ee(const ListedPairs& list, const PairBuffer& in, PairBuffer& rest, PairResult* results,
-              std::int32_t* open) {
-  return Settling<PairKind::edge_edge>(list, rest, results, open).run(in);
-}
-int settle_ve(const ListedPairs& list, const PairBuffer& in, PairBuffer& rest, PairResult* results,
-              std::int32_t* open) {
-  return Settling<PairKind::vertex_edge>(list, rest, results, open).run(in);
-}
-int settle_vv(const ListedPairs& list, const PairBuffer& in, PairBuffer& rest, PairResult* results,
-              std::int32_t* open) {
-  return Settling<PairKind::vertex_vertex>(list, rest, results, open).run(in);
-}
+
+#define TAMIS_SETTLE(kind) \
+  template int settle<PairKind::kind>(const ListedPairs&, const PairBuffer&, PairBuffer&, PairResult*, std::int32_t*)
+TAMIS_SETTLE(vertex_face);
+TAMIS_SETTLE(edge_edge);
+TAMIS_SETTLE(vertex_edge);
+TAMIS_SETTLE(vertex_vertex);
 
 }  // namespace tamis::TAMIS_ISA

@@ -1,4 +1,4 @@
-// Pairs within a separation: see Kernels::cull_apart and Kernels::come_within.
+// Pairs within a separation: see PairKernels::cull_apart and come_within.
 #pragma once
 #include "kernels/kernels.hpp"
 

@@ -81,19 +81,17 @@ void find(Search& search, void (*kernel)(Search&, int), PairBuffer& pairs) {
 /// Pairs that the kernels leave after search, clip, filters and roots.
 std::array<int, 4> run(const Kernels& kernels, PairKind kind, const GuardedTree& a, const GuardedTree& b,
                        const PackedVertex* vertices, const BoxVertex* box_vertices, Guard guard) {
-  const bool is_vf = kind == PairKind::vertex_face;
   const auto empty = std::make_unique<PairBuffer>();
   const Guarded<PairBuffer> boxes({empty.get(), 1}, guard), slab({empty.get(), 1}, guard),
       filtered({empty.get(), 1}, guard);
   const std::vector<SolvedPair> none(PairBuffer::kCapacity);
   const Guarded<SolvedPair> solved(none, guard);
   Search search{a.view(), b.view()};
-  find(search, is_vf ? kernels.search_vf : kernels.search_ee, *boxes.data());
-  (is_vf ? kernels.slab_vf : kernels.slab_ee)(box_vertices, {0x1p-22f, true}, *boxes.data(), *slab.data());
-  (is_vf ? kernels.filter_vf : kernels.filter_ee)(vertices, *slab.data(), *filtered.data());
+  find(search, kernels.of(kind).search, *boxes.data());
+  kernels.of(kind).slab(box_vertices, {0x1p-22f, true}, *boxes.data(), *slab.data());
+  kernels.of(kind).filter(vertices, *slab.data(), *filtered.data());
   const int slab_count = slab.data()->count;
-  const int left =
-      (is_vf ? kernels.solve_vf : kernels.solve_ee)(vertices, *filtered.data(), *slab.data(), solved.data());
+  const int left = kernels.of(kind).solve(vertices, *filtered.data(), *slab.data(), solved.data());
   return {boxes.data()->count, slab_count, filtered.data()->count, left};
 }
 
@@ -103,21 +101,20 @@ int run_at_rest(const Kernels& kernels, PairKind kind, const GuardedTree& a, con
   const Guarded<PairBuffer> at_rest({empty.get(), 1}, guard);
   Search search{a.view(), b.view()};
   search.widened = 0x1p-10f;
-  find(search, kind == PairKind::vertex_face ? kernels.search_vf : kernels.search_ee, *at_rest.data());
+  find(search, kernels.of(kind).search_at_rest, *at_rest.data());
   return at_rest.data()->count;
 }
 
 /// The way of step lengths: pairs that the search leaves, and of these the ones that may end the step.
 std::array<int, 2> run_near(const Kernels& kernels, PairKind kind, const GuardedTree& a, const GuardedTree& b,
                             const NearVertices& vertices, Guard guard) {
-  const bool is_vf = kind == PairKind::vertex_face;
   const auto empty = std::make_unique<PairBuffer>();
   const Guarded<PairBuffer> boxes({empty.get(), 1}, guard), near({empty.get(), 1}, guard);
   Search search{a.view(), b.view()};
   search.near = {0.25f, 1.5f, 1.0f, {2.25f, 0, 0, 1}};
-  find(search, is_vf ? kernels.search_near_vf : kernels.search_near_ee, *boxes.data());
+  find(search, kernels.of(kind).search_near, *boxes.data());
   const int found = boxes.data()->count;
-  (is_vf ? kernels.near_vf : kernels.near_ee)(vertices, search.near, *boxes.data(), *near.data());
+  kernels.of(kind).near(vertices, search.near, *boxes.data(), *near.data());
   return {found, near.data()->count};
 }
 
@@ -140,7 +137,7 @@ void run_list(const Kernels& kernels, std::size_t kind, const PairBuffer& in, co
     const auto unused = std::make_unique<WithinScratch>();
     const Guarded<WithinScratch> within({unused.get(), 1}, guard);
     const ListedPairs list{vertices, places.data(), options, within.data()};
-    const int left = kernels.settle[kind](list, in, *rest.data(), results.data(), open.data());
+    const int left = kernels.of_kind[kind].settle(list, in, *rest.data(), results.data(), open.data());
     const auto answered =
         std::count_if(results.data(), results.data() + count, [](const PairResult& r) { return r.toi_lower >= 0; });
     EXPECT_EQ(static_cast<std::size_t>(answered) + static_cast<std::size_t>(left), count) << kind;
@@ -156,11 +153,11 @@ void run_within(const Kernels& kernels, std::size_t kind, const PairBuffer& pair
     const Guarded<PairBuffer> in({&pairs, 1}, guard), left({empty.get(), 1}, guard);
     const Guarded<WithinScratch> scratch({unused.get(), 1}, guard);
     const Guarded<SolvedPair> solved(std::vector<SolvedPair>(PairBuffer::kCapacity), guard);
-    kernels.cull_apart[kind](box_vertices, {separation, true}, *in.data(), *left.data());
+    kernels.of_kind[kind].cull_apart(box_vertices, {separation, true}, *in.data(), *left.data());
     EXPECT_LE(left.data()->count, in.data()->count) << kind;
     EXPECT_LE(in.data()->count, pairs.count) << kind;
     const WithinRule rule{{separation, true}, 1};
-    const int count = kernels.come_within[kind](vertices, rule, *left.data(), *scratch.data(), solved.data());
+    const int count = kernels.of_kind[kind].come_within(vertices, rule, *left.data(), *scratch.data(), solved.data());
     EXPECT_LE(count, left.data()->count) << kind;
     const auto decided =
         std::count_if(solved.data(), solved.data() + count, [](const auto& s) { return s.is_decided; });
@@ -178,17 +175,17 @@ void run_other_kinds(const Kernels& kernels, const Soup& soup, const PackedVerte
       pairs->corner[corner][pairs->count] = static_cast<std::int32_t>((corner + 3 * pairs->count) % count);
   for (int i = 0; i < count; ++i) pairs->t_out[i] = 1;
   const Guarded<PairBuffer> in({pairs.get(), 1}, guard);
-  for (const auto slab : {kernels.slab_ve, kernels.slab_vv}) {
+  for (const auto slab : {kernels.of(PairKind::vertex_edge).slab, kernels.of(PairKind::vertex_vertex).slab}) {
     const Guarded<PairBuffer> out({empty.get(), 1}, guard);
     slab(box_vertices, {4, true}, *in.data(), *out.data());
     EXPECT_GT(out.data()->count, 0);
   }
   for (std::size_t kind = 0; kind < kPairKinds; ++kind) {
     const Guarded<PairBuffer> near({empty.get(), 1}, guard), unsure({empty.get(), 1}, guard);
-    kernels.find_near[kind](vertices, {8, true}, *in.data(), *near.data(), *unsure.data());
+    kernels.of_kind[kind].find_near(vertices, {8, true}, *in.data(), *near.data(), *unsure.data());
     EXPECT_EQ(near.data()->count + unsure.data()->count, count) << kind;
     const Guarded<NearPair> rest(std::vector<NearPair>(PairBuffer::kCapacity), guard);
-    kernels.measure[kind](vertices, *in.data(), rest.data());
+    kernels.of_kind[kind].measure(vertices, *in.data(), rest.data());
     run_list(kernels, kind, *in.data(), soup, guard);
     run_within(kernels, kind, *in.data(), vertices, box_vertices, guard);
   }

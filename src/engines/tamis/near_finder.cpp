@@ -45,7 +45,7 @@ void NearFinder::search(PairKind kind, const TreeView& a, const TreeView& b, int
   search.pairs = &buffers_->boxes;
   search.flush = flush;
   search.context = this;
-  for (int block = first; block < last; ++block) search_block(kernel_for_search(kernels_, kind), search, block);
+  for (int block = first; block < last; ++block) search_block(kernels_.of(kind).search_at_rest, search, block);
   nodes_visited += search.nodes_visited;
   traverse += watch_.lap();
   decide_buffered();
@@ -64,8 +64,7 @@ void NearFinder::decide_buffered() {
   keep_each_once(kind, pairs);
   of(boxes, kind) += static_cast<std::uint64_t>(pairs.count);
   is_near_enough.count = unsure.count = 0;
-  kernels_.find_near[static_cast<std::size_t>(kind)](motion_.vertices.data(), motion_.pair_separation(), pairs,
-                                                     is_near_enough, unsure);
+  kernels_.of(kind).find_near(motion_.vertices.data(), motion_.pair_separation(), pairs, is_near_enough, unsure);
   decided_by.lanes += static_cast<std::uint64_t>(pairs.count - unsure.count);
   pairs.count = 0;
   keep_wanted(unsure, [&](int i) {
@@ -100,7 +99,7 @@ void NearFinder::describe(PairKind kind, const Step& step, const PairVertices* p
       for (std::size_t c = 0; c < vertex_count(kind); ++c)
         buffer.corner[c][i] = pairs[first + static_cast<std::size_t>(i)][c];
     NearPair* const said = out + first;
-    kernels_.measure[static_cast<std::size_t>(kind)](motion_.vertices.data(), buffer, said);
+    kernels_.of(kind).measure(motion_.vertices.data(), buffer, said);
     for (int i = 0; i < buffer.count; ++i)
       if (std::isnan(said[i].distance)) said[i] = near_pair(kind, said[i].vertices, points_of(step, said[i].vertices));
   }

@@ -78,7 +78,7 @@ void NearPipeline::search(PairKind kind, const TreeView& a, const TreeView& b, i
   search.pairs = &buffers_->boxes;
   search.flush = flush;
   search.context = this;
-  const auto kernel = kind == PairKind::edge_edge ? kernels_.search_near_ee : kernels_.search_near_vf;
+  const auto kernel = kernels_.of(kind).search_near;
   for (int block = first; block < last; block += stride) search_block(kernel, search, block);
   counts_.nodes_visited += search.nodes_visited;
   counts_.traverse += watch_.lap();
@@ -102,7 +102,7 @@ void NearPipeline::decide_buffered() {
   if (can_cross(kind)) {
     const NearVertices vertices{motion_.box_vertices.data(), motion_.box_separation(), motion_.vertices.data(),
                                 motion_.pair_separation()};
-    (kind == PairKind::vertex_face ? kernels_.near_vf : kernels_.near_ee)(vertices, question_.near(), boxes, near);
+    kernels_.of(kind).near(vertices, question_.near(), boxes, near);
   }
   const PairBuffer& left = can_cross(kind) ? near : boxes;  // loose points are few
   of(counts_.near, kind) += static_cast<std::uint64_t>(left.count);

@@ -15,11 +15,6 @@ inline PairVertices vertices_of(PairKind kind, const PairBuffer& pairs, int i) {
   return vertices;
 }
 
-/// Loose edges and points are searched as faces are, their last vertex repeated.
-inline auto kernel_for_search(const Kernels& kernels, PairKind kind) {
-  return kind == PairKind::edge_edge ? kernels.search_ee : kernels.search_vf;
-}
-
 /// Searches from one leaf block, into the buffer. REQUIRES: a buffer, and what empties it; a block that there is; a
 /// time limit in [0,1].
 inline void search_block(void (*kernel)(Search&, int), Search& search, int block) {

@@ -12,23 +12,6 @@
 namespace tamis {
 namespace {
 
-/// Of one kind of pairs; kinds that cannot cross have no use for the last three.
-struct StageKernels {
-  decltype(Kernels::search_vf) search;
-  decltype(Kernels::slab_vf) slab;
-  decltype(Kernels::filter_vf) filter;
-  decltype(Kernels::filter_straying_vf) filter_straying;
-  decltype(Kernels::solve_vf) solve;
-};
-
-StageKernels kernels_of(const Kernels& k, PairKind kind, bool are_edges_and_faces) {
-  if (are_edges_and_faces) return {k.search_ef, k.slab_ef, k.filter_ef, nullptr, k.solve_ef};
-  const decltype(k.slab_vf) slabs[] = {k.slab_vf, k.slab_ee, k.slab_ve, k.slab_vv};
-  const bool is_vf = kind == PairKind::vertex_face;
-  return {kernel_for_search(k, kind), slabs[static_cast<std::size_t>(kind)], is_vf ? k.filter_vf : k.filter_ee,
-          is_vf ? k.filter_straying_vf : k.filter_straying_ee, is_vf ? k.solve_vf : k.solve_ee};
-}
-
 /// Has the edge between these vertices that number?
 [[maybe_unused]] bool is_edge(const Mesh& mesh, Index number, Index start, Index end) {
   return 0 <= number && static_cast<std::size_t>(number) < mesh.edges().size() &&
@@ -111,7 +94,7 @@ void StagePipeline::search(PairKind kind, const TreeView& a, const TreeView& b, 
   search.pairs = &buffers_->boxes;
   search.flush = flush;
   search.context = this;
-  const StageKernels stages = kernels_of(kernels_, kind, edges_of_ != nullptr);
+  const PairKernels& stages = stages_of(kind);
   for (int block = blocks.first; block < blocks.last && found_.wants(kind); block += blocks.stride)
     search_block(stages.search, search, block);
   counts_.nodes_visited += search.nodes_visited;
@@ -149,7 +132,7 @@ void StagePipeline::keep_buffered(PairKind kind) {
   auto& [boxes, slab, filtered, solved, within, current] = *buffers_;
   keep_each_once(kind, boxes);
   slab.count = filtered.count = 0;
-  const StageKernels stages = kernels_of(kernels_, kind, false);
+  const PairKernels& stages = kernels_.of(kind);
   stages.slab(motion_.box_vertices.data(), motion_.box_separation(), boxes, slab);
   if (can_cross(kind) && !found_.separations().any())
     stages.filter_straying(motion_.vertices.data(), found_.stray(), slab, filtered);
@@ -166,7 +149,7 @@ void StagePipeline::decide_buffered(PairKind kind) {
   auto& [boxes, slab, filtered, solved, within, current] = *buffers_;
   keep_each_once(kind, boxes);
   leave_out_unwanted(kind);
-  const StageKernels stages = kernels_of(kernels_, kind, edges_of_ != nullptr);
+  const PairKernels& stages = stages_of(kind);
   const PackedVertex* vertices = motion_.vertices.data();
   of(counts_.boxes, kind) += static_cast<std::uint64_t>(boxes.count);
   of(counts_.slab, kind) += static_cast<std::uint64_t>(boxes.count);
@@ -183,8 +166,8 @@ void StagePipeline::decide_buffered(PairKind kind) {
 }
 
 void StagePipeline::cull_apart(PairKind kind) {
-  kernels_.cull_apart[static_cast<std::size_t>(kind)](motion_.box_vertices.data(), motion_.box_separation(),
-                                                      buffers_->slab, buffers_->filtered);
+  kernels_.of(kind).cull_apart(motion_.box_vertices.data(), motion_.box_separation(), buffers_->slab,
+                               buffers_->filtered);
 }
 
 void StagePipeline::decide_within_separation(PairKind kind) {
@@ -196,7 +179,7 @@ void StagePipeline::decide_within_separation(PairKind kind) {
   counts_.filter += watch_.lap();
   if (!within) within = std::make_unique<WithinScratch>();
   const WithinRule rule{motion_.pair_separation(), found_.latest()};
-  const auto come_within = kernels_.come_within[static_cast<std::size_t>(kind)];
+  const auto come_within = kernels_.of(kind).come_within;
   add_solved(kind, filtered,
              come_within(motion_.vertices.data(), rule, filtered, *within, buffers_->room_for_solved()));
   counts_.solving += watch_.lap();
@@ -220,8 +203,7 @@ void StagePipeline::leave_out_unwanted(PairKind kind) {
 
 void StagePipeline::solve(PairKind kind) {
   const PairBuffer& pairs = buffers_->filtered;
-  const int count = kernels_of(kernels_, kind, edges_of_ != nullptr)
-                        .solve(motion_.vertices.data(), pairs, buffers_->slab, buffers_->room_for_solved());
+  const int count = stages_of(kind).solve(motion_.vertices.data(), pairs, buffers_->slab, buffers_->room_for_solved());
   add_solved(kind, pairs, count);
 }
 

@@ -58,6 +58,7 @@ class StagePipeline {
  private:
   struct Buffers;
 
+  const PairKernels& stages_of(PairKind kind) const { return edges_of_ ? kernels_.along_edges : kernels_.of(kind); }
   static void flush(Search& search);
   void decide_buffered(PairKind kind);
   /// What the slab clip leaves, where a distance counts and not a crossing: strict signs prove no distance. Leaves

@@ -66,7 +66,7 @@ TEST_F(Contracts, SearchesThatCannotEnd) {
   t.trees.update(t.step, {}, t.statistics);
   PairBuffer pairs;
   Search search{t.trees.points(), t.trees.faces()};
-  const auto kernel = kernels(Isa::best).search_vf;
+  const auto kernel = kernels(Isa::best).of(PairKind::vertex_face).search;
   search.pairs = &pairs;
   EXPECT_DEATH(search_block(kernel, search, 0), "search.flush");
   search.flush = [](Search&) {};

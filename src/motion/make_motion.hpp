@@ -3,6 +3,7 @@
 #include <array>
 
 #include "motion/pair_motion.hpp"
+#include "numerics/double_double.hpp"
 #include "tamis/step.hpp"
 
 namespace tamis {
@@ -17,5 +18,8 @@ struct PairPoints {
 /// on the unit of length, nor any difference overflows; so is `separation`, given in the unit of the points. REQUIRES:
 /// finite coordinates.
 PairMotion<double> make_motion(PairKind kind, const PairPoints& points, double separation = 0);
+
+/// The same in double-double, where no difference is rounded, and what underflows is below `underflow`.
+PairMotion<DoubleDouble> make_fine_motion(PairKind kind, const PairPoints& points, double separation);
 
 }  // namespace tamis

@@ -7,6 +7,7 @@
 #include "filters/slab_clip.hpp"
 #include "motion/pair_kinds.hpp"
 #include "narrow/contact_normal.hpp"
+#include "narrow/fine_separation.hpp"
 #include "narrow/separation.hpp"
 #include "narrow/settled.hpp"
 #include "narrow/subdivide.hpp"
@@ -88,6 +89,9 @@ Outcome decide_pair(PairKind kind, const PairPoints& points, const PairMotion<do
   const Decision d = decide_in_doubles(kind, m, clip);
   if (d.verdict == Verdict::is_free) return {d, &PrecisionCount::scalar};
   if (d.verdict == Verdict::touches && is_sharp(d.lower, d.upper)) return {d, &PrecisionCount::scalar};
+  if (d.verdict == Verdict::touches && options.min_separation > 0)
+    if (const auto time = first_within_finely(kind, points, options.min_separation, m, {d.lower, d.upper}))
+      return {{Verdict::touches, time->t_in, time->t_out}, &PrecisionCount::scalar};
   return decide_in_integers(kind, points, options.min_separation);
 }
 

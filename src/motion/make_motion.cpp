@@ -9,11 +9,9 @@
 namespace tamis {
 namespace {
 
+using tamis::largest;
 /// The sizes are those of the differences in doubles.
-double largest(const Moving<DoubleDouble>& v) {
-  const auto rounded = [](const Vec3<DoubleDouble>& x) { return Vec3<double>{x.x.high, x.y.high, x.z.high}; };
-  return tamis::largest({rounded(v.at0), rounded(v.at1)});
-}
+double largest(const Moving<DoubleDouble>& v) { return largest(Moving<double>{rounded(v.at0), rounded(v.at1)}); }
 
 /// 1, unless differences might overflow: then a power of two that keeps them below 2^1022. What is so small that it
 /// loses bits by that is far below `underflow`.
@@ -43,26 +41,58 @@ Moving<T> difference(const PairPoints& points, VertexDifference v, double unit) 
   return {at(points.start), at(points.end)};
 }
 
-/// `unit` and `scale` are powers of two.
+/// As it was in the unit of the points times a power of two.
 template <class T>
-PairMotion<T> motion_of(PairKind kind, const PairPoints& points, double separation, double unit) {
+struct Unscaled {
+  Moving<T> e, f, d;
+  double separation;
+
+  double size() const { return std::max({largest(e), largest(f), largest(d)}); }
+  PairMotion<T> times(double scale) const {
+    return {scaled(e, scale),   scaled(f, scale),   scaled(d, scale),  scale * largest(e),
+            scale * largest(f), scale * largest(d), scale * separation};
+  }
+};
+
+template <class T>
+Unscaled<T> unscaled(PairKind kind, const PairPoints& points, double separation) {
   const SpanningVectors vectors = spanning_vectors(kind);
+  const double unit = safe_unit(points);
   const auto vector = [&](VertexDifference v) { return difference<T>(points, v, unit); };
-  const auto e = vector(vectors.e), f = vector(vectors.f), d = vector(vectors.d);
-  const double size_e = largest(e), size_f = largest(f), size_d = largest(d);
-  const double scale = scale_below_one(std::max({size_e, size_f, size_d}));
-  return {scaled(e, scale), scaled(f, scale), scaled(d, scale),           scale * size_e,
-          scale * size_f,   scale * size_d,   scale * (unit * separation)};
+  return {vector(vectors.e), vector(vectors.f), vector(vectors.d), unit * separation};
+}
+
+template <class T>
+PairMotion<T> motion_of(PairKind kind, const PairPoints& points, double separation) {
+  const auto motion = unscaled<T>(kind, points, separation);
+  return motion.times(scale_below_one(motion.size()));
+}
+
+/// At its start, and at `part` of the way, rounded once.
+Moving<double> beginning(const Moving<DoubleDouble>& v, double part) {
+  const Moving<DoubleDouble> change = scaled({v.at0, v.at1 - v.at0}, part);
+  return {rounded(v.at0), rounded(v.at0 + change.at1)};
 }
 
 }  // namespace
 
 PairMotion<double> make_motion(PairKind kind, const PairPoints& points, double separation) {
-  return motion_of<double>(kind, points, separation, safe_unit(points));
+  return motion_of<double>(kind, points, separation);
 }
 
 PairMotion<DoubleDouble> make_fine_motion(PairKind kind, const PairPoints& points, double separation) {
-  return motion_of<DoubleDouble>(kind, points, separation, safe_unit(points));
+  return motion_of<DoubleDouble>(kind, points, separation);
+}
+
+std::optional<PairMotion<double>> make_beginning(PairKind kind, const PairPoints& points, double separation,
+                                                 double part) {
+  constexpr double kMostScale = 0x1p60;
+  const auto whole = unscaled<DoubleDouble>(kind, points, separation);
+  const Unscaled<double> motion{beginning(whole.e, part), beginning(whole.f, part), beginning(whole.d, part),
+                                whole.separation};
+  const double scale = scale_below_one(motion.size());
+  if (scale > kMostScale) return {};
+  return motion.times(scale);
 }
 
 }  // namespace tamis

@@ -13,8 +13,6 @@ namespace {
 using Fine = DoubleDouble;
 using FineVec = Vec3<Fine>;
 
-Vec3<double> rounded(const FineVec& v) { return {v.x.high, v.y.high, v.z.high}; }
-
 /// Exact.
 FineVec times_power_of_two(double power, const FineVec& v) {
   const auto times = [&](const Fine& x) { return Fine{power * x.high, power * x.low}; };

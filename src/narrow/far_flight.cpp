@@ -10,7 +10,7 @@ namespace {
 
 /// The part of the step, a power of two, in which the pair flies some sixteen times as far as it is large at the start;
 /// zero unless that is short.
-double first_part(const PairMotion<double>& m) {
+double part_of_beginning(const PairMotion<double>& m) {
   constexpr double kShort = 0x1p-20;
   constexpr int kFarther = 5, kLeastExponent = -1020;
   const auto at_start = [](const Moving<double>& v) { return largest(Moving<double>{v.at0, v.at0}); };
@@ -22,7 +22,7 @@ double first_part(const PairMotion<double>& m) {
 }  // namespace
 
 bool flies_past(PairKind kind, const PairPoints& points, double separation, const PairMotion<double>& m) {
-  const double part = first_part(m);
+  const double part = part_of_beginning(m);
   if (part == 0) return false;
   const auto beginning = make_beginning(kind, points, separation, part);
   return beginning && is_apart_from_end(kind, *beginning) &&

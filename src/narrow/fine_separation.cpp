@@ -26,12 +26,15 @@ Fine one_and(double roundings) { return {1, roundings * error_bounds::unit_round
 struct FineSight {
   double time;
   FineVec e, f, d;
-  ClosestPoints rough;  ///< the closest points in doubles, whose weights are legal
-  FineVec gap;          ///< of these points
+  ClosestPoints rough;  ///< the closest points in doubles
+  FineVec gap;          ///< of points whose weights are legal
   double excess;        ///< of the squared gap over the squared separation, not certified
 };
 
-template <PairKind kind>
+/// Where closest points are found: in doubles, or where these are too coarse in double-double, at thrice the cost.
+enum class WeightsIn { doubles, double_doubles };
+
+template <PairKind kind, WeightsIn weights>
 class FineSearch {
  public:
   FineSearch(const PairMotion<Fine>& fine, const PairMotion<double>& m)
@@ -65,14 +68,24 @@ class FineSearch {
   static ClosestPoints snapped(ClosestPoints p) {
     constexpr double kNear = 0x1p-44;
     for (double* weight : {&p.u, &p.v}) *weight = *weight < kNear ? 0 : *weight > 1 - kNear ? 1 : *weight;
-    if (kind == PairKind::vertex_face && p.u + p.v > 1 - kNear) (p.u < 0.5 ? p.u : p.v) = 1 - std::max(p.u, p.v);
+    if (kind == PairKind::vertex_face && p.u + p.v > 1 - kNear) {
+      double &larger = p.u < p.v ? p.v : p.u, &smaller = p.u < p.v ? p.u : p.v;
+      larger = std::max(larger, 0.5);
+      smaller = 1 - larger;  // exactly
+    }
     return p;
   }
 
   FineSight sight(double t) const {
     FineSight s{t, at_time(fine_.e, Fine(t)), at_time(fine_.f, Fine(t)), at_time(fine_.d, Fine(t)), {}, {}, 0};
-    s.rough = snapped(closest_points<kind>(rounded(s.e), rounded(s.f), rounded(s.d)));
-    s.gap = gap_at<kind>(s.e, s.f, s.d, Fine(s.rough.u), Fine(s.rough.v));
+    if constexpr (weights == WeightsIn::doubles) {
+      s.rough = snapped(closest_points<kind>(rounded(s.e), rounded(s.f), rounded(s.d)));
+      s.gap = gap_at<kind>(s.e, s.f, s.d, Fine(s.rough.u), Fine(s.rough.v));
+    } else {
+      const auto closest = closest_points<kind>(s.e, s.f, s.d);
+      s.rough = snapped({closest.u.high, closest.v.high, rounded(closest.gap)});
+      s.gap = closest.gap;
+    }
     s.excess = (dot(s.gap, s.gap) - fine_.separation * fine_.separation).high;
     return s;
   }
@@ -116,7 +129,10 @@ std::optional<TimeInterval<double>> first_within_finely(PairKind kind, const Pai
                                                         const PairMotion<double>& m,
                                                         const TimeInterval<double>& bracket) {
   const PairMotion<Fine> fine = make_fine_motion(kind, points, separation);
-  return with_kind(kind, [&](auto k) { return FineSearch<k()>(fine, m).run(bracket); });
+  return with_kind(kind, [&](auto k) {
+    const auto time = FineSearch<k(), WeightsIn::doubles>(fine, m).run(bracket);
+    return time ? time : FineSearch<k(), WeightsIn::double_doubles>(fine, m).run(bracket);
+  });
 }
 
 }  // namespace tamis

@@ -10,7 +10,7 @@
 namespace tamis {
 
 /// Neighbouring doubles, the pair being apart until the first, and within its separation at the second; nothing where
-/// double-double does not prove that. Costs some fifteen thousand instructions. REQUIRES: `m` is the motion of `points`
+/// double-double does not prove that. Costs some twelve thousand instructions. REQUIRES: `m` is the motion of `points`
 /// with that separation, its sizes are finite; the pair is apart on [0, bracket.t_in); the bracket lies in [0,1].
 std::optional<TimeInterval<double>> first_within_finely(PairKind kind, const PairPoints& points, double separation,
                                                         const PairMotion<double>& m,

@@ -62,6 +62,22 @@ TEST(FineSeparation, AnswersNearlyAllOrdinaryPairs) {
   }
 }
 
+// Bug: weights that are rounded to doubles make noise of a gap far smaller than the face, and of Newton's method. A
+// face one corner of which has flown off, of a recorded failure.
+TEST(FineSeparation, AnswersForAFaceHugeBesideTheSeparation) {
+  const PairPoints points{{{{0x0p+0, 0x1.a53b89dcbe8ddp-4, 0x1.642c8590b2164p-5},
+                            {0x0p+0, 0x1.b37678fd57f65p-5, 0x1.e9bd37a6f4deap-2},
+                            {0x0p+0, 0x1.b0b1419eba5d3p-5, 0x1.0b21642c8590bp-1},
+                            {0x0p+0, 0x1.19d674fe04eccp-4, 0x1.0b21642c8590bp-1}}},
+                          {{{0x1.aafe816a02c9fp-5, 0x1.5171a35dbbcf2p-5, 0x1.7f76f433cf8fp-2},
+                            {0x1.77p+11, 0x1.7701b37678fd5p+11, 0x1.770f4de9bd37ap+11},
+                            {0x1.bb453d6ee8632p-3, -0x1.765ac42e0f4b4p-4, 0x1.efd292f9fa162p-2},
+                            {-0x1.b3efc7af05a0ap-4, 0x1.789405a5530ep-7, -0x1.92b7498268bp-9}}}};
+  Counts counts;
+  compare(PairKind::vertex_face, points, 0x1.785d20adb022ep-15, 1e-9, counts);
+  EXPECT_EQ(counts.answered, 1);
+}
+
 // Bug: exact touching is answered: at t = 1/2 the distance is the separation, and neither double beside it is first.
 TEST(FineSeparation, LeavesExactTimesToIntegers) {
   const PairPoints fall{{{{0, 0, 2}, {-1, -1, 0}, {1, -1, 0}, {0, 1, 0}}},

@@ -42,7 +42,7 @@ struct Seconds {
 /// Pairs decided by each arithmetic.
 struct PrecisionCount {
   std::uint64_t lanes = 0;       ///< SIMD doubles with error bounds
-  std::uint64_t scalar = 0;      ///< subdivision in time, doubles with error bounds
+  std::uint64_t scalar = 0;      ///< subdivision in time, doubles with error bounds, or pairs of doubles
   std::uint64_t exact = 0;       ///< exact algebra
   std::uint64_t unresolved = 0;  ///< none of these: unresolved contacts, of curved motion alone
 

@@ -56,6 +56,25 @@ class AxisClip {
   T apart_since(const T& now, const TurningAxis<T>& axis) const {
     return (now - time_from(now, axis, T(-1))) * T(1 + 4 * error_bounds::unit_roundoff<T>);
   }
+  /// A pair that lies beyond the separation along the axis at `now` has done so for this long, proven: every corner
+  /// comes nearer, or is far from that. Also where the axis is off by 2 u a component.
+  bool was_beyond(const T& now, const TurningAxis<T>& axis, const T& long_since) const {
+    const UnitAxis unit(axis);
+    bool was = long_since * unit.turning <= T(1);
+    for_each_course(now, unit, [&](const T& c0, const T& c1, const T& c2, const T& drift) {
+      const T speed = T(-2) * drift - c1, least_speed = speed + min(c2, T(0)) * long_since;
+      was = was && (least_speed > T(0) || c0 - drift + least_speed * long_since > T(0));
+    });
+    return was;
+  }
+  /// From `now` on for ever, should the motion go on, all corners lie beyond the separation along a direction, proven.
+  bool parts_along(const T& now, const Vec3<T>& direction) const {
+    bool parts = true;
+    for_each_course(now, UnitAxis({direction}), [&](const T& c0, const T& c1, const T& /*c2*/, const T& drift) {
+      parts = parts && c0 > T(0) && c1 - drift > T(0);
+    });
+    return parts;
+  }
   /// A lower bound, beyond all rounding, of the distance at `now` by a direction of any length; 0 if it proves none.
   T distance_along(const T& now, const Vec3<T>& direction) const {
     std::array<Vec3<T>, std::tuple_size_v<Corners>> corners;
@@ -66,26 +85,47 @@ class AxisClip {
  private:
   using Corners = decltype(difference_corners<kind>(PairMotion<T>{}));
 
+  /// The axis with 1 as the direction's largest component; the turn's is `turning`.
+  struct UnitAxis {
+    explicit UnitAxis(const TurningAxis<T>& axis) {
+      const T inverse_size = T(1) / largest_component(axis.direction);
+      n = inverse_size * axis.direction;
+      turn = inverse_size * axis.turn;
+      turning = largest_component(turn);
+    }
+    Vec3<T> n, turn;
+    T turning;
+  };
+
   /// For how long, `forward` 1 or -1.
   T time_from(const T& now, const TurningAxis<T>& axis, const T& forward) const {
+    const UnitAxis unit(axis);
+    T least = select(unit.turning > T(0), T(1) / unit.turning, T(std::numeric_limits<double>::infinity()));
+    for_each_course(now, unit, [&](const T& c0, const T& c1, const T& c2, const T& drift) {
+      least = min(least, first_root(c0, forward * c1 - drift, c2));
+    });
+    return least;
+  }
+
+  /// A corner lies beyond the separation at now + x by at least c0 + c1 x - drift |x| + c2 x^2, while |x| times the
+  /// turn is at most 1.
+  template <class Visit>
+  void for_each_course(const T& now, const UnitAxis& axis, const Visit& visit) const {
     constexpr double u = error_bounds::unit_roundoff<T>;
-    const T inverse_size = T(1) / largest_component(axis.direction);
-    const Vec3<T> n = inverse_size * axis.direction, turn = inverse_size * axis.turn;
-    const T turning = largest_component(turn), error = T(u) * size_ + T(error_bounds::underflow<T>);
+    const auto& [n, turn, turning] = axis;
+    const T error = T(u) * size_ + T(error_bounds::underflow<T>);
     // The axis' length is at most |n| + (n.turn / |n|) x + (turn.turn / 2|n|) x^2, x = t - now: a root lies below its
     // tangent.
     const T length = sqrt(dot(n, n));
     const T threshold = separation_ * length * T(1 + 8 * u) + T(error_bounds::kAxisNow) * error;
     const T slope = separation_ * (dot(n, turn) / length), bend = separation_ * (dot(turn, turn) / (T(2) * length));
     const T drift = T(error_bounds::kAxisLater) * error * (T(1) + turning);
-    T least = select(turning > T(0), T(1) / turning, T(std::numeric_limits<double>::infinity()));
     for (const auto& corner : corners_) {
       const Vec3<T> at = at_time(corner, now), velocity = corner.at1 - corner.at0;
       const T c0 = dot(n, at) - threshold, c1 = dot(n, velocity) + dot(turn, at) - slope;
       const T c2 = dot(turn, velocity) - bend;
-      least = min(least, first_root(c0, forward * c1 - drift, c2));
+      visit(c0, c1, c2, drift);
     }
-    return least;
   }
 
   Corners corners_;

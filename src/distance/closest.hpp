@@ -21,6 +21,12 @@ inline Vec3<T> select(const Mask& mask, const Vec3<T>& yes, const Vec3<T>& no) {
   return {select(mask, yes.x, no.x), select(mask, yes.y, no.y), select(mask, yes.z, no.z)};
 }
 
+/// From the point with weights u and v on the face (the first edge; the edge) to the other's. Linear in the vectors.
+template <PairKind kind, class T>
+inline Vec3<T> gap_at(const Vec3<T>& e, const Vec3<T>& f, const Vec3<T>& d, const T& u, const T& v) {
+  return kind == PairKind::edge_edge ? d + v * f - u * e : d - (u * e + v * f);
+}
+
 /// Parameter in [0,1] of the point of the segment 0 + s w nearest to p.
 template <class T>
 inline T nearest_on_segment(const Vec3<T>& p, const Vec3<T>& w) {

@@ -33,6 +33,13 @@ DyadicCell cell_above(double lower) {
           static_cast<unsigned long>(spacing)};
 }
 
+DyadicCell shortest_cell_at(double time) {
+  DyadicCell cell = cell_above(time);
+  if (cell.n.sign() == 0) return {};
+  const unsigned long common = std::min<unsigned long>(mpz_scan1(cell.n.get(), 0), cell.k);
+  return {cell.n >> common, cell.k - common};
+}
+
 double middle_double(double a, double b) {
   TAMIS_ASSERT(0 <= a && a <= b);
   const auto bits_a = std::bit_cast<std::uint64_t>(a), bits_b = std::bit_cast<std::uint64_t>(b);

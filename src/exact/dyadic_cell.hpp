@@ -19,6 +19,10 @@ struct DyadicCell {
 /// REQUIRES: 0 <= lower <= 1.
 DyadicCell cell_above(double lower);
 
+/// The time as the lower end of a cell, n odd or k = 0: as few bits as it has, where its double's own cell has 1074 of
+/// them at t = 0. REQUIRES: as above.
+DyadicCell shortest_cell_at(double time);
+
 /// Halfway between in the order of the doubles, so that 62 halvings separate any two. REQUIRES: 0 <= a <= b.
 double middle_double(double a, double b);
 

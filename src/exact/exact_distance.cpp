@@ -18,10 +18,11 @@ bool is_smaller(const Fraction& a, const Fraction& b) {
 /// Of the segment from corner x to corner y.
 NearestPoint nearest_on_side(const IntegerVec& x, const IntegerVec& y, std::size_t number) {
   const IntegerVec side = y - x;
-  if (dot(x, side).sign() >= 0) return {{dot(x, x)}, number, {0}};
-  if (dot(y, side).sign() <= 0) return {{dot(y, y)}, number, {1}};
-  const IntegerVec n = cross(x, y);
-  return {{dot(n, n), dot(side, side)}, number, {-dot(x, side), dot(side, side)}};
+  const Integer before = dot(x, side);
+  if (before.sign() >= 0) return {{dot(x, x)}, number, {0}};
+  const Integer length2 = dot(side, side);
+  if ((before + length2).sign() <= 0) return {{dot(y, y)}, number, {1}};                  // y.side
+  return {{dot(x, x) * length2 - before * before, length2}, number, {-before, length2}};  // |x cross y|^2 (Lagrange)
 }
 
 const IntegerVec& corner(const MovingPolygon& polygon, std::size_t i) { return polygon.corner(i).at0; }
@@ -146,16 +147,18 @@ double Magnitude::rounded_down() const {
 /// Its plane where the foot of the perpendicular lies inside, else a side; a side that holds the origin in any case.
 NearestPoint nearest_point(const MovingPolygon& polygon) {
   const IntegerVec normal = normal_of(polygon);
-  bool is_inside = dot(normal, normal).sign() > 0;
-  NearestPoint nearest = nearest_on_side(corner(polygon, 0), corner(polygon, 1), 0);
-  for (std::size_t i = 0; i < polygon.corner_count; ++i) {
+  const Integer normal2 = dot(normal, normal);
+  bool is_inside = normal2.sign() > 0;
+  NearestPoint nearest;
+  for (std::size_t i = 0; i < polygon.side_count(); ++i) {
     is_inside = is_inside && dot(normal, cross(corner(polygon, i), corner(polygon, i + 1))).sign() >= 0;
     NearestPoint other = nearest_on_side(corner(polygon, i), corner(polygon, i + 1), i);
-    if (is_smaller(other.square, nearest.square)) nearest = std::move(other);
+    if (i == 0 || is_smaller(other.square, nearest.square)) nearest = std::move(other);
+    if (nearest.square.above.sign() == 0) return nearest;
   }
-  if (!is_inside || nearest.square.above.sign() == 0) return nearest;
+  if (!is_inside) return nearest;
   const Integer height = dot(normal, corner(polygon, 0));
-  return {{height * height, dot(normal, normal)}, 0, {}, true};
+  return {{height * height, normal2}, 0, {}, true};
 }
 
 ExactDistance exact_distance(PairKind kind, const PairPoints& points, double time) {

@@ -13,7 +13,7 @@ int side_just_before(PairKind kind, const PairPoints& points, double time) {
   // sign.
   const MovingPolygon polygon = stretched_polygon(kind, points);
   auto k = IntegerPolynomial::from_bernstein(coplanarity_polynomial(polygon.corner(0), normal_polynomial(polygon)));
-  AlgebraicTime now = AlgebraicTime::exactly(cell_above(time));
+  AlgebraicTime now = AlgebraicTime::exactly(shortest_cell_at(time));
   for (int before = 1; !k.is_zero(); before = -before, k = k.derivative())
     if (const int sign = now.sign_of(k)) return before * sign;
   return 0;

@@ -86,7 +86,7 @@ MovingPolygon difference_polygon(PairKind kind, const PairPoints& points, double
 
 MovingPolygon at_rest_at(const MovingPolygon& polygon, double time) {
   TAMIS_ASSERT(0 <= time && time <= 1);
-  const DyadicCell now = cell_above(time);
+  const DyadicCell now = shortest_cell_at(time);
   const Integer before = (Integer(1) << now.k) - now.n;
   MovingPolygon resting{{}, polygon.corner_count, polygon.exponent - static_cast<int>(now.k)};
   for (std::size_t i = 0; i < polygon.corner_count; ++i) {

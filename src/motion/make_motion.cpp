@@ -11,6 +11,10 @@
 namespace tamis {
 namespace {
 
+using tamis::largest;
+/// The sizes are those of the differences in doubles.
+double largest(const Moving<DoubleDouble>& v) { return largest(Moving<double>{rounded(v.at0), rounded(v.at1)}); }
+
 /// 1, unless differences might overflow: then a power of two that keeps them below 2^1022. What is so small that it
 /// loses bits by that is far below `underflow`.
 double safe_unit(const PairPoints& points) {
@@ -29,26 +33,75 @@ bool are_equal(const Moving<double>& a, const Moving<double>& b) {
 
 Moving<double> scaled(const Moving<double>& v, double scale) { return {scale * v.at0, scale * v.at1}; }
 
-Moving<double> difference(const PairPoints& points, VertexDifference v, double unit) {
+Moving<DoubleDouble> scaled(const Moving<DoubleDouble>& v, double scale) {
+  const auto part = [&](const DoubleDouble& x) { return DoubleDouble{scale * x.high, scale * x.low}; };
+  const auto vector = [&](const Vec3<DoubleDouble>& x) { return Vec3<DoubleDouble>{part(x.x), part(x.y), part(x.z)}; };
+  return {vector(v.at0), vector(v.at1)};
+}
+
+template <class T>
+Moving<T> difference(const PairPoints& points, VertexDifference v, double unit) {
   const auto at = [&](const std::array<Point, 4>& p) {
     const Point &to = p[static_cast<std::size_t>(v.to)], &from = p[static_cast<std::size_t>(v.from)];
-    const auto along = [&](std::size_t k) { return unit * to[k] - unit * from[k]; };
-    return Vec3<double>{along(0), along(1), along(2)};
+    const auto along = [&](std::size_t k) { return T(unit * to[k]) - T(unit * from[k]); };
+    return Vec3<T>{along(0), along(1), along(2)};
   };
   return {at(points.start), at(points.end)};
+}
+
+/// As it was in the unit of the points times a power of two.
+template <class T>
+struct Unscaled {
+  Moving<T> e, f, d;
+  double separation;
+
+  double size() const { return std::max({largest(e), largest(f), largest(d)}); }
+  PairMotion<T> times(double scale) const {
+    return {scaled(e, scale),   scaled(f, scale),   scaled(d, scale),  scale * largest(e),
+            scale * largest(f), scale * largest(d), scale * separation};
+  }
+};
+
+template <class T>
+Unscaled<T> unscaled(PairKind kind, const PairPoints& points, double separation) {
+  const SpanningVectors vectors = spanning_vectors(kind);
+  const double unit = safe_unit(points);
+  const auto vector = [&](VertexDifference v) { return difference<T>(points, v, unit); };
+  return {vector(vectors.e), vector(vectors.f), vector(vectors.d), unit * separation};
+}
+
+template <class T>
+PairMotion<T> motion_of(PairKind kind, const PairPoints& points, double separation) {
+  const auto motion = unscaled<T>(kind, points, separation);
+  return motion.times(scale_below_one(motion.size()));
+}
+
+/// At its start, and at `part` of the way, rounded once.
+Moving<double> beginning(const Moving<DoubleDouble>& v, double part) {
+  const Moving<DoubleDouble> change = scaled({v.at0, v.at1 - v.at0}, part);
+  return {rounded(v.at0), rounded(v.at0 + change.at1)};
 }
 
 }  // namespace
 
 PairMotion<double> make_motion(PairKind kind, const PairPoints& points, double separation) {
   TAMIS_ASSERT(is_kind(kind) && is_finite(points) && separation >= 0);
-  const SpanningVectors vectors = spanning_vectors(kind);
-  const double unit = safe_unit(points);
-  const auto e = difference(points, vectors.e, unit), f = difference(points, vectors.f, unit),
-             d = difference(points, vectors.d, unit);
-  const double scale = scale_below_one(std::max({largest(e), largest(f), largest(d)}));
-  return {scaled(e, scale),   scaled(f, scale),   scaled(d, scale),           scale * largest(e),
-          scale * largest(f), scale * largest(d), scale * (unit * separation)};
+  return motion_of<double>(kind, points, separation);
+}
+
+PairMotion<DoubleDouble> make_fine_motion(PairKind kind, const PairPoints& points, double separation) {
+  return motion_of<DoubleDouble>(kind, points, separation);
+}
+
+std::optional<PairMotion<double>> make_beginning(PairKind kind, const PairPoints& points, double separation,
+                                                 double part) {
+  constexpr double kMostScale = 0x1p60;
+  const auto whole = unscaled<DoubleDouble>(kind, points, separation);
+  const Unscaled<double> motion{beginning(whole.e, part), beginning(whole.f, part), beginning(whole.d, part),
+                                whole.separation};
+  const double scale = scale_below_one(motion.size());
+  if (scale > kMostScale) return {};
+  return motion.times(scale);
 }
 
 bool is_finite(const PairPoints& points) {

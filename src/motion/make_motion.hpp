@@ -1,8 +1,10 @@
 // From the positions of four points to the scaled motion of the pair, for one pair at a time.
 #pragma once
 #include <array>
+#include <optional>
 
 #include "motion/pair_motion.hpp"
+#include "numerics/double_double.hpp"
 #include "tamis/step.hpp"
 
 namespace tamis {
@@ -17,6 +19,14 @@ struct PairPoints {
 /// on the unit of length, nor any difference overflows; so is `separation`, given in the unit of the points. REQUIRES:
 /// a kind there is, finite coordinates, a separation >= 0; infinite where nothing bounds it.
 PairMotion<double> make_motion(PairKind kind, const PairPoints& points, double separation = 0);
+
+/// The same in double-double, where no difference is rounded, and what underflows is below `underflow`.
+PairMotion<DoubleDouble> make_fine_motion(PairKind kind, const PairPoints& points, double separation);
+
+/// That of the first `part` of the step, a power of two, with that time mapped to [0,1]: as exact as make_motion, in
+/// units of what it is then. None where it is so small that underflow would count. REQUIRES: 0 < part <= 1.
+std::optional<PairMotion<double>> make_beginning(PairKind kind, const PairPoints& points, double separation,
+                                                 double part);
 
 bool is_finite(const PairPoints& points);
 /// Is `m` what make_motion() makes of the points, whatever its separation?

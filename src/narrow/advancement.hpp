@@ -59,10 +59,8 @@ class Looker {
  private:
   /// Twice the time in which the closest points, were they fixed, would come closer by `excess`.
   T wait(const ClosestPointsOf<T>& closest, const T& length, const T& excess) const {
-    const auto gap = [&](const Vec3<T>& e, const Vec3<T>& f, const Vec3<T>& d) {
-      return kind == PairKind::edge_edge ? d + closest.v * f - closest.u * e : d - (closest.u * e + closest.v * f);
-    };
-    const Vec3<T> change = gap(m_.e.at1, m_.f.at1, m_.d.at1) - gap(m_.e.at0, m_.f.at0, m_.d.at0);
+    const Vec3<T> change = gap_at<kind>(m_.e.at1, m_.f.at1, m_.d.at1, closest.u, closest.v) -
+                           gap_at<kind>(m_.e.at0, m_.f.at0, m_.d.at0, closest.u, closest.v);
     const T closing = -dot(closest.gap, change) / length;
     const T time = min(max(T(2) * excess / closing, T(kShortestStride)), T(0x1p-10));
     return select(closing > T(0), time, T(0x1p-40));

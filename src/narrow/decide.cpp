@@ -7,6 +7,8 @@
 #include "filters/slab_clip.hpp"
 #include "motion/pair_kinds.hpp"
 #include "narrow/contact_normal.hpp"
+#include "narrow/far_flight.hpp"
+#include "narrow/fine_separation.hpp"
 #include "narrow/separation.hpp"
 #include "narrow/settled.hpp"
 #include "narrow/subdivide.hpp"
@@ -35,6 +37,17 @@ Decision decide_in_doubles(PairKind kind, const PairMotion<double>& m, const Tim
   if (!is_finite(m)) return {Verdict::unsure, 0, 1};
   return is_about_distance(kind, m.separation) ? first_within(kind, m, clip)
                                                : within(clip, subdivide(kind, m, widened(clip)));
+}
+
+/// What `first_within` leaves open, again: other units of time and length, or of precision. Nothing where these do not
+/// settle it.
+std::optional<Decision> decide_distance_again(PairKind kind, const PairPoints& points, double separation,
+                                              const PairMotion<double>& m, const Decision& d) {
+  if (!is_finite(m)) return {};
+  if (d.verdict == Verdict::unsure)
+    return flies_past(kind, points, separation, m) ? std::optional(Decision{}) : std::nullopt;
+  const auto time = first_within_finely(kind, points, separation, m, {d.lower, d.upper});
+  return time ? std::optional(Decision{Verdict::touches, time->t_in, time->t_out}) : std::nullopt;
 }
 
 /// What is decided of a pair, and by what arithmetic.
@@ -89,6 +102,9 @@ Outcome decide_pair(PairKind kind, const PairPoints& points, const PairMotion<do
   const Decision d = decide_in_doubles(kind, m, clip);
   if (d.verdict == Verdict::is_free) return {d, &PrecisionCount::scalar};
   if (d.verdict == Verdict::touches && is_sharp(d.lower, d.upper)) return {d, &PrecisionCount::scalar};
+  if (options.min_separation > 0)
+    if (const auto again = decide_distance_again(kind, points, options.min_separation, m, d))
+      return {*again, &PrecisionCount::scalar};
   return decide_in_integers(kind, points, options.min_separation);
 }
 

@@ -104,6 +104,12 @@ double apart_until(const PairMotion<double>& m, double from, double until) {
 }
 
 template <PairKind kind>
+bool is_apart_from_end(const PairMotion<double>& m) {
+  const Looker<kind, double> looker(m);
+  return looker.clip().parts_along(1, looker.sight(1).closest.gap);
+}
+
+template <PairKind kind>
 double start_distance_bound(const PairMotion<double>& m, const ClosestPoints& closest) {
   constexpr double kSharp = 1 - 0x1p-40;
   const AxisClip<kind, double> clip(m);
@@ -113,6 +119,10 @@ double start_distance_bound(const PairMotion<double>& m, const ClosestPoints& cl
 }
 
 }  // namespace
+
+bool is_apart_from_end(PairKind kind, const PairMotion<double>& m) {
+  return with_kind(kind, [&](auto k) { return is_apart_from_end<k()>(m); });
+}
 
 double start_distance_bound(PairKind kind, const PairMotion<double>& m, const ClosestPoints& closest) {
   return with_kind(kind, [&](auto k) { return start_distance_bound<k()>(m, closest); });

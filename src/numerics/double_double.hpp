@@ -11,6 +11,7 @@
 #include "numerics/assert.hpp"
 #include "numerics/error_bounds.hpp"
 #include "numerics/select.hpp"
+#include "numerics/vec.hpp"
 
 namespace tamis {
 
@@ -113,6 +114,8 @@ namespace error_bounds {
 template <>
 inline constexpr double unit_roundoff<DoubleDouble> = 0x1p-103;
 }  // namespace error_bounds
+
+inline Vec3<double> rounded(const Vec3<DoubleDouble>& v) { return {v.x.high, v.y.high, v.z.high}; }
 
 /// The nearest doubles at or below, and at or above.
 inline double lower_double(double x) { return x; }

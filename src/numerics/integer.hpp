@@ -49,6 +49,7 @@ class Integer {
     return make(sum_limbs(a, b), mpz_sub, a.get(), b.get());
   }
   friend Integer operator*(const Integer& a, const Integer& b) {
+    if (a.sign() == 0 || b.sign() == 0) return {};
     if (a.limbs() == 1 && b.limbs() == 1) return product_of_limbs(a, b);
     return make(a.limbs() + b.limbs(), mpz_mul, a.get(), b.get());
   }

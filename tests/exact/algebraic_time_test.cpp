@@ -84,5 +84,15 @@ TEST(Signs, beside_a_root_are_right_at_any_distance) {
   }
 }
 
+// Bug: a time carries the 1074 bits of its double's neighbourhood, and all that is computed at it; or loses some.
+TEST(DyadicCell, is_shortest_at_a_time) {
+  for (const double time : {0.0, 1.0, 0.5, 0.75, 0.1, 0x1p-1074, 0x1.8p-1000, 1 - 0x1p-53}) {
+    const DyadicCell cell = shortest_cell_at(time);
+    EXPECT_EQ(lower_end(cell), time);
+    EXPECT_TRUE(lower_end_is_double(cell));
+    EXPECT_TRUE(cell.k == 0 || mpz_odd_p(cell.n.get()) != 0) << time;
+  }
+}
+
 }  // namespace
 }  // namespace tamis

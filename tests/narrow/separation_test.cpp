@@ -13,12 +13,6 @@ namespace {
 
 using oracle::comes_within, oracle::Motion;
 
-/// From a millionth of the features to their size; a multiple of the lattices' unit every other time, so that features
-/// graze it exactly.
-double random_separation(Random& random) {
-  return random.coin() ? std::ldexp(1.0 + random.unit(), -random.below(20)) : 0.125 * (1 + random.below(4));
-}
-
 void check(PairKind kind, const Motion& m, double separation, const PairResult& r) {
   const bool truth = comes_within(kind, m, separation);
   EXPECT_EQ(truth, r.touches);
@@ -45,7 +39,7 @@ TEST_P(Separation, DecisionsAndBracketsAreProven) {
   for (long i = 0; i < cases && !HasFailure(); ++i)
     for (const PairKind kind : kAllKinds) {
       const Motion m = permuted(kind, placed(family.make(kind, random), placement), random);
-      const double separation = random_separation(random) * placement.scale;
+      const double separation = separation_of_any_size(random) * placement.scale;
       SCOPED_TRACE(describe(kind, m) + "\n  separation " + std::to_string(separation / placement.scale));
       const PairResult r = ask_pair(kind, m, {separation});
       check(kind, m, separation, r);

@@ -1,6 +1,7 @@
 // Random motions of one pair of features, by family: each family aims at one way of losing a contact.
 #pragma once
 #include <array>
+#include <cmath>
 #include <string_view>
 
 #include "motion/make_motion.hpp"
@@ -43,6 +44,12 @@ oracle::Motion placed(oracle::Motion motion, const Placement& placement);
 
 /// The same pair with its vertices in another order, chosen at random.
 oracle::Motion permuted(PairKind kind, const oracle::Motion& motion, Random& random);
+
+/// From a millionth of the features to their size; a multiple of the lattices' unit every other time, so that features
+/// graze it exactly.
+inline double separation_of_any_size(Random& random) {
+  return random.coin() ? std::ldexp(1.0 + random.unit(), -random.below(20)) : 0.125 * (1 + random.below(4));
+}
 
 inline PairPoints to_points(const oracle::Motion& motion) { return {motion.start, motion.end}; }
 

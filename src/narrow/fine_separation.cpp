@@ -1,0 +1,138 @@
+#include "narrow/fine_separation.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "distance/squared_axis.hpp"
+#include "motion/pair_kinds.hpp"
+#include "numerics/scale.hpp"
+
+namespace tamis {
+namespace {
+
+using Fine = DoubleDouble;
+using FineVec = Vec3<Fine>;
+
+/// Exact.
+FineVec times_power_of_two(double power, const FineVec& v) {
+  const auto times = [&](const Fine& x) { return Fine{power * x.high, power * x.low}; };
+  return {times(v.x), times(v.y), times(v.z)};
+}
+
+/// 1 + x, x being some roundings.
+Fine one_and(double roundings) { return {1, roundings * error_bounds::unit_roundoff<Fine>}; }
+
+/// As the distance is at one time.
+struct FineSight {
+  double time;
+  FineVec e, f, d;
+  ClosestPoints rough;  ///< the closest points in doubles
+  FineVec gap;          ///< of points whose weights are legal
+  double excess;        ///< of the squared gap over the squared separation, not certified
+};
+
+/// Where closest points are found: in doubles, or where these are too coarse in double-double, at thrice the cost.
+enum class WeightsIn { doubles, double_doubles };
+
+template <PairKind kind, WeightsIn weights>
+class FineSearch {
+ public:
+  FineSearch(const PairMotion<Fine>& fine, const PairMotion<double>& m)
+      : fine_(fine), m_(m), size_(fine.size_d + fine.size_e + fine.size_f) {}
+
+  /// Newton's method, from the middle of the bracket until its ends are neighbouring doubles.
+  std::optional<TimeInterval<double>> run(TimeInterval<double> bracket) const {
+    constexpr int kMostSights = 8;
+    const double start = bracket.t_in;
+    std::optional<FineSight> before, after;
+    double t = start + 0.5 * (bracket.t_out - start);
+    for (int sights = 0; sights < kMostSights; ++sights) {
+      if (!(t > bracket.t_in && t < bracket.t_out)) break;
+      const FineSight now = sight(t);
+      const double closer = 2 * dot(rounded(now.gap), velocity(now.rough)), next = t - now.excess / closer;
+      const bool is_before = now.excess > 0;
+      (is_before ? before : after) = now;
+      (is_before ? bracket.t_in : bracket.t_out) = t;
+      if (before && after && std::nextafter(before->time, 2.0) == after->time) {
+        if (was_apart(*before, start) && is_within(*after)) return bracket;
+        break;
+      }
+      t = next != t ? next : std::nextafter(t, is_before ? 2.0 : -1.0);
+    }
+    return {};
+  }
+
+ private:
+  /// Points that only rounding keeps off a corner or a side, moved there: the axis would be that of the inside. Weights
+  /// on the side off the first corner add up to 1 exactly, others to less.
+  static ClosestPoints snapped(ClosestPoints p) {
+    constexpr double kNear = 0x1p-44;
+    for (double* weight : {&p.u, &p.v}) *weight = *weight < kNear ? 0 : *weight > 1 - kNear ? 1 : *weight;
+    if (kind == PairKind::vertex_face && p.u + p.v > 1 - kNear) {
+      double &larger = p.u < p.v ? p.v : p.u, &smaller = p.u < p.v ? p.u : p.v;
+      larger = std::max(larger, 0.5);
+      smaller = 1 - larger;  // exactly
+    }
+    return p;
+  }
+
+  FineSight sight(double t) const {
+    FineSight s{t, at_time(fine_.e, Fine(t)), at_time(fine_.f, Fine(t)), at_time(fine_.d, Fine(t)), {}, {}, 0};
+    if constexpr (weights == WeightsIn::doubles) {
+      s.rough = snapped(closest_points<kind>(rounded(s.e), rounded(s.f), rounded(s.d)));
+      s.gap = gap_at<kind>(s.e, s.f, s.d, Fine(s.rough.u), Fine(s.rough.v));
+    } else {
+      const auto closest = closest_points<kind>(s.e, s.f, s.d);
+      s.rough = snapped({closest.u.high, closest.v.high, rounded(closest.gap)});
+      s.gap = closest.gap;
+    }
+    s.excess = (dot(s.gap, s.gap) - fine_.separation * fine_.separation).high;
+    return s;
+  }
+
+  /// Of the closest points, were they fixed.
+  Vec3<double> velocity(const ClosestPoints& p) const {
+    return gap_at<kind>(m_.e.at1, m_.f.at1, m_.d.at1, p.u, p.v) - gap_at<kind>(m_.e.at0, m_.f.at0, m_.d.at0, p.u, p.v);
+  }
+
+  /// Certified: the closest points are within the separation.
+  bool is_within(const FineSight& s) const {
+    const Fine room = fine_.separation - error_bounds::bound<Fine>(error_bounds::kGap, size_);
+    return room > Fine(0) && dot(s.gap, s.gap) * one_and(8) < room * room * one_and(-8);
+  }
+
+  /// Certified, from `start` until then: along the axis of the closest points all corners lie beyond the separation at
+  /// the end, and have come nearer all that time.
+  bool was_apart(const FineSight& s, double start) const {
+    const Fine zero(0);
+    const FineVec axis = squared_gap<kind>(s.e, s.f, ClosestPointsOf<Fine>{s.rough.u, s.rough.v, s.gap});
+    const double scale = scale_below_one(largest_component(rounded(axis)));
+    const FineVec n = times_power_of_two(scale, axis);
+    const Fine error = error_bounds::bound<Fine>(error_bounds::kAxisNow, size_);
+    const Fine reach = fine_.separation * fine_.separation * dot(n, n) * one_and(16);
+    for (const FineVec& corner : difference_corners<kind>(s.e, s.f, s.d)) {
+      const Fine along = dot(n, corner) - error;
+      if (!(along > zero && along * along * one_and(-8) > reach)) return false;
+    }
+    const Vec3<double> turn = squared_axis<kind>(m_, s.time, s.rough).turn;
+    return AxisClip<kind, double>(m_).was_beyond(s.time, {rounded(n), scale * turn}, s.time - start);
+  }
+
+  const PairMotion<Fine>& fine_;
+  const PairMotion<double>& m_;
+  const Fine size_;
+};
+
+}  // namespace
+
+std::optional<TimeInterval<double>> first_within_finely(PairKind kind, const PairPoints& points, double separation,
+                                                        const PairMotion<double>& m,
+                                                        const TimeInterval<double>& bracket) {
+  const PairMotion<Fine> fine = make_fine_motion(kind, points, separation);
+  return with_kind(kind, [&](auto k) {
+    const auto time = FineSearch<k(), WeightsIn::doubles>(fine, m).run(bracket);
+    return time ? time : FineSearch<k(), WeightsIn::double_doubles>(fine, m).run(bracket);
+  });
+}
+
+}  // namespace tamis

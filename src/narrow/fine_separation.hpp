@@ -1,0 +1,19 @@
+// Minimum separation where doubles have found that two features come within it, but not sharply when: the neighbouring
+// doubles around that time, in double-double. What exact algebra would answer, in a fraction of its time; most of what
+// doubles leave open is of this kind.
+#pragma once
+#include <optional>
+
+#include "motion/make_motion.hpp"
+#include "motion/time_clip.hpp"
+
+namespace tamis {
+
+/// Neighbouring doubles, the pair being apart until the first, and within its separation at the second; nothing where
+/// double-double does not prove that. Costs some twelve thousand instructions. REQUIRES: `m` is the motion of `points`
+/// with that separation, its sizes are finite; the pair is apart on [0, bracket.t_in); the bracket lies in [0,1].
+std::optional<TimeInterval<double>> first_within_finely(PairKind kind, const PairPoints& points, double separation,
+                                                        const PairMotion<double>& m,
+                                                        const TimeInterval<double>& bracket);
+
+}  // namespace tamis

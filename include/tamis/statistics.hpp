@@ -59,7 +59,8 @@ struct Statistics {
   Method method = Method::tamis;
   Isa isa = Isa::baseline;  ///< the one that ran, never `best`
   int threads = 1;
-  /// In pipeline order, the first being the pairs of features whose boxes meet (`brute`: all pairs).
+  /// In pipeline order, the first being the pairs of features whose boxes meet (`brute`: all pairs; where pairs
+  /// were listed ahead, those of the list that the question looks at).
   std::vector<StageCount> stages;
   PrecisionCount decided_by;
   Seconds seconds;

@@ -69,6 +69,7 @@ struct PackedMotion {
   std::vector<PackedVertex> vertices;
   std::vector<BoxVertex> box_vertices;
   std::vector<BoxVertex> residuals;
+  float spread = 0;  ///< how much residuals differ, summed over the axes
   BoxFrame frame;
   Separations separations;
 

@@ -31,17 +31,19 @@ bool is_available([[maybe_unused]] Isa isa) {
   return isa == Isa::baseline;
 }
 
+/// The widest first.
+constexpr const Kernels* kAll[] = {
+#ifdef TAMIS_X86_KERNELS
+    &avx512::kKernels, &avx2::kKernels,
+#endif
+    &baseline::kKernels};
+
 }  // namespace
 
 const Kernels& kernels(Isa isa) {
-  if (isa == Isa::best)
-    isa = is_available(Isa::avx512) ? Isa::avx512 : is_available(Isa::avx2) ? Isa::avx2 : Isa::baseline;
-  if (!is_available(isa)) throw InvalidOptions("this machine has no " + std::string(name_of(isa)) + ": use 'best'");
-#ifdef TAMIS_X86_KERNELS
-  if (isa == Isa::avx512) return avx512::kKernels;
-  if (isa == Isa::avx2) return avx2::kKernels;
-#endif
-  return baseline::kKernels;
+  for (const Kernels* const some : kAll)
+    if ((isa == Isa::best || isa == some->isa) && is_available(some->isa)) return *some;
+  throw InvalidOptions("this machine has no " + std::string(name_of(isa)) + ": use 'best'");
 }
 
 }  // namespace tamis

@@ -71,6 +71,7 @@ struct NearRule {
   float fraction;  ///< rounded up
   float reach;     ///< t_limit / (1 - fraction), rounded up
   float t_limit;   ///< rounded up; may exceed 1
+  float spread;    ///< of the rests of all features: how much they differ, summed over the axes
   ReserveBounds reserve;
 };
 

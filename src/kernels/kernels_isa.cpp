@@ -24,6 +24,14 @@ void search(Search& state, int block) {
   BlockSearch<kind, Boxes, course>(state, block).run();
 }
 
+template <PairKind kind>
+void search_near(Search& state, int block) {
+  if (goes_a_short_way(state, block))
+    BlockSearch<kind, ReserveBoxes>(state, block).run();
+  else
+    BlockSearch<kind, NearBoxes>(state, block).run();
+}
+
 TimeInterval<DoubleLanes> load_time(const PairBuffer& pairs, int first) {
   return {DoubleLanes::load_unaligned(pairs.t_in + first), DoubleLanes::load_unaligned(pairs.t_out + first)};
 }
@@ -177,7 +185,7 @@ constexpr PairKernels kernels_of() {
   constexpr PairKind kSearched = kind == kEe ? kEe : kVf;
   PairKernels kernels{.search = search<kSearched, MovingBoxes>,
                       .search_at_rest = search<kSearched, RestBoxes>,
-                      .search_near = search<kSearched, NearBoxes>,
+                      .search_near = search_near<kSearched>,
                       .slab = slab<kind>,
                       .cull_apart = cull_apart<kind>,
                       .come_within = come_within<kind>,
@@ -200,6 +208,7 @@ constexpr PairKernels kAlongEdges{.search = search<kVf, StillBoxes, Course::alon
 
 }  // namespace
 
+static_assert(kPairKinds == 4, "name the kernels of each kind below");
 extern const Kernels kKernels;
 constinit const Kernels kKernels{
     Isa::TAMIS_ISA,

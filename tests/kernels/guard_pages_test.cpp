@@ -111,7 +111,7 @@ std::array<int, 2> run_near(const Kernels& kernels, PairKind kind, const Guarded
   const auto empty = std::make_unique<PairBuffer>();
   const Guarded<PairBuffer> boxes({empty.get(), 1}, guard), near({empty.get(), 1}, guard);
   Search search{a.view(), b.view()};
-  search.near = {0.25f, 1.5f, 1.0f, {2.25f, 0, 0, 1}};
+  search.near = {0.25f, 1.5f, 1.0f, 10.0f, {2.25f, 0, 0, 1}};
   find(search, kernels.of(kind).search_near, *boxes.data());
   const int found = boxes.data()->count;
   kernels.of(kind).near(vertices, search.near, *boxes.data(), *near.data());

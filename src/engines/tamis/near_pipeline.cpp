@@ -18,7 +18,7 @@ float rounded_up(double x) { return std::nextafter(static_cast<float>(x), std::n
 NearRule NearQuestion::near() const {
   TAMIS_ASSERT(0 < fraction && fraction < 1);
   const double until = earliest.load(std::memory_order_relaxed) * (1 + 0x1p-15);
-  return {rounded_up(fraction), rounded_up(until / (1 - fraction)), rounded_up(until), reserve_bounds(until)};
+  return {rounded_up(fraction), rounded_up(until / (1 - fraction)), rounded_up(until), spread, reserve_bounds(until)};
 }
 
 /// (stretch - fraction) reserve <= until way + room + (1 - stretch) separation; without gradients this is what speed

@@ -17,6 +17,7 @@ namespace tamis {
 struct NearQuestion {
   Step step;
   double fraction = 0;
+  float spread = 0;                 ///< as in PackedMotion
   SharedMotion::Stretch stretch;    ///< of the motion beside which the trees have rests
   double separation = 0;            ///< of any pair at most, in the frame of the boxes
   std::atomic<double> earliest{1};  ///< the first time found so far at which a pair ends the step

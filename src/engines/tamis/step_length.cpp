@@ -37,6 +37,7 @@ void StepLengthSearch::begin(const Step& step, const Separations& separations, d
   shared_.fit(step, frame, fraction);
   trees_.fit_residuals(step, shared_);
   question_.stretch = shared_.stretch();
+  question_.spread = trees_.motion().spread;
   const double separation = (separations.fixed + 2 * separations.largest_radius()) * frame.scale;
   question_.separation = std::min(separation, kMeetsAll);
   statistics.seconds.bounds += watch.lap();

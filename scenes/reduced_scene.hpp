@@ -3,7 +3,7 @@
 #include <memory>
 
 #include "scenes/scene.hpp"
-#include "tamis/reduced_model.hpp"
+#include "lab/reduced_model.hpp"
 
 namespace tamis::scenes {
 

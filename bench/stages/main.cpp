@@ -2,7 +2,7 @@
 #include <benchmark/benchmark.h>
 
 #include "bench/stages/workload.hpp"
-#include "filters/filters.hpp"
+#include "lab/filters/filters.hpp"
 #include "tamis/pair.hpp"
 
 namespace tamis::bench {

@@ -3,7 +3,7 @@
 
 #include <cstdlib>
 
-#include "io/queries/queries.hpp"
+#include "lab/queries/queries.hpp"
 #include "support/temporary_folder.hpp"
 #include "support/test_data.hpp"
 #include "tamis/rigid_path.hpp"

@@ -5,7 +5,7 @@
 
 #include "io/file_bytes.hpp"
 #include "io/mesh/mesh_file.hpp"
-#include "io/queries/queries.hpp"
+#include "lab/queries/queries.hpp"
 #include "support/test_data.hpp"
 
 namespace tamis::io {

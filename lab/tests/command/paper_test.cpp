@@ -15,7 +15,7 @@ std::vector<std::string> cells_of(const std::string& line) {
   return cells;
 }
 
-/// `tamis paper` with these arguments; pictures, which take seconds, have tests of their own.
+/// `tamis-lab paper` with these arguments; pictures, which take seconds, have tests of their own.
 Outcome evaluate(const CommandFolder& folder, const std::string& arguments) {
   std::filesystem::permissions(folder.write("bin/python3", "#!/bin/sh\nexit 0\n"), std::filesystem::perms(0755));
   return folder.run("paper " + arguments, "", "", "PATH=$PWD/bin:$PATH");

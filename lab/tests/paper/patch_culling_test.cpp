@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "lab/detector.hpp"
 #include "scenes/scene_list.hpp"
-#include "tamis/detector.hpp"
 
 namespace tamis::lab {
 namespace {
@@ -39,11 +39,10 @@ Sheet sheet(Index columns, Index rows, const Place& place) {
 }
 
 std::vector<std::array<Index, 4>> contacts(const Sheet& at0, const Sheet& at1, std::string_view method,
-                                           std::uint64_t* triangles_in_free_patches = nullptr) {
-  Detector detector(Mesh(static_cast<Index>(at0.points.size()), at0.faces), with(method));
+                                           TriangleCounts* counts = nullptr) {
+  Detector detector = make_detector(Mesh(static_cast<Index>(at0.points.size()), at0.faces), with(method), counts);
   std::vector<std::array<Index, 4>> result;
   for (const Contact& c : detector.contacts({at0.points, at1.points})) result.push_back(c.vertices);
-  if (triangles_in_free_patches) *triangles_in_free_patches = detector.statistics().triangles_in_free_patches;
   return result;
 }
 
@@ -52,9 +51,9 @@ TEST(patch_culling, proves_a_waving_sheet_free_as_a_whole) {
     return sheet(20, 20, [&](double x, double y) { return Point{x, y, 0.05 * std::sin(7 * x + 5 * y + phase)}; });
   };
   for (const char* method : kHighLevel) {
-    std::uint64_t triangles = 0;
-    EXPECT_TRUE(contacts(wave(0), wave(0.5), method, &triangles).empty());
-    EXPECT_EQ(triangles, 800U) << method;
+    TriangleCounts counts;
+    EXPECT_TRUE(contacts(wave(0), wave(0.5), method, &counts).empty());
+    EXPECT_EQ(counts.in_free_patches, 800U) << method;
   }
 }
 
@@ -76,10 +75,10 @@ TEST(patch_culling, leaves_out_no_contact_of_the_scenes) {
   for (const char* name : {"folded-cloth", "colliding-bodies", "sliding-sheets", "touching-spheres"})
     for (std::uint64_t seed : {1U, 2U, 3U}) {
       const scenes::Scene scene = scenes::scene_by_name(name, 800, seed);
-      Detector published(scene.mesh(), with("paper"));
+      Detector published = make_detector(scene.mesh(), with("paper"));
       const auto expected = published.contacts(scene.step());
       for (const char* method : kHighLevel) {
-        Detector detector(scene.mesh(), with(method));
+        Detector detector = make_detector(scene.mesh(), with(method));
         const auto& found = detector.contacts(scene.step());
         ASSERT_EQ(found.size(), expected.size()) << name << ", seed " << seed << ", " << method;
         for (std::size_t i = 0; i < found.size(); ++i) EXPECT_EQ(found[i].vertices, expected[i].vertices);

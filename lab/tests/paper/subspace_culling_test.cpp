@@ -3,15 +3,13 @@
 
 #include <cmath>
 
+#include "lab/detector.hpp"
+#include "lab/reduced_scene.hpp"
 #include "scenes/random.hpp"
-#include "scenes/reduced_scene.hpp"
-#include "tamis/detector.hpp"
 #include "tamis/error.hpp"
 
 namespace tamis::lab {
 namespace {
-
-using scenes::ReducedScene;
 
 Options subspace_options(std::shared_ptr<const ReducedModel> model) {
   Options options;
@@ -38,10 +36,12 @@ struct Answer {
 Answer checked(const scenes::Scene& scene, std::shared_ptr<const ReducedModel> model) {
   Options brute;
   brute.method = Method::brute;
-  Detector yardstick(scene.mesh(), brute), detector(scene.mesh(), subspace_options(std::move(model)));
+  TriangleCounts counts;
+  Detector yardstick = make_detector(scene.mesh(), brute);
+  Detector detector = make_detector(scene.mesh(), subspace_options(std::move(model)), &counts);
   const Vertices expected = vertices_of(yardstick.contacts(scene.step()));
   EXPECT_EQ(vertices_of(detector.contacts(scene.step())), expected);
-  return {expected.size(), detector.statistics().triangles_in_free_patches};
+  return {expected.size(), counts.in_free_patches};
 }
 
 constexpr Index kTriangles = 400;
@@ -51,7 +51,7 @@ TEST(SubspaceCulling, LeavesOutNoContactAtAnyLength) {
   std::size_t contacts = 0, partly_free = 0;
   for (const double length : {1e-3, 0.1, 0.17, 0.2, 0.23, 0.3, 0.5, 0.6, 1.0, 3.0})
     for (std::uint64_t seed : {1U, 2U, 3U}) {
-      const ReducedScene r = scenes::reduced_sheet(kTriangles, seed, length);
+      const ReducedScene r = reduced_sheet(kTriangles, seed, length);
       const Answer answer = checked(r.scene, r.model);
       contacts += answer.contacts;
       const std::uint64_t free = answer.triangles_in_free_patches;
@@ -63,14 +63,14 @@ TEST(SubspaceCulling, LeavesOutNoContactAtAnyLength) {
 
 TEST(SubspaceCulling, ProvesTheRestPoseAndItsSurroundingsFreeAsAWhole) {
   for (const double length : {0.0, 0.05}) {
-    const ReducedScene r = scenes::reduced_sheet(kTriangles, 1, length);
+    const ReducedScene r = reduced_sheet(kTriangles, 1, length);
     EXPECT_EQ(checked(r.scene, r.model).triangles_in_free_patches, r.scene.faces.size()) << length;
   }
 }
 
 // Bug: a certificate that forgets pairs between patches: the arms of the U are free within, and meet each other.
 TEST(SubspaceCulling, SeesTheArmsMeetWhileEachIsFree) {
-  ReducedScene r = scenes::reduced_sheet(kTriangles, 1, 0);
+  ReducedScene r = reduced_sheet(kTriangles, 1, 0);
   constexpr Index kClose = 6;  // the axis z, times the cosine of the length: the arms' ends move against each other
   for (Index v = 0; v < r.scene.vertex_count(); ++v)
     r.scene.end[static_cast<std::size_t>(v)][2] += 0.2 * r.model->row(v, 2)[kClose];
@@ -82,7 +82,7 @@ TEST(SubspaceCulling, SeesTheArmsMeetWhileEachIsFree) {
 // Bug: a factorisation that fails where columns depend on each other, or vanish.
 TEST(SubspaceCulling, TakesABasisWithDependentAndZeroColumns) {
   for (const double length : {0.05, 0.3, 1.0}) {
-    const ReducedScene r = scenes::reduced_sheet(kTriangles, 2, length);
+    const ReducedScene r = reduced_sheet(kTriangles, 2, length);
     auto wide = std::make_shared<ReducedModel>();
     wide->rest = r.model->rest;
     wide->modes = r.model->modes + 3;
@@ -99,7 +99,7 @@ TEST(SubspaceCulling, TakesABasisWithDependentAndZeroColumns) {
 
 // Bug: q believed without looking at what the positions are.
 TEST(SubspaceCulling, CullsNothingWherePositionsAreNotOfTheModel) {
-  ReducedScene r = scenes::reduced_sheet(kTriangles, 3, 0.05);
+  ReducedScene r = reduced_sheet(kTriangles, 3, 0.05);
   scenes::Random random(1);
   for (Point& p : r.scene.end) p[2] += random.between(-0.1, 0.1);
   const Answer answer = checked(r.scene, r.model);
@@ -109,7 +109,7 @@ TEST(SubspaceCulling, CullsNothingWherePositionsAreNotOfTheModel) {
 
 // Bug: a bound of zero, or none, at rest taken for a proof.
 TEST(SubspaceCulling, FindsTheContactsOfARestPoseThatTouchesItself) {
-  ReducedScene r = scenes::reduced_sheet(kTriangles, 1, 0);
+  ReducedScene r = reduced_sheet(kTriangles, 1, 0);
   auto flat = std::make_shared<ReducedModel>(*r.model);
   for (Point& p : flat->rest) p[2] = 0;
   r.scene.start = r.scene.end = flat->rest;
@@ -120,7 +120,7 @@ TEST(SubspaceCulling, FindsTheContactsOfARestPoseThatTouchesItself) {
 TEST(SubspaceCulling, WorksFarFromTheOriginAndAtAnySize) {
   for (const double size : {1e-9, 1e9})
     for (const double length : {0.05, 0.8}) {
-      ReducedScene r = scenes::reduced_sheet(kTriangles, 4, length);
+      ReducedScene r = reduced_sheet(kTriangles, 4, length);
       auto model = std::make_shared<ReducedModel>(*r.model);
       const auto transform = [&](Point& p) { p = {size * (p[0] + 1000), size * (p[1] - 300), size * p[2]}; };
       for (auto* points : {&model->rest, &r.scene.start, &r.scene.end})
@@ -132,8 +132,8 @@ TEST(SubspaceCulling, WorksFarFromTheOriginAndAtAnySize) {
 }
 
 TEST(SubspaceCulling, RefusesModelsThatDoNotFit) {
-  const ReducedScene r = scenes::reduced_sheet(kTriangles, 1, 0.1);
-  EXPECT_THROW(Detector(r.scene.mesh(), subspace_options(nullptr)), InvalidOptions);
+  const ReducedScene r = reduced_sheet(kTriangles, 1, 0.1);
+  EXPECT_THROW(make_detector(r.scene.mesh(), subspace_options(nullptr)), InvalidOptions);
   const auto broken = [&](auto change) {
     auto model = std::make_shared<ReducedModel>(*r.model);
     change(*model);
@@ -143,7 +143,7 @@ TEST(SubspaceCulling, RefusesModelsThatDoNotFit) {
        {broken([](ReducedModel& m) { m.rest.pop_back(); }), broken([](ReducedModel& m) { m.basis.pop_back(); }),
         broken([](ReducedModel& m) { m.modes = 0; }), broken([](ReducedModel& m) { m.basis[7] = std::nan(""); }),
         broken([](ReducedModel& m) { m.rest[3][1] = HUGE_VAL; })})
-    EXPECT_THROW(Detector(r.scene.mesh(), options), InvalidOptions);
+    EXPECT_THROW(make_detector(r.scene.mesh(), options), InvalidOptions);
 }
 
 }  // namespace

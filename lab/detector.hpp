@@ -12,8 +12,8 @@ struct TriangleCounts {
 };
 
 /// Answers as every Detector does. Methods paper and brute measure stages by other names. `counts`, written by method
-/// paper, must outlive the detector. Throws InvalidOptions: as Detector, and an unknown filter, a number that is none of
-/// an enumeration's, subspace culling without a reduced model that fits the mesh.
+/// paper, must outlive the detector. Throws InvalidOptions: as Detector, and an unknown filter, a number that is none
+/// of an enumeration's, subspace culling without a reduced model that fits the mesh.
 Detector make_detector(Mesh mesh, const Options& options, TriangleCounts* counts = nullptr);
 
 }  // namespace tamis::lab

@@ -26,8 +26,7 @@ constexpr std::array kCompetitors{
     Competitor{"paper-normal-cones", {"dnf", "ncf-published"}, true, true, HighLevelCulling::normal_cones},
     Competitor{"paper-star-contours", {"dnf", "ncf-published"}, true, true, HighLevelCulling::star_contours}};
 
-constexpr EnumNames<Method, 3> kMethods{
-    {{Method::tamis, "tamis"}, {Method::paper, "paper"}, {Method::brute, "brute"}}};
+constexpr EnumNames<Method, 3> kMethods{{{Method::tamis, "tamis"}, {Method::paper, "paper"}, {Method::brute, "brute"}}};
 constexpr EnumNames<BoundingVolume, 6> kVolumes{{{BoundingVolume::sphere, "sphere"},
                                                  {BoundingVolume::aabb, "aabb"},
                                                  {BoundingVolume::obb, "obb"},

@@ -1,4 +1,5 @@
-// What the laboratory lets a caller choose beyond the library's options: the method, and the parts of the published one.
+// What the laboratory lets a caller choose beyond the library's options: the method, and the parts of the published
+// one.
 #pragma once
 #include <cstdint>
 #include <memory>
@@ -11,8 +12,8 @@
 
 namespace tamis::lab {
 
-/// How pairs are found and culled. Every method returns the same set of contacts: all decide what their filters leave by
-/// the library's own decide().
+/// How pairs are found and culled. Every method returns the same set of contacts: all decide what their filters leave
+/// by the library's own decide().
 enum class Method : std::uint8_t {
   tamis,  ///< the library
   paper,  ///< the published NCF pipeline, to the letter

@@ -188,21 +188,21 @@ Json row_of(const BenchmarkCase& step, double scale, const BenchmarkSetup& setup
            {"mode", setup.mode}};
   for (const auto& [name, value] : setup.way.columns) row[name] = value;
   row.update({{"isa", name_of(s.isa)},
-           {"threads", s.threads},
-           {"seconds_cold", result.cold.total},
-           {"seconds", result.warm.total},
-           {"cpu_cold", result.cpu_cold},
-           {"cpu", result.cpu_warm},
-           {"bounds", result.warm.bounds},
-           {"build_cold", result.cold.build},
-           {"refit", result.warm.build},
-           {"traverse", result.warm.traverse},
-           {"filter", result.warm.filter},
-           {"solve", result.warm.solve},
-           {"contacts", result.contacts},
-           {"toi_lower", result.toi_lower},
-           {"toi_upper", result.toi_upper},
-           {"nodes_visited", s.nodes_visited}});
+              {"threads", s.threads},
+              {"seconds_cold", result.cold.total},
+              {"seconds", result.warm.total},
+              {"cpu_cold", result.cpu_cold},
+              {"cpu", result.cpu_warm},
+              {"bounds", result.warm.bounds},
+              {"build_cold", result.cold.build},
+              {"refit", result.warm.build},
+              {"traverse", result.warm.traverse},
+              {"filter", result.warm.filter},
+              {"solve", result.warm.solve},
+              {"contacts", result.contacts},
+              {"toi_lower", result.toi_lower},
+              {"toi_upper", result.toi_upper},
+              {"nodes_visited", s.nodes_visited}});
   std::uint64_t candidates = 0;
   if (!s.stages.empty()) candidates = s.stages.front().vf + s.stages.front().ee;
   row["candidates"] = candidates;

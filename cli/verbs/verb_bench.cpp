@@ -21,8 +21,7 @@
 namespace tamis::cli {
 namespace {
 
-void require_known(const char* what, const std::vector<std::string>& names,
-                          const std::vector<std::string>& known) {
+void require_known(const char* what, const std::vector<std::string>& names, const std::vector<std::string>& known) {
   for (const std::string& name : names)
     if (std::find(known.begin(), known.end(), name) == known.end())
       throw InvalidOptions(fmt::format("there is no {} '{}': choose one of {}", what, name, fmt::join(known, ", ")));
@@ -125,12 +124,12 @@ void Bench::measure_ways(const BenchmarkCase& step, double scale) {
     for (const std::string& isa : isas_)
       for (const int threads : threads_) {
         setup_.way = way;
-          setup_.options.isa = isa_from_name(isa);
-          setup_.options.threads = threads;
-          const BenchmarkResult result = measure(step, setup_);
-          if (!first) first = result;
-          add_row(row_of(step, scale, setup_, result), agree(*first, result));
-        }
+        setup_.options.isa = isa_from_name(isa);
+        setup_.options.threads = threads;
+        const BenchmarkResult result = measure(step, setup_);
+        if (!first) first = result;
+        add_row(row_of(step, scale, setup_, result), agree(*first, result));
+      }
 }
 
 void Bench::add_row(Json row, bool is_same) {
@@ -148,8 +147,8 @@ void Bench::print_row(const Json& row) const {
   };
   if (rows_.empty())
     fmt::print("{:<18} {:>10} {:>5} {:<9} {:<8} {}{:<8} {:>2} {:>10} {:>10} {:>10} {:>9}\n", "scene", "triangles",
-               "scale", "question", "mode", columns([](const auto& column) { return column.first; }), "isa", "T", "cold",
-               "kept", "cpu kept", "contacts");
+               "scale", "question", "mode", columns([](const auto& column) { return column.first; }), "isa", "T",
+               "cold", "kept", "cpu kept", "contacts");
   fmt::print("{:<18} {:>10} {:>5} {:<9} {:<8} {}{:<8} {:>2} {:>10} {:>10} {:>10} {:>9}{}\n",
              printable(row["scene"].get<std::string>()), grouped(row["triangles"]), row["scale"].get<double>(),
              row["question"].get<std::string>(), row["mode"].get<std::string>(),

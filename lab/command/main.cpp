@@ -9,10 +9,10 @@ namespace tamis::lab {
 namespace {
 
 cli::Command make_command() {
-  cli::Command command{
-      "tamis-lab",
-      "The laboratory of Tamis: the paper's pipeline and its competitors, its evaluation, and queries with known answers.",
-      {}};
+  cli::Command command{"tamis-lab",
+                       "The laboratory of Tamis: the paper's pipeline and its competitors, its evaluation, and queries "
+                       "with known answers.",
+                       {}};
   command.verbs.push_back(make_contacts());
   command.verbs.push_back(make_bench());
   command.verbs.push_back(make_paper());

@@ -34,7 +34,8 @@ class Queries final : public cli::Verb {
     options.add_texts("FILES_OR_FOLDERS", names_, "CSV files below a folder named vertex-face or edge-edge; JSON files")
         .required();
     cli::declare_min_separation(options, min_separation_);
-    cli::declare_repeat(options, repeat_, "take each query's median time of N runs, after one that warms up; default 1");
+    cli::declare_repeat(options, repeat_,
+                        "take each query's median time of N runs, after one that warms up; default 1");
     cli::declare_output(options, out_, "write every answer there, as CSV: file, kind, touches, toi_lower, toi_upper");
     cli::declare_json(options, json_);
   }
@@ -50,7 +51,9 @@ class Queries final : public cli::Verb {
       print_as_json(folders, total);
     else
       print_table(folders, total);
-    return is_judged_positive() && !total.keeps_promise() ? cli::kNo : total.false_negatives > 0 ? cli::kNo : cli::kSuccess;
+    return is_judged_positive() && !total.keeps_promise() ? cli::kNo
+           : total.false_negatives > 0                    ? cli::kNo
+                                                          : cli::kSuccess;
   }
 
  private:
@@ -112,10 +115,11 @@ class Queries final : public cli::Verb {
   void print_row(const std::string& name, std::size_t width, const QueryScore& s) const {
     const Percentiles ns = percentiles_of(s.nanoseconds);
     const bool is_labelled = s.labelled > 0;
-    fmt::print("{:<{}} {:>9} {:>9} {:>9} {:>9} {:>10} {:>9.0f} {:>9.0f} {:>9.0f} {:>9.0f}\n", cli::printable(name), width,
-               cli::grouped(s.queries), cli::grouped(s.contacts),
+    fmt::print("{:<{}} {:>9} {:>9} {:>9} {:>9} {:>10} {:>9.0f} {:>9.0f} {:>9.0f} {:>9.0f}\n", cli::printable(name),
+               width, cli::grouped(s.queries), cli::grouped(s.contacts),
                is_labelled && is_judged_positive() ? cli::grouped(s.false_positives) : "-",
-               is_labelled ? cli::grouped(s.false_negatives) : "-", cli::grouped(s.unresolved), ns.mean, ns.p50, ns.p99, ns.max);
+               is_labelled ? cli::grouped(s.false_negatives) : "-", cli::grouped(s.unresolved), ns.mean, ns.p50, ns.p99,
+               ns.max);
   }
 
   std::vector<std::string> names_;

@@ -4,11 +4,11 @@
 
 #include "filters/dnf.hpp"
 #include "filters/ncf.hpp"
+#include "filters/slab_clip.hpp"
 #include "lab/filters/ncf_published.hpp"
 #include "lab/filters/pfs_linear.hpp"
 #include "lab/filters/pfs_planar.hpp"
 #include "lab/filters/sat.hpp"
-#include "filters/slab_clip.hpp"
 
 namespace tamis::lab {
 

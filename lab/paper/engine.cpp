@@ -10,11 +10,11 @@
 #include <algorithm>
 #include <tuple>
 
+#include "engines/stopwatch.hpp"
 #include "lab/contacts_engine.hpp"
 #include "lab/paper/hierarchy.hpp"
 #include "lab/paper/patch_culling.hpp"
 #include "lab/paper/tester.hpp"
-#include "engines/stopwatch.hpp"
 #include "lab/topology/orphan_sets.hpp"
 #include "lab/topology/surface.hpp"
 

@@ -4,12 +4,12 @@
 #include <variant>
 
 #include "lab/bounds/k_dop.hpp"
+#include "lab/bounds/moving_points.hpp"
 #include "lab/bounds/oriented_box.hpp"
 #include "lab/bounds/sphere.hpp"
 #include "lab/bounds/swept_volume.hpp"
 #include "lab/bvh/refit.hpp"
 #include "lab/bvh/self_traverse.hpp"
-#include "lab/bounds/moving_points.hpp"
 #include "tamis/options.hpp"
 
 namespace tamis::lab {

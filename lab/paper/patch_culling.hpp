@@ -5,14 +5,14 @@
 #pragma once
 #include <optional>
 
+#include "lab/bounds/moving_points.hpp"
 #include "lab/bounds/normal_cone.hpp"
 #include "lab/bvh/binary_tree.hpp"
+#include "lab/filters/contour_test.hpp"
 #include "lab/paper/reduced_pose.hpp"
 #include "lab/paper/subspace_certificates.hpp"
-#include "lab/filters/contour_test.hpp"
-#include "lab/bounds/moving_points.hpp"
-#include "tamis/options.hpp"
 #include "lab/topology/patches.hpp"
+#include "tamis/options.hpp"
 
 namespace tamis::lab {
 

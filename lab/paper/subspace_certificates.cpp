@@ -4,11 +4,11 @@
 #include <array>
 #include <cmath>
 
+#include "lab/topology/representatives.hpp"
 #include "numerics/assert.hpp"
 #include "numerics/interval.hpp"
 #include "numerics/vec.hpp"
 #include "topology/at.hpp"
-#include "lab/topology/representatives.hpp"
 
 namespace tamis::lab {
 namespace {

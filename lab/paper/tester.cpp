@@ -3,9 +3,9 @@
 #include <numeric>
 
 #include "engines/cancellation.hpp"
-#include "lab/paper/interval_newton.hpp"
 #include "engines/stage_counts.hpp"
 #include "engines/stopwatch.hpp"
+#include "lab/paper/interval_newton.hpp"
 #include "narrow/decide.hpp"
 #include "narrow/sharp_bracket.hpp"
 #include "topology/at.hpp"

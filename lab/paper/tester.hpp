@@ -1,13 +1,13 @@
 // What happens to a pair of features once the paper's hierarchy has found it: swept boxes of the features, filters,
 // interval Newton, and what that leaves open, decide(). Pairs are taken in blocks, stage by stage. One per thread.
 #pragma once
-#include "lab/bounds/feature_boxes.hpp"
 #include "engines/engine.hpp"
 #include "engines/pair_rules.hpp"
+#include "lab/bounds/feature_boxes.hpp"
 #include "lab/filters/filters.hpp"
 #include "lab/options.hpp"
-#include "tamis/pair.hpp"
 #include "lab/topology/representatives.hpp"
+#include "tamis/pair.hpp"
 
 namespace tamis::lab {
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "io/error.hpp"
-#include "lab/queries/exact_double.hpp"
 #include "io/text.hpp"
+#include "lab/queries/exact_double.hpp"
 
 namespace tamis::lab {
 namespace {
@@ -50,7 +50,8 @@ class QueryParser {
     Row row{};
     for (std::size_t axis = 0; axis < 3; ++axis) row.point[axis] = coordinate(cells[2 * axis], cells[2 * axis + 1]);
     if (count == 7) {
-      if (cells[6] != "0" && cells[6] != "1") fail(fmt::format("the answer is {}: give 0 or 1", io::in_quotes(cells[6])));
+      if (cells[6] != "0" && cells[6] != "1")
+        fail(fmt::format("the answer is {}: give 0 or 1", io::in_quotes(cells[6])));
       row.touches = cells[6] == "1";
     }
     return row;

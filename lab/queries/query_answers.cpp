@@ -1,8 +1,8 @@
 // Queries with the answers that stand beside them.
 #include "io/error.hpp"
 #include "io/file_bytes.hpp"
-#include "lab/queries/queries.hpp"
 #include "io/text.hpp"
+#include "lab/queries/queries.hpp"
 
 namespace tamis::lab {
 namespace {
@@ -28,7 +28,7 @@ std::optional<bool> answer_in(const fs::path& table, const std::string& file) {
     const std::string_view touches = take_cell(row);
     if (touches != "0" && touches != "1")
       throw io::FileError(table.string(), fmt::format("line {}", lines.number()),
-                      fmt::format("the answer is {}: give 0 or 1", io::in_quotes(touches)));
+                          fmt::format("the answer is {}: give 0 or 1", io::in_quotes(touches)));
     return touches == "1";
   }
   return std::nullopt;

@@ -38,15 +38,16 @@ void add_folder(const fs::path& folder, std::vector<QueryFile>& files) {
   if (error) throw io::FileError(folder.string(), "", "the folder cannot be read: check its permissions");
   if (files.size() == before)
     throw io::FileError(folder.string(), "",
-                    "no query in this folder: give one that holds vertex-face/*.csv, edge-edge/*.csv or *.json");
+                        "no query in this folder: give one that holds vertex-face/*.csv, edge-edge/*.csv or *.json");
 }
 
 void add_file(const fs::path& path, std::vector<QueryFile>& files) {
   const auto file = query_file(path, path.string());
   if (!file)
-    throw io::FileError(path.string(), "",
-                    "no folder above it tells its kind: put a table into one named vertex-face or edge-edge, or give a "
-                    "JSON file");
+    throw io::FileError(
+        path.string(), "",
+        "no folder above it tells its kind: put a table into one named vertex-face or edge-edge, or give a "
+        "JSON file");
   files.push_back(*file);
 }
 

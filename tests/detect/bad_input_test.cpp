@@ -87,7 +87,9 @@ TEST_P(BadInput, VerticesThatNothingUsesMayHoldAnything) {
 }
 
 TEST_P(BadInput, OptionsOutsideTheirRange) {
-  const auto refuses = [&](const lab::Options& bad) { EXPECT_THROW(lab::make_detector(scene.mesh(), bad), InvalidOptions); };
+  const auto refuses = [&](const lab::Options& bad) {
+    EXPECT_THROW(lab::make_detector(scene.mesh(), bad), InvalidOptions);
+  };
   lab::Options bad = options;
   bad.threads = -1;
   refuses(bad);

@@ -138,9 +138,11 @@ TEST(IntersectionsOfGroups, FollowTheFilter) {
   for (const Method method : kMethods) {
     options.method = method;
     options.filter = PairFilter::no_self_contact({0, 0, 0, 0, 0});
-    EXPECT_FALSE(lab::make_detector(Mesh(5, {{0, 1, 2}}, {{3, 4}}), options).has_intersection(pierced)) << name_of(method);
+    EXPECT_FALSE(lab::make_detector(Mesh(5, {{0, 1, 2}}, {{3, 4}}), options).has_intersection(pierced))
+        << name_of(method);
     options.filter = PairFilter::no_self_contact({0, 0, 0, 1, 1});
-    EXPECT_TRUE(lab::make_detector(Mesh(5, {{0, 1, 2}}, {{3, 4}}), options).has_intersection(pierced)) << name_of(method);
+    EXPECT_TRUE(lab::make_detector(Mesh(5, {{0, 1, 2}}, {{3, 4}}), options).has_intersection(pierced))
+        << name_of(method);
   }
 }
 

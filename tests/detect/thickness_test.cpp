@@ -80,7 +80,8 @@ TEST_P(Thickness, StepLengthsOfAllMethodsAreTheSameBits) {
   const std::vector<double> radii{0x1p-11 * size, 0, 0x1p-9 * size};
   for (const double fraction : {0.0, 0.3}) {
     const auto keep = [&](Method method) {
-      return lab::make_detector(scene.mesh(), thick(scene, radii, method)).keep_distance(scene.step(), fraction, 0x1p-14 * size);
+      return lab::make_detector(scene.mesh(), thick(scene, radii, method))
+          .keep_distance(scene.step(), fraction, 0x1p-14 * size);
     };
     const SafeStep truth = keep(Method::brute);
     for (const Method method : {Method::tamis, Method::paper}) {

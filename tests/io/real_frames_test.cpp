@@ -41,7 +41,8 @@ TEST_F(RealData, FramesHaveTheSizesTheirAuthorsGive) {
 TEST_F(RealData, EveryQueryIsReadAndHasItsAnswer) {
   std::size_t queries = 0;
   for (const lab::QueryFile& file : lab::query_files({(data_ / "queries").string()}))
-    for (const lab::Query& query : lab::parse_queries(FileBytes(file.path).view(), file.kind.value(), file.path.string())) {
+    for (const lab::Query& query :
+         lab::parse_queries(FileBytes(file.path).view(), file.kind.value(), file.path.string())) {
       EXPECT_TRUE(query.touches.has_value());
       ++queries;
     }

@@ -1,4 +1,3 @@
-#include "lab/detector.hpp"
 #include "scenes/simulation/scenes.hpp"
 
 #include <gtest/gtest.h>
@@ -6,6 +5,7 @@
 
 #include <filesystem>
 
+#include "lab/detector.hpp"
 #include "scenes/simulation/simulator.hpp"
 #include "simulation/intersection.hpp"
 #include "tamis/error.hpp"

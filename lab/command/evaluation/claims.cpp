@@ -1,4 +1,4 @@
-// The claims of tamis paper's report, checked row by row.
+// The claims of tamis-lab paper's report, checked row by row.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -1,11 +1,11 @@
-// Rows of an evaluation that an earlier run of tamis paper has finished.
+// Rows of an evaluation that an earlier run of tamis-lab paper has finished.
 #pragma once
 #include <filesystem>
 #include <string_view>
 #include <vector>
 
-#include "lab/command/evaluation/run.hpp"
 #include "io/file_bytes.hpp"
+#include "lab/command/evaluation/run.hpp"
 
 namespace tamis::lab {
 

@@ -1,4 +1,4 @@
-// What the tables and claims of tamis paper are made of: the paper's numbers, and ratios and rates of ours.
+// What the tables and claims of tamis-lab paper are made of: the paper's numbers, and ratios and rates of ours.
 #pragma once
 #include <span>
 #include <string>

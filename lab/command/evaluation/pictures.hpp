@@ -1,4 +1,4 @@
-// The pictures of tamis paper, drawn by a script in Python with matplotlib.
+// The pictures of tamis-lab paper, drawn by a script in Python with matplotlib.
 #pragma once
 #include <filesystem>
 #include <string>

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Pictures of `tamis paper`: Table 1, Fig. 4 and Fig. 5, from the CSV files in a folder."""
+"""Pictures of `tamis-lab paper`: Table 1, Fig. 4 and Fig. 5, from the CSV files in a folder."""
 import csv
 import io
 import pathlib

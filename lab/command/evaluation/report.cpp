@@ -1,11 +1,11 @@
-// The report of tamis paper: our tables beside the paper's, and its claims one by one.
+// The report of tamis-lab paper: our tables beside the paper's, and its claims one by one.
 #include "cli/report.hpp"
 
 #include <fmt/format.h>
 
+#include "io/atomic_file.hpp"
 #include "lab/command/evaluation/figures.hpp"
 #include "lab/command/evaluation/tables.hpp"
-#include "io/atomic_file.hpp"
 
 namespace tamis::lab {
 namespace {
@@ -58,9 +58,10 @@ std::string figure_5(Results results) {
   for (const SceneResult& r : results) {
     const MethodResult& m = r.method("paper");
     const auto rate = [&](Counted kind) { return kPercent * culled_between(m, "ncf-published", "newton", kind); };
-    text += fmt::format("| {} | {} | {} | {:.1f}% | {:.1f}% | {:.1f}% | {:.1f}% |\n", row_name(r),
-                        cli::grouped(m.entering("ncf-published")), cli::grouped(m.elementary_tests()), rate(Counted::both),
-                        rate(Counted::vf), rate(Counted::ee), kPercent * ncf_rate_of_false_pairs(r));
+    text +=
+        fmt::format("| {} | {} | {} | {:.1f}% | {:.1f}% | {:.1f}% | {:.1f}% |\n", row_name(r),
+                    cli::grouped(m.entering("ncf-published")), cli::grouped(m.elementary_tests()), rate(Counted::both),
+                    rate(Counted::vf), rate(Counted::ee), kPercent * ncf_rate_of_false_pairs(r));
   }
   return text;
 }
@@ -91,7 +92,7 @@ without representative triangles. `table1.csv` and `stages.csv` hold the sums be
 }  // namespace
 
 void write_paper_report(const std::filesystem::path& folder, Results results, const std::string& size) {
-  std::string text = "# The paper's evaluation, on scenes of our own\n\nWritten by `tamis paper`. " + size + "\n\n";
+  std::string text = "# The paper's evaluation, on scenes of our own\n\nWritten by `tamis-lab paper`. " + size + "\n\n";
   text += table_1(results);
   text += table_by_method(
       results, "Milliseconds a frame, all methods",

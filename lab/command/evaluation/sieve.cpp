@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "lab/command/evaluation/figures.hpp"
 #include "cli/report.hpp"
+#include "lab/command/evaluation/figures.hpp"
 
 namespace tamis::lab {
 namespace {
@@ -38,9 +38,9 @@ std::string paper_sieve(Results results) {
   for (const SceneResult& r : results) {
     const Left left(r.sieve, r.method("paper").contacts);
     const auto cell = [&](std::uint64_t part) { return share(part, left.by_ncf); };
-    text +=
-        fmt::format("| {} | {} | {} | {} | {} | {} | {} |\n", row_name(r), cli::grouped(left.by_ncf), cell(left.turn_over),
-                    cell(left.slab_clip), cell(left.axes), cell(left.tested - left.contacts), cell(left.contacts));
+    text += fmt::format("| {} | {} | {} | {} | {} | {} | {} |\n", row_name(r), cli::grouped(left.by_ncf),
+                        cell(left.turn_over), cell(left.slab_clip), cell(left.axes), cell(left.tested - left.contacts),
+                        cell(left.contacts));
   }
   return text + R"(
 NCF asks that one sign hold during the whole step. What it leaves is near all along, as neighbours in a sheet and layers that rest

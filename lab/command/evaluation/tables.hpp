@@ -1,4 +1,4 @@
-// What tamis paper writes: tables as CSV, and one report in Markdown.
+// What tamis-lab paper writes: tables as CSV, and one report in Markdown.
 #pragma once
 #include <filesystem>
 #include <span>

@@ -6,9 +6,9 @@
 
 #include <random>
 
+#include "bounds/random_point.hpp"
 #include "lab/bounds/oriented_box.hpp"
 #include "lab/bounds/sphere.hpp"
-#include "bounds/random_point.hpp"
 
 namespace tamis::lab {
 namespace {

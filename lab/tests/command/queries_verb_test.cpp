@@ -46,7 +46,7 @@ TEST(QueriesVerb, OfEveryKindAreAnsweredInATable) {
            "}";
   };
   folder.write("all/turn.json", R"({"type":"ee","edge0":)" + edge("1.5", R"("vertex0":[-1,0,0],"vertex1":[1,0,0])") +
-                                     R"(,"edge1":)" + edge("0", R"("vertex0":[0,0.5,-1],"vertex1":[0.1,0.5,1])") + "}");
+                                    R"(,"edge1":)" + edge("0", R"("vertex0":[0,0.5,-1],"vertex1":[0.1,0.5,1])") + "}");
   folder.write("all/truth.csv", "file,kind,touches\nturn.json,ee,1\n");
   const auto json = folder.run("queries all --out answers.csv --json").json();
   EXPECT_EQ(json["queries"], 3);
@@ -65,9 +65,9 @@ TEST(QueriesVerb, RefusesWhatIsNoQuery) {
   folder.write("q.csv", "");
   folder.write("blank/vertex-face/none.csv", "");
   const std::pair<const char*, const char*> cases[] = {
-      {"queries absent", "absent: no such file"},      {"queries hollow", "hollow: no query"},
-      {"queries q.csv", "q.csv: no folder above it"},  {"queries q", "third.csv: line 1"},
-      {"queries blank", "none.csv: no query in it"},   {"queries q --out q.json", "let the name end in .csv"},
+      {"queries absent", "absent: no such file"},     {"queries hollow", "hollow: no query"},
+      {"queries q.csv", "q.csv: no folder above it"}, {"queries q", "third.csv: line 1"},
+      {"queries blank", "none.csv: no query in it"},  {"queries q --out q.json", "let the name end in .csv"},
   };
   for (const auto& [arguments, says] : cases) {
     const Outcome outcome = folder.run(arguments);

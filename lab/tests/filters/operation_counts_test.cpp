@@ -6,8 +6,8 @@
 #include <cstdio>
 #include <random>
 
-#include "lab/paper/interval_newton.hpp"
 #include "lab/filters/filters.hpp"
+#include "lab/paper/interval_newton.hpp"
 #include "motion/make_motion.hpp"
 #include "support/counted.hpp"
 

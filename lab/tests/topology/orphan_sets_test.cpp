@@ -7,9 +7,9 @@
 #include <map>
 #include <set>
 
-#include "scenes/scene_list.hpp"
 #include "lab/topology/representatives.hpp"
 #include "lab/topology/surface.hpp"
+#include "scenes/scene_list.hpp"
 
 namespace tamis::lab {
 namespace {

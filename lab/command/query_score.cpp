@@ -8,23 +8,23 @@
 namespace tamis::lab {
 namespace {
 
-PairResult ask(const io::Query& query, const PairOptions& options) {
+PairResult ask(const Query& query, const PairOptions& options) {
   return query.kind == PairKind::vertex_face ? vertex_face(query.start, query.end, options)
                                              : edge_edge(query.start, query.end, options);
 }
 
-PairResult ask(const io::RigidQuery& query, const PairOptions& options) {
+PairResult ask(const RigidQuery& query, const PairOptions& options) {
   constexpr std::array<Index, 4> kVertices{0, 1, 2, 3};
   const PathOptions on_path{options.min_separation};
   return query.kind == PairKind::vertex_face ? vertex_face(query.path(), kVertices, on_path)
                                              : edge_edge(query.path(), kVertices, on_path);
 }
 
-PairResult ask(const io::SingleQuery& query, const PairOptions& options) {
+PairResult ask(const SingleQuery& query, const PairOptions& options) {
   return std::visit([&](const auto& q) { return ask(q, options); }, query);
 }
 
-double nanoseconds_of(const io::SingleQuery& query, const PairOptions& options, PairResult& result) {
+double nanoseconds_of(const SingleQuery& query, const PairOptions& options, PairResult& result) {
   const auto start = std::chrono::steady_clock::now();
   result = ask(query, options);
   return std::chrono::duration<double, std::nano>(std::chrono::steady_clock::now() - start).count();
@@ -36,7 +36,7 @@ double at_rank(const std::vector<double>& sorted, double fraction) {
 
 }  // namespace
 
-void QueryScore::add(const io::SingleQuery& query, const PairResult& result) {
+void QueryScore::add(const SingleQuery& query, const PairResult& result) {
   const std::optional<bool> touches = std::visit([](const auto& q) { return q.touches; }, query);
   const bool is_unresolved = result.touches && result.certainty == Certainty::unresolved;
   ++queries;
@@ -68,11 +68,11 @@ Percentiles percentiles_of(std::vector<double> values) {
           at_rank(values, kHalf), at_rank(values, kNearlyAll), values.back()};
 }
 
-QueryScore answer(const std::vector<io::SingleQuery>& queries, const PairOptions& options, int repeat,
+QueryScore answer(const std::vector<SingleQuery>& queries, const PairOptions& options, int repeat,
                   std::vector<PairResult>& results) {
   QueryScore score;
   PairResult result;
-  for (const io::SingleQuery& query : queries) {
+  for (const SingleQuery& query : queries) {
     results.push_back(ask(query, options));
     score.add(query, results.back());
   }

@@ -20,7 +20,7 @@ struct QueryScore {
   std::uint64_t unresolved = 0;
   std::vector<double> nanoseconds;  ///< one a query
 
-  void add(const io::SingleQuery& query, const PairResult& result);
+  void add(const SingleQuery& query, const PairResult& result);
   void add(const QueryScore& other);
   /// Every answer keeps the promise: no contact missed, none claimed that is not there.
   bool keeps_promise() const { return false_negatives == 0 && false_positives_certified == 0; }
@@ -37,7 +37,7 @@ Percentiles percentiles_of(std::vector<double> values);
 
 /// Answers every query; each time is the median of `repeat` passes after one that warms up. The answers are appended to
 /// `results`.
-QueryScore answer(const std::vector<io::SingleQuery>& queries, const PairOptions& options, int repeat,
+QueryScore answer(const std::vector<SingleQuery>& queries, const PairOptions& options, int repeat,
                   std::vector<PairResult>& results);
 
 }  // namespace tamis::lab

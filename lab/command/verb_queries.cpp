@@ -42,7 +42,7 @@ class Queries final : public cli::Verb {
 
   int run() override {
     const PairOptions options{min_separation_};
-    const auto files = io::query_files(names_);
+    const auto files = query_files(names_);
     cli::require_output(out_, paths_of(files), "csv");
     const std::map<std::string, QueryScore> folders = answer_all(files, options);
     QueryScore total;
@@ -57,25 +57,25 @@ class Queries final : public cli::Verb {
   }
 
  private:
-  static std::vector<std::filesystem::path> paths_of(const std::vector<io::QueryFile>& files) {
+  static std::vector<std::filesystem::path> paths_of(const std::vector<QueryFile>& files) {
     std::vector<std::filesystem::path> paths;
-    for (const io::QueryFile& file : files) paths.push_back(file.path);
+    for (const QueryFile& file : files) paths.push_back(file.path);
     return paths;
   }
 
   /// Scores by folder; the answers go to `out_`.
-  std::map<std::string, QueryScore> answer_all(const std::vector<io::QueryFile>& files,
+  std::map<std::string, QueryScore> answer_all(const std::vector<QueryFile>& files,
                                                const PairOptions& options) const {
     std::map<std::string, QueryScore> folders;
-    std::vector<io::QueryResult> table;
-    for (const io::QueryFile& file : files) {
-      const auto queries = io::read_queries(file);
+    std::vector<QueryResult> table;
+    for (const QueryFile& file : files) {
+      const auto queries = read_queries(file);
       std::vector<PairResult> results;
       folders[file.folder].add(answer(queries, options, repeat_, results));
       for (std::size_t i = 0; i < queries.size() && !out_.empty(); ++i)
         table.push_back({file.name, std::visit([](const auto& q) { return q.kind; }, queries[i]), results[i]});
     }
-    if (!out_.empty()) io::write_query_results_csv(out_, table);
+    if (!out_.empty()) write_query_results_csv(out_, table);
     return folders;
   }
 

@@ -10,7 +10,7 @@
 #include "lab/bounds/swept_volume.hpp"
 #include "lab/bvh/refit.hpp"
 #include "lab/bvh/self_traverse.hpp"
-#include "tamis/options.hpp"
+#include "lab/options.hpp"
 
 namespace tamis::lab {
 

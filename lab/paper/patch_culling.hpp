@@ -12,7 +12,7 @@
 #include "lab/paper/reduced_pose.hpp"
 #include "lab/paper/subspace_certificates.hpp"
 #include "lab/topology/patches.hpp"
-#include "tamis/options.hpp"
+#include "lab/options.hpp"
 
 namespace tamis::lab {
 

@@ -9,7 +9,7 @@
 
 #include "io/text.hpp"
 
-namespace tamis::io {
+namespace tamis::lab {
 namespace {
 
 bool is_integer(std::string_view word) {
@@ -20,8 +20,8 @@ bool is_integer(std::string_view word) {
 /// The common case: both fit in machine words and the division is exact.
 std::optional<double> small_fraction(std::string_view numerator, std::string_view denominator) {
   constexpr std::int64_t kExact = std::int64_t{1} << 53;
-  const auto n = to_integer<std::int64_t>(numerator);
-  const auto d = to_integer<std::int64_t>(denominator);
+  const auto n = io::to_integer<std::int64_t>(numerator);
+  const auto d = io::to_integer<std::int64_t>(denominator);
   if (!n || !d || *n > kExact || *n < -kExact || *d <= 0 || !std::has_single_bit(static_cast<std::uint64_t>(*d)))
     return std::nullopt;
   return static_cast<double>(*n) / static_cast<double>(*d);
@@ -43,4 +43,4 @@ std::optional<double> exact_double(std::string_view numerator, std::string_view 
   return value;
 }
 
-}  // namespace tamis::io
+}  // namespace tamis::lab

@@ -3,10 +3,10 @@
 #include <optional>
 #include <string_view>
 
-namespace tamis::io {
+namespace tamis::lab {
 
 /// The double equal to numerator / denominator, decimal integers of any length; none if a word is no integer, the
 /// denominator is 0, or no double has exactly this value.
 std::optional<double> exact_double(std::string_view numerator, std::string_view denominator);
 
-}  // namespace tamis::io
+}  // namespace tamis::lab

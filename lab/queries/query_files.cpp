@@ -57,14 +57,14 @@ std::vector<QueryFile> query_files(const std::vector<std::string>& names) {
   std::vector<QueryFile> files;
   std::error_code error;
   for (const std::string& name : names)
-    for (const fs::path& path : paths_named(name)) {
+    for (const fs::path& path : io::paths_named(name)) {
       if (fs::is_directory(path, error))
         add_folder(path, files);
       else
         add_file(path, files);
     }
   std::stable_sort(files.begin(), files.end(), [](const QueryFile& a, const QueryFile& b) {
-    return natural_less(a.path.string(), b.path.string());
+    return io::natural_less(a.path.string(), b.path.string());
   });
   return files;
 }

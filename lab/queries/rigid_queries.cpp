@@ -18,12 +18,12 @@ constexpr int kDeepest = 64;
 /// How many arrays and objects lie within each other at most; text in quotes does not count.
 int depth_of(std::string_view json) {
   int depth = 0, deepest = 0;
-  bool io::in_quotes = false;
+  bool in_quotes = false;
   for (std::size_t i = 0; i < json.size(); ++i) {
     const char c = json[i];
     if (c == '"')
-      io::in_quotes = !io::in_quotes;
-    else if (io::in_quotes)
+      in_quotes = !in_quotes;
+    else if (in_quotes)
       i += c == '\\' ? 1 : 0;
     else if (c == '{' || c == '[')
       deepest = std::max(deepest, ++depth);

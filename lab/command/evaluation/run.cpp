@@ -7,7 +7,7 @@
 #include "cli/step_files.hpp"
 #include "io/error.hpp"
 #include "io/scale_step.hpp"
-#include "tamis/detector.hpp"
+#include "lab/detector.hpp"
 
 namespace tamis::lab {
 namespace {
@@ -66,7 +66,7 @@ std::vector<Options> options_of(const std::vector<std::string>& names) {
 class Contest {
  public:
   Contest(const Mesh& mesh, SceneResult& result) : result_(result) {
-    for (const Options& options : options_of(paper_methods())) detectors_.emplace_back(mesh, options);
+    for (const Options& options : options_of(paper_methods())) detectors_.push_back(make_detector(mesh, options));
   }
 
   /// The methods take turns within a step, so that a slow phase of the machine is shared by all.

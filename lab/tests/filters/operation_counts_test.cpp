@@ -78,9 +78,9 @@ struct FilterTest {
 template <PairKind kind>
 struct NewtonTest {
   static bool applies(const PairMotion<double>& m) {
-    return !Dnf::proves_free<kind>(m) && !NcfPublished::proves_free<kind>(m);
+    return !Dnf::proves_free<kind>(m) && !lab::NcfPublished::proves_free<kind>(m);
   }
-  static void run(const PairMotion<Counted>& m) { interval_newton_test<kind>(m); }
+  static void run(const PairMotion<Counted>& m) { lab::interval_newton_test<kind>(m); }
 };
 
 template <class Filter>
@@ -96,9 +96,9 @@ std::array<Tally, 2> print_filter() {
 TEST(operation_counts, table_of_all_tests) {
   std::printf("additions / multiplications / divisions\n");
   const auto dnf = print_filter<Dnf>();
-  const auto published = print_filter<NcfPublished>();
+  const auto published = print_filter<lab::NcfPublished>();
   const auto ncf = print_filter<Ncf>();
-  print_filter<Sat>();
+  print_filter<lab::Sat>();
   print_filter<SlabClip>();
   const auto newton_vf = tally<PairKind::vertex_face>(NewtonTest<PairKind::vertex_face>());
   const auto newton_ee = tally<PairKind::edge_edge>(NewtonTest<PairKind::edge_edge>());

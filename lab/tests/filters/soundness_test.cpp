@@ -14,6 +14,7 @@
 namespace tamis::test {
 namespace {
 
+using lab::FilterList, lab::Filters;
 using oracle::Motion, oracle::Times;
 
 template <class... F>

@@ -7,7 +7,7 @@
 #include "exact/exact_distance.hpp"
 #include "exact/integer_polynomial.hpp"
 #include "exact/root_isolation.hpp"
-#include "filters/contour_test.hpp"
+#include "lab/filters/contour_test.hpp"
 #include "motion/pair_kinds.hpp"
 #include "narrow/decide.hpp"
 #include "narrow/kept_distance.hpp"

@@ -64,8 +64,7 @@ class Queries final : public cli::Verb {
   }
 
   /// Scores by folder; the answers go to `out_`.
-  std::map<std::string, QueryScore> answer_all(const std::vector<QueryFile>& files,
-                                               const PairOptions& options) const {
+  std::map<std::string, QueryScore> answer_all(const std::vector<QueryFile>& files, const PairOptions& options) const {
     std::map<std::string, QueryScore> folders;
     std::vector<QueryResult> table;
     for (const QueryFile& file : files) {

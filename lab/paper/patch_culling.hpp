@@ -9,10 +9,10 @@
 #include "lab/bounds/normal_cone.hpp"
 #include "lab/bvh/binary_tree.hpp"
 #include "lab/filters/contour_test.hpp"
+#include "lab/options.hpp"
 #include "lab/paper/reduced_pose.hpp"
 #include "lab/paper/subspace_certificates.hpp"
 #include "lab/topology/patches.hpp"
-#include "lab/options.hpp"
 
 namespace tamis::lab {
 

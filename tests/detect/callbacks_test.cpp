@@ -18,6 +18,9 @@
 #include "support/test_names.hpp"
 
 namespace tamis::test {
+
+using lab::Method;
+
 namespace {
 
 using scenes::Scene;

@@ -13,6 +13,9 @@
 #include "tamis/rigid_path.hpp"
 
 namespace tamis::test {
+
+using lab::Method;
+
 namespace {
 
 using scenes::Scene;

@@ -14,7 +14,7 @@ inline SafeStep keep(const scenes::Scene& scene, double fraction, const lab::Opt
   return lab::make_detector(scene.mesh(), options).keep_distance(scene.step(), fraction);
 }
 
-inline lab::Options with(Method method, double min_separation = 0) {
+inline lab::Options with(lab::Method method, double min_separation = 0) {
   lab::Options options;
   options.method = method;
   options.min_separation = min_separation;

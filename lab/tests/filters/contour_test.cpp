@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "support/contracts.hpp"
+
 namespace tamis::lab {
 namespace {
 
@@ -75,6 +77,14 @@ TEST(contour, a_vertex_that_touches_another_edge_is_not_proven_apart) {
   const auto contour = projected(still({{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {0, -1, 1}, {-1, 1, 0}}));
   EXPECT_FALSE(contour.proves_star_shaped());
   EXPECT_FALSE(contour.proves_simple());
+}
+
+using ContourContracts = test::Contracts;
+
+TEST_F(ContourContracts, AContourOfTwoPoints) {
+  const Moving<double> points[2] = {};
+  ProjectedContour contour;
+  EXPECT_DEATH(contour.project(points, {0, 0, 1}), "loop.size");
 }
 
 }  // namespace

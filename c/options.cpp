@@ -33,9 +33,7 @@ std::function<bool()> cancelling(int (*ask)(void* user), void* user) {
 
 Options options_of(const tamis_options& given, Index vertex_count) {
   Options options;
-  if (given.method) choose_method(options, given.method);
   if (given.isa) options.isa = isa_from_name(given.isa);
-  if (given.bounding_volume) options.paper.bounding_volume = bounding_volume_from_name(given.bounding_volume);
   options.threads = given.threads;
   options.min_separation = given.min_separation;
   options.filter = filter_of(given, vertex_count);

@@ -74,8 +74,8 @@ void print_costs(const Detector& detector, const Timing& timing, int repeat, std
   print_seconds(repeat > 1 ? "first run" : "time", timing.cold);
   if (repeat > 1) print_seconds("later runs", timing.warm);
   constexpr double kMegabyte = 1e6;
-  fmt::print("with            method {}, {} {}, {}, peak memory {:.0f} MB\n", name_of(statistics.method),
-             statistics.threads, statistics.threads == 1 ? "thread" : "threads", name_of(statistics.isa),
+  fmt::print("with            {} {}, {}, peak memory {:.0f} MB\n", statistics.threads,
+             statistics.threads == 1 ? "thread" : "threads", name_of(statistics.isa),
              static_cast<double>(peak_memory_bytes()) / kMegabyte);
 }
 

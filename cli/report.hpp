@@ -21,7 +21,7 @@ using io::tally_of;
 Json json_of(const Seconds& seconds);
 Json json_of(const Contact& contact);
 Json json_of(const LimitingPair& pair);
-/// Adds what every question has: seconds, stages, decided_by, threads, method and so on.
+/// Adds what every question has: seconds, stages, decided_by, threads and so on.
 void add_costs(Json& json, const Detector& detector, const Timing& timing);
 /// The one object on stdout.
 void print_json(const Json& json);

@@ -37,7 +37,6 @@ void add_costs(Json& json, const Detector& detector, const Timing& timing) {
   json["peak_memory_bytes"] = peak_memory_bytes();
   json["detector_memory_bytes"] = statistics.memory_bytes;
   json["threads"] = statistics.threads;
-  json["method"] = name_of(statistics.method);
   json["min_separation"] = detector.options().min_separation;
   json["thickness"] = detector.options().thickness;
   json["isa"] = name_of(statistics.isa);

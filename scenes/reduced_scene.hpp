@@ -1,16 +1,15 @@
-// A sheet bent into a U whose vertices move in a subspace: the example of ReducedModel.
+// A sheet bent into a U whose vertices move in a subspace: the example of subspace culling.
 #pragma once
-#include <memory>
-
 #include "scenes/scene.hpp"
-#include "tamis/reduced_model.hpp"
 
 namespace tamis::scenes {
 
 /// x = X + U q at both ends of the step.
 struct ReducedScene {
   Scene scene;
-  std::shared_ptr<const ReducedModel> model;
+  std::vector<Point> rest;    ///< X
+  Index modes = 0;            ///< columns of U
+  std::vector<double> basis;  ///< U: of vertex v and axis a, row 3 v + a
   std::vector<double> q_start, q_end;
 };
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# check_tidy.sh BUILD [--all]: clang-tidy 14 over the library, its C interface, the files, the commands and MPI, each
+# check_tidy.sh BUILD [--all]: clang-tidy 14 over the library, its C interface, the laboratory, the files, the commands and MPI, each
 # source by itself as clang 14 would compile it (BUILD is configured for that, and nothing built): the sources that
 # differ from the commit in tests/project/tidy_base, up to which all have passed (a header brings the source of its
 # name), or with --all every one, as scripts/nightly.sh does. When all pass, write HEAD to that file, so that ordinary
@@ -8,13 +8,13 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 
 command -v run-clang-tidy-14 >/dev/null || { echo "skipped: no clang-tidy-14"; exit 77; }
-folders='(src|c|io|scenes|cli|mpi)'
+folders='(src|c|io|scenes|cli|lab|mpi)'
 changed_since() { { git diff --name-only "$1" -- && git ls-files --others --exclude-standard; } | sort -u; }
 # As names without extension, one behind the other: src/detect/detector|io/obj
-stems_of() { grep -E "^$folders/.*[.](cpp|hpp)$" | sed 's/[.][ch]pp$//' | sort -u | paste -sd'|'; }
+stems_of() { grep -E "^$folders/.*[.](cpp|hpp)$" | grep -v ^lab/tests/ | sed 's/[.][ch]pp$//' | sort -u | paste -sd'|'; }
 
 if [[ ${2:-} == --all ]]; then
-  chosen="$folders/"
+  chosen="$folders/(?!tests/)"
 else
   base=$(<tests/project/tidy_base)
   git cat-file -e "$base^{commit}" 2>/dev/null || { echo "skipped: no history back to $base"; exit 77; }

@@ -5,7 +5,7 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 
 scripts/setup.sh
-cmake --preset release -DCMAKE_UNITY_BUILD=ON  # what is compiled once is compiled faster together
+cmake --preset release -DCMAKE_UNITY_BUILD=ON -DTAMIS_BUILD_LAB=OFF  # what is compiled once is compiled faster together
 cmake --build --preset release
 
 tamis=build/release/bin/tamis

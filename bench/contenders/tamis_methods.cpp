@@ -1,8 +1,8 @@
-// Tamis itself, its method `paper`, and its decision of one pair.
+// Tamis itself, the published pipeline, and the decision of one pair.
 #include <fmt/format.h>
 
 #include "bench/contenders/contender.hpp"
-#include "tamis/detector.hpp"
+#include "lab/detector.hpp"
 #include "tamis/pair.hpp"
 
 namespace tamis::bench {
@@ -19,10 +19,10 @@ class Asked : public Contender {
  protected:
   Detector& detector(const Task& task) {
     if (!detector_ || !is_warm_ || threads_ != task.threads) {
-      Options options;
+      lab::Options options;
       choose_method(options, method_);
       options.threads = threads_ = task.threads;
-      detector_ = std::make_unique<Detector>(task.mesh, options);
+      detector_ = std::make_unique<Detector>(lab::make_detector(task.mesh, options));
     }
     return *detector_;
   }

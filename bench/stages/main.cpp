@@ -2,7 +2,7 @@
 #include <benchmark/benchmark.h>
 
 #include "bench/stages/workload.hpp"
-#include "filters/filters.hpp"
+#include "lab/filters/filters.hpp"
 #include "tamis/pair.hpp"
 
 namespace tamis::bench {
@@ -95,7 +95,7 @@ void add_stages(const Workload& work, PairKind kind) {
 void add_filters(const Workload& work, PairKind kind) {
   const auto motions =
       std::make_shared<std::vector<PairMotion<double>>>(work.motions(kind, work.inputs(kind).slab, kMostPairs));
-  for (const FilterStage& filter : filter_stages()) {
+  for (const lab::FilterStage& filter : lab::filter_stages()) {
     const std::string what = "filter_" + std::string(filter.name) + "_" + name(kind);
     add(work, what, [motions, &filter, kind](State& state) {
       constexpr std::size_t kAtOnce = 1024;

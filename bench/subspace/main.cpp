@@ -5,8 +5,8 @@
 #include <cstdlib>
 #include <ctime>
 
-#include "scenes/reduced_scene.hpp"
-#include "tamis/detector.hpp"
+#include "lab/detector.hpp"
+#include "lab/reduced_scene.hpp"
 
 namespace {
 
@@ -19,27 +19,28 @@ double processor_milliseconds() { return 1e3 * static_cast<double>(std::clock())
 struct Cost {
   double first = 0, later = 0;  ///< milliseconds of a question
   std::size_t contacts = 0;
-  std::uint64_t triangles_in_free_patches = 0, triangle_pairs = 0;
+  lab::TriangleCounts triangles;
 
-  void add(const scenes::ReducedScene& r, const Options& options) {
-    Detector detector(r.scene.mesh(), options);
+  void add(const lab::ReducedScene& r, const lab::Options& options) {
+    lab::TriangleCounts counts;
+    Detector detector = lab::make_detector(r.scene.mesh(), options, &counts);
     for (double* sum : {&first, &later}) {
       const double start = processor_milliseconds();
       const std::size_t found = detector.contacts(r.scene.step()).size();
       *sum += (processor_milliseconds() - start) / kSeeds;
       if (sum == &later) contacts += found;
     }
-    triangles_in_free_patches += detector.statistics().triangles_in_free_patches;
-    triangle_pairs += detector.statistics().triangle_pairs;
+    triangles.in_free_patches += counts.in_free_patches;
+    triangles.pairs += counts.pairs;
   }
 };
 
-Options options_for(const scenes::ReducedScene& r, bool culls) {
-  Options options;
-  options.method = Method::paper;
+lab::Options options_for(const lab::ReducedScene& r, bool culls) {
+  lab::Options options;
+  options.method = lab::Method::paper;
   options.threads = 1;
   if (!culls) return options;
-  options.paper.high_level = HighLevelCulling::subspace;
+  options.paper.high_level = lab::HighLevelCulling::subspace;
   options.paper.reduced_model = r.model;
   return options;
 }
@@ -48,15 +49,15 @@ void print_row(Index triangles, double length) {
   Cost without, with;
   std::size_t faces = 0;
   for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
-    const scenes::ReducedScene r = scenes::reduced_sheet(triangles, seed, length);
+    const lab::ReducedScene r = lab::reduced_sheet(triangles, seed, length);
     faces = r.scene.faces.size();
     without.add(r, options_for(r, false));
     with.add(r, options_for(r, true));
   }
   std::printf("| %.2f | %zu | %.0f%% | %llu | %llu | %.1f | %.1f | %.0f |\n", length, without.contacts / kSeeds,
-              100.0 * static_cast<double>(with.triangles_in_free_patches) / static_cast<double>(kSeeds * faces),
-              static_cast<unsigned long long>(without.triangle_pairs / kSeeds),
-              static_cast<unsigned long long>(with.triangle_pairs / kSeeds), without.later, with.later,
+              100.0 * static_cast<double>(with.triangles.in_free_patches) / static_cast<double>(kSeeds * faces),
+              static_cast<unsigned long long>(without.triangles.pairs / kSeeds),
+              static_cast<unsigned long long>(with.triangles.pairs / kSeeds), without.later, with.later,
               with.first - without.first);
   if (with.contacts != without.contacts) std::printf("THE SETS DIFFER\n");
 }

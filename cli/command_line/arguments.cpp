@@ -25,12 +25,6 @@ void DetectorArguments::declare(OptionList& options) {
 }
 
 void DetectorArguments::declare_means(OptionList& options) {
-  options
-      .add_text("--method", method_,
-                "tamis (default), paper (the published pipeline), brute (every pair; slow), or a competitor of the "
-                "paper: paper-sat, paper-pfs, ...")
-      .shown_as("NAME");
-  declare_bounding_volume(options, bounding_volume_);
   options.add_number("--threads", "N", threads_, kThreadCounts, "threads to use; 0, the default: all");
   options.add_text("--isa", isa_, "instruction set of the hot loops: best (default), baseline, avx2 or avx512")
       .shown_as("NAME");
@@ -45,8 +39,6 @@ void DetectorArguments::declare_thickness(OptionList& options, const std::string
 
 Options DetectorArguments::chosen() const {
   Options options;
-  choose_method(options, method_);
-  options.paper.bounding_volume = bounding_volume_from_name(bounding_volume_);
   options.isa = isa_from_name(isa_);
   options.threads = threads_;
   options.min_separation = min_separation_;
@@ -63,16 +55,21 @@ Options DetectorArguments::options() const {
   return options;
 }
 
-Detector DetectorArguments::detector(Mesh mesh) const {
-  Options chosen = this->chosen();
-  chosen.thickness = thickness_;
+Options DetectorArguments::options_for(const Mesh& mesh) const {
+  Options options = chosen();
+  options.thickness = thickness_;
   if (thickness_.size() > 1) {
     Components objects = components_of(mesh);
     require_one_each(thickness_.size(), objects.count);
-    chosen.filter.group_of_vertex = std::move(objects.of_vertex);
-    chosen.filter.group_count = objects.count;
+    options.filter.group_of_vertex = std::move(objects.of_vertex);
+    options.filter.group_count = objects.count;
   }
-  return Detector(std::move(mesh), std::move(chosen));
+  return options;
+}
+
+Detector DetectorArguments::detector(Mesh mesh) const {
+  Options options = options_for(mesh);
+  return Detector(std::move(mesh), std::move(options));
 }
 
 void ScaleArgument::declare(OptionList& options) {
@@ -98,14 +95,6 @@ void declare_repeat(OptionList& options, int& repeat, const std::string& help) {
 
 Option declare_seed(OptionList& options, std::uint64_t& seed, const std::string& of) {
   return options.add_number("--seed", "S", seed, {}, "of " + of + "; default 1");
-}
-
-void declare_bounding_volume(OptionList& options, std::string& volume) {
-  options
-      .add_text("--bounding-volume", volume,
-                "of the paper's hierarchy and its competitors': sphere, aabb, obb, 16-dop (default), 18-dop or "
-                "26-dop; other methods have their own")
-      .shown_as("NAME");
 }
 
 void declare_min_separation(OptionList& options, double& distance) {

@@ -9,7 +9,6 @@
 
 namespace tamis::cli {
 
-inline constexpr const char* kDefaultBoundingVolume = "16-dop";
 inline constexpr NumberRange<int> kThreadCounts{0, 1024};
 inline constexpr NumberRange<int> kRunCounts{1, 1'000'000};
 
@@ -26,6 +25,8 @@ class DetectorArguments {
   /// All of them, for a mesh that nobody has as a whole. Throws InvalidOptions; also if objects have radii of their
   /// own.
   Options options() const;
+  /// All of them, for `mesh`. Throws InvalidOptions.
+  Options options_for(const Mesh& mesh) const;
   /// Asks about `mesh` as the options say. Throws InvalidOptions.
   Detector detector(Mesh mesh) const;
 
@@ -33,9 +34,7 @@ class DetectorArguments {
   /// But for radii.
   Options chosen() const;
 
-  std::string method_ = "tamis";
   std::string isa_ = "best";
-  std::string bounding_volume_ = kDefaultBoundingVolume;
   int threads_ = 0;
   double min_separation_ = 0;
   std::vector<double> thickness_;  ///< one radius for all objects, or one for each; empty: none
@@ -67,7 +66,6 @@ void declare_json(OptionList& options, bool& json);
 void declare_repeat(OptionList& options, int& repeat, const std::string& help);
 /// `of` says what the seed is of.
 Option declare_seed(OptionList& options, std::uint64_t& seed, const std::string& of);
-void declare_bounding_volume(OptionList& options, std::string& volume);
 void declare_min_separation(OptionList& options, double& distance);
 
 }  // namespace tamis::cli

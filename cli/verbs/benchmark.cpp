@@ -152,14 +152,12 @@ const std::vector<std::string>& benchmark_modes() {
 }
 
 BenchmarkResult measure(const BenchmarkCase& step, const BenchmarkSetup& setup) {
-  Options options = setup.options;
-  choose_method(options, setup.method);
   const Runner runner(step, setup);
   BenchmarkResult result;
   std::optional<Detector> detector;
   std::vector<Run> cold, warm;
   for (int i = 0; i < setup.cold; ++i) {
-    detector.emplace(step.mesh, options);
+    detector.emplace(setup.way.make_detector(step.mesh, setup.options));
     cold.push_back(runner.run(*detector, result));
   }
   for (int i = -setup.warm_up; i < setup.repeat; ++i) {
@@ -187,26 +185,24 @@ Json row_of(const BenchmarkCase& step, double scale, const BenchmarkSetup& setup
            {"vertices", step.mesh.vertex_count()},
            {"scale", scale},
            {"question", setup.question},
-           {"mode", setup.mode},
-           {"method", setup.method},
-           {"bounding_volume",
-            s.method == Method::paper ? name_of(setup.options.paper.bounding_volume) : std::string_view("own")},
-           {"isa", name_of(s.isa)},
-           {"threads", s.threads},
-           {"seconds_cold", result.cold.total},
-           {"seconds", result.warm.total},
-           {"cpu_cold", result.cpu_cold},
-           {"cpu", result.cpu_warm},
-           {"bounds", result.warm.bounds},
-           {"build_cold", result.cold.build},
-           {"refit", result.warm.build},
-           {"traverse", result.warm.traverse},
-           {"filter", result.warm.filter},
-           {"solve", result.warm.solve},
-           {"contacts", result.contacts},
-           {"toi_lower", result.toi_lower},
-           {"toi_upper", result.toi_upper},
-           {"nodes_visited", s.nodes_visited}};
+           {"mode", setup.mode}};
+  for (const auto& [name, value] : setup.way.columns) row[name] = value;
+  row.update({{"isa", name_of(s.isa)},
+              {"threads", s.threads},
+              {"seconds_cold", result.cold.total},
+              {"seconds", result.warm.total},
+              {"cpu_cold", result.cpu_cold},
+              {"cpu", result.cpu_warm},
+              {"bounds", result.warm.bounds},
+              {"build_cold", result.cold.build},
+              {"refit", result.warm.build},
+              {"traverse", result.warm.traverse},
+              {"filter", result.warm.filter},
+              {"solve", result.warm.solve},
+              {"contacts", result.contacts},
+              {"toi_lower", result.toi_lower},
+              {"toi_upper", result.toi_upper},
+              {"nodes_visited", s.nodes_visited}});
   std::uint64_t candidates = 0;
   if (!s.stages.empty()) candidates = s.stages.front().vf + s.stages.front().ee;
   row["candidates"] = candidates;

@@ -1,7 +1,9 @@
-// One measurement of `tamis bench`: one question about one step, one way of answering it.
+// One measurement of a verb `bench`: one question about one step, one way of answering it.
 #pragma once
 #include <cstdint>
+#include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "cli/report.hpp"
@@ -16,9 +18,17 @@ struct BenchmarkCase {
   std::vector<Point> start, end;
 };
 
+/// A way of answering: the library, or what is compared with it.
+struct BenchmarkWay {
+  std::vector<std::pair<std::string, std::string>> columns;  ///< of the table, that tell it from the others
+  std::function<Detector(const Mesh&, const Options&)> make_detector = [](const Mesh& mesh, const Options& options) {
+    return Detector(mesh, options);
+  };
+};
+
 struct BenchmarkSetup {
-  std::string question;       ///< contacts, earliest or free
-  std::string method;         ///< as choose_method() knows it
+  std::string question;  ///< contacts, earliest or free
+  BenchmarkWay way = {};
   std::string mode = "warm";  ///< what the kept detector was asked before: see benchmark_modes()
   int substeps = 20;          ///< of mode substeps
   Options options;
@@ -45,7 +55,7 @@ const std::vector<std::string>& benchmark_questions();
 /// substeps  asked about equal parts of the step, one after the other; all of them are one run
 const std::vector<std::string>& benchmark_modes();
 
-/// Throws InvalidOptions if there is no such question, mode, method, or instruction set.
+/// Throws InvalidOptions if there is no such question, mode or instruction set.
 BenchmarkResult measure(const BenchmarkCase& step, const BenchmarkSetup& setup);
 
 /// Do both say the same? A time may count only if they do.

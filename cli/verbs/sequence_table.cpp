@@ -74,7 +74,6 @@ void SequenceTable::print_totals(const Options& options, const Statistics& stati
   json.update({{"seconds", {{"total", seconds_}}},
                {"peak_memory_bytes", peak_memory_bytes()},
                {"threads", statistics.threads},
-               {"method", name_of(statistics.method)},
                {"min_separation", options.min_separation},
                {"thickness", options.thickness},
                {"isa", name_of(statistics.isa)}});

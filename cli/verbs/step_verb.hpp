@@ -25,7 +25,8 @@ class StepVerb : public Verb {
     detector_.check();
     return read_step(start_, end_, scale());
   }
-  Detector detector_for(Mesh mesh) const { return detector_.detector(std::move(mesh)); }
+  virtual Detector detector_for(Mesh mesh) const { return detector_.detector(std::move(mesh)); }
+  Options options_for(const Mesh& mesh) const { return detector_.options_for(mesh); }
   /// For a mesh that nobody has as a whole.
   Options options() const { return detector_.options(); }
   double scale() const { return scale_.value(); }

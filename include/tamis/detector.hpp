@@ -22,7 +22,7 @@ namespace tamis {
 class Detector {
  public:
   /// Throws InvalidOptions: negative threads, a separation or thickness that is negative or not finite, an instruction
-  /// set this machine lacks, an unknown filter, groups, thickness or a reduced model that do not fit.
+  /// set this machine lacks, groups or thickness that do not fit.
   explicit Detector(Mesh mesh, Options options = {});
   ~Detector();
   /// What was moved from may be destroyed or assigned to; all else throws Error. Not to be moved, assigned to or
@@ -45,30 +45,29 @@ class Detector {
   bool is_free(const Step& step, std::optional<double> min_separation = {});
   /// The same three questions of curves, with the path's own certificates (tamis/path.hpp): pieces of the path are
   /// asked with straight chords, pairs that these leave are decided on their curves until they are proven free or their
-  /// bracket is no wider than `tolerance`, a fraction of the step in (0, 1]. Times are the path's. Same for all
-  /// methods. All of a piece's pairs that come nearer than their strays are held at a
-  /// time. Throw InvalidPath where the path does not fit the mesh or breaks its promises, InvalidOptions.
+  /// bracket is no wider than `tolerance`, a fraction of the step in (0, 1]. Times are the path's.
+  /// All of a piece's pairs that come nearer than their strays are held at a time. Throw InvalidPath where the path
+  /// does not fit the mesh or breaks its promises, InvalidOptions.
   const std::vector<Contact>& contacts(const Path& path, std::optional<double> min_separation = {},
                                        double tolerance = 1e-9);
   EarliestContact earliest(const Path& path, std::optional<double> min_separation = {}, double tolerance = 1e-9);
   bool is_free(const Path& path, std::optional<double> min_separation = {}, double tolerance = 1e-9);
   /// How far may the step go so that the distance of every pair, as far as it exceeds the minimum separation and both
   /// radii, stays at least `fraction` of what it is at t=0? The step length for the line search of a barrier method. 0:
-  /// only contacts count, and `lower` is earliest()'s toi_lower. Same for all methods. The
-  /// closer `fraction` is to 1, the longer the search until the first near pairs have shortened the step.
-  /// Which: 0.1 for a barrier's line search, where the next steps need room; 0.01 and less where a step should come
-  /// near what it meets, as towards a first contact; 0.5 and more where distances may shrink slowly only. Throws
-  /// InvalidOptions unless 0 <= fraction < 1.
+  /// only contacts count, and `lower` is earliest()'s toi_lower. The closer `fraction` is to 1, the longer the search
+  /// until the first near pairs have shortened the step. Which: 0.1 for a barrier's line search, where the next steps
+  /// need room; 0.01 and less where a step should come near what it meets, as towards a first contact; 0.5 and more
+  /// where distances may shrink slowly only. Throws InvalidOptions unless 0 <= fraction < 1.
   SafeStep keep_distance(const Step& step, double fraction = 0.1, std::optional<double> min_separation = {});
 
   /// Every pair of features whose distance at rest is at most `distance` plus both radii (Options::thickness), each
   /// once, by kind, then vertices: what a barrier or penalty method starts from. A pair that is farther apart by less
-  /// than NearPair::distance may be off is in it too. The vector is valid until the next such question. Same for all
-  /// methods. Throws InvalidOptions unless `distance` is finite and >= 0, InvalidStep as above.
+  /// than NearPair::distance may be off is in it too. The vector is valid until the next such question. Throws
+  /// InvalidOptions unless `distance` is finite and >= 0, InvalidStep as above.
   const std::vector<NearPair>& near(const Positions& positions, double distance);
 
   /// Every edge that passes through a triangle or touches it, without a common vertex, by edge, then face: is this a
-  /// pose to start from, and if not, why? Decided exactly, whatever the method. Thickness does not
+  /// pose to start from, and if not, why? Decided exactly. Thickness does not
   /// matter; of the filter the groups count (an edge has that of its first vertex). The vector is valid until the next
   /// such question.
   const std::vector<Intersection>& intersections(const Positions& positions);
@@ -90,6 +89,8 @@ class Detector {
  private:
   struct State;
   class Asked;
+  friend class DetectorMaker;  ///< within the library: of another engine
+  explicit Detector(std::unique_ptr<State> state);
   State& state() const;
 
   std::unique_ptr<State> state_;

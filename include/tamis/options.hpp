@@ -2,37 +2,19 @@
 #pragma once
 #include <cstdint>
 #include <functional>
-#include <memory>
-#include <string>
 #include <string_view>
 #include <vector>
 
 #include "tamis/contact.hpp"
-#include "tamis/reduced_model.hpp"
 
 namespace tamis {
-
-/// How pairs are found and culled. Every method returns the same set of contacts: what doubles cannot decide of a
-/// straight motion is decided by exact algebra on the double inputs.
-enum class Method : std::uint8_t {
-  tamis,  ///< boxes that move in time, slab clip, DNF, NCF, certified roots
-  paper,  ///< the published NCF pipeline, to the letter
-  brute,  ///< every pair, no hierarchy: for tests
-};
 
 /// Instruction set of the hot loops; every one gives the same bits. `best`: the widest that this machine has.
 enum class Isa : std::uint8_t { best, baseline, avx2, avx512 };
 
-/// Bounds of the nodes of the paper's hierarchy, over the whole step.
-enum class BoundingVolume : std::uint8_t { sphere, aabb, obb, dop16, dop18, dop26 };
-
-/// Names as on the command line, and back. Throw InvalidOptions, naming the choices, if there is no such name.
-Method method_from_name(std::string_view name);
+/// Names as on the command line, and back. Throws InvalidOptions, naming the choices, if there is no such name.
 Isa isa_from_name(std::string_view name);
-BoundingVolume bounding_volume_from_name(std::string_view name);
-std::string_view name_of(Method);
 std::string_view name_of(Isa);
-std::string_view name_of(BoundingVolume);
 /// What name_of says of a number that is none of the enumeration's.
 inline constexpr std::string_view kUnnamed = "unknown";
 
@@ -55,37 +37,8 @@ struct PairFilter {
   static PairFilter no_static_pairs(std::vector<Index> group_of_vertex, const std::vector<bool>& is_static);
 };
 
-/// Patches of surface that are proven free of self-contact as a whole, before any pair of triangles.
-enum class HighLevelCulling : std::uint8_t {
-  none,
-  normal_cones,   ///< continuous normal cone, and a contour that does not meet itself
-  star_contours,  ///< continuous normal cone, and a contour that is star-shaped
-  subspace,       ///< x = X + U q: q is too short for a self-contact; needs PaperOptions::reduced_model
-};
-
-/// The laboratory of Method::paper: the published system by default, its competitors by choice. The contacts are the
-/// same for every choice.
-struct PaperOptions {
-  BoundingVolume bounding_volume = BoundingVolume::dop16;
-  /// Filters by name, in the order in which they are tried: see filter_names().
-  std::vector<std::string> filters{"dnf", "ncf-published"};
-  /// false: pairs of triangles that share a vertex are tested like all others.
-  bool orphan_sets = true;
-  /// false: a pair of features is tested in every pair of triangles that contains it.
-  bool representative_triangles = true;
-  /// Not `none`: the hierarchy follows the connectivity of the mesh. Has no effect with a minimum separation.
-  HighLevelCulling high_level = HighLevelCulling::none;
-  /// For `subspace`, which has no effect without orphan sets; not changed while a detector uses it. Certificates are
-  /// made at the first question.
-  std::shared_ptr<const ReducedModel> reduced_model = nullptr;
-};
-
-/// What PaperOptions::filters may name.
-std::vector<std::string_view> filter_names();
-
 /// Every member has a default, so that {.threads = 1} names all there is to say, without a warning.
 struct Options {
-  Method method = Method::tamis;
   /// Threads to use, >= 0, but no more than oneTBB allows the process (its global_control, by default one a core); 0:
   /// as many as the caller's oneTBB arena gives. The answer does not depend on it; Statistics say how many there were.
   int threads = 0;
@@ -95,21 +48,11 @@ struct Options {
   /// contact when their distance is at most `min_separation` plus both radii, for every question. A feature that joins
   /// groups has the largest radius of its vertices. Empty: all zero.
   std::vector<double> thickness = {};
-  /// Of method `tamis`, and of keep_distance with `paper`; else all is baseline.
   Isa isa = Isa::best;
   PairFilter filter = PairFilter();
   /// Asked again and again during a question, a thousand times a second or more; must be safe to call from several
   /// threads. Once it says true the question throws Cancelled; the detector answers the next one as if nothing was.
   std::function<bool()> is_cancelled = nullptr;
-  PaperOptions paper = {};
 };
-
-/// Sets `method` and `paper` from one name: that of a method, or "paper-" and that of a competitor: dnf, ncf (one
-/// alone), dnf-ncf (the published system), sat, pfs, r-triangles (no filter), no-orphans, no-representatives,
-/// normal-cones, star-contours (the published system below high-level culling).
-/// Throws InvalidOptions, naming the choices, if there is no such name.
-void choose_method(Options& options, std::string_view name);
-/// All names that choose_method understands.
-std::vector<std::string_view> method_choices();
 
 }  // namespace tamis

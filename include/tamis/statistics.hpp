@@ -18,8 +18,7 @@ struct StageCount {
 };
 
 /// Wall-clock seconds of each part; with several threads `traverse`, `filter` and `solve` share one pass over the
-/// tree, and their parts are scaled from the sums over the threads; `build` includes listing pairs ahead. Method
-/// `brute` measures `total` alone.
+/// tree, and their parts are scaled from the sums over the threads; `build` includes listing pairs ahead.
 struct Seconds {
   double bounds = 0;
   double build = 0;
@@ -56,19 +55,16 @@ struct PrecisionCount {
 };
 
 struct Statistics {
-  Method method = Method::tamis;
   Isa isa = Isa::baseline;  ///< the one that ran, never `best`
   int threads = 1;
-  /// In pipeline order, the first being the pairs of features whose boxes meet (`brute`: all pairs; where pairs
-  /// were listed ahead, those of the list that the question looks at).
+  /// In pipeline order, the first being the pairs of features whose boxes meet (where pairs were listed ahead, those of
+  /// the list that the question looks at).
   std::vector<StageCount> stages;
   PrecisionCount decided_by;
   Seconds seconds;
-  std::uint64_t nodes_visited = 0;              ///< also to list pairs ahead; 0 where they had been
-  std::uint64_t triangle_pairs = 0;             ///< that the hierarchy leaves; method `paper` only
-  std::uint64_t triangles_in_free_patches = 0;  ///< by high-level culling; method `paper` only
-  bool rebuilt = false;                         ///< the hierarchy was built, not refitted
-  std::uint64_t memory_bytes = 0;               ///< held by the detector: hierarchy, buffers, contacts
+  std::uint64_t nodes_visited = 0;  ///< also to list pairs ahead; 0 where they had been
+  bool rebuilt = false;             ///< the hierarchy was built, not refitted
+  std::uint64_t memory_bytes = 0;   ///< held by the detector: hierarchy, buffers, contacts
 };
 
 }  // namespace tamis

@@ -11,7 +11,6 @@
 #include "tamis/pair.hpp"
 #include "tamis/pair_distance.hpp"
 #include "tamis/path.hpp"
-#include "tamis/reduced_model.hpp"
 #include "tamis/rigid_path.hpp"
 #include "tamis/spline_path.hpp"
 #include "tamis/statistics.hpp"

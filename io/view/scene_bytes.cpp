@@ -176,7 +176,6 @@ Json json_of(const RecordedPose& pose) {
 std::string scene_bytes(const Recording& recording) {
   Json header{{"names", recording.names},
               {"scale", recording.scale},
-              {"method", name_of(recording.options.method)},
               {"min_separation", recording.options.min_separation},
               {"kinds", kinds(recording)},
               {"steps", Json::array()}};

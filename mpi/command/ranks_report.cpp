@@ -70,7 +70,6 @@ void print_mesh(const StepParts& parts) {
 }
 
 void add_facts(Json& json, const StepParts& parts, const Options& options) {
-  json["method"] = name_of(options.method);
   json["min_separation"] = options.min_separation;
   json["mesh"] = {{"vertices", parts.vertices}, {"triangles", parts.triangles}};
 }

@@ -42,8 +42,7 @@ void require_same(Communicator& communicator, const std::vector<std::string>& sa
 }
 
 std::vector<std::string> sayings_of(const Options& options) {
-  std::vector<std::string> sayings{"method " + std::string(name_of(options.method)),
-                                   "min_separation " + exact(options.min_separation),
+  std::vector<std::string> sayings{"min_separation " + exact(options.min_separation),
                                    "group_count " + std::to_string(options.filter.group_count)};
   std::string thickness = "thickness", touch = "groups_may_touch";
   for (const double radius : options.thickness) thickness.append(" ").append(exact(radius));

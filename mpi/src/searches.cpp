@@ -20,7 +20,6 @@ constexpr double kWorse = 1.25;
 
 /// Throws as `tamis::Detector` does, before any rank has an element.
 void validate(const Options& options) {
-  if (options.method == Method::paper) throw InvalidOptions("method paper is a laboratory on one machine: use tamis");
   Options alone = options;
   alone.filter.group_of_vertex = {0};
   tamis::Detector(Mesh(1, {}, {}, {0}), std::move(alone));

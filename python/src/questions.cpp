@@ -36,15 +36,12 @@ nb::dict as_dict(const Statistics& s) {
   nb::dict stages, all;
   for (const StageCount& stage : s.stages)
     stages[nb::str(stage.name.data(), stage.name.size())] = nb::make_tuple(stage.vf, stage.ee, stage.ve, stage.vv);
-  all["method"] = std::string(name_of(s.method));
   all["isa"] = std::string(name_of(s.isa));
   all["threads"] = s.threads;
   all["stages"] = stages;
   all["decided_by"] = as_dict(s.decided_by);
   all["seconds"] = as_dict(s.seconds);
   all["nodes_visited"] = s.nodes_visited;
-  all["triangle_pairs"] = s.triangle_pairs;
-  all["triangles_in_free_patches"] = s.triangles_in_free_patches;
   all["rebuilt"] = s.rebuilt;
   all["memory_bytes"] = s.memory_bytes;
   return all;

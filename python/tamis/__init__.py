@@ -12,7 +12,6 @@
 from tamis import _core
 from tamis._answers import EarliestContact, LimitingPair, SafeStep, TruncatedStep
 from tamis._contacts import Contact, Contacts
-from tamis._core import filter_names, method_choices
 from tamis._detector import Detector, contacts
 from tamis._errors import Busy, Cancelled, Error, FileError, InvalidMesh, InvalidOptions, InvalidPath, InvalidStep
 from tamis._files import MeshFile, read_frames, read_mesh, write_mesh
@@ -21,7 +20,6 @@ from tamis._kinds import PairKind
 from tamis._looking import Page
 from tamis._mesh import Mesh
 from tamis._near import Intersection, Intersections, NearPair, NearPairs
-from tamis._options import PaperOptions, ReducedModel
 from tamis._pair_distance import distance_of, keep_distance
 from tamis._pairs import PairResult, Pairs, edge_edge, vertex_edge, vertex_face, vertex_vertex
 from tamis._paths import BezierPath, CatmullRomPath, Path
@@ -58,9 +56,7 @@ __all__ = [
     "PairKind",
     "PairResult",
     "Pairs",
-    "PaperOptions",
     "Path",
-    "ReducedModel",
     "RigidPath",
     "SafeStep",
     "Scene",
@@ -70,10 +66,8 @@ __all__ = [
     "contacts",
     "distance_of",
     "edge_edge",
-    "filter_names",
     "interpolated",
     "keep_distance",
-    "method_choices",
     "read_frames",
     "read_mesh",
     "scene",

@@ -87,14 +87,6 @@ def point_frames(given: npt.ArrayLike, name: str, error: type[Error]) -> Doubles
     return np.require(array, dtype=_DOUBLE, requirements=["C", "ALIGNED"])
 
 
-def table(given: npt.ArrayLike, name: str, error: type[Error]) -> Doubles:
-    """Return contiguous doubles in two dimensions."""
-    array = numbers(given, name, error)
-    if array.ndim != 2:
-        raise error(f"{name} has the shape {_shape(array)}: give two dimensions")
-    return np.require(array, dtype=_DOUBLE, requirements=["C", "ALIGNED"])
-
-
 def vector(given: npt.ArrayLike, name: str, error: type[Error]) -> Doubles:
     """Return contiguous doubles in one dimension."""
     array = numbers(given, name, error)

@@ -15,7 +15,7 @@ from tamis._contacts import Contacts
 from tamis._errors import InvalidMesh
 from tamis._in_motion import InMotion
 from tamis._mesh import Mesh
-from tamis._options import Filter, Isa, PaperOptions, make_options
+from tamis._options import Filter, Isa, make_options
 from tamis._statistics import Statistics
 from tamis._step_lengths import StepLengths
 
@@ -38,8 +38,6 @@ class Detector(InMotion, StepLengths, AtRest):
     ----------
     mesh : Mesh
         What moves.
-    method : str
-        "tamis"; or "paper", "brute" and the others of `method_choices()`, which give the same contacts.
     threads : int
         To use; 0: all. Speed only.
     min_separation : float
@@ -57,8 +55,6 @@ class Detector(InMotion, StepLengths, AtRest):
         threads, one at a time: slow, a microsecond a pair. Groups cost nothing.
     is_cancelled : callable, optional
         Asked some 20 times a second during a question; True ends it with `Cancelled`.
-    paper : PaperOptions, optional
-        More choices for the method "paper".
 
     Raises
     ------
@@ -72,7 +68,6 @@ class Detector(InMotion, StepLengths, AtRest):
         self,
         mesh: Mesh,
         *,
-        method: str = "tamis",
         threads: int = 0,
         min_separation: float = 0.0,
         isa: Isa = "best",
@@ -81,11 +76,9 @@ class Detector(InMotion, StepLengths, AtRest):
         thickness: npt.ArrayLike | None = None,
         filter: Filter | None = None,
         is_cancelled: Callable[[], bool] | None = None,
-        paper: PaperOptions | None = None,
     ) -> None:
         known = instance(mesh, Mesh, "mesh", "a tamis.Mesh, as of tamis.Mesh(faces)", InvalidMesh)
         options = make_options(
-            method=method,
             threads=threads,
             min_separation=min_separation,
             isa=isa,
@@ -95,12 +88,10 @@ class Detector(InMotion, StepLengths, AtRest):
             filter=filter,
             is_cancelled=is_cancelled,
         )
-        if paper is not None:
-            instance(paper, PaperOptions, "paper", "a tamis.PaperOptions")._apply(options)
         self._mesh = known
         self._options = options
         self._detector = _core.Detector(known._mesh, options)
-        self._description = f"method={method!r}, min_separation={float(min_separation):g}"
+        self._description = f"min_separation={float(min_separation):g}"
 
     @property
     def mesh(self) -> Mesh:

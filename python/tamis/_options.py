@@ -2,94 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from collections.abc import Callable
 from typing import Literal
 
 import numpy as np
 import numpy.typing as npt
 
 from tamis import _core
-from tamis._arrays import Doubles, Groups, Indices, finite, flags, indices, rows, table, vector
-from tamis._checks import function, instance, number, shown, truth, whole, word
+from tamis._arrays import Groups, Indices, flags, indices, vector
+from tamis._checks import function, number, whole, word
 from tamis._errors import InvalidOptions
 from tamis._kinds import PairKind
 
 Isa = Literal["best", "baseline", "avx2", "avx512"]
 Filter = Callable[[PairKind, "tuple[int, int, int, int]"], bool]
-
-
-class ReducedModel:
-    """Vertices that move in a subspace, x = X + U q: what high-level culling may know of a simulation.
-
-    Parameters
-    ----------
-    rest : array_like, shape (n, 3)
-        X: one row a vertex.
-    basis : array_like, shape (3 n, modes)
-        U: the rows of a vertex's x, y and z lie together.
-    """
-
-    __slots__ = ("basis", "rest")
-
-    def __init__(self, rest: npt.ArrayLike, basis: npt.ArrayLike) -> None:
-        self.rest: Doubles = finite(np.ascontiguousarray(rows(rest, "rest", InvalidOptions)), "rest", InvalidOptions)
-        self.basis: Doubles = finite(table(basis, "basis", InvalidOptions), "basis", InvalidOptions)
-
-    def __repr__(self) -> str:
-        return f"ReducedModel({len(self.rest)} vertices, {self.basis.shape[1]} modes)"
-
-
-@dataclass(frozen=True)
-class PaperOptions:
-    """The laboratory of the method "paper"; the contacts are the same for every choice.
-
-    Attributes
-    ----------
-    bounding_volume : str
-        Of the hierarchy: "sphere", "aabb", "obb", "16-dop", "18-dop" or "26-dop".
-    filters : sequence of str, optional
-        Names in the order in which they are tried, of `filter_names()`; by default those of the method's name.
-    orphan_sets : bool, optional
-        False: pairs of triangles that share a vertex are tested like all others.
-    representative_triangles : bool, optional
-        False: a pair of features is tested in every pair of triangles that contains it.
-    high_level : str, optional
-        Patches proven free as a whole: "none", "normal-cones", "star-contours", or "subspace", which needs a model.
-    reduced_model : ReducedModel, optional
-        For "subspace".
-    """
-
-    bounding_volume: str = "16-dop"
-    filters: Sequence[str] | None = None
-    orphan_sets: bool | None = None
-    representative_triangles: bool | None = None
-    high_level: str | None = None
-    reduced_model: ReducedModel | None = None
-
-    def __post_init__(self) -> None:
-        self._apply(_core.Options())
-
-    def _apply(self, options: _core.Options) -> None:
-        """Set what is given; the rest stays as the method's name has it."""
-        options.set_bounding_volume(word(self.bounding_volume, "bounding_volume"))
-        if self.filters is not None:
-            options.set_paper_filters(_words(self.filters))
-        if self.orphan_sets is not None:
-            options.set_orphan_sets(truth(self.orphan_sets, "orphan_sets"))
-        if self.representative_triangles is not None:
-            options.set_representative_triangles(truth(self.representative_triangles, "representative_triangles"))
-        if self.high_level is not None:
-            options.set_high_level(word(self.high_level, "high_level"))
-        if self.reduced_model is not None:
-            model = instance(self.reduced_model, ReducedModel, "reduced_model", "a tamis.ReducedModel")
-            options.set_reduced_model(model.rest, model.basis)
-
-
-def _words(given: Sequence[str]) -> list[str]:
-    if isinstance(given, str) or not isinstance(given, Sequence):
-        raise InvalidOptions(f"filters is {shown(given)}: give a list of names, of filter_names()")
-    return [word(name, "a name in filters") for name in given]
 
 
 def set_groups(
@@ -117,7 +43,6 @@ def set_groups(
 
 def make_options(
     *,
-    method: str,
     threads: int,
     min_separation: float,
     isa: Isa,
@@ -130,7 +55,6 @@ def make_options(
 ) -> _core.Options:
     """Return what the keywords of a detector say; `group_count` as of `set_groups`."""
     options = _core.Options()
-    options.choose_method(word(method, "method"))
     options.set_isa(word(isa, "isa"))
     options.set_threads(whole(threads, "threads", advice=", 0 being all"))
     options.set_min_separation(number(min_separation, "min_separation"))

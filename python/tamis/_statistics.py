@@ -25,14 +25,11 @@ class Statistics:
         Held by the detector.
     """
 
-    method: str
     isa: str
     threads: int
     stages: Mapping[str, tuple[int, int, int, int]]
     decided_by: Mapping[str, int]
     seconds: Mapping[str, float]
     nodes_visited: int
-    triangle_pairs: int
-    triangles_in_free_patches: int
     rebuilt: bool
     memory_bytes: int

@@ -79,8 +79,6 @@ class Detector:
         This rank's loose points.
     threads : int
         Of this rank; 0: all cores. With a rank a core: 1.
-    method : str
-        "tamis" or "brute".
     groups : array_like of int, shape (n,), optional
         The object of each row's vertex.
     filter : callable, optional
@@ -106,7 +104,6 @@ class Detector:
         *,
         edges: npt.ArrayLike | None = None,
         points: npt.ArrayLike | None = None,
-        method: str = "tamis",
         threads: int = 0,
         min_separation: float = 0.0,
         isa: Isa = "best",
@@ -131,7 +128,6 @@ class Detector:
         group_count = self._comm.allreduce(self._together(lambda: _group_count(groups)), op=MPI.MAX)
         options = self._together(
             lambda: make_options(
-                method=method,
                 threads=threads,
                 min_separation=min_separation,
                 isa=isa,
@@ -144,7 +140,7 @@ class Detector:
             )
         )
         self._detector = _distributed.Detector(self._comm.py2f(), part, options)
-        self._description = f"method={method!r}, min_separation={min_separation:g}"
+        self._description = f"min_separation={min_separation:g}"
 
     @property
     def vertex_count(self) -> int:

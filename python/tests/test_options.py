@@ -16,9 +16,8 @@ def count(scene: tamis.Scene, **options: Any) -> int:
     return len(tamis.Detector(scene.mesh, **options).contacts(scene.start, scene.end))
 
 
-@pytest.mark.parametrize("method", tamis.method_choices())
-def test_every_method_by_name(falling: tamis.Scene, method: str) -> None:
-    assert count(falling, method=method, isa="baseline", threads=1) == 1
+def test_an_instruction_set_and_threads(falling: tamis.Scene) -> None:
+    assert count(falling, isa="baseline", threads=1) == 1
 
 
 def test_groups_leave_out_pairs(falling: tamis.Scene) -> None:
@@ -112,23 +111,7 @@ def test_a_filter_that_refers_to_its_detector_is_collected(falling: tamis.Scene)
     assert gone() is None
 
 
-def test_the_laboratory_of_the_paper(falling: tamis.Scene) -> None:
-    basis = np.zeros((18, 2))
-    basis[:, 0] = (falling.end - falling.start).ravel()
-    model = tamis.ReducedModel(falling.start, basis)
-    for volume in ("sphere", "aabb", "obb", "16-dop", "18-dop", "26-dop"):
-        assert count(falling, method="paper", paper=tamis.PaperOptions(bounding_volume=volume)) == 1
-    for options in (
-        tamis.PaperOptions(filters=tamis.filter_names()),
-        tamis.PaperOptions(filters=[], orphan_sets=False, representative_triangles=False),
-        tamis.PaperOptions(high_level="normal-cones"),
-        tamis.PaperOptions(high_level="subspace", reduced_model=model),
-    ):
-        assert count(falling, method="paper", paper=options) == 1
-
-
 BAD: dict[str, dict[str, Any]] = {
-    "method": {"method": "magic"},
     "isa": {"isa": "sse9"},
     "negative threads": {"threads": -1},
     "too many threads": {"threads": 2**40},
@@ -143,14 +126,6 @@ BAD: dict[str, dict[str, Any]] = {
     "negative thickness": {"groups": [0, 0, 0, 1, 1, 1], "thickness": [-1.0, 0.0]},
     "thickness of too few groups": {"groups": [0, 0, 0, 1, 1, 1], "thickness": [0.1]},
     "thickness in two dimensions": {"thickness": [[0.1]]},
-    "a filter": {"method": "paper", "paper": tamis.PaperOptions(filters=["coffee"])},
-    "subspace without a model": {"method": "paper", "paper": tamis.PaperOptions(high_level="subspace")},
-    "a model of another size": {
-        "method": "paper",
-        "paper": tamis.PaperOptions(
-            high_level="subspace", reduced_model=tamis.ReducedModel(np.zeros((2, 3)), np.zeros((6, 1)))
-        ),
-    },
 }
 
 
@@ -158,12 +133,6 @@ BAD: dict[str, dict[str, Any]] = {
 def test_bad_options_are_refused(falling: tamis.Scene, name: str) -> None:
     with pytest.raises(tamis.InvalidOptions, match=":"):
         count(falling, **BAD[name])
-
-
-@pytest.mark.parametrize("given", [{"bounding_volume": "egg"}, {"high_level": "higher"}], ids=str)
-def test_unknown_names_of_the_paper_are_refused(given: dict[str, Any]) -> None:
-    with pytest.raises(tamis.InvalidOptions, match=":"):
-        tamis.PaperOptions(**given)
 
 
 def test_bad_fractions(detector: tamis.Detector, falling: tamis.Scene) -> None:

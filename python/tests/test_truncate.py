@@ -24,8 +24,7 @@ def test_every_pair_keeps_its_fraction(fraction: float) -> None:
     step = detector.truncate(scene.start, scene.end, fraction)
     assert step.is_free and step.parts.min() < 1
     before = detector.near(scene.start, 0.05)
-    way = tamis.Detector(scene.mesh, method="brute")
-    assert way.keep_distance(scene.start, step.positions, fraction).lower == 1
+    assert tamis.Detector(scene.mesh).keep_distance(scene.start, step.positions, fraction).lower == 1
     after = tamis.distance_of(before.kind, before.vertices, step.positions)
     assert (after.distance >= fraction * before.distance * (1 - 1e-9)).all()
 

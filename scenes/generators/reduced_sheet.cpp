@@ -38,11 +38,11 @@ std::vector<double> random_direction(Random& random, double length) {
   return q;
 }
 
-Point moved(const ReducedModel& model, Index vertex, const std::vector<double>& q) {
-  Point p = model.rest[static_cast<std::size_t>(vertex)];
-  for (Index axis = 0; axis < 3; ++axis)
-    for (Index k = 0; k < model.modes; ++k)
-      p[static_cast<std::size_t>(axis)] += model.row(vertex, axis)[k] * q[static_cast<std::size_t>(k)];
+Point moved(const ReducedScene& sheet, Index vertex, const std::vector<double>& q) {
+  Point p = sheet.rest[static_cast<std::size_t>(vertex)];
+  const double* u = sheet.basis.data() + std::ptrdiff_t{3} * vertex * kModes;
+  for (double& x : p)
+    for (const double amount : q) x += *u++ * amount;
   return p;
 }
 
@@ -53,26 +53,24 @@ ReducedScene reduced_sheet(Index triangles, std::uint64_t seed, double length) {
   const Index rows = std::max(Index{4}, triangles / (2 * (columns - 1)) + 1);
   Random random(seed);
   ReducedScene result;
-  auto model = std::make_shared<ReducedModel>();
-  model->modes = kModes;
+  result.modes = kModes;
   for (Index i = 0; i < rows; ++i)
     for (Index j = 0; j < columns; ++j) {
       const double u = double(i) / (rows - 1), v = double(j) / (columns - 1);
-      model->rest.push_back(place(kLength * u, kWidth * v));
+      result.rest.push_back(place(kLength * u, kWidth * v));
       for (std::size_t axis = 0; axis < 3; ++axis)
         for (std::size_t k = 0; k < static_cast<std::size_t>(kModes); ++k) {
           const auto& wave = kWaves[k % kWaves.size()];
           const bool is_along = k / kWaves.size() == axis;
-          model->basis.push_back(is_along ? 0.5 * std::cos(kPi * wave[0] * u) * std::cos(kPi * wave[1] * v) : 0.0);
+          result.basis.push_back(is_along ? 0.5 * std::cos(kPi * wave[0] * u) * std::cos(kPi * wave[1] * v) : 0.0);
         }
     }
   result.q_start = random_direction(random, length);
   result.q_end = random_direction(random, length);
   for (Index v = 0; v < rows * columns; ++v)
-    result.scene.add_vertex(moved(*model, v, result.q_start), moved(*model, v, result.q_end), 0);
+    result.scene.add_vertex(moved(result, v, result.q_start), moved(result, v, result.q_end), 0);
   add_grid_faces(result.scene, 0, rows, columns);
   result.scene.name = "reduced-sheet";
-  result.model = std::move(model);
   return result;
 }
 

@@ -5,7 +5,9 @@
 
 namespace tamis {
 
-Detector::Detector(Mesh mesh, Options options) : state_(std::make_unique<State>(std::move(mesh), std::move(options))) {}
+Detector::Detector(Mesh mesh, Options options)
+    : state_(std::make_unique<State>(std::move(mesh), std::move(options), make_tamis_engine)) {}
+Detector::Detector(std::unique_ptr<State> state) : state_(std::move(state)) {}
 Detector::~Detector() = default;
 Detector::Detector(Detector&&) noexcept = default;
 Detector& Detector::operator=(Detector&&) noexcept = default;
@@ -88,6 +90,10 @@ const Statistics& Detector::statistics() const {
   const State& now = state();
   if (now.is_asked.test(std::memory_order_acquire)) throw Busy();
   return now.statistics;
+}
+
+Detector DetectorMaker::make(Mesh mesh, Options options, const MakeEngine& make_engine) {
+  return Detector(std::make_unique<Detector::State>(std::move(mesh), std::move(options), make_engine));
 }
 
 }  // namespace tamis

@@ -14,18 +14,6 @@
 namespace tamis {
 namespace {
 
-std::unique_ptr<Engine> make_engine(const Mesh& mesh, const Options& options) {
-  switch (options.method) {
-    case Method::tamis:
-      return make_tamis_engine(mesh, options);
-    case Method::paper:
-      return make_paper_engine(mesh, options);
-    case Method::brute:
-      return make_brute_engine(mesh, options);
-  }
-  throw InvalidOptions("unknown method");
-}
-
 /// Of each vertex; empty where all are zero.
 std::vector<double> radii_of(const Options& options, const Mesh& mesh) {
   const auto is_zero = [](double radius) { return radius == 0; };
@@ -45,7 +33,8 @@ void validate_kept_part(double fraction) {
 
 }  // namespace
 
-Detector::State::State(Mesh m, Options o) : mesh(std::move(m)), options(std::move(o)), arena_(options.threads) {
+Detector::State::State(Mesh m, Options o, const MakeEngine& make_engine)
+    : mesh(std::move(m)), options(std::move(o)), arena_(options.threads) {
   validate(options, mesh);
   radii_ = radii_of(options, mesh);
   engine_ = make_engine(mesh, options);
@@ -144,7 +133,6 @@ template <class Work>
 void Detector::State::measure(const Work& work) {
   const Stopwatch watch;
   statistics = {};
-  statistics.method = options.method;
   arena_.run([&] {
     statistics.threads = Arena::threads_here();
     work();

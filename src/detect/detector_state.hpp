@@ -6,7 +6,7 @@
 
 #include "detect/arena.hpp"
 #include "detect/contact_order.hpp"
-#include "engines/engine.hpp"
+#include "detect/make_detector.hpp"
 #include "paths/path_search.hpp"
 #include "tamis/detector.hpp"
 #include "tamis/turn.hpp"
@@ -17,7 +17,7 @@ struct Detector::State {
   /// Of a question; none: the detector's.
   using Separation = std::optional<double>;
 
-  State(Mesh m, Options o);
+  State(Mesh m, Options o, const MakeEngine& make_engine);
 
   /// The contacts are in `found`.
   void ask(const Step& step, Separation min_separation, Question question);

@@ -1,57 +1,22 @@
 #include "tamis/options.hpp"
 
-#include <array>
-#include <string>
-#include <utility>
-
-#include "tamis/error.hpp"
+#include "detect/enum_names.hpp"
 
 namespace tamis {
 namespace {
 
-template <class E, std::size_t n>
-using Names = std::array<std::pair<E, std::string_view>, n>;
-
-constexpr Names<Method, 3> kMethods{{{Method::tamis, "tamis"}, {Method::paper, "paper"}, {Method::brute, "brute"}}};
-constexpr Names<PairKind, 4> kKinds{{{PairKind::vertex_face, "vf"},
-                                     {PairKind::edge_edge, "ee"},
-                                     {PairKind::vertex_edge, "ve"},
-                                     {PairKind::vertex_vertex, "vv"}}};
-constexpr Names<BoundingVolume, 6> kVolumes{{{BoundingVolume::sphere, "sphere"},
-                                             {BoundingVolume::aabb, "aabb"},
-                                             {BoundingVolume::obb, "obb"},
-                                             {BoundingVolume::dop16, "16-dop"},
-                                             {BoundingVolume::dop18, "18-dop"},
-                                             {BoundingVolume::dop26, "26-dop"}}};
-constexpr Names<Isa, 4> kIsas{
+constexpr EnumNames<PairKind, 4> kKinds{{{PairKind::vertex_face, "vf"},
+                                         {PairKind::edge_edge, "ee"},
+                                         {PairKind::vertex_edge, "ve"},
+                                         {PairKind::vertex_vertex, "vv"}}};
+constexpr EnumNames<Isa, 4> kIsas{
     {{Isa::best, "best"}, {Isa::baseline, "baseline"}, {Isa::avx2, "avx2"}, {Isa::avx512, "avx512"}}};
-
-template <class E, std::size_t n>
-E find(const Names<E, n>& names, std::string_view what, std::string_view name) {
-  std::string choices;
-  for (const auto& [value, text] : names) {
-    if (text == name) return value;
-    choices += (choices.empty() ? "" : ", ") + std::string(text);
-  }
-  throw InvalidOptions("no " + std::string(what) + " is called '" + std::string(name) + "': use one of " + choices);
-}
-
-template <class E, std::size_t n>
-std::string_view name(const Names<E, n>& names, E value) {
-  for (const auto& [key, text] : names)
-    if (key == value) return text;
-  return kUnnamed;
-}
 
 }  // namespace
 
-Method method_from_name(std::string_view text) { return find(kMethods, "method", text); }
-Isa isa_from_name(std::string_view text) { return find(kIsas, "instruction set", text); }
-BoundingVolume bounding_volume_from_name(std::string_view text) { return find(kVolumes, "bounding volume", text); }
-std::string_view name_of(PairKind value) { return name(kKinds, value); }
-std::string_view name_of(BoundingVolume value) { return name(kVolumes, value); }
-std::string_view name_of(Method value) { return name(kMethods, value); }
-std::string_view name_of(Isa value) { return name(kIsas, value); }
+Isa isa_from_name(std::string_view name) { return find_by_name(kIsas, "instruction set", name); }
+std::string_view name_of(PairKind value) { return find_name(kKinds, value); }
+std::string_view name_of(Isa value) { return find_name(kIsas, value); }
 
 namespace {
 

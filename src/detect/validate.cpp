@@ -1,10 +1,9 @@
 #include "detect/validate.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <span>
 #include <string>
 
+#include "detect/enum_names.hpp"
 #include "narrow/pair_input.hpp"
 #include "numerics/finite.hpp"
 #include "numerics/number_text.hpp"
@@ -15,14 +14,6 @@ namespace {
 
 void check(bool ok, const std::string& message) {
   if (!ok) throw InvalidOptions(message);
-}
-
-/// A number cast to an enumeration has no name.
-template <class Enum>
-void check_is_named(Enum value, const char* what) {
-  check(name_of(value) != kUnnamed, "no " + std::string(what) + " has the number " +
-                                        std::to_string(static_cast<int>(value)) +
-                                        ": use one of the enumeration's names");
 }
 
 void validate(const PairFilter& filter, const Mesh& mesh) {
@@ -53,23 +44,6 @@ void validate(const PairFilter& filter, const Mesh& mesh) {
           "vertex " + std::to_string(v) + " is in group " + std::to_string(group) + ": groups must be in [0, " +
               std::to_string(n) + ")");
   }
-}
-
-bool are_finite(std::span<const double> numbers) {
-  return std::all_of(numbers.begin(), numbers.end(), [](double x) { return std::isfinite(x); });
-}
-
-void validate(const ReducedModel& model, const Mesh& mesh) {
-  const auto n = static_cast<std::size_t>(mesh.vertex_count());
-  check(model.modes > 0, "the reduced model has " + std::to_string(model.modes) + " modes: give at least one");
-  check(model.rest.size() == n, "the reduced model has " + std::to_string(model.rest.size()) +
-                                    " rest positions, the mesh " + std::to_string(n) + " vertices: give one a vertex");
-  const std::size_t size = 3 * n * static_cast<std::size_t>(model.modes);
-  check(model.basis.size() == size, "the basis of the reduced model has " + std::to_string(model.basis.size()) +
-                                        " entries: give 3 x vertices x modes = " + std::to_string(size));
-  const bool is_finite = are_finite(model.basis) && std::all_of(model.rest.begin(), model.rest.end(),
-                                                                [](const Point& p) { return are_finite(p); });
-  check(is_finite, "the reduced model has an entry that is not finite: give finite rest positions and modes");
 }
 
 }  // namespace
@@ -104,12 +78,7 @@ void validate(const Positions& positions, const Mesh& mesh, const char* what) {
 }
 
 void validate(const Options& options, const Mesh& mesh) {
-  check_is_named(options.method, "method");
-  check_is_named(options.isa, "instruction set");
-  check_is_named(options.paper.bounding_volume, "bounding volume");
-  check(options.paper.high_level <= HighLevelCulling::subspace,
-        "no high-level culling has the number " + std::to_string(static_cast<int>(options.paper.high_level)) +
-            ": use one of the enumeration's names");
+  validate_is_named(options.isa, "instruction set");
   validate_threads(options.threads);
   validate_distance(options.min_separation, "min_separation");
   validate(options.filter, mesh);
@@ -118,9 +87,6 @@ void validate(const Options& options, const Mesh& mesh) {
             std::to_string(options.filter.group_count) + " groups: give one radius a group, or none");
   for (std::size_t g = 0; g < options.thickness.size(); ++g)
     validate_distance(options.thickness[g], "the thickness of group " + std::to_string(g));
-  if (options.paper.high_level != HighLevelCulling::subspace) return;
-  check(options.paper.reduced_model != nullptr, "subspace culling needs a reduced model: set paper.reduced_model");
-  validate(*options.paper.reduced_model, mesh);
 }
 
 void validate_threads(int threads) {

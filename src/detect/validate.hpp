@@ -8,8 +8,8 @@
 
 namespace tamis {
 
-/// Throws InvalidOptions: a negative or not finite separation, negative threads, groups or a reduced model
-/// that do not fit the mesh.
+/// Throws InvalidOptions: a negative or not finite separation, negative threads, groups or radii that do not fit the
+/// mesh.
 void validate(const Options& options, const Mesh& mesh);
 
 /// Throws InvalidStep: positions that do not fit the mesh, or a used vertex that is not finite.

@@ -1,4 +1,4 @@
-// What the methods have in common: a question goes in, its answer comes out.
+// What searches a mesh: a question goes in, its answer comes out.
 #pragma once
 #include <memory>
 #include <tuple>
@@ -51,9 +51,7 @@ class Engine {
   virtual std::uint64_t memory_bytes() const = 0;
 };
 
-/// The engines keep references: mesh and options must outlive them.
+/// The library's own. Keeps references: mesh and options must outlive it.
 std::unique_ptr<Engine> make_tamis_engine(const Mesh& mesh, const Options& options);
-std::unique_ptr<Engine> make_paper_engine(const Mesh& mesh, const Options& options);
-std::unique_ptr<Engine> make_brute_engine(const Mesh& mesh, const Options& options);
 
 }  // namespace tamis

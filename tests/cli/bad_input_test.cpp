@@ -87,8 +87,6 @@ TEST_F(BadInput, SequencesWithoutMotion) {
 
 TEST_F(BadInput, NonsenseOptions) {
   const std::pair<const char*, const char*> cases[] = {
-      {"--method fast", "'fast'"},
-      {"--method paper --bounding-volume egg", "'egg'"},
       {"--guarantee conservative", "contacts has no option --guarantee"},
       {"--isa mmx", "'mmx'"},
       {"--threads -1", "--threads"},
@@ -126,7 +124,7 @@ TEST_F(BadInput, NonsenseOptions) {
 // Bug: a failed run leaves an empty or half-written file, or destroys the one that was there.
 TEST_F(BadInput, NoOutputFileIsLeft) {
   expect_error("contacts above.obj nan.obj --out c.csv", "nan.obj");
-  expect_error("contacts above.obj below.obj --method fast --out c.csv", "'fast'");
+  expect_error("contacts above.obj below.obj --isa fast --out c.csv", "'fast'");
   expect_error("contacts above.obj below.obj --out absent/c.csv", "absent/c.csv: cannot be written");
   expect_error("contacts above.obj below.obj --out hollow", "hollow: cannot be written");
   expect_error("contacts above.obj below.obj --out below.obj", "--out below.obj would overwrite an input");
@@ -143,7 +141,6 @@ TEST_F(BadInput, OutputsOfOneFormatAreNamedSo) {
                                                        {"near above.obj --distance 1 --out n.vtp", ".csv"},
                                                        {"near above.obj --distance 1 --out n.csv.gz", ".csv"},
                                                        {"intersections above.obj --out i.glb", ".csv, .html or .png"},
-                                                       {"queries q --out q.json", ".csv"},
                                                        {"bench above.obj below.obj --out b.html", ".csv"}};
   for (const auto& [command, format] : cases) {
     expect_error(command, std::string(" here: let the name end in ") + format);
@@ -156,14 +153,9 @@ TEST_F(BadInput, OutputsOfOneFormatAreNamedSo) {
 // Bug: hours of simulation before a wrong option is told.
 TEST_F(BadInput, FoldersAndScenesAreLookedAtFirst) {
   folder_.write("file", "");
-  for (const char* command : {"scene cloth-ball --triangles 600 --frames 1", "paper --quick"})
-    expect_error(std::string(command) + " --out file", "file: the folder cannot be made");
+  expect_error("scene cloth-ball --triangles 600 --frames 1 --out file", "file: the folder cannot be made");
   expect_error("scene cloth-ball --triangles 600 --frames 1 --out frames --seed -1", "--seed");
   expect_error("bench --scene soup --triangles 10 --seed -1", "--seed");
-  expect_error("paper --quick --out laboratory --frames ball=absent", "absent: no such file");
-  expect_error("paper --quick --out laboratory --frames one", "--frames one names no scene");
-  expect_error("paper --quick --out laboratory --scenes airbag --steps moon=3", "--steps moon=3 names a scene");
-  EXPECT_FALSE(std::filesystem::exists(folder_.path() / "laboratory"));
 }
 
 // Bug: the disk is full and the script that reads the result never learns of it.
@@ -184,15 +176,6 @@ TEST_F(BadInput, TooLittleMemoryNamesTheFile) {
   const Outcome outcome = folder_.run("info big.ply", "", "", "ulimit -v 1000000;");
   EXPECT_EQ(outcome.code, 2);
   EXPECT_EQ(outcome.err, "tamis: info big.ply: not enough memory: use a smaller mesh or a larger machine\n");
-}
-
-TEST_F(BadInput, QueriesThatCannotBeUsed) {
-  expect_error("queries absent", "absent: no such file");
-  expect_error("queries hollow", "hollow: no query");
-  expect_error("queries q.csv", "q.csv: no folder above it");
-  expect_error("queries q", "third.csv: line 1");
-  folder_.write("blank/vertex-face/none.csv", "");
-  expect_error("queries blank", "none.csv: no query in it");
 }
 
 }  // namespace

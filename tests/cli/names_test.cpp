@@ -10,13 +10,10 @@ namespace {
 
 class Names : public testing::Test {
  protected:
-  /// Two frames in a folder, and a query, all named with bytes that are no UTF-8 and that a terminal obeys.
+  /// Two frames in a folder, named with bytes that are no UTF-8 and that a terminal obeys.
   Names() {
     folder_.write_frame("f\xff/1\xfe\x1b[31m.obj", 1);
     folder_.write_frame("f\xff/2\xfe\x1b[31m.obj", -2);
-    std::string query;
-    for (int row = 0; row < 8; ++row) query += "0,1," + std::to_string(row) + ",1,0,1\n";
-    folder_.write("q\xff/edge-edge/1.csv", query);
   }
 
   CommandFolder folder_;
@@ -34,9 +31,6 @@ TEST_F(Names, ThatAreNoUtf8AreShownInJson) {
   const Outcome bench = folder_.run("bench f*/1* f*/2* --cold 1 --repeat 1 --json");
   ASSERT_EQ(bench.code, 0) << bench.err;
   EXPECT_EQ(bench.json()["rows"][0]["scene"], "1\\xfe\x1b[31m");
-  const Outcome queries = folder_.run("queries q* --json");
-  ASSERT_EQ(queries.code, 0) << queries.err;
-  EXPECT_TRUE(queries.json()["folders"].contains("q\\xff")) << queries.out;
   EXPECT_FALSE(has_control(sequence.out + bench.out)) << "a terminal obeys them";
 }
 
@@ -45,7 +39,7 @@ TEST_F(Names, DoNotReachTheTerminalAsCommands) {
   for (const char* arguments :
        {"sequence f*", "bench f*/1* f*/2* --cold 1 --repeat 1", "info f*/1*x",
         "contacts f*/1* f*/2* --out $(printf '\\033]0;x\\007c.csv')", "dance$(printf '\\033[2J')",
-        "contacts f*/1* f*/2* f*/1*", "queries q*", "free f*/1* f*/2* --method $(printf '\\033')"}) {
+        "contacts f*/1* f*/2* f*/1*", "free f*/1* f*/2* --isa $(printf '\\033')"}) {
     const Outcome outcome = folder_.run(arguments);
     EXPECT_FALSE(has_control(outcome.out)) << arguments << outcome.out;
     EXPECT_FALSE(has_control(outcome.err)) << arguments << outcome.err;
@@ -61,7 +55,6 @@ TEST_F(Names, AreQuotedInTables) {
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_NE(bytes_of_file(folder_.path() / "table.csv").find("\n\"a,\"\"b\"\"\",1,"), std::string::npos)
       << bytes_of_file(folder_.path() / "table.csv");
-  EXPECT_EQ(folder_.run("paper --scenes none --frames 'a|b=f'* --out laboratory").code, 2);
 }
 
 }  // namespace

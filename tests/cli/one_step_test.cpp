@@ -35,7 +35,6 @@ TEST_F(OneStep, JsonIsOneObjectWithTheDocumentedKeys) {
   for (const char* key : {"name", "vf", "ee"}) EXPECT_TRUE(json["stages"][0].contains(key));
   EXPECT_GT(json["peak_memory_bytes"], 1000000);
   EXPECT_EQ(json["threads"], 1);
-  EXPECT_EQ(json["method"], "tamis");
   EXPECT_TRUE(json["isa"].is_string());
 }
 
@@ -120,12 +119,10 @@ TEST_F(OneStep, ThicknessReachesTheDetector) {
   EXPECT_NE(outcome.err.find("--thickness: 3 radii for 2 objects"), std::string::npos) << outcome.err;
 }
 
-TEST_F(OneStep, MethodsAndInstructionSetsAreKnownByName) {
-  for (const char* options : {"--method brute", "--isa baseline"}) {
-    const Outcome outcome = folder_.run(std::string("contacts above.obj below.obj --json ") + options);
-    ASSERT_EQ(outcome.code, 0) << outcome.err;
-    EXPECT_EQ(outcome.json()["contacts"]["vf"], 1) << options;
-  }
+TEST_F(OneStep, InstructionSetsAreKnownByName) {
+  const Outcome outcome = folder_.run("contacts above.obj below.obj --json --isa baseline");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_EQ(outcome.json()["contacts"]["vf"], 1);
 }
 
 }  // namespace

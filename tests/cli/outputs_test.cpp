@@ -28,20 +28,6 @@ TEST_F(Outputs, NeverReplaceAnInput) {
   EXPECT_EQ(bytes_of_file(here / "below.obj"), before);
 }
 
-TEST_F(Outputs, OfTheEvaluationNeverReplaceItsFrames) {
-  const auto& here = folder_.path();
-  std::filesystem::create_directory(here / "laboratory");
-  folder_.write_frame("fall/f1.obj", 1);
-  folder_.write_frame("fall/f2.obj", 0.5);
-  for (const char* name : {"report.md", "table1.csv", "stages.csv", "fig4.png"}) {
-    std::filesystem::create_symlink(here / "fall/f2.obj", here / "laboratory" / name);
-    const Outcome outcome = folder_.run("paper --scenes none --frames fall=fall --out laboratory");
-    EXPECT_EQ(outcome.code, 2) << name;
-    EXPECT_NE(outcome.err.find("overwrite an input"), std::string::npos) << outcome.err;
-    std::filesystem::remove(here / "laboratory" / name);
-  }
-}
-
 // Bug: the table replaces the file that the answer is printed to, or the other way round.
 TEST_F(Outputs, NeverReplaceTheAnswer) {
   const Outcome outcome = folder_.run("contacts above.obj below.obj --out both", "both");

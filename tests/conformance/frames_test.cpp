@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "io/mesh/mesh_file.hpp"
+#include "lab/detector.hpp"
 #include "support/contact_sets.hpp"
 #include "support/test_data.hpp"
 #include "support/test_names.hpp"
@@ -77,9 +78,9 @@ class RecordedStep : public testing::TestWithParam<Frames> {
   }
 
   std::vector<Contact> find(Method method) const {
-    Options options;
+    lab::Options options;
     options.method = method;
-    return Detector(io::mesh_of(start), options).contacts({start.positions, end.positions});
+    return lab::make_detector(io::mesh_of(start), options).contacts({start.positions, end.positions});
   }
 
   static PairSet names(const std::vector<Contact>& contacts) {

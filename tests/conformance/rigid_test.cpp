@@ -3,7 +3,7 @@
 
 #include <cstdlib>
 
-#include "io/queries/queries.hpp"
+#include "lab/queries/queries.hpp"
 #include "support/temporary_folder.hpp"
 #include "support/test_data.hpp"
 #include "tamis/rigid_path.hpp"
@@ -16,9 +16,9 @@ TEST(RigidQueries, NoneIsMissedNoneIsFalseAndBracketsHoldTheTime) {
   const std::filesystem::path folder = data_folder() / "rigid";
   const std::string table = bytes_of_file(folder / "truth.csv");
   int count = 0;
-  for (const io::QueryFile& file : io::query_files({folder.string()})) {
+  for (const lab::QueryFile& file : lab::query_files({folder.string()})) {
     SCOPED_TRACE(file.name);
-    const auto query = std::get<io::RigidQuery>(io::read_queries(file).at(0));
+    const auto query = std::get<lab::RigidQuery>(lab::read_queries(file).at(0));
     constexpr std::array<Index, 4> kAll{0, 1, 2, 3};
     const PairResult result =
         query.kind == PairKind::vertex_face ? vertex_face(query.path(), kAll) : edge_edge(query.path(), kAll);

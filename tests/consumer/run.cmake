@@ -16,7 +16,7 @@ if(library STREQUAL "${work}/library")
   # What linking asks is the same without optimisation, and compiled sooner.
   run(${CMAKE_COMMAND} -S ${root} -B ${library} ${compile} -D CMAKE_BUILD_TYPE=Debug -D CMAKE_CXX_FLAGS_DEBUG=-O0
     -D CMAKE_UNITY_BUILD=ON -D BUILD_SHARED_LIBS=${shared}
-    -D TAMIS_BUILD_TOOLS=OFF -D TAMIS_BUILD_TESTS=OFF)
+    -D TAMIS_BUILD_LAB=OFF -D TAMIS_BUILD_TOOLS=OFF -D TAMIS_BUILD_TESTS=OFF)
   run(${CMAKE_COMMAND} --build ${library} --parallel ${cores})
 endif()
 run(${CMAKE_COMMAND} --install ${library} --prefix ${work}/prefix)

@@ -51,12 +51,10 @@ int main() {
   detector.contacts({points, vectors});
   const tamis::PairFilter filter{.group_of_vertex = {0, 0, 0}};
   const tamis::Options options{.min_separation = 1e-3, .filter = filter};
-  const tamis::PaperOptions paper{.orphan_sets = false};
   const tamis::PairOptions pair{.latest = 0.5};
   const tamis::PairListOptions list{.threads = 1};
   const tamis::PathOptions path{.tolerance = 1e-6};
   const tamis::Pose pose{.rotation = {0, 0, 1}};
   const tamis::Link link{.end = pose};
-  return options.threads + int(paper.orphan_sets) + int(pair.latest + path.tolerance) + list.threads +
-         int(link.start.position[0]);
+  return options.threads + int(pair.latest + path.tolerance) + list.threads + int(link.start.position[0]);
 }

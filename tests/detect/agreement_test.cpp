@@ -2,6 +2,7 @@
 // contact that one of them misses or makes up.
 #include <gtest/gtest.h>
 
+#include "lab/detector.hpp"
 #include "support/contact_sets.hpp"
 #include "support/test_names.hpp"
 
@@ -10,8 +11,8 @@ namespace {
 
 using scenes::Recipe, scenes::Scene;
 
-Options method(Method m) {
-  Options options;
+lab::Options method(Method m) {
+  lab::Options options;
   options.method = m;
   return options;
 }
@@ -40,8 +41,8 @@ TEST_P(Agreement, MethodsFindTheSameSet) {
   for (std::uint64_t seed = 0; seed < 5; ++seed) {
     const Scene scene = GetParam().make(60 + 40 * static_cast<Index>(seed), 100 + seed);
     const auto brute = find_contacts(scene, method(Method::brute));
-    for (const std::string_view name : method_choices()) {
-      Options options = method(Method::brute);
+    for (const std::string_view name : lab::method_choices()) {
+      lab::Options options = method(Method::brute);
       choose_method(options, name);
       const auto found = find_contacts(scene, options);
       const std::string where = std::string(name) + " on " + label(scene, seed);

@@ -6,6 +6,7 @@
 #include <string>
 #include <thread>
 
+#include "lab/detector.hpp"
 #include "support/contact_sets.hpp"
 #include "support/test_names.hpp"
 #include "tamis/components.hpp"
@@ -37,11 +38,11 @@ class BadInput : public testing::TestWithParam<Method> {
  protected:
   BadInput() { options.method = GetParam(); }
   Scene scene = scenes::scene_by_name("soup", 5, 1);
-  Options options;
+  lab::Options options;
 };
 
 TEST_P(BadInput, PositionsThatDoNotFitTheMesh) {
-  Detector detector(scene.mesh(), options);
+  Detector detector = lab::make_detector(scene.mesh(), options);
   std::vector<Point> fewer = scene.end;
   fewer.pop_back();
   const Step step{scene.start, fewer};
@@ -52,7 +53,7 @@ TEST_P(BadInput, PositionsThatDoNotFitTheMesh) {
 
 // 2^32 positions too many were as many as there should be once the count was cut to 32 bits.
 TEST_P(BadInput, MorePositionsThanAnIndexCounts) {
-  Detector detector(scene.mesh(), options);
+  Detector detector = lab::make_detector(scene.mesh(), options);
   const std::span<const Point> too_many(scene.start.data(), scene.start.size() + (std::size_t{1} << 32));
   EXPECT_NE(message_of<InvalidStep>([&] { detector.contacts({too_many, too_many}); }).find("2^31"), std::string::npos);
 }
@@ -69,7 +70,7 @@ TEST(BadInputOfLists, MorePositionsThanAnIndexCounts) {
 TEST_P(BadInput, CoordinatesThatAreNotFiniteAreNamedByVertex) {
   for (const double bad : {kNan, kInfinity, -kInfinity})
     for (auto* points : {&scene.start, &scene.end}) {
-      Detector detector(scene.mesh(), options);
+      Detector detector = lab::make_detector(scene.mesh(), options);
       const double before = (*points)[7][1];
       (*points)[7][1] = bad;
       EXPECT_NE(message_of<InvalidStep>([&] { detector.contacts(scene.step()); }).find("vertex 7"), std::string::npos);
@@ -86,8 +87,10 @@ TEST_P(BadInput, VerticesThatNothingUsesMayHoldAnything) {
 }
 
 TEST_P(BadInput, OptionsOutsideTheirRange) {
-  const auto refuses = [&](const Options& bad) { EXPECT_THROW(Detector(scene.mesh(), bad), InvalidOptions); };
-  Options bad = options;
+  const auto refuses = [&](const lab::Options& bad) {
+    EXPECT_THROW(lab::make_detector(scene.mesh(), bad), InvalidOptions);
+  };
+  lab::Options bad = options;
   bad.threads = -1;
   refuses(bad);
   for (const double separation : {-1.0, kNan, kInfinity}) {
@@ -97,12 +100,12 @@ TEST_P(BadInput, OptionsOutsideTheirRange) {
   }
   bad = options;
   bad.isa = static_cast<Isa>(99);
-  EXPECT_NE(message_of<InvalidOptions>([&] { Detector(scene.mesh(), bad); }).find("99"), std::string::npos);
+  EXPECT_NE(message_of<InvalidOptions>([&] { lab::make_detector(scene.mesh(), bad); }).find("99"), std::string::npos);
   bad = options;
-  bad.paper.bounding_volume = static_cast<BoundingVolume>(77);
+  bad.paper.bounding_volume = static_cast<lab::BoundingVolume>(77);
   refuses(bad);
   bad = options;
-  bad.paper.high_level = static_cast<HighLevelCulling>(5);
+  bad.paper.high_level = static_cast<lab::HighLevelCulling>(5);
   refuses(bad);
   bad = options;
   bad.method = static_cast<Method>(3);
@@ -125,17 +128,17 @@ TEST(Groups, AreThoseOfComponents) {
   const std::vector<Point> points{{9, 9, 9}, {0, 0, 0}, {1, 0, 0}, {0, 1, 0},
                                   {9, 9, 9}, {0, 0, 1}, {1, 0, 1}, {0, 1, 1}};
   const Components objects = components_of(mesh);
-  Options options;
+  lab::Options options;
   options.filter.group_of_vertex = objects.of_vertex;
   options.filter.group_count = objects.count;
   ASSERT_EQ(objects.count, 2);
   for (const auto& [thickness, is_free] : {std::pair(0.375, true), std::pair(0.625, false)}) {
     options.thickness = {0.5, thickness};  // the triangles are 1 apart
-    EXPECT_EQ(Detector(mesh, options).is_free({points, points}), is_free);
+    EXPECT_EQ(lab::make_detector(mesh, options).is_free({points, points}), is_free);
   }
   options.thickness.clear();
   options.filter = PairFilter::no_self_contact(objects.of_vertex);
-  EXPECT_TRUE(Detector(mesh, options).is_free({points, points}));
+  EXPECT_TRUE(lab::make_detector(mesh, options).is_free({points, points}));
 }
 
 // oneTBB crashes when it is asked for a million threads, warns on stderr for a thousand, and gives neither.
@@ -144,7 +147,7 @@ TEST_P(BadInput, NoNumberOfThreadsIsTooLarge) {
   testing::internal::CaptureStderr();
   for (const int threads : {1000, 1000000, std::numeric_limits<int>::max()}) {
     options.threads = threads;
-    Detector detector(scene.mesh(), options);
+    Detector detector = lab::make_detector(scene.mesh(), options);
     EXPECT_EQ(names_of(detector.contacts(scene.step())), expected);
     EXPECT_GE(detector.statistics().threads, 1);
     EXPECT_LE(detector.statistics().threads, static_cast<int>(std::max(1U, std::thread::hardware_concurrency())));
@@ -204,9 +207,9 @@ TEST(BadNumber, IsSaidSoThatItReadsBack) {
 }
 
 TEST(BadName, OfAMethodNamesTheChoices) {
-  EXPECT_NE(message_of<InvalidOptions>([] { method_from_name("fast"); }).find("tamis"), std::string::npos);
+  EXPECT_NE(message_of<InvalidOptions>([] { lab::method_from_name("fast"); }).find("tamis"), std::string::npos);
   EXPECT_THROW(isa_from_name("sse9"), InvalidOptions);
-  for (const Method method : kMethods) EXPECT_EQ(method_from_name(name_of(method)), method);
+  for (const Method method : kMethods) EXPECT_EQ(lab::method_from_name(name_of(method)), method);
 }
 
 }  // namespace

@@ -27,7 +27,7 @@ class BusyDetector : public testing::Test {
     for (const AnyQuestion& question : everything()) EXPECT_THROW(question.ask(detector), Busy) << question.name;
     EXPECT_THROW((void)detector.statistics(), Busy);
     EXPECT_EQ(detector.mesh().vertex_count(), scene_.vertex_count()) << "what does not change may be read";
-    EXPECT_EQ(detector.options().method, Method::tamis);
+    EXPECT_EQ(detector.options().min_separation, 0);
   }
 
   static constexpr Index kCells = 10;

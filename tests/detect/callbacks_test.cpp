@@ -13,10 +13,14 @@
 #include <limits>
 #include <thread>
 
+#include "lab/detector.hpp"
 #include "support/every_question.hpp"
 #include "support/test_names.hpp"
 
 namespace tamis::test {
+
+using lab::Method;
+
 namespace {
 
 using scenes::Scene;
@@ -70,11 +74,11 @@ class Callbacks : public testing::Test {
       for (const AnyQuestion& question : questions) {
         NowAndThen callback(act);
         arena_.execute([&] {
-          Detector detector(mesh, make_options(callback));
+          Detector detector = lab::make_detector(mesh, make_options(callback));
           const auto expected = question.ask(detector);
           callback.act_often();
           EXPECT_TRUE(question.ask(detector) == expected) << question.name << ", of a kept detector";
-          Detector another(mesh, make_options(callback));
+          Detector another = lab::make_detector(mesh, make_options(callback));
           EXPECT_TRUE(question.ask(another) == expected) << question.name;
         });
       }
@@ -88,8 +92,8 @@ class Callbacks : public testing::Test {
 
 class CallbacksOfMethod : public Callbacks, public testing::WithParamInterface<Method> {
  protected:
-  Options options() const {
-    Options options;
+  lab::Options options() const {
+    lab::Options options;
     options.method = GetParam();
     return options;
   }
@@ -100,7 +104,7 @@ class CallbacksOfMethod : public Callbacks, public testing::WithParamInterface<M
 
 TEST_P(CallbacksOfMethod, AFilterMayAskBack) {
   expect_same_answers(scene_.mesh(), questions_, [&](NowAndThen& callback) {
-    Options filtered = options();
+    lab::Options filtered = options();
     filtered.filter.accepts = [&](PairKind, const std::array<Index, 4>&) {
       callback.called();
       return true;
@@ -111,7 +115,7 @@ TEST_P(CallbacksOfMethod, AFilterMayAskBack) {
 
 TEST_P(CallbacksOfMethod, CancellationMayAskBack) {
   expect_same_answers(scene_.mesh(), questions_, [&](NowAndThen& callback) {
-    Options cancelled = options();
+    lab::Options cancelled = options();
     cancelled.is_cancelled = [&] {
       callback.called();
       return false;

@@ -4,6 +4,7 @@
 
 #include <atomic>
 
+#include "lab/detector.hpp"
 #include "scenes/scene_list.hpp"
 #include "support/contact_sets.hpp"
 #include "support/test_names.hpp"
@@ -27,9 +28,9 @@ class Cancellation : public testing::TestWithParam<Method> {
 
   /// As many contacts, with the same times, as a detector finds that was never cancelled.
   void expect_whole_answer(Detector& detector) {
-    Options plain;
+    lab::Options plain;
     plain.method = GetParam();
-    Detector other(scene.mesh(), plain);
+    Detector other = lab::make_detector(scene.mesh(), plain);
     const auto& expected = other.contacts(scene.step());
     cancel_at = kNever;
     const auto& contacts = detector.contacts(scene.step());
@@ -41,13 +42,13 @@ class Cancellation : public testing::TestWithParam<Method> {
   }
 
   Scene scene = scenes::scene_by_name("soup", GetParam() == Method::brute ? 20 : 400, 3);
-  Options options;
+  lab::Options options;
   std::atomic<int> asked = 0;
   std::atomic<int> cancel_at = kNever;
 };
 
 TEST_P(Cancellation, EndsEveryQuestionAndTheNextOneIsAnsweredInFull) {
-  Detector detector(scene.mesh(), options);
+  Detector detector = lab::make_detector(scene.mesh(), options);
   const auto cancelled = [&](const auto& question) {
     asked = 0;
     cancel_at = 1;  // some pairs are decided, others wait
@@ -61,11 +62,12 @@ TEST_P(Cancellation, EndsEveryQuestionAndTheNextOneIsAnsweredInFull) {
 
 TEST_P(Cancellation, AtAnyMomentLeavesTheDetectorUsable) {
   asked = 0;
-  EXPECT_FALSE(Detector(scene.mesh(), options).contacts(scene.step()).empty());
+  EXPECT_FALSE(lab::make_detector(scene.mesh(), options).contacts(scene.step()).empty());
   const int moments = asked;
   ASSERT_GT(moments, 2) << "too few to stop in the middle";
   for (int moment = 0; moment < moments; moment += 1 + moments / 8) {
-    Detector detector(scene.mesh(), options);  // a kept one may have listed this step, and asks less often
+    Detector detector =
+        lab::make_detector(scene.mesh(), options);  // a kept one may have listed this step, and asks less often
     asked = 0;
     cancel_at = moment;
     EXPECT_THROW(detector.contacts(scene.step()), Cancelled);
@@ -89,13 +91,13 @@ Scene points_over_a_face(Index rows, double height) {
 TEST_P(Cancellation, ComesBetweenPairsThatAreDecidedOneByOne) {
   options.min_separation = 0.125;
   const Scene over = points_over_a_face(11, 0.125);
-  Detector detector(over.mesh(), options);
+  Detector detector = lab::make_detector(over.mesh(), options);
   EXPECT_EQ(detector.contacts(over.step()).size(), 121u);
   EXPECT_GE(asked, 100);
 }
 
 TEST_P(Cancellation, ThatNeverHappensChangesNothing) {
-  Detector detector(scene.mesh(), options);
+  Detector detector = lab::make_detector(scene.mesh(), options);
   expect_whole_answer(detector);
   EXPECT_GT(asked, 0);
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <ctime>
 
+#include "lab/detector.hpp"
 #include "support/every_question.hpp"
 #include "support/test_names.hpp"
 #include "tamis/error.hpp"
@@ -12,6 +13,9 @@
 #include "tamis/rigid_path.hpp"
 
 namespace tamis::test {
+
+using lab::Method;
+
 namespace {
 
 using scenes::Scene;
@@ -66,8 +70,8 @@ class Waits {
   bool was_cancelled_ = false;
 };
 
-Options alone(Waits& waits, Method method = Method::tamis) {
-  Options options;
+lab::Options alone(Waits& waits, Method method = Method::tamis) {
+  lab::Options options;
   options.method = method;
   options.threads = 1;
   options.is_cancelled = waits.is_cancelled();
@@ -81,7 +85,7 @@ TEST_P(CancellationWait, IsShortInAMeshOfManyTriangles) {
   const Scene scene = two_sheets(cells);
   Waits waits(1);
   for (const AnyQuestion& question : questions_of(scene, 0.3 * edge_of_sheets(cells))) {
-    Detector detector(scene.mesh(), alone(waits, GetParam()));
+    Detector detector = lab::make_detector(scene.mesh(), alone(waits, GetParam()));
     for (const char* const when : {"asked first", "then", "and again, from the same start"})
       EXPECT_LT(waits.longest_of([&] { question.ask_only(detector); }), kLongestWait) << question.name << ", " << when;
   }
@@ -92,7 +96,7 @@ TEST_P(CancellationWait, IsShortOnAPath) {
   const Scene scene = two_sheets(cells);
   const BezierPath path = bent_path(scene);
   Waits waits(0.5);
-  Detector detector(scene.mesh(), alone(waits, GetParam()));
+  Detector detector = lab::make_detector(scene.mesh(), alone(waits, GetParam()));
   for (const AnyQuestion& question : questions_of(path, 0.1 * edge_of_sheets(cells)))
     EXPECT_LT(waits.longest_of([&] { question.ask_only(detector); }), kLongestWait) << question.name;
 }
@@ -129,9 +133,9 @@ class HardPaths : public testing::TestWithParam<HardPath> {
 
 TEST_P(HardPaths, EndSoonOnceCancelled) {
   Waits waits(0.1);
-  Options options = alone(waits);
+  lab::Options options = alone(waits);
   options.filter = PairFilter::no_self_contact(squares_.body);
-  Detector detector(squares_.mesh(), options);
+  Detector detector = lab::make_detector(squares_.mesh(), options);
   for (const AnyQuestion& question : questions_of(path_, 1e-14))
     EXPECT_LT(waits.longest_of([&] { question.ask_only(detector); }), kLongestWait) << question.name;
   EXPECT_TRUE(waits.was_cancelled()) << "these were easy";

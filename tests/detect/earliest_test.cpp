@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "lab/detector.hpp"
 #include "support/contact_sets.hpp"
 #include "support/test_names.hpp"
 #include "tamis/detector.hpp"
@@ -21,8 +22,8 @@ Scene shortened(Scene scene, double part) {
   return scene;
 }
 
-void check_questions(const Scene& scene, const Options& options) {
-  Detector detector(scene.mesh(), options);
+void check_questions(const Scene& scene, const lab::Options& options) {
+  Detector detector = lab::make_detector(scene.mesh(), options);
   const std::vector<Contact> contacts = detector.contacts(scene.step());
   EXPECT_EQ(detector.is_free(scene.step()), contacts.empty());
   const EarliestContact earliest = detector.earliest(scene.step());
@@ -58,7 +59,7 @@ TEST_P(Questions, EarliestAndFreeAgreeWithAllContacts) {
     const Scene scene = GetParam().make(150, 12 + seed);
     for (const Method method : {Method::tamis, Method::paper})
       for (const double part : {1.0, 0.125, 0.0}) {
-        Options options;
+        lab::Options options;
         options.method = method;
         SCOPED_TRACE(scene.name + " by " + std::string(name_of(method)) + ", seed " + std::to_string(12 + seed) +
                      ", part " + std::to_string(part));
@@ -69,12 +70,12 @@ TEST_P(Questions, EarliestAndFreeAgreeWithAllContacts) {
 
 TEST_P(Questions, ThreadsChangeNoBitOfTheEarliestContact) {
   const Scene scene = GetParam().make(GetParam().scales ? 5000 : 400, 31);
-  Options options;
+  lab::Options options;
   options.threads = 1;
-  const EarliestContact one = Detector(scene.mesh(), options).earliest(scene.step());
+  const EarliestContact one = lab::make_detector(scene.mesh(), options).earliest(scene.step());
   options.threads = 2;
   for (int repetition = 0; repetition < 3; ++repetition) {
-    const EarliestContact two = Detector(scene.mesh(), options).earliest(scene.step());
+    const EarliestContact two = lab::make_detector(scene.mesh(), options).earliest(scene.step());
     EXPECT_EQ(one.toi_lower, two.toi_lower);
     EXPECT_EQ(one.toi_upper, two.toi_upper);
     ASSERT_EQ(one.contact.has_value(), two.contact.has_value());

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "exact/exact.hpp"
+#include "lab/detector.hpp"
 #include "support/contact_sets.hpp"
 #include "support/test_names.hpp"
 #include "tamis/detector.hpp"
@@ -51,9 +52,9 @@ TEST_P(IntersectionsOf, AreThoseOfEveryEdgeWithEveryFace) {
       return decide_exactly(PairKind::vertex_face, {start, end}).touches;
     });
     for (const Method method : kMethods) {
-      Options options;
+      lab::Options options;
       options.method = method;
-      Detector detector(scene.mesh(), options);
+      Detector detector = lab::make_detector(scene.mesh(), options);
       EXPECT_EQ(found_by(detector, scene.end), truth) << scene.name << " by " << name_of(method);
       EXPECT_EQ(detector.has_intersection(scene.end), !truth.empty());
       EXPECT_EQ(found_by(detector, scene.end), truth) << "asked again";
@@ -82,11 +83,11 @@ TEST_P(IntersectionsOf, HaveTheSameBitsWithAnyThreadsAndInstructionSet) {
   const auto reference = Detector(scene.mesh()).intersections(scene.end);
   for (const Isa isa : {Isa::baseline, Isa::avx2, Isa::avx512})
     for (const int threads : {1, 3}) {
-      Options options;
+      lab::Options options;
       options.isa = isa;
       options.threads = threads;
       try {
-        const auto found = Detector(scene.mesh(), options).intersections(scene.end);
+        const auto found = lab::make_detector(scene.mesh(), options).intersections(scene.end);
         EXPECT_TRUE(std::equal(found.begin(), found.end(), reference.begin(), reference.end(), are_same))
             << name_of(isa) << ", " << threads << " threads";
       } catch (const InvalidOptions&) {  // this machine has no such instructions
@@ -132,14 +133,16 @@ TEST(IntersectionsThatOnlyTouch, Count) {
 
 // Bug: groups that may pass through each other are reported.
 TEST(IntersectionsOfGroups, FollowTheFilter) {
-  Options options;
+  lab::Options options;
   const std::vector<Point> pierced{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0.2, 0.2, -1}, {0.2, 0.2, 1}};
   for (const Method method : kMethods) {
     options.method = method;
     options.filter = PairFilter::no_self_contact({0, 0, 0, 0, 0});
-    EXPECT_FALSE(Detector(Mesh(5, {{0, 1, 2}}, {{3, 4}}), options).has_intersection(pierced)) << name_of(method);
+    EXPECT_FALSE(lab::make_detector(Mesh(5, {{0, 1, 2}}, {{3, 4}}), options).has_intersection(pierced))
+        << name_of(method);
     options.filter = PairFilter::no_self_contact({0, 0, 0, 1, 1});
-    EXPECT_TRUE(Detector(Mesh(5, {{0, 1, 2}}, {{3, 4}}), options).has_intersection(pierced)) << name_of(method);
+    EXPECT_TRUE(lab::make_detector(Mesh(5, {{0, 1, 2}}, {{3, 4}}), options).has_intersection(pierced))
+        << name_of(method);
   }
 }
 

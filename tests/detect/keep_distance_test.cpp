@@ -6,7 +6,8 @@
 #include <cmath>
 #include <limits>
 
-#include "engines/pair_rules.hpp"
+#include "lab/detector.hpp"
+#include "lab/pairs.hpp"
 #include "narrow/kept_distance.hpp"
 #include "support/contact_sets.hpp"
 #include "support/step_lengths.hpp"
@@ -118,7 +119,7 @@ TEST_P(KeepDistance, SampledDistancesStayAboveTheFraction) {
     for (const double part : {0.25, 0.5, 0.875, 1.0}) {
       const std::vector<Point> now = between(scene, part * safe.lower);
       const Step step{scene.start, now};
-      for_each_pair(mesh, {}, [&](PairKind kind, const PairVertices& v) {
+      lab::for_each_pair(mesh, {}, [&](PairKind kind, const PairVertices& v) {
         const PairPoints points = points_of(step, v);
         const double before = start_distance(kind, points), after = start_distance(kind, {points.end, points.end});
         EXPECT_GE(after, fraction * before * (1 - 1e-9) - 1e-14) << v[0] << " " << v[1] << " " << v[2] << " " << v[3];
@@ -129,7 +130,7 @@ TEST_P(KeepDistance, SampledDistancesStayAboveTheFraction) {
 
 TEST_P(KeepDistance, ThreadsAndInstructionSetsChangeNoBit) {
   const Scene scene = GetParam().make(GetParam().scales ? 4000 : 300, 77);
-  Options options;
+  lab::Options options;
   options.threads = 1;
   const SafeStep one = keep(scene, 0.3, options);
   for (const Isa isa : {Isa::baseline, Isa::avx2, Isa::avx512}) {
@@ -210,7 +211,7 @@ TEST_P(KeepDistance, EndsBeforeTheEarliestContact) {
   for (std::uint64_t seed = 0; seed < 4; ++seed) {
     const Scene scene = GetParam().make(100, 80 + seed);
     for (const Method method : kMethods) {
-      const EarliestContact first = Detector(scene.mesh(), with(method)).earliest(scene.step());
+      const EarliestContact first = lab::make_detector(scene.mesh(), with(method)).earliest(scene.step());
       const SafeStep none = keep(scene, 0, with(method)), tiny = keep(scene, 1e-6), half = keep(scene, 0.5);
       EXPECT_EQ(none.lower, first.toi_lower);
       EXPECT_EQ(none.upper, none.lower == 0 ? 0 : first.toi_upper);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "lab/detector.hpp"
 #include "support/contact_sets.hpp"
 #include "support/step_lengths.hpp"
 #include "support/test_names.hpp"
@@ -113,7 +114,7 @@ TEST_P(KnownStep, FacesOfNoAreaKeepTheirDistanceToo) {
 
 TEST_P(KnownStep, FiltersLeaveOutPairs) {
   const Scene scene = falling_point(1, -1);
-  Options options = with(GetParam());
+  lab::Options options = with(GetParam());
   options.filter.accepts = [](PairKind, const std::array<Index, 4>&) { return false; };
   for (const double fraction : {0.0, 0.5}) EXPECT_EQ(keep(scene, fraction, options).lower, 1);
 }

@@ -4,7 +4,8 @@
 
 #include <cmath>
 
-#include "engines/pair_rules.hpp"
+#include "lab/detector.hpp"
+#include "lab/pairs.hpp"
 #include "scenes/random.hpp"
 #include "support/contact_sets.hpp"
 #include "tamis/detector.hpp"
@@ -37,7 +38,7 @@ Scene rods_and_particles(Index rods, Index particles, std::uint64_t seed) {
 
 PairSet truth_of(const Scene& scene, double separation) {
   PairSet truth;
-  for_each_pair(scene.mesh(), {}, [&](PairKind kind, const PairVertices& v) {
+  lab::for_each_pair(scene.mesh(), {}, [&](PairKind kind, const PairVertices& v) {
     const oracle::Motion motion = motion_of(scene, v);
     if (separation > 0 ? oracle::comes_within(kind, motion, separation) : oracle::touches(kind, motion))
       truth.insert({kind, v});
@@ -61,10 +62,10 @@ TEST(LooseFeatures, MeetInEveryMethodAndQuestion) {
       for (const Method method : kMethods) {
         SCOPED_TRACE(std::string(name_of(method)) + ", seed " + std::to_string(seed) + ", " +
                      std::to_string(separation));
-        Options options;
+        lab::Options options;
         options.method = method;
         options.min_separation = separation;
-        Detector detector(scene.mesh(), options);
+        Detector detector = lab::make_detector(scene.mesh(), options);
         const std::vector<Contact> contacts = detector.contacts(scene.step());
         EXPECT_EQ(names_of(contacts).size(), contacts.size()) << "a pair twice";
         EXPECT_EQ(missing(truth, names_of(contacts)), "") << "missed";
@@ -83,9 +84,9 @@ TEST(LooseFeatures, EndTheStepAsContactsDo) {
   scene.loose_points.push_back(scene.add_vertex({9, 0, 4}, {9, 0, 4}, 1));
   for (const Method method : kMethods) {
     SCOPED_TRACE(name_of(method));
-    Options options;
+    lab::Options options;
     options.method = method;
-    Detector detector(scene.mesh(), options);
+    Detector detector = lab::make_detector(scene.mesh(), options);
     const EarliestContact first = detector.earliest(scene.step(), 2.0);
     ASSERT_TRUE(first.contact.has_value());
     EXPECT_EQ(first.contact->kind, PairKind::vertex_edge);

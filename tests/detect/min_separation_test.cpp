@@ -4,7 +4,8 @@
 
 #include <cmath>
 
-#include "engines/pair_rules.hpp"
+#include "lab/detector.hpp"
+#include "lab/pairs.hpp"
 #include "support/contact_sets.hpp"
 #include "support/test_names.hpp"
 #include "tamis/detector.hpp"
@@ -14,8 +15,8 @@ namespace {
 
 using scenes::Recipe, scenes::Scene;
 
-Options with(Method method, double separation) {
-  Options options;
+lab::Options with(Method method, double separation) {
+  lab::Options options;
   options.method = method;
   options.min_separation = separation;
   return options;
@@ -23,14 +24,14 @@ Options with(Method method, double separation) {
 
 PairSet truth_of(const Scene& scene, const PairFilter& filter, double separation) {
   PairSet truth;
-  for_each_pair(scene.mesh(), filter, [&](PairKind kind, const PairVertices& v) {
+  lab::for_each_pair(scene.mesh(), filter, [&](PairKind kind, const PairVertices& v) {
     if (oracle::comes_within(kind, motion_of(scene, v), separation)) truth.insert({kind, v});
   });
   return truth;
 }
 
-void check(const Scene& scene, const Options& options, const PairSet& truth) {
-  Detector detector(scene.mesh(), options);
+void check(const Scene& scene, const lab::Options& options, const PairSet& truth) {
+  Detector detector = lab::make_detector(scene.mesh(), options);
   const std::vector<Contact> contacts = detector.contacts(scene.step());
   EXPECT_EQ(missing(truth, names_of(contacts)), "") << "missed";
   EXPECT_EQ(missing(names_of(contacts), truth), "") << "made up";
@@ -66,7 +67,7 @@ TEST_P(MinSeparation, NoMethodMissesAPairThatComesNear) {
       for (const Method method : kMethods) {
         SCOPED_TRACE(scene.name + " by " + std::string(name_of(method)) + ", seed " + std::to_string(40 + seed) +
                      ", separation " + std::to_string(part) + " of the size");
-        Options options = with(method, part * size);
+        lab::Options options = with(method, part * size);
         options.filter = filter;
         check(scene, options, truth);
       }

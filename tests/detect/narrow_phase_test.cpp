@@ -5,6 +5,7 @@
 #include <limits>
 #include <random>
 
+#include "lab/detector.hpp"
 #include "scenes/scene_list.hpp"
 #include "support/ask_pair.hpp"
 #include "support/contact_sets.hpp"
@@ -96,8 +97,8 @@ TEST(NarrowPhase, ListsOfADetectorsPairsTouchWhereItFindsContacts) {
   const scenes::Scene scene = scenes::scene_by_name("folded-cloth", 800, 3);
   const test::PairSet contacts = test::find_names(scene, {});
   std::vector<Pair> pairs;
-  Options options;
-  options.method = Method::brute;
+  lab::Options options;
+  options.method = lab::Method::brute;
   options.threads = 1;
   options.filter.accepts = [&](PairKind kind, const std::array<Index, 4>& vertices) {
     pairs.push_back({kind, vertices});

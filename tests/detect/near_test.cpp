@@ -7,8 +7,9 @@
 #include <cstring>
 #include <limits>
 
-#include "engines/pair_rules.hpp"
 #include "exact/exact_distance.hpp"
+#include "lab/detector.hpp"
+#include "lab/pairs.hpp"
 #include "scenes/random.hpp"
 #include "support/contact_sets.hpp"
 #include "support/test_names.hpp"
@@ -27,8 +28,8 @@ double size_of(const Scene& scene) {
   return size;
 }
 
-Options with(Method method) {
-  Options options;
+lab::Options with(Method method) {
+  lab::Options options;
   options.method = method;
   return options;
 }
@@ -103,7 +104,9 @@ class Near : public testing::TestWithParam<Recipe> {};
 TEST_P(Near, EveryMethodGivesTheSameBits) {
   for (std::uint64_t seed = 0; seed < 2; ++seed) {
     const Scene scene = GetParam().make(30 + 60 * static_cast<Index>(seed), 61 + seed);
-    Detector brute(scene.mesh(), with(Method::brute)), tamis(scene.mesh()), paper(scene.mesh(), with(Method::paper));
+    Detector tamis(scene.mesh());
+    Detector brute = lab::make_detector(scene.mesh(), with(Method::brute));
+    Detector paper = lab::make_detector(scene.mesh(), with(Method::paper));
     for (const double part : {0.0, 0x1p-30, 0.01, 0.15}) {
       SCOPED_TRACE(scene.name + ", " + std::to_string(part));
       const auto truth = brute.near(scene.start, part * size_of(scene));
@@ -128,7 +131,7 @@ TEST_P(Near, DistancesAreThoseOfExactArithmeticAndNoPairIsMissing) {
       if (i % (1 + pairs.size() / 300) == 0) check(pairs[i], scene);
     }
     std::uint64_t number = 0;
-    for_each_pair(scene.mesh(), {}, [&](PairKind kind, const PairVertices& v) {
+    lab::for_each_pair(scene.mesh(), {}, [&](PairKind kind, const PairVertices& v) {
       if (++number % 7 != 0) return;
       const PairPoints points = points_of({scene.start, scene.start}, v);
       const double exact = exact_distance(kind, points).distance, tolerance = 0x1p-41 * size_of(points, kind);
@@ -142,16 +145,16 @@ TEST_P(Near, DistancesAreThoseOfExactArithmeticAndNoPairIsMissing) {
 TEST_P(Near, ThreadsAndInstructionSetsChangeNoBit) {
   const Scene scene = GetParam().make(GetParam().scales ? 2000 : 200, 77);
   const double distance = 0.02 * size_of(scene);
-  Options options;
+  lab::Options options;
   options.threads = 1;
   options.isa = Isa::baseline;
-  const auto one = Detector(scene.mesh(), options).near(scene.start, distance);
+  const auto one = lab::make_detector(scene.mesh(), options).near(scene.start, distance);
   for (const Isa isa : {Isa::baseline, Isa::avx2, Isa::avx512})
     for (const int threads : {1, 3}) {
       options.isa = isa;
       options.threads = threads;
       try {
-        Detector detector(scene.mesh(), options);
+        Detector detector = lab::make_detector(scene.mesh(), options);
         detector.contacts(scene.step());  // another question before: nothing may depend on it
         expect_same(detector.near(scene.start, distance), one);
       } catch (const InvalidOptions&) {  // this machine has no such instructions
@@ -171,11 +174,11 @@ struct Particles {
 // Bug: loose points and rods only meet faces.
 TEST(NearLoosePoints, MeetLooseEdgesAndEachOther) {
   const Particles scene;
-  Options options;
+  lab::Options options;
   options.thickness = {0.25, 0.5};
   options.filter.group_of_vertex = {0, 0, 0, 1, 1, 0, 0};
   options.filter.group_count = 2;
-  Detector detector(scene.mesh, options);
+  Detector detector = lab::make_detector(scene.mesh, options);
   // vf: point 5 lies 1 above the face; ve: point 6 lies 1 below the rod; vv: the points are 3.02 apart.
   const auto& pairs = detector.near(scene.at, 0.5);
   ASSERT_EQ(pairs.size(), 2u);

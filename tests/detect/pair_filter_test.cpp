@@ -6,6 +6,7 @@
 #include <limits>
 #include <vector>
 
+#include "lab/detector.hpp"
 #include "support/contact_sets.hpp"
 #include "support/test_names.hpp"
 #include "tamis/detector.hpp"
@@ -29,7 +30,7 @@ PairSet kept(const Scene& scene, const PairSet& all, const Keeps& keeps) {
 class PairFilters : public testing::TestWithParam<Method> {
  protected:
   PairSet find(const Scene& scene, const PairFilter& filter) const {
-    Options options;
+    lab::Options options;
     options.method = GetParam();
     options.filter = filter;
     return find_names(scene, options);
@@ -79,17 +80,17 @@ TEST_P(PairFilters, AQuestionThatACallbackInterruptsLeavesNothingBehind) {
   struct Interrupted {};
   for (const Scene& scene : scenes_of_objects()) {
     std::atomic<int> calls = 0, last_call = std::numeric_limits<int>::max();
-    Options options;
+    lab::Options options;
     options.method = GetParam();
     options.filter.accepts = [&](PairKind, const std::array<Index, 4>&) {
       if (++calls > last_call) throw Interrupted();
       return true;
     };
-    const PairSet expected = names_of(Detector(scene.mesh(), options).contacts(scene.step()));
+    const PairSet expected = names_of(lab::make_detector(scene.mesh(), options).contacts(scene.step()));
     const int all_calls = calls;
     ASSERT_GT(all_calls, 0) << scene.name;
     for (const int interrupted : {0, all_calls / 2, all_calls - 1}) {
-      Detector detector(scene.mesh(), options);
+      Detector detector = lab::make_detector(scene.mesh(), options);
       calls = 0;
       last_call = interrupted;
       EXPECT_THROW(detector.contacts(scene.step()), Interrupted) << scene.name;
@@ -105,9 +106,9 @@ TEST_P(PairFilters, AQuestionThatACallbackInterruptsLeavesNothingBehind) {
 TEST(PairFilterBlocks, WholeBlocksAreLeftOut) {
   const Scene scene = scenes::scene_by_name("touching-spheres", 20000, 1);
   const auto nodes_of = [&](const PairFilter& filter) {
-    Options options;
+    lab::Options options;
     options.filter = filter;
-    Detector detector(scene.mesh(), options);
+    Detector detector = lab::make_detector(scene.mesh(), options);
     std::vector<std::uint64_t> nodes;
     detector.contacts(scene.step());
     nodes.push_back(detector.statistics().nodes_visited);

@@ -4,7 +4,8 @@
 
 #include <cmath>
 
-#include "engines/pair_rules.hpp"
+#include "lab/detector.hpp"
+#include "lab/pairs.hpp"
 #include "scenes/random.hpp"
 #include "support/contact_sets.hpp"
 #include "tamis/detector.hpp"
@@ -42,14 +43,14 @@ TEST(CurvesInThePlane, MeetExactlyWhereTheOracleSaysSo) {
   for (std::uint64_t seed = 0; seed < 8; ++seed) {
     const Scene scene = curves(seed);
     PairSet truth;
-    for_each_pair(scene.mesh(), {}, [&](PairKind kind, const PairVertices& v) {
+    lab::for_each_pair(scene.mesh(), {}, [&](PairKind kind, const PairVertices& v) {
       if (oracle::touches(kind, motion_of(scene, v))) truth.insert({kind, v});
     });
     EXPECT_FALSE(truth.empty());
     for (const Method method : kMethods) {
-      Options options;
+      lab::Options options;
       options.method = method;
-      Detector detector(scene.mesh(), options);
+      Detector detector = lab::make_detector(scene.mesh(), options);
       const std::vector<Contact> contacts = detector.contacts(scene.step());
       EXPECT_EQ(certified_names_of(contacts), truth) << name_of(method) << ", seed " << seed;
       EXPECT_EQ(contacts.size(), truth.size());
@@ -63,7 +64,7 @@ TEST(CurvesInThePlane, ArePartedByNormalsThatLieInIt) {
   for (std::uint64_t seed = 0; seed < 8; ++seed)
     for (const double separation : {0.0, 0.25}) {
       const Scene scene = curves(seed);
-      Options options;
+      lab::Options options;
       options.min_separation = separation;
       for (const Contact& c : find_contacts(scene, options)) {
         if (c.toi_lower == 0) continue;  // edges may cross each other there

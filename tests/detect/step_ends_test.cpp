@@ -1,6 +1,7 @@
 // The ends of the step: what touches at t=0 or t=1 exactly is a contact, what would touch just outside is none.
 #include <gtest/gtest.h>
 
+#include "lab/detector.hpp"
 #include "support/contact_sets.hpp"
 #include "support/test_names.hpp"
 
@@ -21,7 +22,7 @@ Scene falling_point(double from, double to) {
 class StepEnds : public testing::TestWithParam<Method> {
  protected:
   std::vector<Contact> contacts(const Scene& scene) const {
-    Options options;
+    lab::Options options;
     options.method = GetParam();
     return find_contacts(scene, options);
   }

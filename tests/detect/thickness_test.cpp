@@ -4,7 +4,8 @@
 
 #include <cmath>
 
-#include "engines/pair_rules.hpp"
+#include "lab/detector.hpp"
+#include "lab/pairs.hpp"
 #include "support/contact_sets.hpp"
 #include "support/test_names.hpp"
 #include "tamis/detector.hpp"
@@ -22,8 +23,8 @@ double size_of(const Scene& scene) {
 }
 
 /// Three groups that cut through the scene's objects, so that features join them.
-Options thick(const Scene& scene, const std::vector<double>& radii, Method method) {
-  Options options;
+lab::Options thick(const Scene& scene, const std::vector<double>& radii, Method method) {
+  lab::Options options;
   options.method = method;
   options.thickness = radii;
   options.filter.group_count = 3;
@@ -32,7 +33,7 @@ Options thick(const Scene& scene, const std::vector<double>& radii, Method metho
 }
 
 /// By its own lines: the largest radius of each feature's vertices.
-double separation_of(const Options& options, double fixed, PairKind kind, const PairVertices& v) {
+double separation_of(const lab::Options& options, double fixed, PairKind kind, const PairVertices& v) {
   const auto radius = [&](std::size_t i) {
     if (v[i] < 0) return 0.0;  // loose features have fewer vertices
     return options.thickness[static_cast<std::size_t>(options.filter.group_of_vertex[static_cast<std::size_t>(v[i])])];
@@ -48,17 +49,17 @@ TEST_P(Thickness, EveryMethodFindsThePairsWithinBothRadii) {
   const Scene scene = GetParam().make(20, 3);
   const double size = size_of(scene), fixed = 0.01 * size;
   const std::vector<double> radii{0, 0.02 * size, 0.2 * size};
-  const Options brute = thick(scene, radii, Method::brute);
+  const lab::Options brute = thick(scene, radii, Method::brute);
   PairSet truth;
   const PairFilter some = some_pairs(scene, 300);
-  for_each_pair(scene.mesh(), some, [&](PairKind kind, const PairVertices& v) {
+  lab::for_each_pair(scene.mesh(), some, [&](PairKind kind, const PairVertices& v) {
     if (oracle::comes_within(kind, motion_of(scene, v), separation_of(brute, fixed, kind, v))) truth.insert({kind, v});
   });
   for (const Method method : kMethods) {
     SCOPED_TRACE(scene.name + " by " + std::string(name_of(method)));
-    Options options = thick(scene, radii, method);
+    lab::Options options = thick(scene, radii, method);
     options.filter.accepts = some.accepts;
-    Detector detector(scene.mesh(), options);
+    Detector detector = lab::make_detector(scene.mesh(), options);
     const auto contacts = detector.contacts(scene.step(), fixed);
     EXPECT_EQ(missing(truth, names_of(contacts)), "") << "missed";
     EXPECT_EQ(missing(names_of(contacts), truth), "") << "a contact, but farther apart";
@@ -79,7 +80,8 @@ TEST_P(Thickness, StepLengthsOfAllMethodsAreTheSameBits) {
   const std::vector<double> radii{0x1p-11 * size, 0, 0x1p-9 * size};
   for (const double fraction : {0.0, 0.3}) {
     const auto keep = [&](Method method) {
-      return Detector(scene.mesh(), thick(scene, radii, method)).keep_distance(scene.step(), fraction, 0x1p-14 * size);
+      return lab::make_detector(scene.mesh(), thick(scene, radii, method))
+          .keep_distance(scene.step(), fraction, 0x1p-14 * size);
     };
     const SafeStep truth = keep(Method::brute);
     for (const Method method : {Method::tamis, Method::paper}) {
@@ -94,12 +96,12 @@ TEST_P(Thickness, AQuestionsOwnSeparationAnswersAsADetectorsDoes) {
   const Scene scene = GetParam().make(60, 4);
   const double size = size_of(scene);
   for (const Method method : kMethods) {
-    Options options;
+    lab::Options options;
     options.method = method;
-    Detector one(scene.mesh(), options);
+    Detector one = lab::make_detector(scene.mesh(), options);
     for (const double separation : {0.1 * size, 0.0, 0.003 * size}) {
       options.min_separation = separation;
-      Detector own(scene.mesh(), options);
+      Detector own = lab::make_detector(scene.mesh(), options);
       const auto& asked = one.contacts(scene.step(), separation);
       const auto& expected = own.contacts(scene.step());
       ASSERT_EQ(asked.size(), expected.size()) << separation << " " << name_of(method);
@@ -122,7 +124,7 @@ INSTANTIATE_TEST_SUITE_P(Scenes, Thickness, testing::ValuesIn(scenes::recipes().
 TEST(ThicknessInLanes, EveryInstructionSetGivesTheSameContacts) {
   const Scene scene = scenes::scene_by_name("folded-cloth", 1500, 6);
   const double size = size_of(scene);
-  Options options = thick(scene, {0.001 * size, 0, 0.004 * size}, Method::tamis);
+  lab::Options options = thick(scene, {0.001 * size, 0, 0.004 * size}, Method::tamis);
   options.isa = Isa::baseline;
   const auto expected = find_contacts(scene, options);
   EXPECT_GT(expected.size(), 100u);
@@ -144,7 +146,7 @@ TEST(ThicknessThatDoesNotFit, IsRefusedByName) {
   const Scene scene = scenes::scene_by_name("soup", 5, 1);
   const auto message_of = [&](const std::vector<double>& thickness) -> std::string {
     try {
-      Detector(scene.mesh(), thick(scene, thickness, Method::tamis));
+      lab::make_detector(scene.mesh(), thick(scene, thickness, Method::tamis));
     } catch (const InvalidOptions& error) {
       return error.what();
     }

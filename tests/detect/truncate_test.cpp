@@ -7,7 +7,8 @@
 #include <cmath>
 #include <limits>
 
-#include "engines/pair_rules.hpp"
+#include "lab/detector.hpp"
+#include "lab/pairs.hpp"
 #include "support/contact_sets.hpp"
 #include "support/test_names.hpp"
 #include "tamis/detector.hpp"
@@ -39,7 +40,7 @@ double size_of(const std::vector<Point>& points, const PairVertices& vertices) {
 void expect_kept(const Scene& scene, const std::vector<Point>& to, double fraction, double separation) {
   std::vector<std::vector<Point>> ways;
   for (const double t : {0.0, 0.25, 0.5, 0.75, 1.0}) ways.push_back(at_time(scene.start, to, t));
-  for_each_pair(scene.mesh(), {}, [&](PairKind kind, const PairVertices& v) {
+  lab::for_each_pair(scene.mesh(), {}, [&](PairKind kind, const PairVertices& v) {
     const double before = distance_of({kind, v}, scene.start).distance;
     const double rounding = 0x1p-48 * std::max(size_of(scene.start, v), size_of(to, v));
     const bool starts_apart = before > separation;
@@ -50,8 +51,8 @@ void expect_kept(const Scene& scene, const std::vector<Point>& to, double fracti
   });
 }
 
-Options with(Method method, double separation) {
-  Options options;
+lab::Options with(Method method, double separation) {
+  lab::Options options;
   options.method = method;
   options.min_separation = separation;
   return options;
@@ -67,7 +68,7 @@ TEST_P(TruncateScene, EveryPairKeepsTheFractionOfItsDistance) {
       for (const double fraction : {0x1p-20, 0.1, 0.5, 0.9}) {
         const Scene scene = GetParam().make(40 + 60 * static_cast<Index>(seed), 15 + seed);
         SCOPED_TRACE(scene.name + ", seed " + std::to_string(seed) + ", fraction " + std::to_string(fraction));
-        Detector detector(scene.mesh(), with(Method::tamis, separation));
+        Detector detector = lab::make_detector(scene.mesh(), with(Method::tamis, separation));
         const TruncatedStep to = detector.truncate(scene.step(), fraction);
         expect_kept(scene, to.positions, fraction, separation);
         EXPECT_EQ(to.is_free, detector.is_free({scene.start, scene.start}));
@@ -83,9 +84,9 @@ TEST_P(TruncateScene, EveryPairKeepsTheFractionOfItsDistance) {
 
 TEST_P(TruncateScene, MethodsAgreeAndPartsSayWherePositionsAre) {
   const Scene scene = GetParam().make(60, 5);
-  const TruncatedStep to = Detector(scene.mesh(), with(Method::tamis, 0)).truncate(scene.step());
+  const TruncatedStep to = lab::make_detector(scene.mesh(), with(Method::tamis, 0)).truncate(scene.step());
   for (const Method method : {Method::brute, Method::paper}) {
-    const TruncatedStep other = Detector(scene.mesh(), with(method, 0)).truncate(scene.step());
+    const TruncatedStep other = lab::make_detector(scene.mesh(), with(method, 0)).truncate(scene.step());
     EXPECT_EQ(other.positions, to.positions) << name_of(method);
     EXPECT_EQ(other.parts, to.parts);
     EXPECT_EQ(other.is_free, to.is_free);
@@ -158,7 +159,7 @@ TEST(Truncate, LeavesRoomForRoundingHoweverLittleThereIs) {
           const double surface = far / 3;  // no round number
           const double ulp = std::nextafter(surface + separation, HUGE_VAL) - (surface + separation);
           Scene scene = two_falls(separation + ulps * ulp, 0.7, {far, -far, surface}, size);
-          Detector detector(scene.mesh(), with(Method::tamis, separation));
+          Detector detector = lab::make_detector(scene.mesh(), with(Method::tamis, separation));
           if (!detector.is_free({scene.start, scene.start})) continue;  // rounded together
           const TruncatedStep to = detector.truncate(scene.step());
           SCOPED_TRACE(testing::Message() << ulps << " ulps above, at " << far << ", separation " << separation);
@@ -190,13 +191,13 @@ TEST(Truncate, AVertexDoesNotPassAFaceThatIsFast) {
 // Bug, once: nothing moved at all, and nine searches found the same contact.
 TEST(Truncate, WhatTouchesAtTheStartStaysAndIsAskedAboutOnce) {
   const Scene scene = two_falls(0, 1);
-  Options options;
+  lab::Options options;
   std::atomic<int> asked = 0;
   options.filter.accepts = [&](PairKind kind, const std::array<Index, 4>& v) {
     asked += kind == PairKind::vertex_face && v[0] == 3 && v[1] == 0;
     return true;
   };
-  Detector detector(scene.mesh(), options);
+  Detector detector = lab::make_detector(scene.mesh(), options);
   const TruncatedStep to = detector.truncate(scene.step());
   EXPECT_FALSE(to.is_free);
   EXPECT_EQ(to.positions[3], scene.start[3]);
@@ -210,7 +211,7 @@ TEST(Truncate, WhatStartsWithinTheSeparationMayLeaveButNotComeNearer) {
   constexpr double kSeparation = 0x1p-4;
   for (const double fall : {-0.05, 1.0}) {
     const Scene scene = two_falls(0.5 * kSeparation, fall);
-    const TruncatedStep to = Detector(scene.mesh(), with(Method::tamis, kSeparation)).truncate(scene.step());
+    const TruncatedStep to = lab::make_detector(scene.mesh(), with(Method::tamis, kSeparation)).truncate(scene.step());
     EXPECT_FALSE(to.is_free);
     expect_kept(scene, to.positions, 0.1, kSeparation);
     EXPECT_EQ(to.positions[7], scene.end[7]);

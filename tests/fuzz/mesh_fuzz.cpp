@@ -8,9 +8,12 @@
 
 #include "fuzz/moving_points.hpp"
 #include "fuzz/require.hpp"
+#include "lab/detector.hpp"
 #include "tamis/tamis.hpp"
 
 namespace tamis::fuzz {
+
+using lab::Method;
 namespace {
 
 struct MovingMesh {
@@ -66,8 +69,8 @@ std::string text_of(const MovingMesh& m) {
   return out.str();
 }
 
-Options options_of(Method method, double separation) {
-  Options options;
+lab::Options options_of(Method method, double separation) {
+  lab::Options options;
   options.method = method;
   options.min_separation = separation;
   options.threads = 1;
@@ -84,10 +87,10 @@ void check_questions(const MovingMesh& m, Detector& detector, const Names& names
 }
 
 void check(const MovingMesh& m, double separation) {
-  Detector brute(m.mesh, options_of(Method::brute, separation));
+  Detector brute = lab::make_detector(m.mesh, options_of(Method::brute, separation));
   const Names expected = names_of(brute.contacts(m.step()));
   for (const Method method : {Method::tamis, Method::paper}) {
-    Detector detector(m.mesh, options_of(method, separation));
+    Detector detector = lab::make_detector(m.mesh, options_of(method, separation));
     const Names found = names_of(detector.contacts(m.step()));
     require(found == expected, "the methods differ", [&] {
       return text_of(m) + "brute:\n" + text_of(expected) + std::string(name_of(method)) + ":\n" + text_of(found);
@@ -104,8 +107,8 @@ bool are_same(const SafeStep& a, const SafeStep& b) {
 
 void check_step_lengths(const MovingMesh& m, double fraction, double separation) {
   const auto options = [&](Method method) { return options_of(method, separation); };
-  const SafeStep truth = Detector(m.mesh, options(Method::brute)).keep_distance(m.step(), fraction);
-  Detector detector(m.mesh, options(Method::tamis));
+  const SafeStep truth = lab::make_detector(m.mesh, options(Method::brute)).keep_distance(m.step(), fraction);
+  Detector detector = lab::make_detector(m.mesh, options(Method::tamis));
   const SafeStep found = detector.keep_distance(m.step(), fraction);
   const auto describe = [&] { return text_of(m) + "fraction " + std::to_string(fraction); };
   require(are_same(found, truth), "step lengths differ", describe);

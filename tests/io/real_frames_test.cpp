@@ -5,7 +5,7 @@
 
 #include "io/file_bytes.hpp"
 #include "io/mesh/mesh_file.hpp"
-#include "io/queries/queries.hpp"
+#include "lab/queries/queries.hpp"
 #include "support/test_data.hpp"
 
 namespace tamis::io {
@@ -40,8 +40,9 @@ TEST_F(RealData, FramesHaveTheSizesTheirAuthorsGive) {
 
 TEST_F(RealData, EveryQueryIsReadAndHasItsAnswer) {
   std::size_t queries = 0;
-  for (const QueryFile& file : query_files({(data_ / "queries").string()}))
-    for (const Query& query : parse_queries(FileBytes(file.path).view(), file.kind.value(), file.path.string())) {
+  for (const lab::QueryFile& file : lab::query_files({(data_ / "queries").string()}))
+    for (const lab::Query& query :
+         lab::parse_queries(FileBytes(file.path).view(), file.kind.value(), file.path.string())) {
       EXPECT_TRUE(query.touches.has_value());
       ++queries;
     }

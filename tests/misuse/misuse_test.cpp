@@ -14,7 +14,6 @@ template <class Struct, class Field>
 void add_field(std::vector<Wrong<Struct>>& found, const std::string& name, Field Struct::*field) {
   for (auto& [what, value] : wrong_values(Type<Field>())) {
     Struct options;
-    if constexpr (std::is_same_v<Struct, Options>) options.method = Method::paper;  // which looks at all of them
     options.*field = value;
     found.push_back({name + " " + what, options});
   }

@@ -143,7 +143,6 @@ TEST_F(MpiCommand, ErrorsAreOneSentenceOfOneRank) {
        {std::pair{"contacts above.obj none.obj", "none.obj"},
         std::pair{"contacts above.obj below.obj --out no/such/folder.csv", "no/such/folder.csv"},
         std::pair{"contacts above.obj below.obj --out page.html", "let the name end in .csv"},
-        std::pair{"contacts above.obj below.obj --method paper", "use tamis"},
         std::pair{"contact above.obj below.obj", "no verb is called 'contact'"}}) {
     const Outcome many = folder_.run_ranks(3, arguments);
     EXPECT_EQ(many.code, 2) << arguments;

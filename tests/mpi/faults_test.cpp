@@ -85,11 +85,6 @@ TEST_F(Faults, OptionsThatNoDetectorTakes) {
   expect_on_all<InvalidOptions>(name_of_last() + "threads is -1", [&] { detector(); });
 }
 
-TEST_F(Faults, TheLaboratorysMethod) {
-  options_.method = Method::paper;
-  expect_on_all<InvalidOptions>("use tamis", [&] { detector(); });
-}
-
 TEST_F(Faults, NoFeatureOnAnyRank) {
   part_.mesh = {};
   expect_on_all<InvalidMesh>("on any rank", [&] { detector(); });

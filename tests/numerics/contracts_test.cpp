@@ -7,7 +7,6 @@
 #include "exact/exact_distance.hpp"
 #include "exact/integer_polynomial.hpp"
 #include "exact/root_isolation.hpp"
-#include "filters/contour_test.hpp"
 #include "motion/pair_kinds.hpp"
 #include "narrow/decide.hpp"
 #include "narrow/kept_distance.hpp"
@@ -63,12 +62,6 @@ TEST_F(Contracts, FractionsAndMagnitudes) {
 }
 
 TEST_F(Contracts, ScaledToWhatIsNoInteger) { EXPECT_DEATH(scaled_to_integer(0.5, 0), "lowest_exponent"); }
-
-TEST_F(Contracts, ContourOfTwoPoints) {
-  const Moving<double> points[2] = {};
-  ProjectedContour contour;
-  EXPECT_DEATH(contour.project(points, {0, 0, 1}), "loop.size");
-}
 
 TEST_F(Contracts, KindsThatThereAreNot) {
   EXPECT_DEATH(with_kind(kNone, [](auto) {}), "is_kind");

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lab/detector.hpp"
 #include "paths/turning_pairs.hpp"
 #include "scenes/shapes.hpp"
 #include "support/contact_sets.hpp"
@@ -31,15 +32,15 @@ struct Bodies {
     for (const Face& f : shape.faces) faces.push_back({first + f[0], first + f[1], first + f[2]});
   }
   Mesh mesh() const { return {static_cast<Index>(rest.size()), faces}; }
-  Options options() const {
-    Options options;
+  lab::Options options() const {
+    lab::Options options;
     options.filter = PairFilter::no_self_contact(body);
     return options;
   }
 };
 
 /// Every pair of the mesh by itself.
-std::vector<Contact> one_by_one(const Mesh& mesh, const Options& options, const Path& path) {
+std::vector<Contact> one_by_one(const Mesh& mesh, const lab::Options& options, const Path& path) {
   std::vector<Contact> contacts;
   const auto ask = [&](PairKind kind, const std::array<Index, 4>& v, const PairResult& r) {
     if (r.touches) contacts.push_back({kind, r.certainty, v, r.toi_lower, r.toi_upper, r.u, r.v, r.normal});
@@ -65,7 +66,7 @@ std::vector<Contact> one_by_one(const Mesh& mesh, const Options& options, const 
 }
 
 void expect_as_one_by_one(const Bodies& bodies, const Path& path, double separation = 0) {
-  Options options = bodies.options();
+  lab::Options options = bodies.options();
   options.min_separation = separation;
   const std::vector<Contact> truth = one_by_one(bodies.mesh(), options, path);
   double first = 1;
@@ -74,7 +75,7 @@ void expect_as_one_by_one(const Bodies& bodies, const Path& path, double separat
     for (const int threads : {1, 3}) {
       options.method = method;
       options.threads = threads;
-      Detector detector(bodies.mesh(), options);
+      Detector detector = lab::make_detector(bodies.mesh(), options);
       const std::vector<Contact> contacts = detector.contacts(path);
       EXPECT_EQ(missing(names_of(truth), names_of(contacts)), "");
       EXPECT_EQ(missing(names_of(contacts), names_of(truth)), "");
@@ -155,7 +156,7 @@ TEST(MeshOnPath, ABoltTurnsInItsThreadAndJamsWithoutThePitch) {
   const auto screwed = [&](double turns, double way) {
     return RigidPath(bodies.rest, bodies.body, {turned({}, {0, 0, 2 * kPi * turns}, {0, 0, way}), Chain{}});
   };
-  Detector detector(bodies.mesh(), bodies.options());
+  Detector detector = lab::make_detector(bodies.mesh(), bodies.options());
   EXPECT_TRUE(detector.is_free(screwed(1.5, 1.5)));
   const EarliestContact jammed = detector.earliest(screwed(1.5, 0));
   ASSERT_TRUE(jammed.contact);
@@ -179,7 +180,7 @@ TEST(MeshOnPath, AnArmOfTwoLinksReachesWhereItShould) {
   const auto with_ball_at = [&](const Point& place) {
     return RigidPath(bodies.rest, bodies.body, {arm, Chain{{{place, {0, 0, 0}}, {place, {0, 0, 0}}}}});
   };
-  Detector detector(bodies.mesh(), bodies.options());
+  Detector detector = lab::make_detector(bodies.mesh(), bodies.options());
   const EarliestContact hit = detector.earliest(with_ball_at({0, 2.2, 0}));
   ASSERT_TRUE(hit.contact);
   EXPECT_GT(hit.toi_lower, 0.5);
@@ -208,7 +209,7 @@ struct LyingPath final : Path {
 TEST(MeshOnPath, BadPathsAreNamed) {
   Bodies bodies;
   bodies.add(scenes::unit_sphere(1));
-  Detector detector(bodies.mesh(), bodies.options());
+  Detector detector = lab::make_detector(bodies.mesh(), bodies.options());
   const RigidPath fewer({{0, 0, 0}}, {0}, {Chain{}});
   EXPECT_THROW(detector.contacts(fewer), InvalidPath);
   const RigidPath still(bodies.rest, bodies.body, {Chain{}});

@@ -87,8 +87,9 @@ TEST(ReducedSheet, IsWhereItsCoordinatesSay) {
     EXPECT_NEAR(squares, 0.7 * 0.7, 1e-12);
     for (Index v = 0; v < r.scene.vertex_count(); ++v)
       for (Index axis = 0; axis < 3; ++axis) {
-        double x = r.model->rest[static_cast<std::size_t>(v)][static_cast<std::size_t>(axis)];
-        for (Index k = 0; k < r.model->modes; ++k) x += r.model->row(v, axis)[k] * q[static_cast<std::size_t>(k)];
+        double x = r.rest[static_cast<std::size_t>(v)][static_cast<std::size_t>(axis)];
+        const auto row = static_cast<std::size_t>(3 * v + axis) * q.size();
+        for (std::size_t k = 0; k < q.size(); ++k) x += r.basis[row + k] * q[k];
         EXPECT_NEAR(points[static_cast<std::size_t>(v)][static_cast<std::size_t>(axis)], x, 1e-12);
       }
   }

@@ -5,6 +5,7 @@
 
 #include <filesystem>
 
+#include "lab/detector.hpp"
 #include "scenes/simulation/simulator.hpp"
 #include "simulation/intersection.hpp"
 #include "tamis/error.hpp"
@@ -73,10 +74,10 @@ TEST_P(EveryScene, MovesOnAPathThatAnotherMethodProvesFree) {
   const int parts = model.substeps;
   model.frame_time /= parts;
   model.substeps = 1;
-  Options options;
-  options.method = Method::paper;
+  lab::Options options;
+  options.method = lab::Method::paper;
   options.filter = model.pair_filter();
-  Detector detector(model.mesh(), options);
+  Detector detector = lab::make_detector(model.mesh(), options);
   Simulator simulator(std::move(model));
   std::vector<Point> before = mesh_positions(simulator);
   for (int step = 0; step < 4 * parts; ++step) {

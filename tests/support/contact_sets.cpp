@@ -4,8 +4,7 @@
 #include <iterator>
 #include <sstream>
 
-#include "engines/pair_rules.hpp"
-#include "tamis/detector.hpp"
+#include "lab/pairs.hpp"
 
 namespace tamis::test {
 
@@ -24,15 +23,15 @@ PairSet certified_names_of(const std::vector<Contact>& contacts) {
   return names;
 }
 
-std::vector<Contact> find_contacts(const Scene& scene, const Options& options) {
-  return Detector(scene.mesh(), options).contacts(scene.step());
+std::vector<Contact> find_contacts(const Scene& scene, const lab::Options& options) {
+  return lab::make_detector(scene.mesh(), options).contacts(scene.step());
 }
 
-PairSet find_names(const Scene& scene, const Options& options) { return names_of(find_contacts(scene, options)); }
+PairSet find_names(const Scene& scene, const lab::Options& options) { return names_of(find_contacts(scene, options)); }
 
 PairFilter some_pairs(const Scene& scene, std::uint64_t count) {
   std::uint64_t all = 0;
-  for_each_pair(scene.mesh(), {}, [&](PairKind, const PairVertices&) { ++all; });
+  lab::for_each_pair(scene.mesh(), {}, [&](PairKind, const PairVertices&) { ++all; });
   PairFilter filter;
   filter.accepts = [stride = 1 + all / count](PairKind, const PairVertices& v) {
     std::uint64_t hash = 0;

@@ -5,12 +5,14 @@
 #include <string>
 #include <vector>
 
+#include "lab/detector.hpp"
 #include "oracle/oracle.hpp"
 #include "scenes/scene.hpp"
 #include "tamis/contact.hpp"
-#include "tamis/options.hpp"
 
 namespace tamis::test {
+
+using lab::Method;
 
 /// Which pair of features: comparing these compares sets of contacts, whatever order or number of times they come in.
 struct PairName {
@@ -27,8 +29,8 @@ PairSet certified_names_of(const std::vector<Contact>& contacts);
 inline constexpr std::array kMethods{Method::brute, Method::tamis, Method::paper};
 
 /// All contacts of the scene by a new detector.
-std::vector<Contact> find_contacts(const scenes::Scene& scene, const Options& options);
-PairSet find_names(const scenes::Scene& scene, const Options& options);
+std::vector<Contact> find_contacts(const scenes::Scene& scene, const lab::Options& options);
+PairSet find_names(const scenes::Scene& scene, const lab::Options& options);
 
 /// The truth: from the scene's own lists of faces and edges, by the oracle.
 PairSet oracle_contacts(const scenes::Scene& scene);

@@ -4,17 +4,18 @@
 
 #include <string>
 
+#include "lab/detector.hpp"
 #include "scenes/scene.hpp"
 #include "tamis/detector.hpp"
 
 namespace tamis::test {
 
-inline SafeStep keep(const scenes::Scene& scene, double fraction, const Options& options = {}) {
-  return Detector(scene.mesh(), options).keep_distance(scene.step(), fraction);
+inline SafeStep keep(const scenes::Scene& scene, double fraction, const lab::Options& options = {}) {
+  return lab::make_detector(scene.mesh(), options).keep_distance(scene.step(), fraction);
 }
 
-inline Options with(Method method, double min_separation = 0) {
-  Options options;
+inline lab::Options with(lab::Method method, double min_separation = 0) {
+  lab::Options options;
   options.method = method;
   options.min_separation = min_separation;
   return options;

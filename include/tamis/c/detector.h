@@ -13,9 +13,7 @@ typedef struct tamis_detector tamis_detector;
 /** All zero but `size` are the defaults. */
 typedef struct tamis_options {
   size_t size;
-  const char* method; /**< as the command's --method: "tamis", "paper", "brute", "paper-sat", ...; NULL: tamis */
-  const char* isa;    /**< "best", "baseline", "avx2", "avx512"; NULL: best. Speed only */
-  const char* bounding_volume;     /**< of method paper: "16-dop", "aabb", ...; NULL: 16-dop */
+  const char* isa;                 /**< "best", "baseline", "avx2", "avx512"; NULL: best. Speed only */
   int32_t threads;                 /**< 0: as many as the caller's oneTBB arena gives. Speed only */
   double min_separation;           /**< d >= 0: contact means Euclidean distance <= d */
   const int32_t* group_of_vertex;  /**< one a vertex of the mesh, in [0, group_count), or -1 if no feature has it; NULL:

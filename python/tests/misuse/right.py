@@ -87,10 +87,6 @@ def use(thing: Any) -> None:
     elif isinstance(thing, tamis.FunctionPath):
         tamis.Detector(_MESH, threads=1).contacts(thing)
         thing.points_at(0.5)
-    elif isinstance(thing, tamis.ReducedModel):
-        use(tamis.PaperOptions(high_level="subspace", reduced_model=thing))
-    elif isinstance(thing, tamis.PaperOptions):
-        use(tamis.Detector(_MESH, threads=1, method="paper", paper=thing))
     elif isinstance(thing, ipctk.CollisionMesh):
         ipctk.is_step_collision_free(thing, START, END)
 

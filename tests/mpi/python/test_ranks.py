@@ -164,7 +164,7 @@ WRONG: list[tuple[type[Exception], str, Ask]] = [
     (tamis.InvalidOptions, "root is None", lambda d, p: d.gather_contacts(or_bad(0, None))),
     (_MESH, "faces has the shape", lambda d, p: distributed.Detector(COMM, or_bad([], [[1]]), [])),
     (_MESH, "names vertex -7", lambda d, p: distributed.Detector(COMM, or_bad([], [[0, 1, -7]]), [])),
-    (_OPTIONS, "no method is called", lambda d, p: p.detector(method=or_bad("tamis", "other"))),
+    (_OPTIONS, "no instruction set is called", lambda d, p: p.detector(isa=or_bad("best", "other"))),
     (_OPTIONS, "threads is -1", lambda d, p: distributed.Detector(COMM, p.faces, p.vertices, threads=or_bad(1, -1))),
     (_OPTIONS, "of the dtype <U1", lambda d, p: p.detector(groups=or_bad(p.groups, ["a"]))),
 ]
@@ -236,7 +236,7 @@ def test_results_do_not_change_and_detectors_come_and_go(cloth: Part) -> None:
 
 
 def test_what_is_said_of_it(cloth: Part) -> None:
-    assert repr(cloth.detector()).startswith(f"Detector(rank {RANK} of {SIZE}, method='tamis'")
+    assert repr(cloth.detector()).startswith(f"Detector(rank {RANK} of {SIZE}, min_separation=")
     for thing in (distributed.Detector, distributed.Statistics, distributed.Balance):
         assert thing.__doc__ and len(thing.__doc__) > 20
     with pytest.raises(tamis.Error, match="of many ranks"):

@@ -24,7 +24,6 @@ export interface StepHeader {
 export interface SceneHeader {
   names: string[];
   scale: number;
-  method: string;
   min_separation: number;
   kinds: PairKind[];
   steps: StepHeader[];

@@ -1,0 +1,10 @@
+// The yardstick: every pair.
+#pragma once
+#include "engines/engine.hpp"
+
+namespace tamis::lab {
+
+/// Keeps references: mesh and options must outlive it.
+std::unique_ptr<Engine> make_brute_engine(const Mesh& mesh, const tamis::Options& options);
+
+}  // namespace tamis::lab

@@ -1,0 +1,200 @@
+// The published pipeline (Du, Tang, Tong 2012): a binary hierarchy of swept k-DOPs over triangles, refitted every step;
+// triangle pairs without a common vertex, orphan sets for the rest; representative triangles; filters; interval Newton.
+#include "lab/paper/engine.hpp"
+
+#include <tbb/blocked_range.h>
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/parallel_for.h>
+#include <tbb/parallel_for_each.h>
+
+#include <algorithm>
+#include <tuple>
+
+#include "engines/stopwatch.hpp"
+#include "lab/contacts_engine.hpp"
+#include "lab/paper/hierarchy.hpp"
+#include "lab/paper/patch_culling.hpp"
+#include "lab/paper/tester.hpp"
+#include "lab/topology/orphan_sets.hpp"
+#include "lab/topology/surface.hpp"
+
+namespace tamis::lab {
+namespace {
+
+std::vector<FilterStage> stages_by_name(const std::vector<std::string>& names) {
+  std::vector<FilterStage> stages;
+  for (const std::string& name : names) stages.push_back(filter_stage_by_name(name));
+  return stages;
+}
+
+/// Without orphan sets the hierarchy's pairs of triangles with a common vertex matter, for which subspace certificates
+/// say nothing.
+HighLevelCulling high_level_of(const PaperOptions& paper) {
+  const bool needs_orphan_sets = paper.high_level == HighLevelCulling::subspace;
+  const bool may_cull = paper.orphan_sets || !needs_orphan_sets;
+  return may_cull ? paper.high_level : HighLevelCulling::none;
+}
+
+class PaperEngine final : public ContactsEngine {
+ public:
+  PaperEngine(const Mesh& mesh, const tamis::Options& options, const PaperOptions& paper, TriangleCounts* counts)
+      : ContactsEngine(mesh, options),
+        paper_(paper),
+        counts_(counts),
+        surface_(mesh),
+        scene_{options, paper_, surface_.mesh(), surface_.face_count(), {}, stages_by_name(paper.filters), {}, {}},
+        hierarchy_(make_paper_hierarchy(paper.bounding_volume)),
+        patches_(scene_.mesh, high_level_of(paper), paper_.reduced_model.get()),
+        testers_([this] { return PaperTester(scene_); }) {}
+
+  void find(FoundContacts& found, Statistics& statistics) override {
+    scene_.answer = &found;
+    update_bounds(statistics);
+    const Stopwatch watch;
+    for (PaperTester& tester : testers_) tester.begin();
+    std::visit([&](const auto& hierarchy) { visit_all(hierarchy.traversal(free_within()), found.question()); },
+               hierarchy_);
+    collect(found, statistics, watch.seconds());
+  }
+
+ private:
+  std::uint64_t memory_for_contacts() const override {
+    std::uint64_t bytes = patches_.memory_bytes() + scene_.points.memory_bytes() + scene_.boxes.memory_bytes() +
+                          scene_.triangles.capacity() * sizeof(TriangleFeatures) +
+                          std::visit([](const auto& h) { return h.memory_bytes(); }, hierarchy_);
+    for (const auto* pairs : {&orphans_.vf, &orphans_.ee}) bytes += pairs->capacity() * sizeof((*pairs)[0]);
+    for (const PaperTester& tester : testers_) bytes += tester.memory_bytes();
+    return bytes;
+  }
+
+  void update_bounds(Statistics& statistics) {
+    Stopwatch watch;
+    if (scene_.triangles.empty()) collect_topology();
+    scene_.points.update(scene_.mesh, scene_.answer->step());
+    // Each of two features takes half of the fixed separation and the largest radius there is; the factor covers its
+    // own rounding. Scaled first: half of the smallest double is zero.
+    const Separations& separations = scene_.answer->separations();
+    const double scale = scene_.points.scale();
+    const double padding = (0.5 * (separations.fixed * scale) + separations.largest_radius() * scale) * (1 + 0x1p-50);
+    scene_.boxes.update(scene_.mesh, scene_.points, padding);
+    statistics.seconds.bounds = watch.lap();
+    statistics.rebuilt = std::visit(
+        [&](auto& hierarchy) {
+          return hierarchy.update(scene_.mesh.faces(), scene_.points, padding, patches_.order());
+        },
+        hierarchy_);
+    if (!separations.any())
+      std::visit([&](auto& hierarchy) { patches_.update(hierarchy.tree(), scene_.points, scene_.answer->step()); },
+                 hierarchy_);
+    statistics.seconds.build = watch.lap();
+  }
+
+  /// That a patch does not touch itself says nothing of distances.
+  std::span<const std::uint8_t> free_within() const {
+    if (scene_.answer->separations().any()) return {};
+    return patches_.free_within();
+  }
+
+  void collect_topology() {
+    scene_.triangles = choose_representatives(scene_.mesh);
+    if (!paper_.orphan_sets) return;
+    OrphanSets sets = collect_orphan_sets(scene_.mesh, scene_.face_count);
+    orphans_ = std::move(sets.orphans);
+    if (!paper_.representative_triangles) return;
+    orphans_.vf.insert(orphans_.vf.end(), sets.displaced.vf.begin(), sets.displaced.vf.end());
+    orphans_.ee.insert(orphans_.ee.end(), sets.displaced.ee.begin(), sets.displaced.ee.end());
+  }
+
+  /// The hierarchy's pairs of triangles in parts, the orphans in chunks; a part ends with its blocks tested.
+  template <class Traversal>
+  void visit_all(const Traversal& traversal, Question question) {
+    const auto run = [&](const auto& work) {
+      PaperTester& tester = testers_.local();
+      if (!tester.found.wants(PairKind::vertex_face) && !tester.found.wants(PairKind::edge_edge)) return;
+      work(tester);
+      if (question != Question::all_contacts) tester.flush();
+    };
+    const auto parts = traversal.parts(kParts);
+    tbb::parallel_for_each(parts.begin(), parts.end(), [&](const SubtreePair& part) {
+      run([&](PaperTester& tester) {
+        traversal.visit(
+            part, [&](Index a, Index b) { tester.add_triangles(a, b); }, tester.counts.bounds_tested);
+      });
+    });
+    const auto in_chunks = [&](const auto& pairs, auto add) {
+      tbb::parallel_for(tbb::blocked_range<std::size_t>(0, pairs.size(), kChunk), [&](const auto& range) {
+        run([&](PaperTester& tester) {
+          for (std::size_t i = range.begin(); i < range.end(); ++i) add(tester, pairs[i]);
+        });
+      });
+    };
+    in_chunks(orphans_.vf, [](PaperTester& tester, const auto& pair) { tester.add_vertex_face(pair[0], pair[1]); });
+    in_chunks(orphans_.ee, [](PaperTester& tester, const auto& pair) { tester.add_edges(pair[0], pair[1]); });
+    tbb::parallel_for_each(testers_.begin(), testers_.end(), [](PaperTester& tester) { tester.flush(); });
+  }
+
+  void collect(FoundContacts& found, Statistics& statistics, double seconds) {
+    PaperCounts sum(scene_.stages);
+    for (PaperTester& tester : testers_) {
+      sum.add(tester.counts);
+      found.take(tester.found);
+    }
+    if (found.question() == Question::all_contacts && !paper_.representative_triangles)
+      drop_duplicates(found.contacts());
+    statistics.stages.push_back(sum.boxes);
+    statistics.stages.insert(statistics.stages.end(), sum.filters.begin(), sum.filters.end());
+    statistics.stages.push_back(sum.newton);
+    statistics.stages.push_back(sum.decide);
+    statistics.decided_by = sum.decided_by;
+    statistics.nodes_visited = sum.bounds_tested;
+    if (counts_) *counts_ = {sum.triangle_pairs, free_within().empty() ? 0 : patches_.triangles_in_free_patches()};
+    share_out(sum, seconds, statistics);
+  }
+
+  /// The one pass is shared out as the threads' own sums are.
+  static void share_out(const PaperCounts& sum, double seconds, Statistics& statistics) {
+    const double threads = std::max(1.0, double(statistics.threads));
+    statistics.seconds.filter = sum.filter_seconds / threads;
+    statistics.seconds.solve = sum.solve_seconds / threads;
+    statistics.seconds.traverse = std::max(0.0, seconds - statistics.seconds.filter - statistics.seconds.solve);
+  }
+
+  /// Without representatives a pair is met several times: one contact a pair of features stays.
+  void drop_duplicates(std::vector<Contact>& contacts) const {
+    using Key = std::tuple<PairKind, std::array<Index, 2>>;
+    std::vector<std::pair<Key, Contact>> keyed;
+    std::size_t i = 0;
+    for (const PaperTester& tester : testers_)
+      for (const auto& features : tester.features) {
+        keyed.push_back({{contacts[i].kind, features}, contacts[i]});
+        ++i;
+      }
+    const auto key = [](const auto& entry) { return entry.first; };
+    std::ranges::sort(keyed, {}, key);
+    const auto same = [&](const auto& a, const auto& b) { return key(a) == key(b); };
+    keyed.erase(std::unique(keyed.begin(), keyed.end(), same), keyed.end());
+    contacts.clear();
+    for (const auto& entry : keyed) contacts.push_back(entry.second);
+  }
+
+  static constexpr std::size_t kParts = 1024;  ///< enough for any number of threads to share evenly
+  static constexpr std::size_t kChunk = 4096;
+
+  const PaperOptions paper_;
+  TriangleCounts* const counts_;
+  Surface surface_;
+  PaperScene scene_;
+  FeaturePairs orphans_;
+  AnyPaperHierarchy hierarchy_;
+  PatchCulling patches_;
+  tbb::enumerable_thread_specific<PaperTester> testers_;
+};
+
+}  // namespace
+
+std::unique_ptr<Engine> make_paper_engine(const Mesh& mesh, const tamis::Options& options, const PaperOptions& paper,
+                                          TriangleCounts* counts) {
+  return std::make_unique<PaperEngine>(mesh, options, paper, counts);
+}
+
+}  // namespace tamis::lab

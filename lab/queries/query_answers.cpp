@@ -1,0 +1,63 @@
+// Queries with the answers that stand beside them.
+#include "io/error.hpp"
+#include "io/file_bytes.hpp"
+#include "io/text.hpp"
+#include "lab/queries/queries.hpp"
+
+namespace tamis::lab {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string_view take_cell(std::string_view& row) {
+  const std::size_t end = row.find(',');
+  const std::string_view cell = row.substr(0, end);
+  row.remove_prefix(end == std::string_view::npos ? row.size() : end + 1);
+  return cell;
+}
+
+/// What the table says of the file: a row `file,kind,touches,...`.
+std::optional<bool> answer_in(const fs::path& table, const std::string& file) {
+  const io::FileBytes bytes(table);
+  io::Lines lines(bytes.view());
+  if (!lines.next() || lines.line().substr(0, 17) != "file,kind,touches") return std::nullopt;
+  while (lines.next()) {
+    std::string_view row = lines.line();
+    if (take_cell(row) != file) continue;
+    take_cell(row);
+    const std::string_view touches = take_cell(row);
+    if (touches != "0" && touches != "1")
+      throw io::FileError(table.string(), fmt::format("line {}", lines.number()),
+                          fmt::format("the answer is {}: give 0 or 1", io::in_quotes(touches)));
+    return touches == "1";
+  }
+  return std::nullopt;
+}
+
+std::optional<bool> answer_beside(const fs::path& query) {
+  constexpr int kMostFolders = 4;
+  std::error_code error;
+  const fs::path file = fs::absolute(query, error).lexically_normal();
+  fs::path folder = file.parent_path();
+  for (int i = 0; i < kMostFolders && folder.has_relative_path(); ++i, folder = folder.parent_path()) {
+    if (!fs::is_regular_file(folder / "truth.csv", error)) continue;
+    if (const auto answer = answer_in(folder / "truth.csv", file.lexically_relative(folder).string())) return answer;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::vector<SingleQuery> read_queries(const QueryFile& file) {
+  const io::FileBytes bytes(file.path);
+  std::vector<SingleQuery> queries;
+  if (file.kind) {
+    for (Query& query : parse_queries(bytes.view(), *file.kind, file.path.string())) queries.emplace_back(query);
+    return queries;
+  }
+  RigidQuery query = parse_rigid_query(bytes.view(), file.path.string());
+  query.touches = answer_beside(file.path);
+  return {query};
+}
+
+}  // namespace tamis::lab

@@ -1,0 +1,18 @@
+// Patches of surface: an order of the triangles in which nested halves are connected, and the contour of each half.
+#pragma once
+#include <vector>
+
+#include "tamis/mesh.hpp"
+
+namespace tamis::lab {
+
+/// Each half of the order, each half of a half, and so on, is a patch grown by breadth-first search: connected where
+/// the mesh lets it be. The upper half has the odd triangle.
+std::vector<Index> patch_order(const Mesh& mesh);
+
+/// For every patch of the nested halving of `order`, numbered depth-first as the nodes of a BinaryTree: the vertices of
+/// its contour in the order of the triangles' winding. Empty unless the triangles' oriented sides, opposite ones
+/// cancelled, are one closed loop that visits no vertex twice. Patches of fewer than `smallest` triangles: empty.
+IndexRows patch_contours(const Mesh& mesh, const std::vector<Index>& order, std::size_t smallest);
+
+}  // namespace tamis::lab

@@ -10,13 +10,13 @@
 #include <algorithm>
 #include <tuple>
 
-#include "query/stopwatch.hpp"
 #include "lab/contacts_engine.hpp"
 #include "lab/paper/hierarchy.hpp"
 #include "lab/paper/patch_culling.hpp"
 #include "lab/paper/tester.hpp"
 #include "lab/topology/orphan_sets.hpp"
 #include "lab/topology/surface.hpp"
+#include "query/stopwatch.hpp"
 
 namespace tamis::lab {
 namespace {
@@ -84,8 +84,9 @@ class PaperEngine final : public ContactsEngine {
         },
         hierarchy_);
     if (!separations.any())
-      std::visit([&](auto& hierarchy) { patches_.update(hierarchy.tree(), scene_.points, scene_.answer->query().step); },
-                 hierarchy_);
+      std::visit(
+          [&](auto& hierarchy) { patches_.update(hierarchy.tree(), scene_.points, scene_.answer->query().step); },
+          hierarchy_);
     statistics.seconds.build = watch.lap();
   }
 

@@ -1,7 +1,7 @@
 // The published pipeline.
 #pragma once
-#include "query/engine.hpp"
 #include "lab/detector.hpp"
+#include "query/engine.hpp"
 
 namespace tamis::lab {
 

@@ -3,11 +3,11 @@
 #include <numeric>
 
 #include "lab/paper/interval_newton.hpp"
+#include "narrow/decide.hpp"
+#include "narrow/sharp_bracket.hpp"
 #include "query/cancellation.hpp"
 #include "query/stage_counts.hpp"
 #include "query/stopwatch.hpp"
-#include "narrow/decide.hpp"
-#include "narrow/sharp_bracket.hpp"
 #include "topology/at.hpp"
 
 namespace tamis::lab {

@@ -117,7 +117,9 @@ TEST(PairsAheadInALayer, AreGivenUpWhereAllIsNearAll) {
     for (Point& point : points) point[0] += t * (1 + 0.01 * point[1]);
     return points;
   };
-  Detector kept(scene.mesh());
+  Options one_thread;  // another one brings buffers of its own
+  one_thread.threads = 1;
+  Detector kept(scene.mesh(), one_thread);
   for (int i = 0; i < 6; ++i) {
     const std::vector<Point> start = moved(i / 16.0), end = moved((i + 1) / 16.0);
     const std::uint64_t before = kept.statistics().memory_bytes;

@@ -64,6 +64,9 @@ struct Statistics {
   std::vector<StageCount> stages;
   PrecisionCount decided_by;
   Seconds seconds;
+  /// AtStart::ignore, of contacts, earliest and is_free: pairs that touch at t=0, and not again once they are apart; of
+  /// the last two those that were looked at.
+  std::uint64_t ignored = 0;
   std::uint64_t nodes_visited = 0;              ///< also to list pairs ahead; 0 where they had been
   std::uint64_t triangle_pairs = 0;             ///< that the hierarchy leaves; method `paper` only
   std::uint64_t triangles_in_free_patches = 0;  ///< by high-level culling; method `paper` only

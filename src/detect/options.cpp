@@ -26,6 +26,9 @@ constexpr Names<BoundingVolume, 6> kVolumes{{{BoundingVolume::sphere, "sphere"},
 constexpr Names<Isa, 4> kIsas{
     {{Isa::best, "best"}, {Isa::baseline, "baseline"}, {Isa::avx2, "avx2"}, {Isa::avx512, "avx512"}}};
 
+constexpr Names<AtStart, 3> kAtStart{
+    {{AtStart::report, "report"}, {AtStart::ignore, "ignore"}, {AtStart::fail, "fail"}}};
+
 template <class E, std::size_t n>
 E find(const Names<E, n>& names, std::string_view what, std::string_view name) {
   std::string choices;
@@ -47,10 +50,14 @@ std::string_view name(const Names<E, n>& names, E value) {
 
 Method method_from_name(std::string_view text) { return find(kMethods, "method", text); }
 Isa isa_from_name(std::string_view text) { return find(kIsas, "instruction set", text); }
+AtStart at_start_from_name(std::string_view text) {
+  return find(kAtStart, "way with pairs that touch at the start", text);
+}
 BoundingVolume bounding_volume_from_name(std::string_view text) { return find(kVolumes, "bounding volume", text); }
 std::string_view name_of(PairKind value) { return name(kKinds, value); }
 std::string_view name_of(BoundingVolume value) { return name(kVolumes, value); }
 std::string_view name_of(Method value) { return name(kMethods, value); }
+std::string_view name_of(AtStart value) { return name(kAtStart, value); }
 std::string_view name_of(Isa value) { return name(kIsas, value); }
 
 namespace {

@@ -9,6 +9,7 @@
 #include "narrow/contact_normal.hpp"
 #include "narrow/far_flight.hpp"
 #include "narrow/fine_separation.hpp"
+#include "narrow/leaving.hpp"
 #include "narrow/separation.hpp"
 #include "narrow/settled.hpp"
 #include "narrow/subdivide.hpp"
@@ -135,6 +136,21 @@ PairResult decide(PairKind kind, const PairPoints& points, const PairOptions& op
   if (!settled) return decide_motion(kind, points, m, options, decided_by);
   ++decided_by.scalar;
   return settled->toi_lower > options.latest ? PairResult{} : *settled;
+}
+
+OnceApart decide_once_apart(PairKind kind, const PairPoints& points, const PairOptions& options,
+                            PrecisionCount& decided_by) {
+  const auto m = make_motion(kind, points, options.min_separation);
+  if (is_finite(m) && touches_until_it_leaves(kind, m)) {
+    ++decided_by.scalar;
+    return {{}, true};
+  }
+  const PairResult first = decide(kind, points, options, decided_by);
+  if (!first.touches || first.toi_upper > 0) return {first, false};
+  ++decided_by.exact;
+  const auto again = decide_once_apart_exactly(kind, points, options.min_separation);
+  if (!again.touches || again.toi_lower > options.latest) return {{}, true};
+  return {described(kind, points, m, {Verdict::touches, again.toi_lower, again.toi_upper}), true};
 }
 
 PairResult decide_unsettled(PairKind kind, const PairPoints& points, const PairOptions& options,

@@ -118,6 +118,10 @@ inline constexpr double kRestDistance = 1024;
 // and two sums 2, their difference (below 2) 2 more: 22 a component, sqrt(3) * 22 = 38.2.
 inline constexpr double kVelocity = 40;
 
+// The same along an axis with components up to 1: sqrt(3) * 38.2 = 66.2; three products and two sums of what is at most
+// 6 together, 3 * 6 = 18: below 85.
+inline constexpr double kVelocityAlong = 96;
+
 // Length of a vector, unit: itself: squares 1/2, two sums 1, root 1, all below 4.
 inline constexpr double kLength = 4;
 /// A computed length times this is no less than the length.

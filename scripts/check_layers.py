@@ -6,7 +6,8 @@ import sys
 
 # A layer includes itself and those of a smaller number.
 LAYER = {"numerics": 0, "motion": 1, "bounds": 2, "topology": 3, "bvh": 3, "filters": 3, "distance": 4,
-         "exact": 5, "narrow": 6, "kernels": 7, "engines": 8, "paths": 9, "detect": 10}
+         "exact": 5, "narrow": 6, "kernels": 7, "query": 8, "coherence": 9, "search": 10,
+         "engines": 10, "paths": 11, "detect": 12}
 # Folders outside the library, and what each may use beside itself and the public headers.
 OUTSIDE = {"include/tamis": [], "c": [], "python/src": ["python", "io", "scenes"],
            "mpi/include": [], "mpi/src": ["mpi"], "mpi/command": ["mpi", "io", "cli"],
@@ -15,7 +16,7 @@ OUTSIDE = {"include/tamis": [], "c": [], "python/src": ["python", "io", "scenes"
 INCLUDE = re.compile(r'^\s*#\s*include\s+"([^"]+)"', re.MULTILINE)
 
 
-# Each method has a room of its own: what two of them need stands in engines/ itself.
+# The other methods have rooms of their own: what two of them need stands in engines/ itself.
 ROOMS = re.compile(r"engines/(\w+)/")
 
 

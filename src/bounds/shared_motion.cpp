@@ -16,7 +16,7 @@ constexpr std::size_t kSampledVertices = 4096;
 /// two lie within half of the longest displacement beside a translation.
 constexpr std::size_t kMostMotions = 8;
 constexpr double kMostNear = 0.5;
-/// A gradient is worth the room it takes (NearQuestion) if it leaves half of the displacements: squares.
+/// A gradient is worth the room it takes (StepLengthQuery) if it leaves half of the displacements: squares.
 constexpr double kWorth = 4, kWorthOfMotions = 16;
 /// So much is left beyond the fraction, and distances grow by so much at most: else the room takes more than is won.
 constexpr double kLeastBeyond = 0x1p-4, kGreatest = 4;

@@ -2,7 +2,7 @@
 #pragma once
 #include <tbb/task_arena.h>
 
-#include "engines/isolated.hpp"
+#include "query/isolated.hpp"
 
 namespace tamis {
 

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <tuple>
 
-#include "engines/found_contacts.hpp"
 #include "numerics/assert.hpp"
+#include "query/contact_collector.hpp"
 
 namespace tamis {
 namespace {

@@ -45,13 +45,13 @@ const std::vector<NearPair>& Detector::near(const Positions& positions, double d
 
 const std::vector<Intersection>& Detector::intersections(const Positions& positions) {
   const Asked asked(*this);
-  asked->find_intersections(positions, Intersections::all);
+  asked->find_intersections(positions, Question::all_contacts);
   return asked->intersections;
 }
 
 bool Detector::has_intersection(const Positions& positions) {
   const Asked asked(*this);
-  asked->find_intersections(positions, Intersections::any);
+  asked->find_intersections(positions, Question::is_free);
   return !asked->intersections.empty();
 }
 

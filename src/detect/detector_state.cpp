@@ -4,11 +4,11 @@
 
 #include "detect/truncation.hpp"
 #include "detect/validate.hpp"
-#include "engines/cancellation.hpp"
-#include "engines/pair_rules.hpp"
-#include "engines/stopwatch.hpp"
 #include "exact/start_distance.hpp"
 #include "numerics/number_text.hpp"
+#include "query/cancellation.hpp"
+#include "query/pair_rules.hpp"
+#include "query/stopwatch.hpp"
 #include "tamis/error.hpp"
 
 namespace tamis {
@@ -56,14 +56,19 @@ Separations Detector::State::separations(Separation min_separation) const {
   return {min_separation.value_or(options.min_separation), radii_};
 }
 
+void Detector::State::find_contacts(const Query& query) {
+  measure([&] {
+    bound_.begin();
+    found.begin(query, bound_);
+    engine_->find(query, found, statistics);
+    if (query.question == Question::all_contacts) sort_found();
+  });
+}
+
 void Detector::State::ask(const Step& step, Separation min_separation, Question question) {
   const Separations kept = separations(min_separation);
   validate(step, mesh);
-  measure([&] {
-    found.begin(step, kept, question);
-    engine_->find(found, statistics);
-    if (question == Question::all_contacts) sort_found();
-  });
+  find_contacts(query(step, kept, question));
 }
 
 void Detector::State::ask(const Path& path, Separation min_separation, double tolerance, Question question) {
@@ -81,7 +86,10 @@ void Detector::State::sort_found() {
 }
 
 EarliestContact Detector::State::earliest(const Step& step, Separation min_separation) {
-  ask(step, min_separation, Question::earliest);
+  const Separations kept = separations(min_separation);
+  validate(step, mesh);
+  const Query asked = query(step, kept, Question::earliest);
+  find_contacts(asked);
   const EarliestContact first = found.first();
   statistics.decided_by += found.decided_by();
   return first;
@@ -100,7 +108,7 @@ SafeStep Detector::State::keep_distance(const Step& step, double fraction, Separ
 SafeStep Detector::State::step_length(const Step& step, const Separations& separations, double fraction) {
   SafeStep answer;
   validate(step, mesh);
-  measure([&] { answer = engine_->find_step_length(step, separations, fraction, statistics); });
+  measure([&] { answer = engine_->find_step_length(query(step, separations), fraction, statistics); });
   return answer;
 }
 
@@ -117,11 +125,13 @@ TruncatedStep Detector::State::truncate(const Step& step, double fraction, Separ
   for (Next next = together < 1 ? Next::ask : Next::done; next != Next::done; next = truncation.after(ends)) {
     if (next == Next::plan_apart) {
       std::vector<NearPair> within_reach;
-      measure([&] { engine_->find_near(step.start, truncation.reach(), within_reach, statistics); });
+      const Query asked = query({step.start, step.start}, truncation.reach());
+      measure([&] { engine_->find_near(asked, within_reach, statistics); });
       spent += statistics.seconds;
       truncation.keep_apart(within_reach);
     }
-    measure([&] { engine_->find_step_ends(truncation.way(), kept, fraction, ends, statistics); });
+    const Query asked = query(truncation.way(), kept);
+    measure([&] { engine_->find_step_ends(asked, fraction, ends, statistics); });
     spent += statistics.seconds;
   }
   spent.total = watch.seconds();
@@ -132,12 +142,14 @@ TruncatedStep Detector::State::truncate(const Step& step, double fraction, Separ
 void Detector::State::find_near(const Positions& positions, double distance) {
   validate_distance(distance, "the distance");
   validate(positions, mesh, "the pose");
-  measure([&] { engine_->find_near(positions, {distance, radii_}, near, statistics); });
+  const Query asked = query({positions, positions}, {distance, radii_});
+  measure([&] { engine_->find_near(asked, near, statistics); });
 }
 
-void Detector::State::find_intersections(const Positions& positions, Intersections wanted) {
+void Detector::State::find_intersections(const Positions& positions, Question question) {
   validate(positions, mesh, "the pose");
-  measure([&] { engine_->find_intersections(positions, wanted, intersections, statistics); });
+  const Query asked = query({positions, positions}, {}, question);
+  measure([&] { engine_->find_intersections(asked, intersections, statistics); });
 }
 
 template <class Work>

@@ -6,8 +6,8 @@
 
 #include "detect/arena.hpp"
 #include "detect/contact_order.hpp"
-#include "engines/engine.hpp"
 #include "paths/path_search.hpp"
+#include "query/engine.hpp"
 #include "tamis/detector.hpp"
 #include "tamis/turn.hpp"
 
@@ -28,11 +28,12 @@ struct Detector::State {
   /// The pairs are in `near`.
   void find_near(const Positions& positions, double distance);
   /// They are in `intersections`.
-  void find_intersections(const Positions& positions, Intersections wanted);
+  /// `is_free`: some of them, if there are any.
+  void find_intersections(const Positions& positions, Question question);
 
   const Mesh mesh;
   const Options options;
-  FoundContacts found{options};
+  ContactCollector found;
   std::vector<NearPair> near;
   std::vector<Intersection> intersections;
   Statistics statistics;
@@ -41,6 +42,12 @@ struct Detector::State {
  private:
   /// Throws InvalidOptions.
   Separations separations(Separation min_separation) const;
+  /// Of a step that is validated.
+  Query query(const Step& step, const Separations& separations, Question question = Question::all_contacts) const {
+    return {step, separations, options.filter, options.is_cancelled, question};
+  }
+  /// Into `found`.
+  void find_contacts(const Query& query);
   /// 0 < fraction < 1.
   SafeStep step_length(const Step& step, const Separations& separations, double fraction);
   /// Into the documented order.
@@ -51,6 +58,7 @@ struct Detector::State {
   std::uint64_t memory_bytes() const;
 
   Arena arena_;
+  Bound bound_;                ///< of the contacts in `found`
   std::vector<double> radii_;  ///< of the vertices; empty: all zero
   std::unique_ptr<Engine> engine_;
   std::unique_ptr<PathSearch> path_search_;  ///< made by the first question that needs it

@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <memory>
 
-#include "engines/cancellation.hpp"
-#include "engines/pair_rules.hpp"
 #include "narrow/decide.hpp"
 #include "narrow/pair_input.hpp"
 #include "narrow/separation.hpp"
 #include "numerics/assert.hpp"
 #include "numerics/finite.hpp"
+#include "query/cancellation.hpp"
+#include "query/pair_rules.hpp"
 
 namespace tamis {
 namespace {

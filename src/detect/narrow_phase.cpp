@@ -7,9 +7,9 @@
 #include "detect/list_part.hpp"
 #include "detect/pair_faults.hpp"
 #include "detect/validate.hpp"
-#include "engines/cancellation.hpp"
 #include "narrow/pair_input.hpp"
 #include "numerics/finite.hpp"
+#include "query/cancellation.hpp"
 #include "tamis/error.hpp"
 #include "tamis/pair.hpp"
 

@@ -5,12 +5,12 @@
 
 #include "detect/pair_faults.hpp"
 #include "detect/validate.hpp"
-#include "engines/step_limit.hpp"
 #include "motion/time_clip.hpp"
 #include "narrow/decide.hpp"
 #include "narrow/kept_distance.hpp"
 #include "narrow/near_pair.hpp"
 #include "narrow/pair_input.hpp"
+#include "query/step_limit.hpp"
 #include "tamis/error.hpp"
 
 namespace tamis {

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engines/pair_rules.hpp"
 #include "exact/start_distance.hpp"
 #include "narrow/near_pair.hpp"
 #include "numerics/assert.hpp"
+#include "query/pair_rules.hpp"
 #include "topology/mean_edge.hpp"
 
 namespace tamis {

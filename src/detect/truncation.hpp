@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "detect/planar_times.hpp"
-#include "engines/step_limit.hpp"
 #include "motion/separations.hpp"
+#include "query/step_limit.hpp"
 #include "tamis/mesh.hpp"
 
 namespace tamis {

@@ -1,6 +1,6 @@
 // A method that finds contacts, and leaves all other questions to the method `tamis`.
 #pragma once
-#include "engines/engine.hpp"
+#include "query/engine.hpp"
 
 namespace tamis {
 
@@ -8,21 +8,17 @@ class ContactsEngine : public Engine {
  public:
   ContactsEngine(const Mesh& mesh, const Options& options) : asked_mesh_(mesh), asked_options_(options) {}
 
-  SafeStep find_step_length(const Step& step, const Separations& separations, double fraction,
-                            Statistics& statistics) final {
-    return others().find_step_length(step, separations, fraction, statistics);
+  SafeStep find_step_length(const Query& query, double fraction, Statistics& statistics) final {
+    return others().find_step_length(query, fraction, statistics);
   }
-  void find_step_ends(const Step& step, const Separations& separations, double fraction, std::vector<StepLimit>& ends,
-                      Statistics& statistics) final {
-    others().find_step_ends(step, separations, fraction, ends, statistics);
+  void find_step_ends(const Query& query, double fraction, std::vector<StepLimit>& ends, Statistics& statistics) final {
+    others().find_step_ends(query, fraction, ends, statistics);
   }
-  void find_near(const Positions& positions, const Separations& separations, std::vector<NearPair>& pairs,
-                 Statistics& statistics) final {
-    others().find_near(positions, separations, pairs, statistics);
+  void find_near(const Query& query, std::vector<NearPair>& pairs, Statistics& statistics) final {
+    others().find_near(query, pairs, statistics);
   }
-  void find_intersections(const Positions& positions, Intersections wanted, std::vector<Intersection>& found,
-                          Statistics& statistics) final {
-    others().find_intersections(positions, wanted, found, statistics);
+  void find_intersections(const Query& query, std::vector<Intersection>& found, Statistics& statistics) final {
+    others().find_intersections(query, found, statistics);
   }
   std::uint64_t memory_bytes() const final { return memory_for_contacts() + (others_ ? others_->memory_bytes() : 0); }
 

@@ -98,6 +98,9 @@ struct Search {
   std::uint64_t nodes_visited = 0;
 };
 
+/// Searches from one leaf block of `a`.
+using SearchKernel = void (*)(Search& search, int block);
+
 /// The vertices of a step as Positions has them: distances from one to the next in doubles.
 struct StepRows {
   const double *start, *end;
@@ -117,11 +120,11 @@ struct PairKernels {
   /// Finds the pairs of features of leaf block `block` of `a` with all of `b` whose moving boxes meet and that share
   /// no vertex; of edges: with the blocks from `block` on, each pair once. Loose edges and points are searched as faces
   /// are, their last vertex repeated.
-  void (*search)(Search& search, int block) = nullptr;
+  SearchKernel search = nullptr;
   /// The same of boxes at t=0 that are wider, together, by search.widened.
-  void (*search_at_rest)(Search& search, int block) = nullptr;
+  SearchKernel search_at_rest = nullptr;
   /// The same of pairs that may end the step by the near rule. Trees have rests.
-  void (*search_near)(Search& search, int block) = nullptr;
+  SearchKernel search_near = nullptr;
   /// Pairs that cannot end the step by the rule, from t=0 to their t_out, are culled. `pairs` is used up: what it holds
   /// then are those that floats could not cull. Of pairs that can cross.
   void (*near)(const NearVertices& vertices, const NearRule& rule, PairBuffer& pairs, PairBuffer& out) = nullptr;

@@ -1,6 +1,6 @@
 // A caller's path, asked in the middle of a question.
 #pragma once
-#include "engines/isolated.hpp"
+#include "query/isolated.hpp"
 #include "tamis/path.hpp"
 
 namespace tamis {

@@ -4,9 +4,9 @@
 #include <optional>
 #include <vector>
 
-#include "engines/cancellation.hpp"
 #include "paths/decide_path.hpp"
 #include "paths/path_reader.hpp"
+#include "query/cancellation.hpp"
 
 namespace tamis {
 

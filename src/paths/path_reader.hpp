@@ -3,9 +3,9 @@
 #pragma once
 #include <array>
 
-#include "engines/pair_rules.hpp"
 #include "numerics/interval.hpp"
 #include "numerics/vec.hpp"
+#include "query/pair_rules.hpp"
 #include "tamis/path.hpp"
 
 namespace tamis {

@@ -10,12 +10,12 @@
 #include <string>
 #include <tuple>
 
-#include "engines/cancellation.hpp"
 #include "numerics/assert.hpp"
 #include "numerics/number_text.hpp"
 #include "paths/decide_path.hpp"
 #include "paths/isolated_path.hpp"
 #include "paths/remembered_path.hpp"
+#include "query/cancellation.hpp"
 #include "tamis/error.hpp"
 #include "topology/mean_edge.hpp"
 
@@ -124,8 +124,11 @@ void PathSearch::find(const MeshOnPath& asked, Question question, std::vector<Co
     for (const Index v : mesh_.points()) check_stray(v, from.time, to.time, strays_[static_cast<std::size_t>(v)]);
     check_chords(path, from, to);
     set_radii(asked.separations, from, to);
-    found_.begin({from.points, to.points}, {asked.separations.fixed, radii_}, Question::all_contacts);
-    engine_.find(found_, statistics);
+    const Query chords{
+        {from.points, to.points}, {asked.separations.fixed, radii_}, options_.filter, options_.is_cancelled};
+    bound_.begin();
+    found_.begin(chords, bound_);
+    engine_.find(chords, found_, statistics);
     const auto is_known = [&](const Contact& c) { return known.contains({c.kind, c.vertices}); };
     std::erase_if(found_.contacts(), is_known);
     const MeshOnPath piece{path, asked.separations, asked.tolerance, {from.time, to.time}};
@@ -168,8 +171,7 @@ void PathSearch::decide_all(const MeshOnPath& piece, Question question, std::vec
       statistics.decided_by.scalar += !r.touches || r.certainty == Certainty::certified;
       statistics.decided_by.unresolved += r.touches && r.certainty == Certainty::unresolved;
       if (!r.touches) continue;
-      contacts.push_back({pairs[first + i].kind, r.certainty, pairs[first + i].vertices, r.toi_lower, r.toi_upper, r.u,
-                          r.v, r.normal});
+      contacts.push_back(contact_of(pairs[first + i].kind, pairs[first + i].vertices, r));
       latest = std::min(latest, r.toi_upper);
     }
   }

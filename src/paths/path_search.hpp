@@ -3,8 +3,8 @@
 #pragma once
 #include <vector>
 
-#include "engines/engine.hpp"
 #include "motion/time_clip.hpp"
+#include "query/engine.hpp"
 #include "tamis/path.hpp"
 
 namespace tamis {
@@ -21,7 +21,7 @@ class PathSearch {
  public:
   /// Keeps references.
   PathSearch(const Mesh& mesh, const Options& options, Engine& engine)
-      : mesh_(mesh), options_(options), engine_(engine), found_(options) {}
+      : mesh_(mesh), options_(options), engine_(engine) {}
 
   /// Writes every pair that touches, once, in no order; for `earliest` and `is_free` the search ends soon after the
   /// first. Throws InvalidPath: a path of another number of vertices, or one that breaks its promises. REQUIRES: a
@@ -48,7 +48,8 @@ class PathSearch {
   const Mesh& mesh_;
   const Options& options_;
   Engine& engine_;
-  FoundContacts found_;
+  Bound bound_;
+  ContactCollector found_;  ///< pairs that may touch on a piece
   std::vector<Index> all_;  ///< 0, 1, 2, ...
   std::vector<double> strays_, radii_;
 };

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <limits>
 
-#include "engines/pair_rules.hpp"
 #include "narrow/kept_distance.hpp"
+#include "query/pair_rules.hpp"
 #include "support/contact_sets.hpp"
 #include "support/step_lengths.hpp"
 #include "support/test_names.hpp"

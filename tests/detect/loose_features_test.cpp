@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "engines/pair_rules.hpp"
+#include "query/pair_rules.hpp"
 #include "scenes/random.hpp"
 #include "support/contact_sets.hpp"
 #include "tamis/detector.hpp"

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "engines/pair_rules.hpp"
+#include "query/pair_rules.hpp"
 #include "support/contact_sets.hpp"
 #include "support/test_names.hpp"
 #include "tamis/detector.hpp"

@@ -7,8 +7,8 @@
 #include <cstring>
 #include <limits>
 
-#include "engines/pair_rules.hpp"
 #include "exact/exact_distance.hpp"
+#include "query/pair_rules.hpp"
 #include "scenes/random.hpp"
 #include "support/contact_sets.hpp"
 #include "support/test_names.hpp"

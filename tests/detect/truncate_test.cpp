@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-#include "engines/pair_rules.hpp"
+#include "query/pair_rules.hpp"
 #include "support/contact_sets.hpp"
 #include "support/test_names.hpp"
 #include "tamis/detector.hpp"

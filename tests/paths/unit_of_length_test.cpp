@@ -7,9 +7,9 @@
 #include <functional>
 #include <memory>
 
-#include "engines/tamis/as_new.hpp"
 #include "paths/turning_pairs.hpp"
 #include "scenes/shapes.hpp"
+#include "support/as_new.hpp"
 #include "tamis/detector.hpp"
 #include "tamis/spline_path.hpp"
 

@@ -4,7 +4,7 @@
 #include <iterator>
 #include <sstream>
 
-#include "engines/pair_rules.hpp"
+#include "query/pair_rules.hpp"
 #include "tamis/detector.hpp"
 
 namespace tamis::test {

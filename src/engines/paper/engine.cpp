@@ -12,7 +12,7 @@
 #include "engines/paper/hierarchy.hpp"
 #include "engines/paper/patch_culling.hpp"
 #include "engines/paper/tester.hpp"
-#include "engines/stopwatch.hpp"
+#include "query/stopwatch.hpp"
 #include "topology/orphan_sets.hpp"
 #include "topology/surface.hpp"
 
@@ -43,14 +43,14 @@ class PaperEngine final : public ContactsEngine {
         patches_(scene_.mesh, high_level_of(options), options.paper.reduced_model.get()),
         testers_([this] { return PaperTester(scene_); }) {}
 
-  void find(FoundContacts& found, Statistics& statistics) override {
-    scene_.answer = &found;
+  void find(const Query& query, ContactCollector& answer, Statistics& statistics) override {
+    scene_.answer = &answer;
     update_bounds(statistics);
     const Stopwatch watch;
     for (PaperTester& tester : testers_) tester.begin();
-    std::visit([&](const auto& hierarchy) { visit_all(hierarchy.traversal(free_within()), found.question()); },
+    std::visit([&](const auto& hierarchy) { visit_all(hierarchy.traversal(free_within()), query.question); },
                hierarchy_);
-    collect(found, statistics, watch.seconds());
+    collect(answer, statistics, watch.seconds());
   }
 
  private:
@@ -66,10 +66,10 @@ class PaperEngine final : public ContactsEngine {
   void update_bounds(Statistics& statistics) {
     Stopwatch watch;
     if (scene_.triangles.empty()) collect_topology();
-    scene_.points.update(scene_.mesh, scene_.answer->step());
+    scene_.points.update(scene_.mesh, scene_.answer->query().step);
     // Each of two features takes half of the fixed separation and the largest radius there is; the factor covers its
     // own rounding. Scaled first: half of the smallest double is zero.
-    const Separations& separations = scene_.answer->separations();
+    const Separations& separations = scene_.answer->query().separations;
     const double scale = scene_.points.scale();
     const double padding = (0.5 * (separations.fixed * scale) + separations.largest_radius() * scale) * (1 + 0x1p-50);
     scene_.boxes.update(scene_.mesh, scene_.points, padding);
@@ -80,8 +80,9 @@ class PaperEngine final : public ContactsEngine {
         },
         hierarchy_);
     if (!separations.any()) {
-      std::visit([&](auto& hierarchy) { patches_.update(hierarchy.tree(), scene_.points, scene_.answer->step()); },
-                 hierarchy_);
+      std::visit(
+          [&](auto& hierarchy) { patches_.update(hierarchy.tree(), scene_.points, scene_.answer->query().step); },
+          hierarchy_);
       statistics.triangles_in_free_patches = patches_.triangles_in_free_patches();
     }
     statistics.seconds.build = watch.lap();
@@ -89,7 +90,7 @@ class PaperEngine final : public ContactsEngine {
 
   /// That a patch does not touch itself says nothing of distances.
   std::span<const std::uint8_t> free_within() const {
-    if (scene_.answer->separations().any()) return {};
+    if (scene_.answer->query().separations.any()) return {};
     return patches_.free_within();
   }
 
@@ -131,14 +132,14 @@ class PaperEngine final : public ContactsEngine {
     tbb::parallel_for_each(testers_.begin(), testers_.end(), [](PaperTester& tester) { tester.flush(); });
   }
 
-  void collect(FoundContacts& found, Statistics& statistics, double seconds) {
+  void collect(ContactCollector& answer, Statistics& statistics, double seconds) {
     PaperCounts sum(scene_.stages);
     for (PaperTester& tester : testers_) {
       sum.add(tester.counts);
-      found.take(tester.found);
+      answer.take(tester.found);
     }
-    if (found.question() == Question::all_contacts && !scene_.options.paper.representative_triangles)
-      drop_duplicates(found.contacts());
+    if (answer.query().question == Question::all_contacts && !scene_.options.paper.representative_triangles)
+      drop_duplicates(answer.contacts());
     statistics.stages.push_back(sum.boxes);
     statistics.stages.insert(statistics.stages.end(), sum.filters.begin(), sum.filters.end());
     statistics.stages.push_back(sum.newton);

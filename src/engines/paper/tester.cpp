@@ -2,12 +2,12 @@
 
 #include <numeric>
 
-#include "engines/cancellation.hpp"
 #include "engines/paper/interval_newton.hpp"
-#include "engines/stage_counts.hpp"
-#include "engines/stopwatch.hpp"
 #include "narrow/decide.hpp"
 #include "narrow/sharp_bracket.hpp"
+#include "query/cancellation.hpp"
+#include "query/stage_counts.hpp"
+#include "query/stopwatch.hpp"
 #include "topology/at.hpp"
 
 namespace tamis {
@@ -39,9 +39,7 @@ void PaperCounts::add(const PaperCounts& other) {
   triangle_pairs += other.triangle_pairs;
 }
 
-PaperTester::PaperTester(const PaperScene& scene) : found(scene.options), counts(scene.stages), scene_(scene) {
-  begin();
-}
+PaperTester::PaperTester(const PaperScene& scene) : counts(scene.stages), scene_(scene) { begin(); }
 
 void PaperTester::add_triangles(Index a, Index b) {
   const TriangleFeatures &s = scene_.triangles[at(a)], &t = scene_.triangles[at(b)];
@@ -70,10 +68,10 @@ void PaperTester::add_loose(Index a, Index b) {
       in_contact_order(kind, {point[0], other[0], kind == PairKind::vertex_edge ? other[1] : -1, -1});
   if (!lets_pass(scene_.options.filter, kind, v) || !found.wants(kind, v)) return;
   ++of(counts.decide, kind);
-  const auto r = decide(kind, points_of(found.step(), v), found.rule_for(kind, v), counts.decided_by);
+  const auto r = decide(kind, points_of(found.query().step, v), found.query().rule_for(kind, v), counts.decided_by);
   if (!r.touches) return;
-  found.add({kind, r.certainty, v, r.toi_lower, r.toi_upper, r.u, r.v, r.normal});
-  if (found.question() == Question::all_contacts) features.push_back({a, b});
+  found.add(kind, v, r);
+  if (found.query().question == Question::all_contacts) features.push_back({a, b});
 }
 
 void PaperTester::add_vertex_face(Index vertex, Index face) {
@@ -95,7 +93,7 @@ void PaperTester::flush() {
 }
 
 void PaperTester::begin() {
-  found.begin_part_of(*scene_.answer);
+  found.begin(scene_.answer->query(), scene_.answer->bound());
   vf_.size = ee_.size = 0;  // an exception may have left pairs of another question
   features.clear();
   counts = PaperCounts(scene_.stages);
@@ -127,7 +125,7 @@ void PaperTester::test(Block<kind>& block) {
   of(counts.boxes, kind) += alive.size();
   Stopwatch watch;
   // A filter's strict signs say that features do not touch, not that they keep a distance.
-  if (!scene_.answer->separations().any()) alive = alive.first(run_filters(block, alive));
+  if (!scene_.answer->query().separations.any()) alive = alive.first(run_filters(block, alive));
   counts.filter_seconds += watch.lap();
   for (const std::uint16_t pair : alive) solve(block, pair);
   counts.solve_seconds += watch.lap();
@@ -150,13 +148,13 @@ void PaperTester::solve(const Block<kind>& block, std::size_t pair) {
   if (!found.wants(kind, block.vertices[pair])) return;
   const PairResult r = result_of(block, pair);
   if (!r.touches) return;
-  found.add({kind, r.certainty, block.vertices[pair], r.toi_lower, r.toi_upper, r.u, r.v, r.normal});
-  if (found.question() == Question::all_contacts) features.push_back(block.features[pair]);
+  found.add(kind, block.vertices[pair], r);
+  if (found.query().question == Question::all_contacts) features.push_back(block.features[pair]);
 }
 
 template <PairKind kind>
 PairResult PaperTester::result_of(const Block<kind>& block, std::size_t pair) {
-  if (!scene_.answer->separations().any()) {
+  if (!scene_.answer->query().separations.any()) {
     of(counts.newton, kind) += 1;
     const auto test = interval_newton_test<kind>(block.motions[pair]);
     if (test.verdict == Verdict::is_free || (test.verdict == Verdict::touches && is_sharp(test.lower, test.upper))) {
@@ -166,7 +164,7 @@ PairResult PaperTester::result_of(const Block<kind>& block, std::size_t pair) {
   }
   of(counts.decide, kind) += 1;
   const PairVertices& v = block.vertices[pair];
-  return decide(kind, points_of(found.step(), v), found.rule_for(kind, v), counts.decided_by);
+  return decide(kind, points_of(found.query().step, v), found.query().rule_for(kind, v), counts.decided_by);
 }
 
 }  // namespace tamis

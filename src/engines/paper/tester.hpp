@@ -2,9 +2,9 @@
 // interval Newton, and what that leaves open, decide(). Pairs are taken in blocks, stage by stage. One per thread.
 #pragma once
 #include "bounds/feature_boxes.hpp"
-#include "engines/engine.hpp"
-#include "engines/pair_rules.hpp"
 #include "filters/filters.hpp"
+#include "query/engine.hpp"
+#include "query/pair_rules.hpp"
 #include "tamis/pair.hpp"
 #include "topology/representatives.hpp"
 
@@ -19,7 +19,7 @@ struct PaperScene {
   std::vector<FilterStage> stages;
   MovingPoints points;
   FeatureBoxes boxes;
-  const FoundContacts* answer = nullptr;  ///< the question, and what is known of its answer
+  const ContactCollector* answer = nullptr;  ///< the question, and what is known of its answer
 };
 
 /// Pairs that enter each part, and the seconds it took. The boxes are in `boxes`, then one count a filter.
@@ -49,7 +49,7 @@ class PaperTester {
   /// A new question; keeps the memory.
   void begin();
 
-  FoundContacts found;
+  ContactCollector found;
   /// Of all contacts, the features of each, so that duplicates can be told: vertex and face, or two edges.
   std::vector<std::array<Index, 2>> features;
   PaperCounts counts;

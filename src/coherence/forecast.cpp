@@ -1,0 +1,64 @@
+#include "coherence/forecast.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "numerics/assert.hpp"
+
+namespace tamis {
+void Forecast::make(const Step& step, std::span<const Index> vertices, double steps) {
+  TAMIS_ASSERT(step.start.count() == step.end.count() && steps > 0);
+  vertices_ = vertices;
+  to_.resize(static_cast<std::size_t>(step.start.count()));
+  from_.resize(to_.size());  // the last: it says that this is made
+  for (const Index vertex : vertices) {
+    const auto v = static_cast<std::size_t>(vertex);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      from_[v][axis] = step.start[vertex][axis];
+      to_[v][axis] = from_[v][axis] + steps * (step.end[vertex][axis] - from_[v][axis]);
+    }
+  }
+}
+
+std::optional<Forecast::Fit> Forecast::fit(const Step& step, double most) const {
+  if (from_.empty()) return {};
+  TAMIS_ASSERT(static_cast<std::size_t>(step.start.count()) == from_.size());
+  const double start = nearest_time(step.start), end = nearest_time(step.end);
+  if (!(start <= end)) return {};
+  const auto at_start = deviation(step.start, start, most);
+  const auto at_end = at_start ? deviation(step.end, end, most) : std::nullopt;
+  if (!at_end) return {};
+  return Fit{start, end, std::max(*at_start, *at_end)};
+}
+
+/// By least squares, of some vertices.
+double Forecast::nearest_time(const Positions& positions) const {
+  double along = 0, all = 0;
+  for (std::size_t i = 0; i < vertices_.size(); i += 1 + vertices_.size() / kSampleVertices) {
+    const auto v = static_cast<std::size_t>(vertices_[i]);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const double length = to_[v][axis] - from_[v][axis];
+      along += length * (positions[vertices_[i]][axis] - from_[v][axis]);
+      all += length * length;
+    }
+  }
+  return all > 0 ? std::clamp(along / all, 0.0, 1.0) : 0;
+}
+
+/// Sums of the axes, which are no less than distances. Rounding (docs/numerics.md: "Pairs listed ahead"): 2^-49.
+std::optional<double> Forecast::deviation(const Positions& positions, double t, double most) const {
+  double largest = 0;
+  for (const Index vertex : vertices_) {
+    const auto v = static_cast<std::size_t>(vertex);
+    double off = 0;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const double a = from_[v][axis], b = to_[v][axis], x = positions[vertex][axis];
+      off += std::fabs(x - (a + t * (b - a))) + 0x1p-49 * (std::fabs(a) + std::fabs(b) + std::fabs(x));
+    }
+    if (!(off <= most) || std::isinf(off)) return {};
+    largest = std::max(largest, off);
+  }
+  return largest;
+}
+
+}  // namespace tamis

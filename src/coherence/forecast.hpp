@@ -1,0 +1,40 @@
+// Where vertices will be if they go on as in the last step.
+#pragma once
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "tamis/step.hpp"
+
+namespace tamis {
+
+class Forecast {
+ public:
+  /// Time is found by so many vertices.
+  static constexpr std::size_t kSampleVertices = 64;
+
+  /// How a step follows the predicted one.
+  struct Fit {
+    double start, end;  ///< as parts of the predicted step
+    double deviation;   ///< a bound of how far any vertex is at any time from where it is predicted at some time
+  };
+
+  /// Predicts a step `steps` times as long as `step`, straight; for some of its vertices, which the caller keeps alive.
+  void make(const Step& step, std::span<const Index> vertices, double steps);
+  void clear() { from_.clear(); }
+  /// Nothing if no step was predicted, if the deviation exceeds `most` or is not finite, or if `step` goes backwards.
+  /// REQUIRES: as many positions as it was made of.
+  std::optional<Fit> fit(const Step& step, double most) const;
+  /// The predicted step; vertices it was not made for are anywhere.
+  Step step() const { return {from_, to_}; }
+  std::uint64_t memory_bytes() const { return (from_.capacity() + to_.capacity()) * sizeof(Point); }
+
+ private:
+  double nearest_time(const Positions& positions) const;
+  std::optional<double> deviation(const Positions& positions, double t, double most) const;
+
+  std::span<const Index> vertices_;
+  std::vector<Point> from_, to_;  ///< by vertex
+};
+
+}  // namespace tamis

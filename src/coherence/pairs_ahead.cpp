@@ -1,0 +1,178 @@
+#include "coherence/pairs_ahead.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "topology/mean_edge.hpp"
+
+namespace tamis {
+namespace {
+
+/// Steps to look ahead: more when all predicted ones came, fewer where vertices deviate.
+constexpr double kFewestSteps = 4, kFirstSteps = 8, kMostSteps = 32;
+/// Slack, in mean edges: the least, which costs nothing; the most, beyond which fewer steps are predicted.
+constexpr double kLeastSlackInEdges = 0x1p-12, kMostSlackInEdges = 0x1p-4;
+/// Lists that serve fewer queries cost more than they save: none are made for a while, each time twice as long.
+constexpr int kQueriesWorthLists = 2, kQueriesWorthListsOfOneStep = 1;
+constexpr int kFirstPauseInQueries = 2, kLongestPauseInQueries = 64;
+
+/// Rounding of a time of the predicted step to float.
+constexpr float kTimeRounding = 0x1p-22f;
+
+std::vector<Index> some_of(std::span<const Index> points) {
+  std::vector<Index> some;
+  for (std::size_t i = 0; i < points.size(); i += 1 + points.size() / Forecast::kSampleVertices)
+    some.push_back(points[i]);
+  return some;
+}
+
+}  // namespace
+
+PairsAhead::PairsAhead(const Mesh& mesh)
+    : mesh_(mesh),
+      sample_(some_of(mesh.points())),
+      sample_numbers_(sample_.size()),
+      steps_(kFirstSteps),
+      next_pause_(kFirstPauseInQueries) {
+  std::iota(sample_numbers_.begin(), sample_numbers_.end(), 0);
+}
+
+Step PairsAhead::sample_of(const Step& step) {
+  sample_start_.clear();
+  sample_end_.clear();
+  for (const Index v : sample_) {
+    sample_start_.push_back({step.start[v][0], step.start[v][1], step.start[v][2]});
+    sample_end_.push_back({step.end[v][0], step.end[v][1], step.end[v][2]});
+  }
+  return {sample_start_, sample_end_};
+}
+
+bool PairsAhead::begin(const Query& query) {
+  const Separations& separations = query.separations;
+  if (!are_listed_ || separations.fixed > separation_ || !separations.radii.empty()) return false;
+  if (!follows_prediction(query.step) || when_.t_in > until_) return false;
+  // A first contact may lie within what is listed; all contacts do not.
+  if (query.question == Question::all_contacts && !covers(when_.t_out)) return false;
+  next_.make(sample_of(query.step), sample_numbers_, kFirstSteps);
+  ++queries_served_;
+  return true;
+}
+
+bool PairsAhead::leaves_undecided(const ContactCollector& answer) const {
+  if (covers(when_.t_out)) return false;
+  if (answer.query().question == Question::is_free) return answer.contacts().empty();
+  const auto latest = static_cast<float>(answer.bound().latest());
+  return !covers(when_.t_in + latest * (when_.t_out - when_.t_in) + kTimeRounding);
+}
+
+bool PairsAhead::plan(const Query& query) {
+  const Step& step = query.step;
+  const Separations& separations = query.separations;
+  if (!separations.radii.empty()) return false;
+  if (are_listed_) learn();
+  forget();
+  const Step sample = sample_of(step);
+  const auto fit = next_.fit(sample, std::numeric_limits<double>::max());
+  next_.make(sample, sample_numbers_, kFirstSteps);
+  if (!fit) return false;
+  edge_ = mean_edge(mesh_, step.start);
+  starts_again_ = fit->start == 0 && fit->deviation <= kLeastSlackInEdges * edge_;
+  const bool is_promising =
+      starts_again_ ? plan_again(query.question, kFirstSteps * fit->end) : plan_steps(query.question, *fit);
+  if (!is_promising) return false;
+  if (pause_ > 0) {
+    --pause_;
+    return false;
+  }
+  queries_served_ = 0;
+  predicted_.make(step, mesh_.points(), steps_listed_);
+  separation_ = separations.fixed;
+  return follows_prediction(step);
+}
+
+/// From the same start in the same direction, `length` times as far as the last query. The lists are for this step,
+/// until its first contact where no later one is asked for. False: that contact is not known.
+bool PairsAhead::plan_again(Question question, double length) {
+  constexpr double kBeyond = 1 + 0x1p-10, kLeast = 0x1p-20;
+  steps_listed_ = 1;
+  slack_ = kLeastSlackInEdges * edge_;
+  until_ = 1;
+  if (question == Question::all_contacts) return true;
+  if (!no_contact_before_) return false;
+  if (*no_contact_before_ >= 1 || *no_contact_before_ > kBeyond * length) return true;
+  until_ = static_cast<float>(std::min(1.0, kBeyond * *no_contact_before_ / length + kLeast));
+  return question == Question::earliest;
+}
+
+/// Of steps that go on as the last one did.
+bool PairsAhead::plan_steps(Question question, const Forecast::Fit& fit) {
+  if (question == Question::is_free && !no_contact_before_) return false;
+  steps_listed_ = steps_to_foresee(fit.deviation);
+  slack_ = std::max(kLeastSlackInEdges * edge_, steps_listed_ * steps_listed_ * fit.deviation);
+  until_ = 1;
+  return fit.start > 0 && steps_listed_ >= kFewestSteps;
+}
+
+void PairsAhead::end(const ContactCollector& answer) {
+  const Question question = answer.query().question;
+  no_contact_before_ = answer.bound().latest();
+  if (question == Question::is_free && !answer.contacts().empty()) no_contact_before_.reset();
+  if (question != Question::all_contacts) return;
+  for (const Contact& contact : answer.contacts())
+    no_contact_before_ = std::min(*no_contact_before_, contact.toi_upper);
+}
+
+bool PairsAhead::follows_prediction(const Step& step) {
+  const auto fit = predicted_.fit(step, slack_);
+  if (!fit) return false;
+  when_ = {static_cast<float>(fit->start) - kTimeRounding, static_cast<float>(fit->end) + kTimeRounding};
+  return true;
+}
+
+/// `deviation`: after one step. It grows as the square of the steps, where something pulls or pushes.
+double PairsAhead::steps_to_foresee(double deviation) const {
+  return std::floor(std::min(steps_, std::sqrt(kMostSlackInEdges * edge_ / deviation)));
+}
+
+/// From what became of the lists.
+void PairsAhead::learn() {
+  if (queries_served_ < (starts_again_ ? kQueriesWorthListsOfOneStep : kQueriesWorthLists))
+    pause();
+  else
+    next_pause_ = kFirstPauseInQueries;
+  if (starts_again_) return;
+  const bool have_all_come = queries_served_ + 1 >= steps_listed_;
+  steps_ = have_all_come ? std::min(2 * steps_, kMostSteps) : std::max(steps_ / 2, kFewestSteps);
+}
+
+bool PairsAhead::complete(bool hold_all) {
+  are_listed_ = hold_all;
+  if (hold_all) return true;
+  pause();
+  forget();
+  for (PairList& list : lists_) list = {};
+  return false;
+}
+
+void PairsAhead::pause() {
+  pause_ = next_pause_;
+  next_pause_ = std::min(2 * next_pause_, kLongestPauseInQueries);
+}
+
+void PairsAhead::forget() {
+  are_listed_ = false;
+  predicted_.clear();
+  for (PairList& list : lists_) list.clear();
+}
+
+std::uint64_t PairsAhead::memory_bytes() const {
+  std::uint64_t bytes = next_.memory_bytes() + predicted_.memory_bytes() +
+                        (sample_.capacity() + sample_numbers_.capacity()) * sizeof(Index) +
+                        (sample_start_.capacity() + sample_end_.capacity()) * sizeof(Point);
+  for (const PairList& list : lists_) bytes += list.memory_bytes();
+  return bytes;
+}
+
+}  // namespace tamis

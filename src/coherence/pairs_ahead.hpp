@@ -1,0 +1,80 @@
+// Pairs listed ahead: where a mesh goes on as it did, or is asked about the same step again, as in a line search, the
+// pairs that may come near on its predicted step are found once, and each of these queries asks about those alone. It
+// decides what is looked at, never what the answer is.
+#pragma once
+#include <vector>
+
+#include "coherence/forecast.hpp"
+#include "coherence/pair_list.hpp"
+#include "query/contact_collector.hpp"
+
+namespace tamis {
+
+/// Bounded memory: kMostPairsABlock pairs a leaf block of sixteen features, 24 bytes each, with room to grow to twice
+/// that; and positions.
+class PairsAhead {
+ public:
+  /// Keeps a reference.
+  explicit PairsAhead(const Mesh& mesh);
+
+  /// A new query. True: the lists hold the pairs that may touch, unless leaves_undecided() says otherwise then.
+  bool begin(const Query& query);
+  /// The listed pairs have been decided, and a contact may be among others: the trees must be searched.
+  bool leaves_undecided(const ContactCollector& answer) const;
+  /// Else: did the last query foresee this one, so that lists promise to help the next ones? If so, search
+  /// predicted_step() for pairs that may touch before until() while every vertex is within slack() of it, hand them to
+  /// take(), then call complete().
+  bool plan(const Query& query);
+  Step predicted_step() const { return predicted_.step(); }
+  double slack() const { return slack_; }
+  /// A part of the predicted step.
+  float until() const { return until_; }
+  /// Where a mesh has so many leaf blocks.
+  static std::int64_t most_pairs(int leaf_blocks) { return kMostPairsABlock * leaf_blocks; }
+  /// All of `pairs`, which then is empty.
+  void take(PairKind kind, PairList& pairs) { lists_[static_cast<std::size_t>(kind)].take(pairs); }
+  /// The lists are ready; or the pairs were too many, and there are none. Returns which.
+  bool complete(bool hold_all);
+  /// This query, as part of the predicted step.
+  const TimeInterval<float>& when() const { return when_; }
+  const PairList& list(PairKind kind) const { return lists_[static_cast<std::size_t>(kind)]; }
+  void end(const ContactCollector& answer);
+  std::uint64_t memory_bytes() const;
+
+ private:
+  static constexpr std::int64_t kMostPairsABlock = 256;
+
+  bool plan_again(Question question, double length);
+  bool plan_steps(Question question, const Forecast::Fit& fit);
+  /// Do the lists hold all that may touch until this part of the predicted step?
+  bool covers(float time) const { return until_ == 1 || time <= until_; }
+  Step sample_of(const Step& step);
+  /// Sets when_.
+  bool follows_prediction(const Step& step);
+  void forget();
+  void learn();
+  void pause();
+  double steps_to_foresee(double deviation) const;
+
+  const Mesh& mesh_;
+  std::vector<Index> sample_, sample_numbers_;    ///< some vertices in use; 0, 1, ...
+  std::vector<Point> sample_start_, sample_end_;  ///< where they are in a step
+  Forecast next_;                                 ///< by the last query, of the sample
+  Forecast predicted_;                            ///< that the lists are for, of all vertices in use
+  double slack_ = 0;                              ///< how far vertices may deviate from it
+  double edge_ = 0;                               ///< mean length, when last planned
+  double separation_ = 0;                         ///< asked for when the lists were made
+  TimeInterval<float> when_{};
+  PairList lists_[kPairKinds];
+  bool are_listed_ = false;
+  bool starts_again_ = false;                    ///< the query that planned them started as the one before it did
+  float until_ = 1;                              ///< when the lists end
+  std::optional<double> no_contact_before_ = 1;  ///< of the last query's step; 1: none at all; nothing: not known
+  double steps_;                                 ///< to look ahead
+  double steps_listed_ = 0;
+  int queries_served_ = 0;  ///< by these lists
+  int pause_ = 0;           ///< queries until it is worth another try
+  int next_pause_;
+};
+
+}  // namespace tamis

@@ -1,0 +1,93 @@
+#include "query/contact_collector.hpp"
+
+#include <algorithm>
+#include <tuple>
+
+#include "motion/time_clip.hpp"
+#include "narrow/decide.hpp"
+#include "numerics/assert.hpp"
+#include "query/cancellation.hpp"
+
+namespace tamis {
+
+bool comes_before(const Contact& a, const Contact& b) {
+  return std::tie(a.kind, a.vertices, a.toi_lower, a.toi_upper) <
+         std::tie(b.kind, b.vertices, b.toi_lower, b.toi_upper);
+}
+
+void ContactCollector::begin(const Query& query, Bound& bound) {
+  query_ = &query;
+  bound_ = &bound;
+  contacts_.clear();
+  first_ = {};
+  decided_by_ = {};
+}
+
+void ContactCollector::add(PairKind kind, const PairVertices& vertices, const PairResult& result) {
+  if (!result.touches) return;
+  TAMIS_ASSERT(is_kind(kind) && is_part_of_step(TimeInterval<double>{result.toi_lower, result.toi_upper}));
+  const Question question = query_->question;
+  if (question == Question::is_free) {
+    bound_->settle();
+    if (!contacts_.empty()) return;
+  }
+  if (question == Question::earliest) {
+    if (result.toi_lower > bound_->latest()) return;
+    bound_->lower(result.toi_upper * kNearTie);
+  }
+  contacts_.push_back(contact_of(kind, vertices, result));
+  if (question == Question::earliest && (contacts_.size() >= kMostContactsKept || result.toi_lower == 0))
+    reduce_to_first();
+}
+
+bool ContactCollector::wants(PairKind kind, const PairVertices& vertices) const {
+  if (query_->question == Question::is_free) return !bound_->is_settled();
+  return !touches_at_start() || std::tie(kind, vertices) < std::tie(first_.contact->kind, first_.contact->vertices);
+}
+
+void ContactCollector::take(ContactCollector& other) {
+  if (contacts_.empty())
+    contacts_.swap(other.contacts_);
+  else
+    contacts_.insert(contacts_.end(), other.contacts_.begin(), other.contacts_.end());
+  other.contacts_.clear();
+  decided_by_ += other.decided_by_;
+  other.decided_by_ = {};
+  learn(other);
+}
+
+void ContactCollector::learn(const ContactCollector& other) {
+  if (!other.first_.contact) return;
+  first_.toi_upper = std::min(first_.toi_upper, other.first_.toi_upper);
+  keep_first(*other.first_.contact);
+}
+
+EarliestContact ContactCollector::first() {
+  reduce_to_first();
+  return first_;
+}
+
+/// Contacts are decided anew on the whole step: the last bits of what the search found depend on how far it still had
+/// to look, and so on earlier questions.
+void ContactCollector::reduce_to_first() {
+  for (const Contact& c : contacts_) {
+    if (c.toi_lower > bound_->latest() || !wants(c.kind, c.vertices)) continue;
+    stop_if_cancelled(*query_);
+    const PairOptions rule = query_->rule_for(c.kind, c.vertices);
+    const PairResult result = decide(c.kind, points_of(query_->step, c.vertices), rule, decided_by_);
+    keep_first(contact_of(c.kind, c.vertices, result));
+  }
+  contacts_.clear();
+}
+
+void ContactCollector::keep_first(const Contact& decided) {
+  first_.toi_upper = std::min(first_.toi_upper, decided.toi_upper);
+  bound_->lower(decided.toi_upper * kNearTie);
+  const bool is_first = !first_.contact || decided.toi_lower < first_.toi_lower ||
+                        (decided.toi_lower == first_.toi_lower && comes_before(decided, *first_.contact));
+  if (!is_first) return;
+  first_.toi_lower = decided.toi_lower;
+  first_.contact = decided;
+}
+
+}  // namespace tamis

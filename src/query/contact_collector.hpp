@@ -1,0 +1,69 @@
+// Where a decided pair becomes an answer: all contacts are kept, those that can still be the first, or one.
+#pragma once
+#include <vector>
+
+#include "query/bound.hpp"
+#include "query/pair_rules.hpp"
+#include "query/query.hpp"
+#include "tamis/statistics.hpp"
+
+namespace tamis {
+
+/// `earliest` looks at every contact that starts up to this factor after the end of another one: no bracket is so
+/// wide that the first of two could be lost to rounding.
+inline constexpr double kNearTie = 1 + 0x1p-16;
+
+/// By kind, then vertices; duplicate features leave equal keys, so the time comes last.
+bool comes_before(const Contact& a, const Contact& b);
+
+/// REQUIRES: a pair that touches.
+inline Contact contact_of(PairKind kind, const PairVertices& vertices, const PairResult& r) {
+  TAMIS_ASSERT(r.touches);
+  return {kind, r.certainty, vertices, r.toi_lower, r.toi_upper, r.u, r.v, r.normal};
+}
+
+/// One per thread, and one for the answer. In any order of contacts, shared out in any way, the answer is the same.
+class ContactCollector {
+ public:
+  /// A new query; the memory stays. Query and bound, which all threads share, must outlive the answer. REQUIRES: a
+  /// bound that has begun.
+  void begin(const Query& query, Bound& bound);
+  /// Takes what was decided of a pair, if it touches. REQUIRES: a kind there is, times in [0,1] and in order.
+  void add(PairKind kind, const PairVertices& vertices, const PairResult& result);
+  /// Can this pair still change the answer? Cheap, to be asked before a pair is decided: a pair that touches at t=0
+  /// makes all that come behind it in the order of contacts irrelevant, and any contact ends the question is_free.
+  bool wants(PairKind kind, const PairVertices& vertices) const;
+  bool wants(PairKind kind) const { return wants(kind, {0, 0, 0, 0}); }
+  /// A pair touches at t=0: from now on it is worth asking `wants` of each pair first.
+  bool touches_at_start() const { return first_.contact && first_.toi_upper == 0; }
+  /// Takes what `other` has collected, which then is empty.
+  void take(ContactCollector& other);
+  /// What `other` knows of the first contact spares pairs here.
+  void learn(const ContactCollector& other);
+
+  const Query& query() const { return *query_; }
+  Bound& bound() const { return *bound_; }
+  /// all_contacts: every contact, in no order; is_free: one, if there is any.
+  std::vector<Contact>& contacts() { return contacts_; }
+  const std::vector<Contact>& contacts() const { return contacts_; }
+  /// earliest: the answer, decided on the whole step, so that it does not depend on how far the search still looked.
+  EarliestContact first();
+  const PrecisionCount& decided_by() const { return decided_by_; }
+  std::uint64_t memory_bytes() const { return contacts_.capacity() * sizeof(Contact); }
+
+ private:
+  /// Contacts that `earliest` keeps at most before they are reduced to the first one. One that may touch at t=0, where
+  /// nothing comes before it, is not kept at all.
+  static constexpr std::size_t kMostContactsKept = 1024;
+
+  void reduce_to_first();
+  void keep_first(const Contact& decided);
+
+  const Query* query_ = nullptr;
+  Bound* bound_ = nullptr;
+  std::vector<Contact> contacts_;  ///< earliest: those not yet decided on the whole step
+  EarliestContact first_;          ///< of those that are
+  PrecisionCount decided_by_;
+};
+
+}  // namespace tamis

@@ -1,0 +1,92 @@
+// Which pairs of features are pairs at all: those without a common vertex that the caller's filter lets pass.
+#pragma once
+#include <algorithm>
+#include <array>
+
+#include "motion/make_motion.hpp"
+#include "motion/pair_kinds.hpp"
+#include "numerics/assert.hpp"
+#include "query/isolated.hpp"
+#include "tamis/options.hpp"
+#include "topology/loose_features.hpp"
+
+namespace tamis {
+
+using PairVertices = std::array<Index, 4>;  ///< as in Contact, before sorting
+
+inline bool are_adjacent(PairKind kind, const PairVertices& v) {
+  if (kind == PairKind::edge_edge) return v[0] == v[2] || v[0] == v[3] || v[1] == v[2] || v[1] == v[3];
+  return v[0] == v[1] || v[0] == v[2] || v[0] == v[3];
+}
+
+/// The order of vertices that Contact documents; face winding is the mesh's.
+inline PairVertices in_contact_order(PairKind kind, PairVertices v) {
+  if (kind == PairKind::edge_edge && std::array{v[2], v[3]} < std::array{v[0], v[1]}) {
+    std::swap(v[0], v[2]);
+    std::swap(v[1], v[3]);
+  }
+  if (kind == PairKind::vertex_vertex && v[1] < v[0]) std::swap(v[0], v[1]);
+  return v;
+}
+
+/// Does the filter know groups at all?
+inline bool has_groups(const PairFilter& filter) { return !filter.groups_may_touch.empty(); }
+
+/// May the groups of two vertices? REQUIRES: has_groups; vertices that have a group, groups that there are.
+inline bool may_touch(const PairFilter& filter, Index a, Index b) {
+  TAMIS_ASSERT(has_groups(filter));
+  const auto group = [&](Index v) {
+    TAMIS_ASSERT(static_cast<std::size_t>(v) < filter.group_of_vertex.size());
+    const Index g = filter.group_of_vertex[static_cast<std::size_t>(v)];
+    TAMIS_ASSERT(0 <= g && g < filter.group_count);
+    return static_cast<std::size_t>(g);
+  };
+  return filter.groups_may_touch[group(a) * static_cast<std::size_t>(filter.group_count) + group(b)] != 0;
+}
+
+/// The caller's PairFilter. `v` in contact order.
+inline bool lets_pass(const PairFilter& filter, PairKind kind, const PairVertices& v) {
+  if (has_groups(filter) && !may_touch(filter, v[0], v[second_feature(kind)])) return false;
+  return !filter.accepts || isolated([&] { return filter.accepts(kind, v); });
+}
+
+/// Calls f(kind, vertices) for every pair of features that is one; vertices in contact order.
+template <class F>
+void for_each_pair(const Mesh& mesh, const PairFilter& filter, const F& f) {
+  const auto offer = [&](PairKind kind, PairVertices v) {
+    v = in_contact_order(kind, v);
+    if (!are_adjacent(kind, v) && lets_pass(filter, kind, v)) f(kind, v);
+  };
+  for (Index p : mesh.points())
+    for (const Face& face : mesh.faces()) offer(PairKind::vertex_face, {p, face[0], face[1], face[2]});
+  const auto edges = mesh.edges();
+  for (std::size_t j = 0; j < edges.size(); ++j)
+    for (std::size_t i = 0; i < j; ++i)
+      offer(PairKind::edge_edge, {edges[i][0], edges[i][1], edges[j][0], edges[j][1]});
+  const LooseFeatures loose(mesh);
+  for (Index p : loose.points) {
+    for (const Edge& edge : loose.edges) offer(PairKind::vertex_edge, {p, edge[0], edge[1], -1});
+    for (Index q : loose.points)
+      if (p < q) offer(PairKind::vertex_vertex, {p, q, -1, -1});
+  }
+}
+
+/// Where the vertices are; zero where there is none. REQUIRES: vertices of the step.
+inline PairPoints points_of(const Step& step, const PairVertices& vertices) {
+  PairPoints points{};
+  for (std::size_t i = 0; i < 4 && vertices[i] >= 0; ++i) {
+    TAMIS_ASSERT(vertices[i] < step.start.count() && vertices[i] < step.end.count());
+    std::copy_n(step.start[vertices[i]], 3, points.start[i].begin());
+    std::copy_n(step.end[vertices[i]], 3, points.end[i].begin());
+  }
+  return points;
+}
+
+/// Of a vertex that runs along the edge within the step, and the face at rest: where the two meet, edge and face do.
+inline PairPoints points_along(const Positions& at, const Edge& edge, const Face& face) {
+  PairPoints points = points_of({at, at}, {edge[0], face[0], face[1], face[2]});
+  std::copy_n(at[edge[1]], 3, points.end[0].begin());
+  return points;
+}
+
+}  // namespace tamis

@@ -1,0 +1,28 @@
+// The documented order of pairs at rest.
+#pragma once
+#include <functional>
+#include <vector>
+
+#include "query/pair_rules.hpp"
+
+namespace tamis {
+
+/// Sorts pairs of one kind by their vertices; keeps its scratch memory from call to call. Runs in the caller's oneTBB
+/// arena. What `pause`, called now and then, throws ends it.
+class ProximityOrder {
+ public:
+  void sort(
+      std::vector<PairVertices>& pairs, Index vertex_count, const std::function<void()>& pause = [] {});
+  std::uint64_t memory_bytes() const {
+    return places_.capacity() * sizeof(places_[0]) + sorted_.capacity() * sizeof(PairVertices);
+  }
+
+ private:
+  void sort_by(std::size_t corner, std::vector<PairVertices>& pairs, std::size_t buckets);
+
+  std::vector<std::uint32_t>
+      places_;  ///< [part of the pairs][vertex]: how many there are, then where the next one goes
+  std::vector<PairVertices> sorted_;
+};
+
+}  // namespace tamis

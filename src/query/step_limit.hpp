@@ -1,0 +1,47 @@
+// The pair that ends the step first, found in any order.
+#pragma once
+#include <tuple>
+
+#include "narrow/kept_distance.hpp"
+#include "numerics/assert.hpp"
+#include "query/pair_rules.hpp"
+#include "query/query.hpp"
+#include "tamis/contact.hpp"
+
+namespace tamis {
+
+struct StepLimit {
+  double time = 1;  ///< 1: no pair ends the step
+  PairKind kind = PairKind::vertex_face;
+  PairVertices vertices{};
+
+  /// Of equal times the first in the order of contacts stays.
+  void add(const StepLimit& other) {
+    TAMIS_ASSERT(0 <= other.time && other.time <= 1);
+    if (other.time < 1 && other.key() < key()) *this = other;
+  }
+
+  /// A pair that ends the step at once leaves no room for those behind it.
+  bool rules_out(PairKind other_kind, const PairVertices& others) const {
+    return time == 0 && key() < StepLimit{0, other_kind, others}.key();
+  }
+
+  /// With the time at which the pair is proven to end the step, and its distance.
+  SafeStep answer(const Query& query, double fraction) const {
+    if (time == 1) return {};
+    const DistanceRule rule{fraction, query.separations.between(kind, vertices)};
+    const PairPoints points = points_of(query.step, vertices);
+    return {time, fraction_is_left_at(kind, points, rule, time),
+            LimitingPair{kind, vertices, start_distance(kind, points)}};
+  }
+
+ private:
+  std::tuple<double, PairKind, PairVertices> key() const { return {time, kind, vertices}; }
+};
+
+/// By kind, then vertices, whatever their times.
+inline bool comes_before_in_order(const StepLimit& a, const StepLimit& b) {
+  return std::tie(a.kind, a.vertices) < std::tie(b.kind, b.vertices);
+}
+
+}  // namespace tamis

@@ -1,0 +1,36 @@
+// The conductor of the questions about contacts of a step: where a mesh goes on as it did, pairs that may touch are
+// listed for several steps, and the list is asked; else the trees.
+#pragma once
+#include "coherence/pairs_ahead.hpp"
+#include "search/candidate_consumer.hpp"
+#include "search/contact_consumer.hpp"
+#include "search/thread_streams.hpp"
+
+namespace tamis {
+
+class ContactSearch {
+ public:
+  /// Keeps a reference.
+  explicit ContactSearch(Workspace& workspace)
+      : workspace_(workspace), ahead_(workspace.mesh), streams_(workspace), candidate_streams_(workspace) {}
+
+  /// As Engine::find.
+  void find(const Query& query, ContactCollector& answer, Statistics& statistics);
+  std::uint64_t memory_bytes() const {
+    return ahead_.memory_bytes() + streams_.memory_bytes() + candidate_streams_.memory_bytes();
+  }
+
+ private:
+  bool prepare(const Query& query, Statistics& statistics);
+  bool list_ahead(const Query& query, Statistics& statistics);
+  void search_lists(ContactCollector& answer);
+  void search_trees(ContactCollector& answer);
+  float gather(ContactCollector& answer);
+
+  Workspace& workspace_;
+  PairsAhead ahead_;
+  ThreadStreams<ContactConsumer> streams_;
+  ThreadStreams<CandidateConsumer> candidate_streams_;
+};
+
+}  // namespace tamis

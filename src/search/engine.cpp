@@ -1,0 +1,57 @@
+// The default method: boxes that move in time, slab clip, DNF, NCF, certified roots; pairs stream through in small
+// buffers.
+#include "query/engine.hpp"
+
+#include "search/contact_search.hpp"
+#include "search/intersection_search.hpp"
+#include "search/proximity_search.hpp"
+#include "search/step_length_search.hpp"
+
+namespace tamis {
+namespace {
+
+class TamisEngine final : public Engine {
+ public:
+  TamisEngine(const Mesh& mesh, const Options& options) : workspace_(mesh, options) {}
+
+  void find(const Query& query, ContactCollector& answer, Statistics& statistics) override {
+    contacts_.find(query, answer, statistics);
+  }
+  SafeStep find_step_length(const Query& query, double fraction, Statistics& statistics) override {
+    return step_lengths().find(query, fraction, statistics);
+  }
+  void find_step_ends(const Query& query, double fraction, std::vector<StepLimit>& ends,
+                      Statistics& statistics) override {
+    step_lengths().find_all(query, fraction, ends, statistics);
+  }
+  void find_near(const Query& query, std::vector<NearPair>& pairs, Statistics& statistics) override {
+    proximity_.find(query, pairs, statistics);
+  }
+  void find_intersections(const Query& query, std::vector<Intersection>& found, Statistics& statistics) override {
+    intersections_.find(query, found, statistics);
+  }
+  std::uint64_t memory_bytes() const override {
+    return workspace_.memory_bytes() + contacts_.memory_bytes() + proximity_.memory_bytes() +
+           intersections_.memory_bytes() + (step_lengths_ ? step_lengths_->memory_bytes() : 0);
+  }
+
+ private:
+  StepLengthSearch& step_lengths() {
+    if (!step_lengths_) step_lengths_ = std::make_unique<StepLengthSearch>(workspace_);
+    return *step_lengths_;
+  }
+
+  Workspace workspace_;
+  ContactSearch contacts_{workspace_};
+  ProximitySearch proximity_{workspace_};
+  IntersectionSearch intersections_{workspace_};
+  std::unique_ptr<StepLengthSearch> step_lengths_;  ///< made by the first question that needs it: it copies objects
+};
+
+}  // namespace
+
+std::unique_ptr<Engine> make_tamis_engine(const Mesh& mesh, const Options& options) {
+  return std::make_unique<TamisEngine>(mesh, options);
+}
+
+}  // namespace tamis

@@ -1,0 +1,70 @@
+#include "search/intersection_search.hpp"
+
+#include <algorithm>
+
+#include "narrow/decide.hpp"
+#include "query/cancellation.hpp"
+#include "query/engine.hpp"
+#include "search/pair_buffer.hpp"
+#include "search/stages.hpp"
+
+namespace tamis {
+namespace {
+
+/// The edge's first vertex, which runs along it, and the face.
+constexpr PairKind kEdgeRunner = PairKind::vertex_face;
+
+Edge edge_of(const PairBuffer& pairs, int i) { return {pairs.corner[0][i], pairs.corner[4][i]}; }
+Face face_of(const PairBuffer& pairs, int i) { return {pairs.corner[1][i], pairs.corner[2][i], pairs.corner[3][i]}; }
+
+}  // namespace
+
+void IntersectionConsumer::begin(IntersectionQuery& asked) {
+  PairConsumer::begin(asked.query);
+  asked_ = &asked;
+  found_.clear();
+}
+
+/// The caller's own function is about pairs of other kinds: groups alone leave pairs out.
+void IntersectionConsumer::consume(PairKind kind) {
+  if (!wants(kind)) thread().boxes.count = 0;
+  leave_out_groups(query().filter, kind, thread().boxes);
+  const int count = decide_crossings(thread(), kind, thread().kernels.along_edges);
+  for_each_solved(
+      thread(), count, [&](int pair, const PairResult& result) { add(pair, result); },
+      [&](int pair) { decide_singly(pair); });
+}
+
+void IntersectionConsumer::add(int pair, const PairResult& r) {
+  if (!r.touches) return;
+  const PairBuffer& pairs = thread().filtered;
+  found_.push_back({edge_of(pairs, pair), face_of(pairs, pair), r.toi_lower, r.toi_upper, r.u, r.v});
+  if (query().question == Question::is_free) asked_->bound.settle();
+}
+
+void IntersectionConsumer::decide_singly(int pair) {
+  stop_if_cancelled(query());
+  if (!wants(kEdgeRunner)) return;
+  const PairBuffer& pairs = thread().filtered;
+  const PairPoints points = points_along(query().step.start, edge_of(pairs, pair), face_of(pairs, pair));
+  add(pair, decide(kEdgeRunner, points, {}, thread().counts.decided_by));
+}
+
+void IntersectionSearch::find(const Query& query, std::vector<Intersection>& found, Statistics& statistics) {
+  const FeatureTrees& trees = workspace_.trees;
+  workspace_.trees.refit_or_rebuild(query.step, {}, statistics);
+  const Stopwatch watch;
+  IntersectionQuery asked{query};
+  streams_.begin(asked);
+  streams_.search(kEdgeRunner, trees.edges(), trees.faces());
+  found.clear();
+  streams_.finish([&](IntersectionConsumer& consumer) {
+    found.insert(found.end(), consumer.found().begin(), consumer.found().end());
+  });
+  using Counts = SearchCounts;
+  streams_.report(statistics, watch.seconds(),
+                  {&Counts::boxes, &Counts::slab, &Counts::dnf, &Counts::ncf, &Counts::solve});
+  std::sort(found.begin(), found.end(), comes_first);
+}
+
+}  // namespace tamis

@@ -1,0 +1,55 @@
+// Which edges pass through triangles, or touch them, in one pose? A vertex that runs along the edge within a step meets
+// every triangle that the edge meets: so that this is a question of vertex-face contacts, and decided as they are.
+#pragma once
+#include <vector>
+
+#include "query/bound.hpp"
+#include "search/thread_streams.hpp"
+
+namespace tamis {
+
+/// What the threads share.
+struct IntersectionQuery {
+  const Query& query;
+  Bound bound = {};  ///< settled: nothing more is asked for
+};
+
+class IntersectionConsumer final : public PairConsumer {
+ public:
+  static constexpr bool kShortensSearch = false;
+  using Asked = IntersectionQuery;
+
+  using PairConsumer::PairConsumer;
+
+  void begin(IntersectionQuery& asked);
+  const std::vector<Intersection>& found() const { return found_; }
+
+  bool wants(PairKind) const override { return !asked_->bound.is_settled(); }
+  SearchKernel kernel(PairKind) const override { return thread().kernels.along_edges.search; }
+  void consume(PairKind kind) override;
+  std::uint64_t memory_bytes() const { return found_.capacity() * sizeof(Intersection); }
+
+ private:
+  /// A pair of thread().filtered.
+  void add(int pair, const PairResult& result);
+  void decide_singly(int pair);
+
+  IntersectionQuery* asked_ = nullptr;
+  std::vector<Intersection> found_;
+};
+
+class IntersectionSearch {
+ public:
+  /// Keeps a reference.
+  explicit IntersectionSearch(Workspace& workspace) : workspace_(workspace), streams_(workspace) {}
+
+  /// As Engine::find_intersections.
+  void find(const Query& query, std::vector<Intersection>& found, Statistics& statistics);
+  std::uint64_t memory_bytes() const { return streams_.memory_bytes(); }
+
+ private:
+  Workspace& workspace_;
+  ThreadStreams<IntersectionConsumer> streams_;
+};
+
+}  // namespace tamis

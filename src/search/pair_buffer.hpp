@@ -1,0 +1,64 @@
+// What consumers do with a buffer of pairs. `leave_out` is the place where pairs are left out for what they are, and
+// not for where: each consumer calls it where that costs least, and never after a pair is decided.
+#pragma once
+#include "kernels/kernels.hpp"
+#include "numerics/assert.hpp"
+#include "query/pair_rules.hpp"
+
+namespace tamis {
+
+/// In contact order: the search gives them so. REQUIRES: a pair of the buffer.
+inline PairVertices vertices_of(PairKind kind, const PairBuffer& pairs, int i) {
+  TAMIS_ASSERT(0 <= i && i < pairs.count);
+  PairVertices vertices{-1, -1, -1, -1};
+  for (std::size_t c = 0; c < vertex_count(kind); ++c) vertices[c] = pairs.corner[c][i];
+  return vertices;
+}
+
+/// Searches from one leaf block, into the buffer. REQUIRES: a buffer, and what empties it; a block that there is; a
+/// time limit in [0,1].
+inline void search_block(SearchKernel kernel, Search& search, int block) {
+  TAMIS_ASSERT(search.pairs && search.flush && search.pairs->count <= PairBuffer::kCapacity);
+  TAMIS_ASSERT(0 <= block && block < search.a.leaf_blocks);
+  TAMIS_ASSERT(0 <= search.t_limit && search.t_limit <= 1 && search.widened >= 0);
+  kernel(search, block);
+}
+
+/// Keeps the pairs of a buffer for which is_wanted(i). Nothing here waits for a branch. REQUIRES: no more than it
+/// holds.
+template <class F>
+void keep_wanted(PairBuffer& pairs, const F& is_wanted) {
+  TAMIS_ASSERT(0 <= pairs.count && pairs.count <= PairBuffer::kCapacity);
+  int kept = 0;
+  for (int i = 0; i < pairs.count; ++i) {
+    const bool is_kept = is_wanted(i);
+    for (auto& corner : pairs.corner) corner[kept] = corner[i];
+    pairs.t_in[kept] = pairs.t_in[i];
+    pairs.t_out[kept] = pairs.t_out[i];
+    kept += is_kept;
+  }
+  pairs.count = kept;
+}
+
+/// Two loose points are found from both sides.
+inline void keep_each_once(PairKind kind, PairBuffer& pairs) {
+  if (kind == PairKind::vertex_vertex)
+    keep_wanted(pairs, [&](int i) { return pairs.corner[0][i] < pairs.corner[1][i]; });
+}
+
+/// Leaves out the pairs of groups that may not touch.
+inline void leave_out_groups(const PairFilter& filter, PairKind kind, PairBuffer& pairs) {
+  if (!has_groups(filter)) return;
+  keep_wanted(pairs, [&, second = second_feature(kind)](int i) {
+    return may_touch(filter, pairs.corner[0][i], pairs.corner[second][i]);
+  });
+}
+
+/// Leaves out what the caller's filter does not let pass.
+inline void leave_out(const PairFilter& filter, PairKind kind, PairBuffer& pairs) {
+  leave_out_groups(filter, kind, pairs);
+  if (!filter.accepts) return;
+  isolated([&] { keep_wanted(pairs, [&](int i) { return filter.accepts(kind, vertices_of(kind, pairs, i)); }); });
+}
+
+}  // namespace tamis

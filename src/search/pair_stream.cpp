@@ -1,0 +1,71 @@
+#include "search/pair_stream.hpp"
+
+#include <algorithm>
+
+#include "query/cancellation.hpp"
+#include "search/pair_buffer.hpp"
+
+namespace tamis {
+
+void PairStream::begin() {
+  thread_.counts = {};
+  thread_.boxes.count = 0;
+}
+
+void PairStream::search(PairKind kind, const TreeView& a, const TreeView& b, const BlockRange& blocks, float t_limit) {
+  thread_.watch.lap();
+  set_kind(kind);
+  Search search{a, b};
+  search.t_limit = t_limit;
+  consumer_.limit(search);
+  search.pairs = &thread_.boxes;
+  search.flush = flush;
+  search.context = this;
+  const SearchKernel kernel = consumer_.kernel(kind);
+  for (int block = blocks.first; block < blocks.last && consumer_.wants(kind); block += blocks.stride)
+    search_block(kernel, search, block);
+  thread_.counts.nodes_visited += search.nodes_visited;
+  thread_.counts.traverse += thread_.watch.lap();
+}
+
+void PairStream::search(PairKind kind, const PairList& pairs, std::size_t first, std::size_t last,
+                        const TimeInterval<float>& when, float t_limit) {
+  thread_.watch.lap();
+  set_kind(kind);
+  constexpr std::size_t kPairsAtOnce = 256;
+  for (; first < last && consumer_.wants(kind); first += kPairsAtOnce) {
+    if (static_cast<std::size_t>(thread_.boxes.count) + kPairsAtOnce > PairBuffer::kCapacity) {
+      thread_.counts.traverse += thread_.watch.lap();
+      consume();
+    }
+    pairs.copy(first, std::min(last, first + kPairsAtOnce), when, t_limit, thread_.boxes);
+  }
+  thread_.counts.traverse += thread_.watch.lap();
+}
+
+void PairStream::finish() {
+  thread_.watch.lap();
+  consume();
+}
+
+void PairStream::flush(Search& search) {
+  auto& self = *static_cast<PairStream*>(search.context);
+  self.thread_.counts.traverse += self.thread_.watch.lap();
+  self.consume();
+  self.consumer_.limit(search);
+}
+
+void PairStream::set_kind(PairKind kind) {
+  if (kind != kind_) consume();
+  kind_ = kind;
+}
+
+void PairStream::consume() {
+  stop_if_cancelled(consumer_.query());
+  keep_each_once(kind_, thread_.boxes);
+  consumer_.consume(kind_);
+  thread_.boxes.count = 0;
+  thread_.counts.solving += thread_.watch.lap();
+}
+
+}  // namespace tamis

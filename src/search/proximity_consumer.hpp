@@ -1,0 +1,36 @@
+// Which pairs are within their separation at rest: closest points in lanes, and in integers where doubles do not tell.
+#pragma once
+#include <array>
+#include <vector>
+
+#include "search/pair_stream.hpp"
+#include "tamis/near.hpp"
+
+namespace tamis {
+
+class ProximityConsumer final : public PairConsumer {
+ public:
+  /// All pairs are wanted; none waits, so that threads share the decisions.
+  static constexpr bool kShortensSearch = true;
+  using Asked = const Query;
+
+  using PairConsumer::PairConsumer;
+
+  void begin(const Query& query);
+  /// Of one kind, in no order.
+  std::vector<PairVertices>& found(PairKind kind) { return found_[static_cast<std::size_t>(kind)]; }
+  /// What is to be said of pairs that were found, in their order.
+  void describe(PairKind kind, std::span<const PairVertices> pairs, NearPair* out);
+
+  SearchKernel kernel(PairKind kind) const override { return thread().kernels.of(kind).search_at_rest; }
+  void limit(Search& search) const override { search.widened = thread().motion.box_separation().fixed; }
+  void consume(PairKind kind) override;
+  std::uint64_t memory_bytes() const;
+
+ private:
+  void keep(PairKind kind, PairBuffer& pairs);
+
+  std::array<std::vector<PairVertices>, kPairKinds> found_;
+};
+
+}  // namespace tamis

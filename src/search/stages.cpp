@@ -1,0 +1,40 @@
+#include "search/stages.hpp"
+
+namespace tamis {
+namespace {
+
+/// Leaves thread.clipped.
+void clip(SearchThread& thread, PairKind kind, const PairKernels& stages) {
+  const auto entered = static_cast<std::uint64_t>(thread.boxes.count);
+  of(thread.counts.boxes, kind) += entered;
+  of(thread.counts.slab, kind) += entered;
+  thread.clipped.count = thread.filtered.count = 0;
+  stages.slab(thread.motion.box_vertices.data(), thread.motion.box_separation(), thread.boxes, thread.clipped);
+}
+
+}  // namespace
+
+int decide_crossings(SearchThread& thread, PairKind kind, const PairKernels& stages) {
+  clip(thread, kind, stages);
+  const PackedVertex* vertices = thread.motion.vertices.data();
+  of(thread.counts.dnf, kind) += static_cast<std::uint64_t>(thread.clipped.count);
+  of(thread.counts.ncf, kind) += static_cast<std::uint64_t>(stages.filter(vertices, thread.clipped, thread.filtered));
+  of(thread.counts.solve, kind) += static_cast<std::uint64_t>(thread.filtered.count);
+  thread.counts.filter += thread.watch.lap();
+  return stages.solve(vertices, thread.filtered, thread.clipped, thread.room_for_solved());
+}
+
+int decide_within_separation(SearchThread& thread, PairKind kind, double latest) {
+  const PairKernels& stages = thread.kernels.of(kind);
+  const PackedMotion& motion = thread.motion;
+  clip(thread, kind, stages);
+  of(thread.counts.apart, kind) += static_cast<std::uint64_t>(thread.clipped.count);
+  stages.cull_apart(motion.box_vertices.data(), motion.box_separation(), thread.clipped, thread.filtered);
+  of(thread.counts.solve, kind) += static_cast<std::uint64_t>(thread.filtered.count);
+  thread.counts.filter += thread.watch.lap();
+  const WithinRule rule{motion.pair_separation(), latest};
+  return stages.come_within(motion.vertices.data(), rule, thread.filtered, thread.within_scratch(),
+                            thread.room_for_solved());
+}
+
+}  // namespace tamis

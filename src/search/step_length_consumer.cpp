@@ -1,0 +1,77 @@
+#include "search/step_length_consumer.hpp"
+
+#include <cmath>
+#include <limits>
+
+#include "numerics/error_bounds.hpp"
+#include "query/cancellation.hpp"
+#include "search/pair_buffer.hpp"
+
+namespace tamis {
+namespace {
+
+float rounded_up(double x) { return std::nextafter(static_cast<float>(x), std::numeric_limits<float>::infinity()); }
+
+}  // namespace
+
+NearRule StepLengthQuery::rule() const {
+  TAMIS_ASSERT(0 < fraction && fraction < 1);
+  const double until = bound.latest() * (1 + 0x1p-15);
+  return {rounded_up(fraction), rounded_up(until / (1 - fraction)), rounded_up(until), spread, reserve_bounds(until)};
+}
+
+/// (stretch - fraction) reserve <= until way + room + (1 - stretch) separation; without gradients this is what speed
+/// alone allows, of which single pairs know no less.
+ReserveBounds StepLengthQuery::reserve_bounds(double until) const {
+  constexpr double kShare = 0.25;  // (x + y + z)^2 <= (1 + kShare) x^2 + 2 (1 + 1 / kShare) (y^2 + z^2)
+  const double left = stretch.least - fraction, reach = until / left;
+  const float stretch2 = rounded_up(stretch.greatest * stretch.greatest);
+  if (!stretch.is_any) return {rounded_up(reach * reach), 0, 0, stretch2};
+  const double room = error_bounds::kRoomOfBoxes / left, apart = (1 - stretch.least) * separation / left;
+  return {rounded_up((1 + kShare) * reach * reach), rounded_up(4 * (1 + 1 / kShare) * room * room),
+          rounded_up(2 * (1 + 1 / kShare) * apart * apart), stretch2};
+}
+
+void StepLengthConsumer::begin(StepLengthQuery& asked) {
+  PairConsumer::begin(asked.query);
+  asked_ = &asked;
+  limit_ = {};
+  ends_.clear();
+}
+
+void StepLengthConsumer::consume(PairKind kind) {
+  const PackedMotion& motion = thread().motion;
+  SearchCounts& counts = thread().counts;
+  PairBuffer &boxes = thread().boxes, &near = thread().filtered;
+  of(counts.boxes, kind) += static_cast<std::uint64_t>(boxes.count);
+  if (can_cross(kind)) {
+    near.count = 0;
+    const NearVertices vertices{motion.box_vertices.data(), motion.box_separation(), motion.vertices.data(),
+                                motion.pair_separation()};
+    thread().kernels.of(kind).near(vertices, asked_->rule(), boxes, near);
+  }
+  PairBuffer& left = can_cross(kind) ? near : boxes;  // loose points are few
+  of(counts.near, kind) += static_cast<std::uint64_t>(left.count);
+  leave_out(query().filter, kind, left);
+  counts.filter += thread().watch.lap();
+  for (int i = 0; i < left.count; ++i) decide(kind, vertices_of(kind, left, i));
+}
+
+void StepLengthConsumer::decide(PairKind kind, const PairVertices& vertices) {
+  stop_if_cancelled(query());
+  if (limit_.rules_out(kind, vertices)) return;
+  const double earliest = asked_->bound.latest();
+  const double until = std::nextafter(earliest, 2.0);  // a tie is of interest too
+  const double time = keeps_distance_until(kind, points_of(query().step, vertices),
+                                           {asked_->fraction, query().separations.between(kind, vertices)}, until,
+                                           thread().counts.decided_by);
+  if (time > earliest) return;
+  if (asked_->lists_all) {
+    if (time < 1) ends_.push_back({time, kind, vertices});
+    return;
+  }
+  limit_.add({time, kind, vertices});
+  asked_->bound.lower(time);
+}
+
+}  // namespace tamis

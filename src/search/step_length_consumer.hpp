@@ -1,0 +1,57 @@
+// Finds the pair that ends the step first: gap on constant axes, and one by one what those leave.
+#pragma once
+#include <vector>
+
+#include "bounds/shared_motion.hpp"
+#include "query/bound.hpp"
+#include "query/step_limit.hpp"
+#include "search/pair_stream.hpp"
+
+namespace tamis {
+
+/// What the threads share. The bound: the first time found so far at which a pair ends the step.
+struct StepLengthQuery {
+  const Query& query;
+  double fraction;
+  bool lists_all;                 ///< every pair that ends the step is of interest: the bound stays
+  float spread = 0;               ///< as in PackedMotion
+  SharedMotion::Stretch stretch;  ///< of the motion beside which the trees have residuals
+  double separation = 0;          ///< of any pair at most, in the coordinates of the boxes
+  Bound bound = {};
+
+  /// Which pairs may still end the step first, in time or in the order of contacts. Until a time later by 2^-15, which
+  /// covers its own rounding, that of the searches in floats, and what the times of single pairs lose to it (2^-18,
+  /// keeps_distance_until): so a pair is never left out that might have had the same time as the first, and the order
+  /// of the search changes nothing.
+  NearRule rule() const;
+
+ private:
+  ReserveBounds reserve_bounds(double until) const;
+};
+
+class StepLengthConsumer final : public PairConsumer {
+ public:
+  static constexpr bool kShortensSearch = true;
+  using Asked = StepLengthQuery;
+
+  using PairConsumer::PairConsumer;
+
+  void begin(StepLengthQuery& asked);
+  const StepLimit& limit() const { return limit_; }
+  /// If the question lists all, in no order.
+  const std::vector<StepLimit>& ends() const { return ends_; }
+
+  SearchKernel kernel(PairKind kind) const override { return thread().kernels.of(kind).search_near; }
+  void limit(Search& search) const override { search.near = asked_->rule(); }
+  void consume(PairKind kind) override;
+  std::uint64_t memory_bytes() const { return ends_.capacity() * sizeof(StepLimit); }
+
+ private:
+  void decide(PairKind kind, const PairVertices& vertices);
+
+  StepLengthQuery* asked_ = nullptr;
+  StepLimit limit_;
+  std::vector<StepLimit> ends_;
+};
+
+}  // namespace tamis

@@ -1,0 +1,35 @@
+// How far may the step go so that every pair keeps a fraction of its distance? A pair can end the step before t only
+// if it is fast enough: (1 - fraction) (distance at t=0 - min_separation) < t * relative speed, or what of that is left
+// beside a motion that many share; and only if it comes as near as the fraction before t. So the search is for pairs of
+// moving boxes that come as near as that, and each pair that ends the step earlier shortens the step for all the rest.
+#pragma once
+#include "bounds/shared_motion.hpp"
+#include "search/step_length_consumer.hpp"
+#include "search/thread_streams.hpp"
+
+namespace tamis {
+
+class StepLengthSearch {
+ public:
+  /// Keeps a reference.
+  explicit StepLengthSearch(Workspace& workspace)
+      : workspace_(workspace), shared_(workspace.mesh), streams_(workspace) {}
+
+  /// As Engine::find_step_length (docs/numerics.md, "Step lengths").
+  SafeStep find(const Query& query, double fraction, Statistics& statistics);
+  /// As Engine::find_step_ends.
+  void find_all(const Query& query, double fraction, std::vector<StepLimit>& ends, Statistics& statistics);
+  std::uint64_t memory_bytes() const { return shared_.memory_bytes() + streams_.memory_bytes(); }
+
+ private:
+  void begin(StepLengthQuery& asked, Statistics& statistics);
+  void search(const Sample& sample);
+  bool meets_many(const Sample& sample) const;
+  void search_short_steps(Bound& bound, const Samples& samples);
+
+  Workspace& workspace_;
+  SharedMotion shared_;
+  ThreadStreams<StepLengthConsumer> streams_;
+};
+
+}  // namespace tamis

@@ -1,0 +1,107 @@
+// The streams of all threads that take part in a question, each with its consumer.
+#pragma once
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+
+#include "search/pair_stream.hpp"
+#include "search/samples.hpp"
+
+namespace tamis {
+
+/// A `Consumer` is made of a SearchThread, and begins with a `Consumer::Asked`. Where its pairs shorten the search of
+/// the rest (`kShortensSearch`), none waits for a full buffer.
+template <class Consumer>
+class ThreadStreams {
+ public:
+  using Asked = typename Consumer::Asked;
+
+  /// Keeps a reference.
+  explicit ThreadStreams(Workspace& workspace)
+      : workspace_(workspace), of_threads_([&workspace] { return OfThread(workspace.threads.local()); }) {}
+
+  /// Keeps a reference until the next time.
+  void begin(Asked& asked) {
+    asked_ = &asked;
+    for (OfThread& one : of_threads_) one.begin(asked);
+  }
+
+  /// The sample's leaf blocks of `a` against all of `b`, until `t_limit`.
+  void search(PairKind kind, const TreeView& a, const TreeView& b, const Sample& sample = {0, 1}, float t_limit = 1) {
+    for_each_part(sample.count_in(a.leaf_blocks), [&](PairStream& stream, int begin, int end) {
+      const int first = sample.first + begin * sample.stride, last = sample.first + end * sample.stride;
+      stream.search(kind, a, b, {first, std::min(last, a.leaf_blocks), sample.stride}, t_limit);
+      if constexpr (Consumer::kShortensSearch) stream.finish();
+    });
+  }
+
+  /// f(stream of the thread, begin, end) for all parts of 0 to `count`.
+  template <class F>
+  void for_each_part(int count, const F& f) {
+    constexpr int kGrain = 8;
+    tbb::parallel_for(tbb::blocked_range<int>(0, count, kGrain),
+                      [&](const tbb::blocked_range<int>& part) { f(local().stream, part.begin(), part.end()); });
+  }
+
+  /// f(consumer) for each, with nothing left in its buffers.
+  template <class F>
+  void finish(const F& f) {
+    for (OfThread& one : of_threads_) {
+      one.stream.finish();
+      f(one.consumer);
+    }
+  }
+
+  template <class F>
+  void for_each(const F& f) {
+    for (OfThread& one : of_threads_) f(one.consumer);
+  }
+  /// This thread's.
+  Consumer& consumer() { return local().consumer; }
+
+  /// Of all threads in this question.
+  SearchCounts counts() const {
+    SearchCounts sum;
+    for (const OfThread& one : of_threads_) sum += one.thread.counts;
+    return sum;
+  }
+  /// `wall`: seconds that the threads took together. `stages`: those that the question has, in order.
+  void report(Statistics& statistics, double wall, std::initializer_list<StageCount SearchCounts::*> stages) const {
+    statistics.isa = workspace_.kernels.isa;
+    counts().report(statistics, wall, stages);
+  }
+  /// Beside the workspace.
+  std::uint64_t memory_bytes() const {
+    std::uint64_t bytes = 0;
+    for (const OfThread& one : of_threads_) bytes += one.consumer.memory_bytes();
+    return bytes;
+  }
+
+ private:
+  struct OfThread {
+    explicit OfThread(SearchThread& t) : thread(t), consumer(t), stream(t, consumer) {}
+    OfThread(const OfThread&) = delete;
+
+    void begin(Asked& asked) {
+      stream.begin();
+      consumer.begin(asked);
+    }
+
+    SearchThread& thread;
+    Consumer consumer;
+    PairStream stream;
+  };
+
+  OfThread& local() {
+    bool is_known = false;
+    OfThread& one = of_threads_.local(is_known);
+    if (!is_known) one.begin(*asked_);
+    return one;
+  }
+
+  Workspace& workspace_;
+  Asked* asked_ = nullptr;
+  tbb::enumerable_thread_specific<OfThread> of_threads_;
+};
+
+}  // namespace tamis

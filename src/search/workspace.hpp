@@ -1,0 +1,61 @@
+// What all searches of an engine share: the trees, and one set of buffers a thread, whatever is asked.
+#pragma once
+#include <tbb/enumerable_thread_specific.h>
+
+#include <memory>
+
+#include "query/stopwatch.hpp"
+#include "search/feature_trees.hpp"
+#include "search/search_counts.hpp"
+
+namespace tamis {
+
+/// One thread's part of a search.
+struct SearchThread {
+  SearchThread(const Kernels& k, const PackedMotion& m) : kernels(k), motion(m) {}
+
+  /// For what becomes of the filtered pairs; made where it is used, as is the next.
+  SolvedPair* room_for_solved() {
+    TAMIS_ASSERT(0 <= filtered.count && filtered.count <= PairBuffer::kCapacity);
+    if (!solved) solved = std::make_unique<SolvedPair[]>(PairBuffer::kCapacity);
+    return solved.get();
+  }
+  WithinScratch& within_scratch() {
+    if (!within) within = std::make_unique<WithinScratch>();
+    return *within;
+  }
+  std::uint64_t memory_bytes() const {
+    return sizeof(*this) + (solved ? PairBuffer::kCapacity * sizeof(SolvedPair) : 0) +
+           (within ? sizeof(WithinScratch) : 0);
+  }
+
+  const Kernels& kernels;
+  const PackedMotion& motion;
+  PairBuffer boxes;              ///< what the stream fills: pairs whose boxes meet
+  PairBuffer clipped, filtered;  ///< what stages leave
+  std::unique_ptr<SolvedPair[]> solved;
+  std::unique_ptr<WithinScratch> within;
+  SearchCounts counts;
+  Stopwatch watch;  ///< runs since the last of the seconds that were counted
+};
+
+struct Workspace {
+  /// Keeps references.
+  Workspace(const Mesh& m, const Options& options)
+      : mesh(m),
+        kernels(tamis::kernels(options.isa)),
+        trees(m, options, kernels),
+        threads([this] { return SearchThread(kernels, trees.motion()); }) {}
+  std::uint64_t memory_bytes() const {
+    std::uint64_t bytes = trees.memory_bytes();
+    for (const SearchThread& thread : threads) bytes += thread.memory_bytes();
+    return bytes;
+  }
+
+  const Mesh& mesh;
+  const Kernels& kernels;
+  FeatureTrees trees;
+  tbb::enumerable_thread_specific<SearchThread> threads;
+};
+
+}  // namespace tamis

@@ -17,13 +17,13 @@ Detector::State& Detector::state() const {
 
 const std::vector<Contact>& Detector::contacts(const Step& step, const QueryOptions& options) {
   const Asked asked(*this);
-  asked->ask(step, options, Question::all_contacts);
+  asked->find_contacts(step, options);
   return asked->found.contacts();
 }
 
 void Detector::contacts(const Step& step, std::vector<Contact>& result, const QueryOptions& options) {
   const Asked asked(*this);
-  asked->ask(step, options, Question::all_contacts);
+  asked->find_contacts(step, options);
   result.swap(asked->found.contacts());
 }
 

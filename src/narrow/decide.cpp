@@ -138,19 +138,14 @@ PairResult decide(PairKind kind, const PairPoints& points, const PairOptions& op
   return settled->toi_lower > options.latest ? PairResult{} : *settled;
 }
 
-OnceApart decide_once_apart(PairKind kind, const PairPoints& points, const PairOptions& options,
-                            PrecisionCount& decided_by) {
-  const auto m = make_motion(kind, points, options.min_separation);
-  if (is_finite(m) && touches_until_it_leaves(kind, m)) {
-    ++decided_by.scalar;
-    return {{}, true};
-  }
-  const PairResult first = decide(kind, points, options, decided_by);
-  if (!first.touches || first.toi_upper > 0) return {first, false};
-  ++decided_by.exact;
-  const auto again = decide_once_apart_exactly(kind, points, options.min_separation);
-  if (!again.touches || again.toi_lower > options.latest) return {{}, true};
-  return {described(kind, points, m, {Verdict::touches, again.toi_lower, again.toi_upper}), true};
+PairResult decide_once_apart(PairKind kind, const PairPoints& points, double separation, PrecisionCount& decided_by) {
+  const auto m = make_motion(kind, points, separation);
+  const bool is_free = is_finite(m) && touches_until_it_leaves(kind, m);
+  ++(is_free ? decided_by.scalar : decided_by.exact);
+  if (is_free) return {};
+  const ExactDecision again = decide_once_apart_exactly(kind, points, separation);
+  return again.touches ? described(kind, points, m, {Verdict::touches, again.toi_lower, again.toi_upper})
+                       : PairResult{};
 }
 
 PairResult decide_unsettled(PairKind kind, const PairPoints& points, const PairOptions& options,

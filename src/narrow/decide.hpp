@@ -16,14 +16,8 @@ PairResult decide(PairKind kind, const PairPoints& points, const PairOptions& op
 PairResult decide_unsettled(PairKind kind, const PairPoints& points, const PairOptions& options,
                             PrecisionCount& decided_by);
 
-/// What a pair does that counts only once it is apart.
-struct OnceApart {
-  PairResult result;
-  bool touches_at_start;  ///< `result` is what it does after it has come apart; free: it does not, or meets no more
-};
-
-/// As `decide`, but a pair that touches at t=0 is not counted until it has come apart.
-OnceApart decide_once_apart(PairKind kind, const PairPoints& points, const PairOptions& options,
-                            PrecisionCount& decided_by);
+/// What a pair does that touches at t=0 and counts once it has come apart: does it touch again? REQUIRES (not checked:
+/// exact): it does touch at t=0.
+PairResult decide_once_apart(PairKind kind, const PairPoints& points, double separation, PrecisionCount& decided_by);
 
 }  // namespace tamis

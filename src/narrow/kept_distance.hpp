@@ -14,12 +14,14 @@ namespace tamis {
 struct DistanceRule {
   double fraction;
   double min_separation;
+  /// A pair that has no reserve at t=0 must not come back to its separation once it has left it.
+  bool ignores_start = false;
 };
 
-/// A time in [0,1] until which the pair is proven to keep to the rule; 0 iff it has no reserve at t=0 (or the time
-/// underflows). It looks no further than `until`: a result below `until` does not depend on it, and is no less than
-/// 1 - 2^-18 times (1 - fraction) reserve / speed, with `speed` the largest length of any velocity of a corner of the
-/// difference, rounded up by kVelocity. REQUIRES: finite coordinates.
+/// A time in [0,1] until which the pair is proven to keep to the rule; 0 iff it has no reserve at t=0, and that is not
+/// ignored (or the time underflows). It looks no further than `until`: a result below `until` does not depend on it,
+/// and is no less than 1 - 2^-18 times (1 - fraction) reserve / speed, with `speed` the largest length of any velocity
+/// of a corner of the difference, rounded up by kVelocity. REQUIRES: finite coordinates.
 double keeps_distance_until(PairKind kind, const PairPoints& points, const DistanceRule& rule, double until,
                             PrecisionCount& decided_by);
 

@@ -63,11 +63,11 @@ void StepLengthConsumer::decide(PairKind kind, const PairVertices& vertices) {
   const double earliest = asked_->bound.latest();
   const double until = std::nextafter(earliest, 2.0);  // a tie is of interest too
   const double time = keeps_distance_until(kind, points_of(query().step, vertices),
-                                           {asked_->fraction, query().separations.between(kind, vertices)}, until,
+                                           query().distance_rule_for(kind, vertices, asked_->fraction), until,
                                            thread().counts.decided_by);
-  if (time > earliest) return;
+  if (time == 1 || time > earliest || query().are_neighbours(kind, vertices)) return;
   if (asked_->lists_all) {
-    if (time < 1) ends_.push_back({time, kind, vertices});
+    ends_.push_back({time, kind, vertices});
     return;
   }
   limit_.add({time, kind, vertices});

@@ -40,8 +40,7 @@ Rings::Rings(const Mesh& mesh, int rings) : rings_(rings) {
   if (any()) next_to_ = neighbours_of_vertices(mesh);
 }
 
-bool Rings::are_neighbours(std::span<const Index> first, std::span<const Index> second) const {
-  if (!any()) return false;
+bool Rings::search(std::span<const Index> first, std::span<const Index> second) const {
   // A neighbour of a ring is in that ring, in the one before it, or in the next.
   std::vector<Index> before, ring(first.begin(), first.end()), next;
   sort_once_each(ring);

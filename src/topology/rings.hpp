@@ -16,9 +16,13 @@ class Rings {
   bool any() const { return rings_ > 1; }
   /// Is the shortest way along edges of the mesh, from a vertex of the one feature to one of the other, shorter than
   /// the rings? Goes from ring to ring around the first. REQUIRES: vertices of the mesh.
-  bool are_neighbours(std::span<const Index> first, std::span<const Index> second) const;
+  bool are_neighbours(std::span<const Index> first, std::span<const Index> second) const {
+    return any() && search(first, second);
+  }
 
  private:
+  bool search(std::span<const Index> first, std::span<const Index> second) const;
+
   int rings_;
   IndexRows next_to_;  ///< of each vertex those at the other end of an edge
 };

@@ -69,8 +69,7 @@ void PaperTester::add_loose(Index a, Index b) {
   if (!lets_pass(scene_.options.filter, kind, v) || !found.wants(kind, v)) return;
   ++of(counts.decide, kind);
   const auto r = decide(kind, points_of(found.query().step, v), found.query().rule_for(kind, v), counts.decided_by);
-  if (!r.touches) return;
-  found.add(kind, v, r);
+  if (!found.add(kind, v, r)) return;
   if (found.query().question == Question::all_contacts) features.push_back({a, b});
 }
 
@@ -147,8 +146,7 @@ void PaperTester::solve(const Block<kind>& block, std::size_t pair) {
   stop_if_cancelled(scene_.options);
   if (!found.wants(kind, block.vertices[pair])) return;
   const PairResult r = result_of(block, pair);
-  if (!r.touches) return;
-  found.add(kind, block.vertices[pair], r);
+  if (!found.add(kind, block.vertices[pair], r)) return;
   if (found.query().question == Question::all_contacts) features.push_back(block.features[pair]);
 }
 

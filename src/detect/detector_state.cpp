@@ -64,7 +64,7 @@ Separations Detector::State::separations(const QueryOptions& asked) const {
   return {asked.min_separation.value_or(options.min_separation), radii_};
 }
 
-Query Detector::State::query(const Step& step, const QueryOptions& asked, Question question) const {
+Query Detector::State::validated_query(const Step& step, const QueryOptions& asked, Question question) const {
   validate_of_step(asked);
   validate(step, mesh);
   Query result = query(step, separations(asked), question);
@@ -99,7 +99,7 @@ void Detector::State::refuse_touching_start(const Query& query) {
 }
 
 void Detector::State::find_contacts(const Step& step, const QueryOptions& asked) {
-  const Query all = query(step, asked);
+  const Query all = validated_query(step, asked);
   find(all);
   const auto touches_at_start = [](const Contact& c) { return c.toi_upper == 0; };
   if (asked.at_start == AtStart::fail && std::ranges::any_of(found.contacts(), touches_at_start))
@@ -122,7 +122,7 @@ void Detector::State::sort_found() {
 }
 
 EarliestContact Detector::State::earliest(const Step& step, const QueryOptions& asked) {
-  const Query first_of_all = query(step, asked, Question::earliest);
+  const Query first_of_all = validated_query(step, asked, Question::earliest);
   find(first_of_all);
   const EarliestContact first = found.first();
   if (asked.at_start == AtStart::fail && first.toi_upper == 0) refuse_touching_start(first_of_all);
@@ -133,13 +133,13 @@ EarliestContact Detector::State::earliest(const Step& step, const QueryOptions& 
 /// first.
 bool Detector::State::is_free(const Step& step, const QueryOptions& asked) {
   if (asked.at_start == AtStart::fail) return !earliest(step, asked).contact;
-  find(query(step, asked, Question::is_free));
+  find(validated_query(step, asked, Question::is_free));
   return found.contacts().empty();
 }
 
 SafeStep Detector::State::keep_distance(const Step& step, double fraction, const QueryOptions& asked) {
   validate_kept(fraction);
-  if (fraction > 0) return step_length(query(step, asked), fraction, asked.at_start);
+  if (fraction > 0) return step_length(validated_query(step, asked), fraction, asked.at_start);
   const EarliestContact first = earliest(step, asked);
   if (!first.contact) return {};
   const Contact& c = *first.contact;
@@ -158,7 +158,7 @@ TruncatedStep Detector::State::truncate(const Step& step, double fraction, const
   validate_kept_part(fraction);
   using Next = Truncation::Next;
   const Stopwatch watch;
-  const Query whole = query(step, asked);
+  const Query whole = validated_query(step, asked);
   const KeptFractions fractions(fraction);
   const double together = step_length(whole, fractions.together, asked.at_start).lower;
   Seconds spent = statistics.seconds;

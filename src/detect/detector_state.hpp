@@ -43,7 +43,7 @@ struct Detector::State {
     return {step, separations, options.filter, rings_, options.is_cancelled, question};
   }
   /// Throws InvalidOptions, InvalidStep.
-  Query query(const Step& step, const QueryOptions& asked, Question question = Question::all_contacts) const;
+  Query validated_query(const Step& step, const QueryOptions& asked, Question question = Question::all_contacts) const;
   /// Into `found`.
   void find(const Query& query);
   /// Throws InvalidStep, which names the first pair that touches at the query's start, if there is one.

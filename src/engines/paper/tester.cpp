@@ -106,7 +106,7 @@ template <PairKind kind>
 void PaperTester::add(Block<kind>& block, const std::array<Index, 2>& pair, const PairVertices& v) {
   const Options& options = scene_.options;
   if (!options.paper.orphan_sets && are_adjacent(kind, v)) return;
-  if (!options.filter.empty() && !lets_pass(options.filter, kind, v)) return;
+  if (!lets_pass(options.filter, kind, v)) return;
   const MovingPoints& p = scene_.points;
   block.features[block.size] = pair;
   block.vertices[block.size] = v;

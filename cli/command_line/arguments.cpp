@@ -32,6 +32,10 @@ void DetectorArguments::declare_means(OptionList& options) {
       .shown_as("NAME");
   declare_bounding_volume(options, bounding_volume_);
   options.add_number("--threads", "N", threads_, kThreadCounts, "threads to use; 0, the default: all");
+  options.add_number(
+      "--rings", "K", rings_, kRings,
+      "leave out pairs whose features are fewer than K edges apart along the mesh; 1, the default: those "
+      "with a common vertex");
   options.add_text("--isa", isa_, "instruction set of the hot loops: best (default), baseline, avx2 or avx512")
       .shown_as("NAME");
 }
@@ -50,6 +54,7 @@ Options DetectorArguments::chosen() const {
   options.isa = isa_from_name(isa_);
   options.threads = threads_;
   options.min_separation = min_separation_;
+  options.filter.rings = rings_;
   return options;
 }
 
@@ -73,6 +78,14 @@ Detector DetectorArguments::detector(Mesh mesh) const {
     chosen.filter.group_count = objects.count;
   }
   return Detector(std::move(mesh), std::move(chosen));
+}
+
+void AtStartArgument::declare(OptionList& options) {
+  options
+      .add_text("--at-start", name_,
+                "pairs that touch at START: report (default), ignore until they have come apart, or fail (exit code 2, "
+                "and the first of them)")
+      .shown_as("WAY");
 }
 
 void ScaleArgument::declare(OptionList& options) {

@@ -6,6 +6,7 @@
 
 #include "exact/exact.hpp"
 #include "query/pair_rules.hpp"
+#include "scenes/random.hpp"
 #include "scenes/shapes.hpp"
 #include "support/as_new.hpp"
 #include "support/contact_sets.hpp"
@@ -98,7 +99,7 @@ TEST(AtStart, IgnoredPairsCountOnceApartByEveryMethod) {
 
 class AtStartIn : public testing::TestWithParam<Recipe> {
  protected:
-  const Scene scene = GetParam().make(GetParam().scales ? 1500 : 120, 19);
+  const Scene scene = GetParam().make(GetParam().scales ? 400 : 120, 19);
   const double separation = 0x1p-5;
 };
 
@@ -109,11 +110,11 @@ TEST_P(AtStartIn, NothingElseChanges) {
   std::vector<Contact> reported = one.contacts(scene.step());
   const std::vector<Contact> counted = one.contacts(scene.step(), kIgnore);
   const std::uint64_t ignored = one.statistics().ignored;
+  PairSet starting;
+  for (const Contact& c : reported)
+    if (starts_touching(c)) starting.insert({c.kind, c.vertices});
   std::vector<Contact> others = counted;
-  std::erase_if(others, [&](const Contact& c) {
-    return std::ranges::any_of(
-        reported, [&](const Contact& r) { return starts_touching(r) && r.kind == c.kind && r.vertices == c.vertices; });
-  });
+  std::erase_if(others, [&](const Contact& c) { return starting.contains({c.kind, c.vertices}); });
   const std::size_t all = reported.size();
   std::erase_if(reported, starts_touching);
   EXPECT_EQ(bits_of(others), bits_of(reported));
@@ -160,10 +161,11 @@ TEST_P(AtStartIn, TruncatedStepsAreFreeOfWhatCounts) {
 
 // Bugs: a question that does not fail, fails for what only comes to touch, or names another pair than the others do.
 TEST_P(AtStartIn, EveryQuestionFailsForTheSamePair) {
+  const Scene few = GetParam().make(60, 31);
   std::string first;
   for (const Method method : kMethods) {
-    Detector detector(scene.mesh(), with(method, separation));
-    const bool touches = !detector.is_free({scene.start, scene.start});
+    Detector detector(few.mesh(), with(method, separation));
+    const bool touches = !detector.is_free({few.start, few.start});
     const auto expect_failure = [&](const char* what, const auto& ask) {
       try {
         ask();
@@ -174,13 +176,13 @@ TEST_P(AtStartIn, EveryQuestionFailsForTheSamePair) {
         EXPECT_EQ(refusal.what(), first) << what;
       }
     };
-    expect_failure("contacts", [&] { detector.contacts(scene.step(), kFail); });
-    expect_failure("earliest", [&] { detector.earliest(scene.step(), kFail); });
-    expect_failure("is_free", [&] { detector.is_free(scene.step(), kFail); });
+    expect_failure("contacts", [&] { detector.contacts(few.step(), kFail); });
+    expect_failure("earliest", [&] { detector.earliest(few.step(), kFail); });
+    expect_failure("is_free", [&] { detector.is_free(few.step(), kFail); });
     if (method != Method::tamis) continue;  // the others ask it
-    expect_failure("keep_distance", [&] { detector.keep_distance(scene.step(), 0.1, kFail); });
-    expect_failure("keep_distance 0", [&] { detector.keep_distance(scene.step(), 0, kFail); });
-    expect_failure("truncate", [&] { detector.truncate(scene.step(), 0.1, kFail); });
+    expect_failure("keep_distance", [&] { detector.keep_distance(few.step(), 0.1, kFail); });
+    expect_failure("keep_distance 0", [&] { detector.keep_distance(few.step(), 0, kFail); });
+    expect_failure("truncate", [&] { detector.truncate(few.step(), 0.1, kFail); });
   }
 }
 
@@ -278,7 +280,7 @@ struct Throw {
     scenes::add_grid_faces(scene, static_cast<Index>(ball), kRows, kRows);
     x = scene.start;
     velocity.assign(x.size(), Point{});
-    for (std::size_t v = ball; v < x.size(); ++v) velocity[v] = {0, 0, 0.6};
+    for (std::size_t v = ball; v < x.size(); ++v) velocity[v] = {0, 0, 1.5};
   }
 
   std::vector<Point> wanted(double h) {

@@ -82,7 +82,8 @@ TEST_P(RingsOf, LeaveOutNeighboursAlone) {
       left_out += contacts.size() - far.size() + near.size() - names(far_apart(near, rings)).size();
     }
   }
-  if (GetParam().scales) {
+  const bool is_connected = mesh.edges().size() < 3 * mesh.faces().size();
+  if (GetParam().scales && is_connected) {
     EXPECT_GT(left_out, 0u);
   }
 }

@@ -57,10 +57,17 @@ struct Outcome {
   std::uint64_t PrecisionCount::*arithmetic;
 };
 
-Outcome decide_in_integers(PairKind kind, const PairPoints& points, double separation) {
-  const auto exact = decide_exactly(kind, points, separation);
+bool is_sharp_answer(const Decision& d) {
+  return d.verdict == Verdict::is_free || (d.verdict == Verdict::touches && is_sharp(d.lower, d.upper));
+}
+
+Outcome as_outcome(const ExactDecision& exact) {
   const Verdict verdict = exact.touches ? Verdict::touches : Verdict::is_free;
   return {{verdict, exact.toi_lower, exact.toi_upper}, &PrecisionCount::exact};
+}
+
+Outcome decide_in_integers(PairKind kind, const PairPoints& points, double separation) {
+  return as_outcome(decide_exactly(kind, points, separation));
 }
 
 bool is_proven_free(const TimeInterval<double>& clip, const PairOptions& options) {
@@ -101,8 +108,7 @@ Outcome decide_pair(PairKind kind, const PairPoints& points, const PairMotion<do
   if (clip.t_in == 0 && !is_about_distance(kind, m.separation) && may_start_coplanar(m))
     return decide_in_integers(kind, points, options.min_separation);
   const Decision d = decide_in_doubles(kind, m, clip);
-  if (d.verdict == Verdict::is_free) return {d, &PrecisionCount::scalar};
-  if (d.verdict == Verdict::touches && is_sharp(d.lower, d.upper)) return {d, &PrecisionCount::scalar};
+  if (is_sharp_answer(d)) return {d, &PrecisionCount::scalar};
   if (options.min_separation > 0)
     if (const auto again = decide_distance_again(kind, points, options.min_separation, m, d))
       return {*again, &PrecisionCount::scalar};
@@ -140,12 +146,12 @@ PairResult decide(PairKind kind, const PairPoints& points, const PairOptions& op
 
 PairResult decide_once_apart(PairKind kind, const PairPoints& points, double separation, PrecisionCount& decided_by) {
   const auto m = make_motion(kind, points, separation);
-  const bool is_free = is_finite(m) && touches_until_it_leaves(kind, m);
-  ++(is_free ? decided_by.scalar : decided_by.exact);
-  if (is_free) return {};
-  const ExactDecision again = decide_once_apart_exactly(kind, points, separation);
-  return again.touches ? described(kind, points, m, {Verdict::touches, again.toi_lower, again.toi_upper})
-                       : PairResult{};
+  const auto again = is_finite(m) && m.separation > 0 ? within_once_apart(kind, m) : std::nullopt;
+  const auto [decision, arithmetic] = again && is_sharp_answer(*again)
+                                          ? Outcome{*again, &PrecisionCount::scalar}
+                                          : as_outcome(decide_once_apart_exactly(kind, points, separation));
+  ++(decided_by.*arithmetic);
+  return described(kind, points, m, decision);
 }
 
 PairResult decide_unsettled(PairKind kind, const PairPoints& points, const PairOptions& options,

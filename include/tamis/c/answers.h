@@ -28,7 +28,7 @@ typedef struct tamis_step {
   ptrdiff_t start_stride;       /**< doubles from one row to the next, >= 3; 0: 3 */
   ptrdiff_t end_stride;         /**< the same of end */
   const double* min_separation; /**< of this question alone; NULL: the detector's */
-  int32_t at_start;             /**< TAMIS_REPORT, TAMIS_IGNORE or TAMIS_FAIL */
+  int32_t at_start;             /**< of a question to a detector: TAMIS_REPORT, TAMIS_IGNORE or TAMIS_FAIL */
 } tamis_step;
 
 /** One pair of features that touches during the step. */

@@ -26,7 +26,7 @@ struct StepLengthQuery {
   NearRule rule() const;
 
  private:
-  ReserveBounds reserve_bounds(double until) const;
+  ClearanceBounds clearance_bounds(double until) const;
 };
 
 class StepLengthConsumer final : public PairConsumer {

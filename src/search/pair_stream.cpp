@@ -17,7 +17,7 @@ void PairStream::search(PairKind kind, const TreeView& a, const TreeView& b, con
   set_kind(kind);
   Search search{a, b};
   search.t_limit = t_limit;
-  consumer_.limit(search);
+  consumer_.set_limits(search);
   search.pairs = &thread_.boxes;
   search.flush = flush;
   search.context = this;
@@ -52,7 +52,7 @@ void PairStream::flush(Search& search) {
   auto& self = *static_cast<PairStream*>(search.context);
   self.thread_.counts.traverse += self.thread_.watch.lap();
   self.consume();
-  self.consumer_.limit(search);
+  self.consumer_.set_limits(search);
 }
 
 void PairStream::set_kind(PairKind kind) {

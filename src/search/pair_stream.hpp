@@ -21,7 +21,7 @@ class PairConsumer {
   /// What finds its pairs.
   virtual SearchKernel kernel(PairKind kind) const = 0;
   /// Says what the search is limited by besides time; asked again after each full buffer.
-  virtual void limit(Search&) const {}
+  virtual void set_limits(Search&) const {}
   /// Takes the pairs of thread().boxes, each of which is there once. What it leaves there is forgotten.
   virtual void consume(PairKind kind) = 0;
 

@@ -23,7 +23,7 @@ class ProximityConsumer final : public PairConsumer {
   void describe(PairKind kind, std::span<const PairVertices> pairs, NearPair* out);
 
   SearchKernel kernel(PairKind kind) const override { return thread().kernels.of(kind).search_at_rest; }
-  void limit(Search& search) const override { search.widened = thread().motion.box_separation().fixed; }
+  void set_limits(Search& search) const override { search.widened = thread().motion.box_separation().fixed; }
   void consume(PairKind kind) override;
   std::uint64_t memory_bytes() const;
 

@@ -17,6 +17,7 @@ SearchCounts& SearchCounts::operator+=(const SearchCounts& other) {
 void SearchCounts::report(Statistics& statistics, double wall,
                           std::initializer_list<StageCount SearchCounts::*> stages) const {
   statistics.stages.clear();
+  statistics.stages.reserve(stages.size());
   for (const auto stage : stages) statistics.stages.push_back(this->*stage);
   statistics.decided_by = decided_by;
   statistics.nodes_visited = nodes_visited;

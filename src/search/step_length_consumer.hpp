@@ -13,10 +13,10 @@ namespace tamis {
 struct StepLengthQuery {
   const Query& query;
   double fraction;
-  bool lists_all;                 ///< every pair that ends the step is of interest: the bound stays
-  float spread = 0;               ///< as in PackedMotion
-  SharedMotion::Stretch stretch;  ///< of the motion beside which the trees have residuals
-  double separation = 0;          ///< of any pair at most, in the coordinates of the boxes
+  bool lists_all;                      ///< every pair that ends the step is of interest: the bound stays
+  float spread = 0;                    ///< as in PackedMotion
+  SharedMotion::Stretch stretch = {};  ///< of the motion beside which the trees have residuals
+  double separation = 0;               ///< of any pair at most, in the coordinates of the boxes
   Bound bound = {};
 
   /// Which pairs may still end the step first, in time or in the order of contacts. Until a time later by 2^-15, which
@@ -42,7 +42,7 @@ class StepLengthConsumer final : public PairConsumer {
   const std::vector<StepLimit>& ends() const { return ends_; }
 
   SearchKernel kernel(PairKind kind) const override { return thread().kernels.of(kind).search_near; }
-  void limit(Search& search) const override { search.near = asked_->rule(); }
+  void set_limits(Search& search) const override { search.near = asked_->rule(); }
   void consume(PairKind kind) override;
   std::uint64_t memory_bytes() const { return ends_.capacity() * sizeof(StepLimit); }
 

@@ -17,7 +17,7 @@ struct SearchThread {
   /// For what becomes of the filtered pairs; made where it is used, as is the next.
   SolvedPair* room_for_solved() {
     TAMIS_ASSERT(0 <= filtered.count && filtered.count <= PairBuffer::kCapacity);
-    if (!solved) solved = std::make_unique<SolvedPair[]>(PairBuffer::kCapacity);
+    if (!solved) solved = std::make_unique_for_overwrite<SolvedPair[]>(PairBuffer::kCapacity);
     return solved.get();
   }
   WithinScratch& within_scratch() {

@@ -45,7 +45,7 @@ class Advance {
     if (t > at_.now && since >= at_.now) {
       beyond_ = {since, look.until};
       at_.ahead = 0.5 * (since - at_.now);
-      if (at_.ahead > kShortestProgress) return;
+      if (at_.ahead > kShortestStride) return;
       add_unsure(since);
     }
     at_.pass(true, look);

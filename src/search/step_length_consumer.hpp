@@ -31,7 +31,7 @@ struct StepLengthQuery {
 
 class StepLengthConsumer final : public PairConsumer {
  public:
-  static constexpr bool kShortensSearch = true;
+  static constexpr bool kHoldsPairsBack = false;
   using Asked = StepLengthQuery;
 
   using PairConsumer::PairConsumer;

@@ -18,7 +18,7 @@ struct CandidateQuery {
 
 class CandidateConsumer final : public PairConsumer {
  public:
-  static constexpr bool kShortensSearch = false;
+  static constexpr bool kHoldsPairsBack = true;
   using Asked = CandidateQuery;
 
   using PairConsumer::PairConsumer;

@@ -77,6 +77,7 @@ bool ContactSearch::list_ahead(const Query& query, Statistics& statistics) {
         ahead_.take(static_cast<PairKind>(kind), consumer.candidates(static_cast<PairKind>(kind)));
     });
   }
+  candidate_streams_.for_each([](CandidateConsumer& consumer) { consumer.release(); });
   statistics.nodes_visited = candidate_streams_.counts().nodes_visited;
   return ahead_.complete(!asked.bound.is_settled());
 }

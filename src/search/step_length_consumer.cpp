@@ -17,12 +17,12 @@ float rounded_up(double x) { return std::nextafter(static_cast<float>(x), std::n
 NearRule StepLengthQuery::rule() const {
   TAMIS_ASSERT(0 < fraction && fraction < 1);
   const double until = bound.latest() * (1 + 0x1p-15);
-  return {rounded_up(fraction), rounded_up(until / (1 - fraction)), rounded_up(until), spread, reserve_bounds(until)};
+  return {rounded_up(fraction), rounded_up(until / (1 - fraction)), rounded_up(until), spread, clearance_bounds(until)};
 }
 
-/// (stretch - fraction) reserve <= until way + room + (1 - stretch) separation; without gradients this is what speed
+/// (stretch - fraction) clearance <= until way + room + (1 - stretch) separation; without gradients this is what speed
 /// alone allows, of which single pairs know no less.
-ReserveBounds StepLengthQuery::reserve_bounds(double until) const {
+ClearanceBounds StepLengthQuery::clearance_bounds(double until) const {
   constexpr double kShare = 0.25;  // (x + y + z)^2 <= (1 + kShare) x^2 + 2 (1 + 1 / kShare) (y^2 + z^2)
   const double left = stretch.least - fraction, reach = until / left;
   const float stretch2 = rounded_up(stretch.greatest * stretch.greatest);

@@ -56,8 +56,8 @@ class Detector(InMotion, StepLengths, AtRest):
         ``filter(kind, vertices)`` is asked for every pair that is left, and says whether it counts. From several
         threads, one at a time: slow, a microsecond a pair. Groups cost nothing.
     rings : int
-        Pairs are left out whose features are fewer edges apart than this, along the mesh; 1: those with a common vertex.
-        Asked last, of pairs alone that would be in an answer.
+        Pairs are left out whose features are fewer edges apart than this, along the mesh; 1: those with a common
+        vertex. Asked last, of pairs alone that would be in an answer.
     is_cancelled : callable, optional
         Asked some 20 times a second during a question; True ends it with `Cancelled`.
     paper : PaperOptions, optional

@@ -191,9 +191,7 @@ class Detector:
             Positions that do not fit the vertices, are not finite, or differ between ranks.
         """
         with self._turn():
-            first, second, own = self._together(
-                lambda: (*_step(start, end), query_options(min_separation, at_start))
-            )
+            first, second, own = self._together(lambda: (*_step(start, end), query_options(min_separation, at_start)))
             return Contacts(self._detector.contacts(first, second, own))
 
     def gather_contacts(self, root: int = 0) -> Contacts:
@@ -239,9 +237,7 @@ class Detector:
             The motion is free before its `toi_lower`: proven.
         """
         with self._turn():
-            first, second, own = self._together(
-                lambda: (*_step(start, end), query_options(min_separation, at_start))
-            )
+            first, second, own = self._together(lambda: (*_step(start, end), query_options(min_separation, at_start)))
             lower, upper, found = self._detector.earliest(first, second, own)
         contacts = Contacts(found)
         return EarliestContact(lower, upper, contacts[0] if len(contacts) else None)
@@ -267,9 +263,7 @@ class Detector:
             True is a proof.
         """
         with self._turn():
-            first, second, own = self._together(
-                lambda: (*_step(start, end), query_options(min_separation, at_start))
-            )
+            first, second, own = self._together(lambda: (*_step(start, end), query_options(min_separation, at_start)))
             return self._detector.is_free(first, second, own)
 
     def keep_distance(

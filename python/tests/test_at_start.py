@@ -11,7 +11,7 @@ import pytest
 import tamis
 
 LIES = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0.2, 0.2, 0.05]])
-UP = LIES + [[0, 0, 0], [0, 0, 0], [0, 0, 0], [0, 0, 1]]
+UP = LIES + np.array([[0, 0, 0], [0, 0, 0], [0, 0, 0], [0, 0, 1]])
 
 Ask = Callable[..., Any]
 QUESTIONS: dict[str, Ask] = {

@@ -16,14 +16,14 @@ void bind_detector(nb::module_& module) {
       .def("contacts", &Questions::contacts_on_path)
       .def("earliest", &Questions::earliest_on_path)
       .def("is_free", &Questions::is_free_on_path)
-      .def("keep_distance", &Questions::keep_distance, any)
-      .def("truncate", &Questions::truncate, any)
+      .def("keep_distance", &Questions::keep_distance)
+      .def("truncate", &Questions::truncate)
       .def("near", &Questions::near)
       .def("intersections", &Questions::intersections)
       .def("has_intersection", &Questions::has_intersection)
       .def("statistics", &Questions::statistics)
-      .def("write", &Questions::write_step, any, any)
-      .def("write", &Questions::write_path, any, any);
+      .def("write", &Questions::write_step)
+      .def("write", &Questions::write_path);
 }
 
 }  // namespace tamis::python

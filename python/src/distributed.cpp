@@ -132,7 +132,7 @@ NB_MODULE(_distributed, module) {
       .def("gather_contacts", &RankQuestions::gather_contacts)
       .def("earliest", &RankQuestions::earliest)
       .def("is_free", &RankQuestions::is_free)
-      .def("keep_distance", &RankQuestions::keep_distance, any)
+      .def("keep_distance", &RankQuestions::keep_distance)
       .def("vertex_count", &RankQuestions::vertex_count)
       .def("statistics", &RankQuestions::statistics)
       .def("balance", &RankQuestions::balance);

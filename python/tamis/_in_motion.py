@@ -56,9 +56,9 @@ class InMotion:
             Of this question alone; by default the detector's.
         at_start : str
             What becomes of pairs that touch at the start of a step, whose distance there is at most `min_separation`
-            plus both radii. "report": they are contacts at t=0. "ignore": they count once they have come apart, so that one
-            that never comes apart, or never comes back, is no contact (`Statistics.ignored`). "fail": `InvalidStep`
-            names the first of them. A path knows "report" alone.
+            plus both radii. "report": they are contacts at t=0. "ignore": they count once they have come apart, so
+            that one that never comes apart, or never comes back, is no contact (`Statistics.ignored`). "fail":
+            `InvalidStep` names the first of them. A path knows "report" alone.
         tolerance : float, optional
             Of a path: widest bracket of a contact, in (0, 1], a fraction of the step; by default 1e-9.
 

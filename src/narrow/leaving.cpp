@@ -60,7 +60,7 @@ class Leaving {
     return stays(from, middle, halvings - 1) && stays(middle, until, halvings - 1);
   }
 
-  /// `last` touches, `next` does not; both come nearer to the time between them at which the pair leaves.
+  /// `last` touches, `next` seems not to; both come nearer to the time between them at which the pair leaves.
   std::optional<Decision> after_leaving(const Seen& start, Seen next) const {
     Seen last = start;
     for (int looks = 0; !grows(last.time, next.time); ++looks) {
@@ -70,7 +70,8 @@ class Leaving {
       if (looks == kMostLooks || !(last.time < now.time && now.time < next.time)) return {};
       (now.touches ? last : next) = now;
     }
-    if (!stays(start, last, kMostHalvings)) return {};
+    const bool is_apart = looker_.at(next.time, next.sight).until > next.time;  // certified
+    if (!is_apart || !stays(start, last, kMostHalvings)) return {};
     return first_within(kind, m_, {next.time, 1});
   }
 

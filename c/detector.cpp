@@ -36,6 +36,7 @@ tamis_statistics statistics_of(const Statistics& s, std::vector<std::string>& na
   answer.unresolved = s.decided_by.unresolved;
   answer.nodes_visited = s.nodes_visited;
   answer.memory_bytes = s.memory_bytes;
+  answer.ignored = s.ignored;
   const std::size_t count = std::min<std::size_t>(s.stages.size(), TAMIS_MOST_STAGES);
   answer.stage_count = static_cast<int32_t>(count);
   names.clear();
@@ -66,32 +67,32 @@ const char* tamis_detector_message(const tamis_detector* detector) {
 }
 
 tamis_status tamis_detector_contacts(tamis_detector* detector, const tamis_step* step, size_t* count) {
-  return ask(detector, step, [&](tamis_detector& handle, const tamis::Step& s, Separation d) {
+  return ask(detector, step, [&](tamis_detector& handle, const tamis::Step& s, const tamis::QueryOptions& q) {
     size_t& number = required(count, "count");
-    handle.detector->contacts(s, handle.contacts, d);
+    handle.detector->contacts(s, handle.contacts, q);
     number = handle.contacts.size();
   });
 }
 
 tamis_status tamis_detector_earliest(tamis_detector* detector, const tamis_step* step, double* toi_lower,
                                      double* toi_upper, size_t* count) {
-  return ask(detector, step, [&](tamis_detector& handle, const tamis::Step& s, Separation d) {
+  return ask(detector, step, [&](tamis_detector& handle, const tamis::Step& s, const tamis::QueryOptions& q) {
     const FirstTimes times = first_times(toi_lower, toi_upper, count);
-    times.write(handle, handle.detector->earliest(s, d));
+    times.write(handle, handle.detector->earliest(s, q));
   });
 }
 
 tamis_status tamis_detector_is_free(tamis_detector* detector, const tamis_step* step, int* is_free) {
-  return ask(detector, step, [&](tamis_detector& handle, const tamis::Step& s, Separation d) {
-    required(is_free, "is_free") = handle.detector->is_free(s, d) ? 1 : 0;
+  return ask(detector, step, [&](tamis_detector& handle, const tamis::Step& s, const tamis::QueryOptions& q) {
+    required(is_free, "is_free") = handle.detector->is_free(s, q) ? 1 : 0;
   });
 }
 
 tamis_status tamis_detector_keep_distance(tamis_detector* detector, const tamis_step* step, double fraction,
                                           tamis_safe_step* answer) {
-  return ask(detector, step, [&](tamis_detector& handle, const tamis::Step& s, Separation d) {
+  return ask(detector, step, [&](tamis_detector& handle, const tamis::Step& s, const tamis::QueryOptions& q) {
     write_sized(tamis_safe_step{}, answer, "answer");  // refused before the work
-    write_sized(answer_of(handle.detector->keep_distance(s, fraction, d)), answer, "answer");
+    write_sized(answer_of(handle.detector->keep_distance(s, fraction, q)), answer, "answer");
   });
 }
 

@@ -36,17 +36,23 @@ tamis_status with(tamis_detector* handle, const Work& work) noexcept {
 }
 
 /// Of one question; none: the detector's.
-using Separation = std::optional<double>;
+inline std::optional<double> separation(const double* given) {
+  return given ? std::optional<double>(*given) : std::nullopt;
+}
 
-inline Separation separation(const double* given) { return given ? Separation(*given) : Separation(); }
+inline AtStart at_start(int32_t given) {
+  if (given != TAMIS_REPORT && given != TAMIS_IGNORE && given != TAMIS_FAIL)
+    throw InvalidOptions("at_start is " + std::to_string(given) + ": give TAMIS_REPORT, TAMIS_IGNORE or TAMIS_FAIL");
+  return static_cast<AtStart>(given);
+}
 
-/// Runs `work(handle, step, separation)`.
+/// Runs `work(handle, step, options)`.
 template <class Work>
 tamis_status ask(tamis_detector* handle, const tamis_step* step, const Work& work) noexcept {
   return with(handle, [&](tamis_detector& h) {
     h.contacts.clear();
     const tamis_step given = read_sized(step, "step");
-    work(h, step_of(given), separation(given.min_separation));
+    work(h, step_of(given), QueryOptions{separation(given.min_separation), at_start(given.at_start)});
   });
 }
 

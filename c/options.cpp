@@ -17,6 +17,7 @@ PairFilter filter_of(const tamis_options& given, Index vertex_count) {
   const auto groups = static_cast<std::ptrdiff_t>(filter.group_count);
   if (given.groups_may_touch)
     filter.groups_may_touch.assign(given.groups_may_touch, given.groups_may_touch + groups * groups);
+  if (given.rings != 0) filter.rings = given.rings;
   if (given.accepts)
     filter.accepts = [ask = given.accepts, user = given.user](PairKind kind, const std::array<Index, 4>& vertices) {
       return ask(user, static_cast<int32_t>(kind), vertices.data()) != 0;

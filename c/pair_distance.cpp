@@ -42,6 +42,7 @@ tamis_status tamis_pair_keep_distance(tamis_pairs* pairs, const tamis_pair* pair
   return ask(pairs, [&](tamis_pairs& handle) {
     write_sized(tamis_safe_step{}, answer, "answer");  // refused before the work
     const tamis_step given = read_sized(step, "step");
+    refuse_at_start(given);
     const auto& [separation, latest, threads, isa, is_cancelled] = handle.options;
     const tamis::PairOptions options{given.min_separation ? *given.min_separation : separation, latest};
     const tamis::Pair asked = pair_of(required(pair, "pair"));

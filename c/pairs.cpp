@@ -67,6 +67,7 @@ tamis_status tamis_narrow_phase(tamis_pairs* pairs, const tamis_pair* list, size
                                 tamis_pair_result* results, size_t result_size) {
   return ask(pairs, [&](tamis_pairs& handle) {
     const tamis_step given = read_sized(step, "step");
+    refuse_at_start(given);
     tamis::PairListOptions options = handle.options;
     if (given.min_separation) options.min_separation = *given.min_separation;
     const auto listed = list_of(list, count);

@@ -25,14 +25,14 @@ const Path& made(const tamis_path* path) {
   return *path->path;
 }
 
-/// Runs `work(handle, path, separation, tolerance)`.
+/// Runs `work(handle, path, options)`.
 template <class Work>
 tamis_status ask_on_path(tamis_detector* handle, const tamis_path* path, const tamis_path_options* options,
                          const Work& work) noexcept {
   return with(handle, [&](tamis_detector& h) {
     h.contacts.clear();
     const tamis_path_options given = options_of(options);
-    work(h, made(path), separation(given.min_separation), given.tolerance);
+    work(h, made(path), QueryOptions{separation(given.min_separation), AtStart::report, given.tolerance});
   });
 }
 
@@ -73,9 +73,9 @@ using namespace tamis::c;
 
 tamis_status tamis_detector_contacts_on_path(tamis_detector* detector, const tamis_path* path,
                                              const tamis_path_options* options, size_t* count) {
-  return ask_on_path(detector, path, options, [&](auto& handle, const auto& p, Separation d, double tolerance) {
+  return ask_on_path(detector, path, options, [&](auto& handle, const auto& p, const tamis::QueryOptions& q) {
     size_t& number = required(count, "count");
-    handle.contacts = handle.detector->contacts(p, d, tolerance);
+    handle.contacts = handle.detector->contacts(p, q);
     number = handle.contacts.size();
   });
 }
@@ -83,16 +83,16 @@ tamis_status tamis_detector_contacts_on_path(tamis_detector* detector, const tam
 tamis_status tamis_detector_earliest_on_path(tamis_detector* detector, const tamis_path* path,
                                              const tamis_path_options* options, double* toi_lower, double* toi_upper,
                                              size_t* count) {
-  return ask_on_path(detector, path, options, [&](auto& handle, const auto& p, Separation d, double tolerance) {
+  return ask_on_path(detector, path, options, [&](auto& handle, const auto& p, const tamis::QueryOptions& q) {
     const FirstTimes times = first_times(toi_lower, toi_upper, count);
-    times.write(handle, handle.detector->earliest(p, d, tolerance));
+    times.write(handle, handle.detector->earliest(p, q));
   });
 }
 
 tamis_status tamis_detector_is_free_on_path(tamis_detector* detector, const tamis_path* path,
                                             const tamis_path_options* options, int* is_free) {
-  return ask_on_path(detector, path, options, [&](auto& handle, const auto& p, Separation d, double tolerance) {
-    required(is_free, "is_free") = handle.detector->is_free(p, d, tolerance) ? 1 : 0;
+  return ask_on_path(detector, path, options, [&](auto& handle, const auto& p, const tamis::QueryOptions& q) {
+    required(is_free, "is_free") = handle.detector->is_free(p, q) ? 1 : 0;
   });
 }
 

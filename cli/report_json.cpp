@@ -33,6 +33,7 @@ void add_costs(Json& json, const Detector& detector, const Timing& timing) {
   add_stages(json, statistics.stages);
   const PrecisionCount& p = statistics.decided_by;
   json["decided_by"] = {{"lanes", p.lanes}, {"scalar", p.scalar}, {"exact", p.exact}};
+  json["ignored"] = statistics.ignored;
   json["nodes_visited"] = statistics.nodes_visited;
   json["peak_memory_bytes"] = peak_memory_bytes();
   json["detector_memory_bytes"] = statistics.memory_bytes;

@@ -38,9 +38,7 @@ class BruteEngine final : public Engine {
   void find_step_ends(const Query& query, double fraction, std::vector<StepLimit>& ends,
                       Statistics& statistics) override {
     ends.clear();
-    for_each_limit(query, fraction, statistics, [&](const StepLimit& pair) {
-      if (pair.time < 1) ends.push_back(pair);
-    });
+    for_each_limit(query, fraction, statistics, [&](const StepLimit& pair) { ends.push_back(pair); });
     std::sort(ends.begin(), ends.end(), comes_before_in_order);
   }
 
@@ -50,7 +48,8 @@ class BruteEngine final : public Engine {
     for_each_pair(mesh_, query.filter, [&](PairKind kind, const PairVertices& v) {
       stop_if_cancelled(query);
       ++of(count, kind);
-      if (is_near(kind, points_of(query.step, v), query.separations.between(kind, v), statistics.decided_by))
+      if (is_near(kind, points_of(query.step, v), query.separations.between(kind, v), statistics.decided_by) &&
+          !query.are_neighbours(kind, v))
         found[static_cast<std::size_t>(kind)].push_back(v);
     });
     statistics.stages.push_back(count);
@@ -75,7 +74,8 @@ class BruteEngine final : public Engine {
         if (!is_pair(query.filter, edge, face)) continue;
         ++count.vf;
         const auto r = decide(PairKind::vertex_face, points_along(positions, edge, face), {}, statistics.decided_by);
-        if (r.touches) found.push_back({edge, face, r.toi_lower, r.toi_upper, r.u, r.v});
+        if (r.touches && !query.rings.are_neighbours(edge, face))
+          found.push_back({edge, face, r.toi_lower, r.toi_upper, r.u, r.v});
       }
     statistics.stages.push_back(count);
     std::sort(found.begin(), found.end(), comes_first);
@@ -84,15 +84,16 @@ class BruteEngine final : public Engine {
   std::uint64_t memory_bytes() const override { return 0; }
 
  private:
-  /// keep(StepLimit) for every pair.
+  /// keep(StepLimit) for every pair that ends the step.
   template <class Keep>
   void for_each_limit(const Query& query, double fraction, Statistics& statistics, const Keep& keep) const {
     StageCount count{"near"};
     for_each_pair(mesh_, query.filter, [&](PairKind kind, const PairVertices& v) {
       stop_if_cancelled(query);
       ++of(count, kind);
-      const DistanceRule rule{fraction, query.separations.between(kind, v)};
-      keep(StepLimit{keeps_distance_until(kind, points_of(query.step, v), rule, 1, statistics.decided_by), kind, v});
+      const DistanceRule rule = query.distance_rule_for(kind, v, fraction);
+      const double time = keeps_distance_until(kind, points_of(query.step, v), rule, 1, statistics.decided_by);
+      if (time < 1 && !query.are_neighbours(kind, v)) keep(StepLimit{time, kind, v});
     });
     statistics.stages.push_back(count);
   }

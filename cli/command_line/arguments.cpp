@@ -26,6 +26,10 @@ void DetectorArguments::declare(OptionList& options) {
 
 void DetectorArguments::declare_means(OptionList& options) {
   options.add_number("--threads", "N", threads_, kThreadCounts, "threads to use; 0, the default: all");
+  options.add_number(
+      "--rings", "K", rings_, kRings,
+      "leave out pairs whose features are fewer than K edges apart along the mesh; 1, the default: those "
+      "with a common vertex");
   options.add_text("--isa", isa_, "instruction set of the hot loops: best (default), baseline, avx2 or avx512")
       .shown_as("NAME");
 }
@@ -42,6 +46,7 @@ Options DetectorArguments::chosen() const {
   options.isa = isa_from_name(isa_);
   options.threads = threads_;
   options.min_separation = min_separation_;
+  options.filter.rings = rings_;
   return options;
 }
 
@@ -70,6 +75,14 @@ Options DetectorArguments::options_for(const Mesh& mesh) const {
 Detector DetectorArguments::detector(Mesh mesh) const {
   Options options = options_for(mesh);
   return Detector(std::move(mesh), std::move(options));
+}
+
+void AtStartArgument::declare(OptionList& options) {
+  options
+      .add_text("--at-start", name_,
+                "pairs that touch at START: report (default), ignore until they have come apart, or fail (exit code 2, "
+                "and the first of them)")
+      .shown_as("WAY");
 }
 
 void ScaleArgument::declare(OptionList& options) {

@@ -11,6 +11,7 @@ namespace tamis::cli {
 
 inline constexpr NumberRange<int> kThreadCounts{0, 1024};
 inline constexpr NumberRange<int> kRunCounts{1, 1'000'000};
+inline constexpr NumberRange<int> kRings{1, 1'000'000};
 
 /// How to detect.
 class DetectorArguments {
@@ -37,7 +38,19 @@ class DetectorArguments {
   std::string isa_ = "best";
   int threads_ = 0;
   double min_separation_ = 0;
+  int rings_ = 1;
   std::vector<double> thickness_;  ///< one radius for all objects, or one for each; empty: none
+};
+
+/// `--at-start report|ignore|fail`: what becomes of pairs that touch at the start of a step.
+class AtStartArgument {
+ public:
+  void declare(OptionList& options);
+  /// Throws InvalidOptions if there is no such way.
+  QueryOptions own() const { return {.at_start = at_start_from_name(name_)}; }
+
+ private:
+  std::string name_ = "report";
 };
 
 /// `--scale S`: how much of the way from START to END a step goes.

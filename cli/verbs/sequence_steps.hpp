@@ -39,11 +39,12 @@ void for_each_step(const MovingFrames& frames, const StepRange& range, const F& 
   }
 }
 
-/// Calls f(SequenceStep) for each, with one detector.
+/// Calls f(SequenceStep) for each, with one detector. `own`: of each question.
 template <class F>
-void ask_steps(Detector& detector, const MovingFrames& frames, const StepRange& range, const F& f) {
+void ask_steps(Detector& detector, const MovingFrames& frames, const StepRange& range, const QueryOptions& own,
+               const F& f) {
   for_each_step(frames, range, [&](std::size_t end, int part, const Step& step) {
-    const Tally tally = tally_of(detector.contacts(step));
+    const Tally tally = tally_of(detector.contacts(step, own));
     f(SequenceStep{end, part, tally, detector.statistics().seconds, detector.statistics().rebuilt});
     return true;
   });

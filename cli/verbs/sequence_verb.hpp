@@ -15,6 +15,7 @@ class SequenceVerb : public Verb {
         .add_texts("FRAMES", names_, "files, folders or patterns of PLY or OBJ; taken in natural order (2 before 10)")
         .required();
     detector_.declare(options);
+    at_start_.declare(options);
     scale_.declare(options);
     options.add_number("--substeps", "N", substeps_, kRunCounts,
                        "cut each step into N equal ones, asked one after the other; default 1");
@@ -23,7 +24,12 @@ class SequenceVerb : public Verb {
 
  protected:
   /// Options are checked before any file is read.
-  void check() const { detector_.check(); }
+  void check() const {
+    detector_.check();
+    own();
+  }
+  /// Of each question. Throws InvalidOptions.
+  QueryOptions own() const { return at_start_.own(); }
   Detector detector_for(Mesh mesh) const { return detector_.detector(std::move(mesh)); }
   double scale() const { return scale_.value(); }
 
@@ -33,6 +39,7 @@ class SequenceVerb : public Verb {
 
  private:
   DetectorArguments detector_;
+  AtStartArgument at_start_;
   ScaleArgument scale_;
 };
 

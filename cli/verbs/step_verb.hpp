@@ -14,6 +14,7 @@ class StepVerb : public Verb {
     options.add_text("START", start_, "the mesh at t=0: PLY or OBJ").required();
     options.add_text("END", end_, "the same mesh at t=1").required();
     detector_.declare(options);
+    at_start_.declare(options);
     scale_.declare(options);
     declare_repeat(options, repeat_, "ask N times, report the median time of the runs after the first; default 1");
     declare_json(options, json_);
@@ -23,12 +24,15 @@ class StepVerb : public Verb {
   /// Options are checked before any file is read.
   StepFiles read() const {
     detector_.check();
+    own();
     return read_step(start_, end_, scale());
   }
   virtual Detector detector_for(Mesh mesh) const { return detector_.detector(std::move(mesh)); }
   Options options_for(const Mesh& mesh) const { return detector_.options_for(mesh); }
   /// For a mesh that nobody has as a whole.
   Options options() const { return detector_.options(); }
+  /// Of each question. Throws InvalidOptions.
+  QueryOptions own() const { return at_start_.own(); }
   double scale() const { return scale_.value(); }
 
   std::string start_;
@@ -38,6 +42,7 @@ class StepVerb : public Verb {
 
  private:
   DetectorArguments detector_;
+  AtStartArgument at_start_;
   ScaleArgument scale_;
 };
 

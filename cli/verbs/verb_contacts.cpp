@@ -21,7 +21,7 @@ int Contacts::run() {
   Detector detector = detector_for(std::move(files.mesh));
   const Step step = files.step();
   const std::vector<Contact>* contacts = nullptr;
-  const Timing timing = ask_repeatedly(detector, repeat_, [&] { contacts = &detector.contacts(step); });
+  const Timing timing = ask_repeatedly(detector, repeat_, [&] { contacts = &detector.contacts(step, own()); });
   write(detector, files, *contacts);
   report(tally_of(*contacts), detector, timing);
   return kSuccess;

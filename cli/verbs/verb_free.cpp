@@ -33,6 +33,7 @@ class Free final : public Verb {
         .add_texts("FRAMES", names_, "START END, or more: files, folders or patterns of PLY or OBJ, in natural order")
         .required();
     detector_.declare(options);
+    at_start_.declare(options);
     scale_.declare(options);
     start_.declare(options);
     declare_repeat(options, repeat_, "ask N times, report the median time of the runs after the first; default 1");
@@ -41,6 +42,7 @@ class Free final : public Verb {
 
   int run() override {
     detector_.check();
+    at_start_.own();
     const MovingFrames frames(names_);
     Detector detector = detector_.detector(io::mesh_of(frames.first()));
     if (!start_.passes(detector, frames.first().positions)) return start_.refuse(detector, json_, {{"free", false}});
@@ -55,14 +57,14 @@ class Free final : public Verb {
   std::optional<std::size_t> ask(const MovingFrames& frames, Detector& detector, Timing& timing) const {
     std::optional<std::size_t> met;
     Progress progress(frames.paths().size() - 1, "steps");
-    for_each_step(frames, {1, frames.paths().size(), 1, scale_.value()},
-                  [&](std::size_t end, int /*part*/, const Step& step) {
-                    bool is_free = false;
-                    timing += ask_repeatedly(detector, repeat_, [&] { is_free = detector.is_free(step); });
-                    if (!is_free) met = end;
-                    progress.show(end);
-                    return is_free;
-                  });
+    for_each_step(
+        frames, {1, frames.paths().size(), 1, scale_.value()}, [&](std::size_t end, int /*part*/, const Step& step) {
+          bool is_free = false;
+          timing += ask_repeatedly(detector, repeat_, [&] { is_free = detector.is_free(step, at_start_.own()); });
+          if (!is_free) met = end;
+          progress.show(end);
+          return is_free;
+        });
     progress.clear();
     return met;
   }
@@ -94,6 +96,7 @@ class Free final : public Verb {
   int repeat_ = 1;
   bool json_ = false;
   DetectorArguments detector_;
+  AtStartArgument at_start_;
   ScaleArgument scale_;
   StartCheck start_;
 };

@@ -35,7 +35,7 @@ class Sequence final : public SequenceVerb {
     SequenceTable table(frames.paths(), substeps_, json_);
     table.print_head(detector.mesh());
     Progress progress(frames.paths().size() - 1, "steps");
-    ask_steps(detector, frames, {1, frames.paths().size(), substeps_, scale()}, [&](const SequenceStep& step) {
+    ask_steps(detector, frames, {1, frames.paths().size(), substeps_, scale()}, own(), [&](const SequenceStep& step) {
       progress.clear();
       table.add(step);
       progress.show(step.part == substeps_ ? step.end : step.end - 1);

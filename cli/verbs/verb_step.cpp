@@ -31,7 +31,7 @@ class StepLength final : public StepVerb {
     if (!start_.passes(detector, step.start)) return start_.refuse(detector, json_, Json::object());
     if (kept_.is_asked()) return keep_distance(detector, step);
     EarliestContact first;
-    const Timing timing = ask_repeatedly(detector, repeat_, [&] { first = detector.earliest(step); });
+    const Timing timing = ask_repeatedly(detector, repeat_, [&] { first = detector.earliest(step, own()); });
     report(first, detector, timing);
     return kSuccess;
   }
@@ -54,7 +54,7 @@ class StepLength final : public StepVerb {
   int keep_distance(Detector& detector, const Step& step) const {
     SafeStep safe;
     const Timing timing =
-        ask_repeatedly(detector, repeat_, [&] { safe = detector.keep_distance(step, kept_.fraction()); });
+        ask_repeatedly(detector, repeat_, [&] { safe = detector.keep_distance(step, kept_.fraction(), own()); });
     if (json_) {
       Json json;
       add_safe_step(json, safe, kept_.fraction());

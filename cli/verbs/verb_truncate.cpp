@@ -55,7 +55,7 @@ class Truncate final : public StepVerb {
     Detector detector = detector_for(std::move(files.mesh));
     const Step step = files.step();
     TruncatedStep to;
-    const Timing timing = ask_repeatedly(detector, repeat_, [&] { to = detector.truncate(step, fraction_); });
+    const Timing timing = ask_repeatedly(detector, repeat_, [&] { to = detector.truncate(step, fraction_, own()); });
     if (!out_.empty()) io::write_ply(out_, file_of(detector.mesh(), to.positions));
     report(to, part_of_way(step, to.positions), detector, timing);
     return to.is_free ? kSuccess : kNo;

@@ -35,12 +35,14 @@ class View final : public Verb {
         .required();
     output_.declare(options);
     detector_.declare(options);
+    at_start_.declare(options);
     scale_.declare(options);
     declare_json(options, json_);
   }
 
   int run() override {
     detector_.check();
+    at_start_.own();
     output_.check();
     const MovingFrames frames(names_, 1);
     output_.require(frames.paths(), frames.paths().size() - 1);
@@ -69,7 +71,7 @@ class View final : public Verb {
       const std::vector<Point>& start = recording.frames[i - 1];
       std::vector<Point> end = recording.frames[i];
       io::scale_step(start, end, recording.scale);
-      const std::vector<Contact>& contacts = detector.contacts({start, end});
+      const std::vector<Contact>& contacts = detector.contacts({start, end}, at_start_.own());
       recording.steps.push_back({contacts, detector.statistics().stages});
       progress.show(i);
     }
@@ -100,6 +102,7 @@ class View final : public Verb {
   std::vector<std::string> names_;
   LookOutput output_{"view.html", io::NoExtension::is_refused};
   DetectorArguments detector_;
+  AtStartArgument at_start_;
   ScaleArgument scale_;
   bool json_ = false;
 };

@@ -67,8 +67,8 @@ std::array<double, 4> weights_of(PairKind kind, double u, double v);
 /// Answer to "how far may the step go?".
 struct EarliestContact {
   /// The motion is free on [0, toi_lower): proven. 1 and no contact if the whole step is free; 0 only if a pair touches
-  /// at t=0, or (toi_upper > 0) sooner than at any positive double. A time, not a position: start + toi_lower
-  /// (end - start), rounded to doubles, may touch again. Detector::truncate gives positions to go to.
+  /// at t=0 (and is not ignored for it), or (toi_upper > 0) sooner than at any positive double. A time, not a position:
+  /// start + toi_lower (end - start), rounded to doubles, may touch again. Detector::truncate gives positions to go to.
   double toi_lower = 1;
   /// A certified contact happens at or before this time; 1 if none is certified, as may be on a path.
   double toi_upper = 1;
@@ -88,7 +88,7 @@ struct LimitingPair {
 /// is what exceeds the minimum separation.
 struct SafeStep {
   /// On [0, lower] every pair keeps at least the fraction, and on [0, lower) none touches: proven. 1 if the whole step
-  /// may go; 0 only if a pair touches (comes within the minimum separation) at t=0.
+  /// may go; 0 only if a pair touches (comes within the minimum separation) at t=0, and is not ignored for it.
   double lower = 1;
   /// At this time some pair has no more than the fraction left: proven; 1 if that is not known of any time.
   double upper = 1;
@@ -100,12 +100,14 @@ struct SafeStep {
 struct TruncatedStep {
   /// One a vertex: where to go. On the straight way there from the start of the step, to these very doubles, every pair
   /// keeps the fraction of its distance, as far as that exceeds the minimum separation and both radii: proven. A pair
-  /// that starts within those keeps all of its distance but a millionth, or none of its vertices moves.
+  /// that starts within those keeps all of its distance but a millionth, or none of its vertices moves; one that is
+  /// ignored for it (AtStart) does not come back to them once it has left them.
   std::vector<Point> positions;
   /// One a vertex: the part of its way that it goes, in [0, 1], 1 for vertices that take no part in contacts. What
   /// start + part (end - start) is rounded to need not be `positions`.
   std::vector<double> parts;
-  /// The whole way is free of contacts. False: some pair touches (is within the minimum separation) at the start.
+  /// The whole way is free of contacts. False: some pair touches (is within the minimum separation) at the start, and
+  /// is not ignored for it.
   bool is_free = true;
 };
 

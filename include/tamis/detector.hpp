@@ -1,7 +1,6 @@
 // Continuous collision detection of a mesh with itself, step after step.
 #pragma once
 #include <memory>
-#include <optional>
 #include <vector>
 
 #include "tamis/contact.hpp"
@@ -30,35 +29,35 @@ class Detector {
   Detector(Detector&&) noexcept;
   Detector& operator=(Detector&&) noexcept;
 
-  /// All contacts of the step, by kind, then vertices. The vector is valid until the next question.
-  /// A question may bring a minimum separation of its own (an activation distance, say), which takes the place of
-  /// Options::min_separation for it alone; the hierarchy serves all. Throws InvalidOptions unless it is finite and >=
-  /// 0. Every question throws InvalidStep unless start and end have one row of three numbers for each vertex of the
-  /// mesh, finite for those in mesh().points().
-  const std::vector<Contact>& contacts(const Step& step, std::optional<double> min_separation = {});
+  /// All contacts of the step, by kind, then vertices. The vector is valid until the next question. What a question may
+  /// bring of its own is in QueryOptions: InvalidOptions unless its separation is finite and >= 0, and where it has a
+  /// tolerance. Every question throws InvalidStep unless start and end have one row of three numbers for each vertex of
+  /// the mesh, finite for those in mesh().points(); and with AtStart::fail if a pair touches at t=0.
+  const std::vector<Contact>& contacts(const Step& step, const QueryOptions& = {});
   /// The same contacts in the caller's own vector, not copied: its memory and the detector's change places.
-  void contacts(const Step& step, std::vector<Contact>& result, std::optional<double> min_separation = {});
+  void contacts(const Step& step, std::vector<Contact>& result, const QueryOptions& = {});
   /// The first contact: how far the step may go; `truncate` says to which positions. Its bracket may differ from that
   /// of contacts() in the last digits: both are proven.
-  EarliestContact earliest(const Step& step, std::optional<double> min_separation = {});
+  EarliestContact earliest(const Step& step, const QueryOptions& = {});
   /// Is the whole step free of contacts?
-  bool is_free(const Step& step, std::optional<double> min_separation = {});
+  bool is_free(const Step& step, const QueryOptions& = {});
   /// The same three questions of curves, with the path's own certificates (tamis/path.hpp): pieces of the path are
   /// asked with straight chords, pairs that these leave are decided on their curves until they are proven free or their
-  /// bracket is no wider than `tolerance`, a fraction of the step in (0, 1]. Times are the path's.
-  /// All of a piece's pairs that come nearer than their strays are held at a time. Throw InvalidPath where the path
-  /// does not fit the mesh or breaks its promises, InvalidOptions.
-  const std::vector<Contact>& contacts(const Path& path, std::optional<double> min_separation = {},
-                                       double tolerance = 1e-9);
-  EarliestContact earliest(const Path& path, std::optional<double> min_separation = {}, double tolerance = 1e-9);
-  bool is_free(const Path& path, std::optional<double> min_separation = {}, double tolerance = 1e-9);
+  /// bracket is no wider than QueryOptions::tolerance. Times are the path's. All of a piece's
+  /// pairs that come nearer than their strays are held at a time. Throw InvalidPath where the path does not fit the
+  /// mesh or breaks its promises, InvalidOptions, also unless pairs that touch at t=0 are to be reported.
+  const std::vector<Contact>& contacts(const Path& path, const QueryOptions& = {});
+  EarliestContact earliest(const Path& path, const QueryOptions& = {});
+  bool is_free(const Path& path, const QueryOptions& = {});
   /// How far may the step go so that the distance of every pair, as far as it exceeds the minimum separation and both
   /// radii, stays at least `fraction` of what it is at t=0? The step length for the line search of a barrier method. 0:
-  /// only contacts count, and `lower` is earliest()'s toi_lower. The closer `fraction` is to 1, the longer the search
-  /// until the first near pairs have shortened the step. Which: 0.1 for a barrier's line search, where the next steps
-  /// need room; 0.01 and less where a step should come near what it meets, as towards a first contact; 0.5 and more
-  /// where distances may shrink slowly only. Throws InvalidOptions unless 0 <= fraction < 1.
-  SafeStep keep_distance(const Step& step, double fraction = 0.1, std::optional<double> min_separation = {});
+  /// only contacts count, and `lower` is earliest()'s toi_lower. The
+  /// closer `fraction` is to 1, the longer the search until the first near pairs have shortened the step.
+  /// Which: 0.1 for a barrier's line search, where the next steps need room; 0.01 and less where a step should come
+  /// near what it meets, as towards a first contact; 0.5 and more where distances may shrink slowly only. A pair that
+  /// is ignored at the start (AtStart) has nothing to keep: it ends the step where it touches again. Throws
+  /// InvalidOptions unless 0 <= fraction < 1.
+  SafeStep keep_distance(const Step& step, double fraction = 0.1, const QueryOptions& = {});
 
   /// Every pair of features whose distance at rest is at most `distance` plus both radii (Options::thickness), each
   /// once, by kind, then vertices: what a barrier or penalty method starts from. A pair that is farther apart by less
@@ -78,8 +77,9 @@ class Detector {
   /// stop all: all vertices go together as far as every pair keeps a little more than that, from there each on its own
   /// side of planes between the features that it could reach, by a quarter of the mean edge at most, so as to bound the
   /// number of such pairs. What starts within the minimum separation may move as long as it comes no nearer; then no
-  /// vertex goes farther than that. Throws InvalidOptions unless 0 < fraction < 1.
-  TruncatedStep truncate(const Step& step, double fraction = 0.1, std::optional<double> min_separation = {});
+  /// vertex goes farther than that. What is ignored at the start (AtStart) may move as it likes, but not apart and
+  /// back. Throws InvalidOptions unless 0 < fraction < 1.
+  TruncatedStep truncate(const Step& step, double fraction = 0.1, const QueryOptions& = {});
 
   const Mesh& mesh() const;
   const Options& options() const;

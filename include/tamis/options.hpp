@@ -2,6 +2,7 @@
 #pragma once
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -12,9 +13,21 @@ namespace tamis {
 /// Instruction set of the hot loops; every one gives the same bits. `best`: the widest that this machine has.
 enum class Isa : std::uint8_t { best, baseline, avx2, avx512 };
 
-/// Names as on the command line, and back. Throws InvalidOptions, naming the choices, if there is no such name.
+/// What becomes of pairs that touch at t=0: whose distance there is at most the minimum separation plus both radii.
+/// Which they are is decided exactly.
+enum class AtStart : std::uint8_t {
+  report,  ///< they are contacts at t=0, and no step may go at all
+  /// They count once they have come apart: such a pair is a contact when it touches again after a time at which it does
+  /// not. One that never comes apart, or never comes back, is none (Statistics::ignored).
+  ignore,
+  fail,  ///< InvalidStep, which names the first of them
+};
+
+/// Names as on the command line, and back. Throw InvalidOptions, naming the choices, if there is no such name.
 Isa isa_from_name(std::string_view name);
+AtStart at_start_from_name(std::string_view name);
 std::string_view name_of(Isa);
+std::string_view name_of(AtStart);
 /// What name_of says of a number that is none of the enumeration's.
 inline constexpr std::string_view kUnnamed = "unknown";
 
@@ -29,8 +42,10 @@ struct PairFilter {
   std::vector<std::uint8_t> groups_may_touch = std::vector<std::uint8_t>();
   /// Asked last, for every pair still there; must be safe to call from several threads. Vertices as in Contact.
   std::function<bool(PairKind, const std::array<Index, 4>&)> accepts = nullptr;
-
-  bool empty() const { return groups_may_touch.empty() && !accepts; }
+  /// >= 1: pairs are left out whose features are fewer edges apart than this, along the mesh: on the shortest way from
+  /// a vertex of the one to a vertex of the other. 1, which costs nothing: those with a common vertex, as always. 2:
+  /// also those that an edge connects, and so on. Asked, after `accepts`, of pairs alone that would be in the answer.
+  int rings = 1;
   /// Pairs within one group are left out (no self-contact). One group a vertex, as above.
   static PairFilter no_self_contact(std::vector<Index> group_of_vertex);
   /// Pairs of two static groups, or within one, are left out. `is_static`: one flag a group.
@@ -53,6 +68,17 @@ struct Options {
   /// Asked again and again during a question, a thousand times a second or more; must be safe to call from several
   /// threads. Once it says true the question throws Cancelled; the detector answers the next one as if nothing was.
   std::function<bool()> is_cancelled = nullptr;
+};
+
+/// What a question may bring of its own: detector.contacts(step, {.min_separation = 1e-3}).
+struct QueryOptions {
+  /// In place of Options::min_separation, for this question alone (an activation distance, say); the hierarchy serves
+  /// all.
+  std::optional<double> min_separation = {};
+  /// Of steps. Curves know `report` alone.
+  AtStart at_start = AtStart::report;
+  /// Of paths: the widest bracket of a contact, a fraction of the step in (0, 1]. None: 1e-9.
+  std::optional<double> tolerance = {};
 };
 
 }  // namespace tamis

@@ -69,8 +69,7 @@ void PaperTester::add_loose(Index a, Index b) {
   if (!lets_pass(scene_.options.filter, kind, v) || !found.wants(kind, v)) return;
   ++of(counts.decide, kind);
   const auto r = decide(kind, points_of(found.query().step, v), found.query().rule_for(kind, v), counts.decided_by);
-  if (!r.touches) return;
-  found.add(kind, v, r);
+  if (!found.add(kind, v, r)) return;
   if (found.query().question == Question::all_contacts) features.push_back({a, b});
 }
 
@@ -107,7 +106,7 @@ template <PairKind kind>
 void PaperTester::add(Block<kind>& block, const std::array<Index, 2>& pair, const PairVertices& v) {
   const tamis::Options& options = scene_.options;
   if (!scene_.paper.orphan_sets && are_adjacent(kind, v)) return;
-  if (!options.filter.empty() && !lets_pass(options.filter, kind, v)) return;
+  if (!lets_pass(options.filter, kind, v)) return;
   const MovingPoints& p = scene_.points;
   block.features[block.size] = pair;
   block.vertices[block.size] = v;
@@ -147,8 +146,7 @@ void PaperTester::solve(const Block<kind>& block, std::size_t pair) {
   stop_if_cancelled(scene_.options);
   if (!found.wants(kind, block.vertices[pair])) return;
   const PairResult r = result_of(block, pair);
-  if (!r.touches) return;
-  found.add(kind, block.vertices[pair], r);
+  if (!found.add(kind, block.vertices[pair], r)) return;
   if (found.query().question == Question::all_contacts) features.push_back(block.features[pair]);
 }
 

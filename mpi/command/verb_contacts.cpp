@@ -33,7 +33,7 @@ class Contacts final : public RanksVerb {
       if (communicator.rank() == 0) cli::require_output(out_, {start_, end_}, "csv");
     });
     const std::vector<Contact>* contacts = nullptr;
-    ask_all(communicator, [&](Detector& detector, const Step& step) { contacts = &detector.contacts(step); });
+    ask_all(communicator, [&](Detector& detector, const Step& step) { contacts = &detector.contacts(step, own()); });
     const cli::Tally tally = tally_of_all(communicator, *contacts);
     if (!out_.empty()) write(communicator);
     report(

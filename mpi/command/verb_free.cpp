@@ -18,7 +18,7 @@ class Free final : public RanksVerb {
   int run() override {
     Communicator communicator(MPI_COMM_WORLD);
     bool is_free = false;
-    ask_all(communicator, [&](Detector& detector, const Step& step) { is_free = detector.is_free(step); });
+    ask_all(communicator, [&](Detector& detector, const Step& step) { is_free = detector.is_free(step, own()); });
     report(
         communicator, [&](cli::Json& json) { json["free"] = is_free; }, [&] { print(is_free); });
     return is_free ? cli::kSuccess : cli::kNo;

@@ -34,7 +34,7 @@ class Sequence final : public cli::SequenceVerb {
       const Block block{static_cast<std::uint64_t>(communicator.rank()),
                         static_cast<std::uint64_t>(communicator.size())};
       cli::ask_steps(*detector, *frames, {1 + block.first_of(steps), 1 + block.last_of(steps), substeps_, scale()},
-                     [&](const cli::SequenceStep& step) { packer.put(step); });
+                     own(), [&](const cli::SequenceStep& step) { packer.put(step); });
     });
     return print(communicator.gather_for_all(packer.take()), *frames, *detector) ? cli::kSuccess : cli::kNo;
   }

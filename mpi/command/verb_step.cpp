@@ -25,7 +25,7 @@ class StepLength final : public RanksVerb {
     Communicator communicator(MPI_COMM_WORLD);
     if (kept_.is_asked()) return keep_distance(communicator);
     EarliestContact first;
-    ask_all(communicator, [&](Detector& detector, const Step& step) { first = detector.earliest(step); });
+    ask_all(communicator, [&](Detector& detector, const Step& step) { first = detector.earliest(step, own()); });
     report(
         communicator, [&](cli::Json& json) { cli::add_earliest(json, first); }, [&] { print(first); });
     return cli::kSuccess;
@@ -44,8 +44,9 @@ class StepLength final : public RanksVerb {
 
   int keep_distance(Communicator& communicator) {
     SafeStep safe;
-    ask_all(communicator,
-            [&](Detector& detector, const Step& step) { safe = detector.keep_distance(step, kept_.fraction()); });
+    ask_all(communicator, [&](Detector& detector, const Step& step) {
+      safe = detector.keep_distance(step, kept_.fraction(), own());
+    });
     report(
         communicator, [&](cli::Json& json) { cli::add_safe_step(json, safe, kept_.fraction()); }, [&] { print(safe); });
     return cli::kSuccess;

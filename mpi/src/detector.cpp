@@ -26,7 +26,7 @@ struct Detector::State {
 
   void find_contacts() {
     std::vector<std::vector<HomedContact>> found;
-    searches.search_at_once([&](LocalSearch& search) { found.push_back(search.contacts(searches.min_separation())); },
+    searches.search_at_once([&](LocalSearch& search) { found.push_back(search.contacts(searches.asked())); },
                             MeetUntil{1});
     const Stopwatch watch(searches.statistics().seconds.deliver);
     contacts = deliver(searches.communicator(), found);
@@ -34,8 +34,7 @@ struct Detector::State {
 
   EarliestContact find_earliest() {
     EarliestContact first;
-    searches.search_in_turn([&](LocalSearch& search) { keep_first(first, search.earliest(searches.min_separation())); },
-                            false,
+    searches.search_in_turn([&](LocalSearch& search) { keep_first(first, search.earliest(searches.asked())); }, false,
                             [&] { return MeetUntil{soon_after(searches.communicator().least(first.toi_upper))}; });
     const Stopwatch watch(searches.statistics().seconds.deliver);
     return first_of_all(searches.communicator(), first);
@@ -44,9 +43,8 @@ struct Detector::State {
   /// Once any rank has a contact, nobody need borrow.
   bool find_whether_free() {
     bool is_free = true;
-    searches.search_in_turn(
-        [&](LocalSearch& search) { is_free = is_free && search.is_free(searches.min_separation()); }, false,
-        [&] { return MeetUntil{searches.communicator().any(!is_free) ? -1.0 : 1.0}; });
+    searches.search_in_turn([&](LocalSearch& search) { is_free = is_free && search.is_free(searches.asked()); }, false,
+                            [&] { return MeetUntil{searches.communicator().any(!is_free) ? -1.0 : 1.0}; });
     return !searches.communicator().any(!is_free);
   }
 
@@ -54,7 +52,7 @@ struct Detector::State {
     SafeStep first;
     double upper = 1;  // of fraction 0: of any contact, whatever pair comes first
     const auto ask = [&](LocalSearch& search) {
-      const SafeStep safe = search.keep_distance(fraction, searches.min_separation());
+      const SafeStep safe = search.keep_distance(fraction, searches.asked());
       keep_first(first, safe);
       upper = std::min(upper, safe.upper);
     };
@@ -71,11 +69,11 @@ struct Detector::State {
 
   /// Collective: all that belongs to one question.
   template <class Find>
-  void ask(const std::string& question, const Step& step, std::optional<double> min_separation, const Find& find) {
+  void ask(const std::string& question, const Step& step, const QueryOptions& options, const Find& find) {
     double total = 0;
     agreed_or_ended(searches.communicator().raw(), [&] {
       const Stopwatch watch(total);
-      searches.begin(question, step, min_separation);
+      searches.begin(question, step, options);
       find();
       searches.end();
     });
@@ -98,9 +96,9 @@ Detector::~Detector() = default;
 Detector::Detector(Detector&&) noexcept = default;
 Detector& Detector::operator=(Detector&&) noexcept = default;
 
-const std::vector<Contact>& Detector::contacts(const Step& step, std::optional<double> min_separation) {
+const std::vector<Contact>& Detector::contacts(const Step& step, const QueryOptions& options) {
   const Turn turn(state_->is_asked);
-  state_->ask("contacts", step, min_separation, [&] { state_->find_contacts(); });
+  state_->ask("contacts", step, options, [&] { state_->find_contacts(); });
   agreed_or_ended(state_->searches.communicator().raw(), [&] { state_->searches.watch_balance(); });
   return state_->contacts;
 }
@@ -117,25 +115,24 @@ std::vector<Contact> Detector::gather_contacts(int root) {
   });
 }
 
-EarliestContact Detector::earliest(const Step& step, std::optional<double> min_separation) {
+EarliestContact Detector::earliest(const Step& step, const QueryOptions& options) {
   const Turn turn(state_->is_asked);
   EarliestContact first;
-  state_->ask("earliest", step, min_separation, [&] { first = state_->find_earliest(); });
+  state_->ask("earliest", step, options, [&] { first = state_->find_earliest(); });
   return first;
 }
 
-bool Detector::is_free(const Step& step, std::optional<double> min_separation) {
+bool Detector::is_free(const Step& step, const QueryOptions& options) {
   const Turn turn(state_->is_asked);
   bool is_free = false;
-  state_->ask("is_free", step, min_separation, [&] { is_free = state_->find_whether_free(); });
+  state_->ask("is_free", step, options, [&] { is_free = state_->find_whether_free(); });
   return is_free;
 }
 
-SafeStep Detector::keep_distance(const Step& step, double fraction, std::optional<double> min_separation) {
+SafeStep Detector::keep_distance(const Step& step, double fraction, const QueryOptions& options) {
   const Turn turn(state_->is_asked);
   SafeStep safe;
-  state_->ask("keep_distance " + exact(fraction), step, min_separation,
-              [&] { safe = state_->find_safe_step(fraction); });
+  state_->ask("keep_distance " + exact(fraction), step, options, [&] { safe = state_->find_safe_step(fraction); });
   return safe;
 }
 

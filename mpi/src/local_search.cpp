@@ -122,9 +122,9 @@ void LocalSearch::translate(std::array<Index, 4>& vertices) const {
     if (v >= 0) v = set_.vertices[static_cast<std::size_t>(v)].number;
 }
 
-std::vector<HomedContact> LocalSearch::contacts(double min_separation) {
+std::vector<HomedContact> LocalSearch::contacts(const QueryOptions& asked) {
   std::vector<HomedContact> result;
-  for (Contact contact : detector_->contacts(step(), min_separation)) {
+  for (Contact contact : detector_->contacts(step(), asked)) {
     const int home = set_.vertices[static_cast<std::size_t>(contact.vertices[0])].home;
     translate(contact.vertices);
     result.push_back({contact, home});
@@ -132,16 +132,16 @@ std::vector<HomedContact> LocalSearch::contacts(double min_separation) {
   return result;
 }
 
-EarliestContact LocalSearch::earliest(double min_separation) {
-  EarliestContact first = detector_->earliest(step(), min_separation);
+EarliestContact LocalSearch::earliest(const QueryOptions& asked) {
+  EarliestContact first = detector_->earliest(step(), asked);
   if (first.contact) translate(first.contact->vertices);
   return first;
 }
 
-bool LocalSearch::is_free(double min_separation) { return detector_->is_free(step(), min_separation); }
+bool LocalSearch::is_free(const QueryOptions& asked) { return detector_->is_free(step(), asked); }
 
-SafeStep LocalSearch::keep_distance(double fraction, double min_separation) {
-  SafeStep safe = detector_->keep_distance(step(), fraction, min_separation);
+SafeStep LocalSearch::keep_distance(double fraction, const QueryOptions& asked) {
+  SafeStep safe = detector_->keep_distance(step(), fraction, asked);
   if (safe.pair) translate(safe.pair->vertices);
   return safe;
 }

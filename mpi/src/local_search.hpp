@@ -32,10 +32,10 @@ class LocalSearch {
   void count_pairs(bool counts);
 
   bool empty() const { return set_.empty(); }
-  std::vector<HomedContact> contacts(double min_separation);
-  EarliestContact earliest(double min_separation);
-  bool is_free(double min_separation);
-  SafeStep keep_distance(double fraction, double min_separation);
+  std::vector<HomedContact> contacts(const QueryOptions& asked);
+  EarliestContact earliest(const QueryOptions& asked);
+  bool is_free(const QueryOptions& asked);
+  SafeStep keep_distance(double fraction, const QueryOptions& asked);
 
   /// Pairs of features whose boxes meet, in the last question.
   std::uint64_t pairs_tested() const;

@@ -20,6 +20,9 @@ constexpr double kWorse = 1.25;
 
 /// Throws as `tamis::Detector` does, before any rank has an element.
 void validate(const Options& options) {
+  if (options.filter.rings != 1)
+    throw InvalidOptions("rings is " + std::to_string(options.filter.rings) +
+                         ": ranks have parts of the mesh, along which they cannot go; leave it at 1");
   Options alone = options;
   alone.filter.group_of_vertex = {0};
   tamis::Detector(Mesh(1, {}, {}, {0}), std::move(alone));
@@ -39,13 +42,20 @@ Searches::Searches(MPI_Comm raw, const LocalMesh& mesh, Options options)
   input_ = make_input_part(communicator_, mesh, options_.filter);
 }
 
-void Searches::begin(const std::string& question, const Step& step, std::optional<double> min_separation) {
+void Searches::begin(const std::string& question, const Step& step, const QueryOptions& options) {
   statistics_ = {};
   traffic_before_ = communicator_.traffic();
-  separation_ = min_separation.value_or(options_.min_separation);
-  require_same(communicator_, {question, "minimum separation " + exact(separation_)});
-  if (!(std::isfinite(separation_) && separation_ >= 0))
-    throw InvalidOptions("the minimum separation is " + exact(separation_) + ": give a finite distance >= 0");
+  asked_ = options;
+  const double separation = options.min_separation.value_or(options_.min_separation);
+  asked_.min_separation = separation;
+  require_same(communicator_, {question, "minimum separation " + exact(separation),
+                               "at_start " + std::to_string(static_cast<int>(options.at_start))});
+  if (!(std::isfinite(separation) && separation >= 0))
+    throw InvalidOptions("the minimum separation is " + exact(separation) + ": give a finite distance >= 0");
+  if (options.at_start != AtStart::report && options.at_start != AtStart::ignore)
+    throw InvalidOptions(
+        "at_start is " + std::string(name_of(options.at_start)) +
+        ": ranks report what touches at the start, or ignore it; ask for contacts of the start at rest");
   {
     const Stopwatch watch(statistics_.seconds.positions);
     take_positions(communicator_, step, input_);

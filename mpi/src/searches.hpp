@@ -22,7 +22,7 @@ class Searches {
 
   /// Collective: every question begins so. All ranks ask the same; everybody has its own elements and those of the
   /// frame.
-  void begin(const std::string& question, const Step& step, std::optional<double> min_separation);
+  void begin(const std::string& question, const Step& step, const QueryOptions& options);
   /// Collective. `ask(search)` among own elements and, while messages are on their way or after that, against all that
   /// `may_matter`.
   template <class Ask, class Test>
@@ -36,7 +36,8 @@ class Searches {
   /// the one after it has a new decomposition.
   void watch_balance();
 
-  double min_separation() const { return separation_; }
+  /// With the separation of the question, or else the options'.
+  const QueryOptions& asked() const { return asked_; }
   Communicator& communicator() { return communicator_; }
   Index vertex_count() const { return input_.vertex_count; }
   Statistics& statistics() { return statistics_; }
@@ -59,7 +60,7 @@ class Searches {
   Frame frame_{communicator_};
   ElementSet frame_elements_;
   LocalSearch interior_{options_}, border_{options_};
-  double separation_ = 0;
+  QueryOptions asked_;
   bool is_to_decompose_ = true, counts_pairs_ = false;
   double allowed_;  ///< imbalance; 0: what the next question has, and some more
   int cuts_ = 0;    ///< by weights
@@ -89,7 +90,7 @@ void Searches::search_in_turn(const Ask& ask, bool by_drifts, const MakeTest& ma
 template <class Test>
 Borrowing Searches::borrow(bool by_drifts, const Test& may_matter) {
   const Stopwatch watch(statistics_.seconds.borrow);
-  return Borrowing(communicator_, own(), {separation_, options_.thickness, by_drifts}, may_matter);
+  return Borrowing(communicator_, own(), {*asked_.min_separation, options_.thickness, by_drifts}, may_matter);
 }
 
 template <class Ask>

@@ -47,9 +47,9 @@ class RankQuestions {
       : asker_(asking),
         detector_(MPI_Comm_f2c(communicator), part.mesh, with_sentences(asker_.with_callbacks(asking.options))) {}
 
-  nb::object contacts(const Rows& start, const Rows& end, Separation d) {
+  nb::object contacts(const Rows& start, const Rows& end, const QueryOptions& q) {
     std::vector<Contact> found;
-    asker_.ask([&] { found = detector_.contacts({positions(start), positions(end)}, d); });
+    asker_.ask([&] { found = detector_.contacts({positions(start), positions(end)}, q); });
     return own_bytes(std::move(found));
   }
 
@@ -59,21 +59,21 @@ class RankQuestions {
     return own_bytes(std::move(found));
   }
 
-  nb::tuple earliest(const Rows& start, const Rows& end, Separation d) {
+  nb::tuple earliest(const Rows& start, const Rows& end, const QueryOptions& q) {
     EarliestContact first;
-    asker_.ask([&] { first = detector_.earliest({positions(start), positions(end)}, d); });
+    asker_.ask([&] { first = detector_.earliest({positions(start), positions(end)}, q); });
     return as_tuple(first);
   }
 
-  bool is_free(const Rows& start, const Rows& end, Separation d) {
+  bool is_free(const Rows& start, const Rows& end, const QueryOptions& q) {
     bool free = false;
-    asker_.ask([&] { free = detector_.is_free({positions(start), positions(end)}, d); });
+    asker_.ask([&] { free = detector_.is_free({positions(start), positions(end)}, q); });
     return free;
   }
 
-  nb::tuple keep_distance(const Rows& start, const Rows& end, double fraction, Separation d) {
+  nb::tuple keep_distance(const Rows& start, const Rows& end, double fraction, const QueryOptions& q) {
     SafeStep safe;
-    asker_.ask([&] { safe = detector_.keep_distance({positions(start), positions(end)}, fraction, d); });
+    asker_.ask([&] { safe = detector_.keep_distance({positions(start), positions(end)}, fraction, q); });
     return as_tuple(safe);
   }
 
@@ -124,17 +124,15 @@ std::string library_version() {
 NB_MODULE(_distributed, module) {
   using namespace tamis::python;
   nanobind::set_leak_warnings(false);  // as in _core
-  const nb::arg any;
-  const auto or_none = nb::arg().none();
   nb::class_<Part>(module, "Part")
       .def(nb::init<const Indices&, const IndexRowsIn<3>&, const IndexRowsIn<2>&, const Indices&>());
   nb::class_<RankQuestions>(module, "Detector", nb::type_slots(collected<RankQuestions>), nb::is_weak_referenceable())
       .def(nb::init<int, const Part&, const Asking&>())
-      .def("contacts", &RankQuestions::contacts, any, any, or_none)
+      .def("contacts", &RankQuestions::contacts)
       .def("gather_contacts", &RankQuestions::gather_contacts)
-      .def("earliest", &RankQuestions::earliest, any, any, or_none)
-      .def("is_free", &RankQuestions::is_free, any, any, or_none)
-      .def("keep_distance", &RankQuestions::keep_distance, any, any, any, or_none)
+      .def("earliest", &RankQuestions::earliest)
+      .def("is_free", &RankQuestions::is_free)
+      .def("keep_distance", &RankQuestions::keep_distance)
       .def("vertex_count", &RankQuestions::vertex_count)
       .def("statistics", &RankQuestions::statistics)
       .def("balance", &RankQuestions::balance);

@@ -35,8 +35,8 @@ std::vector<Point> points_of(const Positions& positions) {
   return points;
 }
 
-Options with(Options options, std::optional<double> min_separation) {
-  options.min_separation = min_separation.value_or(options.min_separation);
+Options with(Options options, const QueryOptions& asked) {
+  options.min_separation = asked.min_separation.value_or(options.min_separation);
   return options;
 }
 
@@ -106,14 +106,14 @@ io::Recording film_of(const Path& path, const Mesh& mesh, const Options& options
 
 }  // namespace
 
-void write_step(const std::filesystem::path& to, Detector& detector, const Step& step,
-                std::optional<double> min_separation, std::span<const Contact> part) {
-  const auto& found = detector.contacts(step, min_separation);
+void write_step(const std::filesystem::path& to, Detector& detector, const Step& step, const QueryOptions& asked,
+                std::span<const Contact> part) {
+  const auto& found = detector.contacts(step, asked);
   if (!is_part(part, found))
     throw InvalidStep(
         "the positions have changed since these contacts were found: look at contacts before the next step, or give "
         "the detector arrays that stay as they are");
-  const Options options = with(detector.options(), min_separation);
+  const Options options = with(detector.options(), asked);
   io::Recording recording{detector.mesh(),
                           options,
                           1,
@@ -124,15 +124,15 @@ void write_step(const std::filesystem::path& to, Detector& detector, const Step&
   io::output_for(to, io::outputs()).write(to, recording);
 }
 
-void write_path(const std::filesystem::path& to, Detector& detector, const Path& path, double tolerance,
-                std::optional<double> min_separation, std::span<const Contact> part) {
+void write_path(const std::filesystem::path& to, Detector& detector, const Path& path, const QueryOptions& asked,
+                std::span<const Contact> part) {
   const io::Output& output = io::output_for(to, io::outputs());
   if (!output.holds_sequence)
     throw Error(to.string() + " would hold one straight piece, and these contacts are of a path: save html or csv");
-  const auto& found = detector.contacts(path, min_separation, tolerance);
+  const auto& found = detector.contacts(path, asked);
   if (!is_part(part, found))
     throw InvalidPath("the path has changed since these contacts were found: look at them before it does");
-  const Options options = with(detector.options(), min_separation);
+  const Options options = with(detector.options(), asked);
   output.write(to, film_of(path, detector.mesh(), options, part, free_before(found)));
 }
 

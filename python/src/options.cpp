@@ -1,5 +1,6 @@
 #include "tamis/options.hpp"
 
+#include <nanobind/stl/optional.h>
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/vector.h>
 
@@ -23,6 +24,13 @@ void set_groups(Asking& asking, const Indices& group_of_vertex, Index group_coun
 }  // namespace
 
 void bind_options(nb::module_& module) {
+  nb::class_<QueryOptions>(module, "QueryOptions")
+      .def(
+          "__init__",
+          [](QueryOptions* made, std::optional<double> min_separation, const std::string& at_start) {
+            new (made) QueryOptions{min_separation, at_start_from_name(at_start)};
+          },
+          nb::arg().none(), nb::arg());
   nb::class_<Asking>(module, "Options", nb::type_slots(collected<Asking>))
       .def(nb::init<>())
       .def("set_isa", [](Asking& a, const std::string& name) { a.options.isa = isa_from_name(name); })
@@ -30,6 +38,7 @@ void bind_options(nb::module_& module) {
       .def("set_min_separation", [](Asking& a, double distance) { a.options.min_separation = distance; })
       .def("set_groups", &set_groups)
       .def("set_thickness", [](Asking& a, std::vector<double> radii) { a.options.thickness = std::move(radii); })
+      .def("set_rings", [](Asking& a, int rings) { a.options.filter.rings = rings; })
       .def("set_filter", [](Asking& a, nb::object accepts) { a.accepts = std::move(accepts); })
       .def("set_is_cancelled", [](Asking& a, nb::object is_cancelled) { a.is_cancelled = std::move(is_cancelled); });
 }

@@ -10,6 +10,11 @@ namespace {
 
 Step step_of(const Rows& start, const Rows& end) { return {positions(start), positions(end)}; }
 
+QueryOptions on_path(QueryOptions options, double tolerance) {
+  options.tolerance = tolerance;
+  return options;
+}
+
 /// Numbers by their names.
 template <class Number>
 nb::dict named(std::initializer_list<std::pair<const char*, Number>> numbers) {
@@ -41,6 +46,7 @@ nb::dict as_dict(const Statistics& s) {
   all["stages"] = stages;
   all["decided_by"] = as_dict(s.decided_by);
   all["seconds"] = as_dict(s.seconds);
+  all["ignored"] = s.ignored;
   all["nodes_visited"] = s.nodes_visited;
   all["rebuilt"] = s.rebuilt;
   all["memory_bytes"] = s.memory_bytes;
@@ -52,51 +58,51 @@ nb::dict as_dict(const Statistics& s) {
 Questions::Questions(const Mesh& mesh, const Asking& asking)
     : asker_(asking), detector_(mesh, asker_.with_callbacks(asking.options)) {}
 
-nb::object Questions::contacts(const Rows& start, const Rows& end, Separation d) {
+nb::object Questions::contacts(const Rows& start, const Rows& end, const QueryOptions& q) {
   std::vector<Contact> found = spare_->take();
-  asker_.ask([&] { detector_.contacts(step_of(start, end), found, d); });
+  asker_.ask([&] { detector_.contacts(step_of(start, end), found, q); });
   return own_contacts(std::move(found), spare_);
 }
 
-nb::tuple Questions::earliest(const Rows& start, const Rows& end, Separation d) {
+nb::tuple Questions::earliest(const Rows& start, const Rows& end, const QueryOptions& q) {
   EarliestContact first;
-  asker_.ask([&] { first = detector_.earliest(step_of(start, end), d); });
+  asker_.ask([&] { first = detector_.earliest(step_of(start, end), q); });
   return as_tuple(first);
 }
 
-bool Questions::is_free(const Rows& start, const Rows& end, Separation d) {
+bool Questions::is_free(const Rows& start, const Rows& end, const QueryOptions& q) {
   bool free = false;
-  asker_.ask([&] { free = detector_.is_free(step_of(start, end), d); });
+  asker_.ask([&] { free = detector_.is_free(step_of(start, end), q); });
   return free;
 }
 
-nb::object Questions::contacts_on_path(const Path& path, double tolerance, Separation d) {
+nb::object Questions::contacts_on_path(const Path& path, double tolerance, const QueryOptions& q) {
   std::vector<Contact> found = spare_->take();
-  asker_.ask([&] { found = detector_.contacts(path, d, tolerance); });
+  asker_.ask([&] { found = detector_.contacts(path, on_path(q, tolerance)); });
   return own_contacts(std::move(found), spare_);
 }
 
-nb::tuple Questions::earliest_on_path(const Path& path, double tolerance, Separation d) {
+nb::tuple Questions::earliest_on_path(const Path& path, double tolerance, const QueryOptions& q) {
   EarliestContact first;
-  asker_.ask([&] { first = detector_.earliest(path, d, tolerance); });
+  asker_.ask([&] { first = detector_.earliest(path, on_path(q, tolerance)); });
   return as_tuple(first);
 }
 
-bool Questions::is_free_on_path(const Path& path, double tolerance, Separation d) {
+bool Questions::is_free_on_path(const Path& path, double tolerance, const QueryOptions& q) {
   bool free = false;
-  asker_.ask([&] { free = detector_.is_free(path, d, tolerance); });
+  asker_.ask([&] { free = detector_.is_free(path, on_path(q, tolerance)); });
   return free;
 }
 
-nb::tuple Questions::keep_distance(const Rows& start, const Rows& end, double fraction, Separation d) {
+nb::tuple Questions::keep_distance(const Rows& start, const Rows& end, double fraction, const QueryOptions& q) {
   SafeStep safe;
-  asker_.ask([&] { safe = detector_.keep_distance(step_of(start, end), fraction, d); });
+  asker_.ask([&] { safe = detector_.keep_distance(step_of(start, end), fraction, q); });
   return as_tuple(safe);
 }
 
-nb::tuple Questions::truncate(const Rows& start, const Rows& end, double fraction, Separation d) {
+nb::tuple Questions::truncate(const Rows& start, const Rows& end, double fraction, const QueryOptions& q) {
   TruncatedStep step;
-  asker_.ask([&] { step = detector_.truncate(step_of(start, end), fraction, d); });
+  asker_.ask([&] { step = detector_.truncate(step_of(start, end), fraction, q); });
   return nb::make_tuple(own<double>(std::move(step.positions), 3), own<double>(std::move(step.parts), 0), step.is_free);
 }
 
@@ -119,13 +125,13 @@ bool Questions::has_intersection(const Rows& at) {
 }
 
 void Questions::write_step(const std::filesystem::path& path, const ContactBytes& contacts, const Rows& start,
-                           const Rows& end, Separation d) {
-  asker_.ask([&] { python::write_step(path, detector_, step_of(start, end), d, contacts_in(contacts)); });
+                           const Rows& end, const QueryOptions& q) {
+  asker_.ask([&] { python::write_step(path, detector_, step_of(start, end), q, contacts_in(contacts)); });
 }
 
 void Questions::write_path(const std::filesystem::path& to, const ContactBytes& contacts, const Path& path,
-                           double tolerance, Separation d) {
-  asker_.ask([&] { python::write_path(to, detector_, path, tolerance, d, contacts_in(contacts)); });
+                           double tolerance, const QueryOptions& q) {
+  asker_.ask([&] { python::write_path(to, detector_, path, on_path(q, tolerance), contacts_in(contacts)); });
 }
 
 nb::dict Questions::statistics() {

@@ -2,7 +2,6 @@
 #pragma once
 #include <filesystem>
 #include <memory>
-#include <optional>
 #include <vector>
 
 #include "python/src/arrays.hpp"
@@ -12,23 +11,20 @@
 
 namespace tamis::python {
 
-/// Of one question; none: the detector's.
-using Separation = std::optional<double>;
-
 /// One question at a time: a second one is refused, from another thread or from the filter.
 class Questions {
  public:
   Questions(const Mesh& mesh, const Asking& asking);
 
-  nb::object contacts(const Rows& start, const Rows& end, Separation d);
-  nb::tuple earliest(const Rows& start, const Rows& end, Separation d);
-  bool is_free(const Rows& start, const Rows& end, Separation d);
-  nb::object contacts_on_path(const Path& path, double tolerance, Separation d);
-  nb::tuple earliest_on_path(const Path& path, double tolerance, Separation d);
-  bool is_free_on_path(const Path& path, double tolerance, Separation d);
+  nb::object contacts(const Rows& start, const Rows& end, const QueryOptions& q);
+  nb::tuple earliest(const Rows& start, const Rows& end, const QueryOptions& q);
+  bool is_free(const Rows& start, const Rows& end, const QueryOptions& q);
+  nb::object contacts_on_path(const Path& path, double tolerance, const QueryOptions& q);
+  nb::tuple earliest_on_path(const Path& path, double tolerance, const QueryOptions& q);
+  bool is_free_on_path(const Path& path, double tolerance, const QueryOptions& q);
 
-  nb::tuple keep_distance(const Rows& start, const Rows& end, double fraction, Separation d);
-  nb::tuple truncate(const Rows& start, const Rows& end, double fraction, Separation d);
+  nb::tuple keep_distance(const Rows& start, const Rows& end, double fraction, const QueryOptions& q);
+  nb::tuple truncate(const Rows& start, const Rows& end, double fraction, const QueryOptions& q);
 
   nb::object near(const Rows& at, double distance);
   nb::object intersections(const Rows& at);
@@ -38,9 +34,9 @@ class Questions {
 
   /// As looking.hpp has it.
   void write_step(const std::filesystem::path& path, const ContactBytes& contacts, const Rows& start, const Rows& end,
-                  Separation d);
+                  const QueryOptions& q);
   void write_path(const std::filesystem::path& to, const ContactBytes& contacts, const Path& path, double tolerance,
-                  Separation d);
+                  const QueryOptions& q);
 
   int traverse(visitproc visit, void* arg) const { return asker_.traverse(visit, arg); }
   void clear() { asker_.clear(); }

@@ -53,6 +53,9 @@ class Detector(InMotion, StepLengths, AtRest):
     filter : callable, optional
         ``filter(kind, vertices)`` is asked for every pair that is left, and says whether it counts. From several
         threads, one at a time: slow, a microsecond a pair. Groups cost nothing.
+    rings : int
+        Pairs are left out whose features are fewer edges apart than this, along the mesh; 1: those with a common
+        vertex. Asked last, of pairs alone that would be in an answer.
     is_cancelled : callable, optional
         Asked some 20 times a second during a question; True ends it with `Cancelled`.
 
@@ -75,6 +78,7 @@ class Detector(InMotion, StepLengths, AtRest):
         may_touch: npt.ArrayLike | None = None,
         thickness: npt.ArrayLike | None = None,
         filter: Filter | None = None,
+        rings: int = 1,
         is_cancelled: Callable[[], bool] | None = None,
     ) -> None:
         known = instance(mesh, Mesh, "mesh", "a tamis.Mesh, as of tamis.Mesh(faces)", InvalidMesh)
@@ -86,6 +90,7 @@ class Detector(InMotion, StepLengths, AtRest):
             may_touch=may_touch,
             thickness=thickness,
             filter=filter,
+            rings=rings,
             is_cancelled=is_cancelled,
         )
         self._mesh = known

@@ -8,11 +8,11 @@ import numpy.typing as npt
 
 from tamis import _core
 from tamis._answers import EarliestContact
-from tamis._checks import number_or_none
 from tamis._contacts import Contacts
 from tamis._looking import Asked
 from tamis._mesh import Mesh
 from tamis._motion import motion
+from tamis._options import AtStart, query_options
 from tamis._paths import Path
 
 
@@ -26,7 +26,12 @@ class InMotion:
 
     @overload
     def contacts(
-        self, start: npt.ArrayLike, end: npt.ArrayLike, *, min_separation: float | None = None
+        self,
+        start: npt.ArrayLike,
+        end: npt.ArrayLike,
+        *,
+        min_separation: float | None = None,
+        at_start: AtStart = "report",
     ) -> Contacts: ...
     @overload
     def contacts(
@@ -38,6 +43,7 @@ class InMotion:
         end: npt.ArrayLike | None = None,
         *,
         min_separation: float | None = None,
+        at_start: AtStart = "report",
         tolerance: float | None = None,
     ) -> Contacts:
         """Find every contact of a step, or of a path.
@@ -48,6 +54,11 @@ class InMotion:
             Where each vertex is at the start and at the end of the step. Or a `Path` alone: curved motion.
         min_separation : float, optional
             Of this question alone; by default the detector's.
+        at_start : str
+            What becomes of pairs that touch at the start of a step, whose distance there is at most `min_separation`
+            plus both radii. "report": they are contacts at t=0. "ignore": they count once they have come apart, so
+            that one that never comes apart, or never comes back, is no contact (`Statistics.ignored`). "fail":
+            `InvalidStep` names the first of them. A path knows "report" alone.
         tolerance : float, optional
             Of a path: widest bracket of a contact, in (0, 1], a fraction of the step; by default 1e-9.
 
@@ -58,13 +69,18 @@ class InMotion:
             without crossing, say) is a contact that is not certified.
         """
         moving = motion(start, end, tolerance)
-        separation = number_or_none(min_separation, "min_separation")
-        found = self._detector.contacts(*moving.native(), separation)
-        return Contacts(found, Asked(self._mesh._mesh, self._options, moving, separation))
+        own = query_options(min_separation, at_start)
+        found = self._detector.contacts(*moving.native(), own)
+        return Contacts(found, Asked(self._mesh._mesh, self._options, moving, own))
 
     @overload
     def earliest(
-        self, start: npt.ArrayLike, end: npt.ArrayLike, *, min_separation: float | None = None
+        self,
+        start: npt.ArrayLike,
+        end: npt.ArrayLike,
+        *,
+        min_separation: float | None = None,
+        at_start: AtStart = "report",
     ) -> EarliestContact: ...
     @overload
     def earliest(
@@ -76,13 +92,14 @@ class InMotion:
         end: npt.ArrayLike | None = None,
         *,
         min_separation: float | None = None,
+        at_start: AtStart = "report",
         tolerance: float | None = None,
     ) -> EarliestContact:
         """Find the first contact: how far the step, or the path, may go. `truncate` says to which positions.
 
         Parameters
         ----------
-        start, end, min_separation, tolerance
+        start, end, min_separation, at_start, tolerance
             As of `contacts`.
 
         Returns
@@ -90,13 +107,20 @@ class InMotion:
         EarliestContact
             The motion is free before its `toi_lower`: proven.
         """
-        separation = number_or_none(min_separation, "min_separation")
-        lower, upper, found = self._detector.earliest(*motion(start, end, tolerance).native(), separation)
+        own = query_options(min_separation, at_start)
+        lower, upper, found = self._detector.earliest(*motion(start, end, tolerance).native(), own)
         contacts = Contacts(found)
         return EarliestContact(lower, upper, contacts[0] if len(contacts) else None)
 
     @overload
-    def is_free(self, start: npt.ArrayLike, end: npt.ArrayLike, *, min_separation: float | None = None) -> bool: ...
+    def is_free(
+        self,
+        start: npt.ArrayLike,
+        end: npt.ArrayLike,
+        *,
+        min_separation: float | None = None,
+        at_start: AtStart = "report",
+    ) -> bool: ...
     @overload
     def is_free(
         self, start: Path, /, *, min_separation: float | None = None, tolerance: float | None = None
@@ -107,13 +131,14 @@ class InMotion:
         end: npt.ArrayLike | None = None,
         *,
         min_separation: float | None = None,
+        at_start: AtStart = "report",
         tolerance: float | None = None,
     ) -> bool:
         """Tell whether the whole step, or the whole path, is free of contacts.
 
         Parameters
         ----------
-        start, end, min_separation, tolerance
+        start, end, min_separation, at_start, tolerance
             As of `contacts`.
 
         Returns
@@ -121,5 +146,5 @@ class InMotion:
         bool
             True is a proof. On a path False may be due to a contact that is not certified.
         """
-        separation = number_or_none(min_separation, "min_separation")
-        return self._detector.is_free(*motion(start, end, tolerance).native(), separation)
+        own = query_options(min_separation, at_start)
+        return self._detector.is_free(*motion(start, end, tolerance).native(), own)

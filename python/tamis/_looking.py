@@ -29,11 +29,11 @@ class Asked:
     mesh: _core.Mesh
     options: _core.Options
     motion: StraightMotion | CurvedMotion
-    min_separation: float | None
+    own: _core.QueryOptions
 
     def write(self, path: str, contacts: npt.NDArray[np.uint8]) -> None:
         """Write the contacts, all that were found or some, in the format that the extension names."""
-        _core.Detector(self.mesh, self.options).write(path, contacts, *self.motion.native(), self.min_separation)
+        _core.Detector(self.mesh, self.options).write(path, contacts, *self.motion.native(), self.own)
 
 
 class Page:

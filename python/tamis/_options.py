@@ -10,11 +10,12 @@ import numpy.typing as npt
 
 from tamis import _core
 from tamis._arrays import Groups, Indices, flags, indices, vector
-from tamis._checks import function, number, whole, word
+from tamis._checks import function, number, number_or_none, whole, word
 from tamis._errors import InvalidOptions
 from tamis._kinds import PairKind
 
 Isa = Literal["best", "baseline", "avx2", "avx512"]
+AtStart = Literal["report", "ignore", "fail"]
 Filter = Callable[[PairKind, "tuple[int, int, int, int]"], bool]
 
 
@@ -41,6 +42,11 @@ def set_groups(
     options.set_groups(group_of_vertex, count, allowed)
 
 
+def query_options(min_separation: float | None, at_start: AtStart) -> _core.QueryOptions:
+    """Return what a question brings of its own."""
+    return _core.QueryOptions(number_or_none(min_separation, "min_separation"), word(at_start, "at_start"))
+
+
 def make_options(
     *,
     threads: int,
@@ -51,6 +57,7 @@ def make_options(
     thickness: npt.ArrayLike | None,
     filter: Filter | None,
     is_cancelled: Callable[[], bool] | None,
+    rings: int = 1,
     group_count: int = 1,
 ) -> _core.Options:
     """Return what the keywords of a detector say; `group_count` as of `set_groups`."""
@@ -59,6 +66,7 @@ def make_options(
     options.set_threads(whole(threads, "threads", advice=", 0 being all"))
     options.set_min_separation(number(min_separation, "min_separation"))
     set_groups(options, groups, may_touch, thickness, group_count)
+    options.set_rings(whole(rings, "rings", least=1))
     if filter is not None:
         accepts = function(filter, "filter", "filter(kind, vertices)")
         options.set_filter(lambda kind, vertices: accepts(PairKind(kind), vertices))

@@ -19,6 +19,9 @@ class Statistics:
         Pairs decided by each arithmetic: lanes, scalar, exact; and unresolved, of paths alone.
     seconds : mapping of str to float
         Wall-clock time of bounds, build, traverse, filter, solve, and the total.
+    ignored : int
+        With ``at_start="ignore"``, of contacts, earliest and is_free: pairs that touch at the start, and not again once
+        they are apart.
     rebuilt : bool
         The hierarchy was built, not refitted.
     memory_bytes : int
@@ -30,6 +33,7 @@ class Statistics:
     stages: Mapping[str, tuple[int, int, int, int]]
     decided_by: Mapping[str, int]
     seconds: Mapping[str, float]
+    ignored: int
     nodes_visited: int
     rebuilt: bool
     memory_bytes: int

@@ -7,7 +7,8 @@ import numpy.typing as npt
 from tamis import _core
 from tamis._answers import SafeStep, TruncatedStep, safe_step
 from tamis._arrays import Doubles, rows
-from tamis._checks import number, number_or_none
+from tamis._checks import number
+from tamis._options import AtStart, query_options
 
 
 class StepLengths:
@@ -17,7 +18,13 @@ class StepLengths:
     _detector: _core.Detector
 
     def keep_distance(
-        self, start: npt.ArrayLike, end: npt.ArrayLike, fraction: float = 0.1, *, min_separation: float | None = None
+        self,
+        start: npt.ArrayLike,
+        end: npt.ArrayLike,
+        fraction: float = 0.1,
+        *,
+        min_separation: float | None = None,
+        at_start: AtStart = "report",
     ) -> SafeStep:
         """Find how far the step may go so that every pair keeps a fraction of its distance.
 
@@ -30,6 +37,8 @@ class StepLengths:
             Where each vertex is at the start and at the end of the step.
         min_separation : float, optional
             Of this question alone; by default the detector's.
+        at_start : str
+            As of `contacts`. A pair that is ignored has nothing to keep: it ends the step where it touches again.
         fraction : float
             0 <= fraction < 1. 0.1 for the line search of a barrier, where the next steps need room; 0.01 and less to
             come near what is met; 0.5 and more where distances may shrink slowly only. 0: only contacts count. The
@@ -45,10 +54,16 @@ class StepLengths:
         InvalidOptions
             The fraction is outside its range.
         """
-        return safe_step(self._detector.keep_distance(*_given(start, end, fraction, min_separation)))
+        return safe_step(self._detector.keep_distance(*_given(start, end, fraction, min_separation, at_start)))
 
     def truncate(
-        self, start: npt.ArrayLike, end: npt.ArrayLike, fraction: float = 0.1, *, min_separation: float | None = None
+        self,
+        start: npt.ArrayLike,
+        end: npt.ArrayLike,
+        fraction: float = 0.1,
+        *,
+        min_separation: float | None = None,
+        at_start: AtStart = "report",
     ) -> TruncatedStep:
         """Find positions to go to, so that every pair keeps a fraction of its distance, and one does not stop all.
 
@@ -64,6 +79,8 @@ class StepLengths:
             0 < fraction < 1, of the distance as far as that exceeds the minimum separation.
         min_separation : float, optional
             Of this question alone; by default the detector's.
+        at_start : str
+            As of `contacts`. A pair that is ignored may move as it likes, but not apart and back.
 
         Returns
         -------
@@ -75,11 +92,11 @@ class StepLengths:
         InvalidOptions
             The fraction is outside its range.
         """
-        return TruncatedStep(*self._detector.truncate(*_given(start, end, fraction, min_separation)))
+        return TruncatedStep(*self._detector.truncate(*_given(start, end, fraction, min_separation, at_start)))
 
 
 def _given(
-    start: npt.ArrayLike, end: npt.ArrayLike, fraction: float, min_separation: float | None
-) -> tuple[Doubles, Doubles, float, float | None]:
-    separation = number_or_none(min_separation, "min_separation")
-    return rows(start, "start"), rows(end, "end"), number(fraction, "fraction"), separation
+    start: npt.ArrayLike, end: npt.ArrayLike, fraction: float, min_separation: float | None, at_start: AtStart
+) -> tuple[Doubles, Doubles, float, _core.QueryOptions]:
+    own = query_options(min_separation, at_start)
+    return rows(start, "start"), rows(end, "end"), number(fraction, "fraction"), own

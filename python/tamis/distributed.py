@@ -24,11 +24,11 @@ from mpi4py import MPI
 from tamis import _errors
 from tamis._answers import EarliestContact, SafeStep, safe_step
 from tamis._arrays import Doubles, indices, indices_or_none, rows
-from tamis._checks import instance, number, number_or_none, whole
+from tamis._checks import instance, number, whole
 from tamis._contacts import Contacts
 from tamis._distributed_statistics import Balance, Statistics
 from tamis._errors import Busy, Error, InvalidMesh, InvalidOptions
-from tamis._options import Filter, Isa, make_options
+from tamis._options import AtStart, Filter, Isa, make_options, query_options
 
 try:
     from tamis import _distributed
@@ -157,7 +157,14 @@ class Detector:
         """How evenly the last question's work was shared; the same on every rank."""
         return Balance(*self._detector.balance())
 
-    def contacts(self, start: npt.ArrayLike, end: npt.ArrayLike, *, min_separation: float | None = None) -> Contacts:
+    def contacts(
+        self,
+        start: npt.ArrayLike,
+        end: npt.ArrayLike,
+        *,
+        min_separation: float | None = None,
+        at_start: AtStart = "report",
+    ) -> Contacts:
         """Find every contact of a step, each on one rank.
 
         Parameters
@@ -166,6 +173,8 @@ class Detector:
             Where this rank's `vertices` are at the start and at the end of the step.
         min_separation : float, optional
             Of this question alone; by default the detector's.
+        at_start : str
+            As of `tamis.Detector.contacts`: "report" or "ignore".
 
         Returns
         -------
@@ -178,10 +187,8 @@ class Detector:
             Positions that do not fit the vertices, are not finite, or differ between ranks.
         """
         with self._turn():
-            first, second, d = self._together(
-                lambda: (*_step(start, end), number_or_none(min_separation, "min_separation"))
-            )
-            return Contacts(self._detector.contacts(first, second, d))
+            first, second, own = self._together(lambda: (*_step(start, end), query_options(min_separation, at_start)))
+            return Contacts(self._detector.contacts(first, second, own))
 
     def gather_contacts(self, root: int = 0) -> Contacts:
         """Bring the contacts of the last such question to one rank. Collective.
@@ -206,13 +213,18 @@ class Detector:
             return Contacts(self._detector.gather_contacts(rank))
 
     def earliest(
-        self, start: npt.ArrayLike, end: npt.ArrayLike, *, min_separation: float | None = None
+        self,
+        start: npt.ArrayLike,
+        end: npt.ArrayLike,
+        *,
+        min_separation: float | None = None,
+        at_start: AtStart = "report",
     ) -> EarliestContact:
         """Find the first contact: how far the step may go. The same on every rank.
 
         Parameters
         ----------
-        start, end, min_separation
+        start, end, min_separation, at_start
             As of `contacts`.
 
         Returns
@@ -221,19 +233,24 @@ class Detector:
             The motion is free before its `toi_lower`: proven.
         """
         with self._turn():
-            first, second, d = self._together(
-                lambda: (*_step(start, end), number_or_none(min_separation, "min_separation"))
-            )
-            lower, upper, found = self._detector.earliest(first, second, d)
+            first, second, own = self._together(lambda: (*_step(start, end), query_options(min_separation, at_start)))
+            lower, upper, found = self._detector.earliest(first, second, own)
         contacts = Contacts(found)
         return EarliestContact(lower, upper, contacts[0] if len(contacts) else None)
 
-    def is_free(self, start: npt.ArrayLike, end: npt.ArrayLike, *, min_separation: float | None = None) -> bool:
+    def is_free(
+        self,
+        start: npt.ArrayLike,
+        end: npt.ArrayLike,
+        *,
+        min_separation: float | None = None,
+        at_start: AtStart = "report",
+    ) -> bool:
         """Tell whether the whole step is free of contacts. The same on every rank.
 
         Parameters
         ----------
-        start, end, min_separation
+        start, end, min_separation, at_start
             As of `contacts`.
 
         Returns
@@ -242,19 +259,23 @@ class Detector:
             True is a proof.
         """
         with self._turn():
-            first, second, d = self._together(
-                lambda: (*_step(start, end), number_or_none(min_separation, "min_separation"))
-            )
-            return self._detector.is_free(first, second, d)
+            first, second, own = self._together(lambda: (*_step(start, end), query_options(min_separation, at_start)))
+            return self._detector.is_free(first, second, own)
 
     def keep_distance(
-        self, start: npt.ArrayLike, end: npt.ArrayLike, fraction: float = 0.1, *, min_separation: float | None = None
+        self,
+        start: npt.ArrayLike,
+        end: npt.ArrayLike,
+        fraction: float = 0.1,
+        *,
+        min_separation: float | None = None,
+        at_start: AtStart = "report",
     ) -> SafeStep:
         """Find how far the step may go so that every pair keeps a fraction of its distance. The same on every rank.
 
         Parameters
         ----------
-        start, end, min_separation
+        start, end, min_separation, at_start
             As of `contacts`.
         fraction : float
             0 <= fraction < 1; which, `tamis.Detector.keep_distance` says. 0: only contacts count.
@@ -270,14 +291,10 @@ class Detector:
             The fraction is outside its range.
         """
         with self._turn():
-            first, second, kept, d = self._together(
-                lambda: (
-                    *_step(start, end),
-                    number(fraction, "fraction"),
-                    number_or_none(min_separation, "min_separation"),
-                )
+            first, second, kept, own = self._together(
+                lambda: (*_step(start, end), number(fraction, "fraction"), query_options(min_separation, at_start))
             )
-            return safe_step(self._detector.keep_distance(first, second, kept, d))
+            return safe_step(self._detector.keep_distance(first, second, kept, own))
 
     @contextmanager
     def _turn(self) -> Iterator[None]:

@@ -102,7 +102,7 @@ GradientFit DisplacementMoments::fit() const {
   if (!(count_ > 0)) return result;
   result.middle = (1 / count_) * place_;
   result.way = (1 / count_) * way_;
-  result.rest2 = result.displacement2 = std::max(0.0, way2_ - dot(way_, result.way));
+  result.residual2 = result.displacement2 = std::max(0.0, way2_ - dot(way_, result.way));
   SymmetricMatrix squares = place2_;
   squares.add_square(result.middle, -count_);
   const double ridge = kRidge * (squares.xx + squares.yy + squares.zz);
@@ -115,9 +115,9 @@ GradientFit DisplacementMoments::fit() const {
   for (std::size_t i = 0; i < 3; ++i) {
     const Vec products = way_place_[i] - ways[i] * place_;
     const Vec row = result.gradient.rows[i] = solve.at(products);
-    result.rest2 += dot(row, spread.at(row)) - 2 * dot(row, products);
+    result.residual2 += dot(row, spread.at(row)) - 2 * dot(row, products);
   }
-  result.rest2 = std::max(0.0, result.rest2);
+  result.residual2 = std::max(0.0, result.residual2);
   return result;
 }
 

@@ -1,6 +1,6 @@
-// What displacements have in common beyond a translation: u(x) = c + G x + rest(x). At t two points are apart by
-// (I + t G) (y - x) + t (rest(y) - rest(x)), so what turns or stretches as a whole has no rest, and its distances
-// shrink by the least principal stretch of I + t G at most.
+// What displacements have in common beyond a translation: u(x) = c + G x + residual(x). At t two points are apart by
+// (I + t G) (y - x) + t (residual(y) - residual(x)), so what turns or stretches as a whole has no residual, and its
+// distances shrink by the least principal stretch of I + t G at most.
 #pragma once
 #include <array>
 #include <span>
@@ -24,12 +24,12 @@ struct StretchBounds {
 StretchBounds stretch_bounds(const DisplacementGradient& gradient);
 
 /// The gradient of least squares, and what of the displacements it explains. Any gradient is a true one, with its
-/// rests; so nothing is proven here, and NaN is an answer.
+/// residuals; so nothing is proven here, and NaN is an answer.
 struct GradientFit {
   DisplacementGradient gradient;
   Vec3<double> middle{}, way{};  ///< means of places at t=0, and of displacements
-  /// Sums of the squares of displacements, and of rests, without what translation explains.
-  double displacement2 = 0, rest2 = 0;
+  /// Sums of the squares of displacements, and of residuals, without what translation explains.
+  double displacement2 = 0, residual2 = 0;
 };
 
 /// What a fit needs to know of some vertices; that of two sets together is the sum of theirs.

@@ -111,11 +111,11 @@ void PackedMotion::assign_residuals(const Step& step, const SharedMotion& shared
   residuals.resize(vertices.size());
   constexpr double kNone = std::numeric_limits<double>::infinity();
   Vec3<double> low{kNone, kNone, kNone}, high = -low;
-  shared.for_each_rest(step, frame, [&](Index v, const Vec3<double>& rest) {
+  shared.for_each_residual(step, frame, [&](Index v, const Vec3<double>& residual) {
     residuals[static_cast<std::size_t>(v)] = {
-        {0, 0, 0, static_cast<float>(rest.x), static_cast<float>(rest.y), static_cast<float>(rest.z)}};
-    low = {std::min(low.x, rest.x), std::min(low.y, rest.y), std::min(low.z, rest.z)};
-    high = {std::max(high.x, rest.x), std::max(high.y, rest.y), std::max(high.z, rest.z)};
+        {0, 0, 0, static_cast<float>(residual.x), static_cast<float>(residual.y), static_cast<float>(residual.z)}};
+    low = {std::min(low.x, residual.x), std::min(low.y, residual.y), std::min(low.z, residual.z)};
+    high = {std::max(high.x, residual.x), std::max(high.y, residual.y), std::max(high.z, residual.z)};
   });
   spread = static_cast<float>((high.x - low.x) + (high.y - low.y) + (high.z - low.z));
 }

@@ -15,11 +15,11 @@ constexpr std::size_t kSampledVertices = 4096;
 /// Nothing cancels between objects that move differently: little is won by more motions, or where more of the pairs of
 /// two lie within half of the longest displacement beside a translation.
 constexpr std::size_t kMostMotions = 8;
-constexpr double kMostNear = 0.5;
+constexpr double kMostPairsNearShare = 0.5;
 /// A gradient is worth the room it takes (StepLengthQuery) if it leaves half of the displacements: squares.
-constexpr double kWorth = 4, kWorthOfMotions = 16;
+constexpr double kLeastGain = 4, kLeastGainOfMotions = 16;
 /// So much is left beyond the fraction, and distances grow by so much at most: else the room takes more than is won.
-constexpr double kLeastBeyond = 0x1p-4, kGreatest = 4;
+constexpr double kLeastBeyond = 0x1p-4, kGreatestStretch = 4;
 
 std::vector<std::vector<Index>> objects_of(const Mesh& mesh) {
   const Components components = components_of(mesh);
@@ -63,30 +63,30 @@ void SharedMotion::fit(const Step& step, const BoxFrame& frame, double fraction)
     turned2 += moments.back().fit().displacement2;
   }
   const Fit one = fit_to({&scene, 1}, fraction);
-  const bool is_worth = kWorth * one.rest2 < one.displacement2;
+  const bool is_worth = kLeastGain * one.residual2 < one.displacement2;
   if (is_worth) take({&scene, 1}, one);
-  const double most_rest2 = std::min(is_worth ? one.rest2 : one.displacement2, turned2) / kWorthOfMotions;
-  const std::vector<Motion> motions = motions_of_objects(moments, 0.5 * most_rest2);
+  const double most_residual2 = std::min(is_worth ? one.residual2 : one.displacement2, turned2) / kLeastGainOfMotions;
+  const std::vector<Motion> motions = motions_of_objects(moments, 0.5 * most_residual2);
   if (motions.size() < 2) return;
   const Fit each = fit_to(motions, fraction);
-  if (!(each.rest2 < most_rest2)) return;
+  if (!(each.residual2 < most_residual2)) return;
   if (!lie_apart(motions, each, step, frame)) return;
   take(motions, each);
   keep_apart(motions, step, frame);
 }
 
 /// Each object joins the motion that explains it best, if then no more is left of the object than its share of
-/// `most_rest2`; else it begins one.
+/// `most_residual2`; else it begins one.
 std::vector<SharedMotion::Motion> SharedMotion::motions_of_objects(std::span<const DisplacementMoments> objects,
-                                                                   double most_rest2) const {
+                                                                   double most_residual2) const {
   std::vector<Motion> motions;
   for (std::size_t i = 0; i < objects.size(); ++i) {
-    double least = most_rest2 * objects[i].count() / static_cast<double>(vertex_count_);
+    double least = most_residual2 * objects[i].count() / static_cast<double>(vertex_count_);
     Motion* best = nullptr;
     for (Motion& motion : motions) {
       DisplacementMoments both = motion.moments;
       both += objects[i];
-      const double more = both.fit().rest2 - motion.moments.fit().rest2;
+      const double more = both.fit().residual2 - motion.moments.fit().residual2;
       if (!(more <= least)) continue;
       least = more;
       best = &motion;
@@ -109,13 +109,13 @@ SharedMotion::Fit SharedMotion::fit_to(std::span<const Motion> motions, double f
     result.stretch.least = std::min(result.stretch.least, stretch.least);
     result.stretch.greatest = std::max(result.stretch.greatest, stretch.greatest);
     result.displacement2 += fit.displacement2;
-    result.rest2 += fit.rest2;
+    result.residual2 += fit.residual2;
     result.fits.push_back(fit);
   }
   const double left = result.stretch.least - fraction, weight = (1 - fraction) / left;
-  result.rest2 *= weight * weight;
-  if (!(left > kLeastBeyond && result.stretch.greatest <= kGreatest))
-    result.rest2 = std::numeric_limits<double>::infinity();
+  result.residual2 *= weight * weight;
+  if (!(left > kLeastBeyond && result.stretch.greatest <= kGreatestStretch))
+    result.residual2 = std::numeric_limits<double>::infinity();
   return result;
 }
 
@@ -153,7 +153,8 @@ bool SharedMotion::lie_apart(std::span<const Motion> motions, const Fit& fit, co
   };
   for (std::size_t a = 0; a < motions.size(); ++a)
     for (std::size_t b = 0; b < a; ++b)
-      if (share_within(extents[a], motions[b]) * share_within(extents[b], motions[a]) > kMostNear) return false;
+      if (share_within(extents[a], motions[b]) * share_within(extents[b], motions[a]) > kMostPairsNearShare)
+        return false;
   return true;
 }
 
@@ -164,7 +165,7 @@ void SharedMotion::keep_apart(std::span<const Motion> motions, const Step& step,
     for (const Index v : part.vertices) {
       const Vec3<double> way = frame.displacement(step, v);
       longest2 = std::max(longest2, dot(way, way));
-      widest = std::max(widest, std::fabs(part.rest(frame.place(step.start, v), way).x));
+      widest = std::max(widest, std::fabs(part.residual(frame.place(step.start, v), way).x));
     }
   const double apart = 2 * (1 + 0x1p-20) * (widest + std::sqrt(longest2));
   for (std::size_t m = 0; m < motions.size(); ++m)

@@ -22,14 +22,14 @@ class SharedMotion {
     bool is_any = false;
   };
   const Stretch& stretch() const { return stretch_; }
-  /// f(vertex, rest) for all that take part in contacts, in the frame of the boxes. Rests of two objects that have
-  /// other gradients differ by no less than displacements do.
+  /// f(vertex, residual) for all that take part in contacts, in the frame of the boxes. Residuals of two objects that
+  /// have other gradients differ by no less than displacements do.
   template <class F>
-  void for_each_rest(const Step& step, const BoxFrame& frame, const F& f) const {
+  void for_each_residual(const Step& step, const BoxFrame& frame, const F& f) const {
     for (const Part& part : parts_)
       for (const Index v : part.vertices) {
-        const Vec3<double> rest = part.rest(frame.place(step.start, v), frame.displacement(step, v));
-        f(v, Vec3<double>{rest.x + part.offset, rest.y, rest.z});
+        const Vec3<double> residual = part.residual(frame.place(step.start, v), frame.displacement(step, v));
+        f(v, Vec3<double>{residual.x + part.offset, residual.y, residual.z});
       }
   }
 
@@ -41,7 +41,7 @@ class SharedMotion {
     GradientFit fit{};
     double offset = 0;
 
-    Vec3<double> rest(const Vec3<double>& place, const Vec3<double>& way) const {
+    Vec3<double> residual(const Vec3<double>& place, const Vec3<double>& way) const {
       return way - fit.way - fit.gradient.at(place - fit.middle);
     }
   };
@@ -50,16 +50,16 @@ class SharedMotion {
     std::vector<std::size_t> objects;
     DisplacementMoments moments;
   };
-  /// Sums over the vertices: the squares of displacements, and those of rests as much as they count.
+  /// Sums over the vertices: the squares of displacements, and those of residuals as much as they count.
   struct Fit {
     std::vector<GradientFit> fits;  ///< of each motion
     StretchBounds stretch;
-    double displacement2 = 0, rest2 = 0;
+    double displacement2 = 0, residual2 = 0;
   };
 
   static Fit fit_to(std::span<const Motion> motions, double fraction);
   /// None if there are too many.
-  std::vector<Motion> motions_of_objects(std::span<const DisplacementMoments> objects, double most_rest2) const;
+  std::vector<Motion> motions_of_objects(std::span<const DisplacementMoments> objects, double most_residual2) const;
   void take(std::span<const Motion> motions, const Fit& fit);
   /// Do few pairs of vertices of two motions lie near?
   bool lie_apart(std::span<const Motion> motions, const Fit& fit, const Step& step, const BoxFrame& frame) const;

@@ -17,31 +17,27 @@ Detector::State& Detector::state() const {
   return *state_;
 }
 
-const std::vector<Contact>& Detector::contacts(const Step& step, std::optional<double> min_separation) {
+const std::vector<Contact>& Detector::contacts(const Step& step, const QueryOptions& options) {
   const Asked asked(*this);
-  asked->ask(step, min_separation, Question::all_contacts);
+  asked->find_contacts(step, options);
   return asked->found.contacts();
 }
 
-void Detector::contacts(const Step& step, std::vector<Contact>& result, std::optional<double> min_separation) {
+void Detector::contacts(const Step& step, std::vector<Contact>& result, const QueryOptions& options) {
   const Asked asked(*this);
-  asked->ask(step, min_separation, Question::all_contacts);
+  asked->find_contacts(step, options);
   result.swap(asked->found.contacts());
 }
 
-EarliestContact Detector::earliest(const Step& step, std::optional<double> min_separation) {
-  return Asked(*this)->earliest(step, min_separation);
+EarliestContact Detector::earliest(const Step& step, const QueryOptions& options) {
+  return Asked(*this)->earliest(step, options);
 }
 
-SafeStep Detector::keep_distance(const Step& step, double fraction, std::optional<double> min_separation) {
-  return Asked(*this)->keep_distance(step, fraction, min_separation);
+SafeStep Detector::keep_distance(const Step& step, double fraction, const QueryOptions& options) {
+  return Asked(*this)->keep_distance(step, fraction, options);
 }
 
-bool Detector::is_free(const Step& step, std::optional<double> min_separation) {
-  const Asked asked(*this);
-  asked->ask(step, min_separation, Question::is_free);
-  return asked->found.contacts().empty();
-}
+bool Detector::is_free(const Step& step, const QueryOptions& options) { return Asked(*this)->is_free(step, options); }
 
 const std::vector<NearPair>& Detector::near(const Positions& positions, double distance) {
   const Asked asked(*this);
@@ -61,27 +57,26 @@ bool Detector::has_intersection(const Positions& positions) {
   return !asked->intersections.empty();
 }
 
-const std::vector<Contact>& Detector::contacts(const Path& path, std::optional<double> min_separation,
-                                               double tolerance) {
+const std::vector<Contact>& Detector::contacts(const Path& path, const QueryOptions& options) {
   const Asked asked(*this);
-  asked->ask(path, min_separation, tolerance, Question::all_contacts);
+  asked->ask(path, options, Question::all_contacts);
   return asked->found.contacts();
 }
 
-EarliestContact Detector::earliest(const Path& path, std::optional<double> min_separation, double tolerance) {
+EarliestContact Detector::earliest(const Path& path, const QueryOptions& options) {
   const Asked asked(*this);
-  asked->ask(path, min_separation, tolerance, Question::earliest);
+  asked->ask(path, options, Question::earliest);
   return first_of(asked->found.contacts());
 }
 
-bool Detector::is_free(const Path& path, std::optional<double> min_separation, double tolerance) {
+bool Detector::is_free(const Path& path, const QueryOptions& options) {
   const Asked asked(*this);
-  asked->ask(path, min_separation, tolerance, Question::is_free);
+  asked->ask(path, options, Question::is_free);
   return asked->found.contacts().empty();
 }
 
-TruncatedStep Detector::truncate(const Step& step, double fraction, std::optional<double> min_separation) {
-  return Asked(*this)->truncate(step, fraction, min_separation);
+TruncatedStep Detector::truncate(const Step& step, double fraction, const QueryOptions& options) {
+  return Asked(*this)->truncate(step, fraction, options);
 }
 
 const Mesh& Detector::mesh() const { return state().mesh; }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "detect/pair_faults.hpp"
 #include "detect/truncation.hpp"
 #include "detect/validate.hpp"
 #include "exact/start_distance.hpp"
@@ -25,6 +26,11 @@ std::vector<double> radii_of(const Options& options, const Mesh& mesh) {
   return radii;
 }
 
+Options valid(Options options, const Mesh& mesh) {
+  validate(options, mesh);
+  return options;
+}
+
 void validate_kept_part(double fraction) {
   if (!(fraction > 0 && fraction < 1))
     throw InvalidOptions("the fraction of the distance to keep is " + number_text(fraction) +
@@ -34,38 +40,67 @@ void validate_kept_part(double fraction) {
 }  // namespace
 
 Detector::State::State(Mesh m, Options o, const MakeEngine& make_engine)
-    : mesh(std::move(m)), options(std::move(o)), arena_(options.threads) {
-  validate(options, mesh);
+    : mesh(std::move(m)),
+      options(valid(std::move(o), mesh)),
+      rings_(mesh, options.filter.rings),
+      arena_(options.threads) {
   radii_ = radii_of(options, mesh);
   engine_ = make_engine(mesh, options);
 }
 
-Separations Detector::State::separations(Separation min_separation) const {
-  if (min_separation) validate_distance(*min_separation, "the minimum separation");
-  return {min_separation.value_or(options.min_separation), radii_};
+Separations Detector::State::separations(const QueryOptions& asked) const {
+  return {asked.min_separation.value_or(options.min_separation), radii_};
 }
 
-void Detector::State::find_contacts(const Query& query) {
+Query Detector::State::validated_query(const Step& step, const QueryOptions& asked, Question question) const {
+  validate_of_step(asked);
+  validate(step, mesh);
+  Query result = query(step, separations(asked), question);
+  result.ignores_start = asked.at_start == AtStart::ignore;
+  return result;
+}
+
+void Detector::State::find(const Query& query) {
   measure([&] {
     bound_.begin();
     found.begin(query, bound_);
     engine_->find(query, found, statistics);
     if (query.question == Question::all_contacts) sort_found();
+    if (query.question == Question::earliest) found.first();  // decides those that are left
+    statistics.decided_by += found.decided_by();
+    statistics.ignored = found.ignored();
   });
 }
 
-void Detector::State::ask(const Step& step, Separation min_separation, Question question) {
-  const Separations kept = separations(min_separation);
-  validate(step, mesh);
-  find_contacts(query(step, kept, question));
+void Detector::State::refuse_touching_start(const Query& query) {
+  Query at_rest = query;
+  at_rest.step.end = query.step.start;
+  at_rest.question = Question::earliest;
+  find(at_rest);
+  const EarliestContact first = found.first();
+  if (!first.contact) return;
+  const auto& [kind, certainty, vertices, toi_lower, toi_upper, u, v, normal] = *first.contact;
+  const double separation = query.separations.between(kind, vertices);
+  throw InvalidStep(features_text(kind, vertices) + " touch at the start of the step" +
+                    (separation > 0 ? ", within " + number_text(separation) + " of each other" : "") +
+                    ": move them apart, leave the pair out, or ask with at_start ignore");
 }
 
-void Detector::State::ask(const Path& path, Separation min_separation, double tolerance, Question question) {
-  const Separations kept = separations(min_separation);
-  validate_tolerance(tolerance);
+void Detector::State::find_contacts(const Step& step, const QueryOptions& asked) {
+  const Query all = validated_query(step, asked);
+  find(all);
+  const auto touches_at_start = [](const Contact& c) { return c.toi_upper == 0; };
+  if (asked.at_start == AtStart::fail && std::ranges::any_of(found.contacts(), touches_at_start))
+    refuse_touching_start(all);
+}
+
+void Detector::State::ask(const Path& path, const QueryOptions& asked, Question question) {
+  constexpr double kTolerance = 1e-9;
+  validate_of_path(asked);
   measure([&] {
-    if (!path_search_) path_search_ = std::make_unique<PathSearch>(mesh, options, *engine_);
-    path_search_->find({path, kept, tolerance}, question, found.contacts(), statistics);
+    if (!path_search_) path_search_ = std::make_unique<PathSearch>(mesh, options, rings_, *engine_);
+    path_search_->find({path, separations(asked), asked.tolerance.value_or(kTolerance)}, question, found.contacts(),
+                       statistics);
     sort_found();
   });
 }
@@ -74,53 +109,60 @@ void Detector::State::sort_found() {
   sorter_.sort(found.contacts(), mesh.vertex_count(), [this] { stop_if_cancelled(options); });
 }
 
-EarliestContact Detector::State::earliest(const Step& step, Separation min_separation) {
-  const Separations kept = separations(min_separation);
-  validate(step, mesh);
-  const Query asked = query(step, kept, Question::earliest);
-  find_contacts(asked);
+EarliestContact Detector::State::earliest(const Step& step, const QueryOptions& asked) {
+  const Query first_of_all = validated_query(step, asked, Question::earliest);
+  find(first_of_all);
   const EarliestContact first = found.first();
-  statistics.decided_by += found.decided_by();
+  if (asked.at_start == AtStart::fail && first.toi_upper == 0) refuse_touching_start(first_of_all);
   return first;
 }
 
-SafeStep Detector::State::keep_distance(const Step& step, double fraction, Separation min_separation) {
+/// A contact that any pair has says nothing of those that touch at the start: whoever fails for them asks for the
+/// first.
+bool Detector::State::is_free(const Step& step, const QueryOptions& asked) {
+  if (asked.at_start == AtStart::fail) return !earliest(step, asked).contact;
+  find(validated_query(step, asked, Question::is_free));
+  return found.contacts().empty();
+}
+
+SafeStep Detector::State::keep_distance(const Step& step, double fraction, const QueryOptions& asked) {
   validate_kept(fraction);
-  if (fraction > 0) return step_length(step, separations(min_separation), fraction);
-  const EarliestContact first = earliest(step, min_separation);
+  if (fraction > 0) return step_length(validated_query(step, asked), fraction, asked.at_start);
+  const EarliestContact first = earliest(step, asked);
   if (!first.contact) return {};
   const Contact& c = *first.contact;
   const double distance = start_distance(c.kind, points_of(step, c.vertices));
   return {first.toi_lower, first.toi_upper, LimitingPair{c.kind, c.vertices, distance}};
 }
 
-SafeStep Detector::State::step_length(const Step& step, const Separations& separations, double fraction) {
+SafeStep Detector::State::step_length(const Query& query, double fraction, AtStart at_start) {
   SafeStep answer;
-  validate(step, mesh);
-  measure([&] { answer = engine_->find_step_length(query(step, separations), fraction, statistics); });
+  measure([&] { answer = engine_->find_step_length(query, fraction, statistics); });
+  if (at_start == AtStart::fail && answer.lower == 0) refuse_touching_start(query);
   return answer;
 }
 
-TruncatedStep Detector::State::truncate(const Step& step, double fraction, Separation min_separation) {
+TruncatedStep Detector::State::truncate(const Step& step, double fraction, const QueryOptions& asked) {
   validate_kept_part(fraction);
-  const Separations kept = separations(min_separation);
   using Next = Truncation::Next;
   const Stopwatch watch;
+  const Query whole = validated_query(step, asked);
   const KeptFractions fractions(fraction);
-  const double together = step_length(step, kept, fractions.together).lower;
+  const double together = step_length(whole, fractions.together, asked.at_start).lower;
   Seconds spent = statistics.seconds;
-  Truncation truncation(mesh, step, kept, fractions, together);
+  Truncation truncation(mesh, whole, fractions, together);
   std::vector<StepLimit> ends;
   for (Next next = together < 1 ? Next::ask : Next::done; next != Next::done; next = truncation.after(ends)) {
     if (next == Next::plan_apart) {
       std::vector<NearPair> within_reach;
-      const Query asked = query({step.start, step.start}, truncation.reach());
-      measure([&] { engine_->find_near(asked, within_reach, statistics); });
+      const Query near_start = query({step.start, step.start}, truncation.reach());
+      measure([&] { engine_->find_near(near_start, within_reach, statistics); });
       spent += statistics.seconds;
       truncation.keep_apart(within_reach);
     }
-    const Query asked = query(truncation.way(), kept);
-    measure([&] { engine_->find_step_ends(asked, fraction, ends, statistics); });
+    Query way = whole;
+    way.step = truncation.way();
+    measure([&] { engine_->find_step_ends(way, fraction, ends, statistics); });
     spent += statistics.seconds;
   }
   spent.total = watch.seconds();

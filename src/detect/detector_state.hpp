@@ -1,7 +1,6 @@
 // What a detector keeps from question to question, and how each is answered.
 #pragma once
 #include <memory>
-#include <optional>
 #include <vector>
 
 #include "detect/arena.hpp"
@@ -15,17 +14,15 @@
 namespace tamis {
 
 struct Detector::State {
-  /// Of a question; none: the detector's.
-  using Separation = std::optional<double>;
-
   State(Mesh m, Options o, const MakeEngine& make_engine);
 
   /// The contacts are in `found`.
-  void ask(const Step& step, Separation min_separation, Question question);
-  void ask(const Path& path, Separation min_separation, double tolerance, Question question);
-  EarliestContact earliest(const Step& step, Separation min_separation);
-  SafeStep keep_distance(const Step& step, double fraction, Separation min_separation);
-  TruncatedStep truncate(const Step& step, double fraction, Separation min_separation);
+  void find_contacts(const Step& step, const QueryOptions& asked);
+  void ask(const Path& path, const QueryOptions& asked, Question question);
+  EarliestContact earliest(const Step& step, const QueryOptions& asked);
+  bool is_free(const Step& step, const QueryOptions& asked);
+  SafeStep keep_distance(const Step& step, double fraction, const QueryOptions& asked);
+  TruncatedStep truncate(const Step& step, double fraction, const QueryOptions& asked);
   /// The pairs are in `near`.
   void find_near(const Positions& positions, double distance);
   /// They are in `intersections`.
@@ -41,16 +38,19 @@ struct Detector::State {
   std::atomic_flag is_asked;  ///< the turn of the question that is being answered
 
  private:
-  /// Throws InvalidOptions.
-  Separations separations(Separation min_separation) const;
+  Separations separations(const QueryOptions& asked) const;
   /// Of a step that is validated.
   Query query(const Step& step, const Separations& separations, Question question = Question::all_contacts) const {
-    return {step, separations, options.filter, options.is_cancelled, question};
+    return {step, separations, options.filter, rings_, options.is_cancelled, question};
   }
+  /// Throws InvalidOptions, InvalidStep.
+  Query validated_query(const Step& step, const QueryOptions& asked, Question question = Question::all_contacts) const;
   /// Into `found`.
-  void find_contacts(const Query& query);
+  void find(const Query& query);
+  /// Throws InvalidStep, which names the first pair that touches at the query's start, if there is one.
+  void refuse_touching_start(const Query& query);
   /// 0 < fraction < 1.
-  SafeStep step_length(const Step& step, const Separations& separations, double fraction);
+  SafeStep step_length(const Query& query, double fraction, AtStart at_start);
   /// Into the documented order.
   void sort_found();
   /// Runs `work` in the arena, with fresh statistics.
@@ -58,6 +58,7 @@ struct Detector::State {
   void measure(const Work& work);
   std::uint64_t memory_bytes() const;
 
+  Rings rings_;
   Arena arena_;
   Bound bound_;                ///< of the contacts in `found`
   std::vector<double> radii_;  ///< of the vertices; empty: all zero

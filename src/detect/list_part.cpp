@@ -30,11 +30,12 @@ bool has_finite_points(const Pair& pair, const Step& step) {
 
 /// Pairs of one kind on their way through the lanes.
 struct Batch {
-  static constexpr int kMost = 128;  // so that the vertices they name, fetched as they come, stay in the first cache
+  static constexpr int kPairsABatch =
+      128;  // so that the vertices they name, fetched as they come, stay in the first cache
 
   PairBuffer pairs, rest;
-  std::int32_t places[kMost + PairBuffer::kPadding] = {};
-  std::int32_t open[kMost];
+  std::int32_t places[kPairsABatch + PairBuffer::kPadding] = {};
+  std::int32_t undecided[kPairsABatch];
 };
 
 class PartDecision {
@@ -67,19 +68,20 @@ class PartDecision {
       __builtin_prefetch(part_.step.end[pair.vertices[i]]);
     }
     batch->places[at] = place;
-    return batch->pairs.count < Batch::kMost || decide_batch(kind);
+    return batch->pairs.count < Batch::kPairsABatch || decide_batch(kind);
   }
 
   bool decide_batch(PairKind kind) {
     Batch& batch = *batches_[static_cast<std::size_t>(kind)];
-    TAMIS_ASSERT(batch.pairs.count <= Batch::kMost);
+    TAMIS_ASSERT(batch.pairs.count <= Batch::kPairsABatch);
     const auto& [start, end] = part_.step;
     const StepRows vertices{start.data(), end.data(), start.stride(), end.stride()};
-    const int open = part_.kernels.of(kind).settle({vertices, batch.places, part_.options, within(kind)}, batch.pairs,
-                                                   batch.rest, results_, batch.open);
-    TAMIS_ASSERT(0 <= open && open <= batch.pairs.count);
+    const int undecided = part_.kernels.of(kind).decide_list({vertices, batch.places, part_.options, within(kind)},
+                                                             batch.pairs, batch.rest, results_, batch.undecided);
+    TAMIS_ASSERT(0 <= undecided && undecided <= batch.pairs.count);
     batch.pairs.count = 0;
-    return std::all_of(batch.open, batch.open + open, [&](std::int32_t place) { return decide_open(kind, place); });
+    return std::all_of(batch.undecided, batch.undecided + undecided,
+                       [&](std::int32_t place) { return decide_singly(kind, place); });
   }
 
   WithinScratch* within(PairKind kind) {
@@ -88,14 +90,14 @@ class PartDecision {
     return within_.get();
   }
 
-  bool decide_open(PairKind kind, std::int32_t place) {
+  bool decide_singly(PairKind kind, std::int32_t place) {
     stop_if_cancelled(part_);
     const Pair& pair = part_.pairs[static_cast<std::size_t>(place)];
     if (!has_finite_points(pair, part_.step)) return false;
     PairVertices vertices{-1, -1, -1, -1};
     std::copy_n(pair.vertices.begin(), vertex_count(kind), vertices.begin());
     PrecisionCount decided_by;
-    results_[place] = decide_unsettled(kind, points_of(part_.step, vertices), part_.options, decided_by);
+    results_[place] = decide_undecided(kind, points_of(part_.step, vertices), part_.options, decided_by);
     return true;
   }
 

@@ -1,4 +1,4 @@
-// One thread's part of a list of pairs: through the lanes, and one by one what those leave open.
+// One thread's part of a list of pairs: through the lanes, and one by one what those leave undecided.
 #pragma once
 #include <functional>
 #include <span>

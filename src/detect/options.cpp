@@ -12,10 +12,17 @@ constexpr EnumNames<PairKind, 4> kKinds{{{PairKind::vertex_face, "vf"},
 constexpr EnumNames<Isa, 4> kIsas{
     {{Isa::best, "best"}, {Isa::baseline, "baseline"}, {Isa::avx2, "avx2"}, {Isa::avx512, "avx512"}}};
 
+constexpr EnumNames<AtStart, 3> kAtStart{
+    {{AtStart::report, "report"}, {AtStart::ignore, "ignore"}, {AtStart::fail, "fail"}}};
+
 }  // namespace
 
 Isa isa_from_name(std::string_view name) { return find_by_name(kIsas, "instruction set", name); }
+AtStart at_start_from_name(std::string_view name) {
+  return find_by_name(kAtStart, "way with pairs that touch at the start", name);
+}
 std::string_view name_of(PairKind value) { return find_name(kKinds, value); }
+std::string_view name_of(AtStart value) { return find_name(kAtStart, value); }
 std::string_view name_of(Isa value) { return find_name(kIsas, value); }
 
 namespace {

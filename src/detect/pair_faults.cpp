@@ -5,6 +5,21 @@
 #include "numerics/finite.hpp"
 
 namespace tamis {
+namespace {
+
+std::string feature_text(const std::array<Index, 4>& vertices, std::size_t first, std::size_t last) {
+  constexpr std::array kNames{"vertex", "edge", "face"};
+  std::string text = kNames[last - first - 1];
+  for (std::size_t i = first; i < last; ++i) text += " " + std::to_string(vertices[i]);
+  return text;
+}
+
+}  // namespace
+
+std::string features_text(PairKind kind, const std::array<Index, 4>& vertices) {
+  const std::size_t second = second_feature(kind);
+  return feature_text(vertices, 0, second) + " and " + feature_text(vertices, second, vertex_count(kind));
+}
 
 std::string no_such_kind(PairKind kind) {
   return "no kind has the number " + std::to_string(static_cast<int>(kind)) + ": use one of the enumeration's names";

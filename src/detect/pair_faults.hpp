@@ -1,4 +1,4 @@
-// What may be wrong with a pair that names rows of a step.
+// Pairs in sentences: their features, and what may be wrong with a pair that names rows of a step.
 #pragma once
 #include <string>
 
@@ -6,6 +6,8 @@
 
 namespace tamis {
 
+/// "vertex 3 and face 0 1 2". Vertices as in Contact. REQUIRES: a kind there is.
+std::string features_text(PairKind kind, const std::array<Index, 4>& vertices);
 /// The sentence on a kind that is none.
 std::string no_such_kind(PairKind kind);
 /// The sentence on one pair; empty if nothing is wrong with it.

@@ -54,8 +54,8 @@ std::array<double, 4> planar_times(const NearPair& there, const PairPoints& poin
     i < second ? first_speed = std::max(first_speed, speeds[i]) : second_speed = std::max(second_speed, -speeds[i]);
   }
   const double at_start = time > 0 ? start_distance(there.kind, points) : there.distance;
-  const double reserve = at_start - separation;
-  const double kept = reserve > 0 ? separation + fractions.between_planes(time) * reserve : at_start;
+  const double clearance = at_start - separation;
+  const double kept = clearance > 0 ? separation + fractions.between_planes(time) * clearance : at_start;
   const double room = std::max(above - below - kept, 0.0), part = first_part(first_speed, second_speed);
   const double first_level = below + part * room, second_level = above - (1 - part) * room;
   for (std::size_t i = 0; i < count; ++i)

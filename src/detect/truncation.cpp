@@ -30,10 +30,13 @@ double length_of_way(const Step& step, Index v) {
 
 }  // namespace
 
-Truncation::Truncation(const Mesh& mesh, const Step& step, const Separations& separations,
-                       const KeptFractions& fractions, double together)
-    : mesh_(mesh), step_(step), separations_(separations), fractions_(fractions) {
-  TAMIS_ASSERT(step.start.count() == mesh.vertex_count() && step.end.count() == mesh.vertex_count());
+Truncation::Truncation(const Mesh& mesh, const Query& query, const KeptFractions& fractions, double together)
+    : mesh_(mesh),
+      step_(query.step),
+      separations_(query.separations),
+      ignores_start_(query.ignores_start),
+      fractions_(fractions) {
+  TAMIS_ASSERT(step_.start.count() == mesh.vertex_count() && step_.end.count() == mesh.vertex_count());
   TAMIS_ASSERT(0 <= together && together <= 1);
   begin(together);
 }
@@ -66,8 +69,9 @@ void Truncation::begin_apart() {
 
 void Truncation::keep_apart(const std::vector<NearPair>& near) {
   for (const NearPair& pair : near) {
-    const auto times = planar_times(pair, points_of(step_, pair.vertices), fractions_,
-                                    separations_.between(pair.kind, pair.vertices), 0);
+    const double separation = separations_.between(pair.kind, pair.vertices);
+    if (ignores_start_ && pair.distance <= separation) continue;
+    const auto times = planar_times(pair, points_of(step_, pair.vertices), fractions_, separation, 0);
     for (std::size_t i = 0; i < vertex_count(pair.kind); ++i) stop(pair.vertices[i], times[i]);
   }
 }
@@ -120,7 +124,7 @@ void Truncation::stop_at_planes(const StepLimit& pair, const std::vector<double>
 
 bool Truncation::is_broken(const StepLimit& pair) {
   TAMIS_ASSERT(0 <= pair.time && pair.time < 1);
-  if (pair.time > 0 || !starts_within(pair)) return true;
+  if (ignores_start_ || pair.time > 0 || !starts_within(pair)) return true;
   to_.is_free = false;
   if (!moves(pair)) return false;
   PrecisionCount decided_by;

@@ -14,10 +14,9 @@ namespace tamis {
 
 class Truncation {
  public:
-  /// Until `together` it is proven that every pair keeps fractions.together. Keeps references. REQUIRES: as many
-  /// positions as the mesh has vertices, 0 <= together <= 1. REQUIRES (not checked: O(n)): a validated step.
-  Truncation(const Mesh& mesh, const Step& step, const Separations& separations, const KeptFractions& fractions,
-             double together);
+  /// Until `together` it is proven that every pair of the query keeps fractions.together. Keeps references. REQUIRES:
+  /// as many positions as the mesh has vertices, 0 <= together <= 1. REQUIRES (not checked: O(n)): a validated step.
+  Truncation(const Mesh& mesh, const Query& query, const KeptFractions& fractions, double together);
 
   /// To be asked: all pairs that are not proven to keep their fraction on it.
   Step way() const { return {step_.start, to_.positions}; }
@@ -50,6 +49,7 @@ class Truncation {
   const Mesh& mesh_;
   const Step& step_;
   const Separations& separations_;
+  const bool ignores_start_;
   const KeptFractions fractions_;
   TruncatedStep to_;
   double together_ = 0;

@@ -18,6 +18,8 @@ void check(bool ok, const std::string& message) {
 
 void validate(const PairFilter& filter, const Mesh& mesh) {
   const auto n = static_cast<std::size_t>(filter.group_count);
+  check(filter.rings >= 1,
+        "rings is " + std::to_string(filter.rings) + ": give at least 1, which leaves out pairs with a common vertex");
   check(filter.group_count > 0, "group_count is " + std::to_string(filter.group_count) + ": give at least one group");
   check(filter.groups_may_touch.empty() || filter.groups_may_touch.size() == n * n,
         "groups_may_touch has " + std::to_string(filter.groups_may_touch.size()) +
@@ -108,7 +110,20 @@ void validate_kept(double fraction) {
         "the fraction of the distance to keep is " + number_text(fraction) + ": give a number >= 0 and < 1");
 }
 
-void validate_tolerance(double tolerance) {
+void validate_of_step(const QueryOptions& options) {
+  if (options.min_separation) validate_distance(*options.min_separation, "the minimum separation");
+  check_is_named(options.at_start, "way with pairs that touch at the start");
+  check(!options.tolerance,
+        "a step has no tolerance, its brackets are as narrow as doubles: leave it out, or give a path");
+}
+
+void validate_of_path(const QueryOptions& options) {
+  if (options.min_separation) validate_distance(*options.min_separation, "the minimum separation");
+  check_is_named(options.at_start, "way with pairs that touch at the start");
+  check(options.at_start == AtStart::report, "pairs that touch at the start of a path can be reported only, not '" +
+                                                 std::string(name_of(options.at_start)) +
+                                                 "': leave that out, or ask steps");
+  const double tolerance = options.tolerance.value_or(1);
   check(tolerance > 0 && tolerance <= 1,
         "the tolerance of brackets is " + number_text(tolerance) + ": give a fraction of the step, > 0 and <= 1");
 }

@@ -23,6 +23,12 @@ void validate_layout(const Positions& positions, const char* what);
 /// Both ends, which must have as many rows.
 void validate_layout(const Step& step);
 
+/// Throws InvalidOptions unless its separation is finite and >= 0 and `at_start` has a name; and if it says something
+/// of curves.
+void validate_of_step(const QueryOptions& options);
+/// Unless the tolerance is in (0, 1], too; and if it says something of steps.
+void validate_of_path(const QueryOptions& options);
+
 /// Throws InvalidOptions if negative.
 void validate_threads(int threads);
 
@@ -31,8 +37,5 @@ void validate_distance(double distance, const std::string& what);
 
 /// Throws InvalidOptions unless in [0, 1).
 void validate_kept(double fraction);
-
-/// Throws InvalidOptions unless in (0, 1].
-void validate_tolerance(double tolerance);
 
 }  // namespace tamis

@@ -98,6 +98,39 @@ int AlgebraicTime::sign_of(const IntegerPolynomial& q) {
   return q.sign_at(cell_);
 }
 
+bool AlgebraicTime::are_equal(const AlgebraicTime& a, const AlgebraicTime& b) {
+  if (a.is_exact_ && b.is_exact_) return compare_lower_ends(a.cell_, b.cell_) == 0;
+  if (a.is_exact_) return are_equal(b, a);
+  // Each cell holds one root of its polynomial.
+  if (b.is_exact_)
+    return compare_lower_ends(a.cell_, b.cell_) < 0 && compare_lower_ends(b.cell_, a.upper_end()) < 0 &&
+           a.polynomial_.sign_at(b.cell_) == 0;
+  const bool is_a_inner = a.cell_.k >= b.cell_.k;
+  const DyadicCell &inner = is_a_inner ? a.cell_ : b.cell_, &outer = is_a_inner ? b.cell_ : a.cell_;
+  if (compare_lower_ends(outer, {inner.n >> (inner.k - outer.k), outer.k}) != 0) return false;
+  const IntegerPolynomial common = greatest_common_divisor(a.polynomial_, b.polynomial_);
+  return common.degree() > 0 && common.on(inner).sign_variations() % 2 == 1;  // as in is_root_of
+}
+
+void AlgebraicTime::narrow(AlgebraicTime& a, AlgebraicTime& b) {
+  for (AlgebraicTime* time : {&a, &b})
+    if (!time->is_exact_) time->refine();
+}
+
+int compare(AlgebraicTime& a, AlgebraicTime& b) {
+  for (bool may_be_equal = true;; AlgebraicTime::narrow(a, b)) {
+    if (compare_lower_ends(a.upper_end(), b.cell_) < 0) return -1;
+    if (compare_lower_ends(b.upper_end(), a.cell_) < 0) return 1;
+    if (may_be_equal && AlgebraicTime::are_equal(a, b)) return 0;
+    may_be_equal = false;
+  }
+}
+
+DyadicCell time_between(AlgebraicTime& a, AlgebraicTime& b) {
+  while (compare_lower_ends(a.upper_end(), b.cell_) >= 0) AlgebraicTime::narrow(a, b);
+  return middle_of(a.upper_end(), b.cell_);
+}
+
 void AlgebraicTime::narrow_to_doubles(double lower, double upper) {
   constexpr int kNewtonSteps = 12;
   refinement_ = 32;  // between neighbouring doubles it is nearly a straight line

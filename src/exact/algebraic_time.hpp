@@ -25,6 +25,12 @@ class AlgebraicTime {
   /// -1, 0 or 1; decided exactly. Narrows the cell as far as that needs.
   int sign_of(const IntegerPolynomial& q);
 
+  /// -1, 0 or 1 as `a` comes before `b`, is the same time or comes after it; decided exactly. Narrows both cells as far
+  /// as that needs.
+  friend int compare(AlgebraicTime& a, AlgebraicTime& b);
+  /// A time strictly between the two, as the lower end of the cell. REQUIRES (not checked: exact): `a` before `b`.
+  friend DyadicCell time_between(AlgebraicTime& a, AlgebraicTime& b);
+
   /// Largest double <= this time, smallest double >= it.
   struct Bracket {
     double lower, upper;
@@ -34,6 +40,10 @@ class AlgebraicTime {
  private:
   explicit AlgebraicTime(DyadicCell time) : cell_(std::move(time)), is_exact_(true) {}
 
+  /// Where the cell ends. Behind the time, unless that is exactly the lower end.
+  DyadicCell upper_end() const { return is_exact_ ? cell_ : DyadicCell{cell_.n + 1, cell_.k}; }
+  static bool are_equal(const AlgebraicTime& a, const AlgebraicTime& b);
+  static void narrow(AlgebraicTime& a, AlgebraicTime& b);
   void take_polynomial(IntegerPolynomial p);
   bool is_root_of(const IntegerPolynomial& q);
   void halve();

@@ -46,6 +46,16 @@ double middle_double(double a, double b) {
   return std::bit_cast<double>(bits_a + (bits_b - bits_a) / 2);
 }
 
+int compare_lower_ends(const DyadicCell& a, const DyadicCell& b) {
+  const unsigned long k = std::max(a.k, b.k);
+  return ((a.n << (k - a.k)) - (b.n << (k - b.k))).sign();
+}
+
+DyadicCell middle_of(const DyadicCell& a, const DyadicCell& b) {
+  const unsigned long k = std::max(a.k, b.k);
+  return {(a.n << (k - a.k)) + (b.n << (k - b.k)), k + 1};
+}
+
 double lower_end(const DyadicCell& cell) {
   TAMIS_ASSERT(cell.n.sign() >= 0 && ((Integer(1) << cell.k) - cell.n).sign() >= 0);
   const long spacing = spacing_above(cell);

@@ -26,6 +26,12 @@ DyadicCell shortest_cell_at(double time);
 /// Halfway between in the order of the doubles, so that 62 halvings separate any two. REQUIRES: 0 <= a <= b.
 double middle_double(double a, double b);
 
+/// The sign of the lower end of `a` minus that of `b`.
+int compare_lower_ends(const DyadicCell& a, const DyadicCell& b);
+
+/// Halfway between the lower ends, as another lower end.
+DyadicCell middle_of(const DyadicCell& a, const DyadicCell& b);
+
 /// The largest double that is not above n / 2^k.
 /// REQUIRES: 0 <= n <= 2^k.
 double lower_end(const DyadicCell& cell);

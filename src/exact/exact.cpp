@@ -6,6 +6,7 @@
 #include "exact/exact_separation.hpp"
 #include "exact/first_time.hpp"
 #include "exact/moving_polygon.hpp"
+#include "exact/start_distance.hpp"
 #include "motion/polynomials.hpp"
 #include "numerics/assert.hpp"
 
@@ -43,7 +44,7 @@ struct Side {
            time.sign_of(dot) <= 0;
   }
 
-  /// A polynomial that vanishes whenever the side begins to hold the origin; zero only if it always does.
+  /// A polynomial that vanishes whenever the side begins to hold the origin, or ends; zero only if it always does.
   const IntegerPolynomial& event() const {
     for (const auto& c : cross)
       if (!c.is_zero()) return c;
@@ -54,19 +55,39 @@ struct Side {
 class MovingPolygonTest {
  public:
   MovingPolygonTest(PairKind kind, const PairPoints& points)
-      : polygon_(stretched_polygon(kind, points)), normal_(normal_polynomial(polygon_)) {}
+      : polygon_(stretched_polygon(kind, points)),
+        normal_(normal_polynomial(polygon_)),
+        coplanarity_(IntegerPolynomial::from_bernstein(coplanarity_polynomial(polygon_.corner(0), normal_))) {}
 
   ExactDecision first_contact() const {
-    const auto coplanarity = IntegerPolynomial::from_bernstein(coplanarity_polynomial(polygon_.corner(0), normal_));
     FirstTime first;
-    if (!coplanarity.is_zero())
-      first.add_roots(coplanarity, [&](AlgebraicTime& time) { return contains_origin(time); });
+    // What moves within its plane may touch from the start on without an event.
+    if (AlgebraicTime start = AlgebraicTime::exactly({0, 0}); coplanarity_.is_zero() && contains_origin(start))
+      first.add({0, 0});
     else
-      add_contacts_in_plane(first);
+      add_events(first);
     return first.decision();
+  }
+  ExactDecision first_contact_once_apart() const {
+    FirstTimeOnceApart times;
+    add_events(times);
+    return times.decision([&](const DyadicCell& time) { return starts_within(at_rest_at(polygon_, time), 0); });
   }
 
  private:
+  /// The times of touching at which a span of them may begin or end. The origin comes into the polygon's plane and out
+  /// of it; where it is always in that plane it comes into the polygon, and out of it, through a side.
+  template <class Times>
+  void add_events(Times& times) const {
+    if (!coplanarity_.is_zero())
+      return times.add_roots(coplanarity_, [&](AlgebraicTime& time) { return contains_origin(time); });
+    for (std::size_t i = 0; i < polygon_.side_count(); ++i) {
+      const Side passed = side(i);
+      if (!passed.event().is_zero())
+        times.add_roots(passed.event(), [&](AlgebraicTime& time) { return passed.holds_origin(time); });
+    }
+  }
+
   Side side(std::size_t i) const { return {polygon_.corner(i), polygon_.corner(i + 1)}; }
 
   /// REQUIRES (not checked: exact): the origin lies in the polygon's plane at this time.
@@ -93,18 +114,9 @@ class MovingPolygonTest {
     return false;
   }
 
-  /// The origin is always in the polygon's plane: it is inside at t=0, or enters through a side.
-  void add_contacts_in_plane(FirstTime& first) const {
-    AlgebraicTime start = AlgebraicTime::exactly({0, 0});
-    if (contains_origin(start)) return first.add({0, 0});
-    for (std::size_t i = 0; i < polygon_.side_count(); ++i) {
-      const Side entry = side(i);
-      first.add_roots(entry.event(), [&](AlgebraicTime& time) { return entry.holds_origin(time); });
-    }
-  }
-
   MovingPolygon polygon_;
   std::array<Vec3<Integer>, 3> normal_;
+  IntegerPolynomial coplanarity_;
 };
 
 }  // namespace
@@ -113,6 +125,12 @@ ExactDecision decide_exactly(PairKind kind, const PairPoints& points, double sep
   TAMIS_ASSERT(separation >= 0 && std::isfinite(separation) && is_finite(points));
   return separation > 0 ? decide_within_exactly(kind, points, separation)
                         : MovingPolygonTest(kind, points).first_contact();
+}
+
+ExactDecision decide_once_apart_exactly(PairKind kind, const PairPoints& points, double separation) {
+  TAMIS_ASSERT(separation >= 0 && std::isfinite(separation) && is_finite(points));
+  return separation > 0 ? decide_within_once_apart_exactly(kind, points, separation)
+                        : MovingPolygonTest(kind, points).first_contact_once_apart();
 }
 
 }  // namespace tamis

@@ -16,4 +16,8 @@ struct ExactDecision {
 /// they share a point. All degeneracies are decided. REQUIRES: finite coordinates, a finite separation >= 0.
 ExactDecision decide_exactly(PairKind kind, const PairPoints& points, double separation = 0);
 
+/// The same, but where that holds at t=0 it counts only after a time at which it does not: a pair that touches at the
+/// start touches once it has come apart and meets again.
+ExactDecision decide_once_apart_exactly(PairKind kind, const PairPoints& points, double separation = 0);
+
 }  // namespace tamis

@@ -163,7 +163,7 @@ NearestPoint nearest_point(const MovingPolygon& polygon) {
 
 ExactDistance exact_distance(PairKind kind, const PairPoints& points, double time) {
   TAMIS_ASSERT(is_finite(points) && 0 <= time && time <= 1);
-  const MovingPolygon moving = difference_polygon(kind, points), polygon = at_rest_at(moving, time);
+  const MovingPolygon moving = difference_polygon(kind, points), polygon = at_rest_at(moving, shortest_cell_at(time));
   const NearestPoint nearest = nearest_point(polygon);
   ExactDistance result = nearest.is_inside ? inside(polygon, moving) : on_side(kind, polygon, moving, nearest);
   if (nearest.square.above.sign() > 0)
@@ -173,7 +173,8 @@ ExactDistance exact_distance(PairKind kind, const PairPoints& points, double tim
 
 Vec3<double> exact_normal(PairKind kind, const PairPoints& points, double time) {
   TAMIS_ASSERT(is_finite(points) && 0 <= time && time <= 1);
-  const Vec3<double> normal = unit_vector_of(normal_of(at_rest_at(difference_polygon(kind, points), time)));
+  const Vec3<double> normal =
+      unit_vector_of(normal_of(at_rest_at(difference_polygon(kind, points), shortest_cell_at(time))));
   return kind == PairKind::edge_edge ? -normal : normal;  // the polygon's sides are -e and f
 }
 

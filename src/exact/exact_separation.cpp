@@ -20,27 +20,29 @@ PolynomialVec vector_of(const Moving<Integer>& v) {
   return {along(v.at0.x, v.at1.x), along(v.at0.y, v.at1.y), along(v.at0.z, v.at1.z)};
 }
 
+/// Adds to `Times` (exact/first_time.hpp) all at which the pair may come within the separation, or leave it.
+template <class Times>
 class SeparationTest {
  public:
-  SeparationTest(const MovingPolygon& polygon, const Integer& separation)
-      : polygon_(polygon), square_(separation * separation) {
+  SeparationTest(const MovingPolygon& polygon, double separation, Times& times) : polygon_(polygon), times_(times) {
+    const Integer s = scaled_to_integer(separation, polygon.exponent);
+    square_ = s * s;
     for (std::size_t i = 0; i < polygon.corner_count; ++i) corners_[i] = vector_of(polygon.corners[i]);
   }
 
-  ExactDecision first_contact() {
+  void run() {
     for (std::size_t i = 0; i < polygon_.corner_count; ++i) add_corner(corner(i));
     for (std::size_t i = 0; i < polygon_.side_count(); ++i) add_side(corner(i), corner(i + 1));
     if (polygon_.corner_count > 2) add_plane();
-    return first_.decision();
   }
 
  private:
   const PolynomialVec& corner(std::size_t i) const { return corners_[i % polygon_.corner_count]; }
 
-  /// A polynomial that is always zero begins nothing: the pair would have been as near before.
+  /// A polynomial that is always zero begins and ends nothing: the pair would be as near before and after.
   template <class Condition>
   void add_roots(const IntegerPolynomial& p, const Condition& holds) {
-    if (!p.is_zero()) first_.add_roots(p, holds);
+    if (!p.is_zero()) times_.add_roots(p, holds);
   }
 
   void add_corner(const PolynomialVec& c) {
@@ -72,9 +74,9 @@ class SeparationTest {
   }
 
   const MovingPolygon& polygon_;
-  const Integer square_;
+  Integer square_;  ///< of the separation
   std::array<PolynomialVec, 4> corners_;
-  FirstTime first_;
+  Times& times_;
 };
 
 }  // namespace
@@ -83,7 +85,17 @@ ExactDecision decide_within_exactly(PairKind kind, const PairPoints& points, dou
   TAMIS_ASSERT(separation > 0 && std::isfinite(separation) && is_finite(points));
   const MovingPolygon polygon = difference_polygon(kind, points, separation);
   if (starts_within(polygon, separation)) return {true, 0, 0};
-  return SeparationTest(polygon, scaled_to_integer(separation, polygon.exponent)).first_contact();
+  FirstTime first;
+  SeparationTest(polygon, separation, first).run();
+  return first.decision();
+}
+
+ExactDecision decide_within_once_apart_exactly(PairKind kind, const PairPoints& points, double separation) {
+  TAMIS_ASSERT(separation > 0 && std::isfinite(separation) && is_finite(points));
+  const MovingPolygon polygon = difference_polygon(kind, points, separation);
+  FirstTimeOnceApart times;
+  SeparationTest(polygon, separation, times).run();
+  return times.decision([&](const DyadicCell& time) { return starts_within(at_rest_at(polygon, time), separation); });
 }
 
 }  // namespace tamis

@@ -15,5 +15,7 @@ namespace tamis {
 
 /// REQUIRES: finite coordinates, a finite separation > 0.
 ExactDecision decide_within_exactly(PairKind kind, const PairPoints& points, double separation);
+/// As decide_once_apart_exactly. REQUIRES: the same.
+ExactDecision decide_within_once_apart_exactly(PairKind kind, const PairPoints& points, double separation);
 
 }  // namespace tamis

@@ -1,5 +1,8 @@
-// The first of several times, each a root of one of the polynomials of an exact decision.
+// The times at which a pair touches that are roots of the polynomials of an exact decision: the first of them, or the
+// first after the pair has come apart.
 #pragma once
+#include <vector>
+
 #include "exact/exact.hpp"
 #include "exact/root_isolation.hpp"
 #include "numerics/assert.hpp"
@@ -25,6 +28,42 @@ class FirstTime {
 
  private:
   ExactDecision first_;
+};
+
+/// The end of every span of time in which the pair touches must be among the roots that hold, its start too: then
+/// between two neighbours it touches always or never.
+class FirstTimeOnceApart {
+ public:
+  /// As FirstTime: all roots for which `holds(time)`, each a time of touching.
+  template <class Condition>
+  void add_roots(const IntegerPolynomial& p, const Condition& holds) {
+    TAMIS_ASSERT(!p.is_zero());
+    for (AlgebraicTime& time : roots_in_unit_interval(p))
+      if (holds(time)) times_.push_back(std::move(time));
+  }
+
+  /// The first time of touching before which there is one without, `touches(time)` telling both apart; at the start the
+  /// pair may do either.
+  template <class Condition>
+  ExactDecision decision(const Condition& touches) {
+    AlgebraicTime start = AlgebraicTime::exactly({0, 0});
+    for (AlgebraicTime *last = &start, *next = first_after(start); next; last = next, next = first_after(*last)) {
+      if (touches(time_between(*last, *next))) continue;
+      const auto [lower, upper] = next->bracket();
+      return {true, lower, upper};
+    }
+    return {};
+  }
+
+ private:
+  AlgebraicTime* first_after(AlgebraicTime& last) {
+    AlgebraicTime* first = nullptr;
+    for (AlgebraicTime& time : times_)
+      if (compare(last, time) < 0 && (!first || compare(time, *first) < 0)) first = &time;
+    return first;
+  }
+
+  std::vector<AlgebraicTime> times_;
 };
 
 }  // namespace tamis

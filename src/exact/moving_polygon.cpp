@@ -84,14 +84,12 @@ MovingPolygon difference_polygon(PairKind kind, const PairPoints& points, double
   return polygon(kind, points, {unit, unit, unit});
 }
 
-MovingPolygon at_rest_at(const MovingPolygon& polygon, double time) {
-  TAMIS_ASSERT(0 <= time && time <= 1);
-  const DyadicCell now = shortest_cell_at(time);
-  const Integer before = (Integer(1) << now.k) - now.n;
-  MovingPolygon resting{{}, polygon.corner_count, polygon.exponent - static_cast<int>(now.k)};
+MovingPolygon at_rest_at(const MovingPolygon& polygon, const DyadicCell& time) {
+  const Integer before = (Integer(1) << time.k) - time.n;
+  MovingPolygon resting{{}, polygon.corner_count, polygon.exponent - static_cast<int>(time.k)};
   for (std::size_t i = 0; i < polygon.corner_count; ++i) {
     const auto& [at0, at1] = polygon.corners[i];
-    const Vec3<Integer> at = before * at0 + now.n * at1;
+    const Vec3<Integer> at = before * at0 + time.n * at1;
     resting.corners[i] = {at, at};
   }
   return resting;

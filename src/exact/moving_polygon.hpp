@@ -31,8 +31,9 @@ MovingPolygon difference_polygon(PairKind kind, const PairPoints& points, double
 /// distances. The exponent means nothing. REQUIRES: as above.
 MovingPolygon stretched_polygon(PairKind kind, const PairPoints& points);
 
-/// The same polygon, not moving: as it is at `time` of the step. REQUIRES: 0 <= time <= 1.
-MovingPolygon at_rest_at(const MovingPolygon& polygon, double time);
+/// The same polygon, not moving: as it is at `time` of the step, the lower end of the cell. REQUIRES (not checked:
+/// exact): in [0,1].
+MovingPolygon at_rest_at(const MovingPolygon& polygon, const DyadicCell& time);
 
 /// Of the polygon's plane, as motion/polynomials.hpp has it; zero if there are less than three corners.
 inline std::array<Vec3<Integer>, 3> normal_polynomial(const MovingPolygon& polygon) {

@@ -1,6 +1,6 @@
 // When do pairs come within their separation? Each takes as many looks as it needs (narrow/advancement.hpp), one after
 // the other; after each look those that go on close their ranks, so that no lane waits for the slowest. What this
-// leaves open, the same looks settle one pair at a time (narrow/separation.hpp), with the same bits.
+// leaves undecided, the same looks decide one pair at a time (narrow/separation.hpp), with the same bits.
 #pragma once
 #include "distance/direction_apart.hpp"
 #include "filters/slab_clip.hpp"
@@ -28,7 +28,7 @@ struct TouchingLanes {
   double x[kDoubleLanes], y[kDoubleLanes], z[kDoubleLanes];  ///< normal
 };
 
-/// `Sink`: free(place), open(place), touches(place, lanes, lane): each pair of the buffer comes to one of them.
+/// `Sink`: free(place), undecided(place), touches(place, lanes, lane): each pair of the buffer comes to one of them.
 template <PairKind kind, class Vertices, class Sink>
 class AdvanceLanes {
  public:
@@ -39,7 +39,7 @@ class AdvanceLanes {
     moving_.pairs.count = touching_.pairs.count = 0;
     for (int first = 0; first < in.count; first += kDoubleLanes) start(in, first);
     for (int looks = 1; moving_.pairs.count > 0 && looks < kMostLooks; ++looks) look_again();
-    for (int i = 0; i < moving_.pairs.count; ++i) sink_.open(moving_.places[i]);
+    for (int i = 0; i < moving_.pairs.count; ++i) sink_.undecided(moving_.places[i]);
     for (int first = 0; first < touching_.pairs.count; first += kDoubleLanes) describe(first);
   }
 
@@ -61,7 +61,7 @@ class AdvanceLanes {
     const unsigned free = fit & bits((clip.t_in > clip.t_out) | (clip.t_in > Lanes(rule_.latest)));
     std::int32_t places[kDoubleLanes];
     for (int i = 0; i < kDoubleLanes; ++i) places[i] = first + i;
-    for_each_bit(all & ~fit, [&](int i) { sink_.open(places[i]); });
+    for_each_bit(all & ~fit, [&](int i) { sink_.undecided(places[i]); });
     for_each_bit(free, [&](int i) { sink_.free(places[i]); });
     if (fit & ~free) look(in, first, places, m, clip.t_in, clip.t_out, fit & ~free);
   }
@@ -92,12 +92,12 @@ class AdvanceLanes {
     Advancement<Lanes> next{now};
     next.pass(apart, look);
     next.wait(!apart, look);
-    const unsigned passes = lanes & bits(apart), open = lanes & ~passes & bits(now >= end);
+    const unsigned passes = lanes & bits(apart), undecided = lanes & ~passes & bits(now >= end);
     const unsigned free = passes & bits((next.now > end) | (next.now > Lanes(rule_.latest)));
     const unsigned goes_on = passes & ~free & bits(next.ahead == Lanes(0));
-    for_each_bit(open, [&](int i) { sink_.open(places[i]); });
+    for_each_bit(undecided, [&](int i) { sink_.undecided(places[i]); });
     for_each_bit(free, [&](int i) { sink_.free(places[i]); });
-    append(pairs, first, lanes & ~free & ~goes_on & ~open, places, next.now, min(next.now + next.ahead, end),
+    append(pairs, first, lanes & ~free & ~goes_on & ~undecided, places, next.now, min(next.now + next.ahead, end),
            touching_);
     append(pairs, first, goes_on, places, next.now, end, moving_);  // last: `pairs` may be moving_'s
   }
@@ -127,7 +127,7 @@ class AdvanceLanes {
     const unsigned late = lanes & bits(lower > Lanes(rule_.latest));
     const Looker<kind, Lanes> looker(m);
     const auto touches = looker.touches(looker.sight(upper));
-    const unsigned settled = lanes & ~late & bits(touches & is_sharp(lower, upper) & place.is_sure);
+    const unsigned decided = lanes & ~late & bits(touches & is_sharp(lower, upper) & place.is_sure);
     TouchingLanes out;
     lower.store_unaligned(out.lower);
     upper.store_unaligned(out.upper);
@@ -138,8 +138,8 @@ class AdvanceLanes {
     place.direction.z.store_unaligned(out.z);
     const std::int32_t* places = touching_.places + first;
     for_each_bit(late, [&](int i) { sink_.free(places[i]); });
-    for_each_bit(lanes & ~late & ~settled, [&](int i) { sink_.open(places[i]); });
-    for_each_bit(settled, [&](int i) { sink_.touches(places[i], out, i); });
+    for_each_bit(lanes & ~late & ~decided, [&](int i) { sink_.undecided(places[i]); });
+    for_each_bit(decided, [&](int i) { sink_.touches(places[i], out, i); });
   }
 
   const Vertices vertices_;

@@ -1,4 +1,4 @@
-// The crossings of many pairs, two strides of lanes at a time.
+// The crossings of many pairs, two batches of lanes at a time.
 #pragma once
 #include <optional>
 
@@ -8,36 +8,36 @@
 namespace tamis::TAMIS_ISA {
 
 /// As many pairs as there are lanes, on their way to find_crossing.
-struct CrossingStride {
+struct CrossingBatch {
   int first;       ///< place of the first of them
   unsigned lanes;  ///< bits of those that are asked
   PairMotion<DoubleLanes> motion;
   TimeInterval<DoubleLanes> part;
 };
 
-/// make(first) gives what derives from CrossingStride, of the pairs first, first + 1, ... up to `count`; its crossings
-/// go to keep(stride, crossings), unless no lane of it is asked.
+/// make(first) gives what derives from CrossingBatch, of the pairs first, first + 1, ... up to `count`; its crossings
+/// go to keep(batch, crossings), unless no lane of it is asked.
 template <PairKind kind, class Make, class Keep>
 inline void for_each_crossing(int count, const Make& make, const Keep& keep) {
-  using Stride = decltype(make(0));
-  struct Made {  // in its place: a stride is too large to copy
-    operator Stride() const { return make(first); }
+  using Batch = decltype(make(0));
+  struct Made {  // in its place: a batch is too large to copy
+    operator Batch() const { return make(first); }
     const Make& make;
     int first;
   };
-  std::optional<Stride> waiting, stride;
+  std::optional<Batch> waiting, batch;
   for (int first = 0; first < count; first += kDoubleLanes) {
-    auto& next = waiting ? stride : waiting;
+    auto& next = waiting ? batch : waiting;
     if (!next.emplace(Made{make, first}).lanes) {
       next.reset();
       continue;
     }
-    if (!stride) continue;
-    const auto crossings = find_two_crossings<kind>(waiting->motion, waiting->part, stride->motion, stride->part);
+    if (!batch) continue;
+    const auto crossings = find_two_crossings<kind>(waiting->motion, waiting->part, batch->motion, batch->part);
     keep(*waiting, crossings[0]);
-    keep(*stride, crossings[1]);
+    keep(*batch, crossings[1]);
     waiting.reset();
-    stride.reset();
+    batch.reset();
   }
   if (waiting) keep(*waiting, find_crossing<kind>(waiting->motion, waiting->part));
 }

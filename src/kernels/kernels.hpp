@@ -57,10 +57,10 @@ struct WithinScratch {
   AdvanceBuffer moving, touching;
 };
 
-/// How large the reserve of a pair within two boxes may be if it can end the step, in their frame:
-/// reserve^2 <= per_way2 way^2 + per_size2 size^2 + fixed2, where way is the largest difference of rests
+/// How large the clearance of a pair within two boxes may be if it can end the step, in their frame:
+/// clearance^2 <= per_way2 way^2 + per_size2 size^2 + fixed2, where way is the largest difference of residuals
 /// (SharedMotion) and size^2 at least half of the square of their extent together, at t=0 and t=1. All rounded up.
-struct ReserveBounds {
+struct ClearanceBounds {
   float per_way2, per_size2, fixed2;
   float stretch2;  ///< size^2 = stretch2 far^2 + way^2, where far is the largest distance of corners at t=0
 };
@@ -71,8 +71,8 @@ struct NearRule {
   float fraction;  ///< rounded up
   float reach;     ///< t_limit / (1 - fraction), rounded up
   float t_limit;   ///< rounded up; may exceed 1
-  float spread;    ///< of the rests of all features: how much they differ, summed over the axes
-  ReserveBounds reserve;
+  float spread;    ///< of the residuals of all features: how much they differ, summed over the axes
+  ClearanceBounds clearance;
 };
 
 /// The vertices of a step, and what pairs of them are kept apart by, in floats and in doubles.
@@ -123,7 +123,7 @@ struct PairKernels {
   SearchKernel search = nullptr;
   /// The same of boxes at t=0 that are wider, together, by search.widened.
   SearchKernel search_at_rest = nullptr;
-  /// The same of pairs that may end the step by the near rule. Trees have rests.
+  /// The same of pairs that may end the step by the near rule. Trees have residuals.
   SearchKernel search_near = nullptr;
   /// Pairs that cannot end the step by the rule, from t=0 to their t_out, are culled. `pairs` is used up: what it holds
   /// then are those that floats could not cull. Of pairs that can cross.
@@ -153,11 +153,12 @@ struct PairKernels {
                     PairBuffer& near, PairBuffer& unsure) = nullptr;
   /// At rest: one NearPair for each pair of the buffer; the distance is NaN where doubles do not know it well enough.
   void (*measure)(const PackedVertex* vertices, const PairBuffer& in, NearPair* out) = nullptr;
-  /// The pairs of a list, each for the whole step and by itself, as far as doubles settle it (narrow/settled.hpp): with
-  /// the bits of decide(). Writes results[places[i]], or the place to `open`, whose number is returned: of pairs for
-  /// decide_unsettled(), or whose coordinates are not finite. `rest` is scratch.
-  int (*settle)(const ListedPairs& list, const PairBuffer& in, PairBuffer& rest, PairResult* results,
-                std::int32_t* open) = nullptr;
+  /// The pairs of a list, each for the whole step and by itself, as far as doubles decide it
+  /// (narrow/decided_by_crossing.hpp): with the bits of decide(). Writes results[places[i]], or the place to
+  /// `undecided`, whose number is returned: of pairs for decide_undecided(), or whose coordinates are not finite.
+  /// `rest` is scratch.
+  int (*decide_list)(const ListedPairs& list, const PairBuffer& in, PairBuffer& rest, PairResult* results,
+                     std::int32_t* undecided) = nullptr;
 };
 
 struct Kernels {

@@ -8,11 +8,11 @@
 #include "filters/slab_clip.hpp"
 #include "kernels/bound_leaf.hpp"
 #include "kernels/crossings.hpp"
+#include "kernels/decide_list.hpp"
 #include "kernels/load_motion.hpp"
 #include "kernels/near_boxes.hpp"
 #include "kernels/rest_kernels.hpp"
 #include "kernels/search.hpp"
-#include "kernels/settle.hpp"
 #include "kernels/split.hpp"
 #include "kernels/within.hpp"
 
@@ -27,7 +27,7 @@ void search(Search& state, int block) {
 template <PairKind kind>
 void search_near(Search& state, int block) {
   if (goes_a_short_way(state, block))
-    BlockSearch<kind, ReserveBoxes>(state, block).run();
+    BlockSearch<kind, ClearanceBoxes>(state, block).run();
   else
     BlockSearch<kind, NearBoxes>(state, block).run();
 }
@@ -150,23 +150,23 @@ int write_solved(const Crossing<DoubleLanes>& c, unsigned left, unsigned touches
   return count;
 }
 
-/// First with one crossing; what that leaves open goes to `rest` and is cut in two.
+/// First with one crossing; what that leaves undecided goes to `rest` and is cut in two.
 template <PairKind kind, Course course = Course::step>
 int solve(const PackedVertex* vertices, const PairBuffer& in, PairBuffer& rest, SolvedPair* out) {
   std::int32_t pairs[kDoubleLanes], rest_pairs[PairBuffer::kSize];
   int count = 0;
   rest.count = 0;
   const auto make = [&](int first) {
-    return CrossingStride{first, lanes_in_use(in, first), load_motion<kind, course>(vertices, in, first),
-                          load_time(in, first)};
+    return CrossingBatch{first, lanes_in_use(in, first), load_motion<kind, course>(vertices, in, first),
+                         load_time(in, first)};
   };
-  for_each_crossing<kind>(in.count, make, [&](const CrossingStride& stride, const Crossing<DoubleLanes>& c) {
-    const unsigned left = stride.lanes & ~bits(c.is_free), touches = left & bits(c.touches);
-    for (int i = 0; i < kDoubleLanes; ++i) pairs[i] = stride.first + i;
+  for_each_crossing<kind>(in.count, make, [&](const CrossingBatch& batch, const Crossing<DoubleLanes>& c) {
+    const unsigned left = batch.lanes & ~bits(c.is_free), touches = left & bits(c.touches);
+    for (int i = 0; i < kDoubleLanes; ++i) pairs[i] = batch.first + i;
     if (touches) count = write_solved(c, touches, touches, pairs, out, count);
     for_each_bit(left & ~touches, [&](int i) {
-      rest_pairs[rest.count] = stride.first + i;
-      copy_pair(in, stride.first + i, rest);
+      rest_pairs[rest.count] = batch.first + i;
+      copy_pair(in, batch.first + i, rest);
     });
   });
   for (int first = 0; first < rest.count; first += kDoubleLanes) {
@@ -191,7 +191,7 @@ constexpr PairKernels kernels_of() {
                       .come_within = come_within<kind>,
                       .find_near = find_near<kind>,
                       .measure = measure<kind>,
-                      .settle = settle<kind>};
+                      .decide_list = decide_list<kind>};
   if constexpr (can_cross(kind)) {
     kernels.near = near<kind>;
     kernels.filter = filter<kind>;

@@ -1,4 +1,4 @@
-// Moving boxes and rests: in which of them may a pair of features lose more of its distance than it may?
+// Moving boxes and residuals: in which of them may a pair of features lose more of its distance than it may?
 #pragma once
 #include "kernels/box_overlap.hpp"
 
@@ -34,36 +34,37 @@ struct EndBounds {
 
 [[gnu::always_inline]] inline void add_square(FloatLanes& sum, const FloatLanes& x) { sum = sum + x * x; }
 
-/// Of a pair, as ReserveBounds has it: half of the square of its extent, and of what its reserve may be.
-[[gnu::always_inline]] inline FloatLanes size2(const ReserveBounds& bounds, const FloatLanes& way2,
+/// Of a pair, as ClearanceBounds has it: half of the square of its extent, and of what its clearance may be.
+[[gnu::always_inline]] inline FloatLanes size2(const ClearanceBounds& bounds, const FloatLanes& way2,
                                                const FloatLanes& far2) {
   return FloatLanes(bounds.stretch2) * far2 + way2;
 }
-[[gnu::always_inline]] inline FloatLanes reserve2(const ReserveBounds& bounds, const FloatLanes& way2,
-                                                  const FloatLanes& size2) {
+[[gnu::always_inline]] inline FloatLanes clearance2(const ClearanceBounds& bounds, const FloatLanes& way2,
+                                                    const FloatLanes& size2) {
   return FloatLanes(bounds.per_way2) * way2 + FloatLanes(bounds.per_size2) * size2 + FloatLanes(bounds.fixed2);
 }
 
-/// Boxes that move, with the rests of what they hold. A pair of features can, by search.near, end the step only
-/// - if its reserve, and so the boxes' gap at t=0, is within ReserveBounds; squares of lengths are compared: gaps are
+/// Boxes that move, with the residuals of what they hold. A pair of features can, by search.near, end the step only
+/// - if its clearance, and so the boxes' gap at t=0, is within ClearanceBounds; squares of lengths are compared: gaps
+/// are
 ///   multiples of 2^-47, because boxes have margins, so that nothing that matters underflows;
-/// - while the boxes are as near as the fraction of the largest reserve of such a pair, or of any pair between the
+/// - while the boxes are as near as the fraction of the largest clearance of such a pair, or of any pair between the
 ///   farthest corners. Boxes are wider by the minimum separation, which so is in all gaps.
 class NearBoxes {
  public:
   static constexpr bool kMoves = false;
-  using Bounds = BoundBlock<18>;  ///< x y z at t=0, at t_limit, of rests
+  using Bounds = BoundBlock<18>;  ///< x y z at t=0, at t_limit, of residuals
 
   NearBoxes(const Search& search, int)
       : t_limit_(search.near.t_limit),
-        reserve_(search.near.reserve),
+        clearance_(search.near.clearance),
         kept2_((1 + kShare) * search.near.fraction * search.near.fraction) {}
 
   void bound(const TreeView& tree, int level, int node, Bounds& bounds) const {
     Ends::store(tree.levels[level][node], t_limit_, bounds);
-    const BoxBlock& rests = tree.residuals[level][node];
-    __builtin_memcpy(bounds.at[kRest], rests.low1, sizeof(rests.low1));
-    __builtin_memcpy(bounds.at[kHigh + kRest], rests.high1, sizeof(rests.high1));
+    const BoxBlock& residuals = tree.residuals[level][node];
+    __builtin_memcpy(bounds.at[kResidual], residuals.low1, sizeof(residuals.low1));
+    __builtin_memcpy(bounds.at[kHigh + kResidual], residuals.high1, sizeof(residuals.high1));
   }
 
   /// `a(k)`, `b(k)`: bound k of the boxes in lanes.
@@ -72,7 +73,7 @@ class NearBoxes {
     const FloatLanes zero(0.0f);
     FloatLanes gap2(0.0f), way2(0.0f), far2(0.0f), first2(0.0f), second2(0.0f);
     for (int axis = 0; axis < 3; ++axis) {
-      const int rest = axis + kRest;
+      const int rest = axis + kResidual;
       add_square(way2, max(max(b(kHigh + rest) - a(rest), a(kHigh + rest) - b(rest)), zero));
       FloatLanes gap(0.0f), far(0.0f), first(0.0f), second(0.0f);
       Ends::for_each_side(axis, a, b, [&](const auto& at0, const auto& later) {
@@ -87,15 +88,15 @@ class NearBoxes {
       add_square(first2, first);
       add_square(second2, second);
     }
-    const FloatLanes size = size2(reserve_, way2, far2), reserve = reserve2(reserve_, way2, size);
-    const FloatLanes kept2 = FloatLanes(kept2_) * min(far2, reserve) + FloatLanes(kRoom2) * size;
-    return (gap2 <= reserve) & (FloatLanes(0.25f) * min(first2, second2) <= kept2);
+    const FloatLanes size = size2(clearance_, way2, far2), clearance = clearance2(clearance_, way2, size);
+    const FloatLanes kept2 = FloatLanes(kept2_) * min(far2, clearance) + FloatLanes(kRoom2) * size;
+    return (gap2 <= clearance) & (FloatLanes(0.25f) * min(first2, second2) <= kept2);
   }
 
   float t_limit() const { return t_limit_; }
 
  private:
-  static constexpr int kRest = 6, kHigh = 9;
+  static constexpr int kResidual = 6, kHigh = 9;
   using Ends = EndBounds<kHigh>;
   /// (x + y)^2 is at most (1 + kShare) x^2 + (1 + 1 / kShare) y^2.
   static constexpr float kShare = 0x1p-4f;
@@ -103,25 +104,25 @@ class NearBoxes {
       static_cast<float>(2 * (1 + 1 / kShare) * error_bounds::kRoomOfBoxes * error_bounds::kRoomOfBoxes);
 
   const float t_limit_;
-  const ReserveBounds reserve_;
+  const ClearanceBounds clearance_;
   const float kept2_;
 };
 
-/// The same by the reserve alone: less than half the work, and hardly more pairs where features go a short way beside
+/// The same by the clearance alone: less than half the work, and hardly more pairs where features go a short way beside
 /// each other.
-class ReserveBoxes {
+class ClearanceBoxes {
  public:
   static constexpr bool kMoves = false;
-  using Bounds = BoundBlock<12>;  ///< x y z at t=0, of rests
+  using Bounds = BoundBlock<12>;  ///< x y z at t=0, of residuals
 
-  ReserveBoxes(const Search& search, int) : t_limit_(search.near.t_limit), reserve_(search.near.reserve) {}
+  ClearanceBoxes(const Search& search, int) : t_limit_(search.near.t_limit), clearance_(search.near.clearance) {}
 
   void bound(const TreeView& tree, int level, int node, Bounds& bounds) const {
-    const BoxBlock &boxes = tree.levels[level][node], &rests = tree.residuals[level][node];
+    const BoxBlock &boxes = tree.levels[level][node], &residuals = tree.residuals[level][node];
     __builtin_memcpy(bounds.at, boxes.low0, sizeof(boxes.low0));
-    __builtin_memcpy(bounds.at[kRest], rests.low1, sizeof(rests.low1));
+    __builtin_memcpy(bounds.at[kResidual], residuals.low1, sizeof(residuals.low1));
     __builtin_memcpy(bounds.at[kHigh], boxes.high0, sizeof(boxes.high0));
-    __builtin_memcpy(bounds.at[kHigh + kRest], rests.high1, sizeof(rests.high1));
+    __builtin_memcpy(bounds.at[kHigh + kResidual], residuals.high1, sizeof(residuals.high1));
   }
 
   template <class A, class B>
@@ -129,22 +130,22 @@ class ReserveBoxes {
     const FloatLanes zero(0.0f);
     FloatLanes gap2(0.0f), way2(0.0f), far2(0.0f);
     for (int axis = 0; axis < 3; ++axis) {
-      const int rest = axis + kRest;
+      const int rest = axis + kResidual;
       const auto one = b(axis) - a(kHigh + axis), other = a(axis) - b(kHigh + axis);
       add_square(gap2, max(max(one, other), zero));
       add_square(way2, max(max(b(kHigh + rest) - a(rest), a(kHigh + rest) - b(rest)), zero));
-      if (reserve_.per_size2 > 0) add_square(far2, min(min(one, other), zero));
+      if (clearance_.per_size2 > 0) add_square(far2, min(min(one, other), zero));
     }
-    return gap2 <= reserve2(reserve_, way2, size2(reserve_, way2, far2));
+    return gap2 <= clearance2(clearance_, way2, size2(clearance_, way2, far2));
   }
 
   float t_limit() const { return t_limit_; }
 
  private:
-  static constexpr int kRest = 3, kHigh = 6;
+  static constexpr int kResidual = 3, kHigh = 6;
 
   const float t_limit_;
-  const ReserveBounds reserve_;
+  const ClearanceBounds clearance_;
 };
 
 /// Do all features go so short a way beside each other, for the size of a leaf block, that where the boxes come near

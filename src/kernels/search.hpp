@@ -23,7 +23,7 @@ inline void append_bits(unsigned mask, int first, std::int32_t* list, int& count
   });
 }
 
-/// `Boxes`: MovingBoxes, StillBoxes, RestBoxes, NearBoxes or ReserveBoxes. A row: one feature of the block searched
+/// `Boxes`: MovingBoxes, StillBoxes, RestBoxes, NearBoxes or ClearanceBoxes. A row: one feature of the block searched
 /// from and the sixteen of another block.
 template <PairKind kind, class Boxes, Course course = Course::step>
 class BlockSearch {

@@ -31,7 +31,7 @@ int cull_in_parts(int parts, const BoxVertex* vertices, const BoxSeparation& sep
 /// To a list of what is left.
 struct SolvedSink {
   void free(std::int32_t) {}
-  void open(std::int32_t place) { out[count++] = {place, false, 0, 1, 0, 0, {0, 0, 0}}; }
+  void undecided(std::int32_t place) { out[count++] = {place, false, 0, 1, 0, 0, {0, 0, 0}}; }
   void touches(std::int32_t place, const TouchingLanes& t, int i) {
     out[count++] = {place, true, t.lower[i], t.upper[i], t.u[i], t.v[i], {t.x[i], t.y[i], t.z[i]}};
   }

@@ -71,7 +71,7 @@ class Looker {
   const T error_;
 };
 
-/// Where an advancement stands: all before `now` is settled, and `now + ahead` is looked at next.
+/// Where an advancement stands: all before `now` is decided, and `now + ahead` is looked at next.
 template <class T>
 struct Advancement {
   T now, ahead = T(0);

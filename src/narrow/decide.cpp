@@ -7,10 +7,11 @@
 #include "filters/slab_clip.hpp"
 #include "motion/pair_kinds.hpp"
 #include "narrow/contact_normal.hpp"
+#include "narrow/decided_by_crossing.hpp"
 #include "narrow/far_flight.hpp"
 #include "narrow/fine_separation.hpp"
+#include "narrow/leaving.hpp"
 #include "narrow/separation.hpp"
-#include "narrow/settled.hpp"
 #include "narrow/subdivide.hpp"
 #include "numerics/assert.hpp"
 
@@ -39,8 +40,8 @@ Decision decide_in_doubles(PairKind kind, const PairMotion<double>& m, const Tim
                                                : within(clip, subdivide(kind, m, widened(clip)));
 }
 
-/// What `first_within` leaves open, again: other units of time and length, or of precision. Nothing where these do not
-/// settle it.
+/// What `first_within` leaves undecided, again: other units of time and length, or of precision. Nothing where these do
+/// not decide it.
 std::optional<Decision> decide_distance_again(PairKind kind, const PairPoints& points, double separation,
                                               const PairMotion<double>& m, const Decision& d) {
   if (!is_finite(m)) return {};
@@ -56,42 +57,49 @@ struct Outcome {
   std::uint64_t PrecisionCount::*arithmetic;
 };
 
-Outcome decide_in_integers(PairKind kind, const PairPoints& points, double separation) {
-  const auto exact = decide_exactly(kind, points, separation);
+bool is_sharp_answer(const Decision& d) {
+  return d.verdict == Verdict::is_free || (d.verdict == Verdict::touches && is_sharp(d.lower, d.upper));
+}
+
+Outcome as_outcome(const ExactDecision& exact) {
   const Verdict verdict = exact.touches ? Verdict::touches : Verdict::is_free;
   return {{verdict, exact.toi_lower, exact.toi_upper}, &PrecisionCount::exact};
+}
+
+Outcome decide_in_integers(PairKind kind, const PairPoints& points, double separation) {
+  return as_outcome(decide_exactly(kind, points, separation));
 }
 
 bool is_proven_free(const TimeInterval<double>& clip, const PairOptions& options) {
   return clip.t_in > clip.t_out || clip.t_in > options.latest;
 }
 
-/// What a crossing that `find` finds in widened(clip) settles; nothing where that takes more.
+/// What a crossing that `find` finds in widened(clip) decides; nothing where that takes more.
 template <class Find>
-std::optional<PairResult> settled_within(const PairMotion<double>& m, const TimeInterval<double>& clip,
+std::optional<PairResult> decided_within(const PairMotion<double>& m, const TimeInterval<double>& clip,
                                          const PairOptions& options, const Find& find) {
   if (is_proven_free(clip, options)) return PairResult{};
   if (clip.t_in == 0 && may_start_coplanar(m)) return {};
-  const auto s = settled(find(m, widened(clip)), clip);
+  const auto s = decided_by_crossing(find(m, widened(clip)), clip);
   if (s.is_free) return PairResult{};
   if (!s.touches) return {};
   return PairResult{true, Certainty::certified, s.lower, s.upper, s.u, s.v, {s.normal.x, s.normal.y, s.normal.z}};
 }
 
 template <PairKind kind>
-std::optional<PairResult> settled_by_crossings(const PairMotion<double>& m, const PairOptions& options) {
+std::optional<PairResult> decided_by_crossings(const PairMotion<double>& m, const PairOptions& options) {
   const auto one = [](const auto&... in) { return find_crossing<kind>(in...); };
   const auto in_halves = [](const auto&... in) { return find_crossing_in_halves<kind>(in...); };
   if (const auto result =
-          settled_within(m, SlabClip::clip<kind, SlabClip::Axes::coordinates>(m, kWholeStep), options, one))
+          decided_within(m, SlabClip::clip<kind, SlabClip::Axes::coordinates>(m, kWholeStep), options, one))
     return result;
-  return settled_within(m, SlabClip::clip<kind>(m, kWholeStep), options, in_halves);
+  return decided_within(m, SlabClip::clip<kind>(m, kWholeStep), options, in_halves);
 }
 
-std::optional<PairResult> settled_by_crossings(PairKind kind, const PairMotion<double>& m, const PairOptions& options) {
+std::optional<PairResult> decided_by_crossings(PairKind kind, const PairMotion<double>& m, const PairOptions& options) {
   if (is_about_distance(kind, options.min_separation) || !is_finite(m)) return {};
-  return kind == PairKind::vertex_face ? settled_by_crossings<PairKind::vertex_face>(m, options)
-                                       : settled_by_crossings<PairKind::edge_edge>(m, options);
+  return kind == PairKind::vertex_face ? decided_by_crossings<PairKind::vertex_face>(m, options)
+                                       : decided_by_crossings<PairKind::edge_edge>(m, options);
 }
 
 Outcome decide_pair(PairKind kind, const PairPoints& points, const PairMotion<double>& m,
@@ -100,8 +108,7 @@ Outcome decide_pair(PairKind kind, const PairPoints& points, const PairMotion<do
   if (clip.t_in == 0 && !is_about_distance(kind, m.separation) && may_start_coplanar(m))
     return decide_in_integers(kind, points, options.min_separation);
   const Decision d = decide_in_doubles(kind, m, clip);
-  if (d.verdict == Verdict::is_free) return {d, &PrecisionCount::scalar};
-  if (d.verdict == Verdict::touches && is_sharp(d.lower, d.upper)) return {d, &PrecisionCount::scalar};
+  if (is_sharp_answer(d)) return {d, &PrecisionCount::scalar};
   if (options.min_separation > 0)
     if (const auto again = decide_distance_again(kind, points, options.min_separation, m, d))
       return {*again, &PrecisionCount::scalar};
@@ -118,7 +125,7 @@ PairResult described(PairKind kind, const PairPoints& points, const PairMotion<d
   return result;
 }
 
-/// Of a pair that crossings do not settle.
+/// Of a pair that crossings do not decide.
 PairResult decide_motion(PairKind kind, const PairPoints& points, const PairMotion<double>& m,
                          const PairOptions& options, PrecisionCount& decided_by) {
   const auto [decision, arithmetic] = decide_pair(kind, points, m, time_in_question(kind, m), options);
@@ -131,16 +138,26 @@ PairResult decide_motion(PairKind kind, const PairPoints& points, const PairMoti
 PairResult decide(PairKind kind, const PairPoints& points, const PairOptions& options, PrecisionCount& decided_by) {
   TAMIS_ASSERT(0 <= options.latest && options.latest <= 1);
   const auto m = make_motion(kind, points, options.min_separation);
-  const auto settled = settled_by_crossings(kind, m, options);
-  if (!settled) return decide_motion(kind, points, m, options, decided_by);
+  const auto decided = decided_by_crossings(kind, m, options);
+  if (!decided) return decide_motion(kind, points, m, options, decided_by);
   ++decided_by.scalar;
-  return settled->toi_lower > options.latest ? PairResult{} : *settled;
+  return decided->toi_lower > options.latest ? PairResult{} : *decided;
 }
 
-PairResult decide_unsettled(PairKind kind, const PairPoints& points, const PairOptions& options,
+PairResult decide_once_apart(PairKind kind, const PairPoints& points, double separation, PrecisionCount& decided_by) {
+  const auto m = make_motion(kind, points, separation);
+  const auto again = is_finite(m) && m.separation > 0 ? within_once_apart(kind, m) : std::nullopt;
+  const auto [decision, arithmetic] = again && is_sharp_answer(*again)
+                                          ? Outcome{*again, &PrecisionCount::scalar}
+                                          : as_outcome(decide_once_apart_exactly(kind, points, separation));
+  ++(decided_by.*arithmetic);
+  return described(kind, points, m, decision);
+}
+
+PairResult decide_undecided(PairKind kind, const PairPoints& points, const PairOptions& options,
                             PrecisionCount& decided_by) {
   const auto m = make_motion(kind, points, options.min_separation);
-  TAMIS_ASSERT(!settled_by_crossings(kind, m, options));
+  TAMIS_ASSERT(!decided_by_crossings(kind, m, options));
   return decide_motion(kind, points, m, options, decided_by);
 }
 

@@ -12,8 +12,13 @@ namespace tamis {
 /// arithmetic had the last word.
 PairResult decide(PairKind kind, const PairPoints& points, const PairOptions& options, PrecisionCount& decided_by);
 
-/// The same. REQUIRES: settled.hpp does not settle the pair, which has been tried where many are tried at once.
-PairResult decide_unsettled(PairKind kind, const PairPoints& points, const PairOptions& options,
+/// The same. REQUIRES: decided_by_crossing.hpp does not decide the pair, which has been tried where many are tried at
+/// once.
+PairResult decide_undecided(PairKind kind, const PairPoints& points, const PairOptions& options,
                             PrecisionCount& decided_by);
+
+/// What a pair does that touches at t=0 and counts once it has come apart: does it touch again? REQUIRES (not checked:
+/// exact): it does touch at t=0.
+PairResult decide_once_apart(PairKind kind, const PairPoints& points, double separation, PrecisionCount& decided_by);
 
 }  // namespace tamis

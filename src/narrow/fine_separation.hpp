@@ -1,6 +1,6 @@
 // Minimum separation where doubles have found that two features come within it, but not sharply when: the neighbouring
 // doubles around that time, in double-double. What exact algebra would answer, in a fraction of its time; most of what
-// doubles leave open is of this kind.
+// doubles leave undecided is of this kind.
 #pragma once
 #include <optional>
 

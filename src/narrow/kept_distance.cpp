@@ -6,8 +6,10 @@
 
 #include "distance/closest.hpp"
 #include "distance/difference_corners.hpp"
+#include "exact/moving_polygon.hpp"
 #include "exact/start_distance.hpp"
 #include "motion/pair_kinds.hpp"
+#include "narrow/decide.hpp"
 #include "narrow/separation.hpp"
 #include "numerics/assert.hpp"
 
@@ -47,8 +49,19 @@ StartBounds start_bounds(PairKind kind, const PairMotion<double>& m) {
 
 /// The distance that must be kept, from one at t=0: `rounding` 1 for an upper bound, -1 for a lower one.
 double kept(double distance, const PairMotion<double>& m, double fraction, int rounding) {
-  const double reserve = std::max(distance - m.separation, 0.0);
-  return (m.separation + fraction * reserve) * (1 + rounding * 8 * kRoundoff);
+  const double clearance = std::max(distance - m.separation, 0.0);
+  return (m.separation + fraction * clearance) * (1 + rounding * 8 * kRoundoff);
+}
+
+/// Of a pair without clearance at t=0.
+double stays_away_until(PairKind kind, const PairPoints& points, const DistanceRule& rule, PrecisionCount& decided_by) {
+  if (!rule.ignores_start) return 0;
+  const PairResult again = decide_once_apart(kind, points, rule.min_separation, decided_by);
+  return again.touches ? again.toi_lower : 1;
+}
+
+bool starts_within(PairKind kind, const PairPoints& points, double separation) {
+  return starts_within(difference_polygon(kind, points, separation), separation);
 }
 
 }  // namespace
@@ -58,14 +71,16 @@ double keeps_distance_until(PairKind kind, const PairPoints& points, const Dista
   TAMIS_ASSERT(0 < rule.fraction && rule.fraction < 1);
   PairMotion<double> m = make_motion(kind, points, rule.min_separation);
   const StartBounds start = start_bounds(kind, m);
-  const bool starts_within = start.high <= m.separation;  // certified
-  const double reserve = start.low - m.separation, portion = (1 - rule.fraction) * (1 - 4 * kRoundoff);
-  const bool is_sharp = start.high - start.low <= kSharpEnough * reserve;
-  ++(starts_within || is_sharp ? decided_by.scalar : decided_by.exact);
-  if (starts_within) return 0;
-  const double at_rest = is_sharp ? portion * (reserve / start.speed) * (1 - 4 * kRoundoff)
+  const bool is_within = start.high <= m.separation;  // certified
+  const double clearance = start.low - m.separation, portion = (1 - rule.fraction) * (1 - 4 * kRoundoff);
+  const bool is_sharp = start.high - start.low <= kSharpEnough * clearance;
+  ++(is_within || is_sharp ? decided_by.scalar : decided_by.exact);
+  if (is_within) return stays_away_until(kind, points, rule, decided_by);
+  const double at_rest = is_sharp ? portion * (clearance / start.speed) * (1 - 4 * kRoundoff)
                                   : portion * apart_from_start(kind, points, rule.min_separation);
   until = std::min(until, 1.0);
+  if (at_rest == 0 && rule.ignores_start && starts_within(kind, points, rule.min_separation))  // or it underflows
+    return stays_away_until(kind, points, rule, decided_by);
   if (at_rest == 0 || at_rest >= until) return std::min(at_rest, 1.0);
   m.separation = kept(start.high, m, rule.fraction, 1);
   return apart_until(kind, m, at_rest, until);

@@ -1,6 +1,6 @@
 // Step lengths: how long does a pair keep a fraction of the distance it has at t=0? What counts is the distance beyond
-// the minimum separation, its reserve. Two proofs, the second where the first ends:
-//   at rest   the reserve falls no faster than the corners of the two features move against each other;
+// the minimum separation, its clearance. Two proofs, the second where the first ends:
+//   at rest   the clearance falls no faster than the corners of the two features move against each other;
 //   in motion the separation that must be kept is a number now, and advancement along axes (narrow/separation.hpp)
 //             finds when it is reached.
 #pragma once
@@ -14,12 +14,14 @@ namespace tamis {
 struct DistanceRule {
   double fraction;
   double min_separation;
+  /// A pair that has no clearance at t=0 must not come back to its separation once it has left it.
+  bool ignores_start = false;
 };
 
-/// A time in [0,1] until which the pair is proven to keep to the rule; 0 iff it has no reserve at t=0 (or the time
-/// underflows). It looks no further than `until`: a result below `until` does not depend on it, and is no less than
-/// 1 - 2^-18 times (1 - fraction) reserve / speed, with `speed` the largest length of any velocity of a corner of the
-/// difference, rounded up by kVelocity. REQUIRES: finite coordinates.
+/// A time in [0,1] until which the pair is proven to keep to the rule; 0 iff it has no clearance at t=0, and that is
+/// not ignored (or the time underflows). It looks no further than `until`: a result below `until` does not depend on
+/// it, and is no less than 1 - 2^-18 times (1 - fraction) clearance / speed, with `speed` the largest length of any
+/// velocity of a corner of the difference, rounded up by kVelocity. REQUIRES: finite coordinates.
 double keeps_distance_until(PairKind kind, const PairPoints& points, const DistanceRule& rule, double until,
                             PrecisionCount& decided_by);
 

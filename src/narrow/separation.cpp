@@ -13,9 +13,9 @@ namespace {
 /// Looks at one pair. Newton's method needs 3 to 8; a near miss by 1e-15 of the pair's size needs about 40.
 constexpr int kMaxLooks = 160;
 /// Looks that bring so much of the step do not count: a pair with room (error_bounds::kRoomToAdvance) has no others.
-constexpr double kLongStride = error_bounds::kRoomToAdvance / 16;
+constexpr double kLeastProgress = error_bounds::kRoomToAdvance / 16;
 
-/// Goes through the step from its start. Until `at_.now` everything is settled.
+/// Goes through the step from its start. Until `at_.now` everything is decided.
 template <PairKind kind>
 class Advance {
  public:
@@ -32,14 +32,14 @@ class Advance {
         pass(look, t);
       else
         wait(look, t);
-      if (at_.now - before < kLongStride) ++looks;
+      if (at_.now - before < kLeastProgress) ++looks;
     }
     if (at_.now <= end_) add_unsure(end_);
     return decision_;
   }
 
  private:
-  /// A time proven apart: everything up to the end of that proof is settled, or all but a part before it.
+  /// A time proven apart: everything up to the end of that proof is decided, or all but a part before it.
   void pass(const Look<double>& look, double t) {
     const double since = t > at_.now ? looker_.clip().apart_since(t, look.axis) : t;
     if (t > at_.now && since >= at_.now) {
@@ -56,16 +56,16 @@ class Advance {
   void wait(const Look<double>& look, double t) {
     if (beyond_) {
       add_unsure(beyond_->t_in);
-      settle(beyond_->t_out);
+      continue_at(beyond_->t_out);
     } else if (t >= end_) {
       add_unsure(end_);
-      settle(2);
+      continue_at(2);
     } else {
       at_.wait(true, look);
     }
   }
 
-  void settle(double until) {
+  void continue_at(double until) {
     at_ = {until};
     beyond_.reset();
   }
@@ -98,7 +98,7 @@ double apart_until(const PairMotion<double>& m, double from, double until) {
     const double progress = look.until - now;
     now = look.until;
     if (progress <= 0x1p-40 * now) break;
-    if (progress < kLongStride) ++looks;
+    if (progress < kLeastProgress) ++looks;
   }
   return std::min(now, 1.0);
 }

@@ -1,4 +1,4 @@
-// The pairs one crossing cannot settle: the step is cut in time, earliest part first, until each part is proven free,
+// The pairs one crossing cannot decide: the step is cut in time, earliest part first, until each part is proven free,
 // holds one certified crossing, or is too short to be decided in this arithmetic.
 #pragma once
 #include "filters/slab_clip.hpp"

@@ -118,6 +118,11 @@ inline constexpr double kRestDistance = 1024;
 // and two sums 2, their difference (below 2) 2 more: 22 a component, sqrt(3) * 22 = 38.2.
 inline constexpr double kVelocity = 40;
 
+// How fast a corner gains along an axis with components up to 1 that turns by r, unit (D + E + F) (1 + r): the velocity
+// sqrt(3) * 38.2 = 66.2, three products and two sums of what is at most 6 together 18; the turn on the corner 26 r, as
+// in kAxisNow, and 6 r; the turn on the axis, times a distance of at most 3, 27 r; sums 6 + 6 r. Below 91 + 65 r.
+inline constexpr double kGrowth = 128;
+
 // Length of a vector, unit: itself: squares 1/2, two sums 1, root 1, all below 4.
 inline constexpr double kLength = 4;
 /// A computed length times this is no less than the length.

@@ -27,9 +27,9 @@ class PathParts {
 
   /// Throws Cancelled.
   std::optional<PathPart<T>> next() {
-    constexpr int kSome = 64;  // some milliseconds at most
+    constexpr int kPartsBetweenChecks = 64;  // some milliseconds at most
     if (parts_.empty()) return std::nullopt;
-    if (taken_++ % kSome == 0) stop_if_cancelled(question_);
+    if (taken_++ % kPartsBetweenChecks == 0) stop_if_cancelled(question_);
     const PathPart<T> part = parts_.back();
     parts_.pop_back();
     return part;

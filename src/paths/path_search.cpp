@@ -125,7 +125,7 @@ void PathSearch::find(const MeshOnPath& asked, Question question, std::vector<Co
     check_chords(path, from, to);
     set_radii(asked.separations, from, to);
     const Query chords{
-        {from.points, to.points}, {asked.separations.fixed, radii_}, options_.filter, options_.is_cancelled};
+        {from.points, to.points}, {asked.separations.fixed, radii_}, options_.filter, rings_, options_.is_cancelled};
     bound_.begin();
     found_.begin(chords, bound_);
     engine_.find(chords, found_, statistics);

@@ -20,8 +20,8 @@ struct MeshOnPath {
 class PathSearch {
  public:
   /// Keeps references.
-  PathSearch(const Mesh& mesh, const Options& options, Engine& engine)
-      : mesh_(mesh), options_(options), engine_(engine) {}
+  PathSearch(const Mesh& mesh, const Options& options, const Rings& rings, Engine& engine)
+      : mesh_(mesh), options_(options), rings_(rings), engine_(engine) {}
 
   /// Writes every pair that touches, once, in no order; for `earliest` and `is_free` the search ends soon after the
   /// first. Throws InvalidPath: a path of another number of vertices, or one that breaks its promises. REQUIRES: a
@@ -47,6 +47,7 @@ class PathSearch {
 
   const Mesh& mesh_;
   const Options& options_;
+  const Rings& rings_;
   Engine& engine_;
   Bound bound_;
   ContactCollector found_;  ///< pairs that may touch on a piece

@@ -13,7 +13,7 @@ void RememberedPath::points_at(double time, std::span<const Index> vertices, std
 const RememberedPath::Time* RememberedPath::kept_at(double time) const {
   const auto found = std::find_if(kept_.begin(), kept_.end(), [&](const Time& t) { return t.time == time; });
   if (found != kept_.end()) return &*found;
-  if (!was_seen(time) || kept_.size() >= kMostKept) return nullptr;
+  if (!was_seen(time) || kept_.size() >= kMostTimesKept) return nullptr;
   Time& now = kept_.emplace_back(Time{time, std::vector<Point>(used_.size()), std::vector<double>(used_.size())});
   path_.points_at(time, used_, now.points, now.errors);
   return &now;
@@ -21,10 +21,10 @@ const RememberedPath::Time* RememberedPath::kept_at(double time) const {
 
 bool RememberedPath::was_seen(double time) const {
   if (std::find(seen_.begin(), seen_.end(), time) != seen_.end()) return true;
-  if (seen_.size() < kMostSeen)
+  if (seen_.size() < kMostTimesSeen)
     seen_.push_back(time);
   else
-    seen_[oldest_++ % kMostSeen] = time;
+    seen_[oldest_++ % kMostTimesSeen] = time;
   return false;
 }
 

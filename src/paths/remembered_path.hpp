@@ -24,7 +24,7 @@ class RememberedPath final : public Path {
   }
 
  private:
-  static constexpr std::size_t kMostKept = 32, kMostSeen = 32;
+  static constexpr std::size_t kMostTimesKept = 32, kMostTimesSeen = 32;
 
   struct Time {
     double time;

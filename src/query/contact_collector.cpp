@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <tuple>
+#include <utility>
 
 #include "motion/time_clip.hpp"
 #include "narrow/decide.hpp"
@@ -21,23 +22,37 @@ void ContactCollector::begin(const Query& query, Bound& bound) {
   contacts_.clear();
   first_ = {};
   decided_by_ = {};
+  ignored_ = 0;
 }
 
-void ContactCollector::add(PairKind kind, const PairVertices& vertices, const PairResult& result) {
-  if (!result.touches) return;
-  TAMIS_ASSERT(is_kind(kind) && is_part_of_step(TimeInterval<double>{result.toi_lower, result.toi_upper}));
+bool ContactCollector::add(PairKind kind, const PairVertices& vertices, const PairResult& decided) {
+  if (!decided.touches) return false;
+  TAMIS_ASSERT(is_kind(kind) && is_part_of_step(TimeInterval<double>{decided.toi_lower, decided.toi_upper}));
+  if (query_->are_neighbours(kind, vertices)) return false;
+  const PairResult result = as_counted(kind, vertices, decided);
+  if (!result.touches) {
+    ++ignored_;
+    return false;
+  }
   const Question question = query_->question;
   if (question == Question::is_free) {
     bound_->settle();
-    if (!contacts_.empty()) return;
+    if (!contacts_.empty()) return false;
   }
   if (question == Question::earliest) {
-    if (result.toi_lower > bound_->latest()) return;
+    if (result.toi_lower > bound_->latest()) return false;
     bound_->lower(result.toi_upper * kNearTie);
   }
   contacts_.push_back(contact_of(kind, vertices, result));
   if (question == Question::earliest && (contacts_.size() >= kMostContactsKept || result.toi_lower == 0))
     reduce_to_first();
+  return true;
+}
+
+PairResult ContactCollector::as_counted(PairKind kind, const PairVertices& vertices, const PairResult& result) {
+  if (!query_->ignores_start || result.toi_upper > 0) return result;
+  return decide_once_apart(kind, points_of(query_->step, vertices), query_->separations.between(kind, vertices),
+                           decided_by_);
 }
 
 bool ContactCollector::wants(PairKind kind, const PairVertices& vertices) const {
@@ -53,6 +68,7 @@ void ContactCollector::take(ContactCollector& other) {
   other.contacts_.clear();
   decided_by_ += other.decided_by_;
   other.decided_by_ = {};
+  ignored_ += std::exchange(other.ignored_, 0);
   learn(other);
 }
 
@@ -75,7 +91,7 @@ void ContactCollector::reduce_to_first() {
     stop_if_cancelled(*query_);
     const PairOptions rule = query_->rule_for(c.kind, c.vertices);
     const PairResult result = decide(c.kind, points_of(query_->step, c.vertices), rule, decided_by_);
-    keep_first(contact_of(c.kind, c.vertices, result));
+    keep_first(contact_of(c.kind, c.vertices, as_counted(c.kind, c.vertices, result)));
   }
   contacts_.clear();
 }

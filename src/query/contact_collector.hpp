@@ -28,8 +28,10 @@ class ContactCollector {
   /// A new query; the memory stays. Query and bound, which all threads share, must outlive the answer. REQUIRES: a
   /// bound that has begun.
   void begin(const Query& query, Bound& bound);
-  /// Takes what was decided of a pair, if it touches. REQUIRES: a kind there is, times in [0,1] and in order.
-  void add(PairKind kind, const PairVertices& vertices, const PairResult& result);
+  /// Takes what was decided of a pair, if it touches and counts: its features are no neighbours; and where the query
+  /// ignores the start, one that touches at t=0 is asked whether it touches again once it is apart. Returns true if it
+  /// is among the contacts now. REQUIRES: a kind there is, times in [0,1] and in order.
+  bool add(PairKind kind, const PairVertices& vertices, const PairResult& result);
   /// Can this pair still change the answer? Cheap, to be asked before a pair is decided: a pair that touches at t=0
   /// makes all that come behind it in the order of contacts irrelevant, and any contact ends the question is_free.
   bool wants(PairKind kind, const PairVertices& vertices) const;
@@ -48,7 +50,10 @@ class ContactCollector {
   const std::vector<Contact>& contacts() const { return contacts_; }
   /// earliest: the answer, decided on the whole step, so that it does not depend on how far the search still looked.
   EarliestContact first();
+  /// Pairs that it has decided itself.
   const PrecisionCount& decided_by() const { return decided_by_; }
+  /// Pairs that touch at t=0 and do not count.
+  std::uint64_t ignored() const { return ignored_; }
   std::uint64_t memory_bytes() const { return contacts_.capacity() * sizeof(Contact); }
 
  private:
@@ -56,6 +61,8 @@ class ContactCollector {
   /// nothing comes before it, is not kept at all.
   static constexpr std::size_t kMostContactsKept = 1024;
 
+  /// What the pair does as far as it counts.
+  PairResult as_counted(PairKind kind, const PairVertices& vertices, const PairResult& result);
   void reduce_to_first();
   void keep_first(const Contact& decided);
 
@@ -64,6 +71,7 @@ class ContactCollector {
   std::vector<Contact> contacts_;  ///< earliest: those not yet decided on the whole step
   EarliestContact first_;          ///< of those that are
   PrecisionCount decided_by_;
+  std::uint64_t ignored_ = 0;
 };
 
 }  // namespace tamis

@@ -1,9 +1,11 @@
 // What is asked. A query goes down through the engine unchanged; answers come back in collectors.
 #pragma once
 #include "motion/separations.hpp"
+#include "narrow/kept_distance.hpp"
 #include "tamis/options.hpp"
 #include "tamis/pair.hpp"
 #include "tamis/step.hpp"
+#include "topology/rings.hpp"
 
 namespace tamis {
 
@@ -13,17 +15,29 @@ enum class Question : std::uint8_t {
   is_free,  ///< of intersections: is there none?
 };
 
-/// Step, radii, filter and function must outlive it.
+/// Step, radii, filter, rings and function must outlive it.
 struct Query {
   Step step;  ///< of a question about one pose: from the pose to itself
   Separations separations;
   const PairFilter& filter;
+  const Rings& rings;
   const std::function<bool()>& is_cancelled;
   Question question = Question::all_contacts;
+  bool ignores_start = false;  ///< AtStart::ignore; `fail` is asked as `report`
 
   /// By which a pair is decided.
   PairOptions rule_for(PairKind kind, const std::array<Index, 4>& vertices) const {
     return {.min_separation = separations.between(kind, vertices)};
+  }
+  /// The same for its part of the distance.
+  DistanceRule distance_rule_for(PairKind kind, const std::array<Index, 4>& vertices, double fraction) const {
+    return {fraction, separations.between(kind, vertices), ignores_start};
+  }
+  /// Are its features fewer edges apart than the caller wants? Takes a search along the mesh, so it is asked last: of
+  /// pairs that would be in the answer.
+  bool are_neighbours(PairKind kind, const std::array<Index, 4>& v) const {
+    const std::span<const Index> all(v.data(), vertex_count(kind));
+    return rings.are_neighbours(all.first(second_feature(kind)), all.subspan(second_feature(kind)));
   }
 };
 

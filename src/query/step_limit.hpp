@@ -29,7 +29,7 @@ struct StepLimit {
   /// With the time at which the pair is proven to end the step, and its distance.
   SafeStep answer(const Query& query, double fraction) const {
     if (time == 1) return {};
-    const DistanceRule rule{fraction, query.separations.between(kind, vertices)};
+    const DistanceRule rule = query.distance_rule_for(kind, vertices, fraction);
     const PairPoints points = points_of(query.step, vertices);
     return {time, fraction_is_left_at(kind, points, rule, time),
             LimitingPair{kind, vertices, start_distance(kind, points)}};

@@ -5,7 +5,7 @@ namespace tamis {
 void CandidateConsumer::begin(CandidateQuery& asked) {
   PairConsumer::begin(asked.query);
   asked_ = &asked;
-  candidates_ = {};
+  release();  // an exception may have left pairs of another query
 }
 
 /// The slab clip, then DNF where contact means a crossing. With a separation axes that turn: strict signs prove no

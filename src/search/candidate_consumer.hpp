@@ -18,7 +18,7 @@ struct CandidateQuery {
 
 class CandidateConsumer final : public PairConsumer {
  public:
-  static constexpr bool kShortensSearch = false;
+  static constexpr bool kHoldsPairsBack = true;
   using Asked = CandidateQuery;
 
   using PairConsumer::PairConsumer;
@@ -26,6 +26,8 @@ class CandidateConsumer final : public PairConsumer {
   void begin(CandidateQuery& asked);
   /// Those found since they were last taken.
   PairList& candidates(PairKind kind) { return candidates_[static_cast<std::size_t>(kind)]; }
+  /// Gives back the memory of the lists: they are made once in many queries.
+  void release() { candidates_ = {}; }
 
   bool wants(PairKind) const override { return !asked_->bound.is_settled(); }
   SearchKernel kernel(PairKind kind) const override { return thread().kernels.of(kind).search; }

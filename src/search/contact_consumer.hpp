@@ -8,7 +8,7 @@ namespace tamis {
 
 class ContactConsumer final : public PairConsumer {
  public:
-  static constexpr bool kShortensSearch = false;
+  static constexpr bool kHoldsPairsBack = true;
   using Asked = const ContactCollector;
 
   using PairConsumer::PairConsumer;

@@ -63,7 +63,7 @@ bool ContactSearch::prepare(const Query& query, Statistics& statistics) {
 bool ContactSearch::list_ahead(const Query& query, Statistics& statistics) {
   FeatureTrees& trees = workspace_.trees;
   const double slack = ahead_.slack();
-  const Query predicted{ahead_.predicted_step(), query.separations, query.filter, query.is_cancelled};
+  const Query predicted{ahead_.predicted_step(), query.separations, query.filter, query.rings, query.is_cancelled};
   const int leaf_blocks = trees.points().leaf_blocks + trees.edges().leaf_blocks;
   CandidateQuery asked{predicted, slack, PairsAhead::most_pairs(leaf_blocks)};
   trees.refit_for(predicted.step, {query.separations.fixed + 2 * slack});
@@ -77,6 +77,7 @@ bool ContactSearch::list_ahead(const Query& query, Statistics& statistics) {
         ahead_.take(static_cast<PairKind>(kind), consumer.candidates(static_cast<PairKind>(kind)));
     });
   }
+  candidate_streams_.for_each([](CandidateConsumer& consumer) { consumer.release(); });
   statistics.nodes_visited = candidate_streams_.counts().nodes_visited;
   return ahead_.complete(!asked.bound.is_settled());
 }

@@ -38,7 +38,10 @@ void IntersectionConsumer::consume(PairKind kind) {
 void IntersectionConsumer::add(int pair, const PairResult& r) {
   if (!r.touches) return;
   const PairBuffer& pairs = thread().filtered;
-  found_.push_back({edge_of(pairs, pair), face_of(pairs, pair), r.toi_lower, r.toi_upper, r.u, r.v});
+  const Edge edge = edge_of(pairs, pair);
+  const Face face = face_of(pairs, pair);
+  if (query().rings.are_neighbours(edge, face)) return;
+  found_.push_back({edge, face, r.toi_lower, r.toi_upper, r.u, r.v});
   if (query().question == Question::is_free) asked_->bound.settle();
 }
 

@@ -16,7 +16,7 @@ struct IntersectionQuery {
 
 class IntersectionConsumer final : public PairConsumer {
  public:
-  static constexpr bool kShortensSearch = false;
+  static constexpr bool kHoldsPairsBack = true;
   using Asked = IntersectionQuery;
 
   using PairConsumer::PairConsumer;

@@ -37,9 +37,11 @@ void ProximityConsumer::consume(PairKind kind) {
   keep(kind, unsure);
 }
 
-/// The caller's filter comes last: it may cost more than a distance.
+/// The caller's filter and the rings come last: they may cost more than a distance.
 void ProximityConsumer::keep(PairKind kind, PairBuffer& pairs) {
   leave_out(query().filter, kind, pairs);
+  if (query().rings.any())
+    keep_wanted(pairs, [&](int i) { return !query().are_neighbours(kind, vertices_of(kind, pairs, i)); });
   auto& list = found(kind);
   const std::size_t before = list.size(), count = static_cast<std::size_t>(pairs.count);
   list.resize(before + count);

@@ -10,8 +10,8 @@ namespace tamis {
 
 class ProximityConsumer final : public PairConsumer {
  public:
-  /// All pairs are wanted; none waits, so that threads share the decisions.
-  static constexpr bool kShortensSearch = true;
+  /// Threads share the decisions evenly.
+  static constexpr bool kHoldsPairsBack = false;
   using Asked = const Query;
 
   using PairConsumer::PairConsumer;

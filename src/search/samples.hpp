@@ -18,10 +18,10 @@ class Samples {
  public:
   /// All blocks at once.
   Samples() { add({0, 1}); }
-  /// Of so many leaf blocks. A sample costs as much as some blocks do: the first has no fewer than kFewest.
+  /// Of so many leaf blocks. A sample costs as much as some blocks do: the first has no fewer than kFewestBlocks.
   explicit Samples(int blocks) {
-    int stride = 1 << (kMost - 1);
-    while (stride > 1 && blocks < kFewest * stride) stride /= 2;
+    int stride = 1 << (kMostSamples - 1);
+    while (stride > 1 && blocks < kFewestBlocks * stride) stride /= 2;
     add({0, stride});
     for (; stride > 1; stride /= 2) add({stride / 2, stride});
   }
@@ -30,11 +30,11 @@ class Samples {
   const Sample* end() const { return begin() + count_; }
 
  private:
-  static constexpr int kMost = 7, kFewest = 2;
+  static constexpr int kMostSamples = 7, kFewestBlocks = 2;
 
   void add(const Sample& sample) { samples_[static_cast<std::size_t>(count_++)] = sample; }
 
-  std::array<Sample, kMost> samples_;
+  std::array<Sample, kMostSamples> samples_;
   int count_ = 0;
 };
 

@@ -17,12 +17,12 @@ float rounded_up(double x) { return std::nextafter(static_cast<float>(x), std::n
 NearRule StepLengthQuery::rule() const {
   TAMIS_ASSERT(0 < fraction && fraction < 1);
   const double until = bound.latest() * (1 + 0x1p-15);
-  return {rounded_up(fraction), rounded_up(until / (1 - fraction)), rounded_up(until), spread, reserve_bounds(until)};
+  return {rounded_up(fraction), rounded_up(until / (1 - fraction)), rounded_up(until), spread, clearance_bounds(until)};
 }
 
-/// (stretch - fraction) reserve <= until way + room + (1 - stretch) separation; without gradients this is what speed
+/// (stretch - fraction) clearance <= until way + room + (1 - stretch) separation; without gradients this is what speed
 /// alone allows, of which single pairs know no less.
-ReserveBounds StepLengthQuery::reserve_bounds(double until) const {
+ClearanceBounds StepLengthQuery::clearance_bounds(double until) const {
   constexpr double kShare = 0.25;  // (x + y + z)^2 <= (1 + kShare) x^2 + 2 (1 + 1 / kShare) (y^2 + z^2)
   const double left = stretch.least - fraction, reach = until / left;
   const float stretch2 = rounded_up(stretch.greatest * stretch.greatest);
@@ -63,11 +63,11 @@ void StepLengthConsumer::decide(PairKind kind, const PairVertices& vertices) {
   const double earliest = asked_->bound.latest();
   const double until = std::nextafter(earliest, 2.0);  // a tie is of interest too
   const double time = keeps_distance_until(kind, points_of(query().step, vertices),
-                                           {asked_->fraction, query().separations.between(kind, vertices)}, until,
+                                           query().distance_rule_for(kind, vertices, asked_->fraction), until,
                                            thread().counts.decided_by);
-  if (time > earliest) return;
+  if (time == 1 || time > earliest || query().are_neighbours(kind, vertices)) return;
   if (asked_->lists_all) {
-    if (time < 1) ends_.push_back({time, kind, vertices});
+    ends_.push_back({time, kind, vertices});
     return;
   }
   limit_.add({time, kind, vertices});

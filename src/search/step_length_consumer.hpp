@@ -26,12 +26,12 @@ struct StepLengthQuery {
   NearRule rule() const;
 
  private:
-  ReserveBounds reserve_bounds(double until) const;
+  ClearanceBounds clearance_bounds(double until) const;
 };
 
 class StepLengthConsumer final : public PairConsumer {
  public:
-  static constexpr bool kShortensSearch = true;
+  static constexpr bool kHoldsPairsBack = false;
   using Asked = StepLengthQuery;
 
   using PairConsumer::PairConsumer;

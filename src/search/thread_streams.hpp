@@ -9,8 +9,9 @@
 
 namespace tamis {
 
-/// A `Consumer` is made of a SearchThread, and begins with a `Consumer::Asked`. Where its pairs shorten the search of
-/// the rest (`kShortensSearch`), none waits for a full buffer.
+/// A `Consumer` is made of a SearchThread, and begins with a `Consumer::Asked`. Where it holds pairs back
+/// (`kHoldsPairsBack`), those of one part of a search wait in the buffer for those of the next; else a part ends with
+/// its pairs decided, so that they can shorten the search of the rest.
 template <class Consumer>
 class ThreadStreams {
  public:
@@ -31,7 +32,7 @@ class ThreadStreams {
     for_each_part(sample.count_in(a.leaf_blocks), [&](PairStream& stream, int begin, int end) {
       const int first = sample.first + begin * sample.stride, last = sample.first + end * sample.stride;
       stream.search(kind, a, b, {first, std::min(last, a.leaf_blocks), sample.stride}, t_limit);
-      if constexpr (Consumer::kShortensSearch) stream.finish();
+      if constexpr (!Consumer::kHoldsPairsBack) stream.finish();
     });
   }
 

@@ -99,7 +99,7 @@ TEST(DisplacementGradient, ExplainsWhatTurnsAsAWhole) {
   motion.assign(step, all, {});
   const GradientFit fit = moments_of(step, motion.frame, all, 3).fit();
   EXPECT_GT(fit.displacement2, 1e-3);
-  EXPECT_LT(fit.rest2, 1e-9 * fit.displacement2);
+  EXPECT_LT(fit.residual2, 1e-9 * fit.displacement2);
   EXPECT_NEAR(fit.gradient.rows[0].y, -std::sin(1.0), 1e-4);
   EXPECT_NEAR(fit.gradient.rows[1].x, std::sin(1.0), 1e-4);
 }
@@ -119,13 +119,13 @@ TEST(DisplacementGradient, OfTwoSetsIsThatOfTheirMoments) {
   }
   first += second;
   const GradientFit fit = first.fit();
-  EXPECT_NEAR(fit.rest2, both.fit().rest2, 1e-10);
+  EXPECT_NEAR(fit.residual2, both.fit().residual2, 1e-10);
   double sum = 0;
   for (const auto& [x, way] : vertices) {
-    const Vec rest = way - fit.way - fit.gradient.at(x - fit.middle);
-    sum += dot(rest, rest);
+    const Vec residual = way - fit.way - fit.gradient.at(x - fit.middle);
+    sum += dot(residual, residual);
   }
-  EXPECT_NEAR(fit.rest2, sum, 1e-10);
+  EXPECT_NEAR(fit.residual2, sum, 1e-10);
   EXPECT_GT(sum, 1);
 }
 

@@ -15,7 +15,7 @@ using scenes::Scene, scenes::scene_by_name;
 
 constexpr double kFraction = 0.2;
 
-/// Everything before `split` turned by one angle about z, the rest by another.
+/// Everything before `split` turned by one angle about z, the residual by another.
 Scene turned(Scene scene, double first, double second, Index split) {
   for (Index v = 0; v < scene.vertex_count(); ++v) {
     const double angle = v < split ? first : second, c = std::cos(angle), s = std::sin(angle);
@@ -41,15 +41,15 @@ struct Fitted {
   Mesh mesh;
   PackedMotion motion;
   SharedMotion shared{mesh};
-  std::vector<Vec3<double>> rests, ways;
+  std::vector<Vec3<double>> residuals, ways;
 
   explicit Fitted(const Scene& scene) : mesh(scene.mesh()) {
     motion.assign(scene.step(), mesh.points(), {});
     shared.fit(scene.step(), motion.frame, kFraction);
-    rests.resize(scene.start.size());
+    residuals.resize(scene.start.size());
     ways.resize(scene.start.size());
-    shared.for_each_rest(scene.step(), motion.frame, [&](Index v, const Vec3<double>& rest) {
-      rests[static_cast<std::size_t>(v)] = rest;
+    shared.for_each_residual(scene.step(), motion.frame, [&](Index v, const Vec3<double>& residual) {
+      residuals[static_cast<std::size_t>(v)] = residual;
       ways[static_cast<std::size_t>(v)] = motion.frame.displacement(scene.step(), v);
     });
   }
@@ -62,7 +62,7 @@ TEST(SharedMotion, LeavesNothingOfAnObjectThatTurns) {
   const Fitted fitted(turned(scene, 1, 1, 0));
   ASSERT_TRUE(fitted.shared.stretch().is_any);
   EXPECT_NEAR(fitted.shared.stretch().least, std::cos(0.5), 0.01);
-  for (const auto& rest : fitted.rests) EXPECT_LT(length(rest - fitted.rests[0]), 1e-4);
+  for (const auto& residual : fitted.residuals) EXPECT_LT(length(residual - fitted.residuals[0]), 1e-4);
 }
 
 /// `one` twice, turned against each other: neither changes its shape, but they do not stay as far apart as they are.
@@ -71,9 +71,9 @@ void expect_two_motions(const Scene& one) {
   const Fitted fitted(turned(two_of(one), 1, -1, one.vertex_count()));
   ASSERT_TRUE(fitted.shared.stretch().is_any);
   for (std::size_t v = 1; v < count; ++v) {
-    EXPECT_LT(length(fitted.rests[v] - fitted.rests[0]), 1e-4);
-    EXPECT_LT(length(fitted.rests[count + v] - fitted.rests[count]), 1e-4);
-    EXPECT_GT(length(fitted.rests[count + v] - fitted.rests[v - 1]),
+    EXPECT_LT(length(fitted.residuals[v] - fitted.residuals[0]), 1e-4);
+    EXPECT_LT(length(fitted.residuals[count + v] - fitted.residuals[count]), 1e-4);
+    EXPECT_GT(length(fitted.residuals[count + v] - fitted.residuals[v - 1]),
               length(fitted.ways[count + v] - fitted.ways[v - 1]));
   }
 }
@@ -96,10 +96,10 @@ TEST(SharedMotion, IsNoneOfObjectsThatSlideOverEachOther) {
 TEST(SharedMotion, IsNoneWhereNothingIsShared) {
   const Fitted fitted(scene_by_name("soup", 500, 1));
   EXPECT_FALSE(fitted.shared.stretch().is_any);
-  for (std::size_t v = 0; v < fitted.rests.size(); ++v) EXPECT_EQ(length(fitted.rests[v] - fitted.ways[v]), 0);
+  for (std::size_t v = 0; v < fitted.residuals.size(); ++v) EXPECT_EQ(length(fitted.residuals[v] - fitted.ways[v]), 0);
 }
 
-// Bug: a gradient that leads all through one plane is taken because it leaves no rest.
+// Bug: a gradient that leads all through one plane is taken because it leaves no residual.
 TEST(SharedMotion, IsNoneWhereDistancesShrinkToTheFraction) {
   EXPECT_FALSE(Fitted(turned(scene_by_name("folded-cloth", 500, 1), 2.8, 2.8, 0)).shared.stretch().is_any);
 }

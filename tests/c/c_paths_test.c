@@ -76,7 +76,7 @@ static void a_mesh_on_a_path(void) {
   EXPECT(tamis_path_points_at(path, 1, points) == TAMIS_OK);
   EXPECT(fabs(points[9] + 1.9) < 1e-12 && fabs(points[10] - 0.1) < 1e-12 && points[3] == 0);
   {
-    tamis_step straight = {sizeof straight, 6, rest, points, 0, 0, NULL};
+    tamis_step straight = {sizeof straight, 6, rest, points, 0, 0, NULL, TAMIS_REPORT};
     EXPECT(tamis_detector_is_free(detector, &straight, &is_free) == TAMIS_OK && is_free == 1);
   }
   tamis_path_free(path);

@@ -150,6 +150,38 @@ static void cancelled(void) {
   tamis_mesh_free(mesh);
 }
 
+/* Within a separation of 3 all pairs touch at the start, and stay so. */
+static void at_start(void) {
+  const double wide = 3;
+  size_t count = 9;
+  tamis_statistics statistics = {sizeof statistics};
+  tamis_mesh* mesh = two_triangles();
+  tamis_detector* detector = NULL;
+  tamis_step step = falling();
+  step.min_separation = &wide;
+  EXPECT(tamis_detector_create(mesh, NULL, &detector) == TAMIS_OK);
+  step.at_start = TAMIS_IGNORE;
+  EXPECT(tamis_detector_contacts(detector, &step, &count) == TAMIS_OK && count == 0);
+  EXPECT(tamis_detector_statistics(detector, &statistics) == TAMIS_OK && statistics.ignored == 15);
+  step.at_start = TAMIS_FAIL;
+  EXPECT(tamis_detector_contacts(detector, &step, &count) == TAMIS_INVALID_STEP);
+  EXPECT_SAYS(tamis_detector_message(detector), "vertex 0 and face 3 4 5 touch at the start");
+  step.at_start = 256;
+  EXPECT(tamis_detector_contacts(detector, &step, &count) == TAMIS_INVALID_OPTIONS);
+  EXPECT_SAYS(tamis_detector_message(detector), "TAMIS_IGNORE");
+  tamis_detector_free(detector);
+  tamis_mesh_free(mesh);
+}
+
+/* No edge leads from the one triangle to the other: no number of rings leaves out what touches. */
+static void rings(void) {
+  tamis_options options = {sizeof options};
+  options.rings = 100;
+  EXPECT(contacts_with(&options) == 1);
+  options.rings = -1;
+  EXPECT(contacts_with(&options) == -1);
+}
+
 int main(void) {
   by_name();
   separation();
@@ -158,5 +190,7 @@ int main(void) {
   callbacks();
   reentry();
   cancelled();
+  at_start();
+  rings();
   return expect_failures > 0;
 }

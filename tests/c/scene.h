@@ -15,7 +15,7 @@ static tamis_mesh* two_triangles(void) {
 }
 
 static tamis_step falling(void) {
-  tamis_step step = {sizeof step, 6, start, end, 0, 0, NULL};
+  tamis_step step = {sizeof step, 6, start, end, 0, 0, NULL, TAMIS_REPORT};
   return step;
 }
 

@@ -38,6 +38,28 @@ TEST_F(OneStep, JsonIsOneObjectWithTheDocumentedKeys) {
   EXPECT_TRUE(json["isa"].is_string());
 }
 
+// Bug: the option does not reach the question of a verb, or a failure is an answer.
+TEST_F(OneStep, WhatTouchesAtTheStartIsReportedIgnoredOrRefused) {
+  const std::string wide = " above.obj below.obj --min-separation 1.5 --at-start ";
+  const auto reported = folder_.run("contacts" + wide + "report --json").json();
+  EXPECT_EQ(reported["toi_upper"], 0);
+  EXPECT_EQ(reported["ignored"], 0);
+  const auto ignored = folder_.run("contacts" + wide + "ignore --json").json();
+  EXPECT_TRUE(ignored["toi_lower"].is_null() || ignored["toi_lower"] > 0);
+  EXPECT_GT(ignored["ignored"], 0);
+  EXPECT_EQ(folder_.run("step" + wide + "report --keep-distance --json").json()["step_lower"], 0);
+  EXPECT_GT(folder_.run("step" + wide + "ignore --keep-distance --json").json()["step_lower"], 0);
+  for (const char* verb : {"contacts", "step", "free", "truncate", "sequence"}) {
+    const Outcome refused = folder_.run(verb + wide + "fail");
+    EXPECT_EQ(refused.code, 2) << verb << refused.out;
+    EXPECT_NE(refused.err.find("touch at the start of the step, within 1.5 of each other"), std::string::npos)
+        << verb << refused.err;
+    EXPECT_EQ(folder_.run(verb + wide + "forget").code, 2);
+  }
+  EXPECT_EQ(folder_.run("free above.obj below.obj --rings 0").code, 2);
+  EXPECT_EQ(folder_.run("free above.obj below.obj --rings 3").code, 1);
+}
+
 TEST_F(OneStep, StepTellsHowFarItMayGo) {
   const auto json = folder_.run("step above.obj below.obj --json").json();
   EXPECT_LE(json["toi_lower"].get<double>(), 1.0 / 3);

@@ -197,7 +197,7 @@ TEST(BadNumber, IsSaidSoThatItReadsBack) {
   const auto says = [](const auto& action, const std::string& number) {
     EXPECT_NE(message_of<InvalidOptions>(action).find(" is " + number + ": give"), std::string::npos);
   };
-  says([&] { detector.contacts(step, -1e-9); }, "-1e-09");
+  says([&] { detector.contacts(step, {.min_separation = -1e-9}); }, "-1e-09");
   says([&] { Detector(scene.mesh(), {.min_separation = -0.1}); }, "-0.1");
   says([&] { detector.near(scene.start, -5e-324); }, "-5e-324");
   says([&] { detector.keep_distance(step, 1.0000000000000002); }, "1.0000000000000002");

@@ -87,7 +87,7 @@ TEST(LooseFeatures, EndTheStepAsContactsDo) {
     lab::Options options;
     options.method = method;
     Detector detector = lab::make_detector(scene.mesh(), options);
-    const EarliestContact first = detector.earliest(scene.step(), 2.0);
+    const EarliestContact first = detector.earliest(scene.step(), {.min_separation = 2.0});
     ASSERT_TRUE(first.contact.has_value());
     EXPECT_EQ(first.contact->kind, PairKind::vertex_edge);
     EXPECT_NEAR(first.toi_lower, 0.25, 1e-9);

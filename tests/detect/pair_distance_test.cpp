@@ -63,7 +63,7 @@ TEST(PairDistance, AFractionIsKeptAsLongAsTheDetectorSays) {
       for (const double fraction : {0.0, 0.1, 0.9}) {
         const SafeStep alone = keep_distance({kind, kAll}, {start, end}, fraction, {.min_separation = 0.01});
         Detector detector = detector_of(kind);
-        const SafeStep step = detector.keep_distance({start, end}, fraction, 0.01);
+        const SafeStep step = detector.keep_distance({start, end}, fraction, {.min_separation = 0.01});
         EXPECT_EQ(alone.lower, step.lower);
         EXPECT_EQ(alone.upper, step.upper);
         ASSERT_EQ(alone.pair.has_value(), step.pair.has_value());

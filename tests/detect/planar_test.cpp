@@ -89,7 +89,7 @@ TEST(CurvesInThePlane, HaveDistancesAndStepLengths) {
   EXPECT_EQ(near[0].corners, 0b0111);
   EXPECT_EQ(near[0].direction, (Point{0, -1, 0}));
   EXPECT_NEAR(detector.keep_distance(scene.step(), 0.5).lower, 0.375, 1e-9);
-  EXPECT_NEAR(detector.earliest(scene.step(), 1.0).toi_lower, 0.5, 1e-9);
+  EXPECT_NEAR(detector.earliest(scene.step(), {.min_separation = 1.0}).toi_lower, 0.5, 1e-9);
 }
 
 }  // namespace

@@ -60,13 +60,13 @@ TEST_P(Thickness, EveryMethodFindsThePairsWithinBothRadii) {
     lab::Options options = thick(scene, radii, method);
     options.filter.accepts = some.accepts;
     Detector detector = lab::make_detector(scene.mesh(), options);
-    const auto contacts = detector.contacts(scene.step(), fixed);
+    const auto contacts = detector.contacts(scene.step(), {.min_separation = fixed});
     EXPECT_EQ(missing(truth, names_of(contacts)), "") << "missed";
     EXPECT_EQ(missing(names_of(contacts), truth), "") << "a contact, but farther apart";
-    EXPECT_EQ(detector.is_free(scene.step(), fixed), contacts.empty());
+    EXPECT_EQ(detector.is_free(scene.step(), {.min_separation = fixed}), contacts.empty());
     double lower = 1;
     for (const Contact& c : contacts) lower = std::min(lower, c.toi_lower);
-    EXPECT_NEAR(detector.earliest(scene.step(), fixed).toi_lower, lower, 1e-9);
+    EXPECT_NEAR(detector.earliest(scene.step(), {.min_separation = fixed}).toi_lower, lower, 1e-9);
   }
 }
 
@@ -81,7 +81,7 @@ TEST_P(Thickness, StepLengthsOfAllMethodsAreTheSameBits) {
   for (const double fraction : {0.0, 0.3}) {
     const auto keep = [&](Method method) {
       return lab::make_detector(scene.mesh(), thick(scene, radii, method))
-          .keep_distance(scene.step(), fraction, 0x1p-14 * size);
+          .keep_distance(scene.step(), fraction, {.min_separation = 0x1p-14 * size});
     };
     const SafeStep truth = keep(Method::brute);
     for (const Method method : {Method::tamis, Method::paper}) {
@@ -102,7 +102,7 @@ TEST_P(Thickness, AQuestionsOwnSeparationAnswersAsADetectorsDoes) {
     for (const double separation : {0.1 * size, 0.0, 0.003 * size}) {
       options.min_separation = separation;
       Detector own = lab::make_detector(scene.mesh(), options);
-      const auto& asked = one.contacts(scene.step(), separation);
+      const auto& asked = one.contacts(scene.step(), {.min_separation = separation});
       const auto& expected = own.contacts(scene.step());
       ASSERT_EQ(asked.size(), expected.size()) << separation << " " << name_of(method);
       for (std::size_t i = 0; i < asked.size(); ++i) {
@@ -110,9 +110,11 @@ TEST_P(Thickness, AQuestionsOwnSeparationAnswersAsADetectorsDoes) {
         EXPECT_EQ(asked[i].toi_lower, expected[i].toi_lower);
         EXPECT_EQ(asked[i].toi_upper, expected[i].toi_upper);
       }
-      EXPECT_EQ(one.is_free(scene.step(), separation), expected.empty());
-      EXPECT_EQ(one.earliest(scene.step(), separation).toi_lower, own.earliest(scene.step()).toi_lower);
-      EXPECT_EQ(one.keep_distance(scene.step(), 0.5, separation).lower, own.keep_distance(scene.step(), 0.5).lower);
+      EXPECT_EQ(one.is_free(scene.step(), {.min_separation = separation}), expected.empty());
+      EXPECT_EQ(one.earliest(scene.step(), {.min_separation = separation}).toi_lower,
+                own.earliest(scene.step()).toi_lower);
+      EXPECT_EQ(one.keep_distance(scene.step(), 0.5, {.min_separation = separation}).lower,
+                own.keep_distance(scene.step(), 0.5).lower);
     }
   }
 }
@@ -157,10 +159,10 @@ TEST(ThicknessThatDoesNotFit, IsRefusedByName) {
   EXPECT_NE(message_of({0, 0, NAN}).find("group 2"), std::string::npos) << message_of({0, 0, NAN});
   Detector detector(scene.mesh());
   for (const double bad : {-1.0, double(NAN), double(INFINITY)}) {
-    EXPECT_THROW(detector.contacts(scene.step(), bad), InvalidOptions);
-    EXPECT_THROW(detector.earliest(scene.step(), bad), InvalidOptions);
-    EXPECT_THROW(detector.is_free(scene.step(), bad), InvalidOptions);
-    EXPECT_THROW(detector.keep_distance(scene.step(), 0.5, bad), InvalidOptions);
+    EXPECT_THROW(detector.contacts(scene.step(), {.min_separation = bad}), InvalidOptions);
+    EXPECT_THROW(detector.earliest(scene.step(), {.min_separation = bad}), InvalidOptions);
+    EXPECT_THROW(detector.is_free(scene.step(), {.min_separation = bad}), InvalidOptions);
+    EXPECT_THROW(detector.keep_distance(scene.step(), 0.5, {.min_separation = bad}), InvalidOptions);
   }
 }
 

@@ -274,7 +274,7 @@ TEST(Truncate, RefusesFractionsThatAreNone) {
   Detector detector(scene.mesh());
   for (const double fraction : {0.0, -0.1, 1.0, std::numeric_limits<double>::quiet_NaN()})
     EXPECT_THROW(detector.truncate(scene.step(), fraction), InvalidOptions) << fraction;
-  EXPECT_THROW(detector.truncate(scene.step(), 0.1, -1.0), InvalidOptions);
+  EXPECT_THROW(detector.truncate(scene.step(), 0.1, {.min_separation = -1.0}), InvalidOptions);
 }
 
 }  // namespace

@@ -94,5 +94,30 @@ TEST(DyadicCell, is_shortest_at_a_time) {
   }
 }
 
+// Catches an order by doubles, a common root of two polynomials that is two times, and a time between that is not.
+TEST(AlgebraicTimes, of_several_polynomials_have_an_order) {
+  const Integer unit = Integer(1) << 200;
+  // Once each, but 1/3 and the root of 2 over 2, which are those of two polynomials; some closer than doubles.
+  const IntegerPolynomial two_t2_minus_one = IntegerPolynomial::from_bernstein<3>({-1, -1, 1});
+  const IntegerPolynomial polynomials[] = {with_roots({{{0, 1}, {1, 3}, {1, 1}}}),
+                                           with_roots({{{unit - 1, unit << 1}, {1, 2}, {unit + 1, unit << 1}}}),
+                                           two_t2_minus_one * linear(1, 3), two_t2_minus_one * linear(4, 5)};
+  std::vector<AlgebraicTime> times;
+  for (const IntegerPolynomial& p : polynomials)
+    for (AlgebraicTime& time : roots_in_unit_interval(p)) times.push_back(std::move(time));
+  ASSERT_EQ(times.size(), 10);
+  const std::vector<int> places{0, 1, 7, 2, 3, 4, 1, 5, 5, 6};
+  for (std::size_t i = 0; i < times.size(); ++i)
+    for (std::size_t j = 0; j < times.size(); ++j) {
+      if (i == j) continue;
+      const int order = places[i] - places[j];
+      EXPECT_EQ(compare(times[i], times[j]), order < 0 ? -1 : order > 0 ? 1 : 0) << i << " " << j;
+      if (order >= 0) continue;
+      AlgebraicTime between = AlgebraicTime::exactly(time_between(times[i], times[j]));
+      EXPECT_EQ(compare(times[i], between), -1);
+      EXPECT_EQ(compare(between, times[j]), -1);
+    }
+}
+
 }  // namespace
 }  // namespace tamis

@@ -7,7 +7,7 @@ NUMBERS = ["0", "-0", "5e-324", "1e-300", "0.5", "0.999999999", "1", "3", "1e10"
 COUNTS = ["0", "1", "2", "3", "7"]
 THREADS = COUNTS + ["64", "1024"]
 NAMES = ["tamis", "paper", "brute", "paper-sat", "paper-pfs", "best", "baseline", "avx2", "avx512",
-         "sphere", "aabb", "obb", "16-dop", "26-dop", "contacts", "earliest", "free", "none"]
+         "sphere", "aabb", "obb", "16-dop", "26-dop", "contacts", "earliest", "free", "none", "report", "ignore", "fail"]
 COORDINATES = ["0", "-0", "1", "-1", "0.1", "1e-324", "5e-324", "2.2250738585072014e-308", "1e-160", "1e160", "1e308",
                "-1.7976931348623157e308", "4503599627370497", "0.30000000000000004"]
 COUNT = 300

@@ -118,7 +118,7 @@ std::array<int, 2> run_near(const Kernels& kernels, PairKind kind, const Guarded
   return {found, near.data()->count};
 }
 
-/// The way of a list of pairs, each of which is answered or left open.
+/// The way of a list of pairs, each of which is answered or left undecided.
 void run_list(const Kernels& kernels, std::size_t kind, const PairBuffer& in, const Soup& soup, Guard guard) {
   const Guarded<Point> start(soup.start, guard), end(soup.end, guard);
   const StepRows vertices{start.data()->data(), end.data()->data(), 3, 3};
@@ -137,14 +137,14 @@ void run_list(const Kernels& kernels, std::size_t kind, const PairBuffer& in, co
     const auto unused = std::make_unique<WithinScratch>();
     const Guarded<WithinScratch> within({unused.get(), 1}, guard);
     const ListedPairs list{vertices, places.data(), options, within.data()};
-    const int left = kernels.of_kind[kind].settle(list, in, *rest.data(), results.data(), open.data());
+    const int left = kernels.of_kind[kind].decide_list(list, in, *rest.data(), results.data(), open.data());
     const auto answered =
         std::count_if(results.data(), results.data() + count, [](const PairResult& r) { return r.toi_lower >= 0; });
     EXPECT_EQ(static_cast<std::size_t>(answered) + static_cast<std::size_t>(left), count) << kind;
   }
 }
 
-/// The way of pairs within a separation: all that the axes leave come to an answer or stay open.
+/// The way of pairs within a separation: all that the axes leave come to an answer or stay undecided.
 void run_within(const Kernels& kernels, std::size_t kind, const PairBuffer& pairs, const PackedVertex* vertices,
                 const BoxVertex* box_vertices, Guard guard) {
   const auto empty = std::make_unique<PairBuffer>();

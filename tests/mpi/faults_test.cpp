@@ -142,8 +142,20 @@ TEST_F(Faults, TooFewRowsOnOneRank) {
 
 TEST_F(Faults, ASeparationThatIsNoDistance) {
   auto many = detector();
-  expect_on_all<InvalidOptions>("give a finite distance >= 0", [&] { many.contacts(part_.step(), -1); });
+  expect_on_all<InvalidOptions>("give a finite distance >= 0",
+                                [&] { many.contacts(part_.step(), {.min_separation = -1}); });
   expect_right_answer(many);
+}
+
+TEST_F(Faults, WhatRanksCannotDo) {
+  auto many = detector();
+  expect_on_all<InvalidOptions>("report what touches at the start",
+                                [&] { many.contacts(part_.step(), {.at_start = AtStart::fail}); });
+  expect_right_answer(many);
+  Options options;
+  options.filter.rings = 2;
+  expect_on_all<InvalidOptions>("rings is 2",
+                                [&] { distributed::Detector(MPI_COMM_WORLD, part_.mesh, std::move(options)); });
 }
 
 TEST_F(Faults, AFractionThatIsNone) {

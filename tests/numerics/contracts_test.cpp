@@ -101,9 +101,9 @@ TEST_F(Contracts, AllOfTheDistanceKept) {
 }
 
 /// Lanes that gave another answer than doubles would be called upon here.
-TEST_F(Contracts, SettledPairsAreNotAskedAgain) {
+TEST_F(Contracts, DecidedPairsAreNotAskedAgain) {
   PrecisionCount count;
-  EXPECT_DEATH(decide_unsettled(kFace, kPassing, {}, count), "settled_by_crossings");
+  EXPECT_DEATH(decide_undecided(kFace, kPassing, {}, count), "decided_by_crossings");
 }
 
 }  // namespace

@@ -232,7 +232,30 @@ struct WithinQuestion {
   Polynomial squared;
 };
 
+/// Of the part [from, to] of the question's times. The nearest of the triangles counts, the fastest bounds all.
+Always stays_within(const WithinQuestion& ask, const Rational& from, const Rational& to, int halvings) {
+  const Rational middle = (from + to) / 2;
+  Rational squared = squared_distance(ask.triangles[0], middle), speed = 0;
+  for (const Triangle& q : ask.triangles) {
+    squared = std::min(squared, squared_distance(q, middle));
+    speed = std::max(speed, speed_of(q));
+  }
+  const Rational left = ask.separation - speed * (to - from) / 2;
+  if (squared > ask.separation * ask.separation) return Always::no;
+  if (left >= 0 && squared <= left * left) return Always::yes;
+  if (halvings == 0) return Always::unknown;
+  const Always before = stays_within(ask, from, middle, halvings - 1);
+  if (before == Always::no) return before;
+  const Always after = stays_within(ask, middle, to, halvings - 1);
+  return after == Always::yes ? before : after;
+}
+
 }  // namespace
+
+Always stays_within(PairKind kind, const Motion& motion, double separation, const Times& times) {
+  constexpr int kHalvings = 6;
+  return stays_within(WithinQuestion(kind, motion, separation, times), 0, 1, kHalvings);
+}
 
 bool touches(PairKind kind, const Motion& motion, const Times& times) {
   if (boxes_are_apart(kind, motion)) return false;

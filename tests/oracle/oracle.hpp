@@ -37,4 +37,9 @@ bool comes_within(PairKind kind, const Motion& motion, double separation, const 
 /// The same without the look at sampled distances that answers most questions first: for the test of that look.
 bool comes_within_by_algebra(PairKind kind, const Motion& motion, double separation, const Times& times = {});
 
+enum class Always { no, yes, unknown };
+/// Is the distance <= separation at all of these times? By looks at single times, each of which says something of those
+/// about it, for a distance grows no faster than the corners move. Unknown where it comes too near to the separation.
+Always stays_within(PairKind kind, const Motion& motion, double separation, const Times& times);
+
 }  // namespace tamis::oracle

@@ -215,8 +215,8 @@ TEST(MeshOnPath, BadPathsAreNamed) {
   const RigidPath still(bodies.rest, bodies.body, {Chain{}});
   EXPECT_TRUE(detector.is_free(still));
   for (const double tolerance : {0.0, -1.0, 1.5, std::nan("")})
-    EXPECT_THROW(detector.earliest(still, {}, tolerance), InvalidOptions);
-  EXPECT_THROW(detector.is_free(still, -1.0), InvalidOptions);
+    EXPECT_THROW(detector.earliest(still, {.tolerance = tolerance}), InvalidOptions);
+  EXPECT_THROW(detector.is_free(still, {.min_separation = -1.0}), InvalidOptions);
   EXPECT_THROW(detector.contacts(LyingPath(bodies.rest)), InvalidPath);
 }
 

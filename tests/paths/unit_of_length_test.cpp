@@ -82,13 +82,15 @@ class TwoBalls {
 template <class MakePath>
 void expect_same_at_all_scales(const TwoBalls& balls, const MakePath& make_path, double separation, bool is_free) {
   Detector detector(balls.mesh(), balls.options());
-  const auto expected = bits_of(detector.contacts(make_path(1.0), separation));
+  const auto expected = bits_of(detector.contacts(make_path(1.0), {.min_separation = separation}));
   EXPECT_EQ(expected.empty(), is_free) << separation;
   for (const int exponent : kExponents) {
     const double scale = std::ldexp(1.0, exponent);
     const auto path = make_path(scale);
-    EXPECT_EQ(bits_of(detector.contacts(path, separation * scale)), expected) << separation << " times 2^" << exponent;
-    EXPECT_EQ(detector.is_free(path, separation * scale), is_free) << separation << " times 2^" << exponent;
+    EXPECT_EQ(bits_of(detector.contacts(path, {.min_separation = separation * scale})), expected)
+        << separation << " times 2^" << exponent;
+    EXPECT_EQ(detector.is_free(path, {.min_separation = separation * scale}), is_free)
+        << separation << " times 2^" << exponent;
   }
 }
 

@@ -15,6 +15,7 @@ constexpr PairVertices kEarly{0, 3, 4, 5}, kLate{1, 3, 4, 5}, kResting{2, 3, 4, 
 struct Collectors : testing::Test {
   std::vector<Point> start{{0.1, 0.1, 1}, {0.2, 0.2, 1}, {0.3, 0.3, 0}, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, end = start;
   Options options;
+  const Rings rings{Mesh(6, {{3, 4, 5}}, {}, {0, 1, 2}), 1};
   Bound bound;
   ContactCollector one, other;
   std::optional<Query> query;
@@ -23,7 +24,7 @@ struct Collectors : testing::Test {
     end[0][2] = -3;
     end[1][2] = -1;
     end[2][2] = 1;
-    query.emplace(Query{{start, end}, {}, options.filter, options.is_cancelled, question});
+    query.emplace(Query{{start, end}, {}, options.filter, rings, options.is_cancelled, question});
     bound.begin();
     one.begin(*query, bound);
     other.begin(*query, bound);

@@ -22,6 +22,7 @@ struct Trees {
   Points start{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}, {0, 1, 1}}, end = start, other = start;
   Step step{start, end}, other_step{start, other};
   Options options;
+  Rings rings{mesh, 1};
   FeatureTrees trees{mesh, options, kernels(Isa::best)};
   Statistics statistics;
 };
@@ -108,7 +109,7 @@ TEST_F(Contracts, VerticesBeyondTheStep) {
 
 TEST_F(Contracts, ContactsThatEndBeforeTheyBegin) {
   const Trees t;
-  const Query query{t.step, {}, t.options.filter, t.options.is_cancelled};
+  const Query query{t.step, {}, t.options.filter, t.rings, t.options.is_cancelled};
   Bound bound;
   ContactCollector found;
   found.begin(query, bound);

@@ -48,15 +48,15 @@ constexpr Index kAsked = 6, kAskedOfContacts = 3;
 inline bool was_listed(const Detector& detector) { return detector.statistics().nodes_visited == 0; }
 
 inline void expect_as_new(Detector& kept, const Step& step, Asked question, const std::string& where,
-                          std::optional<double> separation = {}) {
+                          const QueryOptions& own = {}) {
   Options options = kept.options();
   Detector fresh(kept.mesh(), options);
   switch (question) {
     case Asked::contacts:
-      EXPECT_EQ(bits_of(kept.contacts(step, separation)), bits_of(fresh.contacts(step, separation))) << where;
+      EXPECT_EQ(bits_of(kept.contacts(step, own)), bits_of(fresh.contacts(step, own))) << where;
       break;
     case Asked::earliest: {
-      const EarliestContact a = kept.earliest(step, separation), b = fresh.earliest(step, separation);
+      const EarliestContact a = kept.earliest(step, own), b = fresh.earliest(step, own);
       EXPECT_EQ(a.toi_lower, b.toi_lower) << where;
       EXPECT_EQ(a.toi_upper, b.toi_upper) << where;
       ASSERT_EQ(a.contact.has_value(), b.contact.has_value()) << where;
@@ -66,10 +66,10 @@ inline void expect_as_new(Detector& kept, const Step& step, Asked question, cons
       break;
     }
     case Asked::is_free:
-      EXPECT_EQ(kept.is_free(step, separation), fresh.is_free(step, separation)) << where;
+      EXPECT_EQ(kept.is_free(step, own), fresh.is_free(step, own)) << where;
       break;
     case Asked::keep_distance: {
-      const SafeStep a = kept.keep_distance(step, 0.2), b = fresh.keep_distance(step, 0.2);
+      const SafeStep a = kept.keep_distance(step, 0.2, own), b = fresh.keep_distance(step, 0.2, own);
       EXPECT_EQ(a.lower, b.lower) << where;
       EXPECT_EQ(a.upper, b.upper) << where;
       break;
@@ -78,7 +78,7 @@ inline void expect_as_new(Detector& kept, const Step& step, Asked question, cons
       EXPECT_EQ(at_rest(kept, step), at_rest(fresh, step)) << where;
       break;
     case Asked::truncate: {
-      const TruncatedStep a = kept.truncate(step), b = fresh.truncate(step);
+      const TruncatedStep a = kept.truncate(step, 0.1, own), b = fresh.truncate(step, 0.1, own);
       EXPECT_EQ(a.positions, b.positions) << where;
       EXPECT_EQ(a.parts, b.parts) << where;
     }

@@ -91,9 +91,10 @@ std::vector<AnyQuestion> questions_of(const scenes::Scene& scene, double distanc
                      return contacts;
                    }),
           question("contacts within a separation",
-                   [=](Detector& d) -> decltype(auto) { return d.contacts(step, separation); }),
+                   [=](Detector& d) -> decltype(auto) { return d.contacts(step, {.min_separation = separation}); }),
           question("earliest", [=](Detector& d) { return d.earliest(step); }),
-          question("earliest within a separation", [=](Detector& d) { return d.earliest(step, separation); }),
+          question("earliest within a separation",
+                   [=](Detector& d) { return d.earliest(step, {.min_separation = separation}); }),
           question("is_free", [=](Detector& d) { return d.is_free(step); }),
           question("keep_distance", [=](Detector& d) { return d.keep_distance(step, 0.2); }),
           question("keep_distance 0", [=](Detector& d) { return d.keep_distance(step, 0); }),
@@ -107,7 +108,7 @@ std::vector<AnyQuestion> questions_of(const Path& path, double separation) {
   const Path* const p = &path;
   return {question("contacts on a path", [=](Detector& d) -> decltype(auto) { return d.contacts(*p); }),
           question("contacts within a separation on a path",
-                   [=](Detector& d) -> decltype(auto) { return d.contacts(*p, separation); }),
+                   [=](Detector& d) -> decltype(auto) { return d.contacts(*p, {.min_separation = separation}); }),
           question("earliest on a path", [=](Detector& d) { return d.earliest(*p); }),
           question("is_free on a path", [=](Detector& d) { return d.is_free(*p); })};
 }

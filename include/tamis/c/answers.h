@@ -15,6 +15,10 @@ enum { TAMIS_VERTEX_FACE = 0, TAMIS_EDGE_EDGE = 1, TAMIS_VERTEX_EDGE = 2, TAMIS_
  * kept, because a contact must never be missed. */
 enum { TAMIS_CERTIFIED = 0, TAMIS_UNRESOLVED = 1 };
 
+/** What becomes of pairs that touch at t=0: they are contacts; they count once they have come apart; or the question
+ * ends with TAMIS_INVALID_STEP, and its sentence names the first of them. */
+enum { TAMIS_REPORT = 0, TAMIS_IGNORE = 1, TAMIS_FAIL = 2 };
+
 /** Each vertex moves on a straight line from its row of `start` (t=0) to that of `end` (t=1). */
 typedef struct tamis_step {
   size_t size;
@@ -24,6 +28,7 @@ typedef struct tamis_step {
   ptrdiff_t start_stride;       /**< doubles from one row to the next, >= 3; 0: 3 */
   ptrdiff_t end_stride;         /**< the same of end */
   const double* min_separation; /**< of this question alone; NULL: the detector's */
+  int32_t at_start;             /**< of a question to a detector: TAMIS_REPORT, TAMIS_IGNORE or TAMIS_FAIL */
 } tamis_step;
 
 /** One pair of features that touches during the step. */

@@ -26,6 +26,7 @@ typedef struct tamis_options {
   int (*is_cancelled)(void* user);
   void* user;              /**< handed to both */
   const double* thickness; /**< a radius >= 0 for each group, group_count of them; NULL: all zero */
+  int32_t rings;           /**< pairs are left out that are fewer edges apart along the mesh; 0: 1, a common vertex */
 } tamis_options;
 
 /** Copies the mesh. NULL as options: the defaults. TAMIS_INVALID_OPTIONS: see tamis/options.hpp. */
@@ -52,8 +53,8 @@ TAMIS_API tamis_status tamis_detector_keep_distance(tamis_detector* detector, co
 
 /** Positions to go to, each vertex as far as it may on its own line: three doubles for each vertex of the mesh, on the
  * straight way to which every pair keeps the fraction of its distance, 0 < fraction < 1: proven. `parts`, one a vertex,
- * is the part of its way that each goes, in [0, 1]; NULL: not wanted. *is_free is 0 if something touches at the start;
- * of that no pair comes nearer. See TruncatedStep in tamis/contact.hpp. */
+ * is the part of its way that each goes, in [0, 1]; NULL: not wanted. *is_free is 0 if something touches at the start,
+ * and is not ignored for it; of that no pair comes nearer. See TruncatedStep in tamis/contact.hpp. */
 TAMIS_API tamis_status tamis_detector_truncate(tamis_detector* detector, const tamis_step* step, double fraction,
                                                double* positions, double* parts, int* is_free);
 
@@ -101,6 +102,7 @@ typedef struct tamis_statistics {
   uint64_t nodes_visited, memory_bytes;
   int32_t stage_count;
   tamis_stage stages[TAMIS_MOST_STAGES]; /**< in the pipeline's order; names live until the next call for statistics */
+  uint64_t ignored; /**< with TAMIS_IGNORE: pairs that touch at t=0, and not again once they are apart */
 } tamis_statistics;
 
 TAMIS_API tamis_status tamis_detector_statistics(tamis_detector* detector, tamis_statistics* statistics);

@@ -4,7 +4,6 @@
 
 #include <cstdint>
 #include <memory>
-#include <optional>
 #include <vector>
 
 #include "tamis/contact.hpp"
@@ -62,7 +61,7 @@ struct Balance {
 /// thread or of the filter, throws Busy there at once.
 class Detector {
  public:
-  /// Options::filter.group_of_vertex has one group a row of the positions; threads are those of a rank. `threads`,
+  /// Options::filter.group_of_vertex has one group a row of the positions; there is one ring; threads are those of a rank. `threads`,
   /// `isa`, `accepts` and `is_cancelled` may differ from rank to rank, what `accepts` says of a pair may not: it is
   /// asked on any rank, with the numbers of the whole mesh. Keeps a duplicate of the communicator, on which MPI's own
   /// errors are fatal, and which must be freed before MPI is. Throws InvalidMesh and InvalidOptions as
@@ -74,15 +73,16 @@ class Detector {
 
   /// Every contact of the step, each on one rank: that which gives the position of its first vertex; of several, the
   /// lowest. By kind, then vertices. Valid until the next question. `step`: a row for each of LocalMesh::vertices.
-  /// Every question throws InvalidStep as `tamis::Detector` does, and where positions of a vertex differ.
-  const std::vector<Contact>& contacts(const Step& step, std::optional<double> min_separation = {});
+  /// Every question throws InvalidStep as `tamis::Detector` does, and where positions of a vertex differ;
+  /// InvalidOptions with AtStart::fail: ranks report what touches at t=0, or ignore it.
+  const std::vector<Contact>& contacts(const Step& step, const QueryOptions& = {});
   /// The contacts of the last such question, of all ranks, in order, on rank `root`; none elsewhere. Collective. Throws
   /// InvalidOptions if there is no such rank.
   std::vector<Contact> gather_contacts(int root = 0);
   /// As in `tamis::Detector`; the same answer on every rank.
-  EarliestContact earliest(const Step& step, std::optional<double> min_separation = {});
-  bool is_free(const Step& step, std::optional<double> min_separation = {});
-  SafeStep keep_distance(const Step& step, double fraction = 0.1, std::optional<double> min_separation = {});
+  EarliestContact earliest(const Step& step, const QueryOptions& = {});
+  bool is_free(const Step& step, const QueryOptions& = {});
+  SafeStep keep_distance(const Step& step, double fraction = 0.1, const QueryOptions& = {});
 
   /// Largest number of a vertex that is used, of all ranks, plus 1.
   Index vertex_count() const;

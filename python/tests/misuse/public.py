@@ -43,6 +43,7 @@ _KINDS = {
     "npt.ArrayLike": "array",
     "Guarantee": "word",
     "Isa": "word",
+    "AtStart": "word",
     "Filter": "function",
     "PointsAt": "function",
     "Strays": "function",

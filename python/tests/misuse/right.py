@@ -30,6 +30,7 @@ def _no_deviation(start: float, end: float, vertices: Any) -> float:
 
 
 _NAMED: Mapping[str, Any] = {
+    "at_start": "report",
     "basis": np.ones((18, 2)),
     "body_of_vertex": np.zeros(6, int),
     "chains": [tamis.interpolated(_POSE, _POSE)],

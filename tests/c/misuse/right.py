@@ -48,7 +48,7 @@ FIELDS = {
     "faces": indices(*FACES), "face_count": 2, "loose_edges": indices(0, 3), "loose_edge_count": 1,
     "loose_points": indices(1), "loose_point_count": 1, "threads": 1, "min_separation": 0.0, "group_count": 2,
     "group_of_vertex": indices(0, 0, 0, 1, 1, 1), "groups_may_touch": (ctypes.c_uint8 * 4)(1, 1, 1, 1),
-    "thickness": doubles(0, 0), "isa": b"best",
+    "thickness": doubles(0, 0), "at_start": 0, "rings": 1, "isa": b"best",
     "accepts": ACCEPTS(lambda user, kind, vertices: 1), "is_cancelled": ASKED(lambda user: 0), "user": None,
     "latest": doubles(1), "kind": 0, "vertices": (3, 0, 1, 2), "rest": doubles(*START), "body_count": 1,
     "body_of_vertex": indices(0, 0, 0, 0, 0, 0), "links_of_body": (ctypes.c_size_t * 1)(0), "links": None,

@@ -1,0 +1,155 @@
+// The pairs of a list: compiled once for each instruction set. What is asked of a pair here is asked of it in decide()
+// too, in the same order, so that it has the same bits.
+#include "kernels/advance_lanes.hpp"
+#include "kernels/crossings.hpp"
+#include "kernels/decide_list.hpp"
+#include "kernels/load_motion.hpp"
+#include "kernels/search.hpp"
+#include "narrow/decided_by_crossing.hpp"
+
+namespace tamis::TAMIS_ISA {
+namespace {
+
+using Axes = SlabClip::Axes;
+
+/// The pairs first, first + 1, ... of `pairs`, whose places in the list of results are `places`; clipped.
+template <PairKind kind, Axes axes>
+struct ClippedBatch : CrossingBatch {
+  ClippedBatch(const ListedPairs& list, const PairBuffer& pairs, const std::int32_t* all_places, int at)
+      : CrossingBatch{at,
+                      lanes_in_use(pairs, at),
+                      load_motion<kind>(list.vertices, pairs, at, {list.options.min_separation, false}),
+                      {}},
+        places(all_places + at),
+        clip(SlabClip::clip<kind, axes>(motion, TimeInterval<DoubleLanes>{DoubleLanes(0), DoubleLanes(1)})) {
+    part = widened(clip);
+    finite = finite_lanes(motion);
+    free = lanes & finite & bits((clip.t_in > clip.t_out) | (clip.t_in > DoubleLanes(list.options.latest)));
+    lanes &= ~free;
+  }
+  /// Lanes that a crossing may decide.
+  unsigned may_be_decided() const { return finite & ~bits((clip.t_in == DoubleLanes(0)) & may_start_coplanar(motion)); }
+
+  const std::int32_t* places;
+  TimeInterval<DoubleLanes> clip;
+  unsigned finite, free;  ///< bits of lanes
+};
+
+template <PairKind kind>
+class ListDecision {
+ public:
+  ListDecision(const ListedPairs& list, PairBuffer& rest, PairResult* results, std::int32_t* undecided)
+      : list_(list), rest_(rest), results_(results), undecided_(undecided) {
+    rest.count = 0;
+  }
+
+  /// Returns how many pairs are left undecided.
+  int run(const PairBuffer& in) {
+    if constexpr (can_cross(kind))
+      if (list_.options.min_separation == 0) return find_crossings(in);
+    const WithinRule rule{{list_.options.min_separation, false}, list_.options.latest};
+    AdvanceLanes<kind, StepRows, ListDecision>(list_.vertices, rule, *list_.within, *this).run(in);
+    return undecided_count_;
+  }
+
+  // Of pairs within a separation.
+  void free(int i) { results_[list_.places[i]] = {}; }
+  void undecided(int i) { undecided_[undecided_count_++] = list_.places[i]; }
+  void touches(int i, const TouchingLanes& t, int lane) {
+    results_[list_.places[i]] = {true,
+                                 Certainty::certified,
+                                 t.lower[lane],
+                                 t.upper[lane],
+                                 t.u[lane],
+                                 t.v[lane],
+                                 {t.x[lane], t.y[lane], t.z[lane]}};
+  }
+
+ private:
+  int find_crossings(const PairBuffer& in) {
+    using Batch = ClippedBatch<kind, Axes::coordinates>;
+    const auto make = [&](int first) {
+      Batch batch(list_, in, list_.places, first);
+      keep_free(batch.free, batch.places);
+      const unsigned fit = batch.lanes & batch.may_be_decided();
+      try_again(batch.lanes & ~fit, in, batch);
+      batch.lanes = fit;
+      return batch;
+    };
+    for_each_crossing<kind>(in.count, make, [&](const Batch& batch, const Crossing<DoubleLanes>& crossing) {
+      try_again(leaves_undecided(batch, crossing), in, batch);
+    });
+    for (int first = 0; first < rest_.count; first += kDoubleLanes) look_in_halves(first);
+    return undecided_count_;
+  }
+
+  template <class Batch>
+  void try_again(unsigned lanes, const PairBuffer& in, const Batch& batch) {
+    for_each_bit(lanes, [&](int i) {
+      rest_places_[rest_.count] = batch.places[i];
+      for (int corner = 0; corner < 4; ++corner) rest_.corner[corner][rest_.count] = in.corner[corner][batch.first + i];
+      ++rest_.count;
+    });
+  }
+
+  void look_in_halves(int first) {
+    ClippedBatch<kind, Axes::all> batch(list_, rest_, rest_places_, first);
+    keep_free(batch.free, batch.places);
+    const unsigned fit = batch.lanes & batch.may_be_decided();
+    leave_undecided(batch.lanes & ~fit, batch.places);
+    batch.lanes = fit;
+    if (!fit) return;
+    const auto crossing = find_crossing_in_halves<kind>(batch.motion, batch.part);
+    leave_undecided(leaves_undecided(batch, crossing), batch.places);
+  }
+
+  void keep_free(unsigned lanes, const std::int32_t* places) {
+    for_each_bit(lanes, [&](int i) { results_[places[i]] = {}; });
+  }
+  void leave_undecided(unsigned lanes, const std::int32_t* places) {
+    for_each_bit(lanes, [&](int i) { undecided_[undecided_count_++] = places[i]; });
+  }
+
+  /// Writes what the crossing decides of the batch; returns the lanes that it does not.
+  template <Axes axes>
+  unsigned leaves_undecided(const ClippedBatch<kind, axes>& batch, const Crossing<DoubleLanes>& crossing) {
+    const auto s = decided_by_crossing(crossing, batch.clip);
+    const unsigned lanes = batch.lanes;
+    const unsigned free = lanes & bits(s.is_free), touches = lanes & ~free & bits(s.touches);
+    const unsigned late = touches & bits(s.lower > DoubleLanes(list_.options.latest));
+    keep_free(free | late, batch.places);
+    const DoubleLanes fields[] = {s.lower, s.upper, s.u, s.v, s.normal.x, s.normal.y, s.normal.z};
+    double f[7][kDoubleLanes];
+    for (int k = 0; k < 7; ++k) fields[k].store_unaligned(f[k]);
+    for_each_bit(touches & ~late, [&](int i) {
+      results_[batch.places[i]] = {true,    Certainty::certified,       f[0][i], f[1][i], f[2][i],
+                                   f[3][i], {f[4][i], f[5][i], f[6][i]}};
+    });
+    return lanes & ~free & ~touches;
+  }
+
+  const ListedPairs& list_;
+  PairBuffer& rest_;
+  PairResult* results_;
+  std::int32_t* undecided_;
+  std::int32_t rest_places_[PairBuffer::kSize];
+  int undecided_count_ = 0;
+};
+
+}  // namespace
+
+template <PairKind kind>
+int decide_list(const ListedPairs& list, const PairBuffer& in, PairBuffer& rest, PairResult* results,
+                std::int32_t* undecided) {
+  return ListDecision<kind>(list, rest, results, undecided).run(in);
+}
+
+#define TAMIS_DECIDE_LIST(kind)                                                                             \
+  template int decide_list<PairKind::kind>(const ListedPairs&, const PairBuffer&, PairBuffer&, PairResult*, \
+                                           std::int32_t*)
+TAMIS_DECIDE_LIST(vertex_face);
+TAMIS_DECIDE_LIST(edge_edge);
+TAMIS_DECIDE_LIST(vertex_edge);
+TAMIS_DECIDE_LIST(vertex_vertex);
+
+}  // namespace tamis::TAMIS_ISA

@@ -1,0 +1,144 @@
+#include "narrow/leaving.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "distance/difference_corners.hpp"
+#include "distance/squared_axis.hpp"
+#include "narrow/advancement.hpp"
+#include "narrow/separation.hpp"
+
+namespace tamis {
+namespace {
+
+/// Times at which the time of leaving is looked for, and halvings of a time during which the pair is to stay.
+constexpr int kMostLooks = 16, kMostHalvings = 10;
+
+template <PairKind kind>
+class Leaving {
+ public:
+  explicit Leaving(const PairMotion<double>& m)
+      : m_(m), looker_(m), corners_(difference_corners<kind>(m)), size_(m.size_d + m.size_e + m.size_f) {}
+
+  std::optional<Decision> run() {
+    const Seen start = at(0), end = at(1);
+    if (!start.touches) return {};
+    if (!end.touches) return after_leaving(start, end);
+    return stays(start, end, kMostHalvings) ? std::optional(Decision{}) : std::nullopt;
+  }
+
+ private:
+  struct Seen {
+    double time;
+    Sight<double> sight;
+    bool touches;
+  };
+
+  Seen at(double time) const {
+    const Sight<double> sight = looker_.sight(time);
+    return {time, sight, looker_.touches(sight)};
+  }
+
+  /// What the distance at `time` is at most, by two points of the features. Between two times the way from the one
+  /// point to the other changes linearly: it is no longer than at one of them.
+  double farthest(double time, const ClosestPoints& points) const {
+    const Vec3<double> gap =
+        gap_at<kind>(at_time(m_.e, time), at_time(m_.f, time), at_time(m_.d, time), points.u, points.v);
+    return std::sqrt(dot(gap, gap)) * error_bounds::kLengthUp + error_bounds::bound(error_bounds::kGap, size_);
+  }
+
+  /// Within the separation all the time. Both touch.
+  bool stays(const Seen& from, const Seen& until, int halvings) const {
+    if (farthest(from.time, until.sight.closest) <= m_.separation) return true;
+    if (farthest(until.time, from.sight.closest) <= m_.separation) return true;
+    if (halvings == 0) return false;
+    const Seen middle = at(0.5 * (from.time + until.time));
+    if (!middle.touches) return false;
+    if (std::max(farthest(from.time, middle.sight.closest), farthest(until.time, middle.sight.closest)) <=
+        m_.separation)
+      return true;
+    return stays(from, middle, halvings - 1) && stays(middle, until, halvings - 1);
+  }
+
+  /// `last` touches, `next` seems not to; both come nearer to the time between them at which the pair leaves.
+  std::optional<Decision> after_leaving(const Seen& start, Seen next) const {
+    Seen last = start;
+    for (int looks = 0; !grows(last.time, next.time); ++looks) {
+      const double first = last.sight.length - m_.separation, then = next.sight.length - m_.separation;
+      const double part = std::clamp(first / (first - then), 0.125, 0.875);
+      const Seen now = at((1 - part) * last.time + part * next.time);
+      if (looks == kMostLooks || !(last.time < now.time && now.time < next.time)) return {};
+      (now.touches ? last : next) = now;
+    }
+    const bool is_apart = looker_.at(next.time, next.sight).until > next.time;  // certified
+    if (!is_apart || !stays(start, last, kMostHalvings)) return {};
+    return first_within(kind, m_, {next.time, 1});
+  }
+
+  /// Its distance grows all this time: it is apart from one moment on, if at all. Proof: docs/numerics.md.
+  bool grows(double from, double until) const {
+    const double middle = 0.5 * (from + until);
+    const ClosestPoints closest = looker_.sight(middle).closest;
+    const TurningAxis<double> axis = squared_axis<kind>(m_, middle, closest);
+    const double scale = 1 / largest_component(axis.direction);
+    Growth growth{scale * axis.direction, scale * axis.turn};
+    const double most = std::max(farthest(from, closest), farthest(until, closest));
+    const double least =
+        std::min(looker_.clip().distance_along(from, growth.n), looker_.clip().distance_along(until, growth.n));
+    const double length = std::sqrt(dot(growth.n, growth.n)) * kUp;
+    // Of two unit vectors |a - b|^2 = 2 - 2 a.b. What is added covers the rounding here.
+    growth.tilt = std::sqrt(2 * (1 - least / most) + 0x1p-46) * length;
+    growth.reach = most * length * kUp;
+    growth.sideways = std::sqrt((most - least) * (most + least) + 0x1p-46 * most * most);
+    growth.least_gain =
+        (std::sqrt(dot(growth.turn, growth.turn)) * growth.sideways + most * std::fabs(dot(growth.turn, growth.n))) *
+            kUp +
+        error_bounds::bound(error_bounds::kGrowth, size_ * (1 + largest_component(growth.turn)));
+    return least > 0 && std::all_of(corners_.begin(), corners_.end(), [&](const Moving<double>& corner) {
+             const Vec3<double> first = at_time(corner, from), last = at_time(corner, until);
+             return (growth.is_beyond(first, size_) && growth.is_beyond(last, size_)) ||
+                    gains(corner, first, last, growth);
+           });
+  }
+
+  /// What is known of the direction of the closest points during a time, and of the point of the difference nearest to
+  /// zero.
+  struct Growth {
+    Vec3<double> n, turn;   ///< a direction, 1 its largest component, and how it should turn
+    double tilt = 0;        ///< the unit direction, times the length of n, differs from n by no more
+    double reach = 0;       ///< the distance, times the length of n, is no larger
+    double sideways = 0;    ///< the nearest point is no farther from the line along n
+    double least_gain = 0;  ///< what turning with n can take from the gain of corners, and all rounding
+
+    /// Then it has no part in the nearest point.
+    bool is_beyond(const Vec3<double>& corner, double size) const {
+      const double error = error_bounds::bound(error_bounds::kAxisNow, size);
+      return dot(n, corner) - error > (reach + tilt * (std::sqrt(dot(corner, corner)) + error)) * kUp;
+    }
+  };
+
+  /// Does the corner move along the axis as that turns, faster than a tilt of it can hide?
+  bool gains(const Moving<double>& corner, const Vec3<double>& first, const Vec3<double>& last,
+             const Growth& growth) const {
+    const Vec3<double> velocity = corner.at1 - corner.at0;
+    const double speed = std::sqrt(dot(velocity, velocity)) + error_bounds::bound(error_bounds::kVelocity, size_);
+    const double gain = dot(growth.n, velocity) + std::min(dot(growth.turn, first), dot(growth.turn, last));
+    return gain > (growth.least_gain + growth.tilt * speed) * kUp;
+  }
+
+  static constexpr double kUp = 1 + 32 * error_bounds::kRoundoff;
+
+  const PairMotion<double>& m_;
+  const Looker<kind, double> looker_;
+  const decltype(difference_corners<kind>(PairMotion<double>{})) corners_;
+  const double size_;
+};
+
+}  // namespace
+
+std::optional<Decision> within_once_apart(PairKind kind, const PairMotion<double>& m) {
+  TAMIS_ASSERT(is_whole(m) && m.separation > 0);
+  return with_kind(kind, [&](auto k) { return Leaving<k()>(m).run(); });
+}
+
+}  // namespace tamis

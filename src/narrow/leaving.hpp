@@ -1,0 +1,16 @@
+// A pair that is within its separation at t=0, in doubles: it stays so, or leaves it, and then it may come back.
+// Whoever ignores what touches at the start asks this of each such pair.
+#pragma once
+#include <optional>
+
+#include "motion/pair_motion.hpp"
+#include "narrow/subdivide.hpp"
+
+namespace tamis {
+
+/// When is the pair within its separation again, after it has left it for the first time? Nothing where doubles cannot
+/// tell when, or whether, it leaves (docs/numerics.md, "Ignored at the start"). REQUIRES: the motion of the whole step,
+/// finite; a separation > 0.
+std::optional<Decision> within_once_apart(PairKind kind, const PairMotion<double>& m);
+
+}  // namespace tamis

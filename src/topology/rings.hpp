@@ -1,0 +1,30 @@
+// How many edges lie between two features? Pairs that are fewer apart than the caller wants are no pairs.
+#pragma once
+#include <span>
+
+#include "tamis/mesh.hpp"
+
+namespace tamis {
+
+class Rings {
+ public:
+  /// Features with fewer than `rings` edges between them are neighbours. Of one ring, those with a common vertex,
+  /// nothing is kept. REQUIRES: rings >= 1.
+  Rings(const Mesh& mesh, int rings);
+
+  /// Is anything to be asked? Without a common vertex features of one ring are no neighbours.
+  bool any() const { return rings_ > 1; }
+  /// Is the shortest way along edges of the mesh, from a vertex of the one feature to one of the other, shorter than
+  /// the rings? Goes from ring to ring around the first. REQUIRES: vertices of the mesh.
+  bool are_neighbours(std::span<const Index> first, std::span<const Index> second) const {
+    return any() && search(first, second);
+  }
+
+ private:
+  bool search(std::span<const Index> first, std::span<const Index> second) const;
+
+  int rings_;
+  IndexRows next_to_;  ///< of each vertex those at the other end of an edge
+};
+
+}  // namespace tamis

@@ -1,0 +1,116 @@
+// Pairs too few edges apart: left out of every answer, by every method, and nothing else is.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "support/as_new.hpp"
+#include "support/contact_sets.hpp"
+#include "support/test_names.hpp"
+#include "tamis/error.hpp"
+#include "topology/rings.hpp"
+
+namespace tamis::test {
+namespace {
+
+using scenes::Recipe, scenes::Scene;
+
+Options with(Method method, int rings) {
+  Options options;
+  options.method = method;
+  options.min_separation = 0x1p-4;
+  options.filter.rings = rings;
+  return options;
+}
+
+/// Without those that are neighbours, by their features' vertices.
+template <class Row, class First, class Second>
+std::vector<Row> far_apart(std::vector<Row> rows, const Rings& rings, const First& first, const Second& second) {
+  std::erase_if(rows, [&](const Row& row) { return rings.are_neighbours(first(row), second(row)); });
+  return rows;
+}
+
+template <class Row>
+std::vector<Row> far_apart(const std::vector<Row>& rows, const Rings& rings) {
+  const auto all = [](const Row& r) { return std::span<const Index>(r.vertices.data(), vertex_count(r.kind)); };
+  return far_apart(
+      rows, rings, [&](const Row& r) { return all(r).first(second_feature(r.kind)); },
+      [&](const Row& r) { return all(r).subspan(second_feature(r.kind)); });
+}
+
+template <class Row>
+std::vector<PairName> names(const std::vector<Row>& rows) {
+  std::vector<PairName> result;
+  for (const Row& row : rows) result.push_back({row.kind, row.vertices});
+  std::ranges::sort(result);
+  return result;
+}
+
+class RingsOf : public testing::TestWithParam<Recipe> {
+ protected:
+  const Scene scene = GetParam().make(90, 37);
+};
+
+// Bugs: a question, or a method's way past the decision of a pair, that does not ask; neighbours that bound the search
+// of what is first; a pair that is left out and is no neighbour.
+TEST_P(RingsOf, LeaveOutNeighboursAlone) {
+  const Mesh mesh = scene.mesh();
+  constexpr double kNear = 0.25;
+  std::size_t left_out = 0;
+  for (const Method method : kMethods) {
+    Detector all(mesh, with(method, 1));
+    const std::vector<Contact> contacts = all.contacts(scene.step());
+    const std::vector<NearPair> near = all.near(scene.end, kNear);
+    const std::vector<Intersection> intersections = all.intersections(scene.end);
+    for (const int number : {2, 3}) {
+      const Rings rings(mesh, number);
+      Detector some(mesh, with(method, number));
+      const std::vector<Contact> far = far_apart(contacts, rings);
+      EXPECT_EQ(bits_of(some.contacts(scene.step())), bits_of(far));
+      EXPECT_EQ(some.is_free(scene.step()), far.empty());
+      const EarliestContact first = some.earliest(scene.step());
+      ASSERT_EQ(first.contact.has_value(), !far.empty());
+      for (const Contact& c : far) EXPECT_LE(first.toi_lower, c.toi_upper);
+      if (first.contact) {
+        EXPECT_FALSE(far_apart(std::vector{*first.contact}, rings).empty());
+      }
+      EXPECT_EQ(names(some.near(scene.end, kNear)), names(far_apart(near, rings)));
+      const auto through = far_apart(
+          intersections, rings, [](const Intersection& i) { return std::span<const Index>(i.edge); },
+          [](const Intersection& i) { return std::span<const Index>(i.face); });
+      EXPECT_EQ(some.intersections(scene.end).size(), through.size());
+      EXPECT_EQ(some.has_intersection(scene.end), !through.empty());
+      left_out += contacts.size() - far.size() + near.size() - names(far_apart(near, rings)).size();
+    }
+  }
+  const bool is_connected = mesh.edges().size() < 3 * mesh.faces().size();
+  if (GetParam().scales && is_connected) {
+    EXPECT_GT(left_out, 0u);
+  }
+}
+
+// Bugs: a step length that a neighbour ends, or one that nothing ends as its first pair was a neighbour.
+TEST_P(RingsOf, StepLengthsAreThoseOfEveryPair) {
+  for (const int number : {1, 2, 3}) {
+    const SafeStep truth = Detector(scene.mesh(), with(Method::brute, number)).keep_distance(scene.step(), 0.2);
+    Options options = with(Method::tamis, number);
+    options.threads = 2;
+    Detector detector(scene.mesh(), options);
+    const SafeStep found = detector.keep_distance(scene.step(), 0.2);
+    EXPECT_EQ(found.lower, truth.lower);
+    EXPECT_EQ(found.upper, truth.upper);
+    const TruncatedStep to = detector.truncate(scene.step(), 0.2);
+    EXPECT_EQ(to.is_free, detector.is_free({scene.start, scene.start}));
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, RingsOf, testing::ValuesIn(scenes::recipes().begin(), scenes::recipes().end()),
+                         scene_test_name);
+
+// Bugs: a number that is none, taken.
+TEST(RingsFilter, IsOneOrMore) {
+  const Mesh mesh(3, {{0, 1, 2}});
+  for (const int rings : {0, -1}) EXPECT_THROW(Detector(mesh, with(Method::tamis, rings)), InvalidOptions);
+}
+
+}  // namespace
+}  // namespace tamis::test

@@ -112,14 +112,14 @@ void validate_kept(double fraction) {
 
 void validate_of_step(const QueryOptions& options) {
   if (options.min_separation) validate_distance(*options.min_separation, "the minimum separation");
-  check_is_named(options.at_start, "way with pairs that touch at the start");
+  validate_is_named(options.at_start, "way with pairs that touch at the start");
   check(!options.tolerance,
         "a step has no tolerance, its brackets are as narrow as doubles: leave it out, or give a path");
 }
 
 void validate_of_path(const QueryOptions& options) {
   if (options.min_separation) validate_distance(*options.min_separation, "the minimum separation");
-  check_is_named(options.at_start, "way with pairs that touch at the start");
+  validate_is_named(options.at_start, "way with pairs that touch at the start");
   check(options.at_start == AtStart::report, "pairs that touch at the start of a path can be reported only, not '" +
                                                  std::string(name_of(options.at_start)) +
                                                  "': leave that out, or ask steps");

@@ -5,6 +5,8 @@
 #include <algorithm>
 
 #include "exact/exact.hpp"
+#include "lab/detector.hpp"
+#include "lab/pairs.hpp"
 #include "query/pair_rules.hpp"
 #include "scenes/random.hpp"
 #include "scenes/shapes.hpp"
@@ -16,12 +18,13 @@
 namespace tamis::test {
 namespace {
 
+using lab::Method;
 using scenes::Recipe, scenes::Scene;
 
 constexpr QueryOptions kIgnore{.at_start = AtStart::ignore}, kFail{.at_start = AtStart::fail};
 
-Options with(Method method, double separation) {
-  Options options;
+lab::Options with(Method method, double separation) {
+  lab::Options options;
   options.method = method;
   options.min_separation = separation;
   return options;
@@ -35,7 +38,7 @@ struct Truth {
 };
 Truth truth_of(const Scene& scene, double separation) {
   Truth truth;
-  for_each_pair(scene.mesh(), {}, [&](PairKind kind, const PairVertices& v) {
+  lab::for_each_pair(scene.mesh(), {}, [&](PairKind kind, const PairVertices& v) {
     const PairPoints points = points_of(scene.step(), v);
     if (decide_once_apart_exactly(kind, points, separation).touches)
       truth.counted.insert({kind, v});
@@ -76,7 +79,7 @@ TEST(AtStart, IgnoredPairsCountOnceApartByEveryMethod) {
       const Truth truth = truth_of(scene, separation);
       for (const Method method : kMethods) {
         SCOPED_TRACE(std::string(name_of(method)) + ", seed " + std::to_string(seed));
-        Detector detector(scene.mesh(), with(method, separation));
+        Detector detector = lab::make_detector(scene.mesh(), with(method, separation));
         const std::vector<Contact> reported = detector.contacts(scene.step());
         const std::vector<Contact> counted = detector.contacts(scene.step(), kIgnore);
         EXPECT_EQ(missing(truth.counted, names_of(counted)), "") << "missed";
@@ -106,7 +109,7 @@ class AtStartIn : public testing::TestWithParam<Recipe> {
 // Bugs: a contact that does not start touching and has another bit; a thread, an instruction set or an earlier question
 // that changes a bit; pairs that are ignored and not counted, or counted twice.
 TEST_P(AtStartIn, NothingElseChanges) {
-  Detector one(scene.mesh(), with(Method::tamis, separation));
+  Detector one = lab::make_detector(scene.mesh(), with(Method::tamis, separation));
   std::vector<Contact> reported = one.contacts(scene.step());
   const std::vector<Contact> counted = one.contacts(scene.step(), kIgnore);
   const std::uint64_t ignored = one.statistics().ignored;
@@ -120,10 +123,10 @@ TEST_P(AtStartIn, NothingElseChanges) {
   EXPECT_EQ(bits_of(others), bits_of(reported));
   EXPECT_EQ(counted.size() + ignored, all);
   for (const Isa isa : {Isa::best, Isa::baseline}) {
-    Options options = with(Method::tamis, separation);
+    lab::Options options = with(Method::tamis, separation);
     options.threads = isa == Isa::best ? 2 : 1;
     options.isa = isa;
-    Detector other(scene.mesh(), options);
+    Detector other = lab::make_detector(scene.mesh(), options);
     EXPECT_EQ(bits_of(other.contacts(scene.step(), kIgnore)), bits_of(counted));
     EXPECT_EQ(other.statistics().ignored, ignored);
     for (const Asked asked : {Asked::earliest, Asked::is_free, Asked::keep_distance, Asked::contacts})
@@ -137,13 +140,14 @@ TEST_P(AtStartIn, StepLengthsAreThoseOfEveryPair) {
   const Scene few = GetParam().make(40, 23);
   for (const double fraction : {0.0, 0.1, 0.7}) {
     const SafeStep truth =
-        Detector(few.mesh(), with(Method::brute, separation)).keep_distance(few.step(), fraction, kIgnore);
+        lab::make_detector(few.mesh(), with(Method::brute, separation)).keep_distance(few.step(), fraction, kIgnore);
     const SafeStep found =
-        Detector(few.mesh(), with(Method::tamis, separation)).keep_distance(few.step(), fraction, kIgnore);
+        lab::make_detector(few.mesh(), with(Method::tamis, separation)).keep_distance(few.step(), fraction, kIgnore);
     EXPECT_EQ(found.lower, truth.lower);
     EXPECT_EQ(found.upper, truth.upper);
     EXPECT_EQ(found.pair.has_value(), truth.pair.has_value());
-    const EarliestContact first = Detector(few.mesh(), with(Method::tamis, separation)).earliest(few.step(), kIgnore);
+    const EarliestContact first =
+        lab::make_detector(few.mesh(), with(Method::tamis, separation)).earliest(few.step(), kIgnore);
     EXPECT_LE(found.lower, first.toi_upper);
   }
 }
@@ -151,7 +155,7 @@ TEST_P(AtStartIn, StepLengthsAreThoseOfEveryPair) {
 // Bugs: a way on which an ignored pair comes apart and back; one that stops where reported pairs would stop it.
 TEST_P(AtStartIn, TruncatedStepsAreFreeOfWhatCounts) {
   const Scene few = GetParam().make(60, 29);
-  Detector detector(few.mesh(), with(Method::tamis, separation));
+  Detector detector = lab::make_detector(few.mesh(), with(Method::tamis, separation));
   const TruncatedStep to = detector.truncate(few.step(), 0.1, kIgnore);
   EXPECT_TRUE(to.is_free);
   EXPECT_TRUE(detector.is_free({few.start, to.positions}, kIgnore));
@@ -164,7 +168,7 @@ TEST_P(AtStartIn, EveryQuestionFailsForTheSamePair) {
   const Scene few = GetParam().make(60, 31);
   std::string first;
   for (const Method method : kMethods) {
-    Detector detector(few.mesh(), with(method, separation));
+    Detector detector = lab::make_detector(few.mesh(), with(method, separation));
     const bool touches = !detector.is_free({few.start, few.start});
     const auto expect_failure = [&](const char* what, const auto& ask) {
       try {
@@ -298,7 +302,7 @@ struct Throw {
 TEST(AtStart, AClothThatStartsOnABallLeavesItAndLandsOnIt) {
   constexpr double kSeparation = 0x1p-6, kStep = 1.0 / 64;
   Throw sheet(kSeparation / 2);
-  Detector detector(sheet.scene.mesh(), with(Method::tamis, kSeparation));
+  Detector detector = lab::make_detector(sheet.scene.mesh(), with(Method::tamis, kSeparation));
   double highest = 0;
   std::uint64_t ignored = 0;
   for (int step = 0; step < 40; ++step) {

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "lab/detector.hpp"
+#include "lab/pairs.hpp"
 #include "support/as_new.hpp"
 #include "support/contact_sets.hpp"
 #include "support/test_names.hpp"
@@ -12,10 +14,11 @@
 namespace tamis::test {
 namespace {
 
+using lab::Method;
 using scenes::Recipe, scenes::Scene;
 
-Options with(Method method, int rings) {
-  Options options;
+lab::Options with(Method method, int rings) {
+  lab::Options options;
   options.method = method;
   options.min_separation = 0x1p-4;
   options.filter.rings = rings;
@@ -57,13 +60,13 @@ TEST_P(RingsOf, LeaveOutNeighboursAlone) {
   constexpr double kNear = 0.25;
   std::size_t left_out = 0;
   for (const Method method : kMethods) {
-    Detector all(mesh, with(method, 1));
+    Detector all = lab::make_detector(mesh, with(method, 1));
     const std::vector<Contact> contacts = all.contacts(scene.step());
     const std::vector<NearPair> near = all.near(scene.end, kNear);
     const std::vector<Intersection> intersections = all.intersections(scene.end);
     for (const int number : {2, 3}) {
       const Rings rings(mesh, number);
-      Detector some(mesh, with(method, number));
+      Detector some = lab::make_detector(mesh, with(method, number));
       const std::vector<Contact> far = far_apart(contacts, rings);
       EXPECT_EQ(bits_of(some.contacts(scene.step())), bits_of(far));
       EXPECT_EQ(some.is_free(scene.step()), far.empty());
@@ -91,10 +94,11 @@ TEST_P(RingsOf, LeaveOutNeighboursAlone) {
 // Bugs: a step length that a neighbour ends, or one that nothing ends as its first pair was a neighbour.
 TEST_P(RingsOf, StepLengthsAreThoseOfEveryPair) {
   for (const int number : {1, 2, 3}) {
-    const SafeStep truth = Detector(scene.mesh(), with(Method::brute, number)).keep_distance(scene.step(), 0.2);
-    Options options = with(Method::tamis, number);
+    const SafeStep truth =
+        lab::make_detector(scene.mesh(), with(Method::brute, number)).keep_distance(scene.step(), 0.2);
+    lab::Options options = with(Method::tamis, number);
     options.threads = 2;
-    Detector detector(scene.mesh(), options);
+    Detector detector = lab::make_detector(scene.mesh(), options);
     const SafeStep found = detector.keep_distance(scene.step(), 0.2);
     EXPECT_EQ(found.lower, truth.lower);
     EXPECT_EQ(found.upper, truth.upper);
@@ -109,7 +113,7 @@ INSTANTIATE_TEST_SUITE_P(Scenes, RingsOf, testing::ValuesIn(scenes::recipes().be
 // Bugs: a number that is none, taken.
 TEST(RingsFilter, IsOneOrMore) {
   const Mesh mesh(3, {{0, 1, 2}});
-  for (const int rings : {0, -1}) EXPECT_THROW(Detector(mesh, with(Method::tamis, rings)), InvalidOptions);
+  for (const int rings : {0, -1}) EXPECT_THROW(lab::make_detector(mesh, with(Method::tamis, rings)), InvalidOptions);
 }
 
 }  // namespace

@@ -61,10 +61,10 @@ struct Balance {
 /// thread or of the filter, throws Busy there at once.
 class Detector {
  public:
-  /// Options::filter.group_of_vertex has one group a row of the positions; there is one ring; threads are those of a rank. `threads`,
-  /// `isa`, `accepts` and `is_cancelled` may differ from rank to rank, what `accepts` says of a pair may not: it is
-  /// asked on any rank, with the numbers of the whole mesh. Keeps a duplicate of the communicator, on which MPI's own
-  /// errors are fatal, and which must be freed before MPI is. Throws InvalidMesh and InvalidOptions as
+  /// Options::filter.group_of_vertex has one group a row of the positions; there is one ring; threads are those of a
+  /// rank. `threads`, `isa`, `accepts` and `is_cancelled` may differ from rank to rank, what `accepts` says of a pair
+  /// may not: it is asked on any rank, with the numbers of the whole mesh. Keeps a duplicate of the communicator, on
+  /// which MPI's own errors are fatal, and which must be freed before MPI is. Throws InvalidMesh and InvalidOptions as
   /// `tamis::Detector` does, InvalidMesh also if no rank gives the position of a vertex that is used.
   Detector(MPI_Comm communicator, const LocalMesh& mesh, Options options = {});
   ~Detector();

@@ -11,6 +11,7 @@
 #include "tamis/path.hpp"
 #include "tamis/statistics.hpp"
 #include "tamis/step.hpp"
+#include "tamis/stored.hpp"
 
 namespace tamis {
 
@@ -79,8 +80,12 @@ class Detector {
   /// stop all: all vertices go together as far as every pair keeps a little more than that, from there each on its own
   /// side of planes between the features that it could reach, by a quarter of the mean edge at most, so as to bound the
   /// number of such pairs. What starts within the minimum separation may move as long as it comes no nearer; then no
-  /// vertex goes farther than that. Throws InvalidOptions unless 0 < fraction < 1.
-  TruncatedStep truncate(const Step& step, double fraction = 0.1, std::optional<double> min_separation = {});
+  /// vertex goes farther than that. A caller who keeps floats says so by `stored`: then all positions are floats'
+  /// values, so that storing them changes nothing, and what is proven holds of what is stored. Throws InvalidOptions
+  /// unless 0 < fraction < 1, InvalidStep where floats are stored and `start` is not made of them, or `end` is beyond
+  /// all of them.
+  TruncatedStep truncate(const Step& step, double fraction = 0.1, std::optional<double> min_separation = {},
+                         Stored stored = Stored::float64);
 
   const Mesh& mesh() const;
   const Options& options() const;

@@ -20,7 +20,7 @@ void bind_detector(nb::module_& module) {
       .def("earliest", &Questions::earliest_on_path, any, any, or_none)
       .def("is_free", &Questions::is_free_on_path, any, any, or_none)
       .def("keep_distance", &Questions::keep_distance, any, any, any, or_none)
-      .def("truncate", &Questions::truncate, any, any, any, or_none)
+      .def("truncate", &Questions::truncate, any, any, any, or_none, any)
       .def("near", &Questions::near)
       .def("intersections", &Questions::intersections)
       .def("has_intersection", &Questions::has_intersection)

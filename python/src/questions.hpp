@@ -28,7 +28,7 @@ class Questions {
   bool is_free_on_path(const Path& path, double tolerance, Separation d);
 
   nb::tuple keep_distance(const Rows& start, const Rows& end, double fraction, Separation d);
-  nb::tuple truncate(const Rows& start, const Rows& end, double fraction, Separation d);
+  nb::tuple truncate(const Rows& start, const Rows& end, double fraction, Separation d, bool as_float32);
 
   nb::object near(const Rows& at, double distance);
   nb::object intersections(const Rows& at);

@@ -7,7 +7,8 @@ import numpy.typing as npt
 from tamis import _core
 from tamis._answers import SafeStep, TruncatedStep, safe_step
 from tamis._arrays import Doubles, rows
-from tamis._checks import number, number_or_none
+from tamis._checks import number, number_or_none, shown, word
+from tamis._errors import InvalidOptions
 
 
 class StepLengths:
@@ -48,7 +49,13 @@ class StepLengths:
         return safe_step(self._detector.keep_distance(*_given(start, end, fraction, min_separation)))
 
     def truncate(
-        self, start: npt.ArrayLike, end: npt.ArrayLike, fraction: float = 0.1, *, min_separation: float | None = None
+        self,
+        start: npt.ArrayLike,
+        end: npt.ArrayLike,
+        fraction: float = 0.1,
+        *,
+        min_separation: float | None = None,
+        stored: str = "float64",
     ) -> TruncatedStep:
         """Find positions to go to, so that every pair keeps a fraction of its distance, and one does not stop all.
 
@@ -64,6 +71,9 @@ class StepLengths:
             0 < fraction < 1, of the distance as far as that exceeds the minimum separation.
         min_separation : float, optional
             Of this question alone; by default the detector's.
+        stored : str
+            In which numbers you keep positions: "float64", or "float32". With the latter all positions are values that
+            a float32 has, so that storing them as such changes nothing.
 
         Returns
         -------
@@ -73,9 +83,18 @@ class StepLengths:
         Raises
         ------
         InvalidOptions
-            The fraction is outside its range.
+            The fraction is outside its range; `stored` is another name.
+        InvalidStep
+            With "float32": `start` has a number that no float32 has, or `end` is beyond all of them.
         """
-        return TruncatedStep(*self._detector.truncate(*_given(start, end, fraction, min_separation)))
+        given = _given(start, end, fraction, min_separation)
+        return TruncatedStep(*self._detector.truncate(*given, _is_float32(stored)))
+
+
+def _is_float32(stored: str) -> bool:
+    if word(stored, "stored") not in ("float64", "float32"):
+        raise InvalidOptions(f"stored is {shown(stored)}: give 'float64' or 'float32'")
+    return stored == "float32"
 
 
 def _given(

@@ -78,8 +78,9 @@ bool Detector::is_free(const Path& path, std::optional<double> min_separation, d
   return asked->found.contacts().empty();
 }
 
-TruncatedStep Detector::truncate(const Step& step, double fraction, std::optional<double> min_separation) {
-  return Asked(*this)->truncate(step, fraction, min_separation);
+TruncatedStep Detector::truncate(const Step& step, double fraction, std::optional<double> min_separation,
+                                 Stored stored) {
+  return Asked(*this)->truncate(step, fraction, min_separation, stored);
 }
 
 const Mesh& Detector::mesh() const { return state().mesh; }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "detect/stored.hpp"
 #include "detect/truncation.hpp"
 #include "detect/validate.hpp"
 #include "engines/cancellation.hpp"
@@ -104,15 +105,23 @@ SafeStep Detector::State::step_length(const Step& step, const Separations& separ
   return answer;
 }
 
-TruncatedStep Detector::State::truncate(const Step& step, double fraction, Separation min_separation) {
+TruncatedStep Detector::State::truncate(const Step& step, double fraction, Separation min_separation, Stored stored) {
   validate_kept_part(fraction);
   const Separations kept = separations(min_separation);
+  validate(step, mesh);
+  if (stored == Stored::float64) return truncate(step, KeptFractions(fraction), kept, stored);
+  validate_stored(step, mesh, stored);
+  const std::vector<Point> end = rounded(step.end, stored);
+  return truncate({step.start, end}, KeptFractions(fraction), kept, stored);
+}
+
+TruncatedStep Detector::State::truncate(const Step& step, const KeptFractions& fractions, const Separations& kept,
+                                        Stored stored) {
   using Next = Truncation::Next;
   const Stopwatch watch;
-  const KeptFractions fractions(fraction);
   const double together = step_length(step, kept, fractions.together).lower;
   Seconds spent = statistics.seconds;
-  Truncation truncation(mesh, step, kept, fractions, together);
+  Truncation truncation(mesh, step, kept, fractions, together, stored);
   std::vector<StepLimit> ends;
   for (Next next = together < 1 ? Next::ask : Next::done; next != Next::done; next = truncation.after(ends)) {
     if (next == Next::plan_apart) {
@@ -121,7 +130,7 @@ TruncatedStep Detector::State::truncate(const Step& step, double fraction, Separ
       spent += statistics.seconds;
       truncation.keep_apart(within_reach);
     }
-    measure([&] { engine_->find_step_ends(truncation.way(), kept, fraction, ends, statistics); });
+    measure([&] { engine_->find_step_ends(truncation.way(), kept, fractions.fraction, ends, statistics); });
     spent += statistics.seconds;
   }
   spent.total = watch.seconds();

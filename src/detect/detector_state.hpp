@@ -6,6 +6,7 @@
 
 #include "detect/arena.hpp"
 #include "detect/contact_order.hpp"
+#include "detect/planar_times.hpp"
 #include "engines/engine.hpp"
 #include "paths/path_search.hpp"
 #include "tamis/detector.hpp"
@@ -24,7 +25,7 @@ struct Detector::State {
   void ask(const Path& path, Separation min_separation, double tolerance, Question question);
   EarliestContact earliest(const Step& step, Separation min_separation);
   SafeStep keep_distance(const Step& step, double fraction, Separation min_separation);
-  TruncatedStep truncate(const Step& step, double fraction, Separation min_separation);
+  TruncatedStep truncate(const Step& step, double fraction, Separation min_separation, Stored stored);
   /// The pairs are in `near`.
   void find_near(const Positions& positions, double distance);
   /// They are in `intersections`.
@@ -39,6 +40,8 @@ struct Detector::State {
   std::atomic_flag is_asked;  ///< the turn of the question that is being answered
 
  private:
+  /// Of a validated step, whose end the caller can store.
+  TruncatedStep truncate(const Step& step, const KeptFractions& fractions, const Separations& kept, Stored stored);
   /// Throws InvalidOptions.
   Separations separations(Separation min_separation) const;
   /// 0 < fraction < 1.

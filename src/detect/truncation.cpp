@@ -31,8 +31,8 @@ double length_of_way(const Step& step, Index v) {
 }  // namespace
 
 Truncation::Truncation(const Mesh& mesh, const Step& step, const Separations& separations,
-                       const KeptFractions& fractions, double together)
-    : mesh_(mesh), step_(step), separations_(separations), fractions_(fractions) {
+                       const KeptFractions& fractions, double together, Stored stored)
+    : mesh_(mesh), step_(step), separations_(separations), fractions_(fractions), stored_(stored) {
   TAMIS_ASSERT(step.start.count() == mesh.vertex_count() && step.end.count() == mesh.vertex_count());
   TAMIS_ASSERT(0 <= together && together <= 1);
   begin(together);
@@ -66,8 +66,8 @@ void Truncation::begin_apart() {
 
 void Truncation::keep_apart(const std::vector<NearPair>& near) {
   for (const NearPair& pair : near) {
-    const auto times = planar_times(pair, points_of(step_, pair.vertices), fractions_,
-                                    separations_.between(pair.kind, pair.vertices), 0);
+    const double separation = separations_.between(pair.kind, pair.vertices);
+    const auto times = planar_times(pair, points_of(step_, pair.vertices), {fractions_, separation, stored_}, 0);
     for (std::size_t i = 0; i < vertex_count(pair.kind); ++i) stop(pair.vertices[i], times[i]);
   }
 }
@@ -77,7 +77,7 @@ void Truncation::place(Index vertex) {
   const double t = to_.parts[v];
   const double *start = step_.start[vertex], *end = step_.end[vertex];
   for (std::size_t k = 0; k < 3; ++k)
-    to_.positions[v][k] = t == 1 ? end[k] : t == 0 ? start[k] : (1 - t) * start[k] + t * end[k];
+    to_.positions[v][k] = t == 1 ? end[k] : t == 0 ? start[k] : rounded((1 - t) * start[k] + t * end[k], stored_);
 }
 
 void Truncation::stop(Index vertex, double time) {
@@ -111,7 +111,7 @@ Truncation::Next Truncation::after(const std::vector<StepLimit>& ends) {
 void Truncation::stop_at_planes(const StepLimit& pair, const std::vector<double>& asked) {
   const PairPoints points = points_of(step_, pair.vertices);
   const NearPair there = near_pair(pair.kind, pair.vertices, at_rest_at(points, together_));
-  const auto times = planar_times(there, points, fractions_, separation_of(pair), together_);
+  const auto times = planar_times(there, points, {fractions_, separation_of(pair), stored_}, together_);
   const std::size_t count = vertex_count(pair.kind);
   bool is_stopped = false;
   for (std::size_t i = 0; i < count; ++i) is_stopped |= times[i] < asked[static_cast<std::size_t>(pair.vertices[i])];

@@ -5,6 +5,7 @@
 #include "tamis/mesh.hpp"
 #include "tamis/options.hpp"
 #include "tamis/step.hpp"
+#include "tamis/stored.hpp"
 
 namespace tamis {
 
@@ -22,6 +23,10 @@ void validate_layout(const Positions& positions, const char* what);
 
 /// Both ends, which must have as many rows.
 void validate_layout(const Step& step);
+
+/// Throws InvalidStep: the start of a used vertex is none of the numbers that the caller stores, or its end, rounded to
+/// these, is infinite.
+void validate_stored(const Step& step, const Mesh& mesh, Stored stored);
 
 /// Throws InvalidOptions if negative.
 void validate_threads(int threads);

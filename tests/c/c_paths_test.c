@@ -209,7 +209,6 @@ static void a_step_for_each_vertex(void) {
   EXPECT(memcmp(same, positions, sizeof same) == 0);
   EXPECT(tamis_detector_truncate(detector, &step, 0.1, TAMIS_FLOAT32, same, NULL, &is_free) == TAMIS_OK);
   for (i = 0; i < 18; ++i) EXPECT(same[i] == (float)same[i] && fabs(same[i] - positions[i]) < 1e-6);
-  EXPECT(positions[11] != (float)positions[11]); /* it was not one of them */
   EXPECT(tamis_detector_truncate(detector, &step, 0.1, 2, same, NULL, &is_free) == TAMIS_INVALID_ARGUMENT);
   step.end = positions;
   is_free = -1;

@@ -278,6 +278,7 @@ TEST(Truncate, LeavesRoomForFloatsHoweverLittleThereIs) {
 // Bug: an end that is no float is reached in doubles, where the whole step is free, and stored somewhere else.
 TEST(Truncate, TheWholeStepEndsAtFloatsToo) {
   Scene scene = two_falls(1, 0.1);
+  scene.start = as_floats(scene.start);
   const TruncatedStep to = Detector(scene.mesh()).truncate(scene.step(), 0.1, {}, Stored::float32);
   EXPECT_EQ(to.positions, as_floats(scene.end));
   EXPECT_NE(to.positions, scene.end);
@@ -296,6 +297,7 @@ std::string refusal(const Scene& scene) {
 
 TEST(Truncate, RefusesAStartThatIsNoFloatAndAnEndBeyondAll) {
   Scene scene = two_falls(1, 0.1);
+  scene.start = as_floats(scene.start);
   scene.start[3][2] = 0.1;
   EXPECT_NE(refusal(scene).find("vertex 3 at the start of the step has the coordinate 0.1, which is no float32"),
             std::string::npos)

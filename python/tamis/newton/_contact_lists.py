@@ -67,4 +67,8 @@ def _filtered(values: Any, offsets: Any) -> npt.NDArray[np.int64]:
 
 
 def _without(pairs: Indices, filtered: npt.NDArray[np.int64]) -> Indices:
-    return pairs[~np.isin(keys(pairs), filtered)] if len(filtered) else pairs
+    if len(filtered) == 0:
+        return pairs
+    wanted = keys(pairs)
+    places = np.minimum(np.searchsorted(filtered, wanted), len(filtered) - 1)
+    return pairs[filtered[places] != wanted]

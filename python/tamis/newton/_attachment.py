@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from tamis._checks import number_from_zero, truth
+from tamis._checks import number, number_from_zero, truth
 from tamis._errors import InvalidOptions
 from tamis.newton._contact_lists import ContactLists
 from tamis.newton._report import AttachmentReport
@@ -49,6 +49,8 @@ def attach(
     """
     check_versions()
     _check_solver(solver)
+    if not 0 < number(fraction, "fraction") < 1:
+        raise InvalidOptions(f"fraction is {fraction}: give a number > 0 and < 1")
     return Attachment(solver, truth(one_ring, "one_ring"), fraction, min_separation, threads)
 
 

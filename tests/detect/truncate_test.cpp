@@ -233,22 +233,20 @@ void expect_proven_floats(Detector& detector, const Scene& scene, const Truncate
 // Bug: positions are proven as doubles and stored as floats, which are others. Moved far away, floats lie half a unit
 // apart there, and scenes of some units are flattened onto few of them.
 TEST_P(TruncateScene, FloatsAreProvenAsTheyAreStored) {
-  for (const double away : {0.0, 1e3, 8e6})
-    for (const double separation : {0.0, 0x1p-7})
-      for (const double fraction : {0x1p-10, 0.1, 0.9}) {
-        Scene scene = GetParam().make(60, 3);
-        for (auto* points : {&scene.start, &scene.end})
-          for (Point& p : *points) p = {100 * p[0] + away, 100 * p[1] - away, 100 * p[2] + away};
-        scene.start = as_floats(scene.start);
-        SCOPED_TRACE(testing::Message() << scene.name << " at " << away << ", separation " << separation
-                                        << ", fraction " << fraction);
-        Detector detector(scene.mesh(), with(Method::tamis, separation));
-        const TruncatedStep to = detector.truncate(scene.step(), fraction, {}, Stored::float32);
-        expect_proven_floats(detector, scene, to);
-        expect_kept(scene, to.positions, fraction, separation);
-        scene.end = as_floats(scene.end);
-        EXPECT_EQ(detector.truncate(scene.step(), fraction, {}, Stored::float32).positions, to.positions);
-      }
+  for (const double away : {1e3, 8e6})
+    for (const double separation : {0.0, 0x1p-7}) {
+      Scene scene = GetParam().make(40, 3);
+      for (auto* points : {&scene.start, &scene.end})
+        for (Point& p : *points) p = {100 * p[0] + away, 100 * p[1] - away, 100 * p[2] + away};
+      scene.start = as_floats(scene.start);
+      SCOPED_TRACE(testing::Message() << scene.name << " at " << away << ", separation " << separation);
+      Detector detector(scene.mesh(), with(Method::tamis, separation));
+      const TruncatedStep to = detector.truncate(scene.step(), 0.1, {}, Stored::float32);
+      expect_proven_floats(detector, scene, to);
+      expect_kept(scene, to.positions, 0.1, separation);
+      scene.end = as_floats(scene.end);
+      EXPECT_EQ(detector.truncate(scene.step(), 0.1, {}, Stored::float32).positions, to.positions);
+    }
 }
 
 // Bug: planes without room for rounding: where the gap is of some floats, both are rounded across them and stay.

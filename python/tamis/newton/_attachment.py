@@ -160,8 +160,8 @@ class Attachment:
         self.report.moved_into_contact += is_bad
         if is_bad:
             warnings.warn(
-                "a step starts where vertices are through others, or were moved through them from outside: such pairs are "
-                "kept as they are",
+                "a step starts where vertices are through others, or were moved through them from outside: "
+                "such pairs are kept as they are",
                 stacklevel=2,
             )
         self.report.truncation_seconds += perf_counter() - begin

@@ -91,6 +91,8 @@ class Attachment:
         self._solver = solver
         self._lists = ContactLists(solver, surface)
         self._end: Any = None
+        self._is_near = False
+        self._iterations_left = 0
         self._replaced = {
             "_collision_detection_penetration_free": self._detect,
             "_penetration_free_truncation": self._move,
@@ -114,7 +116,9 @@ class Attachment:
         if reset_reference:
             solver.pos_prev_collision_detection.assign(state.particle_q)
             solver.particle_displacements.zero_()
-        self._lists.fill(self.detector.near(state.particle_q.numpy(), solver._self_contact_query_radius))
+        near = self.detector.near(state.particle_q.numpy(), solver._self_contact_query_radius)
+        self._is_near = len(near) > 0
+        self._lists.fill(near)
         self.report.detection_seconds += perf_counter() - begin
 
     def _move(self, state: Any, contacts: Any) -> None:
@@ -140,10 +144,12 @@ class Attachment:
 
     def _initialize(self, state_in: Any, state_out: Any, contacts: Any, dt: float) -> None:
         self._look_at_start(state_in.particle_q.numpy())
+        self._iterations_left = self._solver.iterations
         self._original["_initialize_particles"](state_in, state_out, contacts, dt)
         self._settle(state_in)
 
     def _iterate(self, state_in: Any, state_out: Any, contacts: Any, dt: float) -> None:
+        self._iterations_left -= 1
         self._original["_solve_particle_iteration"](state_in, state_out, contacts, dt)
         self._settle(state_in)
         state_out.particle_q.assign(state_in.particle_q)
@@ -167,7 +173,13 @@ class Attachment:
         self.report.truncation_seconds += perf_counter() - begin
 
     def _settle(self, state: Any) -> None:
-        """Hold back what would come too near on the way from the start of the step."""
+        """Hold back what would come too near on the way from the start of the step.
+
+        That is what the last iteration leads to. Those before are held back where something is near, so that contact
+        forces see positions that nothing has passed; where nothing is, no vertex goes as far as half the way to others.
+        """
+        if self._iterations_left > 0 and not self._is_near:
+            return
         begin = perf_counter()
         solver = self._solver
         start, wanted = solver.particle_q_prev.numpy(), state.particle_q.numpy()

@@ -7,6 +7,7 @@ cd "$(dirname "$0")/.."
 
 export TAMIS_LONG=1       # the viewer's tests: a million contacts, a million triangles
 export TAMIS_JOURNEYS=50  # kept detectors against new ones, through every scene
+export TAMIS_NEWTON_FRAMES=650  # Newton's cloth examples with Tamis inside
 export TAMIS_IPCTK_MESHES=1000  # random meshes through ipctk and its calls here
 failed=()
 run() { echo "nightly: $*"; "$@" || failed+=("$*"); }

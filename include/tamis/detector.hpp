@@ -10,6 +10,7 @@
 #include "tamis/path.hpp"
 #include "tamis/statistics.hpp"
 #include "tamis/step.hpp"
+#include "tamis/stored.hpp"
 
 namespace tamis {
 
@@ -78,8 +79,11 @@ class Detector {
   /// side of planes between the features that it could reach, by a quarter of the mean edge at most, so as to bound the
   /// number of such pairs. What starts within the minimum separation may move as long as it comes no nearer; then no
   /// vertex goes farther than that. What is ignored at the start (AtStart) may move as it likes, but not apart and
-  /// back. Throws InvalidOptions unless 0 < fraction < 1.
-  TruncatedStep truncate(const Step& step, double fraction = 0.1, const QueryOptions& = {});
+  /// back. A caller who keeps floats says so by `stored`: then all positions are floats' values, so that storing them
+  /// changes nothing, and what is proven holds of what is stored. Throws InvalidOptions unless 0 < fraction < 1,
+  /// InvalidStep where floats are stored and `start` is not made of them, or `end` is beyond all of them.
+  TruncatedStep truncate(const Step& step, double fraction = 0.1, const QueryOptions& = {},
+                         Stored stored = Stored::float64);
 
   const Mesh& mesh() const;
   const Options& options() const;

@@ -15,4 +15,5 @@
 #include "tamis/spline_path.hpp"
 #include "tamis/statistics.hpp"
 #include "tamis/step.hpp"
+#include "tamis/stored.hpp"
 #include "tamis/turn.hpp"

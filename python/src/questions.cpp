@@ -100,9 +100,11 @@ nb::tuple Questions::keep_distance(const Rows& start, const Rows& end, double fr
   return as_tuple(safe);
 }
 
-nb::tuple Questions::truncate(const Rows& start, const Rows& end, double fraction, const QueryOptions& q) {
+nb::tuple Questions::truncate(const Rows& start, const Rows& end, double fraction, const QueryOptions& q,
+                              bool as_float32) {
+  const Stored stored = as_float32 ? Stored::float32 : Stored::float64;
   TruncatedStep step;
-  asker_.ask([&] { step = detector_.truncate(step_of(start, end), fraction, q); });
+  asker_.ask([&] { step = detector_.truncate(step_of(start, end), fraction, q, stored); });
   return nb::make_tuple(own<double>(std::move(step.positions), 3), own<double>(std::move(step.parts), 0), step.is_free);
 }
 

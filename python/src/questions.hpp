@@ -24,7 +24,7 @@ class Questions {
   bool is_free_on_path(const Path& path, double tolerance, const QueryOptions& q);
 
   nb::tuple keep_distance(const Rows& start, const Rows& end, double fraction, const QueryOptions& q);
-  nb::tuple truncate(const Rows& start, const Rows& end, double fraction, const QueryOptions& q);
+  nb::tuple truncate(const Rows& start, const Rows& end, double fraction, const QueryOptions& q, bool as_float32);
 
   nb::object near(const Rows& at, double distance);
   nb::object intersections(const Rows& at);

@@ -7,7 +7,8 @@ import numpy.typing as npt
 from tamis import _core
 from tamis._answers import SafeStep, TruncatedStep, safe_step
 from tamis._arrays import Doubles, rows
-from tamis._checks import number
+from tamis._checks import number, shown, word
+from tamis._errors import InvalidOptions
 from tamis._options import AtStart, query_options
 
 
@@ -64,6 +65,7 @@ class StepLengths:
         *,
         min_separation: float | None = None,
         at_start: AtStart = "report",
+        stored: str = "float64",
     ) -> TruncatedStep:
         """Find positions to go to, so that every pair keeps a fraction of its distance, and one does not stop all.
 
@@ -81,6 +83,9 @@ class StepLengths:
             Of this question alone; by default the detector's.
         at_start : str
             As of `contacts`. A pair that is ignored may move as it likes, but not apart and back.
+        stored : str
+            In which numbers you keep positions: "float64", or "float32". With the latter all positions are values that
+            a float32 has, so that storing them as such changes nothing.
 
         Returns
         -------
@@ -90,9 +95,18 @@ class StepLengths:
         Raises
         ------
         InvalidOptions
-            The fraction is outside its range.
+            The fraction is outside its range; `stored` is another name.
+        InvalidStep
+            With "float32": `start` has a number that no float32 has, or `end` is beyond all of them.
         """
-        return TruncatedStep(*self._detector.truncate(*_given(start, end, fraction, min_separation, at_start)))
+        given = _given(start, end, fraction, min_separation, at_start)
+        return TruncatedStep(*self._detector.truncate(*given, _is_float32(stored)))
+
+
+def _is_float32(stored: str) -> bool:
+    if word(stored, "stored") not in ("float64", "float32"):
+        raise InvalidOptions(f"stored is {shown(stored)}: give 'float64' or 'float32'")
+    return stored == "float32"
 
 
 def _given(

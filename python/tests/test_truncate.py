@@ -41,6 +41,29 @@ def test_truncated_positions_are_proven_free(falling: tamis.Scene) -> None:
     assert kept[3, 2] > 0.5
 
 
+def test_floats_are_proven_as_they_are_stored() -> None:
+    scene = tamis.scene("folded-cloth", 400, seed=2)
+    start = scene.start.astype(np.float32)
+    detector = tamis.Detector(scene.mesh)
+    step = detector.truncate(start, scene.end, stored="float32")
+    kept = step.positions.astype(np.float32)
+    assert np.array_equal(kept, step.positions) and 0 < step.parts.min() < 1
+    assert detector.is_free(start, kept)
+    assert not np.array_equal(detector.truncate(start, scene.end).positions.astype(np.float32), step.positions)
+
+
+def test_floats_start_at_floats(falling: tamis.Scene) -> None:
+    start = falling.start.copy()
+    start[3, 2] = 0.7
+    detector = tamis.Detector(falling.mesh)
+    with pytest.raises(
+        tamis.InvalidStep, match=r"vertex 3 at the start .* 0\.7, which is no"
+    ):
+        detector.truncate(start, falling.end, stored="float32")
+    with pytest.raises(tamis.InvalidOptions, match="stored is 'float16': give 'float64' or 'float32'"):
+        detector.truncate(start, falling.end, stored="float16")
+
+
 def test_what_touches_at_the_start_stays_and_the_rest_moves(falling: tamis.Scene) -> None:
     start = falling.start.copy()
     start[3, 2] = 0

@@ -75,8 +75,8 @@ bool Detector::is_free(const Path& path, const QueryOptions& options) {
   return asked->found.contacts().empty();
 }
 
-TruncatedStep Detector::truncate(const Step& step, double fraction, const QueryOptions& options) {
-  return Asked(*this)->truncate(step, fraction, options);
+TruncatedStep Detector::truncate(const Step& step, double fraction, const QueryOptions& options, Stored stored) {
+  return Asked(*this)->truncate(step, fraction, options, stored);
 }
 
 const Mesh& Detector::mesh() const { return state().mesh; }

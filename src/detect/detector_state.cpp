@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "detect/pair_faults.hpp"
+#include "detect/stored.hpp"
 #include "detect/truncation.hpp"
 #include "detect/validate.hpp"
 #include "exact/start_distance.hpp"
@@ -142,27 +143,35 @@ SafeStep Detector::State::step_length(const Query& query, double fraction, AtSta
   return answer;
 }
 
-TruncatedStep Detector::State::truncate(const Step& step, double fraction, const QueryOptions& asked) {
+TruncatedStep Detector::State::truncate(const Step& step, double fraction, const QueryOptions& asked, Stored stored) {
   validate_kept_part(fraction);
+  Query whole = validated_query(step, asked);
+  if (stored == Stored::float64) return truncate(whole, KeptFractions(fraction), asked.at_start, stored);
+  validate_stored(step, mesh, stored);
+  const std::vector<Point> end = rounded(step.end, stored);
+  whole.step.end = end;
+  return truncate(whole, KeptFractions(fraction), asked.at_start, stored);
+}
+
+TruncatedStep Detector::State::truncate(const Query& whole, const KeptFractions& fractions, AtStart at_start,
+                                        Stored stored) {
   using Next = Truncation::Next;
   const Stopwatch watch;
-  const Query whole = validated_query(step, asked);
-  const KeptFractions fractions(fraction);
-  const double together = step_length(whole, fractions.together, asked.at_start).lower;
+  const double together = step_length(whole, fractions.together, at_start).lower;
   Seconds spent = statistics.seconds;
-  Truncation truncation(mesh, whole, fractions, together);
+  Truncation truncation(mesh, whole, fractions, together, stored);
   std::vector<StepLimit> ends;
   for (Next next = together < 1 ? Next::ask : Next::done; next != Next::done; next = truncation.after(ends)) {
     if (next == Next::plan_apart) {
       std::vector<NearPair> within_reach;
-      const Query near_start = query({step.start, step.start}, truncation.reach());
+      const Query near_start = query({whole.step.start, whole.step.start}, truncation.reach());
       measure([&] { engine_->find_near(near_start, within_reach, statistics); });
       spent += statistics.seconds;
       truncation.keep_apart(within_reach);
     }
     Query way = whole;
     way.step = truncation.way();
-    measure([&] { engine_->find_step_ends(way, fraction, ends, statistics); });
+    measure([&] { engine_->find_step_ends(way, fractions.fraction, ends, statistics); });
     spent += statistics.seconds;
   }
   spent.total = watch.seconds();

@@ -6,6 +6,7 @@
 #include "detect/arena.hpp"
 #include "detect/contact_order.hpp"
 #include "detect/make_detector.hpp"
+#include "detect/planar_times.hpp"
 #include "paths/path_search.hpp"
 #include "query/engine.hpp"
 #include "tamis/detector.hpp"
@@ -22,7 +23,7 @@ struct Detector::State {
   EarliestContact earliest(const Step& step, const QueryOptions& asked);
   bool is_free(const Step& step, const QueryOptions& asked);
   SafeStep keep_distance(const Step& step, double fraction, const QueryOptions& asked);
-  TruncatedStep truncate(const Step& step, double fraction, const QueryOptions& asked);
+  TruncatedStep truncate(const Step& step, double fraction, const QueryOptions& asked, Stored stored);
   /// The pairs are in `near`.
   void find_near(const Positions& positions, double distance);
   /// They are in `intersections`.
@@ -43,6 +44,8 @@ struct Detector::State {
   Query query(const Step& step, const Separations& separations, Question question = Question::all_contacts) const {
     return {step, separations, options.filter, rings_, options.is_cancelled, question};
   }
+  /// Of a validated query, whose step's end the caller can store.
+  TruncatedStep truncate(const Query& whole, const KeptFractions& fractions, AtStart at_start, Stored stored);
   /// Throws InvalidOptions, InvalidStep.
   Query validated_query(const Step& step, const QueryOptions& asked, Question question = Question::all_contacts) const;
   /// Into `found`.

@@ -22,11 +22,18 @@ double first_part(double first_speed, double second_speed) {
   return part == 0 || part == 1 ? part : std::clamp(part, kLeastPart, 1 - kLeastPart);
 }
 
-/// When does what is at `place` at the time `from` come to the level?
+/// When does what is at `place` at the time `from` come to the level? At once if it is beyond, and still is at the end.
 double time_at(double level, double place, double speed, double from) {
   if (place + (1 - from) * speed <= level) return 1;
   const double time = from + (level - place) / speed;
-  return time > from ? std::min(time, 1.0) : from;  // not a number: not beyond
+  return place <= level && time > from ? std::min(time, 1.0) : from;  // not a number: not beyond
+}
+
+/// How far rounding moves a vertex along n at most.
+double rounding_along(const Point& n, const Point& start, const Point& end, Stored stored) {
+  double sum = 0;
+  for (std::size_t k = 0; k < 3; ++k) sum += std::fabs(n[k]) * most_rounding(start[k], end[k], stored);
+  return sum;
 }
 
 }  // namespace
@@ -39,8 +46,8 @@ PairPoints at_rest_at(const PairPoints& points, double time) {
   return at;
 }
 
-std::array<double, 4> planar_times(const NearPair& there, const PairPoints& points, const KeptFractions& fractions,
-                                   double separation, double time) {
+std::array<double, 4> planar_times(const NearPair& there, const PairPoints& points, const PlanarRule& rule,
+                                   double time) {
   TAMIS_ASSERT(is_kind(there.kind) && is_finite(points) && 0 <= time && time <= 1);
   const PairPoints at = at_rest_at(points, time);
   const Point n{-there.direction[0], -there.direction[1], -there.direction[2]};  // from the first to the second
@@ -54,13 +61,15 @@ std::array<double, 4> planar_times(const NearPair& there, const PairPoints& poin
     i < second ? first_speed = std::max(first_speed, speeds[i]) : second_speed = std::max(second_speed, -speeds[i]);
   }
   const double at_start = time > 0 ? start_distance(there.kind, points) : there.distance;
-  const double clearance = at_start - separation;
-  const double kept = clearance > 0 ? separation + fractions.between_planes(time) * clearance : at_start;
+  const double clearance = at_start - rule.separation;
+  const double kept = clearance > 0 ? rule.separation + rule.fractions.between_planes(time) * clearance : at_start;
   const double room = std::max(above - below - kept, 0.0), part = first_part(first_speed, second_speed);
   const double first_level = below + part * room, second_level = above - (1 - part) * room;
-  for (std::size_t i = 0; i < count; ++i)
-    times[i] = i < second ? time_at(first_level, places[i], speeds[i], time)
-                          : time_at(-second_level, -places[i], -speeds[i], time);
+  for (std::size_t i = 0; i < count; ++i) {
+    const double rounding = rounding_along(n, points.start[i], points.end[i], rule.stored);
+    times[i] = i < second ? time_at(first_level - rounding, places[i], speeds[i], time)
+                          : time_at(-second_level - rounding, -places[i], -speeds[i], time);
+  }
   return times;
 }
 

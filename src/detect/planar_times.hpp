@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 
+#include "detect/stored.hpp"
 #include "motion/make_motion.hpp"
 #include "numerics/assert.hpp"
 #include "tamis/near.hpp"
@@ -29,10 +30,17 @@ struct KeptFractions {
 /// Where a pair is at a time, at rest.
 PairPoints at_rest_at(const PairPoints& points, double time);
 
+/// What planes leave between a pair.
+struct PlanarRule {
+  const KeptFractions& fractions;
+  double separation;
+  Stored stored;  ///< positions are rounded to these; what stays where it starts is not
+};
+
 /// Of each vertex of the pair the last time, from `time` to 1, at which it is on its side. `there`: the pair at `time`,
 /// until which all go at one pace. What starts within the separation keeps all of its distance. REQUIRES: finite
 /// coordinates, 0 <= time <= 1.
-std::array<double, 4> planar_times(const NearPair& there, const PairPoints& points, const KeptFractions& fractions,
-                                   double separation, double time);
+std::array<double, 4> planar_times(const NearPair& there, const PairPoints& points, const PlanarRule& rule,
+                                   double time);
 
 }  // namespace tamis

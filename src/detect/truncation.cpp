@@ -30,12 +30,14 @@ double length_of_way(const Step& step, Index v) {
 
 }  // namespace
 
-Truncation::Truncation(const Mesh& mesh, const Query& query, const KeptFractions& fractions, double together)
+Truncation::Truncation(const Mesh& mesh, const Query& query, const KeptFractions& fractions, double together,
+                       Stored stored)
     : mesh_(mesh),
       step_(query.step),
       separations_(query.separations),
       ignores_start_(query.ignores_start),
-      fractions_(fractions) {
+      fractions_(fractions),
+      stored_(stored) {
   TAMIS_ASSERT(step_.start.count() == mesh.vertex_count() && step_.end.count() == mesh.vertex_count());
   TAMIS_ASSERT(0 <= together && together <= 1);
   begin(together);
@@ -71,7 +73,7 @@ void Truncation::keep_apart(const std::vector<NearPair>& near) {
   for (const NearPair& pair : near) {
     const double separation = separations_.between(pair.kind, pair.vertices);
     if (ignores_start_ && pair.distance <= separation) continue;
-    const auto times = planar_times(pair, points_of(step_, pair.vertices), fractions_, separation, 0);
+    const auto times = planar_times(pair, points_of(step_, pair.vertices), {fractions_, separation, stored_}, 0);
     for (std::size_t i = 0; i < vertex_count(pair.kind); ++i) stop(pair.vertices[i], times[i]);
   }
 }
@@ -81,7 +83,7 @@ void Truncation::place(Index vertex) {
   const double t = to_.parts[v];
   const double *start = step_.start[vertex], *end = step_.end[vertex];
   for (std::size_t k = 0; k < 3; ++k)
-    to_.positions[v][k] = t == 1 ? end[k] : t == 0 ? start[k] : (1 - t) * start[k] + t * end[k];
+    to_.positions[v][k] = t == 1 ? end[k] : t == 0 ? start[k] : rounded((1 - t) * start[k] + t * end[k], stored_);
 }
 
 void Truncation::stop(Index vertex, double time) {
@@ -115,7 +117,7 @@ Truncation::Next Truncation::after(const std::vector<StepLimit>& ends) {
 void Truncation::stop_at_planes(const StepLimit& pair, const std::vector<double>& asked) {
   const PairPoints points = points_of(step_, pair.vertices);
   const NearPair there = near_pair(pair.kind, pair.vertices, at_rest_at(points, together_));
-  const auto times = planar_times(there, points, fractions_, separation_of(pair), together_);
+  const auto times = planar_times(there, points, {fractions_, separation_of(pair), stored_}, together_);
   const std::size_t count = vertex_count(pair.kind);
   bool is_stopped = false;
   for (std::size_t i = 0; i < count; ++i) is_stopped |= times[i] < asked[static_cast<std::size_t>(pair.vertices[i])];

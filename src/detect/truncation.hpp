@@ -1,7 +1,8 @@
 // Every vertex its own step. All go together as far as every pair keeps a little more than it must; from there each
 // goes on by itself. Of the straight way to these very doubles it is asked which pairs do not keep what they must: they
 // get planes between them (detect/planar_times.hpp), until there is none. Where that does not come to an end each goes
-// by itself from the start, with planes between all that it could reach.
+// by itself from the start, with planes between all that it could reach. All positions that are asked about are such as
+// the caller can store.
 #pragma once
 #include <vector>
 
@@ -15,8 +16,9 @@ namespace tamis {
 class Truncation {
  public:
   /// Until `together` it is proven that every pair of the query keeps fractions.together. Keeps references. REQUIRES:
-  /// as many positions as the mesh has vertices, 0 <= together <= 1. REQUIRES (not checked: O(n)): a validated step.
-  Truncation(const Mesh& mesh, const Query& query, const KeptFractions& fractions, double together);
+  /// as many positions as the mesh has vertices, 0 <= together <= 1. REQUIRES (not checked: O(n)): a validated step
+  /// between positions that can be stored.
+  Truncation(const Mesh& mesh, const Query& query, const KeptFractions& fractions, double together, Stored stored);
 
   /// To be asked: all pairs that are not proven to keep their fraction on it.
   Step way() const { return {step_.start, to_.positions}; }
@@ -51,6 +53,7 @@ class Truncation {
   const Separations& separations_;
   const bool ignores_start_;
   const KeptFractions fractions_;
+  const Stored stored_;
   TruncatedStep to_;
   double together_ = 0;
   bool is_apart_ = false;

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "detect/enum_names.hpp"
+#include "detect/stored.hpp"
 #include "narrow/pair_input.hpp"
 #include "numerics/finite.hpp"
 #include "numerics/number_text.hpp"
@@ -46,6 +47,11 @@ void validate(const PairFilter& filter, const Mesh& mesh) {
           "vertex " + std::to_string(v) + " is in group " + std::to_string(group) + ": groups must be in [0, " +
               std::to_string(n) + ")");
   }
+}
+
+[[noreturn]] void refuse(const char* end_of_step, Index vertex, double coordinate, const char* what) {
+  throw InvalidStep("vertex " + std::to_string(vertex) + " at the " + end_of_step + " of the step has the coordinate " +
+                    number_text(coordinate) + what);
 }
 
 }  // namespace
@@ -103,6 +109,17 @@ void validate_distance(double distance, const std::string& what) {
 void validate(const Step& step, const Mesh& mesh) {
   validate(step.start, mesh, "the start of the step");
   validate(step.end, mesh, "the end of the step");
+}
+
+void validate_stored(const Step& step, const Mesh& mesh, Stored stored) {
+  for (const Index v : mesh.points())
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double start = step.start[v][k], end = step.end[v][k];
+      if (rounded(start, stored) != start)
+        refuse("start", v, start, ", which is no float32: give the start as it is stored, in numbers of float32");
+      if (!std::isfinite(rounded(end, stored)))
+        refuse("end", v, end, ", which is beyond all numbers of float32: give positions below 3.4e38");
+    }
 }
 
 void validate_kept(double fraction) {

@@ -5,6 +5,7 @@
 #include "tamis/mesh.hpp"
 #include "tamis/options.hpp"
 #include "tamis/step.hpp"
+#include "tamis/stored.hpp"
 
 namespace tamis {
 
@@ -28,6 +29,9 @@ void validate_layout(const Step& step);
 void validate_of_step(const QueryOptions& options);
 /// Unless the tolerance is in (0, 1], too; and if it says something of steps.
 void validate_of_path(const QueryOptions& options);
+/// Throws InvalidStep: the start of a used vertex is none of the numbers that the caller stores, or its end, rounded to
+/// these, is infinite.
+void validate_stored(const Step& step, const Mesh& mesh, Stored stored);
 
 /// Throws InvalidOptions if negative.
 void validate_threads(int threads);

@@ -51,12 +51,17 @@ TAMIS_API tamis_status tamis_detector_is_free(tamis_detector* detector, const ta
 TAMIS_API tamis_status tamis_detector_keep_distance(tamis_detector* detector, const tamis_step* step, double fraction,
                                                     tamis_safe_step* answer);
 
+/** The numbers in which the caller keeps positions between steps. */
+enum { TAMIS_FLOAT64 = 0, TAMIS_FLOAT32 = 1 };
+
 /** Positions to go to, each vertex as far as it may on its own line: three doubles for each vertex of the mesh, on the
  * straight way to which every pair keeps the fraction of its distance, 0 < fraction < 1: proven. `parts`, one a vertex,
  * is the part of its way that each goes, in [0, 1]; NULL: not wanted. *is_free is 0 if something touches at the start,
- * and is not ignored for it; of that no pair comes nearer. See TruncatedStep in tamis/contact.hpp. */
+ * and is not ignored for it; of that no pair comes nearer. `stored` is TAMIS_FLOAT64 or TAMIS_FLOAT32: with the latter
+ * all positions are floats' values, so that storing them as floats changes nothing, and the step's start must be made
+ * of such. See TruncatedStep in tamis/contact.hpp. */
 TAMIS_API tamis_status tamis_detector_truncate(tamis_detector* detector, const tamis_step* step, double fraction,
-                                               double* positions, double* parts, int* is_free);
+                                               int32_t stored, double* positions, double* parts, int* is_free);
 
 /** An edge that passes through a triangle, or touches it; see Intersection in tamis/near.hpp. */
 typedef struct tamis_intersection {

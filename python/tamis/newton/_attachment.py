@@ -1,0 +1,192 @@
+"""Tamis inside Newton's VBD solver."""
+
+from __future__ import annotations
+
+import warnings
+from time import perf_counter
+from typing import Any
+
+import numpy as np
+
+from tamis._checks import number, number_from_zero, truth
+from tamis._errors import InvalidOptions
+from tamis.newton._contact_lists import ContactLists
+from tamis.newton._report import AttachmentReport
+from tamis.newton._surface import Surface
+from tamis.newton._versions import check_versions
+
+
+def attach(
+    solver: Any, *, one_ring: bool = True, fraction: float = 0.1, min_separation: float = 0.0, threads: int = 0
+) -> Attachment:
+    """Let Tamis detect self-contacts for a VBD solver, and say how far its particles may go.
+
+    Parameters
+    ----------
+    solver : newton.solvers.SolverVBD
+        With `particle_enable_self_contact`, and no graph of it captured: what a graph replays is Newton's own.
+    one_ring : bool
+        Count pairs that an edge joins, which Newton leaves to bending. Their contact forces stay those of Newton's
+        `particle_topological_contact_filter_threshold`.
+    fraction : float
+        0 < fraction < 1: of its distance at the start of a step, and beyond `min_separation`, every pair keeps so much.
+    min_separation : float
+        d >= 0 in the model's unit: no pair comes nearer.
+    threads : int
+        For Tamis; 0: all. Speed only.
+
+    Returns
+    -------
+    Attachment
+        To ask what was done, and to let go.
+
+    Raises
+    ------
+    Error
+        Another version of newton or warp than the one known.
+    InvalidOptions
+        A solver that is none, that has no self-contact, or whose rigid bodies take part in its truncation.
+    """
+    check_versions()
+    _check_solver(solver)
+    if not 0 < number(fraction, "fraction") < 1:
+        raise InvalidOptions(f"fraction is {fraction}: give a number > 0 and < 1")
+    return Attachment(solver, truth(one_ring, "one_ring"), fraction, min_separation, threads)
+
+
+def _check_solver(solver: Any) -> None:
+    from newton.solvers import SolverVBD
+
+    if not isinstance(solver, SolverVBD):
+        raise InvalidOptions(f"solver is of the type {type(solver).__name__}: give a newton.solvers.SolverVBD")
+    if not solver.particle_enable_self_contact or solver.model.tri_count == 0:
+        raise InvalidOptions("the solver has no self-contact: make it with particle_enable_self_contact=True")
+    if solver.rigid_soft_enable_dat:
+        raise InvalidOptions("the solver truncates rigid bodies, too: make it with rigid_soft_enable_dat=False")
+    if solver.collision_pipeline is not None:
+        raise InvalidOptions("the solver detects self-contacts by a collision_pipeline: make it without one")
+    if "_penetration_free_truncation" in vars(solver):
+        raise InvalidOptions("the solver has an attachment: detach that first")
+
+
+class Attachment:
+    """What `attach` made; the solver holds it.
+
+    Attributes
+    ----------
+    detector : Detector
+        That is asked; its mesh has Newton's triangles, in their order.
+    report : AttachmentReport
+        What was done so far.
+    """
+
+    def __init__(self, solver: Any, one_ring: bool, fraction: float, min_separation: float, threads: int) -> None:
+        if solver.device.is_cuda:
+            warnings.warn(f"positions are copied from {solver.device} and back for each iteration", stacklevel=3)
+        separation = number_from_zero(min_separation, "min_separation")
+        surface = Surface(solver.model)
+        self.detector = surface.detector(one_ring=one_ring, min_separation=separation, threads=threads)
+        self.report = AttachmentReport()
+        self._fraction = fraction
+        self._solver = solver
+        self._lists = ContactLists(solver, surface)
+        self._end: Any = None
+        self._is_near = False
+        self._iterations_left = 0
+        self._replaced = {
+            "_collision_detection_penetration_free": self._detect,
+            "_penetration_free_truncation": self._move,
+            "_initialize_particles": self._initialize,
+            "_solve_particle_iteration": self._iterate,
+            "rebuild_bvh": lambda state: None,  # nobody asks it any more
+        }
+        self._original = {name: getattr(solver, name) for name in self._replaced}
+        vars(solver).update(self._replaced)
+
+    def detach(self) -> None:
+        """Give the solver its own detection back; its buffers are those of the last pairs."""
+        for name in self._replaced:
+            vars(self._solver).pop(name, None)
+
+    def _detect(self, state: Any, *, reset_reference: bool = True) -> None:
+        begin = perf_counter()
+        solver = self._solver
+        if solver.device.is_capturing:
+            raise InvalidOptions("a graph is being captured, which would hold nothing of Tamis: step without one")
+        if reset_reference:
+            solver.pos_prev_collision_detection.assign(state.particle_q)
+            solver.particle_displacements.zero_()
+        near = self.detector.near(state.particle_q.numpy(), solver._self_contact_query_radius)
+        self._is_near = len(near) > 0
+        self._lists.fill(near)
+        self.report.detection_seconds += perf_counter() - begin
+
+    def _move(self, state: Any, contacts: Any) -> None:
+        """Go where the solver wants, as far as its contact forces know of what is near. `_settle` proves it."""
+        import warp as wp
+        from newton._src.solvers.vbd.particle_vbd_kernels import apply_truncation_ts
+
+        solver = self._solver
+        farthest = 0.5 * solver._self_contact_query_radius * solver.dat_conservative_bound_relaxation
+        solver.truncation_ts.fill_(1.0)
+        wp.launch(
+            kernel=apply_truncation_ts,
+            dim=solver.model.particle_count,
+            inputs=[
+                solver.pos_prev_collision_detection,
+                solver.particle_displacements,
+                solver.truncation_ts,
+                farthest,
+            ],
+            outputs=[solver.particle_displacements, state.particle_q],
+            device=solver.device,
+        )
+
+    def _initialize(self, state_in: Any, state_out: Any, contacts: Any, dt: float) -> None:
+        self._look_at_start(state_in.particle_q.numpy())
+        self._iterations_left = self._solver.iterations
+        self._original["_initialize_particles"](state_in, state_out, contacts, dt)
+        self._settle(state_in)
+
+    def _iterate(self, state_in: Any, state_out: Any, contacts: Any, dt: float) -> None:
+        self._iterations_left -= 1
+        self._original["_solve_particle_iteration"](state_in, state_out, contacts, dt)
+        self._settle(state_in)
+        state_out.particle_q.assign(state_in.particle_q)
+        self._end = state_out.particle_q.numpy().copy()
+
+    def _look_at_start(self, start: Any) -> None:
+        """Say if the caller has moved vertices through others since the last step, or begins so."""
+        begin = perf_counter()
+        self.report.steps += 1
+        if self._end is None:
+            is_bad = self.detector.has_intersection(start)
+        else:
+            is_bad = not (np.array_equal(self._end, start) or self.detector.is_free(self._end, start))
+        self.report.moved_into_contact += is_bad
+        if is_bad:
+            warnings.warn(
+                "a step starts where vertices are through others, or were moved through them from outside: "
+                "such pairs are kept as they are",
+                stacklevel=2,
+            )
+        self.report.truncation_seconds += perf_counter() - begin
+
+    def _settle(self, state: Any) -> None:
+        """Hold back what would come too near on the way from the start of the step.
+
+        That is what the last iteration leads to. Those before are held back where something is near, so that contact
+        forces see positions that nothing has passed; where nothing is, no vertex goes as far as half the way to others.
+        """
+        if self._iterations_left > 0 and not self._is_near:
+            return
+        begin = perf_counter()
+        solver = self._solver
+        start, wanted = solver.particle_q_prev.numpy(), state.particle_q.numpy()
+        step = self.detector.truncate(start, wanted, self._fraction, stored="float32")
+        end = step.positions.astype(np.float32)
+        if not np.array_equal(end, wanted):
+            self.report.shortened += 1
+            state.particle_q.assign(end)
+            solver.particle_displacements.assign(end - solver.pos_prev_collision_detection.numpy())
+        self.report.truncation_seconds += perf_counter() - begin

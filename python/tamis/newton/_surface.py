@@ -1,0 +1,71 @@
+"""What Newton's model moves, as Tamis has it, and how rows of the one lead to rows of the other."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from tamis._arrays import Indices
+from tamis._detector import Detector
+from tamis._kinds import PairKind
+from tamis._mesh import Mesh
+from tamis._near import NearPairs
+
+
+def _two_columns(edge_indices: Any) -> Indices:
+    """Return the ends of Newton's edges, which come as the two vertices opposite, then these."""
+    rows: Indices = np.zeros((0, 4), np.int32) if edge_indices is None else edge_indices.numpy().reshape(-1, 4)
+    return rows[:, 2:]
+
+
+class Surface:
+    """Triangles, edges and particles of a model, and the worlds that they are in."""
+
+    def __init__(self, model: Any) -> None:
+        faces = model.tri_indices.numpy().reshape(-1, 3)
+        edges = _two_columns(model.edge_indices)
+        of_faces = Mesh(faces, vertex_count=model.particle_count)
+        loose = edges[of_faces.find_edges(edges) < 0]
+        points = np.setdiff1d(np.arange(model.particle_count), np.concatenate([faces.ravel(), loose.ravel()]))
+        self.mesh = Mesh(faces, vertex_count=model.particle_count, edges=loose, points=points)
+        self.edge_count = len(edges)
+        self._newton_edge = np.full(len(self.mesh.edges), -1)
+        self._newton_edge[self.mesh.find_edges(edges)] = np.arange(len(edges))
+        self._worlds = model.particle_world.numpy() if model.world_count > 1 else None
+
+    def detector(self, *, one_ring: bool, min_separation: float, threads: int) -> Detector:
+        """Return one that asks about all pairs of a world, and of each world and what is in all of them."""
+        groups, may_touch = None, None
+        if self._worlds is not None:
+            groups = self._worlds + 1  # from 0, which is in all worlds
+            may_touch = np.eye(groups.max() + 1, dtype=bool)
+            may_touch[0], may_touch[:, 0] = True, True
+        return Detector(
+            self.mesh,
+            groups=groups,
+            may_touch=may_touch,
+            filter=None if one_ring else self._is_beyond_one_ring,
+            min_separation=min_separation,
+            threads=threads,
+        )
+
+    def pairs(self, near: NearPairs) -> tuple[Indices, Indices]:
+        """Return vertex and triangle of each vertex-face pair, and Newton's rows of both edges of each edge-edge pair.
+
+        Edges that Newton has no row for exert no force there.
+        """
+        features = near.features(self.mesh)
+        edges = self._newton_edge[features[near.kind == PairKind.EDGE_EDGE]]
+        return features[near.kind == PairKind.VERTEX_FACE], edges[(edges >= 0).all(1)].astype(np.int32)
+
+    def _is_beyond_one_ring(self, kind: int, vertices: tuple[int, ...]) -> bool:
+        first = 2 if kind == PairKind.EDGE_EDGE else 1
+        ends = [(a, b) for a in vertices[:first] for b in vertices[first:] if b >= 0]
+        return bool((self.mesh.find_edges(ends) < 0).all())
+
+
+def keys(pairs: npt.NDArray[Any]) -> npt.NDArray[np.int64]:
+    """Return a number for each pair of rows."""
+    return (pairs[:, 0].astype(np.int64) << 32) | pairs[:, 1].astype(np.int64)

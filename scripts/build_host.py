@@ -1,0 +1,51 @@
+#!/usr/bin/env python3
+"""build_host.py WORK HOST: the wheel that build_wheel.py has made, beside a program of others that Tamis works in.
+
+In WORK: `HOST`, an environment with what the wheel's extra of that name asks for, and pytest. Versions are those of
+python/requirements-hosts.txt; PyPI is asked when they have changed, and not again. Exit code 77 if it cannot be reached.
+"""
+
+import pathlib
+import subprocess
+import sys
+
+import build_wheel as ordinary
+
+REQUIREMENTS = ordinary.ROOT / "python" / "requirements-hosts.txt"
+# What the tests need besides.
+TESTS_NEED = {"newton": ["usd-core"]}
+
+
+def main() -> int:
+    work, host = pathlib.Path(sys.argv[1]).resolve(), sys.argv[2]
+    wheels = sorted((work / "dist").glob("*.whl"))
+    if not wheels or not (work / "user").exists():
+        print("skipped: build_wheel.py has made no wheel")
+        return ordinary.SKIPPED
+    pins = [*(REQUIREMENTS.read_bytes(), ordinary.REQUIREMENTS.read_bytes()), sys.version.encode()]
+    wanted = [f"{wheels[0]}[{host}]", "pytest", *TESTS_NEED.get(host, [])]
+    wanted += ["-c", REQUIREMENTS, "-c", ordinary.REQUIREMENTS]
+    given = ordinary.Stamp(work / f"{host}.wheels.stamp", *pins)
+    if not given.is_fresh():
+        try:
+            ordinary.pip(work, "download", "--only-binary", ":all:", "-d", work / f"wheels-{host}", *wanted)
+        except subprocess.CalledProcessError:
+            print(f"skipped: the packages of {host} are not here, and PyPI cannot be reached")
+            return ordinary.SKIPPED
+        given.set()
+    made = ordinary.Stamp(work / f"{host}.stamp", wheels[0].read_bytes(), *pins)
+    if not made.is_fresh() or not (work / host).exists():
+        python = ordinary.environment(work / host)
+        links = ("--no-index", "--find-links", work / f"wheels-{host}")
+        ordinary.pip(work, "--python", python, "install", "--no-compile", *links, *wanted)
+        made.set()
+    print("installed into", work / host)
+    return 0
+
+
+if __name__ == "__main__":
+    try:
+        sys.exit(main())
+    except subprocess.CalledProcessError as failure:
+        print(failure.stdout or "", file=sys.stderr)
+        sys.exit(f"build_host.py: failed: {' '.join(failure.cmd)}")

@@ -1,0 +1,31 @@
+// The numbers in which a caller keeps positions.
+#pragma once
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "tamis/positions.hpp"
+#include "tamis/stored.hpp"
+
+namespace tamis {
+
+/// The nearest of them.
+inline double rounded(double x, Stored stored) {
+  return stored == Stored::float32 ? static_cast<double>(static_cast<float>(x)) : x;
+}
+
+inline std::vector<Point> rounded(const Positions& positions, Stored stored) {
+  std::vector<Point> points(static_cast<std::size_t>(positions.count()));
+  for (Index v = 0; v < positions.count(); ++v)
+    for (std::size_t k = 0; k < 3; ++k) points[static_cast<std::size_t>(v)][k] = rounded(positions[v][k], stored);
+  return points;
+}
+
+/// About how far rounding moves a coordinate at most on its way between two of these sizes: half a unit in the last
+/// place. Of doubles nothing that is to be planned for: whoever plans leaves a part of each distance, which is more.
+inline double most_rounding(double start, double end, Stored stored) {
+  if (stored == Stored::float64) return 0;
+  return 0x1p-24 * std::max(std::fabs(start), std::fabs(end)) + 0x1p-150;
+}
+
+}  // namespace tamis

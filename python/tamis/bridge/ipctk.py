@@ -97,7 +97,9 @@ class _Made(dict[int, Any]):
 class _Kind:
     """The candidates of one kind of pairs: of which class, and which of its numbers are Tamis's of edges."""
 
-    def __init__(self, name: str, make: Callable[[int, int], Any], first: Indices | None, second: Indices | None) -> None:
+    def __init__(
+        self, name: str, make: Callable[[int, int], Any], first: Indices | None, second: Indices | None
+    ) -> None:
         self.name = name
         self._made, self._first, self._second = _Made(make), first, second
 
@@ -133,8 +135,8 @@ _meshes: WeakKeyDictionary[ipctk.CollisionMesh, _Known] = WeakKeyDictionary()
 
 
 def _known(given: ipctk.CollisionMesh) -> _Known:
+    instance(given, ipctk.CollisionMesh, "collision_mesh", "an ipctk.CollisionMesh", InvalidMesh)
     if given not in _meshes:
-        instance(given, ipctk.CollisionMesh, "collision_mesh", "an ipctk.CollisionMesh", InvalidMesh)
         if given.dim != 3:
             raise InvalidMesh(f"collision_mesh has {given.dim} dimensions: give one of three, with z = 0 for the plane")
         if given.planes:

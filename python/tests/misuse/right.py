@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import importlib
 import inspect
 import pathlib
 from collections.abc import Mapping
@@ -44,6 +45,7 @@ _NAMED: Mapping[str, Any] = {
     "index": 0,
     "kind": tamis.PairKind.VERTEX_FACE,
     "mesh": _MESH,
+    "nthreads": 1,
     "conservative_rescaling": 0.5,
     "points_at": _still,
     "positions": START,
@@ -106,6 +108,9 @@ def _of_callee(callee: Callee, folder: pathlib.Path) -> dict[str, Any]:
         return {"start": START[np.newaxis, : _FIRST[short]], "end": END[np.newaxis, : _FIRST[short]]}
     if callee.name == "Pairs.points":
         return {"start": START[[3, 0, 1, 2]], "end": END[[3, 0, 1, 2]]}
+    if callee.name.startswith("bridge"):
+        theirs = importlib.import_module("ipctk").CollisionMesh(START, ipctk.edges(FACES), FACES)
+        return {"collision_mesh": theirs, "pairs": tamis.Detector(_MESH).near(START, 1.5)}
     if callee.name.startswith("ipctk"):
         return {"mesh": _BARRIER_MESH, "vertices": START}
     if short == "read_mesh" or short == "read_frames":

@@ -14,77 +14,104 @@ import matplotlib.pyplot as plt
 import numpy as np
 import numpy.typing as npt
 import scipy.sparse as sp
-import scipy.sparse.linalg as solvers
 
 import tamis
 from tamis.bridge import ipctk as bridge
 
-H = 0.01  # seconds a step
+H = 0.005  # seconds a step
+GRAVITY = 9.81
+DENSITY = 0.2  # kilograms a square metre
+STRETCHING = 100.0  # newtons a metre, of each edge
+BENDING = 0.02  # the same, of each vertex from the mean of those beside it
 REACH = 0.001  # of the barrier, in metres
 STIFFNESS = 1e7  # of the barrier
-GRAVITY = 9.81
 Doubles = npt.NDArray[np.float64]
 
 
 class Search:
     """What a line search must know of a step: how far it may go, and the candidates for collisions on the way."""
 
-    def __init__(self, mesh: Any) -> None:
+    def __init__(self, mesh: Any, threads: int = 0) -> None:
         self.mesh = mesh
-        self.detector = tamis.Detector(bridge.mesh(mesh), threads=1)
+        self.detector = tamis.Detector(bridge.mesh(mesh), threads=threads)
 
     def __call__(self, start: Doubles, end: Doubles) -> tuple[float, Any]:
         """Every pair keeps a tenth of its distance; no pair that comes within reach is left out."""
         part = self.detector.keep_distance(start, end, 0.1).lower
-        near = self.detector.contacts(start, start + part * (end - start), min_separation=1.001 * REACH)
-        return part, bridge.candidates(near, self.mesh)
+        pairs = self.detector.contacts(start, start + part * (end - start), min_separation=1.001 * REACH)
+        return part, bridge.candidates(pairs, self.mesh)
 
 
-class Springs:
-    """The energy of springs along edges and across them, with derivatives; the Hessian is positive semidefinite."""
+class Cloth:
+    """Inertia, springs along edges, and bending: the energy that a step of implicit Euler minimises, but contacts."""
 
-    def __init__(self, rest: Doubles, faces: npt.NDArray[np.int64], edges: npt.NDArray[np.int32]) -> None:
-        corners = faces[:, [[0, 1, 2], [1, 2, 0], [2, 0, 1]]].reshape(-1, 3)  # an edge, and what lies opposite
-        corners = corners[np.lexsort(np.sort(corners[:, :2]).T)]
-        twin = (np.sort(corners[1:, :2]) == np.sort(corners[:-1, :2])).all(1)
-        across = np.stack([corners[:-1, 2], corners[1:, 2]], 1)[twin]
-        self.a, self.b = np.concatenate([edges, across]).T
-        self.stiffness = np.repeat([100.0, 1.0], [len(edges), len(across)])
-        self.length = np.linalg.norm(rest[self.a] - rest[self.b], axis=1)
-        self.size = 3 * len(rest)
-        # Entries of the Hessian never move: each goes straight to its place in a matrix of compressed rows.
-        blocks = [(self.a, self.a), (self.a, self.b), (self.b, self.a), (self.b, self.b)]
-        xyz = np.arange(3)
-        rows = np.concatenate([np.broadcast_to(3 * i[:, None, None] + xyz[:, None], (len(i), 3, 3)) for i, _ in blocks])
-        columns = np.concatenate([np.broadcast_to(3 * j[:, None, None] + xyz, (len(j), 3, 3)) for _, j in blocks])
-        entries, self.place = np.unique(rows.ravel() * self.size + columns.ravel(), return_inverse=True)
-        self.columns, starts = entries % self.size, np.arange(self.size + 1) * self.size
-        self.starts = np.searchsorted(entries, starts)
+    def __init__(self, flat: Doubles, edges: npt.NDArray[np.int32]) -> None:
+        self.a, self.b = edges.T
+        self.length = np.linalg.norm(flat[self.a] - flat[self.b], axis=1)
+        n, self.size = len(flat), flat.size
+        self.mass = DENSITY / n  # of a square metre
+        ends, others = np.concatenate([self.a, self.b]), np.concatenate([self.b, self.a])
+        beside = sp.csr_array((np.ones(len(ends)), (ends, others)), shape=(n, n))
+        curvature = sp.diags_array(beside.sum(1)) - beside
+        curvature = curvature[np.abs(curvature @ flat).max(1) < 1e-9]  # of vertices that are not on the border
+        self.bending = BENDING * (curvature.T @ curvature)
+        constant = sp.kron(self.bending + self.mass / H**2 * sp.eye_array(n), sp.eye_array(3), "coo")
+        # Entries of the Hessian never move: a matrix of signs leads there from the springs' own, three by three.
+        rows, columns = np.concatenate([ends, ends]), np.concatenate([ends, others])
+        x, y = np.indices((3, 3))
+        entries = ((3 * rows[:, None, None] + x) * self.size + 3 * columns[:, None, None] + y).ravel()
+        entries = np.concatenate([entries, constant.row.astype(int) * self.size + constant.col])
+        places, place = np.unique(entries, return_inverse=True)
+        own = 9 * len(edges)
+        signs = np.repeat([1.0, -1.0], 2 * own), (place[: 4 * own], np.tile(np.arange(own), 4))
+        self.gather = sp.csr_array(signs, shape=(len(places), own))
+        self.constant = np.bincount(place[4 * own :], constant.data, len(places))
+        self.columns = (places % self.size).astype(np.int32)
+        self.starts = np.searchsorted(places, np.arange(self.size + 1) * self.size).astype(np.int32)
 
     def _stretch(self, x: Doubles) -> tuple[Doubles, Doubles]:
         d = x[self.a] - x[self.b]
         return d, np.sqrt(np.einsum("ij,ij->i", d, d))
 
-    def value(self, x: Doubles) -> float:
-        """In joules."""
-        return float(0.5 * self.stiffness @ (self._stretch(x)[1] - self.length) ** 2)
+    def value(self, x: Doubles, target: Doubles) -> float:
+        """In joules; `target` is where inertia and gravity alone would lead."""
+        stretched = self._stretch(x)[1] - self.length
+        moved = x - target
+        inertia, bent = self.mass / H**2 * np.vdot(moved, moved), np.vdot(x, self.bending @ x)
+        return float(inertia + STRETCHING * stretched @ stretched + bent) / 2
 
-    def gradient(self, x: Doubles) -> Doubles:
-        """By coordinate, one row a vertex."""
+    def gradient(self, x: Doubles, target: Doubles) -> Doubles:
+        """One row a vertex."""
         d, length = self._stretch(x)
-        force = (self.stiffness * (1 - self.length / length))[:, None] * d
+        force = (STRETCHING * (1 - self.length / length))[:, None] * d
         ends = np.concatenate([self.a, self.b])
-        return np.stack([np.bincount(ends, np.concatenate([f, -f]), len(x)) for f in force.T], 1)
+        pulled = np.stack([np.bincount(ends, np.concatenate([f, -f]), len(x)) for f in force.T], 1)
+        return self.mass / H**2 * (x - target) + pulled + self.bending @ x
 
     def hessian(self, x: Doubles) -> Any:
-        """What a compressed spring would push sideways is left out."""
+        """Positive definite: what a compressed spring would push sideways is left out."""
         d, length = self._stretch(x)
         u = d / length[:, None]
-        along, sideways = self.stiffness, self.stiffness * np.maximum(1 - self.length / length, 0)
-        block = (along - sideways)[:, None, None] * u[:, :, None] * u[:, None, :] + sideways[:, None, None] * np.eye(3)
-        entries = np.concatenate([block, -block, -block, block]).ravel()
-        data = np.bincount(self.place, entries, len(self.columns))
-        return sp.csr_matrix((data, self.columns, self.starts), (self.size, self.size))
+        sideways = np.maximum(1 - self.length / length, 0)
+        own = (1 - sideways)[:, None, None] * u[:, :, None] * u[:, None, :] + sideways[:, None, None] * np.eye(3)
+        return sp.csr_array((self.gather @ (STRETCHING * own.ravel()) + self.constant, self.columns, self.starts))
+
+
+def solve(matrix: Any, right: Doubles) -> Doubles:
+    """Conjugate gradients, to a tenth, or until a way of negative curvature: what has been found then leads down."""
+    inverse = 1 / np.abs(matrix.diagonal())
+    x, way, residual, last = np.zeros_like(right), np.zeros_like(right), right.copy(), np.inf
+    while residual @ residual > 0.01 * (right @ right):
+        scaled = inverse * residual
+        now = residual @ scaled
+        way = scaled + now / last * way
+        last, product = now, matrix @ way
+        curvature = way @ product
+        if curvature <= 0:
+            return x if x.any() else way
+        x += now / curvature * way
+        residual -= now / curvature * product
+    return x
 
 
 def folded(cells: int, layers: int = 6, gap: float = 0.03) -> tuple[Doubles, Doubles, npt.NDArray[np.int64]]:
@@ -105,47 +132,41 @@ def folded(cells: int, layers: int = 6, gap: float = 0.03) -> tuple[Doubles, Dou
     return pose, np.stack([along, across, 0 * z], 1), faces
 
 
-class Cloth:
+class Scene:
     """The folded cloth, on a floor of two triangles that stays where it is."""
 
     def __init__(self, cells: int, search: Any = Search) -> None:
         pose, flat, faces = folded(cells)
         floor = np.array([[-1.0, -1, 0], [2, -1, 0], [2, 2, 0], [-1, 2, 0]])
-        self.count = len(pose)
+        self.count = len(pose)  # of the cloth's vertices
         self.x = np.concatenate([pose, floor])
         self.velocity = np.zeros_like(self.x)
         self.faces = np.concatenate([faces, np.array([[0, 1, 2], [0, 2, 3]]) + self.count])
         self.mesh = ipctk.CollisionMesh(self.x, ipctk.edges(self.faces), self.faces)
-        self.springs = Springs(flat, faces, ipctk.edges(faces))
-        self.mass = 0.2 / self.count  # kilograms a vertex
+        self.cloth = Cloth(flat, ipctk.edges(faces))
         self.barrier = ipctk.BarrierPotential(REACH, STIFFNESS)
-        self.collisions = ipctk.NormalCollisions()
+        self.collisions = ipctk.NormalCollisions()  # those of x
+        self.collisions.build(self.mesh, self.x, REACH)
         self.search = search(self.mesh)
         self.newton_steps = 0
 
     def energy(self, x: Doubles, target: Doubles) -> float:
-        """What a step minimises: inertia, springs, and the barrier of the present collisions."""
-        moved = x[: self.count] - target
-        potential = self.springs.value(x[: self.count]) + self.barrier(self.collisions, self.mesh, x)
-        return float(0.5 * self.mass * np.vdot(moved, moved) + H * H * potential)
+        """What a step minimises."""
+        return self.cloth.value(x[: self.count], target) + float(self.barrier(self.collisions, self.mesh, x))
 
     def direction(self, x: Doubles, target: Doubles) -> Doubles:
         """Newton's, of all vertices; the floor's rest."""
         n = self.count
-        force = self.springs.gradient(x[:n]) + self.barrier.gradient(self.collisions, self.mesh, x).reshape(-1, 3)[:n]
-        gradient = self.mass * (x[:n] - target) + H * H * force
-        stiff = self.barrier.hessian(self.collisions, self.mesh, x, ipctk.PSDProjectionMethod.CLAMP)
-        stiff = stiff.T[: 3 * n, : 3 * n]  # symmetric: columns are rows
-        matrix = H * H * (self.springs.hessian(x[:n]) + stiff) + self.mass * sp.eye_array(3 * n, format="csr")
-        jacobi = sp.diags_array(1 / matrix.diagonal())
-        found, _ = solvers.cg(matrix, -gradient.ravel(), rtol=1e-2, M=jacobi)
-        return np.concatenate([found.reshape(-1, 3), np.zeros((len(x) - n, 3))])
+        pushed = self.barrier.gradient(self.collisions, self.mesh, x).reshape(-1, 3)[:n]
+        gradient = self.cloth.gradient(x[:n], target) + pushed
+        stiff = self.barrier.hessian(self.collisions, self.mesh, x)
+        matrix = self.cloth.hessian(x[:n]) + stiff.T[: 3 * n, : 3 * n]  # symmetric: its columns are rows
+        return np.concatenate([solve(matrix, -gradient.ravel()).reshape(-1, 3), np.zeros((len(x) - n, 3))])
 
     def step(self) -> None:
         """Implicit Euler: Newton's method until it moves vertices by less than a centimetre a second."""
         x, n = self.x.copy(), self.count
         target = x[:n] + H * self.velocity[:n] - [0, 0, H * H * GRAVITY]
-        self.collisions.build(self.mesh, x, REACH)
         before = self.energy(x, target)
         while True:
             move = self.direction(x, target)
@@ -171,17 +192,17 @@ def main() -> None:
     parser.add_argument("--cells", type=int, default=36, help="along a side of the cloth; two triangles each")
     parser.add_argument("--out", default="barrier_cloth.png")
     arguments = parser.parse_args()
-    cloth = Cloth(arguments.cells)
+    scene = Scene(arguments.cells)
     for _ in range(arguments.steps):
-        cloth.step()
-    nearest = np.sqrt(cloth.collisions.compute_minimum_distance(cloth.mesh, cloth.x))
-    print(f"{arguments.steps} steps, {cloth.newton_steps} of Newton's; {len(cloth.collisions)} collisions, ", end="")
-    print(f"the nearest {1000 * nearest:.2f} mm apart; height {cloth.x[:, 2].max():.3f} m")
+        scene.step()
+    nearest = np.sqrt(scene.collisions.compute_minimum_distance(scene.mesh, scene.x))
+    print(f"{arguments.steps} steps, {scene.newton_steps} of Newton's; {len(scene.collisions)} collisions, ", end="")
+    print(f"the nearest {1000 * nearest:.2f} mm apart; height {scene.x[:, 2].max():.3f} m")
 
     figure = plt.figure(figsize=(8, 6), layout="constrained")
     axes = figure.add_subplot(projection="3d")
-    x = cloth.x[: cloth.count]
-    axes.plot_trisurf(*x.T, triangles=cloth.faces[:-2], color=(0.36, 0.55, 0.75), edgecolor=(0.2, 0.3, 0.45), lw=0.2)
+    x, triangles = scene.x[: scene.count], scene.faces[:-2]
+    axes.plot_trisurf(*x.T, triangles=triangles, color=(0.36, 0.55, 0.75), edgecolor=(0.2, 0.3, 0.45), lw=0.2)
     axes.view_init(elev=12, azim=-80)
     axes.set_aspect("equal")
     axes.set_axis_off()

@@ -46,11 +46,12 @@ class Cloth:
     """Inertia, springs along edges, and bending: the energy that a step of implicit Euler minimises, but contacts."""
 
     def __init__(self, flat: Doubles, edges: npt.NDArray[np.int32]) -> None:
-        self.a, self.b = edges.T
-        self.length = np.linalg.norm(flat[self.a] - flat[self.b], axis=1)
         n, self.size = len(flat), flat.size
+        numbers = np.repeat(np.arange(len(edges)), 2)
+        self.difference = sp.csr_array((np.tile([1.0, -1.0], len(edges)), (numbers, edges.ravel())), (len(edges), n))
+        self.length = self._stretch(flat)[1]
         self.mass = DENSITY / n  # of a square metre
-        ends, others = np.concatenate([self.a, self.b]), np.concatenate([self.b, self.a])
+        ends, others = np.concatenate([edges, edges[:, ::-1]]).T
         beside = sp.csr_array((np.ones(len(ends)), (ends, others)), shape=(n, n))
         curvature = sp.diags_array(beside.sum(1)) - beside
         curvature = curvature[np.abs(curvature @ flat).max(1) < 1e-9]  # of vertices that are not on the border
@@ -70,7 +71,7 @@ class Cloth:
         self.starts = np.searchsorted(places, np.arange(self.size + 1) * self.size).astype(np.int32)
 
     def _stretch(self, x: Doubles) -> tuple[Doubles, Doubles]:
-        d = x[self.a] - x[self.b]
+        d = self.difference @ x
         return d, np.sqrt(np.einsum("ij,ij->i", d, d))
 
     def value(self, x: Doubles, target: Doubles) -> float:
@@ -84,9 +85,8 @@ class Cloth:
         """One row a vertex."""
         d, length = self._stretch(x)
         force = (STRETCHING * (1 - self.length / length))[:, None] * d
-        ends = np.concatenate([self.a, self.b])
-        pulled = np.stack([np.bincount(ends, np.concatenate([f, -f]), len(x)) for f in force.T], 1)
-        return self.mass / H**2 * (x - target) + pulled + self.bending @ x
+        result: Doubles = self.mass / H**2 * (x - target) + self.bending @ x + self.difference.T @ force
+        return result
 
     def hessian(self, x: Doubles) -> Any:
         """Positive definite: what a compressed spring would push sideways is left out."""

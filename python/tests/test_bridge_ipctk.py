@@ -120,8 +120,8 @@ def test_mixed_with_a_potential(pose: tuple[Any, Numbers]) -> None:
     theirs.build(mesh, positions, REACH)
     barrier = ipctk.BarrierPotential(REACH, 1e3)
     assert barrier(ours, mesh, positions) == pytest.approx(barrier(theirs, mesh, positions), rel=1e-12)
-    gradients = [barrier.gradient(collisions, mesh, positions) for collisions in (ours, theirs)]
-    assert np.allclose(*gradients, rtol=0, atol=1e-12 * np.abs(gradients[0]).max())
+    pushed, expected = (barrier.gradient(collisions, mesh, positions) for collisions in (ours, theirs))
+    assert np.allclose(pushed, expected, rtol=0, atol=1e-12 * np.abs(expected).max())
     friction = ipctk.FrictionPotential(1e-3)
     velocity = np.random.default_rng(1).standard_normal(positions.shape)
     dissipated = []

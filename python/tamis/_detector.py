@@ -3,26 +3,24 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Any, overload
+from typing import Any
 
 import numpy.typing as npt
 
 from tamis import _core
-from tamis._answers import EarliestContact, SafeStep, TruncatedStep, safe_step
-from tamis._arrays import Doubles, rows
-from tamis._checks import instance, number, number_or_none
+from tamis._arrays import rows
+from tamis._at_rest import AtRest
+from tamis._checks import instance
 from tamis._contacts import Contacts
 from tamis._errors import InvalidMesh
-from tamis._looking import Asked
+from tamis._in_motion import InMotion
 from tamis._mesh import Mesh
-from tamis._motion import motion
-from tamis._near import Intersections, NearPairs
 from tamis._options import Filter, Isa, PaperOptions, make_options
-from tamis._paths import Path
 from tamis._statistics import Statistics
+from tamis._step_lengths import StepLengths
 
 
-class Detector:
+class Detector(InMotion, StepLengths, AtRest):
     """Holds a mesh and the hierarchy over it; keep one for all steps of a mesh.
 
     The first question builds the hierarchy; later ones refit it, and rebuild it by themselves once that pays. Pairs are
@@ -114,219 +112,6 @@ class Detector:
         """What the last question cost."""
         return Statistics(**self._detector.statistics())
 
-    @overload
-    def contacts(
-        self, start: npt.ArrayLike, end: npt.ArrayLike, *, min_separation: float | None = None
-    ) -> Contacts: ...
-    @overload
-    def contacts(
-        self, start: Path, /, *, min_separation: float | None = None, tolerance: float | None = None
-    ) -> Contacts: ...
-    def contacts(
-        self,
-        start: npt.ArrayLike | Path,
-        end: npt.ArrayLike | None = None,
-        *,
-        min_separation: float | None = None,
-        tolerance: float | None = None,
-    ) -> Contacts:
-        """Find every contact of a step, or of a path.
-
-        Parameters
-        ----------
-        start, end : array_like, shape (n, 3)
-            Where each vertex is at the start and at the end of the step. Or a `Path` alone: curved motion.
-        min_separation : float, optional
-            Of this question alone; by default the detector's.
-        tolerance : float, optional
-            Of a path: widest bracket of a contact, in (0, 1], a fraction of the step; by default 1e-9.
-
-        Returns
-        -------
-        Contacts
-            By kind, then vertices; `Contacts.view` shows them. On a path, what cannot be decided (a touch
-            without crossing, say) is a contact that is not certified.
-        """
-        moving = motion(start, end, tolerance)
-        separation = number_or_none(min_separation, "min_separation")
-        found = self._detector.contacts(*moving.native(), separation)
-        return Contacts(found, Asked(self._mesh._mesh, self._options, moving, separation))
-
-    @overload
-    def earliest(
-        self, start: npt.ArrayLike, end: npt.ArrayLike, *, min_separation: float | None = None
-    ) -> EarliestContact: ...
-    @overload
-    def earliest(
-        self, start: Path, /, *, min_separation: float | None = None, tolerance: float | None = None
-    ) -> EarliestContact: ...
-    def earliest(
-        self,
-        start: npt.ArrayLike | Path,
-        end: npt.ArrayLike | None = None,
-        *,
-        min_separation: float | None = None,
-        tolerance: float | None = None,
-    ) -> EarliestContact:
-        """Find the first contact: how far the step, or the path, may go. `truncate` says to which positions.
-
-        Parameters
-        ----------
-        start, end, min_separation, tolerance
-            As of `contacts`.
-
-        Returns
-        -------
-        EarliestContact
-            The motion is free before its `toi_lower`: proven.
-        """
-        separation = number_or_none(min_separation, "min_separation")
-        lower, upper, found = self._detector.earliest(*motion(start, end, tolerance).native(), separation)
-        contacts = Contacts(found)
-        return EarliestContact(lower, upper, contacts[0] if len(contacts) else None)
-
-    @overload
-    def is_free(self, start: npt.ArrayLike, end: npt.ArrayLike, *, min_separation: float | None = None) -> bool: ...
-    @overload
-    def is_free(
-        self, start: Path, /, *, min_separation: float | None = None, tolerance: float | None = None
-    ) -> bool: ...
-    def is_free(
-        self,
-        start: npt.ArrayLike | Path,
-        end: npt.ArrayLike | None = None,
-        *,
-        min_separation: float | None = None,
-        tolerance: float | None = None,
-    ) -> bool:
-        """Tell whether the whole step, or the whole path, is free of contacts.
-
-        Parameters
-        ----------
-        start, end, min_separation, tolerance
-            As of `contacts`.
-
-        Returns
-        -------
-        bool
-            True is a proof. On a path False may be due to a contact that is not certified.
-        """
-        separation = number_or_none(min_separation, "min_separation")
-        return self._detector.is_free(*motion(start, end, tolerance).native(), separation)
-
-    def keep_distance(
-        self, start: npt.ArrayLike, end: npt.ArrayLike, fraction: float = 0.1, *, min_separation: float | None = None
-    ) -> SafeStep:
-        """Find how far the step may go so that every pair keeps a fraction of its distance.
-
-        The step length for the line search of a barrier method. The distance that counts is what exceeds the minimum
-        separation.
-
-        Parameters
-        ----------
-        start, end : array_like, shape (n, 3)
-            Where each vertex is at the start and at the end of the step.
-        min_separation : float, optional
-            Of this question alone; by default the detector's.
-        fraction : float
-            0 <= fraction < 1. 0.1 for the line search of a barrier, where the next steps need room; 0.01 and less to
-            come near what is met; 0.5 and more where distances may shrink slowly only. 0: only contacts count. The
-            closer to 1, the longer the search.
-
-        Returns
-        -------
-        SafeStep
-            On [0, lower] every pair keeps the fraction: proven.
-
-        Raises
-        ------
-        InvalidOptions
-            The fraction is outside its range.
-        """
-        return safe_step(self._detector.keep_distance(*_given(start, end, fraction, min_separation)))
-
-    def truncate(
-        self, start: npt.ArrayLike, end: npt.ArrayLike, fraction: float = 0.1, *, min_separation: float | None = None
-    ) -> TruncatedStep:
-        """Find positions to go to, so that every pair keeps a fraction of its distance, and one does not stop all.
-
-        All vertices go together as far as every pair keeps a little more than the fraction, from there each on its own
-        side of planes between the features that it could reach, by a quarter of the mean edge at most. What starts
-        within the minimum separation may move as long as it comes no nearer; then no vertex goes farther than that.
-
-        Parameters
-        ----------
-        start, end : array_like, shape (n, 3)
-            Where each vertex is at the start and at the end of the step.
-        fraction : float
-            0 < fraction < 1, of the distance as far as that exceeds the minimum separation.
-        min_separation : float, optional
-            Of this question alone; by default the detector's.
-
-        Returns
-        -------
-        TruncatedStep
-            Positions as doubles: the straight way there is proven.
-
-        Raises
-        ------
-        InvalidOptions
-            The fraction is outside its range.
-        """
-        return TruncatedStep(*self._detector.truncate(*_given(start, end, fraction, min_separation)))
-
-    def near(self, positions: npt.ArrayLike, distance: float) -> NearPairs:
-        """Find every pair of features that is near at rest: what a barrier or penalty method starts from.
-
-        Parameters
-        ----------
-        positions : array_like, shape (n, 3)
-            Where each vertex is.
-        distance : float
-            >= 0, in the unit of the positions; both radii of `thickness` come on top.
-
-        Returns
-        -------
-        NearPairs
-            Each pair once, by kind, then vertices.
-
-        Raises
-        ------
-        InvalidOptions
-            The distance is negative or not finite.
-        """
-        return NearPairs(self._detector.near(rows(positions, "positions"), number(distance, "distance")))
-
-    def intersections(self, positions: npt.ArrayLike) -> Intersections:
-        """Find every edge that passes through a triangle or touches it: exactly.
-
-        Parameters
-        ----------
-        positions : array_like, shape (n, 3)
-            Where each vertex is.
-
-        Returns
-        -------
-        Intersections
-            By edge, then face. Of the filter the groups count, thickness does not.
-        """
-        return Intersections(self._detector.intersections(rows(positions, "positions")))
-
-    def has_intersection(self, positions: npt.ArrayLike) -> bool:
-        """Tell whether any edge passes through a triangle or touches it: whether this is no pose to start from.
-
-        Parameters
-        ----------
-        positions : array_like, shape (n, 3)
-            Where each vertex is.
-
-        Returns
-        -------
-        bool
-            Exact. Ends at the first.
-        """
-        return self._detector.has_intersection(rows(positions, "positions"))
-
     def __repr__(self) -> str:
         return f"Detector({self._mesh!r}, {self._description})"
 
@@ -353,10 +138,3 @@ def contacts(faces: npt.ArrayLike, start: npt.ArrayLike, end: npt.ArrayLike, **o
     """
     first = rows(start, "start")
     return Detector(Mesh(faces, vertex_count=len(first)), **options).contacts(first, end)
-
-
-def _given(
-    start: npt.ArrayLike, end: npt.ArrayLike, fraction: float, min_separation: float | None
-) -> tuple[Doubles, Doubles, float, float | None]:
-    separation = number_or_none(min_separation, "min_separation")
-    return rows(start, "start"), rows(end, "end"), number(fraction, "fraction"), separation

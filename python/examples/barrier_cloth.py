@@ -199,12 +199,12 @@ def main() -> None:
     print(f"{arguments.steps} steps, {scene.newton_steps} of Newton's; {len(scene.collisions)} collisions, ", end="")
     print(f"the nearest {1000 * nearest:.2f} mm apart; height {scene.x[:, 2].max():.3f} m")
 
-    figure = plt.figure(figsize=(8, 6), layout="constrained")
+    figure = plt.figure(figsize=(8, 4), layout="constrained")
     axes = figure.add_subplot(projection="3d")
     x, triangles = scene.x[: scene.count], scene.faces[:-2]
     axes.plot_trisurf(*x.T, triangles=triangles, color=(0.36, 0.55, 0.75), edgecolor=(0.2, 0.3, 0.45), lw=0.2)
-    axes.view_init(elev=12, azim=-80)
-    axes.set_aspect("equal")
+    axes.view_init(elev=14, azim=-60)
+    axes.set_box_aspect(np.ptp(x, axis=0), zoom=1.6)
     axes.set_axis_off()
     figure.savefig(arguments.out, dpi=150)
 

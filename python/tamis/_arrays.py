@@ -67,18 +67,6 @@ def finite(array: Doubles, name: str, error: type[Error]) -> Doubles:
     return array
 
 
-def pairs(given: npt.ArrayLike, corners: int, name: str) -> Doubles:
-    """Return n pairs of so many points, without a copy if they are contiguous doubles; one pair may come alone."""
-    array = numbers(given, name, InvalidStep)
-    if array.shape == (corners, 3):
-        array = array[np.newaxis]
-    if array.ndim != 3 or array.shape[1:] != (corners, 3):
-        raise InvalidStep(
-            f"{name} has the shape {_shape(array)}: give {corners} points of three numbers a pair, (n, {corners}, 3)"
-        )
-    return np.require(array, dtype=_DOUBLE, requirements=["C", "ALIGNED"])
-
-
 def point_frames(given: npt.ArrayLike, name: str, error: type[Error]) -> Doubles:
     """Return contiguous doubles, so many frames of points: (f, n, 3)."""
     array = numbers(given, name, error)
@@ -119,10 +107,11 @@ def indices(given: npt.ArrayLike, columns: int, name: str, error: type[Error]) -
         raise error(f"{name} has the shape {_shape(array)}: give {wanted}")
     if array.dtype.kind == "f":
         raise error(f"{name} has the dtype {array.dtype}: give {_WHOLE}")
-    limits = np.iinfo(np.int32)
-    wrong = (array < limits.min) | (array > limits.max)
-    if wrong.any():
-        raise error(f"{name} holds {array[wrong][0]}: give {_WHOLE}")
+    if array.dtype != np.int32:
+        limits = np.iinfo(np.int32)
+        wrong = (array < limits.min) | (array > limits.max)
+        if wrong.any():
+            raise error(f"{name} holds {array[wrong][0]}: give {_WHOLE}")
     return np.require(array, dtype=np.int32, requirements=["C", "ALIGNED"])
 
 

@@ -126,10 +126,11 @@ def flags(given: npt.ArrayLike, name: str, error: type[Error]) -> Groups:
 def pair_list(kind: npt.ArrayLike, vertices: npt.ArrayLike, error: type[Error]) -> tuple[Groups, Indices]:
     """Return kinds (n,) and vertices (n, 4) of pairs of features; one kind may serve for all, one pair come alone."""
     given = indices(np.atleast_2d(_array(vertices, "vertices", error, "iuf", _WHOLE)), 4, "vertices", error)
-    kinds = indices(np.atleast_1d(_array(kind, "kind", error, "iuf", "a PairKind")), 0, "kind", error)
+    kinds = np.atleast_1d(_array(kind, "kind", error, "iuf", "a PairKind"))
+    if kinds.dtype != np.uint8 or kinds.ndim != 1:
+        kinds = indices(kinds, 0, "kind", error)
     if len(kinds) not in (1, len(given)):
         raise error(f"kind has {len(kinds)} entries, vertices {len(given)} rows: give as many, or one kind for all")
-    wrong = (kinds < 0) | (kinds > 3)
-    if wrong.any():
-        raise error(f"kind holds {kinds[wrong][0]}, which is none: give a PairKind")
+    if kinds.max(initial=0) > 3 or kinds.min(initial=0) < 0:
+        raise error(f"kind holds {kinds[(kinds < 0) | (kinds > 3)][0]}, which is none: give a PairKind")
     return np.ascontiguousarray(np.broadcast_to(kinds, len(given)), dtype=np.uint8), given

@@ -153,6 +153,7 @@ def test_what_is_refused(pose: tuple[Any, Numbers]) -> None:
     near = tamis.Detector(bridge.mesh(mesh)).near(positions, REACH)
     flat = ipctk.CollisionMesh(positions[:, :2], mesh.edges)
     floored = ipctk.CollisionMesh(positions, mesh.edges, mesh.faces)
+    bridge.mesh(floored)
     floored.planes = [ipctk.Hyperplane(np.array([0.0, 0, 1]), np.zeros(3))]
     for wrong, sentence in ((flat, "2 dimensions: give"), (floored, "1 planes: give"), (near, "give an ipctk.Coll")):
         with pytest.raises(tamis.InvalidMesh, match=sentence):

@@ -79,7 +79,7 @@ def candidates(pairs: NamedPairs[Any], collision_mesh: ipctk.CollisionMesh) -> i
 
 
 class _Made(dict[int, Any]):
-    """Candidates that were made before, by both numbers in one: to make one costs ipctk ten times as much."""
+    """Candidates that were made before, by both numbers in one: to make one costs ipctk several times as much."""
 
     _MOST = 1 << 18
 
@@ -136,10 +136,10 @@ _meshes: WeakKeyDictionary[ipctk.CollisionMesh, _Known] = WeakKeyDictionary()
 
 def _known(given: ipctk.CollisionMesh) -> _Known:
     instance(given, ipctk.CollisionMesh, "collision_mesh", "an ipctk.CollisionMesh", InvalidMesh)
+    if given.dim != 3:
+        raise InvalidMesh(f"collision_mesh has {given.dim} dimensions: give one of three, with z = 0 for the plane")
+    if given.planes:
+        raise InvalidMesh(f"collision_mesh has {len(given.planes)} planes: give two large triangles for each")
     if given not in _meshes:
-        if given.dim != 3:
-            raise InvalidMesh(f"collision_mesh has {given.dim} dimensions: give one of three, with z = 0 for the plane")
-        if given.planes:
-            raise InvalidMesh(f"collision_mesh has {len(given.planes)} planes: give two large triangles for each")
         _meshes[given] = _Known(given)
     return _meshes[given]

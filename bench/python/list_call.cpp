@@ -1,17 +1,18 @@
-// The C++ call that tamis.vertex_face stands for, for overhead.py to call by ctypes.
+// The C++ call that tamis.narrow_phase stands for, for overhead.py to call by ctypes.
 #include <chrono>
 
 #include "tamis/pair.hpp"
 
-/// Seconds for `count` vertices against as many faces, four points a pair; results in memory of their own, as in
-/// Python.
+/// Seconds for `count` vertices against as many faces, four points each; results in memory of their own, as in Python.
 extern "C" __attribute__((visibility("default"))) double tamis_list_call(std::size_t count, const double* start,
                                                                          const double* end) {
-  const auto points = [&](const double* rows) {
-    return std::span(reinterpret_cast<const tamis::Point*>(rows), 4 * count);
-  };
+  std::vector<tamis::Pair> pairs(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto first = static_cast<tamis::Index>(4 * i);
+    pairs[i] = {tamis::PairKind::vertex_face, {first, first + 1, first + 2, first + 3}};
+  }
+  const auto points = static_cast<tamis::Index>(4 * count);
   const auto begin = std::chrono::steady_clock::now();
-  std::vector<tamis::PairResult> results(count);
-  tamis::narrow_phase(tamis::PairKind::vertex_face, points(start), points(end), results);
+  const auto results = tamis::narrow_phase(pairs, {{start, points}, {end, points}});
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }

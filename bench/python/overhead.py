@@ -50,11 +50,15 @@ def compare_pairs(path: pathlib.Path, repeat: int, count: int = 1_000_000) -> No
     """A million vertices against as many faces; two copies of the library, one in each module."""
     call = ctypes.CDLL(str(path)).tamis_list_call
     call.restype, call.argtypes = ctypes.c_double, (ctypes.c_size_t, ctypes.c_void_p, ctypes.c_void_p)
-    start, end = np.random.default_rng(1).uniform(-1, 1, (2, count, 4, 3))
+    start, end = np.random.default_rng(1).uniform(-1, 1, (2, 4 * count, 3))
     given = count, start.ctypes.data, end.ctypes.data
+    vertices = np.arange(4 * count, dtype=np.int32).reshape(-1, 4)
+
+    def ask() -> tamis.Pairs:
+        return tamis.narrow_phase(tamis.PairKind.VERTEX_FACE, vertices, start, end)
 
     call(*given)
-    times = np.array([[call(*given), seconds(lambda: tamis.vertex_face(start, end))] for _ in range(repeat)])
+    times = np.array([[call(*given), seconds(ask)] for _ in range(repeat)])
     cpp, python = np.median(times, axis=0)
     ratio = np.median(times[:, 1] / times[:, 0])
     print(f"{count:,} pairs: C++ {1000 * cpp:.0f} ms, NumPy {1000 * python:.0f} ms, ratio {ratio:.3f}")

@@ -16,9 +16,6 @@ namespace nb = nanobind;
 
 /// n x 3 doubles, a row's three together; rows may lie apart. The Python side hands over nothing else.
 using Rows = nb::ndarray<const double, nb::shape<-1, 3>, nb::device::cpu>;
-/// n pairs of so many points, all together.
-template <int corners>
-using PairRows = nb::ndarray<const double, nb::shape<-1, corners, 3>, nb::c_contig, nb::device::cpu>;
 template <int columns>
 using IndexRowsIn = nb::ndarray<const Index, nb::shape<-1, columns>, nb::c_contig, nb::device::cpu>;
 using Indices = nb::ndarray<const Index, nb::shape<-1>, nb::c_contig, nb::device::cpu>;

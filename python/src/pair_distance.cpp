@@ -1,26 +1,17 @@
 // How far apart single pairs are, and how long one keeps a part of that.
 #include "tamis/pair_distance.hpp"
 
-#include <algorithm>
-
 #include "python/src/answers.hpp"
 #include "python/src/bindings.hpp"
 #include "python/src/pair_results.hpp"
+#include "python/src/pair_rows.hpp"
 #include "tamis/error.hpp"
 
 namespace tamis::python {
 namespace {
 
-/// Numbers of kinds; what is none is no kind either when it comes here.
-using Kinds = nb::ndarray<const std::uint8_t, nb::shape<-1>, nb::c_contig, nb::device::cpu>;
 /// Of a table's column, whose entries lie apart.
 using Numbers = nb::ndarray<const double, nb::ndim<1>, nb::device::cpu>;
-
-Pair pair_at(const Kinds& kinds, const IndexRowsIn<4>& vertices, std::size_t i) {
-  Pair pair{static_cast<PairKind>(kinds.data()[i]), {}};
-  std::copy_n(vertices.data() + 4 * i, 4, pair.vertices.begin());
-  return pair;
-}
 
 /// REQUIRES: as many kinds as rows of vertices, which the Python side sees to.
 nb::object distances_of(const Kinds& kinds, const IndexRowsIn<4>& vertices, const Rows& at) {

@@ -1,29 +1,49 @@
+// The narrow phase of a list of pairs, on straight lines.
 #include <span>
 
-#include "python/src/arrays.hpp"
 #include "python/src/bindings.hpp"
+#include "python/src/pair_rows.hpp"
 #include "python/src/signals.hpp"
 #include "tamis/error.hpp"
-#include "tamis/pair.hpp"
 
 namespace tamis::python {
 namespace {
 
-template <int corners>
-std::span<const Point> points_of(const PairRows<corners>& rows) {
-  return {reinterpret_cast<const Point*>(rows.data()), std::size_t{corners} * rows.shape(0)};
+/// Pairs first to last of those that NumPy has.
+void copy_pairs(const Kinds& kinds, const IndexRowsIn<4>& vertices, std::size_t first, std::size_t last,
+                std::vector<Pair>& pairs) {
+  pairs.resize(last - first);
+  for (std::size_t i = first; i < last; ++i) pairs[i - first] = pair_at(kinds, vertices, i);
 }
 
-template <PairKind kind, int corners>
-nb::object decide_all(const PairRows<corners>& start, const PairRows<corners>& end, double min_separation,
-                      double latest) {
-  std::vector<PairResult> results(start.shape(0));
+/// In parts that stay in the cache: a copy of the whole list would take a tenth of the time.
+void decide_in_parts(const Kinds& kinds, const IndexRowsIn<4>& vertices, const Step& step,
+                     std::span<PairResult> results, const PairListOptions& options) {
+  constexpr std::size_t kPart = 1 << 15;
+  std::vector<Pair> pairs;
+  std::size_t first = 0;
+  try {
+    do {
+      const std::size_t last = std::min(first + kPart, results.size());
+      copy_pairs(kinds, vertices, first, last, pairs);
+      narrow_phase(pairs, step, results.subspan(first, last - first), options);
+      first = last;
+    } while (first < results.size());
+  } catch (const InvalidStep&) {
+    copy_pairs(kinds, vertices, 0, results.size(), pairs);
+    narrow_phase(pairs, step, results, options);  // names the pair by its place in the list
+  }
+}
+
+nb::object decide_list(const Kinds& kinds, const IndexRowsIn<4>& vertices, const Rows& start, const Rows& end,
+                       double min_separation, double latest) {
+  std::vector<PairResult> results(kinds.shape(0));
   Signals signals;
   const PairListOptions options{min_separation, latest, 0, Isa::best, [&] { return signals.ask(); }};
   signals.begin();
   try {
     const nb::gil_scoped_release unlocked;
-    narrow_phase(kind, points_of<corners>(start), points_of<corners>(end), results, options);
+    decide_in_parts(kinds, vertices, {positions(start), positions(end)}, results, options);
   } catch (const Cancelled&) {
     signals.rethrow();
     throw;
@@ -33,11 +53,6 @@ nb::object decide_all(const PairRows<corners>& start, const PairRows<corners>& e
 
 }  // namespace
 
-void bind_pairs(nb::module_& module) {
-  module.def("vertex_face", &decide_all<PairKind::vertex_face, 4>);
-  module.def("edge_edge", &decide_all<PairKind::edge_edge, 4>);
-  module.def("vertex_edge", &decide_all<PairKind::vertex_edge, 3>);
-  module.def("vertex_vertex", &decide_all<PairKind::vertex_vertex, 2>);
-}
+void bind_pairs(nb::module_& module) { module.def("narrow_phase", &decide_list); }
 
 }  // namespace tamis::python

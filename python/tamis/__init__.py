@@ -4,9 +4,8 @@
 >>> detector = tamis.Detector(tamis.Mesh(faces, vertex_count=len(start)))
 >>> contacts = detector.contacts(start, end)
 
-`Detector` has the questions; `contacts` asks one in one line; `vertex_face`, `edge_edge`, `vertex_edge` and
-`vertex_vertex` decide single pairs, many at once; a `Path` is curved motion, such as `RigidPath`; `read_mesh`,
-`read_frames` and `scene` give something to try it on.
+`Detector` has the questions; `contacts` asks one in one line; `narrow_phase` decides a list of pairs; a `Path` is
+curved motion, such as `RigidPath`; `read_mesh`, `read_frames` and `scene` give something to try it on.
 """
 
 from tamis import _core
@@ -21,7 +20,7 @@ from tamis._looking import Page
 from tamis._mesh import Mesh
 from tamis._near import Intersection, Intersections, NearPair, NearPairs
 from tamis._pair_distance import distance_of, keep_distance
-from tamis._pairs import PairResult, Pairs, edge_edge, vertex_edge, vertex_face, vertex_vertex
+from tamis._pairs import PairResult, Pairs, narrow_phase
 from tamis._paths import BezierPath, CatmullRomPath, Path
 from tamis._rigid_path import RigidPath, between, interpolated, turned
 from tamis._scenes import Scene, scene, scene_names, simulate, simulated_scenes
@@ -65,9 +64,9 @@ __all__ = [
     "between",
     "contacts",
     "distance_of",
-    "edge_edge",
     "interpolated",
     "keep_distance",
+    "narrow_phase",
     "read_frames",
     "read_mesh",
     "scene",
@@ -75,8 +74,5 @@ __all__ = [
     "simulate",
     "simulated_scenes",
     "turned",
-    "vertex_edge",
-    "vertex_face",
-    "vertex_vertex",
     "write_mesh",
 ]

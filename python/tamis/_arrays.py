@@ -67,18 +67,6 @@ def finite(array: Doubles, name: str, error: type[Error]) -> Doubles:
     return array
 
 
-def pairs(given: npt.ArrayLike, corners: int, name: str) -> Doubles:
-    """Return n pairs of so many points, without a copy if they are contiguous doubles; one pair may come alone."""
-    array = numbers(given, name, InvalidStep)
-    if array.shape == (corners, 3):
-        array = array[np.newaxis]
-    if array.ndim != 3 or array.shape[1:] != (corners, 3):
-        raise InvalidStep(
-            f"{name} has the shape {_shape(array)}: give {corners} points of three numbers a pair, (n, {corners}, 3)"
-        )
-    return np.require(array, dtype=_DOUBLE, requirements=["C", "ALIGNED"])
-
-
 def point_frames(given: npt.ArrayLike, name: str, error: type[Error]) -> Doubles:
     """Return contiguous doubles, so many frames of points: (f, n, 3)."""
     array = numbers(given, name, error)
@@ -111,10 +99,11 @@ def indices(given: npt.ArrayLike, columns: int, name: str, error: type[Error]) -
         raise error(f"{name} has the shape {_shape(array)}: give {wanted}")
     if array.dtype.kind == "f":
         raise error(f"{name} has the dtype {array.dtype}: give {_WHOLE}")
-    limits = np.iinfo(np.int32)
-    wrong = (array < limits.min) | (array > limits.max)
-    if wrong.any():
-        raise error(f"{name} holds {array[wrong][0]}: give {_WHOLE}")
+    if array.dtype != np.int32:
+        limits = np.iinfo(np.int32)
+        wrong = (array < limits.min) | (array > limits.max)
+        if wrong.any():
+            raise error(f"{name} holds {array[wrong][0]}: give {_WHOLE}")
     return np.require(array, dtype=np.int32, requirements=["C", "ALIGNED"])
 
 
@@ -129,10 +118,11 @@ def flags(given: npt.ArrayLike, name: str, error: type[Error]) -> Groups:
 def pair_list(kind: npt.ArrayLike, vertices: npt.ArrayLike, error: type[Error]) -> tuple[Groups, Indices]:
     """Return kinds (n,) and vertices (n, 4) of pairs of features; one kind may serve for all, one pair come alone."""
     given = indices(np.atleast_2d(_array(vertices, "vertices", error, "iuf", _WHOLE)), 4, "vertices", error)
-    kinds = indices(np.atleast_1d(_array(kind, "kind", error, "iuf", "a PairKind")), 0, "kind", error)
+    kinds = np.atleast_1d(_array(kind, "kind", error, "iuf", "a PairKind"))
+    if kinds.dtype != np.uint8 or kinds.ndim != 1:
+        kinds = indices(kinds, 0, "kind", error)
     if len(kinds) not in (1, len(given)):
         raise error(f"kind has {len(kinds)} entries, vertices {len(given)} rows: give as many, or one kind for all")
-    wrong = (kinds < 0) | (kinds > 3)
-    if wrong.any():
-        raise error(f"kind holds {kinds[wrong][0]}, which is none: give a PairKind")
+    if kinds.max(initial=0) > 3 or kinds.min(initial=0) < 0:
+        raise error(f"kind holds {kinds[(kinds < 0) | (kinds > 3)][0]}, which is none: give a PairKind")
     return np.ascontiguousarray(np.broadcast_to(kinds, len(given)), dtype=np.uint8), given

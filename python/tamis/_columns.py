@@ -89,7 +89,7 @@ class NamedPairs(WeightedPairs[Row]):
             The mesh has no such vertex, edge or face.
         """
         known = instance(mesh, Mesh, "mesh", "the tamis.Mesh that was asked about", InvalidMesh)
-        return known.features_of(self.kind, self.vertices)
+        return _core.features_of(known._mesh, self._kinds(), np.ascontiguousarray(self.vertices))
 
     def _kinds(self) -> npt.NDArray[np.uint8]:
         return np.ascontiguousarray(self.kind)

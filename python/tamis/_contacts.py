@@ -156,13 +156,13 @@ class Contacts(NamedPairs[Contact], TimedPairs[Contact]):
             )
         return self._asked
 
-    def _row(self, values: Any) -> Contact:
+    def _row(self, values: Any, index: int) -> Contact:
         kind, certainty, vertices, toi_lower, toi_upper, u, v, normal = values
         return Contact(
             PairKind(kind), tuple(vertices.tolist()), toi_lower, toi_upper, u, v, tuple(normal.tolist()), certainty == 0
         )
 
-    def _part(self, table: npt.NDArray[np.void]) -> Contacts:
+    def _part(self, table: npt.NDArray[np.void], index: Any) -> Contacts:
         return Contacts(table, self._asked)
 
     def __repr__(self) -> str:

@@ -3,10 +3,6 @@
 from __future__ import annotations
 
 import enum
-from typing import Any
-
-from tamis._checks import shown, whole
-from tamis._errors import InvalidOptions
 
 
 class PairKind(enum.IntEnum):
@@ -29,11 +25,3 @@ class PairKind(enum.IntEnum):
 
 
 SHORT_NAMES = ("vf", "ee", "ve", "vv")
-
-
-def one_kind(given: Any) -> PairKind:
-    """Return a kind; what is none is refused."""
-    try:
-        return PairKind(whole(given, "kind"))
-    except ValueError:
-        raise InvalidOptions(f"kind is {shown(given)}: give a PairKind") from None

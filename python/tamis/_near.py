@@ -95,7 +95,7 @@ class NearPairs(NamedPairs[NearPair]):
         direction = numbered("d", self.direction, "xyz")
         return {**self._names(), "distance": self.distance, **weights, **direction, "corners": self.corners}
 
-    def _row(self, values: Any) -> NearPair:
+    def _row(self, values: Any, index: int) -> NearPair:
         kind, corners, vertices, distance, u, v, direction = values
         return NearPair(PairKind(kind), tuple(vertices.tolist()), distance, u, v, tuple(direction.tolist()), corners)
 
@@ -225,7 +225,7 @@ class Intersections(Table[Intersection]):
         lines = {name: self._table[name] for name in ("s_lower", "s_upper", "u", "v")}
         return {**numbered("e", self.edge), **numbered("f", self.face), **lines}
 
-    def _row(self, values: Any) -> Intersection:
+    def _row(self, values: Any, index: int) -> Intersection:
         edge, face, *numbers = values
         return Intersection(tuple(edge.tolist()), tuple(face.tolist()), *numbers)
 

@@ -61,7 +61,7 @@ def keep_distance(
     fraction : float
         0 <= fraction < 1, of what exceeds the minimum separation. 0: only contact counts.
     min_separation : float
-        As of `vertex_face`.
+        d >= 0: contact means Euclidean distance <= d.
     latest : float
         The latest time of interest, in [0, 1]: the search ends there, and `lower` is then this time.
 

@@ -1,21 +1,20 @@
-"""Many single pairs at once: for callers who have a broad phase of their own."""
+"""Single pairs, as many as there are: for callers who have a broad phase of their own."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, overload
 
 import numpy as np
 import numpy.typing as npt
 
 from tamis import _core
-from tamis._arrays import Doubles, finite, pairs
+from tamis._arrays import Doubles, Indices, pair_list
 from tamis._checks import number
-from tamis._columns import Columns, TimedPairs, numbered
-from tamis._errors import InvalidStep
-from tamis._kinds import SHORT_NAMES, PairKind, one_kind
-
-_CORNERS = {PairKind.VERTEX_FACE: 4, PairKind.EDGE_EDGE: 4, PairKind.VERTEX_EDGE: 3, PairKind.VERTEX_VERTEX: 2}
+from tamis._columns import Columns, NamedPairs, TimedPairs, numbered
+from tamis._errors import Error, InvalidOptions, InvalidPath, InvalidStep
+from tamis._kinds import PairKind
+from tamis._motion import StraightMotion, motion
+from tamis._paths import Path
 
 
 class PairResult(NamedTuple):
@@ -23,7 +22,7 @@ class PairResult(NamedTuple):
 
     Attributes
     ----------
-    kind : PairKind
+    kind, vertices
         What was asked about.
     touches : bool
         False: proven free.
@@ -34,6 +33,7 @@ class PairResult(NamedTuple):
     """
 
     kind: PairKind
+    vertices: tuple[int, int, int, int]
     touches: bool
     certified: bool
     toi_lower: float
@@ -43,24 +43,34 @@ class PairResult(NamedTuple):
     normal: tuple[float, float, float]
 
 
-class Pairs(TimedPairs[PairResult]):
+class Pairs(NamedPairs[PairResult], TimedPairs[PairResult]):
     """What each pair does during the step, as arrays of length n. Only where `touches` have the others a meaning.
 
     `len()` counts them; an integer index gives a `PairResult`, anything else that indexes an array gives `Pairs`.
-    The columns of `table` are touches, certainty, toi_lower, toi_upper, u, v, normal.
+    The columns of `table` are touches, certainty, toi_lower, toi_upper, u, v, normal; `kind` and `vertices` are those
+    that were given.
     """
 
-    __slots__ = ("_kind",)
+    __slots__ = ("_kind", "_vertices")
     _dtype = np.dtype(_core.pair_layout())
 
-    def __init__(self, table: npt.NDArray[np.void] | npt.NDArray[np.uint8], kind: PairKind) -> None:
+    def __init__(
+        self, table: npt.NDArray[np.void] | npt.NDArray[np.uint8], kind: npt.ArrayLike, vertices: npt.ArrayLike
+    ) -> None:
         super().__init__(table)
-        self._kind = one_kind(kind)
+        self._kind, self._vertices = pair_list(kind, vertices, InvalidStep)
+        if len(self._kind) != len(self):
+            raise InvalidStep(f"vertices has {len(self._kind)} rows, the table {len(self)}: give as many")
 
     @property
-    def kind(self) -> PairKind:
-        """Of all of them."""
+    def kind(self) -> npt.NDArray[np.uint8]:
+        """`PairKind` of each, shape (n,)."""
         return self._kind
+
+    @property
+    def vertices(self) -> Indices:
+        """Vertex indices as given, shape (n, 4)."""
+        return self._vertices
 
     @property
     def touches(self) -> npt.NDArray[np.bool_]:
@@ -72,201 +82,122 @@ class Pairs(TimedPairs[PairResult]):
         """True: proven to touch. False: free, or, on a path alone, unresolved."""
         return super().certified & self.touches
 
-    @property
-    def weights(self) -> Doubles:
-        """Signed weights of the points as given, shape (n, k): of the first feature positive, of the second negative.
-
-        ``np.einsum("ni,nij->nj", pairs.weights, x)`` is the vector from the second feature's point to the first's.
-        """
-        return super().weights[:, : _CORNERS[self._kind]]
-
-    def points(self, start: npt.ArrayLike, end: npt.ArrayLike) -> Doubles:
+    @overload
+    def points(self, start: npt.ArrayLike, end: npt.ArrayLike) -> Doubles: ...
+    @overload
+    def points(self, start: Path) -> Doubles: ...
+    def points(self, start: npt.ArrayLike | Path, end: npt.ArrayLike | None = None) -> Doubles:
         """Tell where both features of each pair meet, at its `toi_upper`.
 
         Parameters
         ----------
-        start, end : array_like, shape (n, k, 3)
-            That were asked about.
+        start, end : array_like, shape (m, 3)
+            That were asked about. Or the `Path` alone.
 
         Returns
         -------
         array, shape (n, 2, 3)
             A point on the first feature and one on the second, by `weights`.
         """
-        first, last = _both(start, end, _CORNERS[self._kind])
-        finite(first, "start", InvalidStep), finite(last, "end", InvalidStep)
-        if len(first) != len(self):
-            raise InvalidStep(f"start has {len(first)} pairs, and these are {len(self)}: give those that were asked")
-        t = self.toi_upper[:, np.newaxis, np.newaxis]
-        return self._points((1 - t) * first + t * last)
-
-    def _kinds(self) -> npt.NDArray[np.uint8]:
-        return np.full(len(self), self._kind, np.uint8)
+        return self._points(motion(start, end, None).corners(self.toi_upper, self.vertices))
 
     def _columns(self) -> Columns:
-        kind, touching = (
-            np.full(len(self), SHORT_NAMES[self._kind]),
-            np.where(self.certified, "certified", "unresolved"),
-        )
+        touching = np.where(self.certified, "certified", "unresolved")
         status = np.where(self.touches, touching, "free")
-        return {"kind": kind, **self._times(), "status": status, **numbered("n", self.normal, "xyz")}
+        return {**self._names(), **self._times(), "status": status, **numbered("n", self.normal, "xyz")}
 
-    def _row(self, values: Any) -> PairResult:
-        touches, certainty, toi_lower, toi_upper, u, v, normal = values
-        certified = touches and certainty == 0
-        return PairResult(self._kind, touches, certified, toi_lower, toi_upper, u, v, tuple(normal.tolist()))
+    def _row(self, values: Any, index: int) -> PairResult:
+        touches, certainty, *times, normal = values
+        named = PairKind(self._kind[index]), tuple(self._vertices[index].tolist())
+        return PairResult(*named, touches, touches and certainty == 0, *times, tuple(normal.tolist()))
 
-    def _part(self, table: npt.NDArray[np.void]) -> Pairs:
-        return Pairs(table, self._kind)
+    def _part(self, table: npt.NDArray[np.void], index: Any) -> Pairs:
+        return Pairs(table, self._kind[index], self._vertices[index])
 
     def __eq__(self, other: object) -> bool:
-        return super().__eq__(other) and self._kind == other._kind  # type: ignore[attr-defined]
+        if not super().__eq__(other) or not isinstance(other, Pairs):
+            return False
+        return np.array_equal(self._kind, other._kind) and np.array_equal(self._vertices, other._vertices)
 
     __hash__ = None  # type: ignore[assignment]
 
     def __reduce__(self) -> tuple[type[Pairs], tuple[Any, ...]]:
-        return Pairs, (self._table, self._kind)
+        return Pairs, (self._table, self._kind, self._vertices)
 
     def __repr__(self) -> str:
-        return f"Pairs({len(self)} {self._kind.long_name}, {int(self.touches.sum())} touch)"
+        return f"Pairs({len(self)} pairs, {int(self.touches.sum())} touch)"
 
 
-def vertex_face(
+@overload
+def narrow_phase(
+    kind: npt.ArrayLike,
+    vertices: npt.ArrayLike,
     start: npt.ArrayLike,
     end: npt.ArrayLike,
     *,
     min_separation: float = 0.0,
-    latest: float = 1.0,
+    latest: float | None = None,
+) -> Pairs: ...
+@overload
+def narrow_phase(
+    kind: npt.ArrayLike,
+    vertices: npt.ArrayLike,
+    start: Path,
+    *,
+    min_separation: float = 0.0,
+    tolerance: float | None = None,
+) -> Pairs: ...
+def narrow_phase(
+    kind: npt.ArrayLike,
+    vertices: npt.ArrayLike,
+    start: npt.ArrayLike | Path,
+    end: npt.ArrayLike | None = None,
+    *,
+    min_separation: float = 0.0,
+    latest: float | None = None,
+    tolerance: float | None = None,
 ) -> Pairs:
-    """Decide vertices against faces, each pair by itself.
+    """Decide a list of pairs, each by itself.
 
     Parameters
     ----------
-    start, end : array_like, shape (n, 4, 3)
-        At the start and at the end of the step: the vertex, then the face's corners. One pair may come as (4, 3).
-        Contiguous doubles are read where they are; anything else is copied once.
+    kind : array_like of PairKind, shape (n,)
+        What the vertices are; one may serve for all.
+    vertices : array_like of int, shape (n, 4)
+        Rows of the positions, ordered as in `Contact`; what a kind does not use is not read. One pair may come as (4,).
+    start, end : array_like, shape (m, 3)
+        Where each vertex is at the start and at the end of the step; they need not be those of a mesh. Or a `Path`
+        alone: curved motion.
     min_separation : float
         d >= 0: contact means Euclidean distance <= d.
-    latest : float
-        The latest time of interest, in [0, 1]: a pair that is proven apart until then is free. Of others it changes
-        nothing.
+    latest : float, optional
+        Of a step: the latest time of interest, in [0, 1]; by default 1. A pair that is proven apart until then is free.
+        Of others it changes nothing.
+    tolerance : float, optional
+        Of a path: widest bracket of a contact, in (0, 1], a fraction of the step; by default 1e-9.
 
     Returns
     -------
     Pairs
-        In the order of the input.
+        In the order of the input. On a path, what cannot be decided is a contact that is not certified.
 
     Raises
     ------
     InvalidStep
-        A wrong shape or type, or a coordinate that is not finite; the message names the pair.
+        A wrong shape or type, a kind that is none, an index that is no row, a coordinate that is not finite; the
+        message names the pair.
+    InvalidPath
+        The same of a path, or one that breaks its promises.
     InvalidOptions
-        An option outside its range.
+        An option outside its range, or one that is none of a step, or of a path.
     """
-    return _decided(PairKind.VERTEX_FACE, _core.vertex_face, start, end, min_separation, latest)
-
-
-def edge_edge(
-    start: npt.ArrayLike,
-    end: npt.ArrayLike,
-    *,
-    min_separation: float = 0.0,
-    latest: float = 1.0,
-) -> Pairs:
-    """Decide edges against edges, each pair by itself.
-
-    Parameters
-    ----------
-    start, end : array_like, shape (n, 4, 3)
-        At the start and at the end of the step: points 0 and 1 are one edge, 2 and 3 the other.
-    min_separation, latest
-        As of `vertex_face`.
-
-    Returns
-    -------
-    Pairs
-        In the order of the input.
-
-    Raises
-    ------
-    InvalidStep, InvalidOptions
-        As of `vertex_face`.
-    """
-    return _decided(PairKind.EDGE_EDGE, _core.edge_edge, start, end, min_separation, latest)
-
-
-def vertex_edge(
-    start: npt.ArrayLike,
-    end: npt.ArrayLike,
-    *,
-    min_separation: float = 0.0,
-    latest: float = 1.0,
-) -> Pairs:
-    """Decide points against segments, each pair by itself.
-
-    Parameters
-    ----------
-    start, end : array_like, shape (n, 3, 3)
-        At the start and at the end of the step: the point, then the segment's ends.
-    min_separation, latest
-        As of `vertex_face`.
-
-    Returns
-    -------
-    Pairs
-        In the order of the input; u is the weight on the segment.
-
-    Raises
-    ------
-    InvalidStep, InvalidOptions
-        As of `vertex_face`.
-    """
-    return _decided(PairKind.VERTEX_EDGE, _core.vertex_edge, start, end, min_separation, latest)
-
-
-def vertex_vertex(
-    start: npt.ArrayLike,
-    end: npt.ArrayLike,
-    *,
-    min_separation: float = 0.0,
-    latest: float = 1.0,
-) -> Pairs:
-    """Decide points against points, each pair by itself.
-
-    Parameters
-    ----------
-    start, end : array_like, shape (n, 2, 3)
-        At the start and at the end of the step.
-    min_separation, latest
-        As of `vertex_face`.
-
-    Returns
-    -------
-    Pairs
-        In the order of the input.
-
-    Raises
-    ------
-    InvalidStep, InvalidOptions
-        As of `vertex_face`.
-    """
-    return _decided(PairKind.VERTEX_VERTEX, _core.vertex_vertex, start, end, min_separation, latest)
-
-
-def _decided(
-    kind: PairKind,
-    decide: Callable[[Doubles, Doubles, float, float], npt.NDArray[np.uint8]],
-    start: npt.ArrayLike,
-    end: npt.ArrayLike,
-    min_separation: float,
-    latest: float,
-) -> Pairs:
-    d, until = number(min_separation, "min_separation"), number(latest, "latest")
-    return Pairs(decide(*_both(start, end, _CORNERS[kind]), d, until), kind)
-
-
-def _both(start: npt.ArrayLike, end: npt.ArrayLike, corners: int) -> tuple[Doubles, Doubles]:
-    first, last = pairs(start, corners, "start"), pairs(end, corners, "end")
-    if len(first) != len(last):
-        raise InvalidStep(f"start has {len(first)} pairs, end {len(last)}: give as many")
-    return first, last
+    moving = motion(start, end, tolerance)
+    error: type[Error] = InvalidStep if isinstance(moving, StraightMotion) else InvalidPath
+    kinds, rows = (array.copy() for array in pair_list(kind, vertices, error))  # the answer names them
+    d = number(min_separation, "min_separation")
+    if isinstance(moving, StraightMotion):
+        until = 1.0 if latest is None else number(latest, "latest")
+        return Pairs(_core.narrow_phase(kinds, rows, moving.start, moving.end, d, until), kinds, rows)
+    if latest is not None:
+        raise InvalidOptions("latest is an option of steps: leave it out for a path")
+    return Pairs(_core.narrow_phase_on(kinds, rows, moving.path._native(), d, moving.tolerance), kinds, rows)

@@ -3,17 +3,13 @@
 from __future__ import annotations
 
 import abc
-from collections.abc import Callable
 
-import numpy as np
 import numpy.typing as npt
 
 from tamis import _core
-from tamis._arrays import Doubles, Indices, indices, point_frames
+from tamis._arrays import Doubles, point_frames
 from tamis._checks import number
 from tamis._errors import InvalidPath
-from tamis._kinds import PairKind
-from tamis._pairs import Pairs
 
 
 class Path(abc.ABC):
@@ -39,44 +35,6 @@ class Path(abc.ABC):
         if not 0 <= moment <= 1:
             raise InvalidPath(f"time is {moment}: give a number in [0, 1]")
         return self._native().points_at(moment)
-
-    def vertex_face(self, vertices: npt.ArrayLike, *, min_separation: float = 0.0, tolerance: float = 1e-9) -> Pairs:
-        """Decide vertices against faces, each pair by itself.
-
-        Parameters
-        ----------
-        vertices : array_like of int, shape (n, 4)
-            The vertex, then the face's corners, by their numbers in the path.
-        min_separation : float
-            d >= 0: contact means Euclidean distance <= d.
-        tolerance : float
-            Widest bracket of a contact, in (0, 1]; a fraction of the step.
-
-        Returns
-        -------
-        Pairs
-            Free is proven. What cannot be decided is a contact that is not certified.
-
-        Raises
-        ------
-        InvalidPath
-            A vertex that the path does not have, or a path that breaks its promises.
-        InvalidOptions
-            The separation or the tolerance is outside its range.
-        """
-        return _decided(PairKind.VERTEX_FACE, self._native().vertex_face, vertices, 4, min_separation, tolerance)
-
-    def edge_edge(self, vertices: npt.ArrayLike, *, min_separation: float = 0.0, tolerance: float = 1e-9) -> Pairs:
-        """Decide edges against edges, shape (n, 4); otherwise as `vertex_face`."""
-        return _decided(PairKind.EDGE_EDGE, self._native().edge_edge, vertices, 4, min_separation, tolerance)
-
-    def vertex_edge(self, vertices: npt.ArrayLike, *, min_separation: float = 0.0, tolerance: float = 1e-9) -> Pairs:
-        """Decide points against segments, shape (n, 3); otherwise as `vertex_face`."""
-        return _decided(PairKind.VERTEX_EDGE, self._native().vertex_edge, vertices, 3, min_separation, tolerance)
-
-    def vertex_vertex(self, vertices: npt.ArrayLike, *, min_separation: float = 0.0, tolerance: float = 1e-9) -> Pairs:
-        """Decide points against points, shape (n, 2); otherwise as `vertex_face`."""
-        return _decided(PairKind.VERTEX_VERTEX, self._native().vertex_vertex, vertices, 2, min_separation, tolerance)
 
     def __repr__(self) -> str:
         return f"{type(self).__name__}({self.vertex_count} vertices)"
@@ -129,15 +87,3 @@ class CatmullRomPath(Path):
 
     def _native(self) -> _core.Path:
         return self._path
-
-
-def _decided(
-    kind: PairKind,
-    decide: Callable[[Indices, float, float], npt.NDArray[np.uint8]],
-    vertices: npt.ArrayLike,
-    corners: int,
-    min_separation: float,
-    tolerance: float,
-) -> Pairs:
-    rows = indices(vertices, corners, "vertices", InvalidPath)
-    return Pairs(decide(rows, number(min_separation, "min_separation"), number(tolerance, "tolerance")), kind)

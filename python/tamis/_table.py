@@ -44,19 +44,19 @@ class Table(Generic[Row]):
     def _columns(self) -> dict[str, npt.NDArray[Any]]:
         raise NotImplementedError
 
-    def _row(self, values: Any) -> Row:
-        """Give the fields of one row their names."""
+    def _row(self, values: Any, index: int) -> Row:
+        """Give the fields of one row their names; `index` is where it stands, for what is kept beside the table."""
         raise NotImplementedError
 
-    def _part(self: Part, table: npt.NDArray[np.void]) -> Part:
-        """Make a table of some of the rows."""
+    def _part(self: Part, table: npt.NDArray[np.void], index: Any) -> Part:
+        """Make a table of some of the rows, those that the index chose."""
         return type(self)(table)
 
     def __len__(self) -> int:
         return len(self._table)
 
     def __iter__(self) -> Iterator[Row]:
-        return (self._row(values) for values in self._table.tolist())
+        return (self._row(values, index) for index, values in enumerate(self._table.tolist()))
 
     @overload
     def __getitem__(self, index: int | np.integer[Any]) -> Row: ...
@@ -69,7 +69,9 @@ class Table(Generic[Row]):
             raise self._no_rows(index) from None
         if chosen.dtype != self._dtype or chosen.ndim > 1:
             raise self._no_rows(index)
-        return self._part(chosen) if isinstance(chosen, np.ndarray) and chosen.ndim else self._row(chosen.tolist())
+        if isinstance(chosen, np.ndarray) and chosen.ndim:
+            return self._part(chosen, index)
+        return self._row(chosen.tolist(), index)
 
     def _no_rows(self, index: object) -> IndexError:
         advice = "give integers, slices or masks; columns are attributes"

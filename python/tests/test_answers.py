@@ -33,12 +33,11 @@ def answers(mixed: tamis.Scene) -> dict[str, Any]:
     detector = tamis.Detector(mixed.mesh)
     contacts = detector.contacts(mixed.start, mixed.end, min_separation=D)
     assert set(contacts.kind) == {0, 1, 2, 3}
-    edges = contacts.vertices[contacts.kind == tamis.PairKind.EDGE_EDGE]
     return {
         "contacts": contacts,
         "near": detector.near(mixed.start, 0.2),
         "intersections": detector.intersections(mixed.start),
-        "pairs": tamis.edge_edge(mixed.start[edges], mixed.end[edges], min_separation=D),
+        "pairs": tamis.narrow_phase(contacts.kind, contacts.vertices, mixed.start, mixed.end, min_separation=D),
     }
 
 
@@ -158,16 +157,26 @@ def test_points_of_intersections(mixed: tamis.Scene, answers: dict[str, Any]) ->
 
 
 def test_points_of_single_pairs(mixed: tamis.Scene, answers: dict[str, Any]) -> None:
+    """Bug: single pairs knew neither their kinds nor their vertices."""
     pairs, contacts = answers["pairs"], answers["contacts"]
-    edges = contacts[contacts.kind == tamis.PairKind.EDGE_EDGE]
-    assert pairs.kind == tamis.PairKind.EDGE_EDGE and pairs[0].kind == tamis.PairKind.EDGE_EDGE
-    points = pairs.points(mixed.start[edges.vertices], mixed.end[edges.vertices])
-    assert np.allclose(points, edges.points(mixed.start, mixed.end), atol=1e-9)
-    rods = contacts[contacts.kind == tamis.PairKind.VERTEX_EDGE]
-    v = rods.vertices[:, :3]
-    some = tamis.vertex_edge(mixed.start[v], mixed.end[v], min_separation=D)
-    assert some.weights.shape == (len(rods), 3)
-    assert np.allclose(some.points(mixed.start[v], mixed.end[v]), rods.points(mixed.start, mixed.end), atol=1e-9)
+    assert np.array_equal(pairs.kind, contacts.kind) and np.array_equal(pairs.vertices, contacts.vertices)
+    assert pairs[7].vertices == contacts[7].vertices and pairs[7].kind == contacts[7].kind
+    points = pairs.points(mixed.start, mixed.end)
+    assert np.allclose(points, contacts.points(mixed.start, mixed.end), atol=1e-9)
+    assert np.allclose(pairs.weights, contacts.weights, atol=1e-9)
+
+
+@pytest.mark.parametrize("name", ["contacts", "near", "pairs"])
+def test_features(mixed: tamis.Scene, answers: dict[str, Any], name: str) -> None:
+    answer = answers[name]
+    places = answer.features(mixed.mesh)
+    assert np.array_equal(places, mixed.mesh.features_of(answer.kind, answer.vertices))
+    of_edges = answer.kind == tamis.PairKind.EDGE_EDGE
+    assert np.array_equal(mixed.mesh.edges[places[of_edges]].reshape(-1, 4), answer.vertices[of_edges])
+    of_faces = answer.kind == tamis.PairKind.VERTEX_FACE
+    assert np.array_equal(mixed.mesh.faces[places[of_faces, 1]], answer.vertices[of_faces, 1:])
+    with pytest.raises(tamis.InvalidMesh, match=r"pair \d+"):
+        answer.features(tamis.Mesh([[0, 1, 2]], 90))
 
 
 def test_positions_that_do_not_fit(mixed: tamis.Scene, answers: dict[str, Any]) -> None:
@@ -175,7 +184,7 @@ def test_positions_that_do_not_fit(mixed: tamis.Scene, answers: dict[str, Any]) 
         lambda: answers["contacts"].points(mixed.start[:5], mixed.end[:5]),
         lambda: answers["near"].points(mixed.start[:5]),
         lambda: answers["intersections"].points(mixed.start[:2]),
-        lambda: answers["pairs"].points(mixed.start[None, :4], mixed.end[None, :4]),
+        lambda: answers["pairs"].points(mixed.start[:4], mixed.end[:4]),
     ]
     for ask in asks:
         with pytest.raises(tamis.InvalidStep, match=": give"):

@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 import tamis
-from tamis._arrays import pairs, rows
+from tamis._arrays import rows
 
 
 def strided(points: np.ndarray, width: int = 5) -> np.ndarray:
@@ -62,12 +62,6 @@ def test_copied_once(falling: tamis.Scene, name: str) -> None:
     assert np.array_equal(rows(start, "start"), np.asarray(start, np.float64))
     expected = tamis.contacts(falling.mesh.faces, np.array(start, float), np.array(end, float))
     assert tamis.contacts(falling.mesh.faces, start, end) == expected
-
-
-def test_pairs_are_read_where_they_lie() -> None:
-    points = np.zeros((7, 4, 3))
-    assert pairs(points, 4, "start") is points
-    assert pairs(points[::2], 4, "start").flags.c_contiguous
 
 
 def test_arrays_that_die_early(soup: tamis.Scene) -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import os
 from collections.abc import Callable
 from typing import Any
 
@@ -73,14 +74,14 @@ def test_meshes_of_another_kind(wrong: Any) -> None:
 def test_single_pairs() -> None:
     a, b, c = [0, 0, 0], [1, 0, 0], [0, 1, 0]
     p0, p1 = np.array([0.2, 0.2, 1.0]), np.array([0.2, 0.2, -3.0])
-    for ccd in (ipctk.point_triangle_ccd, ipctk.TightInclusionCCD(1e-6).point_triangle_ccd):
-        touches, toi = ccd(p0, a, b, c, p1, a, b, c)
-        assert touches and toi == pytest.approx(0.25) and toi <= 0.25
-        assert ccd(p0, a, b, c, p1, a, b, c, tmax=0.2) == (False, math.inf)
-        assert ccd(p0, a, b, c, p0, a, b, c) == (False, math.inf)
-        assert ccd(p0, a, b, c, p1, a, b, c, min_distance=0.5)[1] == pytest.approx(0.125)
+    ccd = ipctk.TightInclusionCCD(1e-6).point_triangle_ccd
+    touches, toi = ccd(p0, a, b, c, p1, a, b, c)
+    assert touches and toi == pytest.approx(0.25 * (1 - 1e-4), abs=1e-9) and toi < 0.25
+    assert ccd(p0, a, b, c, p1, a, b, c, tmax=0.2) == (False, math.inf)
+    assert ccd(p0, a, b, c, p0, a, b, c) == (False, math.inf)
+    assert ccd(p0, a, b, c, p1, a, b, c, min_distance=0.5)[1] == pytest.approx(0.125, abs=1e-4)
     column = p0[:, np.newaxis]  # ipctk takes columns as well
-    assert ipctk.point_triangle_ccd(column, a, b, c, p1, a, b, c)[0]
+    assert ccd(column, a, b, c, p1, a, b, c)[0]
 
     narrow = ipctk.AdditiveCCD()
     c, d, below_c, below_d = [-1, 0, 1], [1, 0, 1], [-1, 0, -1], [1, 0, -1]
@@ -90,7 +91,42 @@ def test_single_pairs() -> None:
         narrow.point_edge_ccd([0, 0, 1], a, b, [0, 0, -1], a, b),
         narrow.point_point_ccd([0, 0, 1], [0, 0, 0], [0, 0, -1], [0, 0, 0]),
     ):
-        assert touches and toi == pytest.approx(0.5)
+        assert touches and toi == pytest.approx(0.45)
+
+
+@pytest.mark.parametrize(("rescaling", "expected"), [(1.0, 0.5), (0.9, 0.45), (0.5, 0.25), (0.1, 0.05)])
+def test_single_pairs_keep_what_the_rescaling_says(rescaling: float, expected: float) -> None:
+    """Bug: `conservative_rescaling` counted for steps of a mesh alone."""
+    narrow = ipctk.AdditiveCCD(conservative_rescaling=rescaling)
+    touches, toi = narrow.point_point_ccd([0, 0, 1], [0, 0, 0], [0, 0, -1], [0, 0, 0])
+    assert touches and toi == pytest.approx(expected)
+    assert narrow.point_point_ccd([0, 0, 1], [0, 0, 0], [0, 0, -1], [0, 0, 0], tmax=0.9 * expected) == (False, math.inf)
+    step = narrow.point_point_ccd([0, 0, 1], [0, 0, 0], [0, 0, -1], [0, 0, 0], min_distance=0.2)
+    assert step[1] == pytest.approx(0.4 * rescaling)
+
+
+def test_threads(mesh: ipctk.CollisionMesh, falling: tamis.Scene) -> None:
+    everything = os.cpu_count() or 1
+    try:
+        for given, used in ((1, 1), (0, everything), (10**6, everything)):
+            ipctk.set_num_threads(given)
+            assert ipctk.get_num_threads() == used
+            assert not ipctk.is_step_collision_free(mesh, falling.start, falling.end)
+            assert mesh.detector.statistics.threads <= used
+        with pytest.raises(tamis.InvalidOptions, match="nthreads"):
+            ipctk.set_num_threads(-1)
+        kept = mesh.detector
+        ipctk.set_num_threads(1)
+        assert (mesh.detector is kept) == (everything == 1)
+    finally:
+        ipctk.set_num_threads(0)
+
+
+@pytest.mark.parametrize("name", ["NormalCollisions", "BarrierPotential", "TangentialCollisions", "point_triangle_ccd"])
+def test_what_is_not_here_says_where_it_is(name: str) -> None:
+    with pytest.raises(AttributeError, match=f"no {name}: if ipctk has it, import ipctk"):
+        getattr(ipctk, name)
+    assert not hasattr(ipctk, name)
 
 
 def test_counts(mesh: ipctk.CollisionMesh) -> None:

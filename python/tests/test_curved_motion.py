@@ -57,7 +57,7 @@ def test_single_pairs_agree_with_the_detector() -> None:
     path = turning_blade()
     contacts = tamis.Detector(tamis.Mesh(FACES)).contacts(path)
     of_edges = contacts[contacts.kind == tamis.PairKind.EDGE_EDGE]
-    pairs = path.edge_edge(of_edges.vertices)
+    pairs = tamis.narrow_phase(of_edges.kind, of_edges.vertices, path)
     assert len(pairs) > 0 and pairs.touches.all()
     assert (np.maximum(pairs.toi_lower, of_edges.toi_lower) <= np.minimum(pairs.toi_upper, of_edges.toi_upper)).all()
 
@@ -94,7 +94,7 @@ def test_an_exception_of_a_function_arrives() -> None:
     with pytest.raises(ZeroDivisionError, match="in the middle"):
         detector.is_free(tamis.FunctionPath(6, points_at, strays_of_blade))
     with pytest.raises(ZeroDivisionError, match="in the middle"):
-        tamis.FunctionPath(6, points_at, strays_of_blade).edge_edge([[0, 1, 3, 4]])
+        tamis.narrow_phase(tamis.PairKind.EDGE_EDGE, [0, 1, 3, 4], tamis.FunctionPath(6, points_at, strays_of_blade))
     assert not detector.is_free(turning_blade())
 
 

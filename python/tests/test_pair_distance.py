@@ -10,7 +10,7 @@ import pytest
 import tamis
 import tamis.compat.ipctk as ipctk
 
-VF, EE = tamis.PairKind.VERTEX_FACE, tamis.PairKind.EDGE_EDGE
+VF, EE, VE, VV = tamis.PairKind
 START = np.array([[0.2, 0.2, 1.0], [0, 0, 0], [1, 0, 0], [0, 1, 0]])
 END = START - [[0, 0, 4], [0, 0, 0], [0, 0, 0], [0, 0, 0]]  # they meet at 0.25
 
@@ -20,20 +20,21 @@ def test_only_until_the_latest_time(latest: float, touches: bool) -> None:
     above, below = np.array([[0, 0, 1.0]]), np.array([[0, 0, -3.0]])
     rest = np.array([[-1, -1, 0], [1, -1, 0], [0, 1, 0.0]])
     along = np.array([[0, -1, 0], [0, 1, 0.0]])
-    for ask, moving, still in (
-        (tamis.vertex_face, [[0, 0, 0]], rest),
-        (tamis.edge_edge, [[-1, 0, 0], [1, 0, 0]], along),
-        (tamis.vertex_edge, [[0, 0, 0]], along),
-        (tamis.vertex_vertex, [[0, 0, 0]], along[:1] * 0),
+    for kind, moving, still in (
+        (VF, [[0, 0, 0]], rest),
+        (EE, [[-1, 0, 0], [1, 0, 0]], along),
+        (VE, [[0, 0, 0]], along),
+        (VV, [[0, 0, 0]], along[:1] * 0),
     ):
         start, end = (np.vstack([moving + height, still]) for height in (above, below))
-        assert bool(ask(start, end, latest=latest).touches[0]) == touches
+        corners = [i if i < len(start) else -1 for i in range(4)]
+        assert bool(tamis.narrow_phase(kind, corners, start, end, latest=latest).touches[0]) == touches
 
 
 def test_latest_times_that_are_none() -> None:
     for latest in (-0.1, 1.1, float("nan")):
         with pytest.raises(tamis.InvalidOptions, match="latest"):
-            tamis.vertex_face(START, END, latest=latest)
+            tamis.narrow_phase(VF, [0, 1, 2, 3], START, END, latest=latest)
 
 
 def test_distances_are_those_of_near_pairs(soup: tamis.Scene) -> None:

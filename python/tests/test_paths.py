@@ -9,6 +9,8 @@ import pytest
 
 import tamis
 
+VF, EE, VE, VV = tamis.PairKind
+
 STILL = np.zeros((2, 3))
 
 
@@ -21,11 +23,11 @@ def turning_rod() -> tamis.RigidPath:
 
 def test_a_rod_that_turns_meets_a_post() -> None:
     path = turning_rod()
-    found = path.edge_edge([[0, 1, 2, 3]])
+    found = tamis.narrow_phase(EE, [0, 1, 2, 3], path)
     assert found.touches[0] and found.toi_lower[0] <= 0.5 <= found.toi_upper[0]
     assert found.toi_upper[0] - found.toi_lower[0] <= 1e-9
     assert found.u[0] == pytest.approx(math.sqrt(0.5), abs=1e-6)
-    straight = tamis.edge_edge(path.points_at(0), path.points_at(1))
+    straight = tamis.narrow_phase(EE, [0, 1, 2, 3], path.points_at(0), path.points_at(1))
     assert straight.touches[0] and straight.toi_lower[0] > 0.4
 
 
@@ -42,11 +44,11 @@ def test_a_full_turn_that_no_straight_step_sees() -> None:
     path = tamis.RigidPath(
         rest, [0, 1, 1, 1], [tamis.turned(STILL, [0, 0, 2 * math.pi], [0, 0, 0]), np.empty((0, 4, 3))]
     )
-    found = path.vertex_face([[0, 1, 2, 3]])
+    found = tamis.narrow_phase(VF, [0, 1, 2, 3], path)
     assert found.touches[0] and found.toi_lower[0] <= 0.25 <= found.toi_upper[0]
-    assert not tamis.vertex_face(path.points_at(0), path.points_at(1)).touches[0]
-    assert path.vertex_vertex([[0, 1]], min_separation=0.5).touches.tolist() == [False]
-    assert path.vertex_edge([[0, 1, 2]], min_separation=1.5).touches.tolist() == [True]
+    assert not tamis.narrow_phase(VF, [0, 1, 2, 3], path.points_at(0), path.points_at(1)).touches[0]
+    assert not tamis.narrow_phase(VV, [0, 1, -1, -1], path, min_separation=0.5).touches[0]
+    assert tamis.narrow_phase(VE, [0, 1, 2, -1], path, min_separation=1.5).touches[0]
 
 
 def test_chains() -> None:
@@ -62,10 +64,10 @@ def test_bad_paths() -> None:
     with pytest.raises(tamis.InvalidPath):
         tamis.RigidPath([[0, math.nan, 0]], [0], [np.empty((0, 4, 3))])
     with pytest.raises(tamis.InvalidPath):
-        turning_rod().edge_edge([[0, 1, 2, 9]])
+        tamis.narrow_phase(EE, [0, 1, 2, 9], turning_rod())
     with pytest.raises(tamis.InvalidPath):
         turning_rod().points_at(1.5)
     with pytest.raises(tamis.InvalidPath):
         tamis.between(STILL, [[0, 0, 0]])
     with pytest.raises(tamis.InvalidOptions):
-        turning_rod().edge_edge([[0, 1, 2, 3]], tolerance=0.0)
+        tamis.narrow_phase(EE, [0, 1, 2, 3], turning_rod(), tolerance=0.0)

@@ -57,8 +57,8 @@ def test_ctrl_c_ends_a_long_question(question: str) -> None:
 
 def test_ctrl_c_ends_many_pairs() -> None:
     code = LONG.format(
-        question="import numpy as np; p = np.random.default_rng(1).uniform(-1, 1, (400_000, 4, 3)); "
-        "[tamis.edge_edge(p, -p) for _ in range(1000)]",
+        question="import numpy as np; p = np.random.default_rng(1).uniform(-1, 1, (1_600_000, 3)); "
+        "[tamis.narrow_phase(1, np.arange(1_600_000).reshape(-1, 4), p, -p) for _ in range(1000)]",
     )
     assert interrupted_after(code) < 1
 

@@ -1,9 +1,12 @@
 // Curved motion: ready-made paths, those that Python describes, and their single pairs.
 #include <nanobind/stl/vector.h>
 
+#include <algorithm>
+
 #include "python/src/bindings.hpp"
 #include "python/src/options.hpp"
 #include "python/src/pair_results.hpp"
+#include "python/src/pair_rows.hpp"
 #include "python/src/paths/function_path.hpp"
 #include "python/src/paths/path_positions.hpp"
 #include "tamis/rigid_path.hpp"
@@ -42,16 +45,32 @@ void make_spline_path(SplinePath* path, const Frames& given) {
   new (path) SplinePath(std::move(frames));
 }
 
-template <int corners>
-using Vertices = std::array<Index, std::size_t{corners}>;
-template <int corners>
-using Decide = PairResult (*)(const Path&, const Vertices<corners>&, const PathOptions&);
+/// The first of the vertices, as many as the kind has.
+template <std::size_t corners>
+std::array<Index, corners> first_of(const Pair& pair) {
+  std::array<Index, corners> vertices;
+  std::copy_n(pair.vertices.begin(), corners, vertices.begin());
+  return vertices;
+}
 
-template <int corners, Decide<corners> decide>
-nb::object decide_all(const Path& path, const IndexRowsIn<corners>& rows, double min_separation, double tolerance) {
-  const auto* vertices = reinterpret_cast<const Vertices<corners>*>(rows.data());
-  return decide_each(rows.shape(0), [&](std::size_t i, const std::function<bool()>& is_cancelled) {
-    return decide(path, vertices[i], {min_separation, tolerance, is_cancelled});
+PairResult decide_on(const Path& path, const Pair& pair, const PathOptions& options) {
+  switch (pair.kind) {
+    case PairKind::vertex_face:
+      return vertex_face(path, pair.vertices, options);
+    case PairKind::edge_edge:
+      return edge_edge(path, pair.vertices, options);
+    case PairKind::vertex_edge:
+      return vertex_edge(path, first_of<3>(pair), options);
+    case PairKind::vertex_vertex:
+      return vertex_vertex(path, first_of<2>(pair), options);
+  }
+  throw InvalidPath("a pair of no kind that there is: give a PairKind");
+}
+
+nb::object decide_list_on(const Kinds& kinds, const IndexRowsIn<4>& vertices, const Path& path, double min_separation,
+                          double tolerance) {
+  return decide_each(kinds.shape(0), [&](std::size_t i, const std::function<bool()>& is_cancelled) {
+    return decide_on(path, pair_at(kinds, vertices, i), {min_separation, tolerance, is_cancelled});
   });
 }
 
@@ -90,15 +109,12 @@ void bind_paths(nb::module_& module) {
   nb::class_<Path>(module, "Path")
       .def_prop_ro("vertex_count", &Path::vertex_count)
       .def("points_at", &points_at)
-      .def("corners_at", &corners_at)
-      .def("vertex_face", &decide_all<4, &vertex_face>)
-      .def("edge_edge", &decide_all<4, &edge_edge>)
-      .def("vertex_edge", &decide_all<3, &vertex_edge>)
-      .def("vertex_vertex", &decide_all<2, &vertex_vertex>);
+      .def("corners_at", &corners_at);
   nb::class_<RigidPath, Path>(module, "RigidPath").def("__init__", &make_rigid_path);
   nb::class_<BezierPath, Path>(module, "BezierPath").def("__init__", &make_spline_path<BezierPath>);
   nb::class_<CatmullRomPath, Path>(module, "CatmullRomPath").def("__init__", &make_spline_path<CatmullRomPath>);
   nb::class_<FunctionPath, Path>(module, "FunctionPath").def(nb::init<Index, nb::object, nb::object>());
+  module.def("narrow_phase_on", &decide_list_on);
   bind_chains(module);
 }
 

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import enum
+import importlib
+import importlib.util
 import inspect
 import re
 from collections.abc import Callable, Iterator
@@ -109,4 +111,6 @@ def _of_module(module: ModuleType, prefix: str) -> Iterator[Callee]:
 def callees() -> list[Callee]:
     """Return whatever users may call with arguments."""
     found = [*_of_module(tamis, ""), *_of_module(tamis.compat.ipctk, "ipctk.")]
+    if importlib.util.find_spec("ipctk"):  # which has no wheel for some Pythons
+        found += _of_module(importlib.import_module("tamis.bridge.ipctk"), "bridge.")
     return [callee for callee in found if callee.arguments]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import importlib
 import inspect
 import pathlib
 from collections.abc import Mapping
@@ -18,7 +19,6 @@ _MESH = tamis.Mesh(FACES)
 _POSE = np.zeros((2, 3))
 PATH = tamis.BezierPath(np.stack([START, END]))
 _BARRIER_MESH = ipctk.CollisionMesh(START, ipctk.edges(FACES), FACES)
-_FIRST = {"vertex_face": 4, "edge_edge": 4, "vertex_edge": 3, "vertex_vertex": 2}
 
 
 def _still(time: float, vertices: Any) -> tuple[Any, float]:
@@ -45,6 +45,7 @@ _NAMED: Mapping[str, Any] = {
     "index": 0,
     "kind": tamis.PairKind.VERTEX_FACE,
     "mesh": _MESH,
+    "nthreads": 1,
     "conservative_rescaling": 0.5,
     "points_at": _still,
     "positions": START,
@@ -65,7 +66,7 @@ _NAMED: Mapping[str, Any] = {
 def _objects() -> list[Any]:
     """Return an object of each class that has methods."""
     detector = tamis.Detector(_MESH, threads=1)
-    pairs = tamis.vertex_face(START[[3, 0, 1, 2]], END[[3, 0, 1, 2]])
+    pairs = tamis.narrow_phase(tamis.PairKind.VERTEX_FACE, [3, 0, 1, 2], START, END)
     crossing = START - [0, 0, 1] * (np.arange(6) == 3)[:, np.newaxis] * 2
     return [
         *(_MESH, detector, pairs, PATH, ipctk.Candidates(), _BARRIER_MESH, ipctk.TightInclusionCCD()),
@@ -97,12 +98,9 @@ def _of_callee(callee: Callee, folder: pathlib.Path) -> dict[str, Any]:
     short = callee.name.rpartition(".")[2]
     if short in ("interpolated", "turned", "between"):
         return {"start": _POSE, "end": _POSE}
-    if callee.of and issubclass(callee.of, tamis.Path) and short in _FIRST:
-        return {"vertices": np.arange(_FIRST[short])[np.newaxis]}
-    if short in _FIRST:
-        return {"start": START[np.newaxis, : _FIRST[short]], "end": END[np.newaxis, : _FIRST[short]]}
-    if callee.name == "Pairs.points":
-        return {"start": START[[3, 0, 1, 2]], "end": END[[3, 0, 1, 2]]}
+    if callee.name.startswith("bridge"):
+        theirs = importlib.import_module("ipctk").CollisionMesh(START, ipctk.edges(FACES), FACES)
+        return {"collision_mesh": theirs, "pairs": tamis.Detector(_MESH).near(START, 1.5)}
     if callee.name.startswith("ipctk"):
         return {"mesh": _BARRIER_MESH, "vertices": START}
     if short == "read_mesh" or short == "read_frames":
@@ -134,6 +132,6 @@ def right_calls(callee: Callee, folder: pathlib.Path) -> list[dict[str, Any]]:
     calls = [{name: known[name] for name in needed if name in known}]
     moving = [a.name for a in callee.arguments if "Path" in a.takes]
     if moving:
-        calls[0].update({"end": END})
-        calls.append({moving[0]: PATH})
+        calls.append({**calls[0], moving[0]: PATH})
+        calls[0]["end"] = END
     return calls

@@ -5,18 +5,21 @@
 Broad phases are accepted and ignored: Tamis has its own, and the answer is that of all pairs. The narrow phases decide
 how much of its distance every pair keeps; contacts themselves are decided by Tamis, exactly. Everything else of ipctk
 (distances, barriers, potentials, friction) is not here: keep importing ipctk for it, with a mesh of its own.
+`tamis.bridge.ipctk` hands what Tamis finds to it.
 """
+
+from typing import Any
 
 from tamis.compat.ipctk._broad_phase import LBVH, BroadPhase, BruteForce, HashGrid, SpatialHash, SweepAndPrune
 from tamis.compat.ipctk._mesh import CollisionMesh, edges
 from tamis.compat.ipctk._narrow_phase import AdditiveCCD, NarrowPhaseCCD, TightInclusionCCD
-from tamis.compat.ipctk._pairs import edge_edge_ccd, point_edge_ccd, point_point_ccd, point_triangle_ccd
 from tamis.compat.ipctk._steps import (
     Candidates,
     compute_collision_free_stepsize,
     has_intersections,
     is_step_collision_free,
 )
+from tamis.compat.ipctk._threads import get_num_threads, set_num_threads
 
 __all__ = [
     "LBVH",
@@ -31,11 +34,18 @@ __all__ = [
     "SweepAndPrune",
     "TightInclusionCCD",
     "compute_collision_free_stepsize",
-    "edge_edge_ccd",
     "edges",
+    "get_num_threads",
     "has_intersections",
     "is_step_collision_free",
-    "point_edge_ccd",
-    "point_point_ccd",
-    "point_triangle_ccd",
+    "set_num_threads",
 ]
+
+
+def __getattr__(name: str) -> Any:
+    if name.startswith("_"):
+        raise AttributeError(name)
+    raise AttributeError(
+        f"tamis.compat.ipctk has no {name}: if ipctk has it, import ipctk beside this, and give it an "
+        "ipctk.CollisionMesh made from the same positions, edges and faces; tamis.bridge.ipctk hands pairs over"
+    )

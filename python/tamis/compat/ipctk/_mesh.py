@@ -14,6 +14,7 @@ from tamis._errors import InvalidMesh
 from tamis._kinds import PairKind
 from tamis._mesh import Mesh
 from tamis._options import Filter
+from tamis.compat.ipctk._threads import get_num_threads
 
 
 class CollisionMesh:
@@ -42,6 +43,7 @@ class CollisionMesh:
         self._mesh = Mesh(self.faces, self.num_vertices, self.edges, self.codim_vertices)
         self._can_collide: Callable[[int, int], bool] | None = None
         self._detector: Detector | None = None
+        self._threads = 0  # of the detector
 
     @property
     def can_collide(self) -> Callable[[int, int], bool] | None:
@@ -84,9 +86,10 @@ class CollisionMesh:
     @property
     def detector(self) -> Detector:
         """What answers for this mesh; kept from step to step."""
-        if self._detector is None:
+        threads = get_num_threads()
+        if self._detector is None or self._threads != threads:
             between = None if self._can_collide is None else _between(self._can_collide)
-            self._detector = Detector(self._mesh, filter=between)
+            self._detector, self._threads = Detector(self._mesh, filter=between, threads=threads), threads
         return self._detector
 
 

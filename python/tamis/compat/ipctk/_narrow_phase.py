@@ -2,18 +2,22 @@
 
 from __future__ import annotations
 
+import numpy.typing as npt
+
+from tamis._arrays import Doubles
 from tamis._checks import number, number_from_zero, whole
 from tamis._errors import InvalidOptions
-from tamis.compat.ipctk._pairs import edge_edge_ccd, point_edge_ccd, point_point_ccd, point_triangle_ccd
+from tamis._kinds import PairKind
+from tamis._pair_distance import keep_distance
+from tamis.compat.ipctk._points import stacked
 
 
 class NarrowPhaseCCD:
-    """Single pairs, and how far a step may go towards a contact: what both narrow phases have in common."""
+    """Single pairs, and how far a step may go towards a contact: what both narrow phases have in common.
 
-    point_triangle_ccd = staticmethod(point_triangle_ccd)
-    edge_edge_ccd = staticmethod(edge_edge_ccd)
-    point_edge_ccd = staticmethod(point_edge_ccd)
-    point_point_ccd = staticmethod(point_point_ccd)
+    The calls for single pairs return whether the pair keeps its part of the distance no longer than until tmax, and
+    until when; infinity if it does.
+    """
 
     def __init__(self) -> None:
         raise InvalidOptions("NarrowPhaseCCD decides nothing by itself: give a TightInclusionCCD or an AdditiveCCD")
@@ -31,12 +35,86 @@ class NarrowPhaseCCD:
 
     @property
     def kept_fraction(self) -> float:
-        """The part of its distance that every pair keeps during a step."""
+        """The part of its distance, as far as that exceeds the minimum, that every pair keeps."""
         return 1 - self.conservative_rescaling
+
+    def point_triangle_ccd(
+        self,
+        p_t0: npt.ArrayLike,
+        t0_t0: npt.ArrayLike,
+        t1_t0: npt.ArrayLike,
+        t2_t0: npt.ArrayLike,
+        p_t1: npt.ArrayLike,
+        t0_t1: npt.ArrayLike,
+        t1_t1: npt.ArrayLike,
+        t2_t1: npt.ArrayLike,
+        min_distance: float = 0.0,
+        tmax: float = 1.0,
+    ) -> tuple[bool, float]:
+        """Tell this of a point and a triangle."""
+        start = stacked(p_t0=p_t0, t0_t0=t0_t0, t1_t0=t1_t0, t2_t0=t2_t0)
+        end = stacked(p_t1=p_t1, t0_t1=t0_t1, t1_t1=t1_t1, t2_t1=t2_t1)
+        return self._found(PairKind.VERTEX_FACE, start, end, min_distance, tmax)
+
+    def edge_edge_ccd(
+        self,
+        ea0_t0: npt.ArrayLike,
+        ea1_t0: npt.ArrayLike,
+        eb0_t0: npt.ArrayLike,
+        eb1_t0: npt.ArrayLike,
+        ea0_t1: npt.ArrayLike,
+        ea1_t1: npt.ArrayLike,
+        eb0_t1: npt.ArrayLike,
+        eb1_t1: npt.ArrayLike,
+        min_distance: float = 0.0,
+        tmax: float = 1.0,
+    ) -> tuple[bool, float]:
+        """Tell this of two edges."""
+        start = stacked(ea0_t0=ea0_t0, ea1_t0=ea1_t0, eb0_t0=eb0_t0, eb1_t0=eb1_t0)
+        end = stacked(ea0_t1=ea0_t1, ea1_t1=ea1_t1, eb0_t1=eb0_t1, eb1_t1=eb1_t1)
+        return self._found(PairKind.EDGE_EDGE, start, end, min_distance, tmax)
+
+    def point_edge_ccd(
+        self,
+        p_t0: npt.ArrayLike,
+        e0_t0: npt.ArrayLike,
+        e1_t0: npt.ArrayLike,
+        p_t1: npt.ArrayLike,
+        e0_t1: npt.ArrayLike,
+        e1_t1: npt.ArrayLike,
+        min_distance: float = 0.0,
+        tmax: float = 1.0,
+    ) -> tuple[bool, float]:
+        """Tell this of a point and an edge."""
+        start = stacked(p_t0=p_t0, e0_t0=e0_t0, e1_t0=e1_t0)
+        end = stacked(p_t1=p_t1, e0_t1=e0_t1, e1_t1=e1_t1)
+        return self._found(PairKind.VERTEX_EDGE, start, end, min_distance, tmax)
+
+    def point_point_ccd(
+        self,
+        p0_t0: npt.ArrayLike,
+        p1_t0: npt.ArrayLike,
+        p0_t1: npt.ArrayLike,
+        p1_t1: npt.ArrayLike,
+        min_distance: float = 0.0,
+        tmax: float = 1.0,
+    ) -> tuple[bool, float]:
+        """Tell this of two points."""
+        start = stacked(p0_t0=p0_t0, p1_t0=p1_t0)
+        end = stacked(p0_t1=p0_t1, p1_t1=p1_t1)
+        return self._found(PairKind.VERTEX_VERTEX, start, end, min_distance, tmax)
+
+    def _found(
+        self, kind: PairKind, start: Doubles, end: Doubles, min_distance: float, tmax: float
+    ) -> tuple[bool, float]:
+        vertices = [i if i < len(start) else -1 for i in range(4)]
+        distance, latest = number(min_distance, "min_distance"), number(tmax, "tmax")
+        safe = keep_distance(kind, vertices, start, end, self.kept_fraction, min_separation=distance, latest=latest)
+        return (False, float("inf")) if safe.pair is None else (True, safe.lower)
 
 
 class TightInclusionCCD(NarrowPhaseCCD):
-    """A step keeps 1e-4 of every distance, where ipctk keeps 1e-4 in the unit of the positions, or less.
+    """A step, or a pair, keeps 1e-4 of every distance, where ipctk keeps 1e-4 in the unit of the positions, or less.
 
     Tolerance and iterations have no meaning here.
     """
@@ -50,12 +128,15 @@ class TightInclusionCCD(NarrowPhaseCCD):
 
     @property
     def kept_fraction(self) -> float:
-        """The part of its distance that every pair keeps during a step."""
+        """The part of its distance, as far as that exceeds the minimum, that every pair keeps."""
         return min(1e-4, super().kept_fraction)
 
 
 class AdditiveCCD(NarrowPhaseCCD):
-    """A step keeps a tenth of every distance unless told otherwise, as in ipctk; iterations have no meaning here."""
+    """A step, or a pair, keeps a tenth of every distance unless told otherwise, as in ipctk.
+
+    Iterations have no meaning here.
+    """
 
     def __init__(self, max_iterations: int = 10_000_000, conservative_rescaling: float = 0.9) -> None:
         whole(max_iterations, "max_iterations")

@@ -8,9 +8,9 @@ import sys
 LAYER = {"numerics": 0, "motion": 1, "bounds": 2, "topology": 3, "bvh": 3, "filters": 3, "distance": 4,
          "exact": 5, "narrow": 6, "kernels": 7, "engines": 8, "paths": 9, "detect": 10}
 # Folders outside the library, and what each may use beside itself and the public headers.
-OUTSIDE = {"include/tamis": [], "c": [], "python/src": ["python", "io", "scenes"],
+OUTSIDE = {"include/tamis": [], "c": [], "python/src": ["python", "audit", "io", "scenes"],
            "mpi/include": [], "mpi/src": ["mpi"], "mpi/command": ["mpi", "io", "cli"],
-           "io": [], "scenes": ["io"], "cli": ["io", "scenes"], "bench/contenders": ["io", "bench"], "bench/distributed": ["bench"],
+           "audit": [], "io": ["audit"], "scenes": ["io"], "cli": ["audit", "io", "scenes"], "bench/contenders": ["io", "bench"], "bench/distributed": ["bench"],
            "bench/stages": ["scenes", "io", "bench", *LAYER]}
 INCLUDE = re.compile(r'^\s*#\s*include\s+"([^"]+)"', re.MULTILINE)
 

@@ -11,6 +11,9 @@
 
 from tamis import _core
 from tamis._answers import EarliestContact, LimitingPair, SafeStep, TruncatedStep
+from tamis._audit._auditor import Auditor, StepReport
+from tamis._audit._report import AuditReport
+from tamis._audit._tables import AuditFrame, AuditFrames, AuditKind, AuditPair, AuditPairs
 from tamis._contacts import Contact, Contacts
 from tamis._core import filter_names, method_choices
 from tamis._detector import Detector, contacts
@@ -32,6 +35,13 @@ from tamis._statistics import Statistics
 __version__: str = _core.__version__
 
 __all__ = [
+    "AuditFrame",
+    "AuditFrames",
+    "AuditKind",
+    "AuditPair",
+    "AuditPairs",
+    "AuditReport",
+    "Auditor",
     "BezierPath",
     "Busy",
     "Cancelled",
@@ -65,6 +75,7 @@ __all__ = [
     "SafeStep",
     "Scene",
     "Statistics",
+    "StepReport",
     "TruncatedStep",
     "between",
     "contacts",

@@ -46,11 +46,21 @@ struct Derivatives {
 };
 
 double change(const Point& a, const Point& b) { return length_above(enclosed<double>(b) - enclosed<double>(a)); }
+double farthest(const Point& a, const Point& b) { return std::max(length_above(a), length_above(b)); }
 
-Derivatives after(const Link& link, const Derivatives& x) {
-  const Interval w(change(link.start.rotation, link.end.rotation)), p(change(link.start.position, link.end.position));
-  const Interval farthest(std::max(length_above(link.start.position), length_above(link.end.position)));
-  return {x.place + farthest, w * x.place + x.speed + p, w * w * x.place + Interval(2) * w * x.speed + x.acceleration};
+/// Of one link: how far its rotation vector changes, how far its position does, and how far that is from zero.
+struct LinkBounds {
+  explicit LinkBounds(const Link& link)
+      : turn(change(link.start.rotation, link.end.rotation)),
+        way(change(link.start.position, link.end.position)),
+        position(farthest(link.start.position, link.end.position)) {}
+  Interval turn, way, position;
+};
+
+Derivatives after(const LinkBounds& link, const Derivatives& x) {
+  const Interval& w = link.turn;
+  return {x.place + link.position, w * x.place + x.speed + link.way,
+          w * w * x.place + Interval(2) * w * x.speed + x.acceleration};
 }
 
 }  // namespace
@@ -90,14 +100,15 @@ RigidPath::RigidPath(std::vector<Point> rest, std::vector<Index> body_of_vertex,
       body_of_vertex_(std::move(body_of_vertex)),
       chains_(std::move(chains)) {
   validate(rest_, body_of_vertex_, chains_, rest_end_);
+  std::vector<std::vector<LinkBounds>> bounds;
+  for (const Chain& chain : chains_) bounds.emplace_back(chain.begin(), chain.end());
   curvatures_.reserve(rest_.size());
   for (std::size_t v = 0; v < rest_.size(); ++v) {
-    const Chain& chain = chains_[static_cast<std::size_t>(body_of_vertex_[v])];
-    Derivatives y{Interval(std::max(length_above(rest_[v]), length_above(rest_end_[v]))),
-                  Interval(change(rest_[v], rest_end_[v])), Interval(0)};
+    const std::vector<LinkBounds>& links = bounds[static_cast<std::size_t>(body_of_vertex_[v])];
+    Derivatives y{Interval(farthest(rest_[v], rest_end_[v])), Interval(change(rest_[v], rest_end_[v])), Interval(0)};
     double reach = 0;  // the outermost position moves linearly: no chord strays from it
-    for (auto link = chain.rbegin(); link != chain.rend(); ++link) {
-      if (link + 1 == chain.rend()) reach = y.place.upper;
+    for (auto link = links.rbegin(); link != links.rend(); ++link) {
+      if (link + 1 == links.rend()) reach = y.place.upper;
       y = after(*link, y);
     }
     curvatures_.push_back({y.acceleration.upper, reach});
@@ -120,17 +131,6 @@ void for_each_of_body(std::span<const Index> vertices, const std::vector<Index>&
   }
 }
 
-/// No coordinate is off by more than `error` then, if that is at least what it was before.
-template <class T>
-Point rounded_point(const Vec3<BasicInterval<T>>& enclosed, double& error) {
-  const auto one = [&](const BasicInterval<T>& coordinate) {
-    const RoundedNumber number = rounded_number(coordinate);
-    error = std::max(error, number.error);
-    return number.value;
-  };
-  return {one(enclosed.x), one(enclosed.y), one(enclosed.z)};
-}
-
 /// In doubles: entries of the matrix are off by `turn_error` at most, which is a number, those of the shift by
 /// `shift_error`, which is a length.
 struct RoundedTransform {
@@ -141,8 +141,16 @@ struct RoundedTransform {
   template <class T>
   static RoundedTransform of(const RigidTransform<T>& exact) {
     RoundedTransform rounded{};
-    for (std::size_t i = 0; i < 3; ++i) rounded.rows[i] = rounded_point(exact.rows[i], rounded.turn_error);
-    rounded.shift = rounded_point(exact.shift, rounded.shift_error);
+    const auto take = [](const Vec3<BasicInterval<T>>& entries, double& error) {
+      const auto one = [&](const BasicInterval<T>& entry) {
+        const RoundedNumber number = rounded_number(entry);
+        error = std::max(error, number.error);
+        return number.value;
+      };
+      return Point{one(entries.x), one(entries.y), one(entries.z)};
+    };
+    for (std::size_t i = 0; i < 3; ++i) rounded.rows[i] = take(exact.rows[i], rounded.turn_error);
+    rounded.shift = take(exact.shift, rounded.shift_error);
     for (const double s : rounded.shift) rounded.shift_size = std::max(rounded.shift_size, std::fabs(s));
     return rounded;
   }
@@ -159,6 +167,24 @@ struct RoundedTransform {
     return (turned + shifted + 2 * x_error) * (1 + 0x1p-40) + 0x1p-1000;
   }
 };
+
+/// Off by `error` at most, on each axis.
+struct RoundedPlace {
+  Point x;
+  double error;
+};
+
+/// 1 - t, both products and the sum round once each: 3 u (|a| + |b|), given 4 u.
+RoundedPlace rounded_linear(const Point& a, const Point& b, double time) {
+  if (a == b) return {a, 0};
+  RoundedPlace place{{}, 0x1p-1000};
+  const double rest = 1 - time;
+  for (std::size_t k = 0; k < 3; ++k) {
+    place.x[k] = rest * a[k] + time * b[k];
+    place.error = std::max(place.error, 0x1p-51 * (std::fabs(a[k]) + std::fabs(b[k])));
+  }
+  return place;
+}
 
 /// Angles that rotation::any_angle halves a few times lose as many bits: in doubles only this many radians.
 constexpr double kLargestPlainAngle = 4;
@@ -181,10 +207,9 @@ void RigidPath::points_at(double time, std::span<const Index> vertices, std::spa
                                  : RoundedTransform::of(transform_of<double>(chain, time));
   };
   for_each_of_body(vertices, body_of_vertex_, begin, [&](std::size_t i, std::size_t v) {
-    double error = 0;
-    const Point x = rounded_point(linear<double>(rest_[v], rest_end_[v], time), error);
-    points[i] = transform.of(x);
-    errors[i] = transform.error_of(x, error);
+    const RoundedPlace place = rounded_linear(rest_[v], rest_end_[v], time);
+    points[i] = transform.of(place.x);
+    errors[i] = transform.error_of(place.x, place.error);
   });
 }
 

@@ -63,8 +63,8 @@ oracle::RealPoint between(const oracle::RealPoint& a, const oracle::RealPoint& b
   return {a[0] + s * (b[0] - a[0]), a[1] + s * (b[1] - a[1]), a[2] + s * (b[2] - a[2])};
 }
 
-// Bug: positions off by more than they say; a bound on a stray that is too small, for a piece of any length. Every other
-// vertex goes straight in its body's frame.
+// Bug: positions off by more than they say; a bound on a stray that is too small, for a piece of any length. Every
+// other vertex goes straight in its body's frame.
 TEST(RigidPath, KeepsItsPromises) {
   Random random(6);
   constexpr std::array<Index, 1> kVertex{0};

@@ -129,14 +129,4 @@ class TamisClear(bpy.types.Operator):
 
 _CLASSES = (TamisCheckCache, TamisShowFrame, TamisClear)
 
-
-def register() -> None:
-    """Add them to Blender."""
-    for kind in _CLASSES:
-        bpy.utils.register_class(kind)
-
-
-def unregister() -> None:
-    """Take them out again."""
-    for kind in reversed(_CLASSES):
-        bpy.utils.unregister_class(kind)
+register, unregister = bpy.utils.register_classes_factory(_CLASSES)

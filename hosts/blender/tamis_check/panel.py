@@ -11,7 +11,9 @@ import bpy
 class TAMIS_UL_bad_frames(bpy.types.UIList):  # noqa: N801: Blender wants this form
     """Bad frames; a click shows one."""
 
-    def draw_item(self, context: Any, layout: Any, data: Any, item: Any, *rest: Any) -> None:
+    def draw_item(
+        self, context: Any, layout: Any, data: Any, item: Any, icon: Any, active_data: Any, active_property: Any
+    ) -> None:
         """One row."""
         layout.label(text=f"{item.frame}   {item.text}", icon="ERROR")
 
@@ -41,14 +43,4 @@ class TAMIS_PT_check(bpy.types.Panel):  # noqa: N801
 
 _CLASSES = (TAMIS_UL_bad_frames, TAMIS_PT_check)
 
-
-def register() -> None:
-    """Add them to Blender."""
-    for kind in _CLASSES:
-        bpy.utils.register_class(kind)
-
-
-def unregister() -> None:
-    """Take them out again."""
-    for kind in reversed(_CLASSES):
-        bpy.utils.unregister_class(kind)
+register, unregister = bpy.utils.register_classes_factory(_CLASSES)

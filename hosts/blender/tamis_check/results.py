@@ -57,15 +57,18 @@ def _select(thing: Any, faces: np.ndarray) -> str:
     if thing is None or (len(faces) and faces[-1] >= len(thing.data.polygons)):
         return f"{thing.name if thing else 'an object'} has other faces than its modifiers make: its pairs are drawn."
     mesh = thing.data
-    chosen = np.zeros(len(mesh.polygons), bool)
-    chosen[faces] = True
-    mesh.polygons.foreach_set("select", chosen)
-    mesh.edges.foreach_set("select", np.zeros(len(mesh.edges), bool))
-    mesh.vertices.foreach_set("select", np.zeros(len(mesh.vertices), bool))
-    ends = {key for face in faces.tolist() for key in mesh.polygons[face].edge_keys}
-    for edge in mesh.edges:
-        edge.select = edge.select or edge.key in ends
-    for vertex in {v for key in ends for v in key}:
-        mesh.vertices[vertex].select = True
+    sides = {side for face in faces.tolist() for side in mesh.polygons[face].edge_keys}
+    corners = [vertex for side in sides for vertex in side]
+    _set_selected(mesh, "poly", mesh.polygons, np.isin(np.arange(len(mesh.polygons)), faces))
+    _set_selected(mesh, "edge", mesh.edges, np.array([edge.key in sides for edge in mesh.edges], bool))
+    _set_selected(mesh, "vert", mesh.vertices, np.isin(np.arange(len(mesh.vertices)), corners))
     mesh.update()
     return ""
+
+
+def _set_selected(mesh: Any, kind: str, things: Any, chosen: np.ndarray) -> None:
+    """Begin anew: Blender 5.0.1 crashes on writing into a selection that it holds as one value for all."""
+    old = mesh.attributes.get(f".select_{kind}")
+    if old:
+        mesh.attributes.remove(old)
+    things.foreach_set("select", chosen)

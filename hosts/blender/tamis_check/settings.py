@@ -43,18 +43,16 @@ class TamisSettings(bpy.types.PropertyGroup):
     active: bpy.props.IntProperty(update=_show, default=-1)
 
 
-_CLASSES = (TamisBadFrame, TamisSettings)
+_register, _unregister = bpy.utils.register_classes_factory((TamisBadFrame, TamisSettings))
 
 
 def register() -> None:
     """Add them to Blender."""
-    for kind in _CLASSES:
-        bpy.utils.register_class(kind)
+    _register()
     bpy.types.Scene.tamis_check = bpy.props.PointerProperty(type=TamisSettings)
 
 
 def unregister() -> None:
     """Take them out again."""
     del bpy.types.Scene.tamis_check
-    for kind in reversed(_CLASSES):
-        bpy.utils.unregister_class(kind)
+    _unregister()

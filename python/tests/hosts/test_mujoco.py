@@ -91,11 +91,13 @@ def test_a_turning_bar_meets_a_post_between_two_states() -> None:
     data.qvel[0] = 20  # one radian a step
     referee = tamis.mujoco.Referee(model, data)
     assert not len(referee.intersections())
+    start = referee.positions
     mujoco.mj_step(model, data)
     step = referee.check()
-    assert not step.is_free and [(m.first, m.second) for m in step.meetings] == [("bar", "post")]
+    assert not step.is_free and [(m.first, m.second) for m in step.meetings] == [("post", "bar")]
     assert step.meetings[0].time == pytest.approx(0.05 * (angle - 0.0121), abs=2e-4) and step.meetings[0].certified
-    assert "bar and post" in str(step) and step.contacts.toi_lower.min() < 0.5
+    assert "post and bar" in str(step) and step.contacts.toi_lower.min() < 0.5
+    assert referee.detector.is_free(start, referee.positions)
     mujoco.mj_step(model, data)
     assert referee.check().is_free and referee.report.bad_steps == [0]
     assert str(referee.report).startswith("2 steps, 1 of them with contacts")
@@ -118,7 +120,7 @@ CLOTH = """
 <mujoco>
   <option integrator="discrete" timestep="0.002"><flag contact="{contact}"/></option>
   <worldbody>
-    <geom name="floor" type="plane" size="0 0 1" pos="0 0 -0.05"/>
+    <geom name="floor" type="plane" size="0 0 1" pos="0 0 {floor}"/>
     <flexcomp name="cloth" type="grid" count="6 6 1" spacing=".05 .05 .05" radius="0.005" dim="2" mass="0.1">
       <contact selfcollide="auto"/>
       <elasticity young="1e4" poisson="0.1" thickness="1e-3" elastic2d="both"/>
@@ -128,7 +130,7 @@ CLOTH = """
 
 
 def test_a_cloth_that_falls_through_the_floor_is_named() -> None:
-    model, data = loaded(CLOTH.format(contact="disable"))
+    model, data = loaded(CLOTH.format(contact="disable", floor=-0.05))
     referee = tamis.mujoco.Referee(model, data)
     assert referee.names == ["cloth", "floor"]
     for _ in range(60):
@@ -140,7 +142,7 @@ def test_a_cloth_that_falls_through_the_floor_is_named() -> None:
 
 
 def test_a_cloth_that_lands_is_free() -> None:
-    model, data = loaded(CLOTH.format(contact="enable"))
+    model, data = loaded(CLOTH.format(contact="enable", floor=-0.007))
     referee = tamis.mujoco.Referee(model, data)
     for _ in range(60):
         mujoco.mj_step(model, data)
@@ -254,7 +256,7 @@ def test_bad_input() -> None:
       <worldbody><geom name="hills" type="hfield" hfield="h"/></worldbody></mujoco>"""
     with pytest.raises(tamis.InvalidMesh, match="hills is a geom of the type hfield"):
         tamis.mujoco.Referee(*loaded(hills))
-    model, data = loaded(CLOTH.format(contact="disable"))
+    model, data = loaded(CLOTH.format(contact="disable", floor=-0.05))
     with pytest.raises(tamis.InvalidStep, match="give a larger plane_reach"):
         tamis.mujoco.Referee(model, data, plane_reach=0.01)
     assert "MuJoCo 3.2.1 is installed" in _version.complaint("3.2.1")

@@ -41,6 +41,12 @@ def bad_frame(scene: Any, frame: int) -> BadFrame | None:
     return findings.bad.get(frame) if findings else None
 
 
+def notes(scene: Any) -> list[str]:
+    """What else the last check had to say."""
+    findings = _found.get(scene.name)
+    return findings.notes if findings else []
+
+
 def show(context: Any, frame: int) -> str:
     """Go to a frame and select the faces of its pairs; return what else there is to say."""
     context.scene.frame_set(frame)

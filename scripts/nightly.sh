@@ -10,6 +10,7 @@ export TAMIS_JOURNEYS=50  # kept detectors against new ones, through every scene
 export TAMIS_IPCTK_MESHES=1000  # random meshes through ipctk and its calls here
 failed=()
 run() { echo "nightly: $*"; "$@" || failed+=("$*"); }
+run scripts/setup.sh --blender  # the add-on's tests run in it where it is
 run scripts/test.sh
 run cmake --preset dev -B build/alone -DCMAKE_UNITY_BUILD=OFF -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON
 run cmake --build build/alone

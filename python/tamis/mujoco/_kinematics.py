@@ -161,4 +161,3 @@ class Carriers:
 def _in_world(start: Any, bodies: Indices, vectors: Doubles) -> Doubles:
     """From each body's frame at the start."""
     return np.einsum("nij,nj->ni", start.xmat[bodies].reshape(-1, 3, 3), vectors)
-

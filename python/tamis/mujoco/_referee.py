@@ -165,7 +165,12 @@ class Referee:
         """Copy the present state, and compute where it puts every vertex."""
         self._now, self._before = self._before, self._now
         data, now = self._data, self._now
-        now.time, now.qpos[:], now.mocap_pos[:], now.mocap_quat[:] = data.time, data.qpos, data.mocap_pos, data.mocap_quat
+        now.time, now.qpos[:], now.mocap_pos[:], now.mocap_quat[:] = (
+            data.time,
+            data.qpos,
+            data.mocap_pos,
+            data.mocap_quat,
+        )
         mujoco.mj_kinematics(self._model, now)
         self._points = self._points.copy()
         self._points[self._moving] = now.xpos[self._bodies[self._moving]]

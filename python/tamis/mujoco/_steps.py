@@ -116,7 +116,9 @@ class RefereeReport:
         return f"{self.steps} steps, {len(self.bad_steps)} of them with contacts, {contacts} contacts"
 
 
-def meetings_of(contacts: Contacts, groups: Indices, names: list[str], step: int, span: tuple[float, float]) -> list[Meeting]:
+def meetings_of(
+    contacts: Contacts, groups: Indices, names: list[str], step: int, span: tuple[float, float]
+) -> list[Meeting]:
     """Gather contacts by the surfaces they are between; `span` is the simulated time of both ends of the step."""
     if not len(contacts):
         return []

@@ -15,7 +15,7 @@ from typing import Any
 import pytest
 
 ROOT = pathlib.Path(__file__).resolve().parents[3]
-SESSION = pathlib.Path(__file__).with_name("blender_session.py")
+SESSION = ROOT / "hosts" / "blender" / "session.py"
 # The wheel that the tests are run with: scripts/hosts_environment.py says where it is.
 WHEEL = os.environ.get("TAMIS_WHEEL", "")
 

@@ -226,7 +226,7 @@ def test_what_is_no_single_step_is_refused() -> None:
     with pytest.raises(tamis.InvalidStep, match="call check\\(\\) after every mj_step"):
         referee.check()
     mujoco.mj_step(model, data, 2)
-    with pytest.raises(tamis.InvalidStep, match="has gone on by 0.1 .* a step takes 0.05"):
+    with pytest.raises(tamis.InvalidStep, match=r"has gone on by 0.1 .* a step takes 0.05"):
         referee.check()
     mujoco.mj_resetData(model, data)
     referee.restart()
@@ -247,7 +247,7 @@ def test_bad_input() -> None:
     model, data = loaded(SWEEP.format(x=2, y=2))
     with pytest.raises(tamis.InvalidOptions, match="tolerance is 0"):
         tamis.mujoco.Referee(model, data, tolerance=0)
-    with pytest.raises(tamis.InvalidOptions, match="model is .*give a mujoco.MjModel"):
+    with pytest.raises(tamis.InvalidOptions, match=r"model is .*give a mujoco.MjModel"):
         tamis.mujoco.Referee("model", data)
     empty, nothing = loaded("<mujoco/>")
     with pytest.raises(tamis.InvalidMesh, match="nothing to watch"):

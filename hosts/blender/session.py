@@ -1,4 +1,5 @@
-"""What the test of the add-on runs inside Blender: ``blender -b --python blender_session.py -- ZIP ANSWER``, or with bpy.
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What the tests of the add-on run inside Blender: ``blender -b --python session.py -- ZIP ANSWER``, or with bpy.
 
 Writes what it saw as JSON.
 """

@@ -16,7 +16,7 @@ except ImportError:
 if _version.complaint(_mujoco.__version__):
     raise ImportError(_version.complaint(_mujoco.__version__))
 
-from tamis.mujoco._referee import Referee  # noqa: E402
-from tamis.mujoco._steps import Meeting, RefereedStep, RefereeReport  # noqa: E402
+from tamis.mujoco._referee import Referee
+from tamis.mujoco._steps import Meeting, RefereedStep, RefereeReport
 
 __all__ = ["Meeting", "Referee", "RefereeReport", "RefereedStep"]

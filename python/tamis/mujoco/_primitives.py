@@ -66,7 +66,8 @@ def capsule(radius: float, half_length: float, tolerance: float) -> Shape:
     below = np.arange(n) + n
     if half_length == 0:
         below[rim] = rim
-    points = np.vstack([top + [0, 0, half_length], top * [1, 1, -1] - [0, 0, half_length]])
+    away = np.array([0, 0, half_length])
+    points = np.vstack([top + away, top * [1, 1, -1] - away])
     a, b = rim, np.roll(rim, -1)
     band = np.vstack([np.column_stack([below[a], below[b], b]), np.column_stack([below[a], b, a])])
     used = np.vstack([faces, below[faces[:, ::-1]], band if half_length > 0 else band[:0]])

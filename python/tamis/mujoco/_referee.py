@@ -23,7 +23,7 @@ _SEAM = 1e-10
 
 
 class Referee:
-    """Asks of each step of a MuJoCo simulation: did anything pass through anything?
+    """Asks of each step of a MuJoCo simulation whether anything has passed through anything.
 
     >>> referee = tamis.mujoco.Referee(model, data)
     >>> while data.time < 1:
@@ -34,8 +34,8 @@ class Referee:
 
     Surfaces are those that MuJoCo collides: flexes (triangles, the shell of solids, edges of ropes) and geoms with a
     bit for contacts. Meshes are taken as their own triangles, whose hull MuJoCo collides. Spheres, capsules, cylinders
-    and ellipsoids become triangles around them, at most `tolerance` farther out: who comes from outside and does not touch
-    these does not touch the true surface. A plane is a square.
+    and ellipsoids become triangles around them, at most `tolerance` farther out: who comes from outside and does not
+    touch these does not touch the true surface. A plane is a square.
 
     Between two states the motion is MuJoCo's own: each joint at the constant velocity that takes one to the other, each
     body carried by its parents on its curve; vertices of flexes go straight, in the frame of what carries them; mocap

@@ -12,7 +12,7 @@ import tamis
 mujoco = pytest.importorskip("mujoco", reason="MuJoCo is not installed: python/requirements-hosts.txt")
 
 import tamis.mujoco  # noqa: E402
-from tamis.mujoco import _primitives, _version  # noqa: E402
+from tamis.mujoco import _primitives, _surfaces, _version  # noqa: E402
 
 ARM = """
 <mujoco>
@@ -215,7 +215,7 @@ def test_who_may_touch_is_as_the_model_says() -> None:
     model, data = loaded(xml)
     referee = tamis.mujoco.Referee(model, data)
     assert referee.names == ["ground", "a", "a2", "b", "c"]
-    allowed = tamis.mujoco._referee.may_touch(model, referee._surfaces.parts)
+    allowed = _surfaces.may_touch(model, referee._surfaces.parts)
     touching = {(i, j) for i, j in zip(*np.nonzero(allowed)) if i < j}
     assert touching == {(0, 1), (0, 2), (0, 3), (0, 4), (1, 4), (2, 4)}
 

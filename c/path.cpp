@@ -63,7 +63,8 @@ std::vector<Chain> chains_of(const tamis_rigid_path_input& input) {
 RigidPath rigid_path_of(const tamis_rigid_path_input& input) {
   const std::size_t count = vertices(input.vertex_count);
   const int32_t* bodies = array(input.body_of_vertex, count, "body_of_vertex");
-  return {points(input.rest, count, "rest"), {bodies, bodies + count}, chains_of(input)};
+  auto rest_end = input.rest_end ? points(input.rest_end, count, "rest_end") : std::vector<Point>{};
+  return {points(input.rest, count, "rest"), {bodies, bodies + count}, chains_of(input), std::move(rest_end)};
 }
 
 std::vector<std::vector<Point>> frames_of(const tamis_spline_path_input& input) {

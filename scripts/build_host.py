@@ -13,7 +13,7 @@ import build_wheel as ordinary
 
 REQUIREMENTS = ordinary.ROOT / "python" / "requirements-hosts.txt"
 # What the tests need besides.
-TESTS_NEED = {"newton": ["usd-core"]}
+TESTS_NEED = {"newton": ["usd-core"], "blender": ["bpy"]}
 
 
 def main() -> int:

@@ -11,7 +11,10 @@ export TAMIS_NEWTON_FRAMES=650  # Newton's cloth examples with Tamis inside
 export TAMIS_IPCTK_MESHES=1000  # random meshes through ipctk and its calls here
 failed=()
 run() { echo "nightly: $*"; "$@" || failed+=("$*"); }
+run scripts/setup.sh --blender  # the add-on's tests run in it where it is
 run scripts/test.sh
+run python3 scripts/build_host.py build/dev/python blender
+run env TAMIS_WHEEL="$(ls build/dev/python/dist/*.whl)" build/dev/python/blender/bin/python -m pytest python/tests/hosts/test_blender.py
 run cmake --preset dev -B build/alone -DCMAKE_UNITY_BUILD=OFF -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON
 run cmake --build build/alone
 run scripts/check_tidy.sh build/dev/tidy --all

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Installs the Debian or Ubuntu packages Tamis needs that are not here yet; with --tests, also those of the tests; with
-# --python, those that building the module for Python takes; with --arm64, those of the tests on 64-bit ARM; with --bench, those of the benchmarks and of the packages
+# --python, those that building the module for Python takes; with --blender, the program that the add-on is tested in, besides
+# the module bpy; with --arm64, those of the tests on 64-bit ARM; with --bench, those of the benchmarks and of the packages
 # Tamis is compared with.
 # Touches neither apt nor the network when nothing is missing.
 set -euo pipefail
@@ -17,6 +18,9 @@ if [[ ${1:-} == --tests ]]; then
 fi
 if [[ ${1:-} == --python ]]; then
   packages+=(python3-venv python3-dev)
+fi
+if [[ ${1:-} == --blender ]]; then
+  packages+=(blender python3-numpy)
 fi
 if [[ ${1:-} == --arm64 ]]; then
   packages+=(g++-aarch64-linux-gnu qemu-user)

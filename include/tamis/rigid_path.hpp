@@ -30,13 +30,16 @@ Chain turned(const Pose& start, const Point& turn, const Point& end_position);
 /// doubles: the end is reached within some 1e-15 of the body's size.
 Chain between(const Pose& start, const Pose& end);
 
-/// Bodies that move each on a chain of links. Positions: enclosed by interval arithmetic in doubles or double-double,
-/// sine and cosine by their alternating series. Strays: |x''| (to - from)^2 / 8 (docs/numerics.md, "Curved motion").
+/// Bodies that move each on a chain of links; a vertex may go straight in its body's frame meanwhile. Positions:
+/// enclosed by interval arithmetic in doubles or double-double, sine and cosine by their alternating series. Strays:
+/// |x''| (to - from)^2 / 8 (docs/numerics.md, "Curved motion").
 class RigidPath final : public Path {
  public:
-  /// `rest`: each vertex in its body's own frame; `body_of_vertex`: one each, in [0, chains.size()). Throws InvalidPath
-  /// on sizes that do not fit and on numbers that are not finite.
-  RigidPath(std::vector<Point> rest, std::vector<Index> body_of_vertex, std::vector<Chain> chains);
+  /// `rest`: each vertex in its body's own frame; `body_of_vertex`: one each, in [0, chains.size()); `rest_end`: where
+  /// each is in that frame at t=1, empty if all stay. Throws InvalidPath on sizes that do not fit and on numbers that
+  /// are not finite.
+  RigidPath(std::vector<Point> rest, std::vector<Index> body_of_vertex, std::vector<Chain> chains,
+            std::vector<Point> rest_end = {});
 
   Index vertex_count() const override;
   void points_at(double time, std::span<const Index> vertices, std::span<Point> points,
@@ -51,7 +54,7 @@ class RigidPath final : public Path {
     double reach;         ///< x(t), less what moves linearly, stays this near to a point
   };
 
-  std::vector<Point> rest_;
+  std::vector<Point> rest_, rest_end_;
   std::vector<Index> body_of_vertex_;
   std::vector<Chain> chains_;
   std::vector<Curvature> curvatures_;

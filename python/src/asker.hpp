@@ -24,6 +24,11 @@ class Asker {
     return options;
   }
 
+  /// For questions of another kind, asked by ask() all the same.
+  bool should_stop() { return signals_.ask(); }
+  /// What Python raised, if that is why a question ended that keeps to itself what ended it. Call with the lock held.
+  void rethrow() { signals_.rethrow(); }
+
   template <class Work>
   void ask(const Work& work) {
     const Turn turn(is_asked_);

@@ -14,6 +14,7 @@ void bind_pair_distance(nanobind::module_& module);
 void bind_paths(nanobind::module_& module);
 void bind_files(nanobind::module_& module);
 void bind_scenes(nanobind::module_& module);
+void bind_audit(nanobind::module_& module);
 void bind_simulation(nanobind::module_& module);
 
 }  // namespace tamis::python

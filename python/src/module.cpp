@@ -15,5 +15,6 @@ NB_MODULE(_core, module) {
   bind_paths(module);
   bind_files(module);
   bind_scenes(module);
+  bind_audit(module);
   bind_simulation(module);
 }

@@ -10,6 +10,9 @@ curved motion, such as `RigidPath`; `read_mesh`, `read_frames` and `scene` give 
 
 from tamis import _core
 from tamis._answers import EarliestContact, LimitingPair, SafeStep, TruncatedStep
+from tamis._audit._auditor import Auditor, StepReport
+from tamis._audit._report import AuditReport
+from tamis._audit._tables import AuditFrame, AuditFrames, AuditKind, AuditPair, AuditPairs
 from tamis._contacts import Contact, Contacts
 from tamis._detector import Detector, contacts
 from tamis._errors import Busy, Cancelled, Error, FileError, InvalidMesh, InvalidOptions, InvalidPath, InvalidStep
@@ -29,6 +32,13 @@ from tamis._statistics import Statistics
 __version__: str = _core.__version__
 
 __all__ = [
+    "AuditFrame",
+    "AuditFrames",
+    "AuditKind",
+    "AuditPair",
+    "AuditPairs",
+    "AuditReport",
+    "Auditor",
     "BezierPath",
     "Busy",
     "Cancelled",
@@ -60,6 +70,7 @@ __all__ = [
     "SafeStep",
     "Scene",
     "Statistics",
+    "StepReport",
     "TruncatedStep",
     "between",
     "contacts",

@@ -26,6 +26,9 @@ class RigidPath(Path):
     chains : sequence of array_like, shape (links, 4, 3)
         One a body; a link is position and rotation vector at the start, then at the end, and both go linearly.
         Outermost first: a point of the body goes through the last link first. See `interpolated`, `turned`, `between`.
+    rest_end : array_like, shape (n, 3), optional
+        Where each vertex is in its body's frame at the end, having gone there straight: a body that deforms while it
+        turns; with a chain of no links, straight motion beside bodies that turn. By default all stay at `rest`.
 
     Raises
     ------
@@ -35,13 +38,22 @@ class RigidPath(Path):
 
     __slots__ = ("_path",)
 
-    def __init__(self, rest: npt.ArrayLike, body_of_vertex: npt.ArrayLike, chains: Sequence[npt.ArrayLike]) -> None:
+    def __init__(
+        self,
+        rest: npt.ArrayLike,
+        body_of_vertex: npt.ArrayLike,
+        chains: Sequence[npt.ArrayLike],
+        rest_end: npt.ArrayLike | None = None,
+    ) -> None:
         points = np.ascontiguousarray(rows(rest, "rest", InvalidPath))
+        ends = points if rest_end is None else np.ascontiguousarray(rows(rest_end, "rest_end", InvalidPath))
+        if len(ends) != len(points):
+            raise InvalidPath(f"rest_end has {len(ends)} rows, rest {len(points)}: give one each a vertex")
         is_list = isinstance(chains, (Sequence, np.ndarray)) and getattr(chains, "ndim", 1) > 0
         if not is_list or isinstance(chains, (str, bytes)):
             raise InvalidPath(f"chains is {shown(chains)}: give a list with a chain for each body, (links, 4, 3)")
         links = [_links(chain, f"chain {body}") for body, chain in enumerate(chains)]
-        self._path = _core.RigidPath(points, indices(body_of_vertex, 0, "body_of_vertex", InvalidPath), links)
+        self._path = _core.RigidPath(points, indices(body_of_vertex, 0, "body_of_vertex", InvalidPath), links, ends)
 
     def _native(self) -> _core.Path:
         return self._path

@@ -58,7 +58,17 @@ def test_chains() -> None:
     assert np.allclose(path.points_at(1), [[1 + math.cos(1), 2 + math.sin(1), 3]], atol=1e-12)
 
 
+def test_a_body_that_deforms_while_it_turns() -> None:
+    turn = tamis.turned(STILL, [0, 0, math.pi], [0, 0, 0])
+    path = tamis.RigidPath([[1, 0, 0], [0, 0, 0]], [0, 1], [turn, np.empty((0, 4, 3))], [[3, 0, 0], [0, 4, 0]])
+    assert np.allclose(path.points_at(0.5), [[0, 2, 0], [0, 2, 0]], atol=1e-12)
+    met = path.vertex_vertex([[0, 1]], min_separation=1e-9)
+    assert met.touches[0] and met.toi_lower[0] == pytest.approx(0.5, abs=1e-6)
+
+
 def test_bad_paths() -> None:
+    with pytest.raises(tamis.InvalidPath, match="rest_end has 1 rows, rest 2"):
+        tamis.RigidPath(np.zeros((2, 3)), [0, 0], [np.empty((0, 4, 3))], [[0, 0, 0]])
     with pytest.raises(tamis.InvalidPath):
         tamis.RigidPath([[0, 0, 0]], [1], [np.empty((0, 4, 3))])
     with pytest.raises(tamis.InvalidPath):

@@ -22,9 +22,10 @@ struct DoubleDouble {
 
   DoubleDouble() = default;
   constexpr DoubleDouble(double value) : high(value) {}
-  /// REQUIRES: as above; where products underflow, below 2^-1000, it is not checked.
+  /// REQUIRES: as above; below 2^-968, where the 106 bits of a product reach under the smallest double, it is not
+  /// checked: a low part that was rounded there may be half a unit of that too large.
   constexpr DoubleDouble(double high_part, double low_part) : high(high_part), low(low_part) {
-    TAMIS_ASSERT(high + low == high || abs_of(high) < 0x1p-1000 || !(high - high == 0 && low - low == 0));
+    TAMIS_ASSERT(high + low == high || abs_of(high) < 0x1p-968 || !(high - high == 0 && low - low == 0));
   }
 
   /// a + b, exactly (Knuth).

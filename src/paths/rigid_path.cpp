@@ -16,12 +16,15 @@ namespace {
 bool has_finite_numbers(const Pose& pose) { return is_finite(pose.position) && is_finite(pose.rotation); }
 
 void validate(const std::vector<Point>& rest, const std::vector<Index>& body_of_vertex,
-              const std::vector<Chain>& chains) {
+              const std::vector<Chain>& chains, const std::vector<Point>& rest_end) {
   check_path(rest.size() == body_of_vertex.size(), "the path has " + std::to_string(rest.size()) +
                                                        " rest positions and " + std::to_string(body_of_vertex.size()) +
                                                        " numbers of bodies: give one each a vertex");
+  check_path(rest.size() == rest_end.size(), "the path has " + std::to_string(rest.size()) + " rest positions and " +
+                                                 std::to_string(rest_end.size()) +
+                                                 " at the end: give one each a vertex, or none at the end");
   for (std::size_t v = 0; v < rest.size(); ++v) {
-    check_path(is_finite(rest[v]),
+    check_path(is_finite(rest[v]) && is_finite(rest_end[v]),
                "vertex " + std::to_string(v) + " of the path is not finite at rest: give finite positions");
     check_path(body_of_vertex[v] >= 0 && static_cast<std::size_t>(body_of_vertex[v]) < chains.size(),
                "vertex " + std::to_string(v) + " belongs to body " + std::to_string(body_of_vertex[v]) +
@@ -42,13 +45,22 @@ struct Derivatives {
   Interval place, speed, acceleration;
 };
 
-Derivatives after(const Link& link, const Derivatives& x) {
-  const auto change = [](const Point& a, const Point& b) {
-    return length_above(enclosed<double>(b) - enclosed<double>(a));
-  };
-  const Interval w(change(link.start.rotation, link.end.rotation)), p(change(link.start.position, link.end.position));
-  const Interval farthest(std::max(length_above(link.start.position), length_above(link.end.position)));
-  return {x.place + farthest, w * x.place + x.speed + p, w * w * x.place + Interval(2) * w * x.speed + x.acceleration};
+double change(const Point& a, const Point& b) { return length_above(enclosed<double>(b) - enclosed<double>(a)); }
+double farthest(const Point& a, const Point& b) { return std::max(length_above(a), length_above(b)); }
+
+/// Of one link: how far its rotation vector changes, how far its position does, and how far that is from zero.
+struct LinkBounds {
+  explicit LinkBounds(const Link& link)
+      : turn(change(link.start.rotation, link.end.rotation)),
+        way(change(link.start.position, link.end.position)),
+        position(farthest(link.start.position, link.end.position)) {}
+  Interval turn, way, position;
+};
+
+Derivatives after(const LinkBounds& link, const Derivatives& x) {
+  const Interval& w = link.turn;
+  return {x.place + link.position, w * x.place + x.speed + link.way,
+          w * w * x.place + Interval(2) * w * x.speed + x.acceleration};
 }
 
 }  // namespace
@@ -81,16 +93,22 @@ Chain between(const Pose& start, const Pose& end) {
   return turned(start, {factor * axis[0], factor * axis[1], factor * axis[2]}, end.position);
 }
 
-RigidPath::RigidPath(std::vector<Point> rest, std::vector<Index> body_of_vertex, std::vector<Chain> chains)
-    : rest_(std::move(rest)), body_of_vertex_(std::move(body_of_vertex)), chains_(std::move(chains)) {
-  validate(rest_, body_of_vertex_, chains_);
+RigidPath::RigidPath(std::vector<Point> rest, std::vector<Index> body_of_vertex, std::vector<Chain> chains,
+                     std::vector<Point> rest_end)
+    : rest_(std::move(rest)),
+      rest_end_(rest_end.empty() ? rest_ : std::move(rest_end)),
+      body_of_vertex_(std::move(body_of_vertex)),
+      chains_(std::move(chains)) {
+  validate(rest_, body_of_vertex_, chains_, rest_end_);
+  std::vector<std::vector<LinkBounds>> bounds;
+  for (const Chain& chain : chains_) bounds.emplace_back(chain.begin(), chain.end());
   curvatures_.reserve(rest_.size());
   for (std::size_t v = 0; v < rest_.size(); ++v) {
-    const Chain& chain = chains_[static_cast<std::size_t>(body_of_vertex_[v])];
-    Derivatives y{Interval(length_above(rest_[v])), Interval(0), Interval(0)};
+    const std::vector<LinkBounds>& links = bounds[static_cast<std::size_t>(body_of_vertex_[v])];
+    Derivatives y{Interval(farthest(rest_[v], rest_end_[v])), Interval(change(rest_[v], rest_end_[v])), Interval(0)};
     double reach = 0;  // the outermost position moves linearly: no chord strays from it
-    for (auto link = chain.rbegin(); link != chain.rend(); ++link) {
-      if (link + 1 == chain.rend()) reach = y.place.upper;
+    for (auto link = links.rbegin(); link != links.rend(); ++link) {
+      if (link + 1 == links.rend()) reach = y.place.upper;
       y = after(*link, y);
     }
     curvatures_.push_back({y.acceleration.upper, reach});
@@ -141,14 +159,32 @@ struct RoundedTransform {
     for (std::size_t i = 0; i < 3; ++i) y[i] = rows[i][0] * x[0] + rows[i][1] * x[1] + rows[i][2] * x[2] + shift[i];
     return y;
   }
-  /// Each product rounds once and each sum once, of numbers below 1.1 |x|_1 + |shift|: 4 u of that, given 8 u. The
-  /// factor covers this sum's own rounding.
-  double error_of(const Point& x) const {
+  /// Each product rounds once and each sum once, of numbers below 1.1 |x|_1 + |shift|: 4 u of that, given 8 u. What x
+  /// is off by comes out at most sqrt(3) times as large. The factor covers this sum's own rounding.
+  double error_of(const Point& x, double x_error) const {
     const double size = std::fabs(x[0]) + std::fabs(x[1]) + std::fabs(x[2]);
     const double turned = (turn_error + 0x1p-50) * size, shifted = shift_error + 0x1p-50 * shift_size;
-    return (turned + shifted) * (1 + 0x1p-40) + 0x1p-1000;
+    return (turned + shifted + 2 * x_error) * (1 + 0x1p-40) + 0x1p-1000;
   }
 };
+
+/// Off by `error` at most, on each axis.
+struct RoundedPlace {
+  Point x;
+  double error;
+};
+
+/// 1 - t, both products and the sum round once each: 3 u (|a| + |b|), given 4 u.
+RoundedPlace rounded_linear(const Point& a, const Point& b, double time) {
+  if (a == b) return {a, 0};
+  RoundedPlace place{{}, 0x1p-1000};
+  const double rest = 1 - time;
+  for (std::size_t k = 0; k < 3; ++k) {
+    place.x[k] = rest * a[k] + time * b[k];
+    place.error = std::max(place.error, 0x1p-51 * (std::fabs(a[k]) + std::fabs(b[k])));
+  }
+  return place;
+}
 
 /// Angles that rotation::any_angle halves a few times lose as many bits: in doubles only this many radians.
 constexpr double kLargestPlainAngle = 4;
@@ -171,8 +207,9 @@ void RigidPath::points_at(double time, std::span<const Index> vertices, std::spa
                                  : RoundedTransform::of(transform_of<double>(chain, time));
   };
   for_each_of_body(vertices, body_of_vertex_, begin, [&](std::size_t i, std::size_t v) {
-    points[i] = transform.of(rest_[v]);
-    errors[i] = transform.error_of(rest_[v]);
+    const RoundedPlace place = rounded_linear(rest_[v], rest_end_[v], time);
+    points[i] = transform.of(place.x);
+    errors[i] = transform.error_of(place.x, place.error);
   });
 }
 
@@ -180,7 +217,7 @@ void RigidPath::fine_points_at(double time, std::span<const Index> vertices, std
   RigidTransform<DoubleDouble> transform;
   const auto begin = [&](std::size_t body) { transform = transform_of<DoubleDouble>(chains_[body], time); };
   for_each_of_body(vertices, body_of_vertex_, begin, [&](std::size_t i, std::size_t v) {
-    points[i] = fine_point(transform.rows * enclosed<DoubleDouble>(rest_[v]) + transform.shift);
+    points[i] = fine_point(transform.rows * linear<DoubleDouble>(rest_[v], rest_end_[v], time) + transform.shift);
   });
 }
 

@@ -22,7 +22,7 @@ static tamis_path* turning_blade(void) {
   const tamis_pose still = {{0, 0, 0}, {0, 0, 0}};
   const double origin[] = {0, 0, 0};
   tamis_link links[2];
-  tamis_rigid_path_input input = {sizeof input, 6, rest, bodies, 2, links_of_body, links};
+  tamis_rigid_path_input input = {sizeof input, 6, rest, bodies, 2, links_of_body, links, NULL};
   tamis_path* path = NULL;
   EXPECT(tamis_turned(&still, half_turn, origin, links) == TAMIS_OK);
   EXPECT(tamis_rigid_path_create(&input, &path) == TAMIS_OK);
@@ -119,6 +119,8 @@ static void other_paths(void) {
   int is_free = -1;
   tamis_spline_path_input input = {sizeof input, 6, 2, frames};
   tamis_path_functions functions = {sizeof functions, 6, points_at, strays, &error};
+  const size_t no_links[] = {0, 0};
+  const tamis_rigid_path_input deforming = {sizeof deforming, 6, start, bodies, 2, no_links, NULL, end};
   memcpy(frames, start, sizeof start);
   memcpy(frames + 18, end, sizeof end);
   memcpy(frames + 36, start, sizeof start);
@@ -139,6 +141,11 @@ static void other_paths(void) {
   EXPECT_SAYS(tamis_detector_message(detector), "give a bound >= 0");
   tamis_path_free(path);
 
+  EXPECT(tamis_rigid_path_create(&deforming, &path) == TAMIS_OK);
+  EXPECT(tamis_detector_earliest_on_path(detector, path, NULL, &lower, &upper, &count) == TAMIS_OK && count == 1);
+  EXPECT(lower <= 0.5 && 0.5 <= upper);
+  tamis_path_free(path);
+
   EXPECT(tamis_between(&still, &there, links) == TAMIS_OK);
   EXPECT(links[0].end.position[2] == 3 && fabs(links[0].end.rotation[2] - 1) < 1e-12);
   EXPECT(tamis_between(&still, NULL, links) == TAMIS_INVALID_ARGUMENT);
@@ -150,7 +157,7 @@ static void other_paths(void) {
 static void bad_paths(void) {
   tamis_detector* detector = detector_of_two();
   tamis_path* path = NULL;
-  tamis_rigid_path_input rigid = {sizeof rigid, 6, rest, bodies, 1, links_of_body, NULL};
+  tamis_rigid_path_input rigid = {sizeof rigid, 6, rest, bodies, 1, links_of_body, NULL, NULL};
   tamis_spline_path_input spline = {sizeof spline, 6, 1, rest};
   tamis_path_functions functions = {sizeof functions, -1, points_at, strays, NULL};
   size_t count = 0;

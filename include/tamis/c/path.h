@@ -42,6 +42,7 @@ typedef struct tamis_rigid_path_input {
    */
   const size_t* links_of_body;
   const tamis_link* links; /**< of all bodies, one after the other */
+  const double* rest_end;  /**< vertex_count x 3: where each goes straight in that frame by t=1; NULL: all stay */
 } tamis_rigid_path_input;
 
 /** Frames of points: the control points of Bezier curves, or what a Catmull-Rom spline goes through. */

@@ -26,14 +26,19 @@ Pose pose_of(const PoseRows& rows) { return *reinterpret_cast<const Pose*>(rows.
 
 nb::object array_of(const Chain& chain) { return own<double>(std::vector<Link>(chain), 12); }
 
-void make_rigid_path(RigidPath* path, const PointRows& rest, const Indices& bodies, const std::vector<Links>& links) {
+std::vector<Point> points_of(const PointRows& rows) {
+  const auto* first = reinterpret_cast<const Point*>(rows.data());
+  return {first, first + rows.shape(0)};
+}
+
+void make_rigid_path(RigidPath* path, const PointRows& rest, const Indices& bodies, const std::vector<Links>& links,
+                     const PointRows& rest_end) {
   std::vector<Chain> chains;
   for (const Links& chain : links) {
     const auto* first = reinterpret_cast<const Link*>(chain.data());
     chains.emplace_back(first, first + chain.shape(0));
   }
-  const auto* first = reinterpret_cast<const Point*>(rest.data());
-  new (path) RigidPath({first, first + rest.shape(0)}, copy_of<Index>(bodies), std::move(chains));
+  new (path) RigidPath(points_of(rest), copy_of<Index>(bodies), std::move(chains), points_of(rest_end));
 }
 
 template <class SplinePath>

@@ -51,6 +51,7 @@ _NAMED: Mapping[str, Any] = {
     "positions": START,
     "can_collide": lambda a, b: True,
     "rest": START,
+    "rest_end": END,
     "rest_positions": START,
     "start": START,
     "strays": _no_deviation,

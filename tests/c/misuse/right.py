@@ -50,7 +50,7 @@ FIELDS = {
     "group_of_vertex": indices(0, 0, 0, 1, 1, 1), "groups_may_touch": (ctypes.c_uint8 * 4)(1, 1, 1, 1),
     "thickness": doubles(0, 0), "at_start": 0, "rings": 1, "isa": b"best",
     "accepts": ACCEPTS(lambda user, kind, vertices: 1), "is_cancelled": ASKED(lambda user: 0), "user": None,
-    "latest": doubles(1), "kind": 0, "vertices": (3, 0, 1, 2), "rest": doubles(*START), "body_count": 1,
+    "latest": doubles(1), "kind": 0, "vertices": (3, 0, 1, 2), "rest": doubles(*START), "rest_end": doubles(*END), "body_count": 1,
     "body_of_vertex": indices(0, 0, 0, 0, 0, 0), "links_of_body": (ctypes.c_size_t * 1)(0), "links": None,
     "frame_count": 2, "frames": doubles(*START, *END), "points_at": _still, "strays": _no_deviation, "tolerance": 0.0,
     "position": (0., 0., 0.), "rotation": (0., 0., 1.),

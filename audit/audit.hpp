@@ -1,0 +1,16 @@
+// Is a recorded motion free, and if not, where?
+#pragma once
+#include "audit/frame_source.hpp"
+#include "audit/options.hpp"
+#include "audit/report.hpp"
+
+namespace tamis::audit {
+
+/// Asks for the intersections of every frame and for the contacts of every step between two frames. Frames are read
+/// one after the other, in the calling thread, and are let go when they have been asked about; each thread asks about
+/// runs of frames that follow each other. Frames that cannot be used are reported, and the rest is asked about.
+/// Whatever the source throws, or Cancelled, ends the audit: the report then holds what was done before, and
+/// Report::ended_by. Throws InvalidOptions.
+Report audit(FrameSource& source, const Options& options);
+
+}  // namespace tamis::audit

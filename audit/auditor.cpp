@@ -1,0 +1,21 @@
+#include "audit/auditor.hpp"
+
+namespace tamis::audit {
+
+Auditor::Auditor(std::shared_ptr<const AuditedMesh> mesh, Options options)
+    : options_((require_sound(options), std::move(options))),
+      mesh_(std::move(mesh)),
+      asker_(options_, options_.threads, options_.is_cancelled),
+      builder_(options_) {}
+
+Added Auditor::add(std::vector<Point> positions, std::string name) {
+  FramePointer frame = std::make_shared<const Frame>(Frame{std::move(name), std::move(positions), mesh_});
+  const auto number = static_cast<std::int64_t>(builder_.report().frames.size());
+  FrameFindings found = asker_.ask(before_, frame, number);
+  Added added{found.answer, found.pairs};
+  builder_.add(std::move(found));
+  before_ = std::move(frame);
+  return added;
+}
+
+}  // namespace tamis::audit

@@ -1,0 +1,66 @@
+// What is found in one frame and in the step that ends there.
+#pragma once
+#include <array>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "audit/frame_source.hpp"
+#include "tamis/contact.hpp"
+#include "tamis/near.hpp"
+
+namespace tamis::audit {
+
+/// Contacts by kind, in the order of tamis::PairKind, and intersections: an edge through a face.
+enum class Kind : std::uint8_t { vertex_face, edge_edge, vertex_edge, vertex_vertex, edge_face };
+inline constexpr std::size_t kKinds = 5;
+
+/// "vf", "ee", "ve", "vv", "ef".
+std::string_view name_of(Kind kind);
+
+/// A pair that touches in a step, or passes through each other in a frame. Plain data.
+struct Finding {
+  /// The frame, counted from 0; of a contact the one at which the step ends.
+  std::int64_t frame;
+  Kind kind;
+  /// Of the first feature, then of the second, as in Contact and Intersection; -1 where a kind has fewer.
+  std::array<Index, 5> vertices;
+  /// Of a contact, fractions of the step, as in Contact; of an intersection both 1: it is there when the step ends.
+  double toi_lower;
+  double toi_upper;
+  /// Of the first vertex of each feature.
+  std::array<Index, 2> objects;
+  /// As RingSearch has it: 1 of topological neighbours, limit + 1 beyond the limit, -1 if not connected.
+  Index rings;
+};
+
+/// One frame and the step that ends there, in numbers.
+struct FrameAnswer {
+  std::string name;
+  std::string problem;        ///< why nothing was asked; empty if it was
+  std::string note;           ///< as of Frame, or that the topology changes here
+  bool has_step = false;      ///< a step was asked that ends here
+  std::array<std::uint64_t, kKinds> counts{};  ///< by Kind
+  std::uint64_t neighbours = 0;                ///< of these, pairs one edge apart
+  double toi_lower = 1;                        ///< the step is free before: proven
+  double toi_upper = 1;
+
+  std::uint64_t contacts() const { return counts[0] + counts[1] + counts[2] + counts[3]; }
+  std::uint64_t intersections() const { return counts[4]; }
+  bool is_free() const { return problem.empty() && contacts() + intersections() == 0; }
+};
+
+/// With the pairs, and what a picture of them takes.
+struct FrameFindings {
+  std::int64_t number;  ///< of the frame, counted from 0
+  FramePointer before;  ///< null unless there is a step
+  FramePointer frame;
+  FrameAnswer answer;
+  std::vector<Finding> pairs;  ///< intersections, then contacts, each in the detector's order
+  std::vector<Contact> contacts;
+  std::vector<Intersection> intersections;
+};
+
+}  // namespace tamis::audit

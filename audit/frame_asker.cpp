@@ -1,0 +1,112 @@
+#include "audit/frame_asker.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tamis::audit {
+namespace {
+
+bool is_finite(const Point& p) { return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]); }
+
+/// Vertices of the first feature.
+std::size_t first_size(Kind kind) { return kind == Kind::edge_edge || kind == Kind::edge_face ? 2 : 1; }
+
+std::size_t used(const std::array<Index, 4>& vertices) {
+  return static_cast<std::size_t>(std::find(vertices.begin(), vertices.end(), -1) - vertices.begin());
+}
+
+bool is_usable(const FramePointer& frame) { return frame && problem_of(*frame).empty(); }
+
+void bracket_first(FrameAnswer& answer, std::span<const Contact> contacts) {
+  for (const Contact& c : contacts) {
+    answer.toi_lower = std::min(answer.toi_lower, c.toi_lower);
+    answer.toi_upper = std::min(answer.toi_upper, c.toi_upper);
+  }
+}
+
+}  // namespace
+
+std::string problem_of(const Frame& frame) {
+  if (!frame.problem.empty()) return frame.problem;
+  const auto expected = static_cast<std::size_t>(frame.mesh->mesh().vertex_count());
+  if (frame.positions.size() != expected)
+    return "it has " + std::to_string(frame.positions.size()) + " vertices, the mesh " + std::to_string(expected) +
+           ": give a row for each vertex";
+  for (const Index v : frame.mesh->mesh().points())
+    if (!is_finite(frame.positions[static_cast<std::size_t>(v)]))
+      return "vertex " + std::to_string(v) + " is not finite: nothing can be said of this frame, nor of steps to and from it";
+  return {};
+}
+
+FrameAsker::FrameAsker(const Options& options, int threads, std::function<bool()> is_cancelled)
+    : options_(options), threads_(threads), is_cancelled_(std::move(is_cancelled)) {}
+
+FrameFindings FrameAsker::ask(const FramePointer& before, const FramePointer& frame, std::int64_t number) {
+  FrameFindings findings{number, nullptr, frame, {frame->name, problem_of(*frame), frame->note}, {}, {}, {}};
+  if (!findings.answer.problem.empty()) return findings;
+  use(frame->mesh);
+  if (before && before->mesh && before->mesh != frame->mesh && findings.answer.note.empty())
+    findings.answer.note = "the topology changes here: no step leads to this frame";
+  else if (options_.contacts && frame->follows && is_usable(before))
+    findings.before = before;
+  if (findings.before) ask_step(findings);
+  if (options_.intersections) ask_pose(findings);
+  list(findings);
+  return findings;
+}
+
+void FrameAsker::use(const std::shared_ptr<const AuditedMesh>& mesh) {
+  if (mesh == mesh_) return;
+  tamis::Options options;
+  options.threads = threads_;
+  options.min_separation = options_.min_separation;
+  options.is_cancelled = is_cancelled_;
+  rings_.reset();
+  detector_.emplace(mesh->mesh(), std::move(options));
+  mesh_ = mesh;
+  rings_.emplace(*mesh_, options_.ring_limit);
+}
+
+void FrameAsker::ask_step(FrameFindings& findings) {
+  detector_->contacts({findings.before->positions, findings.frame->positions}, findings.contacts);
+  findings.answer.has_step = true;
+  bracket_first(findings.answer, findings.contacts);
+}
+
+/// From a frame without intersections a step without contacts leads to another one: an edge that comes to touch a face
+/// does so first with an end, or at an edge of the face, and those are contacts.
+void FrameAsker::ask_pose(FrameFindings& findings) {
+  const bool is_led_to = findings.before && findings.before == free_frame_ && findings.contacts.empty();
+  if (!is_led_to) findings.intersections = detector_->intersections(findings.frame->positions);
+  free_frame_ = findings.intersections.empty() ? findings.frame : nullptr;
+}
+
+void FrameAsker::list(FrameFindings& findings) {
+  const std::int64_t number = findings.number;
+  findings.pairs.reserve(findings.intersections.size() + findings.contacts.size());
+  for (const Intersection& i : findings.intersections)
+    findings.pairs.push_back(finding(number, Kind::edge_face, i.edge, i.face));
+  for (const Contact& c : findings.contacts) {
+    const auto kind = static_cast<Kind>(c.kind);
+    const auto vertices = std::span(c.vertices).first(used(c.vertices));
+    const std::size_t first = first_size(kind);
+    findings.pairs.push_back(finding(number, kind, vertices.first(first), vertices.subspan(first)));
+    findings.pairs.back().toi_lower = c.toi_lower;
+    findings.pairs.back().toi_upper = c.toi_upper;
+  }
+  for (const Finding& pair : findings.pairs) {
+    ++findings.answer.counts[static_cast<std::size_t>(pair.kind)];
+    findings.answer.neighbours += pair.rings == 1 ? 1 : 0;
+  }
+}
+
+Finding FrameAsker::finding(std::int64_t number, Kind kind, std::span<const Index> first,
+                            std::span<const Index> second) {
+  std::array<Index, 5> vertices;
+  vertices.fill(-1);
+  std::copy(second.begin(), second.end(), std::copy(first.begin(), first.end(), vertices.begin()));
+  const std::array objects{mesh_->object_of(first.front()), mesh_->object_of(second.front())};
+  return {number, kind, vertices, 1, 1, objects, rings_->between(first, second)};
+}
+
+}  // namespace tamis::audit

@@ -1,0 +1,42 @@
+// Asks the detector about one frame after the other.
+#pragma once
+#include <functional>
+#include <memory>
+#include <optional>
+
+#include "audit/findings.hpp"
+#include "audit/options.hpp"
+#include "audit/ring_search.hpp"
+#include "tamis/detector.hpp"
+
+namespace tamis::audit {
+
+/// With a detector that is kept from frame to frame. The answers do not depend on what was asked before.
+class FrameAsker {
+ public:
+  /// Keeps a reference to the options. `threads`: of the detector.
+  FrameAsker(const Options& options, int threads, std::function<bool()> is_cancelled);
+
+  /// `before`: the frame before, null for the first. Throws Cancelled.
+  FrameFindings ask(const FramePointer& before, const FramePointer& frame, std::int64_t number);
+
+ private:
+  void use(const std::shared_ptr<const AuditedMesh>& mesh);
+  void ask_step(FrameFindings& findings);
+  void ask_pose(FrameFindings& findings);
+  void list(FrameFindings& findings);
+  Finding finding(std::int64_t number, Kind kind, std::span<const Index> first, std::span<const Index> second);
+
+  const Options& options_;
+  int threads_;
+  std::function<bool()> is_cancelled_;
+  std::shared_ptr<const AuditedMesh> mesh_;
+  std::optional<Detector> detector_;
+  std::optional<RingSearch> rings_;
+  FramePointer free_frame_;  ///< the last frame that is known to have no intersection
+};
+
+/// Why the frame cannot be asked about; empty if it can. Looks at every coordinate.
+std::string problem_of(const Frame& frame);
+
+}  // namespace tamis::audit

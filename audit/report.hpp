@@ -1,0 +1,60 @@
+// The answer to an audit.
+#pragma once
+#include <exception>
+#include <optional>
+#include <vector>
+
+#include "audit/findings.hpp"
+#include "audit/kept_frames.hpp"
+#include "audit/options.hpp"
+
+namespace tamis::audit {
+
+/// Frames that follow each other with one topology.
+struct Segment {
+  std::size_t first_frame;
+  Objects objects;  ///< names alone
+};
+
+struct Report {
+  double min_separation = 0;
+  Index ring_limit = 0;
+  std::vector<Segment> segments;
+  std::vector<FrameAnswer> frames;  ///< those that were asked about, in their order
+  std::vector<Finding> pairs;       ///< the first ones, by frame
+  std::uint64_t pairs_left_out = 0;
+  /// Of all pairs, by rings: [0] not connected, [k] k edges apart, the last farther than the limit.
+  std::vector<std::uint64_t> by_rings;
+  std::array<std::uint64_t, kKinds> counts{};
+  std::uint64_t steps = 0;     ///< that were asked about
+  std::uint64_t problems = 0;  ///< frames that could not be asked about
+  KeptFrames kept;
+  /// Why it ended before the source did; null if it did not.
+  std::exception_ptr ended_by;
+
+  /// Nothing was found, and all could be asked about.
+  bool is_free() const;
+  /// The first frame with an intersection, or at which a step with contacts ends.
+  std::optional<std::size_t> first_bad() const;
+  std::string object_name(const Finding& pair, std::size_t feature) const;
+};
+
+/// Puts a report together, frame by frame.
+class ReportBuilder {
+ public:
+  explicit ReportBuilder(const Options& options);
+
+  void add(FrameFindings&& findings);
+  Report& report() { return report_; }
+
+ private:
+  void begin_segment(const FrameFindings& findings);
+  void count(const FrameFindings& findings);
+  void list(const std::vector<Finding>& pairs);
+
+  std::uint64_t listed_pairs_;
+  std::shared_ptr<const AuditedMesh> mesh_;
+  Report report_;
+};
+
+}  // namespace tamis::audit

@@ -1,0 +1,101 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What the tests of the add-on run inside Blender: ``blender -b --python session.py -- ZIP ANSWER``, or with bpy.
+
+Writes what it saw as JSON.
+"""
+
+import json
+import sys
+
+import bpy
+
+zip_file, answer = sys.argv[sys.argv.index("--") + 1 :][:2]
+
+
+def mesh(name, corners, faces):
+    data = bpy.data.meshes.new(name)
+    data.from_pydata(corners, [], faces)
+    thing = bpy.data.objects.new(name, data)
+    bpy.context.collection.objects.link(thing)
+    return thing
+
+
+def scene_of_a_sheet_that_falls_through_the_ground():
+    bpy.ops.wm.read_factory_settings(use_empty=True)
+    ground = mesh("ground", [(-1, -1, 0), (1, -1, 0), (1, 1, 0), (-1, 1, 0)], [(0, 1, 2, 3)])
+    side = range(4)
+    corners = [(0.25 * x - 0.4, 0.25 * y - 0.4, 0) for y in side for x in side]
+    faces = [(4 * y + x, 4 * y + x + 1, 4 * y + x + 5, 4 * y + x + 4) for y in range(3) for x in range(3)]
+    sheet = mesh("sheet", corners, faces)
+    sheet.rotation_euler = (0.3, 0.2, 0)
+    for frame, height in ((1, 1), (11, -1)):
+        sheet.location = (0, 0, height)
+        sheet.keyframe_insert("location", frame=frame)
+    bpy.context.scene.frame_start, bpy.context.scene.frame_end = 1, 12
+    return ground, sheet
+
+
+def select(*things):
+    for thing in bpy.context.scene.objects:
+        thing.select_set(thing in things)
+
+
+def said(operator, **options):
+    """Its answer, or its sentence."""
+    try:
+        return sorted(operator(**options))
+    except RuntimeError as error:
+        return str(error)
+
+
+def facts(scene):
+    rows = [(row.frame, row.text) for row in scene.tamis_check.bad]
+    markers = sorted((marker.frame, marker.name) for marker in scene.timeline_markers)
+    return {"summary": scene.tamis_check.summary, "rows": rows, "markers": markers, "frame": scene.frame_current}
+
+
+def chosen_faces(thing):
+    return [face.index for face in thing.data.polygons if face.select]
+
+
+def main():
+    ground, sheet = scene_of_a_sheet_that_falls_through_the_ground()
+    bpy.ops.preferences.addon_install(filepath=zip_file)
+    bpy.ops.preferences.addon_enable(module="tamis_check")
+    from tamis_check import drawing, results
+
+    scene, seen = bpy.context.scene, {"version": bpy.app.version_string}
+    scene.timeline_markers.new("mine", frame=3)
+    scene.frame_set(2)
+    select(ground, sheet)
+    seen["check"] = said(bpy.ops.tamis.check_cache)
+    seen["both"] = facts(scene)
+    scene.tamis_check.active = 1
+    seen["shown"] = {"frame": scene.frame_current, "sheet": chosen_faces(sheet), "ground": chosen_faces(ground)}
+    bad = results.bad_frame(scene, 6)
+    seen["drawn"] = [len(drawing.lines_of(bad, True)), len(drawing.lines_of(bad, False)), len(drawing.points_of(bad))]
+    select(sheet)
+    said(bpy.ops.tamis.check_cache)
+    seen["alone"] = facts(scene)
+    select()
+    seen["nothing"] = said(bpy.ops.tamis.check_cache)
+    select(ground, sheet)
+    scene.tamis_check.min_separation = 0.3
+    said(bpy.ops.tamis.check_cache)
+    seen["separated"] = facts(scene)
+    modifier = sheet.modifiers.new("sub", "SUBSURF")
+    modifier.levels = 0
+    for frame, levels in ((1, 0), (8, 1)):
+        modifier.levels = levels
+        modifier.keyframe_insert("levels", frame=frame)
+    said(bpy.ops.tamis.check_cache)
+    seen["notes"] = results.notes(scene)
+    said(bpy.ops.tamis.clear)
+    seen["cleared"] = facts(scene)
+    bpy.ops.preferences.addon_disable(module="tamis_check")
+    seen["gone"] = not hasattr(bpy.types.Scene, "tamis_check")
+    with open(answer, "w") as file:
+        json.dump(seen, file)
+
+
+main()

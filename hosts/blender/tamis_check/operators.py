@@ -1,0 +1,132 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What the buttons do."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Iterator
+from typing import Any
+
+import bpy
+
+from . import results
+from .checking import Check
+from .library import Trouble
+
+_SECONDS_A_TURN = 0.1
+
+
+class TamisCheckCache(bpy.types.Operator):
+    """Ask of each frame what passes through what, and of each step between frames what touches."""
+
+    bl_idname = "tamis.check_cache"
+    bl_label = "Check this cache"
+    bl_options = {"REGISTER"}
+
+    _check: Check
+    _frames: Iterator[int]
+    _timer: Any
+
+    def execute(self, context: Any) -> set[str]:
+        """From a script: all frames at once."""
+        if not self._begin(context):
+            return {"CANCELLED"}
+        return self._guarded(context, lambda: all(True for _ in self._frames))
+
+    def invoke(self, context: Any, event: Any) -> set[str]:
+        """From the panel: some frames at a time, until Esc."""
+        if not self._begin(context):
+            return {"CANCELLED"}
+        self._timer = context.window_manager.event_timer_add(0.01, window=context.window)
+        context.window_manager.progress_begin(0, 100)
+        context.window_manager.modal_handler_add(self)
+        return {"RUNNING_MODAL"}
+
+    def modal(self, context: Any, event: Any) -> set[str]:
+        """Go on, unless Esc says otherwise; what was found until then stays."""
+        if event.type not in {"ESC", "TIMER"}:
+            return {"PASS_THROUGH"}
+        done = self._guarded(context, lambda: event.type == "ESC" or self._some_frames(context))
+        if done != {"RUNNING_MODAL"}:
+            context.window_manager.event_timer_remove(self._timer)
+            context.window_manager.progress_end()
+        return done
+
+    def _begin(self, context: Any) -> bool:
+        scene, settings = context.scene, context.scene.tamis_check
+        meshes = [thing for thing in context.selected_objects if thing.type == "MESH"]
+        frames = range(scene.frame_start, scene.frame_end + 1)
+        self._before = scene.frame_current
+        try:
+            self._check = Check(scene, meshes, frames, settings.min_separation, settings.rings)
+        except Trouble as trouble:
+            self.report({"ERROR"}, str(trouble))
+            return False
+        self._frames = self._check.run(context.view_layer)
+        return True
+
+    def _some_frames(self, context: Any) -> bool:
+        """Return whether that was the last one."""
+        until = time.monotonic() + _SECONDS_A_TURN
+        for frame in self._frames:
+            scene = context.scene
+            part = (frame - scene.frame_start + 1) / (scene.frame_end - scene.frame_start + 1)
+            context.window_manager.progress_update(100 * part)
+            if time.monotonic() > until:
+                return False
+        return True
+
+    def _guarded(self, context: Any, go_on: Any) -> set[str]:
+        """Publish once there is no more to do; Tamis' own sentences arrive as they are."""
+        try:
+            if not go_on():
+                return {"RUNNING_MODAL"}
+        except (Trouble, ValueError) as trouble:
+            self.report({"ERROR"}, str(trouble))
+            self._publish(context)
+            return {"CANCELLED"}
+        self._publish(context)
+        findings = self._check.findings
+        for note in findings.notes:
+            self.report({"WARNING"}, note)
+        self.report({"WARNING" if findings.bad else "INFO"}, str(findings))
+        return {"FINISHED"}
+
+    def _publish(self, context: Any) -> None:
+        results.publish(context.scene, self._check.findings)
+        context.scene.frame_set(self._before)
+
+
+class TamisShowFrame(bpy.types.Operator):
+    """Go to a bad frame, and select the faces of its pairs."""
+
+    bl_idname = "tamis.show_frame"
+    bl_label = "Show this frame"
+    bl_options = {"REGISTER"}
+
+    frame: bpy.props.IntProperty(name="Frame")
+
+    def execute(self, context: Any) -> set[str]:
+        """Go there."""
+        said = results.show(context, self.frame)
+        if said:
+            self.report({"WARNING"}, said)
+        return {"FINISHED"}
+
+
+class TamisClear(bpy.types.Operator):
+    """Remove the markers and the list."""
+
+    bl_idname = "tamis.clear"
+    bl_label = "Clear"
+    bl_options = {"REGISTER"}
+
+    def execute(self, context: Any) -> set[str]:
+        """Forget what was found."""
+        results.clear(context.scene)
+        return {"FINISHED"}
+
+
+_CLASSES = (TamisCheckCache, TamisShowFrame, TamisClear)
+
+register, unregister = bpy.utils.register_classes_factory(_CLASSES)

@@ -1,0 +1,80 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What was found, shown: markers on the timeline, rows of the list, selected faces."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from .checking import BadFrame, Findings
+
+_PREFIX = "Tamis: "
+# Of each scene by its name; what is drawn is too much to keep in the file.
+_found: dict[str, Findings] = {}
+
+
+def publish(scene: Any, findings: Findings) -> None:
+    """Take the place of what was found before."""
+    clear(scene)
+    _found[scene.name] = findings
+    settings = scene.tamis_check
+    settings.summary = str(findings)
+    for frame in sorted(findings.bad):
+        row = settings.bad.add()
+        row.frame, row.text = frame, str(findings.bad[frame])
+        scene.timeline_markers.new(f"{_PREFIX}{findings.bad[frame]}"[:63], frame=frame)
+
+
+def clear(scene: Any) -> None:
+    """Forget what was found; the user's own markers stay."""
+    _found.pop(scene.name, None)
+    scene.tamis_check.summary = ""
+    scene.tamis_check.bad.clear()
+    for marker in [m for m in scene.timeline_markers if m.name.startswith(_PREFIX)]:
+        scene.timeline_markers.remove(marker)
+
+
+def bad_frame(scene: Any, frame: int) -> BadFrame | None:
+    """What was found in a frame, if it was bad."""
+    findings = _found.get(scene.name)
+    return findings.bad.get(frame) if findings else None
+
+
+def notes(scene: Any) -> list[str]:
+    """What else the last check had to say."""
+    findings = _found.get(scene.name)
+    return findings.notes if findings else []
+
+
+def show(context: Any, frame: int) -> str:
+    """Go to a frame and select the faces of its pairs; return what else there is to say."""
+    context.scene.frame_set(frame)
+    bad = bad_frame(context.scene, frame)
+    if bad is None:
+        return f"frame {frame} was not checked since this file was opened, or is free: check it again"
+    if context.mode != "OBJECT":
+        return "faces are selected in object mode alone: leave edit mode and show the frame again"
+    return " ".join(_select(context.scene.objects.get(name), faces) for name, faces in bad.faces.items()).strip()
+
+
+def _select(thing: Any, faces: np.ndarray) -> str:
+    """These and no others; what the modifiers have made anew has no faces to select."""
+    if thing is None or (len(faces) and faces[-1] >= len(thing.data.polygons)):
+        return f"{thing.name if thing else 'an object'} has other faces than its modifiers make: its pairs are drawn."
+    mesh = thing.data
+    sides = {side for face in faces.tolist() for side in mesh.polygons[face].edge_keys}
+    corners = [vertex for side in sides for vertex in side]
+    _set_selected(mesh, "poly", mesh.polygons, np.isin(np.arange(len(mesh.polygons)), faces))
+    _set_selected(mesh, "edge", mesh.edges, np.array([edge.key in sides for edge in mesh.edges], bool))
+    _set_selected(mesh, "vert", mesh.vertices, np.isin(np.arange(len(mesh.vertices)), corners))
+    mesh.update()
+    return ""
+
+
+def _set_selected(mesh: Any, kind: str, things: Any, chosen: np.ndarray) -> None:
+    """Begin anew: Blender 5.0.1 crashes on writing into a selection that it holds as one value for all."""
+    old = mesh.attributes.get(f".select_{kind}")
+    if old:
+        mesh.attributes.remove(old)
+    things.foreach_set("select", chosen)

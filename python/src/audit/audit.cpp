@@ -1,0 +1,114 @@
+// Audits: of frames that an iterator gives, and of a motion that is still going on.
+#include "audit/audit.hpp"
+
+#include <nanobind/stl/string.h>
+#include <nanobind/stl/vector.h>
+
+#include "audit/auditor.hpp"
+#include "python/src/asker.hpp"
+#include "python/src/audit/report.hpp"
+#include "python/src/audit/source.hpp"
+#include "python/src/bindings.hpp"
+#include "tamis/error.hpp"
+
+namespace tamis::python {
+namespace {
+
+/// What Python has chosen; `progress` is none or a function of the number of frames.
+struct AuditOptions {
+  audit::Options options;
+  nb::object progress = nb::none();
+};
+
+void init_options(AuditOptions* place, double min_separation, int threads, bool intersections, bool contacts,
+                  Index ring_limit, std::uint64_t listed_pairs, std::size_t kept_bytes, nb::object progress) {
+  new (place) AuditOptions{{min_separation, threads, intersections, contacts, ring_limit, listed_pairs, kept_bytes},
+                           std::move(progress)};
+}
+
+struct AuditReport {
+  audit::Report report;
+
+  /// Throws what ended the audit, if anything did.
+  void raise() const {
+    if (report.ended_by) std::rethrow_exception(report.ended_by);
+  }
+};
+
+/// Interrupted, it holds what Python raised.
+AuditReport audit_frames(nb::object iterator, const AuditOptions& given) {
+  Asker asker{Asking{}};
+  audit::Options options = given.options;
+  options.is_cancelled = [&] { return asker.should_stop(); };
+  if (!given.progress.is_none())
+    options.progress = [&](std::size_t frames) {
+      const nb::gil_scoped_acquire lock;
+      given.progress(frames);
+    };
+  IteratorSource source(std::move(iterator));
+  AuditReport result;
+  asker.ask([&] { result.report = audit::audit(source, options); });
+  try {
+    asker.rethrow();
+  } catch (...) {
+    result.report.ended_by = std::current_exception();
+  }
+  return result;
+}
+
+/// One question at a time, other Python threads run meanwhile.
+class StreamAuditor {
+ public:
+  StreamAuditor(const SharedMesh& mesh, const AuditOptions& given)
+      : asker_(Asking{}), auditor_(mesh.mesh, with_cancellation(given.options)) {}
+
+  nb::tuple add(const Rows& rows, std::string name) {
+    audit::Added added;
+    std::size_t number = 0;
+    asker_.ask([&] {
+      number = auditor_.report().frames.size();
+      added = auditor_.add(points_of(rows), std::move(name));
+    });
+    return nb::make_tuple(own_bytes(std::vector{row_of(added.answer, number)}), added.answer.name, added.answer.problem,
+                          own_bytes(std::move(added.pairs)));
+  }
+  AuditReport report() {
+    const Turn turn = asker_.turn();
+    return {auditor_.report()};
+  }
+
+ private:
+  audit::Options with_cancellation(audit::Options options) {
+    options.is_cancelled = [this] { return asker_.should_stop(); };
+    return options;
+  }
+
+  Asker asker_;
+  audit::Auditor auditor_;
+};
+
+SharedMesh shared_mesh(const Mesh& mesh, const Indices& of_vertex, std::vector<std::string> names) {
+  audit::Objects objects{copy_of<Index>(of_vertex), std::move(names)};
+  return {std::make_shared<const audit::AuditedMesh>(mesh, std::move(objects))};
+}
+
+}  // namespace
+
+void bind_audit(nb::module_& module) {
+  const nb::arg any;
+  nb::class_<SharedMesh>(module, "SharedMesh");
+  module.def("shared_mesh", &shared_mesh);
+  nb::class_<AuditOptions>(module, "AuditOptions")
+      .def("__init__", &init_options, any, any, any, any, any, any, any, nb::arg().none());
+  nb::class_<AuditReport>(module, "AuditReport")
+      .def("as_dict", [](const AuditReport& report) { return as_dict(report.report); })
+      .def("raise_what_ended_it", &AuditReport::raise);
+  module.def("audit_frames", &audit_frames);
+  nb::class_<StreamAuditor>(module, "Auditor")
+      .def(nb::init<const SharedMesh&, const AuditOptions&>())
+      .def("add", &StreamAuditor::add)
+      .def("report", &StreamAuditor::report);
+  bind_report_layouts(module);
+}
+
+}  // namespace tamis::python

@@ -1,0 +1,34 @@
+"""Options of an audit, from Python's keywords to the core's."""
+
+from __future__ import annotations
+
+from typing import Callable
+
+from tamis import _core
+from tamis._checks import number, truth, whole
+
+KEPT_BYTES = 256 << 20
+
+
+def make_audit_options(
+    *,
+    min_separation: float,
+    threads: int,
+    intersections: bool,
+    contacts: bool,
+    ring_limit: int,
+    listed_pairs: int,
+    kept_bytes: int = KEPT_BYTES,
+    progress: Callable[[int], object] | None = None,
+) -> _core.AuditOptions:
+    """Return what the keywords say."""
+    return _core.AuditOptions(
+        number(min_separation, "min_separation"),
+        whole(threads, "threads", advice=", 0 being all"),
+        truth(intersections, "intersections"),
+        truth(contacts, "contacts"),
+        whole(ring_limit, "ring_limit", 1),
+        whole(listed_pairs, "listed_pairs"),
+        kept_bytes,
+        progress,
+    )

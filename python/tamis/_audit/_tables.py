@@ -1,0 +1,300 @@
+"""The tables of a report: a row a frame, a row a pair."""
+
+from __future__ import annotations
+
+import enum
+from collections.abc import Sequence
+from typing import Any, NamedTuple
+
+import numpy as np
+import numpy.typing as npt
+
+from tamis import _core
+from tamis._arrays import Doubles, Indices
+from tamis._columns import Columns, numbered
+from tamis._table import Table
+
+Counts = npt.NDArray[np.uint64]
+
+
+class AuditKind(enum.IntEnum):
+    """Kinds of pairs in a report: those of `PairKind`, which are contacts, and an edge through a face."""
+
+    VERTEX_FACE = 0
+    EDGE_EDGE = 1
+    VERTEX_EDGE = 2
+    VERTEX_VERTEX = 3
+    EDGE_FACE = 4
+
+    @property
+    def short_name(self) -> str:
+        """As in files and on the command line: vf, ee, ve, vv, and ef of an intersection."""
+        return _SHORT_NAMES[self]
+
+
+_SHORT_NAMES = ("vf", "ee", "ve", "vv", "ef")
+
+
+class AuditPair(NamedTuple):
+    """A pair of features that touches during a step, or passes through each other in a frame.
+
+    Attributes
+    ----------
+    frame : int
+        The frame, counted from 0; of a contact the one at which the step ends.
+    kind : AuditKind
+        EDGE_FACE is an intersection, the others are contacts.
+    vertices : tuple of int
+        Of the first feature, then of the second: as in `Contact` and `Intersection`.
+    toi_lower, toi_upper : float
+        Fractions of the step, as in `Contact`; of an intersection both are 1.
+    objects : tuple of two str
+        The object that each feature belongs to: its name, or its number.
+    rings : int
+        Edges on the shortest path from one feature to the other: 1 of topological neighbours, which one edge joins.
+        -1 if none leads there; one more than the report's `ring_limit` if it is longer than that.
+    """
+
+    frame: int
+    kind: AuditKind
+    vertices: tuple[int, ...]
+    toi_lower: float
+    toi_upper: float
+    objects: tuple[str, str]
+    rings: int
+
+
+class ObjectNames:
+    """What objects are called: a list of names from some frame on, until the next."""
+
+    __slots__ = ("_first_frames", "_names")
+
+    def __init__(self, segments: Sequence[tuple[int, Sequence[str]]]) -> None:
+        self._first_frames = [first for first, _ in segments]
+        self._names = [list(names) for _, names in segments]
+
+    def of(self, frame: int, number: int) -> str:
+        """Return the name of an object in a frame; its number if it has none."""
+        segment = int(np.searchsorted(self._first_frames, frame, side="right")) - 1
+        names = self._names[segment] if segment >= 0 else []
+        return names[number] if 0 <= number < len(names) else str(number)
+
+
+class AuditPairs(Table[AuditPair]):
+    """Pairs that touch or pass through each other, by frame; in each, intersections come first.
+
+    `len()` counts them; an integer index gives an `AuditPair`, anything else that indexes an array gives `AuditPairs`.
+    The columns of `table` are frame, kind, vertices, toi_lower, toi_upper, objects, rings.
+    """
+
+    __slots__ = ("_names",)
+    _dtype = np.dtype(_core.finding_layout())
+
+    def __init__(
+        self, table: npt.NDArray[np.void] | npt.NDArray[np.uint8], names: ObjectNames | None = None
+    ) -> None:
+        super().__init__(table)
+        self._names = names if isinstance(names, ObjectNames) else ObjectNames([])
+
+    @property
+    def frame(self) -> npt.NDArray[np.int64]:
+        """The frame of each, shape (n,); of a contact the one at which the step ends."""
+        return self._table["frame"]
+
+    @property
+    def kind(self) -> npt.NDArray[np.uint8]:
+        """`AuditKind` of each, shape (n,)."""
+        return self._table["kind"]
+
+    @property
+    def vertices(self) -> Indices:
+        """Vertex indices, shape (n, 5): of the first feature, then of the second; -1 where a kind has fewer."""
+        return self._table["vertices"]
+
+    @property
+    def toi_lower(self) -> Doubles:
+        """Before this fraction of the step the pair is proven apart, shape (n,); 1 of an intersection."""
+        return self._table["toi_lower"]
+
+    @property
+    def toi_upper(self) -> Doubles:
+        """By this fraction of the step the pair has touched, shape (n,); 1 of an intersection."""
+        return self._table["toi_upper"]
+
+    @property
+    def objects(self) -> Indices:
+        """The objects of both features by their numbers, shape (n, 2)."""
+        return self._table["objects"]
+
+    @property
+    def rings(self) -> Indices:
+        """Edges from one feature to the other, shape (n,); -1 if none leads there: as in `AuditPair`."""
+        return self._table["rings"]
+
+    def _named_objects(self) -> list[tuple[str, str]]:
+        of = self._names.of
+        return [(of(f, a), of(f, b)) for f, (a, b) in zip(self.frame.tolist(), self.objects.tolist())]
+
+    def _columns(self) -> Columns:
+        names = np.array(self._named_objects(), dtype=object).reshape(-1, 2)
+        return {
+            "frame": self.frame,
+            "kind": np.asarray(_SHORT_NAMES)[self.kind],
+            **numbered("v", self.vertices, "01234"),
+            "toi_lower": self.toi_lower,
+            "toi_upper": self.toi_upper,
+            "object_a": names[:, 0],
+            "object_b": names[:, 1],
+            "rings": self.rings,
+        }
+
+    def _row(self, values: Any) -> AuditPair:
+        frame, kind, vertices, toi_lower, toi_upper, (a, b), rings = values
+        used = tuple(v for v in vertices.tolist() if v >= 0)
+        names = (self._names.of(frame, int(a)), self._names.of(frame, int(b)))
+        return AuditPair(frame, AuditKind(kind), used, toi_lower, toi_upper, names, rings)
+
+    def _part(self, table: npt.NDArray[np.void]) -> AuditPairs:
+        return AuditPairs(table, self._names)
+
+    def __reduce__(self) -> tuple[type[AuditPairs], tuple[Any, ...]]:
+        return AuditPairs, (self._table, self._names)
+
+    def __repr__(self) -> str:
+        kinds, counts = np.unique(self.kind, return_counts=True)
+        found = ", ".join(f"{n} {_SHORT_NAMES[kind]}" for kind, n in zip(kinds.tolist(), counts.tolist()))
+        return f"AuditPairs({found or 'none'})"
+
+
+class AuditFrame(NamedTuple):
+    """One frame, and the step that ends there.
+
+    Attributes
+    ----------
+    frame : int
+        Counted from 0.
+    name : str
+        As the source calls it.
+    is_usable : bool
+        False: nothing could be asked of it; the report's `problems` say why.
+    has_step : bool
+        A step from the frame before was asked about.
+    intersections : int
+        Pairs that pass through each other in the frame.
+    contacts : int
+        Pairs that touch during the step.
+    neighbours : int
+        Of both together, pairs that one edge joins.
+    toi_lower, toi_upper : float
+        Of the first contact: the step is free before `toi_lower`, proven. 1 if it is free.
+    """
+
+    frame: int
+    name: str
+    is_usable: bool
+    has_step: bool
+    intersections: int
+    contacts: int
+    neighbours: int
+    toi_lower: float
+    toi_upper: float
+
+
+class AuditFrames(Table[AuditFrame]):
+    """Frames in their order, each with the step that ends there.
+
+    `len()` counts them; an integer index gives an `AuditFrame`, anything else that indexes an array gives
+    `AuditFrames`. The columns of `table` are frame, is_usable, has_step, counts, neighbours, toi_lower, toi_upper.
+    """
+
+    __slots__ = ("_names",)
+    _dtype = np.dtype(_core.frame_row_layout())
+
+    def __init__(
+        self, table: npt.NDArray[np.void] | npt.NDArray[np.uint8], names: Sequence[str] | None = None
+    ) -> None:
+        super().__init__(table)
+        self._names: Sequence[str] = names if isinstance(names, (list, tuple)) else []
+
+    @property
+    def frame(self) -> npt.NDArray[np.int64]:
+        """The number of each, from 0, shape (n,)."""
+        return self._table["frame"]
+
+    @property
+    def names(self) -> list[str]:
+        """What the source calls each."""
+        return [self._name(frame) for frame in self.frame.tolist()]
+
+    @property
+    def is_usable(self) -> npt.NDArray[np.bool_]:
+        """Whether anything could be asked of it, shape (n,)."""
+        return self._table["is_usable"]
+
+    @property
+    def has_step(self) -> npt.NDArray[np.bool_]:
+        """Whether a step was asked about that ends here, shape (n,)."""
+        return self._table["has_step"]
+
+    @property
+    def counts(self) -> Counts:
+        """Pairs by `AuditKind`, shape (n, 5)."""
+        return self._table["counts"]
+
+    @property
+    def intersections(self) -> Counts:
+        """Pairs that pass through each other in each frame, shape (n,)."""
+        return self.counts[:, AuditKind.EDGE_FACE]
+
+    @property
+    def contacts(self) -> Counts:
+        """Pairs that touch during each step, shape (n,)."""
+        total: Counts = self.counts[:, : AuditKind.EDGE_FACE].sum(axis=1, dtype=np.uint64)
+        return total
+
+    @property
+    def neighbours(self) -> Counts:
+        """Of the pairs of each frame and step, those that one edge joins, shape (n,)."""
+        return self._table["neighbours"]
+
+    @property
+    def toi_lower(self) -> Doubles:
+        """Each step is free before this fraction of it: proven, shape (n,); 1 if it is free."""
+        return self._table["toi_lower"]
+
+    @property
+    def toi_upper(self) -> Doubles:
+        """By this fraction of each step some pair has touched, shape (n,); 1 if it is free."""
+        return self._table["toi_upper"]
+
+    @property
+    def is_bad(self) -> npt.NDArray[np.bool_]:
+        """Whether anything was found, shape (n,)."""
+        bad: npt.NDArray[np.bool_] = self.counts.any(axis=1)
+        return bad
+
+    def _name(self, frame: int) -> str:
+        return self._names[frame] if frame < len(self._names) else str(frame)
+
+    def _columns(self) -> Columns:
+        kinds = {name: self.counts[:, kind] for kind, name in enumerate(_SHORT_NAMES)}
+        columns = {name: self._table[name] for name in ("is_usable", "has_step")}
+        rest = {name: self._table[name] for name in ("neighbours", "toi_lower", "toi_upper")}
+        return {"frame": self.frame, "name": np.array(self.names, dtype=object), **columns, **kinds, **rest}
+
+    def _row(self, values: Any) -> AuditFrame:
+        frame, is_usable, has_step, counts, neighbours, toi_lower, toi_upper = values
+        contacts, intersections = sum(counts.tolist()[:4]), counts.tolist()[4]
+        name = self._name(frame)
+        return AuditFrame(
+            frame, name, is_usable, has_step, intersections, contacts, neighbours, toi_lower, toi_upper
+        )
+
+    def _part(self, table: npt.NDArray[np.void]) -> AuditFrames:
+        return AuditFrames(table, self._names)
+
+    def __reduce__(self) -> tuple[type[AuditFrames], tuple[Any, ...]]:
+        return AuditFrames, (self._table, self._names)
+
+    def __repr__(self) -> str:
+        return f"AuditFrames({len(self)} frames, {int(self.is_bad.sum())} of them bad)"

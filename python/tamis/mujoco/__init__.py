@@ -1,0 +1,22 @@
+"""MuJoCo: `Referee` follows a simulation, and proves each of its steps free of contacts or names them.
+
+>>> referee = tamis.mujoco.Referee(model, data)
+>>> mujoco.mj_step(model, data)
+>>> step = referee.check()
+
+It needs the package `mujoco`, in the version that this was written for: ``pip install tamis[mujoco]``.
+"""
+
+from tamis.mujoco import _version
+
+try:
+    import mujoco as _mujoco
+except ImportError:
+    raise ImportError(f"MuJoCo is not installed: pip install mujoco=={_version.WRITTEN_FOR}") from None
+if _version.complaint(_mujoco.__version__):
+    raise ImportError(_version.complaint(_mujoco.__version__))
+
+from tamis.mujoco._referee import Referee
+from tamis.mujoco._steps import Meeting, RefereedStep, RefereeReport
+
+__all__ = ["Meeting", "Referee", "RefereeReport", "RefereedStep"]

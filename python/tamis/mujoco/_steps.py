@@ -1,0 +1,133 @@
+"""What a referee says of each step, and of a whole run."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+
+from tamis._arrays import Indices
+from tamis._contacts import Contacts
+from tamis._kinds import PairKind
+
+if TYPE_CHECKING:
+    import pandas
+
+# Of each kind of pair, the first vertex of its second feature.
+_SECOND = np.array([2 if kind == PairKind.EDGE_EDGE else 1 for kind in PairKind])
+
+
+class Meeting(NamedTuple):
+    """Two surfaces that touch during a step.
+
+    Attributes
+    ----------
+    step : int
+        Counted from 0.
+    first, second : str
+        The surfaces, as the model names them: twice the same is a flex with itself.
+    contacts : int
+        Pairs of features that touch.
+    time : float
+        In simulated seconds: before it these two are proven apart in this step.
+    certified : bool
+        One of the contacts at least is proven to happen. False: on their curves they could not be told from free.
+    """
+
+    step: int
+    first: str
+    second: str
+    contacts: int
+    time: float
+    certified: bool
+
+    def __str__(self) -> str:
+        who = f"{self.first} with itself" if self.first == self.second else f"{self.first} and {self.second}"
+        return f"{who}: {self.contacts} contacts from {self.time:.9g} on"
+
+
+class RefereedStep(NamedTuple):
+    """One step of a simulation.
+
+    Attributes
+    ----------
+    step : int
+        Counted from 0.
+    start, end : float
+        In simulated seconds.
+    contacts : Contacts
+        Times are fractions of the step; vertices are those of `Referee.detector.mesh`.
+    meetings : list of Meeting
+        The same by pairs of surfaces, the earliest first.
+    """
+
+    step: int
+    start: float
+    end: float
+    contacts: Contacts
+    meetings: list[Meeting]
+
+    @property
+    def is_free(self) -> bool:
+        """True: no two surfaces touch at any time of the step, proven."""
+        return not self.meetings
+
+    def __str__(self) -> str:
+        found = "; ".join(map(str, self.meetings)) or "free"
+        return f"step {self.step}, {self.start:.9g} to {self.end:.9g}: {found}"
+
+
+@dataclass
+class RefereeReport:
+    """A run so far.
+
+    Attributes
+    ----------
+    steps : int
+        That were checked.
+    meetings : list of Meeting
+        Of all steps, in their order.
+    """
+
+    steps: int = 0
+    meetings: list[Meeting] = field(default_factory=list)
+
+    @property
+    def is_free(self) -> bool:
+        """True: no step has a contact."""
+        return not self.meetings
+
+    @property
+    def bad_steps(self) -> list[int]:
+        """The steps that have contacts."""
+        return sorted({meeting.step for meeting in self.meetings})
+
+    def to_pandas(self) -> pandas.DataFrame:
+        """Make a DataFrame, one row a meeting. pandas must be installed."""
+        import pandas as pd
+
+        return pd.DataFrame(self.meetings, columns=list(Meeting._fields))
+
+    def __str__(self) -> str:
+        if self.is_free:
+            return f"{self.steps} steps, all free"
+        contacts = sum(meeting.contacts for meeting in self.meetings)
+        return f"{self.steps} steps, {len(self.bad_steps)} of them with contacts, {contacts} contacts"
+
+
+def meetings_of(
+    contacts: Contacts, groups: Indices, names: list[str], step: int, span: tuple[float, float]
+) -> list[Meeting]:
+    """Gather contacts by the surfaces they are between; `span` is the simulated time of both ends of the step."""
+    if not len(contacts):
+        return []
+    rows = np.arange(len(contacts))
+    both = np.column_stack([groups[contacts.vertices[:, 0]], groups[contacts.vertices[rows, _SECOND[contacts.kind]]]])
+    meetings = []
+    for first, second in np.unique(np.sort(both, axis=1), axis=0).tolist():
+        own = contacts[(np.sort(both, axis=1) == [first, second]).all(axis=1)]
+        toi = float(own.toi_lower.min())
+        time = span[0] + toi * (span[1] - span[0])
+        meetings.append(Meeting(step, names[first], names[second], len(own), time, bool(own.certified.any())))
+    return sorted(meetings, key=lambda meeting: meeting.time)

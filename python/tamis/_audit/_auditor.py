@@ -132,7 +132,7 @@ class Auditor:
         called = "" if name is None else word(name, "name")
         row, label, problem, pairs = self._auditor.add(rows(positions, "positions"), called)
         frame = AuditFrames(row)[0]
-        return StepReport(frame._replace(name=label or str(frame.frame)), AuditPairs(pairs, self._names), problem)
+        return StepReport(frame._replace(name=label), AuditPairs(pairs, self._names), problem)
 
     def report(self) -> AuditReport:
         """Return what was found in all frames so far."""

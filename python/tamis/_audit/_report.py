@@ -62,8 +62,8 @@ class AuditReport:
     @property
     def rings(self) -> dict[int, int]:
         """All pairs, those that are not listed too, by the edges between their features: as `AuditPair.rings`."""
-        counts = self._facts["by_rings"]
-        return {rings if rings else -1: count for rings, count in enumerate(counts) if count}
+        *connected, apart = self._facts["by_rings"]
+        return {rings: count for rings, count in [*enumerate(connected, 1), (-1, apart)] if count}
 
     def __repr__(self) -> str:
         frames, steps = len(self.frames), len(self.steps)

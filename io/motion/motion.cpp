@@ -1,0 +1,43 @@
+#include "io/motion/motion.hpp"
+
+#include <algorithm>
+
+#include "io/error.hpp"
+#include "io/mesh/frames.hpp"
+#include "io/mesh/mesh_file.hpp"
+#include "io/motion/mesh_frames.hpp"
+#include "io/motion/point_cache.hpp"
+
+namespace tamis::io {
+
+std::vector<std::filesystem::path> MotionFiles::all() const {
+  std::vector<std::filesystem::path> files = meshes;
+  if (!cache.empty()) files.push_back(cache);
+  return files;
+}
+
+MotionFiles motion_files(const std::vector<std::string>& names, bool has_mesh) {
+  MotionFiles files{moving_files(names), {}};
+  const auto caches = std::stable_partition(files.meshes.begin(), files.meshes.end(),
+                                            [](const auto& path) { return !is_point_cache_name(path); });
+  const auto count = files.meshes.end() - caches;
+  if (count == 0) return files;
+  files.cache = *caches;
+  files.meshes.erase(caches, files.meshes.end());
+  if (count > 1 || files.meshes.size() != (has_mesh ? 0 : 1))
+    throw FileError(files.cache.string(), "",
+                    has_mesh ? "the mesh is given already: give this one point cache and no other file"
+                             : "a point cache says where vertices are, and not what they make: give it together with "
+                               "one mesh file, as in mesh.obj cache.pc2");
+  return files;
+}
+
+std::unique_ptr<audit::FrameSource> open_motion(const MotionFiles& files, GivenMesh given) {
+  if (files.cache.empty()) return std::make_unique<MeshFrames>(files.meshes, std::move(given.objects));
+  if (!given.mesh)
+    given.mesh =
+        std::make_shared<audit::AuditedMesh>(mesh_of(read_mesh(files.meshes.front())), std::move(given.objects));
+  return std::make_unique<PointCache>(files.cache, std::move(given.mesh));
+}
+
+}  // namespace tamis::io

@@ -24,10 +24,10 @@ struct MotionFiles {
 };
 
 /// Files, folders and patterns, in natural order (moving_files); a point cache (.pc2, .mdd) comes with one mesh file,
-/// or with none if the mesh is known. Throws FileError.
-MotionFiles motion_files(const std::vector<std::string>& names, bool has_mesh = false);
+/// or with none if the caller has the mesh. Throws FileError.
+MotionFiles motion_files(const std::vector<std::string>& names);
 
-/// Throws FileError if the first frame cannot be used, or the cache is none of this mesh. Later frames that cannot be
+/// `given.mesh` takes the place of the mesh file. Throws FileError if there is neither, if the first frame cannot be used, or the cache is none of this mesh. Later frames that cannot be
 /// used are problems of theirs.
 std::unique_ptr<audit::FrameSource> open_motion(const MotionFiles& files, GivenMesh given = {});
 

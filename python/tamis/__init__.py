@@ -11,9 +11,13 @@
 
 from tamis import _core
 from tamis._answers import EarliestContact, LimitingPair, SafeStep, TruncatedStep
+from tamis._audit._audit import audit
 from tamis._audit._auditor import Auditor, StepReport
+from tamis._audit._gltf import read_gltf
+from tamis._audit._motion import Motion
 from tamis._audit._report import AuditReport
 from tamis._audit._tables import AuditFrame, AuditFrames, AuditKind, AuditPair, AuditPairs
+from tamis._audit._usd import read_usd
 from tamis._contacts import Contact, Contacts
 from tamis._core import filter_names, method_choices
 from tamis._detector import Detector, contacts
@@ -62,6 +66,7 @@ __all__ = [
     "LimitingPair",
     "Mesh",
     "MeshFile",
+    "Motion",
     "NearPair",
     "NearPairs",
     "Page",
@@ -77,6 +82,7 @@ __all__ = [
     "Statistics",
     "StepReport",
     "TruncatedStep",
+    "audit",
     "between",
     "contacts",
     "distance_of",
@@ -86,7 +92,9 @@ __all__ = [
     "keep_distance",
     "method_choices",
     "read_frames",
+    "read_gltf",
     "read_mesh",
+    "read_usd",
     "scene",
     "scene_names",
     "simulate",

@@ -5,6 +5,7 @@
 #include <nanobind/stl/vector.h>
 
 #include "audit/auditor.hpp"
+#include "io/motion/motion.hpp"
 #include "python/src/asker.hpp"
 #include "python/src/audit/report.hpp"
 #include "python/src/audit/source.hpp"
@@ -36,7 +37,7 @@ struct AuditReport {
 };
 
 /// Interrupted, it holds what Python raised.
-AuditReport audit_frames(nb::object iterator, const AuditOptions& given) {
+AuditReport audit_source(audit::FrameSource& source, const AuditOptions& given) {
   Asker asker{Asking{}};
   audit::Options options = given.options;
   options.is_cancelled = [&] { return asker.should_stop(); };
@@ -45,7 +46,6 @@ AuditReport audit_frames(nb::object iterator, const AuditOptions& given) {
       const nb::gil_scoped_acquire lock;
       given.progress(frames);
     };
-  IteratorSource source(std::move(iterator));
   AuditReport result;
   asker.ask([&] { result.report = audit::audit(source, options); });
   try {
@@ -54,6 +54,26 @@ AuditReport audit_frames(nb::object iterator, const AuditOptions& given) {
     result.report.ended_by = std::current_exception();
   }
   return result;
+}
+
+AuditReport audit_frames(nb::object iterator, const AuditOptions& given) {
+  IteratorSource source(std::move(iterator));
+  return audit_source(source, given);
+}
+
+nb::tuple motion_files(const std::vector<std::string>& names) {
+  const io::MotionFiles files = io::motion_files(names);
+  std::vector<std::string> paths;
+  for (const std::filesystem::path& path : files.all()) paths.push_back(path.string());
+  return nb::make_tuple(paths, !files.cache.empty());
+}
+
+/// `mesh`: of a point cache, or none.
+AuditReport audit_files(const std::vector<std::string>& names, const SharedMesh* mesh, std::vector<Index> of_vertex,
+                        std::vector<std::string> object_names, const AuditOptions& given) {
+  io::GivenMesh known{mesh != nullptr ? mesh->mesh : nullptr, {std::move(of_vertex), std::move(object_names)}};
+  const auto source = io::open_motion(io::motion_files(names), std::move(known));
+  return audit_source(*source, given);
 }
 
 /// One question at a time, other Python threads run meanwhile.
@@ -104,6 +124,8 @@ void bind_audit(nb::module_& module) {
       .def("as_dict", [](const AuditReport& report) { return as_dict(report.report); })
       .def("raise_what_ended_it", &AuditReport::raise);
   module.def("audit_frames", &audit_frames);
+  module.def("motion_files", &motion_files);
+  module.def("audit_files", &audit_files, any, nb::arg().none(), any, any, any);
   nb::class_<StreamAuditor>(module, "Auditor")
       .def(nb::init<const SharedMesh&, const AuditOptions&>())
       .def("add", &StreamAuditor::add)

@@ -44,15 +44,15 @@ class MovingNode:
         parts = [_Primitive(primitive, buffers, f"{file}: {self.name}") for primitive in mesh.primitives]
         parts = [part for part in parts if len(part.faces)]
         ends = np.cumsum([0] + [len(part.base) for part in parts])
-        columns = np.concatenate([part.columns() for part in parts]) if parts else np.empty((0, 3))
+        columns = _stacked([part.columns() for part in parts], f"{file}: {self.name}")
         kept, place = _joined(columns)
         faces = [place[part.faces + first] for part, first in zip(parts, ends[:-1])]
         self.faces: Indices = np.concatenate(faces).astype(np.int32) if parts else np.empty((0, 3), np.int32)
         self.vertex_count = len(kept)
         self._base = columns[kept, :3]
         count = len(parts[0].targets) if parts else 0
-        self._targets = columns[kept, 3 : 3 + 3 * count].reshape(-1, count, 3)
-        self._default = np.asarray(given.weights or mesh.weights or [0.0] * count, np.float64)
+        self._targets = columns[kept, 3 : 3 + 3 * count].reshape(self.vertex_count, count, 3)
+        self._default = np.asarray(getattr(given, "weights", None) or mesh.weights or [0.0] * count, np.float64)
         rest = columns[kept, 3 + 3 * count :]
         half = rest.shape[1] // 2
         is_skinned = given.skin is not None and half > 0
@@ -89,6 +89,12 @@ class _Primitive:
     def columns(self) -> Doubles:
         """Return all that says where a vertex is, a row each."""
         return np.concatenate([self.base, *self.targets, *self.joints, *self.weights], axis=1)
+
+
+def _stacked(parts: list[Doubles], where: str) -> Doubles:
+    if len({part.shape[1] for part in parts}) > 1:
+        raise FileError(f"{where}: its parts have other morph targets or joints than each other: export the file again")
+    return np.concatenate(parts) if parts else np.empty((0, 3))
 
 
 def _delta(target: Any, buffers: Buffers, count: int) -> Doubles:

@@ -15,6 +15,7 @@
 #include "io/format.hpp"
 #include "io/motion/motion.hpp"
 #include "io/output/audit_csv.hpp"
+#include "io/view/audit_page.hpp"
 
 namespace tamis::cli {
 namespace {
@@ -58,7 +59,7 @@ class Audit final : public Verb {
     options_.intersections = !no_intersections_;
     options_.contacts = !no_contacts_;
     audit::require_sound(options_);
-    if (!out_.empty()) io::format_of(out_, kFormats);
+    if (!is_page()) options_.kept_bytes = 0;
     const io::MotionFiles files = io::motion_files(names_);
     require_output(out_, files.all());
     require_output(out_frames_, files.all(), "csv");
@@ -72,6 +73,8 @@ class Audit final : public Verb {
   }
 
  private:
+  bool is_page() const { return !out_.empty() && kFormats[io::format_of(out_, kFormats)] == "html"; }
+
   audit::Report audited(audit::FrameSource& source) {
     Progress progress(source.count(), "frames");
     options_.progress = [&](std::size_t frames) { progress.show(frames); };
@@ -79,7 +82,10 @@ class Audit final : public Verb {
   }
 
   void write(const audit::Report& report) const {
-    if (!out_.empty()) io::write_audit_pairs_csv(out_, report);
+    if (is_page())
+      io::write_audit_page(out_, report);
+    else if (!out_.empty())
+      io::write_audit_pairs_csv(out_, report);
     if (!out_frames_.empty()) io::write_audit_frames_csv(out_frames_, report);
   }
 

@@ -1,11 +1,14 @@
 // Audits: of frames that an iterator gives, and of a motion that is still going on.
 #include "audit/audit.hpp"
 
+#include <nanobind/stl/filesystem.h>
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/vector.h>
 
 #include "audit/auditor.hpp"
 #include "io/motion/motion.hpp"
+#include "io/output/audit_csv.hpp"
+#include "io/view/audit_page.hpp"
 #include "python/src/asker.hpp"
 #include "python/src/audit/report.hpp"
 #include "python/src/audit/source.hpp"
@@ -30,6 +33,14 @@ void init_options(AuditOptions* place, double min_separation, int threads, bool 
 struct AuditReport {
   audit::Report report;
 
+  void write_page(const std::filesystem::path& path) const {
+    const nb::gil_scoped_release unlocked;
+    io::write_audit_page(path, report);
+  }
+  void write_pairs(const std::filesystem::path& path) const {
+    const nb::gil_scoped_release unlocked;
+    io::write_audit_pairs_csv(path, report);
+  }
   /// Throws what ended the audit, if anything did.
   void raise() const {
     if (report.ended_by) std::rethrow_exception(report.ended_by);
@@ -122,6 +133,8 @@ void bind_audit(nb::module_& module) {
       .def("__init__", &init_options, any, any, any, any, any, any, any, nb::arg().none());
   nb::class_<AuditReport>(module, "AuditReport")
       .def("as_dict", [](const AuditReport& report) { return as_dict(report.report); })
+      .def("write_page", &AuditReport::write_page)
+      .def("write_pairs", &AuditReport::write_pairs)
       .def("raise_what_ended_it", &AuditReport::raise);
   module.def("audit_frames", &audit_frames);
   module.def("motion_files", &motion_files);

@@ -113,7 +113,6 @@ class AuditReport:
 _AuditFrame = tuple[str, _Doubles | None, SharedMesh | None, str, str, bool]
 
 def audit_frames(frames: Iterator[_AuditFrame], options: AuditOptions) -> AuditReport: ...
-
 def motion_files(names: list[str]) -> tuple[list[str], bool]: ...
 def audit_files(
     names: list[str], mesh: SharedMesh | None, of_vertex: list[int], object_names: list[str], options: AuditOptions

@@ -24,14 +24,14 @@ class _Member(NamedTuple):
     is_fortran: bool
 
 
-def archive_frames(
-    path: str, mesh_of: Callable[[int], Shared] | None, objects: Objects | None
-) -> Iterator[Frame]:
+def archive_frames(path: str, mesh_of: Callable[[int], Shared] | None, objects: Objects | None) -> Iterator[Frame]:
     """Yield the frames; `mesh_of` gives the mesh for so many vertices, where the archive's own is not to be used."""
     try:
         with zipfile.ZipFile(path) as archive:
             members = [_header(archive, name) for name in archive.namelist() if name.endswith(".npy")]
-            positions = _only(path, members, "fiu", lambda shape: len(shape) == 3 and shape[2] == 3, "(f, n, 3), the positions")
+            positions = _only(
+                path, members, "fiu", lambda shape: len(shape) == 3 and shape[2] == 3, "(f, n, 3), the positions"
+            )
             shared = mesh_of(positions.shape[1]) if mesh_of else _mesh_in(path, archive, members, positions, objects)
             yield from _stream(path, archive, positions, shared)
     except (OSError, zipfile.BadZipFile, ValueError, EOFError) as error:
@@ -65,7 +65,9 @@ def _only(
 def _mesh_in(
     path: str, archive: zipfile.ZipFile, members: list[_Member], positions: _Member, objects: Objects | None
 ) -> Shared:
-    faces = _only(path, members, "iu", lambda shape: len(shape) == 2 and shape[1] == 3, "(t, 3), whole numbers, the faces")
+    faces = _only(
+        path, members, "iu", lambda shape: len(shape) == 2 and shape[1] == 3, "(t, 3), whole numbers, the faces"
+    )
     with archive.open(faces.name) as file:
         triangles: npt.NDArray[np.generic] = npy.read_array(file)
     return shared_mesh(Mesh(indices(triangles, 3, faces.name, InvalidMesh), positions.shape[1]), objects)
@@ -81,7 +83,9 @@ def _stream(path: str, archive: zipfile.ZipFile, member: _Member, shared: Shared
         for i in range(frames):
             bytes_ = file.read(size)
             if len(bytes_) < size:
-                yield Frame(str(i), None, None, f"the file ends here: {frames - i} of its {frames} frames are not there")
+                yield Frame(
+                    str(i), None, None, f"the file ends here: {frames - i} of its {frames} frames are not there"
+                )
                 return
             frame = np.frombuffer(bytes_, member.dtype).reshape(vertices, 3)
             yield Frame(str(i), rows(frame, f"frame {i}"), shared.mesh)

@@ -41,7 +41,7 @@ def audit(
     listed_pairs: int = 1_000_000,
     progress: Callable[[int], object] | None = None,
 ) -> AuditReport:
-    """Ask a whole recorded motion: does anything pass through anything in a frame, or touch between two frames?
+    """Find what passes through what in the frames of a recorded motion, and what touches between two of them.
 
     Frames are read one after the other and let go when they have been asked about; threads ask about different ones.
 
@@ -220,4 +220,6 @@ def _frames_of_meshes(items: Iterator[Any], objects: Objects | None) -> Iterator
             raise InvalidStep(f"frame {i} is {shown(item)}, the first a MeshFile: give frames of one kind")
         if last is None or item.mesh is not last[0]:
             last = (item.mesh, shared_mesh(item.mesh, objects))
-        yield Frame(str(i), rows(item.positions, f"frame {i}"), last[1].mesh, note="; ".join(item.notes if i == 0 else ()))
+        yield Frame(
+            str(i), rows(item.positions, f"frame {i}"), last[1].mesh, note="; ".join(item.notes if i == 0 else ())
+        )

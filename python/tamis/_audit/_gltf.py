@@ -17,7 +17,14 @@ from tamis._checks import file_name, number
 from tamis._errors import FileError, InvalidOptions
 
 # What changes nothing in where vertices are.
-_HARMLESS = ("KHR_materials_", "KHR_texture_", "KHR_lights_", "EXT_texture_", "KHR_mesh_quantization", "KHR_animation_pointer")
+_HARMLESS = (
+    "KHR_materials_",
+    "KHR_texture_",
+    "KHR_lights_",
+    "EXT_texture_",
+    "KHR_mesh_quantization",
+    "KHR_animation_pointer",
+)
 
 
 def read_gltf(

@@ -49,7 +49,9 @@ class Buffers:
                 array = self._view(given.bufferView, given.byteOffset or 0, dtype, given.count, columns)
             return self._with_sparse(array.copy(), given)
         except (IndexError, KeyError, TypeError, ValueError) as error:
-            raise FileError(f"{self._name}: accessor {accessor} is not sound ({error}): export the file again") from None
+            raise FileError(
+                f"{self._name}: accessor {accessor} is not sound ({error}): export the file again"
+            ) from None
 
     def _view(self, view: int, offset: int, dtype: np.dtype[Any], count: int, columns: int) -> npt.NDArray[Any]:
         given = self._gltf.bufferViews[view]
@@ -63,7 +65,9 @@ class Buffers:
         sparse = given.sparse
         kind = np.dtype(_NUMBERS[sparse.indices.componentType])
         places = self._view(sparse.indices.bufferView, sparse.indices.byteOffset or 0, kind, sparse.count, 1)
-        values = self._view(sparse.values.bufferView, sparse.values.byteOffset or 0, array.dtype, sparse.count, array.shape[1])
+        values = self._view(
+            sparse.values.bufferView, sparse.values.byteOffset or 0, array.dtype, sparse.count, array.shape[1]
+        )
         array[places[:, 0]] = values
         return array
 
@@ -80,4 +84,6 @@ class Buffers:
                 return base64.b64decode(uri.partition(",")[2], validate=True)
             return (pathlib.Path(self._name).parent / urllib.parse.unquote(uri)).read_bytes()
         except (OSError, binascii.Error) as error:
-            raise FileError(f"{self._name}: its buffer {uri[:60]} cannot be read ({error}): copy it beside the file") from None
+            raise FileError(
+                f"{self._name}: its buffer {uri[:60]} cannot be read ({error}): copy it beside the file"
+            ) from None

@@ -56,7 +56,9 @@ class MovingNode:
         rest = columns[kept, 3 + 3 * count :]
         half = rest.shape[1] // 2
         is_skinned = given.skin is not None and half > 0
-        self._skin = _Skin(gltf.skins[given.skin], buffers, rest[:, :half].astype(int), rest[:, half:]) if is_skinned else None
+        self._skin = (
+            _Skin(gltf.skins[given.skin], buffers, rest[:, :half].astype(int), rest[:, half:]) if is_skinned else None
+        )
 
     def points(self, pose: Pose) -> Doubles:
         """Return where the vertices are, in the world."""

@@ -34,7 +34,7 @@ class AuditReport:
 
     @property
     def first_bad(self) -> AuditFrame | None:
-        """The first frame in which something was found, or at which a step with contacts ends; None if there is none."""
+        """The first frame with an intersection, or at which a step with contacts ends; None if there is none."""
         bad = self.frames.is_bad.nonzero()[0]
         return self.frames[int(bad[0])] if len(bad) else None
 

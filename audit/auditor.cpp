@@ -9,8 +9,9 @@ Auditor::Auditor(std::shared_ptr<const AuditedMesh> mesh, Options options)
       builder_(options_) {}
 
 Added Auditor::add(std::vector<Point> positions, std::string name) {
-  FramePointer frame = std::make_shared<const Frame>(Frame{std::move(name), std::move(positions), mesh_});
   const auto number = static_cast<std::int64_t>(builder_.report().frames.size());
+  if (name.empty()) name = std::to_string(number);
+  FramePointer frame = std::make_shared<const Frame>(Frame{std::move(name), std::move(positions), mesh_});
   FrameFindings found = asker_.ask(before_, frame, number);
   Added added{found.answer, found.pairs};
   builder_.add(std::move(found));

@@ -20,6 +20,9 @@ inline constexpr std::size_t kKinds = 5;
 /// "vf", "ee", "ve", "vv", "ef".
 std::string_view name_of(Kind kind);
 
+/// No path of edges joins two features.
+inline constexpr Index kNotConnected = -1;
+
 /// A pair that touches in a step, or passes through each other in a frame. Plain data.
 struct Finding {
   /// The frame, counted from 0; of a contact the one at which the step ends.

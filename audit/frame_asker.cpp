@@ -17,6 +17,8 @@ std::size_t used(const std::array<Index, 4>& vertices) {
 
 bool is_usable(const FramePointer& frame) { return frame && problem_of(*frame).empty(); }
 
+void add_sentence(std::string& note, const char* sentence) { note += (note.empty() ? "" : "; ") + std::string(sentence); }
+
 void bracket_first(FrameAnswer& answer, std::span<const Contact> contacts) {
   for (const Contact& c : contacts) {
     answer.toi_lower = std::min(answer.toi_lower, c.toi_lower);
@@ -45,8 +47,8 @@ FrameFindings FrameAsker::ask(const FramePointer& before, const FramePointer& fr
   FrameFindings findings{number, nullptr, frame, {frame->name, problem_of(*frame), frame->note}, {}, {}, {}};
   if (!findings.answer.problem.empty()) return findings;
   use(frame->mesh);
-  if (before && before->mesh && before->mesh != frame->mesh && findings.answer.note.empty())
-    findings.answer.note = "the topology changes here: no step leads to this frame";
+  if (before && before->mesh && before->mesh != frame->mesh)
+    add_sentence(findings.answer.note, "the topology changes here: no step leads to this frame");
   else if (options_.contacts && frame->follows && is_usable(before))
     findings.before = before;
   if (findings.before) ask_step(findings);

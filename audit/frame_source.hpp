@@ -32,6 +32,8 @@ class FrameSource {
   virtual ~FrameSource() = default;
   /// The next frame; null after the last. What it throws ends the audit.
   virtual FramePointer next() = 0;
+  /// How many frames there are, where that is known before; else 0.
+  virtual std::size_t count() const { return 0; }
 };
 
 }  // namespace tamis::audit

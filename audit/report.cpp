@@ -63,7 +63,7 @@ void ReportBuilder::count(const FrameFindings& findings) {
   report_.problems += findings.answer.problem.empty() ? 0 : 1;
   for (std::size_t kind = 0; kind < kKinds; ++kind) report_.counts[kind] += findings.answer.counts[kind];
   for (const Finding& pair : findings.pairs)
-    ++report_.by_rings[pair.rings == kNotConnected ? 0 : static_cast<std::size_t>(pair.rings)];
+    ++(pair.rings == kNotConnected ? report_.by_rings.back() : report_.by_rings[static_cast<std::size_t>(pair.rings) - 1]);
 }
 
 void ReportBuilder::list(const std::vector<Finding>& pairs) {

@@ -23,7 +23,7 @@ struct Report {
   std::vector<FrameAnswer> frames;  ///< those that were asked about, in their order
   std::vector<Finding> pairs;       ///< the first ones, by frame
   std::uint64_t pairs_left_out = 0;
-  /// Of all pairs, by rings: [0] not connected, [k] k edges apart, the last farther than the limit.
+  /// Of all pairs: those 1, 2, ... edges apart up to the limit, those farther apart, those that are not connected.
   std::vector<std::uint64_t> by_rings;
   std::array<std::uint64_t, kKinds> counts{};
   std::uint64_t steps = 0;     ///< that were asked about

@@ -3,12 +3,9 @@
 #include <span>
 #include <vector>
 
-#include "audit/audited_mesh.hpp"
+#include "audit/findings.hpp"
 
 namespace tamis::audit {
-
-/// No path of edges joins the two features.
-inline constexpr Index kNotConnected = -1;
 
 /// Breadth-first from one feature, no farther than a limit. Pairs that follow each other with the same first feature,
 /// as they do in every answer, share one search.

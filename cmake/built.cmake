@@ -18,7 +18,7 @@ function(built_library name path)
 endfunction()
 built_library(tamis::tamis src/libtamis.a TBB::tbb GMP::gmp)
 built_library(tamis_audit audit/libtamis_audit.a tamis::tamis)
-built_library(tamis_io io/libtamis_io.a tamis::tamis fmt::fmt GMP::gmp ZLIB::ZLIB ${B64_LIBRARY})
+built_library(tamis_io io/libtamis_io.a tamis_audit fmt::fmt GMP::gmp ZLIB::ZLIB ${B64_LIBRARY})
 built_library(tamis_scenes scenes/libtamis_scenes.a tamis::tamis)
 built_library(tamis_simulation scenes/simulation/libtamis_simulation.a
   tamis_io tamis_scenes Eigen3::Eigen meshoptimizer::meshoptimizer)

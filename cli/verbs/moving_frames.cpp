@@ -8,22 +8,9 @@
 #include "io/mesh/frames.hpp"
 
 namespace tamis::cli {
-namespace {
 
-bool are_two_files(const std::vector<std::string>& names) {
-  return names.size() == 2 && std::all_of(names.begin(), names.end(), [](const std::string& name) {
-           std::error_code error;
-           return std::filesystem::exists(name, error) && !std::filesystem::is_directory(name, error);
-         });
-}
-
-}  // namespace
-
-MovingFrames::MovingFrames(const std::vector<std::string>& names, std::size_t least) {
-  if (are_two_files(names))
-    paths_.assign(names.begin(), names.end());
-  else
-    paths_ = io::frame_files(names);
+MovingFrames::MovingFrames(const std::vector<std::string>& names, std::size_t least)
+    : paths_(io::moving_files(names)) {
   if (paths_.size() < least)
     throw io::FileError(paths_.front().string(), "", "a single frame does not move: give two or more");
   first_ = read_with_notes(paths_.front());

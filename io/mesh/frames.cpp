@@ -44,6 +44,13 @@ std::vector<std::filesystem::path> mesh_files_in(const std::filesystem::path& fo
   return files;
 }
 
+bool are_two_files(const std::vector<std::string>& names) {
+  return names.size() == 2 && std::all_of(names.begin(), names.end(), [](const std::string& name) {
+           std::error_code error;
+           return std::filesystem::exists(name, error) && !std::filesystem::is_directory(name, error);
+         });
+}
+
 }  // namespace
 
 bool natural_less(std::string_view a, std::string_view b) {
@@ -77,6 +84,11 @@ std::vector<std::filesystem::path> frame_files(const std::vector<std::string>& n
   std::stable_sort(files.begin(), files.end(),
                    [](const auto& a, const auto& b) { return natural_less(a.string(), b.string()); });
   return files;
+}
+
+std::vector<std::filesystem::path> moving_files(const std::vector<std::string>& names) {
+  if (are_two_files(names)) return {names.begin(), names.end()};
+  return frame_files(names);
 }
 
 }  // namespace tamis::io

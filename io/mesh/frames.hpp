@@ -14,6 +14,9 @@ bool natural_less(std::string_view a, std::string_view b);
 /// exists is never taken for a pattern. Throws FileError if one of them stands for no file.
 std::vector<std::filesystem::path> frame_files(const std::vector<std::string>& names);
 
+/// The frames of a motion: as frame_files, but two files stay in the order in which they are given.
+std::vector<std::filesystem::path> moving_files(const std::vector<std::string>& names);
+
 /// The path of this name, or if there is none, those the name stands for as a glob pattern, unordered. Throws FileError
 /// if there is none either.
 std::vector<std::filesystem::path> paths_named(const std::string& name);

@@ -70,6 +70,11 @@ Mesh mesh_of(MeshFile file) {
               std::move(file.loose_points));
 }
 
+bool has_topology_of(const MeshFile& first, const MeshFile& second) {
+  return first.faces == second.faces && first.loose_edges == second.loose_edges &&
+         first.loose_points == second.loose_points;
+}
+
 void require_same_mesh(const MeshFile& first, const std::string& first_name, const MeshFile& second,
                        const std::string& second_name) {
   const Names names{first_name, second_name};

@@ -31,6 +31,9 @@ void note_open_end(std::string_view text, MeshFile& mesh);
 /// The topology of the file.
 Mesh mesh_of(MeshFile file);
 
+/// Do both have the same faces, loose edges and loose points?
+bool has_topology_of(const MeshFile& first, const MeshFile& second);
+
 /// Throws FileError, naming both files and the first difference, unless they have one topology.
 void require_same_mesh(const MeshFile& first, const std::string& first_name, const MeshFile& second,
                        const std::string& second_name);

@@ -1,6 +1,7 @@
 // What the outputs for looking show: a mesh, its frames, and what was found in each step between two of them; or one
 // pose, and what passes through what in it.
 #pragma once
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -17,6 +18,10 @@ struct RecordedStep {
   std::vector<StageCount> stages;
   /// What is proven free where not all contacts are listed; none: the listed ones say it.
   std::optional<double> free_before = {};
+  /// Of the frame at which it ends; of an audit alone.
+  std::vector<Intersection> intersections = {};
+  /// The places of its start and its end among the frames; none: step i goes from frame i to frame i + 1.
+  std::optional<std::array<std::size_t, 2>> ends = {};
 };
 
 /// What passes through what.
@@ -25,8 +30,18 @@ struct RecordedPose {
   std::vector<StageCount> stages;
 };
 
-/// REQUIRES: one frame more than steps; frames have a row for each vertex of the mesh. A single frame comes with
-/// `pose`.
+/// All frames of an audited motion, of which the recording has some: a number each.
+struct RecordedStrip {
+  static constexpr int kNotShown = -1;
+
+  std::vector<std::string> names;
+  std::vector<std::uint64_t> contacts;       ///< of the step that ends there
+  std::vector<std::uint64_t> intersections;  ///< of the frame
+  std::vector<int> steps;                    ///< the recording's step that ends there, or kNotShown
+};
+
+/// REQUIRES: one frame more than steps, or steps that have their ends; frames have a row for each vertex of the mesh. A
+/// single frame comes with `pose`.
 struct Recording {
   const Mesh& mesh;
   const Options& options;
@@ -35,6 +50,7 @@ struct Recording {
   std::vector<std::vector<Point>> frames;
   std::vector<RecordedStep> steps;
   std::optional<RecordedPose> pose = {};
+  std::optional<RecordedStrip> strip = {};
 };
 
 /// Where the vertices of the first step are, as it was decided; of a pose both are the pose.

@@ -94,21 +94,25 @@ std::uint16_t component(double x) {
 /// The pairs that are shown, a column a property.
 class PairColumns {
  public:
+  /// `width`: vertices of the kind that has most.
+  explicit PairColumns(std::size_t width) : vertex_width_(width) {}
+
   void add(const Contact& c) {
     for (const Index v : c.vertices) vertices_.push_back(bits_of(v));
     for (const double w : {c.u, c.v}) weights_.push_back(fraction(w));
     add(static_cast<std::uint8_t>(c.kind), c.certainty, {c.toi_lower, c.toi_upper}, c.normal);
   }
-  void add(const Intersection& i, const Point& normal) {
+  /// `kind`: its number; `time`: of the step, when it is there.
+  void add(const Intersection& i, const Point& normal, std::uint8_t kind, double time) {
     for (const Index v : i.edge) vertices_.push_back(bits_of(v));
     for (const Index v : i.face) vertices_.push_back(bits_of(v));
     for (const double w : {i.s_upper, i.u, i.v}) weights_.push_back(fraction(w));
-    add(0, Certainty::certified, {0, 0}, normal);
+    add(kind, Certainty::certified, {time, time}, normal);
   }
   void write(Columns& columns) const {
     columns.add_planes("kind", kinds_);
     columns.add_planes("certainty", certainties_);
-    columns.add_integers("vertices", vertices_, kinds_.empty() ? 1 : vertices_.size() / kinds_.size());
+    columns.add_integers("vertices", vertices_, vertex_width_);
     columns.add_planes("toi_lower", lower_);
     columns.add_planes("toi_width", width_);
     columns.add_planes("weights", weights_);
@@ -118,6 +122,8 @@ class PairColumns {
  private:
   void add(std::uint8_t kind, Certainty certainty, std::array<double, 2> bracket, const Point& normal) {
     kinds_.push_back(kind);
+    vertices_.resize(vertex_width_ * kinds_.size(), bits_of(-1));
+    weights_.resize((vertex_width_ - 2) * kinds_.size(), 0);
     certainties_.push_back(static_cast<std::uint8_t>(certainty));
     // Doubles are ordered as their bits are, so the width in units in the last place is small where the bracket is.
     lower_.push_back(std::bit_cast<std::uint64_t>(bracket[0]));
@@ -125,31 +131,40 @@ class PairColumns {
     for (const double x : normal) normals_.push_back(component(x));
   }
 
+  std::size_t vertex_width_;
   std::vector<std::uint8_t> kinds_, certainties_;
   std::vector<std::uint32_t> vertices_;
   std::vector<std::uint64_t> lower_, width_;
   std::vector<std::uint16_t> weights_, normals_;
 };
 
+/// The number of edge-face among the kinds of an audit: after those of contacts.
+constexpr std::uint8_t kEdgeFaceOfAudit = 4;
+
 void add_pairs(const Recording& recording, Columns& columns) {
-  PairColumns pairs;
-  for (const RecordedStep& step : recording.steps)
+  PairColumns pairs(recording.pose || recording.strip ? 5 : 4);
+  for (const RecordedStep& step : recording.steps) {
     for (const Contact& c : step.contacts) pairs.add(c);
+    for (const Intersection& i : step.intersections)
+      pairs.add(i, face_normal(i.face, recording.frames[step.ends->at(1)]), kEdgeFaceOfAudit, 1);
+  }
   if (recording.pose)
     for (const Intersection& i : recording.pose->intersections)
-      pairs.add(i, face_normal(i.face, recording.frames.front()));
+      pairs.add(i, face_normal(i.face, recording.frames.front()), 0, 0);
   pairs.write(columns);
 }
 
 /// In the order of their numbers.
 Json kinds(const Recording& recording) {
-  if (recording.pose) return Json::array({{{"name", "ef"}, {"first", 2}, {"second", 3}}});
+  const Json edge_face{{"name", "ef"}, {"first", 2}, {"second", 3}};
+  if (recording.pose) return Json::array({edge_face});
   Json kinds = Json::array();
   for (const PairKind kind :
        {PairKind::vertex_face, PairKind::edge_edge, PairKind::vertex_edge, PairKind::vertex_vertex}) {
     const PairShape shape = shape_of(kind);
     kinds.push_back({{"name", name_of(kind)}, {"first", shape.first}, {"second", shape.second}});
   }
+  if (recording.strip) kinds.push_back(edge_face);
   return kinds;
 }
 
@@ -157,6 +172,10 @@ Json json_of(const RecordedStep& step) {
   const Tally tally = tally_of(step.contacts);
   Json json{{"contacts", json_of(tally)}};
   json["contacts"]["unresolved"] = tally.unresolved;
+  if (step.ends) {
+    json["contacts"]["ef"] = step.intersections.size();
+    json["ends"] = *step.ends;
+  }
   const bool is_free = !step.free_before && tally.is_free();
   add_bracket(json, is_free, step.free_before.value_or(tally.toi_lower), tally.toi_upper);
   add_stages(json, step.stages);
@@ -181,12 +200,18 @@ std::string scene_bytes(const Recording& recording) {
               {"steps", Json::array()}};
   for (const RecordedStep& step : recording.steps) header["steps"].push_back(json_of(step));
   if (recording.pose) header["steps"].push_back(json_of(*recording.pose));
+  if (const auto& strip = recording.strip)
+    header["strip"] = {{"names", strip->names},
+                       {"contacts", strip->contacts},
+                       {"intersections", strip->intersections},
+                       {"steps", strip->steps}};
   Columns columns;
   add_mesh(recording.mesh, columns, header);
   add_frames(recording, columns, header);
   add_pairs(recording, columns);
   header["columns"] = columns.list();
-  const std::string text = header.dump();
+  // Names of files may hold any byte, JSON may not.
+  const std::string text = header.dump(-1, ' ', false, Json::error_handler_t::replace);
   std::string bytes;
   for (std::size_t byte = 0; byte < sizeof(std::uint32_t); ++byte)
     bytes += static_cast<char>((text.size() >> (8 * byte)) & 0xff);

@@ -10,9 +10,13 @@ curved motion, such as `RigidPath`; `read_mesh`, `read_frames` and `scene` give 
 
 from tamis import _core
 from tamis._answers import EarliestContact, LimitingPair, SafeStep, TruncatedStep
+from tamis._audit._audit import audit
 from tamis._audit._auditor import Auditor, StepReport
+from tamis._audit._gltf import read_gltf
+from tamis._audit._motion import Motion
 from tamis._audit._report import AuditReport
 from tamis._audit._tables import AuditFrame, AuditFrames, AuditKind, AuditPair, AuditPairs
+from tamis._audit._usd import read_usd
 from tamis._contacts import Contact, Contacts
 from tamis._detector import Detector, contacts
 from tamis._errors import Busy, Cancelled, Error, FileError, InvalidMesh, InvalidOptions, InvalidPath, InvalidStep
@@ -59,6 +63,7 @@ __all__ = [
     "LimitingPair",
     "Mesh",
     "MeshFile",
+    "Motion",
     "NearPair",
     "NearPairs",
     "Page",
@@ -72,6 +77,7 @@ __all__ = [
     "Statistics",
     "StepReport",
     "TruncatedStep",
+    "audit",
     "between",
     "contacts",
     "distance_of",
@@ -79,7 +85,9 @@ __all__ = [
     "keep_distance",
     "narrow_phase",
     "read_frames",
+    "read_gltf",
     "read_mesh",
+    "read_usd",
     "scene",
     "scene_names",
     "simulate",

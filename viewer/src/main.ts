@@ -12,7 +12,7 @@ import { Sieve } from "./panels/sieve";
 import { Timeline } from "./panels/timeline";
 import { listenToClicks } from "./picking";
 import { Ring } from "./panels/ring";
-import { isPose } from "./scene/header";
+import { firstBadStep, isPose } from "./scene/header";
 import { Scene } from "./scene/scene";
 import { Session } from "./session";
 import { initialState, Store } from "./store";
@@ -122,8 +122,10 @@ function open(scene: Scene, began: number): void {
   document.body.append(help.element);
   listenToKeys(table);
   // At the end of the step all contacts have lit up: that is what one should see first.
-  if (!location.hash) store.set({ time: 1 });
-  else restore(session, stage);
+  if (!location.hash) {
+    session.showStep(firstBadStep(scene.header));
+    store.set({ time: 1 });
+  } else restore(session, stage);
   keepHash(session, stage);
   window.tamis = { session, stage, openedIn: performance.now() - began };
 }

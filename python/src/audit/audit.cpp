@@ -1,10 +1,14 @@
 // Audits: of frames that an iterator gives, and of a motion that is still going on.
 #include "audit/audit.hpp"
 
+#include <nanobind/stl/filesystem.h>
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/vector.h>
 
 #include "audit/auditor.hpp"
+#include "io/motion/motion.hpp"
+#include "io/output/audit_csv.hpp"
+#include "io/view/audit_page.hpp"
 #include "python/src/asker.hpp"
 #include "python/src/audit/report.hpp"
 #include "python/src/audit/source.hpp"
@@ -29,6 +33,14 @@ void init_options(AuditOptions* place, double min_separation, int threads, bool 
 struct AuditReport {
   audit::Report report;
 
+  void write_page(const std::filesystem::path& path) const {
+    const nb::gil_scoped_release unlocked;
+    io::write_audit_page(path, report);
+  }
+  void write_pairs(const std::filesystem::path& path) const {
+    const nb::gil_scoped_release unlocked;
+    io::write_audit_pairs_csv(path, report);
+  }
   /// Throws what ended the audit, if anything did.
   void raise() const {
     if (report.ended_by) std::rethrow_exception(report.ended_by);
@@ -36,7 +48,7 @@ struct AuditReport {
 };
 
 /// Interrupted, it holds what Python raised.
-AuditReport audit_frames(nb::object iterator, const AuditOptions& given) {
+AuditReport audit_source(audit::FrameSource& source, const AuditOptions& given) {
   Asker asker{Asking{}};
   audit::Options options = given.options;
   options.is_cancelled = [&] { return asker.should_stop(); };
@@ -45,7 +57,6 @@ AuditReport audit_frames(nb::object iterator, const AuditOptions& given) {
       const nb::gil_scoped_acquire lock;
       given.progress(frames);
     };
-  IteratorSource source(std::move(iterator));
   AuditReport result;
   asker.ask([&] { result.report = audit::audit(source, options); });
   try {
@@ -54,6 +65,26 @@ AuditReport audit_frames(nb::object iterator, const AuditOptions& given) {
     result.report.ended_by = std::current_exception();
   }
   return result;
+}
+
+AuditReport audit_frames(nb::object iterator, const AuditOptions& given) {
+  IteratorSource source(std::move(iterator));
+  return audit_source(source, given);
+}
+
+nb::tuple motion_files(const std::vector<std::string>& names) {
+  const io::MotionFiles files = io::motion_files(names);
+  std::vector<std::string> paths;
+  for (const std::filesystem::path& path : files.all()) paths.push_back(path.string());
+  return nb::make_tuple(paths, !files.cache.empty());
+}
+
+/// `mesh`: of a point cache, or none.
+AuditReport audit_files(const std::vector<std::string>& names, const SharedMesh* mesh, std::vector<Index> of_vertex,
+                        std::vector<std::string> object_names, const AuditOptions& given) {
+  io::GivenMesh known{mesh != nullptr ? mesh->mesh : nullptr, {std::move(of_vertex), std::move(object_names)}};
+  const auto source = io::open_motion(io::motion_files(names), std::move(known));
+  return audit_source(*source, given);
 }
 
 /// One question at a time, other Python threads run meanwhile.
@@ -102,8 +133,12 @@ void bind_audit(nb::module_& module) {
       .def("__init__", &init_options, any, any, any, any, any, any, any, nb::arg().none());
   nb::class_<AuditReport>(module, "AuditReport")
       .def("as_dict", [](const AuditReport& report) { return as_dict(report.report); })
+      .def("write_page", &AuditReport::write_page)
+      .def("write_pairs", &AuditReport::write_pairs)
       .def("raise_what_ended_it", &AuditReport::raise);
   module.def("audit_frames", &audit_frames);
+  module.def("motion_files", &motion_files);
+  module.def("audit_files", &audit_files, any, nb::arg().none(), any, any, any);
   nb::class_<StreamAuditor>(module, "Auditor")
       .def(nb::init<const SharedMesh&, const AuditOptions&>())
       .def("add", &StreamAuditor::add)

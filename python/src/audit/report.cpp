@@ -16,9 +16,14 @@ nb::object frame_rows(const audit::Report& report) {
   return own_bytes(std::move(rows));
 }
 
+/// Names of files may hold any byte: as Python has them.
+nb::object text_of(const std::string& text) {
+  return nb::steal(PyUnicode_DecodeUTF8(text.data(), static_cast<Py_ssize_t>(text.size()), "surrogateescape"));
+}
+
 nb::list texts(const audit::Report& report, std::string audit::FrameAnswer::*member) {
   nb::list all;
-  for (const audit::FrameAnswer& frame : report.frames) all.append(frame.*member);
+  for (const audit::FrameAnswer& frame : report.frames) all.append(text_of(frame.*member));
   return all;
 }
 

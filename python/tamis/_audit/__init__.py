@@ -1,1 +1,1 @@
-"""Audits of whole motions: is it free, and if not, where?"""
+"""Audits of whole motions."""

@@ -10,7 +10,7 @@ from tamis import _core
 from tamis._arrays import rows
 from tamis._audit._options import make_audit_options
 from tamis._audit._report import AuditReport
-from tamis._audit._shared import shared_mesh
+from tamis._audit._shared import Objects, shared_mesh
 from tamis._audit._tables import AuditFrame, AuditFrames, AuditPairs, ObjectNames
 from tamis._checks import word
 from tamis._mesh import Mesh
@@ -83,7 +83,7 @@ class Auditor:
         self,
         mesh: Mesh,
         *,
-        objects: npt.ArrayLike | dict[str, Any] | None = None,
+        objects: Objects | None = None,
         min_separation: float = 0.0,
         threads: int = 0,
         intersections: bool = True,
@@ -91,7 +91,7 @@ class Auditor:
         ring_limit: int = 10,
         listed_pairs: int = 1_000_000,
     ) -> None:
-        shared, names = shared_mesh(mesh, objects)
+        shared = shared_mesh(mesh, objects)
         options = make_audit_options(
             min_separation=min_separation,
             threads=threads,
@@ -101,8 +101,8 @@ class Auditor:
             listed_pairs=listed_pairs,
         )
         self._mesh = mesh
-        self._names = ObjectNames([(0, names)])
-        self._auditor = _core.Auditor(shared, options)
+        self._names = ObjectNames([(0, shared.names)])
+        self._auditor = _core.Auditor(shared.mesh, options)
 
     @property
     def mesh(self) -> Mesh:
@@ -132,7 +132,7 @@ class Auditor:
         called = "" if name is None else word(name, "name")
         row, label, problem, pairs = self._auditor.add(rows(positions, "positions"), called)
         frame = AuditFrames(row)[0]
-        return StepReport(frame._replace(name=label or str(frame.frame)), AuditPairs(pairs, self._names), problem)
+        return StepReport(frame._replace(name=label), AuditPairs(pairs, self._names), problem)
 
     def report(self) -> AuditReport:
         """Return what was found in all frames so far."""

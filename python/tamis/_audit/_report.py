@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
+import os
 from typing import Any
 
 from tamis import _core
 from tamis._audit._tables import AuditFrame, AuditFrames, AuditPairs, ObjectNames
+from tamis._checks import file_name
+from tamis._errors import Error
+from tamis._looking import Page, place_for_page, show
 
 
 class AuditReport:
@@ -30,7 +34,7 @@ class AuditReport:
 
     @property
     def first_bad(self) -> AuditFrame | None:
-        """The first frame in which something was found, or at which a step with contacts ends; None if there is none."""
+        """The first frame with an intersection, or at which a step with contacts ends; None if there is none."""
         bad = self.frames.is_bad.nonzero()[0]
         return self.frames[int(bad[0])] if len(bad) else None
 
@@ -62,8 +66,60 @@ class AuditReport:
     @property
     def rings(self) -> dict[int, int]:
         """All pairs, those that are not listed too, by the edges between their features: as `AuditPair.rings`."""
-        counts = self._facts["by_rings"]
-        return {rings if rings else -1: count for rings, count in enumerate(counts) if count}
+        *connected, apart = self._facts["by_rings"]
+        return {rings: count for rings, count in [*enumerate(connected, 1), (-1, apart)] if count}
+
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """Write a file, as the command's `--out` does: complete or not at all.
+
+        Parameters
+        ----------
+        path : path_like
+            ``.html``: the page of `view`. ``.csv``: a table of the listed pairs, with the columns frame, kind, v0, ...,
+            v4, toi_lower, toi_upper, object_a, object_b, rings.
+
+        Raises
+        ------
+        FileError
+            The file cannot be written, or no frame was kept that a page could show.
+        Error
+            Another extension.
+        """
+        name = file_name(path, "path")
+        if name.lower().endswith(".html"):
+            self._report.write_page(name)
+        elif name.lower().endswith(".csv"):
+            self._report.write_pairs(name)
+        else:
+            raise Error(f"{name}: let the name end in .html, for a page, or in .csv, for a table of the pairs")
+
+    def view(self, path: str | os.PathLike[str] | None = None) -> Page:
+        """Show all frames in a strip, bad ones marked, and in each what was found: the page that `tamis audit` writes.
+
+        A notebook shows it below the cell; elsewhere it opens in the browser. All frames are in it as long as they need
+        no more than 256 MB; then the bad ones, and some of the others.
+
+        Parameters
+        ----------
+        path : path_like, optional
+            Of the page, ending in ``.html``; by default among the temporary files.
+
+        Returns
+        -------
+        Page
+            Its `path` is the file: send it along.
+
+        Raises
+        ------
+        FileError, Error
+            As of `save`.
+        """
+        place = place_for_page(path)
+        self.save(place)
+        return show(place)
+
+    def __reduce__(self) -> Any:
+        raise TypeError("an AuditReport cannot be pickled: pickle its `frames` and its `pairs`, or save() it")
 
     def __repr__(self) -> str:
         frames, steps = len(self.frames), len(self.steps)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, NamedTuple, Union
 
 import numpy as np
 import numpy.typing as npt
@@ -13,15 +13,23 @@ from tamis._checks import instance, shown, word
 from tamis._errors import InvalidMesh
 from tamis._mesh import Mesh
 
+Objects = Union[npt.ArrayLike, "dict[str, Any]"]
 
-def shared_mesh(
-    mesh: Mesh, objects: npt.ArrayLike | dict[str, Any] | None = None
-) -> tuple[_core.SharedMesh, list[str]]:
-    """Return the mesh as frames share it, and the names of its objects."""
+
+class Shared(NamedTuple):
+    """A mesh as frames share it, the object of each vertex, and the objects' names."""
+
+    mesh: _core.SharedMesh
+    numbers: Indices
+    names: list[str]
+
+
+def shared_mesh(mesh: Mesh, objects: Objects | None = None) -> Shared:
+    """Return the mesh with the objects that the caller names; none: what is connected, which have no names."""
     known = instance(mesh, Mesh, "mesh", "a tamis.Mesh, as of tamis.Mesh(faces)", InvalidMesh)
     names = [word(name, "a name in objects") for name in objects] if isinstance(objects, dict) else []
     numbers = _of_names(objects, known.vertex_count) if isinstance(objects, dict) else _of_array(objects)
-    return _core.shared_mesh(known._mesh, numbers, names), names
+    return Shared(_core.shared_mesh(known._mesh, numbers, names), numbers, names)
 
 
 def _of_array(objects: npt.ArrayLike | None) -> Indices:
@@ -34,7 +42,7 @@ def _of_names(objects: dict[str, Any], count: int) -> Indices:
         chosen = vertices if isinstance(vertices, slice) else indices(vertices, 0, f"objects[{name!r}]", InvalidMesh)
         try:
             numbers[chosen] = number
-        except IndexError:
+        except (IndexError, TypeError):
             raise InvalidMesh(
                 f"objects[{name!r}] is {shown(vertices)}, and the mesh has {count} vertices: give vertices that it has"
             ) from None

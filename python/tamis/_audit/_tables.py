@@ -90,9 +90,7 @@ class AuditPairs(Table[AuditPair]):
     __slots__ = ("_names",)
     _dtype = np.dtype(_core.finding_layout())
 
-    def __init__(
-        self, table: npt.NDArray[np.void] | npt.NDArray[np.uint8], names: ObjectNames | None = None
-    ) -> None:
+    def __init__(self, table: npt.NDArray[np.void] | npt.NDArray[np.uint8], names: ObjectNames | None = None) -> None:
         super().__init__(table)
         self._names = names if isinstance(names, ObjectNames) else ObjectNames([])
 
@@ -210,9 +208,7 @@ class AuditFrames(Table[AuditFrame]):
     __slots__ = ("_names",)
     _dtype = np.dtype(_core.frame_row_layout())
 
-    def __init__(
-        self, table: npt.NDArray[np.void] | npt.NDArray[np.uint8], names: Sequence[str] | None = None
-    ) -> None:
+    def __init__(self, table: npt.NDArray[np.void] | npt.NDArray[np.uint8], names: Sequence[str] | None = None) -> None:
         super().__init__(table)
         self._names: Sequence[str] = names if isinstance(names, (list, tuple)) else []
 
@@ -286,9 +282,7 @@ class AuditFrames(Table[AuditFrame]):
         frame, is_usable, has_step, counts, neighbours, toi_lower, toi_upper = values
         contacts, intersections = sum(counts.tolist()[:4]), counts.tolist()[4]
         name = self._name(frame)
-        return AuditFrame(
-            frame, name, is_usable, has_step, intersections, contacts, neighbours, toi_lower, toi_upper
-        )
+        return AuditFrame(frame, name, is_usable, has_step, intersections, contacts, neighbours, toi_lower, toi_upper)
 
     def _part(self, table: npt.NDArray[np.void]) -> AuditFrames:
         return AuditFrames(table, self._names)

@@ -4,7 +4,7 @@ import { counted, grouped, roundedDown } from "../numbers";
 import type { Actions } from "../actions";
 import type { Session } from "../session";
 import type { Switch } from "../store";
-import { isPose, nothingFound, nounOf } from "../scene/header";
+import { isPose, namesOf, nothingFound, nounOf } from "../scene/header";
 import { contactsOf } from "../scene/scene";
 
 export function header(session: Session, actions: Actions): HTMLElement {
@@ -13,7 +13,7 @@ export function header(session: Session, actions: Actions): HTMLElement {
   const answer = el("p", { class: "answer", id: "answer" });
   store.follow(["step"], () => {
     const { step } = store.now;
-    names.textContent = scene.header.names.slice(step, step + 2).join(" → ");
+    names.textContent = namesOf(scene.header, step).join(" → ");
     answer.replaceChildren(...sentence(session));
   });
   const noun = nounOf(scene.header);
@@ -35,7 +35,8 @@ export function header(session: Session, actions: Actions): HTMLElement {
   );
   stops.hidden = isPose(scene.header);
   store.follow(["step"], () => {
-    first.disabled = stops.disabled = session.view.step.count === 0;
+    first.disabled = session.view.step.count === 0;
+    stops.disabled = session.view.step.header.toi_lower === null;
   });
   return el(
     "header",
@@ -53,6 +54,15 @@ function sentence({ view, scene, store }: Session): (Node | string)[] {
   const mesh = `${faces > 0 ? counted(faces, "triangle") : counted(scene.header.mesh.edges, "edge")}, `;
   const count = contactsOf(scene.header.steps[store.now.step]);
   if (count === 0) return [mesh, el("b", {}, `no ${noun}`), `: ${nothingFound(scene.header, view.step.header)}`];
+  if (scene.header.strip) {
+    const touching = counted(count - contacts.ef, "contact");
+    const free = lower === null ? "" : `, free before ${roundedDown(lower, 6)} of the step`;
+    return [
+      mesh,
+      el("b", { id: "count", "data-count": count }, `${counted(contacts.ef, "intersection")}, ${touching}`),
+      `${free}.`,
+    ];
+  }
   const found = el("b", { id: "count", "data-count": count }, counted(count, noun));
   if (isPose(scene.header))
     return [mesh, found, ": edges that pass through triangles, or touch them; decided exactly."];
@@ -118,7 +128,11 @@ export function tools(session: Session, actions: Actions): HTMLElement {
 
 export function tabs(session: Session): HTMLElement {
   const { store } = session;
-  const items = (["contacts", "pair", "sieve"] as const).map((panel) => {
+  // What each stage had to look at is not kept of every frame.
+  const panels = session.scene.header.strip
+    ? (["contacts", "pair"] as const)
+    : (["contacts", "pair", "sieve"] as const);
+  const items = panels.map((panel) => {
     const label = panel === "contacts" ? `${nounOf(session.scene.header)}s` : panel;
     const element = button(
       label,

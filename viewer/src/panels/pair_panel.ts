@@ -89,7 +89,7 @@ export class PairPanel {
       " meets ",
       el("b", { class: "second" }, nameOf(pair.second)),
     );
-    if (isPose(scene.header)) {
+    if (name === "ef") {
       this.verdict.textContent = "They share a point, though no vertex: decided exactly.";
       const [along, u, v] = weights;
       this.fill({ kind: kKindNames[name], "along the edge": along, "weights u, v": `${u}, ${v}`, normal });

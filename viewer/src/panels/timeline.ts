@@ -3,6 +3,7 @@ import { button, Drawing, el, themed } from "../dom";
 import { contactsOf } from "../scene/scene";
 import { grouped, timeText } from "../numbers";
 import type { Session } from "../session";
+import { auditStrip } from "./audit_strip";
 import { Histogram } from "./histogram";
 
 export class Timeline {
@@ -30,7 +31,8 @@ export class Timeline {
     );
     const step = el("div", { class: "lane" }, new Histogram(session).element, this.slider);
     this.element = el("section", { class: "dock", "aria-label": "Time" });
-    if (session.scene.stepCount > 1) this.element.append(...sequence(session));
+    if (session.scene.header.strip) this.element.append(...auditStrip(session, session.scene.header.strip));
+    else if (session.scene.stepCount > 1) this.element.append(...sequence(session));
     this.element.append(this.play, step, this.readout);
     this.slider.addEventListener("input", () => {
       store.set({ time: Number(this.slider.value), playing: false });

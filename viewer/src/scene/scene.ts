@@ -1,7 +1,7 @@
 // The mesh, its frames, and the contacts of each step between two of them; or a single frame and its intersections, as
 // a step that stands still.
 import { Contacts } from "./contacts";
-import type { SceneHeader, StepHeader } from "./header";
+import { endsOf, type SceneHeader, type StepHeader } from "./header";
 import { SceneFile } from "./scene_file";
 import type { Up } from "../store";
 import type { Vec3 } from "../vectors";
@@ -74,8 +74,7 @@ export class Scene {
   }
 
   private positions(index: number): [Float32Array, Float32Array] {
-    const from = this.frames[index];
-    const to = this.frames[Math.min(index + 1, this.frames.length - 1)];
+    const [from, to] = endsOf(this.header, index).map((frame) => this.frames[frame]);
     const start = new Float32Array(from.length);
     const end = new Float32Array(from.length);
     const { scale } = this.header;

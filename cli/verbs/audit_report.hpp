@@ -1,0 +1,16 @@
+// What is said of an audited motion, for people and as JSON.
+#pragma once
+#include "audit/report.hpp"
+#include "cli/report.hpp"
+
+namespace tamis::cli {
+
+/// `seconds`: from the first frame to the last.
+void print_audit(const audit::Report& report, double seconds);
+Json audit_json(const audit::Report& report, double seconds);
+/// On stderr: what a reader should know of some frames.
+void note_frames(const audit::Report& report);
+/// Why some frames could not be asked about, in one sentence. REQUIRES: there are some.
+std::string problem_of(const audit::Report& report);
+
+}  // namespace tamis::cli

@@ -1,0 +1,54 @@
+#include "io/motion/mesh_frames.hpp"
+
+#include <algorithm>
+
+#include "io/error.hpp"
+
+namespace tamis::io {
+namespace {
+
+std::string joined(const std::vector<std::string>& sentences) {
+  std::string text;
+  for (const std::string& sentence : sentences) text += (text.empty() ? "" : "; ") + sentence;
+  return text;
+}
+
+}  // namespace
+
+MeshFrames::MeshFrames(std::vector<std::filesystem::path> paths, audit::Objects objects)
+    : paths_(std::move(paths)), gaps_(gaps_between(paths_)), objects_(std::move(objects)) {
+  first_ = frame_of(paths_.front());
+}
+
+audit::FramePointer MeshFrames::next() {
+  if (next_ == paths_.size()) return nullptr;
+  const std::size_t i = next_++;
+  if (i == 0) return std::exchange(first_, nullptr);
+  audit::Frame frame;
+  try {
+    frame = *frame_of(paths_[i]);
+  } catch (const FileError& error) {
+    frame.name = paths_[i].filename().string();
+    frame.problem = error.what();
+  }
+  if (!gaps_[i].empty()) frame.note = gaps_[i];
+  frame.follows = gaps_[i].empty();
+  return std::make_shared<const audit::Frame>(std::move(frame));
+}
+
+audit::FramePointer MeshFrames::frame_of(const std::filesystem::path& path) {
+  MeshFile file = read_mesh(path);
+  std::vector<Point> positions = std::move(file.positions);
+  file.positions.clear();
+  const std::string note = mesh_ && file.notes == last_.notes ? "" : joined(file.notes);
+  if (!mesh_ || positions.size() != static_cast<std::size_t>(mesh_->mesh().vertex_count()) ||
+      !has_topology_of(last_, file)) {
+    last_ = file;
+    file.positions.resize(positions.size());
+    mesh_ = std::make_shared<audit::AuditedMesh>(mesh_of(std::move(file)), objects_);
+  }
+  return std::make_shared<const audit::Frame>(
+      audit::Frame{path.filename().string(), std::move(positions), mesh_, {}, note});
+}
+
+}  // namespace tamis::io

@@ -1,0 +1,75 @@
+#include "io/view/audit_page.hpp"
+
+#include <algorithm>
+#include <map>
+
+#include "io/error.hpp"
+#include "io/view/viewer_page.hpp"
+
+namespace tamis::io {
+namespace {
+
+using audit::FrameFindings;
+using audit::FramePointer;
+
+/// The mesh of the first bad frame, or of the first; null if there is none.
+std::shared_ptr<const audit::AuditedMesh> shown_mesh(const std::vector<FrameFindings>& kept) {
+  const auto is_bad = [](const FrameFindings& findings) { return !findings.answer.is_free(); };
+  const auto bad = std::find_if(kept.begin(), kept.end(), is_bad);
+  if (kept.empty()) return nullptr;
+  return (bad == kept.end() ? kept.front() : *bad).frame->mesh;
+}
+
+RecordedStrip strip_of(const audit::Report& report) {
+  RecordedStrip strip;
+  for (const audit::FrameAnswer& frame : report.frames) {
+    strip.names.push_back(frame.name);
+    strip.contacts.push_back(frame.contacts());
+    strip.intersections.push_back(frame.intersections());
+    strip.steps.push_back(RecordedStrip::kNotShown);
+  }
+  return strip;
+}
+
+/// Each frame once, whether a step begins or ends there.
+class ShownFrames {
+ public:
+  explicit ShownFrames(Recording& recording) : recording_(recording) {}
+
+  std::size_t place_of(const FramePointer& frame) {
+    const auto [place, is_new] = places_.try_emplace(frame.get(), recording_.frames.size());
+    if (is_new) {
+      recording_.frames.push_back(frame->positions);
+      recording_.names.push_back(frame->name);
+    }
+    return place->second;
+  }
+
+ private:
+  Recording& recording_;
+  std::map<const audit::Frame*, std::size_t> places_;
+};
+
+}  // namespace
+
+void write_audit_page(const std::filesystem::path& path, const audit::Report& report) {
+  const std::vector<FrameFindings>& kept = report.kept.frames();
+  const auto mesh = shown_mesh(kept);
+  if (!mesh)
+    throw FileError(path.string(), "", "no frame is there to be shown: none could be used, or each is too large to keep");
+  Options options;
+  options.min_separation = report.min_separation;
+  Recording recording{mesh->mesh(), options, 1, {}, {}, {}};
+  recording.strip = strip_of(report);
+  ShownFrames frames(recording);
+  for (const FrameFindings& findings : kept) {
+    if (findings.frame->mesh != mesh) continue;
+    recording.strip->steps[static_cast<std::size_t>(findings.number)] = static_cast<int>(recording.steps.size());
+    const std::size_t start = frames.place_of(findings.before ? findings.before : findings.frame);
+    const std::size_t end = frames.place_of(findings.frame);
+    recording.steps.push_back({findings.contacts, {}, {}, findings.intersections, std::array{start, end}});
+  }
+  write_viewer_page(path, recording);
+}
+
+}  // namespace tamis::io

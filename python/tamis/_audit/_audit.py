@@ -1,0 +1,225 @@
+"""One call for a whole motion."""
+
+from __future__ import annotations
+
+import itertools
+import os
+from collections.abc import Callable, Iterable, Iterator
+from typing import Any, Union
+
+import numpy as np
+import numpy.typing as npt
+
+from tamis import _core
+from tamis._arrays import indices, point_frames, rows
+from tamis._audit._archive import archive_frames
+from tamis._audit._gltf import read_gltf
+from tamis._audit._motion import Frame, Motion
+from tamis._audit._options import make_audit_options
+from tamis._audit._report import AuditReport
+from tamis._audit._shared import Objects, Shared, shared_mesh
+from tamis._audit._usd import read_usd
+from tamis._checks import file_name, function, shown
+from tamis._errors import Error, InvalidMesh, InvalidStep
+from tamis._files import MeshFile, read_mesh
+from tamis._mesh import Mesh
+
+AuditSource = Union[str, "os.PathLike[str]", npt.ArrayLike, Iterable[Any], Motion]
+
+
+def audit(
+    source: AuditSource,
+    *,
+    mesh: Mesh | None = None,
+    faces: npt.ArrayLike | None = None,
+    objects: Objects | None = None,
+    min_separation: float = 0.0,
+    threads: int = 0,
+    intersections: bool = True,
+    contacts: bool = True,
+    ring_limit: int = 10,
+    listed_pairs: int = 1_000_000,
+    progress: Callable[[int], object] | None = None,
+) -> AuditReport:
+    """Find what passes through what in the frames of a recorded motion, and what touches between two of them.
+
+    Frames are read one after the other and let go when they have been asked about; threads ask about different ones.
+
+    Parameters
+    ----------
+    source
+        Where each vertex is, frame by frame; each step between two frames is straight.
+
+        - array_like, shape (f, n, 3), or an iterable of frames, shape (n, 3) each; they need `mesh` or `faces`. What
+          `read_frames` gives brings its own.
+        - The name of a file, a folder or a glob pattern, or a list of them: PLY and OBJ in natural order; a mesh file
+          and a point cache (.pc2, .mdd), or the cache alone and `mesh`; .npz, whose one array of shape (f, n, 3) has
+          the positions and whose one array of whole numbers of shape (t, 3) has the faces.
+        - A USD stage (.usd, .usda, .usdc, .usdz, or a `Usd.Stage`) or a glTF file (.gltf, .glb): as `read_usd` and
+          `read_gltf` have it, which take more options.
+    mesh : Mesh, optional
+        What moves; or `faces`.
+    faces : array_like of int, shape (t, 3), optional
+        Its triangles.
+    objects : array_like of int, shape (n,), or dict, optional
+        As of `Auditor`.
+    min_separation, threads, intersections, contacts, ring_limit, listed_pairs
+        As of `Auditor`; the report does not depend on the number of threads.
+    progress : callable, optional
+        ``progress(frames)`` is told now and then how many frames have been asked about.
+
+    Returns
+    -------
+    AuditReport
+        Frames that cannot be used are in its `problems`; it is then not free. Where the topology changes, or where a
+        number in the names of files leaps, no step leads from frame to frame: its `notes` say so.
+
+    Raises
+    ------
+    FileError, InvalidMesh, InvalidStep, InvalidOptions
+        What is given cannot be used.
+    ModuleNotFoundError
+        usd-core or pygltflib is not installed.
+    BaseException
+        Whatever the source raises, and KeyboardInterrupt. The exception's attribute `report` has what was found before.
+    """
+    options = make_audit_options(
+        min_separation=min_separation,
+        threads=threads,
+        intersections=intersections,
+        contacts=contacts,
+        ring_limit=ring_limit,
+        listed_pairs=listed_pairs,
+        progress=None if progress is None else function(progress, "progress", "progress(frames)"),
+    )
+    known = _Known(mesh, faces, objects)
+    found = _ask(source, known, options)
+    report = AuditReport(found)
+    try:
+        found.raise_what_ended_it()
+    except BaseException as error:
+        error.report = report  # type: ignore[attr-defined]
+        raise
+    return report
+
+
+class _Known:
+    """What the caller says of the mesh."""
+
+    def __init__(self, mesh: Mesh | None, faces: npt.ArrayLike | None, objects: Objects | None) -> None:
+        if mesh is not None and faces is not None:
+            raise InvalidMesh("both mesh and faces are given: give one of them")
+        self.is_given = mesh is not None or faces is not None
+        self.objects = objects
+        self._mesh = mesh
+        self._faces = None if faces is None else indices(faces, 3, "faces", InvalidMesh)
+
+    def of(self, vertex_count: int | None) -> Shared:
+        if self._faces is not None:
+            return shared_mesh(Mesh(self._faces, vertex_count), self.objects)
+        if self._mesh is None:
+            raise InvalidMesh("these frames are positions alone: give mesh=..., or faces=...")
+        return shared_mesh(self._mesh, self.objects)
+
+    def require_none(self, what: str) -> None:
+        if self.is_given:
+            raise InvalidMesh(f"{what} brings its own mesh: leave out mesh and faces")
+
+
+def _ask(source: Any, known: _Known, options: _core.AuditOptions) -> _core.AuditReport:
+    names = _names_of(source)
+    if names is None:
+        return _core.audit_frames(_frames_of(source, known), options)
+    suffixes = {os.path.splitext(name)[1].lower() for name in names}
+    if suffixes & {".usd", ".usda", ".usdc", ".usdz", ".gltf", ".glb", ".npz"}:
+        if len(names) > 1:
+            raise Error(f"{names[0]} and {names[1]} are no frames of one motion: give one such file")
+        return _core.audit_frames(_frames_of_file(names[0], suffixes.pop(), known), options)
+    return _ask_files(names, known, options)
+
+
+def _names_of(source: Any) -> list[str] | None:
+    """Return names of files; None if it is anything else."""
+    if isinstance(source, (str, bytes, os.PathLike)):
+        return [file_name(source, "source")]
+    is_list = isinstance(source, (list, tuple)) and len(source) > 0
+    if is_list and all(isinstance(name, (str, bytes, os.PathLike)) for name in source):
+        return [file_name(name, f"source[{i}]") for i, name in enumerate(source)]
+    return None
+
+
+def _frames_of_file(name: str, suffix: str, known: _Known) -> Iterator[Frame]:
+    if suffix == ".npz":
+        return archive_frames(name, known.of if known.is_given else None, known.objects)
+    known.require_none(name)
+    motion = read_gltf(name) if suffix in (".gltf", ".glb") else read_usd(name)
+    return motion._frames()
+
+
+def _ask_files(names: list[str], known: _Known, options: _core.AuditOptions) -> _core.AuditReport:
+    """PLY, OBJ and point caches are read by the core."""
+    paths, has_cache = _core.motion_files(names)
+    is_cache_alone = has_cache and len(paths) == 1
+    if not is_cache_alone:
+        known.require_none(paths[0])
+    if known.is_given:
+        return _core.audit_files(names, known.of(None).mesh, [], [], options)
+    if known.objects is None or is_cache_alone:  # for which the core has a sentence
+        return _core.audit_files(names, None, [], [], options)
+    first = shared_mesh(read_mesh(paths[0]).mesh, known.objects)
+    return _core.audit_files(names, None, first.numbers.tolist(), first.names, options)
+
+
+def _frames_of(source: Any, known: _Known) -> Iterator[Frame]:
+    if isinstance(source, Motion):
+        known.require_none("a Motion")
+        return source._frames()
+    if type(source).__module__.startswith("pxr."):
+        known.require_none("a stage")
+        return read_usd(source)._frames()
+    if isinstance(source, np.ndarray) or not hasattr(source, "__iter__"):
+        return _frames_of_array(source, known)
+    return _frames_of_items(iter(source), known)
+
+
+def _frames_of_array(source: Any, known: _Known) -> Iterator[Frame]:
+    positions = source if _is_stack(source) else point_frames(source, "source", InvalidStep)
+    shared = known.of(positions.shape[1])
+    for i, frame in enumerate(positions):
+        yield Frame(str(i), rows(frame, f"frame {i}"), shared.mesh)
+
+
+def _is_stack(source: Any) -> bool:
+    """Whether frames can be taken from it one by one, without a copy of all."""
+    return isinstance(source, np.ndarray) and source.ndim == 3 and source.dtype.kind in "iuf"
+
+
+def _frames_of_items(items: Iterator[Any], known: _Known) -> Iterator[Frame]:
+    first = next(items, None)
+    if first is None:
+        raise InvalidStep("source has no frame: give one or more")
+    frames = itertools.chain([first], items)
+    if isinstance(first, MeshFile):
+        known.require_none("what read_frames gives")
+        return _frames_of_meshes(frames, known.objects)
+    return _frames_of_rows(frames, known)
+
+
+def _frames_of_rows(items: Iterator[Any], known: _Known) -> Iterator[Frame]:
+    shared: Shared | None = None
+    for i, item in enumerate(items):
+        frame = rows(item, f"frame {i}")
+        shared = shared or known.of(len(frame))
+        yield Frame(str(i), frame, shared.mesh)
+
+
+def _frames_of_meshes(items: Iterator[Any], objects: Objects | None) -> Iterator[Frame]:
+    last: tuple[Mesh, Shared] | None = None
+    for i, item in enumerate(items):
+        if not isinstance(item, MeshFile):
+            raise InvalidStep(f"frame {i} is {shown(item)}, the first a MeshFile: give frames of one kind")
+        if last is None or item.mesh is not last[0]:
+            last = (item.mesh, shared_mesh(item.mesh, objects))
+        yield Frame(
+            str(i), rows(item.positions, f"frame {i}"), last[1].mesh, note="; ".join(item.notes if i == 0 else ())
+        )

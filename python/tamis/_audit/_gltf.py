@@ -1,0 +1,97 @@
+"""The meshes of a glTF file in motion, by pygltflib."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator
+from typing import Any
+
+import numpy as np
+
+from tamis._audit._gltf_animation import Pose, animation_of
+from tamis._audit._gltf_buffers import Buffers
+from tamis._audit._gltf_mesh import MovingNode, moving_nodes
+from tamis._audit._joined import Part, joined
+from tamis._audit._motion import Frame, Motion
+from tamis._checks import file_name, number
+from tamis._errors import FileError, InvalidOptions
+
+# What changes nothing in where vertices are.
+_HARMLESS = (
+    "KHR_materials_",
+    "KHR_texture_",
+    "KHR_lights_",
+    "EXT_texture_",
+    "KHR_mesh_quantization",
+    "KHR_animation_pointer",
+)
+
+
+def read_gltf(
+    path: str | os.PathLike[str], *, frames_per_second: float = 30.0, animation: int | str | None = None
+) -> Motion:
+    """Read the meshes of a glTF file in motion: morph targets, skins and nodes that move, in world space.
+
+    An animation has times of its own for each value, and is curved between them; so it is sampled. Each node with a
+    mesh is an object, by its name; vertices that stand apart for the sake of normals or textures alone are joined.
+
+    Parameters
+    ----------
+    path : path_like
+        .gltf, with its buffers beside it, or .glb.
+    frames_per_second : float
+        > 0: how many frames are taken of each second.
+    animation : int or str, optional
+        Which one, by number or name; by default the first. A file without one has a single frame.
+
+    Returns
+    -------
+    Motion
+        For `audit`.
+
+    Raises
+    ------
+    FileError
+        It cannot be read, needs an extension that is not understood, or there are no triangles.
+    InvalidOptions
+        There is no such animation; frames_per_second is not finite or not above 0.
+    ModuleNotFoundError
+        pygltflib is not installed: pip install tamis[gltf].
+    """
+    name = file_name(path, "path")
+    rate = number(frames_per_second, "frames_per_second")
+    if not 0 < rate < float("inf"):
+        raise InvalidOptions(f"frames_per_second is {rate}: give a finite number above 0")
+    gltf = _load(name)
+    buffers = Buffers(gltf, name)
+    nodes = moving_nodes(gltf, buffers, name)
+    moves = animation_of(gltf, buffers, name, animation)
+    times = np.array([0.0]) if moves is None else moves.frame_times(rate)
+    note = "" if len(gltf.animations or []) < 2 or animation is not None else "only the first animation is asked about"
+
+    def frames() -> Iterator[Frame]:
+        shared = joined([Part(node.name, node.vertex_count, node.faces) for node in nodes])
+        for i, time in enumerate(times.tolist()):
+            pose = Pose(gltf, moves, time)
+            yield Frame(f"{time:g} s", _points(nodes, pose), shared.mesh, note="" if i else note)
+
+    return Motion(frames, f"{name}, {len(nodes)} meshes, {len(times)} frames")
+
+
+def _points(nodes: list[MovingNode], pose: Pose) -> Any:
+    return np.concatenate([node.points(pose) for node in nodes])
+
+
+def _load(name: str) -> Any:
+    import pygltflib
+
+    try:
+        gltf = pygltflib.GLTF2().load(name)
+    except Exception as error:  # the package raises what it comes upon: KeyError, UnicodeDecodeError, struct.error, ...
+        raise FileError(f"{name}: cannot be read as glTF ({error}): check the path and what the file is") from None
+    if gltf is None:
+        raise FileError(f"{name}: no such file: check the path")
+    for extension in gltf.extensionsRequired or []:
+        if not extension.startswith(_HARMLESS):
+            raise FileError(f"{name}: needs the extension {extension}, which is not understood: export it without")
+    return gltf

@@ -1,0 +1,40 @@
+"""Recorded motions: what an audit reads, frame by frame."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Callable, NamedTuple
+
+from tamis import _core
+from tamis._arrays import Doubles
+from tamis._checks import shown
+from tamis._errors import Error
+
+
+class Frame(NamedTuple):
+    """One frame as the core takes it: a new `mesh` where the topology changes; `problem` says why it has none."""
+
+    name: str
+    positions: Doubles | None
+    mesh: _core.SharedMesh | None
+    problem: str = ""
+    note: str = ""
+    follows: bool = True
+
+
+class Motion:
+    """A recorded motion that can be audited: what `read_usd` and `read_gltf` return.
+
+    Its frames are read when they are asked about, and may be asked about again.
+    """
+
+    __slots__ = ("_description", "_frames")
+
+    def __init__(self, frames: Callable[[], Iterator[Frame]], description: str) -> None:
+        if not callable(frames):
+            raise Error(f"frames is {shown(frames)}: take a Motion from tamis.read_usd or tamis.read_gltf")
+        self._frames = frames
+        self._description = str(description)
+
+    def __repr__(self) -> str:
+        return f"Motion({self._description})"

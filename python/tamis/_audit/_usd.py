@@ -1,0 +1,180 @@
+"""The meshes of a USD stage in motion, by usd-core."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator, Sequence
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from tamis._arrays import Doubles
+from tamis._audit._joined import Part, joined
+from tamis._audit._motion import Frame, Motion
+from tamis._audit._shared import Shared
+from tamis._audit._triangles import fans
+from tamis._checks import file_name, shown, word
+from tamis._errors import FileError, InvalidOptions
+
+if TYPE_CHECKING:
+    from pxr import Usd
+
+
+def read_usd(stage: str | os.PathLike[str] | Usd.Stage, *, prims: Sequence[str] | None = None) -> Motion:
+    """Read the meshes of a USD stage in motion: composed, in world space, polygons cut into fans.
+
+    Frames are the times at which points or transforms of a mesh are written; each mesh is an object, by its path.
+    Skinned meshes (UsdSkel) are baked in memory. Subdivision surfaces are taken as their control meshes; proxies and
+    guides are left out.
+
+    Parameters
+    ----------
+    stage : path_like or Usd.Stage
+        The file, or a stage that is open.
+    prims : sequence of str, optional
+        Paths of what to take, with all below: "/World/Cloth". By default everything.
+
+    Returns
+    -------
+    Motion
+        For `audit`.
+
+    Raises
+    ------
+    FileError
+        It cannot be read, or there is no mesh.
+    InvalidOptions
+        A path that names nothing.
+    ModuleNotFoundError
+        usd-core is not installed: pip install tamis[usd].
+    """
+    opened, name = _open(stage)
+    roots = _roots(opened, prims)
+    meshes = _Meshes(opened, roots, name)
+    return Motion(meshes.frames, f"{name}, {len(meshes.prims)} meshes, {len(meshes.times)} frames")
+
+
+def _open(stage: Any) -> tuple[Any, str]:
+    from pxr import Tf, Usd
+
+    if isinstance(stage, Usd.Stage):
+        return stage, stage.GetRootLayer().GetDisplayName() or "the stage"
+    name = file_name(stage, "stage")
+    try:
+        return Usd.Stage.Open(name), name
+    except Tf.ErrorException:
+        raise FileError(f"{name}: cannot be opened as a USD stage: check the path and what the file is") from None
+
+
+def _roots(stage: Any, prims: Any) -> list[Any]:
+    if prims is None:
+        return [stage.GetPseudoRoot()]
+    if isinstance(prims, (str, bytes)) or not isinstance(prims, Sequence) or not len(prims):
+        raise InvalidOptions(f"prims is {shown(prims)}: give a list of paths")
+    found = [stage.GetPrimAtPath(word(path, "a path in prims")) for path in prims]
+    for path, prim in zip(prims, found):
+        if not prim:
+            raise InvalidOptions(f"the stage has no prim at {path}: give a path that it has, as /World/Cloth")
+    return found
+
+
+class _Meshes:
+    """The meshes below some prims of a stage."""
+
+    def __init__(self, stage: Any, roots: list[Any], name: str) -> None:
+        from pxr import Usd, UsdGeom
+
+        self._stage = stage  # prims are gone with their stage
+        self._bake(stage, roots)
+        below = [prim for root in roots for prim in Usd.PrimRange(root, Usd.TraverseInstanceProxies())]
+        unique = {prim.GetPath(): prim for prim in below}
+        self.prims = [UsdGeom.Mesh(prim) for prim in unique.values() if _is_rendered_mesh(prim)]
+        if not self.prims:
+            raise FileError(f"{name}: no mesh in it (UsdGeom.Mesh): give a stage, or prims, with meshes")
+        scattered = [str(path) for path, prim in unique.items() if prim.IsA(UsdGeom.PointInstancer)]
+        self._note = f"the point instancer {scattered[0]} is not asked about" if scattered else ""
+        written = sorted({time for mesh in self.prims for time in _times(mesh)})
+        self.times = [Usd.TimeCode(time) for time in written] or [Usd.TimeCode.Default()]
+
+    @staticmethod
+    def _bake(stage: Any, roots: list[Any]) -> None:
+        """Give skinned meshes points that move, in a layer that nobody saves."""
+        from pxr import Sdf, Usd, UsdSkel
+
+        skinned = [p for root in roots for p in Usd.PrimRange(root) if p.IsA(UsdSkel.Root)]
+        if not skinned:
+            return
+        baked = Sdf.Layer.CreateAnonymous("baked.usda")
+        stage.GetSessionLayer().subLayerPaths.append(baked.identifier)
+        with Usd.EditContext(stage, baked):
+            for root in skinned:
+                UsdSkel.BakeSkinning(UsdSkel.Root(root))
+
+    def frames(self) -> Iterator[Frame]:
+        from pxr import UsdGeom
+
+        transforms = UsdGeom.XformCache()
+        shared: Shared | None = None
+        changes = [_may_change_topology(mesh) for mesh in self.prims]
+        parts: list[Part] = []
+        for i, time in enumerate(self.times):
+            if not i or any(changes):
+                new = [_part(mesh, time) if not i or changes[k] else parts[k] for k, mesh in enumerate(self.prims)]
+                if shared is None or not _same(new, parts):
+                    parts, shared = new, joined(new)
+            transforms.SetTime(time)
+            placed = [_world_points(mesh, time, transforms) for mesh in self.prims]
+            yield self._frame(i, time, placed, shared)
+
+    def _frame(self, i: int, time: Any, placed: list[Doubles], shared: Shared) -> Frame:
+        name = "default" if time.IsDefault() else f"{time.GetValue():g}"
+        return Frame(name, np.concatenate(placed), shared.mesh, note="" if i else self._note)
+
+
+def _is_rendered_mesh(prim: Any) -> bool:
+    """Guides and proxies lie where the meshes are that they stand for."""
+    from pxr import UsdGeom
+
+    purposes = (UsdGeom.Tokens.default_, UsdGeom.Tokens.render)
+    return bool(prim.IsA(UsdGeom.Mesh)) and UsdGeom.Imageable(prim).ComputePurpose() in purposes
+
+
+def _times(mesh: Any) -> list[float]:
+    from pxr import UsdGeom
+
+    times = set(mesh.GetPointsAttr().GetTimeSamples()) | set(mesh.GetFaceVertexIndicesAttr().GetTimeSamples())
+    prim = mesh.GetPrim()
+    while prim and not prim.IsPseudoRoot():
+        times.update(UsdGeom.Xformable(prim).GetTimeSamples() if prim.IsA(UsdGeom.Xformable) else ())
+        prim = prim.GetParent()
+    return sorted(times)
+
+
+def _may_change_topology(mesh: Any) -> bool:
+    counts, corners = mesh.GetFaceVertexCountsAttr(), mesh.GetFaceVertexIndicesAttr()
+    return bool(counts.ValueMightBeTimeVarying() or corners.ValueMightBeTimeVarying())
+
+
+def _part(mesh: Any, time: Any) -> Part:
+    counts = np.array(mesh.GetFaceVertexCountsAttr().Get(time) or [], np.int64)
+    corners = np.array(mesh.GetFaceVertexIndicesAttr().Get(time) or [], np.int64)
+    path, vertices = str(mesh.GetPath()), len(mesh.GetPointsAttr().Get(time) or [])
+    is_sound = (counts >= 0).all() and counts.sum() == len(corners)
+    if not is_sound or (len(corners) and not 0 <= corners.min() <= corners.max() < vertices):
+        raise FileError(f"{path}: its polygons do not fit its {vertices} points at time {time}: write the mesh again")
+    return Part(path, vertices, fans(counts, corners))
+
+
+def _same(a: list[Part], b: list[Part]) -> bool:
+    return len(a) == len(b) and all(
+        x.vertex_count == y.vertex_count and np.array_equal(x.faces, y.faces) for x, y in zip(a, b)
+    )
+
+
+def _world_points(mesh: Any, time: Any, transforms: Any) -> Doubles:
+    points = np.array(mesh.GetPointsAttr().Get(time) or np.empty((0, 3)), np.float64).reshape(-1, 3)
+    matrix = np.array(transforms.GetLocalToWorldTransform(mesh.GetPrim()), np.float64)
+    if np.array_equal(matrix, np.eye(4)):
+        return points  # as they are written, without another rounding
+    placed: Doubles = points @ matrix[:3, :3] + matrix[3, :3]
+    return placed

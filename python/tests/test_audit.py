@@ -1,0 +1,194 @@
+"""Audits of whole motions."""
+
+from __future__ import annotations
+
+import pathlib
+import pickle
+import signal
+import struct
+import threading
+from collections.abc import Iterator
+
+import numpy as np
+import numpy.typing as npt
+import pytest
+from conftest import END, FACES, START
+
+import tamis
+
+FRAMES = np.stack([START, START, END, START])
+
+
+def _found(report: tamis.AuditReport) -> list[tuple[int, str, tuple[int, ...], int]]:
+    return [(pair.frame, pair.kind.short_name, pair.vertices, pair.rings) for pair in report.pairs]
+
+
+EXPECTED = [
+    (2, "ef", (3, 4, 0, 1, 2), -1),
+    (2, "ef", (3, 5, 0, 1, 2), -1),
+    (2, "vf", (3, 0, 1, 2), -1),
+    (3, "vf", (3, 0, 1, 2), -1),
+]
+
+
+def _check(report: tamis.AuditReport) -> None:
+    assert _found(report) == EXPECTED
+    assert not report.is_free and report.first_bad is not None and report.first_bad.frame == 2
+    assert len(report.frames) == 4 and len(report.steps) == 3 and report.problems == {}
+
+
+def test_arrays() -> None:
+    _check(tamis.audit(FRAMES, faces=FACES))
+    _check(tamis.audit(FRAMES, mesh=tamis.Mesh(FACES), threads=1))
+    _check(tamis.audit(FRAMES.astype(np.float32)[:, ::1], faces=FACES))
+    _check(tamis.audit(FRAMES.tolist(), faces=FACES))
+    assert tamis.audit(FRAMES[:2], faces=FACES).is_free
+
+
+def test_iterables() -> None:
+    _check(tamis.audit((frame for frame in FRAMES), faces=FACES))
+    _check(tamis.audit(list(FRAMES), faces=FACES))
+
+
+def test_files(tmp_path: pathlib.Path) -> None:
+    for i, frame in enumerate(FRAMES):
+        tamis.write_mesh(tmp_path / f"f{i}.ply", frame, FACES)
+    _check(tamis.audit(tmp_path))
+    _check(tamis.audit(str(tmp_path / "f*.ply")))
+    _check(tamis.audit([tmp_path / f"f{i}.ply" for i in range(4)]))
+    _check(tamis.audit(tamis.read_frames(tmp_path)))
+    named = tamis.audit(tmp_path, objects={"floor": range(3), "spike": slice(3, 6)})
+    assert [pair.objects for pair in named.pairs] == [("spike", "floor")] * 4
+    with pytest.raises(tamis.InvalidMesh, match="brings its own mesh"):
+        tamis.audit(tmp_path, faces=FACES)
+
+
+def test_a_point_cache(tmp_path: pathlib.Path) -> None:
+    head = struct.pack("<12siiffi", b"POINTCACHE2\0", 1, 6, 0.0, 1.0, 4)
+    (tmp_path / "a.pc2").write_bytes(head + FRAMES.astype("<f4").tobytes())
+    tamis.write_mesh(tmp_path / "a.ply", START, FACES)
+    _check(tamis.audit([tmp_path / "a.ply", tmp_path / "a.pc2"]))
+    _check(tamis.audit(tmp_path / "a.pc2", mesh=tamis.Mesh(FACES)))
+    with pytest.raises(tamis.FileError, match="together with one mesh file"):
+        tamis.audit(tmp_path / "a.pc2")
+
+
+def test_an_archive(tmp_path: pathlib.Path) -> None:
+    np.savez(tmp_path / "a.npz", P=FRAMES, F=FACES)
+    np.savez_compressed(tmp_path / "b.npz", positions=FRAMES.astype(np.float32), faces=FACES.astype(np.int64))
+    _check(tamis.audit(tmp_path / "a.npz"))
+    _check(tamis.audit(tmp_path / "b.npz"))
+    np.savez(tmp_path / "c.npz", P=FRAMES)
+    _check(tamis.audit(tmp_path / "c.npz", faces=FACES))
+    with pytest.raises(tamis.FileError, match="the faces"):
+        tamis.audit(tmp_path / "c.npz")
+    (tmp_path / "d.npz").write_bytes(b"PK nothing")
+    with pytest.raises(tamis.FileError, match=r"d\.npz"):
+        tamis.audit(tmp_path / "d.npz")
+
+
+def test_tables() -> None:
+    report = tamis.audit(FRAMES, faces=FACES, objects=[0, 0, 0, 1, 1, 1])
+    frames = report.frames.to_pandas()
+    assert frames["ef"].tolist() == [0, 0, 2, 0] and frames["vf"].tolist() == [0, 0, 1, 1]
+    assert frames["name"].tolist() == ["0", "1", "2", "3"] and frames["has_step"].tolist() == [False, True, True, True]
+    pairs = report.pairs.to_pandas()
+    assert pairs["frame"].tolist() == [2, 2, 2, 3] and pairs["object_a"].tolist() == ["1"] * 4
+    assert report.rings == {-1: 4} and report.pairs_left_out == 0
+    assert report.frames.is_bad.tolist() == [False, False, True, True]
+    assert report.pairs[report.pairs.kind == tamis.AuditKind.EDGE_FACE].frame.tolist() == [2, 2]
+    assert report.frames[2].contacts == 1 and report.steps[0].name == "1"
+    assert abs(report.frames[2].toi_lower - 0.5) < 1e-9
+    assert pickle.loads(pickle.dumps(report.pairs)) == report.pairs
+    few = tamis.audit(FRAMES, faces=FACES, listed_pairs=1)
+    assert len(few.pairs) == 1 and few.pairs_left_out == 3 and few.rings == {-1: 4}
+
+
+def test_rings() -> None:
+    # Four triangles in a row, folded so that the last passes through the first.
+    faces = np.array([[0, 1, 2], [1, 3, 2], [2, 3, 4], [3, 5, 4]])
+    flat = np.array([[0, 0, 0], [1, 0, 0], [0.5, 1, 0], [1.5, 1, 0], [1, 2, 0], [2, 2, 0]], float)
+    folded = flat.copy()
+    folded[4], folded[5] = [0.5, 0.2, -0.5], [0.5, 0.3, 0.5]
+    report = tamis.audit(np.stack([flat, folded]), faces=faces)
+    assert set(report.pairs.rings.tolist()) == {1}
+    assert report.frames[1].neighbours == len(report.pairs) > 0
+    assert report.rings == {1: len(report.pairs)}
+
+
+def test_frames_that_cannot_be_used() -> None:
+    frames = FRAMES.copy()
+    frames[1, 0, 0] = np.nan
+    report = tamis.audit(frames, faces=FACES)
+    assert list(report.problems) == [1] and "vertex 0 is not finite" in report.problems[1]
+    assert len(report.steps) == 1 and report.frames.intersections.tolist() == [0, 0, 2, 0]
+    assert not tamis.audit(frames[:2], faces=FACES).is_free
+
+
+def _broken() -> Iterator[npt.NDArray[np.float64]]:
+    yield from FRAMES
+    raise RuntimeError("the host is gone")
+
+
+def test_what_was_done_is_not_lost() -> None:
+    with pytest.raises(RuntimeError, match="the host is gone") as caught:
+        tamis.audit(_broken(), faces=FACES)
+    report: tamis.AuditReport = caught.value.report  # type: ignore[attr-defined]
+    assert _found(report) == EXPECTED and not report.is_free
+
+
+def test_control_c_ends_it() -> None:
+    def endless() -> Iterator[npt.NDArray[np.float64]]:
+        while True:
+            yield START
+
+    timer = threading.Timer(0.5, signal.raise_signal, [signal.SIGINT])
+    timer.start()
+    with pytest.raises(KeyboardInterrupt) as caught:
+        tamis.audit(endless(), faces=FACES)
+    assert len(caught.value.report.frames) > 0  # type: ignore[attr-defined]
+
+
+def test_progress() -> None:
+    told: list[int] = []
+    tamis.audit(np.repeat(START[np.newaxis], 100, axis=0), faces=FACES, threads=1, progress=told.append)
+    assert told == sorted(told) and told[-1] == 100
+
+
+def test_a_frame_after_another() -> None:
+    auditor = tamis.Auditor(tamis.Mesh(FACES), objects={"floor": slice(0, 3), "spike": [3, 4, 5]}, threads=1)
+    buffer = np.empty((6, 3), np.float32)
+    steps = []
+    for frame in FRAMES:
+        buffer[:] = frame  # as hosts do: the same memory for all frames
+        steps.append(auditor.add(buffer))
+    assert [step.is_free for step in steps] == [True, True, False, False]
+    assert steps[2].pairs[2].objects == ("spike", "floor") and steps[2].frame.contacts == 1
+    assert auditor.add(START * np.nan, "lost").problem != ""
+    report = auditor.report()
+    assert _found(report) == EXPECTED and report.frames.names == ["0", "1", "2", "3", "lost"]
+    with pytest.raises(tamis.InvalidStep):
+        auditor.add([[0, 0]])
+
+
+def test_the_page(tmp_path: pathlib.Path) -> None:
+    report = tamis.audit(FRAMES, faces=FACES)
+    report.save(tmp_path / "a.html")
+    report.save(tmp_path / "a.csv")
+    assert (tmp_path / "a.html").read_text().startswith("<!doctype html>")
+    assert len((tmp_path / "a.csv").read_text().splitlines()) == 5
+    with pytest.raises(tamis.Error, match=r"\.html"):
+        report.save(tmp_path / "a.png")
+
+
+def test_misuse() -> None:
+    with pytest.raises(tamis.InvalidMesh, match="give mesh"):
+        tamis.audit(FRAMES)
+    with pytest.raises(tamis.InvalidMesh, match="both"):
+        tamis.audit(FRAMES, mesh=tamis.Mesh(FACES), faces=FACES)
+    with pytest.raises(tamis.InvalidStep, match="no frame"):
+        tamis.audit([], faces=FACES)
+    with pytest.raises(tamis.InvalidMesh, match="numbers for 6 vertices"):
+        tamis.audit(FRAMES, faces=FACES, objects=[0, 1])
+    with pytest.raises(tamis.InvalidMesh, match="spike"):
+        tamis.audit(FRAMES, faces=FACES, objects={"spike": [99]})

@@ -14,7 +14,7 @@ namespace {
 using audit::FrameAnswer;
 using audit::Report;
 
-constexpr std::size_t kPrinted = 20;
+constexpr std::size_t kFramesPrinted = 20;
 
 bool is_bad(const FrameAnswer& frame) { return frame.contacts() + frame.intersections() > 0; }
 
@@ -47,10 +47,10 @@ void print_bad(const Report& report, const std::vector<std::size_t>& bad) {
   if (bad.empty()) return;
   fmt::print("\n{:>7} {:<24} {:>13} {:>11} {:>10} {:>14}\n", "frame", "name", "intersections", "contacts", "neighbours",
              "free until");
-  for (std::size_t i = 0; i < std::min(bad.size(), kPrinted); ++i) print_row(report, bad[i]);
-  if (bad.size() > kPrinted)
+  for (std::size_t i = 0; i < std::min(bad.size(), kFramesPrinted); ++i) print_row(report, bad[i]);
+  if (bad.size() > kFramesPrinted)
     fmt::print("and {} more: --json, --out-frames FILE.csv and --out FILE.csv or FILE.html have all\n",
-               grouped(bad.size() - kPrinted));
+               grouped(bad.size() - kFramesPrinted));
   fmt::print("\n");
 }
 
@@ -80,7 +80,8 @@ void print_found(const Report& report, const std::vector<std::size_t>& bad) {
 
 Json json_of_frame(const FrameAnswer& frame, std::size_t number) {
   Json json{{"frame", number}, {"name", frame.name}, {"intersections", frame.intersections()}};
-  json["contacts"] = {{"vf", frame.counts[0]}, {"ee", frame.counts[1]}, {"ve", frame.counts[2]}, {"vv", frame.counts[3]}};
+  json["contacts"] = {
+      {"vf", frame.counts[0]}, {"ee", frame.counts[1]}, {"ve", frame.counts[2]}, {"vv", frame.counts[3]}};
   json["neighbours"] = frame.neighbours;
   add_bracket(json, frame.contacts() == 0, frame.toi_lower, frame.toi_upper);
   return json;
@@ -159,7 +160,7 @@ void note_frames(const Report& report) {
   std::size_t said = 0, all = 0;
   for (const FrameAnswer& frame : report.frames) {
     if (frame.note.empty()) continue;
-    if (++all <= kPrinted) note(fmt::format("{}: {}", frame.name, frame.note)), ++said;
+    if (++all <= kFramesPrinted) note(fmt::format("{}: {}", frame.name, frame.note)), ++said;
   }
   if (all > said) note(fmt::format("and so on for {} more frames: --json lists all", all - said));
 }

@@ -26,11 +26,11 @@ Mesh two_sheets() {
 }
 
 std::vector<Point> pose(int frame) {
-  std::vector<Point> points = test::sheet_points(kSquares, [](double x, double y) { return 0.1 * std::sin(7 * x + 5 * y); });
+  std::vector<Point> points =
+      test::sheet_points(kSquares, [](double x, double y) { return 0.1 * std::sin(7 * x + 5 * y); });
   const double swing = 1.2 * std::cos(0.09 * frame);
-  for (const Point& p : test::sheet_points(kSquares, [&](double x, double y) {
-         return 0.3 + swing + 0.05 * std::cos(9 * x - 4 * y + 0.01 * frame);
-       }))
+  for (const Point& p : test::sheet_points(
+           kSquares, [&](double x, double y) { return 0.3 + swing + 0.05 * std::cos(9 * x - 4 * y + 0.01 * frame); }))
     points.push_back({p[0] + 0.013, p[1] + 0.017, p[2]});
   return points;
 }

@@ -241,7 +241,7 @@ TEST_P(TruncateScene, FloatsAreProvenAsTheyAreStored) {
         for (Point& p : *points) p = {100 * p[0] + away, 100 * p[1] - away, 100 * p[2] + away};
       scene.start = as_floats(scene.start);
       SCOPED_TRACE(testing::Message() << scene.name << " at " << away << ", separation " << separation);
-      Detector detector(scene.mesh(), with(Method::tamis, separation));
+      Detector detector = lab::make_detector(scene.mesh(), with(Method::tamis, separation));
       const TruncatedStep to = detector.truncate(scene.step(), 0.1, {}, Stored::float32);
       expect_proven_floats(detector, scene, to);
       expect_kept(scene, to.positions, 0.1, separation);
@@ -260,7 +260,7 @@ TEST(Truncate, LeavesRoomForFloatsHoweverLittleThereIs) {
         const double ulp = static_cast<double>(above) - (surface + static_cast<float>(separation));
         Scene scene = two_falls(separation + ulps * ulp, 0.7, {far, -far, surface}, far > 1e6F ? 8 : 1);
         scene.start = as_floats(scene.start);
-        Detector detector(scene.mesh(), with(Method::tamis, separation));
+        Detector detector = lab::make_detector(scene.mesh(), with(Method::tamis, separation));
         if (!detector.is_free({scene.start, scene.start})) continue;  // rounded together
         const TruncatedStep to = detector.truncate(scene.step(), 0.1, {}, Stored::float32);
         SCOPED_TRACE(testing::Message() << ulps << " ulps above, at " << far << ", separation " << separation);

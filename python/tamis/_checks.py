@@ -67,6 +67,13 @@ def word(given: Any, name: str) -> str:
 
 
 
+def truth(given: Any, name: str) -> bool:
+    """Return a truth value, and nothing that merely counts as one."""
+    if not isinstance(given, (bool, np.bool_)):
+        raise InvalidOptions(f"{name} is {shown(given)}: give True or False")
+    return bool(given)
+
+
 def function(given: Any, name: str, call: str, error: type[Error] = InvalidOptions) -> Callable[..., Any]:
     """Return what can be called; `call` shows how it will be."""
     if not callable(given):

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "detect/enum_names.hpp"
 #include "detect/pair_faults.hpp"
 #include "detect/stored.hpp"
 #include "detect/truncation.hpp"
@@ -145,6 +146,7 @@ SafeStep Detector::State::step_length(const Query& query, double fraction, AtSta
 
 TruncatedStep Detector::State::truncate(const Step& step, double fraction, const QueryOptions& asked, Stored stored) {
   validate_kept_part(fraction);
+  validate_is_named(stored, "kind of numbers that are stored");
   Query whole = validated_query(step, asked);
   if (stored == Stored::float64) return truncate(whole, KeptFractions(fraction), asked.at_start, stored);
   validate_stored(step, mesh, stored);

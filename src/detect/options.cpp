@@ -1,6 +1,7 @@
 #include "tamis/options.hpp"
 
 #include "detect/enum_names.hpp"
+#include "tamis/stored.hpp"
 
 namespace tamis {
 namespace {
@@ -15,6 +16,8 @@ constexpr EnumNames<Isa, 4> kIsas{
 constexpr EnumNames<AtStart, 3> kAtStart{
     {{AtStart::report, "report"}, {AtStart::ignore, "ignore"}, {AtStart::fail, "fail"}}};
 
+constexpr EnumNames<Stored, 2> kStored{{{Stored::float64, "float64"}, {Stored::float32, "float32"}}};
+
 }  // namespace
 
 Isa isa_from_name(std::string_view name) { return find_by_name(kIsas, "instruction set", name); }
@@ -23,6 +26,7 @@ AtStart at_start_from_name(std::string_view name) {
 }
 std::string_view name_of(PairKind value) { return find_name(kKinds, value); }
 std::string_view name_of(AtStart value) { return find_name(kAtStart, value); }
+std::string_view name_of(Stored value) { return find_name(kStored, value); }
 std::string_view name_of(Isa value) { return find_name(kIsas, value); }
 
 namespace {

@@ -20,8 +20,9 @@ class Auditor {
   Auditor(const Auditor&) = delete;
   Auditor& operator=(const Auditor&) = delete;
 
-  /// The next frame, which is kept until the one after it; without a name it is called by its number. Frames that cannot be used are reported. Throws Cancelled:
-  /// the frame is then not part of the report, and the same one may be added again.
+  /// The next frame, which is kept until the one after it; without a name it is called by its number. Frames that
+  /// cannot be used are reported. Throws Cancelled: the frame is then not part of the report, and the same one may be
+  /// added again.
   Added add(std::vector<Point> positions, std::string name);
   /// Of the frames added so far. Valid until the next one.
   const Report& report() { return builder_.report(); }

@@ -42,9 +42,9 @@ struct Finding {
 /// One frame and the step that ends there, in numbers.
 struct FrameAnswer {
   std::string name;
-  std::string problem;        ///< why nothing was asked; empty if it was
-  std::string note;           ///< as of Frame, or that the topology changes here
-  bool has_step = false;      ///< a step was asked that ends here
+  std::string problem;                         ///< why nothing was asked; empty if it was
+  std::string note;                            ///< as of Frame, or that the topology changes here
+  bool has_step = false;                       ///< a step was asked that ends here
   std::array<std::uint64_t, kKinds> counts{};  ///< by Kind
   std::uint64_t neighbours = 0;                ///< of these, pairs one edge apart
   double toi_lower = 1;                        ///< the step is free before: proven

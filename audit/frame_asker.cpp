@@ -17,7 +17,9 @@ std::size_t used(const std::array<Index, 4>& vertices) {
 
 bool is_usable(const FramePointer& frame) { return frame && problem_of(*frame).empty(); }
 
-void add_sentence(std::string& note, const char* sentence) { note += (note.empty() ? "" : "; ") + std::string(sentence); }
+void add_sentence(std::string& note, const char* sentence) {
+  note += (note.empty() ? "" : "; ") + std::string(sentence);
+}
 
 void bracket_first(FrameAnswer& answer, std::span<const Contact> contacts) {
   for (const Contact& c : contacts) {
@@ -36,7 +38,8 @@ std::string problem_of(const Frame& frame) {
            ": give a row for each vertex";
   for (const Index v : frame.mesh->mesh().points())
     if (!is_finite(frame.positions[static_cast<std::size_t>(v)]))
-      return "vertex " + std::to_string(v) + " is not finite: nothing can be said of this frame, nor of steps to and from it";
+      return "vertex " + std::to_string(v) +
+             " is not finite: nothing can be said of this frame, nor of steps to and from it";
   return {};
 }
 

@@ -10,7 +10,7 @@ namespace tamis::audit {
 
 /// Frames that follow each other.
 struct FrameRun {
-  std::int64_t first;  ///< number of the first frame
+  std::int64_t first;   ///< number of the first frame
   FramePointer before;  ///< the one before it, null for the first of all
   std::vector<FramePointer> frames;
 };

@@ -8,8 +8,8 @@
 
 namespace tamis::audit {
 
-/// All of them as long as they fit into so much memory. Then free ones leave: of these every second, every fourth and so
-/// on is kept, and the first. Once bad frames alone fill the memory, later ones are not kept.
+/// All of them as long as they fit into so much memory. Then free ones leave: of these every second, every fourth and
+/// so on is kept, and the first. Once bad frames alone fill the memory, later ones are not kept.
 class KeptFrames {
  public:
   explicit KeptFrames(std::size_t most_bytes = 0) : most_bytes_(most_bytes) {}

@@ -37,8 +37,7 @@ std::optional<std::size_t> Report::first_bad() const {
 
 std::string Report::object_name(const Finding& pair, std::size_t feature) const {
   const auto is_later = [](std::size_t frame, const Segment& segment) { return frame < segment.first_frame; };
-  const auto next =
-      std::upper_bound(segments.begin(), segments.end(), static_cast<std::size_t>(pair.frame), is_later);
+  const auto next = std::upper_bound(segments.begin(), segments.end(), static_cast<std::size_t>(pair.frame), is_later);
   return std::prev(next)->objects.name_of(pair.objects[feature]);
 }
 
@@ -67,11 +66,13 @@ void ReportBuilder::count(const FrameFindings& findings) {
   report_.problems += findings.answer.problem.empty() ? 0 : 1;
   for (std::size_t kind = 0; kind < kKinds; ++kind) report_.counts[kind] += findings.answer.counts[kind];
   for (const Finding& pair : findings.pairs)
-    ++(pair.rings == kNotConnected ? report_.by_rings.back() : report_.by_rings[static_cast<std::size_t>(pair.rings) - 1]);
+    ++(pair.rings == kNotConnected ? report_.by_rings.back()
+                                   : report_.by_rings[static_cast<std::size_t>(pair.rings) - 1]);
 }
 
 void ReportBuilder::list(const std::vector<Finding>& pairs) {
-  const auto room = static_cast<std::size_t>(std::min<std::uint64_t>(listed_pairs_ - report_.pairs.size(), pairs.size()));
+  const auto room =
+      static_cast<std::size_t>(std::min<std::uint64_t>(listed_pairs_ - report_.pairs.size(), pairs.size()));
   report_.pairs.insert(report_.pairs.end(), pairs.begin(), pairs.begin() + static_cast<std::ptrdiff_t>(room));
   report_.pairs_left_out += pairs.size() - room;
 }

@@ -80,7 +80,8 @@ void print_found(const Report& report, const std::vector<std::size_t>& bad) {
 
 Json json_of_frame(const FrameAnswer& frame, std::size_t number) {
   Json json{{"frame", number}, {"name", frame.name}, {"intersections", frame.intersections()}};
-  json["contacts"] = {{"vf", frame.counts[0]}, {"ee", frame.counts[1]}, {"ve", frame.counts[2]}, {"vv", frame.counts[3]}};
+  json["contacts"] = {
+      {"vf", frame.counts[0]}, {"ee", frame.counts[1]}, {"ve", frame.counts[2]}, {"vv", frame.counts[3]}};
   json["neighbours"] = frame.neighbours;
   add_bracket(json, frame.contacts() == 0, frame.toi_lower, frame.toi_upper);
   return json;

@@ -9,8 +9,7 @@
 
 namespace tamis::cli {
 
-MovingFrames::MovingFrames(const std::vector<std::string>& names, std::size_t least)
-    : paths_(io::moving_files(names)) {
+MovingFrames::MovingFrames(const std::vector<std::string>& names, std::size_t least) : paths_(io::moving_files(names)) {
   if (paths_.size() < least)
     throw io::FileError(paths_.front().string(), "", "a single frame does not move: give two or more");
   first_ = read_with_notes(paths_.front());

@@ -27,8 +27,8 @@ struct MotionFiles {
 /// or with none if the caller has the mesh. Throws FileError.
 MotionFiles motion_files(const std::vector<std::string>& names);
 
-/// `given.mesh` takes the place of the mesh file. Throws FileError if there is neither, if the first frame cannot be used, or the cache is none of this mesh. Later frames that cannot be
-/// used are problems of theirs.
+/// `given.mesh` takes the place of the mesh file. Throws FileError if there is neither, if the first frame cannot be
+/// used, or the cache is none of this mesh. Later frames that cannot be used are problems of theirs.
 std::unique_ptr<audit::FrameSource> open_motion(const MotionFiles& files, GivenMesh given = {});
 
 }  // namespace tamis::io

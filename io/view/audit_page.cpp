@@ -56,7 +56,8 @@ void write_audit_page(const std::filesystem::path& path, const audit::Report& re
   const std::vector<FrameFindings>& kept = report.kept.frames();
   const auto mesh = shown_mesh(kept);
   if (!mesh)
-    throw FileError(path.string(), "", "no frame is there to be shown: none could be used, or each is too large to keep");
+    throw FileError(path.string(), "",
+                    "no frame is there to be shown: none could be used, or each is too large to keep");
   Options options;
   options.min_separation = report.min_separation;
   Recording recording{mesh->mesh(), options, 1, {}, {}, {}};

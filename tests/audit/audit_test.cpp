@@ -26,11 +26,11 @@ Mesh two_sheets() {
 }
 
 std::vector<Point> pose(int frame) {
-  std::vector<Point> points = test::sheet_points(kSquares, [](double x, double y) { return 0.1 * std::sin(7 * x + 5 * y); });
+  std::vector<Point> points =
+      test::sheet_points(kSquares, [](double x, double y) { return 0.1 * std::sin(7 * x + 5 * y); });
   const double swing = 1.2 * std::cos(0.09 * frame);
-  for (const Point& p : test::sheet_points(kSquares, [&](double x, double y) {
-         return 0.3 + swing + 0.05 * std::cos(9 * x - 4 * y + 0.01 * frame);
-       }))
+  for (const Point& p : test::sheet_points(
+           kSquares, [&](double x, double y) { return 0.3 + swing + 0.05 * std::cos(9 * x - 4 * y + 0.01 * frame); }))
     points.push_back({p[0] + 0.013, p[1] + 0.017, p[2]});
   return points;
 }
@@ -143,7 +143,8 @@ TEST(Audit, OneOfTheQuestionsCanBeLeftOut) {
 
 // Bug: an option is looked at when the first detector is made, which the report then says of a frame.
 TEST(Audit, OptionsAreCheckedBeforeAnyFrame) {
-  for (const double separation : {-1.0, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()})
+  for (const double separation :
+       {-1.0, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()})
     EXPECT_THROW(audited({}, {.min_separation = separation}), InvalidOptions);
   EXPECT_THROW(audited({}, {.threads = -1}), InvalidOptions);
   EXPECT_THROW(audited({}, {.ring_limit = 0}), InvalidOptions);

@@ -94,7 +94,8 @@ TEST_F(AuditVerb, FreeMeansExitCodeZero) {
 TEST_F(AuditVerb, WritesTablesAndAPage) {
   EXPECT_EQ(folder_.run("audit f --out pairs.csv --out-frames frames.csv").code, 1);
   const std::string pairs = bytes_of_file(folder_.path() / "pairs.csv");
-  EXPECT_TRUE(pairs.starts_with("frame,kind,v0,v1,v2,v3,v4,toi_lower,toi_upper,object_a,object_b,rings\n2,ef,3,4,0,1,2,1"))
+  EXPECT_TRUE(
+      pairs.starts_with("frame,kind,v0,v1,v2,v3,v4,toi_lower,toi_upper,object_a,object_b,rings\n2,ef,3,4,0,1,2,1"))
       << pairs;
   const std::string frames = bytes_of_file(folder_.path() / "frames.csv");
   EXPECT_NE(frames.find("\n2,\"2.obj\",1,1,1,0,0,0,2,0,"), std::string::npos) << frames;
@@ -175,7 +176,8 @@ TEST_F(AuditVerb, FramesThatAreBrokenMissingOrOfAnotherMeshAreSaid) {
 
 // Bug: every tenth frame is taken for a motion with holes.
 TEST_F(AuditVerb, EveryTenthFrameIsNoGap) {
-  for (int i = 0; i < 50; i += 10) folder_.write("t/x" + std::to_string(i) + ".obj", frame_at(1 + 0.01 * i) + kTriangles);
+  for (int i = 0; i < 50; i += 10)
+    folder_.write("t/x" + std::to_string(i) + ".obj", frame_at(1 + 0.01 * i) + kTriangles);
   const Outcome outcome = folder_.run("audit t --json");
   EXPECT_EQ(outcome.json()["steps"], 4) << outcome.err;
   EXPECT_EQ(outcome.err, "");

@@ -119,6 +119,8 @@ def use(thing: Any) -> None:
         use(tamis.PaperOptions(high_level="subspace", reduced_model=thing))
     elif isinstance(thing, tamis.PaperOptions):
         use(tamis.Detector(_MESH, threads=1, method="paper", paper=thing))
+    elif isinstance(thing, tamis.AuditReport) and thing.problems:
+        raise tamis.InvalidStep(f"source: {next(iter(thing.problems.values()))}")
     elif isinstance(thing, tamis.StepReport) and thing.problem:
         raise tamis.InvalidStep(f"positions: {thing.problem}")
     elif isinstance(thing, ipctk.CollisionMesh):

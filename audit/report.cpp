@@ -1,6 +1,7 @@
 #include "audit/report.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "tamis/error.hpp"
 
@@ -14,6 +15,9 @@ void require_sound(const Options& options) {
   constexpr Index kLongestPath = 1000;
   if (options.ring_limit < 1 || options.ring_limit > kLongestPath)
     throw InvalidOptions("the ring limit is " + std::to_string(options.ring_limit) + ": give one from 1 to 1000");
+  if (!(options.min_separation >= 0) || !std::isfinite(options.min_separation))
+    throw InvalidOptions("the minimum separation is " + std::to_string(options.min_separation) +
+                         ": give a finite number >= 0");
   if (options.threads < 0)
     throw InvalidOptions("threads is " + std::to_string(options.threads) + ": give a number >= 0, 0 being all");
   if (!options.intersections && !options.contacts)

@@ -188,7 +188,7 @@ def make_user(work: pathlib.Path, wheel: pathlib.Path) -> None:
     install(work, python, wheel)
     run(python, "-I", "-c", "import tamis; assert len(tamis.contacts([[0,1,2]], [[0,0,0],[1,0,0],[0,1,0]], "
         "[[0,0,0],[1,0,0],[0,1,0]])) == 0")
-    wanted = ("pytest", "hypothesis", "ipctk", "pandas", "matplotlib")
+    wanted = ("pytest", "hypothesis", "ipctk", "pandas", "matplotlib", "usd-core", "pygltflib")
     install(work, python, "-c", REQUIREMENTS, *wanted)
 
 

@@ -18,3 +18,10 @@ shoot() { node ../../viewer/shoot.mjs "$@"; }
 shoot "$work/step.html" overview.png 1280x720 dark
 shoot "$work/step.html" sieve.png 1280x720 light v
 shoot cloth-ball.html pair.png 1280x720 dark s
+
+# audit.html is what the example of docs/audit.md saves, with the module for Python.
+python=${PYTHON:-python3}
+sed -n '/^```python$/,/^```$/p' ../audit.md | sed '/^```/d' >"$work/audit.py"
+echo 'report.save("audit.html")' >>"$work/audit.py"
+"$python" "$work/audit.py" >"$work/answer.txt"
+shoot audit.html audit.png 1280x720 dark

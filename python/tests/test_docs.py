@@ -10,7 +10,14 @@ import re
 import pytest
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-PAGES = ["README.md", "docs/python.md", "docs/python-tour.md", "docs/coming-from-ipctk.md", "docs/hosts/ipctk.md"]
+PAGES = [
+    "README.md",
+    "docs/python.md",
+    "docs/python-tour.md",
+    "docs/audit.md",
+    "docs/coming-from-ipctk.md",
+    "docs/hosts/ipctk.md",
+]
 BLOCK = re.compile(r"^```python\n(.*?)^```$(?:\s*^(?:prints\n\n)?```text\n(.*?)^```$)?", re.DOTALL | re.MULTILINE)
 
 

@@ -141,6 +141,15 @@ TEST(Audit, OneOfTheQuestionsCanBeLeftOut) {
   EXPECT_THROW(audited(swinging(2), {.intersections = false, .contacts = false}), InvalidOptions);
 }
 
+// Bug: an option is looked at when the first detector is made, which the report then says of a frame.
+TEST(Audit, OptionsAreCheckedBeforeAnyFrame) {
+  for (const double separation :
+       {-1.0, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()})
+    EXPECT_THROW(audited({}, {.min_separation = separation}), InvalidOptions);
+  EXPECT_THROW(audited({}, {.threads = -1}), InvalidOptions);
+  EXPECT_THROW(audited({}, {.ring_limit = 0}), InvalidOptions);
+}
+
 // Bug: pairs beyond the limit are lost without a word.
 TEST(Audit, CountsThePairsThatItDoesNotList) {
   const Report all = audited(swinging(), {});

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import itertools
 import os
-from collections.abc import Callable, Iterable, Iterator
-from typing import Any, Union
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from typing import Any
 
 import numpy as np
 import numpy.typing as npt
@@ -24,11 +24,9 @@ from tamis._errors import Error, InvalidMesh, InvalidStep
 from tamis._files import MeshFile, read_mesh
 from tamis._mesh import Mesh
 
-AuditSource = Union[str, "os.PathLike[str]", npt.ArrayLike, Iterable[Any], Motion]
-
 
 def audit(
-    source: AuditSource,
+    source: str | os.PathLike[str] | Sequence[str] | npt.ArrayLike | Iterable[Any] | Motion,
     *,
     mesh: Mesh | None = None,
     faces: npt.ArrayLike | None = None,
@@ -186,7 +184,7 @@ def _frames_of_array(source: Any, known: _Known) -> Iterator[Frame]:
     positions = source if _is_stack(source) else point_frames(source, "source", InvalidStep)
     shared = known.of(positions.shape[1])
     for i, frame in enumerate(positions):
-        yield Frame(str(i), rows(frame, f"frame {i}"), shared.mesh)
+        yield Frame(str(i), rows(frame, f"source[{i}]"), shared.mesh)
 
 
 def _is_stack(source: Any) -> bool:
@@ -208,7 +206,7 @@ def _frames_of_items(items: Iterator[Any], known: _Known) -> Iterator[Frame]:
 def _frames_of_rows(items: Iterator[Any], known: _Known) -> Iterator[Frame]:
     shared: Shared | None = None
     for i, item in enumerate(items):
-        frame = rows(item, f"frame {i}")
+        frame = rows(item, f"source[{i}]")
         shared = shared or known.of(len(frame))
         yield Frame(str(i), frame, shared.mesh)
 
@@ -217,9 +215,9 @@ def _frames_of_meshes(items: Iterator[Any], objects: Objects | None) -> Iterator
     last: tuple[Mesh, Shared] | None = None
     for i, item in enumerate(items):
         if not isinstance(item, MeshFile):
-            raise InvalidStep(f"frame {i} is {shown(item)}, the first a MeshFile: give frames of one kind")
+            raise InvalidStep(f"source[{i}] is {shown(item)}, the first a MeshFile: give frames of one kind")
         if last is None or item.mesh is not last[0]:
             last = (item.mesh, shared_mesh(item.mesh, objects))
         yield Frame(
-            str(i), rows(item.positions, f"frame {i}"), last[1].mesh, note="; ".join(item.notes if i == 0 else ())
+            str(i), rows(item.positions, f"source[{i}]"), last[1].mesh, note="; ".join(item.notes if i == 0 else ())
         )

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy.typing as npt
 
@@ -16,7 +16,7 @@ from tamis._checks import word
 from tamis._mesh import Mesh
 
 
-class StepReport:
+class StepReport(NamedTuple):
     """What was found in the frame that was added, and in the step to it.
 
     Attributes
@@ -29,18 +29,14 @@ class StepReport:
         Why the frame could not be used; empty if it could.
     """
 
-    __slots__ = ("frame", "pairs", "problem")
-
-    def __init__(self, frame: AuditFrame, pairs: AuditPairs, problem: str) -> None:
-        self.frame, self.pairs, self.problem = frame, pairs, problem
+    frame: AuditFrame
+    pairs: AuditPairs
+    problem: str
 
     @property
     def is_free(self) -> bool:
         """True: nothing was found, proven."""
         return not self.problem and not len(self.pairs)
-
-    def __repr__(self) -> str:
-        return f"StepReport({self.problem or self.pairs!r})"
 
 
 class Auditor:

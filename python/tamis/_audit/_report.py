@@ -6,7 +6,7 @@ import os
 from typing import Any
 
 from tamis import _core
-from tamis._audit._tables import AuditFrame, AuditFrames, AuditPairs, ObjectNames
+from tamis._audit._tables import AuditFrame, AuditFrames, AuditPairs, FrameNames, ObjectNames
 from tamis._checks import file_name
 from tamis._errors import Error
 from tamis._looking import Page, place_for_page, show
@@ -24,7 +24,7 @@ class AuditReport:
         facts: dict[str, Any] = report.as_dict()
         self._report = report
         self._facts = facts
-        self.frames = AuditFrames(facts["frames"], facts["names"])
+        self.frames = AuditFrames(facts["frames"], FrameNames(facts["names"]))
         self.pairs = AuditPairs(facts["pairs"], ObjectNames(facts["segments"]))
 
     @property

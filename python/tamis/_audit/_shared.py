@@ -28,12 +28,19 @@ def shared_mesh(mesh: Mesh, objects: Objects | None = None) -> Shared:
     """Return the mesh with the objects that the caller names; none: what is connected, which have no names."""
     known = instance(mesh, Mesh, "mesh", "a tamis.Mesh, as of tamis.Mesh(faces)", InvalidMesh)
     names = [word(name, "a name in objects") for name in objects] if isinstance(objects, dict) else []
-    numbers = _of_names(objects, known.vertex_count) if isinstance(objects, dict) else _of_array(objects)
+    numbers = (
+        _of_names(objects, known.vertex_count) if isinstance(objects, dict) else _of_array(objects, known.vertex_count)
+    )
     return Shared(_core.shared_mesh(known._mesh, numbers, names), numbers, names)
 
 
-def _of_array(objects: npt.ArrayLike | None) -> Indices:
-    return np.empty(0, np.int32) if objects is None else indices(objects, 0, "objects", InvalidMesh)
+def _of_array(objects: npt.ArrayLike | None, count: int) -> Indices:
+    if objects is None:
+        return np.empty(0, np.int32)
+    numbers = indices(objects, 0, "objects", InvalidMesh)
+    if len(numbers) != count:
+        raise InvalidMesh(f"objects has {len(numbers)} numbers for {count} vertices: give the object of each vertex")
+    return numbers
 
 
 def _of_names(objects: dict[str, Any], count: int) -> Indices:

@@ -11,6 +11,7 @@ import numpy.typing as npt
 
 from tamis import _core
 from tamis._arrays import Doubles, Indices
+from tamis._checks import instance
 from tamis._columns import Columns, numbered
 from tamis._table import Table
 
@@ -80,6 +81,22 @@ class ObjectNames:
         return names[number] if 0 <= number < len(names) else str(number)
 
 
+class FrameNames:
+    """What frames are called."""
+
+    __slots__ = ("_names",)
+
+    def __init__(self, names: Sequence[str]) -> None:
+        self._names = list(names)
+
+    def of(self, frame: int) -> str:
+        """Return the name of a frame; its number if it has none."""
+        return self._names[frame] if frame < len(self._names) else str(frame)
+
+
+_NO_NAMES = "none: only a report knows what things are called"
+
+
 class AuditPairs(Table[AuditPair]):
     """Pairs that touch or pass through each other, by frame; in each, intersections come first.
 
@@ -92,7 +109,7 @@ class AuditPairs(Table[AuditPair]):
 
     def __init__(self, table: npt.NDArray[np.void] | npt.NDArray[np.uint8], names: ObjectNames | None = None) -> None:
         super().__init__(table)
-        self._names = names if isinstance(names, ObjectNames) else ObjectNames([])
+        self._names = ObjectNames([]) if names is None else instance(names, ObjectNames, "names", _NO_NAMES)
 
     @property
     def frame(self) -> npt.NDArray[np.int64]:
@@ -208,9 +225,9 @@ class AuditFrames(Table[AuditFrame]):
     __slots__ = ("_names",)
     _dtype = np.dtype(_core.frame_row_layout())
 
-    def __init__(self, table: npt.NDArray[np.void] | npt.NDArray[np.uint8], names: Sequence[str] | None = None) -> None:
+    def __init__(self, table: npt.NDArray[np.void] | npt.NDArray[np.uint8], names: FrameNames | None = None) -> None:
         super().__init__(table)
-        self._names: Sequence[str] = names if isinstance(names, (list, tuple)) else []
+        self._names = FrameNames([]) if names is None else instance(names, FrameNames, "names", _NO_NAMES)
 
     @property
     def frame(self) -> npt.NDArray[np.int64]:
@@ -266,11 +283,11 @@ class AuditFrames(Table[AuditFrame]):
     @property
     def is_bad(self) -> npt.NDArray[np.bool_]:
         """Whether anything was found, shape (n,)."""
-        bad: npt.NDArray[np.bool_] = self.counts.any(axis=1)
+        bad: npt.NDArray[np.bool_] = np.asarray(self.counts.any(axis=1))
         return bad
 
     def _name(self, frame: int) -> str:
-        return self._names[frame] if frame < len(self._names) else str(frame)
+        return self._names.of(frame)
 
     def _columns(self) -> Columns:
         kinds = {name: self.counts[:, kind] for kind, name in enumerate(_SHORT_NAMES)}

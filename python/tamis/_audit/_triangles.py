@@ -16,4 +16,5 @@ def fans(counts: npt.NDArray[np.integer], corners: npt.NDArray[np.integer]) -> I
     start = np.repeat(first, of_polygon)
     place = np.arange(of_polygon.sum()) - np.repeat(np.cumsum(of_polygon) - of_polygon, of_polygon)
     corner = np.stack([start, start + place + 1, start + place + 2], axis=1)
-    return np.asarray(corners, np.int32)[corner]
+    triangles: Indices = np.asarray(corners, np.int32)[corner]
+    return triangles

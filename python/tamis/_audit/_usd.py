@@ -114,14 +114,13 @@ class _Meshes:
         from pxr import UsdGeom
 
         transforms = UsdGeom.XformCache()
-        shared: Shared | None = None
-        changes = [_may_change_topology(mesh) for mesh in self.prims]
-        parts: list[Part] = []
+        changes = any(_may_change_topology(mesh) for mesh in self.prims)
+        parts = [_part(mesh, self.times[0]) for mesh in self.prims]
+        shared = joined(parts)
         for i, time in enumerate(self.times):
-            if not i or any(changes):
-                new = [_part(mesh, time) if not i or changes[k] else parts[k] for k, mesh in enumerate(self.prims)]
-                if shared is None or not _same(new, parts):
-                    parts, shared = new, joined(new)
+            new = [_part(mesh, time) for mesh in self.prims] if i and changes else parts
+            if not _same(new, parts):
+                parts, shared = new, joined(new)
             transforms.SetTime(time)
             placed = [_world_points(mesh, time, transforms) for mesh in self.prims]
             yield self._frame(i, time, placed, shared)

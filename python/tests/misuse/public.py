@@ -50,6 +50,8 @@ _KINDS = {
     "PointsAt": "function",
     "Strays": "function",
     "os.PathLike[str]": "file",
+    "Objects": "objects",
+    "Usd.Stage": "stage",
     "Sequence[str]": "words",
     "Sequence[npt.ArrayLike]": "arrays",
     "Any": "index",
@@ -81,7 +83,7 @@ def _arguments(function: Callable[..., Any]) -> tuple[Argument, ...]:
 
 def _is_record(thing: type) -> bool:
     """Answers that are only read, and exceptions: whoever makes one puts in what he likes."""
-    return issubclass(thing, (tuple, BaseException)) or thing is tamis.Statistics
+    return issubclass(thing, (tuple, BaseException)) or thing in (tamis.Statistics, tamis.AuditReport, tamis.Motion)
 
 
 def _methods(thing: type) -> Iterator[Callee]:

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import base64
 import importlib
 import inspect
+import json
 import pathlib
 from collections.abc import Mapping
 from typing import Any
@@ -56,6 +58,7 @@ _NAMED: Mapping[str, Any] = {
     "start": START,
     "strays": _no_deviation,
     "time": 0.5,
+    "source": np.stack([START, END]),
     "turn": np.ones(3),
     "vertex_count": 6,
     "vertices": np.array([[3, 0, 1, 2]]),
@@ -64,15 +67,40 @@ _NAMED: Mapping[str, Any] = {
 }
 
 
+_STAGE = """#usda 1.0
+def Mesh "Spike" {
+    int[] faceVertexCounts = [3]
+    int[] faceVertexIndices = [0, 1, 2]
+    point3f[] points = [(0, 0, 0), (1, 0, 0), (0, 1, 0)]
+}
+"""
+
+
+def _gltf() -> str:
+    corners = base64.b64encode(START[:3].astype("<f4").tobytes()).decode()
+    return json.dumps(
+        {
+            "asset": {"version": "2.0"},
+            "nodes": [{"mesh": 0}],
+            "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}],
+            "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3"}],
+            "bufferViews": [{"buffer": 0, "byteLength": 36}],
+            "buffers": [{"byteLength": 36, "uri": "data:application/octet-stream;base64," + corners}],
+        }
+    )
+
+
 def _objects() -> list[Any]:
     """Return an object of each class that has methods."""
     detector = tamis.Detector(_MESH, threads=1)
+    report = tamis.audit(np.stack([START, END]), faces=FACES)
     pairs = tamis.narrow_phase(tamis.PairKind.VERTEX_FACE, [3, 0, 1, 2], START, END)
     crossing = START - [0, 0, 1] * (np.arange(6) == 3)[:, np.newaxis] * 2
     return [
         *(_MESH, detector, pairs, PATH, ipctk.Candidates(), _BARRIER_MESH, ipctk.TightInclusionCCD()),
         *(ipctk.AdditiveCCD(), detector.contacts(START, END), detector.near(START, 1.5)),
         *(detector.intersections(crossing), tamis.CatmullRomPath(np.stack([START, END]))),
+        *(report, report.frames, report.pairs, tamis.Auditor(_MESH, threads=1)),
         tamis.FunctionPath(6, _still, _no_deviation),
         tamis.RigidPath(START, np.zeros(6, int), [tamis.interpolated(_POSE, _POSE)]),
     ]
@@ -90,6 +118,10 @@ def use(thing: Any) -> None:
     elif isinstance(thing, tamis.FunctionPath):
         tamis.Detector(_MESH, threads=1).contacts(thing)
         thing.points_at(0.5)
+    elif isinstance(thing, tamis.AuditReport) and thing.problems:
+        raise tamis.InvalidStep(f"source: {next(iter(thing.problems.values()))}")
+    elif isinstance(thing, tamis.StepReport) and thing.problem:
+        raise tamis.InvalidStep(f"positions: {thing.problem}")
     elif isinstance(thing, ipctk.CollisionMesh):
         ipctk.is_step_collision_free(thing, START, END)
 
@@ -109,6 +141,12 @@ def _of_callee(callee: Callee, folder: pathlib.Path) -> dict[str, Any]:
         return {"path": folder / "mesh.ply", "names": folder / "mesh.ply"}
     if short == "simulate":
         return {"name": "funnel", "folder": folder / "run", "triangles": 500, "frames": 0}
+    if short == "read_usd":
+        (folder / "stage.usda").write_text(_STAGE)
+        return {"stage": folder / "stage.usda", "prims": ["/Spike"]}
+    if short == "read_gltf":
+        (folder / "mesh.gltf").write_text(_gltf())
+        return {"path": folder / "mesh.gltf"}
     same = next((thing for thing in _objects() if type(thing) is callee.function), None)
     return {
         "name": "soup",
@@ -131,6 +169,8 @@ def right_calls(callee: Callee, folder: pathlib.Path) -> list[dict[str, Any]]:
     missing = [name for name in needed if known.get(name) is None and name != "seed"]
     assert not missing, f"{callee.name}: what is right for {missing}? Say so in python/tests/misuse/right.py"
     calls = [{name: known[name] for name in needed if name in known}]
+    if callee.name == "audit":
+        calls[0]["faces"] = FACES
     moving = [a.name for a in callee.arguments if "Path" in a.takes]
     if moving:
         calls.append({**calls[0], moving[0]: PATH})

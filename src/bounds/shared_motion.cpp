@@ -57,7 +57,7 @@ void SharedMotion::fit(const Step& step, const BoxFrame& frame, double fraction)
   double turned2 = 0;  // squares of displacements beside a translation of each object
   for (const auto& object : objects_) {
     parts_.push_back({object});
-    moments.push_back(moments_of(step, frame, object, vertex_count_ / kSampledVertices + 1));
+    moments.push_back(moments_of(step, frame, object, stride()));
     scene.objects.push_back(scene.objects.size());
     scene.moments += moments.back();
     turned2 += moments.back().fit().displacement2;
@@ -131,11 +131,14 @@ void SharedMotion::take(std::span<const Motion> motions, const Fit& fit) {
   stretch_ = {fit.stretch, true};
 }
 
+std::size_t SharedMotion::stride() const { return vertex_count_ / kSampledVertices + 1; }
+
 bool SharedMotion::lie_apart(std::span<const Motion> motions, const Fit& fit, const Step& step,
                              const BoxFrame& frame) const {
   const auto for_each_vertex = [&](const Motion& motion, const auto& f) {
     for (const std::size_t i : motion.objects)
-      for (const Index v : objects_[i]) f(v, frame.place(step.start, v));
+      for (std::size_t k = 0; k < objects_[i].size(); k += stride())
+        f(objects_[i][k], frame.place(step.start, objects_[i][k]));
   };
   std::vector<Extent> extents(motions.size());
   double longest2 = 0;
@@ -147,9 +150,12 @@ bool SharedMotion::lie_apart(std::span<const Motion> motions, const Fit& fit, co
     });
   const double reach = 0.5 * std::sqrt(longest2);
   const auto share_within = [&](const Extent& extent, const Motion& motion) {
-    double count = 0;
-    for_each_vertex(motion, [&](Index, const Vec3<double>& place) { count += extent.is_within(reach, place); });
-    return count / motion.moments.count();
+    double within = 0, all = 0;
+    for_each_vertex(motion, [&](Index, const Vec3<double>& place) {
+      within += extent.is_within(reach, place);
+      ++all;
+    });
+    return within / all;
   };
   for (std::size_t a = 0; a < motions.size(); ++a)
     for (std::size_t b = 0; b < a; ++b)

@@ -57,6 +57,8 @@ class SharedMotion {
     double displacement2 = 0, residual2 = 0;
   };
 
+  /// From one vertex of an object that is looked at to the next.
+  std::size_t stride() const;
   static Fit fit_to(std::span<const Motion> motions, double fraction);
   /// None if there are too many.
   std::vector<Motion> motions_of_objects(std::span<const DisplacementMoments> objects, double most_residual2) const;

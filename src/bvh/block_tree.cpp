@@ -1,10 +1,9 @@
 #include "bvh/block_tree.hpp"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 
 #include "numerics/assert.hpp"
+#include "numerics/in_parts.hpp"
 
 namespace tamis {
 namespace {
@@ -14,8 +13,8 @@ std::size_t blocks_for(std::size_t items) { return (items + kBlock - 1) / kBlock
 template <class F>
 void parallel_blocks(std::size_t count, const F& f) {
   constexpr std::size_t kGrain = 256;
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, kGrain), [&](const auto& range) {
-    for (std::size_t i = range.begin(); i != range.end(); ++i) f(i);
+  in_parts(count, kGrain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i != end; ++i) f(i);
   });
 }
 
@@ -154,14 +153,15 @@ TreeView BlockTree::view() const {
 
 double BlockTree::swept_area() const {
   double area = 0;
-  for (const BoxBlock& hulls : levels_[1])
-    for (int lane = 0; lane < kBlock; ++lane) {
-      float size[3];
-      for (int axis = 0; axis < 3; ++axis)
-        size[axis] = std::max(0.0f, std::max(hulls.high0[axis][lane], hulls.high1[axis][lane]) -
-                                        std::min(hulls.low0[axis][lane], hulls.low1[axis][lane]));
-      area += static_cast<double>(size[0] * size[1] + size[1] * size[2] + size[2] * size[0]);
-    }
+  for (std::size_t block = 0; block < corner_blocks_.size(); ++block) {
+    const BoxBlock& hulls = levels_[1][block / kBlock];
+    const std::size_t lane = block % kBlock;
+    float size[3];
+    for (int axis = 0; axis < 3; ++axis)
+      size[axis] = std::max(hulls.high0[axis][lane], hulls.high1[axis][lane]) -
+                   std::min(hulls.low0[axis][lane], hulls.low1[axis][lane]);
+    area += static_cast<double>(size[0] * size[1] + size[1] * size[2] + size[2] * size[0]);
+  }
   return area;
 }
 

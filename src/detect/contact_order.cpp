@@ -1,11 +1,10 @@
 #include "detect/contact_order.hpp"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <tuple>
 
 #include "numerics/assert.hpp"
+#include "numerics/in_parts.hpp"
 #include "query/contact_collector.hpp"
 
 namespace tamis {
@@ -37,14 +36,14 @@ void ContactSorter::sort(std::vector<Contact>& contacts, Index vertex_count, con
   };
   sorted_.resize(contacts.size());
   constexpr std::size_t kGrain = 2048;
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, buckets, kGrain), [&](const auto& range) {
+  in_parts(buckets, kGrain, [&](std::size_t first_bucket, std::size_t end_bucket) {
     pause();
     const auto begin = entries_.begin();
-    for (std::size_t b = range.begin(); b != range.end(); ++b)
+    for (std::size_t b = first_bucket; b != end_bucket; ++b)
       if (first_[b + 1] > first_[b] + 1) std::sort(begin + first_[b], begin + first_[b + 1], is_before);
-    constexpr std::uint32_t kFetched = 8;           // contacts lie scattered
-    const std::uint32_t end = first_[range.end()];  // what is behind it may be being sorted
-    for (std::uint32_t i = first_[range.begin()]; i < end; ++i) {
+    constexpr std::uint32_t kFetched = 8;          // contacts lie scattered
+    const std::uint32_t end = first_[end_bucket];  // what is behind it may be being sorted
+    for (std::uint32_t i = first_[first_bucket]; i < end; ++i) {
       if (i + kFetched < end) __builtin_prefetch(&contacts[entries_[i + kFetched].place]);
       sorted_[i] = contacts[entries_[i].place];
     }

@@ -60,7 +60,7 @@ class PartDecision {
     const Pair& pair = part_.pairs[static_cast<std::size_t>(place)];
     if (!are_rows<kCorners>(pair, part_.step.start.count())) return false;
     auto& batch = batches_[static_cast<std::size_t>(kind)];
-    if (!batch) batch = std::make_unique<Batch>();
+    if (!batch) batch = std::make_unique_for_overwrite<Batch>();
     const int at = batch->pairs.count++;
     for (std::size_t i = 0; i < kCorners; ++i) {
       batch->pairs.corner[i][at] = pair.vertices[i];
@@ -86,7 +86,7 @@ class PartDecision {
 
   WithinScratch* within(PairKind kind) {
     if (!is_about_distance(kind, part_.options.min_separation)) return nullptr;
-    if (!within_) within_ = std::make_unique<WithinScratch>();
+    if (!within_) within_ = std::make_unique_for_overwrite<WithinScratch>();
     return within_.get();
   }
 

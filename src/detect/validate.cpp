@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <string>
+#include <string_view>
 
 #include "detect/enum_names.hpp"
 #include "detect/stored.hpp"
@@ -13,8 +14,9 @@
 namespace tamis {
 namespace {
 
-void check(bool ok, const std::string& message) {
-  if (!ok) throw InvalidOptions(message);
+/// What is well takes no memory for a message that is a literal: some is asked of every question.
+void check(bool ok, std::string_view message) {
+  if (!ok) throw InvalidOptions(std::string(message));
 }
 
 void validate(const PairFilter& filter, const Mesh& mesh) {

@@ -62,6 +62,7 @@ void PairStream::set_kind(PairKind kind) {
 
 void PairStream::consume() {
   stop_if_cancelled(consumer_.query());
+  if (thread_.boxes.count == 0) return;
   keep_each_once(kind_, thread_.boxes);
   consumer_.consume(kind_);
   thread_.boxes.count = 0;

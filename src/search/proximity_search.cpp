@@ -1,5 +1,6 @@
 #include "search/proximity_search.hpp"
 
+#include "numerics/in_parts.hpp"
 #include "query/cancellation.hpp"
 
 namespace tamis {
@@ -38,9 +39,9 @@ void ProximitySearch::describe(std::vector<NearPair>& pairs) {
   for (std::size_t kind = 0; kind < kPairKinds; ++kind) {
     const auto& list = lists_[kind];
     constexpr std::size_t kGrain = 4096;
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, list.size(), kGrain), [&](const auto& part) {
-      streams_.consumer().describe(static_cast<PairKind>(kind), {list.data() + part.begin(), part.size()},
-                                   out + part.begin());
+    in_parts(list.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+      streams_.consumer().describe(static_cast<PairKind>(kind), std::span(list).subspan(begin, end - begin),
+                                   out + begin);
     });
     out += list.size();
   }

@@ -1,9 +1,8 @@
 // The streams of all threads that take part in a question, each with its consumer.
 #pragma once
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 
+#include "numerics/in_parts.hpp"
 #include "search/pair_stream.hpp"
 #include "search/samples.hpp"
 
@@ -40,8 +39,7 @@ class ThreadStreams {
   template <class F>
   void for_each_part(int count, const F& f) {
     constexpr int kGrain = 8;
-    tbb::parallel_for(tbb::blocked_range<int>(0, count, kGrain),
-                      [&](const tbb::blocked_range<int>& part) { f(local().stream, part.begin(), part.end()); });
+    in_parts(count, kGrain, [&](int begin, int end) { f(local().stream, begin, end); });
   }
 
   /// f(consumer) for each, with nothing left in its buffers.

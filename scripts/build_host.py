@@ -23,7 +23,7 @@ def main() -> int:
         print("skipped: build_wheel.py has made no wheel")
         return ordinary.SKIPPED
     pins = [*(REQUIREMENTS.read_bytes(), ordinary.REQUIREMENTS.read_bytes()), sys.version.encode()]
-    wanted = [f"{wheels[0]}[{host}]", "pytest", *TESTS_NEED.get(host, [])]
+    wanted = [f"{wheels[0]}[{host}]", "pytest", "hypothesis", *TESTS_NEED.get(host, [])]
     wanted += ["-c", REQUIREMENTS, "-c", ordinary.REQUIREMENTS]
     given = ordinary.Stamp(work / f"{host}.wheels.stamp", *pins)
     if not given.is_fresh():

@@ -66,7 +66,6 @@ def word(given: Any, name: str) -> str:
     raise InvalidOptions(f"{name} is {shown(given)}: give a name, as text")
 
 
-
 def truth(given: Any, name: str) -> bool:
     """Return a truth value, and nothing that merely counts as one."""
     if not isinstance(given, (bool, np.bool_)):

@@ -56,9 +56,7 @@ def test_floats_start_at_floats(falling: tamis.Scene) -> None:
     start = falling.start.copy()
     start[3, 2] = 0.7
     detector = tamis.Detector(falling.mesh)
-    with pytest.raises(
-        tamis.InvalidStep, match=r"vertex 3 at the start .* 0\.7, which is no"
-    ):
+    with pytest.raises(tamis.InvalidStep, match=r"vertex 3 at the start .* 0\.7, which is no"):
         detector.truncate(start, falling.end, stored="float32")
     with pytest.raises(tamis.InvalidOptions, match="stored is 'float16': give 'float64' or 'float32'"):
         detector.truncate(start, falling.end, stored="float16")

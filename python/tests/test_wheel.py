@@ -21,7 +21,10 @@ def test_libraries_come_from_the_wheel(detector: tamis.Detector) -> None:
         pytest.skip("tamis was not installed from a repaired wheel")
     loaded = set(re.findall(r"/\S+\.so[\w.-]*", pathlib.Path("/proc/self/maps").read_text()))
     for library in ("libtbb", "libgmp"):
-        ours = [path for path in loaded if pathlib.Path(path).name.startswith(library)]
+        # usd-core, which tests of the audit import, brings its own.
+        ours = [
+            path for path in loaded if pathlib.Path(path).name.startswith(library) and "/usd_core.libs/" not in path
+        ]
         assert ours and all(pathlib.Path(path).parent == package.with_name("tamis.libs") for path in ours)
 
 

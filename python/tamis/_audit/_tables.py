@@ -163,13 +163,13 @@ class AuditPairs(Table[AuditPair]):
             "rings": self.rings,
         }
 
-    def _row(self, values: Any) -> AuditPair:
+    def _row(self, values: Any, index: int) -> AuditPair:
         frame, kind, vertices, toi_lower, toi_upper, (a, b), rings = values
         used = tuple(v for v in vertices.tolist() if v >= 0)
         names = (self._names.of(frame, int(a)), self._names.of(frame, int(b)))
         return AuditPair(frame, AuditKind(kind), used, toi_lower, toi_upper, names, rings)
 
-    def _part(self, table: npt.NDArray[np.void]) -> AuditPairs:
+    def _part(self, table: npt.NDArray[np.void], index: Any) -> AuditPairs:
         return AuditPairs(table, self._names)
 
     def __reduce__(self) -> tuple[type[AuditPairs], tuple[Any, ...]]:
@@ -295,13 +295,13 @@ class AuditFrames(Table[AuditFrame]):
         rest = {name: self._table[name] for name in ("neighbours", "toi_lower", "toi_upper")}
         return {"frame": self.frame, "name": np.array(self.names, dtype=object), **columns, **kinds, **rest}
 
-    def _row(self, values: Any) -> AuditFrame:
+    def _row(self, values: Any, index: int) -> AuditFrame:
         frame, is_usable, has_step, counts, neighbours, toi_lower, toi_upper = values
         contacts, intersections = sum(counts.tolist()[:4]), counts.tolist()[4]
         name = self._name(frame)
         return AuditFrame(frame, name, is_usable, has_step, intersections, contacts, neighbours, toi_lower, toi_upper)
 
-    def _part(self, table: npt.NDArray[np.void]) -> AuditFrames:
+    def _part(self, table: npt.NDArray[np.void], index: Any) -> AuditFrames:
         return AuditFrames(table, self._names)
 
     def __reduce__(self) -> tuple[type[AuditFrames], tuple[Any, ...]]:

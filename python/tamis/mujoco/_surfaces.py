@@ -13,8 +13,7 @@ import numpy.typing as npt
 from tamis._arrays import Doubles, Indices
 from tamis._errors import InvalidMesh
 from tamis._mesh import Mesh
-from tamis.mujoco import _primitives as primitives
-from tamis.mujoco._primitives import Shape
+from tamis.mujoco._primitives import Shape, box, capsule, cylinder, ellipsoid, square
 
 _NO_EDGES = np.empty((0, 2), np.int32)
 _NO_FACES = np.empty((0, 3), np.int32)
@@ -121,17 +120,17 @@ def _shape(model: Any, geom: int, tolerance: float, plane_reach: float) -> Shape
     if kind == types.mjGEOM_MESH:
         return _mesh(model, int(model.geom_dataid[geom]))
     if kind == types.mjGEOM_BOX:
-        return primitives.box(size)
+        return box(size)
     if kind == types.mjGEOM_PLANE:
-        return primitives.square(plane_reach)
+        return square(plane_reach)
     if kind == types.mjGEOM_SPHERE:
-        return primitives.capsule(size[0], 0.0, tolerance)
+        return capsule(size[0], 0.0, tolerance)
     if kind == types.mjGEOM_CAPSULE:
-        return primitives.capsule(size[0], size[1], tolerance)
+        return capsule(size[0], size[1], tolerance)
     if kind == types.mjGEOM_ELLIPSOID:
-        return primitives.ellipsoid(size, tolerance)
+        return ellipsoid(size, tolerance)
     if kind == types.mjGEOM_CYLINDER:
-        return primitives.cylinder(size[0], size[1], tolerance)
+        return cylinder(size[0], size[1], tolerance)
     name = name_of(model, mujoco.mjtObj.mjOBJ_GEOM, geom)
     word = types(kind).name.removeprefix("mjGEOM_").lower()
     raise InvalidMesh(

@@ -46,7 +46,7 @@ class Surface:
             self.mesh,
             groups=groups,
             may_touch=may_touch,
-            filter=None if one_ring else self._is_beyond_one_ring,
+            rings=1 if one_ring else 2,
             min_separation=min_separation,
             threads=threads,
         )
@@ -59,11 +59,6 @@ class Surface:
         features = near.features(self.mesh)
         edges = self._newton_edge[features[near.kind == PairKind.EDGE_EDGE]]
         return features[near.kind == PairKind.VERTEX_FACE], edges[(edges >= 0).all(1)].astype(np.int32)
-
-    def _is_beyond_one_ring(self, kind: int, vertices: tuple[int, ...]) -> bool:
-        first = 2 if kind == PairKind.EDGE_EDGE else 1
-        ends = [(a, b) for a in vertices[:first] for b in vertices[first:] if b >= 0]
-        return bool((self.mesh.find_edges(ends) < 0).all())
 
 
 def keys(pairs: npt.NDArray[Any]) -> npt.NDArray[np.int64]:

@@ -105,7 +105,7 @@ def test_forces_see_the_pairs_that_newton_would_see(rest_radius: float) -> None:
     options = {**wide, "particle_rest_shape_contact_exclusion_radius": rest_radius}
     own, with_tamis = solver_of(model, **options), solver_of(model, **options)
     state = model.state()
-    squeezed = state.particle_q.numpy() * np.float32([1, 1, 0.6])
+    squeezed = state.particle_q.numpy() * np.array([1, 1, 0.6], np.float32)
     state.particle_q.assign(squeezed)
     own._collision_detection_penetration_free(state)
     tamis.newton.attach(with_tamis)
@@ -118,10 +118,12 @@ def test_pairs_of_one_ring_are_a_choice() -> None:
     model = falling_cloths(1)
     start = model.state().particle_q.numpy()
     end = start.copy()
-    end[0] = start[20] + np.float32([0, 0, 0.01])  # over the square beside it, whose triangles an edge joins to it
+    end[0] = start[20] + np.array(
+        [0, 0, 0.01], np.float32
+    )  # over the square beside it, whose triangles an edge joins to it
     end[0, 2] = -0.1
     crossing = start.copy()
-    crossing[0] = start[11] * np.float32(0.5) + start[12] * np.float32(0.5) + np.float32([0.01, 0.01, 0.05])
+    crossing[0] = start[11] * np.float32(0.5) + start[12] * np.float32(0.5) + np.array([0.01, 0.01, 0.05], np.float32)
     with_ring = tamis.newton.attach(solver_of(model)).detector.contacts(crossing, end)
     without = tamis.newton.attach(solver_of(model), one_ring=False).detector.contacts(crossing, end)
     assert 0 < len(without) < len(with_ring)

@@ -62,7 +62,7 @@ def test_a_body_that_deforms_while_it_turns() -> None:
     turn = tamis.turned(STILL, [0, 0, math.pi], [0, 0, 0])
     path = tamis.RigidPath([[1, 0, 0], [0, 0, 0]], [0, 1], [turn, np.empty((0, 4, 3))], [[3, 0, 0], [0, 4, 0]])
     assert np.allclose(path.points_at(0.5), [[0, 2, 0], [0, 2, 0]], atol=1e-12)
-    met = tamis.narrow_phase(tamis.PairKind.VERTEX_VERTEX, [[0, 1]], path, min_separation=1e-9)
+    met = tamis.narrow_phase(tamis.PairKind.VERTEX_VERTEX, [[0, 1, -1, -1]], path, min_separation=1e-9)
     assert met.touches[0] and met.toi_lower[0] == pytest.approx(0.5, abs=1e-6)
 
 

@@ -7,14 +7,14 @@
 It needs the package `mujoco`, in the version that this was written for: ``pip install tamis[mujoco]``.
 """
 
-from tamis.mujoco import _version
+from tamis.mujoco._version import WRITTEN_FOR, complaint
 
 try:
     import mujoco as _mujoco
 except ImportError:
-    raise ImportError(f"MuJoCo is not installed: pip install mujoco=={_version.WRITTEN_FOR}") from None
-if _version.complaint(_mujoco.__version__):
-    raise ImportError(_version.complaint(_mujoco.__version__))
+    raise ImportError(f"MuJoCo is not installed: pip install mujoco=={WRITTEN_FOR}") from None
+if complaint(_mujoco.__version__):
+    raise ImportError(complaint(_mujoco.__version__))
 
 from tamis.mujoco._referee import Referee
 from tamis.mujoco._steps import Meeting, RefereedStep, RefereeReport

@@ -93,7 +93,7 @@ TEST(AtStart, IgnoredPairsCountOnceApartByEveryMethod) {
           EXPECT_NEAR(first.toi_lower, std::ranges::min_element(counted, earlier)->toi_lower, 1e-9);
         }
         ignored += truth.ignored;
-        returned += std::ranges::count_if(reported, starts_touching) - static_cast<std::ptrdiff_t>(truth.ignored);
+        returned += static_cast<std::size_t>(std::ranges::count_if(reported, starts_touching)) - truth.ignored;
       }
     }
   EXPECT_GT(ignored, 100u);

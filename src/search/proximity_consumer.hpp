@@ -3,6 +3,7 @@
 #include <array>
 #include <vector>
 
+#include "query/pair_rules.hpp"
 #include "search/pair_stream.hpp"
 #include "tamis/near.hpp"
 

@@ -14,12 +14,15 @@ import pytest
 import tamis
 
 
-def test_libraries_come_from_the_wheel(detector: tamis.Detector) -> None:
+def test_libraries_come_from_the_wheel() -> None:
     """Would catch a wheel that works only where oneTBB and GMP are installed."""
     package = pathlib.Path(tamis.__file__).resolve().parent
     if not package.with_name("tamis.libs").is_dir():
         pytest.skip("tamis was not installed from a repaired wheel")
-    loaded = set(re.findall(r"/\S+\.so[\w.-]*", pathlib.Path("/proc/self/maps").read_text()))
+    # In a process of its own: other packages, such as usd-core, bring a oneTBB too.
+    show = "import tamis; tamis.Detector(tamis.Mesh([[0, 1, 2]])); print(open('/proc/self/maps').read())"
+    maps = subprocess.run([sys.executable, "-c", show], check=True, capture_output=True, text=True).stdout
+    loaded = set(re.findall(r"/\S+\.so[\w.-]*", maps))
     for library in ("libtbb", "libgmp"):
         ours = [path for path in loaded if pathlib.Path(path).name.startswith(library)]
         assert ours and all(pathlib.Path(path).parent == package.with_name("tamis.libs") for path in ours)
@@ -85,7 +88,8 @@ def test_knows_no_mpi() -> None:
 
 def test_metadata() -> None:
     assert importlib.metadata.version("tamis") == tamis.__version__
-    assert list(importlib.metadata.requires("tamis") or []) == ["numpy>=1.21"]
+    needed = importlib.metadata.requires("tamis") or []
+    assert [name for name in needed if "extra ==" not in name] == ["numpy>=1.21"]
     assert pathlib.Path(tamis.__file__).with_name("py.typed").exists()
 
 

@@ -25,7 +25,8 @@ void RingSearch::search_from(std::span<const Index> feature) {
   reached_.clear();
   from_.assign(feature.begin(), feature.end());
   for (const Index v : feature) reach(v, 0);
-  for (std::size_t i = 0; i < reached_.size(); ++i) {
+  // By number: reach() makes the list longer.
+  for (std::size_t i = 0; i < reached_.size(); ++i) {  // NOLINT(modernize-loop-convert)
     const Index rings = rings_[static_cast<std::size_t>(reached_[i])] + 1;
     if (rings > limit_) return;
     for (const Index v : mesh_.neighbours()[reached_[i]]) reach(v, rings);

@@ -11,7 +11,7 @@ import pytest
 import tamis
 
 pxr = pytest.importorskip("pxr")
-from pxr import Gf, Usd, UsdGeom  # noqa: E402
+from pxr import Gf, Usd, UsdGeom, UsdSkel  # noqa: E402
 
 
 def _mesh(stage: Any, path: str, points: Any, counts: list[int], corners: list[int]) -> Any:
@@ -103,3 +103,27 @@ def test_points_that_become_none_are_a_frame_that_cannot_be_used() -> None:
     report = tamis.audit(stage)
     assert list(report.problems) == [1] and not report.is_free
     assert np.isfinite(report.frames.toi_lower).all()
+
+
+def test_skins_are_baked_and_the_stage_stays_as_it_is() -> None:
+    stage = Usd.Stage.CreateInMemory()
+    UsdSkel.Root.Define(stage, "/R")
+    skeleton = UsdSkel.Skeleton.Define(stage, "/R/S")
+    skeleton.CreateJointsAttr(["bone"])
+    skeleton.CreateBindTransformsAttr([Gf.Matrix4d(1)])
+    skeleton.CreateRestTransformsAttr([Gf.Matrix4d(1)])
+    animation = UsdSkel.Animation.Define(stage, "/R/A")
+    animation.CreateJointsAttr(["bone"])
+    for time in range(3):
+        animation.CreateTranslationsAttr().Set([Gf.Vec3f(0, 0, time)], time)
+        animation.CreateRotationsAttr().Set([Gf.Quatf(1)], time)
+        animation.CreateScalesAttr().Set([Gf.Vec3h(1)], time)
+    mesh = _mesh(stage, "/R/M", [(0, 0, 0), (1, 0, 0), (0, 1, 0)], [3], [0, 1, 2])
+    binding = UsdSkel.BindingAPI.Apply(mesh.GetPrim())
+    binding.CreateSkeletonRel().SetTargets(["/R/S"])
+    binding.CreateJointIndicesPrimvar(True, 1).Set([0])
+    binding.CreateJointWeightsPrimvar(True, 1).Set([1.0])
+    UsdSkel.BindingAPI.Apply(skeleton.GetPrim()).CreateAnimationSourceRel().SetTargets(["/R/A"])
+    before = stage.GetRootLayer().ExportToString()
+    heights = [frame.positions[0, 2] for frame in tamis.read_usd(stage)._frames() if frame.positions is not None]
+    assert heights == [0, 1, 2] and stage.GetRootLayer().ExportToString() == before

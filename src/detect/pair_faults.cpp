@@ -10,7 +10,7 @@ namespace {
 std::string feature_text(const std::array<Index, 4>& vertices, std::size_t first, std::size_t last) {
   constexpr std::array kNames{"vertex", "edge", "face"};
   std::string text = kNames[last - first - 1];
-  for (std::size_t i = first; i < last; ++i) text += " " + std::to_string(vertices[i]);
+  for (std::size_t i = first; i < last; ++i) text.append(" ").append(std::to_string(vertices[i]));
   return text;
 }
 

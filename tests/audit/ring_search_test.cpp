@@ -2,10 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <deque>
 #include <set>
 
 #include "audit/recorded.hpp"
+#include "tamis/error.hpp"
 
 namespace tamis::audit {
 namespace {

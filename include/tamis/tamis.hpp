@@ -6,7 +6,7 @@
 #include "tamis/error.hpp"
 #include "tamis/from_matrix.hpp"
 #include "tamis/mesh.hpp"
-#include "tamis/near.hpp"
+#include "tamis/proximity.hpp"
 #include "tamis/options.hpp"
 #include "tamis/pair.hpp"
 #include "tamis/pair_distance.hpp"

@@ -3,7 +3,7 @@
 
 #include "python/src/bindings.hpp"
 #include "python/src/layout.hpp"
-#include "tamis/near.hpp"
+#include "tamis/proximity.hpp"
 #include "tamis/pair.hpp"
 
 namespace tamis::python {

@@ -18,13 +18,13 @@ def test_a_far_vertex_is_not_stopped_by_a_near_pair(falling: tamis.Scene) -> Non
 
 
 @pytest.mark.parametrize("fraction", [0.1, 0.5])
-def test_every_pair_keeps_its_fraction(fraction: float) -> None:
+def test_every_pair_keeps_its_fraction(keep: float) -> None:
     scene = tamis.scene("folded-cloth", 400, seed=2)
     detector = tamis.Detector(scene.mesh)
     step = detector.truncate(scene.start, scene.end, fraction)
     assert step.is_free and step.parts.min() < 1
-    before = detector.near(scene.start, 0.05)
-    assert tamis.Detector(scene.mesh).keep_distance(scene.start, step.positions, fraction).lower == 1
+    before = detector.pairs_within(scene.start, 0.05)
+    assert tamis.Detector(scene.mesh).safe_step(scene.start, step.positions, fraction).lower == 1
     after = tamis.distance_of(before.kind, before.vertices, step.positions)
     assert (after.distance >= fraction * before.distance * (1 - 1e-9)).all()
 
@@ -81,7 +81,7 @@ def test_answers_own_their_memory(falling: tamis.Scene) -> None:
 
 
 @pytest.mark.parametrize("fraction", [0.0, 1.0, -0.5, float("nan")])
-def test_bad_fractions(falling: tamis.Scene, fraction: float) -> None:
+def test_bad_fractions(falling: tamis.Scene, keep: float) -> None:
     detector = tamis.Detector(falling.mesh)
     with pytest.raises(tamis.InvalidOptions, match="fraction"):
         detector.truncate(falling.start, falling.end, fraction)

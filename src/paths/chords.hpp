@@ -33,14 +33,14 @@ template <PairKind kind, class T>
 class Chords {
  public:
   using I = BasicInterval<T>;
-  using Strays = std::array<double, 4>;
+  using Deviations = std::array<double, 4>;
 
-  Chords(const Moment<T>& from, const Moment<T>& to, const Strays& strays) : from_(from), to_(to), strays_(strays) {}
+  Chords(const Moment<T>& from, const Moment<T>& to, const Deviations& deviations) : from_(from), to_(to), deviations_(deviations) {}
 
-  /// The vectors of the pair at both ends, widened by the strays.
-  PairMotion<I> motion() const { return motion(strays_); }
-  /// The same without the strays: true at the ends only.
-  PairMotion<I> at_ends() const { return motion(Strays{}); }
+  /// The vectors of the pair at both ends, widened by the deviations.
+  PairMotion<I> motion() const { return motion(deviations_); }
+  /// The same without the deviations: true at the ends only.
+  PairMotion<I> at_ends() const { return motion(Deviations{}); }
 
   /// An axis that turns linearly from the gap of the closest points at one end to that at the other.
   bool axis_proves_free(const PairMotion<I>& ends) const {
@@ -48,7 +48,7 @@ class Chords {
     const I length0 = length_above(n0), length1 = length_above(n1);
     for (const auto& [i, j] : kDifferences<kind>) {
       const auto c0 = from_.points[i] - from_.points[j], c1 = to_.points[i] - to_.points[j];
-      const I stray = I(T(strays_[i])) + I(T(strays_[j]));
+      const I stray = I(T(deviations_[i])) + I(T(deviations_[j]));
       const bool apart = dot(n0, c0) > length0 * stray && dot(n1, c1) > length1 * stray &&
                          dot(n0, c1) + dot(n1, c0) > (length0 + length1) * stray;
       if (!apart) return false;
@@ -57,10 +57,10 @@ class Chords {
   }
 
  private:
-  PairMotion<I> motion(const Strays& strays) const {
+  PairMotion<I> motion(const Deviations& deviations) const {
     const auto moving = [&](const VertexDifference& difference) {
       const auto i = static_cast<std::size_t>(difference.to), j = static_cast<std::size_t>(difference.from);
-      const T stray = (I(T(strays[i])) + I(T(strays[j]))).upper;
+      const T stray = (I(T(deviations[i])) + I(T(deviations[j]))).upper;
       const I wide(-stray, stray);
       const auto widened = [&](const Vec3<I>& v) { return Vec3<I>{v.x + wide, v.y + wide, v.z + wide}; };
       return Moving<I>{widened(from_.points[i] - from_.points[j]), widened(to_.points[i] - to_.points[j])};
@@ -85,7 +85,7 @@ class Chords {
 
   const Moment<T>& from_;
   const Moment<T>& to_;
-  const Strays& strays_;
+  const Deviations& deviations_;
 };
 
 /// At every time of the motion at which the four points are coplanar the features cross, each strictly inside the

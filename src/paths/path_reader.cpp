@@ -95,14 +95,14 @@ Moment<DoubleDouble> PairReader::at(double time) const {
   return with_error(fill_up(moment, count_));
 }
 
-std::array<double, 4> PairReader::strays(double from, double to) const {
-  std::array<double, 4> strays{};
-  path_.strays(from, to, std::span(vertices_).first(count_), strays);
+std::array<double, 4> PairReader::deviations(double from, double to) const {
+  std::array<double, 4> deviations{};
+  path_.deviations(from, to, std::span(vertices_).first(count_), deviations);
   for (std::size_t i = 0; i < count_; ++i) {
-    check_stray(vertices_[i], from, to, strays[i]);
-    strays[i] *= scale_;
+    check_stray(vertices_[i], from, to, deviations[i]);
+    deviations[i] *= scale_;
   }
-  return strays;
+  return deviations;
 }
 
 }  // namespace tamis

@@ -36,7 +36,7 @@ class PairReader {
   template <class T>
   Moment<T> at(double time) const;
   /// Of each vertex on [from, to].
-  std::array<double, 4> strays(double from, double to) const;
+  std::array<double, 4> deviations(double from, double to) const;
 
  private:
   const Path& path_;

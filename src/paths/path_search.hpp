@@ -52,7 +52,7 @@ class PathSearch {
   Bound bound_;
   ContactCollector found_;  ///< pairs that may touch on a piece
   std::vector<Index> all_;  ///< 0, 1, 2, ...
-  std::vector<double> strays_, radii_;
+  std::vector<double> deviations_, radii_;
 };
 
 /// The contact that bounds the step first, and until when one is certain.

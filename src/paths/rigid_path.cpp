@@ -221,12 +221,12 @@ void RigidPath::fine_points_at(double time, std::span<const Index> vertices, std
   });
 }
 
-void RigidPath::strays(double from, double to, std::span<const Index> vertices, std::span<double> strays) const {
+void RigidPath::deviations(double from, double to, std::span<const Index> vertices, std::span<double> deviations) const {
   const Interval h = Interval(to) - Interval(from);
   const double eighth = (Interval(0.125) * h * h).upper;
   for (std::size_t i = 0; i < vertices.size(); ++i) {
     const Curvature& curvature = curvatures_[static_cast<std::size_t>(vertices[i])];
-    strays[i] = std::min(rounding::above(eighth * curvature.acceleration), 2 * curvature.reach);
+    deviations[i] = std::min(rounding::above(eighth * curvature.acceleration), 2 * curvature.reach);
   }
 }
 

@@ -23,8 +23,8 @@ struct ToldPath final : Path {
       errors[i] = error;
     }
   }
-  void strays(double, double, std::span<const Index> vertices, std::span<double> strays) const override {
-    for (std::size_t i = 0; i < vertices.size(); ++i) strays[i] = stray;
+  void deviations(double, double, std::span<const Index> vertices, std::span<double> deviations) const override {
+    for (std::size_t i = 0; i < vertices.size(); ++i) deviations[i] = stray;
   }
   double height = 0.5, error = 0, stray = 0;
 };

@@ -148,7 +148,7 @@ Shape helix(double inner, double outer, double phase, int turns) {
   return shape;
 }
 
-// Bug: strays of a turn so large that a bolt touches its nut, or a turn so coarse that it passes through it.
+// Bug: deviations of a turn so large that a bolt touches its nut, or a turn so coarse that it passes through it.
 TEST(MeshOnPath, ABoltTurnsInItsThreadAndJamsWithoutThePitch) {
   Bodies bodies;
   bodies.add(helix(0.8, 1.05, 0, 2));
@@ -200,8 +200,8 @@ struct LyingPath final : Path {
       errors[i] = 1e-15;
     }
   }
-  void strays(double, double, std::span<const Index> vertices, std::span<double> strays) const override {
-    for (std::size_t i = 0; i < vertices.size(); ++i) strays[i] = 0;
+  void deviations(double, double, std::span<const Index> vertices, std::span<double> deviations) const override {
+    for (std::size_t i = 0; i < vertices.size(); ++i) deviations[i] = 0;
   }
   std::vector<Point> rest;
 };

@@ -143,7 +143,7 @@ TEST(PairOnPath, AgreesWithStraightMotionWhereNothingTurns) {
   EXPECT_GT(touching, 50);
 }
 
-// Bug: the separation added once and not twice, or the strays not at all.
+// Bug: the separation added once and not twice, or the deviations not at all.
 TEST(PairOnPath, ComesWithinASeparationWhenTheOracleSaysSo) {
   Random random(13);
   int touching = 0;

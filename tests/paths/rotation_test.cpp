@@ -1,4 +1,4 @@
-// Enclosures of rotations, and the strays and errors of rigid paths, against longer arithmetic and the motion itself.
+// Enclosures of rotations, and the deviations and errors of rigid paths, against longer arithmetic and the motion itself.
 #include "paths/rotation.hpp"
 
 #include <gmpxx.h>
@@ -79,7 +79,7 @@ TEST(RigidPath, KeepsItsPromises) {
     const double from = random.unit(), to = from + (1 - from) * std::pow(10.0, random.between(-6, 0));
     std::array<double, 1> stray{}, error{};
     std::array<Point, 1> point{};
-    path.strays(from, to, kVertex, stray);
+    path.deviations(from, to, kVertex, stray);
     const auto a = position(from), b = position(to);
     for (int k = 0; k <= 8; ++k) {
       const oracle::Real s = k / oracle::Real(8), t = from + s * (oracle::Real(to) - from);

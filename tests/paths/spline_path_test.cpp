@@ -72,7 +72,7 @@ void expect_promises(RealPoint (*truth)(const Frames&, Real), std::size_t least,
     std::array<double, 1> stray{}, error{};
     std::array<Point, 1> point{};
     std::array<FinePoint, 1> fine;
-    path.strays(from, to, kVertex, stray);
+    path.deviations(from, to, kVertex, stray);
     for (int k = 1; k < 8; ++k) {
       const Real s = k / Real(8);
       const double off = distance(truth(frames, from + s * (Real(to) - from)), mix(a, b, s));

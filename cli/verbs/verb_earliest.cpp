@@ -1,4 +1,4 @@
-// tamis step: how far the step may go.
+// tamis earliest: how far the step may go.
 #include <memory>
 
 #include "cli/answers.hpp"
@@ -13,9 +13,9 @@ class StepLength final : public StepVerb {
   const char* name() const override { return "step"; }
   const char* summary() const override { return "The earliest contact: how far the step may go"; }
   const char* examples() const override {
-    return "  tamis step cloth1.ply cloth2.ply\n"
-           "  tamis step cloth1.ply cloth2.ply --scale 3 --json\n"
-           "  tamis step cloth1.ply cloth2.ply --keep-distance 0.1 --check-start";
+    return "  tamis earliest cloth1.ply cloth2.ply\n"
+           "  tamis earliest cloth1.ply cloth2.ply --scale 3 --json\n"
+           "  tamis safe-step cloth1.ply cloth2.ply --keep 0.1 --check-start";
   }
 
   void declare(OptionList& options) override {
@@ -29,7 +29,7 @@ class StepLength final : public StepVerb {
     Detector detector = detector_for(std::move(files.mesh));
     const Step step = files.step();
     if (!start_.passes(detector, step.start)) return start_.refuse(detector, json_, Json::object());
-    if (kept_.is_asked()) return keep_distance(detector, step);
+    if (kept_.is_asked()) return safe_step(detector, step);
     EarliestContact first;
     const Timing timing = ask_repeatedly(detector, repeat_, [&] { first = detector.earliest(step, own()); });
     report(first, detector, timing);
@@ -51,10 +51,10 @@ class StepLength final : public StepVerb {
     print_costs(detector, timing, repeat_);
   }
 
-  int keep_distance(Detector& detector, const Step& step) const {
+  int safe_step(Detector& detector, const Step& step) const {
     SafeStep safe;
     const Timing timing =
-        ask_repeatedly(detector, repeat_, [&] { safe = detector.keep_distance(step, kept_.fraction(), own()); });
+        ask_repeatedly(detector, repeat_, [&] { safe = detector.safe_step(step, kept_.fraction(), own()); });
     if (json_) {
       Json json;
       add_safe_step(json, safe, kept_.fraction());
@@ -70,7 +70,7 @@ class StepLength final : public StepVerb {
     return kSuccess;
   }
 
-  KeepDistanceArgument kept_;
+  KeepArgument kept_;
   StartCheck start_;
 };
 

@@ -1,4 +1,4 @@
-// tamis-mpi step: how far the step may go.
+// tamis-mpi earliest: how far the step may go.
 #include "cli/answers.hpp"
 #include "cli/start_check.hpp"
 #include "mpi/command/ranks_verb.hpp"
@@ -12,8 +12,8 @@ class StepLength final : public RanksVerb {
   const char* name() const override { return "step"; }
   const char* summary() const override { return "The earliest contact: how far the step may go"; }
   const char* examples() const override {
-    return "  mpirun -n 4 tamis-mpi step cloth1.ply cloth2.ply\n"
-           "  mpirun -n 4 tamis-mpi step cloth1.ply cloth2.ply --keep-distance 0.1";
+    return "  mpirun -n 4 tamis-mpi earliest cloth1.ply cloth2.ply\n"
+           "  mpirun -n 4 tamis-mpi safe-step cloth1.ply cloth2.ply --keep 0.1";
   }
 
   void declare(cli::OptionList& options) override {
@@ -23,7 +23,7 @@ class StepLength final : public RanksVerb {
 
   int run() override {
     Communicator communicator(MPI_COMM_WORLD);
-    if (kept_.is_asked()) return keep_distance(communicator);
+    if (kept_.is_asked()) return safe_step(communicator);
     EarliestContact first;
     ask_all(communicator, [&](Detector& detector, const Step& step) { first = detector.earliest(step, own()); });
     report(
@@ -42,17 +42,17 @@ class StepLength final : public RanksVerb {
     if (!safe.pair) cli::StartCheck().print();
   }
 
-  int keep_distance(Communicator& communicator) {
+  int safe_step(Communicator& communicator) {
     SafeStep safe;
     ask_all(communicator, [&](Detector& detector, const Step& step) {
-      safe = detector.keep_distance(step, kept_.fraction(), own());
+      safe = detector.safe_step(step, kept_.fraction(), own());
     });
     report(
         communicator, [&](cli::Json& json) { cli::add_safe_step(json, safe, kept_.fraction()); }, [&] { print(safe); });
     return cli::kSuccess;
   }
 
-  cli::KeepDistanceArgument kept_;
+  cli::KeepArgument kept_;
 };
 
 }  // namespace

@@ -98,7 +98,8 @@ class FunctionPath final : public Path {
                  std::span<double> errors) const override {
     functions_.points_at(functions_.user, time, vertices.data(), vertices.size(), points.data()->data(), errors.data());
   }
-  void deviations(double from, double to, std::span<const Index> vertices, std::span<double> deviations) const override {
+  void deviations(double from, double to, std::span<const Index> vertices,
+                  std::span<double> deviations) const override {
     functions_.deviations(functions_.user, from, to, vertices.data(), vertices.size(), deviations.data());
   }
 

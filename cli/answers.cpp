@@ -87,7 +87,7 @@ void print_safe_step(const SafeStep& safe, double fraction, double min_separatio
 }
 
 void add_safe_step(Json& json, const SafeStep& safe, double fraction) {
-  json["safe_step"] = fraction;
+  json["keep"] = fraction;
   json["step_lower"] = safe.lower;
   json["step_upper"] = safe.upper;
   json["pair"] = safe.pair ? json_of(*safe.pair) : Json();

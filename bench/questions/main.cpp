@@ -114,8 +114,8 @@ void step_lengths(const bench::Frames& frames, const Options& options, int repea
       ratios.push_back(times.back() / other);
     }
     char question[100];
-    std::snprintf(question, sizeof question, "safe_step, %.1f%s: %.1f times the largest step", fraction,
-                  which.c_str(), median(ratios));
+    std::snprintf(question, sizeof question, "safe_step, %.1f%s: %.1f times the largest step", fraction, which.c_str(),
+                  median(ratios));
     print_row(question, 1, median(times));
   }
 }

@@ -52,9 +52,9 @@ Options DetectorArguments::chosen() const {
 
 Options DetectorArguments::options() const {
   if (radii_.size() > 1)
-    throw InvalidOptions(fmt::format(
-        "--radius: {} radii: which vertices make an object takes the whole mesh; give one radius for all",
-        radii_.size()));
+    throw InvalidOptions(
+        fmt::format("--radius: {} radii: which vertices make an object takes the whole mesh; give one radius for all",
+                    radii_.size()));
   Options options = chosen();
   options.radii = radii_;
   return options;
@@ -90,12 +90,10 @@ void ScaleArgument::declare(OptionList& options) {
 }
 
 void KeepArgument::declare(OptionList& options) {
-  option_ =
-      options
-          .add_number("--keep", "F", fraction_, {.least = 0, .most = 1, .takes_most = false},
-                      "how far the step may go so that every pair keeps at least F times its distance at START: the "
-                      "step length for the line search of a barrier method; 0.1 if no number follows")
-          .standing_alone_for("0.1");
+  options.add_number(
+      "--keep", "F", fraction_, {.least = 0, .most = 1, .takes_most = false},
+      "every pair keeps at least F times its distance at START, with a minimum separation of what exceeds "
+      "that; 0: only contacts count; default 0.1");
 }
 
 void declare_json(OptionList& options, bool& json) {

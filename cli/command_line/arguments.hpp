@@ -63,16 +63,14 @@ class ScaleArgument {
   double scale_ = 1;
 };
 
-/// `--keep F`: how far the step may go so that every pair keeps a part of its distance.
+/// `--keep F`: the part of its distance that every pair keeps.
 class KeepArgument {
  public:
   void declare(OptionList& options);
-  bool is_asked() const { return option_.is_given(); }
   double fraction() const { return fraction_; }
 
  private:
-  double fraction_ = 0;
-  Option option_;
+  double fraction_ = 0.1;
 };
 
 void declare_json(OptionList& options, bool& json);

@@ -16,9 +16,9 @@
 namespace tamis::cli {
 namespace {
 
-class Free final : public Verb {
+class IsFree final : public Verb {
  public:
-  const char* name() const override { return "free"; }
+  const char* name() const override { return "is-free"; }
   const char* summary() const override {
     return "Is the step, or each step of a sequence, free of contacts? Exit code 0: free, 1: contact, 2: error";
   }
@@ -103,6 +103,6 @@ class Free final : public Verb {
 
 }  // namespace
 
-std::unique_ptr<Verb> make_free() { return std::make_unique<Free>(); }
+std::unique_ptr<Verb> make_is_free() { return std::make_unique<IsFree>(); }
 
 }  // namespace tamis::cli

@@ -5,9 +5,9 @@
 
 #include "tamis/contact.hpp"
 #include "tamis/mesh.hpp"
-#include "tamis/proximity.hpp"
 #include "tamis/options.hpp"
 #include "tamis/path.hpp"
+#include "tamis/proximity.hpp"
 #include "tamis/statistics.hpp"
 #include "tamis/step.hpp"
 #include "tamis/stored.hpp"

@@ -35,7 +35,8 @@ class Path {
   /// For each vertex a bound, >= 0, of its stray on [from, to]: at no time t of it is the vertex farther (Euclidean)
   /// than that from ((to - t) x(from) + (t - from) x(to)) / (to - from), the chord walked at constant speed. It must go
   /// to zero as the piece gets shorter, for smooth curves with its square: |x''| (to - from)^2 / 8.
-  virtual void deviations(double from, double to, std::span<const Index> vertices, std::span<double> deviations) const = 0;
+  virtual void deviations(double from, double to, std::span<const Index> vertices,
+                          std::span<double> deviations) const = 0;
 };
 
 /// How a question about a path is answered.

@@ -31,8 +31,8 @@ Chain turned(const Pose& start, const Point& turn, const Point& end_position);
 Chain between(const Pose& start, const Pose& end);
 
 /// Bodies that move each on a chain of links; a vertex may go straight in its body's frame meanwhile. Positions:
-/// enclosed by interval arithmetic in doubles or double-double, sine and cosine by their alternating series. Deviations:
-/// |x''| (to - from)^2 / 8 (docs/numerics.md, "Curved motion").
+/// enclosed by interval arithmetic in doubles or double-double, sine and cosine by their alternating series.
+/// Deviations: |x''| (to - from)^2 / 8 (docs/numerics.md, "Curved motion").
 class RigidPath final : public Path {
  public:
   /// `rest`: each vertex in its body's own frame; `body_of_vertex`: one each, in [0, chains.size()); `rest_end`: where

@@ -61,7 +61,8 @@ bool looks_straight(const Path& path, const Mesh& mesh, int pieces, double size)
   std::vector<double> deviations(vertices.size());
   for (int i = 0; i < pieces; ++i) {
     path.deviations(double(i) / pieces, double(i + 1) / pieces, vertices, deviations);
-    if (std::any_of(deviations.begin(), deviations.end(), [&](double stray) { return stray > kSeen * size; })) return false;
+    if (std::any_of(deviations.begin(), deviations.end(), [&](double stray) { return stray > kSeen * size; }))
+      return false;
   }
   return true;
 }

@@ -100,8 +100,7 @@ nb::tuple Questions::safe_step(const Rows& start, const Rows& end, double keep, 
   return as_tuple(safe);
 }
 
-nb::tuple Questions::truncate(const Rows& start, const Rows& end, double keep, const QueryOptions& q,
-                              bool as_float32) {
+nb::tuple Questions::truncate(const Rows& start, const Rows& end, double keep, const QueryOptions& q, bool as_float32) {
   const Stored stored = as_float32 ? Stored::float32 : Stored::float64;
   TruncatedStep step;
   asker_.ask([&] { step = detector_.truncate(step_of(start, end), keep, q, stored); });

@@ -8,9 +8,9 @@
 #include "bvh/block_tree.hpp"
 #include "motion/pair_kinds.hpp"
 #include "tamis/contact.hpp"
-#include "tamis/proximity.hpp"
 #include "tamis/options.hpp"
 #include "tamis/pair.hpp"
+#include "tamis/proximity.hpp"
 
 namespace tamis {
 
@@ -147,8 +147,8 @@ struct PairKernels {
   /// that do, and those left undecided; returns their number.
   int (*come_within)(const PackedVertex* vertices, const WithinRule& rule, const PairBuffer& in, WithinScratch& scratch,
                      SolvedPair* out) = nullptr;
-  /// At rest: appends the pairs within their separation to `pairs_within`, and to `unsure` those that may be and whose distance
-  /// doubles do not know well enough.
+  /// At rest: appends the pairs within their separation to `pairs_within`, and to `unsure` those that may be and whose
+  /// distance doubles do not know well enough.
   void (*find_near)(const PackedVertex* vertices, const PairSeparation& separation, const PairBuffer& in,
                     PairBuffer& near, PairBuffer& unsure) = nullptr;
   /// At rest: one NearPair for each pair of the buffer; the distance is NaN where doubles do not know it well enough.

@@ -35,7 +35,8 @@ class Chords {
   using I = BasicInterval<T>;
   using Deviations = std::array<double, 4>;
 
-  Chords(const Moment<T>& from, const Moment<T>& to, const Deviations& deviations) : from_(from), to_(to), deviations_(deviations) {}
+  Chords(const Moment<T>& from, const Moment<T>& to, const Deviations& deviations)
+      : from_(from), to_(to), deviations_(deviations) {}
 
   /// The vectors of the pair at both ends, widened by the deviations.
   PairMotion<I> motion() const { return motion(deviations_); }

@@ -38,7 +38,7 @@ void check_point(Index vertex, double time, const Point& point, double error) {
 
 void check_stray(Index vertex, double from, double to, double stray) {
   if (stray >= 0) return;
-  throw InvalidPath("vertex " + std::to_string(vertex) + " of the path strays by " + number_text(stray) +
+  throw InvalidPath("vertex " + std::to_string(vertex) + " of the path deviates by " + number_text(stray) +
                     " between t = " + number_text(from) + " and " + number_text(to) +
                     ": give a bound >= 0 of its distance from the chord");
 }

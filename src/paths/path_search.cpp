@@ -79,7 +79,7 @@ void PathSearch::set_radii(const Separations& separations, const Frame& from, co
     radii_[v] = (deviations_[v] + error) * (1 + 0x1p-50) + 0x1p-1000;
     if (!separations.radii.empty()) radii_[v] = (radii_[v] + separations.radii[v]) * (1 + 0x1p-50);
     if (!std::isfinite(radii_[v]))
-      throw InvalidPath("vertex " + std::to_string(index) + " of the path strays without bound after t = " +
+      throw InvalidPath("vertex " + std::to_string(index) + " of the path deviates without bound after t = " +
                         number_text(from.time) + ": give a finite bound for short pieces");
   }
 }

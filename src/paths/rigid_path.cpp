@@ -221,7 +221,8 @@ void RigidPath::fine_points_at(double time, std::span<const Index> vertices, std
   });
 }
 
-void RigidPath::deviations(double from, double to, std::span<const Index> vertices, std::span<double> deviations) const {
+void RigidPath::deviations(double from, double to, std::span<const Index> vertices,
+                           std::span<double> deviations) const {
   const Interval h = Interval(to) - Interval(from);
   const double eighth = (Interval(0.125) * h * h).upper;
   for (std::size_t i = 0; i < vertices.size(); ++i) {

@@ -122,7 +122,8 @@ SplineWeights BezierPath::weights_at(double time) const {
   return weights;
 }
 
-void BezierPath::deviations(double from, double to, std::span<const Index> vertices, std::span<double> deviations) const {
+void BezierPath::deviations(double from, double to, std::span<const Index> vertices,
+                            std::span<double> deviations) const {
   for (std::size_t i = 0; i < vertices.size(); ++i)
     deviations[i] = stray_of(acceleration_[static_cast<std::size_t>(vertices[i])], from, to);
 }
@@ -190,7 +191,8 @@ SplineWeights CatmullRomPath::weights_at(double time) const {
   return weights;
 }
 
-void CatmullRomPath::deviations(double from, double to, std::span<const Index> vertices, std::span<double> deviations) const {
+void CatmullRomPath::deviations(double from, double to, std::span<const Index> vertices,
+                                std::span<double> deviations) const {
   // x' has no jumps, so the largest |x''| of all pieces touched bounds the stray.
   const std::size_t last = frames().size() - 1, first_piece = piece_at(from, last).piece,
                     last_piece = piece_at(to, last).piece;

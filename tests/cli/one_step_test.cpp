@@ -47,9 +47,9 @@ TEST_F(OneStep, WhatTouchesAtTheStartIsReportedIgnoredOrRefused) {
   const auto ignored = folder_.run("contacts" + wide + "ignore --json").json();
   EXPECT_TRUE(ignored["toi_lower"].is_null() || ignored["toi_lower"] > 0);
   EXPECT_GT(ignored["ignored"], 0);
-  EXPECT_EQ(folder_.run("step" + wide + "report --keep --json").json()["step_lower"], 0);
-  EXPECT_GT(folder_.run("step" + wide + "ignore --keep --json").json()["step_lower"], 0);
-  for (const char* verb : {"contacts", "step", "free", "truncate", "sequence"}) {
+  EXPECT_EQ(folder_.run("safe-step" + wide + "report --json").json()["step_lower"], 0);
+  EXPECT_GT(folder_.run("safe-step" + wide + "ignore --json").json()["step_lower"], 0);
+  for (const char* verb : {"contacts", "earliest", "safe-step", "is-free", "truncate", "sequence"}) {
     const Outcome refused = folder_.run(verb + wide + "fail");
     EXPECT_EQ(refused.code, 2) << verb << refused.out;
     EXPECT_NE(refused.err.find("touch at the start of the step, within 1.5 of each other"), std::string::npos)
@@ -60,7 +60,7 @@ TEST_F(OneStep, WhatTouchesAtTheStartIsReportedIgnoredOrRefused) {
   EXPECT_EQ(folder_.run("is-free above.obj below.obj --rings 3").code, 1);
 }
 
-TEST_F(OneStep, StepTellsHowFarItMayGo) {
+TEST_F(OneStep, EarliestTellsHowFarItMayGo) {
   const auto json = folder_.run("earliest above.obj below.obj --json").json();
   EXPECT_LE(json["toi_lower"].get<double>(), 1.0 / 3);
   EXPECT_EQ(json["contact"]["vertices"], (std::vector<int>{3, 0, 1, 2}));
@@ -71,17 +71,17 @@ TEST_F(OneStep, StepTellsHowFarItMayGo) {
 }
 
 // Bug: the option asks another question, or its answer goes under keys that scripts do not know.
-TEST_F(OneStep, StepKeepsAFractionOfTheDistance) {
+TEST_F(OneStep, SafeStepKeepsAFractionOfTheDistance) {
   const auto json = folder_.run("safe-step above.obj below.obj --keep 0.25 --json").json();
-  EXPECT_EQ(json["safe_step"], 0.25);
+  EXPECT_EQ(json["keep"], 0.25);
   EXPECT_NEAR(json["step_lower"].get<double>(), 0.25, 1e-9);
   EXPECT_GE(json["step_upper"].get<double>(), 0.25);
   EXPECT_EQ(json["pair"]["vertices"], (std::vector<int>{3, 0, 1, 2}));
   EXPECT_EQ(json["pair"]["distance"], 1);
-  const auto alone = folder_.run("safe-step above.obj below.obj --keep --json").json();
-  EXPECT_EQ(alone["safe_step"], 0.1);
+  const auto alone = folder_.run("safe-step above.obj below.obj --json").json();
+  EXPECT_EQ(alone["keep"], 0.1);
   EXPECT_NEAR(alone["step_lower"].get<double>(), 0.3, 1e-9);
-  EXPECT_NE(folder_.run("safe-step --keep above.obj below.obj").out.find("keeps 0.1 of its"), std::string::npos);
+  EXPECT_NE(folder_.run("safe-step above.obj below.obj").out.find("keeps 0.1 of its"), std::string::npos);
   const Outcome words = folder_.run("safe-step above.obj below.obj --keep 0");
   EXPECT_NE(words.out.find("no pair touches before it, proven"), std::string::npos) << words.out;
   const auto free = folder_.run("safe-step below.obj lower.obj --keep 0.5 --json").json();

@@ -29,7 +29,9 @@ TEST_F(PoseVerbs, NearListsPairsWithTheirDistance) {
 
 // Bug: a radius that is taken for another object, or counted once.
 TEST_F(PoseVerbs, ThicknessOfObjectsAddsToTheDistance) {
-  const auto near = [&](const std::string& options) { return folder_.run("within above.obj --json " + options).json(); };
+  const auto near = [&](const std::string& options) {
+    return folder_.run("within above.obj --json " + options).json();
+  };
   EXPECT_EQ(within("--distance 0.5 --radius 0.25")["within"]["vf"], 1);
   EXPECT_EQ(within("--distance 0.5 --radius 0.2")["within"]["vf"], 0);
   EXPECT_EQ(within("--distance 0 --radius 0.75,0.25")["within"]["vf"], 1);

@@ -72,9 +72,9 @@ TEST_F(Truncate, SaysByItsExitCodeThatSomethingTouchesAtTheStart) {
 }
 
 TEST_F(Truncate, RefusesWhatItCannotAnswer) {
-  for (const char* arguments : {"above.obj below.obj --keep 0", "above.obj below.obj --keep 1",
-                                "above.obj below.obj --keep nan", "above.obj below.obj --out above.obj",
-                                "above.obj absent.obj", "above.obj below.obj --radius 1,2,3"}) {
+  for (const char* arguments :
+       {"above.obj below.obj --keep 0", "above.obj below.obj --keep 1", "above.obj below.obj --keep nan",
+        "above.obj below.obj --out above.obj", "above.obj absent.obj", "above.obj below.obj --radius 1,2,3"}) {
     const Outcome outcome = folder_.run(std::string("truncate ") + arguments);
     EXPECT_EQ(outcome.code, 2) << arguments;
     EXPECT_TRUE(outcome.err.starts_with("tamis: ")) << outcome.err;

@@ -18,7 +18,8 @@ class Verbs : public testing::Test {
 TEST_F(Verbs, EachHasHelpWithExamples) {
   const Outcome help = folder_.run("--help");
   EXPECT_EQ(help.code, 0);
-  for (const char* verb : {"contacts", "earliest", "safe-step", "is-free", "sequence", "within", "intersections", "info"}) {
+  for (const char* verb :
+       {"contacts", "earliest", "safe-step", "is-free", "sequence", "within", "intersections", "info"}) {
     EXPECT_NE(help.out.find(verb), std::string::npos) << verb;
     const Outcome outcome = folder_.run(verb + std::string(" --help"));
     EXPECT_EQ(outcome.code, 0) << verb;

@@ -106,7 +106,8 @@ struct AskingPath final : Path {
     (void)own.is_free(path);
     path.points_at(time, vertices, points, errors);
   }
-  void deviations(double from, double to, std::span<const Index> vertices, std::span<double> deviations) const override {
+  void deviations(double from, double to, std::span<const Index> vertices,
+                  std::span<double> deviations) const override {
     path.deviations(from, to, vertices, deviations);
   }
   AskingPath(Detector& detector, const Path& asked) : own(detector), path(asked) {}

@@ -140,7 +140,8 @@ struct CallingPath final : Path {
     callback.called();
     path.fine_points_at(time, vertices, points);
   }
-  void deviations(double from, double to, std::span<const Index> vertices, std::span<double> deviations) const override {
+  void deviations(double from, double to, std::span<const Index> vertices,
+                  std::span<double> deviations) const override {
     callback.called();
     path.deviations(from, to, vertices, deviations);
   }

@@ -94,8 +94,7 @@ TEST_P(RingsOf, LeaveOutNeighboursAlone) {
 // Bugs: a step length that a neighbour ends, or one that nothing ends as its first pair was a neighbour.
 TEST_P(RingsOf, StepLengthsAreThoseOfEveryPair) {
   for (const int number : {1, 2, 3}) {
-    const SafeStep truth =
-        lab::make_detector(scene.mesh(), with(Method::brute, number)).safe_step(scene.step(), 0.2);
+    const SafeStep truth = lab::make_detector(scene.mesh(), with(Method::brute, number)).safe_step(scene.step(), 0.2);
     lab::Options options = with(Method::tamis, number);
     options.threads = 2;
     Detector detector = lab::make_detector(scene.mesh(), options);

@@ -47,9 +47,9 @@ TEST(BadPath, IsNamed) {
   const auto ask = [&] { vertex_face(path, kAll); };
   EXPECT_TRUE(vertex_face(path, kAll).touches);
   path.stray = -1e-3;
-  expect_message<InvalidPath>(ask, "strays by -0.001");
+  expect_message<InvalidPath>(ask, "deviates by -0.001");
   path.stray = kNan;
-  expect_message<InvalidPath>(ask, "strays by");
+  expect_message<InvalidPath>(ask, "deviates by");
   path.stray = 0;
   path.error = -1;
   expect_message<InvalidPath>(ask, "has the error -1");

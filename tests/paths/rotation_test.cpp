@@ -1,4 +1,5 @@
-// Enclosures of rotations, and the deviations and errors of rigid paths, against longer arithmetic and the motion itself.
+// Enclosures of rotations, and the deviations and errors of rigid paths, against longer arithmetic and the motion
+// itself.
 #include "paths/rotation.hpp"
 
 #include <gmpxx.h>

@@ -24,9 +24,9 @@ typedef struct tamis_options {
   int (*accepts)(void* user, int32_t kind, const int32_t* vertices);
   /** Asked again and again during a question, from several threads; other than 0 ends it with TAMIS_CANCELLED. */
   int (*is_cancelled)(void* user);
-  void* user;              /**< handed to both */
+  void* user;          /**< handed to both */
   const double* radii; /**< a radius >= 0 for each group, group_count of them; NULL: all zero */
-  int32_t rings;           /**< pairs are left out that are fewer edges apart along the mesh; 0: 1, a common vertex */
+  int32_t rings;       /**< pairs are left out that are fewer edges apart along the mesh; 0: 1, a common vertex */
 } tamis_options;
 
 /** Copies the mesh. NULL as options: the defaults. TAMIS_INVALID_OPTIONS: see tamis/options.hpp. */
@@ -49,7 +49,7 @@ TAMIS_API tamis_status tamis_detector_is_free(tamis_detector* detector, const ta
  * defaults: C++ and Python take 0.1, here and of tamis_detector_truncate. Which when: Detector in tamis/detector.hpp.
  */
 TAMIS_API tamis_status tamis_detector_safe_step(tamis_detector* detector, const tamis_step* step, double keep,
-                                                    tamis_safe_step* answer);
+                                                tamis_safe_step* answer);
 
 /** The numbers in which the caller keeps positions between steps. */
 enum { TAMIS_FLOAT64 = 0, TAMIS_FLOAT32 = 1 };
@@ -72,7 +72,7 @@ typedef struct tamis_intersection {
 
 /** Every pair whose distance at the step's start is at most `distance` plus both radii; the step's end is not read. */
 TAMIS_API tamis_status tamis_detector_pairs_within(tamis_detector* detector, const tamis_step* step, double distance,
-                                           size_t* count);
+                                                   size_t* count);
 /** Every edge that passes through a triangle or touches it at the step's start: exactly. The end is not read. */
 TAMIS_API tamis_status tamis_detector_intersections(tamis_detector* detector, const tamis_step* step, size_t* count);
 /** Writes 1 if there is any, else 0. */
@@ -80,7 +80,7 @@ TAMIS_API tamis_status tamis_detector_has_intersection(tamis_detector* detector,
                                                        int* has_intersection);
 /** As tamis_detector_copy_contacts, of the last question for near pairs or for intersections. */
 TAMIS_API tamis_status tamis_detector_copy_pairs_within(tamis_detector* detector, size_t first, size_t count,
-                                                tamis_near_pair* pairs, size_t pair_size);
+                                                        tamis_near_pair* pairs, size_t pair_size);
 TAMIS_API tamis_status tamis_detector_copy_intersections(tamis_detector* detector, size_t first, size_t count,
                                                          tamis_intersection* intersections, size_t intersection_size);
 

@@ -59,7 +59,7 @@ TAMIS_API tamis_status tamis_distances_of(tamis_pairs* pairs, const tamis_pair* 
 /** As tamis_detector_safe_step, for one pair; 0.1 is a usual fraction. It looks no further than the latest time of
  * interest, which `lower` then is. */
 TAMIS_API tamis_status tamis_pair_safe_step(tamis_pairs* pairs, const tamis_pair* pair, const tamis_step* step,
-                                                double keep, tamis_safe_step* answer);
+                                            double keep, tamis_safe_step* answer);
 
 #ifdef __cplusplus
 }

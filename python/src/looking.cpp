@@ -61,7 +61,7 @@ bool looks_straight(const Path& path, const Mesh& mesh, int pieces, double size)
   std::vector<double> deviations(vertices.size());
   for (int i = 0; i < pieces; ++i) {
     path.deviations(double(i) / pieces, double(i + 1) / pieces, vertices, deviations);
-    if (std::any_of(deviations.begin(), deviations.end(), [&](double stray) { return stray > kSeen * size; }))
+    if (std::any_of(deviations.begin(), deviations.end(), [&](double deviation) { return deviation > kSeen * size; }))
       return false;
   }
   return true;

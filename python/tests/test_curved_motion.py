@@ -99,7 +99,7 @@ def test_an_exception_of_a_function_arrives() -> None:
 
 
 @pytest.mark.parametrize(
-    ("points", "errors", "stray", "said"),
+    ("points", "errors", "deviation", "said"),
     [
         (np.zeros((2, 3)), 0.0, 0.0, "give one each"),
         (np.zeros((6, 2)), 0.0, 0.0, "three numbers a vertex"),
@@ -112,11 +112,11 @@ def test_an_exception_of_a_function_arrives() -> None:
         (None, 0.0, "far", "floating-point numbers"),
     ],
 )
-def test_a_function_that_breaks_its_promise(points: object, errors: object, stray: object, said: str) -> None:
+def test_a_function_that_breaks_its_promise(points: object, errors: object, deviation: object, said: str) -> None:
     def points_at(time: float, vertices: npt.NDArray[np.int32]) -> tuple[object, object]:
         return positions_of_blade(time, vertices)[0] if points is None else points, errors
 
-    path = tamis.FunctionPath(6, points_at, lambda start, end, vertices: stray)  # type: ignore[arg-type, return-value]
+    path = tamis.FunctionPath(6, points_at, lambda start, end, vertices: deviation)  # type: ignore[arg-type, return-value]
     with pytest.raises(tamis.InvalidPath, match=said):
         tamis.Detector(tamis.Mesh(FACES)).contacts(path)
 

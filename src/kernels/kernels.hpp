@@ -134,9 +134,10 @@ struct PairKernels {
   /// DNF, then NCF, on what is left of the step. Returns how many pairs NCF had to look at. Of pairs that can cross, as
   /// the next two.
   int (*filter)(const PackedVertex* vertices, const PairBuffer& in, PairBuffer& out) = nullptr;
-  /// DNF for motions that are not quite known: pairs that cannot touch while no vertex is farther than `stray` from
+  /// DNF for motions that are not quite known: pairs that cannot touch while no vertex is farther than `deviation` from
   /// where it is here, along any axis, are culled.
-  void (*filter_straying)(const PackedVertex* vertices, double stray, const PairBuffer& in, PairBuffer& out) = nullptr;
+  void (*filter_deviating)(const PackedVertex* vertices, double deviation, const PairBuffer& in,
+                           PairBuffer& out) = nullptr;
   /// Roots and inside test. Writes the pairs that touch or are undecided, returns their number; `rest` is scratch.
   int (*solve)(const PackedVertex* vertices, const PairBuffer& in, PairBuffer& rest, SolvedPair* out) = nullptr;
   /// Pairs that one axis which turns with them, or four, prove farther apart than their separation during their times

@@ -61,8 +61,8 @@ class PathSolver {
       }
       if (cut_around_crossing(part, window_of(widened, crossing.sign_at_start))) return false;
     }
-    const double stray = *std::max_element(deviations.begin(), deviations.end());
-    const bool may_gain = stray > 4 * std::max(part.from.error, part.to.error) || part.length() > kShortest<T>;
+    const double deviation = *std::max_element(deviations.begin(), deviations.end());
+    const bool may_gain = deviation > 4 * std::max(part.from.error, part.to.error) || part.length() > kShortest<T>;
     if (--parts_left_ > 0 && may_gain && parts_.cut(part, near_middle(part.from.time, part.to.time))) return false;
     return settles_further(part, widened, crossing, decision);
   }

@@ -22,9 +22,9 @@
 namespace tamis {
 namespace {
 
-/// A piece is as long as lets vertices stray by this part of the mean edge: longer ones leave more pairs to be decided
-/// one by one, shorter ones ask the whole mesh more often.
-constexpr double kStrayInEdges = 0.2;
+/// A piece is as long as lets vertices deviate by this part of the mean edge: longer ones leave more pairs to be
+/// decided one by one, shorter ones ask the whole mesh more often.
+constexpr double kDeviationInEdges = 0.2;
 constexpr double kShortestPiece = 0x1p-20;
 /// Pairs that are decided together, and between two looks at whether the question is cancelled.
 constexpr std::size_t kBatch = 256;
@@ -55,15 +55,15 @@ PathSearch::Frame PathSearch::frame_at(const Path& path, double time) const {
 }
 
 double PathSearch::piece_length(const Path& path, const Frame& start) {
-  const double allowed = kStrayInEdges * mean_edge(mesh_, start.points);
+  const double allowed = kDeviationInEdges * mean_edge(mesh_, start.points);
   double length = 1 - start.time;
   for (; length > kShortestPiece; length *= kShorter) {
     path.deviations(start.time, start.time + length, all_, deviations_);
     double largest = 0;
     for (const Index v : mesh_.points()) {
-      const double stray = deviations_[static_cast<std::size_t>(v)];
-      check_stray(v, start.time, start.time + length, stray);
-      largest = std::max(largest, stray);
+      const double deviation = deviations_[static_cast<std::size_t>(v)];
+      check_deviation(v, start.time, start.time + length, deviation);
+      largest = std::max(largest, deviation);
     }
     if (largest <= allowed || !(allowed > 0)) break;
   }
@@ -121,7 +121,8 @@ void PathSearch::find(const MeshOnPath& asked, Question question, std::vector<Co
     const double length = piece_length(path, from);
     Frame to = frame_at(path, length < 1 - from.time ? from.time + length : 1);
     path.deviations(from.time, to.time, all_, deviations_);
-    for (const Index v : mesh_.points()) check_stray(v, from.time, to.time, deviations_[static_cast<std::size_t>(v)]);
+    for (const Index v : mesh_.points())
+      check_deviation(v, from.time, to.time, deviations_[static_cast<std::size_t>(v)]);
     check_chords(path, from, to);
     set_radii(asked.separations, from, to);
     const Query chords{

@@ -106,7 +106,7 @@ RigidPath::RigidPath(std::vector<Point> rest, std::vector<Index> body_of_vertex,
   for (std::size_t v = 0; v < rest_.size(); ++v) {
     const std::vector<LinkBounds>& links = bounds[static_cast<std::size_t>(body_of_vertex_[v])];
     Derivatives y{Interval(farthest(rest_[v], rest_end_[v])), Interval(change(rest_[v], rest_end_[v])), Interval(0)};
-    double reach = 0;  // the outermost position moves linearly: no chord strays from it
+    double reach = 0;  // the outermost position moves linearly: no chord deviates from it
     for (auto link = links.rbegin(); link != links.rend(); ++link) {
       if (link + 1 == links.rend()) reach = y.place.upper;
       y = after(*link, y);

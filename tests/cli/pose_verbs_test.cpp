@@ -28,8 +28,8 @@ TEST_F(PoseVerbs, NearListsPairsWithTheirDistance) {
 }
 
 // Bug: a radius that is taken for another object, or counted once.
-TEST_F(PoseVerbs, ThicknessOfObjectsAddsToTheDistance) {
-  const auto near = [&](const std::string& options) {
+TEST_F(PoseVerbs, RadiiOfObjectsAddsToTheDistance) {
+  const auto within = [&](const std::string& options) {
     return folder_.run("within above.obj --json " + options).json();
   };
   EXPECT_EQ(within("--distance 0.5 --radius 0.25")["within"]["vf"], 1);

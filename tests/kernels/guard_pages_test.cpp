@@ -114,7 +114,7 @@ std::array<int, 2> run_near(const Kernels& kernels, PairKind kind, const Guarded
   search.near = {0.25f, 1.5f, 1.0f, 10.0f, {2.25f, 0, 0, 1}};
   find(search, kernels.of(kind).search_near, *boxes.data());
   const int found = boxes.data()->count;
-  kernels.of(kind).pairs_within(vertices, search.near, *boxes.data(), *near.data());
+  kernels.of(kind).near(vertices, search.near, *boxes.data(), *near.data());
   return {found, near.data()->count};
 }
 

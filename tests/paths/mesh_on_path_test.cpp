@@ -102,7 +102,7 @@ RigidPath passing(const Bodies& bodies, double distance, double angle) {
   return {bodies.rest, bodies.body, {turning, passing}};
 }
 
-// Bugs: a radius that forgets the stray of one vertex, a pair lost between two pieces, or reported by both.
+// Bugs: a radius that forgets the deviation of one vertex, a pair lost between two pieces, or reported by both.
 TEST(MeshOnPath, TurningBodiesGiveTheContactsOfAllPairs) {
   Bodies bodies;
   bodies.add(scenes::unit_sphere(2), {1, 0.6, 0.8});
@@ -115,7 +115,7 @@ TEST(MeshOnPath, TurningBodiesGiveTheContactsOfAllPairs) {
   expect_as_one_by_one(bodies, passing(bodies, 1.6, 0.7), 0.05);
 }
 
-// Bug: splines whose stray is that of one piece only.
+// Bug: splines whose deviation is that of one piece only.
 TEST(MeshOnPath, SplinesGiveTheContactsOfAllPairs) {
   Bodies bodies;
   bodies.add(scenes::unit_sphere(1));

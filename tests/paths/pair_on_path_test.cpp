@@ -95,7 +95,7 @@ void compare_many(long count, const auto& make) {
   EXPECT_LT(tally.unresolved, count / 100);
 }
 
-// Bug: a stray or a rounding forgotten; a root taken for the first; the inside test at one time only.
+// Bug: a deviation or a rounding forgotten; a root taken for the first; the inside test at one time only.
 TEST(PairOnPath, AgreesWithTheOracleWhateverTheAngle) {
   for (const double angle : {0.01, 0.5, 3.0, 15.0}) {
     SCOPED_TRACE(angle);

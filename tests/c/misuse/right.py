@@ -9,7 +9,7 @@ ROOM = 4096  # bytes for whatever is written
 
 POINTS_AT = ctypes.CFUNCTYPE(None, ctypes.c_void_p, ctypes.c_double, ctypes.POINTER(ctypes.c_int32), ctypes.c_size_t,
                              ctypes.POINTER(ctypes.c_double), ctypes.POINTER(ctypes.c_double))
-STRAYS = ctypes.CFUNCTYPE(None, ctypes.c_void_p, ctypes.c_double, ctypes.c_double, ctypes.POINTER(ctypes.c_int32),
+DEVIATIONS = ctypes.CFUNCTYPE(None, ctypes.c_void_p, ctypes.c_double, ctypes.c_double, ctypes.POINTER(ctypes.c_int32),
                           ctypes.c_size_t, ctypes.POINTER(ctypes.c_double))
 ASKED = ctypes.CFUNCTYPE(ctypes.c_int, ctypes.c_void_p)
 ACCEPTS = ctypes.CFUNCTYPE(ctypes.c_int, ctypes.c_void_p, ctypes.c_int32, ctypes.POINTER(ctypes.c_int32))
@@ -23,7 +23,7 @@ def _still(user, time, vertices, count, points, errors):
             points[3 * i + axis] = START[3 * vertices[i] + axis]
 
 
-@STRAYS
+@DEVIATIONS
 def _no_deviation(user, start, end, vertices, count, deviations):
     for i in range(count):
         deviations[i] = 0

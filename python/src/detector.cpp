@@ -18,7 +18,7 @@ void bind_detector(nb::module_& module) {
       .def("is_free", &Questions::is_free_on_path)
       .def("safe_step", &Questions::safe_step)
       .def("truncate", &Questions::truncate)
-      .def("pairs_within", &Questions::near)
+      .def("pairs_within", &Questions::pairs_within)
       .def("intersections", &Questions::intersections)
       .def("has_intersection", &Questions::has_intersection)
       .def("statistics", &Questions::statistics)

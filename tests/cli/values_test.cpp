@@ -32,7 +32,7 @@ TEST_F(Values, AnEmptyNumberIsNoZero) {
       expect_refused(verb + " above.obj below.obj " + option + " ''", option);
       expect_refused(verb + " above.obj below.obj " + option + "= --json", option);
     }
-  expect_refused("safe-step above.obj below.obj --keep ''", "an argument is empty");
+  expect_refused("safe-step above.obj below.obj --keep ''", "--keep has an empty value");
   expect_refused("safe-step above.obj below.obj --keep=", "--keep");
   for (const std::string option : {"--scale", "--threads", "--min-separation", "--cold", "--warm-up", "--repeat"})
     expect_refused("bench above.obj below.obj " + option + " ''", option);

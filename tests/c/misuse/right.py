@@ -58,7 +58,7 @@ FIELDS = {
 INPUTS = ("tamis_step", "tamis_mesh_input", "tamis_options", "tamis_pair_options", "tamis_rigid_path_input",
           "tamis_spline_path_input", "tamis_path_functions", "tamis_path_options", "tamis_pair", "tamis_pose")
 ARGUMENTS = {
-    "kind": 0, "stored": 0, "u": .25, "v": .25, "fraction": .1, "distance": 1.5, "time": .5, "first": 0, "turn": doubles(0, 0, 1),
+    "kind": 0, "stored": 0, "u": .25, "v": .25, "keep": .1, "distance": 1.5, "time": .5, "first": 0, "turn": doubles(0, 0, 1),
     "end_position": doubles(1, 1, 1), "edges": indices(0, 1), "faces": indices(0, 1, 2),
 }
 _CORNERS = {"vertex_face": 4, "edge_edge": 4, "vertex_edge": 3, "vertex_vertex": 2}

@@ -31,8 +31,8 @@ class FunctionPath(Path):
         ``points_at(time, vertices)`` gives the points of these vertices, shape (n, 3), and their errors, shape (n,) or
         one number: no coordinate is off by more than that. What rounding does to the function is part of it.
     deviations : callable
-        ``deviations(start, end, vertices)`` gives a bound for each vertex, shape (n,) or one number: at no time t between
-        the two times is it farther than that from its chord, walked at constant speed. It must go to zero with the
+        ``deviations(start, end, vertices)`` gives a bound for each vertex, shape (n,) or one number: at no time t
+        between the two is it farther than that from its chord, walked at constant speed. It must go to zero with the
         piece; for smooth curves it is |x''| (end - start)^2 / 8.
 
     Raises
@@ -47,7 +47,9 @@ class FunctionPath(Path):
     def __init__(self, vertex_count: int, points_at: PointsAt, deviations: Deviations) -> None:
         self._vertex_count = whole(vertex_count, "vertex_count", 0, InvalidPath)
         self._points_at: PointsAt = function(points_at, "points_at", "points_at(time, vertices)", InvalidPath)
-        self._deviations: Deviations = function(deviations, "deviations", "deviations(start, end, vertices)", InvalidPath)
+        self._deviations: Deviations = function(
+            deviations, "deviations", "deviations(start, end, vertices)", InvalidPath
+        )
 
     def _native(self) -> _core.Path:
         # Made anew for each question, so that Python's garbage collector sees all that refers to the functions.

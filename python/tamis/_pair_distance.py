@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy.typing as npt
 
 from tamis import _core
-from tamis._answers import SafeStep, safe_step
+from tamis._answers import SafeStep, safe_step_of
 from tamis._arrays import pair_list, rows
 from tamis._checks import number
 from tamis._errors import InvalidStep
@@ -80,4 +80,4 @@ def safe_step(
         raise InvalidStep(f"vertices has {len(pair[1])} rows: give one pair, (4,)")
     both = rows(start, "start"), rows(end, "end")
     kept, d, until = number(keep, "keep"), number(min_separation, "min_separation"), number(latest, "latest")
-    return safe_step(_core.safe_step(*pair, *both, kept, d, until))
+    return safe_step_of(_core.safe_step(*pair, *both, kept, d, until))

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy.typing as npt
 
 from tamis import _core
-from tamis._answers import SafeStep, TruncatedStep, safe_step
+from tamis._answers import SafeStep, TruncatedStep, safe_step_of
 from tamis._arrays import Doubles, rows
 from tamis._checks import number, shown, word
 from tamis._errors import InvalidOptions
@@ -55,7 +55,7 @@ class StepLengths:
         InvalidOptions
             The fraction is outside its range.
         """
-        return safe_step(self._detector.safe_step(*_given(start, end, keep, min_separation, at_start)))
+        return safe_step_of(self._detector.safe_step(*_given(start, end, keep, min_separation, at_start)))
 
     def truncate(
         self,

@@ -22,7 +22,7 @@ import numpy.typing as npt
 from mpi4py import MPI
 
 from tamis import _errors
-from tamis._answers import EarliestContact, SafeStep, safe_step
+from tamis._answers import EarliestContact, SafeStep, safe_step_of
 from tamis._arrays import Doubles, indices, indices_or_none, rows
 from tamis._checks import instance, number, whole
 from tamis._contacts import Contacts
@@ -294,7 +294,7 @@ class Detector:
             first, second, kept, own = self._together(
                 lambda: (*_step(start, end), number(keep, "keep"), query_options(min_separation, at_start))
             )
-            return safe_step(self._detector.safe_step(first, second, kept, own))
+            return safe_step_of(self._detector.safe_step(first, second, kept, own))
 
     @contextmanager
     def _turn(self) -> Iterator[None]:

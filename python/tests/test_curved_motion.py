@@ -94,7 +94,9 @@ def test_an_exception_of_a_function_arrives() -> None:
     with pytest.raises(ZeroDivisionError, match="in the middle"):
         detector.is_free(tamis.FunctionPath(6, points_at, deviations_of_blade))
     with pytest.raises(ZeroDivisionError, match="in the middle"):
-        tamis.narrow_phase(tamis.PairKind.EDGE_EDGE, [0, 1, 3, 4], tamis.FunctionPath(6, points_at, deviations_of_blade))
+        tamis.narrow_phase(
+            tamis.PairKind.EDGE_EDGE, [0, 1, 3, 4], tamis.FunctionPath(6, points_at, deviations_of_blade)
+        )
     assert not detector.is_free(turning_blade())
 
 

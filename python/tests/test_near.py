@@ -55,7 +55,11 @@ def test_intersections(falling: tamis.Scene) -> None:
 
 def test_thickness_comes_on_top(falling: tamis.Scene) -> None:
     thick = tamis.Detector(falling.mesh, groups=falling.groups, radii=[0.25, 0.25])
-    assert len(thick.pairs_within(falling.start, 0.5)) == len(tamis.Detector(falling.mesh).pairs_within(falling.start, 1.0)) > 0
+    assert (
+        len(thick.pairs_within(falling.start, 0.5))
+        == len(tamis.Detector(falling.mesh).pairs_within(falling.start, 1.0))
+        > 0
+    )
 
 
 def test_pickled_and_bad_input(falling: tamis.Scene) -> None:

@@ -50,7 +50,7 @@ def attach(
     check_versions()
     _check_solver(solver)
     if not 0 < number(keep, "keep") < 1:
-        raise InvalidOptions(f"fraction is {fraction}: give a number > 0 and < 1")
+        raise InvalidOptions(f"keep is {keep}: give a number > 0 and < 1")
     return Attachment(solver, truth(one_ring, "one_ring"), keep, min_separation, threads)
 
 
@@ -87,7 +87,7 @@ class Attachment:
         surface = Surface(solver.model)
         self.detector = surface.detector(one_ring=one_ring, min_separation=separation, threads=threads)
         self.report = AttachmentReport()
-        self._fraction = fraction
+        self._keep = keep
         self._solver = solver
         self._lists = ContactLists(solver, surface)
         self._end: Any = None
@@ -183,7 +183,7 @@ class Attachment:
         begin = perf_counter()
         solver = self._solver
         start, wanted = solver.particle_q_prev.numpy(), state.particle_q.numpy()
-        step = self.detector.truncate(start, wanted, self._fraction, stored="float32")
+        step = self.detector.truncate(start, wanted, self._keep, stored="float32")
         end = step.positions.astype(np.float32)
         if not np.array_equal(end, wanted):
             self.report.shortened += 1

@@ -43,7 +43,7 @@ _NAMED: Mapping[str, Any] = {
     "end_position": np.ones(3),
     "faces": FACES,
     "frames": np.stack([START, END]),
-    "fraction": 0.1,
+    "keep": 0.1,
     "index": 0,
     "kind": tamis.PairKind.VERTEX_FACE,
     "mesh": _MESH,

@@ -42,7 +42,7 @@ class FunctionPath(Path):
         negative or no number, a position that is not finite.
     """
 
-    __slots__ = ("_points_at", "_deviations", "_vertex_count")
+    __slots__ = ("_deviations", "_points_at", "_vertex_count")
 
     def __init__(self, vertex_count: int, points_at: PointsAt, deviations: Deviations) -> None:
         self._vertex_count = whole(vertex_count, "vertex_count", 0, InvalidPath)

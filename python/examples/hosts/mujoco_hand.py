@@ -46,7 +46,7 @@ def hand_scene(vertices: int) -> str:
     fingers = "".join(finger(name, 120 * i) for i, name in enumerate(names))
     motors = "".join(f'<position joint="{n}_knuckle" kp="3"/><position joint="{n}_tip" kp="1.5"/>' for n in names)
     rest = """mass="0.05"><contact selfcollide="auto" solref="0.004 1"/>
-      <elasticity young="2e4" poisson="0.2" radii="1e-3" elastic2d="both" damping="0.002"/>"""
+      <elasticity young="2e4" poisson="0.2" thickness="1e-3" elastic2d="both" damping="0.002"/>"""
     return f"""
 <mujoco>
   <compiler autolimits="true"/>
@@ -70,7 +70,7 @@ def hand_scene(vertices: int) -> str:
 def ball_scene(vertices: int) -> str:
     """A cloth that falls on a ball under MuJoCo's own protection, `ipc`."""
     rest = """mass="0.2" euler="10 5 0"><contact selfcollide="auto"/>
-      <elasticity young="1e4" poisson="0.1" radii="1e-3" elastic2d="both" damping="0.005"/>"""
+      <elasticity young="1e4" poisson="0.1" thickness="1e-3" elastic2d="both" damping="0.005"/>"""
     return f"""
 <mujoco>
   <size memory="2G"/>

@@ -123,7 +123,7 @@ CLOTH = """
     <geom name="floor" type="plane" size="0 0 1" pos="0 0 {floor}"/>
     <flexcomp name="cloth" type="grid" count="6 6 1" spacing=".05 .05 .05" radius="0.005" dim="2" mass="0.1">
       <contact selfcollide="auto"/>
-      <elasticity young="1e4" poisson="0.1" radii="1e-3" elastic2d="both"/>
+      <elasticity young="1e4" poisson="0.1" thickness="1e-3" elastic2d="both"/>
     </flexcomp>
   </worldbody>
 </mujoco>"""

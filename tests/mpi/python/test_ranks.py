@@ -155,7 +155,7 @@ WRONG: list[tuple[type[Exception], str, Ask]] = [
     (_STEP, "start has the shape (2)", lambda d, p: d.contacts(or_bad(p.start, [1, 2]), p.end)),
     (_STEP, "of the dtype object", lambda d, p: d.is_free(p.start, or_bad(p.end, [[None] * 3]))),
     (_STEP, "has 1 positions", lambda d, p: d.earliest(or_bad(p.start, p.start[:1]), p.end)),
-    (tamis.InvalidOptions, "fraction is 'all'", lambda d, p: d.safe_step(p.start, p.end, or_bad(0.1, "all"))),
+    (tamis.InvalidOptions, "keep is 'all'", lambda d, p: d.safe_step(p.start, p.end, or_bad(0.1, "all"))),
     (
         tamis.InvalidOptions,
         "min_separation is [1]",

@@ -17,21 +17,21 @@ from tamis._audit._motion import Motion
 from tamis._audit._report import AuditReport
 from tamis._audit._tables import AuditFrame, AuditFrames, AuditKind, AuditPair, AuditPairs
 from tamis._audit._usd import read_usd
-from tamis._contacts import Contact, Contacts
-from tamis._detector import Detector, contacts
+from tamis._detector._detector import Detector, contacts
 from tamis._errors import Busy, Cancelled, Error, FileError, InvalidMesh, InvalidOptions, InvalidPath, InvalidStep
 from tamis._files import MeshFile, read_frames, read_mesh, write_mesh
-from tamis._function_path import FunctionPath
 from tamis._kinds import PairKind
 from tamis._looking import Page
 from tamis._mesh import Mesh
-from tamis._near import Intersection, Intersections, NearPair, NearPairs
 from tamis._pair_distance import distance_of, safe_step
 from tamis._pairs import PairResult, Pairs, narrow_phase
-from tamis._paths import BezierPath, CatmullRomPath, Path
-from tamis._rigid_path import RigidPath, between, interpolated, turned
+from tamis._paths._function_path import FunctionPath
+from tamis._paths._path import BezierPath, CatmullRomPath, Path
+from tamis._paths._rigid_path import RigidPath, between, interpolated, turned
 from tamis._scenes import Scene, scene, scene_names, simulate, simulated_scenes
 from tamis._statistics import Statistics
+from tamis._tables._contacts import Contact, Contacts
+from tamis._tables._near import Intersection, Intersections, NearPair, NearPairs
 
 __version__: str = _core.__version__
 

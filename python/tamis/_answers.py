@@ -5,8 +5,8 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, NamedTuple
 
 from tamis._arrays import Doubles
-from tamis._contacts import Contact
 from tamis._kinds import PairKind
+from tamis._tables._contacts import Contact
 
 if TYPE_CHECKING:
     from tamis import _core

@@ -11,8 +11,8 @@ import numpy.typing as npt
 from tamis._arrays import Doubles, Indices, rows
 from tamis._checks import number
 from tamis._errors import InvalidOptions, InvalidPath, InvalidStep
-from tamis._paths import Path
-from tamis._points import Corners, corners_at_rest, used_vertices
+from tamis._paths._path import Path
+from tamis._tables._points import Corners, corners_at_rest, used_vertices
 
 if TYPE_CHECKING:
     from tamis import _core

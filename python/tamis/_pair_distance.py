@@ -9,7 +9,7 @@ from tamis._answers import SafeStep, safe_step_of
 from tamis._arrays import pair_list, rows
 from tamis._checks import number
 from tamis._errors import InvalidStep
-from tamis._near import NearPairs
+from tamis._tables._near import NearPairs
 
 
 def distance_of(kind: npt.ArrayLike, vertices: npt.ArrayLike, positions: npt.ArrayLike) -> NearPairs:

@@ -10,11 +10,11 @@ import numpy.typing as npt
 from tamis import _core
 from tamis._arrays import Doubles, Indices, pair_list
 from tamis._checks import number
-from tamis._columns import Columns, NamedPairs, TimedPairs, numbered
 from tamis._errors import Error, InvalidOptions, InvalidPath, InvalidStep
 from tamis._kinds import PairKind
 from tamis._motion import StraightMotion, motion
-from tamis._paths import Path
+from tamis._paths._path import Path
+from tamis._tables._columns import Columns, NamedPairs, TimedPairs, numbered
 
 
 class PairResult(NamedTuple):

@@ -25,10 +25,10 @@ from tamis import _errors
 from tamis._answers import EarliestContact, SafeStep, safe_step_of
 from tamis._arrays import Doubles, indices, indices_or_none, rows
 from tamis._checks import instance, number, whole
-from tamis._contacts import Contacts
 from tamis._distributed_statistics import Balance, Statistics
 from tamis._errors import Busy, Error, InvalidMesh, InvalidOptions
 from tamis._options import AtStart, Filter, Isa, make_options, query_options
+from tamis._tables._contacts import Contacts
 
 try:
     from tamis import _distributed

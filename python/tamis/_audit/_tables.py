@@ -12,8 +12,8 @@ import numpy.typing as npt
 from tamis import _core
 from tamis._arrays import Doubles, Indices
 from tamis._checks import instance
-from tamis._columns import Columns, numbered
-from tamis._table import Table
+from tamis._tables._columns import Columns, numbered
+from tamis._tables._table import Table
 
 Counts = npt.NDArray[np.uint64]
 

@@ -17,10 +17,10 @@ import numpy as np
 
 from tamis._arrays import Indices
 from tamis._checks import instance
-from tamis._columns import NamedPairs
 from tamis._errors import InvalidMesh
 from tamis._kinds import PairKind
 from tamis._mesh import Mesh
+from tamis._tables._columns import NamedPairs
 
 __all__ = ["candidates", "mesh"]
 

@@ -9,11 +9,11 @@ import numpy as np
 
 from tamis._arrays import Doubles, Indices
 from tamis._checks import instance, number_from_zero
-from tamis._detector import Detector
+from tamis._detector._detector import Detector
 from tamis._errors import InvalidOptions, InvalidStep
-from tamis._near import Intersections
-from tamis._paths import Path
-from tamis._rigid_path import RigidPath
+from tamis._paths._path import Path
+from tamis._paths._rigid_path import RigidPath
+from tamis._tables._near import Intersections
 from tamis.mujoco._kinematics import Carriers
 from tamis.mujoco._steps import RefereedStep, RefereeReport, meetings_of
 from tamis.mujoco._surfaces import may_touch, name_of, surfaces_of, vertices_by_nodes

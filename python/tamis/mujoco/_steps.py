@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from tamis._arrays import Indices
-from tamis._contacts import Contacts
 from tamis._kinds import PairKind
+from tamis._tables._contacts import Contacts
 
 if TYPE_CHECKING:
     import pandas

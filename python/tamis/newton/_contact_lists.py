@@ -8,8 +8,8 @@ import numpy as np
 import numpy.typing as npt
 
 from tamis._arrays import Indices
-from tamis._near import NearPairs
 from tamis._pair_distance import distance_of
+from tamis._tables._near import NearPairs
 from tamis.newton._surface import Surface, keys
 
 

@@ -8,10 +8,10 @@ import numpy as np
 import numpy.typing as npt
 
 from tamis._arrays import Indices
-from tamis._detector import Detector
+from tamis._detector._detector import Detector
 from tamis._kinds import PairKind
 from tamis._mesh import Mesh
-from tamis._near import NearPairs
+from tamis._tables._near import NearPairs
 
 
 def _two_columns(edge_indices: Any) -> Indices:

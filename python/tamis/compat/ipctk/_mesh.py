@@ -9,7 +9,7 @@ import numpy.typing as npt
 
 from tamis._arrays import Doubles, Indices, finite, indices_or_none, rows
 from tamis._checks import function
-from tamis._detector import Detector
+from tamis._detector._detector import Detector
 from tamis._errors import InvalidMesh
 from tamis._kinds import PairKind
 from tamis._mesh import Mesh

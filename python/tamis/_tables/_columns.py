@@ -13,8 +13,8 @@ from tamis._checks import instance
 from tamis._errors import InvalidMesh
 from tamis._kinds import SHORT_NAMES
 from tamis._mesh import Mesh
-from tamis._points import Corners, both_points
-from tamis._table import Row, Table
+from tamis._tables._points import Corners, both_points
+from tamis._tables._table import Row, Table
 
 Columns = dict[str, npt.NDArray[Any]]
 

@@ -8,12 +8,12 @@ import numpy.typing as npt
 
 from tamis import _core
 from tamis._answers import EarliestContact
-from tamis._contacts import Contacts
 from tamis._looking import Asked
 from tamis._mesh import Mesh
 from tamis._motion import motion
 from tamis._options import AtStart, query_options
-from tamis._paths import Path
+from tamis._paths._path import Path
+from tamis._tables._contacts import Contacts
 
 
 class InMotion:

@@ -7,7 +7,7 @@ import numpy.typing as npt
 from tamis import _core
 from tamis._arrays import rows
 from tamis._checks import number
-from tamis._near import Intersections, NearPairs
+from tamis._tables._near import Intersections, NearPairs
 
 
 class AtRest:

@@ -11,7 +11,7 @@ from tamis import _core
 from tamis._arrays import Doubles, Indices, numbers, rows, vector
 from tamis._checks import function, whole
 from tamis._errors import InvalidPath
-from tamis._paths import Path
+from tamis._paths._path import Path
 
 PointsAt = Callable[[float, Indices], "tuple[npt.ArrayLike, npt.ArrayLike]"]
 Deviations = Callable[[float, float, Indices], npt.ArrayLike]

@@ -11,12 +11,12 @@ import numpy.typing as npt
 from tamis import _core
 from tamis._arrays import Doubles
 from tamis._checks import file_name, instance
-from tamis._columns import Columns, NamedPairs, TimedPairs, numbered
 from tamis._errors import Error
 from tamis._kinds import PairKind
 from tamis._looking import Asked, Page, place_for_page, show
 from tamis._motion import motion
-from tamis._paths import Path
+from tamis._paths._path import Path
+from tamis._tables._columns import Columns, NamedPairs, TimedPairs, numbered
 
 
 class Contact(NamedTuple):

@@ -9,15 +9,15 @@ import numpy.typing as npt
 
 from tamis import _core
 from tamis._arrays import rows
-from tamis._at_rest import AtRest
 from tamis._checks import instance
-from tamis._contacts import Contacts
+from tamis._detector._at_rest import AtRest
+from tamis._detector._in_motion import InMotion
+from tamis._detector._step_lengths import StepLengths
 from tamis._errors import InvalidMesh
-from tamis._in_motion import InMotion
 from tamis._mesh import Mesh
 from tamis._options import Filter, Isa, make_options
 from tamis._statistics import Statistics
-from tamis._step_lengths import StepLengths
+from tamis._tables._contacts import Contacts
 
 
 class Detector(InMotion, StepLengths, AtRest):

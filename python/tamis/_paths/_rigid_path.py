@@ -11,7 +11,7 @@ from tamis import _core
 from tamis._arrays import Doubles, finite, indices, point_frames, rows, vector
 from tamis._checks import shown
 from tamis._errors import InvalidPath
-from tamis._paths import Path
+from tamis._paths._path import Path
 
 
 class RigidPath(Path):

@@ -10,12 +10,12 @@ import numpy.typing as npt
 from tamis import _core
 from tamis._arrays import Doubles, Indices, rows
 from tamis._checks import instance
-from tamis._columns import Columns, NamedPairs, numbered
 from tamis._errors import InvalidMesh
 from tamis._kinds import PairKind
 from tamis._mesh import Mesh
-from tamis._points import corners_at_rest
-from tamis._table import Table
+from tamis._tables._columns import Columns, NamedPairs, numbered
+from tamis._tables._points import corners_at_rest
+from tamis._tables._table import Table
 
 
 class NearPair(NamedTuple):

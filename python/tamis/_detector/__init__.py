@@ -1,0 +1,1 @@
+"""The detector: questions of steps, step lengths, poses at rest."""

@@ -1,0 +1,1 @@
+"""Curved motion: rigid bodies, splines, functions."""

@@ -6,7 +6,7 @@ cd "$(dirname "$0")/.."
 
 scripts/setup.sh
 cmake --preset release -DCMAKE_UNITY_BUILD=ON -DTAMIS_BUILD_LAB=OFF  # what is compiled once is compiled faster together
-cmake --build --preset release
+cmake --build --preset release --target tamis_command
 
 tamis=build/release/bin/tamis
 frames=out/demo

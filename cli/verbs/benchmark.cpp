@@ -52,7 +52,7 @@ Ask ask_for(const std::string& question) {
       result.toi_lower = first.toi_lower;
       result.toi_upper = first.toi_upper;
     };
-  if (question == "free")
+  if (question == "is-free")
     return [](Detector& detector, const Step& step, BenchmarkResult& result) {
       result.contacts = detector.is_free(step) ? 0 : 1;
     };
@@ -142,7 +142,7 @@ double median_cpu(std::vector<Run>& runs) {
 }  // namespace
 
 const std::vector<std::string>& benchmark_questions() {
-  static const std::vector<std::string> questions{"contacts", "earliest", "free"};
+  static const std::vector<std::string> questions{"contacts", "earliest", "is-free"};
   return questions;
 }
 

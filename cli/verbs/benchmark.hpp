@@ -27,7 +27,7 @@ struct BenchmarkWay {
 };
 
 struct BenchmarkSetup {
-  std::string question;  ///< contacts, earliest or free
+  std::string question;  ///< contacts, earliest or is-free
   BenchmarkWay way = {};
   std::string mode = "warm";  ///< what the kept detector was asked before: see benchmark_modes()
   int substeps = 20;          ///< of mode substeps

@@ -73,7 +73,7 @@ void Bench::declare_lists(OptionList& options) {
       .shown_as("NAME");
   triangles_option_ =
       options.add_numbers("--triangles", "N", triangles_, {1, 100'000'000}, "its sizes; default 100000");
-  options.add_names("--question", questions_, "contacts, earliest, free; default all three");
+  options.add_names("--question", questions_, "contacts, earliest, is-free; default all three");
   options.add_names(
       "--mode", modes_,
       "what the kept detector was asked before: warm (default), other positions; again, the same start in the "

@@ -15,8 +15,8 @@
 namespace tamis {
 
 /// Holds a mesh and the hierarchy over it. The first question builds the hierarchy; later ones refit it, and
-/// rebuild it by themselves once refitting has made it poor. Pairs are vertex-face and edge-edge, of features
-/// without a common vertex. The answers do not depend on the number of threads, on the instruction set, or on earlier
+/// rebuild it by themselves once refitting has made it poor. Pairs are of two features (PairKind) without
+/// a common vertex. The answers do not depend on the number of threads, on the instruction set, or on earlier
 /// questions. One question at a time: a second one meanwhile, of another thread or of a function that the question
 /// calls (a filter, a path), throws Busy at once. Such functions may ask other detectors, and use oneTBB.
 class Detector {

@@ -24,7 +24,7 @@ struct Detector::State {
   bool is_free(const Step& step, const QueryOptions& asked);
   SafeStep safe_step(const Step& step, double fraction, const QueryOptions& asked);
   TruncatedStep truncate(const Step& step, double fraction, const QueryOptions& asked, Stored stored);
-  /// The pairs are in `pairs_within`.
+  /// The pairs are in `near`.
   void find_near(const Positions& positions, double distance);
   /// They are in `intersections`.
   /// `is_free`: some of them, if there are any.

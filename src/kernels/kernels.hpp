@@ -148,7 +148,7 @@ struct PairKernels {
   /// that do, and those left undecided; returns their number.
   int (*come_within)(const PackedVertex* vertices, const WithinRule& rule, const PairBuffer& in, WithinScratch& scratch,
                      SolvedPair* out) = nullptr;
-  /// At rest: appends the pairs within their separation to `pairs_within`, and to `unsure` those that may be and whose
+  /// At rest: appends the pairs within their separation to `near`, and to `unsure` those that may be and whose
   /// distance doubles do not know well enough.
   void (*find_near)(const PackedVertex* vertices, const PairSeparation& separation, const PairBuffer& in,
                     PairBuffer& near, PairBuffer& unsure) = nullptr;

@@ -27,8 +27,8 @@ class FeatureTrees {
 
   /// The same in the old order, whatever the step. REQUIRES: a refit_or_rebuild() before that ended.
   void refit_for(const Step& step, const Separations& separations);
-  /// Vertices alone: boxes are left as they are, of another step, and must not be searched. REQUIRES: an update()
-  /// before that ended.
+  /// Vertices alone: boxes are left as they are, of another step, and must not be searched. REQUIRES: a
+  /// refit_or_rebuild() before that ended.
   void load_vertices(const Step& step, const Separations& separations, Statistics& statistics);
   /// Are the boxes, and the vertices, those of this step? By where its positions stand in memory, and by one of them.
   bool are_of(const Step& step) const;

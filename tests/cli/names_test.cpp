@@ -51,7 +51,7 @@ TEST_F(Names, AreQuotedInTables) {
   folder_.write_frame("a,\"b\".obj", 1);
   folder_.write_frame("end.obj", -2);
   const Outcome outcome =
-      folder_.run("bench 'a,\"b\".obj' end.obj --question free --cold 1 --repeat 1 --out table.csv");
+      folder_.run("bench 'a,\"b\".obj' end.obj --question is-free --cold 1 --repeat 1 --out table.csv");
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_NE(bytes_of_file(folder_.path() / "table.csv").find("\n\"a,\"\"b\"\"\",1,"), std::string::npos)
       << bytes_of_file(folder_.path() / "table.csv");

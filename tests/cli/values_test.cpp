@@ -72,7 +72,7 @@ TEST_F(Values, AListHasNoEmptyPlaces) {
 // Bug: a list takes the files behind it.
 TEST_F(Values, AListEndsBeforeTheFiles) {
   const Outcome outcome =
-      folder_.run("bench --question free,contacts --cold 1 --repeat 1 --json --scale 0.1,1 above.obj below.obj");
+      folder_.run("bench --question is-free,contacts --cold 1 --repeat 1 --json --scale 0.1,1 above.obj below.obj");
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_EQ(outcome.json()["rows"].size(), 4u);
 }

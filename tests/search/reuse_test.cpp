@@ -103,12 +103,12 @@ TEST(Reuse, AStepThatPartsAllNeighboursSpoilsNothingForThoseAfterIt) {
   std::vector<Point> far = scene.start;
   for (std::size_t i = 0; i < far.size(); ++i) far[i][2] += 10 * double((i * 7919) % 1000) / 1000;
   Detector kept(scene.mesh()), fresh(scene.mesh());
-  kept.keep_distance({scene.start, far}, 0.1);
-  kept.keep_distance(scene.step(), 0.1);
+  kept.safe_step({scene.start, far}, 0.1);
+  kept.safe_step(scene.step(), 0.1);
   EXPECT_TRUE(kept.statistics().rebuilt);
-  fresh.keep_distance(scene.step(), 0.1);
+  fresh.safe_step(scene.step(), 0.1);
   EXPECT_EQ(kept.statistics().nodes_visited, fresh.statistics().nodes_visited);
-  kept.keep_distance(scene.step(), 0.1);
+  kept.safe_step(scene.step(), 0.1);
   EXPECT_FALSE(kept.statistics().rebuilt);
 }
 

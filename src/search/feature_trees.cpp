@@ -84,12 +84,15 @@ void FeatureTrees::update_trees(Statistics& statistics) {
       if (tree->feature_count() > 0) sum += tree->swept_area();
     return sum;
   };
+  const double scale = motion_.frame.scale;
   const auto best_axes = [&] { return order_axes(motion_, mesh_.points(), kernels_.trees.split); };
   if (built_area_ > 0) {
     refit_trees();
     const double now = area();
-    // The next step may go nowhere near as far, and sweep over little in whatever order.
-    const bool is_of_longer_steps = axes_ != 3 && now < kShorterSteps * built_area_ && best_axes() == 3;
+    // The next step may go nowhere near as far, and sweep over little in whatever order: in its own frame, as a step that
+    // goes far has a large one.
+    const double part = now / built_area_ * (built_scale_ / scale) * (built_scale_ / scale);
+    const bool is_of_longer_steps = axes_ != 3 && part < kShorterSteps && best_axes() == 3;
     if (now <= kPoorArea * built_area_ && !is_of_longer_steps) return;
   }
   built_area_ = 0;  // until all are built
@@ -98,6 +101,7 @@ void FeatureTrees::update_trees(Statistics& statistics) {
   for (BlockTree* tree : trees) tree->build(motion_, axes_, kernels_.trees, [&] { stop_if_cancelled(options_); });
   // Areas are of the box frame, which holds the scene whatever its size; a scene without area is rebuilt each time.
   built_area_ = area();
+  built_scale_ = scale;
   are_of_motion_ = true;
   statistics.rebuilt = true;
 }

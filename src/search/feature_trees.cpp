@@ -13,6 +13,8 @@ namespace {
 /// Refitting goes on until the leaf blocks' swept area exceeds by this factor what it was when they were built
 /// (docs/history/performance.md: "When to rebuild").
 constexpr double kPoorArea = 1.5;
+/// An order by how far features go is asked about again when they sweep over less than this part of what they did then.
+constexpr double kShorterSteps = 0.25;
 
 }  // namespace
 
@@ -82,16 +84,24 @@ void FeatureTrees::update_trees(Statistics& statistics) {
       if (tree->feature_count() > 0) sum += tree->swept_area();
     return sum;
   };
+  const double scale = motion_.frame.scale;
+  const auto best_axes = [&] { return order_axes(motion_, mesh_.points(), kernels_.trees.split); };
   if (built_area_ > 0) {
     refit_trees();
-    if (area() <= kPoorArea * built_area_) return;
+    const double now = area();
+    // The next step may go nowhere near as far, and sweep over little in whatever order: in its own frame, as a step that
+    // goes far has a large one.
+    const double part = now / built_area_ * (built_scale_ / scale) * (built_scale_ / scale);
+    const bool is_of_longer_steps = axes_ != 3 && part < kShorterSteps && best_axes() == 3;
+    if (now <= kPoorArea * built_area_ && !is_of_longer_steps) return;
   }
-  const int axes = order_axes(motion_, mesh_.points(), kernels_.trees.split);
   built_area_ = 0;  // until all are built
   are_of_motion_ = false;
-  for (BlockTree* tree : trees) tree->build(motion_, axes, kernels_.trees, [&] { stop_if_cancelled(options_); });
+  axes_ = best_axes();
+  for (BlockTree* tree : trees) tree->build(motion_, axes_, kernels_.trees, [&] { stop_if_cancelled(options_); });
   // Areas are of the box frame, which holds the scene whatever its size; a scene without area is rebuilt each time.
   built_area_ = area();
+  built_scale_ = scale;
   are_of_motion_ = true;
   statistics.rebuilt = true;
 }

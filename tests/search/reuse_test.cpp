@@ -97,6 +97,21 @@ TEST(Reuse, RefitsWhileTheOrderIsGoodAndRebuildsWhenItIsPoor) {
   EXPECT_TRUE(detector.statistics().rebuilt);
 }
 
+TEST(Reuse, AStepThatPartsAllNeighboursSpoilsNothingForThoseAfterIt) {
+  // Would catch an order by how far features go that is kept: what it sweeps over later is less, however poor it is.
+  const Scene scene = scenes::scene_by_name("folded-cloth", 2000, 1);
+  std::vector<Point> far = scene.start;
+  for (std::size_t i = 0; i < far.size(); ++i) far[i][2] += 10 * double((i * 7919) % 1000) / 1000;
+  Detector kept(scene.mesh()), fresh(scene.mesh());
+  kept.safe_step({scene.start, far}, 0.1);
+  kept.safe_step(scene.step(), 0.1);
+  EXPECT_TRUE(kept.statistics().rebuilt);
+  fresh.safe_step(scene.step(), 0.1);
+  EXPECT_EQ(kept.statistics().nodes_visited, fresh.statistics().nodes_visited);
+  kept.safe_step(scene.step(), 0.1);
+  EXPECT_FALSE(kept.statistics().rebuilt);
+}
+
 TEST(Reuse, AWarmDetectorAllocatesNothing) {
   // Would catch a buffer made anew each step.
   const Scene scene = scenes::scene_by_name("folded-cloth", 5000, 1);

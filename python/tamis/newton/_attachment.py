@@ -89,6 +89,7 @@ class Attachment:
         self.report = AttachmentReport()
         self._keep = keep
         self._solver = solver
+        self._held = surface.held
         self._lists = ContactLists(solver, surface)
         self._end: Any = None
         self._is_near = False
@@ -183,6 +184,8 @@ class Attachment:
         begin = perf_counter()
         solver = self._solver
         start, wanted = solver.particle_q_prev.numpy(), state.particle_q.numpy()
+        if not np.array_equal(start[self._held], wanted[self._held]):
+            raise InvalidOptions("particles that were inactive or without mass when attached move now: attach again")
         step = self.detector.truncate(start, wanted, self._keep, stored="float32")
         end = step.positions.astype(np.float32)
         if not np.array_equal(end, wanted):

@@ -33,19 +33,34 @@ class Surface:
         self.edge_count = len(edges)
         self._newton_edge = np.full(len(self.mesh.edges), -1)
         self._newton_edge[self.mesh.find_edges(edges)] = np.arange(len(edges))
-        self._worlds = model.particle_world.numpy() if model.world_count > 1 else None
+        self._worlds = model.particle_world.numpy()
+        self.held = self._find_held(model)
+
+    def _find_held(self, model: Any) -> npt.NDArray[np.int64]:
+        """Return the particles that no step moves, nor any that an edge joins to them."""
+        from newton import ParticleFlags
+
+        is_active = model.particle_flags.numpy() & ParticleFlags.ACTIVE != 0
+        may_move = is_active & (model.particle_mass.numpy() > 0)
+        edges = self.mesh.edges
+        is_joined = may_move.copy()
+        is_joined[edges[may_move[edges].any(axis=1)]] = True
+        return np.flatnonzero(~is_joined)
 
     def detector(self, *, one_ring: bool, min_separation: float, threads: int) -> Detector:
-        """Return one that asks about all pairs of a world, and of each world and what is in all of them."""
-        groups, may_touch = None, None
-        if self._worlds is not None:
-            groups = self._worlds + 1  # from 0, which is in all worlds
-            may_touch = np.eye(groups.max() + 1, dtype=bool)
-            may_touch[0], may_touch[:, 0] = True, True
+        """Return one that asks about all pairs of a world, and of each world and what is in all of them.
+
+        Pairs of which no step moves a vertex are left out.
+        """
+        groups = 2 * (self._worlds + 1)  # world -1 is in all worlds
+        groups[self.held] += 1  # all vertices of a feature that has such a one first are held
+        of_group, groups = np.unique(groups, return_inverse=True)
+        world, is_held = of_group // 2, of_group % 2 == 1
+        share_world = (world[:, None] == world) | (world == 0) | (world == 0)[:, None]
         return Detector(
             self.mesh,
             groups=groups,
-            may_touch=may_touch,
+            may_touch=share_world & ~(is_held & is_held[:, None]),
             rings=1 if one_ring else 2,
             min_separation=min_separation,
             threads=threads,

@@ -23,8 +23,11 @@ pytestmark = pytest.mark.filterwarnings("default")
 MARGIN, GAP = 0.02, 0.01
 
 
-def falling_cloths(layers: int = 3) -> Any:
-    """Sheets above each other, a little more than the margin apart, each faster than the one below."""
+def falling_cloths(layers: int = 3, floor: Any = None) -> Any:
+    """Sheets above each other, a little more than the margin apart, each faster than the one below; under them a floor.
+
+    Of the floor the vertices are not simulated; it is the last that the model has.
+    """
     builder = newton.ModelBuilder(gravity=(0.0, 0.0, -10.0))
     for layer in range(layers):
         builder.add_cloth_grid(
@@ -42,8 +45,15 @@ def falling_cloths(layers: int = 3) -> Any:
             tri_ka=1e3,
             edge_ke=1.0,
         )
+    if floor is not None:
+        place = {"pos": wp.vec3(), "rot": wp.quat_identity(), "vel": wp.vec3(), "scale": 1.0, "density": 0.1}
+        builder.add_cloth_mesh(**place, vertices=floor.tolist(), indices=list(range(len(floor))))
     builder.color(include_bending=True)
     model = builder.finalize(device="cpu")
+    if floor is not None:
+        flags = model.particle_flags.numpy()
+        flags[-len(floor) :] &= ~newton.ParticleFlags.ACTIVE
+        model.particle_flags.assign(flags)
     model.soft_contact_ke = 1e3
     return model
 
@@ -141,6 +151,29 @@ def test_says_when_the_caller_moves_vertices_through_others() -> None:
     with pytest.warns(UserWarning, match="moved through them from outside"):
         solver.step(following, state, None, None, 1 / 600)
     assert attachment.report.moved_into_contact == 1
+
+
+# Bug: the pieces of such a floor touch each other at the start of every step.
+@pytest.mark.filterwarnings("error")
+def test_what_no_step_moves_meets_all_but_itself() -> None:
+    corner, x, y = np.array([-0.1, -0.1, -0.03]), np.array([0.6, 0, 0]), np.array([0, 0.6, 0])
+    floor = corner + np.array([0 * x, x, y, x, x + y, y])  # two triangles whose corners coincide
+    model = falling_cloths(2, floor)
+    solver = solver_of(model)
+    attachment = tamis.newton.attach(solver)
+    ways = run(solver, 60)
+    moved = [(start != end).any(axis=1) for start, end in ways]
+    mesh = tamis.Mesh(model.tri_indices.numpy().reshape(-1, 3), vertex_count=model.particle_count)
+    touching = [tamis.Detector(mesh).contacts(*way).vertices for way in ways]
+    assert all(len(pairs) > 0 for pairs in touching)  # of the floor
+    assert not any(moves[pairs].any() for moves, pairs in zip(moved, touching))
+    heights = ways[-1][1][:-6, 2]
+    assert heights.min() > -0.03 and attachment.report.shortened > 0
+    flags = model.particle_flags.numpy()
+    flags[-6:] |= newton.ParticleFlags.ACTIVE
+    model.particle_flags.assign(flags)
+    with pytest.raises(tamis.InvalidOptions, match="inactive or without mass when attached move now: attach again"):
+        run(solver, 1)
 
 
 def test_gives_the_solver_back() -> None:

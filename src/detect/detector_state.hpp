@@ -22,9 +22,9 @@ struct Detector::State {
   void ask(const Path& path, const QueryOptions& asked, Question question);
   EarliestContact earliest(const Step& step, const QueryOptions& asked);
   bool is_free(const Step& step, const QueryOptions& asked);
-  SafeStep keep_distance(const Step& step, double fraction, const QueryOptions& asked);
+  SafeStep safe_step(const Step& step, double fraction, const QueryOptions& asked);
   TruncatedStep truncate(const Step& step, double fraction, const QueryOptions& asked, Stored stored);
-  /// The pairs are in `near`.
+  /// The pairs are in `pairs_within`.
   void find_near(const Positions& positions, double distance);
   /// They are in `intersections`.
   /// `is_free`: some of them, if there are any.

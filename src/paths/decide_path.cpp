@@ -14,7 +14,7 @@ namespace {
 /// What is spent on one pair: parts that are looked at in doubles, and in double-double, of which so many within one
 /// part that doubles leave.
 constexpr int kMostParts = 1 << 17, kMostFineParts = 1 << 17, kMostWithinPart = 1 << 13;
-/// While strays are larger than errors cutting makes proofs sharper; below that only because chords turn less, for
+/// While deviations are larger than errors cutting makes proofs sharper; below that only because chords turn less, for
 /// parts longer than this.
 template <class T>
 constexpr double kShortest = 0x1p-6;
@@ -44,8 +44,8 @@ class PathSolver {
  private:
   /// True if `decision` is final: the earliest time that cannot be proven free is known.
   bool settles(const PathPart<T>& part, Decision& decision) {
-    const std::array<double, 4> strays = reader_.strays(part.from.time, part.to.time);
-    const Chords<kind, T> chords(part.from, part.to, strays);
+    const std::array<double, 4> deviations = reader_.deviations(part.from.time, part.to.time);
+    const Chords<kind, T> chords(part.from, part.to, deviations);
     const auto ends = chords.at_ends();
     if (chords.axis_proves_free(ends)) return false;
     const auto widened = chords.motion();
@@ -61,8 +61,8 @@ class PathSolver {
       }
       if (cut_around_crossing(part, window_of(widened, crossing.sign_at_start))) return false;
     }
-    const double stray = *std::max_element(strays.begin(), strays.end());
-    const bool may_gain = stray > 4 * std::max(part.from.error, part.to.error) || part.length() > kShortest<T>;
+    const double deviation = *std::max_element(deviations.begin(), deviations.end());
+    const bool may_gain = deviation > 4 * std::max(part.from.error, part.to.error) || part.length() > kShortest<T>;
     if (--parts_left_ > 0 && may_gain && parts_.cut(part, near_middle(part.from.time, part.to.time))) return false;
     return settles_further(part, widened, crossing, decision);
   }
@@ -110,9 +110,9 @@ ContactPlace place_on_path(const PathQuestion& question, const Decision& decisio
   const PairMotion<double> chord = make_motion(kind, points);
   if (is_about_distance(kind, question.min_separation)) return closest_place(kind, points, chord, 0);
   const auto start = reader.at<DoubleDouble>(decision.lower);
-  const std::array<double, 4> strays{};
+  const std::array<double, 4> deviations{};
   const int sign = with_kind(kind, [&](auto k) {
-    return crossing_of(Chords<k(), DoubleDouble>(start, start, strays).at_ends()).sign_at_start;
+    return crossing_of(Chords<k(), DoubleDouble>(start, start, deviations).at_ends()).sign_at_start;
   });
   return crossing_place(kind, points, chord, {0, 1}, kind == PairKind::edge_edge ? -sign : sign);
 }

@@ -1,5 +1,5 @@
 // The questions of a whole mesh on a path: piece by piece along it, a linear question in which every vertex has its
-// stray as radius; each pair that this leaves is decided on its curves.
+// deviation as radius; each pair that this leaves is decided on its curves.
 #pragma once
 #include <vector>
 
@@ -39,7 +39,7 @@ class PathSearch {
 
   Frame frame_at(const Path& path, double time) const;
   double piece_length(const Path& path, const Frame& start);
-  /// As radii: the stray, the error of the positions, and the caller's own.
+  /// As radii: the deviation, the error of the positions, and the caller's own.
   void set_radii(const Separations& separations, const Frame& from, const Frame& to);
   /// Throws if a vertex in the middle of its piece is farther from the chord than it says.
   void check_chords(const Path& path, const Frame& from, const Frame& to) const;
@@ -52,7 +52,7 @@ class PathSearch {
   Bound bound_;
   ContactCollector found_;  ///< pairs that may touch on a piece
   std::vector<Index> all_;  ///< 0, 1, 2, ...
-  std::vector<double> strays_, radii_;
+  std::vector<double> deviations_, radii_;
 };
 
 /// The contact that bounds the step first, and until when one is certain.

@@ -106,7 +106,7 @@ RigidPath::RigidPath(std::vector<Point> rest, std::vector<Index> body_of_vertex,
   for (std::size_t v = 0; v < rest_.size(); ++v) {
     const std::vector<LinkBounds>& links = bounds[static_cast<std::size_t>(body_of_vertex_[v])];
     Derivatives y{Interval(farthest(rest_[v], rest_end_[v])), Interval(change(rest_[v], rest_end_[v])), Interval(0)};
-    double reach = 0;  // the outermost position moves linearly: no chord strays from it
+    double reach = 0;  // the outermost position moves linearly: no chord deviates from it
     for (auto link = links.rbegin(); link != links.rend(); ++link) {
       if (link + 1 == links.rend()) reach = y.place.upper;
       y = after(*link, y);
@@ -221,12 +221,13 @@ void RigidPath::fine_points_at(double time, std::span<const Index> vertices, std
   });
 }
 
-void RigidPath::strays(double from, double to, std::span<const Index> vertices, std::span<double> strays) const {
+void RigidPath::deviations(double from, double to, std::span<const Index> vertices,
+                           std::span<double> deviations) const {
   const Interval h = Interval(to) - Interval(from);
   const double eighth = (Interval(0.125) * h * h).upper;
   for (std::size_t i = 0; i < vertices.size(); ++i) {
     const Curvature& curvature = curvatures_[static_cast<std::size_t>(vertices[i])];
-    strays[i] = std::min(rounding::above(eighth * curvature.acceleration), 2 * curvature.reach);
+    deviations[i] = std::min(rounding::above(eighth * curvature.acceleration), 2 * curvature.reach);
   }
 }
 

@@ -21,4 +21,13 @@ void decide_all(AnyOptions& options) {
   if constexpr (requires { options.guarantee; }) options.guarantee = decltype(options.guarantee)::exact;
 }
 
+/// By the name that this version has for it.
+template <class AnyDetector, class AnyStep>
+auto safe_step(AnyDetector& detector, const AnyStep& step, double keep) {
+  if constexpr (requires { detector.safe_step(step, keep); })
+    return detector.safe_step(step, keep);
+  else
+    return detector.keep_distance(step, keep);
+}
+
 }  // namespace tamis::matrix

@@ -30,12 +30,13 @@ bool exceed(const SymmetricMatrix& m, double bound) {
   return m.zz - bound - m.xz * m.xz / first - side * side / second > 0;
 }
 
-/// A lower bound of the eigenvalues and of 1, to 2^-12. Elimination that ends with positive pivots proves what it says
-/// up to a few roundings of the trace (Higham, Accuracy and Stability of Numerical Algorithms, theorem 10.3), of a
+/// A lower bound of the eigenvalues and of `most`, to 2^-12. Elimination that ends with positive pivots proves what it
+/// says up to a few roundings of the trace (Higham, Accuracy and Stability of Numerical Algorithms, theorem 10.3), of a
 /// matrix whose norm is below 2^10 far below 2^-30; others give 0.
-double least_eigenvalue(const SymmetricMatrix& m) {
+double least_eigenvalue(const SymmetricMatrix& m, double most) {
   if (!(m.xx + m.yy + m.zz < 0x1p10)) return 0;
-  double low = 0, high = 1;
+  if (exceed(m, most)) return std::max(most - 0x1p-30, 0.0);
+  double low = 0, high = most;
   for (int i = 0; i < 12; ++i) {
     const double middle = 0.5 * (low + high);
     (exceed(m, middle) ? low : high) = middle;
@@ -61,17 +62,19 @@ Columns inverse(const SymmetricMatrix& m) {
 }  // namespace
 
 /// |(I + t G) x|^2 is quadratic in t: in each part of the time at least the least of its Bernstein coefficients; and
-/// convex, so largest at an end.
+/// convex, so largest at an end. Mostly the last part has the least, and the others are found to exceed it at once.
 StretchBounds stretch_bounds(const DisplacementGradient& gradient) {
   constexpr int kParts = 4;
   double least = 1;
-  Columns from = columns_at(gradient, 0);
-  for (int i = 1; i <= kParts; ++i) {
-    const Columns to = columns_at(gradient, i / static_cast<double>(kParts));
-    least = std::min({least, least_eigenvalue(product(from, to)), least_eigenvalue(product(to, to))});
-    from = to;
+  const Columns end = columns_at(gradient, 1);
+  Columns to = end;
+  for (int i = kParts - 1; i >= 0; --i) {
+    const Columns from = columns_at(gradient, i / static_cast<double>(kParts));
+    least = least_eigenvalue(product(to, to), least);
+    least = least_eigenvalue(product(from, to), least);
+    to = from;
   }
-  const double greatest = std::max(1.0, greatest_eigenvalue(product(from, from)));
+  const double greatest = std::max(1.0, greatest_eigenvalue(product(end, end)));
   return {std::sqrt(least) * (1 - 0x1p-50), std::sqrt(greatest) * (1 + 0x1p-48)};
 }
 
@@ -96,13 +99,17 @@ DisplacementMoments& DisplacementMoments::operator+=(const DisplacementMoments& 
   return *this;
 }
 
+double DisplacementMoments::displacement2() const {
+  return count_ > 0 ? std::max(0.0, way2_ - dot(way_, (1 / count_) * way_)) : 0;
+}
+
 GradientFit DisplacementMoments::fit() const {
   constexpr double kRidge = 0x1p-20;  // what lies in a plane, or on a line, has no gradient out of it
   GradientFit result;
   if (!(count_ > 0)) return result;
   result.middle = (1 / count_) * place_;
   result.way = (1 / count_) * way_;
-  result.residual2 = result.displacement2 = std::max(0.0, way2_ - dot(way_, result.way));
+  result.residual2 = result.displacement2 = displacement2();
   SymmetricMatrix squares = place2_;
   squares.add_square(result.middle, -count_);
   const double ridge = kRidge * (squares.xx + squares.yy + squares.zz);

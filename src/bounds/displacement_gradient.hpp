@@ -40,6 +40,8 @@ class DisplacementMoments {
   DisplacementMoments& operator+=(const DisplacementMoments& other);
 
   double count() const { return count_; }
+  /// What GradientFit has of that name.
+  double displacement2() const;
   GradientFit fit() const;
 
  private:

@@ -60,15 +60,16 @@ void SharedMotion::fit(const Step& step, const BoxFrame& frame, double fraction)
     moments.push_back(moments_of(step, frame, object, stride()));
     scene.objects.push_back(scene.objects.size());
     scene.moments += moments.back();
-    turned2 += moments.back().fit().displacement2;
+    turned2 += moments.back().displacement2();
   }
-  const Fit one = fit_to({&scene, 1}, fraction);
-  const bool is_worth = kLeastGain * one.residual2 < one.displacement2;
+  const double displacement2 = scene.moments.displacement2();
+  const Fit one = fit_to({&scene, 1}, fraction, displacement2 / kLeastGain);
+  const bool is_worth = kLeastGain * one.residual2 < displacement2;
   if (is_worth) take({&scene, 1}, one);
-  const double most_residual2 = std::min(is_worth ? one.residual2 : one.displacement2, turned2) / kLeastGainOfMotions;
+  const double most_residual2 = std::min(is_worth ? one.residual2 : displacement2, turned2) / kLeastGainOfMotions;
   const std::vector<Motion> motions = motions_of_objects(moments, 0.5 * most_residual2);
   if (motions.size() < 2) return;
-  const Fit each = fit_to(motions, fraction);
+  const Fit each = fit_to(motions, fraction, most_residual2);
   if (!(each.residual2 < most_residual2)) return;
   if (!lie_apart(motions, each, step, frame)) return;
   take(motions, each);
@@ -101,16 +102,17 @@ std::vector<SharedMotion::Motion> SharedMotion::motions_of_objects(std::span<con
   return motions;
 }
 
-SharedMotion::Fit SharedMotion::fit_to(std::span<const Motion> motions, double fraction) {
+SharedMotion::Fit SharedMotion::fit_to(std::span<const Motion> motions, double fraction, double most_residual2) {
   Fit result;
   for (const Motion& motion : motions) {
-    const GradientFit fit = motion.moments.fit();
+    result.fits.push_back(motion.moments.fit());
+    result.residual2 += result.fits.back().residual2;
+  }
+  if (!(result.residual2 < most_residual2)) return result;  // what the stretch takes makes it no less
+  for (const GradientFit& fit : result.fits) {
     const StretchBounds stretch = stretch_bounds(fit.gradient);
     result.stretch.least = std::min(result.stretch.least, stretch.least);
     result.stretch.greatest = std::max(result.stretch.greatest, stretch.greatest);
-    result.displacement2 += fit.displacement2;
-    result.residual2 += fit.residual2;
-    result.fits.push_back(fit);
   }
   const double left = result.stretch.least - fraction, weight = (1 - fraction) / left;
   result.residual2 *= weight * weight;

@@ -50,16 +50,17 @@ class SharedMotion {
     std::vector<std::size_t> objects;
     DisplacementMoments moments;
   };
-  /// Sums over the vertices: the squares of displacements, and those of residuals as much as they count.
+  /// The sum of the squares of the vertices' residuals, as much as they count.
   struct Fit {
     std::vector<GradientFit> fits;  ///< of each motion
     StretchBounds stretch;
-    double displacement2 = 0, residual2 = 0;
+    double residual2 = 0;
   };
 
   /// From one vertex of an object that is looked at to the next.
   std::size_t stride() const;
-  static Fit fit_to(std::span<const Motion> motions, double fraction);
+  /// Without the stretch where that leaves `most_residual2` or more in any case.
+  static Fit fit_to(std::span<const Motion> motions, double fraction, double most_residual2);
   /// None if there are too many.
   std::vector<Motion> motions_of_objects(std::span<const DisplacementMoments> objects, double most_residual2) const;
   void take(std::span<const Motion> motions, const Fit& fit);

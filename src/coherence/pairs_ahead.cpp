@@ -118,10 +118,8 @@ bool PairsAhead::plan_steps(Question question, const Forecast::Fit& fit) {
 void PairsAhead::end(const ContactCollector& answer) {
   const Question question = answer.query().question;
   no_contact_before_ = answer.bound().latest();
+  if (question == Question::all_contacts) no_contact_before_ = std::min(*no_contact_before_, answer.touched_by());
   if (question == Question::is_free && !answer.contacts().empty()) no_contact_before_.reset();
-  if (question != Question::all_contacts) return;
-  for (const Contact& contact : answer.contacts())
-    no_contact_before_ = std::min(*no_contact_before_, contact.toi_upper);
 }
 
 bool PairsAhead::follows_prediction(const Step& step) {

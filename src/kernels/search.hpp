@@ -1,6 +1,8 @@
 // From a leaf block of one tree down the other tree to pairs of features. Stage by stage over small lists, without
 // branches on what boxes meet, which nothing could predict: leaf blocks, features against leaf blocks, features.
 #pragma once
+#include <utility>
+
 #include "kernels/box_overlap.hpp"
 
 namespace tamis::TAMIS_ISA {
@@ -23,8 +25,8 @@ inline void append_bits(unsigned mask, int first, std::int32_t* list, int& count
   });
 }
 
-/// `Boxes`: MovingBoxes, StillBoxes, RestBoxes, NearBoxes or ClearanceBoxes. A row: one feature of the block searched
-/// from and the sixteen of another block.
+/// `Boxes`: MovingBoxes, StillBoxes, RestBoxes, NearBoxes or ClearanceBoxes. A row: one feature of a block and the
+/// sixteen of the other, of the block searched from ("mine") and one of the tree ("theirs").
 template <PairKind kind, class Boxes, Course course = Course::step>
 class BlockSearch {
  public:
@@ -45,11 +47,13 @@ class BlockSearch {
 
  private:
   using Bounds = typename Boxes::Bounds;
+  /// Whose the one feature of a row is.
+  enum class One { mine, theirs };
   static constexpr bool kIsSelf = kind == PairKind::edge_edge;
   static constexpr int kCornersA = kIsSelf || course == Course::along_edge ? 2 : 1, kCornersB = kIsSelf ? 2 : 3;
   static constexpr int kMostLeaves = 32, kAhead = 4;
-  /// Rows that are looked at first, and the part of them above which the cheap test leaves too many to be asked at all
-  /// (docs/performance.md, "On every step").
+  /// Rows of a block that are looked at first, and the part of them above which the cheap test leaves too many to be
+  /// asked at all (docs/performance.md, "On every step").
   static constexpr int kSample = 16;
   static constexpr double kMostMet = 0.65;
 
@@ -68,11 +72,12 @@ class BlockSearch {
   /// Unless none of my features may meet its hull, which is lane `lane` of `hulls`.
   void append_leaf(int leaf, const Bounds& hulls, int lane, bool is_fast) {
     leaves_[leaf_count_] = leaf;
-    rows_of_[leaf_count_] = rows_that_meet(hulls, lane);
     if constexpr (Boxes::kMoves)
-      if (is_fast)
-        rows_of_[leaf_count_] &=
-            boxes_.meet_at_some_time(search_.b.levels[1][leaf / kBlock], leaf % kBlock, search_.a.levels[0][block_]);
+      rows_of_[leaf_count_] = is_fast ? boxes_.meet_at_some_time(search_.b.levels[1][leaf / kBlock], leaf % kBlock,
+                                                                 search_.a.levels[0][block_])
+                                      : rows_that_meet(hulls, lane);
+    else
+      rows_of_[leaf_count_] = rows_that_meet(hulls, lane);
     is_fast_[leaf_count_] = is_fast;
     leaf_count_ += rows_of_[leaf_count_] != 0;
   }
@@ -116,31 +121,55 @@ class BlockSearch {
     for (int i = 0; i < leaf_count_; ++i) {
       if (i + kAhead < leaf_count_) fetch(leaves_[i + kAhead]);
       boxes_.bound(search_.b, 0, leaves_[i], theirs_[i]);
+      if constexpr (Boxes::kMoves) asks_theirs_[i] = is_fast_[i] && ask_theirs(i);
     }
-    int count = 0;
-    for (int i = 0; i < leaf_count_; ++i) append_bits(is_fast_[i] ? 0 : rows_of_[i], kBlock * i, rows_, count);
-    const int slow = count;
-    for (int i = 0; i < leaf_count_; ++i) append_bits(is_fast_[i] ? rows_of_[i] : 0, kBlock * i, rows_, count);
-    int found_count = keep_rows(0, slow, 0, [&](int i) { return others_that_meet(rows_[i]); });
-    if constexpr (Boxes::kMoves)
-      if (slow < count) found_count = match_fast_rows(slow, count, found_count);
-    for (int i = 0; i < found_count; ++i) append(rows_[i], found_[i]);
+    match_rows<One::mine>([&](int i) { return !is_fast_[i]; },
+                          [&](int count) {
+                            return keep_rows(0, count, 0, [&](int i) { return others_that_meet<One::mine>(rows_[i]); });
+                          });
+    if constexpr (Boxes::kMoves) {
+      match_rows<One::mine>([&](int i) { return is_fast_[i] && !asks_theirs_[i]; },
+                            [&](int count) { return keep_fast_rows<One::mine>(count); });
+      match_rows<One::theirs>([&](int i) { return asks_theirs_[i]; },
+                              [&](int count) { return keep_fast_rows<One::theirs>(count); });
+    }
     leaf_count_ = 0;
   }
 
-  /// Of the rows up to `count`, those of features that may meet, with the bits of these; their number.
-  int match_fast_rows(int first, int count, int to) {
-    const auto cheap = [&](int i) { return others_that_meet(rows_[i]); };
-    // The first rows tell whether the cheap test leaves so much that the sharp one is better asked at once.
-    const int sample = std::min(count, first + kSample);
-    const int met = keep_rows(first, sample, to, cheap);
-    const int found =
-        keep_rows(to, met, to, [&](int i) { return found_[i] & others_that_meet_at_some_time(rows_[i]); });
-    if (met - to > kMostMet * (sample - first))
-      return keep_rows(sample, count, found,
-                       [&](int i) { return others_that_meet_at_some_time(rows_[i]) & ~neighbours(rows_[i]); });
-    const int last = keep_rows(sample, count, found, cheap);
-    return keep_rows(found, last, found, [&](int i) { return found_[i] & others_that_meet_at_some_time(rows_[i]); });
+  /// Takes their features that may meet my hull as the rows of a leaf, if these are fewer than mine. Returns whether.
+  bool ask_theirs(int i) {
+    if (kIsSelf && leaves_[i] == block_) return false;
+    const unsigned theirs = boxes_.meet_at_some_time(search_.a.levels[1][block_ / kBlock], block_ % kBlock,
+                                                     search_.b.levels[0][leaves_[i]]);
+    const bool are_fewer = __builtin_popcount(theirs) < __builtin_popcount(rows_of_[i]);
+    if (are_fewer) rows_of_[i] = theirs;
+    return are_fewer;
+  }
+
+  /// Appends the pairs of the rows of some leaves. `keep(count)`, of that many rows, leaves those with pairs.
+  template <One one, class IsOne, class Keep>
+  void match_rows(const IsOne& is_one, const Keep& keep) {
+    int count = 0;
+    for (int i = 0; i < leaf_count_; ++i) append_bits(is_one(i) ? rows_of_[i] : 0, kBlock * i, rows_, count);
+    const int found = keep(count);
+    for (int i = 0; i < found; ++i) append<one>(rows_[i], found_[i]);
+  }
+
+  /// Of the first `count` rows, those of features that may meet, with the bits of these; their number.
+  template <One one>
+  int keep_fast_rows(int count) {
+    const auto cheap = [&](int i) { return others_that_meet<one>(rows_[i]); };
+    const auto both = [&](int i) { return found_[i] & others_that_meet_at_some_time<one>(rows_[i]); };
+    // The block's first rows tell whether the cheap test leaves so much that the sharp one is better asked at once.
+    const int sample = std::min(count, kSample - sampled_), met = keep_rows(0, sample, 0, cheap);
+    sampled_ += sample;
+    met_ += met;
+    const int found = keep_rows(0, met, 0, both);
+    if (met_ > kMostMet * sampled_)
+      return keep_rows(sample, count, found, [&](int i) {
+        return others_that_meet_at_some_time<one>(rows_[i]) & ~neighbours<one>(rows_[i]);
+      });
+    return keep_rows(found, keep_rows(sample, count, found, cheap), found, both);
   }
 
   /// Of the rows first to last those where bits(i) has some, from place `to` on. Returns the place behind them.
@@ -170,39 +199,57 @@ class BlockSearch {
                 [&](int k, int) { return FloatLanes(hulls.at[k][lane]); });
   }
 
-  /// Bits of a block's features that may meet one of mine and are no neighbours. `row`: place in leaves_, my lane.
+  /// Bits of the sixteen that may meet the one and are no neighbours. `row`: place in leaves_, lane of the one.
+  template <One one>
   unsigned others_that_meet(int row) const {
     const int lane = row % kBlock;
-    const Bounds& theirs = theirs_[row / kBlock];
-    return meet([&](int k, int) { return FloatLanes(mine_.at[k][lane]); },
-                [&](int k, int first) { return theirs.lanes(k, first); }) &
-           ~neighbours(row);
+    const auto [of_one, of_many] = in_order<one>(mine_, theirs_[row / kBlock]);
+    return meet([&](int k, int) { return FloatLanes(of_one.at[k][lane]); },
+                [&](int k, int first) { return of_many.lanes(k, first); }) &
+           ~neighbours<one>(row);
   }
 
+  template <One one>
   unsigned others_that_meet_at_some_time(int row) const {
-    return boxes_.meet_at_some_time(search_.a.levels[0][block_], row % kBlock,
-                                    search_.b.levels[0][leaves_[row / kBlock]]);
+    const auto [of_one, of_many] =
+        in_order<one>(search_.a.levels[0][block_], search_.b.levels[0][leaves_[row / kBlock]]);
+    return boxes_.meet_at_some_time(of_one, row % kBlock, of_many);
   }
 
-  /// Bits of the features of a row's block that share a vertex with mine; in my own block, also of those up to mine.
+  /// First that of the one.
+  template <One one, class T>
+  static std::pair<const T&, const T&> in_order(const T& mine, const T& theirs) {
+    if constexpr (one == One::mine)
+      return {mine, theirs};
+    else
+      return {theirs, mine};
+  }
+
+  /// Bits of the sixteen that share a vertex with the one; in my own block, also of those up to mine.
+  template <One one>
   unsigned neighbours(int row) const {
     const int lane = row % kBlock, leaf = leaves_[row / kBlock];
     unsigned mask = kIsSelf && leaf == block_ ? ~(~1u << lane) : 0;
-    for_sixteen_lanes([&](int first) { mask |= adjacent(lane, search_.b.corners[leaf], first) << first; });
+    for_sixteen_lanes([&](int first) { mask |= adjacent<one>(lane, search_.b.corners[leaf], first) << first; });
     return mask;
   }
 
-  /// Bits of the lanes of `theirs` that share a vertex with one of mine; of empty lanes, anything.
+  /// Bits of the lanes that share a vertex with the one; of empty lanes, anything.
+  template <One one>
   unsigned adjacent(int lane, const CornerBlock& theirs, int first) const {
     using Unsigned = xsimd::batch<std::uint32_t, Arch>;
+    constexpr int kCornersOfOne = one == One::mine ? kCornersA : kCornersB;
+    constexpr int kCornersOfMany = one == One::mine ? kCornersB : kCornersA;
+    const auto [of_one, of_many] = in_order<one>(corners_, theirs);
     Unsigned differ(~0u);  // 0 where two vertices are one: cheaper than as many masks
-    for (int c = 0; c < kCornersA; ++c)
-      for (int o = 0; o < kCornersB; ++o)
-        differ = xsimd::min(differ, xsimd::bitwise_cast<Unsigned>(IntLanes(corners_.vertex[c][lane]) ^
-                                                                  IntLanes::load_aligned(theirs.vertex[o] + first)));
+    for (int c = 0; c < kCornersOfOne; ++c)
+      for (int o = 0; o < kCornersOfMany; ++o)
+        differ = xsimd::min(differ, xsimd::bitwise_cast<Unsigned>(IntLanes(of_one.vertex[c][lane]) ^
+                                                                  IntLanes::load_aligned(of_many.vertex[o] + first)));
     return bits(differ == Unsigned(0u));
   }
 
+  template <One one>
   void append(int row, unsigned found) {
     PairBuffer& pairs = *search_.pairs;
     if (pairs.count + kBlock > PairBuffer::kCapacity) search_.flush(search_);
@@ -213,8 +260,12 @@ class BlockSearch {
       const auto put = [&](int corner, const IntLanes& lanes) {
         store_compressed(mask, lanes, pairs.corner[corner] + pairs.count);
       };
-      const auto my = [&](int corner) { return IntLanes(corners_.vertex[corner][lane]); };
-      const auto their = [&](int corner) { return IntLanes::load_aligned(theirs.vertex[corner] + first); };
+      const auto of = [&](const CornerBlock& block, One owner, int corner) {
+        return owner == one ? IntLanes(block.vertex[corner][lane])
+                            : IntLanes::load_aligned(block.vertex[corner] + first);
+      };
+      const auto my = [&](int corner) { return of(corners_, One::mine, corner); };
+      const auto their = [&](int corner) { return of(theirs, One::theirs, corner); };
       if constexpr (kIsSelf) {
         // The smaller edge first, so that the answer does not depend on the order in the tree: by its first vertex,
         // in which two edges without a common vertex differ.
@@ -243,8 +294,9 @@ class BlockSearch {
   int leaf_count_ = 0;
   alignas(64) std::int32_t leaves_[kMostLeaves + kBlock];
   unsigned rows_of_[kMostLeaves + kBlock];
-  bool is_fast_[kMostLeaves + kBlock];
+  bool is_fast_[kMostLeaves + kBlock], asks_theirs_[kMostLeaves + kBlock];
   MovingBoxes::Means means_;
+  int sampled_ = 0, met_ = 0;  ///< fast rows that were asked the cheap way first, and those that it left
   Bounds theirs_[kMostLeaves];
   std::int32_t rows_[kMostLeaves * kBlock + kBlock];
   unsigned found_[kMostLeaves * kBlock];

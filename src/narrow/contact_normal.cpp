@@ -6,8 +6,7 @@
 #include "distance/direction_apart.hpp"
 #include "exact/exact_distance.hpp"
 #include "exact/exact_side.hpp"
-#include "motion/polynomials.hpp"
-#include "narrow/crossing_root.hpp"
+#include "narrow/crossing_slope.hpp"
 #include "numerics/assert.hpp"
 
 namespace tamis {
@@ -49,21 +48,11 @@ ContactPlace closest_place(const PairPoints& points, const PairMotion<double>& m
   return {exact.u, exact.v, is_known ? unit_point(direction) : any_normal(kind, points, m, time)};
 }
 
-/// Of a contact: the sign of the slope of the coplanarity during `time`, -1, 1, or 0 if not certain.
-int slope_during(const PairMotion<double>& m, const TimeInterval<double>& time) {
-  const double unit = m.size_d * m.size_e * m.size_f, middle = 0.5 * (time.t_in + time.t_out);
-  const double slope = crossing::slope(coplanarity_polynomial(m), middle);
-  // The slope changes by at most 2 kBend a unit of time.
-  const double error = error_bounds::bound(error_bounds::kCoplanaritySlope, unit) +
-                       2 * error_bounds::kBend * (time.t_out - time.t_in) * unit;
-  return std::fabs(slope) > error ? (slope > 0 ? 1 : -1) : 0;
-}
-
 /// As side_just_before: the coplanarity, which has that sign for a vertex and the other for edges, falls to zero from
 /// it.
 int side_before_crossing(PairKind kind, const PairPoints& points, const PairMotion<double>& m,
                          const PairResult& result) {
-  const int slope = slope_during(m, {result.toi_lower, result.toi_upper});
+  const int slope = crossing::slope_during(m, {result.toi_lower, result.toi_upper});
   if (slope == 0) return side_just_before(kind, points, result.toi_lower);
   return kind == PairKind::edge_edge ? slope : -slope;
 }

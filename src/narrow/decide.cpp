@@ -9,6 +9,7 @@
 #include "narrow/contact_normal.hpp"
 #include "narrow/decided_by_crossing.hpp"
 #include "narrow/far_flight.hpp"
+#include "narrow/fine_crossing.hpp"
 #include "narrow/fine_separation.hpp"
 #include "narrow/leaving.hpp"
 #include "narrow/separation.hpp"
@@ -40,14 +41,17 @@ Decision decide_in_doubles(PairKind kind, const PairMotion<double>& m, const Tim
                                                : within(clip, subdivide(kind, m, widened(clip)));
 }
 
-/// What `first_within` leaves undecided, again: other units of time and length, or of precision. Nothing where these do
-/// not decide it.
-std::optional<Decision> decide_distance_again(PairKind kind, const PairPoints& points, double separation,
-                                              const PairMotion<double>& m, const Decision& d) {
+/// What doubles leave undecided, again: other units of time and length, or of precision. Nothing where these do not
+/// decide it.
+std::optional<Decision> decide_again(PairKind kind, const PairPoints& points, double separation,
+                                     const PairMotion<double>& m, const Decision& d) {
   if (!is_finite(m)) return {};
+  const TimeInterval<double> bracket{d.lower, d.upper};
   if (d.verdict == Verdict::unsure)
-    return flies_past(kind, points, separation, m) ? std::optional(Decision{}) : std::nullopt;
-  const auto time = first_within_finely(kind, points, separation, m, {d.lower, d.upper});
+    return separation > 0 && flies_past(kind, points, separation, m) ? std::optional(Decision{}) : std::nullopt;
+  if (separation == 0 && !can_cross(kind)) return {};
+  const auto time = separation > 0 ? first_within_finely(kind, points, separation, m, bracket)
+                                   : first_crossing_finely(kind, points, m, bracket);
   return time ? std::optional(Decision{Verdict::touches, time->t_in, time->t_out}) : std::nullopt;
 }
 
@@ -109,9 +113,8 @@ Outcome decide_pair(PairKind kind, const PairPoints& points, const PairMotion<do
     return decide_in_integers(kind, points, options.min_separation);
   const Decision d = decide_in_doubles(kind, m, clip);
   if (is_sharp_answer(d)) return {d, &PrecisionCount::scalar};
-  if (options.min_separation > 0)
-    if (const auto again = decide_distance_again(kind, points, options.min_separation, m, d))
-      return {*again, &PrecisionCount::scalar};
+  if (const auto again = decide_again(kind, points, options.min_separation, m, d))
+    return {*again, &PrecisionCount::scalar};
   return decide_in_integers(kind, points, options.min_separation);
 }
 

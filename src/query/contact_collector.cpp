@@ -21,6 +21,7 @@ void ContactCollector::begin(const Query& query, Bound& bound) {
   bound_ = &bound;
   contacts_.clear();
   first_ = {};
+  touched_by_ = 1;
   decided_by_ = {};
   ignored_ = 0;
 }
@@ -29,7 +30,8 @@ bool ContactCollector::add(PairKind kind, const PairVertices& vertices, const Pa
   if (!decided.touches) return false;
   TAMIS_ASSERT(is_kind(kind) && is_part_of_step(TimeInterval<double>{decided.toi_lower, decided.toi_upper}));
   if (query_->are_neighbours(kind, vertices)) return false;
-  const PairResult result = as_counted(kind, vertices, decided);
+  PairResult once_apart;
+  const PairResult& result = as_counted(kind, vertices, decided, once_apart);
   if (!result.touches) {
     ++ignored_;
     return false;
@@ -43,16 +45,18 @@ bool ContactCollector::add(PairKind kind, const PairVertices& vertices, const Pa
     if (result.toi_lower > bound_->latest()) return false;
     bound_->lower(result.toi_upper * kNearTie);
   }
+  touched_by_ = std::min(touched_by_, result.toi_upper);
   contacts_.push_back(contact_of(kind, vertices, result));
   if (question == Question::earliest && (contacts_.size() >= kMostContactsKept || result.toi_lower == 0))
     reduce_to_first();
   return true;
 }
 
-PairResult ContactCollector::as_counted(PairKind kind, const PairVertices& vertices, const PairResult& result) {
+const PairResult& ContactCollector::as_counted(PairKind kind, const PairVertices& vertices, const PairResult& result,
+                                               PairResult& once_apart) {
   if (!query_->ignores_start || result.toi_upper > 0) return result;
-  return decide_once_apart(kind, points_of(query_->step, vertices), query_->separations.between(kind, vertices),
-                           decided_by_);
+  return once_apart = decide_once_apart(kind, points_of(query_->step, vertices),
+                                        query_->separations.between(kind, vertices), decided_by_);
 }
 
 bool ContactCollector::wants(PairKind kind, const PairVertices& vertices) const {
@@ -66,6 +70,7 @@ void ContactCollector::take(ContactCollector& other) {
   else
     contacts_.insert(contacts_.end(), other.contacts_.begin(), other.contacts_.end());
   other.contacts_.clear();
+  touched_by_ = std::min(touched_by_, other.touched_by_);
   decided_by_ += other.decided_by_;
   other.decided_by_ = {};
   ignored_ += std::exchange(other.ignored_, 0);
@@ -91,7 +96,8 @@ void ContactCollector::reduce_to_first() {
     stop_if_cancelled(*query_);
     const PairOptions rule = query_->rule_for(c.kind, c.vertices);
     const PairResult result = decide(c.kind, points_of(query_->step, c.vertices), rule, decided_by_);
-    keep_first(contact_of(c.kind, c.vertices, as_counted(c.kind, c.vertices, result)));
+    PairResult once_apart;
+    keep_first(contact_of(c.kind, c.vertices, as_counted(c.kind, c.vertices, result, once_apart)));
   }
   contacts_.clear();
 }

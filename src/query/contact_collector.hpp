@@ -50,6 +50,8 @@ class ContactCollector {
   const std::vector<Contact>& contacts() const { return contacts_; }
   /// earliest: the answer, decided on the whole step, so that it does not depend on how far the search still looked.
   EarliestContact first();
+  /// A time by which some pair of all_contacts touches; 1: none is known to.
+  double touched_by() const { return touched_by_; }
   /// Pairs that it has decided itself.
   const PrecisionCount& decided_by() const { return decided_by_; }
   /// Pairs that touch at t=0 and do not count.
@@ -61,8 +63,9 @@ class ContactCollector {
   /// nothing comes before it, is not kept at all.
   static constexpr std::size_t kMostContactsKept = 1024;
 
-  /// What the pair does as far as it counts.
-  PairResult as_counted(PairKind kind, const PairVertices& vertices, const PairResult& result);
+  /// What the pair does as far as it counts: the result, or what `once_apart` then holds.
+  const PairResult& as_counted(PairKind kind, const PairVertices& vertices, const PairResult& result,
+                               PairResult& once_apart);
   void reduce_to_first();
   void keep_first(const Contact& decided);
 
@@ -70,6 +73,7 @@ class ContactCollector {
   Bound* bound_ = nullptr;
   std::vector<Contact> contacts_;  ///< earliest: those not yet decided on the whole step
   EarliestContact first_;          ///< of those that are
+  double touched_by_ = 1;
   PrecisionCount decided_by_;
   std::uint64_t ignored_ = 0;
 };

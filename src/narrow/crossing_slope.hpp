@@ -1,0 +1,23 @@
+// Does the coplanarity of a pair rise or fall during a time? Where it does either, it has one root there at most.
+#pragma once
+#include <cmath>
+
+#include "motion/polynomials.hpp"
+#include "motion/time_clip.hpp"
+#include "narrow/crossing_root.hpp"
+#include "numerics/error_bounds.hpp"
+
+namespace tamis::crossing {
+
+/// The sign of the slope of the coplanarity during all of `time`: -1, 1, or 0 if not certain. REQUIRES: a whole motion.
+inline int slope_during(const PairMotion<double>& m, const TimeInterval<double>& time) {
+  TAMIS_ASSERT(is_whole(m) && is_part_of_step(time));
+  const double unit = m.size_d * m.size_e * m.size_f, middle = 0.5 * (time.t_in + time.t_out);
+  const double value = slope(coplanarity_polynomial(m), middle);
+  // The slope changes by at most 2 kBend a unit of time.
+  const double error = error_bounds::bound(error_bounds::kCoplanaritySlope, unit) +
+                       2 * error_bounds::kBend * (time.t_out - time.t_in) * unit;
+  return std::fabs(value) > error ? (value > 0 ? 1 : -1) : 0;
+}
+
+}  // namespace tamis::crossing

@@ -1,0 +1,75 @@
+// Double-double's first crossing against exact algebra, whose answer it must give to the bit or not at all.
+// TAMIS_CROSSING_CASES sets the number of cases a family.
+#include "narrow/fine_crossing.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "exact/exact.hpp"
+#include "support/ask_pair.hpp"
+#include "support/pair_cases.hpp"
+#include "support/test_data.hpp"
+
+namespace tamis::test {
+namespace {
+
+constexpr PairKind kCrossing[] = {PairKind::vertex_face, PairKind::edge_edge};
+
+struct Compared {
+  long asked = 0, answered = 0;
+};
+
+/// In a bracket that begins up to `around` ahead of the first time, and ends as much after it.
+void compare_crossing(PairKind kind, const PairPoints& points, double around, Compared& counts) {
+  const ExactDecision exact = decide_exactly(kind, points);
+  if (!exact.touches || exact.toi_lower == 0) return;
+  const TimeInterval<double> bracket{std::max(exact.toi_lower - around, 0.), std::min(exact.toi_upper + around, 1.)};
+  const auto fine = first_crossing_finely(kind, points, make_motion(kind, points), bracket);
+  ++counts.asked;
+  if (!fine) return;
+  ++counts.answered;
+  EXPECT_EQ(fine->t_in, exact.toi_lower) << describe(kind, {points.start, points.end});
+  EXPECT_EQ(fine->t_out, exact.toi_upper) << describe(kind, {points.start, points.end});
+}
+
+// Bugs: a time that is exact is taken for one between doubles (grazing, dyadic times); a bound on the error that is too
+// small; a second root of the coplanarity in the bracket; a slope of the wrong sign.
+TEST(FineCrossing, GivesTheExactBracketOrNone) {
+  const long cases = repetitions("TAMIS_CROSSING_CASES", 40);
+  Random random(47);
+  for (const Family& family : kFamilies)
+    for (const PairKind kind : kCrossing)
+      for (long i = 0; i < cases && !HasFailure(); ++i) {
+        const Placement& placement = kPlacements[static_cast<std::size_t>(random.below(Index{kPlacements.size()}))];
+        const PairPoints points = to_points(permuted(kind, placed(family.make(kind, random), placement), random));
+        Compared counts;
+        for (const double around : {1e-10, 1e-4, 1.0}) compare_crossing(kind, points, around, counts);
+      }
+}
+
+// Bug: it gives up on what it is for: ordinary crossings.
+TEST(FineCrossing, AnswersNearlyAllOrdinaryPairs) {
+  Random random(53);
+  for (const PairKind kind : kCrossing) {
+    Compared counts;
+    for (int i = 0; i < 4000; ++i)
+      compare_crossing(kind, to_points(family_named("random").make(kind, random)), 1e-10, counts);
+    EXPECT_GT(counts.asked, 10);
+    EXPECT_GE(counts.answered, 0.98 * static_cast<double>(counts.asked));
+  }
+}
+
+// Bug: exact touching is answered: the vertex is in the face's plane at t = 1/2, and neither double beside it is first.
+TEST(FineCrossing, LeavesExactTimesToIntegers) {
+  const auto ask = [](double height) {
+    const PairPoints fall{{{{0, 0, height}, {-1, -1, 0}, {1, -1, 0}, {0, 1, 0}}},
+                          {{{0, 0, -1}, {-1, -1, 0}, {1, -1, 0}, {0, 1, 0}}}};
+    return first_crossing_finely(PairKind::vertex_face, fall, make_motion(PairKind::vertex_face, fall), {0.495, 0.505});
+  };
+  EXPECT_FALSE(ask(1));
+  EXPECT_TRUE(ask(1.01));
+}
+
+}  // namespace
+}  // namespace tamis::test

@@ -48,16 +48,10 @@ class RigidPath final : public Path {
   void strays(double from, double to, std::span<const Index> vertices, std::span<double> strays) const override;
 
  private:
-  /// Of one vertex, over the whole step.
-  struct Curvature {
-    double acceleration;  ///< |x''| is at most this
-    double reach;         ///< x(t), less what moves linearly, stays this near to a point
-  };
-
   std::vector<Point> rest_, rest_end_;
   std::vector<Index> body_of_vertex_;
   std::vector<Chain> chains_;
-  std::vector<Curvature> curvatures_;
+  std::vector<double> accelerations_, reaches_;  ///< bounds of each vertex: how its curve bends, how far it strays
 };
 
 }  // namespace tamis

@@ -53,11 +53,10 @@ ChainBounds::LinkBounds::LinkBounds(const Link& link)
       way(change(link.start.position, link.end.position)),
       position(farthest(link.start.position, link.end.position)) {}
 
-ChainBounds::ChainBounds(const Chain& chain) : links_(chain.begin(), chain.end()) {}
-
-bool ChainBounds::turns() const {
-  return std::any_of(links_.begin(), links_.end(), [](const LinkBounds& link) { return link.turn.upper > 0; });
-}
+ChainBounds::ChainBounds(const Chain& chain)
+    : links_(chain.begin(), chain.end()), turns_(std::ranges::any_of(chain, [](const Link& link) {
+        return link.start.rotation != link.end.rotation;
+      })) {}
 
 /// Bounds of y and its derivatives, y being the point as one link after the other has moved it. With |R'| <= w and
 /// |R''| <= w^2 for a rotation vector that changes by w (docs/numerics.md, "Curved motion"):

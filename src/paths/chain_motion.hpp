@@ -50,7 +50,7 @@ class ChainBounds {
   /// Linear in `place`, but for rounding.
   Curvature of(double place, double way) const;
   /// Does any link turn? If not, points go straight.
-  bool turns() const;
+  bool turns() const { return turns_; }
 
  private:
   /// Of one link: how far its rotation vector changes, how far its position does, and how far that is from zero.
@@ -59,6 +59,7 @@ class ChainBounds {
     Interval turn, way, position;
   };
   std::vector<LinkBounds> links_;
+  bool turns_;
 };
 
 }  // namespace tamis

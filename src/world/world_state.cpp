@@ -10,6 +10,7 @@
 #include "numerics/number_text.hpp"
 #include "paths/path_search.hpp"
 #include "query/cancellation.hpp"
+#include "query/contact_collector.hpp"
 #include "query/stage_counts.hpp"
 #include "tamis/error.hpp"
 #include "topology/at.hpp"
@@ -198,7 +199,11 @@ std::vector<BodyContact> World::State::contacts(const QueryOptions& asked) {
   };
   if (straight_.is_asked()) {
     Gathered& gathered = *straight_.gathered;
-    add(straight_, gathered.detector().contacts(gathered.step(bodies), of_steps(asked)));
+    const Step step = gathered.step(bodies);
+    std::vector<Contact> found;
+    gathered.detector().contacts(step, found, of_steps(asked));
+    decide_anew(found, step, asked);
+    add(straight_, found);
   }
   if (turning_.is_asked()) {
     const RigidPath path = turning_.gathered->path(bodies);
@@ -210,6 +215,22 @@ std::vector<BodyContact> World::State::contacts(const QueryOptions& asked) {
     for (const BodyContact& c : all)
       if (c.toi_lower == 0) refuse_touching_start(c);
   return all;
+}
+
+/// The last digits of what a detector finds depend on what else is in its mesh, which here depends on earlier questions:
+/// the narrow phase knows of the pair alone. What was ignored at the start has been decided so already.
+void World::State::decide_anew(std::vector<Contact>& contacts, const Step& step, const QueryOptions& asked) const {
+  std::vector<Pair> pairs;
+  for (const Contact& c : contacts) pairs.push_back({c.kind, c.vertices});
+  PairListOptions of_list;
+  of_list.min_separation = separation(asked);
+  of_list.threads = options.threads;
+  of_list.isa = options.isa;
+  of_list.is_cancelled = options.is_cancelled;
+  const std::vector<PairResult> results = narrow_phase(pairs, step, of_list);
+  for (std::size_t i = 0; i < contacts.size(); ++i)
+    if (asked.at_start != AtStart::ignore || results[i].toi_upper > 0)
+      contacts[i] = contact_of(contacts[i].kind, contacts[i].vertices, results[i]);
 }
 
 EarliestBodyContact World::State::earliest(const QueryOptions& asked) {

@@ -78,6 +78,7 @@ struct World::State {
   /// f(body, detector) of each body that may touch itself.
   template <class F>
   void for_each_by_itself(const F& f);
+  void decide_anew(std::vector<Contact>& contacts, const Step& step, const QueryOptions& asked) const;
   void add_statistics(const Statistics& of_part);
   [[noreturn]] void refuse_touching_start(const BodyContact& contact) const;
   void begin();

@@ -186,6 +186,16 @@ void World::State::for_each_by_itself(const F& f) {
   }
 }
 
+/// A contact, or what ends a step.
+template <class Pair>
+void World::State::refuse_touching_start(const Pair& pair) const {
+  const auto& [a, b] = pair.bodies;
+  const std::string which = a == b ? "body " + std::to_string(a) : "bodies " + std::to_string(a) + " and " + std::to_string(b);
+  throw InvalidStep(features_text(pair.kind, pair.vertices) + " of " + which +
+                    " touch at the start, or are nearer than can be told: move them apart, keep the bodies apart by "
+                    "set_may_touch, or ask with at_start ignore");
+}
+
 std::vector<BodyContact> World::State::contacts(const QueryOptions& asked) {
   validate_of_path(asked);
   std::vector<BodyContact> all;
@@ -350,17 +360,8 @@ BodyStep World::State::keep_distance(double fraction, const QueryOptions& asked)
         [&](auto& pair) { return gathered.name(pair.kind, pair.vertices); });
     add_statistics(gathered.detector().statistics());
   }
+  if (asked.at_start == AtStart::fail && first.pair && first.lower == 0) refuse_touching_start(*first.pair);
   return first;
-}
-
-void World::State::refuse_touching_start(const BodyContact& contact) const {
-  const std::string which = contact.bodies[0] == contact.bodies[1]
-                                ? "body " + std::to_string(contact.bodies[0])
-                                : "bodies " + std::to_string(contact.bodies[0]) + " and " +
-                                      std::to_string(contact.bodies[1]);
-  throw InvalidStep(features_text(contact.kind, contact.vertices) + " of " + which +
-                    " touch at the start, or are nearer than can be told: move them apart, keep the bodies apart by "
-                    "set_may_touch, or ask with at_start ignore");
 }
 
 void World::State::add_statistics(const Statistics& of_part) {

@@ -80,7 +80,8 @@ struct World::State {
   void for_each_by_itself(const F& f);
   void decide_anew(std::vector<Contact>& contacts, const Step& step, const QueryOptions& asked) const;
   void add_statistics(const Statistics& of_part);
-  [[noreturn]] void refuse_touching_start(const BodyContact& contact) const;
+  template <class Pair>
+  [[noreturn]] void refuse_touching_start(const Pair& pair) const;
   void begin();
   std::uint64_t memory_bytes() const;
 

@@ -11,6 +11,13 @@ namespace tamis::test {
 
 inline std::size_t place(Index index) { return static_cast<std::size_t>(index); }
 
+/// Worlds are small: more threads have nothing to do.
+inline Options one_thread() {
+  Options options;
+  options.threads = 1;
+  return options;
+}
+
 /// What a test puts into a world, kept so that it can be put into one mesh, too.
 struct TestBody {
   Shape shape;
@@ -23,7 +30,7 @@ struct TestWorld {
   std::vector<TestBody> bodies;
   std::set<std::array<BodyId, 2>> kept_apart;
 
-  explicit TestWorld(Options options = {}) : world(std::move(options)) {}
+  explicit TestWorld(Options options = one_thread()) : world(std::move(options)) {}
   BodyId add(const Shape& shape, const BodyMotion& motion) {
     bodies.push_back({shape, motion});
     return world.add(shape, motion);
@@ -41,7 +48,7 @@ struct OneMesh {
   RigidPath path;
   Detector detector;
 
-  explicit OneMesh(const TestWorld& world, Options options = {});
+  explicit OneMesh(const TestWorld& world, Options options = one_thread());
   OneMesh(std::vector<Point> s, std::vector<Point> e, std::vector<std::array<Index, 2>> n, RigidPath p, Detector d);
   Step step() const { return {start, end}; }
 };
@@ -87,7 +94,7 @@ class Random {
 enum class Motions { straight, any };
 
 /// Some bodies within a cube of side 2 `size`: spheres, cubes, a sheet, a rod with loose points, shared by several.
-TestWorld random_world(std::uint64_t seed, double size, Motions motions, const Options& options = {});
+TestWorld random_world(std::uint64_t seed, double size, Motions motions, const Options& options = one_thread());
 BodyMotion random_motion(Random& random, const Shape& shape, double size, Motions motions);
 
 }  // namespace tamis::test

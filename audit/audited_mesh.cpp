@@ -8,23 +8,6 @@
 namespace tamis::audit {
 namespace {
 
-IndexRows neighbours_of(const Mesh& mesh) {
-  IndexRows rows;
-  rows.offsets.assign(static_cast<std::size_t>(mesh.vertex_count()) + 1, 0);
-  const auto place = [&](Index v) -> Index& { return rows.offsets[static_cast<std::size_t>(v)]; };
-  for (const Edge& e : mesh.edges())
-    for (const Index v : e) ++place(v);
-  Index sum = 0;
-  for (Index& offset : rows.offsets) sum += offset, offset = sum;
-  rows.items.resize(static_cast<std::size_t>(sum));
-  // Each row is filled from its end, so that its offset ends at its first item.
-  for (const Edge& e : mesh.edges()) {
-    rows.items[static_cast<std::size_t>(--place(e[0]))] = e[1];
-    rows.items[static_cast<std::size_t>(--place(e[1]))] = e[0];
-  }
-  return rows;
-}
-
 void require_one_each(const Mesh& mesh, const Objects& objects) {
   if (objects.of_vertex.size() != static_cast<std::size_t>(mesh.vertex_count()))
     throw InvalidMesh("objects has " + std::to_string(objects.of_vertex.size()) + " numbers for " +

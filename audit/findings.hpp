@@ -9,7 +9,7 @@
 
 #include "audit/frame_source.hpp"
 #include "tamis/contact.hpp"
-#include "tamis/near.hpp"
+#include "tamis/proximity.hpp"
 
 namespace tamis::audit {
 

@@ -2,7 +2,7 @@
 #pragma once
 #include <algorithm>
 
-#include "tamis/near.hpp"
+#include "tamis/proximity.hpp"
 #include "tamis/tamis.h"
 
 namespace tamis::c {

@@ -28,10 +28,11 @@ tamis_intersection intersection_of(const Intersection& i) {
 
 using namespace tamis::c;
 
-tamis_status tamis_detector_near(tamis_detector* detector, const tamis_step* step, double distance, size_t* count) {
+tamis_status tamis_detector_pairs_within(tamis_detector* detector, const tamis_step* step, double distance,
+                                         size_t* count) {
   return ask_at_rest(detector, step, [&](tamis_detector& handle, const tamis::Positions& at) {
     size_t& number = required(count, "count");
-    handle.near = handle.detector->near(at, distance);
+    handle.near = handle.detector->pairs_within(at, distance);
     number = handle.near.size();
   });
 }
@@ -50,8 +51,8 @@ tamis_status tamis_detector_has_intersection(tamis_detector* detector, const tam
   });
 }
 
-tamis_status tamis_detector_copy_near(tamis_detector* detector, size_t first, size_t count, tamis_near_pair* pairs,
-                                      size_t pair_size) {
+tamis_status tamis_detector_copy_pairs_within(tamis_detector* detector, size_t first, size_t count,
+                                              tamis_near_pair* pairs, size_t pair_size) {
   return with(detector, [&](tamis_detector& handle) {
     copy_rows(handle.near, near_pair_of, {first, count, pairs, pair_size}, "pairs");
   });

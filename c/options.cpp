@@ -38,7 +38,7 @@ Options options_of(const tamis_options& given, Index vertex_count) {
   options.threads = given.threads;
   options.min_separation = given.min_separation;
   options.filter = filter_of(given, vertex_count);
-  if (given.thickness) options.thickness.assign(given.thickness, given.thickness + options.filter.group_count);
+  if (given.radii) options.radii.assign(given.radii, given.radii + options.filter.group_count);
   options.is_cancelled = cancelling(given.is_cancelled, given.user);
   return options;
 }

@@ -37,8 +37,8 @@ tamis_status tamis_distances_of(tamis_pairs* pairs, const tamis_pair* list, size
   });
 }
 
-tamis_status tamis_pair_keep_distance(tamis_pairs* pairs, const tamis_pair* pair, const tamis_step* step,
-                                      double fraction, tamis_safe_step* answer) {
+tamis_status tamis_pair_safe_step(tamis_pairs* pairs, const tamis_pair* pair, const tamis_step* step, double keep,
+                                  tamis_safe_step* answer) {
   return ask(pairs, [&](tamis_pairs& handle) {
     write_sized(tamis_safe_step{}, answer, "answer");  // refused before the work
     const tamis_step given = read_sized(step, "step");
@@ -46,6 +46,6 @@ tamis_status tamis_pair_keep_distance(tamis_pairs* pairs, const tamis_pair* pair
     const auto& [separation, latest, threads, isa, is_cancelled] = handle.options;
     const tamis::PairOptions options{given.min_separation ? *given.min_separation : separation, latest};
     const tamis::Pair asked = pair_of(required(pair, "pair"));
-    write_sized(answer_of(tamis::keep_distance(asked, step_of(given), fraction, options)), answer, "answer");
+    write_sized(answer_of(tamis::safe_step(asked, step_of(given), keep, options)), answer, "answer");
   });
 }

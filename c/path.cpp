@@ -90,7 +90,7 @@ class FunctionPath final : public Path {
   explicit FunctionPath(const tamis_path_functions& functions) : functions_(functions) {
     vertices(functions.vertex_count);
     required(functions.points_at, "points_at");
-    required(functions.strays, "strays");
+    required(functions.deviations, "deviations");
   }
 
   Index vertex_count() const override { return functions_.vertex_count; }
@@ -98,8 +98,9 @@ class FunctionPath final : public Path {
                  std::span<double> errors) const override {
     functions_.points_at(functions_.user, time, vertices.data(), vertices.size(), points.data()->data(), errors.data());
   }
-  void strays(double from, double to, std::span<const Index> vertices, std::span<double> strays) const override {
-    functions_.strays(functions_.user, from, to, vertices.data(), vertices.size(), strays.data());
+  void deviations(double from, double to, std::span<const Index> vertices,
+                  std::span<double> deviations) const override {
+    functions_.deviations(functions_.user, from, to, vertices.data(), vertices.size(), deviations.data());
   }
 
  private:

@@ -87,7 +87,7 @@ void print_safe_step(const SafeStep& safe, double fraction, double min_separatio
 }
 
 void add_safe_step(Json& json, const SafeStep& safe, double fraction) {
-  json["keep_distance"] = fraction;
+  json["keep"] = fraction;
   json["step_lower"] = safe.lower;
   json["step_upper"] = safe.upper;
   json["pair"] = safe.pair ? json_of(*safe.pair) : Json();
@@ -97,7 +97,7 @@ void print_free(bool is_free, const std::string& during) {
   if (is_free)
     fmt::print("free            no contact during {}, proven\n", during);
   else
-    fmt::print("not free        there is a contact ('tamis step' tells where)\n");
+    fmt::print("not free        there is a contact ('tamis earliest' tells where)\n");
 }
 
 }  // namespace tamis::cli

@@ -39,7 +39,7 @@ void add_costs(Json& json, const Detector& detector, const Timing& timing) {
   json["detector_memory_bytes"] = statistics.memory_bytes;
   json["threads"] = statistics.threads;
   json["min_separation"] = detector.options().min_separation;
-  json["thickness"] = detector.options().thickness;
+  json["radii"] = detector.options().radii;
   json["isa"] = name_of(statistics.isa);
   const Mesh& mesh = detector.mesh();
   json["mesh"] = {

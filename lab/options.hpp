@@ -68,7 +68,7 @@ class Options : private tamis::Options {
   using tamis::Options::is_cancelled;
   using tamis::Options::isa;  ///< paper and brute look for contacts in baseline
   using tamis::Options::min_separation;
-  using tamis::Options::thickness;
+  using tamis::Options::radii;
   using tamis::Options::threads;
   Method method = Method::tamis;
   PaperOptions paper;

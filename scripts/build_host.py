@@ -2,7 +2,8 @@
 """build_host.py WORK HOST: the wheel that build_wheel.py has made, beside a program of others that Tamis works in.
 
 In WORK: `HOST`, an environment with what the wheel's extra of that name asks for, and pytest. Versions are those of
-python/requirements-hosts.txt; PyPI is asked when they have changed, and not again. Exit code 77 if it cannot be reached.
+python/requirements-hosts.txt; PyPI is asked when they or the needs of the tests have changed. Exit code 77 if it
+cannot be reached.
 """
 
 import pathlib
@@ -22,9 +23,14 @@ def main() -> int:
     if not wheels or not (work / "user").exists():
         print("skipped: build_wheel.py has made no wheel")
         return ordinary.SKIPPED
-    pins = [*(REQUIREMENTS.read_bytes(), ordinary.REQUIREMENTS.read_bytes()), sys.version.encode()]
-    wanted = [f"{wheels[0]}[{host}]", "pytest", "hypothesis", *TESTS_NEED.get(host, [])]
-    wanted += ["-c", REQUIREMENTS, "-c", ordinary.REQUIREMENTS]
+    names = ["pytest", "hypothesis", *TESTS_NEED.get(host, [])]
+    wanted = [f"{wheels[0]}[{host}]", *names, "-c", REQUIREMENTS, "-c", ordinary.REQUIREMENTS]
+    pins = [
+        *map(str.encode, names),
+        REQUIREMENTS.read_bytes(),
+        ordinary.REQUIREMENTS.read_bytes(),
+        sys.version.encode(),
+    ]
     given = ordinary.Stamp(work / f"{host}.wheels.stamp", *pins)
     if not given.is_fresh():
         try:

@@ -39,8 +39,8 @@ def main() -> int:
             for used in INCLUDE.findall(path.read_text()):
                 if not may_include(name, used.split("/")[0]):
                     wrong.append(f"{place}: may not include {used}")
-    strays = [p for p in (root / "src").iterdir() if p.name not in LAYER and p.name != "CMakeLists.txt"]
-    wrong += [f"{path.relative_to(root)}: belongs to no layer" for path in sorted(strays)]
+    deviations = [p for p in (root / "src").iterdir() if p.name not in LAYER and p.name != "CMakeLists.txt"]
+    wrong += [f"{path.relative_to(root)}: belongs to no layer" for path in sorted(deviations)]
     print("\n".join(wrong) or "every include points down")
     return 1 if wrong else 0
 

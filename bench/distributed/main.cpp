@@ -62,8 +62,8 @@ void run(double triangles, bool has_header) {
   report("earliest", triangles, ranks, rank, detector, 0);
   detector.earliest(part.closing());
   report("earliest_closing", triangles, ranks, rank, detector, 0);
-  detector.keep_distance(part.step(), 0.1);
-  report("keep_distance", triangles, ranks, rank, detector, 0);
+  detector.safe_step(part.step(), 0.1);
+  report("safe_step", triangles, ranks, rank, detector, 0);
 }
 
 }  // namespace

@@ -37,12 +37,12 @@ template <class AnyDetector>
 void report(AnyDetector& detector, const LayersPart& part, const char* who, int count, double triangles) {
   const double contacts = median_ms(part, [&](const Step& step) { detector.contacts(step); });
   const double earliest = median_ms(part, [&](const Step& step) { detector.earliest(step); });
-  const double keep = median_ms(part, [&](const Step& step) { detector.keep_distance(step, 0.1); });
+  const double keep = median_ms(part, [&](const Step& step) { detector.safe_step(step, 0.1); });
   int rank = 0;
   MPI_Comm_rank(MPI_COMM_WORLD, &rank);
   if (rank > 0) return;
   for (const auto& [question, ms] :
-       {std::pair{"contacts", contacts}, std::pair{"earliest", earliest}, std::pair{"keep_distance", keep}})
+       {std::pair{"contacts", contacts}, std::pair{"earliest", earliest}, std::pair{"safe_step", keep}})
     std::printf("%s,%s,%d,%.0f,%.2f\n", question, who, count, triangles, ms);
 }
 

@@ -16,7 +16,7 @@ for _ in 1 2 3 4 5; do
   ask 2
 done
 uptime
-for question in contacts earliest keep_distance; do
+for question in contacts earliest safe_step; do
   for who in threads,1 threads,2 ranks,1 ranks,2; do
     grep "^$question,$who," "$out" | cut -d, -f5 | sort -n | sed -n 3p | sed "s/^/$question $who: /"
   done

@@ -124,7 +124,7 @@ void Session::ask(Question question, const std::vector<Point>& start, const std:
   if (question == Question::contacts) timed([&]() -> const auto& { return detector_->contacts(step); });
   if (question == Question::earliest) timed([&] { return detector_->earliest(step); });
   if (question == Question::free) timed([&] { return detector_->is_free(step); });
-  if (question == Question::keep) timed([&] { return detector_->keep_distance(step, kKeptFraction); });
+  if (question == Question::keep) timed([&] { return detector_->safe_step(step, kKeptFraction); });
   if (question == Question::three)
     for (const auto one : {Question::contacts, Question::earliest, Question::free}) ask(one, start, end, outcome);
 }

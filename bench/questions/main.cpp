@@ -76,7 +76,7 @@ struct Bench {
     ms = milliseconds(repeat, [&] { found = detector.intersections(step.start).size(); });
     print_row("intersections", found, ms);
     for (const double part : {0.01, 0.1, 0.5}) {
-      ms = milliseconds(repeat, [&] { found = detector.near(step.start, part * edge).size(); });
+      ms = milliseconds(repeat, [&] { found = detector.pairs_within(step.start, part * edge).size(); });
       print_row("near, within " + std::to_string(part).substr(0, 4) + " mean edges", found, ms);
     }
   }
@@ -84,7 +84,7 @@ struct Bench {
   /// How far all vertices go, against how far one step for all would take them.
   void own_steps() {
     TruncatedStep truncated;
-    const SafeStep together = detector.keep_distance(step, 0.1);
+    const SafeStep together = detector.safe_step(step, 0.1);
     const double ms = milliseconds(repeat, [&] { truncated = detector.truncate(step, 0.1); });
     print_row("truncate, 0.1", truncated.positions.size(), ms);
     double went = 0, whole = 0;
@@ -108,14 +108,14 @@ void step_lengths(const bench::Frames& frames, const Options& options, int repea
     std::vector<double> times, ratios;
     for (int run = 0; run <= repeat; ++run) {
       largest.earliest(back);
-      keeping.keep_distance(back, fraction);
+      keeping.safe_step(back, fraction);
       const double other = time_of([&] { largest.earliest(way); });
-      times.push_back(time_of([&] { keeping.keep_distance(way, fraction); }));
+      times.push_back(time_of([&] { keeping.safe_step(way, fraction); }));
       ratios.push_back(times.back() / other);
     }
     char question[100];
-    std::snprintf(question, sizeof question, "keep_distance, %.1f%s: %.1f times the largest step", fraction,
-                  which.c_str(), median(ratios));
+    std::snprintf(question, sizeof question, "safe_step, %.1f%s: %.1f times the largest step", fraction, which.c_str(),
+                  median(ratios));
     print_row(question, 1, median(times));
   }
 }

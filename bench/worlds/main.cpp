@@ -110,7 +110,9 @@ void cloth_on_its_part_of_the_floor(const Cloth& cloth, int steps) {
         start.insert(start.end(), from.begin(), from.end());
         end.insert(end.end(), to.begin(), to.end());
       },
-      [&] { found = detector.contacts({start, end}).size(); });
+      [&] {
+        found = detector.contacts({start, end}).size();
+      });
   print_row("that cloth against the part of the floor under it, one mesh", found, cost);
 }
 
@@ -132,7 +134,10 @@ void room(int steps) {
   world.add(room, Static{});
   const BodyId body = world.add(shape_of(cloth.shape), Deforming{cloth.start(0), cloth.end(0)});
   const Cost both = milliseconds(
-      steps, [&](int step) { world.move(body, Deforming{cloth.start(step), cloth.end(step)}); },
+      steps,
+      [&](int step) {
+        world.move(body, Deforming{cloth.start(step), cloth.end(step)});
+      },
       [&] { found = world.contacts().size(); });
   print_row("both in a room of 999,698 triangles, a world", found, both);
   std::printf("\nThe room takes %.1f bytes a triangle beside its mesh.\n\n",
@@ -184,7 +189,8 @@ void two_large_bodies(int steps) {
       steps,
       [&](int step) {
         const double angle = 0.05 * step;
-        world.move(turning, Rigid{interpolated({{2.012, 0, 0}, {angle, 0.3, 0}}, {{2.008, 0, 0}, {angle + 0.05, 0.3, 0}})});
+        world.move(turning,
+                   Rigid{interpolated({{2.012, 0, 0}, {angle, 0.3, 0}}, {{2.008, 0, 0}, {angle + 0.05, 0.3, 0}})});
       },
       [&] { first = world.earliest(); });
   print_row("earliest of two rough balls of 20,172 triangles, near, one turning", first.contact.has_value(), cost);

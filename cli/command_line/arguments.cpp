@@ -11,7 +11,7 @@ namespace {
 void require_one_each(std::size_t radii, Index objects) {
   if (radii == static_cast<std::size_t>(objects)) return;
   throw InvalidOptions(fmt::format(
-      "--thickness: {} radii for {} object{} (what vertices connect; 'tamis info' counts them): give one radius for "
+      "--radius: {} radii for {} object{} (what vertices connect; 'tamis info' counts them): give one radius for "
       "all, or one for each, in the order of their first vertices",
       radii, objects, objects == 1 ? "" : "s"));
 }
@@ -21,7 +21,7 @@ void require_one_each(std::size_t radii, Index objects) {
 void DetectorArguments::declare(OptionList& options) {
   declare_means(options);
   declare_min_separation(options, min_separation_);
-  declare_thickness(options, "contact then means a distance <= the sum of both radii and the minimum separation");
+  declare_radius(options, "contact then means a distance <= the sum of both radii and the minimum separation");
 }
 
 void DetectorArguments::declare_means(OptionList& options) {
@@ -34,8 +34,8 @@ void DetectorArguments::declare_means(OptionList& options) {
       .shown_as("NAME");
 }
 
-void DetectorArguments::declare_thickness(OptionList& options, const std::string& meaning) {
-  options.add_numbers("--thickness", "R", thickness_, kNotNegative,
+void DetectorArguments::declare_radius(OptionList& options, const std::string& meaning) {
+  options.add_numbers("--radius", "R", radii_, kNotNegative,
                       "a radius for all objects, or one for each; " + meaning +
                           ". An object is what vertices connect ('tamis info' counts them, as components), in the "
                           "order of their first vertices");
@@ -51,21 +51,21 @@ Options DetectorArguments::chosen() const {
 }
 
 Options DetectorArguments::options() const {
-  if (thickness_.size() > 1)
-    throw InvalidOptions(fmt::format(
-        "--thickness: {} radii: which vertices make an object takes the whole mesh; give one radius for all",
-        thickness_.size()));
+  if (radii_.size() > 1)
+    throw InvalidOptions(
+        fmt::format("--radius: {} radii: which vertices make an object takes the whole mesh; give one radius for all",
+                    radii_.size()));
   Options options = chosen();
-  options.thickness = thickness_;
+  options.radii = radii_;
   return options;
 }
 
 Options DetectorArguments::options_for(const Mesh& mesh) const {
   Options options = chosen();
-  options.thickness = thickness_;
-  if (thickness_.size() > 1) {
+  options.radii = radii_;
+  if (radii_.size() > 1) {
     Components objects = components_of(mesh);
-    require_one_each(thickness_.size(), objects.count);
+    require_one_each(radii_.size(), objects.count);
     options.filter.group_of_vertex = std::move(objects.of_vertex);
     options.filter.group_count = objects.count;
   }
@@ -89,13 +89,11 @@ void ScaleArgument::declare(OptionList& options) {
   options.add_number("--scale", "S", scale_, kNotNegative, "take END = START + S (END - START); default 1");
 }
 
-void KeepDistanceArgument::declare(OptionList& options) {
-  option_ =
-      options
-          .add_number("--keep-distance", "F", fraction_, {.least = 0, .most = 1, .takes_most = false},
-                      "how far the step may go so that every pair keeps at least F times its distance at START: the "
-                      "step length for the line search of a barrier method; 0.1 if no number follows")
-          .standing_alone_for("0.1");
+void KeepArgument::declare(OptionList& options) {
+  options.add_number(
+      "--keep", "F", fraction_, {.least = 0, .most = 1, .takes_most = false},
+      "every pair keeps at least F times its distance at START, with a minimum separation of what exceeds "
+      "that; 0: only contacts count; default 0.1");
 }
 
 void declare_json(OptionList& options, bool& json) {

@@ -20,7 +20,7 @@ class DetectorArguments {
   /// Only what a question at rest has, too: no radius or separation concerns it.
   void declare_means(OptionList& options);
   /// `meaning`: of such a radius for the question.
-  void declare_thickness(OptionList& options, const std::string& meaning);
+  void declare_radius(OptionList& options, const std::string& meaning);
   /// Before any file is read. Throws InvalidOptions.
   void check() const { chosen(); }
   /// All of them, for a mesh that nobody has as a whole. Throws InvalidOptions; also if objects have radii of their
@@ -39,7 +39,7 @@ class DetectorArguments {
   int threads_ = 0;
   double min_separation_ = 0;
   int rings_ = 1;
-  std::vector<double> thickness_;  ///< one radius for all objects, or one for each; empty: none
+  std::vector<double> radii_;  ///< one radius for all objects, or one for each; empty: none
 };
 
 /// `--at-start report|ignore|fail`: what becomes of pairs that touch at the start of a step.
@@ -63,16 +63,14 @@ class ScaleArgument {
   double scale_ = 1;
 };
 
-/// `--keep-distance F`: how far the step may go so that every pair keeps a part of its distance.
-class KeepDistanceArgument {
+/// `--keep F`: the part of its distance that every pair keeps.
+class KeepArgument {
  public:
   void declare(OptionList& options);
-  bool is_asked() const { return option_.is_given(); }
   double fraction() const { return fraction_; }
 
  private:
-  double fraction_ = 0;
-  Option option_;
+  double fraction_ = 0.1;
 };
 
 void declare_json(OptionList& options, bool& json);

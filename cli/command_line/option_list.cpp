@@ -56,10 +56,6 @@ Option Option::required() { return Option(option_->required()); }
 
 Option Option::shown_as(const std::string& value) { return Option(option_->type_name(value)); }
 
-Option Option::standing_alone_for(const std::string& value) {
-  return Option(option_->expected(0, 1)->default_str(value)->type_name("[" + option_->get_type_name() + "]"));
-}
-
 bool Option::is_given() const { return option_ != nullptr && option_->count() > 0; }
 
 Option OptionList::add_flag(const std::string& name, bool& value, const std::string& help) {

@@ -22,8 +22,6 @@ class Option {
   Option required();
   /// What the help calls its value, as in "FILE".
   Option shown_as(const std::string& value);
-  /// What it stands for where no value follows it.
-  Option standing_alone_for(const std::string& value);
   /// Once the command line has been read.
   bool is_given() const;
 

@@ -75,7 +75,7 @@ void SequenceTable::print_totals(const Options& options, const Statistics& stati
                {"peak_memory_bytes", peak_memory_bytes()},
                {"threads", statistics.threads},
                {"min_separation", options.min_separation},
-               {"thickness", options.thickness},
+               {"radii", options.radii},
                {"isa", name_of(statistics.isa)}});
   print_json(json);
 }

@@ -48,7 +48,7 @@ class Audit final : public Verb {
     declare_min_separation(options, options_.min_separation);
     options.add_flag("--no-intersections", no_intersections_, "ask for contacts alone");
     options.add_flag("--no-contacts", no_contacts_, "ask for intersections alone: each frame by itself");
-    options.add_number("--rings", "N", options_.ring_limit, NumberRange<Index>{1, 1000},
+    options.add_number("--ring-limit", "N", options_.ring_limit, NumberRange<Index>{1, 1000},
                        "search paths of up to N edges between the features of a pair; default 10");
     options.add_number("--pairs", "N", options_.listed_pairs, NumberRange<std::uint64_t>{0, kMostPairs},
                        "list no more than N pairs; all are counted; default 1000000");

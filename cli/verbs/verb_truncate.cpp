@@ -36,7 +36,7 @@ class Truncate final : public StepVerb {
   const char* summary() const override { return "Positions to go to: the way there is proven free"; }
   const char* examples() const override {
     return "  tamis truncate cloth1.ply cloth2.ply --out next.ply\n"
-           "  tamis truncate cloth1.ply cloth2.ply --out next.ply --keep-distance 0.5 --json\n\n"
+           "  tamis truncate cloth1.ply cloth2.ply --out next.ply --keep 0.5 --json\n\n"
            "Exit code 1: something touches at the start. It comes no nearer, but no way from there is free.";
   }
 
@@ -44,7 +44,7 @@ class Truncate final : public StepVerb {
     StepVerb::declare(options);
     declare_output(options, out_, "write the positions, as PLY");
     options.add_number(
-        "--keep-distance", "F", fraction_, {.least = 1e-6, .most = 1, .takes_most = false},
+        "--keep", "F", fraction_, {.least = 1e-6, .most = 1, .takes_most = false},
         "every pair keeps at least F of its distance at START, with a minimum separation of what exceeds that; "
         "default 0.1");
   }

@@ -1,4 +1,4 @@
-// The objects of a mesh: what is connected by common vertices.
+// What the edges of a mesh connect: its objects, and the neighbours of each vertex.
 #pragma once
 #include <vector>
 
@@ -6,7 +6,7 @@
 
 namespace tamis {
 
-/// Connected components, as groups for PairFilter::group_of_vertex or for a thickness each.
+/// Connected components, as groups for PairFilter::group_of_vertex or for a radii each.
 struct Components {
   /// One number a vertex of the mesh, in [0, count): components in the order of their first vertices. -1 for a vertex
   /// that takes no part in contacts (Mesh::points).
@@ -16,5 +16,8 @@ struct Components {
 
 /// By faces and edges; a loose point is a component of its own. Time: nearly linear (union-find: Tarjan 1975).
 Components components_of(const Mesh& mesh);
+
+/// Of each vertex those at the other end of an edge. Time: linear.
+IndexRows neighbours_of(const Mesh& mesh);
 
 }  // namespace tamis

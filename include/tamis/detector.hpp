@@ -5,9 +5,9 @@
 
 #include "tamis/contact.hpp"
 #include "tamis/mesh.hpp"
-#include "tamis/near.hpp"
 #include "tamis/options.hpp"
 #include "tamis/path.hpp"
+#include "tamis/proximity.hpp"
 #include "tamis/statistics.hpp"
 #include "tamis/step.hpp"
 #include "tamis/stored.hpp"
@@ -21,8 +21,8 @@ namespace tamis {
 /// calls (a filter, a path), throws Busy at once. Such functions may ask other detectors, and use oneTBB.
 class Detector {
  public:
-  /// Throws InvalidOptions: negative threads, a separation or thickness that is negative or not finite, an instruction
-  /// set this machine lacks, groups or thickness that do not fit.
+  /// Throws InvalidOptions: negative threads, a separation or radii that is negative or not finite, an instruction
+  /// set this machine lacks, groups or radii that do not fit.
   explicit Detector(Mesh mesh, Options options = {});
   ~Detector();
   /// What was moved from may be destroyed or assigned to; all else throws Error. Not to be moved, assigned to or
@@ -45,45 +45,45 @@ class Detector {
   /// The same three questions of curves, with the path's own certificates (tamis/path.hpp): pieces of the path are
   /// asked with straight chords, pairs that these leave are decided on their curves until they are proven free or their
   /// bracket is no wider than QueryOptions::tolerance. Times are the path's. All of a piece's
-  /// pairs that come nearer than their strays are held at a time. Throw InvalidPath where the path does not fit the
+  /// pairs that come nearer than their deviations are held at a time. Throw InvalidPath where the path does not fit the
   /// mesh or breaks its promises, InvalidOptions. With AtStart::ignore a pair that may touch at t=0 counts from the
   /// first of some times on at which it is proven apart (docs/numerics.md, "Curved motion").
   const std::vector<Contact>& contacts(const Path& path, const QueryOptions& = {});
   EarliestContact earliest(const Path& path, const QueryOptions& = {});
   bool is_free(const Path& path, const QueryOptions& = {});
   /// How far may the step go so that the distance of every pair, as far as it exceeds the minimum separation and both
-  /// radii, stays at least `fraction` of what it is at t=0? The step length for the line search of a barrier method. 0:
+  /// radii, stays at least `keep` of what it is at t=0? The step length for the line search of a barrier method. 0:
   /// only contacts count, and `lower` is earliest()'s toi_lower. The
-  /// closer `fraction` is to 1, the longer the search until the first near pairs have shortened the step.
+  /// closer `keep` is to 1, the longer the search until the first near pairs have shortened the step.
   /// Which: 0.1 for a barrier's line search, where the next steps need room; 0.01 and less where a step should come
   /// near what it meets, as towards a first contact; 0.5 and more where distances may shrink slowly only. A pair that
   /// is ignored at the start (AtStart) has nothing to keep: it ends the step where it touches again. Throws
-  /// InvalidOptions unless 0 <= fraction < 1.
-  SafeStep keep_distance(const Step& step, double fraction = 0.1, const QueryOptions& = {});
+  /// InvalidOptions unless 0 <= keep < 1.
+  SafeStep safe_step(const Step& step, double keep = 0.1, const QueryOptions& = {});
 
-  /// Every pair of features whose distance at rest is at most `distance` plus both radii (Options::thickness), each
+  /// Every pair of features whose distance at rest is at most `distance` plus both radii (Options::radii), each
   /// once, by kind, then vertices: what a barrier or penalty method starts from. A pair that is farther apart by less
   /// than NearPair::distance may be off is in it too. The vector is valid until the next such question. Throws
   /// InvalidOptions unless `distance` is finite and >= 0, InvalidStep as above.
-  const std::vector<NearPair>& near(const Positions& positions, double distance);
+  const std::vector<NearPair>& pairs_within(const Positions& positions, double distance);
 
   /// Every edge that passes through a triangle or touches it, without a common vertex, by edge, then face: is this a
-  /// pose to start from, and if not, why? Decided exactly. Thickness does not
+  /// pose to start from, and if not, why? Decided exactly. Radii do not
   /// matter; of the filter the groups count (an edge has that of its first vertex). The vector is valid until the next
   /// such question.
   const std::vector<Intersection>& intersections(const Positions& positions);
   /// Is there any? Ends at the first.
   bool has_intersection(const Positions& positions);
 
-  /// Positions to go to, as doubles, so that every pair keeps `fraction` of its distance, and one near pair does not
+  /// Positions to go to, as doubles, so that every pair keeps `keep` of its distance, and one near pair does not
   /// stop all: all vertices go together as far as every pair keeps a little more than that, from there each on its own
   /// side of planes between the features that it could reach, by a quarter of the mean edge at most, so as to bound the
   /// number of such pairs. What starts within the minimum separation may move as long as it comes no nearer; then no
   /// vertex goes farther than that. What is ignored at the start (AtStart) may move as it likes, but not apart and
   /// back. A caller who keeps floats says so by `stored`: then all positions are floats' values, so that storing them
-  /// changes nothing, and what is proven holds of what is stored. Throws InvalidOptions unless 0 < fraction < 1,
+  /// changes nothing, and what is proven holds of what is stored. Throws InvalidOptions unless 0 < keep < 1,
   /// InvalidStep where floats are stored and `start` is not made of them, or `end` is beyond all of them.
-  TruncatedStep truncate(const Step& step, double fraction = 0.1, const QueryOptions& = {},
+  TruncatedStep truncate(const Step& step, double keep = 0.1, const QueryOptions& = {},
                          Stored stored = Stored::float64);
 
   const Mesh& mesh() const;

@@ -20,7 +20,7 @@ struct InvalidStep : Error {
 };
 
 /// A path that does not fit the mesh, or breaks what it promises: a bound that is negative or not a number, positions
-/// that are not finite, a vertex that strays farther than its bound.
+/// that are not finite, a vertex that deviates farther than its bound.
 struct InvalidPath : Error {
   using Error::Error;
 };

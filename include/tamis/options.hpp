@@ -59,10 +59,10 @@ struct Options {
   int threads = 0;
   /// d >= 0, in the unit of the positions: contact means Euclidean distance <= d at some time.
   double min_separation = 0;
-  /// A radius >= 0 for each group of filter.group_of_vertex: thickness is half on each side. Two features are in
+  /// A radius >= 0 for each group of filter.group_of_vertex: radii is half on each side. Two features are in
   /// contact when their distance is at most `min_separation` plus both radii, for every question. A feature that joins
   /// groups has the largest radius of its vertices. Empty: all zero.
-  std::vector<double> thickness = {};
+  std::vector<double> radii = {};
   Isa isa = Isa::best;
   PairFilter filter = PairFilter();
   /// Asked again and again during a question, a thousand times a second or more; must be safe to call from several

@@ -1,4 +1,4 @@
-// Curved motion: where every vertex is at each time of a step, and how far it strays from straight pieces.
+// Curved motion: where every vertex is at each time of a step, and how far it deviates from straight pieces.
 #pragma once
 #include <array>
 #include <functional>
@@ -32,10 +32,11 @@ class Path {
   /// The same, as well as the path can tell: pairs that points_at leaves undecided ask here. By default points_at.
   virtual void fine_points_at(double time, std::span<const Index> vertices, std::span<FinePoint> points) const;
 
-  /// For each vertex a bound, >= 0, of its stray on [from, to]: at no time t of it is the vertex farther (Euclidean)
-  /// than that from ((to - t) x(from) + (t - from) x(to)) / (to - from), the chord walked at constant speed. It must go
-  /// to zero as the piece gets shorter, for smooth curves with its square: |x''| (to - from)^2 / 8.
-  virtual void strays(double from, double to, std::span<const Index> vertices, std::span<double> strays) const = 0;
+  /// For each vertex a bound, >= 0, of its deviation on [from, to]: at no time t of it is the vertex farther
+  /// (Euclidean) than that from ((to - t) x(from) + (t - from) x(to)) / (to - from), the chord walked at constant
+  /// speed. It must go to zero as the piece gets shorter, for smooth curves with its square: |x''| (to - from)^2 / 8.
+  virtual void deviations(double from, double to, std::span<const Index> vertices,
+                          std::span<double> deviations) const = 0;
 };
 
 /// How a question about a path is answered.

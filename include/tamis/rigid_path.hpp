@@ -31,8 +31,8 @@ Chain turned(const Pose& start, const Point& turn, const Point& end_position);
 Chain between(const Pose& start, const Pose& end);
 
 /// Bodies that move each on a chain of links; a vertex may go straight in its body's frame meanwhile. Positions:
-/// enclosed by interval arithmetic in doubles or double-double, sine and cosine by their alternating series. Strays:
-/// |x''| (to - from)^2 / 8 (docs/numerics.md, "Curved motion").
+/// enclosed by interval arithmetic in doubles or double-double, sine and cosine by their alternating series.
+/// Deviations: |x''| (to - from)^2 / 8 (docs/numerics.md, "Curved motion").
 class RigidPath final : public Path {
  public:
   /// `rest`: each vertex in its body's own frame; `body_of_vertex`: one each, in [0, chains.size()); `rest_end`: where
@@ -45,7 +45,7 @@ class RigidPath final : public Path {
   void points_at(double time, std::span<const Index> vertices, std::span<Point> points,
                  std::span<double> errors) const override;
   void fine_points_at(double time, std::span<const Index> vertices, std::span<FinePoint> points) const override;
-  void strays(double from, double to, std::span<const Index> vertices, std::span<double> strays) const override;
+  void deviations(double from, double to, std::span<const Index> vertices, std::span<double> deviations) const override;
 
  private:
   std::vector<Point> rest_, rest_end_;

@@ -34,7 +34,7 @@ class BezierPath final : public SplinePath {
   /// `control_points[i][v]`: the i-th control point of vertex v; one more than the degree, at least 1. Throws
   /// InvalidPath.
   explicit BezierPath(std::vector<std::vector<Point>> control_points);
-  void strays(double from, double to, std::span<const Index> vertices, std::span<double> strays) const override;
+  void deviations(double from, double to, std::span<const Index> vertices, std::span<double> deviations) const override;
 
  private:
   SplineWeights weights_at(double time) const override;
@@ -48,7 +48,7 @@ class CatmullRomPath final : public SplinePath {
  public:
   /// `frames[i][v]`: where vertex v is at t = i / (frames - 1); at least 2. Throws InvalidPath.
   explicit CatmullRomPath(std::vector<std::vector<Point>> frames);
-  void strays(double from, double to, std::span<const Index> vertices, std::span<double> strays) const override;
+  void deviations(double from, double to, std::span<const Index> vertices, std::span<double> deviations) const override;
 
  private:
   SplineWeights weights_at(double time) const override;

@@ -8,8 +8,8 @@
 
 #include "tamis/contact.hpp"
 #include "tamis/mesh.hpp"
-#include "tamis/near.hpp"
 #include "tamis/options.hpp"
+#include "tamis/proximity.hpp"
 #include "tamis/rigid_path.hpp"
 #include "tamis/statistics.hpp"
 
@@ -123,9 +123,9 @@ class World {
   /// Edges that pass through triangles there, by bodies, edge and face.
   std::vector<BodyIntersection> intersections();
 
-  /// How far all may go, as Detector::keep_distance. Throws InvalidOptions where a body that turns comes near another:
+  /// How far all may go, as Detector::safe_step. Throws InvalidOptions where a body that turns comes near another:
   /// ask `earliest`.
-  BodyStep keep_distance(double fraction = 0.1, const QueryOptions& = {});
+  BodyStep safe_step(double keep = 0.1, const QueryOptions& = {});
 
   /// Of the last question: sums over the detectors that it asked; `memory_bytes` without shapes.
   const Statistics& statistics() const;

@@ -5,7 +5,7 @@
 #include <span>
 
 #include "tamis/contact.hpp"
-#include "tamis/near.hpp"
+#include "tamis/proximity.hpp"
 
 namespace tamis::io {
 

@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <span>
 
-#include "tamis/near.hpp"
+#include "tamis/proximity.hpp"
 
 namespace tamis::io {
 

@@ -42,8 +42,9 @@ int run(int argc, char** argv) {
   cli::Command command{
       "tamis-mpi", "Tamis on many machines: start it with mpirun, or what stands for it on your cluster.", {}};
   command.verbs.push_back(make_contacts());
-  command.verbs.push_back(make_step());
-  command.verbs.push_back(make_free());
+  command.verbs.push_back(make_earliest());
+  command.verbs.push_back(make_safe_step());
+  command.verbs.push_back(make_is_free());
   command.verbs.push_back(make_sequence());
   return cli::run_command(command, argc, argv);
 }

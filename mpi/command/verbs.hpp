@@ -7,8 +7,9 @@
 namespace tamis::distributed {
 
 std::unique_ptr<cli::Verb> make_contacts();
-std::unique_ptr<cli::Verb> make_step();
-std::unique_ptr<cli::Verb> make_free();
+std::unique_ptr<cli::Verb> make_earliest();
+std::unique_ptr<cli::Verb> make_safe_step();
+std::unique_ptr<cli::Verb> make_is_free();
 std::unique_ptr<cli::Verb> make_sequence();
 
 }  // namespace tamis::distributed

@@ -52,7 +52,7 @@ struct Detector::State {
     SafeStep first;
     double upper = 1;  // of fraction 0: of any contact, whatever pair comes first
     const auto ask = [&](LocalSearch& search) {
-      const SafeStep safe = search.keep_distance(fraction, searches.asked());
+      const SafeStep safe = search.safe_step(fraction, searches.asked());
       keep_first(first, safe);
       upper = std::min(upper, safe.upper);
     };
@@ -129,10 +129,10 @@ bool Detector::is_free(const Step& step, const QueryOptions& options) {
   return is_free;
 }
 
-SafeStep Detector::keep_distance(const Step& step, double fraction, const QueryOptions& options) {
+SafeStep Detector::safe_step(const Step& step, double fraction, const QueryOptions& options) {
   const Turn turn(state_->is_asked);
   SafeStep safe;
-  state_->ask("keep_distance " + exact(fraction), step, options, [&] { safe = state_->find_safe_step(fraction); });
+  state_->ask("safe_step " + exact(fraction), step, options, [&] { safe = state_->find_safe_step(fraction); });
   return safe;
 }
 

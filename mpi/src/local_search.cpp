@@ -83,7 +83,7 @@ void LocalSearch::make_detector() { detector_.emplace(mesh_of(set_), local_optio
 Options LocalSearch::local_options() {
   Options options = options_;
   options.filter.group_of_vertex.clear();
-  if (options.filter.groups_may_touch.empty() && options.thickness.empty()) {
+  if (options.filter.groups_may_touch.empty() && options.radii.empty()) {
     options.filter.group_count = 1;
   } else {
     for (const Vertex& vertex : set_.vertices) options.filter.group_of_vertex.push_back(vertex.group);
@@ -140,8 +140,8 @@ EarliestContact LocalSearch::earliest(const QueryOptions& asked) {
 
 bool LocalSearch::is_free(const QueryOptions& asked) { return detector_->is_free(step(), asked); }
 
-SafeStep LocalSearch::keep_distance(double fraction, const QueryOptions& asked) {
-  SafeStep safe = detector_->keep_distance(step(), fraction, asked);
+SafeStep LocalSearch::safe_step(double fraction, const QueryOptions& asked) {
+  SafeStep safe = detector_->safe_step(step(), fraction, asked);
   if (safe.pair) translate(safe.pair->vertices);
   return safe;
 }

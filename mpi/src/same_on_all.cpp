@@ -44,10 +44,10 @@ void require_same(Communicator& communicator, const std::vector<std::string>& sa
 std::vector<std::string> sayings_of(const Options& options) {
   std::vector<std::string> sayings{"min_separation " + exact(options.min_separation),
                                    "group_count " + std::to_string(options.filter.group_count)};
-  std::string thickness = "thickness", touch = "groups_may_touch";
-  for (const double radius : options.thickness) thickness.append(" ").append(exact(radius));
+  std::string radii = "radii", touch = "groups_may_touch";
+  for (const double radius : options.radii) radii.append(" ").append(exact(radius));
   for (const std::uint8_t flag : options.filter.groups_may_touch) touch += flag != 0 ? " 1" : " 0";
-  sayings.push_back(thickness);
+  sayings.push_back(radii);
   sayings.push_back(touch);
   sayings.emplace_back(options.filter.accepts ? "a function in filter.accepts" : "no function in filter.accepts");
   return sayings;

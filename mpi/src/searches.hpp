@@ -90,7 +90,7 @@ void Searches::search_in_turn(const Ask& ask, bool by_drifts, const MakeTest& ma
 template <class Test>
 Borrowing Searches::borrow(bool by_drifts, const Test& may_matter) {
   const Stopwatch watch(statistics_.seconds.borrow);
-  return Borrowing(communicator_, own(), {*asked_.min_separation, options_.thickness, by_drifts}, may_matter);
+  return Borrowing(communicator_, own(), {*asked_.min_separation, options_.radii, by_drifts}, may_matter);
 }
 
 template <class Ask>

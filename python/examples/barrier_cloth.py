@@ -1,6 +1,6 @@
 """A folded cloth that falls into a pile: implicit Euler with ipctk's barrier, and Tamis in the line search.
 
-A Newton step asks twice: how far may it go (`Detector.keep_distance`), and which pairs come within reach of the barrier
+A Newton step asks twice: how far may it go (`Detector.safe_step`), and which pairs come within reach of the barrier
 on the way there. That one list, as `ipctk.Candidates`, serves every energy of the line search.
 """
 
@@ -37,7 +37,7 @@ class Search:
 
     def __call__(self, start: Doubles, end: Doubles) -> tuple[float, Any]:
         """Every pair keeps a tenth of its distance; no pair that comes within reach is left out."""
-        part = self.detector.keep_distance(start, end, 0.1).lower
+        part = self.detector.safe_step(start, end, 0.1).lower
         pairs = self.detector.contacts(start, start + part * (end - start), min_separation=1.001 * REACH)
         return part, bridge.candidates(pairs, self.mesh)
 

@@ -85,7 +85,7 @@ def main() -> None:
             target = pull(target, springs, rest, 1.5 * weight)
         for _ in range(5):
             target = push(x, target, detector.contacts(x, target, min_separation=GAP), moves)
-        safe = detector.keep_distance(x, target)
+        safe = detector.safe_step(x, target)
         assert safe.lower > 0
         shortest = min(shortest, safe.lower)
         new = x + safe.lower * (target - x)

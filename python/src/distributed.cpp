@@ -71,9 +71,9 @@ class RankQuestions {
     return free;
   }
 
-  nb::tuple keep_distance(const Rows& start, const Rows& end, double fraction, const QueryOptions& q) {
+  nb::tuple safe_step(const Rows& start, const Rows& end, double keep, const QueryOptions& q) {
     SafeStep safe;
-    asker_.ask([&] { safe = detector_.keep_distance({positions(start), positions(end)}, fraction, q); });
+    asker_.ask([&] { safe = detector_.safe_step({positions(start), positions(end)}, keep, q); });
     return as_tuple(safe);
   }
 
@@ -132,7 +132,7 @@ NB_MODULE(_distributed, module) {
       .def("gather_contacts", &RankQuestions::gather_contacts)
       .def("earliest", &RankQuestions::earliest)
       .def("is_free", &RankQuestions::is_free)
-      .def("keep_distance", &RankQuestions::keep_distance)
+      .def("safe_step", &RankQuestions::safe_step)
       .def("vertex_count", &RankQuestions::vertex_count)
       .def("statistics", &RankQuestions::statistics)
       .def("balance", &RankQuestions::balance);

@@ -3,8 +3,8 @@
 
 #include "python/src/bindings.hpp"
 #include "python/src/layout.hpp"
-#include "tamis/near.hpp"
 #include "tamis/pair.hpp"
+#include "tamis/proximity.hpp"
 
 namespace tamis::python {
 namespace {

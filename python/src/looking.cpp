@@ -58,10 +58,11 @@ double size_of(const Mesh& mesh, const std::vector<Point>& positions) {
 bool looks_straight(const Path& path, const Mesh& mesh, int pieces, double size) {
   constexpr double kSeen = 1.0 / 256;  // of the scene
   const std::vector<Index> vertices(mesh.points().begin(), mesh.points().end());
-  std::vector<double> strays(vertices.size());
+  std::vector<double> deviations(vertices.size());
   for (int i = 0; i < pieces; ++i) {
-    path.strays(double(i) / pieces, double(i + 1) / pieces, vertices, strays);
-    if (std::any_of(strays.begin(), strays.end(), [&](double stray) { return stray > kSeen * size; })) return false;
+    path.deviations(double(i) / pieces, double(i + 1) / pieces, vertices, deviations);
+    if (std::any_of(deviations.begin(), deviations.end(), [&](double deviation) { return deviation > kSeen * size; }))
+      return false;
   }
   return true;
 }

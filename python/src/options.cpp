@@ -37,7 +37,7 @@ void bind_options(nb::module_& module) {
       .def("set_threads", [](Asking& a, int threads) { a.options.threads = threads; })
       .def("set_min_separation", [](Asking& a, double distance) { a.options.min_separation = distance; })
       .def("set_groups", &set_groups)
-      .def("set_thickness", [](Asking& a, std::vector<double> radii) { a.options.thickness = std::move(radii); })
+      .def("set_radii", [](Asking& a, std::vector<double> radii) { a.options.radii = std::move(radii); })
       .def("set_rings", [](Asking& a, int rings) { a.options.filter.rings = rings; })
       .def("set_filter", [](Asking& a, nb::object accepts) { a.accepts = std::move(accepts); })
       .def("set_is_cancelled", [](Asking& a, nb::object is_cancelled) { a.is_cancelled = std::move(is_cancelled); });

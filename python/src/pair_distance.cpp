@@ -24,10 +24,10 @@ nb::object distances_of(const Kinds& kinds, const IndexRowsIn<4>& vertices, cons
   });
 }
 
-nb::tuple pair_keep_distance(const Kinds& kind, const IndexRowsIn<4>& vertices, const Rows& start, const Rows& end,
-                             double fraction, double min_separation, double latest) {
-  return as_tuple(keep_distance(pair_at(kind, vertices, 0), {positions(start), positions(end)}, fraction,
-                                {min_separation, latest}));
+nb::tuple pair_safe_step(const Kinds& kind, const IndexRowsIn<4>& vertices, const Rows& start, const Rows& end,
+                         double keep, double min_separation, double latest) {
+  return as_tuple(
+      safe_step(pair_at(kind, vertices, 0), {positions(start), positions(end)}, keep, {min_separation, latest}));
 }
 
 /// Places of both features of each pair, two a row.
@@ -55,7 +55,7 @@ nb::object weights(const Kinds& kinds, const Numbers& u, const Numbers& v) {
 
 void bind_pair_distance(nb::module_& module) {
   module.def("distances_of", &distances_of);
-  module.def("keep_distance", &pair_keep_distance);
+  module.def("safe_step", &pair_safe_step);
   module.def("features_of", &features);
   module.def("weights_of", &weights);
 }

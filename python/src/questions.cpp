@@ -94,23 +94,22 @@ bool Questions::is_free_on_path(const Path& path, double tolerance, const QueryO
   return free;
 }
 
-nb::tuple Questions::keep_distance(const Rows& start, const Rows& end, double fraction, const QueryOptions& q) {
+nb::tuple Questions::safe_step(const Rows& start, const Rows& end, double keep, const QueryOptions& q) {
   SafeStep safe;
-  asker_.ask([&] { safe = detector_.keep_distance(step_of(start, end), fraction, q); });
+  asker_.ask([&] { safe = detector_.safe_step(step_of(start, end), keep, q); });
   return as_tuple(safe);
 }
 
-nb::tuple Questions::truncate(const Rows& start, const Rows& end, double fraction, const QueryOptions& q,
-                              bool as_float32) {
+nb::tuple Questions::truncate(const Rows& start, const Rows& end, double keep, const QueryOptions& q, bool as_float32) {
   const Stored stored = as_float32 ? Stored::float32 : Stored::float64;
   TruncatedStep step;
-  asker_.ask([&] { step = detector_.truncate(step_of(start, end), fraction, q, stored); });
+  asker_.ask([&] { step = detector_.truncate(step_of(start, end), keep, q, stored); });
   return nb::make_tuple(own<double>(std::move(step.positions), 3), own<double>(std::move(step.parts), 0), step.is_free);
 }
 
-nb::object Questions::near(const Rows& at, double distance) {
+nb::object Questions::pairs_within(const Rows& at, double distance) {
   std::vector<NearPair> found;
-  asker_.ask([&] { found = detector_.near(positions(at), distance); });
+  asker_.ask([&] { found = detector_.pairs_within(positions(at), distance); });
   return own_bytes(std::move(found));
 }
 

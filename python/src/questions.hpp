@@ -23,10 +23,10 @@ class Questions {
   nb::tuple earliest_on_path(const Path& path, double tolerance, const QueryOptions& q);
   bool is_free_on_path(const Path& path, double tolerance, const QueryOptions& q);
 
-  nb::tuple keep_distance(const Rows& start, const Rows& end, double fraction, const QueryOptions& q);
-  nb::tuple truncate(const Rows& start, const Rows& end, double fraction, const QueryOptions& q, bool as_float32);
+  nb::tuple safe_step(const Rows& start, const Rows& end, double keep, const QueryOptions& q);
+  nb::tuple truncate(const Rows& start, const Rows& end, double keep, const QueryOptions& q, bool as_float32);
 
-  nb::object near(const Rows& at, double distance);
+  nb::object pairs_within(const Rows& at, double distance);
   nb::object intersections(const Rows& at);
   bool has_intersection(const Rows& at);
 

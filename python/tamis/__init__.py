@@ -26,7 +26,7 @@ from tamis._kinds import PairKind
 from tamis._looking import Page
 from tamis._mesh import Mesh
 from tamis._near import Intersection, Intersections, NearPair, NearPairs
-from tamis._pair_distance import distance_of, keep_distance
+from tamis._pair_distance import distance_of, safe_step
 from tamis._pairs import PairResult, Pairs, narrow_phase
 from tamis._paths import BezierPath, CatmullRomPath, Path
 from tamis._rigid_path import RigidPath, between, interpolated, turned
@@ -82,12 +82,12 @@ __all__ = [
     "contacts",
     "distance_of",
     "interpolated",
-    "keep_distance",
     "narrow_phase",
     "read_frames",
     "read_gltf",
     "read_mesh",
     "read_usd",
+    "safe_step",
     "scene",
     "scene_names",
     "simulate",

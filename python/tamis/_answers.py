@@ -57,7 +57,7 @@ class SafeStep(NamedTuple):
     pair: LimitingPair | None
 
 
-def safe_step(found: _core._SafeStep) -> SafeStep:
+def safe_step_of(found: _core._SafeStep) -> SafeStep:
     """Give what the compiled part has found its names."""
     lower, upper, pair = found
     return SafeStep(lower, upper, None if pair is None else LimitingPair(PairKind(pair[0]), *pair[1:]))

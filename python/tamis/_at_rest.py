@@ -16,7 +16,7 @@ class AtRest:
     __slots__ = ()
     _detector: _core.Detector
 
-    def near(self, positions: npt.ArrayLike, distance: float) -> NearPairs:
+    def pairs_within(self, positions: npt.ArrayLike, distance: float) -> NearPairs:
         """Find every pair of features that is near at rest: what a barrier or penalty method starts from.
 
         Parameters
@@ -24,7 +24,7 @@ class AtRest:
         positions : array_like, shape (n, 3)
             Where each vertex is.
         distance : float
-            >= 0, in the unit of the positions; both radii of `thickness` come on top.
+            >= 0, in the unit of the positions; both radii of `radii` come on top.
 
         Returns
         -------
@@ -36,7 +36,7 @@ class AtRest:
         InvalidOptions
             The distance is negative or not finite.
         """
-        return NearPairs(self._detector.near(rows(positions, "positions"), number(distance, "distance")))
+        return NearPairs(self._detector.pairs_within(rows(positions, "positions"), number(distance, "distance")))
 
     def intersections(self, positions: npt.ArrayLike) -> Intersections:
         """Find every edge that passes through a triangle or touches it: exactly.
@@ -49,7 +49,7 @@ class AtRest:
         Returns
         -------
         Intersections
-            By edge, then face. Of the filter the groups count, thickness does not.
+            By edge, then face. Of the filter the groups count, radii does not.
         """
         return Intersections(self._detector.intersections(rows(positions, "positions")))
 

@@ -37,7 +37,7 @@ class Contact(NamedTuple):
         Contact weights. Vertex-face: point = (1-u-v) f0 + u f1 + v f2. Edge-edge: u on the first edge, v on the second.
     normal : tuple of three float
         Of unit length: the direction in which the first feature (the vertex; the first edge) must go, or the second be
-        pushed back, so that they part. With a separation or thickness along the closest points at `toi_lower`; else of
+        pushed back, so that they part. With a separation or radii along the closest points at `toi_lower`; else of
         the face, or of both edges, on the side where the first feature is just before they touch.
     certified : bool
         True: proven to touch. False, on a path alone: floating point could not decide, and a contact must never be

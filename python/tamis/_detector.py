@@ -48,7 +48,7 @@ class Detector(InMotion, StepLengths, AtRest):
         The object that each vertex belongs to, from 0; a feature belongs to the group of its first vertex.
     may_touch : array_like of bool, shape (g, g), optional
         Symmetric; False leaves out the pairs of two groups. ``~np.eye(g, dtype=bool)``: no self-contact.
-    thickness : array_like of float, shape (g,), optional
+    radii : array_like of float, shape (g,), optional
         A radius >= 0 for each group: contact means a distance of at most `min_separation` plus both radii.
     filter : callable, optional
         ``filter(kind, vertices)`` is asked for every pair that is left, and says whether it counts. From several
@@ -76,7 +76,7 @@ class Detector(InMotion, StepLengths, AtRest):
         isa: Isa = "best",
         groups: npt.ArrayLike | None = None,
         may_touch: npt.ArrayLike | None = None,
-        thickness: npt.ArrayLike | None = None,
+        radii: npt.ArrayLike | None = None,
         filter: Filter | None = None,
         rings: int = 1,
         is_cancelled: Callable[[], bool] | None = None,
@@ -88,7 +88,7 @@ class Detector(InMotion, StepLengths, AtRest):
             isa=isa,
             groups=groups,
             may_touch=may_touch,
-            thickness=thickness,
+            radii=radii,
             filter=filter,
             rings=rings,
             is_cancelled=is_cancelled,

@@ -14,7 +14,7 @@ from tamis._errors import InvalidPath
 from tamis._paths import Path
 
 PointsAt = Callable[[float, Indices], "tuple[npt.ArrayLike, npt.ArrayLike]"]
-Strays = Callable[[float, float, Indices], npt.ArrayLike]
+Deviations = Callable[[float, float, Indices], npt.ArrayLike]
 
 
 class FunctionPath(Path):
@@ -30,9 +30,9 @@ class FunctionPath(Path):
     points_at : callable
         ``points_at(time, vertices)`` gives the points of these vertices, shape (n, 3), and their errors, shape (n,) or
         one number: no coordinate is off by more than that. What rounding does to the function is part of it.
-    strays : callable
-        ``strays(start, end, vertices)`` gives a bound for each vertex, shape (n,) or one number: at no time t between
-        the two times is it farther than that from its chord, walked at constant speed. It must go to zero with the
+    deviations : callable
+        ``deviations(start, end, vertices)`` gives a bound for each vertex, shape (n,) or one number: at no time t
+        between the two is it farther than that from its chord, walked at constant speed. It must go to zero with the
         piece; for smooth curves it is |x''| (end - start)^2 / 8.
 
     Raises
@@ -42,16 +42,18 @@ class FunctionPath(Path):
         negative or no number, a position that is not finite.
     """
 
-    __slots__ = ("_points_at", "_strays", "_vertex_count")
+    __slots__ = ("_deviations", "_points_at", "_vertex_count")
 
-    def __init__(self, vertex_count: int, points_at: PointsAt, strays: Strays) -> None:
+    def __init__(self, vertex_count: int, points_at: PointsAt, deviations: Deviations) -> None:
         self._vertex_count = whole(vertex_count, "vertex_count", 0, InvalidPath)
         self._points_at: PointsAt = function(points_at, "points_at", "points_at(time, vertices)", InvalidPath)
-        self._strays: Strays = function(strays, "strays", "strays(start, end, vertices)", InvalidPath)
+        self._deviations: Deviations = function(
+            deviations, "deviations", "deviations(start, end, vertices)", InvalidPath
+        )
 
     def _native(self) -> _core.Path:
         # Made anew for each question, so that Python's garbage collector sees all that refers to the functions.
-        return _core.FunctionPath(self._vertex_count, self._checked_points, self._checked_strays)
+        return _core.FunctionPath(self._vertex_count, self._checked_points, self._checked_deviations)
 
     def _checked_points(self, time: float, vertices: Indices) -> tuple[Doubles, Doubles]:
         answer = self._points_at(time, vertices)
@@ -62,8 +64,8 @@ class FunctionPath(Path):
             raise InvalidPath(f"points_at gave {len(points)} points for {len(vertices)} vertices: give one each")
         return points, _one_each(answer[1], len(vertices), "the errors of points_at")
 
-    def _checked_strays(self, start: float, end: float, vertices: Indices) -> Doubles:
-        return _one_each(self._strays(start, end, vertices), len(vertices), "what strays gave")
+    def _checked_deviations(self, start: float, end: float, vertices: Indices) -> Doubles:
+        return _one_each(self._deviations(start, end, vertices), len(vertices), "what deviations gave")
 
 
 def _one_each(given: npt.ArrayLike, count: int, name: str) -> Doubles:

@@ -23,12 +23,12 @@ def set_groups(
     options: _core.Options,
     groups: npt.ArrayLike | None,
     may_touch: npt.ArrayLike | None,
-    thickness: npt.ArrayLike | None,
+    radii: npt.ArrayLike | None,
     group_count: int = 1,
 ) -> None:
     """Set which groups of vertices may touch which, and how thick they are; there are `group_count` or more."""
-    radii = np.empty(0) if thickness is None else vector(thickness, "thickness", InvalidOptions)
-    options.set_thickness(radii.tolist())
+    radii = np.empty(0) if radii is None else vector(radii, "radii", InvalidOptions)
+    options.set_radii(radii.tolist())
     if groups is None and may_touch is None:
         return
     if groups is None:
@@ -54,7 +54,7 @@ def make_options(
     isa: Isa,
     groups: npt.ArrayLike | None,
     may_touch: npt.ArrayLike | None,
-    thickness: npt.ArrayLike | None,
+    radii: npt.ArrayLike | None,
     filter: Filter | None,
     is_cancelled: Callable[[], bool] | None,
     rings: int = 1,
@@ -65,7 +65,7 @@ def make_options(
     options.set_isa(word(isa, "isa"))
     options.set_threads(whole(threads, "threads", advice=", 0 being all"))
     options.set_min_separation(number(min_separation, "min_separation"))
-    set_groups(options, groups, may_touch, thickness, group_count)
+    set_groups(options, groups, may_touch, radii, group_count)
     options.set_rings(whole(rings, "rings", least=1))
     if filter is not None:
         accepts = function(filter, "filter", "filter(kind, vertices)")

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy.typing as npt
 
 from tamis import _core
-from tamis._answers import SafeStep, safe_step
+from tamis._answers import SafeStep, safe_step_of
 from tamis._arrays import pair_list, rows
 from tamis._checks import number
 from tamis._errors import InvalidStep
@@ -27,7 +27,7 @@ def distance_of(kind: npt.ArrayLike, vertices: npt.ArrayLike, positions: npt.Arr
     Returns
     -------
     NearPairs
-        In the order of the input, with the proven error that `Detector.near` has.
+        In the order of the input, with the proven error that `Detector.pairs_within` has.
 
     Raises
     ------
@@ -38,17 +38,17 @@ def distance_of(kind: npt.ArrayLike, vertices: npt.ArrayLike, positions: npt.Arr
     return NearPairs(_core.distances_of(*pair_list(kind, vertices, InvalidStep), rows(positions, "positions")))
 
 
-def keep_distance(
+def safe_step(
     kind: int,
     vertices: npt.ArrayLike,
     start: npt.ArrayLike,
     end: npt.ArrayLike,
-    fraction: float = 0.1,
+    keep: float = 0.1,
     *,
     min_separation: float = 0.0,
     latest: float = 1.0,
 ) -> SafeStep:
-    """Find how far one pair may go so that it keeps a fraction of its distance: `Detector.keep_distance` of a pair.
+    """Find how far one pair may go so that it keeps a fraction of its distance: `Detector.safe_step` of a pair.
 
     Parameters
     ----------
@@ -58,8 +58,8 @@ def keep_distance(
         Rows of the positions, ordered as in `Contact`.
     start, end : array_like, shape (m, 3)
         Where each vertex is at the start and at the end of the step.
-    fraction : float
-        0 <= fraction < 1, of what exceeds the minimum separation. 0: only contact counts.
+    keep : float
+        0 <= keep < 1, of what exceeds the minimum separation. 0: only contact counts.
     min_separation : float
         d >= 0: contact means Euclidean distance <= d.
     latest : float
@@ -79,5 +79,5 @@ def keep_distance(
     if len(pair[1]) != 1:
         raise InvalidStep(f"vertices has {len(pair[1])} rows: give one pair, (4,)")
     both = rows(start, "start"), rows(end, "end")
-    kept, d, until = number(fraction, "fraction"), number(min_separation, "min_separation"), number(latest, "latest")
-    return safe_step(_core.keep_distance(*pair, *both, kept, d, until))
+    kept, d, until = number(keep, "keep"), number(min_separation, "min_separation"), number(latest, "latest")
+    return safe_step_of(_core.safe_step(*pair, *both, kept, d, until))

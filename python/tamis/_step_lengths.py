@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy.typing as npt
 
 from tamis import _core
-from tamis._answers import SafeStep, TruncatedStep, safe_step
+from tamis._answers import SafeStep, TruncatedStep, safe_step_of
 from tamis._arrays import Doubles, rows
 from tamis._checks import number, shown, word
 from tamis._errors import InvalidOptions
@@ -18,11 +18,11 @@ class StepLengths:
     __slots__ = ()
     _detector: _core.Detector
 
-    def keep_distance(
+    def safe_step(
         self,
         start: npt.ArrayLike,
         end: npt.ArrayLike,
-        fraction: float = 0.1,
+        keep: float = 0.1,
         *,
         min_separation: float | None = None,
         at_start: AtStart = "report",
@@ -40,8 +40,8 @@ class StepLengths:
             Of this question alone; by default the detector's.
         at_start : str
             As of `contacts`. A pair that is ignored has nothing to keep: it ends the step where it touches again.
-        fraction : float
-            0 <= fraction < 1. 0.1 for the line search of a barrier, where the next steps need room; 0.01 and less to
+        keep : float
+            0 <= keep < 1. 0.1 for the line search of a barrier, where the next steps need room; 0.01 and less to
             come near what is met; 0.5 and more where distances may shrink slowly only. 0: only contacts count. The
             closer to 1, the longer the search.
 
@@ -55,13 +55,13 @@ class StepLengths:
         InvalidOptions
             The fraction is outside its range.
         """
-        return safe_step(self._detector.keep_distance(*_given(start, end, fraction, min_separation, at_start)))
+        return safe_step_of(self._detector.safe_step(*_given(start, end, keep, min_separation, at_start)))
 
     def truncate(
         self,
         start: npt.ArrayLike,
         end: npt.ArrayLike,
-        fraction: float = 0.1,
+        keep: float = 0.1,
         *,
         min_separation: float | None = None,
         at_start: AtStart = "report",
@@ -77,8 +77,8 @@ class StepLengths:
         ----------
         start, end : array_like, shape (n, 3)
             Where each vertex is at the start and at the end of the step.
-        fraction : float
-            0 < fraction < 1, of the distance as far as that exceeds the minimum separation.
+        keep : float
+            0 < keep < 1, of the distance as far as that exceeds the minimum separation.
         min_separation : float, optional
             Of this question alone; by default the detector's.
         at_start : str
@@ -99,7 +99,7 @@ class StepLengths:
         InvalidStep
             With "float32": `start` has a number that no float32 has, or `end` is beyond all of them.
         """
-        given = _given(start, end, fraction, min_separation, at_start)
+        given = _given(start, end, keep, min_separation, at_start)
         return TruncatedStep(*self._detector.truncate(*given, _is_float32(stored)))
 
 
@@ -110,7 +110,7 @@ def _is_float32(stored: str) -> bool:
 
 
 def _given(
-    start: npt.ArrayLike, end: npt.ArrayLike, fraction: float, min_separation: float | None, at_start: AtStart
+    start: npt.ArrayLike, end: npt.ArrayLike, keep: float, min_separation: float | None, at_start: AtStart
 ) -> tuple[Doubles, Doubles, float, _core.QueryOptions]:
     own = query_options(min_separation, at_start)
-    return rows(start, "start"), rows(end, "end"), number(fraction, "fraction"), own
+    return rows(start, "start"), rows(end, "end"), number(keep, "keep"), own

@@ -22,7 +22,7 @@ import numpy.typing as npt
 from mpi4py import MPI
 
 from tamis import _errors
-from tamis._answers import EarliestContact, SafeStep, safe_step
+from tamis._answers import EarliestContact, SafeStep, safe_step_of
 from tamis._arrays import Doubles, indices, indices_or_none, rows
 from tamis._checks import instance, number, whole
 from tamis._contacts import Contacts
@@ -83,7 +83,7 @@ class Detector:
         The object of each row's vertex.
     filter : callable, optional
         As of `tamis.Detector`; asked on any rank, so what it says of a pair may not depend on the rank.
-    min_separation, isa, may_touch, thickness, is_cancelled
+    min_separation, isa, may_touch, radii, is_cancelled
         As of `tamis.Detector`.
 
     Raises
@@ -109,7 +109,7 @@ class Detector:
         isa: Isa = "best",
         groups: npt.ArrayLike | None = None,
         may_touch: npt.ArrayLike | None = None,
-        thickness: npt.ArrayLike | None = None,
+        radii: npt.ArrayLike | None = None,
         filter: Filter | None = None,
         is_cancelled: Callable[[], bool] | None = None,
     ) -> None:
@@ -133,7 +133,7 @@ class Detector:
                 isa=isa,
                 groups=groups,
                 may_touch=may_touch,
-                thickness=thickness,
+                radii=radii,
                 filter=filter,
                 is_cancelled=is_cancelled,
                 group_count=group_count,
@@ -262,11 +262,11 @@ class Detector:
             first, second, own = self._together(lambda: (*_step(start, end), query_options(min_separation, at_start)))
             return self._detector.is_free(first, second, own)
 
-    def keep_distance(
+    def safe_step(
         self,
         start: npt.ArrayLike,
         end: npt.ArrayLike,
-        fraction: float = 0.1,
+        keep: float = 0.1,
         *,
         min_separation: float | None = None,
         at_start: AtStart = "report",
@@ -277,8 +277,8 @@ class Detector:
         ----------
         start, end, min_separation, at_start
             As of `contacts`.
-        fraction : float
-            0 <= fraction < 1; which, `tamis.Detector.keep_distance` says. 0: only contacts count.
+        keep : float
+            0 <= keep < 1; which, `tamis.Detector.safe_step` says. 0: only contacts count.
 
         Returns
         -------
@@ -292,9 +292,9 @@ class Detector:
         """
         with self._turn():
             first, second, kept, own = self._together(
-                lambda: (*_step(start, end), number(fraction, "fraction"), query_options(min_separation, at_start))
+                lambda: (*_step(start, end), number(keep, "keep"), query_options(min_separation, at_start))
             )
-            return safe_step(self._detector.keep_distance(first, second, kept, own))
+            return safe_step_of(self._detector.safe_step(first, second, kept, own))
 
     @contextmanager
     def _turn(self) -> Iterator[None]:

@@ -35,7 +35,7 @@ def answers(mixed: tamis.Scene) -> dict[str, Any]:
     assert set(contacts.kind) == {0, 1, 2, 3}
     return {
         "contacts": contacts,
-        "near": detector.near(mixed.start, 0.2),
+        "near": detector.pairs_within(mixed.start, 0.2),
         "intersections": detector.intersections(mixed.start),
         "pairs": tamis.narrow_phase(contacts.kind, contacts.vertices, mixed.start, mixed.end, min_separation=D),
     }
@@ -81,7 +81,7 @@ def _columns(path: pathlib.Path) -> dict[str, list[str]]:
     return {name: [row[name] for row in rows] for name in rows[0]}
 
 
-@pytest.mark.parametrize(("verb", "more"), [("near", ["--distance", "0.2"]), ("intersections", [])])
+@pytest.mark.parametrize(("verb", "more"), [("within", ["--distance", "0.2"]), ("intersections", [])])
 def test_tables_of_the_command_have_these_columns(
     mixed: tamis.Scene, tmp_path: pathlib.Path, verb: str, more: list[str]
 ) -> None:
@@ -90,7 +90,7 @@ def test_tables_of_the_command_have_these_columns(
         pytest.skip("TAMIS_COMMAND does not say where the command is")
     pose = tamis.read_mesh(_written(mixed, tmp_path / "pose.ply"))
     detector = tamis.Detector(pose.mesh)
-    answer = detector.near(pose.positions, 0.2) if verb == "near" else detector.intersections(pose.positions)
+    answer = detector.pairs_within(pose.positions, 0.2) if verb == "within" else detector.intersections(pose.positions)
     subprocess.run([command, verb, tmp_path / "pose.ply", *more, "--out", tmp_path / "t.csv"], capture_output=True)
     columns, frame = _columns(tmp_path / "t.csv"), answer.to_pandas()
     assert list(columns) == list(frame.columns)

@@ -104,7 +104,7 @@ def test_bad_positions_are_refused_by_every_question(falling: tamis.Scene, name:
     detector = tamis.Detector(falling.mesh)
     step = [falling.start, falling.end]
     step[which] = BAD_STEPS[name]
-    for ask in (detector.contacts, detector.earliest, detector.is_free, lambda s, e: detector.keep_distance(s, e, 0.5)):
+    for ask in (detector.contacts, detector.earliest, detector.is_free, lambda s, e: detector.safe_step(s, e, 0.5)):
         with pytest.raises(tamis.InvalidStep, match=r": .*\b(give|use)\b"):
             ask(*step)
     assert len(detector.contacts(falling.start, falling.end)) == 1

@@ -18,11 +18,11 @@ QUESTIONS: dict[str, Ask] = {
     "contacts": lambda d, **own: len(d.contacts(LIES, UP, **own)),
     "earliest": lambda d, **own: d.earliest(LIES, UP, **own).toi_lower,
     "is_free": lambda d, **own: d.is_free(LIES, UP, **own),
-    "keep_distance": lambda d, **own: d.keep_distance(LIES, UP, **own).lower,
+    "safe_step": lambda d, **own: d.safe_step(LIES, UP, **own).lower,
     "truncate": lambda d, **own: d.truncate(LIES, UP, **own).is_free,
 }
-REPORTED = {"contacts": 1, "earliest": 0, "is_free": False, "keep_distance": 0, "truncate": False}
-IGNORED = {"contacts": 0, "earliest": 1, "is_free": True, "keep_distance": 1, "truncate": True}
+REPORTED = {"contacts": 1, "earliest": 0, "is_free": False, "safe_step": 0, "truncate": False}
+IGNORED = {"contacts": 0, "earliest": 1, "is_free": True, "safe_step": 1, "truncate": True}
 
 
 @pytest.fixture

@@ -61,7 +61,7 @@ def _collisions(
 def test_candidates_have_the_numbers_of_ipctk(pose: tuple[Any, Numbers]) -> None:
     """Bug: an edge by Tamis's number is another edge for ipctk."""
     mesh, positions = pose
-    near = tamis.Detector(bridge.mesh(mesh)).near(positions, REACH)
+    near = tamis.Detector(bridge.mesh(mesh)).pairs_within(positions, REACH)
     assert set(near.kind) == {0, 1, 2, 3}
     candidates = bridge.candidates(near, mesh)
     assert len(candidates) == len(near) == len(_candidates(candidates))
@@ -76,7 +76,7 @@ def test_candidates_have_the_numbers_of_ipctk(pose: tuple[Any, Numbers]) -> None
 def test_the_same_collisions(pose: tuple[Any, Numbers], kind: Any) -> None:
     """Squared distances, which ipctk has itself measured, agree to 1e-15: of edges in another order."""
     mesh, positions = pose
-    near = tamis.Detector(bridge.mesh(mesh)).near(positions, REACH)
+    near = tamis.Detector(bridge.mesh(mesh)).pairs_within(positions, REACH)
     ours = _collisions(mesh, positions, (bridge.candidates(near, mesh),), kind)
     theirs = _collisions(mesh, positions, (), kind)
     assert len(theirs) > 50 and ours.keys() == theirs.keys()
@@ -105,7 +105,7 @@ def test_one_list_for_a_whole_line_search(pose: tuple[Any, Numbers]) -> None:
             chosen = ipctk.Candidates()
             setattr(chosen, name, within)
             seen |= _candidates(chosen)
-        pose_alone = _candidates(bridge.candidates(detector.near(x, REACH), mesh))
+        pose_alone = _candidates(bridge.candidates(detector.pairs_within(x, REACH), mesh))
         assert pose_alone <= listed
     assert seen <= listed and len(seen) > len(pose_alone) > 20
     assert len(listed) < 1.2 * len(seen)
@@ -115,7 +115,7 @@ def test_mixed_with_a_potential(pose: tuple[Any, Numbers]) -> None:
     """Barrier, gradient and friction of ipctk, on collisions from Tamis's pairs."""
     mesh, positions = pose
     ours, theirs = ipctk.NormalCollisions(), ipctk.NormalCollisions()
-    near = tamis.Detector(bridge.mesh(mesh)).near(positions, REACH)
+    near = tamis.Detector(bridge.mesh(mesh)).pairs_within(positions, REACH)
     ours.build(bridge.candidates(near, mesh), mesh, positions, REACH)
     theirs.build(mesh, positions, REACH)
     barrier = ipctk.BarrierPotential(REACH, 1e3)
@@ -137,7 +137,7 @@ def test_asked_again(pose: tuple[Any, Numbers]) -> None:
     """Bug: candidates that are kept from call to call were those of another call, or of another mesh."""
     mesh, positions = pose
     assert bridge.mesh(mesh) is bridge.mesh(mesh)
-    near = tamis.Detector(bridge.mesh(mesh)).near(positions, REACH)
+    near = tamis.Detector(bridge.mesh(mesh)).pairs_within(positions, REACH)
     first = _candidates(bridge.candidates(near, mesh))
     half = bridge.candidates(near[::2], mesh)
     half.ee_candidates = []
@@ -150,7 +150,7 @@ def test_asked_again(pose: tuple[Any, Numbers]) -> None:
 
 def test_what_is_refused(pose: tuple[Any, Numbers]) -> None:
     mesh, positions = pose
-    near = tamis.Detector(bridge.mesh(mesh)).near(positions, REACH)
+    near = tamis.Detector(bridge.mesh(mesh)).pairs_within(positions, REACH)
     flat = ipctk.CollisionMesh(positions[:, :2], mesh.edges)
     floored = ipctk.CollisionMesh(positions, mesh.edges, mesh.faces)
     bridge.mesh(floored)

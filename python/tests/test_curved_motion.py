@@ -36,7 +36,7 @@ def positions_of_blade(time: float, vertices: npt.NDArray[np.int32]) -> tuple[np
     return points, 1e-14
 
 
-def strays_of_blade(start: float, end: float, vertices: npt.NDArray[np.int32]) -> npt.NDArray[np.float64]:
+def deviations_of_blade(start: float, end: float, vertices: npt.NDArray[np.int32]) -> npt.NDArray[np.float64]:
     """The acceleration is pi^2 times the distance from the axis, which is below 2.2."""
     return np.where(vertices >= 3, 2.2 * math.pi**2 * (end - start) ** 2 / 8, 0.0)
 
@@ -69,14 +69,14 @@ def test_options_of_a_question() -> None:
     assert (wide.toi_lower <= narrow.toi_upper).all() and (narrow.toi_lower <= wide.toi_upper).all()
     near = detector.earliest(path, min_separation=0.25)
     assert near.toi_lower < detector.earliest(path).toi_lower
-    thick = tamis.Detector(tamis.Mesh(FACES), groups=[0, 0, 0, 1, 1, 1], thickness=[0.0, 0.25])
+    thick = tamis.Detector(tamis.Mesh(FACES), groups=[0, 0, 0, 1, 1, 1], radii=[0.0, 0.25])
     assert thick.earliest(path).toi_lower == pytest.approx(near.toi_lower, abs=1e-8)
 
 
 def test_a_function_is_a_path() -> None:
     """Would catch vertices or times that are handed over in another order."""
     detector = tamis.Detector(tamis.Mesh(FACES))
-    path = tamis.FunctionPath(6, positions_of_blade, strays_of_blade)
+    path = tamis.FunctionPath(6, positions_of_blade, deviations_of_blade)
     assert repr(path) == "FunctionPath(6 vertices)"
     assert np.allclose(path.points_at(0.3), turning_blade().points_at(0.3), atol=1e-12)
     expected, found = detector.contacts(turning_blade()), detector.contacts(path, tolerance=1e-6)
@@ -92,14 +92,16 @@ def test_an_exception_of_a_function_arrives() -> None:
         raise ZeroDivisionError("in the middle")
 
     with pytest.raises(ZeroDivisionError, match="in the middle"):
-        detector.is_free(tamis.FunctionPath(6, points_at, strays_of_blade))
+        detector.is_free(tamis.FunctionPath(6, points_at, deviations_of_blade))
     with pytest.raises(ZeroDivisionError, match="in the middle"):
-        tamis.narrow_phase(tamis.PairKind.EDGE_EDGE, [0, 1, 3, 4], tamis.FunctionPath(6, points_at, strays_of_blade))
+        tamis.narrow_phase(
+            tamis.PairKind.EDGE_EDGE, [0, 1, 3, 4], tamis.FunctionPath(6, points_at, deviations_of_blade)
+        )
     assert not detector.is_free(turning_blade())
 
 
 @pytest.mark.parametrize(
-    ("points", "errors", "stray", "said"),
+    ("points", "errors", "deviation", "said"),
     [
         (np.zeros((2, 3)), 0.0, 0.0, "give one each"),
         (np.zeros((6, 2)), 0.0, 0.0, "three numbers a vertex"),
@@ -112,21 +114,21 @@ def test_an_exception_of_a_function_arrives() -> None:
         (None, 0.0, "far", "floating-point numbers"),
     ],
 )
-def test_a_function_that_breaks_its_promise(points: object, errors: object, stray: object, said: str) -> None:
+def test_a_function_that_breaks_its_promise(points: object, errors: object, deviation: object, said: str) -> None:
     def points_at(time: float, vertices: npt.NDArray[np.int32]) -> tuple[object, object]:
         return positions_of_blade(time, vertices)[0] if points is None else points, errors
 
-    path = tamis.FunctionPath(6, points_at, lambda start, end, vertices: stray)  # type: ignore[arg-type, return-value]
+    path = tamis.FunctionPath(6, points_at, lambda start, end, vertices: deviation)  # type: ignore[arg-type, return-value]
     with pytest.raises(tamis.InvalidPath, match=said):
         tamis.Detector(tamis.Mesh(FACES)).contacts(path)
 
 
 def test_a_function_that_gives_no_pair() -> None:
-    path = tamis.FunctionPath(6, lambda time, vertices: np.zeros((6, 3)), strays_of_blade)  # type: ignore[arg-type, return-value]
+    path = tamis.FunctionPath(6, lambda time, vertices: np.zeros((6, 3)), deviations_of_blade)  # type: ignore[arg-type, return-value]
     with pytest.raises(tamis.InvalidPath, match="no pair"):
         path.points_at(0.5)
     with pytest.raises(tamis.InvalidPath, match="vertex_count is -1"):
-        tamis.FunctionPath(-1, positions_of_blade, strays_of_blade)
+        tamis.FunctionPath(-1, positions_of_blade, deviations_of_blade)
 
 
 def test_functions_that_refer_to_their_path_are_collected() -> None:
@@ -134,7 +136,7 @@ def test_functions_that_refer_to_their_path_are_collected() -> None:
 
     class Motion:
         def __init__(self) -> None:
-            self.path = tamis.FunctionPath(6, self.points_at, strays_of_blade)
+            self.path = tamis.FunctionPath(6, self.points_at, deviations_of_blade)
 
         def points_at(self, time: float, vertices: npt.NDArray[np.int32]) -> tuple[npt.NDArray[np.float64], float]:
             return positions_of_blade(time, vertices)

@@ -51,16 +51,16 @@ def test_all_questions_agree(start: np.ndarray, end: np.ndarray) -> None:
     contacts = detector.contacts(start, end)
     first = detector.earliest(start, end)
     assert detector.is_free(start, end) == (len(contacts) == 0) == (first.contact is None)
-    kept = detector.keep_distance(start, end, 0)
+    kept = detector.safe_step(start, end, 0)
     assert kept.lower == first.toi_lower
     assert kept.pair is None or (kept.pair.kind, kept.pair.vertices) == first.contact[:2]  # type: ignore[index]
     if len(contacts):
         assert first.toi_lower <= contacts.toi_lower.min() + 1e-12
-        assert detector.keep_distance(start, end, 0.5).lower <= first.toi_lower
+        assert detector.safe_step(start, end, 0.5).lower <= first.toi_lower
 
 
 def test_keeping_half_of_the_distance(detector: tamis.Detector, falling: tamis.Scene) -> None:
-    safe = detector.keep_distance(falling.start, falling.end, 0.5)
+    safe = detector.safe_step(falling.start, falling.end, 0.5)
     assert safe.lower == pytest.approx(0.25, abs=1e-6) and safe.lower <= 0.25 <= safe.upper
     assert safe.pair == (tamis.PairKind.VERTEX_FACE, (3, 0, 1, 2), 1.0)
 
@@ -68,7 +68,7 @@ def test_keeping_half_of_the_distance(detector: tamis.Detector, falling: tamis.S
 def test_a_free_step(detector: tamis.Detector, falling: tamis.Scene) -> None:
     assert detector.is_free(falling.start, falling.start)
     assert detector.earliest(falling.start, falling.start) == (1.0, 1.0, None)
-    assert detector.keep_distance(falling.start, falling.start, 0.9) == (1.0, 1.0, None)
+    assert detector.safe_step(falling.start, falling.start, 0.9) == (1.0, 1.0, None)
     assert len(detector.contacts(falling.start, falling.start)) == 0
 
 

@@ -123,7 +123,7 @@ def test_options_of_the_question_hold_for_the_page(falling: tamis.Scene, opened:
         asked.append(vertices)
         return kind == tamis.PairKind.VERTEX_FACE
 
-    detector = tamis.Detector(falling.mesh, filter=accepts, groups=falling.groups, thickness=[0.1, 0.2])
+    detector = tamis.Detector(falling.mesh, filter=accepts, groups=falling.groups, radii=[0.1, 0.2])
     contacts = detector.contacts(falling.start, falling.end)
     asked.clear()
     header, _ = scene_in(contacts.view().path)

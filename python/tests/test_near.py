@@ -12,20 +12,20 @@ import tamis.compat.ipctk as ipctk
 
 
 def test_near_pairs_of_the_example(falling: tamis.Scene) -> None:
-    near = tamis.Detector(falling.mesh).near(falling.start, 1.0)
+    near = tamis.Detector(falling.mesh).pairs_within(falling.start, 1.0)
     first = near.distance.argmin()
     assert near.vertices[first].tolist() == [3, 0, 1, 2] and near.distance[first] == 1
     assert near.kind[first] == tamis.PairKind.VERTEX_FACE and near.corners[first] == 0b1111
     assert near.u[first] == pytest.approx(0.25) and near.direction[first].tolist() == [0, 0, 1]
     assert near.distance.max() <= 1
     assert repr(near) == f"NearPairs({len(near)} pairs, nearest 1)"
-    assert len(tamis.Detector(falling.mesh).near(falling.start, 0.5)) == 0
+    assert len(tamis.Detector(falling.mesh).pairs_within(falling.start, 0.5)) == 0
 
 
 def test_near_pairs_are_all_and_no_others() -> None:
     """Against brute force over sampled points: no pair that has points nearer than the distance may be missing."""
     scene = tamis.scene("soup", 30, seed=4)
-    near = tamis.Detector(scene.mesh).near(scene.start, 0.2)
+    near = tamis.Detector(scene.mesh).pairs_within(scene.start, 0.2)
     found = {tuple(v) for v, kind in zip(near.vertices.tolist(), near.kind) if kind == tamis.PairKind.VERTEX_FACE}
     weights = np.array([(1 - (i + j) / 8, i / 8, j / 8) for i in range(9) for j in range(9 - i)])
     for point in scene.mesh.points:
@@ -54,18 +54,22 @@ def test_intersections(falling: tamis.Scene) -> None:
 
 
 def test_thickness_comes_on_top(falling: tamis.Scene) -> None:
-    thick = tamis.Detector(falling.mesh, groups=falling.groups, thickness=[0.25, 0.25])
-    assert len(thick.near(falling.start, 0.5)) == len(tamis.Detector(falling.mesh).near(falling.start, 1.0)) > 0
+    thick = tamis.Detector(falling.mesh, groups=falling.groups, radii=[0.25, 0.25])
+    assert (
+        len(thick.pairs_within(falling.start, 0.5))
+        == len(tamis.Detector(falling.mesh).pairs_within(falling.start, 1.0))
+        > 0
+    )
 
 
 def test_pickled_and_bad_input(falling: tamis.Scene) -> None:
     detector = tamis.Detector(falling.mesh)
-    near = detector.near(falling.start, 1.0)
+    near = detector.pairs_within(falling.start, 1.0)
     assert pickle.loads(pickle.dumps(near)) == near
     for bad in (-1.0, float("nan"), float("inf")):
         with pytest.raises(tamis.InvalidOptions):
-            detector.near(falling.start, bad)
-    for ask in (lambda p: detector.near(p, 1.0), detector.intersections, detector.has_intersection):
+            detector.pairs_within(falling.start, bad)
+    for ask in (lambda p: detector.pairs_within(p, 1.0), detector.intersections, detector.has_intersection):
         with pytest.raises(tamis.InvalidStep):
             ask(falling.start[:5])
         with pytest.raises(tamis.InvalidStep):

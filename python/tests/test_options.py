@@ -29,14 +29,14 @@ def test_groups_leave_out_pairs(falling: tamis.Scene) -> None:
 
 
 def test_thickness_and_a_separation_of_one_question(falling: tamis.Scene) -> None:
-    detector = tamis.Detector(falling.mesh, groups=falling.groups, thickness=[0.1, 0.2])
+    detector = tamis.Detector(falling.mesh, groups=falling.groups, radii=[0.1, 0.2])
     assert detector.earliest(falling.start, falling.end).toi_lower == pytest.approx(0.35)
     assert detector.earliest(falling.start, falling.end, min_separation=0.2).toi_lower == pytest.approx(0.25)
     assert detector.is_free(falling.start, falling.start, min_separation=0.6)
     assert not detector.is_free(falling.start, falling.start, min_separation=0.8)
     assert len(detector.contacts(falling.start, falling.start, min_separation=0.8)) > 0
     plain = tamis.Detector(falling.mesh)
-    safe = plain.keep_distance(falling.start, falling.end, 0.5, min_separation=0.5)
+    safe = plain.safe_step(falling.start, falling.end, 0.5, min_separation=0.5)
     assert safe.lower == pytest.approx(0.125, abs=1e-6)
     for bad in (-1.0, float("nan"), float("inf")):
         with pytest.raises(tamis.InvalidOptions):
@@ -123,9 +123,9 @@ BAD: dict[str, dict[str, Any]] = {
     "a lopsided matrix": {"groups": [0, 0, 0, 1, 1, 1], "may_touch": [[True, False], [True, True]]},
     "a matrix that is not square": {"groups": [0, 0, 0, 1, 1, 1], "may_touch": [[True, False]]},
     "a matrix that is too small": {"groups": [0, 0, 0, 2, 2, 2], "may_touch": np.ones((2, 2), bool)},
-    "negative thickness": {"groups": [0, 0, 0, 1, 1, 1], "thickness": [-1.0, 0.0]},
-    "thickness of too few groups": {"groups": [0, 0, 0, 1, 1, 1], "thickness": [0.1]},
-    "thickness in two dimensions": {"thickness": [[0.1]]},
+    "negative radii": {"groups": [0, 0, 0, 1, 1, 1], "radii": [-1.0, 0.0]},
+    "radii of too few groups": {"groups": [0, 0, 0, 1, 1, 1], "radii": [0.1]},
+    "radii in two dimensions": {"radii": [[0.1]]},
 }
 
 
@@ -138,7 +138,7 @@ def test_bad_options_are_refused(falling: tamis.Scene, name: str) -> None:
 def test_bad_fractions(detector: tamis.Detector, falling: tamis.Scene) -> None:
     for fraction in (-0.1, 1.0, float("nan")):
         with pytest.raises(tamis.InvalidOptions):
-            detector.keep_distance(falling.start, falling.end, fraction)
+            detector.safe_step(falling.start, falling.end, fraction)
 
 
 def test_errors_are_of_one_family() -> None:

@@ -38,7 +38,7 @@ def test_latest_times_that_are_none() -> None:
 
 
 def test_distances_are_those_of_near_pairs(soup: tamis.Scene) -> None:
-    near = tamis.Detector(soup.mesh).near(soup.start, 0.05)
+    near = tamis.Detector(soup.mesh).pairs_within(soup.start, 0.05)
     assert len(near) > 100
     assert tamis.distance_of(near.kind, near.vertices, soup.start) == near
     one = tamis.distance_of(VF, [0, 1, 2, 3], START)
@@ -49,13 +49,13 @@ def test_distances_are_those_of_near_pairs(soup: tamis.Scene) -> None:
 
 
 def test_a_pair_keeps_its_distance() -> None:
-    kept = tamis.keep_distance(VF, [0, 1, 2, 3], START, END, 0.2)
+    kept = tamis.safe_step(VF, [0, 1, 2, 3], START, END, 0.2)
     assert 0.199 < kept.lower <= 0.2 <= kept.upper
     assert kept.pair == tamis.LimitingPair(VF, (0, 1, 2, 3), 1.0)
-    assert 0.124 < tamis.keep_distance(VF, [0, 1, 2, 3], START, END, 0, min_separation=0.5).lower <= 0.125
-    assert tamis.keep_distance(VF, [0, 1, 2, 3], START, END, 0.2, latest=0.1) == (0.1, 1.0, None)
+    assert 0.124 < tamis.safe_step(VF, [0, 1, 2, 3], START, END, 0, min_separation=0.5).lower <= 0.125
+    assert tamis.safe_step(VF, [0, 1, 2, 3], START, END, 0.2, latest=0.1) == (0.1, 1.0, None)
     with pytest.raises(tamis.InvalidOptions):
-        tamis.keep_distance(VF, [0, 1, 2, 3], START, END, 1.0)
+        tamis.safe_step(VF, [0, 1, 2, 3], START, END, 1.0)
 
 
 def test_features_by_number(soup: tamis.Scene) -> None:
@@ -70,7 +70,7 @@ def test_features_by_number(soup: tamis.Scene) -> None:
     contact = contacts[0]
     assert np.array_equal(soup.mesh.features_of(contact.kind, contact.vertices), places[:1])
     assert np.array_equal(contacts.features(soup.mesh), places)
-    near = tamis.Detector(soup.mesh).near(soup.start, 0.05)
+    near = tamis.Detector(soup.mesh).pairs_within(soup.start, 0.05)
     assert np.array_equal(near.features(soup.mesh), soup.mesh.features_of(near.kind, near.vertices)) and len(near)
 
 
@@ -107,10 +107,10 @@ def test_bad_input_is_named(soup: tamis.Scene) -> None:
     with pytest.raises(tamis.InvalidStep, match="pair 1: vertex 4"):
         tamis.distance_of(VF, two, START)
     with pytest.raises(tamis.InvalidStep, match="one pair"):
-        tamis.keep_distance(VF, two, START, END, 0)
+        tamis.safe_step(VF, two, START, END, 0)
     for ask, error in (
         (lambda kind, vertices: tamis.distance_of(kind, vertices, START), tamis.InvalidStep),
-        (lambda kind, vertices: tamis.keep_distance(kind, vertices, START, END, 0), tamis.InvalidStep),
+        (lambda kind, vertices: tamis.safe_step(kind, vertices, START, END, 0), tamis.InvalidStep),
         (soup.mesh.features_of, tamis.InvalidMesh),
     ):
         for kind in kinds:

@@ -48,7 +48,7 @@ def interrupted_after(code: str) -> float:
 
 @pytest.mark.parametrize(
     "question",
-    ["contacts(scene.start, scene.end, min_separation=0.05)", "near(scene.start, 0.05)"],
+    ["contacts(scene.start, scene.end, min_separation=0.05)", "pairs_within(scene.start, 0.05)"],
 )
 def test_ctrl_c_ends_a_long_question(question: str) -> None:
     code = LONG.format(question=f"[detector.{question} for _ in range(1000)]")

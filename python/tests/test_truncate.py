@@ -17,16 +17,16 @@ def test_a_far_vertex_is_not_stopped_by_a_near_pair(falling: tamis.Scene) -> Non
     assert np.allclose(step.positions, falling.start + step.parts[:, np.newaxis] * (end - falling.start), atol=1e-15)
 
 
-@pytest.mark.parametrize("fraction", [0.1, 0.5])
-def test_every_pair_keeps_its_fraction(fraction: float) -> None:
+@pytest.mark.parametrize("keep", [0.1, 0.5])
+def test_every_pair_keeps_its_fraction(keep: float) -> None:
     scene = tamis.scene("folded-cloth", 400, seed=2)
     detector = tamis.Detector(scene.mesh)
-    step = detector.truncate(scene.start, scene.end, fraction)
+    step = detector.truncate(scene.start, scene.end, keep)
     assert step.is_free and step.parts.min() < 1
-    before = detector.near(scene.start, 0.05)
-    assert tamis.Detector(scene.mesh).keep_distance(scene.start, step.positions, fraction).lower == 1
+    before = detector.pairs_within(scene.start, 0.05)
+    assert tamis.Detector(scene.mesh).safe_step(scene.start, step.positions, keep).lower == 1
     after = tamis.distance_of(before.kind, before.vertices, step.positions)
-    assert (after.distance >= fraction * before.distance * (1 - 1e-9)).all()
+    assert (after.distance >= keep * before.distance * (1 - 1e-9)).all()
 
 
 def test_truncated_positions_are_proven_free(falling: tamis.Scene) -> None:
@@ -80,11 +80,11 @@ def test_answers_own_their_memory(falling: tamis.Scene) -> None:
     assert np.array_equal(step.parts, before[0]) and np.array_equal(step.positions, before[1])
 
 
-@pytest.mark.parametrize("fraction", [0.0, 1.0, -0.5, float("nan")])
-def test_bad_fractions(falling: tamis.Scene, fraction: float) -> None:
+@pytest.mark.parametrize("keep", [0.0, 1.0, -0.5, float("nan")])
+def test_bad_fractions(falling: tamis.Scene, keep: float) -> None:
     detector = tamis.Detector(falling.mesh)
     with pytest.raises(tamis.InvalidOptions, match="fraction"):
-        detector.truncate(falling.start, falling.end, fraction)
+        detector.truncate(falling.start, falling.end, keep)
     with pytest.raises(tamis.InvalidStep):
         detector.truncate(falling.start[:5], falling.end)
     with pytest.raises(tamis.InvalidOptions):

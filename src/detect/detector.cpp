@@ -33,13 +33,13 @@ EarliestContact Detector::earliest(const Step& step, const QueryOptions& options
   return Asked(*this)->earliest(step, options);
 }
 
-SafeStep Detector::keep_distance(const Step& step, double fraction, const QueryOptions& options) {
-  return Asked(*this)->keep_distance(step, fraction, options);
+SafeStep Detector::safe_step(const Step& step, double fraction, const QueryOptions& options) {
+  return Asked(*this)->safe_step(step, fraction, options);
 }
 
 bool Detector::is_free(const Step& step, const QueryOptions& options) { return Asked(*this)->is_free(step, options); }
 
-const std::vector<NearPair>& Detector::near(const Positions& positions, double distance) {
+const std::vector<NearPair>& Detector::pairs_within(const Positions& positions, double distance) {
   const Asked asked(*this);
   asked->find_near(positions, distance);
   return asked->near;

@@ -20,11 +20,11 @@ namespace {
 /// Of each vertex; empty where all are zero.
 std::vector<double> radii_of(const Options& options, const Mesh& mesh) {
   const auto is_zero = [](double radius) { return radius == 0; };
-  if (std::all_of(options.thickness.begin(), options.thickness.end(), is_zero)) return {};
+  if (std::all_of(options.radii.begin(), options.radii.end(), is_zero)) return {};
   const std::vector<Index>& group = options.filter.group_of_vertex;
-  std::vector<double> radii(static_cast<std::size_t>(mesh.vertex_count()), options.thickness[0]);
+  std::vector<double> radii(static_cast<std::size_t>(mesh.vertex_count()), options.radii[0]);
   for (std::size_t v = 0; v < group.size(); ++v)
-    if (group[v] >= 0) radii[v] = options.thickness[static_cast<std::size_t>(group[v])];
+    if (group[v] >= 0) radii[v] = options.radii[static_cast<std::size_t>(group[v])];
   return radii;
 }
 
@@ -138,7 +138,7 @@ bool Detector::State::is_free(const Step& step, const QueryOptions& asked) {
   return found.contacts().empty();
 }
 
-SafeStep Detector::State::keep_distance(const Step& step, double fraction, const QueryOptions& asked) {
+SafeStep Detector::State::safe_step(const Step& step, double fraction, const QueryOptions& asked) {
   validate_kept(fraction);
   if (fraction > 0) return step_length(validated_query(step, asked), fraction, asked.at_start);
   const EarliestContact first = earliest(step, asked);

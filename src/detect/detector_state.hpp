@@ -19,13 +19,14 @@ struct Detector::State {
 
   /// The contacts are in `found`.
   void find_contacts(const Step& step, const QueryOptions& asked);
-  /// Of a path, which is cut into pieces that end at `ends`, or if there are none as strays ask for. In `found`, too.
+  /// Of a path, which is cut into pieces that end at `ends`, or if there are none as deviations ask for. In `found`,
+  /// too.
   void ask(const Path& path, const QueryOptions& asked, Question question, std::span<const double> ends = {});
   EarliestContact earliest(const Step& step, const QueryOptions& asked);
   bool is_free(const Step& step, const QueryOptions& asked);
-  SafeStep keep_distance(const Step& step, double fraction, const QueryOptions& asked);
+  SafeStep safe_step(const Step& step, double fraction, const QueryOptions& asked);
   TruncatedStep truncate(const Step& step, double fraction, const QueryOptions& asked, Stored stored);
-  /// The pairs are in `near`.
+  /// The pairs are in `pairs_within`.
   void find_near(const Positions& positions, double distance);
   /// They are in `intersections`.
   /// `is_free`: some of them, if there are any.

@@ -1,5 +1,5 @@
-// What only the library says to a detector: which engine it asks, if not the library's own (validation, order and curved
-// motion are the same), and how a path is cut.
+// What only the library says to a detector: which engine it asks, if not the library's own (validation, order and
+// curved motion are the same), and how a path is cut.
 #pragma once
 #include <functional>
 

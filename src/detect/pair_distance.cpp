@@ -55,7 +55,7 @@ NearPair distance_of(const Pair& pair, const Positions& positions) {
   return near_pair(pair.kind, vertices, points_of(rest, vertices));
 }
 
-SafeStep keep_distance(const Pair& pair, const Step& step, double fraction, const PairOptions& options) {
+SafeStep safe_step(const Pair& pair, const Step& step, double fraction, const PairOptions& options) {
   validate(pair, step);
   validate(options);
   validate_kept(fraction);

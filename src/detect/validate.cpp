@@ -92,11 +92,11 @@ void validate(const Options& options, const Mesh& mesh) {
   validate_threads(options.threads);
   validate_distance(options.min_separation, "min_separation");
   validate(options.filter, mesh);
-  check(options.thickness.empty() || options.thickness.size() == static_cast<std::size_t>(options.filter.group_count),
-        "thickness has " + std::to_string(options.thickness.size()) + " entries for " +
+  check(options.radii.empty() || options.radii.size() == static_cast<std::size_t>(options.filter.group_count),
+        "radii has " + std::to_string(options.radii.size()) + " entries for " +
             std::to_string(options.filter.group_count) + " groups: give one radius a group, or none");
-  for (std::size_t g = 0; g < options.thickness.size(); ++g)
-    validate_distance(options.thickness[g], "the thickness of group " + std::to_string(g));
+  for (std::size_t g = 0; g < options.radii.size(); ++g)
+    validate_distance(options.radii[g], "the radii of group " + std::to_string(g));
 }
 
 void validate_threads(int threads) {

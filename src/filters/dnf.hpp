@@ -17,11 +17,11 @@ struct Dnf {
                         error_bounds::bound(error_bounds::kCoplanarityMiddle, unit));
   }
 
-  /// The same for every motion, straight or not, of which no vertex is ever farther than `stray` from that of `m` along
-  /// any axis (docs/numerics.md: "Pairs listed ahead").
+  /// The same for every motion, straight or not, of which no vertex is ever farther than `deviation` from that of `m`
+  /// along any axis (docs/numerics.md: "Pairs listed ahead").
   template <PairKind kind, class T>
-  static Mask<T> proves_free_though_straying(const PairMotion<T>& m, const T& stray) {
-    const T x = T(2) * stray, d = m.size_d, e = m.size_e, f = m.size_f, unit = d * e * f;
+  static Mask<T> proves_free_though_deviating(const PairMotion<T>& m, const T& deviation) {
+    const T x = T(2) * deviation, d = m.size_d, e = m.size_e, f = m.size_f, unit = d * e * f;
     const T change = T(6 * (1 + 0x1p-40)) * (x * (d * e + d * f + e * f) + x * x * (d + e + f + x));
     return has_one_sign(coplanarity_polynomial(m), change + error_bounds::bound(error_bounds::kCoplanarityEnd, unit),
                         T(3) * change + error_bounds::bound(error_bounds::kCoplanarityMiddle, unit));

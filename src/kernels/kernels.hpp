@@ -8,9 +8,9 @@
 #include "bvh/block_tree.hpp"
 #include "motion/pair_kinds.hpp"
 #include "tamis/contact.hpp"
-#include "tamis/near.hpp"
 #include "tamis/options.hpp"
 #include "tamis/pair.hpp"
+#include "tamis/proximity.hpp"
 
 namespace tamis {
 
@@ -134,9 +134,10 @@ struct PairKernels {
   /// DNF, then NCF, on what is left of the step. Returns how many pairs NCF had to look at. Of pairs that can cross, as
   /// the next two.
   int (*filter)(const PackedVertex* vertices, const PairBuffer& in, PairBuffer& out) = nullptr;
-  /// DNF for motions that are not quite known: pairs that cannot touch while no vertex is farther than `stray` from
+  /// DNF for motions that are not quite known: pairs that cannot touch while no vertex is farther than `deviation` from
   /// where it is here, along any axis, are culled.
-  void (*filter_straying)(const PackedVertex* vertices, double stray, const PairBuffer& in, PairBuffer& out) = nullptr;
+  void (*filter_deviating)(const PackedVertex* vertices, double deviation, const PairBuffer& in,
+                           PairBuffer& out) = nullptr;
   /// Roots and inside test. Writes the pairs that touch or are undecided, returns their number; `rest` is scratch.
   int (*solve)(const PackedVertex* vertices, const PairBuffer& in, PairBuffer& rest, SolvedPair* out) = nullptr;
   /// Pairs that one axis which turns with them, or four, prove farther apart than their separation during their times
@@ -147,8 +148,8 @@ struct PairKernels {
   /// that do, and those left undecided; returns their number.
   int (*come_within)(const PackedVertex* vertices, const WithinRule& rule, const PairBuffer& in, WithinScratch& scratch,
                      SolvedPair* out) = nullptr;
-  /// At rest: appends the pairs within their separation to `near`, and to `unsure` those that may be and whose distance
-  /// doubles do not know well enough.
+  /// At rest: appends the pairs within their separation to `pairs_within`, and to `unsure` those that may be and whose
+  /// distance doubles do not know well enough.
   void (*find_near)(const PackedVertex* vertices, const PairSeparation& separation, const PairBuffer& in,
                     PairBuffer& near, PairBuffer& unsure) = nullptr;
   /// At rest: one NearPair for each pair of the buffer; the distance is NaN where doubles do not know it well enough.

@@ -125,12 +125,12 @@ int filter(const PackedVertex* vertices, const PairBuffer& in, PairBuffer& out) 
 }
 
 template <PairKind kind>
-void filter_straying(const PackedVertex* vertices, double stray, const PairBuffer& in, PairBuffer& out) {
+void filter_deviating(const PackedVertex* vertices, double deviation, const PairBuffer& in, PairBuffer& out) {
   for (int first = 0; first < in.count; first += kDoubleLanes) {
     const auto time = load_time(in, first);
-    const auto whole = load_motion<kind>(vertices, in, first, {stray, false});  // scaled as the motion is
+    const auto whole = load_motion<kind>(vertices, in, first, {deviation, false});  // scaled as the motion is
     const auto m = restrict_to(whole, time.t_in, time.t_out);
-    const auto free = Dnf::proves_free_though_straying<kind>(m, whole.separation);
+    const auto free = Dnf::proves_free_though_deviating<kind>(m, whole.separation);
     for_each_bit(lanes_in_use(in, first) & ~bits(free), [&](int lane) { copy_pair(in, first + lane, out); });
   }
 }
@@ -195,7 +195,7 @@ constexpr PairKernels kernels_of() {
   if constexpr (can_cross(kind)) {
     kernels.near = near<kind>;
     kernels.filter = filter<kind>;
-    kernels.filter_straying = filter_straying<kind>;
+    kernels.filter_deviating = filter_deviating<kind>;
     kernels.solve = solve<kind>;
   }
   return kernels;

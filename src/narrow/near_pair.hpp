@@ -1,7 +1,7 @@
 // One pair at rest: is it within a separation, and what is to be said of it? The lanes' own lines first, then integers.
 #pragma once
 #include "motion/make_motion.hpp"
-#include "tamis/near.hpp"
+#include "tamis/proximity.hpp"
 #include "tamis/statistics.hpp"
 
 namespace tamis {

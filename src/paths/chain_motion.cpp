@@ -54,16 +54,15 @@ ChainBounds::LinkBounds::LinkBounds(const Link& link)
       position(farthest(link.start.position, link.end.position)) {}
 
 ChainBounds::ChainBounds(const Chain& chain)
-    : links_(chain.begin(), chain.end()), turns_(std::ranges::any_of(chain, [](const Link& link) {
-        return link.start.rotation != link.end.rotation;
-      })) {}
+    : links_(chain.begin(), chain.end()),
+      turns_(std::ranges::any_of(chain, [](const Link& link) { return link.start.rotation != link.end.rotation; })) {}
 
 /// Bounds of y and its derivatives, y being the point as one link after the other has moved it. With |R'| <= w and
 /// |R''| <= w^2 for a rotation vector that changes by w (docs/numerics.md, "Curved motion"):
 ///   y' = R' x + R x' + p',   y'' = R'' x + 2 R' x' + R x''.
 Curvature ChainBounds::of(double at, double way) const {
   Interval place(at), speed(way), acceleration(0);
-  double reach = 0;  // the outermost position moves linearly: no chord strays from it
+  double reach = 0;  // the outermost position moves linearly: no chord deviates from it
   for (auto link = links_.rbegin(); link != links_.rend(); ++link) {
     if (link + 1 == links_.rend()) reach = place.upper;
     const Interval& w = link->turn;

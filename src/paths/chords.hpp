@@ -1,7 +1,7 @@
 // A pair on a piece of its path, as the motion of its chords, and what certificates say of it. With x(t) = chord(t) +
-// s(t) and |s(t)| <= stray, both ends of the chord moved by the same s(t) give x(t): so a Bernstein coefficient
-// computed from ends that are enclosed within the stray holds for the curve, and the filters for straight motion run on
-// intervals (docs/numerics.md, "Curved motion").
+// s(t) and |s(t)| <= deviation, both ends of the chord moved by the same s(t) give x(t): so a Bernstein coefficient
+// computed from ends that are enclosed within the deviation holds for the curve, and the filters for straight motion
+// run on intervals (docs/numerics.md, "Curved motion").
 #pragma once
 #include <cmath>
 #include <utility>
@@ -33,14 +33,15 @@ template <PairKind kind, class T>
 class Chords {
  public:
   using I = BasicInterval<T>;
-  using Strays = std::array<double, 4>;
+  using Deviations = std::array<double, 4>;
 
-  Chords(const Moment<T>& from, const Moment<T>& to, const Strays& strays) : from_(from), to_(to), strays_(strays) {}
+  Chords(const Moment<T>& from, const Moment<T>& to, const Deviations& deviations)
+      : from_(from), to_(to), deviations_(deviations) {}
 
-  /// The vectors of the pair at both ends, widened by the strays.
-  PairMotion<I> motion() const { return motion(strays_); }
-  /// The same without the strays: true at the ends only.
-  PairMotion<I> at_ends() const { return motion(Strays{}); }
+  /// The vectors of the pair at both ends, widened by the deviations.
+  PairMotion<I> motion() const { return motion(deviations_); }
+  /// The same without the deviations: true at the ends only.
+  PairMotion<I> at_ends() const { return motion(Deviations{}); }
 
   /// An axis that turns linearly from the gap of the closest points at one end to that at the other.
   bool axis_proves_free(const PairMotion<I>& ends) const {
@@ -48,20 +49,20 @@ class Chords {
     const I length0 = length_above(n0), length1 = length_above(n1);
     for (const auto& [i, j] : kDifferences<kind>) {
       const auto c0 = from_.points[i] - from_.points[j], c1 = to_.points[i] - to_.points[j];
-      const I stray = I(T(strays_[i])) + I(T(strays_[j]));
-      const bool apart = dot(n0, c0) > length0 * stray && dot(n1, c1) > length1 * stray &&
-                         dot(n0, c1) + dot(n1, c0) > (length0 + length1) * stray;
+      const I deviation = I(T(deviations_[i])) + I(T(deviations_[j]));
+      const bool apart = dot(n0, c0) > length0 * deviation && dot(n1, c1) > length1 * deviation &&
+                         dot(n0, c1) + dot(n1, c0) > (length0 + length1) * deviation;
       if (!apart) return false;
     }
     return true;
   }
 
  private:
-  PairMotion<I> motion(const Strays& strays) const {
+  PairMotion<I> motion(const Deviations& deviations) const {
     const auto moving = [&](const VertexDifference& difference) {
       const auto i = static_cast<std::size_t>(difference.to), j = static_cast<std::size_t>(difference.from);
-      const T stray = (I(T(strays[i])) + I(T(strays[j]))).upper;
-      const I wide(-stray, stray);
+      const T deviation = (I(T(deviations[i])) + I(T(deviations[j]))).upper;
+      const I wide(-deviation, deviation);
       const auto widened = [&](const Vec3<I>& v) { return Vec3<I>{v.x + wide, v.y + wide, v.z + wide}; };
       return Moving<I>{widened(from_.points[i] - from_.points[j]), widened(to_.points[i] - to_.points[j])};
     };
@@ -85,7 +86,7 @@ class Chords {
 
   const Moment<T>& from_;
   const Moment<T>& to_;
-  const Strays& strays_;
+  const Deviations& deviations_;
 };
 
 /// At every time of the motion at which the four points are coplanar the features cross, each strictly inside the

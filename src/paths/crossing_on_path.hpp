@@ -23,8 +23,9 @@ PathCrossing crossing_of(const PairMotion<BasicInterval<T>>& ends) {
           sign_of(dot(ends.d.at1, cross(ends.e.at1, ends.f.at1)))};
 }
 
-/// A part of [0,1], in the unit of the piece, around the place where the chords cross, as narrow as the strays allow;
-/// a guess, which nothing relies on. REQUIRES: a sign, -1 or 1. REQUIRES (not checked: history): the other at the end.
+/// A part of [0,1], in the unit of the piece, around the place where the chords cross, as narrow as the deviations
+/// allow; a guess, which nothing relies on. REQUIRES: a sign, -1 or 1. REQUIRES (not checked: history): the other at
+/// the end.
 template <class T>
 TimeInterval<double> window_of(const PairMotion<BasicInterval<T>>& widened, int sign_at_start) {
   TAMIS_ASSERT(sign_at_start == 1 || sign_at_start == -1);

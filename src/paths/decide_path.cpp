@@ -15,7 +15,7 @@ namespace {
 /// What is spent on one pair: parts that are looked at in doubles, and in double-double, of which so many within one
 /// part that doubles leave.
 constexpr int kMostParts = 1 << 17, kMostFineParts = 1 << 17, kMostWithinPart = 1 << 13;
-/// While strays are larger than errors cutting makes proofs sharper; below that only because chords turn less, for
+/// While deviations are larger than errors cutting makes proofs sharper; below that only because chords turn less, for
 /// parts longer than this.
 template <class T>
 constexpr double kShortest = 0x1p-6;
@@ -45,8 +45,8 @@ class PathSolver {
  private:
   /// True if `decision` is final: the earliest time that cannot be proven free is known.
   bool settles(const PathPart<T>& part, Decision& decision) {
-    const std::array<double, 4> strays = reader_.strays(part.from.time, part.to.time);
-    const Chords<kind, T> chords(part.from, part.to, strays);
+    const std::array<double, 4> deviations = reader_.deviations(part.from.time, part.to.time);
+    const Chords<kind, T> chords(part.from, part.to, deviations);
     const auto ends = chords.at_ends();
     if (chords.axis_proves_free(ends)) return false;
     const auto widened = chords.motion();
@@ -62,8 +62,8 @@ class PathSolver {
       }
       if (cut_around_crossing(part, window_of(widened, crossing.sign_at_start))) return false;
     }
-    const double stray = *std::max_element(strays.begin(), strays.end());
-    const bool may_gain = stray > 4 * std::max(part.from.error, part.to.error) || part.length() > kShortest<T>;
+    const double deviation = *std::max_element(deviations.begin(), deviations.end());
+    const bool may_gain = deviation > 4 * std::max(part.from.error, part.to.error) || part.length() > kShortest<T>;
     if (--parts_left_ > 0 && may_gain && parts_.cut(part, near_middle(part.from.time, part.to.time))) return false;
     return settles_further(part, widened, crossing, decision);
   }
@@ -111,9 +111,9 @@ ContactPlace place_on_path(const PathQuestion& question, const Decision& decisio
   const PairMotion<double> chord = make_motion(kind, points);
   if (is_about_distance(kind, question.min_separation)) return closest_place(kind, points, chord, 0);
   const auto start = reader.at<DoubleDouble>(decision.lower);
-  const std::array<double, 4> strays{};
+  const std::array<double, 4> deviations{};
   const int sign = with_kind(kind, [&](auto k) {
-    return crossing_of(Chords<k(), DoubleDouble>(start, start, strays).at_ends()).sign_at_start;
+    return crossing_of(Chords<k(), DoubleDouble>(start, start, deviations).at_ends()).sign_at_start;
   });
   return crossing_place(kind, points, chord, {0, 1}, kind == PairKind::edge_edge ? -sign : sign);
 }
@@ -127,11 +127,10 @@ bool is_apart_on_path(const PathQuestion& question, double time) {
   PairReader reader(question.path, question.vertices);
   reader.set_unit_at(time);
   const auto moment = reader.at<double>(time);
-  if (question.min_separation > 0)
-    return is_apart_at(question.kind, moment, question.min_separation * reader.scale());
-  const std::array<double, 4> strays{};
+  if (question.min_separation > 0) return is_apart_at(question.kind, moment, question.min_separation * reader.scale());
+  const std::array<double, 4> deviations{};
   return with_kind(question.kind, [&](auto kind) {
-    const Chords<kind(), double> chords(moment, moment, strays);
+    const Chords<kind(), double> chords(moment, moment, deviations);
     return chords.axis_proves_free(chords.at_ends());
   });
 }
@@ -147,8 +146,7 @@ Decision decide_on_path(const PathQuestion& question, const TimeInterval<double>
                    [&](auto kind) { return PathSolver<kind(), double>(question, reader, time, kMostParts).run(); });
 }
 
-Decision decide_once_apart_on_path(const PathQuestion& question, const TimeInterval<double>& time,
-                                   bool& never_apart) {
+Decision decide_once_apart_on_path(const PathQuestion& question, const TimeInterval<double>& time, bool& never_apart) {
   const double length = time.t_out - time.t_in;
   const auto decided_from = [&](double part) -> std::optional<Decision> {
     const double from = time.t_in + part * length;

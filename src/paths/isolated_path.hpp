@@ -18,8 +18,9 @@ class IsolatedPath final : public Path {
   void fine_points_at(double time, std::span<const Index> vertices, std::span<FinePoint> points) const override {
     isolated([&] { path_.fine_points_at(time, vertices, points); });
   }
-  void strays(double from, double to, std::span<const Index> vertices, std::span<double> strays) const override {
-    isolated([&] { path_.strays(from, to, vertices, strays); });
+  void deviations(double from, double to, std::span<const Index> vertices,
+                  std::span<double> deviations) const override {
+    isolated([&] { path_.deviations(from, to, vertices, deviations); });
   }
 
  private:

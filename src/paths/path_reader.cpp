@@ -36,9 +36,9 @@ void check_point(Index vertex, double time, const Point& point, double error) {
   throw InvalidPath(place + " has the error " + number_text(error) + ": give a bound >= 0 of how far it is off");
 }
 
-void check_stray(Index vertex, double from, double to, double stray) {
-  if (stray >= 0) return;
-  throw InvalidPath("vertex " + std::to_string(vertex) + " of the path strays by " + number_text(stray) +
+void check_deviation(Index vertex, double from, double to, double deviation) {
+  if (deviation >= 0) return;
+  throw InvalidPath("vertex " + std::to_string(vertex) + " of the path deviates by " + number_text(deviation) +
                     " between t = " + number_text(from) + " and " + number_text(to) +
                     ": give a bound >= 0 of its distance from the chord");
 }
@@ -95,14 +95,14 @@ Moment<DoubleDouble> PairReader::at(double time) const {
   return with_error(fill_up(moment, count_));
 }
 
-std::array<double, 4> PairReader::strays(double from, double to) const {
-  std::array<double, 4> strays{};
-  path_.strays(from, to, std::span(vertices_).first(count_), strays);
+std::array<double, 4> PairReader::deviations(double from, double to) const {
+  std::array<double, 4> deviations{};
+  path_.deviations(from, to, std::span(vertices_).first(count_), deviations);
   for (std::size_t i = 0; i < count_; ++i) {
-    check_stray(vertices_[i], from, to, strays[i]);
-    strays[i] *= scale_;
+    check_deviation(vertices_[i], from, to, deviations[i]);
+    deviations[i] *= scale_;
   }
-  return strays;
+  return deviations;
 }
 
 }  // namespace tamis

@@ -12,7 +12,7 @@ namespace tamis {
 
 /// Throw InvalidPath, naming vertex and time.
 void check_point(Index vertex, double time, const Point& point, double error);
-void check_stray(Index vertex, double from, double to, double stray);
+void check_deviation(Index vertex, double from, double to, double deviation);
 
 /// The vertices at one time, enclosed, in the unit of a pair.
 template <class T>
@@ -36,7 +36,7 @@ class PairReader {
   template <class T>
   Moment<T> at(double time) const;
   /// Of each vertex on [from, to].
-  std::array<double, 4> strays(double from, double to) const;
+  std::array<double, 4> deviations(double from, double to) const;
 
  private:
   const Path& path_;

@@ -20,9 +20,9 @@
 namespace tamis {
 namespace {
 
-/// A piece is as long as lets vertices stray by this part of the mean edge: longer ones leave more pairs to be decided
-/// one by one, shorter ones ask the whole mesh more often.
-constexpr double kStrayInEdges = 0.2;
+/// A piece is as long as lets vertices deviate by this part of the mean edge: longer ones leave more pairs to be
+/// decided one by one, shorter ones ask the whole mesh more often.
+constexpr double kDeviationInEdges = 0.2;
 constexpr double kShortestPiece = 0x1p-20;
 /// Pairs that are decided together, and between two looks at whether the question is cancelled.
 constexpr std::size_t kBatch = 256;
@@ -51,15 +51,15 @@ PathSearch::Frame PathSearch::frame_at(const Path& path, double time) const {
 }
 
 double PathSearch::piece_length(const Path& path, const Frame& start) {
-  const double allowed = kStrayInEdges * mean_edge(mesh_, start.points);
+  const double allowed = kDeviationInEdges * mean_edge(mesh_, start.points);
   double length = 1 - start.time;
   for (; length > kShortestPiece; length *= kShorter) {
-    path.strays(start.time, start.time + length, all_, strays_);
+    path.deviations(start.time, start.time + length, all_, deviations_);
     double largest = 0;
     for (const Index v : mesh_.points()) {
-      const double stray = strays_[static_cast<std::size_t>(v)];
-      check_stray(v, start.time, start.time + length, stray);
-      largest = std::max(largest, stray);
+      const double deviation = deviations_[static_cast<std::size_t>(v)];
+      check_deviation(v, start.time, start.time + length, deviation);
+      largest = std::max(largest, deviation);
     }
     if (largest <= allowed || !(allowed > 0)) break;
   }
@@ -78,10 +78,10 @@ void PathSearch::set_radii(const Separations& separations, const Frame& from, co
   for (const Index index : mesh_.points()) {
     const auto v = static_cast<std::size_t>(index);
     const double error = kThreeAxes * std::max(from.errors[v], to.errors[v]);
-    radii_[v] = (strays_[v] + error) * (1 + 0x1p-50) + 0x1p-1000;
+    radii_[v] = (deviations_[v] + error) * (1 + 0x1p-50) + 0x1p-1000;
     if (!separations.radii.empty()) radii_[v] = (radii_[v] + separations.radii[v]) * (1 + 0x1p-50);
     if (!std::isfinite(radii_[v]))
-      throw InvalidPath("vertex " + std::to_string(index) + " of the path strays without bound after t = " +
+      throw InvalidPath("vertex " + std::to_string(index) + " of the path deviates without bound after t = " +
                         number_text(from.time) + ": give a finite bound for short pieces");
   }
 }
@@ -97,10 +97,10 @@ void PathSearch::check_chords(const Path& path, const Frame& from, const Frame& 
       size = std::max(size, std::fabs(middle.points[v][k]));
     }
     const double errors = 2 * (middle.errors[v] + from.errors[v] + to.errors[v]) + 0x1p-48 * size;
-    if (std::sqrt(square) <= strays_[v] + errors) continue;
+    if (std::sqrt(square) <= deviations_[v] + errors) continue;
     throw InvalidPath("vertex " + std::to_string(index) + " of the path is " + number_text(std::sqrt(square)) +
                       " from its chord at t = " + number_text(middle.time) + ", beyond its bound " +
-                      number_text(strays_[v]) + ": give a bound that holds");
+                      number_text(deviations_[v]) + ": give a bound that holds");
   }
 }
 
@@ -115,15 +115,16 @@ void PathSearch::find(const MeshOnPath& asked, Question question, std::vector<Co
                       std::to_string(mesh_.vertex_count()) + ": give a path of this mesh");
   all_.resize(static_cast<std::size_t>(mesh_.vertex_count()));
   std::iota(all_.begin(), all_.end(), 0);
-  strays_.resize(all_.size());
+  deviations_.resize(all_.size());
   contacts.clear();
   never_apart_.clear();
   std::set<PairKey> known;
   for (Frame from = frame_at(path, 0); from.time < 1;) {
     stop_if_cancelled(options_);
     Frame to = frame_at(path, piece_end(asked, path, from));
-    path.strays(from.time, to.time, all_, strays_);
-    for (const Index v : mesh_.points()) check_stray(v, from.time, to.time, strays_[static_cast<std::size_t>(v)]);
+    path.deviations(from.time, to.time, all_, deviations_);
+    for (const Index v : mesh_.points())
+      check_deviation(v, from.time, to.time, deviations_[static_cast<std::size_t>(v)]);
     check_chords(path, from, to);
     set_radii(asked.separations, from, to);
     const Query chords{
@@ -191,7 +192,7 @@ void PathSearch::decide_all(const MeshOnPath& piece, Question question, std::vec
 
 std::uint64_t PathSearch::memory_bytes() const {
   return found_.memory_bytes() + all_.capacity() * sizeof(Index) +
-         (strays_.capacity() + radii_.capacity()) * sizeof(double);
+         (deviations_.capacity() + radii_.capacity()) * sizeof(double);
 }
 
 EarliestContact first_of(const std::vector<Contact>& contacts) {

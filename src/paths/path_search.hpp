@@ -1,5 +1,5 @@
 // The questions of a whole mesh on a path: piece by piece along it, a linear question in which every vertex has its
-// stray as radius; each pair that this leaves is decided on its curves.
+// deviation as radius; each pair that this leaves is decided on its curves.
 #pragma once
 #include <set>
 #include <span>
@@ -16,9 +16,9 @@ struct MeshOnPath {
   const Path& path;
   const Separations& separations;
   double tolerance;
-  bool ignores_start = false;           ///< as in Query
-  std::span<const double> ends = {};    ///< of the pieces, ascending, the last one 1; empty: as strays ask for
-  TimeInterval<double> time = {0, 1};   ///< the part of the path that is looked at
+  bool ignores_start = false;          ///< as in Query
+  std::span<const double> ends = {};   ///< of the pieces, ascending, the last one 1; empty: as deviations ask for
+  TimeInterval<double> time = {0, 1};  ///< the part of the path that is looked at
 };
 
 class PathSearch {
@@ -46,7 +46,7 @@ class PathSearch {
   Frame frame_at(const Path& path, double time) const;
   double piece_length(const Path& path, const Frame& start);
   double piece_end(const MeshOnPath& asked, const Path& path, const Frame& start);
-  /// As radii: the stray, the error of the positions, and the caller's own.
+  /// As radii: the deviation, the error of the positions, and the caller's own.
   void set_radii(const Separations& separations, const Frame& from, const Frame& to);
   /// Throws if a vertex in the middle of its piece is farther from the chord than it says.
   void check_chords(const Path& path, const Frame& from, const Frame& to) const;
@@ -57,10 +57,10 @@ class PathSearch {
   const Rings& rings_;
   Engine& engine_;
   Bound bound_;
-  ContactCollector found_;  ///< pairs that may touch on a piece
+  ContactCollector found_;         ///< pairs that may touch on a piece
   std::set<PairKey> never_apart_;  ///< ignored: those that have not been apart yet
   std::vector<Index> all_;         ///< 0, 1, 2, ...
-  std::vector<double> strays_, radii_;
+  std::vector<double> deviations_, radii_;
 };
 
 /// The contact that bounds the step first, and until when one is certain.

@@ -122,9 +122,7 @@ RoundedPlace rounded_linear(const Point& a, const Point& b, double time) {
 void RigidPath::points_at(double time, std::span<const Index> vertices, std::span<Point> points,
                           std::span<double> errors) const {
   RoundedTransform transform{};
-  const auto begin = [&](std::size_t body) {
-    transform = rounded_transform_of(chains_[body], time);
-  };
+  const auto begin = [&](std::size_t body) { transform = rounded_transform_of(chains_[body], time); };
   for_each_of_body(vertices, body_of_vertex_, begin, [&](std::size_t i, std::size_t v) {
     const RoundedPlace place = rounded_linear(rest_[v], rest_end_[v], time);
     points[i] = transform.of(place.x);
@@ -141,11 +139,12 @@ void RigidPath::fine_points_at(double time, std::span<const Index> vertices, std
   });
 }
 
-void RigidPath::strays(double from, double to, std::span<const Index> vertices, std::span<double> strays) const {
+void RigidPath::deviations(double from, double to, std::span<const Index> vertices,
+                           std::span<double> deviations) const {
   const Interval length = Interval(to) - Interval(from);
   for (std::size_t i = 0; i < vertices.size(); ++i) {
     const auto v = static_cast<std::size_t>(vertices[i]);
-    strays[i] = Curvature{accelerations_[v], reaches_[v]}.deviation(length);
+    deviations[i] = Curvature{accelerations_[v], reaches_[v]}.deviation(length);
   }
 }
 

@@ -33,7 +33,7 @@ double length_above(std::initializer_list<std::pair<double, const Point*>> terms
 }
 
 /// acceleration (to - from)^2 / 8, rounded up.
-double stray_of(double acceleration, double from, double to) {
+double deviation_of(double acceleration, double from, double to) {
   const Interval h = Interval(to) - Interval(from);
   return (Interval(0.125) * h * h * Interval(acceleration)).upper;
 }
@@ -122,9 +122,10 @@ SplineWeights BezierPath::weights_at(double time) const {
   return weights;
 }
 
-void BezierPath::strays(double from, double to, std::span<const Index> vertices, std::span<double> strays) const {
+void BezierPath::deviations(double from, double to, std::span<const Index> vertices,
+                            std::span<double> deviations) const {
   for (std::size_t i = 0; i < vertices.size(); ++i)
-    strays[i] = stray_of(acceleration_[static_cast<std::size_t>(vertices[i])], from, to);
+    deviations[i] = deviation_of(acceleration_[static_cast<std::size_t>(vertices[i])], from, to);
 }
 
 CatmullRomPath::CatmullRomPath(std::vector<std::vector<Point>> all) : SplinePath(std::move(all), 2) {
@@ -190,15 +191,16 @@ SplineWeights CatmullRomPath::weights_at(double time) const {
   return weights;
 }
 
-void CatmullRomPath::strays(double from, double to, std::span<const Index> vertices, std::span<double> strays) const {
-  // x' has no jumps, so the largest |x''| of all pieces touched bounds the stray.
+void CatmullRomPath::deviations(double from, double to, std::span<const Index> vertices,
+                                std::span<double> deviations) const {
+  // x' has no jumps, so the largest |x''| of all pieces touched bounds the deviation.
   const std::size_t last = frames().size() - 1, first_piece = piece_at(from, last).piece,
                     last_piece = piece_at(to, last).piece;
   for (std::size_t i = 0; i < vertices.size(); ++i) {
     double largest = 0;
     for (std::size_t piece = first_piece; piece <= last_piece; ++piece)
       largest = std::max(largest, acceleration_[piece][static_cast<std::size_t>(vertices[i])]);
-    strays[i] = stray_of(largest, from, to);
+    deviations[i] = deviation_of(largest, from, to);
   }
 }
 

@@ -22,12 +22,12 @@ double finite_middle(const Interval& x) {
 
 Point middle_of(const Vec3<Interval>& p) { return {finite_middle(p.x), finite_middle(p.y), finite_middle(p.z)}; }
 
-/// The largest stray and error that two points, one of each feature, can have together.
-double slack_of(const PathPart<double>& part, const std::array<double, 4>& strays) {
-  const double stray = *std::max_element(strays.begin(), strays.end());
+/// The largest deviation and error that two points, one of each feature, can have together.
+double slack_of(const PathPart<double>& part, const std::array<double, 4>& deviations) {
+  const double deviation = *std::max_element(deviations.begin(), deviations.end());
   // sqrt(3) for the three axes of an error, and what the middles round
   const double error = 2 * std::max(part.from.error, part.to.error) + 0x1p-1000;
-  return 2 * (stray + error) * (1 + 0x1p-40);
+  return 2 * (deviation + error) * (1 + 0x1p-40);
 }
 
 /// At one time: is the distance within the separation, certainly?
@@ -63,7 +63,7 @@ Decision first_within_on_path(const PathQuestion& question, const PairReader& re
   PathParts<double> parts(question, reader, time);
   while (auto part = parts.next()) {
     const double from = part->from.time, to = part->to.time;
-    const double slack = slack_of(*part, reader.strays(from, to));
+    const double slack = slack_of(*part, reader.deviations(from, to));
     const auto m = make_motion(kind, points_between(part->from, part->to), separation + slack);
     const Decision chords = first_within(kind, m, {0, 1});
     if (chords.verdict == Verdict::is_free) continue;

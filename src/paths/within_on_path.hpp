@@ -1,5 +1,5 @@
-// Minimum separation on a path: the chords of a piece are asked when they come within the separation and their strays
-// (narrow/separation.hpp); until then the curves are apart, and there the next, shorter piece begins.
+// Minimum separation on a path: the chords of a piece are asked when they come within the separation and their
+// deviations (narrow/separation.hpp); until then the curves are apart, and there the next, shorter piece begins.
 #pragma once
 #include "motion/make_motion.hpp"
 #include "paths/decide_path.hpp"

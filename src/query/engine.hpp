@@ -6,7 +6,7 @@
 
 #include "query/contact_collector.hpp"
 #include "query/step_limit.hpp"
-#include "tamis/near.hpp"
+#include "tamis/proximity.hpp"
 
 namespace tamis {
 

@@ -17,7 +17,7 @@ void CandidateConsumer::consume(PairKind kind) {
   clipped.count = filtered.count = 0;
   stages.slab(motion.box_vertices.data(), motion.box_separation(), boxes, clipped);
   if (can_cross(kind) && !query().separations.any())
-    stages.filter_straying(motion.vertices.data(), asked_->deviation, clipped, filtered);
+    stages.filter_deviating(motion.vertices.data(), asked_->deviation, clipped, filtered);
   else
     stages.cull_apart(motion.box_vertices.data(), motion.box_separation(), clipped, filtered);
   candidates(kind).append(filtered, vertex_count(kind));

@@ -5,7 +5,7 @@
 
 #include "query/pair_rules.hpp"
 #include "search/pair_stream.hpp"
-#include "tamis/near.hpp"
+#include "tamis/proximity.hpp"
 
 namespace tamis {
 

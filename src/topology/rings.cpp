@@ -3,25 +3,10 @@
 #include <algorithm>
 
 #include "numerics/assert.hpp"
-#include "topology/at.hpp"
+#include "tamis/components.hpp"
 
 namespace tamis {
 namespace {
-
-IndexRows neighbours_of_vertices(const Mesh& mesh) {
-  IndexRows rows;
-  rows.offsets.assign(at(mesh.vertex_count()) + 1, 0);
-  for (const Edge& edge : mesh.edges())
-    for (const Index v : edge) ++rows.offsets[at(v) + 1];
-  for (std::size_t v = 0; v < at(mesh.vertex_count()); ++v) rows.offsets[v + 1] += rows.offsets[v];
-  rows.items.resize(at(rows.offsets.back()));
-  std::vector<Index> place(rows.offsets.begin(), rows.offsets.end() - 1);
-  for (const auto& [a, b] : mesh.edges()) {
-    rows.items[at(place[at(a)]++)] = b;
-    rows.items[at(place[at(b)]++)] = a;
-  }
-  return rows;
-}
 
 void sort_once_each(std::vector<Index>& vertices) {
   std::sort(vertices.begin(), vertices.end());
@@ -37,7 +22,7 @@ bool share(std::span<const Index> sorted, std::span<const Index> vertices) {
 
 Rings::Rings(const Mesh& mesh, int rings) : rings_(rings) {
   TAMIS_ASSERT(rings >= 1);
-  if (any()) next_to_ = neighbours_of_vertices(mesh);
+  if (any()) next_to_ = neighbours_of(mesh);
 }
 
 bool Rings::search(std::span<const Index> first, std::span<const Index> second) const {

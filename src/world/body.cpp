@@ -169,8 +169,7 @@ MovingBounds CarriedBoxes::carried(const Box& at_rest) const {
     Box box;
     for (std::size_t k = 0; k < 3; ++k) {
       const Point& row = transform.rows[k];
-      const double reach =
-          std::fabs(row[0]) * half[0] + std::fabs(row[1]) * half[1] + std::fabs(row[2]) * half[2];
+      const double reach = std::fabs(row[0]) * half[0] + std::fabs(row[1]) * half[1] + std::fabs(row[2]) * half[2];
       box.low[k] = center[k] - reach;
       box.high[k] = center[k] + reach;
     }

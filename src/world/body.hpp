@@ -51,7 +51,7 @@ class Body {
   Way way_ = Way::still;
   Chain chain_;
   RoundedTransform at_start_, at_end_;
-  Curvature innermost_, outermost_;      ///< at the origin of its frame, and as far from it as vertices are
+  Curvature innermost_, outermost_;    ///< at the origin of its frame, and as far from it as vertices are
   BoxLevels start_boxes_, end_boxes_;  ///< of a deforming body
   Box start_hull_, hull_;
 };

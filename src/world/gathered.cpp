@@ -139,8 +139,8 @@ std::array<BodyId, 2> Gathered::name(PairKind kind, PairVertices& vertices) cons
 }
 
 BodyIntersection Gathered::named(const Intersection& intersection) const {
-  BodyIntersection named{intersection, {vertices_[at(intersection.edge[0])].body,
-                                        vertices_[at(intersection.face[0])].body}};
+  BodyIntersection named{intersection,
+                         {vertices_[at(intersection.edge[0])].body, vertices_[at(intersection.face[0])].body}};
   for (Index& v : named.edge) v = vertices_[at(v)].own;
   for (Index& v : named.face) v = vertices_[at(v)].own;
   return named;

@@ -110,9 +110,9 @@ std::vector<BodyIntersection> World::intersections() {
   return now.answer([&] { return now.intersections(); });
 }
 
-BodyStep World::keep_distance(double fraction, const QueryOptions& options) {
+BodyStep World::safe_step(double fraction, const QueryOptions& options) {
   State& now = state();
-  return now.answer([&] { return now.keep_distance(fraction, options); });
+  return now.answer([&] { return now.safe_step(fraction, options); });
 }
 
 const Statistics& World::statistics() const { return state().statistics; }

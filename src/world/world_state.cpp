@@ -22,17 +22,18 @@ namespace {
 constexpr double kMoreInEdges = 1;
 /// It is gathered anew once so few of the items that it was made for may touch.
 constexpr std::size_t kShrunk = 4;
-/// Pieces are so short that two bodies stray by this part of their mean edge, as of one mesh (paths/path_search.cpp).
-constexpr double kStrayInEdges = 0.2;
+/// Pieces are so short that two bodies deviate by this part of their mean edge, as of one mesh (paths/path_search.cpp).
+constexpr double kDeviationInEdges = 0.2;
 constexpr double kMostPieces = 4096;
 
 Options valid(Options options) {
   const PairFilter& filter = options.filter;
   if (!filter.group_of_vertex.empty() || !filter.groups_may_touch.empty() || filter.group_count != 1 || filter.accepts)
-    throw InvalidOptions("the options of a world have groups or a function that accepts pairs, which speak of one "
-                         "mesh: say which bodies may touch by set_may_touch");
-  if (!options.thickness.empty())
-    throw InvalidOptions("the options of a world have a thickness, which is one a group of one mesh: give min_separation");
+    throw InvalidOptions(
+        "the options of a world have groups or a function that accepts pairs, which speak of one "
+        "mesh: say which bodies may touch by set_may_touch");
+  if (!options.radii.empty())
+    throw InvalidOptions("the options of a world have a radii, which is one a group of one mesh: give min_separation");
   validate(options, Mesh(1, {}, {}, {0}));
   return options;
 }
@@ -50,7 +51,8 @@ bool is_before(const BodyContact& a, const BodyContact& b) {
 }
 
 /// Takes what comes sooner.
-void take_sooner(EarliestBodyContact& first, const EarliestContact& other, const std::function<BodyContact()>& contact) {
+void take_sooner(EarliestBodyContact& first, const EarliestContact& other,
+                 const std::function<BodyContact()>& contact) {
   first.toi_upper = std::min(first.toi_upper, other.toi_upper);
   if (!other.contact || other.toi_lower > first.toi_lower) return;
   BodyContact named = contact();
@@ -67,8 +69,8 @@ BodyContact named(const Contact& contact, const Gathered& gathered) {
   return result;
 }
 
-/// As bodies are asked that go straight; curves alone have a tolerance. Whoever fails for what touches at the start asks
-/// for it, and names the bodies.
+/// As bodies are asked that go straight; curves alone have a tolerance. Whoever fails for what touches at the start
+/// asks for it, and names the bodies.
 QueryOptions of_curves(QueryOptions asked) {
   if (asked.at_start == AtStart::fail) asked.at_start = AtStart::report;
   return asked;
@@ -153,9 +155,9 @@ std::vector<double> World::State::times_of_pieces(const std::vector<BodyPair>& p
   double pieces = 1;
   for (const BodyPair& pair : pairs) {
     const Body &a = *bodies[at(pair[0])], &b = *bodies[at(pair[1])];
-    const double allowed = kStrayInEdges * std::max(a.shape().edge, b.shape().edge);
-    const double stray = (a.acceleration() + b.acceleration()) / 8;  // of the whole step
-    if (allowed > 0 && stray > allowed) pieces = std::max(pieces, std::ceil(std::sqrt(stray / allowed)));
+    const double allowed = kDeviationInEdges * std::max(a.shape().edge, b.shape().edge);
+    const double deviation = (a.acceleration() + b.acceleration()) / 8;  // of the whole step
+    if (allowed > 0 && deviation > allowed) pieces = std::max(pieces, std::ceil(std::sqrt(deviation / allowed)));
   }
   pieces = std::min(pieces, kMostPieces);
   constexpr double kNoSimplePart = 0.02565;  // contacts happen at simple ones
@@ -190,7 +192,8 @@ void World::State::for_each_by_itself(const F& f) {
 template <class Pair>
 void World::State::refuse_touching_start(const Pair& pair) const {
   const auto& [a, b] = pair.bodies;
-  const std::string which = a == b ? "body " + std::to_string(a) : "bodies " + std::to_string(a) + " and " + std::to_string(b);
+  const std::string which =
+      a == b ? "body " + std::to_string(a) : "bodies " + std::to_string(a) + " and " + std::to_string(b);
   throw InvalidStep(features_text(pair.kind, pair.vertices) + " of " + which +
                     " touch at the start, or are nearer than can be told: move them apart, keep the bodies apart by "
                     "set_may_touch, or ask with at_start ignore");
@@ -227,8 +230,8 @@ std::vector<BodyContact> World::State::contacts(const QueryOptions& asked) {
   return all;
 }
 
-/// The last digits of what a detector finds depend on what else is in its mesh, which here depends on earlier questions:
-/// the narrow phase knows of the pair alone. What was ignored at the start has been decided so already.
+/// The last digits of what a detector finds depend on what else is in its mesh, which here depends on earlier
+/// questions: the narrow phase knows of the pair alone. What was ignored at the start has been decided so already.
 void World::State::decide_anew(std::vector<Contact>& contacts, const Step& step, const QueryOptions& asked) const {
   std::vector<Pair> pairs;
   for (const Contact& c : contacts) pairs.push_back({c.kind, c.vertices});
@@ -333,7 +336,7 @@ std::vector<BodyIntersection> World::State::intersections() {
 
 /// A pair that starts at the distance d, beyond the separation, and keeps no more than f d has come f w / (1 - f) near,
 /// w being how far both bodies go.
-BodyStep World::State::keep_distance(double fraction, const QueryOptions& asked) {
+BodyStep World::State::safe_step(double fraction, const QueryOptions& asked) {
   validate_kept(fraction);
   validate_of_path(asked);
   gather_moving({separation(asked), fraction / (1 - fraction)});
@@ -352,11 +355,11 @@ BodyStep World::State::keep_distance(double fraction, const QueryOptions& asked)
     first.pair = named;
   };
   for_each_by_itself([&](BodyId id, Body& body) {
-    add(body.itself->keep_distance(body.step(), fraction, of_steps(asked)), [&](auto&) { return twice(id); });
+    add(body.itself->safe_step(body.step(), fraction, of_steps(asked)), [&](auto&) { return twice(id); });
   });
   if (straight_.is_asked()) {
     Gathered& gathered = *straight_.gathered;
-    add(gathered.detector().keep_distance(gathered.step(bodies), fraction, of_steps(asked)),
+    add(gathered.detector().safe_step(gathered.step(bodies), fraction, of_steps(asked)),
         [&](auto& pair) { return gathered.name(pair.kind, pair.vertices); });
     add_statistics(gathered.detector().statistics());
   }

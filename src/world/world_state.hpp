@@ -45,7 +45,7 @@ struct World::State {
   bool is_free(const QueryOptions& asked);
   std::vector<BodyNearPair> near(double distance);
   std::vector<BodyIntersection> intersections();
-  BodyStep keep_distance(double fraction, const QueryOptions& asked);
+  BodyStep safe_step(double fraction, const QueryOptions& asked);
 
  private:
   /// One mesh of bodies that meet: those whose vertices all go straight, those of which one turns, or at rest all.

@@ -139,25 +139,25 @@ static void kept_distance(void) {
   tamis_safe_step safe = {sizeof safe};
   tamis_pairs* pairs = NULL;
   EXPECT(tamis_pairs_create(NULL, &pairs) == TAMIS_OK);
-  EXPECT(tamis_pair_keep_distance(pairs, &pair, &step, 0.2, &safe) == TAMIS_OK);
+  EXPECT(tamis_pair_safe_step(pairs, &pair, &step, 0.2, &safe) == TAMIS_OK);
   EXPECT(safe.has_pair == 1 && safe.kind == TAMIS_VERTEX_FACE && safe.vertices[3] == 3 && safe.distance == 1);
   EXPECT(safe.lower <= 0.2 && safe.lower > 0.19 && safe.upper >= 0.2);
   step.min_separation = &half;
-  EXPECT(tamis_pair_keep_distance(pairs, &pair, &step, 0, &safe) == TAMIS_OK);
+  EXPECT(tamis_pair_safe_step(pairs, &pair, &step, 0, &safe) == TAMIS_OK);
   EXPECT(safe.lower <= 0.125 && safe.lower > 0.124);
-  EXPECT(tamis_pair_keep_distance(pairs, &pair, &step, 1, &safe) == TAMIS_INVALID_OPTIONS);
-  EXPECT(tamis_pair_keep_distance(pairs, NULL, &step, 0, &safe) == TAMIS_INVALID_ARGUMENT);
-  EXPECT(tamis_pair_keep_distance(pairs, &pair, NULL, 0, &safe) == TAMIS_INVALID_ARGUMENT);
-  EXPECT(tamis_pair_keep_distance(pairs, &pair, &step, 0, NULL) == TAMIS_INVALID_ARGUMENT);
+  EXPECT(tamis_pair_safe_step(pairs, &pair, &step, 1, &safe) == TAMIS_INVALID_OPTIONS);
+  EXPECT(tamis_pair_safe_step(pairs, NULL, &step, 0, &safe) == TAMIS_INVALID_ARGUMENT);
+  EXPECT(tamis_pair_safe_step(pairs, &pair, NULL, 0, &safe) == TAMIS_INVALID_ARGUMENT);
+  EXPECT(tamis_pair_safe_step(pairs, &pair, &step, 0, NULL) == TAMIS_INVALID_ARGUMENT);
   pair.vertices[3] = 4;
-  EXPECT(tamis_pair_keep_distance(pairs, &pair, &step, 0, &safe) == TAMIS_INVALID_STEP);
+  EXPECT(tamis_pair_safe_step(pairs, &pair, &step, 0, &safe) == TAMIS_INVALID_STEP);
   pair.vertices[3] = 3;
   tamis_pairs_free(pairs);
 
   options.latest = &latest;
   step.min_separation = NULL;
   EXPECT(tamis_pairs_create(&options, &pairs) == TAMIS_OK);
-  EXPECT(tamis_pair_keep_distance(pairs, &pair, &step, 0.2, &safe) == TAMIS_OK);
+  EXPECT(tamis_pair_safe_step(pairs, &pair, &step, 0.2, &safe) == TAMIS_OK);
   EXPECT(safe.lower == latest && safe.has_pair == 0);
   tamis_pairs_free(pairs);
 }

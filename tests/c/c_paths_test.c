@@ -43,7 +43,7 @@ static void points_at(void* user, double time, const int32_t* vertices, size_t c
   }
 }
 
-static void strays(void* user, double from, double to, const int32_t* vertices, size_t count, double* bounds) {
+static void deviations(void* user, double from, double to, const int32_t* vertices, size_t count, double* bounds) {
   size_t i;
   (void)user;
   for (i = 0; i < count; ++i)
@@ -118,7 +118,7 @@ static void other_paths(void) {
   size_t count;
   int is_free = -1;
   tamis_spline_path_input input = {sizeof input, 6, 2, frames};
-  tamis_path_functions functions = {sizeof functions, 6, points_at, strays, &error};
+  tamis_path_functions functions = {sizeof functions, 6, points_at, deviations, &error};
   const size_t no_links[] = {0, 0};
   const tamis_rigid_path_input deforming = {sizeof deforming, 6, start, bodies, 2, no_links, NULL, end};
   memcpy(frames, start, sizeof start);
@@ -159,7 +159,7 @@ static void bad_paths(void) {
   tamis_path* path = NULL;
   tamis_rigid_path_input rigid = {sizeof rigid, 6, rest, bodies, 1, links_of_body, NULL, NULL};
   tamis_spline_path_input spline = {sizeof spline, 6, 1, rest};
-  tamis_path_functions functions = {sizeof functions, -1, points_at, strays, NULL};
+  tamis_path_functions functions = {sizeof functions, -1, points_at, deviations, NULL};
   size_t count = 0;
   double points[18];
   EXPECT(tamis_rigid_path_create(&rigid, &path) == TAMIS_INVALID_PATH);
@@ -181,9 +181,9 @@ static void bad_paths(void) {
   EXPECT(tamis_function_path_create(&functions, &path) == TAMIS_INVALID_PATH);
   tamis_path_free(path);
   functions.vertex_count = 6;
-  functions.strays = NULL;
+  functions.deviations = NULL;
   EXPECT(tamis_function_path_create(&functions, &path) == TAMIS_INVALID_ARGUMENT);
-  EXPECT_SAYS(tamis_path_message(path), "strays is NULL");
+  EXPECT_SAYS(tamis_path_message(path), "deviations is NULL");
   tamis_path_free(path);
   EXPECT(tamis_function_path_create(&functions, NULL) == TAMIS_INVALID_ARGUMENT);
 

@@ -81,9 +81,9 @@ static void questions(void) {
   expect_the_one_contact(&contact);
 
   EXPECT(tamis_detector_is_free(detector, &step, &is_free) == TAMIS_OK && is_free == 0);
-  EXPECT(tamis_detector_keep_distance(detector, &step, 0.5, &safe) == TAMIS_OK);
+  EXPECT(tamis_detector_safe_step(detector, &step, 0.5, &safe) == TAMIS_OK);
   EXPECT(fabs(safe.lower - 0.25) < 1e-6 && safe.has_pair == 1 && safe.vertices[0] == 3 && safe.distance == 1);
-  EXPECT(tamis_detector_keep_distance(detector, &step, 1, &safe) == TAMIS_INVALID_OPTIONS);
+  EXPECT(tamis_detector_safe_step(detector, &step, 1, &safe) == TAMIS_INVALID_OPTIONS);
 
   step.end = start;
   EXPECT(tamis_detector_earliest(detector, &step, &lower, &upper, &count) == TAMIS_OK);
@@ -194,16 +194,16 @@ static void at_rest(void) {
   size_t i;
   int found = 0;
   EXPECT(tamis_detector_create(mesh, NULL, &detector) == TAMIS_OK);
-  EXPECT(tamis_detector_near(detector, &step, 1, &count) == TAMIS_OK && count > 0 && count <= 32);
-  EXPECT(tamis_detector_copy_near(detector, 0, count, near, sizeof near[0]) == TAMIS_OK);
+  EXPECT(tamis_detector_pairs_within(detector, &step, 1, &count) == TAMIS_OK && count > 0 && count <= 32);
+  EXPECT(tamis_detector_copy_pairs_within(detector, 0, count, near, sizeof near[0]) == TAMIS_OK);
   for (i = 0; i < count && i < 32; ++i)
     found += near[i].kind == TAMIS_VERTEX_FACE && near[i].vertices[0] == 3 && near[i].distance == 1 &&
              near[i].corners == 15 && near[i].direction[2] == 1;
   EXPECT(found == 1);
-  EXPECT(tamis_detector_near(detector, &step, -1, &count) == TAMIS_INVALID_OPTIONS);
-  EXPECT(tamis_detector_near(detector, &step, 1, NULL) == TAMIS_INVALID_ARGUMENT);
-  EXPECT(tamis_detector_copy_near(detector, 33, 1, near, sizeof near[0]) == TAMIS_INVALID_ARGUMENT);
-  EXPECT(tamis_detector_copy_near(detector, 0, 1, NULL, sizeof near[0]) == TAMIS_INVALID_ARGUMENT);
+  EXPECT(tamis_detector_pairs_within(detector, &step, -1, &count) == TAMIS_INVALID_OPTIONS);
+  EXPECT(tamis_detector_pairs_within(detector, &step, 1, NULL) == TAMIS_INVALID_ARGUMENT);
+  EXPECT(tamis_detector_copy_pairs_within(detector, 33, 1, near, sizeof near[0]) == TAMIS_INVALID_ARGUMENT);
+  EXPECT(tamis_detector_copy_pairs_within(detector, 0, 1, NULL, sizeof near[0]) == TAMIS_INVALID_ARGUMENT);
 
   EXPECT(tamis_detector_has_intersection(detector, &step, &intersects) == TAMIS_OK && intersects == 0);
   EXPECT(tamis_detector_intersections(detector, &step, &count) == TAMIS_OK && count == 0);

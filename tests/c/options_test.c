@@ -40,7 +40,7 @@ static void separation(void) {
 }
 
 /* Radii of groups, and a separation of one question: both make the triangle stop earlier. */
-static void thickness(void) {
+static void radii(void) {
   const int32_t group_of_vertex[] = {0, 0, 0, 1, 1, 1};
   const double radii[] = {0.1, 0.2}, more = 0.2;
   double lower = 0, upper = 0;
@@ -51,7 +51,7 @@ static void thickness(void) {
   tamis_step step = falling();
   options.group_of_vertex = group_of_vertex;
   options.group_count = 2;
-  options.thickness = radii;
+  options.radii = radii;
   EXPECT(tamis_detector_create(mesh, &options, &detector) == TAMIS_OK);
   EXPECT(tamis_detector_earliest(detector, &step, &lower, &upper, &count) == TAMIS_OK);
   EXPECT(lower <= 0.35 && 0.35 <= upper && upper - lower < 1e-6);
@@ -185,7 +185,7 @@ static void rings(void) {
 int main(void) {
   by_name();
   separation();
-  thickness();
+  radii();
   groups();
   callbacks();
   reentry();

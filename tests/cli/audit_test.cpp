@@ -185,7 +185,7 @@ TEST_F(AuditVerb, EveryTenthFrameIsNoGap) {
 
 TEST_F(AuditVerb, MisuseIsRefused) {
   expect_refused("audit f --no-contacts --no-intersections", "neither intersections nor contacts");
-  expect_refused("audit f --rings 0", "--rings");
+  expect_refused("audit f --ring-limit 0", "--ring-limit");
   expect_refused("audit nothing", "nothing");
 }
 

@@ -60,18 +60,18 @@ TEST_F(BadInput, FilesThatCannotBeUsed) {
   };
   for (const auto& [file, says] : cases) {
     expect_error(std::string("info ") + file, says);
-    for (const char* verb : {"contacts", "step"}) {
+    for (const char* verb : {"contacts", "earliest"}) {
       expect_error(std::string(verb) + " above.obj " + file, says);
       expect_error(std::string(verb) + " " + file + " above.obj --json", says);
     }
     // It may be a pattern.
-    expect_error(std::string("free above.obj ") + file, std::string(file) + ": ");
-    expect_error(std::string("free ") + file + " above.obj --json", std::string(file) + ": ");
+    expect_error(std::string("is-free above.obj ") + file, std::string(file) + ": ");
+    expect_error(std::string("is-free ") + file + " above.obj --json", std::string(file) + ": ");
   }
 }
 
 TEST_F(BadInput, FramesThatDoNotBelongTogether) {
-  for (const char* verb : {"contacts", "step", "free"}) {
+  for (const char* verb : {"contacts", "earliest", "is-free"}) {
     expect_error(std::string(verb) + " above.obj fewer.obj", "fewer.obj: 3 vertices, but above.obj has 4");
     expect_error(std::string(verb) + " above.obj other.obj", "other.obj: triangle 0");
   }
@@ -110,11 +110,11 @@ TEST_F(BadInput, NonsenseOptions) {
   for (const auto& [option, says] : cases) expect_error(std::string("contacts above.obj below.obj ") + option, says);
   expect_error("contacts above.obj far.obj --scale 10", "a scale of 10 takes vertex 3");
   for (const char* fraction : {"nan", "-0.1", "1", "much"})
-    expect_error(std::string("step absent.obj below.obj --keep-distance ") + fraction, "--keep-distance");
+    expect_error(std::string("safe-step absent.obj below.obj --keep ") + fraction, "--keep");
   expect_error("--threads 1 contacts above.obj below.obj", "--threads comes before the verb");
-  expect_error("near above.obj --distance 1 --min-separation 1", "near has no option --min-separation");
-  expect_error("near above.obj --distance 1 --thickness-of 1", "near has no option --thickness-of");
-  expect_error("intersections above.obj --thickness 1", "intersections has no option --thickness");
+  expect_error("within above.obj --distance 1 --min-separation 1", "within has no option --min-separation");
+  expect_error("within above.obj --distance 1 --radius-of 1", "within has no option --radius-of");
+  expect_error("intersections above.obj --radius 1", "intersections has no option --radius");
   expect_error("bench above.obj below.obj --seed 4", "--triangles and --seed are of generated scenes");
   expect_error("contacts above.obj", "END");
   expect_error("dance above.obj below.obj", "dance");
@@ -138,16 +138,16 @@ TEST_F(BadInput, NoOutputFileIsLeft) {
 // Bug: a name that promises another format is given what the verb writes.
 TEST_F(BadInput, OutputsOfOneFormatAreNamedSo) {
   const std::pair<const char*, const char*> cases[] = {{"truncate above.obj below.obj --out t.obj", ".ply"},
-                                                       {"near above.obj --distance 1 --out n.vtp", ".csv"},
-                                                       {"near above.obj --distance 1 --out n.csv.gz", ".csv"},
+                                                       {"within above.obj --distance 1 --out n.vtp", ".csv"},
+                                                       {"within above.obj --distance 1 --out n.csv.gz", ".csv"},
                                                        {"intersections above.obj --out i.glb", ".csv, .html or .png"},
                                                        {"bench above.obj below.obj --out b.html", ".csv"}};
   for (const auto& [command, format] : cases) {
     expect_error(command, std::string(" here: let the name end in ") + format);
   }
-  EXPECT_EQ(folder_.run("near above.obj --distance 1 --out n.CSV").code, 0);
-  EXPECT_EQ(folder_.run("near above.obj --distance 1 --out n").code, 0) << "no extension promises nothing";
-  EXPECT_EQ(folder_.run("near above.obj --distance 1 --out /dev/null").code, 0);
+  EXPECT_EQ(folder_.run("within above.obj --distance 1 --out n.CSV").code, 0);
+  EXPECT_EQ(folder_.run("within above.obj --distance 1 --out n").code, 0) << "no extension promises nothing";
+  EXPECT_EQ(folder_.run("within above.obj --distance 1 --out /dev/null").code, 0);
 }
 
 // Bug: hours of simulation before a wrong option is told.

@@ -39,7 +39,7 @@ TEST_F(Names, DoNotReachTheTerminalAsCommands) {
   for (const char* arguments :
        {"sequence f*", "bench f*/1* f*/2* --cold 1 --repeat 1", "info f*/1*x",
         "contacts f*/1* f*/2* --out $(printf '\\033]0;x\\007c.csv')", "dance$(printf '\\033[2J')",
-        "contacts f*/1* f*/2* f*/1*", "free f*/1* f*/2* --isa $(printf '\\033')"}) {
+        "contacts f*/1* f*/2* f*/1*", "is-free f*/1* f*/2* --isa $(printf '\\033')"}) {
     const Outcome outcome = folder_.run(arguments);
     EXPECT_FALSE(has_control(outcome.out)) << arguments << outcome.out;
     EXPECT_FALSE(has_control(outcome.err)) << arguments << outcome.err;

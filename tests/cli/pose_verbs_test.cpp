@@ -1,4 +1,4 @@
-// The verbs of one pose: tamis near and tamis intersections.
+// The verbs of one pose: tamis within and tamis intersections.
 #include <gtest/gtest.h>
 
 #include "cli/command.hpp"
@@ -17,25 +17,27 @@ class PoseVerbs : public testing::Test {
 
 // Bugs: columns in another order, or a distance that is not that of the pair.
 TEST_F(PoseVerbs, NearListsPairsWithTheirDistance) {
-  EXPECT_EQ(folder_.run("near above.obj --distance 0.5 --json").json()["near"]["vf"], 0);
-  const Outcome outcome = folder_.run("near above.obj --distance 1 --out near.csv --json");
+  EXPECT_EQ(folder_.run("within above.obj --distance 0.5 --json").json()["within"]["vf"], 0);
+  const Outcome outcome = folder_.run("within above.obj --distance 1 --out near.csv --json");
   EXPECT_EQ(outcome.code, 0) << outcome.err;
-  EXPECT_EQ(outcome.json()["near"]["vf"], 1);
+  EXPECT_EQ(outcome.json()["within"]["vf"], 1);
   EXPECT_EQ(outcome.json()["smallest_distance"], 1);
   const std::string table = bytes_of_file(folder_.path() / "near.csv");
   EXPECT_EQ(table.rfind("kind,v0,v1,v2,v3,distance,u,v,dx,dy,dz,corners\nvf,3,0,1,2,1,0.2", 0), 0u) << table;
-  EXPECT_NE(folder_.run("near above.obj --distance 1").out.find("1 vertex-face"), std::string::npos);
+  EXPECT_NE(folder_.run("within above.obj --distance 1").out.find("1 vertex-face"), std::string::npos);
 }
 
 // Bug: a radius that is taken for another object, or counted once.
-TEST_F(PoseVerbs, ThicknessOfObjectsAddsToTheDistance) {
-  const auto near = [&](const std::string& options) { return folder_.run("near above.obj --json " + options).json(); };
-  EXPECT_EQ(near("--distance 0.5 --thickness 0.25")["near"]["vf"], 1);
-  EXPECT_EQ(near("--distance 0.5 --thickness 0.2")["near"]["vf"], 0);
-  EXPECT_EQ(near("--distance 0 --thickness 0.75,0.25")["near"]["vf"], 1);
-  EXPECT_EQ(near("--distance 0 --thickness 0,1")["near"]["vf"], 1);
-  EXPECT_EQ(near("--distance 0 --thickness 0.5,0.25")["near"]["vf"], 0);
-  EXPECT_EQ(near("--distance 0 --thickness 0.5,0.25")["thickness"], (std::vector<double>{0.5, 0.25}));
+TEST_F(PoseVerbs, RadiiOfObjectsAddsToTheDistance) {
+  const auto within = [&](const std::string& options) {
+    return folder_.run("within above.obj --json " + options).json();
+  };
+  EXPECT_EQ(within("--distance 0.5 --radius 0.25")["within"]["vf"], 1);
+  EXPECT_EQ(within("--distance 0.5 --radius 0.2")["within"]["vf"], 0);
+  EXPECT_EQ(within("--distance 0 --radius 0.75,0.25")["within"]["vf"], 1);
+  EXPECT_EQ(within("--distance 0 --radius 0,1")["within"]["vf"], 1);
+  EXPECT_EQ(within("--distance 0 --radius 0.5,0.25")["within"]["vf"], 0);
+  EXPECT_EQ(within("--distance 0 --radius 0.5,0.25")["radii"], (std::vector<double>{0.5, 0.25}));
 }
 
 // Bug: an exit code that scripts cannot go by.
@@ -75,10 +77,10 @@ TEST_F(PoseVerbs, IntersectionsAreListed) {
 // Bug: what cannot be asked is answered.
 TEST_F(PoseVerbs, RefuseWhatTheyCannotAnswer) {
   for (const char* arguments :
-       {"near above.obj", "near above.obj --distance -1", "near above.obj --distance nan",
-        "near nowhere.obj --distance 1", "near above.obj --distance 1 --out above.obj",
-        "near above.obj --distance 1 --thickness 1,2,3", "near above.obj --distance 1 --thickness 1,",
-        "near above.obj --distance 1 --thickness -1", "intersections nowhere.obj",
+       {"within above.obj", "within above.obj --distance -1", "within above.obj --distance nan",
+        "within nowhere.obj --distance 1", "within above.obj --distance 1 --out above.obj",
+        "within above.obj --distance 1 --radius 1,2,3", "within above.obj --distance 1 --radius 1,",
+        "within above.obj --distance 1 --radius -1", "intersections nowhere.obj",
         "intersections above.obj --out above.obj"})
     EXPECT_EQ(folder_.run(arguments).code, 2) << arguments;
 }

@@ -23,7 +23,7 @@ class Streams : public testing::Test {
 // Bug: the sentence cannot be printed, the exception about that is thrown in the handler, and the command aborts.
 TEST_F(Streams, AnErrorIsExitCodeTwoWithoutStderr) {
   for (const std::string& err : unusable_)
-    for (const char* arguments : {"contacts zz below.obj", "dance", "", "free above.obj below.obj --scale x"})
+    for (const char* arguments : {"contacts zz below.obj", "dance", "", "is-free above.obj below.obj --scale x"})
       EXPECT_EQ(folder_.run(arguments, "", err).code, 2) << arguments << " 2>" << err;
 }
 
@@ -52,8 +52,8 @@ TEST_F(Streams, NothingIsPrintedIntoTheOutputFile) {
 // Bug: success is reported to a script that got nothing.
 TEST_F(Streams, AnAnswerThatCannotBePrintedIsAnError) {
   for (const std::string& out : unusable_)
-    for (const char* arguments : {"contacts above.obj below.obj", "free above.obj below.obj --json", "--help",
-                                  "step --help", "sequence above.obj below.obj", "--version"}) {
+    for (const char* arguments : {"contacts above.obj below.obj", "is-free above.obj below.obj --json", "--help",
+                                  "earliest --help", "sequence above.obj below.obj", "--version"}) {
       const Outcome outcome = folder_.run(arguments, out);
       EXPECT_EQ(outcome.code, 2) << arguments << " >" << out;
       EXPECT_NE(outcome.err.find("standard output"), std::string::npos) << arguments << outcome.err;

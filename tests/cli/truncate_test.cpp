@@ -36,7 +36,7 @@ TEST_F(Truncate, WritesPositionsThatAStepMayGoTo) {
     gone += (1 - height) / 9;
   }
   EXPECT_NEAR(outcome.json()["part_of_way"].get<double>(), gone, 1e-12);
-  EXPECT_EQ(folder_.run("free high.obj next.ply").code, 0);
+  EXPECT_EQ(folder_.run("is-free high.obj next.ply").code, 0);
   EXPECT_EQ(written("next.ply").faces, written("high.obj").faces);
 }
 
@@ -54,12 +54,12 @@ TEST_F(Truncate, KeepsAFractionOfTheDistance) {
   const auto part = [&](const char* options) -> double {
     return folder_.run(std::string("truncate above.obj below.obj --json ") + options).json()["part_of_way"];
   };
-  EXPECT_GE(part("--keep-distance 0.5"), 0.25 / 3 - 1e-6);
-  EXPECT_LE(part("--keep-distance 0.5"), 0.5 / 3);
-  EXPECT_LT(part("--keep-distance 0.9"), part("--keep-distance 0.001"));
+  EXPECT_GE(part("--keep 0.5"), 0.25 / 3 - 1e-6);
+  EXPECT_LE(part("--keep 0.5"), 0.5 / 3);
+  EXPECT_LT(part("--keep 0.9"), part("--keep 0.001"));
   EXPECT_EQ(part("--scale 0.1"), 1);
   EXPECT_LE(part("--min-separation 0.5"), 0.5 / 3 + 1e-12);
-  EXPECT_LE(part("--thickness 0.25"), 0.5 / 3 + 1e-12);
+  EXPECT_LE(part("--radius 0.25"), 0.5 / 3 + 1e-12);
 }
 
 // Bug: success is claimed where what touches may not move.
@@ -72,9 +72,9 @@ TEST_F(Truncate, SaysByItsExitCodeThatSomethingTouchesAtTheStart) {
 }
 
 TEST_F(Truncate, RefusesWhatItCannotAnswer) {
-  for (const char* arguments : {"above.obj below.obj --keep-distance 0", "above.obj below.obj --keep-distance 1",
-                                "above.obj below.obj --keep-distance nan", "above.obj below.obj --out above.obj",
-                                "above.obj absent.obj", "above.obj below.obj --thickness 1,2,3"}) {
+  for (const char* arguments :
+       {"above.obj below.obj --keep 0", "above.obj below.obj --keep 1", "above.obj below.obj --keep nan",
+        "above.obj below.obj --out above.obj", "above.obj absent.obj", "above.obj below.obj --radius 1,2,3"}) {
     const Outcome outcome = folder_.run(std::string("truncate ") + arguments);
     EXPECT_EQ(outcome.code, 2) << arguments;
     EXPECT_TRUE(outcome.err.starts_with("tamis: ")) << outcome.err;

@@ -23,17 +23,17 @@ class Values : public testing::Test {
   CommandFolder folder_;
 };
 
-constexpr const char* kStepVerbs[] = {"contacts", "step", "free"};
+constexpr const char* kStepVerbs[] = {"contacts", "earliest", "is-free"};
 
-// Bug: a variable of the shell that is not set counts as 0, and 'tamis free' says "no contact, proven".
+// Bug: a variable of the shell that is not set counts as 0, and 'tamis is-free' says "no contact, proven".
 TEST_F(Values, AnEmptyNumberIsNoZero) {
   for (const std::string verb : kStepVerbs)
     for (const std::string option : {"--scale", "--min-separation", "--threads", "--repeat"}) {
       expect_refused(verb + " above.obj below.obj " + option + " ''", option);
       expect_refused(verb + " above.obj below.obj " + option + "= --json", option);
     }
-  expect_refused("step above.obj below.obj --keep-distance ''", "an argument is empty");
-  expect_refused("step above.obj below.obj --keep-distance=", "--keep-distance");
+  expect_refused("safe-step above.obj below.obj --keep ''", "--keep has an empty value");
+  expect_refused("safe-step above.obj below.obj --keep=", "--keep");
   for (const std::string option : {"--scale", "--threads", "--min-separation", "--cold", "--warm-up", "--repeat"})
     expect_refused("bench above.obj below.obj " + option + " ''", option);
   for (const std::string option : {"--scale", "--min-separation"})
@@ -55,9 +55,9 @@ TEST_F(Values, AnEmptyNameIsNoAbsentOne) {
 // Bug: 010 counts as eight, 0x10 as sixteen; text after a number is passed over.
 TEST_F(Values, ANumberIsDecimalAndNothingElse) {
   for (const char* number : {"0x2", "2x", "1e0", "2.0", "'2 '", "' 2'", "many", "1,2", "99999999999999999999", "nan"})
-    expect_refused(std::string("free above.obj below.obj --threads ") + number, "--threads");
+    expect_refused(std::string("is-free above.obj below.obj --threads ") + number, "--threads");
   for (const char* number : {"0x1p3", "1e", "1e999", "nan", "-nan", "inf", "-1", "1'000", "1_0", "[1,2]"})
-    expect_refused(std::string("free above.obj below.obj --scale \"") + number + "\"", "--scale");
+    expect_refused(std::string("is-free above.obj below.obj --scale \"") + number + "\"", "--scale");
   EXPECT_EQ(folder_.run("scene funnel --triangles 0600 --frames 0 --out frames").code, 0);
 }
 

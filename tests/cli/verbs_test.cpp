@@ -18,7 +18,8 @@ class Verbs : public testing::Test {
 TEST_F(Verbs, EachHasHelpWithExamples) {
   const Outcome help = folder_.run("--help");
   EXPECT_EQ(help.code, 0);
-  for (const char* verb : {"contacts", "step", "free", "sequence", "near", "intersections", "info"}) {
+  for (const char* verb :
+       {"contacts", "earliest", "safe-step", "is-free", "sequence", "within", "intersections", "info"}) {
     EXPECT_NE(help.out.find(verb), std::string::npos) << verb;
     const Outcome outcome = folder_.run(verb + std::string(" --help"));
     EXPECT_EQ(outcome.code, 0) << verb;
@@ -52,23 +53,23 @@ TEST_F(Verbs, SequenceAndFreeAnswerByTheirExitCode) {
   folder_.write_frame("still/1.obj", -3);
   folder_.write_frame("still/2.obj", -4);
   folder_.write_frame("still/10.obj", -5);
-  for (const std::string verb : {"sequence", "free"}) {
+  for (const std::string verb : {"sequence", "is-free"}) {
     EXPECT_EQ(folder_.run(verb + " still").code, 0) << verb;
     EXPECT_EQ(folder_.run(verb + " 'still/*.obj' above.obj").code, 1) << verb;
     EXPECT_EQ(folder_.run(verb + " above.obj below.obj lower.obj --json").code, 1) << verb;
     EXPECT_EQ(folder_.run(verb + " still absent.obj").code, 2) << verb;
   }
-  const auto free = folder_.run("free still --json --repeat 2").json();
+  const auto free = folder_.run("is-free still --json --repeat 2").json();
   EXPECT_EQ(free["free"], true);
   EXPECT_EQ(free["steps"], 2);
   EXPECT_TRUE(free["first_not_free"].is_null());
   folder_.write_frame("still/11.obj", 1);
   folder_.write_frame("still/12.obj", 2);
-  const auto met = folder_.run("free still --json").json();
+  const auto met = folder_.run("is-free still --json").json();
   EXPECT_EQ(met["free"], false);
   EXPECT_EQ(met["first_not_free"]["start"], "still/10.obj");
   EXPECT_EQ(met["first_not_free"]["end"], "still/11.obj");
-  const std::string text = folder_.run("free still").out;
+  const std::string text = folder_.run("is-free still").out;
   EXPECT_NE(text.find("first           in step 3, to still/11.obj"), std::string::npos) << text;
 }
 
@@ -80,7 +81,7 @@ TEST_F(Verbs, SequenceIsNotFreeWhereDoublesCannotDecide) {
   const Outcome outcome = folder_.run("sequence slide --json");
   EXPECT_GT(outcome.json()["contacts"]["ve"].get<int>() + outcome.json()["contacts"]["vf"].get<int>(), 0);
   EXPECT_EQ(outcome.code, 1);
-  EXPECT_EQ(folder_.run("free slide").code, 1);
+  EXPECT_EQ(folder_.run("is-free slide").code, 1);
 }
 
 // Bug: a proven time is rounded past the contact: two thirds is less than 0.6666666667.
@@ -131,7 +132,7 @@ TEST_F(Verbs, WhatFramesHaveToSayIsSaidOnce) {
   folder_.write("q1.obj", square + "\n");
   folder_.write("q2.obj", square);
   folder_.write("q3.obj", square + "\n");
-  for (const char* verb : {"free q1.obj q2.obj q3.obj", "sequence 'q?.obj'"}) {
+  for (const char* verb : {"is-free q1.obj q2.obj q3.obj", "sequence 'q?.obj'"}) {
     const std::string notes = folder_.run(verb).err;
     EXPECT_EQ(notes.find("note: q1.obj: 1 polygon"), 0u) << notes;
     EXPECT_NE(notes.find("note: q2.obj: the last line has no line end"), std::string::npos) << notes;

@@ -66,8 +66,8 @@ constexpr Setting kSettings[] = {
     {.wobble = 1e-7, .separation = 0, .threads = 1, .has_groups = true},
 };
 
-// Bugs: room to stray that is not searched, or not checked for one vertex; pairs left out at times when they are near;
-// boxes of the way taken for those of the question; lists of another separation.
+// Bugs: room to deviate that is not searched, or not checked for one vertex; pairs left out at times when they are
+// near; boxes of the way taken for those of the question; lists of another separation.
 TEST_P(PairsAhead, ChangeNoBitOfAnyAnswer) {
   int listed = 0;
   for (long seed = 71; seed < 71 + repetitions("TAMIS_JOURNEYS", 1); ++seed) {

@@ -1,5 +1,5 @@
-// Pairs listed ahead, where lists are hard to make or to leave: features that stray, a way beyond all doubles, a curve,
-// one place where all is near all.
+// Pairs listed ahead, where lists are hard to make or to leave: features that deviate, a way beyond all doubles, a
+// curve, one place where all is near all.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -14,15 +14,15 @@ namespace {
 
 using scenes::Scene;
 
-// Bugs: room for one of two features that stray towards each other; room in another unit than the motion.
-TEST(TwoFacesOnTheirWay, AreFoundWhenBothStray) {
+// Bugs: room for one of two features that deviate towards each other; room in another unit than the motion.
+TEST(TwoFacesOnTheirWay, AreFoundWhenBothDeviate) {
   const std::vector<Face> faces{{0, 1, 2}, {3, 4, 5}};
   for (const double edge : {1.0, 0x1p-6, 0x1p6}) {
     const double way = edge / 64;
     bool was_listed_once = false;
-    for (double stray = 0x1p-16 * edge; stray < 0.1 * edge; stray *= 1.4) {
+    for (double deviation = 0x1p-16 * edge; deviation < 0.1 * edge; deviation *= 1.4) {
       const auto place = [&](double x, double off) {
-        const double low = off, high = 1.9 * stray - off;
+        const double low = off, high = 1.9 * deviation - off;
         return std::vector<Point>{{x, 0, low},
                                   {x + edge, 0, low},
                                   {x, edge, low},
@@ -35,8 +35,8 @@ TEST(TwoFacesOnTheirWay, AreFoundWhenBothStray) {
         const std::vector<Point> start = place(i * way, 0), end = place((i + 1) * way, 0);
         EXPECT_TRUE(kept.contacts({start, end}).empty());
       }
-      const std::vector<Point> start = place(3 * way, 0), end = place(4 * way, stray);
-      EXPECT_FALSE(kept.contacts({start, end}).empty()) << edge << ' ' << stray;
+      const std::vector<Point> start = place(3 * way, 0), end = place(4 * way, deviation);
+      EXPECT_FALSE(kept.contacts({start, end}).empty()) << edge << ' ' << deviation;
       was_listed_once |= was_listed(kept);
     }
     EXPECT_TRUE(was_listed_once) << edge;
@@ -90,7 +90,7 @@ TEST(FacesOnTheirWay, AreFoundWhenItLeadsBeyondAllDoubles) {
   }
 }
 
-// Bug: pieces of a curve, which stray from their chords, taken for what was listed.
+// Bug: pieces of a curve, which deviate from their chords, taken for what was listed.
 TEST(TwoFacesOnTheirWay, AreFoundWhenTheyLeaveItOnACurve) {
   const auto place = [&](double x, double bulge) {
     return std::vector<Point>{{x, 0, bulge},  {x + 1, 0, bulge},  {x, 1, bulge},

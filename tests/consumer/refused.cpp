@@ -20,15 +20,15 @@ int main() {
   const tamis::Step step{x, x + v};
 #elif MISTAKE == 4  // says: Floats, or an expression without memory? tamis::points_of(x) copies it as doubles.
   const Eigen::MatrixX3f floats = Eigen::MatrixX3f::Zero(3, 3);
-  detector.near(floats, 1);
+  detector.pairs_within(floats, 1);
 #elif MISTAKE == 5  // says: Floats? tamis::points_of(x).
   const std::vector<Eigen::Vector3f> floats(3);
   const tamis::Step step{floats, floats};
 #elif MISTAKE == 6  // says: Flat doubles, x y z x y z? Positions(data, vertices).
   const std::vector<double> flat(9);
-  detector.near(flat, 1);
+  detector.pairs_within(flat, 1);
 #elif MISTAKE == 7  // says: Column-major? Use a RowMajor matrix, a Matrix3Xd, or tamis::points_of(matrix).
   const Eigen::MatrixXd columns = x;
-  detector.near(columns, 1);
+  detector.pairs_within(columns, 1);
 #endif
 }

@@ -129,7 +129,7 @@ TEST_P(AtStartIn, NothingElseChanges) {
     Detector other = lab::make_detector(scene.mesh(), options);
     EXPECT_EQ(bits_of(other.contacts(scene.step(), kIgnore)), bits_of(counted));
     EXPECT_EQ(other.statistics().ignored, ignored);
-    for (const Asked asked : {Asked::earliest, Asked::is_free, Asked::keep_distance, Asked::contacts})
+    for (const Asked asked : {Asked::earliest, Asked::is_free, Asked::safe_step, Asked::contacts})
       expect_as_new(other, scene.step(), asked, scene.name, kIgnore);
   }
 }
@@ -140,9 +140,9 @@ TEST_P(AtStartIn, StepLengthsAreThoseOfEveryPair) {
   const Scene few = GetParam().make(40, 23);
   for (const double fraction : {0.0, 0.1, 0.7}) {
     const SafeStep truth =
-        lab::make_detector(few.mesh(), with(Method::brute, separation)).keep_distance(few.step(), fraction, kIgnore);
+        lab::make_detector(few.mesh(), with(Method::brute, separation)).safe_step(few.step(), fraction, kIgnore);
     const SafeStep found =
-        lab::make_detector(few.mesh(), with(Method::tamis, separation)).keep_distance(few.step(), fraction, kIgnore);
+        lab::make_detector(few.mesh(), with(Method::tamis, separation)).safe_step(few.step(), fraction, kIgnore);
     EXPECT_EQ(found.lower, truth.lower);
     EXPECT_EQ(found.upper, truth.upper);
     EXPECT_EQ(found.pair.has_value(), truth.pair.has_value());
@@ -184,8 +184,8 @@ TEST_P(AtStartIn, EveryQuestionFailsForTheSamePair) {
     expect_failure("earliest", [&] { detector.earliest(few.step(), kFail); });
     expect_failure("is_free", [&] { detector.is_free(few.step(), kFail); });
     if (method != Method::tamis) continue;  // the others ask it
-    expect_failure("keep_distance", [&] { detector.keep_distance(few.step(), 0.1, kFail); });
-    expect_failure("keep_distance 0", [&] { detector.keep_distance(few.step(), 0, kFail); });
+    expect_failure("safe_step", [&] { detector.safe_step(few.step(), 0.1, kFail); });
+    expect_failure("safe_step 0", [&] { detector.safe_step(few.step(), 0, kFail); });
     expect_failure("truncate", [&] { detector.truncate(few.step(), 0.1, kFail); });
   }
 }
@@ -227,7 +227,7 @@ TEST_F(OnAFace, RadiiCountAtTheStart) {
   start[3][2] = 0.25;
   end[3][2] = 1;
   Options options;
-  options.thickness = {0.125};
+  options.radii = {0.125};
   Detector detector(mesh, options);
   EXPECT_FALSE(detector.is_free({start, end}));
   EXPECT_TRUE(detector.is_free({start, end}, kIgnore));
@@ -246,8 +246,8 @@ TEST_F(OnAFace, CurvesAreRefused) {
       for (std::size_t i = 0; i < vertices.size(); ++i) points[i] = points_[static_cast<std::size_t>(vertices[i])];
       std::ranges::fill(errors, 0);
     }
-    void strays(double, double, std::span<const Index>, std::span<double> strays) const override {
-      std::ranges::fill(strays, 0);
+    void deviations(double, double, std::span<const Index>, std::span<double> deviations) const override {
+      std::ranges::fill(deviations, 0);
     }
 
    private:
@@ -308,8 +308,8 @@ TEST(AtStart, AClothThatStartsOnABallLeavesItAndLandsOnIt) {
   for (int step = 0; step < 40; ++step) {
     const std::vector<Point> end = sheet.wanted(kStep);
     if (step == 0) {
-      EXPECT_EQ(detector.keep_distance({sheet.x, end}, 0.1).lower, 0);
-      EXPECT_EQ(detector.keep_distance({sheet.x, end}, 0.1, kIgnore).lower, 1);
+      EXPECT_EQ(detector.safe_step({sheet.x, end}, 0.1).lower, 0);
+      EXPECT_EQ(detector.safe_step({sheet.x, end}, 0.1, kIgnore).lower, 1);
     }
     const TruncatedStep to = detector.truncate({sheet.x, end}, 0.1, kIgnore);
     EXPECT_TRUE(detector.is_free({sheet.x, to.positions}, kIgnore));

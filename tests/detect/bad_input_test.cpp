@@ -132,11 +132,11 @@ TEST(Groups, AreThoseOfComponents) {
   options.filter.group_of_vertex = objects.of_vertex;
   options.filter.group_count = objects.count;
   ASSERT_EQ(objects.count, 2);
-  for (const auto& [thickness, is_free] : {std::pair(0.375, true), std::pair(0.625, false)}) {
-    options.thickness = {0.5, thickness};  // the triangles are 1 apart
+  for (const auto& [radii, is_free] : {std::pair(0.375, true), std::pair(0.625, false)}) {
+    options.radii = {0.5, radii};  // the triangles are 1 apart
     EXPECT_EQ(lab::make_detector(mesh, options).is_free({points, points}), is_free);
   }
-  options.thickness.clear();
+  options.radii.clear();
   options.filter = PairFilter::no_self_contact(objects.of_vertex);
   EXPECT_TRUE(lab::make_detector(mesh, options).is_free({points, points}));
 }
@@ -199,8 +199,8 @@ TEST(BadNumber, IsSaidSoThatItReadsBack) {
   };
   says([&] { detector.contacts(step, {.min_separation = -1e-9}); }, "-1e-09");
   says([&] { Detector(scene.mesh(), {.min_separation = -0.1}); }, "-0.1");
-  says([&] { detector.near(scene.start, -5e-324); }, "-5e-324");
-  says([&] { detector.keep_distance(step, 1.0000000000000002); }, "1.0000000000000002");
+  says([&] { detector.pairs_within(scene.start, -5e-324); }, "-5e-324");
+  says([&] { detector.safe_step(step, 1.0000000000000002); }, "1.0000000000000002");
   says([&] { detector.truncate(step, -1e-300); }, "-1e-300");
   says([&] { vertex_face(points, points, {.min_separation = -1e-9}); }, "-1e-09");
   says([&] { edge_edge(points, points, {.latest = 1e300}); }, "1e+300");

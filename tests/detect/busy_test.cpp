@@ -106,8 +106,9 @@ struct AskingPath final : Path {
     (void)own.is_free(path);
     path.points_at(time, vertices, points, errors);
   }
-  void strays(double from, double to, std::span<const Index> vertices, std::span<double> strays) const override {
-    path.strays(from, to, vertices, strays);
+  void deviations(double from, double to, std::span<const Index> vertices,
+                  std::span<double> deviations) const override {
+    path.deviations(from, to, vertices, deviations);
   }
   AskingPath(Detector& detector, const Path& asked) : own(detector), path(asked) {}
   Detector& own;

@@ -140,9 +140,10 @@ struct CallingPath final : Path {
     callback.called();
     path.fine_points_at(time, vertices, points);
   }
-  void strays(double from, double to, std::span<const Index> vertices, std::span<double> strays) const override {
+  void deviations(double from, double to, std::span<const Index> vertices,
+                  std::span<double> deviations) const override {
     callback.called();
-    path.strays(from, to, vertices, strays);
+    path.deviations(from, to, vertices, deviations);
   }
   const Path& path;
   NowAndThen& callback;

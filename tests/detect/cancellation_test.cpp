@@ -57,7 +57,7 @@ TEST_P(Cancellation, EndsEveryQuestionAndTheNextOneIsAnsweredInFull) {
   };
   cancelled([&] { detector.contacts(scene.step()); });
   cancelled([&] { detector.earliest(scene.step()); });
-  cancelled([&] { detector.keep_distance(scene.step(), 0.5); });
+  cancelled([&] { detector.safe_step(scene.step(), 0.5); });
 }
 
 TEST_P(Cancellation, AtAnyMomentLeavesTheDetectorUsable) {

@@ -95,7 +95,7 @@ TEST(SignedWeights, OfNearPairsGiveTheirDistanceAndDirection) {
   for (Index i = 15; i < 30; i += 2) rods.push_back({i, i + 1});
   Detector detector(Mesh(40, faces, rods, {31, 32, 33, 34, 35, 36, 37, 38, 39}));
   std::array<int, 4> counts{};
-  for (const NearPair& pair : detector.near(at, 0.5)) {
+  for (const NearPair& pair : detector.pairs_within(at, 0.5)) {
     ++counts[static_cast<std::size_t>(pair.kind)];
     const std::array<double, 4> weights = weights_of(pair.kind, pair.u, pair.v);
     for (std::size_t axis = 0; axis < 3; ++axis) {

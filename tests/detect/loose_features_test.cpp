@@ -91,7 +91,7 @@ TEST(LooseFeatures, EndTheStepAsContactsDo) {
     ASSERT_TRUE(first.contact.has_value());
     EXPECT_EQ(first.contact->kind, PairKind::vertex_edge);
     EXPECT_NEAR(first.toi_lower, 0.25, 1e-9);
-    const SafeStep safe = detector.keep_distance(scene.step(), 0.5);
+    const SafeStep safe = detector.safe_step(scene.step(), 0.5);
     ASSERT_TRUE(safe.pair.has_value());
     EXPECT_EQ(safe.pair->vertices, (std::array<Index, 4>{2, 0, 1, -1}));
     EXPECT_NEAR(safe.lower, 0.25, 1e-9);

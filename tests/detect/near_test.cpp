@@ -109,9 +109,9 @@ TEST_P(Near, EveryMethodGivesTheSameBits) {
     Detector paper = lab::make_detector(scene.mesh(), with(Method::paper));
     for (const double part : {0.0, 0x1p-30, 0.01, 0.15}) {
       SCOPED_TRACE(scene.name + ", " + std::to_string(part));
-      const auto truth = brute.near(scene.start, part * size_of(scene));
-      expect_same(tamis.near(scene.start, part * size_of(scene)), truth);
-      expect_same(paper.near(scene.start, part * size_of(scene)), truth);
+      const auto truth = brute.pairs_within(scene.start, part * size_of(scene));
+      expect_same(tamis.pairs_within(scene.start, part * size_of(scene)), truth);
+      expect_same(paper.pairs_within(scene.start, part * size_of(scene)), truth);
     }
   }
 }
@@ -123,7 +123,7 @@ TEST_P(Near, DistancesAreThoseOfExactArithmeticAndNoPairIsMissing) {
     const double distance = part * size_of(scene);
     PairSet listed;
     Detector detector(scene.mesh());
-    const auto& pairs = detector.near(scene.start, distance);
+    const auto& pairs = detector.pairs_within(scene.start, distance);
     for (std::size_t i = 0; i < pairs.size(); ++i) {
       const PairName name{pairs[i].kind, pairs[i].vertices};
       EXPECT_TRUE(listed.empty() || *listed.rbegin() <= name) << "out of order";  // equal: duplicate features
@@ -148,7 +148,7 @@ TEST_P(Near, ThreadsAndInstructionSetsChangeNoBit) {
   lab::Options options;
   options.threads = 1;
   options.isa = Isa::baseline;
-  const auto one = lab::make_detector(scene.mesh(), options).near(scene.start, distance);
+  const auto one = lab::make_detector(scene.mesh(), options).pairs_within(scene.start, distance);
   for (const Isa isa : {Isa::baseline, Isa::avx2, Isa::avx512})
     for (const int threads : {1, 3}) {
       options.isa = isa;
@@ -156,7 +156,7 @@ TEST_P(Near, ThreadsAndInstructionSetsChangeNoBit) {
       try {
         Detector detector = lab::make_detector(scene.mesh(), options);
         detector.contacts(scene.step());  // another question before: nothing may depend on it
-        expect_same(detector.near(scene.start, distance), one);
+        expect_same(detector.pairs_within(scene.start, distance), one);
       } catch (const InvalidOptions&) {  // this machine has no such instructions
       }
     }
@@ -175,12 +175,12 @@ struct Particles {
 TEST(NearLoosePoints, MeetLooseEdgesAndEachOther) {
   const Particles scene;
   lab::Options options;
-  options.thickness = {0.25, 0.5};
+  options.radii = {0.25, 0.5};
   options.filter.group_of_vertex = {0, 0, 0, 1, 1, 0, 0};
   options.filter.group_count = 2;
   Detector detector = lab::make_detector(scene.mesh, options);
   // vf: point 5 lies 1 above the face; ve: point 6 lies 1 below the rod; vv: the points are 3.02 apart.
-  const auto& pairs = detector.near(scene.at, 0.5);
+  const auto& pairs = detector.pairs_within(scene.at, 0.5);
   ASSERT_EQ(pairs.size(), 2u);
   EXPECT_EQ(pairs[0].vertices, (std::array<Index, 4>{5, 0, 1, 2}));
   EXPECT_EQ(pairs[0].corners, 0b1111);
@@ -189,8 +189,8 @@ TEST(NearLoosePoints, MeetLooseEdgesAndEachOther) {
   EXPECT_EQ(pairs[1].distance, 1);
   EXPECT_EQ(pairs[1].u, 0.5);
   EXPECT_EQ(pairs[1].direction, (Point{0, 0, -1}));
-  EXPECT_EQ(detector.near(scene.at, 0.49).size(), 1u) << "the face's pair has 0.25 on both sides: 0.99";
-  const auto& wide = detector.near(scene.at, 2.6);
+  EXPECT_EQ(detector.pairs_within(scene.at, 0.49).size(), 1u) << "the face's pair has 0.25 on both sides: 0.99";
+  const auto& wide = detector.pairs_within(scene.at, 2.6);
   ASSERT_FALSE(wide.empty());
   EXPECT_EQ(wide.back().kind, PairKind::vertex_vertex);
   EXPECT_EQ(wide.back().vertices, (std::array<Index, 4>{5, 6, -1, -1}));
@@ -229,7 +229,7 @@ TEST(NearAmongTheSmallestDoubles, DistancesAreOffByHalfTheSmallestMore) {
     for (Index v = 15; v < 24; ++v) scene.loose_points.push_back(v);
     Detector detector(scene.mesh());
     std::array<int, kPairKinds> kinds{};
-    for (const NearPair& pair : detector.near(scene.start, 20 * unit)) {
+    for (const NearPair& pair : detector.pairs_within(scene.start, 20 * unit)) {
       const PairPoints points = points_of({scene.start, scene.start}, pair.vertices);
       const mpq_class square = exact_square_of_distance(pair.kind, points);
       const mpq_class part = mpq_class(size_of(points, pair.kind)) / mpq_class(0x1p41);
@@ -251,7 +251,7 @@ TEST(NearSlivers, HaveProvenDistances) {
   for (const Point& p : {Point{0.4, 3e-17, 1e-9}, Point{0.7, 1e-3, 1e-18}, Point{0.5, 0, 0}})
     scene.loose_points.push_back(scene.add_vertex(p, p, 0));
   Detector detector(scene.mesh());
-  const auto pairs = detector.near(scene.start, 1);
+  const auto pairs = detector.pairs_within(scene.start, 1);
   EXPECT_EQ(pairs.size(), 6u);
   for (const NearPair& pair : pairs) check(pair, scene);
 }
@@ -260,13 +260,13 @@ TEST(NearBadInput, IsRefusedByName) {
   const Particles scene;
   Detector detector(scene.mesh);
   for (const double bad : {-1.0, double(NAN), double(INFINITY)})
-    EXPECT_THROW(detector.near(scene.at, bad), InvalidOptions);
+    EXPECT_THROW(detector.pairs_within(scene.at, bad), InvalidOptions);
   std::vector<Point> wrong = scene.at;
   wrong[4][2] = NAN;
-  EXPECT_THROW(detector.near(wrong, 1), InvalidStep);
+  EXPECT_THROW(detector.pairs_within(wrong, 1), InvalidStep);
   wrong.pop_back();
-  EXPECT_THROW(detector.near(wrong, 1), InvalidStep);
-  EXPECT_TRUE(detector.near(scene.at, 0).empty());
+  EXPECT_THROW(detector.pairs_within(wrong, 1), InvalidStep);
+  EXPECT_TRUE(detector.pairs_within(scene.at, 0).empty());
 }
 
 }  // namespace

@@ -148,10 +148,10 @@ Shortest shortest_of(PairKind kind, const std::array<Vector, 4>& x) {
 // contacts of thick cloth; and the side that the face happens to have.
 TEST(NormalOfThickCloth, LeadsAlongTheClosestPointsAtTheTimeOfImpact) {
   std::map<std::string, int> counts;
-  for (const double thickness : {0.05, 0.2}) {  // of an edge
+  for (const double radii : {0.05, 0.2}) {  // of an edge
     const Scene scene = scenes::scene_by_name("folded-cloth", 3000, 5);
     lab::Options options;
-    options.min_separation = thickness / 40;
+    options.min_separation = radii / 40;
     for (const Contact& c : find_contacts(scene, options)) {
       std::array<Vector, 4> x;
       for (std::size_t i = 0; i < 4; ++i)

@@ -33,7 +33,7 @@ TEST(PairDistance, IsWhatNearSaysOfThePair) {
       const NearPair alone = distance_of({kind, kAll}, points);
       Detector detector = detector_of(kind);
       bool is_found = false;
-      for (const NearPair& pair : detector.near(points, 1e3))
+      for (const NearPair& pair : detector.pairs_within(points, 1e3))
         if (pair.kind == kind) {
           is_found = true;
           EXPECT_EQ(alone.distance, pair.distance);
@@ -61,9 +61,9 @@ TEST(PairDistance, AFractionIsKeptAsLongAsTheDetectorSays) {
       const std::vector<Point> start(motion.start.begin(), motion.start.end()),
           end(motion.end.begin(), motion.end.end());
       for (const double fraction : {0.0, 0.1, 0.9}) {
-        const SafeStep alone = keep_distance({kind, kAll}, {start, end}, fraction, {.min_separation = 0.01});
+        const SafeStep alone = safe_step({kind, kAll}, {start, end}, fraction, {.min_separation = 0.01});
         Detector detector = detector_of(kind);
-        const SafeStep step = detector.keep_distance({start, end}, fraction, {.min_separation = 0.01});
+        const SafeStep step = detector.safe_step({start, end}, fraction, {.min_separation = 0.01});
         EXPECT_EQ(alone.lower, step.lower);
         EXPECT_EQ(alone.upper, step.upper);
         ASSERT_EQ(alone.pair.has_value(), step.pair.has_value());
@@ -80,12 +80,12 @@ TEST(PairDistance, NothingAfterTheLatestTimeOfInterestMatters) {
   // From 1 to -3 above a still point's place: half of the distance is left at t = 1/8.
   const std::vector<Point> start{{0, 0, 1}, {0, 0, 0}}, end{{0, 0, -3}, {0, 0, 0}};
   const Pair pair{PairKind::vertex_vertex, {0, 1, -1, -1}};
-  EXPECT_NEAR(keep_distance(pair, {start, end}, 0.5).lower, 0.125, 1e-6);
-  const SafeStep early = keep_distance(pair, {start, end}, 0.5, {.latest = 0.1});
+  EXPECT_NEAR(safe_step(pair, {start, end}, 0.5).lower, 0.125, 1e-6);
+  const SafeStep early = safe_step(pair, {start, end}, 0.5, {.latest = 0.1});
   EXPECT_EQ(early.lower, 0.1);
   EXPECT_FALSE(early.pair.has_value());
-  EXPECT_EQ(keep_distance(pair, {start, end}, 0, {.latest = 0.2}).lower, 0.2);
-  EXPECT_NEAR(keep_distance(pair, {start, end}, 0, {.latest = 0.3}).lower, 0.25, 1e-9);
+  EXPECT_EQ(safe_step(pair, {start, end}, 0, {.latest = 0.2}).lower, 0.2);
+  EXPECT_NEAR(safe_step(pair, {start, end}, 0, {.latest = 0.3}).lower, 0.25, 1e-9);
 }
 
 TEST(Pair, ALatestTimeOfInterestOnlyMakesLaterPairsFree) {
@@ -114,15 +114,15 @@ TEST(PairDistance, BadInputIsNamed) {
   const Pair pair{PairKind::vertex_face, kAll};
   EXPECT_THROW(distance_of({PairKind::vertex_face, {0, 1, 2, 4}}, points), InvalidStep);
   EXPECT_THROW(distance_of({static_cast<PairKind>(7), kAll}, points), InvalidStep);
-  EXPECT_THROW(keep_distance(pair, {points, fewer}, 0.5), InvalidStep);
-  EXPECT_THROW(keep_distance(pair, {points, points}, 1), InvalidOptions);
-  EXPECT_THROW(keep_distance(pair, {points, points}, std::nan("")), InvalidOptions);
+  EXPECT_THROW(safe_step(pair, {points, fewer}, 0.5), InvalidStep);
+  EXPECT_THROW(safe_step(pair, {points, points}, 1), InvalidOptions);
+  EXPECT_THROW(safe_step(pair, {points, points}, std::nan("")), InvalidOptions);
   for (const double latest : {-0.1, 1.5, std::nan("")})
-    EXPECT_THROW(keep_distance(pair, {points, points}, 0.5, {.latest = latest}), InvalidOptions);
+    EXPECT_THROW(safe_step(pair, {points, points}, 0.5, {.latest = latest}), InvalidOptions);
   auto bad = points;
   bad[2][1] = std::numeric_limits<double>::infinity();
   try {
-    keep_distance(pair, {points, bad}, 0.5);
+    safe_step(pair, {points, bad}, 0.5);
     FAIL() << "nothing was thrown";
   } catch (const InvalidStep& e) {
     EXPECT_STREQ(e.what(),

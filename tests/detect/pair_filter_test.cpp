@@ -112,9 +112,9 @@ TEST(PairFilterBlocks, WholeBlocksAreLeftOut) {
     std::vector<std::uint64_t> nodes;
     detector.contacts(scene.step());
     nodes.push_back(detector.statistics().nodes_visited);
-    (void)detector.keep_distance(scene.step(), 0.1);
+    (void)detector.safe_step(scene.step(), 0.1);
     nodes.push_back(detector.statistics().nodes_visited);
-    detector.near(scene.step().start, 1e-3);
+    detector.pairs_within(scene.step().start, 1e-3);
     nodes.push_back(detector.statistics().nodes_visited);
     return nodes;
   };

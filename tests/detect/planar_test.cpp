@@ -82,13 +82,13 @@ TEST(CurvesInThePlane, HaveDistancesAndStepLengths) {
   scene.loose_edges.push_back({scene.add_vertex({0, 0, 0}, {0, 0, 0}, 0), scene.add_vertex({4, 0, 0}, {4, 0, 0}, 0)});
   scene.loose_edges.push_back({scene.add_vertex({1, 3, 0}, {1, -1, 0}, 1), scene.add_vertex({2, 5, 0}, {2, 1, 0}, 1)});
   Detector detector(scene.mesh());
-  const auto& near = detector.near(scene.start, 3);
+  const auto& near = detector.pairs_within(scene.start, 3);
   ASSERT_EQ(near.size(), 1u);
   EXPECT_EQ(near[0].distance, 3);
   EXPECT_EQ(near[0].u, 0.25);
   EXPECT_EQ(near[0].corners, 0b0111);
   EXPECT_EQ(near[0].direction, (Point{0, -1, 0}));
-  EXPECT_NEAR(detector.keep_distance(scene.step(), 0.5).lower, 0.375, 1e-9);
+  EXPECT_NEAR(detector.safe_step(scene.step(), 0.5).lower, 0.375, 1e-9);
   EXPECT_NEAR(detector.earliest(scene.step(), {.min_separation = 1.0}).toi_lower, 0.5, 1e-9);
 }
 

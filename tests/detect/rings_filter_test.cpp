@@ -62,7 +62,7 @@ TEST_P(RingsOf, LeaveOutNeighboursAlone) {
   for (const Method method : kMethods) {
     Detector all = lab::make_detector(mesh, with(method, 1));
     const std::vector<Contact> contacts = all.contacts(scene.step());
-    const std::vector<NearPair> near = all.near(scene.end, kNear);
+    const std::vector<NearPair> near = all.pairs_within(scene.end, kNear);
     const std::vector<Intersection> intersections = all.intersections(scene.end);
     for (const int number : {2, 3}) {
       const Rings rings(mesh, number);
@@ -76,7 +76,7 @@ TEST_P(RingsOf, LeaveOutNeighboursAlone) {
       if (first.contact) {
         EXPECT_FALSE(far_apart(std::vector{*first.contact}, rings).empty());
       }
-      EXPECT_EQ(names(some.near(scene.end, kNear)), names(far_apart(near, rings)));
+      EXPECT_EQ(names(some.pairs_within(scene.end, kNear)), names(far_apart(near, rings)));
       const auto through = far_apart(
           intersections, rings, [](const Intersection& i) { return std::span<const Index>(i.edge); },
           [](const Intersection& i) { return std::span<const Index>(i.face); });
@@ -94,12 +94,11 @@ TEST_P(RingsOf, LeaveOutNeighboursAlone) {
 // Bugs: a step length that a neighbour ends, or one that nothing ends as its first pair was a neighbour.
 TEST_P(RingsOf, StepLengthsAreThoseOfEveryPair) {
   for (const int number : {1, 2, 3}) {
-    const SafeStep truth =
-        lab::make_detector(scene.mesh(), with(Method::brute, number)).keep_distance(scene.step(), 0.2);
+    const SafeStep truth = lab::make_detector(scene.mesh(), with(Method::brute, number)).safe_step(scene.step(), 0.2);
     lab::Options options = with(Method::tamis, number);
     options.threads = 2;
     Detector detector = lab::make_detector(scene.mesh(), options);
-    const SafeStep found = detector.keep_distance(scene.step(), 0.2);
+    const SafeStep found = detector.safe_step(scene.step(), 0.2);
     EXPECT_EQ(found.lower, truth.lower);
     EXPECT_EQ(found.upper, truth.upper);
     const TruncatedStep to = detector.truncate(scene.step(), 0.2);

@@ -75,8 +75,7 @@ TEST_P(TruncateScene, EveryPairKeepsTheFractionOfItsDistance) {
         if (to.is_free) {
           EXPECT_TRUE(detector.is_free({scene.start, to.positions}));
         }
-        if (detector.keep_distance(scene.step(), std::min(1.25 * fraction, fraction + 0.25 * (1 - fraction))).lower ==
-            1) {
+        if (detector.safe_step(scene.step(), std::min(1.25 * fraction, fraction + 0.25 * (1 - fraction))).lower == 1) {
           EXPECT_EQ(to.positions, scene.end);
         }
       }
@@ -346,11 +345,11 @@ TEST(Truncate, PointsAloneGoTheirWay) {
   EXPECT_LT(to.positions[1][0] - to.positions[0][0], 0.2);
 }
 
-// Bug: the pairs that `near` has found are those of the search for planes.
+// Bug: the pairs that `pairs_within` has found are those of the search for planes.
 TEST(Truncate, LeavesOtherAnswersAlone) {
   const Scene scene = two_falls(0.5, 1);
   Detector detector(scene.mesh());
-  const auto& near = detector.near(scene.start, 0.6);
+  const auto& near = detector.pairs_within(scene.start, 0.6);
   const auto before = near;
   ASSERT_EQ(before.size(), 1u);
   detector.truncate(scene.step());

@@ -107,15 +107,15 @@ bool are_same(const SafeStep& a, const SafeStep& b) {
 
 void check_step_lengths(const MovingMesh& m, double fraction, double separation) {
   const auto options = [&](Method method) { return options_of(method, separation); };
-  const SafeStep truth = lab::make_detector(m.mesh, options(Method::brute)).keep_distance(m.step(), fraction);
+  const SafeStep truth = lab::make_detector(m.mesh, options(Method::brute)).safe_step(m.step(), fraction);
   Detector detector = lab::make_detector(m.mesh, options(Method::tamis));
-  const SafeStep found = detector.keep_distance(m.step(), fraction);
+  const SafeStep found = detector.safe_step(m.step(), fraction);
   const auto describe = [&] { return text_of(m) + "fraction " + std::to_string(fraction); };
   require(are_same(found, truth), "step lengths differ", describe);
   require(0 <= found.lower && found.lower <= found.upper && found.upper <= 1, "no bracket of a step", describe);
   require(found.lower <= detector.earliest(m.step()).toi_upper, "a step length beyond the first contact", describe);
-  detector.keep_distance({m.points.end, m.points.start}, fraction);
-  require(are_same(detector.keep_distance(m.step(), fraction), truth), "an earlier question changes a step length",
+  detector.safe_step({m.points.end, m.points.start}, fraction);
+  require(are_same(detector.safe_step(m.step(), fraction), truth), "an earlier question changes a step length",
           describe);
 }
 

@@ -36,7 +36,7 @@ def attack(folder, case, random):
         verbs = [["queries", "asked"]]
     else:
         other = name.replace("1.", "2.").replace("above", "below")
-        verbs = [["info", name], ["contacts", name, other, "--out", "c.csv"], ["free", other, name], ["step", name, name],
+        verbs = [["info", name], ["contacts", name, other, "--out", "c.csv"], ["is-free", other, name], ["earliest", name, name],
                  ["sequence", other, name]]
     outcome = folder.run_and_check(random.choice(verbs_there(folder.world, verbs)) + random.choice([[], ["--json"]]))
     # An ascii file that lacks its last digit or line end cannot be told from a whole one.

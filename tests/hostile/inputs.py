@@ -65,7 +65,7 @@ POSITIONALS = {"START": ["above.obj"], "END": ["below.obj"], "MESH": ["above.obj
 BASELINES = {
     "scene": ["funnel", "--triangles", "600", "--frames", "2", "--out", "frames"],
     "paper": ["--scenes", "none", "--frames", "fall=fall", "--out", "laboratory"],
-    "near": ["above.obj", "--distance", "2"],
+    "within": ["above.obj", "--distance", "2"],
     "bench": ["above.obj", "below.obj", "--cold", "1", "--warm-up", "0", "--repeat", "1"],
 }
 # What writing takes long enough to be interrupted.

@@ -75,9 +75,9 @@ TEST(Borders, ContactsGoToTheRankThatGivesTheirFirstVertex) {
 TEST(Borders, TheFirstQuestionMayBeAny) {
   const Scene scene = scenes::scene_by_name("colliding-bodies", 400, 4);
   const Part part = part_of(scene, cuts()[0]);
-  const SafeStep one = Detector(scene.mesh()).keep_distance(scene.step(), 0.2);
-  const SafeStep many = distributed::Detector(MPI_COMM_WORLD, part.mesh, one_thread()).keep_distance(part.step(), 0.2);
-  expect_same(one, many, "keep_distance");
+  const SafeStep one = Detector(scene.mesh()).safe_step(scene.step(), 0.2);
+  const SafeStep many = distributed::Detector(MPI_COMM_WORLD, part.mesh, one_thread()).safe_step(part.step(), 0.2);
+  expect_same(one, many, "safe_step");
 }
 
 TEST(Borders, StatisticsSayWhatWasDone) {

@@ -107,7 +107,7 @@ TEST_F(MpiCommand, ReadsFilesThatCannotBeCutInParts) {
 
 TEST_F(MpiCommand, StepAndFreeAnswerAsTamisDoes) {
   folder_.write_scene(scenes::scene_by_name("colliding-bodies", 600, 1));
-  for (const std::string verb : {"step", "step --keep-distance 0.2", "free"}) {
+  for (const std::string verb : {"earliest", "safe-step --keep 0.2", "is-free"}) {
     const Outcome one = folder_.run(verb + " start.ply end.ply"),
                   many = folder_.run_ranks(3, verb + " start.ply end.ply");
     EXPECT_EQ(one.code, many.code) << verb;

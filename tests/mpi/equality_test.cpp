@@ -41,7 +41,7 @@ TEST_P(Equality, SeparationThicknessAndFiltersReachAcrossRanks) {
   Options options = one_thread();
   options.min_separation = 1e-3;
   options.filter = PairFilter::no_self_contact(scene.group_of_vertex);
-  options.thickness.assign(static_cast<std::size_t>(options.filter.group_count), 2e-3);
+  options.radii.assign(static_cast<std::size_t>(options.filter.group_count), 2e-3);
   options.filter.accepts = [](PairKind, const std::array<Index, 4>& v) { return v[0] % 7 != 3; };
   Detector one(scene.mesh(), options);
   for (const Cut& cut : cuts()) {

@@ -160,7 +160,7 @@ TEST_F(Faults, WhatRanksCannotDo) {
 
 TEST_F(Faults, AFractionThatIsNone) {
   auto many = detector();
-  expect_on_all<InvalidOptions>("fraction", [&] { many.keep_distance(part_.step(), 1); });
+  expect_on_all<InvalidOptions>("fraction", [&] { many.safe_step(part_.step(), 1); });
   expect_right_answer(many);
 }
 

@@ -84,7 +84,7 @@ bool run_out(const Asked& asked, distributed::Detector& kept, long place) {
     fresh.earliest(asked.part.step());
     kept.contacts(asked.part.step());
     kept.gather_contacts(0);
-    kept.keep_distance(asked.part.step(), 0.1);
+    kept.safe_step(asked.part.step(), 0.1);
     kept.is_free(asked.part.step());
     if (Lack::is_over()) return false;
     asked.require(false, "the place was reached, and nothing was thrown");

@@ -51,10 +51,10 @@ void expect_same_answers(Detector& one, distributed::Detector& many, const scene
   expect_same(one.earliest(scene.step()), many.earliest(part.step()), what);
   EXPECT_EQ(one.is_free(scene.step()), many.is_free(part.step())) << what;
   for (const double fraction : {0.0, 0.1, 0.9})
-    expect_same(one.keep_distance(scene.step(), fraction), many.keep_distance(part.step(), fraction), what);
+    expect_same(one.safe_step(scene.step(), fraction), many.safe_step(part.step(), fraction), what);
   const QueryOptions ignore{.min_separation = 0x1p-6, .at_start = AtStart::ignore};
   expect_same(one.earliest(scene.step(), ignore), many.earliest(part.step(), ignore), what);
-  expect_same(one.keep_distance(scene.step(), 0.1, ignore), many.keep_distance(part.step(), 0.1, ignore), what);
+  expect_same(one.safe_step(scene.step(), 0.1, ignore), many.safe_step(part.step(), 0.1, ignore), what);
 }
 
 }  // namespace tamis::test

@@ -23,10 +23,10 @@ struct ToldPath final : Path {
       errors[i] = error;
     }
   }
-  void strays(double, double, std::span<const Index> vertices, std::span<double> strays) const override {
-    for (std::size_t i = 0; i < vertices.size(); ++i) strays[i] = stray;
+  void deviations(double, double, std::span<const Index> vertices, std::span<double> deviations) const override {
+    for (std::size_t i = 0; i < vertices.size(); ++i) deviations[i] = deviation;
   }
-  double height = 0.5, error = 0, stray = 0;
+  double height = 0.5, error = 0, deviation = 0;
 };
 
 template <class Error, class F>
@@ -46,11 +46,11 @@ TEST(BadPath, IsNamed) {
   ToldPath path;
   const auto ask = [&] { vertex_face(path, kAll); };
   EXPECT_TRUE(vertex_face(path, kAll).touches);
-  path.stray = -1e-3;
-  expect_message<InvalidPath>(ask, "strays by -0.001");
-  path.stray = kNan;
-  expect_message<InvalidPath>(ask, "strays by");
-  path.stray = 0;
+  path.deviation = -1e-3;
+  expect_message<InvalidPath>(ask, "deviates by -0.001");
+  path.deviation = kNan;
+  expect_message<InvalidPath>(ask, "deviates by");
+  path.deviation = 0;
   path.error = -1;
   expect_message<InvalidPath>(ask, "has the error -1");
   path.error = kNan;
@@ -68,10 +68,10 @@ TEST(BadPath, BoundsThatNeverShrinkAreUnresolved) {
   path.height = 10;
   EXPECT_FALSE(vertex_face(path, kAll).touches);
   for (const double bound : {20.0, kInfinity}) {
-    path.stray = bound;
+    path.deviation = bound;
     EXPECT_EQ(vertex_face(path, kAll).certainty, Certainty::unresolved);
     EXPECT_TRUE(vertex_face(path, kAll).touches);
-    path.stray = 0;
+    path.deviation = 0;
     path.error = bound;
     EXPECT_TRUE(vertex_face(path, kAll).touches);
     EXPECT_EQ(vertex_face(path, kAll).certainty, Certainty::unresolved);

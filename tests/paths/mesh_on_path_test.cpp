@@ -102,7 +102,7 @@ RigidPath passing(const Bodies& bodies, double distance, double angle) {
   return {bodies.rest, bodies.body, {turning, passing}};
 }
 
-// Bugs: a radius that forgets the stray of one vertex, a pair lost between two pieces, or reported by both.
+// Bugs: a radius that forgets the deviation of one vertex, a pair lost between two pieces, or reported by both.
 TEST(MeshOnPath, TurningBodiesGiveTheContactsOfAllPairs) {
   Bodies bodies;
   bodies.add(scenes::unit_sphere(2), {1, 0.6, 0.8});
@@ -115,7 +115,7 @@ TEST(MeshOnPath, TurningBodiesGiveTheContactsOfAllPairs) {
   expect_as_one_by_one(bodies, passing(bodies, 1.6, 0.7), 0.05);
 }
 
-// Bug: splines whose stray is that of one piece only.
+// Bug: splines whose deviation is that of one piece only.
 TEST(MeshOnPath, SplinesGiveTheContactsOfAllPairs) {
   Bodies bodies;
   bodies.add(scenes::unit_sphere(1));
@@ -148,7 +148,7 @@ Shape helix(double inner, double outer, double phase, int turns) {
   return shape;
 }
 
-// Bug: strays of a turn so large that a bolt touches its nut, or a turn so coarse that it passes through it.
+// Bug: deviations of a turn so large that a bolt touches its nut, or a turn so coarse that it passes through it.
 TEST(MeshOnPath, ABoltTurnsInItsThreadAndJamsWithoutThePitch) {
   Bodies bodies;
   bodies.add(helix(0.8, 1.05, 0, 2));
@@ -200,8 +200,8 @@ struct LyingPath final : Path {
       errors[i] = 1e-15;
     }
   }
-  void strays(double, double, std::span<const Index> vertices, std::span<double> strays) const override {
-    for (std::size_t i = 0; i < vertices.size(); ++i) strays[i] = 0;
+  void deviations(double, double, std::span<const Index> vertices, std::span<double> deviations) const override {
+    for (std::size_t i = 0; i < vertices.size(); ++i) deviations[i] = 0;
   }
   std::vector<Point> rest;
 };

@@ -95,7 +95,7 @@ void compare_many(long count, const auto& make) {
   EXPECT_LT(tally.unresolved, count / 100);
 }
 
-// Bug: a stray or a rounding forgotten; a root taken for the first; the inside test at one time only.
+// Bug: a deviation or a rounding forgotten; a root taken for the first; the inside test at one time only.
 TEST(PairOnPath, AgreesWithTheOracleWhateverTheAngle) {
   for (const double angle : {0.01, 0.5, 3.0, 15.0}) {
     SCOPED_TRACE(angle);
@@ -143,7 +143,7 @@ TEST(PairOnPath, AgreesWithStraightMotionWhereNothingTurns) {
   EXPECT_GT(touching, 50);
 }
 
-// Bug: the separation added once and not twice, or the strays not at all.
+// Bug: the separation added once and not twice, or the deviations not at all.
 TEST(PairOnPath, ComesWithinASeparationWhenTheOracleSaysSo) {
   Random random(13);
   int touching = 0;

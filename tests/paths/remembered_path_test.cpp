@@ -18,7 +18,7 @@ class CountingPath final : public Path {
       errors[i] = time * vertices[i];
     }
   }
-  void strays(double, double, std::span<const Index>, std::span<double>) const override {}
+  void deviations(double, double, std::span<const Index>, std::span<double>) const override {}
   mutable int calls = 0;
 };
 

@@ -1,4 +1,5 @@
-// Enclosures of rotations, and the strays and errors of rigid paths, against longer arithmetic and the motion itself.
+// Enclosures of rotations, and the deviations and errors of rigid paths, against longer arithmetic and the motion
+// itself.
 #include "paths/rotation.hpp"
 
 #include <gmpxx.h>
@@ -63,7 +64,7 @@ oracle::RealPoint between(const oracle::RealPoint& a, const oracle::RealPoint& b
   return {a[0] + s * (b[0] - a[0]), a[1] + s * (b[1] - a[1]), a[2] + s * (b[2] - a[2])};
 }
 
-// Bug: positions off by more than they say; a bound on a stray that is too small, for a piece of any length. Every
+// Bug: positions off by more than they say; a bound on a deviation that is too small, for a piece of any length. Every
 // other vertex goes straight in its body's frame.
 TEST(RigidPath, KeepsItsPromises) {
   Random random(6);
@@ -77,15 +78,15 @@ TEST(RigidPath, KeepsItsPromises) {
       return between(oracle::position(body, x, t), oracle::position(body, x_end, t), t);
     };
     const double from = random.unit(), to = from + (1 - from) * std::pow(10.0, random.between(-6, 0));
-    std::array<double, 1> stray{}, error{};
+    std::array<double, 1> deviation{}, error{};
     std::array<Point, 1> point{};
-    path.strays(from, to, kVertex, stray);
+    path.deviations(from, to, kVertex, deviation);
     const auto a = position(from), b = position(to);
     for (int k = 0; k <= 8; ++k) {
       const oracle::Real s = k / oracle::Real(8), t = from + s * (oracle::Real(to) - from);
       const double off = distance_of(position(t), between(a, b, s));
-      EXPECT_LE(off, stray[0] + 1e-16);
-      tightest = std::max(tightest, off / (stray[0] + 1e-300));
+      EXPECT_LE(off, deviation[0] + 1e-16);
+      tightest = std::max(tightest, off / (deviation[0] + 1e-300));
     }
     path.points_at(from, kVertex, point, error);
     EXPECT_LE(distance_of(a, {point[0][0], point[0][1], point[0][2]}), 1.8 * error[0] + 1e-17);
@@ -94,7 +95,7 @@ TEST(RigidPath, KeepsItsPromises) {
     EXPECT_LT(fine[0].error, 1e-24);
     for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(fine[0].high[k], point[0][k], error[0]);
   }
-  EXPECT_GT(tightest, 0.9) << "the bound of the stray is not sharp";
+  EXPECT_GT(tightest, 0.9) << "the bound of the deviation is not sharp";
 }
 
 // Bug: chains composed the wrong way round; the turned pose not reached.

@@ -69,15 +69,15 @@ void expect_promises(RealPoint (*truth)(const Frames&, Real), std::size_t least,
     const PathType path(frames);
     const double from = random.unit(), to = from + (1 - from) * std::pow(10.0, random.between(-6, 0));
     const RealPoint a = truth(frames, from), b = truth(frames, to);
-    std::array<double, 1> stray{}, error{};
+    std::array<double, 1> deviation{}, error{};
     std::array<Point, 1> point{};
     std::array<FinePoint, 1> fine;
-    path.strays(from, to, kVertex, stray);
+    path.deviations(from, to, kVertex, deviation);
     for (int k = 1; k < 8; ++k) {
       const Real s = k / Real(8);
       const double off = distance(truth(frames, from + s * (Real(to) - from)), mix(a, b, s));
-      EXPECT_LE(off, stray[0] + 1e-16);
-      if (stray[0] > 1e-6) tightest = std::max(tightest, off / stray[0]);
+      EXPECT_LE(off, deviation[0] + 1e-16);
+      if (deviation[0] > 1e-6) tightest = std::max(tightest, off / deviation[0]);
     }
     path.points_at(from, kVertex, point, error);
     path.fine_points_at(from, kVertex, fine);
@@ -86,7 +86,7 @@ void expect_promises(RealPoint (*truth)(const Frames&, Real), std::size_t least,
     EXPECT_LT(fine[0].error, 1e-27);
     for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(fine[0].high[k], static_cast<double>(a[k]), 1e-15);
   }
-  EXPECT_GT(tightest, 0.8) << "the bound of the stray is not sharp";
+  EXPECT_GT(tightest, 0.8) << "the bound of the deviation is not sharp";
 }
 
 // Bug: weights of another frame; a second difference forgotten; the joint of two cubics.

@@ -52,7 +52,7 @@ std::string answers(const Mesh& mesh, const Step& step, Isa isa) {
   hash.add(first.toi_lower);
   hash.add(first.toi_upper);
   if (first.contact) add(hash, *first.contact);
-  const SafeStep safe = detector.keep_distance(step, 0.2);
+  const SafeStep safe = detector.safe_step(step, 0.2);
   hash.add(safe.lower);
   hash.add(safe.upper);
   char line[64];

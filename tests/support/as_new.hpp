@@ -31,7 +31,7 @@ inline std::vector<Point> between(const std::vector<Point>& a, const std::vector
 /// What lies near, and what passes through what, as rows.
 inline std::vector<std::array<double, 8>> at_rest(Detector& detector, const Step& step) {
   std::vector<std::array<double, 8>> rows;
-  for (const NearPair& p : detector.near(step.start, 0.01))
+  for (const NearPair& p : detector.pairs_within(step.start, 0.01))
     rows.push_back({double(p.kind), double(p.vertices[0]), double(p.vertices[1]), double(p.vertices[2]),
                     double(p.vertices[3]), p.distance, p.u, p.v});
   for (const Intersection& p : detector.intersections(step.start))
@@ -41,7 +41,7 @@ inline std::vector<std::array<double, 8>> at_rest(Detector& detector, const Step
 }
 
 /// What can be asked of a step; the first three are about contacts alone.
-enum class Asked : std::uint8_t { contacts, earliest, is_free, keep_distance, at_rest, truncate };
+enum class Asked : std::uint8_t { contacts, earliest, is_free, safe_step, at_rest, truncate };
 constexpr Index kAsked = 6, kAskedOfContacts = 3;
 
 /// Before the question, so that nothing of the trees was left to visit.
@@ -68,8 +68,8 @@ inline void expect_as_new(Detector& kept, const Step& step, Asked question, cons
     case Asked::is_free:
       EXPECT_EQ(kept.is_free(step, own), fresh.is_free(step, own)) << where;
       break;
-    case Asked::keep_distance: {
-      const SafeStep a = kept.keep_distance(step, 0.2, own), b = fresh.keep_distance(step, 0.2, own);
+    case Asked::safe_step: {
+      const SafeStep a = kept.safe_step(step, 0.2, own), b = fresh.safe_step(step, 0.2, own);
       EXPECT_EQ(a.lower, b.lower) << where;
       EXPECT_EQ(a.upper, b.upper) << where;
       break;

@@ -96,9 +96,9 @@ std::vector<AnyQuestion> questions_of(const scenes::Scene& scene, double distanc
           question("earliest within a separation",
                    [=](Detector& d) { return d.earliest(step, {.min_separation = separation}); }),
           question("is_free", [=](Detector& d) { return d.is_free(step); }),
-          question("keep_distance", [=](Detector& d) { return d.keep_distance(step, 0.2); }),
-          question("keep_distance 0", [=](Detector& d) { return d.keep_distance(step, 0); }),
-          question("near", [=](Detector& d) -> decltype(auto) { return d.near(step.start, distance); }),
+          question("safe_step", [=](Detector& d) { return d.safe_step(step, 0.2); }),
+          question("safe_step 0", [=](Detector& d) { return d.safe_step(step, 0); }),
+          question("near", [=](Detector& d) -> decltype(auto) { return d.pairs_within(step.start, distance); }),
           question("intersections", [=](Detector& d) -> decltype(auto) { return d.intersections(step.end); }),
           question("has_intersection", [=](Detector& d) { return d.has_intersection(step.end); }),
           question("truncate", [=](Detector& d) { return d.truncate(step); })};

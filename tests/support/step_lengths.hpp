@@ -11,7 +11,7 @@
 namespace tamis::test {
 
 inline SafeStep keep(const scenes::Scene& scene, double fraction, const lab::Options& options = {}) {
-  return lab::make_detector(scene.mesh(), options).keep_distance(scene.step(), fraction);
+  return lab::make_detector(scene.mesh(), options).safe_step(scene.step(), fraction);
 }
 
 inline lab::Options with(lab::Method method, double min_separation = 0) {

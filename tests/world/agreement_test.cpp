@@ -110,8 +110,8 @@ TEST(World, AgreesAboutPairsAtRest) {
     SCOPED_TRACE(seed);
     TestWorld world = random_world(seed, 1.5, Motions::any);
     OneMesh mesh(world);
-    const std::vector<NearPair>& expected = mesh.detector.near(mesh.start, 0.1);
-    const std::vector<BodyNearPair> found = world.world.near(0.1);
+    const std::vector<NearPair>& expected = mesh.detector.pairs_within(mesh.start, 0.1);
+    const std::vector<BodyNearPair> found = world.world.pairs_within(0.1);
     ASSERT_EQ(found.size(), expected.size());
     for (std::size_t i = 0; i < found.size(); ++i) {
       EXPECT_EQ(named(found[i]), named(expected[i], mesh));
@@ -128,8 +128,8 @@ TEST(World, AgreesAboutHowFarTheStepMayGo) {
       SCOPED_TRACE(seed);
       TestWorld world = random_world(seed, 6, Motions::straight);
       OneMesh mesh(world);
-      const SafeStep expected = mesh.detector.keep_distance(mesh.step(), fraction);
-      const BodyStep found = world.world.keep_distance(fraction);
+      const SafeStep expected = mesh.detector.safe_step(mesh.step(), fraction);
+      const BodyStep found = world.world.safe_step(fraction);
       EXPECT_EQ(found.lower, expected.lower);
       ASSERT_EQ(found.pair.has_value(), expected.pair.has_value());
       if (found.pair) {

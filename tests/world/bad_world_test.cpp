@@ -41,10 +41,16 @@ TEST(BadWorld, NamesBodiesThatThereAreNot) {
 }
 
 TEST(BadWorld, RefusesShapesWithoutPoints) {
-  expect_refused<InvalidMesh>([] { Shape(Mesh(3, {{0, 1, 2}}), {{0, 0, 0}}); },
-                              "the shape has 1 points, its mesh 3 vertices: give one point a vertex");
-  expect_refused<InvalidMesh>([] { Shape(Mesh(3, {{0, 1, 2}}), {{0, 0, 0}, {kNan, 0, 0}, {0, 0, 0}}); },
-                              "vertex 1 of the shape is not finite: give finite points");
+  expect_refused<InvalidMesh>(
+      [] {
+        Shape(Mesh(3, {{0, 1, 2}}), {{0, 0, 0}});
+      },
+      "the shape has 1 points, its mesh 3 vertices: give one point a vertex");
+  expect_refused<InvalidMesh>(
+      [] {
+        Shape(Mesh(3, {{0, 1, 2}}), {{0, 0, 0}, {kNan, 0, 0}, {0, 0, 0}});
+      },
+      "vertex 1 of the shape is not finite: give finite points");
 }
 
 TEST(BadWorld, RefusesMotionsThatAreNone) {
@@ -54,12 +60,21 @@ TEST(BadWorld, RefusesMotionsThatAreNone) {
   expect_refused<InvalidStep>([&] { world.move(body, Static{{{kNan, 0, 0}, {}}}); }, pose);
   expect_refused<InvalidStep>([&] { world.move(body, Rigid{interpolated({}, {{}, {0, kNan, 0}})}); }, pose);
   const std::vector<Point> points = triangle().points();
-  expect_refused<InvalidStep>([&] { world.move(body, Deforming{points, {{0, 0, 0}}}); },
-                              "body 0 has 1 points at the end of its motion, its shape 3 vertices: give one point a vertex");
-  expect_refused<InvalidStep>([&] { world.move(body, Deforming{{{0, 0, 0}, {0, kNan, 0}, {0, 0, 0}}, points}); },
-                              "vertex 1 of body 0 at the start of its motion is not finite: give finite points");
-  expect_refused<InvalidStep>([&] { world.add(triangle(), Static{{{kNan, 0, 0}, {}}}); },
-                              "a pose of body 1 is not finite: give finite positions and rotation vectors");
+  expect_refused<InvalidStep>(
+      [&] {
+        world.move(body, Deforming{points, {{0, 0, 0}}});
+      },
+      "body 0 has 1 points at the end of its motion, its shape 3 vertices: give one point a vertex");
+  expect_refused<InvalidStep>(
+      [&] {
+        world.move(body, Deforming{{{0, 0, 0}, {0, kNan, 0}, {0, 0, 0}}, points});
+      },
+      "vertex 1 of body 0 at the start of its motion is not finite: give finite points");
+  expect_refused<InvalidStep>(
+      [&] {
+        world.add(triangle(), Static{{{kNan, 0, 0}, {}}});
+      },
+      "a pose of body 1 is not finite: give finite positions and rotation vectors");
   EXPECT_EQ(world.add(triangle(), Static{}), 1);  // what was refused has no number
   EXPECT_TRUE(world.is_free());
 }
@@ -76,8 +91,8 @@ TEST(BadWorld, RefusesOptionsOfOneMesh) {
   World world;
   EXPECT_THROW(world.contacts({.min_separation = -1}), InvalidOptions);
   EXPECT_THROW(world.earliest({.tolerance = 0}), InvalidOptions);
-  EXPECT_THROW(world.near(kNan), InvalidOptions);
-  EXPECT_THROW(world.keep_distance(1), InvalidOptions);
+  EXPECT_THROW(world.pairs_within(kNan), InvalidOptions);
+  EXPECT_THROW(world.safe_step(1), InvalidOptions);
 }
 
 TEST(BadWorld, RefusesWhatCannotTouch) {
@@ -102,13 +117,13 @@ TEST(BadWorld, FailsForWhatTouchesAtTheStart) {
   expect_refused<InvalidStep>([&] { world.contacts(fail); }, sentence);
   expect_refused<InvalidStep>([&] { world.earliest(fail); }, sentence);
   expect_refused<InvalidStep>([&] { world.is_free(fail); }, sentence);
-  expect_refused<InvalidStep>([&] { world.keep_distance(0.1, fail); }, sentence);
+  expect_refused<InvalidStep>([&] { world.safe_step(0.1, fail); }, sentence);
   world.move(moving, Rigid{interpolated({{0, 0, 0.1}, {}}, {{0, 0, 1}, {0, 0, 1}})});
   expect_refused<InvalidStep>([&] { world.contacts(fail); }, sentence);
   expect_refused<InvalidStep>([&] { world.is_free(fail); }, sentence);
   EXPECT_TRUE(world.is_free({.min_separation = 0.05, .at_start = AtStart::fail}));
   expect_refused<InvalidOptions>(
-      [&] { world.keep_distance(); },
+      [&] { world.safe_step(); },
       "one of the bodies 0 and 1 turns, and how far curves may go is not known: ask `earliest`");
 }
 

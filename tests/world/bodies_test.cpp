@@ -29,9 +29,9 @@ TEST(World, HasNoContactsWithoutBodies) {
   EXPECT_TRUE(world.contacts().empty());
   EXPECT_EQ(world.earliest().toi_lower, 1);
   EXPECT_TRUE(world.is_free());
-  EXPECT_TRUE(world.near(1).empty());
+  EXPECT_TRUE(world.pairs_within(1).empty());
   EXPECT_TRUE(world.intersections().empty());
-  EXPECT_EQ(world.keep_distance().lower, 1);
+  EXPECT_EQ(world.safe_step().lower, 1);
 }
 
 TEST(World, KnowsWhenACubeMeetsTheFloor) {
@@ -117,7 +117,7 @@ TEST(World, FindsTwoBodiesInOnePlace) {
   world.add(cube(), Rigid{interpolated({}, {{0, 0, 0.25}, {}})});
   EXPECT_EQ(world.earliest().toi_lower, 0);
   EXPECT_FALSE(world.intersections().empty());
-  EXPECT_FALSE(world.near(0).empty());
+  EXPECT_FALSE(world.pairs_within(0).empty());
 }
 
 TEST(World, IgnoresWhatTouchesAtTheStart) {

@@ -147,9 +147,11 @@ OneMesh one_mesh(const TestWorld& world, Options options, Parts parts) {
 
 }  // namespace
 
-OneMesh::OneMesh(const TestWorld& world, Options options) : OneMesh(one_mesh(world, std::move(options), parts_of(world))) {}
+OneMesh::OneMesh(const TestWorld& world, Options options)
+    : OneMesh(one_mesh(world, std::move(options), parts_of(world))) {}
 
-OneMesh::OneMesh(std::vector<Point> s, std::vector<Point> e, std::vector<std::array<Index, 2>> n, RigidPath p, Detector d)
+OneMesh::OneMesh(std::vector<Point> s, std::vector<Point> e, std::vector<std::array<Index, 2>> n, RigidPath p,
+                 Detector d)
     : start(std::move(s)), end(std::move(e)), names(std::move(n)), path(std::move(p)), detector(std::move(d)) {}
 
 }  // namespace tamis::test

@@ -43,7 +43,7 @@ struct TestWorld {
 
 /// All bodies that are there, one behind the other.
 struct OneMesh {
-  std::vector<Point> start, end;  ///< of the step; of what turns, its doubles at both ends
+  std::vector<Point> start, end;            ///< of the step; of what turns, its doubles at both ends
   std::vector<std::array<Index, 2>> names;  ///< body, own vertex
   RigidPath path;
   Detector detector;

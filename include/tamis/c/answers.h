@@ -61,7 +61,7 @@ typedef struct tamis_safe_step {
   double distance;     /**< of the pair at t=0, rounded */
 } tamis_safe_step;
 
-/** A pair of features that are near each other at rest; see NearPair in tamis/near.hpp. */
+/** A pair of features that are near each other at rest; see NearPair in tamis/proximity.hpp. */
 typedef struct tamis_near_pair {
   int32_t kind;
   int32_t corners;     /**< bit i: vertex i has a share in the closest points */

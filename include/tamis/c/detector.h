@@ -24,9 +24,9 @@ typedef struct tamis_options {
   int (*accepts)(void* user, int32_t kind, const int32_t* vertices);
   /** Asked again and again during a question, from several threads; other than 0 ends it with TAMIS_CANCELLED. */
   int (*is_cancelled)(void* user);
-  void* user;              /**< handed to both */
-  const double* thickness; /**< a radius >= 0 for each group, group_count of them; NULL: all zero */
-  int32_t rings;           /**< pairs are left out that are fewer edges apart along the mesh; 0: 1, a common vertex */
+  void* user;          /**< handed to both */
+  const double* radii; /**< a radius >= 0 for each group, group_count of them; NULL: all zero */
+  int32_t rings;       /**< pairs are left out that are fewer edges apart along the mesh; 0: 1, a common vertex */
 } tamis_options;
 
 /** Copies the mesh. NULL as options: the defaults. TAMIS_INVALID_OPTIONS: see tamis/options.hpp. */
@@ -45,25 +45,25 @@ TAMIS_API tamis_status tamis_detector_earliest(tamis_detector* detector, const t
 /** Writes 1 if the whole step is free of contacts, else 0. */
 TAMIS_API tamis_status tamis_detector_is_free(tamis_detector* detector, const tamis_step* step, int* is_free);
 
-/** How far may the step go so that every pair keeps at least `fraction`, 0 <= fraction < 1, of its distance? C has no
+/** How far may the step go so that every pair keeps at least `keep`, 0 <= keep < 1, of its distance? C has no
  * defaults: C++ and Python take 0.1, here and of tamis_detector_truncate. Which when: Detector in tamis/detector.hpp.
  */
-TAMIS_API tamis_status tamis_detector_keep_distance(tamis_detector* detector, const tamis_step* step, double fraction,
-                                                    tamis_safe_step* answer);
+TAMIS_API tamis_status tamis_detector_safe_step(tamis_detector* detector, const tamis_step* step, double keep,
+                                                tamis_safe_step* answer);
 
 /** The numbers in which the caller keeps positions between steps. */
 enum { TAMIS_FLOAT64 = 0, TAMIS_FLOAT32 = 1 };
 
 /** Positions to go to, each vertex as far as it may on its own line: three doubles for each vertex of the mesh, on the
- * straight way to which every pair keeps the fraction of its distance, 0 < fraction < 1: proven. `parts`, one a vertex,
+ * straight way to which every pair keeps the fraction of its distance, 0 < keep < 1: proven. `parts`, one a vertex,
  * is the part of its way that each goes, in [0, 1]; NULL: not wanted. *is_free is 0 if something touches at the start,
  * and is not ignored for it; of that no pair comes nearer. `stored` is TAMIS_FLOAT64 or TAMIS_FLOAT32: with the latter
  * all positions are floats' values, so that storing them as floats changes nothing, and the step's start must be made
  * of such. See TruncatedStep in tamis/contact.hpp. */
-TAMIS_API tamis_status tamis_detector_truncate(tamis_detector* detector, const tamis_step* step, double fraction,
+TAMIS_API tamis_status tamis_detector_truncate(tamis_detector* detector, const tamis_step* step, double keep,
                                                int32_t stored, double* positions, double* parts, int* is_free);
 
-/** An edge that passes through a triangle, or touches it; see Intersection in tamis/near.hpp. */
+/** An edge that passes through a triangle, or touches it; see Intersection in tamis/proximity.hpp. */
 typedef struct tamis_intersection {
   int32_t edge[2], face[3];
   double s_lower, s_upper; /**< the first common point lies between these on the edge */
@@ -71,16 +71,16 @@ typedef struct tamis_intersection {
 } tamis_intersection;
 
 /** Every pair whose distance at the step's start is at most `distance` plus both radii; the step's end is not read. */
-TAMIS_API tamis_status tamis_detector_near(tamis_detector* detector, const tamis_step* step, double distance,
-                                           size_t* count);
+TAMIS_API tamis_status tamis_detector_pairs_within(tamis_detector* detector, const tamis_step* step, double distance,
+                                                   size_t* count);
 /** Every edge that passes through a triangle or touches it at the step's start: exactly. The end is not read. */
 TAMIS_API tamis_status tamis_detector_intersections(tamis_detector* detector, const tamis_step* step, size_t* count);
 /** Writes 1 if there is any, else 0. */
 TAMIS_API tamis_status tamis_detector_has_intersection(tamis_detector* detector, const tamis_step* step,
                                                        int* has_intersection);
 /** As tamis_detector_copy_contacts, of the last question for near pairs or for intersections. */
-TAMIS_API tamis_status tamis_detector_copy_near(tamis_detector* detector, size_t first, size_t count,
-                                                tamis_near_pair* pairs, size_t pair_size);
+TAMIS_API tamis_status tamis_detector_copy_pairs_within(tamis_detector* detector, size_t first, size_t count,
+                                                        tamis_near_pair* pairs, size_t pair_size);
 TAMIS_API tamis_status tamis_detector_copy_intersections(tamis_detector* detector, size_t first, size_t count,
                                                          tamis_intersection* intersections, size_t intersection_size);
 

@@ -56,10 +56,10 @@ TAMIS_API tamis_status tamis_narrow_phase(tamis_pairs* pairs, const tamis_pair* 
  * `answer_size` = sizeof(tamis_near_pair) bytes, as a detector's near pairs have them; no separation comes off. */
 TAMIS_API tamis_status tamis_distances_of(tamis_pairs* pairs, const tamis_pair* list, size_t count,
                                           const tamis_step* step, tamis_near_pair* answers, size_t answer_size);
-/** As tamis_detector_keep_distance, for one pair; 0.1 is a usual fraction. It looks no further than the latest time of
+/** As tamis_detector_safe_step, for one pair; 0.1 is a usual fraction. It looks no further than the latest time of
  * interest, which `lower` then is. */
-TAMIS_API tamis_status tamis_pair_keep_distance(tamis_pairs* pairs, const tamis_pair* pair, const tamis_step* step,
-                                                double fraction, tamis_safe_step* answer);
+TAMIS_API tamis_status tamis_pair_safe_step(tamis_pairs* pairs, const tamis_pair* pair, const tamis_step* step,
+                                            double keep, tamis_safe_step* answer);
 
 #ifdef __cplusplus
 }

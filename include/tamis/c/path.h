@@ -59,9 +59,9 @@ typedef struct tamis_path_functions {
   int32_t vertex_count;
   /** Writes where each is at `time`, count x 3, and for each a bound >= 0 of how far a coordinate may be off. */
   void (*points_at)(void* user, double time, const int32_t* vertices, size_t count, double* points, double* errors);
-  /** Writes for each a bound >= 0 of how far it strays, at any time of [from, to], from its chord walked at constant
+  /** Writes for each a bound >= 0 of how far it deviates, at any time of [from, to], from its chord walked at constant
    * speed; for smooth curves |x''| (to - from)^2 / 8. See Path in tamis/path.hpp. */
-  void (*strays)(void* user, double from, double to, const int32_t* vertices, size_t count, double* strays);
+  void (*deviations)(void* user, double from, double to, const int32_t* vertices, size_t count, double* deviations);
   void* user; /**< handed to both */
 } tamis_path_functions;
 

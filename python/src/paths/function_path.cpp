@@ -24,10 +24,11 @@ void FunctionPath::points_at(double time, std::span<const Index> vertices, std::
   std::copy_n(bounds.data(), errors.size(), errors.data());
 }
 
-void FunctionPath::strays(double from, double to, std::span<const Index> vertices, std::span<double> strays) const {
+void FunctionPath::deviations(double from, double to, std::span<const Index> vertices,
+                              std::span<double> deviations) const {
   const nb::gil_scoped_acquire lock;
-  const auto bounds = nb::cast<Bounds>(strays_(from, to, array_of(vertices)));
-  std::copy_n(bounds.data(), strays.size(), strays.data());
+  const auto bounds = nb::cast<Bounds>(deviations_(from, to, array_of(vertices)));
+  std::copy_n(bounds.data(), deviations.size(), deviations.data());
 }
 
 }  // namespace tamis::python

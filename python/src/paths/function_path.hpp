@@ -5,22 +5,22 @@
 
 namespace tamis::python {
 
-/// `points_at(time, vertices)` gives points (n, 3) and errors (n,), `strays(from, to, vertices)` bounds (n,); the
+/// `points_at(time, vertices)` gives points (n, 3) and errors (n,), `deviations(from, to, vertices)` bounds (n,); the
 /// Python side has made sure that they do. Asked from several threads, one at a time.
 class FunctionPath final : public Path {
  public:
-  FunctionPath(Index vertex_count, nb::object points_at, nb::object strays)
-      : vertex_count_(vertex_count), points_at_(std::move(points_at)), strays_(std::move(strays)) {}
+  FunctionPath(Index vertex_count, nb::object points_at, nb::object deviations)
+      : vertex_count_(vertex_count), points_at_(std::move(points_at)), deviations_(std::move(deviations)) {}
 
   Index vertex_count() const override { return vertex_count_; }
   void points_at(double time, std::span<const Index> vertices, std::span<Point> points,
                  std::span<double> errors) const override;
-  void strays(double from, double to, std::span<const Index> vertices, std::span<double> strays) const override;
+  void deviations(double from, double to, std::span<const Index> vertices, std::span<double> deviations) const override;
 
  private:
   Index vertex_count_;
   nb::object points_at_;
-  nb::object strays_;
+  nb::object deviations_;
 };
 
 }  // namespace tamis::python

@@ -2,7 +2,7 @@
 
 >>> from tamis.bridge import ipctk as bridge
 >>> detector = tamis.Detector(bridge.mesh(collision_mesh))
->>> near = detector.near(vertices, dhat)
+>>> near = detector.pairs_within(vertices, dhat)
 >>> collisions.build(bridge.candidates(near, collision_mesh), collision_mesh, vertices, dhat)
 """
 

@@ -17,7 +17,7 @@ from tamis.newton._versions import check_versions
 
 
 def attach(
-    solver: Any, *, one_ring: bool = True, fraction: float = 0.1, min_separation: float = 0.0, threads: int = 0
+    solver: Any, *, one_ring: bool = True, keep: float = 0.1, min_separation: float = 0.0, threads: int = 0
 ) -> Attachment:
     """Let Tamis detect self-contacts for a VBD solver, and say how far its particles may go.
 
@@ -28,8 +28,8 @@ def attach(
     one_ring : bool
         Count pairs that an edge joins, which Newton leaves to bending. Their contact forces stay those of Newton's
         `particle_topological_contact_filter_threshold`.
-    fraction : float
-        0 < fraction < 1: of its distance at the start of a step, and beyond `min_separation`, every pair keeps so much.
+    keep : float
+        0 < keep < 1: of its distance at the start of a step, and beyond `min_separation`, every pair keeps so much.
     min_separation : float
         d >= 0 in the model's unit: no pair comes nearer.
     threads : int
@@ -49,9 +49,9 @@ def attach(
     """
     check_versions()
     _check_solver(solver)
-    if not 0 < number(fraction, "fraction") < 1:
-        raise InvalidOptions(f"fraction is {fraction}: give a number > 0 and < 1")
-    return Attachment(solver, truth(one_ring, "one_ring"), fraction, min_separation, threads)
+    if not 0 < number(keep, "keep") < 1:
+        raise InvalidOptions(f"keep is {keep}: give a number > 0 and < 1")
+    return Attachment(solver, truth(one_ring, "one_ring"), keep, min_separation, threads)
 
 
 def _check_solver(solver: Any) -> None:
@@ -80,14 +80,14 @@ class Attachment:
         What was done so far.
     """
 
-    def __init__(self, solver: Any, one_ring: bool, fraction: float, min_separation: float, threads: int) -> None:
+    def __init__(self, solver: Any, one_ring: bool, keep: float, min_separation: float, threads: int) -> None:
         if solver.device.is_cuda:
             warnings.warn(f"positions are copied from {solver.device} and back for each iteration", stacklevel=3)
         separation = number_from_zero(min_separation, "min_separation")
         surface = Surface(solver.model)
         self.detector = surface.detector(one_ring=one_ring, min_separation=separation, threads=threads)
         self.report = AttachmentReport()
-        self._fraction = fraction
+        self._keep = keep
         self._solver = solver
         self._lists = ContactLists(solver, surface)
         self._end: Any = None
@@ -116,7 +116,7 @@ class Attachment:
         if reset_reference:
             solver.pos_prev_collision_detection.assign(state.particle_q)
             solver.particle_displacements.zero_()
-        near = self.detector.near(state.particle_q.numpy(), solver._self_contact_query_radius)
+        near = self.detector.pairs_within(state.particle_q.numpy(), solver._self_contact_query_radius)
         self._is_near = len(near) > 0
         self._lists.fill(near)
         self.report.detection_seconds += perf_counter() - begin
@@ -183,7 +183,7 @@ class Attachment:
         begin = perf_counter()
         solver = self._solver
         start, wanted = solver.particle_q_prev.numpy(), state.particle_q.numpy()
-        step = self.detector.truncate(start, wanted, self._fraction, stored="float32")
+        step = self.detector.truncate(start, wanted, self._keep, stored="float32")
         end = step.positions.astype(np.float32)
         if not np.array_equal(end, wanted):
             self.report.shortened += 1

@@ -161,8 +161,8 @@ def test_refuses_what_it_does_not_know(monkeypatch: pytest.MonkeyPatch) -> None:
     plain = newton.solvers.SolverVBD(model, iterations=1)
     with pytest.raises(tamis.InvalidOptions, match="no self-contact: make it with particle_enable_self_contact"):
         tamis.newton.attach(plain)
-    with pytest.raises(tamis.InvalidOptions, match="fraction"):
-        tamis.newton.attach(solver_of(model), fraction=1.5)
+    with pytest.raises(tamis.InvalidOptions, match="keep"):
+        tamis.newton.attach(solver_of(model), keep=1.5)
     monkeypatch.setattr(metadata, "version", lambda name: "2.0.0")
     with pytest.raises(tamis.Error, match=r"newton is 2.0.0, and tamis.newton knows the inside of 1.8.0 alone: pip"):
         tamis.newton.attach(solver_of(model))

@@ -48,7 +48,7 @@ _KINDS = {
     "AtStart": "word",
     "Filter": "function",
     "PointsAt": "function",
-    "Strays": "function",
+    "Deviations": "function",
     "os.PathLike[str]": "file",
     "Objects": "objects",
     "Usd.Stage": "stage",

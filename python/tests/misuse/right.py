@@ -43,7 +43,7 @@ _NAMED: Mapping[str, Any] = {
     "end_position": np.ones(3),
     "faces": FACES,
     "frames": np.stack([START, END]),
-    "fraction": 0.1,
+    "keep": 0.1,
     "index": 0,
     "kind": tamis.PairKind.VERTEX_FACE,
     "mesh": _MESH,
@@ -56,7 +56,7 @@ _NAMED: Mapping[str, Any] = {
     "rest_end": END,
     "rest_positions": START,
     "start": START,
-    "strays": _no_deviation,
+    "deviations": _no_deviation,
     "time": 0.5,
     "source": np.stack([START, END]),
     "turn": np.ones(3),
@@ -98,7 +98,7 @@ def _objects() -> list[Any]:
     crossing = START - [0, 0, 1] * (np.arange(6) == 3)[:, np.newaxis] * 2
     return [
         *(_MESH, detector, pairs, PATH, ipctk.Candidates(), _BARRIER_MESH, ipctk.TightInclusionCCD()),
-        *(ipctk.AdditiveCCD(), detector.contacts(START, END), detector.near(START, 1.5)),
+        *(ipctk.AdditiveCCD(), detector.contacts(START, END), detector.pairs_within(START, 1.5)),
         *(detector.intersections(crossing), tamis.CatmullRomPath(np.stack([START, END]))),
         *(report, report.frames, report.pairs, tamis.Auditor(_MESH, threads=1)),
         tamis.FunctionPath(6, _still, _no_deviation),
@@ -133,7 +133,7 @@ def _of_callee(callee: Callee, folder: pathlib.Path) -> dict[str, Any]:
         return {"start": _POSE, "end": _POSE}
     if callee.name.startswith("bridge"):
         theirs = importlib.import_module("ipctk").CollisionMesh(START, ipctk.edges(FACES), FACES)
-        return {"collision_mesh": theirs, "pairs": tamis.Detector(_MESH).near(START, 1.5)}
+        return {"collision_mesh": theirs, "pairs": tamis.Detector(_MESH).pairs_within(START, 1.5)}
     if callee.name.startswith("ipctk"):
         return {"mesh": _BARRIER_MESH, "vertices": START}
     if short == "read_mesh" or short == "read_frames":

@@ -9,7 +9,7 @@ ROOM = 4096  # bytes for whatever is written
 
 POINTS_AT = ctypes.CFUNCTYPE(None, ctypes.c_void_p, ctypes.c_double, ctypes.POINTER(ctypes.c_int32), ctypes.c_size_t,
                              ctypes.POINTER(ctypes.c_double), ctypes.POINTER(ctypes.c_double))
-STRAYS = ctypes.CFUNCTYPE(None, ctypes.c_void_p, ctypes.c_double, ctypes.c_double, ctypes.POINTER(ctypes.c_int32),
+DEVIATIONS = ctypes.CFUNCTYPE(None, ctypes.c_void_p, ctypes.c_double, ctypes.c_double, ctypes.POINTER(ctypes.c_int32),
                           ctypes.c_size_t, ctypes.POINTER(ctypes.c_double))
 ASKED = ctypes.CFUNCTYPE(ctypes.c_int, ctypes.c_void_p)
 ACCEPTS = ctypes.CFUNCTYPE(ctypes.c_int, ctypes.c_void_p, ctypes.c_int32, ctypes.POINTER(ctypes.c_int32))
@@ -23,10 +23,10 @@ def _still(user, time, vertices, count, points, errors):
             points[3 * i + axis] = START[3 * vertices[i] + axis]
 
 
-@STRAYS
-def _no_deviation(user, start, end, vertices, count, strays):
+@DEVIATIONS
+def _no_deviation(user, start, end, vertices, count, deviations):
     for i in range(count):
-        strays[i] = 0
+        deviations[i] = 0
 
 
 def doubles(*values):
@@ -48,17 +48,17 @@ FIELDS = {
     "faces": indices(*FACES), "face_count": 2, "loose_edges": indices(0, 3), "loose_edge_count": 1,
     "loose_points": indices(1), "loose_point_count": 1, "threads": 1, "min_separation": 0.0, "group_count": 2,
     "group_of_vertex": indices(0, 0, 0, 1, 1, 1), "groups_may_touch": (ctypes.c_uint8 * 4)(1, 1, 1, 1),
-    "thickness": doubles(0, 0), "at_start": 0, "rings": 1, "isa": b"best",
+    "radii": doubles(0, 0), "at_start": 0, "rings": 1, "isa": b"best",
     "accepts": ACCEPTS(lambda user, kind, vertices: 1), "is_cancelled": ASKED(lambda user: 0), "user": None,
     "latest": doubles(1), "kind": 0, "vertices": (3, 0, 1, 2), "rest": doubles(*START), "rest_end": doubles(*END), "body_count": 1,
     "body_of_vertex": indices(0, 0, 0, 0, 0, 0), "links_of_body": (ctypes.c_size_t * 1)(0), "links": None,
-    "frame_count": 2, "frames": doubles(*START, *END), "points_at": _still, "strays": _no_deviation, "tolerance": 0.0,
+    "frame_count": 2, "frames": doubles(*START, *END), "points_at": _still, "deviations": _no_deviation, "tolerance": 0.0,
     "position": (0., 0., 0.), "rotation": (0., 0., 1.),
 }
 INPUTS = ("tamis_step", "tamis_mesh_input", "tamis_options", "tamis_pair_options", "tamis_rigid_path_input",
           "tamis_spline_path_input", "tamis_path_functions", "tamis_path_options", "tamis_pair", "tamis_pose")
 ARGUMENTS = {
-    "kind": 0, "stored": 0, "u": .25, "v": .25, "fraction": .1, "distance": 1.5, "time": .5, "first": 0, "turn": doubles(0, 0, 1),
+    "kind": 0, "stored": 0, "u": .25, "v": .25, "keep": .1, "distance": 1.5, "time": .5, "first": 0, "turn": doubles(0, 0, 1),
     "end_position": doubles(1, 1, 1), "edges": indices(0, 1), "faces": indices(0, 1, 2),
 }
 _CORNERS = {"vertex_face": 4, "edge_edge": 4, "vertex_edge": 3, "vertex_vertex": 2}

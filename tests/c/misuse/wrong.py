@@ -15,7 +15,7 @@ _NUMBERS = {
     "const char*": (b"", b"nonsense", b"x" * 10000, b"\xff\xfe"),
 }
 # A question at rest reads the start alone of a step.
-AT_REST, NOT_AT_REST = re.compile("_(near|intersections?|distances_of)$"), ("end", "end_stride", "min_separation", "at_start")
+AT_REST, NOT_AT_REST = re.compile("_(pairs_within|intersections?|distances_of)$"), ("end", "end_stride", "min_separation", "at_start")
 # So many rows are read as the caller says: no one can refuse a number that an array might have.
 _TAKEN_AT_ITS_WORD = ("vertex_count", "group_count")
 _NEVER_RIGHT = (math.nan, math.inf, -math.inf, -1.0, -1, -2**31)

@@ -81,7 +81,7 @@ def test_answers_are_those_of_one_process_on_every_rank(scene: tamis.Scene) -> N
     assert many.earliest(part.start, part.end) == one.earliest(scene.start, scene.end)
     assert many.is_free(part.start, part.end) is one.is_free(scene.start, scene.end)
     for fraction in (0, 0.1):
-        assert many.keep_distance(part.start, part.end, fraction) == one.keep_distance(scene.start, scene.end, fraction)
+        assert many.safe_step(part.start, part.end, fraction) == one.safe_step(scene.start, scene.end, fraction)
     assert many.vertex_count == 1 + max(COMM.allgather(int(part.vertices.max(initial=-1))))
 
 
@@ -93,7 +93,7 @@ def test_options_mean_what_they_mean_there(scene: tamis.Scene) -> None:
 
     count = int(scene.groups.max()) + 1
     part = Part(scene)
-    common: dict[str, Any] = {"thickness": np.full(count, 0.01), "filter": some}
+    common: dict[str, Any] = {"radii": np.full(count, 0.01), "filter": some}
     one = tamis.Detector(scene.mesh, groups=scene.groups, **common)
     many = part.detector(groups=part.groups, **common)
     many.contacts(part.start, part.end, min_separation=0.02)
@@ -155,7 +155,7 @@ WRONG: list[tuple[type[Exception], str, Ask]] = [
     (_STEP, "start has the shape (2)", lambda d, p: d.contacts(or_bad(p.start, [1, 2]), p.end)),
     (_STEP, "of the dtype object", lambda d, p: d.is_free(p.start, or_bad(p.end, [[None] * 3]))),
     (_STEP, "has 1 positions", lambda d, p: d.earliest(or_bad(p.start, p.start[:1]), p.end)),
-    (tamis.InvalidOptions, "fraction is 'all'", lambda d, p: d.keep_distance(p.start, p.end, or_bad(0.1, "all"))),
+    (tamis.InvalidOptions, "keep is 'all'", lambda d, p: d.safe_step(p.start, p.end, or_bad(0.1, "all"))),
     (
         tamis.InvalidOptions,
         "min_separation is [1]",

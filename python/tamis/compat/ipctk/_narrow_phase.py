@@ -8,7 +8,7 @@ from tamis._arrays import Doubles
 from tamis._checks import number, number_from_zero, whole
 from tamis._errors import InvalidOptions
 from tamis._kinds import PairKind
-from tamis._pair_distance import keep_distance
+from tamis._pair_distance import safe_step
 from tamis.compat.ipctk._points import stacked
 
 
@@ -109,7 +109,7 @@ class NarrowPhaseCCD:
     ) -> tuple[bool, float]:
         vertices = [i if i < len(start) else -1 for i in range(4)]
         distance, latest = number(min_distance, "min_distance"), number(tmax, "tmax")
-        safe = keep_distance(kind, vertices, start, end, self.kept_fraction, min_separation=distance, latest=latest)
+        safe = safe_step(kind, vertices, start, end, self.kept_fraction, min_separation=distance, latest=latest)
         return (False, float("inf")) if safe.pair is None else (True, safe.lower)
 
 

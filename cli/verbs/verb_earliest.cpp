@@ -1,4 +1,4 @@
-// tamis step: how far the step may go.
+// tamis earliest: the first contact of a step.
 #include <memory>
 
 #include "cli/answers.hpp"
@@ -8,19 +8,18 @@
 namespace tamis::cli {
 namespace {
 
-class StepLength final : public StepVerb {
+class Earliest final : public StepVerb {
  public:
-  const char* name() const override { return "step"; }
+  const char* name() const override { return "earliest"; }
   const char* summary() const override { return "The earliest contact: how far the step may go"; }
   const char* examples() const override {
-    return "  tamis step cloth1.ply cloth2.ply\n"
-           "  tamis step cloth1.ply cloth2.ply --scale 3 --json\n"
-           "  tamis step cloth1.ply cloth2.ply --keep-distance 0.1 --check-start";
+    return "  tamis earliest cloth1.ply cloth2.ply\n"
+           "  tamis earliest cloth1.ply cloth2.ply --scale 3 --json\n"
+           "  tamis earliest cloth1.ply cloth2.ply --check-start";
   }
 
   void declare(OptionList& options) override {
     StepVerb::declare(options);
-    kept_.declare(options);
     start_.declare(options);
   }
 
@@ -29,7 +28,6 @@ class StepLength final : public StepVerb {
     Detector detector = detector_for(std::move(files.mesh));
     const Step step = files.step();
     if (!start_.passes(detector, step.start)) return start_.refuse(detector, json_, Json::object());
-    if (kept_.is_asked()) return keep_distance(detector, step);
     EarliestContact first;
     const Timing timing = ask_repeatedly(detector, repeat_, [&] { first = detector.earliest(step, own()); });
     report(first, detector, timing);
@@ -51,31 +49,11 @@ class StepLength final : public StepVerb {
     print_costs(detector, timing, repeat_);
   }
 
-  int keep_distance(Detector& detector, const Step& step) const {
-    SafeStep safe;
-    const Timing timing =
-        ask_repeatedly(detector, repeat_, [&] { safe = detector.keep_distance(step, kept_.fraction(), own()); });
-    if (json_) {
-      Json json;
-      add_safe_step(json, safe, kept_.fraction());
-      start_.add_to(json);
-      add_costs(json, detector, timing);
-      print_json(json);
-      return kSuccess;
-    }
-    print_mesh(detector.mesh());
-    print_safe_step(safe, kept_.fraction(), detector.options().min_separation);
-    if (!safe.pair) start_.print();
-    print_costs(detector, timing, repeat_);
-    return kSuccess;
-  }
-
-  KeepDistanceArgument kept_;
   StartCheck start_;
 };
 
 }  // namespace
 
-std::unique_ptr<Verb> make_step() { return std::make_unique<StepLength>(); }
+std::unique_ptr<Verb> make_earliest() { return std::make_unique<Earliest>(); }
 
 }  // namespace tamis::cli

@@ -26,7 +26,7 @@ double size_of(const Scene& scene) {
 lab::Options thick(const Scene& scene, const std::vector<double>& radii, Method method) {
   lab::Options options;
   options.method = method;
-  options.thickness = radii;
+  options.radii = radii;
   options.filter.group_count = 3;
   for (Index v = 0; v < scene.vertex_count(); ++v) options.filter.group_of_vertex.push_back((v / 7) % 3);
   return options;
@@ -36,7 +36,7 @@ lab::Options thick(const Scene& scene, const std::vector<double>& radii, Method 
 double separation_of(const lab::Options& options, double fixed, PairKind kind, const PairVertices& v) {
   const auto radius = [&](std::size_t i) {
     if (v[i] < 0) return 0.0;  // loose features have fewer vertices
-    return options.thickness[static_cast<std::size_t>(options.filter.group_of_vertex[static_cast<std::size_t>(v[i])])];
+    return options.radii[static_cast<std::size_t>(options.filter.group_of_vertex[static_cast<std::size_t>(v[i])])];
   };
   if (kind != PairKind::edge_edge) return radius(0) + std::max({radius(1), radius(2), radius(3)}) + fixed;
   return std::max(radius(0), radius(1)) + std::max(radius(2), radius(3)) + fixed;
@@ -81,7 +81,7 @@ TEST_P(Thickness, StepLengthsOfAllMethodsAreTheSameBits) {
   for (const double fraction : {0.0, 0.3}) {
     const auto keep = [&](Method method) {
       return lab::make_detector(scene.mesh(), thick(scene, radii, method))
-          .keep_distance(scene.step(), fraction, {.min_separation = 0x1p-14 * size});
+          .safe_step(scene.step(), fraction, {.min_separation = 0x1p-14 * size});
     };
     const SafeStep truth = keep(Method::brute);
     for (const Method method : {Method::tamis, Method::paper}) {
@@ -113,8 +113,8 @@ TEST_P(Thickness, AQuestionsOwnSeparationAnswersAsADetectorsDoes) {
       EXPECT_EQ(one.is_free(scene.step(), {.min_separation = separation}), expected.empty());
       EXPECT_EQ(one.earliest(scene.step(), {.min_separation = separation}).toi_lower,
                 own.earliest(scene.step()).toi_lower);
-      EXPECT_EQ(one.keep_distance(scene.step(), 0.5, {.min_separation = separation}).lower,
-                own.keep_distance(scene.step(), 0.5).lower);
+      EXPECT_EQ(one.safe_step(scene.step(), 0.5, {.min_separation = separation}).lower,
+                own.safe_step(scene.step(), 0.5).lower);
     }
   }
 }
@@ -146,9 +146,9 @@ TEST(ThicknessInLanes, EveryInstructionSetGivesTheSameContacts) {
 
 TEST(ThicknessThatDoesNotFit, IsRefusedByName) {
   const Scene scene = scenes::scene_by_name("soup", 5, 1);
-  const auto message_of = [&](const std::vector<double>& thickness) -> std::string {
+  const auto message_of = [&](const std::vector<double>& radii) -> std::string {
     try {
-      lab::make_detector(scene.mesh(), thick(scene, thickness, Method::tamis));
+      lab::make_detector(scene.mesh(), thick(scene, radii, Method::tamis));
     } catch (const InvalidOptions& error) {
       return error.what();
     }
@@ -162,7 +162,7 @@ TEST(ThicknessThatDoesNotFit, IsRefusedByName) {
     EXPECT_THROW(detector.contacts(scene.step(), {.min_separation = bad}), InvalidOptions);
     EXPECT_THROW(detector.earliest(scene.step(), {.min_separation = bad}), InvalidOptions);
     EXPECT_THROW(detector.is_free(scene.step(), {.min_separation = bad}), InvalidOptions);
-    EXPECT_THROW(detector.keep_distance(scene.step(), 0.5, {.min_separation = bad}), InvalidOptions);
+    EXPECT_THROW(detector.safe_step(scene.step(), 0.5, {.min_separation = bad}), InvalidOptions);
   }
 }
 

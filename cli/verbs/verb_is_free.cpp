@@ -1,4 +1,4 @@
-// tamis free: is the step free of contacts, is every step of a sequence? The exit code says so.
+// tamis is-free: is the step free of contacts, is every step of a sequence? The exit code says so.
 #include <fmt/format.h>
 
 #include <cstdio>
@@ -16,16 +16,16 @@
 namespace tamis::cli {
 namespace {
 
-class Free final : public Verb {
+class IsFree final : public Verb {
  public:
-  const char* name() const override { return "free"; }
+  const char* name() const override { return "is-free"; }
   const char* summary() const override {
     return "Is the step, or each step of a sequence, free of contacts? Exit code 0: free, 1: contact, 2: error";
   }
   const char* examples() const override {
-    return "  tamis free cloth1.ply cloth2.ply && echo may go\n"
-           "  tamis free cloth1.ply cloth2.ply --check-start --json\n"
-           "  tamis free 'frames/cloth*.ply' --min-separation 1e-3";
+    return "  tamis is-free cloth1.ply cloth2.ply && echo may go\n"
+           "  tamis is-free cloth1.ply cloth2.ply --check-start --json\n"
+           "  tamis is-free 'frames/cloth*.ply' --min-separation 1e-3";
   }
 
   void declare(OptionList& options) override {
@@ -103,6 +103,6 @@ class Free final : public Verb {
 
 }  // namespace
 
-std::unique_ptr<Verb> make_free() { return std::make_unique<Free>(); }
+std::unique_ptr<Verb> make_is_free() { return std::make_unique<IsFree>(); }
 
 }  // namespace tamis::cli

@@ -1,4 +1,4 @@
-// tamis-mpi free: is the step free of contacts? The exit code says so.
+// tamis-mpi is-free: is the step free of contacts? The exit code says so.
 #include "cli/answers.hpp"
 #include "cli/start_check.hpp"
 #include "mpi/command/ranks_verb.hpp"
@@ -7,13 +7,15 @@
 namespace tamis::distributed {
 namespace {
 
-class Free final : public RanksVerb {
+class IsFree final : public RanksVerb {
  public:
-  const char* name() const override { return "free"; }
+  const char* name() const override { return "is-free"; }
   const char* summary() const override {
     return "Is the step free of contacts? Exit code 0: free, 1: contact, 2: error";
   }
-  const char* examples() const override { return "  mpirun -n 4 tamis-mpi free cloth1.ply cloth2.ply && echo may go"; }
+  const char* examples() const override {
+    return "  mpirun -n 4 tamis-mpi is-free cloth1.ply cloth2.ply && echo may go";
+  }
 
   int run() override {
     Communicator communicator(MPI_COMM_WORLD);
@@ -33,6 +35,6 @@ class Free final : public RanksVerb {
 
 }  // namespace
 
-std::unique_ptr<cli::Verb> make_free() { return std::make_unique<Free>(); }
+std::unique_ptr<cli::Verb> make_is_free() { return std::make_unique<IsFree>(); }
 
 }  // namespace tamis::distributed

@@ -30,10 +30,10 @@ std::vector<Point> between(const Scene& scene, double t) {
   return points;
 }
 
-class KeepDistance : public testing::TestWithParam<Recipe> {};
+class StepLength : public testing::TestWithParam<Recipe> {};
 
 // Bugs: a reach too short for the boxes, for the axes, or for displacements of different sign.
-TEST_P(KeepDistance, MethodsGiveTheSameBits) {
+TEST_P(StepLength, MethodsGiveTheSameBits) {
   for (std::uint64_t seed = 0; seed < 4; ++seed)
     for (const double part : {1.0, 0x1p-6}) {
       Scene scene = GetParam().make(40 + 40 * static_cast<Index>(seed), 71 + seed);
@@ -64,7 +64,7 @@ Scene turned(const Scene& scene, double angle, double far) {
 
 // Bug: a pair that is left out because it moves or turns as a whole, but comes too near on its way; by a half turn all
 // pass through one line.
-TEST_P(KeepDistance, MethodsGiveTheSameBitsOnFastMotion) {
+TEST_P(StepLength, MethodsGiveTheSameBitsOnFastMotion) {
   for (std::uint64_t seed = 0; seed < 2; ++seed) {
     const Scene scene = GetParam().make(60, 91 + seed);
     const double separation = seed == 0 ? 0 : 0x1p-7;
@@ -96,7 +96,7 @@ Scene turned_each(const Scene& scene, double angle, double stretch, double part)
 
 // Bugs: what pairs lose besides the motion they share is taken for less than it is, is not paid for in full where they
 // shrink together or have a separation, or is compared between objects that share none.
-TEST_P(KeepDistance, MethodsGiveTheSameBitsBesideASharedMotion) {
+TEST_P(StepLength, MethodsGiveTheSameBitsBesideASharedMotion) {
   for (const double angle : {0.0, 0.6, -1.4})
     for (const double stretch : {1.0, 0.5})
       for (const double part : {1e-3, 0.1}) {
@@ -112,7 +112,7 @@ TEST_P(KeepDistance, MethodsGiveTheSameBitsBesideASharedMotion) {
 }
 
 // Bug: whatever makes a pair come nearer than promised; distances are rounded here, so by more than that only.
-TEST_P(KeepDistance, SampledDistancesStayAboveTheFraction) {
+TEST_P(StepLength, SampledDistancesStayAboveTheFraction) {
   const Scene scene = GetParam().make(60, 5);
   const Mesh mesh = scene.mesh();
   for (const double fraction : {0.1, 0.7}) {
@@ -129,7 +129,7 @@ TEST_P(KeepDistance, SampledDistancesStayAboveTheFraction) {
   }
 }
 
-TEST_P(KeepDistance, ThreadsAndInstructionSetsChangeNoBit) {
+TEST_P(StepLength, ThreadsAndInstructionSetsChangeNoBit) {
   const Scene scene = GetParam().make(GetParam().scales ? 4000 : 300, 77);
   lab::Options options;
   options.threads = 1;
@@ -157,7 +157,7 @@ Scene in_a_corner(Scene scene, int exponent) {
 }
 
 // Bug: floats in a common frame, in which distances are as small as what rounding hides, prove what is not so.
-TEST_P(KeepDistance, RoundingInALargeFrameChangesNoBit) {
+TEST_P(StepLength, RoundingInALargeFrameChangesNoBit) {
   for (const int exponent : {8, 14, 18, 20, 22, 24, 28}) {
     const Scene scene = in_a_corner(GetParam().make(40, 83), exponent);
     for (const double fraction : {0.05, 0.5, 0.97})
@@ -168,7 +168,7 @@ TEST_P(KeepDistance, RoundingInALargeFrameChangesNoBit) {
   }
 }
 
-TEST_P(KeepDistance, UnitOfLengthChangesNoBit) {
+TEST_P(StepLength, UnitOfLengthChangesNoBit) {
   const Scene scene = GetParam().make(80, 78);
   const SafeStep reference = keep(scene, 0.2);
   for (const int exponent : {-200, -30, 30, 200}) {
@@ -195,7 +195,7 @@ Scene at_the_end_of_the_range(Scene scene) {
 }
 
 // Bug: where differences overflow, nothing is known of a pair, and so the whole step may go.
-TEST_P(KeepDistance, DifferencesThatOverflowChangeNoBit) {
+TEST_P(StepLength, DifferencesThatOverflowChangeNoBit) {
   const Scene scene = GetParam().make(80, 79), large = at_the_end_of_the_range(scene);
   for (const double fraction : {0.0, 0.2, 0.8}) {
     const SafeStep reference = keep(scene, fraction);
@@ -208,7 +208,7 @@ TEST_P(KeepDistance, DifferencesThatOverflowChangeNoBit) {
 }
 
 // Bug: what contacts say and what distances say are two stories.
-TEST_P(KeepDistance, EndsBeforeTheEarliestContact) {
+TEST_P(StepLength, EndsBeforeTheEarliestContact) {
   for (std::uint64_t seed = 0; seed < 4; ++seed) {
     const Scene scene = GetParam().make(100, 80 + seed);
     for (const Method method : kMethods) {
@@ -223,18 +223,18 @@ TEST_P(KeepDistance, EndsBeforeTheEarliestContact) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Scenes, KeepDistance, testing::ValuesIn(scenes::recipes().begin(), scenes::recipes().end()),
+INSTANTIATE_TEST_SUITE_P(Scenes, StepLength, testing::ValuesIn(scenes::recipes().begin(), scenes::recipes().end()),
                          scene_test_name);
 
 // Bug: boxes, an order, or a time left over from an earlier question.
-TEST(KeepDistanceReuse, AnswersAsANewDetectorWould) {
+TEST(SafeStepReuse, AnswersAsANewDetectorWould) {
   const Scene scene = scenes::scene_by_name("folded-cloth", 1000, 1);
   Detector kept(scene.mesh());
   for (const double part : {1.0, 0.01, 0.5, 1.0}) {
     const std::vector<Point> end = between(scene, part);
     const Step step{scene.start, end};
     for (const double fraction : {0.5, 0.0, 0.9})
-      expect_same(kept.keep_distance(step, fraction), Detector(scene.mesh()).keep_distance(step, fraction), "kept");
+      expect_same(kept.safe_step(step, fraction), Detector(scene.mesh()).safe_step(step, fraction), "kept");
     EXPECT_EQ(kept.is_free(step), Detector(scene.mesh()).is_free(step));
   }
 }

@@ -1,4 +1,4 @@
-// tamis near: the pairs of features of one pose that are near each other.
+// tamis within: the pairs of features of one pose that are near each other.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -14,19 +14,19 @@
 namespace tamis::cli {
 namespace {
 
-class Near final : public PoseVerb {
+class Within final : public PoseVerb {
  public:
-  const char* name() const override { return "near"; }
+  const char* name() const override { return "within"; }
   const char* summary() const override { return "All pairs of features of MESH within a distance of each other"; }
   const char* examples() const override {
-    return "  tamis near cloth.ply --distance 1e-3\n"
-           "  tamis near cloth.ply --distance 1e-3 --out near.csv --json";
+    return "  tamis within cloth.ply --distance 1e-3\n"
+           "  tamis within cloth.ply --distance 1e-3 --out near.csv --json";
   }
   void declare(OptionList& options) override {
     PoseVerb::declare(options);
     declare_output(options, out_, "write the pairs, as CSV");
     options.add_number("--distance", "D", distance_, kNotNegative, "in the unit of the mesh").required();
-    detector_.declare_thickness(options, "a distance is then what is left of it beyond the sum of both radii");
+    detector_.declare_radius(options, "a distance is then what is left of it beyond the sum of both radii");
   }
 
   int run() override {
@@ -35,7 +35,8 @@ class Near final : public PoseVerb {
     const std::vector<Point> positions = file.positions;
     Detector detector = detector_for(io::mesh_of(std::move(file)));
     const std::vector<NearPair>* pairs = nullptr;
-    const Timing timing = ask_repeatedly(detector, repeat_, [&] { pairs = &detector.near(positions, distance_); });
+    const Timing timing =
+        ask_repeatedly(detector, repeat_, [&] { pairs = &detector.pairs_within(positions, distance_); });
     if (!out_.empty()) io::write_near_csv(out_, *pairs);
     report(*pairs, detector, timing);
     return kSuccess;
@@ -49,7 +50,7 @@ class Near final : public PoseVerb {
                                           [](const NearPair& a, const NearPair& b) { return a.distance < b.distance; });
     if (json_) {
       Json json{{"distance", distance_},
-                {"near", {{"vf", counts[0]}, {"ee", counts[1]}, {"ve", counts[2]}, {"vv", counts[3]}}},
+                {"within", {{"vf", counts[0]}, {"ee", counts[1]}, {"ve", counts[2]}, {"vv", counts[3]}}},
                 {"smallest_distance", pairs.empty() ? Json() : Json(nearest->distance)}};
       add_costs(json, detector, timing);
       return print_json(json);
@@ -68,6 +69,6 @@ class Near final : public PoseVerb {
 
 }  // namespace
 
-std::unique_ptr<Verb> make_near() { return std::make_unique<Near>(); }
+std::unique_ptr<Verb> make_within() { return std::make_unique<Within>(); }
 
 }  // namespace tamis::cli

@@ -119,7 +119,7 @@ class World {
   bool is_free(const QueryOptions& = {});
 
   /// Where all bodies are at t=0, rounded to doubles: pairs of features within `distance`, in the same order.
-  std::vector<BodyNearPair> near(double distance);
+  std::vector<BodyNearPair> pairs_within(double distance);
   /// Edges that pass through triangles there, by bodies, edge and face.
   std::vector<BodyIntersection> intersections();
 

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "numerics/finite.hpp"
+#include "numerics/number_text.hpp"
 #include "paths/chain_motion.hpp"
 #include "paths/check_path.hpp"
 #include "paths/fine_point.hpp"
@@ -37,7 +38,77 @@ void validate(const std::vector<Point>& rest, const std::vector<Index>& body_of_
                  "a pose of body " + std::to_string(b) + " is not finite: give finite positions and rotation vectors");
 }
 
+/// Of a unit quaternion: w and the rest, of either sign.
+Point rotation_vector(double w, const Point& v) {
+  const double sign = w < 0 ? -1 : 1, sine = std::hypot(v[0], v[1], v[2]);
+  const double factor = sign * (sine > 0 ? 2 * std::atan2(sine, sign * w) / sine : 2);
+  return {factor * v[0], factor * v[1], factor * v[2]};
+}
+
+constexpr double kMostRounding = 1e-4;
+constexpr const char* kGiveRotation = ": give a rotation, which rounding may have changed by 1e-4";
+
+using Rows = std::array<Point, 3>;
+
+double dot(const Point& a, const Point& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
+/// How far an entry of R R^T is from the identity's: one that is too far, or that is no number, if there is one.
+double off_from_rotation(const Rows& rows) {
+  double off = 0;
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j < 3; ++j) {
+      const double entry = std::fabs(dot(rows[i], rows[j]) - (i == j));
+      if (!(entry <= kMostRounding)) return entry;
+      off = std::max(off, entry);
+    }
+  return off;
+}
+
+/// A step of Newton's method towards the nearest rotation: (3 R - R R^T R) / 2.
+Rows nearer_rotation(const Rows& rows) {
+  Rows next{};
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t k = 0; k < 3; ++k) {
+      double sum = 0;
+      for (std::size_t j = 0; j < 3; ++j) sum += dot(rows[i], rows[j]) * rows[j][k];
+      next[i][k] = 1.5 * rows[i][k] - 0.5 * sum;
+    }
+  return next;
+}
+
 }  // namespace
+
+Pose pose_of(const std::array<double, 4>& q, const Point& position) {
+  const double off = q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3] - 1;
+  check_path(std::fabs(off) <= kMostRounding,
+             "the square of the quaternion is off from 1 by " + number_text(off) + kGiveRotation);
+  return {position, rotation_vector(q[0], {q[1], q[2], q[3]})};
+}
+
+/// The largest of the four parts of the quaternion is found from the diagonal, the others from sums beside it
+/// (Shepperd 1978).
+Pose pose_of(const std::array<Point, 3>& given, const Point& position) {
+  const double off = off_from_rotation(given);
+  check_path(off <= kMostRounding, "an entry of R R^T - I of the matrix is " + number_text(off) + kGiveRotation);
+  const Rows r = nearer_rotation(nearer_rotation(given));
+  const double trace = r[0][0] + r[1][1] + r[2][2];
+  const double determinant =
+      dot(r[0], {r[1][1] * r[2][2] - r[1][2] * r[2][1], r[1][2] * r[2][0] - r[1][0] * r[2][2],
+                 r[1][0] * r[2][1] - r[1][1] * r[2][0]});
+  check_path(determinant > 0, std::string("the matrix is a reflection") + kGiveRotation);
+  std::array<double, 4> q{};
+  if (trace >= r[0][0] && trace >= r[1][1] && trace >= r[2][2]) {
+    q = {1 + trace, r[2][1] - r[1][2], r[0][2] - r[2][0], r[1][0] - r[0][1]};
+  } else {
+    const std::size_t i = r[0][0] >= r[1][1] && r[0][0] >= r[2][2] ? 0 : r[1][1] >= r[2][2] ? 1 : 2;
+    const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
+    q[0] = r[k][j] - r[j][k];
+    q[1 + i] = 1 + r[i][i] - r[j][j] - r[k][k];
+    q[1 + j] = r[j][i] + r[i][j];
+    q[1 + k] = r[k][i] + r[i][k];
+  }
+  return {position, rotation_vector(q[0], {q[1], q[2], q[3]})};
+}
 
 Chain interpolated(const Pose& start, const Pose& end) { return {{start, end}}; }
 
@@ -54,17 +125,11 @@ Chain between(const Pose& start, const Pose& end) {
     return std::array{std::cos(angle / 2), s * w[0], s * w[1], s * w[2]};
   };
   const auto a = quaternion(start.rotation), b = quaternion(end.rotation);
-  double cosine = a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + a[3] * b[3];
-  Point axis{a[0] * b[1] - b[0] * a[1] + a[2] * b[3] - a[3] * b[2],
+  const double cosine = a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + a[3] * b[3];
+  const Point axis{a[0] * b[1] - b[0] * a[1] + a[2] * b[3] - a[3] * b[2],
              a[0] * b[2] - b[0] * a[2] + a[3] * b[1] - a[1] * b[3],
              a[0] * b[3] - b[0] * a[3] + a[1] * b[2] - a[2] * b[1]};
-  if (cosine < 0) {
-    cosine = -cosine;
-    for (double& x : axis) x = -x;
-  }
-  const double sine = std::hypot(axis[0], axis[1], axis[2]);
-  const double factor = sine > 0 ? 2 * std::atan2(sine, cosine) / sine : 2;
-  return turned(start, {factor * axis[0], factor * axis[1], factor * axis[2]}, end.position);
+  return turned(start, rotation_vector(cosine, axis), end.position);
 }
 
 RigidPath::RigidPath(std::vector<Point> rest, std::vector<Index> body_of_vertex, std::vector<Chain> chains,

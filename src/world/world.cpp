@@ -100,9 +100,9 @@ bool World::is_free(const QueryOptions& options) {
   return now.answer([&] { return now.is_free(options); });
 }
 
-std::vector<BodyNearPair> World::near(double distance) {
+std::vector<BodyNearPair> World::pairs_within(double distance) {
   State& now = state();
-  return now.answer([&] { return now.near(distance); });
+  return now.answer([&] { return now.pairs_within(distance); });
 }
 
 std::vector<BodyIntersection> World::intersections() {

@@ -296,16 +296,16 @@ bool World::State::is_free(const QueryOptions& asked) {
   return is_free;
 }
 
-std::vector<BodyNearPair> World::State::near(double distance) {
+std::vector<BodyNearPair> World::State::pairs_within(double distance) {
   validate_distance(distance, "the distance");
   std::vector<BodyNearPair> all;
   for_each_by_itself([&](BodyId id, Body& body) {
-    for (const NearPair& pair : body.itself->near(body.deforming()->start, distance)) all.push_back({pair, twice(id)});
+    for (const NearPair& pair : body.itself->pairs_within(body.deforming()->start, distance)) all.push_back({pair, twice(id)});
   });
   gather_at_rest(distance);
   if (at_rest_.is_asked()) {
     Gathered& gathered = *at_rest_.gathered;
-    for (const NearPair& pair : gathered.detector().near(gathered.start(bodies), distance)) {
+    for (const NearPair& pair : gathered.detector().pairs_within(gathered.start(bodies), distance)) {
       BodyNearPair one{pair, {}};
       one.bodies = gathered.name(pair.kind, one.vertices);
       all.push_back(one);

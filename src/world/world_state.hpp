@@ -43,7 +43,7 @@ struct World::State {
   std::vector<BodyContact> contacts(const QueryOptions& asked);
   EarliestBodyContact earliest(const QueryOptions& asked);
   bool is_free(const QueryOptions& asked);
-  std::vector<BodyNearPair> near(double distance);
+  std::vector<BodyNearPair> pairs_within(double distance);
   std::vector<BodyIntersection> intersections();
   BodyStep safe_step(double fraction, const QueryOptions& asked);
 

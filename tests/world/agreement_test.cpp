@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <map>
+#include <tuple>
 
 #include "tamis/error.hpp"
 #include "world/random_world.hpp"
@@ -75,7 +76,7 @@ TEST(World, AgreesWithOneMeshThatGoesStraight) {
 
 TEST(World, AgreesWithOneMeshOnCurves) {
   std::size_t contacts = 0;
-  for (std::uint64_t seed = 0; seed < 30; ++seed) {
+  for (std::uint64_t seed = 0; seed < 15; ++seed) {
     SCOPED_TRACE(seed);
     TestWorld world = random_world(seed, 2, Motions::any);
     contacts += expect_same_contacts(world);
@@ -120,6 +121,31 @@ TEST(World, AgreesAboutPairsAtRest) {
     pairs += found.size();
   }
   EXPECT_GT(pairs, 1000u);
+}
+
+TEST(World, AgreesAboutIntersections) {
+  std::size_t count = 0;
+  for (std::uint64_t seed = 0; seed < 10; ++seed) {
+    SCOPED_TRACE(seed);
+    TestWorld world = random_world(seed, 1, Motions::any);
+    OneMesh mesh(world);
+    const auto body = [&](Index v) { return mesh.names[place(v)][0]; };
+    const auto own = [&](Index v) { return mesh.names[place(v)][1]; };
+    std::set<std::tuple<BodyId, Edge, BodyId, Face>> expected, found;
+    for (const Intersection& one : mesh.detector.intersections(mesh.start)) {
+      const BodyId of_edge = body(one.edge[0]), of_face = body(one.face[0]);
+      const auto motion = [&](BodyId id) -> const BodyMotion& { return world.bodies[place(id)].motion; };
+      if (of_edge == of_face && !std::holds_alternative<Deforming>(motion(of_edge))) continue;
+      if (std::holds_alternative<Static>(motion(of_edge)) && std::holds_alternative<Static>(motion(of_face))) continue;
+      expected.insert({of_edge, {own(one.edge[0]), own(one.edge[1])}, of_face,
+                       {own(one.face[0]), own(one.face[1]), own(one.face[2])}});
+    }
+    for (const BodyIntersection& one : world.world.intersections())
+      found.insert({one.bodies[0], one.edge, one.bodies[1], one.face});
+    EXPECT_EQ(found, expected);
+    count += found.size();
+  }
+  EXPECT_GT(count, 100u);
 }
 
 TEST(World, AgreesAboutHowFarTheStepMayGo) {

@@ -46,7 +46,8 @@ class Detector {
   /// asked with straight chords, pairs that these leave are decided on their curves until they are proven free or their
   /// bracket is no wider than QueryOptions::tolerance. Times are the path's. All of a piece's
   /// pairs that come nearer than their deviations are held at a time. Throw InvalidPath where the path does not fit the
-  /// mesh or breaks its promises, InvalidOptions, also unless pairs that touch at t=0 are to be reported.
+  /// mesh or breaks its promises, InvalidOptions. With AtStart::ignore a pair that may touch at t=0 counts from the
+  /// first of some times on at which it is proven apart (docs/numerics.md, "Curved motion").
   const std::vector<Contact>& contacts(const Path& path, const QueryOptions& = {});
   EarliestContact earliest(const Path& path, const QueryOptions& = {});
   bool is_free(const Path& path, const QueryOptions& = {});

@@ -75,7 +75,7 @@ struct QueryOptions {
   /// In place of Options::min_separation, for this question alone (an activation distance, say); the hierarchy serves
   /// all.
   std::optional<double> min_separation = {};
-  /// Of steps. Curves know `report` alone.
+  /// On curves a pair that cannot be told from one that touches at t=0 is taken for one.
   AtStart at_start = AtStart::report;
   /// Of paths: the widest bracket of a contact, a fraction of the step in (0, 1]. None: 1e-9.
   std::optional<double> tolerance = {};

@@ -1,5 +1,6 @@
 // Ready-made paths of rigid bodies: turning, moving, and chains of such motions.
 #pragma once
+#include <array>
 #include <vector>
 
 #include "tamis/path.hpp"
@@ -11,6 +12,13 @@ struct Pose {
   Point position{0, 0, 0};
   Point rotation{0, 0, 0};
 };
+
+/// Of a rotation matrix, given by its rows, or a quaternion w x y z, as engines keep them, also in floats: what rounding
+/// has made of a rotation becomes the nearest one. Throws InvalidPath where that is more than rounding: an entry of
+/// R R^T - I, or |q|^2 - 1, beyond 1e-4; a reflection; numbers that are not finite. The rotation vector is rounded to
+/// doubles: points are off by less than 1e-15 of their distance from the origin of the body.
+Pose pose_of(const std::array<Point, 3>& rows, const Point& position);
+Pose pose_of(const std::array<double, 4>& quaternion, const Point& position);
 
 /// A pose whose position and rotation vector go linearly from `start` (t=0) to `end` (t=1). Any angle.
 struct Link {
@@ -48,16 +56,10 @@ class RigidPath final : public Path {
   void deviations(double from, double to, std::span<const Index> vertices, std::span<double> deviations) const override;
 
  private:
-  /// Of one vertex, over the whole step.
-  struct Curvature {
-    double acceleration;  ///< |x''| is at most this
-    double reach;         ///< x(t), less what moves linearly, stays this near to a point
-  };
-
   std::vector<Point> rest_, rest_end_;
   std::vector<Index> body_of_vertex_;
   std::vector<Chain> chains_;
-  std::vector<Curvature> curvatures_;
+  std::vector<double> accelerations_, reaches_;  ///< bounds of each vertex: how its curve bends, how far it strays
 };
 
 }  // namespace tamis

@@ -17,3 +17,4 @@
 #include "tamis/step.hpp"
 #include "tamis/stored.hpp"
 #include "tamis/turn.hpp"
+#include "tamis/world.hpp"

@@ -91,4 +91,11 @@ Detector DetectorMaker::make(Mesh mesh, Options options, const MakeEngine& make_
   return Detector(std::make_unique<Detector::State>(std::move(mesh), std::move(options), make_engine));
 }
 
+const std::vector<Contact>& DetectorMaker::ask(Detector& detector, const Path& path, const QueryOptions& options,
+                                               Question question, std::span<const double> ends) {
+  const Detector::Asked asked(detector);
+  asked->ask(path, options, question, ends);
+  return asked->found.contacts();
+}
+
 }  // namespace tamis

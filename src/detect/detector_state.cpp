@@ -96,15 +96,26 @@ void Detector::State::find_contacts(const Step& step, const QueryOptions& asked)
     refuse_touching_start(all);
 }
 
-void Detector::State::ask(const Path& path, const QueryOptions& asked, Question question) {
+void Detector::State::ask(const Path& path, const QueryOptions& asked, Question question,
+                          std::span<const double> ends) {
   constexpr double kTolerance = 1e-9;
   validate_of_path(asked);
   measure([&] {
     if (!path_search_) path_search_ = std::make_unique<PathSearch>(mesh, options, rings_, *engine_);
-    path_search_->find({path, separations(asked), asked.tolerance.value_or(kTolerance)}, question, found.contacts(),
-                       statistics);
+    const MeshOnPath whole{path, separations(asked), asked.tolerance.value_or(kTolerance),
+                           asked.at_start == AtStart::ignore, ends};
+    path_search_->find(whole, question, found.contacts(), statistics);
     sort_found();
   });
+  if (asked.at_start == AtStart::fail) refuse_touching_start();
+}
+
+void Detector::State::refuse_touching_start() const {
+  for (const Contact& c : found.contacts())
+    if (c.toi_lower == 0)
+      throw InvalidStep(features_text(c.kind, c.vertices) +
+                        " touch at the start of the path, or are nearer than can be told: move them apart, leave the "
+                        "pair out, or ask with at_start ignore");
 }
 
 void Detector::State::sort_found() {

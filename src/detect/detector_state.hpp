@@ -19,7 +19,9 @@ struct Detector::State {
 
   /// The contacts are in `found`.
   void find_contacts(const Step& step, const QueryOptions& asked);
-  void ask(const Path& path, const QueryOptions& asked, Question question);
+  /// Of a path, which is cut into pieces that end at `ends`, or if there are none as deviations ask for. In `found`,
+  /// too.
+  void ask(const Path& path, const QueryOptions& asked, Question question, std::span<const double> ends = {});
   EarliestContact earliest(const Step& step, const QueryOptions& asked);
   bool is_free(const Step& step, const QueryOptions& asked);
   SafeStep safe_step(const Step& step, double fraction, const QueryOptions& asked);
@@ -52,6 +54,8 @@ struct Detector::State {
   void find(const Query& query);
   /// Throws InvalidStep, which names the first pair that touches at the query's start, if there is one.
   void refuse_touching_start(const Query& query);
+  /// The same of a path, whose contacts are in `found`.
+  void refuse_touching_start() const;
   /// 0 < fraction < 1.
   SafeStep step_length(const Query& query, double fraction, AtStart at_start);
   /// Into the documented order.

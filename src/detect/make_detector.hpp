@@ -1,4 +1,5 @@
-// A detector that asks another engine than the library's own: validation, order and curved motion are the same.
+// What only the library says to a detector: which engine it asks, if not the library's own (validation, order and
+// curved motion are the same), and how a path is cut.
 #pragma once
 #include <functional>
 
@@ -14,6 +15,9 @@ class DetectorMaker {
  public:
   /// `make_engine` is called once, with what has been validated. Throws InvalidOptions.
   static Detector make(Mesh mesh, Options options, const MakeEngine& make_engine);
+  /// The contacts that Detector finds on a path, of which the pieces end at `ends`: ascending, the last one 1.
+  static const std::vector<Contact>& ask(Detector& detector, const Path& path, const QueryOptions& options,
+                                         Question question, std::span<const double> ends);
 };
 
 }  // namespace tamis

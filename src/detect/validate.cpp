@@ -139,9 +139,6 @@ void validate_of_step(const QueryOptions& options) {
 void validate_of_path(const QueryOptions& options) {
   if (options.min_separation) validate_distance(*options.min_separation, "the minimum separation");
   validate_is_named(options.at_start, "way with pairs that touch at the start");
-  check(options.at_start == AtStart::report, "pairs that touch at the start of a path can be reported only, not '" +
-                                                 std::string(name_of(options.at_start)) +
-                                                 "': leave that out, or ask steps");
   const double tolerance = options.tolerance.value_or(1);
   check(tolerance > 0 && tolerance <= 1,
         "the tolerance of brackets is " + number_text(tolerance) + ": give a fraction of the step, > 0 and <= 1");

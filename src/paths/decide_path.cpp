@@ -1,6 +1,7 @@
 #include "paths/decide_path.hpp"
 
 #include <algorithm>
+#include <optional>
 
 #include "narrow/contact_normal.hpp"
 #include "numerics/assert.hpp"
@@ -119,6 +120,23 @@ ContactPlace place_on_path(const PathQuestion& question, const Decision& decisio
 
 }  // namespace
 
+namespace {
+
+/// Proven, at one time.
+bool is_apart_on_path(const PathQuestion& question, double time) {
+  PairReader reader(question.path, question.vertices);
+  reader.set_unit_at(time);
+  const auto moment = reader.at<double>(time);
+  if (question.min_separation > 0) return is_apart_at(question.kind, moment, question.min_separation * reader.scale());
+  const std::array<double, 4> deviations{};
+  return with_kind(question.kind, [&](auto kind) {
+    const Chords<kind(), double> chords(moment, moment, deviations);
+    return chords.axis_proves_free(chords.at_ends());
+  });
+}
+
+}  // namespace
+
 Decision decide_on_path(const PathQuestion& question, const TimeInterval<double>& time) {
   TAMIS_ASSERT(is_kind(question.kind) && is_part_of_step(time));
   PairReader reader(question.path, question.vertices);
@@ -126,6 +144,20 @@ Decision decide_on_path(const PathQuestion& question, const TimeInterval<double>
   if (question.min_separation > 0) return first_within_on_path(question, reader, time);
   return with_kind(question.kind,
                    [&](auto kind) { return PathSolver<kind(), double>(question, reader, time, kMostParts).run(); });
+}
+
+Decision decide_once_apart_on_path(const PathQuestion& question, const TimeInterval<double>& time, bool& never_apart) {
+  const double length = time.t_out - time.t_in;
+  const auto decided_from = [&](double part) -> std::optional<Decision> {
+    const double from = time.t_in + part * length;
+    if (!is_apart_on_path(question, from)) return std::nullopt;
+    return decide_on_path(question, {from, time.t_out});
+  };
+  never_apart = false;
+  for (double part = 0x1p-20; part < 1; part = part < 0x1p-4 ? 2 * part : part + 0x1p-4)
+    if (const auto decision = decided_from(part)) return *decision;
+  never_apart = true;
+  return {};
 }
 
 PairResult result_on_path(const PathQuestion& question, const Decision& decision) {

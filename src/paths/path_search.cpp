@@ -6,9 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <set>
 #include <string>
-#include <tuple>
 
 #include "numerics/assert.hpp"
 #include "numerics/number_text.hpp"
@@ -30,8 +28,6 @@ constexpr double kShortestPiece = 0x1p-20;
 constexpr std::size_t kBatch = 256;
 /// At no simple fraction of the step: contacts happen at those.
 constexpr double kShorter = 0.48713;
-
-using PairKey = std::tuple<PairKind, PairVertices>;
 
 /// Ascending, each once.
 std::vector<Index> vertices_of(std::span<const Contact> pairs) {
@@ -68,6 +64,12 @@ double PathSearch::piece_length(const Path& path, const Frame& start) {
     if (largest <= allowed || !(allowed > 0)) break;
   }
   return length;
+}
+
+double PathSearch::piece_end(const MeshOnPath& asked, const Path& path, const Frame& start) {
+  if (!asked.ends.empty()) return *std::ranges::upper_bound(asked.ends, start.time);
+  const double length = piece_length(path, start);
+  return length < 1 - start.time ? start.time + length : 1;
 }
 
 void PathSearch::set_radii(const Separations& separations, const Frame& from, const Frame& to) {
@@ -115,11 +117,11 @@ void PathSearch::find(const MeshOnPath& asked, Question question, std::vector<Co
   std::iota(all_.begin(), all_.end(), 0);
   deviations_.resize(all_.size());
   contacts.clear();
+  never_apart_.clear();
   std::set<PairKey> known;
   for (Frame from = frame_at(path, 0); from.time < 1;) {
     stop_if_cancelled(options_);
-    const double length = piece_length(path, from);
-    Frame to = frame_at(path, length < 1 - from.time ? from.time + length : 1);
+    Frame to = frame_at(path, piece_end(asked, path, from));
     path.deviations(from.time, to.time, all_, deviations_);
     for (const Index v : mesh_.points())
       check_deviation(v, from.time, to.time, deviations_[static_cast<std::size_t>(v)]);
@@ -132,7 +134,7 @@ void PathSearch::find(const MeshOnPath& asked, Question question, std::vector<Co
     engine_.find(chords, found_, statistics);
     const auto is_known = [&](const Contact& c) { return known.contains({c.kind, c.vertices}); };
     std::erase_if(found_.contacts(), is_known);
-    const MeshOnPath piece{path, asked.separations, asked.tolerance, {from.time, to.time}};
+    const MeshOnPath piece{path, asked.separations, asked.tolerance, asked.ignores_start, {}, {from.time, to.time}};
     const std::size_t before = contacts.size();
     decide_all(piece, question, contacts, statistics);
     if (contacts.size() > before && question != Question::all_contacts) break;
@@ -154,6 +156,8 @@ void PathSearch::decide_all(const MeshOnPath& piece, Question question, std::vec
   const double start = piece.time.t_in, length = piece.time.t_out - piece.time.t_in;
   double latest = piece.time.t_out;
   std::vector<PairResult> results(kBatch);
+  std::vector<char> stays_together(kBatch);
+  std::set<PairKey> never_apart;
   for (std::size_t first = 0; first < pairs.size(); first += kBatch) {
     if (question == Question::is_free && !contacts.empty()) return;
     if (question == Question::earliest && start + pairs[first].toi_lower * length * (1 - 0x1p-40) > latest) return;
@@ -165,10 +169,17 @@ void PathSearch::decide_all(const MeshOnPath& piece, Question question, std::vec
       const double separation = piece.separations.between(pair.kind, pair.vertices);
       const PathQuestion question_of_pair{paths.local(), pair.kind,       pair.vertices,
                                           separation,    piece.tolerance, options_.is_cancelled};
-      results[i] = result_on_path(question_of_pair, decide_on_path(question_of_pair, piece.time));
+      Decision decision = decide_on_path(question_of_pair, piece.time);
+      const bool is_together = piece.ignores_start && decision.verdict != Verdict::is_free && decision.lower == start &&
+                               (start == 0 || never_apart_.contains({pair.kind, pair.vertices}));
+      bool stays = false;
+      if (is_together) decision = decide_once_apart_on_path(question_of_pair, piece.time, stays);
+      stays_together[i] = stays;
+      results[i] = result_on_path(question_of_pair, decision);
     });
     for (std::size_t i = 0; i < count; ++i) {
       const PairResult& r = results[i];
+      if (stays_together[i]) never_apart.insert({pairs[first + i].kind, pairs[first + i].vertices});
       statistics.decided_by.scalar += !r.touches || r.certainty == Certainty::certified;
       statistics.decided_by.unresolved += r.touches && r.certainty == Certainty::unresolved;
       if (!r.touches) continue;
@@ -176,6 +187,7 @@ void PathSearch::decide_all(const MeshOnPath& piece, Question question, std::vec
       latest = std::min(latest, r.toi_upper);
     }
   }
+  never_apart_ = std::move(never_apart);
 }
 
 std::uint64_t PathSearch::memory_bytes() const {

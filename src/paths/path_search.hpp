@@ -1,6 +1,9 @@
 // The questions of a whole mesh on a path: piece by piece along it, a linear question in which every vertex has its
 // deviation as radius; each pair that this leaves is decided on its curves.
 #pragma once
+#include <set>
+#include <span>
+#include <tuple>
 #include <vector>
 
 #include "motion/time_clip.hpp"
@@ -9,12 +12,13 @@
 
 namespace tamis {
 
-/// `time`: the part of the path that is looked at.
 struct MeshOnPath {
   const Path& path;
   const Separations& separations;
   double tolerance;
-  TimeInterval<double> time{0, 1};
+  bool ignores_start = false;          ///< as in Query
+  std::span<const double> ends = {};   ///< of the pieces, ascending, the last one 1; empty: as deviations ask for
+  TimeInterval<double> time = {0, 1};  ///< the part of the path that is looked at
 };
 
 class PathSearch {
@@ -31,6 +35,8 @@ class PathSearch {
   std::uint64_t memory_bytes() const;
 
  private:
+  using PairKey = std::tuple<PairKind, PairVertices>;
+
   struct Frame {
     double time = 0;
     std::vector<Point> points;
@@ -39,6 +45,7 @@ class PathSearch {
 
   Frame frame_at(const Path& path, double time) const;
   double piece_length(const Path& path, const Frame& start);
+  double piece_end(const MeshOnPath& asked, const Path& path, const Frame& start);
   /// As radii: the deviation, the error of the positions, and the caller's own.
   void set_radii(const Separations& separations, const Frame& from, const Frame& to);
   /// Throws if a vertex in the middle of its piece is farther from the chord than it says.
@@ -50,8 +57,9 @@ class PathSearch {
   const Rings& rings_;
   Engine& engine_;
   Bound bound_;
-  ContactCollector found_;  ///< pairs that may touch on a piece
-  std::vector<Index> all_;  ///< 0, 1, 2, ...
+  ContactCollector found_;         ///< pairs that may touch on a piece
+  std::set<PairKey> never_apart_;  ///< ignored: those that have not been apart yet
+  std::vector<Index> all_;         ///< 0, 1, 2, ...
   std::vector<double> deviations_, radii_;
 };
 

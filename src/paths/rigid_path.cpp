@@ -5,6 +5,8 @@
 #include <string>
 
 #include "numerics/finite.hpp"
+#include "numerics/number_text.hpp"
+#include "paths/chain_motion.hpp"
 #include "paths/check_path.hpp"
 #include "paths/fine_point.hpp"
 #include "paths/rigid_transform.hpp"
@@ -36,34 +38,77 @@ void validate(const std::vector<Point>& rest, const std::vector<Index>& body_of_
                  "a pose of body " + std::to_string(b) + " is not finite: give finite positions and rotation vectors");
 }
 
-double length_above(const Point& p) { return length_above(enclosed<double>(p)); }
+/// Of a unit quaternion: w and the rest, of either sign.
+Point rotation_vector(double w, const Point& v) {
+  const double sign = w < 0 ? -1 : 1, sine = std::hypot(v[0], v[1], v[2]);
+  const double factor = sign * (sine > 0 ? 2 * std::atan2(sine, sign * w) / sine : 2);
+  return {factor * v[0], factor * v[1], factor * v[2]};
+}
 
-/// Bounds of y and its derivatives, y being a point of the body as one link after the other has moved it. With
-/// |R'| <= w and |R''| <= w^2 for a rotation vector that changes by w (docs/numerics.md, "Curved motion"):
-///   y' = R' x + R x' + p',   y'' = R'' x + 2 R' x' + R x''.
-struct Derivatives {
-  Interval place, speed, acceleration;
-};
+constexpr double kMostRounding = 1e-4;
+constexpr const char* kGiveRotation = ": give a rotation, which rounding may have changed by 1e-4";
 
-double change(const Point& a, const Point& b) { return length_above(enclosed<double>(b) - enclosed<double>(a)); }
-double farthest(const Point& a, const Point& b) { return std::max(length_above(a), length_above(b)); }
+using Rows = std::array<Point, 3>;
 
-/// Of one link: how far its rotation vector changes, how far its position does, and how far that is from zero.
-struct LinkBounds {
-  explicit LinkBounds(const Link& link)
-      : turn(change(link.start.rotation, link.end.rotation)),
-        way(change(link.start.position, link.end.position)),
-        position(farthest(link.start.position, link.end.position)) {}
-  Interval turn, way, position;
-};
+double dot(const Point& a, const Point& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
-Derivatives after(const LinkBounds& link, const Derivatives& x) {
-  const Interval& w = link.turn;
-  return {x.place + link.position, w * x.place + x.speed + link.way,
-          w * w * x.place + Interval(2) * w * x.speed + x.acceleration};
+/// How far an entry of R R^T is from the identity's: one that is too far, or that is no number, if there is one.
+double off_from_rotation(const Rows& rows) {
+  double off = 0;
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j < 3; ++j) {
+      const double entry = std::fabs(dot(rows[i], rows[j]) - (i == j));
+      if (!(entry <= kMostRounding)) return entry;
+      off = std::max(off, entry);
+    }
+  return off;
+}
+
+/// A step of Newton's method towards the nearest rotation: (3 R - R R^T R) / 2.
+Rows nearer_rotation(const Rows& rows) {
+  Rows next{};
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t k = 0; k < 3; ++k) {
+      double sum = 0;
+      for (std::size_t j = 0; j < 3; ++j) sum += dot(rows[i], rows[j]) * rows[j][k];
+      next[i][k] = 1.5 * rows[i][k] - 0.5 * sum;
+    }
+  return next;
 }
 
 }  // namespace
+
+Pose pose_of(const std::array<double, 4>& q, const Point& position) {
+  const double off = q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3] - 1;
+  check_path(std::fabs(off) <= kMostRounding,
+             "the square of the quaternion is off from 1 by " + number_text(off) + kGiveRotation);
+  return {position, rotation_vector(q[0], {q[1], q[2], q[3]})};
+}
+
+/// The largest of the four parts of the quaternion is found from the diagonal, the others from sums beside it
+/// (Shepperd 1978).
+Pose pose_of(const std::array<Point, 3>& given, const Point& position) {
+  const double off = off_from_rotation(given);
+  check_path(off <= kMostRounding, "an entry of R R^T - I of the matrix is " + number_text(off) + kGiveRotation);
+  const Rows r = nearer_rotation(nearer_rotation(given));
+  const double trace = r[0][0] + r[1][1] + r[2][2];
+  const double determinant =
+      dot(r[0], {r[1][1] * r[2][2] - r[1][2] * r[2][1], r[1][2] * r[2][0] - r[1][0] * r[2][2],
+                 r[1][0] * r[2][1] - r[1][1] * r[2][0]});
+  check_path(determinant > 0, std::string("the matrix is a reflection") + kGiveRotation);
+  std::array<double, 4> q{};
+  if (trace >= r[0][0] && trace >= r[1][1] && trace >= r[2][2]) {
+    q = {1 + trace, r[2][1] - r[1][2], r[0][2] - r[2][0], r[1][0] - r[0][1]};
+  } else {
+    const std::size_t i = r[0][0] >= r[1][1] && r[0][0] >= r[2][2] ? 0 : r[1][1] >= r[2][2] ? 1 : 2;
+    const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
+    q[0] = r[k][j] - r[j][k];
+    q[1 + i] = 1 + r[i][i] - r[j][j] - r[k][k];
+    q[1 + j] = r[j][i] + r[i][j];
+    q[1 + k] = r[k][i] + r[i][k];
+  }
+  return {position, rotation_vector(q[0], {q[1], q[2], q[3]})};
+}
 
 Chain interpolated(const Pose& start, const Pose& end) { return {{start, end}}; }
 
@@ -80,17 +125,11 @@ Chain between(const Pose& start, const Pose& end) {
     return std::array{std::cos(angle / 2), s * w[0], s * w[1], s * w[2]};
   };
   const auto a = quaternion(start.rotation), b = quaternion(end.rotation);
-  double cosine = a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + a[3] * b[3];
-  Point axis{a[0] * b[1] - b[0] * a[1] + a[2] * b[3] - a[3] * b[2],
+  const double cosine = a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + a[3] * b[3];
+  const Point axis{a[0] * b[1] - b[0] * a[1] + a[2] * b[3] - a[3] * b[2],
              a[0] * b[2] - b[0] * a[2] + a[3] * b[1] - a[1] * b[3],
              a[0] * b[3] - b[0] * a[3] + a[1] * b[2] - a[2] * b[1]};
-  if (cosine < 0) {
-    cosine = -cosine;
-    for (double& x : axis) x = -x;
-  }
-  const double sine = std::hypot(axis[0], axis[1], axis[2]);
-  const double factor = sine > 0 ? 2 * std::atan2(sine, cosine) / sine : 2;
-  return turned(start, {factor * axis[0], factor * axis[1], factor * axis[2]}, end.position);
+  return turned(start, rotation_vector(cosine, axis), end.position);
 }
 
 RigidPath::RigidPath(std::vector<Point> rest, std::vector<Index> body_of_vertex, std::vector<Chain> chains,
@@ -100,18 +139,12 @@ RigidPath::RigidPath(std::vector<Point> rest, std::vector<Index> body_of_vertex,
       body_of_vertex_(std::move(body_of_vertex)),
       chains_(std::move(chains)) {
   validate(rest_, body_of_vertex_, chains_, rest_end_);
-  std::vector<std::vector<LinkBounds>> bounds;
-  for (const Chain& chain : chains_) bounds.emplace_back(chain.begin(), chain.end());
-  curvatures_.reserve(rest_.size());
+  const std::vector<ChainBounds> bounds(chains_.begin(), chains_.end());
   for (std::size_t v = 0; v < rest_.size(); ++v) {
-    const std::vector<LinkBounds>& links = bounds[static_cast<std::size_t>(body_of_vertex_[v])];
-    Derivatives y{Interval(farthest(rest_[v], rest_end_[v])), Interval(change(rest_[v], rest_end_[v])), Interval(0)};
-    double reach = 0;  // the outermost position moves linearly: no chord deviates from it
-    for (auto link = links.rbegin(); link != links.rend(); ++link) {
-      if (link + 1 == links.rend()) reach = y.place.upper;
-      y = after(*link, y);
-    }
-    curvatures_.push_back({y.acceleration.upper, reach});
+    const ChainBounds& of_body = bounds[static_cast<std::size_t>(body_of_vertex_[v])];
+    const Curvature curve = of_body.of(farthest(rest_[v], rest_end_[v]), change(rest_[v], rest_end_[v]));
+    accelerations_.push_back(curve.acceleration);
+    reaches_.push_back(curve.reach);
   }
 }
 
@@ -131,43 +164,6 @@ void for_each_of_body(std::span<const Index> vertices, const std::vector<Index>&
   }
 }
 
-/// In doubles: entries of the matrix are off by `turn_error` at most, which is a number, those of the shift by
-/// `shift_error`, which is a length.
-struct RoundedTransform {
-  std::array<Point, 3> rows;
-  Point shift;
-  double turn_error, shift_error, shift_size;
-
-  template <class T>
-  static RoundedTransform of(const RigidTransform<T>& exact) {
-    RoundedTransform rounded{};
-    const auto take = [](const Vec3<BasicInterval<T>>& entries, double& error) {
-      const auto one = [&](const BasicInterval<T>& entry) {
-        const RoundedNumber number = rounded_number(entry);
-        error = std::max(error, number.error);
-        return number.value;
-      };
-      return Point{one(entries.x), one(entries.y), one(entries.z)};
-    };
-    for (std::size_t i = 0; i < 3; ++i) rounded.rows[i] = take(exact.rows[i], rounded.turn_error);
-    rounded.shift = take(exact.shift, rounded.shift_error);
-    for (const double s : rounded.shift) rounded.shift_size = std::max(rounded.shift_size, std::fabs(s));
-    return rounded;
-  }
-  Point of(const Point& x) const {
-    Point y{};
-    for (std::size_t i = 0; i < 3; ++i) y[i] = rows[i][0] * x[0] + rows[i][1] * x[1] + rows[i][2] * x[2] + shift[i];
-    return y;
-  }
-  /// Each product rounds once and each sum once, of numbers below 1.1 |x|_1 + |shift|: 4 u of that, given 8 u. What x
-  /// is off by comes out at most sqrt(3) times as large. The factor covers this sum's own rounding.
-  double error_of(const Point& x, double x_error) const {
-    const double size = std::fabs(x[0]) + std::fabs(x[1]) + std::fabs(x[2]);
-    const double turned = (turn_error + 0x1p-50) * size, shifted = shift_error + 0x1p-50 * shift_size;
-    return (turned + shifted + 2 * x_error) * (1 + 0x1p-40) + 0x1p-1000;
-  }
-};
-
 /// Off by `error` at most, on each axis.
 struct RoundedPlace {
   Point x;
@@ -186,30 +182,17 @@ RoundedPlace rounded_linear(const Point& a, const Point& b, double time) {
   return place;
 }
 
-/// Angles that rotation::any_angle halves a few times lose as many bits: in doubles only this many radians.
-constexpr double kLargestPlainAngle = 4;
-
-bool turns_far(const Chain& chain) {
-  const auto is_far = [](const Pose& pose) {
-    return std::hypot(pose.rotation[0], pose.rotation[1], pose.rotation[2]) > kLargestPlainAngle;
-  };
-  return std::any_of(chain.begin(), chain.end(), [&](const Link& l) { return is_far(l.start) || is_far(l.end); });
-}
-
 }  // namespace
 
 void RigidPath::points_at(double time, std::span<const Index> vertices, std::span<Point> points,
                           std::span<double> errors) const {
   RoundedTransform transform{};
-  const auto begin = [&](std::size_t body) {
-    const Chain& chain = chains_[body];
-    transform = turns_far(chain) ? RoundedTransform::of(transform_of<DoubleDouble>(chain, time))
-                                 : RoundedTransform::of(transform_of<double>(chain, time));
-  };
+  const auto begin = [&](std::size_t body) { transform = rounded_transform_of(chains_[body], time); };
   for_each_of_body(vertices, body_of_vertex_, begin, [&](std::size_t i, std::size_t v) {
     const RoundedPlace place = rounded_linear(rest_[v], rest_end_[v], time);
     points[i] = transform.of(place.x);
-    errors[i] = transform.error_of(place.x, place.error);
+    const double size = std::fabs(place.x[0]) + std::fabs(place.x[1]) + std::fabs(place.x[2]);
+    errors[i] = transform.error_of(size, place.error);
   });
 }
 
@@ -223,11 +206,10 @@ void RigidPath::fine_points_at(double time, std::span<const Index> vertices, std
 
 void RigidPath::deviations(double from, double to, std::span<const Index> vertices,
                            std::span<double> deviations) const {
-  const Interval h = Interval(to) - Interval(from);
-  const double eighth = (Interval(0.125) * h * h).upper;
+  const Interval length = Interval(to) - Interval(from);
   for (std::size_t i = 0; i < vertices.size(); ++i) {
-    const Curvature& curvature = curvatures_[static_cast<std::size_t>(vertices[i])];
-    deviations[i] = std::min(rounding::above(eighth * curvature.acceleration), 2 * curvature.reach);
+    const auto v = static_cast<std::size_t>(vertices[i]);
+    deviations[i] = Curvature{accelerations_[v], reaches_[v]}.deviation(length);
   }
 }
 

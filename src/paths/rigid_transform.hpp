@@ -23,6 +23,12 @@ Vec3<BasicInterval<T>> enclosed(const Point& p) {
   return {I(T(p[0])), I(T(p[1])), I(T(p[2]))};
 }
 
+/// Both rounded up: |b - a|, and the larger of |a| and |b|.
+inline double change(const Point& a, const Point& b) { return length_above(enclosed<double>(b) - enclosed<double>(a)); }
+inline double farthest(const Point& a, const Point& b) {
+  return std::max(length_above(enclosed<double>(a)), length_above(enclosed<double>(b)));
+}
+
 /// (1 - t) start + t end.
 template <class T>
 Vec3<BasicInterval<T>> linear(const Point& start, const Point& end, double time) {

@@ -49,6 +49,12 @@ PairPoints points_between(const Moment<double>& from, const Moment<double>& to) 
   return points;
 }
 
+bool is_apart_at(PairKind kind, const Moment<double>& moment, double separation) {
+  const double beyond = (separation + 4 * moment.error) * (1 + 0x1p-40) + 0x1p-1000;
+  return first_within(kind, make_motion(kind, points_between(moment, moment), beyond), {0, 1}).verdict ==
+         Verdict::is_free;
+}
+
 Decision first_within_on_path(const PathQuestion& question, const PairReader& reader,
                               const TimeInterval<double>& time) {
   TAMIS_ASSERT(question.min_separation > 0 && is_part_of_step(time));

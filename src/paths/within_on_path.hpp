@@ -9,6 +9,9 @@ namespace tamis {
 /// The middles of two moments; finite, also where an error is not.
 PairPoints points_between(const Moment<double>& from, const Moment<double>& to);
 
+/// At one time: is the distance beyond the separation, certainly?
+bool is_apart_at(PairKind kind, const Moment<double>& moment, double separation);
+
 /// As decide_on_path. REQUIRES: a separation > 0, a part of the path. REQUIRES (not checked: history): `reader` reads
 /// the question's pair.
 Decision first_within_on_path(const PathQuestion& question, const PairReader& reader, const TimeInterval<double>& time);

@@ -1,0 +1,65 @@
+// How a chain of links moves a body: where it is at a time, in doubles with what they are off by, and how much the
+// curves of its points bend.
+#pragma once
+#include <array>
+#include <vector>
+
+#include "numerics/interval.hpp"
+#include "tamis/rigid_path.hpp"
+
+namespace tamis {
+
+/// In doubles: entries of the matrix are off by `turn_error` at most, which is a number, those of the shift by
+/// `shift_error`, which is a length.
+struct RoundedTransform {
+  std::array<Point, 3> rows;
+  Point shift;
+  double turn_error, shift_error, shift_size;
+
+  Point of(const Point& x) const {
+    Point y{};
+    for (std::size_t i = 0; i < 3; ++i) y[i] = rows[i][0] * x[0] + rows[i][1] * x[1] + rows[i][2] * x[2] + shift[i];
+    return y;
+  }
+  /// Of a point x that is off by `x_error`, with size = |x|_1. Each product rounds once and each sum once, of numbers
+  /// below 1.1 |x|_1 + |shift|: 4 u of that, given 8 u. What x is off by comes out at most sqrt(3) times as large. The
+  /// factor covers this sum's own rounding.
+  double error_of(double size, double x_error) const {
+    const double turned = (turn_error + 0x1p-50) * size, shifted = shift_error + 0x1p-50 * shift_size;
+    return (turned + shifted + 2 * x_error) * (1 + 0x1p-40) + 0x1p-1000;
+  }
+};
+
+RoundedTransform rounded_transform_of(const Chain& chain, double time);
+
+/// Of one point, over the whole step.
+struct Curvature {
+  double acceleration;  ///< |x''| is at most this
+  double reach;         ///< x(t), less what moves linearly, stays this near to a point
+
+  /// How far it is at most from its chord on a piece of that length.
+  double deviation(const Interval& length) const;
+};
+
+/// Bounds of what a chain does to the points of a body.
+class ChainBounds {
+ public:
+  explicit ChainBounds(const Chain& chain);
+
+  /// Of a point no farther than `place` from the origin of the body's frame, in which it goes straight by `way`.
+  /// Linear in `place`, but for rounding.
+  Curvature of(double place, double way) const;
+  /// Does any link turn? If not, points go straight.
+  bool turns() const { return turns_; }
+
+ private:
+  /// Of one link: how far its rotation vector changes, how far its position does, and how far that is from zero.
+  struct LinkBounds {
+    explicit LinkBounds(const Link& link);
+    Interval turn, way, position;
+  };
+  std::vector<LinkBounds> links_;
+  bool turns_;
+};
+
+}  // namespace tamis

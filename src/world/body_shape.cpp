@@ -1,0 +1,45 @@
+#include "world/body_shape.hpp"
+
+#include <cmath>
+#include <string>
+
+#include "kernels/kernels.hpp"
+#include "numerics/finite.hpp"
+#include "paths/rigid_transform.hpp"
+#include "tamis/error.hpp"
+#include "topology/at.hpp"
+#include "topology/mean_edge.hpp"
+
+namespace tamis {
+
+BodyShape::BodyShape(Mesh m, std::vector<Point> at_rest) : mesh(std::move(m)), points(std::move(at_rest)), loose(mesh) {
+  if (points.size() != at(mesh.vertex_count()))
+    throw InvalidMesh("the shape has " + std::to_string(points.size()) + " points, its mesh " +
+                      std::to_string(mesh.vertex_count()) + " vertices: give one point a vertex");
+  for (const Index v : mesh.points()) {
+    if (!is_finite(points[at(v)]))
+      throw InvalidMesh("vertex " + std::to_string(v) + " of the shape is not finite: give finite points");
+    radius = std::max(radius, farthest(points[at(v)], points[at(v)]));
+  }
+  edge = mean_edge(mesh, points);
+  std::vector<Point> centers(at(item_count()));
+  for (Index item = 0; item < item_count(); ++item) centers[at(item)] = box_at_rest(item).middle();
+  order = SpaceOrder(centers, kernels(Isa::best).trees.split);
+  boxes = BoxLevels(order, [this](Index item) { return box_at_rest(item); });
+}
+
+Face BodyShape::corners_of(Index item) const {
+  auto i = at(item);
+  if (i < mesh.faces().size()) return mesh.faces()[i];
+  i -= mesh.faces().size();
+  if (i < loose.edges.size()) return {loose.edges[i][0], loose.edges[i][1], loose.edges[i][1]};
+  const Index point = loose.points[i - loose.edges.size()];
+  return {point, point, point};
+}
+
+std::uint64_t BodyShape::memory_bytes() const {
+  return order.memory_bytes() + boxes.memory_bytes() + loose.edges.capacity() * sizeof(Edge) +
+         loose.points.capacity() * sizeof(Index);
+}
+
+}  // namespace tamis

@@ -1,0 +1,42 @@
+// What bodies share: a mesh at rest in its own frame, and a hierarchy over its items.
+#pragma once
+#include <vector>
+
+#include "tamis/mesh.hpp"
+#include "topology/loose_features.hpp"
+#include "world/box_tree.hpp"
+
+namespace tamis {
+
+/// Its items are what a contact can be with: the faces, then the edges of no face, then the points of neither.
+struct BodyShape {
+  /// Throws InvalidMesh.
+  BodyShape(Mesh m, std::vector<Point> at_rest);
+
+  Index item_count() const {
+    return static_cast<Index>(mesh.faces().size() + loose.edges.size() + loose.points.size());
+  }
+  /// Its vertices; the last one is repeated.
+  Face corners_of(Index item) const;
+  /// Where its vertices are, `at(vertex)` being a Point.
+  template <class F>
+  Box box_of(Index item, const F& at) const {
+    Box box;
+    for (const Index v : corners_of(item)) box.include(at(v));
+    return box;
+  }
+  Box box_at_rest(Index item) const {
+    return box_of(item, [&](Index v) -> const Point& { return points[static_cast<std::size_t>(v)]; });
+  }
+  std::uint64_t memory_bytes() const;
+
+  const Mesh mesh;
+  const std::vector<Point> points;
+  const LooseFeatures loose;
+  SpaceOrder order;
+  BoxLevels boxes;
+  double radius = 0;  ///< no vertex in use is farther from the origin of the frame
+  double edge = 0;    ///< the mean edge
+};
+
+}  // namespace tamis

@@ -1,0 +1,42 @@
+#include "world/box_tree.hpp"
+
+#include <numeric>
+
+namespace tamis {
+
+SpaceOrder::SpaceOrder(std::span<const Point> centers, Split split) : items_(centers.size()) {
+  Box all;
+  for (const Point& center : centers) all.include(center);
+  // Within [0,1], so that centers fit floats whatever the unit of length; where they do not, the order is poor.
+  double extent = 0;
+  for (std::size_t k = 0; k < 3; ++k) extent = std::max(extent, all.high[k] - all.low[k]);
+  const double scale = extent > 0 ? 1 / extent : 0;
+  CenterStore store(centers.size(), 3);
+  const Centers view = store.view();
+  for (std::size_t i = 0; i < centers.size(); ++i) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double at = (centers[i][k] - all.low[k]) * scale;
+      view.at[k][i] = at >= 0 && at <= 1 ? static_cast<float>(at) : 0;
+    }
+    view.feature[i] = static_cast<Index>(i);
+  }
+  order_in_space(view, centers.size(), split, [] {});
+  std::ranges::copy(store.features(), items_.begin());
+}
+
+void BoxLevels::build_upwards() {
+  while (levels_.back().size() > 1) {
+    const std::vector<Box>& below = levels_.back();
+    std::vector<Box> level((below.size() + kBlock - 1) / kBlock);
+    for (std::size_t block = 0; block < below.size(); ++block) level[block / kBlock].include(below[block]);
+    levels_.push_back(std::move(level));
+  }
+}
+
+std::uint64_t BoxLevels::memory_bytes() const {
+  std::uint64_t bytes = 0;
+  for (const auto& level : levels_) bytes += level.capacity() * sizeof(Box);
+  return bytes;
+}
+
+}  // namespace tamis

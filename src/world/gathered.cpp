@@ -1,0 +1,154 @@
+#include "world/gathered.hpp"
+
+#include <algorithm>
+
+#include "topology/at.hpp"
+
+namespace tamis {
+namespace {
+
+const Body& body_of(const BodyList& bodies, BodyId id) { return *bodies[at(id)]; }
+
+/// Numbers for bodies of which those that may meet have different ones, as few as come by: 0 for those that are aside.
+std::map<BodyId, Index> groups_of(const NearItems& items, const BodyList& bodies, const MeetingRules& rules) {
+  std::map<BodyId, std::vector<BodyId>> met_before;  // of each body those of smaller numbers
+  for (const BodyPair& pair : items.pairs) met_before[pair[1]].push_back(pair[0]);
+  std::map<BodyId, Index> groups;
+  for (const auto& [id, unused] : items.of_body) {
+    if (rules.is_aside(body_of(bodies, id))) {
+      groups[id] = 0;
+      continue;
+    }
+    std::set<Index> taken;
+    for (const BodyId other : met_before[id]) taken.insert(groups.at(other));
+    Index group = 1;
+    while (taken.contains(group)) ++group;
+    groups[id] = group;
+  }
+  return groups;
+}
+
+}  // namespace
+
+Gathered::Gathered(const BodyList& bodies, NearItems items, const MeetingRules& rules, const Options& options)
+    : items_(std::move(items)), detector_(make_detector(bodies, rules, options)) {}
+
+Detector Gathered::make_detector(const BodyList& bodies, const MeetingRules& rules, const Options& options) {
+  for (const auto& [id, set] : items_.of_body) add(id, body_of(bodies, id), set.items());
+  Options of_mesh = options;
+  of_mesh.filter = PairFilter();
+  set_groups(bodies, rules, of_mesh.filter);
+  Mesh mesh(static_cast<Index>(vertices_.size()), std::move(faces_), edges_, std::move(points_));
+  edges_ = {};
+  return Detector(std::move(mesh), std::move(of_mesh));
+}
+
+void Gathered::add(BodyId id, const Body& body, std::vector<Index> items) {
+  const BodyShape& shape = body.shape();
+  std::ranges::sort(items);
+  std::vector<Index> used;
+  for (const Index item : items) {
+    const Face corners = shape.corners_of(item);
+    used.insert(used.end(), corners.begin(), corners.end());
+  }
+  std::ranges::sort(used);
+  used.erase(std::ranges::unique(used).begin(), used.end());
+  const auto first = static_cast<Index>(vertices_.size());
+  for (const Index own : used) vertices_.push_back({id, own});
+  const auto here = [&](Index own) {
+    return first + static_cast<Index>(std::ranges::lower_bound(used, own) - used.begin());
+  };
+  for (const Index item : items) {
+    const Face corners = shape.corners_of(item);
+    const Face face{here(corners[0]), here(corners[1]), here(corners[2])};
+    if (at(item) < shape.mesh.faces().size())
+      faces_.push_back(face);
+    else if (at(item) < shape.mesh.faces().size() + shape.loose.edges.size())
+      edges_.push_back({face[0], face[1]});
+    else
+      points_.push_back(face[0]);
+  }
+  ways_.push_back(body.way());
+}
+
+/// Bodies of one group are not asked about: either they are not near each other, or they are aside.
+void Gathered::set_groups(const BodyList& bodies, const MeetingRules& rules, PairFilter& filter) const {
+  const std::map<BodyId, Index> groups = groups_of(items_, bodies, rules);
+  for (const auto& [id, group] : groups) filter.group_count = std::max(filter.group_count, group + 1);
+  for (const Vertex& vertex : vertices_) filter.group_of_vertex.push_back(groups.at(vertex.body));
+  const std::size_t count = at(filter.group_count);
+  filter.groups_may_touch.assign(count * count, 1);
+  for (std::size_t group = 0; group < count; ++group) filter.groups_may_touch[group * count + group] = 0;
+  // Of two bodies that the caller keeps apart one may be near a third that the other is near, too.
+  const auto is_here = [&](BodyId id) { return items_.of_body.contains(id); };
+  std::set<BodyPair> kept_apart;
+  for (const BodyPair& pair : rules.kept_apart)
+    if (is_here(pair[0]) && is_here(pair[1])) kept_apart.insert(pair);
+  if (kept_apart.empty()) return;
+  filter.accepts = [this, kept_apart](PairKind kind, const PairVertices& v) {
+    const BodyId a = vertices_[at(v[0])].body, b = vertices_[at(v[second_feature(kind)])].body;
+    return !kept_apart.contains({std::min(a, b), std::max(a, b)});
+  };
+}
+
+bool Gathered::holds(const NearItems& items, const BodyList& bodies) const {
+  auto way = ways_.begin();
+  for (const auto& [id, unused] : items_.of_body)
+    if (body_of(bodies, id).way() != *way++) return false;
+  return items_.includes(items);
+}
+
+Positions Gathered::start(const BodyList& bodies) {
+  start_.resize(vertices_.size());
+  for (std::size_t v = 0; v < vertices_.size(); ++v)
+    start_[v] = body_of(bodies, vertices_[v].body).start_of(vertices_[v].own);
+  return start_;
+}
+
+Step Gathered::step(const BodyList& bodies) {
+  end_.resize(vertices_.size());
+  for (std::size_t v = 0; v < vertices_.size(); ++v)
+    end_[v] = body_of(bodies, vertices_[v].body).end_of(vertices_[v].own);
+  return {start(bodies), end_};
+}
+
+/// What does not turn goes straight between its doubles, as in a step.
+RigidPath Gathered::path(const BodyList& bodies) const {
+  std::vector<Point> rest, rest_end;
+  std::vector<Index> number_of_body;
+  std::vector<Chain> chains;
+  BodyId last = -1;
+  for (const auto& [id, own] : vertices_) {
+    const Body& body = body_of(bodies, id);
+    const bool turns = body.way() == Way::turning;
+    if (id != last) chains.push_back(turns ? body.chain() : Chain());
+    last = id;
+    number_of_body.push_back(static_cast<Index>(chains.size()) - 1);
+    rest.push_back(turns ? body.shape().points[at(own)] : body.start_of(own));
+    rest_end.push_back(turns ? rest.back() : body.end_of(own));
+  }
+  return {std::move(rest), std::move(number_of_body), std::move(chains), std::move(rest_end)};
+}
+
+std::array<BodyId, 2> Gathered::name(PairKind kind, PairVertices& vertices) const {
+  const std::array<BodyId, 2> bodies{vertices_[at(vertices[0])].body,
+                                     vertices_[at(vertices[second_feature(kind)])].body};
+  for (Index& v : vertices)
+    if (v >= 0) v = vertices_[at(v)].own;
+  return bodies;
+}
+
+BodyIntersection Gathered::named(const Intersection& intersection) const {
+  BodyIntersection named{intersection,
+                         {vertices_[at(intersection.edge[0])].body, vertices_[at(intersection.face[0])].body}};
+  for (Index& v : named.edge) v = vertices_[at(v)].own;
+  for (Index& v : named.face) v = vertices_[at(v)].own;
+  return named;
+}
+
+std::uint64_t Gathered::memory_bytes() const {
+  return items_.memory_bytes() + vertices_.capacity() * sizeof(Vertex) +
+         (start_.capacity() + end_.capacity()) * sizeof(Point) + detector_.statistics().memory_bytes;
+}
+
+}  // namespace tamis

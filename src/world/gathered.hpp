@@ -1,0 +1,63 @@
+// What may touch of bodies that are near each other, as one mesh, and the detector that is asked about it.
+#pragma once
+#include <set>
+#include <vector>
+
+#include "query/pair_rules.hpp"
+#include "tamis/detector.hpp"
+#include "world/near_items.hpp"
+
+namespace tamis {
+
+/// Which pairs of bodies meet in one mesh.
+struct MeetingRules {
+  /// Bodies that do not meet each other: those that stay, or in a question about curves those that do not turn.
+  Way aside;
+  const std::set<BodyPair>& kept_apart;
+
+  bool is_aside(const Body& body) const { return body.way() <= aside; }
+};
+
+class Gathered {
+ public:
+  /// `options`: of the detector, but for its groups. REQUIRES: not empty.
+  Gathered(const BodyList& bodies, NearItems items, const MeetingRules& rules, const Options& options);
+  Gathered(const Gathered&) = delete;
+
+  /// Are these items in it, and do its bodies move as they did when it was made?
+  bool holds(const NearItems& items, const BodyList& bodies) const;
+
+  /// Where all vertices are at t=0, in doubles, and at t=1. Valid until the next time.
+  Step step(const BodyList& bodies);
+  Positions start(const BodyList& bodies);
+  /// The same on their curves.
+  RigidPath path(const BodyList& bodies) const;
+
+  /// By bodies, and in their own vertices. `vertices` become those.
+  std::array<BodyId, 2> name(PairKind kind, PairVertices& vertices) const;
+  BodyIntersection named(const Intersection& intersection) const;
+
+  Detector& detector() { return detector_; }
+  std::uint64_t memory_bytes() const;
+
+ private:
+  struct Vertex {
+    BodyId body;
+    Index own;
+  };
+
+  void add(BodyId id, const Body& body, std::vector<Index> items);
+  Detector make_detector(const BodyList& bodies, const MeetingRules& rules, const Options& options);
+  void set_groups(const BodyList& bodies, const MeetingRules& rules, PairFilter& filter) const;
+
+  const NearItems items_;
+  std::vector<Way> ways_;         ///< of its bodies, ascending
+  std::vector<Vertex> vertices_;  ///< by body, then own vertex: in the order of contacts
+  std::vector<Face> faces_;
+  std::vector<Edge> edges_;
+  std::vector<Index> points_;
+  std::vector<Point> start_, end_;
+  Detector detector_;
+};
+
+}  // namespace tamis

@@ -1,0 +1,143 @@
+#include "world/near_items.hpp"
+
+#include <algorithm>
+#include <set>
+
+namespace tamis {
+namespace {
+
+class PairWalk {
+ public:
+  PairWalk(const CarriedBoxes& a, const CarriedBoxes& b, double separation, ItemSet& items_a, ItemSet& items_b)
+      : a_{a, items_a}, b_{b, items_b}, separation_(separation) {}
+
+  /// True if any items may meet.
+  bool run() {
+    const Node a = root_of(a_), b = root_of(b_);
+    if (meet(a.bounds, b.bounds)) visit(a, b);
+    return found_;
+  }
+
+ private:
+  struct Side {
+    const CarriedBoxes& boxes;
+    ItemSet& items;
+  };
+  struct Node {
+    int level;
+    Index block;
+    MovingBounds bounds;
+  };
+
+  static Node root_of(const Side& side) {
+    const int level = side.boxes.root_level();
+    return {level, 0, side.boxes.of_block(level, 0)};
+  }
+  bool meet(const MovingBounds& a, const MovingBounds& b) const { return may_meet(a, b, separation_); }
+
+  /// The larger one is opened. REQUIRES: two that meet.
+  void visit(const Node& a, const Node& b) {
+    if (a.level == 0 && b.level == 0) {
+      mark(a, b);
+    } else if (b.level == 0 || (a.level > 0 && a.bounds.start.extent() >= b.bounds.start.extent())) {
+      for_each_child(a_, a, [&](const Node& child) {
+        if (meet(child.bounds, b.bounds)) visit(child, b);
+      });
+    } else {
+      for_each_child(b_, b, [&](const Node& child) {
+        if (meet(a.bounds, child.bounds)) visit(a, child);
+      });
+    }
+  }
+
+  template <class F>
+  static void for_each_child(const Side& side, const Node& node, const F& f) {
+    const auto count = static_cast<Index>(side.boxes.body().shape().boxes.level(node.level - 1).size());
+    const Index first = node.block * kBlock;
+    for (Index child = first; child < std::min(first + kBlock, count); ++child)
+      f({node.level - 1, child, side.boxes.of_block(node.level - 1, child)});
+  }
+
+  void mark(const Node& a, const Node& b) {
+    if (!mark_some(a_, a, b.bounds)) return;
+    found_ |= mark_some(b_, b, a.bounds);
+  }
+
+  /// Items of a block of items that may meet `other`.
+  bool mark_some(const Side& side, const Node& node, const MovingBounds& other) const {
+    bool is_any = false;
+    for (const Index item : side.boxes.body().shape().order.items_of(node.block)) {
+      if (!side.items.has(item)) {
+        if (!meet(side.boxes.of_item(item), other)) continue;
+        side.items.add(item);
+      }
+      is_any = true;
+    }
+    return is_any;
+  }
+
+  const Side a_, b_;
+  const double separation_;
+  bool found_ = false;
+};
+
+}  // namespace
+
+bool NearItems::includes(const NearItems& other) const {
+  if (!std::ranges::includes(pairs, other.pairs)) return false;
+  return std::ranges::all_of(other.of_body, [this](const auto& one) {
+    const auto mine = of_body.find(one.first);
+    return one.second.items().empty() || (mine != of_body.end() && mine->second.includes(one.second));
+  });
+}
+
+void NearItems::add(const NearItems& other) {
+  std::vector<BodyPair> all;
+  std::ranges::set_union(pairs, other.pairs, std::back_inserter(all));
+  pairs = std::move(all);
+  for (const auto& [id, set] : other.of_body) {
+    const auto mine = of_body.find(id);
+    if (mine == of_body.end())
+      of_body.emplace(id, set);
+    else
+      for (const Index item : set.items()) mine->second.add(item);
+  }
+}
+
+std::size_t NearItems::count() const {
+  std::size_t count = 0;
+  for (const auto& [id, set] : of_body) count += set.items().size();
+  return count;
+}
+
+std::uint64_t NearItems::memory_bytes() const {
+  std::uint64_t bytes = pairs.capacity() * sizeof(BodyPair);
+  for (const auto& [id, items] : of_body) bytes += items.memory_bytes();
+  return bytes;
+}
+
+NearItems find_near_items(const BodyList& bodies, const std::vector<BodyPair>& pairs,
+                          const std::function<double(const Body&, const Body&)>& reach,
+                          const std::vector<double>& times) {
+  NearItems near;
+  const auto body = [&](BodyId id) -> const Body& { return *bodies[static_cast<std::size_t>(id)]; };
+  const auto items_of = [&](BodyId id) -> ItemSet& {
+    return near.of_body.try_emplace(id, body(id).shape().item_count()).first->second;
+  };
+  for (const BodyPair& pair : pairs) {
+    const Body &first = body(pair[0]), &second = body(pair[1]);
+    const double separation = reach(first, second);
+    bool is_near = false;
+    for (std::size_t i = 0; i + 1 < times.size(); ++i) {
+      const CarriedBoxes a(first, times[i], times[i + 1]), b(second, times[i], times[i + 1]);
+      is_near |= PairWalk(a, b, separation, items_of(pair[0]), items_of(pair[1])).run();
+    }
+    if (is_near) near.pairs.push_back(pair);
+  }
+  std::set<BodyId> in_pairs;
+  for (const BodyPair& pair : near.pairs) in_pairs.insert(pair.begin(), pair.end());
+  std::erase_if(near.of_body, [&](const auto& one) { return !in_pairs.contains(one.first); });
+  return near;
+}
+
+}  // namespace tamis

@@ -1,0 +1,127 @@
+#include "tamis/world.hpp"
+
+#include <limits>
+#include <string>
+
+#include "tamis/error.hpp"
+#include "topology/at.hpp"
+#include "world/world_state.hpp"
+
+namespace tamis {
+
+Shape::Shape(Mesh mesh, std::vector<Point> points)
+    : shape_(std::make_shared<const BodyShape>(std::move(mesh), std::move(points))) {}
+
+const Mesh& Shape::mesh() const { return shape_->mesh; }
+const std::vector<Point>& Shape::points() const { return shape_->points; }
+std::uint64_t Shape::memory_bytes() const { return shape_->memory_bytes(); }
+
+World::World(Options options) : state_(std::make_unique<State>(std::move(options))) {}
+World::~World() = default;
+World::World(World&&) noexcept = default;
+World& World::operator=(World&&) noexcept = default;
+
+World::State& World::state() const {
+  if (!state_) throw Error("the world has been moved from: ask the one that it went to");
+  return *state_;
+}
+
+BodyId World::add(const Shape& shape, BodyMotion motion) {
+  State& now = state();
+  const Turn turn(now.is_asked);
+  if (now.bodies.size() >= at(std::numeric_limits<BodyId>::max()))
+    throw InvalidOptions("the world has had 2^31 - 1 bodies, and numbers are not given twice: make another world");
+  const auto id = static_cast<BodyId>(now.bodies.size());
+  now.bodies.push_back(std::make_unique<Body>(id, shape.shape_, std::move(motion)));
+  now.forget_if_still(*now.bodies.back());
+  return id;
+}
+
+void World::move(BodyId body, BodyMotion motion) {
+  State& now = state();
+  const Turn turn(now.is_asked);
+  Body& moved = now.body(body);
+  now.forget_if_still(moved);
+  moved.move(std::move(motion));
+  now.forget_if_still(moved);
+}
+
+void World::remove(BodyId body) {
+  State& now = state();
+  const Turn turn(now.is_asked);
+  now.forget(now.body(body));
+  now.bodies[at(body)] = nullptr;
+  std::erase_if(now.kept_apart, [&](const BodyPair& pair) { return pair[0] == body || pair[1] == body; });
+}
+
+void World::set_enabled(BodyId body, bool is_enabled) {
+  State& now = state();
+  const Turn turn(now.is_asked);
+  Body& switched = now.body(body);
+  if (switched.is_enabled == is_enabled) return;
+  switched.is_enabled = is_enabled;
+  if (is_enabled)
+    now.forget_if_still(switched);
+  else
+    now.forget(switched);
+}
+
+void World::set_may_touch(BodyId a, BodyId b, bool may_touch) {
+  State& now = state();
+  const Turn turn(now.is_asked);
+  Body& first = now.body(a);
+  const Body& second = now.body(b);
+  if (a == b) {
+    if (may_touch && !first.deforming())
+      throw InvalidOptions("body " + std::to_string(a) + " does not deform, so it cannot touch itself: leave that out");
+    first.may_touch_itself = may_touch;
+    return;
+  }
+  if (may_touch && first.way() == Way::still && second.way() == Way::still)
+    throw InvalidOptions("bodies " + std::to_string(a) + " and " + std::to_string(b) +
+                         " both stay where they are, so they cannot come to touch: move one of them");
+  const BodyPair pair{std::min(a, b), std::max(a, b)};
+  if (may_touch)
+    now.kept_apart.erase(pair);
+  else
+    now.kept_apart.insert(pair);
+  now.forget(first);
+}
+
+std::vector<BodyContact> World::contacts(const QueryOptions& options) {
+  State& now = state();
+  return now.answer([&] { return now.contacts(options); });
+}
+
+EarliestBodyContact World::earliest(const QueryOptions& options) {
+  State& now = state();
+  return now.answer([&] { return now.earliest(options); });
+}
+
+bool World::is_free(const QueryOptions& options) {
+  State& now = state();
+  return now.answer([&] { return now.is_free(options); });
+}
+
+std::vector<BodyNearPair> World::pairs_within(double distance) {
+  State& now = state();
+  return now.answer([&] { return now.pairs_within(distance); });
+}
+
+std::vector<BodyIntersection> World::intersections() {
+  State& now = state();
+  return now.answer([&] { return now.intersections(); });
+}
+
+BodyStep World::safe_step(double fraction, const QueryOptions& options) {
+  State& now = state();
+  return now.answer([&] { return now.safe_step(fraction, options); });
+}
+
+const Statistics& World::statistics() const {
+  const State& now = state();
+  if (now.is_asked.test(std::memory_order_acquire)) throw Busy();
+  return now.statistics;
+}
+
+}  // namespace tamis

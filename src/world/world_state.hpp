@@ -1,0 +1,97 @@
+// What a world keeps from question to question, and how each is answered: bodies that are near each other are found,
+// what may touch of them is gathered, and detectors are asked.
+#pragma once
+#include <functional>
+#include <memory>
+#include <set>
+#include <vector>
+
+#include "query/stopwatch.hpp"
+#include "tamis/turn.hpp"
+#include "world/gathered.hpp"
+
+namespace tamis {
+
+struct World::State {
+  explicit State(Options o);
+
+  Body& body(BodyId id);
+  /// What was gathered with this body must not be asked any more.
+  void forget(const Body& changed);
+  /// Of a body that comes, or moves on: what is gathered sees that itself.
+  void forget_if_still(const Body& changed) {
+    if (changed.way() == Way::still) near_bodies_.forget_still();
+  }
+
+  const Options options;
+  BodyList bodies;
+  std::set<BodyPair> kept_apart;
+  Statistics statistics;
+  std::atomic_flag is_asked;
+
+  /// What ask() returns; one at a time.
+  template <class Ask>
+  auto answer(const Ask& ask) {
+    const Turn turn(is_asked);
+    begin();
+    const Stopwatch watch;
+    auto result = ask();
+    statistics.seconds.total = watch.seconds();
+    statistics.memory_bytes = memory_bytes();
+    return result;
+  }
+  std::vector<BodyContact> contacts(const QueryOptions& asked);
+  EarliestBodyContact earliest(const QueryOptions& asked);
+  bool is_free(const QueryOptions& asked);
+  std::vector<BodyNearPair> pairs_within(double distance);
+  std::vector<BodyIntersection> intersections();
+  BodyStep safe_step(double fraction, const QueryOptions& asked);
+
+ private:
+  /// One mesh of bodies that meet: those whose vertices all go straight, those of which one turns, or at rest all.
+  struct Part {
+    Way aside;
+    std::unique_ptr<Gathered> gathered = nullptr;
+    std::size_t needed_when_gathered = 0;
+    std::vector<BodyPair> pairs = {};  ///< those that may touch in this question
+    bool is_asked() const { return !pairs.empty(); }
+  };
+  /// How near bodies must come to be asked about.
+  struct Reach {
+    double separation = 0;
+    double part_of_way = 0;  ///< and so much of how far both go
+    double of(const Body& a, const Body& b) const;
+  };
+
+  /// Which pairs a part is asked about.
+  using Wanted = std::function<bool(const Body&, const Body&)>;
+
+  double separation(const QueryOptions& asked) const { return asked.min_separation.value_or(options.min_separation); }
+  /// Pairs that may come within the reach and `more`, by their hulls, and may touch.
+  std::vector<BodyPair> near_bodies(const Reach& reach, double more, bool at_start);
+  std::vector<BodyPair> only(const Wanted& is_wanted, std::vector<BodyPair> pairs) const;
+  /// `near`: those without more. `times`: as find_near_items has them.
+  void gather(Part& part, const Reach& reach, const Wanted& is_wanted, const std::vector<BodyPair>& near,
+              const std::vector<double>& times);
+  /// Those of bodies that move.
+  void gather_moving(const Reach& reach);
+  void gather_at_rest(double distance);
+  /// Ends of the pieces on which bodies that turn are asked about, beginning with 0.
+  std::vector<double> times_of_pieces(const std::vector<BodyPair>& pairs) const;
+  /// f(body, detector) of each body that may touch itself.
+  template <class F>
+  void for_each_by_itself(const F& f);
+  void decide_anew(std::vector<Contact>& contacts, const Step& step, const QueryOptions& asked) const;
+  void add_statistics(const Statistics& of_part);
+  template <class Pair>
+  [[noreturn]] void refuse_touching_start(const Pair& pair) const;
+  void begin();
+  std::uint64_t memory_bytes() const;
+
+  NearBodies near_bodies_;
+  Part straight_{Way::still}, turning_{Way::straight}, at_rest_{Way::still};
+  std::vector<double> times_;  ///< of the pieces of turning_
+  bool must_gather_ = false;
+};
+
+}  // namespace tamis

@@ -1,0 +1,169 @@
+// A world says what a detector says of all its bodies as one mesh.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+#include <tuple>
+
+#include "tamis/error.hpp"
+#include "world/random_world.hpp"
+
+namespace tamis::test {
+namespace {
+
+using ContactsByPair = std::map<NamedPair, Contact>;
+
+bool turns(const TestWorld& world, BodyId id) {
+  const auto* rigid = std::get_if<Rigid>(&world.bodies[place(id)].motion);
+  return rigid && std::ranges::any_of(rigid->chain, [](const Link& l) { return l.start.rotation != l.end.rotation; });
+}
+
+/// Of the detector: on curves where one of the two bodies turns, else on the step.
+ContactsByPair expected_contacts(const TestWorld& world, OneMesh& mesh, const QueryOptions& options = {}) {
+  ContactsByPair expected;
+  const auto add = [&](const std::vector<Contact>& contacts, bool of_curves) {
+    for (const Contact& c : contacts) {
+      const NamedPair name = named(c, mesh);
+      const BodyId a = name.vertices[0][0], b = name.vertices[c.kind == PairKind::edge_edge ? 2 : 1][0];
+      if ((turns(world, a) || turns(world, b)) == of_curves) expected.emplace(name, c);
+    }
+  };
+  add(mesh.detector.contacts(mesh.step(), options), false);
+  add(mesh.detector.contacts(mesh.path, options), true);
+  return expected;
+}
+
+std::size_t expect_same_contacts(TestWorld& world, const QueryOptions& options = {}) {
+  OneMesh mesh(world);
+  const ContactsByPair expected = expected_contacts(world, mesh, options);
+  const std::vector<BodyContact> found = world.world.contacts(options);
+  EXPECT_EQ(found.size(), expected.size());
+  auto each = expected.begin();
+  for (const BodyContact& c : found) {
+    if (each == expected.end()) break;
+    const auto& [name, contact] = *each++;
+    EXPECT_EQ(named(c), name);  // which says that they come in this order
+    EXPECT_EQ(c.certainty, contact.certainty);
+    EXPECT_NEAR(c.toi_lower, contact.toi_lower, 2e-9);
+    EXPECT_NEAR(c.toi_upper, contact.toi_upper, 2e-9);
+    if (turns(world, c.bodies[0]) || turns(world, c.bodies[1])) continue;
+    EXPECT_NEAR(c.toi_lower, contact.toi_lower, 1e-14);
+    EXPECT_NEAR(c.u, contact.u, 1e-10);
+    for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(c.normal[k], contact.normal[k], 1e-10);
+  }
+  return found.size();
+}
+
+void expect_same_first(TestWorld& world, const QueryOptions& options = {}) {
+  double first = 1;
+  for (const BodyContact& c : world.world.contacts(options)) first = std::min(first, c.toi_lower);
+  const EarliestBodyContact earliest = world.world.earliest(options);
+  EXPECT_NEAR(earliest.toi_lower, first, 2e-9);
+  EXPECT_EQ(earliest.contact.has_value(), first < 1);
+  EXPECT_EQ(world.world.is_free(options), !earliest.contact);
+}
+
+TEST(World, AgreesWithOneMeshThatGoesStraight) {
+  std::size_t contacts = 0;
+  for (std::uint64_t seed = 0; seed < 40; ++seed) {
+    SCOPED_TRACE(seed);
+    TestWorld world = random_world(seed, 1.5, Motions::straight);
+    contacts += expect_same_contacts(world);
+    expect_same_first(world);
+  }
+  EXPECT_GT(contacts, 1000u);
+}
+
+TEST(World, AgreesWithOneMeshOnCurves) {
+  std::size_t contacts = 0;
+  for (std::uint64_t seed = 0; seed < 15; ++seed) {
+    SCOPED_TRACE(seed);
+    TestWorld world = random_world(seed, 2, Motions::any);
+    contacts += expect_same_contacts(world);
+    expect_same_first(world);
+  }
+  EXPECT_GT(contacts, 1000u);
+}
+
+TEST(World, AgreesWithinASeparation) {
+  for (std::uint64_t seed = 100; seed < 110; ++seed) {
+    SCOPED_TRACE(seed);
+    TestWorld world = random_world(seed, 2.5, Motions::any);
+    expect_same_contacts(world, {.min_separation = 0.02});
+  }
+}
+
+/// What is kept from one question to the next changes nothing.
+TEST(World, AgreesStepAfterStep) {
+  TestWorld world = random_world(7, 1.5, Motions::any);
+  Random random(8);
+  for (int step = 0; step < 12; ++step) {
+    SCOPED_TRACE(step);
+    expect_same_contacts(world);
+    const BodyId body = random.below(static_cast<int>(world.bodies.size()));
+    world.move(body, random_motion(random, world.bodies[place(body)].shape, 1.5, Motions::any));
+  }
+}
+
+TEST(World, AgreesAboutPairsAtRest) {
+  std::size_t pairs = 0;
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    SCOPED_TRACE(seed);
+    TestWorld world = random_world(seed, 1.5, Motions::any);
+    OneMesh mesh(world);
+    const std::vector<NearPair>& expected = mesh.detector.pairs_within(mesh.start, 0.1);
+    const std::vector<BodyNearPair> found = world.world.pairs_within(0.1);
+    ASSERT_EQ(found.size(), expected.size());
+    for (std::size_t i = 0; i < found.size(); ++i) {
+      EXPECT_EQ(named(found[i]), named(expected[i], mesh));
+      EXPECT_EQ(found[i].distance, expected[i].distance);
+    }
+    pairs += found.size();
+  }
+  EXPECT_GT(pairs, 1000u);
+}
+
+TEST(World, AgreesAboutIntersections) {
+  std::size_t count = 0;
+  for (std::uint64_t seed = 0; seed < 10; ++seed) {
+    SCOPED_TRACE(seed);
+    TestWorld world = random_world(seed, 1, Motions::any);
+    OneMesh mesh(world);
+    const auto body = [&](Index v) { return mesh.names[place(v)][0]; };
+    const auto own = [&](Index v) { return mesh.names[place(v)][1]; };
+    std::set<std::tuple<BodyId, Edge, BodyId, Face>> expected, found;
+    for (const Intersection& one : mesh.detector.intersections(mesh.start)) {
+      const BodyId of_edge = body(one.edge[0]), of_face = body(one.face[0]);
+      const auto motion = [&](BodyId id) -> const BodyMotion& { return world.bodies[place(id)].motion; };
+      if (of_edge == of_face && !std::holds_alternative<Deforming>(motion(of_edge))) continue;
+      if (std::holds_alternative<Static>(motion(of_edge)) && std::holds_alternative<Static>(motion(of_face))) continue;
+      expected.insert({of_edge, {own(one.edge[0]), own(one.edge[1])}, of_face,
+                       {own(one.face[0]), own(one.face[1]), own(one.face[2])}});
+    }
+    for (const BodyIntersection& one : world.world.intersections())
+      found.insert({one.bodies[0], one.edge, one.bodies[1], one.face});
+    EXPECT_EQ(found, expected);
+    count += found.size();
+  }
+  EXPECT_GT(count, 100u);
+}
+
+TEST(World, AgreesAboutHowFarTheStepMayGo) {
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    for (const double fraction : {0.0, 0.1, 0.5}) {
+      SCOPED_TRACE(seed);
+      TestWorld world = random_world(seed, 6, Motions::straight);
+      OneMesh mesh(world);
+      const SafeStep expected = mesh.detector.safe_step(mesh.step(), fraction);
+      const BodyStep found = world.world.safe_step(fraction);
+      EXPECT_EQ(found.lower, expected.lower);
+      ASSERT_EQ(found.pair.has_value(), expected.pair.has_value());
+      if (found.pair) {
+        EXPECT_EQ(named(*found.pair), named(*expected.pair, mesh));
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace tamis::test

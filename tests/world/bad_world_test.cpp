@@ -1,0 +1,138 @@
+// What a world refuses, and with which sentence.
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "tamis/error.hpp"
+#include "world/random_world.hpp"
+
+namespace tamis::test {
+namespace {
+
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+
+Shape triangle() { return {Mesh(3, {{0, 1, 2}}), {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}}; }
+
+template <class Wrong, class F>
+void expect_refused(const F& ask, const std::string& sentence) {
+  try {
+    ask();
+    FAIL() << "not refused: " << sentence;
+  } catch (const Wrong& e) {
+    EXPECT_EQ(std::string(e.what()), sentence);
+  }
+}
+
+TEST(BadWorld, NamesBodiesThatThereAreNot) {
+  World world;
+  const BodyId gone = world.add(triangle(), Static{});
+  world.remove(gone);
+  const std::string removed = "body 0 has been removed: name one that is still there";
+  expect_refused<InvalidOptions>([&] { world.remove(gone); }, removed);
+  expect_refused<InvalidOptions>([&] { world.move(gone, Static{}); }, removed);
+  expect_refused<InvalidOptions>([&] { world.set_enabled(gone, true); }, removed);
+  const BodyId there = world.add(triangle(), Static{});
+  EXPECT_NE(there, gone);
+  expect_refused<InvalidOptions>([&] { world.set_may_touch(there, gone, false); }, removed);
+  expect_refused<InvalidOptions>([&] { world.move(2, Static{}); },
+                                 "the world has no body 2: give a number that `add` has returned");
+  expect_refused<InvalidOptions>([&] { world.move(-1, Static{}); },
+                                 "the world has no body -1: give a number that `add` has returned");
+}
+
+TEST(BadWorld, RefusesShapesWithoutPoints) {
+  expect_refused<InvalidMesh>(
+      [] {
+        Shape(Mesh(3, {{0, 1, 2}}), {{0, 0, 0}});
+      },
+      "the shape has 1 points, its mesh 3 vertices: give one point a vertex");
+  expect_refused<InvalidMesh>(
+      [] {
+        Shape(Mesh(3, {{0, 1, 2}}), {{0, 0, 0}, {kNan, 0, 0}, {0, 0, 0}});
+      },
+      "vertex 1 of the shape is not finite: give finite points");
+}
+
+TEST(BadWorld, RefusesMotionsThatAreNone) {
+  World world;
+  const BodyId body = world.add(triangle(), Static{});
+  const std::string pose = "a pose of body 0 is not finite: give finite positions and rotation vectors";
+  expect_refused<InvalidStep>([&] { world.move(body, Static{{{kNan, 0, 0}, {}}}); }, pose);
+  expect_refused<InvalidStep>([&] { world.move(body, Rigid{interpolated({}, {{}, {0, kNan, 0}})}); }, pose);
+  const std::vector<Point> points = triangle().points();
+  expect_refused<InvalidStep>(
+      [&] {
+        world.move(body, Deforming{points, {{0, 0, 0}}});
+      },
+      "body 0 has 1 points at the end of its motion, its shape 3 vertices: give one point a vertex");
+  expect_refused<InvalidStep>(
+      [&] {
+        world.move(body, Deforming{{{0, 0, 0}, {0, kNan, 0}, {0, 0, 0}}, points});
+      },
+      "vertex 1 of body 0 at the start of its motion is not finite: give finite points");
+  expect_refused<InvalidStep>(
+      [&] {
+        world.add(triangle(), Static{{{kNan, 0, 0}, {}}});
+      },
+      "a pose of body 1 is not finite: give finite positions and rotation vectors");
+  EXPECT_EQ(world.add(triangle(), Static{}), 1);  // what was refused has no number
+  EXPECT_TRUE(world.is_free());
+}
+
+TEST(BadWorld, RefusesOptionsOfOneMesh) {
+  Options groups;
+  groups.filter = PairFilter::no_self_contact({0, 0, 0});
+  expect_refused<InvalidOptions>([&] { World world(groups); },
+                                 "the options of a world have groups or a function that accepts pairs, which speak of "
+                                 "one mesh: say which bodies may touch by set_may_touch");
+  Options negative;
+  negative.threads = -1;
+  EXPECT_THROW(World{negative}, InvalidOptions);
+  World world;
+  EXPECT_THROW(world.contacts({.min_separation = -1}), InvalidOptions);
+  EXPECT_THROW(world.earliest({.tolerance = 0}), InvalidOptions);
+  EXPECT_THROW(world.pairs_within(kNan), InvalidOptions);
+  EXPECT_THROW(world.safe_step(1), InvalidOptions);
+}
+
+TEST(BadWorld, RefusesWhatCannotTouch) {
+  World world;
+  world.add(triangle(), Static{});
+  world.add(triangle(), Static{});
+  expect_refused<InvalidOptions>([&] { world.set_may_touch(0, 0, true); },
+                                 "body 0 does not deform, so it cannot touch itself: leave that out");
+  expect_refused<InvalidOptions>(
+      [&] { world.set_may_touch(0, 1, true); },
+      "bodies 0 and 1 both stay where they are, so they cannot come to touch: move one of them");
+}
+
+TEST(BadWorld, FailsForWhatTouchesAtTheStart) {
+  World world;
+  world.add(triangle(), Static{});
+  const BodyId moving = world.add(triangle(), Rigid{interpolated({{0, 0, 0.1}, {}}, {{0, 0, 1}, {}})});
+  const QueryOptions fail{.min_separation = 0.2, .at_start = AtStart::fail};
+  const std::string sentence =
+      "vertex 0 and face 0 1 2 of bodies 0 and 1 touch at the start, or are nearer than can be told: move them apart, "
+      "keep the bodies apart by set_may_touch, or ask with at_start ignore";
+  expect_refused<InvalidStep>([&] { world.contacts(fail); }, sentence);
+  expect_refused<InvalidStep>([&] { world.earliest(fail); }, sentence);
+  expect_refused<InvalidStep>([&] { world.is_free(fail); }, sentence);
+  expect_refused<InvalidStep>([&] { world.safe_step(0.1, fail); }, sentence);
+  world.move(moving, Rigid{interpolated({{0, 0, 0.1}, {}}, {{0, 0, 1}, {0, 0, 1}})});
+  expect_refused<InvalidStep>([&] { world.contacts(fail); }, sentence);
+  expect_refused<InvalidStep>([&] { world.is_free(fail); }, sentence);
+  EXPECT_TRUE(world.is_free({.min_separation = 0.05, .at_start = AtStart::fail}));
+  expect_refused<InvalidOptions>(
+      [&] { world.safe_step(); },
+      "one of the bodies 0 and 1 turns, and how far curves may go is not known: ask `earliest`");
+}
+
+TEST(BadWorld, RefusesOneThatHasBeenMovedFrom) {
+  World world;
+  const World other(std::move(world));
+  EXPECT_THROW(world.contacts(), Error);
+  EXPECT_THROW(world.add(triangle(), Static{}), Error);
+}
+
+}  // namespace
+}  // namespace tamis::test

@@ -1,0 +1,199 @@
+// Bodies that come, go, are switched off and kept apart; poses and places that are hard.
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+#include "world/random_world.hpp"
+
+namespace tamis::test {
+namespace {
+
+Shape cube() {
+  const scenes::Shape cube = scenes::unit_cube(2);
+  return {Mesh(static_cast<Index>(cube.points.size()), cube.faces), cube.points};
+}
+
+/// At a height above the floor, falling by one.
+Rigid falling(double height, const Point& turn = {0, 0, 0}) {
+  return {turned({{0, 0, height}, {}}, turn, {0, 0, height - 1})};
+}
+
+/// Of side 20, at z = 0.
+Shape floor() {
+  const std::vector<Point> points{{-10, -10, 0}, {10, -10, 0}, {10, 10, 0}, {-10, 10, 0}};
+  return {Mesh(4, {{0, 1, 2}, {0, 2, 3}}), points};
+}
+
+TEST(World, HasNoContactsWithoutBodies) {
+  World world;
+  EXPECT_TRUE(world.contacts().empty());
+  EXPECT_EQ(world.earliest().toi_lower, 1);
+  EXPECT_TRUE(world.is_free());
+  EXPECT_TRUE(world.pairs_within(1).empty());
+  EXPECT_TRUE(world.intersections().empty());
+  EXPECT_EQ(world.safe_step().lower, 1);
+}
+
+TEST(World, KnowsWhenACubeMeetsTheFloor) {
+  World world;
+  const BodyId ground = world.add(floor(), Static{}), fallen = world.add(cube(), falling(1.75));
+  EXPECT_NEAR(world.earliest().toi_lower, 0.75, 1e-12);
+  EXPECT_NEAR(world.earliest({.min_separation = 0.25}).toi_lower, 0.5, 1e-12);
+  world.move(fallen, falling(1.75, {0, 0, 3}));
+  const EarliestBodyContact turning = world.earliest();
+  EXPECT_NEAR(turning.toi_lower, 0.75, 1e-9);
+  ASSERT_TRUE(turning.contact);
+  EXPECT_EQ(std::set<BodyId>(turning.contact->bodies.begin(), turning.contact->bodies.end()),
+            (std::set<BodyId>{ground, fallen}));
+  EXPECT_FALSE(world.is_free());
+  world.move(fallen, falling(2.75, {0, 0, 3}));
+  EXPECT_TRUE(world.is_free());
+}
+
+TEST(World, DoesWithoutBodiesThatAreRemovedOrSwitchedOff) {
+  TestWorld world;
+  world.add(floor(), Static{});
+  const BodyId first = world.add(cube(), falling(1.5)), second = world.add(cube(), falling(1.25));
+  const auto touched = [&] {
+    std::set<BodyId> ids;
+    for (const BodyContact& c : world.world.contacts()) ids.insert(c.bodies.begin(), c.bodies.end());
+    return ids;
+  };
+  EXPECT_EQ(touched(), (std::set<BodyId>{0, first, second}));
+  world.world.set_enabled(second, false);
+  EXPECT_EQ(touched(), (std::set<BodyId>{0, first}));
+  world.world.set_enabled(second, true);
+  world.world.set_may_touch(first, second, false);
+  world.world.set_may_touch(second, 0, false);
+  EXPECT_EQ(touched(), (std::set<BodyId>{0, first}));
+  world.world.set_may_touch(second, 0, true);
+  world.world.remove(first);
+  EXPECT_EQ(touched(), (std::set<BodyId>{0, second}));
+  EXPECT_EQ(world.add(cube(), falling(9)), second + 1);
+  world.world.set_enabled(0, false);
+  EXPECT_TRUE(touched().empty());
+}
+
+TEST(World, AgreesWithOneMeshWhereBodiesAreKeptApart) {
+  for (std::uint64_t seed = 0; seed < 10; ++seed) {
+    SCOPED_TRACE(seed);
+    TestWorld world = random_world(seed, 1, Motions::straight);
+    for (const auto& pair : {std::array<BodyId, 2>{0, 1}, {2, 5}, {3, 4}}) {
+      world.kept_apart.insert(pair);
+      world.world.set_may_touch(pair[1], pair[0], false);
+    }
+    world.world.set_enabled(6, false);
+    world.bodies[6].is_there = false;
+    OneMesh mesh(world);
+    std::set<NamedPair> expected, found;
+    for (const Contact& c : mesh.detector.contacts(mesh.step())) expected.insert(named(c, mesh));
+    for (const BodyContact& c : world.world.contacts()) found.insert(named(c));
+    EXPECT_EQ(found, expected);
+  }
+}
+
+TEST(World, AsksADeformingBodyAboutItself) {
+  // A strip folded onto itself.
+  const std::vector<Point> flat{{0, 0, 0}, {0, 1, 0}, {1, 0, 0}, {1, 1, 0}, {2, 0, 0}, {2, 1, 0}, {3, 0, 0}, {3, 1, 0}};
+  const Shape strip(Mesh(8, {{0, 1, 2}, {1, 3, 2}, {2, 3, 4}, {3, 5, 4}, {4, 5, 6}, {5, 7, 6}}), flat);
+  std::vector<Point> folded = flat;
+  folded[6] = {0.5, 0.2, -1};
+  folded[7] = {0.5, 0.8, -1};
+  std::vector<Point> start = flat;
+  start[6] = {0.5, 0.2, 1};
+  start[7] = {0.5, 0.8, 1};
+  World world;
+  const BodyId body = world.add(strip, Deforming{start, folded});
+  const std::vector<BodyContact> contacts = world.contacts();
+  ASSERT_FALSE(contacts.empty());
+  EXPECT_EQ(contacts[0].bodies, (std::array{body, body}));
+  world.set_may_touch(body, body, false);
+  EXPECT_TRUE(world.is_free());
+}
+
+TEST(World, FindsTwoBodiesInOnePlace) {
+  World world;
+  world.add(cube(), Static{});
+  world.add(cube(), Rigid{interpolated({}, {{0, 0, 0.25}, {}})});
+  EXPECT_EQ(world.earliest().toi_lower, 0);
+  EXPECT_FALSE(world.intersections().empty());
+  EXPECT_FALSE(world.pairs_within(0).empty());
+}
+
+TEST(World, IgnoresWhatTouchesAtTheStart) {
+  const double gap = 0.01;
+  for (const Point& turn : {Point{0, 0, 0}, Point{0, 0, 0.1}}) {
+    World world;
+    world.add(floor(), Static{});
+    // Within the separation at the start; up, and where it comes back down, it meets the floor again.
+    const Pose low{{0, 0, 1 + 0.5 * gap}, {}}, high{{0, 0, 1.5}, turn};
+    const BodyId moving = world.add(cube(), Rigid{interpolated(low, high)});
+    const QueryOptions ignore{.min_separation = gap, .at_start = AtStart::ignore};
+    EXPECT_EQ(world.earliest({.min_separation = gap}).toi_lower, 0);
+    EXPECT_TRUE(world.is_free(ignore));
+    EXPECT_TRUE(world.contacts(ignore).empty());
+    // A wall above ends the way all the same.
+    world.add(floor(), Static{{{0, 0, 2.25}, {}}});
+    EXPECT_NEAR(world.earliest(ignore).toi_lower, (0.25 - 1.5 * gap) / (0.5 - 0.5 * gap), 1e-3);
+    world.remove(moving);
+    EXPECT_TRUE(world.is_free());
+  }
+}
+
+/// A bar that turns by many turns, between two posts that it meets as soon as it is a little beyond.
+TEST(World, FollowsHugeRotations) {
+  const Shape bar(Mesh(3, {{0, 1, 2}}), {{-2, 0, 0}, {2, 0, 0}, {0, 0, 0.1}});
+  const Shape post(Mesh(2, {}, {{0, 1}}), {{0, 0, -1}, {0, 0, 1}});
+  for (const double turns : {0.25, 1.0, 20.0}) {
+    World world;
+    const double angle = 2 * std::numbers::pi * turns;
+    world.add(bar, Rigid{interpolated({}, {{}, {0, 0, angle}})});
+    world.add(post, Static{{{1, 1, 0}, {}}});
+    EXPECT_NEAR(world.earliest().toi_lower, std::numbers::pi / 4 / angle, 1e-8);
+    EXPECT_FALSE(world.contacts().empty());
+  }
+}
+
+TEST(World, IsAsExactFarFromTheOrigin) {
+  const Point far{1e8, -3e8, 2e8};
+  World world;
+  const auto at = [&](double height) { return Pose{{far[0], far[1], far[2] + height}, {}}; };
+  world.add(floor(), Static{at(0)});
+  const BodyId cubes = world.add(cube(), Rigid{interpolated(at(1.75), at(0.75))});
+  EXPECT_NEAR(world.earliest().toi_lower, 0.75, 1e-12);
+  Pose end = at(0.75);
+  end.rotation = {0, 0, 1};
+  world.move(cubes, Rigid{interpolated(at(1.75), end)});
+  EXPECT_NEAR(world.earliest().toi_lower, 0.75, 1e-6);
+}
+
+/// The same bits, whatever was asked before and however many threads ask.
+TEST(World, HasTheSameBitsAlways) {
+  Options threads;
+  threads.threads = 4;
+  for (std::uint64_t seed = 0; seed < 4; ++seed) {
+    SCOPED_TRACE(seed);
+    TestWorld one = random_world(seed, 1.5, Motions::any), four = random_world(seed, 1.5, Motions::any, threads);
+    four.world.contacts({.min_separation = 0.5});  // gathers more
+    Random random(seed), again(seed);
+    for (int step = 0; step < 3; ++step) {
+      const std::vector<BodyContact> a = one.world.contacts(), b = four.world.contacts();
+      ASSERT_EQ(a.size(), b.size());
+      for (std::size_t i = 0; i < a.size(); ++i) {
+        EXPECT_EQ(named(a[i]), named(b[i]));
+        EXPECT_EQ(a[i].toi_lower, b[i].toi_lower);
+        EXPECT_EQ(a[i].toi_upper, b[i].toi_upper);
+        EXPECT_EQ(a[i].u, b[i].u);
+        EXPECT_EQ(a[i].v, b[i].v);
+        EXPECT_EQ(a[i].normal, b[i].normal);
+      }
+      EXPECT_EQ(one.world.earliest().toi_lower, four.world.earliest().toi_lower);
+      one.move(0, random_motion(random, one.bodies[0].shape, 1.5, Motions::any));
+      four.move(0, random_motion(again, four.bodies[0].shape, 1.5, Motions::any));
+      one.world = World(std::move(one.world));
+    }
+  }
+}
+
+}  // namespace
+}  // namespace tamis::test

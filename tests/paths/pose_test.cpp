@@ -26,11 +26,16 @@ Rows rows_of(const Pose& pose) {
   return rows;
 }
 
-std::array<double, 4> random_quaternion(std::mt19937_64& random) {
+using Quaternion = std::array<double, 4>;
+
+Quaternion random_quaternion(std::mt19937_64& random) {
   std::normal_distribution<double> normal;
-  std::array<double, 4> q{};
+  Quaternion q{};
   double square = 0;
-  for (double& x : q) square += (x = normal(random)) * x;
+  for (double& x : q) {
+    x = normal(random);
+    square += x * x;
+  }
   for (double& x : q) x /= std::sqrt(square);
   return q;
 }
@@ -61,16 +66,16 @@ TEST(Pose, OfHalfTurnsIsKnown) {
   const double pi = std::numbers::pi;
   expect_near(rows_of(pose_of(Rows{{{1, 0, 0}, {0, -1, 0}, {0, 0, -1}}}, {})), {{{1, 0, 0}, {0, -1, 0}, {0, 0, -1}}},
               1e-15);
-  EXPECT_NEAR(std::fabs(pose_of({0, 0, 0, 1}, {}).rotation[2]), pi, 1e-15);
-  EXPECT_EQ(pose_of({-1, 0, 0, 0}, {1, 2, 3}).rotation, (Point{0, 0, 0}));
-  EXPECT_EQ(pose_of({-1, 0, 0, 0}, {1, 2, 3}).position, (Point{1, 2, 3}));
+  EXPECT_NEAR(std::fabs(pose_of(Quaternion{0, 0, 0, 1}, {}).rotation[2]), pi, 1e-15);
+  EXPECT_EQ(pose_of(Quaternion{-1, 0, 0, 0}, {1, 2, 3}).rotation, (Point{0, 0, 0}));
+  EXPECT_EQ(pose_of(Quaternion{-1, 0, 0, 0}, {1, 2, 3}).position, (Point{1, 2, 3}));
 }
 
 TEST(Pose, OfNoRotationIsRefused) {
-  EXPECT_NO_THROW(pose_of({1.00004, 0, 0, 0}, {}));
-  EXPECT_THROW(pose_of({1.0001, 0, 0, 0}, {}), InvalidPath);
-  EXPECT_THROW(pose_of({0, 0, 0, 0}, {}), InvalidPath);
-  EXPECT_THROW(pose_of({std::nan(""), 0, 0, 0}, {}), InvalidPath);
+  EXPECT_NO_THROW(pose_of(Quaternion{1.00004, 0, 0, 0}, {}));
+  EXPECT_THROW(pose_of(Quaternion{1.0001, 0, 0, 0}, {}), InvalidPath);
+  EXPECT_THROW(pose_of(Quaternion{0, 0, 0, 0}, {}), InvalidPath);
+  EXPECT_THROW(pose_of(Quaternion{std::nan(""), 0, 0, 0}, {}), InvalidPath);
   EXPECT_THROW(pose_of(Rows{{{1.0001, 0, 0}, {0, 1, 0}, {0, 0, 1}}}, {}), InvalidPath);
   EXPECT_THROW(pose_of(Rows{{{1, 0, 0}, {0, 1, 0}, {0, 0, std::nan("")}}}, {}), InvalidPath);
   try {

@@ -97,14 +97,72 @@ std::uint64_t Body::memory_bytes() const {
 }
 
 CarriedBoxes::CarriedBoxes(const Body& body, double from, double to)
-    : body_(body), from_(from), to_(to), at_from_(body.at_start_), at_to_(body.at_end_) {
+    : body_(body), from_(from), to_(to), at_from_(end_at(from)), at_to_(end_at(to)) {
   TAMIS_ASSERT(0 <= from && from <= to && to <= 1);
-  if (body.deforming() || body.way() == Way::still) return;
-  const auto at_time = [&](double time) {
-    return time == 0 ? body.at_start_ : time == 1 ? body.at_end_ : rounded_transform_of(body.chain_, time);
-  };
-  at_from_ = at_time(from);
-  at_to_ = at_time(to);
+  if (body.way_ == Way::turning) {
+    const Interval length = Interval(to) - Interval(from);
+    const Interval eighth = Interval(0.125) * length * length;
+    const auto of_piece = [&](const Curvature& curve) {
+      return Curvature{(eighth * Interval(curve.acceleration)).upper, 2 * curve.reach};
+    };
+    innermost_ = of_piece(body.innermost_);
+    outermost_ = of_piece(body.outermost_);
+  }
+  if (body.way_ != Way::still && !body.deforming()) way_ = farthest_way();
+}
+
+CarriedBoxes::End CarriedBoxes::end_at(double time) const {
+  const bool is_known = time == 0 || body_.way_ == Way::still || body_.deforming();
+  const RoundedTransform transform = is_known      ? body_.at_start_
+                                     : time == 1 ? body_.at_end_
+                                                 : rounded_transform_of(body_.chain_, time);
+  const double fixed = transform.error_of(0, 0), per_size = transform.error_of(1, 0) - fixed;
+  // No coordinate of a box is larger than its size and the shift together, but for what is added here.
+  return {transform, per_size * (1 + 0x1p-20) + 2 * MovingBounds::kRounding,
+          fixed * (1 + 0x1p-20) + 2 * MovingBounds::kRounding * transform.shift_size};
+}
+
+/// |R1 x + p1 - R0 x - p0|, and what the curve and rounding may add.
+double CarriedBoxes::farthest_way() const {
+  const RoundedTransform &a = at_from_.transform, &b = at_to_.transform;
+  double turn = 0, shift = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    shift += (b.shift[i] - a.shift[i]) * (b.shift[i] - a.shift[i]);
+    for (std::size_t k = 0; k < 3; ++k) turn += (b.rows[i][k] - a.rows[i][k]) * (b.rows[i][k] - a.rows[i][k]);
+  }
+  const double radius = body_.shape_->radius, size = 1.8 * radius;  // |x|_1 <= sqrt(3) |x|
+  const double off = 2 * ((at_from_.per_size + at_to_.per_size) * size + at_from_.fixed + at_to_.fixed);
+  const double deviation = std::min(outermost_.acceleration, outermost_.reach);
+  return (std::sqrt(turn) * radius + std::sqrt(shift) + deviation + off) * (1 + 0x1p-20);
+}
+
+/// The other's hull, in the frame of the body as it stands at the start of the piece.
+Box CarriedBoxes::seen(const MovingBounds& other, double separation) const {
+  constexpr double kAll = Box::kNone;
+  if (body_.deforming()) return {{-kAll, -kAll, -kAll}, {kAll, kAll, kAll}};
+  const Box hull = other.hull();
+  const Point middle = hull.middle();
+  const auto& [transform, per_size, fixed] = at_from_;
+  double size = 0;
+  Point half{}, from_shift{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    half[k] = std::max(hull.high[k] - middle[k], middle[k] - hull.low[k]);
+    from_shift[k] = middle[k] - transform.shift[k];
+    size += std::fabs(middle[k]) + half[k];
+  }
+  // The inverse is the transpose, but for what the rows are off by.
+  const double near = separation + way_, off = 4 * (per_size * (size + transform.shift_size + near) + fixed);
+  Box box;
+  for (std::size_t k = 0; k < 3; ++k) {
+    double center = 0, reach = near + off;
+    for (std::size_t i = 0; i < 3; ++i) {
+      center += transform.rows[i][k] * from_shift[i];
+      reach += std::fabs(transform.rows[i][k]) * half[i];
+    }
+    box.low[k] = center - reach;
+    box.high[k] = center + reach;
+  }
+  return box;
 }
 
 MovingBounds CarriedBoxes::of_block(int level, Index block) const {
@@ -148,10 +206,8 @@ double CarriedBoxes::deviation(const Box& at_rest) const {
   }
   const double radius = body_.shape_->radius, place = std::sqrt(square) * (1 + 0x1p-40);
   const double share = place < radius ? place / radius : 1;  // corners may be farther than all vertices
-  const Curvature &first = body_.innermost_, &last = body_.outermost_;
-  const Curvature curve{at_share(first.acceleration, last.acceleration, share),
-                        at_share(first.reach, last.reach, share)};
-  return curve.deviation(Interval(to_) - Interval(from_));
+  return std::min(at_share(innermost_.acceleration, outermost_.acceleration, share),
+                  at_share(innermost_.reach, outermost_.reach, share));
 }
 
 /// A rotation takes a box around a middle to one around where that goes.
@@ -164,17 +220,19 @@ MovingBounds CarriedBoxes::carried(const Box& at_rest) const {
     size += std::fabs(middle[k]) + half[k];
   }
   const double deviation = this->deviation(at_rest);
-  const auto by = [&](const RoundedTransform& transform) {
+  const auto by = [&](const End& end) {
+    const RoundedTransform& transform = end.transform;
     const Point center = transform.of(middle);
+    const double off = end.per_size * size + end.fixed + deviation * (1 + MovingBounds::kRounding);
     Box box;
     for (std::size_t k = 0; k < 3; ++k) {
       const Point& row = transform.rows[k];
-      const double reach = std::fabs(row[0]) * half[0] + std::fabs(row[1]) * half[1] + std::fabs(row[2]) * half[2];
+      const double reach =
+          std::fabs(row[0]) * half[0] + std::fabs(row[1]) * half[1] + std::fabs(row[2]) * half[2] + off;
       box.low[k] = center[k] - reach;
       box.high[k] = center[k] + reach;
     }
-    box.widen(transform.error_of(size, 0) + deviation);
-    return widened(box);
+    return box;
   };
   return {by(at_from_), by(at_to_)};
 }

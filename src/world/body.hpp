@@ -67,14 +67,27 @@ class CarriedBoxes {
   MovingBounds of_item(Index item) const;
   int root_level() const { return body_.shape_->boxes.root_level(); }
 
+  /// What comes within `separation` of `other` during the piece has a box at rest that meets this one: cheap to ask
+  /// first of many boxes. Everything, of a body that deforms.
+  Box seen(const MovingBounds& other, double separation) const;
+
  private:
+  /// At one end of the piece.
+  struct End {
+    RoundedTransform transform;
+    double per_size, fixed;  ///< what a box is off by, of size |x|_1 at most
+  };
   MovingBounds carried(const Box& at_rest) const;
   MovingBounds between(const Box& start, const Box& end) const;
   double deviation(const Box& at_rest) const;
+  End end_at(double time) const;
+  double farthest_way() const;
 
   const Body& body_;
   double from_, to_;
-  RoundedTransform at_from_, at_to_;
+  End at_from_, at_to_;
+  Curvature innermost_{0, 0}, outermost_{0, 0};  ///< of the piece: `acceleration` is a deviation
+  double way_ = 0;                               ///< no vertex gets farther from where it is at the start of the piece
 };
 
 }  // namespace tamis

@@ -40,22 +40,22 @@ class PairWalk {
     if (a.level == 0 && b.level == 0) {
       mark(a, b);
     } else if (b.level == 0 || (a.level > 0 && a.bounds.start.extent() >= b.bounds.start.extent())) {
-      for_each_child(a_, a, [&](const Node& child) {
-        if (meet(child.bounds, b.bounds)) visit(child, b);
-      });
+      for_each_child_near(a_, a, b.bounds, [&](const Node& child) { visit(child, b); });
     } else {
-      for_each_child(b_, b, [&](const Node& child) {
-        if (meet(a.bounds, child.bounds)) visit(a, child);
-      });
+      for_each_child_near(b_, b, a.bounds, [&](const Node& child) { visit(a, child); });
     }
   }
 
   template <class F>
-  static void for_each_child(const Side& side, const Node& node, const F& f) {
-    const auto count = static_cast<Index>(side.boxes.body().shape().boxes.level(node.level - 1).size());
-    const Index first = node.block * kBlock;
-    for (Index child = first; child < std::min(first + kBlock, count); ++child)
-      f({node.level - 1, child, side.boxes.of_block(node.level - 1, child)});
+  void for_each_child_near(const Side& side, const Node& node, const MovingBounds& other, const F& f) const {
+    const auto boxes = side.boxes.body().shape().boxes.level(node.level - 1);
+    const Box seen = side.boxes.seen(other, separation_);
+    const Index first = node.block * kBlock, last = std::min(first + kBlock, static_cast<Index>(boxes.size()));
+    for (Index child = first; child < last; ++child) {
+      if (!may_meet(boxes[static_cast<std::size_t>(child)], seen)) continue;
+      const MovingBounds bounds = side.boxes.of_block(node.level - 1, child);
+      if (meet(bounds, other)) f(Node{node.level - 1, child, bounds});
+    }
   }
 
   void mark(const Node& a, const Node& b) {
@@ -65,10 +65,12 @@ class PairWalk {
 
   /// Items of a block of items that may meet `other`.
   bool mark_some(const Side& side, const Node& node, const MovingBounds& other) const {
+    const BodyShape& shape = side.boxes.body().shape();
+    const Box seen = side.boxes.seen(other, separation_);
     bool is_any = false;
-    for (const Index item : side.boxes.body().shape().order.items_of(node.block)) {
+    for (const Index item : shape.order.items_of(node.block)) {
       if (!side.items.has(item)) {
-        if (!meet(side.boxes.of_item(item), other)) continue;
+        if (!may_meet(shape.box_at_rest(item), seen) || !meet(side.boxes.of_item(item), other)) continue;
         side.items.add(item);
       }
       is_any = true;

@@ -1,6 +1,7 @@
 #include "world/near_items.hpp"
 
 #include <algorithm>
+#include <array>
 #include <set>
 
 namespace tamis {
@@ -58,24 +59,39 @@ class PairWalk {
     }
   }
 
+  struct Candidates {
+    int count = 0;
+    std::array<Index, kBlock> items;
+    std::array<MovingBounds, kBlock> bounds;
+  };
+
+  /// Items of two blocks of items that may meet each other.
   void mark(const Node& a, const Node& b) {
-    if (!mark_some(a_, a, b.bounds)) return;
-    found_ |= mark_some(b_, b, a.bounds);
+    const Candidates of_a = candidates(a_, a, b.bounds);
+    if (of_a.count == 0) return;
+    const Candidates of_b = candidates(b_, b, a.bounds);
+    for (int i = 0; i < of_a.count; ++i)
+      for (int j = 0; j < of_b.count; ++j)
+        if (meet(of_a.bounds[static_cast<std::size_t>(i)], of_b.bounds[static_cast<std::size_t>(j)])) {
+          a_.items.add(of_a.items[static_cast<std::size_t>(i)]);
+          b_.items.add(of_b.items[static_cast<std::size_t>(j)]);
+          found_ = true;
+        }
   }
 
   /// Items of a block of items that may meet `other`.
-  bool mark_some(const Side& side, const Node& node, const MovingBounds& other) const {
+  Candidates candidates(const Side& side, const Node& node, const MovingBounds& other) const {
     const BodyShape& shape = side.boxes.body().shape();
     const Box seen = side.boxes.seen(other, separation_);
-    bool is_any = false;
+    Candidates found;
     for (const Index item : shape.order.items_of(node.block)) {
-      if (!side.items.has(item)) {
-        if (!may_meet(shape.box_at_rest(item), seen) || !meet(side.boxes.of_item(item), other)) continue;
-        side.items.add(item);
-      }
-      is_any = true;
+      if (!may_meet(shape.box_at_rest(item), seen)) continue;
+      const auto place = static_cast<std::size_t>(found.count);
+      found.items[place] = item;
+      found.bounds[place] = side.boxes.of_item(item);
+      found.count += meet(found.bounds[place], other);
     }
-    return is_any;
+    return found;
   }
 
   const Side a_, b_;

@@ -136,29 +136,60 @@ double CarriedBoxes::farthest_way() const {
   return (std::sqrt(turn) * radius + std::sqrt(shift) + deviation + off) * (1 + 0x1p-20);
 }
 
-/// The other's hull, in the frame of the body as it stands at the start of the piece.
-Box CarriedBoxes::seen(const MovingBounds& other, double separation) const {
+namespace {
+
+struct Halves {
+  Point middle, half;
+  double size;  ///< no |x|_1 within is larger
+};
+
+Halves halves_of(const Box& box) {
+  Halves halves{box.middle(), {}, 0};
+  for (std::size_t k = 0; k < 3; ++k) {
+    halves.half[k] = std::max(box.high[k] - halves.middle[k], halves.middle[k] - box.low[k]);
+    halves.size += std::fabs(halves.middle[k]) + halves.half[k];
+  }
+  return halves;
+}
+
+}  // namespace
+
+PlacedBox CarriedBoxes::placed(const Box& at_rest, const MovingBounds& carried) const {
+  const bool is_soft = body_.deforming();
+  const Halves box = halves_of(is_soft ? carried.hull() : at_rest);
+  PlacedBox placed{box.middle, {}, MovingBounds::kRounding * box.size};
+  for (std::size_t k = 0; k < 3; ++k) placed.halves[k][k] = box.half[k];
+  if (is_soft) return placed;
+  const auto& [transform, per_size, fixed] = at_from_;
+  placed.middle = transform.of(box.middle);
+  for (std::size_t k = 0; k < 3; ++k)
+    for (std::size_t j = 0; j < 3; ++j) placed.halves[j][k] = transform.rows[k][j] * box.half[j];
+  placed.wider = 2 * (per_size * box.size + fixed) + way_;
+  return placed;
+}
+
+/// In the frame of the body as it stands at the start of the piece. The inverse is the transpose, but for what the rows
+/// are off by.
+Box CarriedBoxes::seen(const PlacedBox& other, double separation) const {
   constexpr double kAll = Box::kNone;
   if (body_.deforming()) return {{-kAll, -kAll, -kAll}, {kAll, kAll, kAll}};
-  const Box hull = other.hull();
-  const Point middle = hull.middle();
   const auto& [transform, per_size, fixed] = at_from_;
-  double size = 0;
-  Point half{}, from_shift{};
+  const auto turned_back = [&transform = transform](const Point& x, std::size_t k) {
+    return transform.rows[0][k] * x[0] + transform.rows[1][k] * x[1] + transform.rows[2][k] * x[2];
+  };
+  const double near = separation + way_ + other.wider;
+  double size = transform.shift_size + near;
+  Point from_shift{};
   for (std::size_t k = 0; k < 3; ++k) {
-    half[k] = std::max(hull.high[k] - middle[k], middle[k] - hull.low[k]);
-    from_shift[k] = middle[k] - transform.shift[k];
-    size += std::fabs(middle[k]) + half[k];
+    from_shift[k] = other.middle[k] - transform.shift[k];
+    size += std::fabs(other.middle[k]);
+    for (const Point& half : other.halves) size += std::fabs(half[k]);
   }
-  // The inverse is the transpose, but for what the rows are off by.
-  const double near = separation + way_, off = 4 * (per_size * (size + transform.shift_size + near) + fixed);
   Box box;
   for (std::size_t k = 0; k < 3; ++k) {
-    double center = 0, reach = near + off;
-    for (std::size_t i = 0; i < 3; ++i) {
-      center += transform.rows[i][k] * from_shift[i];
-      reach += std::fabs(transform.rows[i][k]) * half[i];
-    }
+    double reach = near + 4 * (per_size * size + fixed);
+    for (const Point& half : other.halves) reach += std::fabs(turned_back(half, k));
+    const double center = turned_back(from_shift, k);
     box.low[k] = center - reach;
     box.high[k] = center + reach;
   }
@@ -212,15 +243,9 @@ double CarriedBoxes::deviation(const Box& at_rest) const {
 
 /// A rotation takes a box around a middle to one around where that goes.
 MovingBounds CarriedBoxes::carried(const Box& at_rest) const {
-  const Point middle = at_rest.middle();
-  Point half{};
-  double size = 0;
-  for (std::size_t k = 0; k < 3; ++k) {
-    half[k] = std::max(at_rest.high[k] - middle[k], middle[k] - at_rest.low[k]);
-    size += std::fabs(middle[k]) + half[k];
-  }
+  const auto [middle, half, size] = halves_of(at_rest);
   const double deviation = this->deviation(at_rest);
-  const auto by = [&](const End& end) {
+  const auto by = [&, &middle = middle, &half = half, &size = size](const End& end) {
     const RoundedTransform& transform = end.transform;
     const Point center = transform.of(middle);
     const double off = end.per_size * size + end.fixed + deviation * (1 + MovingBounds::kRounding);

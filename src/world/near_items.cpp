@@ -28,11 +28,14 @@ class PairWalk {
     int level;
     Index block;
     MovingBounds bounds;
+    PlacedBox placed;
   };
 
   static Node root_of(const Side& side) {
-    const int level = side.boxes.root_level();
-    return {level, 0, side.boxes.of_block(level, 0)};
+    return node_of(side, side.boxes.root_level(), 0, side.boxes.of_block(side.boxes.root_level(), 0));
+  }
+  static Node node_of(const Side& side, int level, Index block, const MovingBounds& bounds) {
+    return {level, block, bounds, side.boxes.placed_block(level, block, bounds)};
   }
   bool meet(const MovingBounds& a, const MovingBounds& b) const { return may_meet(a, b, separation_); }
 
@@ -41,21 +44,21 @@ class PairWalk {
     if (a.level == 0 && b.level == 0) {
       mark(a, b);
     } else if (b.level == 0 || (a.level > 0 && a.bounds.start.extent() >= b.bounds.start.extent())) {
-      for_each_child_near(a_, a, b.bounds, [&](const Node& child) { visit(child, b); });
+      for_each_child_near(a_, a, b, [&](const Node& child) { visit(child, b); });
     } else {
-      for_each_child_near(b_, b, a.bounds, [&](const Node& child) { visit(a, child); });
+      for_each_child_near(b_, b, a, [&](const Node& child) { visit(a, child); });
     }
   }
 
   template <class F>
-  void for_each_child_near(const Side& side, const Node& node, const MovingBounds& other, const F& f) const {
+  void for_each_child_near(const Side& side, const Node& node, const Node& other, const F& f) const {
     const auto boxes = side.boxes.body().shape().boxes.level(node.level - 1);
-    const Box seen = side.boxes.seen(other, separation_);
+    const Box seen = side.boxes.seen(other.placed, separation_);
     const Index first = node.block * kBlock, last = std::min(first + kBlock, static_cast<Index>(boxes.size()));
     for (Index child = first; child < last; ++child) {
       if (!may_meet(boxes[static_cast<std::size_t>(child)], seen)) continue;
       const MovingBounds bounds = side.boxes.of_block(node.level - 1, child);
-      if (meet(bounds, other)) f(Node{node.level - 1, child, bounds});
+      if (meet(bounds, other.bounds)) f(node_of(side, node.level - 1, child, bounds));
     }
   }
 
@@ -67,9 +70,9 @@ class PairWalk {
 
   /// Items of two blocks of items that may meet each other.
   void mark(const Node& a, const Node& b) {
-    const Candidates of_a = candidates(a_, a, b.bounds);
+    const Candidates of_a = candidates(a_, a, b);
     if (of_a.count == 0) return;
-    const Candidates of_b = candidates(b_, b, a.bounds);
+    const Candidates of_b = candidates(b_, b, a);
     for (int i = 0; i < of_a.count; ++i)
       for (int j = 0; j < of_b.count; ++j)
         if (meet(of_a.bounds[static_cast<std::size_t>(i)], of_b.bounds[static_cast<std::size_t>(j)])) {
@@ -80,16 +83,16 @@ class PairWalk {
   }
 
   /// Items of a block of items that may meet `other`.
-  Candidates candidates(const Side& side, const Node& node, const MovingBounds& other) const {
+  Candidates candidates(const Side& side, const Node& node, const Node& other) const {
     const BodyShape& shape = side.boxes.body().shape();
-    const Box seen = side.boxes.seen(other, separation_);
+    const Box seen = side.boxes.seen(other.placed, separation_);
     Candidates found;
     for (const Index item : shape.order.items_of(node.block)) {
       if (!may_meet(shape.box_at_rest(item), seen)) continue;
       const auto place = static_cast<std::size_t>(found.count);
       found.items[place] = item;
       found.bounds[place] = side.boxes.of_item(item);
-      found.count += meet(found.bounds[place], other);
+      found.count += meet(found.bounds[place], other.bounds);
     }
     return found;
   }

@@ -19,7 +19,7 @@ namespace tamis {
 namespace {
 
 /// What is gathered is more than what may touch now, by so many mean edges: it serves the steps that follow.
-constexpr double kMoreInEdges = 0.5;
+constexpr double kMoreInEdges = 1;
 /// It is gathered anew once so few of the items that it was made for may touch.
 constexpr std::size_t kShrunk = 4;
 /// Pieces are so short that two bodies deviate by this part of their mean edge, as of one mesh (paths/path_search.cpp).

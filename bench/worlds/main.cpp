@@ -80,8 +80,8 @@ Shape shape_of(const scenes::Shape& shape) {
   return {Mesh(static_cast<Index>(shape.points.size()), shape.faces), shape.points};
 }
 
-/// A cloth just above the floor of a large room, in waves; it slides, and sinks a little in each step, so that some of it
-/// touches.
+/// A cloth just above the floor of a large room, in waves; it slides, and sinks a little in each step, so that some of
+/// it touches.
 struct Cloth {
   static constexpr double kEdge = 0.01;
   scenes::Shape shape = sheet(100, kEdge, [](double x, double y) {

@@ -92,9 +92,8 @@ Pose pose_of(const std::array<Point, 3>& given, const Point& position) {
   check_path(off <= kMostRounding, "an entry of R R^T - I of the matrix is " + number_text(off) + kGiveRotation);
   const Rows r = nearer_rotation(nearer_rotation(given));
   const double trace = r[0][0] + r[1][1] + r[2][2];
-  const double determinant =
-      dot(r[0], {r[1][1] * r[2][2] - r[1][2] * r[2][1], r[1][2] * r[2][0] - r[1][0] * r[2][2],
-                 r[1][0] * r[2][1] - r[1][1] * r[2][0]});
+  const double determinant = dot(r[0], {r[1][1] * r[2][2] - r[1][2] * r[2][1], r[1][2] * r[2][0] - r[1][0] * r[2][2],
+                                        r[1][0] * r[2][1] - r[1][1] * r[2][0]});
   check_path(determinant > 0, std::string("the matrix is a reflection") + kGiveRotation);
   std::array<double, 4> q{};
   if (trace >= r[0][0] && trace >= r[1][1] && trace >= r[2][2]) {
@@ -127,8 +126,8 @@ Chain between(const Pose& start, const Pose& end) {
   const auto a = quaternion(start.rotation), b = quaternion(end.rotation);
   const double cosine = a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + a[3] * b[3];
   const Point axis{a[0] * b[1] - b[0] * a[1] + a[2] * b[3] - a[3] * b[2],
-             a[0] * b[2] - b[0] * a[2] + a[3] * b[1] - a[1] * b[3],
-             a[0] * b[3] - b[0] * a[3] + a[1] * b[2] - a[2] * b[1]};
+                   a[0] * b[2] - b[0] * a[2] + a[3] * b[1] - a[1] * b[3],
+                   a[0] * b[3] - b[0] * a[3] + a[1] * b[2] - a[2] * b[1]};
   return turned(start, rotation_vector(cosine, axis), end.position);
 }
 

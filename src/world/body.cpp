@@ -113,7 +113,7 @@ CarriedBoxes::CarriedBoxes(const Body& body, double from, double to)
 
 CarriedBoxes::End CarriedBoxes::end_at(double time) const {
   const bool is_known = time == 0 || body_.way_ == Way::still || body_.deforming();
-  const RoundedTransform transform = is_known      ? body_.at_start_
+  const RoundedTransform transform = is_known    ? body_.at_start_
                                      : time == 1 ? body_.at_end_
                                                  : rounded_transform_of(body_.chain_, time);
   const double fixed = transform.error_of(0, 0), per_size = transform.error_of(1, 0) - fixed;

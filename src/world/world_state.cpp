@@ -128,8 +128,7 @@ std::vector<BodyPair> World::State::near_bodies(const Reach& reach, double more,
 }
 
 std::vector<BodyPair> World::State::only(const Wanted& is_wanted, std::vector<BodyPair> pairs) const {
-  std::erase_if(pairs,
-                [&](const BodyPair& pair) { return !is_wanted(*bodies[at(pair[0])], *bodies[at(pair[1])]); });
+  std::erase_if(pairs, [&](const BodyPair& pair) { return !is_wanted(*bodies[at(pair[0])], *bodies[at(pair[1])]); });
   return pairs;
 }
 
@@ -306,7 +305,8 @@ std::vector<BodyNearPair> World::State::pairs_within(double distance) {
   validate_distance(distance, "the distance");
   std::vector<BodyNearPair> all;
   for_each_by_itself([&](BodyId id, Body& body) {
-    for (const NearPair& pair : body.itself->pairs_within(body.deforming()->start, distance)) all.push_back({pair, twice(id)});
+    for (const NearPair& pair : body.itself->pairs_within(body.deforming()->start, distance))
+      all.push_back({pair, twice(id)});
   });
   gather_at_rest(distance);
   if (at_rest_.is_asked()) {

@@ -141,7 +141,8 @@ RigidPath::RigidPath(std::vector<Point> rest, std::vector<Index> body_of_vertex,
   const std::vector<ChainBounds> bounds(chains_.begin(), chains_.end());
   for (std::size_t v = 0; v < rest_.size(); ++v) {
     const ChainBounds& of_body = bounds[static_cast<std::size_t>(body_of_vertex_[v])];
-    const Curvature curve = of_body.of(farthest(rest_[v], rest_end_[v]), change(rest_[v], rest_end_[v]));
+    const double way = rest_[v] == rest_end_[v] ? 0 : change(rest_[v], rest_end_[v]);
+    const Curvature curve = of_body.of(farthest(rest_[v], rest_end_[v]), way);
     accelerations_.push_back(curve.acceleration);
     reaches_.push_back(curve.reach);
   }

@@ -29,14 +29,14 @@ class TAMIS_PT_check(bpy.types.Panel):  # noqa: N801
     def draw(self, context: Any) -> None:
         """Lay it out."""
         settings, layout = context.scene.tamis_check, self.layout
-        layout.use_property_split = True
         layout.prop(settings, "min_separation")
         layout.prop(settings, "rings")
         layout.prop(context.scene, "frame_start")
         layout.prop(context.scene, "frame_end")
         layout.operator("tamis.check_cache", icon="VIEWZOOM")
         if settings.summary:
-            layout.label(text=settings.summary)
+            for part in settings.summary.split(", "):
+                layout.label(text=part)
             layout.template_list("TAMIS_UL_bad_frames", "", settings, "bad", settings, "active", rows=5)
             layout.operator("tamis.clear", icon="X")
 

@@ -89,8 +89,8 @@ void FeatureTrees::update_trees(Statistics& statistics) {
   if (built_area_ > 0) {
     refit_trees();
     const double now = area();
-    // The next step may go nowhere near as far, and sweep over little in whatever order: in its own frame, as a step that
-    // goes far has a large one.
+    // The next step may go nowhere near as far, and sweep over little in whatever order: in its own frame, as a step
+    // that goes far has a large one.
     const double part = now / built_area_ * (built_scale_ / scale) * (built_scale_ / scale);
     const bool is_of_longer_steps = axes_ != 3 && part < kShorterSteps && best_axes() == 3;
     if (now <= kPoorArea * built_area_ && !is_of_longer_steps) return;

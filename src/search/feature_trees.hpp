@@ -69,7 +69,7 @@ class FeatureTrees {
   const LooseFeatures loose_;
   BlockTree points_, edges_, faces_, loose_points_, loose_edges_;
   double built_area_ = 0, built_scale_ = 1;
-  int axes_ = 3;  ///< of the order, as order_axes says
+  int axes_ = 3;                ///< of the order, as order_axes says
   bool are_of_motion_ = false;  ///< the boxes
 };
 

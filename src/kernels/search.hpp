@@ -204,8 +204,8 @@ class BlockSearch {
   unsigned others_that_meet(int row) const {
     const int lane = row % kBlock;
     const auto [of_one, of_many] = in_order<one>(mine_, theirs_[row / kBlock]);
-    return meet([&](int k, int) { return FloatLanes(of_one.at[k][lane]); },
-                [&](int k, int first) { return of_many.lanes(k, first); }) &
+    return meet([&one_side = of_one, lane](int k, int) { return FloatLanes(one_side.at[k][lane]); },
+                [&many_side = of_many](int k, int first) { return many_side.lanes(k, first); }) &
            ~neighbours<one>(row);
   }
 

@@ -14,7 +14,7 @@ namespace {
 /// (docs/history/performance.md: "When to rebuild").
 constexpr double kPoorArea = 1.5;
 /// An order by how far features go is asked about again when they sweep over less than this part of what they did then.
-constexpr double kShorterSteps = 0.25;
+constexpr double kShorterSteps = 1.0 / 64;
 
 }  // namespace
 

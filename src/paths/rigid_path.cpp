@@ -78,7 +78,7 @@ Rows nearer_rotation(const Rows& rows) {
 
 }  // namespace
 
-Pose pose_of(const std::array<double, 4>& q, const Point& position) {
+Pose pose_of_quaternion(const std::array<double, 4>& q, const Point& position) {
   const double off = q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3] - 1;
   check_path(std::fabs(off) <= kMostRounding,
              "the square of the quaternion is off from 1 by " + number_text(off) + kGiveRotation);
@@ -87,7 +87,7 @@ Pose pose_of(const std::array<double, 4>& q, const Point& position) {
 
 /// The largest of the four parts of the quaternion is found from the diagonal, the others from sums beside it
 /// (Shepperd 1978).
-Pose pose_of(const std::array<Point, 3>& given, const Point& position) {
+Pose pose_of_matrix(const std::array<Point, 3>& given, const Point& position) {
   const double off = off_from_rotation(given);
   check_path(off <= kMostRounding, "an entry of R R^T - I of the matrix is " + number_text(off) + kGiveRotation);
   const Rows r = nearer_rotation(nearer_rotation(given));

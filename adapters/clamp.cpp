@@ -27,8 +27,13 @@ class Clamp {
   ClampedStep run() {
     for (const BodyId body : step_.moving()) set_off(body);
     ClampedStep result;
-    do ++result.questions;
-    while (hold_back(first_contacts(), result.questions <= options_.rounds));
+    for (bool is_free = false; !is_free;) {
+      ++result.questions;
+      const FirstContacts contacts = first_contacts();
+      for (const auto& [bodies, contact] : contacts) result.limits.push_back(contact);
+      hold_back(contacts, result.questions <= options_.rounds);
+      is_free = contacts.empty();
+    }
     for (const BodyId body : step_.moving()) result.fractions.push_back(fractions_.at(body));
     return result;
   }
@@ -51,32 +56,31 @@ class Clamp {
       world_.move(body, Rigid{way});
   }
 
-  /// Until when each pair of bodies is free, of those that are not.
-  std::map<BodyPair, double> first_contacts() {
-    std::map<BodyPair, double> times;
+  using FirstContacts = std::map<BodyPair, BodyContact>;
+
+  FirstContacts first_contacts() {
+    FirstContacts first;
     for (const BodyContact& contact : world_.contacts({.at_start = AtStart::ignore, .tolerance = kTolerance})) {
       const BodyPair bodies = pair_of(contact.bodies);
       if (overlapping_.contains(bodies) || !step_.collides(bodies)) continue;
-      double& time = times.try_emplace(bodies, 1).first->second;
-      time = std::min(time, contact.toi_lower);
+      const auto [known, is_new] = first.try_emplace(bodies, contact);
+      if (!is_new && contact.toi_lower < known->second.toi_lower) known->second = contact;
     }
-    return times;
+    return first;
   }
 
-  /// Returns false if nobody touches, so that nobody is held back.
-  bool hold_back(const std::map<BodyPair, double>& contacts, bool by_part) {
+  void hold_back(const FirstContacts& contacts, bool by_part) {
     std::map<BodyId, double> parts;
-    for (const auto& [bodies, time] : contacts)
+    for (const auto& [bodies, contact] : contacts)
       for (const BodyId body : bodies)
         if (fractions_.contains(body)) {
           double& part = parts.try_emplace(body, 1).first->second;
-          part = std::min(part, by_part ? part_before(bodies, time) : 0);
+          part = std::min(part, by_part ? part_before(bodies, contact.toi_lower) : 0);
         }
     for (const auto& [body, part] : parts) {
       fractions_.at(body) *= part;
       set_off(body);
     }
-    return !parts.empty();
   }
 
   /// Which part of its way each of two bodies may go that touch at `time`.

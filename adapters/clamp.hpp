@@ -43,6 +43,8 @@ struct ClampedStep {
   std::vector<double> fractions;
   /// Questions that this took; 1 where nobody is held back.
   int questions = 0;
+  /// What held bodies back: of each question and pair of bodies the first contact. Its times are of the ways asked then.
+  std::vector<BodyContact> limits = std::vector<BodyContact>();
 };
 
 /// Pairs of bodies whose surfaces pass through each other at t=0.

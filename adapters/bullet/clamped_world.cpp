@@ -151,46 +151,75 @@ bool ClampedWorld::collides(const adapters::BodyPair& bodies) const {
          m_dispatcher1->needsCollision(a, b);
 }
 
+class ClampedWorld::Predicted {
+ public:
+  explicit Predicted(ClampedWorld& world) : world_(world) {}
+
+  /// `direction`: from the second feature to the first.
+  void add(const std::array<BodyId, 2>& bodies, PairKind kind, const std::array<Index, 4>& vertices, double u, double v,
+           const Point& direction) {
+    const adapters::BodyPair pair = adapters::pair_of(bodies);
+    if (!world_.members_.contains(pair[0]) || !world_.members_.contains(pair[1])) return;
+    if (world_.overlapping_.contains(pair) || !world_.collides(pair)) return;
+    const auto local = closest_points(bodies, kind, vertices, weights_of(kind, u, v));
+    btPersistentManifold& manifold = manifold_of(bodies);
+    const btCollisionObject *const first = manifold.getBody0(), *const second = manifold.getBody1();
+    btManifoldPoint point(local[0], local[1], vector_of(direction), 0);
+    point.m_positionWorldOnA = first->getWorldTransform() * local[0];
+    point.m_positionWorldOnB = second->getWorldTransform() * local[1];
+    point.m_distance1 = (point.m_positionWorldOnA - point.m_positionWorldOnB).dot(point.m_normalWorldOnB) -
+                        static_cast<btScalar>(world_.options_.gap);
+    point.m_combinedFriction = btManifoldResult::calculateCombinedFriction(first, second);
+    point.m_combinedRestitution = btManifoldResult::calculateCombinedRestitution(first, second);
+    manifold.addManifoldPoint(point, true);
+  }
+
+ private:
+  /// Each in its own body's frame.
+  std::array<btVector3, 2> closest_points(const std::array<BodyId, 2>& bodies, PairKind kind,
+                                          const std::array<Index, 4>& vertices,
+                                          const std::array<double, 4>& weights) const {
+    const std::size_t of_first = kind == PairKind::edge_edge ? 2 : 1;
+    std::array<btVector3, 2> points{btVector3(0, 0, 0), btVector3(0, 0, 0)};
+    for (std::size_t i = 0; i < 4; ++i) {
+      if (vertices[i] < 0) continue;
+      const std::size_t side = i < of_first ? 0 : 1;
+      const double share = side == 0 ? weights[i] : -weights[i];
+      const std::vector<Point>& all = world_.members_.at(bodies[side]).mesh.points();
+      points[side] += vector_of(all[static_cast<std::size_t>(vertices[i])]) * static_cast<btScalar>(share);
+    }
+    return points;
+  }
+
+  btPersistentManifold& manifold_of(const std::array<BodyId, 2>& bodies) {
+    btPersistentManifold*& manifold = manifolds_[bodies];
+    if (!manifold) {
+      manifold = world_.m_dispatcher1->getNewManifold(world_.members_.at(bodies[0]).object,
+                                                      world_.members_.at(bodies[1]).object);
+      world_.m_predictiveManifolds.push_back(manifold);
+    }
+    return *manifold;
+  }
+
+  ClampedWorld& world_;
+  std::map<std::array<BodyId, 2>, btPersistentManifold*> manifolds_;
+};
+
 void ClampedWorld::createPredictiveContacts(btScalar seconds) {
   btDiscreteDynamicsWorld::createPredictiveContacts(seconds);
   follow();
   overlapping_ = adapters::overlapping(bodies_);
-  std::map<std::array<BodyId, 2>, btPersistentManifold*> manifolds;
-  for (const BodyNearPair& near : bodies_.pairs_within(2 * options_.gap)) {
-    const adapters::BodyPair bodies = adapters::pair_of(near.bodies);
-    if (near.distance <= 0 || overlapping_.contains(bodies) || !collides(bodies)) continue;
-    btPersistentManifold*& manifold = manifolds[near.bodies];
-    if (!manifold) {
-      manifold = m_dispatcher1->getNewManifold(members_.at(near.bodies[0]).object, members_.at(near.bodies[1]).object);
-      m_predictiveManifolds.push_back(manifold);
-    }
-    add_contact(*manifold, near);
-  }
-}
-
-void ClampedWorld::add_contact(btPersistentManifold& manifold, const BodyNearPair& near) const {
-  const btCollisionObject *const first = manifold.getBody0(), *const second = manifold.getBody1();
-  const std::array<double, 4> weights = weights_of(near.kind, near.u, near.v);
-  // Of the first feature's weights the sum is 1, of the second's -1.
-  std::array<btVector3, 2> local{btVector3(0, 0, 0), btVector3(0, 0, 0)};
-  const std::size_t of_first = near.kind == PairKind::edge_edge ? 2 : 1;
-  for (std::size_t i = 0; i < 4; ++i) {
-    if (near.vertices[i] < 0) continue;
-    const std::size_t side = i < of_first ? 0 : 1;
-    const auto& points = members_.at(near.bodies[side]).mesh.points();
-    local[side] += vector_of(points[static_cast<std::size_t>(near.vertices[i])]) * static_cast<btScalar>(std::abs(weights[i]));
-  }
-  btManifoldPoint point(local[0], local[1], vector_of(near.direction), static_cast<btScalar>(near.distance - options_.gap));
-  point.m_positionWorldOnA = first->getWorldTransform() * local[0];
-  point.m_positionWorldOnB = second->getWorldTransform() * local[1];
-  point.m_combinedFriction = btManifoldResult::calculateCombinedFriction(first, second);
-  point.m_combinedRestitution = btManifoldResult::calculateCombinedRestitution(first, second);
-  manifold.addManifoldPoint(point, true);
+  Predicted predicted(*this);
+  for (const BodyNearPair& near : bodies_.pairs_within(2 * options_.gap))
+    if (near.distance > 0) predicted.add(near.bodies, near.kind, near.vertices, near.u, near.v, near.direction);
+  for (const BodyContact& limit : limits_)
+    predicted.add(limit.bodies, limit.kind, limit.vertices, limit.u, limit.v, limit.normal);
 }
 
 void ClampedWorld::integrateTransforms(btScalar seconds) {
   const Step step(*this, seconds);
-  const adapters::ClampedStep clamped = adapters::clamp(bodies_, step, overlapping_, options_);
+  adapters::ClampedStep clamped = adapters::clamp(bodies_, step, overlapping_, options_);
+  limits_ = std::move(clamped.limits);
   last_step_ = {{}, clamped.questions, overlapping_.size()};
   for (std::size_t i = 0; i < clamped.fractions.size(); ++i) {
     const BodyId id = step.moving()[i];

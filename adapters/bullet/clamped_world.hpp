@@ -16,8 +16,9 @@ namespace tamis::bullet {
 /// back (adapters/clamp.hpp). Velocities stay: what happens at a contact is left to Bullet's solver. The tick callback
 /// comes too late, when bodies are already elsewhere and islands may have gone to sleep. Bullet's own narrow phase does
 /// not see every contact of meshes, and boxes only once they overlap, so that bodies would be held back for ever and
-/// gather speed: pairs within two gaps are therefore added as predictive contacts, on which the solver keeps bodies one
-/// gap apart. So bodies that lie on each other are in its hands, and held back only while they come near.
+/// gather speed. Two kinds of predictive contacts are therefore added, on which the solver keeps bodies one gap apart:
+/// pairs within two gaps, and what held bodies back in the last step (a plate that spins on its edge comes down on
+/// another one). So bodies that lie on each other are in the solver's hands, and held back only while they come near.
 class ClampedWorld : public btDiscreteDynamicsWorld {
  public:
   BT_DECLARE_ALIGNED_ALLOCATOR();
@@ -63,13 +64,15 @@ class ClampedWorld : public btDiscreteDynamicsWorld {
   void put(BodyId id, Member& member);
   void follow();
   bool collides(const adapters::BodyPair& bodies) const;
-  void add_contact(btPersistentManifold& manifold, const BodyNearPair& near) const;
+  /// Contacts for the solver, until the next step; those of two bodies share a manifold.
+  class Predicted;
 
   adapters::ClampOptions options_;
   World bodies_;
   std::map<BodyId, Member> members_;
   std::map<const btCollisionShape*, Shape> given_;  ///< by set_mesh
   std::set<adapters::BodyPair> overlapping_;
+  std::vector<BodyContact> limits_;  ///< of the last step
   LastStep last_step_;
 };
 

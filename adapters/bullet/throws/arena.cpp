@@ -3,7 +3,7 @@
 #include <BulletCollision/Gimpact/btGImpactCollisionAlgorithm.h>
 #include <BulletCollision/Gimpact/btGImpactShape.h>
 
-#include <chrono>
+#include <ctime>
 
 #include "adapters/bullet/clamped_world.hpp"
 
@@ -116,6 +116,10 @@ Flight Arena::fly(Method method, const Throw& thrown) const {
   flying.setInterpolationWorldTransform(start);
   flying.setLinearVelocity(vector_of(thrown.velocity));
   flying.setAngularVelocity(vector_of(thrown.spin));
+  if (thrown.on_axle) {
+    flying.setLinearFactor({0, 0, 0});
+    flying.setAngularFactor({0, 0, 1});
+  }
   if (method == Method::hull_ccd) {  // as pybullet sets them
     flying.setCcdSweptSphereRadius(static_cast<btScalar>(swept_radius_));
     flying.setCcdMotionThreshold(static_cast<btScalar>(swept_radius_ / 2));
@@ -125,12 +129,12 @@ Flight Arena::fly(Method method, const Throw& thrown) const {
   Flight flight;
   flight.places.push_back(start);
   const auto seconds = static_cast<btScalar>(thrown.seconds);
-  const auto begin = std::chrono::steady_clock::now();
+  const std::clock_t begin = std::clock();
   for (int step = 0; step < thrown.steps; ++step) {
     parts.world->stepSimulation(seconds, 1, seconds);
     flight.places.push_back(flying.getWorldTransform());
   }
-  flight.milliseconds = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
+  flight.milliseconds = 1e3 * static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
   parts.world->removeRigidBody(&flying);
   parts.world->removeRigidBody(&fixed);
   return flight;

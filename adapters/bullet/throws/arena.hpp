@@ -30,11 +30,12 @@ struct Throw {
   Point position, velocity, spin;  ///< m, m/s, rad/s
   int steps;
   double seconds;  ///< of each step
+  bool on_axle = false;  ///< it can but turn about z
 };
 
 struct Flight {
   std::vector<btTransform> places;  ///< steps + 1
-  double milliseconds = 0;          ///< of all steps
+  double milliseconds = 0;          ///< of the processor, for all steps
 };
 
 /// What stands, and what flies. No gravity; the mass is 1.

@@ -8,8 +8,8 @@ namespace tamis::bullet {
 /// mesh. 0 is a proof that the flight was free.
 int touching_steps(const Arena& arena, const Flight& flight);
 
-/// Steps in which at one of `samples` times an edge of one passes through a triangle of the other: positions from Bullet's
-/// own slerp, signs of volumes in doubles. Misses what happens between the times.
+/// Steps in which at one of `samples` times an edge of one passes through a triangle of the other: positions and
+/// signs of volumes in doubles. Misses what happens between the times.
 int sampled_crossings(const Arena& arena, const Flight& flight, int samples);
 
 }  // namespace tamis::bullet

@@ -59,7 +59,7 @@ Scene spinning_rods(int count) {
     const std::vector<Point> corners{{0.4 * c, 0.4 * s, -0.3}, {0.8 * c, 0.8 * s, -0.3}, {0.8 * c, 0.8 * s, 0.3}, {0.4 * c, 0.4 * s, 0.3}};
     scene.arenas.push_back(
         std::make_unique<Arena>(Triangles{corners, {{0, 1, 2}, {0, 2, 3}}}, box({1, 0.01, 0.01}), 0.01));
-    scene.trials.push_back({scene.arenas.back().get(), {{0, 0, 0}, {0, 0, 0}, {0, 0, kSpin}, 4, kSeconds / 4},
+    scene.trials.push_back({scene.arenas.back().get(), {{0, 0, 0}, {0, 0, 0}, {0, 0, kSpin}, 4, kSeconds / 4, true},
                             [angle](const Flight& flight) { return turned_by(flight) > angle + 0.02; }});
   }
   return scene;

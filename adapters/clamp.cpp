@@ -106,6 +106,8 @@ BodyPair pair_of(const std::array<BodyId, 2>& bodies) {
   return {std::min(bodies[0], bodies[1]), std::max(bodies[0], bodies[1])};
 }
 
+BodyMotion resting(const Pose& pose) { return Rigid{Chain{{pose, pose}}}; }
+
 std::set<BodyPair> overlapping(World& world) {
   std::set<BodyPair> pairs;
   for (const BodyIntersection& intersection : world.intersections()) pairs.insert(pair_of(intersection.bodies));
@@ -116,8 +118,7 @@ ClampedStep clamp(World& world, const WantedStep& step, const std::set<BodyPair>
                   const ClampOptions& options) {
   if (!(options.gap > 0) || std::isinf(options.gap))
     throw InvalidOptions("the gap is " + std::to_string(options.gap) + ": give one that is finite and above 0");
-  if (options.rounds < 0)
-    throw InvalidOptions("rounds is " + std::to_string(options.rounds) + ": give a number >= 0");
+  if (options.rounds < 0) throw InvalidOptions("rounds is " + std::to_string(options.rounds) + ": give a number >= 0");
   return Clamp(world, step, overlapping, options).run();
 }
 

@@ -31,8 +31,8 @@ class WantedStep {
 };
 
 struct ClampOptions {
-  /// > 0, in the unit of the positions: how far from a contact a body is stopped. The engine must know that a contact is
-  /// there when bodies are this near.
+  /// > 0, in the unit of the positions: how far from a contact a body is stopped. The engine must know that a contact
+  /// is there when bodies are this near.
   double gap = 1e-3;
   /// >= 0: how often all are asked anew with shorter ways. After that bodies that still touch stay where they are.
   int rounds = 8;
@@ -43,11 +43,15 @@ struct ClampedStep {
   std::vector<double> fractions;
   /// Questions that this took; 1 where nobody is held back.
   int questions = 0;
-  /// What held bodies back: of each question and pair of bodies the first contact. Its times are of the ways asked then.
+  /// What held bodies back: of each question and pair of bodies the first contact. Its times are of the ways asked
+  /// then.
   std::vector<BodyContact> limits = std::vector<BodyContact>();
 };
 
-/// Pairs of bodies whose surfaces pass through each other at t=0.
+/// How a body that may move is told to stay: two bodies that are Static are never asked about, not even where they are.
+BodyMotion resting(const Pose& pose);
+
+/// Pairs of bodies whose surfaces pass through each other at t=0. Of two that are Static that is not looked for.
 std::set<BodyPair> overlapping(World& world);
 
 /// With these parts of their ways, no pair of bodies touches at any time, but those of `overlapping`, which the engine

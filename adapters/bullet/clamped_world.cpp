@@ -21,6 +21,10 @@ double radius_of(const Shape& mesh) {
   return radius;
 }
 
+BodyMotion motion_at(const btCollisionObject& object, const Pose& pose) {
+  return object.isStaticObject() ? BodyMotion(Static{pose}) : adapters::resting(pose);
+}
+
 /// Does Bullet move it?
 bool moves(const btRigidBody& body) { return body.isActive() && !body.isStaticOrKinematicObject(); }
 
@@ -95,7 +99,7 @@ void ClampedWorld::join(btCollisionObject* object) {
   const btCollisionShape* const shape = object->getCollisionShape();
   const Shape mesh = mesh_for(shape);
   const btTransform& place = object->getWorldTransform();
-  const BodyId id = bodies_.add(mesh, Static{pose_of(place)});
+  const BodyId id = bodies_.add(mesh, motion_at(*object, pose_of(place)));
   members_.emplace(id, Member{object, shape, mesh, radius_of(mesh), place});
 }
 
@@ -128,7 +132,7 @@ void ClampedWorld::removeRigidBody(btRigidBody* body) {
 
 void ClampedWorld::put(BodyId id, Member& member) {
   member.place = member.object->getWorldTransform();
-  bodies_.move(id, Static{pose_of(member.place)});
+  bodies_.move(id, motion_at(*member.object, pose_of(member.place)));
 }
 
 /// What was moved, or given another shape, from outside since the last step.

@@ -12,13 +12,14 @@ namespace tamis::bullet {
 /// Use it in place of btDiscreteDynamicsWorld; all else stays as it is. Rigid bodies of any kind take part, and fixed
 /// collision objects, each with the mesh of its shape (`mesh_of`).
 ///
-/// The last part of Bullet's step, integrateTransforms, is where it says how each body is to move; there bodies are held
-/// back (adapters/clamp.hpp). Velocities stay: what happens at a contact is left to Bullet's solver. The tick callback
-/// comes too late, when bodies are already elsewhere and islands may have gone to sleep. Bullet's own narrow phase does
-/// not see every contact of meshes, and boxes only once they overlap, so that bodies would be held back for ever and
-/// gather speed. Two kinds of predictive contacts are therefore added, on which the solver keeps bodies one gap apart:
-/// pairs within two gaps, and what held bodies back in the last step (a plate that spins on its edge comes down on
-/// another one). So bodies that lie on each other are in the solver's hands, and held back only while they come near.
+/// The last part of Bullet's step, integrateTransforms, is where it says how each body is to move; there bodies are
+/// held back (adapters/clamp.hpp). Velocities stay: what happens at a contact is left to Bullet's solver. The tick
+/// callback comes too late, when bodies are already elsewhere and islands may have gone to sleep. Bullet's own narrow
+/// phase does not see every contact of meshes, and boxes only once they overlap, so that bodies would be held back for
+/// ever and gather speed. Two kinds of predictive contacts are therefore added, on which the solver keeps bodies one
+/// gap apart: pairs within two gaps, and what held bodies back in the last step (a plate that spins on its edge comes
+/// down on another one). So bodies that lie on each other are in the solver's hands, and held back only while they come
+/// near.
 class ClampedWorld : public btDiscreteDynamicsWorld {
  public:
   BT_DECLARE_ALIGNED_ALLOCATOR();

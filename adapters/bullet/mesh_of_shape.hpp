@@ -11,9 +11,9 @@ Point point_of(const btVector3& v);
 Pose pose_of(const btTransform& transform);
 
 /// Meshes (also of btGImpact; call its updateBound first) and height fields triangle by triangle, convex polyhedra
-/// (boxes, hulls) by their faces, compounds of these; scaled as the shape is. A margin that Bullet puts around a shape is
-/// not part of its mesh. Throws InvalidMesh, saying what to do, for others: round shapes have no triangles, planes no
-/// end; and for shapes without triangles.
+/// (boxes, hulls) by their faces, compounds of these; scaled as the shape is. A margin that Bullet puts around a shape
+/// is not part of its mesh. Throws InvalidMesh, saying what to do, for others: round shapes have no triangles, planes
+/// no end; and for shapes without triangles.
 Shape mesh_of(const btCollisionShape& shape);
 
 }  // namespace tamis::bullet

@@ -72,11 +72,16 @@ Triangles wall(int cells, double half_side) {
 
 std::string_view name_of(Method method) {
   switch (method) {
-    case Method::hull: return "Bullet, hull";
-    case Method::hull_ccd: return "Bullet, hull with CCD";
-    case Method::mesh: return "Bullet, mesh (btGImpact)";
-    case Method::clamped_hull: return "clamped, hull";
-    case Method::clamped_mesh: return "clamped, mesh (btGImpact)";
+    case Method::hull:
+      return "Bullet, hull";
+    case Method::hull_ccd:
+      return "Bullet, hull with CCD";
+    case Method::mesh:
+      return "Bullet, mesh (btGImpact)";
+    case Method::clamped_hull:
+      return "clamped, hull";
+    case Method::clamped_mesh:
+      return "clamped, mesh (btGImpact)";
   }
   return "?";
 }

@@ -29,7 +29,7 @@ std::string_view name_of(Method method);
 struct Throw {
   Point position, velocity, spin;  ///< m, m/s, rad/s
   int steps;
-  double seconds;  ///< of each step
+  double seconds;        ///< of each step
   bool on_axle = false;  ///< it can but turn about z
 };
 

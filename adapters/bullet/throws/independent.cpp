@@ -59,9 +59,11 @@ bool passes_through(const Point& p, const Point& q, const Point& a, const Point&
   return (volume(p, q, b, c) > 0) == side && (volume(p, q, c, a) > 0) == side;
 }
 
-bool edges_pass(const std::vector<Point>& edges_of, const std::vector<Face>& with_edges, const std::vector<Point>& points,
-                const std::vector<Face>& faces) {
-  const auto at = [](const std::vector<Point>& all, Index i) -> const Point& { return all[static_cast<std::size_t>(i)]; };
+bool edges_pass(const std::vector<Point>& edges_of, const std::vector<Face>& with_edges,
+                const std::vector<Point>& points, const std::vector<Face>& faces) {
+  const auto at = [](const std::vector<Point>& all, Index i) -> const Point& {
+    return all[static_cast<std::size_t>(i)];
+  };
   return std::ranges::any_of(with_edges, [&](const Face& edges) {
     return std::ranges::any_of(faces, [&](const Face& face) {
       for (std::size_t i = 0; i < 3; ++i)

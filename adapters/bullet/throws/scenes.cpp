@@ -11,7 +11,9 @@ namespace {
 /// The same numbers with every standard library.
 class Random {
  public:
-  double between(double lower, double upper) { return lower + (upper - lower) * (static_cast<double>(engine_()) * 0x1p-32); }
+  double between(double lower, double upper) {
+    return lower + (upper - lower) * (static_cast<double>(engine_()) * 0x1p-32);
+  }
   double normal() {
     return std::sqrt(-2 * std::log(between(0x1p-33, 1))) * std::cos(2 * std::numbers::pi * between(0, 1));
   }
@@ -39,13 +41,10 @@ Scene spinning_plates(int count) {
   for (int i = 0; i < count; ++i) {
     const Point position{0.013, 0.007, random.between(0.6, 3)}, velocity{0, 0, -random.between(20, 120)};
     const double spin = std::array<double, 3>{0, 30, 100}[static_cast<std::size_t>(random.between(0, 3))];
-    scene.trials.push_back({scene.arenas.back().get(),
-                            {position,
-                             velocity,
-                             {spin * random.normal(), spin * random.normal(), spin * random.normal()},
-                             30,
-                             1.0 / 60},
-                            [](const Flight& flight) { return flight.places.back().getOrigin().z() < -0.3; }});
+    scene.trials.push_back(
+        {scene.arenas.back().get(),
+         {position, velocity, {spin * random.normal(), spin * random.normal(), spin * random.normal()}, 30, 1.0 / 60},
+         [](const Flight& flight) { return flight.places.back().getOrigin().z() < -0.3; }});
   }
   return scene;
 }
@@ -56,10 +55,12 @@ Scene spinning_rods(int count) {
   Random random;
   for (int i = 0; i < count; ++i) {
     const double angle = random.between(0.15, kSpin * kSeconds - 0.1), c = std::cos(angle), s = std::sin(angle);
-    const std::vector<Point> corners{{0.4 * c, 0.4 * s, -0.3}, {0.8 * c, 0.8 * s, -0.3}, {0.8 * c, 0.8 * s, 0.3}, {0.4 * c, 0.4 * s, 0.3}};
+    const std::vector<Point> corners{
+        {0.4 * c, 0.4 * s, -0.3}, {0.8 * c, 0.8 * s, -0.3}, {0.8 * c, 0.8 * s, 0.3}, {0.4 * c, 0.4 * s, 0.3}};
     scene.arenas.push_back(
         std::make_unique<Arena>(Triangles{corners, {{0, 1, 2}, {0, 2, 3}}}, box({1, 0.01, 0.01}), 0.01));
-    scene.trials.push_back({scene.arenas.back().get(), {{0, 0, 0}, {0, 0, 0}, {0, 0, kSpin}, 4, kSeconds / 4, true},
+    scene.trials.push_back({scene.arenas.back().get(),
+                            {{0, 0, 0}, {0, 0, 0}, {0, 0, kSpin}, 4, kSeconds / 4, true},
                             [angle](const Flight& flight) { return turned_by(flight) > angle + 0.02; }});
   }
   return scene;

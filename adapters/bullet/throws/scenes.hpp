@@ -22,11 +22,12 @@ struct Scene {
   std::vector<Trial> trials;
 };
 
-/// A plate of 30 x 20 x 4 cm, at 20 to 120 m/s, turning at up to some 100 rad/s about any axis, against a wall of 2 x 2 m
-/// and 128 triangles; 30 steps of 1/60 s.
+/// A plate of 30 x 20 x 4 cm, at 20 to 120 m/s, turning at up to some 100 rad/s about any axis, against a wall of 2 x 2
+/// m and 128 triangles; 30 steps of 1/60 s.
 Scene spinning_plates(int count);
-/// A rod of 2 m on an axle through its middle that turns at 180 rad/s, and a plate without thickness that stands in its way, somewhere
-/// in the 3 rad it turns in 1/60 s. Bullet turns no body by more than pi/4 a step: four steps of 1/240 s.
+/// A rod of 2 m on an axle through its middle that turns at 180 rad/s, and a plate without thickness that stands in its
+/// way, somewhere in the 3 rad it turns in 1/60 s. Bullet turns no body by more than pi/4 a step: four steps of 1/240
+/// s.
 Scene spinning_rods(int count);
 
 }  // namespace tamis::bullet

@@ -11,10 +11,6 @@
 namespace tamis::bullet {
 namespace {
 
-btVector3 vector_of(const Point& p) {
-  return {static_cast<btScalar>(p[0]), static_cast<btScalar>(p[1]), static_cast<btScalar>(p[2])};
-}
-
 double radius_of(const Shape& mesh) {
   double radius = 0;
   for (const Point& p : mesh.points()) radius = std::max(radius, std::hypot(p[0], p[1], p[2]));
@@ -28,8 +24,10 @@ BodyMotion motion_at(const btCollisionObject& object, const Pose& pose) {
 /// Does Bullet move it?
 bool moves(const btRigidBody& body) { return body.isActive() && !body.isStaticOrKinematicObject(); }
 
+}  // namespace
+
 /// How a body is to move in one step: Bullet's own motion, of which a part can be asked for.
-class Way {
+class ClampedWorld::Way {
  public:
   Way(const btRigidBody& body, const btTransform& end) : start_(body.getWorldTransform()), end_(end) {
     btVector3 axis;
@@ -51,8 +49,6 @@ class Way {
   btTransform start_, end_;
   btVector3 turn_;
 };
-
-}  // namespace
 
 class ClampedWorld::Step final : public adapters::WantedStep {
  public:

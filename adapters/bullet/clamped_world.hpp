@@ -57,6 +57,7 @@ class ClampedWorld : public btDiscreteDynamicsWorld {
     double radius;
     btTransform place;  ///< where the world of bodies has it
   };
+  class Way;
   class Step;
 
   void join(btCollisionObject* object);

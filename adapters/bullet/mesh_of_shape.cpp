@@ -86,6 +86,10 @@ class Gathered : public btTriangleCallback {
 
 Point point_of(const btVector3& v) { return {v.x(), v.y(), v.z()}; }
 
+btVector3 vector_of(const Point& p) {
+  return {static_cast<btScalar>(p[0]), static_cast<btScalar>(p[1]), static_cast<btScalar>(p[2])};
+}
+
 Pose pose_of(const btTransform& transform) {
   const btMatrix3x3& basis = transform.getBasis();
   return tamis::pose_of({point_of(basis[0]), point_of(basis[1]), point_of(basis[2])}, point_of(transform.getOrigin()));

@@ -7,6 +7,8 @@
 namespace tamis::bullet {
 
 Point point_of(const btVector3& v);
+/// Rounded to what Bullet keeps.
+btVector3 vector_of(const Point& p);
 /// Of Bullet's floats as they are.
 Pose pose_of(const btTransform& transform);
 

@@ -6,13 +6,10 @@
 #include <ctime>
 
 #include "adapters/bullet/clamped_world.hpp"
+#include "adapters/bullet/mesh_of_shape.hpp"
 
 namespace tamis::bullet {
 namespace {
-
-btVector3 vector_of(const Point& p) {
-  return {static_cast<btScalar>(p[0]), static_cast<btScalar>(p[1]), static_cast<btScalar>(p[2])};
-}
 
 std::unique_ptr<btTriangleMesh> triangles_of(const Triangles& mesh) {
   auto triangles = std::make_unique<btTriangleMesh>();

@@ -92,7 +92,8 @@ btVector3 vector_of(const Point& p) {
 
 Pose pose_of(const btTransform& transform) {
   const btMatrix3x3& basis = transform.getBasis();
-  return tamis::pose_of({point_of(basis[0]), point_of(basis[1]), point_of(basis[2])}, point_of(transform.getOrigin()));
+  return tamis::pose_of_matrix({point_of(basis[0]), point_of(basis[1]), point_of(basis[2])},
+                               point_of(transform.getOrigin()));
 }
 
 Shape mesh_of(const btCollisionShape& shape) {

@@ -11,7 +11,7 @@ packages=(g++ cmake ninja-build pkg-config libtbb-dev libgmp-dev libxsimd-dev
 # What draws pictures; Debian has it for these machines alone.
 [[ $(uname -m) != x86_64 ]] || packages+=(libembree-dev)
 if [[ ${1:-} == --tests ]]; then
-  packages+=(libopenmpi-dev openmpi-bin libgtest-dev libbenchmark-dev glmark2-data python3 python3-venv python3-dev binutils valgrind clang-14
+  packages+=(libopenmpi-dev openmpi-bin libgtest-dev libbenchmark-dev glmark2-data python3 python3-venv python3-dev libbullet-dev binutils valgrind clang-14
              clang-format-14 clang-tidy-14 libclang-rt-14-dev chromium)
   # Node from elsewhere than Debian brings its own npm, and conflicts with Debian's.
   command -v npm >/dev/null || packages+=(nodejs npm)

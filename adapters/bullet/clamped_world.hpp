@@ -1,0 +1,81 @@
+// A Bullet world in which no body passes through another.
+#pragma once
+#include <btBulletDynamicsCommon.h>
+
+#include <map>
+#include <vector>
+
+#include "adapters/clamp.hpp"
+
+namespace tamis::bullet {
+
+/// Use it in place of btDiscreteDynamicsWorld; all else stays as it is. Rigid bodies of any kind take part, and fixed
+/// collision objects, each with the mesh of its shape (`mesh_of`).
+///
+/// The last part of Bullet's step, integrateTransforms, is where it says how each body is to move; there bodies are
+/// held back (adapters/clamp.hpp). Velocities stay: what happens at a contact is left to Bullet's solver. The tick
+/// callback comes too late, when bodies are already elsewhere and islands may have gone to sleep. Bullet's own narrow
+/// phase does not see every contact of meshes, and boxes only once they overlap, so that bodies would be held back for
+/// ever and gather speed. Two kinds of predictive contacts are therefore added, on which the solver keeps bodies one
+/// gap apart: pairs within two gaps, and what held bodies back in the last step (a plate that spins on its edge comes
+/// down on another one). So bodies that lie on each other are in the solver's hands, and held back only while they come
+/// near.
+class ClampedWorld : public btDiscreteDynamicsWorld {
+ public:
+  BT_DECLARE_ALIGNED_ALLOCATOR();
+
+  /// As btDiscreteDynamicsWorld's. `threads`: as Options::threads.
+  ClampedWorld(btDispatcher* dispatcher, btBroadphaseInterface* broadphase, btConstraintSolver* solver,
+               btCollisionConfiguration* configuration, adapters::ClampOptions options = {}, int threads = 1);
+
+  /// The mesh of a shape that has none of its own, or another than its own. Before bodies with it are added.
+  void set_mesh(const btCollisionShape& shape, const Shape& mesh);
+
+  /// Throw InvalidMesh where a shape has no mesh; the object is not added then.
+  void addCollisionObject(btCollisionObject* object, int group = btBroadphaseProxy::StaticFilter,
+                          int mask = btBroadphaseProxy::AllFilter ^ btBroadphaseProxy::StaticFilter) override;
+  void removeCollisionObject(btCollisionObject* object) override;
+  void removeRigidBody(btRigidBody* body) override;
+
+  /// Of the last step: bodies in the order of their numbers, and which part of its way each that wanted to move went.
+  struct LastStep {
+    std::vector<std::pair<const btRigidBody*, double>> moved;
+    int questions = 0;            ///< as in ClampedStep
+    std::size_t overlapping = 0;  ///< pairs of bodies that overlapped when it began
+  };
+  const LastStep& last_step() const { return last_step_; }
+
+ protected:
+  void createPredictiveContacts(btScalar seconds) override;
+  void integrateTransforms(btScalar seconds) override;
+
+ private:
+  struct Member {
+    btCollisionObject* object;
+    const btCollisionShape* shape;
+    Shape mesh;
+    double radius;
+    btTransform place;  ///< where the world of bodies has it
+  };
+  class Way;
+  class Step;
+
+  void join(btCollisionObject* object);
+  void leave(const btCollisionObject* object);
+  Shape mesh_for(const btCollisionShape* shape) const;
+  void put(BodyId id, Member& member);
+  void follow();
+  bool collides(const adapters::BodyPair& bodies) const;
+  /// Contacts for the solver, until the next step; those of two bodies share a manifold.
+  class Predicted;
+
+  adapters::ClampOptions options_;
+  World bodies_;
+  std::map<BodyId, Member> members_;
+  std::map<const btCollisionShape*, Shape> given_;  ///< by set_mesh
+  std::set<adapters::BodyPair> overlapping_;
+  std::vector<BodyContact> limits_;  ///< of the last step
+  LastStep last_step_;
+};
+
+}  // namespace tamis::bullet

@@ -1,0 +1,105 @@
+#include "adapters/bullet/mesh_of_shape.hpp"
+
+#include <LinearMath/btConvexHullComputer.h>
+
+#include <map>
+#include <string>
+
+#include "tamis/error.hpp"
+
+namespace tamis::bullet {
+namespace {
+
+/// Triangles, with one vertex for all that are at the same place.
+class Gathered : public btTriangleCallback {
+ public:
+  void add(const btCollisionShape& shape, const btTransform& place) {
+    place_ = place;
+    if (shape.isCompound())
+      add_compound(static_cast<const btCompoundShape&>(shape), place);
+    else if (shape.isPolyhedral())
+      add_polyhedron(static_cast<const btPolyhedralConvexShape&>(shape));
+    else if (shape.isConcave() && !shape.isInfinite())
+      static_cast<const btConcaveShape&>(shape).processAllTriangles(this, everywhere(-1), everywhere(1));
+    else
+      throw InvalidMesh(std::string("the Bullet shape ") + shape.getName() +
+                        " has no triangles of its own: give a mesh for it with ClampedWorld::set_mesh, before the body "
+                        "is added");
+  }
+
+  void processTriangle(btVector3* triangle, int, int) override {
+    faces_.push_back({vertex(triangle[0]), vertex(triangle[1]), vertex(triangle[2])});
+  }
+
+  Shape shape(const char* name) && {
+    if (faces_.empty())
+      throw InvalidMesh(std::string("the Bullet shape ") + name +
+                        " has no triangles: fill it before the body is added (a btGImpactMeshShape needs updateBound)");
+    return {Mesh(static_cast<Index>(points_.size()), faces_), std::move(points_)};
+  }
+
+ private:
+  static btVector3 everywhere(btScalar sign) {
+    const btScalar far = sign * BT_LARGE_FLOAT;
+    return {far, far, far};
+  }
+
+  void add_compound(const btCompoundShape& compound, const btTransform& place) {
+    for (int i = 0; i < compound.getNumChildShapes(); ++i)
+      add(*compound.getChildShape(i), place * compound.getChildTransform(i));
+  }
+
+  void add_polyhedron(const btPolyhedralConvexShape& shape) {
+    std::vector<btVector3> corners(static_cast<std::size_t>(shape.getNumVertices()));
+    for (int i = 0; i < shape.getNumVertices(); ++i) shape.getVertex(i, corners[static_cast<std::size_t>(i)]);
+    btConvexHullComputer hull;
+    hull.compute(corners.empty() ? nullptr : &corners[0].x(), sizeof(btVector3), shape.getNumVertices(), 0, 0);
+    // The computer rounds its vertices to a grid: those it was given are taken in their place.
+    const auto corner = [&](int vertex) {
+      return corners[static_cast<std::size_t>(hull.original_vertex_index[vertex])];
+    };
+    for (int face = 0; face < hull.faces.size(); ++face) {
+      const btConvexHullComputer::Edge* const first = &hull.edges[hull.faces[face]];
+      for (const auto* edge = first->getNextEdgeOfFace(); edge->getTargetVertex() != first->getSourceVertex();
+           edge = edge->getNextEdgeOfFace()) {
+        btVector3 triangle[]{corner(first->getSourceVertex()), corner(edge->getSourceVertex()),
+                             corner(edge->getTargetVertex())};
+        processTriangle(triangle, 0, 0);
+      }
+    }
+  }
+
+  Index vertex(const btVector3& local) {
+    const Point point = point_of(place_ * local);
+    const auto [known, is_new] = vertices_.try_emplace(point, static_cast<Index>(points_.size()));
+    if (is_new) points_.push_back(point);
+    return known->second;
+  }
+
+  btTransform place_;
+  std::vector<Point> points_;
+  std::vector<Face> faces_;
+  std::map<Point, Index> vertices_;
+};
+
+}  // namespace
+
+Point point_of(const btVector3& v) { return {v.x(), v.y(), v.z()}; }
+
+btVector3 vector_of(const Point& p) {
+  return {static_cast<btScalar>(p[0]), static_cast<btScalar>(p[1]), static_cast<btScalar>(p[2])};
+}
+
+Pose pose_of(const btTransform& transform) {
+  const btMatrix3x3& basis = transform.getBasis();
+  return tamis::pose_of_matrix({point_of(basis[0]), point_of(basis[1]), point_of(basis[2])},
+                               point_of(transform.getOrigin()));
+}
+
+Shape mesh_of(const btCollisionShape& shape) {
+  Gathered gathered;
+  gathered.add(shape, btTransform::getIdentity());
+  return std::move(gathered).shape(shape.getName());
+}
+
+}  // namespace tamis::bullet

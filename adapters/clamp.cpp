@@ -1,0 +1,125 @@
+#include "adapters/clamp.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "tamis/error.hpp"
+
+namespace tamis::adapters {
+namespace {
+
+/// Of a gap. A pair that would touch after less than this stays: its distance must remain far above the 1e-15 by which
+/// the end of one step's path may differ from the start of the next.
+constexpr double kLeastTravel = 1e-3;
+/// Of the step: no more is needed of a time before which bodies are stopped.
+constexpr double kTolerance = 1e-4;
+
+double length(const Point& v) { return std::hypot(v[0], v[1], v[2]); }
+
+class Clamp {
+ public:
+  Clamp(World& world, const WantedStep& step, const std::set<BodyPair>& overlapping, const ClampOptions& options)
+      : world_(world), step_(step), overlapping_(overlapping), options_(options) {
+    for (const BodyId body : step.moving()) fractions_[body] = 1;
+  }
+
+  ClampedStep run() {
+    for (const BodyId body : step_.moving()) set_off(body);
+    ClampedStep result;
+    for (bool is_free = false; !is_free;) {
+      ++result.questions;
+      const FirstContacts contacts = first_contacts();
+      for (const auto& [bodies, contact] : contacts) result.limits.push_back(contact);
+      hold_back(contacts, result.questions <= options_.rounds);
+      is_free = contacts.empty();
+    }
+    for (const BodyId body : step_.moving()) result.fractions.push_back(fractions_.at(body));
+    return result;
+  }
+
+ private:
+  void set_off(BodyId body) {
+    const Pose start = step_.pose(body, 0), end = step_.pose(body, fractions_.at(body));
+    const Chain way = between(start, end);
+    double& travel = travels_[body];
+    travel = 0;
+    for (const Link& link : way)
+      travel += length({link.end.position[0] - link.start.position[0], link.end.position[1] - link.start.position[1],
+                        link.end.position[2] - link.start.position[2]}) +
+                step_.radius(body) * length({link.end.rotation[0] - link.start.rotation[0],
+                                             link.end.rotation[1] - link.start.rotation[1],
+                                             link.end.rotation[2] - link.start.rotation[2]});
+    if (start.position == end.position && start.rotation == end.rotation)
+      world_.move(body, Static{start});
+    else
+      world_.move(body, Rigid{way});
+  }
+
+  using FirstContacts = std::map<BodyPair, BodyContact>;
+
+  FirstContacts first_contacts() {
+    FirstContacts first;
+    for (const BodyContact& contact : world_.contacts({.at_start = AtStart::ignore, .tolerance = kTolerance})) {
+      const BodyPair bodies = pair_of(contact.bodies);
+      if (overlapping_.contains(bodies) || !step_.collides(bodies)) continue;
+      const auto [known, is_new] = first.try_emplace(bodies, contact);
+      if (!is_new && contact.toi_lower < known->second.toi_lower) known->second = contact;
+    }
+    return first;
+  }
+
+  void hold_back(const FirstContacts& contacts, bool by_part) {
+    std::map<BodyId, double> parts;
+    for (const auto& [bodies, contact] : contacts)
+      for (const BodyId body : bodies)
+        if (fractions_.contains(body)) {
+          double& part = parts.try_emplace(body, 1).first->second;
+          part = std::min(part, by_part ? part_before(bodies, contact.toi_lower) : 0);
+        }
+    for (const auto& [body, part] : parts) {
+      fractions_.at(body) *= part;
+      set_off(body);
+    }
+  }
+
+  /// Which part of its way each of two bodies may go that touch at `time`.
+  double part_before(const BodyPair& bodies, double time) const {
+    double travel = 0;
+    for (const BodyId body : bodies)
+      if (const auto known = travels_.find(body); known != travels_.end()) travel += known->second;
+    if (travel * time < kLeastTravel * options_.gap) return 0;
+    return std::max(time - options_.gap / travel, time / 2);
+  }
+
+  World& world_;
+  const WantedStep& step_;
+  const std::set<BodyPair>& overlapping_;
+  const ClampOptions& options_;
+  std::map<BodyId, double> fractions_;
+  std::map<BodyId, double> travels_;  ///< bounds of how far any point of a body goes, of those that may move
+};
+
+}  // namespace
+
+BodyPair pair_of(const std::array<BodyId, 2>& bodies) {
+  return {std::min(bodies[0], bodies[1]), std::max(bodies[0], bodies[1])};
+}
+
+BodyMotion resting(const Pose& pose) { return Rigid{Chain{{pose, pose}}}; }
+
+std::set<BodyPair> overlapping(World& world) {
+  std::set<BodyPair> pairs;
+  for (const BodyIntersection& intersection : world.intersections()) pairs.insert(pair_of(intersection.bodies));
+  return pairs;
+}
+
+ClampedStep clamp(World& world, const WantedStep& step, const std::set<BodyPair>& overlapping,
+                  const ClampOptions& options) {
+  if (!(options.gap > 0) || std::isinf(options.gap))
+    throw InvalidOptions("the gap is " + std::to_string(options.gap) + ": give one that is finite and above 0");
+  if (options.rounds < 0) throw InvalidOptions("rounds is " + std::to_string(options.rounds) + ": give a number >= 0");
+  return Clamp(world, step, overlapping, options).run();
+}
+
+}  // namespace tamis::adapters

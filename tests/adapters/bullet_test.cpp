@@ -1,0 +1,150 @@
+// Bullet's world with the clamp: shapes, bodies that come and go, filters, worlds that overlap, stacks.
+#include <gtest/gtest.h>
+
+#include "adapters/bullet/clamped_world.hpp"
+#include "adapters/bullet/mesh_of_shape.hpp"
+#include "tamis/error.hpp"
+
+namespace tamis::bullet {
+namespace {
+
+/// A world, and bodies that it keeps alive.
+struct Simulation {
+  btDefaultCollisionConfiguration configuration;
+  btCollisionDispatcher dispatcher{&configuration};
+  btDbvtBroadphase broadphase;
+  btSequentialImpulseConstraintSolver solver;
+  std::vector<std::unique_ptr<btRigidBody>> bodies;
+  ClampedWorld world{&dispatcher, &broadphase, &solver, &configuration};
+
+  ~Simulation() {
+    for (const auto& body : bodies) world.removeRigidBody(body.get());
+  }
+
+  /// Upright, at rest; a mass of 0: fixed.
+  btRigidBody& add(btCollisionShape& shape, btScalar mass, const btVector3& position) {
+    btVector3 inertia(0, 0, 0);
+    if (mass > 0) shape.calculateLocalInertia(mass, inertia);
+    btRigidBody::btRigidBodyConstructionInfo info(mass, nullptr, &shape, inertia);
+    info.m_startWorldTransform.setOrigin(position);
+    auto body = std::make_unique<btRigidBody>(info);
+    world.addRigidBody(body.get());
+    bodies.push_back(std::move(body));
+    return *bodies.back();
+  }
+
+  void run(int steps) {
+    for (int i = 0; i < steps; ++i) world.stepSimulation(1.0F / 60, 1, 1.0F / 60);
+  }
+};
+
+TEST(MeshOfShape, HasTheFacesOfABox) {
+  const btBoxShape box({1, 2, 3});
+  const Shape mesh = mesh_of(box);
+  EXPECT_EQ(mesh.points().size(), 8U);
+  EXPECT_EQ(mesh.mesh().faces().size(), 12U);
+  for (const Point& p : mesh.points()) {
+    EXPECT_EQ(std::abs(p[0]), 1);
+    EXPECT_EQ(std::abs(p[1]), 2);
+    EXPECT_EQ(std::abs(p[2]), 3);
+  }
+}
+
+TEST(MeshOfShape, PutsTheChildrenOfACompoundWhereTheyAre) {
+  btBoxShape box({1, 1, 1});
+  btCompoundShape pair;
+  for (const btScalar x : {-5.0F, 5.0F}) pair.addChildShape(btTransform(btQuaternion(0, 0, 0, 1), {x, 0, 0}), &box);
+  const Shape mesh = mesh_of(pair);
+  EXPECT_EQ(mesh.points().size(), 16U);
+  for (const Point& p : mesh.points()) EXPECT_TRUE(std::abs(p[0]) == 4 || std::abs(p[0]) == 6) << p[0];
+}
+
+TEST(MeshOfShape, RefusesWhatHasNoTriangles) {
+  EXPECT_THROW(mesh_of(btSphereShape(1)), InvalidMesh);
+  EXPECT_THROW(mesh_of(btStaticPlaneShape({0, 0, 1}, 0)), InvalidMesh);
+  Simulation simulation;
+  btSphereShape sphere(1);
+  EXPECT_THROW(simulation.add(sphere, 1, {0, 0, 0}), InvalidMesh);
+  EXPECT_EQ(simulation.world.getNumCollisionObjects(), 0);
+  EXPECT_EQ(simulation.world.getNonStaticRigidBodies().size(), 0);
+  simulation.world.set_mesh(sphere, mesh_of(btBoxShape({1, 1, 1})));
+  simulation.add(sphere, 1, {0, 0, 0});
+  EXPECT_EQ(simulation.world.getNumCollisionObjects(), 1);
+}
+
+TEST(ClampedWorld, MovesABodyThatMeetsNobodyAsBulletDoes) {
+  btBoxShape box({1, 1, 1});
+  Simulation simulation;
+  btRigidBody& body = simulation.add(box, 1, {0, 0, 0});
+  body.setAngularVelocity({3, 1, 2});
+  for (int i = 0; i < 10; ++i) {
+    simulation.run(1);
+    EXPECT_EQ(simulation.world.last_step().questions, 1);
+  }
+  EXPECT_NEAR(body.getWorldTransform().getOrigin().y(), -10 * 55 / 3600.0, 1e-5);  // 1 + 2 + ... + 10 steps of gravity
+}
+
+TEST(ClampedWorld, LetsBodiesApartThatOverlapAtTheStart) {
+  btBoxShape box({1, 1, 1});
+  Simulation simulation;
+  simulation.world.setGravity({0, 0, 0});
+  simulation.add(box, 0, {0, 0, 0});
+  btRigidBody& body = simulation.add(box, 1, {0.1F, 0.2F, 1.5F});
+  simulation.run(1);
+  EXPECT_EQ(simulation.world.last_step().overlapping, 1U);
+  simulation.run(120);
+  EXPECT_EQ(simulation.world.last_step().overlapping, 0U);
+  EXPECT_GT(body.getWorldTransform().getOrigin().z(), 1.9F);
+}
+
+TEST(ClampedWorld, StopsAFastBodyUnlessBulletLetsItPass) {
+  btBoxShape box({0.1F, 0.1F, 0.1F}), wall({0.01F, 5, 5});
+  for (const bool is_ignored : {false, true}) {
+    Simulation simulation;
+    simulation.world.setGravity({0, 0, 0});
+    btRigidBody& fixed = simulation.add(wall, 0, {0, 0, 0});
+    btRigidBody& body = simulation.add(box, 1, {2, 0, 0});
+    body.setIgnoreCollisionCheck(&fixed, is_ignored);
+    body.setLinearVelocity({-200, 0, 0});
+    simulation.run(5);
+    EXPECT_EQ(body.getWorldTransform().getOrigin().x() < 0, is_ignored);
+  }
+}
+
+TEST(ClampedWorld, FollowsBodiesThatAreMovedAndRemoved) {
+  btBoxShape box({0.1F, 0.1F, 0.1F}), wall({0.01F, 5, 5});
+  Simulation simulation;
+  simulation.world.setGravity({0, 0, 0});
+  btRigidBody& fixed = simulation.add(wall, 0, {0, 0, 0});
+  btRigidBody& body = simulation.add(box, 1, {2, 0, 0});
+  body.setLinearVelocity({-200, 0, 0});
+  fixed.setWorldTransform(btTransform(btQuaternion(0, 0, 0, 1), {-3, 0, 0}));
+  simulation.run(3);
+  EXPECT_LT(body.getWorldTransform().getOrigin().x(), 0);
+  EXPECT_GT(body.getWorldTransform().getOrigin().x(), -3);
+  simulation.world.removeRigidBody(&fixed);
+  body.setLinearVelocity({-200, 0, 0});
+  simulation.run(3);
+  EXPECT_LT(body.getWorldTransform().getOrigin().x(), -3);
+}
+
+/// Thin plates, thinner than what gravity moves one in two steps.
+TEST(ClampedWorld, KeepsAPileOfThinPlates) {
+  btBoxShape floor({5, 0.5F, 5}), plate({0.5F, 0.0025F, 0.5F});
+  Simulation simulation;
+  simulation.add(floor, 0, {0, -0.5F, 0});
+  constexpr int kPlates = 6;
+  const auto shift = [](int i) { return 0.01F * static_cast<btScalar>(i % 3); };
+  for (int i = 0; i < kPlates; ++i) simulation.add(plate, 1, {shift(i), 0.01F + 0.008F * static_cast<btScalar>(i), 0});
+  simulation.run(40);
+  EXPECT_EQ(simulation.world.last_step().overlapping, 0U);
+  for (int i = 1; i <= kPlates; ++i) {
+    const btVector3& place = simulation.bodies[static_cast<std::size_t>(i)]->getWorldTransform().getOrigin();
+    const btVector3& below = simulation.bodies[static_cast<std::size_t>(i - 1)]->getWorldTransform().getOrigin();
+    EXPECT_GT(place.y(), i == 1 ? 0.0025F : below.y() + 0.005F) << "plate " << i;
+    EXPECT_NEAR(place.x(), shift(i - 1), 0.05);
+  }
+}
+
+}  // namespace
+}  // namespace tamis::bullet

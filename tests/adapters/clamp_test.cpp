@@ -1,0 +1,110 @@
+// The clamp without an engine: bodies with poses that a table says.
+#include "adapters/clamp.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+
+#include "tamis/error.hpp"
+
+namespace tamis::adapters {
+namespace {
+
+/// One triangle of size 2, flat.
+Shape plate() { return {Mesh(3, {{0, 1, 2}}), {{-1, -1, 0}, {1, -1, 0}, {0, 1, 0}}}; }
+
+Pose at_height(double z) { return {{0, 0, z}, {}}; }
+
+/// Ways straight from a pose to another, in doubles.
+class Table final : public WantedStep {
+ public:
+  void add(BodyId body, const Pose& from, const Pose& to) {
+    ids_.push_back(body);
+    ways_[body] = {from, to};
+  }
+  std::span<const BodyId> moving() const override { return ids_; }
+  Pose pose(BodyId body, double fraction) const override {
+    Pose pose = ways_.at(body).first;
+    for (std::size_t i = 0; i < 3; ++i)
+      pose.position[i] += fraction * (ways_.at(body).second.position[i] - pose.position[i]);
+    return pose;
+  }
+  double radius(BodyId) const override { return std::sqrt(2.0); }
+  bool collides(const BodyPair& bodies) const override { return !apart.contains(bodies); }
+
+  std::set<BodyPair> apart;
+
+ private:
+  std::vector<BodyId> ids_;
+  std::map<BodyId, std::pair<Pose, Pose>> ways_;
+};
+
+TEST(Clamp, StopsABodyAGapBeforeWhatItWouldHit) {
+  World world;
+  world.add(plate(), Static{});
+  Table step;
+  step.add(world.add(plate(), Static{at_height(1)}), at_height(1), at_height(-3));
+  const ClampedStep clamped = clamp(world, step, overlapping(world), {.gap = 0.01});
+  ASSERT_EQ(clamped.fractions.size(), 1U);
+  EXPECT_NEAR(1 - 4 * clamped.fractions[0], 0.01, 1e-3);
+  EXPECT_TRUE(world.is_free());
+  ASSERT_FALSE(clamped.limits.empty());
+  EXPECT_NEAR(clamped.limits[0].toi_lower, 0.25, 1e-3);
+}
+
+TEST(Clamp, LetsGoWhoTouchesNobody) {
+  World world;
+  world.add(plate(), Static{});
+  Table step;
+  step.add(world.add(plate(), Static{at_height(1)}), at_height(1), at_height(-3));
+  step.add(world.add(plate(), Static{at_height(9)}), at_height(9), at_height(4));
+  const ClampedStep clamped = clamp(world, step, {});
+  EXPECT_LT(clamped.fractions[0], 0.25);
+  EXPECT_EQ(clamped.fractions[1], 1);
+}
+
+/// The lowest is stopped by the floor, so that the others meet who would have moved out of their way.
+TEST(Clamp, StopsWhoMeetsABodyThatWasStopped) {
+  World world;
+  world.add(plate(), Static{});
+  Table step;
+  for (int i = 1; i <= 5; ++i) step.add(world.add(plate(), Static{at_height(i)}), at_height(i), at_height(i - 20));
+  const ClampedStep clamped = clamp(world, step, {}, {.gap = 0.01, .rounds = 2});
+  EXPECT_TRUE(world.is_free());
+  EXPECT_GT(clamped.questions, 1);
+  EXPECT_GT(clamped.fractions[0], 0);
+  for (std::size_t i = 1; i < 5; ++i)
+    EXPECT_LT(20 * clamped.fractions[i - 1], 20 * clamped.fractions[i] + 1) << "body " << i << " passed the one below";
+}
+
+TEST(Clamp, NeverHoldsBackWhoOverlapsOnAccountOfEachOther) {
+  World world;
+  const Pose upright{{0, 0, 0}, {1.5, 0, 0}}, gone{{0, 0, 3}, {1.5, 0, 0}};
+  const BodyId flat = world.add(plate(), Static{}), through = world.add(plate(), resting(upright));
+  const std::set<BodyPair> pairs = overlapping(world);
+  EXPECT_EQ(pairs, (std::set<BodyPair>{{flat, through}}));
+  Table step;
+  step.add(through, upright, gone);
+  EXPECT_EQ(clamp(world, step, pairs).fractions[0], 1);
+}
+
+TEST(Clamp, DoesNotStopWhomTheEngineDoesNotCollide) {
+  World world;
+  const BodyId floor = world.add(plate(), Static{}), falling = world.add(plate(), Static{at_height(1)});
+  Table step;
+  step.add(falling, at_height(1), at_height(-3));
+  step.apart = {{floor, falling}};
+  EXPECT_EQ(clamp(world, step, {}).fractions[0], 1);
+}
+
+TEST(Clamp, RefusesAGapOrRoundsOutOfRange) {
+  World world;
+  const Table step;
+  EXPECT_THROW(clamp(world, step, {}, {.gap = 0}), InvalidOptions);
+  EXPECT_THROW(clamp(world, step, {}, {.gap = std::nan("")}), InvalidOptions);
+  EXPECT_THROW(clamp(world, step, {}, {.rounds = -1}), InvalidOptions);
+}
+
+}  // namespace
+}  // namespace tamis::adapters

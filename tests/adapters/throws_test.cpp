@@ -1,0 +1,53 @@
+// A few throws of the poster: none comes through, and Bullet alone stops some of them not.
+#include <gtest/gtest.h>
+
+#include "adapters/bullet/throws/independent.hpp"
+#include "adapters/bullet/throws/scenes.hpp"
+
+namespace tamis::bullet {
+namespace {
+
+void expect_none_through(const Scene& scene, Method method) {
+  for (const Trial& trial : scene.trials) {
+    const Flight flight = trial.arena->fly(method, trial.thrown);
+    EXPECT_FALSE(trial.is_through(flight));
+    EXPECT_EQ(touching_steps(*trial.arena, flight), 0);
+    EXPECT_EQ(sampled_crossings(*trial.arena, flight, 4), 0);
+  }
+}
+
+/// That the checks above can fail: what Bullet does alone is seen as what it is.
+void expect_some_through(const Scene& scene, Method method) {
+  int through = 0;
+  for (const Trial& trial : scene.trials) {
+    const Flight flight = trial.arena->fly(method, trial.thrown);
+    through += trial.is_through(flight);
+    EXPECT_TRUE(!trial.is_through(flight) || touching_steps(*trial.arena, flight) > 0);
+  }
+  EXPECT_GT(through, 0);
+}
+
+TEST(Throws, NoPlateComesThroughAClampedWorld) {
+  const Scene plates = spinning_plates(5);
+  expect_none_through(plates, Method::clamped_hull);
+  expect_none_through(plates, Method::clamped_mesh);
+  expect_some_through(plates, Method::mesh);
+}
+
+TEST(Throws, NoRodComesThroughAClampedWorld) {
+  const Scene rods = spinning_rods(4);
+  expect_none_through(rods, Method::clamped_hull);
+  expect_none_through(rods, Method::clamped_mesh);
+  expect_some_through(rods, Method::hull_ccd);
+}
+
+TEST(Throws, ASampleSeesABodyThatIsHalfThrough) {
+  const Arena arena(wall(2, 1), box({0.1, 0.1, 0.1}), 0.1);
+  Flight flight;
+  for (const btScalar z : {1.0F, 0.0F}) flight.places.emplace_back(btQuaternion(0, 0, 0, 1), btVector3(0.3F, 0.2F, z));
+  EXPECT_EQ(sampled_crossings(arena, flight, 1), 1);
+  EXPECT_EQ(touching_steps(arena, flight), 1);
+}
+
+}  // namespace
+}  // namespace tamis::bullet

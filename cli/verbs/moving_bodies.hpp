@@ -13,34 +13,35 @@ namespace tamis::cli {
 
 class MovingBodies {
  public:
-  /// Says on stderr what readers of its meshes should know. Throws io::FileError.
+  /// Makes step 1. Says on stderr what readers of its meshes should know. Throws io::FileError.
   explicit MovingBodies(const std::filesystem::path& path);
 
   std::size_t step_count() const { return file_.frame_count - 1; }
-  /// By their numbers in the world.
-  const std::vector<std::string>& names() const { return names_; }
-  /// Every file that was, or will be read.
-  std::vector<std::filesystem::path> inputs() const;
+  std::size_t count() const { return names_.size(); }
   std::size_t count_of(bool moves, bool deforms) const;
   std::size_t triangle_count() const;
+  /// By their numbers in the world, as all that follows.
+  const std::vector<std::string>& names() const { return names_; }
+  const io::MeshFile& mesh_of(std::size_t body) const;
+  const BodyMotion& motion_of(std::size_t body) const { return motions_[body]; }
+  /// Every file that was, or will be read.
+  std::vector<std::filesystem::path> inputs() const;
 
-  /// A world that makes step 1.
-  World world(const Options& options);
-  /// REQUIRES: steps are asked for in order. Reads frames: throws io::FileError.
-  void go_on(World& world, std::size_t step);
+  /// A world that makes the present step.
+  World world(const Options& options) const;
+  /// To the next step. Reads frames: throws io::FileError.
+  void go_on(World& world);
 
  private:
-  BodyMotion motion_of(std::size_t body, std::size_t step);
-  std::size_t triangles_of(std::size_t body) const;
+  /// In the present step; `start`: where a deforming body is.
+  BodyMotion motion_from(std::size_t body, std::vector<Point> start) const;
 
   std::filesystem::path path_;
   io::BodiesFile file_;
   std::vector<std::string> names_;
-  struct Deforming {
-    MovingFrames frames;
-    std::vector<Point> last;  ///< where the step before ended
-  };
-  std::map<std::size_t, Deforming> deforming_;  ///< by body
+  std::map<std::size_t, MovingFrames> frames_;  ///< of deforming bodies
+  std::size_t step_ = 1;
+  std::vector<BodyMotion> motions_;
 };
 
 }  // namespace tamis::cli

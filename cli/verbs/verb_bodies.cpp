@@ -1,16 +1,22 @@
 // tamis bodies: the contacts of bodies that stay, move as a whole, or deform.
+#include <array>
 #include <memory>
 #include <optional>
+#include <string_view>
 
 #include "cli/command_line/arguments.hpp"
 #include "cli/command_line/verb.hpp"
 #include "cli/output_file.hpp"
 #include "cli/progress.hpp"
+#include "cli/verbs/bodies_film.hpp"
 #include "cli/verbs/bodies_table.hpp"
 #include "io/bodies/bodies_csv.hpp"
+#include "io/format.hpp"
 
 namespace tamis::cli {
 namespace {
+
+constexpr std::array<std::string_view, 2> kFormats{"csv", "html"};
 
 class Bodies final : public Verb {
  public:
@@ -23,6 +29,7 @@ class Bodies final : public Verb {
   const char* examples() const override {
     return "  tamis bodies throw.json\n"
            "  tamis bodies throw.json --out contacts.csv\n"
+           "  tamis bodies throw.json --out throw.html\n"
            "  tamis bodies throw.json --min-separation 1e-3 --at-start ignore --json";
   }
 
@@ -31,7 +38,7 @@ class Bodies final : public Verb {
         .required();
     detector_.declare_for_bodies(options);
     at_start_.declare(options);
-    declare_output(options, out_, "write the contacts of all steps to a .csv file");
+    declare_output(options, out_, "the contacts of all steps: a table (.csv), or a page that shows them (.html)");
     declare_repeat(options, repeat_, "ask N times, report the median time of the runs after the first; default 1");
     declare_json(options, json_);
   }
@@ -40,24 +47,31 @@ class Bodies final : public Verb {
     detector_.check();
     const QueryOptions own = at_start_.own();
     MovingBodies bodies(path_);
-    require_output(out_, bodies.inputs(), "csv");
+    require_output(out_, bodies.inputs());
+    const bool is_film = !out_.empty() && io::format_of(out_, kFormats) == 1;
     World world = bodies.world(detector_.options());
     std::optional<io::BodiesCsv> csv;
-    if (!out_.empty()) csv.emplace(out_);
+    std::optional<BodiesFilm> film;
+    if (is_film)
+      film.emplace(bodies, detector_.options());
+    else if (!out_.empty())
+      csv.emplace(out_);
     BodiesTable table(bodies, json_);
     table.print_head();
     Progress progress(bodies.step_count(), "steps");
     for (std::size_t step = 1; step <= bodies.step_count(); ++step) {
-      if (step > 1) bodies.go_on(world, step);
+      if (step > 1) bodies.go_on(world);
       std::vector<BodyContact> contacts;
       const Timing timing = ask_repeatedly(world, repeat_, [&] { contacts = world.contacts(own); });
       if (csv) csv->add(step, contacts, bodies.names());
+      if (film) film->add(step, contacts);
       progress.clear();
       table.add(contacts, world.statistics(), timing);
       progress.show(step);
     }
     progress.clear();
     if (csv) csv->commit();
+    if (film) film->write(out_);
     table.print_totals(detector_.options(), world.statistics(), repeat_);
     return table.is_free() ? kSuccess : kNo;
   }

@@ -16,7 +16,7 @@
 namespace tamis::cli {
 namespace {
 
-constexpr std::array<std::string_view, 2> kFormats{"csv", "html"};
+constexpr std::array<std::string_view, 2> kShownAs{"csv", "html"};
 
 class Bodies final : public Verb {
  public:
@@ -48,7 +48,7 @@ class Bodies final : public Verb {
     const QueryOptions own = at_start_.own();
     MovingBodies bodies(path_);
     require_output(out_, bodies.inputs());
-    const bool is_film = !out_.empty() && io::format_of(out_, kFormats) == 1;
+    const bool is_film = !out_.empty() && io::format_of(out_, kShownAs) == 1;
     World world = bodies.world(detector_.options());
     std::optional<io::BodiesCsv> csv;
     std::optional<BodiesFilm> film;

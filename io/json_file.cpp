@@ -9,28 +9,46 @@
 namespace tamis::io {
 namespace {
 
-constexpr int kDeepest = 64;
+constexpr std::size_t kDeepest = 64;
 
-/// Refuses what a parser takes without a word: the last of several values of one key, and any depth.
-class Strict {
+/// Reads ahead of the parser, and refuses what that takes without a word: the last of several values of one key, and
+/// any depth. (A callback of the parser takes time that grows with the square of the number of objects.)
+class Strict final : public nlohmann::json_sax<KeyedJson> {
  public:
   explicit Strict(const std::string& name) : name_(name) {}
 
-  bool operator()(int depth, KeyedJson::parse_event_t event, const KeyedJson& parsed) {
-    using Event = KeyedJson::parse_event_t;
-    if (depth > kDeepest) throw FileError(name_, "", fmt::format("nests deeper than {} levels", kDeepest));
-    if (event == Event::object_start) keys_.emplace_back();
-    if (event == Event::object_end) keys_.pop_back();
-    if (event == Event::key && !keys_.back().insert(parsed.get<std::string>()).second)
-      throw FileError(name_, "",
-                      fmt::format("the key {} stands twice in one object: remove one",
-                                  in_quotes(parsed.get_ref<const std::string&>())));
+  bool null() override { return true; }
+  bool boolean(bool) override { return true; }
+  bool number_integer(number_integer_t) override { return true; }
+  bool number_unsigned(number_unsigned_t) override { return true; }
+  bool number_float(number_float_t, const string_t&) override { return true; }
+  bool string(string_t&) override { return true; }
+  bool binary(binary_t&) override { return true; }
+  bool start_object(std::size_t) override { return enter(); }
+  bool end_object() override { return leave(); }
+  bool start_array(std::size_t) override { return enter(); }
+  bool end_array() override { return leave(); }
+  bool key(string_t& key) override {
+    if (!keys_.back().insert(key).second)
+      throw FileError(name_, "", fmt::format("the key {} stands twice in one object: remove one", in_quotes(key)));
+    return true;
+  }
+  /// The parser says it.
+  bool parse_error(std::size_t, const std::string&, const nlohmann::detail::exception&) override { return false; }
+
+ private:
+  bool enter() {
+    if (keys_.size() == kDeepest) throw FileError(name_, "", fmt::format("nests deeper than {} levels", kDeepest));
+    keys_.emplace_back();
+    return true;
+  }
+  bool leave() {
+    keys_.pop_back();
     return true;
   }
 
- private:
   const std::string& name_;
-  std::vector<std::set<std::string>> keys_;
+  std::vector<std::set<std::string>> keys_;  ///< of each object or array that is open
 };
 
 /// Where the byte is; counted from 1.
@@ -43,7 +61,9 @@ std::string line_of(std::string_view bytes, std::size_t byte) {
 
 JsonFile::JsonFile(std::string_view bytes, std::string name) : name_(std::move(name)) {
   try {
-    root_ = KeyedJson::parse(bytes, Strict(name_));
+    Strict strict(name_);
+    KeyedJson::sax_parse(bytes, &strict);
+    root_ = KeyedJson::parse(bytes);
   } catch (const KeyedJson::parse_error& error) {
     throw FileError(name_, line_of(bytes, error.byte), "is no JSON from here on: correct it");
   } catch (const KeyedJson::out_of_range&) {

@@ -38,7 +38,8 @@ class Strict final : public nlohmann::json_sax<KeyedJson> {
 
  private:
   bool enter() {
-    if (keys_.size() == kDeepest) throw FileError(name_, "", fmt::format("nests deeper than {} levels", kDeepest));
+    if (keys_.size() == kDeepest)
+      throw FileError(name_, "", fmt::format("nests deeper than {} levels: write it flatter", kDeepest));
     keys_.emplace_back();
     return true;
   }

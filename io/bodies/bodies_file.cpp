@@ -56,7 +56,7 @@ Pose pose_from(const JsonValue& json) {
   const Point at = position ? position->point() : Point{0, 0, 0};
   if (!quaternion) return {at, rotation ? rotation->point() : Point{0, 0, 0}};
   const std::vector<double> q = quaternion->numbers(4, "w, x, y and z");
-  return said_of(*quaternion, [&] { return pose_of(std::array{q[0], q[1], q[2], q[3]}, at); });
+  return said_of(*quaternion, [&] { return pose_of_quaternion({q[0], q[1], q[2], q[3]}, at); });
 }
 
 class Parser {

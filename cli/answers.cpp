@@ -4,6 +4,8 @@
 
 #include <cstdio>
 
+#include "cli/command_line/printable.hpp"
+
 namespace tamis::cli {
 namespace {
 
@@ -12,17 +14,23 @@ void print_bracket(double toi_lower, double toi_upper) {
              toi_lower, toi_upper - toi_lower);
 }
 
-void print_between(PairKind kind, const std::array<Index, 4>& v) {
-  switch (kind) {
-    case PairKind::vertex_face:
-      return fmt::print("between         vertex {} and face {} {} {}", v[0], v[1], v[2], v[3]);
-    case PairKind::edge_edge:
-      return fmt::print("between         edge {} {} and edge {} {}", v[0], v[1], v[2], v[3]);
-    case PairKind::vertex_edge:
-      return fmt::print("between         vertex {} and edge {} {}", v[0], v[1], v[2]);
-    case PairKind::vertex_vertex:
-      return fmt::print("between         vertex {} and vertex {}", v[0], v[1]);
-  }
+/// Which features. `bodies`: of whom, unless all are of one mesh.
+void print_between(PairKind kind, const std::array<Index, 4>& v, const std::array<std::string, 2>& bodies = {}) {
+  const auto [first, second] = [&]() -> std::array<std::string, 2> {
+    switch (kind) {
+      case PairKind::vertex_face:
+        return {fmt::format("vertex {}", v[0]), fmt::format("face {} {} {}", v[1], v[2], v[3])};
+      case PairKind::edge_edge:
+        return {fmt::format("edge {} {}", v[0], v[1]), fmt::format("edge {} {}", v[2], v[3])};
+      case PairKind::vertex_edge:
+        return {fmt::format("vertex {}", v[0]), fmt::format("edge {} {}", v[1], v[2])};
+      case PairKind::vertex_vertex:
+        return {fmt::format("vertex {}", v[0]), fmt::format("vertex {}", v[1])};
+    }
+    return {};
+  }();
+  const auto of = [](const std::string& body) { return body.empty() ? "" : fmt::format(" of {}", printable(body)); };
+  fmt::print("between         {}{} and {}{}", first, of(bodies[0]), second, of(bodies[1]));
 }
 
 void print_limit(const SafeStep& safe, double fraction, const std::string& distance) {
@@ -36,12 +44,6 @@ void print_limit(const SafeStep& safe, double fraction, const std::string& dista
     fmt::print("largest         not above {}, proven: {:.1e} more\n", safe.upper, safe.upper - safe.lower);
 }
 
-void print_contact(const Contact& c) {
-  print_between(c.kind, c.vertices);
-  fmt::print(", u = {:.6g}, v = {:.6g}, normal ({:.6g}, {:.6g}, {:.6g})\n", c.u, c.v, c.normal[0], c.normal[1],
-             c.normal[2]);
-}
-
 }  // namespace
 
 void print_tally(const Tally& tally) {
@@ -49,8 +51,12 @@ void print_tally(const Tally& tally) {
       tally.ve + tally.vv > 0 ? fmt::format(", {} vertex-edge, {} vertex-vertex", grouped(tally.ve), grouped(tally.vv))
                               : "";
   fmt::print("contacts        {} vertex-face, {} edge-edge{}\n", grouped(tally.vf), grouped(tally.ee), loose);
+  if (tally.unresolved > 0)
+    fmt::print("unresolved      {} of them: they may touch, or only come close\n", grouped(tally.unresolved));
   if (tally.is_free())
     fmt::print("first contact   none: the step is free, proven\n");
+  else if (tally.unresolved == tally.contacts())
+    fmt::print("first contact   unresolved; free before {}, proven\n", tally.toi_lower);
   else
     print_bracket(tally.toi_lower, tally.toi_upper);
 }
@@ -58,6 +64,12 @@ void print_tally(const Tally& tally) {
 void add_tally(Json& json, const Tally& tally) {
   json["contacts"] = json_of(tally);
   add_bracket(json, tally.is_free(), tally.toi_lower, tally.toi_upper);
+}
+
+void print_contact(const Contact& c, const std::array<std::string, 2>& bodies) {
+  print_between(c.kind, c.vertices, bodies);
+  fmt::print(", u = {:.6g}, v = {:.6g}, normal ({:.6g}, {:.6g}, {:.6g})\n", c.u, c.v, c.normal[0], c.normal[1],
+             c.normal[2]);
 }
 
 void print_earliest(const EarliestContact& first) {

@@ -1,5 +1,8 @@
 // The answers to one step, for people and as JSON, whoever found them.
 #pragma once
+#include <array>
+#include <string>
+
 #include "cli/report.hpp"
 
 namespace tamis::cli {
@@ -7,6 +10,9 @@ namespace tamis::cli {
 /// How many contacts of which kind, and the first.
 void print_tally(const Tally& tally);
 void add_tally(Json& json, const Tally& tally);
+
+/// `bodies`: whose features they are, where several bodies are asked about.
+void print_contact(const Contact& contact, const std::array<std::string, 2>& bodies = {});
 
 void print_earliest(const EarliestContact& first);
 void add_earliest(Json& json, const EarliestContact& first);

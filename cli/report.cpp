@@ -67,8 +67,7 @@ void print_seconds(const char* name, const Seconds& s) {
 
 }  // namespace
 
-void print_costs(const Detector& detector, const Timing& timing, int repeat, std::string_view only_kind) {
-  const Statistics& statistics = detector.statistics();
+void print_costs(const Statistics& statistics, const Timing& timing, int repeat, std::string_view only_kind) {
   print_stages(statistics, only_kind);
   fmt::print("\n");
   print_seconds(repeat > 1 ? "first run" : "time", timing.cold);

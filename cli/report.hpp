@@ -28,7 +28,7 @@ void print_json(const Json& json);
 
 void print_mesh(const Mesh& mesh);
 /// `only_kind`: what the pairs are called where they are of one kind alone.
-void print_costs(const Detector& detector, const Timing& timing, int repeat, std::string_view only_kind = {});
+void print_costs(const Statistics& statistics, const Timing& timing, int repeat, std::string_view only_kind = {});
 
 /// Largest memory this process held so far.
 std::uint64_t peak_memory_bytes();

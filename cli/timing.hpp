@@ -1,9 +1,9 @@
-// One question asked several times of one detector.
+// One question asked several times of one detector or world.
 #pragma once
 #include <algorithm>
 #include <vector>
 
-#include "tamis/detector.hpp"
+#include "tamis/statistics.hpp"
 
 namespace tamis::cli {
 
@@ -21,12 +21,12 @@ struct Timing {
 };
 
 /// REQUIRES: repeat >= 1. The answer is that of the last run.
-template <class Ask>
-Timing ask_repeatedly(Detector& detector, int repeat, const Ask& ask) {
+template <class Asked, class Ask>
+Timing ask_repeatedly(Asked& asked, int repeat, const Ask& ask) {
   std::vector<Seconds> runs;
   for (int run = 0; run < repeat; ++run) {
     ask();
-    runs.push_back(detector.statistics().seconds);
+    runs.push_back(asked.statistics().seconds);
   }
   Timing timing{runs.front(), runs.front()};
   if (repeat == 1) return timing;

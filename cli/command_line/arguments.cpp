@@ -19,9 +19,13 @@ void require_one_each(std::size_t radii, Index objects) {
 }  // namespace
 
 void DetectorArguments::declare(OptionList& options) {
+  declare_for_bodies(options);
+  declare_radius(options, "contact then means a distance <= the sum of both radii and the minimum separation");
+}
+
+void DetectorArguments::declare_for_bodies(OptionList& options) {
   declare_means(options);
   declare_min_separation(options, min_separation_);
-  declare_radius(options, "contact then means a distance <= the sum of both radii and the minimum separation");
 }
 
 void DetectorArguments::declare_means(OptionList& options) {

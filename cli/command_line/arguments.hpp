@@ -17,6 +17,8 @@ inline constexpr NumberRange<int> kRings{1, 1'000'000};
 class DetectorArguments {
  public:
   void declare(OptionList& options);
+  /// Of a world, whose bodies have no radii.
+  void declare_for_bodies(OptionList& options);
   /// Only what a question at rest has, too: no radius or separation concerns it.
   void declare_means(OptionList& options);
   /// `meaning`: of such a radius for the question.

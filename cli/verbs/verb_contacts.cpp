@@ -46,7 +46,7 @@ void Contacts::report(const Tally& tally, const Detector& detector, const Timing
   print_mesh(detector.mesh());
   print_tally(tally);
   if (!output_.path().empty()) fmt::print("written to      {}\n", printable(output_.path()));
-  print_costs(detector, timing, repeat_);
+  print_costs(detector.statistics(), timing, repeat_);
 }
 
 std::unique_ptr<Verb> make_contacts() { return std::make_unique<Contacts>(); }

@@ -46,7 +46,7 @@ class Earliest final : public StepVerb {
     print_mesh(detector.mesh());
     print_earliest(first);
     if (!first.contact) start_.print();
-    print_costs(detector, timing, repeat_);
+    print_costs(detector.statistics(), timing, repeat_);
   }
 
   StartCheck start_;

@@ -60,7 +60,7 @@ class IntersectionsVerb final : public PoseVerb {
     else
       print_table(found);
     if (!output_.path().empty()) fmt::print("\nwritten to      {}\n", printable(output_.path()));
-    print_costs(detector, timing, repeat_, "edge-face");
+    print_costs(detector.statistics(), timing, repeat_, "edge-face");
   }
 
   static void print_table(const std::vector<Intersection>& found) {

@@ -84,7 +84,7 @@ class IsFree final : public Verb {
       fmt::print("first           in step {}, to {}; later ones were not asked\n", *met,
                  printable(frames.paths()[*met].string()));
     if (!met) start_.print();
-    print_costs(detector, timing, repeat_);
+    print_costs(detector.statistics(), timing, repeat_);
   }
 
   static Json step_to(const MovingFrames& frames, const std::optional<std::size_t>& end) {

@@ -50,7 +50,7 @@ class SafeStepLength final : public StepVerb {
     print_mesh(detector.mesh());
     print_safe_step(safe, keep_.fraction(), detector.options().min_separation);
     if (!safe.pair) start_.print();
-    print_costs(detector, timing, repeat_);
+    print_costs(detector.statistics(), timing, repeat_);
   }
 
   KeepArgument keep_;

@@ -73,7 +73,7 @@ class Truncate final : public StepVerb {
         "truncated       to {:.6g} of the way, that of all vertices added up; {}\n", part,
         to.is_free ? "the straight way there is free, proven" : "something touches at the start, and comes no nearer");
     if (!out_.empty()) fmt::print("written to      {}\n", printable(out_));
-    print_costs(detector, timing, repeat_);
+    print_costs(detector.statistics(), timing, repeat_);
   }
 
   std::string out_;

@@ -60,7 +60,7 @@ class Within final : public PoseVerb {
                grouped(counts[0]), grouped(counts[1]), grouped(counts[2]), grouped(counts[3]));
     if (!pairs.empty()) fmt::print("smallest        {}\n", nearest->distance);
     if (!out_.empty()) fmt::print("written to      {}\n", printable(out_));
-    print_costs(detector, timing, repeat_);
+    print_costs(detector.statistics(), timing, repeat_);
   }
 
   std::string out_;

@@ -2,14 +2,19 @@
 #pragma once
 #include <filesystem>
 #include <span>
+#include <string>
+#include <string_view>
 
 #include "tamis/contact.hpp"
 
 namespace tamis::io {
 
-/// Columns kind,v0,v1,v2,v3,toi_lower,toi_upper,u,v,status,nx,ny,nz; kind is vf, ee, ve or vv, status certified or
-/// unresolved, n the normal. Rows in the order of `contacts`; numbers read back to the same doubles. Atomically. Throws
-/// FileError.
+/// kind is vf, ee, ve or vv, status certified or unresolved, n the normal.
+inline constexpr std::string_view kContactColumns = "kind,v0,v1,v2,v3,toi_lower,toi_upper,u,v,status,nx,ny,nz";
+/// These columns of one row; numbers read back to the same doubles.
+std::string contact_cells(const Contact& contact);
+
+/// Those columns; rows in the order of `contacts`. Atomically. Throws FileError.
 void write_contacts_csv(const std::filesystem::path& path, std::span<const Contact> contacts);
 
 }  // namespace tamis::io

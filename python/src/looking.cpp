@@ -1,12 +1,10 @@
 #include "python/src/looking.hpp"
 
 #include <algorithm>
-#include <limits>
-#include <sstream>
 #include <tuple>
 
+#include "io/view/film.hpp"
 #include "io/view/outputs.hpp"
-#include "python/src/paths/path_positions.hpp"
 #include "tamis/error.hpp"
 
 namespace tamis::python {
@@ -40,71 +38,6 @@ Options with(Options options, const QueryOptions& asked) {
   return options;
 }
 
-/// Of the box of the vertices that the mesh uses, its longest side.
-double size_of(const Mesh& mesh, const std::vector<Point>& positions) {
-  double size = 0;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
-    for (const Index v : mesh.points()) {
-      lowest = std::min(lowest, positions[static_cast<std::size_t>(v)][axis]);
-      highest = std::max(highest, positions[static_cast<std::size_t>(v)][axis]);
-    }
-    size = std::max(size, highest - lowest);
-  }
-  return size;
-}
-
-/// Do straight pieces of this number look like the path?
-bool looks_straight(const Path& path, const Mesh& mesh, int pieces, double size) {
-  constexpr double kSeen = 1.0 / 256;  // of the scene
-  const std::vector<Index> vertices(mesh.points().begin(), mesh.points().end());
-  std::vector<double> deviations(vertices.size());
-  for (int i = 0; i < pieces; ++i) {
-    path.deviations(double(i) / pieces, double(i + 1) / pieces, vertices, deviations);
-    if (std::any_of(deviations.begin(), deviations.end(), [&](double deviation) { return deviation > kSeen * size; }))
-      return false;
-  }
-  return true;
-}
-
-int pieces_of(const Path& path, const Mesh& mesh) {
-  constexpr int kMost = 64;  // a power of two: times of a piece are exact
-  const double size = size_of(mesh, positions_at(path, 0));
-  int pieces = 1;
-  while (pieces < kMost && !looks_straight(path, mesh, pieces, size)) pieces *= 2;
-  return pieces;
-}
-
-/// As short as it can be: "0.25".
-std::string text_of(double time) {
-  std::ostringstream text;
-  text << time;
-  return text.str();
-}
-
-/// `free_before`: of the path.
-io::Recording film_of(const Path& path, const Mesh& mesh, const Options& options, std::span<const Contact> contacts,
-                      double free_before) {
-  const int pieces = pieces_of(path, mesh);
-  io::Recording film{mesh, options, 1, {}, {}, std::vector<io::RecordedStep>(static_cast<std::size_t>(pieces))};
-  for (int i = 0; i <= pieces; ++i) {
-    const double time = double(i) / pieces;
-    film.names.push_back("t = " + text_of(time));
-    film.frames.push_back(positions_at(path, time));
-  }
-  for (Contact c : contacts) {
-    const int piece = std::min(static_cast<int>(c.toi_lower * pieces), pieces - 1);
-    c.toi_lower = c.toi_lower * pieces - piece;
-    c.toi_upper = std::min(1.0, c.toi_upper * pieces - piece);
-    film.steps[static_cast<std::size_t>(piece)].contacts.push_back(c);
-  }
-  // A pair is listed where it meets first. It may touch from then on.
-  for (int i = 0; i < pieces; ++i)
-    if (free_before * pieces < i + 1)
-      film.steps[static_cast<std::size_t>(i)].free_before = std::max(0.0, free_before * pieces - i);
-  return film;
-}
-
 }  // namespace
 
 void write_step(const std::filesystem::path& to, Detector& detector, const Step& step, const QueryOptions& asked,
@@ -134,7 +67,9 @@ void write_path(const std::filesystem::path& to, Detector& detector, const Path&
   if (!is_part(part, found))
     throw InvalidPath("the path has changed since these contacts were found: look at them before it does");
   const Options options = with(detector.options(), asked);
-  output.write(to, film_of(path, detector.mesh(), options, part, free_before(found)));
+  io::Recording film{detector.mesh(), options, 1, {}, {}, {}};
+  io::add_path(film, path, {part, free_before(found)});
+  output.write(to, film);
 }
 
 }  // namespace tamis::python

@@ -3,12 +3,12 @@
 
 #include <algorithm>
 
+#include "io/view/path_positions.hpp"
 #include "python/src/bindings.hpp"
 #include "python/src/options.hpp"
 #include "python/src/pair_results.hpp"
 #include "python/src/pair_rows.hpp"
 #include "python/src/paths/function_path.hpp"
-#include "python/src/paths/path_positions.hpp"
 #include "tamis/rigid_path.hpp"
 #include "tamis/spline_path.hpp"
 
@@ -93,7 +93,7 @@ nb::object corners_at(const Path& path, const Times& times, const VertexRows& ro
   return own<double>(std::move(corners), 3);
 }
 
-nb::object points_at(const Path& path, double time) { return own<double>(positions_at(path, time), 3); }
+nb::object points_at(const Path& path, double time) { return own<double>(io::positions_at(path, time), 3); }
 
 void bind_chains(nb::module_& module) {
   module.def("interpolated", [](const PoseRows& start, const PoseRows& end) {

@@ -5,7 +5,7 @@
 
 #include "tamis/path.hpp"
 
-namespace tamis::python {
+namespace tamis::io {
 
 /// All vertices by their numbers.
 inline std::vector<Index> vertices_of(const Path& path) {
@@ -23,4 +23,4 @@ inline std::vector<Point> positions_at(const Path& path, double time) {
   return points;
 }
 
-}  // namespace tamis::python
+}  // namespace tamis::io

@@ -1,0 +1,44 @@
+// What is said of the steps of bodies: of one all, of several a row each and the first that is not free; or one JSON
+// object.
+#pragma once
+#include <optional>
+#include <vector>
+
+#include "cli/report.hpp"
+#include "cli/verbs/moving_bodies.hpp"
+
+namespace tamis::cli {
+
+class BodiesTable {
+ public:
+  /// `bodies` must live as long.
+  BodiesTable(const MovingBodies& bodies, bool json) : bodies_(bodies), json_(json) {}
+
+  void print_head() const;
+  /// In order; `statistics` of the last question.
+  void add(const std::vector<BodyContact>& contacts, const Statistics& statistics, const Timing& timing);
+  void print_totals(const Options& options, const Statistics& statistics, int repeat);
+  bool is_free() const { return !first_; }
+
+ private:
+  struct First {
+    std::size_t step;
+    BodyContact contact;
+  };
+
+  bool is_one() const { return bodies_.step_count() == 1; }
+  void print_row(const Tally& tally, const Timing& timing) const;
+  Json step_json(const Tally& tally, const std::optional<BodyContact>& contact, const Statistics& statistics,
+                 const Timing& timing) const;
+  Json totals_json(const Options& options, const Statistics& statistics);
+
+  const MovingBodies& bodies_;
+  bool json_;
+  Tally total_;
+  std::size_t steps_asked_ = 0, free_steps_ = 0;
+  std::optional<First> first_;
+  Timing timing_;
+  Json steps_ = Json::array();
+};
+
+}  // namespace tamis::cli

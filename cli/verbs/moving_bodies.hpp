@@ -1,0 +1,47 @@
+// The bodies of a file, as a world that goes from one frame to the next.
+#pragma once
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "cli/verbs/moving_frames.hpp"
+#include "io/bodies/bodies_file.hpp"
+#include "tamis/world.hpp"
+
+namespace tamis::cli {
+
+class MovingBodies {
+ public:
+  /// Makes step 1. Says on stderr what readers of its meshes should know. Throws io::FileError.
+  explicit MovingBodies(const std::filesystem::path& path);
+
+  std::size_t step_count() const { return file_.frame_count - 1; }
+  std::size_t count() const { return names_.size(); }
+  std::size_t count_of(bool moves, bool deforms) const;
+  std::size_t triangle_count() const;
+  /// By their numbers in the world, as all that follows.
+  const std::vector<std::string>& names() const { return names_; }
+  const io::MeshFile& mesh_of(std::size_t body) const;
+  const BodyMotion& motion_of(std::size_t body) const { return motions_[body]; }
+  /// Every file that was, or will be read.
+  std::vector<std::filesystem::path> inputs() const;
+
+  /// A world that makes the present step.
+  World world(const Options& options) const;
+  /// To the next step. Reads frames: throws io::FileError.
+  void go_on(World& world);
+
+ private:
+  /// In the present step; `start`: where a deforming body is.
+  BodyMotion motion_from(std::size_t body, std::vector<Point> start) const;
+
+  std::filesystem::path path_;
+  io::BodiesFile file_;
+  std::vector<std::string> names_;
+  std::map<std::size_t, MovingFrames> frames_;  ///< of deforming bodies
+  std::size_t step_ = 1;
+  std::vector<BodyMotion> motions_;
+};
+
+}  // namespace tamis::cli

@@ -1,0 +1,91 @@
+// tamis bodies: the contacts of bodies that stay, move as a whole, or deform.
+#include <array>
+#include <memory>
+#include <optional>
+#include <string_view>
+
+#include "cli/command_line/arguments.hpp"
+#include "cli/command_line/verb.hpp"
+#include "cli/output_file.hpp"
+#include "cli/progress.hpp"
+#include "cli/verbs/bodies_film.hpp"
+#include "cli/verbs/bodies_table.hpp"
+#include "io/bodies/bodies_csv.hpp"
+#include "io/format.hpp"
+
+namespace tamis::cli {
+namespace {
+
+constexpr std::array<std::string_view, 2> kShownAs{"csv", "html"};
+
+class Bodies final : public Verb {
+ public:
+  const char* name() const override { return "bodies"; }
+  const char* summary() const override {
+    return "Contacts of bodies, static, rigid or deforming, in each step of a file. Exit code 0: every step is free, "
+           "1: "
+           "contact, 2: error";
+  }
+  const char* examples() const override {
+    return "  tamis bodies throw.json\n"
+           "  tamis bodies throw.json --out contacts.csv\n"
+           "  tamis bodies throw.json --out throw.html\n"
+           "  tamis bodies throw.json --min-separation 1e-3 --at-start ignore --json";
+  }
+
+  void declare(OptionList& options) override {
+    options.add_text("SCENE", path_, "JSON: bodies, their meshes and how they move; see docs/files-and-command.md")
+        .required();
+    detector_.declare_for_bodies(options);
+    at_start_.declare(options);
+    declare_output(options, out_, "the contacts of all steps: a table (.csv), or a page that shows them (.html)");
+    declare_repeat(options, repeat_, "ask N times, report the median time of the runs after the first; default 1");
+    declare_json(options, json_);
+  }
+
+  int run() override {
+    detector_.check();
+    const QueryOptions own = at_start_.own();
+    MovingBodies bodies(path_);
+    require_output(out_, bodies.inputs());
+    const bool is_film = !out_.empty() && io::format_of(out_, kShownAs) == 1;
+    World world = bodies.world(detector_.options());
+    std::optional<io::BodiesCsv> csv;
+    std::optional<BodiesFilm> film;
+    if (is_film)
+      film.emplace(bodies, detector_.options());
+    else if (!out_.empty())
+      csv.emplace(out_);
+    BodiesTable table(bodies, json_);
+    table.print_head();
+    Progress progress(bodies.step_count(), "steps");
+    for (std::size_t step = 1; step <= bodies.step_count(); ++step) {
+      if (step > 1) bodies.go_on(world);
+      std::vector<BodyContact> contacts;
+      const Timing timing = ask_repeatedly(world, repeat_, [&] { contacts = world.contacts(own); });
+      if (csv) csv->add(step, contacts, bodies.names());
+      if (film) film->add(step, contacts);
+      progress.clear();
+      table.add(contacts, world.statistics(), timing);
+      progress.show(step);
+    }
+    progress.clear();
+    if (csv) csv->commit();
+    if (film) film->write(out_);
+    table.print_totals(detector_.options(), world.statistics(), repeat_);
+    return table.is_free() ? kSuccess : kNo;
+  }
+
+ private:
+  std::string path_, out_;
+  int repeat_ = 1;
+  bool json_ = false;
+  DetectorArguments detector_;
+  AtStartArgument at_start_;
+};
+
+}  // namespace
+
+std::unique_ptr<Verb> make_bodies() { return std::make_unique<Bodies>(); }
+
+}  // namespace tamis::cli

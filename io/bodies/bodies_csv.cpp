@@ -1,0 +1,17 @@
+#include "io/bodies/bodies_csv.hpp"
+
+#include "io/output/contacts_csv.hpp"
+#include "io/output/csv.hpp"
+
+namespace tamis::io {
+
+BodiesCsv::BodiesCsv(const std::filesystem::path& path)
+    : table_(path, fmt::format("step,body_a,body_b,{}", kContactColumns)) {}
+
+void BodiesCsv::add(std::size_t step, std::span<const BodyContact> contacts, std::span<const std::string> names) {
+  const auto name = [&](BodyId body) { return csv_cell(names[static_cast<std::size_t>(body)]); };
+  for (const BodyContact& c : contacts)
+    table_.row("{},{},{},{}\n", step, name(c.bodies[0]), name(c.bodies[1]), contact_cells(c));
+}
+
+}  // namespace tamis::io

@@ -33,8 +33,9 @@ std::string format_of() {
 template <class Record>
 class Layout {
  public:
-  template <class T>
-  Layout& field(const char* name, T Record::*member) {
+  /// `Part`: the record, or what it derives from.
+  template <class T, class Part>
+  Layout& field(const char* name, T Part::*member) {
     static const Record record{};
     const auto* place = reinterpret_cast<const char*>(&(record.*member));
     names_.append(name);

@@ -100,7 +100,7 @@ def test_turning_bodies_and_their_paths(cube: tamis.Shape) -> None:
     still = world.add(cube, _at((1.15, 0, 0))[0])
     faces = np.concatenate([CUBE_FACES, CUBE_FACES + 8])
     path = tamis.RigidPath(
-        np.concatenate([CUBE, CUBE + [1.15, 0, 0]]), np.repeat([0, 1], 8), [chain, np.empty((0, 4, 3))]
+        np.concatenate([CUBE, CUBE + np.array([1.15, 0, 0])]), np.repeat([0, 1], 8), [chain, np.empty((0, 4, 3))]
     )
     detector = tamis.Detector(
         tamis.Mesh(faces), min_separation=0.01, groups=np.repeat([0, 1], 8), may_touch=~np.eye(2, dtype=bool)
@@ -164,11 +164,11 @@ def test_thousands_in_one_call(cube: tamis.Shape) -> None:
     world = tamis.World()
     bodies = world.add_many(cube, still)
     assert world.is_free()
-    up = tamis.pose_of(np.tile(np.float32([1, 0, 0, 0]), (8000, 1)), places + [0, 0, 0.9])
+    up = tamis.pose_of(np.tile(np.float32([1, 0, 0, 0]), (8000, 1)), places + np.array([0, 0, 0.9]))
     world.move_many(bodies, tamis.between(still, up))
     assert world.is_free()
     one = bodies[places[:, 2] == 0][:1]
-    world.move_many(one, tamis.between(still[one], _at(places[one[0]] + [0, 0, 2.5])))
+    world.move_many(one, tamis.between(still[one], _at(places[one[0]] + np.array([0, 0, 2.5]))))
     assert {*world.contacts().bodies.ravel().tolist()} == {int(one[0]), int(one[0]) + 1}
 
 
@@ -181,7 +181,7 @@ def test_poses_of_rotations() -> None:
         pose = tamis.pose_of(rotation, [[1, 2, 3]])
         assert pose.shape == (1, 2, 3) and np.allclose(pose[0], [[1, 2, 3], [0, 0, np.pi / 2]], atol=1e-7)
         assert np.array_equal(tamis.pose_of(np.asarray(rotation)[0], [1, 2, 3]), pose[0])
-    with pytest.raises(tamis.InvalidPath, match="rotation 1: .*quaternion"):
+    with pytest.raises(tamis.InvalidPath, match=r"rotation 1: .*quaternion"):
         tamis.pose_of([[1, 0, 0, 0], [1, 0.1, 0, 0]], np.zeros((2, 3)))
     with pytest.raises(tamis.InvalidPath, match="reflection"):
         tamis.pose_of(-np.eye(3), np.zeros(3))

@@ -18,7 +18,10 @@ inline constexpr std::size_t kColumns<std::array<T, n>> = n;
 template <class T>
 std::string format_of() {
   if constexpr (kColumns < T >> 0)
-    return "(" + std::to_string(kColumns<T>) + ",)" + format_of<typename T::value_type>();
+    return std::string("(")
+        .append(std::to_string(kColumns<T>))
+        .append(",)")
+        .append(format_of<typename T::value_type>());
   else if constexpr (std::is_same_v<T, bool>)
     return "?";
   else if constexpr (std::is_floating_point_v<T>)

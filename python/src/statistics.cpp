@@ -18,7 +18,7 @@ nb::dict named(std::initializer_list<std::pair<const char*, Number>> numbers) {
   return result;
 }
 
-nb::dict as_dict(const Seconds& s) {
+nb::dict seconds_by_stage(const Seconds& s) {
   return named<double>({{"bounds", s.bounds},
                         {"build", s.build},
                         {"traverse", s.traverse},
@@ -27,7 +27,7 @@ nb::dict as_dict(const Seconds& s) {
                         {"total", s.total}});
 }
 
-nb::dict as_dict(const PrecisionCount& count) {
+nb::dict pairs_by_arithmetic(const PrecisionCount& count) {
   return named<std::uint64_t>(
       {{"lanes", count.lanes}, {"scalar", count.scalar}, {"exact", count.exact}, {"unresolved", count.unresolved}});
 }
@@ -41,8 +41,8 @@ nb::dict as_dict(const Statistics& s) {
   all["isa"] = std::string(name_of(s.isa));
   all["threads"] = s.threads;
   all["stages"] = stages;
-  all["decided_by"] = as_dict(s.decided_by);
-  all["seconds"] = as_dict(s.seconds);
+  all["decided_by"] = pairs_by_arithmetic(s.decided_by);
+  all["seconds"] = seconds_by_stage(s.seconds);
   all["ignored"] = s.ignored;
   all["nodes_visited"] = s.nodes_visited;
   all["rebuilt"] = s.rebuilt;

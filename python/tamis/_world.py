@@ -10,7 +10,7 @@ import numpy.typing as npt
 
 from tamis import _core
 from tamis._arrays import Doubles, Indices, finite, indices, numbers, rows, shape_text
-from tamis._checks import instance, number, truth
+from tamis._checks import instance, number, truth, whole
 from tamis._errors import InvalidMesh, InvalidOptions, InvalidPath
 from tamis._mesh import Mesh
 from tamis._options import AtStart, Isa, make_options, query_options
@@ -25,6 +25,7 @@ from tamis._world_tables import (
     earliest_of,
 )
 
+_AT_REST = np.zeros((2, 3))
 _MOTION = "give a pose (2, 3), a chain (links, 4, 3) as tamis.between makes one, or a tamis.Deforming"
 _MOTIONS = "give poses (n, 2, 3), as tamis.pose_of makes them, or chains (n, links, 4, 3), as tamis.between does"
 
@@ -189,7 +190,7 @@ class World:
         InvalidStep
             A deforming body with other than one point a vertex, or one that is not finite.
         """
-        return int(self._world.add(_shape(shape)._shape, *_motion(motion))[0])
+        return int(self._world.add(_shape(shape)._shape, *_motion(_AT_REST if motion is None else motion))[0])
 
     def add_many(self, shape: Shape, motions: npt.ArrayLike) -> Indices:
         """Add bodies of one shape.
@@ -228,7 +229,7 @@ class World:
         InvalidPath, InvalidStep
             As of `add`.
         """
-        self._world.move(_one(body), *_motion(motion))
+        self._world.move(np.array([whole(body, "body")], np.int32), *_motion(motion))
 
     def move_many(self, bodies: npt.ArrayLike, motions: npt.ArrayLike) -> None:
         """Say how bodies move from now on, all in one call: ``world.move_many(bodies, tamis.between(start, end))``.
@@ -442,22 +443,15 @@ def _shape(given: Shape) -> Shape:
     return instance(given, Shape, "shape", "a tamis.Shape, as of tamis.Shape(mesh, points)")
 
 
-def _one(body: int) -> Indices:
-    named = _bodies(body)
-    if len(named) != 1:
-        raise InvalidOptions(f"body holds {len(named)} numbers: give one, or ask move_many")
-    return named
-
-
 def _bodies(given: npt.ArrayLike) -> Indices:
     return indices(np.atleast_1d(numbers(given, "bodies", InvalidOptions)), 0, "bodies", InvalidOptions)
 
 
-def _motion(given: npt.ArrayLike | Deforming | None) -> tuple[Doubles, ...]:
+def _motion(given: npt.ArrayLike | Deforming) -> tuple[Doubles, ...]:
     """Return what the compiled part takes for one body."""
     if isinstance(given, Deforming):
         return given.start, given.end
-    motion = np.zeros((2, 3)) if given is None else numbers(given, "motion", InvalidPath)
+    motion = numbers(given, "motion", InvalidPath)
     return (_poses_or_chains(motion[np.newaxis], motion, "motion", _MOTION),)
 
 

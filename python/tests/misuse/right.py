@@ -132,6 +132,8 @@ def use(thing: Any) -> None:
         thing.contacts(START, END)
     elif isinstance(thing, tamis.World):
         thing.contacts()
+    elif isinstance(thing, tamis.Deforming):
+        tamis.World(threads=1).add(_SHAPE, thing)
     elif isinstance(thing, tamis.FunctionPath):
         tamis.Detector(_MESH, threads=1).contacts(thing)
         thing.points_at(0.5)

@@ -165,7 +165,7 @@ def test_thousands_in_one_call(cube: tamis.Shape) -> None:
     world = tamis.World()
     bodies = world.add_many(cube, still)
     assert world.is_free()
-    up = tamis.pose_of(np.tile(np.float32([1, 0, 0, 0]), (8000, 1)), places + np.array([0, 0, 0.9]))
+    up = tamis.pose_of(np.tile([1, 0, 0, 0], (8000, 1)).astype(np.float32), places + np.array([0, 0, 0.9]))
     world.move_many(bodies, tamis.between(still, up))
     assert world.is_free()
     one = bodies[places[:, 2] == 0][:1]
@@ -176,12 +176,12 @@ def test_thousands_in_one_call(cube: tamis.Shape) -> None:
 def test_poses_of_rotations() -> None:
     """Bug: the order of a quaternion's parts, rows of a matrix for its columns."""
     half = np.sqrt(0.5)
-    quarter = [[half, 0, 0, half]]  # about z
-    matrix = [[[0, -1, 0], [1, 0, 0], [0, 0, 1]]]
-    for rotation in (quarter, np.float32(quarter), matrix, [[0, 0, np.pi / 2]]):
+    quarter = np.array([[half, 0, 0, half]])  # about z
+    matrix = np.array([[[0, -1, 0], [1, 0, 0], [0, 0, 1]]])
+    for rotation in (quarter, quarter.astype(np.float32), matrix, np.array([[0, 0, np.pi / 2]])):
         pose = tamis.pose_of(rotation, [[1, 2, 3]])
         assert pose.shape == (1, 2, 3) and np.allclose(pose[0], [[1, 2, 3], [0, 0, np.pi / 2]], atol=1e-7)
-        assert np.array_equal(tamis.pose_of(np.asarray(rotation)[0], [1, 2, 3]), pose[0])
+        assert np.array_equal(tamis.pose_of(rotation[0], [1, 2, 3]), pose[0])
     with pytest.raises(tamis.InvalidPath, match=r"rotation 1: .*quaternion"):
         tamis.pose_of([[1, 0, 0, 0], [1, 0.1, 0, 0]], np.zeros((2, 3)))
     with pytest.raises(tamis.InvalidPath, match="reflection"):

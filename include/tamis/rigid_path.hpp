@@ -13,12 +13,12 @@ struct Pose {
   Point rotation{0, 0, 0};
 };
 
-/// Of a rotation matrix, given by its rows, or a quaternion w x y z, as engines keep them, also in floats: what rounding
-/// has made of a rotation becomes the nearest one. Throws InvalidPath where that is more than rounding: an entry of
-/// R R^T - I, or |q|^2 - 1, beyond 1e-4; a reflection; numbers that are not finite. The rotation vector is rounded to
-/// doubles: points are off by less than 1e-15 of their distance from the origin of the body.
-Pose pose_of(const std::array<Point, 3>& rows, const Point& position);
-Pose pose_of(const std::array<double, 4>& quaternion, const Point& position);
+/// Of a rotation matrix, given by its rows, or a quaternion w x y z, as engines keep them, also in floats: what
+/// rounding has made of a rotation becomes the nearest one. Throws InvalidPath where that is more than rounding: an
+/// entry of R R^T - I, or |q|^2 - 1, beyond 1e-4; a reflection; numbers that are not finite. The rotation vector is
+/// rounded to doubles: points are off by less than 1e-15 of their distance from the origin of the body.
+Pose pose_of_matrix(const std::array<Point, 3>& rows, const Point& position);
+Pose pose_of_quaternion(const std::array<double, 4>& quaternion, const Point& position);
 
 /// A pose whose position and rotation vector go linearly from `start` (t=0) to `end` (t=1). Any angle.
 struct Link {

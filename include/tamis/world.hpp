@@ -127,7 +127,8 @@ class World {
   /// ask `earliest`.
   BodyStep safe_step(double keep = 0.1, const QueryOptions& = {});
 
-  /// Of the last question: sums over the detectors that it asked; `memory_bytes` without shapes.
+  /// Of the last question: sums over the detectors that it asked; `memory_bytes` without shapes. Throws Busy during
+  /// one.
   const Statistics& statistics() const;
 
  private:

@@ -35,7 +35,13 @@ class InMotion:
     ) -> Contacts: ...
     @overload
     def contacts(
-        self, start: Path, /, *, min_separation: float | None = None, tolerance: float | None = None
+        self,
+        start: Path,
+        /,
+        *,
+        min_separation: float | None = None,
+        at_start: AtStart = "report",
+        tolerance: float | None = None,
     ) -> Contacts: ...
     def contacts(
         self,
@@ -58,7 +64,8 @@ class InMotion:
             What becomes of pairs that touch at the start of a step, whose distance there is at most `min_separation`
             plus both radii. "report": they are contacts at t=0. "ignore": they count once they have come apart, so
             that one that never comes apart, or never comes back, is no contact (`Statistics.ignored`). "fail":
-            `InvalidStep` names the first of them. A path knows "report" alone.
+            `InvalidStep` names the first of them. On a path a pair that cannot be told from one that touches is
+            taken for one.
         tolerance : float, optional
             Of a path: widest bracket of a contact, in (0, 1], a fraction of the step; by default 1e-9.
 
@@ -84,7 +91,13 @@ class InMotion:
     ) -> EarliestContact: ...
     @overload
     def earliest(
-        self, start: Path, /, *, min_separation: float | None = None, tolerance: float | None = None
+        self,
+        start: Path,
+        /,
+        *,
+        min_separation: float | None = None,
+        at_start: AtStart = "report",
+        tolerance: float | None = None,
     ) -> EarliestContact: ...
     def earliest(
         self,
@@ -123,7 +136,13 @@ class InMotion:
     ) -> bool: ...
     @overload
     def is_free(
-        self, start: Path, /, *, min_separation: float | None = None, tolerance: float | None = None
+        self,
+        start: Path,
+        /,
+        *,
+        min_separation: float | None = None,
+        at_start: AtStart = "report",
+        tolerance: float | None = None,
     ) -> bool: ...
     def is_free(
         self,

@@ -50,11 +50,12 @@ def test_ignored_pairs_are_counted(lying: tamis.Detector) -> None:
     assert lying.statistics.ignored == 1
 
 
-def test_a_path_can_only_report(lying: tamis.Detector) -> None:
+def test_a_path_ignores_and_fails_too(lying: tamis.Detector) -> None:
     path = tamis.BezierPath(np.stack([LIES, UP]))
     assert not lying.is_free(path)
-    with pytest.raises(tamis.InvalidOptions, match="path"):
-        lying.is_free(path, at_start="ignore")  # type: ignore[call-overload]
+    assert lying.is_free(path, at_start="ignore")
+    with pytest.raises(tamis.InvalidStep, match="touch at the start of the path"):
+        lying.is_free(path, at_start="fail")
 
 
 def test_contacts_are_shown_as_they_were_asked_for(lying: tamis.Detector, tmp_path: Any) -> None:

@@ -178,7 +178,8 @@ def test_poses_of_rotations() -> None:
     half = np.sqrt(0.5)
     quarter = np.array([[half, 0, 0, half]])  # about z
     matrix = np.array([[[0, -1, 0], [1, 0, 0], [0, 0, 1]]])
-    for rotation in (quarter, quarter.astype(np.float32), matrix, np.array([[0, 0, np.pi / 2]])):
+    rotations: list[npt.NDArray[Any]] = [quarter, quarter.astype(np.float32), matrix, np.array([[0, 0, np.pi / 2]])]
+    for rotation in rotations:
         pose = tamis.pose_of(rotation, [[1, 2, 3]])
         assert pose.shape == (1, 2, 3) and np.allclose(pose[0], [[1, 2, 3], [0, 0, np.pi / 2]], atol=1e-7)
         assert np.array_equal(tamis.pose_of(rotation[0], [1, 2, 3]), pose[0])

@@ -26,6 +26,8 @@ constexpr double kDeviationInEdges = 0.2;
 constexpr double kShortestPiece = 0x1p-20;
 /// Pairs that are decided together, and between two looks at whether the question is cancelled.
 constexpr std::size_t kBatch = 256;
+/// The first of them, where a first contact spares the rest.
+constexpr std::size_t kFirstBatch = 8;
 /// At no simple fraction of the step: contacts happen at those.
 constexpr double kShorter = 0.48713;
 
@@ -158,10 +160,11 @@ void PathSearch::decide_all(const MeshOnPath& piece, Question question, std::vec
   std::vector<PairResult> results(kBatch);
   std::vector<char> stays_together(kBatch);
   std::set<PairKey> never_apart;
-  for (std::size_t first = 0; first < pairs.size(); first += kBatch) {
+  std::size_t count = 0, most = question == Question::all_contacts ? kBatch : kFirstBatch;
+  for (std::size_t first = 0; first < pairs.size(); first += count, most = std::min(2 * most, kBatch)) {
     if (question == Question::is_free && !contacts.empty()) return;
     if (question == Question::earliest && start + pairs[first].toi_lower * length * (1 - 0x1p-40) > latest) return;
-    const std::size_t count = std::min(kBatch, pairs.size() - first);
+    count = std::min(most, pairs.size() - first);
     const std::vector<Index> used = vertices_of({pairs.data() + first, count});
     tbb::enumerable_thread_specific<RememberedPath> paths([&] { return RememberedPath(piece.path, used); });
     tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) {

@@ -78,7 +78,7 @@ Rows nearer_rotation(const Rows& rows) {
 
 }  // namespace
 
-Pose pose_of(const std::array<double, 4>& q, const Point& position) {
+Pose pose_of_quaternion(const std::array<double, 4>& q, const Point& position) {
   const double off = q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3] - 1;
   check_path(std::fabs(off) <= kMostRounding,
              "the square of the quaternion is off from 1 by " + number_text(off) + kGiveRotation);
@@ -87,14 +87,13 @@ Pose pose_of(const std::array<double, 4>& q, const Point& position) {
 
 /// The largest of the four parts of the quaternion is found from the diagonal, the others from sums beside it
 /// (Shepperd 1978).
-Pose pose_of(const std::array<Point, 3>& given, const Point& position) {
+Pose pose_of_matrix(const std::array<Point, 3>& given, const Point& position) {
   const double off = off_from_rotation(given);
   check_path(off <= kMostRounding, "an entry of R R^T - I of the matrix is " + number_text(off) + kGiveRotation);
   const Rows r = nearer_rotation(nearer_rotation(given));
   const double trace = r[0][0] + r[1][1] + r[2][2];
-  const double determinant =
-      dot(r[0], {r[1][1] * r[2][2] - r[1][2] * r[2][1], r[1][2] * r[2][0] - r[1][0] * r[2][2],
-                 r[1][0] * r[2][1] - r[1][1] * r[2][0]});
+  const double determinant = dot(r[0], {r[1][1] * r[2][2] - r[1][2] * r[2][1], r[1][2] * r[2][0] - r[1][0] * r[2][2],
+                                        r[1][0] * r[2][1] - r[1][1] * r[2][0]});
   check_path(determinant > 0, std::string("the matrix is a reflection") + kGiveRotation);
   std::array<double, 4> q{};
   if (trace >= r[0][0] && trace >= r[1][1] && trace >= r[2][2]) {
@@ -127,8 +126,8 @@ Chain between(const Pose& start, const Pose& end) {
   const auto a = quaternion(start.rotation), b = quaternion(end.rotation);
   const double cosine = a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + a[3] * b[3];
   const Point axis{a[0] * b[1] - b[0] * a[1] + a[2] * b[3] - a[3] * b[2],
-             a[0] * b[2] - b[0] * a[2] + a[3] * b[1] - a[1] * b[3],
-             a[0] * b[3] - b[0] * a[3] + a[1] * b[2] - a[2] * b[1]};
+                   a[0] * b[2] - b[0] * a[2] + a[3] * b[1] - a[1] * b[3],
+                   a[0] * b[3] - b[0] * a[3] + a[1] * b[2] - a[2] * b[1]};
   return turned(start, rotation_vector(cosine, axis), end.position);
 }
 
@@ -142,7 +141,8 @@ RigidPath::RigidPath(std::vector<Point> rest, std::vector<Index> body_of_vertex,
   const std::vector<ChainBounds> bounds(chains_.begin(), chains_.end());
   for (std::size_t v = 0; v < rest_.size(); ++v) {
     const ChainBounds& of_body = bounds[static_cast<std::size_t>(body_of_vertex_[v])];
-    const Curvature curve = of_body.of(farthest(rest_[v], rest_end_[v]), change(rest_[v], rest_end_[v]));
+    const double way = rest_[v] == rest_end_[v] ? 0 : change(rest_[v], rest_end_[v]);
+    const Curvature curve = of_body.of(farthest(rest_[v], rest_end_[v]), way);
     accelerations_.push_back(curve.acceleration);
     reaches_.push_back(curve.reach);
   }

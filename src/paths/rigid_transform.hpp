@@ -26,7 +26,8 @@ Vec3<BasicInterval<T>> enclosed(const Point& p) {
 /// Both rounded up: |b - a|, and the larger of |a| and |b|.
 inline double change(const Point& a, const Point& b) { return length_above(enclosed<double>(b) - enclosed<double>(a)); }
 inline double farthest(const Point& a, const Point& b) {
-  return std::max(length_above(enclosed<double>(a)), length_above(enclosed<double>(b)));
+  const double first = length_above(enclosed<double>(a));
+  return a == b ? first : std::max(first, length_above(enclosed<double>(b)));
 }
 
 /// (1 - t) start + t end.

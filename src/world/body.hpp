@@ -56,6 +56,13 @@ class Body {
   Box start_hull_, hull_;
 };
 
+/// A box with axes of its own: its middle, the halves of its edges, and by how much it is to be widened.
+struct PlacedBox {
+  Point middle;
+  std::array<Point, 3> halves;
+  double wider;
+};
+
 /// The boxes of a body's hierarchy during a piece of the step, in the frame of the world.
 class CarriedBoxes {
  public:
@@ -67,14 +74,32 @@ class CarriedBoxes {
   MovingBounds of_item(Index item) const;
   int root_level() const { return body_.shape_->boxes.root_level(); }
 
+  /// A box at rest, or one that moves of a body that deforms, as it is placed in the world during the piece.
+  PlacedBox placed(const Box& at_rest, const MovingBounds& carried) const;
+  PlacedBox placed_block(int level, Index block, const MovingBounds& carried) const {
+    return placed(body_.shape_->boxes.box(level, block), carried);
+  }
+  /// What comes within `separation` of `other` during the piece has a box at rest that meets this one: cheap to ask
+  /// first of many boxes. Everything, of a body that deforms.
+  Box seen(const PlacedBox& other, double separation) const;
+
  private:
+  /// At one end of the piece.
+  struct End {
+    RoundedTransform transform;
+    double per_size, fixed;  ///< what a box is off by, of size |x|_1 at most
+  };
   MovingBounds carried(const Box& at_rest) const;
   MovingBounds between(const Box& start, const Box& end) const;
   double deviation(const Box& at_rest) const;
+  End end_at(double time) const;
+  double farthest_way() const;
 
   const Body& body_;
   double from_, to_;
-  RoundedTransform at_from_, at_to_;
+  End at_from_, at_to_;
+  Curvature innermost_{0, 0}, outermost_{0, 0};  ///< of the piece: `acceleration` is a deviation
+  double way_ = 0;                               ///< no vertex gets farther from where it is at the start of the piece
 };
 
 }  // namespace tamis

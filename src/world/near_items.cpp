@@ -1,6 +1,7 @@
 #include "world/near_items.hpp"
 
 #include <algorithm>
+#include <array>
 #include <set>
 
 namespace tamis {
@@ -27,11 +28,14 @@ class PairWalk {
     int level;
     Index block;
     MovingBounds bounds;
+    PlacedBox placed;
   };
 
   static Node root_of(const Side& side) {
-    const int level = side.boxes.root_level();
-    return {level, 0, side.boxes.of_block(level, 0)};
+    return node_of(side, side.boxes.root_level(), 0, side.boxes.of_block(side.boxes.root_level(), 0));
+  }
+  static Node node_of(const Side& side, int level, Index block, const MovingBounds& bounds) {
+    return {level, block, bounds, side.boxes.placed_block(level, block, bounds)};
   }
   bool meet(const MovingBounds& a, const MovingBounds& b) const { return may_meet(a, b, separation_); }
 
@@ -40,40 +44,57 @@ class PairWalk {
     if (a.level == 0 && b.level == 0) {
       mark(a, b);
     } else if (b.level == 0 || (a.level > 0 && a.bounds.start.extent() >= b.bounds.start.extent())) {
-      for_each_child(a_, a, [&](const Node& child) {
-        if (meet(child.bounds, b.bounds)) visit(child, b);
-      });
+      for_each_child_near(a_, a, b, [&](const Node& child) { visit(child, b); });
     } else {
-      for_each_child(b_, b, [&](const Node& child) {
-        if (meet(a.bounds, child.bounds)) visit(a, child);
-      });
+      for_each_child_near(b_, b, a, [&](const Node& child) { visit(a, child); });
     }
   }
 
   template <class F>
-  static void for_each_child(const Side& side, const Node& node, const F& f) {
-    const auto count = static_cast<Index>(side.boxes.body().shape().boxes.level(node.level - 1).size());
-    const Index first = node.block * kBlock;
-    for (Index child = first; child < std::min(first + kBlock, count); ++child)
-      f({node.level - 1, child, side.boxes.of_block(node.level - 1, child)});
+  void for_each_child_near(const Side& side, const Node& node, const Node& other, const F& f) const {
+    const auto boxes = side.boxes.body().shape().boxes.level(node.level - 1);
+    const Box seen = side.boxes.seen(other.placed, separation_);
+    const Index first = node.block * kBlock, last = std::min(first + kBlock, static_cast<Index>(boxes.size()));
+    for (Index child = first; child < last; ++child) {
+      if (!may_meet(boxes[static_cast<std::size_t>(child)], seen)) continue;
+      const MovingBounds bounds = side.boxes.of_block(node.level - 1, child);
+      if (meet(bounds, other.bounds)) f(node_of(side, node.level - 1, child, bounds));
+    }
   }
 
+  struct Candidates {
+    int count = 0;
+    std::array<Index, kBlock> items;
+    std::array<MovingBounds, kBlock> bounds;
+  };
+
+  /// Items of two blocks of items that may meet each other.
   void mark(const Node& a, const Node& b) {
-    if (!mark_some(a_, a, b.bounds)) return;
-    found_ |= mark_some(b_, b, a.bounds);
+    const Candidates of_a = candidates(a_, a, b);
+    if (of_a.count == 0) return;
+    const Candidates of_b = candidates(b_, b, a);
+    for (int i = 0; i < of_a.count; ++i)
+      for (int j = 0; j < of_b.count; ++j)
+        if (meet(of_a.bounds[static_cast<std::size_t>(i)], of_b.bounds[static_cast<std::size_t>(j)])) {
+          a_.items.add(of_a.items[static_cast<std::size_t>(i)]);
+          b_.items.add(of_b.items[static_cast<std::size_t>(j)]);
+          found_ = true;
+        }
   }
 
   /// Items of a block of items that may meet `other`.
-  bool mark_some(const Side& side, const Node& node, const MovingBounds& other) const {
-    bool is_any = false;
-    for (const Index item : side.boxes.body().shape().order.items_of(node.block)) {
-      if (!side.items.has(item)) {
-        if (!meet(side.boxes.of_item(item), other)) continue;
-        side.items.add(item);
-      }
-      is_any = true;
+  Candidates candidates(const Side& side, const Node& node, const Node& other) const {
+    const BodyShape& shape = side.boxes.body().shape();
+    const Box seen = side.boxes.seen(other.placed, separation_);
+    Candidates found;
+    for (const Index item : shape.order.items_of(node.block)) {
+      if (!may_meet(shape.box_at_rest(item), seen)) continue;
+      const auto place = static_cast<std::size_t>(found.count);
+      found.items[place] = item;
+      found.bounds[place] = side.boxes.of_item(item);
+      found.count += meet(found.bounds[place], other.bounds);
     }
-    return is_any;
+    return found;
   }
 
   const Side a_, b_;

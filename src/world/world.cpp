@@ -59,8 +59,11 @@ void World::set_enabled(BodyId body, bool is_enabled) {
   const Turn turn(now.is_asked);
   Body& switched = now.body(body);
   if (switched.is_enabled == is_enabled) return;
-  now.forget(switched);
   switched.is_enabled = is_enabled;
+  if (is_enabled)
+    now.forget_if_still(switched);
+  else
+    now.forget(switched);
 }
 
 void World::set_may_touch(BodyId a, BodyId b, bool may_touch) {
@@ -115,6 +118,10 @@ BodyStep World::safe_step(double fraction, const QueryOptions& options) {
   return now.answer([&] { return now.safe_step(fraction, options); });
 }
 
-const Statistics& World::statistics() const { return state().statistics; }
+const Statistics& World::statistics() const {
+  const State& now = state();
+  if (now.is_asked.test(std::memory_order_acquire)) throw Busy();
+  return now.statistics;
+}
 
 }  // namespace tamis

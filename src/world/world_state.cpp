@@ -96,7 +96,6 @@ Body& World::State::body(BodyId id) {
   return *bodies[at(id)];
 }
 
-/// What was gathered with it must not be asked any more.
 void World::State::forget(const Body& changed) {
   must_gather_ = true;
   forget_if_still(changed);
@@ -117,37 +116,40 @@ void World::State::begin() {
   must_gather_ = false;
 }
 
-std::vector<BodyPair> World::State::near_bodies(const Reach& reach, double more, const Wanted& is_wanted,
-                                                bool at_start) {
+std::vector<BodyPair> World::State::near_bodies(const Reach& reach, double more, bool at_start) {
+  stop_if_cancelled(options);
   double farthest = reach.separation;
   if (reach.part_of_way > 0)
     for (const auto& one : bodies)
       if (one && one->is_enabled) farthest = std::max(farthest, reach.of(*one, *one));
   std::vector<BodyPair> pairs = near_bodies_.find(bodies, (farthest + more) * (1 + 0x1p-40), at_start);
-  std::erase_if(pairs, [&](const BodyPair& pair) {
-    return !is_wanted(*bodies[at(pair[0])], *bodies[at(pair[1])]) || kept_apart.contains(pair);
-  });
+  if (!kept_apart.empty()) std::erase_if(pairs, [&](const BodyPair& pair) { return kept_apart.contains(pair); });
   return pairs;
 }
 
-void World::State::gather(Part& part, const Reach& reach, const Wanted& is_wanted, const std::vector<double>& times) {
-  stop_if_cancelled(options);
-  const bool at_start = times.back() == 0;
-  const auto find = [&](double more) {
+std::vector<BodyPair> World::State::only(const Wanted& is_wanted, std::vector<BodyPair> pairs) const {
+  std::erase_if(pairs, [&](const BodyPair& pair) { return !is_wanted(*bodies[at(pair[0])], *bodies[at(pair[1])]); });
+  return pairs;
+}
+
+void World::State::gather(Part& part, const Reach& reach, const Wanted& is_wanted, const std::vector<BodyPair>& near,
+                          const std::vector<double>& times) {
+  const auto find = [&](const std::vector<BodyPair>& pairs, double more) {
     const auto reach_of = [&](const Body& a, const Body& b) { return (reach.of(a, b) + more) * (1 + 0x1p-40); };
-    return find_near_items(bodies, near_bodies(reach, more, is_wanted, at_start), reach_of, times);
+    return find_near_items(bodies, pairs, reach_of, times);
   };
-  NearItems needed = find(0);
+  const NearItems needed = find(only(is_wanted, near), 0);
   part.pairs = needed.pairs;
   if (!part.is_asked()) return;
   const std::size_t count = needed.count();
   if (part.gathered && kShrunk * count >= part.needed_when_gathered && part.gathered->holds(needed, bodies)) return;
   double edges = 0;
   for (const auto& [id, unused] : needed.of_body) edges += bodies[at(id)]->shape().edge;
-  NearItems more = find(kMoreInEdges * edges / static_cast<double>(needed.of_body.size()));
-  more.add(needed);
+  const double more = kMoreInEdges * edges / static_cast<double>(needed.of_body.size());
+  NearItems all = find(only(is_wanted, near_bodies(reach, more, times.back() == 0)), more);
+  all.add(needed);
   const MeetingRules rules{part.aside, kept_apart};
-  part.gathered = std::make_unique<Gathered>(bodies, std::move(more), rules, options);
+  part.gathered = std::make_unique<Gathered>(bodies, std::move(all), rules, options);
   part.needed_when_gathered = count;
 }
 
@@ -168,13 +170,16 @@ std::vector<double> World::State::times_of_pieces(const std::vector<BodyPair>& p
 }
 
 void World::State::gather_moving(const Reach& reach) {
-  gather(straight_, reach, is_straight, {0, 1});
-  times_ = times_of_pieces(near_bodies(reach, 0, is_turning, false));
-  gather(turning_, reach, is_turning, times_);
+  const std::vector<BodyPair> near = near_bodies(reach, 0, false);
+  gather(straight_, reach, is_straight, near, {0, 1});
+  times_ = times_of_pieces(only(is_turning, near));
+  gather(turning_, reach, is_turning, near, times_);
 }
 
 void World::State::gather_at_rest(double distance) {
-  gather(at_rest_, {distance}, [](const Body&, const Body&) { return true; }, {0, 0});
+  const Reach reach{distance};
+  const auto any = [](const Body&, const Body&) { return true; };
+  gather(at_rest_, reach, any, near_bodies(reach, 0, true), {0, 0});
 }
 
 template <class F>
@@ -300,7 +305,8 @@ std::vector<BodyNearPair> World::State::pairs_within(double distance) {
   validate_distance(distance, "the distance");
   std::vector<BodyNearPair> all;
   for_each_by_itself([&](BodyId id, Body& body) {
-    for (const NearPair& pair : body.itself->pairs_within(body.deforming()->start, distance)) all.push_back({pair, twice(id)});
+    for (const NearPair& pair : body.itself->pairs_within(body.deforming()->start, distance))
+      all.push_back({pair, twice(id)});
   });
   gather_at_rest(distance);
   if (at_rest_.is_asked()) {

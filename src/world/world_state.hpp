@@ -16,7 +16,7 @@ struct World::State {
   explicit State(Options o);
 
   Body& body(BodyId id);
-  /// Something of this body is other than when it was gathered.
+  /// What was gathered with this body must not be asked any more.
   void forget(const Body& changed);
   /// Of a body that comes, or moves on: what is gathered sees that itself.
   void forget_if_still(const Body& changed) {
@@ -67,9 +67,12 @@ struct World::State {
   using Wanted = std::function<bool(const Body&, const Body&)>;
 
   double separation(const QueryOptions& asked) const { return asked.min_separation.value_or(options.min_separation); }
-  /// Pairs that may meet within the reach and more, by their hulls.
-  std::vector<BodyPair> near_bodies(const Reach& reach, double more, const Wanted& is_wanted, bool at_start);
-  void gather(Part& part, const Reach& reach, const Wanted& is_wanted, const std::vector<double>& times);
+  /// Pairs that may come within the reach and `more`, by their hulls, and may touch.
+  std::vector<BodyPair> near_bodies(const Reach& reach, double more, bool at_start);
+  std::vector<BodyPair> only(const Wanted& is_wanted, std::vector<BodyPair> pairs) const;
+  /// `near`: those without more. `times`: as find_near_items has them.
+  void gather(Part& part, const Reach& reach, const Wanted& is_wanted, const std::vector<BodyPair>& near,
+              const std::vector<double>& times);
   /// Those of bodies that move.
   void gather_moving(const Reach& reach);
   void gather_at_rest(double distance);

@@ -30,7 +30,10 @@ std::array<double, 4> random_quaternion(std::mt19937_64& random) {
   std::normal_distribution<double> normal;
   std::array<double, 4> q{};
   double square = 0;
-  for (double& x : q) square += (x = normal(random)) * x;
+  for (double& x : q) {
+    x = normal(random);
+    square += x * x;
+  }
   for (double& x : q) x /= std::sqrt(square);
   return q;
 }
@@ -48,33 +51,33 @@ TEST(Pose, OfAQuaternionAndItsMatrixIsTheSame) {
     const Rows rows{{{1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)},
                      {2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)},
                      {2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)}}};
-    expect_near(rows_of(pose_of(q, {})), rows, 1e-14);
-    expect_near(rows_of(pose_of(rows, {})), rows, 1e-14);
+    expect_near(rows_of(pose_of_quaternion(q, {})), rows, 1e-14);
+    expect_near(rows_of(pose_of_matrix(rows, {})), rows, 1e-14);
     Rows floats = rows;
     for (Point& row : floats)
       for (double& entry : row) entry = static_cast<float>(entry);
-    expect_near(rows_of(pose_of(floats, {})), rows, 2e-7);
+    expect_near(rows_of(pose_of_matrix(floats, {})), rows, 2e-7);
   }
 }
 
 TEST(Pose, OfHalfTurnsIsKnown) {
   const double pi = std::numbers::pi;
-  expect_near(rows_of(pose_of(Rows{{{1, 0, 0}, {0, -1, 0}, {0, 0, -1}}}, {})), {{{1, 0, 0}, {0, -1, 0}, {0, 0, -1}}},
-              1e-15);
-  EXPECT_NEAR(std::fabs(pose_of({0, 0, 0, 1}, {}).rotation[2]), pi, 1e-15);
-  EXPECT_EQ(pose_of({-1, 0, 0, 0}, {1, 2, 3}).rotation, (Point{0, 0, 0}));
-  EXPECT_EQ(pose_of({-1, 0, 0, 0}, {1, 2, 3}).position, (Point{1, 2, 3}));
+  expect_near(rows_of(pose_of_matrix(Rows{{{1, 0, 0}, {0, -1, 0}, {0, 0, -1}}}, {})),
+              {{{1, 0, 0}, {0, -1, 0}, {0, 0, -1}}}, 1e-15);
+  EXPECT_NEAR(std::fabs(pose_of_quaternion({0, 0, 0, 1}, {}).rotation[2]), pi, 1e-15);
+  EXPECT_EQ(pose_of_quaternion({-1, 0, 0, 0}, {1, 2, 3}).rotation, (Point{0, 0, 0}));
+  EXPECT_EQ(pose_of_quaternion({-1, 0, 0, 0}, {1, 2, 3}).position, (Point{1, 2, 3}));
 }
 
 TEST(Pose, OfNoRotationIsRefused) {
-  EXPECT_NO_THROW(pose_of({1.00004, 0, 0, 0}, {}));
-  EXPECT_THROW(pose_of({1.0001, 0, 0, 0}, {}), InvalidPath);
-  EXPECT_THROW(pose_of({0, 0, 0, 0}, {}), InvalidPath);
-  EXPECT_THROW(pose_of({std::nan(""), 0, 0, 0}, {}), InvalidPath);
-  EXPECT_THROW(pose_of(Rows{{{1.0001, 0, 0}, {0, 1, 0}, {0, 0, 1}}}, {}), InvalidPath);
-  EXPECT_THROW(pose_of(Rows{{{1, 0, 0}, {0, 1, 0}, {0, 0, std::nan("")}}}, {}), InvalidPath);
+  EXPECT_NO_THROW(pose_of_quaternion({1.00004, 0, 0, 0}, {}));
+  EXPECT_THROW(pose_of_quaternion({1.0001, 0, 0, 0}, {}), InvalidPath);
+  EXPECT_THROW(pose_of_quaternion({0, 0, 0, 0}, {}), InvalidPath);
+  EXPECT_THROW(pose_of_quaternion({std::nan(""), 0, 0, 0}, {}), InvalidPath);
+  EXPECT_THROW(pose_of_matrix(Rows{{{1.0001, 0, 0}, {0, 1, 0}, {0, 0, 1}}}, {}), InvalidPath);
+  EXPECT_THROW(pose_of_matrix(Rows{{{1, 0, 0}, {0, 1, 0}, {0, 0, std::nan("")}}}, {}), InvalidPath);
   try {
-    pose_of(Rows{{{1, 0, 0}, {0, 1, 0}, {0, 0, -1}}}, {});
+    pose_of_matrix(Rows{{{1, 0, 0}, {0, 1, 0}, {0, 0, -1}}}, {});
     FAIL();
   } catch (const InvalidPath& e) {
     EXPECT_STREQ(e.what(), "the matrix is a reflection: give a rotation, which rounding may have changed by 1e-4");

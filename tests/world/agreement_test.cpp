@@ -137,7 +137,9 @@ TEST(World, AgreesAboutIntersections) {
       const auto motion = [&](BodyId id) -> const BodyMotion& { return world.bodies[place(id)].motion; };
       if (of_edge == of_face && !std::holds_alternative<Deforming>(motion(of_edge))) continue;
       if (std::holds_alternative<Static>(motion(of_edge)) && std::holds_alternative<Static>(motion(of_face))) continue;
-      expected.insert({of_edge, {own(one.edge[0]), own(one.edge[1])}, of_face,
+      expected.insert({of_edge,
+                       {own(one.edge[0]), own(one.edge[1])},
+                       of_face,
                        {own(one.face[0]), own(one.face[1]), own(one.face[2])}});
     }
     for (const BodyIntersection& one : world.world.intersections())

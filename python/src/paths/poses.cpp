@@ -14,7 +14,8 @@ using Matrices = nb::ndarray<const double, nb::shape<-1, 3, 3>, nb::c_contig, nb
 
 /// REQUIRES: as many rotations as positions, which the Python side sees to; so for all below.
 template <class Rotation, class Rotations>
-nb::object poses_of(const Rotations& rotations, const PointRows& positions) {
+nb::object poses_of(const Rotations& rotations, const PointRows& positions,
+                    Pose (*pose_of)(const Rotation&, const Point&)) {
   std::vector<Pose> poses(rotations.shape(0));
   for (std::size_t i = 0; i < poses.size(); ++i) {
     try {
@@ -50,8 +51,12 @@ nb::object each_between(const PoseRows& start, const PoseRows& end) {
 }  // namespace
 
 void bind_poses(nb::module_& module) {
-  module.def("poses_of", &poses_of<std::array<double, 4>, Quaternions>);
-  module.def("poses_of", &poses_of<std::array<Point, 3>, Matrices>);
+  module.def("poses_of", [](const Quaternions& quaternions, const PointRows& positions) {
+    return poses_of(quaternions, positions, &pose_of_quaternion);
+  });
+  module.def("poses_of", [](const Matrices& matrices, const PointRows& positions) {
+    return poses_of(matrices, positions, &pose_of_matrix);
+  });
   module.def("interpolated", &each_interpolated);
   module.def("turned", &each_turned);
   module.def("between", &each_between);

@@ -181,10 +181,10 @@ def test_poses_of_rotations() -> None:
     rotations: list[npt.NDArray[Any]] = [quarter, quarter.astype(np.float32), matrix, np.array([[0, 0, np.pi / 2]])]
     for rotation in rotations:
         pose = tamis.pose_of(rotation, [[1, 2, 3]])
-        assert pose.shape == (1, 2, 3) and np.allclose(pose[0], [[1, 2, 3], [0, 0, np.pi / 2]], atol=1e-7)
+        assert pose.shape == (1, 2, 3) and np.allclose(pose.ravel(), [1, 2, 3, 0, 0, np.pi / 2], atol=1e-7)
         assert np.array_equal(tamis.pose_of(rotation[0], [1, 2, 3]), pose[0])
     with pytest.raises(tamis.InvalidPath, match=r"rotation 1: .*quaternion"):
-        tamis.pose_of([[1, 0, 0, 0], [1, 0.1, 0, 0]], np.zeros((2, 3)))
+        tamis.pose_of(np.array([[1, 0, 0, 0], [1, 0.1, 0, 0]]), np.zeros((2, 3)))
     with pytest.raises(tamis.InvalidPath, match="reflection"):
         tamis.pose_of(-np.eye(3), np.zeros(3))
     with pytest.raises(tamis.InvalidPath, match=r"rotation has the shape \(2, 4\), position \(3, 3\)"):

@@ -18,6 +18,7 @@ from tamis._audit._motion import Motion
 from tamis._audit._report import AuditReport
 from tamis._audit._tables import AuditFrame, AuditFrames, AuditKind, AuditPair, AuditPairs
 from tamis._audit._usd import read_usd
+from tamis._bodies import Deforming, Shape
 from tamis._contacts import Contact, Contacts
 from tamis._detector import Detector, contacts
 from tamis._errors import Busy, Cancelled, Error, FileError, InvalidMesh, InvalidOptions, InvalidPath, InvalidStep
@@ -33,7 +34,7 @@ from tamis._paths import BezierPath, CatmullRomPath, Path
 from tamis._rigid_path import RigidPath, between, interpolated, pose_of, turned
 from tamis._scenes import Scene, scene, scene_names, simulate, simulated_scenes
 from tamis._statistics import Statistics
-from tamis._world import Deforming, Shape, World
+from tamis._world import World
 from tamis._world_tables import (
     BodyContact,
     BodyContacts,

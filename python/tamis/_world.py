@@ -9,10 +9,10 @@ import numpy as np
 import numpy.typing as npt
 
 from tamis import _core
-from tamis._arrays import Doubles, Indices, finite, indices, numbers, rows, shape_text
-from tamis._checks import instance, number, truth, whole
-from tamis._errors import InvalidMesh, InvalidOptions, InvalidPath
-from tamis._mesh import Mesh
+from tamis._arrays import Indices, indices, numbers
+from tamis._bodies import AT_REST, Deforming, Shape, known_shape, motion_of, motions_of, numbers_of
+from tamis._checks import number, truth, whole
+from tamis._errors import InvalidOptions, InvalidPath
 from tamis._options import AtStart, Isa, make_options, query_options
 from tamis._statistics import Statistics
 from tamis._world_tables import (
@@ -24,90 +24,6 @@ from tamis._world_tables import (
     body_step_of,
     earliest_of,
 )
-
-_AT_REST = np.zeros((2, 3))
-_MOTION = "give a pose (2, 3), a chain (links, 4, 3) as tamis.between makes one, or a tamis.Deforming"
-_MOTIONS = "give poses (n, 2, 3), as tamis.pose_of makes them, or chains (n, links, 4, 3), as tamis.between does"
-
-
-class Shape:
-    """A mesh with its points at rest, in the body's own frame, and the hierarchy over them.
-
-    Made once, then shared by any number of bodies.
-
-    Parameters
-    ----------
-    mesh : Mesh
-        Its topology.
-    points : array_like, shape (n, 3)
-        Where each vertex is. They are copied.
-
-    Raises
-    ------
-    InvalidMesh
-        Points that do not fit the mesh, or are not finite.
-    """
-
-    __slots__ = ("_mesh", "_shape")
-
-    def __init__(self, mesh: Mesh, points: npt.ArrayLike) -> None:
-        self._mesh = instance(mesh, Mesh, "mesh", "a tamis.Mesh, as of tamis.Mesh(faces)", InvalidMesh)
-        self._shape = _core.Shape(self._mesh._mesh, np.ascontiguousarray(rows(points, "points", InvalidMesh)))
-
-    @property
-    def mesh(self) -> Mesh:
-        """Its topology."""
-        return self._mesh
-
-    @property
-    def points(self) -> Doubles:
-        """A copy of the points at rest, shape (n, 3)."""
-        return self._shape.points()
-
-    @property
-    def memory_bytes(self) -> int:
-        """Held beside mesh and points."""
-        return self._shape.memory_bytes()
-
-    def __repr__(self) -> str:
-        return f"Shape({self._mesh!r})"
-
-    def __reduce__(self) -> tuple[type[Shape], tuple[Mesh, Doubles]]:
-        return Shape, (self._mesh, self.points)
-
-
-class Deforming:
-    """The motion of a body that deforms: each vertex goes straight, in the frame of the world. It may touch itself.
-
-    Parameters
-    ----------
-    start, end : array_like, shape (n, 3)
-        Where each vertex is at t=0 and at t=1. What cannot be read where it lies is copied.
-
-    Raises
-    ------
-    InvalidStep
-        No rows of three numbers.
-    """
-
-    __slots__ = ("_end", "_start")
-
-    def __init__(self, start: npt.ArrayLike, end: npt.ArrayLike) -> None:
-        self._start = np.ascontiguousarray(rows(start, "start"))
-        self._end = np.ascontiguousarray(rows(end, "end"))
-
-    @property
-    def start(self) -> Doubles:
-        """Where each vertex is at t=0, shape (n, 3)."""
-        return self._start
-
-    @property
-    def end(self) -> Doubles:
-        """Where each vertex is at t=1, shape (n, 3)."""
-        return self._end
-
-    def __repr__(self) -> str:
-        return f"Deforming({len(self._start)} vertices)"
 
 
 class World:
@@ -190,7 +106,7 @@ class World:
         InvalidStep
             A deforming body with other than one point a vertex, or one that is not finite.
         """
-        return int(self._world.add(_shape(shape)._shape, *_motion(_AT_REST if motion is None else motion))[0])
+        return int(self._world.add(known_shape(shape)._shape, *motion_of(AT_REST if motion is None else motion))[0])
 
     def add_many(self, shape: Shape, motions: npt.ArrayLike) -> Indices:
         """Add bodies of one shape.
@@ -212,7 +128,7 @@ class World:
         InvalidPath
             As of `add`; then none is added.
         """
-        return self._world.add(_shape(shape)._shape, _motions(motions))
+        return self._world.add(known_shape(shape)._shape, motions_of(motions))
 
     def move(self, body: int, motion: npt.ArrayLike | Deforming) -> None:
         """Say how a body moves from now on; it may also begin to move in another way.
@@ -229,7 +145,7 @@ class World:
         InvalidPath, InvalidStep
             As of `add`.
         """
-        self._world.move(np.array([whole(body, "body")], np.int32), *_motion(motion))
+        self._world.move(np.array([whole(body, "body")], np.int32), *motion_of(motion))
 
     def move_many(self, bodies: npt.ArrayLike, motions: npt.ArrayLike) -> None:
         """Say how bodies move from now on, all in one call: ``world.move_many(bodies, tamis.between(start, end))``.
@@ -248,7 +164,7 @@ class World:
         InvalidOptions
             A body twice: none is moved. One that is not there: those before it are.
         """
-        given, named = _motions(motions), _bodies(bodies)
+        given, named = motions_of(motions), numbers_of(bodies)
         if len(named) != len(given):
             raise InvalidPath(f"motions has {len(given)} entries, bodies {len(named)}: give as many")
         ordered = np.sort(named)
@@ -265,7 +181,7 @@ class World:
         bodies : int or array_like of int, shape (n,)
             Which.
         """
-        self._world.remove(_bodies(bodies))
+        self._world.remove(numbers_of(bodies))
 
     def set_enabled(self, bodies: npt.ArrayLike, is_enabled: bool) -> None:
         """Switch bodies off, so that they take no part in any question, or on again; they begin switched on.
@@ -277,7 +193,7 @@ class World:
         is_enabled : bool
             On, or off.
         """
-        self._world.set_enabled(_bodies(bodies), truth(is_enabled, "is_enabled"))
+        self._world.set_enabled(numbers_of(bodies), truth(is_enabled, "is_enabled"))
 
     def set_may_touch(self, bodies: npt.ArrayLike, may_touch: bool) -> None:
         """Say of pairs of bodies whether they may touch at all.
@@ -437,30 +353,3 @@ class World:
 
     def __reduce__(self) -> Any:
         raise TypeError("a World cannot be pickled: pickle its shapes, and make a World where you need it")
-
-
-def _shape(given: Shape) -> Shape:
-    return instance(given, Shape, "shape", "a tamis.Shape, as of tamis.Shape(mesh, points)")
-
-
-def _bodies(given: npt.ArrayLike) -> Indices:
-    return indices(np.atleast_1d(numbers(given, "bodies", InvalidOptions)), 0, "bodies", InvalidOptions)
-
-
-def _motion(given: npt.ArrayLike | Deforming) -> tuple[Doubles, ...]:
-    """Return what the compiled part takes for one body."""
-    if isinstance(given, Deforming):
-        return given.start, given.end
-    motion = numbers(given, "motion", InvalidPath)
-    return (_poses_or_chains(motion[np.newaxis], motion, "motion", _MOTION),)
-
-
-def _motions(given: npt.ArrayLike) -> Doubles:
-    motions = numbers(given, "motions", InvalidPath)
-    return _poses_or_chains(motions, motions, "motions", _MOTIONS)
-
-
-def _poses_or_chains(array: npt.NDArray[Any], given: npt.NDArray[Any], name: str, advice: str) -> Doubles:
-    if array.shape[1:] != (2, 3) and (array.ndim != 4 or array.shape[2:] != (4, 3)):
-        raise InvalidPath(f"{name} has the shape {shape_text(given)}: {advice}")
-    return finite(np.require(array, np.float64, ["C", "ALIGNED"]), name, InvalidPath)

@@ -12,6 +12,8 @@ void bind_detector(nanobind::module_& module);
 void bind_pairs(nanobind::module_& module);
 void bind_pair_distance(nanobind::module_& module);
 void bind_paths(nanobind::module_& module);
+void bind_poses(nanobind::module_& module);
+void bind_world(nanobind::module_& module);
 void bind_files(nanobind::module_& module);
 void bind_scenes(nanobind::module_& module);
 void bind_audit(nanobind::module_& module);

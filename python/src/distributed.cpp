@@ -62,7 +62,7 @@ class RankQuestions {
   nb::tuple earliest(const Rows& start, const Rows& end, const QueryOptions& q) {
     EarliestContact first;
     asker_.ask([&] { first = detector_.earliest({positions(start), positions(end)}, q); });
-    return as_tuple(first);
+    return earliest_tuple(first);
   }
 
   bool is_free(const Rows& start, const Rows& end, const QueryOptions& q) {
@@ -74,7 +74,7 @@ class RankQuestions {
   nb::tuple safe_step(const Rows& start, const Rows& end, double keep, const QueryOptions& q) {
     SafeStep safe;
     asker_.ask([&] { safe = detector_.safe_step({positions(start), positions(end)}, keep, q); });
-    return as_tuple(safe);
+    return step_tuple(safe);
   }
 
   Index vertex_count() const { return detector_.vertex_count(); }

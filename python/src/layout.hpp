@@ -18,7 +18,10 @@ inline constexpr std::size_t kColumns<std::array<T, n>> = n;
 template <class T>
 std::string format_of() {
   if constexpr (kColumns < T >> 0)
-    return "(" + std::to_string(kColumns<T>) + ",)" + format_of<typename T::value_type>();
+    return std::string("(")
+        .append(std::to_string(kColumns<T>))
+        .append(",)")
+        .append(format_of<typename T::value_type>());
   else if constexpr (std::is_same_v<T, bool>)
     return "?";
   else if constexpr (std::is_floating_point_v<T>)
@@ -33,8 +36,9 @@ std::string format_of() {
 template <class Record>
 class Layout {
  public:
-  template <class T>
-  Layout& field(const char* name, T Record::*member) {
+  /// `Part`: the record, or what it derives from.
+  template <class T, class Part>
+  Layout& field(const char* name, T Part::*member) {
     static const Record record{};
     const auto* place = reinterpret_cast<const char*>(&(record.*member));
     names_.append(name);

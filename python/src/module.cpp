@@ -13,6 +13,8 @@ NB_MODULE(_core, module) {
   bind_pairs(module);
   bind_pair_distance(module);
   bind_paths(module);
+  bind_poses(module);
+  bind_world(module);
   bind_files(module);
   bind_scenes(module);
   bind_audit(module);

@@ -27,10 +27,11 @@ void bind_options(nb::module_& module) {
   nb::class_<QueryOptions>(module, "QueryOptions")
       .def(
           "__init__",
-          [](QueryOptions* made, std::optional<double> min_separation, const std::string& at_start) {
-            new (made) QueryOptions{min_separation, at_start_from_name(at_start)};
+          [](QueryOptions* made, std::optional<double> min_separation, const std::string& at_start,
+             std::optional<double> tolerance) {
+            new (made) QueryOptions{min_separation, at_start_from_name(at_start), tolerance};
           },
-          nb::arg().none(), nb::arg());
+          nb::arg().none(), nb::arg(), nb::arg().none());
   nb::class_<Asking>(module, "Options", nb::type_slots(collected<Asking>))
       .def(nb::init<>())
       .def("set_isa", [](Asking& a, const std::string& name) { a.options.isa = isa_from_name(name); })

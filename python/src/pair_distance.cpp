@@ -26,7 +26,7 @@ nb::object distances_of(const Kinds& kinds, const IndexRowsIn<4>& vertices, cons
 
 nb::tuple pair_safe_step(const Kinds& kind, const IndexRowsIn<4>& vertices, const Rows& start, const Rows& end,
                          double keep, double min_separation, double latest) {
-  return as_tuple(
+  return step_tuple(
       safe_step(pair_at(kind, vertices, 0), {positions(start), positions(end)}, keep, {min_separation, latest}));
 }
 

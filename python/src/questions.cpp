@@ -1,9 +1,8 @@
 #include "python/src/questions.hpp"
 
-#include <nanobind/stl/string.h>
-
 #include "python/src/answers.hpp"
 #include "python/src/looking.hpp"
+#include "python/src/statistics.hpp"
 
 namespace tamis::python {
 namespace {
@@ -13,44 +12,6 @@ Step step_of(const Rows& start, const Rows& end) { return {positions(start), pos
 QueryOptions on_path(QueryOptions options, double tolerance) {
   options.tolerance = tolerance;
   return options;
-}
-
-/// Numbers by their names.
-template <class Number>
-nb::dict named(std::initializer_list<std::pair<const char*, Number>> numbers) {
-  nb::dict result;
-  for (const auto& [name, number] : numbers) result[name] = number;
-  return result;
-}
-
-nb::dict as_dict(const Seconds& s) {
-  return named<double>({{"bounds", s.bounds},
-                        {"build", s.build},
-                        {"traverse", s.traverse},
-                        {"filter", s.filter},
-                        {"solve", s.solve},
-                        {"total", s.total}});
-}
-
-nb::dict as_dict(const PrecisionCount& count) {
-  return named<std::uint64_t>(
-      {{"lanes", count.lanes}, {"scalar", count.scalar}, {"exact", count.exact}, {"unresolved", count.unresolved}});
-}
-
-nb::dict as_dict(const Statistics& s) {
-  nb::dict stages, all;
-  for (const StageCount& stage : s.stages)
-    stages[nb::str(stage.name.data(), stage.name.size())] = nb::make_tuple(stage.vf, stage.ee, stage.ve, stage.vv);
-  all["isa"] = std::string(name_of(s.isa));
-  all["threads"] = s.threads;
-  all["stages"] = stages;
-  all["decided_by"] = as_dict(s.decided_by);
-  all["seconds"] = as_dict(s.seconds);
-  all["ignored"] = s.ignored;
-  all["nodes_visited"] = s.nodes_visited;
-  all["rebuilt"] = s.rebuilt;
-  all["memory_bytes"] = s.memory_bytes;
-  return all;
 }
 
 }  // namespace
@@ -67,7 +28,7 @@ nb::object Questions::contacts(const Rows& start, const Rows& end, const QueryOp
 nb::tuple Questions::earliest(const Rows& start, const Rows& end, const QueryOptions& q) {
   EarliestContact first;
   asker_.ask([&] { first = detector_.earliest(step_of(start, end), q); });
-  return as_tuple(first);
+  return earliest_tuple(first);
 }
 
 bool Questions::is_free(const Rows& start, const Rows& end, const QueryOptions& q) {
@@ -85,7 +46,7 @@ nb::object Questions::contacts_on_path(const Path& path, double tolerance, const
 nb::tuple Questions::earliest_on_path(const Path& path, double tolerance, const QueryOptions& q) {
   EarliestContact first;
   asker_.ask([&] { first = detector_.earliest(path, on_path(q, tolerance)); });
-  return as_tuple(first);
+  return earliest_tuple(first);
 }
 
 bool Questions::is_free_on_path(const Path& path, double tolerance, const QueryOptions& q) {
@@ -97,7 +58,7 @@ bool Questions::is_free_on_path(const Path& path, double tolerance, const QueryO
 nb::tuple Questions::safe_step(const Rows& start, const Rows& end, double keep, const QueryOptions& q) {
   SafeStep safe;
   asker_.ask([&] { safe = detector_.safe_step(step_of(start, end), keep, q); });
-  return as_tuple(safe);
+  return step_tuple(safe);
 }
 
 nb::tuple Questions::truncate(const Rows& start, const Rows& end, double keep, const QueryOptions& q, bool as_float32) {

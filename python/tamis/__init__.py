@@ -5,7 +5,8 @@
 >>> contacts = detector.contacts(start, end)
 
 `Detector` has the questions; `contacts` asks one in one line; `narrow_phase` decides a list of pairs; a `Path` is
-curved motion, such as `RigidPath`; `read_mesh`, `read_frames` and `scene` give something to try it on.
+curved motion, such as `RigidPath`; a `World` has bodies that move each in its own way; `read_mesh`, `read_frames` and
+`scene` give something to try it on.
 """
 
 from tamis import _core
@@ -25,13 +26,24 @@ from tamis._looking import Page
 from tamis._mesh import Mesh
 from tamis._pair_distance import distance_of, safe_step
 from tamis._pairs import PairResult, Pairs, narrow_phase
-from tamis._paths._function_path import FunctionPath
 from tamis._paths._path import BezierPath, CatmullRomPath, Path
-from tamis._paths._rigid_path import RigidPath, between, interpolated, turned
+from tamis._paths._rigid_path import RigidPath, between, interpolated, pose_of, turned
 from tamis._scenes import Scene, scene, scene_names, simulate, simulated_scenes
 from tamis._statistics import Statistics
 from tamis._tables._contacts import Contact, Contacts
-from tamis._tables._near import Intersection, Intersections, NearPair, NearPairs
+from tamis._world._bodies import Deforming, Shape
+from tamis._world._tables import (
+    BodyContact,
+    BodyContacts,
+    BodyIntersection,
+    BodyIntersections,
+    BodyLimitingPair,
+    BodyNearPair,
+    BodyNearPairs,
+    BodyStep,
+    EarliestBodyContact,
+)
+from tamis._world._world import World
 
 __version__: str = _core.__version__
 
@@ -44,12 +56,22 @@ __all__ = [
     "AuditReport",
     "Auditor",
     "BezierPath",
+    "BodyContact",
+    "BodyContacts",
+    "BodyIntersection",
+    "BodyIntersections",
+    "BodyLimitingPair",
+    "BodyNearPair",
+    "BodyNearPairs",
+    "BodyStep",
     "Busy",
     "Cancelled",
     "CatmullRomPath",
     "Contact",
     "Contacts",
+    "Deforming",
     "Detector",
+    "EarliestBodyContact",
     "EarliestContact",
     "Error",
     "FileError",
@@ -74,15 +96,18 @@ __all__ = [
     "RigidPath",
     "SafeStep",
     "Scene",
+    "Shape",
     "Statistics",
     "StepReport",
     "TruncatedStep",
+    "World",
     "audit",
     "between",
     "contacts",
     "distance_of",
     "interpolated",
     "narrow_phase",
+    "pose_of",
     "read_frames",
     "read_gltf",
     "read_mesh",

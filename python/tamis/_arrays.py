@@ -37,7 +37,8 @@ def numbers(given: npt.ArrayLike, name: str, error: type[Error]) -> npt.NDArray[
     return _array(given, name, error, "iuf", _REAL)
 
 
-def _shape(array: npt.NDArray[Any]) -> str:
+def shape_text(array: npt.NDArray[Any]) -> str:
+    """Return the shape as a sentence shows it."""
     return f"({', '.join(str(n) for n in array.shape)})"
 
 
@@ -56,7 +57,7 @@ def rows(given: npt.ArrayLike, name: str, error: type[Error] = InvalidStep) -> D
     """Return n rows of three doubles, without a copy if they lie so already, also with a stride between rows."""
     array = numbers(given, name, error)
     if array.ndim != 2 or array.shape[1] != 3:
-        raise error(f"{name} has the shape {_shape(array)}: give one row of three numbers a vertex, (n, 3)")
+        raise error(f"{name} has the shape {shape_text(array)}: give one row of three numbers a vertex, (n, 3)")
     return array if _is_view(array) else np.require(array, dtype=_DOUBLE, requirements=["C", "ALIGNED"])
 
 
@@ -71,7 +72,7 @@ def point_frames(given: npt.ArrayLike, name: str, error: type[Error]) -> Doubles
     """Return contiguous doubles, so many frames of points: (f, n, 3)."""
     array = numbers(given, name, error)
     if array.ndim != 3 or array.shape[2] != 3:
-        raise error(f"{name} has the shape {_shape(array)}: give three numbers a vertex and frame, (f, n, 3)")
+        raise error(f"{name} has the shape {shape_text(array)}: give three numbers a vertex and frame, (f, n, 3)")
     return np.require(array, dtype=_DOUBLE, requirements=["C", "ALIGNED"])
 
 
@@ -79,7 +80,7 @@ def vector(given: npt.ArrayLike, name: str, error: type[Error]) -> Doubles:
     """Return contiguous doubles in one dimension."""
     array = numbers(given, name, error)
     if array.ndim != 1:
-        raise error(f"{name} has the shape {_shape(array)}: give one dimension")
+        raise error(f"{name} has the shape {shape_text(array)}: give one dimension")
     return np.require(array, dtype=_DOUBLE, requirements=["C", "ALIGNED"])
 
 
@@ -96,7 +97,7 @@ def indices(given: npt.ArrayLike, columns: int, name: str, error: type[Error]) -
         return np.empty(shape, np.int32)
     if array.ndim != len(shape) or (columns and array.shape[1] != columns):
         wanted = f"(n, {columns})" if columns else "(n,)"
-        raise error(f"{name} has the shape {_shape(array)}: give {wanted}")
+        raise error(f"{name} has the shape {shape_text(array)}: give {wanted}")
     if array.dtype.kind == "f":
         raise error(f"{name} has the dtype {array.dtype}: give {_WHOLE}")
     if array.dtype != np.int32:
@@ -111,7 +112,7 @@ def flags(given: npt.ArrayLike, name: str, error: type[Error]) -> Groups:
     """Return a contiguous square matrix of truth values, one byte each."""
     array = _array(given, name, error, "bui", "True or False")
     if array.ndim != 2 or array.shape[0] != array.shape[1]:
-        raise error(f"{name} has the shape {_shape(array)}: give a square matrix, one row and one column a group")
+        raise error(f"{name} has the shape {shape_text(array)}: give a square matrix, one row and one column a group")
     return np.ascontiguousarray(array != 0).view(np.uint8)
 
 

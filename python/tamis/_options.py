@@ -42,9 +42,12 @@ def set_groups(
     options.set_groups(group_of_vertex, count, allowed)
 
 
-def query_options(min_separation: float | None, at_start: AtStart) -> _core.QueryOptions:
+def query_options(
+    min_separation: float | None, at_start: AtStart, tolerance: float | None = None
+) -> _core.QueryOptions:
     """Return what a question brings of its own."""
-    return _core.QueryOptions(number_or_none(min_separation, "min_separation"), word(at_start, "at_start"))
+    d, widest = number_or_none(min_separation, "min_separation"), number_or_none(tolerance, "tolerance")
+    return _core.QueryOptions(d, word(at_start, "at_start"), widest)
 
 
 def make_options(

@@ -14,6 +14,7 @@ PAGES = [
     "README.md",
     "docs/python.md",
     "docs/python-tour.md",
+    "docs/worlds.md",
     "docs/audit.md",
     "docs/coming-from-ipctk.md",
     "docs/hosts/ipctk.md",

@@ -5,40 +5,23 @@
 
 #include "io/view/path_positions.hpp"
 #include "python/src/bindings.hpp"
-#include "python/src/options.hpp"
 #include "python/src/pair_results.hpp"
 #include "python/src/pair_rows.hpp"
 #include "python/src/paths/function_path.hpp"
 #include "tamis/rigid_path.hpp"
+#include "python/src/paths/pose_rows.hpp"
 #include "tamis/spline_path.hpp"
 
 namespace tamis::python {
 namespace {
 
-/// Links as they lie in NumPy: position and rotation at the start, then at the end.
-using Links = nb::ndarray<const double, nb::shape<-1, 4, 3>, nb::c_contig, nb::device::cpu>;
-using PoseRows = nb::ndarray<const double, nb::shape<2, 3>, nb::c_contig, nb::device::cpu>;
-using PointRow = nb::ndarray<const double, nb::shape<3>, nb::c_contig, nb::device::cpu>;
 using Frames = nb::ndarray<const double, nb::shape<-1, -1, 3>, nb::c_contig, nb::device::cpu>;
-static_assert(sizeof(Link) == 12 * sizeof(double));
-
-Pose pose_of(const PoseRows& rows) { return *reinterpret_cast<const Pose*>(rows.data()); }
-
-nb::object array_of(const Chain& chain) { return own<double>(std::vector<Link>(chain), 12); }
-
-std::vector<Point> points_of(const PointRows& rows) {
-  const auto* first = reinterpret_cast<const Point*>(rows.data());
-  return {first, first + rows.shape(0)};
-}
 
 void make_rigid_path(RigidPath* path, const PointRows& rest, const Indices& bodies, const std::vector<Links>& links,
                      const PointRows& rest_end) {
   std::vector<Chain> chains;
-  for (const Links& chain : links) {
-    const auto* first = reinterpret_cast<const Link*>(chain.data());
-    chains.emplace_back(first, first + chain.shape(0));
-  }
-  new (path) RigidPath(points_of(rest), copy_of<Index>(bodies), std::move(chains), points_of(rest_end));
+  for (const Links& chain : links) chains.push_back(copy_of<Link>(chain));
+  new (path) RigidPath(copy_of<Point>(rest), copy_of<Index>(bodies), std::move(chains), copy_of<Point>(rest_end));
 }
 
 template <class SplinePath>
@@ -95,19 +78,6 @@ nb::object corners_at(const Path& path, const Times& times, const VertexRows& ro
 
 nb::object points_at(const Path& path, double time) { return own<double>(io::positions_at(path, time), 3); }
 
-void bind_chains(nb::module_& module) {
-  module.def("interpolated", [](const PoseRows& start, const PoseRows& end) {
-    return array_of(interpolated(pose_of(start), pose_of(end)));
-  });
-  module.def("turned", [](const PoseRows& start, const PointRow& turn, const PointRow& end) {
-    const auto* axis = reinterpret_cast<const Point*>(turn.data());
-    return array_of(turned(pose_of(start), *axis, *reinterpret_cast<const Point*>(end.data())));
-  });
-  module.def("between", [](const PoseRows& start, const PoseRows& end) {
-    return array_of(between(pose_of(start), pose_of(end)));
-  });
-}
-
 }  // namespace
 
 void bind_paths(nb::module_& module) {
@@ -120,7 +90,6 @@ void bind_paths(nb::module_& module) {
   nb::class_<CatmullRomPath, Path>(module, "CatmullRomPath").def("__init__", &make_spline_path<CatmullRomPath>);
   nb::class_<FunctionPath, Path>(module, "FunctionPath").def(nb::init<Index, nb::object, nb::object>());
   module.def("narrow_phase_on", &decide_list_on);
-  bind_chains(module);
 }
 
 }  // namespace tamis::python

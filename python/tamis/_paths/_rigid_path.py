@@ -8,7 +8,7 @@ import numpy as np
 import numpy.typing as npt
 
 from tamis import _core
-from tamis._arrays import Doubles, finite, indices, point_frames, rows, vector
+from tamis._arrays import Doubles, finite, indices, numbers, point_frames, rows, shape_text
 from tamis._checks import shown
 from tamis._errors import InvalidPath
 from tamis._paths._path import Path
@@ -52,45 +52,113 @@ class RigidPath(Path):
         is_list = isinstance(chains, (Sequence, np.ndarray)) and getattr(chains, "ndim", 1) > 0
         if not is_list or isinstance(chains, (str, bytes)):
             raise InvalidPath(f"chains is {shown(chains)}: give a list with a chain for each body, (links, 4, 3)")
-        links = [_links(chain, f"chain {body}") for body, chain in enumerate(chains)]
+        links = [links_of(chain, f"chain {body}") for body, chain in enumerate(chains)]
         self._path = _core.RigidPath(points, indices(body_of_vertex, 0, "body_of_vertex", InvalidPath), links, ends)
 
     def _native(self) -> _core.Path:
         return self._path
 
 
+def pose_of(rotation: npt.ArrayLike, position: npt.ArrayLike) -> Doubles:
+    """Make poses of rotations as engines keep them, also in float32.
+
+    Parameters
+    ----------
+    rotation : array_like, shape (n, 4), (n, 3, 3) or (n, 3)
+        Quaternions w, x, y, z (of x, y, z, w as SciPy and Bullet have them: ``q[:, [3, 0, 1, 2]]``), matrices by their
+        rows, or rotation vectors: an axis, with the angle in radians as its length. Of quaternions and matrices what is
+        off from a rotation by no more than 1e-4 (|q|^2 - 1, an entry of R R^T - I) becomes the nearest one.
+    position : array_like, shape (n, 3)
+        Where each body's origin is. One pose alone: (3,), beside (4,), (3, 3) or (3,).
+
+    Returns
+    -------
+    array, shape (n, 2, 3)
+        Position and rotation vector of each; (2, 3) of one alone.
+
+    Raises
+    ------
+    InvalidPath
+        Shapes that do not fit, numbers that are not finite, or what is farther from a rotation; the message says which.
+    """
+    places = numbers(position, "position", InvalidPath)
+    points = finite(np.ascontiguousarray(rows(np.atleast_2d(places), "position", InvalidPath)), "position", InvalidPath)
+    turns = numbers(rotation, "rotation", InvalidPath)
+    many = finite(
+        np.ascontiguousarray(turns if places.ndim > 1 else turns[np.newaxis], np.float64), "rotation", InvalidPath
+    )
+    if many.shape[1:] not in ((4,), (3, 3), (3,)) or len(many) != len(points):
+        raise InvalidPath(
+            f"rotation has the shape {shape_text(turns)}, position {shape_text(places)}: give a quaternion, a matrix "
+            "or a rotation vector for each position, (n, 4), (n, 3, 3) or (n, 3)"
+        )
+    poses = np.stack([points, many], 1) if many.shape[1:] == (3,) else _core.poses_of(many, points).reshape(-1, 2, 3)
+    return poses if places.ndim > 1 else poses[0]
+
+
 def interpolated(start: npt.ArrayLike, end: npt.ArrayLike) -> Doubles:
-    """Make a chain whose position and rotation vector go linearly from one pose, shape (2, 3), to the other."""
-    return _core.interpolated(_pose(start, "start"), _pose(end, "end")).reshape(-1, 4, 3)
+    """Make a chain whose position and rotation vector go linearly from one pose, shape (2, 3), to the other.
+
+    Of n poses each, shape (n, 2, 3), n chains, shape (n, 1, 4, 3).
+    """
+    (first, last), is_one = _alike(start=_poses(start, "start"), end=_poses(end, "end"))
+    return _chains(_core.interpolated(first, last), is_one)
 
 
 def turned(start: npt.ArrayLike, turn: npt.ArrayLike, end_position: npt.ArrayLike) -> Doubles:
-    """Make a chain that turns about the axis `turn`, by its length in radians, while the origin goes straight."""
-    axis, end = _three(turn, "turn"), _three(end_position, "end_position")
-    return _core.turned(_pose(start, "start"), axis, end).reshape(-1, 4, 3)
+    """Make a chain that turns about the axis `turn`, by its length in radians, while the origin goes straight.
+
+    Of n poses, shape (n, 2, 3), axes and positions, shape (n, 3) each, n chains, shape (n, 1, 4, 3).
+    """
+    (first, axes, ends), is_one = _alike(
+        start=_poses(start, "start"), turn=_threes(turn, "turn"), end_position=_threes(end_position, "end_position")
+    )
+    return _chains(_core.turned(first, axes, ends), is_one)
 
 
 def between(start: npt.ArrayLike, end: npt.ArrayLike) -> Doubles:
-    """Make a chain from one pose to the other by the shorter turn about a fixed axis, at constant speed."""
-    return _core.between(_pose(start, "start"), _pose(end, "end")).reshape(-1, 4, 3)
+    """Make a chain from one pose to the other by the shorter turn about a fixed axis, at constant speed.
+
+    Of n poses each, shape (n, 2, 3), n chains, shape (n, 1, 4, 3).
+    """
+    (first, last), is_one = _alike(start=_poses(start, "start"), end=_poses(end, "end"))
+    return _chains(_core.between(first, last), is_one)
 
 
-def _links(given: npt.ArrayLike, name: str) -> Doubles:
+def links_of(given: npt.ArrayLike, name: str) -> Doubles:
+    """Return the links of one chain, (links, 4, 3)."""
     links = point_frames(given, name, InvalidPath)
     if links.shape[1] != 4:
         raise InvalidPath(f"{name} has links of {links.shape[1]} rows: give position and rotation, at start and end")
     return links
 
 
-def _three(given: npt.ArrayLike, name: str) -> Doubles:
-    numbers = finite(vector(given, name, InvalidPath), name, InvalidPath)
-    if len(numbers) != 3:
-        raise InvalidPath(f"{name} has {len(numbers)} numbers: give three")
-    return numbers
+def _poses(given: npt.ArrayLike, name: str) -> tuple[Doubles, bool]:
+    return _one_or_many(given, name, (2, 3), "no pose: give its position and its rotation vector, (2, 3)")
 
 
-def _pose(given: npt.ArrayLike, name: str) -> Doubles:
-    pose = finite(np.ascontiguousarray(rows(given, name, InvalidPath)), name, InvalidPath)
-    if len(pose) != 2:
-        raise InvalidPath(f"{name} is no pose: give its position and its rotation vector, (2, 3)")
-    return pose
+def _threes(given: npt.ArrayLike, name: str) -> tuple[Doubles, bool]:
+    return _one_or_many(given, name, (3,), "no vector: give three numbers, (3,)")
+
+
+def _one_or_many(given: npt.ArrayLike, name: str, shape: tuple[int, ...], advice: str) -> tuple[Doubles, bool]:
+    """Return n of this shape, and whether it is one alone."""
+    array = numbers(given, name, InvalidPath)
+    if array.shape[-len(shape) :] != shape or array.ndim > len(shape) + 1:
+        raise InvalidPath(
+            f"{name} has the shape {shape_text(array)}, which is {advice}; or as many as you like at once"
+        )
+    many = np.require(array, np.float64, ["C", "ALIGNED"]).reshape(-1, *shape)
+    return finite(many, name, InvalidPath), array.ndim == len(shape)
+
+
+def _alike(**given: tuple[Doubles, bool]) -> tuple[list[Doubles], bool]:
+    """Return as many of each, and whether that is one alone."""
+    counts = {name: len(array) for name, (array, _) in given.items()}
+    if len(set(counts.values())) > 1:
+        raise InvalidPath(f"{', '.join(f'{name} has {n}' for name, n in counts.items())}: give as many of each")
+    return [array for array, _ in given.values()], all(is_one for _, is_one in given.values())
+
+
+def _chains(links: Doubles, is_one: bool) -> Doubles:
+    return links.reshape(-1, 4, 3) if is_one else links.reshape(-1, 1, 4, 3)

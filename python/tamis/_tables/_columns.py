@@ -55,7 +55,7 @@ class WeightedPairs(Table[Row]):
         return both_points(self._kinds(), self.weights, corners)
 
 
-class NamedPairs(WeightedPairs[Row]):
+class FeaturePairs(WeightedPairs[Row]):
     """Pairs of features by kind and vertices."""
 
     __slots__ = ()
@@ -69,6 +69,18 @@ class NamedPairs(WeightedPairs[Row]):
     def vertices(self) -> Indices:
         """Vertex indices, shape (n, 4), ordered as in `Contact`."""
         return self._table["vertices"]
+
+    def _kinds(self) -> npt.NDArray[np.uint8]:
+        return np.ascontiguousarray(self.kind)
+
+    def _names(self) -> Columns:
+        return {"kind": np.asarray(SHORT_NAMES)[self.kind], **numbered("v", self.vertices)}
+
+
+class NamedPairs(FeaturePairs[Row]):
+    """Pairs of features of one mesh."""
+
+    __slots__ = ()
 
     def features(self, mesh: Mesh) -> Indices:
         """Find both features of each by their places: `Mesh.features_of` of all rows, shape (n, 2).
@@ -90,12 +102,6 @@ class NamedPairs(WeightedPairs[Row]):
         """
         known = instance(mesh, Mesh, "mesh", "the tamis.Mesh that was asked about", InvalidMesh)
         return _core.features_of(known._mesh, self._kinds(), np.ascontiguousarray(self.vertices))
-
-    def _kinds(self) -> npt.NDArray[np.uint8]:
-        return np.ascontiguousarray(self.kind)
-
-    def _names(self) -> Columns:
-        return {"kind": np.asarray(SHORT_NAMES)[self.kind], **numbered("v", self.vertices)}
 
 
 class TimedPairs(WeightedPairs[Row]):

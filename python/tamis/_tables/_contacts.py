@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Iterable
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -16,7 +17,8 @@ from tamis._kinds import PairKind
 from tamis._looking import Asked, Page, place_for_page, show
 from tamis._motion import motion
 from tamis._paths._path import Path
-from tamis._tables._columns import Columns, NamedPairs, TimedPairs, numbered
+from tamis._tables._columns import Columns, FeaturePairs, NamedPairs, TimedPairs, numbered
+from tamis._tables._table import Row
 
 
 class Contact(NamedTuple):
@@ -54,7 +56,32 @@ class Contact(NamedTuple):
     certified: bool
 
 
-class Contacts(NamedPairs[Contact], TimedPairs[Contact]):
+def contact_of(values: Iterable[Any]) -> Contact:
+    """Give the fields of a row their names."""
+    kind, certainty, vertices, toi_lower, toi_upper, u, v, normal = values
+    times = toi_lower, toi_upper, u, v
+    return Contact(PairKind(kind), tuple(vertices.tolist()), *times, tuple(normal.tolist()), certainty == 0)
+
+
+class TouchingPairs(FeaturePairs[Row], TimedPairs[Row]):
+    """Pairs of features that touch during a step: of one mesh, or of bodies."""
+
+    __slots__ = ()
+
+    def _columns(self) -> Columns:
+        status = np.where(self.certified, "certified", "unresolved")
+        return {**self._names(), **self._times(), "status": status, **numbered("n", self.normal, "xyz")}
+
+    def __repr__(self) -> str:
+        name = type(self).__name__
+        if not len(self):
+            return f"{name}(none)"
+        counts = zip(PairKind, np.bincount(self.kind, minlength=len(PairKind)))
+        kinds = ", ".join(f"{n} {kind.long_name}" for kind, n in counts if n)
+        return f"{name}({kinds}; first at {self.toi_lower.min():g})"
+
+
+class Contacts(NamedPairs[Contact], TouchingPairs[Contact]):
     """Contacts of a step, by kind, then vertices. They own their memory: later questions change nothing in them.
 
     `len()` counts them; an integer index gives a `Contact`, anything else that indexes an array gives `Contacts`.
@@ -84,10 +111,6 @@ class Contacts(NamedPairs[Contact], TimedPairs[Contact]):
             A point on the first feature and one on the second, by `weights`; a separation lies between them.
         """
         return self._points(motion(start, end, None).corners(self.toi_upper, self.vertices))
-
-    def _columns(self) -> Columns:
-        status = np.where(self.certified, "certified", "unresolved")
-        return {**self._names(), **self._times(), "status": status, **numbered("n", self.normal, "xyz")}
 
     def save(self, path: str | os.PathLike[str]) -> None:
         """Write a file, as the command's `--out` does: complete or not at all.
@@ -157,17 +180,7 @@ class Contacts(NamedPairs[Contact], TimedPairs[Contact]):
         return self._asked
 
     def _row(self, values: Any, index: int) -> Contact:
-        kind, certainty, vertices, toi_lower, toi_upper, u, v, normal = values
-        return Contact(
-            PairKind(kind), tuple(vertices.tolist()), toi_lower, toi_upper, u, v, tuple(normal.tolist()), certainty == 0
-        )
+        return contact_of(values)
 
     def _part(self, table: npt.NDArray[np.void], index: Any) -> Contacts:
         return Contacts(table, self._asked)
-
-    def __repr__(self) -> str:
-        if not len(self):
-            return "Contacts(none)"
-        counts = zip(PairKind, np.bincount(self.kind, minlength=len(PairKind)))
-        kinds = ", ".join(f"{n} {kind.long_name}" for kind, n in counts if n)
-        return f"Contacts({kinds}; first at {self.toi_lower.min():g})"

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -13,9 +14,9 @@ from tamis._checks import instance
 from tamis._errors import InvalidMesh
 from tamis._kinds import PairKind
 from tamis._mesh import Mesh
-from tamis._tables._columns import Columns, NamedPairs, numbered
+from tamis._tables._columns import Columns, FeaturePairs, NamedPairs, numbered
 from tamis._tables._points import corners_at_rest
-from tamis._tables._table import Table
+from tamis._tables._table import Row, Table
 
 
 class NearPair(NamedTuple):
@@ -46,16 +47,16 @@ class NearPair(NamedTuple):
     corners: int
 
 
-class NearPairs(NamedPairs[NearPair]):
-    """Pairs of features that are near each other at rest, by kind, then vertices; arrays of length n.
+def near_pair_of(values: Iterable[Any]) -> NearPair:
+    """Give the fields of a row their names."""
+    kind, corners, vertices, distance, u, v, direction = values
+    return NearPair(PairKind(kind), tuple(vertices.tolist()), distance, u, v, tuple(direction.tolist()), corners)
 
-    `len()` counts them; an integer index gives a `NearPair`, anything else that indexes an array gives `NearPairs`.
 
-    The columns of `table` are kind, corners, vertices, distance, u, v, direction.
-    """
+class ClosePairs(FeaturePairs[Row]):
+    """Pairs of features that are near each other at rest: of one mesh, or of bodies."""
 
     __slots__ = ()
-    _dtype = np.dtype(_core.near_layout())
 
     @property
     def corners(self) -> npt.NDArray[np.uint8]:
@@ -75,6 +76,27 @@ class NearPairs(NamedPairs[NearPair]):
         """Unit vectors from the second feature's closest point to the first's, shape (n, 3)."""
         return self._table["direction"]
 
+    def _columns(self) -> Columns:
+        weights = {"u": self.u, "v": self.v}
+        direction = numbered("d", self.direction, "xyz")
+        return {**self._names(), "distance": self.distance, **weights, **direction, "corners": self.corners}
+
+    def __repr__(self) -> str:
+        nearest = f", nearest {self.distance.min():g}" if len(self) else ""
+        return f"{type(self).__name__}({len(self)} pairs{nearest})"
+
+
+class NearPairs(NamedPairs[NearPair], ClosePairs[NearPair]):
+    """Pairs of features that are near each other at rest, by kind, then vertices; arrays of length n.
+
+    `len()` counts them; an integer index gives a `NearPair`, anything else that indexes an array gives `NearPairs`.
+
+    The columns of `table` are kind, corners, vertices, distance, u, v, direction.
+    """
+
+    __slots__ = ()
+    _dtype = np.dtype(_core.near_layout())
+
     def points(self, positions: npt.ArrayLike) -> Doubles:
         """Tell where the closest points of each pair are.
 
@@ -90,18 +112,8 @@ class NearPairs(NamedPairs[NearPair]):
         """
         return self._points(corners_at_rest(rows(positions, "positions"), self.vertices, "positions"))
 
-    def _columns(self) -> Columns:
-        weights = {"u": self.u, "v": self.v}
-        direction = numbered("d", self.direction, "xyz")
-        return {**self._names(), "distance": self.distance, **weights, **direction, "corners": self.corners}
-
     def _row(self, values: Any, index: int) -> NearPair:
-        kind, corners, vertices, distance, u, v, direction = values
-        return NearPair(PairKind(kind), tuple(vertices.tolist()), distance, u, v, tuple(direction.tolist()), corners)
-
-    def __repr__(self) -> str:
-        nearest = f", nearest {self.distance.min():g}" if len(self) else ""
-        return f"NearPairs({len(self)} pairs{nearest})"
+        return near_pair_of(values)
 
 
 class Intersection(NamedTuple):
@@ -125,16 +137,16 @@ class Intersection(NamedTuple):
     v: float
 
 
-class Intersections(Table[Intersection]):
-    """Edges that pass through triangles or touch them, by edge, then face; arrays of length n.
+def intersection_of(values: Iterable[Any]) -> Intersection:
+    """Give the fields of a row their names."""
+    edge, face, *numbers = values
+    return Intersection(tuple(edge.tolist()), tuple(face.tolist()), *numbers)
 
-    `len()` counts them; an integer index gives an `Intersection`, anything else that indexes an array `Intersections`.
 
-    The columns of `table` are edge, face, s_lower, s_upper, u, v.
-    """
+class CrossingPairs(Table[Row]):
+    """Edges with triangles that they pass through or touch: of one mesh, or of bodies."""
 
     __slots__ = ()
-    _dtype = np.dtype(_core.intersection_layout())
 
     @property
     def edge(self) -> Indices:
@@ -176,6 +188,25 @@ class Intersections(Table[Intersection]):
         """Signed weights of these vertices, shape (n, 5): of the edge positive, of the face negative."""
         s = (self.s_lower + self.s_upper) / 2
         return np.stack([1 - s, s, self.u + self.v - 1, -self.u, -self.v], axis=1)
+
+    def _columns(self) -> Columns:
+        lines = {name: self._table[name] for name in ("s_lower", "s_upper", "u", "v")}
+        return {**numbered("e", self.edge), **numbered("f", self.face), **lines}
+
+    def __repr__(self) -> str:
+        return f"{type(self).__name__}({len(self)} of edges with triangles)"
+
+
+class Intersections(CrossingPairs[Intersection]):
+    """Edges that pass through triangles or touch them, by edge, then face; arrays of length n.
+
+    `len()` counts them; an integer index gives an `Intersection`, anything else that indexes an array `Intersections`.
+
+    The columns of `table` are edge, face, s_lower, s_upper, u, v.
+    """
+
+    __slots__ = ()
+    _dtype = np.dtype(_core.intersection_layout())
 
     def points(self, positions: npt.ArrayLike) -> Doubles:
         """Tell where each common point is.
@@ -221,13 +252,5 @@ class Intersections(Table[Intersection]):
             )
         return places
 
-    def _columns(self) -> Columns:
-        lines = {name: self._table[name] for name in ("s_lower", "s_upper", "u", "v")}
-        return {**numbered("e", self.edge), **numbered("f", self.face), **lines}
-
     def _row(self, values: Any, index: int) -> Intersection:
-        edge, face, *numbers = values
-        return Intersection(tuple(edge.tolist()), tuple(face.tolist()), *numbers)
-
-    def __repr__(self) -> str:
-        return f"Intersections({len(self)} of edges with triangles)"
+        return intersection_of(values)

@@ -20,6 +20,7 @@ from misuse.public import Argument, Callee
 _MESH = tamis.Mesh(FACES)
 _POSE = np.zeros((2, 3))
 PATH = tamis.BezierPath(np.stack([START, END]))
+_SHAPE = tamis.Shape(_MESH, START)
 _BARRIER_MESH = ipctk.CollisionMesh(START, ipctk.edges(FACES), FACES)
 
 
@@ -33,6 +34,8 @@ def _no_deviation(start: float, end: float, vertices: Any) -> float:
 
 _NAMED: Mapping[str, Any] = {
     "at_start": "report",
+    "bodies": [0, 1],
+    "body": 0,
     "basis": np.ones((18, 2)),
     "body_of_vertex": np.zeros(6, int),
     "chains": [tamis.interpolated(_POSE, _POSE)],
@@ -45,14 +48,22 @@ _NAMED: Mapping[str, Any] = {
     "frames": np.stack([START, END]),
     "keep": 0.1,
     "index": 0,
+    "is_enabled": True,
     "kind": tamis.PairKind.VERTEX_FACE,
+    "may_touch": False,
     "mesh": _MESH,
+    "motion": _POSE,
+    "motions": np.zeros((2, 2, 3)),
     "nthreads": 1,
     "conservative_rescaling": 0.5,
+    "points": START,
     "points_at": _still,
+    "position": np.zeros((2, 3)),
     "positions": START,
     "can_collide": lambda a, b: True,
     "rest": START,
+    "rotation": np.array([[1.0, 0, 0, 0], [0, 1, 0, 0]]),
+    "shape": _SHAPE,
     "rest_end": END,
     "rest_positions": START,
     "start": START,
@@ -96,7 +107,11 @@ def _objects() -> list[Any]:
     report = tamis.audit(np.stack([START, END]), faces=FACES)
     pairs = tamis.narrow_phase(tamis.PairKind.VERTEX_FACE, [3, 0, 1, 2], START, END)
     crossing = START - [0, 0, 1] * (np.arange(6) == 3)[:, np.newaxis] * 2
+    world = tamis.World(threads=1)
+    world.add(_SHAPE)
+    world.add(_SHAPE, tamis.Deforming(START, END))
     return [
+        *(_SHAPE, world, world.contacts(), world.pairs_within(0.5), world.intersections(), tamis.Deforming(START, END)),
         *(_MESH, detector, pairs, PATH, ipctk.Candidates(), _BARRIER_MESH, ipctk.TightInclusionCCD()),
         *(ipctk.AdditiveCCD(), detector.contacts(START, END), detector.pairs_within(START, 1.5)),
         *(detector.intersections(crossing), tamis.CatmullRomPath(np.stack([START, END]))),
@@ -115,6 +130,10 @@ def use(thing: Any) -> None:
     """Ask what keeps its arguments for later, functions above all, something that needs them."""
     if isinstance(thing, tamis.Detector):
         thing.contacts(START, END)
+    elif isinstance(thing, tamis.World):
+        thing.contacts()
+    elif isinstance(thing, tamis.Deforming):
+        tamis.World(threads=1).add(_SHAPE, thing)
     elif isinstance(thing, tamis.FunctionPath):
         tamis.Detector(_MESH, threads=1).contacts(thing)
         thing.points_at(0.5)

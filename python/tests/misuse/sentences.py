@@ -16,6 +16,7 @@ _WORDS = {
     "min_distance": ["minimum separation"],
     "latest": ["latest time of interest"],
     "tmax": ["latest time of interest"],
+    "bodies": ["body -?[0-9]+"],
     "chains": ["chain [0-9]+", "bodies"],
     "control_points": ["frame [0-9]+"],
     "frames": ["frame [0-9]+"],

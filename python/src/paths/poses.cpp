@@ -1,0 +1,65 @@
+// Poses and chains, as many as an array holds.
+#include <string>
+
+#include "python/src/arrays.hpp"
+#include "python/src/bindings.hpp"
+#include "python/src/paths/pose_rows.hpp"
+#include "tamis/error.hpp"
+
+namespace tamis::python {
+namespace {
+
+using Quaternions = nb::ndarray<const double, nb::shape<-1, 4>, nb::c_contig, nb::device::cpu>;
+using Matrices = nb::ndarray<const double, nb::shape<-1, 3, 3>, nb::c_contig, nb::device::cpu>;
+
+/// REQUIRES: as many rotations as positions, which the Python side sees to; so for all below.
+template <class Rotation, class Rotations>
+nb::object poses_of(const Rotations& rotations, const PointRows& positions,
+                    Pose (*pose_of)(const Rotation&, const Point&)) {
+  std::vector<Pose> poses(rotations.shape(0));
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    try {
+      poses[i] = pose_of(row<Rotation>(rotations, i), row<Point>(positions, i));
+    } catch (const InvalidPath& error) {
+      throw InvalidPath("rotation " + std::to_string(i) + ": " + error.what());
+    }
+  }
+  return own<double>(std::move(poses), 6);
+}
+
+/// Chains of one link.
+template <class LinkAt>
+nb::object chains_of(std::size_t count, const LinkAt& chain_at) {
+  std::vector<Link> links(count);
+  for (std::size_t i = 0; i < count; ++i) links[i] = chain_at(i).front();
+  return own<double>(std::move(links), 12);
+}
+
+nb::object each_interpolated(const PoseRows& start, const PoseRows& end) {
+  return chains_of(start.shape(0), [&](std::size_t i) { return interpolated(row<Pose>(start, i), row<Pose>(end, i)); });
+}
+
+nb::object each_turned(const PoseRows& start, const PointRows& turn, const PointRows& end) {
+  return chains_of(start.shape(0),
+                   [&](std::size_t i) { return turned(row<Pose>(start, i), row<Point>(turn, i), row<Point>(end, i)); });
+}
+
+nb::object each_between(const PoseRows& start, const PoseRows& end) {
+  return chains_of(start.shape(0), [&](std::size_t i) { return between(row<Pose>(start, i), row<Pose>(end, i)); });
+}
+
+}  // namespace
+
+void bind_poses(nb::module_& module) {
+  module.def("poses_of", [](const Quaternions& quaternions, const PointRows& positions) {
+    return poses_of(quaternions, positions, &pose_of_quaternion);
+  });
+  module.def("poses_of", [](const Matrices& matrices, const PointRows& positions) {
+    return poses_of(matrices, positions, &pose_of_matrix);
+  });
+  module.def("interpolated", &each_interpolated);
+  module.def("turned", &each_turned);
+  module.def("between", &each_between);
+}
+
+}  // namespace tamis::python

@@ -1,0 +1,149 @@
+// A world of bodies that lets other Python threads run while it works, and stops when Python wants it to.
+#include "tamis/world.hpp"
+
+#include <algorithm>
+#include <type_traits>
+
+#include "python/src/answers.hpp"
+#include "python/src/asker.hpp"
+#include "python/src/bindings.hpp"
+#include "python/src/collected.hpp"
+#include "python/src/paths/pose_rows.hpp"
+#include "python/src/statistics.hpp"
+
+namespace tamis::python {
+namespace {
+
+/// How some bodies move: each stays at a pose, goes by a chain; or one deforms.
+struct AtPoses {
+  PoseRows poses;
+  std::size_t count() const { return poses.shape(0); }
+  BodyMotion operator[](std::size_t i) const { return Static{row<Pose>(poses, i)}; }
+};
+struct ByChains {
+  Chains chains;
+  std::size_t count() const { return chains.shape(0); }
+  BodyMotion operator[](std::size_t i) const {
+    const std::size_t links = chains.shape(1);
+    const auto* first = reinterpret_cast<const Link*>(chains.data()) + i * links;
+    return Rigid{{first, first + links}};
+  }
+};
+struct OneDeforming {
+  PointRows start, end;
+  std::size_t count() const { return 1; }
+  BodyMotion operator[](std::size_t) const { return Deforming{copy_of<Point>(start), copy_of<Point>(end)}; }
+};
+
+class Bodies {
+ public:
+  explicit Bodies(const Asking& asking) : asker_(asking), world_(asker_.with_callbacks(asking.options)) {}
+
+  template <class Motions, class... Arrays>
+  nb::object add(const Shape& shape, const Arrays&... arrays) {
+    const Motions motions{arrays...};
+    std::vector<BodyId> added(motions.count());
+    asker_.ask([&] {
+      for (std::size_t i = 0; i < added.size(); ++i) added[i] = world_.add(shape, motions[i]);
+    });
+    return own<BodyId>(std::move(added), 0);
+  }
+
+  /// REQUIRES: as many bodies as motions, which the Python side sees to.
+  template <class Motions, class... Arrays>
+  void move(const Indices& bodies, const Arrays&... arrays) {
+    const Motions motions{arrays...};
+    asker_.ask([&] {
+      for (std::size_t i = 0; i < motions.count(); ++i) world_.move(bodies.data()[i], motions[i]);
+    });
+  }
+
+  void remove(const Indices& bodies) {
+    asker_.ask([&] { std::for_each_n(bodies.data(), bodies.shape(0), [&](BodyId body) { world_.remove(body); }); });
+  }
+
+  void set_enabled(const Indices& bodies, bool is_enabled) {
+    asker_.ask([&] {
+      std::for_each_n(bodies.data(), bodies.shape(0), [&](BodyId body) { world_.set_enabled(body, is_enabled); });
+    });
+  }
+
+  void set_may_touch(const IndexRowsIn<2>& pairs, bool may_touch) {
+    asker_.ask([&] {
+      for (std::size_t i = 0; i < pairs.shape(0); ++i)
+        world_.set_may_touch(pairs.data()[2 * i], pairs.data()[2 * i + 1], may_touch);
+    });
+  }
+
+  nb::object contacts(const QueryOptions& q) {
+    return own_bytes(answer([&] { return world_.contacts(q); }));
+  }
+  nb::tuple earliest(const QueryOptions& q) {
+    return earliest_tuple(answer([&] { return world_.earliest(q); }));
+  }
+  bool is_free(const QueryOptions& q) {
+    return answer([&] { return world_.is_free(q); });
+  }
+  nb::object pairs_within(double distance) {
+    return own_bytes(answer([&] { return world_.pairs_within(distance); }));
+  }
+  nb::object intersections() {
+    return own_bytes(answer([&] { return world_.intersections(); }));
+  }
+  nb::tuple safe_step(double keep, const QueryOptions& q) {
+    return step_tuple(answer([&] { return world_.safe_step(keep, q); }));
+  }
+
+  nb::dict statistics() {
+    const Turn turn = asker_.turn();
+    return as_dict(world_.statistics());
+  }
+
+  int traverse(visitproc visit, void* arg) const { return asker_.traverse(visit, arg); }
+  void clear() { asker_.clear(); }
+
+ private:
+  template <class Question>
+  std::invoke_result_t<Question> answer(const Question& question) {
+    std::invoke_result_t<Question> found{};
+    asker_.ask([&] { found = question(); });
+    return found;
+  }
+
+  Asker asker_;
+  World world_;
+};
+
+void make_shape(Shape* shape, const Mesh& mesh, const PointRows& points) {
+  const nb::gil_scoped_release unlocked;
+  new (shape) Shape(mesh, copy_of<Point>(points));
+}
+
+}  // namespace
+
+void bind_world(nb::module_& module) {
+  nb::class_<Shape>(module, "Shape")
+      .def("__init__", &make_shape)
+      .def("points", [](const Shape& shape) { return own<double>(std::vector<Point>(shape.points()), 3); })
+      .def("memory_bytes", &Shape::memory_bytes);
+  nb::class_<Bodies>(module, "World", nb::type_slots(collected<Bodies>), nb::is_weak_referenceable())
+      .def(nb::init<const Asking&>())
+      .def("add", &Bodies::add<AtPoses, PoseRows>)
+      .def("add", &Bodies::add<ByChains, Chains>)
+      .def("add", &Bodies::add<OneDeforming, PointRows, PointRows>)
+      .def("move", &Bodies::move<AtPoses, PoseRows>)
+      .def("move", &Bodies::move<ByChains, Chains>)
+      .def("move", &Bodies::move<OneDeforming, PointRows, PointRows>)
+      .def("remove", &Bodies::remove)
+      .def("set_enabled", &Bodies::set_enabled)
+      .def("set_may_touch", &Bodies::set_may_touch)
+      .def("contacts", &Bodies::contacts)
+      .def("earliest", &Bodies::earliest)
+      .def("is_free", &Bodies::is_free)
+      .def("pairs_within", &Bodies::pairs_within)
+      .def("intersections", &Bodies::intersections)
+      .def("safe_step", &Bodies::safe_step)
+      .def("statistics", &Bodies::statistics);
+}
+
+}  // namespace tamis::python

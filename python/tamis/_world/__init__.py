@@ -1,0 +1,1 @@
+"""Worlds of bodies, each with its own mesh and motion."""

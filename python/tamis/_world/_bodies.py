@@ -1,0 +1,128 @@
+"""What a body is made of: a shape, and how it moves."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from tamis import _core
+from tamis._arrays import Doubles, Indices, finite, indices, numbers, rows, shape_text
+from tamis._checks import instance
+from tamis._errors import InvalidMesh, InvalidOptions, InvalidPath
+from tamis._mesh import Mesh
+
+AT_REST = np.zeros((2, 3))
+_MOTION = "give a pose (2, 3), a chain (links, 4, 3) as tamis.between makes one, or a tamis.Deforming"
+_MOTIONS = "give poses (n, 2, 3), as tamis.pose_of makes them, or chains (n, links, 4, 3), as tamis.between does"
+
+
+class Shape:
+    """A mesh with its points at rest, in the body's own frame, and the hierarchy over them.
+
+    Made once, then shared by any number of bodies.
+
+    Parameters
+    ----------
+    mesh : Mesh
+        Its topology.
+    points : array_like, shape (n, 3)
+        Where each vertex is. They are copied.
+
+    Raises
+    ------
+    InvalidMesh
+        Points that do not fit the mesh, or are not finite.
+    """
+
+    __slots__ = ("_mesh", "_shape")
+
+    def __init__(self, mesh: Mesh, points: npt.ArrayLike) -> None:
+        self._mesh = instance(mesh, Mesh, "mesh", "a tamis.Mesh, as of tamis.Mesh(faces)", InvalidMesh)
+        self._shape = _core.Shape(self._mesh._mesh, np.ascontiguousarray(rows(points, "points", InvalidMesh)))
+
+    @property
+    def mesh(self) -> Mesh:
+        """Its topology."""
+        return self._mesh
+
+    @property
+    def points(self) -> Doubles:
+        """A copy of the points at rest, shape (n, 3)."""
+        return self._shape.points()
+
+    @property
+    def memory_bytes(self) -> int:
+        """Held beside mesh and points."""
+        return self._shape.memory_bytes()
+
+    def __repr__(self) -> str:
+        return f"Shape({self._mesh!r})"
+
+    def __reduce__(self) -> tuple[type[Shape], tuple[Mesh, Doubles]]:
+        return Shape, (self._mesh, self.points)
+
+
+class Deforming:
+    """The motion of a body that deforms: each vertex goes straight, in the frame of the world. It may touch itself.
+
+    Parameters
+    ----------
+    start, end : array_like, shape (n, 3)
+        Where each vertex is at t=0 and at t=1. What cannot be read where it lies is copied.
+
+    Raises
+    ------
+    InvalidStep
+        No rows of three numbers.
+    """
+
+    __slots__ = ("_end", "_start")
+
+    def __init__(self, start: npt.ArrayLike, end: npt.ArrayLike) -> None:
+        self._start = np.ascontiguousarray(rows(start, "start"))
+        self._end = np.ascontiguousarray(rows(end, "end"))
+
+    @property
+    def start(self) -> Doubles:
+        """Where each vertex is at t=0, shape (n, 3)."""
+        return self._start
+
+    @property
+    def end(self) -> Doubles:
+        """Where each vertex is at t=1, shape (n, 3)."""
+        return self._end
+
+    def __repr__(self) -> str:
+        return f"Deforming({len(self._start)} vertices)"
+
+
+def known_shape(given: Shape) -> Shape:
+    """Return what is a shape."""
+    return instance(given, Shape, "shape", "a tamis.Shape, as of tamis.Shape(mesh, points)")
+
+
+def numbers_of(given: npt.ArrayLike) -> Indices:
+    """Return the numbers of one body or of many, (n,)."""
+    return indices(np.atleast_1d(numbers(given, "bodies", InvalidOptions)), 0, "bodies", InvalidOptions)
+
+
+def motion_of(given: npt.ArrayLike | Deforming) -> tuple[Doubles, ...]:
+    """Return what the compiled part takes for one body."""
+    if isinstance(given, Deforming):
+        return given.start, given.end
+    motion = numbers(given, "motion", InvalidPath)
+    return (_poses_or_chains(motion[np.newaxis], motion, "motion", _MOTION),)
+
+
+def motions_of(given: npt.ArrayLike) -> Doubles:
+    """Return poses (n, 2, 3) or chains (n, links, 4, 3) of n bodies."""
+    motions = numbers(given, "motions", InvalidPath)
+    return _poses_or_chains(motions, motions, "motions", _MOTIONS)
+
+
+def _poses_or_chains(array: npt.NDArray[Any], given: npt.NDArray[Any], name: str, advice: str) -> Doubles:
+    if array.shape[1:] != (2, 3) and (array.ndim != 4 or array.shape[2:] != (4, 3)):
+        raise InvalidPath(f"{name} has the shape {shape_text(given)}: {advice}")
+    return finite(np.require(array, np.float64, ["C", "ALIGNED"]), name, InvalidPath)

@@ -1,0 +1,197 @@
+"""What a world of bodies answers: the tables and records of a detector, with the bodies that each row is about."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import numpy as np
+
+from tamis import _core
+from tamis._arrays import Indices
+from tamis._kinds import PairKind
+from tamis._tables._columns import Columns, numbered
+from tamis._tables._contacts import TouchingPairs, contact_of
+from tamis._tables._near import ClosePairs, CrossingPairs, intersection_of, near_pair_of
+from tamis._tables._table import Row, Table
+
+if TYPE_CHECKING:
+    BodyPair = tuple[int, int]
+
+
+class BodyContact(NamedTuple):
+    """A `Contact` between two bodies, or of a deforming one with itself.
+
+    Attributes
+    ----------
+    bodies : tuple of two int
+        Of the first feature and of the second. Of edge-edge the smaller body is the first.
+    kind, vertices, toi_lower, toi_upper, u, v, normal, certified
+        As in `Contact`; vertices are those of the bodies' own meshes.
+    """
+
+    bodies: BodyPair
+    kind: PairKind
+    vertices: tuple[int, int, int, int]
+    toi_lower: float
+    toi_upper: float
+    u: float
+    v: float
+    normal: tuple[float, float, float]
+    certified: bool
+
+
+class BodyNearPair(NamedTuple):
+    """A `NearPair` of two bodies, or of a deforming one.
+
+    Attributes
+    ----------
+    bodies : tuple of two int
+        As in `BodyContact`.
+    kind, vertices, distance, u, v, direction, corners
+        As in `NearPair`; vertices are those of the bodies' own meshes.
+    """
+
+    bodies: BodyPair
+    kind: PairKind
+    vertices: tuple[int, int, int, int]
+    distance: float
+    u: float
+    v: float
+    direction: tuple[float, float, float]
+    corners: int
+
+
+class BodyIntersection(NamedTuple):
+    """An `Intersection` of two bodies, or of a deforming one with itself.
+
+    Attributes
+    ----------
+    bodies : tuple of two int
+        Of the edge and of the face.
+    edge, face, s_lower, s_upper, u, v
+        As in `Intersection`; vertices are those of the bodies' own meshes.
+    """
+
+    bodies: BodyPair
+    edge: tuple[int, int]
+    face: tuple[int, int, int]
+    s_lower: float
+    s_upper: float
+    u: float
+    v: float
+
+
+class EarliestBodyContact(NamedTuple):
+    """How far all bodies may go: as `EarliestContact`.
+
+    Attributes
+    ----------
+    toi_lower, toi_upper : float
+        As in `EarliestContact`.
+    contact : BodyContact or None
+        The contact that bounds the step first; None if the step is free.
+    """
+
+    toi_lower: float
+    toi_upper: float
+    contact: BodyContact | None
+
+
+class BodyLimitingPair(NamedTuple):
+    """The pair of features that ends a step, as `LimitingPair`, and whose they are."""
+
+    bodies: BodyPair
+    kind: PairKind
+    vertices: tuple[int, int, int, int]
+    distance: float
+
+
+class BodyStep(NamedTuple):
+    """How far all bodies may go so that every pair keeps a fraction of its distance: as `SafeStep`.
+
+    Attributes
+    ----------
+    lower, upper : float
+        As in `SafeStep`.
+    pair : BodyLimitingPair or None
+        The pair that ends the step; None if the whole step may go.
+    """
+
+    lower: float
+    upper: float
+    pair: BodyLimitingPair | None
+
+
+def earliest_of(found: _core._Earliest) -> EarliestBodyContact:
+    """Give what the compiled part has found its names."""
+    lower, upper, rows = found
+    contacts = BodyContacts(rows)
+    return EarliestBodyContact(lower, upper, contacts[0] if len(contacts) else None)
+
+
+def body_step_of(found: _core._BodyStep) -> BodyStep:
+    """Give what the compiled part has found its names."""
+    lower, upper, pair = found
+    if pair is None:
+        return BodyStep(lower, upper, None)
+    first, second, (kind, vertices, distance) = pair
+    return BodyStep(lower, upper, BodyLimitingPair((first, second), PairKind(kind), vertices, distance))
+
+
+class OfBodies(Table[Row]):
+    """Rows that are about two bodies each."""
+
+    __slots__ = ()
+
+    @property
+    def bodies(self) -> Indices:
+        """The bodies of the first and of the second feature, shape (n, 2); twice the same where one touches itself."""
+        return self._table["bodies"]
+
+    def _columns(self) -> Columns:
+        return {**numbered("b", self.bodies), **super()._columns()}
+
+
+class BodyContacts(OfBodies[BodyContact], TouchingPairs[BodyContact]):
+    """Contacts of a step, by kind, then bodies and vertices. They own their memory.
+
+    `len()` counts them; an integer index gives a `BodyContact`, anything else that indexes an array `BodyContacts`.
+    The columns of `table` are those of `Contacts`, and bodies.
+    """
+
+    __slots__ = ()
+    _dtype = np.dtype(_core.body_contact_layout())
+
+    def _row(self, values: Any, index: int) -> BodyContact:
+        *contact, bodies = values
+        return BodyContact(tuple(bodies.tolist()), *contact_of(contact))
+
+
+class BodyNearPairs(OfBodies[BodyNearPair], ClosePairs[BodyNearPair]):
+    """Pairs of features that are near each other at the start, by kind, then bodies and vertices.
+
+    `len()` counts them; an integer index gives a `BodyNearPair`, anything else that indexes an array `BodyNearPairs`.
+    The columns of `table` are those of `NearPairs`, and bodies.
+    """
+
+    __slots__ = ()
+    _dtype = np.dtype(_core.body_near_layout())
+
+    def _row(self, values: Any, index: int) -> BodyNearPair:
+        *pair, bodies = values
+        return BodyNearPair(tuple(bodies.tolist()), *near_pair_of(pair))
+
+
+class BodyIntersections(OfBodies[BodyIntersection], CrossingPairs[BodyIntersection]):
+    """Edges that pass through triangles or touch them at the start, by bodies, edge and face.
+
+    `len()` counts them; an integer index gives a `BodyIntersection`, anything else that indexes an array
+    `BodyIntersections`. The columns of `table` are those of `Intersections`, and bodies.
+    """
+
+    __slots__ = ()
+    _dtype = np.dtype(_core.body_intersection_layout())
+
+    def _row(self, values: Any, index: int) -> BodyIntersection:
+        *crossing, bodies = values
+        return BodyIntersection(tuple(bodies.tolist()), *intersection_of(crossing))

@@ -8,8 +8,8 @@
 #include "python/src/pair_results.hpp"
 #include "python/src/pair_rows.hpp"
 #include "python/src/paths/function_path.hpp"
-#include "tamis/rigid_path.hpp"
 #include "python/src/paths/pose_rows.hpp"
+#include "tamis/rigid_path.hpp"
 #include "tamis/spline_path.hpp"
 
 namespace tamis::python {

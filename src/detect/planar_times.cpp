@@ -4,15 +4,13 @@
 
 #include "motion/pair_kinds.hpp"
 #include "narrow/kept_distance.hpp"
+#include "topology/points.hpp"
 
 namespace tamis {
 namespace {
 
 /// The part of the room between them that features have on their side of the planes at least, unless they rest.
 constexpr double kLeastPart = 1.0 / 64;
-
-double dot(const Point& a, const Point& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-Point difference(const Point& a, const Point& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
 
 /// Of the room between the features, the part that is the first one's: the faster has more.
 double first_part(double first_speed, double second_speed) {

@@ -20,9 +20,6 @@
 namespace tamis {
 namespace {
 
-/// A piece is as long as lets vertices deviate by this part of the mean edge: longer ones leave more pairs to be
-/// decided one by one, shorter ones ask the whole mesh more often.
-constexpr double kDeviationInEdges = 0.2;
 constexpr double kShortestPiece = 0x1p-20;
 /// Pairs that are decided together, and between two looks at whether the question is cancelled.
 constexpr std::size_t kBatch = 256;

@@ -12,6 +12,10 @@
 
 namespace tamis {
 
+/// A piece is as long as lets vertices deviate by this part of the mean edge: longer ones leave more pairs to be
+/// decided one by one, shorter ones ask the whole mesh more often.
+inline constexpr double kDeviationInEdges = 0.2;
+
 struct MeshOnPath {
   const Path& path;
   const Separations& separations;

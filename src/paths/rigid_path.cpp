@@ -11,6 +11,7 @@
 #include "paths/fine_point.hpp"
 #include "paths/rigid_transform.hpp"
 #include "tamis/error.hpp"
+#include "topology/points.hpp"
 
 namespace tamis {
 namespace {
@@ -49,8 +50,6 @@ constexpr double kMostRounding = 1e-4;
 constexpr const char* kGiveRotation = ": give a rotation, which rounding may have changed by 1e-4";
 
 using Rows = std::array<Point, 3>;
-
-double dot(const Point& a, const Point& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
 /// How far an entry of R R^T is from the identity's: one that is too far, or that is no number, if there is one.
 double off_from_rotation(const Rows& rows) {

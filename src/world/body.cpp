@@ -171,8 +171,8 @@ PlacedBox CarriedBoxes::placed(const Box& at_rest, const MovingBounds& carried) 
 /// In the frame of the body as it stands at the start of the piece. The inverse is the transpose, but for what the rows
 /// are off by.
 Box CarriedBoxes::seen(const PlacedBox& other, double separation) const {
-  constexpr double kAll = Box::kNone;
-  if (body_.deforming()) return {{-kAll, -kAll, -kAll}, {kAll, kAll, kAll}};
+  constexpr double far = Box::kNone;
+  if (body_.deforming()) return {{-far, -far, -far}, {far, far, far}};
   const auto& [transform, per_size, fixed] = at_from_;
   const auto turned_back = [&transform = transform](const Point& x, std::size_t k) {
     return transform.rows[0][k] * x[0] + transform.rows[1][k] * x[1] + transform.rows[2][k] * x[2];

@@ -70,7 +70,7 @@ struct MovingBounds {
 /// Do they come within `separation` at one time? False only if proven: the gap along one axis is open, or those along
 /// several are at times between them. What is not a number proves nothing.
 inline bool may_meet(const MovingBounds& a, const MovingBounds& b, double separation) {
-  constexpr double kTimeRounding = 0x1p-40;
+  constexpr double kRoundingOfTimes = 0x1p-40;
   double from = 0, to = 1;
   const auto close = [&](double gap0, double gap1) {
     if (gap0 > 0 && gap1 > 0) return false;
@@ -83,7 +83,7 @@ inline bool may_meet(const MovingBounds& a, const MovingBounds& b, double separa
     if (!close(a.start.low[k] - b.start.high[k] - separation, a.end.low[k] - b.end.high[k] - separation)) return false;
     if (!close(b.start.low[k] - a.start.high[k] - separation, b.end.low[k] - a.end.high[k] - separation)) return false;
   }
-  return !(from > to + kTimeRounding);
+  return !(from > to + kRoundingOfTimes);
 }
 
 }  // namespace tamis

@@ -52,7 +52,7 @@ void Gathered::add(BodyId id, const Body& body, std::vector<Index> items) {
     used.insert(used.end(), corners.begin(), corners.end());
   }
   std::ranges::sort(used);
-  used.erase(std::ranges::unique(used).begin(), used.end());
+  used.erase(std::unique(used.begin(), used.end()), used.end());
   const auto first = static_cast<Index>(vertices_.size());
   for (const Index own : used) vertices_.push_back({id, own});
   const auto here = [&](Index own) {

@@ -22,8 +22,6 @@ namespace {
 constexpr double kMoreInEdges = 1;
 /// It is gathered anew once so few of the items that it was made for may touch.
 constexpr std::size_t kShrunk = 4;
-/// Pieces are so short that two bodies deviate by this part of their mean edge, as of one mesh (paths/path_search.cpp).
-constexpr double kDeviationInEdges = 0.2;
 constexpr double kMostPieces = 4096;
 
 Options valid(Options options) {

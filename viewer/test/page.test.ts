@@ -220,6 +220,9 @@ void test("the hash restores time, selection, filter and camera", async () => {
   await page.keyboard.press("Shift+ArrowLeft");
   await page.keyboard.press("1");
   await page.waitForTimeout(400);
+  await page.waitForFunction(
+    () => new URLSearchParams(location.hash.slice(1)).get("t") === String(window.tamis!.session.store.now.time),
+  );
   const hash = await page.evaluate(() => location.hash);
   const sent = await state(page);
   const { page: other } = await openStep(hash);

@@ -6,7 +6,7 @@ namespace tamis {
 namespace {
 
 /// Six axes are looked at if points of a block differ in how far they go by this part of how far apart they are
-/// (docs/performance.md, "On every step").
+/// (docs/history/performance.md, "What chooses").
 constexpr double kPartingWays = 0.5;
 
 /// Of some numbers.

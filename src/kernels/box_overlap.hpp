@@ -162,8 +162,8 @@ class MovingBoxes {
     return sum;
   }
 
-  /// Growth of a box by what it sweeps over, for its size, up to which the cheap test is as sharp (docs/performance.md,
-  /// "On every step").
+  /// Growth of a box by what it sweeps over, for its size, up to which the cheap test is as sharp
+  /// (docs/history/performance.md, "What chooses").
   static constexpr float kShort = 0.3f;
   const float t_limit_;
   float way_[3] = {};  ///< the observer's until t_limit

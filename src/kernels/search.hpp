@@ -1,8 +1,6 @@
 // From a leaf block of one tree down the other tree to pairs of features. Stage by stage over small lists, without
 // branches on what boxes meet, which nothing could predict: leaf blocks, features against leaf blocks, features.
 #pragma once
-#include <utility>
-
 #include "kernels/box_overlap.hpp"
 
 namespace tamis::TAMIS_ISA {
@@ -53,7 +51,7 @@ class BlockSearch {
   static constexpr int kCornersA = kIsSelf || course == Course::along_edge ? 2 : 1, kCornersB = kIsSelf ? 2 : 3;
   static constexpr int kMostLeaves = 32, kAhead = 4;
   /// Rows of a block that are looked at first, and the part of them above which the cheap test leaves too many to be
-  /// asked at all (docs/performance.md, "On every step").
+  /// asked at all (docs/history/performance.md, "What chooses").
   static constexpr int kSample = 16;
   static constexpr double kMostMet = 0.65;
 
@@ -203,22 +201,25 @@ class BlockSearch {
   template <One one>
   unsigned others_that_meet(int row) const {
     const int lane = row % kBlock;
-    const auto [of_one, of_many] = in_order<one>(mine_, theirs_[row / kBlock]);
-    return meet([&one_side = of_one, lane](int k, int) { return FloatLanes(one_side.at[k][lane]); },
-                [&many_side = of_many](int k, int first) { return many_side.lanes(k, first); }) &
+    const auto bounds = of_row<one>(mine_, theirs_[row / kBlock]);
+    return meet([&](int k, int) { return FloatLanes(bounds.one.at[k][lane]); },
+                [&](int k, int first) { return bounds.sixteen.lanes(k, first); }) &
            ~neighbours<one>(row);
   }
 
   template <One one>
   unsigned others_that_meet_at_some_time(int row) const {
-    const auto [of_one, of_many] =
-        in_order<one>(search_.a.levels[0][block_], search_.b.levels[0][leaves_[row / kBlock]]);
-    return boxes_.meet_at_some_time(of_one, row % kBlock, of_many);
+    const auto boxes = of_row<one>(search_.a.levels[0][block_], search_.b.levels[0][leaves_[row / kBlock]]);
+    return boxes_.meet_at_some_time(boxes.one, row % kBlock, boxes.sixteen);
   }
 
-  /// First that of the one.
+  /// What two blocks have, by their parts in a row.
+  template <class T>
+  struct OfRow {
+    const T &one, &sixteen;
+  };
   template <One one, class T>
-  static std::pair<const T&, const T&> in_order(const T& mine, const T& theirs) {
+  static OfRow<T> of_row(const T& mine, const T& theirs) {
     if constexpr (one == One::mine)
       return {mine, theirs};
     else
@@ -239,13 +240,14 @@ class BlockSearch {
   unsigned adjacent(int lane, const CornerBlock& theirs, int first) const {
     using Unsigned = xsimd::batch<std::uint32_t, Arch>;
     constexpr int kCornersOfOne = one == One::mine ? kCornersA : kCornersB;
-    constexpr int kCornersOfMany = one == One::mine ? kCornersB : kCornersA;
-    const auto [of_one, of_many] = in_order<one>(corners_, theirs);
+    constexpr int kCornersOfSixteen = one == One::mine ? kCornersB : kCornersA;
+    const auto corners = of_row<one>(corners_, theirs);
     Unsigned differ(~0u);  // 0 where two vertices are one: cheaper than as many masks
     for (int c = 0; c < kCornersOfOne; ++c)
-      for (int o = 0; o < kCornersOfMany; ++o)
-        differ = xsimd::min(differ, xsimd::bitwise_cast<Unsigned>(IntLanes(of_one.vertex[c][lane]) ^
-                                                                  IntLanes::load_aligned(of_many.vertex[o] + first)));
+      for (int o = 0; o < kCornersOfSixteen; ++o)
+        differ = xsimd::min(differ,
+                            xsimd::bitwise_cast<Unsigned>(IntLanes(corners.one.vertex[c][lane]) ^
+                                                          IntLanes::load_aligned(corners.sixteen.vertex[o] + first)));
     return bits(differ == Unsigned(0u));
   }
 

@@ -26,11 +26,13 @@ from tamis._looking import Page
 from tamis._mesh import Mesh
 from tamis._pair_distance import distance_of, safe_step
 from tamis._pairs import PairResult, Pairs, narrow_phase
+from tamis._paths._function_path import FunctionPath
 from tamis._paths._path import BezierPath, CatmullRomPath, Path
 from tamis._paths._rigid_path import RigidPath, between, interpolated, pose_of, turned
 from tamis._scenes import Scene, scene, scene_names, simulate, simulated_scenes
 from tamis._statistics import Statistics
 from tamis._tables._contacts import Contact, Contacts
+from tamis._tables._near import Intersection, Intersections, NearPair, NearPairs
 from tamis._world._bodies import Deforming, Shape
 from tamis._world._tables import (
     BodyContact,

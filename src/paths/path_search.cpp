@@ -174,7 +174,7 @@ void PathSearch::decide_all(const MeshOnPath& piece, Question question, std::vec
                                (start == 0 || never_apart_.contains({pair.kind, pair.vertices}));
       bool stays = false;
       if (is_together) decision = decide_once_apart_on_path(question_of_pair, piece.time, stays);
-      stays_together[i] = stays;
+      stays_together[i] = static_cast<char>(stays);
       results[i] = result_on_path(question_of_pair, decision);
     });
     for (std::size_t i = 0; i < count; ++i) {

@@ -56,7 +56,7 @@ void take_sooner(EarliestBodyContact& first, const EarliestContact& other,
   BodyContact named = contact();
   if (first.contact && other.toi_lower == first.toi_lower && !is_before(named, *first.contact)) return;
   first.toi_lower = other.toi_lower;
-  first.contact = std::move(named);
+  first.contact = named;
 }
 
 std::array<BodyId, 2> twice(BodyId body) { return {body, body}; }

@@ -1,4 +1,5 @@
 """Small inputs, and for each verb a command line that works on them."""
+import json
 import struct
 
 TRIANGLE = [(0, 0, 0), (1, 0, 0), (0, 1, 0)]
@@ -44,10 +45,18 @@ def cloth(size, height):
     return text + faces
 
 
+def bodies(*frames):
+    """A body that deforms from file to file, and a triangle that turns beside it."""
+    blade = {"points": [[2, 2, 0], [3, 2, 0], [2, 3, 0]], "faces": [[0, 1, 2]]}
+    poses = [{"rotation": [0, 0, 0.5 * i]} for i, _ in enumerate(frames)]
+    return json.dumps({"meshes": {"blade": blade}, "bodies": [{"frames": frames}, {"mesh": "blade", "poses": poses}]})
+
+
 def write_inputs(folder):
     for name, text in {"above.obj": obj(1), "below.obj": obj(-2), "high.obj": obj(3), "fall/1.obj": obj(1),
                        "fall/2.obj": obj(0.5), "asked/vertex-face/1.csv": queries(), "cloth1.obj": cloth(40, 1),
-                       "cloth2.obj": cloth(40, -1)}.items():
+                       "cloth2.obj": cloth(40, -1), "scene.json": bodies("above.obj", "below.obj"),
+                       "large.json": bodies("cloth1.obj", "cloth2.obj")}.items():
         (folder / name).parent.mkdir(parents=True, exist_ok=True)
         (folder / name).write_text(text)
     for name, order in {"ascii": "", "little": "<", "big": ">"}.items():
@@ -60,7 +69,7 @@ def write_inputs(folder):
 
 
 # What stands for a positional of this name; a verb that needs more has a line below.
-POSITIONALS = {"START": ["above.obj"], "END": ["below.obj"], "MESH": ["above.obj"],
+POSITIONALS = {"START": ["above.obj"], "END": ["below.obj"], "MESH": ["above.obj"], "SCENE": ["scene.json"],
                "FRAMES": ["above.obj", "high.obj", "below.obj"], "FILES_OR_FOLDERS": ["asked"]}
 BASELINES = {
     "scene": ["funnel", "--triangles", "600", "--frames", "2", "--out", "frames"],
@@ -69,7 +78,7 @@ BASELINES = {
     "bench": ["above.obj", "below.obj", "--cold", "1", "--warm-up", "0", "--repeat", "1"],
 }
 # What writing takes long enough to be interrupted.
-LARGE = {"START": ["cloth1.obj"], "END": ["cloth2.obj"], "FRAMES": ["cloth1.obj", "cloth2.obj"]}
+LARGE = {"SCENE": ["large.json"], "START": ["cloth1.obj"], "END": ["cloth2.obj"], "FRAMES": ["cloth1.obj", "cloth2.obj"]}
 # How the name of an output must end, where it tells the format.
 SUFFIXES = {"view": ".html"}
 

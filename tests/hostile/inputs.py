@@ -46,16 +46,19 @@ def cloth(size, height):
 
 
 def bodies(*frames):
-    """A body that deforms from file to file, and a triangle that turns beside it."""
-    blade = {"points": [[2, 2, 0], [3, 2, 0], [2, 3, 0]], "faces": [[0, 1, 2]]}
-    poses = [{"rotation": [0, 0, 0.5 * i]} for i, _ in enumerate(frames)]
-    return json.dumps({"meshes": {"blade": blade}, "bodies": [{"frames": frames}, {"mesh": "blade", "poses": poses}]})
+    """A triangle that falls, and what moves from file to file, if any; without files the triangle falls through one."""
+    falling = {"points": [[0.1, 0.1, 0], [0.5, 0.1, 0], [0.1, 0.5, 0.5]], "faces": [[0, 1, 2]]}
+    floor = {"points": TRIANGLE, "faces": [[0, 1, 2]]}
+    poses = [{"position": [0, 0, 1 - 2 * i]} for i in range(2)]
+    other = {"frames": frames} if frames else {"mesh": "floor"}
+    meshes = {"falling": falling} | ({} if frames else {"floor": floor})
+    return json.dumps({"meshes": meshes, "bodies": [other, {"mesh": "falling", "poses": poses}]})
 
 
 def write_inputs(folder):
     for name, text in {"above.obj": obj(1), "below.obj": obj(-2), "high.obj": obj(3), "fall/1.obj": obj(1),
                        "fall/2.obj": obj(0.5), "asked/vertex-face/1.csv": queries(), "cloth1.obj": cloth(40, 1),
-                       "cloth2.obj": cloth(40, -1), "scene.json": bodies("above.obj", "below.obj"),
+                       "cloth2.obj": cloth(40, -1), "scene.json": bodies(),
                        "large.json": bodies("cloth1.obj", "cloth2.obj")}.items():
         (folder / name).parent.mkdir(parents=True, exist_ok=True)
         (folder / name).write_text(text)

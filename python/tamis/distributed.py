@@ -41,6 +41,10 @@ __all__ = ["Balance", "Detector", "Statistics"]
 
 _Result = TypeVar("_Result")
 
+# Communicators of detectors that are gone, freed when the next one is made: not at once, since memory may be collected
+# while mpi4py holds the lock that freeing takes.
+_left: list[MPI.Intracomm] = []
+
 
 def _require_one_mpi() -> None:
     """Handles of one library mean nothing to another."""
@@ -114,8 +118,9 @@ class Detector:
         is_cancelled: Callable[[], bool] | None = None,
     ) -> None:
         self._lock = threading.Lock()
+        _free_left()
         self._comm = instance(comm, MPI.Intracomm, "comm", "a communicator of mpi4py, such as MPI.COMM_WORLD").Dup()
-        weakref.finalize(self, _free, self._comm)
+        weakref.finalize(self, _left.append, self._comm)
         part = self._together(
             lambda: _distributed.Part(
                 indices(vertices, 0, "vertices", InvalidMesh),
@@ -321,9 +326,9 @@ class Detector:
         raise TypeError("a Detector cannot be pickled: every rank makes its own, all together")
 
 
-def _free(comm: MPI.Intracomm) -> None:
-    if not MPI.Is_finalized():
-        comm.Free()
+def _free_left() -> None:
+    while _left:
+        _left.pop().Free()
 
 
 def _outcome_of(work: Callable[[], _Result]) -> tuple[_Result | None, Exception | None]:

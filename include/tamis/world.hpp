@@ -103,6 +103,8 @@ class World {
   /// It may also begin to move in another way. Throws as `add`, and as all that names a body InvalidOptions where the
   /// world has no such body, or has it no more.
   void move(BodyId body, BodyMotion motion);
+  /// As it was told last; valid until the next change of the world.
+  const BodyMotion& motion(BodyId body) const;
   void remove(BodyId body);
   /// A body that is switched off takes no part in any question until it is switched on again; bodies begin switched on.
   void set_enabled(BodyId body, bool is_enabled);

@@ -5,6 +5,7 @@ from __future__ import annotations
 import pickle
 import threading
 import weakref
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
@@ -156,6 +157,31 @@ def test_removed_switched_off_and_kept_apart(cube: tamis.Shape) -> None:
         with pytest.raises(tamis.InvalidOptions, match="body 1"):
             ask(1)
     assert world.add(cube) == 4
+
+
+@pytest.mark.parametrize("bad", [-1, 4, 9])
+def test_one_that_is_not_there_leaves_all_as_they_were(cube: tamis.Shape, bad: int) -> None:
+    """Bug: those before it were removed, switched off or moved, and nobody could tell which."""
+    world = tamis.World()
+    world.add_many(cube, _at((0, 0, 0), (0, 10, 0)))
+    world.add_many(cube, tamis.between(_at((0, 0, 5), (0, 10, 5)), _at((0, 0, 0), (0, 10, 0))))
+    world.remove(world.add(cube))  # 4
+    before = world.contacts()
+    assert {*before.bodies.ravel().tolist()} == {0, 1, 2, 3}
+    changes: list[Callable[[], object]] = [
+        lambda: world.move_many([2, 3, bad], _at((50, 0, 0), (60, 0, 0), (70, 0, 0))),
+        lambda: world.remove([0, bad]),
+        lambda: world.set_enabled([0, 1, bad], False),
+        lambda: world.set_may_touch([[0, 2], [1, bad]], False),
+        lambda: world.set_may_touch([[0, 2], [bad, 1]], False),
+    ]
+    for change in changes:
+        with pytest.raises(tamis.InvalidOptions, match=f"body {bad}"):
+            change()
+        assert world.contacts() == before
+    with pytest.raises(tamis.InvalidOptions, match="bodies holds 0 twice"):
+        world.remove([0, 1, 0])
+    assert world.contacts() == before
 
 
 def test_thousands_in_one_call(cube: tamis.Shape) -> None:

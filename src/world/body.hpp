@@ -20,6 +20,7 @@ class Body {
   void move(BodyMotion motion);
 
   const BodyShape& shape() const { return *shape_; }
+  const BodyMotion& motion() const { return motion_; }
   Way way() const { return way_; }
   /// What turns, or stays: empty of a body that deforms.
   const Chain& chain() const { return chain_; }

@@ -46,6 +46,12 @@ void World::move(BodyId body, BodyMotion motion) {
   now.forget_if_still(moved);
 }
 
+const BodyMotion& World::motion(BodyId body) const {
+  State& now = state();
+  const Turn turn(now.is_asked);
+  return now.body(body).motion();
+}
+
 void World::remove(BodyId body) {
   State& now = state();
   const Turn turn(now.is_asked);

@@ -108,6 +108,15 @@ def numbers_of(given: npt.ArrayLike) -> Indices:
     return indices(np.atleast_1d(numbers(given, "bodies", InvalidOptions)), 0, "bodies", InvalidOptions)
 
 
+def each_once(named: Indices) -> Indices:
+    """Return numbers of bodies of which none is given twice."""
+    ordered = np.sort(named)
+    twice = ordered[1:][ordered[1:] == ordered[:-1]]
+    if len(twice):
+        raise InvalidOptions(f"bodies holds {twice[0]} twice: give each once")
+    return named
+
+
 def motion_of(given: npt.ArrayLike | Deforming) -> tuple[Doubles, ...]:
     """Return what the compiled part takes for one body."""
     if isinstance(given, Deforming):

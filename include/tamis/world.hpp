@@ -3,6 +3,7 @@
 #include <array>
 #include <memory>
 #include <optional>
+#include <span>
 #include <variant>
 #include <vector>
 
@@ -118,6 +119,13 @@ class World {
   /// with AtStart::fail InvalidStep.
   std::vector<BodyContact> contacts(const QueryOptions& = {});
   EarliestBodyContact earliest(const QueryOptions& = {});
+  /// As of a planner, from configuration to configuration: `earliest` for each of many motions of some bodies, while
+  /// all others move as they were told. `motions`: one for each of `bodies`, in their order, then again for the next
+  /// motion. Threads share the motions, each with a copy of the world's bodies; each answer has the bits that it has
+  /// alone. The bodies themselves go on moving as they were told. Throws InvalidOptions: a body that is not there, or
+  /// is named twice, a number of motions that is no multiple; InvalidStep as `add`, naming the motion.
+  std::vector<EarliestBodyContact> earliest_many(std::span<const BodyId> bodies, std::span<const BodyMotion> motions,
+                                                 const QueryOptions& = {});
   bool is_free(const QueryOptions& = {});
 
   /// Where all bodies are at t=0, rounded to doubles: pairs of features within `distance`, in the same order.

@@ -2,14 +2,12 @@
 #include "c/world.hpp"
 
 #include <algorithm>
-#include <span>
 #include <string>
 #include <vector>
 
 #include "c/mesh.hpp"
 #include "c/motions.hpp"
 #include "c/options.hpp"
-#include "c/poses.hpp"
 
 namespace tamis::c {
 namespace {
@@ -18,11 +16,6 @@ const Shape& made(const tamis_shape* shape) {
   if (!required(shape, "shape").shape)
     throw InvalidMesh("the shape could not be made: " + std::string(shape->outcome.message()));
   return *shape->shape;
-}
-
-std::span<const BodyId> bodies_of(const int32_t* bodies, std::size_t count) {
-  check_count(count, "count");
-  return {array(bodies, count, "bodies"), count};
 }
 
 /// Each once, as the second time it may be gone.
@@ -106,7 +99,7 @@ tamis_status tamis_world_add(tamis_world* world, const tamis_shape* shape, const
 tamis_status tamis_world_move(tamis_world* world, const int32_t* bodies, const tamis_motions* motions) {
   return with(world, [&](tamis_world& handle) {
     const tamis_motions given = read_sized(motions, "motions");
-    const auto named = bodies_of(bodies, given.count);
+    const auto named = bodies_of(bodies, given.count, "count");
     refuse_twice(named);
     move(*handle.asked, named, motions_of(given));
   });
@@ -114,7 +107,7 @@ tamis_status tamis_world_move(tamis_world* world, const int32_t* bodies, const t
 
 tamis_status tamis_world_remove(tamis_world* world, const int32_t* bodies, size_t count) {
   return with(world, [&](tamis_world& handle) {
-    const auto named = bodies_of(bodies, count);
+    const auto named = bodies_of(bodies, count, "count");
     refuse_twice(named);
     change(*handle.asked, named, [&](tamis::World& w) {
       for (const tamis::BodyId body : named) w.remove(body);
@@ -124,7 +117,7 @@ tamis_status tamis_world_remove(tamis_world* world, const int32_t* bodies, size_
 
 tamis_status tamis_world_set_enabled(tamis_world* world, const int32_t* bodies, size_t count, int is_enabled) {
   return with(world, [&](tamis_world& handle) {
-    const auto named = bodies_of(bodies, count);
+    const auto named = bodies_of(bodies, count, "count");
     change(*handle.asked, named, [&](tamis::World& w) {
       for (const tamis::BodyId body : named) w.set_enabled(body, is_enabled != 0);
     });
@@ -134,7 +127,7 @@ tamis_status tamis_world_set_enabled(tamis_world* world, const int32_t* bodies, 
 tamis_status tamis_world_set_may_touch(tamis_world* world, const int32_t* bodies, size_t count, int may_touch) {
   return with(world, [&](tamis_world& handle) {
     check_count(count, "count");
-    const auto named = bodies_of(bodies, 2 * count);
+    const auto named = bodies_of(bodies, 2 * count, "count");
     change(*handle.asked, named, [&](tamis::World& w) {
       for (std::size_t i = 0; i < named.size(); i += 2) w.set_may_touch(named[i], named[i + 1], may_touch != 0);
     });

@@ -1,4 +1,6 @@
 // Questions to a world.
+#include "c/motions.hpp"
+#include "c/poses.hpp"
 #include "c/world.hpp"
 
 namespace tamis::c {
@@ -9,6 +11,12 @@ QueryOptions options_of(const tamis_query_options* given) {
   QueryOptions options{separation(asked.min_separation), at_start(asked.at_start)};
   if (asked.tolerance != 0) options.tolerance = asked.tolerance;
   return options;
+}
+
+tamis_earliest earliest_of(const EarliestBodyContact& first) {
+  tamis_earliest answer{first.toi_lower, first.toi_upper, first.contact ? 1 : 0, {}};
+  if (first.contact) answer.contact = contact_of(*first.contact);
+  return answer;
 }
 
 /// Runs `work(handle, world, options)`.
@@ -38,6 +46,20 @@ tamis_status tamis_world_earliest(tamis_world* world, const tamis_query_options*
   return ask(world, options, [&](tamis_world& handle, tamis::World& w, const tamis::QueryOptions& q) {
     const FirstTimes times = first_times(toi_lower, toi_upper, count);
     times.write(handle, w.earliest(q));
+  });
+}
+
+tamis_status tamis_world_earliest_many(tamis_world* world, const int32_t* bodies, size_t body_count,
+                                       const tamis_motions* motions, const tamis_query_options* options,
+                                       tamis_earliest* answers, size_t answer_size) {
+  return ask(world, options, [&](tamis_world&, tamis::World& w, const tamis::QueryOptions& q) {
+    const tamis_motions given = read_sized(motions, "motions");
+    const auto named = bodies_of(bodies, body_count, "body_count");
+    check_size(answer_size, sizeof(int32_t), "answer");
+    check_count(given.count, "count");
+    if (given.count > 0) required(answers, "answers");
+    const auto found = w.earliest_many(named, motions_of(given), q);
+    for (std::size_t i = 0; i < found.size(); ++i) write_element(earliest_of(found[i]), answers, i, answer_size);
   });
 }
 

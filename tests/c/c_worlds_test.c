@@ -260,7 +260,41 @@ static void what_cannot_be_made(void) {
   tamis_world_free(world);
 }
 
+/* Three motions of the blade: down through the plate, up from it, and a turn. The first and the last meet it. */
+static void many_motions(void) {
+  tamis_world* world = blade_over_plate();
+  const tamis_link links[] = {{{{0, 0, 1}, {0, 0, 0}}, {{0, 0, -1}, {0, 0, 0}}},
+                              {{{0, 0, 1}, {0, 0, 0}}, {{0, 0, 3}, {0, 0, 0}}},
+                              turning(0, 1, quarter)};
+  tamis_motions motion = motions(3);
+  tamis_earliest answers[3], shorter[3];
+  const int32_t blade[] = {1, 0}, gone = 5;
+  double lower = 0, upper = 0;
+  size_t count = 0;
+  motion.links = links;
+  motion.links_of_each = 1;
+  EXPECT(tamis_world_earliest_many(world, blade, 1, &motion, NULL, answers, sizeof answers[0]) == TAMIS_OK);
+  EXPECT(answers[0].has_contact == 1 && answers[0].toi_lower <= 0.5 && 0.5 <= answers[0].toi_upper);
+  EXPECT(answers[1].has_contact == 0 && answers[1].toi_lower == 1 && answers[1].toi_upper == 1);
+  EXPECT(answers[2].has_contact == 1 && answers[2].contact.bodies[0] == 1 && answers[2].contact.bodies[1] == 0);
+  EXPECT(tamis_world_earliest(world, NULL, &lower, &upper, &count) == TAMIS_OK && lower == answers[2].toi_lower);
+  memset(shorter, 0, sizeof shorter);
+  EXPECT(tamis_world_earliest_many(world, blade, 1, &motion, NULL, shorter, offsetof(tamis_earliest, contact)) ==
+         TAMIS_OK);
+  EXPECT(((double*)shorter)[0] == answers[0].toi_lower);
+  EXPECT(tamis_world_earliest_many(world, blade, 2, &motion, NULL, answers, sizeof answers[0]) ==
+         TAMIS_INVALID_OPTIONS);
+  EXPECT_SAYS(tamis_world_message(world), "3 motions for 2 bodies");
+  EXPECT(tamis_world_earliest_many(world, &gone, 1, &motion, NULL, answers, sizeof answers[0]) ==
+         TAMIS_INVALID_OPTIONS);
+  EXPECT(tamis_world_earliest_many(world, blade, 1, &motion, NULL, NULL, sizeof answers[0]) == TAMIS_INVALID_ARGUMENT);
+  motion.count = 0;
+  EXPECT(tamis_world_earliest_many(world, blade, 1, &motion, NULL, NULL, sizeof answers[0]) == TAMIS_OK);
+  tamis_world_free(world);
+}
+
 int main(void) {
+  many_motions();
   what_is_answered();
   what_goes_straight_and_what_deforms();
   many_in_one_call();

@@ -86,6 +86,21 @@ TAMIS_API tamis_status tamis_world_contacts(tamis_world* world, const tamis_quer
 /** As tamis_detector_earliest. */
 TAMIS_API tamis_status tamis_world_earliest(tamis_world* world, const tamis_query_options* options, double* toi_lower,
                                             double* toi_upper, size_t* count);
+/** Of one of many motions. */
+typedef struct tamis_earliest {
+  double toi_lower, toi_upper; /**< as of tamis_detector_earliest */
+  int32_t has_contact;         /**< 0: the motion is free, both times are 1 */
+  tamis_contact contact;       /**< the first one */
+} tamis_earliest;
+
+/** As of a planner, from configuration to configuration: the first contact for each of many motions of `body_count`
+ * bodies, each named once, while all others move as they were told. `motions->count` is `body_count` for each motion:
+ * one for each body, in their order, then again for the next. Writes an answer of `answer_size` =
+ * sizeof(tamis_earliest) bytes for each motion. Threads share the motions; each answer has the bits that it has alone.
+ * The bodies themselves go on moving as they were told. */
+TAMIS_API tamis_status tamis_world_earliest_many(tamis_world* world, const int32_t* bodies, size_t body_count,
+                                                 const tamis_motions* motions, const tamis_query_options* options,
+                                                 tamis_earliest* answers, size_t answer_size);
 /** Writes 1 if the motion of all bodies is free of contacts, else 0. */
 TAMIS_API tamis_status tamis_world_is_free(tamis_world* world, const tamis_query_options* options, int* is_free);
 /** As tamis_detector_safe_step. TAMIS_INVALID_OPTIONS: a body that turns comes near another; ask for the earliest. */

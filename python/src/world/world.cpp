@@ -63,6 +63,16 @@ class Bodies {
   nb::tuple earliest(const QueryOptions& q) {
     return earliest_tuple(answer([&] { return world_.earliest(q); }));
   }
+  /// Of chains, one for each of the bodies, then again for the next motion.
+  nb::tuple earliest_many(const Indices& bodies, const Chains& chains, const QueryOptions& q) {
+    const ByChains given{chains};
+    const auto found = answer([&] {
+      std::vector<BodyMotion> motions;
+      for (std::size_t i = 0; i < given.count(); ++i) motions.push_back(given[i]);
+      return world_.earliest_many(of(bodies), motions, q);
+    });
+    return earliest_columns(found);
+  }
   bool is_free(const QueryOptions& q) {
     return answer([&] { return world_.is_free(q); });
   }
@@ -123,6 +133,7 @@ void bind_world(nb::module_& module) {
       .def("set_may_touch", &Bodies::set_may_touch)
       .def("contacts", &Bodies::contacts)
       .def("earliest", &Bodies::earliest)
+      .def("earliest_many", &Bodies::earliest_many)
       .def("is_free", &Bodies::is_free)
       .def("pairs_within", &Bodies::pairs_within)
       .def("intersections", &Bodies::intersections)

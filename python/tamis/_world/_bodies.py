@@ -131,6 +131,19 @@ def motions_of(given: npt.ArrayLike) -> Doubles:
     return _poses_or_chains(motions, motions, "motions", _MOTIONS)
 
 
+def chains_of_each(given: npt.ArrayLike, named: Indices) -> Doubles:
+    """Return chains of all motions of these bodies, one after the other, from (n, bodies, links, 4, 3)."""
+    motions = numbers(given, "motions", InvalidPath)
+    if motions.ndim != 5 or motions.shape[1] != len(named) or motions.shape[3:] != (4, 3):
+        raise InvalidPath(
+            f"motions has the shape {shape_text(motions)}: give (n, {len(named)}, links, 4, 3), for each motion as "
+            "many chains as bodies"
+        )
+    if not len(named):
+        raise InvalidOptions("bodies is empty: name those that move")
+    return motions_of(motions.reshape(-1, *motions.shape[2:]))
+
+
 def _poses_or_chains(array: npt.NDArray[Any], given: npt.NDArray[Any], name: str, advice: str) -> Doubles:
     if array.shape[1:] != (2, 3) and (array.ndim != 4 or array.shape[2:] != (4, 3)):
         raise InvalidPath(f"{name} has the shape {shape_text(given)}: {advice}")

@@ -2,16 +2,21 @@
 
 from __future__ import annotations
 
+import numpy.typing as npt
+
 from tamis import _core
 from tamis._checks import number
 from tamis._options import AtStart, query_options
+from tamis._world._bodies import chains_of_each, each_once, numbers_of
 from tamis._world._tables import (
     BodyContacts,
     BodyIntersections,
     BodyNearPairs,
     BodyStep,
     EarliestBodyContact,
+    EarliestMany,
     body_step_of,
+    earliest_many_of,
     earliest_of,
 )
 
@@ -76,6 +81,47 @@ class Questions:
             The motion is free before its `toi_lower`: proven.
         """
         return earliest_of(self._world.earliest(query_options(min_separation, at_start, tolerance)))
+
+    def earliest_many(
+        self,
+        bodies: npt.ArrayLike,
+        motions: npt.ArrayLike,
+        *,
+        min_separation: float | None = None,
+        at_start: AtStart = "report",
+        tolerance: float | None = None,
+    ) -> EarliestMany:
+        """Find the first contact for each of many motions of some bodies: as of a planner, between configurations.
+
+        All other bodies move as they were told, and so do these afterwards. Threads share the motions; each answer has
+        the bits that it has alone.
+
+        Parameters
+        ----------
+        bodies : array_like of int, shape (b,)
+            Each once.
+        motions : array_like, shape (n, b, links, 4, 3)
+            For each motion a chain for each of the bodies, as of `add`.
+        min_separation, at_start, tolerance
+            As of `contacts`.
+
+        Returns
+        -------
+        EarliestMany
+            Motion i is free before `toi_lower[i]`: proven.
+
+        Raises
+        ------
+        InvalidOptions
+            A body that is not there, or one twice.
+        InvalidPath
+            Motions of another shape, or numbers that are not finite.
+        InvalidStep
+            With at_start="fail".
+        """
+        named = each_once(numbers_of(bodies))
+        asked = query_options(min_separation, at_start, tolerance)
+        return earliest_many_of(self._world.earliest_many(named, chains_of_each(motions, named), asked))
 
     def is_free(
         self,

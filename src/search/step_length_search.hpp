@@ -19,7 +19,7 @@ class StepLengthSearch {
   SafeStep find(const Query& query, double fraction, Statistics& statistics);
   /// As Engine::find_step_ends.
   void find_all(const Query& query, double fraction, std::vector<StepLimit>& ends, Statistics& statistics);
-  std::uint64_t memory_bytes() const { return shared_.memory_bytes() + streams_.memory_bytes(); }
+  std::uint64_t memory_bytes() const { return streams_.memory_bytes(); }
 
  private:
   void begin(StepLengthQuery& asked, Statistics& statistics);

@@ -27,7 +27,7 @@ class StepLengthSearch {
   /// As Engine::find_step_ends.
   void find_all(const Query& query, double fraction, std::vector<StepLimit>& ends, Statistics& statistics);
   std::uint64_t memory_bytes() const {
-    return shared_.memory_bytes() + of_start_.memory_bytes() + streams_.memory_bytes() + candidates_.memory_bytes();
+    return of_start_.memory_bytes() + streams_.memory_bytes() + candidates_.memory_bytes();
   }
 
  private:

@@ -94,6 +94,13 @@ Body& World::State::body(BodyId id) {
   return *bodies[at(id)];
 }
 
+void World::State::move(BodyId id, BodyMotion motion) {
+  Body& moved = body(id);
+  forget_if_still(moved);
+  moved.move(std::move(motion));
+  forget_if_still(moved);
+}
+
 void World::State::forget(const Body& changed) {
   must_gather_ = true;
   forget_if_still(changed);
@@ -106,7 +113,6 @@ double World::State::Reach::of(const Body& a, const Body& b) const {
 }
 
 void World::State::begin() {
-  statistics = {};
   for (Part* part : {&straight_, &turning_, &at_rest_}) {
     if (must_gather_) part->gathered = nullptr;
     part->pairs.clear();
@@ -202,6 +208,10 @@ void World::State::refuse_touching_start(const Pair& pair) const {
                     "set_may_touch, or ask with at_start ignore");
 }
 
+void World::State::check_start(const EarliestBodyContact& first, const QueryOptions& asked) const {
+  if (asked.at_start == AtStart::fail && first.contact && first.toi_lower == 0) refuse_touching_start(*first.contact);
+}
+
 std::vector<BodyContact> World::State::contacts(const QueryOptions& asked) {
   validate_of_path(asked);
   std::vector<BodyContact> all;
@@ -270,7 +280,7 @@ EarliestBodyContact World::State::earliest(const QueryOptions& asked) {
     take(turning_, first_of(DetectorMaker::ask(turning_.gathered->detector(), path, of_curves(asked),
                                                Question::earliest, std::span(times_).subspan(1))));
   }
-  if (asked.at_start == AtStart::fail && first.contact && first.toi_lower == 0) refuse_touching_start(*first.contact);
+  check_start(first, asked);
   return first;
 }
 

@@ -70,6 +70,8 @@ TEST(World, DoesWithoutBodiesThatAreRemovedOrSwitchedOff) {
   world.world.remove(first);
   EXPECT_EQ(touched(), (std::set<BodyId>{0, second}));
   EXPECT_EQ(world.add(cube(), falling(9)), second + 1);
+  EXPECT_TRUE(std::holds_alternative<Static>(world.world.motion(0)));
+  EXPECT_TRUE(std::holds_alternative<Rigid>(world.world.motion(second + 1)));
   world.world.set_enabled(0, false);
   EXPECT_TRUE(touched().empty());
 }

@@ -1,5 +1,7 @@
 #include "world/random_world.hpp"
 
+#include <algorithm>
+
 namespace tamis::test {
 namespace {
 

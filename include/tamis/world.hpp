@@ -123,8 +123,8 @@ class World {
   /// Edges that pass through triangles there, by bodies, edge and face.
   std::vector<BodyIntersection> intersections();
 
-  /// How far all may go, as Detector::safe_step. Throws InvalidOptions where a body that turns comes near another:
-  /// ask `earliest`.
+  /// How far all may go, as Detector::safe_step. Where one of two bodies turns, QueryOptions::tolerance counts, and a
+  /// pair that starts nearer to its separation than doubles can tell ends the step at once.
   BodyStep safe_step(double keep = 0.1, const QueryOptions& = {});
 
   /// Of the last question: sums over the detectors that it asked; `memory_bytes` without shapes. Throws Busy during

@@ -19,7 +19,7 @@ namespace tamis {
 namespace {
 
 /// What is gathered is more than what may touch now, by so many mean edges: it serves the steps that follow.
-constexpr double kMoreInEdges = 1;
+constexpr double kMoreInEdges = 0.5;
 /// It is gathered anew once so few of the items that it was made for may touch.
 constexpr std::size_t kShrunk = 4;
 constexpr double kMostPieces = 4096;
@@ -31,21 +31,22 @@ Options valid(Options options) {
         "the options of a world have groups or a function that accepts pairs, which speak of one "
         "mesh: say which bodies may touch by set_may_touch");
   if (!options.radii.empty())
-    throw InvalidOptions("the options of a world have a radii, which is one a group of one mesh: give min_separation");
+    throw InvalidOptions("the options of a world have radii, which are one a group of one mesh: give min_separation");
   validate(options, Mesh(1, {}, {}, {0}));
   return options;
 }
 
-/// Body, then own vertex, of all four.
+/// By kind, then body and own vertex of all four.
 template <class Pair>
-auto order_of(const Pair& pair) {
-  const std::size_t second = second_feature(pair.kind);
-  std::array<std::array<Index, 2>, 4> order{};
-  for (std::size_t i = 0; i < 4; ++i) order[i] = {pair.bodies[i < second ? 0 : 1], pair.vertices[i]};
-  return std::tuple(pair.kind, order);
-}
-bool is_before(const BodyContact& a, const BodyContact& b) {
-  return std::tuple(order_of(a), a.toi_lower, a.toi_upper) < std::tuple(order_of(b), b.toi_lower, b.toi_upper);
+bool is_before(const Pair& a, const Pair& b) {
+  if (a.kind != b.kind) return a.kind < b.kind;
+  const std::size_t second = second_feature(a.kind);
+  for (std::size_t i = 0; i < 4; ++i) {
+    const std::size_t body = i < second ? 0 : 1;
+    if (a.bodies[body] != b.bodies[body]) return a.bodies[body] < b.bodies[body];
+    if (a.vertices[i] != b.vertices[i]) return a.vertices[i] < b.vertices[i];
+  }
+  return false;
 }
 
 /// Takes what comes sooner.
@@ -226,7 +227,7 @@ std::vector<BodyContact> World::State::contacts(const QueryOptions& asked) {
     add(turning_, DetectorMaker::ask(turning_.gathered->detector(), path, of_curves(asked), Question::all_contacts,
                                      std::span(times_).subspan(1)));
   }
-  std::ranges::sort(all, is_before);
+  std::ranges::sort(all, is_before<BodyContact>);
   if (asked.at_start == AtStart::fail)
     for (const BodyContact& c : all)
       if (c.toi_lower == 0) refuse_touching_start(c);
@@ -316,7 +317,7 @@ std::vector<BodyNearPair> World::State::pairs_within(double distance) {
     }
     add_statistics(gathered.detector().statistics());
   }
-  std::ranges::sort(all, [](const auto& a, const auto& b) { return order_of(a) < order_of(b); });
+  std::ranges::sort(all, is_before<BodyNearPair>);
   return all;
 }
 
@@ -344,28 +345,31 @@ BodyStep World::State::safe_step(double fraction, const QueryOptions& asked) {
   validate_kept(fraction);
   validate_of_path(asked);
   gather_moving({separation(asked), fraction / (1 - fraction)});
-  if (turning_.is_asked())
-    throw InvalidOptions("one of the bodies " + std::to_string(turning_.pairs[0][0]) + " and " +
-                         std::to_string(turning_.pairs[0][1]) +
-                         " turns, and how far curves may go is not known: ask `earliest`");
   BodyStep first;
   const auto add = [&](const SafeStep& step, const auto& name) {
     first.upper = std::min(first.upper, step.upper);
     if (!step.pair || step.lower > first.lower) return;
     BodyStep::Pair named{*step.pair, {}};
     named.bodies = name(named);
-    if (first.pair && step.lower == first.lower && !(order_of(named) < order_of(*first.pair))) return;
+    if (first.pair && step.lower == first.lower && !is_before(named, *first.pair)) return;
     first.lower = step.lower;
     first.pair = named;
   };
   for_each_by_itself([&](BodyId id, Body& body) {
     add(body.itself->safe_step(body.step(), fraction, of_steps(asked)), [&](auto&) { return twice(id); });
   });
+  const auto add_gathered = [&](Gathered& gathered, const SafeStep& step) {
+    add(step, [&](auto& pair) { return gathered.name(pair.kind, pair.vertices); });
+    add_statistics(gathered.detector().statistics());
+  };
   if (straight_.is_asked()) {
     Gathered& gathered = *straight_.gathered;
-    add(gathered.detector().safe_step(gathered.step(bodies), fraction, of_steps(asked)),
-        [&](auto& pair) { return gathered.name(pair.kind, pair.vertices); });
-    add_statistics(gathered.detector().statistics());
+    add_gathered(gathered, gathered.detector().safe_step(gathered.step(bodies), fraction, of_steps(asked)));
+  }
+  if (turning_.is_asked()) {
+    Gathered& gathered = *turning_.gathered;
+    add_gathered(gathered, DetectorMaker::safe_step(gathered.detector(), gathered.path(bodies), fraction,
+                                                    of_curves(asked), std::span(times_).subspan(1)));
   }
   if (asked.at_start == AtStart::fail && first.pair && first.lower == 0) refuse_touching_start(*first.pair);
   return first;

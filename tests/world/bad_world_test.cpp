@@ -122,9 +122,7 @@ TEST(BadWorld, FailsForWhatTouchesAtTheStart) {
   expect_refused<InvalidStep>([&] { world.contacts(fail); }, sentence);
   expect_refused<InvalidStep>([&] { world.is_free(fail); }, sentence);
   EXPECT_TRUE(world.is_free({.min_separation = 0.05, .at_start = AtStart::fail}));
-  expect_refused<InvalidOptions>(
-      [&] { world.safe_step(); },
-      "one of the bodies 0 and 1 turns, and how far curves may go is not known: ask `earliest`");
+  expect_refused<InvalidStep>([&] { world.safe_step(0.1, fail); }, sentence);
 }
 
 TEST(BadWorld, RefusesOneThatHasBeenMovedFrom) {

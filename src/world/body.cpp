@@ -87,7 +87,7 @@ void Body::move(BodyMotion motion) {
     way_ = Way::straight;
   } else {
     start_boxes_ = end_boxes_ = {};
-    itself.reset();
+    itself_.reset();
     const ChainBounds bounds(chain_);
     innermost_ = bounds.of(0, 0);
     outermost_ = bounds.of(shape_->radius, 0);
@@ -98,6 +98,20 @@ void Body::move(BodyMotion motion) {
   const int root = shape_->boxes.root_level();
   start_hull_ = CarriedBoxes(*this, 0, 0).of_block(root, 0).hull();
   hull_ = way_ == Way::still ? start_hull_ : CarriedBoxes(*this, 0, 1).of_block(root, 0).hull();
+}
+
+void Body::set_radius(double radius) {
+  radius_ = radius;
+  itself_.reset();
+}
+
+Detector& Body::itself(const Options& options) {
+  if (!itself_) {
+    Options own = options;
+    own.radii = {radius_};
+    itself_.emplace(shape_->mesh, std::move(own));
+  }
+  return *itself_;
 }
 
 Point Body::start_of(Index vertex) const {
@@ -111,7 +125,7 @@ Point Body::end_of(Index vertex) const {
 std::uint64_t Body::memory_bytes() const {
   std::uint64_t bytes = sizeof(*this) + start_boxes_.memory_bytes() + end_boxes_.memory_bytes();
   if (const Deforming* soft = deforming()) bytes += (soft->start.capacity() + soft->end.capacity()) * sizeof(Point);
-  if (itself) bytes += itself->statistics().memory_bytes;
+  if (itself_) bytes += itself_->statistics().memory_bytes;
   return bytes;
 }
 

@@ -46,11 +46,14 @@ class Body {
   const Box& hull() const { return hull_; }
   /// |x''| of its vertices is at most this.
   double acceleration() const { return outermost_.acceleration; }
+  double radius() const { return radius_; }
+  void set_radius(double radius);
+  /// Of a body that deforms, by itself. `options`: those of the world.
+  Detector& itself(const Options& options);
   std::uint64_t memory_bytes() const;
 
   bool is_enabled = true;
   bool may_touch_itself = true;
-  std::optional<Detector> itself;  ///< of a deforming body: made by the first question
 
  private:
   friend class CarriedBoxes;
@@ -60,6 +63,8 @@ class Body {
   std::shared_ptr<const BodyShape> shape_;
   BodyMotion motion_;
   Way way_ = Way::still;
+  double radius_ = 0;
+  std::optional<Detector> itself_;  ///< made by the first question
   Chain chain_;
   PlacedBody at_start_, at_end_;
   Curvature innermost_, outermost_;    ///< at the origin of its frame, and as far from it as vertices are

@@ -94,6 +94,30 @@ TEST(World, AgreesWithinASeparation) {
   }
 }
 
+/// The random worlds again, of bodies that are thick, some more than others.
+TEST(World, AgreesWithRadii) {
+  std::size_t contacts = 0, near = 0;
+  for (std::uint64_t seed = 200; seed < 212; ++seed) {
+    SCOPED_TRACE(seed);
+    TestWorld world = random_world(seed, 2.5, seed % 2 ? Motions::any : Motions::straight);
+    expect_same_contacts(world);  // what is gathered here knows of no radii
+    Random random(seed);
+    for (BodyId id = 0; place(id) < world.bodies.size(); ++id) world.set_radius(id, 0.03 * random.below(3));
+    contacts += expect_same_contacts(world, {.min_separation = 0.01});
+    expect_same_first(world);
+    OneMesh mesh(world);
+    const std::vector<NearPair>& expected = mesh.detector.pairs_within(mesh.start, 0.02);
+    const std::vector<BodyNearPair> found = world.world.pairs_within(0.02);
+    ASSERT_EQ(found.size(), expected.size());
+    for (std::size_t i = 0; i < found.size(); ++i) EXPECT_EQ(named(found[i]), named(expected[i], mesh));
+    near += found.size();
+    if (seed % 2) continue;
+    EXPECT_EQ(world.world.safe_step(0.3).lower, mesh.detector.safe_step(mesh.step(), 0.3).lower);
+  }
+  EXPECT_GT(contacts, 500u);
+  EXPECT_GT(near, 200u);
+}
+
 /// What is kept from one question to the next changes nothing.
 TEST(World, AgreesStepAfterStep) {
   TestWorld world = random_world(7, 1.5, Motions::any);

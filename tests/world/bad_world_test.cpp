@@ -31,6 +31,7 @@ TEST(BadWorld, NamesBodiesThatThereAreNot) {
   expect_refused<InvalidOptions>([&] { world.remove(gone); }, removed);
   expect_refused<InvalidOptions>([&] { world.move(gone, Static{}); }, removed);
   expect_refused<InvalidOptions>([&] { world.set_enabled(gone, true); }, removed);
+  expect_refused<InvalidOptions>([&] { world.set_radius(gone, 1); }, removed);
   const BodyId there = world.add(triangle(), Static{});
   EXPECT_NE(there, gone);
   expect_refused<InvalidOptions>([&] { world.set_may_touch(there, gone, false); }, removed);
@@ -88,7 +89,15 @@ TEST(BadWorld, RefusesOptionsOfOneMesh) {
   Options negative;
   negative.threads = -1;
   EXPECT_THROW(World{negative}, InvalidOptions);
+  Options thick;
+  thick.radii = {0.1};
+  expect_refused<InvalidOptions>([&] { World world(thick); },
+                                 "the options of a world have radii, which are one a group of one mesh: give each body "
+                                 "its own by set_radius");
   World world;
+  const BodyId body = world.add(triangle(), Static{});
+  EXPECT_THROW(world.set_radius(body, -1), InvalidOptions);
+  EXPECT_THROW(world.set_radius(body, kNan), InvalidOptions);
   EXPECT_THROW(world.contacts({.min_separation = -1}), InvalidOptions);
   EXPECT_THROW(world.earliest({.tolerance = 0}), InvalidOptions);
   EXPECT_THROW(world.pairs_within(kNan), InvalidOptions);

@@ -37,6 +37,9 @@ pub struct Triangles {
     faces: Vec<[u32; 3]>,
 }
 
+/// Of the poses of a flight.
+type Judge = Box<dyn Fn(&[Pose]) -> bool>;
+
 pub struct Throw {
     fixed: Triangles,
     half_extents: Vector,
@@ -48,7 +51,7 @@ pub struct Throw {
     /// It can but turn about z.
     on_axle: bool,
     /// Has the body been where it can only be if it passed through?
-    is_through: Box<dyn Fn(&[Pose]) -> bool>,
+    is_through: Judge,
 }
 
 pub struct Flight {

@@ -33,13 +33,13 @@ void print_between(PairKind kind, const std::array<Index, 4>& v, const std::arra
   fmt::print("between         {}{} and {}{}", first, of(bodies[0]), second, of(bodies[1]));
 }
 
-void print_limit(const SafeStep& safe, double fraction, const std::string& distance) {
+void print_limit(const SafeStep& safe, double keep, const std::string& distance) {
   if (safe.lower == 0)
     fmt::print("step            0: a pair touches at the start\n");
-  else if (fraction == 0)
+  else if (keep == 0)
     fmt::print("step            {}; no pair touches before it, proven\n", safe.lower);
   else
-    fmt::print("step            {}; on it every pair keeps {} of its {}, proven\n", safe.lower, fraction, distance);
+    fmt::print("step            {}; on it every pair keeps {} of its {}, proven\n", safe.lower, keep, distance);
   if (safe.lower > 0 && safe.upper < 1)
     fmt::print("largest         not above {}, proven: {:.1e} more\n", safe.upper, safe.upper - safe.lower);
 }
@@ -86,20 +86,20 @@ void add_earliest(Json& json, const EarliestContact& first) {
   json["contact"] = first.contact ? json_of(*first.contact) : Json();
 }
 
-void print_safe_step(const SafeStep& safe, double fraction, double min_separation) {
+void print_safe_step(const SafeStep& safe, double keep, double min_separation) {
   const std::string distance =
       min_separation > 0 ? fmt::format("distance beyond {}", min_separation) : std::string("distance");
   if (!safe.pair) {
     fmt::print("step            1: the whole step may go, proven\n");
     return;
   }
-  print_limit(safe, fraction, distance);
+  print_limit(safe, keep, distance);
   print_between(safe.pair->kind, safe.pair->vertices);
   fmt::print(", {:.6g} apart at the start\n", safe.pair->distance);
 }
 
-void add_safe_step(Json& json, const SafeStep& safe, double fraction) {
-  json["keep"] = fraction;
+void add_safe_step(Json& json, const SafeStep& safe, double keep) {
+  json["keep"] = keep;
   json["step_lower"] = safe.lower;
   json["step_upper"] = safe.upper;
   json["pair"] = safe.pair ? json_of(*safe.pair) : Json();

@@ -17,9 +17,9 @@ void print_contact(const Contact& contact, const std::array<std::string, 2>& bod
 void print_earliest(const EarliestContact& first);
 void add_earliest(Json& json, const EarliestContact& first);
 
-/// `fraction`: of the distance beyond `min_separation` that was to be kept.
-void print_safe_step(const SafeStep& safe, double fraction, double min_separation);
-void add_safe_step(Json& json, const SafeStep& safe, double fraction);
+/// `keep`: of the distance beyond `min_separation` that was to be kept.
+void print_safe_step(const SafeStep& safe, double keep, double min_separation);
+void add_safe_step(Json& json, const SafeStep& safe, double keep);
 
 /// `during`: "the step".
 void print_free(bool is_free, const std::string& during);

@@ -95,7 +95,7 @@ void ScaleArgument::declare(OptionList& options) {
 
 void KeepArgument::declare(OptionList& options) {
   options.add_number(
-      "--keep", "F", fraction_, {.least = 0, .most = 1, .takes_most = false},
+      "--keep", "F", keep_, {.least = 0, .most = 1, .takes_most = false},
       "every pair keeps at least F times its distance at START, with a minimum separation of what exceeds "
       "that; 0: only contacts count; default 0.1");
 }

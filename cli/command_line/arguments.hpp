@@ -69,10 +69,10 @@ class ScaleArgument {
 class KeepArgument {
  public:
   void declare(OptionList& options);
-  double fraction() const { return fraction_; }
+  double part() const { return keep_; }
 
  private:
-  double fraction_ = 0.1;
+  double keep_ = 0.1;
 };
 
 void declare_json(OptionList& options, bool& json);

@@ -33,7 +33,7 @@ class SafeStepLength final : public StepVerb {
     if (!start_.passes(detector, step.start)) return start_.refuse(detector, json_, Json::object());
     SafeStep safe;
     const Timing timing =
-        ask_repeatedly(detector, repeat_, [&] { safe = detector.safe_step(step, keep_.fraction(), own()); });
+        ask_repeatedly(detector, repeat_, [&] { safe = detector.safe_step(step, keep_.part(), own()); });
     report(safe, detector, timing);
     return kSuccess;
   }
@@ -42,13 +42,13 @@ class SafeStepLength final : public StepVerb {
   void report(const SafeStep& safe, const Detector& detector, const Timing& timing) const {
     if (json_) {
       Json json;
-      add_safe_step(json, safe, keep_.fraction());
+      add_safe_step(json, safe, keep_.part());
       start_.add_to(json);
       add_costs(json, detector, timing);
       return print_json(json);
     }
     print_mesh(detector.mesh());
-    print_safe_step(safe, keep_.fraction(), detector.options().min_separation);
+    print_safe_step(safe, keep_.part(), detector.options().min_separation);
     if (!safe.pair) start_.print();
     print_costs(detector.statistics(), timing, repeat_);
   }

@@ -44,7 +44,7 @@ class Truncate final : public StepVerb {
     StepVerb::declare(options);
     declare_output(options, out_, "write the positions, as PLY");
     options.add_number(
-        "--keep", "F", fraction_, {.least = 1e-6, .most = 1, .takes_most = false},
+        "--keep", "F", keep_, {.least = 1e-6, .most = 1, .takes_most = false},
         "every pair keeps at least F of its distance at START, with a minimum separation of what exceeds that; "
         "default 0.1");
   }
@@ -55,7 +55,7 @@ class Truncate final : public StepVerb {
     Detector detector = detector_for(std::move(files.mesh));
     const Step step = files.step();
     TruncatedStep to;
-    const Timing timing = ask_repeatedly(detector, repeat_, [&] { to = detector.truncate(step, fraction_, own()); });
+    const Timing timing = ask_repeatedly(detector, repeat_, [&] { to = detector.truncate(step, keep_, own()); });
     if (!out_.empty()) io::write_ply(out_, file_of(detector.mesh(), to.positions));
     report(to, part_of_way(step, to.positions), detector, timing);
     return to.is_free ? kSuccess : kNo;
@@ -77,7 +77,7 @@ class Truncate final : public StepVerb {
   }
 
   std::string out_;
-  double fraction_ = 0.1;
+  double keep_ = 0.1;
 };
 
 }  // namespace

@@ -6,7 +6,7 @@
 
 namespace tamis {
 
-/// Connected components, as groups for PairFilter::group_of_vertex or for a radii each.
+/// Connected components, as groups for PairFilter::group_of_vertex or for a radius each.
 struct Components {
   /// One number a vertex of the mesh, in [0, count): components in the order of their first vertices. -1 for a vertex
   /// that takes no part in contacts (Mesh::points).

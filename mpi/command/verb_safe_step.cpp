@@ -24,15 +24,15 @@ class SafeStepLength final : public RanksVerb {
     Communicator communicator(MPI_COMM_WORLD);
     SafeStep safe;
     ask_all(communicator,
-            [&](Detector& detector, const Step& step) { safe = detector.safe_step(step, keep_.fraction(), own()); });
+            [&](Detector& detector, const Step& step) { safe = detector.safe_step(step, keep_.part(), own()); });
     report(
-        communicator, [&](cli::Json& json) { cli::add_safe_step(json, safe, keep_.fraction()); }, [&] { print(safe); });
+        communicator, [&](cli::Json& json) { cli::add_safe_step(json, safe, keep_.part()); }, [&] { print(safe); });
     return cli::kSuccess;
   }
 
  private:
   void print(const SafeStep& safe) const {
-    cli::print_safe_step(safe, keep_.fraction(), options().min_separation);
+    cli::print_safe_step(safe, keep_.part(), options().min_separation);
     if (!safe.pair) cli::StartCheck().print();
   }
 

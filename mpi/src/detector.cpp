@@ -48,22 +48,22 @@ struct Detector::State {
     return !searches.communicator().any(!is_free);
   }
 
-  SafeStep find_safe_step(double fraction) {
+  SafeStep find_safe_step(double keep) {
     SafeStep first;
-    double upper = 1;  // of fraction 0: of any contact, whatever pair comes first
+    double upper = 1;  // of keep 0: of any contact, whatever pair comes first
     const auto ask = [&](LocalSearch& search) {
-      const SafeStep safe = search.safe_step(fraction, searches.asked());
+      const SafeStep safe = search.safe_step(keep, searches.asked());
       keep_first(first, safe);
       upper = std::min(upper, safe.upper);
     };
     // What a pair's own time is rounded by is in the factor (docs/numerics.md, "Step lengths").
     searches.search_in_turn(ask, true, [&] {
       const double until = soon_after(searches.communicator().least(first.lower)) * (1 + 0x1p-14);
-      return NearWithin{until / (1 - fraction)};
+      return NearWithin{until / (1 - keep)};
     });
     const Stopwatch watch(searches.statistics().seconds.deliver);
     SafeStep answer = first_of_all(searches.communicator(), first);
-    if (fraction == 0) answer.upper = searches.communicator().least(upper);
+    if (keep == 0) answer.upper = searches.communicator().least(upper);
     return answer;
   }
 
@@ -129,10 +129,10 @@ bool Detector::is_free(const Step& step, const QueryOptions& options) {
   return is_free;
 }
 
-SafeStep Detector::safe_step(const Step& step, double fraction, const QueryOptions& options) {
+SafeStep Detector::safe_step(const Step& step, double keep, const QueryOptions& options) {
   const Turn turn(state_->is_asked);
   SafeStep safe;
-  state_->ask("safe_step " + exact(fraction), step, options, [&] { safe = state_->find_safe_step(fraction); });
+  state_->ask("safe_step " + exact(keep), step, options, [&] { safe = state_->find_safe_step(keep); });
   return safe;
 }
 

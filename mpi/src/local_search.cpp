@@ -140,8 +140,8 @@ EarliestContact LocalSearch::earliest(const QueryOptions& asked) {
 
 bool LocalSearch::is_free(const QueryOptions& asked) { return detector_->is_free(step(), asked); }
 
-SafeStep LocalSearch::safe_step(double fraction, const QueryOptions& asked) {
-  SafeStep safe = detector_->safe_step(step(), fraction, asked);
+SafeStep LocalSearch::safe_step(double keep, const QueryOptions& asked) {
+  SafeStep safe = detector_->safe_step(step(), keep, asked);
   if (safe.pair) translate(safe.pair->vertices);
   return safe;
 }

@@ -35,7 +35,7 @@ class LocalSearch {
   std::vector<HomedContact> contacts(const QueryOptions& asked);
   EarliestContact earliest(const QueryOptions& asked);
   bool is_free(const QueryOptions& asked);
-  SafeStep safe_step(double fraction, const QueryOptions& asked);
+  SafeStep safe_step(double keep, const QueryOptions& asked);
 
   /// Pairs of features whose boxes meet, in the last question.
   std::uint64_t pairs_tested() const;

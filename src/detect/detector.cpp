@@ -33,8 +33,8 @@ EarliestContact Detector::earliest(const Step& step, const QueryOptions& options
   return Asked(*this)->earliest(step, options);
 }
 
-SafeStep Detector::safe_step(const Step& step, double fraction, const QueryOptions& options) {
-  return Asked(*this)->safe_step(step, fraction, options);
+SafeStep Detector::safe_step(const Step& step, double keep, const QueryOptions& options) {
+  return Asked(*this)->safe_step(step, keep, options);
 }
 
 bool Detector::is_free(const Step& step, const QueryOptions& options) { return Asked(*this)->is_free(step, options); }
@@ -75,8 +75,8 @@ bool Detector::is_free(const Path& path, const QueryOptions& options) {
   return asked->found.contacts().empty();
 }
 
-TruncatedStep Detector::truncate(const Step& step, double fraction, const QueryOptions& options, Stored stored) {
-  return Asked(*this)->truncate(step, fraction, options, stored);
+TruncatedStep Detector::truncate(const Step& step, double keep, const QueryOptions& options, Stored stored) {
+  return Asked(*this)->truncate(step, keep, options, stored);
 }
 
 const Mesh& Detector::mesh() const { return state().mesh; }

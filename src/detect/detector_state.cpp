@@ -33,9 +33,9 @@ Options valid(Options options, const Mesh& mesh) {
   return options;
 }
 
-void validate_kept_part(double fraction) {
-  if (!(fraction > 0 && fraction < 1))
-    throw InvalidOptions("the fraction of the distance to keep is " + number_text(fraction) +
+void validate_kept_part(double keep) {
+  if (!(keep > 0 && keep < 1))
+    throw InvalidOptions("the fraction of the distance to keep is " + number_text(keep) +
                          ": give a number > 0 and < 1");
 }
 
@@ -138,9 +138,9 @@ bool Detector::State::is_free(const Step& step, const QueryOptions& asked) {
   return found.contacts().empty();
 }
 
-SafeStep Detector::State::safe_step(const Step& step, double fraction, const QueryOptions& asked) {
-  validate_kept(fraction);
-  if (fraction > 0) return step_length(validated_query(step, asked), fraction, asked.at_start);
+SafeStep Detector::State::safe_step(const Step& step, double keep, const QueryOptions& asked) {
+  validate_kept(keep);
+  if (keep > 0) return step_length(validated_query(step, asked), keep, asked.at_start);
   const EarliestContact first = earliest(step, asked);
   if (!first.contact) return {};
   const Contact& c = *first.contact;
@@ -148,22 +148,22 @@ SafeStep Detector::State::safe_step(const Step& step, double fraction, const Que
   return {first.toi_lower, first.toi_upper, LimitingPair{c.kind, c.vertices, distance}};
 }
 
-SafeStep Detector::State::step_length(const Query& query, double fraction, AtStart at_start) {
+SafeStep Detector::State::step_length(const Query& query, double keep, AtStart at_start) {
   SafeStep answer;
-  measure([&] { answer = engine_->find_step_length(query, fraction, statistics); });
+  measure([&] { answer = engine_->find_step_length(query, keep, statistics); });
   if (at_start == AtStart::fail && answer.lower == 0) refuse_touching_start(query);
   return answer;
 }
 
-TruncatedStep Detector::State::truncate(const Step& step, double fraction, const QueryOptions& asked, Stored stored) {
-  validate_kept_part(fraction);
+TruncatedStep Detector::State::truncate(const Step& step, double keep, const QueryOptions& asked, Stored stored) {
+  validate_kept_part(keep);
   validate_is_named(stored, "kind of numbers that are stored");
   Query whole = validated_query(step, asked);
-  if (stored == Stored::float64) return truncate(whole, KeptFractions(fraction), asked.at_start, stored);
+  if (stored == Stored::float64) return truncate(whole, KeptFractions(keep), asked.at_start, stored);
   validate_stored(step, mesh, stored);
   const std::vector<Point> end = rounded(step.end, stored);
   whole.step.end = end;
-  return truncate(whole, KeptFractions(fraction), asked.at_start, stored);
+  return truncate(whole, KeptFractions(keep), asked.at_start, stored);
 }
 
 TruncatedStep Detector::State::truncate(const Query& whole, const KeptFractions& fractions, AtStart at_start,
@@ -184,7 +184,7 @@ TruncatedStep Detector::State::truncate(const Query& whole, const KeptFractions&
     }
     Query way = whole;
     way.step = truncation.way();
-    measure([&] { engine_->find_step_ends(way, fractions.fraction, ends, statistics); });
+    measure([&] { engine_->find_step_ends(way, fractions.keep, ends, statistics); });
     spent += statistics.seconds;
   }
   spent.total = watch.seconds();

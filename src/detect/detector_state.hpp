@@ -24,8 +24,8 @@ struct Detector::State {
   void ask(const Path& path, const QueryOptions& asked, Question question, std::span<const double> ends = {});
   EarliestContact earliest(const Step& step, const QueryOptions& asked);
   bool is_free(const Step& step, const QueryOptions& asked);
-  SafeStep safe_step(const Step& step, double fraction, const QueryOptions& asked);
-  TruncatedStep truncate(const Step& step, double fraction, const QueryOptions& asked, Stored stored);
+  SafeStep safe_step(const Step& step, double keep, const QueryOptions& asked);
+  TruncatedStep truncate(const Step& step, double keep, const QueryOptions& asked, Stored stored);
   /// The pairs are in `near`.
   void find_near(const Positions& positions, double distance);
   /// They are in `intersections`.
@@ -56,8 +56,8 @@ struct Detector::State {
   void refuse_touching_start(const Query& query);
   /// The same of a path, whose contacts are in `found`.
   void refuse_touching_start() const;
-  /// 0 < fraction < 1.
-  SafeStep step_length(const Query& query, double fraction, AtStart at_start);
+  /// 0 < keep < 1.
+  SafeStep step_length(const Query& query, double keep, AtStart at_start);
   /// Into the documented order.
   void sort_found();
   /// Runs `work` in the arena, with fresh statistics.

@@ -38,9 +38,9 @@ End end_by_contact(const Pair& pair, const PairPoints& points, const PairOptions
   return TimeInterval<double>{r.toi_lower, r.toi_upper};
 }
 
-End end_by_distance(const Pair& pair, const PairPoints& points, double fraction, const PairOptions& options) {
+End end_by_distance(const Pair& pair, const PairPoints& points, double keep, const PairOptions& options) {
   PrecisionCount decided_by;
-  const DistanceRule rule{fraction, options.min_separation};
+  const DistanceRule rule{keep, options.min_separation};
   const double until = keeps_distance_until(pair.kind, points, rule, options.latest, decided_by);
   if (until >= options.latest) return {};
   return TimeInterval<double>{until, fraction_is_left_at(pair.kind, points, rule, until)};
@@ -55,14 +55,13 @@ NearPair distance_of(const Pair& pair, const Positions& positions) {
   return near_pair(pair.kind, vertices, points_of(rest, vertices));
 }
 
-SafeStep safe_step(const Pair& pair, const Step& step, double fraction, const PairOptions& options) {
+SafeStep safe_step(const Pair& pair, const Step& step, double keep, const PairOptions& options) {
   validate(pair, step);
   validate(options);
-  validate_kept(fraction);
+  validate_kept(keep);
   const PairVertices vertices = vertices_of(pair);
   const PairPoints points = points_of(step, vertices);
-  const End end =
-      fraction > 0 ? end_by_distance(pair, points, fraction, options) : end_by_contact(pair, points, options);
+  const End end = keep > 0 ? end_by_distance(pair, points, keep, options) : end_by_contact(pair, points, options);
   if (!end) return {options.latest, 1, {}};
   return {end->t_in, end->t_out, LimitingPair{pair.kind, vertices, start_distance(pair.kind, points)}};
 }

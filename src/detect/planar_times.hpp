@@ -11,20 +11,20 @@
 
 namespace tamis {
 
-/// By what a step is truncated: every pair keeps `fraction` of its distance, and while all go at one pace a little
+/// By what a step is truncated: every pair keeps `keep` of its distance, and while all go at one pace a little
 /// more, `together`: what lies between both is for vertices that go on alone.
 struct KeptFractions {
   /// REQUIRES: 0 < kept < 1.
-  explicit KeptFractions(double kept) : fraction(kept), together(std::min(1.25 * kept, kept + 0.25 * (1 - kept))) {
+  explicit KeptFractions(double kept) : keep(kept), together(std::min(1.25 * kept, kept + 0.25 * (1 - kept))) {
     TAMIS_ASSERT(0 < kept && kept < 1);
   }
 
   /// What is kept of the distance that a pair had at t=0, where all have come to at one pace by that time.
   double at(double time) const { return time > 0 ? together : 1; }
   /// What planes there leave of it: a little more than must be kept, for rounding.
-  double between_planes(double time) const { return fraction + (at(time) - fraction) / 16; }
+  double between_planes(double time) const { return keep + (at(time) - keep) / 16; }
 
-  double fraction, together;
+  double keep, together;
 };
 
 /// Where a pair is at a time, at rest.

@@ -124,9 +124,9 @@ void validate_stored(const Step& step, const Mesh& mesh, Stored stored) {
     }
 }
 
-void validate_kept(double fraction) {
-  check(fraction >= 0 && fraction < 1,
-        "the fraction of the distance to keep is " + number_text(fraction) + ": give a number >= 0 and < 1");
+void validate_kept(double keep) {
+  check(keep >= 0 && keep < 1,
+        "the fraction of the distance to keep is " + number_text(keep) + ": give a number >= 0 and < 1");
 }
 
 void validate_of_step(const QueryOptions& options) {

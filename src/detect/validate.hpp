@@ -40,6 +40,6 @@ void validate_threads(int threads);
 void validate_distance(double distance, const std::string& what);
 
 /// Throws InvalidOptions unless in [0, 1).
-void validate_kept(double fraction);
+void validate_kept(double keep);
 
 }  // namespace tamis

@@ -6,7 +6,7 @@
 
 namespace tamis::TAMIS_ISA {
 
-/// Pairs within their separation, or by less than doubles can tell beyond it, go to `pairs_within`; those whose
+/// Pairs within their separation, or by less than doubles can tell beyond it, go to `near`; those whose
 /// distance doubles do not know well enough go to `unsure` if they may be.
 template <PairKind kind>
 void find_near(const PackedVertex* vertices, const PairSeparation& separation, const PairBuffer& in, PairBuffer& near,

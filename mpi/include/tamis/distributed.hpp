@@ -82,7 +82,7 @@ class Detector {
   /// As in `tamis::Detector`; the same answer on every rank.
   EarliestContact earliest(const Step& step, const QueryOptions& = {});
   bool is_free(const Step& step, const QueryOptions& = {});
-  SafeStep safe_step(const Step& step, double fraction = 0.1, const QueryOptions& = {});
+  SafeStep safe_step(const Step& step, double keep = 0.1, const QueryOptions& = {});
 
   /// Largest number of a vertex that is used, of all ranks, plus 1.
   Index vertex_count() const;

@@ -43,7 +43,7 @@ struct MeetUntil {
 };
 
 /// May a pair of features in two boxes end the step before a time, of which a fraction of their distance is to be kept?
-/// Only if it is fast enough: its reserve at t=0 is at most `reach`, time / (1 - fraction), times the speed at which
+/// Only if it is fast enough: its reserve at t=0 is at most `reach`, time / (1 - keep), times the speed at which
 /// its features move against each other (docs/numerics.md, "Step lengths").
 struct NearWithin {
   double reach = 1;

@@ -27,11 +27,11 @@ void validate(const std::vector<Point>& rest, const std::vector<Index>& body_of_
                                                  std::to_string(rest_end.size()) +
                                                  " at the end: give one each a vertex, or none at the end");
   for (std::size_t v = 0; v < rest.size(); ++v) {
-    check_path(is_finite(rest[v]) && is_finite(rest_end[v]),
-               "vertex " + std::to_string(v) + " of the path is not finite at rest: give finite positions");
-    check_path(body_of_vertex[v] >= 0 && static_cast<std::size_t>(body_of_vertex[v]) < chains.size(),
-               "vertex " + std::to_string(v) + " belongs to body " + std::to_string(body_of_vertex[v]) +
-                   ": bodies must be in [0, " + std::to_string(chains.size()) + ")");
+    if (!is_finite(rest[v]) || !is_finite(rest_end[v]))
+      throw InvalidPath("vertex " + std::to_string(v) + " of the path is not finite at rest: give finite positions");
+    if (body_of_vertex[v] < 0 || static_cast<std::size_t>(body_of_vertex[v]) >= chains.size())
+      throw InvalidPath("vertex " + std::to_string(v) + " belongs to body " + std::to_string(body_of_vertex[v]) +
+                        ": bodies must be in [0, " + std::to_string(chains.size()) + ")");
   }
   for (std::size_t b = 0; b < chains.size(); ++b)
     for (const Link& link : chains[b])

@@ -11,7 +11,7 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 PAGE = "docs/questions.md"
 # What a door has besides questions: making, changing, reading what was answered.
 NO_QUESTIONS = {
-    *("add", "move", "motion", "remove", "set_enabled", "set_may_touch"),
+    *("add", "move", "motion", "remove", "set_enabled", "set_may_touch", "set_radius"),
     *("mesh", "options", "points", "memory_bytes", "statistics", "vertex_count", "balance", "write"),
     *("bench", "info", "scene", "view"),
 }

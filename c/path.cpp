@@ -6,15 +6,11 @@
 #include <string>
 #include <vector>
 
-#include "c/sized.hpp"
-#include "tamis/rigid_path.hpp"
+#include "c/poses.hpp"
 #include "tamis/spline_path.hpp"
 
 namespace tamis::c {
 namespace {
-
-Point point_of(const double* p) { return {p[0], p[1], p[2]}; }
-Pose pose_of(const tamis_pose& pose) { return {point_of(pose.position), point_of(pose.rotation)}; }
 
 tamis_pose to_c(const Pose& pose) {
   const Point &p = pose.position, &r = pose.rotation;
@@ -33,29 +29,14 @@ std::size_t vertices(int32_t count) {
   return static_cast<std::size_t>(count);
 }
 
-/// NULL is no array, unless it has no elements.
-template <class T>
-const T* array(const T* first, std::size_t count, const char* name) {
-  return count > 0 ? &required(first, name) : first;
-}
-
-std::vector<Point> points(const double* coordinates, std::size_t count, const char* name) {
-  std::vector<Point> result(count);
-  const double* first = array(coordinates, count, name);
-  for (std::size_t i = 0; i < count; ++i) result[i] = point_of(first + 3 * i);
-  return result;
-}
-
 std::vector<Chain> chains_of(const tamis_rigid_path_input& input) {
   check_count(input.body_count, "body_count");
   const std::size_t* counts = array(input.links_of_body, input.body_count, "links_of_body");
-  std::vector<Chain> chains(input.body_count);
+  std::vector<Chain> chains;
   const tamis_link* link = input.links;
-  for (std::size_t body = 0; body < input.body_count; ++body) {
+  for (std::size_t body = 0; body < input.body_count; link += counts[body++]) {
     check_count(counts[body], "an entry of links_of_body");
-    chains[body].reserve(counts[body]);
-    for (std::size_t i = 0; i < counts[body]; ++i, ++link)
-      chains[body].push_back({pose_of(required(link, "links").start), pose_of(link->end)});
+    chains.push_back(chain_of(array(link, counts[body], "links"), counts[body]));
   }
   return chains;
 }
@@ -63,8 +44,8 @@ std::vector<Chain> chains_of(const tamis_rigid_path_input& input) {
 RigidPath rigid_path_of(const tamis_rigid_path_input& input) {
   const std::size_t count = vertices(input.vertex_count);
   const int32_t* bodies = array(input.body_of_vertex, count, "body_of_vertex");
-  auto rest_end = input.rest_end ? points(input.rest_end, count, "rest_end") : std::vector<Point>{};
-  return {points(input.rest, count, "rest"), {bodies, bodies + count}, chains_of(input), std::move(rest_end)};
+  auto rest_end = input.rest_end ? point_rows(input.rest_end, count, "rest_end") : std::vector<Point>{};
+  return {point_rows(input.rest, count, "rest"), {bodies, bodies + count}, chains_of(input), std::move(rest_end)};
 }
 
 std::vector<std::vector<Point>> frames_of(const tamis_spline_path_input& input) {
@@ -73,7 +54,7 @@ std::vector<std::vector<Point>> frames_of(const tamis_spline_path_input& input) 
   std::vector<std::vector<Point>> frames;
   frames.reserve(input.frame_count);
   for (std::size_t i = 0; i < input.frame_count; ++i)
-    frames.push_back(points(array(input.frames, count, "frames") + 3 * count * i, count, "frames"));
+    frames.push_back(point_rows(array(input.frames, count, "frames") + 3 * count * i, count, "frames"));
   return frames;
 }
 

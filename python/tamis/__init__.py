@@ -44,6 +44,7 @@ from tamis._world._tables import (
     BodyNearPairs,
     BodyStep,
     EarliestBodyContact,
+    EarliestMany,
 )
 from tamis._world._world import World
 
@@ -75,6 +76,7 @@ __all__ = [
     "Detector",
     "EarliestBodyContact",
     "EarliestContact",
+    "EarliestMany",
     "Error",
     "FileError",
     "FunctionPath",

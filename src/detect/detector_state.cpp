@@ -35,8 +35,8 @@ Options valid(Options options, const Mesh& mesh) {
 
 void validate_kept_part(double keep) {
   if (!(keep > 0 && keep < 1))
-    throw InvalidOptions("the fraction of the distance to keep is " + number_text(keep) +
-                         ": give a number > 0 and < 1");
+    throw InvalidOptions("keep is " + number_text(keep) +
+                         ": give the fraction of its distance that each pair keeps, > 0 and < 1");
 }
 
 }  // namespace

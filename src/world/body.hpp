@@ -28,9 +28,14 @@ class Body {
  public:
   /// Throws InvalidStep, naming the body.
   Body(BodyId id, std::shared_ptr<const BodyShape> shape, BodyMotion motion);
+  /// The same, but for its detector.
+  Body(const Body& other);
   void move(BodyMotion motion);
+  /// Throws InvalidStep, naming the body.
+  void validate(const BodyMotion& motion) const;
 
   const BodyShape& shape() const { return *shape_; }
+  const BodyMotion& motion() const { return motion_; }
   Way way() const { return way_; }
   /// What turns, or stays: empty of a body that deforms.
   const Chain& chain() const { return chain_; }
@@ -57,7 +62,6 @@ class Body {
 
  private:
   friend class CarriedBoxes;
-  void validate(const BodyMotion& motion) const;
 
   BodyId id_;
   std::shared_ptr<const BodyShape> shape_;

@@ -107,8 +107,7 @@ EarliestBodyContact World::State::earliest(const QueryOptions& asked) {
     take(turning_, first_of(DetectorMaker::ask(turning_.gathered->detector(), path, of_curves(asked),
                                                Question::earliest, std::span(times_).subspan(1))));
   }
-  if (asked.at_start == AtStart::fail && first.contact && first.toi_lower == 0)
-    refuse_touching_start(first.contact->kind, first.contact->vertices, first.contact->bodies);
+  check_start(first, asked);
   return first;
 }
 

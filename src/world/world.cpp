@@ -41,10 +41,13 @@ BodyId World::add(const Shape& shape, BodyMotion motion) {
 void World::move(BodyId body, BodyMotion motion) {
   State& now = state();
   const Turn turn(now.is_asked);
-  Body& moved = now.body(body);
-  now.forget_if_still(moved);
-  moved.move(std::move(motion));
-  now.forget_if_still(moved);
+  now.move(body, std::move(motion));
+}
+
+const BodyMotion& World::motion(BodyId body) const {
+  State& now = state();
+  const Turn turn(now.is_asked);
+  return now.body(body).motion();
 }
 
 void World::remove(BodyId body) {
@@ -107,6 +110,13 @@ std::vector<BodyContact> World::contacts(const QueryOptions& options) {
 EarliestBodyContact World::earliest(const QueryOptions& options) {
   State& now = state();
   return now.answer([&] { return now.earliest(options); });
+}
+
+std::vector<EarliestBodyContact> World::earliest_many(std::span<const BodyId> bodies,
+                                                      std::span<const BodyMotion> motions,
+                                                      const QueryOptions& options) {
+  State& now = state();
+  return now.answer([&] { return now.earliest_many(bodies, motions, options); });
 }
 
 bool World::is_free(const QueryOptions& options) {

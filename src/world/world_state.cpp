@@ -37,6 +37,13 @@ Body& World::State::body(BodyId id) {
   return *bodies[at(id)];
 }
 
+void World::State::move(BodyId id, BodyMotion motion) {
+  Body& moved = body(id);
+  forget_if_still(moved);
+  moved.move(std::move(motion));
+  forget_if_still(moved);
+}
+
 void World::State::forget(const Body& changed) {
   must_gather_ = true;
   forget_if_still(changed);
@@ -52,8 +59,12 @@ void World::State::refuse_touching_start(PairKind kind, const PairVertices& vert
                     "set_may_touch, or ask with at_start ignore");
 }
 
+void World::State::check_start(const EarliestBodyContact& first, const QueryOptions& asked) const {
+  if (asked.at_start != AtStart::fail || !first.contact || first.toi_lower > 0) return;
+  refuse_touching_start(first.contact->kind, first.contact->vertices, first.contact->bodies);
+}
+
 void World::State::begin() {
-  statistics = {};
   for (Part* part : {&straight_, &turning_, &at_rest_}) {
     if (must_gather_) part->gathered = nullptr;
     part->pairs.clear();

@@ -14,8 +14,11 @@ namespace tamis {
 
 struct World::State {
   explicit State(Options o);
+  /// The same bodies, to be asked by one thread. Nothing is gathered yet.
+  State(const State& other);
 
   Body& body(BodyId id);
+  void move(BodyId id, BodyMotion motion);
   /// What was gathered with this body must not be asked any more.
   void forget(const Body& changed);
   /// Of a body that comes, or moves on: what is gathered sees that itself.
@@ -33,6 +36,7 @@ struct World::State {
   template <class Ask>
   auto answer(const Ask& ask) {
     const Turn turn(is_asked);
+    statistics = {};
     begin();
     const Stopwatch watch;
     auto result = ask();
@@ -42,6 +46,8 @@ struct World::State {
   }
   std::vector<BodyContact> contacts(const QueryOptions& asked);
   EarliestBodyContact earliest(const QueryOptions& asked);
+  std::vector<EarliestBodyContact> earliest_many(std::span<const BodyId> moved, std::span<const BodyMotion> motions,
+                                                 const QueryOptions& asked);
   bool is_free(const QueryOptions& asked);
   std::vector<BodyNearPair> pairs_within(double distance);
   std::vector<BodyIntersection> intersections();
@@ -68,6 +74,8 @@ struct World::State {
   /// Which pairs a part is asked about.
   using Wanted = std::function<bool(const Body&, const Body&)>;
 
+  /// Throws InvalidOptions and InvalidStep.
+  void validate(std::span<const BodyId> moved, std::span<const BodyMotion> motions);
   double separation(const QueryOptions& asked) const { return asked.min_separation.value_or(options.min_separation); }
   /// Pairs that may come within the reach and `more`, by their hulls, and may touch.
   std::vector<BodyPair> near_bodies(const Reach& reach, double more, bool at_start);
@@ -88,6 +96,8 @@ struct World::State {
   /// Of a contact, or of what ends a step.
   [[noreturn]] void refuse_touching_start(PairKind kind, const PairVertices& vertices,
                                           const std::array<BodyId, 2>& of) const;
+  /// Throws InvalidStep, if that is asked for.
+  void check_start(const EarliestBodyContact& first, const QueryOptions& asked) const;
   void begin();
   std::uint64_t memory_bytes() const;
 

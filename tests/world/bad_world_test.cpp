@@ -30,6 +30,7 @@ TEST(BadWorld, NamesBodiesThatThereAreNot) {
   const std::string removed = "body 0 has been removed: name one that is still there";
   expect_refused<InvalidOptions>([&] { world.remove(gone); }, removed);
   expect_refused<InvalidOptions>([&] { world.move(gone, Static{}); }, removed);
+  expect_refused<InvalidOptions>([&] { world.motion(gone); }, removed);
   expect_refused<InvalidOptions>([&] { world.set_enabled(gone, true); }, removed);
   expect_refused<InvalidOptions>([&] { world.set_radius(gone, 1); }, removed);
   const BodyId there = world.add(triangle(), Static{});

@@ -1,9 +1,11 @@
-// How many throws each way of simulating lets through, whether that is proven, and what a step costs.
+// How many throws each way of simulating lets through, whether that is proven, and what a step costs; the same of a
+// pile.
 #include <fmt/core.h>
 
 #include <CLI/CLI.hpp>
 
 #include "adapters/bullet/throws/independent.hpp"
+#include "adapters/bullet/throws/pile.hpp"
 #include "adapters/bullet/throws/scenes.hpp"
 
 namespace tamis::bullet {
@@ -29,6 +31,16 @@ void report(std::string_view title, const Scene& scene, int samples) {
   }
 }
 
+void report_pile(int plates, int steps) {
+  fmt::print("A pile of {} plates, {} steps\n{:28} {:>9} {:>13} {:>16} {:>10}\n", plates, steps, "", "inside",
+             "not proven", "questions a step", "ms a step");
+  for (const bool clamped : {false, true}) {
+    const PileRun run = run_pile(plates, steps, clamped);
+    fmt::print("{:28} {:>9} {:>13} {:>16.2f} {:>10.3f}\n", clamped ? "clamped" : "Bullet", plates_inside(run),
+               touching_steps(run.bodies, run.places), run.questions, run.milliseconds);
+  }
+}
+
 }  // namespace
 }  // namespace tamis::bullet
 
@@ -39,7 +51,18 @@ int main(int argc, char** argv) {
   app.add_option("--samples", samples, "times in each step at which crossings are looked for")
       ->check(CLI::Range(1, 100000))
       ->capture_default_str();
+  int plates = 0, steps = 60;
+  auto* const pile =
+      app.add_option("--pile", plates, "no throws: a pile of so many thin plates")->check(CLI::Range(1, 1000));
+  app.add_option("--steps", steps, "of the pile, 1/60 s each")
+      ->needs(pile)
+      ->check(CLI::Range(1, 100000))
+      ->capture_default_str();
   CLI11_PARSE(app, argc, argv);
+  if (plates > 0) {
+    tamis::bullet::report_pile(plates, steps);
+    return 0;
+  }
   tamis::bullet::report("Spinning plates", tamis::bullet::spinning_plates(count), samples);
   tamis::bullet::report("Spinning rods", tamis::bullet::spinning_rods(count), samples);
   return 0;

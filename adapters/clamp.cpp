@@ -9,9 +9,9 @@
 namespace tamis::adapters {
 namespace {
 
-/// Of a gap. A pair that would touch after less than this stays: its distance must remain far above the 1e-15 by which
-/// the end of one step's path may differ from the start of the next.
-constexpr double kLeastTravel = 1e-3;
+/// Of a gap. A pair that would touch after less than this stays: its distance must remain far above the 1e-7 by which
+/// an engine's floats may differ from a rotation.
+constexpr double kLeastTravel = 3e-2;
 /// Of the step: no more is needed of a time before which bodies are stopped.
 constexpr double kTolerance = 1e-4;
 /// Over all approaches; more would only spare questions.

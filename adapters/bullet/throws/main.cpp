@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "adapters/bullet/throws/cloth.hpp"
 #include "adapters/bullet/throws/independent.hpp"
 #include "adapters/bullet/throws/pile.hpp"
 #include "adapters/bullet/throws/scenes.hpp"
@@ -41,6 +42,15 @@ void report_pile(int plates, int steps) {
   }
 }
 
+void report_cloth(int side, int steps) {
+  fmt::print("A cloth of {0} x {0} vertices, {1} steps\n{2:28} {3:>9} {4:>10}\n", side, steps, "", "touching",
+             "ms a step");
+  for (const bool truncated : {false, true}) {
+    const ClothRun run = run_cloth(side, steps, truncated);
+    fmt::print("{:28} {:>9} {:>10.3f}\n", truncated ? "truncated" : "Bullet", touching_steps(run), run.milliseconds);
+  }
+}
+
 }  // namespace
 }  // namespace tamis::bullet
 
@@ -51,16 +61,22 @@ int main(int argc, char** argv) {
   app.add_option("--samples", samples, "times in each step at which crossings are looked for")
       ->check(CLI::Range(1, 100000))
       ->capture_default_str();
-  int plates = 0, steps = 60;
+  int plates = 0, side = 0, steps = 60;
   auto* const pile =
       app.add_option("--pile", plates, "no throws: a pile of so many thin plates")->check(CLI::Range(1, 1000));
-  app.add_option("--steps", steps, "of the pile, 1/60 s each")
-      ->needs(pile)
+  app.add_option("--cloth", side, "no throws: a cloth of so many vertices a side")
+      ->check(CLI::Range(2, 1000))
+      ->excludes(pile);
+  app.add_option("--steps", steps, "of the pile, 1/60 s each, or of the cloth, 1/240 s each")
       ->check(CLI::Range(1, 100000))
       ->capture_default_str();
   CLI11_PARSE(app, argc, argv);
   if (plates > 0) {
     tamis::bullet::report_pile(plates, steps);
+    return 0;
+  }
+  if (side > 0) {
+    tamis::bullet::report_cloth(side, steps);
     return 0;
   }
   tamis::bullet::report("Spinning plates", tamis::bullet::spinning_plates(count), samples);

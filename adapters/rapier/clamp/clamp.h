@@ -38,8 +38,8 @@ typedef struct tamis_clamped {
 
 /** tamis::adapters::clamp, for the pairs that overlap where the bodies are at t=0. Writes which part of its way each of
  * `moving` may go; tamis_world_copy_contacts then hands out `contact_count` contacts that held bodies back.
- * TAMIS_INVALID_ARGUMENT: a function that is NULL; TAMIS_INVALID_OPTIONS: `gap` or `rounds` out of range, a body that is
- * not there. */
+ * TAMIS_INVALID_ARGUMENT: a function that is NULL; TAMIS_INVALID_OPTIONS: `gap` or `rounds` out of range, a body that
+ * is not there. */
 TAMIS_API tamis_status tamis_world_clamp(tamis_world* world, const tamis_wanted_step* step, double* fractions,
                                          size_t* contact_count, tamis_clamped* clamped);
 

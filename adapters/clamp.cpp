@@ -69,14 +69,28 @@ class Clamp {
     return first;
   }
 
+  bool may_move(BodyId body) const {
+    const auto known = fractions_.find(body);
+    return known != fractions_.end() && known->second > 0;
+  }
+
+  void refuse_unless_one_may_move(const BodyPair& bodies) const {
+    if (std::ranges::any_of(bodies, [&](BodyId body) { return may_move(body); })) return;
+    throw InvalidStep(
+        "bodies " + std::to_string(bodies[0]) + " and " + std::to_string(bodies[1]) +
+        " touch, and neither can be held back any more: name those that move, and no others, in moving()");
+  }
+
   void hold_back(const FirstContacts& contacts, bool by_part) {
     std::map<BodyId, double> parts;
-    for (const auto& [bodies, contact] : contacts)
+    for (const auto& [bodies, contact] : contacts) {
+      refuse_unless_one_may_move(bodies);
       for (const BodyId body : bodies)
-        if (fractions_.contains(body)) {
+        if (may_move(body)) {
           double& part = parts.try_emplace(body, 1).first->second;
           part = std::min(part, by_part ? part_before(bodies, contact.toi_lower) : 0);
         }
+    }
     for (const auto& [body, part] : parts) {
       fractions_.at(body) *= part;
       set_off(body);

@@ -26,10 +26,11 @@ bool moves(const btRigidBody& body) { return body.isActive() && !body.isStaticOr
 
 }  // namespace
 
-/// How a body is to move in one step: Bullet's own motion, of which a part can be asked for.
+/// How a body is to move in one step, of which a part can be asked for. Bullet's solver may have moved it already, out
+/// of a margin that it was deep in (split impulse): that is part of the way, which begins where the last step ended.
 class ClampedWorld::Way {
  public:
-  Way(const btRigidBody& body, const btTransform& end) : start_(body.getWorldTransform()), end_(end) {
+  Way(const btTransform& start, const btTransform& end) : start_(start), end_(end) {
     btVector3 axis;
     btScalar angle;
     btTransformUtil::calculateDiffAxisAngle(start_, end_, axis, angle);
@@ -58,7 +59,7 @@ class ClampedWorld::Step final : public adapters::WantedStep {
       if (!body || !moves(*body)) continue;
       btTransform end;
       body->predictIntegratedTransform(seconds, end);
-      ways_.emplace(id, Way(*body, end));
+      ways_.emplace(id, Way(member.place, end));
       moving_.push_back(id);
     }
   }

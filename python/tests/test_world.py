@@ -110,8 +110,8 @@ def test_turning_bodies_and_their_paths(cube: tamis.Shape) -> None:
     ours, theirs = world.earliest(tolerance=1e-6), detector.earliest(path, tolerance=1e-6)
     assert 0 < ours.toi_lower < 0.5 and abs(ours.toi_lower - theirs.toi_lower) <= 2e-6
     assert ours.toi_upper - ours.toi_lower <= 1e-6
-    with pytest.raises(tamis.InvalidOptions, match="turn"):
-        world.safe_step()
+    step = world.safe_step()
+    assert step.pair is not None and 0 < step.lower < ours.toi_lower and step.upper - step.lower < 1e-6
     world.move(still, _at((5, 0, 0))[0])
     assert world.is_free() and world.safe_step().pair is None
 
@@ -211,7 +211,7 @@ def test_many_motions_that_do_not_fit(cube: tamis.Shape) -> None:
     world = tamis.World()
     places = _at((0, 0, 0), (4, 0, 0))
     bodies = world.add_many(cube, places)
-    motions = np.broadcast_to(tamis.between(places, places), (3, 2, 1, 4, 3))
+    motions = np.broadcast_to(tamis.between(places, places), (3, 2, 2, 4, 3))
     assert world.earliest_many(bodies, motions).is_free.all()
     assert len(world.earliest_many(bodies, motions[:0]).toi_lower) == 0
     with pytest.raises(tamis.InvalidPath, match=r"give \(n, 1, links, 4, 3\)"):
@@ -267,8 +267,33 @@ def test_chains_of_many_poses() -> None:
         assert np.array_equal(make(start, end), [make(*poses) for poses in zip(start, end)])
     turns = tamis.turned(start, end[:, 1], end[:, 0])
     assert np.array_equal(turns, [tamis.turned(s, e[1], e[0]) for s, e in zip(start, end)])
+    about = tamis.between(start, end, center=end[:, 1])
+    assert np.array_equal(about, [tamis.between(s, e, center=e[1]) for s, e in zip(start, end)])
+    assert np.array_equal(tamis.nlerp_deviation(start, end), [tamis.nlerp_deviation(*p)[0] for p in zip(start, end)])
     with pytest.raises(tamis.InvalidPath, match="start has 5, end has 4"):
         tamis.between(start, end[:4])
+    with pytest.raises(tamis.InvalidPath, match="center has 4, start has 5: give one, or as many"):
+        tamis.between(start, end, center=end[:4, 1])
+
+
+def test_chains_begin_and_end_at_their_poses() -> None:
+    """Bug: the rotation of the start was dropped, so that a turned body was asked about where it is not."""
+    random = np.random.default_rng(2)
+    corners, center = random.normal(size=(4, 3)), random.normal(size=3)
+    poses = random.normal(size=(2, 6, 2, 3))
+
+    def at(pose: Array) -> Array:
+        return tamis.RigidPath(corners, [0] * 4, [tamis.interpolated(pose, pose)]).points_at(0)
+
+    for start, end, chain in zip(*poses, tamis.between(*poses, center=center)):
+        path = tamis.RigidPath(corners, [0] * 4, [chain])
+        assert np.allclose(path.points_at(0), at(start), atol=1e-14)
+        assert np.allclose(path.points_at(1), at(end), atol=1e-14)
+        middle = tamis.RigidPath([center], [0], [chain]).points_at(0.25)
+        ends = [tamis.RigidPath([center], [0], [tamis.interpolated(p, p)]).points_at(0) for p in (start, end)]
+        assert np.allclose(middle, 0.75 * ends[0] + 0.25 * ends[1], atol=1e-14)
+    turn = tamis.turned(poses[0, 0], [0, 0, 2.5], poses[1, 0, 0])
+    assert np.allclose(tamis.RigidPath(corners, [0] * 4, [turn]).points_at(0), at(poses[0, 0]), atol=1e-14)
 
 
 @pytest.mark.parametrize(

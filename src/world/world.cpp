@@ -3,6 +3,7 @@
 #include <limits>
 #include <string>
 
+#include "detect/validate.hpp"
 #include "tamis/error.hpp"
 #include "topology/at.hpp"
 #include "world/world_state.hpp"
@@ -67,6 +68,16 @@ void World::set_enabled(BodyId body, bool is_enabled) {
     now.forget_if_still(switched);
   else
     now.forget(switched);
+}
+
+void World::set_radius(BodyId body, double radius) {
+  State& now = state();
+  const Turn turn(now.is_asked);
+  Body& thick = now.body(body);
+  validate_distance(radius, "the radius of body " + std::to_string(body));
+  if (thick.radius() == radius) return;
+  thick.set_radius(radius);
+  now.forget(thick);
 }
 
 void World::set_may_touch(BodyId a, BodyId b, bool may_touch) {

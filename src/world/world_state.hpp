@@ -65,8 +65,10 @@ struct World::State {
   /// How near bodies must come to be asked about.
   struct Reach {
     double separation = 0;
-    double part_of_way = 0;  ///< and so much of how far both go
-    double of(const Body& a, const Body& b) const;
+    double part_of_way = 0;  ///< and so much of how far both go, and both radii
+    /// What one of them adds.
+    double own(const Body& body) const;
+    double of(const Body& a, const Body& b) const { return (separation + own(a) + own(b)) * (1 + 0x1p-40); }
   };
 
   /// Which pairs a part is asked about.
@@ -86,13 +88,14 @@ struct World::State {
   void gather_at_rest(double distance);
   /// Ends of the pieces on which bodies that turn are asked about, beginning with 0.
   std::vector<double> times_of_pieces(const std::vector<BodyPair>& pairs) const;
-  /// f(body, detector) of each body that may touch itself.
+  /// f(id, body, detector) of each body that may touch itself.
   template <class F>
   void for_each_by_itself(const F& f);
   void decide_anew(std::vector<Contact>& contacts, const Step& step, const QueryOptions& asked) const;
   void add_statistics(const Statistics& of_part);
-  template <class Pair>
-  [[noreturn]] void refuse_touching_start(const Pair& pair) const;
+  /// Of a contact, or of what ends a step.
+  [[noreturn]] void refuse_touching_start(PairKind kind, const PairVertices& vertices,
+                                          const std::array<BodyId, 2>& of) const;
   /// Throws InvalidStep, if that is asked for.
   void check_start(const EarliestBodyContact& first, const QueryOptions& asked) const;
   void begin();
@@ -103,5 +106,27 @@ struct World::State {
   std::vector<double> times_;  ///< of the pieces of turning_
   bool must_gather_ = false;
 };
+
+/// As bodies are asked about curves. Whoever fails for what touches at the start asks for it, and names the bodies.
+inline QueryOptions of_curves(QueryOptions asked) {
+  if (asked.at_start == AtStart::fail) asked.at_start = AtStart::report;
+  return asked;
+}
+/// As bodies are asked that go straight: curves alone have a tolerance.
+inline QueryOptions of_steps(const QueryOptions& asked) {
+  QueryOptions options = of_curves(asked);
+  options.tolerance.reset();
+  return options;
+}
+
+template <class F>
+void World::State::for_each_by_itself(const F& f) {
+  for (std::size_t id = 0; id < bodies.size(); ++id) {
+    Body* body = bodies[id].get();
+    if (!body || !body->is_enabled || !body->deforming() || !body->may_touch_itself) continue;
+    f(static_cast<BodyId>(id), *body, body->itself(options));
+    add_statistics(body->itself(options).statistics());
+  }
+}
 
 }  // namespace tamis

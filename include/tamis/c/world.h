@@ -103,7 +103,7 @@ TAMIS_API tamis_status tamis_world_earliest_many(tamis_world* world, const int32
                                                  tamis_earliest* answers, size_t answer_size);
 /** Writes 1 if the motion of all bodies is free of contacts, else 0. */
 TAMIS_API tamis_status tamis_world_is_free(tamis_world* world, const tamis_query_options* options, int* is_free);
-/** As tamis_detector_safe_step. TAMIS_INVALID_OPTIONS: a body that turns comes near another; ask for the earliest. */
+/** As tamis_detector_safe_step, also where bodies turn. */
 TAMIS_API tamis_status tamis_world_safe_step(tamis_world* world, double keep, const tamis_query_options* options,
                                              tamis_safe_step* answer);
 /** Every pair of features within `distance` at t=0, in the same order. */

@@ -36,7 +36,7 @@ RoundedTransform rounded(const RigidTransform<T>& exact) {
   return rounded;
 }
 
-RoundedTransform rounded_transform_of(const Link& link, double time) {
+RoundedTransform rounded_link(const Link& link, double time) {
   return turns_far(link) ? rounded(transform_of<DoubleDouble>(link, time)) : rounded(transform_of<double>(link, time));
 }
 
@@ -72,10 +72,10 @@ RoundedTransform with_norms(RoundedTransform transform) {
 }  // namespace
 
 RoundedTransform rounded_transform_of(const Chain& chain, double time) {
-  if (chain.size() < 2) return rounded_transform_of(chain.empty() ? Link{} : chain.front(), time);
-  RoundedTransform result = with_norms(rounded_transform_of(chain.back(), time));
+  if (chain.size() < 2) return rounded_link(chain.empty() ? Link{} : chain.front(), time);
+  RoundedTransform result = with_norms(rounded_link(chain.back(), time));
   for (auto link = chain.rbegin() + 1; link != chain.rend(); ++link)
-    result = after(with_norms(rounded_transform_of(*link, time)), result);
+    result = after(with_norms(rounded_link(*link, time)), result);
   return result;
 }
 

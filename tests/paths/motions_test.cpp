@@ -13,22 +13,22 @@ namespace {
 using oracle::Real;
 using oracle::RealPoint;
 
-RealPoint real(const Point& p) { return {p[0], p[1], p[2]}; }
-RealPoint sum(const RealPoint& a, Real factor, const RealPoint& b) {
+RealPoint real_of(const Point& p) { return {p[0], p[1], p[2]}; }
+RealPoint plus_part(const RealPoint& a, Real factor, const RealPoint& b) {
   return {a[0] + factor * b[0], a[1] + factor * b[1], a[2] + factor * b[2]};
 }
-RealPoint mixed(const RealPoint& a, const RealPoint& b, Real t) { return sum(a, t, sum(b, -1, a)); }
-Real length(const RealPoint& a) { return std::hypot(a[0], a[1], a[2]); }
+RealPoint part_way(const RealPoint& a, const RealPoint& b, Real t) { return plus_part(a, t, plus_part(b, -1, a)); }
+Real norm_of(const RealPoint& a) { return std::hypot(a[0], a[1], a[2]); }
 
 /// By so much of the turn.
 RealPoint rotated(const Point& turn, Real part, const RealPoint& x) {
   return oracle::position({{}, turn, {}, {}}, x, part);
 }
 RealPoint placed(const Pose& pose, const Point& x) {
-  return sum(real(pose.position), 1, rotated(pose.rotation, 1, real(x)));
+  return plus_part(real_of(pose.position), 1, rotated(pose.rotation, 1, real_of(x)));
 }
 RealPoint on_chain(const Chain& chain, const Point& point, Real t) {
-  RealPoint x = real(point);
+  RealPoint x = real_of(point);
   for (auto link = chain.rbegin(); link != chain.rend(); ++link)
     x = oracle::position({link->start.rotation, link->end.rotation, link->start.position, link->end.position}, x, t);
   return x;
@@ -41,7 +41,7 @@ Real off_from(const RealPoint& expected, const Chain& chain, double time, const 
   std::array<Point, 1> point{};
   std::array<double, 1> error{};
   RigidPath({x}, {0}, {chain}).points_at(time, std::array<Index, 1>{0}, point, error);
-  return length(sum(real(point[0]), -1, expected));
+  return norm_of(plus_part(real_of(point[0]), -1, expected));
 }
 
 TEST(Motions, TurnAtConstantSpeedAboutACenterThatGoesStraight) {
@@ -52,8 +52,8 @@ TEST(Motions, TurnAtConstantSpeedAboutACenterThatGoesStraight) {
                 center = random.point_between(-2, 2), x = random.point_between(-2, 2);
     const Chain chain = turned(start, turn, end, center);
     for (const double t : {0.0, 0.3, 0.71, 1.0}) {
-      const RealPoint arm = rotated(start.rotation, 1, sum(real(x), -1, real(center)));
-      const RealPoint expected = sum(mixed(placed(start, center), real(end), t), 1, rotated(turn, t, arm));
+      const RealPoint arm = rotated(start.rotation, 1, plus_part(real_of(x), -1, real_of(center)));
+      const RealPoint expected = plus_part(part_way(placed(start, center), real_of(end), t), 1, rotated(turn, t, arm));
       EXPECT_LT(off_from(expected, chain, t, x), 1e-14L);
     }
   }
@@ -91,16 +91,16 @@ TEST(Motions, ThatBlendQuaternionsStayAsNearAsTheBoundSays) {
     const Chain chain = between(start, {{}, random.point_between(-size, size)});
     const Point turn = chain[0].end.rotation;
     const double bound = nlerp_deviation({}, {{}, turn});
-    const RealPoint x = real(random.point_between(-1, 1)), axis = real(turn);
+    const RealPoint x = real_of(random.point_between(-1, 1)), axis = real_of(turn);
     const RealPoint arm{axis[1] * x[2] - axis[2] * x[1], axis[2] * x[0] - axis[0] * x[2],
                         axis[0] * x[1] - axis[1] * x[0]};  // across the axis
     Real farthest = 0;
     for (int k = 1; k < 64; ++k) {
-      const Real t = k / Real(64), part = part_by_nlerp(length(axis), t);
-      farthest = std::max(farthest, length(sum(rotated(turn, part, arm), -1, rotated(turn, t, arm))));
+      const Real t = k / Real(64), part = part_by_nlerp(norm_of(axis), t);
+      farthest = std::max(farthest, norm_of(plus_part(rotated(turn, part, arm), -1, rotated(turn, t, arm))));
     }
-    EXPECT_LE(farthest, bound * length(arm) + 1e-17L);
-    EXPECT_GE(farthest, 0.25 * bound * length(arm) - 1e-17L);
+    EXPECT_LE(farthest, bound * norm_of(arm) + 1e-17L);
+    EXPECT_GE(farthest, 0.25 * bound * norm_of(arm) - 1e-17L);
   }
   EXPECT_EQ(nlerp_deviation({}, {}), 0);
   EXPECT_THROW(nlerp_deviation({}, {{}, {std::nan(""), 0, 0}}), InvalidPath);
@@ -128,9 +128,9 @@ TEST(Motions, OfChainsAreWithinTheirErrorsAndDeviations) {
     path.deviations(from, to, vertex, {&deviation, 1});
     for (int k = 1; k < 16; ++k) {
       const Real part = k / Real(16);
-      const RealPoint chord = mixed(on_chain(chain, x, from), on_chain(chain, x, to), part);
+      const RealPoint chord = part_way(on_chain(chain, x, from), on_chain(chain, x, to), part);
       const RealPoint curve = on_chain(chain, x, from + part * (Real(to) - from));
-      EXPECT_LE(length(sum(curve, -1, chord)), deviation + 1e-16L);
+      EXPECT_LE(norm_of(plus_part(curve, -1, chord)), deviation + 1e-16L);
     }
   }
 }

@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <ctime>
 #include <functional>
+#include <numbers>
 #include <random>
 #include <string>
 #include <vector>
@@ -203,6 +204,31 @@ void two_large_bodies(int steps) {
   print_row("earliest of two rough balls of 20,172 triangles, near, one turning", first.contact.has_value(), cost);
 }
 
+/// A nut that turns on a bolt by `angle` a step and follows the thread, all of which is near the bolt's.
+void nut_on_bolt(Index around, double angle, int steps) {
+  const scenes::Thread bolt{8, around, 6, 1, 0.25, 0.12};
+  scenes::Thread nut = bolt;
+  nut.turns = 3;
+  nut.radius += 0.01;
+  World world(one_thread());
+  world.add(shape_of(scenes::thread(bolt)), Static{});
+  const BodyId turning = world.add(shape_of(scenes::thread(nut)), Static{});
+  const auto pose = [&](double turned) {
+    return Pose{{0, 0, bolt.pitch * (1 + turned / (2 * std::numbers::pi))}, {0, 0, turned}};
+  };
+  EarliestBodyContact first;
+  const Cost cost = milliseconds(
+      steps,
+      [&](int step) {
+        world.move(turning, Rigid{interpolated(pose(angle * (step % 20)), pose(angle * (step % 20 + 1)))});
+      },
+      [&] { first = world.earliest(); });
+  print_row("earliest of a nut of " + std::to_string(2 * nut.turns * around * nut.along) + " triangles on a bolt of " +
+                std::to_string(2 * bolt.turns * around * bolt.along) + ", which turns by " +
+                std::to_string(angle).substr(0, 3) + " radians",
+            first.contact.has_value(), cost);
+}
+
 /// Seven links of 300 triangles, each turning in the frame of the one before it.
 struct Arm {
   static constexpr std::size_t kJoints = 7;
@@ -278,7 +304,7 @@ void arm(int steps) {
 
 }  // namespace
 
-/// Which: two, many (or one of its numbers of bodies), room, or arm; all without one.
+/// Which: two, many (or one of its numbers of bodies), nut, room, or arm; all without one.
 int main(int count, char** arguments) {
   const std::string which = count > 2 ? arguments[2] : "";
   const int steps = std::max(1, count > 1 ? std::atoi(arguments[1]) : 20);
@@ -286,6 +312,9 @@ int main(int count, char** arguments) {
   if (which.empty() || which == "two") two_large_bodies(steps);
   for (const int bodies : {1000, 10000})
     if (which.empty() || which == "many" || which == std::to_string(bodies)) many_bodies(bodies, steps);
+  if (which.empty() || which == "nut")
+    for (const Index around : {32, 96})
+      for (const double angle : {0.1, 1.}) nut_on_bolt(around, angle, steps);
   if (which.empty() || which == "room") room(steps);
   std::printf("\n| threads | radians | motions of an arm | free | a second |\n|--:|--:|--:|--:|--:|\n");
   if (which.empty() || which == "arm") arm(steps);

@@ -111,11 +111,6 @@ EarliestBodyContact World::State::earliest(const QueryOptions& asked) {
   return first;
 }
 
-void World::State::check_start(const EarliestBodyContact& first, const QueryOptions& asked) const {
-  if (asked.at_start == AtStart::fail && first.contact && first.toi_lower == 0)
-    refuse_touching_start(first.contact->kind, first.contact->vertices, first.contact->bodies);
-}
-
 bool World::State::is_free(const QueryOptions& asked) {
   if (asked.at_start == AtStart::fail) return !earliest(asked).contact;
   validate_of_path(asked);

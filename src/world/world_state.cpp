@@ -59,6 +59,11 @@ void World::State::refuse_touching_start(PairKind kind, const PairVertices& vert
                     "set_may_touch, or ask with at_start ignore");
 }
 
+void World::State::check_start(const EarliestBodyContact& first, const QueryOptions& asked) const {
+  if (asked.at_start != AtStart::fail || !first.contact || first.toi_lower > 0) return;
+  refuse_touching_start(first.contact->kind, first.contact->vertices, first.contact->bodies);
+}
+
 void World::State::begin() {
   for (Part* part : {&straight_, &turning_, &at_rest_}) {
     if (must_gather_) part->gathered = nullptr;

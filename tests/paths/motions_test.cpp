@@ -121,7 +121,7 @@ TEST(Motions, OfChainsAreWithinTheirErrorsAndDeviations) {
       path.points_at(t, vertex, {&point, 1}, {&error, 1});
       const RealPoint expected = on_chain(chain, x, t);
       for (std::size_t k = 0; k < 3; ++k) EXPECT_LE(std::fabs(point[k] - expected[k]), error + 1e-17L);
-      EXPECT_LT(error, 2e-12);
+      EXPECT_LT(error, 4e-12);
     }
     const double from = 0.4, to = 0.4 + 0.05 * (1 + i % 5);
     double deviation = 0;

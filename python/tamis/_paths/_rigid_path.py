@@ -172,8 +172,8 @@ def nlerp_deviation(start: npt.ArrayLike, end: npt.ArrayLike) -> Doubles:
     Returns
     -------
     array, shape (n,)
-        Times its distance from the center, no point is farther off. What is free by `between` with as much separation is
-        free by theirs.
+        Times its distance from the center, no point is farther off. What is free by `between` with as much separation
+        is free by theirs.
 
     Raises
     ------

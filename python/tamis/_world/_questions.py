@@ -162,7 +162,7 @@ class Questions:
         Raises
         ------
         InvalidOptions
-            A body that turns comes near another: ask `earliest`.
+            `keep` is not in [0, 1), or the separation is negative or not finite.
         """
         return body_step_of(self._world.safe_step(number(keep, "keep"), query_options(min_separation, at_start)))
 

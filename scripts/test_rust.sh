@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# test_rust.sh FOLDER TARGET: builds and tests the crates of adapters/rapier, without a warning, against the library
-# tamis_clamp in FOLDER; what cargo makes is kept in TARGET. Exit code 77 where cargo is missing or too old, or where
+# test_rust.sh FOLDERS TARGET: builds and tests the crates of adapters/rapier, without a warning, against the libraries
+# tamis_c and tamis_clamp in FOLDERS (A:B); what cargo makes is kept in TARGET. Exit code 77 where cargo is missing or too old, or where
 # the crates are not here and their registry cannot be reached.
 set -euo pipefail
 cd "$(dirname "$0")/../adapters/rapier"
@@ -19,5 +19,6 @@ if ! cargo fetch --quiet --locked --offline 2>/dev/null && ! timeout 120 cargo f
   exit 77
 fi
 ! cargo fmt --version >/dev/null 2>&1 || cargo fmt --all --check
-TAMIS_LIBRARY_DIR=$1 LD_LIBRARY_PATH=$1${LD_LIBRARY_PATH:+:$LD_LIBRARY_PATH} \
-  cargo test --quiet --locked --offline --target-dir "$2"
+export TAMIS_LIBRARY_DIR=$1 LD_LIBRARY_PATH=$1${LD_LIBRARY_PATH:+:$LD_LIBRARY_PATH}
+cargo test --quiet --locked --offline --target-dir "$2" --package tamis  # without the clamp, as most use it
+cargo test --quiet --locked --offline --target-dir "$2"

@@ -7,7 +7,7 @@ use rapier3d::math::{Pose, Rotation, Vector};
 use rapier3d::prelude::*;
 use std::f64::consts::PI;
 use std::time::{Duration, Instant};
-use tamis::{Motion, Place, Query, Shape, World};
+use tamis::{Motion, Query, Shape, World};
 use tamis_rapier::{Clamp, ClampOptions, Error};
 
 /// How the body that flies is made, and who looks after it.
@@ -223,7 +223,7 @@ impl Throw {
         world.add(&shape_of(&self.fixed)?, &Motion::at(tamis::Pose::default()))?;
         let body = world.add(&shape_of(&self.flying())?, &Motion::at(tamis::Pose::default()))?;
         for ends in flight.poses.windows(2) {
-            world.move_body(body, &Motion::between(&place_of(&ends[0]).pose()?, &place_of(&ends[1]).pose()?)?)?;
+            world.move_body(body, &Motion::between(&pose_of(&ends[0])?, &pose_of(&ends[1])?, [0.0; 3])?)?;
             if !world.is_free(&Query::default())? {
                 return Ok(false);
             }
@@ -258,8 +258,9 @@ fn double(pose: &Pose) -> DPose3 {
 }
 
 /// All bodies here have their centre of mass in their origin.
-fn place_of(pose: &Pose) -> Place {
-    Place { position: pose.translation.as_dvec3().to_array(), quaternion: pose.rotation.as_dquat().to_array() }
+fn pose_of(pose: &Pose) -> Result<tamis::Pose, Error> {
+    let q = pose.rotation.as_dquat();
+    tamis::Pose::of_quaternion([q.w, q.x, q.y, q.z], pose.translation.as_dvec3().to_array())
 }
 
 fn shape_of(triangles: &Triangles) -> Result<Shape, Error> {

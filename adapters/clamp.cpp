@@ -9,9 +9,12 @@
 namespace tamis::adapters {
 namespace {
 
-/// Of a gap. A pair that would touch after less than this stays: its distance must remain far above the 1e-7 by which
-/// an engine's floats may differ from a rotation.
-constexpr double kLeastTravel = 3e-2;
+/// Of a gap. A pair that would touch after less than this stays: its distance must remain far above the 1e-15 by which
+/// the end of one step's path may differ from the start of the next.
+constexpr double kLeastTravel = 1e-3;
+/// Of a gap. So does one that is known to be this near, however far it goes along: its distance would be halved in each
+/// step, until it is less than what rounding to the engine's floats moves a body by.
+constexpr double kLeastDistance = 0.05;
 /// Of the step: no more is needed of a time before which bodies are stopped.
 constexpr double kTolerance = 1e-4;
 /// Over all approaches; more would only spare questions.
@@ -62,7 +65,8 @@ class Clamp {
       const double way = fractions_.at(approach.bodies[i]) * approach.closing[i];
       (way > 0 ? closing : parting) += way;
     }
-    const double allowed = approach.distance - std::min(options_.gap, approach.distance / 2) - parting;
+    const double kept = std::clamp(approach.distance / 2, kLeastDistance * options_.gap, options_.gap);
+    const double allowed = std::max(0.0, approach.distance - kept) - parting;
     if (closing <= allowed * (1 + kTolerance)) return false;
     for (const std::size_t i : {0U, 1U}) {
       if (!fractions_.contains(approach.bodies[i]) || approach.closing[i] <= 0) continue;
@@ -130,12 +134,18 @@ class Clamp {
     for (const BodyId body : slower) set_off(body);
   }
 
+  bool is_nearest(const BodyPair& bodies) const {
+    return std::ranges::any_of(approaches_, [&](const Approach& approach) {
+      return approach.bodies == bodies && approach.distance < kLeastDistance * options_.gap;
+    });
+  }
+
   /// Which part of its way each of two bodies may go that touch at `time`.
   double part_before(const BodyPair& bodies, double time) const {
     double travel = 0;
     for (const BodyId body : bodies)
       if (const auto known = travels_.find(body); known != travels_.end()) travel += known->second;
-    if (travel * time < kLeastTravel * options_.gap) return 0;
+    if (travel * time < kLeastTravel * options_.gap || is_nearest(bodies)) return 0;
     return std::max(time - options_.gap / travel, time / 2);
   }
 

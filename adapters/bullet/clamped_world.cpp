@@ -62,6 +62,7 @@ class ClampedWorld::Step final : public adapters::WantedStep {
 
   std::vector<adapters::Approach> approaches() const override {
     std::vector<adapters::Approach> all;
+    for (const auto& [bodies, distance] : world_.distances_) all.push_back({bodies, distance, {0, 0}});
     for (const NearContact& near : world_.near_) {
       adapters::Approach approach{near.bodies, double{near.distance()}, {0, 0}};
       if (!(approach.distance > 0)) continue;
@@ -185,6 +186,10 @@ void ClampedWorld::find_near(const Pair& pair, const Point& direction, bool is_n
   const NearFeature first = feature_of(pair.bodies[0], vertices.first(of_first), all.first(of_first), 1);
   const NearFeature second = feature_of(pair.bodies[1], vertices.subspan(of_first), all.subspan(of_first), -1);
   const btVector3 normal = vector_of(direction);
+  if (is_now) {
+    double& distance = distances_.try_emplace(bodies, 2 * options_.gap).first->second;
+    distance = std::min(distance, double{NearContact{bodies, {first.side(), second.side()}, normal}.distance()});
+  }
   if (is_now && !(first.is_nearest(-normal) && second.is_nearest(normal))) return;
   NearContact contact{bodies, {first.side(), second.side()}, normal};
   if (bodies != pair.bodies) contact = {bodies, {second.side(), first.side()}, -normal};
@@ -198,6 +203,7 @@ void ClampedWorld::createPredictiveContacts(btScalar seconds) {
   follow();
   overlapping_ = adapters::overlapping(bodies_);
   near_.clear();
+  distances_.clear();
   for (const BodyNearPair& pair : bodies_.pairs_within(2 * options_.gap))
     if (pair.distance > 0) find_near(pair, pair.direction, true, for_solver);
   for (const BodyContact& limit : limits_) find_near(limit, limit.normal, false, for_solver);

@@ -77,8 +77,9 @@ class ClampedWorld : public btDiscreteDynamicsWorld {
   std::map<BodyId, Member> members_;
   std::map<const btCollisionShape*, std::shared_ptr<const Surface>> given_;  ///< by set_mesh
   std::set<adapters::BodyPair> overlapping_;
-  std::vector<BodyContact> limits_;  ///< of the last step
-  std::vector<NearContact> near_;    ///< when this step began
+  std::vector<BodyContact> limits_;                 ///< of the last step
+  std::vector<NearContact> near_;                   ///< when this step began
+  std::map<adapters::BodyPair, double> distances_;  ///< then, of these and of near pairs that push sidewards
   LastStep last_step_;
 };
 

@@ -184,6 +184,24 @@ def test_one_that_is_not_there_leaves_all_as_they_were(cube: tamis.Shape, bad: i
     assert world.contacts() == before
 
 
+def test_radii_and_steps_of_bodies_that_turn(cube: tamis.Shape) -> None:
+    world = tamis.World()
+    low, high = world.add_many(cube, _at((0, 0, 0), (0, 0, 3)))
+    world.move(high, tamis.interpolated(_at((0, 0, 3))[0], [[0, 0, 2], [0, 0, 0.5]]))
+    assert world.is_free()
+    step = world.safe_step(0.6, tolerance=1e-6)
+    assert step.pair is not None
+    assert 0.79 < step.lower < 0.81  # from the distance 2 down to 1.2
+    world.set_radius([low, high], 0.75)
+    assert abs(world.earliest().toi_lower - 0.5) < 1e-6
+    for bad in (-1.0, float("nan")):
+        with pytest.raises(tamis.InvalidOptions, match="radius"):
+            world.set_radius([low, high], bad)
+    with pytest.raises(tamis.InvalidOptions, match="no body 5"):
+        world.set_radius([low, 5], 0)
+    assert abs(world.earliest().toi_lower - 0.5) < 1e-6
+
+
 def test_many_motions_have_the_answers_that_they_have_alone(cube: tamis.Shape) -> None:
     """Bug: bodies that another motion has moved, or an answer that goes with the wrong motion."""
     world = tamis.World(threads=2)

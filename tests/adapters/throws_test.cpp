@@ -1,6 +1,7 @@
 // A few throws of the poster: none comes through, and Bullet alone stops some of them not.
 #include <gtest/gtest.h>
 
+#include "adapters/bullet/throws/cloth.hpp"
 #include "adapters/bullet/throws/independent.hpp"
 #include "adapters/bullet/throws/pile.hpp"
 #include "adapters/bullet/throws/scenes.hpp"
@@ -58,6 +59,11 @@ TEST(Pile, ComesToRestAGapApart) {
   for (std::size_t plate = 1; plate <= kPlates; ++plate)
     EXPECT_NEAR(run.places.back()[plate].getOrigin().y(), 0.006 * static_cast<double>(plate) - 0.0025, 2e-4) << plate;
   EXPECT_LT(run.questions, 1.5);
+}
+
+TEST(Cloth, DoesNotPassThroughItselfWhereItIsTruncated) {
+  EXPECT_EQ(touching_steps(run_cloth(21, 150, true)), 0);
+  EXPECT_GT(touching_steps(run_cloth(21, 150, false)), 0);
 }
 
 TEST(Pile, IsSeenToSinkIntoItselfWithoutAClamp) {

@@ -60,6 +60,7 @@ _NAMED: Mapping[str, Any] = {
     "points_at": _still,
     "position": np.zeros((2, 3)),
     "positions": START,
+    "radius": 0.25,
     "can_collide": lambda a, b: True,
     "rest": START,
     "rotation": np.array([[1.0, 0, 0, 0], [0, 1, 0, 0]]),

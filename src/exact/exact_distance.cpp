@@ -103,14 +103,15 @@ ExactDistance on_side(PairKind kind, const MovingPolygon& polygon, const MovingP
 }
 
 ExactDistance inside(const MovingPolygon& moving, const Plane& plane) {
-  const auto& [normal, square, height, within] = plane;
   const std::size_t end = moving.corner_count - 1;
-  const Integer &u = within[end], &v = within[0];
+  const IntegerVec& normal = plane.normal;
+  const Integer &square = plane.square, &u = plane.within[end], &v = plane.within[0];
   const auto height_of_velocity = [&] {
     const IntegerVec v0 = velocity(moving, 0);
     return dot(normal, square * v0 + u * (velocity(moving, 1) - v0) + v * (velocity(moving, end) - v0));
   };
-  const bool is_behind = height.sign() != 0 ? height.sign() < 0 : height_of_velocity().sign() > 0;
+  const int height = plane.height.sign();
+  const bool is_behind = height != 0 ? height < 0 : height_of_velocity().sign() > 0;
   const Vec3<double> direction = unit_vector_of(normal);
   return {0, value_of({u, square}), value_of({v, square}), is_behind ? -direction : direction};
 }

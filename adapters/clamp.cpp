@@ -12,19 +12,25 @@ namespace {
 /// Of a gap. A pair that would touch after less than this stays: its distance must remain far above the 1e-15 by which
 /// the end of one step's path may differ from the start of the next.
 constexpr double kLeastTravel = 1e-3;
+/// Of a gap. So does one that is known to be this near, however far it goes along: its distance would be halved in each
+/// step, until it is less than what rounding to the engine's floats moves a body by.
+constexpr double kLeastDistance = 0.05;
 /// Of the step: no more is needed of a time before which bodies are stopped.
 constexpr double kTolerance = 1e-4;
+/// Over all approaches; more would only spare questions.
+constexpr int kMostSweeps = 32;
 
 double length(const Point& v) { return std::hypot(v[0], v[1], v[2]); }
 
 class Clamp {
  public:
   Clamp(World& world, const WantedStep& step, const std::set<BodyPair>& overlapping, const ClampOptions& options)
-      : world_(world), step_(step), overlapping_(overlapping), options_(options) {
+      : world_(world), step_(step), overlapping_(overlapping), options_(options), approaches_(step.approaches()) {
     for (const BodyId body : step.moving()) fractions_[body] = 1;
   }
 
   ClampedStep run() {
+    hold_back_followers();
     for (const BodyId body : step_.moving()) set_off(body);
     ClampedStep result;
     for (bool is_free = false; !is_free;) {
@@ -39,6 +45,37 @@ class Clamp {
   }
 
  private:
+  /// At the approaches, in the first order: there and back through them, as followers have followers. The bodies whose
+  /// fractions change.
+  std::set<BodyId> hold_back_followers() {
+    std::set<BodyId> slower;
+    bool changes = true;
+    for (int sweep = 0; changes && sweep < kMostSweeps; ++sweep) {
+      changes = false;
+      for (const Approach& approach : approaches_) changes |= hold_back_at(approach, slower);
+      std::ranges::reverse(approaches_);
+    }
+    return slower;
+  }
+
+  bool hold_back_at(const Approach& approach, std::set<BodyId>& slower) {
+    double closing = 0, parting = 0;
+    for (const std::size_t i : {0U, 1U}) {
+      if (!fractions_.contains(approach.bodies[i])) continue;
+      const double way = fractions_.at(approach.bodies[i]) * approach.closing[i];
+      (way > 0 ? closing : parting) += way;
+    }
+    const double kept = std::clamp(approach.distance / 2, kLeastDistance * options_.gap, options_.gap);
+    const double allowed = std::max(0.0, approach.distance - kept) - parting;
+    if (closing <= allowed * (1 + kTolerance)) return false;
+    for (const std::size_t i : {0U, 1U}) {
+      if (!fractions_.contains(approach.bodies[i]) || approach.closing[i] <= 0) continue;
+      fractions_.at(approach.bodies[i]) *= allowed / closing;
+      slower.insert(approach.bodies[i]);
+    }
+    return true;
+  }
+
   void set_off(BodyId body) {
     const Pose start = step_.pose(body, 0), end = step_.pose(body, fractions_.at(body));
     const Chain way = between(start, end);
@@ -69,18 +106,38 @@ class Clamp {
     return first;
   }
 
+  bool may_move(BodyId body) const {
+    const auto known = fractions_.find(body);
+    return known != fractions_.end() && known->second > 0;
+  }
+
+  void refuse_unless_one_may_move(const BodyPair& bodies) const {
+    if (std::ranges::any_of(bodies, [&](BodyId body) { return may_move(body); })) return;
+    throw InvalidStep(
+        "bodies " + std::to_string(bodies[0]) + " and " + std::to_string(bodies[1]) +
+        " touch, and neither can be held back any more: name those that move, and no others, in moving()");
+  }
+
   void hold_back(const FirstContacts& contacts, bool by_part) {
     std::map<BodyId, double> parts;
-    for (const auto& [bodies, contact] : contacts)
+    for (const auto& [bodies, contact] : contacts) {
+      refuse_unless_one_may_move(bodies);
       for (const BodyId body : bodies)
-        if (fractions_.contains(body)) {
+        if (may_move(body)) {
           double& part = parts.try_emplace(body, 1).first->second;
           part = std::min(part, by_part ? part_before(bodies, contact.toi_lower) : 0);
         }
-    for (const auto& [body, part] : parts) {
-      fractions_.at(body) *= part;
-      set_off(body);
     }
+    for (const auto& [body, part] : parts) fractions_.at(body) *= part;
+    std::set<BodyId> slower = hold_back_followers();
+    for (const auto& [body, part] : parts) slower.insert(body);
+    for (const BodyId body : slower) set_off(body);
+  }
+
+  bool is_nearest(const BodyPair& bodies) const {
+    return std::ranges::any_of(approaches_, [&](const Approach& approach) {
+      return approach.bodies == bodies && approach.distance < kLeastDistance * options_.gap;
+    });
   }
 
   /// Which part of its way each of two bodies may go that touch at `time`.
@@ -88,7 +145,7 @@ class Clamp {
     double travel = 0;
     for (const BodyId body : bodies)
       if (const auto known = travels_.find(body); known != travels_.end()) travel += known->second;
-    if (travel * time < kLeastTravel * options_.gap) return 0;
+    if (travel * time < kLeastTravel * options_.gap || is_nearest(bodies)) return 0;
     return std::max(time - options_.gap / travel, time / 2);
   }
 
@@ -96,6 +153,7 @@ class Clamp {
   const WantedStep& step_;
   const std::set<BodyPair>& overlapping_;
   const ClampOptions& options_;
+  std::vector<Approach> approaches_;
   std::map<BodyId, double> fractions_;
   std::map<BodyId, double> travels_;  ///< bounds of how far any point of a body goes, of those that may move
 };

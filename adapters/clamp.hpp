@@ -13,6 +13,13 @@ namespace tamis::adapters {
 using BodyPair = std::array<BodyId, 2>;
 BodyPair pair_of(const std::array<BodyId, 2>& bodies);
 
+/// A place at which two bodies are near each other when a step begins.
+struct Approach {
+  BodyPair bodies;
+  double distance;                ///< > 0
+  std::array<double, 2> closing;  ///< by how much the whole way of each body lessens it; of one that stays 0
+};
+
 /// A step that an engine wants to make. What is proven is the way of each body from pose(body, 0) to where it is put at
 /// last: origin straight, turn by the shorter way about a fixed axis (`between`).
 class WantedStep {
@@ -28,6 +35,10 @@ class WantedStep {
   virtual double radius(BodyId body) const = 0;
   /// Does the engine collide these two?
   virtual bool collides(const BodyPair& bodies) const = 0;
+  /// Where bodies are known to be near each other, so that those that follow a body which is held back are held back
+  /// with it: a pile would else take a question for each body in it. Any may be left out, and none need be exact: what
+  /// is proven does not rest on them.
+  virtual std::vector<Approach> approaches() const { return {}; }
 };
 
 struct ClampOptions {

@@ -88,6 +88,19 @@ class FunctionPath final : public Path {
   tamis_path_functions functions_;
 };
 
+Point center_of(const double* center) { return center ? point_of(center) : Point{0, 0, 0}; }
+
+/// Writes the pose that `make` gives of a position, in a call without a handle.
+template <class Make>
+tamis_status write_pose(tamis_pose* pose, const double* position, const Make& make) noexcept {
+  Outcome outcome;
+  return attempt(outcome, [&] {
+    const Pose made = make(point_of(&required(position, "position")));
+    if (!is_finite(made)) throw InvalidPath("the position is not finite: give finite numbers");
+    required(pose, "pose") = to_c(made);
+  });
+}
+
 /// Writes the chain that `make` gives, in a call without a handle.
 template <class Make>
 tamis_status write_chain(tamis_link* links, const Make& make) noexcept {
@@ -107,16 +120,39 @@ tamis_status write_chain(tamis_link* links, const Make& make) noexcept {
 
 using namespace tamis::c;
 
-tamis_status tamis_turned(const tamis_pose* start, const double* turn, const double* end_position, tamis_link* links) {
+tamis_status tamis_turned(const tamis_pose* start, const double* turn, const double* end_position, const double* center,
+                          tamis_link* links) {
   return write_chain(links, [&] {
     const double &axis = required(turn, "turn"), &end = required(end_position, "end_position");
-    return tamis::turned(pose_of(required(start, "start")), point_of(&axis), point_of(&end));
+    return tamis::turned(pose_of(required(start, "start")), point_of(&axis), point_of(&end), center_of(center));
   });
 }
 
-tamis_status tamis_between(const tamis_pose* start, const tamis_pose* end, tamis_link* links) {
-  return write_chain(links,
-                     [&] { return tamis::between(pose_of(required(start, "start")), pose_of(required(end, "end"))); });
+tamis_status tamis_between(const tamis_pose* start, const tamis_pose* end, const double* center, tamis_link* links) {
+  return write_chain(links, [&] {
+    return tamis::between(pose_of(required(start, "start")), pose_of(required(end, "end")), center_of(center));
+  });
+}
+
+tamis_status tamis_nlerp_deviation(const tamis_pose* start, const tamis_pose* end, double* part) {
+  Outcome outcome;
+  return attempt(outcome, [&] {
+    required(part, "part") = tamis::nlerp_deviation(pose_of(required(start, "start")), pose_of(required(end, "end")));
+  });
+}
+
+tamis_status tamis_pose_of_quaternion(const double* quaternion, const double* position, tamis_pose* pose) {
+  return write_pose(pose, position, [&](const tamis::Point& at) {
+    const double* q = &required(quaternion, "quaternion");
+    return tamis::pose_of_quaternion({q[0], q[1], q[2], q[3]}, at);
+  });
+}
+
+tamis_status tamis_pose_of_matrix(const double* rows, const double* position, tamis_pose* pose) {
+  return write_pose(pose, position, [&](const tamis::Point& at) {
+    const double* r = &required(rows, "rows");
+    return tamis::pose_of_matrix({point_of(r), point_of(r + 3), point_of(r + 6)}, at);
+  });
 }
 
 tamis_status tamis_rigid_path_create(const tamis_rigid_path_input* input, tamis_path** path) {

@@ -124,6 +124,15 @@ tamis_status tamis_world_set_enabled(tamis_world* world, const int32_t* bodies, 
   });
 }
 
+tamis_status tamis_world_set_radius(tamis_world* world, const int32_t* bodies, size_t count, double radius) {
+  return with(world, [&](tamis_world& handle) {
+    const auto named = bodies_of(bodies, count, "count");
+    change(*handle.asked, named, [&](tamis::World& w) {
+      for (const tamis::BodyId body : named) w.set_radius(body, radius);
+    });
+  });
+}
+
 tamis_status tamis_world_set_may_touch(tamis_world* world, const int32_t* bodies, size_t count, int may_touch) {
   return with(world, [&](tamis_world& handle) {
     check_count(count, "count");

@@ -11,12 +11,12 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 PAGE = "docs/questions.md"
 # What a door has besides questions: making, changing, reading what was answered.
 NO_QUESTIONS = {
-    *("add", "move", "motion", "remove", "set_enabled", "set_may_touch"),
+    *("add", "move", "motion", "remove", "set_enabled", "set_may_touch", "set_radius"),
     *("mesh", "options", "points", "memory_bytes", "statistics", "vertex_count", "balance", "write"),
     *("bench", "info", "scene", "view"),
 }
 NO_QUESTIONS_IN_C = re.compile(
-    r"_(create|(?<!_is_)free|message|statistics|copy_\w+|points_at|add|move|remove|set_\w+)$|^tamis_(mesh_|version|turned|between|weights_of)"
+    r"_(create|(?<!_is_)free|message|statistics|copy_\w+|points_at|add|move|remove|set_\w+)$|^tamis_(mesh_|version|turned|between|nlerp_|pose_of_|weights_of)"
 )
 
 

@@ -1,35 +1,27 @@
 #include "adapters/bullet/clamped_world.hpp"
 
-#include <BulletCollision/CollisionDispatch/btManifoldResult.h>
 #include <LinearMath/btTransformUtil.h>
 
 #include <algorithm>
-#include <cmath>
+#include <optional>
 
+#include "adapters/bullet/carriers.hpp"
 #include "adapters/bullet/mesh_of_shape.hpp"
 
 namespace tamis::bullet {
 namespace {
 
-double radius_of(const Shape& mesh) {
-  double radius = 0;
-  for (const Point& p : mesh.points()) radius = std::max(radius, std::hypot(p[0], p[1], p[2]));
-  return radius;
-}
-
 BodyMotion motion_at(const btCollisionObject& object, const Pose& pose) {
   return object.isStaticObject() ? BodyMotion(Static{pose}) : adapters::resting(pose);
 }
 
-/// Does Bullet move it?
-bool moves(const btRigidBody& body) { return body.isActive() && !body.isStaticOrKinematicObject(); }
-
 }  // namespace
 
-/// How a body is to move in one step: Bullet's own motion, of which a part can be asked for.
+/// How a body is to move in one step, of which a part can be asked for. Bullet's solver may have moved it already, out
+/// of a margin that it was deep in (split impulse): that is part of the way, which begins where the last step ended.
 class ClampedWorld::Way {
  public:
-  Way(const btRigidBody& body, const btTransform& end) : start_(body.getWorldTransform()), end_(end) {
+  Way(const btTransform& start, const btTransform& end) : start_(start), end_(end) {
     btVector3 axis;
     btScalar angle;
     btTransformUtil::calculateDiffAxisAngle(start_, end_, axis, angle);
@@ -58,15 +50,32 @@ class ClampedWorld::Step final : public adapters::WantedStep {
       if (!body || !moves(*body)) continue;
       btTransform end;
       body->predictIntegratedTransform(seconds, end);
-      ways_.emplace(id, Way(*body, end));
+      ways_.emplace(id, Way(member.place, end));
       moving_.push_back(id);
     }
   }
 
   std::span<const BodyId> moving() const override { return moving_; }
   Pose pose(BodyId body, double fraction) const override { return pose_of(place(body, fraction)); }
-  double radius(BodyId body) const override { return world_.members_.at(body).radius; }
+  double radius(BodyId body) const override { return world_.members_.at(body).surface->radius; }
   bool collides(const adapters::BodyPair& bodies) const override { return world_.collides(bodies); }
+
+  std::vector<adapters::Approach> approaches() const override {
+    std::vector<adapters::Approach> all;
+    for (const auto& [bodies, distance] : world_.distances_) all.push_back({bodies, distance, {0, 0}});
+    for (const NearContact& near : world_.near_) {
+      adapters::Approach approach{near.bodies, double{near.distance()}, {0, 0}};
+      if (!(approach.distance > 0)) continue;
+      for (const std::size_t k : {0U, 1U})
+        if (const auto way = ways_.find(approach.bodies[k]); way != ways_.end()) {
+          const btVector3& local = near.sides[k].local;
+          const btScalar parting = (way->second.at(1) * local - way->second.at(0) * local).dot(near.normal);
+          approach.closing[k] = k == 0 ? -parting : parting;
+        }
+      all.push_back(approach);
+    }
+    return all;
+  }
 
   btTransform place(BodyId body, double fraction) const { return ways_.at(body).at(fraction); }
 
@@ -82,21 +91,23 @@ ClampedWorld::ClampedWorld(btDispatcher* dispatcher, btBroadphaseInterface* broa
       options_(options),
       bodies_(Options{.threads = threads}) {}
 
-void ClampedWorld::set_mesh(const btCollisionShape& shape, const Shape& mesh) { given_.insert_or_assign(&shape, mesh); }
+void ClampedWorld::set_mesh(const btCollisionShape& shape, const Shape& mesh) {
+  given_.insert_or_assign(&shape, std::make_shared<const Surface>(mesh));
+}
 
-Shape ClampedWorld::mesh_for(const btCollisionShape* shape) const {
+std::shared_ptr<const Surface> ClampedWorld::surface_of(const btCollisionShape* shape) const {
   if (const auto given = given_.find(shape); given != given_.end()) return given->second;
   for (const auto& [id, member] : members_)
-    if (member.shape == shape) return member.mesh;
-  return mesh_of(*shape);
+    if (member.shape == shape) return member.surface;
+  return std::make_shared<const Surface>(mesh_of(*shape));
 }
 
 void ClampedWorld::join(btCollisionObject* object) {
   const btCollisionShape* const shape = object->getCollisionShape();
-  const Shape mesh = mesh_for(shape);
+  const auto surface = surface_of(shape);
   const btTransform& place = object->getWorldTransform();
-  const BodyId id = bodies_.add(mesh, motion_at(*object, pose_of(place)));
-  members_.emplace(id, Member{object, shape, mesh, radius_of(mesh), place});
+  const BodyId id = bodies_.add(surface->mesh, motion_at(*object, pose_of(place)));
+  members_.emplace(id, Member{object, shape, surface, place});
 }
 
 void ClampedWorld::leave(const btCollisionObject* object) {
@@ -151,73 +162,60 @@ bool ClampedWorld::collides(const adapters::BodyPair& bodies) const {
          m_dispatcher1->needsCollision(a, b);
 }
 
-class ClampedWorld::Predicted {
- public:
-  explicit Predicted(ClampedWorld& world) : world_(world) {}
-
-  /// `direction`: from the second feature to the first.
-  void add(const std::array<BodyId, 2>& bodies, PairKind kind, const std::array<Index, 4>& vertices, double u, double v,
-           const Point& direction) {
-    const adapters::BodyPair pair = adapters::pair_of(bodies);
-    if (!world_.members_.contains(pair[0]) || !world_.members_.contains(pair[1])) return;
-    if (world_.overlapping_.contains(pair) || !world_.collides(pair)) return;
-    const auto local = closest_points(bodies, kind, vertices, weights_of(kind, u, v));
-    btPersistentManifold& manifold = manifold_of(bodies);
-    const btCollisionObject *const first = manifold.getBody0(), *const second = manifold.getBody1();
-    btManifoldPoint point(local[0], local[1], vector_of(direction), 0);
-    point.m_positionWorldOnA = first->getWorldTransform() * local[0];
-    point.m_positionWorldOnB = second->getWorldTransform() * local[1];
-    point.m_distance1 = (point.m_positionWorldOnA - point.m_positionWorldOnB).dot(point.m_normalWorldOnB) -
-                        static_cast<btScalar>(world_.options_.gap);
-    point.m_combinedFriction = btManifoldResult::calculateCombinedFriction(first, second);
-    point.m_combinedRestitution = btManifoldResult::calculateCombinedRestitution(first, second);
-    manifold.addManifoldPoint(point, true);
+NearFeature ClampedWorld::feature_of(BodyId body, std::span<const Index> vertices, std::span<const double> weights,
+                                     double sign) const {
+  const Member& member = members_.at(body);
+  NearFeature feature{member.object, *member.surface, {}, {}};
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    if (vertices[i] < 0) continue;
+    feature.vertices.push_back(vertices[i]);
+    feature.weights.push_back(sign * weights[i]);
   }
+  return feature;
+}
 
- private:
-  /// Each in its own body's frame.
-  std::array<btVector3, 2> closest_points(const std::array<BodyId, 2>& bodies, PairKind kind,
-                                          const std::array<Index, 4>& vertices,
-                                          const std::array<double, 4>& weights) const {
-    const std::size_t of_first = kind == PairKind::edge_edge ? 2 : 1;
-    std::array<btVector3, 2> points{btVector3(0, 0, 0), btVector3(0, 0, 0)};
-    for (std::size_t i = 0; i < 4; ++i) {
-      if (vertices[i] < 0) continue;
-      const std::size_t side = i < of_first ? 0 : 1;
-      const double share = side == 0 ? weights[i] : -weights[i];
-      const std::vector<Point>& all = world_.members_.at(bodies[side]).mesh.points();
-      points[side] += vector_of(all[static_cast<std::size_t>(vertices[i])]) * static_cast<btScalar>(share);
-    }
-    return points;
+template <class Pair>
+void ClampedWorld::find_near(const Pair& pair, const Point& direction, bool is_now, SolverContacts& for_solver) {
+  const adapters::BodyPair bodies = adapters::pair_of(pair.bodies);
+  if (!members_.contains(bodies[0]) || !members_.contains(bodies[1])) return;
+  if (overlapping_.contains(bodies) || !collides(bodies)) return;
+  const auto weights = weights_of(pair.kind, pair.u, pair.v);
+  const std::size_t of_first = pair.kind == PairKind::edge_edge ? 2 : 1;
+  const std::span<const Index> vertices(pair.vertices);
+  const std::span<const double> all(weights);
+  const NearFeature first = feature_of(pair.bodies[0], vertices.first(of_first), all.first(of_first), 1);
+  const NearFeature second = feature_of(pair.bodies[1], vertices.subspan(of_first), all.subspan(of_first), -1);
+  const btVector3 normal = vector_of(direction);
+  if (is_now) {
+    double& distance = distances_.try_emplace(bodies, 2 * options_.gap).first->second;
+    distance = std::min(distance, double{NearContact{bodies, {first.side(), second.side()}, normal}.distance()});
   }
-
-  btPersistentManifold& manifold_of(const std::array<BodyId, 2>& bodies) {
-    btPersistentManifold*& manifold = manifolds_[bodies];
-    if (!manifold) {
-      manifold = world_.m_dispatcher1->getNewManifold(world_.members_.at(bodies[0]).object,
-                                                      world_.members_.at(bodies[1]).object);
-      world_.m_predictiveManifolds.push_back(manifold);
-    }
-    return *manifold;
-  }
-
-  ClampedWorld& world_;
-  std::map<std::array<BodyId, 2>, btPersistentManifold*> manifolds_;
-};
+  if (is_now && !(first.is_nearest(-normal) && second.is_nearest(normal))) return;
+  NearContact contact{bodies, {first.side(), second.side()}, normal};
+  if (bodies != pair.bodies) contact = {bodies, {second.side(), first.side()}, -normal};
+  for_solver.add(contact, static_cast<btScalar>(options_.gap), m_predictiveManifolds);
+  if (is_now) near_.push_back(contact);
+}
 
 void ClampedWorld::createPredictiveContacts(btScalar seconds) {
+  SolverContacts for_solver(*m_dispatcher1, m_predictiveManifolds);
   btDiscreteDynamicsWorld::createPredictiveContacts(seconds);
   follow();
   overlapping_ = adapters::overlapping(bodies_);
-  Predicted predicted(*this);
-  for (const BodyNearPair& near : bodies_.pairs_within(2 * options_.gap))
-    if (near.distance > 0) predicted.add(near.bodies, near.kind, near.vertices, near.u, near.v, near.direction);
-  for (const BodyContact& limit : limits_)
-    predicted.add(limit.bodies, limit.kind, limit.vertices, limit.u, limit.v, limit.normal);
+  near_.clear();
+  distances_.clear();
+  for (const BodyNearPair& pair : bodies_.pairs_within(2 * options_.gap))
+    if (pair.distance > 0) find_near(pair, pair.direction, true, for_solver);
+  for (const BodyContact& limit : limits_) find_near(limit, limit.normal, false, for_solver);
+  for_solver.start_warm();
 }
 
 void ClampedWorld::integrateTransforms(btScalar seconds) {
-  const Step step(*this, seconds);
+  Carriers carriers(near_, static_cast<btScalar>(options_.gap), seconds);
+  carriers.take_speed();
+  std::optional<Step> way;
+  carriers.part([&] { way.emplace(*this, seconds); });
+  const Step& step = *way;
   adapters::ClampedStep clamped = adapters::clamp(bodies_, step, overlapping_, options_);
   limits_ = std::move(clamped.limits);
   last_step_ = {{}, clamped.questions, overlapping_.size()};

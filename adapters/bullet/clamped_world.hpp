@@ -3,8 +3,10 @@
 #include <btBulletDynamicsCommon.h>
 
 #include <map>
+#include <memory>
 #include <vector>
 
+#include "adapters/bullet/near_contacts.hpp"
 #include "adapters/clamp.hpp"
 
 namespace tamis::bullet {
@@ -13,13 +15,12 @@ namespace tamis::bullet {
 /// collision objects, each with the mesh of its shape (`mesh_of`).
 ///
 /// The last part of Bullet's step, integrateTransforms, is where it says how each body is to move; there bodies are
-/// held back (adapters/clamp.hpp). Velocities stay: what happens at a contact is left to Bullet's solver. The tick
-/// callback comes too late, when bodies are already elsewhere and islands may have gone to sleep. Bullet's own narrow
-/// phase does not see every contact of meshes, and boxes only once they overlap, so that bodies would be held back for
-/// ever and gather speed. Two kinds of predictive contacts are therefore added, on which the solver keeps bodies one
-/// gap apart: pairs within two gaps, and what held bodies back in the last step (a plate that spins on its edge comes
-/// down on another one). So bodies that lie on each other are in the solver's hands, and held back only while they come
-/// near.
+/// held back (adapters/clamp.hpp). The tick callback comes too late, when bodies are already elsewhere and islands may
+/// have gone to sleep. Bullet's own narrow phase does not see every contact of meshes, and boxes only once they
+/// overlap, so that bodies would be held back for ever and gather speed. Two kinds of predictive contacts are therefore
+/// added, on which the solver keeps bodies one gap apart: pairs within two gaps, and what held bodies back in the last
+/// step (a plate that spins on its edge comes down on another one). What the solver has not solved of the former is
+/// taken from the bodies after it (Carriers). So bodies that lie on each other are held back only while they come near.
 class ClampedWorld : public btDiscreteDynamicsWorld {
  public:
   BT_DECLARE_ALIGNED_ALLOCATOR();
@@ -53,8 +54,7 @@ class ClampedWorld : public btDiscreteDynamicsWorld {
   struct Member {
     btCollisionObject* object;
     const btCollisionShape* shape;
-    Shape mesh;
-    double radius;
+    std::shared_ptr<const Surface> surface;
     btTransform place;  ///< where the world of bodies has it
   };
   class Way;
@@ -62,19 +62,24 @@ class ClampedWorld : public btDiscreteDynamicsWorld {
 
   void join(btCollisionObject* object);
   void leave(const btCollisionObject* object);
-  Shape mesh_for(const btCollisionShape* shape) const;
+  std::shared_ptr<const Surface> surface_of(const btCollisionShape* shape) const;
   void put(BodyId id, Member& member);
   void follow();
   bool collides(const adapters::BodyPair& bodies) const;
-  /// Contacts for the solver, until the next step; those of two bodies share a manifold.
-  class Predicted;
+  NearFeature feature_of(BodyId body, std::span<const Index> vertices, std::span<const double> weights,
+                         double sign) const;
+  /// `is_now`: near where the bodies are; otherwise on their ways of the last step.
+  template <class Pair>
+  void find_near(const Pair& pair, const Point& direction, bool is_now, SolverContacts& for_solver);
 
   adapters::ClampOptions options_;
   World bodies_;
   std::map<BodyId, Member> members_;
-  std::map<const btCollisionShape*, Shape> given_;  ///< by set_mesh
+  std::map<const btCollisionShape*, std::shared_ptr<const Surface>> given_;  ///< by set_mesh
   std::set<adapters::BodyPair> overlapping_;
-  std::vector<BodyContact> limits_;  ///< of the last step
+  std::vector<BodyContact> limits_;                 ///< of the last step
+  std::vector<NearContact> near_;                   ///< when this step began
+  std::map<adapters::BodyPair, double> distances_;  ///< then, of these and of near pairs that push sidewards
   LastStep last_step_;
 };
 

@@ -184,6 +184,24 @@ def test_one_that_is_not_there_leaves_all_as_they_were(cube: tamis.Shape, bad: i
     assert world.contacts() == before
 
 
+def test_radii_and_steps_of_bodies_that_turn(cube: tamis.Shape) -> None:
+    world = tamis.World()
+    low, high = world.add_many(cube, _at((0, 0, 0), (0, 0, 3)))
+    world.move(high, tamis.interpolated(_at((0, 0, 3))[0], [[0, 0, 2], [0, 0, 0.5]]))
+    assert world.is_free()
+    step = world.safe_step(0.6, tolerance=1e-6)
+    assert step.pair is not None
+    assert 0.79 < step.lower < 0.81  # from the distance 2 down to 1.2
+    world.set_radius([low, high], 0.75)
+    assert abs(world.earliest().toi_lower - 0.5) < 1e-6
+    for bad in (-1.0, float("nan")):
+        with pytest.raises(tamis.InvalidOptions, match="radius"):
+            world.set_radius([low, high], bad)
+    with pytest.raises(tamis.InvalidOptions, match="no body 5"):
+        world.set_radius([low, 5], 0)
+    assert abs(world.earliest().toi_lower - 0.5) < 1e-6
+
+
 def test_many_motions_have_the_answers_that_they_have_alone(cube: tamis.Shape) -> None:
     """Bug: bodies that another motion has moved, or an answer that goes with the wrong motion."""
     world = tamis.World(threads=2)
@@ -211,7 +229,7 @@ def test_many_motions_that_do_not_fit(cube: tamis.Shape) -> None:
     world = tamis.World()
     places = _at((0, 0, 0), (4, 0, 0))
     bodies = world.add_many(cube, places)
-    motions = np.broadcast_to(tamis.between(places, places), (3, 2, 1, 4, 3))
+    motions = np.broadcast_to(tamis.between(places, places), (3, 2, 2, 4, 3))
     assert world.earliest_many(bodies, motions).is_free.all()
     assert len(world.earliest_many(bodies, motions[:0]).toi_lower) == 0
     with pytest.raises(tamis.InvalidPath, match=r"give \(n, 1, links, 4, 3\)"):
@@ -267,8 +285,33 @@ def test_chains_of_many_poses() -> None:
         assert np.array_equal(make(start, end), [make(*poses) for poses in zip(start, end)])
     turns = tamis.turned(start, end[:, 1], end[:, 0])
     assert np.array_equal(turns, [tamis.turned(s, e[1], e[0]) for s, e in zip(start, end)])
+    about = tamis.between(start, end, center=end[:, 1])
+    assert np.array_equal(about, [tamis.between(s, e, center=e[1]) for s, e in zip(start, end)])
+    assert np.array_equal(tamis.nlerp_deviation(start, end), [tamis.nlerp_deviation(*p)[0] for p in zip(start, end)])
     with pytest.raises(tamis.InvalidPath, match="start has 5, end has 4"):
         tamis.between(start, end[:4])
+    with pytest.raises(tamis.InvalidPath, match="center has 4, start has 5: give one, or as many"):
+        tamis.between(start, end, center=end[:4, 1])
+
+
+def test_chains_begin_and_end_at_their_poses() -> None:
+    """Bug: the rotation of the start was dropped, so that a turned body was asked about where it is not."""
+    random = np.random.default_rng(2)
+    corners, center = random.normal(size=(4, 3)), random.normal(size=3)
+    poses = random.normal(size=(2, 6, 2, 3))
+
+    def at(pose: Array) -> Array:
+        return tamis.RigidPath(corners, [0] * 4, [tamis.interpolated(pose, pose)]).points_at(0)
+
+    for start, end, chain in zip(*poses, tamis.between(*poses, center=center)):
+        path = tamis.RigidPath(corners, [0] * 4, [chain])
+        assert np.allclose(path.points_at(0), at(start), atol=1e-14)
+        assert np.allclose(path.points_at(1), at(end), atol=1e-14)
+        middle = tamis.RigidPath([center], [0], [chain]).points_at(0.25)
+        ends = [tamis.RigidPath([center], [0], [tamis.interpolated(p, p)]).points_at(0) for p in (start, end)]
+        assert np.allclose(middle, 0.75 * ends[0] + 0.25 * ends[1], atol=1e-14)
+    turn = tamis.turned(poses[0, 0], [0, 0, 2.5], poses[1, 0, 0])
+    assert np.allclose(tamis.RigidPath(corners, [0] * 4, [turn]).points_at(0), at(poses[0, 0]), atol=1e-14)
 
 
 @pytest.mark.parametrize(

@@ -9,9 +9,8 @@ namespace {
 
 /// About so many are looked at.
 constexpr std::size_t kSampledVertices = 4096, kSampledEdges = 1024;
-/// A gradient is worth what it costs if near pairs keep this part of their clearance at most. The room that it takes is
-/// that of boxes as large as some edges.
-constexpr double kMostLeft = 0.75, kRoomOfAnEdge = 8 * error_bounds::kRoomOfBoxes;
+/// The room that a gradient takes: that of boxes as large as some edges.
+constexpr double kRoomOfAnEdge = 8 * error_bounds::kRoomOfBoxes;
 /// So much is left beyond the fraction, and distances grow by so much at most: else the room takes more than is won.
 constexpr double kLeastBeyond = 0x1p-4, kGreatestStretch = 4;
 
@@ -39,7 +38,7 @@ double growth_beside(const DisplacementGradient& gradient, const Mesh& mesh, con
 void SharedMotion::fit(const Step& step, const BoxFrame& frame, double fraction) {
   fit_ = {};
   stretch_ = {};
-  const double most = kMostLeft * growth_beside({}, mesh_, step, frame) / (1 - fraction);
+  const double most = growth_beside({}, mesh_, step, frame) / (1 - fraction);
   if (!(kRoomOfAnEdge / (1 - fraction) < most)) return;  // whatever it leaves
   const auto points = mesh_.points();
   const GradientFit fit = fit_gradient(step, frame, points, points.size() / kSampledVertices + 1);

@@ -146,16 +146,15 @@ class ClearanceBoxes {
   const float t_limit_, per_way2_;
 };
 
-/// Is there no gradient, and do all features go so short a way beside each other, for the size of a leaf block, that
-/// where the boxes come near says no more than how near they are?
+/// Is there no gradient, and do all features go less far beside each other than half of a leaf block's size? Then
+/// where the boxes come near says little more than how near they are (docs/history/performance.md, "What chooses").
 inline bool goes_a_short_way(const Search& search, int block) {
-  constexpr float kShort = 0.3f;
   if (search.near.clearance.per_size2 > 0) return false;
   const BoxBlock& hulls = search.a.levels[1][block / kBlock];
   const int lane = block % kBlock;
   float size = 0;
   for (int axis = 0; axis < 3; ++axis) size += hulls.high0[axis][lane] - hulls.low0[axis][lane];
-  return search.near.reach * search.near.spread < kShort * size;
+  return search.near.reach * search.near.spread < 0.5f * size;
 }
 
 }  // namespace tamis::TAMIS_ISA

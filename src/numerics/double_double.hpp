@@ -55,11 +55,12 @@ struct DoubleDouble {
 
 namespace double_double {
 
-/// a + b, exactly. REQUIRES: |a| >= |b|, or a = 0.
+/// a + b, exactly. REQUIRES: |a| >= |b|, or a = 0, or a is a multiple of the last digit of b, as where two numbers
+/// cancel that differ by no more than their low parts.
 inline DoubleDouble ordered_sum(double a, double b) {
-  TAMIS_ASSERT(a == 0 || !(std::fabs(a) < std::fabs(b)));
-  const double sum = a + b;
-  return {sum, b - (sum - a)};
+  const double sum = a + b, low = b - (sum - a);
+  TAMIS_ASSERT(a == 0 || !(std::fabs(a) < std::fabs(b)) || low == DoubleDouble::sum_of(a, b).low);
+  return {sum, low};
 }
 
 }  // namespace double_double

@@ -102,20 +102,29 @@ class PathSolver {
   int parts_left_, fine_parts_left_ = kMostFineParts;
 };
 
-/// Of the chord between the ends of the bracket; on which side it begins the path knows better than doubles.
+/// The sign of the pair's coplanarity at a moment: in doubles, or where they do not know it in double-double, which
+/// costs ten times as much. 0: that does not know it either.
+int side_at(PairKind kind, const PairReader& reader, const Moment<double>& moment) {
+  return with_kind(kind, [&](auto k) {
+    const auto side_of = [&]<class T>(const Moment<T>& at) {
+      return crossing_of(Chords<k(), T>(at, at, {}).at_ends()).sign_at_start;
+    };
+    const int side = side_of(moment);
+    return side != 0 ? side : side_of(reader.at<DoubleDouble>(moment.time));
+  });
+}
+
+/// Of the chord between the ends of the bracket; on which side it begins the path knows better than the chord.
 ContactPlace place_on_path(const PathQuestion& question, const Decision& decision) {
   const PairKind kind = question.kind;
   PairReader reader(question.path, question.vertices);
   reader.set_unit_at(decision.lower);
-  const PairPoints points = points_between(reader.at<double>(decision.lower), reader.at<double>(decision.upper));
+  const auto start = reader.at<double>(decision.lower);
+  const PairPoints points = points_between(start, reader.at<double>(decision.upper));
   const PairMotion<double> chord = make_motion(kind, points);
   if (is_about_distance(kind, question.min_separation)) return closest_place(kind, points, chord, 0);
-  const auto start = reader.at<DoubleDouble>(decision.lower);
-  const std::array<double, 4> deviations{};
-  const int sign = with_kind(kind, [&](auto k) {
-    return crossing_of(Chords<k(), DoubleDouble>(start, start, deviations).at_ends()).sign_at_start;
-  });
-  return crossing_place(kind, points, chord, {0, 1}, kind == PairKind::edge_edge ? -sign : sign);
+  const int side = side_at(kind, reader, start);
+  return crossing_place(kind, points, chord, {0, 1}, kind == PairKind::edge_edge ? -side : side);
 }
 
 }  // namespace

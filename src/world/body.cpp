@@ -54,6 +54,7 @@ Body::Body(BodyId id, std::shared_ptr<const BodyShape> shape, BodyMotion motion)
 }
 
 Body::Body(const Body& other) : Body(other.id_, other.shape_, other.motion_) {
+  set_radius(other.radius_);
   is_enabled = other.is_enabled;
   may_touch_itself = other.may_touch_itself;
   radius_ = other.radius_;

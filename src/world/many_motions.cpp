@@ -49,8 +49,7 @@ std::vector<EarliestBodyContact> World::State::earliest_many(std::span<const Bod
                                                              const QueryOptions& asked) {
   validate_of_path(asked);
   validate(moved, motions);
-  QueryOptions of_each = asked;
-  if (asked.at_start == AtStart::fail) of_each.at_start = AtStart::report;
+  const QueryOptions of_each = of_curves(asked);
   std::vector<EarliestBodyContact> found(motions.empty() ? 0 : motions.size() / moved.size());
   tbb::enumerable_thread_specific<std::unique_ptr<State>> worlds([&] { return std::make_unique<State>(*this); });
   Arena(options.threads).run([&] {

@@ -3,6 +3,7 @@
 
 #include "adapters/bullet/clamped_world.hpp"
 #include "adapters/bullet/mesh_of_shape.hpp"
+#include "adapters/bullet/throws/arena.hpp"
 #include "tamis/error.hpp"
 
 namespace tamis::bullet {
@@ -126,6 +127,27 @@ TEST(ClampedWorld, FollowsBodiesThatAreMovedAndRemoved) {
   body.setLinearVelocity({-200, 0, 0});
   simulation.run(3);
   EXPECT_LT(body.getWorldTransform().getOrigin().x(), -3);
+}
+
+/// The floor's margin holds the plate, so that the solver moves it up by a centimetre at once, without a velocity; a
+/// sheet is in its way.
+TEST(ClampedWorld, HoldsBackWhatTheSolverMovesOutOfAMargin) {
+  const auto hull_of = [](const btVector3& half) {
+    auto hull = std::make_unique<btConvexHullShape>();
+    for (const Point& p : box({half.x(), half.y(), half.z()}).points) hull->addPoint(vector_of(p));
+    return hull;
+  };
+  const auto floor = hull_of({5, 0.5F, 5}), plate = hull_of({0.2F, 0.002F, 0.2F});
+  btBoxShape sheet({5, 0.0005F, 5});
+  Simulation simulation;
+  simulation.world.setGravity({0, 0, 0});
+  simulation.add(*floor, 0, {0, -0.5F, 0});
+  const btRigidBody& body = simulation.add(*plate, 1, {0, 0.005F, 0});
+  simulation.add(sheet, 0, {0, 0.012F, 0});
+  for (int i = 0; i < 30; ++i) {
+    simulation.run(1);
+    ASSERT_LT(body.getWorldTransform().getOrigin().y(), 0.012F) << "step " << i;
+  }
 }
 
 /// Thin plates, thinner than what gravity moves one in two steps.

@@ -98,6 +98,15 @@ TEST(Clamp, DoesNotStopWhomTheEngineDoesNotCollide) {
   EXPECT_EQ(clamp(world, step, {}).fractions[0], 1);
 }
 
+/// Bug: all are asked for ever, as nobody can be held back.
+TEST(Clamp, RefusesBodiesThatMeetWithoutBeingAskedToMove) {
+  World world;
+  const Table step;
+  world.add(plate(), Static{});
+  world.add(plate(), Rigid{between(at_height(1), at_height(-3))});
+  EXPECT_THROW(clamp(world, step, {}), InvalidStep);
+}
+
 TEST(Clamp, RefusesAGapOrRoundsOutOfRange) {
   World world;
   const Table step;

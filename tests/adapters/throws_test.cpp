@@ -1,7 +1,9 @@
 // A few throws of the poster: none comes through, and Bullet alone stops some of them not.
 #include <gtest/gtest.h>
 
+#include "adapters/bullet/throws/cloth.hpp"
 #include "adapters/bullet/throws/independent.hpp"
+#include "adapters/bullet/throws/pile.hpp"
 #include "adapters/bullet/throws/scenes.hpp"
 
 namespace tamis::bullet {
@@ -47,6 +49,27 @@ TEST(Throws, ASampleSeesABodyThatIsHalfThrough) {
   for (const btScalar z : {1.0F, 0.0F}) flight.places.emplace_back(btQuaternion(0, 0, 0, 1), btVector3(0.3F, 0.2F, z));
   EXPECT_EQ(sampled_crossings(arena, flight, 1), 1);
   EXPECT_EQ(touching_steps(arena, flight), 1);
+}
+
+TEST(Pile, ComesToRestAGapApart) {
+  constexpr int kPlates = 20;
+  const PileRun run = run_pile(kPlates, 30, true);
+  EXPECT_EQ(touching_steps(run.bodies, run.places), 0);
+  EXPECT_EQ(plates_inside(run), 0);
+  for (std::size_t plate = 1; plate <= kPlates; ++plate)
+    EXPECT_NEAR(run.places.back()[plate].getOrigin().y(), 0.006 * static_cast<double>(plate) - 0.0025, 2e-4) << plate;
+  EXPECT_LT(run.questions, 1.5);
+}
+
+TEST(Cloth, DoesNotPassThroughItselfWhereItIsTruncated) {
+  EXPECT_EQ(touching_steps(run_cloth(21, 150, true)), 0);
+  EXPECT_GT(touching_steps(run_cloth(21, 150, false)), 0);
+}
+
+TEST(Pile, IsSeenToSinkIntoItselfWithoutAClamp) {
+  const PileRun run = run_pile(6, 60, false);
+  EXPECT_GT(plates_inside(run), 0);
+  EXPECT_GT(touching_steps(run.bodies, run.places), 0);
 }
 
 }  // namespace

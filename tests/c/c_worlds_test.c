@@ -86,8 +86,10 @@ static void what_is_answered(void) {
   for (i = 0; i < 3; ++i) EXPECT(near[i].distance == 1 && near[i].bodies[0] == 1 && near[i].bodies[1] == 0);
   EXPECT(tamis_world_intersections(world, &count) == TAMIS_OK && count == 0);
   EXPECT(tamis_world_copy_intersections(world, 0, 0, NULL, sizeof crossing) == TAMIS_OK);
-  EXPECT(tamis_world_safe_step(world, 0.5, NULL, &safe) == TAMIS_INVALID_OPTIONS);
-  EXPECT_SAYS(tamis_world_message(world), "turns");
+  EXPECT(tamis_world_safe_step(world, 0.5, NULL, &safe) == TAMIS_OK && 0 < safe.lower && safe.lower < first);
+  EXPECT(tamis_world_set_radius(world, &contacts[0].bodies[0], 1, -1) == TAMIS_INVALID_OPTIONS);
+  EXPECT(tamis_world_set_radius(world, &contacts[0].bodies[0], 1, 0.5) == TAMIS_OK);
+  EXPECT(tamis_world_earliest(world, NULL, &lower, &upper, &count) == TAMIS_OK && lower < first - 0.1);
   tamis_world_free(world);
   tamis_world_free(NULL);
 }

@@ -42,6 +42,12 @@ void expect_close(const DoubleDouble& computed, const mpq_class& truth, double r
   EXPECT_EQ(computed.high, computed.high + computed.low) << operation << ": the parts overlap";
 }
 
+/// What is left of the high parts is less than the sum of the low ones.
+TEST(DoubleDouble, AddsWhatCancelsBelowItsLowParts) {
+  const DoubleDouble a(1, 0x1p-53), b(-1 + 0x1p-53, 0x1.fp-55);
+  EXPECT_EQ(exact(a + b), exact(a) + exact(b));
+}
+
 TEST(DoubleDouble, SumsOfTwoDoublesAndProductsOfTwoAreExact) {
   Operands operands(300);
   for (int i = 0; i < 20000; ++i) {

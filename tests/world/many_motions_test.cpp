@@ -99,6 +99,26 @@ TEST(ManyMotions, AreRefusedByNameAndChangeNothing) {
   expect_same_bits(world.world.earliest(), before);
 }
 
+/// Bug: what a copy of a world forgets.
+TEST(ManyMotions, KnowWhatTheWorldWasTold) {
+  const Shape plate(Mesh(3, {{0, 1, 2}}), {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
+  World world(one_thread());
+  const BodyId below = world.add(plate, Static{}), off = world.add(plate, Static{{{0, 0, 0.5}, {}}});
+  const BodyId moving = world.add(plate, Static{{{0, 0, 9}, {}}}), removed = world.add(plate, Static{});
+  world.set_enabled(off, false);
+  world.remove(removed);
+  const std::vector<BodyMotion> down{Rigid{interpolated({{0.1, 0.1, 2}, {}}, {{0.1, 0.1, 0.25}, {}})}};
+  const auto first = [&] { return world.earliest_many(std::vector{moving}, down)[0]; };
+  EXPECT_FALSE(first().contact);
+  world.set_radius(below, 0.5);
+  ASSERT_TRUE(first().contact);
+  EXPECT_NEAR(first().toi_lower, 6. / 7, 1e-9);
+  world.set_may_touch(below, moving, false);
+  EXPECT_FALSE(first().contact);
+  world.set_enabled(off, true);
+  EXPECT_TRUE(first().contact);
+}
+
 /// A plate that the second motion begins in touch with.
 TEST(ManyMotions, FailForWhatTouchesAtTheStart) {
   const Shape plate(Mesh(3, {{0, 1, 2}}), {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});

@@ -1,12 +1,11 @@
 #include "adapters/bullet/throws/arena.hpp"
 
-#include <BulletCollision/Gimpact/btGImpactCollisionAlgorithm.h>
 #include <BulletCollision/Gimpact/btGImpactShape.h>
 
 #include <ctime>
 
-#include "adapters/bullet/clamped_world.hpp"
 #include "adapters/bullet/mesh_of_shape.hpp"
+#include "adapters/bullet/throws/parts.hpp"
 
 namespace tamis::bullet {
 namespace {
@@ -22,24 +21,6 @@ bool is_hull(Method method) {
   return method == Method::hull || method == Method::hull_ccd || method == Method::clamped_hull;
 }
 bool is_clamped(Method method) { return method == Method::clamped_hull || method == Method::clamped_mesh; }
-
-/// What a Bullet world needs around it.
-struct Parts {
-  btDefaultCollisionConfiguration configuration;
-  btCollisionDispatcher dispatcher{&configuration};
-  btDbvtBroadphase broadphase;
-  btSequentialImpulseConstraintSolver solver;
-  std::unique_ptr<btDiscreteDynamicsWorld> world;
-
-  explicit Parts(bool clamped) {
-    btGImpactCollisionAlgorithm::registerAlgorithm(&dispatcher);
-    if (clamped)
-      world = std::make_unique<ClampedWorld>(&dispatcher, &broadphase, &solver, &configuration);
-    else
-      world = std::make_unique<btDiscreteDynamicsWorld>(&dispatcher, &broadphase, &solver, &configuration);
-    world->setGravity({0, 0, 0});
-  }
-};
 
 }  // namespace
 

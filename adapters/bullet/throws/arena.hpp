@@ -16,6 +16,9 @@ struct Triangles {
   std::vector<Face> faces;
 };
 
+/// Where bodies are: of each time, of each body.
+using Places = std::vector<std::vector<btTransform>>;
+
 /// A box around the origin.
 Triangles box(const Point& half_extents);
 /// cells x cells squares of two triangles each, at z = 0 around the origin.

@@ -77,25 +77,35 @@ bool edges_pass(const std::vector<Point>& edges_of, const std::vector<Face>& wit
 
 }  // namespace
 
-int touching_steps(const Arena& arena, const Flight& flight) {
-  std::vector<Point> points = arena.fixed().points;
-  std::vector<Face> faces = arena.fixed().faces;
-  const auto first = static_cast<Index>(points.size());
-  points.insert(points.end(), arena.flying().points.begin(), arena.flying().points.end());
-  for (const Face& face : arena.flying().faces) faces.push_back({face[0] + first, face[1] + first, face[2] + first});
+int touching_steps(std::span<const Triangles> bodies, const Places& places) {
+  std::vector<Point> points;
+  std::vector<Face> faces;
+  std::vector<Index> body_of_vertex;
+  for (std::size_t body = 0; body < bodies.size(); ++body) {
+    const auto first = static_cast<Index>(points.size());
+    points.insert(points.end(), bodies[body].points.begin(), bodies[body].points.end());
+    body_of_vertex.resize(points.size(), static_cast<Index>(body));
+    for (const Face& face : bodies[body].faces) faces.push_back({face[0] + first, face[1] + first, face[2] + first});
+  }
   // As Bullet has them.
   for (Point& p : points)
     for (double& x : p) x = static_cast<btScalar>(x);
-  std::vector<Index> body_of_vertex(points.size(), 0);
-  std::fill(body_of_vertex.begin() + first, body_of_vertex.end(), 1);
   Detector detector(Mesh(static_cast<Index>(points.size()), faces),
                     {.threads = 1, .filter = PairFilter::no_self_contact(body_of_vertex)});
   int touching = 0;
-  for (std::size_t step = 0; step + 1 < flight.places.size(); ++step) {
-    const Chain way = between(pose_of(flight.places[step]), pose_of(flight.places[step + 1]));
-    touching += !detector.is_free(RigidPath(points, body_of_vertex, {Chain{}, way}));
+  for (std::size_t step = 0; step + 1 < places.size(); ++step) {
+    std::vector<Chain> ways;
+    for (std::size_t body = 0; body < bodies.size(); ++body)
+      ways.push_back(between(pose_of(places[step][body]), pose_of(places[step + 1][body])));
+    touching += !detector.is_free(RigidPath(points, body_of_vertex, ways));
   }
   return touching;
+}
+
+int touching_steps(const Arena& arena, const Flight& flight) {
+  Places places;
+  for (const btTransform& place : flight.places) places.push_back({btTransform::getIdentity(), place});
+  return touching_steps(std::array{arena.fixed(), arena.flying()}, places);
 }
 
 int sampled_crossings(const Arena& arena, const Flight& flight, int samples) {

@@ -4,8 +4,8 @@
 
 namespace tamis::bullet {
 
-/// Steps in which the flying surface touches what stands: a Detector asked about the path of each, body and wall as one
-/// mesh. 0 is a proof that the flight was free.
+/// Steps in which two bodies touch: a Detector asked about the path of all, as one mesh. 0 is a proof that none did.
+int touching_steps(std::span<const Triangles> bodies, const Places& places);
 int touching_steps(const Arena& arena, const Flight& flight);
 
 /// Steps in which at one of `samples` times an edge of one passes through a triangle of the other: positions and

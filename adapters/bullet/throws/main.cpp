@@ -1,9 +1,12 @@
-// How many throws each way of simulating lets through, whether that is proven, and what a step costs.
+// How many throws each way of simulating lets through, whether that is proven, and what a step costs; the same of a
+// pile.
 #include <fmt/core.h>
 
 #include <CLI/CLI.hpp>
 
+#include "adapters/bullet/throws/cloth.hpp"
 #include "adapters/bullet/throws/independent.hpp"
+#include "adapters/bullet/throws/pile.hpp"
 #include "adapters/bullet/throws/scenes.hpp"
 
 namespace tamis::bullet {
@@ -29,6 +32,25 @@ void report(std::string_view title, const Scene& scene, int samples) {
   }
 }
 
+void report_pile(int plates, int steps) {
+  fmt::print("A pile of {} plates, {} steps\n{:28} {:>9} {:>13} {:>16} {:>10}\n", plates, steps, "", "inside",
+             "not proven", "questions a step", "ms a step");
+  for (const bool clamped : {false, true}) {
+    const PileRun run = run_pile(plates, steps, clamped);
+    fmt::print("{:28} {:>9} {:>13} {:>16.2f} {:>10.3f}\n", clamped ? "clamped" : "Bullet", plates_inside(run),
+               touching_steps(run.bodies, run.places), run.questions, run.milliseconds);
+  }
+}
+
+void report_cloth(int side, int steps) {
+  fmt::print("A cloth of {0} x {0} vertices, {1} steps\n{2:28} {3:>9} {4:>10}\n", side, steps, "", "touching",
+             "ms a step");
+  for (const bool truncated : {false, true}) {
+    const ClothRun run = run_cloth(side, steps, truncated);
+    fmt::print("{:28} {:>9} {:>10.3f}\n", truncated ? "truncated" : "Bullet", touching_steps(run), run.milliseconds);
+  }
+}
+
 }  // namespace
 }  // namespace tamis::bullet
 
@@ -39,7 +61,24 @@ int main(int argc, char** argv) {
   app.add_option("--samples", samples, "times in each step at which crossings are looked for")
       ->check(CLI::Range(1, 100000))
       ->capture_default_str();
+  int plates = 0, side = 0, steps = 60;
+  auto* const pile =
+      app.add_option("--pile", plates, "no throws: a pile of so many thin plates")->check(CLI::Range(1, 1000));
+  app.add_option("--cloth", side, "no throws: a cloth of so many vertices a side")
+      ->check(CLI::Range(2, 1000))
+      ->excludes(pile);
+  app.add_option("--steps", steps, "of the pile, 1/60 s each, or of the cloth, 1/240 s each")
+      ->check(CLI::Range(1, 100000))
+      ->capture_default_str();
   CLI11_PARSE(app, argc, argv);
+  if (plates > 0) {
+    tamis::bullet::report_pile(plates, steps);
+    return 0;
+  }
+  if (side > 0) {
+    tamis::bullet::report_cloth(side, steps);
+    return 0;
+  }
   tamis::bullet::report("Spinning plates", tamis::bullet::spinning_plates(count), samples);
   tamis::bullet::report("Spinning rods", tamis::bullet::spinning_rods(count), samples);
   return 0;

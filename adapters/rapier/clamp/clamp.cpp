@@ -8,24 +8,19 @@
 namespace tamis::c {
 namespace {
 
-Pose pose_at(const tamis_place& place) {
-  const double* const q = place.quaternion;
-  return pose_of_quaternion({q[3], q[0], q[1], q[2]}, point_of(place.position));
-}
-
 class Wanted final : public adapters::WantedStep {
  public:
   explicit Wanted(const tamis_wanted_step& step) : step_(step) {
     array(step.moving, step.moving_count, "moving");
-    if (!step.place || !step.radius || !step.collides)
-      throw InvalidArgument("place, radius or collides is NULL: give all three functions");
+    if (!step.pose || !step.radius || !step.collides)
+      throw InvalidArgument("pose, radius or collides is NULL: give all three functions");
   }
 
   std::span<const BodyId> moving() const override { return {step_.moving, step_.moving_count}; }
   Pose pose(BodyId body, double fraction) const override {
-    tamis_place place{};
-    step_.place(step_.user, body, fraction, &place);
-    return pose_at(place);
+    tamis_pose pose{};
+    step_.pose(step_.user, body, fraction, &pose);
+    return pose_of(pose);
   }
   double radius(BodyId body) const override { return step_.radius(step_.user, body); }
   bool collides(const adapters::BodyPair& bodies) const override {
@@ -40,16 +35,6 @@ class Wanted final : public adapters::WantedStep {
 }  // namespace tamis::c
 
 using namespace tamis::c;
-
-tamis_status tamis_pose_of_place(const tamis_place* place, tamis_pose* pose) {
-  Outcome outcome;
-  return attempt(outcome, [&] {
-    const tamis::Pose made = pose_at(required(place, "place"));
-    tamis_pose& to = required(pose, "pose");
-    std::ranges::copy(made.position, to.position);
-    std::ranges::copy(made.rotation, to.rotation);
-  });
-}
 
 tamis_status tamis_world_clamp(tamis_world* world, const tamis_wanted_step* step, double* fractions,
                                size_t* contact_count, tamis_clamped* clamped) {

@@ -7,24 +7,14 @@
 extern "C" {
 #endif
 
-/** Where an engine has a body: a quaternion x y z w, off from unit length by rounding at most, also to floats. */
-typedef struct tamis_place {
-  double position[3];
-  double quaternion[4];
-} tamis_place;
-
-/** The pose with the nearest rotation. TAMIS_INVALID_PATH: |q|^2 is off from 1 by more than 1e-4, numbers that are not
- * finite. */
-TAMIS_API tamis_status tamis_pose_of_place(const tamis_place* place, tamis_pose* pose);
-
 /** A step that an engine wants to make: tamis::adapters::WantedStep. `user` is handed to each function. */
 typedef struct tamis_wanted_step {
   size_t size;
   void* user;
   const int32_t* moving; /**< bodies that may be held back, each once; all others stay as tamis_world_move says */
   size_t moving_count;
-  /** Writes where a body is after this part of its way. */
-  void (*place)(void* user, int32_t body, double fraction, tamis_place* place);
+  /** Writes where a body is after this part of its way, as the engine keeps it. */
+  void (*pose)(void* user, int32_t body, double fraction, tamis_pose* pose);
   double (*radius)(void* user, int32_t body);
   int (*collides)(void* user, int32_t first, int32_t second); /**< the smaller number first */
   double gap;

@@ -50,11 +50,11 @@ class Bullet final : public BodyContender {
     btTransform from, to;
   };
 
-  /// Without the margin: it would make the body larger.
+  /// With next to no margin, as it makes the body larger; with none btGjkConvexCast misses most.
   static std::unique_ptr<btConvexHullShape> hull_of(const MovingBody& body) {
     auto hull = std::make_unique<btConvexHullShape>();
     for (const Point& p : body.shape.points) hull->addPoint(vector_of(p), false);
-    hull->setMargin(0);
+    hull->setMargin(static_cast<btScalar>(1e-4));
     hull->recalcLocalAabb();
     return hull;
   }

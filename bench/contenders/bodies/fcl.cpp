@@ -29,7 +29,7 @@ std::shared_ptr<fcl::CollisionGeometryd> mesh_of(const scenes::Shape& shape) {
   std::vector<fcl::Triangle> faces;
   for (const Face& f : shape.faces)
     faces.emplace_back(static_cast<std::size_t>(f[0]), static_cast<std::size_t>(f[1]), static_cast<std::size_t>(f[2]));
-  auto mesh = std::make_shared<fcl::BVHModel<fcl::OBBRSSd>>();
+  auto mesh = std::make_shared<fcl::BVHModel<fcl::RSSd>>();
   mesh->beginModel();
   mesh->addSubModel(points, faces);
   mesh->endModel();

@@ -91,18 +91,19 @@ scenes::Shape turned_somehow(scenes::Shape shape, Random& random) {
   return shape;
 }
 
-Point turn_of(bool turns, Random& random) {
-  return turns ? scaled(direction(random), random.between(0.1, 2.8)) : Point{0, 0, 0};
-}
+/// Of a step, in rad: Bullet turns nothing further.
+constexpr double kMostOfBullet = std::numbers::pi / 4, kMost = 2.8;
 
-/// Bodies of radius at most `radius`, apart at the start, one of which goes some way past or into the other.
-MovingPair meeting(scenes::Shape first, scenes::Shape second, double radius, bool turns, Random& random) {
+/// Bodies of radius at most `radius`, apart at the start, one of which goes some way past or into the other; each turns
+/// by up to `turn`.
+MovingPair meeting(scenes::Shape first, scenes::Shape second, double radius, double turn, Random& random) {
   const Point away = direction(random), aside = direction(random);
   const Point start = scaled(away, 2.01 * radius + random.between(0, 1));
   Point end = scaled(away, -random.between(0, 2));
   for (std::size_t k = 0; k < 3; ++k) end[k] += 0.7 * radius * aside[k];
-  return {{turned_somehow(std::move(first), random), {0, 0, 0}, {0, 0, 0}, turn_of(turns, random)},
-          {turned_somehow(std::move(second), random), start, end, turn_of(turns, random)}};
+  return {
+      {turned_somehow(std::move(first), random), {0, 0, 0}, {0, 0, 0}, scaled(direction(random), turn * random.unit())},
+      {turned_somehow(std::move(second), random), start, end, scaled(direction(random), turn * random.unit())}};
 }
 
 scenes::Shape some_box(Random& random) {
@@ -131,15 +132,18 @@ std::vector<BodyScene> body_scenes(int pairs) {
   const int of_meshes = std::max(1, pairs / 10);
   return {
       scene("boxes, sliding", true, false, pairs,
-            [](Random& random) { return meeting(some_box(random), some_box(random), std::sqrt(3), false, random); }),
+            [](Random& random) { return meeting(some_box(random), some_box(random), std::sqrt(3), 0, random); }),
       scene("boxes, tumbling", true, true, pairs,
-            [](Random& random) { return meeting(some_box(random), some_box(random), std::sqrt(3), true, random); }),
-      scene("hulls of 42 corners, tumbling", true, true, pairs,
-            [](Random& random) { return meeting(some_barrel(random), some_barrel(random), 1.1, true, random); }),
+            [](Random& random) {
+              return meeting(some_box(random), some_box(random), std::sqrt(3), kMostOfBullet, random);
+            }),
+      scene(
+          "hulls of 42 corners, tumbling", true, true, pairs,
+          [](Random& random) { return meeting(some_barrel(random), some_barrel(random), 1.1, kMostOfBullet, random); }),
       scene("rough balls of 192 triangles, turning", false, true, of_meshes,
-            [](Random& random) { return meeting(rough_ball(random), rough_ball(random), 1.2, true, random); }),
+            [](Random& random) { return meeting(rough_ball(random), rough_ball(random), 1.2, kMost, random); }),
       scene("curved plates of 72 triangles, tumbling", false, true, of_meshes,
-            [](Random& random) { return meeting(plate(), plate(), 1.5, true, random); }),
+            [](Random& random) { return meeting(plate(), plate(), 1.5, kMost, random); }),
       scene("nut on bolt, 608 triangles each", false, true, of_meshes,
             [](Random& random) {
               const double turn = random.between(1, 3);

@@ -21,7 +21,7 @@ double speed(const MovingBody& body) {
 /// Pairs of features, and a time before which they do not touch.
 class Candidates {
  public:
-  explicit Candidates(const MovingPair& pair) : pair_(pair), speed_(speed(pair.first) + speed(pair.second)) {
+  explicit Candidates(const MovingPair& pair) : speed_(speed(pair.first) + speed(pair.second)) {
     add_vertices(pair.first, pair.second);
     add_vertices(pair.second, pair.first);
     const std::vector<Edge> second = edges_of(pair.second);
@@ -72,7 +72,6 @@ class Candidates {
     if (not_before <= 1) all_.push_back({pair, not_before});
   }
 
-  const MovingPair& pair_;
   double speed_;
   std::vector<Candidate> all_;
 };

@@ -65,6 +65,9 @@ TAMIS_API tamis_status tamis_world_move(tamis_world* world, const int32_t* bodie
 TAMIS_API tamis_status tamis_world_remove(tamis_world* world, const int32_t* bodies, size_t count);
 /** 0 switches `count` bodies off, so that they take no part in any question until they are switched on by 1. */
 TAMIS_API tamis_status tamis_world_set_enabled(tamis_world* world, const int32_t* bodies, size_t count, int is_enabled);
+/** Gives `count` bodies a radius >= 0, half of their thickness: contact means a distance of at most the minimum
+ * separation plus both radii. At first 0. */
+TAMIS_API tamis_status tamis_world_set_radius(tamis_world* world, const int32_t* bodies, size_t count, double radius);
 /** `bodies`: `count` pairs. 0: leave them out of every answer; a deforming body with itself is twice the same. At first
  * all may touch but two that both stay. TAMIS_INVALID_OPTIONS: 1 for two that both stay, or for one with itself that
  * does not deform; what was said of the pairs before them holds. */
@@ -103,10 +106,10 @@ TAMIS_API tamis_status tamis_world_earliest_many(tamis_world* world, const int32
                                                  tamis_earliest* answers, size_t answer_size);
 /** Writes 1 if the motion of all bodies is free of contacts, else 0. */
 TAMIS_API tamis_status tamis_world_is_free(tamis_world* world, const tamis_query_options* options, int* is_free);
-/** As tamis_detector_safe_step. TAMIS_INVALID_OPTIONS: a body that turns comes near another; ask for the earliest. */
+/** As tamis_detector_safe_step; where one of two bodies turns, the tolerance counts. */
 TAMIS_API tamis_status tamis_world_safe_step(tamis_world* world, double keep, const tamis_query_options* options,
                                              tamis_safe_step* answer);
-/** Every pair of features within `distance` at t=0, in the same order. */
+/** Every pair of features within `distance` plus both radii at t=0, in the same order. */
 TAMIS_API tamis_status tamis_world_pairs_within(tamis_world* world, double distance, size_t* count);
 /** Every edge that passes through a triangle or touches it at t=0, by bodies, edge and face. */
 TAMIS_API tamis_status tamis_world_intersections(tamis_world* world, size_t* count);

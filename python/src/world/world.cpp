@@ -50,6 +50,12 @@ class Bodies {
     });
   }
 
+  void set_radius(const Indices& bodies, double radius) {
+    change(of(bodies), [&] {
+      for (const BodyId body : of(bodies)) world_.set_radius(body, radius);
+    });
+  }
+
   void set_may_touch(const IndexRowsIn<2>& pairs, bool may_touch) {
     const std::span<const BodyId> bodies(pairs.data(), pairs.size());
     change(bodies, [&] {
@@ -130,6 +136,7 @@ void bind_world(nb::module_& module) {
       .def("move", &Bodies::move<OneDeforming, PointRows, PointRows>)
       .def("remove", &Bodies::remove)
       .def("set_enabled", &Bodies::set_enabled)
+      .def("set_radius", &Bodies::set_radius)
       .def("set_may_touch", &Bodies::set_may_touch)
       .def("contacts", &Bodies::contacts)
       .def("earliest", &Bodies::earliest)

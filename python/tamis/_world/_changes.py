@@ -7,7 +7,7 @@ import numpy.typing as npt
 
 from tamis import _core
 from tamis._arrays import Indices, indices, numbers
-from tamis._checks import truth, whole
+from tamis._checks import number, truth, whole
 from tamis._errors import InvalidOptions, InvalidPath
 from tamis._world._bodies import AT_REST, Deforming, Shape, each_once, known_shape, motion_of, motions_of, numbers_of
 
@@ -137,6 +137,25 @@ class Changes:
             A body that is not there; then none is switched.
         """
         self._world.set_enabled(numbers_of(bodies), truth(is_enabled, "is_enabled"))
+
+    def set_radius(self, bodies: npt.ArrayLike, radius: float) -> None:
+        """Give bodies a radius, half of their thickness, in the unit of the points; at first 0.
+
+        Bodies are in contact where their distance is at most the minimum separation plus both radii.
+
+        Parameters
+        ----------
+        bodies : int or array_like of int, shape (n,)
+            Which.
+        radius : float
+            >= 0, of all of them.
+
+        Raises
+        ------
+        InvalidOptions
+            A body that is not there, or a radius that is negative or not finite; then nothing has changed.
+        """
+        self._world.set_radius(numbers_of(bodies), number(radius, "radius"))
 
     def set_may_touch(self, bodies: npt.ArrayLike, may_touch: bool) -> None:
         """Say of pairs of bodies whether they may touch at all.

@@ -145,7 +145,12 @@ class Questions:
         return self._world.is_free(query_options(min_separation, at_start, tolerance))
 
     def safe_step(
-        self, keep: float = 0.1, *, min_separation: float | None = None, at_start: AtStart = "report"
+        self,
+        keep: float = 0.1,
+        *,
+        min_separation: float | None = None,
+        at_start: AtStart = "report",
+        tolerance: float | None = None,
     ) -> BodyStep:
         """Find how far all may go so that every pair keeps a fraction of its distance.
 
@@ -153,18 +158,24 @@ class Questions:
         ----------
         keep, min_separation, at_start
             As of `Detector.safe_step`.
+        tolerance : float, optional
+            As of `contacts`.
 
         Returns
         -------
         BodyStep
-            On [0, lower] every pair keeps the fraction: proven.
+            On [0, lower] every pair keeps the fraction: proven. Where one of two bodies turns, a pair that starts
+            nearer to its separation than doubles can tell ends the step at once.
 
         Raises
         ------
         InvalidOptions
-            A body that turns comes near another: ask `earliest`.
+            An option outside its range.
+        InvalidStep
+            With at_start="fail".
         """
-        return body_step_of(self._world.safe_step(number(keep, "keep"), query_options(min_separation, at_start)))
+        asked = query_options(min_separation, at_start, tolerance)
+        return body_step_of(self._world.safe_step(number(keep, "keep"), asked))
 
     def pairs_within(self, distance: float) -> BodyNearPairs:
         """Find every pair of features that is near at t=0.

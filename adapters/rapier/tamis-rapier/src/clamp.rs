@@ -1,10 +1,10 @@
 use crate::mesh::{double, double_pose, Mesh};
-use crate::way::{place_of, Way};
+use crate::way::{pose_of, Way};
 use glamx::{DPose3, DVec3};
 use rapier3d::math::Pose;
 use rapier3d::prelude::*;
 use std::collections::{BTreeMap, HashMap};
-use tamis::{BodyId, ClampOptions, Error, Link, Motion, Place, Shape, WantedStep, World};
+use tamis::{BodyId, ClampOptions, Error, Link, Motion, Shape, WantedStep, World};
 
 /// What became of one step.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -75,7 +75,7 @@ struct Member {
 
 impl Member {
     fn motion(&self) -> Result<Motion, Error> {
-        let pose = place_of(&self.pose, self.content.centre).pose()?;
+        let pose = pose_of(&self.pose, self.content.centre)?;
         // Two bodies that stay are never asked about: who may move is at rest in another way.
         Ok(if self.content.is_fixed { Motion::At(pose) } else { Motion::Along(vec![Link { start: pose, end: pose }]) })
     }
@@ -213,6 +213,8 @@ fn contents_of(bodies: &RigidBodySet, colliders: &ColliderSet) -> BTreeMap<Owner
     all
 }
 
+const NOWHERE: tamis::Pose = tamis::Pose { position: [f64::NAN; 3], rotation: [f64::NAN; 3] };
+
 struct Wanted<'a> {
     moving: &'a [BodyId],
     ways: &'a BTreeMap<BodyId, Way>,
@@ -226,9 +228,10 @@ impl WantedStep for Wanted<'_> {
         self.moving
     }
 
-    fn place(&self, body: BodyId, fraction: f64) -> Place {
+    fn pose(&self, body: BodyId, fraction: f64) -> tamis::Pose {
         let way = &self.ways[&body];
-        place_of(&way.at(fraction), way.centre)
+        // What is not finite is refused by the question.
+        pose_of(&way.at(fraction), way.centre).unwrap_or(NOWHERE)
     }
 
     fn radius(&self, body: BodyId) -> f64 {

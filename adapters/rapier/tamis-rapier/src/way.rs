@@ -2,15 +2,13 @@
 use crate::mesh::double_pose;
 use glamx::DVec3;
 use rapier3d::math::{Pose, Vector};
-use tamis::Place;
+use tamis::Error;
 
 /// Where the centre of mass is, and how the body is turned about it. The triangles that Tamis has of a body are given
 /// from there, as that is what goes straight.
-pub fn place_of(pose: &Pose, centre: DVec3) -> Place {
-    Place {
-        position: double_pose(pose).transform_point(centre).to_array(),
-        quaternion: pose.rotation.as_dquat().to_array(),
-    }
+pub fn pose_of(pose: &Pose, centre: DVec3) -> Result<tamis::Pose, Error> {
+    let q = pose.rotation.as_dquat();
+    tamis::Pose::of_quaternion([q.w, q.x, q.y, q.z], double_pose(pose).transform_point(centre).to_array())
 }
 
 /// From one of rapier's poses to the next: the centre of mass goes straight, the body turns at constant speed about a

@@ -1,41 +1,18 @@
 use crate::answers::Contact;
-use crate::error::{check, Error};
+use crate::error::Error;
 use crate::motion::Pose;
 use crate::sys;
 use crate::world::{BodyId, World};
 use std::ffi::{c_int, c_void};
 
-/// Where an engine has a body, perhaps rounded to floats.
-#[repr(C)]
-#[derive(Debug, Clone, Copy, Default, PartialEq)]
-pub struct Place {
-    /// Of the body's origin.
-    pub position: [f64; 3],
-    /// x y z w; its length is off from 1 by rounding at most.
-    pub quaternion: [f64; 4],
-}
-
-impl Place {
-    /// With the nearest rotation. Refuses what is no rotation (|q|^2 off from 1 by more than 1e-4), and numbers that are
-    /// not finite.
-    pub fn pose(&self) -> Result<Pose, Error> {
-        let mut pose = Pose::default();
-        // SAFETY: pointers to structs of the right layout.
-        check(unsafe { sys::tamis_pose_of_place(self, &mut pose) }, || {
-            format!("{self:?} is no place: give a quaternion of unit length and finite numbers")
-        })?;
-        Ok(pose)
-    }
-}
-
-/// A step that an engine wants to make. What is proven is the way of each body from `place(body, 0)` to where it is put
+/// A step that an engine wants to make. What is proven is the way of each body from `pose(body, 0)` to where it is put
 /// at last: origin straight, turn by the shorter way about a fixed axis.
 pub trait WantedStep {
     /// Bodies that want to move and may be held back, each once.
     fn moving(&self) -> &[BodyId];
     /// Where a body is once it has gone `fraction` of its way, in [0, 1]: rounded as the engine keeps it. Less than half
     /// a turn from 0 to 1.
-    fn place(&self, body: BodyId, fraction: f64) -> Place;
+    fn pose(&self, body: BodyId, fraction: f64) -> Pose;
     /// How far the points of any body are from its origin, at most.
     fn radius(&self, body: BodyId) -> f64;
     /// Does the engine collide these two?
@@ -72,7 +49,7 @@ pub struct Clamped {
 
 impl World {
     /// With the answered parts of their ways, no two bodies touch at any time, but those that overlap at the start.
-    /// Leaves the world with the proven motions. Refuses a gap or rounds out of range, and places that are none.
+    /// Leaves the world with the proven motions. Refuses a gap or rounds out of range, and poses that are not finite.
     pub fn clamp(&mut self, step: &dyn WantedStep, options: &ClampOptions) -> Result<Clamped, Error> {
         let moving = step.moving();
         let mut user = step;
@@ -81,7 +58,7 @@ impl World {
             user: (&mut user as *mut &dyn WantedStep).cast(),
             moving: moving.as_ptr(),
             moving_count: moving.len(),
-            place: Some(place),
+            pose: Some(pose),
             radius: Some(radius),
             collides: Some(collides),
             gap: options.gap,
@@ -104,8 +81,8 @@ unsafe fn step_of<'a>(user: *mut c_void) -> &'a dyn WantedStep {
     *user.cast::<&dyn WantedStep>()
 }
 
-unsafe extern "C" fn place(user: *mut c_void, body: i32, fraction: f64, place: *mut Place) {
-    *place = step_of(user).place(body, fraction);
+unsafe extern "C" fn pose(user: *mut c_void, body: i32, fraction: f64, pose: *mut Pose) {
+    *pose = step_of(user).pose(body, fraction);
 }
 
 unsafe extern "C" fn radius(user: *mut c_void, body: i32) -> f64 {

@@ -13,7 +13,7 @@
 //!
 //! let mut world = World::new(1)?;
 //! world.add(&wall, &Motion::at(Pose::default()))?;
-//! let flying = world.add(&blade, &Motion::between(&start, &end)?)?;
+//! let flying = world.add(&blade, &Motion::between(&start, &end, [0.0; 3])?)?;
 //! let earliest = world.earliest(&Query::default())?;
 //! assert_eq!(earliest.contact.unwrap().bodies, [flying, 0]);
 //! assert!((earliest.lower - 0.708005).abs() < 1e-6);
@@ -34,7 +34,7 @@ mod world;
 
 pub use answers::{Contact, Earliest, Intersection, NearPair};
 #[cfg(feature = "clamp")]
-pub use clamp::{ClampOptions, Clamped, Place, WantedStep};
+pub use clamp::{ClampOptions, Clamped, WantedStep};
 pub use error::Error;
 pub use motion::{Link, Motion, Pose};
 pub use shape::Shape;

@@ -96,8 +96,15 @@ extern "C" {
     pub fn tamis_shape_create(mesh: *const tamis_mesh, points: *const f64, shape: *mut *mut tamis_shape) -> c_int;
     pub fn tamis_shape_free(shape: *mut tamis_shape);
     pub fn tamis_shape_message(shape: *const tamis_shape) -> *const c_char;
-    pub fn tamis_between(start: *const Pose, end: *const Pose, links: *mut Link) -> c_int;
-    pub fn tamis_turned(start: *const Pose, turn: *const f64, end_position: *const f64, links: *mut Link) -> c_int;
+    pub fn tamis_between(start: *const Pose, end: *const Pose, center: *const f64, links: *mut Link) -> c_int;
+    pub fn tamis_pose_of_quaternion(quaternion: *const f64, position: *const f64, pose: *mut Pose) -> c_int;
+    pub fn tamis_turned(
+        start: *const Pose,
+        turn: *const f64,
+        end_position: *const f64,
+        center: *const f64,
+        links: *mut Link,
+    ) -> c_int;
 
     pub fn tamis_world_create(options: *const tamis_world_options, world: *mut *mut tamis_world) -> c_int;
     pub fn tamis_world_free(world: *mut tamis_world);
@@ -161,7 +168,6 @@ pub use clamp::*;
 #[cfg(feature = "clamp")]
 mod clamp {
     use super::*;
-    use crate::clamp::Place;
 
     #[repr(C)]
     pub struct tamis_wanted_step {
@@ -169,7 +175,7 @@ mod clamp {
         pub user: *mut c_void,
         pub moving: *const i32,
         pub moving_count: usize,
-        pub place: Option<unsafe extern "C" fn(*mut c_void, i32, f64, *mut Place)>,
+        pub pose: Option<unsafe extern "C" fn(*mut c_void, i32, f64, *mut Pose)>,
         pub radius: Option<unsafe extern "C" fn(*mut c_void, i32) -> f64>,
         pub collides: Option<unsafe extern "C" fn(*mut c_void, i32, i32) -> c_int>,
         pub gap: f64,
@@ -184,7 +190,6 @@ mod clamp {
     }
 
     extern "C" {
-        pub fn tamis_pose_of_place(place: *const Place, pose: *mut Pose) -> c_int;
         pub fn tamis_world_clamp(
             world: *mut tamis_world,
             step: *const tamis_wanted_step,

@@ -32,7 +32,7 @@ pub struct Query {
     pub min_separation: Option<f64>,
 }
 
-/// Bodies, each with its own mesh and its own way of moving during t in [0,1], as it was told last.
+/// Bodies, each with its own mesh and its own way of moving during t from 0 to 1, as it was told last.
 pub struct World {
     pub(crate) handle: *mut sys::tamis_world,
     /// Of each body that was added, by its number.

@@ -1,0 +1,112 @@
+#include "adapters/bullet/carriers.hpp"
+
+#include <algorithm>
+#include <map>
+
+namespace tamis::bullet {
+namespace {
+
+/// Over the contacts of one body with those that carry it.
+constexpr int kRounds = 20;
+/// Of what is missing to a gap, in one step.
+constexpr btScalar kParted = 0.5F;
+
+}  // namespace
+
+void Carriers::Contact::push() {
+  const btRigidBody* const below = btRigidBody::upcast(carrier);
+  btVector3 speed = body->getVelocityInLocalPoint(arm);
+  if (below) speed -= below->getVelocityInLocalPoint(carrier_arm);
+  const btScalar give = body->getInvMass() + (body->getInvInertiaTensorWorld() * arm.cross(up)).cross(arm).dot(up);
+  if (!(give > 0)) return;  // on an axle
+  const btScalar before = impulse;
+  impulse = std::max(btScalar(0), before - (speed.dot(up) + allowed) / give);
+  body->applyImpulse(up * (impulse - before), arm);
+}
+
+Carriers::Carriers(std::span<const NearContact> near, btScalar gap, btScalar seconds) : seconds_(seconds) {
+  std::map<const btCollisionObject*, std::size_t> known;
+  for (const NearContact& contact : near)
+    for (const NearSide& side : contact.sides)
+      if (known.try_emplace(side.object, bodies_.size()).second) bodies_.push_back({side.object, {}, {}});
+  for (const NearContact& contact : near)
+    for (const std::size_t i : {0U, 1U}) {
+      const NearSide &above = contact.sides[i], &below = contact.sides[1 - i];
+      Body& body = bodies_[known.at(above.object)];
+      body.near.push_back(known.at(below.object));
+      body.contacts.push_back({btRigidBody::upcast(above.object), below.object,
+                               above.point() - above.object->getWorldTransform().getOrigin(),
+                               below.point() - below.object->getWorldTransform().getOrigin(),
+                               i == 0 ? contact.normal : -contact.normal, contact.distance() - gap});
+    }
+  find_levels();
+}
+
+/// Breadth first, from what stands; then from the heaviest of what nothing that stands carries.
+void Carriers::find_levels() {
+  std::vector<std::size_t> roots(bodies_.size());
+  for (std::size_t i = 0; i < roots.size(); ++i) roots[i] = i;
+  const auto give = [&](std::size_t i) {
+    const btCollisionObject& object = *bodies_[i].object;
+    return moves(object) ? btRigidBody::upcast(&object)->getInvMass() : btScalar(-1);
+  };
+  std::ranges::stable_sort(roots, {}, give);
+  for (const std::size_t root : roots) {
+    const bool stands = give(root) < 0;
+    if (bodies_[root].level >= 0) continue;
+    std::vector<std::size_t> reached;
+    const auto reach = [&](std::size_t i, int level) {
+      if (bodies_[i].level >= 0) return;
+      bodies_[i].level = level;
+      reached.push_back(i);
+    };
+    // All that stand at once: a body is as high as the nearest of them says.
+    for (const std::size_t i : roots)
+      if (i == root || (stands && give(i) < 0)) reach(i, 0);
+    for (std::size_t next = 0; next < reached.size(); ++next) {
+      const std::size_t i = reached[next];
+      if (bodies_[i].level > 0) order_.push_back(i);
+      for (const std::size_t above : bodies_[i].near) reach(above, bodies_[i].level + 1);
+    }
+  }
+}
+
+template <class Allowed>
+void Carriers::push(const Allowed& allowed) {
+  std::map<const btCollisionObject*, int> levels;
+  for (const Body& body : bodies_) levels[body.object] = body.level;
+  for (const std::size_t i : order_) {
+    std::vector<Contact*> below;
+    for (Contact& contact : bodies_[i].contacts) {
+      contact.impulse = 0;
+      contact.allowed = allowed(contact.above_gap) / seconds_;
+      if (levels.at(contact.carrier) < bodies_[i].level) below.push_back(&contact);
+    }
+    for (int round = 0; round < kRounds; ++round)
+      for (Contact* const contact : below) contact->push();
+  }
+}
+
+void Carriers::take_speed() {
+  push([](btScalar above_gap) { return std::max(btScalar(0), above_gap); });
+}
+
+void Carriers::part(const std::function<void()>& go) {
+  struct Speed {
+    btVector3 linear, turn;
+  };
+  std::vector<Speed> speeds;
+  for (const std::size_t i : order_) {
+    const btRigidBody& body = *btRigidBody::upcast(bodies_[i].object);
+    speeds.push_back({body.getLinearVelocity(), body.getAngularVelocity()});
+  }
+  push([](btScalar above_gap) { return above_gap < 0 ? above_gap * kParted : above_gap; });
+  go();
+  for (std::size_t k = 0; k < order_.size(); ++k) {
+    btRigidBody& body = *btRigidBody::upcast(bodies_[order_[k]].object);
+    body.setLinearVelocity(speeds[k].linear);
+    body.setAngularVelocity(speeds[k].turn);
+  }
+}
+
+}  // namespace tamis::bullet

@@ -1,0 +1,21 @@
+// A pile of plates so thin that gravity moves one through the next in two steps.
+#pragma once
+#include "adapters/bullet/throws/arena.hpp"
+
+namespace tamis::bullet {
+
+struct PileRun {
+  std::vector<Triangles> bodies;  ///< the floor first, then the plates from below
+  Places places;
+  double milliseconds = 0;  ///< of the processor, a step
+  double questions = 0;     ///< that the clamp took, a step; 0 without it
+};
+
+/// Square plates 1 m wide and 5 mm thick, dropped 1.5 mm onto each other on a floor; steps of 1/60 s. REQUIRES: plates
+/// and steps >= 1.
+PileRun run_pile(int plates, int steps, bool clamped);
+
+/// Plates that end no higher than their thickness above what they lay on.
+int plates_inside(const PileRun& run);
+
+}  // namespace tamis::bullet

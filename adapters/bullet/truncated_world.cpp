@@ -1,0 +1,55 @@
+#include "adapters/bullet/truncated_world.hpp"
+
+#include "adapters/bullet/mesh_of_shape.hpp"
+
+namespace tamis::bullet {
+
+std::vector<Point> positions_of(const btSoftBody& body) {
+  std::vector<Point> positions;
+  for (int i = 0; i < body.m_nodes.size(); ++i) positions.push_back(point_of(body.m_nodes[i].m_x));
+  return positions;
+}
+
+Mesh mesh_of(const btSoftBody& body) {
+  std::vector<Face> faces;
+  const auto index = [&](const btSoftBody::Node* node) { return static_cast<Index>(node - &body.m_nodes[0]); };
+  for (int i = 0; i < body.m_faces.size(); ++i) {
+    const btSoftBody::Node* const* const nodes = body.m_faces[i].m_n;
+    faces.push_back({index(nodes[0]), index(nodes[1]), index(nodes[2])});
+  }
+  return Mesh(body.m_nodes.size(), faces);
+}
+
+void TruncatedWorld::internalSingleStepSimulation(btScalar seconds) {
+  starts_.clear();
+  for (int i = 0; i < getSoftBodyArray().size(); ++i)
+    starts_[getSoftBodyArray()[i]] = positions_of(*getSoftBodyArray()[i]);
+  std::erase_if(detectors_, [&](const auto& entry) { return !starts_.contains(entry.first); });
+  held_back_ = 0;
+  btDeformableMultiBodyDynamicsWorld::internalSingleStepSimulation(seconds);
+}
+
+void TruncatedWorld::integrateTransforms(btScalar seconds) {
+  btDeformableMultiBodyDynamicsWorld::integrateTransforms(seconds);
+  for (int i = 0; i < getSoftBodyArray().size(); ++i)
+    truncate(*getSoftBodyArray()[i], starts_.at(getSoftBodyArray()[i]), seconds);
+}
+
+void TruncatedWorld::truncate(btSoftBody& body, const std::vector<Point>& start, btScalar seconds) {
+  const std::vector<Point> end = positions_of(body);
+  auto detector = detectors_.find(&body);
+  if (detector == detectors_.end() || detector->second.mesh().vertex_count() != body.m_nodes.size() ||
+      detector->second.mesh().faces().size() != static_cast<std::size_t>(body.m_faces.size()))
+    detector = detectors_.insert_or_assign(&body, Detector(mesh_of(body), {.threads = 1})).first;
+  const TruncatedStep truncated =
+      detector->second.truncate({start, end}, 0.1, {.at_start = AtStart::ignore}, Stored::float32);
+  for (std::size_t v = 0; v < end.size(); ++v) {
+    if (truncated.positions[v] == end[v]) continue;
+    btSoftBody::Node& node = body.m_nodes[static_cast<int>(v)];
+    node.m_x = node.m_q = vector_of(truncated.positions[v]);
+    node.m_v = node.m_vn = (node.m_x - vector_of(start[v])) / seconds;
+    ++held_back_;
+  }
+}
+
+}  // namespace tamis::bullet

@@ -102,10 +102,14 @@ int touching_steps(std::span<const Triangles> bodies, const Places& places) {
   return touching;
 }
 
-int touching_steps(const Arena& arena, const Flight& flight) {
+Places places_of(const Flight& flight) {
   Places places;
   for (const btTransform& place : flight.places) places.push_back({btTransform::getIdentity(), place});
-  return touching_steps(std::array{arena.fixed(), arena.flying()}, places);
+  return places;
+}
+
+int touching_steps(const Arena& arena, const Flight& flight) {
+  return touching_steps(std::array{arena.fixed(), arena.flying()}, places_of(flight));
 }
 
 int sampled_crossings(const Arena& arena, const Flight& flight, int samples) {

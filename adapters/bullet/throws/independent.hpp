@@ -8,6 +8,9 @@ namespace tamis::bullet {
 int touching_steps(std::span<const Triangles> bodies, const Places& places);
 int touching_steps(const Arena& arena, const Flight& flight);
 
+/// Of the fixed surface, which stays, and the flying one.
+Places places_of(const Flight& flight);
+
 /// Steps in which at one of `samples` times an edge of one passes through a triangle of the other: positions and
 /// signs of volumes in doubles. Misses what happens between the times.
 int sampled_crossings(const Arena& arena, const Flight& flight, int samples);

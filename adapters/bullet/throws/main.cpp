@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 
 #include "adapters/bullet/throws/cloth.hpp"
+#include "adapters/bullet/throws/frames.hpp"
 #include "adapters/bullet/throws/independent.hpp"
 #include "adapters/bullet/throws/pile.hpp"
 #include "adapters/bullet/throws/scenes.hpp"
@@ -12,7 +13,7 @@
 namespace tamis::bullet {
 namespace {
 
-void report(std::string_view title, const Scene& scene, int samples) {
+void report(std::string_view title, const Scene& scene, int samples, const std::string& out) {
   fmt::print("{}: {} throws\n{:28} {:>9} {:>13} {:>16} {:>10}\n", title, scene.trials.size(), "", "through",
              "not proven", "sampled crossing", "ms a step");
   for (const Method method :
@@ -21,6 +22,9 @@ void report(std::string_view title, const Scene& scene, int samples) {
     double milliseconds = 0;
     for (const Trial& trial : scene.trials) {
       const Flight flight = trial.arena->fly(method, trial.thrown);
+      if (!out.empty() && &trial == &scene.trials.front())
+        write_frames(std::filesystem::path(out) / title, std::string(name_of(method)),
+                     std::array{trial.arena->fixed(), trial.arena->flying()}, places_of(flight));
       through += trial.is_through(flight);
       touching += touching_steps(*trial.arena, flight) > 0;
       crossing += sampled_crossings(*trial.arena, flight, samples) > 0;
@@ -32,21 +36,24 @@ void report(std::string_view title, const Scene& scene, int samples) {
   }
 }
 
-void report_pile(int plates, int steps) {
+void report_pile(int plates, int steps, const std::string& out) {
   fmt::print("A pile of {} plates, {} steps\n{:28} {:>9} {:>13} {:>16} {:>10}\n", plates, steps, "", "inside",
              "not proven", "questions a step", "ms a step");
   for (const bool clamped : {false, true}) {
     const PileRun run = run_pile(plates, steps, clamped);
+    constexpr std::size_t kWithoutFloor = 1;
+    if (!out.empty()) write_frames(out, clamped ? "clamped" : "bullet", run.bodies, run.places, kWithoutFloor);
     fmt::print("{:28} {:>9} {:>13} {:>16.2f} {:>10.3f}\n", clamped ? "clamped" : "Bullet", plates_inside(run),
                touching_steps(run.bodies, run.places), run.questions, run.milliseconds);
   }
 }
 
-void report_cloth(int side, int steps) {
+void report_cloth(int side, int steps, const std::string& out) {
   fmt::print("A cloth of {0} x {0} vertices, {1} steps\n{2:28} {3:>9} {4:>10}\n", side, steps, "", "touching",
              "ms a step");
   for (const bool truncated : {false, true}) {
     const ClothRun run = run_cloth(side, steps, truncated);
+    if (!out.empty()) write_frames(out, truncated ? "truncated" : "bullet", run.frames, run.mesh.faces());
     fmt::print("{:28} {:>9} {:>10.3f}\n", truncated ? "truncated" : "Bullet", touching_steps(run), run.milliseconds);
   }
 }
@@ -70,16 +77,19 @@ int main(int argc, char** argv) {
   app.add_option("--steps", steps, "of the pile, 1/60 s each, or of the cloth, 1/240 s each")
       ->check(CLI::Range(1, 100000))
       ->capture_default_str();
+  std::string out;
+  app.add_option("--out", out,
+                 "a folder for the frames as OBJ files: of the pile, the cloth, or the first throw of each");
   CLI11_PARSE(app, argc, argv);
   if (plates > 0) {
-    tamis::bullet::report_pile(plates, steps);
+    tamis::bullet::report_pile(plates, steps, out);
     return 0;
   }
   if (side > 0) {
-    tamis::bullet::report_cloth(side, steps);
+    tamis::bullet::report_cloth(side, steps, out);
     return 0;
   }
-  tamis::bullet::report("Spinning plates", tamis::bullet::spinning_plates(count), samples);
-  tamis::bullet::report("Spinning rods", tamis::bullet::spinning_rods(count), samples);
+  tamis::bullet::report("Spinning plates", tamis::bullet::spinning_plates(count), samples, out);
+  tamis::bullet::report("Spinning rods", tamis::bullet::spinning_rods(count), samples, out);
   return 0;
 }

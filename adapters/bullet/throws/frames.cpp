@@ -1,0 +1,32 @@
+#include "adapters/bullet/throws/frames.hpp"
+
+#include <fmt/os.h>
+
+#include "adapters/bullet/mesh_of_shape.hpp"
+
+namespace tamis::bullet {
+
+void write_frames(const std::filesystem::path& folder, const std::string& name,
+                  std::span<const std::vector<Point>> frames, std::span<const Face> faces) {
+  std::filesystem::create_directories(folder);
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    auto file = fmt::output_file((folder / fmt::format("{}_{:04}.obj", name, i)).string());
+    for (const Point& p : frames[i]) file.print("v {} {} {}\n", p[0], p[1], p[2]);
+    for (const Face& face : faces) file.print("f {} {} {}\n", face[0] + 1, face[1] + 1, face[2] + 1);
+  }
+}
+
+void write_frames(const std::filesystem::path& folder, const std::string& name, std::span<const Triangles> bodies,
+                  const Places& places, std::size_t first) {
+  std::vector<std::vector<Point>> frames(places.size());
+  std::vector<Face> faces;
+  for (std::size_t body = first; body < bodies.size(); ++body) {
+    const auto before = static_cast<Index>(frames[0].size());
+    for (const Face& face : bodies[body].faces) faces.push_back({face[0] + before, face[1] + before, face[2] + before});
+    for (std::size_t i = 0; i < frames.size(); ++i)
+      for (const Point& p : bodies[body].points) frames[i].push_back(point_of(places[i][body] * vector_of(p)));
+  }
+  write_frames(folder, name, frames, faces);
+}
+
+}  // namespace tamis::bullet

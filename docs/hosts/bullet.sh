@@ -1,0 +1,25 @@
+#!/bin/sh
+# bullet.sh BIN: docs/hosts/bullet-*.png, of one step each, what touches glowing: Bullet as it is (alone), and with Tamis.
+# BIN has `tamis` and `tamis-bullet`.
+set -eu
+bin=$1
+here=$(dirname "$0")
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+
+shoot() { # FOLDER/NAME FRAME FROM PICTURE
+  "$bin/tamis" view "$1_$(printf %04d "$2").obj" "$1_$(printf %04d $(($2 + 1))).obj" --from="$3" --size 480,360 \
+    --out "$here/bullet-$4.png" > /dev/null
+}
+
+"$bin/tamis-bullet" --throws 1 --out "$work/throws" > /dev/null
+"$bin/tamis-bullet" --pile 20 --steps 60 --out "$work/pile" > /dev/null
+"$bin/tamis-bullet" --cloth 31 --steps 120 --out "$work/cloth" > /dev/null
+plates="$work/throws/Spinning plates" rods="$work/throws/Spinning rods"
+shoot "$plates/clamped, mesh (btGImpact)" 1 1,0.4,0.6 throw
+shoot "$rods/Bullet, hull with CCD" 1 0.3,0.6,1 rod-alone
+shoot "$rods/clamped, hull" 1 0.3,0.6,1 rod
+shoot "$work/pile/bullet" 58 1,0.05,0.6 pile-alone
+shoot "$work/pile/clamped" 58 1,0.05,0.6 pile
+shoot "$work/cloth/bullet" 110 0.4,-0.6,0.5 cloth-alone
+shoot "$work/cloth/truncated" 110 0.4,-0.6,0.5 cloth

@@ -11,16 +11,16 @@ namespace {
 constexpr double kFarther = 1.5, kBesides = 0.5;
 constexpr int kLongestPauseInStarts = 64;
 /// What the arithmetic with lengths may be off by, and more; where squares are too small for it, the least length.
-constexpr double kRounding = 1 + 0x1p-40, kLeastLength = 0x1p-500;
+constexpr double kWayRounding = 1 + 0x1p-40, kLeastLength = 0x1p-500;
 
 /// No less than it is.
-double length_of_way(const Step& step, Index v) {
+double way_above(const Step& step, Index v) {
   double sum = 0;
   for (int axis = 0; axis < 3; ++axis) {
     const double length = step.end[v][axis] - step.start[v][axis];
     sum += length * length;
   }
-  return std::sqrt(sum) * kRounding + kLeastLength;
+  return std::sqrt(sum) * kWayRounding + kLeastLength;
 }
 
 }  // namespace
@@ -30,7 +30,7 @@ bool PairsOfStart::begin(const Query& query, double fraction) {
   if (starts_again_) {
     for (const Index index : mesh_.points()) {
       const auto v = static_cast<std::size_t>(index);
-      ways_[v] = std::max(ways_[v], length_of_way(query.step, index));
+      ways_[v] = std::max(ways_[v], way_above(query.step, index));
     }
     if (are_listed_ && covers(query, fraction)) return true;
   } else {
@@ -61,7 +61,7 @@ bool PairsOfStart::starts_again(const Step& step) const {
 bool PairsOfStart::covers(const Query& query, double fraction) const {
   if (query.separations.fixed > separation_ || query.separations.radii.data() != radii_) return false;
   return std::all_of(mesh_.points().begin(), mesh_.points().end(), [&](Index v) {
-    return length_of_way(query.step, v) <= (1 - fraction) * room_[static_cast<std::size_t>(v)];
+    return way_above(query.step, v) <= (1 - fraction) * room_[static_cast<std::size_t>(v)];
   });
 }
 
@@ -74,8 +74,8 @@ bool PairsOfStart::plan(const Query& query, double fraction) {
   const std::span<const double> radii = query.separations.radii;
   for (const Index index : mesh_.points()) {
     const auto v = static_cast<std::size_t>(index);
-    room_[v] = (kFarther * std::max(ways_[v], ways_before_[v]) + besides) / (1 - fraction) * kRounding;
-    reach_[v] = (room_[v] + (radii.empty() ? 0 : radii[v])) * kRounding;
+    room_[v] = (kFarther * std::max(ways_[v], ways_before_[v]) + besides) / (1 - fraction) * kWayRounding;
+    reach_[v] = (room_[v] + (radii.empty() ? 0 : radii[v])) * kWayRounding;
     if (!std::isfinite(reach_[v])) return false;
   }
   radii_ = radii.data();

@@ -106,7 +106,7 @@ ExactDistance inside(const MovingPolygon& moving, const Plane& plane) {
   const auto& [normal, square, height, within] = plane;
   const std::size_t end = moving.corner_count - 1;
   const Integer &u = within[end], &v = within[0];
-  const auto height_of_velocity = [&] {
+  const auto height_of_velocity = [&, &normal = normal, &square = square] {
     const IntegerVec v0 = velocity(moving, 0);
     return dot(normal, square * v0 + u * (velocity(moving, 1) - v0) + v * (velocity(moving, end) - v0));
   };

@@ -1,29 +1,70 @@
-// Answers as C has them that more than one handle gives.
+// Answers as C has them, of a detector and of a world.
 #pragma once
 #include <algorithm>
+#include <string>
+#include <vector>
 
-#include "tamis/proximity.hpp"
+#include "tamis/statistics.hpp"
 #include "tamis/tamis.h"
+#include "tamis/world.hpp"
 
 namespace tamis::c {
 
-inline tamis_safe_step answer_of(const SafeStep& safe) {
+/// What a world says is about two bodies, what a detector says about none.
+template <class Answer>
+void write_bodies(const Answer& answer, int32_t* bodies) {
+  if constexpr (requires { answer.bodies; })
+    std::copy(answer.bodies.begin(), answer.bodies.end(), bodies);
+  else
+    std::fill_n(bodies, 2, -1);
+}
+
+/// Of a Contact or a BodyContact; so of those below.
+template <class AnyContact>
+tamis_contact contact_of(const AnyContact& c) {
+  tamis_contact contact{
+      static_cast<int32_t>(c.kind), static_cast<int32_t>(c.certainty), {}, c.toi_lower, c.toi_upper, c.u, c.v, {}, {}};
+  std::copy(c.vertices.begin(), c.vertices.end(), contact.vertices);
+  std::copy(c.normal.begin(), c.normal.end(), contact.normal);
+  write_bodies(c, contact.bodies);
+  return contact;
+}
+
+template <class AnyNearPair>
+tamis_near_pair near_pair_of(const AnyNearPair& n) {
+  tamis_near_pair pair{static_cast<int32_t>(n.kind), n.corners, {}, n.distance, n.u, n.v, {}, {}};
+  std::copy(n.vertices.begin(), n.vertices.end(), pair.vertices);
+  std::copy(n.direction.begin(), n.direction.end(), pair.direction);
+  write_bodies(n, pair.bodies);
+  return pair;
+}
+
+template <class AnyIntersection>
+tamis_intersection intersection_of(const AnyIntersection& i) {
+  tamis_intersection result{{}, {}, i.s_lower, i.s_upper, i.u, i.v, {}};
+  std::copy(i.edge.begin(), i.edge.end(), result.edge);
+  std::copy(i.face.begin(), i.face.end(), result.face);
+  write_bodies(i, result.bodies);
+  return result;
+}
+
+/// Of a SafeStep or a BodyStep.
+template <class AnySafeStep>
+tamis_safe_step answer_of(const AnySafeStep& safe) {
   tamis_safe_step answer{};
   answer.lower = safe.lower;
   answer.upper = safe.upper;
+  std::fill_n(answer.bodies, 2, -1);
   if (!safe.pair) return answer;
   answer.has_pair = 1;
   answer.kind = static_cast<int32_t>(safe.pair->kind);
   std::copy(safe.pair->vertices.begin(), safe.pair->vertices.end(), answer.vertices);
   answer.distance = safe.pair->distance;
+  write_bodies(*safe.pair, answer.bodies);
   return answer;
 }
 
-inline tamis_near_pair near_pair_of(const NearPair& n) {
-  tamis_near_pair pair{static_cast<int32_t>(n.kind), n.corners, {}, n.distance, n.u, n.v, {}};
-  std::copy(n.vertices.begin(), n.vertices.end(), pair.vertices);
-  std::copy(n.direction.begin(), n.direction.end(), pair.direction);
-  return pair;
-}
+/// `names` keeps those of the stages.
+tamis_statistics statistics_of(const Statistics& s, std::vector<std::string>& names);
 
 }  // namespace tamis::c

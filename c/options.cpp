@@ -53,4 +53,14 @@ PairListOptions options_of(const tamis_pair_options& given) {
   return options;
 }
 
+Options options_of(const tamis_world_options& given) {
+  Options options;
+  if (given.isa) options.isa = isa_from_name(given.isa);
+  options.threads = given.threads;
+  options.min_separation = given.min_separation;
+  if (given.rings != 0) options.filter.rings = given.rings;
+  options.is_cancelled = cancelling(given.is_cancelled, given.user);
+  return options;
+}
+
 }  // namespace tamis::c

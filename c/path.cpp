@@ -6,15 +6,11 @@
 #include <string>
 #include <vector>
 
-#include "c/sized.hpp"
-#include "tamis/rigid_path.hpp"
+#include "c/poses.hpp"
 #include "tamis/spline_path.hpp"
 
 namespace tamis::c {
 namespace {
-
-Point point_of(const double* p) { return {p[0], p[1], p[2]}; }
-Pose pose_of(const tamis_pose& pose) { return {point_of(pose.position), point_of(pose.rotation)}; }
 
 tamis_pose to_c(const Pose& pose) {
   const Point &p = pose.position, &r = pose.rotation;
@@ -33,29 +29,14 @@ std::size_t vertices(int32_t count) {
   return static_cast<std::size_t>(count);
 }
 
-/// NULL is no array, unless it has no elements.
-template <class T>
-const T* array(const T* first, std::size_t count, const char* name) {
-  return count > 0 ? &required(first, name) : first;
-}
-
-std::vector<Point> points(const double* coordinates, std::size_t count, const char* name) {
-  std::vector<Point> result(count);
-  const double* first = array(coordinates, count, name);
-  for (std::size_t i = 0; i < count; ++i) result[i] = point_of(first + 3 * i);
-  return result;
-}
-
 std::vector<Chain> chains_of(const tamis_rigid_path_input& input) {
   check_count(input.body_count, "body_count");
   const std::size_t* counts = array(input.links_of_body, input.body_count, "links_of_body");
-  std::vector<Chain> chains(input.body_count);
+  std::vector<Chain> chains;
   const tamis_link* link = input.links;
-  for (std::size_t body = 0; body < input.body_count; ++body) {
+  for (std::size_t body = 0; body < input.body_count; link += counts[body++]) {
     check_count(counts[body], "an entry of links_of_body");
-    chains[body].reserve(counts[body]);
-    for (std::size_t i = 0; i < counts[body]; ++i, ++link)
-      chains[body].push_back({pose_of(required(link, "links").start), pose_of(link->end)});
+    chains.push_back(chain_of(array(link, counts[body], "links"), counts[body]));
   }
   return chains;
 }
@@ -63,8 +44,8 @@ std::vector<Chain> chains_of(const tamis_rigid_path_input& input) {
 RigidPath rigid_path_of(const tamis_rigid_path_input& input) {
   const std::size_t count = vertices(input.vertex_count);
   const int32_t* bodies = array(input.body_of_vertex, count, "body_of_vertex");
-  auto rest_end = input.rest_end ? points(input.rest_end, count, "rest_end") : std::vector<Point>{};
-  return {points(input.rest, count, "rest"), {bodies, bodies + count}, chains_of(input), std::move(rest_end)};
+  auto rest_end = input.rest_end ? point_rows(input.rest_end, count, "rest_end") : std::vector<Point>{};
+  return {point_rows(input.rest, count, "rest"), {bodies, bodies + count}, chains_of(input), std::move(rest_end)};
 }
 
 std::vector<std::vector<Point>> frames_of(const tamis_spline_path_input& input) {
@@ -73,7 +54,7 @@ std::vector<std::vector<Point>> frames_of(const tamis_spline_path_input& input) 
   std::vector<std::vector<Point>> frames;
   frames.reserve(input.frame_count);
   for (std::size_t i = 0; i < input.frame_count; ++i)
-    frames.push_back(points(array(input.frames, count, "frames") + 3 * count * i, count, "frames"));
+    frames.push_back(point_rows(array(input.frames, count, "frames") + 3 * count * i, count, "frames"));
   return frames;
 }
 
@@ -107,6 +88,19 @@ class FunctionPath final : public Path {
   tamis_path_functions functions_;
 };
 
+Point center_of(const double* center) { return center ? point_of(center) : Point{0, 0, 0}; }
+
+/// Writes the pose that `make` gives of a position, in a call without a handle.
+template <class Make>
+tamis_status write_pose(tamis_pose* pose, const double* position, const Make& make) noexcept {
+  Outcome outcome;
+  return attempt(outcome, [&] {
+    const Pose made = make(point_of(&required(position, "position")));
+    if (!is_finite(made)) throw InvalidPath("the position is not finite: give finite numbers");
+    required(pose, "pose") = to_c(made);
+  });
+}
+
 /// Writes the chain that `make` gives, in a call without a handle.
 template <class Make>
 tamis_status write_chain(tamis_link* links, const Make& make) noexcept {
@@ -126,16 +120,39 @@ tamis_status write_chain(tamis_link* links, const Make& make) noexcept {
 
 using namespace tamis::c;
 
-tamis_status tamis_turned(const tamis_pose* start, const double* turn, const double* end_position, tamis_link* links) {
+tamis_status tamis_turned(const tamis_pose* start, const double* turn, const double* end_position, const double* center,
+                          tamis_link* links) {
   return write_chain(links, [&] {
     const double &axis = required(turn, "turn"), &end = required(end_position, "end_position");
-    return tamis::turned(pose_of(required(start, "start")), point_of(&axis), point_of(&end));
+    return tamis::turned(pose_of(required(start, "start")), point_of(&axis), point_of(&end), center_of(center));
   });
 }
 
-tamis_status tamis_between(const tamis_pose* start, const tamis_pose* end, tamis_link* links) {
-  return write_chain(links,
-                     [&] { return tamis::between(pose_of(required(start, "start")), pose_of(required(end, "end"))); });
+tamis_status tamis_between(const tamis_pose* start, const tamis_pose* end, const double* center, tamis_link* links) {
+  return write_chain(links, [&] {
+    return tamis::between(pose_of(required(start, "start")), pose_of(required(end, "end")), center_of(center));
+  });
+}
+
+tamis_status tamis_nlerp_deviation(const tamis_pose* start, const tamis_pose* end, double* part) {
+  Outcome outcome;
+  return attempt(outcome, [&] {
+    required(part, "part") = tamis::nlerp_deviation(pose_of(required(start, "start")), pose_of(required(end, "end")));
+  });
+}
+
+tamis_status tamis_pose_of_quaternion(const double* quaternion, const double* position, tamis_pose* pose) {
+  return write_pose(pose, position, [&](const tamis::Point& at) {
+    const double* q = &required(quaternion, "quaternion");
+    return tamis::pose_of_quaternion({q[0], q[1], q[2], q[3]}, at);
+  });
+}
+
+tamis_status tamis_pose_of_matrix(const double* rows, const double* position, tamis_pose* pose) {
+  return write_pose(pose, position, [&](const tamis::Point& at) {
+    const double* r = &required(rows, "rows");
+    return tamis::pose_of_matrix({point_of(r), point_of(r + 3), point_of(r + 6)}, at);
+  });
 }
 
 tamis_status tamis_rigid_path_create(const tamis_rigid_path_input* input, tamis_path** path) {

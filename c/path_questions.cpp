@@ -75,7 +75,7 @@ tamis_status tamis_detector_contacts_on_path(tamis_detector* detector, const tam
                                              const tamis_path_options* options, size_t* count) {
   return ask_on_path(detector, path, options, [&](auto& handle, const auto& p, const tamis::QueryOptions& q) {
     size_t& number = required(count, "count");
-    handle.contacts = handle.detector->contacts(p, q);
+    handle.contacts = handle.asked->contacts(p, q);
     number = handle.contacts.size();
   });
 }
@@ -85,14 +85,14 @@ tamis_status tamis_detector_earliest_on_path(tamis_detector* detector, const tam
                                              size_t* count) {
   return ask_on_path(detector, path, options, [&](auto& handle, const auto& p, const tamis::QueryOptions& q) {
     const FirstTimes times = first_times(toi_lower, toi_upper, count);
-    times.write(handle, handle.detector->earliest(p, q));
+    times.write(handle, handle.asked->earliest(p, q));
   });
 }
 
 tamis_status tamis_detector_is_free_on_path(tamis_detector* detector, const tamis_path* path,
                                             const tamis_path_options* options, int* is_free) {
   return ask_on_path(detector, path, options, [&](auto& handle, const auto& p, const tamis::QueryOptions& q) {
-    required(is_free, "is_free") = handle.detector->is_free(p, q) ? 1 : 0;
+    required(is_free, "is_free") = handle.asked->is_free(p, q) ? 1 : 0;
   });
 }
 

@@ -21,7 +21,7 @@ tamis_status tamis_detector_truncate(tamis_detector* detector, const tamis_step*
   return ask(detector, step, [&](tamis_detector& handle, const tamis::Step& s, const tamis::QueryOptions& q) {
     double& first = required(positions, "positions");
     int& free = required(is_free, "is_free");
-    const tamis::TruncatedStep reached = handle.detector->truncate(s, keep, q, known_stored(stored));
+    const tamis::TruncatedStep reached = handle.asked->truncate(s, keep, q, known_stored(stored));
     copy_points(reached.positions, &first);
     if (parts) std::copy(reached.parts.begin(), reached.parts.end(), parts);
     free = reached.is_free ? 1 : 0;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numbers>
 
 #include "scenes/point_math.hpp"
 
@@ -79,6 +80,29 @@ Shape unit_cube(Index cells) {
 Shape unit_sphere(Index cells) {
   Shape shape = lattice_cube(cells);
   for (Point& p : shape.points) p = unit(p);
+  return shape;
+}
+
+Shape thread(const Thread& of) {
+  Shape shape;
+  const Index last = (of.turns + 1) * of.around;  // where the last turn ends, one thread higher up
+  for (Index row = 0; row <= last; ++row)
+    for (Index cell = 0; cell < of.along; ++cell) {
+      const double across = double(cell) / of.along, turn = double(row) / of.around;
+      const double angle = 2 * std::numbers::pi * (row % of.around) / of.around;
+      const double radius = of.radius + of.depth * (1 - std::fabs(2 * across - 1));
+      shape.points.push_back({radius * std::cos(angle), radius * std::sin(angle), of.pitch * (turn + across)});
+    }
+  // The last cell across ends where the first one begins a turn later.
+  const auto vertex = [&](Index row, Index cell) {
+    return cell < of.along ? row * of.along + cell : (row + of.around) * of.along;
+  };
+  for (Index row = 0; row < of.turns * of.around; ++row)
+    for (Index cell = 0; cell < of.along; ++cell) {
+      const Index a = vertex(row, cell), b = vertex(row + 1, cell), c = vertex(row + 1, cell + 1),
+                  d = vertex(row, cell + 1);
+      shape.faces.insert(shape.faces.end(), {{a, b, c}, {a, c, d}});
+    }
   return shape;
 }
 

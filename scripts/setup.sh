@@ -26,7 +26,7 @@ if [[ ${1:-} == --arm64 ]]; then
   packages+=(g++-aarch64-linux-gnu qemu-user)
 fi
 if [[ ${1:-} == --bench ]]; then
-  packages+=(libbenchmark-dev libembree-dev libcgal-dev libbullet-dev python3-matplotlib)
+  packages+=(libbenchmark-dev libembree-dev libcgal-dev libbullet-dev libfcl-dev python3-matplotlib)
 fi
 
 is_installed() { [[ $(dpkg-query -W -f='${db:Status-Status}' "$1" 2>/dev/null) == installed ]]; }

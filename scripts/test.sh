@@ -1,13 +1,13 @@
 #!/usr/bin/env bash
 # Set-up, build, all tests. Arguments go to ctest: `scripts/test.sh -R readme`.
 #   --quick   for the daily loop: without what takes minutes (tests by clang, clang-tidy, ARM, fuzzing, attacks, the module
-#             for Python, the viewer, packages built against an installed Tamis)
+#             for Python, the crates, the viewer, packages built against an installed Tamis)
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
 quick=()
 if [[ ${1:-} == --quick ]]; then
-  quick=(-E '^(fuzz|hostile|python|viewer|consumer|bench)[.]|^project[.](clang|tidy|arm64)')
+  quick=(-E '^(fuzz|hostile|python|rust|viewer|consumer|bench)[.]|^project[.](clang|tidy|arm64)')
   shift
 fi
 scripts/setup.sh --tests

@@ -1,6 +1,6 @@
 """One of Newton's own cloth examples, by itself or with Tamis: seconds a frame, contacts of every step.
 
-newton_example.py twist|hanging|poker_cards|rollers [--frames N] [--attach] [--buffers VERTEX EDGE]
+newton_example.py twist|hanging|poker_cards|rollers [--frames N] [--last N] [--attach] [--buffers VERTEX EDGE]
 
 Exit code 1 if some step touches. One thread; Newton's kernels are compiled at the first run.
 """
@@ -15,6 +15,7 @@ from typing import Any
 import newton
 import newton.viewer
 import numpy as np
+import numpy.typing as npt
 import warp as wp
 
 import tamis
@@ -88,6 +89,7 @@ def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("example", choices=["twist", "hanging", "poker_cards", "rollers"])
     parser.add_argument("--frames", type=int, default=60)
+    parser.add_argument("--last", type=int, help="seconds of so many frames at the end alone")
     parser.add_argument("--attach", action="store_true")
     parser.add_argument("--buffers", type=int, nargs=2)
     given = parser.parse_args()
@@ -97,14 +99,23 @@ def main() -> int:
     report = tamis.newton.attach(example.solver, threads=1).report if given.attach else None
     spent = [] if report else count_seconds(example.solver)
     recorder = Recorder(example.solver)
-    for _ in range(given.frames):
+
+    def seconds() -> npt.NDArray[np.float64]:
+        """Return those of the processor, of the clock, and of detection and truncation, until now."""
+        searching = report.detection_seconds + report.truncation_seconds if report else spent[0]
+        return np.array([recorder.processor, recorder.wall, searching])
+
+    last = min(given.last or given.frames, given.frames)
+    before = np.zeros(3)
+    for frame in range(given.frames):
+        if frame == given.frames - last:
+            before = seconds()
         example.step()
-    if report:
-        spent = [report.detection_seconds, report.truncation_seconds]
+    processor, wall, searching = seconds() - before
     triangles, counts = example.solver.model.tri_count, recorder.counts
-    print(f"{given.example}: {recorder.processor / given.frames:.3f} s a frame, {triangles} triangles")
+    print(f"{given.example}: {processor / last:.3f} s a frame, {triangles} triangles")
     print(f"{sum(counts)} contacts in {np.count_nonzero(counts)} of {len(counts)} steps")
-    print(f"detection and truncation: {sum(spent) / recorder.wall:.0%}")
+    print(f"detection and truncation: {searching / wall:.0%}")
     print(report or "")
     return int(any(counts))
 

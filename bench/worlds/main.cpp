@@ -1,11 +1,16 @@
 // What bodies cost in a world: a Markdown table; medians over steps, each from where the last one ended, processor time
 // of one thread. tamis_worlds [STEPS [WHICH]]
 #include <algorithm>
+#include <array>
+#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
 #include <functional>
+#include <numbers>
+#include <random>
+#include <string>
 #include <vector>
 
 #include "scenes/shapes.hpp"
@@ -199,16 +204,118 @@ void two_large_bodies(int steps) {
   print_row("earliest of two rough balls of 20,172 triangles, near, one turning", first.contact.has_value(), cost);
 }
 
+/// A nut that turns on a bolt by `angle` a step and follows the thread, all of which is near the bolt's.
+void nut_on_bolt(Index around, double angle, int steps) {
+  const scenes::Thread bolt{8, around, 6, 1, 0.25, 0.12};
+  scenes::Thread nut = bolt;
+  nut.turns = 3;
+  nut.radius += 0.01;
+  World world(one_thread());
+  world.add(shape_of(scenes::thread(bolt)), Static{});
+  const BodyId turning = world.add(shape_of(scenes::thread(nut)), Static{});
+  const auto pose = [&](double turned) {
+    return Pose{{0, 0, bolt.pitch * (1 + turned / (2 * std::numbers::pi))}, {0, 0, turned}};
+  };
+  EarliestBodyContact first;
+  const Cost cost = milliseconds(
+      steps,
+      [&](int step) {
+        world.move(turning, Rigid{interpolated(pose(angle * (step % 20)), pose(angle * (step % 20 + 1)))});
+      },
+      [&] { first = world.earliest(); });
+  print_row("earliest of a nut of " + std::to_string(2 * nut.turns * around * nut.along) + " triangles on a bolt of " +
+                std::to_string(2 * bolt.turns * around * bolt.along) + ", which turns by " +
+                std::to_string(angle).substr(0, 3) + " radians",
+            first.contact.has_value(), cost);
+}
+
+/// Seven links of 300 triangles, each turning in the frame of the one before it.
+struct Arm {
+  static constexpr std::size_t kJoints = 7;
+  static constexpr double kLength = 0.35;
+  using Angles = std::array<double, kJoints>;
+
+  Shape link = [] {
+    scenes::Shape ball = scenes::unit_sphere(5);
+    for (Point& p : ball.points) p = {0.5 * kLength * (p[0] + 1), 0.06 * p[1], 0.06 * p[2]};
+    return shape_of(ball);
+  }();
+
+  static Pose joint(std::size_t number, double angle) {
+    constexpr std::array<std::size_t, kJoints> axes{2, 1, 1, 0, 1, 0, 1};
+    Pose pose{{number == 0 ? 0 : kLength, 0, number == 0 ? 0.2 : 0}, {}};
+    pose.rotation[axes[number]] = angle;
+    return pose;
+  }
+  /// Of all links, from one configuration to the other.
+  static void add_motion(const Angles& start, const Angles& end, std::vector<BodyMotion>& motions) {
+    Chain chain;
+    for (std::size_t k = 0; k < kJoints; ++k) {
+      chain.push_back({joint(k, start[k]), joint(k, end[k])});
+      motions.emplace_back(Rigid{chain});
+    }
+  }
+};
+
+/// An arm over a floor of 20,000 triangles among forty balls of 972, as a planner asks about it: from random
+/// configurations by so many radians. Motions a second of wall-clock time.
+void arm(int steps) {
+  const int count = 20 * steps;
+  for (const int threads : {1, 2})
+    for (const double way : {0.1, 0.5}) {
+      std::mt19937_64 random(7);
+      std::uniform_real_distribution<double> any(-1, 1);
+      Options options;
+      options.threads = threads;
+      World world(options);
+      const BodyId floor = world.add(shape_of(sheet(100, 0.1, floor_height)), Static{});
+      scenes::Shape ball = scenes::unit_sphere(9);
+      for (Point& p : ball.points)
+        for (double& x : p) x *= 0.15;
+      const Shape obstacle = shape_of(ball);
+      for (int i = 0; i < 40; ++i) {
+        Pose place{{2.5 * any(random), 2.5 * any(random), 0.3 + std::fabs(2 * any(random))}, {}};
+        if (std::hypot(place.position[0], place.position[1], place.position[2]) < 0.8) place.position[0] += 1.6;
+        world.add(obstacle, Static{place});
+      }
+      const Arm robot;
+      std::vector<BodyId> links;
+      for (std::size_t k = 0; k < Arm::kJoints; ++k) {
+        links.push_back(world.add(robot.link, Static{}));
+        if (k > 0) world.set_may_touch(links[k - 1], links[k], false);
+      }
+      world.set_may_touch(floor, links[0], false);
+      std::vector<BodyMotion> motions;
+      for (int i = 0; i < count; ++i) {
+        Arm::Angles start{}, end{};
+        for (std::size_t k = 0; k < Arm::kJoints; ++k) {
+          start[k] = 1.5 * any(random);
+          end[k] = start[k] + way / std::sqrt(7.) * any(random);
+        }
+        Arm::add_motion(start, end, motions);
+      }
+      const auto begin = std::chrono::steady_clock::now();
+      const std::vector<EarliestBodyContact> found = world.earliest_many(links, motions);
+      const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
+      const auto free = std::ranges::count_if(found, [](const auto& first) { return !first.contact; });
+      std::printf("| %d | %.1f | %d | %td | %.0f |\n", threads, way, count, free, count / seconds.count());
+    }
+}
+
 }  // namespace
 
-/// Which: two, many, or room; all without one.
+/// Which: two, many (or one of its numbers of bodies), nut, room, or arm; all without one.
 int main(int count, char** arguments) {
   const std::string which = count > 2 ? arguments[2] : "";
   const int steps = std::max(1, count > 1 ? std::atoi(arguments[1]) : 20);
   std::printf("| question | answers | ms, median | mean |\n|---|--:|--:|--:|\n");
   if (which.empty() || which == "two") two_large_bodies(steps);
-  if (which.empty() || which == "many")
-    for (const int bodies : {1000, 10000}) many_bodies(bodies, steps);
+  for (const int bodies : {1000, 10000})
+    if (which.empty() || which == "many" || which == std::to_string(bodies)) many_bodies(bodies, steps);
+  if (which.empty() || which == "nut")
+    for (const double angle : {0.1, 1.}) nut_on_bolt(32, angle, steps);
   if (which.empty() || which == "room") room(steps);
+  std::printf("\n| threads | radians | motions of an arm | free | a second |\n|--:|--:|--:|--:|--:|\n");
+  if (which.empty() || which == "arm") arm(steps);
   return 0;
 }

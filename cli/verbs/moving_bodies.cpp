@@ -67,7 +67,10 @@ void MovingBodies::go_on(World& world) {
 BodyMotion MovingBodies::motion_from(std::size_t body, std::vector<Point> start) const {
   const auto& [name, mesh, poses, turns_linearly, frames] = file_.bodies[body];
   if (poses.size() == 1) return Static{poses.front()};
-  if (!poses.empty()) return Rigid{(turns_linearly ? interpolated : between)(poses[step_ - 1], poses[step_])};
+  if (!poses.empty()) {
+    const Pose &from = poses[step_ - 1], &to = poses[step_];
+    return Rigid{turns_linearly ? interpolated(from, to) : between(from, to)};
+  }
   return Deforming{std::move(start), frames_.at(body).read(step_)};
 }
 

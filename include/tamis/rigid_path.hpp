@@ -31,12 +31,18 @@ using Chain = std::vector<Link>;
 
 /// Rotation vector and position linear in t, from one pose to the other.
 Chain interpolated(const Pose& start, const Pose& end);
-/// From `start`, turned at constant speed about the fixed axis of `turn` by |turn| radians, while the body's origin
-/// goes straight to `end_position`. Any angle: 2 pi is a full turn.
-Chain turned(const Pose& start, const Point& turn, const Point& end_position);
-/// From one pose to the other by the shorter turn about a fixed axis, at constant speed. The turn is computed in
-/// doubles: the end is reached within some 1e-15 of the body's size.
-Chain between(const Pose& start, const Pose& end);
+/// From `start`, turned at constant speed about the fixed axis of `turn` by |turn| radians, while one point of the
+/// body, `center` in its frame, goes straight to `end_position`: engines take the center of mass. Any angle: 2 pi is a
+/// full turn. With a center, places are off by some 1e-15 of how far it is from the body's origin, and that from the
+/// world's.
+Chain turned(const Pose& start, const Point& turn, const Point& end_position, const Point& center = {0, 0, 0});
+/// From one pose to the other by the shorter turn about a fixed axis, at constant speed (slerp), while `center` goes
+/// straight. The turn is computed in doubles: the end is reached within some 1e-15 of the body's size.
+Chain between(const Pose& start, const Pose& end, const Point& center = {0, 0, 0});
+/// Engines that blend quaternions and normalize them (nlerp) go the way of `between` at another speed: no point is ever
+/// farther from where `between` has it than this, times its distance from the center. What is free by `between` with as
+/// much separation is free by theirs. Throws InvalidPath on numbers that are not finite.
+double nlerp_deviation(const Pose& start, const Pose& end);
 
 /// Bodies that move each on a chain of links; a vertex may go straight in its body's frame meanwhile. Positions:
 /// enclosed by interval arithmetic in doubles or double-double, sine and cosine by their alternating series.

@@ -11,7 +11,8 @@
  * Pointers that are given are read during the call alone. One handle serves one thread at a time; calls at once with
  * a detector that is asking give TAMIS_BUSY. Different handles are independent.
  *
- * All of it is here; the parts: a mesh, a detector that asks about it, single pairs, curved motion. */
+ * All of it is here; the parts: a mesh, a detector that asks about it, single pairs, curved motion,
+ * and worlds of bodies. */
 #ifndef TAMIS_TAMIS_H
 #define TAMIS_TAMIS_H
 
@@ -21,5 +22,6 @@
 #include "tamis/c/pairs.h"
 #include "tamis/c/path.h"
 #include "tamis/c/status.h"
+#include "tamis/c/world.h"
 
 #endif

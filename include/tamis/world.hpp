@@ -3,6 +3,7 @@
 #include <array>
 #include <memory>
 #include <optional>
+#include <span>
 #include <variant>
 #include <vector>
 
@@ -103,9 +104,15 @@ class World {
   /// It may also begin to move in another way. Throws as `add`, and as all that names a body InvalidOptions where the
   /// world has no such body, or has it no more.
   void move(BodyId body, BodyMotion motion);
+  /// As it was told last; valid until the next change of the world.
+  const BodyMotion& motion(BodyId body) const;
   void remove(BodyId body);
   /// A body that is switched off takes no part in any question until it is switched on again; bodies begin switched on.
   void set_enabled(BodyId body, bool is_enabled);
+  /// Half of its thickness, in the unit of the positions: bodies are in contact where their distance is at most the
+  /// minimum separation plus both radii, for every question but `intersections`; so is a deforming one with itself.
+  /// At first 0. Throws InvalidOptions: negative or not finite.
+  void set_radius(BodyId body, double radius);
   /// Two bodies, or a deforming body with itself: may they touch at all? At first all may; two static bodies never, nor
   /// a body that does not deform itself. Throws InvalidOptions: the latter is asked for.
   void set_may_touch(BodyId a, BodyId b, bool may_touch);
@@ -116,15 +123,23 @@ class World {
   /// with AtStart::fail InvalidStep.
   std::vector<BodyContact> contacts(const QueryOptions& = {});
   EarliestBodyContact earliest(const QueryOptions& = {});
+  /// As of a planner, from configuration to configuration: `earliest` for each of many motions of some bodies, while
+  /// all others move as they were told. `motions`: one for each of `bodies`, in their order, then again for the next
+  /// motion. Threads share the motions, each with a copy of the world's bodies; each answer has the bits that it has
+  /// alone. The bodies themselves go on moving as they were told. Throws InvalidOptions: a body that is not there, or
+  /// is named twice, a number of motions that is no multiple; InvalidStep as `add`, naming the motion.
+  std::vector<EarliestBodyContact> earliest_many(std::span<const BodyId> bodies, std::span<const BodyMotion> motions,
+                                                 const QueryOptions& = {});
   bool is_free(const QueryOptions& = {});
 
-  /// Where all bodies are at t=0, rounded to doubles: pairs of features within `distance`, in the same order.
+  /// Where all bodies are at t=0, rounded to doubles: pairs of features within `distance` plus both radii, in the same
+  /// order.
   std::vector<BodyNearPair> pairs_within(double distance);
   /// Edges that pass through triangles there, by bodies, edge and face.
   std::vector<BodyIntersection> intersections();
 
-  /// How far all may go, as Detector::safe_step. Throws InvalidOptions where a body that turns comes near another:
-  /// ask `earliest`.
+  /// How far all may go, as Detector::safe_step. Where one of two bodies turns, QueryOptions::tolerance counts, and a
+  /// pair that starts nearer to its separation than doubles can tell ends the step at once.
   BodyStep safe_step(double keep = 0.1, const QueryOptions& = {});
 
   /// Of the last question: sums over the detectors that it asked; `memory_bytes` without shapes. Throws Busy during

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bounds/symmetric_axes.hpp"
+#include "lab/bounds/principal_axes.hpp"
 #include "numerics/assert.hpp"
 
 namespace tamis::lab {

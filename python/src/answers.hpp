@@ -27,6 +27,23 @@ nb::tuple earliest_tuple(const Earliest& first) {
   return nb::make_tuple(first.toi_lower, first.toi_upper, own_bytes(std::move(contact)));
 }
 
+/// Both times of each, then which have a contact, and those.
+inline nb::tuple earliest_columns(const std::vector<EarliestBodyContact>& each) {
+  std::vector<double> lower, upper;
+  std::vector<Index> touching;
+  std::vector<BodyContact> contacts;
+  for (const EarliestBodyContact& first : each) {
+    if (first.contact) {
+      touching.push_back(static_cast<Index>(lower.size()));
+      contacts.push_back(*first.contact);
+    }
+    lower.push_back(first.toi_lower);
+    upper.push_back(first.toi_upper);
+  }
+  return nb::make_tuple(own<double>(std::move(lower), 0), own<double>(std::move(upper), 0),
+                        own<Index>(std::move(touching), 0), own_bytes(std::move(contacts)));
+}
+
 /// Of a SafeStep, or one of bodies.
 template <class Step>
 nb::tuple step_tuple(const Step& safe) {

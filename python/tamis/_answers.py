@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from tamis._arrays import Doubles
 from tamis._kinds import PairKind
-from tamis._tables._contacts import Contact
+from tamis._tables._contacts import Contact, Contacts
 
 if TYPE_CHECKING:
     from tamis import _core
@@ -28,6 +28,13 @@ class EarliestContact(NamedTuple):
     toi_lower: float
     toi_upper: float
     contact: Contact | None
+
+
+def earliest_of(found: _core._Earliest) -> EarliestContact:
+    """Give what the compiled part has found its names."""
+    lower, upper, rows = found
+    contacts = Contacts(rows)
+    return EarliestContact(lower, upper, contacts[0] if len(contacts) else None)
 
 
 class LimitingPair(NamedTuple):

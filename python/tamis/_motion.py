@@ -11,6 +11,7 @@ import numpy.typing as npt
 from tamis._arrays import Doubles, Indices, rows
 from tamis._checks import number
 from tamis._errors import InvalidOptions, InvalidPath, InvalidStep
+from tamis._options import AtStart, query_options
 from tamis._paths._path import Path
 from tamis._tables._points import Corners, corners_at_rest, used_vertices
 
@@ -53,6 +54,22 @@ class CurvedMotion:
         path = self.path._native()
         used = used_vertices(path.vertex_count, vertices, InvalidPath)
         return path.corners_at(np.ascontiguousarray(times), np.ascontiguousarray(used)).reshape(*used.shape, 3)
+
+
+def step_asked(
+    start: npt.ArrayLike, end: npt.ArrayLike, min_separation: float | None, at_start: AtStart
+) -> tuple[Doubles, Doubles, _core.QueryOptions]:
+    """Return what the compiled part takes of a question about a step."""
+    own = query_options(min_separation, at_start)
+    return rows(start, "start"), rows(end, "end"), own
+
+
+def step_asked_to_keep(
+    start: npt.ArrayLike, end: npt.ArrayLike, keep: float, min_separation: float | None, at_start: AtStart
+) -> tuple[Doubles, Doubles, float, _core.QueryOptions]:
+    """The same of a step on which pairs keep a fraction of their distance."""
+    first, last, own = step_asked(start, end, min_separation, at_start)
+    return first, last, number(keep, "keep"), own
 
 
 def motion(

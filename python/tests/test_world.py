@@ -5,6 +5,7 @@ from __future__ import annotations
 import pickle
 import threading
 import weakref
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
@@ -109,8 +110,8 @@ def test_turning_bodies_and_their_paths(cube: tamis.Shape) -> None:
     ours, theirs = world.earliest(tolerance=1e-6), detector.earliest(path, tolerance=1e-6)
     assert 0 < ours.toi_lower < 0.5 and abs(ours.toi_lower - theirs.toi_lower) <= 2e-6
     assert ours.toi_upper - ours.toi_lower <= 1e-6
-    with pytest.raises(tamis.InvalidOptions, match="turn"):
-        world.safe_step()
+    step = world.safe_step()
+    assert step.pair is not None and 0 < step.lower < ours.toi_lower and step.upper - step.lower < 1e-6
     world.move(still, _at((5, 0, 0))[0])
     assert world.is_free() and world.safe_step().pair is None
 
@@ -158,6 +159,91 @@ def test_removed_switched_off_and_kept_apart(cube: tamis.Shape) -> None:
     assert world.add(cube) == 4
 
 
+@pytest.mark.parametrize("bad", [-1, 4, 9])
+def test_one_that_is_not_there_leaves_all_as_they_were(cube: tamis.Shape, bad: int) -> None:
+    """Bug: those before it were removed, switched off or moved, and nobody could tell which."""
+    world = tamis.World()
+    world.add_many(cube, _at((0, 0, 0), (0, 10, 0)))
+    world.add_many(cube, tamis.between(_at((0, 0, 5), (0, 10, 5)), _at((0, 0, 0), (0, 10, 0))))
+    world.remove(world.add(cube))  # 4
+    before = world.contacts()
+    assert {*before.bodies.ravel().tolist()} == {0, 1, 2, 3}
+    changes: list[Callable[[], object]] = [
+        lambda: world.move_many([2, 3, bad], _at((50, 0, 0), (60, 0, 0), (70, 0, 0))),
+        lambda: world.remove([0, bad]),
+        lambda: world.set_enabled([0, 1, bad], False),
+        lambda: world.set_may_touch([[0, 2], [1, bad]], False),
+        lambda: world.set_may_touch([[0, 2], [bad, 1]], False),
+    ]
+    for change in changes:
+        with pytest.raises(tamis.InvalidOptions, match=f"body {bad}"):
+            change()
+        assert world.contacts() == before
+    with pytest.raises(tamis.InvalidOptions, match="bodies holds 0 twice"):
+        world.remove([0, 1, 0])
+    assert world.contacts() == before
+
+
+def test_radii_and_steps_of_bodies_that_turn(cube: tamis.Shape) -> None:
+    world = tamis.World()
+    low, high = world.add_many(cube, _at((0, 0, 0), (0, 0, 3)))
+    world.move(high, tamis.interpolated(_at((0, 0, 3))[0], [[0, 0, 2], [0, 0, 0.5]]))
+    assert world.is_free()
+    step = world.safe_step(0.6, tolerance=1e-6)
+    assert step.pair is not None
+    assert 0.79 < step.lower < 0.81  # from the distance 2 down to 1.2
+    world.set_radius([low, high], 0.75)
+    assert abs(world.earliest().toi_lower - 0.5) < 1e-6
+    for bad in (-1.0, float("nan")):
+        with pytest.raises(tamis.InvalidOptions, match="radius"):
+            world.set_radius([low, high], bad)
+    with pytest.raises(tamis.InvalidOptions, match="no body 5"):
+        world.set_radius([low, 5], 0)
+    assert abs(world.earliest().toi_lower - 0.5) < 1e-6
+
+
+def test_many_motions_have_the_answers_that_they_have_alone(cube: tamis.Shape) -> None:
+    """Bug: bodies that another motion has moved, or an answer that goes with the wrong motion."""
+    world = tamis.World(threads=2)
+    world.add_many(cube, _at((0, 0, 0), (4, 0, 0)))
+    arm = world.add_many(cube, _at((0, 5, 0), (4, 5, 0)))
+    rng = np.random.default_rng(5)
+    start = _at((0, 5, 0), (4, 5, 0)) + rng.uniform(-1, 1, (40, 2, 2, 3))
+    end = start + rng.uniform(-1, 1, (40, 2, 2, 3)) + [[0, -2.5, 0], [0, 0, 0]]
+    motions = tamis.interpolated(start.reshape(-1, 2, 3), end.reshape(-1, 2, 3)).reshape(40, 2, 1, 4, 3)
+    found = world.earliest_many(arm, motions)
+    assert world.is_free()  # they stay as they were told
+    assert found.toi_lower.shape == found.toi_upper.shape == found.is_free.shape == (40,)
+    assert 0 < found.is_free.sum() < 40
+    assert len(found.contacts) == len(found.touching)
+    contacts = dict(zip(found.touching.tolist(), found.contacts, strict=True))
+    for i, motion in enumerate(motions):
+        world.move_many(arm, motion)
+        alone = world.earliest()
+        assert (alone.toi_lower, alone.toi_upper) == (found.toi_lower[i], found.toi_upper[i])
+        assert alone.contact == contacts.get(i)
+        assert bool(found.is_free[i]) == world.is_free()
+
+
+def test_many_motions_that_do_not_fit(cube: tamis.Shape) -> None:
+    world = tamis.World()
+    places = _at((0, 0, 0), (4, 0, 0))
+    bodies = world.add_many(cube, places)
+    motions = np.broadcast_to(tamis.between(places, places), (3, 2, 2, 4, 3))
+    assert world.earliest_many(bodies, motions).is_free.all()
+    assert len(world.earliest_many(bodies, motions[:0]).toi_lower) == 0
+    with pytest.raises(tamis.InvalidPath, match=r"give \(n, 1, links, 4, 3\)"):
+        world.earliest_many(bodies[:1], motions)
+    with pytest.raises(tamis.InvalidOptions, match="bodies holds 1 twice"):
+        world.earliest_many([1, 1], motions)
+    with pytest.raises(tamis.InvalidOptions, match="bodies is empty"):
+        world.earliest_many([], motions[:, :0])
+    with pytest.raises(tamis.InvalidOptions, match="no body 7"):
+        world.earliest_many([0, 7], motions)
+    with pytest.raises(tamis.InvalidPath, match="motions"):
+        world.earliest_many(bodies, np.where(motions == 0, np.nan, motions))
+
+
 def test_thousands_in_one_call(cube: tamis.Shape) -> None:
     """Bodies of a grid go up by less than is between them; then one row goes too far."""
     places = np.stack(np.meshgrid(*[np.arange(20) * 2.0] * 3), -1).reshape(-1, 3)
@@ -199,8 +285,33 @@ def test_chains_of_many_poses() -> None:
         assert np.array_equal(make(start, end), [make(*poses) for poses in zip(start, end)])
     turns = tamis.turned(start, end[:, 1], end[:, 0])
     assert np.array_equal(turns, [tamis.turned(s, e[1], e[0]) for s, e in zip(start, end)])
+    about = tamis.between(start, end, center=end[:, 1])
+    assert np.array_equal(about, [tamis.between(s, e, center=e[1]) for s, e in zip(start, end)])
+    assert np.array_equal(tamis.nlerp_deviation(start, end), [tamis.nlerp_deviation(*p)[0] for p in zip(start, end)])
     with pytest.raises(tamis.InvalidPath, match="start has 5, end has 4"):
         tamis.between(start, end[:4])
+    with pytest.raises(tamis.InvalidPath, match="center has 4, start has 5: give one, or as many"):
+        tamis.between(start, end, center=end[:4, 1])
+
+
+def test_chains_begin_and_end_at_their_poses() -> None:
+    """Bug: the rotation of the start was dropped, so that a turned body was asked about where it is not."""
+    random = np.random.default_rng(2)
+    corners, center = random.normal(size=(4, 3)), random.normal(size=3)
+    poses = random.normal(size=(2, 6, 2, 3))
+
+    def at(pose: Array) -> Array:
+        return tamis.RigidPath(corners, [0] * 4, [tamis.interpolated(pose, pose)]).points_at(0)
+
+    for start, end, chain in zip(*poses, tamis.between(*poses, center=center)):
+        path = tamis.RigidPath(corners, [0] * 4, [chain])
+        assert np.allclose(path.points_at(0), at(start), atol=1e-14)
+        assert np.allclose(path.points_at(1), at(end), atol=1e-14)
+        middle = tamis.RigidPath([center], [0], [chain]).points_at(0.25)
+        ends = [tamis.RigidPath([center], [0], [tamis.interpolated(p, p)]).points_at(0) for p in (start, end)]
+        assert np.allclose(middle, 0.75 * ends[0] + 0.25 * ends[1], atol=1e-14)
+    turn = tamis.turned(poses[0, 0], [0, 0, 2.5], poses[1, 0, 0])
+    assert np.allclose(tamis.RigidPath(corners, [0] * 4, [turn]).points_at(0), at(poses[0, 0]), atol=1e-14)
 
 
 @pytest.mark.parametrize(

@@ -78,64 +78,31 @@ StretchBounds stretch_bounds(const DisplacementGradient& gradient) {
   return {std::sqrt(least) * (1 - 0x1p-50), std::sqrt(greatest) * (1 + 0x1p-48)};
 }
 
-void DisplacementMoments::add(const Vec& place, const Vec& way, double count) {
-  DisplacementMoments one;
-  one.count_ = count;
-  one.place_ = count * place;
-  one.way_ = count * way;
-  one.place2_.add_square(place, count);
-  one.way_place_ = {(count * way.x) * place, (count * way.y) * place, (count * way.z) * place};
-  one.way2_ = count * dot(way, way);
-  *this += one;
-}
-
-DisplacementMoments& DisplacementMoments::operator+=(const DisplacementMoments& other) {
-  count_ += other.count_;
-  place_ = place_ + other.place_;
-  way_ = way_ + other.way_;
-  place2_ += other.place2_;
-  for (std::size_t i = 0; i < 3; ++i) way_place_[i] = way_place_[i] + other.way_place_[i];
-  way2_ += other.way2_;
-  return *this;
-}
-
-double DisplacementMoments::displacement2() const {
-  return count_ > 0 ? std::max(0.0, way2_ - dot(way_, (1 / count_) * way_)) : 0;
-}
-
-GradientFit DisplacementMoments::fit() const {
+GradientFit fit_gradient(const Step& step, const BoxFrame& frame, std::span<const Index> vertices, std::size_t stride) {
   constexpr double kRidge = 0x1p-20;  // what lies in a plane, or on a line, has no gradient out of it
+  double count = 0;
+  Vec places{}, ways{};
+  SymmetricMatrix squares;
+  std::array<Vec, 3> products{};  // [i]: way[i] times place
+  for (std::size_t i = 0; i < vertices.size(); i += stride, ++count) {
+    const Vec place = frame.place(step.start, vertices[i]), way = frame.displacement(step, vertices[i]);
+    places = places + place;
+    ways = ways + way;
+    squares.add_square(place, 1);
+    products = {products[0] + way.x * place, products[1] + way.y * place, products[2] + way.z * place};
+  }
   GradientFit result;
-  if (!(count_ > 0)) return result;
-  result.middle = (1 / count_) * place_;
-  result.way = (1 / count_) * way_;
-  result.residual2 = result.displacement2 = displacement2();
-  SymmetricMatrix squares = place2_;
-  squares.add_square(result.middle, -count_);
+  if (!(count > 0)) return result;
+  result.middle = (1 / count) * places;
+  result.way = (1 / count) * ways;
+  squares.add_square(result.middle, -count);
   const double ridge = kRidge * (squares.xx + squares.yy + squares.zz);
   if (!(ridge > 0)) return result;  // a point turns as one likes
-  SymmetricMatrix ridged = squares;
-  for (double* diagonal : {&ridged.xx, &ridged.yy, &ridged.zz}) *diagonal += ridge;
-  const DisplacementGradient solve{inverse(ridged)}, spread{rows_of(squares)};
-  const Vec& way = result.way;
-  const std::array<double, 3> ways{way.x, way.y, way.z};
-  for (std::size_t i = 0; i < 3; ++i) {
-    const Vec products = way_place_[i] - ways[i] * place_;
-    const Vec row = result.gradient.rows[i] = solve.at(products);
-    result.residual2 += dot(row, spread.at(row)) - 2 * dot(row, products);
-  }
-  result.residual2 = std::max(0.0, result.residual2);
+  for (double* diagonal : {&squares.xx, &squares.yy, &squares.zz}) *diagonal += ridge;
+  const DisplacementGradient solve{inverse(squares)};
+  const std::array<double, 3> way{result.way.x, result.way.y, result.way.z};
+  for (std::size_t i = 0; i < 3; ++i) result.gradient.rows[i] = solve.at(products[i] - way[i] * places);
   return result;
-}
-
-DisplacementMoments moments_of(const Step& step, const BoxFrame& frame, std::span<const Index> vertices,
-                               std::size_t stride) {
-  DisplacementMoments moments;
-  const std::size_t looked_at = (vertices.size() + stride - 1) / stride;  // perhaps none
-  const double count = static_cast<double>(vertices.size()) / static_cast<double>(looked_at);
-  for (std::size_t i = 0; i < vertices.size(); i += stride)
-    moments.add(frame.place(step.start, vertices[i]), frame.displacement(step, vertices[i]), count);
-  return moments;
 }
 
 }  // namespace tamis

@@ -6,9 +6,23 @@
 #include <span>
 
 #include "bounds/packed_motion.hpp"
-#include "bounds/symmetric_axes.hpp"
+#include "numerics/vec.hpp"
 
 namespace tamis {
+
+struct SymmetricMatrix {
+  double xx = 0, yy = 0, zz = 0, xy = 0, xz = 0, yz = 0;
+
+  void add_square(const Vec3<double>& v, double weight = 1) {
+    const Vec3<double> w = weight * v;
+    xx += w.x * v.x;
+    yy += w.y * v.y;
+    zz += w.z * v.z;
+    xy += w.x * v.y;
+    xz += w.x * v.z;
+    yz += w.y * v.z;
+  }
+};
 
 struct DisplacementGradient {
   std::array<Vec3<double>, 3> rows{};  ///< zero: nothing in common
@@ -23,37 +37,13 @@ struct StretchBounds {
 
 StretchBounds stretch_bounds(const DisplacementGradient& gradient);
 
-/// The gradient of least squares, and what of the displacements it explains. Any gradient is a true one, with its
-/// residuals; so nothing is proven here, and NaN is an answer.
+/// Any gradient is a true one, with its residuals; so nothing is proven here, and NaN is an answer.
 struct GradientFit {
   DisplacementGradient gradient;
   Vec3<double> middle{}, way{};  ///< means of places at t=0, and of displacements
-  /// Sums of the squares of displacements, and of residuals, without what translation explains.
-  double displacement2 = 0, residual2 = 0;
 };
 
-/// What a fit needs to know of some vertices; that of two sets together is the sum of theirs.
-class DisplacementMoments {
- public:
-  /// Of one vertex that stands for `count`, in the frame of the boxes.
-  void add(const Vec3<double>& place, const Vec3<double>& way, double count);
-  DisplacementMoments& operator+=(const DisplacementMoments& other);
-
-  double count() const { return count_; }
-  /// What GradientFit has of that name.
-  double displacement2() const;
-  GradientFit fit() const;
-
- private:
-  double count_ = 0;
-  Vec3<double> place_{}, way_{};
-  SymmetricMatrix place2_;
-  std::array<Vec3<double>, 3> way_place_{};  ///< [i]: way[i] times place
-  double way2_ = 0;
-};
-
-/// Of every `stride`-th of the vertices, from the first on; each stands for as many as there are for one of them.
-DisplacementMoments moments_of(const Step& step, const BoxFrame& frame, std::span<const Index> vertices,
-                               std::size_t stride);
+/// That of least squares, of every `stride`-th of the vertices from the first on, in the frame of the boxes.
+GradientFit fit_gradient(const Step& step, const BoxFrame& frame, std::span<const Index> vertices, std::size_t stride);
 
 }  // namespace tamis

@@ -1,9 +1,6 @@
-// What all vertices of a scene, or those of objects that move alike, have in common in how they move in a step: turned
-// or stretched as a whole, they lose no more of their distances than that takes (docs/numerics.md, "Step lengths").
+// What all vertices of a scene have in common in how they move in a step: turned or stretched as a whole, they lose no
+// more of their distances than that takes (docs/numerics.md, "Step lengths").
 #pragma once
-#include <cstdint>
-#include <vector>
-
 #include "bounds/displacement_gradient.hpp"
 #include "tamis/mesh.hpp"
 
@@ -11,66 +8,27 @@ namespace tamis {
 
 class SharedMotion {
  public:
-  explicit SharedMotion(const Mesh& mesh);
+  /// Keeps a reference.
+  explicit SharedMotion(const Mesh& mesh) : mesh_(mesh) {}
 
-  /// Takes the gradients beside which the least is left that may bring pairs to `fraction` of their distance: that of
-  /// the scene, one for all objects that move alike, or none.
+  /// Takes the scene's gradient if less is left beside it that may bring near pairs to `fraction` of their distance;
+  /// else none.
   void fit(const Step& step, const BoxFrame& frame, double fraction);
 
-  /// Of all gradients, if there are any.
   struct Stretch : StretchBounds {
-    bool is_any = false;
+    bool is_any = false;  ///< is there a gradient?
   };
   const Stretch& stretch() const { return stretch_; }
-  /// f(vertex, residual) for all that take part in contacts, in the frame of the boxes. Residuals of two objects that
-  /// have other gradients differ by no less than displacements do.
+  /// f(vertex, residual) for all that take part in contacts, in the frame of the boxes.
   template <class F>
   void for_each_residual(const Step& step, const BoxFrame& frame, const F& f) const {
-    for (const Part& part : parts_)
-      for (const Index v : part.vertices) {
-        const Vec3<double> residual = part.residual(frame.place(step.start, v), frame.displacement(step, v));
-        f(v, Vec3<double>{residual.x + part.offset, residual.y, residual.z});
-      }
+    for (const Index v : mesh_.points())
+      f(v, frame.displacement(step, v) - fit_.way - fit_.gradient.at(frame.place(step.start, v) - fit_.middle));
   }
 
-  std::uint64_t memory_bytes() const;
-
  private:
-  struct Part {
-    std::span<const Index> vertices;
-    GradientFit fit{};
-    double offset = 0;
-
-    Vec3<double> residual(const Vec3<double>& place, const Vec3<double>& way) const {
-      return way - fit.way - fit.gradient.at(place - fit.middle);
-    }
-  };
-  /// Objects that move alike, and how.
-  struct Motion {
-    std::vector<std::size_t> objects;
-    DisplacementMoments moments;
-  };
-  /// The sum of the squares of the vertices' residuals, as much as they count.
-  struct Fit {
-    std::vector<GradientFit> fits;  ///< of each motion
-    StretchBounds stretch;
-    double residual2 = 0;
-  };
-
-  /// From one vertex of an object that is looked at to the next.
-  std::size_t stride() const;
-  /// Without the stretch where that leaves `most_residual2` or more in any case.
-  static Fit fit_to(std::span<const Motion> motions, double fraction, double most_residual2);
-  /// None if there are too many.
-  std::vector<Motion> motions_of_objects(std::span<const DisplacementMoments> objects, double most_residual2) const;
-  void take(std::span<const Motion> motions, const Fit& fit);
-  /// Do few pairs of vertices of two motions lie near?
-  bool lie_apart(std::span<const Motion> motions, const Fit& fit, const Step& step, const BoxFrame& frame) const;
-  void keep_apart(std::span<const Motion> motions, const Step& step, const BoxFrame& frame);
-
-  std::vector<std::vector<Index>> objects_;  ///< the vertices of each, large ones first
-  std::size_t vertex_count_ = 0;             ///< of all of them
-  std::vector<Part> parts_;                  ///< of each object
+  const Mesh& mesh_;
+  GradientFit fit_{};
   Stretch stretch_;
 };
 

@@ -10,8 +10,8 @@
 
 namespace tamis {
 
-/// Bounded memory: kMostPairsABlock pairs a leaf block of sixteen features, 24 bytes each, with room to grow to twice
-/// that; and positions.
+/// Bounded memory: as many pairs as CandidateSearch lists, 24 bytes each, with room to grow to twice that; and
+/// positions.
 class PairsAhead {
  public:
   /// Keeps a reference.
@@ -29,8 +29,6 @@ class PairsAhead {
   double slack() const { return slack_; }
   /// A part of the predicted step.
   float until() const { return until_; }
-  /// Where a mesh has so many leaf blocks.
-  static std::int64_t most_pairs(int leaf_blocks) { return kMostPairsABlock * leaf_blocks; }
   /// All of `pairs`, which then is empty.
   void take(PairKind kind, PairList& pairs) { lists_[static_cast<std::size_t>(kind)].take(pairs); }
   /// The lists are ready; or the pairs were too many, and there are none. Returns which.
@@ -42,8 +40,6 @@ class PairsAhead {
   std::uint64_t memory_bytes() const;
 
  private:
-  static constexpr std::int64_t kMostPairsABlock = 256;
-
   bool plan_again(Question question, double length);
   bool plan_steps(Question question, const Forecast::Fit& fit);
   /// Do the lists hold all that may touch until this part of the predicted step?

@@ -98,4 +98,9 @@ const std::vector<Contact>& DetectorMaker::ask(Detector& detector, const Path& p
   return asked->found.contacts();
 }
 
+SafeStep DetectorMaker::safe_step(Detector& detector, const Path& path, double keep, const QueryOptions& options,
+                                  std::span<const double> ends) {
+  return Detector::Asked(detector)->safe_step(path, keep, options, ends);
+}
+
 }  // namespace tamis

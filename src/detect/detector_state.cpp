@@ -35,8 +35,8 @@ Options valid(Options options, const Mesh& mesh) {
 
 void validate_kept_part(double keep) {
   if (!(keep > 0 && keep < 1))
-    throw InvalidOptions("the fraction of the distance to keep is " + number_text(keep) +
-                         ": give a number > 0 and < 1");
+    throw InvalidOptions("keep is " + number_text(keep) +
+                         ": give the fraction of its distance that each pair keeps, > 0 and < 1");
 }
 
 }  // namespace
@@ -96,18 +96,38 @@ void Detector::State::find_contacts(const Step& step, const QueryOptions& asked)
     refuse_touching_start(all);
 }
 
-void Detector::State::ask(const Path& path, const QueryOptions& asked, Question question,
-                          std::span<const double> ends) {
+/// find(search, whole path).
+template <class Find>
+void Detector::State::on_path(const Path& path, const QueryOptions& asked, std::span<const double> ends,
+                              const Find& find) {
   constexpr double kTolerance = 1e-9;
   validate_of_path(asked);
   measure([&] {
     if (!path_search_) path_search_ = std::make_unique<PathSearch>(mesh, options, rings_, *engine_);
     const MeshOnPath whole{path, separations(asked), asked.tolerance.value_or(kTolerance),
                            asked.at_start == AtStart::ignore, ends};
-    path_search_->find(whole, question, found.contacts(), statistics);
+    find(*path_search_, whole);
+  });
+}
+
+void Detector::State::ask(const Path& path, const QueryOptions& asked, Question question,
+                          std::span<const double> ends) {
+  on_path(path, asked, ends, [&](PathSearch& search, const MeshOnPath& whole) {
+    search.find(whole, question, found.contacts(), statistics);
     sort_found();
   });
   if (asked.at_start == AtStart::fail) refuse_touching_start();
+}
+
+SafeStep Detector::State::safe_step(const Path& path, double keep, const QueryOptions& asked,
+                                    std::span<const double> ends) {
+  validate_kept(keep);
+  SafeStep answer;
+  on_path(path, asked, ends, [&](PathSearch& search, MeshOnPath whole) {
+    whole.keep = keep;
+    answer = search.find_step_length(whole, statistics);
+  });
+  return answer;
 }
 
 void Detector::State::refuse_touching_start() const {

@@ -25,6 +25,8 @@ struct Detector::State {
   EarliestContact earliest(const Step& step, const QueryOptions& asked);
   bool is_free(const Step& step, const QueryOptions& asked);
   SafeStep safe_step(const Step& step, double keep, const QueryOptions& asked);
+  /// Of a path, cut in the same way; a pair that starts nearer to its separation than doubles can tell ends it at once.
+  SafeStep safe_step(const Path& path, double keep, const QueryOptions& asked, std::span<const double> ends);
   TruncatedStep truncate(const Step& step, double keep, const QueryOptions& asked, Stored stored);
   /// The pairs are in `near`.
   void find_near(const Positions& positions, double distance);
@@ -46,6 +48,8 @@ struct Detector::State {
   Query query(const Step& step, const Separations& separations, Question question = Question::all_contacts) const {
     return {step, separations, options.filter, rings_, options.is_cancelled, question};
   }
+  template <class Find>
+  void on_path(const Path& path, const QueryOptions& asked, std::span<const double> ends, const Find& find);
   /// Of a validated query, whose step's end the caller can store.
   TruncatedStep truncate(const Query& whole, const KeptFractions& fractions, AtStart at_start, Stored stored);
   /// Throws InvalidOptions, InvalidStep.

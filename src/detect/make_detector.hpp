@@ -18,6 +18,9 @@ class DetectorMaker {
   /// The contacts that Detector finds on a path, of which the pieces end at `ends`: ascending, the last one 1.
   static const std::vector<Contact>& ask(Detector& detector, const Path& path, const QueryOptions& options,
                                          Question question, std::span<const double> ends);
+  /// The same of Detector::safe_step.
+  static SafeStep safe_step(Detector& detector, const Path& path, double keep, const QueryOptions& options,
+                            std::span<const double> ends);
 };
 
 }  // namespace tamis

@@ -126,7 +126,7 @@ void validate_stored(const Step& step, const Mesh& mesh, Stored stored) {
 
 void validate_kept(double keep) {
   check(keep >= 0 && keep < 1,
-        "the fraction of the distance to keep is " + number_text(keep) + ": give a number >= 0 and < 1");
+        "keep is " + number_text(keep) + ": give the fraction of its distance that each pair keeps, >= 0 and < 1");
 }
 
 void validate_of_step(const QueryOptions& options) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 
 #include "distance/rest_distance.hpp"
 
@@ -9,20 +10,25 @@ namespace tamis {
 namespace {
 
 using IntegerVec = Vec3<Integer>;
+using Plane = NearestPoint::Plane;
 
 bool is_smaller(const Fraction& a, const Fraction& b) {
   TAMIS_ASSERT(a.below.sign() > 0 && b.below.sign() > 0);
   return (a.above * b.below - b.above * a.below).sign() < 0;
 }
 
+struct OnSide {
+  Fraction square, along;
+};
+
 /// Of the segment from corner x to corner y.
-NearestPoint nearest_on_side(const IntegerVec& x, const IntegerVec& y, std::size_t number) {
+OnSide nearest_on_side(const IntegerVec& x, const IntegerVec& y) {
   const IntegerVec side = y - x;
   const Integer before = dot(x, side);
-  if (before.sign() >= 0) return {{dot(x, x)}, number, {0}};
+  if (before.sign() >= 0) return {{dot(x, x)}, {0}};
   const Integer length2 = dot(side, side);
-  if ((before + length2).sign() <= 0) return {{dot(y, y)}, number, {1}};                  // y.side
-  return {{dot(x, x) * length2 - before * before, length2}, number, {-before, length2}};  // |x cross y|^2 (Lagrange)
+  if ((before + length2).sign() <= 0) return {{dot(y, y)}, {1}};                  // y.side
+  return {{dot(x, x) * length2 - before * before, length2}, {-before, length2}};  // |x cross y|^2 (Lagrange)
 }
 
 const IntegerVec& corner(const MovingPolygon& polygon, std::size_t i) { return polygon.corner(i).at0; }
@@ -96,19 +102,26 @@ ExactDistance on_side(PairKind kind, const MovingPolygon& polygon, const MovingP
   return {0, mixed(a.u, b.u), mixed(a.v, b.v), direction_on_side(polygon, moving, nearest)};
 }
 
-ExactDistance inside(const MovingPolygon& polygon, const MovingPolygon& moving) {
-  const std::size_t end = polygon.corner_count - 1;
-  const IntegerVec normal = normal_of(polygon), &first = corner(polygon, 0), &last = corner(polygon, end);
-  const Integer square = dot(normal, normal), u = dot(normal, cross(last, first)),
-                v = dot(normal, cross(first, corner(polygon, 1)));
+ExactDistance inside(const MovingPolygon& moving, const Plane& plane) {
+  const std::size_t end = moving.corner_count - 1;
+  const IntegerVec& normal = plane.normal;
+  const Integer &square = plane.square, &u = plane.within[end], &v = plane.within[0];
   const auto height_of_velocity = [&] {
     const IntegerVec v0 = velocity(moving, 0);
     return dot(normal, square * v0 + u * (velocity(moving, 1) - v0) + v * (velocity(moving, end) - v0));
   };
-  const int height = dot(normal, first).sign();
+  const int height = plane.height.sign();
   const bool is_behind = height != 0 ? height < 0 : height_of_velocity().sign() > 0;
   const Vec3<double> direction = unit_vector_of(normal);
   return {0, value_of({u, square}), value_of({v, square}), is_behind ? -direction : direction};
+}
+
+Plane plane_of(const MovingPolygon& polygon) {
+  Plane plane{normal_of(polygon), {}, {}, {}};
+  plane.square = dot(plane.normal, plane.normal);
+  for (std::size_t i = 0; i < polygon.side_count(); ++i)
+    plane.within[i] = dot(plane.normal, cross(corner(polygon, i), corner(polygon, i + 1)));
+  return plane;
 }
 
 }  // namespace
@@ -144,28 +157,37 @@ double Magnitude::rounded_down() const {
   return rounded < kNormal ? std::nextafter(rounded, 0) : rounded;
 }
 
-/// Its plane where the foot of the perpendicular lies inside, else a side; a side that holds the origin in any case.
+/// Its plane where the foot of the perpendicular lies inside, else the nearest of the sides that part the two; a side
+/// that holds the origin in any case.
 NearestPoint nearest_point(const MovingPolygon& polygon) {
-  const IntegerVec normal = normal_of(polygon);
-  const Integer normal2 = dot(normal, normal);
-  bool is_inside = normal2.sign() > 0;
-  NearestPoint nearest;
+  NearestPoint nearest{{}, 0, {}, false, plane_of(polygon)};
+  Plane& plane = nearest.plane;
+  bool is_first = true, is_inside = plane.square.sign() > 0;
   for (std::size_t i = 0; i < polygon.side_count(); ++i) {
-    is_inside = is_inside && dot(normal, cross(corner(polygon, i), corner(polygon, i + 1))).sign() >= 0;
-    NearestPoint other = nearest_on_side(corner(polygon, i), corner(polygon, i + 1), i);
-    if (i == 0 || is_smaller(other.square, nearest.square)) nearest = std::move(other);
+    if (plane.within[i].sign() > 0) continue;
+    is_inside = is_inside && plane.within[i].sign() == 0;
+    auto [square, along] = nearest_on_side(corner(polygon, i), corner(polygon, i + 1));
+    if (!is_first && !is_smaller(square, nearest.square)) continue;
+    is_first = false;
+    nearest.square = std::move(square);
+    nearest.along = std::move(along);
+    nearest.side = i;
     if (nearest.square.above.sign() == 0) return nearest;
   }
+  nearest.is_inside = is_inside;
   if (!is_inside) return nearest;
-  const Integer height = dot(normal, corner(polygon, 0));
-  return {{height * height, normal2}, 0, {}, true};
+  plane.height = dot(plane.normal, corner(polygon, 0));
+  nearest.square = {plane.height * plane.height, plane.square};
+  return nearest;
 }
 
 ExactDistance exact_distance(PairKind kind, const PairPoints& points, double time) {
   TAMIS_ASSERT(is_finite(points) && 0 <= time && time <= 1);
-  const MovingPolygon moving = difference_polygon(kind, points), polygon = at_rest_at(moving, shortest_cell_at(time));
+  const MovingPolygon moving = difference_polygon(kind, points);
+  std::optional<MovingPolygon> later;
+  const MovingPolygon& polygon = time > 0 ? later.emplace(at_rest_at(moving, shortest_cell_at(time))) : moving;
   const NearestPoint nearest = nearest_point(polygon);
-  ExactDistance result = nearest.is_inside ? inside(polygon, moving) : on_side(kind, polygon, moving, nearest);
+  ExactDistance result = nearest.is_inside ? inside(moving, nearest.plane) : on_side(kind, polygon, moving, nearest);
   if (nearest.square.above.sign() > 0)
     result.distance = Magnitude::of(nearest.square).root().times_two_to(polygon.exponent).value();
   return result;

@@ -37,10 +37,20 @@ struct Magnitude {
 };
 
 struct NearestPoint {
+  struct Plane {
+    Vec3<Integer> normal;  ///< zero: there is no plane
+    Integer square;        ///< of the normal
+    Integer height;        ///< of the plane along the normal, times its length; of a point inside alone
+    /// By side, times the normal's square: the share of the polygon's parallelogram between it and the foot of the
+    /// perpendicular; negative where that is beyond the side.
+    std::array<Integer, 4> within;
+  };
+
   Fraction square;       ///< of the distance, in the unit 4^exponent of the polygon
   std::size_t side = 0;  ///< on the side from corner `side` to the next, at `along`; or, if is_inside, off the sides
   Fraction along;
   bool is_inside = false;
+  Plane plane;
 };
 
 /// Of the polygon at t=0.

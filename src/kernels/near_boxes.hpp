@@ -108,14 +108,15 @@ class NearBoxes {
   const float kept2_;
 };
 
-/// The same by the clearance alone: less than half the work, and hardly more pairs where features go a short way beside
-/// each other.
+/// The same by the clearance alone, where there is no gradient: less than half the work, and hardly more pairs where
+/// features go a short way beside each other.
 class ClearanceBoxes {
  public:
   static constexpr bool kMoves = false;
   using Bounds = BoundBlock<12>;  ///< x y z at t=0, of residuals
 
-  ClearanceBoxes(const Search& search, int) : t_limit_(search.near.t_limit), clearance_(search.near.clearance) {}
+  ClearanceBoxes(const Search& search, int)
+      : t_limit_(search.near.t_limit), per_way2_(search.near.clearance.per_way2) {}
 
   void bound(const TreeView& tree, int level, int node, Bounds& bounds) const {
     const BoxBlock &boxes = tree.levels[level][node], &residuals = tree.residuals[level][node];
@@ -128,15 +129,13 @@ class ClearanceBoxes {
   template <class A, class B>
   [[gnu::always_inline]] auto meet(const A& a, const B& b) const {
     const FloatLanes zero(0.0f);
-    FloatLanes gap2(0.0f), way2(0.0f), far2(0.0f);
+    FloatLanes gap2(0.0f), way2(0.0f);
     for (int axis = 0; axis < 3; ++axis) {
       const int rest = axis + kResidual;
-      const auto one = b(axis) - a(kHigh + axis), other = a(axis) - b(kHigh + axis);
-      add_square(gap2, max(max(one, other), zero));
+      add_square(gap2, max(max(b(axis) - a(kHigh + axis), a(axis) - b(kHigh + axis)), zero));
       add_square(way2, max(max(b(kHigh + rest) - a(rest), a(kHigh + rest) - b(rest)), zero));
-      if (clearance_.per_size2 > 0) add_square(far2, min(min(one, other), zero));
     }
-    return gap2 <= clearance2(clearance_, way2, size2(clearance_, way2, far2));
+    return gap2 <= FloatLanes(per_way2_) * way2;
   }
 
   float t_limit() const { return t_limit_; }
@@ -144,19 +143,18 @@ class ClearanceBoxes {
  private:
   static constexpr int kResidual = 3, kHigh = 6;
 
-  const float t_limit_;
-  const ClearanceBounds clearance_;
+  const float t_limit_, per_way2_;
 };
 
-/// Do all features go so short a way beside each other, for the size of a leaf block, that where the boxes come near
-/// says no more than how near they are?
+/// Is there no gradient, and do all features go less far beside each other than half of a leaf block's size? Then
+/// where the boxes come near says little more than how near they are (docs/history/performance.md, "What chooses").
 inline bool goes_a_short_way(const Search& search, int block) {
-  constexpr float kShort = 0.3f;
+  if (search.near.clearance.per_size2 > 0) return false;
   const BoxBlock& hulls = search.a.levels[1][block / kBlock];
   const int lane = block % kBlock;
   float size = 0;
   for (int axis = 0; axis < 3; ++axis) size += hulls.high0[axis][lane] - hulls.low0[axis][lane];
-  return search.near.reach * search.near.spread < kShort * size;
+  return search.near.reach * search.near.spread < 0.5f * size;
 }
 
 }  // namespace tamis::TAMIS_ISA

@@ -197,11 +197,15 @@ class BlockSearch {
                 [&](int k, int) { return FloatLanes(hulls.at[k][lane]); });
   }
 
-  /// Bits of the sixteen that may meet the one and are no neighbours. `row`: place in leaves_, lane of the one.
+  /// Of a row, place in leaves_ and lane of the one: without a sign, which takes more operations.
+  static unsigned place_of(std::int32_t row) { return static_cast<unsigned>(row) / kBlock; }
+  static int lane_of(std::int32_t row) { return static_cast<int>(static_cast<unsigned>(row) % kBlock); }
+
+  /// Bits of the sixteen that may meet the one and are no neighbours.
   template <One one>
   unsigned others_that_meet(int row) const {
-    const int lane = row % kBlock;
-    const auto bounds = of_row<one>(mine_, theirs_[row / kBlock]);
+    const int lane = lane_of(row);
+    const auto bounds = of_row<one>(mine_, theirs_[place_of(row)]);
     return meet([&](int k, int) { return FloatLanes(bounds.one.at[k][lane]); },
                 [&](int k, int first) { return bounds.sixteen.lanes(k, first); }) &
            ~neighbours<one>(row);
@@ -209,8 +213,8 @@ class BlockSearch {
 
   template <One one>
   unsigned others_that_meet_at_some_time(int row) const {
-    const auto boxes = of_row<one>(search_.a.levels[0][block_], search_.b.levels[0][leaves_[row / kBlock]]);
-    return boxes_.meet_at_some_time(boxes.one, row % kBlock, boxes.sixteen);
+    const auto boxes = of_row<one>(search_.a.levels[0][block_], search_.b.levels[0][leaves_[place_of(row)]]);
+    return boxes_.meet_at_some_time(boxes.one, lane_of(row), boxes.sixteen);
   }
 
   /// What two blocks have, by their parts in a row.
@@ -229,7 +233,7 @@ class BlockSearch {
   /// Bits of the sixteen that share a vertex with the one; in my own block, also of those up to mine.
   template <One one>
   unsigned neighbours(int row) const {
-    const int lane = row % kBlock, leaf = leaves_[row / kBlock];
+    const int lane = lane_of(row), leaf = leaves_[place_of(row)];
     unsigned mask = kIsSelf && leaf == block_ ? ~(~1u << lane) : 0;
     for_sixteen_lanes([&](int first) { mask |= adjacent<one>(lane, search_.b.corners[leaf], first) << first; });
     return mask;
@@ -255,8 +259,8 @@ class BlockSearch {
   void append(int row, unsigned found) {
     PairBuffer& pairs = *search_.pairs;
     if (pairs.count + kBlock > PairBuffer::kCapacity) search_.flush(search_);
-    const CornerBlock& theirs = search_.b.corners[leaves_[row / kBlock]];
-    const int lane = row % kBlock;
+    const CornerBlock& theirs = search_.b.corners[leaves_[place_of(row)]];
+    const int lane = lane_of(row);
     for_sixteen_lanes([&](int first) {
       const unsigned mask = found >> first & ((1u << kFloatLanes) - 1);
       const auto put = [&](int corner, const IntLanes& lanes) {

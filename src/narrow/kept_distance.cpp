@@ -95,10 +95,17 @@ double fraction_is_left_at(PairKind kind, const PairPoints& points, const Distan
   return decision.verdict == Verdict::touches ? decision.upper : 1;
 }
 
+DistanceBounds start_distance_bounds(PairKind kind, const PairPoints& points) {
+  const PairMotion<double> m = make_motion(kind, points, 1);  // the separation 1 becomes the unit of the motion
+  const StartBounds start = start_bounds(kind, m);
+  return {std::max(start.low / m.separation * (1 - 4 * kRoundoff), 0.0),
+          start.high / m.separation * (1 + 4 * kRoundoff)};
+}
+
 double start_distance(PairKind kind, const PairPoints& points) {
   const PairMotion<double> m = make_motion(kind, points, 1);
   const Vec gap = closest_points(kind, m.e.at0, m.f.at0, m.d.at0).gap;
-  return std::sqrt(dot(gap, gap)) / m.separation;  // the separation 1 has become the unit of the motion
+  return std::sqrt(dot(gap, gap)) / m.separation;  // as above
 }
 
 }  // namespace tamis

@@ -29,6 +29,13 @@ double keeps_distance_until(PairKind kind, const PairPoints& points, const Dista
 /// REQUIRES: `lower` in [0,1]. REQUIRES (not checked: history): as keeps_distance_until gave it.
 double fraction_is_left_at(PairKind kind, const PairPoints& points, const DistanceRule& rule, double lower);
 
+/// The distance of the features at t=0, between proven bounds, in the unit of the positions. REQUIRES: finite
+/// coordinates, also at t=1.
+struct DistanceBounds {
+  double low, high;
+};
+DistanceBounds start_distance_bounds(PairKind kind, const PairPoints& points);
+
 /// Distance of the features at t=0, rounded, not certified; infinite if it overflows.
 double start_distance(PairKind kind, const PairPoints& points);
 

@@ -1,6 +1,6 @@
 // Integers of any size by GMP, those up to 768 bits without the heap: an exact decision makes hundreds of them, and
-// with mpz_class half of its time went to malloc. Most are sums of what is below 2^126, or products of single limbs,
-// and do not ask GMP.
+// with mpz_class half of its time went to malloc. Most are sums of what is below 2^126, or products of two limbs by
+// two, and do not ask GMP.
 #pragma once
 #include <gmp.h>
 
@@ -50,7 +50,7 @@ class Integer {
   }
   friend Integer operator*(const Integer& a, const Integer& b) {
     if (a.sign() == 0 || b.sign() == 0) return {};
-    if (a.limbs() == 1 && b.limbs() == 1) return product_of_limbs(a, b);
+    if (a.limbs() <= 2 && b.limbs() <= 2) return product_of_two_limbs(a, b);
     return make(a.limbs() + b.limbs(), mpz_mul, a.get(), b.get());
   }
   /// Towards zero. REQUIRES: b is not zero.
@@ -59,6 +59,11 @@ class Integer {
     return make(std::max(a.limbs(), 1), mpz_tdiv_q, a.get(), b.get());
   }
   friend Integer operator<<(const Integer& a, unsigned long bits) {
+    if (a.limbs() < 2 && bits < GMP_NUMB_BITS) {
+      Integer result;
+      result.set(a.sign() < 0, UnsignedWide{a.limb(0)} << bits);
+      return result;
+    }
     return make(a.shifted_limbs(bits), mpz_mul_2exp, a.get(), bits);
   }
   friend Integer operator>>(const Integer& a, unsigned long bits) {
@@ -111,9 +116,24 @@ class Integer {
     if (count > 2) std::copy(from + 2, from + count, to + 2);
     value_->_mp_size = other.value_->_mp_size;
   }
-  static Integer product_of_limbs(const Integer& a, const Integer& b) {
+  /// Zero beyond the last.
+  mp_limb_t limb(int i) const { return i < limbs() ? value_->_mp_d[i] : 0; }
+  static Integer product_of_two_limbs(const Integer& a, const Integer& b) {
+    const UnsignedWide a0 = a.limb(0), a1 = a.limb(1), b0 = b.limb(0), b1 = b.limb(1);
+    const auto low = [](UnsignedWide x) { return static_cast<mp_limb_t>(x); };
+    const UnsignedWide first = a0 * b0, cross = a0 * b1, across = a1 * b0;
+    const UnsignedWide middle = (first >> GMP_NUMB_BITS) + low(cross) + low(across);
+    const UnsignedWide high =
+        a1 * b1 + (cross >> GMP_NUMB_BITS) + (across >> GMP_NUMB_BITS) + (middle >> GMP_NUMB_BITS);
     Integer result;
-    result.set(a.sign() != b.sign(), UnsignedWide{*a.value_->_mp_d} * *b.value_->_mp_d);
+    mp_limb_t* const to = result.value_->_mp_d;
+    to[0] = low(first);
+    to[1] = low(middle);
+    to[2] = low(high);
+    to[3] = low(high >> GMP_NUMB_BITS);
+    int size = 4;
+    while (size > 0 && to[size - 1] == 0) --size;
+    result.value_->_mp_size = a.sign() == b.sign() ? size : -size;
     return result;
   }
 
@@ -171,8 +191,7 @@ inline Integer& Integer::operator=(const Integer& other) {
 inline Integer& Integer::operator=(Integer&& other) noexcept {
   if (this == &other) return *this;
   if (other.has_own_limbs()) {  // fits anywhere
-    std::copy_n(other.limbs_, other.limbs(), value_->_mp_d);
-    value_->_mp_size = other.value_->_mp_size;
+    copy_limbs(other);
   } else {
     release();
     value_[0] = other.value_[0];

@@ -12,11 +12,11 @@ namespace {
 /// Angles that rotation::any_angle halves a few times lose as many bits: in doubles only this many radians.
 constexpr double kLargestPlainAngle = 4;
 
-bool turns_far(const Chain& chain) {
+bool turns_far(const Link& link) {
   const auto is_far = [](const Pose& pose) {
     return std::hypot(pose.rotation[0], pose.rotation[1], pose.rotation[2]) > kLargestPlainAngle;
   };
-  return std::any_of(chain.begin(), chain.end(), [&](const Link& l) { return is_far(l.start) || is_far(l.end); });
+  return is_far(link.start) || is_far(link.end);
 }
 
 template <class T>
@@ -36,11 +36,47 @@ RoundedTransform rounded(const RigidTransform<T>& exact) {
   return rounded;
 }
 
+RoundedTransform rounded_link(const Link& link, double time) {
+  return turns_far(link) ? rounded(transform_of<DoubleDouble>(link, time)) : rounded(transform_of<double>(link, time));
+}
+
+/// First `inner`, then `outer`; errors are norms, of matrices and of vectors, so that they add up: for rotations A', B'
+/// |A'B' - AB| <= a + b + a b and |A'p' + q' - Ap - q| <= a |p| + |p' - p| + |q' - q|. Entries of the product round by
+/// 3 u |row| |column| each, all by 9 u and a little; given 16 u. Those of the shift round by 4 u (|p|_1 + |q|), all by
+/// sqrt(3) of that; given 8 u.
+RoundedTransform after(const RoundedTransform& outer, const RoundedTransform& inner) {
+  RoundedTransform both{};
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t k = 0; k < 3; ++k)
+      both.rows[i][k] = outer.rows[i][0] * inner.rows[0][k] + outer.rows[i][1] * inner.rows[1][k] +
+                        outer.rows[i][2] * inner.rows[2][k];
+  both.turn_error =
+      (outer.turn_error + inner.turn_error + outer.turn_error * inner.turn_error + 0x1p-49) * (1 + 0x1p-40);
+  both.shift = outer.of(inner.shift);
+  const double size = std::fabs(inner.shift[0]) + std::fabs(inner.shift[1]) + std::fabs(inner.shift[2]);
+  both.shift_error =
+      ((outer.turn_error + 0x1p-50) * size + 0x1p-50 * outer.shift_size + inner.shift_error + outer.shift_error) *
+          (1 + 0x1p-40) +
+      0x1p-1000;
+  for (const double s : both.shift) both.shift_size = std::max(both.shift_size, std::fabs(s));
+  return both;
+}
+
+/// Nine entries and three, each off by no more.
+RoundedTransform with_norms(RoundedTransform transform) {
+  transform.turn_error *= 3;
+  transform.shift_error *= 1.7320508075688774 * (1 + 0x1p-40);
+  return transform;
+}
+
 }  // namespace
 
 RoundedTransform rounded_transform_of(const Chain& chain, double time) {
-  return turns_far(chain) ? rounded(transform_of<DoubleDouble>(chain, time))
-                          : rounded(transform_of<double>(chain, time));
+  if (chain.size() < 2) return rounded_link(chain.empty() ? Link{} : chain.front(), time);
+  RoundedTransform result = with_norms(rounded_link(chain.back(), time));
+  for (auto link = chain.rbegin() + 1; link != chain.rend(); ++link)
+    result = after(with_norms(rounded_link(*link, time)), result);
+  return result;
 }
 
 double Curvature::deviation(const Interval& length) const {

@@ -12,6 +12,7 @@
 #include "numerics/number_text.hpp"
 #include "paths/decide_path.hpp"
 #include "paths/isolated_path.hpp"
+#include "paths/kept_on_path.hpp"
 #include "paths/remembered_path.hpp"
 #include "query/cancellation.hpp"
 #include "tamis/error.hpp"
@@ -37,6 +38,19 @@ std::vector<Index> vertices_of(std::span<const Contact> pairs) {
   std::sort(vertices.begin(), vertices.end());
   vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
   return vertices;
+}
+
+/// By which a pair is decided.
+struct PairRule {
+  double separation;
+  bool ignores_start;
+};
+PairRule rule_of(const MeshOnPath& piece, const Path& path, const Contact& pair) {
+  const PairRule rule{piece.separations.between(pair.kind, pair.vertices), piece.ignores_start};
+  if (piece.keep == 0) return rule;
+  const KeptSeparation kept = kept_separation(path, pair.kind, pair.vertices, {piece.keep, rule.separation});
+  if (rule.ignores_start && kept.may_start_within) return rule;
+  return {kept.high, false};
 }
 
 }  // namespace
@@ -118,6 +132,7 @@ void PathSearch::find(const MeshOnPath& asked, Question question, std::vector<Co
   contacts.clear();
   never_apart_.clear();
   std::set<PairKey> known;
+  const double reach = asked.separations.fixed + kept_reach(asked, path);
   for (Frame from = frame_at(path, 0); from.time < 1;) {
     stop_if_cancelled(options_);
     Frame to = frame_at(path, piece_end(asked, path, from));
@@ -126,14 +141,14 @@ void PathSearch::find(const MeshOnPath& asked, Question question, std::vector<Co
       check_deviation(v, from.time, to.time, deviations_[static_cast<std::size_t>(v)]);
     check_chords(path, from, to);
     set_radii(asked.separations, from, to);
-    const Query chords{
-        {from.points, to.points}, {asked.separations.fixed, radii_}, options_.filter, rings_, options_.is_cancelled};
+    const Query chords{{from.points, to.points}, {reach, radii_}, options_.filter, rings_, options_.is_cancelled};
     bound_.begin();
     found_.begin(chords, bound_);
     engine_.find(chords, found_, statistics);
     const auto is_known = [&](const Contact& c) { return known.contains({c.kind, c.vertices}); };
     std::erase_if(found_.contacts(), is_known);
-    const MeshOnPath piece{path, asked.separations, asked.tolerance, asked.ignores_start, {}, {from.time, to.time}};
+    const MeshOnPath piece{path, asked.separations,    asked.tolerance, asked.ignores_start,
+                           {},   {from.time, to.time}, asked.keep};
     const std::size_t before = contacts.size();
     decide_all(piece, question, contacts, statistics);
     if (contacts.size() > before && question != Question::all_contacts) break;
@@ -143,6 +158,42 @@ void PathSearch::find(const MeshOnPath& asked, Question question, std::vector<Co
     }
     from = std::move(to);
   }
+}
+
+/// A pair that starts c beyond its separation and keeps no more than f c has lost (1 - f) c, which is no more than how
+/// far both its features go.
+double PathSearch::kept_reach(const MeshOnPath& asked, const Path& path) {
+  if (asked.keep == 0) return 0;
+  const Frame from = frame_at(path, 0), to = frame_at(path, 1);
+  path.deviations(0, 1, all_, deviations_);
+  double farthest = 0;
+  for (const Index index : mesh_.points()) {
+    const auto v = static_cast<std::size_t>(index);
+    double square = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double way = std::fabs(to.points[v][k] - from.points[v][k]) + from.errors[v] + to.errors[v];
+      square += way * way;
+    }
+    farthest = std::max(farthest, std::sqrt(square) + deviations_[v]);
+  }
+  return 2 * farthest * asked.keep / (1 - asked.keep) * (1 + 0x1p-40);
+}
+
+SafeStep PathSearch::find_step_length(const MeshOnPath& asked, Statistics& statistics) {
+  std::vector<Contact> contacts;
+  find(asked, Question::earliest, contacts, statistics);
+  const EarliestContact first = first_of(contacts);
+  if (!first.contact) return {};
+  const auto& [kind, certainty, vertices, toi_lower, toi_upper, u, v, normal] = *first.contact;
+  const DistanceRule rule{asked.keep, asked.separations.between(kind, vertices)};
+  const KeptSeparation kept = kept_separation(asked.path, kind, vertices, rule);
+  SafeStep step{toi_lower, first.toi_upper, LimitingPair{kind, vertices, kept.distance}};
+  if (asked.keep > 0) {
+    const PathQuestion question{asked.path, kind, vertices, kept.low, asked.tolerance, options_.is_cancelled};
+    const Decision decision = decide_on_path(question, {toi_lower, 1});
+    step.upper = decision.verdict == Verdict::touches ? decision.upper : 1;
+  }
+  return step;
 }
 
 /// What the linear question has left, in the order in which the chords come near: so that a first contact ends it.
@@ -166,11 +217,11 @@ void PathSearch::decide_all(const MeshOnPath& piece, Question question, std::vec
     tbb::enumerable_thread_specific<RememberedPath> paths([&] { return RememberedPath(piece.path, used); });
     tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) {
       const Contact& pair = pairs[first + i];
-      const double separation = piece.separations.between(pair.kind, pair.vertices);
-      const PathQuestion question_of_pair{paths.local(), pair.kind,       pair.vertices,
-                                          separation,    piece.tolerance, options_.is_cancelled};
+      const PairRule rule = rule_of(piece, paths.local(), pair);
+      const PathQuestion question_of_pair{paths.local(),   pair.kind,       pair.vertices,
+                                          rule.separation, piece.tolerance, options_.is_cancelled};
       Decision decision = decide_on_path(question_of_pair, piece.time);
-      const bool is_together = piece.ignores_start && decision.verdict != Verdict::is_free && decision.lower == start &&
+      const bool is_together = rule.ignores_start && decision.verdict != Verdict::is_free && decision.lower == start &&
                                (start == 0 || never_apart_.contains({pair.kind, pair.vertices}));
       bool stays = false;
       if (is_together) decision = decide_once_apart_on_path(question_of_pair, piece.time, stays);

@@ -23,6 +23,9 @@ struct MeshOnPath {
   bool ignores_start = false;          ///< as in Query
   std::span<const double> ends = {};   ///< of the pieces, ascending, the last one 1; empty: as deviations ask for
   TimeInterval<double> time = {0, 1};  ///< the part of the path that is looked at
+  /// In [0, 1): the part of its distance at t=0 that a pair must keep, beyond the separation. With one a pair touches
+  /// when it has no more.
+  double keep = 0;
 };
 
 class PathSearch {
@@ -36,6 +39,8 @@ class PathSearch {
   /// finite fixed separation >= 0, radii of all vertices or none, a tolerance > 0. REQUIRES (not checked: O(n)): finite
   /// radii >= 0. Runs in the caller's oneTBB arena.
   void find(const MeshOnPath& asked, Question question, std::vector<Contact>& contacts, Statistics& statistics);
+  /// How far all may go, so that every pair keeps its part. Otherwise as `find`.
+  SafeStep find_step_length(const MeshOnPath& asked, Statistics& statistics);
   std::uint64_t memory_bytes() const;
 
  private:
@@ -54,6 +59,8 @@ class PathSearch {
   void set_radii(const Separations& separations, const Frame& from, const Frame& to);
   /// Throws if a vertex in the middle of its piece is farther from the chord than it says.
   void check_chords(const Path& path, const Frame& from, const Frame& to) const;
+  /// No pair that stays farther apart, beyond its separation, fails to keep its part.
+  double kept_reach(const MeshOnPath& asked, const Path& path);
   void decide_all(const MeshOnPath& piece, Question question, std::vector<Contact>& contacts, Statistics& statistics);
 
   const Mesh& mesh_;

@@ -27,11 +27,11 @@ void validate(const std::vector<Point>& rest, const std::vector<Index>& body_of_
                                                  std::to_string(rest_end.size()) +
                                                  " at the end: give one each a vertex, or none at the end");
   for (std::size_t v = 0; v < rest.size(); ++v) {
-    check_path(is_finite(rest[v]) && is_finite(rest_end[v]),
-               "vertex " + std::to_string(v) + " of the path is not finite at rest: give finite positions");
-    check_path(body_of_vertex[v] >= 0 && static_cast<std::size_t>(body_of_vertex[v]) < chains.size(),
-               "vertex " + std::to_string(v) + " belongs to body " + std::to_string(body_of_vertex[v]) +
-                   ": bodies must be in [0, " + std::to_string(chains.size()) + ")");
+    if (!is_finite(rest[v]) || !is_finite(rest_end[v]))
+      throw InvalidPath("vertex " + std::to_string(v) + " of the path is not finite at rest: give finite positions");
+    if (body_of_vertex[v] < 0 || static_cast<std::size_t>(body_of_vertex[v]) >= chains.size())
+      throw InvalidPath("vertex " + std::to_string(v) + " belongs to body " + std::to_string(body_of_vertex[v]) +
+                        ": bodies must be in [0, " + std::to_string(chains.size()) + ")");
   }
   for (std::size_t b = 0; b < chains.size(); ++b)
     for (const Link& link : chains[b])
@@ -110,13 +110,13 @@ Pose pose_of_matrix(const std::array<Point, 3>& given, const Point& position) {
 
 Chain interpolated(const Pose& start, const Pose& end) { return {{start, end}}; }
 
-Chain turned(const Pose& start, const Point& turn, const Point& end_position) {
-  const Pose as_given{{0, 0, 0}, start.rotation};
-  return {{{start.position, {0, 0, 0}}, {end_position, turn}}, {as_given, as_given}};
-}
+namespace {
 
-Chain between(const Pose& start, const Pose& end) {
-  // R = R1 R0^T; its rotation vector from the quaternion, which is well conditioned at every angle.
+/// Rounded.
+Point where(const Pose& pose, const Point& x) { return rounded_transform_of({{pose, pose}}, 0).of(x); }
+
+/// Of R = R1 R0^T; from the quaternion, which is well conditioned at every angle.
+Point shorter_turn(const Pose& start, const Pose& end) {
   const auto quaternion = [](const Point& w) {
     const double angle = std::sqrt(w[0] * w[0] + w[1] * w[1] + w[2] * w[2]);
     const double s = angle > 0 ? std::sin(angle / 2) / angle : 0.5;
@@ -127,7 +127,31 @@ Chain between(const Pose& start, const Pose& end) {
   const Point axis{a[0] * b[1] - b[0] * a[1] + a[2] * b[3] - a[3] * b[2],
                    a[0] * b[2] - b[0] * a[2] + a[3] * b[1] - a[1] * b[3],
                    a[0] * b[3] - b[0] * a[3] + a[1] * b[2] - a[2] * b[1]};
-  return turned(start, rotation_vector(cosine, axis), end.position);
+  return rotation_vector(cosine, axis);
+}
+
+}  // namespace
+
+Chain turned(const Pose& start, const Point& turn, const Point& end_position, const Point& center) {
+  const Point offset = where({{0, 0, 0}, start.rotation}, center);
+  const Pose about_center{{0 - offset[0], 0 - offset[1], 0 - offset[2]}, start.rotation};
+  return {{{where(start, center), {0, 0, 0}}, {end_position, turn}}, {about_center, about_center}};
+}
+
+Chain between(const Pose& start, const Pose& end, const Point& center) {
+  return turned(start, shorter_turn(start, end), where(end, center), center);
+}
+
+/// With H half the angle, q goes straight from (1, 0) to (cos H, sin H): its angle h has h' = sin H / |q|^2, so that
+/// |h''| <= M = 4 sin H sin^2(H/2) / cos^4(H/2). h - t H is zero at 0, 1/2 and 1, so at most M / 32; the turn is twice
+/// that. The factor is far above what rounding does.
+double nlerp_deviation(const Pose& start, const Pose& end) {
+  check_path(has_finite_numbers(start) && has_finite_numbers(end),
+             "a pose is not finite: give finite positions and rotation vectors");
+  const Point turn = shorter_turn(start, end);
+  const double half = 0.5 * std::hypot(turn[0], turn[1], turn[2]);
+  const double sine = std::sin(0.5 * half), square = std::pow(std::cos(0.5 * half), 2);
+  return std::sin(half) * sine * sine / (4 * square * square) * (1 + 0x1p-20);
 }
 
 RigidPath::RigidPath(std::vector<Point> rest, std::vector<Index> body_of_vertex, std::vector<Chain> chains,

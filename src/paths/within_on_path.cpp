@@ -25,14 +25,12 @@ Point middle_of(const Vec3<Interval>& p) { return {finite_middle(p.x), finite_mi
 /// The largest deviation and error that two points, one of each feature, can have together.
 double slack_of(const PathPart<double>& part, const std::array<double, 4>& deviations) {
   const double deviation = *std::max_element(deviations.begin(), deviations.end());
-  // sqrt(3) for the three axes of an error, and what the middles round
-  const double error = 2 * std::max(part.from.error, part.to.error) + 0x1p-1000;
-  return 2 * (deviation + error) * (1 + 0x1p-40);
+  return (2 * deviation + position_slack(std::max(part.from.error, part.to.error))) * (1 + 0x1p-40);
 }
 
 /// At one time: is the distance within the separation, certainly?
 bool touches_at(PairKind kind, const Moment<double>& moment, double separation) {
-  const double allowed = separation - 4 * moment.error;
+  const double allowed = separation - position_slack(moment.error);
   if (!(allowed > 0)) return false;
   const auto m = make_motion(kind, points_between(moment, moment), allowed);
   return first_within(kind, m, {0, 1}).verdict == Verdict::touches;
@@ -50,7 +48,7 @@ PairPoints points_between(const Moment<double>& from, const Moment<double>& to) 
 }
 
 bool is_apart_at(PairKind kind, const Moment<double>& moment, double separation) {
-  const double beyond = (separation + 4 * moment.error) * (1 + 0x1p-40) + 0x1p-1000;
+  const double beyond = (separation + position_slack(moment.error)) * (1 + 0x1p-40);
   return first_within(kind, make_motion(kind, points_between(moment, moment), beyond), {0, 1}).verdict ==
          Verdict::is_free;
 }

@@ -9,6 +9,10 @@ namespace tamis {
 /// The middles of two moments; finite, also where an error is not.
 PairPoints points_between(const Moment<double>& from, const Moment<double>& to);
 
+/// By how much the distance of two points, one of each feature, can differ from that of their middles: sqrt(3) half
+/// widths each, given twice that for what middles round. `error`: of their moment.
+inline double position_slack(double error) { return 4 * error + 0x1p-999; }
+
 /// At one time: is the distance beyond the separation, certainly?
 bool is_apart_at(PairKind kind, const Moment<double>& moment, double separation);
 

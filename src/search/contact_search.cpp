@@ -61,44 +61,18 @@ bool ContactSearch::prepare(const Query& query, Statistics& statistics) {
 
 /// Lists what may touch within the next steps. False: that is too much.
 bool ContactSearch::list_ahead(const Query& query, Statistics& statistics) {
-  FeatureTrees& trees = workspace_.trees;
-  const double slack = ahead_.slack();
   const Query predicted{ahead_.predicted_step(), query.separations, query.filter, query.rings, query.is_cancelled};
-  const int leaf_blocks = trees.points().leaf_blocks + trees.edges().leaf_blocks;
-  CandidateQuery asked{predicted, slack, PairsAhead::most_pairs(leaf_blocks)};
-  trees.refit_for(predicted.step, {query.separations.fixed + 2 * slack});
-  candidate_streams_.begin(asked);
-  for (const Sample& sample : Samples(trees.most_leaf_blocks())) {
-    trees.for_each_kind([&](PairKind kind, const TreeView& a, const TreeView& b) {
-      if (!asked.bound.is_settled()) candidate_streams_.search(kind, a, b, sample, ahead_.until());
-    });
-    candidate_streams_.finish([&](CandidateConsumer& consumer) {
-      for (std::size_t kind = 0; kind < kPairKinds; ++kind)
-        ahead_.take(static_cast<PairKind>(kind), consumer.candidates(static_cast<PairKind>(kind)));
-    });
-  }
-  candidate_streams_.for_each([](CandidateConsumer& consumer) { consumer.release(); });
-  statistics.nodes_visited = candidate_streams_.counts().nodes_visited;
-  return ahead_.complete(!asked.bound.is_settled());
+  const auto take = [&](PairKind kind, PairList& pairs) { ahead_.take(kind, pairs); };
+  return ahead_.complete(candidates_.list(predicted, ahead_.slack(), ahead_.until(), take, statistics));
 }
 
 void ContactSearch::search_lists(ContactCollector& answer) {
-  constexpr std::size_t kPairsAPart = 1024;
-  const auto parts_of = [&](PairKind kind) {
-    return static_cast<int>((ahead_.list(kind).size() + kPairsAPart - 1) / kPairsAPart);
-  };
+  const auto parts_of = [&](PairKind kind) { return streams_.parts_of(ahead_.list(kind)); };
   const int most_parts = std::max(parts_of(PairKind::vertex_face), parts_of(PairKind::edge_edge));
   float t_limit = 1;
   for (const Sample& sample : samples_for(answer.query(), most_parts)) {
     workspace_.trees.for_each_kind([&](PairKind kind, const TreeView&, const TreeView&) {
-      const PairList& pairs = ahead_.list(kind);
-      if (!answer.wants(kind)) return;
-      streams_.for_each_part(sample.count_in(parts_of(kind)), [&](PairStream& stream, int begin, int end) {
-        for (int i = begin; i < end; ++i) {
-          const auto first = static_cast<std::size_t>(sample.first + i * sample.stride) * kPairsAPart;
-          stream.search(kind, pairs, first, std::min(first + kPairsAPart, pairs.size()), ahead_.when(), t_limit);
-        }
-      });
+      if (answer.wants(kind)) streams_.search(kind, ahead_.list(kind), sample, ahead_.when(), t_limit);
     });
     t_limit = std::min(t_limit, gather(answer));
   }

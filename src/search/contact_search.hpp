@@ -2,7 +2,7 @@
 // listed for several steps, and the list is asked; else the trees.
 #pragma once
 #include "coherence/pairs_ahead.hpp"
-#include "search/candidate_consumer.hpp"
+#include "search/candidate_search.hpp"
 #include "search/contact_consumer.hpp"
 #include "search/thread_streams.hpp"
 
@@ -12,12 +12,12 @@ class ContactSearch {
  public:
   /// Keeps a reference.
   explicit ContactSearch(Workspace& workspace)
-      : workspace_(workspace), ahead_(workspace.mesh), streams_(workspace), candidate_streams_(workspace) {}
+      : workspace_(workspace), ahead_(workspace.mesh), streams_(workspace), candidates_(workspace) {}
 
   /// As Engine::find.
   void find(const Query& query, ContactCollector& answer, Statistics& statistics);
   std::uint64_t memory_bytes() const {
-    return ahead_.memory_bytes() + streams_.memory_bytes() + candidate_streams_.memory_bytes();
+    return ahead_.memory_bytes() + streams_.memory_bytes() + candidates_.memory_bytes();
   }
 
  private:
@@ -30,7 +30,7 @@ class ContactSearch {
   Workspace& workspace_;
   PairsAhead ahead_;
   ThreadStreams<ContactConsumer> streams_;
-  ThreadStreams<CandidateConsumer> candidate_streams_;
+  CandidateSearch candidates_;
 };
 
 }  // namespace tamis

@@ -14,50 +14,103 @@ constexpr double kMeetsAll = 8;
 
 }  // namespace
 
-void StepLengthSearch::begin(StepLengthQuery& asked, Statistics& statistics) {
+/// Returns true if the lists are to be asked, false if the trees must be searched.
+bool StepLengthSearch::begin(StepLengthQuery& asked, Statistics& statistics) {
   TAMIS_ASSERT(0 < asked.fraction && asked.fraction < 1);
-  const Step& step = asked.query.step;
-  const Separations& separations = asked.query.separations;
+  statistics.nodes_visited = 0;
+  const bool is_listed = prepare(asked, statistics);
+  const Stopwatch watch;
+  if (!is_listed) fit_residuals(asked);
+  asked.spread = workspace_.trees.motion().spread;
+  statistics.seconds.bounds += watch.seconds();
+  streams_.begin(asked);
+  return is_listed;
+}
+
+bool StepLengthSearch::prepare(const StepLengthQuery& asked, Statistics& statistics) {
   FeatureTrees& trees = workspace_.trees;
-  trees.refit_or_rebuild(step, separations, statistics);
-  Stopwatch watch;
+  const Query& query = asked.query;
+  bool is_listed = of_start_.begin(query, asked.fraction);
+  if (!is_listed) {
+    // Refit to the query even if lists follow: the decision to rebuild must not see the start alone.
+    trees.refit_or_rebuild(query.step, query.separations, statistics);
+    if (!asked.lists_all || !of_start_.plan(query, asked.fraction)) return false;
+    const Stopwatch watch;
+    is_listed = list_near(query, statistics);
+    if (!is_listed) trees.refit_for(query.step, query.separations);
+    statistics.seconds.build += watch.seconds();
+  }
+  if (is_listed) trees.load_vertices(query.step, query.separations, statistics);
+  return is_listed;
+}
+
+/// False: that is too much.
+bool StepLengthSearch::list_near(const Query& query, Statistics& statistics) {
+  const Step at_start{query.step.start, query.step.start};
+  const Query near{at_start, of_start_.separations(), query.filter, query.rings, query.is_cancelled};
+  const auto take = [&](PairKind kind, PairList& pairs) { of_start_.take(kind, pairs); };
+  return of_start_.complete(candidates_.list(near, 0, 1, take, statistics));
+}
+
+void StepLengthSearch::fit_residuals(StepLengthQuery& asked) {
+  FeatureTrees& trees = workspace_.trees;
   const BoxFrame& frame = trees.motion().frame;
-  shared_.fit(step, frame, asked.fraction);
-  trees.fit_residuals(step, shared_);
+  const Separations& separations = asked.query.separations;
+  shared_.fit(asked.query.step, frame, asked.fraction);
+  trees.fit_residuals(asked.query.step, shared_);
   asked.stretch = shared_.stretch();
-  asked.spread = trees.motion().spread;
   const double separation = (separations.fixed + 2 * separations.largest_radius()) * frame.scale;
   asked.separation = std::min(separation, kMeetsAll);
-  statistics.seconds.bounds += watch.lap();
-  streams_.begin(asked);
 }
 
 SafeStep StepLengthSearch::find(const Query& query, double fraction, Statistics& statistics) {
   StepLengthQuery asked{query, fraction, false};
-  begin(asked, statistics);
+  const bool is_listed = begin(asked, statistics);
   const Stopwatch watch;
-  const Samples samples(workspace_.trees.most_leaf_blocks());
-  const Sample& first = *samples.begin();
-  search(first);
-  if (meets_many(first)) search_short_steps(asked.bound, samples);
-  for (const Sample& sample : std::span(samples).subspan(1)) search(sample);
+  if (is_listed)
+    search_lists();
+  else
+    search_trees(asked.bound);
   StepLimit limit;
   streams_.for_each([&](StepLengthConsumer& consumer) { limit.add(consumer.limit()); });
-  streams_.report(statistics, watch.seconds(), {&SearchCounts::boxes, &SearchCounts::near});
+  report(watch.seconds(), statistics);
   return limit.answer(query, fraction);
 }
 
 void StepLengthSearch::find_all(const Query& query, double fraction, std::vector<StepLimit>& ends,
                                 Statistics& statistics) {
   StepLengthQuery asked{query, fraction, true};
-  begin(asked, statistics);
+  const bool is_listed = begin(asked, statistics);
   const Stopwatch watch;
-  search(*Samples().begin());
-  streams_.report(statistics, watch.seconds(), {&SearchCounts::boxes, &SearchCounts::near});
+  if (is_listed)
+    search_lists();
+  else
+    search(*Samples().begin());
+  report(watch.seconds(), statistics);
   ends.clear();
   streams_.for_each(
       [&](StepLengthConsumer& consumer) { ends.insert(ends.end(), consumer.ends().begin(), consumer.ends().end()); });
   std::sort(ends.begin(), ends.end(), comes_before_in_order);
+}
+
+void StepLengthSearch::report(double wall, Statistics& statistics) {
+  const std::uint64_t visited_for_lists = statistics.nodes_visited;
+  streams_.report(statistics, wall, {&SearchCounts::boxes, &SearchCounts::near});
+  statistics.nodes_visited += visited_for_lists;
+}
+
+void StepLengthSearch::search_lists() {
+  workspace_.trees.for_each_kind([&](PairKind kind, const TreeView&, const TreeView&) {
+    streams_.search(kind, of_start_.list(kind), *Samples().begin(), {0, 1}, 1);
+  });
+}
+
+void StepLengthSearch::search_trees(Bound& bound) {
+  const Samples samples(workspace_.trees.most_leaf_blocks());
+  const Sample& first = *samples.begin();
+  search(first);
+  if (meets_many(first)) search_short_steps(bound, samples);
+  for (const Sample& sample : std::span(samples).subspan(1)) search(sample);
 }
 
 /// Of the sample, which has been searched.

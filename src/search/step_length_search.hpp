@@ -2,8 +2,11 @@
 // if it is fast enough: (1 - fraction) (distance at t=0 - min_separation) < t * relative speed, or what of that is left
 // beside a motion that many share; and only if it comes as near as the fraction before t. So the search is for pairs of
 // moving boxes that come as near as that, and each pair that ends the step earlier shortens the step for all the rest.
+// Where one start is asked about again and again, the pairs that are near there are listed, and the list is asked.
 #pragma once
 #include "bounds/shared_motion.hpp"
+#include "coherence/pairs_of_start.hpp"
+#include "search/candidate_search.hpp"
 #include "search/step_length_consumer.hpp"
 #include "search/thread_streams.hpp"
 
@@ -13,23 +16,37 @@ class StepLengthSearch {
  public:
   /// Keeps a reference.
   explicit StepLengthSearch(Workspace& workspace)
-      : workspace_(workspace), shared_(workspace.mesh), streams_(workspace) {}
+      : workspace_(workspace),
+        shared_(workspace.mesh),
+        of_start_(workspace.mesh),
+        streams_(workspace),
+        candidates_(workspace) {}
 
   /// As Engine::find_step_length (docs/numerics.md, "Step lengths").
   SafeStep find(const Query& query, double fraction, Statistics& statistics);
   /// As Engine::find_step_ends.
   void find_all(const Query& query, double fraction, std::vector<StepLimit>& ends, Statistics& statistics);
-  std::uint64_t memory_bytes() const { return shared_.memory_bytes() + streams_.memory_bytes(); }
+  std::uint64_t memory_bytes() const {
+    return of_start_.memory_bytes() + streams_.memory_bytes() + candidates_.memory_bytes();
+  }
 
  private:
-  void begin(StepLengthQuery& asked, Statistics& statistics);
+  bool begin(StepLengthQuery& asked, Statistics& statistics);
+  bool prepare(const StepLengthQuery& asked, Statistics& statistics);
+  bool list_near(const Query& query, Statistics& statistics);
+  void fit_residuals(StepLengthQuery& asked);
+  void report(double wall, Statistics& statistics);
+  void search_lists();
+  void search_trees(Bound& bound);
   void search(const Sample& sample);
   bool meets_many(const Sample& sample) const;
   void search_short_steps(Bound& bound, const Samples& samples);
 
   Workspace& workspace_;
   SharedMotion shared_;
+  PairsOfStart of_start_;
   ThreadStreams<StepLengthConsumer> streams_;
+  CandidateSearch candidates_;
 };
 
 }  // namespace tamis

@@ -35,11 +35,21 @@ class ThreadStreams {
     });
   }
 
-  /// f(stream of the thread, begin, end) for all parts of 0 to `count`.
-  template <class F>
-  void for_each_part(int count, const F& f) {
-    constexpr int kGrain = 8;
-    in_parts(count, kGrain, [&](int begin, int end) { f(local().stream, begin, end); });
+  /// The sample's parts of a list, as far as the pairs may touch at some time of `when`, by the list, and until
+  /// `t_limit`, by this query.
+  void search(PairKind kind, const PairList& pairs, const Sample& sample, const TimeInterval<float>& when,
+              float t_limit) {
+    for_each_part(sample.count_in(parts_of(pairs)), [&](PairStream& stream, int begin, int end) {
+      for (int i = begin; i < end; ++i) {
+        const auto first = static_cast<std::size_t>(sample.first + i * sample.stride) * kPairsAPart;
+        stream.search(kind, pairs, first, std::min(first + kPairsAPart, pairs.size()), when, t_limit);
+      }
+      if constexpr (!Consumer::kHoldsPairsBack) stream.finish();
+    });
+  }
+  /// Of a list: what a sample counts.
+  static int parts_of(const PairList& pairs) {
+    return static_cast<int>((pairs.size() + kPairsAPart - 1) / kPairsAPart);
   }
 
   /// f(consumer) for each, with nothing left in its buffers.
@@ -77,6 +87,15 @@ class ThreadStreams {
   }
 
  private:
+  static constexpr std::size_t kPairsAPart = 1024;
+
+  /// f(stream of the thread, begin, end) for all parts of 0 to `count`.
+  template <class F>
+  void for_each_part(int count, const F& f) {
+    constexpr int kGrain = 8;
+    in_parts(count, kGrain, [&](int begin, int end) { f(local().stream, begin, end); });
+  }
+
   struct OfThread {
     explicit OfThread(SearchThread& t) : thread(t), consumer(t), stream(t, consumer) {}
     OfThread(const OfThread&) = delete;

@@ -36,6 +36,12 @@ struct Box {
     for (std::size_t k = 0; k < 3; ++k) size = std::max({size, std::fabs(low[k]), std::fabs(high[k])});
     return size;
   }
+  /// No |x|_1 within is larger.
+  double size_of_sum() const {
+    double size = 0;
+    for (std::size_t k = 0; k < 3; ++k) size += std::max(std::fabs(low[k]), std::fabs(high[k]));
+    return size * (1 + 0x1p-50);
+  }
   /// How far it reaches along all axes together.
   double extent() const { return high[0] - low[0] + (high[1] - low[1]) + (high[2] - low[2]); }
   /// The center, but for rounding.
@@ -73,6 +79,7 @@ inline bool may_meet(const MovingBounds& a, const MovingBounds& b, double separa
   constexpr double kRoundingOfTimes = 0x1p-40;
   double from = 0, to = 1;
   const auto close = [&](double gap0, double gap1) {
+    if (!(gap0 > 0 || gap1 > 0)) return true;
     if (gap0 > 0 && gap1 > 0) return false;
     const double time = gap0 / (gap0 - gap1);
     if (gap0 > 0 && time > from) from = time;

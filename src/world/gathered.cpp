@@ -9,23 +9,23 @@ namespace {
 
 const Body& body_of(const BodyList& bodies, BodyId id) { return *bodies[at(id)]; }
 
-/// Numbers for bodies of which those that may meet have different ones, as few as come by: 0 for those that are aside.
-std::map<BodyId, Index> groups_of(const NearItems& items, const BodyList& bodies, const MeetingRules& rules) {
+/// Colors of bodies: those that may meet have different ones, as few as come by; 0 for those that are aside.
+std::map<BodyId, Index> colors_of(const NearItems& items, const BodyList& bodies, const MeetingRules& rules) {
   std::map<BodyId, std::vector<BodyId>> met_before;  // of each body those of smaller numbers
   for (const BodyPair& pair : items.pairs) met_before[pair[1]].push_back(pair[0]);
-  std::map<BodyId, Index> groups;
+  std::map<BodyId, Index> colors;
   for (const auto& [id, unused] : items.of_body) {
     if (rules.is_aside(body_of(bodies, id))) {
-      groups[id] = 0;
+      colors[id] = 0;
       continue;
     }
     std::set<Index> taken;
-    for (const BodyId other : met_before[id]) taken.insert(groups.at(other));
-    Index group = 1;
-    while (taken.contains(group)) ++group;
-    groups[id] = group;
+    for (const BodyId other : met_before[id]) taken.insert(colors.at(other));
+    Index color = 1;
+    while (taken.contains(color)) ++color;
+    colors[id] = color;
   }
-  return groups;
+  return colors;
 }
 
 }  // namespace
@@ -37,7 +37,7 @@ Detector Gathered::make_detector(const BodyList& bodies, const MeetingRules& rul
   for (const auto& [id, set] : items_.of_body) add(id, body_of(bodies, id), set.items());
   Options of_mesh = options;
   of_mesh.filter = PairFilter();
-  set_groups(bodies, rules, of_mesh.filter);
+  set_groups(bodies, rules, of_mesh);
   Mesh mesh(static_cast<Index>(vertices_.size()), std::move(faces_), edges_, std::move(points_));
   edges_ = {};
   return Detector(std::move(mesh), std::move(of_mesh));
@@ -69,16 +69,27 @@ void Gathered::add(BodyId id, const Body& body, std::vector<Index> items) {
       points_.push_back(face[0]);
   }
   ways_.push_back(body.way());
+  radius_of_body_[id] = body.radius();
 }
 
-/// Bodies of one group are not asked about: either they are not near each other, or they are aside.
-void Gathered::set_groups(const BodyList& bodies, const MeetingRules& rules, PairFilter& filter) const {
-  const std::map<BodyId, Index> groups = groups_of(items_, bodies, rules);
-  for (const auto& [id, group] : groups) filter.group_count = std::max(filter.group_count, group + 1);
-  for (const Vertex& vertex : vertices_) filter.group_of_vertex.push_back(groups.at(vertex.body));
-  const std::size_t count = at(filter.group_count);
-  filter.groups_may_touch.assign(count * count, 1);
-  for (std::size_t group = 0; group < count; ++group) filter.groups_may_touch[group * count + group] = 0;
+/// Bodies of one color are not asked about: either they are not near each other, or they are aside. A group of the
+/// detector is those of one color and radius.
+void Gathered::set_groups(const BodyList& bodies, const MeetingRules& rules, Options& options) const {
+  using Group = std::pair<Index, double>;
+  std::map<BodyId, Group> groups;
+  for (const auto& [id, color] : colors_of(items_, bodies, rules)) groups[id] = {color, body_of(bodies, id).radius()};
+  std::map<Group, Index> numbers;
+  for (const auto& [id, group] : groups) numbers.emplace(group, static_cast<Index>(numbers.size()));
+  PairFilter& filter = options.filter;
+  filter.group_count = static_cast<Index>(numbers.size());
+  for (const Vertex& vertex : vertices_) filter.group_of_vertex.push_back(numbers.at(groups.at(vertex.body)));
+  filter.groups_may_touch.assign(numbers.size() * numbers.size(), 0);
+  options.radii.assign(numbers.size(), 0);
+  for (const auto& [group, number] : numbers) {
+    options.radii[at(number)] = group.second;
+    for (const auto& [other, other_number] : numbers)
+      filter.groups_may_touch[at(number) * numbers.size() + at(other_number)] = group.first != other.first;
+  }
   // Of two bodies that the caller keeps apart one may be near a third that the other is near, too.
   const auto is_here = [&](BodyId id) { return items_.of_body.contains(id); };
   std::set<BodyPair> kept_apart;
@@ -128,6 +139,11 @@ RigidPath Gathered::path(const BodyList& bodies) const {
     rest_end.push_back(turns ? rest.back() : body.end_of(own));
   }
   return {std::move(rest), std::move(number_of_body), std::move(chains), std::move(rest_end)};
+}
+
+double Gathered::radii(PairKind kind, const PairVertices& vertices) const {
+  const auto radius = [&](Index v) { return radius_of_body_.at(vertices_[at(v)].body); };
+  return radius(vertices[0]) + radius(vertices[second_feature(kind)]);
 }
 
 std::array<BodyId, 2> Gathered::name(PairKind kind, PairVertices& vertices) const {

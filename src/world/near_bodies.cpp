@@ -6,7 +6,7 @@ namespace tamis {
 namespace {
 
 template <class F>
-BodyTree tree_of(const BodyList& bodies, bool at_start, const F& is_wanted) {
+BodyTree tree_of(const BodyList& bodies, const ReachOfBody& own, bool at_start, const F& is_wanted) {
   std::vector<BodyId> ids;
   std::vector<Box> hulls;
   for (std::size_t id = 0; id < bodies.size(); ++id) {
@@ -14,6 +14,7 @@ BodyTree tree_of(const BodyList& bodies, bool at_start, const F& is_wanted) {
     if (!body || !body->is_enabled || !is_wanted(*body)) continue;
     ids.push_back(static_cast<BodyId>(id));
     hulls.push_back(at_start ? body->start_hull() : body->hull());
+    hulls.back().widen(own(*body));
   }
   return {std::move(ids), std::move(hulls)};
 }
@@ -29,11 +30,12 @@ BodyTree::BodyTree(std::vector<BodyId> bodies, std::vector<Box> hulls)
   levels_ = BoxLevels(order_, [this](Index i) -> const Box& { return hulls_[static_cast<std::size_t>(i)]; });
 }
 
-std::vector<BodyPair> NearBodies::find(const BodyList& bodies, double separation, bool at_start) {
+std::vector<BodyPair> NearBodies::find(const BodyList& bodies, const ReachOfBody& own, double separation,
+                                       bool at_start) {
   const auto is_still = [](const Body& body) { return body.way() == Way::still; };
-  if (!knows_still_) still_ = tree_of(bodies, false, is_still);
+  if (!knows_still_) still_ = tree_of(bodies, own, false, is_still);
   knows_still_ = true;
-  const BodyTree moving = tree_of(bodies, at_start, [&](const Body& body) { return !is_still(body); });
+  const BodyTree moving = tree_of(bodies, own, at_start, [&](const Body& body) { return !is_still(body); });
   std::vector<BodyPair> pairs;
   for (std::size_t i = 0; i < moving.bodies().size(); ++i) {
     const BodyId body = moving.bodies()[i];

@@ -1,6 +1,7 @@
 // Which bodies may come near each other during the step, by what each sweeps over.
 #pragma once
 #include <array>
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -49,15 +50,17 @@ class BodyTree {
   BoxLevels levels_;
 };
 
+using ReachOfBody = std::function<double(const Body&)>;
+
 /// Keeps the bodies that do not move from question to question.
 class NearBodies {
  public:
-  /// A body that does not move has changed.
+  /// A body that does not move has changed, or has another reach.
   void forget_still() { knows_still_ = false; }
 
-  /// Pairs of bodies, both switched on and not both still, that may come within `separation` during the step, or
-  /// `at_start`: ascending.
-  std::vector<BodyPair> find(const BodyList& bodies, double separation, bool at_start);
+  /// Pairs of bodies, both switched on and not both still, that may come within `separation` and what each reaches
+  /// farther by itself, during the step, or `at_start`: ascending.
+  std::vector<BodyPair> find(const BodyList& bodies, const ReachOfBody& own, double separation, bool at_start);
 
  private:
   bool knows_still_ = false;

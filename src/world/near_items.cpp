@@ -3,14 +3,21 @@
 #include <algorithm>
 #include <array>
 #include <set>
+#include <span>
+
+#include "world/carried_boxes.hpp"
 
 namespace tamis {
 namespace {
 
 class PairWalk {
  public:
-  PairWalk(const CarriedBoxes& a, const CarriedBoxes& b, double separation, ItemSet& items_a, ItemSet& items_b)
-      : a_{a, items_a}, b_{b, items_b}, separation_(separation) {}
+  struct Side {
+    CarriedBoxes& boxes;
+    ItemSet& near;
+  };
+
+  PairWalk(const Side& a, const Side& b, double separation) : a_(a), b_(b), separation_(separation) {}
 
   /// True if any items may meet.
   bool run() {
@@ -20,22 +27,15 @@ class PairWalk {
   }
 
  private:
-  struct Side {
-    const CarriedBoxes& boxes;
-    ItemSet& items;
-  };
   struct Node {
     int level;
     Index block;
-    MovingBounds bounds;
-    PlacedBox placed;
+    const MovingBounds& bounds;
   };
 
   static Node root_of(const Side& side) {
-    return node_of(side, side.boxes.root_level(), 0, side.boxes.of_block(side.boxes.root_level(), 0));
-  }
-  static Node node_of(const Side& side, int level, Index block, const MovingBounds& bounds) {
-    return {level, block, bounds, side.boxes.placed_block(level, block, bounds)};
+    const int level = side.boxes.root_level();
+    return {level, 0, side.boxes.of_block(level, 0)};
   }
   bool meet(const MovingBounds& a, const MovingBounds& b) const { return may_meet(a, b, separation_); }
 
@@ -52,49 +52,37 @@ class PairWalk {
 
   template <class F>
   void for_each_child_near(const Side& side, const Node& node, const Node& other, const F& f) const {
-    const auto boxes = side.boxes.body().shape().boxes.level(node.level - 1);
-    const Box seen = side.boxes.seen(other.placed, separation_);
-    const Index first = node.block * kBlock, last = std::min(first + kBlock, static_cast<Index>(boxes.size()));
+    const int level = node.level - 1;
+    const auto count = static_cast<Index>(side.boxes.shape().boxes.level(level).size());
+    const Index first = node.block * kBlock, last = std::min(first + kBlock, count);
     for (Index child = first; child < last; ++child) {
-      if (!may_meet(boxes[static_cast<std::size_t>(child)], seen)) continue;
-      const MovingBounds bounds = side.boxes.of_block(node.level - 1, child);
-      if (meet(bounds, other.bounds)) f(node_of(side, node.level - 1, child, bounds));
+      const MovingBounds& bounds = side.boxes.of_block(level, child);
+      if (meet(bounds, other.bounds)) f(Node{level, child, bounds});
     }
   }
-
-  struct Candidates {
-    int count = 0;
-    std::array<Index, kBlock> items;
-    std::array<MovingBounds, kBlock> bounds;
-  };
 
   /// Items of two blocks of items that may meet each other.
-  void mark(const Node& a, const Node& b) {
-    const Candidates of_a = candidates(a_, a, b);
-    if (of_a.count == 0) return;
-    const Candidates of_b = candidates(b_, b, a);
-    for (int i = 0; i < of_a.count; ++i)
-      for (int j = 0; j < of_b.count; ++j)
-        if (meet(of_a.bounds[static_cast<std::size_t>(i)], of_b.bounds[static_cast<std::size_t>(j)])) {
-          a_.items.add(of_a.items[static_cast<std::size_t>(i)]);
-          b_.items.add(of_b.items[static_cast<std::size_t>(j)]);
-          found_ = true;
-        }
-  }
-
-  /// Items of a block of items that may meet `other`.
-  Candidates candidates(const Side& side, const Node& node, const Node& other) const {
-    const BodyShape& shape = side.boxes.body().shape();
-    const Box seen = side.boxes.seen(other.placed, separation_);
-    Candidates found;
-    for (const Index item : shape.order.items_of(node.block)) {
-      if (!may_meet(shape.box_at_rest(item), seen)) continue;
-      const auto place = static_cast<std::size_t>(found.count);
-      found.items[place] = item;
-      found.bounds[place] = side.boxes.of_item(item);
-      found.count += meet(found.bounds[place], other.bounds);
+  void mark(const Node& node_a, const Node& node_b) {
+    const CarriedItems& a = a_.boxes.items(node_a.block);
+    if (!meet(a.all, node_b.bounds)) return;
+    const CarriedItems& b = b_.boxes.items(node_b.block);
+    if (!meet(a.all, b.all)) return;
+    const auto items_a = a_.boxes.shape().order.items_of(node_a.block);
+    const auto items_b = b_.boxes.shape().order.items_of(node_b.block);
+    std::array<std::size_t, kBlock> near_b;
+    std::size_t count = 0;
+    for (std::size_t j = 0; j < items_b.size(); ++j)
+      if (meet(b.of_item[j], a.all)) near_b[count++] = j;
+    for (std::size_t i = 0; count > 0 && i < items_a.size(); ++i) {
+      if (!meet(a.of_item[i], b.all)) continue;
+      for (const std::size_t j : std::span(near_b).first(count)) {
+        if (found_ && a_.near.has(items_a[i]) && b_.near.has(items_b[j])) continue;
+        if (!meet(a.of_item[i], b.of_item[j])) continue;
+        a_.near.add(items_a[i]);
+        b_.near.add(items_b[j]);
+        found_ = true;
+      }
     }
-    return found;
   }
 
   const Side a_, b_;
@@ -145,16 +133,21 @@ NearItems find_near_items(const BodyList& bodies, const std::vector<BodyPair>& p
   const auto items_of = [&](BodyId id) -> ItemSet& {
     return near.of_body.try_emplace(id, body(id).shape().item_count()).first->second;
   };
-  for (const BodyPair& pair : pairs) {
-    const Body &first = body(pair[0]), &second = body(pair[1]);
-    const double separation = reach(first, second);
-    bool is_near = false;
-    for (std::size_t i = 0; i + 1 < times.size(); ++i) {
-      const CarriedBoxes a(first, times[i], times[i + 1]), b(second, times[i], times[i + 1]);
-      is_near |= PairWalk(a, b, separation, items_of(pair[0]), items_of(pair[1])).run();
+  std::map<BodyId, CarriedBoxes> carried;
+  std::vector<char> is_near(pairs.size(), false);
+  for (std::size_t piece = 0; piece + 1 < times.size(); ++piece) {
+    const auto side = [&](BodyId id) {
+      CarriedBoxes& boxes = carried.try_emplace(id, body(id), times[piece], times[piece + 1]).first->second;
+      return PairWalk::Side{boxes, items_of(id)};
+    };
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+      const auto [a, b] = pairs[i];
+      is_near[i] |= PairWalk(side(a), side(b), reach(body(a), body(b))).run();
     }
-    if (is_near) near.pairs.push_back(pair);
+    std::erase_if(carried, [](const auto& one) { return one.second.body().way() != Way::still; });
   }
+  for (std::size_t i = 0; i < pairs.size(); ++i)
+    if (is_near[i]) near.pairs.push_back(pairs[i]);
   std::set<BodyId> in_pairs;
   for (const BodyPair& pair : near.pairs) in_pairs.insert(pair.begin(), pair.end());
   std::erase_if(near.of_body, [&](const auto& one) { return !in_pairs.contains(one.first); });

@@ -3,6 +3,7 @@
 #include <limits>
 #include <string>
 
+#include "detect/validate.hpp"
 #include "tamis/error.hpp"
 #include "topology/at.hpp"
 #include "world/world_state.hpp"
@@ -40,10 +41,13 @@ BodyId World::add(const Shape& shape, BodyMotion motion) {
 void World::move(BodyId body, BodyMotion motion) {
   State& now = state();
   const Turn turn(now.is_asked);
-  Body& moved = now.body(body);
-  now.forget_if_still(moved);
-  moved.move(std::move(motion));
-  now.forget_if_still(moved);
+  now.move(body, std::move(motion));
+}
+
+const BodyMotion& World::motion(BodyId body) const {
+  State& now = state();
+  const Turn turn(now.is_asked);
+  return now.body(body).motion();
 }
 
 void World::remove(BodyId body) {
@@ -64,6 +68,16 @@ void World::set_enabled(BodyId body, bool is_enabled) {
     now.forget_if_still(switched);
   else
     now.forget(switched);
+}
+
+void World::set_radius(BodyId body, double radius) {
+  State& now = state();
+  const Turn turn(now.is_asked);
+  Body& thick = now.body(body);
+  validate_distance(radius, "the radius of body " + std::to_string(body));
+  if (thick.radius() == radius) return;
+  thick.set_radius(radius);
+  now.forget(thick);
 }
 
 void World::set_may_touch(BodyId a, BodyId b, bool may_touch) {
@@ -96,6 +110,13 @@ std::vector<BodyContact> World::contacts(const QueryOptions& options) {
 EarliestBodyContact World::earliest(const QueryOptions& options) {
   State& now = state();
   return now.answer([&] { return now.earliest(options); });
+}
+
+std::vector<EarliestBodyContact> World::earliest_many(std::span<const BodyId> bodies,
+                                                      std::span<const BodyMotion> motions,
+                                                      const QueryOptions& options) {
+  State& now = state();
+  return now.answer([&] { return now.earliest_many(bodies, motions, options); });
 }
 
 bool World::is_free(const QueryOptions& options) {

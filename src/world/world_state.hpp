@@ -14,8 +14,11 @@ namespace tamis {
 
 struct World::State {
   explicit State(Options o);
+  /// The same bodies, to be asked by one thread. Nothing is gathered yet.
+  State(const State& other);
 
   Body& body(BodyId id);
+  void move(BodyId id, BodyMotion motion);
   /// What was gathered with this body must not be asked any more.
   void forget(const Body& changed);
   /// Of a body that comes, or moves on: what is gathered sees that itself.
@@ -33,6 +36,7 @@ struct World::State {
   template <class Ask>
   auto answer(const Ask& ask) {
     const Turn turn(is_asked);
+    statistics = {};
     begin();
     const Stopwatch watch;
     auto result = ask();
@@ -42,6 +46,8 @@ struct World::State {
   }
   std::vector<BodyContact> contacts(const QueryOptions& asked);
   EarliestBodyContact earliest(const QueryOptions& asked);
+  std::vector<EarliestBodyContact> earliest_many(std::span<const BodyId> moved, std::span<const BodyMotion> motions,
+                                                 const QueryOptions& asked);
   bool is_free(const QueryOptions& asked);
   std::vector<BodyNearPair> pairs_within(double distance);
   std::vector<BodyIntersection> intersections();
@@ -59,13 +65,17 @@ struct World::State {
   /// How near bodies must come to be asked about.
   struct Reach {
     double separation = 0;
-    double part_of_way = 0;  ///< and so much of how far both go
-    double of(const Body& a, const Body& b) const;
+    double part_of_way = 0;  ///< and so much of how far both go, and both radii
+    /// What one of them adds.
+    double own(const Body& body) const;
+    double of(const Body& a, const Body& b) const { return (separation + own(a) + own(b)) * (1 + 0x1p-40); }
   };
 
   /// Which pairs a part is asked about.
   using Wanted = std::function<bool(const Body&, const Body&)>;
 
+  /// Throws InvalidOptions and InvalidStep.
+  void validate(std::span<const BodyId> moved, std::span<const BodyMotion> motions);
   double separation(const QueryOptions& asked) const { return asked.min_separation.value_or(options.min_separation); }
   /// Pairs that may come within the reach and `more`, by their hulls, and may touch.
   std::vector<BodyPair> near_bodies(const Reach& reach, double more, bool at_start);
@@ -78,13 +88,16 @@ struct World::State {
   void gather_at_rest(double distance);
   /// Ends of the pieces on which bodies that turn are asked about, beginning with 0.
   std::vector<double> times_of_pieces(const std::vector<BodyPair>& pairs) const;
-  /// f(body, detector) of each body that may touch itself.
+  /// f(id, body, detector) of each body that may touch itself.
   template <class F>
   void for_each_by_itself(const F& f);
   void decide_anew(std::vector<Contact>& contacts, const Step& step, const QueryOptions& asked) const;
   void add_statistics(const Statistics& of_part);
-  template <class Pair>
-  [[noreturn]] void refuse_touching_start(const Pair& pair) const;
+  /// Of a contact, or of what ends a step.
+  [[noreturn]] void refuse_touching_start(PairKind kind, const PairVertices& vertices,
+                                          const std::array<BodyId, 2>& of) const;
+  /// Throws InvalidStep, if that is asked for.
+  void check_start(const EarliestBodyContact& first, const QueryOptions& asked) const;
   void begin();
   std::uint64_t memory_bytes() const;
 
@@ -93,5 +106,27 @@ struct World::State {
   std::vector<double> times_;  ///< of the pieces of turning_
   bool must_gather_ = false;
 };
+
+/// As bodies are asked about curves. Whoever fails for what touches at the start asks for it, and names the bodies.
+inline QueryOptions of_curves(QueryOptions asked) {
+  if (asked.at_start == AtStart::fail) asked.at_start = AtStart::report;
+  return asked;
+}
+/// As bodies are asked that go straight: curves alone have a tolerance.
+inline QueryOptions of_steps(const QueryOptions& asked) {
+  QueryOptions options = of_curves(asked);
+  options.tolerance.reset();
+  return options;
+}
+
+template <class F>
+void World::State::for_each_by_itself(const F& f) {
+  for (std::size_t id = 0; id < bodies.size(); ++id) {
+    Body* body = bodies[id].get();
+    if (!body || !body->is_enabled || !body->deforming() || !body->may_touch_itself) continue;
+    f(static_cast<BodyId>(id), *body, body->itself(options));
+    add_statistics(body->itself(options).statistics());
+  }
+}
 
 }  // namespace tamis

@@ -24,7 +24,7 @@ static tamis_path* turning_blade(void) {
   tamis_link links[2];
   tamis_rigid_path_input input = {sizeof input, 6, rest, bodies, 2, links_of_body, links, NULL};
   tamis_path* path = NULL;
-  EXPECT(tamis_turned(&still, half_turn, origin, links) == TAMIS_OK);
+  EXPECT(tamis_turned(&still, half_turn, origin, NULL, links) == TAMIS_OK);
   EXPECT(tamis_rigid_path_create(&input, &path) == TAMIS_OK);
   return path;
 }
@@ -146,12 +146,32 @@ static void other_paths(void) {
   EXPECT(lower <= 0.5 && 0.5 <= upper);
   tamis_path_free(path);
 
-  EXPECT(tamis_between(&still, &there, links) == TAMIS_OK);
+  EXPECT(tamis_between(&still, &there, NULL, links) == TAMIS_OK);
   EXPECT(links[0].end.position[2] == 3 && fabs(links[0].end.rotation[2] - 1) < 1e-12);
-  EXPECT(tamis_between(&still, NULL, links) == TAMIS_INVALID_ARGUMENT);
-  EXPECT(tamis_between(&still, &there, NULL) == TAMIS_INVALID_ARGUMENT);
-  EXPECT(tamis_turned(&still, NULL, half_turn, links) == TAMIS_INVALID_ARGUMENT);
+  EXPECT(tamis_between(&still, NULL, NULL, links) == TAMIS_INVALID_ARGUMENT);
+  EXPECT(tamis_between(&still, &there, NULL, NULL) == TAMIS_INVALID_ARGUMENT);
+  EXPECT(tamis_turned(&still, NULL, half_turn, NULL, links) == TAMIS_INVALID_ARGUMENT);
   tamis_detector_free(detector);
+}
+
+/* A quarter about z, given as engines keep it, about the point (1, 0, 0) of the body. */
+static void poses_of_engines(void) {
+  const double half = sqrt(0.5), quaternion[] = {half, 0, 0, (float)half}, rows[] = {0, -1, 0, 1, 0, 0, 0, 0, 1};
+  const double origin[] = {0, 0, 0}, center[] = {1, 0, 0}, none[] = {2, 0, 0, 0}, nan_position[] = {0, NAN, 0};
+  tamis_pose start = {{0, 0, 0}, {0, 0, 0}}, end, same;
+  tamis_link links[2];
+  double part = -1;
+  EXPECT(tamis_pose_of_quaternion(quaternion, origin, &end) == TAMIS_OK &&
+         fabs(end.rotation[2] - half_turn[2] / 2) < 1e-7);
+  EXPECT(tamis_pose_of_matrix(rows, origin, &same) == TAMIS_OK && fabs(same.rotation[2] - half_turn[2] / 2) < 1e-15);
+  EXPECT(tamis_pose_of_quaternion(none, origin, &end) == TAMIS_INVALID_PATH);
+  EXPECT(tamis_pose_of_matrix(rows, nan_position, &end) == TAMIS_INVALID_PATH);
+  EXPECT(tamis_between(&start, &same, center, links) == TAMIS_OK);
+  EXPECT(links[0].start.position[0] == 1 && fabs(links[0].end.position[1] - 1) < 1e-15);
+  EXPECT(links[1].start.position[0] == -1);
+  EXPECT(tamis_nlerp_deviation(&start, &same, &part) == TAMIS_OK && 0.03 < part && part < 0.04);
+  EXPECT(tamis_nlerp_deviation(&start, &start, &part) == TAMIS_OK && part == 0);
+  EXPECT(tamis_nlerp_deviation(&start, &same, NULL) == TAMIS_INVALID_ARGUMENT);
 }
 
 static void bad_paths(void) {
@@ -235,6 +255,7 @@ int main(void) {
   a_mesh_on_a_path();
   pairs_on_a_path();
   other_paths();
+  poses_of_engines();
   bad_paths();
   a_step_for_each_vertex();
   return expect_failures > 0;

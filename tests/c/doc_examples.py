@@ -18,18 +18,19 @@ def printed_by(command: list, library: pathlib.Path) -> str:
 def main() -> int:
     document, library, include, compiler, work = (pathlib.Path(a) for a in sys.argv[1:])
     work.mkdir(parents=True, exist_ok=True)
-    blocks = dict((language, (code, output)) for language, code, output in re.findall(
-        r"^```(c|python)\n(.*?)^```$.*?^```text\n(.*?)^```$", document.read_text(), re.DOTALL | re.MULTILINE))
-    (work / "example.c").write_text(blocks["c"][0])
-    (work / "example.py").write_text(blocks["python"][0])
-    subprocess.run([compiler, "-std=c99", "-pedantic-errors", "-Wall", "-Werror", f"-I{include}", work / "example.c", "-o",
-                    work / "example", f"-L{library.parent}", "-ltamis_c", f"-Wl,-rpath-link,{library.parent}"], check=True)
-    commands = {"c": [work / "example"], "python": [sys.executable, work / "example.py"]}
     wrong = 0
-    for language, command in commands.items():
+    for number, (language, code, said) in enumerate(re.findall(
+            r"^```(c|python)\n(.*?)^```$.*?^```text\n(.*?)^```$", document.read_text(), re.DOTALL | re.MULTILINE)):
+        source = work / f"example_{number}.{language}"
+        source.write_text(code)
+        command = [sys.executable, source]
+        if language == "c":
+            command = [source.with_suffix("")]
+            subprocess.run([compiler, "-std=c99", "-pedantic-errors", "-Wall", "-Werror", f"-I{include}", source, "-o", *command,
+                            f"-L{library.parent}", "-ltamis_c", f"-Wl,-rpath-link,{library.parent}"], check=True)
         printed = printed_by(command, library)
-        if printed != blocks[language][1]:
-            print(f"{document}: the {language} block printed\n{printed}the document says\n{blocks[language][1]}")
+        if printed != said:
+            print(f"{document}: {language} block {number} printed\n{printed}the document says\n{said}")
             wrong += 1
     return wrong
 

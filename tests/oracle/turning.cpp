@@ -53,9 +53,11 @@ std::size_t first_of_second(PairKind kind) { return kind == PairKind::vertex_fac
 
 }  // namespace
 
-RealPoint position(const Turning& body, const Point& x, Real t) {
+RealPoint position(const Turning& body, const Point& x, Real t) { return position(body, real(x), t); }
+
+RealPoint position(const Turning& body, const RealPoint& y, Real t) {
   const auto at = [&](const Point& a, const Point& b) { return plus(real(a), t, minus(real(b), real(a))); };
-  const RealPoint theta = at(body.theta0, body.theta1), p = at(body.p0, body.p1), y = real(x);
+  const RealPoint theta = at(body.theta0, body.theta1), p = at(body.p0, body.p1);
   const Real angle = length(theta);
   if (!(angle > 0)) return plus(y, 1, p);
   // Rodrigues with the half angle: 1 - cos = 2 sin^2.

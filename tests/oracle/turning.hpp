@@ -23,6 +23,7 @@ struct TurningPair {
   Turning first, second;
 };
 
+RealPoint position(const Turning& body, const RealPoint& x, Real t);
 RealPoint position(const Turning& body, const Point& x, Real t);
 /// Of the closed features.
 Real distance(const TurningPair& pair, Real t);

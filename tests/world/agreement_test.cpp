@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "tamis/error.hpp"
+#include "tamis/pair_distance.hpp"
 #include "world/random_world.hpp"
 
 namespace tamis::test {
@@ -93,6 +94,30 @@ TEST(World, AgreesWithinASeparation) {
   }
 }
 
+/// The random worlds again, of bodies that are thick, some more than others.
+TEST(World, AgreesWithRadii) {
+  std::size_t contacts = 0, near = 0;
+  for (std::uint64_t seed = 200; seed < 212; ++seed) {
+    SCOPED_TRACE(seed);
+    TestWorld world = random_world(seed, 2.5, seed % 2 ? Motions::any : Motions::straight);
+    expect_same_contacts(world);  // what is gathered here knows of no radii
+    Random random(seed);
+    for (BodyId id = 0; place(id) < world.bodies.size(); ++id) world.set_radius(id, 0.03 * random.below(3));
+    contacts += expect_same_contacts(world, {.min_separation = 0.01});
+    expect_same_first(world);
+    OneMesh mesh(world);
+    const std::vector<NearPair>& expected = mesh.detector.pairs_within(mesh.start, 0.02);
+    const std::vector<BodyNearPair> found = world.world.pairs_within(0.02);
+    ASSERT_EQ(found.size(), expected.size());
+    for (std::size_t i = 0; i < found.size(); ++i) EXPECT_EQ(named(found[i]), named(expected[i], mesh));
+    near += found.size();
+    if (seed % 2) continue;
+    EXPECT_EQ(world.world.safe_step(0.3).lower, mesh.detector.safe_step(mesh.step(), 0.3).lower);
+  }
+  EXPECT_GT(contacts, 500u);
+  EXPECT_GT(near, 200u);
+}
+
 /// What is kept from one question to the next changes nothing.
 TEST(World, AgreesStepAfterStep) {
   TestWorld world = random_world(7, 1.5, Motions::any);
@@ -164,6 +189,69 @@ TEST(World, AgreesAboutHowFarTheStepMayGo) {
         EXPECT_EQ(named(*found.pair), named(*expected.pair, mesh));
       }
     }
+  }
+}
+
+/// Where all are at one time of their path.
+std::vector<Point> points_at(const RigidPath& path, double time) {
+  std::vector<Index> all;
+  for (Index v = 0; v < path.vertex_count(); ++v) all.push_back(v);
+  std::vector<Point> points(all.size());
+  std::vector<double> errors(all.size());
+  path.points_at(time, all, points, errors);
+  return points;
+}
+
+/// Samples of the way: until the step's end each pair keeps its part, and there the one that ends it has no more.
+TEST(World, KeepsDistancesWhereBodiesTurn) {
+  constexpr double kRounding = 1e-12, kSample = 0.4;
+  int ended = 0, whole = 0;
+  for (std::uint64_t seed = 0; seed < 6; ++seed) {
+    for (const auto& [keep, separation] : {std::pair{0.0, 0.0}, {0.1, 0.0}, {0.3, 0.02}}) {
+      SCOPED_TRACE(testing::Message() << "seed " << seed << ", keep " << keep);
+      TestWorld world = random_world(seed, 6, Motions::any);
+      OneMesh mesh(world);
+      const BodyStep step = world.world.safe_step(keep, {.min_separation = separation});
+      const auto kept = [&](const NearPair& pair) {
+        const double start = distance_of({pair.kind, pair.vertices}, mesh.start).distance;
+        return separation + keep * std::max(start - separation, 0.0);
+      };
+      for (int sample = 1; step.lower > 0 && sample <= 8; ++sample) {
+        const std::vector<Point> points = points_at(mesh.path, step.lower * sample / 8);
+        for (const NearPair& near : mesh.detector.pairs_within(points, kSample))
+          ASSERT_GE(near.distance, kept(near) - kRounding) << sample;
+      }
+      EXPECT_EQ(step.pair.has_value(), step.lower < 1);
+      if (!step.pair) {
+        ++whole;
+        continue;
+      }
+      ++ended;
+      EXPECT_NEAR(step.upper, step.lower, 1e-8);
+      const std::vector<Point> end = points_at(mesh.path, step.upper);
+      double excess = 1;
+      for (const NearPair& near : mesh.detector.pairs_within(end, 6))
+        if (named(near, mesh) == named(*step.pair)) excess = near.distance - kept(near);
+      EXPECT_LE(excess, 1e-7);
+    }
+  }
+  EXPECT_GT(ended, 5);
+  EXPECT_GT(whole, 0);
+}
+
+/// The tip of a rod of length 2 goes down to a floor below it, on an arc.
+TEST(World, KnowsHowFarARodMayTurn) {
+  const Shape rod(Mesh(2, {}, {{0, 1}}), {{0, 0, 0}, {2, 0, 0}});
+  const Shape ground(Mesh(3, {{0, 1, 2}}), {{-9, -9, 0}, {9, -9, 0}, {0, 9, 0}});
+  World world(one_thread());
+  world.add(ground, Static{{{0, 0, -1}, {}}});
+  world.add(rod, Rigid{interpolated({}, {{}, {0, 1, 0}})});
+  for (const double keep : {0.0, 0.1, 0.5}) {
+    const BodyStep step = world.safe_step(keep);
+    EXPECT_NEAR(step.lower, std::asin((1 - keep) / 2), 1e-8);
+    EXPECT_NEAR(step.upper, step.lower, 1e-8);
+    ASSERT_TRUE(step.pair);
+    EXPECT_NEAR(step.pair->distance, 1, 1e-14);
   }
 }
 

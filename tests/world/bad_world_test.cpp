@@ -30,7 +30,9 @@ TEST(BadWorld, NamesBodiesThatThereAreNot) {
   const std::string removed = "body 0 has been removed: name one that is still there";
   expect_refused<InvalidOptions>([&] { world.remove(gone); }, removed);
   expect_refused<InvalidOptions>([&] { world.move(gone, Static{}); }, removed);
+  expect_refused<InvalidOptions>([&] { world.motion(gone); }, removed);
   expect_refused<InvalidOptions>([&] { world.set_enabled(gone, true); }, removed);
+  expect_refused<InvalidOptions>([&] { world.set_radius(gone, 1); }, removed);
   const BodyId there = world.add(triangle(), Static{});
   EXPECT_NE(there, gone);
   expect_refused<InvalidOptions>([&] { world.set_may_touch(there, gone, false); }, removed);
@@ -88,7 +90,15 @@ TEST(BadWorld, RefusesOptionsOfOneMesh) {
   Options negative;
   negative.threads = -1;
   EXPECT_THROW(World{negative}, InvalidOptions);
+  Options thick;
+  thick.radii = {0.1};
+  expect_refused<InvalidOptions>([&] { World world(thick); },
+                                 "the options of a world have radii, which are one a group of one mesh: give each body "
+                                 "its own by set_radius");
   World world;
+  const BodyId body = world.add(triangle(), Static{});
+  EXPECT_THROW(world.set_radius(body, -1), InvalidOptions);
+  EXPECT_THROW(world.set_radius(body, kNan), InvalidOptions);
   EXPECT_THROW(world.contacts({.min_separation = -1}), InvalidOptions);
   EXPECT_THROW(world.earliest({.tolerance = 0}), InvalidOptions);
   EXPECT_THROW(world.pairs_within(kNan), InvalidOptions);
@@ -122,9 +132,7 @@ TEST(BadWorld, FailsForWhatTouchesAtTheStart) {
   expect_refused<InvalidStep>([&] { world.contacts(fail); }, sentence);
   expect_refused<InvalidStep>([&] { world.is_free(fail); }, sentence);
   EXPECT_TRUE(world.is_free({.min_separation = 0.05, .at_start = AtStart::fail}));
-  expect_refused<InvalidOptions>(
-      [&] { world.safe_step(); },
-      "one of the bodies 0 and 1 turns, and how far curves may go is not known: ask `earliest`");
+  expect_refused<InvalidStep>([&] { world.safe_step(0.1, fail); }, sentence);
 }
 
 TEST(BadWorld, RefusesOneThatHasBeenMovedFrom) {

@@ -3,6 +3,7 @@
 
 #include <numbers>
 
+#include "oracle/turning.hpp"
 #include "world/random_world.hpp"
 
 namespace tamis::test {
@@ -70,6 +71,8 @@ TEST(World, DoesWithoutBodiesThatAreRemovedOrSwitchedOff) {
   world.world.remove(first);
   EXPECT_EQ(touched(), (std::set<BodyId>{0, second}));
   EXPECT_EQ(world.add(cube(), falling(9)), second + 1);
+  EXPECT_TRUE(std::holds_alternative<Static>(world.world.motion(0)));
+  EXPECT_TRUE(std::holds_alternative<Rigid>(world.world.motion(second + 1)));
   world.world.set_enabled(0, false);
   EXPECT_TRUE(touched().empty());
 }
@@ -151,6 +154,60 @@ TEST(World, FollowsHugeRotations) {
     world.add(post, Static{{{1, 1, 0}, {}}});
     EXPECT_NEAR(world.earliest().toi_lower, std::numbers::pi / 4 / angle, 1e-8);
     EXPECT_FALSE(world.contacts().empty());
+  }
+}
+
+/// A nut that follows the thread of a bolt is free, however far it turns; one that goes too far up for its turn meets
+/// it when the oracle of turning pairs says so, of all pairs.
+TEST(World, TurnsANutOnABolt) {
+  const scenes::Thread thread{2, 12, 2, 1, 0.6, 0.3};
+  scenes::Thread larger = thread;
+  larger.turns = 1;
+  larger.radius += 0.08;
+  const auto shape_of = [](const scenes::Shape& s) {
+    return Shape({static_cast<Index>(s.points.size()), s.faces}, s.points);
+  };
+  const Shape bolt = shape_of(scenes::thread(thread)), nut = shape_of(scenes::thread(larger));
+  World world(one_thread());
+  const BodyId still = world.add(bolt, Static{}), turning = world.add(nut, Static{});
+  const Pose start{{0, 0, 0.3}, {0, 0, std::numbers::pi}};
+  const auto turned = [&](double angle, double up) {
+    return Pose{{0, 0, start.position[2] + 0.6 * angle / (2 * std::numbers::pi) + up},
+                {0, 0, std::numbers::pi + angle}};
+  };
+  for (const double angle : {0.1, 1.0, 3.0}) {
+    world.move(turning, Rigid{interpolated(start, turned(angle, 0))});
+    EXPECT_TRUE(world.is_free()) << angle;
+    const Pose end = turned(angle, 0.15);
+    world.move(turning, Rigid{interpolated(start, end)});
+    const oracle::Turning of_bolt{}, of_nut{start.rotation, end.rotation, start.position, end.position};
+    double first = 2;
+    const auto ask = [&](PairKind kind, const std::array<Point, 4>& points, bool bolt_first) {
+      const oracle::TurningPair pair{kind, points, bolt_first ? of_bolt : of_nut, bolt_first ? of_nut : of_bolt};
+      first = std::min(first, static_cast<double>(oracle::apart_until(pair)));
+    };
+    const auto ask_faces = [&](const Shape& of_vertices, const Shape& of_faces, bool bolt_first) {
+      const auto& f = of_faces.points();
+      for (const Index v : of_vertices.mesh().points())
+        for (const Face& face : of_faces.mesh().faces())
+          ask(PairKind::vertex_face,
+              {of_vertices.points()[place(v)], f[place(face[0])], f[place(face[1])], f[place(face[2])]}, bolt_first);
+    };
+    ask_faces(bolt, nut, true);
+    ask_faces(nut, bolt, false);
+    for (const Edge& a : bolt.mesh().edges())
+      for (const Edge& b : nut.mesh().edges())
+        ask(PairKind::edge_edge,
+            {bolt.points()[place(a[0])], bolt.points()[place(a[1])], nut.points()[place(b[0])],
+             nut.points()[place(b[1])]},
+            true);
+    const EarliestBodyContact found = world.earliest();
+    ASSERT_TRUE(found.contact) << angle;
+    EXPECT_EQ(std::set<BodyId>(found.contact->bodies.begin(), found.contact->bodies.end()),
+              (std::set<BodyId>{still, turning}));
+    EXPECT_LE(found.toi_lower, first + 1e-12) << angle;
+    EXPECT_GE(found.toi_upper, first - 1e-12) << angle;
+    EXPECT_GT(found.toi_lower, first - 1e-6) << angle;
   }
 }
 

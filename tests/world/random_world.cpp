@@ -1,5 +1,7 @@
 #include "world/random_world.hpp"
 
+#include <algorithm>
+
 namespace tamis::test {
 namespace {
 
@@ -135,6 +137,11 @@ Options options_of(const TestWorld& world, const Parts& parts, Options options) 
     if (std::holds_alternative<Static>(motion(a)) && std::holds_alternative<Static>(motion(b))) return false;
     return !world.kept_apart.contains({std::min(a, b), std::max(a, b)});
   };
+  const std::size_t count = world.bodies.size();
+  options.filter.group_count = static_cast<Index>(count);
+  options.filter.groups_may_touch.assign(count * count, 1);
+  for (const auto& [body, own] : parts.names) options.filter.group_of_vertex.push_back(body);
+  for (const TestBody& body : world.bodies) options.radii.push_back(body.radius);
   return options;
 }
 

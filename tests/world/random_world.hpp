@@ -23,6 +23,7 @@ struct TestBody {
   Shape shape;
   BodyMotion motion;
   bool is_there = true;  ///< neither removed nor switched off
+  double radius = 0;
 };
 
 struct TestWorld {
@@ -34,6 +35,10 @@ struct TestWorld {
   BodyId add(const Shape& shape, const BodyMotion& motion) {
     bodies.push_back({shape, motion});
     return world.add(shape, motion);
+  }
+  void set_radius(BodyId id, double radius) {
+    bodies[place(id)].radius = radius;
+    world.set_radius(id, radius);
   }
   void move(BodyId id, const BodyMotion& motion) {
     bodies[place(id)].motion = motion;

@@ -43,6 +43,7 @@ typedef struct tamis_contact {
    * With a separation along the closest points at toi_lower; else of the face, or of both edges, on the side where the
    * first feature is just before they touch. Special cases: tamis/contact.hpp. */
   double normal[3];
+  int32_t bodies[2]; /**< of a world: whose the first feature is, and the second; of a detector: -1 */
 } tamis_contact;
 
 /** Writes a signed weight for each of the four vertices of a contact, a near pair or a pair's result. The sum of
@@ -59,6 +60,7 @@ typedef struct tamis_safe_step {
   int32_t kind;        /**< of the pair that ends the step, as in tamis_contact */
   int32_t vertices[4]; /**< the same */
   double distance;     /**< of the pair at t=0, rounded */
+  int32_t bodies[2];   /**< as in tamis_contact */
 } tamis_safe_step;
 
 /** A pair of features that are near each other at rest; see NearPair in tamis/proximity.hpp. */
@@ -69,7 +71,16 @@ typedef struct tamis_near_pair {
   double distance;     /**< off by 2^-41 of the pair's extent at most; by 2^-1075 more if it is no normal double */
   double u, v;         /**< weights of two closest points */
   double direction[3]; /**< from the second feature's closest point to the first's */
+  int32_t bodies[2];   /**< as in tamis_contact */
 } tamis_near_pair;
+
+/** An edge that passes through a triangle, or touches it; see Intersection in tamis/proximity.hpp. */
+typedef struct tamis_intersection {
+  int32_t edge[2], face[3];
+  double s_lower, s_upper; /**< the first common point lies between these on the edge */
+  double u, v;             /**< and is (1-u-v) f0 + u f1 + v f2 */
+  int32_t bodies[2];       /**< of a world: whose the edge is, and the face; of a detector: -1 */
+} tamis_intersection;
 
 /** What one pair does, as of a contact; what follows `touches` has no meaning if that is 0. */
 typedef struct tamis_pair_result {
@@ -79,6 +90,27 @@ typedef struct tamis_pair_result {
   double u, v;
   double normal[3];
 } tamis_pair_result;
+
+typedef struct tamis_stage {
+  const char* name;
+  uint64_t vf, ee, ve, vv; /**< pairs of each kind that entered */
+} tamis_stage;
+
+enum { TAMIS_MOST_STAGES = 16 };
+
+/** What the last question cost; times in seconds. */
+typedef struct tamis_statistics {
+  size_t size;
+  const char* isa;
+  int32_t threads;
+  int32_t rebuilt; /**< 1: the hierarchy was built, not refitted */
+  double seconds_total, seconds_bounds, seconds_build, seconds_traverse, seconds_filter, seconds_solve;
+  uint64_t decided_by_lanes, decided_by_scalar, decided_by_exact, unresolved; /**< the last on paths alone */
+  uint64_t nodes_visited, memory_bytes;
+  int32_t stage_count;
+  tamis_stage stages[TAMIS_MOST_STAGES]; /**< in the pipeline's order; names live until the next call for statistics */
+  uint64_t ignored; /**< with TAMIS_IGNORE: pairs that touch at t=0, and not again once they are apart */
+} tamis_statistics;
 
 #ifdef __cplusplus
 }

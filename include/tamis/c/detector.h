@@ -63,13 +63,6 @@ enum { TAMIS_FLOAT64 = 0, TAMIS_FLOAT32 = 1 };
 TAMIS_API tamis_status tamis_detector_truncate(tamis_detector* detector, const tamis_step* step, double keep,
                                                int32_t stored, double* positions, double* parts, int* is_free);
 
-/** An edge that passes through a triangle, or touches it; see Intersection in tamis/proximity.hpp. */
-typedef struct tamis_intersection {
-  int32_t edge[2], face[3];
-  double s_lower, s_upper; /**< the first common point lies between these on the edge */
-  double u, v;             /**< and is (1-u-v) f0 + u f1 + v f2 */
-} tamis_intersection;
-
 /** Every pair whose distance at the step's start is at most `distance` plus both radii; the step's end is not read. */
 TAMIS_API tamis_status tamis_detector_pairs_within(tamis_detector* detector, const tamis_step* step, double distance,
                                                    size_t* count);
@@ -88,27 +81,6 @@ TAMIS_API tamis_status tamis_detector_copy_intersections(tamis_detector* detecto
  * into an array whose elements are `contact_size` = sizeof(tamis_contact) bytes. */
 TAMIS_API tamis_status tamis_detector_copy_contacts(tamis_detector* detector, size_t first, size_t count,
                                                     tamis_contact* contacts, size_t contact_size);
-
-typedef struct tamis_stage {
-  const char* name;
-  uint64_t vf, ee, ve, vv; /**< pairs of each kind that entered */
-} tamis_stage;
-
-enum { TAMIS_MOST_STAGES = 16 };
-
-/** What the last question cost; times in seconds. */
-typedef struct tamis_statistics {
-  size_t size;
-  const char* isa;
-  int32_t threads;
-  int32_t rebuilt; /**< 1: the hierarchy was built, not refitted */
-  double seconds_total, seconds_bounds, seconds_build, seconds_traverse, seconds_filter, seconds_solve;
-  uint64_t decided_by_lanes, decided_by_scalar, decided_by_exact, unresolved; /**< the last on paths alone */
-  uint64_t nodes_visited, memory_bytes;
-  int32_t stage_count;
-  tamis_stage stages[TAMIS_MOST_STAGES]; /**< in the pipeline's order; names live until the next call for statistics */
-  uint64_t ignored; /**< with TAMIS_IGNORE: pairs that touch at t=0, and not again once they are apart */
-} tamis_statistics;
 
 TAMIS_API tamis_status tamis_detector_statistics(tamis_detector* detector, tamis_statistics* statistics);
 

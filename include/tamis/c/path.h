@@ -25,11 +25,20 @@ typedef struct tamis_link {
 } tamis_link;
 
 /** Writes the two links of a body that from `start` turns at constant speed about the fixed axis of `turn` by |turn|
- * radians, while its origin goes straight to `end_position`. */
+ * radians, while one point of it, `center` in its frame, goes straight to `end_position`: engines take the center of
+ * mass. NULL as center: the origin of its frame. These calls have no handle to keep a sentence in. */
 TAMIS_API tamis_status tamis_turned(const tamis_pose* start, const double* turn, const double* end_position,
-                                    tamis_link* links);
-/** The same from one pose to the other, by the shorter turn. */
-TAMIS_API tamis_status tamis_between(const tamis_pose* start, const tamis_pose* end, tamis_link* links);
+                                    const double* center, tamis_link* links);
+/** The same from one pose to the other, by the shorter turn (slerp). */
+TAMIS_API tamis_status tamis_between(const tamis_pose* start, const tamis_pose* end, const double* center,
+                                     tamis_link* links);
+/** For engines that blend quaternions and normalize them (nlerp): writes how far a point is at most from where
+ * tamis_between has it, as a part of its distance from the center. Ask with as much separation. */
+TAMIS_API tamis_status tamis_nlerp_deviation(const tamis_pose* start, const tamis_pose* end, double* part);
+/** From a quaternion w x y z, or the rows of a matrix, also of float32: what rounding has made of a rotation becomes
+ * the nearest one. TAMIS_INVALID_PATH: more than that, 1e-4 of |q|^2 - 1 or of an entry of R R^T - I; a reflection. */
+TAMIS_API tamis_status tamis_pose_of_quaternion(const double* quaternion, const double* position, tamis_pose* pose);
+TAMIS_API tamis_status tamis_pose_of_matrix(const double* rows, const double* position, tamis_pose* pose);
 
 /** Bodies that move each on a chain of links. */
 typedef struct tamis_rigid_path_input {

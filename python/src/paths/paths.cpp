@@ -5,8 +5,8 @@
 
 #include "io/view/path_positions.hpp"
 #include "python/src/bindings.hpp"
-#include "python/src/pair_results.hpp"
-#include "python/src/pair_rows.hpp"
+#include "python/src/pairs/pair_results.hpp"
+#include "python/src/pairs/pair_rows.hpp"
 #include "python/src/paths/function_path.hpp"
 #include "python/src/paths/pose_rows.hpp"
 #include "tamis/rigid_path.hpp"

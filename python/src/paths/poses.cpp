@@ -27,11 +27,14 @@ nb::object poses_of(const Rotations& rotations, const PointRows& positions,
   return own<double>(std::move(poses), 6);
 }
 
-/// Chains of one link.
-template <class LinkAt>
-nb::object chains_of(std::size_t count, const LinkAt& chain_at) {
-  std::vector<Link> links(count);
-  for (std::size_t i = 0; i < count; ++i) links[i] = chain_at(i).front();
+/// All links, one chain after the other.
+template <class ChainAt>
+nb::object chains_of(std::size_t count, const ChainAt& chain_at) {
+  std::vector<Link> links;
+  for (std::size_t i = 0; i < count; ++i) {
+    const Chain chain = chain_at(i);
+    links.insert(links.end(), chain.begin(), chain.end());
+  }
   return own<double>(std::move(links), 12);
 }
 
@@ -39,13 +42,23 @@ nb::object each_interpolated(const PoseRows& start, const PoseRows& end) {
   return chains_of(start.shape(0), [&](std::size_t i) { return interpolated(row<Pose>(start, i), row<Pose>(end, i)); });
 }
 
-nb::object each_turned(const PoseRows& start, const PointRows& turn, const PointRows& end) {
-  return chains_of(start.shape(0),
-                   [&](std::size_t i) { return turned(row<Pose>(start, i), row<Point>(turn, i), row<Point>(end, i)); });
+nb::object each_turned(const PoseRows& start, const PointRows& turn, const PointRows& end, const PointRows& center) {
+  return chains_of(start.shape(0), [&](std::size_t i) {
+    return turned(row<Pose>(start, i), row<Point>(turn, i), row<Point>(end, i), row<Point>(center, i));
+  });
 }
 
-nb::object each_between(const PoseRows& start, const PoseRows& end) {
-  return chains_of(start.shape(0), [&](std::size_t i) { return between(row<Pose>(start, i), row<Pose>(end, i)); });
+nb::object each_between(const PoseRows& start, const PoseRows& end, const PointRows& center) {
+  return chains_of(start.shape(0), [&](std::size_t i) {
+    return between(row<Pose>(start, i), row<Pose>(end, i), row<Point>(center, i));
+  });
+}
+
+nb::object each_nlerp_deviation(const PoseRows& start, const PoseRows& end) {
+  std::vector<double> parts;
+  for (std::size_t i = 0; i < start.shape(0); ++i)
+    parts.push_back(nlerp_deviation(row<Pose>(start, i), row<Pose>(end, i)));
+  return own<double>(std::move(parts), 0);
 }
 
 }  // namespace
@@ -60,6 +73,7 @@ void bind_poses(nb::module_& module) {
   module.def("interpolated", &each_interpolated);
   module.def("turned", &each_turned);
   module.def("between", &each_between);
+  module.def("nlerp_deviation", &each_nlerp_deviation);
 }
 
 }  // namespace tamis::python

@@ -7,7 +7,7 @@ from typing import overload
 import numpy.typing as npt
 
 from tamis import _core
-from tamis._answers import EarliestContact
+from tamis._answers import EarliestContact, earliest_of
 from tamis._looking import Asked
 from tamis._mesh import Mesh
 from tamis._motion import motion
@@ -121,9 +121,7 @@ class InMotion:
             The motion is free before its `toi_lower`: proven.
         """
         own = query_options(min_separation, at_start)
-        lower, upper, found = self._detector.earliest(*motion(start, end, tolerance).native(), own)
-        contacts = Contacts(found)
-        return EarliestContact(lower, upper, contacts[0] if len(contacts) else None)
+        return earliest_of(self._detector.earliest(*motion(start, end, tolerance).native(), own))
 
     @overload
     def is_free(

@@ -6,10 +6,10 @@ import numpy.typing as npt
 
 from tamis import _core
 from tamis._answers import SafeStep, TruncatedStep, safe_step_of
-from tamis._arrays import Doubles, rows
-from tamis._checks import number, shown, word
+from tamis._checks import shown, word
 from tamis._errors import InvalidOptions
-from tamis._options import AtStart, query_options
+from tamis._motion import step_asked_to_keep
+from tamis._options import AtStart
 
 
 class StepLengths:
@@ -53,9 +53,9 @@ class StepLengths:
         Raises
         ------
         InvalidOptions
-            The fraction is outside its range.
+            `keep` is outside its range.
         """
-        return safe_step_of(self._detector.safe_step(*_given(start, end, keep, min_separation, at_start)))
+        return safe_step_of(self._detector.safe_step(*step_asked_to_keep(start, end, keep, min_separation, at_start)))
 
     def truncate(
         self,
@@ -95,11 +95,11 @@ class StepLengths:
         Raises
         ------
         InvalidOptions
-            The fraction is outside its range; `stored` is another name.
+            `keep` is outside its range; `stored` is another name.
         InvalidStep
             With "float32": `start` has a number that no float32 has, or `end` is beyond all of them.
         """
-        given = _given(start, end, keep, min_separation, at_start)
+        given = step_asked_to_keep(start, end, keep, min_separation, at_start)
         return TruncatedStep(*self._detector.truncate(*given, _is_float32(stored)))
 
 
@@ -107,10 +107,3 @@ def _is_float32(stored: str) -> bool:
     if word(stored, "stored") not in ("float64", "float32"):
         raise InvalidOptions(f"stored is {shown(stored)}: give 'float64' or 'float32'")
     return stored == "float32"
-
-
-def _given(
-    start: npt.ArrayLike, end: npt.ArrayLike, keep: float, min_separation: float | None, at_start: AtStart
-) -> tuple[Doubles, Doubles, float, _core.QueryOptions]:
-    own = query_options(min_separation, at_start)
-    return rows(start, "start"), rows(end, "end"), number(keep, "keep"), own

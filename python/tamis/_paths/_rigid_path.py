@@ -102,27 +102,86 @@ def interpolated(start: npt.ArrayLike, end: npt.ArrayLike) -> Doubles:
     Of n poses each, shape (n, 2, 3), n chains, shape (n, 1, 4, 3).
     """
     (first, last), is_one = _alike(start=_poses(start, "start"), end=_poses(end, "end"))
-    return _chains(_core.interpolated(first, last), is_one)
+    return _chains(_core.interpolated(first, last), 1, is_one)
 
 
-def turned(start: npt.ArrayLike, turn: npt.ArrayLike, end_position: npt.ArrayLike) -> Doubles:
-    """Make a chain that turns about the axis `turn`, by its length in radians, while the origin goes straight.
+def turned(
+    start: npt.ArrayLike, turn: npt.ArrayLike, end_position: npt.ArrayLike, *, center: npt.ArrayLike | None = None
+) -> Doubles:
+    """Make a chain that turns at constant speed about a fixed axis while one point of the body goes straight.
 
-    Of n poses, shape (n, 2, 3), axes and positions, shape (n, 3) each, n chains, shape (n, 1, 4, 3).
+    Parameters
+    ----------
+    start : array_like, shape (2, 3) or (n, 2, 3)
+        A pose, or one for each of n bodies.
+    turn : array_like, shape (3,) or (n, 3)
+        The axis, as long as the angle in radians. Any angle.
+    end_position : array_like, shape (3,) or (n, 3)
+        Where that point of the body gets to.
+    center : array_like, shape (3,) or (n, 3), optional
+        That point in the body's frame: engines take the center of mass. By default the origin of the frame.
+
+    Returns
+    -------
+    array, shape (2, 4, 3) or (n, 2, 4, 3)
+        A chain of two links each.
+
+    Raises
+    ------
+    InvalidPath
+        Other shapes, or numbers that are not finite.
     """
     (first, axes, ends), is_one = _alike(
         start=_poses(start, "start"), turn=_threes(turn, "turn"), end_position=_threes(end_position, "end_position")
     )
-    return _chains(_core.turned(first, axes, ends), is_one)
+    return _chains(_core.turned(first, axes, ends, _centers(center, len(first))), 2, is_one)
 
 
-def between(start: npt.ArrayLike, end: npt.ArrayLike) -> Doubles:
-    """Make a chain from one pose to the other by the shorter turn about a fixed axis, at constant speed.
+def between(start: npt.ArrayLike, end: npt.ArrayLike, *, center: npt.ArrayLike | None = None) -> Doubles:
+    """Make a chain from one pose to the other by the shorter turn about a fixed axis, at constant speed (slerp).
 
-    Of n poses each, shape (n, 2, 3), n chains, shape (n, 1, 4, 3).
+    Parameters
+    ----------
+    start, end : array_like, shape (2, 3) or (n, 2, 3)
+        Poses, of one body or of n.
+    center : array_like, shape (3,) or (n, 3), optional
+        The point of the body that goes straight, as of `turned`.
+
+    Returns
+    -------
+    array, shape (2, 4, 3) or (n, 2, 4, 3)
+        A chain of two links each.
+
+    Raises
+    ------
+    InvalidPath
+        Other shapes, or numbers that are not finite.
     """
     (first, last), is_one = _alike(start=_poses(start, "start"), end=_poses(end, "end"))
-    return _chains(_core.between(first, last), is_one)
+    return _chains(_core.between(first, last, _centers(center, len(first))), 2, is_one)
+
+
+def nlerp_deviation(start: npt.ArrayLike, end: npt.ArrayLike) -> Doubles:
+    """Bound how far engines that blend quaternions and normalize them (nlerp) are from `between`.
+
+    Parameters
+    ----------
+    start, end : array_like, shape (2, 3) or (n, 2, 3)
+        Poses.
+
+    Returns
+    -------
+    array, shape (n,)
+        Times its distance from the center, no point is farther off. What is free by `between` with as much separation
+        is free by theirs.
+
+    Raises
+    ------
+    InvalidPath
+        Other shapes, or numbers that are not finite.
+    """
+    (first, last), _ = _alike(start=_poses(start, "start"), end=_poses(end, "end"))
+    return _core.nlerp_deviation(first, last)
 
 
 def links_of(given: npt.ArrayLike, name: str) -> Doubles:
@@ -160,5 +219,13 @@ def _alike(**given: tuple[Doubles, bool]) -> tuple[list[Doubles], bool]:
     return [array for array, _ in given.values()], all(is_one for _, is_one in given.values())
 
 
-def _chains(links: Doubles, is_one: bool) -> Doubles:
-    return links.reshape(-1, 4, 3) if is_one else links.reshape(-1, 1, 4, 3)
+def _centers(given: npt.ArrayLike | None, count: int) -> Doubles:
+    """Return one for each of so many bodies, from one for all, one for each, or none."""
+    centers, is_one = _threes(np.zeros(3) if given is None else given, "center")
+    if not is_one and len(centers) != count:
+        raise InvalidPath(f"center has {len(centers)}, start has {count}: give one, or as many")
+    return np.repeat(centers, count, axis=0) if is_one else centers
+
+
+def _chains(links: Doubles, of_each: int, is_one: bool) -> Doubles:
+    return links.reshape(-1, 4, 3) if is_one else links.reshape(-1, of_each, 4, 3)

@@ -108,6 +108,15 @@ def numbers_of(given: npt.ArrayLike) -> Indices:
     return indices(np.atleast_1d(numbers(given, "bodies", InvalidOptions)), 0, "bodies", InvalidOptions)
 
 
+def each_once(named: Indices) -> Indices:
+    """Return numbers of bodies of which none is given twice."""
+    ordered = np.sort(named)
+    twice = ordered[1:][ordered[1:] == ordered[:-1]]
+    if len(twice):
+        raise InvalidOptions(f"bodies holds {twice[0]} twice: give each once")
+    return named
+
+
 def motion_of(given: npt.ArrayLike | Deforming) -> tuple[Doubles, ...]:
     """Return what the compiled part takes for one body."""
     if isinstance(given, Deforming):
@@ -120,6 +129,19 @@ def motions_of(given: npt.ArrayLike) -> Doubles:
     """Return poses (n, 2, 3) or chains (n, links, 4, 3) of n bodies."""
     motions = numbers(given, "motions", InvalidPath)
     return _poses_or_chains(motions, motions, "motions", _MOTIONS)
+
+
+def chains_of_each(given: npt.ArrayLike, named: Indices) -> Doubles:
+    """Return chains of all motions of these bodies, one after the other, from (n, bodies, links, 4, 3)."""
+    motions = numbers(given, "motions", InvalidPath)
+    if motions.ndim != 5 or motions.shape[1] != len(named) or motions.shape[3:] != (4, 3):
+        raise InvalidPath(
+            f"motions has the shape {shape_text(motions)}: give (n, {len(named)}, links, 4, 3), for each motion as "
+            "many chains as bodies"
+        )
+    if not len(named):
+        raise InvalidOptions("bodies is empty: name those that move")
+    return motions_of(motions.reshape(-1, *motions.shape[2:]))
 
 
 def _poses_or_chains(array: npt.NDArray[Any], given: npt.NDArray[Any], name: str, advice: str) -> Doubles:

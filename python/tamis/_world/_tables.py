@@ -5,9 +5,10 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
+import numpy.typing as npt
 
 from tamis import _core
-from tamis._arrays import Indices
+from tamis._arrays import Doubles, Indices
 from tamis._kinds import PairKind
 from tamis._tables._columns import Columns, numbered
 from tamis._tables._contacts import TouchingPairs, contact_of
@@ -122,11 +123,43 @@ class BodyStep(NamedTuple):
     pair: BodyLimitingPair | None
 
 
+class EarliestMany(NamedTuple):
+    """The first contact of each of many motions.
+
+    Attributes
+    ----------
+    toi_lower, toi_upper : array, shape (n,)
+        Of each motion, as in `EarliestContact`.
+    touching : array of int, shape (m,)
+        Which motions are not free, ascending.
+    contacts : BodyContacts
+        The first one of each of these, m rows.
+    """
+
+    toi_lower: Doubles
+    toi_upper: Doubles
+    touching: Indices
+    contacts: BodyContacts
+
+    @property
+    def is_free(self) -> npt.NDArray[np.bool_]:
+        """Of each motion, shape (n,): True is a proof."""
+        free = np.ones(len(self.toi_lower), bool)
+        free[self.touching] = False
+        return free
+
+
 def earliest_of(found: _core._Earliest) -> EarliestBodyContact:
     """Give what the compiled part has found its names."""
     lower, upper, rows = found
     contacts = BodyContacts(rows)
     return EarliestBodyContact(lower, upper, contacts[0] if len(contacts) else None)
+
+
+def earliest_many_of(found: _core._EarliestMany) -> EarliestMany:
+    """Give what the compiled part has found its names."""
+    lower, upper, touching, rows = found
+    return EarliestMany(lower, upper, touching, BodyContacts(rows))
 
 
 def body_step_of(found: _core._BodyStep) -> BodyStep:

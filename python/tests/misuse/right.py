@@ -60,6 +60,7 @@ _NAMED: Mapping[str, Any] = {
     "points_at": _still,
     "position": np.zeros((2, 3)),
     "positions": START,
+    "radius": 0.25,
     "can_collide": lambda a, b: True,
     "rest": START,
     "rotation": np.array([[1.0, 0, 0, 0], [0, 1, 0, 0]]),
@@ -148,8 +149,10 @@ def use(thing: Any) -> None:
 def _of_callee(callee: Callee, folder: pathlib.Path) -> dict[str, Any]:
     """Return what these arguments are in this call alone."""
     short = callee.name.rpartition(".")[2]
-    if short in ("interpolated", "turned", "between"):
+    if short in ("interpolated", "turned", "between", "nlerp_deviation"):
         return {"start": _POSE, "end": _POSE}
+    if short == "earliest_many":
+        return {"motions": np.zeros((3, 2, 1, 4, 3))}
     if callee.name.startswith("bridge"):
         theirs = importlib.import_module("ipctk").CollisionMesh(START, ipctk.edges(FACES), FACES)
         return {"collision_mesh": theirs, "pairs": tamis.Detector(_MESH).pairs_within(START, 1.5)}

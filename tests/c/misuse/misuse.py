@@ -16,9 +16,9 @@ import headers
 import right
 import wrong
 
-_RAW = re.compile(r"std::|vector|max_size|bad_alloc|basic_string|optional|bad function|Unknown|unknown")
+_RAW = re.compile(r"std::|vector(?!s\b)|max_size|bad_alloc|basic_string|optional|bad function|Unknown|unknown")
 LAST = "TAMIS_LAST_CALL"  # names the file that says what is being asked
-OPTIONAL = ("options", "parts")
+OPTIONAL = ("options", "parts", "center")
 
 
 class Session:
@@ -55,9 +55,15 @@ class Session:
         """New ones, from right arguments."""
         made = {}
         for kind, function in (("tamis_mesh", "tamis_mesh_create"), ("tamis_detector", "tamis_detector_create"),
-                               ("tamis_pairs", "tamis_pairs_create"), ("tamis_path", "tamis_bezier_path_create")):
-            made[kind] = self._made(next(f for f in self.interface.functions if f.name == function), made)
+                               ("tamis_pairs", "tamis_pairs_create"), ("tamis_path", "tamis_bezier_path_create"),
+                               ("tamis_shape", "tamis_shape_create"), ("tamis_world", "tamis_world_create")):
+            made[kind] = self._made(self._function(function), made)
+        for _ in range(2):  # bodies to speak about
+            self._made(self._function("tamis_world_add"), made)
         return made
+
+    def _function(self, name: str) -> headers.Function:
+        return next(f for f in self.interface.functions if f.name == name)
 
     def _made(self, function: headers.Function, made: dict) -> ctypes.c_void_p:
         arguments = self.right(function, made)

@@ -53,13 +53,18 @@ FIELDS = {
     "latest": doubles(1), "kind": 0, "vertices": (3, 0, 1, 2), "rest": doubles(*START), "rest_end": doubles(*END), "body_count": 1,
     "body_of_vertex": indices(0, 0, 0, 0, 0, 0), "links_of_body": (ctypes.c_size_t * 1)(0), "links": None,
     "frame_count": 2, "frames": doubles(*START, *END), "points_at": _still, "deviations": _no_deviation, "tolerance": 0.0,
-    "position": (0., 0., 0.), "rotation": (0., 0., 1.),
+    "position": (0., 0., 0.), "rotation": (0., 0., 1.), "count": 1, "poses": doubles(0, 0, 9, 0, 0, 1), "links_of_each": 0,
 }
+# Where one thing is given in place of others.
+LEFT_OUT = {"tamis_motions": {"start": None, "end": None, "vertex_count": 0}}
 INPUTS = ("tamis_step", "tamis_mesh_input", "tamis_options", "tamis_pair_options", "tamis_rigid_path_input",
-          "tamis_spline_path_input", "tamis_path_functions", "tamis_path_options", "tamis_pair", "tamis_pose")
+          "tamis_spline_path_input", "tamis_path_functions", "tamis_path_options", "tamis_pair", "tamis_pose",
+          "tamis_world_options", "tamis_query_options", "tamis_motions")
 ARGUMENTS = {
     "kind": 0, "stored": 0, "u": .25, "v": .25, "keep": .1, "distance": 1.5, "time": .5, "first": 0, "turn": doubles(0, 0, 1),
-    "end_position": doubles(1, 1, 1), "edges": indices(0, 1), "faces": indices(0, 1, 2),
+    "end_position": doubles(1, 1, 1), "center": doubles(1, 0, 0), "quaternion": doubles(1, 0, 0, 0),
+    "rows": doubles(1, 0, 0, 0, 1, 0, 0, 0, 1), "position": doubles(1, 1, 1), "edges": indices(0, 1), "faces": indices(0, 1, 2),
+    "points": doubles(*START), "bodies": indices(0, 1), "body_count": 1, "is_enabled": 1, "may_touch": 0, "radius": 0.25,
 }
 _CORNERS = {"vertex_face": 4, "edge_edge": 4, "vertex_edge": 3, "vertex_vertex": 2}
 
@@ -69,8 +74,9 @@ def struct(interface: headers.Interface, name: str, **changed) -> ctypes.Structu
     made = interface.types[name]()
     keep = made.kept = []
     for field in interface.structs[name]:
-        value = changed.get(field.name, FIELDS.get(field.name, ctypes.sizeof(made) if field.name == "size" else 0))
-        assert field.name in changed or field.name in FIELDS or field.name == "size", \
+        usual = {**FIELDS, "size": ctypes.sizeof(made), **LEFT_OUT.get(name, {}), **changed}
+        value = usual.get(field.name, 0)
+        assert field.name in usual, \
             f"{name}.{field.name}: what is right for it? Say so in tests/c/misuse/right.py"
         put(made, field, value, keep)
     return made

@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+import faulthandler
+import gc
 import pathlib
 import re
 import time
+import weakref
 from typing import Any, Callable
 
 import numpy as np
@@ -233,6 +236,59 @@ def test_results_do_not_change_and_detectors_come_and_go(cloth: Part) -> None:
     many.contacts(cloth.start, cloth.start)
     del many
     np.testing.assert_array_equal(first.table, before)
+
+
+class Collecting:
+    """A key of mpi4py's locks: it is looked up by a thread that has locked the table of them."""
+
+    def __hash__(self) -> int:
+        gc.collect()
+        return 0
+
+
+def test_memory_is_collected_inside_a_call_of_mpi4py(cloth: Part, capfd: pytest.CaptureFixture[str]) -> None:
+    """Bug: the communicator was freed there and then, which waited for ever for what its own thread had locked."""
+    cycle: list[Any] = [cloth.detector()]
+    cycle.append(cycle)
+    gone = weakref.ref(cycle[0])
+    del cycle
+    with capfd.disabled():  # who waits is seen
+        faulthandler.dump_traceback_later(30, exit=True)
+        MPI._comm_lock(COMM, Collecting())
+        faulthandler.cancel_dump_traceback_later()
+    assert gone() is None
+
+
+class Counted(MPI.Intracomm):
+    """So are its duplicates."""
+
+    freed = 0
+
+    def Free(self) -> None:  # noqa: N802
+        Counted.freed += 1
+        super().Free()
+
+
+def test_communicators_are_freed_when_all_their_ranks_have_left_them(cloth: Part) -> None:
+    """Would catch a rank that frees, which is collective, what another still asks, or in another order than that."""
+
+    def make(comm: MPI.Intracomm) -> distributed.Detector:
+        return distributed.Detector(comm, cloth.faces, cloth.vertices)
+
+    def freed_by(comm: MPI.Intracomm) -> int:
+        before = Counted.freed
+        make(comm)
+        return Counted.freed - before
+
+    everyone, alone = Counted(COMM), Counted(COMM.Split(RANK))
+    first = make(everyone)
+    if not IS_LAST:
+        del first
+    assert freed_by(everyone) == 0  # the last rank holds it
+    if IS_LAST:
+        del first
+    assert freed_by(alone) == (2 if SIZE == 1 else 0)  # of this rank alone nobody has another
+    assert freed_by(everyone) == (1 if SIZE == 1 else 3)
 
 
 def test_what_is_said_of_it(cloth: Part) -> None:

@@ -1,39 +1,18 @@
 // A world of bodies that lets other Python threads run while it works, and stops when Python wants it to.
 #include "tamis/world.hpp"
 
-#include <algorithm>
+#include <span>
 #include <type_traits>
 
 #include "python/src/answers.hpp"
 #include "python/src/asker.hpp"
 #include "python/src/bindings.hpp"
 #include "python/src/collected.hpp"
-#include "python/src/paths/pose_rows.hpp"
 #include "python/src/statistics.hpp"
+#include "python/src/world/motions.hpp"
 
 namespace tamis::python {
 namespace {
-
-/// How some bodies move: each stays at a pose, goes by a chain; or one deforms.
-struct AtPoses {
-  PoseRows poses;
-  std::size_t count() const { return poses.shape(0); }
-  BodyMotion operator[](std::size_t i) const { return Static{row<Pose>(poses, i)}; }
-};
-struct ByChains {
-  Chains chains;
-  std::size_t count() const { return chains.shape(0); }
-  BodyMotion operator[](std::size_t i) const {
-    const std::size_t links = chains.shape(1);
-    const auto* first = reinterpret_cast<const Link*>(chains.data()) + i * links;
-    return Rigid{{first, first + links}};
-  }
-};
-struct OneDeforming {
-  PointRows start, end;
-  std::size_t count() const { return 1; }
-  BodyMotion operator[](std::size_t) const { return Deforming{copy_of<Point>(start), copy_of<Point>(end)}; }
-};
 
 class Bodies {
  public:
@@ -53,25 +32,34 @@ class Bodies {
   template <class Motions, class... Arrays>
   void move(const Indices& bodies, const Arrays&... arrays) {
     const Motions motions{arrays...};
-    asker_.ask([&] {
+    change(of(bodies), [&] {
       for (std::size_t i = 0; i < motions.count(); ++i) world_.move(bodies.data()[i], motions[i]);
     });
   }
 
+  /// REQUIRES: each once, as above.
   void remove(const Indices& bodies) {
-    asker_.ask([&] { std::for_each_n(bodies.data(), bodies.shape(0), [&](BodyId body) { world_.remove(body); }); });
+    change(of(bodies), [&] {
+      for (const BodyId body : of(bodies)) world_.remove(body);
+    });
   }
 
   void set_enabled(const Indices& bodies, bool is_enabled) {
-    asker_.ask([&] {
-      std::for_each_n(bodies.data(), bodies.shape(0), [&](BodyId body) { world_.set_enabled(body, is_enabled); });
+    change(of(bodies), [&] {
+      for (const BodyId body : of(bodies)) world_.set_enabled(body, is_enabled);
+    });
+  }
+
+  void set_radius(const Indices& bodies, double radius) {
+    change(of(bodies), [&] {
+      for (const BodyId body : of(bodies)) world_.set_radius(body, radius);
     });
   }
 
   void set_may_touch(const IndexRowsIn<2>& pairs, bool may_touch) {
-    asker_.ask([&] {
-      for (std::size_t i = 0; i < pairs.shape(0); ++i)
-        world_.set_may_touch(pairs.data()[2 * i], pairs.data()[2 * i + 1], may_touch);
+    const std::span<const BodyId> bodies(pairs.data(), pairs.size());
+    change(bodies, [&] {
+      for (std::size_t i = 0; i < bodies.size(); i += 2) world_.set_may_touch(bodies[i], bodies[i + 1], may_touch);
     });
   }
 
@@ -80,6 +68,16 @@ class Bodies {
   }
   nb::tuple earliest(const QueryOptions& q) {
     return earliest_tuple(answer([&] { return world_.earliest(q); }));
+  }
+  /// Of chains, one for each of the bodies, then again for the next motion.
+  nb::tuple earliest_many(const Indices& bodies, const Chains& chains, const QueryOptions& q) {
+    const ByChains given{chains};
+    const auto found = answer([&] {
+      std::vector<BodyMotion> motions;
+      for (std::size_t i = 0; i < given.count(); ++i) motions.push_back(given[i]);
+      return world_.earliest_many(of(bodies), motions, q);
+    });
+    return earliest_columns(found);
   }
   bool is_free(const QueryOptions& q) {
     return answer([&] { return world_.is_free(q); });
@@ -110,22 +108,24 @@ class Bodies {
     return found;
   }
 
+  static std::span<const BodyId> of(const Indices& bodies) { return {bodies.data(), bodies.shape(0)}; }
+
+  /// One that is not there is refused before anything has changed.
+  template <class Change>
+  void change(std::span<const BodyId> bodies, const Change& work) {
+    asker_.ask([&] {
+      for (const BodyId body : bodies) static_cast<void>(world_.motion(body));
+      work();
+    });
+  }
+
   Asker asker_;
   World world_;
 };
 
-void make_shape(Shape* shape, const Mesh& mesh, const PointRows& points) {
-  const nb::gil_scoped_release unlocked;
-  new (shape) Shape(mesh, copy_of<Point>(points));
-}
-
 }  // namespace
 
 void bind_world(nb::module_& module) {
-  nb::class_<Shape>(module, "Shape")
-      .def("__init__", &make_shape)
-      .def("points", [](const Shape& shape) { return own<double>(std::vector<Point>(shape.points()), 3); })
-      .def("memory_bytes", &Shape::memory_bytes);
   nb::class_<Bodies>(module, "World", nb::type_slots(collected<Bodies>), nb::is_weak_referenceable())
       .def(nb::init<const Asking&>())
       .def("add", &Bodies::add<AtPoses, PoseRows>)
@@ -136,9 +136,11 @@ void bind_world(nb::module_& module) {
       .def("move", &Bodies::move<OneDeforming, PointRows, PointRows>)
       .def("remove", &Bodies::remove)
       .def("set_enabled", &Bodies::set_enabled)
+      .def("set_radius", &Bodies::set_radius)
       .def("set_may_touch", &Bodies::set_may_touch)
       .def("contacts", &Bodies::contacts)
       .def("earliest", &Bodies::earliest)
+      .def("earliest_many", &Bodies::earliest_many)
       .def("is_free", &Bodies::is_free)
       .def("pairs_within", &Bodies::pairs_within)
       .def("intersections", &Bodies::intersections)

@@ -2,7 +2,7 @@
 #include <span>
 
 #include "python/src/bindings.hpp"
-#include "python/src/pair_rows.hpp"
+#include "python/src/pairs/pair_rows.hpp"
 #include "python/src/signals.hpp"
 #include "tamis/error.hpp"
 

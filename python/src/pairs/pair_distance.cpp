@@ -3,8 +3,8 @@
 
 #include "python/src/answers.hpp"
 #include "python/src/bindings.hpp"
-#include "python/src/pair_results.hpp"
-#include "python/src/pair_rows.hpp"
+#include "python/src/pairs/pair_results.hpp"
+#include "python/src/pairs/pair_rows.hpp"
 #include "tamis/error.hpp"
 
 namespace tamis::python {

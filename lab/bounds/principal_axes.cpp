@@ -1,8 +1,8 @@
-#include "bounds/symmetric_axes.hpp"
+#include "lab/bounds/principal_axes.hpp"
 
 #include <cmath>
 
-namespace tamis {
+namespace tamis::lab {
 namespace {
 
 using Matrix = std::array<std::array<double, 3>, 3>;
@@ -32,21 +32,6 @@ Vec3<double> normalized(const Vec3<double>& v) { return (1 / std::sqrt(dot(v, v)
 
 }  // namespace
 
-void SymmetricMatrix::add_square(const Vec3<double>& v, double weight) {
-  const Vec3<double> w = weight * v;
-  *this += {w.x * v.x, w.y * v.y, w.z * v.z, w.x * v.y, w.x * v.z, w.y * v.z};
-}
-
-SymmetricMatrix& SymmetricMatrix::operator+=(const SymmetricMatrix& other) {
-  xx += other.xx;
-  yy += other.yy;
-  zz += other.zz;
-  xy += other.xy;
-  xz += other.xz;
-  yz += other.yz;
-  return *this;
-}
-
 std::array<Vec3<double>, 3> principal_axes(const SymmetricMatrix& m) {
   constexpr int kSweeps = 5;
   Matrix a{{{m.xx, m.xy, m.xz}, {m.xy, m.yy, m.yz}, {m.xz, m.yz, m.zz}}};
@@ -62,4 +47,4 @@ std::array<Vec3<double>, 3> principal_axes(const SymmetricMatrix& m) {
   return {x, cross(z, x), z};
 }
 
-}  // namespace tamis
+}  // namespace tamis::lab

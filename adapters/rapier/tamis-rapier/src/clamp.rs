@@ -1,0 +1,254 @@
+use crate::mesh::{double, double_pose, Mesh};
+use crate::way::{pose_of, Way};
+use glamx::{DPose3, DVec3};
+use rapier3d::math::Pose;
+use rapier3d::prelude::*;
+use std::collections::{BTreeMap, HashMap};
+use tamis::{BodyId, ClampOptions, Error, Link, Motion, Shape, WantedStep, World};
+
+/// What became of one step.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Step {
+    /// Bodies that were held back, and which part of their way they went.
+    pub held: Vec<(RigidBodyHandle, f64)>,
+    /// Questions that this took; 1 where nobody was held back.
+    pub questions: i32,
+    /// Pairs of bodies that overlapped when the step began: rapier parts them as ever, they are not held back because of
+    /// each other.
+    pub overlapping: usize,
+}
+
+/// Holds back what rapier moves, so that no body passes through another. For one world; it keeps the triangles of the
+/// colliders there, and notices what is added, removed, moved or changed between two steps.
+pub struct Clamp {
+    world: World,
+    options: ClampOptions,
+    members: BTreeMap<BodyId, Member>,
+    bodies_of: BTreeMap<Owner, BodyId>,
+    given: HashMap<ColliderHandle, Mesh>,
+}
+
+/// What moves as a whole, by the parts of its handle: a body, or a collider without one.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+enum Owner {
+    Body(u32, u32),
+    Collider(u32, u32),
+}
+
+impl Owner {
+    fn body(self) -> Option<RigidBodyHandle> {
+        match self {
+            Owner::Body(index, generation) => Some(RigidBodyHandle::from_raw_parts(index, generation)),
+            Owner::Collider(..) => None,
+        }
+    }
+}
+
+/// A collider of a member. The shape is held, so that rapier cannot change it in its place.
+struct Part {
+    collider: ColliderHandle,
+    shape: SharedShape,
+    at: Pose,
+}
+
+impl PartialEq for Part {
+    fn eq(&self, other: &Part) -> bool {
+        self.collider == other.collider && std::sync::Arc::ptr_eq(&self.shape.0, &other.shape.0) && self.at == other.at
+    }
+}
+
+/// What a member is made of.
+#[derive(PartialEq)]
+struct Content {
+    parts: Vec<Part>,
+    centre: DVec3,
+    is_fixed: bool,
+}
+
+struct Member {
+    owner: Owner,
+    content: Content,
+    radius: f64,
+    /// Where the world of Tamis has it.
+    pose: Pose,
+}
+
+impl Member {
+    fn motion(&self) -> Result<Motion, Error> {
+        let pose = pose_of(&self.pose, self.content.centre)?;
+        // Two bodies that stay are never asked about: who may move is at rest in another way.
+        Ok(if self.content.is_fixed { Motion::At(pose) } else { Motion::Along(vec![Link { start: pose, end: pose }]) })
+    }
+}
+
+impl Clamp {
+    /// By so many threads; 0: as many as there are.
+    pub fn new(options: ClampOptions, threads: i32) -> Result<Clamp, Error> {
+        Ok(Clamp {
+            world: World::new(threads)?,
+            options,
+            members: BTreeMap::new(),
+            bodies_of: BTreeMap::new(),
+            given: HashMap::new(),
+        })
+    }
+
+    /// The triangles of a collider whose shape has none, a ball's for one, in the collider's frame. Before the collider
+    /// is first seen by a step.
+    pub fn set_mesh(&mut self, collider: ColliderHandle, points: &[[f64; 3]], faces: &[[i32; 3]]) {
+        let points = points.iter().map(|&p| DVec3::from_array(p)).collect();
+        self.given.insert(collider, Mesh { points, faces: faces.to_vec() });
+    }
+
+    /// One step of rapier, in which nothing passes through anything. Refuses colliders without triangles, before
+    /// anything has moved.
+    pub fn step(&mut self, physics: &mut PhysicsWorld) -> Result<Step, Error> {
+        self.before(&physics.bodies, &physics.colliders)?;
+        physics.step();
+        self.after(&mut physics.bodies, &mut physics.colliders, &physics.impulse_joints, &physics.multibody_joints)
+    }
+
+    /// For who calls the pipeline: what there is, and where, before it makes its step.
+    pub fn before(&mut self, bodies: &RigidBodySet, colliders: &ColliderSet) -> Result<(), Error> {
+        let mut present = contents_of(bodies, colliders);
+        let stale: Vec<BodyId> = (self.members.iter())
+            .filter(|(_, member)| present.get(&member.owner).is_none_or(|(content, _)| *content != member.content))
+            .map(|(&id, _)| id)
+            .collect();
+        for id in stale {
+            self.world.remove(id)?;
+            self.members.remove(&id).map(|member| self.bodies_of.remove(&member.owner));
+        }
+        while let Some((owner, (content, pose))) = present.pop_first() {
+            match self.bodies_of.get(&owner) {
+                Some(&id) => self.put(id, pose)?,
+                None => self.join(owner, content, pose)?,
+            }
+        }
+        Ok(())
+    }
+
+    /// The same after it: holds bodies back.
+    pub fn after(
+        &mut self,
+        bodies: &mut RigidBodySet,
+        colliders: &mut ColliderSet,
+        joints: &ImpulseJointSet,
+        multibodies: &MultibodyJointSet,
+    ) -> Result<Step, Error> {
+        let mut ways = BTreeMap::new();
+        for (id, handle) in self.members.iter().filter_map(|(&id, m)| Some((id, m.owner.body()?))).collect::<Vec<_>>() {
+            let Some(body) = bodies.get(handle) else { continue };
+            let (start, end, centre) = (self.members[&id].pose, *body.position(), self.members[&id].content.centre);
+            if body.is_dynamic() && multibodies.rigid_body_link(handle).is_none() {
+                if start != end {
+                    ways.insert(id, Way { start, end, centre });
+                }
+            } else {
+                self.put(id, end)?;
+            }
+        }
+        let moving: Vec<BodyId> = ways.keys().copied().collect();
+        let wanted = Wanted { moving: &moving, ways: &ways, members: &self.members, colliders, joints };
+        let clamped = self.world.clamp(&wanted, &self.options)?;
+        let mut step = Step { held: vec![], questions: clamped.questions, overlapping: clamped.overlapping };
+        for (&id, &fraction) in moving.iter().zip(&clamped.fractions) {
+            let pose = ways[&id].at(fraction);
+            self.put(id, pose)?;
+            let Some(handle) = self.members[&id].owner.body().filter(|_| fraction < 1.0) else { continue };
+            bodies[handle].set_position(pose, true);
+            step.held.push((handle, fraction));
+        }
+        bodies.propagate_modified_body_positions_to_colliders(colliders);
+        Ok(step)
+    }
+
+    fn join(&mut self, owner: Owner, content: Content, pose: Pose) -> Result<(), Error> {
+        let mut mesh = Mesh::default();
+        for part in &content.parts {
+            let at = DPose3::from_translation(-content.centre) * double_pose(&part.at);
+            match self.given.get(&part.collider) {
+                Some(given) => mesh.append(given.points.iter().copied(), &given.faces, &at),
+                None => mesh.append_shape(&*part.shape.0, &at)?,
+            }
+        }
+        let points: Vec<[f64; 3]> = mesh.points.iter().map(|p| p.to_array()).collect();
+        let radius = mesh.points.iter().map(|p| p.length()).fold(0.0, f64::max);
+        let member = Member { owner, content, radius, pose };
+        let id = self.world.add(&Shape::new(&points, &mesh.faces)?, &member.motion()?)?;
+        self.members.insert(id, member);
+        self.bodies_of.insert(owner, id);
+        Ok(())
+    }
+
+    /// At rest there.
+    fn put(&mut self, id: BodyId, pose: Pose) -> Result<(), Error> {
+        let Some(member) = self.members.get_mut(&id).filter(|member| member.pose != pose) else { return Ok(()) };
+        member.pose = pose;
+        self.world.move_body(id, &member.motion()?)
+    }
+}
+
+/// All that takes part in contacts, and where it is.
+fn contents_of(bodies: &RigidBodySet, colliders: &ColliderSet) -> BTreeMap<Owner, (Content, Pose)> {
+    let mut all = BTreeMap::new();
+    for (handle, collider) in colliders.iter().filter(|(_, c)| c.is_enabled() && !c.is_sensor()) {
+        let shape = collider.shared_shape().clone();
+        let Some(parent) = collider.parent() else {
+            let (index, generation) = handle.into_raw_parts();
+            let part = Part { collider: handle, shape, at: Pose::IDENTITY };
+            let content = Content { parts: vec![part], centre: DVec3::ZERO, is_fixed: true };
+            all.insert(Owner::Collider(index, generation), (content, *collider.position()));
+            continue;
+        };
+        let Some(body) = bodies.get(parent).filter(|body| body.is_enabled()) else { continue };
+        let (index, generation) = parent.into_raw_parts();
+        let at = collider.position_wrt_parent().copied().unwrap_or(Pose::IDENTITY);
+        let (content, _) = all.entry(Owner::Body(index, generation)).or_insert_with(|| {
+            let centre = double(body.local_center_of_mass());
+            (Content { parts: vec![], centre, is_fixed: body.is_fixed() }, *body.position())
+        });
+        content.parts.push(Part { collider: handle, shape, at });
+    }
+    all
+}
+
+const NOWHERE: tamis::Pose = tamis::Pose { position: [f64::NAN; 3], rotation: [f64::NAN; 3] };
+
+struct Wanted<'a> {
+    moving: &'a [BodyId],
+    ways: &'a BTreeMap<BodyId, Way>,
+    members: &'a BTreeMap<BodyId, Member>,
+    colliders: &'a ColliderSet,
+    joints: &'a ImpulseJointSet,
+}
+
+impl WantedStep for Wanted<'_> {
+    fn moving(&self) -> &[BodyId] {
+        self.moving
+    }
+
+    fn pose(&self, body: BodyId, fraction: f64) -> tamis::Pose {
+        let way = &self.ways[&body];
+        // What is not finite is refused by the question.
+        pose_of(&way.at(fraction), way.centre).unwrap_or(NOWHERE)
+    }
+
+    fn radius(&self, body: BodyId) -> f64 {
+        self.members[&body].radius
+    }
+
+    fn collides(&self, first: BodyId, second: BodyId) -> bool {
+        let (first, second) = (&self.members[&first], &self.members[&second]);
+        if let (Some(a), Some(b)) = (first.owner.body(), second.owner.body()) {
+            if self.joints.joints_between(a, b).any(|(_, joint)| !joint.data.contacts_enabled) {
+                return false;
+            }
+        }
+        let meets = |a: &Part, b: &Part| {
+            let (a, b) = (&self.colliders[a.collider], &self.colliders[b.collider]);
+            a.collision_groups().test(b.collision_groups()) && a.solver_groups().test(b.solver_groups())
+        };
+        first.content.parts.iter().any(|a| second.content.parts.iter().any(|b| meets(a, b)))
+    }
+}

@@ -1,0 +1,33 @@
+use std::ffi::{c_char, c_int, CStr};
+use std::fmt;
+
+/// What the library refused, in its own sentence.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Error {
+    /// `tamis_status` of the C interface.
+    pub status: i32,
+    /// What, where, and what to do.
+    pub message: String,
+}
+
+impl fmt::Display for Error {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.message)
+    }
+}
+
+impl std::error::Error for Error {}
+
+/// `text` ends with a zero.
+pub(crate) fn text(text: *const c_char) -> String {
+    // SAFETY: every string of the C interface is not NULL and ends with a zero.
+    unsafe { CStr::from_ptr(text) }.to_string_lossy().into_owned()
+}
+
+/// `message` is asked only after a failure.
+pub(crate) fn check(status: c_int, message: impl FnOnce() -> String) -> Result<(), Error> {
+    if status == 0 {
+        return Ok(());
+    }
+    Err(Error { status, message: message() })
+}

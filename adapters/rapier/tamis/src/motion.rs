@@ -1,0 +1,85 @@
+use crate::error::{check, Error};
+use crate::sys;
+
+/// x goes to R x + position, R being the rotation by |rotation| radians about the direction of `rotation`.
+#[repr(C)]
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct Pose {
+    /// Where the body's origin is.
+    pub position: [f64; 3],
+    /// Rotation vector.
+    pub rotation: [f64; 3],
+}
+
+impl Pose {
+    /// Of a quaternion w x y z, as engines keep it, also in floats: with the nearest rotation. Refuses what is none (|q|^2
+    /// off from 1 by more than 1e-4), and numbers that are not finite.
+    pub fn of_quaternion(quaternion: [f64; 4], position: [f64; 3]) -> Result<Pose, Error> {
+        let mut pose = Pose::default();
+        // SAFETY: four numbers, and three.
+        let status = unsafe { sys::tamis_pose_of_quaternion(quaternion.as_ptr(), position.as_ptr(), &mut pose) };
+        check(status, || {
+            format!("{quaternion:?} at {position:?} is no pose: give a quaternion of unit length and finite numbers")
+        })?;
+        Ok(pose)
+    }
+}
+
+/// A pose whose position and rotation vector go linearly from `start` (t=0) to `end` (t=1). Any angle.
+#[repr(C)]
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct Link {
+    /// At t=0.
+    pub start: Pose,
+    /// At t=1.
+    pub end: Pose,
+}
+
+/// How a body moves during a step.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Motion {
+    /// Stays. Two bodies that stay are never asked about.
+    At(Pose),
+    /// As a whole, by a chain of links: a point goes through the last one first. None: at rest where it is given.
+    Along(Vec<Link>),
+    /// Each vertex goes straight from its place in `start` to its place in `end`.
+    Deforming {
+        /// One point a vertex, at t=0.
+        start: Vec<[f64; 3]>,
+        /// The same at t=1.
+        end: Vec<[f64; 3]>,
+    },
+}
+
+impl Motion {
+    /// Stays there.
+    pub fn at(pose: Pose) -> Motion {
+        Motion::At(pose)
+    }
+
+    /// Position and rotation vector linear in t.
+    pub fn interpolated(start: Pose, end: Pose) -> Motion {
+        Motion::Along(vec![Link { start, end }])
+    }
+
+    /// `center`, a point in the body's own frame, goes straight; the body turns about it at constant speed about a fixed
+    /// axis, by the shorter way. Engines take the centre of mass.
+    pub fn between(start: &Pose, end: &Pose, center: [f64; 3]) -> Result<Motion, Error> {
+        links_of(|links| unsafe { sys::tamis_between(start, end, center.as_ptr(), links) })
+    }
+
+    /// The same by the given turn, of any angle: a rotation vector in the frame of the world. `center` goes to
+    /// `end_position`.
+    pub fn turned(start: &Pose, turn: [f64; 3], end_position: [f64; 3], center: [f64; 3]) -> Result<Motion, Error> {
+        links_of(|links| unsafe {
+            sys::tamis_turned(start, turn.as_ptr(), end_position.as_ptr(), center.as_ptr(), links)
+        })
+    }
+}
+
+/// `write` fills two links.
+fn links_of(write: impl FnOnce(*mut Link) -> i32) -> Result<Motion, Error> {
+    let mut links = vec![Link::default(); 2];
+    check(write(links.as_mut_ptr()), || "a number of a pose or a turn is not finite: give finite ones".to_owned())?;
+    Ok(Motion::Along(links))
+}

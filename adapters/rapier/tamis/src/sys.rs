@@ -1,0 +1,201 @@
+//! What the crate calls of `tamis/tamis.h`, and of `adapters/rapier/clamp/clamp.h`.
+#![allow(non_camel_case_types)]
+use crate::answers::{Contact, Intersection, NearPair};
+use crate::motion::{Link, Pose};
+use std::ffi::{c_char, c_int, c_void};
+use std::ptr::null;
+
+#[repr(C)]
+pub struct tamis_mesh {
+    _private: [u8; 0],
+}
+#[repr(C)]
+pub struct tamis_shape {
+    _private: [u8; 0],
+}
+#[repr(C)]
+pub struct tamis_world {
+    _private: [u8; 0],
+}
+
+/// A struct for C with its size, all else zero.
+macro_rules! zeroed {
+    ($name:ident) => {
+        impl Default for $name {
+            fn default() -> Self {
+                // SAFETY: numbers, pointers that may be NULL, and functions that may be none.
+                unsafe { std::mem::zeroed() }
+            }
+        }
+    };
+}
+
+#[repr(C)]
+pub struct tamis_mesh_input {
+    pub size: usize,
+    pub vertex_count: i32,
+    pub faces: *const i32,
+    pub face_count: usize,
+    pub loose_edges: *const i32,
+    pub loose_edge_count: usize,
+    pub loose_points: *const i32,
+    pub loose_point_count: usize,
+}
+zeroed!(tamis_mesh_input);
+
+#[repr(C)]
+pub struct tamis_world_options {
+    pub size: usize,
+    pub isa: *const c_char,
+    pub threads: i32,
+    pub rings: i32,
+    pub min_separation: f64,
+    pub is_cancelled: Option<extern "C" fn(*mut c_void) -> c_int>,
+    pub user: *mut c_void,
+}
+zeroed!(tamis_world_options);
+
+#[repr(C)]
+pub struct tamis_motions {
+    pub size: usize,
+    pub count: usize,
+    pub poses: *const Pose,
+    pub links: *const Link,
+    pub links_of_each: usize,
+    pub start: *const f64,
+    pub end: *const f64,
+    pub vertex_count: i32,
+}
+zeroed!(tamis_motions);
+
+#[repr(C)]
+pub struct tamis_query_options {
+    pub size: usize,
+    pub min_separation: *const f64,
+    pub at_start: i32,
+    pub tolerance: f64,
+}
+
+impl tamis_query_options {
+    pub fn new(min_separation: Option<&f64>, at_start: i32, tolerance: f64) -> Self {
+        tamis_query_options {
+            size: size_of::<Self>(),
+            min_separation: min_separation.map_or(null(), |x| x),
+            at_start,
+            tolerance,
+        }
+    }
+}
+
+extern "C" {
+    pub fn tamis_version() -> *const c_char;
+
+    pub fn tamis_mesh_create(input: *const tamis_mesh_input, mesh: *mut *mut tamis_mesh) -> c_int;
+    pub fn tamis_mesh_free(mesh: *mut tamis_mesh);
+    pub fn tamis_mesh_message(mesh: *const tamis_mesh) -> *const c_char;
+    pub fn tamis_shape_create(mesh: *const tamis_mesh, points: *const f64, shape: *mut *mut tamis_shape) -> c_int;
+    pub fn tamis_shape_free(shape: *mut tamis_shape);
+    pub fn tamis_shape_message(shape: *const tamis_shape) -> *const c_char;
+    pub fn tamis_between(start: *const Pose, end: *const Pose, center: *const f64, links: *mut Link) -> c_int;
+    pub fn tamis_pose_of_quaternion(quaternion: *const f64, position: *const f64, pose: *mut Pose) -> c_int;
+    pub fn tamis_turned(
+        start: *const Pose,
+        turn: *const f64,
+        end_position: *const f64,
+        center: *const f64,
+        links: *mut Link,
+    ) -> c_int;
+
+    pub fn tamis_world_create(options: *const tamis_world_options, world: *mut *mut tamis_world) -> c_int;
+    pub fn tamis_world_free(world: *mut tamis_world);
+    pub fn tamis_world_message(world: *const tamis_world) -> *const c_char;
+    pub fn tamis_world_add(
+        world: *mut tamis_world,
+        shape: *const tamis_shape,
+        motions: *const tamis_motions,
+        bodies: *mut i32,
+    ) -> c_int;
+    pub fn tamis_world_move(world: *mut tamis_world, bodies: *const i32, motions: *const tamis_motions) -> c_int;
+    pub fn tamis_world_remove(world: *mut tamis_world, bodies: *const i32, count: usize) -> c_int;
+    pub fn tamis_world_set_enabled(world: *mut tamis_world, bodies: *const i32, count: usize, on: c_int) -> c_int;
+    pub fn tamis_world_set_may_touch(world: *mut tamis_world, bodies: *const i32, count: usize, may: c_int) -> c_int;
+
+    pub fn tamis_world_contacts(
+        world: *mut tamis_world,
+        options: *const tamis_query_options,
+        count: *mut usize,
+    ) -> c_int;
+    pub fn tamis_world_earliest(
+        world: *mut tamis_world,
+        options: *const tamis_query_options,
+        lower: *mut f64,
+        upper: *mut f64,
+        count: *mut usize,
+    ) -> c_int;
+    pub fn tamis_world_is_free(
+        world: *mut tamis_world,
+        options: *const tamis_query_options,
+        is_free: *mut c_int,
+    ) -> c_int;
+    pub fn tamis_world_pairs_within(world: *mut tamis_world, distance: f64, count: *mut usize) -> c_int;
+    pub fn tamis_world_intersections(world: *mut tamis_world, count: *mut usize) -> c_int;
+    pub fn tamis_world_copy_contacts(
+        world: *mut tamis_world,
+        first: usize,
+        count: usize,
+        contacts: *mut Contact,
+        size: usize,
+    ) -> c_int;
+    pub fn tamis_world_copy_pairs_within(
+        world: *mut tamis_world,
+        first: usize,
+        count: usize,
+        pairs: *mut NearPair,
+        size: usize,
+    ) -> c_int;
+    pub fn tamis_world_copy_intersections(
+        world: *mut tamis_world,
+        first: usize,
+        count: usize,
+        intersections: *mut Intersection,
+        size: usize,
+    ) -> c_int;
+}
+
+#[cfg(feature = "clamp")]
+pub use clamp::*;
+
+#[cfg(feature = "clamp")]
+mod clamp {
+    use super::*;
+
+    #[repr(C)]
+    pub struct tamis_wanted_step {
+        pub size: usize,
+        pub user: *mut c_void,
+        pub moving: *const i32,
+        pub moving_count: usize,
+        pub pose: Option<unsafe extern "C" fn(*mut c_void, i32, f64, *mut Pose)>,
+        pub radius: Option<unsafe extern "C" fn(*mut c_void, i32) -> f64>,
+        pub collides: Option<unsafe extern "C" fn(*mut c_void, i32, i32) -> c_int>,
+        pub gap: f64,
+        pub rounds: i32,
+    }
+
+    #[repr(C)]
+    #[derive(Default)]
+    pub struct tamis_clamped {
+        pub questions: i32,
+        pub overlapping: usize,
+    }
+
+    extern "C" {
+        pub fn tamis_world_clamp(
+            world: *mut tamis_world,
+            step: *const tamis_wanted_step,
+            fractions: *mut f64,
+            contact_count: *mut usize,
+            clamped: *mut tamis_clamped,
+        ) -> c_int;
+    }
+}

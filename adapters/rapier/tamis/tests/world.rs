@@ -1,0 +1,99 @@
+//! Every question and every refusal once; the answers are those of the C++ tests' kind.
+use tamis::{AtStart, BodyId, Error, Motion, Pose, Query, Shape, World};
+
+const INVALID_MESH: i32 = 2;
+const INVALID_STEP: i32 = 3;
+const INVALID_OPTIONS: i32 = 4;
+
+fn triangle() -> Shape {
+    Shape::new(&[[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]], &[[0, 1, 2]]).unwrap()
+}
+
+fn at(z: f64) -> Pose {
+    Pose { position: [0.0, 0.0, z], rotation: [0.0; 3] }
+}
+
+/// One triangle at z = 0, and one that falls onto it from z = 1 to z = -1.
+fn falling() -> (World, BodyId) {
+    let (mut world, shape) = (World::new(1).unwrap(), triangle());
+    world.add(&shape, &Motion::at(at(0.0))).unwrap();
+    let body = world.add(&shape, &Motion::interpolated(at(1.0), at(-1.0))).unwrap();
+    (world, body)
+}
+
+#[test]
+fn what_falls_touches_half_way() {
+    let (mut world, body) = falling();
+    let earliest = world.earliest(&Query::default()).unwrap();
+    assert!((earliest.lower - 0.5).abs() < 1e-9 && (earliest.upper - 0.5).abs() < 1e-9);
+    let contacts = world.contacts(&Query::default()).unwrap();
+    assert!(contacts.contains(&earliest.contact.unwrap()));
+    assert!(contacts.iter().all(|c| c.bodies.contains(&body) && c.certainty == 0));
+    assert!(!world.is_free(&Query::default()).unwrap());
+    let near = Query { min_separation: Some(0.5), ..Query::default() };
+    assert!((world.earliest(&near).unwrap().lower - 0.25).abs() < 1e-9);
+}
+
+#[test]
+fn bodies_are_moved_switched_off_and_removed() {
+    let (mut world, body) = falling();
+    world.move_body(body, &Motion::turned(&at(1.0), [0.0, 0.0, 7.0], [0.0, 0.0, 0.5], [0.0; 3]).unwrap()).unwrap();
+    assert!(world.is_free(&Query::default()).unwrap());
+    world.move_body(body, &Motion::between(&at(1.0), &at(-1.0), [0.0; 3]).unwrap()).unwrap();
+    assert!(!world.is_free(&Query::default()).unwrap());
+    world.set_enabled(body, false).unwrap();
+    assert!(world.is_free(&Query::default()).unwrap());
+    world.set_enabled(body, true).unwrap();
+    world.set_may_touch(0, body, false).unwrap();
+    assert!(world.is_free(&Query::default()).unwrap());
+    world.remove(body).unwrap();
+    let refusal = world.remove(body).unwrap_err();
+    assert_eq!(refusal.status, INVALID_OPTIONS);
+    assert_eq!(refusal.to_string(), "body 1 has been removed: name one that is still there");
+}
+
+#[test]
+fn what_deforms_touches_and_is_near_and_passes_through() {
+    let (mut world, shape) = (World::new(1).unwrap(), triangle());
+    world.add(&shape, &Motion::at(at(0.0))).unwrap();
+    let start = vec![[0.2, 0.2, -0.1], [0.3, 0.2, 1.0], [0.2, 0.3, 1.0]];
+    let mut end = start.clone();
+    end[0][2] = 0.1;
+    let body = world.add(&shape, &Motion::Deforming { start: start.clone(), end }).unwrap();
+    let through = world.intersections().unwrap();
+    assert!(!through.is_empty() && through.iter().all(|i| i.bodies == [body, 0]));
+    let near = world.pairs_within(0.11).unwrap();
+    assert!(near.iter().any(|n| n.kind == 0 && n.bodies == [body, 0] && (n.distance - 0.1).abs() < 1e-12));
+    assert!((world.earliest(&Query::default()).unwrap().lower - 0.5).abs() < 1e-9);
+    let short = Motion::Deforming { start, end: vec![] };
+    let refusal = world.move_body(body, &short).unwrap_err();
+    assert_eq!(refusal.status, INVALID_STEP);
+    assert_eq!(refusal.message, "a body has 3 vertices, start 3 points and end 0: give one a vertex");
+}
+
+#[test]
+fn what_touches_at_the_start_is_reported_ignored_or_refused() {
+    let (mut world, body) = falling();
+    world.move_body(body, &Motion::interpolated(at(0.0), at(1.0))).unwrap();
+    let ask = |at_start| Query { at_start, ..Query::default() };
+    assert!(!world.is_free(&ask(AtStart::Report)).unwrap());
+    assert!(world.is_free(&ask(AtStart::Ignore)).unwrap());
+    assert_eq!(world.is_free(&ask(AtStart::Fail)).unwrap_err().status, INVALID_STEP);
+}
+
+#[test]
+fn refusals_have_the_sentence_of_the_library() {
+    let mesh = |points: &[[f64; 3]], faces: &[[i32; 3]]| Shape::new(points, faces).err().map(|e: Error| e.status);
+    assert_eq!(mesh(&[[0.0; 3]; 3], &[[0, 1, 3]]), Some(INVALID_MESH));
+    assert_eq!(mesh(&[[f64::NAN; 3]; 3], &[[0, 1, 2]]), Some(INVALID_MESH));
+    assert_eq!(mesh(&[], &[]), Some(INVALID_MESH));
+    let (mut world, _) = falling();
+    let refusal = world.move_body(7, &Motion::at(at(0.0))).unwrap_err();
+    assert!(refusal.status == INVALID_OPTIONS && refusal.message.contains("body 7"), "{refusal}");
+    assert!(world.add(&triangle(), &Motion::at(at(f64::INFINITY))).is_err());
+    assert!(Motion::between(&at(0.0), &at(f64::NAN), [0.0; 3]).is_err());
+    assert!(Pose::of_quaternion([1.1, 0.0, 0.0, 0.0], [0.0; 3]).is_err());
+    assert_eq!(Pose::of_quaternion([1.0, 0.0, 0.0, 0.0], [0.0, 0.0, 2.0]).unwrap(), at(2.0));
+    assert_eq!(World::new(-1).err().map(|e| e.status), Some(INVALID_OPTIONS));
+    assert!(tamis::version().starts_with("0."));
+}

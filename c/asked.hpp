@@ -1,0 +1,115 @@
+// Handles that are asked, a detector and a world: what all calls with them share.
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "c/answers.hpp"
+#include "c/failure.hpp"
+#include "c/sized.hpp"
+#include "tamis/options.hpp"
+#include "tamis/turn.hpp"
+
+namespace tamis::c {
+
+/// What it answered last; rows of `contacts` are of the last question for contacts or the earliest one.
+template <class Asked, class ContactRow, class NearRow, class IntersectionRow>
+struct AskedHandle {
+  Outcome outcome;
+  std::optional<Asked> asked;  ///< none if it could not be made
+  std::atomic_flag is_asked;
+  std::vector<ContactRow> contacts;
+  std::vector<NearRow> near;
+  std::vector<IntersectionRow> intersections;
+  std::vector<std::string> stage_names;  ///< ended by zeros, as C wants them
+};
+
+/// Runs `work(handle)` unless another call with the handle is running: then its outcome belongs to that one.
+template <class Handle, class Work>
+tamis_status with(Handle* handle, const Work& work) noexcept {
+  if (!handle) return TAMIS_INVALID_ARGUMENT;
+  try {
+    const Turn turn(handle->is_asked);
+    if (!handle->asked) return handle->outcome.status();  // it still says why it was not made
+    return attempt(handle->outcome, [&] { work(*handle); });
+  } catch (const Busy&) {
+    return TAMIS_BUSY;
+  }
+}
+
+/// Of one question; none: the detector's.
+inline std::optional<double> separation(const double* given) {
+  return given ? std::optional<double>(*given) : std::nullopt;
+}
+
+inline AtStart at_start(int32_t given) {
+  if (given != TAMIS_REPORT && given != TAMIS_IGNORE && given != TAMIS_FAIL)
+    throw InvalidOptions("at_start is " + std::to_string(given) + ": give TAMIS_REPORT, TAMIS_IGNORE or TAMIS_FAIL");
+  return static_cast<AtStart>(given);
+}
+
+/// Where the earliest contact goes.
+struct FirstTimes {
+  double *toi_lower, *toi_upper;
+  std::size_t* count;
+
+  template <class Handle, class Earliest>
+  void write(Handle& handle, const Earliest& first) const {
+    if (first.contact) handle.contacts.push_back(*first.contact);
+    *toi_lower = first.toi_lower;
+    *toi_upper = first.toi_upper;
+    *count = handle.contacts.size();
+  }
+};
+
+inline FirstTimes first_times(double* toi_lower, double* toi_upper, std::size_t* count) {
+  return {&required(toi_lower, "toi_lower"), &required(toi_upper, "toi_upper"), &required(count, "count")};
+}
+
+/// Where a caller wants part of an answer.
+struct Destination {
+  std::size_t first, count;
+  void* array;
+  std::size_t element_size;
+};
+
+/// Copies rows of an answer, each as `convert` gives it to C.
+template <class Row, class Convert>
+void copy_rows(const std::vector<Row>& rows, const Convert& convert, const Destination& to, const char* name) {
+  if (to.first > rows.size() || to.count > rows.size() - to.first)
+    throw InvalidArgument(std::string(name) + " " + std::to_string(to.first) + " and " + std::to_string(to.count) +
+                          " of them: the last question has " + std::to_string(rows.size()));
+  check_size(to.element_size, sizeof(int32_t), name);
+  if (to.count > 0) required(static_cast<unsigned char*>(to.array), name);
+  for (std::size_t i = 0; i < to.count; ++i) write_element(convert(rows[to.first + i]), to.array, i, to.element_size);
+}
+
+template <class Handle>
+tamis_status copy_contacts(Handle* handle, const Destination& to) noexcept {
+  return with(handle, [&](Handle& h) {
+    copy_rows(
+        h.contacts, [](const auto& row) { return contact_of(row); }, to, "contacts");
+  });
+}
+template <class Handle>
+tamis_status copy_near(Handle* handle, const Destination& to) noexcept {
+  return with(handle, [&](Handle& h) {
+    copy_rows(
+        h.near, [](const auto& row) { return near_pair_of(row); }, to, "pairs");
+  });
+}
+template <class Handle>
+tamis_status copy_intersections(Handle* handle, const Destination& to) noexcept {
+  return with(handle, [&](Handle& h) {
+    copy_rows(
+        h.intersections, [](const auto& row) { return intersection_of(row); }, to, "intersections");
+  });
+}
+
+template <class Handle>
+tamis_status copy_statistics(Handle* handle, tamis_statistics* to) noexcept {
+  return with(handle,
+              [&](Handle& h) { write_sized(statistics_of(h.asked->statistics(), h.stage_names), to, "statistics"); });
+}
+
+}  // namespace tamis::c

@@ -1,0 +1,144 @@
+// A world is made, and told which bodies there are and how they move.
+#include "c/world.hpp"
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "c/mesh.hpp"
+#include "c/motions.hpp"
+#include "c/options.hpp"
+
+namespace tamis::c {
+namespace {
+
+const Shape& made(const tamis_shape* shape) {
+  if (!required(shape, "shape").shape)
+    throw InvalidMesh("the shape could not be made: " + std::string(shape->outcome.message()));
+  return *shape->shape;
+}
+
+/// Each once, as the second time it may be gone.
+void refuse_twice(std::span<const BodyId> bodies) {
+  std::vector<BodyId> ordered(bodies.begin(), bodies.end());
+  std::sort(ordered.begin(), ordered.end());
+  const auto twice = std::adjacent_find(ordered.begin(), ordered.end());
+  if (twice != ordered.end())
+    throw InvalidOptions("body " + std::to_string(*twice) + " is named twice: give each once");
+}
+
+/// Runs `work(world)`. One that is not there is refused before anything has changed.
+template <class Work>
+void change(World& world, std::span<const BodyId> bodies, const Work& work) {
+  for (const BodyId body : bodies) static_cast<void>(world.motion(body));
+  work(world);
+}
+
+/// All or none.
+void add(World& world, const Shape& shape, std::vector<BodyMotion> motions, int32_t* numbers) {
+  std::vector<BodyId> added;
+  try {
+    for (BodyMotion& motion : motions) added.push_back(world.add(shape, std::move(motion)));
+  } catch (...) {
+    for (const BodyId body : added) world.remove(body);
+    throw;
+  }
+  std::copy(added.begin(), added.end(), numbers);
+}
+
+/// All or none.
+void move(World& world, std::span<const BodyId> bodies, std::vector<BodyMotion> motions) {
+  std::vector<BodyMotion> before;
+  try {
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+      before.push_back(world.motion(bodies[i]));
+      world.move(bodies[i], std::move(motions[i]));
+    }
+  } catch (...) {
+    for (std::size_t i = 0; i < before.size(); ++i) world.move(bodies[i], std::move(before[i]));
+    throw;
+  }
+}
+
+}  // namespace
+}  // namespace tamis::c
+
+using namespace tamis::c;
+
+tamis_status tamis_shape_create(const tamis_mesh* mesh, const double* points, tamis_shape** shape) {
+  return make_handle(shape, [&](tamis_shape& handle) {
+    const tamis::Mesh& of = made(mesh);
+    handle.shape.emplace(of, point_rows(points, static_cast<std::size_t>(of.vertex_count()), "points"));
+  });
+}
+
+void tamis_shape_free(tamis_shape* shape) { delete shape; }
+
+const char* tamis_shape_message(const tamis_shape* shape) { return shape ? shape->outcome.message() : ""; }
+
+tamis_status tamis_world_create(const tamis_world_options* options, tamis_world** world) {
+  return make_handle(world, [&](tamis_world& handle) {
+    handle.asked.emplace(options_of(options ? read_sized(options, "options") : tamis_world_options{}));
+  });
+}
+
+void tamis_world_free(tamis_world* world) { delete world; }
+
+const char* tamis_world_message(const tamis_world* world) { return world ? world->outcome.message() : ""; }
+
+tamis_status tamis_world_add(tamis_world* world, const tamis_shape* shape, const tamis_motions* motions,
+                             int32_t* bodies) {
+  return with(world, [&](tamis_world& handle) {
+    const tamis_motions given = read_sized(motions, "motions");
+    check_count(given.count, "count");
+    if (given.count > 0) required(bodies, "bodies");
+    add(*handle.asked, made(shape), motions_of(given), bodies);
+  });
+}
+
+tamis_status tamis_world_move(tamis_world* world, const int32_t* bodies, const tamis_motions* motions) {
+  return with(world, [&](tamis_world& handle) {
+    const tamis_motions given = read_sized(motions, "motions");
+    const auto named = bodies_of(bodies, given.count, "count");
+    refuse_twice(named);
+    move(*handle.asked, named, motions_of(given));
+  });
+}
+
+tamis_status tamis_world_remove(tamis_world* world, const int32_t* bodies, size_t count) {
+  return with(world, [&](tamis_world& handle) {
+    const auto named = bodies_of(bodies, count, "count");
+    refuse_twice(named);
+    change(*handle.asked, named, [&](tamis::World& w) {
+      for (const tamis::BodyId body : named) w.remove(body);
+    });
+  });
+}
+
+tamis_status tamis_world_set_enabled(tamis_world* world, const int32_t* bodies, size_t count, int is_enabled) {
+  return with(world, [&](tamis_world& handle) {
+    const auto named = bodies_of(bodies, count, "count");
+    change(*handle.asked, named, [&](tamis::World& w) {
+      for (const tamis::BodyId body : named) w.set_enabled(body, is_enabled != 0);
+    });
+  });
+}
+
+tamis_status tamis_world_set_radius(tamis_world* world, const int32_t* bodies, size_t count, double radius) {
+  return with(world, [&](tamis_world& handle) {
+    const auto named = bodies_of(bodies, count, "count");
+    change(*handle.asked, named, [&](tamis::World& w) {
+      for (const tamis::BodyId body : named) w.set_radius(body, radius);
+    });
+  });
+}
+
+tamis_status tamis_world_set_may_touch(tamis_world* world, const int32_t* bodies, size_t count, int may_touch) {
+  return with(world, [&](tamis_world& handle) {
+    check_count(count, "count");
+    const auto named = bodies_of(bodies, 2 * count, "count");
+    change(*handle.asked, named, [&](tamis::World& w) {
+      for (std::size_t i = 0; i < named.size(); i += 2) w.set_may_touch(named[i], named[i + 1], may_touch != 0);
+    });
+  });
+}

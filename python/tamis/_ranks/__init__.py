@@ -1,0 +1,1 @@
+"""What `tamis.distributed` is made of."""

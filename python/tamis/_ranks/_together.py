@@ -1,0 +1,66 @@
+"""What ranks do together: a communicator of their own comes and goes, and what one of them raises is raised on all."""
+
+from __future__ import annotations
+
+import uuid
+import weakref
+from collections import Counter
+from collections.abc import Callable, Iterable
+from typing import TypeVar
+
+from mpi4py import MPI
+
+from tamis import _errors
+from tamis._checks import instance
+from tamis._errors import Error
+
+_Result = TypeVar("_Result")
+_Name = tuple[bytes, int]  # the same on all ranks of a communicator, and of no other; and how many these are
+
+# Communicators that this rank uses no more. They are not freed at once: memory may be collected while mpi4py holds the
+# lock that freeing takes, and on each rank at another time, while freeing is collective.
+_left: dict[_Name, MPI.Intracomm] = {}
+
+
+class Ranks:
+    """The ranks of a communicator, which is duplicated, so that messages never meet. All is collective."""
+
+    __slots__ = ("__weakref__", "comm")
+
+    def __init__(self, comm: MPI.Intracomm) -> None:
+        self.comm = instance(comm, MPI.Intracomm, "comm", "a communicator of mpi4py, such as MPI.COMM_WORLD").Dup()
+        said = self.comm.allgather((uuid.uuid4().bytes, list(_left)))
+        weakref.finalize(self, _left.__setitem__, (said[0][0], self.comm.size), self.comm)
+        _free(name for _, names in said for name in names)
+
+    def together(self, work: Callable[[], _Result]) -> _Result:
+        """Do what this rank does alone; where any has failed, all raise what the lowest did."""
+        result, failure = _outcome_of(work)
+        first = self.comm.allreduce(self.comm.size if failure is None else self.comm.rank, op=MPI.MIN)
+        if first == self.comm.size:
+            return result  # type: ignore[return-value]
+        kind, sentence = self.comm.bcast(None if failure is None else _report_of(failure), root=first)
+        raise getattr(_errors, kind)(f"rank {first}: {sentence}") from failure
+
+
+def _free(left: Iterable[_Name]) -> None:
+    """Free, in the same order everywhere, the communicators that all of their ranks have named, and so use no more."""
+    counts = Counter(left)
+    for name in sorted(counts):
+        comm = _left.pop(name, None) if counts[name] == name[1] else None
+        if comm is not None:
+            comm.Free()
+
+
+def _outcome_of(work: Callable[[], _Result]) -> tuple[_Result | None, Exception | None]:
+    try:
+        return work(), None
+    except Exception as failure:
+        return None, failure
+
+
+def _report_of(failure: Exception) -> tuple[str, str]:
+    """Return the name of the class to raise, one of `tamis`, and the sentence."""
+    if isinstance(failure, Error):
+        return type(failure).__name__, str(failure)
+    return Error.__name__, f"{type(failure).__name__}: {failure}"

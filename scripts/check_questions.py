@@ -1,0 +1,129 @@
+#!/usr/bin/env python3
+"""docs/questions.md has every question of every door, and no other."""
+from __future__ import annotations
+
+import ast
+import pathlib
+import re
+import sys
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+PAGE = "docs/questions.md"
+# What a door has besides questions: making, changing, reading what was answered.
+NO_QUESTIONS = {
+    *("add", "move", "motion", "remove", "set_enabled", "set_may_touch", "set_radius"),
+    *("mesh", "options", "points", "memory_bytes", "statistics", "vertex_count", "balance", "write"),
+    *("bench", "info", "scene", "view"),
+}
+NO_QUESTIONS_IN_C = re.compile(
+    r"_(create|(?<!_is_)free|message|statistics|copy_\w+|points_at|add|move|remove|set_\w+)$|^tamis_(mesh_|version|turned|between|nlerp_|pose_of_|weights_of)"
+)
+
+
+def text(place: str) -> str:
+    return (ROOT / place).read_text()
+
+
+def methods(header: str, owner: str) -> set[str]:
+    """Of a class in C++: what returns something and has a name of its own."""
+    body = re.search(rf"^class {owner} {{\n(.*?)^(?: private:|}};)", text(header), re.DOTALL | re.MULTILINE)[1]
+    return set(re.findall(r"^  (?!explicit|return)[\w:<>&*, ]+ [&*]?(\w+)\([^;]*;", body, re.MULTILINE))
+
+
+def functions(header: str) -> set[str]:
+    return set(re.findall(r"^[\w:<>]+(?: [\w:<>]+)* (\w+)\(", text(header), re.MULTILINE))
+
+
+def python_methods(stub: str, owner: str) -> set[str]:
+    classes = [node for node in ast.parse(text(stub)).body if isinstance(node, ast.ClassDef) and node.name == owner]
+    return {node.name for node in classes[0].body if isinstance(node, ast.FunctionDef) and node.name[0] != "_"}
+
+
+def python_functions(module: str, names: set[str]) -> set[str]:
+    """Those of `names` that the module exports."""
+    exported = ast.literal_eval(re.search(r"^__all__ = (\[.*?\])", text(module), re.DOTALL | re.MULTILINE)[1])
+    return names & set(exported)
+
+
+def c_functions(prefix: str) -> set[str]:
+    found: set[str] = set()
+    for header in (ROOT / "include/tamis/c").glob("*.h"):
+        found |= set(re.findall(r"^TAMIS_API[\w \*]* \*?(tamis_\w+)\(", header.read_text(), re.MULTILINE))
+    found = {name for name in found if not NO_QUESTIONS_IN_C.search(name)}
+    owners = ("tamis_detector_", "tamis_world_")
+    return {name for name in found if name.startswith(prefix or "tamis_") and (prefix or not name.startswith(owners))}
+
+
+def verbs(folder: str) -> set[str]:
+    found: set[str] = set()
+    for source in (ROOT / folder).rglob("*.?pp"):
+        found |= set(re.findall(r'name\(\) const override \{ return "([\w-]+)"', source.read_text()))
+    return found
+
+
+def doors() -> dict[str, list[set[str]]]:
+    """Of each table of the page, by title: the questions of its columns."""
+    pair_headers = ("include/tamis/pair.hpp", "include/tamis/pair_distance.hpp", "include/tamis/path.hpp")
+    of_pairs = set().union(*map(functions, pair_headers))
+    distributed = methods("mpi/include/tamis/distributed.hpp", "Detector")
+    if distributed - NO_QUESTIONS != python_methods("python/tamis/_distributed.pyi", "Detector") - NO_QUESTIONS:
+        sys.exit("tamis/distributed.hpp and _distributed.pyi differ in their questions")
+    command = verbs("cli/verbs")
+    return {
+        "One mesh": [
+            methods("include/tamis/detector.hpp", "Detector"),
+            python_methods("python/tamis/_core.pyi", "Detector"),
+            c_functions("tamis_detector_"),
+            command - {"bodies"},
+            distributed,
+            verbs("mpi/command"),
+        ],
+        "Bodies": [
+            methods("include/tamis/world.hpp", "World"),
+            python_methods("python/tamis/_core.pyi", "World"),
+            c_functions("tamis_world_"),
+            command & {"bodies"},
+        ],
+        "A pair, or a list of pairs": [
+            of_pairs,
+            python_functions("python/tamis/__init__.py", of_pairs),
+            c_functions(""),
+        ],
+    }
+
+
+def tables() -> dict[str, list[list[str]]]:
+    """The rows of each table of the page, by title, its head first."""
+    found = {}
+    for part in text(PAGE).split("\n## ")[1:]:
+        title, _, body = part.partition("\n")
+        lines = [line for line in body.splitlines() if line.startswith("|")]
+        found[title] = [[cell.strip() for cell in line.strip("|").split("|")] for line in lines if "---" not in line]
+    return found
+
+
+def faults() -> list[str]:
+    found = []
+    pages = tables()
+    for title, columns in doors().items():
+        head, *rows = pages[title]
+        for number, offered in enumerate(columns, start=1):
+            named = set(re.findall(r"`([\w-]+)`", " ".join(row[number] for row in rows)))
+            offered = offered - NO_QUESTIONS
+            found += [f"{title}, {head[number]}: no row names {name}" for name in sorted(offered - named)]
+            found += [f"{title}, {head[number]}: there is no {name}" for name in sorted(named - offered)]
+        for row in rows:
+            if "-" in row[1 : len(columns) + 1] and not row[-1].strip("-"):
+                found.append(f"{title}, {row[0]}: say why some door lacks it")
+    return found
+
+
+def main() -> int:
+    found = faults()
+    for fault in found:
+        print(f"{PAGE}: {fault}")
+    return 1 if found else 0
+
+
+if __name__ == "__main__":
+    raise SystemExit(main())

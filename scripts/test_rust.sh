@@ -1,0 +1,24 @@
+#!/usr/bin/env bash
+# test_rust.sh FOLDERS TARGET: builds and tests the crates of adapters/rapier, without a warning, against the libraries
+# tamis_c and tamis_clamp in FOLDERS (A:B); what cargo makes is kept in TARGET. Exit code 77 where cargo is missing or too old, or where
+# the crates are not here and their registry cannot be reached.
+set -euo pipefail
+cd "$(dirname "$0")/../adapters/rapier"
+
+needed=$(sed -n 's/^rust-version = "\(.*\)"/\1/p' Cargo.toml)
+if ! here=$(cargo --version 2>/dev/null | cut -d' ' -f2) || [[ -z $here ]]; then
+  echo "skipped: no cargo here; install Rust $needed or newer"
+  exit 77
+fi
+if [[ $(printf '%s\n' "$needed" "$here" | sort -V | head -n 1) != "$needed" ]]; then
+  echo "skipped: cargo $here is too old; install Rust $needed or newer"
+  exit 77
+fi
+if ! cargo fetch --quiet --locked --offline 2>/dev/null && ! timeout 120 cargo fetch --quiet --locked; then
+  echo "skipped: the crates are not here, and their registry cannot be reached"
+  exit 77
+fi
+! cargo fmt --version >/dev/null 2>&1 || cargo fmt --all --check
+export TAMIS_LIBRARY_DIR=$1 LD_LIBRARY_PATH=$1${LD_LIBRARY_PATH:+:$LD_LIBRARY_PATH}
+cargo test --quiet --locked --offline --target-dir "$2" --package tamis  # without the clamp, as most use it
+cargo test --quiet --locked --offline --target-dir "$2"

@@ -1,0 +1,117 @@
+#include "coherence/pairs_of_start.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tamis {
+namespace {
+
+/// Lists hold ways to come from the same start: a vertex may go so much farther than it went from this one or the one
+/// before, and so many times as far as they go on the average.
+constexpr double kFarther = 1.5, kBesides = 0.5;
+constexpr int kLongestPauseInStarts = 64;
+/// What the arithmetic with lengths may be off by, and more; where squares are too small for it, the least length.
+constexpr double kLengthRounding = 1 + 0x1p-40, kLeastLength = 0x1p-500;
+
+/// No less than it is.
+double length_at_most(const Step& step, Index v) {
+  double sum = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double length = step.end[v][axis] - step.start[v][axis];
+    sum += length * length;
+  }
+  return std::sqrt(sum) * kLengthRounding + kLeastLength;
+}
+
+}  // namespace
+
+bool PairsOfStart::begin(const Query& query, double fraction) {
+  starts_again_ = starts_again(query.step);
+  if (starts_again_) {
+    for (const Index index : mesh_.points()) {
+      const auto v = static_cast<std::size_t>(index);
+      ways_[v] = std::max(ways_[v], length_at_most(query.step, index));
+    }
+    if (are_listed_ && covers(query, fraction)) return true;
+  } else {
+    start_anew(query.step);
+  }
+  return false;
+}
+
+void PairsOfStart::start_anew(const Step& step) {
+  forget();
+  pause_ = std::max(0, pause_ - 1);
+  ways_before_.swap(ways_);
+  const auto count = static_cast<std::size_t>(mesh_.vertex_count());
+  ways_before_.resize(count);
+  ways_.assign(count, 0);
+  start_.resize(count);
+  for (const Index v : mesh_.points()) std::copy_n(step.start[v], 3, start_[static_cast<std::size_t>(v)].begin());
+}
+
+bool PairsOfStart::starts_again(const Step& step) const {
+  return !start_.empty() && std::all_of(mesh_.points().begin(), mesh_.points().end(), [&](Index v) {
+    return std::equal(step.start[v], step.start[v] + 3, start_[static_cast<std::size_t>(v)].begin());
+  });
+}
+
+/// A pair beyond separations() has more than (way + way) / (1 - fraction) besides what it is to keep apart, so that
+/// its vertices leave it more than `fraction` of that.
+bool PairsOfStart::covers(const Query& query, double fraction) const {
+  if (query.separations.fixed > separation_ || query.separations.radii.data() != radii_) return false;
+  return std::all_of(mesh_.points().begin(), mesh_.points().end(), [&](Index v) {
+    return length_at_most(query.step, v) <= (1 - fraction) * room_[static_cast<std::size_t>(v)];
+  });
+}
+
+bool PairsOfStart::plan(const Query& query, double fraction) {
+  if (!starts_again_ || pause_ > 0) return false;
+  const double besides = kBesides * mean_of_ways();
+  forget();
+  room_.resize(start_.size());
+  reach_.resize(start_.size());
+  const std::span<const double> radii = query.separations.radii;
+  for (const Index index : mesh_.points()) {
+    const auto v = static_cast<std::size_t>(index);
+    room_[v] = (kFarther * std::max(ways_[v], ways_before_[v]) + besides) / (1 - fraction) * kLengthRounding;
+    reach_[v] = (room_[v] + (radii.empty() ? 0 : radii[v])) * kLengthRounding;
+    if (!std::isfinite(reach_[v])) return false;
+  }
+  radii_ = radii.data();
+  separation_ = query.separations.fixed;
+  return true;
+}
+
+double PairsOfStart::mean_of_ways() const {
+  double sum = 0;
+  for (const Index v : mesh_.points()) sum += ways_[static_cast<std::size_t>(v)];
+  return sum / static_cast<double>(std::max<std::size_t>(1, mesh_.points().size()));
+}
+
+bool PairsOfStart::complete(bool hold_all) {
+  are_listed_ = hold_all;
+  if (hold_all) {
+    next_pause_ = 1;
+    return true;
+  }
+  pause_ = next_pause_;
+  next_pause_ = std::min(2 * next_pause_, kLongestPauseInStarts);
+  forget();
+  return false;
+}
+
+void PairsOfStart::forget() {
+  are_listed_ = false;
+  for (PairList& list : lists_) list.clear();
+}
+
+std::uint64_t PairsOfStart::memory_bytes() const {
+  std::uint64_t bytes =
+      start_.capacity() * sizeof(Point) +
+      (ways_.capacity() + ways_before_.capacity() + room_.capacity() + reach_.capacity()) * sizeof(double);
+  for (const PairList& list : lists_) bytes += list.memory_bytes();
+  return bytes;
+}
+
+}  // namespace tamis

@@ -1,0 +1,51 @@
+// Lists pairs that may touch on a step although vertices deviate from it, for questions to come.
+#pragma once
+#include "search/candidate_consumer.hpp"
+#include "search/thread_streams.hpp"
+
+namespace tamis {
+
+class CandidateSearch {
+ public:
+  /// Keeps a reference.
+  explicit CandidateSearch(Workspace& workspace) : workspace_(workspace), streams_(workspace) {}
+
+  /// All that are within the separations before `until`, of vertices up to `deviation` beside their place: take(kind,
+  /// list) gets them part by part, in no order. False: there are more than most_pairs(), or it looks so after a part of
+  /// them, and some are missing. Leaves the trees at this step.
+  template <class Take>
+  bool list(const Query& query, double deviation, float until, const Take& take, Statistics& statistics) {
+    const std::int64_t most = most_pairs();
+    CandidateQuery asked{query, deviation, most};
+    begin(asked);
+    double part = 0;
+    for (const Sample& sample : Samples(workspace_.trees.most_leaf_blocks())) {
+      search(asked, sample, until);
+      streams_.finish([&](CandidateConsumer& consumer) {
+        for (std::size_t kind = 0; kind < kPairKinds; ++kind)
+          take(static_cast<PairKind>(kind), consumer.candidates(static_cast<PairKind>(kind)));
+      });
+      part += 1.0 / sample.stride;
+      if (static_cast<double>(most - asked.left) > (part + kSmallestPart) * static_cast<double>(most))
+        asked.bound.settle();
+    }
+    end(statistics);
+    return !asked.bound.is_settled();
+  }
+  std::uint64_t memory_bytes() const { return streams_.memory_bytes(); }
+
+ private:
+  /// Of each leaf block of sixteen features, on the average.
+  static constexpr std::int64_t kMostPairsABlock = 256;
+  static constexpr double kSmallestPart = 1.0 / 64;  ///< samples are uneven: a part may have as many more
+
+  std::int64_t most_pairs() const;
+  void begin(CandidateQuery& asked);
+  void search(const CandidateQuery& asked, const Sample& sample, float until);
+  void end(Statistics& statistics);
+
+  Workspace& workspace_;
+  ThreadStreams<CandidateConsumer> streams_;
+};
+
+}  // namespace tamis

@@ -1,0 +1,129 @@
+#include "world/carried_boxes.hpp"
+
+#include "numerics/assert.hpp"
+#include "topology/at.hpp"
+
+namespace tamis {
+namespace {
+
+constexpr Index kNotMade = -1;
+
+/// Of a box that holds rounded positions, for the tests that boxes meet.
+Box widened(Box box) {
+  box.widen(MovingBounds::kRounding * box.size());
+  return box;
+}
+
+/// Between two bounds that are linear in `share`, rounded up.
+double at_share(double first, double last, double share) {
+  return (first + (last - first) * share) * (1 + 0x1p-40) + 0x1p-1000;
+}
+
+/// No point within is farther from the origin.
+double farthest_in(const Box& box) {
+  double square = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double farthest = std::max(std::fabs(box.low[k]), std::fabs(box.high[k]));
+    square += farthest * farthest;
+  }
+  return std::sqrt(square) * (1 + 0x1p-40);
+}
+
+/// What is kept in `kept` at a place, made if it is asked for first.
+template <class Kept, class Make>
+const typename Kept::value_type& kept_at(Index& place, Kept& kept, const Make& make) {
+  if (place == kNotMade) {
+    place = static_cast<Index>(kept.size());
+    kept.push_back(make());
+  }
+  return kept[at(place)];
+}
+
+}  // namespace
+
+CarriedBoxes::CarriedBoxes(const Body& body, double from, double to)
+    : body_(body), from_(from), to_(to), at_from_(body.at_start_), at_to_(body.at_end_) {
+  TAMIS_ASSERT(0 <= from && from <= to && to <= 1);
+  for (int level = 0; level <= root_level(); ++level)
+    place_of_block_.emplace_back(shape().boxes.level(level).size(), kNotMade);
+  place_of_items_ = place_of_block_[0];
+  if (body.way() != Way::turning) return;
+  if (from > 0) at_from_ = PlacedBody(rounded_transform_of(body.chain(), from));
+  if (to < 1) at_to_ = to == from ? at_from_ : PlacedBody(rounded_transform_of(body.chain(), to));
+  const Interval length = Interval(to) - Interval(from);
+  const Interval eighth = Interval(0.125) * length * length;
+  const auto of_piece = [&](const Curvature& curve) {
+    return Curvature{(eighth * Interval(curve.acceleration)).upper, 2 * curve.reach};
+  };
+  innermost_ = of_piece(body.innermost_);
+  outermost_ = of_piece(body.outermost_);
+}
+
+const MovingBounds& CarriedBoxes::of_block(int level, Index block) {
+  return kept_at(place_of_block_[at(level)][at(block)], bounds_, [&] { return carried(level, block); });
+}
+
+const CarriedItems& CarriedBoxes::items(Index block) {
+  return kept_at(place_of_items_[at(block)], items_, [&] { return carried_items(block); });
+}
+
+/// Of vertices within the box, from their chords.
+double CarriedBoxes::deviation(const Box& at_rest) const {
+  if (body_.way() != Way::turning) return 0;
+  const double radius = shape().radius, place = farthest_in(at_rest);
+  const double share = place < radius ? place / radius : 1;  // corners may be farther than all vertices
+  return std::min(at_share(innermost_.acceleration, outermost_.acceleration, share),
+                  at_share(innermost_.reach, outermost_.reach, share)) *
+         (1 + MovingBounds::kRounding);
+}
+
+MovingBounds CarriedBoxes::carried(int level, Index block) const {
+  if (body_.deforming())
+    return cut(widened(body_.start_boxes_.box(level, block)), widened(body_.end_boxes_.box(level, block)));
+  const Box& at_rest = shape().boxes.box(level, block);
+  const double deviation = this->deviation(at_rest);
+  return cut(at_from_.of(at_rest, deviation), at_to_.of(at_rest, deviation));
+}
+
+CarriedItems CarriedBoxes::carried_items(Index block) const {
+  CarriedItems carried;
+  const auto items = shape().order.items_of(block);
+  const Box& at_rest = shape().boxes.box(0, block);
+  const bool turns = body_.way() == Way::turning;
+  const double size = at_rest.size_of_sum(), deviation = this->deviation(at_rest);
+  const auto placed = [&](const PlacedBody& place, const auto& end_of_vertex, Index item) {
+    if (!turns) return widened(shape().box_of(item, end_of_vertex));
+    Box box = shape().box_of(item, [&](Index v) { return place.transform.of(shape().points[at(v)]); });
+    box.widen(place.per_size * size + place.fixed + deviation);
+    return box;
+  };
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    carried.of_item[i] = cut(placed(
+                                 at_from_, [&](Index v) { return body_.start_of(v); }, items[i]),
+                             placed(
+                                 at_to_, [&](Index v) { return body_.end_of(v); }, items[i]));
+    carried.all.start.include(carried.of_item[i].start);
+    carried.all.end.include(carried.of_item[i].end);
+  }
+  return carried;
+}
+
+/// Vertices of a body that does not turn go straight during the whole step: linear bounds between those of both ends
+/// hold. Those of one that turns are of the piece already.
+MovingBounds CarriedBoxes::cut(const Box& start, const Box& end) const {
+  if (body_.way() != Way::straight) return {start, end};
+  const auto at_time = [&](double time) {
+    if (time == 0) return start;
+    if (time == 1) return end;
+    Box box;
+    for (std::size_t k = 0; k < 3; ++k) {
+      box.low[k] = (1 - time) * start.low[k] + time * end.low[k];
+      box.high[k] = (1 - time) * start.high[k] + time * end.high[k];
+    }
+    box.widen(MovingBounds::kRounding * std::max(start.size(), end.size()));
+    return box;
+  };
+  return {at_time(from_), at_time(to_)};
+}
+
+}  // namespace tamis

@@ -1,0 +1,44 @@
+// The boxes of a body's hierarchy during a piece of the step, in the frame of the world.
+#pragma once
+#include <deque>
+
+#include "world/body.hpp"
+
+namespace tamis {
+
+/// The items of one block of items.
+struct CarriedItems {
+  MovingBounds all;
+  std::array<MovingBounds, kBlock> of_item;  ///< in the order of the block
+};
+
+/// Boxes are made when they are first asked for, and kept: their references stay valid.
+class CarriedBoxes {
+ public:
+  /// Keeps a reference. REQUIRES: 0 <= from <= to <= 1.
+  CarriedBoxes(const Body& body, double from, double to);
+
+  const Body& body() const { return body_; }
+  const BodyShape& shape() const { return body_.shape(); }
+  int root_level() const { return shape().boxes.root_level(); }
+  const MovingBounds& of_block(int level, Index block);
+  /// Of a block of level 0, from where the vertices go: tighter than its box.
+  const CarriedItems& items(Index block);
+
+ private:
+  double deviation(const Box& at_rest) const;
+  MovingBounds carried(int level, Index block) const;
+  CarriedItems carried_items(Index block) const;
+  MovingBounds cut(const Box& start, const Box& end) const;
+
+  const Body& body_;
+  const double from_, to_;
+  PlacedBody at_from_, at_to_;                   ///< of a body that turns; of others where they are at t=0 and t=1
+  Curvature innermost_{0, 0}, outermost_{0, 0};  ///< of the piece: `acceleration` is a deviation
+  std::vector<std::vector<Index>> place_of_block_;
+  std::vector<Index> place_of_items_;
+  std::deque<MovingBounds> bounds_;
+  std::deque<CarriedItems> items_;
+};
+
+}  // namespace tamis

@@ -1,0 +1,69 @@
+// Many motions of the same bodies in one question: threads share the motions, each with a world of its own.
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+
+#include "detect/arena.hpp"
+#include "detect/validate.hpp"
+#include "query/cancellation.hpp"
+#include "tamis/error.hpp"
+#include "topology/at.hpp"
+#include "world/world_state.hpp"
+
+namespace tamis {
+namespace {
+
+Options with_one_thread(Options options) {
+  options.threads = 1;
+  return options;
+}
+
+}  // namespace
+
+World::State::State(const State& other) : options(with_one_thread(other.options)), kept_apart(other.kept_apart) {
+  for (const auto& body : other.bodies) bodies.push_back(body ? std::make_unique<Body>(*body) : nullptr);
+}
+
+void World::State::validate(std::span<const BodyId> moved, std::span<const BodyMotion> motions) {
+  std::vector<BodyId> ordered(moved.begin(), moved.end());
+  std::ranges::sort(ordered);
+  const auto twice = std::ranges::adjacent_find(ordered);
+  if (twice != ordered.end())
+    throw InvalidOptions("body " + std::to_string(*twice) + " is named twice: give each once");
+  for (const BodyId id : moved) body(id);
+  if (moved.empty() ? !motions.empty() : motions.size() % moved.size() != 0)
+    throw InvalidOptions(std::to_string(motions.size()) + " motions for " + std::to_string(moved.size()) +
+                         " bodies: give one for each body, then again, as often as you ask");
+  for (std::size_t i = 0; i < motions.size(); ++i) {
+    try {
+      body(moved[i % moved.size()]).validate(motions[i]);
+    } catch (const InvalidStep& error) {
+      throw InvalidStep("motion " + std::to_string(i / moved.size()) + ": " + error.what());
+    }
+  }
+}
+
+std::vector<EarliestBodyContact> World::State::earliest_many(std::span<const BodyId> moved,
+                                                             std::span<const BodyMotion> motions,
+                                                             const QueryOptions& asked) {
+  validate_of_path(asked);
+  validate(moved, motions);
+  const QueryOptions of_each = of_curves(asked);
+  std::vector<EarliestBodyContact> found(motions.empty() ? 0 : motions.size() / moved.size());
+  tbb::enumerable_thread_specific<std::unique_ptr<State>> worlds([&] { return std::make_unique<State>(*this); });
+  Arena(options.threads).run([&] {
+    tbb::parallel_for(std::size_t{0}, found.size(), [&](std::size_t i) {
+      State& mine = *worlds.local();
+      for (std::size_t k = 0; k < moved.size(); ++k) mine.move(moved[k], motions[i * moved.size() + k]);
+      mine.begin();
+      found[i] = mine.earliest(of_each);
+    });
+    statistics.threads = Arena::threads_here();
+  });
+  for (const auto& world : worlds) add_statistics(world->statistics);
+  for (const EarliestBodyContact& first : found) check_start(first, asked);
+  return found;
+}
+
+}  // namespace tamis

@@ -14,12 +14,9 @@ shoot() { # FOLDER/NAME FRAME FROM PICTURE
 
 "$bin/tamis-bullet" --throws 1 --out "$work/throws" > /dev/null
 "$bin/tamis-bullet" --pile 20 --steps 60 --out "$work/pile" > /dev/null
-"$bin/tamis-bullet" --cloth 31 --steps 120 --out "$work/cloth" > /dev/null
 plates="$work/throws/Spinning plates" rods="$work/throws/Spinning rods"
 shoot "$plates/clamped, mesh (btGImpact)" 1 1,0.4,0.6 throw
 shoot "$rods/Bullet, hull with CCD" 1 0.3,0.6,1 rod-alone
 shoot "$rods/clamped, hull" 1 0.3,0.6,1 rod
 shoot "$work/pile/bullet" 58 1,0.05,0.6 pile-alone
 shoot "$work/pile/clamped" 58 1,0.05,0.6 pile
-shoot "$work/cloth/bullet" 110 0.4,-0.6,0.5 cloth-alone
-shoot "$work/cloth/truncated" 110 0.4,-0.6,0.5 cloth

@@ -1,4 +1,5 @@
-// Lists pairs that may touch on a step although vertices deviate from it, for questions to come.
+// Lists pairs that may touch on a step although vertices deviate from it, for questions to come; and prepares questions
+// that lists may serve.
 #pragma once
 #include "search/candidate_consumer.hpp"
 #include "search/thread_streams.hpp"
@@ -31,6 +32,24 @@ class CandidateSearch {
     }
     end(statistics);
     return !asked.bound.is_settled();
+  }
+  /// Prepares the trees for a query of which lists may hold the pairs (`is_listed`): if they do not, plan() says
+  /// whether they should, and make() makes them, or gives up. True: the lists are to be asked; false: the trees must be
+  /// searched.
+  template <class Plan, class Make>
+  bool prepare(const Query& query, bool is_listed, const Plan& plan, const Make& make, Statistics& statistics) {
+    FeatureTrees& trees = workspace_.trees;
+    if (!is_listed) {
+      // Refit to the query even if lists follow: the decision to rebuild must not see the step that they are for.
+      trees.refit_or_rebuild(query.step, query.separations, statistics);
+      if (!plan()) return false;
+      const Stopwatch watch;
+      is_listed = make();
+      if (!is_listed) trees.refit_for(query.step, query.separations);
+      statistics.seconds.build += watch.seconds();
+    }
+    if (is_listed) trees.load_vertices(query.step, query.separations, statistics);
+    return is_listed;
   }
   std::uint64_t memory_bytes() const { return streams_.memory_bytes(); }
 

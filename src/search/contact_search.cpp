@@ -23,7 +23,9 @@ Samples samples_for(const Query& query, int parts) {
 void ContactSearch::find(const Query& query, ContactCollector& answer, Statistics& statistics) {
   FeatureTrees& trees = workspace_.trees;
   statistics.nodes_visited = 0;
-  const bool is_listed = prepare(query, statistics);
+  const bool is_listed = candidates_.prepare(
+      query, ahead_.begin(query), [&] { return ahead_.plan(query); }, [&] { return list_ahead(query, statistics); },
+      statistics);
   const std::uint64_t visited_ahead = statistics.nodes_visited;
   const Stopwatch watch;
   streams_.begin(answer);
@@ -39,24 +41,6 @@ void ContactSearch::find(const Query& query, ContactCollector& answer, Statistic
     streams_.report(statistics, watch.seconds(),
                     {&Counts::boxes, &Counts::slab, &Counts::dnf, &Counts::ncf, &Counts::solve});
   statistics.nodes_visited += visited_ahead;
-}
-
-/// Prepares for this query. Returns true if the listed pairs are to be asked first, false if the trees must be
-/// searched.
-bool ContactSearch::prepare(const Query& query, Statistics& statistics) {
-  FeatureTrees& trees = workspace_.trees;
-  bool is_listed = ahead_.begin(query);
-  if (!is_listed) {
-    // Refit to the query even if lists follow: the decision to rebuild must not see the predicted step.
-    trees.refit_or_rebuild(query.step, query.separations, statistics);
-    if (!ahead_.plan(query)) return false;
-    const Stopwatch watch;
-    is_listed = list_ahead(query, statistics);
-    if (!is_listed) trees.refit_for(query.step, query.separations);
-    statistics.seconds.build += watch.seconds();
-  }
-  if (is_listed) trees.load_vertices(query.step, query.separations, statistics);
-  return is_listed;
 }
 
 /// Lists what may touch within the next steps. False: that is too much.

@@ -21,7 +21,6 @@ class ContactSearch {
   }
 
  private:
-  bool prepare(const Query& query, Statistics& statistics);
   bool list_ahead(const Query& query, Statistics& statistics);
   void search_lists(ContactCollector& answer);
   void search_trees(ContactCollector& answer);

@@ -18,29 +18,15 @@ constexpr double kMeetsAll = 8;
 bool StepLengthSearch::begin(StepLengthQuery& asked, Statistics& statistics) {
   TAMIS_ASSERT(0 < asked.fraction && asked.fraction < 1);
   statistics.nodes_visited = 0;
-  const bool is_listed = prepare(asked, statistics);
+  const Query& query = asked.query;
+  const auto plan = [&] { return asked.lists_all && of_start_.plan(query, asked.fraction); };
+  const auto make = [&] { return list_near(query, statistics); };
+  const bool is_listed = candidates_.prepare(query, of_start_.begin(query, asked.fraction), plan, make, statistics);
   const Stopwatch watch;
   if (!is_listed) fit_residuals(asked);
   asked.spread = workspace_.trees.motion().spread;
   statistics.seconds.bounds += watch.seconds();
   streams_.begin(asked);
-  return is_listed;
-}
-
-bool StepLengthSearch::prepare(const StepLengthQuery& asked, Statistics& statistics) {
-  FeatureTrees& trees = workspace_.trees;
-  const Query& query = asked.query;
-  bool is_listed = of_start_.begin(query, asked.fraction);
-  if (!is_listed) {
-    // Refit to the query even if lists follow: the decision to rebuild must not see the start alone.
-    trees.refit_or_rebuild(query.step, query.separations, statistics);
-    if (!asked.lists_all || !of_start_.plan(query, asked.fraction)) return false;
-    const Stopwatch watch;
-    is_listed = list_near(query, statistics);
-    if (!is_listed) trees.refit_for(query.step, query.separations);
-    statistics.seconds.build += watch.seconds();
-  }
-  if (is_listed) trees.load_vertices(query.step, query.separations, statistics);
   return is_listed;
 }
 

@@ -32,7 +32,6 @@ class StepLengthSearch {
 
  private:
   bool begin(StepLengthQuery& asked, Statistics& statistics);
-  bool prepare(const StepLengthQuery& asked, Statistics& statistics);
   bool list_near(const Query& query, Statistics& statistics);
   void fit_residuals(StepLengthQuery& asked);
   void report(double wall, Statistics& statistics);

@@ -207,8 +207,8 @@ TEST(World, KeepsDistancesWhereBodiesTurn) {
   constexpr double kRounding = 1e-12, kSample = 0.4;
   int ended = 0, whole = 0;
   for (std::uint64_t seed = 0; seed < 6; ++seed) {
-    for (const auto& [kept, apart] : {std::pair{0.0, 0.0}, {0.1, 0.0}, {0.3, 0.02}}) {
-      const double keep = kept, separation = apart;
+    for (const auto& [part, gap] : {std::pair{0.0, 0.0}, {0.1, 0.0}, {0.3, 0.02}}) {
+      const double keep = part, separation = gap;
       SCOPED_TRACE(testing::Message() << "seed " << seed << ", keep " << keep);
       TestWorld world = random_world(seed, 6, Motions::any);
       OneMesh mesh(world);

@@ -1,6 +1,7 @@
 // A world says what a detector says of all its bodies as one mesh.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <tuple>

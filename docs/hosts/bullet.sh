@@ -1,5 +1,6 @@
 #!/bin/sh
-# bullet.sh BIN: docs/hosts/bullet-*.png, of one step each, what touches glowing: Bullet as it is (alone), and with Tamis.
+# bullet.sh BIN: docs/hosts/bullet-*.png, the start of one step each: Bullet as it is (alone), and with Tamis. What
+# touches in that step glows.
 # BIN has `tamis` and `tamis-bullet`.
 set -eu
 bin=$1
@@ -14,9 +15,8 @@ shoot() { # FOLDER/NAME FRAME FROM PICTURE
 
 "$bin/tamis-bullet" --throws 1 --out "$work/throws" > /dev/null
 "$bin/tamis-bullet" --pile 20 --steps 60 --out "$work/pile" > /dev/null
-plates="$work/throws/Spinning plates" rods="$work/throws/Spinning rods"
-shoot "$plates/clamped, mesh (btGImpact)" 1 1,0.4,0.6 throw
-shoot "$rods/Bullet, hull with CCD" 1 0.3,0.6,1 rod-alone
-shoot "$rods/clamped, hull" 1 0.3,0.6,1 rod
+plates="$work/throws/Spinning plates"
+shoot "$plates/Bullet, hull with CCD" 1 1,0.05,-0.08 throw-alone
+shoot "$plates/clamped, hull" 1 1,0.05,-0.08 throw
 shoot "$work/pile/bullet" 58 1,0.05,0.6 pile-alone
 shoot "$work/pile/clamped" 58 1,0.05,0.6 pile

@@ -11,8 +11,8 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 PAGE = "docs/questions.md"
 # What a door has besides questions: making, changing, reading what was answered.
 NO_QUESTIONS = {
-    *("add", "move", "motion", "remove", "set_enabled", "set_may_touch", "set_radius"),
-    *("mesh", "options", "points", "memory_bytes", "statistics", "vertex_count", "balance", "write"),
+    *("add", "add_many", "move", "move_many", "motion", "remove", "set_enabled", "set_may_touch", "set_radius"),
+    *("mesh", "options", "statistics", "vertex_count", "balance"),
     *("bench", "info", "scene", "view"),
 }
 NO_QUESTIONS_IN_C = re.compile(
@@ -34,9 +34,16 @@ def functions(header: str) -> set[str]:
     return set(re.findall(r"^[\w:<>]+(?: [\w:<>]+)* (\w+)\(", text(header), re.MULTILINE))
 
 
-def python_methods(stub: str, owner: str) -> set[str]:
-    classes = [node for node in ast.parse(text(stub)).body if isinstance(node, ast.ClassDef) and node.name == owner]
-    return {node.name for node in classes[0].body if isinstance(node, ast.FunctionDef) and node.name[0] != "_"}
+def python_methods(owner: str, *places: str) -> set[str]:
+    """Of a class in Python, with those of the classes that it is made of."""
+    sources = [ast.parse(file.read_text()) for place in places for file in (ROOT / "python/tamis").glob(place)]
+    classes = {node.name: node for source in sources for node in source.body if isinstance(node, ast.ClassDef)}
+
+    def of(node: ast.ClassDef) -> set[str]:
+        own = {item.name for item in node.body if isinstance(item, ast.FunctionDef) and item.name[0] != "_"}
+        return own.union(*(of(classes[base.id]) for base in node.bases if isinstance(base, ast.Name)))
+
+    return of(classes[owner])
 
 
 def python_functions(module: str, names: set[str]) -> set[str]:
@@ -66,13 +73,13 @@ def doors() -> dict[str, list[set[str]]]:
     pair_headers = ("include/tamis/pair.hpp", "include/tamis/pair_distance.hpp", "include/tamis/path.hpp")
     of_pairs = set().union(*map(functions, pair_headers))
     distributed = methods("mpi/include/tamis/distributed.hpp", "Detector")
-    if distributed - NO_QUESTIONS != python_methods("python/tamis/_distributed.pyi", "Detector") - NO_QUESTIONS:
-        sys.exit("tamis/distributed.hpp and _distributed.pyi differ in their questions")
+    if distributed - NO_QUESTIONS != python_methods("Detector", "distributed.py", "_ranks/*.py") - NO_QUESTIONS:
+        sys.exit("tamis/distributed.hpp and tamis.distributed differ in their questions")
     command = verbs("cli/verbs")
     return {
         "One mesh": [
             methods("include/tamis/detector.hpp", "Detector"),
-            python_methods("python/tamis/_core.pyi", "Detector"),
+            python_methods("Detector", "_detector/*.py"),
             c_functions("tamis_detector_"),
             command - {"bodies"},
             distributed,
@@ -80,7 +87,7 @@ def doors() -> dict[str, list[set[str]]]:
         ],
         "Bodies": [
             methods("include/tamis/world.hpp", "World"),
-            python_methods("python/tamis/_core.pyi", "World"),
+            python_methods("World", "_world/*.py"),
             c_functions("tamis_world_"),
             command & {"bodies"},
         ],
@@ -113,7 +120,7 @@ def faults() -> list[str]:
             found += [f"{title}, {head[number]}: no row names {name}" for name in sorted(offered - named)]
             found += [f"{title}, {head[number]}: there is no {name}" for name in sorted(named - offered)]
         for row in rows:
-            if "-" in row[1 : len(columns) + 1] and not row[-1].strip("-"):
+            if "-" in row and not any(row[len(columns) + 1 :]):
                 found.append(f"{title}, {row[0]}: say why some door lacks it")
     return found
 

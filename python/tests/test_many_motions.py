@@ -39,6 +39,7 @@ def test_many_motions_that_do_not_fit(cube: tamis.Shape) -> None:
     motions = np.broadcast_to(tamis.between(places, places), (3, 2, 2, 4, 3))
     assert world.earliest_many(bodies, motions).is_free.all()
     assert len(world.earliest_many(bodies, motions[:0]).toi_lower) == 0
+    assert not world.earliest_many(bodies, motions[:, :, :0]).is_free.any()  # no links: both where their shape is
     with pytest.raises(tamis.InvalidPath, match=r"give \(n, 1, links, 4, 3\)"):
         world.earliest_many(bodies[:1], motions)
     with pytest.raises(tamis.InvalidOptions, match="bodies holds 1 twice"):

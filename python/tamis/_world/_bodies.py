@@ -141,7 +141,7 @@ def chains_of_each(given: npt.ArrayLike, named: Indices) -> Doubles:
         )
     if not len(named):
         raise InvalidOptions("bodies is empty: name those that move")
-    return motions_of(motions.reshape(-1, *motions.shape[2:]))
+    return motions_of(motions.reshape(len(motions) * len(named), *motions.shape[2:]))
 
 
 def _poses_or_chains(array: npt.NDArray[Any], given: npt.NDArray[Any], name: str, advice: str) -> Doubles:

@@ -34,10 +34,8 @@ class StepLengths:
 
         Parameters
         ----------
-        start, end : array_like, shape (n, 3)
-            Where each vertex is at the start and at the end of the step.
-        min_separation : float, optional
-            Of this question alone; by default the detector's.
+        start, end, min_separation
+            As of `contacts` of a step.
         at_start : str
             As of `contacts`. A pair that is ignored has nothing to keep: it ends the step where it touches again.
         keep : float
@@ -75,12 +73,10 @@ class StepLengths:
 
         Parameters
         ----------
-        start, end : array_like, shape (n, 3)
-            Where each vertex is at the start and at the end of the step.
+        start, end, min_separation
+            As of `contacts` of a step.
         keep : float
             0 < keep < 1, of the distance as far as that exceeds the minimum separation.
-        min_separation : float, optional
-            Of this question alone; by default the detector's.
         at_start : str
             As of `contacts`. A pair that is ignored may move as it likes, but not apart and back.
         stored : str

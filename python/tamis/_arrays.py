@@ -89,15 +89,20 @@ def indices_or_none(given: npt.ArrayLike | None, columns: int, name: str, error:
     return indices([] if given is None else given, columns, name, error)
 
 
-def indices(given: npt.ArrayLike, columns: int, name: str, error: type[Error]) -> Indices:
+def indices(
+    given: npt.ArrayLike, columns: int, name: str, error: type[Error], *, one_may_come_alone: bool = False
+) -> Indices:
     """Return contiguous 32-bit indices, `columns` a row (0: in one dimension); [] are none."""
     shape = (0, columns) if columns else (0,)
     array = _array(given, name, error, "iuf", _WHOLE)
     if array.size == 0:
         return np.empty(shape, np.int32)
+    given_shape = shape_text(array)
+    if one_may_come_alone and array.ndim == len(shape) - 1:
+        array = array[np.newaxis]
     if array.ndim != len(shape) or (columns and array.shape[1] != columns):
-        wanted = f"(n, {columns})" if columns else "(n,)"
-        raise error(f"{name} has the shape {shape_text(array)}: give {wanted}")
+        wanted = (f"(n, {columns})" if columns else "(n,)") + (", or one alone" if one_may_come_alone else "")
+        raise error(f"{name} has the shape {given_shape}: give {wanted}")
     if array.dtype.kind == "f":
         raise error(f"{name} has the dtype {array.dtype}: give {_WHOLE}")
     if array.dtype != np.int32:
@@ -118,7 +123,7 @@ def flags(given: npt.ArrayLike, name: str, error: type[Error]) -> Groups:
 
 def pair_list(kind: npt.ArrayLike, vertices: npt.ArrayLike, error: type[Error]) -> tuple[Groups, Indices]:
     """Return kinds (n,) and vertices (n, 4) of pairs of features; one kind may serve for all, one pair come alone."""
-    given = indices(np.atleast_2d(_array(vertices, "vertices", error, "iuf", _WHOLE)), 4, "vertices", error)
+    given = indices(vertices, 4, "vertices", error, one_may_come_alone=True)
     kinds = np.atleast_1d(_array(kind, "kind", error, "iuf", "a PairKind"))
     if kinds.dtype != np.uint8 or kinds.ndim != 1:
         kinds = indices(kinds, 0, "kind", error)

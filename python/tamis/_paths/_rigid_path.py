@@ -81,19 +81,16 @@ def pose_of(rotation: npt.ArrayLike, position: npt.ArrayLike) -> Doubles:
     InvalidPath
         Shapes that do not fit, numbers that are not finite, or what is farther from a rotation; the message says which.
     """
-    places = numbers(position, "position", InvalidPath)
-    points = finite(np.ascontiguousarray(rows(np.atleast_2d(places), "position", InvalidPath)), "position", InvalidPath)
+    points, is_one = _threes(position, "position")
     turns = numbers(rotation, "rotation", InvalidPath)
-    many = finite(
-        np.ascontiguousarray(turns if places.ndim > 1 else turns[np.newaxis], np.float64), "rotation", InvalidPath
-    )
+    many = finite(np.ascontiguousarray(turns[np.newaxis] if is_one else turns, np.float64), "rotation", InvalidPath)
     if many.shape[1:] not in ((4,), (3, 3), (3,)) or len(many) != len(points):
         raise InvalidPath(
-            f"rotation has the shape {shape_text(turns)}, position {shape_text(places)}: give a quaternion, a matrix "
-            "or a rotation vector for each position, (n, 4), (n, 3, 3) or (n, 3)"
+            f"rotation has the shape {shape_text(turns)}, position {shape_text(np.asarray(position))}: give a "
+            "quaternion, a matrix or a rotation vector for each position, (n, 4), (n, 3, 3) or (n, 3)"
         )
     poses = np.stack([points, many], 1) if many.shape[1:] == (3,) else _core.poses_of(many, points).reshape(-1, 2, 3)
-    return poses if places.ndim > 1 else poses[0]
+    return poses[0] if is_one else poses
 
 
 def interpolated(start: npt.ArrayLike, end: npt.ArrayLike) -> Doubles:
@@ -144,18 +141,13 @@ def between(start: npt.ArrayLike, end: npt.ArrayLike, *, center: npt.ArrayLike |
     ----------
     start, end : array_like, shape (2, 3) or (n, 2, 3)
         Poses, of one body or of n.
-    center : array_like, shape (3,) or (n, 3), optional
+    center : array_like, optional
         The point of the body that goes straight, as of `turned`.
 
     Returns
     -------
-    array, shape (2, 4, 3) or (n, 2, 4, 3)
-        A chain of two links each.
-
-    Raises
-    ------
-    InvalidPath
-        Other shapes, or numbers that are not finite.
+    array
+        As of `turned`; so are errors.
     """
     (first, last), is_one = _alike(start=_poses(start, "start"), end=_poses(end, "end"))
     return _chains(_core.between(first, last, _centers(center, len(first))), 2, is_one)

@@ -105,7 +105,7 @@ def known_shape(given: Shape) -> Shape:
 
 def numbers_of(given: npt.ArrayLike) -> Indices:
     """Return the numbers of one body or of many, (n,)."""
-    return indices(np.atleast_1d(numbers(given, "bodies", InvalidOptions)), 0, "bodies", InvalidOptions)
+    return indices(given, 0, "bodies", InvalidOptions, one_may_come_alone=True)
 
 
 def each_once(named: Indices) -> Indices:

@@ -6,7 +6,7 @@ import numpy as np
 import numpy.typing as npt
 
 from tamis import _core
-from tamis._arrays import Indices, indices, numbers
+from tamis._arrays import Indices, indices
 from tamis._checks import number, truth, whole
 from tamis._errors import InvalidOptions, InvalidPath
 from tamis._world._bodies import AT_REST, Deforming, Shape, each_once, known_shape, motion_of, motions_of, numbers_of
@@ -175,5 +175,5 @@ class Changes:
             A body that is not there: nothing has changed. True for two bodies that both stay, or for one with itself
             that does not deform: what was said of the pairs before them holds.
         """
-        pairs = indices(np.atleast_2d(numbers(bodies, "bodies", InvalidOptions)), 2, "bodies", InvalidOptions)
+        pairs = indices(bodies, 2, "bodies", InvalidOptions, one_may_come_alone=True)
         self._world.set_may_touch(pairs, truth(may_touch, "may_touch"))

@@ -187,7 +187,7 @@ def test_one_that_is_not_there_leaves_all_as_they_were(cube: tamis.Shape, bad: i
 def test_radii_and_steps_of_bodies_that_turn(cube: tamis.Shape) -> None:
     world = tamis.World()
     low, high = world.add_many(cube, _at((0, 0, 0), (0, 0, 3)))
-    world.move(high, tamis.interpolated([[0, 0, 3], [0, 0, 0]], [[0, 0, 2], [0, 0, 0.5]]))
+    world.move(high, tamis.interpolated(_at((0, 0, 3))[0], np.array([[0, 0, 2], [0, 0, 0.5]])))
     assert world.is_free()
     step = world.safe_step(0.6, tolerance=1e-6)
     assert step.pair is not None

@@ -1,6 +1,7 @@
 // Bodies that come, go, are switched off and kept apart; poses and places that are hard.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <numbers>
 
 #include "oracle/turning.hpp"
@@ -155,6 +156,22 @@ TEST(World, FollowsHugeRotations) {
     EXPECT_NEAR(world.earliest().toi_lower, std::numbers::pi / 4 / angle, 1e-8);
     EXPECT_FALSE(world.contacts().empty());
   }
+}
+
+/// So far that the pieces of the step, of which there are kMostPieces, bend by more than edges are long. The bar comes
+/// nearer to a post, turning, and meets it within half a turn of when it can.
+TEST(World, FollowsRotationsBeyondItsPieces) {
+  constexpr double kTurns = 2000;
+  const Shape bar(Mesh(2, {}, {{0, 1}}), {{-2, 0, 0}, {2, 0, 0}});
+  const Shape post(Mesh(2, {}, {{0, 1}}), {{0, 0, -1}, {0, 0, 1}});
+  World world(one_thread());
+  world.add(bar, Rigid{interpolated({}, {{2, 0, 0}, {0, 0, 2 * std::numbers::pi * kTurns}})});
+  world.add(post, Static{{{3.1, 0.2, 0}, {}}});
+  const double reached = (3.1 - std::sqrt(4 - 0.2 * 0.2)) / 2;  // by the disc in which the bar turns
+  const EarliestBodyContact first = world.earliest();
+  EXPECT_GE(first.toi_upper, reached);
+  EXPECT_LE(first.toi_lower, reached + 0.5 / kTurns);
+  EXPECT_LE(first.toi_upper, first.toi_lower + 1e-8);
 }
 
 /// A nut that follows the thread of a bolt is free, however far it turns; one that goes too far up for its turn meets

@@ -158,8 +158,8 @@ TEST(World, FollowsHugeRotations) {
   }
 }
 
-/// So far that the pieces of the step, of which there are kMostPieces, bend by more than edges are long. The bar comes
-/// nearer to a post, turning, and meets it within half a turn of when it can.
+/// So far that the step has kMostPieces pieces, each of which bends by more than one should. The bar comes nearer to a
+/// post, turning, and meets it within half a turn of when it can.
 TEST(World, FollowsRotationsBeyondItsPieces) {
   constexpr double kTurns = 2000;
   const Shape bar(Mesh(2, {}, {{0, 1}}), {{-2, 0, 0}, {2, 0, 0}});
@@ -239,6 +239,20 @@ TEST(World, IsAsExactFarFromTheOrigin) {
   end.rotation = {0, 0, 1};
   world.move(cubes, Rigid{interpolated(at(1.75), end)});
   EXPECT_NEAR(world.earliest().toi_lower, 0.75, 1e-6);
+}
+
+/// Bug: differences of gaps that overflow said when boxes part along one axis.
+TEST(World, GoesAsFarAsDoubles) {
+  constexpr double kUnit = 1e307;
+  const auto plate_at = [](double x, double y, double z) {
+    return std::vector<Point>{{x - kUnit, y - kUnit, z}, {x + kUnit, y - kUnit, z}, {x, y + kUnit, z}};
+  };
+  const Shape plate(Mesh(3, {{0, 1, 2}}), plate_at(0, 0, 0));
+  World world(one_thread());
+  world.add(plate, Static{});
+  const double far = 12 * kUnit, side = 5 * kUnit;
+  world.add(plate, Deforming{plate_at(-far, side, side), plate_at(far, -side, -side)});
+  EXPECT_NEAR(world.earliest().toi_lower, 0.5, 1e-12);
 }
 
 /// The same bits, whatever was asked before and however many threads ask.

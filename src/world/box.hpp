@@ -52,7 +52,7 @@ struct Box {
   static constexpr double kNone = std::numeric_limits<double>::infinity();
 };
 
-/// False only if proven; boxes that are not numbers meet everything.
+/// False only if proven.
 inline bool may_meet(const Box& a, const Box& b) {
   bool is_apart = false;
   for (std::size_t k = 0; k < 3; ++k) is_apart |= a.low[k] > b.high[k] || b.low[k] > a.high[k];

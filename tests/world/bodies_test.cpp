@@ -255,6 +255,19 @@ TEST(World, GoesAsFarAsDoubles) {
   EXPECT_NEAR(world.earliest().toi_lower, 0.5, 1e-12);
 }
 
+/// Bug: boxes of what bends without bound were left out of those that hold them.
+TEST(World, FollowsWhatBendsWithoutBound) {
+  constexpr double kUnit = 1e289, kArm = 10 * kUnit, kTurns = 1e9;
+  const Shape plate(Mesh(3, {{0, 1, 2}}), {{-kUnit, -kUnit, 0}, {kUnit, -kUnit, 0}, {0, kUnit, 0}});
+  World world(one_thread());
+  const Pose arm{{kArm, 0, 0}, {}}, turn{{}, {0, 0, 2 * std::numbers::pi * kTurns}};
+  world.add(plate, Rigid{{{{}, turn}, {arm, arm}}});
+  world.add(plate, Static{{{0, kArm, 0}, {0, std::numbers::pi / 2, 0}}});
+  const EarliestBodyContact first = world.earliest();
+  ASSERT_TRUE(first.contact);
+  EXPECT_LT(first.toi_lower, 0.25 / kTurns);
+}
+
 /// The same bits, whatever was asked before and however many threads ask.
 TEST(World, HasTheSameBitsAlways) {
   Options threads;

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""What the crate `tamis` declares of the C interface by hand is what its headers say: fields of structs, types of calls.
+"""What the crates declare of the C interface by hand is what its headers say: structs, calls, numbers.
 
 Neither compiler sees both sides: a field that one side lacks would be read from memory that is something else.
 """
@@ -19,6 +19,18 @@ IN_RUST = {
     **{"tamis_pose": "Pose", "tamis_link": "Link", "tamis_contact": "Contact"},
     **{"tamis_near_pair": "NearPair", "tamis_intersection": "Intersection"},
 }
+
+# Numbers that stand in C or C++ and again in Rust.
+ANSWERS, STATUS, CLAMP = "include/tamis/c/answers.h", "include/tamis/c/status.h", "adapters/clamp.hpp"
+OF_WORLD, OF_CLAMP, OF_MESH = "tamis/src/world.rs", "tamis/src/clamp.rs", "tamis-rapier/src/mesh.rs"
+NUMBERS = [
+    (ANSWERS, "TAMIS_REPORT = ", OF_WORLD, "Report = "),
+    (ANSWERS, "TAMIS_IGNORE = ", OF_WORLD, "Ignore = "),
+    (ANSWERS, "TAMIS_FAIL = ", OF_WORLD, "Fail = "),
+    (STATUS, "TAMIS_INVALID_MESH = ", OF_MESH, "INVALID_MESH: i32 = "),
+    (CLAMP, "double gap = ", OF_CLAMP, "ClampOptions { gap: "),
+    (CLAMP, "int rounds = ", OF_CLAMP, ", rounds: "),
+]
 
 Fields = list[tuple[str, str]]
 Call = tuple[list[str], str]
@@ -73,16 +85,25 @@ def in_rust() -> tuple[dict[str, Fields], dict[str, Call]]:
     )
 
 
+def number_after(words: str, place: str) -> float:
+    return float(re.search(re.escape(words) + r"([\d.e-]+)", (ROOT / place).read_text())[1])
+
+
 def main() -> int:
     wrong = 0
-    for theirs, ours in zip(in_c(), in_rust()):
-        if not ours:
+    for header, there, source, here in NUMBERS:
+        theirs, ours = number_after(there, header), number_after(here, f"adapters/rapier/{source}")
+        if theirs != ours:
+            print(f"{header} has {there}{theirs}\n{source} has {here}{ours}")
+            wrong += 1
+    for declared_there, declared_here in zip(in_c(), in_rust()):
+        if not declared_here:
             sys.exit(f"nothing is declared in {CRATE}")
-        for name, declared in ours.items():
-            if declared != theirs.get(name):
-                print(f"{name}:\n  in Rust {declared}\n  in C    {theirs.get(name, 'not there')}")
+        for name, declared in declared_here.items():
+            if declared != declared_there.get(name):
+                print(f"{name}:\n  in Rust {declared}\n  in C    {declared_there.get(name, 'not there')}")
                 wrong += 1
-        print(f"{len(ours)} compared")
+        print(f"{len(declared_here)} compared")
     return 1 if wrong else 0
 
 

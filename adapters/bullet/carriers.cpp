@@ -50,18 +50,17 @@ void Carriers::find_levels() {
     return moves(object) ? btRigidBody::upcast(&object)->getInvMass() : btScalar(-1);
   };
   std::ranges::stable_sort(roots, {}, give);
-  for (const std::size_t root : roots) {
-    const bool stands = give(root) < 0;
-    if (bodies_[root].level >= 0) continue;
+  for (auto root = roots.begin(); root != roots.end(); ++root) {
+    if (bodies_[*root].level >= 0) continue;
     std::vector<std::size_t> reached;
     const auto reach = [&](std::size_t i, int level) {
       if (bodies_[i].level >= 0) return;
       bodies_[i].level = level;
       reached.push_back(i);
     };
-    // All that stand at once: a body is as high as the nearest of them says.
-    for (const std::size_t i : roots)
-      if (i == root || (stands && give(i) < 0)) reach(i, 0);
+    reach(*root, 0);
+    // All that stand, the first of `roots`, at once: a body is as high as the nearest of them says.
+    for (auto next = root + 1; next != roots.end() && give(*next) < 0; ++next) reach(*next, 0);
     for (std::size_t next = 0; next < reached.size(); ++next) {
       const std::size_t i = reached[next];
       if (bodies_[i].level > 0) order_.push_back(i);

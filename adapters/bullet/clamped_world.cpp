@@ -46,10 +46,9 @@ class ClampedWorld::Step final : public adapters::WantedStep {
  public:
   Step(const ClampedWorld& world, btScalar seconds) : world_(world) {
     for (const auto& [id, member] : world.members_) {
-      btRigidBody* const body = btRigidBody::upcast(member.object);
-      if (!body || !moves(*body)) continue;
+      if (!moves(*member.object)) continue;
       btTransform end;
-      body->predictIntegratedTransform(seconds, end);
+      btRigidBody::upcast(member.object)->predictIntegratedTransform(seconds, end);
       ways_.emplace(id, Way(member.place, end));
       moving_.push_back(id);
     }

@@ -9,7 +9,7 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
 shoot() { # FOLDER/NAME FRAME FROM PICTURE
-  "$bin/tamis" view "$1_$(printf %04d "$2").obj" "$1_$(printf %04d $(($2 + 1))).obj" --from="$3" --size 480,360 \
+  "$bin/tamis" view "$1_$(printf %04d "$2").ply" "$1_$(printf %04d $(($2 + 1))).ply" --from="$3" --size 480,360 \
     --out "$here/bullet-$4.png" > /dev/null
 }
 

@@ -103,15 +103,16 @@ void PathSearch::check_chords(const Path& path, const Frame& from, const Frame& 
   const Frame middle = frame_at(path, 0.5 * from.time + 0.5 * to.time);
   for (const Index index : mesh_.points()) {
     const auto v = static_cast<std::size_t>(index);
-    double square = 0, size = 0;
+    Point off{};
+    double size = 0;
     for (std::size_t k = 0; k < 3; ++k) {
-      const double off = middle.points[v][k] - (0.5 * from.points[v][k] + 0.5 * to.points[v][k]);
-      square += off * off;
+      off[k] = middle.points[v][k] - (0.5 * from.points[v][k] + 0.5 * to.points[v][k]);
       size = std::max(size, std::fabs(middle.points[v][k]));
     }
+    const double distance = std::hypot(off[0], off[1], off[2]);
     const double errors = 2 * (middle.errors[v] + from.errors[v] + to.errors[v]) + 0x1p-48 * size;
-    if (std::sqrt(square) <= deviations_[v] + errors) continue;
-    throw InvalidPath("vertex " + std::to_string(index) + " of the path is " + number_text(std::sqrt(square)) +
+    if (distance <= deviations_[v] + errors) continue;
+    throw InvalidPath("vertex " + std::to_string(index) + " of the path is " + number_text(distance) +
                       " from its chord at t = " + number_text(middle.time) + ", beyond its bound " +
                       number_text(deviations_[v]) + ": give a bound that holds");
   }
@@ -132,7 +133,7 @@ void PathSearch::find(const MeshOnPath& asked, Question question, std::vector<Co
   contacts.clear();
   never_apart_.clear();
   std::set<PairKey> known;
-  const double reach = asked.separations.fixed + kept_reach(asked, path);
+  const double reach = kept_reach(asked, path);
   for (Frame from = frame_at(path, 0); from.time < 1;) {
     stop_if_cancelled(options_);
     Frame to = frame_at(path, piece_end(asked, path, from));
@@ -163,20 +164,18 @@ void PathSearch::find(const MeshOnPath& asked, Question question, std::vector<Co
 /// A pair that starts c beyond its separation and keeps no more than f c has lost (1 - f) c, which is no more than how
 /// far both its features go.
 double PathSearch::kept_reach(const MeshOnPath& asked, const Path& path) {
-  if (asked.keep == 0) return 0;
+  if (asked.keep == 0) return asked.separations.fixed;
   const Frame from = frame_at(path, 0), to = frame_at(path, 1);
   path.deviations(0, 1, all_, deviations_);
   double farthest = 0;
   for (const Index index : mesh_.points()) {
     const auto v = static_cast<std::size_t>(index);
-    double square = 0;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const double way = std::fabs(to.points[v][k] - from.points[v][k]) + from.errors[v] + to.errors[v];
-      square += way * way;
-    }
-    farthest = std::max(farthest, std::sqrt(square) + deviations_[v]);
+    Point way{};
+    for (std::size_t k = 0; k < 3; ++k)
+      way[k] = std::fabs(to.points[v][k] - from.points[v][k]) + from.errors[v] + to.errors[v];
+    farthest = std::max(farthest, std::hypot(way[0], way[1], way[2]) + deviations_[v]);
   }
-  return 2 * farthest * asked.keep / (1 - asked.keep) * (1 + 0x1p-40);
+  return (asked.separations.fixed + 2 * farthest * asked.keep / (1 - asked.keep)) * (1 + 0x1p-40);
 }
 
 SafeStep PathSearch::find_step_length(const MeshOnPath& asked, Statistics& statistics) {

@@ -59,7 +59,7 @@ class PathSearch {
   void set_radii(const Separations& separations, const Frame& from, const Frame& to);
   /// Throws if a vertex in the middle of its piece is farther from the chord than it says.
   void check_chords(const Path& path, const Frame& from, const Frame& to) const;
-  /// No pair that stays farther apart, beyond its separation, fails to keep its part.
+  /// No pair that stays farther apart, beyond its radii, touches, or fails to keep its part.
   double kept_reach(const MeshOnPath& asked, const Path& path);
   void decide_all(const MeshOnPath& piece, Question question, std::vector<Contact>& contacts, Statistics& statistics);
 

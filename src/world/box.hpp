@@ -52,7 +52,7 @@ struct Box {
   static constexpr double kNone = std::numeric_limits<double>::infinity();
 };
 
-/// False only if proven; boxes that are not numbers meet everything.
+/// False only if proven.
 inline bool may_meet(const Box& a, const Box& b) {
   bool is_apart = false;
   for (std::size_t k = 0; k < 3; ++k) is_apart |= a.low[k] > b.high[k] || b.low[k] > a.high[k];
@@ -81,9 +81,9 @@ inline bool may_meet(const MovingBounds& a, const MovingBounds& b, double separa
   const auto close = [&](double gap0, double gap1) {
     if (!(gap0 > 0 || gap1 > 0)) return true;
     if (gap0 > 0 && gap1 > 0) return false;
-    const double time = gap0 / (gap0 - gap1);
-    if (gap0 > 0 && time > from) from = time;
-    if (gap1 > 0 && time < to) to = time;
+    // Where a difference overflows these are 0 and 1, which prove nothing.
+    if (gap0 > 0) from = std::max(from, gap0 / (gap0 - gap1));
+    if (gap1 > 0) to = std::min(to, 1 - gap1 / (gap1 - gap0));
     return true;
   };
   for (std::size_t k = 0; k < 3; ++k) {

@@ -14,6 +14,14 @@ Box widened(Box box) {
   return box;
 }
 
+/// What is not a number, as where curves bend by more than doubles can say, may be anywhere: so that a box that
+/// includes it is as large.
+Box all_if_unknown(Box box) {
+  for (std::size_t k = 0; k < 3; ++k)
+    if (!(box.low[k] <= box.high[k])) box.low[k] = -Box::kNone, box.high[k] = Box::kNone;
+  return box;
+}
+
 /// Between two bounds that are linear in `share`, rounded up.
 double at_share(double first, double last, double share) {
   return (first + (last - first) * share) * (1 + 0x1p-40) + 0x1p-1000;
@@ -110,7 +118,8 @@ CarriedItems CarriedBoxes::carried_items(Index block) const {
 
 /// Vertices of a body that does not turn go straight during the whole step: linear bounds between those of both ends
 /// hold. Those of one that turns are of the piece already.
-MovingBounds CarriedBoxes::cut(const Box& start, const Box& end) const {
+MovingBounds CarriedBoxes::cut(const Box& at_start, const Box& at_end) const {
+  const Box start = all_if_unknown(at_start), end = all_if_unknown(at_end);
   if (body_.way() != Way::straight) return {start, end};
   const auto at_time = [&](double time) {
     if (time == 0) return start;

@@ -29,7 +29,7 @@ class CarriedBoxes {
   double deviation(const Box& at_rest) const;
   MovingBounds carried(int level, Index block) const;
   CarriedItems carried_items(Index block) const;
-  MovingBounds cut(const Box& start, const Box& end) const;
+  MovingBounds cut(const Box& at_start, const Box& at_end) const;
 
   const Body& body_;
   const double from_, to_;

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <tuple>
@@ -85,6 +86,21 @@ TEST(World, AgreesWithOneMeshOnCurves) {
     expect_same_first(world);
   }
   EXPECT_GT(contacts, 1000u);
+}
+
+/// Far from the origin, with turns by up to fifty radians, and of bodies a thousand times as large as others.
+TEST(World, AgreesWhereItIsHard) {
+  const std::array<Extremes, 3> kinds{{{{1e7, -3e6, 2e7}, 1, 1}, {{}, 20, 1}, {{}, 1, 1e-3}}};
+  for (std::size_t kind = 0; kind < kinds.size(); ++kind) {
+    std::size_t contacts = 0;
+    for (std::uint64_t seed = 304; seed < 309; ++seed) {
+      SCOPED_TRACE(testing::Message() << "kind " << kind << ", seed " << seed);
+      TestWorld world = random_world(seed, 2.5, seed % 2 ? Motions::any : Motions::straight, one_thread(), kinds[kind]);
+      contacts += expect_same_contacts(world);
+      expect_same_first(world);
+    }
+    EXPECT_GT(contacts, 50u);
+  }
 }
 
 TEST(World, AgreesWithinASeparation) {

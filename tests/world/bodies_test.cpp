@@ -1,6 +1,7 @@
 // Bodies that come, go, are switched off and kept apart; poses and places that are hard.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <numbers>
 
 #include "oracle/turning.hpp"
@@ -157,6 +158,22 @@ TEST(World, FollowsHugeRotations) {
   }
 }
 
+/// So far that the step has kMostPieces pieces, each of which bends by more than one should. The bar comes nearer to a
+/// post, turning, and meets it within half a turn of when it can.
+TEST(World, FollowsRotationsBeyondItsPieces) {
+  constexpr double kTurns = 2000;
+  const Shape bar(Mesh(2, {}, {{0, 1}}), {{-2, 0, 0}, {2, 0, 0}});
+  const Shape post(Mesh(2, {}, {{0, 1}}), {{0, 0, -1}, {0, 0, 1}});
+  World world(one_thread());
+  world.add(bar, Rigid{interpolated({}, {{2, 0, 0}, {0, 0, 2 * std::numbers::pi * kTurns}})});
+  world.add(post, Static{{{3.1, 0.2, 0}, {}}});
+  const double reached = (3.1 - std::sqrt(4 - 0.2 * 0.2)) / 2;  // by the disc in which the bar turns
+  const EarliestBodyContact first = world.earliest();
+  EXPECT_GE(first.toi_upper, reached);
+  EXPECT_LE(first.toi_lower, reached + 0.5 / kTurns);
+  EXPECT_LE(first.toi_upper, first.toi_lower + 1e-8);
+}
+
 /// A nut that follows the thread of a bolt is free, however far it turns; one that goes too far up for its turn meets
 /// it when the oracle of turning pairs says so, of all pairs.
 TEST(World, TurnsANutOnABolt) {
@@ -222,6 +239,33 @@ TEST(World, IsAsExactFarFromTheOrigin) {
   end.rotation = {0, 0, 1};
   world.move(cubes, Rigid{interpolated(at(1.75), end)});
   EXPECT_NEAR(world.earliest().toi_lower, 0.75, 1e-6);
+}
+
+/// Bug: differences of gaps that overflow said when boxes part along one axis.
+TEST(World, GoesAsFarAsDoubles) {
+  constexpr double kUnit = 1e307;
+  const auto plate_at = [](double x, double y, double z) {
+    return std::vector<Point>{{x - kUnit, y - kUnit, z}, {x + kUnit, y - kUnit, z}, {x, y + kUnit, z}};
+  };
+  const Shape plate(Mesh(3, {{0, 1, 2}}), plate_at(0, 0, 0));
+  World world(one_thread());
+  world.add(plate, Static{});
+  const double far = 12 * kUnit, side = 5 * kUnit;
+  world.add(plate, Deforming{plate_at(-far, side, side), plate_at(far, -side, -side)});
+  EXPECT_NEAR(world.earliest().toi_lower, 0.5, 1e-12);
+}
+
+/// Bug: boxes of what bends without bound were left out of those that hold them.
+TEST(World, FollowsWhatBendsWithoutBound) {
+  constexpr double kUnit = 1e289, kArm = 10 * kUnit, kTurns = 1e9;
+  const Shape plate(Mesh(3, {{0, 1, 2}}), {{-kUnit, -kUnit, 0}, {kUnit, -kUnit, 0}, {0, kUnit, 0}});
+  World world(one_thread());
+  const Pose arm{{kArm, 0, 0}, {}}, turn{{}, {0, 0, 2 * std::numbers::pi * kTurns}};
+  world.add(plate, Rigid{{{{}, turn}, {arm, arm}}});
+  world.add(plate, Static{{{0, kArm, 0}, {0, std::numbers::pi / 2, 0}}});
+  const EarliestBodyContact first = world.earliest();
+  ASSERT_TRUE(first.contact);
+  EXPECT_LT(first.toi_lower, 0.25 / kTurns);
 }
 
 /// The same bits, whatever was asked before and however many threads ask.

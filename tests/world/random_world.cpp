@@ -5,11 +5,13 @@
 namespace tamis::test {
 namespace {
 
-Shape shape_of(const scenes::Shape& shape, double scale) {
-  std::vector<Point> points = shape.points;
+Shape scaled(const Mesh& mesh, std::vector<Point> points, double scale) {
   for (Point& p : points)
     for (double& x : p) x *= scale;
-  return {Mesh(static_cast<Index>(points.size()), shape.faces), points};
+  return {mesh, std::move(points)};
+}
+Shape shape_of(const scenes::Shape& shape, double scale) {
+  return scaled(Mesh(static_cast<Index>(shape.points.size()), shape.faces), shape.points, scale);
 }
 
 Shape sheet(Index cells) {
@@ -29,6 +31,27 @@ Shape rod() {
 }
 
 Pose random_pose(Random& random, double size, double turn) { return {random.point(size), random.point(turn)}; }
+
+Point plus(const Point& a, double factor, const Point& b) {
+  return {a[0] + factor * b[0], a[1] + factor * b[1], a[2] + factor * b[2]};
+}
+
+BodyMotion made_hard(BodyMotion motion, const Extremes& extremes) {
+  const auto move = [&](Point& position) { position = plus(position, 1, extremes.away); };
+  if (auto* still = std::get_if<Static>(&motion)) move(still->pose.position);
+  if (auto* rigid = std::get_if<Rigid>(&motion)) {
+    for (Link& link : rigid->chain) {
+      const Point turn = plus(link.end.rotation, -1, link.start.rotation);
+      link.end.rotation = plus(link.end.rotation, extremes.turns - 1, turn);
+    }
+    move(rigid->chain.front().start.position);
+    move(rigid->chain.front().end.position);
+  }
+  if (auto* soft = std::get_if<Deforming>(&motion))
+    for (auto* points : {&soft->start, &soft->end})
+      for (Point& point : *points) move(point);
+  return motion;
+}
 
 }  // namespace
 
@@ -55,14 +78,16 @@ BodyMotion random_motion(Random& random, const Shape& shape, double size, Motion
   return Rigid{interpolated(start, end)};
 }
 
-TestWorld random_world(std::uint64_t seed, double size, Motions motions, const Options& options) {
+TestWorld random_world(std::uint64_t seed, double size, Motions motions, const Options& options,
+                       const Extremes& extremes) {
   Random random(seed);
   const std::vector<Shape> shapes{shape_of(scenes::unit_sphere(3), 0.7), shape_of(scenes::unit_cube(2), 0.5), sheet(6),
                                   rod()};
   TestWorld made(options);
   for (int body = 0; body < 7; ++body) {
-    const Shape& shape = shapes[static_cast<std::size_t>(random.below(4))];
-    made.add(shape, random_motion(random, shape, size, motions));
+    Shape shape = shapes[static_cast<std::size_t>(random.below(4))];
+    if (body % 2) shape = scaled(shape.mesh(), shape.points(), extremes.every_other);
+    made.add(shape, made_hard(random_motion(random, shape, size, motions), extremes));
   }
   return made;
 }

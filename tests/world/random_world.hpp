@@ -98,8 +98,16 @@ class Random {
 
 enum class Motions { straight, any };
 
+/// What makes a random world a hard one.
+struct Extremes {
+  Point away{};            ///< all bodies are moved by this
+  double turns = 1;        ///< what turns, turns so many times as far
+  double every_other = 1;  ///< so many times as large is every other body
+};
+
 /// Some bodies within a cube of side 2 `size`: spheres, cubes, a sheet, a rod with loose points, shared by several.
-TestWorld random_world(std::uint64_t seed, double size, Motions motions, const Options& options = one_thread());
+TestWorld random_world(std::uint64_t seed, double size, Motions motions, const Options& options = one_thread(),
+                       const Extremes& extremes = {});
 BodyMotion random_motion(Random& random, const Shape& shape, double size, Motions motions);
 
 }  // namespace tamis::test

@@ -42,7 +42,7 @@ def test_many_motions_that_do_not_fit(cube: tamis.Shape) -> None:
     assert not world.earliest_many(bodies, motions[:, :, :0]).is_free.any()  # no links: both where their shape is
     with pytest.raises(tamis.InvalidPath, match=r"give \(n, 1, links, 4, 3\)"):
         world.earliest_many(bodies[:1], motions)
-    with pytest.raises(tamis.InvalidOptions, match="bodies holds 1 twice"):
+    with pytest.raises(tamis.InvalidOptions, match="body 1 is named twice: give each once"):
         world.earliest_many([1, 1], motions)
     with pytest.raises(tamis.InvalidOptions, match="bodies is empty"):
         world.earliest_many([], motions[:, :0])

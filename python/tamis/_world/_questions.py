@@ -7,7 +7,7 @@ import numpy.typing as npt
 from tamis import _core
 from tamis._checks import number
 from tamis._options import AtStart, query_options
-from tamis._world._bodies import chains_of_each, each_once, numbers_of
+from tamis._world._bodies import chains_of_each, numbers_of
 from tamis._world._tables import (
     BodyContacts,
     BodyIntersections,
@@ -119,7 +119,7 @@ class Questions:
         InvalidStep
             With at_start="fail".
         """
-        named = each_once(numbers_of(bodies))
+        named = numbers_of(bodies)
         asked = query_options(min_separation, at_start, tolerance)
         return earliest_many_of(self._world.earliest_many(named, chains_of_each(motions, named), asked))
 

@@ -13,9 +13,10 @@ namespace {
 /// the end of one step's path may differ from the start of the next.
 constexpr double kLeastTravel = 1e-3;
 /// Of a gap. So does one that is known to be this near, however far it goes along: its distance would be halved in each
-/// step, until it is less than what rounding to the engine's floats moves a body by.
+/// step, until it is less than what rounding to the engine's floats moves a body by (2^-24 of how far it is from the
+/// origin: of a gap of 1e-3, this much up to 800 units away). Farther away bodies stay more often; none passes.
 constexpr double kLeastDistance = 0.05;
-/// Of the step: no more is needed of a time before which bodies are stopped.
+/// Of the step: no more is needed of a time before which bodies are stopped, nor of a way that they may go.
 constexpr double kTolerance = 1e-4;
 /// Over all approaches; more would only spare questions.
 constexpr int kMostSweeps = 32;
@@ -134,7 +135,7 @@ class Clamp {
     for (const BodyId body : slower) set_off(body);
   }
 
-  bool is_nearest(const BodyPair& bodies) const {
+  bool starts_too_near(const BodyPair& bodies) const {
     return std::ranges::any_of(approaches_, [&](const Approach& approach) {
       return approach.bodies == bodies && approach.distance < kLeastDistance * options_.gap;
     });
@@ -145,7 +146,7 @@ class Clamp {
     double travel = 0;
     for (const BodyId body : bodies)
       if (const auto known = travels_.find(body); known != travels_.end()) travel += known->second;
-    if (travel * time < kLeastTravel * options_.gap || is_nearest(bodies)) return 0;
+    if (travel * time < kLeastTravel * options_.gap || starts_too_near(bodies)) return 0;
     return std::max(time - options_.gap / travel, time / 2);
   }
 

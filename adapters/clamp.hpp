@@ -45,7 +45,8 @@ struct ClampOptions {
   /// > 0, in the unit of the positions: how far from a contact a body is stopped. The engine must know that a contact
   /// is there when bodies are this near.
   double gap = 1e-3;
-  /// >= 0: how often all are asked anew with shorter ways. After that bodies that still touch stay where they are.
+  /// >= 0: how often all are asked anew with shorter ways. After that bodies that still touch stay where they are. Each
+  /// costs a question; more let bodies that run into each other one after the other go a little farther in this step.
   int rounds = 8;
 };
 

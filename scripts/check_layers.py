@@ -11,7 +11,7 @@ LAYER = {"numerics": 0, "motion": 1, "bounds": 2, "topology": 3, "bvh": 3, "filt
 # Folders outside the library, and what each may use beside itself and the public headers.
 OUTSIDE = {"include/tamis": [], "c": [], "python/src": ["python", "audit", "io", "scenes"],
            "mpi/include": [], "mpi/src": ["mpi"], "mpi/command": ["mpi", "io", "cli"],
-           "audit": [], "io": ["audit"], "scenes": ["io"], "cli": ["audit", "io", "scenes"], "adapters": ["c"],
+           "audit": [], "io": ["audit"], "scenes": ["io"], "cli": ["audit", "io", "scenes"], "adapters": ["c", "io"],
            "bench/contenders": ["io", "scenes", "oracle", "bench", "lab"], "bench/distributed": ["bench"],
            "bench/stages": ["scenes", "io", "bench", "lab", *LAYER],
            # The laboratory: its methods see the library's insides, its queries and its command what others see.

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # test_rust.sh FOLDERS TARGET: builds and tests the crates of adapters/rapier, without a warning, against the libraries
-# tamis_c and tamis_clamp in FOLDERS (A:B); what cargo makes is kept in TARGET. Exit code 77 where cargo is missing or too old, or where
-# the crates are not here and their registry cannot be reached.
+# tamis_c and tamis_clamp in FOLDERS (A:B); what cargo makes is kept in TARGET. Exit code 77 where cargo is missing or
+# too old, or where the crates are not here and their registry cannot be reached.
 set -euo pipefail
 cd "$(dirname "$0")/../adapters/rapier"
 

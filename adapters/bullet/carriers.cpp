@@ -6,17 +6,17 @@
 namespace tamis::bullet {
 namespace {
 
-/// Over the contacts of one body with those that carry it.
+/// Over the contacts of one body with those that carry it, of which it has few; the clamp holds back what they leave.
 constexpr int kRounds = 20;
-/// Of what is missing to a gap, in one step.
+/// Of what is missing to a gap, in one step: gaps are restored over some steps, as solvers do, so that a body is not
+/// pushed into what lies on it.
 constexpr btScalar kParted = 0.5F;
 
 }  // namespace
 
 void Carriers::Contact::push() {
-  const btRigidBody* const below = btRigidBody::upcast(carrier);
   btVector3 speed = body->getVelocityInLocalPoint(arm);
-  if (below) speed -= below->getVelocityInLocalPoint(carrier_arm);
+  if (other) speed -= other->getVelocityInLocalPoint(other_arm);
   const btScalar give = body->getInvMass() + (body->getInvInertiaTensorWorld() * arm.cross(up)).cross(arm).dot(up);
   if (!(give > 0)) return;  // on an axle
   const btScalar before = impulse;
@@ -28,16 +28,15 @@ Carriers::Carriers(std::span<const NearContact> near, btScalar gap, btScalar sec
   std::map<const btCollisionObject*, std::size_t> known;
   for (const NearContact& contact : near)
     for (const NearSide& side : contact.sides)
-      if (known.try_emplace(side.object, bodies_.size()).second) bodies_.push_back({side.object, {}, {}});
+      if (known.try_emplace(side.object, bodies_.size()).second) bodies_.push_back({side.object, {}});
   for (const NearContact& contact : near)
     for (const std::size_t i : {0U, 1U}) {
       const NearSide &above = contact.sides[i], &below = contact.sides[1 - i];
-      Body& body = bodies_[known.at(above.object)];
-      body.near.push_back(known.at(below.object));
-      body.contacts.push_back({btRigidBody::upcast(above.object), below.object,
-                               above.point() - above.object->getWorldTransform().getOrigin(),
-                               below.point() - below.object->getWorldTransform().getOrigin(),
-                               i == 0 ? contact.normal : -contact.normal, contact.distance() - gap});
+      bodies_[known.at(above.object)].contacts.push_back(
+          {btRigidBody::upcast(above.object), btRigidBody::upcast(below.object), known.at(below.object),
+           above.point() - above.object->getWorldTransform().getOrigin(),
+           below.point() - below.object->getWorldTransform().getOrigin(), i == 0 ? contact.normal : -contact.normal,
+           contact.distance() - gap});
     }
   find_levels();
 }
@@ -51,36 +50,33 @@ void Carriers::find_levels() {
     return moves(object) ? btRigidBody::upcast(&object)->getInvMass() : btScalar(-1);
   };
   std::ranges::stable_sort(roots, {}, give);
-  for (const std::size_t root : roots) {
-    const bool stands = give(root) < 0;
-    if (bodies_[root].level >= 0) continue;
+  for (auto root = roots.begin(); root != roots.end(); ++root) {
+    if (bodies_[*root].level >= 0) continue;
     std::vector<std::size_t> reached;
     const auto reach = [&](std::size_t i, int level) {
       if (bodies_[i].level >= 0) return;
       bodies_[i].level = level;
       reached.push_back(i);
     };
-    // All that stand at once: a body is as high as the nearest of them says.
-    for (const std::size_t i : roots)
-      if (i == root || (stands && give(i) < 0)) reach(i, 0);
+    reach(*root, 0);
+    // All that stand, the first of `roots`, at once: a body is as high as the nearest of them says.
+    for (auto next = root + 1; next != roots.end() && give(*next) < 0; ++next) reach(*next, 0);
     for (std::size_t next = 0; next < reached.size(); ++next) {
       const std::size_t i = reached[next];
       if (bodies_[i].level > 0) order_.push_back(i);
-      for (const std::size_t above : bodies_[i].near) reach(above, bodies_[i].level + 1);
+      for (const Contact& contact : bodies_[i].contacts) reach(contact.other_at, bodies_[i].level + 1);
     }
   }
 }
 
 template <class Allowed>
 void Carriers::push(const Allowed& allowed) {
-  std::map<const btCollisionObject*, int> levels;
-  for (const Body& body : bodies_) levels[body.object] = body.level;
   for (const std::size_t i : order_) {
     std::vector<Contact*> below;
     for (Contact& contact : bodies_[i].contacts) {
       contact.impulse = 0;
       contact.allowed = allowed(contact.above_gap) / seconds_;
-      if (levels.at(contact.carrier) < bodies_[i].level) below.push_back(&contact);
+      if (bodies_[contact.other_at].level < bodies_[i].level) below.push_back(&contact);
     }
     for (int round = 0; round < kRounds; ++round)
       for (Contact* const contact : below) contact->push();

@@ -25,18 +25,18 @@ class Carriers {
  private:
   struct Contact {
     btRigidBody* body;
-    const btCollisionObject* carrier;
-    btVector3 arm, carrier_arm;  ///< from the origins
-    btVector3 up;                ///< from the carrier to the body
-    btScalar above_gap;          ///< the distance, less the gap
-    btScalar allowed = 0;        ///< how fast the body may come nearer
+    const btRigidBody* other;  ///< none: what has no speed
+    std::size_t other_at;      ///< among bodies_
+    btVector3 arm, other_arm;  ///< from the origins
+    btVector3 up;              ///< from the other to the body
+    btScalar above_gap;        ///< the distance, less the gap
+    btScalar allowed = 0;      ///< how fast the body may come nearer
     btScalar impulse = 0;
 
     void push();
   };
   struct Body {
     btCollisionObject* object;
-    std::vector<std::size_t> near;
     std::vector<Contact> contacts;
     int level = -1;  ///< how many bodies away from what stands
   };

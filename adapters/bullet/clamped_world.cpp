@@ -46,10 +46,9 @@ class ClampedWorld::Step final : public adapters::WantedStep {
  public:
   Step(const ClampedWorld& world, btScalar seconds) : world_(world) {
     for (const auto& [id, member] : world.members_) {
-      btRigidBody* const body = btRigidBody::upcast(member.object);
-      if (!body || !moves(*body)) continue;
+      if (!moves(*member.object)) continue;
       btTransform end;
-      body->predictIntegratedTransform(seconds, end);
+      btRigidBody::upcast(member.object)->predictIntegratedTransform(seconds, end);
       ways_.emplace(id, Way(member.place, end));
       moving_.push_back(id);
     }
@@ -186,15 +185,15 @@ void ClampedWorld::find_near(const Pair& pair, const Point& direction, bool is_n
   const NearFeature first = feature_of(pair.bodies[0], vertices.first(of_first), all.first(of_first), 1);
   const NearFeature second = feature_of(pair.bodies[1], vertices.subspan(of_first), all.subspan(of_first), -1);
   const btVector3 normal = vector_of(direction);
-  if (is_now) {
-    double& distance = distances_.try_emplace(bodies, 2 * options_.gap).first->second;
-    distance = std::min(distance, double{NearContact{bodies, {first.side(), second.side()}, normal}.distance()});
-  }
-  if (is_now && !(first.is_nearest(-normal) && second.is_nearest(normal))) return;
   NearContact contact{bodies, {first.side(), second.side()}, normal};
   if (bodies != pair.bodies) contact = {bodies, {second.side(), first.side()}, -normal};
+  if (is_now) {
+    double& distance = distances_.try_emplace(bodies, 2 * options_.gap).first->second;
+    distance = std::min(distance, double{contact.distance()});
+    if (!first.is_nearest(-normal) || !second.is_nearest(normal)) return;
+    near_.push_back(contact);
+  }
   for_solver.add(contact, static_cast<btScalar>(options_.gap), m_predictiveManifolds);
-  if (is_now) near_.push_back(contact);
 }
 
 void ClampedWorld::createPredictiveContacts(btScalar seconds) {

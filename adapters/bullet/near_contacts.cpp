@@ -10,7 +10,8 @@
 namespace tamis::bullet {
 namespace {
 
-/// A sine: faces that lead no more than this towards the other body still lead away.
+/// A sine: faces that lead no more than this towards the other body still lead away. Bodies that lie on each other,
+/// within two gaps, are tilted by no more than two gaps over their size: by this if they are twenty gaps large.
 constexpr btScalar kLeadsAway = 0.1F;
 /// Weights below this belong to vertices on which the nearest point does not lie.
 constexpr double kNoWeight = 1e-6;

@@ -9,8 +9,10 @@
 
 namespace tamis::bullet {
 
-/// Does Bullet move it?
-inline bool moves(const btCollisionObject& object) { return object.isActive() && !object.isStaticOrKinematicObject(); }
+/// Is it a rigid body that Bullet moves?
+inline bool moves(const btCollisionObject& object) {
+  return btRigidBody::upcast(&object) && object.isActive() && !object.isStaticOrKinematicObject();
+}
 
 /// One body of a near pair.
 struct NearSide {

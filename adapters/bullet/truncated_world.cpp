@@ -22,12 +22,16 @@ Mesh mesh_of(const btSoftBody& body) {
 
 namespace {
 
+/// Of each distance, as is Detector::truncate's default.
+constexpr double kKept = 0.1;
+/// Questions after the first.
+constexpr int kMore = 3;
+
 /// Where a contact stops some vertices early, all others go but a quarter of an edge farther in one question. What is
 /// gained by more is taken if the straight way there is free, too.
 std::vector<Point> way_towards(Detector& detector, const std::vector<Point>& start, const std::vector<Point>& end) {
-  constexpr int kMore = 3;
   const auto truncated = [&](const std::vector<Point>& from) {
-    return detector.truncate({from, end}, 0.1, {.at_start = AtStart::ignore}, Stored::float32).positions;
+    return detector.truncate({from, end}, kKept, {.at_start = AtStart::ignore}, Stored::float32).positions;
   };
   const std::vector<Point> first = truncated(start);
   std::vector<Point> reached = first;

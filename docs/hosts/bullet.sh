@@ -1,5 +1,6 @@
 #!/bin/sh
-# bullet.sh BIN: docs/hosts/bullet-*.png, of one step each, what touches glowing: Bullet as it is (alone), and with Tamis.
+# bullet.sh BIN: docs/hosts/bullet-*.png, the start of one step each: Bullet as it is (alone), and with Tamis. What
+# touches in that step glows.
 # BIN has `tamis` and `tamis-bullet`.
 set -eu
 bin=$1
@@ -8,15 +9,14 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
 shoot() { # FOLDER/NAME FRAME FROM PICTURE
-  "$bin/tamis" view "$1_$(printf %04d "$2").obj" "$1_$(printf %04d $(($2 + 1))).obj" --from="$3" --size 480,360 \
+  "$bin/tamis" view "$1_$(printf %04d "$2").ply" "$1_$(printf %04d $(($2 + 1))).ply" --from="$3" --size 480,360 \
     --out "$here/bullet-$4.png" > /dev/null
 }
 
 "$bin/tamis-bullet" --throws 1 --out "$work/throws" > /dev/null
 "$bin/tamis-bullet" --pile 20 --steps 60 --out "$work/pile" > /dev/null
-plates="$work/throws/Spinning plates" rods="$work/throws/Spinning rods"
-shoot "$plates/clamped, mesh (btGImpact)" 1 1,0.4,0.6 throw
-shoot "$rods/Bullet, hull with CCD" 1 0.3,0.6,1 rod-alone
-shoot "$rods/clamped, hull" 1 0.3,0.6,1 rod
+plates="$work/throws/Spinning plates"
+shoot "$plates/Bullet, hull with CCD" 1 1,0.05,-0.08 throw-alone
+shoot "$plates/clamped, hull" 1 1,0.05,-0.08 throw
 shoot "$work/pile/bullet" 58 1,0.05,0.6 pile-alone
 shoot "$work/pile/clamped" 58 1,0.05,0.6 pile

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import Any
 
 import numpy as np
+import numpy.typing as npt
 import pytest
 from hypothesis import settings
 
@@ -18,6 +20,15 @@ FACES = np.array([[0, 1, 2], [3, 4, 5]])
 START = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0.25, 0.25, 1], [1, 0.5, 2], [0.5, 1, 2]], float)
 END = START.copy()
 END[3, 2] = -1
+
+CUBE = np.array([[x, y, z] for x in (0, 1) for y in (0, 1) for z in (0, 1)], float) - 0.5
+QUADS = [(0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3)]
+CUBE_FACES = np.array([corners for a, b, c, d in QUADS for corners in ((a, b, c), (a, c, d))])
+
+
+def at(*places: Any) -> npt.NDArray[np.float64]:
+    """Poses that do not turn."""
+    return tamis.pose_of(np.zeros((len(places), 3)), np.array(places, float))
 
 
 @pytest.fixture(scope="session", autouse=True)
@@ -44,3 +55,9 @@ def detector(falling: tamis.Scene) -> tamis.Detector:
 def soup() -> tamis.Scene:
     """Triangles that cross each other: thousands of contacts."""
     return tamis.scene("soup", 200, seed=3)
+
+
+@pytest.fixture(scope="session")
+def cube() -> tamis.Shape:
+    """A body with edges of length 1 about its origin."""
+    return tamis.Shape(tamis.Mesh(CUBE_FACES), CUBE)

@@ -32,8 +32,10 @@ class Table final : public WantedStep {
   }
   double radius(BodyId) const override { return std::sqrt(2.0); }
   bool collides(const BodyPair& bodies) const override { return !apart.contains(bodies); }
+  std::vector<Approach> approaches() const override { return near; }
 
   std::set<BodyPair> apart;
+  std::vector<Approach> near;
 
  private:
   std::vector<BodyId> ids_;
@@ -76,6 +78,40 @@ TEST(Clamp, StopsWhoMeetsABodyThatWasStopped) {
   EXPECT_GT(clamped.fractions[0], 0);
   for (std::size_t i = 1; i < 5; ++i)
     EXPECT_LT(20 * clamped.fractions[i - 1], 20 * clamped.fractions[i] + 1) << "body " << i << " passed the one below";
+}
+
+/// Two above each other, falling by 1 towards the floor.
+Table falling(World& world) {
+  const BodyId floor = world.add(plate(), Static{});
+  Table step;
+  for (const double height : {0.1, 0.2})
+    step.add(world.add(plate(), Static{at_height(height)}), at_height(height), at_height(height - 1));
+  step.near = {{{step.moving()[0], step.moving()[1]}, 0.1, {-1, 1}}, {{floor, step.moving()[0]}, 0.1, {0, 1}}};
+  return step;
+}
+
+TEST(Clamp, HoldsBackWhoFollowsBeforeItAsks) {
+  World world;
+  Table step = falling(world);
+  const ClampedStep told = clamp(world, step, {}, {.gap = 0.01});
+  EXPECT_EQ(told.questions, 1);
+  EXPECT_TRUE(world.is_free());
+  EXPECT_NEAR(told.fractions[0], 0.09, 1e-4);  // to a gap above the floor
+  EXPECT_NEAR(told.fractions[1], 0.18, 1e-4);  // and to a gap above where that is then
+  step.near.clear();
+  World other;
+  falling(other);
+  EXPECT_GT(clamp(other, step, {}, {.gap = 0.01}).questions, 1);
+}
+
+TEST(Clamp, LetsStandWhoIsKnownToBeTooNear) {
+  World world;
+  const BodyId floor = world.add(plate(), Static{});
+  Table step;
+  step.add(world.add(plate(), Static{at_height(4e-4)}), at_height(4e-4), at_height(-1));
+  EXPECT_GT(clamp(world, step, {}, {.gap = 0.01}).fractions[0], 0);
+  step.near = {{{floor, step.moving()[0]}, 4e-4, {0, 0}}};
+  EXPECT_EQ(clamp(world, step, {}, {.gap = 0.01}).fractions[0], 0);
 }
 
 TEST(Clamp, NeverHoldsBackWhoOverlapsOnAccountOfEachOther) {

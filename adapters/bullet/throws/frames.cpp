@@ -1,18 +1,19 @@
 #include "adapters/bullet/throws/frames.hpp"
 
-#include <fmt/os.h>
+#include <fmt/core.h>
 
 #include "adapters/bullet/mesh_of_shape.hpp"
+#include "io/mesh/ply.hpp"
 
 namespace tamis::bullet {
 
 void write_frames(const std::filesystem::path& folder, const std::string& name,
                   std::span<const std::vector<Point>> frames, std::span<const Face> faces) {
   std::filesystem::create_directories(folder);
+  io::MeshFile file{{}, {faces.begin(), faces.end()}, {}, {}, {}};
   for (std::size_t i = 0; i < frames.size(); ++i) {
-    auto file = fmt::output_file((folder / fmt::format("{}_{:04}.obj", name, i)).string());
-    for (const Point& p : frames[i]) file.print("v {} {} {}\n", p[0], p[1], p[2]);
-    for (const Face& face : faces) file.print("f {} {} {}\n", face[0] + 1, face[1] + 1, face[2] + 1);
+    file.positions = frames[i];
+    io::write_ply(folder / fmt::format("{}_{:04}.ply", name, i), file);
   }
 }
 

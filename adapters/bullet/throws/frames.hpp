@@ -1,4 +1,4 @@
-// What was simulated as OBJ files, one a step, which `tamis view` shows.
+// What was simulated as PLY files, one a step, which `tamis view` shows.
 #pragma once
 #include <filesystem>
 #include <span>
@@ -8,8 +8,8 @@
 
 namespace tamis::bullet {
 
-/// FOLDER/NAME_0000.obj, ...: of each time, all points, with the same faces. Makes the folder. Throws
-/// std::runtime_error where a file cannot be written.
+/// FOLDER/NAME_0000.ply, ...: of each time, all points, with the same faces. Makes the folder. Throws io::FileError
+/// where a file cannot be written, std::filesystem::filesystem_error where the folder cannot be made.
 void write_frames(const std::filesystem::path& folder, const std::string& name,
                   std::span<const std::vector<Point>> frames, std::span<const Face> faces);
 /// The same of bodies: those of `first` and after.

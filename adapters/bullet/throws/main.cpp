@@ -79,17 +79,20 @@ int main(int argc, char** argv) {
       ->capture_default_str();
   std::string out;
   app.add_option("--out", out,
-                 "a folder for the frames as OBJ files: of the pile, the cloth, or the first throw of each");
+                 "a folder for the frames as PLY files: of the pile, the cloth, or the first throw of each");
   CLI11_PARSE(app, argc, argv);
-  if (plates > 0) {
-    tamis::bullet::report_pile(plates, steps, out);
-    return 0;
+  try {
+    if (plates > 0) {
+      tamis::bullet::report_pile(plates, steps, out);
+    } else if (side > 0) {
+      tamis::bullet::report_cloth(side, steps, out);
+    } else {
+      tamis::bullet::report("Spinning plates", tamis::bullet::spinning_plates(count), samples, out);
+      tamis::bullet::report("Spinning rods", tamis::bullet::spinning_rods(count), samples, out);
+    }
+  } catch (const std::exception& refused) {  // a folder or a file that cannot be written
+    fmt::print(stderr, "tamis-bullet: {}\n", refused.what());
+    return 2;
   }
-  if (side > 0) {
-    tamis::bullet::report_cloth(side, steps, out);
-    return 0;
-  }
-  tamis::bullet::report("Spinning plates", tamis::bullet::spinning_plates(count), samples, out);
-  tamis::bullet::report("Spinning rods", tamis::bullet::spinning_rods(count), samples, out);
   return 0;
 }

@@ -24,6 +24,7 @@
 #![warn(missing_docs)]
 
 mod clamp;
+mod members;
 mod mesh;
 mod way;
 

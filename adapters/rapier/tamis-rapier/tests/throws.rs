@@ -1,4 +1,6 @@
 //! A few of the throws of `examples/throws`: rapier alone lets some through, the clamp none, and that is proven.
+#[path = "../examples/throws/judge.rs"]
+mod judge;
 // What the example alone uses is not used here.
 #[allow(dead_code)]
 #[path = "../examples/throws/scenes.rs"]

@@ -1,5 +1,6 @@
 //! How many throws each way of simulating lets through, whether that is proven, and what a step costs:
 //! `cargo run --release --example throws [THROWS]`.
+mod judge;
 mod scenes;
 
 use scenes::{spinning_plates, spinning_rods, Throw, METHODS};

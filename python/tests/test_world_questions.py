@@ -1,0 +1,118 @@
+"""What a world answers: against a detector of one mesh, and its tables."""
+
+from __future__ import annotations
+
+import pickle
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+import pytest
+from conftest import CUBE, CUBE_FACES, END, FACES, START, at
+
+import tamis
+
+Array = npt.NDArray[np.float64]
+
+
+def _one_mesh(starts: Array, ends: Array) -> tuple[tamis.Detector, Array, Array]:
+    """Return a detector of all cubes as one mesh, and where its vertices are; cubes do not touch themselves."""
+    count = len(starts)
+    faces = np.concatenate([CUBE_FACES + 8 * i for i in range(count)])
+    groups = np.repeat(np.arange(count), 8)
+    detector = tamis.Detector(tamis.Mesh(faces), groups=groups, may_touch=~np.eye(count, dtype=bool))
+    return detector, *((CUBE + poses[:, :1]).reshape(-1, 3) for poses in (starts, ends))  # type: ignore[return-value]
+
+
+def _named(contacts: tamis.BodyContacts) -> set[tuple[Any, ...]]:
+    """Contacts with the vertices of the mesh of all cubes."""
+    first = np.where(contacts.kind == tamis.PairKind.EDGE_EDGE, 2, 1)[:, np.newaxis] > np.arange(4)
+    of_vertex = np.where(first, contacts.bodies[:, :1], contacts.bodies[:, 1:])
+    vertices = contacts.vertices + 8 * of_vertex
+    return {*zip(contacts.kind.tolist(), map(tuple, vertices.tolist()), contacts.toi_lower.tolist())}
+
+
+def test_the_contacts_of_a_detector(cube: tamis.Shape) -> None:
+    """Bugs: another body's vertices, a body left out, positions rounded in another way."""
+    random = np.random.default_rng(5)
+    starts, ends = (at(*random.uniform(-2, 2, (12, 3))) for _ in range(2))
+    world = tamis.World(threads=1)
+    bodies = world.add_many(cube, tamis.between(starts, ends))
+    assert bodies.tolist() == [*range(12)]
+    found = world.contacts()
+    detector, start, end = _one_mesh(starts, ends)
+    expected = detector.contacts(start, end)
+    assert len(expected) > 100
+    alone = tamis.narrow_phase(expected.kind, expected.vertices, start, end)  # as the world decides: bit for bit
+    rows = zip(expected.kind.tolist(), map(tuple, expected.vertices.tolist()), alone.toi_lower.tolist())
+    assert _named(found) == {*rows} and len(found) == len(expected)
+    assert found.certified.all()
+    first, theirs = world.earliest(), detector.earliest(start, end)
+    assert first.toi_lower == pytest.approx(theirs.toi_lower, abs=1e-12)
+    assert first.contact is not None and not world.is_free()
+    near, near_theirs = world.pairs_within(0.5), detector.pairs_within(start, 0.5)
+    assert np.array_equal(np.sort(near.distance), np.sort(near_theirs.distance)) and len(near)
+    assert len(world.intersections()) == len(detector.intersections(start)) > 0
+    assert world.statistics.threads == 1 and world.statistics.memory_bytes > 0
+
+
+def test_tables_have_the_bodies(cube: tamis.Shape) -> None:
+    world = tamis.World()
+    world.add(cube)
+    world.add(cube, tamis.between(at((3, 0, 0)), at((0.5, 0, 0)))[0])
+    contacts = world.contacts()
+    assert contacts.bodies.base is not None and contacts.bodies.shape == (len(contacts), 2)
+    one = contacts[0]
+    assert isinstance(one, tamis.BodyContact) and {*one.bodies} == {0, 1} and one.toi_lower == contacts.toi_lower[0]
+    frame = contacts.to_pandas()
+    assert [*frame.columns[:3]] == ["b0", "b1", "kind"] and len(frame) == len(contacts)
+    assert (np.abs(contacts.weights.sum(1)) < 1e-12).all() and "first at 0.8" in repr(contacts)
+    assert pickle.loads(pickle.dumps(contacts)) == contacts and contacts[contacts.kind == 0][:1][0].kind == 0
+    near = world.pairs_within(2)
+    assert near[0].bodies == (0, 1) and near.distance.min() == 2 and [*near.to_pandas().columns[:2]] == ["b0", "b1"]
+    world.move(1, at((0.5, 0.5, 0.5))[0])
+    world.move(0, tamis.between(at((0, 0, 0)), at((0, 0, 1)))[0])
+    crossing = world.intersections()
+    assert len(crossing) and crossing[0].bodies in ((0, 1), (1, 0))
+    assert crossing.to_pandas()["b0"].tolist() == crossing.bodies[:, 0].tolist()
+
+
+def test_turning_bodies_and_their_paths(cube: tamis.Shape) -> None:
+    """A cube turns in place beside a wall of another: only its corners reach that, as on a RigidPath."""
+    chain = tamis.turned(at((0, 0, 0))[0], [0, 0, np.pi / 2], [0, 0, 0])
+    world = tamis.World(min_separation=0.01)
+    world.add(cube, chain)
+    still = world.add(cube, at((1.15, 0, 0))[0])
+    faces = np.concatenate([CUBE_FACES, CUBE_FACES + 8])
+    path = tamis.RigidPath(
+        np.concatenate([CUBE, CUBE + np.array([1.15, 0, 0])]), np.repeat([0, 1], 8), [chain, np.empty((0, 4, 3))]
+    )
+    detector = tamis.Detector(
+        tamis.Mesh(faces), min_separation=0.01, groups=np.repeat([0, 1], 8), may_touch=~np.eye(2, dtype=bool)
+    )
+    ours, theirs = world.earliest(tolerance=1e-6), detector.earliest(path, tolerance=1e-6)
+    assert 0 < ours.toi_lower < 0.5 and abs(ours.toi_lower - theirs.toi_lower) <= 2e-6
+    assert ours.toi_upper - ours.toi_lower <= 1e-6
+    step = world.safe_step()
+    assert step.pair is not None and 0 < step.lower < ours.toi_lower and step.upper - step.lower < 1e-6
+    world.move(still, at((5, 0, 0))[0])
+    assert world.is_free() and world.safe_step().pair is None
+
+
+def test_a_cloth_between_bodies() -> None:
+    """A deforming body falls on a static one: both ways of saying so agree; then it may touch itself."""
+    sheet = tamis.Shape(tamis.Mesh(FACES), START)
+    world = tamis.World()
+    falling = world.add(sheet, tamis.Deforming(START, END))
+    assert [c.bodies for c in world.contacts()] == [(falling, falling)]
+    step = world.safe_step(0.5)
+    assert step == tamis.BodyStep(*tamis.Detector(sheet.mesh).safe_step(START, END, 0.5)[:2], step.pair)
+    assert step.pair is not None and step.pair.bodies == (0, 0) and step.pair.kind == tamis.PairKind.VERTEX_FACE
+    world.set_may_touch([falling, falling], False)
+    assert world.is_free()
+    world.add(sheet, at((0, 0, -0.5))[0])
+    assert {*world.contacts().bodies.ravel().tolist()} == {0, 1}
+    world.move(falling, tamis.Deforming(END, START))
+    assert world.is_free(at_start="ignore") is False
+    with pytest.raises(tamis.InvalidStep, match="body 0 has 5 points"):
+        world.move(falling, tamis.Deforming(START[:5], END))

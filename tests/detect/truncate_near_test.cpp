@@ -1,0 +1,149 @@
+// Where a step may end, by scenes of a few features: of what is near, as much moves as may.
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cmath>
+
+#include "detect/truncated.hpp"
+#include "support/step_lengths.hpp"
+#include "tamis/detector.hpp"
+
+namespace tamis::test {
+namespace {
+
+using lab::Method;
+
+// Bug: one near pair stops the whole mesh.
+TEST(Truncate, ANearPairDoesNotStopTheOthers) {
+  const Scene scene = two_falls(0.5, 1);
+  const TruncatedStep to = Detector(scene.mesh()).truncate(scene.step(), 0.1);
+  EXPECT_TRUE(to.is_free);
+  EXPECT_EQ(to.positions[7], scene.end[7]);
+  EXPECT_EQ(to.positions[0], scene.end[0]);
+  EXPECT_GE(to.positions[3][2], 0.05);
+  EXPECT_LT(to.positions[3][2], 0.06);
+}
+
+// Bug, once: 30 of 234 such points touched where they were to go, or were 8e-10 within the separation; those positions
+// had been rounded, and there was no room for that.
+TEST(Truncate, LeavesRoomForRoundingHoweverLittleThereIs) {
+  int moved = 0;
+  for (const double far : {0.0, 1.0, 1000.0, 8e6})
+    for (const double separation : {0.0, 0x1p-10})
+      for (const double size : {1.0, 0.3, 1e-3})
+        for (int ulps = 1; ulps <= 10; ++ulps) {
+          const double surface = far / 3;  // no round number
+          const double ulp = std::nextafter(surface + separation, HUGE_VAL) - (surface + separation);
+          Scene scene = two_falls(separation + ulps * ulp, 0.7, {far, -far, surface}, size);
+          Detector detector = lab::make_detector(scene.mesh(), with(Method::tamis, separation));
+          if (!detector.is_free({scene.start, scene.start})) continue;  // rounded together
+          const TruncatedStep to = detector.truncate(scene.step());
+          SCOPED_TRACE(testing::Message() << ulps << " ulps above, at " << far << ", separation " << separation);
+          EXPECT_TRUE(to.is_free);
+          EXPECT_TRUE(detector.is_free({scene.start, to.positions}));
+          EXPECT_TRUE(detector.is_free({to.positions, to.positions}));
+          expect_kept(scene, to.positions, 0.1, separation);
+          EXPECT_LT(to.positions[7][2], scene.start[7][2]) << "the other one";
+          moved += to.positions[3] != scene.start[3];
+        }
+  EXPECT_GT(moved, 50);
+}
+
+// Bug: no reach where the square of a length is infinite. The face slides within its plane until it meets a point.
+TEST(Truncate, AVertexDoesNotPassAFaceThatIsFast) {
+  for (const double away : {1e3, 1e150, 4e159, 1e300}) {
+    const Mesh mesh(5, {{0, 1, 2}}, {}, {3, 4});
+    const std::vector<Point> start{{-1, -1, 0}, {2, -1, 0}, {-1, 2, 0}, {0.7, 0, 0.5}, {2.5, 0, 0}};
+    std::vector<Point> end = start;
+    for (std::size_t v = 0; v < 3; ++v) end[v][0] += away;
+    end[3][2] = -0.5;
+    Detector detector(mesh);
+    const TruncatedStep to = detector.truncate({start, end}, 0.1);
+    EXPECT_LT(to.parts[3], 0.5) << away;
+    EXPECT_TRUE(detector.is_free({start, to.positions})) << away;
+  }
+}
+
+// Bug, once: nothing moved at all, and nine searches found the same contact.
+TEST(Truncate, WhatTouchesAtTheStartStaysAndIsAskedAboutOnce) {
+  const Scene scene = two_falls(0, 1);
+  lab::Options options;
+  std::atomic<int> asked = 0;
+  options.filter.accepts = [&](PairKind kind, const std::array<Index, 4>& v) {
+    asked += kind == PairKind::vertex_face && v[0] == 3 && v[1] == 0;
+    return true;
+  };
+  Detector detector = lab::make_detector(scene.mesh(), options);
+  const TruncatedStep to = detector.truncate(scene.step());
+  EXPECT_FALSE(to.is_free);
+  EXPECT_EQ(to.positions[3], scene.start[3]);
+  EXPECT_EQ(to.parts[3], 0);
+  EXPECT_EQ(to.positions[7], scene.end[7]);
+  EXPECT_LE(asked, 4) << "how far together, what is within reach, and whether it holds; once more where it does not";
+}
+
+// Bug, once: a pair within the separation froze every vertex, also one that leaves.
+TEST(Truncate, WhatStartsWithinTheSeparationMayLeaveButNotComeNearer) {
+  constexpr double kSeparation = 0x1p-4;
+  for (const double fall : {-0.05, 1.0}) {
+    const Scene scene = two_falls(0.5 * kSeparation, fall);
+    const TruncatedStep to = lab::make_detector(scene.mesh(), with(Method::tamis, kSeparation)).truncate(scene.step());
+    EXPECT_FALSE(to.is_free);
+    expect_kept(scene, to.positions, 0.1, kSeparation);
+    EXPECT_EQ(to.positions[7], scene.end[7]);
+    EXPECT_EQ(to.positions[3], fall < 0 ? scene.end[3] : scene.start[3]);
+  }
+}
+
+/// Triangles above each other, a hundredth apart, that fall by half on one that stays; one touches that, or not.
+Scene stack(int layers, bool touches) {
+  Scene scene;
+  for (int layer = 0; layer < layers; ++layer) {
+    const double z = 0.01 * layer, fall = layer > 0 ? 0.5 : 0;
+    const Index v = scene.vertex_count();
+    for (const Point& p : {Point{0, 0, z}, Point{1, 0, z}, Point{0, 1, z}})
+      scene.add_vertex(p, {p[0], p[1], p[2] - fall}, layer);
+    scene.faces.push_back({v, v + 1, v + 2});
+  }
+  if (touches) scene.loose_points.push_back(scene.add_vertex({0.9, 0.09, 0}, {0.9, 0.09, -1}, layers));
+  return scene;
+}
+
+// Bug: each layer stops a round after the one below it; when rounds end, all go back to where all go together, which is
+// the start if anything touches.
+TEST(Truncate, AStackSettlesHoweverHighItIs) {
+  for (const int layers : {10, 80})
+    for (const bool touches : {false, true}) {
+      const Scene scene = stack(layers, touches);
+      const TruncatedStep to = Detector(scene.mesh()).truncate(scene.step(), 0.1);
+      EXPECT_EQ(to.is_free, !touches);
+      expect_kept(scene, to.positions, 0.1, 0);
+      for (std::size_t v = 3; v < 3 * static_cast<std::size_t>(layers); ++v)
+        EXPECT_GT(to.parts[v], 0) << "layer " << v / 3 << " of " << layers;
+    }
+}
+
+// Bug: a mesh without edges has no length to measure reach by, and stays.
+TEST(Truncate, PointsAloneGoTheirWay) {
+  const std::vector<Point> start{{0, 0, 0}, {1, 0, 0}, {0, 5, 0}}, end{{2, 0, 0}, {-1, 0, 0}, {0, 9, 0}};
+  const TruncatedStep to = Detector(Mesh(3, {}, {}, {0, 1, 2})).truncate({start, end}, 0.1);
+  EXPECT_TRUE(to.is_free);
+  EXPECT_EQ(to.positions[2], end[2]);
+  EXPECT_GE(to.positions[1][0] - to.positions[0][0], 0.1);
+  EXPECT_LT(to.positions[1][0] - to.positions[0][0], 0.2);
+}
+
+// Bug: the pairs that `pairs_within` has found are those of the search for planes.
+TEST(Truncate, LeavesOtherAnswersAlone) {
+  const Scene scene = two_falls(0.5, 1);
+  Detector detector(scene.mesh());
+  const auto& near = detector.pairs_within(scene.start, 0.6);
+  const auto before = near;
+  ASSERT_EQ(before.size(), 1u);
+  detector.truncate(scene.step());
+  ASSERT_EQ(near.size(), 1u);
+  EXPECT_EQ(near[0].vertices, before[0].vertices);
+}
+
+}  // namespace
+}  // namespace tamis::test

@@ -9,7 +9,8 @@ namespace {
 
 /// About so many are looked at.
 constexpr std::size_t kSampledVertices = 4096, kSampledEdges = 1024;
-/// The room that a gradient takes: that of boxes as large as some edges.
+/// The room that a gradient takes, for the length of edges: that of boxes eight edges wide, a guess at those of near
+/// pairs. It decides on time alone.
 constexpr double kRoomOfAnEdge = 8 * error_bounds::kRoomOfBoxes;
 /// So much is left beyond the fraction, and distances grow by so much at most: else the room takes more than is won.
 constexpr double kLeastBeyond = 0x1p-4, kGreatestStretch = 4;

@@ -158,7 +158,8 @@ double Magnitude::rounded_down() const {
 }
 
 /// Its plane where the foot of the perpendicular lies inside, else the nearest of the sides that part the two; a side
-/// that holds the origin in any case.
+/// that holds the origin in any case. No other side is nearer: from the nearest point of a convex polygon the foot lies
+/// along the outward normal of a side, or between those of two that meet, so beyond one of them.
 NearestPoint nearest_point(const MovingPolygon& polygon) {
   NearestPoint nearest{{}, 0, {}, false, plane_of(polygon)};
   Plane& plane = nearest.plane;

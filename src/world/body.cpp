@@ -22,10 +22,8 @@ Chain chain_of(const BodyMotion& motion) {
 }  // namespace
 
 // No coordinate of a box is larger than its size and the shift together, but for what is added here.
-PlacedBody::PlacedBody(const RoundedTransform& placed) : transform(placed) {
-  const double error = placed.error_of(0, 0);
-  per_size = (placed.error_of(1, 0) - error) * (1 + 0x1p-20) + 2 * MovingBounds::kRounding;
-  fixed = error * (1 + 0x1p-20) + 2 * MovingBounds::kRounding * placed.shift_size;
+double PlacedBody::off(double size) const {
+  return transform.error_of(size, 0) + 2 * MovingBounds::kRounding * (size + transform.shift_size);
 }
 
 /// A rotation takes a box around a middle to one around where that goes.
@@ -42,7 +40,7 @@ Box PlacedBody::of(const Box& at_rest, double wider) const {
   for (std::size_t k = 0; k < 3; ++k) {
     const Point& row = transform.rows[k];
     const double reach = std::fabs(row[0]) * half[0] + std::fabs(row[1]) * half[1] + std::fabs(row[2]) * half[2];
-    const double wide = reach + per_size * size + fixed + wider;
+    const double wide = reach + off(size) + wider;
     box.low[k] = center[k] - wide;
     box.high[k] = center[k] + wide;
   }
@@ -57,7 +55,6 @@ Body::Body(const Body& other) : Body(other.id_, other.shape_, other.motion_) {
   set_radius(other.radius_);
   is_enabled = other.is_enabled;
   may_touch_itself = other.may_touch_itself;
-  radius_ = other.radius_;
 }
 
 void Body::validate(const BodyMotion& motion) const {
@@ -99,8 +96,8 @@ void Body::move(BodyMotion motion) {
     innermost_ = bounds.of(0, 0);
     outermost_ = bounds.of(shape_->radius, 0);
     way_ = std::holds_alternative<Static>(motion_) ? Way::still : bounds.turns() ? Way::turning : Way::straight;
-    at_start_ = PlacedBody(rounded_transform_of(chain_, 0));
-    at_end_ = way_ == Way::still ? at_start_ : PlacedBody(rounded_transform_of(chain_, 1));
+    at_start_ = PlacedBody{rounded_transform_of(chain_, 0)};
+    at_end_ = way_ == Way::still ? at_start_ : PlacedBody{rounded_transform_of(chain_, 1)};
   }
   const int root = shape_->boxes.root_level();
   start_hull_ = CarriedBoxes(*this, 0, 0).of_block(root, 0).hull();

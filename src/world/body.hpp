@@ -13,15 +13,14 @@ namespace tamis {
 /// The motions there are, as far as questions differ: vertices that stay, that go straight, that go on curves.
 enum class Way : std::uint8_t { still, straight, turning };
 
-/// Where a rigid body stands at one time, in doubles: a box of which no point has a larger |x|_1 than `size` is off by
-/// per_size size + fixed, which has room for the rounding of boxes that meet, too.
+/// Where a rigid body stands at one time, in doubles.
 struct PlacedBody {
-  PlacedBody() = default;
-  explicit PlacedBody(const RoundedTransform& placed);
-  Box of(const Box& at_rest, double wider) const;
-
   RoundedTransform transform{};
-  double per_size = 0, fixed = 0;
+
+  /// How far boxes and vertices are off of which no point has a larger |x|_1 than `size`, with room for the rounding of
+  /// boxes that meet.
+  double off(double size) const;
+  Box of(const Box& at_rest, double wider) const;
 };
 
 class Body {

@@ -56,8 +56,8 @@ CarriedBoxes::CarriedBoxes(const Body& body, double from, double to)
     place_of_block_.emplace_back(shape().boxes.level(level).size(), kNotMade);
   place_of_items_ = place_of_block_[0];
   if (body.way() != Way::turning) return;
-  if (from > 0) at_from_ = PlacedBody(rounded_transform_of(body.chain(), from));
-  if (to < 1) at_to_ = to == from ? at_from_ : PlacedBody(rounded_transform_of(body.chain(), to));
+  if (from > 0) at_from_ = PlacedBody{rounded_transform_of(body.chain(), from)};
+  if (to < 1) at_to_ = to == from ? at_from_ : PlacedBody{rounded_transform_of(body.chain(), to)};
   const Interval length = Interval(to) - Interval(from);
   const Interval eighth = Interval(0.125) * length * length;
   const auto of_piece = [&](const Curvature& curve) {
@@ -102,7 +102,7 @@ CarriedItems CarriedBoxes::carried_items(Index block) const {
   const auto placed = [&](const PlacedBody& place, const auto& end_of_vertex, Index item) {
     if (!turns) return widened(shape().box_of(item, end_of_vertex));
     Box box = shape().box_of(item, [&](Index v) { return place.transform.of(shape().points[at(v)]); });
-    box.widen(place.per_size * size + place.fixed + deviation);
+    box.widen(place.off(size) + deviation);
     return box;
   };
   for (std::size_t i = 0; i < items.size(); ++i) {

@@ -96,7 +96,7 @@ bool NearItems::includes(const NearItems& other) const {
   if (!std::ranges::includes(pairs, other.pairs)) return false;
   return std::ranges::all_of(other.of_body, [this](const auto& one) {
     const auto mine = of_body.find(one.first);
-    return one.second.items().empty() || (mine != of_body.end() && mine->second.includes(one.second));
+    return mine != of_body.end() && mine->second.includes(one.second);
   });
 }
 

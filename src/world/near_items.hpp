@@ -40,7 +40,6 @@ struct NearItems {
   std::map<BodyId, ItemSet> of_body;
   std::vector<BodyPair> pairs;  ///< of those bodies; ascending
 
-  bool empty() const { return pairs.empty(); }
   bool includes(const NearItems& other) const;
   void add(const NearItems& other);
   std::size_t count() const;

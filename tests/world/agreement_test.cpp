@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <set>
 #include <tuple>
 
 #include "tamis/error.hpp"
@@ -145,6 +146,44 @@ TEST(World, AgreesStepAfterStep) {
     const BodyId body = random.below(static_cast<int>(world.bodies.size()));
     world.move(body, random_motion(random, world.bodies[place(body)].shape, 1.5, Motions::any));
   }
+}
+
+/// Nor does what the world is told between them.
+TEST(World, AgreesWhateverIsToldBetweenQuestions) {
+  TestWorld world = random_world(11, 3.5, Motions::any);
+  Random random(12);
+  std::set<BodyId> removed;
+  std::size_t contacts = 0;
+  for (int step = 0; step < 40; ++step) {
+    SCOPED_TRACE(step);
+    const BodyId body = random.below(static_cast<int>(world.bodies.size()));
+    auto& told = world.bodies[place(body)];
+    const Shape shape = told.shape;
+    const int what = random.below(5);
+    if (removed.contains(body)) {
+      world.add(shape, random_motion(random, shape, 3.5, Motions::any));
+    } else if (what == 0) {
+      world.set_radius(body, 0.05 * random.below(3));
+    } else if (what == 1) {
+      told.is_there = !told.is_there;
+      world.world.set_enabled(body, told.is_there);
+    } else if (what == 2) {
+      const BodyId other = (body + 1) % static_cast<BodyId>(world.bodies.size());
+      if (removed.contains(other)) continue;
+      world.kept_apart.insert({std::min(body, other), std::max(body, other)});
+      world.world.set_may_touch(body, other, false);
+    } else if (what == 3 && step % 3 == 0) {
+      told.is_there = false;
+      removed.insert(body);
+      world.world.remove(body);
+    } else {
+      world.move(body, random_motion(random, shape, 3.5, Motions::any));
+    }
+    contacts += expect_same_contacts(world, {.min_separation = 0.02 * random.below(3)});
+    if (step % 4 == 0) expect_same_first(world, {.min_separation = 0.01});
+  }
+  EXPECT_GT(removed.size(), 0u);
+  EXPECT_GT(contacts, 500u);
 }
 
 TEST(World, AgreesAboutPairsAtRest) {

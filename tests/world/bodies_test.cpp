@@ -138,7 +138,10 @@ TEST(World, IgnoresWhatTouchesAtTheStart) {
     EXPECT_TRUE(world.contacts(ignore).empty());
     // A wall above ends the way all the same.
     world.add(floor(), Static{{{0, 0, 2.25}, {}}});
-    EXPECT_NEAR(world.earliest(ignore).toi_lower, (0.25 - 1.5 * gap) / (0.5 - 0.5 * gap), 1e-3);
+    const double met = (0.25 - 1.5 * gap) / (0.5 - 0.5 * gap);
+    EXPECT_NEAR(world.earliest(ignore).toi_lower, met, 1e-3);
+    EXPECT_NEAR(world.safe_step(0.1, ignore).lower, 0.9 * met, 1e-3);
+    EXPECT_EQ(world.safe_step(0.1, {.min_separation = gap}).lower, 0);
     world.remove(moving);
     EXPECT_TRUE(world.is_free());
   }

@@ -13,7 +13,8 @@ function(tamis_target target)
   endif()
 endfunction()
 
-# Of what only reads, writes and calls the library, which does the work: a quarter to a third less time to compile.
+# Of what only reads, writes and calls the library, which does the work: a quarter less time to compile, and in what is
+# shipped no question is slower. Debug builds stay as they are.
 function(tamis_optimise_less target)
-  target_compile_options(${target} PRIVATE $<$<CONFIG:RelWithDebInfo>:-O1>)
+  target_compile_options(${target} PRIVATE $<$<NOT:$<CONFIG:Debug>>:-O1>)
 endfunction()

@@ -5,7 +5,8 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 
 scripts/setup.sh
-cmake --preset release -DCMAKE_UNITY_BUILD=ON -DTAMIS_BUILD_LAB=OFF  # what is compiled once is compiled faster together
+# What is compiled once is compiled faster together: headers are read once for 32 sources.
+cmake --preset release -DCMAKE_UNITY_BUILD=ON -DCMAKE_UNITY_BUILD_BATCH_SIZE=32 -DTAMIS_BUILD_LAB=OFF
 cmake --build --preset release --target tamis_command
 
 tamis=build/release/bin/tamis

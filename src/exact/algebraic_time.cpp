@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "exact/approximate_polynomial.hpp"
-#include "exact/odds_polynomial.hpp"
 #include "numerics/assert.hpp"
 
 namespace tamis {
@@ -18,16 +17,6 @@ AlgebraicTime AlgebraicTime::exactly(DyadicCell time) { return AlgebraicTime(std
 
 AlgebraicTime::AlgebraicTime(IntegerPolynomial p, DyadicCell cell) : cell_(std::move(cell)) {
   take_polynomial(std::move(p));
-}
-
-AlgebraicTime::AlgebraicTime(IntegerPolynomial p, const OddsBracket& odds, DyadicCell cell)
-    : polynomial_(std::move(p)), sign_before_(odds.sign_before), cell_(std::move(cell)), odds_(odds) {
-  TAMIS_ASSERT(sign_before_ == 1 || sign_before_ == -1);
-}
-
-AlgebraicTime::AlgebraicTime(IntegerPolynomial p, const OddsBracket& odds)
-    : AlgebraicTime(std::move(p), odds.sign_before, odds.lower_time(), odds.upper_time()) {
-  odds_ = odds;
 }
 
 AlgebraicTime::AlgebraicTime(IntegerPolynomial p, int sign_before, double lower, double upper)
@@ -88,8 +77,6 @@ bool AlgebraicTime::is_root_of(const IntegerPolynomial& q) {
 int AlgebraicTime::sign_of(const IntegerPolynomial& q) {
   if (q.degree() <= 0) return q.sign_after_zero();
   if (const int sign = ApproximatePolynomial(q).near(lower_end(cell_)).sign()) return sign;
-  if (odds_)
-    if (const int sign = OddsPolynomial(q).sign_between(odds_->low, odds_->high)) return sign;
   if (!is_exact_ && is_root_of(q)) return 0;
   for (; !is_exact_; refine()) {
     const IntegerPolynomial local = q.on(cell_);

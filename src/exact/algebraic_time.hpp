@@ -3,7 +3,6 @@
 #include <optional>
 
 #include "exact/integer_polynomial.hpp"
-#include "exact/odds.hpp"
 
 namespace tamis {
 
@@ -11,16 +10,12 @@ class AlgebraicTime {
  public:
   /// The lower end of the cell.
   static AlgebraicTime exactly(DyadicCell time);
-  /// REQUIRES: `p` has a sign just after the lower end of the cell. REQUIRES (not checked: exact), of all three:
+  /// REQUIRES: `p` has a sign just after the lower end of the cell. REQUIRES (not checked: exact), of both:
   /// exactly one root of `p` lies inside of the cell or the open interval, a simple one; the cell lies between
   /// neighbouring doubles.
   AlgebraicTime(IntegerPolynomial p, DyadicCell cell);
   /// REQUIRES: 0 <= lower < upper <= 1; a sign, which `p` has just after `lower`.
   AlgebraicTime(IntegerPolynomial p, int sign_before, double lower, double upper);
-  /// REQUIRES: the sign before the root. REQUIRES (not checked: exact): the odds' doubles enclose no other root of `p`;
-  /// or the cell is that of the odds.
-  AlgebraicTime(IntegerPolynomial p, const OddsBracket& odds);
-  AlgebraicTime(IntegerPolynomial p, const OddsBracket& odds, DyadicCell cell);
 
   /// -1, 0 or 1; decided exactly. Narrows the cell as far as that needs.
   int sign_of(const IntegerPolynomial& q);
@@ -61,8 +56,7 @@ class AlgebraicTime {
   struct Ends {
     Integer lower, upper;
   };
-  std::optional<Ends> ends_;         ///< the polynomial's scaled values at the ends of the cell, once asked
-  std::optional<OddsBracket> odds_;  ///< where the cell came from them
+  std::optional<Ends> ends_;  ///< the polynomial's scaled values at the ends of the cell, once asked
 };
 
 }  // namespace tamis

@@ -35,27 +35,17 @@ Integer IntegerPolynomial::scaled_value(const DyadicCell& t) const {
   return value;
 }
 
-bool IntegerPolynomial::is_long() const {
-  constexpr long kBits = 768;  // which fit without the heap
-  return std::any_of(powers_.begin(), powers_.end(), [](const Integer& a) { return a.bits() > kBits; });
-}
-
 int IntegerPolynomial::sign_after_zero() const {
   for (int i = 0; i <= degree_; ++i)
     if (const int sign = (*this)[i].sign()) return sign;
   return 0;
 }
 
-std::array<Integer, IntegerPolynomial::kMaxDegree + 1> IntegerPolynomial::bernstein() const {
-  // The Taylor shift by 1 of the coefficients in reverse order.
-  auto result = powers_;
-  for (std::size_t last = static_cast<std::size_t>(std::max(degree_, 0)); last > 0; --last)
-    for (std::size_t i = 1; i <= last; ++i) result[i] += result[i - 1];
-  return result;
-}
-
 int IntegerPolynomial::sign_variations() const {
-  const auto coefficients = bernstein();
+  // The Taylor shift by 1 of the powers' coefficients in reverse order.
+  auto coefficients = powers_;
+  for (std::size_t last = static_cast<std::size_t>(std::max(degree_, 0)); last > 0; --last)
+    for (std::size_t i = 1; i <= last; ++i) coefficients[i] += coefficients[i - 1];
   int variations = 0, previous = 0;
   for (int i = 0; i <= degree_; ++i) {
     const int sign = coefficients[static_cast<std::size_t>(i)].sign();

@@ -25,8 +25,6 @@ class IntegerPolynomial {
   /// -1 for zero.
   int degree() const { return degree_; }
   bool is_zero() const { return degree_ < 0; }
-  /// Are any numbers so large that most work is saved where doubles can be asked before them?
-  bool is_long() const;
   /// Of t^i. REQUIRES: 0 <= i <= kMaxDegree.
   const Integer& operator[](int i) const {
     TAMIS_ASSERT(0 <= i && i <= kMaxDegree);
@@ -40,8 +38,6 @@ class IntegerPolynomial {
   /// Of the values just after t = 0.
   int sign_after_zero() const;
 
-  /// On [0,1], without their binomials.
-  std::array<Integer, kMaxDegree + 1> bernstein() const;
   /// Of the Bernstein coefficients on [0,1]. Descartes' rule: at least the number of roots in the open interval,
   /// counted with multiplicity, and of the same parity.
   int sign_variations() const;

@@ -2,10 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <utility>
 
-#include "exact/odds_polynomial.hpp"
 #include "numerics/assert.hpp"
 
 namespace tamis {
@@ -15,9 +13,11 @@ class RootIsolation {
  public:
   explicit RootIsolation(const IntegerPolynomial& p) : polynomial_(p) {}
 
-  std::vector<AlgebraicTime> run(bool may_ask_doubles) {
+  std::vector<AlgebraicTime> run() {
     add_if_root({0, 0});
-    if (!may_ask_doubles || !add_roots_by_odds()) add_roots_by_bisection();
+    // Bisection ends only if all roots are simple; one sign variation means one simple root already.
+    if (polynomial_.sign_variations() > 1) polynomial_ = polynomial_.squarefree_part();
+    isolate();
     add_if_root({1, 0});
     return std::move(roots_);
   }
@@ -25,31 +25,6 @@ class RootIsolation {
  private:
   void add_if_root(const DyadicCell& time) {
     if (polynomial_.sign_at(time) == 0) roots_.push_back(AlgebraicTime::exactly(time));
-  }
-
-  /// Those between 0 and 1. Adds none if they are not certain.
-  bool add_roots_by_odds() {
-    std::vector<OddsBracket> brackets;
-    if (!OddsPolynomial(polynomial_).find_roots(brackets)) return false;
-    std::vector<AlgebraicTime> roots;
-    for (std::size_t i = 0; i < brackets.size(); ++i) {
-      const OddsBracket& odds = brackets[i];
-      if (auto cell = odds.cell())
-        roots.emplace_back(polynomial_, odds, *std::move(cell));
-      else if ((i == 0 || brackets[i - 1].upper_time() <= odds.lower_time()) &&
-               (i + 1 == brackets.size() || odds.upper_time() <= brackets[i + 1].lower_time()))
-        roots.emplace_back(polynomial_, odds);
-      else
-        return false;
-    }
-    std::move(roots.begin(), roots.end(), std::back_inserter(roots_));
-    return true;
-  }
-
-  void add_roots_by_bisection() {
-    // Bisection ends only if all roots are simple; one sign variation means one simple root already.
-    if (polynomial_.sign_variations() > 1) polynomial_ = polynomial_.squarefree_part();
-    isolate();
   }
 
   /// A cell that may hold roots.
@@ -123,12 +98,7 @@ class RootIsolation {
 
 std::vector<AlgebraicTime> roots_in_unit_interval(const IntegerPolynomial& p) {
   TAMIS_ASSERT(!p.is_zero());
-  return RootIsolation(p).run(p.is_long());
-}
-
-std::vector<AlgebraicTime> roots_by_bisection(const IntegerPolynomial& p) {
-  TAMIS_ASSERT(!p.is_zero());
-  return RootIsolation(p).run(false);
+  return RootIsolation(p).run();
 }
 
 }  // namespace tamis

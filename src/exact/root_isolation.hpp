@@ -1,5 +1,5 @@
 // The roots of an integer polynomial in [0,1], told apart by Descartes' rule, bisection (Collins, Akritas 1976) and
-// Newton's method (Sagraloff, Mehlhorn 2016); those of long coefficients in doubles, where these are certain.
+// Newton's method (Sagraloff, Mehlhorn 2016).
 #pragma once
 #include <vector>
 
@@ -9,8 +9,5 @@ namespace tamis {
 
 /// Distinct, ascending, both ends of the interval included. REQUIRES: `p` is not zero.
 std::vector<AlgebraicTime> roots_in_unit_interval(const IntegerPolynomial& p);
-
-/// The same without doubles. REQUIRES: `p` is not zero.
-std::vector<AlgebraicTime> roots_by_bisection(const IntegerPolynomial& p);
 
 }  // namespace tamis

@@ -128,10 +128,6 @@ inline constexpr double kLength = 4;
 /// A computed length times this is no less than the length.
 inline constexpr double kLengthUp = 1 + kLength * unit_roundoff<double>;
 
-// A polynomial of degree <= 6 with integer coefficients, unit: the sum of its terms' sizes. A coefficient cut to a
-// double 2 u, a power 5 u, their product 1 u, six sums 6 u, the unit's own sums 6 u: below 20 u.
-inline constexpr double kOddsPolynomial = 32;
-
 // A pair's distance along an axis between two unit vectors beyond a least one, unit D + E + F: a corner on the axis, as
 // kAxisProjection with kInput + 4: 57; halves and sums 4; the axis' length 5, and the least distance 4, of at most 3:
 // 27. Together 88.

@@ -19,7 +19,6 @@ struct WideDouble {
     if (a.sign() != 0) result.mantissa = mpz_get_d_2exp(&result.exponent, a.get());
     return result;
   }
-  int sign() const { return (mantissa > 0) - (mantissa < 0); }
 };
 
 /// x 2^exponent; what is 2^-900 of the rest does not count, nor how much more than 2^900 of it.

@@ -56,6 +56,8 @@ const Polynomial& one() {
 
 }  // namespace
 
+int count_roots(const Polynomial& p) { return tarski_query(p, one()); }
+
 bool holds_at_counted_root(const Polynomial& p, std::span<const Condition> conditions) {
   if (p.degree() == 0) return false;
   // With one condition after the other: most questions end early.

@@ -20,6 +20,9 @@ struct Condition {
 /// A part of [0,1]: all of it, or without its last point.
 enum class Range { closed, half_open };
 
+/// Of p in (0,1), each once. REQUIRES: p is not zero, and has no root at 0 or 1.
+int count_roots(const Polynomial& p);
+
 /// Is there a root of p in (0,1) at which all conditions hold? By counting alone, which is slow and always ends.
 /// REQUIRES: p is not zero, and has no root at 0 or 1.
 bool holds_at_counted_root(const Polynomial& p, std::span<const Condition> conditions);

@@ -1,7 +1,6 @@
 #include "exact/exact_distance.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <optional>
 
 #include "distance/rest_distance.hpp"
@@ -38,28 +37,12 @@ IntegerVec normal_of(const MovingPolygon& polygon) {
   return cross(corner(polygon, 1) - first, corner(polygon, polygon.corner_count - 1) - first);
 }
 
-double value_of(const Fraction& a) {
-  const int sign = a.above.sign();
-  if (sign == 0) return 0;
-  return sign < 0 ? -Magnitude::of(Fraction{-a.above, a.below}).value() : Magnitude::of(a).value();
-}
-
 Vec3<double> unit_vector_of(const IntegerVec& v) {
-  const Integer* const components[] = {&v.x, &v.y, &v.z};
-  double mantissas[3] = {};
-  long exponents[3] = {}, largest = 0;
-  bool is_first = true;
-  for (std::size_t k = 0; k < 3; ++k) {
-    if (components[k]->sign() == 0) continue;
-    mantissas[k] = mpz_get_d_2exp(&exponents[k], components[k]->get());
-    largest = is_first ? exponents[k] : std::max(largest, exponents[k]);
-    is_first = false;
-  }
-  if (is_first) return {0, 0, 0};
-  const auto value = [&](std::size_t k) {
-    return std::ldexp(mantissas[k], static_cast<int>(std::max(exponents[k] - largest, -2000L)));
-  };
-  return unit_vector(Vec3<double>{value(0), value(1), value(2)});
+  const WideDouble x = WideDouble::of(v.x), y = WideDouble::of(v.y), z = WideDouble::of(v.z);
+  const long largest = std::max({x.exponent, y.exponent, z.exponent});  // an integer's is positive, but that of zero
+  if (largest == 0) return {0, 0, 0};
+  const auto value = [&](const WideDouble& a) { return a.times_two_to(-largest).value(); };
+  return unit_vector(Vec3<double>{value(x), value(y), value(z)});
 }
 
 struct Weights {
@@ -96,7 +79,7 @@ Vec3<double> direction_on_side(const MovingPolygon& polygon, const MovingPolygon
 ExactDistance on_side(PairKind kind, const MovingPolygon& polygon, const MovingPolygon& moving,
                       const NearestPoint& nearest) {
   const std::size_t i = nearest.side, j = (i + 1) % polygon.corner_count;
-  const double s = value_of(nearest.along);
+  const double s = wide(nearest.along).value();
   const Weights a = corner_weights(kind, i), b = corner_weights(kind, j);
   const auto mixed = [&](double from, double to) { return from == to ? from : to > from ? s : 1 - s; };
   return {0, mixed(a.u, b.u), mixed(a.v, b.v), direction_on_side(polygon, moving, nearest)};
@@ -113,7 +96,7 @@ ExactDistance inside(const MovingPolygon& moving, const Plane& plane) {
   const int height = plane.height.sign();
   const bool is_behind = height != 0 ? height < 0 : height_of_velocity().sign() > 0;
   const Vec3<double> direction = unit_vector_of(normal);
-  return {0, value_of({u, square}), value_of({v, square}), is_behind ? -direction : direction};
+  return {0, wide({u, square}).value(), wide({v, square}).value(), is_behind ? -direction : direction};
 }
 
 Plane plane_of(const MovingPolygon& polygon) {
@@ -125,37 +108,6 @@ Plane plane_of(const MovingPolygon& polygon) {
 }
 
 }  // namespace
-
-Magnitude Magnitude::of(const Integer& a) {
-  const auto [mantissa, exponent] = WideDouble::of(a);
-  return {mantissa, exponent};
-}
-
-Magnitude Magnitude::of(double a) {
-  int exponent = 0;
-  const double mantissa = std::frexp(a, &exponent);
-  return {mantissa, exponent};
-}
-
-Magnitude Magnitude::root() const {
-  TAMIS_ASSERT(0 <= mantissa && mantissa < 4);
-  const bool is_odd = exponent % 2 != 0;
-  return {std::sqrt(is_odd ? 2 * mantissa : mantissa), (exponent - (is_odd ? 1 : 0)) / 2};
-}
-
-Magnitude operator+(const Magnitude& a, const Magnitude& b) {
-  if (a.exponent < b.exponent) return b + a;
-  const long shift = std::max(b.exponent - a.exponent, -2000L);
-  return {a.mantissa + std::ldexp(b.mantissa, static_cast<int>(shift)), a.exponent};
-}
-
-double Magnitude::value() const { return std::ldexp(mantissa, static_cast<int>(std::clamp(exponent, -5000L, 5000L))); }
-
-double Magnitude::rounded_down() const {
-  constexpr double kError = 0x1p-46, kNormal = std::numeric_limits<double>::min();
-  const double rounded = Magnitude{mantissa * (1 - kError), exponent}.value();
-  return rounded < kNormal ? std::nextafter(rounded, 0) : rounded;
-}
 
 /// Its plane where the foot of the perpendicular lies inside, else the nearest of the sides that part the two; a side
 /// that holds the origin in any case. No other side is nearer: from the nearest point of a convex polygon the foot lies
@@ -190,7 +142,7 @@ ExactDistance exact_distance(PairKind kind, const PairPoints& points, double tim
   const NearestPoint nearest = nearest_point(polygon);
   ExactDistance result = nearest.is_inside ? inside(moving, nearest.plane) : on_side(kind, polygon, moving, nearest);
   if (nearest.square.above.sign() > 0)
-    result.distance = Magnitude::of(nearest.square).root().times_two_to(polygon.exponent).value();
+    result.distance = wide(nearest.square).root().times_two_to(polygon.exponent).value();
   return result;
 }
 

@@ -1,6 +1,6 @@
 // Distances at one time in integers: the point of the difference polygon nearest to the origin.
 #pragma once
-#include <cmath>
+#include <array>
 
 #include "exact/moving_polygon.hpp"
 #include "numerics/assert.hpp"
@@ -13,28 +13,11 @@ struct Fraction {
   Integer above, below{1};
 };
 
-/// A positive number with room for any exponent; each operation is off by 2^-51 of the result at most.
-struct Magnitude {
-  double mantissa;
-  long exponent;
-
-  static Magnitude of(const Integer& a);
-  static Magnitude of(double a);
-  static Magnitude of(const Fraction& a) {
-    TAMIS_ASSERT(a.below.sign() > 0);
-    return of(a.above) / of(a.below);
-  }
-  Magnitude times_two_to(long power) const { return {mantissa, exponent + power}; }
-  /// REQUIRES: 0 <= mantissa < 4, as all the others leave it.
-  Magnitude root() const;
-  friend Magnitude operator/(const Magnitude& a, const Magnitude& b) {
-    return {a.mantissa / b.mantissa, a.exponent - b.exponent};
-  }
-  friend Magnitude operator+(const Magnitude& a, const Magnitude& b);
-  double value() const;
-  /// A double below it by about ten roundings, or by one spacing of the smallest doubles.
-  double rounded_down() const;
-};
+/// Off by 2^-51 of itself at most. REQUIRES: below > 0.
+inline WideDouble wide(const Fraction& a) {
+  TAMIS_ASSERT(a.below.sign() > 0);
+  return WideDouble::of(a.above) / WideDouble::of(a.below);
+}
 
 struct NearestPoint {
   struct Plane {

@@ -44,11 +44,11 @@ double apart_from_start(PairKind kind, const PairPoints& points, double separati
   const Integer speed = squared_speed(polygon);
   if (speed.sign() == 0) return std::numeric_limits<double>::infinity();
   // distance - separation = (distance^2 - separation^2) / (distance + separation)
-  const Magnitude distance = Magnitude::of(square).root().times_two_to(polygon.exponent);
-  const Magnitude reach = separation > 0 ? distance + Magnitude::of(separation) : distance;
-  const Magnitude fastest = Magnitude::of(speed).root().times_two_to(polygon.exponent);
-  const Magnitude time =
-      Magnitude::of(excess.above).times_two_to(2L * polygon.exponent) / Magnitude::of(square.below) / reach / fastest;
+  const WideDouble distance = wide(square).root().times_two_to(polygon.exponent);
+  const WideDouble reach = separation > 0 ? distance + WideDouble::of(separation) : distance;
+  const WideDouble fastest = WideDouble::of(speed).root().times_two_to(polygon.exponent);
+  const WideDouble time =
+      WideDouble::of(excess.above).times_two_to(2L * polygon.exponent) / WideDouble::of(square.below) / reach / fastest;
   return time.rounded_down();
 }
 

@@ -53,9 +53,9 @@ TEST_F(Contracts, DoublesInOrder) {
   EXPECT_DEATH((void)lower_end({3, 1}), "cell.n");
 }
 
-TEST_F(Contracts, FractionsAndMagnitudes) {
-  EXPECT_DEATH((void)Magnitude::of(Fraction{1, 0}), "below.sign");
-  EXPECT_DEATH((void)(Magnitude{-1, 0}.root()), "0 <= mantissa");
+TEST_F(Contracts, FractionsAndWideDoubles) {
+  EXPECT_DEATH((void)wide(Fraction{1, 0}), "below.sign");
+  EXPECT_DEATH((void)(WideDouble{-1, 0}.root()), "0 <= mantissa");
 }
 
 TEST_F(Contracts, ScaledToWhatIsNoInteger) { EXPECT_DEATH(scaled_to_integer(0.5, 0), "lowest_exponent"); }

@@ -5,7 +5,7 @@
 
 namespace tamis {
 
-class IsolatedPath final : public Path {
+class IsolatedPath : public Path {
  public:
   /// Keeps a reference.
   explicit IsolatedPath(const Path& path) : path_(path) {}

@@ -45,10 +45,10 @@ struct PairRule {
   double separation;
   bool ignores_start;
 };
-PairRule rule_of(const MeshOnPath& piece, const Path& path, const Contact& pair) {
-  const PairRule rule{piece.separations.between(pair.kind, pair.vertices), piece.ignores_start};
-  if (piece.keep == 0) return rule;
-  const KeptSeparation kept = kept_separation(path, pair.kind, pair.vertices, {piece.keep, rule.separation});
+PairRule rule_of(const MeshOnPath& asked, const Path& path, const Contact& pair) {
+  const PairRule rule{asked.separations.between(pair.kind, pair.vertices), asked.ignores_start};
+  if (asked.keep == 0) return rule;
+  const KeptSeparation kept = kept_separation(path, pair.kind, pair.vertices, {asked.keep, rule.separation});
   if (rule.ignores_start && kept.may_start_within) return rule;
   return {kept.high, false};
 }
@@ -148,10 +148,8 @@ void PathSearch::find(const MeshOnPath& asked, Question question, std::vector<Co
     engine_.find(chords, found_, statistics);
     const auto is_known = [&](const Contact& c) { return known.contains({c.kind, c.vertices}); };
     std::erase_if(found_.contacts(), is_known);
-    const MeshOnPath piece{path, asked.separations,    asked.tolerance, asked.ignores_start,
-                           {},   {from.time, to.time}, asked.keep};
     const std::size_t before = contacts.size();
-    decide_all(piece, question, contacts, statistics);
+    decide_all(asked, {from.time, to.time}, question, contacts, statistics);
     if (contacts.size() > before && question != Question::all_contacts) break;
     for (std::size_t i = before; i < contacts.size(); ++i) {
       if (i % kBatch == 0) stop_if_cancelled(options_);
@@ -196,14 +194,14 @@ SafeStep PathSearch::find_step_length(const MeshOnPath& asked, Statistics& stati
 }
 
 /// What the linear question has left, in the order in which the chords come near: so that a first contact ends it.
-void PathSearch::decide_all(const MeshOnPath& piece, Question question, std::vector<Contact>& contacts,
-                            Statistics& statistics) {
+void PathSearch::decide_all(const MeshOnPath& asked, const TimeInterval<double>& piece, Question question,
+                            std::vector<Contact>& contacts, Statistics& statistics) {
   std::vector<Contact>& pairs = found_.contacts();
   std::sort(pairs.begin(), pairs.end(), [](const Contact& a, const Contact& b) {
     return a.toi_lower != b.toi_lower ? a.toi_lower < b.toi_lower : comes_before(a, b);
   });
-  const double start = piece.time.t_in, length = piece.time.t_out - piece.time.t_in;
-  double latest = piece.time.t_out;
+  const double start = piece.t_in, length = piece.t_out - piece.t_in;
+  double latest = piece.t_out;
   std::vector<PairResult> results(kBatch);
   std::vector<char> stays_together(kBatch);
   std::set<PairKey> never_apart;
@@ -213,17 +211,17 @@ void PathSearch::decide_all(const MeshOnPath& piece, Question question, std::vec
     if (question == Question::earliest && start + pairs[first].toi_lower * length * (1 - 0x1p-40) > latest) return;
     count = std::min(most, pairs.size() - first);
     const std::vector<Index> used = vertices_of({pairs.data() + first, count});
-    tbb::enumerable_thread_specific<RememberedPath> paths([&] { return RememberedPath(piece.path, used); });
+    tbb::enumerable_thread_specific<RememberedPath> paths([&] { return RememberedPath(asked.path, used); });
     tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) {
       const Contact& pair = pairs[first + i];
-      const PairRule rule = rule_of(piece, paths.local(), pair);
+      const PairRule rule = rule_of(asked, paths.local(), pair);
       const PathQuestion question_of_pair{paths.local(),   pair.kind,       pair.vertices,
-                                          rule.separation, piece.tolerance, options_.is_cancelled};
-      Decision decision = decide_on_path(question_of_pair, piece.time);
+                                          rule.separation, asked.tolerance, options_.is_cancelled};
+      Decision decision = decide_on_path(question_of_pair, piece);
       const bool is_together = rule.ignores_start && decision.verdict != Verdict::is_free && decision.lower == start &&
                                (start == 0 || never_apart_.contains({pair.kind, pair.vertices}));
       bool stays = false;
-      if (is_together) decision = decide_once_apart_on_path(question_of_pair, piece.time, stays);
+      if (is_together) decision = decide_once_apart_on_path(question_of_pair, piece, stays);
       stays_together[i] = static_cast<char>(stays);
       results[i] = result_on_path(question_of_pair, decision);
     });

@@ -20,9 +20,8 @@ struct MeshOnPath {
   const Path& path;
   const Separations& separations;
   double tolerance;
-  bool ignores_start = false;          ///< as in Query
-  std::span<const double> ends = {};   ///< of the pieces, ascending, the last one 1; empty: as deviations ask for
-  TimeInterval<double> time = {0, 1};  ///< the part of the path that is looked at
+  bool ignores_start = false;         ///< as in Query
+  std::span<const double> ends = {};  ///< of the pieces, ascending, the last one 1; empty: as deviations ask for
   /// In [0, 1): the part of its distance at t=0 that a pair must keep, beyond the separation. With one a pair touches
   /// when it has no more.
   double keep = 0;
@@ -61,7 +60,8 @@ class PathSearch {
   void check_chords(const Path& path, const Frame& from, const Frame& to) const;
   /// No pair that stays farther apart, beyond its radii, touches, or fails to keep its part.
   double kept_reach(const MeshOnPath& asked, const Path& path);
-  void decide_all(const MeshOnPath& piece, Question question, std::vector<Contact>& contacts, Statistics& statistics);
+  void decide_all(const MeshOnPath& asked, const TimeInterval<double>& piece, Question question,
+                  std::vector<Contact>& contacts, Statistics& statistics);
 
   const Mesh& mesh_;
   const Options& options_;

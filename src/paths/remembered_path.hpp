@@ -3,26 +3,18 @@
 #pragma once
 #include <vector>
 
-#include "tamis/path.hpp"
+#include "paths/isolated_path.hpp"
 
 namespace tamis {
 
 /// For one thread. Positions are the path's own, bit for bit.
-class RememberedPath final : public Path {
+class RememberedPath final : public IsolatedPath {
  public:
   /// Keeps references. `used`: ascending; others may be asked for, too.
-  RememberedPath(const Path& path, const std::vector<Index>& used) : path_(path), used_(used) {}
+  RememberedPath(const Path& path, const std::vector<Index>& used) : IsolatedPath(path), used_(used) {}
 
-  Index vertex_count() const override { return path_.vertex_count(); }
   void points_at(double time, std::span<const Index> vertices, std::span<Point> points,
                  std::span<double> errors) const override;
-  void fine_points_at(double time, std::span<const Index> vertices, std::span<FinePoint> points) const override {
-    path_.fine_points_at(time, vertices, points);
-  }
-  void deviations(double from, double to, std::span<const Index> vertices,
-                  std::span<double> deviations) const override {
-    path_.deviations(from, to, vertices, deviations);
-  }
 
  private:
   static constexpr std::size_t kMostTimesKept = 32, kMostTimesSeen = 32;
@@ -40,7 +32,6 @@ class RememberedPath final : public Path {
   /// False if a vertex is not a used one.
   bool copy(const Time& from, std::span<const Index> vertices, std::span<Point> points, std::span<double> errors) const;
 
-  const Path& path_;
   const std::vector<Index>& used_;
   mutable std::vector<Time> kept_;
   mutable std::vector<double> seen_;  ///< most times are asked for once: only the second time all are looked at

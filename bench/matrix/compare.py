@@ -4,10 +4,14 @@ geometric mean. Answers are compared, too: cells whose answers contradict each o
 
     bench/matrix/compare.py OLD/bin/tamis_matrix NEW/bin/tamis_matrix --part daily --csv daily.csv
     bench/matrix/compare.py OLD/bin/tamis_matrix NEW/bin/tamis_matrix --cells 'kick*/x3/*' --isa avx2 --repeat 7
+    bench/matrix/compare.py OLD/bin/tamis_matrix NEW/bin/tamis_matrix --sweep 0.8 --limit 60
 
 Parts (bench/matrix/cells.hpp): night, every cell below a limit of work; daily, one of each scene and scale, so that
 every question, state and separation comes in turn, with every instruction set; quick, those of the daily ones that
 take little. What the night leaves out is counted at the start.
+
+A sweep asks each cell in one turn, and in all turns only what then seems slower than its ratio: a first look at many
+cells. What takes longer than --limit is given up, and named at the end.
 """
 import argparse
 import collections
@@ -15,6 +19,7 @@ import csv
 import fnmatch
 import json
 import math
+import select
 import statistics
 import subprocess
 import sys
@@ -23,19 +28,32 @@ ISAS = ["baseline", "avx2", "avx512"]
 LONG = 0.5  # seconds: a cell that takes longer is asked in two turns, whatever --repeat says
 
 
+class GivenUp(Exception):
+    """A build took longer than the limit: says which, and for what."""
+
+
 class Driver:
     """One build, serving. Scenes are made once; a question is timed by the process itself."""
 
-    def __init__(self, program, isa):
-        self.process = subprocess.Popen([program, "--isa", isa, "--serve"], stdin=subprocess.PIPE,
-                                        stdout=subprocess.PIPE, text=True, bufsize=1)
+    def __init__(self, program, isa, limit):
+        self.command = [program, "--isa", isa, "--serve"]
+        self.limit = limit  # seconds, or nothing
+        self.start()
+
+    def start(self):
+        self.process = subprocess.Popen(self.command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True, bufsize=1)
 
     def ask(self, line):
         self.process.stdin.write(line + "\n")
         self.process.stdin.flush()
+        if not select.select([self.process.stdout], [], [], self.limit)[0]:
+            self.process.kill()
+            self.process.wait()
+            self.start()
+            raise GivenUp(self.command[0])
         answer = self.process.stdout.readline()
         if not answer:
-            raise SystemExit(f"compare: {self.process.args[0]} ended at {line or 'a timed question'}")
+            raise SystemExit(f"compare: {self.command[0]} ended at {line or 'a timed question'}")
         return json.loads(answer)
 
 
@@ -65,17 +83,32 @@ def medians_of(turns):
     return [statistics.median(times) for times in zip(*turns)]
 
 
-def measure(cell, isa, old, new, repeat):
-    """Yields the rows of a cell. `old` and `new` are drivers of one instruction set."""
-    answers = old.ask(cell), new.ask(cell)
-    turns = [], []
-    for turn in range(min(repeat, 2) if answers[0]["seconds"] > LONG else repeat):
+def costs_of(cell, turns):
+    """Of each part of a cell its name, and sum and most of the old build, then of the new one."""
+    old, new = ([*parts_of(cell, medians_of(of_build))] for of_build in turns)
+    return [(name, *of_old, *of_new) for (name, *of_old), (_, *of_new) in zip(old, new)]
+
+
+def ask_in_turns(cell, drivers, turns, sweep):
+    """The times of each build, turn by turn: of a sweep one turn, if nothing in the cell is slower by it."""
+    times = [], []
+    for turn in range(turns):
         for which in ((0, 1) if turn % 2 == 0 else (1, 0)):
-            turns[which].append((old, new)[which].ask("")["ms"])
-    medians = [medians_of(of_build) for of_build in turns]
-    for (name, old_sum, old_most), (_, new_sum, new_most) in zip(parts_of(cell, medians[0]), parts_of(cell, medians[1])):
+            times[which].append(drivers[which].ask("")["ms"])
+        if sweep and all(old_sum >= sweep * new_sum for _, old_sum, _, new_sum, _ in costs_of(cell, times)):
+            break
+    return times
+
+
+def measure(cell, isa, drivers, asked):
+    """Yields the rows of a cell. `drivers`: the old build and the new one, of one instruction set."""
+    answers = [driver.ask(cell) for driver in drivers]
+    turns = min(asked.repeat, 2) if answers[0]["seconds"] > LONG else asked.repeat
+    times = ask_in_turns(cell, drivers, turns, asked.sweep)
+    for name, old_sum, old_most, new_sum, new_most in costs_of(cell, times):
         yield {"cell": name, "isa": isa, "ratio": old_sum / new_sum, "old_ms": old_sum, "new_ms": new_sum,
-               "old_most_ms": old_most, "new_most_ms": new_most, "old_second_ms": medians[0][1] if "/line/" in cell else "",
+               "old_most_ms": old_most, "new_most_ms": new_most,
+               "old_second_ms": medians_of(times[0])[1] if "/line/" in cell else "", "turns": len(times[0]),
                "same_bits": answers[0]["bits"] == answers[1]["bits"], "old_boxes": boxes(answers[0]),
                "new_boxes": boxes(answers[1]), "contacts": answers[1]["contacts"], "bits": answers[1]["bits"],
                "problem": contradiction(*answers)}
@@ -99,11 +132,13 @@ def print_group(title, ratios):
           f"geometric mean {geometric_mean(ratios):.3f}")
 
 
-def print_table(rows):
+def print_table(rows, sweep):
+    """All cells; of a sweep those below its ratio. Then the groups, of all."""
     columns = ["ratio", "old_ms", "new_ms", "old_most_ms", "new_most_ms", "old_boxes", "new_boxes", "contacts", "isa",
                "cell", "problem"]
     print(" ".join(f"{column:>11}" for column in columns))
-    for row in sorted(rows, key=lambda row: row["ratio"]):
+    shown = [row for row in rows if not sweep or row["ratio"] < sweep or row["problem"]]
+    for row in sorted(shown, key=lambda row: row["ratio"]):
         print(" ".join(f"{number(row[column]):>11}" for column in columns))
     print()
     groups = collections.defaultdict(list)
@@ -136,6 +171,8 @@ def arguments():
     parser.add_argument("--cells", action="append", metavar="PATTERN", help="only these; may be given again")
     parser.add_argument("--without", action="append", default=[], metavar="PATTERN", help="not these")
     parser.add_argument("--repeat", type=int, default=3, metavar="N", help="turns a cell [3]")
+    parser.add_argument("--sweep", type=float, metavar="RATIO", help="one turn only where no slower than this")
+    parser.add_argument("--limit", type=float, metavar="SECONDS", help="of one question to a build, its scene included")
     parser.add_argument("--isa", metavar="NAME,...", help="instruction sets [night: best; else: all]")
     parser.add_argument("--csv", metavar="FILE", help="all rows, for plot.py")
     return parser.parse_args()
@@ -148,14 +185,18 @@ def isas_of(asked):
 
 
 def measure_all(asked, cells):
-    drivers = {isa: (Driver(asked.old, isa), Driver(asked.new, isa)) for isa in isas_of(asked)}
-    rows = []
+    """The rows of all cells, and what was given up."""
+    drivers = {isa: [Driver(program, isa, asked.limit) for program in (asked.old, asked.new)] for isa in isas_of(asked)}
+    rows, given_up = [], []
     for i, cell in enumerate(cells):
         print(f"\r{i + 1}/{len(cells)} {cell:60}", end="", file=sys.stderr, flush=True)
-        for isa, (old, new) in drivers.items():
-            rows += measure(cell, isa, old, new, asked.repeat)
+        for isa, pair in drivers.items():
+            try:
+                rows += measure(cell, isa, pair, asked)
+            except GivenUp as build:
+                given_up.append(f"{cell}, {isa}, by {build}")
     print(file=sys.stderr)
-    return rows
+    return rows, given_up
 
 
 def problems_of(rows):
@@ -164,6 +205,15 @@ def problems_of(rows):
     for row in rows:
         bits[row["cell"]].add(row["bits"])
     return ([row["cell"] for row in rows if row["problem"]] + [cell for cell, seen in bits.items() if len(seen) > 1])
+
+
+def write(rows, name):
+    if not name:
+        return
+    with open(name, "w", newline="") as file:
+        writer = csv.DictWriter(file, rows[0].keys(), lineterminator="\n")
+        writer.writeheader()
+        writer.writerows(rows)
 
 
 def main():
@@ -175,13 +225,12 @@ def main():
         raise SystemExit("compare: no such cells")
     if asked.part == "night":
         print_left_out(asked.new, patterns)
-    rows = measure_all(asked, cells)
-    if asked.csv:
-        with open(asked.csv, "w", newline="") as file:
-            writer = csv.DictWriter(file, rows[0].keys(), lineterminator="\n")
-            writer.writeheader()
-            writer.writerows(rows)
-    print_table(rows)
+    rows, given_up = measure_all(asked, cells)
+    if rows:
+        write(rows, asked.csv)
+        print_table(rows, asked.sweep)
+    for line in given_up:
+        print(f"given up after {asked.limit:g} s: {line}")
     wrong = problems_of(rows)
     if wrong:
         raise SystemExit(f"compare: the answers of {len(wrong)} cells contradict each other: {', '.join(wrong[:5])} ...")

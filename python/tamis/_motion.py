@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Union
 
 import numpy as np
 import numpy.typing as npt
@@ -43,7 +43,7 @@ class CurvedMotion:
     """On a path, whose brackets are as narrow as the tolerance."""
 
     path: Path
-    tolerance: float
+    tolerance: float = 1e-9
 
     def native(self) -> Native:
         """Return what the compiled part takes."""
@@ -54,6 +54,9 @@ class CurvedMotion:
         path = self.path._native()
         used = used_vertices(path.vertex_count, vertices, InvalidPath)
         return path.corners_at(np.ascontiguousarray(times), np.ascontiguousarray(used)).reshape(*used.shape, 3)
+
+
+Motion = Union[StraightMotion, CurvedMotion]
 
 
 def step_asked(
@@ -74,12 +77,12 @@ def step_asked_to_keep(
 
 def motion(
     start: npt.ArrayLike | Path, end: npt.ArrayLike | None, tolerance: float | None
-) -> StraightMotion | CurvedMotion:
+) -> Motion:
     """Tell one from the other by what the user gave."""
     if isinstance(start, Path):
         if end is not None:
             raise InvalidPath("the path says where everything goes: give no end beside it")
-        return CurvedMotion(start, 1e-9 if tolerance is None else number(tolerance, "tolerance"))
+        return CurvedMotion(start) if tolerance is None else CurvedMotion(start, number(tolerance, "tolerance"))
     if end is None:
         raise InvalidStep("the end is missing: give the positions at the end of the step, or a Path alone")
     if tolerance is not None:

@@ -1,8 +1,10 @@
 // Pairs of features, as many as there are, as a PairBuffer has them: the vertices of their corners, and the part of a
 // step in which they may touch.
 #pragma once
+#include <algorithm>
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "kernels/kernels.hpp"
@@ -29,5 +31,9 @@ class PairList {
   std::array<std::vector<std::int32_t>, kCorners> corner_;  ///< those that the kind has not are empty
   std::vector<float> t_in_, t_out_;
 };
+
+inline bool any_of(std::span<const PairList> lists) {
+  return std::any_of(lists.begin(), lists.end(), [](const PairList& list) { return list.size() > 0; });
+}
 
 }  // namespace tamis

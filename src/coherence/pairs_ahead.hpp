@@ -36,6 +36,7 @@ class PairsAhead {
   /// This query, as part of the predicted step.
   const TimeInterval<float>& when() const { return when_; }
   const PairList& list(PairKind kind) const { return lists_[static_cast<std::size_t>(kind)]; }
+  bool has_pairs() const { return any_of(lists_); }
   void end(const ContactCollector& answer);
   std::uint64_t memory_bytes() const;
 

@@ -28,6 +28,7 @@ class PairsOfStart {
   /// The lists are ready; or the pairs were too many, and there are none. Returns which.
   bool complete(bool hold_all);
   const PairList& list(PairKind kind) const { return lists_[static_cast<std::size_t>(kind)]; }
+  bool has_pairs() const { return any_of(lists_); }
   std::uint64_t memory_bytes() const;
 
  private:

@@ -34,10 +34,11 @@ class CandidateSearch {
     return !asked.bound.is_settled();
   }
   /// Prepares the trees for a query of which lists may hold the pairs (`is_listed`): if they do not, plan() says
-  /// whether they should, and make() makes them, or gives up. True: the lists are to be asked; false: the trees must be
-  /// searched.
-  template <class Plan, class Make>
-  bool prepare(const Query& query, bool is_listed, const Plan& plan, const Make& make, Statistics& statistics) {
+  /// whether they should, and make() makes them, or gives up. True: the lists are to be asked, with the vertices of this
+  /// step if has_pairs(); false: the trees must be searched.
+  template <class Plan, class Make, class HasPairs>
+  bool prepare(const Query& query, bool is_listed, const Plan& plan, const Make& make, const HasPairs& has_pairs,
+               Statistics& statistics) {
     FeatureTrees& trees = workspace_.trees;
     if (!is_listed) {
       // Refit to the query even if lists follow: the decision to rebuild must not see the step that they are for.
@@ -48,7 +49,7 @@ class CandidateSearch {
       if (!is_listed) trees.refit_for(query.step, query.separations);
       statistics.seconds.build += watch.seconds();
     }
-    if (is_listed) trees.load_vertices(query.step, query.separations, statistics);
+    if (is_listed && has_pairs()) trees.load_vertices(query.step, query.separations, statistics);
     return is_listed;
   }
   std::uint64_t memory_bytes() const { return streams_.memory_bytes(); }

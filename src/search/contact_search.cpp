@@ -25,7 +25,7 @@ void ContactSearch::find(const Query& query, ContactCollector& answer, Statistic
   statistics.nodes_visited = 0;
   const bool is_listed = candidates_.prepare(
       query, ahead_.begin(query), [&] { return ahead_.plan(query); }, [&] { return list_ahead(query, statistics); },
-      statistics);
+      [&] { return ahead_.has_pairs(); }, statistics);
   const std::uint64_t visited_ahead = statistics.nodes_visited;
   const Stopwatch watch;
   streams_.begin(answer);
@@ -35,7 +35,7 @@ void ContactSearch::find(const Query& query, ContactCollector& answer, Statistic
   if (is_undecided) search_trees(answer);
   ahead_.end(answer);
   using Counts = SearchCounts;
-  if (trees.motion().separations.any())
+  if (query.separations.any())
     streams_.report(statistics, watch.seconds(), {&Counts::boxes, &Counts::slab, &Counts::apart, &Counts::solve});
   else
     streams_.report(statistics, watch.seconds(),

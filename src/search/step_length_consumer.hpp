@@ -41,6 +41,7 @@ class StepLengthConsumer final : public PairConsumer {
   /// If the question lists all, in no order.
   const std::vector<StepLimit>& ends() const { return ends_; }
 
+  bool wants(PairKind kind) const override { return !limit_.rules_out(kind); }
   SearchKernel kernel(PairKind kind) const override { return thread().kernels.of(kind).search_near; }
   void set_limits(Search& search) const override { search.near = asked_->rule(); }
   void consume(PairKind kind) override;

@@ -10,7 +10,7 @@ from tamis import _core
 from tamis._answers import EarliestContact, earliest_of
 from tamis._looking import Asked
 from tamis._mesh import Mesh
-from tamis._motion import motion
+from tamis._motion import Motion, motion
 from tamis._options import AtStart, query_options
 from tamis._paths._path import Path
 from tamis._tables._contacts import Contacts
@@ -75,8 +75,10 @@ class InMotion:
             By kind, then vertices; `Contacts.view` shows them. On a path, what cannot be decided (a touch
             without crossing, say) is a contact that is not certified.
         """
-        moving = motion(start, end, tolerance)
-        own = query_options(min_separation, at_start)
+        return self._contacts_of(motion(start, end, tolerance), query_options(min_separation, at_start))
+
+    def _contacts_of(self, moving: Motion, own: _core.QueryOptions) -> Contacts:
+        """Ask the same without a look at what is given."""
         found = self._detector.contacts(*moving.native(), own)
         return Contacts(found, Asked(self._mesh._mesh, self._options, moving, own))
 

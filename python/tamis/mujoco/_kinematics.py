@@ -10,6 +10,7 @@ import numpy as np
 
 from tamis._arrays import Doubles, Indices
 
+_NONE = -1
 _HINGE, _SLIDE, _BALL, _FREE = (getattr(mujoco.mjtJoint, f"mjJNT_{k}") for k in ("HINGE", "SLIDE", "BALL", "FREE"))
 
 
@@ -21,13 +22,44 @@ class _Move:
     joint: int
 
 
-@dataclass(frozen=True)
-class _Chain:
-    """From the world to a body that turns: of each link the move that turns and those that slide before it."""
+class _Links:
+    """Of all chains, the links: one for each move that turns, and one for what slides after the last of these.
 
-    turning: Indices
-    sliding: list[Indices]
-    trailing: Indices
+    Moves are rows of the arrays of `_twists`, whose last row is of no move.
+    """
+
+    def __init__(self) -> None:
+        self.moves: list[int] = []  # that turn; none in a link that only slides
+        self.before: list[int] = []  # those of the links before, in the same chain
+        self.sliding: list[tuple[int, int]] = []  # a link, and a move that slides in it
+        self.chains = [slice(0, 0)]
+        self.last = [_NONE]  # of each chain, the last move that turns
+
+    def add_chain(self, moves: list[tuple[int, bool]]) -> None:
+        """Add a chain from the world on: the number of each move, and whether it turns."""
+        first, last = len(self.moves), _NONE
+        for move, turns in moves:
+            if turns:
+                self.moves.append(move)
+                self.before.append(last)
+                last = move
+            else:
+                self.sliding.append((len(self.moves), move))
+        if not moves[-1][1]:
+            self.moves.append(_NONE)
+            self.before.append(_NONE)
+        self.chains.append(slice(first, len(self.moves)))
+        self.last.append(last)
+
+
+@dataclass(frozen=True)
+class _Kind:
+    """All moves of one kind."""
+
+    kind: Any  # of the joints; None: mocap bodies
+    numbers: Indices
+    things: Indices  # joints, or mocap bodies
+    dofs: Indices  # the one of each joint, or the three that turn
 
 
 class Carriers:
@@ -39,7 +71,7 @@ class Carriers:
     def __init__(self, model: Any) -> None:
         self._model = model
         self._moves: dict[_Move, int] = {}
-        self._chains: list[_Chain] = []
+        self._links = _Links()
         self.bodies = [0]
         self.of_body: Indices = np.zeros(model.nbody, np.int32)
         self.is_moving = np.zeros(model.nbody, bool)
@@ -53,9 +85,10 @@ class Carriers:
             if any(self._turns(move) for move in own):
                 self.of_body[body] = len(self.bodies)
                 self.bodies.append(body)
-                self._chains.append(self._chain(moves_to[body]))
+                self._links.add_chain([(self._number(move), self._turns(move)) for move in moves_to[body]])
             self.is_sliding[body] = len(moves_to[body]) > len(moves_to[self.bodies[self.of_body[body]]])
-        self._kinds = {kind: self._numbers_of(kind) for kind in (None, _HINGE, _SLIDE, _BALL, _FREE)}
+        kinds = [self._all_of(kind) for kind in (None, _HINGE, _SLIDE, _BALL, _FREE)]
+        self._kinds = [kind for kind in kinds if len(kind.numbers)]
 
     def _moves_of(self, body: int) -> list[_Move]:
         if self._model.body_mocapid[body] >= 0:
@@ -69,88 +102,71 @@ class Carriers:
     def _turns(self, move: _Move) -> bool:
         return self._kind(move) != _SLIDE
 
-    def _chain(self, moves: list[_Move]) -> _Chain:
-        turning: list[int] = []
-        sliding: list[list[int]] = [[]]
-        for move in moves:
-            number = self._moves.setdefault(move, len(self._moves))
-            if self._turns(move):
-                turning.append(number)
-                sliding.append([])
-            else:
-                sliding[-1].append(number)
-        *before, after = [np.array(numbers, np.int32) for numbers in sliding]
-        return _Chain(np.array(turning, np.int32), before, after)
+    def _number(self, move: _Move) -> int:
+        return self._moves.setdefault(move, len(self._moves))
 
-    def _numbers_of(self, kind: Any) -> tuple[Indices, Indices]:
-        """Of all moves of one kind: their numbers; and their joints, or mocap bodies."""
+    def _all_of(self, kind: Any) -> _Kind:
         moves = [(number, move) for move, number in self._moves.items() if self._kind(move) == kind]
-        things = [move.body if kind is None else move.joint for _, move in moves]
-        return np.array([number for number, _ in moves], np.int32), np.array(things, np.int32)
+        things = np.array([move.body if kind is None else move.joint for _, move in moves], np.int32)
+        if kind is None:
+            dofs = np.empty((0, 1), np.int32)
+        else:
+            turning = {_BALL: (0, 1, 2), _FREE: (3, 4, 5)}.get(kind, (0,))
+            dofs = self._model.jnt_dofadr[things][:, np.newaxis] + np.array(turning, np.int32)
+        return _Kind(kind, np.array([number for number, _ in moves], np.int32), things, dofs)
 
-    def chains(self, start: Any, end: Any) -> tuple[list[Doubles], Doubles]:
+    def chains(self, start: Any, end: Any) -> tuple[list[Doubles], Doubles] | None:
         """Return the links of each carrier, and the origin of its frame: the anchor of its last joint that turns.
 
-        Of two `MjData` whose kinematics are computed.
+        Of two `MjData` whose kinematics are computed. None: nothing turns.
         """
+        if not self._kinds:
+            return None
         anchors, turns, shifts = self._twists(start, end)
-        chains, origins = [np.empty((0, 4, 3))], np.zeros((len(self.bodies), 3))
-        for carrier, chain in enumerate(self._chains, 1):
-            at = anchors[chain.turning]
-            links = np.zeros((len(at) + (len(chain.trailing) > 0), 4, 3))
-            links[: len(at), 0] = at
-            links[1 : len(at), 0] -= at[:-1]
-            links[: len(at), 2] = links[: len(at), 0] + shifts[chain.turning]
-            for link, sliding in zip(links, [*chain.sliding, chain.trailing]):
-                if len(sliding):
-                    link[2] += shifts[sliding].sum(0)
-            links[: len(at), 3] = turns[chain.turning]
-            chains.append(links)
-            origins[carrier] = at[-1]
-        return chains, origins
+        if not turns.any():
+            return None
+        of = self._links
+        links = np.zeros((len(of.moves), 4, 3))
+        links[:, 0] = anchors[of.moves] - anchors[of.before]
+        links[:, 2] = links[:, 0] + shifts[of.moves]
+        for link, move in of.sliding:
+            links[link, 2] += shifts[move]
+        links[:, 3] = turns[of.moves]
+        return [links[chain] for chain in of.chains], anchors[of.last]
 
-    def _twists(self, start: Any, end: Any) -> tuple[Doubles, Doubles, Doubles]:
+    def _twists(self, start: Any, end: Any) -> Doubles:
         """Of each move, in the world as it is at the start: its anchor, rotation vector and shift over the step."""
-        model, change = self._model, np.zeros(self._model.nv)
-        mujoco.mj_differentiatePos(model, change, 1.0, start.qpos, end.qpos)
-        anchors, turns, shifts = (np.zeros((len(self._moves), 3)) for _ in range(3))
-        for kind, (numbers, things) in self._kinds.items():
-            if not len(numbers):
+        change, out = np.empty(self._model.nv), np.zeros((3, len(self._moves) + 1, 3))
+        mujoco.mj_differentiatePos(self._model, change, 1.0, start.qpos, end.qpos)
+        anchors, turns, shifts = out
+        for kind in self._kinds:
+            numbers, things = kind.numbers, kind.things
+            if kind.kind is None:
+                self._told(start, end, kind, out)
                 continue
-            if kind is None:
-                self._told(start, end, numbers, things, (anchors, turns, shifts))
-                continue
-            dof = model.jnt_dofadr[things]
-            anchors[numbers] = start.xanchor[things]
-            if kind == _HINGE:
-                turns[numbers] = start.xaxis[things] * change[dof, np.newaxis]
-            elif kind == _SLIDE:
-                shifts[numbers] = start.xaxis[things] * change[dof, np.newaxis]
+            if kind.kind != _SLIDE:
+                anchors[numbers] = start.xanchor[things]
+            if kind.kind == _FREE:
+                shifts[numbers] = change[kind.dofs - 3]
+            if kind.kind in (_FREE, _BALL):
+                turns[numbers] = _in_world(start, self._model.jnt_bodyid[things], change[kind.dofs])
             else:
-                three = np.arange(3)
-                if kind == _FREE:
-                    shifts[numbers] = change[dof[:, np.newaxis] + three]
-                    dof = dof + 3
-                turns[numbers] = _in_world(start, model.jnt_bodyid[things], change[dof[:, np.newaxis] + three])
-        return anchors, turns, shifts
+                (turns if kind.kind == _HINGE else shifts)[numbers] = start.xaxis[things] * change[kind.dofs]
+        return out
 
     def turned_too_far(self, velocity: Doubles, seconds: float) -> int | None:
         """Return a body whose free or ball joint turns by more than half a turn, which two states do not show."""
-        for kind, first in ((_BALL, 0), (_FREE, 3)):
-            joints = self._kinds[kind][1]
-            if not len(joints):
+        for kind in self._kinds:
+            if kind.kind not in (_BALL, _FREE):
                 continue
-            dofs = self._model.jnt_dofadr[joints][:, np.newaxis] + np.arange(first, first + 3)
-            far = np.flatnonzero(np.linalg.norm(velocity[dofs], axis=1) * seconds > 0.99 * np.pi)
+            far = np.flatnonzero(np.linalg.norm(velocity[kind.dofs], axis=1) * seconds > 0.99 * np.pi)
             if len(far):
-                return int(self._model.jnt_bodyid[joints[far[0]]])
+                return int(self._model.jnt_bodyid[kind.things[far[0]]])
         return None
 
-    def _told(
-        self, start: Any, end: Any, numbers: Indices, bodies: Indices, out: tuple[Doubles, Doubles, Doubles]
-    ) -> None:
+    def _told(self, start: Any, end: Any, kind: _Kind, out: Doubles) -> None:
         """Mocap bodies: straight from one pose to the next, by the shorter turn at constant speed."""
-        anchors, turns, shifts = out
+        numbers, bodies, (anchors, turns, shifts) = kind.numbers, kind.things, out
         anchors[numbers], shifts[numbers] = start.xpos[bodies], end.xpos[bodies] - start.xpos[bodies]
         local = np.zeros((len(bodies), 3))
         for row, mocap in zip(local, self._model.body_mocapid[bodies]):

@@ -2,15 +2,19 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from typing import Any
 
 import mujoco
 import numpy as np
+import numpy.typing as npt
 
 from tamis._arrays import Doubles, Indices
 from tamis._checks import instance, number_from_zero
 from tamis._detector._detector import Detector
 from tamis._errors import InvalidOptions, InvalidStep
+from tamis._motion import CurvedMotion, Motion, StraightMotion
+from tamis._options import query_options
 from tamis._paths._path import Path
 from tamis._paths._rigid_path import RigidPath
 from tamis._tables._near import Intersections
@@ -20,6 +24,26 @@ from tamis.mujoco._surfaces import may_touch, name_of, surfaces_of, vertices_by_
 
 # Of the size of the scene: how far positions that MuJoCo computes may be from those that the chains of joints give.
 _SEAM = 1e-10
+
+
+@dataclass(frozen=True)
+class _Turned:
+    """Vertices with a place in the frame of a body that turns."""
+
+    vertices: Indices
+    bodies: Indices
+    in_body: Doubles
+
+    @classmethod
+    def of(cls, which: npt.NDArray[np.bool_], bodies: Indices, in_body: Doubles) -> _Turned:
+        """Choose some of all vertices."""
+        return cls(np.flatnonzero(which), bodies[which], in_body[which])
+
+    def add(self, state: Any, points: Doubles) -> None:
+        """Add to the places of their bodies, as a `MjData` has them, where they are in their frames."""
+        if len(self.vertices):
+            turns = state.xmat[self.bodies].reshape(-1, 3, 3)
+            points[self.vertices] += np.einsum("nij,nj->ni", turns, self.in_body)
 
 
 class Referee:
@@ -91,6 +115,7 @@ class Referee:
             groups=self._surfaces.groups,
             may_touch=may_touch(model, self._surfaces.parts),
         )
+        self._asking = query_options(None, "report")
         self._report = RefereeReport()
         self.restart()
 
@@ -136,7 +161,7 @@ class Referee:
         start, span = self._points, (self._now.time, self._data.time)
         self._require_one_step(*span)
         self._look()
-        found = self.detector.contacts(*self._motion(start, self._points))
+        found = self.detector._contacts_of(self._motion(start, self._points), self._asking)
         report = self._report
         met = meetings_of(found, self._surfaces.groups, self.names, report.steps, span)
         report.steps += 1
@@ -144,71 +169,76 @@ class Referee:
         return RefereedStep(report.steps - 1, *span, found, met)
 
     def _set_up_vertices(self) -> None:
-        parts = self._surfaces.parts
-        self._bodies = np.concatenate([part.bodies for part in parts])
-        self._in_body = np.vstack([part.points for part in parts])
-        self._carrier = self._carriers.of_body[self._bodies]
+        model, parts, carriers = self._model, self._surfaces.parts, self._carriers
+        bodies, in_body = np.concatenate([part.bodies for part in parts]), np.vstack([part.points for part in parts])
+        self._carrier = carriers.of_body[bodies]
         self._turning = np.flatnonzero(self._carrier)
-        is_sliding = self._carriers.is_sliding[self._bodies]
-        for mine, _ in vertices_by_nodes(self._model, parts):
+        self._by_nodes = list(vertices_by_nodes(model, parts))
+        is_sliding, is_moving = carriers.is_sliding[bodies], carriers.is_moving[bodies]
+        for mine, _ in self._by_nodes:
             is_sliding[mine] = True
         self._sliding = np.flatnonzero((self._carrier > 0) & is_sliding)
-        is_moving, is_off_centre = self._carriers.is_moving[self._bodies], self._in_body.any(axis=1)
-        self._moving, self._off_centre = np.flatnonzero(is_moving), np.flatnonzero(is_moving & is_off_centre)
-        self._by_nodes = list(vertices_by_nodes(self._model, parts))
+        is_turned = is_moving & (self._carrier > 0) & in_body.any(axis=1)
+        self._turned = _Turned.of(is_turned, bodies, in_body)
+        mujoco.mj_kinematics(model, self._now)
+        shifts = np.zeros_like(in_body)
+        _Turned.of(~is_turned, bodies, in_body).add(self._now, shifts)
+        self._points = self._now.xpos[bodies] + shifts
+        moving = np.flatnonzero(is_moving)
+        self._moving, self._bodies = _span(moving), _span(bodies[moving])
+        self._shifts = shifts[moving] if shifts[moving].any() else None
         self._planes = [part for part in parts if part.is_plane]
-        mujoco.mj_kinematics(self._model, self._now)
-        self._points = self._now.xpos[self._bodies]
-        self._place(np.flatnonzero(~is_moving))
 
     def _look(self) -> None:
         """Copy the present state, and compute where it puts every vertex."""
         self._now, self._before = self._before, self._now
-        data, now = self._data, self._now
-        now.time, now.qpos[:], now.mocap_pos[:], now.mocap_quat[:] = (
-            data.time,
-            data.qpos,
-            data.mocap_pos,
-            data.mocap_quat,
-        )
-        mujoco.mj_kinematics(self._model, now)
+        model, data, now = self._model, self._data, self._now
+        now.time, now.qpos[:] = data.time, data.qpos
+        if model.nmocap:
+            now.mocap_pos[:], now.mocap_quat[:] = data.mocap_pos, data.mocap_quat
+        mujoco.mj_kinematics(model, now)
         self._points = self._points.copy()
-        self._points[self._moving] = now.xpos[self._bodies[self._moving]]
-        self._place(self._off_centre)
+        moved = now.xpos[self._bodies]
+        self._points[self._moving] = moved if self._shifts is None else moved + self._shifts
+        self._turned.add(now, self._points)
         if self._by_nodes:
-            mujoco.mj_flex(self._model, now)
+            mujoco.mj_flex(model, now)
         for mine, theirs in self._by_nodes:
             self._points[mine] = now.flexvert_xpos[theirs]
         self._require_reach()
 
-    def _place(self, vertices: Indices) -> None:
-        """Add to their bodies' places where they are in their bodies' frames."""
-        turns = self._now.xmat.reshape(-1, 3, 3)[self._bodies[vertices]]
-        self._points[vertices] += np.einsum("nij,nj->ni", turns, self._in_body[vertices])
-
     def _require_reach(self) -> None:
         """No vertex may leave the square that stands for a plane."""
+        if not self._planes:
+            return
+        moved = self._points[self._moving]
+        # The farthest that a coordinate can tell, which is next to always enough.
+        most = max(np.maximum.reduce(moved, axis=None, initial=0), -np.minimum.reduce(moved, axis=None, initial=0))
         for plane in self._planes:
+            centre = self._now.geom_xpos[plane.geom]
+            if 2 * (most + max(map(abs, centre.tolist()))) <= self._reach:
+                continue
             across = self._now.geom_xmat[plane.geom].reshape(3, 3)[:, :2]
-            far = np.abs((self._points[self._moving] - self._now.geom_xpos[plane.geom]) @ across).max(initial=0)
+            far = np.abs((moved - centre) @ across).max(initial=0)
             if far > self._reach:
                 raise InvalidStep(
                     f"a vertex is {far:.6g} from the middle of {plane.name}, and the square that stands for this "
                     f"plane ends at {self._reach:.6g}: give a larger plane_reach"
                 )
 
-    def _motion(self, start: Doubles, end: Doubles) -> tuple[Any, ...]:
-        """Return a step where nothing turns, else a path."""
-        chains, origins = self._carriers.chains(self._before, self._now)
-        if not any(chain[:, 3].any() for chain in chains):
-            return start, end
+    def _motion(self, start: Doubles, end: Doubles) -> Motion:
+        """Return a straight step where nothing turns, else a path."""
+        turning = self._carriers.chains(self._before, self._now)
+        if turning is None:
+            return StraightMotion(start, end)
+        chains, origins = turning
         rest, rest_end, some = start.copy(), end.copy(), self._turning
         rest[some] -= origins[self._carrier[some]]
         rest_end[some] = rest[some]
         self._pull_back(rest_end, end, origins)
         path = RigidPath(rest, self._carrier, chains, rest_end)
         self._require_seam(path, end)
-        return (path,)
+        return CurvedMotion(path)
 
     def _pull_back(self, rest_end: Doubles, end: Doubles, origins: Doubles) -> None:
         """Write where vertices that slide in a turning frame are in it at the end."""
@@ -246,6 +276,13 @@ class Referee:
                 f"{name} turns by more than half a turn in one step, and the states at both ends do not show which "
                 "way: take a shorter timestep"
             )
+
+
+def _span(numbers: Indices) -> Indices | slice:
+    """Return the same as a slice where each is one more than the last, which spares NumPy a copy."""
+    first = int(numbers[0]) if len(numbers) else 0
+    last = first + len(numbers)
+    return slice(first, last) if np.array_equal(numbers, np.arange(first, last)) else numbers
 
 
 def _above_zero(given: Any, name: str) -> float:

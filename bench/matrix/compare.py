@@ -11,7 +11,7 @@ every question, state and separation comes in turn, with every instruction set; 
 take little. What the night leaves out is counted at the start.
 
 A sweep asks each cell in one turn, and in all turns only what then seems slower than its ratio: a first look at many
-cells. What takes longer than --limit is given up, and named at the end.
+cells. What takes longer than --limit is given up, and named at the end. Ctrl-C ends it with what was measured.
 """
 import argparse
 import collections
@@ -185,16 +185,19 @@ def isas_of(asked):
 
 
 def measure_all(asked, cells):
-    """The rows of all cells, and what was given up."""
+    """The rows of all cells, and what was given up; of those before an interrupt."""
     drivers = {isa: [Driver(program, isa, asked.limit) for program in (asked.old, asked.new)] for isa in isas_of(asked)}
     rows, given_up = [], []
-    for i, cell in enumerate(cells):
-        print(f"\r{i + 1}/{len(cells)} {cell:60}", end="", file=sys.stderr, flush=True)
-        for isa, pair in drivers.items():
-            try:
-                rows += measure(cell, isa, pair, asked)
-            except GivenUp as build:
-                given_up.append(f"{cell}, {isa}, by {build}")
+    try:
+        for i, cell in enumerate(cells):
+            print(f"\r{i + 1}/{len(cells)} {cell:60}", end="", file=sys.stderr, flush=True)
+            for isa, pair in drivers.items():
+                try:
+                    rows += measure(cell, isa, pair, asked)
+                except GivenUp as build:
+                    given_up.append(f"{cell}, {isa}, by {build}")
+    except KeyboardInterrupt:
+        print(" and no further", end="", file=sys.stderr)
     print(file=sys.stderr)
     return rows, given_up
 

@@ -6,8 +6,9 @@ from typing import Any
 
 import mujoco
 import numpy as np
+import numpy.typing as npt
 
-from tamis._arrays import Doubles, Indices
+from tamis._arrays import Doubles
 from tamis._checks import instance, number_from_zero
 from tamis._detector._detector import Detector
 from tamis._errors import InvalidOptions, InvalidStep
@@ -158,7 +159,7 @@ class Referee:
         self._by_nodes = list(vertices_by_nodes(self._model, parts))
         self._planes = [part for part in parts if part.is_plane]
         mujoco.mj_kinematics(self._model, self._now)
-        self._points = self._now.xpos[self._bodies]
+        self._points: Doubles = self._now.xpos[self._bodies]
         self._place(np.flatnonzero(~is_moving))
 
     def _look(self) -> None:
@@ -181,7 +182,7 @@ class Referee:
             self._points[mine] = now.flexvert_xpos[theirs]
         self._require_reach()
 
-    def _place(self, vertices: Indices) -> None:
+    def _place(self, vertices: npt.NDArray[np.intp]) -> None:
         """Add to their bodies' places where they are in their bodies' frames."""
         turns = self._now.xmat.reshape(-1, 3, 3)[self._bodies[vertices]]
         self._points[vertices] += np.einsum("nij,nj->ni", turns, self._in_body[vertices])

@@ -107,9 +107,10 @@ class Pairs(NamedPairs[PairResult], TimedPairs[PairResult]):
         return {**self._names(), **self._times(), "status": status, **numbered("n", self.normal, "xyz")}
 
     def _row(self, values: Any, index: int) -> PairResult:
-        touches, certainty, *times, normal = values
-        named = PairKind(self._kind[index]), tuple(self._vertices[index].tolist())
-        return PairResult(*named, touches, touches and certainty == 0, *times, tuple(normal.tolist()))
+        touches, certainty, lower, upper, u, v, normal = values
+        kind, vertices = PairKind(self._kind[index]), tuple(self._vertices[index].tolist())
+        is_certified = touches and certainty == 0
+        return PairResult(kind, vertices, touches, is_certified, lower, upper, u, v, tuple(normal.tolist()))
 
     def _part(self, table: npt.NDArray[np.void], index: Any) -> Pairs:
         return Pairs(table, self._kind[index], self._vertices[index])
@@ -193,7 +194,8 @@ def narrow_phase(
     """
     moving = motion(start, end, tolerance)
     error: type[Error] = InvalidStep if isinstance(moving, StraightMotion) else InvalidPath
-    kinds, rows = (array.copy() for array in pair_list(kind, vertices, error))  # the answer names them
+    kinds, rows = pair_list(kind, vertices, error)
+    kinds, rows = kinds.copy(), rows.copy()  # the answer names them
     d = number(min_separation, "min_separation")
     if isinstance(moving, StraightMotion):
         until = 1.0 if latest is None else number(latest, "latest")

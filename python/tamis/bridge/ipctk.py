@@ -14,6 +14,7 @@ from weakref import WeakKeyDictionary
 
 import ipctk
 import numpy as np
+import numpy.typing as npt
 
 from tamis._arrays import Indices
 from tamis._checks import instance
@@ -23,6 +24,8 @@ from tamis._mesh import Mesh
 from tamis._tables._columns import NamedPairs
 
 __all__ = ["candidates", "mesh"]
+
+_Edges = npt.NDArray[np.int64]  # ipctk's number of each edge
 
 
 def mesh(collision_mesh: ipctk.CollisionMesh) -> Mesh:
@@ -97,9 +100,7 @@ class _Made(dict[int, Any]):
 class _Kind:
     """The candidates of one kind of pairs: of which class, and which of its numbers are Tamis's of edges."""
 
-    def __init__(
-        self, name: str, make: Callable[[int, int], Any], first: Indices | None, second: Indices | None
-    ) -> None:
+    def __init__(self, name: str, make: Callable[[int, int], Any], first: _Edges | None, second: _Edges | None) -> None:
         self.name = name
         self._made, self._first, self._second = _Made(make), first, second
 
@@ -116,7 +117,7 @@ class _Known:
 
     def __init__(self, given: ipctk.CollisionMesh) -> None:
         self.mesh = Mesh(given.faces, given.num_vertices, given.edges, given.codim_vertices)
-        edges = np.empty(len(self.mesh.edges), np.int64)  # ipctk's number of each edge
+        edges = np.empty(len(self.mesh.edges), np.int64)
         edges[self.mesh.find_edges(given.edges)] = np.arange(given.num_edges)
         self.kinds = {
             PairKind.VERTEX_FACE: _Kind("fv_candidates", _second_first(ipctk.FaceVertexCandidate), None, None),

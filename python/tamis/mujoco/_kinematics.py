@@ -100,7 +100,7 @@ class Carriers:
         return mujoco.mjtJoint(self._model.jnt_type[move.joint]) if move.joint >= 0 else None
 
     def _turns(self, move: _Move) -> bool:
-        return self._kind(move) != _SLIDE
+        return bool(self._kind(move) != _SLIDE)
 
     def _number(self, move: _Move) -> int:
         return self._moves.setdefault(move, len(self._moves))
@@ -176,4 +176,5 @@ class Carriers:
 
 def _in_world(start: Any, bodies: Indices, vectors: Doubles) -> Doubles:
     """From each body's frame at the start."""
-    return np.einsum("nij,nj->ni", start.xmat[bodies].reshape(-1, 3, 3), vectors)
+    turned: Doubles = np.einsum("nij,nj->ni", start.xmat[bodies].reshape(-1, 3, 3), vectors)
+    return turned

@@ -149,7 +149,8 @@ def _mesh(model: Any, number: int) -> Shape:
 def _in_body(model: Any, geom: int, points: Doubles) -> Doubles:
     turn = np.empty(9)
     mujoco.mju_quat2Mat(turn, model.geom_quat[geom])
-    return points @ turn.reshape(3, 3).T + model.geom_pos[geom]
+    placed: Doubles = points @ turn.reshape(3, 3).T + model.geom_pos[geom]
+    return placed
 
 
 def may_touch(model: Any, parts: list[Surface]) -> npt.NDArray[np.bool_]:

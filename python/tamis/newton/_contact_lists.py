@@ -35,7 +35,7 @@ class ContactLists:
 
     def _beyond_rest(self, near: NearPairs) -> NearPairs:
         """Return those that are not near each other in the rest shape, where Newton is to leave such out."""
-        radius = self._solver.particle_rest_shape_contact_exclusion_radius
+        radius: float = self._solver.particle_rest_shape_contact_exclusion_radius
         if not radius > 0:
             return near
         rest = self._solver.particle_q_rest.numpy()
@@ -71,4 +71,5 @@ def _without(pairs: Indices, filtered: npt.NDArray[np.int64]) -> Indices:
         return pairs
     wanted = keys(pairs)
     places = np.minimum(np.searchsorted(filtered, wanted), len(filtered) - 1)
-    return pairs[filtered[places] != wanted]
+    left: Indices = pairs[filtered[places] != wanted]
+    return left

@@ -6,6 +6,7 @@
 #include "narrow/contact_normal.hpp"
 #include "numerics/assert.hpp"
 #include "paths/crossing_on_path.hpp"
+#include "paths/frame.hpp"
 #include "paths/path_parts.hpp"
 #include "paths/within_on_path.hpp"
 
@@ -21,12 +22,6 @@ template <class T>
 constexpr double kShortest = 0x1p-6;
 template <>
 constexpr double kShortest<DoubleDouble> = 0x1p-100;
-
-/// At no simple fraction: contacts happen at those, and one at a cut is undecided on both sides.
-double near_middle(double from, double to) {
-  constexpr double kNearMiddle = 0.48713;
-  return from + kNearMiddle * (to - from);
-}
 
 template <PairKind kind, class T>
 class PathSolver {

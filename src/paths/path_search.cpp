@@ -16,6 +16,7 @@
 #include "paths/remembered_path.hpp"
 #include "query/cancellation.hpp"
 #include "tamis/error.hpp"
+#include "topology/at.hpp"
 #include "topology/mean_edge.hpp"
 
 namespace tamis {
@@ -26,15 +27,12 @@ constexpr double kShortestPiece = 0x1p-20;
 constexpr std::size_t kBatch = 256;
 /// The first of them, where a first contact spares the rest.
 constexpr std::size_t kFirstBatch = 8;
-/// At no simple fraction of the step: contacts happen at those.
-constexpr double kShorter = 0.48713;
 
 /// Ascending, each once.
-std::vector<Index> vertices_of(std::span<const Contact> pairs) {
+std::vector<Index> vertices_of(std::span<const Contact> pairs, std::span<const std::int32_t> places) {
   std::vector<Index> vertices;
-  for (const Contact& pair : pairs)
-    std::copy_if(pair.vertices.begin(), pair.vertices.end(), std::back_inserter(vertices),
-                 [](Index v) { return v >= 0; });
+  for (const std::int32_t place : places)
+    std::ranges::copy_if(pairs[at(place)].vertices, std::back_inserter(vertices), [](Index v) { return v >= 0; });
   std::sort(vertices.begin(), vertices.end());
   vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
   return vertices;
@@ -55,7 +53,7 @@ PairRule rule_of(const MeshOnPath& asked, const Path& path, const Contact& pair)
 
 }  // namespace
 
-PathSearch::Frame PathSearch::frame_at(const Path& path, double time) const {
+Frame PathSearch::frame_at(const Path& path, double time) const {
   Frame frame{time, std::vector<Point>(all_.size()), std::vector<double>(all_.size())};
   path.points_at(time, all_, frame.points, frame.errors);
   for (const Index v : mesh_.points())
@@ -66,7 +64,7 @@ PathSearch::Frame PathSearch::frame_at(const Path& path, double time) const {
 double PathSearch::piece_length(const Path& path, const Frame& start) {
   const double allowed = kDeviationInEdges * mean_edge(mesh_, start.points);
   double length = 1 - start.time;
-  for (; length > kShortestPiece; length *= kShorter) {
+  for (; length > kShortestPiece; length *= kNearMiddle) {
     path.deviations(start.time, start.time + length, all_, deviations_);
     double largest = 0;
     for (const Index v : mesh_.points()) {
@@ -86,17 +84,8 @@ double PathSearch::piece_end(const MeshOnPath& asked, const Path& path, const Fr
 }
 
 void PathSearch::set_radii(const Separations& separations, const Frame& from, const Frame& to) {
-  constexpr double kThreeAxes = 1.7320508075688774 * (1 + 0x1p-40);
   radii_.assign(all_.size(), 0);
-  for (const Index index : mesh_.points()) {
-    const auto v = static_cast<std::size_t>(index);
-    const double error = kThreeAxes * std::max(from.errors[v], to.errors[v]);
-    radii_[v] = (deviations_[v] + error) * (1 + 0x1p-50) + 0x1p-1000;
-    if (!separations.radii.empty()) radii_[v] = (radii_[v] + separations.radii[v]) * (1 + 0x1p-50);
-    if (!std::isfinite(radii_[v]))
-      throw InvalidPath("vertex " + std::to_string(index) + " of the path deviates without bound after t = " +
-                        number_text(from.time) + ": give a finite bound for short pieces");
-  }
+  for (const Index v : mesh_.points()) radii_[at(v)] = radius_on_piece(v, deviations_[at(v)], from, to, separations);
 }
 
 void PathSearch::check_chords(const Path& path, const Frame& from, const Frame& to) const {
@@ -149,7 +138,7 @@ void PathSearch::find(const MeshOnPath& asked, Question question, std::vector<Co
     const auto is_known = [&](const Contact& c) { return known.contains({c.kind, c.vertices}); };
     std::erase_if(found_.contacts(), is_known);
     const std::size_t before = contacts.size();
-    decide_all(asked, {from.time, to.time}, question, contacts, statistics);
+    decide_all(asked, reach, from, to, question, contacts, statistics);
     if (contacts.size() > before && question != Question::all_contacts) break;
     for (std::size_t i = before; i < contacts.size(); ++i) {
       if (i % kBatch == 0) stop_if_cancelled(options_);
@@ -193,53 +182,68 @@ SafeStep PathSearch::find_step_length(const MeshOnPath& asked, Statistics& stati
   return step;
 }
 
-/// What the linear question has left, in the order in which the chords come near: so that a first contact ends it.
-void PathSearch::decide_all(const MeshOnPath& asked, const TimeInterval<double>& piece, Question question,
-                            std::vector<Contact>& contacts, Statistics& statistics) {
+void PathSearch::decide_all(const MeshOnPath& asked, double reach, const Frame& from, const Frame& to,
+                            Question question, std::vector<Contact>& contacts, Statistics& statistics) {
   std::vector<Contact>& pairs = found_.contacts();
-  std::sort(pairs.begin(), pairs.end(), [](const Contact& a, const Contact& b) {
+  std::ranges::sort(pairs, [](const Contact& a, const Contact& b) {
     return a.toi_lower != b.toi_lower ? a.toi_lower < b.toi_lower : comes_before(a, b);
   });
-  const double start = piece.t_in, length = piece.t_out - piece.t_in;
+  parts_.begin({asked.path, {reach, asked.separations.radii}, pairs, from, to, options_.is_cancelled});
+  still_never_apart_.clear();
+  const TimeInterval<double> piece{from.time, to.time};
+  const double start = piece.t_in, length = piece.t_out - start;
   double latest = piece.t_out;
-  std::vector<PairResult> results(kBatch);
-  std::vector<char> stays_together(kBatch);
-  std::set<PairKey> never_apart;
-  std::size_t count = 0, most = question == Question::all_contacts ? kBatch : kFirstBatch;
-  for (std::size_t first = 0; first < pairs.size(); first += count, most = std::min(2 * most, kBatch)) {
-    if (question == Question::is_free && !contacts.empty()) return;
-    if (question == Question::earliest && start + pairs[first].toi_lower * length * (1 - 0x1p-40) > latest) return;
-    count = std::min(most, pairs.size() - first);
-    const std::vector<Index> used = vertices_of({pairs.data() + first, count});
-    tbb::enumerable_thread_specific<RememberedPath> paths([&] { return RememberedPath(asked.path, used); });
-    tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) {
-      const Contact& pair = pairs[first + i];
-      const PairRule rule = rule_of(asked, paths.local(), pair);
-      const PathQuestion question_of_pair{paths.local(),   pair.kind,       pair.vertices,
-                                          rule.separation, asked.tolerance, options_.is_cancelled};
-      Decision decision = decide_on_path(question_of_pair, piece);
-      const bool is_together = rule.ignores_start && decision.verdict != Verdict::is_free && decision.lower == start &&
-                               (start == 0 || never_apart_.contains({pair.kind, pair.vertices}));
-      bool stays = false;
-      if (is_together) decision = decide_once_apart_on_path(question_of_pair, piece, stays);
-      stays_together[i] = static_cast<char>(stays);
-      results[i] = result_on_path(question_of_pair, decision);
-    });
-    for (std::size_t i = 0; i < count; ++i) {
-      const PairResult& r = results[i];
-      if (stays_together[i]) never_apart.insert({pairs[first + i].kind, pairs[first + i].vertices});
-      statistics.decided_by.scalar += !r.touches || r.certainty == Certainty::certified;
-      statistics.decided_by.unresolved += r.touches && r.certainty == Certainty::unresolved;
-      if (!r.touches) continue;
-      contacts.push_back(contact_of(pairs[first + i].kind, pairs[first + i].vertices, r));
-      latest = std::min(latest, r.toi_upper);
+  std::size_t most = question == Question::all_contacts ? kBatch : kFirstBatch;
+  for (std::vector<std::int32_t> places = parts_.next(latest); !places.empty(); places = parts_.next(latest))
+    for (std::span<const std::int32_t> rest = places; !rest.empty(); most = std::min(2 * most, kBatch)) {
+      if (start + pairs[at(rest.front())].toi_lower * length * (1 - 0x1p-40) > latest) break;
+      const std::size_t count = std::min(most, rest.size());
+      const double touched_by = decide(asked, piece, rest.first(count), contacts, statistics);
+      if (question == Question::is_free && !contacts.empty()) return;
+      if (question == Question::earliest) latest = std::min(latest, touched_by);
+      rest = rest.subspan(count);
     }
+  std::swap(never_apart_, still_never_apart_);
+}
+
+double PathSearch::decide(const MeshOnPath& asked, const TimeInterval<double>& piece,
+                          std::span<const std::int32_t> places, std::vector<Contact>& contacts,
+                          Statistics& statistics) {
+  const std::vector<Contact>& pairs = found_.contacts();
+  const std::vector<Index> used = vertices_of(pairs, places);
+  std::vector<PairResult> results(places.size());
+  std::vector<char> stays_together(places.size());
+  tbb::enumerable_thread_specific<RememberedPath> paths([&] { return RememberedPath(asked.path, used); });
+  tbb::parallel_for(std::size_t{0}, places.size(), [&](std::size_t i) {
+    const Contact& pair = pairs[at(places[i])];
+    const PairRule rule = rule_of(asked, paths.local(), pair);
+    const PathQuestion question{paths.local(),   pair.kind,       pair.vertices,
+                                rule.separation, asked.tolerance, options_.is_cancelled};
+    Decision decision = decide_on_path(question, piece);
+    const double start = piece.t_in;
+    const bool is_together = rule.ignores_start && decision.verdict != Verdict::is_free && decision.lower == start &&
+                             (start == 0 || never_apart_.contains({pair.kind, pair.vertices}));
+    bool stays = false;
+    if (is_together) decision = decide_once_apart_on_path(question, piece, stays);
+    stays_together[i] = static_cast<char>(stays);
+    results[i] = result_on_path(question, decision);
+  });
+  double touched_by = piece.t_out;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const PairResult& r = results[i];
+    const Contact& pair = pairs[at(places[i])];
+    if (stays_together[i]) still_never_apart_.insert({pair.kind, pair.vertices});
+    statistics.decided_by.scalar += !r.touches || r.certainty == Certainty::certified;
+    statistics.decided_by.unresolved += r.touches && r.certainty == Certainty::unresolved;
+    if (!r.touches) continue;
+    contacts.push_back(contact_of(pair.kind, pair.vertices, r));
+    touched_by = std::min(touched_by, r.toi_upper);
   }
-  never_apart_ = std::move(never_apart);
+  return touched_by;
 }
 
 std::uint64_t PathSearch::memory_bytes() const {
-  return found_.memory_bytes() + all_.capacity() * sizeof(Index) +
+  return found_.memory_bytes() + parts_.memory_bytes() + all_.capacity() * sizeof(Index) +
          (deviations_.capacity() + radii_.capacity()) * sizeof(double);
 }
 

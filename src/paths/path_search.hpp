@@ -7,14 +7,15 @@
 #include <vector>
 
 #include "motion/time_clip.hpp"
+#include "paths/pairs_on_parts.hpp"
 #include "query/engine.hpp"
 #include "tamis/path.hpp"
 
 namespace tamis {
 
-/// A piece is as long as lets vertices deviate by this part of the mean edge: longer ones leave more pairs to be
-/// decided one by one, shorter ones ask the whole mesh more often.
-inline constexpr double kDeviationInEdges = 0.2;
+/// A piece is as long as lets vertices deviate by this part of the mean edge: longer ones leave more pairs to be looked
+/// at on parts of them, shorter ones ask the whole mesh more often.
+inline constexpr double kDeviationInEdges = 0x1p-5;
 
 struct MeshOnPath {
   const Path& path;
@@ -31,7 +32,7 @@ class PathSearch {
  public:
   /// Keeps references.
   PathSearch(const Mesh& mesh, const Options& options, const Rings& rings, Engine& engine)
-      : mesh_(mesh), options_(options), rings_(rings), engine_(engine) {}
+      : mesh_(mesh), options_(options), rings_(rings), engine_(engine), parts_(kernels(options.isa)) {}
 
   /// Writes every pair that touches, once, in no order; for `earliest` and `is_free` the search ends soon after the
   /// first. Throws InvalidPath: a path of another number of vertices, or one that breaks its promises. REQUIRES: a
@@ -45,23 +46,20 @@ class PathSearch {
  private:
   using PairKey = std::tuple<PairKind, PairVertices>;
 
-  struct Frame {
-    double time = 0;
-    std::vector<Point> points;
-    std::vector<double> errors;
-  };
-
   Frame frame_at(const Path& path, double time) const;
   double piece_length(const Path& path, const Frame& start);
   double piece_end(const MeshOnPath& asked, const Path& path, const Frame& start);
-  /// As radii: the deviation, the error of the positions, and the caller's own.
   void set_radii(const Separations& separations, const Frame& from, const Frame& to);
   /// Throws if a vertex in the middle of its piece is farther from the chord than it says.
   void check_chords(const Path& path, const Frame& from, const Frame& to) const;
   /// No pair that stays farther apart, beyond its radii, touches, or fails to keep its part.
   double kept_reach(const MeshOnPath& asked, const Path& path);
-  void decide_all(const MeshOnPath& asked, const TimeInterval<double>& piece, Question question,
+  /// What chords that come within `reach` have left of a piece.
+  void decide_all(const MeshOnPath& asked, double reach, const Frame& from, const Frame& to, Question question,
                   std::vector<Contact>& contacts, Statistics& statistics);
+  /// Of that piece, together. Returns when the first of them touches, by its bracket's end.
+  double decide(const MeshOnPath& asked, const TimeInterval<double>& piece, std::span<const std::int32_t> places,
+                std::vector<Contact>& contacts, Statistics& statistics);
 
   const Mesh& mesh_;
   const Options& options_;
@@ -69,8 +67,10 @@ class PathSearch {
   Engine& engine_;
   Bound bound_;
   ContactCollector found_;         ///< pairs that may touch on a piece
+  PairsOnParts parts_;             ///< and their order
   std::set<PairKey> never_apart_;  ///< ignored: those that have not been apart yet
-  std::vector<Index> all_;         ///< 0, 1, 2, ...
+  std::set<PairKey> still_never_apart_;
+  std::vector<Index> all_;  ///< 0, 1, 2, ...
   std::vector<double> deviations_, radii_;
 };
 

@@ -19,8 +19,9 @@ class PairWalk {
 
   PairWalk(const Side& a, const Side& b, double separation) : a_(a), b_(b), separation_(separation) {}
 
-  /// True if any items may meet.
-  bool run() {
+  /// True if any items may meet, or it was `found` before that some do.
+  bool run(bool found) {
+    found_ = found;
     const Node a = root_of(a_), b = root_of(b_);
     if (meet(a.bounds, b.bounds)) visit(a, b);
     return found_;
@@ -63,12 +64,13 @@ class PairWalk {
 
   /// Items of two blocks of items that may meet each other.
   void mark(const Node& node_a, const Node& node_b) {
+    const auto items_a = a_.boxes.shape().order.items_of(node_a.block);
+    const auto items_b = b_.boxes.shape().order.items_of(node_b.block);
+    if (found_ && a_.near.has_all(items_a) && b_.near.has_all(items_b)) return;
     const CarriedItems& a = a_.boxes.items(node_a.block);
     if (!meet(a.all, node_b.bounds)) return;
     const CarriedItems& b = b_.boxes.items(node_b.block);
     if (!meet(a.all, b.all)) return;
-    const auto items_a = a_.boxes.shape().order.items_of(node_a.block);
-    const auto items_b = b_.boxes.shape().order.items_of(node_b.block);
     std::array<std::size_t, kBlock> near_b;
     std::size_t count = 0;
     for (std::size_t j = 0; j < items_b.size(); ++j)
@@ -142,7 +144,7 @@ NearItems find_near_items(const BodyList& bodies, const std::vector<BodyPair>& p
     };
     for (std::size_t i = 0; i < pairs.size(); ++i) {
       const auto [a, b] = pairs[i];
-      if (PairWalk(side(a), side(b), reach(body(a), body(b))).run()) is_near[i] = true;
+      is_near[i] = PairWalk(side(a), side(b), reach(body(a), body(b))).run(is_near[i]);
     }
     std::erase_if(carried, [](const auto& one) { return one.second.body().way() != Way::still; });
   }

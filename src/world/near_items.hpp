@@ -2,6 +2,7 @@
 #pragma once
 #include <functional>
 #include <map>
+#include <span>
 #include <vector>
 
 #include "world/near_bodies.hpp"
@@ -14,14 +15,15 @@ class ItemSet {
   explicit ItemSet(Index item_count) : words_((static_cast<std::size_t>(item_count) + 63) / 64) {}
 
   bool has(Index item) const { return words_[word(item)] >> (item % 64) & 1; }
+  bool has_all(std::span<const Index> items) const {
+    return std::ranges::all_of(items, [this](Index item) { return has(item); });
+  }
   void add(Index item) {
     if (has(item)) return;
     words_[word(item)] |= std::uint64_t{1} << (item % 64);
     items_.push_back(item);
   }
-  bool includes(const ItemSet& other) const {
-    return std::ranges::all_of(other.items_, [this](Index item) { return has(item); });
-  }
+  bool includes(const ItemSet& other) const { return has_all(other.items_); }
   /// In no order.
   const std::vector<Index>& items() const { return items_; }
   std::uint64_t memory_bytes() const {

@@ -1,0 +1,42 @@
+// The vertices of a mesh at the ends of a piece of its path, and how near the chords between must come for the curves
+// to touch.
+#pragma once
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "motion/separations.hpp"
+#include "numerics/number_text.hpp"
+#include "paths/check_path.hpp"
+#include "tamis/path.hpp"
+
+namespace tamis {
+
+/// At one time; of vertices that were not asked for anything.
+struct Frame {
+  double time = 0;
+  std::vector<Point> points;
+  std::vector<double> errors;
+};
+
+/// What `vertex` has as radius while its chord stands for it: its deviation, what positions are off by at both ends,
+/// and the caller's own. Throws InvalidPath unless that is finite.
+inline double radius_on_piece(Index vertex, double deviation, const Frame& from, const Frame& to,
+                              const Separations& separations) {
+  constexpr double kThreeAxes = 1.7320508075688774 * (1 + 0x1p-40);
+  const auto v = static_cast<std::size_t>(vertex);
+  const double error = kThreeAxes * std::max(from.errors[v], to.errors[v]);
+  double radius = (deviation + error) * (1 + 0x1p-50) + 0x1p-1000;
+  if (!separations.radii.empty()) radius = (radius + separations.radii[v]) * (1 + 0x1p-50);
+  check_path(std::isfinite(radius), "vertex " + std::to_string(vertex) +
+                                        " of the path deviates without bound after t = " + number_text(from.time) +
+                                        ": give a finite bound for short pieces");
+  return radius;
+}
+
+/// At no simple fraction: contacts happen at those, and one at a cut is undecided on both sides.
+inline constexpr double kNearMiddle = 0.48713;
+inline double near_middle(double from, double to) { return from + kNearMiddle * (to - from); }
+
+}  // namespace tamis

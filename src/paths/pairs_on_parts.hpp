@@ -1,0 +1,70 @@
+// Pairs that may touch on a piece of a path, looked at again on its halves, the earlier half first, and on theirs:
+// chords of shorter parts deviate less, and lanes look at hundreds of pairs while one is decided on its curves.
+#pragma once
+#include <tbb/enumerable_thread_specific.h>
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "kernels/kernels.hpp"
+#include "paths/frame.hpp"
+#include "tamis/contact.hpp"
+#include "tamis/path.hpp"
+
+namespace tamis {
+
+class PairsOnParts {
+ public:
+  explicit PairsOnParts(const Kernels& kernels) : kernels_(kernels) {}
+
+  struct Piece {
+    const Path& path;
+    Separations separations;         ///< the radii: the caller's
+    std::span<const Contact> pairs;  ///< which their chords on the whole piece cannot prove free
+    const Frame &from, &to;
+    const std::function<bool()>& is_cancelled;
+  };
+  /// Keeps the piece's references until the next time.
+  void begin(const Piece& piece);
+
+  /// Places of pairs to be decided next, ascending, each pair once in all calls. What touches before the last of them
+  /// may do so has been given; empty: nothing else touches until `latest`. Throws InvalidPath and
+  /// Cancelled.
+  std::vector<std::int32_t> next(double latest);
+  std::uint64_t memory_bytes() const { return vertices_.capacity() * sizeof(PackedVertex); }
+
+ private:
+  struct Part {
+    std::shared_ptr<const Frame> from, to;
+    std::vector<std::int32_t> pairs;
+    int halvings;
+  };
+  struct Scratch {
+    PairBuffer pairs;
+    WithinScratch within;
+    std::unique_ptr<SolvedPair[]> solved = std::make_unique_for_overwrite<SolvedPair[]>(PairBuffer::kCapacity);
+  };
+
+  void halve(const Part& part);
+  /// Leaves the vertices of these pairs in used_.
+  void find_used(const std::vector<std::int32_t>& pairs);
+  std::shared_ptr<const Frame> frame_at(double time) const;
+  void add_half(const Part& whole, std::shared_ptr<const Frame> from, std::shared_ptr<const Frame> to);
+  void look(PairKind kind, std::span<const std::int32_t> pairs);
+
+  const Kernels& kernels_;
+  std::optional<Piece> piece_;
+  std::vector<Part> parts_;  ///< the earliest last
+  std::size_t looks_left_ = 0;
+  std::vector<char> is_given_, may_touch_;  ///< of each pair of the piece
+  std::vector<char> is_used_;               ///< of each vertex
+  std::vector<Index> used_;
+  std::vector<double> deviations_;
+  std::vector<PackedVertex> vertices_;
+  tbb::enumerable_thread_specific<Scratch> scratch_;
+};
+
+}  // namespace tamis

@@ -16,7 +16,7 @@ namespace {
 /// So few are decided at once.
 constexpr std::size_t kFewPairs = 4;
 /// Deviations have become smaller by a million.
-constexpr int kMostHalvings = 10;
+constexpr int kMostHalvingsOfAPiece = 10;
 /// A pair that is looked at in lanes so often has cost a part of what its decision does.
 constexpr std::size_t kMostLooksAPair = 64;
 
@@ -42,7 +42,8 @@ std::vector<std::int32_t> PairsOnParts::next(double latest) {
     parts_.pop_back();
     std::erase_if(part.pairs, [&](std::int32_t pair) { return is_given_[at(pair)]; });
     if (part.pairs.empty()) continue;
-    if (part.pairs.size() > kFewPairs && part.halvings < kMostHalvings && looks_left_ >= 2 * part.pairs.size()) {
+    if (part.pairs.size() > kFewPairs && part.halvings < kMostHalvingsOfAPiece &&
+        looks_left_ >= 2 * part.pairs.size()) {
       halve(part);
       continue;
     }

@@ -21,12 +21,13 @@ void Forecast::make(const Step& step, std::span<const Index> vertices, double st
 }
 
 std::optional<Forecast::Fit> Forecast::fit(const Step& step, double most) const {
-  if (from_.empty()) return {};
+  if (!is_made()) return {};
   TAMIS_ASSERT(static_cast<std::size_t>(step.start.count()) == from_.size());
-  const double start = nearest_time(step.start), end = nearest_time(step.end);
-  if (!(start <= end)) return {};
+  const double start = nearest_time(step.start);
   const auto at_start = deviation(step.start, start, most);
-  const auto at_end = at_start ? deviation(step.end, end, most) : std::nullopt;
+  if (!at_start) return {};
+  const double end = nearest_time(step.end);
+  const auto at_end = start <= end ? deviation(step.end, end, most) : std::nullopt;
   if (!at_end) return {};
   return Fit{start, end, std::max(*at_start, *at_end)};
 }

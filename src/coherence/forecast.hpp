@@ -22,6 +22,7 @@ class Forecast {
   /// Predicts a step `steps` times as long as `step`, straight; for some of its vertices, which the caller keeps alive.
   void make(const Step& step, std::span<const Index> vertices, double steps);
   void clear() { from_.clear(); }
+  bool is_made() const { return !from_.empty(); }
   /// Nothing if no step was predicted, if the deviation exceeds `most` or is not finite, or if `step` goes backwards.
   /// REQUIRES: as many positions as it was made of.
   std::optional<Fit> fit(const Step& step, double most) const;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 
 #include "topology/mean_edge.hpp"
@@ -14,6 +13,8 @@ namespace {
 constexpr double kFewestSteps = 4, kFirstSteps = 8, kMostSteps = 32;
 /// Slack, in mean edges: the least, which costs nothing; the most, beyond which fewer steps are predicted.
 constexpr double kLeastSlackInEdges = 0x1p-12, kMostSlackInEdges = 0x1p-4;
+/// After one step: with more the fewest steps need more than the most slack.
+constexpr double kMostDeviationInEdges = kMostSlackInEdges / (kFewestSteps * kFewestSteps);
 /// Lists that serve fewer queries cost more than they save: none are made for a while, each time twice as long.
 constexpr int kQueriesWorthLists = 2, kQueriesWorthListsOfOneStep = 1;
 constexpr int kFirstPauseInQueries = 2, kLongestPauseInQueries = 64;
@@ -74,10 +75,13 @@ bool PairsAhead::plan(const Query& query) {
   if (are_listed_) learn();
   forget();
   const Step sample = sample_of(step);
-  const auto fit = next_.fit(sample, std::numeric_limits<double>::max());
+  std::optional<Forecast::Fit> fit;
+  if (next_.is_made()) {
+    edge_ = mean_edge(mesh_, step.start);
+    fit = next_.fit(sample, kMostDeviationInEdges * edge_);
+  }
   next_.make(sample, sample_numbers_, kFirstSteps);
   if (!fit) return false;
-  edge_ = mean_edge(mesh_, step.start);
   starts_again_ = fit->start == 0 && fit->deviation <= kLeastSlackInEdges * edge_;
   const bool is_promising =
       starts_again_ ? plan_again(query.question, kFirstSteps * fit->end) : plan_steps(query.question, *fit);

@@ -144,7 +144,7 @@ NearItems find_near_items(const BodyList& bodies, const std::vector<BodyPair>& p
     };
     for (std::size_t i = 0; i < pairs.size(); ++i) {
       const auto [a, b] = pairs[i];
-      is_near[i] = PairWalk(side(a), side(b), reach(body(a), body(b))).run(is_near[i]);
+      if (PairWalk(side(a), side(b), reach(body(a), body(b))).run(is_near[i])) is_near[i] = true;
     }
     std::erase_if(carried, [](const auto& one) { return one.second.body().way() != Way::still; });
   }

@@ -30,7 +30,7 @@ _SEAM = 1e-10
 class _Turned:
     """Vertices with a place in the frame of a body that turns."""
 
-    vertices: Indices
+    vertices: npt.NDArray[np.intp]
     bodies: Indices
     in_body: Doubles
 
@@ -183,7 +183,7 @@ class Referee:
         mujoco.mj_kinematics(model, self._now)
         shifts = np.zeros_like(in_body)
         _Turned.of(~is_turned, bodies, in_body).add(self._now, shifts)
-        self._points = self._now.xpos[bodies] + shifts
+        self._points: Doubles = self._now.xpos[bodies] + shifts
         moving = np.flatnonzero(is_moving)
         self._moving, self._bodies = _span(moving), _span(bodies[moving])
         self._shifts = shifts[moving] if shifts[moving].any() else None
@@ -278,7 +278,7 @@ class Referee:
             )
 
 
-def _span(numbers: Indices) -> Indices | slice:
+def _span(numbers: npt.NDArray[Any]) -> npt.NDArray[Any] | slice:
     """Return the same as a slice where each is one more than the last, which spares NumPy a copy."""
     first = int(numbers[0]) if len(numbers) else 0
     last = first + len(numbers)

@@ -79,7 +79,7 @@ def test_the_path_is_where_mujoco_integrates_to_at_every_time() -> None:
         data.time += model.opt.timestep
         before = referee.positions
         referee._look()
-        (path,) = referee._motion(before, referee.positions)
+        path = referee._motion(before, referee.positions).path
         for time, positions in ((0, before), (0.25, early), (0.5, middle), (1, referee.positions)):
             assert np.abs(path.points_at(time) - positions).max() < 1e-12
 

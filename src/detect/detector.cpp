@@ -91,6 +91,13 @@ Detector DetectorMaker::make(Mesh mesh, Options options, const MakeEngine& make_
   return Detector(std::make_unique<Detector::State>(std::move(mesh), std::move(options), make_engine));
 }
 
+const std::vector<Contact>& DetectorMaker::contacts_by_pair(Detector& detector, const Step& step,
+                                                            const QueryOptions& options) {
+  const Detector::Asked asked(detector);
+  asked->find_contacts(step, options, true);
+  return asked->found.contacts();
+}
+
 const std::vector<Contact>& DetectorMaker::ask(Detector& detector, const Path& path, const QueryOptions& options,
                                                Question question, std::span<const double> ends) {
   const Detector::Asked asked(detector);

@@ -88,8 +88,9 @@ void Detector::State::refuse_touching_start(const Query& query) {
                     ": move them apart, leave the pair out, or ask with at_start ignore");
 }
 
-void Detector::State::find_contacts(const Step& step, const QueryOptions& asked) {
-  const Query all = validated_query(step, asked);
+void Detector::State::find_contacts(const Step& step, const QueryOptions& asked, bool is_by_pair) {
+  Query all = validated_query(step, asked);
+  all.is_by_pair = is_by_pair;
   find(all);
   const auto touches_at_start = [](const Contact& c) { return c.toi_upper == 0; };
   if (asked.at_start == AtStart::fail && std::ranges::any_of(found.contacts(), touches_at_start))

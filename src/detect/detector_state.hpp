@@ -18,7 +18,7 @@ struct Detector::State {
   State(Mesh m, Options o, const MakeEngine& make_engine);
 
   /// The contacts are in `found`.
-  void find_contacts(const Step& step, const QueryOptions& asked);
+  void find_contacts(const Step& step, const QueryOptions& asked, bool is_by_pair = false);
   /// Of a path, which is cut into pieces that end at `ends`, or if there are none as deviations ask for. In `found`,
   /// too.
   void ask(const Path& path, const QueryOptions& asked, Question question, std::span<const double> ends = {});

@@ -15,6 +15,9 @@ class DetectorMaker {
  public:
   /// `make_engine` is called once, with what has been validated. Throws InvalidOptions.
   static Detector make(Mesh mesh, Options options, const MakeEngine& make_engine);
+  /// All contacts, each with the bits of narrow_phase.
+  static const std::vector<Contact>& contacts_by_pair(Detector& detector, const Step& step,
+                                                      const QueryOptions& options);
   /// The contacts that Detector finds on a path, of which the pieces end at `ends`: ascending, the last one 1.
   static const std::vector<Contact>& ask(Detector& detector, const Path& path, const QueryOptions& options,
                                          Question question, std::span<const double> ends);

@@ -24,6 +24,9 @@ struct Query {
   const std::function<bool()>& is_cancelled;
   Question question = Question::all_contacts;
   bool ignores_start = false;  ///< AtStart::ignore; `fail` is asked as `report`
+  /// Contacts have the bits of decide(), which depend on nothing but the pair; else their last digits may also depend
+  /// on what else is in the mesh.
+  bool is_by_pair = false;
 
   /// By which a pair is decided.
   PairOptions rule_for(PairKind kind, const std::array<Index, 4>& vertices) const {

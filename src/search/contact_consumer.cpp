@@ -1,5 +1,8 @@
 #include "search/contact_consumer.hpp"
 
+#include <numeric>
+#include <span>
+
 #include "narrow/decide.hpp"
 #include "query/cancellation.hpp"
 #include "search/pair_buffer.hpp"
@@ -10,12 +13,35 @@ namespace tamis {
 void ContactConsumer::consume(PairKind kind) {
   leave_out_unwanted(kind);
   const bool by_distance = thread().motion.separations.any() || !can_cross(kind);
+  if (query().is_by_pair && !by_distance) return decide_by_pair(kind);
   const int count = by_distance ? decide_within_separation(thread(), kind, found_.bound().latest())
                                 : decide_crossings(thread(), kind, thread().kernels.of(kind));
   const PairBuffer& pairs = thread().filtered;
   for_each_solved(
       thread(), count, [&](int i, const PairResult& result) { found_.add(kind, vertices_of(kind, pairs, i), result); },
       [&](int i) { decide_singly(kind, vertices_of(kind, pairs, i)); });
+}
+
+void ContactConsumer::decide_by_pair(PairKind kind) {
+  if (!by_pair_) {
+    by_pair_ = std::make_unique<ByPair>();
+    std::iota(by_pair_->places.begin(), by_pair_->places.end(), 0);
+  }
+  const PairKernels& kernels = thread().kernels.of(kind);
+  filter_crossings(thread(), kind, kernels);
+  const PairBuffer& pairs = thread().filtered;
+  const auto& [start, end] = query().step;
+  const StepRows vertices{start.data(), end.data(), start.stride(), end.stride()};
+  auto& [places, undecided, results] = *by_pair_;
+  const int count = kernels.decide_list({vertices, places.data(), PairOptions{}, nullptr}, pairs, thread().clipped,
+                                        results.data(), undecided.data());
+  thread().counts.decided_by.lanes += static_cast<std::uint64_t>(pairs.count - count);
+  for (const std::int32_t pair : std::span(undecided).first(static_cast<std::size_t>(count))) {
+    results[static_cast<std::size_t>(pair)] = {};
+    decide_singly(kind, vertices_of(kind, pairs, pair));
+  }
+  for (int i = 0; i < pairs.count; ++i)
+    found_.add(kind, vertices_of(kind, pairs, i), results[static_cast<std::size_t>(i)]);
 }
 
 void ContactConsumer::leave_out_unwanted(PairKind kind) {

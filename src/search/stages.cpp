@@ -14,14 +14,18 @@ void clip(SearchThread& thread, PairKind kind, const PairKernels& stages) {
 
 }  // namespace
 
-int decide_crossings(SearchThread& thread, PairKind kind, const PairKernels& stages) {
+void filter_crossings(SearchThread& thread, PairKind kind, const PairKernels& stages) {
   clip(thread, kind, stages);
   const PackedVertex* vertices = thread.motion.vertices.data();
   of(thread.counts.dnf, kind) += static_cast<std::uint64_t>(thread.clipped.count);
   of(thread.counts.ncf, kind) += static_cast<std::uint64_t>(stages.filter(vertices, thread.clipped, thread.filtered));
   of(thread.counts.solve, kind) += static_cast<std::uint64_t>(thread.filtered.count);
   thread.counts.filter += thread.watch.lap();
-  return stages.solve(vertices, thread.filtered, thread.clipped, thread.room_for_solved());
+}
+
+int decide_crossings(SearchThread& thread, PairKind kind, const PairKernels& stages) {
+  filter_crossings(thread, kind, stages);
+  return stages.solve(thread.motion.vertices.data(), thread.filtered, thread.clipped, thread.room_for_solved());
 }
 
 int decide_within_separation(SearchThread& thread, PairKind kind, double latest) {

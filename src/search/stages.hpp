@@ -10,6 +10,9 @@ namespace tamis {
 /// thread.solved touch or are undecided; they are places in thread.filtered. `stages`: of the kind, or along_edges.
 int decide_crossings(SearchThread& thread, PairKind kind, const PairKernels& stages);
 
+/// The same without roots: leaves thread.filtered.
+void filter_crossings(SearchThread& thread, PairKind kind, const PairKernels& stages);
+
 /// Do pairs come within their separation, until `latest`? The same with a slab clip, axes that turn, distances in
 /// lanes.
 int decide_within_separation(SearchThread& thread, PairKind kind, double latest);

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <string>
 
+#include "numerics/assert.hpp"
 #include "numerics/finite.hpp"
 #include "tamis/error.hpp"
 #include "topology/at.hpp"
@@ -45,6 +46,49 @@ Box PlacedBody::of(const Box& at_rest, double wider) const {
     box.high[k] = center[k] + wide;
   }
   return box;
+}
+
+namespace {
+
+/// |a - b|, rounded up; infinite where doubles do not know it.
+double distance_above(const Point& a, const Point& b) {
+  const double distance = std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]) * (1 + 0x1p-40);
+  return std::isnan(distance) ? Box::kNone : distance;
+}
+
+/// The difference of two affine maps is largest, over a box, at one of its corners.
+double farthest_between(const RoundedTransform& a, const RoundedTransform& b, const Box& box) {
+  double farthest = 0;
+  for (std::size_t corner = 0; corner < 8; ++corner) {
+    Point x{};
+    for (std::size_t k = 0; k < 3; ++k) x[k] = corner >> k & 1 ? box.high[k] : box.low[k];
+    farthest = std::max(farthest, distance_above(a.of(x), b.of(x)));
+  }
+  const double size = box.size_of_sum();
+  return (farthest + 2 * (a.error_of(size, 0) + b.error_of(size, 0)) * 1.75) * (1 + 0x1p-40);
+}
+
+}  // namespace
+
+StraightWay::StraightWay(const Body& body)
+    : way_(body.way()), start_(body.at_start_.transform), end_(body.at_end_.transform) {
+  TAMIS_ASSERT(way_ != Way::turning);
+  if (body.deforming()) soft_ = *body.deforming();
+}
+
+double StraightWay::farthest_of(const Body& body) const {
+  const Deforming* soft = body.deforming();
+  if (body.way() != way_ || soft_.has_value() != (soft != nullptr)) return Box::kNone;
+  if (!soft) {
+    const Box& box = body.shape().boxes.box(body.shape().boxes.root_level(), 0);
+    return std::max(farthest_between(start_, body.at_start_.transform, box),
+                    farthest_between(end_, body.at_end_.transform, box));
+  }
+  double farthest = 0;
+  for (const Index v : body.shape().mesh.points())
+    farthest = std::max({farthest, distance_above(soft_->start[at(v)], soft->start[at(v)]),
+                         distance_above(soft_->end[at(v)], soft->end[at(v)])});
+  return farthest;
 }
 
 Body::Body(BodyId id, std::shared_ptr<const BodyShape> shape, BodyMotion motion) : id_(id), shape_(std::move(shape)) {

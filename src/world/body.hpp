@@ -13,6 +13,26 @@ namespace tamis {
 /// The motions there are, as far as questions differ: vertices that stay, that go straight, that go on curves.
 enum class Way : std::uint8_t { still, straight, turning };
 
+class Body;
+
+/// How a body moved that did not turn, of which its vertices' ways are measured later.
+class StraightWay {
+ public:
+  /// REQUIRES: it does not turn.
+  explicit StraightWay(const Body& body);
+  /// No vertex is farther, at the same time of the step, from where it was then: rounded up. Infinite where it moves in
+  /// another manner.
+  double farthest_of(const Body& body) const;
+  std::uint64_t memory_bytes() const {
+    return sizeof(*this) + (soft_ ? (soft_->start.capacity() + soft_->end.capacity()) * sizeof(Point) : 0);
+  }
+
+ private:
+  Way way_;
+  RoundedTransform start_, end_;  ///< of a rigid body
+  std::optional<Deforming> soft_;
+};
+
 /// Where a rigid body stands at one time, in doubles.
 struct PlacedBody {
   RoundedTransform transform{};
@@ -61,6 +81,7 @@ class Body {
 
  private:
   friend class CarriedBoxes;
+  friend class StraightWay;
 
   BodyId id_;
   std::shared_ptr<const BodyShape> shape_;

@@ -1,7 +1,6 @@
 // contacts, earliest and is_free of a world.
 #include <algorithm>
 #include <functional>
-#include <map>
 
 #include "detect/make_detector.hpp"
 #include "detect/validate.hpp"
@@ -46,10 +45,8 @@ std::vector<BodyContact> World::State::contacts(const QueryOptions& asked) {
   if (straight_.is_asked()) {
     Gathered& gathered = *straight_.gathered;
     const Step step = gathered.step(bodies);
-    std::vector<Contact> found;
-    gathered.detector().contacts(step, found, of_steps(asked));
-    decide_anew(found, step, asked);
-    add(straight_, found);
+    // What else is in the mesh depends on earlier questions.
+    add(straight_, DetectorMaker::contacts_by_pair(gathered.detector(), step, of_steps(asked)));
   }
   if (turning_.is_asked()) {
     const RigidPath path = turning_.gathered->path(bodies);
@@ -61,29 +58,6 @@ std::vector<BodyContact> World::State::contacts(const QueryOptions& asked) {
     for (const BodyContact& c : all)
       if (c.toi_lower == 0) refuse_touching_start(c.kind, c.vertices, c.bodies);
   return all;
-}
-
-/// The last digits of what a detector finds depend on what else is in its mesh, which here depends on earlier
-/// questions: the narrow phase knows of the pair alone. What was ignored at the start has been decided so already.
-void World::State::decide_anew(std::vector<Contact>& contacts, const Step& step, const QueryOptions& asked) const {
-  std::map<double, std::vector<std::size_t>> by_separation;
-  for (std::size_t i = 0; i < contacts.size(); ++i)
-    by_separation[separation(asked) + straight_.gathered->radii(contacts[i].kind, contacts[i].vertices)].push_back(i);
-  PairListOptions of_list;
-  of_list.threads = options.threads;
-  of_list.isa = options.isa;
-  of_list.is_cancelled = options.is_cancelled;
-  for (const auto& [separation, places] : by_separation) {
-    std::vector<Pair> pairs;
-    for (const std::size_t i : places) pairs.push_back({contacts[i].kind, contacts[i].vertices});
-    of_list.min_separation = separation;
-    const std::vector<PairResult> results = narrow_phase(pairs, step, of_list);
-    for (std::size_t k = 0; k < places.size(); ++k) {
-      Contact& contact = contacts[places[k]];
-      if (asked.at_start != AtStart::ignore || results[k].toi_upper > 0)
-        contact = contact_of(contact.kind, contact.vertices, results[k]);
-    }
-  }
 }
 
 EarliestBodyContact World::State::earliest(const QueryOptions& asked) {

@@ -69,7 +69,6 @@ void Gathered::add(BodyId id, const Body& body, std::vector<Index> items) {
       points_.push_back(face[0]);
   }
   ways_.push_back(body.way());
-  radius_of_body_[id] = body.radius();
 }
 
 /// Bodies of one color are not asked about: either they are not near each other, or they are aside. A group of the
@@ -139,11 +138,6 @@ RigidPath Gathered::path(const BodyList& bodies) const {
     rest_end.push_back(turns ? rest.back() : body.end_of(own));
   }
   return {std::move(rest), std::move(number_of_body), std::move(chains), std::move(rest_end)};
-}
-
-double Gathered::radii(PairKind kind, const PairVertices& vertices) const {
-  const auto radius = [&](Index v) { return radius_of_body_.at(vertices_[at(v)].body); };
-  return radius(vertices[0]) + radius(vertices[second_feature(kind)]);
 }
 
 std::array<BodyId, 2> Gathered::name(PairKind kind, PairVertices& vertices) const {

@@ -33,8 +33,8 @@ class Gathered {
   /// The same on their curves.
   RigidPath path(const BodyList& bodies) const;
 
-  /// Of both features of a pair, together.
-  double radii(PairKind kind, const PairVertices& vertices) const;
+  /// Pairs of bodies in it, ascending.
+  const std::vector<BodyPair>& pairs() const { return items_.pairs; }
   /// By bodies, and in their own vertices. `vertices` become those.
   std::array<BodyId, 2> name(PairKind kind, PairVertices& vertices) const;
   BodyIntersection named(const Intersection& intersection) const;
@@ -53,8 +53,7 @@ class Gathered {
   void set_groups(const BodyList& bodies, const MeetingRules& rules, Options& options) const;
 
   const NearItems items_;
-  std::vector<Way> ways_;  ///< of its bodies, ascending
-  std::map<BodyId, double> radius_of_body_;
+  std::vector<Way> ways_;         ///< of its bodies, ascending
   std::vector<Vertex> vertices_;  ///< by body, then own vertex: in the order of contacts
   std::vector<Face> faces_;
   std::vector<Edge> edges_;

@@ -1,6 +1,7 @@
 // What may touch in a question, found and gathered.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "paths/path_search.hpp"
 #include "query/cancellation.hpp"
@@ -41,11 +42,17 @@ std::vector<BodyPair> World::State::only(const Wanted& is_wanted, std::vector<Bo
 
 void World::State::gather(Part& part, const Reach& reach, const Wanted& is_wanted, const std::vector<BodyPair>& near,
                           const std::vector<double>& times) {
+  const std::vector<BodyPair> wanted = only(is_wanted, near);
+  if (wanted.empty()) return;
+  if (part.serves(bodies, wanted, reach)) {
+    part.pairs = part.gathered->pairs();
+    return;
+  }
   const auto find = [&](const std::vector<BodyPair>& pairs, double more) {
     const auto reach_of = [&](const Body& a, const Body& b) { return (reach.of(a, b) + more) * (1 + 0x1p-40); };
     return find_near_items(bodies, pairs, reach_of, times);
   };
-  const NearItems needed = find(only(is_wanted, near), 0);
+  const NearItems needed = find(wanted, 0);
   part.pairs = needed.pairs;
   if (!part.is_asked()) return;
   const std::size_t count = needed.count();
@@ -53,11 +60,38 @@ void World::State::gather(Part& part, const Reach& reach, const Wanted& is_wante
   double edges = 0;
   for (const auto& [id, unused] : needed.of_body) edges += bodies[at(id)]->shape().edge;
   const double more = kMoreInEdges * edges / static_cast<double>(needed.of_body.size());
-  NearItems all = find(only(is_wanted, near_bodies(reach, more, times.back() == 0)), more);
+  const std::vector<BodyPair> farther = only(is_wanted, near_bodies(reach, more, times.back() == 0));
+  NearItems all = find(farther, more);
   all.add(needed);
+  part.room = room_of(farther, reach, more);
   const MeetingRules rules{part.aside, kept_apart};
   part.gathered = std::make_unique<Gathered>(bodies, std::move(all), rules, options);
   part.needed_when_gathered = count;
+}
+
+std::optional<World::State::Room> World::State::room_of(const std::vector<BodyPair>& pairs, const Reach& reach,
+                                                        double more) const {
+  if (reach.part_of_way > 0) return std::nullopt;
+  Room room{reach.separation, more, {}};
+  for (const BodyPair& pair : pairs)
+    for (const BodyId id : pair) {
+      const Body& body = *bodies[at(id)];
+      if (body.way() == Way::turning) return std::nullopt;
+      room.ways.try_emplace(id, body);
+    }
+  return room;
+}
+
+bool World::State::Room::has(const BodyList& bodies, const std::vector<BodyPair>& pairs) const {
+  std::map<BodyId, double> off;
+  const auto off_of = [&](BodyId id) {
+    const auto [place, is_new] = off.try_emplace(id, std::numeric_limits<double>::infinity());
+    const auto way = ways.find(id);
+    if (is_new && way != ways.end()) place->second = way->second.farthest_of(*bodies[at(id)]);
+    return place->second;
+  };
+  return std::ranges::all_of(
+      pairs, [&](const BodyPair& pair) { return (off_of(pair[0]) + off_of(pair[1])) * (1 + 0x1p-40) <= more; });
 }
 
 std::vector<double> World::State::times_of_pieces(const std::vector<BodyPair>& pairs) const {

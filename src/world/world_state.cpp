@@ -94,7 +94,11 @@ std::uint64_t World::State::memory_bytes() const {
   for (const auto& body : bodies)
     if (body) bytes += body->memory_bytes();
   for (const Part* part : {&straight_, &turning_, &at_rest_})
-    if (part->gathered) bytes += part->gathered->memory_bytes();
+    if (part->gathered) {
+      bytes += part->gathered->memory_bytes();
+      if (part->room)
+        for (const auto& [id, way] : part->room->ways) bytes += way.memory_bytes();
+    }
   return bytes;
 }
 

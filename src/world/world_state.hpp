@@ -2,7 +2,9 @@
 // what may touch of them is gathered, and detectors are asked.
 #pragma once
 #include <functional>
+#include <map>
 #include <memory>
+#include <optional>
 #include <set>
 #include <vector>
 
@@ -54,14 +56,6 @@ struct World::State {
   BodyStep safe_step(double fraction, const QueryOptions& asked);
 
  private:
-  /// One mesh of bodies that meet: those whose vertices all go straight, those of which one turns, or at rest all.
-  struct Part {
-    Way aside;
-    std::unique_ptr<Gathered> gathered = nullptr;
-    std::size_t needed_when_gathered = 0;
-    std::vector<BodyPair> pairs = {};  ///< those that may touch in this question
-    bool is_asked() const { return !pairs.empty(); }
-  };
   /// How near bodies must come to be asked about.
   struct Reach {
     double separation = 0;
@@ -69,6 +63,26 @@ struct World::State {
     /// What one of them adds.
     double own(const Body& body) const;
     double of(const Body& a, const Body& b) const { return (separation + own(a) + own(b)) * (1 + 0x1p-40); }
+  };
+  /// What was gathered is all that comes within the reach and `more`: it serves as long as bodies keep so near to the
+  /// ways that they went then.
+  struct Room {
+    double separation, more;
+    std::map<BodyId, StraightWay> ways;
+    bool has(const BodyList& bodies, const std::vector<BodyPair>& pairs) const;
+  };
+  /// One mesh of bodies that meet: those whose vertices all go straight, those of which one turns, or at rest all.
+  struct Part {
+    Way aside;
+    std::unique_ptr<Gathered> gathered = nullptr;
+    std::size_t needed_when_gathered = 0;
+    std::vector<BodyPair> pairs = {};         ///< those that may touch in this question
+    std::optional<Room> room = std::nullopt;  ///< of bodies that do not turn
+    bool is_asked() const { return !pairs.empty(); }
+    bool serves(const BodyList& bodies, const std::vector<BodyPair>& near, const Reach& reach) const {
+      return gathered && room && reach.part_of_way == 0 && reach.separation <= room->separation &&
+             room->has(bodies, near);
+    }
   };
 
   /// Which pairs a part is asked about.
@@ -83,6 +97,8 @@ struct World::State {
   /// `near`: those without more. `times`: as find_near_items has them.
   void gather(Part& part, const Reach& reach, const Wanted& is_wanted, const std::vector<BodyPair>& near,
               const std::vector<double>& times);
+  /// None where one of them turns.
+  std::optional<Room> room_of(const std::vector<BodyPair>& pairs, const Reach& reach, double more) const;
   /// Those of bodies that move.
   void gather_moving(const Reach& reach);
   void gather_at_rest(double distance);
@@ -91,7 +107,6 @@ struct World::State {
   /// f(id, body, detector) of each body that may touch itself.
   template <class F>
   void for_each_by_itself(const F& f);
-  void decide_anew(std::vector<Contact>& contacts, const Step& step, const QueryOptions& asked) const;
   void add_statistics(const Statistics& of_part);
   /// Of a contact, or of what ends a step.
   [[noreturn]] void refuse_touching_start(PairKind kind, const PairVertices& vertices,

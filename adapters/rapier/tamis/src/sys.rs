@@ -87,6 +87,16 @@ impl tamis_query_options {
     }
 }
 
+/// Of one of many motions.
+#[repr(C)]
+#[derive(Clone, Copy, Default)]
+pub struct tamis_earliest {
+    pub toi_lower: f64,
+    pub toi_upper: f64,
+    pub has_contact: i32,
+    pub contact: Contact,
+}
+
 extern "C" {
     pub fn tamis_version() -> *const c_char;
 
@@ -118,6 +128,7 @@ extern "C" {
     pub fn tamis_world_move(world: *mut tamis_world, bodies: *const i32, motions: *const tamis_motions) -> c_int;
     pub fn tamis_world_remove(world: *mut tamis_world, bodies: *const i32, count: usize) -> c_int;
     pub fn tamis_world_set_enabled(world: *mut tamis_world, bodies: *const i32, count: usize, on: c_int) -> c_int;
+    pub fn tamis_world_set_radius(world: *mut tamis_world, bodies: *const i32, count: usize, radius: f64) -> c_int;
     pub fn tamis_world_set_may_touch(world: *mut tamis_world, bodies: *const i32, count: usize, may: c_int) -> c_int;
 
     pub fn tamis_world_contacts(
@@ -131,6 +142,15 @@ extern "C" {
         lower: *mut f64,
         upper: *mut f64,
         count: *mut usize,
+    ) -> c_int;
+    pub fn tamis_world_earliest_many(
+        world: *mut tamis_world,
+        bodies: *const i32,
+        body_count: usize,
+        motions: *const tamis_motions,
+        options: *const tamis_query_options,
+        answers: *mut tamis_earliest,
+        answer_size: usize,
     ) -> c_int;
     pub fn tamis_world_is_free(
         world: *mut tamis_world,

@@ -1,6 +1,6 @@
 use crate::answers::{Contact, Earliest, Intersection, NearPair};
 use crate::error::{check, text, Error};
-use crate::motion::Motion;
+use crate::motion::{Link, Motion};
 use crate::shape::Shape;
 use crate::sys;
 use std::ffi::c_int;
@@ -92,6 +92,14 @@ impl World {
         self.checked(status)
     }
 
+    /// Half of a body's thickness, >= 0, at first 0: contact means a distance of at most the minimum separation plus both
+    /// radii.
+    pub fn set_radius(&mut self, body: BodyId, radius: f64) -> Result<(), Error> {
+        // SAFETY: one number.
+        let status = unsafe { sys::tamis_world_set_radius(self.handle, &body, 1, radius) };
+        self.checked(status)
+    }
+
     /// May two bodies, or a deforming one with itself, touch at all? At first all may.
     pub fn set_may_touch(&mut self, a: BodyId, b: BodyId, may_touch: bool) -> Result<(), Error> {
         // SAFETY: one pair.
@@ -117,6 +125,46 @@ impl World {
         self.checked(status)?;
         let contact = self.copied(count, sys::tamis_world_copy_contacts)?.first().copied();
         Ok(Earliest { lower, upper, contact })
+    }
+
+    /// As of a planner: the first contact of each of many motions of some bodies, each named once, while all others move
+    /// as they were told. A motion has one chain for each of `bodies`, in their order; all chains have as many links.
+    /// Threads share the motions; each answer has the bits that it has alone. The bodies themselves go on moving as they
+    /// were told.
+    pub fn earliest_many(
+        &mut self,
+        bodies: &[BodyId],
+        motions: &[Vec<Motion>],
+        query: &Query,
+    ) -> Result<Vec<Earliest>, Error> {
+        let (links, links_of_each) = chains_of(bodies, motions)?;
+        let given = sys::tamis_motions {
+            size: size_of::<sys::tamis_motions>(),
+            count: bodies.len() * motions.len(),
+            links: links.as_ptr(),
+            links_of_each,
+            ..sys::tamis_motions::default()
+        };
+        let mut answers = vec![sys::tamis_earliest::default(); motions.len()];
+        // SAFETY: `bodies.len()` numbers, `given.count` chains of so many links, room for an answer a motion.
+        let status = unsafe {
+            sys::tamis_world_earliest_many(
+                self.handle,
+                bodies.as_ptr(),
+                bodies.len(),
+                &given,
+                &options_of(query),
+                answers.as_mut_ptr(),
+                size_of::<sys::tamis_earliest>(),
+            )
+        };
+        self.checked(status)?;
+        let earliest_of = |answer: sys::tamis_earliest| Earliest {
+            lower: answer.toi_lower,
+            upper: answer.toi_upper,
+            contact: (answer.has_contact != 0).then_some(answer.contact),
+        };
+        Ok(answers.into_iter().map(earliest_of).collect())
     }
 
     /// Is there none? Then that is proven.
@@ -194,6 +242,32 @@ fn motions_of(motion: &Motion, vertices: usize) -> Result<sys::tamis_motions, Er
         }
     }
     Ok(motions)
+}
+
+/// The links of all chains, one after the other, and how many each has.
+fn chains_of(bodies: &[BodyId], motions: &[Vec<Motion>]) -> Result<(Vec<Link>, usize), Error> {
+    let refuse = |message| Err(Error { status: INVALID_STEP, message });
+    let (mut links, mut of_each) = (Vec::new(), None);
+    for motion in motions {
+        if motion.len() != bodies.len() {
+            return refuse(format!(
+                "a motion has {} chains: give one for each of {} bodies",
+                motion.len(),
+                bodies.len()
+            ));
+        }
+        for chain in motion {
+            let Motion::Along(chain) = chain else {
+                return refuse("a body is to stay or to deform: give each a chain of links".to_owned());
+            };
+            let expected = *of_each.get_or_insert(chain.len());
+            if chain.len() != expected {
+                return refuse(format!("a chain has {} links, the first {expected}: give each as many", chain.len()));
+            }
+            links.extend_from_slice(chain);
+        }
+    }
+    Ok((links, of_each.unwrap_or(0)))
 }
 
 /// `TAMIS_INVALID_STEP`.

@@ -35,6 +35,35 @@ fn what_falls_touches_half_way() {
 }
 
 #[test]
+fn a_radius_is_half_of_a_thickness() {
+    let (mut world, body) = falling();
+    world.set_radius(body, 0.3).unwrap();
+    world.set_radius(0, 0.2).unwrap();
+    assert!((world.earliest(&Query::default()).unwrap().lower - 0.25).abs() < 1e-9);
+    assert!(world.set_radius(body, -1.0).is_err());
+}
+
+#[test]
+fn many_motions_are_answered_as_each_alone() {
+    let (mut world, body) = falling();
+    let motions: Vec<_> = [-1.0, 0.5, -3.0].map(|end| vec![Motion::interpolated(at(1.0), at(end))]).into();
+    let many = world.earliest_many(&[body], &motions, &Query::default()).unwrap();
+    assert!(many[1].contact.is_none() && many[1].lower == 1.0);
+    for (motion, earliest) in motions.iter().zip(&many) {
+        world.move_body(body, &motion[0]).unwrap();
+        assert_eq!(*earliest, world.earliest(&Query::default()).unwrap());
+    }
+    assert!(world.earliest_many(&[body], &[], &Query::default()).unwrap().is_empty());
+    let refusal = |world: &mut World, motion| world.earliest_many(&[body], &[motion], &Query::default()).unwrap_err();
+    assert_eq!(refusal(&mut world, vec![]).message, "a motion has 0 chains: give one for each of 1 bodies");
+    let stays = refusal(&mut world, vec![Motion::at(at(0.0))]);
+    assert_eq!(stays.message, "a body is to stay or to deform: give each a chain of links");
+    let other = vec![Motion::between(&at(1.0), &at(0.5), [0.0; 3]).unwrap()];
+    let uneven = world.earliest_many(&[body], &[motions[0].clone(), other], &Query::default()).unwrap_err();
+    assert_eq!(uneven.message, "a chain has 2 links, the first 1: give each as many");
+}
+
+#[test]
 fn bodies_are_moved_switched_off_and_removed() {
     let (mut world, body) = falling();
     world.move_body(body, &Motion::turned(&at(1.0), [0.0, 0.0, 7.0], [0.0, 0.0, 0.5], [0.0; 3]).unwrap()).unwrap();

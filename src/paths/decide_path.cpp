@@ -122,10 +122,6 @@ ContactPlace place_on_path(const PathQuestion& question, const Decision& decisio
   return crossing_place(kind, points, chord, {0, 1}, kind == PairKind::edge_edge ? -side : side);
 }
 
-}  // namespace
-
-namespace {
-
 /// Proven, at one time.
 bool is_apart_on_path(const PathQuestion& question, double time) {
   PairReader reader(question.path, question.vertices);

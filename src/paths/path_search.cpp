@@ -249,14 +249,7 @@ std::uint64_t PathSearch::memory_bytes() const {
 
 EarliestContact first_of(const std::vector<Contact>& contacts) {
   EarliestContact first;
-  for (const Contact& c : contacts) {
-    if (c.certainty == Certainty::certified) first.toi_upper = std::min(first.toi_upper, c.toi_upper);
-    const bool is_earlier = !first.contact || c.toi_lower < first.toi_lower ||
-                            (c.toi_lower == first.toi_lower && comes_before(c, *first.contact));
-    if (!is_earlier) continue;
-    first.toi_lower = c.toi_lower;
-    first.contact = c;
-  }
+  for (const Contact& contact : contacts) keep_first(first, contact);
   return first;
 }
 

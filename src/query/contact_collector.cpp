@@ -16,6 +16,15 @@ bool comes_before(const Contact& a, const Contact& b) {
          std::tie(b.kind, b.vertices, b.toi_lower, b.toi_upper);
 }
 
+void keep_first(EarliestContact& first, const Contact& contact) {
+  if (contact.certainty == Certainty::certified) first.toi_upper = std::min(first.toi_upper, contact.toi_upper);
+  const bool is_first = !first.contact || contact.toi_lower < first.toi_lower ||
+                        (contact.toi_lower == first.toi_lower && comes_before(contact, *first.contact));
+  if (!is_first) return;
+  first.toi_lower = contact.toi_lower;
+  first.contact = contact;
+}
+
 void ContactCollector::begin(const Query& query, Bound& bound) {
   query_ = &query;
   bound_ = &bound;
@@ -103,13 +112,8 @@ void ContactCollector::reduce_to_first() {
 }
 
 void ContactCollector::keep_first(const Contact& decided) {
-  first_.toi_upper = std::min(first_.toi_upper, decided.toi_upper);
+  tamis::keep_first(first_, decided);
   bound_->lower(decided.toi_upper * kNearTie);
-  const bool is_first = !first_.contact || decided.toi_lower < first_.toi_lower ||
-                        (decided.toi_lower == first_.toi_lower && comes_before(decided, *first_.contact));
-  if (!is_first) return;
-  first_.toi_lower = decided.toi_lower;
-  first_.contact = decided;
 }
 
 }  // namespace tamis

@@ -22,6 +22,9 @@ inline Contact contact_of(PairKind kind, const PairVertices& vertices, const Pai
   return {kind, r.certainty, vertices, r.toi_lower, r.toi_upper, r.u, r.v, r.normal};
 }
 
+/// Keeps in `first` the contact that bounds the step first, and until when one is certain.
+void keep_first(EarliestContact& first, const Contact& contact);
+
 /// One per thread, and one for the answer. In any order of contacts, shared out in any way, the answer is the same.
 class ContactCollector {
  public:

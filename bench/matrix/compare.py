@@ -172,7 +172,7 @@ def arguments():
     parser.add_argument("--without", action="append", default=[], metavar="PATTERN", help="not these")
     parser.add_argument("--repeat", type=int, default=3, metavar="N", help="turns a cell [3]")
     parser.add_argument("--sweep", type=float, metavar="RATIO", help="one turn only where no slower than this")
-    parser.add_argument("--limit", type=float, metavar="SECONDS", help="of one question to a build, its scene included")
+    parser.add_argument("--limit", type=float, metavar="SECONDS", help="wall clock of one answer, scene included")
     parser.add_argument("--isa", metavar="NAME,...", help="instruction sets [night: best; else: all]")
     parser.add_argument("--csv", metavar="FILE", help="all rows, for plot.py")
     return parser.parse_args()

@@ -15,7 +15,7 @@ namespace tamis {
 
 /// A piece is as long as lets vertices deviate by this part of the mean edge: longer ones leave more pairs to be looked
 /// at on parts of them, shorter ones ask the whole mesh more often.
-inline constexpr double kDeviationInEdges = 0x1p-5;
+inline constexpr double kDeviationInEdges = 0x1p-6;
 
 struct MeshOnPath {
   const Path& path;

@@ -35,29 +35,6 @@ def scene_of_a_sheet_that_falls_through_the_ground():
     return ground, sheet
 
 
-def scene_of_a_cloth_that_a_torus_goes_through():
-    """At the quality it has; it does not at a higher one."""
-    for thing in list(bpy.data.objects):
-        bpy.data.objects.remove(thing)
-    bpy.ops.mesh.primitive_grid_add(x_subdivisions=16, y_subdivisions=16, size=2, location=(0, 0, 1))
-    sheet = bpy.context.object
-    cloth = sheet.modifiers.new("cloth", "CLOTH")
-    cloth.settings.quality, cloth.collision_settings.collision_quality = 1, 1
-    collision = cloth.collision_settings
-    collision.use_self_collision = True
-    collision.distance_min = collision.self_distance_min = 0.005
-    bpy.ops.mesh.primitive_torus_add(major_radius=0.5, minor_radius=0.2, location=(0, 0, 0.3), rotation=(1.2, 0, 0))
-    torus = bpy.context.object
-    torus.modifiers.new("collision", "COLLISION")
-    for frame, height in ((8, 0.3), (18, 0.8)):
-        torus.location[2] = height
-        torus.keyframe_insert("location", frame=frame)
-    scene = bpy.context.scene
-    scene.frame_start, scene.frame_end, scene.tamis_check.min_separation = 1, 25, 0
-    cloth.point_cache.frame_end = 25
-    return sheet, torus, cloth
-
-
 def select(*things):
     for thing in bpy.context.scene.objects:
         thing.select_set(thing in things)
@@ -79,23 +56,6 @@ def facts(scene):
 
 def chosen_faces(thing):
     return [face.index for face in thing.data.polygons if face.select]
-
-
-def repaired(scene):
-    *things, cloth = scene_of_a_cloth_that_a_torus_goes_through()
-    select(things[1])
-    seen = {"no cloth": said(bpy.ops.tamis.repair_cache)}
-    select(*things)
-    seen["in memory"] = said(bpy.ops.tamis.repair_cache)
-    bpy.ops.wm.save_as_mainfile(filepath=answer + ".blend")
-    cloth.point_cache.use_disk_cache = True
-    said(bpy.ops.tamis.check_cache)
-    seen["before"] = facts(scene)["summary"]
-    said(bpy.ops.tamis.repair_cache)
-    seen["after"] = facts(scene)["summary"]
-    said(bpy.ops.tamis.check_cache)
-    seen["again"] = facts(scene)["summary"]
-    return seen
 
 
 def main():
@@ -132,7 +92,6 @@ def main():
     seen["notes"] = results.notes(scene)
     said(bpy.ops.tamis.clear)
     seen["cleared"] = facts(scene)
-    seen["repair"] = repaired(scene)
     bpy.ops.preferences.addon_disable(module="tamis_check")
     seen["gone"] = not hasattr(bpy.types.Scene, "tamis_check")
     with open(answer, "w") as file:

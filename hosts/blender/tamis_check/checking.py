@@ -40,16 +40,15 @@ class BadFrame:
 class Findings:
     """What was found so far."""
 
-    asked: dict[int, bool] = field(default_factory=dict)  # of each frame: was there a step to it?
+    frames: int = 0
+    steps: int = 0
     bad: dict[int, BadFrame] = field(default_factory=dict)
-    better: int = 0  # frames that were simulated anew
     notes: list[str] = field(default_factory=list)
 
     def __str__(self) -> str:
-        better = f", {self.better} of them simulated anew" if self.better else ""
         if not self.bad:
-            return f"{len(self.asked)} frames and {sum(self.asked.values())} steps, all free: proven{better}"
-        return f"{len(self.bad)} of {len(self.asked)} frames are bad, the first is {min(self.bad)}{better}"
+            return f"{self.frames} frames and {self.steps} steps, all free: proven"
+        return f"{len(self.bad)} of {self.frames} frames are bad, the first is {min(self.bad)}"
 
 
 class Check:
@@ -71,27 +70,18 @@ class Check:
     def run(self, view_layer: Any) -> Iterator[int]:
         """Ask about one frame after the other."""
         for frame in self._frames:
-            self._go_to(frame, view_layer)
+            self._scene.frame_set(frame)
+            view_layer.update()
+            self._ask(frame, view_layer.depsgraph)
             yield frame
-
-    def go_back(self, frame: int) -> None:
-        """Forget what was found after a frame, the next one to ask about."""
-        self._topology = None
-        for later in [asked for asked in self.findings.asked if asked > frame]:
-            del self.findings.asked[later]
-            self.findings.bad.pop(later, None)
-
-    def _go_to(self, frame: int, view_layer: Any) -> None:
-        self._scene.frame_set(frame)
-        view_layer.update()
-        self._ask(frame, view_layer.depsgraph)
 
     def _ask(self, frame: int, depsgraph: Any) -> None:
         positions, corners = frame_of(self._objects, depsgraph)
         if self._topology is None or not np.array_equal(corners, self._corners):
             self._begin(frame, depsgraph, corners)
         step = self._auditor.add(positions, name=str(frame))
-        self.findings.asked[frame] = step.frame.has_step or self.findings.asked.get(frame, False)
+        self.findings.frames += 1
+        self.findings.steps += step.frame.has_step
         pairs = step.pairs
         near = (pairs.rings >= 0) & (pairs.rings <= self._rings)
         pairs = pairs[~near]

@@ -12,13 +12,16 @@ import bpy
 from . import results
 from .checking import Check
 from .library import Trouble
-from .repairing import Repair
 
 _SECONDS_A_TURN = 0.1
 
 
-class _ThroughFrames:
-    """Goes through the frames of a scene, and shows what was found."""
+class TamisCheckCache(bpy.types.Operator):
+    """Ask of each frame what passes through what, and of each step between frames what touches."""
+
+    bl_idname = "tamis.check_cache"
+    bl_label = "Check this cache"
+    bl_options = {"REGISTER"}
 
     _check: Check
     _frames: Iterator[int]
@@ -55,15 +58,12 @@ class _ThroughFrames:
         frames = range(scene.frame_start, scene.frame_end + 1)
         self._before = scene.frame_current
         try:
-            self._check = self._made(settings, scene, meshes, frames, settings.min_separation, settings.rings)
+            self._check = Check(scene, meshes, frames, settings.min_separation, settings.rings)
         except Trouble as trouble:
             self.report({"ERROR"}, str(trouble))
             return False
         self._frames = self._check.run(context.view_layer)
         return True
-
-    def _made(self, settings: Any, *given: Any) -> Check:
-        return Check(*given)
 
     def _some_frames(self, context: Any) -> bool:
         """Return whether that was the last one."""
@@ -97,25 +97,6 @@ class _ThroughFrames:
         context.scene.frame_set(self._before)
 
 
-class TamisCheckCache(_ThroughFrames, bpy.types.Operator):
-    """Ask of each frame what passes through what, and of each step between frames what touches."""
-
-    bl_idname = "tamis.check_cache"
-    bl_label = "Check this cache"
-    bl_options = {"REGISTER"}
-
-
-class TamisRepairCache(_ThroughFrames, bpy.types.Operator):
-    """Check, and simulate bad frames anew at a higher quality, from some frames before to some after them."""
-
-    bl_idname = "tamis.repair_cache"
-    bl_label = "Repair this cache"
-    bl_options = {"REGISTER"}
-
-    def _made(self, settings: Any, *given: Any) -> Check:
-        return Repair(*given, (settings.better_quality, settings.better_collisions))
-
-
 class TamisShowFrame(bpy.types.Operator):
     """Go to a bad frame, and select the faces of its pairs."""
 
@@ -146,6 +127,6 @@ class TamisClear(bpy.types.Operator):
         return {"FINISHED"}
 
 
-_CLASSES = (TamisCheckCache, TamisRepairCache, TamisShowFrame, TamisClear)
+_CLASSES = (TamisCheckCache, TamisShowFrame, TamisClear)
 
 register, unregister = bpy.utils.register_classes_factory(_CLASSES)

@@ -34,10 +34,6 @@ class TAMIS_PT_check(bpy.types.Panel):  # noqa: N801
         layout.prop(context.scene, "frame_start")
         layout.prop(context.scene, "frame_end")
         layout.operator("tamis.check_cache", icon="VIEWZOOM")
-        row = layout.row(align=True)
-        row.prop(settings, "better_quality")
-        row.prop(settings, "better_collisions")
-        layout.operator("tamis.repair_cache", icon="MOD_CLOTH")
         if settings.summary:
             for part in settings.summary.split(", "):
                 layout.label(text=part)

@@ -38,20 +38,6 @@ class TamisSettings(bpy.types.PropertyGroup):
         min=0,
         max=1000,
     )
-    better_quality: bpy.props.IntProperty(
-        name="Quality",
-        description="Of frames that are simulated anew: the cloth's quality steps",
-        min=1,
-        max=80,
-        default=12,
-    )
-    better_collisions: bpy.props.IntProperty(
-        name="Collisions",
-        description="Of frames that are simulated anew: the quality of the cloth's collisions",
-        min=1,
-        max=20,
-        default=5,
-    )
     summary: bpy.props.StringProperty()
     bad: bpy.props.CollectionProperty(type=TamisBadFrame)
     active: bpy.props.IntProperty(update=_show, default=-1)

@@ -100,17 +100,3 @@ def test_other_faces_from_a_frame_on_are_said(seen: Any) -> None:
 
 def test_clear_leaves_the_users_markers(seen: Any) -> None:
     assert seen["cleared"]["markers"] == [[3, "mine"]] and seen["cleared"]["summary"] == "" and seen["gone"]
-
-
-def test_a_repair_says_what_it_needs(seen: Any) -> None:
-    assert "no cloth is selected" in seen["repair"]["no cloth"]
-    assert "set Disk Cache in the panel of the cloth's cache" in seen["repair"]["in memory"]
-
-
-def test_a_cloth_that_is_passed_through_is_simulated_anew_until_nothing_touches(seen: Any) -> None:
-    """And the cache has it: a check that follows finds nothing."""
-    repair = seen["repair"]
-    assert "25 frames are bad, the first is" in repair["before"]
-    free, anew = repair["after"].rsplit(", ", 1)
-    assert free == "25 frames and 24 steps, all free: proven" and anew.endswith("of them simulated anew")
-    assert repair["again"] == free

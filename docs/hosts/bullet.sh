@@ -15,8 +15,11 @@ shoot() { # FOLDER/NAME FRAME FROM PICTURE
 
 "$bin/tamis-bullet" --throws 1 --out "$work/throws" > /dev/null
 "$bin/tamis-bullet" --pile 20 --steps 60 --out "$work/pile" > /dev/null
+"$bin/tamis-bullet" --cloth 31 --steps 91 --out "$work/cloth" > /dev/null
 plates="$work/throws/Spinning plates"
 shoot "$plates/Bullet, hull with CCD" 1 1,0.05,-0.08 throw-alone
 shoot "$plates/clamped, hull" 1 1,0.05,-0.08 throw
 shoot "$work/pile/bullet" 58 1,0.05,0.6 pile-alone
 shoot "$work/pile/clamped" 58 1,0.05,0.6 pile
+shoot "$work/cloth/bullet" 90 0,-1,0.7 cloth-alone
+shoot "$work/cloth/truncated" 90 0,-1,0.7 cloth

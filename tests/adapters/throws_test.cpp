@@ -53,7 +53,7 @@ TEST(Throws, ASampleSeesABodyThatIsHalfThrough) {
 
 TEST(Pile, ComesToRestAGapApart) {
   constexpr int kPlates = 20;
-  const PileRun run = run_pile(kPlates, 30, true);
+  const PileRun run = run_pile(kPlates, 0.0015, 30, true);
   EXPECT_EQ(touching_steps(run.bodies, run.places), 0);
   EXPECT_EQ(plates_inside(run), 0);
   for (std::size_t plate = 1; plate <= kPlates; ++plate)
@@ -61,13 +61,23 @@ TEST(Pile, ComesToRestAGapApart) {
   EXPECT_LT(run.questions, 1.5);
 }
 
+TEST(Pile, OfPlatesThatFallFromAHeightOntoEachOtherStaysOne) {
+  constexpr double kDrop = 0.05;
+  const PileRun run = run_pile(20, kDrop, 60, true);
+  EXPECT_EQ(touching_steps(run.bodies, run.places), 0);
+  EXPECT_EQ(plates_inside(run), 0);
+  const PileRun alone = run_pile(20, kDrop, 60, false);
+  EXPECT_GT(touching_steps(alone.bodies, alone.places), 0);
+  EXPECT_GT(plates_inside(alone), 0);
+}
+
 TEST(Cloth, DoesNotPassThroughItselfWhereItIsTruncated) {
-  EXPECT_EQ(touching_steps(run_cloth(21, 150, true)), 0);
-  EXPECT_GT(touching_steps(run_cloth(21, 150, false)), 0);
+  EXPECT_EQ(touching_steps(run_cloth(31, 100, true)), 0);
+  EXPECT_GT(touching_steps(run_cloth(31, 100, false)), 0);
 }
 
 TEST(Pile, IsSeenToSinkIntoItselfWithoutAClamp) {
-  const PileRun run = run_pile(6, 60, false);
+  const PileRun run = run_pile(6, 0.0015, 60, false);
   EXPECT_GT(plates_inside(run), 0);
   EXPECT_GT(touching_steps(run.bodies, run.places), 0);
 }

@@ -19,7 +19,7 @@ namespace {
 
 constexpr btScalar kStep = 1.0F / 240;
 
-/// As pybullet's loadSoftBody makes one with mass and springs, and `self-collision` and `face contact` on.
+/// As pybullet makes one by loadSoftBody with springs of stiffness 40, bending springs of 0.1, and self-collision.
 class FallingCloth {
  public:
   FallingCloth(int side, bool truncated) {
@@ -32,9 +32,7 @@ class FallingCloth {
     const btVector3 gravity(0, 0, -10);
     world_->setGravity(gravity);
     world_->getWorldInfo().m_gravity = gravity;
-    world_->getWorldInfo().m_sparsesdf.setDefaultVoxelsz(0.25F);
-    world_->getWorldInfo().m_sparsesdf.Reset();
-    world_->getSolverInfo().m_deformable_erp = 0.3F;
+    set_solver(world_->getSolverInfo());
     stand(ball_, {0.02F, 0.01F, 0.2F});
     stand(floor_, {0, 0, -0.1F});
     add_cloth(side);
@@ -53,6 +51,17 @@ class FallingCloth {
   const btSoftBody& cloth() const { return *cloth_; }
 
  private:
+  /// As pybullet does, in place of Bullet's defaults.
+  static void set_solver(btContactSolverInfo& solver) {
+    solver.m_erp2 = 0.08F;
+    solver.m_frictionERP = 0.2F;
+    solver.m_linearSlop = 1e-5F;
+    solver.m_numIterations = 50;
+    solver.m_minimumSolverBatchSize = 0;
+    solver.m_warmstartingFactor = 0.1F;
+    solver.m_leastSquaresResidualThreshold = 1e-7F;
+  }
+
   void stand(btCollisionShape& shape, const btVector3& place) {
     btRigidBody::btRigidBodyConstructionInfo info(0, nullptr, &shape);
     info.m_startWorldTransform.setOrigin(place);
@@ -72,13 +81,14 @@ class FallingCloth {
         triangles.insert(triangles.end(), {a, a + side, a + 1, a + 1, a + side, a + side + 1});
       }
     cloth_.reset(btSoftBodyHelpers::CreateFromTriMesh(world_->getWorldInfo(), vertices.data(), triangles.data(),
-                                                      static_cast<int>(triangles.size() / 3), false));
+                                                      static_cast<int>(triangles.size() / 3)));
     cloth_->getCollisionShape()->setMargin(0.003F);
-    cloth_->generateBendingConstraints(3);
+    cloth_->generateBendingConstraints(2);
     cloth_->setTotalMass(0.5F);
     cloth_->m_cfg.collisions =
         btSoftBody::fCollision::SDF_RD | btSoftBody::fCollision::SDF_RDF | btSoftBody::fCollision::VF_DD;
     cloth_->m_cfg.kDF = 0.5F;
+    cloth_->m_cfg.kKHR = cloth_->m_cfg.kCHR = 1;
     cloth_->setSelfCollision(true);
     cloth_->setSpringStiffness(0.5F);
     cloth_->initializeFaceTree();
@@ -95,7 +105,7 @@ class FallingCloth {
   btBoxShape floor_{{2, 2, 0.1F}};
   std::vector<std::unique_ptr<btRigidBody>> standing_;
   std::unique_ptr<btSoftBody> cloth_;
-  btDeformableMassSpringForce springs_{40, 0.1F, false};
+  btDeformableMassSpringForce springs_{40, 0.1F, false, 0.1F};
   std::unique_ptr<btDeformableGravityForce> gravity_;
 };
 

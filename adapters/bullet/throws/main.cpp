@@ -36,11 +36,11 @@ void report(std::string_view title, const Scene& scene, int samples, const std::
   }
 }
 
-void report_pile(int plates, int steps, const std::string& out) {
+void report_pile(int plates, double drop, int steps, const std::string& out) {
   fmt::print("A pile of {} plates, {} steps\n{:28} {:>9} {:>13} {:>16} {:>10}\n", plates, steps, "", "inside",
              "not proven", "questions a step", "ms a step");
   for (const bool clamped : {false, true}) {
-    const PileRun run = run_pile(plates, steps, clamped);
+    const PileRun run = run_pile(plates, drop, steps, clamped);
     constexpr std::size_t kWithoutFloor = 1;
     if (!out.empty()) write_frames(out, clamped ? "clamped" : "bullet", run.bodies, run.places, kWithoutFloor);
     fmt::print("{:28} {:>9} {:>13} {:>16.2f} {:>10.3f}\n", clamped ? "clamped" : "Bullet", plates_inside(run),
@@ -71,6 +71,11 @@ int main(int argc, char** argv) {
   int plates = 0, side = 0, steps = 60;
   auto* const pile =
       app.add_option("--pile", plates, "no throws: a pile of so many thin plates")->check(CLI::Range(1, 1000));
+  double drop = 0.0015;
+  app.add_option("--drop", drop, "how far each plate of the pile is above the next at first, in metres")
+      ->check(CLI::Range(1e-4, 100.0))
+      ->needs(pile)
+      ->capture_default_str();
   app.add_option("--cloth", side, "no throws: a cloth of so many vertices a side")
       ->check(CLI::Range(2, 1000))
       ->excludes(pile);
@@ -83,7 +88,7 @@ int main(int argc, char** argv) {
   CLI11_PARSE(app, argc, argv);
   try {
     if (plates > 0) {
-      tamis::bullet::report_pile(plates, steps, out);
+      tamis::bullet::report_pile(plates, drop, steps, out);
     } else if (side > 0) {
       tamis::bullet::report_cloth(side, steps, out);
     } else {

@@ -9,16 +9,16 @@
 namespace tamis::bullet {
 namespace {
 
-constexpr btScalar kThickness = 0.005F, kDrop = 0.0015F;
+constexpr btScalar kThickness = 0.005F;
 
 /// What lies on what, the floor first.
 class Pile {
  public:
-  Pile(int plates, bool clamped) : parts_(clamped) {
+  Pile(int plates, btScalar drop, bool clamped) : parts_(clamped) {
     parts_.world->setGravity({0, -10, 0});
     add(floor_, 0, {0, -0.5F, 0});
     for (int i = 0; i < plates; ++i) {
-      const auto height = kThickness / 2 + kDrop + static_cast<btScalar>(i) * (kThickness + kDrop);
+      const auto height = kThickness / 2 + drop + static_cast<btScalar>(i) * (kThickness + drop);
       add(plate_, 1, {0.01F * static_cast<btScalar>(i % 3), height, 0});
     }
   }
@@ -58,8 +58,8 @@ class Pile {
 
 }  // namespace
 
-PileRun run_pile(int plates, int steps, bool clamped) {
-  Pile pile(plates, clamped);
+PileRun run_pile(int plates, double drop, int steps, bool clamped) {
+  Pile pile(plates, static_cast<btScalar>(drop), clamped);
   PileRun run{{static_cast<std::size_t>(plates) + 1, box({0.5, kThickness / 2, 0.5})}, {pile.places()}};
   run.bodies[0] = box({5, 0.5, 5});
   int questions = 0;

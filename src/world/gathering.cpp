@@ -82,12 +82,12 @@ std::optional<World::State::Room> World::State::room_of(const std::vector<BodyPa
   return room;
 }
 
-bool World::State::Room::has(const BodyList& bodies, const std::vector<BodyPair>& pairs) const {
+bool World::State::Room::has(const BodyList& of_world, const std::vector<BodyPair>& pairs) const {
   std::map<BodyId, double> off;
   const auto off_of = [&](BodyId id) {
     const auto [place, is_new] = off.try_emplace(id, std::numeric_limits<double>::infinity());
     const auto way = ways.find(id);
-    if (is_new && way != ways.end()) place->second = way->second.farthest_of(*bodies[at(id)]);
+    if (is_new && way != ways.end()) place->second = way->second.farthest_of(*of_world[at(id)]);
     return place->second;
   };
   return std::ranges::all_of(

@@ -69,7 +69,7 @@ struct World::State {
   struct Room {
     double separation, more;
     std::map<BodyId, StraightWay> ways;
-    bool has(const BodyList& bodies, const std::vector<BodyPair>& pairs) const;
+    bool has(const BodyList& of_world, const std::vector<BodyPair>& pairs) const;
   };
   /// One mesh of bodies that meet: those whose vertices all go straight, those of which one turns, or at rest all.
   struct Part {
@@ -79,9 +79,9 @@ struct World::State {
     std::vector<BodyPair> pairs = {};         ///< those that may touch in this question
     std::optional<Room> room = std::nullopt;  ///< of bodies that do not turn
     bool is_asked() const { return !pairs.empty(); }
-    bool serves(const BodyList& bodies, const std::vector<BodyPair>& near, const Reach& reach) const {
+    bool serves(const BodyList& of_world, const std::vector<BodyPair>& near, const Reach& reach) const {
       return gathered && room && reach.part_of_way == 0 && reach.separation <= room->separation &&
-             room->has(bodies, near);
+             room->has(of_world, near);
     }
   };
 

@@ -75,9 +75,7 @@ def step_asked_to_keep(
     return first, last, number(keep, "keep"), own
 
 
-def motion(
-    start: npt.ArrayLike | Path, end: npt.ArrayLike | None, tolerance: float | None
-) -> Motion:
+def motion(start: npt.ArrayLike | Path, end: npt.ArrayLike | None, tolerance: float | None) -> Motion:
     """Tell one from the other by what the user gave."""
     if isinstance(start, Path):
         if end is not None:

@@ -34,8 +34,8 @@ class CandidateSearch {
     return !asked.bound.is_settled();
   }
   /// Prepares the trees for a query of which lists may hold the pairs (`is_listed`): if they do not, plan() says
-  /// whether they should, and make() makes them, or gives up. True: the lists are to be asked, with the vertices of this
-  /// step if has_pairs(); false: the trees must be searched.
+  /// whether they should, and make() makes them, or gives up. True: the lists are to be asked, with the vertices of
+  /// this step if has_pairs(); false: the trees must be searched.
   template <class Plan, class Make, class HasPairs>
   bool prepare(const Query& query, bool is_listed, const Plan& plan, const Make& make, const HasPairs& has_pairs,
                Statistics& statistics) {

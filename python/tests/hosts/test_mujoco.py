@@ -12,6 +12,7 @@ import tamis
 mujoco = pytest.importorskip("mujoco", reason="MuJoCo is not installed: python/requirements-hosts.txt")
 
 import tamis.mujoco  # noqa: E402
+from tamis._motion import CurvedMotion  # noqa: E402
 from tamis.mujoco import _primitives, _surfaces, _version  # noqa: E402
 
 ARM = """
@@ -79,9 +80,10 @@ def test_the_path_is_where_mujoco_integrates_to_at_every_time() -> None:
         data.time += model.opt.timestep
         before = referee.positions
         referee._look()
-        (path,) = referee._motion(before, referee.positions)
+        moving = referee._motion(before, referee.positions)
+        assert isinstance(moving, CurvedMotion)
         for time, positions in ((0, before), (0.25, early), (0.5, middle), (1, referee.positions)):
-            assert np.abs(path.points_at(time) - positions).max() < 1e-12
+            assert np.abs(moving.path.points_at(time) - positions).max() < 1e-12
 
 
 def test_a_turning_bar_meets_a_post_between_two_states() -> None:

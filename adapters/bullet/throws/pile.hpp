@@ -11,8 +11,8 @@ struct PileRun {
   double questions = 0;     ///< that the clamp took, a step; 0 without it
 };
 
-/// Square plates 1 m wide and 5 mm thick fall onto each other on a floor; at first each is `drop` metres above the next.
-/// Steps of 1/60 s. REQUIRES: plates and steps >= 1, drop > 0.
+/// Square plates 1 m wide and 5 mm thick fall onto each other on a floor; at first each is `drop` metres above the
+/// next. Steps of 1/60 s. REQUIRES: plates and steps >= 1, drop > 0.
 PileRun run_pile(int plates, double drop, int steps, bool clamped);
 
 /// Plates that end no higher than their thickness above what they lay on.

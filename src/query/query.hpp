@@ -25,7 +25,7 @@ struct Query {
   Question question = Question::all_contacts;
   bool ignores_start = false;  ///< AtStart::ignore; `fail` is asked as `report`
   /// Contacts have the bits of decide(), which depend on nothing but the pair; else their last digits may also depend
-  /// on what else is in the mesh.
+  /// on what else is in the mesh. (With a separation lanes have these bits always.)
   bool is_by_pair = false;
 
   /// By which a pair is decided.

@@ -101,11 +101,11 @@ void Gathered::set_groups(const BodyList& bodies, const MeetingRules& rules, Opt
   };
 }
 
-bool Gathered::holds(const NearItems& items, const BodyList& bodies) const {
+bool Gathered::keeps_ways(const BodyList& bodies) const {
   auto way = ways_.begin();
   for (const auto& [id, unused] : items_.of_body)
     if (body_of(bodies, id).way() != *way++) return false;
-  return items_.includes(items);
+  return true;
 }
 
 Positions Gathered::start(const BodyList& bodies) {

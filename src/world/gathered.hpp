@@ -24,8 +24,9 @@ class Gathered {
   Gathered(const BodyList& bodies, NearItems items, const MeetingRules& rules, const Options& options);
   Gathered(const Gathered&) = delete;
 
-  /// Are these items in it, and do its bodies move as they did when it was made?
-  bool holds(const NearItems& items, const BodyList& bodies) const;
+  /// Does each of its bodies stay, go straight, or turn, as it did when this was made?
+  bool keeps_ways(const BodyList& bodies) const;
+  bool includes(const NearItems& items) const { return items_.includes(items); }
 
   /// Where all vertices are at t=0, in doubles, and at t=1. Valid until the next time.
   Step step(const BodyList& bodies);
@@ -33,8 +34,6 @@ class Gathered {
   /// The same on their curves.
   RigidPath path(const BodyList& bodies) const;
 
-  /// Pairs of bodies in it, ascending.
-  const std::vector<BodyPair>& pairs() const { return items_.pairs; }
   /// By bodies, and in their own vertices. `vertices` become those.
   std::array<BodyId, 2> name(PairKind kind, PairVertices& vertices) const;
   BodyIntersection named(const Intersection& intersection) const;

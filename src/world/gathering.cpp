@@ -45,7 +45,7 @@ void World::State::gather(Part& part, const Reach& reach, const Wanted& is_wante
   const std::vector<BodyPair> wanted = only(is_wanted, near);
   if (wanted.empty()) return;
   if (part.serves(bodies, wanted, reach)) {
-    part.pairs = part.gathered->pairs();
+    part.pairs = wanted;
     return;
   }
   const auto find = [&](const std::vector<BodyPair>& pairs, double more) {
@@ -56,7 +56,9 @@ void World::State::gather(Part& part, const Reach& reach, const Wanted& is_wante
   part.pairs = needed.pairs;
   if (!part.is_asked()) return;
   const std::size_t count = needed.count();
-  if (part.gathered && kShrunk * count >= part.needed_when_gathered && part.gathered->holds(needed, bodies)) return;
+  if (part.gathered && kShrunk * count >= part.needed_when_gathered && part.gathered->keeps_ways(bodies) &&
+      part.gathered->includes(needed))
+    return;
   double edges = 0;
   for (const auto& [id, unused] : needed.of_body) edges += bodies[at(id)]->shape().edge;
   const double more = kMoreInEdges * edges / static_cast<double>(needed.of_body.size());

@@ -81,7 +81,7 @@ struct World::State {
     bool is_asked() const { return !pairs.empty(); }
     bool serves(const BodyList& of_world, const std::vector<BodyPair>& near, const Reach& reach) const {
       return gathered && room && reach.part_of_way == 0 && reach.separation <= room->separation &&
-             room->has(of_world, near);
+             gathered->keeps_ways(of_world) && room->has(of_world, near);
     }
   };
 

@@ -148,6 +148,32 @@ TEST(World, AgreesStepAfterStep) {
   }
 }
 
+/// Bug: what had been gathered was asked again, by the rules of then, as long as the bodies that may touch now went as
+/// they did, although others in it had come to rest, or turned.
+TEST(World, AgreesWhereSomeBodiesGoAnotherWayAndOthersGoOn) {
+  const scenes::Shape unit = scenes::unit_cube(2);
+  const Shape cube(Mesh(static_cast<Index>(unit.points.size()), unit.faces), unit.points);
+  const auto slid = [](const Point& from, double by) {
+    return Rigid{interpolated({from, {}}, {{from[0] + by, from[1], from[2]}, {}})};
+  };
+  const Point beside{1.02, 0.013, 0.017};
+  const std::vector<BodyMotion> others{Static{{beside, {}}}, slid(beside, -0.001),
+                                       Rigid{turned({beside, {}}, {0.003, 0.004, 0.005}, beside)}};
+  for (const BodyMotion& before : others)
+    for (const BodyMotion& since : others) {
+      TestWorld world;
+      const BodyId still = world.add(cube, Static{}), other = world.add(cube, before);
+      world.add(cube, slid({4, 0, 0}, 0.001));
+      world.add(cube, slid({5.5, 0.31, 0.27}, -1));
+      EXPECT_GT(expect_same_contacts(world), 0u);
+      world.move(other, since);
+      expect_same_contacts(world);
+      expect_same_first(world);
+      world.move(still, slid({-0.02, 0, 0}, 0.005));
+      expect_same_contacts(world);
+    }
+}
+
 /// Nor does what the world is told between them.
 TEST(World, AgreesWhateverIsToldBetweenQuestions) {
   TestWorld world = random_world(11, 3.5, Motions::any);

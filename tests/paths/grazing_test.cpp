@@ -74,6 +74,21 @@ TEST(Grazing, AtTheStartWhileSeparating) {
     }
 }
 
+// Bug: a vertex that turns within the plane of a face spends all that is spent on a pair before it comes to a side.
+TEST(Grazing, WithinThePlaneOfTheFace) {
+  const TurningPair pair{
+      PairKind::vertex_face,
+      {Point{1.0904383941764577, 0.1447207950015108, 0.2}, Point{2.05, 0, 0.2},
+       Point{0.99562603208088674, 0.31352118871697499, 0.2}, Point{1.1610804934643759, 0.14079101853620818, 0.2}},
+      {{0, 0, 0}, {0, 0, 0.1}, {0, 0, 0}, {0, 0, 0}},
+      {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}}};
+  int checks = 0;  // one for each 64 parts
+  const PairResult result = ask(pair, {.is_cancelled = [&] { return ++checks > 100; }});
+  EXPECT_TRUE(result.touches);
+  EXPECT_NEAR(result.toi_lower, 0.786275345613, 1e-11);
+  EXPECT_LE(result.toi_upper - result.toi_lower, 1e-9);
+}
+
 // Bug: only the first turn is looked at; each turn passes the wall once more, nearer each time.
 TEST(Grazing, AfterManyFullTurns) {
   for (const PairKind kind : {PairKind::vertex_face, PairKind::edge_edge})

@@ -59,11 +59,11 @@ Rows<T> matrix(const Vec3<BasicInterval<T>>& w) {
   const I square = dot(w, w);
   const auto half = any_angle(I(T(0.25)) * square);
   const I a = half.sinc * half.cosine, b = I(T(0.5)) * half.sinc * half.sinc;
-  const I cosine = I(T(2)) * half.cosine * half.cosine - I(T(1));
+  const I one(T(1)), xx = b * w.x * w.x, yy = b * w.y * w.y, zz = b * w.z * w.z;
   const I xy = b * w.x * w.y, xz = b * w.x * w.z, yz = b * w.y * w.z;
-  return {{{cosine + b * w.x * w.x, xy - a * w.z, xz + a * w.y},
-           {xy + a * w.z, cosine + b * w.y * w.y, yz - a * w.x},
-           {xz - a * w.y, yz + a * w.x, cosine + b * w.z * w.z}}};
+  return {{{one - (yy + zz), xy - a * w.z, xz + a * w.y},
+           {xy + a * w.z, one - (xx + zz), yz - a * w.x},
+           {xz - a * w.y, yz + a * w.x, one - (xx + yy)}}};
 }
 
 }  // namespace tamis::rotation

@@ -52,6 +52,21 @@ TEST(World, KnowsWhenACubeMeetsTheFloor) {
   EXPECT_TRUE(world.is_free());
 }
 
+/// Bug: a pose that turns about the z axis put faces at z = 0.5 a last place higher, and to prove them apart from those
+/// of a body that turns beside took minutes.
+TEST(World, AnswersSoonWhereFacesSlideInOnePlane) {
+  const auto first_touch = [](double height) {
+    World world;
+    world.add(cube(), Static{{{0, 0, 0}, {0, 0, 0.3}}});
+    world.add(cube(), Rigid{turned({{1.25, 0, height}, {}}, {0, 0, 0.8}, {1.25, 0, height})});
+    return world.earliest();
+  };
+  const EarliestBodyContact in_plane = first_touch(0), apart = first_touch(0.25);
+  EXPECT_GT(apart.toi_lower, 0);
+  EXPECT_LT(apart.toi_lower, 1);
+  EXPECT_NEAR(in_plane.toi_lower, apart.toi_lower, 1e-8);
+}
+
 TEST(World, DoesWithoutBodiesThatAreRemovedOrSwitchedOff) {
   TestWorld world;
   world.add(floor(), Static{});

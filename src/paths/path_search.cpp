@@ -196,6 +196,7 @@ void PathSearch::decide_all(const MeshOnPath& asked, double reach, const Frame& 
   std::size_t most = question == Question::all_contacts ? kBatch : kFirstBatch;
   for (std::vector<std::int32_t> places = parts_.next(latest); !places.empty(); places = parts_.next(latest))
     for (std::span<const std::int32_t> rest = places; !rest.empty(); most = std::min(2 * most, kBatch)) {
+      // By the pairs' times on the whole piece, which ascend: those behind are later than what has been found.
       if (start + pairs[at(rest.front())].toi_lower * length * (1 - 0x1p-40) > latest) break;
       const std::size_t count = std::min(most, rest.size());
       const double touched_by = decide(asked, piece, rest.first(count), contacts, statistics);

@@ -1,6 +1,7 @@
 #include "world/body.hpp"
 
 #include <cmath>
+#include <limits>
 #include <string>
 
 #include "numerics/assert.hpp"
@@ -53,7 +54,8 @@ namespace {
 /// |a - b|, rounded up; infinite where doubles do not know it.
 double distance_above(const Point& a, const Point& b) {
   const double distance = std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]) * (1 + 0x1p-40);
-  return std::isnan(distance) ? Box::kNone : distance;
+  if (std::isnan(distance)) return std::numeric_limits<double>::infinity();
+  return distance;
 }
 
 /// The difference of two affine maps is largest, over a box, at one of its corners.

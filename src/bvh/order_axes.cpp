@@ -7,7 +7,7 @@ namespace tamis {
 namespace {
 
 /// Six axes are looked at if points of a block differ in how far they go by this part of how far apart they are, as
-/// areas: by its square (docs/history/performance.md, "What chooses").
+/// areas: by its square (docs/history/performance.md, "What parts, by areas").
 constexpr double kPartingWays = 0.5;
 
 /// Of some numbers.

@@ -31,10 +31,13 @@ class PairsOnParts {
   void begin(const Piece& piece);
 
   /// Places of pairs to be decided next, ascending, each pair once in all calls. What touches before the last of them
-  /// may do so has been given; empty: nothing else touches until `latest`. Throws InvalidPath and
-  /// Cancelled.
+  /// may do so has been given; empty: nothing else touches until `latest`. Throws InvalidPath and Cancelled.
   std::vector<std::int32_t> next(double latest);
-  std::uint64_t memory_bytes() const { return vertices_.capacity() * sizeof(PackedVertex); }
+  /// Kept from piece to piece.
+  std::uint64_t memory_bytes() const {
+    return vertices_.capacity() * sizeof(PackedVertex) + used_.capacity() * sizeof(Index) +
+           deviations_.capacity() * sizeof(double) + is_used_.capacity() + is_given_.capacity() + may_touch_.capacity();
+  }
 
  private:
   struct Part {

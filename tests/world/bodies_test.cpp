@@ -53,7 +53,7 @@ TEST(World, KnowsWhenACubeMeetsTheFloor) {
 }
 
 /// Bug: a pose that turns about the z axis put faces at z = 0.5 a last place higher, and to prove them apart from those
-/// of a body that turns beside took minutes.
+/// of a body that turns beside took more than 30 seconds.
 TEST(World, AnswersSoonWhereFacesSlideInOnePlane) {
   const auto first_touch = [](double height) {
     World world;

@@ -71,12 +71,46 @@ def test_topology_that_changes_is_split_and_said() -> None:
     assert len(report.steps) == 3
 
 
-def test_proxies_are_left_out() -> None:
+def test_what_turns_is_asked_frame_by_frame() -> None:
+    stage = Usd.Stage.CreateInMemory()
+    blade = _mesh(stage, "/Blade", [(1, 0, 0), (2, 0, 0), (2, 0, 1)], [3], [0, 1, 2])
+    _mesh(stage, "/Post", [(-1.5, 0.9, 0.5), (1.5, 0.9, 0.5), (0, 1.5, 0.5)], [3], [0, 1, 2])
+    turn = blade.AddRotateZOp()
+    turn.Set(0, 1)
+    turn.Set(180, 19)
+    report = tamis.audit(stage)  # straight from 1 to 19 it would go through the axis, below the post
+    assert report.frames.names == [str(time) for time in range(1, 20)]
+    assert report.first_bad is not None and report.first_bad.name == "5"
+    stage.SetTimeCodesPerSecond(1)
+    stage.SetFramesPerSecond(2)
+    assert len(tamis.audit(stage).frames) == 37
+    turn.Set(180, 1e12)
+    with pytest.raises(tamis.FileError, match="frames: write keys nearer to each other"):
+        tamis.audit(stage)
+
+
+@pytest.mark.parametrize("purpose", ["proxy", "guide", "invisible"])
+def test_what_is_not_rendered_is_left_out_unless_it_is_named(purpose: str) -> None:
     stage = _stage()
     square = [(-1, -1, 0.2), (2, -1, 0.2), (2, 2, 0.2), (-1, 2, 0.2)]
-    proxy = _mesh(stage, "/World/Spike/Proxy", square, [4], [0, 1, 2, 3])
-    proxy.CreatePurposeAttr(UsdGeom.Tokens.proxy)
-    assert len(tamis.audit(stage).pairs) == len(tamis.audit(_stage()).pairs)
+    other = _mesh(stage, "/World/Spike/Other", square, [4], [0, 1, 2, 3])
+    if purpose == "invisible":
+        other.CreateVisibilityAttr(UsdGeom.Tokens.invisible)
+    else:
+        other.CreatePurposeAttr(purpose)
+    report = tamis.audit(stage)
+    assert len(report.pairs) == len(tamis.audit(_stage()).pairs)
+    assert report.notes[0] == f"not asked about, 1 prims: /World/Spike/Other ({purpose})"
+    assert "1 meshes" in repr(tamis.read_usd(stage, prims=["/World/Spike/Other"]))
+
+
+def test_prototypes_of_a_point_instancer_are_no_meshes_of_the_scene() -> None:
+    stage = _stage()
+    UsdGeom.PointInstancer.Define(stage, "/World/Dust")
+    _mesh(stage, "/World/Dust/Prototype", [(0, 0, -1), (1, 0, 1), (0, 1, 1)], [3], [0, 1, 2])
+    report = tamis.audit(stage)
+    assert len(report.pairs) == len(tamis.audit(_stage()).pairs)
+    assert report.notes[0] == "not asked about, 1 prims: /World/Dust (point instancer)"
 
 
 def test_what_cannot_be_used(tmp_path: pathlib.Path) -> None:
@@ -105,7 +139,8 @@ def test_points_that_become_none_are_a_frame_that_cannot_be_used() -> None:
     assert np.isfinite(report.frames.toi_lower).all()
 
 
-def test_skins_are_baked_and_the_stage_stays_as_it_is() -> None:
+def _skinned_stage() -> Any:
+    """A triangle on a bone that turns by half a turn from time 0 to 2."""
     stage = Usd.Stage.CreateInMemory()
     UsdSkel.Root.Define(stage, "/R")
     skeleton = UsdSkel.Skeleton.Define(stage, "/R/S")
@@ -114,16 +149,41 @@ def test_skins_are_baked_and_the_stage_stays_as_it_is() -> None:
     skeleton.CreateRestTransformsAttr([Gf.Matrix4d(1)])
     animation = UsdSkel.Animation.Define(stage, "/R/A")
     animation.CreateJointsAttr(["bone"])
-    for time in range(3):
-        animation.CreateTranslationsAttr().Set([Gf.Vec3f(0, 0, time)], time)
-        animation.CreateRotationsAttr().Set([Gf.Quatf(1)], time)
-        animation.CreateScalesAttr().Set([Gf.Vec3h(1)], time)
+    animation.CreateTranslationsAttr().Set([Gf.Vec3f(0, 0, 3)], 0)
+    animation.CreateScalesAttr().Set([Gf.Vec3h(1)], 0)
+    for time, turned in ((0, Gf.Quatf(1, 0, 0, 0)), (2, Gf.Quatf(0, 0, 0, 1))):
+        animation.CreateRotationsAttr().Set([turned], time)
     mesh = _mesh(stage, "/R/M", [(0, 0, 0), (1, 0, 0), (0, 1, 0)], [3], [0, 1, 2])
     binding = UsdSkel.BindingAPI.Apply(mesh.GetPrim())
     binding.CreateSkeletonRel().SetTargets(["/R/S"])
     binding.CreateJointIndicesPrimvar(True, 1).Set([0])
     binding.CreateJointWeightsPrimvar(True, 1).Set([1.0])
     UsdSkel.BindingAPI.Apply(skeleton.GetPrim()).CreateAnimationSourceRel().SetTargets(["/R/A"])
-    before = stage.GetRootLayer().ExportToString()
-    heights = [frame.positions[0, 2] for frame in tamis.read_usd(stage)._frames() if frame.positions is not None]
-    assert heights == [0, 1, 2] and stage.GetRootLayer().ExportToString() == before
+    return stage
+
+
+def _second_points(motion: tamis.Motion) -> list[list[float]]:
+    return [frame.positions[1].round(6).tolist() for frame in motion._frames() if frame.positions is not None]
+
+
+_ON_ITS_ARC = [[1, 0, 3], [0, 1, 3], [-1, 0, 3]]
+
+
+@pytest.mark.parametrize("prims", [None, ["/R/M"]])
+def test_skins_are_baked_frame_by_frame_and_the_stage_stays_as_it_is(prims: list[str] | None) -> None:
+    stage = _skinned_stage()
+    before = stage.ExportToString()
+    assert _second_points(tamis.read_usd(stage, prims=prims)) == _ON_ITS_ARC
+    assert stage.ExportToString() == before
+
+
+def test_skins_in_an_instance() -> None:
+    stage = _skinned_stage()
+    stage.DefinePrim("/I").GetReferences().AddInternalReference("/R")
+    stage.GetPrimAtPath("/I").SetInstanceable(True)
+    UsdGeom.Xform.Define(stage, "/Both").AddTranslateOp().Set(Gf.Vec3d(0, 0, 1))
+    within = stage.DefinePrim("/Both/Within")
+    within.GetReferences().AddInternalReference("/R")
+    within.SetInstanceable(True)
+    assert _second_points(tamis.read_usd(stage, prims=["/I"])) == _ON_ITS_ARC
+    assert _second_points(tamis.read_usd(stage, prims=["/Both"])) == [[x, y, z + 1] for x, y, z in _ON_ITS_ARC]

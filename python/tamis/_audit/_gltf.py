@@ -25,6 +25,7 @@ _HARMLESS = (
     "KHR_mesh_quantization",
     "KHR_animation_pointer",
 )
+_INSTANCES = "EXT_mesh_gpu_instancing"
 
 
 def read_gltf(
@@ -32,8 +33,9 @@ def read_gltf(
 ) -> Motion:
     """Read the meshes of a glTF file in motion: morph targets, skins and nodes that move, in world space.
 
-    An animation has times of its own for each value, and is curved between them; so it is sampled. Each node with a
-    mesh is an object, by its name; vertices that stand apart for the sake of normals or textures alone are joined.
+    An animation has times of its own for each value, and is curved between them; so it is sampled. Each node of the
+    default scene with a mesh is an object, by its name; vertices that stand apart for the sake of normals or textures
+    alone are joined.
 
     Parameters
     ----------
@@ -67,7 +69,7 @@ def read_gltf(
     nodes = moving_nodes(gltf, buffers, name)
     moves = animation_of(gltf, buffers, name, animation)
     times = np.array([0.0]) if moves is None else moves.frame_times(rate)
-    note = "" if len(gltf.animations or []) < 2 or animation is not None else "only the first animation is asked about"
+    note = _note(gltf, animation)
 
     def frames() -> Iterator[Frame]:
         shared = joined([Part(node.name, node.vertex_count, node.faces) for node in nodes])
@@ -76,6 +78,15 @@ def read_gltf(
             yield Frame(f"{time:g} s", _points(nodes, pose), shared.mesh, note="" if i else note)
 
     return Motion(frames, f"{name}, {len(nodes)} meshes, {len(times)} frames")
+
+
+def _note(gltf: Any, animation: int | str | None) -> str:
+    notes = []
+    if len(gltf.animations or []) > 1 and animation is None:
+        notes.append("only the first animation is asked about")
+    if _INSTANCES in (gltf.extensionsUsed or []):
+        notes.append(f"of the instances of {_INSTANCES} one each is asked about, where its node is")
+    return "; ".join(notes)
 
 
 def _points(nodes: list[MovingNode], pose: Pose) -> Any:

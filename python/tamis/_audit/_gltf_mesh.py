@@ -132,8 +132,8 @@ def _joined(columns: Doubles) -> tuple[_Whole, _Whole]:
 
 
 def moving_nodes(gltf: Any, buffers: Buffers, file: str) -> list[MovingNode]:
-    """Return the nodes whose mesh has triangles; there is at least one."""
-    placed = [i for i, node in enumerate(gltf.nodes or []) if node.mesh is not None]
+    """Return the nodes of the scene whose mesh has triangles; there is at least one."""
+    placed = [i for i in _nodes_of_scene(gltf) if gltf.nodes[i].mesh is not None]
     nodes = [node for node in (MovingNode(gltf, i, buffers, file) for i in placed) if len(node.faces)]
     if not nodes:
         raise FileError(f"{file}: no node with triangles in it: give a file that has meshes in a scene")
@@ -143,3 +143,15 @@ def moving_nodes(gltf: Any, buffers: Buffers, file: str) -> list[MovingNode]:
         if names[node.name] > 1:
             node.name = f"{node.name} ({names[node.name]})"
     return nodes
+
+
+def _nodes_of_scene(gltf: Any) -> list[int]:
+    """Return the nodes of the default scene, or of the first; all of a file without scenes."""
+    if not gltf.scenes:
+        return list(range(len(gltf.nodes or [])))
+    found: list[int] = []
+    left = list(gltf.scenes[gltf.scene or 0].nodes or [])
+    while left:
+        found.append(left.pop())
+        left += gltf.nodes[found[-1]].children or []
+    return sorted(found)

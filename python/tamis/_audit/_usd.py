@@ -13,6 +13,9 @@ from tamis._audit._joined import Part, joined
 from tamis._audit._motion import Frame, Motion
 from tamis._audit._shared import Shared
 from tamis._audit._triangles import fans
+from tamis._audit._usd_prims import shown_meshes
+from tamis._audit._usd_skins import with_baked_skins
+from tamis._audit._usd_times import frame_times
 from tamis._checks import file_name, shown, word
 from tamis._errors import FileError, InvalidOptions
 
@@ -23,9 +26,10 @@ if TYPE_CHECKING:
 def read_usd(stage: str | os.PathLike[str] | Usd.Stage, *, prims: Sequence[str] | None = None) -> Motion:
     """Read the meshes of a USD stage in motion: composed, in world space, polygons cut into fans.
 
-    Frames are the times at which points or transforms of a mesh are written; each mesh is an object, by its path.
-    Skinned meshes (UsdSkel) are baked in memory. Subdivision surfaces are taken as their control meshes; proxies and
-    guides are left out.
+    Frames are the times at which points or transforms of a mesh are written, and those of the frames that are played
+    where something turns or has a skin; each mesh is an object, by its path. Skinned meshes (UsdSkel) are baked in
+    memory. Subdivision surfaces are taken as their control meshes. Proxies, guides and what is never visible are left
+    out unless a path in `prims` names them; so are point instancers.
 
     Parameters
     ----------
@@ -82,33 +86,12 @@ class _Meshes:
     """The meshes below some prims of a stage."""
 
     def __init__(self, stage: Any, roots: list[Any], name: str) -> None:
-        from pxr import Usd, UsdGeom
-
-        self._stage = stage  # prims are gone with their stage
-        self._bake(stage, roots)
-        below = [prim for root in roots for prim in Usd.PrimRange(root, Usd.TraverseInstanceProxies())]
-        unique = {prim.GetPath(): prim for prim in below}
-        self.prims = [UsdGeom.Mesh(prim) for prim in unique.values() if _is_rendered_mesh(prim)]
+        self._stage = with_baked_skins(stage, roots)  # prims are gone with their stage
+        self.prims, left_out = shown_meshes(self._stage, [root.GetPath() for root in roots])
         if not self.prims:
             raise FileError(f"{name}: no mesh in it (UsdGeom.Mesh): give a stage, or prims, with meshes")
-        scattered = [str(path) for path, prim in unique.items() if prim.IsA(UsdGeom.PointInstancer)]
-        self._note = f"the point instancer {scattered[0]} is not asked about" if scattered else ""
-        written = sorted({time for mesh in self.prims for time in _times(mesh)})
-        self.times = [Usd.TimeCode(time) for time in written] or [Usd.TimeCode.Default()]
-
-    @staticmethod
-    def _bake(stage: Any, roots: list[Any]) -> None:
-        """Give skinned meshes points that move, in a layer that nobody saves."""
-        from pxr import Sdf, Usd, UsdSkel
-
-        skinned = [p for root in roots for p in Usd.PrimRange(root) if p.IsA(UsdSkel.Root)]
-        if not skinned:
-            return
-        baked = Sdf.Layer.CreateAnonymous("baked.usda")
-        stage.GetSessionLayer().subLayerPaths.append(baked.identifier)
-        with Usd.EditContext(stage, baked):
-            for root in skinned:
-                UsdSkel.BakeSkinning(UsdSkel.Root(root))
+        self._note = f"not asked about, {len(left_out)} prims: {', '.join(left_out[:3])}" if left_out else ""
+        self.times = frame_times(self._stage, self.prims)
 
     def frames(self) -> Iterator[Frame]:
         from pxr import UsdGeom
@@ -128,25 +111,6 @@ class _Meshes:
     def _frame(self, i: int, time: Any, placed: list[Doubles], shared: Shared) -> Frame:
         name = "default" if time.IsDefault() else f"{time.GetValue():g}"
         return Frame(name, np.concatenate(placed), shared.mesh, note="" if i else self._note)
-
-
-def _is_rendered_mesh(prim: Any) -> bool:
-    """Guides and proxies lie where the meshes are that they stand for."""
-    from pxr import UsdGeom
-
-    purposes = (UsdGeom.Tokens.default_, UsdGeom.Tokens.render)
-    return bool(prim.IsA(UsdGeom.Mesh)) and UsdGeom.Imageable(prim).ComputePurpose() in purposes
-
-
-def _times(mesh: Any) -> list[float]:
-    from pxr import UsdGeom
-
-    times = set(mesh.GetPointsAttr().GetTimeSamples()) | set(mesh.GetFaceVertexIndicesAttr().GetTimeSamples())
-    prim = mesh.GetPrim()
-    while prim and not prim.IsPseudoRoot():
-        times.update(UsdGeom.Xformable(prim).GetTimeSamples() if prim.IsA(UsdGeom.Xformable) else ())
-        prim = prim.GetParent()
-    return sorted(times)
 
 
 def _may_change_topology(mesh: Any) -> bool:

@@ -5,6 +5,7 @@ Writes what it saw as JSON.
 """
 
 import json
+import pathlib
 import sys
 
 import bpy
@@ -48,6 +49,15 @@ def said(operator, **options):
         return str(error)
 
 
+def imported_as_alembic(things):
+    """The same things, as Blender reads them from the Alembic file that it writes of them."""
+    file, before = str(pathlib.Path(answer).with_suffix(".abc")), set(bpy.context.scene.objects)
+    select(*things)
+    bpy.ops.wm.alembic_export(filepath=file, selected=True, start=1, end=12)
+    bpy.ops.wm.alembic_import(filepath=file, set_frame_range=False)
+    return [thing for thing in set(bpy.context.scene.objects) - before if thing.type == "MESH"]
+
+
 def facts(scene):
     rows = [(row.frame, row.text) for row in scene.tamis_check.bad]
     markers = sorted((marker.frame, marker.name) for marker in scene.timeline_markers)
@@ -83,6 +93,11 @@ def main():
     scene.tamis_check.min_separation = 0.3
     said(bpy.ops.tamis.check_cache)
     seen["separated"] = facts(scene)
+    scene.tamis_check.min_separation = 0
+    select(*imported_as_alembic([ground, sheet]))
+    said(bpy.ops.tamis.check_cache)
+    seen["alembic"] = facts(scene)
+    select(ground, sheet)
     modifier = sheet.modifiers.new("sub", "SUBSURF")
     modifier.levels = 0
     for frame, levels in ((1, 0), (8, 1)):

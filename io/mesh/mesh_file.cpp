@@ -20,7 +20,8 @@ MeshFile parse(const FileBytes& bytes, const std::filesystem::path& path) {
   if (extension == ".obj") return parse_obj(bytes.view(), name);
   if (extension == ".ply") throw FileError(name, "line 1", "a PLY file starts with the line 'ply': write it again");
   throw FileError(name, "",
-                  "neither PLY nor OBJ: convert it to one of these, or let the name of an OBJ file end in .obj");
+                  "neither PLY nor OBJ: convert it to one of these, or let the name of an OBJ file end in .obj; "
+                  "tamis.audit in Python reads USD and glTF");
 }
 
 /// Two files under comparison.

@@ -94,6 +94,11 @@ def test_a_separation_makes_more_frames_bad(seen: Any) -> None:
     assert len(seen["separated"]["rows"]) > len(seen["both"]["rows"])
 
 
+def test_an_alembic_file_is_asked_as_any_scene(seen: Any) -> None:
+    assert seen["alembic"]["summary"] == seen["both"]["summary"]
+    assert [row[0] for row in seen["alembic"]["rows"]] == [6, 7]
+
+
 def test_other_faces_from_a_frame_on_are_said(seen: Any) -> None:
     assert any("the meshes have other faces from here on" in note for note in seen["notes"])
 

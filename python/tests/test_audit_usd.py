@@ -104,6 +104,12 @@ def test_what_is_not_rendered_is_left_out_unless_it_is_named(purpose: str) -> No
     assert "1 meshes" in repr(tamis.read_usd(stage, prims=["/World/Spike/Other"]))
 
 
+def test_a_sphere_is_named_as_left_out() -> None:
+    stage = _stage()
+    UsdGeom.Sphere.Define(stage, "/World/Ball")
+    assert tamis.audit(stage).notes[0] == "not asked about, 1 prims: /World/Ball (Sphere, no mesh)"
+
+
 def test_prototypes_of_a_point_instancer_are_no_meshes_of_the_scene() -> None:
     stage = _stage()
     UsdGeom.PointInstancer.Define(stage, "/World/Dust")

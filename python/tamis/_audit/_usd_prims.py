@@ -31,13 +31,15 @@ def _why_left_out(prim: Any, root: Any) -> str:
 
     if prim.IsA(UsdGeom.PointInstancer):
         return "point instancer"
-    if not prim.IsA(UsdGeom.Mesh):
+    if not prim.IsA(UsdGeom.Gprim):
         return ""
     tokens = UsdGeom.Tokens
     purpose, named = UsdGeom.Imageable(prim).ComputePurpose(), root and UsdGeom.Imageable(root)
     if purpose not in (tokens.default_, tokens.render) and not (named and named.ComputePurpose() == purpose):
         return str(purpose)
-    return "invisible" if _is_never_visible(prim) and not (named and _is_never_visible(root)) else ""
+    if _is_never_visible(prim) and not (named and _is_never_visible(root)):
+        return "invisible"
+    return "" if prim.IsA(UsdGeom.Mesh) else f"{prim.GetTypeName()}, no mesh"
 
 
 def _is_never_visible(prim: Any) -> bool:

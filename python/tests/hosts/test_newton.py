@@ -202,6 +202,25 @@ def test_refuses_what_it_does_not_know(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 # Bug: the module knows other versions than those that pip is told to take.
+@pytest.mark.skipif("TAMIS_LONG" not in os.environ, reason="compiles its kernels for 20 s: for the night, TAMIS_LONG")
+def test_a_recording_of_its_viewer_can_be_audited(tmp_path: pathlib.Path) -> None:
+    model, file = falling_cloths(layers=2), tmp_path / "sheets.usda"
+    viewer = newton.viewer.ViewerUSD(str(file), num_frames=3)
+    viewer.set_model(model)
+    state = model.state()
+    for frame, fallen in enumerate((0, 0.02, 0.05)):
+        positions = model.particle_q.numpy()
+        positions[len(positions) // 2 :, 2] -= fallen
+        state.particle_q.assign(positions)
+        viewer.begin_frame(frame / 60)
+        viewer.log_state(state)
+        viewer.end_frame()
+    viewer.close()
+    report = tamis.audit(file)
+    assert report.frames.names == ["0", "1", "2"] and not report.problems
+    assert [frame.frame for frame in report.frames if frame.contacts] == [2]
+
+
 def test_versions_are_those_that_are_pinned() -> None:
     pins = (ROOT / "python/requirements-hosts.txt").read_text()
     extras = (ROOT / "pyproject.toml").read_text()

@@ -126,16 +126,24 @@ def test_vertices_that_stand_at_one_place_are_joined(tmp_path: pathlib.Path) -> 
     assert report.is_free and len(report.frames) == 1, "two triangles that share an edge would touch"
 
 
-def test_nodes_outside_of_the_scene_and_instances(tmp_path: pathlib.Path) -> None:
+def test_nodes_outside_of_the_scene(tmp_path: pathlib.Path) -> None:
     file = _File()
     file.animate(1, "translation", [[0, 0, 0], [0, 0, -2]])
     file.gltf.nodes += [gltf.Node(name="spare", mesh=1), gltf.Node(name="both", children=[0, 1])]
     file.gltf.scenes = [gltf.Scene(nodes=[2]), gltf.Scene(nodes=[3])]
     file.gltf.scene = 1
     _check(file.save(tmp_path / "a.glb"))
-    file.gltf.extensionsUsed = ["EXT_mesh_gpu_instancing"]
-    report = _check(file.save(tmp_path / "b.glb"))
-    assert "EXT_mesh_gpu_instancing" in report.notes[0]
+
+
+def test_what_is_not_followed_is_said(tmp_path: pathlib.Path) -> None:
+    file = _File()
+    file.animate(1, "translation", [[0, 0, 0], [0, 0, -2]])
+    file.gltf.animations[0].channels.append(
+        gltf.AnimationChannel(sampler=0, target=gltf.AnimationChannelTarget(path="pointer"))
+    )
+    file.gltf.extensionsUsed = ["EXT_mesh_gpu_instancing", "KHR_animation_pointer"]
+    note = _check(file.save(tmp_path / "a.glb")).notes[0]
+    assert "EXT_mesh_gpu_instancing" in note and "KHR_animation_pointer" in note
 
 
 def test_what_cannot_be_used(tmp_path: pathlib.Path) -> None:

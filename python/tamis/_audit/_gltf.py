@@ -86,6 +86,8 @@ def _note(gltf: Any, animation: int | str | None) -> str:
         notes.append("only the first animation is asked about")
     if _INSTANCES in (gltf.extensionsUsed or []):
         notes.append(f"of the instances of {_INSTANCES} one each is asked about, where its node is")
+    if any(channel.target.node is None for each in gltf.animations or [] for channel in each.channels):
+        notes.append("what is animated by KHR_animation_pointer stays where it is")
     return "; ".join(notes)
 
 

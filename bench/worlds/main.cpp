@@ -73,6 +73,21 @@ scenes::Shape sheet(Index cells, double edge, const Height& height) {
   return shape;
 }
 
+std::vector<Point> scaled(std::vector<Point> points, double by) {
+  for (Point& p : points)
+    for (double& x : p) x *= by;
+  return points;
+}
+
+/// As a body with this rotation vector has it.
+Point direction_of(const Point& rotation, const Point& in_body) {
+  const RigidPath path({in_body}, {0}, {{{{{0, 0, 0}, rotation}, {{0, 0, 0}, rotation}}}});
+  Point direction{};
+  double error = 0;
+  path.points_at(0, std::array<Index, 1>{0}, {&direction, 1}, {&error, 1});
+  return direction;
+}
+
 double floor_height(double x, double y) { return 0.03 * std::sin(3 * x) * std::cos(2 * y); }
 
 std::vector<Point> moved(std::vector<Point> points, const Point& by) {
@@ -229,6 +244,27 @@ void nut_on_bolt(Index around, double angle, int steps) {
             first.contact.has_value(), cost);
 }
 
+/// A plate that turns on another one, in a plane askew, apart by `gap` or by what rounding leaves of that.
+void plate_on_plate(double gap, int steps) {
+  const scenes::Shape plate = sheet(16, 0.125, [](double, double) { return 0.0; });
+  const Point askew{0.3, 0.2, 0.5};
+  World world(one_thread());
+  world.add(shape_of(plate), Static{{{0, 0, 0}, askew}});
+  const BodyId turning = world.add(shape_of({scaled(plate.points, 0.7), plate.faces}), Static{});
+  const Point normal = direction_of(askew, {0, 0, 1});
+  EarliestBodyContact first;
+  const Cost cost = milliseconds(
+      steps,
+      [&](int step) {
+        const Pose pose{scaled({normal}, gap)[0], askew};
+        world.move(turning, Rigid{turned(pose, scaled({normal}, 0.3 + 0.01 * step)[0], pose.position)});
+      },
+      [&] { first = world.earliest(); });
+  char text[120];
+  std::snprintf(text, sizeof text, "earliest of a plate of 512 triangles that turns on another one, %g apart", gap);
+  print_row(text, first.contact.has_value(), cost);
+}
+
 /// Seven links of 300 triangles, each turning in the frame of the one before it.
 struct Arm {
   static constexpr std::size_t kJoints = 7;
@@ -305,7 +341,7 @@ void arm(int steps) {
 
 }  // namespace
 
-/// Which: two, many (or one of its numbers of bodies), nut, room, or arm; all without one.
+/// Which: two, many (or one of its numbers of bodies), nut, plates, room, or arm; all without one.
 int main(int count, char** arguments) {
   const std::string which = count > 2 ? arguments[2] : "";
   const int steps = std::max(1, count > 1 ? std::atoi(arguments[1]) : 20);
@@ -315,6 +351,8 @@ int main(int count, char** arguments) {
     if (which.empty() || which == "many" || which == std::to_string(bodies)) many_bodies(bodies, steps);
   if (which.empty() || which == "nut")
     for (const double angle : {0.1, 1.}) nut_on_bolt(32, angle, steps);
+  if (which.empty() || which == "plates")
+    for (const double gap : {1e-6, 1e-10, 1e-13}) plate_on_plate(gap, steps);
   if (which.empty() || which == "room") room(steps);
   if (which.empty() || which == "arm") arm(steps);
   return 0;

@@ -37,6 +37,11 @@ class Path {
   /// speed. It must go to zero as the piece gets shorter, for smooth curves with its square: |x''| (to - from)^2 / 8.
   virtual void deviations(double from, double to, std::span<const Index> vertices,
                           std::span<double> deviations) const = 0;
+
+  /// For each vertex a direction d, of any length, along which it goes straight all the time though it bends: d.x(t) is
+  /// linear in t, exactly, for d as written. Its deviations are then across d. Zeros where none is known, as by
+  /// default. What turns about a fixed axis has it; what slides on a plane across the axis is told apart by it.
+  virtual void straight_directions(std::span<const Index> vertices, std::span<Point> directions) const;
 };
 
 /// How a question about a path is answered.

@@ -60,11 +60,14 @@ class RigidPath final : public Path {
                  std::span<double> errors) const override;
   void fine_points_at(double time, std::span<const Index> vertices, std::span<FinePoint> points) const override;
   void deviations(double from, double to, std::span<const Index> vertices, std::span<double> deviations) const override;
+  /// The axis, if the rotation vectors of a chain, from the outermost to the last that changes, are exactly parallel.
+  void straight_directions(std::span<const Index> vertices, std::span<Point> directions) const override;
 
  private:
   std::vector<Point> rest_, rest_end_;
   std::vector<Index> body_of_vertex_;
   std::vector<Chain> chains_;
+  std::vector<Point> axes_;  ///< of each chain
   std::vector<double> accelerations_, reaches_;  ///< bounds of each vertex: how its curve bends, how far it strays
 };
 

@@ -79,6 +79,34 @@ RoundedTransform rounded_transform_of(const Chain& chain, double time) {
   return result;
 }
 
+namespace {
+
+/// Is a b the same as c d, exactly? False also where two doubles cannot hold them.
+bool are_equal_products(double a, double b, double c, double d) {
+  const auto is_held = [](double x, double y) { return x == 0 || y == 0 || std::fabs(x * y) > 0x1p-900; };
+  const DoubleDouble left = DoubleDouble::product_of(a, b), right = DoubleDouble::product_of(c, d);
+  return is_held(a, b) && is_held(c, d) && left.high == right.high && left.low == right.low;
+}
+
+bool are_parallel(const Point& a, const Point& b) {
+  return are_equal_products(a[0], b[1], a[1], b[0]) && are_equal_products(a[1], b[2], a[2], b[1]) &&
+         are_equal_products(a[2], b[0], a[0], b[2]);
+}
+
+}  // namespace
+
+Point fixed_axis(const Chain& chain) {
+  const auto turns = [](const Link& link) { return link.start.rotation != link.end.rotation; };
+  const auto last = std::find_if(chain.rbegin(), chain.rend(), turns);
+  Point axis{0, 0, 0};
+  for (auto link = chain.begin(); link != last.base(); ++link)
+    for (const Point& rotation : {link->start.rotation, link->end.rotation}) {
+      if (axis == Point{0, 0, 0}) axis = rotation;
+      if (!are_parallel(axis, rotation)) return {0, 0, 0};
+    }
+  return axis;
+}
+
 double Curvature::deviation(const Interval& length) const {
   const double eighth = (Interval(0.125) * length * length).upper;
   return std::min(rounding::above(eighth * acceleration), 2 * reach);

@@ -32,6 +32,10 @@ struct RoundedTransform {
 
 RoundedTransform rounded_transform_of(const Chain& chain, double time);
 
+/// The axis about which all points turn, exactly: the rotation vectors of all links from the outermost to the last that
+/// turns are parallel. Zeros where there is none, or nothing turns.
+Point fixed_axis(const Chain& chain);
+
 /// Of one point, over the whole step.
 struct Curvature {
   double acceleration;  ///< |x''| is at most this

@@ -35,26 +35,33 @@ class Chords {
   using I = BasicInterval<T>;
   using Deviations = std::array<double, 4>;
 
-  Chords(const Moment<T>& from, const Moment<T>& to, const Deviations& deviations)
-      : from_(from), to_(to), deviations_(deviations) {}
+  Chords(const Moment<T>& from, const Moment<T>& to, const Deviations& deviations,
+         const StraightDirections& directions = {})
+      : from_(from), to_(to), deviations_(deviations), directions_(directions) {}
 
   /// The vectors of the pair at both ends, widened by the deviations.
   PairMotion<I> motion() const { return motion(deviations_); }
   /// The same without the deviations: true at the ends only.
   PairMotion<I> at_ends() const { return motion(Deviations{}); }
 
-  /// An axis that turns linearly from the gap of the closest points at one end to that at the other.
-  bool axis_proves_free(const PairMotion<I>& ends) const {
-    const auto n0 = gap(ends.e.at0, ends.f.at0, ends.d.at0), n1 = gap(ends.e.at1, ends.f.at1, ends.d.at1);
-    const I length0 = length_above(n0), length1 = length_above(n1);
-    for (const auto& [i, j] : kDifferences<kind>) {
-      const auto c0 = from_.points[i] - from_.points[j], c1 = to_.points[i] - to_.points[j];
-      const I deviation = I(T(deviations_[i])) + I(T(deviations_[j]));
-      const bool apart = dot(n0, c0) > length0 * deviation && dot(n1, c1) > length1 * deviation &&
-                         dot(n0, c1) + dot(n1, c0) > (length0 + length1) * deviation;
-      if (!apart) return false;
-    }
-    return true;
+  /// Farther apart than the separation: by an axis that turns linearly from the gap of the closest points at one end to
+  /// that at the other; where a vertex goes straight along some direction also by that, and by the normals of the
+  /// features.
+  bool axis_proves_free(const PairMotion<I>& ends, double separation = 0) const {
+    if (axis_proves_free(gap(ends.e.at0, ends.f.at0, ends.d.at0), gap(ends.e.at1, ends.f.at1, ends.d.at1), separation))
+      return true;
+    const auto known = std::ranges::find_if(directions_, [](const auto& d) { return d.is_known(); });
+    if (known == directions_.end()) return false;
+    const Vec3<I> d = towards_first(vector(known->direction), from_);
+    if (axis_proves_free(d, d, separation)) return true;
+    return can_cross(kind) && axis_proves_free(towards_first(cross(ends.e.at0, ends.f.at0), from_),
+                                               towards_first(cross(ends.e.at1, ends.f.at1), to_), separation);
+  }
+
+  /// About as far as the features are apart.
+  double gap_at_start(const PairMotion<I>& ends) const {
+    const Vec3<I> n = gap(ends.e.at0, ends.f.at0, ends.d.at0);
+    return nearest_double(length_above(n).upper);
   }
 
  private:
@@ -72,12 +79,51 @@ class Chords {
             rounding_is_enclosed, rounding_is_enclosed, rounding_is_enclosed};
   }
 
+  /// An axis at one end of the piece: its length, and for each vertex how far it may be beside its chord along that.
+  struct Axis {
+    Vec3<I> n;
+    I length;
+    std::array<I, 4> beside;
+  };
+  /// |n . s| of a deviation s across a direction d is at most |n x d| / |d| times |s|.
+  Axis axis(const Vec3<I>& n) const {
+    Axis axis{n, length_above(n), {}};
+    for (std::size_t i = 0; i < 4; ++i) {
+      const auto& [d, per_length] = directions_[i];
+      I reach = axis.length;
+      if (directions_[i].is_known()) {
+        const I across = length_above(cross(n, vector(d))) * I(T(per_length));
+        if (across.upper < reach.upper) reach = across;
+      }
+      axis.beside[i] = reach * I(T(deviations_[i]));
+    }
+    return axis;
+  }
+
+  bool axis_proves_free(const Vec3<I>& n0, const Vec3<I>& n1, double separation) const {
+    const Axis a0 = axis(n0), a1 = axis(n1);
+    const I apart = T(separation), apart0 = a0.length * apart, apart1 = a1.length * apart;
+    for (const auto& [i, j] : kDifferences<kind>) {
+      const auto c0 = from_.points[i] - from_.points[j], c1 = to_.points[i] - to_.points[j];
+      const I lost0 = apart0 + a0.beside[i] + a0.beside[j], lost1 = apart1 + a1.beside[i] + a1.beside[j];
+      if (!(dot(n0, c0) > lost0 && dot(n1, c1) > lost1 && dot(n0, c1) + dot(n1, c0) > lost0 + lost1)) return false;
+    }
+    return true;
+  }
+
+  static Vec3<I> vector(const Vec3<double>& v) { return {I(T(v.x)), I(T(v.y)), I(T(v.z))}; }
+  /// The middle of n, or its opposite.
+  static Vec3<I> towards_first(const Vec3<I>& n, const Moment<T>& at) {
+    const auto [i, j] = kDifferences<kind>[0];
+    const Vec3<I> middle{I(n.x.middle()), I(n.y.middle()), I(n.z.middle())};
+    return dot(middle, at.points[i] - at.points[j]).middle() < T(0) ? -middle : middle;
+  }
   static Vec3<I> gap(const Vec3<I>& e, const Vec3<I>& f, const Vec3<I>& d) {
     const auto middle = [](const Vec3<I>& v) {
       return Vec3<double>{nearest_double(v.x.middle()), nearest_double(v.y.middle()), nearest_double(v.z.middle())};
     };
     const Vec3<double> gap = closest_points(kind, middle(e), middle(f), middle(d)).gap;
-    return {I(T(gap.x)), I(T(gap.y)), I(T(gap.z))};
+    return vector(gap);
   }
   static I length_above(const Vec3<I>& v) {
     const double length = std::sqrt(upper_double(dot(v, v).upper));
@@ -87,6 +133,7 @@ class Chords {
   const Moment<T>& from_;
   const Moment<T>& to_;
   const Deviations& deviations_;
+  const StraightDirections directions_;
 };
 
 /// At every time of the motion at which the four points are coplanar the features cross, each strictly inside the

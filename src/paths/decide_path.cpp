@@ -41,7 +41,7 @@ class PathSolver {
   /// True if `decision` is final: the earliest time that cannot be proven free is known.
   bool settles(const PathPart<T>& part, Decision& decision) {
     const std::array<double, 4> deviations = reader_.deviations(part.from.time, part.to.time);
-    const Chords<kind, T> chords(part.from, part.to, deviations);
+    const Chords<kind, T> chords(part.from, part.to, deviations, reader_.directions());
     const auto ends = chords.at_ends();
     if (chords.axis_proves_free(ends)) return false;
     const auto widened = chords.motion();
@@ -57,10 +57,18 @@ class PathSolver {
       }
       if (cut_around_crossing(part, window_of(widened, crossing.sign_at_start))) return false;
     }
-    const double deviation = *std::max_element(deviations.begin(), deviations.end());
-    const bool may_gain = deviation > 4 * std::max(part.from.error, part.to.error) || part.length() > kShortest<T>;
-    if (--parts_left_ > 0 && may_gain && parts_.cut(part, near_middle(part.from.time, part.to.time))) return false;
+    if (--parts_left_ > 0 && may_gain(part, deviations, chords.gap_at_start(ends)) &&
+        parts_.cut(part, near_middle(part.from.time, part.to.time)))
+      return false;
     return settles_further(part, widened, crossing, decision);
+  }
+
+  /// Does cutting make proofs sharper? Not by doubles where positions are as far off as features are apart.
+  bool may_gain(const PathPart<T>& part, const std::array<double, 4>& deviations, double gap_at_start) const {
+    const double error = std::max(part.from.error, part.to.error);
+    if (std::is_same_v<T, double> && !(gap_at_start > 8 * error)) return false;
+    const double deviation = *std::max_element(deviations.begin(), deviations.end());
+    return deviation > 4 * error || part.length() > kShortest<T>;
   }
 
   bool cut_around_crossing(const PathPart<T>& part, const TimeInterval<double>& window) {

@@ -22,6 +22,9 @@ class IsolatedPath : public Path {
                   std::span<double> deviations) const override {
     isolated([&] { path_.deviations(from, to, vertices, deviations); });
   }
+  void straight_directions(std::span<const Index> vertices, std::span<Point> directions) const override {
+    isolated([&] { path_.straight_directions(vertices, directions); });
+  }
 
  private:
   const Path& path_;

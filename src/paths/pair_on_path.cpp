@@ -15,6 +15,10 @@ void Path::fine_points_at(double time, std::span<const Index> vertices, std::spa
   for (std::size_t i = 0; i < vertices.size(); ++i) points[i] = {high[i], {0, 0, 0}, errors[i]};
 }
 
+void Path::straight_directions(std::span<const Index>, std::span<Point> directions) const {
+  std::fill(directions.begin(), directions.end(), Point{0, 0, 0});
+}
+
 namespace {
 
 void validate(const PathOptions& options) {

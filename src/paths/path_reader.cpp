@@ -7,6 +7,7 @@
 #include "numerics/finite.hpp"
 #include "numerics/number_text.hpp"
 #include "numerics/scale.hpp"
+#include "paths/check_path.hpp"
 #include "tamis/error.hpp"
 
 namespace tamis {
@@ -25,6 +26,18 @@ template <class T>
 Moment<T> fill_up(Moment<T> moment, std::size_t count) {
   for (std::size_t i = count; i < 4; ++i) moment.points[i] = moment.points[0];
   return moment;
+}
+
+StraightDirection direction_of(Index vertex, const Point& given) {
+  check_path(is_finite(given), "vertex " + std::to_string(vertex) +
+                                   " of the path goes straight along a direction that is not finite: give a finite "
+                                   "one, or zeros");
+  const double size = std::max({std::fabs(given[0]), std::fabs(given[1]), std::fabs(given[2])});
+  if (size == 0) return {};
+  const double scale = scale_below_one(size);
+  const Vec3<double> d{scale * given[0], scale * given[1], scale * given[2]};
+  if (Point{d.x / scale, d.y / scale, d.z / scale} != given) return {};  // some of it is lost
+  return {d, 1 / std::sqrt(dot(d, d)) * (1 + 0x1p-48)};                  // off by 4 u before
 }
 
 }  // namespace
@@ -46,7 +59,11 @@ void check_deviation(Index vertex, double from, double to, double deviation) {
 PairReader::PairReader(const Path& path, const PairVertices& vertices)
     : path_(path),
       vertices_(vertices),
-      count_(static_cast<std::size_t>(std::find(vertices.begin(), vertices.end(), -1) - vertices.begin())) {}
+      count_(static_cast<std::size_t>(std::find(vertices.begin(), vertices.end(), -1) - vertices.begin())) {
+  std::array<Point, 4> given{};
+  path_.straight_directions(std::span(vertices_).first(count_), given);
+  for (std::size_t i = 0; i < count_; ++i) directions_[i] = direction_of(vertices_[i], given[i]);
+}
 
 void PairReader::set_unit_at(double time) {
   scale_ = 1;

@@ -22,6 +22,15 @@ struct Moment {
   double error = 0;  ///< the width of the widest interval
 };
 
+/// A direction along which a vertex goes straight, and one by its length, rounded up; zeros: none is known.
+struct StraightDirection {
+  Vec3<double> direction{0, 0, 0};
+  double per_length = 0;
+
+  bool is_known() const { return per_length > 0; }
+};
+using StraightDirections = std::array<StraightDirection, 4>;
+
 /// Asks for the vertices at a time; lengths times a power of two.
 class PairReader {
  public:
@@ -31,6 +40,7 @@ class PairReader {
   /// Brings lengths to the size that the pair has at a time.
   void set_unit_at(double time);
   double scale() const { return scale_; }
+  const StraightDirections& directions() const { return directions_; }
 
   /// `T`: double asks points_at, DoubleDouble fine_points_at.
   template <class T>
@@ -42,6 +52,7 @@ class PairReader {
   const Path& path_;
   PairVertices vertices_;
   std::size_t count_;  ///< vertices in use
+  StraightDirections directions_;
   double scale_ = 1;
 };
 

@@ -162,6 +162,7 @@ RigidPath::RigidPath(std::vector<Point> rest, std::vector<Index> body_of_vertex,
       chains_(std::move(chains)) {
   validate(rest_, body_of_vertex_, chains_, rest_end_);
   const std::vector<ChainBounds> bounds(chains_.begin(), chains_.end());
+  for (const Chain& chain : chains_) axes_.push_back(fixed_axis(chain));
   for (std::size_t v = 0; v < rest_.size(); ++v) {
     const ChainBounds& of_body = bounds[static_cast<std::size_t>(body_of_vertex_[v])];
     const double way = rest_[v] == rest_end_[v] ? 0 : change(rest_[v], rest_end_[v]);
@@ -234,6 +235,11 @@ void RigidPath::deviations(double from, double to, std::span<const Index> vertic
     const auto v = static_cast<std::size_t>(vertices[i]);
     deviations[i] = Curvature{accelerations_[v], reaches_[v]}.deviation(length);
   }
+}
+
+void RigidPath::straight_directions(std::span<const Index> vertices, std::span<Point> directions) const {
+  for (std::size_t i = 0; i < vertices.size(); ++i)
+    directions[i] = axes_[static_cast<std::size_t>(body_of_vertex_[static_cast<std::size_t>(vertices[i])])];
 }
 
 }  // namespace tamis

@@ -5,6 +5,7 @@
 
 #include "narrow/separation.hpp"
 #include "numerics/assert.hpp"
+#include "paths/chords.hpp"
 #include "paths/path_parts.hpp"
 
 namespace tamis {
@@ -26,6 +27,14 @@ Point middle_of(const Vec3<Interval>& p) { return {finite_middle(p.x), finite_mi
 double slack_of(const PathPart<double>& part, const std::array<double, 4>& deviations) {
   const double deviation = *std::max_element(deviations.begin(), deviations.end());
   return (2 * deviation + position_slack(std::max(part.from.error, part.to.error))) * (1 + 0x1p-40);
+}
+
+bool axis_proves_free(PairKind kind, const PathPart<double>& part, const std::array<double, 4>& deviations,
+                      const StraightDirections& directions, double separation) {
+  return with_kind(kind, [&](auto k) {
+    const Chords<k(), double> chords(part.from, part.to, deviations, directions);
+    return chords.axis_proves_free(chords.at_ends(), separation);
+  });
 }
 
 /// At one time: is the distance within the separation, certainly?
@@ -61,7 +70,9 @@ Decision first_within_on_path(const PathQuestion& question, const PairReader& re
   PathParts<double> parts(question, reader, time);
   while (auto part = parts.next()) {
     const double from = part->from.time, to = part->to.time;
-    const double slack = slack_of(*part, reader.deviations(from, to));
+    const std::array<double, 4> deviations = reader.deviations(from, to);
+    if (axis_proves_free(kind, *part, deviations, reader.directions(), separation)) continue;
+    const double slack = slack_of(*part, deviations);
     const auto m = make_motion(kind, points_between(part->from, part->to), separation + slack);
     const Decision chords = first_within(kind, m, {0, 1});
     if (chords.verdict == Verdict::is_free) continue;
@@ -69,9 +80,10 @@ Decision first_within_on_path(const PathQuestion& question, const PairReader& re
     const double lower = std::clamp(reached, from, std::nextafter(to, 0.0));
     if (to - lower <= question.tolerance && touches_at(kind, part->to, separation))
       return {Verdict::touches, lower, to};
-    const bool is_short = to - from <= 0x1p-50 * to || to - from < 0x1p-100;
+    const double next = lower + kNext * (to - lower);
+    const bool is_short = to - from <= 0x1p-50 * to || to - from < 0x1p-100 || !(next > lower);
     if (is_short || parts.taken() > kMostPartsWithin) return {Verdict::unsure, lower, to};
-    parts.add({lower > from ? reader.at<double>(lower) : part->from, part->to}, lower + kNext * (to - lower));
+    parts.add({lower > from ? reader.at<double>(lower) : part->from, part->to}, next);
   }
   return {};
 }

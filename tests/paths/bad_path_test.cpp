@@ -26,7 +26,10 @@ struct ToldPath final : Path {
   void deviations(double, double, std::span<const Index> vertices, std::span<double> deviations) const override {
     for (std::size_t i = 0; i < vertices.size(); ++i) deviations[i] = deviation;
   }
-  double height = 0.5, error = 0, deviation = 0;
+  void straight_directions(std::span<const Index>, std::span<Point> directions) const override {
+    for (Point& d : directions) d = {0, 0, direction};
+  }
+  double height = 0.5, error = 0, deviation = 0, direction = 0;
 };
 
 template <class Error, class F>
@@ -56,6 +59,9 @@ TEST(BadPath, IsNamed) {
   path.error = kNan;
   expect_message<InvalidPath>(ask, "has the error");
   path.error = 0;
+  path.direction = kInfinity;
+  expect_message<InvalidPath>(ask, "along a direction that is not finite");
+  path.direction = 0;
   path.height = kNan;
   expect_message<InvalidPath>(ask, "vertex 0 of the path at t = 0 is not finite");
   path.height = kInfinity;

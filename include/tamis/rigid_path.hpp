@@ -67,7 +67,7 @@ class RigidPath final : public Path {
   std::vector<Point> rest_, rest_end_;
   std::vector<Index> body_of_vertex_;
   std::vector<Chain> chains_;
-  std::vector<Point> axes_;  ///< of each chain
+  std::vector<Point> axes_;                      ///< of each chain
   std::vector<double> accelerations_, reaches_;  ///< bounds of each vertex: how its curve bends, how far it strays
 };
 

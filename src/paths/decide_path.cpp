@@ -43,10 +43,11 @@ class PathSolver {
     const std::array<double, 4> deviations = reader_.deviations(part.from.time, part.to.time);
     const Chords<kind, T> chords(part.from, part.to, deviations, reader_.directions());
     const auto ends = chords.at_ends();
-    if (chords.axis_proves_free(ends)) return false;
     const auto widened = chords.motion();
-    if constexpr (can_cross(kind)) {
-      if (Dnf::proves_free<kind>(widened) || Ncf::proves_free<kind>(widened)) return false;
+    if (proves_free(chords, ends, widened)) return false;
+    if (!std::is_same_v<T, double> && !is_apart_at_start(part)) {
+      decision = {Verdict::unsure, part.from.time, end_of_shortest(part.from.time, part.to.time)};
+      return true;
     }
     const PathCrossing crossing = can_cross(kind) ? crossing_of(ends) : PathCrossing{};
     if (crossing.is_opposite()) {
@@ -61,6 +62,32 @@ class PathSolver {
         parts_.cut(part, near_middle(part.from.time, part.to.time)))
       return false;
     return settles_further(part, widened, crossing, decision);
+  }
+
+  static bool proves_free(const Chords<kind, T>& chords, const PairMotion<BasicInterval<T>>& ends,
+                          const PairMotion<BasicInterval<T>>& widened) {
+    if (chords.axis_proves_free(ends)) return true;
+    if constexpr (can_cross(kind))
+      return Dnf::proves_free<kind>(widened) || Ncf::proves_free<kind>(widened);
+    else
+      return false;
+  }
+
+  bool is_apart_at_start(const PathPart<T>& part) const {
+    constexpr std::array<double, 4> kNoDeviations{};
+    const Chords<kind, T> start(part.from, part.from, kNoDeviations, reader_.directions());
+    const auto ends = start.at_ends();
+    return proves_free(start, ends, ends);
+  }
+
+  /// Where cutting ends of which the first part is cut again and again.
+  static double end_of_shortest(double from, double to) {
+    while (to - from > kShortest<T>) {
+      const double middle = near_middle(from, to);
+      if (!(from < middle && middle < to)) break;
+      to = middle;
+    }
+    return to;
   }
 
   /// Does cutting make proofs sharper? Not by doubles where positions are as far off as features are apart.

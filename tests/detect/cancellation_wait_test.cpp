@@ -114,8 +114,11 @@ struct Squares {
     for (int i = 0; i < 2; ++i) rest.insert(rest.end(), {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}});
   }
   Mesh mesh() const { return {8, faces}; }
+  /// The first link turns next to nothing, but about another axis: no axis stays, which would make it easy.
   RigidPath path(double height, const Point& turn) const {
-    return {rest, body, {Chain{}, turned({{0.1, 0.05, height}, {0, 0, 0}}, turn, {0.3, 0.15, height})}};
+    Chain chain = turned({{0.1, 0.05, height}, {0, 0, 0}}, turn, {0.3, 0.15, height});
+    chain.insert(chain.begin(), Link{{}, {{0, 0, 0}, {0, 1e-300, 0}}});
+    return {rest, body, {Chain{}, chain}};
   }
 };
 

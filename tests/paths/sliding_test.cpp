@@ -93,6 +93,23 @@ TEST(Sliding, AtExactlyTheSeparationEnds) {
   EXPECT_GT(touching, 30);
 }
 
+// Bug: what touches where it starts is cut a hundred times to find that out.
+TEST(Sliding, WhatTouchesAtTheStartIsKnownAtOnce) {
+  Random random(3);
+  int touching = 0;
+  for (int i = 0; i < 300; ++i) {
+    const PairKind kind = random.coin() ? PairKind::vertex_face : PairKind::edge_edge;
+    const RigidPath path = sliding(random, kind, 0);
+    const CountedPath counted(path);
+    const PairResult result = ask(counted, kind, 0);
+    if (!result.touches || result.toi_lower > 0) continue;
+    ++touching;
+    EXPECT_LT(result.toi_upper, 1e-15) << i;
+    EXPECT_LT(counted.asked, 10) << i;
+  }
+  EXPECT_GT(touching, 30);
+}
+
 /// The direction of a point of a body that goes by this chain.
 Point direction_of(const Chain& chain) {
   const RigidPath path({{1, 2, 3}}, {0}, {chain});

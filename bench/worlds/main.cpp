@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "scenes/machines.hpp"
 #include "scenes/shapes.hpp"
 #include "tamis/detector.hpp"
 #include "tamis/world.hpp"
@@ -219,29 +220,41 @@ void two_large_bodies(int steps) {
   print_row("earliest of two rough balls of 20,172 triangles, near, one turning", first.contact.has_value(), cost);
 }
 
-/// A nut that turns on a bolt by `angle` a step and follows the thread, all of which is near the bolt's.
-void nut_on_bolt(Index around, double angle, int steps) {
-  const scenes::Thread bolt{8, around, 6, 1, 0.25, 0.12};
-  scenes::Thread nut = bolt;
-  nut.turns = 3;
-  nut.radius += 0.01;
+/// The step of a machine, and back, and again.
+void machine_row(const std::string& what, const scenes::Machine& machine, int steps) {
   World world(one_thread());
-  world.add(shape_of(scenes::thread(bolt)), Static{});
-  const BodyId turning = world.add(shape_of(scenes::thread(nut)), Static{});
-  const auto pose = [&](double turned) {
-    return Pose{{0, 0, bolt.pitch * (1 + turned / (2 * std::numbers::pi))}, {0, 0, turned}};
-  };
+  std::vector<Shape> shapes;
+  for (const scenes::Shape& shape : machine.shapes) shapes.push_back(shape_of(shape));
+  std::size_t triangles = 0;
+  for (const auto& [shape, way] : machine.parts) {
+    world.add(shapes[shape], Static{way.start});
+    triangles += machine.shapes[shape].faces.size();
+  }
   EarliestBodyContact first;
   const Cost cost = milliseconds(
       steps,
       [&](int step) {
-        world.move(turning, Rigid{interpolated(pose(angle * (step % 20)), pose(angle * (step % 20 + 1)))});
+        for (std::size_t i = 0; i < machine.parts.size(); ++i) {
+          const auto& [start, end] = machine.parts[i].way;
+          if (start.position == end.position && start.rotation == end.rotation) continue;
+          world.move(static_cast<BodyId>(i),
+                     Rigid{step % 2 == 0 ? interpolated(start, end) : interpolated(end, start)});
+        }
       },
       [&] { first = world.earliest(); });
-  print_row("earliest of a nut of " + std::to_string(2 * nut.turns * around * nut.along) + " triangles on a bolt of " +
-                std::to_string(2 * bolt.turns * around * bolt.along) + ", which turns by " +
-                std::to_string(angle).substr(0, 3) + " radians",
-            first.contact.has_value(), cost);
+  print_row("earliest of " + what + ", " + std::to_string(triangles) + " triangles", first.contact.has_value(), cost);
+}
+
+void machines(const std::string& which, int steps) {
+  const bool is_all = which.empty() || which == "machines";
+  if (is_all || which == "nut") {
+    machine_row("a nut that turns by 0.1 radians on a bolt", scenes::nut_on_bolt(32, 0.1, false), steps);
+    machine_row("a nut that turns by 1 radian on a bolt", scenes::nut_on_bolt(32, 1, false), steps);
+  }
+  if (!is_all) return;
+  machine_row("12 gears of 24 teeth that turn by 0.1 radians", scenes::gear_train(12, 24, 0.1, false), steps);
+  machine_row("a net of 280 linked rings that sag", scenes::chain_net(10, 16, 8, 0.02), steps);
+  machine_row("a block that flies through a narrow tunnel", scenes::tunnel(16, 0.005), steps);
 }
 
 /// A plate that turns on another one, in a plane askew, apart by `gap` or by what rounding leaves of that.
@@ -341,7 +354,7 @@ void arm(int steps) {
 
 }  // namespace
 
-/// Which: two, many (or one of its numbers of bodies), nut, plates, room, or arm; all without one.
+/// Which: two, many (or one of its numbers of bodies), machines (or nut), plates, room, or arm; all without one.
 int main(int count, char** arguments) {
   const std::string which = count > 2 ? arguments[2] : "";
   const int steps = std::max(1, count > 1 ? std::atoi(arguments[1]) : 20);
@@ -349,8 +362,7 @@ int main(int count, char** arguments) {
   if (which.empty() || which == "two") two_large_bodies(steps);
   for (const int bodies : {1000, 10000})
     if (which.empty() || which == "many" || which == std::to_string(bodies)) many_bodies(bodies, steps);
-  if (which.empty() || which == "nut")
-    for (const double angle : {0.1, 1.}) nut_on_bolt(32, angle, steps);
+  machines(which, steps);
   if (which.empty() || which == "plates")
     for (const double gap : {1e-6, 1e-10, 1e-13}) plate_on_plate(gap, steps);
   if (which.empty() || which == "room") room(steps);

@@ -1,0 +1,38 @@
+// Machines of rigid bodies whose parts are near each other all the time: rebuilt from the descriptions of the examples
+// of Rigid IPC (Ferguson et al. 2021, "Intersection-free Rigid Body Dynamics"), each as one step. Unlike other scenes
+// they use sine and cosine, and may differ in last places from machine to machine.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "scenes/shapes.hpp"
+#include "tamis/rigid_path.hpp"
+
+namespace tamis::scenes {
+
+struct MachinePart {
+  std::size_t shape;  ///< of Machine::shapes
+  Link way;           ///< rotation vector and position linear; of what stands, the same at both ends
+};
+
+struct Machine {
+  std::vector<Shape> shapes;
+  std::vector<MachinePart> parts;
+};
+
+/// `count` wheels of `teeth` teeth, an even number, in a row, each in the gaps of the next; all turn, every other one the other way.
+/// The last one is held if `is_jammed`.
+Machine gear_train(Index count, Index teeth, double turn, bool is_jammed);
+
+/// A nut that turns and follows the thread of a bolt, `around` cells a turn; without following it if `is_jammed`.
+Machine nut_on_bolt(Index around, double turn, bool is_jammed);
+
+/// Rings, `side` x `side` flat ones, each linked with its neighbours by upright ones, all open to fall: the outermost
+/// are held, the others sag by `fall` and swing. Cells around a ring and around its wire: `around`, `across`.
+Machine chain_net(Index side, Index around, Index across, double fall);
+
+/// A block that flies through a tunnel little wider than itself, of `cells` x `cells` quads a side; it turns about its
+/// way by `turn`, of which the tunnel has room for some 0.01. Both lie askew.
+Machine tunnel(Index cells, double turn);
+
+}  // namespace tamis::scenes

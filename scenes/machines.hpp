@@ -20,8 +20,8 @@ struct Machine {
   std::vector<MachinePart> parts;
 };
 
-/// `count` wheels of `teeth` teeth, an even number, in a row, each in the gaps of the next; all turn, every other one the other way.
-/// The last one is held if `is_jammed`.
+/// `count` wheels of `teeth` teeth, an even number, in a row, each in the gaps of the next; all turn, every other one
+/// the other way. The last one is held if `is_jammed`.
 Machine gear_train(Index count, Index teeth, double turn, bool is_jammed);
 
 /// A nut that turns and follows the thread of a bolt, `around` cells a turn; without following it if `is_jammed`.

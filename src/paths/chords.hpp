@@ -36,7 +36,7 @@ class Chords {
   using Deviations = std::array<double, 4>;
 
   Chords(const Moment<T>& from, const Moment<T>& to, const Deviations& deviations,
-         const StraightDirections& directions = {})
+         const StraightDirections& directions = kNoDirections)
       : from_(from), to_(to), deviations_(deviations), directions_(directions) {}
 
   /// The vectors of the pair at both ends, widened by the deviations.
@@ -45,17 +45,12 @@ class Chords {
   PairMotion<I> at_ends() const { return motion(Deviations{}); }
 
   /// Farther apart than the separation: by an axis that turns linearly from the gap of the closest points at one end to
-  /// that at the other; where a vertex goes straight along some direction also by that, and by the normals of the
-  /// features.
+  /// that at the other, or along a direction in which a vertex does not deviate.
   bool axis_proves_free(const PairMotion<I>& ends, double separation = 0) const {
-    if (axis_proves_free(gap(ends.e.at0, ends.f.at0, ends.d.at0), gap(ends.e.at1, ends.f.at1, ends.d.at1), separation))
-      return true;
+    const Vec3<I> n0 = gap(ends.e.at0, ends.f.at0, ends.d.at0), n1 = gap(ends.e.at1, ends.f.at1, ends.d.at1);
+    if (axes_prove_free(axis(n0), axis(n1), separation)) return true;
     const auto known = std::ranges::find_if(directions_, [](const auto& d) { return d.is_known(); });
-    if (known == directions_.end()) return false;
-    const Vec3<I> d = towards_first(vector(known->direction), from_);
-    if (axis_proves_free(d, d, separation)) return true;
-    return can_cross(kind) && axis_proves_free(towards_first(cross(ends.e.at0, ends.f.at0), from_),
-                                               towards_first(cross(ends.e.at1, ends.f.at1), to_), separation);
+    return known != directions_.end() && direction_proves_free(ends, vector(known->direction), separation);
   }
 
   /// About as far as the features are apart.
@@ -85,28 +80,46 @@ class Chords {
     I length;
     std::array<I, 4> beside;
   };
-  /// |n . s| of a deviation s across a direction d is at most |n x d| / |d| times |s|.
   Axis axis(const Vec3<I>& n) const {
     Axis axis{n, length_above(n), {}};
-    for (std::size_t i = 0; i < 4; ++i) {
-      const auto& [d, per_length] = directions_[i];
-      I reach = axis.length;
-      if (directions_[i].is_known()) {
-        const I across = length_above(cross(n, vector(d))) * I(T(per_length));
-        if (across.upper < reach.upper) reach = across;
-      }
-      axis.beside[i] = reach * I(T(deviations_[i]));
-    }
+    for (std::size_t i = 0; i < 4; ++i) axis.beside[i] = axis.length * I(T(deviations_[i]));
     return axis;
   }
+  /// |n . s| of a deviation s across a direction d is at most |n x d| / |d| times |s|.
+  Axis sharp_axis(const Vec3<I>& n) const {
+    Axis sharp = axis(n);
+    for (std::size_t i = 0; i < 4; ++i) {
+      const auto& [d, per_length] = directions_[i];
+      if (!directions_[i].is_known()) continue;
+      const I across = length_above(cross(n, vector(d))) * I(T(per_length));
+      if (across.upper < sharp.length.upper) sharp.beside[i] = across * I(T(deviations_[i]));
+    }
+    return sharp;
+  }
 
-  bool axis_proves_free(const Vec3<I>& n0, const Vec3<I>& n1, double separation) const {
-    const Axis a0 = axis(n0), a1 = axis(n1);
+  /// Of what lies across the direction d, or nearly: by d itself, or by the normals of the features, which may be a
+  /// little askew. Their closest points tell no axis where they are as far apart as rounding goes.
+  bool direction_proves_free(const PairMotion<I>& ends, const Vec3<I>& d, double separation) const {
+    const double deviation = *std::max_element(deviations_.begin(), deviations_.end());
+    const double thin = separation + 8 * std::max(deviation, from_.error);
+    for (const auto& [i, j] : kDifferences<kind>)
+      if (!(std::fabs(nearest_double(dot(d, from_.points[i] - from_.points[j]).middle())) <= thin)) return false;
+    const auto prove_free = [&](const Vec3<I>& at0, const Vec3<I>& at1) {
+      return axes_prove_free(sharp_axis(at0), sharp_axis(at1), separation);
+    };
+    const Vec3<I> towards = towards_first(d, from_);
+    if (prove_free(towards, towards)) return true;
+    return can_cross(kind) && prove_free(towards_first(cross(ends.e.at0, ends.f.at0), from_),
+                                         towards_first(cross(ends.e.at1, ends.f.at1), to_));
+  }
+
+  bool axes_prove_free(const Axis& a0, const Axis& a1, double separation) const {
     const I apart = T(separation), apart0 = a0.length * apart, apart1 = a1.length * apart;
     for (const auto& [i, j] : kDifferences<kind>) {
       const auto c0 = from_.points[i] - from_.points[j], c1 = to_.points[i] - to_.points[j];
       const I lost0 = apart0 + a0.beside[i] + a0.beside[j], lost1 = apart1 + a1.beside[i] + a1.beside[j];
-      if (!(dot(n0, c0) > lost0 && dot(n1, c1) > lost1 && dot(n0, c1) + dot(n1, c0) > lost0 + lost1)) return false;
+      if (!(dot(a0.n, c0) > lost0 && dot(a1.n, c1) > lost1 && dot(a0.n, c1) + dot(a1.n, c0) > lost0 + lost1))
+        return false;
     }
     return true;
   }
@@ -133,7 +146,7 @@ class Chords {
   const Moment<T>& from_;
   const Moment<T>& to_;
   const Deviations& deviations_;
-  const StraightDirections directions_;
+  const StraightDirections& directions_;
 };
 
 /// At every time of the motion at which the four points are coplanar the features cross, each strictly inside the

@@ -43,8 +43,9 @@ class PathSolver {
     const std::array<double, 4> deviations = reader_.deviations(part.from.time, part.to.time);
     const Chords<kind, T> chords(part.from, part.to, deviations, reader_.directions());
     const auto ends = chords.at_ends();
+    if (chords.axis_proves_free(ends)) return false;
     const auto widened = chords.motion();
-    if (proves_free(chords, ends, widened)) return false;
+    if (filters_prove_free(widened)) return false;
     if (!std::is_same_v<T, double> && !is_apart_at_start(part)) {
       decision = {Verdict::unsure, part.from.time, end_of_shortest(part.from.time, part.to.time)};
       return true;
@@ -64,11 +65,9 @@ class PathSolver {
     return settles_further(part, widened, crossing, decision);
   }
 
-  static bool proves_free(const Chords<kind, T>& chords, const PairMotion<BasicInterval<T>>& ends,
-                          const PairMotion<BasicInterval<T>>& widened) {
-    if (chords.axis_proves_free(ends)) return true;
+  static bool filters_prove_free(const PairMotion<BasicInterval<T>>& m) {
     if constexpr (can_cross(kind))
-      return Dnf::proves_free<kind>(widened) || Ncf::proves_free<kind>(widened);
+      return Dnf::proves_free<kind>(m) || Ncf::proves_free<kind>(m);
     else
       return false;
   }
@@ -77,7 +76,7 @@ class PathSolver {
     constexpr std::array<double, 4> kNoDeviations{};
     const Chords<kind, T> start(part.from, part.from, kNoDeviations, reader_.directions());
     const auto ends = start.at_ends();
-    return proves_free(start, ends, ends);
+    return start.axis_proves_free(ends) || filters_prove_free(ends);
   }
 
   /// Where cutting ends of which the first part is cut again and again.

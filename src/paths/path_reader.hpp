@@ -30,6 +30,7 @@ struct StraightDirection {
   bool is_known() const { return per_length > 0; }
 };
 using StraightDirections = std::array<StraightDirection, 4>;
+inline constexpr StraightDirections kNoDirections{};
 
 /// Asks for the vertices at a time; lengths times a power of two.
 class PairReader {

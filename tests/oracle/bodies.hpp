@@ -1,4 +1,4 @@
-// The oracle of two turning bodies: the first touch of all pairs of their features, each by itself.
+// The oracle of moving bodies: the first touch of all pairs of their features, each by itself.
 #pragma once
 #include <vector>
 
@@ -7,13 +7,16 @@
 
 namespace tamis::oracle {
 
-struct TurningBody {
+struct MovingBody {
   std::vector<Point> points;  ///< in its own frame
   std::vector<Face> faces;
-  Turning motion;
+  std::vector<Turning> links = {};        ///< outermost first; none: the frame is the world's
+  std::vector<Point> points_at_end = {};  ///< each goes straight to there in its own frame; empty: all stay
 };
 
 /// The first time at which the bodies are nearer than `separation` and 1e-15, as apart_until; above 1: never.
-Real first_touch(const TurningBody& first, const TurningBody& second, Real separation = 0);
+Real first_touch(const MovingBody& first, const MovingBody& second, Real separation = 0);
+/// Of a body with itself: of features without a common vertex.
+Real first_touch(const MovingBody& body, Real separation = 0);
 
 }  // namespace tamis::oracle

@@ -66,15 +66,18 @@ RealPoint position(const Turning& body, const RealPoint& y, Real t) {
   return plus(plus(plus(y, s, turned), 2 * h * h, cross(theta, turned)), 1, p);
 }
 
+Real distance(PairKind kind, const std::array<RealPoint, 4>& x) {
+  return kind == PairKind::vertex_face ? to_triangle(x[0], x[1], x[2], x[3]) : segments(x[0], x[1], x[2], x[3]);
+}
+
 Real distance(const TurningPair& pair, Real t) {
   std::array<RealPoint, 4> x;
   for (std::size_t i = 0; i < 4; ++i)
     x[i] = position(i < first_of_second(pair.kind) ? pair.first : pair.second, pair.points[i], t);
-  return pair.kind == PairKind::vertex_face ? to_triangle(x[0], x[1], x[2], x[3]) : segments(x[0], x[1], x[2], x[3]);
+  return distance(pair.kind, x);
 }
 
 Real apart_until(const TurningPair& pair, Real separation) {
-  constexpr Real kFloor = 1e-15L;
   Real fastest_first = 0, fastest_second = 0;
   for (std::size_t i = 0; i < 4; ++i) {
     if (i < first_of_second(pair.kind))
@@ -82,15 +85,7 @@ Real apart_until(const TurningPair& pair, Real separation) {
     else
       fastest_second = std::max(fastest_second, speed(pair.second, pair.points[i]));
   }
-  const Real fastest = fastest_first + fastest_second;
-  Real t = 0;
-  while (t <= 1) {
-    const Real apart = distance(pair, t) - separation;
-    if (apart < kFloor) return t;
-    if (!(fastest > 0)) return 2;
-    t += apart / fastest;
-  }
-  return 2;
+  return apart_until([&](Real t) { return distance(pair, t); }, fastest_first + fastest_second, separation);
 }
 
 }  // namespace tamis::oracle

@@ -26,10 +26,25 @@ struct TurningPair {
 RealPoint position(const Turning& body, const RealPoint& x, Real t);
 RealPoint position(const Turning& body, const Point& x, Real t);
 /// Of the closed features.
+Real distance(PairKind kind, const std::array<RealPoint, 4>& points);
 Real distance(const TurningPair& pair, Real t);
 
 /// The first time at which the pair is nearer than `separation` and 1e-15; before it is proven farther apart, but for
 /// rounding (1e-18 of the sizes). Above 1: never.
 Real apart_until(const TurningPair& pair, Real separation = 0);
+
+/// The same of any distance(t) that changes by no more than `fastest` a unit of time.
+template <class Distance>
+Real apart_until(const Distance& distance, Real fastest, Real separation) {
+  constexpr Real kFloor = 1e-15L;
+  Real t = 0;
+  while (t <= 1) {
+    const Real apart = distance(t) - separation;
+    if (apart < kFloor) return t;
+    if (!(fastest > 0)) return 2;
+    t += apart / fastest;
+  }
+  return 2;
+}
 
 }  // namespace tamis::oracle

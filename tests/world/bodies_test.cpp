@@ -4,8 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "oracle/turning.hpp"
-#include "world/random_world.hpp"
+#include "world/oracle_world.hpp"
 
 namespace tamis::test {
 namespace {
@@ -215,27 +214,8 @@ TEST(World, TurnsANutOnABolt) {
     EXPECT_TRUE(world.is_free()) << angle;
     const Pose end = turned(angle, 0.15);
     world.move(turning, Rigid{interpolated(start, end)});
-    const oracle::Turning of_bolt{}, of_nut{start.rotation, end.rotation, start.position, end.position};
-    double first = 2;
-    const auto ask = [&](PairKind kind, const std::array<Point, 4>& points, bool bolt_first) {
-      const oracle::TurningPair pair{kind, points, bolt_first ? of_bolt : of_nut, bolt_first ? of_nut : of_bolt};
-      first = std::min(first, static_cast<double>(oracle::apart_until(pair)));
-    };
-    const auto ask_faces = [&](const Shape& of_vertices, const Shape& of_faces, bool bolt_first) {
-      const auto& f = of_faces.points();
-      for (const Index v : of_vertices.mesh().points())
-        for (const Face& face : of_faces.mesh().faces())
-          ask(PairKind::vertex_face,
-              {of_vertices.points()[place(v)], f[place(face[0])], f[place(face[1])], f[place(face[2])]}, bolt_first);
-    };
-    ask_faces(bolt, nut, true);
-    ask_faces(nut, bolt, false);
-    for (const Edge& a : bolt.mesh().edges())
-      for (const Edge& b : nut.mesh().edges())
-        ask(PairKind::edge_edge,
-            {bolt.points()[place(a[0])], bolt.points()[place(a[1])], nut.points()[place(b[0])],
-             nut.points()[place(b[1])]},
-            true);
+    const auto first = static_cast<double>(
+        oracle::first_touch(for_oracle(bolt, Static{}), for_oracle(nut, Rigid{interpolated(start, end)})));
     const EarliestBodyContact found = world.earliest();
     ASSERT_TRUE(found.contact) << angle;
     EXPECT_EQ(std::set<BodyId>(found.contact->bodies.begin(), found.contact->bodies.end()),

@@ -13,20 +13,6 @@ namespace {
 /// So far apart that some motions are free.
 constexpr double kSize = 5;
 
-void expect_same_bits(const EarliestBodyContact& a, const EarliestBodyContact& b) {
-  EXPECT_EQ(a.toi_lower, b.toi_lower);
-  EXPECT_EQ(a.toi_upper, b.toi_upper);
-  ASSERT_EQ(a.contact.has_value(), b.contact.has_value());
-  if (!a.contact) return;
-  EXPECT_EQ(named(*a.contact), named(*b.contact));
-  EXPECT_EQ(a.contact->toi_lower, b.contact->toi_lower);
-  EXPECT_EQ(a.contact->toi_upper, b.contact->toi_upper);
-  EXPECT_EQ(a.contact->u, b.contact->u);
-  EXPECT_EQ(a.contact->v, b.contact->v);
-  EXPECT_EQ(a.contact->normal, b.contact->normal);
-  EXPECT_EQ(a.contact->certainty, b.contact->certainty);
-}
-
 /// Motions of the first two bodies that move.
 struct Asked {
   std::vector<BodyId> bodies;

@@ -1,5 +1,7 @@
 #include "world/random_world.hpp"
 
+#include <gtest/gtest.h>
+
 #include <algorithm>
 
 namespace tamis::test {
@@ -185,5 +187,19 @@ OneMesh::OneMesh(const TestWorld& world, Options options)
 OneMesh::OneMesh(std::vector<Point> s, std::vector<Point> e, std::vector<std::array<Index, 2>> n, RigidPath p,
                  Detector d)
     : start(std::move(s)), end(std::move(e)), names(std::move(n)), path(std::move(p)), detector(std::move(d)) {}
+
+void expect_same_bits(const EarliestBodyContact& a, const EarliestBodyContact& b) {
+  EXPECT_EQ(a.toi_lower, b.toi_lower);
+  EXPECT_EQ(a.toi_upper, b.toi_upper);
+  ASSERT_EQ(a.contact.has_value(), b.contact.has_value());
+  if (!a.contact) return;
+  EXPECT_EQ(named(*a.contact), named(*b.contact));
+  EXPECT_EQ(a.contact->toi_lower, b.contact->toi_lower);
+  EXPECT_EQ(a.contact->toi_upper, b.contact->toi_upper);
+  EXPECT_EQ(a.contact->u, b.contact->u);
+  EXPECT_EQ(a.contact->v, b.contact->v);
+  EXPECT_EQ(a.contact->normal, b.contact->normal);
+  EXPECT_EQ(a.contact->certainty, b.contact->certainty);
+}
 
 }  // namespace tamis::test

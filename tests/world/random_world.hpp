@@ -85,6 +85,9 @@ NamedPair named(const Pair& pair) {
   return named;
 }
 
+/// Each number of both, and who touches.
+void expect_same_bits(const EarliestBodyContact& a, const EarliestBodyContact& b);
+
 class Random {
  public:
   explicit Random(std::uint64_t seed) : engine_(seed) {}

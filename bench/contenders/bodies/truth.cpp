@@ -4,8 +4,8 @@
 namespace tamis::bench {
 namespace {
 
-oracle::TurningBody for_oracle(const MovingBody& body) {
-  return {body.shape.points, body.shape.faces, {{0, 0, 0}, body.turn, body.from, body.to}};
+oracle::MovingBody for_oracle(const MovingBody& body) {
+  return {body.shape.points, body.shape.faces, {{{0, 0, 0}, body.turn, body.from, body.to}}};
 }
 
 }  // namespace

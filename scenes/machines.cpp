@@ -8,8 +8,6 @@
 namespace tamis::scenes {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-
 Link standing(const Point& position, const Point& rotation = {0, 0, 0}) {
   return {{position, rotation}, {position, rotation}};
 }
@@ -31,7 +29,7 @@ Shape walls(const std::vector<Point>& corners, double half) {
 
 /// Teeth from radius 1 - depth to 1 + depth, as wide as the gaps less some play. The first is at the angle 0.
 Shape gear(Index teeth) {
-  const double tooth = 2 * kPi / teeth, depth = 1.6 / teeth;
+  const double tooth = 2 * std::numbers::pi / teeth, depth = 1.6 / teeth;
   std::vector<Point> corners;
   for (Index i = 0; i < teeth; ++i)
     for (const auto& [part, radius] :
@@ -47,7 +45,8 @@ Shape ring(Index around, Index across, double wire) {
   Shape shape;
   for (Index i = 0; i < around; ++i)
     for (Index j = 0; j < across; ++j) {
-      const double u = 2 * kPi * i / around, v = 2 * kPi * j / across, radius = 1 + wire * std::cos(v);
+      const double u = 2 * std::numbers::pi * i / around, v = 2 * std::numbers::pi * j / across,
+                   radius = 1 + wire * std::cos(v);
       shape.points.push_back({radius * std::cos(u), radius * std::sin(u), wire * std::sin(v)});
       const Index next = (i + 1) % around * across, after = (j + 1) % across;
       const Index a = i * across + j, b = next + j, c = next + after, d = i * across + after;
@@ -66,11 +65,11 @@ Shape stretched(Shape shape, const Point& by) {
 
 Machine gear_train(Index count, Index teeth, double turn, bool is_jammed) {
   Machine machine{{gear(teeth)}, {}};
-  const double tooth = 2 * kPi / teeth;
+  const double tooth = 2 * std::numbers::pi / teeth;
   for (Index i = 0; i < count; ++i) {
     const bool is_odd = i % 2 != 0;
     // A tooth of even ones points at the next; in odd ones a gap does, on both sides.
-    const double start = is_odd ? kPi + tooth / 2 : 0;
+    const double start = is_odd ? std::numbers::pi + tooth / 2 : 0;
     const double end = is_jammed && i == count - 1 ? start : start + (is_odd ? -turn : turn);
     const Point place{2.05 * i, 0, 0};
     machine.parts.push_back({0, {{place, {0, 0, start}}, {place, {0, 0, end}}}});
@@ -83,7 +82,7 @@ Machine nut_on_bolt(Index around, double turn, bool is_jammed) {
   Thread nut = bolt;
   nut.turns = 3;
   nut.radius += 0.01;
-  const Point start{0, 0, bolt.pitch}, end{0, 0, bolt.pitch * (1 + (is_jammed ? 0 : turn / (2 * kPi)))};
+  const Point start{0, 0, bolt.pitch}, end{0, 0, bolt.pitch * (1 + (is_jammed ? 0 : turn / (2 * std::numbers::pi)))};
   return {{thread(bolt), thread(nut)}, {{0, standing({0, 0, 0})}, {1, {{start, {0, 0, 0}}, {end, {0, 0, turn}}}}}};
 }
 
@@ -102,8 +101,8 @@ Machine chain_net(Index side, Index around, Index across, double fall) {
     for (Index j = 0; j < side; ++j) {
       const double x = kApart * i, y = kApart * j;
       add({x, y, 0}, {0, 0, 0}, i == 0 || j == 0 || i == side - 1 || j == side - 1);
-      if (i + 1 < side) add({x + kApart / 2, y, 0}, {kPi / 2, 0, 0}, false);
-      if (j + 1 < side) add({x, y + kApart / 2, 0}, {0, kPi / 2, 0}, false);
+      if (i + 1 < side) add({x + kApart / 2, y, 0}, {std::numbers::pi / 2, 0, 0}, false);
+      if (j + 1 < side) add({x, y + kApart / 2, 0}, {0, std::numbers::pi / 2, 0}, false);
     }
   return machine;
 }

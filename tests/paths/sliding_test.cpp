@@ -38,7 +38,7 @@ class CountedPath final : public Path {
 };
 
 constexpr Point kNormal{1, 2, 2}, kAcross{2, -1, 0}, kAlso{2, 0, -1};
-constexpr std::array<Index, 4> kAll{0, 1, 2, 3};
+constexpr std::array<Index, 4> kVertices{0, 1, 2, 3};
 
 /// In the plane through the origin, lifted along the normal by `height` times its length, 3.
 Point in_plane(double a, double b, double height) {
@@ -61,8 +61,8 @@ RigidPath sliding(Random& random, PairKind kind, double height) {
 }
 
 PairResult ask(const Path& path, PairKind kind, double separation) {
-  return kind == PairKind::vertex_face ? vertex_face(path, kAll, {.min_separation = separation})
-                                       : edge_edge(path, kAll, {.min_separation = separation});
+  return kind == PairKind::vertex_face ? vertex_face(path, kVertices, {.min_separation = separation})
+                                       : edge_edge(path, kVertices, {.min_separation = separation});
 }
 
 // Bug: a gap is found on parts of the step so short that curves deviate from chords by less, 10^5 of a gap of 1e-12.

@@ -45,13 +45,13 @@ def _skinned(roots: list[Any]) -> list[Any]:
     """Return the paths of what holds skeletons and their meshes, above or below some prims."""
     from pxr import Usd, UsdSkel
 
-    found = {}
+    found: list[Any] = []
     for root in roots:
         above = UsdSkel.Root.Find(root)
         for prim in Usd.PrimRange(above.GetPrim() if above else root, Usd.TraverseInstanceProxies()):
-            if prim.IsA(UsdSkel.Root):
-                found[prim.GetPath()] = None
-    return list(found)
+            if prim.IsA(UsdSkel.Root) and prim.GetPath() not in found:
+                found.append(prim.GetPath())
+    return found
 
 
 def _bake(stage: Any, root: Any) -> None:

@@ -1,43 +1,16 @@
 #include "exact/exact_distance.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
-#include "distance/rest_distance.hpp"
+#include "exact/nearest_point.hpp"
+#include "numerics/unit_vector.hpp"
 
 namespace tamis {
 namespace {
 
-using IntegerVec = Vec3<Integer>;
-using Plane = NearestPoint::Plane;
-
-bool is_smaller(const Fraction& a, const Fraction& b) {
-  TAMIS_ASSERT(a.below.sign() > 0 && b.below.sign() > 0);
-  return (a.above * b.below - b.above * a.below).sign() < 0;
-}
-
-struct OnSide {
-  Fraction square, along;
-};
-
-/// Of the segment from corner x to corner y.
-OnSide nearest_on_side(const IntegerVec& x, const IntegerVec& y) {
-  const IntegerVec side = y - x;
-  const Integer before = dot(x, side);
-  if (before.sign() >= 0) return {{dot(x, x)}, {0}};
-  const Integer length2 = dot(side, side);
-  if ((before + length2).sign() <= 0) return {{dot(y, y)}, {1}};                  // y.side
-  return {{dot(x, x) * length2 - before * before, length2}, {-before, length2}};  // |x cross y|^2 (Lagrange)
-}
-
-const IntegerVec& corner(const MovingPolygon& polygon, std::size_t i) { return polygon.corner(i).at0; }
-
-IntegerVec normal_of(const MovingPolygon& polygon) {
-  const IntegerVec& first = corner(polygon, 0);
-  return cross(corner(polygon, 1) - first, corner(polygon, polygon.corner_count - 1) - first);
-}
-
-Vec3<double> unit_vector_of(const IntegerVec& v) {
+Vec3<double> unit_vector_of(const Vec3<Integer>& v) {
   const WideDouble x = WideDouble::of(v.x), y = WideDouble::of(v.y), z = WideDouble::of(v.z);
   const long largest = std::max({x.exponent, y.exponent, z.exponent});  // an integer's is positive, but that of zero
   if (largest == 0) return {0, 0, 0};
@@ -55,101 +28,129 @@ Weights corner_weights(PairKind kind, std::size_t i) {
   return kind == PairKind::edge_edge ? kEdges[i] : kFace[i];
 }
 
-/// Of the point from corner i to corner j, at that time.
-IntegerVec at_weight(const IntegerVec& i, const IntegerVec& j, const Fraction& along) {
-  TAMIS_ASSERT(along.below.sign() > 0);
-  return along.below * i + along.above * (j - i);
-}
+/// Rounds what a search found; of estimates what is sharp.
+template <class Number>
+class Description {
+ public:
+  using Vector = Vec3<Number>;
+  using Polygon = MovingPolygonOf<Number>;
 
-IntegerVec velocity(const MovingPolygon& moving, std::size_t i) { return moving.corner(i).at1 - moving.corner(i).at0; }
+  /// `polygon`: at the time; `moving` tells how it came there.
+  Description(PairKind kind, const Polygon& polygon, const Polygon& moving)
+      : kind_(kind),
+        polygon_(polygon),
+        moving_(moving),
+        nearest_(NearestPointSearch<Number>::in(polygon)),
+        is_sure_(nearest_.is_sure) {}
 
-/// The gap's direction; where there is none, that which it had before: against its velocity, as far as the side does
-/// not take part in that.
-Vec3<double> direction_on_side(const MovingPolygon& polygon, const MovingPolygon& moving, const NearestPoint& nearest) {
-  const std::size_t i = nearest.side, j = i + 1;
-  const IntegerVec gap = at_weight(corner(polygon, i), corner(polygon, j), nearest.along);
-  if (dot(gap, gap).sign() > 0) return unit_vector_of(gap);
-  const IntegerVec came = -at_weight(velocity(moving, i), velocity(moving, j), nearest.along);
-  const bool is_corner = nearest.along.above.sign() == 0 || (nearest.along.below - nearest.along.above).sign() == 0;
-  if (is_corner) return unit_vector_of(came);
-  const IntegerVec side = corner(polygon, j) - corner(polygon, i);
-  return unit_vector_of(dot(side, side) * came - dot(came, side) * side);
-}
+  ExactDistance made() {
+    ExactDistance result = nearest_.is_inside ? inside() : on_side();
+    if (sign(nearest_.square.above) > 0) result.distance = root(nearest_.square);
+    return result;
+  }
+  /// Of what was made; always of integers.
+  bool is_sure() const { return is_sure_; }
 
-ExactDistance on_side(PairKind kind, const MovingPolygon& polygon, const MovingPolygon& moving,
-                      const NearestPoint& nearest) {
-  const std::size_t i = nearest.side, j = (i + 1) % polygon.corner_count;
-  const double s = wide(nearest.along).value();
-  const Weights a = corner_weights(kind, i), b = corner_weights(kind, j);
-  const auto mixed = [&](double from, double to) { return from == to ? from : to > from ? s : 1 - s; };
-  return {0, mixed(a.u, b.u), mixed(a.v, b.v), direction_on_side(polygon, moving, nearest)};
-}
+ private:
+  const Vector& corner(std::size_t i) const { return polygon_.corner(i).at0; }
+  Vector velocity(std::size_t i) const { return moving_.corner(i).at1 - moving_.corner(i).at0; }
 
-ExactDistance inside(const MovingPolygon& moving, const Plane& plane) {
-  const std::size_t end = moving.corner_count - 1;
-  const IntegerVec& normal = plane.normal;
-  const Integer &square = plane.square, &u = plane.within[end], &v = plane.within[0];
-  const auto height_of_velocity = [&] {
-    const IntegerVec v0 = velocity(moving, 0);
-    return dot(normal, square * v0 + u * (velocity(moving, 1) - v0) + v * (velocity(moving, end) - v0));
-  };
-  const int height = plane.height.sign();
-  const bool is_behind = height != 0 ? height < 0 : height_of_velocity().sign() > 0;
-  const Vec3<double> direction = unit_vector_of(normal);
-  return {0, wide({u, square}).value(), wide({v, square}).value(), is_behind ? -direction : direction};
-}
+  int sign(const Number& x) {
+    is_sure_ = is_sure_ && has_sign(x);
+    return x.sign();
+  }
 
-Plane plane_of(const MovingPolygon& polygon) {
-  Plane plane{normal_of(polygon), {}, {}, {}};
-  plane.square = dot(plane.normal, plane.normal);
-  for (std::size_t i = 0; i < polygon.side_count(); ++i)
-    plane.within[i] = dot(plane.normal, cross(corner(polygon, i), corner(polygon, i + 1)));
-  return plane;
-}
+  double root(const Fraction<Integer>& square) const {
+    return wide(square).root().times_two_to(polygon_.exponent).value();
+  }
+  double root(const Fraction<Estimate>& square) { return std::ldexp(std::sqrt(quotient(square)), polygon_.exponent); }
+
+  double quotient(const Fraction<Integer>& a) const { return wide(a).value(); }
+  double quotient(const Fraction<Estimate>& a) {
+    is_sure_ = is_sure_ && a.above.is_sharp() && a.below.is_sharp();
+    return a.above.value() / a.below.value();
+  }
+
+  Vec3<double> unit(const Vec3<Integer>& v) const { return unit_vector_of(v); }
+  Vec3<double> unit(const Vec3<Estimate>& v) {
+    const Vec3<double> rounded{v.x.value(), v.y.value(), v.z.value()};
+    const double size = std::max({std::fabs(rounded.x), std::fabs(rounded.y), std::fabs(rounded.z)});
+    is_sure_ = is_sure_ && v.x.is_sharp(size) && v.y.is_sharp(size) && v.z.is_sharp(size);
+    return size > 0 ? unit_vector(rounded) : rounded;
+  }
+
+  /// Of the point from corner i to corner j, at that time.
+  static Vector at_weight(const Vector& i, const Vector& j, const Fraction<Number>& along) {
+    return along.below * i + along.above * (j - i);
+  }
+
+  /// The gap's direction; where there is none, that which it had before: against its velocity, as far as the side does
+  /// not take part in that.
+  Vec3<double> direction_on_side() {
+    const std::size_t i = nearest_.side, j = i + 1;
+    const Fraction<Number>& along = nearest_.along;
+    if (sign(nearest_.square.above) > 0) return unit(at_weight(corner(i), corner(j), along));
+    const Vector came = -at_weight(velocity(i), velocity(j), along);
+    const bool is_corner = sign(along.above) == 0 || sign(along.below - along.above) == 0;
+    if (is_corner) return unit(came);
+    const Vector side = corner(j) - corner(i);
+    return unit(dot(side, side) * came - dot(came, side) * side);
+  }
+
+  ExactDistance on_side() {
+    const std::size_t i = nearest_.side, j = (i + 1) % polygon_.corner_count;
+    const double s = quotient(nearest_.along);
+    const Weights a = corner_weights(kind_, i), b = corner_weights(kind_, j);
+    const auto mixed = [&](double from, double to) { return from == to ? from : to > from ? s : 1 - s; };
+    return {0, mixed(a.u, b.u), mixed(a.v, b.v), direction_on_side()};
+  }
+
+  ExactDistance inside() {
+    const std::size_t end = moving_.corner_count - 1;
+    const auto& plane = nearest_.plane;
+    const Number &square = plane.square, &u = plane.within[end], &v = plane.within[0];
+    const auto height_of_velocity = [&] {
+      const Vector v0 = velocity(0);
+      return dot(plane.normal, square * v0 + u * (velocity(1) - v0) + v * (velocity(end) - v0));
+    };
+    const int height = sign(plane.height);
+    const bool is_behind = height != 0 ? height < 0 : sign(height_of_velocity()) > 0;
+    const Vec3<double> direction = unit(plane.normal);
+    return {0, quotient({u, square}), quotient({v, square}), is_behind ? -direction : direction};
+  }
+
+  PairKind kind_;
+  const Polygon &polygon_, &moving_;
+  NearestPoint<Number> nearest_;
+  bool is_sure_;
+};
 
 }  // namespace
 
-/// Its plane where the foot of the perpendicular lies inside, else the nearest of the sides that part the two; a side
-/// that holds the origin in any case. No other side is nearer: from the nearest point of a convex polygon the foot lies
-/// along the outward normal of a side, or between those of two that meet, so beyond one of them.
-NearestPoint nearest_point(const MovingPolygon& polygon) {
-  NearestPoint nearest{{}, 0, {}, false, plane_of(polygon)};
-  Plane& plane = nearest.plane;
-  bool is_first = true, is_inside = plane.square.sign() > 0;
-  for (std::size_t i = 0; i < polygon.side_count(); ++i) {
-    if (plane.within[i].sign() > 0) continue;
-    is_inside = is_inside && plane.within[i].sign() == 0;
-    auto [square, along] = nearest_on_side(corner(polygon, i), corner(polygon, i + 1));
-    if (!is_first && !is_smaller(square, nearest.square)) continue;
-    is_first = false;
-    nearest.square = std::move(square);
-    nearest.along = std::move(along);
-    nearest.side = i;
-    if (nearest.square.above.sign() == 0) return nearest;
-  }
-  nearest.is_inside = is_inside;
-  if (!is_inside) return nearest;
-  plane.height = dot(plane.normal, corner(polygon, 0));
-  nearest.square = {plane.height * plane.height, plane.square};
-  return nearest;
+std::optional<ExactDistance> estimated_distance(PairKind kind, const PairPoints& points) {
+  const auto polygon = difference_polygon<Estimate>(kind, points);
+  Description<Estimate> description(kind, polygon, polygon);
+  const ExactDistance made = description.made();
+  return description.is_sure() ? std::optional(made) : std::nullopt;
+}
+
+ExactDistance distance_in_integers(PairKind kind, const PairPoints& points, double time) {
+  const MovingPolygon moving = difference_polygon(kind, points);
+  std::optional<MovingPolygon> later;
+  const MovingPolygon& polygon = time > 0 ? later.emplace(at_rest_at(moving, shortest_cell_at(time))) : moving;
+  return Description<Integer>(kind, polygon, moving).made();
 }
 
 ExactDistance exact_distance(PairKind kind, const PairPoints& points, double time) {
   TAMIS_ASSERT(is_finite(points) && 0 <= time && time <= 1);
-  const MovingPolygon moving = difference_polygon(kind, points);
-  std::optional<MovingPolygon> later;
-  const MovingPolygon& polygon = time > 0 ? later.emplace(at_rest_at(moving, shortest_cell_at(time))) : moving;
-  const NearestPoint nearest = nearest_point(polygon);
-  ExactDistance result = nearest.is_inside ? inside(moving, nearest.plane) : on_side(kind, polygon, moving, nearest);
-  if (nearest.square.above.sign() > 0)
-    result.distance = wide(nearest.square).root().times_two_to(polygon.exponent).value();
-  return result;
+  const auto estimated = time == 0 ? estimated_distance(kind, points) : std::nullopt;
+  return estimated ? *estimated : distance_in_integers(kind, points, time);
 }
 
 Vec3<double> exact_normal(PairKind kind, const PairPoints& points, double time) {
   TAMIS_ASSERT(is_finite(points) && 0 <= time && time <= 1);
-  const Vec3<double> normal =
-      unit_vector_of(normal_of(at_rest_at(difference_polygon(kind, points), shortest_cell_at(time))));
+  const MovingPolygon polygon = at_rest_at(difference_polygon(kind, points), shortest_cell_at(time));
+  const Vec3<double> normal = unit_vector_of(NearestPointSearch<Integer>::normal(polygon));
   return kind == PairKind::edge_edge ? -normal : normal;  // the polygon's sides are -e and f
 }
 

@@ -45,13 +45,21 @@ Exponents lowest_exponents(const PairPoints& points) {
   return lowest;
 }
 
-MovingPolygon polygon(PairKind kind, const PairPoints& points, const Exponents& units) {
+template <class Number>
+Number scaled(double x, int exponent) {
+  if (x == 0) return 0;
+  const Parts parts = parts_of(x);
+  TAMIS_ASSERT(std::isfinite(x) && lowest_exponent(x) >= exponent);
+  return Number::scaled(parts.mantissa, parts.exponent - exponent);
+}
+
+template <class Number>
+MovingPolygonOf<Number> polygon(PairKind kind, const PairPoints& points, const Exponents& units) {
   const auto vector = [&](const Point& p) {
-    return Vec3<Integer>{scaled_to_integer(p[0], units[0]), scaled_to_integer(p[1], units[1]),
-                         scaled_to_integer(p[2], units[2])};
+    return Vec3<Number>{scaled<Number>(p[0], units[0]), scaled<Number>(p[1], units[1]), scaled<Number>(p[2], units[2])};
   };
-  std::array<Moving<Integer>, 4> x;
-  for (std::size_t i = 0; i < 4; ++i) x[i] = {vector(points.start[i]), vector(points.end[i])};
+  const auto moving = [&](std::size_t i) { return Moving<Number>{vector(points.start[i]), vector(points.end[i])}; };
+  const std::array<Moving<Number>, 4> x{moving(0), moving(1), moving(2), moving(3)};
   switch (kind) {
     case PairKind::vertex_face:
       return {{x[0] - x[1], x[0] - x[2], x[0] - x[3], {}}, 3, units[0]};
@@ -67,22 +75,18 @@ MovingPolygon polygon(PairKind kind, const PairPoints& points, const Exponents& 
 
 }  // namespace
 
-Integer scaled_to_integer(double x, int exponent) {
-  if (x == 0) return 0;
-  const Parts parts = parts_of(x);
-  const int shift = parts.exponent - exponent;
-  TAMIS_ASSERT(std::isfinite(x) && lowest_exponent(x) >= exponent);
-  if (shift <= 0) return parts.mantissa >> -shift;
-  return Integer(parts.mantissa) << static_cast<unsigned long>(shift);
-}
+Integer scaled_to_integer(double x, int exponent) { return scaled<Integer>(x, exponent); }
 
-MovingPolygon difference_polygon(PairKind kind, const PairPoints& points, double separation) {
+template <class Number>
+MovingPolygonOf<Number> difference_polygon(PairKind kind, const PairPoints& points, double separation) {
   TAMIS_ASSERT(is_kind(kind) && is_finite(points) && std::isfinite(separation));
   const Exponents lowest = lowest_exponents(points);
   const int common = std::min({lowest[0], lowest[1], lowest[2], lowest_exponent(separation)});
   const int unit = common == INT_MAX ? 0 : common;
-  return polygon(kind, points, {unit, unit, unit});
+  return polygon<Number>(kind, points, {unit, unit, unit});
 }
+template MovingPolygonOf<Integer> difference_polygon(PairKind, const PairPoints&, double);
+template MovingPolygonOf<Estimate> difference_polygon(PairKind, const PairPoints&, double);
 
 MovingPolygon at_rest_at(const MovingPolygon& polygon, const DyadicCell& time) {
   const Integer before = (Integer(1) << time.k) - time.n;
@@ -97,7 +101,7 @@ MovingPolygon at_rest_at(const MovingPolygon& polygon, const DyadicCell& time) {
 
 MovingPolygon stretched_polygon(PairKind kind, const PairPoints& points) {
   TAMIS_ASSERT(is_kind(kind) && is_finite(points));
-  return polygon(kind, points, lowest_exponents(points));
+  return polygon<Integer>(kind, points, lowest_exponents(points));
 }
 
 }  // namespace tamis

@@ -1,8 +1,8 @@
 // All kinds of pair as one question: does a moving convex polygon contain the origin?
 //   vertex-face: the triangle p-a, p-b, p-c;   edge-edge: the parallelogram b0-a0, b0-a1, b1-a1, b1-a0
 //   vertex-edge: the segment p-a, p-b;         vertex-vertex: the point p-q
-// (the Minkowski difference of the two features; the last two are polygons without area). All coordinates are integers,
-// exact multiples of the inputs.
+// (the Minkowski difference of the two features; the last two are polygons without area). Coordinates are integers,
+// exact multiples of the inputs, or estimates of those.
 #pragma once
 #include <array>
 #include <cstddef>
@@ -10,25 +10,29 @@
 #include "exact/dyadic_cell.hpp"
 #include "motion/make_motion.hpp"
 #include "motion/polynomials.hpp"
+#include "numerics/estimate.hpp"
 
 namespace tamis {
 
-struct MovingPolygon {
-  std::array<Moving<Integer>, 4> corners;  ///< in order around it
-  std::size_t corner_count;                ///< 1 to 4
-  int exponent;                            ///< a coordinate 1 is a length of 2^exponent
+template <class Number>
+struct MovingPolygonOf {
+  std::array<Moving<Number>, 4> corners;  ///< in order around it
+  std::size_t corner_count;               ///< 1 to 4
+  int exponent;                           ///< a coordinate 1 is a length of 2^exponent
 
-  const Moving<Integer>& corner(std::size_t i) const { return corners[i % corner_count]; }
+  const Moving<Number>& corner(std::size_t i) const { return corners[i % corner_count]; }
   /// Side i leads from corner i to corner i + 1. A point has one too, from itself to itself.
   std::size_t side_count() const { return corner_count == 2 ? 1 : corner_count; }
 };
+using MovingPolygon = MovingPolygonOf<Integer>;
 
 /// Times a power of two that makes every coordinate an integer, and the separation. REQUIRES: finite numbers,
-/// a kind there is.
-MovingPolygon difference_polygon(PairKind kind, const PairPoints& points, double separation = 0);
+/// a kind there is. Number: Integer or Estimate.
+template <class Number = Integer>
+MovingPolygonOf<Number> difference_polygon(PairKind kind, const PairPoints& points, double separation = 0);
 
-/// The same with each axis times a power of two of its own: shorter numbers, the same times of touching, but no
-/// distances. The exponent means nothing. REQUIRES: as above.
+/// As difference_polygon, with each axis times a power of two of its own: shorter numbers, the same times of touching,
+/// but no distances. The exponent means nothing. REQUIRES: as above.
 MovingPolygon stretched_polygon(PairKind kind, const PairPoints& points);
 
 /// The same polygon, not moving: as it is at `time` of the step, the lower end of the cell. REQUIRES (not checked:

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "exact/exact_distance.hpp"
+#include "exact/nearest_point.hpp"
 #include "numerics/assert.hpp"
 
 namespace tamis {
@@ -24,7 +24,7 @@ Integer squared_speed(const MovingPolygon& polygon) {
 }
 
 /// Squared distance minus squared separation, in the unit of the polygon squared: above / below.
-Fraction excess_at_start(const MovingPolygon& polygon, const Fraction& square, double separation) {
+Fraction<Integer> excess_at_start(const MovingPolygon& polygon, const Fraction<Integer>& square, double separation) {
   const Integer s = scaled_to_integer(separation, polygon.exponent);
   return {square.above - s * s * square.below, square.below};
 }
@@ -33,13 +33,14 @@ Fraction excess_at_start(const MovingPolygon& polygon, const Fraction& square, d
 
 bool starts_within(const MovingPolygon& polygon, double separation) {
   TAMIS_ASSERT(separation >= 0 && std::isfinite(separation));
-  return excess_at_start(polygon, nearest_point(polygon).square, separation).above.sign() <= 0;
+  return excess_at_start(polygon, NearestPointSearch<Integer>::in(polygon).square, separation).above.sign() <= 0;
 }
 
 double apart_from_start(PairKind kind, const PairPoints& points, double separation) {
   TAMIS_ASSERT(separation >= 0);
   const MovingPolygon polygon = difference_polygon(kind, points, separation);
-  const Fraction square = nearest_point(polygon).square, excess = excess_at_start(polygon, square, separation);
+  const Fraction<Integer> square = NearestPointSearch<Integer>::in(polygon).square,
+                          excess = excess_at_start(polygon, square, separation);
   if (excess.above.sign() <= 0) return 0;
   const Integer speed = squared_speed(polygon);
   if (speed.sign() == 0) return std::numeric_limits<double>::infinity();

@@ -1,12 +1,9 @@
 // The distance at t=0 against a separation, in integers: what doubles cannot tell there must not stop a step that may
 // go, be it ever so little.
 #pragma once
-#include "motion/make_motion.hpp"
-#include "tamis/contact.hpp"
+#include "exact/moving_polygon.hpp"
 
 namespace tamis {
-
-struct MovingPolygon;
 
 /// Is the origin within the separation of the polygon at t=0? Decided exactly.
 /// REQUIRES: the separation is finite, >= 0 and a multiple of the polygon's unit.

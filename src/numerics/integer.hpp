@@ -17,6 +17,11 @@ class Integer {
  public:
   Integer() noexcept { use_own_limbs(); }
   Integer(std::int64_t value) noexcept;
+  /// mantissa 2^shift, cut to an integer. REQUIRES: shift > -64.
+  static Integer scaled(std::int64_t mantissa, int shift) {
+    if (shift <= 0) return mantissa >> -shift;
+    return Integer(mantissa) << static_cast<unsigned long>(shift);
+  }
   Integer(const Integer& other) : Integer() { *this = other; }
   Integer(Integer&& other) noexcept : Integer() { *this = static_cast<Integer&&>(other); }
   ~Integer() { release(); }

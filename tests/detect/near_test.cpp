@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "exact/exact_distance.hpp"
+#include "exact/nearest_point.hpp"
 #include "lab/detector.hpp"
 #include "lab/pairs.hpp"
 #include "scenes/random.hpp"
@@ -77,7 +78,7 @@ double size_of(const PairPoints& points, PairKind kind) {
 void check(const NearPair& pair, const Scene& scene) {
   const PairPoints points = points_of({scene.start, scene.start}, pair.vertices);
   const double size = size_of(points, pair.kind), tolerance = 0x1p-41 * size;
-  const double exact = exact_distance(pair.kind, points).distance;
+  const double exact = distance_in_integers(pair.kind, points, 0).distance;
   EXPECT_NEAR(pair.distance, exact, tolerance);
   const auto weights = weights_of(pair);
   Point gap{};
@@ -134,7 +135,7 @@ TEST_P(Near, DistancesAreThoseOfExactArithmeticAndNoPairIsMissing) {
     lab::for_each_pair(scene.mesh(), {}, [&](PairKind kind, const PairVertices& v) {
       if (++number % 7 != 0) return;
       const PairPoints points = points_of({scene.start, scene.start}, v);
-      const double exact = exact_distance(kind, points).distance, tolerance = 0x1p-41 * size_of(points, kind);
+      const double exact = distance_in_integers(kind, points, 0).distance, tolerance = 0x1p-41 * size_of(points, kind);
       const bool is_listed = listed.contains({kind, v});
       EXPECT_FALSE(exact <= distance * (1 - 1e-15) && !is_listed) << "missed a pair at " << exact;
       EXPECT_FALSE(exact > distance + tolerance && is_listed) << "listed a pair at " << exact;
@@ -205,7 +206,7 @@ bool is_root_within(const mpq_class& a, const mpq_class& square, const mpq_class
 
 mpq_class exact_square_of_distance(PairKind kind, const PairPoints& points) {
   const MovingPolygon polygon = difference_polygon(kind, points);
-  const Fraction square = nearest_point(polygon).square;
+  const Fraction<Integer> square = NearestPointSearch<Integer>::in(polygon).square;
   mpq_class result(mpz_class(square.above.get()), mpz_class(square.below.get()));
   result.canonicalize();
   for (int i = 0; i < std::abs(polygon.exponent); ++i) polygon.exponent < 0 ? result /= 4 : result *= 4;

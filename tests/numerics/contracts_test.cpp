@@ -6,6 +6,7 @@
 #include "exact/dyadic_cell.hpp"
 #include "exact/exact_distance.hpp"
 #include "exact/integer_polynomial.hpp"
+#include "exact/nearest_point.hpp"
 #include "exact/root_isolation.hpp"
 #include "motion/pair_kinds.hpp"
 #include "narrow/decide.hpp"
@@ -54,7 +55,7 @@ TEST_F(Contracts, DoublesInOrder) {
 }
 
 TEST_F(Contracts, FractionsAndWideDoubles) {
-  EXPECT_DEATH((void)wide(Fraction{1, 0}), "below.sign");
+  EXPECT_DEATH((void)wide(Fraction<Integer>{1, 0}), "below.sign");
   EXPECT_DEATH((void)(WideDouble{-1, 0}.root()), "0 <= mantissa");
 }
 

@@ -1,0 +1,119 @@
+// The point of the difference polygon nearest to the origin, at one time: in integers, or in estimates as long as all
+// signs that it asks for are known.
+#pragma once
+#include <array>
+#include <utility>
+
+#include "exact/moving_polygon.hpp"
+#include "numerics/assert.hpp"
+#include "numerics/wide_double.hpp"
+
+namespace tamis {
+
+/// REQUIRES, whoever reads its value: below > 0.
+template <class Number>
+struct Fraction {
+  Number above, below{1};
+};
+
+/// Off by 2^-51 of itself at most. REQUIRES: below > 0.
+inline WideDouble wide(const Fraction<Integer>& a) {
+  TAMIS_ASSERT(a.below.sign() > 0);
+  return WideDouble::of(a.above) / WideDouble::of(a.below);
+}
+
+template <class Number>
+struct NearestPoint {
+  struct Plane {
+    Vec3<Number> normal;
+    Number square;  ///< of the normal
+    Number height;  ///< of the plane along the normal, times its length; of a point inside alone
+    /// By side, times the normal's square: the share of the polygon's parallelogram between it and the foot of the
+    /// perpendicular; negative where that is beyond the side.
+    std::array<Number, 4> within;
+  };
+
+  Fraction<Number> square;  ///< of the distance, in the unit 4^exponent of the polygon
+  std::size_t side = 0;     ///< on the side from corner `side` to the next, at `along`; or, if is_inside, off the sides
+  Fraction<Number> along;
+  bool is_inside = false;
+  Plane plane;
+  bool is_sure = true;  ///< false: an estimate's sign was not known, and the rest means nothing
+};
+
+inline bool has_sign(const Integer&) { return true; }
+inline bool has_sign(const Estimate& x) { return x.has_sign(); }
+
+/// Its plane where the foot of the perpendicular lies inside, else the nearest of the sides that part the two; a side
+/// that holds the origin in any case. No other side is nearer: from the nearest point of a convex polygon the foot lies
+/// along the outward normal of a side, or between those of two that meet, so beyond one of them.
+template <class Number>
+class NearestPointSearch {
+ public:
+  /// Of the polygon at t=0.
+  static NearestPoint<Number> in(const MovingPolygonOf<Number>& polygon) { return NearestPointSearch(polygon).find(); }
+
+  /// Of the polygon's plane; zero: there is none.
+  static Vec3<Number> normal(const MovingPolygonOf<Number>& polygon) {
+    if (polygon.corner_count < 3) return {};
+    const Vec3<Number>& first = polygon.corner(0).at0;
+    return cross(polygon.corner(1).at0 - first, polygon.corner(polygon.corner_count - 1).at0 - first);
+  }
+
+ private:
+  using Vector = Vec3<Number>;
+
+  struct OnSide {
+    Fraction<Number> square, along;
+  };
+
+  explicit NearestPointSearch(const MovingPolygonOf<Number>& polygon) : polygon_(polygon) {}
+
+  const Vector& corner(std::size_t i) const { return polygon_.corner(i).at0; }
+
+  int sign(const Number& x) {
+    found_.is_sure = found_.is_sure && has_sign(x);
+    return x.sign();
+  }
+
+  /// Of the segment from corner x to corner y; `across` is x cross y.
+  OnSide nearest_on_side(const Vector& x, const Vector& y, const Vector& across) {
+    const Vector side = y - x;
+    const Number before = dot(x, side);
+    if (sign(before) >= 0) return {{dot(x, x)}, {0}};
+    const Number length2 = dot(side, side);
+    if (sign(before + length2) <= 0) return {{dot(y, y)}, {1}};  // y.side
+    return {{dot(across, across), length2}, {-before, length2}};
+  }
+
+  NearestPoint<Number> find() {
+    auto& plane = found_.plane;
+    plane.normal = normal(polygon_);
+    plane.square = dot(plane.normal, plane.normal);
+    bool is_first = true, is_inside = sign(plane.square) > 0;
+    for (std::size_t i = 0; i < polygon_.side_count() && found_.is_sure; ++i) {
+      const Vector across = cross(corner(i), corner(i + 1));
+      plane.within[i] = dot(plane.normal, across);
+      const int side = sign(plane.within[i]);
+      if (side > 0) continue;
+      is_inside = is_inside && side == 0;
+      auto [square, along] = nearest_on_side(corner(i), corner(i + 1), across);
+      if (!is_first && sign(square.above * found_.square.below - found_.square.above * square.below) >= 0) continue;
+      is_first = false;
+      found_.square = std::move(square);
+      found_.along = std::move(along);
+      found_.side = i;
+      if (sign(found_.square.above) == 0) return found_;
+    }
+    found_.is_inside = is_inside;
+    if (!is_inside) return found_;
+    plane.height = dot(plane.normal, corner(0));
+    found_.square = {plane.height * plane.height, plane.square};
+    return found_;
+  }
+
+  const MovingPolygonOf<Number>& polygon_;
+  NearestPoint<Number> found_;
+};
+
+}  // namespace tamis

@@ -1,0 +1,67 @@
+// An integer known in two ways: as a double with a bound of its rounding, and modulo 2^128. Together they are the whole
+// integer where it is below 2^127, so that what is zero, or nearly, is known to be. For what is asked before Integer.
+#pragma once
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+#include "numerics/double_double.hpp"
+#include "numerics/wide_double.hpp"
+
+namespace tamis {
+
+/// What the templates of motion/polynomials.hpp need, as Integer; and whether a sign is known.
+class Estimate {
+ public:
+  Estimate() = default;
+  Estimate(int value) : value_(value), rest_(static_cast<Wide>(value)) {}
+  /// mantissa 2^shift, an integer. REQUIRES: |mantissa| <= 2^53.
+  static Estimate scaled(std::int64_t mantissa, int shift) {
+    if (shift <= 0) return {static_cast<double>(mantissa >> -shift), 0, static_cast<Wide>(mantissa >> -shift)};
+    if (shift > 900) return {0, HUGE_VAL, 0};
+    return {times_power_of_two(static_cast<double>(mantissa), shift), 0,
+            shift < 128 ? static_cast<Wide>(mantissa) << shift : 0};
+  }
+
+  double value() const { return value_; }
+  bool has_sign() const { return is_zero() || std::fabs(value_) > error_; }
+  /// REQUIRES (not checked: who takes note of it may go on): has_sign().
+  int sign() const { return value_ > 0 ? 1 : value_ < 0 ? -1 : 0; }
+  /// Is the value off by a few roundings at most? They are 2^-48 of `size`.
+  bool is_sharp(double size) const { return error_ <= 0x1p-48 * size && std::isfinite(size); }
+  bool is_sharp() const { return is_sharp(std::fabs(value_)); }
+
+  friend Estimate operator-(const Estimate& a) { return {-a.value_, a.error_, 0 - a.rest_}; }
+  friend Estimate operator+(const Estimate& a, const Estimate& b) {
+    const DoubleDouble sum = DoubleDouble::sum_of(a.value_, b.value_);
+    return Estimate{sum.high, kUp * (a.error_ + b.error_ + std::fabs(sum.low)), a.rest_ + b.rest_}.sharpened();
+  }
+  friend Estimate operator-(const Estimate& a, const Estimate& b) { return a + -b; }
+  friend Estimate operator*(const Estimate& a, const Estimate& b) {
+    if (a.is_zero() || b.is_zero()) return {};
+    const double product = a.value_ * b.value_;
+    const double inherited = std::fabs(a.value_) * b.error_ + a.error_ * (std::fabs(b.value_) + b.error_);
+    return {product, kUp * (inherited + kRounding * std::fabs(product)), a.rest_ * b.rest_};
+  }
+
+ private:
+  __extension__ using Wide = unsigned __int128;
+  __extension__ using SignedWide = __int128;
+
+  static constexpr double kRounding = 0x1p-53, kUp = 1 + 0x1p-50;  // the latter for roundings of the bound
+
+  Estimate(double value, double error, Wide rest) : value_(value), error_(error), rest_(rest) {}
+
+  bool is_zero() const { return value_ == 0 && error_ == 0; }
+  /// After an addition: where much cancelled, by what is known modulo 2^128.
+  Estimate sharpened() const {
+    if (is_sharp() || !(std::fabs(value_) + error_ < 0x1p126)) return *this;
+    const auto value = static_cast<double>(static_cast<SignedWide>(rest_));
+    return {value, kRounding * std::fabs(value), rest_};
+  }
+
+  double value_ = 0, error_ = 0;  ///< integers do not underflow; after an overflow the error is infinite or NaN
+  Wide rest_ = 0;
+};
+
+}  // namespace tamis

@@ -2,6 +2,8 @@
 // the other; after each look those that go on close their ranks, so that no lane waits for the slowest. What this
 // leaves undecided, the same looks decide one pair at a time (narrow/separation.hpp), with the same bits.
 #pragma once
+#include <limits>
+
 #include "distance/direction_apart.hpp"
 #include "filters/slab_clip.hpp"
 #include "kernels/load_motion.hpp"
@@ -25,7 +27,7 @@ inline unsigned finite_lanes(const PairMotion<DoubleLanes>& m) {
 /// What is written of a pair that touches, one a lane.
 struct TouchingLanes {
   double lower[kDoubleLanes], upper[kDoubleLanes], u[kDoubleLanes], v[kDoubleLanes];
-  double x[kDoubleLanes], y[kDoubleLanes], z[kDoubleLanes];  ///< normal
+  double x[kDoubleLanes], y[kDoubleLanes], z[kDoubleLanes];  ///< normal; NaN where doubles do not tell it, nor u and v
 };
 
 /// `Sink`: free(place), undecided(place), touches(place, lanes, lane): each pair of the buffer comes to one of them.
@@ -127,15 +129,18 @@ class AdvanceLanes {
     const unsigned late = lanes & bits(lower > Lanes(rule_.latest));
     const Looker<kind, Lanes> looker(m);
     const auto touches = looker.touches(looker.sight(upper));
-    const unsigned decided = lanes & ~late & bits(touches & is_sharp(lower, upper) & place.is_sure);
+    const unsigned decided = lanes & ~late & bits(touches & is_sharp(lower, upper));
     TouchingLanes out;
     lower.store_unaligned(out.lower);
     upper.store_unaligned(out.upper);
     place.u.store_unaligned(out.u);
     place.v.store_unaligned(out.v);
-    place.direction.x.store_unaligned(out.x);
-    place.direction.y.store_unaligned(out.y);
-    place.direction.z.store_unaligned(out.z);
+    const auto store = [&](const Lanes& x, double* to) {
+      select(place.is_sure, x, Lanes(std::numeric_limits<double>::quiet_NaN())).store_unaligned(to);
+    };
+    store(place.direction.x, out.x);
+    store(place.direction.y, out.y);
+    store(place.direction.z, out.z);
     const std::int32_t* places = touching_.places + first;
     for_each_bit(late, [&](int i) { sink_.free(places[i]); });
     for_each_bit(lanes & ~late & ~decided, [&](int i) { sink_.undecided(places[i]); });

@@ -1,5 +1,7 @@
 // The pairs of a list: compiled once for each instruction set. What is asked of a pair here is asked of it in decide()
 // too, in the same order, so that it has the same bits.
+#include <cmath>
+
 #include "kernels/advance_lanes.hpp"
 #include "kernels/crossings.hpp"
 #include "kernels/decide_list.hpp"
@@ -56,6 +58,7 @@ class ListDecision {
   void free(int i) { results_[list_.places[i]] = {}; }
   void undecided(int i) { undecided_[undecided_count_++] = list_.places[i]; }
   void touches(int i, const TouchingLanes& t, int lane) {
+    if (std::isnan(t.x[lane])) return undecided(i);
     results_[list_.places[i]] = {true,
                                  Certainty::certified,
                                  t.lower[lane],

@@ -34,7 +34,7 @@ struct SolvedPair {
   bool is_decided;    ///< false: cut in time, one pair at a time
   double toi_lower, toi_upper;
   double u, v;
-  double normal[3];  ///< unit
+  double normal[3];  ///< unit; NaN where it is decided, but the place is asked of a single pair (contact_normal.hpp)
 };
 
 /// Pairs on the way to the time at which they come within their separation (narrow/advancement.hpp): proven apart until

@@ -1,8 +1,10 @@
 #include "search/contact_consumer.hpp"
 
+#include <cmath>
 #include <numeric>
 #include <span>
 
+#include "narrow/contact_normal.hpp"
 #include "narrow/decide.hpp"
 #include "query/cancellation.hpp"
 #include "search/pair_buffer.hpp"
@@ -18,7 +20,7 @@ void ContactConsumer::consume(PairKind kind) {
                                 : decide_crossings(thread(), kind, thread().kernels.of(kind));
   const PairBuffer& pairs = thread().filtered;
   for_each_solved(
-      thread(), count, [&](int i, const PairResult& result) { found_.add(kind, vertices_of(kind, pairs, i), result); },
+      thread(), count, [&](int i, PairResult result) { add(kind, vertices_of(kind, pairs, i), result); },
       [&](int i) { decide_singly(kind, vertices_of(kind, pairs, i)); });
 }
 
@@ -50,6 +52,17 @@ void ContactConsumer::leave_out_unwanted(PairKind kind) {
   if (found_.touches_at_start())
     keep_wanted(pairs, [&](int i) { return found_.wants(kind, vertices_of(kind, pairs, i)); });
   leave_out(query().filter, kind, pairs);
+}
+
+/// Its times are known, its place not always.
+void ContactConsumer::add(PairKind kind, const PairVertices& vertices, PairResult& result) {
+  if (std::isnan(result.normal[0])) {
+    if (!found_.wants(kind, vertices)) return;
+    const PairPoints points = points_of(query().step, vertices);
+    const double separation = query().rule_for(kind, vertices).min_separation;
+    describe_contact(kind, points, make_motion(kind, points, separation), result);
+  }
+  found_.add(kind, vertices, result);
 }
 
 void ContactConsumer::decide_singly(PairKind kind, const PairVertices& vertices) {

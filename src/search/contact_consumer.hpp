@@ -34,6 +34,7 @@ class ContactConsumer final : public PairConsumer {
   void leave_out_unwanted(PairKind kind);
   /// Those of thread().boxes as a list's (Query::is_by_pair).
   void decide_by_pair(PairKind kind);
+  void add(PairKind kind, const PairVertices& vertices, PairResult& result);
   void decide_singly(PairKind kind, const PairVertices& vertices);
 
   struct ByPair {

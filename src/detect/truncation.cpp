@@ -126,17 +126,13 @@ void Truncation::stop_at_planes(const StepLimit& pair, const std::vector<double>
 
 bool Truncation::is_broken(const StepLimit& pair) {
   TAMIS_ASSERT(0 <= pair.time && pair.time < 1);
-  if (ignores_start_ || pair.time > 0 || !starts_within(pair)) return true;
+  if (ignores_start_ || pair.time > 0) return true;
+  if (!starts_within(pair.kind, points_of(step_, pair.vertices), separation_of(pair))) return true;
   to_.is_free = false;
   if (!moves(pair)) return false;
   PrecisionCount decided_by;
   const DistanceRule comes_no_nearer{kAllButAMillionth, 0};
   return keeps_distance_until(pair.kind, points_of(way(), pair.vertices), comes_no_nearer, 1, decided_by) < 1;
-}
-
-bool Truncation::starts_within(const StepLimit& pair) const {
-  const PairPoints points = points_of({step_.start, step_.start}, pair.vertices);
-  return apart_from_start(pair.kind, points, separation_of(pair)) == 0;
 }
 
 bool Truncation::moves(const StepLimit& pair) const {

@@ -42,7 +42,6 @@ class Truncation {
   /// Is it to go less far? REQUIRES: a time in [0,1). REQUIRES (not checked: history): one of the pairs that were asked
   /// for.
   bool is_broken(const StepLimit& pair);
-  bool starts_within(const StepLimit& pair) const;
   bool moves(const StepLimit& pair) const;
   bool is_beyond(const StepLimit& pair) const;
   double separation_of(const StepLimit& pair) const { return separations_.between(pair.kind, pair.vertices); }

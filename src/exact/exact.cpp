@@ -59,13 +59,10 @@ class MovingPolygonTest {
         normal_(normal_polynomial(polygon_)),
         coplanarity_(IntegerPolynomial::from_bernstein(coplanarity_polynomial(polygon_.corner(0), normal_))) {}
 
+  /// Of what does not touch at the start: what moves within its plane may go on touching without an event.
   ExactDecision first_contact() const {
     FirstTime first;
-    // What moves within its plane may touch from the start on without an event.
-    if (AlgebraicTime start = AlgebraicTime::exactly({0, 0}); coplanarity_.is_zero() && contains_origin(start))
-      first.add({0, 0});
-    else
-      add_events(first);
+    add_events(first);
     return first.decision();
   }
   ExactDecision first_contact_once_apart() const {
@@ -123,6 +120,7 @@ class MovingPolygonTest {
 
 ExactDecision decide_exactly(PairKind kind, const PairPoints& points, double separation) {
   TAMIS_ASSERT(separation >= 0 && std::isfinite(separation) && is_finite(points));
+  if (starts_within(kind, points, separation)) return {true, 0, 0};
   return separation > 0 ? decide_within_exactly(kind, points, separation)
                         : MovingPolygonTest(kind, points).first_contact();
 }

@@ -84,7 +84,6 @@ class SeparationTest {
 ExactDecision decide_within_exactly(PairKind kind, const PairPoints& points, double separation) {
   TAMIS_ASSERT(separation > 0 && std::isfinite(separation) && is_finite(points));
   const MovingPolygon polygon = difference_polygon(kind, points, separation);
-  if (starts_within(polygon, separation)) return {true, 0, 0};
   FirstTime first;
   SeparationTest(polygon, separation, first).run();
   return first.decision();

@@ -19,14 +19,15 @@ class FirstTime {
     for (AlgebraicTime& time : roots_in_unit_interval(p))
       if (holds(time)) return add(time.bracket());
   }
+
+  const ExactDecision& decision() const { return first_; }
+
+ private:
   void add(const AlgebraicTime::Bracket& time) {
     if (first_.touches && time.lower >= first_.toi_lower && time.upper >= first_.toi_upper) return;
     first_ = {true, time.lower, time.upper};
   }
 
-  const ExactDecision& decision() const { return first_; }
-
- private:
   ExactDecision first_;
 };
 

@@ -46,17 +46,10 @@ Exponents lowest_exponents(const PairPoints& points) {
 }
 
 template <class Number>
-Number scaled(double x, int exponent) {
-  if (x == 0) return 0;
-  const Parts parts = parts_of(x);
-  TAMIS_ASSERT(std::isfinite(x) && lowest_exponent(x) >= exponent);
-  return Number::scaled(parts.mantissa, parts.exponent - exponent);
-}
-
-template <class Number>
 MovingPolygonOf<Number> polygon(PairKind kind, const PairPoints& points, const Exponents& units) {
   const auto vector = [&](const Point& p) {
-    return Vec3<Number>{scaled<Number>(p[0], units[0]), scaled<Number>(p[1], units[1]), scaled<Number>(p[2], units[2])};
+    return Vec3<Number>{scaled_to_integer<Number>(p[0], units[0]), scaled_to_integer<Number>(p[1], units[1]),
+                        scaled_to_integer<Number>(p[2], units[2])};
   };
   const auto moving = [&](std::size_t i) { return Moving<Number>{vector(points.start[i]), vector(points.end[i])}; };
   const std::array<Moving<Number>, 4> x{moving(0), moving(1), moving(2), moving(3)};
@@ -75,7 +68,15 @@ MovingPolygonOf<Number> polygon(PairKind kind, const PairPoints& points, const E
 
 }  // namespace
 
-Integer scaled_to_integer(double x, int exponent) { return scaled<Integer>(x, exponent); }
+template <class Number>
+Number scaled_to_integer(double x, int exponent) {
+  if (x == 0) return 0;
+  const Parts parts = parts_of(x);
+  TAMIS_ASSERT(std::isfinite(x) && lowest_exponent(x) >= exponent);
+  return Number::scaled(parts.mantissa, parts.exponent - exponent);
+}
+template Integer scaled_to_integer(double, int);
+template Estimate scaled_to_integer(double, int);
 
 template <class Number>
 MovingPolygonOf<Number> difference_polygon(PairKind kind, const PairPoints& points, double separation) {

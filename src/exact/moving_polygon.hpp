@@ -46,6 +46,7 @@ inline std::array<Vec3<Integer>, 3> normal_polynomial(const MovingPolygon& polyg
 }
 
 /// x / 2^exponent. REQUIRES: x is finite, and that is an integer.
-Integer scaled_to_integer(double x, int exponent);
+template <class Number = Integer>
+Number scaled_to_integer(double x, int exponent);
 
 }  // namespace tamis

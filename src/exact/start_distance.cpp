@@ -24,8 +24,10 @@ Integer squared_speed(const MovingPolygon& polygon) {
 }
 
 /// Squared distance minus squared separation, in the unit of the polygon squared: above / below.
-Fraction<Integer> excess_at_start(const MovingPolygon& polygon, const Fraction<Integer>& square, double separation) {
-  const Integer s = scaled_to_integer(separation, polygon.exponent);
+template <class Number>
+Fraction<Number> excess_at_start(const MovingPolygonOf<Number>& polygon, const Fraction<Number>& square,
+                                 double separation) {
+  const Number s = scaled_to_integer<Number>(separation, polygon.exponent);
   return {square.above - s * s * square.below, square.below};
 }
 
@@ -34,6 +36,16 @@ Fraction<Integer> excess_at_start(const MovingPolygon& polygon, const Fraction<I
 bool starts_within(const MovingPolygon& polygon, double separation) {
   TAMIS_ASSERT(separation >= 0 && std::isfinite(separation));
   return excess_at_start(polygon, NearestPointSearch<Integer>::in(polygon).square, separation).above.sign() <= 0;
+}
+
+bool starts_within(PairKind kind, const PairPoints& points, double separation) {
+  TAMIS_ASSERT(separation >= 0);
+  const PairPoints start{points.start, points.start};  // ends would only make the numbers longer
+  const auto polygon = difference_polygon<Estimate>(kind, start, separation);
+  const auto nearest = NearestPointSearch<Estimate>::in(polygon);
+  const Estimate above = excess_at_start(polygon, nearest.square, separation).above;
+  if (nearest.is_sure && above.has_sign()) return above.sign() <= 0;
+  return starts_within(difference_polygon(kind, start, separation), separation);
 }
 
 double apart_from_start(PairKind kind, const PairPoints& points, double separation) {

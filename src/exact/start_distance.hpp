@@ -1,5 +1,5 @@
-// The distance at t=0 against a separation, in integers: what doubles cannot tell there must not stop a step that may
-// go, be it ever so little.
+// The distance at t=0 against a separation, decided exactly: what doubles cannot tell there must not stop a step that
+// may go, be it ever so little.
 #pragma once
 #include "exact/moving_polygon.hpp"
 
@@ -8,6 +8,10 @@ namespace tamis {
 /// Is the origin within the separation of the polygon at t=0? Decided exactly.
 /// REQUIRES: the separation is finite, >= 0 and a multiple of the polygon's unit.
 bool starts_within(const MovingPolygon& polygon, double separation);
+
+/// Are the features within the separation of each other at t=0? Decided exactly, by estimates where all signs are
+/// plain. REQUIRES: finite coordinates, a finite separation >= 0.
+bool starts_within(PairKind kind, const PairPoints& points, double separation);
 
 /// 0 if at t=0 the features are within `separation` of each other; else a time > 0 (unless it underflows) before which
 /// they are not: their distance beyond it over a bound on their relative speed. Infinite if nothing moves against the

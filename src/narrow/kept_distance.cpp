@@ -6,7 +6,6 @@
 
 #include "distance/closest.hpp"
 #include "distance/difference_corners.hpp"
-#include "exact/moving_polygon.hpp"
 #include "exact/start_distance.hpp"
 #include "motion/pair_kinds.hpp"
 #include "narrow/decide.hpp"
@@ -58,10 +57,6 @@ double stays_away_until(PairKind kind, const PairPoints& points, const DistanceR
   if (!rule.ignores_start) return 0;
   const PairResult again = decide_once_apart(kind, points, rule.min_separation, decided_by);
   return again.touches ? again.toi_lower : 1;
-}
-
-bool starts_within(PairKind kind, const PairPoints& points, double separation) {
-  return starts_within(difference_polygon(kind, points, separation), separation);
 }
 
 }  // namespace

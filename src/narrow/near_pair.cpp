@@ -34,7 +34,7 @@ bool is_near(PairKind kind, const PairPoints& points, double separation, Precisi
     return !(rest.low > pose.separation);
   }
   ++decided_by.exact;
-  return apart_from_start(kind, {points.start, points.start}, separation) == 0;
+  return starts_within(kind, points, separation);
 }
 
 NearPair near_pair(PairKind kind, const std::array<Index, 4>& vertices, const PairPoints& points) {

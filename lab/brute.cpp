@@ -26,7 +26,7 @@ class BruteEngine final : public Engine {
       ++of(count, kind);
       answer.add(kind, v, decide(kind, points_of(query.step, v), query.rule_for(kind, v), statistics.decided_by));
     });
-    statistics.stages.push_back(count);
+    add(statistics.stages, count);
   }
 
   SafeStep find_step_length(const Query& query, double fraction, Statistics& statistics) override {
@@ -52,7 +52,7 @@ class BruteEngine final : public Engine {
           !query.are_neighbours(kind, v))
         found[static_cast<std::size_t>(kind)].push_back(v);
     });
-    statistics.stages.push_back(count);
+    add(statistics.stages, count);
     pairs.clear();
     for (std::size_t kind = 0; kind < kPairKinds; ++kind) {
       ProximityOrder().sort(found[kind], mesh_.vertex_count());
@@ -77,7 +77,7 @@ class BruteEngine final : public Engine {
         if (r.touches && !query.rings.are_neighbours(edge, face))
           found.push_back({edge, face, r.toi_lower, r.toi_upper, r.u, r.v});
       }
-    statistics.stages.push_back(count);
+    add(statistics.stages, count);
     std::sort(found.begin(), found.end(), comes_first);
   }
 
@@ -95,7 +95,7 @@ class BruteEngine final : public Engine {
       const double time = keeps_distance_until(kind, points_of(query.step, v), rule, 1, statistics.decided_by);
       if (time < 1 && !query.are_neighbours(kind, v)) keep(StepLimit{time, kind, v});
     });
-    statistics.stages.push_back(count);
+    add(statistics.stages, count);
   }
 
   static bool is_pair(const PairFilter& filter, const Edge& edge, const Face& face) {

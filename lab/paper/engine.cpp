@@ -16,6 +16,7 @@
 #include "lab/paper/tester.hpp"
 #include "lab/topology/orphan_sets.hpp"
 #include "lab/topology/surface.hpp"
+#include "query/stage_counts.hpp"
 #include "query/stopwatch.hpp"
 
 namespace tamis::lab {
@@ -77,8 +78,8 @@ class PaperEngine final : public ContactsEngine {
     const double scale = scene_.points.scale();
     const double padding = (0.5 * (separations.fixed * scale) + separations.largest_radius() * scale) * (1 + 0x1p-50);
     scene_.boxes.update(scene_.mesh, scene_.points, padding);
-    statistics.seconds.bounds = watch.lap();
-    statistics.rebuilt = std::visit(
+    statistics.seconds.bounds += watch.lap();
+    statistics.rebuilt |= std::visit(
         [&](auto& hierarchy) {
           return hierarchy.update(scene_.mesh.faces(), scene_.points, padding, patches_.order());
         },
@@ -87,7 +88,7 @@ class PaperEngine final : public ContactsEngine {
       std::visit(
           [&](auto& hierarchy) { patches_.update(hierarchy.tree(), scene_.points, scene_.answer->query().step); },
           hierarchy_);
-    statistics.seconds.build = watch.lap();
+    statistics.seconds.build += watch.lap();
   }
 
   /// That a patch does not touch itself says nothing of distances.
@@ -142,12 +143,12 @@ class PaperEngine final : public ContactsEngine {
     }
     if (answer.query().question == Question::all_contacts && !paper_.representative_triangles)
       drop_duplicates(answer.contacts());
-    statistics.stages.push_back(sum.boxes);
-    statistics.stages.insert(statistics.stages.end(), sum.filters.begin(), sum.filters.end());
-    statistics.stages.push_back(sum.newton);
-    statistics.stages.push_back(sum.decide);
-    statistics.decided_by = sum.decided_by;
-    statistics.nodes_visited = sum.bounds_tested;
+    tamis::add(statistics.stages, sum.boxes);
+    for (const StageCount& filter : sum.filters) tamis::add(statistics.stages, filter);
+    tamis::add(statistics.stages, sum.newton);
+    tamis::add(statistics.stages, sum.decide);
+    statistics.decided_by += sum.decided_by;
+    statistics.nodes_visited += sum.bounds_tested;
     if (counts_) *counts_ = {sum.triangle_pairs, free_within().empty() ? 0 : patches_.triangles_in_free_patches()};
     share_out(sum, seconds, statistics);
   }
@@ -155,9 +156,10 @@ class PaperEngine final : public ContactsEngine {
   /// The one pass is shared out as the threads' own sums are.
   static void share_out(const PaperCounts& sum, double seconds, Statistics& statistics) {
     const double threads = std::max(1.0, double(statistics.threads));
-    statistics.seconds.filter = sum.filter_seconds / threads;
-    statistics.seconds.solve = sum.solve_seconds / threads;
-    statistics.seconds.traverse = std::max(0.0, seconds - statistics.seconds.filter - statistics.seconds.solve);
+    const double filter = sum.filter_seconds / threads, solve = sum.solve_seconds / threads;
+    statistics.seconds.filter += filter;
+    statistics.seconds.solve += solve;
+    statistics.seconds.traverse += std::max(0.0, seconds - filter - solve);
   }
 
   /// Without representatives a pair is met several times: one contact a pair of features stays.

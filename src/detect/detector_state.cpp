@@ -192,24 +192,20 @@ TruncatedStep Detector::State::truncate(const Query& whole, const KeptFractions&
   using Next = Truncation::Next;
   const Stopwatch watch;
   const double together = step_length(whole, fractions.together, at_start).lower;
-  Seconds spent = statistics.seconds;
   Truncation truncation(mesh, whole, fractions, together, stored);
   std::vector<StepLimit> ends;
   for (Next next = together < 1 ? Next::ask : Next::done; next != Next::done; next = truncation.after(ends)) {
     if (next == Next::plan_apart) {
       std::vector<NearPair> within_reach;
       const Query near_start = query({whole.step.start, whole.step.start}, truncation.reach());
-      measure([&] { engine_->find_near(near_start, within_reach, statistics); });
-      spent += statistics.seconds;
+      measure_more([&] { engine_->find_near(near_start, within_reach, statistics); });
       truncation.keep_apart(within_reach);
     }
     Query way = whole;
     way.step = truncation.way();
-    measure([&] { engine_->find_step_ends(way, fractions.keep, ends, statistics); });
-    spent += statistics.seconds;
+    measure_more([&] { engine_->find_step_ends(way, fractions.keep, ends, statistics); });
   }
-  spent.total = watch.seconds();
-  statistics.seconds = spent;
+  statistics.seconds.total = watch.seconds();
   return truncation.take();
 }
 
@@ -228,14 +224,19 @@ void Detector::State::find_intersections(const Positions& positions, Question qu
 
 template <class Work>
 void Detector::State::measure(const Work& work) {
-  const Stopwatch watch;
   statistics = {};
+  measure_more(work);
+}
+
+template <class Work>
+void Detector::State::measure_more(const Work& work) {
+  const Stopwatch watch;
   arena_.run([&] {
     statistics.threads = Arena::threads_here();
     work();
   });
   statistics.memory_bytes = memory_bytes();
-  statistics.seconds.total = watch.seconds();
+  statistics.seconds.total += watch.seconds();
 }
 
 std::uint64_t Detector::State::memory_bytes() const {

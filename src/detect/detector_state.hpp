@@ -67,6 +67,9 @@ struct Detector::State {
   /// Runs `work` in the arena, with fresh statistics.
   template <class Work>
   void measure(const Work& work);
+  /// The same, as another part of the question that was measured last.
+  template <class Work>
+  void measure_more(const Work& work);
   std::uint64_t memory_bytes() const;
 
   Rings rings_;

@@ -61,17 +61,21 @@ Frame PathSearch::frame_at(const Path& path, double time) const {
   return frame;
 }
 
+double PathSearch::read_deviations(const Path& path, double from, double to) {
+  path.deviations(from, to, all_, deviations_);
+  double largest = 0;
+  for (const Index v : mesh_.points()) {
+    check_deviation(v, from, to, deviations_[at(v)]);
+    largest = std::max(largest, deviations_[at(v)]);
+  }
+  return largest;
+}
+
 double PathSearch::piece_length(const Path& path, const Frame& start) {
   const double allowed = kDeviationInEdges * mean_edge(mesh_, start.points);
   double length = 1 - start.time;
   for (; length > kShortestPiece; length *= kNearMiddle) {
-    path.deviations(start.time, start.time + length, all_, deviations_);
-    double largest = 0;
-    for (const Index v : mesh_.points()) {
-      const double deviation = deviations_[static_cast<std::size_t>(v)];
-      check_deviation(v, start.time, start.time + length, deviation);
-      largest = std::max(largest, deviation);
-    }
+    const double largest = read_deviations(path, start.time, start.time + length);
     if (largest <= allowed || !(allowed > 0)) break;
   }
   return length;
@@ -126,15 +130,14 @@ void PathSearch::find(const MeshOnPath& asked, Question question, std::vector<Co
   for (Frame from = frame_at(path, 0); from.time < 1;) {
     stop_if_cancelled(options_);
     Frame to = frame_at(path, piece_end(asked, path, from));
-    path.deviations(from.time, to.time, all_, deviations_);
-    for (const Index v : mesh_.points())
-      check_deviation(v, from.time, to.time, deviations_[static_cast<std::size_t>(v)]);
+    read_deviations(path, from.time, to.time);
     check_chords(path, from, to);
     set_radii(asked.separations, from, to);
     const Query chords{{from.points, to.points}, {reach, radii_}, options_.filter, rings_, options_.is_cancelled};
     bound_.begin();
     found_.begin(chords, bound_);
     engine_.find(chords, found_, statistics);
+    statistics.decided_by += found_.decided_by();
     const auto is_known = [&](const Contact& c) { return known.contains({c.kind, c.vertices}); };
     std::erase_if(found_.contacts(), is_known);
     const std::size_t before = contacts.size();
@@ -153,7 +156,7 @@ void PathSearch::find(const MeshOnPath& asked, Question question, std::vector<Co
 double PathSearch::kept_reach(const MeshOnPath& asked, const Path& path) {
   if (asked.keep == 0) return asked.separations.fixed;
   const Frame from = frame_at(path, 0), to = frame_at(path, 1);
-  path.deviations(0, 1, all_, deviations_);
+  read_deviations(path, 0, 1);
   double farthest = 0;
   for (const Index index : mesh_.points()) {
     const auto v = static_cast<std::size_t>(index);

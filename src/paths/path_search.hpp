@@ -47,6 +47,8 @@ class PathSearch {
   using PairKey = std::tuple<PairKind, PairVertices>;
 
   Frame frame_at(const Path& path, double time) const;
+  /// Of all vertices between two times. Returns the largest; throws at one that is no bound.
+  double read_deviations(const Path& path, double from, double to);
   double piece_length(const Path& path, const Frame& start);
   double piece_end(const MeshOnPath& asked, const Path& path, const Frame& start);
   void set_radii(const Separations& separations, const Frame& from, const Frame& to);

@@ -1,5 +1,6 @@
-// Counts of pairs, by kind.
+// Counts of pairs, by kind; sums of what several questions cost.
 #pragma once
+#include <algorithm>
 #include <iterator>
 
 #include "motion/pair_kinds.hpp"
@@ -18,6 +19,15 @@ inline void add(StageCount& to, const StageCount& from) {
   to.ee += from.ee;
   to.ve += from.ve;
   to.vv += from.vv;
+}
+
+/// To the stage of its name; a new one is the last.
+inline void add(std::vector<StageCount>& to, const StageCount& from) {
+  const auto same = std::ranges::find(to, from.name, &StageCount::name);
+  if (same == to.end())
+    to.push_back(from);
+  else
+    add(*same, from);
 }
 
 }  // namespace tamis

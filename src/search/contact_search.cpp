@@ -22,11 +22,9 @@ Samples samples_for(const Query& query, int parts) {
 
 void ContactSearch::find(const Query& query, ContactCollector& answer, Statistics& statistics) {
   FeatureTrees& trees = workspace_.trees;
-  statistics.nodes_visited = 0;
   const bool is_listed = candidates_.prepare(
       query, ahead_.begin(query), [&] { return ahead_.plan(query); }, [&] { return list_ahead(query, statistics); },
       [&] { return ahead_.has_pairs(); }, statistics);
-  const std::uint64_t visited_ahead = statistics.nodes_visited;
   const Stopwatch watch;
   streams_.begin(answer);
   if (is_listed) search_lists(answer);
@@ -40,7 +38,6 @@ void ContactSearch::find(const Query& query, ContactCollector& answer, Statistic
   else
     streams_.report(statistics, watch.seconds(),
                     {&Counts::boxes, &Counts::slab, &Counts::dnf, &Counts::ncf, &Counts::solve});
-  statistics.nodes_visited += visited_ahead;
 }
 
 /// Lists what may touch within the next steps. False: that is too much.

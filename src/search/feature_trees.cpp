@@ -34,9 +34,9 @@ FeatureTrees::FeatureTrees(const Mesh& mesh, const Options& options, const Kerne
 void FeatureTrees::refit_or_rebuild(const Step& step, const Separations& separations, Statistics& statistics) {
   Stopwatch watch;
   assign(step, separations);
-  statistics.seconds.bounds = watch.lap();
+  statistics.seconds.bounds += watch.lap();
   if (!are_of_motion_) update_trees(statistics);
-  statistics.seconds.build = watch.lap();
+  statistics.seconds.build += watch.lap();
 }
 
 void FeatureTrees::assign(const Step& step, const Separations& separations) {

@@ -14,17 +14,15 @@ SearchCounts& SearchCounts::operator+=(const SearchCounts& other) {
   return *this;
 }
 
-void SearchCounts::report(Statistics& statistics, double wall,
+void SearchCounts::add_to(Statistics& statistics, double wall,
                           std::initializer_list<StageCount SearchCounts::*> stages) const {
-  statistics.stages.clear();
-  statistics.stages.reserve(stages.size());
-  for (const auto stage : stages) statistics.stages.push_back(this->*stage);
-  statistics.decided_by = decided_by;
-  statistics.nodes_visited = nodes_visited;
+  for (const auto stage : stages) add(statistics.stages, this->*stage);
+  statistics.decided_by += decided_by;
+  statistics.nodes_visited += nodes_visited;
   const double sum = traverse + filter + solving, share = sum > 0 ? wall / sum : 0;
-  statistics.seconds.traverse = share * traverse;
-  statistics.seconds.filter = share * filter;
-  statistics.seconds.solve = share * solving;
+  statistics.seconds.traverse += share * traverse;
+  statistics.seconds.filter += share * filter;
+  statistics.seconds.solve += share * solving;
 }
 
 }  // namespace tamis

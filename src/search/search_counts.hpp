@@ -14,8 +14,9 @@ struct SearchCounts {
   double traverse = 0, filter = 0, solving = 0;  ///< seconds
 
   SearchCounts& operator+=(const SearchCounts& other);
-  /// `wall`: seconds of the whole pass, shared out in proportion. `stages`: those that the question has, in order.
-  void report(Statistics& statistics, double wall, std::initializer_list<StageCount SearchCounts::*> stages) const;
+  /// Adds to what earlier passes cost. `wall`: seconds of the whole pass, shared out in proportion. `stages`: those
+  /// that the question has, in order.
+  void add_to(Statistics& statistics, double wall, std::initializer_list<StageCount SearchCounts::*> stages) const;
 };
 
 }  // namespace tamis

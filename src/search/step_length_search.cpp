@@ -11,13 +11,13 @@ constexpr std::uint64_t kManyPairsABlock = 1024;
 constexpr double kShortSteps[] = {0x1p-6, 0x1p-3};
 /// In the coordinates of the boxes: with a larger separation no two have a gap.
 constexpr double kMeetsAll = 8;
+constexpr std::initializer_list<StageCount SearchCounts::*> kStages{&SearchCounts::boxes, &SearchCounts::near};
 
 }  // namespace
 
 /// Returns true if the lists are to be asked, false if the trees must be searched.
 bool StepLengthSearch::begin(StepLengthQuery& asked, Statistics& statistics) {
   TAMIS_ASSERT(0 < asked.fraction && asked.fraction < 1);
-  statistics.nodes_visited = 0;
   const Query& query = asked.query;
   const auto plan = [&] { return asked.lists_all && of_start_.plan(query, asked.fraction); };
   const auto make = [&] { return list_near(query, statistics); };
@@ -61,7 +61,7 @@ SafeStep StepLengthSearch::find(const Query& query, double fraction, Statistics&
     search_trees(asked.bound);
   StepLimit limit;
   streams_.for_each([&](StepLengthConsumer& consumer) { limit.add(consumer.limit()); });
-  report(watch.seconds(), statistics);
+  streams_.report(statistics, watch.seconds(), kStages);
   return limit.answer(query, fraction);
 }
 
@@ -74,17 +74,11 @@ void StepLengthSearch::find_all(const Query& query, double fraction, std::vector
     search_lists();
   else
     search(*Samples().begin());
-  report(watch.seconds(), statistics);
+  streams_.report(statistics, watch.seconds(), kStages);
   ends.clear();
   streams_.for_each(
       [&](StepLengthConsumer& consumer) { ends.insert(ends.end(), consumer.ends().begin(), consumer.ends().end()); });
   std::sort(ends.begin(), ends.end(), comes_before_in_order);
-}
-
-void StepLengthSearch::report(double wall, Statistics& statistics) {
-  const std::uint64_t visited_for_lists = statistics.nodes_visited;
-  streams_.report(statistics, wall, {&SearchCounts::boxes, &SearchCounts::near});
-  statistics.nodes_visited += visited_for_lists;
 }
 
 void StepLengthSearch::search_lists() {

@@ -34,7 +34,6 @@ class StepLengthSearch {
   bool begin(StepLengthQuery& asked, Statistics& statistics);
   bool list_near(const Query& query, Statistics& statistics);
   void fit_residuals(StepLengthQuery& asked);
-  void report(double wall, Statistics& statistics);
   void search_lists();
   void search_trees(Bound& bound);
   void search(const Sample& sample);

@@ -77,7 +77,7 @@ class ThreadStreams {
   /// `wall`: seconds that the threads took together. `stages`: those that the question has, in order.
   void report(Statistics& statistics, double wall, std::initializer_list<StageCount SearchCounts::*> stages) const {
     statistics.isa = workspace_.kernels.isa;
-    counts().report(statistics, wall, stages);
+    counts().add_to(statistics, wall, stages);
   }
   /// Beside the workspace.
   std::uint64_t memory_bytes() const {

@@ -75,13 +75,7 @@ void World::State::begin() {
 void World::State::add_statistics(const Statistics& of_part) {
   statistics.isa = of_part.isa;
   statistics.threads = std::max(statistics.threads, of_part.threads);
-  for (const StageCount& stage : of_part.stages) {
-    const auto same = std::ranges::find(statistics.stages, stage.name, &StageCount::name);
-    if (same == statistics.stages.end())
-      statistics.stages.push_back(stage);
-    else
-      tamis::add(*same, stage);
-  }
+  for (const StageCount& stage : of_part.stages) tamis::add(statistics.stages, stage);
   statistics.decided_by += of_part.decided_by;
   statistics.seconds += of_part.seconds;
   statistics.ignored += of_part.ignored;

@@ -206,6 +206,32 @@ struct LyingPath final : Path {
   std::vector<Point> rest;
 };
 
+/// A point that falls through a triangle in the first of two pieces at least, and on below it in the others.
+struct FallThrough final : Path {
+  Index vertex_count() const override { return 4; }
+  void points_at(double time, std::span<const Index> vertices, std::span<Point> points,
+                 std::span<double> errors) const override {
+    const std::array<Point, 4> all{Point{0.2, 0.2, 0.25 - time}, Point{0, 0, 0}, Point{1, 0, 0}, Point{0, 1, 0}};
+    for (std::size_t i = 0; i < vertices.size(); ++i) {
+      points[i] = all[static_cast<std::size_t>(vertices[i])];
+      errors[i] = 0;
+    }
+  }
+  void deviations(double from, double to, std::span<const Index> vertices,
+                  std::span<double> deviations) const override {
+    for (std::size_t i = 0; i < vertices.size(); ++i) deviations[i] = to - from > 0.6 ? 1 : 0;
+  }
+};
+
+// Bug: what a question cost is what its last piece cost, here nothing.
+TEST(MeshOnPath, StatisticsAreOfAllPieces) {
+  Detector detector(Mesh(4, {{1, 2, 3}}, {}, {0}));
+  ASSERT_EQ(detector.contacts(FallThrough()).size(), 1U);
+  const Statistics& cost = detector.statistics();
+  EXPECT_EQ(cost.stages.front().vf, 1U);
+  EXPECT_GT(cost.nodes_visited, 0U);
+}
+
 TEST(MeshOnPath, BadPathsAreNamed) {
   Bodies bodies;
   bodies.add(scenes::unit_sphere(1));

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <span>
 
+#include "detect/detector_access.hpp"
 #include "detect/enum_names.hpp"
-#include "detect/make_detector.hpp"
 #include "lab/brute.hpp"
 #include "lab/paper/engine.hpp"
 
@@ -59,7 +59,7 @@ Detector make_detector(Mesh mesh, const Options& options, TriangleCounts* counts
     }
     return make_tamis_engine(of, given);
   };
-  return DetectorMaker::make(std::move(mesh), options.of_library(), make_engine);
+  return DetectorAccess::make(std::move(mesh), options.of_library(), make_engine);
 }
 
 }  // namespace tamis::lab

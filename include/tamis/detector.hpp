@@ -94,7 +94,7 @@ class Detector {
  private:
   struct State;
   class Asked;
-  friend class DetectorMaker;  ///< within the library: of another engine
+  friend class DetectorAccess;  ///< within the library: of another engine
   explicit Detector(std::unique_ptr<State> state);
   State& state() const;
 

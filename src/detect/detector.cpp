@@ -87,27 +87,26 @@ const Statistics& Detector::statistics() const {
   return now.statistics;
 }
 
-Detector DetectorMaker::make(Mesh mesh, Options options, const MakeEngine& make_engine) {
+Detector DetectorAccess::make(Mesh mesh, Options options, const MakeEngine& make_engine) {
   return Detector(std::make_unique<Detector::State>(std::move(mesh), std::move(options), make_engine));
 }
 
-const std::vector<Contact>& DetectorMaker::contacts_by_pair(Detector& detector, const Step& step,
-                                                            const QueryOptions& options) {
+const std::vector<Contact>& DetectorAccess::contacts_by_pair(Detector& detector, const Step& step,
+                                                             const QueryOptions& options) {
   const Detector::Asked asked(detector);
   asked->find_contacts(step, options, true);
   return asked->found.contacts();
 }
 
-const std::vector<Contact>& DetectorMaker::ask(Detector& detector, const Path& path, const QueryOptions& options,
-                                               Question question, std::span<const double> ends) {
+const std::vector<Contact>& DetectorAccess::ask(Detector& detector, const CutPath& path, const QueryOptions& options,
+                                                Question question) {
   const Detector::Asked asked(detector);
-  asked->ask(path, options, question, ends);
+  asked->ask(path.path, options, question, path.ends);
   return asked->found.contacts();
 }
 
-SafeStep DetectorMaker::safe_step(Detector& detector, const Path& path, double keep, const QueryOptions& options,
-                                  std::span<const double> ends) {
-  return Detector::Asked(detector)->safe_step(path, keep, options, ends);
+SafeStep DetectorAccess::safe_step(Detector& detector, const CutPath& path, double keep, const QueryOptions& options) {
+  return Detector::Asked(detector)->safe_step(path.path, keep, options, path.ends);
 }
 
 }  // namespace tamis

@@ -5,7 +5,7 @@
 
 #include "detect/arena.hpp"
 #include "detect/contact_order.hpp"
-#include "detect/make_detector.hpp"
+#include "detect/detector_access.hpp"
 #include "detect/planar_times.hpp"
 #include "paths/path_search.hpp"
 #include "query/engine.hpp"

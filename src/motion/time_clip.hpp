@@ -12,6 +12,10 @@ struct TimeInterval {
   T t_in, t_out;
 };
 
+/// Where a part is cut whose halves are looked at next. At no simple fraction: contacts happen at those, and one at a
+/// cut is undecided on both sides.
+inline constexpr double kNearMiddle = 0.48713;
+
 /// Neither empty nor beyond the step. Of numbers other than doubles it is not asked.
 inline bool is_part_of_step(const TimeInterval<double>& time) {
   return 0 <= time.t_in && time.t_in <= time.t_out && time.t_out <= 1;

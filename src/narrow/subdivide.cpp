@@ -33,10 +33,9 @@ Coplanarity coplanarity(const PairMotion<double>& m) {
 }
 
 /// Where to cut an undecided part: near an end at which the points are coplanar (contacts at the very start of a step
-/// are common), otherwise near the middle. At no simple fraction: contacts happen at those, and one at a cut is
-/// undecided on both sides.
+/// are common), otherwise near the middle.
 double cut_at(const Coplanarity& points, const TimeInterval<double>& part) {
-  constexpr double kNearMiddle = 0.48713, kNearEnd = 0.03137;
+  constexpr double kNearEnd = 0.03137;  // no simple fraction either
   const double s = points.at_start == points.at_end ? kNearMiddle : points.at_start ? kNearEnd : 1 - kNearEnd;
   return (1 - s) * part.t_in + s * part.t_out;
 }

@@ -108,8 +108,7 @@ Point fixed_axis(const Chain& chain) {
 }
 
 double Curvature::deviation(const Interval& length) const {
-  const double eighth = (Interval(0.125) * length * length).upper;
-  return std::min(rounding::above(eighth * acceleration), 2 * reach);
+  return std::min(chord_deviation(acceleration, length), 2 * reach);
 }
 
 ChainBounds::LinkBounds::LinkBounds(const Link& link)

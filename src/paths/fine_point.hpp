@@ -1,4 +1,4 @@
-// From enclosures to what a path answers, a number and its error, and back.
+// From enclosures to what a path answers: a number and its error, a bound of how far a curve is from its chord.
 #pragma once
 #include <algorithm>
 
@@ -7,6 +7,11 @@
 #include "tamis/path.hpp"
 
 namespace tamis {
+
+/// Of a curve with |x''| <= acceleration on a piece of that length, rounded up.
+inline double chord_deviation(double acceleration, const Interval& length) {
+  return (Interval(0.125) * length * length * Interval(acceleration)).upper;
+}
 
 struct RoundedNumber {
   double value, error;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "motion/separations.hpp"
+#include "motion/time_clip.hpp"
 #include "numerics/number_text.hpp"
 #include "paths/check_path.hpp"
 #include "tamis/path.hpp"
@@ -35,8 +36,6 @@ inline double radius_on_piece(Index vertex, double deviation, const Frame& from,
   return radius;
 }
 
-/// At no simple fraction: contacts happen at those, and one at a cut is undecided on both sides.
-inline constexpr double kNearMiddle = 0.48713;
 inline double near_middle(double from, double to) { return from + kNearMiddle * (to - from); }
 
 }  // namespace tamis

@@ -32,12 +32,6 @@ double length_above(std::initializer_list<std::pair<double, const Point*>> terms
   return tamis::length_above({along(0), along(1), along(2)});
 }
 
-/// acceleration (to - from)^2 / 8, rounded up.
-double deviation_of(double acceleration, double from, double to) {
-  const Interval h = Interval(to) - Interval(from);
-  return (Interval(0.125) * h * h * Interval(acceleration)).upper;
-}
-
 }  // namespace
 
 SplinePath::SplinePath(std::vector<std::vector<Point>> frames, std::size_t least) : frames_(std::move(frames)) {
@@ -124,8 +118,9 @@ SplineWeights BezierPath::weights_at(double time) const {
 
 void BezierPath::deviations(double from, double to, std::span<const Index> vertices,
                             std::span<double> deviations) const {
+  const Interval length = Interval(to) - Interval(from);
   for (std::size_t i = 0; i < vertices.size(); ++i)
-    deviations[i] = deviation_of(acceleration_[static_cast<std::size_t>(vertices[i])], from, to);
+    deviations[i] = chord_deviation(acceleration_[static_cast<std::size_t>(vertices[i])], length);
 }
 
 CatmullRomPath::CatmullRomPath(std::vector<std::vector<Point>> all) : SplinePath(std::move(all), 2) {
@@ -193,6 +188,7 @@ SplineWeights CatmullRomPath::weights_at(double time) const {
 
 void CatmullRomPath::deviations(double from, double to, std::span<const Index> vertices,
                                 std::span<double> deviations) const {
+  const Interval length = Interval(to) - Interval(from);
   // x' has no jumps, so the largest |x''| of all pieces touched bounds the deviation.
   const std::size_t last = frames().size() - 1, first_piece = piece_at(from, last).piece,
                     last_piece = piece_at(to, last).piece;
@@ -200,7 +196,7 @@ void CatmullRomPath::deviations(double from, double to, std::span<const Index> v
     double largest = 0;
     for (std::size_t piece = first_piece; piece <= last_piece; ++piece)
       largest = std::max(largest, acceleration_[piece][static_cast<std::size_t>(vertices[i])]);
-    deviations[i] = deviation_of(largest, from, to);
+    deviations[i] = chord_deviation(largest, length);
   }
 }
 

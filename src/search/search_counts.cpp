@@ -16,6 +16,7 @@ SearchCounts& SearchCounts::operator+=(const SearchCounts& other) {
 
 void SearchCounts::add_to(Statistics& statistics, double wall,
                           std::initializer_list<StageCount SearchCounts::*> stages) const {
+  statistics.stages.reserve(statistics.stages.size() + stages.size());
   for (const auto stage : stages) add(statistics.stages, this->*stage);
   statistics.decided_by += decided_by;
   statistics.nodes_visited += nodes_visited;

@@ -73,14 +73,15 @@ double farthest_between(const RoundedTransform& a, const RoundedTransform& b, co
 }  // namespace
 
 StraightWay::StraightWay(const Body& body)
-    : way_(body.way()), start_(body.at_start_.transform), end_(body.at_end_.transform) {
-  TAMIS_ASSERT(way_ != Way::turning);
+    : motion_kind_(body.motion_kind()), start_(body.at_start_.transform), end_(body.at_end_.transform) {
+  TAMIS_ASSERT(motion_kind_ != MotionKind::turning);
   if (body.deforming()) soft_ = *body.deforming();
 }
 
 double StraightWay::farthest_of(const Body& body) const {
   const Deforming* soft = body.deforming();
-  if (body.way() != way_ || soft_.has_value() != (soft != nullptr)) return Box::kNone;
+  if (body.motion_kind() != motion_kind_ || soft_.has_value() != (soft != nullptr))
+    return std::numeric_limits<double>::infinity();
   if (!soft) {
     const Box& box = body.shape().boxes.box(body.shape().boxes.root_level(), 0);
     return std::max(farthest_between(start_, body.at_start_.transform, box),
@@ -134,20 +135,22 @@ void Body::move(BodyMotion motion) {
     start_boxes_ = boxes_at(soft->start);
     end_boxes_ = boxes_at(soft->end);
     innermost_ = outermost_ = {0, 0};
-    way_ = Way::straight;
+    motion_kind_ = MotionKind::straight;
   } else {
     start_boxes_ = end_boxes_ = {};
     itself_.reset();
     const ChainBounds bounds(chain_);
     innermost_ = bounds.of(0, 0);
     outermost_ = bounds.of(shape_->radius, 0);
-    way_ = std::holds_alternative<Static>(motion_) ? Way::still : bounds.turns() ? Way::turning : Way::straight;
+    motion_kind_ = std::holds_alternative<Static>(motion_) ? MotionKind::still
+                   : bounds.turns()                        ? MotionKind::turning
+                                                           : MotionKind::straight;
     at_start_ = PlacedBody{rounded_transform_of(chain_, 0)};
-    at_end_ = way_ == Way::still ? at_start_ : PlacedBody{rounded_transform_of(chain_, 1)};
+    at_end_ = motion_kind_ == MotionKind::still ? at_start_ : PlacedBody{rounded_transform_of(chain_, 1)};
   }
   const int root = shape_->boxes.root_level();
   start_hull_ = CarriedBoxes(*this, 0, 0).of_block(root, 0).hull();
-  hull_ = way_ == Way::still ? start_hull_ : CarriedBoxes(*this, 0, 1).of_block(root, 0).hull();
+  hull_ = motion_kind_ == MotionKind::still ? start_hull_ : CarriedBoxes(*this, 0, 1).of_block(root, 0).hull();
 }
 
 void Body::set_radius(double radius) {

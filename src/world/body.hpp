@@ -11,7 +11,7 @@
 namespace tamis {
 
 /// The motions there are, as far as questions differ: vertices that stay, that go straight, that go on curves.
-enum class Way : std::uint8_t { still, straight, turning };
+enum class MotionKind : std::uint8_t { still, straight, turning };
 
 class Body;
 
@@ -28,7 +28,7 @@ class StraightWay {
   }
 
  private:
-  Way way_;
+  MotionKind motion_kind_;
   RoundedTransform start_, end_;  ///< of a rigid body
   std::optional<Deforming> soft_;
 };
@@ -55,7 +55,7 @@ class Body {
 
   const BodyShape& shape() const { return *shape_; }
   const BodyMotion& motion() const { return motion_; }
-  Way way() const { return way_; }
+  MotionKind motion_kind() const { return motion_kind_; }
   /// What turns, or stays: empty of a body that deforms.
   const Chain& chain() const { return chain_; }
   /// Null unless it deforms.
@@ -86,7 +86,7 @@ class Body {
   BodyId id_;
   std::shared_ptr<const BodyShape> shape_;
   BodyMotion motion_;
-  Way way_ = Way::still;
+  MotionKind motion_kind_ = MotionKind::still;
   double radius_ = 0;
   std::optional<Detector> itself_;  ///< made by the first question
   Chain chain_;

@@ -8,9 +8,12 @@
 
 namespace tamis {
 
+inline constexpr double kEverywhere = std::numeric_limits<double>::infinity();
+
 struct Box {
-  Point low{kNone, kNone, kNone};
-  Point high{-kNone, -kNone, -kNone};
+  /// Empty at first: includes nothing.
+  Point low{kEverywhere, kEverywhere, kEverywhere};
+  Point high{-kEverywhere, -kEverywhere, -kEverywhere};
 
   void include(const Point& point) {
     for (std::size_t k = 0; k < 3; ++k) {
@@ -48,8 +51,6 @@ struct Box {
   Point middle() const {
     return {0.5 * low[0] + 0.5 * high[0], 0.5 * low[1] + 0.5 * high[1], 0.5 * low[2] + 0.5 * high[2]};
   }
-
-  static constexpr double kNone = std::numeric_limits<double>::infinity();
 };
 
 /// False only if proven.

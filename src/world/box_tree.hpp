@@ -43,13 +43,11 @@ class BoxLevels {
     build_upwards();
   }
 
-  int level_count() const { return static_cast<int>(levels_.size()); }
-  int root_level() const { return level_count() - 1; }
+  int root_level() const { return static_cast<int>(levels_.size()) - 1; }
   std::span<const Box> level(int k) const { return levels_[static_cast<std::size_t>(k)]; }
   const Box& box(int level, Index block) const {
     return levels_[static_cast<std::size_t>(level)][static_cast<std::size_t>(block)];
   }
-  const Box& root() const { return levels_.back()[0]; }
   std::uint64_t memory_bytes() const;
 
  private:

@@ -1,6 +1,7 @@
 #include "world/carried_boxes.hpp"
 
 #include "numerics/assert.hpp"
+#include "paths/fine_point.hpp"
 #include "topology/at.hpp"
 
 namespace tamis {
@@ -18,7 +19,7 @@ Box widened(Box box) {
 /// includes it is as large.
 Box all_if_unknown(Box box) {
   for (std::size_t k = 0; k < 3; ++k)
-    if (!(box.low[k] <= box.high[k])) box.low[k] = -Box::kNone, box.high[k] = Box::kNone;
+    if (!(box.low[k] <= box.high[k])) box.low[k] = -kEverywhere, box.high[k] = kEverywhere;
   return box;
 }
 
@@ -55,13 +56,12 @@ CarriedBoxes::CarriedBoxes(const Body& body, double from, double to)
   for (int level = 0; level <= root_level(); ++level)
     place_of_block_.emplace_back(shape().boxes.level(level).size(), kNotMade);
   place_of_items_ = place_of_block_[0];
-  if (body.way() != Way::turning) return;
+  if (body.motion_kind() != MotionKind::turning) return;
   if (from > 0) at_from_ = PlacedBody{rounded_transform_of(body.chain(), from)};
   if (to < 1) at_to_ = to == from ? at_from_ : PlacedBody{rounded_transform_of(body.chain(), to)};
   const Interval length = Interval(to) - Interval(from);
-  const Interval eighth = Interval(0.125) * length * length;
   const auto of_piece = [&](const Curvature& curve) {
-    return Curvature{(eighth * Interval(curve.acceleration)).upper, 2 * curve.reach};
+    return ChordBounds{chord_deviation(curve.acceleration, length), 2 * curve.reach};
   };
   innermost_ = of_piece(body.innermost_);
   outermost_ = of_piece(body.outermost_);
@@ -77,11 +77,11 @@ const CarriedItems& CarriedBoxes::items(Index block) {
 
 /// Of vertices within the box, from their chords.
 double CarriedBoxes::deviation(const Box& at_rest) const {
-  if (body_.way() != Way::turning) return 0;
+  if (body_.motion_kind() != MotionKind::turning) return 0;
   const double radius = shape().radius, place = farthest_in(at_rest);
   const double share = place < radius ? place / radius : 1;  // corners may be farther than all vertices
-  return std::min(at_share(innermost_.acceleration, outermost_.acceleration, share),
-                  at_share(innermost_.reach, outermost_.reach, share)) *
+  return std::min(at_share(innermost_.by_acceleration, outermost_.by_acceleration, share),
+                  at_share(innermost_.by_reach, outermost_.by_reach, share)) *
          (1 + MovingBounds::kRounding);
 }
 
@@ -97,7 +97,7 @@ CarriedItems CarriedBoxes::carried_items(Index block) const {
   CarriedItems carried;
   const auto items = shape().order.items_of(block);
   const Box& at_rest = shape().boxes.box(0, block);
-  const bool turns = body_.way() == Way::turning;
+  const bool turns = body_.motion_kind() == MotionKind::turning;
   const double size = at_rest.size_of_sum(), deviation = this->deviation(at_rest);
   const auto placed = [&](const PlacedBody& place, const auto& end_of_vertex, Index item) {
     if (!turns) return widened(shape().box_of(item, end_of_vertex));
@@ -120,7 +120,7 @@ CarriedItems CarriedBoxes::carried_items(Index block) const {
 /// hold. Those of one that turns are of the piece already.
 MovingBounds CarriedBoxes::cut(const Box& at_start, const Box& at_end) const {
   const Box start = all_if_unknown(at_start), end = all_if_unknown(at_end);
-  if (body_.way() != Way::straight) return {start, end};
+  if (body_.motion_kind() != MotionKind::straight) return {start, end};
   const auto at_time = [&](double time) {
     if (time == 0) return start;
     if (time == 1) return end;

@@ -12,6 +12,11 @@ struct CarriedItems {
   std::array<MovingBounds, kBlock> of_item;  ///< in the order of the block
 };
 
+/// How far a point is at most from its chord on a piece, by its acceleration and wherever it goes: both bounds hold.
+struct ChordBounds {
+  double by_acceleration = 0, by_reach = 0;
+};
+
 /// Boxes are made when they are first asked for, and kept: their references stay valid.
 class CarriedBoxes {
  public:
@@ -33,8 +38,8 @@ class CarriedBoxes {
 
   const Body& body_;
   const double from_, to_;
-  PlacedBody at_from_, at_to_;                   ///< of a body that turns; of others where they are at t=0 and t=1
-  Curvature innermost_{0, 0}, outermost_{0, 0};  ///< of the piece: `acceleration` is a deviation
+  PlacedBody at_from_, at_to_;         ///< of a body that turns; of others where they are at t=0 and t=1
+  ChordBounds innermost_, outermost_;  ///< of points as near to the origin of the body's frame as they are, and as far
   std::vector<std::vector<Index>> place_of_block_;
   std::vector<Index> place_of_items_;
   std::deque<MovingBounds> bounds_;

@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <functional>
 
-#include "detect/make_detector.hpp"
 #include "detect/validate.hpp"
 #include "paths/path_search.hpp"
 #include "query/contact_collector.hpp"
@@ -38,21 +37,19 @@ std::vector<BodyContact> World::State::contacts(const QueryOptions& asked) {
     for (const Contact& c : itself.contacts(body.step(), of_steps(asked))) all.push_back({c, twice(id)});
   });
   gather_moving({separation(asked)});
-  const auto add = [&](Part& part, const std::vector<Contact>& contacts) {
-    for (const Contact& c : contacts) all.push_back(named(c, *part.gathered));
-    add_statistics(part.gathered->detector().statistics());
+  const auto add = [&](const Gathered& gathered, const std::vector<Contact>& contacts) {
+    for (const Contact& c : contacts) all.push_back(named(c, gathered));
+    return true;
   };
-  if (straight_.is_asked()) {
-    Gathered& gathered = *straight_.gathered;
-    const Step step = gathered.step(bodies);
-    // What else is in the mesh depends on earlier questions.
-    add(straight_, DetectorMaker::contacts_by_pair(gathered.detector(), step, of_steps(asked)));
-  }
-  if (turning_.is_asked()) {
-    const RigidPath path = turning_.gathered->path(bodies);
-    add(turning_, DetectorMaker::ask(turning_.gathered->detector(), path, of_curves(asked), Question::all_contacts,
-                                     std::span(times_).subspan(1)));
-  }
+  for_each_gathered(
+      asked,
+      [&](Gathered& gathered, const Step& step, const QueryOptions& how) {
+        // What else is in the mesh depends on earlier questions.
+        return add(gathered, DetectorAccess::contacts_by_pair(gathered.detector(), step, how));
+      },
+      [&](Gathered& gathered, const CutPath& path, const QueryOptions& how) {
+        return add(gathered, DetectorAccess::ask(gathered.detector(), path, how, Question::all_contacts));
+      });
   std::ranges::sort(all, is_before<BodyContact>);
   if (asked.at_start == AtStart::fail)
     for (const BodyContact& c : all)
@@ -68,19 +65,18 @@ EarliestBodyContact World::State::earliest(const QueryOptions& asked) {
     take_sooner(first, own, [&] { return BodyContact{*own.contact, twice(id)}; });
   });
   gather_moving({separation(asked)});
-  const auto take = [&](Part& part, const EarliestContact& found) {
-    take_sooner(first, found, [&] { return named(*found.contact, *part.gathered); });
-    add_statistics(part.gathered->detector().statistics());
+  const auto take = [&](const Gathered& gathered, const EarliestContact& found) {
+    take_sooner(first, found, [&] { return named(*found.contact, gathered); });
+    return true;
   };
-  if (straight_.is_asked()) {
-    Gathered& gathered = *straight_.gathered;
-    take(straight_, gathered.detector().earliest(gathered.step(bodies), of_steps(asked)));
-  }
-  if (turning_.is_asked()) {
-    const RigidPath path = turning_.gathered->path(bodies);
-    take(turning_, first_of(DetectorMaker::ask(turning_.gathered->detector(), path, of_curves(asked),
-                                               Question::earliest, std::span(times_).subspan(1))));
-  }
+  for_each_gathered(
+      asked,
+      [&](Gathered& gathered, const Step& step, const QueryOptions& how) {
+        return take(gathered, gathered.detector().earliest(step, how));
+      },
+      [&](Gathered& gathered, const CutPath& path, const QueryOptions& how) {
+        return take(gathered, first_of(DetectorAccess::ask(gathered.detector(), path, how, Question::earliest)));
+      });
   check_start(first, asked);
   return first;
 }
@@ -90,20 +86,14 @@ bool World::State::is_free(const QueryOptions& asked) {
   validate_of_path(asked);
   gather_moving({separation(asked)});
   bool is_free = true;
-  const auto take = [&](Part& part, bool part_is_free) {
-    add_statistics(part.gathered->detector().statistics());
-    is_free &= part_is_free;
-  };
-  if (straight_.is_asked()) {
-    Gathered& gathered = *straight_.gathered;
-    take(straight_, gathered.detector().is_free(gathered.step(bodies), of_steps(asked)));
-  }
-  if (turning_.is_asked() && is_free) {
-    const RigidPath path = turning_.gathered->path(bodies);
-    take(turning_, DetectorMaker::ask(turning_.gathered->detector(), path, of_curves(asked), Question::is_free,
-                                      std::span(times_).subspan(1))
-                       .empty());
-  }
+  for_each_gathered(
+      asked,
+      [&](Gathered& gathered, const Step& step, const QueryOptions& how) {
+        return is_free = gathered.detector().is_free(step, how);
+      },
+      [&](Gathered& gathered, const CutPath& path, const QueryOptions& how) {
+        return is_free = DetectorAccess::ask(gathered.detector(), path, how, Question::is_free).empty();
+      });
   if (is_free)
     for_each_by_itself([&](BodyId, Body& body, Detector& itself) {
       is_free = is_free && itself.is_free(body.step(), of_steps(asked));

@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <tuple>
 
-#include "detect/make_detector.hpp"
 #include "detect/validate.hpp"
 #include "world/named_pairs.hpp"
 #include "world/world_state.hpp"
@@ -67,19 +66,18 @@ BodyStep World::State::safe_step(double fraction, const QueryOptions& asked) {
   for_each_by_itself([&](BodyId id, Body& body, Detector& itself) {
     add(itself.safe_step(body.step(), fraction, of_steps(asked)), [&](auto&) { return twice(id); });
   });
-  const auto add_gathered = [&](Gathered& gathered, const SafeStep& step) {
+  const auto add_gathered = [&](const Gathered& gathered, const SafeStep& step) {
     add(step, [&](auto& pair) { return gathered.name(pair.kind, pair.vertices); });
-    add_statistics(gathered.detector().statistics());
+    return true;
   };
-  if (straight_.is_asked()) {
-    Gathered& gathered = *straight_.gathered;
-    add_gathered(gathered, gathered.detector().safe_step(gathered.step(bodies), fraction, of_steps(asked)));
-  }
-  if (turning_.is_asked()) {
-    Gathered& gathered = *turning_.gathered;
-    add_gathered(gathered, DetectorMaker::safe_step(gathered.detector(), gathered.path(bodies), fraction,
-                                                    of_curves(asked), std::span(times_).subspan(1)));
-  }
+  for_each_gathered(
+      asked,
+      [&](Gathered& gathered, const Step& step, const QueryOptions& how) {
+        return add_gathered(gathered, gathered.detector().safe_step(step, fraction, how));
+      },
+      [&](Gathered& gathered, const CutPath& path, const QueryOptions& how) {
+        return add_gathered(gathered, DetectorAccess::safe_step(gathered.detector(), path, fraction, how));
+      });
   if (asked.at_start == AtStart::fail && first.pair && first.lower == 0)
     refuse_touching_start(first.pair->kind, first.pair->vertices, first.pair->bodies);
   return first;

@@ -68,7 +68,7 @@ void Gathered::add(BodyId id, const Body& body, std::vector<Index> items) {
     else
       points_.push_back(face[0]);
   }
-  ways_.push_back(body.way());
+  motion_kinds_.push_back(body.motion_kind());
 }
 
 /// Bodies of one color are not asked about: either they are not near each other, or they are aside. A group of the
@@ -101,10 +101,10 @@ void Gathered::set_groups(const BodyList& bodies, const MeetingRules& rules, Opt
   };
 }
 
-bool Gathered::keeps_ways(const BodyList& bodies) const {
-  auto way = ways_.begin();
+bool Gathered::keeps_motion_kinds(const BodyList& bodies) const {
+  auto kind = motion_kinds_.begin();
   for (const auto& [id, unused] : items_.of_body)
-    if (body_of(bodies, id).way() != *way++) return false;
+    if (body_of(bodies, id).motion_kind() != *kind++) return false;
   return true;
 }
 
@@ -130,7 +130,7 @@ RigidPath Gathered::path(const BodyList& bodies) const {
   BodyId last = -1;
   for (const auto& [id, own] : vertices_) {
     const Body& body = body_of(bodies, id);
-    const bool turns = body.way() == Way::turning;
+    const bool turns = body.motion_kind() == MotionKind::turning;
     if (id != last) chains.push_back(turns ? body.chain() : Chain());
     last = id;
     number_of_body.push_back(static_cast<Index>(chains.size()) - 1);

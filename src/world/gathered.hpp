@@ -12,10 +12,10 @@ namespace tamis {
 /// Which pairs of bodies meet in one mesh.
 struct MeetingRules {
   /// Bodies that do not meet each other: those that stay, or in a question about curves those that do not turn.
-  Way aside;
+  MotionKind aside;
   const std::set<BodyPair>& kept_apart;
 
-  bool is_aside(const Body& body) const { return body.way() <= aside; }
+  bool is_aside(const Body& body) const { return body.motion_kind() <= aside; }
 };
 
 class Gathered {
@@ -25,7 +25,7 @@ class Gathered {
   Gathered(const Gathered&) = delete;
 
   /// Does each of its bodies stay, go straight, or turn, as it did when this was made?
-  bool keeps_ways(const BodyList& bodies) const;
+  bool keeps_motion_kinds(const BodyList& bodies) const;
   bool includes(const NearItems& items) const { return items_.includes(items); }
 
   /// Where all vertices are at t=0, in doubles, and at t=1. Valid until the next time.
@@ -52,8 +52,8 @@ class Gathered {
   void set_groups(const BodyList& bodies, const MeetingRules& rules, Options& options) const;
 
   const NearItems items_;
-  std::vector<Way> ways_;         ///< of its bodies, ascending
-  std::vector<Vertex> vertices_;  ///< by body, then own vertex: in the order of contacts
+  std::vector<MotionKind> motion_kinds_;  ///< of its bodies, ascending
+  std::vector<Vertex> vertices_;          ///< by body, then own vertex: in the order of contacts
   std::vector<Face> faces_;
   std::vector<Edge> edges_;
   std::vector<Index> points_;

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "paths/fine_point.hpp"
 #include "paths/path_search.hpp"
 #include "query/cancellation.hpp"
 #include "topology/at.hpp"
@@ -17,13 +18,16 @@ constexpr double kMoreInEdges = 0.5;
 constexpr std::size_t kShrunk = 4;
 constexpr double kMostPieces = 4096;
 
-bool is_straight(const Body& a, const Body& b) { return a.way() != Way::turning && b.way() != Way::turning; }
+bool is_straight(const Body& a, const Body& b) {
+  return a.motion_kind() != MotionKind::turning && b.motion_kind() != MotionKind::turning;
+}
 bool is_turning(const Body& a, const Body& b) { return !is_straight(a, b); }
 
 }  // namespace
 
 double World::State::Reach::own(const Body& body) const {
-  const double way = part_of_way > 0 && body.way() != Way::still ? part_of_way * body.hull().extent() : 0;
+  const double way =
+      part_of_way > 0 && body.motion_kind() != MotionKind::still ? part_of_way * body.hull().extent() : 0;
   return body.radius() + way;
 }
 
@@ -40,12 +44,12 @@ std::vector<BodyPair> World::State::only(const Wanted& is_wanted, std::vector<Bo
   return pairs;
 }
 
-void World::State::gather(Part& part, const Reach& reach, const Wanted& is_wanted, const std::vector<BodyPair>& near,
-                          const std::vector<double>& times) {
+void World::State::gather(Gathering& gathering, const Reach& reach, const Wanted& is_wanted,
+                          const std::vector<BodyPair>& near, const std::vector<double>& times) {
   const std::vector<BodyPair> wanted = only(is_wanted, near);
   if (wanted.empty()) return;
-  if (part.serves(bodies, wanted, reach)) {
-    part.pairs = wanted;
+  if (gathering.serves(bodies, wanted, reach)) {
+    gathering.pairs = wanted;
     return;
   }
   const auto find = [&](const std::vector<BodyPair>& pairs, double more) {
@@ -53,11 +57,11 @@ void World::State::gather(Part& part, const Reach& reach, const Wanted& is_wante
     return find_near_items(bodies, pairs, reach_of, times);
   };
   const NearItems needed = find(wanted, 0);
-  part.pairs = needed.pairs;
-  if (!part.is_asked()) return;
+  gathering.pairs = needed.pairs;
+  if (!gathering.is_asked()) return;
   const std::size_t count = needed.count();
-  if (part.gathered && kShrunk * count >= part.needed_when_gathered && part.gathered->keeps_ways(bodies) &&
-      part.gathered->includes(needed))
+  if (gathering.gathered && kShrunk * count >= gathering.needed_when_gathered &&
+      gathering.gathered->keeps_motion_kinds(bodies) && gathering.gathered->includes(needed))
     return;
   double edges = 0;
   for (const auto& [id, unused] : needed.of_body) edges += bodies[at(id)]->shape().edge;
@@ -65,26 +69,26 @@ void World::State::gather(Part& part, const Reach& reach, const Wanted& is_wante
   const std::vector<BodyPair> farther = only(is_wanted, near_bodies(reach, more, times.back() == 0));
   NearItems all = find(farther, more);
   all.add(needed);
-  part.room = room_of(farther, reach, more);
-  const MeetingRules rules{part.aside, kept_apart};
-  part.gathered = std::make_unique<Gathered>(bodies, std::move(all), rules, options);
-  part.needed_when_gathered = count;
+  gathering.margin = margin_of(farther, reach, more);
+  const MeetingRules rules{gathering.aside, kept_apart};
+  gathering.gathered = std::make_unique<Gathered>(bodies, std::move(all), rules, options);
+  gathering.needed_when_gathered = count;
 }
 
-std::optional<World::State::Room> World::State::room_of(const std::vector<BodyPair>& pairs, const Reach& reach,
-                                                        double more) const {
+std::optional<World::State::Margin> World::State::margin_of(const std::vector<BodyPair>& pairs, const Reach& reach,
+                                                            double more) const {
   if (reach.part_of_way > 0) return std::nullopt;
-  Room room{reach.separation, more, {}};
+  Margin margin{reach.separation, more, {}};
   for (const BodyPair& pair : pairs)
     for (const BodyId id : pair) {
       const Body& body = *bodies[at(id)];
-      if (body.way() == Way::turning) return std::nullopt;
-      room.ways.try_emplace(id, body);
+      if (body.motion_kind() == MotionKind::turning) return std::nullopt;
+      margin.ways.try_emplace(id, body);
     }
-  return room;
+  return margin;
 }
 
-bool World::State::Room::has(const BodyList& of_world, const std::vector<BodyPair>& pairs) const {
+bool World::State::Margin::has(const BodyList& of_world, const std::vector<BodyPair>& pairs) const {
   std::map<BodyId, double> off;
   const auto off_of = [&](BodyId id) {
     const auto [place, is_new] = off.try_emplace(id, std::numeric_limits<double>::infinity());
@@ -101,7 +105,7 @@ std::vector<double> World::State::times_of_pieces(const std::vector<BodyPair>& p
   for (const BodyPair& pair : pairs) {
     const Body &a = *bodies[at(pair[0])], &b = *bodies[at(pair[1])];
     const double allowed = kDeviationInEdges * std::max(a.shape().edge, b.shape().edge);
-    const double deviation = (a.acceleration() + b.acceleration()) / 8;  // of the whole step
+    const double deviation = chord_deviation(a.acceleration() + b.acceleration(), Interval(1));  // of the whole step
     if (allowed > 0 && deviation > allowed) pieces = std::max(pieces, std::ceil(std::sqrt(deviation / allowed)));
   }
   pieces = std::min(pieces, kMostPieces);

@@ -32,7 +32,7 @@ BodyTree::BodyTree(std::vector<BodyId> bodies, std::vector<Box> hulls)
 
 std::vector<BodyPair> NearBodies::find(const BodyList& bodies, const ReachOfBody& own, double separation,
                                        bool at_start) {
-  const auto is_still = [](const Body& body) { return body.way() == Way::still; };
+  const auto is_still = [](const Body& body) { return body.motion_kind() == MotionKind::still; };
   if (!knows_still_) still_ = tree_of(bodies, own, false, is_still);
   knows_still_ = true;
   const BodyTree moving = tree_of(bodies, own, at_start, [&](const Body& body) { return !is_still(body); });

@@ -146,7 +146,7 @@ NearItems find_near_items(const BodyList& bodies, const std::vector<BodyPair>& p
       const auto [a, b] = pairs[i];
       if (PairWalk(side(a), side(b), reach(body(a), body(b))).run(is_near[i])) is_near[i] = true;
     }
-    std::erase_if(carried, [](const auto& one) { return one.second.body().way() != Way::still; });
+    std::erase_if(carried, [](const auto& one) { return one.second.body().motion_kind() != MotionKind::still; });
   }
   for (std::size_t i = 0; i < pairs.size(); ++i)
     if (is_near[i]) near.pairs.push_back(pairs[i]);

@@ -53,7 +53,7 @@ const BodyMotion& World::motion(BodyId body) const {
 void World::remove(BodyId body) {
   State& now = state();
   const Turn turn(now.is_asked);
-  now.forget(now.body(body));
+  now.forget_gathered(now.body(body));
   now.bodies[at(body)] = nullptr;
   std::erase_if(now.kept_apart, [&](const BodyPair& pair) { return pair[0] == body || pair[1] == body; });
 }
@@ -67,7 +67,7 @@ void World::set_enabled(BodyId body, bool is_enabled) {
   if (is_enabled)
     now.forget_if_still(switched);
   else
-    now.forget(switched);
+    now.forget_gathered(switched);
 }
 
 void World::set_radius(BodyId body, double radius) {
@@ -77,7 +77,7 @@ void World::set_radius(BodyId body, double radius) {
   validate_distance(radius, "the radius of body " + std::to_string(body));
   if (thick.radius() == radius) return;
   thick.set_radius(radius);
-  now.forget(thick);
+  now.forget_gathered(thick);
 }
 
 void World::set_may_touch(BodyId a, BodyId b, bool may_touch) {
@@ -91,7 +91,7 @@ void World::set_may_touch(BodyId a, BodyId b, bool may_touch) {
     first.may_touch_itself = may_touch;
     return;
   }
-  if (may_touch && first.way() == Way::still && second.way() == Way::still)
+  if (may_touch && first.motion_kind() == MotionKind::still && second.motion_kind() == MotionKind::still)
     throw InvalidOptions("bodies " + std::to_string(a) + " and " + std::to_string(b) +
                          " both stay where they are, so they cannot come to touch: move one of them");
   const BodyPair pair{std::min(a, b), std::max(a, b)};
@@ -99,7 +99,7 @@ void World::set_may_touch(BodyId a, BodyId b, bool may_touch) {
     now.kept_apart.erase(pair);
   else
     now.kept_apart.insert(pair);
-  now.forget(first);
+  now.forget_gathered(first);
 }
 
 std::vector<BodyContact> World::contacts(const QueryOptions& options) {

@@ -44,7 +44,7 @@ void World::State::move(BodyId id, BodyMotion motion) {
   forget_if_still(moved);
 }
 
-void World::State::forget(const Body& changed) {
+void World::State::forget_gathered(const Body& changed) {
   must_gather_ = true;
   forget_if_still(changed);
 }
@@ -65,9 +65,9 @@ void World::State::check_start(const EarliestBodyContact& first, const QueryOpti
 }
 
 void World::State::begin() {
-  for (Part* part : {&straight_, &turning_, &at_rest_}) {
-    if (must_gather_) part->gathered = nullptr;
-    part->pairs.clear();
+  for (Gathering* gathering : {&straight_, &turning_, &at_rest_}) {
+    if (must_gather_) gathering->gathered = nullptr;
+    gathering->pairs.clear();
   }
   must_gather_ = false;
 }
@@ -87,11 +87,11 @@ std::uint64_t World::State::memory_bytes() const {
   std::uint64_t bytes = 0;
   for (const auto& body : bodies)
     if (body) bytes += body->memory_bytes();
-  for (const Part* part : {&straight_, &turning_, &at_rest_})
-    if (part->gathered) {
-      bytes += part->gathered->memory_bytes();
-      if (part->room)
-        for (const auto& [id, way] : part->room->ways) bytes += way.memory_bytes();
+  for (const Gathering* gathering : {&straight_, &turning_, &at_rest_})
+    if (gathering->gathered) {
+      bytes += gathering->gathered->memory_bytes();
+      if (gathering->margin)
+        for (const auto& [id, way] : gathering->margin->ways) bytes += way.memory_bytes();
     }
   return bytes;
 }

@@ -8,6 +8,7 @@
 #include <set>
 #include <vector>
 
+#include "detect/detector_access.hpp"
 #include "query/stopwatch.hpp"
 #include "tamis/turn.hpp"
 #include "world/gathered.hpp"
@@ -21,11 +22,11 @@ struct World::State {
 
   Body& body(BodyId id);
   void move(BodyId id, BodyMotion motion);
-  /// What was gathered with this body must not be asked any more.
-  void forget(const Body& changed);
-  /// Of a body that comes, or moves on: what is gathered sees that itself.
+  /// Of a body of which something else than its motion has changed, or that goes: what was gathered is of no use.
+  void forget_gathered(const Body& changed);
+  /// Of a body that comes, or gets another motion: what is gathered sees that itself.
   void forget_if_still(const Body& changed) {
-    if (changed.way() == Way::still) near_bodies_.forget_still();
+    if (changed.motion_kind() == MotionKind::still) near_bodies_.forget_still();
   }
 
   const Options options;
@@ -56,36 +57,36 @@ struct World::State {
   BodyStep safe_step(double fraction, const QueryOptions& asked);
 
  private:
-  /// How near bodies must come to be asked about.
+  /// How near bodies must come to be asked about: within the separation, both radii, and a part of how far both go.
   struct Reach {
     double separation = 0;
-    double part_of_way = 0;  ///< and so much of how far both go, and both radii
+    double part_of_way = 0;
     /// What one of them adds.
     double own(const Body& body) const;
     double of(const Body& a, const Body& b) const { return (separation + own(a) + own(b)) * (1 + 0x1p-40); }
   };
-  /// What was gathered is all that comes within the reach and `more`: it serves as long as bodies keep so near to the
-  /// ways that they went then.
-  struct Room {
+  /// What was gathered is all that comes within the reach and `more`. It serves later questions while both bodies of
+  /// each pair together are no farther than `more` from where they were then, at the same time of the step.
+  struct Margin {
     double separation, more;
     std::map<BodyId, StraightWay> ways;
     bool has(const BodyList& of_world, const std::vector<BodyPair>& pairs) const;
   };
   /// One mesh of bodies that meet: those whose vertices all go straight, those of which one turns, or at rest all.
-  struct Part {
-    Way aside;
+  struct Gathering {
+    MotionKind aside;  ///< as in MeetingRules
     std::unique_ptr<Gathered> gathered = nullptr;
-    std::size_t needed_when_gathered = 0;
-    std::vector<BodyPair> pairs = {};         ///< those that may touch in this question
-    std::optional<Room> room = std::nullopt;  ///< of bodies that do not turn
+    std::size_t needed_when_gathered = 0;         ///< items
+    std::vector<BodyPair> pairs = {};             ///< those that may touch in this question
+    std::optional<Margin> margin = std::nullopt;  ///< of bodies that do not turn
     bool is_asked() const { return !pairs.empty(); }
     bool serves(const BodyList& of_world, const std::vector<BodyPair>& near, const Reach& reach) const {
-      return gathered && room && reach.part_of_way == 0 && reach.separation <= room->separation &&
-             gathered->keeps_ways(of_world) && room->has(of_world, near);
+      return gathered && margin && reach.part_of_way == 0 && reach.separation <= margin->separation &&
+             gathered->keeps_motion_kinds(of_world) && margin->has(of_world, near);
     }
   };
 
-  /// Which pairs a part is asked about.
+  /// Which pairs a gathering is asked about.
   using Wanted = std::function<bool(const Body&, const Body&)>;
 
   /// Throws InvalidOptions and InvalidStep.
@@ -95,10 +96,10 @@ struct World::State {
   std::vector<BodyPair> near_bodies(const Reach& reach, double more, bool at_start);
   std::vector<BodyPair> only(const Wanted& is_wanted, std::vector<BodyPair> pairs) const;
   /// `near`: those without more. `times`: as find_near_items has them.
-  void gather(Part& part, const Reach& reach, const Wanted& is_wanted, const std::vector<BodyPair>& near,
+  void gather(Gathering& gathering, const Reach& reach, const Wanted& is_wanted, const std::vector<BodyPair>& near,
               const std::vector<double>& times);
   /// None where one of them turns.
-  std::optional<Room> room_of(const std::vector<BodyPair>& pairs, const Reach& reach, double more) const;
+  std::optional<Margin> margin_of(const std::vector<BodyPair>& pairs, const Reach& reach, double more) const;
   /// Those of bodies that move.
   void gather_moving(const Reach& reach);
   void gather_at_rest(double distance);
@@ -107,6 +108,10 @@ struct World::State {
   /// f(id, body, detector) of each body that may touch itself.
   template <class F>
   void for_each_by_itself(const F& f);
+  /// Of what is gathered that moves, until one returns false: on_step(gathered, step, options) of what goes straight,
+  /// on_path(gathered, cut path, options) of what turns.
+  template <class OnStep, class OnPath>
+  void for_each_gathered(const QueryOptions& asked, const OnStep& on_step, const OnPath& on_path);
   void add_statistics(const Statistics& of_part);
   /// Of a contact, or of what ends a step.
   [[noreturn]] void refuse_touching_start(PairKind kind, const PairVertices& vertices,
@@ -117,7 +122,7 @@ struct World::State {
   std::uint64_t memory_bytes() const;
 
   NearBodies near_bodies_;
-  Part straight_{Way::still}, turning_{Way::straight}, at_rest_{Way::still};
+  Gathering straight_{MotionKind::still}, turning_{MotionKind::straight}, at_rest_{MotionKind::still};
   std::vector<double> times_;  ///< of the pieces of turning_
   bool must_gather_ = false;
 };
@@ -142,6 +147,21 @@ void World::State::for_each_by_itself(const F& f) {
     f(static_cast<BodyId>(id), *body, body->itself(options));
     add_statistics(body->itself(options).statistics());
   }
+}
+
+template <class OnStep, class OnPath>
+void World::State::for_each_gathered(const QueryOptions& asked, const OnStep& on_step, const OnPath& on_path) {
+  bool goes_on = true;
+  const auto ask = [&](Gathering& gathering, const auto& question) {
+    if (!goes_on || !gathering.is_asked()) return;
+    goes_on = question(*gathering.gathered);
+    add_statistics(gathering.gathered->detector().statistics());
+  };
+  ask(straight_, [&](Gathered& gathered) { return on_step(gathered, gathered.step(bodies), of_steps(asked)); });
+  ask(turning_, [&](Gathered& gathered) {
+    const RigidPath path = gathered.path(bodies);
+    return on_path(gathered, CutPath{path, std::span(times_).subspan(1)}, of_curves(asked));
+  });
 }
 
 }  // namespace tamis

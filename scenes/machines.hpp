@@ -1,6 +1,6 @@
 // Machines of rigid bodies whose parts are near each other all the time: rebuilt from the descriptions of the examples
-// of Rigid IPC (Ferguson et al. 2021, "Intersection-free Rigid Body Dynamics"), each as one step. Unlike other scenes
-// they use sine and cosine, and may differ in last places from machine to machine.
+// of Rigid IPC (Ferguson et al. 2021, "Intersection-free Rigid Body Dynamics"), each as one step. They use sine and
+// cosine, and may differ in last places from machine to machine.
 #pragma once
 #include <string>
 #include <vector>

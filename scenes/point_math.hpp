@@ -1,5 +1,5 @@
-// Arithmetic on points. Only operations that IEEE 754 rounds correctly are used to make scenes (no sine or cosine),
-// so that a scene has the same bits on every machine.
+// Arithmetic on points, all of it rounded correctly by IEEE 754: a scene made of it has the same bits on every machine.
+// Machines, bolts, reduced sheets and simulated setups use sine and cosine, too, and may differ in last places.
 #pragma once
 #include <cmath>
 

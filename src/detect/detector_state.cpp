@@ -33,12 +33,6 @@ Options valid(Options options, const Mesh& mesh) {
   return options;
 }
 
-void validate_kept_part(double keep) {
-  if (!(keep > 0 && keep < 1))
-    throw InvalidOptions("keep is " + number_text(keep) +
-                         ": give the fraction of its distance that each pair keeps, > 0 and < 1");
-}
-
 }  // namespace
 
 Detector::State::State(Mesh m, Options o, const MakeEngine& make_engine)
@@ -177,7 +171,7 @@ SafeStep Detector::State::step_length(const Query& query, double keep, AtStart a
 }
 
 TruncatedStep Detector::State::truncate(const Step& step, double keep, const QueryOptions& asked, Stored stored) {
-  validate_kept_part(keep);
+  validate_kept_of_truncate(keep);
   validate_is_named(stored, "kind of numbers that are stored");
   Query whole = validated_query(step, asked);
   if (stored == Stored::float64) return truncate(whole, KeptFractions(keep), asked.at_start, stored);

@@ -39,7 +39,8 @@ void validate_threads(int threads);
 /// `what`: as in "the minimum separation". Throws InvalidOptions unless finite and >= 0.
 void validate_distance(double distance, const std::string& what);
 
-/// Throws InvalidOptions unless in [0, 1).
+/// Throws InvalidOptions unless in [0, 1); of `truncate` in (0, 1).
 void validate_kept(double keep);
+void validate_kept_of_truncate(double keep);
 
 }  // namespace tamis

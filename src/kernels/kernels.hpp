@@ -88,7 +88,7 @@ struct Search {
   TreeView a, b;  ///< vf: points, faces; ee: edges, edges
   /// Nothing that starts after this time is of interest; a float, so that the stages in floats do not round it.
   float t_limit = 1;
-  NearRule near{};  ///< for search_near, which looks at nothing else
+  NearRule near{};  ///< for search_step_ends, which looks at nothing else
   /// For search_at_rest: by how much boxes are wider, together, than what is near.
   float widened = 0;
   PairBuffer* pairs = nullptr;
@@ -124,10 +124,11 @@ struct PairKernels {
   /// The same of boxes at t=0 that are wider, together, by search.widened.
   SearchKernel search_at_rest = nullptr;
   /// The same of pairs that may end the step by the near rule. Trees have residuals.
-  SearchKernel search_near = nullptr;
+  SearchKernel search_step_ends = nullptr;
   /// Pairs that cannot end the step by the rule, from t=0 to their t_out, are culled. `pairs` is used up: what it holds
   /// then are those that floats could not cull. Of pairs that can cross.
-  void (*near)(const NearVertices& vertices, const NearRule& rule, PairBuffer& pairs, PairBuffer& out) = nullptr;
+  void (*may_end_step)(const NearVertices& vertices, const NearRule& rule, PairBuffer& pairs,
+                       PairBuffer& out) = nullptr;
   /// Slab clip: pairs that stay farther apart than `separation` are culled. Survivors, with their times, go to `out`.
   void (*slab)(const BoxVertex* vertices, const BoxSeparation& separation, const PairBuffer& in,
                PairBuffer& out) = nullptr;
@@ -150,8 +151,8 @@ struct PairKernels {
                      SolvedPair* out) = nullptr;
   /// At rest: appends the pairs within their separation to `near`, and to `unsure` those that may be and whose
   /// distance doubles do not know well enough.
-  void (*find_near)(const PackedVertex* vertices, const PairSeparation& separation, const PairBuffer& in,
-                    PairBuffer& near, PairBuffer& unsure) = nullptr;
+  void (*find_within_at_rest)(const PackedVertex* vertices, const PairSeparation& separation, const PairBuffer& in,
+                              PairBuffer& near, PairBuffer& unsure) = nullptr;
   /// At rest: one NearPair for each pair of the buffer; the distance is NaN where doubles do not know it well enough.
   void (*measure)(const PackedVertex* vertices, const PairBuffer& in, NearPair* out) = nullptr;
   /// The pairs of a list, each for the whole step and by itself, as far as doubles decide it

@@ -25,7 +25,7 @@ void search(Search& state, int block) {
 }
 
 template <PairKind kind>
-void search_near(Search& state, int block) {
+void search_step_ends(Search& state, int block) {
   if (goes_a_short_way(state, block))
     BlockSearch<kind, ClearanceBoxes>(state, block).run();
   else
@@ -75,7 +75,7 @@ unsigned is_kept_in_parts(const KeptGap<kind, FloatLanes>& gap, const FloatLanes
   return kept;
 }
 
-/// The same as near() begins with, in the floats of the boxes: half the memory to read for most of the pairs.
+/// The same as may_end_step() begins with, in the floats of the boxes: half the memory to read for most of the pairs.
 template <PairKind kind>
 void leave_out_kept(const BoxVertex* vertices, const BoxSeparation& separation, const NearRule& rule,
                     PairBuffer& pairs) {
@@ -96,7 +96,7 @@ void leave_out_kept(const BoxVertex* vertices, const BoxSeparation& separation, 
 
 /// Turning axes leave few of the pairs that boxes do: first of all, though they cost most.
 template <PairKind kind>
-void near(const NearVertices& vertices, const NearRule& rule, PairBuffer& in, PairBuffer& out) {
+void may_end_step(const NearVertices& vertices, const NearRule& rule, PairBuffer& in, PairBuffer& out) {
   leave_out_kept<kind>(vertices.in_boxes, vertices.box_separation, rule, in);
   for (int first = 0; first < in.count; first += kFloatLanes) {
     const auto m = load_motion_as_float<kind>(vertices.exact, in, first, vertices.separation);
@@ -185,15 +185,15 @@ constexpr PairKernels kernels_of() {
   constexpr PairKind kSearched = kind == kEe ? kEe : kVf;
   PairKernels kernels{.search = search<kSearched, MovingBoxes>,
                       .search_at_rest = search<kSearched, RestBoxes>,
-                      .search_near = search_near<kSearched>,
+                      .search_step_ends = search_step_ends<kSearched>,
                       .slab = slab<kind>,
                       .cull_apart = cull_apart<kind>,
                       .come_within = come_within<kind>,
-                      .find_near = find_near<kind>,
+                      .find_within_at_rest = find_within_at_rest<kind>,
                       .measure = measure<kind>,
                       .decide_list = decide_list<kind>};
   if constexpr (can_cross(kind)) {
-    kernels.near = near<kind>;
+    kernels.may_end_step = may_end_step<kind>;
     kernels.filter = filter<kind>;
     kernels.filter_deviating = filter_deviating<kind>;
     kernels.solve = solve<kind>;

@@ -9,8 +9,8 @@ namespace tamis::TAMIS_ISA {
 /// Pairs within their separation, or by less than doubles can tell beyond it, go to `near`; those whose
 /// distance doubles do not know well enough go to `unsure` if they may be.
 template <PairKind kind>
-void find_near(const PackedVertex* vertices, const PairSeparation& separation, const PairBuffer& in, PairBuffer& near,
-               PairBuffer& unsure) {
+void find_within_at_rest(const PackedVertex* vertices, const PairSeparation& separation, const PairBuffer& in,
+                         PairBuffer& near, PairBuffer& unsure) {
   const auto append = [&](int first, unsigned lanes, PairBuffer& to) {
     for (int c = 0; c < 4; ++c)
       store_compressed(lanes, IntLanes::load_unaligned(in.corner[c] + first), to.corner[c] + to.count);

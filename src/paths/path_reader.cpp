@@ -42,6 +42,17 @@ StraightDirection direction_of(Index vertex, const Point& given) {
 
 }  // namespace
 
+void Path::fine_points_at(double time, std::span<const Index> vertices, std::span<FinePoint> points) const {
+  std::vector<Point> high(vertices.size());
+  std::vector<double> errors(vertices.size());
+  points_at(time, vertices, high, errors);
+  for (std::size_t i = 0; i < vertices.size(); ++i) points[i] = {high[i], {0, 0, 0}, errors[i]};
+}
+
+void Path::straight_directions(std::span<const Index>, std::span<Point> directions) const {
+  std::fill(directions.begin(), directions.end(), Point{0, 0, 0});
+}
+
 void check_point(Index vertex, double time, const Point& point, double error) {
   if (is_finite(point) && error >= 0) return;
   const std::string place = "vertex " + std::to_string(vertex) + " of the path at t = " + number_text(time);

@@ -26,7 +26,8 @@ void ProximityConsumer::consume(PairKind kind) {
   PairBuffer &boxes = thread().boxes, &within = thread().clipped, &unsure = thread().filtered;
   of(counts.boxes, kind) += static_cast<std::uint64_t>(boxes.count);
   within.count = unsure.count = 0;
-  thread().kernels.of(kind).find_near(motion.vertices.data(), motion.pair_separation(), boxes, within, unsure);
+  thread().kernels.of(kind).find_within_at_rest(motion.vertices.data(), motion.pair_separation(), boxes, within,
+                                                unsure);
   counts.decided_by.lanes += static_cast<std::uint64_t>(boxes.count - unsure.count);
   keep_wanted(unsure, [&](int i) {
     stop_if_cancelled(query());

@@ -49,7 +49,7 @@ void StepLengthConsumer::consume(PairKind kind) {
     near.count = 0;
     const NearVertices vertices{motion.box_vertices.data(), motion.box_separation(), motion.vertices.data(),
                                 motion.pair_separation()};
-    thread().kernels.of(kind).near(vertices, asked_->rule(), boxes, near);
+    thread().kernels.of(kind).may_end_step(vertices, asked_->rule(), boxes, near);
   }
   PairBuffer& left = can_cross(kind) ? near : boxes;  // loose points are few
   of(counts.near, kind) += static_cast<std::uint64_t>(left.count);

@@ -42,7 +42,7 @@ class StepLengthConsumer final : public PairConsumer {
   const std::vector<StepLimit>& ends() const { return ends_; }
 
   bool wants(PairKind kind) const override { return !limit_.rules_out(kind); }
-  SearchKernel kernel(PairKind kind) const override { return thread().kernels.of(kind).search_near; }
+  SearchKernel kernel(PairKind kind) const override { return thread().kernels.of(kind).search_step_ends; }
   void set_limits(Search& search) const override { search.near = asked_->rule(); }
   void consume(PairKind kind) override;
   std::uint64_t memory_bytes() const { return ends_.capacity() * sizeof(StepLimit); }

@@ -112,9 +112,9 @@ std::array<int, 2> run_near(const Kernels& kernels, PairKind kind, const Guarded
   const Guarded<PairBuffer> boxes({empty.get(), 1}, guard), near({empty.get(), 1}, guard);
   Search search{a.view(), b.view()};
   search.near = {0.25f, 1.5f, 1.0f, 10.0f, {2.25f, 0, 0, 1}};
-  find(search, kernels.of(kind).search_near, *boxes.data());
+  find(search, kernels.of(kind).search_step_ends, *boxes.data());
   const int found = boxes.data()->count;
-  kernels.of(kind).near(vertices, search.near, *boxes.data(), *near.data());
+  kernels.of(kind).may_end_step(vertices, search.near, *boxes.data(), *near.data());
   return {found, near.data()->count};
 }
 
@@ -182,7 +182,7 @@ void run_other_kinds(const Kernels& kernels, const Soup& soup, const PackedVerte
   }
   for (std::size_t kind = 0; kind < kPairKinds; ++kind) {
     const Guarded<PairBuffer> near({empty.get(), 1}, guard), unsure({empty.get(), 1}, guard);
-    kernels.of_kind[kind].find_near(vertices, {8, true}, *in.data(), *near.data(), *unsure.data());
+    kernels.of_kind[kind].find_within_at_rest(vertices, {8, true}, *in.data(), *near.data(), *unsure.data());
     EXPECT_EQ(near.data()->count + unsure.data()->count, count) << kind;
     const Guarded<NearPair> rest(std::vector<NearPair>(PairBuffer::kCapacity), guard);
     kernels.of_kind[kind].measure(vertices, *in.data(), rest.data());

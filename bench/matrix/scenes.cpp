@@ -38,6 +38,7 @@ struct Generated {
   scenes::Scene (*make)(Index triangles, std::uint64_t seed);
   double crowding = 1;
   Index fewest_triangles = 0;  ///< smaller ones are the same scene
+  bool parts_groups = false;
 };
 
 constexpr std::array kGenerated{
@@ -51,6 +52,7 @@ constexpr std::array kGenerated{
     Generated{"fast-body", fast_body, 1, 100},
     Generated{"spinning-bodies", spinning_bodies, 1, 100},
     Generated{"fast-together", fast_together},
+    Generated{"bodies-without-self-contact", scenes::colliding_bodies, 1, 100, true},
 };
 
 /// Bad input, of one size each.
@@ -107,7 +109,7 @@ const std::vector<SceneName>& scene_names() {
     for (const Generated& kind : kGenerated)
       for (const Size& size : kSizes)
         if (size.triangles >= kind.fewest_triangles)
-          names.push_back({sized(kind, size), double(size.triangles), kind.crowding, true});
+          names.push_back({sized(kind, size), double(size.triangles), kind.crowding, true, kind.parts_groups});
     for (const Bad& kind : kBad) names.push_back({std::string(kind.name), double(kind.triangles), 1, true});
     return names;
   }();

@@ -9,9 +9,10 @@ namespace tamis::matrix {
 
 struct SceneName {
   std::string name;
-  double triangles;  ///< about
-  double crowding;   ///< how many times the work for a unit of motion is that of a folded cloth
-  bool is_here;      ///< recorded scenes: the data is
+  double triangles;           ///< about
+  double crowding;            ///< how many times the work for a unit of motion is that of a folded cloth
+  bool is_here;               ///< recorded scenes: the data is
+  bool parts_groups = false;  ///< bodies do not touch themselves
 };
 
 /// All of them, in an order that does not depend on what is here.

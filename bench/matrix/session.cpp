@@ -107,6 +107,7 @@ Session::Session(const Cell& cell, scenes::Scene scene, Isa isa)
   options_.threads = 1;
   options_.isa = isa;
   decide_all(options_);
+  if (cell.scene.parts_groups) options_.filter = PairFilter::no_self_contact(scene_.group_of_vertex);
   options_.min_separation = cell.separation * mean_edge(mesh_, scene_.start);
   other_start_ = turned(scene_.start);
   other_end_ = turned(scene_.end);

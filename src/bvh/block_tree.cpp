@@ -37,6 +37,9 @@ void BlockTree::set_groups(std::span<const Index> group_of_vertex, std::span<con
   group_of_vertex_ = group_of_vertex;
   groups_.may_touch = group_of_vertex.empty() || may_touch.empty() ? nullptr : may_touch.data();
   groups_.group_count = group_count;
+  const auto count = static_cast<std::size_t>(group_count);
+  is_apart_.assign(groups_.may_touch ? count : 0, 0);
+  for (std::size_t group = 0; group < is_apart_.size(); ++group) is_apart_[group] = !may_touch[group * count + group];
 }
 
 void BlockTree::build(const PackedMotion& motion, int axes, const TreeKernels& kernels, const Pause& pause) {
@@ -72,34 +75,45 @@ void BlockTree::group_blocks() {
   }
 }
 
+GroupOrder BlockTree::order_groups(const PackedMotion& motion, Split split) const {
+  std::vector<Index> group_of(static_cast<std::size_t>(feature_count()));
+  for (std::size_t i = 0; i < group_of.size(); ++i)
+    group_of[i] = group_of_vertex_[static_cast<std::size_t>(vertex_of(static_cast<Index>(i), 0))];
+  const auto place_of = [&](std::size_t i) {
+    return motion.box_vertices[static_cast<std::size_t>(vertex_of(static_cast<Index>(i), 0))].at;
+  };
+  return tamis::order_groups(group_of, place_of, is_apart_, split);
+}
+
 void BlockTree::choose_order(const PackedMotion& motion, int axes, Split split, const Pause& pause) {
   const auto n = static_cast<std::size_t>(feature_count()), corners = static_cast<std::size_t>(corners_);
   CenterStore store(n, axes);
   const Centers centers = store.view();
+  const GroupOrder groups = parts_groups() ? order_groups(motion, split) : GroupOrder();
   parallel_blocks(blocks_for(n), [&](std::size_t block) {
     for (std::size_t i = block * kBlock; i < std::min(n, (block + 1) * kBlock); ++i) {
+      const Index feature = groups.features.empty() ? static_cast<Index>(i) : groups.features[i];
       float sum[6] = {};
       for (std::size_t c = 0; c < static_cast<std::size_t>(corners_); ++c) {
-        const auto& at = motion.box_vertices[static_cast<std::size_t>(vertices_[i * corners + c])].at;
+        const auto& at = motion.box_vertices[static_cast<std::size_t>(vertex_of(feature, c))].at;
         for (int k = 0; k < 6; ++k) sum[k] += at[k];
       }
       for (int axis = 0; axis < 3; ++axis)
         centers.at[axis][i] = (sum[3 + axis] + sum[axis]) / static_cast<float>(2 * corners_);
       for (int axis = 0; axis < axes - 3; ++axis)
         centers.at[3 + axis][i] = (sum[3 + axis] - sum[axis]) / static_cast<float>(2 * corners_);
-      centers.feature[i] = static_cast<Index>(i);
+      centers.feature[i] = feature;
     }
   });
   pause();
-  order_in_space(centers, n, split, pause);
+  order_in_space(centers, n, split, pause, groups.ends);
   const auto order = store.features();
   parallel_blocks(corner_blocks_.size(), [&](std::size_t block) {
     const std::size_t first = block * kBlock;
     for (std::size_t lane = 0; lane < kBlock; ++lane) {
       const std::size_t slot = first + lane < n ? first + lane : first;
       for (std::size_t c = 0; c < 3; ++c)
-        corner_blocks_[block].vertex[c][lane] =
-            vertices_[static_cast<std::size_t>(order[slot]) * corners + std::min(c, corners - 1)];
+        corner_blocks_[block].vertex[c][lane] = vertex_of(order[slot], std::min(c, corners - 1));
     }
   });
 }

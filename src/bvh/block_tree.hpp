@@ -1,6 +1,7 @@
 // The hierarchy: features in an order of space-filling locality, sixteen to a leaf block, sixteen blocks to a node, and
 // so on up to one root block. The tree is implicit: child c of block b is block 16 b + c of the level below.
 #pragma once
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <span>
@@ -8,6 +9,7 @@
 
 #include "bounds/moving_boxes.hpp"
 #include "bounds/packed_motion.hpp"
+#include "bvh/group_order.hpp"
 #include "bvh/spatial_order.hpp"
 #include "tamis/mesh.hpp"
 
@@ -83,6 +85,14 @@ class BlockTree {
   std::uint64_t memory_bytes() const;
 
  private:
+  /// Is there a group that does not touch itself, and another one?
+  bool parts_groups() const {
+    return groups_.group_count > 1 && std::ranges::find(is_apart_, std::uint8_t{1}) != is_apart_.end();
+  }
+  Index vertex_of(Index feature, std::size_t corner) const {
+    return vertices_[static_cast<std::size_t>(feature) * static_cast<std::size_t>(corners_) + corner];
+  }
+  GroupOrder order_groups(const PackedMotion& motion, Split split) const;
   void choose_order(const PackedMotion& motion, int axes, Split split, const Pause& pause);
   void group_blocks();
   using Levels = std::vector<std::vector<BoxBlock>>;
@@ -99,6 +109,7 @@ class BlockTree {
   Levels levels_, residuals_;
   std::span<const Index> group_of_vertex_;
   BlockGroups groups_{};
+  std::vector<std::uint8_t> is_apart_;              ///< of each group: does it not touch itself?
   std::vector<std::vector<Index>> group_of_block_;  ///< as BlockGroups::of
 };
 

@@ -47,7 +47,9 @@ class CenterStore {
 
 /// Orders centers such that every sixteen, and every sixteen times sixteen, and so on, lie close together: halved
 /// again and again along the longest axis. Costs more than a Morton order, and saves as much on every question
-/// (docs/history/performance.md). The same for any number of threads.
-void order_in_space(const Centers& centers, std::size_t count, Split split, const Pause& pause);
+/// (docs/history/performance.md). The same for any number of threads. `ends`: where centers come in groups, ascending,
+/// the places at which these end; they stay one after the other.
+void order_in_space(const Centers& centers, std::size_t count, Split split, const Pause& pause,
+                    std::span<const std::size_t> ends = {});
 
 }  // namespace tamis

@@ -1,0 +1,51 @@
+#include "bvh/group_order.hpp"
+
+#include <utility>
+
+namespace tamis {
+namespace {
+
+/// The groups that are apart, of those that have features, as their middles lie in space.
+std::vector<Index> apart_in_space(std::span<const Index> group_of,
+                                  const std::function<const float*(std::size_t)>& place_of,
+                                  std::span<const std::uint8_t> is_apart, Split split) {
+  constexpr std::size_t kSpace = 3;
+  std::vector<std::array<float, kSpace>> sums(is_apart.size());
+  std::vector<float> counts(is_apart.size());
+  for (std::size_t i = 0; i < group_of.size(); ++i) {
+    const auto group = static_cast<std::size_t>(group_of[i]);
+    for (std::size_t k = 0; k < kSpace; ++k) sums[group][k] += place_of(i)[k];
+    ++counts[group];
+  }
+  std::vector<Index> apart;
+  for (std::size_t group = 0; group < is_apart.size(); ++group)
+    if (is_apart[group] && counts[group] > 0) apart.push_back(static_cast<Index>(group));
+  CenterStore store(apart.size(), kSpace);
+  const Centers middles = store.view();
+  for (std::size_t i = 0; i < apart.size(); ++i) {
+    const auto group = static_cast<std::size_t>(apart[i]);
+    for (std::size_t k = 0; k < kSpace; ++k) middles.at[k][i] = sums[group][k] / counts[group];
+    middles.feature[i] = apart[i];
+  }
+  order_in_space(middles, apart.size(), split, [] {});
+  return {store.features().begin(), store.features().end()};
+}
+
+}  // namespace
+
+GroupOrder order_groups(std::span<const Index> group_of, const std::function<const float*(std::size_t)>& place_of,
+                        std::span<const std::uint8_t> is_apart, Split split) {
+  std::vector<std::size_t> rank(is_apart.size(), 0);  // those that touch themselves come first
+  std::size_t last = 0;
+  for (const Index group : apart_in_space(group_of, place_of, is_apart, split))
+    rank[static_cast<std::size_t>(group)] = ++last;
+  GroupOrder order{std::vector<Index>(group_of.size()), std::vector<std::size_t>(last + 1)};
+  const auto rank_of = [&](std::size_t i) { return rank[static_cast<std::size_t>(group_of[i])]; };
+  for (std::size_t i = 0; i < group_of.size(); ++i) ++order.ends[rank_of(i)];
+  std::size_t begin = 0;
+  for (std::size_t& end : order.ends) begin += std::exchange(end, begin);
+  for (std::size_t i = 0; i < group_of.size(); ++i) order.features[order.ends[rank_of(i)]++] = static_cast<Index>(i);
+  return order;
+}
+
+}  // namespace tamis

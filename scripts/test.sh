@@ -2,16 +2,22 @@
 # Set-up, build, all tests. Arguments go to ctest: `scripts/test.sh -R readme`.
 #   --quick   for the daily loop: without what takes minutes (tests by clang, clang-tidy, ARM, fuzzing, attacks, the module
 #             for Python, the crates, the viewer, packages built against an installed Tamis)
+#   --once    a checkout that is built this once and then thrown away: whole targets at a time, no debug information
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
+once=()
+if [[ ${1:-} == --once ]]; then
+  once=(-DCMAKE_UNITY_BUILD_BATCH_SIZE=0 "-DCMAKE_CXX_FLAGS_RELWITHDEBINFO=-O2")
+  shift
+fi
 quick=()
 if [[ ${1:-} == --quick ]]; then
   quick=(-E '^(fuzz|hostile|python|rust|viewer|consumer|bench)[.]|^project[.](clang|tidy|arm64)')
   shift
 fi
 scripts/setup.sh --tests
-cmake --preset dev
+cmake --preset dev "${once[@]}"
 cmake --build --preset dev
 # One more than there are cores: some wait for PyPI, for a browser, or for each other's ranks.
 ctest --preset dev --parallel "$(($(nproc) + 1))" "${quick[@]}" "$@"

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "exact/nearest_point.hpp"
+#include "motion/polynomials.hpp"
 #include "numerics/assert.hpp"
 
 namespace tamis {
@@ -40,6 +41,7 @@ bool starts_within(const MovingPolygon& polygon, double separation) {
 
 bool starts_within(PairKind kind, const PairPoints& points, double separation) {
   TAMIS_ASSERT(separation >= 0);
+  if (separation == 0 && !may_start_coplanar(make_motion(kind, points))) return false;
   const PairPoints start{points.start, points.start};  // ends would only make the numbers longer
   const auto polygon = difference_polygon<Estimate>(kind, start, separation);
   const auto nearest = NearestPointSearch<Estimate>::in(polygon);

@@ -4,6 +4,8 @@
 #include <array>
 
 #include "motion/pair_motion.hpp"
+#include "numerics/error_bounds.hpp"
+#include "numerics/select.hpp"
 
 namespace tamis {
 
@@ -30,6 +32,14 @@ inline std::array<T, 4> coplanarity_polynomial(const Moving<T>& d, const std::ar
 template <class T>
 inline std::array<T, 4> coplanarity_polynomial(const PairMotion<T>& m) {
   return coplanarity_polynomial(m.d, normal_polynomial(m.e, m.f));
+}
+
+/// Is the cubic not known to differ from zero at t=0? Doubles cannot decide what is coplanar there, and bodies at rest
+/// on each other often are.
+template <class T>
+inline Mask<T> may_start_coplanar(const PairMotion<T>& m) {
+  const T k = dot(m.d.at0, cross(m.e.at0, m.f.at0));
+  return abs(k) <= error_bounds::bound(error_bounds::kCoplanarityEnd, m.size_d * m.size_e * m.size_f);
 }
 
 /// The same cubic during [t_in, t_out], with that time mapped to [0,1]: its polar form at the two times (de Casteljau).

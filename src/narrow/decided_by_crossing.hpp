@@ -8,13 +8,6 @@
 
 namespace tamis {
 
-/// Doubles cannot decide what is coplanar at t=0, and bodies at rest on each other often are.
-template <class T>
-inline Mask<T> may_start_coplanar(const PairMotion<T>& m) {
-  const T k = dot(m.d.at0, cross(m.e.at0, m.f.at0));
-  return abs(k) <= error_bounds::bound(error_bounds::kCoplanarityEnd, m.size_d * m.size_e * m.size_f);
-}
-
 /// A face that meets the axes squarely is clipped to the very instant of contact, where no sign is certain any more.
 template <class T>
 inline TimeInterval<T> widened(const TimeInterval<T>& time) {

@@ -1,0 +1,65 @@
+#include "worlds/rows.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <ctime>
+
+namespace tamis::worlds {
+
+namespace {
+
+double median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+}  // namespace
+
+Cost milliseconds(int steps, const std::function<void(int)>& move, const std::function<void()>& ask) {
+  constexpr int kWarm = 3;
+  std::vector<double> times;
+  double sum = 0;
+  for (int step = 0; step < kWarm + steps; ++step) {
+    move(step);
+    const std::clock_t start = std::clock();
+    ask();
+    const double time = 1e3 * static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+    if (step < kWarm) continue;
+    times.push_back(time);
+    sum += time;
+  }
+  return {median(times), sum / steps};
+}
+
+void print_row(const std::string& what, std::size_t answers, const Cost& cost) {
+  std::printf("| %s | %zu | %.2f | %.2f |\n", what.c_str(), answers, cost.median, cost.mean);
+  std::fflush(stdout);
+}
+
+Options one_thread() {
+  Options options;
+  options.threads = 1;
+  return options;
+}
+
+scenes::Shape sheet(Index cells, double edge, const std::function<double(double, double)>& height) {
+  scenes::Scene scene;
+  scenes::add_grid_faces(scene, 0, cells + 1, cells + 1);
+  scenes::Shape shape{{}, scene.faces};
+  for (Index i = 0; i <= cells; ++i)
+    for (Index j = 0; j <= cells; ++j) {
+      const double x = edge * (i - 0.5 * cells), y = edge * (j - 0.5 * cells);
+      shape.points.push_back({x, y, height(x, y)});
+    }
+  return shape;
+}
+
+double floor_height(double x, double y) { return 0.03 * std::sin(3 * x) * std::cos(2 * y); }
+
+Shape shape_of(const scenes::Shape& shape) {
+  return {Mesh(static_cast<Index>(shape.points.size()), shape.faces), shape.points};
+}
+
+}  // namespace tamis::worlds

@@ -1,0 +1,38 @@
+// What the rows of the table are made with.
+#pragma once
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "scenes/shapes.hpp"
+#include "tamis/world.hpp"
+
+namespace tamis::worlds {
+
+struct Cost {
+  double median, mean;
+};
+
+/// Milliseconds of processor time; the first steps warm up. `ask(step)` is timed, `move(step)` is not.
+Cost milliseconds(int steps, const std::function<void(int)>& move, const std::function<void()>& ask);
+
+void print_row(const std::string& what, std::size_t answers, const Cost& cost);
+
+Options one_thread();
+
+/// A grid of `cells` x `cells` squares of side `edge`, in the middle, at height(x, y).
+scenes::Shape sheet(Index cells, double edge, const std::function<double(double, double)>& height);
+/// A floor in waves: its height.
+double floor_height(double x, double y);
+Shape shape_of(const scenes::Shape& shape);
+
+// The rows, `steps` steps each.
+void two_large_bodies(int steps);
+void many_bodies(int count, int steps);
+/// `which`: nut, or all of them.
+void machines(const std::string& which, int steps);
+void plates(int steps);
+void room(int steps);
+void arm(int steps);
+
+}  // namespace tamis::worlds

@@ -6,9 +6,9 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-once=()
+preset=dev
 if [[ ${1:-} == --once ]]; then
-  once=(-DCMAKE_UNITY_BUILD_BATCH_SIZE=0 "-DCMAKE_CXX_FLAGS_RELWITHDEBINFO=-O2")
+  preset=once
   shift
 fi
 quick=()
@@ -17,7 +17,7 @@ if [[ ${1:-} == --quick ]]; then
   shift
 fi
 scripts/setup.sh --tests
-cmake --preset dev "${once[@]}"
+cmake --preset "$preset"
 cmake --build --preset dev
 # One more than there are cores: some wait for PyPI, for a browser, or for each other's ranks.
 ctest --preset dev --parallel "$(($(nproc) + 1))" "${quick[@]}" "$@"

@@ -76,13 +76,12 @@ void BlockTree::group_blocks() {
 }
 
 GroupOrder BlockTree::order_groups(const PackedMotion& motion, Split split) const {
-  std::vector<Index> group_of(static_cast<std::size_t>(feature_count()));
-  for (std::size_t i = 0; i < group_of.size(); ++i)
-    group_of[i] = group_of_vertex_[static_cast<std::size_t>(vertex_of(static_cast<Index>(i), 0))];
-  const auto place_of = [&](std::size_t i) {
-    return motion.box_vertices[static_cast<std::size_t>(vertex_of(static_cast<Index>(i), 0))].at;
-  };
-  return tamis::order_groups(group_of, place_of, is_apart_, split);
+  std::vector<GroupedFeature> features(static_cast<std::size_t>(feature_count()));
+  for (std::size_t i = 0; i < features.size(); ++i) {
+    const auto vertex = static_cast<std::size_t>(vertex_of(static_cast<Index>(i), 0));
+    features[i] = {group_of_vertex_[vertex], motion.box_vertices[vertex].at};
+  }
+  return tamis::order_groups(features, is_apart_, split);
 }
 
 void BlockTree::choose_order(const PackedMotion& motion, int axes, Split split, const Pause& pause) {

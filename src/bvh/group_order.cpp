@@ -1,20 +1,20 @@
 #include "bvh/group_order.hpp"
 
+#include <array>
 #include <utility>
 
 namespace tamis {
 namespace {
 
 /// The groups that are apart, of those that have features, as their middles lie in space.
-std::vector<Index> apart_in_space(std::span<const Index> group_of,
-                                  const std::function<const float*(std::size_t)>& place_of,
-                                  std::span<const std::uint8_t> is_apart, Split split) {
+std::vector<Index> apart_in_space(std::span<const GroupedFeature> features, std::span<const std::uint8_t> is_apart,
+                                  Split split) {
   constexpr std::size_t kSpace = 3;
   std::vector<std::array<float, kSpace>> sums(is_apart.size());
   std::vector<float> counts(is_apart.size());
-  for (std::size_t i = 0; i < group_of.size(); ++i) {
-    const auto group = static_cast<std::size_t>(group_of[i]);
-    for (std::size_t k = 0; k < kSpace; ++k) sums[group][k] += place_of(i)[k];
+  for (const auto& [of, at] : features) {
+    const auto group = static_cast<std::size_t>(of);
+    for (std::size_t k = 0; k < kSpace; ++k) sums[group][k] += at[k];
     ++counts[group];
   }
   std::vector<Index> apart;
@@ -33,18 +33,18 @@ std::vector<Index> apart_in_space(std::span<const Index> group_of,
 
 }  // namespace
 
-GroupOrder order_groups(std::span<const Index> group_of, const std::function<const float*(std::size_t)>& place_of,
-                        std::span<const std::uint8_t> is_apart, Split split) {
+GroupOrder order_groups(std::span<const GroupedFeature> features, std::span<const std::uint8_t> is_apart, Split split) {
   std::vector<std::size_t> rank(is_apart.size(), 0);  // those that touch themselves come first
   std::size_t last = 0;
-  for (const Index group : apart_in_space(group_of, place_of, is_apart, split))
-    rank[static_cast<std::size_t>(group)] = ++last;
-  GroupOrder order{std::vector<Index>(group_of.size()), std::vector<std::size_t>(last + 1)};
-  const auto rank_of = [&](std::size_t i) { return rank[static_cast<std::size_t>(group_of[i])]; };
-  for (std::size_t i = 0; i < group_of.size(); ++i) ++order.ends[rank_of(i)];
+  for (const Index group : apart_in_space(features, is_apart, split)) rank[static_cast<std::size_t>(group)] = ++last;
+  GroupOrder order{std::vector<Index>(features.size()), std::vector<std::size_t>(last + 1)};
+  const auto rank_of = [&](const GroupedFeature& feature) { return rank[static_cast<std::size_t>(feature.group)]; };
+  // A counting sort: `ends` are counts, then where each group begins, and as features are put there, where it ends.
+  for (const GroupedFeature& feature : features) ++order.ends[rank_of(feature)];
   std::size_t begin = 0;
   for (std::size_t& end : order.ends) begin += std::exchange(end, begin);
-  for (std::size_t i = 0; i < group_of.size(); ++i) order.features[order.ends[rank_of(i)]++] = static_cast<Index>(i);
+  for (std::size_t i = 0; i < features.size(); ++i)
+    order.features[order.ends[rank_of(features[i])]++] = static_cast<Index>(i);
   return order;
 }
 

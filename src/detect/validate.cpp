@@ -56,6 +56,11 @@ void validate(const PairFilter& filter, const Mesh& mesh) {
                     number_text(coordinate) + what);
 }
 
+void check_kept(double keep, bool is_enough, const char* least) {
+  check(is_enough && keep < 1, "keep is " + number_text(keep) +
+                                   ": give the fraction of its distance that each pair keeps, " + least + " and < 1");
+}
+
 }  // namespace
 
 void validate_layout(const Positions& positions, const char* what) {
@@ -124,15 +129,8 @@ void validate_stored(const Step& step, const Mesh& mesh, Stored stored) {
     }
 }
 
-namespace {
-void validate_kept(double keep, bool is_enough, const char* least) {
-  check(is_enough && keep < 1, "keep is " + number_text(keep) +
-                                   ": give the fraction of its distance that each pair keeps, " + least + " and < 1");
-}
-}  // namespace
-
-void validate_kept(double keep) { validate_kept(keep, keep >= 0, ">= 0"); }
-void validate_kept_of_truncate(double keep) { validate_kept(keep, keep > 0, "> 0"); }
+void validate_kept(double keep) { check_kept(keep, keep >= 0, ">= 0"); }
+void validate_kept_of_truncate(double keep) { check_kept(keep, keep > 0, "> 0"); }
 
 void validate_of_step(const QueryOptions& options) {
   if (options.min_separation) validate_distance(*options.min_separation, "the minimum separation");

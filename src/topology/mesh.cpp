@@ -1,7 +1,9 @@
 #include "tamis/mesh.hpp"
 
 #include <algorithm>
+#include <numeric>
 #include <string>
+#include <tuple>
 
 #include "tamis/error.hpp"
 #include "topology/at.hpp"
@@ -32,19 +34,31 @@ struct FaceSide {
   Index side;
 };
 
-std::vector<FaceSide> collect_sides(const std::vector<Face>& faces, const std::vector<Edge>& loose_edges) {
-  std::vector<FaceSide> sides;
-  sides.reserve(3 * faces.size() + loose_edges.size());
-  for (std::size_t f = 0; f < faces.size(); ++f)
-    for (std::size_t k = 0; k < 3; ++k) {
-      const Index a = faces[f][k], b = faces[f][(k + 1) % 3];
-      if (a != b) sides.push_back({ascending(a, b), static_cast<Index>(f), static_cast<Index>(k)});
-    }
-  for (const Edge& edge : loose_edges)
-    if (edge[0] != edge[1]) sides.push_back({ascending(edge[0], edge[1]), -1, 0});
-  std::sort(sides.begin(), sides.end(), [](const FaceSide& a, const FaceSide& b) {
-    return a.edge != b.edge ? a.edge < b.edge : a.face != b.face ? a.face < b.face : a.side < b.side;
-  });
+/// By edge, then face and side: counted into one bucket a first vertex, each of which is then sorted.
+std::vector<FaceSide> collect_sides(Index vertex_count, const std::vector<Face>& faces,
+                                    const std::vector<Edge>& loose_edges) {
+  const auto for_each = [&](const auto& f) {
+    for (std::size_t face = 0; face < faces.size(); ++face)
+      for (std::size_t k = 0; k < 3; ++k) {
+        const Index a = faces[face][k], b = faces[face][(k + 1) % 3];
+        if (a != b) f(FaceSide{ascending(a, b), static_cast<Index>(face), static_cast<Index>(k)});
+      }
+    for (const Edge& edge : loose_edges)
+      if (edge[0] != edge[1]) f(FaceSide{ascending(edge[0], edge[1]), -1, 0});
+  };
+  std::vector<std::size_t> bucket_end(at(vertex_count) + 1, 0);  // of the vertex before, until it is filled
+  for_each([&](const FaceSide& side) { ++bucket_end[at(side.edge[0]) + 1]; });
+  std::partial_sum(bucket_end.begin(), bucket_end.end(), bucket_end.begin());
+  std::vector<FaceSide> sides(bucket_end.back());
+  for_each([&](const FaceSide& side) { sides[bucket_end[at(side.edge[0])]++] = side; });
+  auto first = sides.begin();
+  for (std::size_t v = 0; v < at(vertex_count); ++v) {
+    const auto last = sides.begin() + static_cast<std::ptrdiff_t>(bucket_end[v]);
+    std::sort(first, last, [](const FaceSide& a, const FaceSide& b) {
+      return std::tie(a.edge[1], a.face, a.side) < std::tie(b.edge[1], b.face, b.side);
+    });
+    first = last;
+  }
   return sides;
 }
 
@@ -81,7 +95,7 @@ Mesh::Mesh(Index vertex_count, std::vector<Face> faces, const std::vector<Edge>&
     throw InvalidMesh("the mesh has no face, no edge and no point: give at least one feature");
 
   edges_of_face_.assign(faces_.size(), {-1, -1, -1});
-  for (const FaceSide& side : collect_sides(faces_, loose_edges)) {
+  for (const FaceSide& side : collect_sides(vertex_count, faces_, loose_edges)) {
     if (edges_.empty() || edges_.back() != side.edge) {
       if (!edges_.empty()) close_row(faces_of_edge_);
       edges_.push_back(side.edge);

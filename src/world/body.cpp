@@ -53,9 +53,10 @@ namespace {
 
 /// |a - b|, rounded up; infinite where doubles do not know it.
 double distance_above(const Point& a, const Point& b) {
-  const double distance = std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]) * (1 + 0x1p-40);
-  if (std::isnan(distance)) return std::numeric_limits<double>::infinity();
-  return distance;
+  double square = 0;
+  for (std::size_t k = 0; k < 3; ++k) square += (a[k] - b[k]) * (a[k] - b[k]);
+  if (std::isnan(square)) return std::numeric_limits<double>::infinity();
+  return std::sqrt(square) * (1 + 0x1p-40) + 0x1p-500;  // squares may underflow
 }
 
 /// The difference of two affine maps is largest, over a box, at one of its corners.

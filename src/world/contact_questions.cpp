@@ -3,6 +3,7 @@
 #include <functional>
 
 #include "detect/validate.hpp"
+#include "numerics/assert.hpp"
 #include "paths/path_search.hpp"
 #include "query/contact_collector.hpp"
 #include "world/named_pairs.hpp"
@@ -28,17 +29,50 @@ BodyContact named(const Contact& contact, const Gathered& gathered) {
   return result;
 }
 
+/// Contacts in parts each of which is in order.
+class ContactParts {
+ public:
+  void add(const BodyContact& contact) { all_.push_back(contact); }
+  void end_part() {
+    TAMIS_ASSERT(std::is_sorted(at(last_end()), all_.end(), is_before<BodyContact>));
+    ends_.push_back(all_.size());
+  }
+  /// All in order.
+  std::vector<BodyContact> merged() && {
+    while (ends_.size() > 1) {
+      std::vector<std::size_t> ends;
+      std::size_t first = 0;
+      for (std::size_t i = 0; i < ends_.size(); i += 2) {
+        const std::size_t last = ends_[std::min(i + 1, ends_.size() - 1)];
+        std::inplace_merge(at(first), at(ends_[i]), at(last), is_before<BodyContact>);
+        ends.push_back(first = last);
+      }
+      ends_ = std::move(ends);
+    }
+    return std::move(all_);
+  }
+
+ private:
+  std::size_t last_end() const { return ends_.empty() ? 0 : ends_.back(); }
+  std::vector<BodyContact>::iterator at(std::size_t i) { return all_.begin() + static_cast<std::ptrdiff_t>(i); }
+
+  std::vector<BodyContact> all_;
+  std::vector<std::size_t> ends_;
+};
+
 }  // namespace
 
 std::vector<BodyContact> World::State::contacts(const QueryOptions& asked) {
   validate_of_path(asked);
-  std::vector<BodyContact> all;
+  ContactParts parts;
   for_each_by_itself([&](BodyId id, Body& body, Detector& itself) {
-    for (const Contact& c : itself.contacts(body.step(), of_steps(asked))) all.push_back({c, twice(id)});
+    for (const Contact& c : itself.contacts(body.step(), of_steps(asked))) parts.add({c, twice(id)});
+    parts.end_part();
   });
   gather_moving({separation(asked)});
   const auto add = [&](const Gathered& gathered, const std::vector<Contact>& contacts) {
-    for (const Contact& c : contacts) all.push_back(named(c, gathered));
+    for (const Contact& c : contacts) parts.add(named(c, gathered));
+    parts.end_part();
     return true;
   };
   for_each_gathered(
@@ -50,7 +84,7 @@ std::vector<BodyContact> World::State::contacts(const QueryOptions& asked) {
       [&](Gathered& gathered, const CutPath& path, const QueryOptions& how) {
         return add(gathered, DetectorAccess::ask(gathered.detector(), path, how, Question::all_contacts));
       });
-  std::ranges::sort(all, is_before<BodyContact>);
+  std::vector<BodyContact> all = std::move(parts).merged();
   if (asked.at_start == AtStart::fail)
     for (const BodyContact& c : all)
       if (c.toi_lower == 0) refuse_touching_start(c.kind, c.vertices, c.bodies);

@@ -34,7 +34,7 @@ Gathered::Gathered(const BodyList& bodies, NearItems items, const MeetingRules& 
     : items_(std::move(items)), detector_(make_detector(bodies, rules, options)) {}
 
 Detector Gathered::make_detector(const BodyList& bodies, const MeetingRules& rules, const Options& options) {
-  for (const auto& [id, set] : items_.of_body) add(id, body_of(bodies, id), set.items());
+  for (const auto& [id, set] : items_.of_body) add(id, body_of(bodies, id), set);
   Options of_mesh = options;
   of_mesh.filter = PairFilter();
   set_groups(bodies, rules, of_mesh);
@@ -43,31 +43,27 @@ Detector Gathered::make_detector(const BodyList& bodies, const MeetingRules& rul
   return Detector(std::move(mesh), std::move(of_mesh));
 }
 
-void Gathered::add(BodyId id, const Body& body, std::vector<Index> items) {
+void Gathered::add(BodyId id, const Body& body, const IndexSet& items) {
   const BodyShape& shape = body.shape();
-  std::ranges::sort(items);
-  std::vector<Index> used;
-  for (const Index item : items) {
+  IndexSet used(shape.mesh.vertex_count());
+  items.for_each([&](Index item) {
+    for (const Index own : shape.corners_of(item)) used.add(own);
+  });
+  const auto here = std::make_unique_for_overwrite<Index[]>(at(shape.mesh.vertex_count()));  // few are used
+  used.for_each([&](Index own) {
+    here[at(own)] = static_cast<Index>(vertices_.size());
+    vertices_.push_back({id, own});
+  });
+  items.for_each([&](Index item) {
     const Face corners = shape.corners_of(item);
-    used.insert(used.end(), corners.begin(), corners.end());
-  }
-  std::ranges::sort(used);
-  used.erase(std::unique(used.begin(), used.end()), used.end());
-  const auto first = static_cast<Index>(vertices_.size());
-  for (const Index own : used) vertices_.push_back({id, own});
-  const auto here = [&](Index own) {
-    return first + static_cast<Index>(std::ranges::lower_bound(used, own) - used.begin());
-  };
-  for (const Index item : items) {
-    const Face corners = shape.corners_of(item);
-    const Face face{here(corners[0]), here(corners[1]), here(corners[2])};
+    const Face face{here[at(corners[0])], here[at(corners[1])], here[at(corners[2])]};
     if (at(item) < shape.mesh.faces().size())
       faces_.push_back(face);
     else if (at(item) < shape.mesh.faces().size() + shape.loose.edges.size())
       edges_.push_back({face[0], face[1]});
     else
       points_.push_back(face[0]);
-  }
+  });
   motion_kinds_.push_back(body.motion_kind());
 }
 

@@ -27,6 +27,7 @@ class Gathered {
   /// Does each of its bodies stay, go straight, or turn, as it did when this was made?
   bool keeps_motion_kinds(const BodyList& bodies) const;
   bool includes(const NearItems& items) const { return items_.includes(items); }
+  std::size_t item_count() const { return items_.count(); }
 
   /// Where all vertices are at t=0, in doubles, and at t=1. Valid until the next time.
   Step step(const BodyList& bodies);
@@ -47,7 +48,7 @@ class Gathered {
     Index own;
   };
 
-  void add(BodyId id, const Body& body, std::vector<Index> items);
+  void add(BodyId id, const Body& body, const IndexSet& items);
   Detector make_detector(const BodyList& bodies, const MeetingRules& rules, const Options& options);
   void set_groups(const BodyList& bodies, const MeetingRules& rules, Options& options) const;
 

@@ -12,8 +12,13 @@
 namespace tamis {
 namespace {
 
-/// What is gathered is more than what may touch now, by so many mean edges: it serves the steps that follow.
-constexpr double kMoreInEdges = 0.5;
+/// What does not serve so many questions is gathered the next time with twice as much around it, while all that is
+/// gathered is no more than so many times what is needed.
+constexpr int kServes = 16;
+constexpr std::size_t kMostItems = 4;
+constexpr double kLeastMoreInEdges = 0.5, kMostMoreInEdges = 64;
+/// What it costs to gather an item, and to ask about it for the first time, in tests of pairs of boxes.
+constexpr std::uint64_t kTestsAnItem = 50;
 /// It is gathered anew once so few of the items that it was made for may touch.
 constexpr std::size_t kShrunk = 4;
 constexpr double kMostPieces = 4096;
@@ -50,29 +55,52 @@ void World::State::gather(Gathering& gathering, const Reach& reach, const Wanted
   if (wanted.empty()) return;
   if (gathering.serves(bodies, wanted, reach)) {
     gathering.pairs = wanted;
+    ++gathering.served;
     return;
   }
-  const auto find = [&](const std::vector<BodyPair>& pairs, double more) {
-    const auto reach_of = [&](const Body& a, const Body& b) { return (reach.of(a, b) + more) * (1 + 0x1p-40); };
-    return find_near_items(bodies, pairs, reach_of, times);
-  };
-  const NearItems needed = find(wanted, 0);
+  NearItems needed;
+  gathering.tests += find_near(wanted, reach, 0, times, needed);
   gathering.pairs = needed.pairs;
-  if (!gathering.is_asked()) return;
-  const std::size_t count = needed.count();
-  if (gathering.gathered && kShrunk * count >= gathering.needed_when_gathered &&
-      gathering.gathered->keeps_motion_kinds(bodies) && gathering.gathered->includes(needed))
-    return;
+  if (gathering.is_asked() && !gathering.still_serves(bodies, needed, reach))
+    gather_anew(gathering, reach, is_wanted, needed, times);
+}
+
+std::uint64_t World::State::find_near(const std::vector<BodyPair>& pairs, const Reach& reach, double more,
+                                      const std::vector<double>& times, NearItems& items) const {
+  const auto reach_of = [&](const Body& a, const Body& b) { return (reach.of(a, b) + more) * (1 + 0x1p-40); };
+  return add_near_items(bodies, pairs, reach_of, times, items);
+}
+
+bool World::State::Gathering::still_serves(const BodyList& of_world, const NearItems& needed,
+                                           const Reach& reach) const {
+  if (!gathered || kShrunk * needed.count() < needed_when_gathered || !gathered->keeps_motion_kinds(of_world) ||
+      !gathered->includes(needed))
+    return false;
+  return !margin || reach.part_of_way > 0 || tests <= kTestsAnItem * gathered->item_count();
+}
+
+void World::State::gather_anew(Gathering& gathering, const Reach& reach, const Wanted& is_wanted,
+                               const NearItems& needed, const std::vector<double>& times) {
   double edges = 0;
   for (const auto& [id, unused] : needed.of_body) edges += bodies[at(id)]->shape().edge;
-  const double more = kMoreInEdges * edges / static_cast<double>(needed.of_body.size());
-  const std::vector<BodyPair> farther = only(is_wanted, near_bodies(reach, more, times.back() == 0));
-  NearItems all = find(farther, more);
-  all.add(needed);
-  gathering.margin = margin_of(farther, reach, more);
+  const double edge = edges / static_cast<double>(needed.of_body.size());
+  double& more_in_edges = gathering.more_in_edges;
+  if (gathering.margin && gathering.served < kServes) more_in_edges = std::min(2 * more_in_edges, kMostMoreInEdges);
+  NearItems items;
+  while (true) {
+    const double more = more_in_edges * edge;
+    const std::vector<BodyPair> farther = only(is_wanted, near_bodies(reach, more, times.back() == 0));
+    items = needed;
+    find_near(farther, reach, more, times, items);
+    gathering.margin = margin_of(farther, reach, more);
+    if (more_in_edges <= kLeastMoreInEdges || items.count() <= kMostItems * needed.count()) break;
+    more_in_edges = std::max(more_in_edges / 2, kLeastMoreInEdges);
+  }
   const MeetingRules rules{gathering.aside, kept_apart};
-  gathering.gathered = std::make_unique<Gathered>(bodies, std::move(all), rules, options);
-  gathering.needed_when_gathered = count;
+  gathering.gathered = std::make_unique<Gathered>(bodies, std::move(items), rules, options);
+  gathering.needed_when_gathered = needed.count();
+  gathering.served = 0;
+  gathering.tests = 0;
 }
 
 std::optional<World::State::Margin> World::State::margin_of(const std::vector<BodyPair>& pairs, const Reach& reach,

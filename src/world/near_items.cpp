@@ -14,7 +14,7 @@ class PairWalk {
  public:
   struct Side {
     CarriedBoxes& boxes;
-    ItemSet& near;
+    IndexSet& near;
   };
 
   PairWalk(const Side& a, const Side& b, double separation) : a_(a), b_(b), separation_(separation) {}
@@ -26,6 +26,7 @@ class PairWalk {
     if (meet(a.bounds, b.bounds)) visit(a, b);
     return found_;
   }
+  std::uint64_t tests() const { return tests_; }
 
  private:
   struct Node {
@@ -38,7 +39,10 @@ class PairWalk {
     const int level = side.boxes.root_level();
     return {level, 0, side.boxes.of_block(level, 0)};
   }
-  bool meet(const MovingBounds& a, const MovingBounds& b) const { return may_meet(a, b, separation_); }
+  bool meet(const MovingBounds& a, const MovingBounds& b) {
+    ++tests_;
+    return may_meet(a, b, separation_);
+  }
 
   /// The larger one is opened. REQUIRES: two that meet.
   void visit(const Node& a, const Node& b) {
@@ -52,7 +56,7 @@ class PairWalk {
   }
 
   template <class F>
-  void for_each_child_near(const Side& side, const Node& node, const Node& other, const F& f) const {
+  void for_each_child_near(const Side& side, const Node& node, const Node& other, const F& f) {
     const int level = node.level - 1;
     const auto count = static_cast<Index>(side.boxes.shape().boxes.level(level).size());
     const Index first = node.block * kBlock, last = std::min(first + kBlock, count);
@@ -90,6 +94,7 @@ class PairWalk {
   const Side a_, b_;
   const double separation_;
   bool found_ = false;
+  std::uint64_t tests_ = 0;
 };
 
 }  // namespace
@@ -102,22 +107,9 @@ bool NearItems::includes(const NearItems& other) const {
   });
 }
 
-void NearItems::add(const NearItems& other) {
-  std::vector<BodyPair> all;
-  std::ranges::set_union(pairs, other.pairs, std::back_inserter(all));
-  pairs = std::move(all);
-  for (const auto& [id, set] : other.of_body) {
-    const auto mine = of_body.find(id);
-    if (mine == of_body.end())
-      of_body.emplace(id, set);
-    else
-      for (const Index item : set.items()) mine->second.add(item);
-  }
-}
-
 std::size_t NearItems::count() const {
   std::size_t count = 0;
-  for (const auto& [id, set] : of_body) count += set.items().size();
+  for (const auto& [id, set] : of_body) count += set.size();
   return count;
 }
 
@@ -127,16 +119,17 @@ std::uint64_t NearItems::memory_bytes() const {
   return bytes;
 }
 
-NearItems find_near_items(const BodyList& bodies, const std::vector<BodyPair>& pairs,
-                          const std::function<double(const Body&, const Body&)>& reach,
-                          const std::vector<double>& times) {
-  NearItems near;
+std::uint64_t add_near_items(const BodyList& bodies, const std::vector<BodyPair>& pairs,
+                             const std::function<double(const Body&, const Body&)>& reach,
+                             const std::vector<double>& times, NearItems& near) {
   const auto body = [&](BodyId id) -> const Body& { return *bodies[static_cast<std::size_t>(id)]; };
-  const auto items_of = [&](BodyId id) -> ItemSet& {
+  const auto items_of = [&](BodyId id) -> IndexSet& {
     return near.of_body.try_emplace(id, body(id).shape().item_count()).first->second;
   };
   std::map<BodyId, CarriedBoxes> carried;
-  std::vector<char> is_near(pairs.size(), false);
+  std::uint64_t tests = 0;
+  std::vector<char> is_near;
+  for (const BodyPair& pair : pairs) is_near.push_back(std::ranges::binary_search(near.pairs, pair));
   for (std::size_t piece = 0; piece + 1 < times.size(); ++piece) {
     const auto side = [&](BodyId id) {
       CarriedBoxes& boxes = carried.try_emplace(id, body(id), times[piece], times[piece + 1]).first->second;
@@ -144,16 +137,20 @@ NearItems find_near_items(const BodyList& bodies, const std::vector<BodyPair>& p
     };
     for (std::size_t i = 0; i < pairs.size(); ++i) {
       const auto [a, b] = pairs[i];
-      if (PairWalk(side(a), side(b), reach(body(a), body(b))).run(is_near[i])) is_near[i] = true;
+      PairWalk walk(side(a), side(b), reach(body(a), body(b)));
+      if (walk.run(is_near[i])) is_near[i] = true;
+      tests += walk.tests();
     }
     std::erase_if(carried, [](const auto& one) { return one.second.body().motion_kind() != MotionKind::still; });
   }
   for (std::size_t i = 0; i < pairs.size(); ++i)
     if (is_near[i]) near.pairs.push_back(pairs[i]);
+  std::ranges::sort(near.pairs);
+  near.pairs.erase(std::unique(near.pairs.begin(), near.pairs.end()), near.pairs.end());
   std::set<BodyId> in_pairs;
   for (const BodyPair& pair : near.pairs) in_pairs.insert(pair.begin(), pair.end());
   std::erase_if(near.of_body, [&](const auto& one) { return !in_pairs.contains(one.first); });
-  return near;
+  return tests;
 }
 
 }  // namespace tamis

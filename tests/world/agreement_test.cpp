@@ -148,6 +148,47 @@ TEST(World, AgreesStepAfterStep) {
   }
 }
 
+/// Nor where a body goes on, and what was gathered serves until its room is used up: slowly, or faster than any room.
+TEST(World, AgreesWhereASheetSlidesOverTheGround) {
+  constexpr double kEdge = 0.1;
+  const auto sheet = [&](Index cells, double height) {
+    scenes::Scene scene;
+    scenes::add_grid_faces(scene, 0, cells + 1, cells + 1);
+    std::vector<Point> points;
+    for (Index i = 0; i <= cells; ++i)
+      for (Index j = 0; j <= cells; ++j)
+        points.push_back({kEdge * i, kEdge * j, height + 0.03 * kEdge * std::sin(7.0 * i + 11.0 * j)});
+    return Shape(Mesh(static_cast<Index>(points.size()), scene.faces), points);
+  };
+  const Shape ground = sheet(24, 0), cloth = sheet(6, 0);
+  std::size_t contacts = 0;
+  for (const double speed : {0.0413, 0.3071, 1.7137, 5.0719}) {
+    SCOPED_TRACE(speed);
+    TestWorld world;
+    world.add(ground, Static{});
+    const auto cloth_at = [&](int step) {
+      std::vector<Point> points = cloth.points();
+      for (Point& p : points) {  // askew: sides that cross in parallel have times that are less sharp
+        p = {0.92 * p[0] - 0.38 * p[1], 0.39 * p[0] + 0.91 * p[1], p[2]};
+        p[0] += kEdge * std::min(3.37 + speed * step, 25.13);
+        p[1] += 4.41 * kEdge;
+        p[2] += kEdge * (0.05 + 0.2 * std::cos(0.9 * step));
+      }
+      return points;
+    };
+    const BodyId body = world.add(cloth, Deforming{cloth_at(0), cloth_at(1)});
+    for (int step = 0; step < 30; ++step) {
+      SCOPED_TRACE(step);
+      world.move(body, Deforming{cloth_at(step), cloth_at(step + 1)});
+      contacts += expect_same_contacts(world, {.min_separation = step % 7 == 6 ? 0.05 * kEdge : 0});
+      if (step % 5) continue;
+      OneMesh mesh(world);
+      EXPECT_EQ(world.world.safe_step(0.2).lower, mesh.detector.safe_step(mesh.step(), 0.2).lower);
+    }
+  }
+  EXPECT_GT(contacts, 5000u);
+}
+
 /// Bug: what had been gathered was asked again, by the rules of then, as long as the bodies that may touch now went as
 /// they did, although others in it had come to rest, or turned.
 TEST(World, AgreesWhereSomeBodiesGoAnotherWayAndOthersGoOn) {

@@ -9,7 +9,7 @@
 #include "motion/separations.hpp"
 #include "motion/time_clip.hpp"
 #include "numerics/number_text.hpp"
-#include "paths/check_path.hpp"
+#include "tamis/error.hpp"
 #include "tamis/path.hpp"
 
 namespace tamis {
@@ -30,9 +30,9 @@ inline double radius_on_piece(Index vertex, double deviation, const Frame& from,
   const double error = kThreeAxes * std::max(from.errors[v], to.errors[v]);
   double radius = (deviation + error) * (1 + 0x1p-50) + 0x1p-1000;
   if (!separations.radii.empty()) radius = (radius + separations.radii[v]) * (1 + 0x1p-50);
-  check_path(std::isfinite(radius), "vertex " + std::to_string(vertex) +
-                                        " of the path deviates without bound after t = " + number_text(from.time) +
-                                        ": give a finite bound for short pieces");
+  if (!std::isfinite(radius))
+    throw InvalidPath("vertex " + std::to_string(vertex) + " of the path deviates without bound after t = " +
+                      number_text(from.time) + ": give a finite bound for short pieces");
   return radius;
 }
 

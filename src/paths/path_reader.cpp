@@ -7,7 +7,6 @@
 #include "numerics/finite.hpp"
 #include "numerics/number_text.hpp"
 #include "numerics/scale.hpp"
-#include "paths/check_path.hpp"
 #include "tamis/error.hpp"
 
 namespace tamis {
@@ -29,9 +28,10 @@ Moment<T> fill_up(Moment<T> moment, std::size_t count) {
 }
 
 StraightDirection direction_of(Index vertex, const Point& given) {
-  check_path(is_finite(given), "vertex " + std::to_string(vertex) +
-                                   " of the path goes straight along a direction that is not finite: give a finite "
-                                   "one, or zeros");
+  if (!is_finite(given))
+    throw InvalidPath("vertex " + std::to_string(vertex) +
+                      " of the path goes straight along a direction that is not finite: give a finite "
+                      "one, or zeros");
   const double size = std::max({std::fabs(given[0]), std::fabs(given[1]), std::fabs(given[2])});
   if (size == 0) return {};
   const double scale = scale_below_one(size);

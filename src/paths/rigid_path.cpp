@@ -7,7 +7,6 @@
 #include "numerics/finite.hpp"
 #include "numerics/number_text.hpp"
 #include "paths/chain_motion.hpp"
-#include "paths/check_path.hpp"
 #include "paths/fine_point.hpp"
 #include "paths/rigid_transform.hpp"
 #include "tamis/error.hpp"
@@ -20,12 +19,12 @@ bool has_finite_numbers(const Pose& pose) { return is_finite(pose.position) && i
 
 void validate(const std::vector<Point>& rest, const std::vector<Index>& body_of_vertex,
               const std::vector<Chain>& chains, const std::vector<Point>& rest_end) {
-  check_path(rest.size() == body_of_vertex.size(), "the path has " + std::to_string(rest.size()) +
-                                                       " rest positions and " + std::to_string(body_of_vertex.size()) +
-                                                       " numbers of bodies: give one each a vertex");
-  check_path(rest.size() == rest_end.size(), "the path has " + std::to_string(rest.size()) + " rest positions and " +
-                                                 std::to_string(rest_end.size()) +
-                                                 " at the end: give one each a vertex, or none at the end");
+  if (rest.size() != body_of_vertex.size())
+    throw InvalidPath("the path has " + std::to_string(rest.size()) + " rest positions and " +
+                      std::to_string(body_of_vertex.size()) + " numbers of bodies: give one each a vertex");
+  if (rest.size() != rest_end.size())
+    throw InvalidPath("the path has " + std::to_string(rest.size()) + " rest positions and " +
+                      std::to_string(rest_end.size()) + " at the end: give one each a vertex, or none at the end");
   for (std::size_t v = 0; v < rest.size(); ++v) {
     if (!is_finite(rest[v]) || !is_finite(rest_end[v]))
       throw InvalidPath("vertex " + std::to_string(v) + " of the path is not finite at rest: give finite positions");
@@ -35,8 +34,9 @@ void validate(const std::vector<Point>& rest, const std::vector<Index>& body_of_
   }
   for (std::size_t b = 0; b < chains.size(); ++b)
     for (const Link& link : chains[b])
-      check_path(has_finite_numbers(link.start) && has_finite_numbers(link.end),
-                 "a pose of body " + std::to_string(b) + " is not finite: give finite positions and rotation vectors");
+      if (!has_finite_numbers(link.start) || !has_finite_numbers(link.end))
+        throw InvalidPath("a pose of body " + std::to_string(b) +
+                          " is not finite: give finite positions and rotation vectors");
 }
 
 /// Of a unit quaternion: w and the rest, of either sign.
@@ -79,8 +79,8 @@ Rows nearer_rotation(const Rows& rows) {
 
 Pose pose_of_quaternion(const std::array<double, 4>& q, const Point& position) {
   const double off = q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3] - 1;
-  check_path(std::fabs(off) <= kMostRounding,
-             "the square of the quaternion is off from 1 by " + number_text(off) + kGiveRotation);
+  if (!(std::fabs(off) <= kMostRounding))
+    throw InvalidPath("the square of the quaternion is off from 1 by " + number_text(off) + kGiveRotation);
   return {position, rotation_vector(q[0], {q[1], q[2], q[3]})};
 }
 
@@ -88,12 +88,13 @@ Pose pose_of_quaternion(const std::array<double, 4>& q, const Point& position) {
 /// (Shepperd 1978).
 Pose pose_of_matrix(const std::array<Point, 3>& given, const Point& position) {
   const double off = off_from_rotation(given);
-  check_path(off <= kMostRounding, "an entry of R R^T - I of the matrix is " + number_text(off) + kGiveRotation);
+  if (!(off <= kMostRounding))
+    throw InvalidPath("an entry of R R^T - I of the matrix is " + number_text(off) + kGiveRotation);
   const Rows r = nearer_rotation(nearer_rotation(given));
   const double trace = r[0][0] + r[1][1] + r[2][2];
   const double determinant = dot(r[0], {r[1][1] * r[2][2] - r[1][2] * r[2][1], r[1][2] * r[2][0] - r[1][0] * r[2][2],
                                         r[1][0] * r[2][1] - r[1][1] * r[2][0]});
-  check_path(determinant > 0, std::string("the matrix is a reflection") + kGiveRotation);
+  if (!(determinant > 0)) throw InvalidPath(std::string("the matrix is a reflection") + kGiveRotation);
   std::array<double, 4> q{};
   if (trace >= r[0][0] && trace >= r[1][1] && trace >= r[2][2]) {
     q = {1 + trace, r[2][1] - r[1][2], r[0][2] - r[2][0], r[1][0] - r[0][1]};
@@ -146,8 +147,8 @@ Chain between(const Pose& start, const Pose& end, const Point& center) {
 /// |h''| <= M = 4 sin H sin^2(H/2) / cos^4(H/2). h - t H is zero at 0, 1/2 and 1, so at most M / 32; the turn is twice
 /// that. The factor is far above what rounding does.
 double nlerp_deviation(const Pose& start, const Pose& end) {
-  check_path(has_finite_numbers(start) && has_finite_numbers(end),
-             "a pose is not finite: give finite positions and rotation vectors");
+  if (!has_finite_numbers(start) || !has_finite_numbers(end))
+    throw InvalidPath("a pose is not finite: give finite positions and rotation vectors");
   const Point turn = shorter_turn(start, end);
   const double half = 0.5 * std::hypot(turn[0], turn[1], turn[2]);
   const double sine = std::sin(0.5 * half), square = std::pow(std::cos(0.5 * half), 2);

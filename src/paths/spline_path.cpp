@@ -4,7 +4,6 @@
 #include <cmath>
 #include <string>
 
-#include "paths/check_path.hpp"
 #include "paths/fine_point.hpp"
 #include "tamis/error.hpp"
 
@@ -35,16 +34,18 @@ double length_above(std::initializer_list<std::pair<double, const Point*>> terms
 }  // namespace
 
 SplinePath::SplinePath(std::vector<std::vector<Point>> frames, std::size_t least) : frames_(std::move(frames)) {
-  check_path(frames_.size() >= least, "the path has " + std::to_string(frames_.size()) +
-                                          " frames of points: give at least " + std::to_string(least));
+  if (frames_.size() < least)
+    throw InvalidPath("the path has " + std::to_string(frames_.size()) + " frames of points: give at least " +
+                      std::to_string(least));
   for (std::size_t i = 0; i < frames_.size(); ++i) {
-    check_path(frames_[i].size() == frames_[0].size(),
-               "frame " + std::to_string(i) + " of the path has " + std::to_string(frames_[i].size()) +
-                   " points, the first one " + std::to_string(frames_[0].size()) + ": give one a vertex");
+    if (frames_[i].size() != frames_[0].size())
+      throw InvalidPath("frame " + std::to_string(i) + " of the path has " + std::to_string(frames_[i].size()) +
+                        " points, the first one " + std::to_string(frames_[0].size()) + ": give one a vertex");
     for (std::size_t v = 0; v < frames_[i].size(); ++v)
       for (const double x : frames_[i][v])
-        check_path(std::isfinite(x), "vertex " + std::to_string(v) + " in frame " + std::to_string(i) +
-                                         " of the path is not finite: give finite positions");
+        if (!std::isfinite(x))
+          throw InvalidPath("vertex " + std::to_string(v) + " in frame " + std::to_string(i) +
+                            " of the path is not finite: give finite positions");
   }
 }
 

@@ -26,8 +26,7 @@ class Gathered {
 
   /// Does each of its bodies stay, go straight, or turn, as it did when this was made?
   bool keeps_motion_kinds(const BodyList& bodies) const;
-  bool includes(const NearItems& items) const { return items_.includes(items); }
-  std::size_t item_count() const { return items_.count(); }
+  const NearItems& items() const { return items_; }
 
   /// Where all vertices are at t=0, in doubles, and at t=1. Valid until the next time.
   Step step(const BodyList& bodies);

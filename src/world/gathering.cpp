@@ -17,10 +17,9 @@ namespace {
 constexpr int kServes = 16;
 constexpr std::size_t kMostItems = 4;
 constexpr double kLeastMoreInEdges = 0.5, kMostMoreInEdges = 64;
-/// What it costs to gather an item, and to ask about it for the first time, in tests of pairs of boxes.
-constexpr std::uint64_t kTestsAnItem = 50;
-/// It is gathered anew once so few of the items that it was made for may touch.
+/// It is gathered anew once so few of the items that it was made for may touch; each so manieth question looks.
 constexpr std::size_t kShrunk = 4;
+constexpr int kQuestionsALook = 16;
 constexpr double kMostPieces = 4096;
 
 bool is_straight(const Body& a, const Body& b) {
@@ -58,25 +57,31 @@ void World::State::gather(Gathering& gathering, const Reach& reach, const Wanted
     ++gathering.served;
     return;
   }
+  const bool is_usable = gathering.gathered && gathering.gathered->keeps_motion_kinds(bodies);
+  if (is_usable && ++gathering.searched % kQuestionsALook != 0) {
+    NearItems all = gathering.gathered->items();
+    all.pairs.clear();
+    find_near(wanted, reach, 0, times, all);
+    gathering.pairs = all.pairs;
+    if (gathering.gathered->items().includes(all)) {
+      ++gathering.served;
+      return;
+    }
+  }
   NearItems needed;
-  gathering.tests += find_near(wanted, reach, 0, times, needed);
+  find_near(wanted, reach, 0, times, needed);
   gathering.pairs = needed.pairs;
-  if (gathering.is_asked() && !gathering.still_serves(bodies, needed, reach))
-    gather_anew(gathering, reach, is_wanted, needed, times);
+  if (!gathering.is_asked()) return;
+  if (is_usable && kShrunk * needed.count() >= gathering.needed_when_gathered &&
+      gathering.gathered->items().includes(needed))
+    return;
+  gather_anew(gathering, reach, is_wanted, needed, times);
 }
 
-std::uint64_t World::State::find_near(const std::vector<BodyPair>& pairs, const Reach& reach, double more,
-                                      const std::vector<double>& times, NearItems& items) const {
+void World::State::find_near(const std::vector<BodyPair>& pairs, const Reach& reach, double more,
+                             const std::vector<double>& times, NearItems& items) const {
   const auto reach_of = [&](const Body& a, const Body& b) { return (reach.of(a, b) + more) * (1 + 0x1p-40); };
-  return add_near_items(bodies, pairs, reach_of, times, items);
-}
-
-bool World::State::Gathering::still_serves(const BodyList& of_world, const NearItems& needed,
-                                           const Reach& reach) const {
-  if (!gathered || kShrunk * needed.count() < needed_when_gathered || !gathered->keeps_motion_kinds(of_world) ||
-      !gathered->includes(needed))
-    return false;
-  return !margin || reach.part_of_way > 0 || tests <= kTestsAnItem * gathered->item_count();
+  add_near_items(bodies, pairs, reach_of, times, items);
 }
 
 void World::State::gather_anew(Gathering& gathering, const Reach& reach, const Wanted& is_wanted,
@@ -100,7 +105,7 @@ void World::State::gather_anew(Gathering& gathering, const Reach& reach, const W
   gathering.gathered = std::make_unique<Gathered>(bodies, std::move(items), rules, options);
   gathering.needed_when_gathered = needed.count();
   gathering.served = 0;
-  gathering.tests = 0;
+  gathering.searched = 0;
 }
 
 std::optional<World::State::Margin> World::State::margin_of(const std::vector<BodyPair>& pairs, const Reach& reach,

@@ -5,16 +5,53 @@
 #include <set>
 #include <span>
 
+#include "topology/at.hpp"
 #include "world/carried_boxes.hpp"
 
 namespace tamis {
 namespace {
+
+/// Of which blocks of a body are all items known to be near? Asked of few, and kept; items come in meanwhile.
+class WholeBlocks {
+ public:
+  WholeBlocks(const BodyShape& shape, const IndexSet& near) : shape_(shape), near_(near) {
+    std::size_t count = 0;
+    for (int level = 0; level <= shape.boxes.root_level(); ++level) {
+      first_of_level_[at(level)] = count;
+      count += shape.boxes.level(level).size();
+    }
+    answers_.assign(count, Answer::none);
+  }
+
+  bool has(int level, Index block) {
+    Answer& answer = answers_[first_of_level_[at(level)] + at(block)];
+    if (answer == Answer::none) answer = is_whole(level, block) ? Answer::yes : Answer::no;
+    return answer == Answer::yes;
+  }
+
+ private:
+  enum class Answer : char { none, yes, no };
+
+  bool is_whole(int level, Index block) {
+    if (level == 0) return near_.has_all(shape_.order.items_of(block));
+    const auto count = static_cast<Index>(shape_.boxes.level(level - 1).size());
+    for (Index child = block * kBlock; child < std::min(block * kBlock + kBlock, count); ++child)
+      if (!has(level - 1, child)) return false;
+    return true;
+  }
+
+  const BodyShape& shape_;
+  const IndexSet& near_;
+  std::array<std::size_t, 8> first_of_level_{};  // of 2^31 items at most
+  std::vector<Answer> answers_;
+};
 
 class PairWalk {
  public:
   struct Side {
     CarriedBoxes& boxes;
     IndexSet& near;
+    WholeBlocks& whole;
   };
 
   PairWalk(const Side& a, const Side& b, double separation) : a_(a), b_(b), separation_(separation) {}
@@ -26,7 +63,6 @@ class PairWalk {
     if (meet(a.bounds, b.bounds)) visit(a, b);
     return found_;
   }
-  std::uint64_t tests() const { return tests_; }
 
  private:
   struct Node {
@@ -39,13 +75,11 @@ class PairWalk {
     const int level = side.boxes.root_level();
     return {level, 0, side.boxes.of_block(level, 0)};
   }
-  bool meet(const MovingBounds& a, const MovingBounds& b) {
-    ++tests_;
-    return may_meet(a, b, separation_);
-  }
+  bool meet(const MovingBounds& a, const MovingBounds& b) const { return may_meet(a, b, separation_); }
 
   /// The larger one is opened. REQUIRES: two that meet.
   void visit(const Node& a, const Node& b) {
+    if (found_ && a_.whole.has(a.level, a.block) && b_.whole.has(b.level, b.block)) return;
     if (a.level == 0 && b.level == 0) {
       mark(a, b);
     } else if (b.level == 0 || (a.level > 0 && a.bounds.start.extent() >= b.bounds.start.extent())) {
@@ -56,7 +90,7 @@ class PairWalk {
   }
 
   template <class F>
-  void for_each_child_near(const Side& side, const Node& node, const Node& other, const F& f) {
+  void for_each_child_near(const Side& side, const Node& node, const Node& other, const F& f) const {
     const int level = node.level - 1;
     const auto count = static_cast<Index>(side.boxes.shape().boxes.level(level).size());
     const Index first = node.block * kBlock, last = std::min(first + kBlock, count);
@@ -70,7 +104,6 @@ class PairWalk {
   void mark(const Node& node_a, const Node& node_b) {
     const auto items_a = a_.boxes.shape().order.items_of(node_a.block);
     const auto items_b = b_.boxes.shape().order.items_of(node_b.block);
-    if (found_ && a_.near.has_all(items_a) && b_.near.has_all(items_b)) return;
     const CarriedItems& a = a_.boxes.items(node_a.block);
     if (!meet(a.all, node_b.bounds)) return;
     const CarriedItems& b = b_.boxes.items(node_b.block);
@@ -94,7 +127,6 @@ class PairWalk {
   const Side a_, b_;
   const double separation_;
   bool found_ = false;
-  std::uint64_t tests_ = 0;
 };
 
 }  // namespace
@@ -119,27 +151,26 @@ std::uint64_t NearItems::memory_bytes() const {
   return bytes;
 }
 
-std::uint64_t add_near_items(const BodyList& bodies, const std::vector<BodyPair>& pairs,
-                             const std::function<double(const Body&, const Body&)>& reach,
-                             const std::vector<double>& times, NearItems& near) {
-  const auto body = [&](BodyId id) -> const Body& { return *bodies[static_cast<std::size_t>(id)]; };
+void add_near_items(const BodyList& bodies, const std::vector<BodyPair>& pairs,
+                    const std::function<double(const Body&, const Body&)>& reach, const std::vector<double>& times,
+                    NearItems& near) {
+  const auto body = [&](BodyId id) -> const Body& { return *bodies[at(id)]; };
   const auto items_of = [&](BodyId id) -> IndexSet& {
     return near.of_body.try_emplace(id, body(id).shape().item_count()).first->second;
   };
   std::map<BodyId, CarriedBoxes> carried;
-  std::uint64_t tests = 0;
   std::vector<char> is_near;
   for (const BodyPair& pair : pairs) is_near.push_back(std::ranges::binary_search(near.pairs, pair));
   for (std::size_t piece = 0; piece + 1 < times.size(); ++piece) {
+    std::map<BodyId, WholeBlocks> whole;
     const auto side = [&](BodyId id) {
       CarriedBoxes& boxes = carried.try_emplace(id, body(id), times[piece], times[piece + 1]).first->second;
-      return PairWalk::Side{boxes, items_of(id)};
+      IndexSet& items = items_of(id);
+      return PairWalk::Side{boxes, items, whole.try_emplace(id, body(id).shape(), items).first->second};
     };
     for (std::size_t i = 0; i < pairs.size(); ++i) {
       const auto [a, b] = pairs[i];
-      PairWalk walk(side(a), side(b), reach(body(a), body(b)));
-      if (walk.run(is_near[i])) is_near[i] = true;
-      tests += walk.tests();
+      if (PairWalk(side(a), side(b), reach(body(a), body(b))).run(is_near[i])) is_near[i] = true;
     }
     std::erase_if(carried, [](const auto& one) { return one.second.body().motion_kind() != MotionKind::still; });
   }
@@ -150,7 +181,6 @@ std::uint64_t add_near_items(const BodyList& bodies, const std::vector<BodyPair>
   std::set<BodyId> in_pairs;
   for (const BodyPair& pair : near.pairs) in_pairs.insert(pair.begin(), pair.end());
   std::erase_if(near.of_body, [&](const auto& one) { return !in_pairs.contains(one.first); });
-  return tests;
 }
 
 }  // namespace tamis

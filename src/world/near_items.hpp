@@ -19,10 +19,10 @@ struct NearItems {
   std::uint64_t memory_bytes() const;
 };
 
-/// Adds to `near`, of bodies that are as then, all that may come as near as `reach` says, during the pieces between
-/// `times`, of which there is a first and a last. Returns how many pairs of boxes it has tested.
-std::uint64_t add_near_items(const BodyList& bodies, const std::vector<BodyPair>& pairs,
-                             const std::function<double(const Body&, const Body&)>& reach,
-                             const std::vector<double>& times, NearItems& near);
+/// Adds to `near` all that may come as near as `reach` says, during the pieces between `times`, of which there is a
+/// first and a last. Items in it are not looked at again where their bodies are known to come near.
+void add_near_items(const BodyList& bodies, const std::vector<BodyPair>& pairs,
+                    const std::function<double(const Body&, const Body&)>& reach, const std::vector<double>& times,
+                    NearItems& near);
 
 }  // namespace tamis

@@ -82,15 +82,12 @@ struct World::State {
     std::size_t needed_when_gathered = 0;         ///< items
     std::vector<BodyPair> pairs = {};             ///< those that may touch in this question
     std::optional<Margin> margin = std::nullopt;  ///< of bodies that do not turn
-    int served = 0;                               ///< questions, by its margin
-    std::uint64_t tests = 0;                      ///< of boxes, by questions after the margin was used up
+    int served = 0, searched = 0;                 ///< questions, and those that its margin did not serve
     bool is_asked() const { return !pairs.empty(); }
     bool serves(const BodyList& of_world, const std::vector<BodyPair>& near, const Reach& reach) const {
       return gathered && margin && reach.part_of_way == 0 && reach.separation <= margin->separation &&
              gathered->keeps_motion_kinds(of_world) && margin->has(of_world, near);
     }
-    /// Where that does not say so: does it hold what is needed now, and cost less than to gather it anew?
-    bool still_serves(const BodyList& of_world, const NearItems& needed, const Reach& reach) const;
   };
 
   /// Which pairs a gathering is asked about.
@@ -105,9 +102,9 @@ struct World::State {
   /// `near`: those without more. `times`: as find_near_items has them.
   void gather(Gathering& gathering, const Reach& reach, const Wanted& is_wanted, const std::vector<BodyPair>& near,
               const std::vector<double>& times);
-  /// Adds to `items` what comes within the reach and `more`; returns how many pairs of boxes that tested.
-  std::uint64_t find_near(const std::vector<BodyPair>& pairs, const Reach& reach, double more,
-                          const std::vector<double>& times, NearItems& items) const;
+  /// Adds to `items` what comes within the reach and `more`.
+  void find_near(const std::vector<BodyPair>& pairs, const Reach& reach, double more, const std::vector<double>& times,
+                 NearItems& items) const;
   void gather_anew(Gathering& gathering, const Reach& reach, const Wanted& is_wanted, const NearItems& needed,
                    const std::vector<double>& times);
   /// None where one of them turns.

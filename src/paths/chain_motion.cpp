@@ -69,13 +69,24 @@ RoundedTransform with_norms(RoundedTransform transform) {
   return transform;
 }
 
+bool are_same(const Link& a, const Link& b) {
+  return a.start.position == b.start.position && a.start.rotation == b.start.rotation &&
+         a.end.position == b.end.position && a.end.rotation == b.end.rotation;
+}
+
 }  // namespace
 
-RoundedTransform rounded_transform_of(const Chain& chain, double time) {
-  if (chain.size() < 2) return rounded_link(chain.empty() ? Link{} : chain.front(), time);
-  RoundedTransform result = with_norms(rounded_link(chain.back(), time));
-  for (auto link = chain.rbegin() + 1; link != chain.rend(); ++link)
-    result = after(with_norms(rounded_link(*link, time)), result);
+RoundedTransform ChainsAt::of(const Chain& chain) {
+  if (chain.empty()) return rounded_link(Link{}, time_);
+  const auto known = std::ranges::mismatch(last_, chain, are_same);
+  if (known.in2 != chain.end()) {
+    of_link_.resize(static_cast<std::size_t>(known.in2 - chain.begin()));
+    for (auto link = known.in2; link != chain.end(); ++link) of_link_.push_back(rounded_link(*link, time_));
+    last_ = chain;
+  }
+  if (chain.size() == 1) return of_link_[0];
+  RoundedTransform result = with_norms(of_link_[chain.size() - 1]);
+  for (std::size_t i = chain.size() - 1; i-- > 0;) result = after(with_norms(of_link_[i]), result);
   return result;
 }
 

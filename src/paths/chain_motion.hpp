@@ -30,7 +30,19 @@ struct RoundedTransform {
   }
 };
 
-RoundedTransform rounded_transform_of(const Chain& chain, double time);
+/// Where chains take bodies at one time. Of a chain that begins as the last one did, as those of the links of one arm
+/// do, only the other links are turned anew.
+class ChainsAt {
+ public:
+  explicit ChainsAt(double time) : time_(time) {}
+  double time() const { return time_; }
+  RoundedTransform of(const Chain& chain);
+
+ private:
+  double time_;
+  Chain last_;
+  std::vector<RoundedTransform> of_link_;  ///< of last_
+};
 
 /// The axis about which all points turn, exactly: the rotation vectors of all links from the outermost to the last that
 /// turns are parallel. Zeros where there is none, or nothing turns.

@@ -114,7 +114,7 @@ Chain interpolated(const Pose& start, const Pose& end) { return {{start, end}}; 
 namespace {
 
 /// Rounded.
-Point where(const Pose& pose, const Point& x) { return rounded_transform_of({{pose, pose}}, 0).of(x); }
+Point where(const Pose& pose, const Point& x) { return ChainsAt(0).of({{pose, pose}}).of(x); }
 
 /// Of R = R1 R0^T; from the quaternion, which is well conditioned at every angle.
 Point shorter_turn(const Pose& start, const Pose& end) {
@@ -212,7 +212,8 @@ RoundedPlace rounded_linear(const Point& a, const Point& b, double time) {
 void RigidPath::points_at(double time, std::span<const Index> vertices, std::span<Point> points,
                           std::span<double> errors) const {
   RoundedTransform transform{};
-  const auto begin = [&](std::size_t body) { transform = rounded_transform_of(chains_[body], time); };
+  ChainsAt chains(time);
+  const auto begin = [&](std::size_t body) { transform = chains.of(chains_[body]); };
   for_each_of_body(vertices, body_of_vertex_, begin, [&](std::size_t i, std::size_t v) {
     const RoundedPlace place = rounded_linear(rest_[v], rest_end_[v], time);
     points[i] = transform.of(place.x);

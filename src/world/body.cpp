@@ -96,7 +96,8 @@ double StraightWay::farthest_of(const Body& body) const {
 }
 
 Body::Body(BodyId id, std::shared_ptr<const BodyShape> shape, BodyMotion motion) : id_(id), shape_(std::move(shape)) {
-  move(std::move(motion));
+  ChainsAt at_start(0), at_end(1);
+  move(std::move(motion), at_start, at_end);
 }
 
 Body::Body(const Body& other) : Body(other.id_, other.shape_, other.motion_) {
@@ -124,7 +125,7 @@ void Body::validate(const BodyMotion& motion) const {
   }
 }
 
-void Body::move(BodyMotion motion) {
+void Body::move(BodyMotion motion, ChainsAt& at_start, ChainsAt& at_end) {
   validate(motion);
   motion_ = std::move(motion);
   chain_ = chain_of(motion_);
@@ -146,12 +147,13 @@ void Body::move(BodyMotion motion) {
     motion_kind_ = std::holds_alternative<Static>(motion_) ? MotionKind::still
                    : bounds.turns()                        ? MotionKind::turning
                                                            : MotionKind::straight;
-    at_start_ = PlacedBody{rounded_transform_of(chain_, 0)};
-    at_end_ = motion_kind_ == MotionKind::still ? at_start_ : PlacedBody{rounded_transform_of(chain_, 1)};
+    at_start_ = PlacedBody{at_start.of(chain_)};
+    at_end_ = motion_kind_ == MotionKind::still ? at_start_ : PlacedBody{at_end.of(chain_)};
   }
   const int root = shape_->boxes.root_level();
-  start_hull_ = CarriedBoxes(*this, 0, 0).of_block(root, 0).hull();
-  hull_ = motion_kind_ == MotionKind::still ? start_hull_ : CarriedBoxes(*this, 0, 1).of_block(root, 0).hull();
+  PlacesAt start(0), end(1);
+  start_hull_ = CarriedBoxes(*this, start, start).of_block(root, 0).hull();
+  hull_ = motion_kind_ == MotionKind::still ? start_hull_ : CarriedBoxes(*this, start, end).of_block(root, 0).hull();
 }
 
 void Body::set_radius(double radius) {

@@ -49,7 +49,8 @@ class Body {
   Body(BodyId id, std::shared_ptr<const BodyShape> shape, BodyMotion motion);
   /// The same, but for its detector.
   Body(const Body& other);
-  void move(BodyMotion motion);
+  /// `at_start`: at t=0, `at_end`: at t=1, of bodies that may be links of the same arm.
+  void move(BodyMotion motion, ChainsAt& at_start, ChainsAt& at_end);
   /// Throws InvalidStep, naming the body.
   void validate(const BodyMotion& motion) const;
 
@@ -65,6 +66,9 @@ class Body {
   /// Where a vertex is, rounded to doubles.
   Point start_of(Index vertex) const;
   Point end_of(Index vertex) const;
+  /// Of a body that does not deform.
+  const PlacedBody& at_start() const { return at_start_; }
+  const PlacedBody& at_end() const { return at_end_; }
   /// Hold the body at t=0, and during the whole step.
   const Box& start_hull() const { return start_hull_; }
   const Box& hull() const { return hull_; }

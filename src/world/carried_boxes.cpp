@@ -50,16 +50,16 @@ const typename Kept::value_type& kept_at(Index& place, Kept& kept, const Make& m
 
 }  // namespace
 
-CarriedBoxes::CarriedBoxes(const Body& body, double from, double to)
-    : body_(body), from_(from), to_(to), at_from_(body.at_start_), at_to_(body.at_end_) {
-  TAMIS_ASSERT(0 <= from && from <= to && to <= 1);
+CarriedBoxes::CarriedBoxes(const Body& body, PlacesAt& from, PlacesAt& to)
+    : body_(body), from_(from.time()), to_(to.time()), at_from_(body.at_start()), at_to_(body.at_end()) {
+  TAMIS_ASSERT(0 <= from_ && from_ <= to_ && to_ <= 1);
   for (int level = 0; level <= root_level(); ++level)
     place_of_block_.emplace_back(shape().boxes.level(level).size(), kNotMade);
   place_of_items_ = place_of_block_[0];
   if (body.motion_kind() != MotionKind::turning) return;
-  if (from > 0) at_from_ = PlacedBody{rounded_transform_of(body.chain(), from)};
-  if (to < 1) at_to_ = to == from ? at_from_ : PlacedBody{rounded_transform_of(body.chain(), to)};
-  const Interval length = Interval(to) - Interval(from);
+  at_from_ = from.of(body);
+  at_to_ = to.of(body);
+  const Interval length = Interval(to_) - Interval(from_);
   const auto of_piece = [&](const Curvature& curve) {
     return ChordBounds{chord_deviation(curve.acceleration, length), 2 * curve.reach};
   };

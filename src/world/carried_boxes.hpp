@@ -2,7 +2,7 @@
 #pragma once
 #include <deque>
 
-#include "world/body.hpp"
+#include "world/pieces.hpp"
 
 namespace tamis {
 
@@ -20,8 +20,8 @@ struct ChordBounds {
 /// Boxes are made when they are first asked for, and kept: their references stay valid.
 class CarriedBoxes {
  public:
-  /// Keeps a reference. REQUIRES: 0 <= from <= to <= 1.
-  CarriedBoxes(const Body& body, double from, double to);
+  /// Keeps a reference to the body. REQUIRES: `from` is not later than `to`.
+  CarriedBoxes(const Body& body, PlacesAt& from, PlacesAt& to);
 
   const Body& body() const { return body_; }
   const BodyShape& shape() const { return body_.shape(); }

@@ -21,6 +21,7 @@ constexpr double kLeastMoreInEdges = 0.5, kMostMoreInEdges = 64;
 constexpr std::size_t kShrunk = 4;
 constexpr int kQuestionsALook = 16;
 constexpr double kMostPieces = 4096;
+constexpr double kWholeStep[] = {0, 1}, kAtRest[] = {0, 0};
 
 bool is_straight(const Body& a, const Body& b) {
   return a.motion_kind() != MotionKind::turning && b.motion_kind() != MotionKind::turning;
@@ -49,7 +50,7 @@ std::vector<BodyPair> World::State::only(const Wanted& is_wanted, std::vector<Bo
 }
 
 void World::State::gather(Gathering& gathering, const Reach& reach, const Wanted& is_wanted,
-                          const std::vector<BodyPair>& near, const std::vector<double>& times) {
+                          const std::vector<BodyPair>& near, std::span<const double> times) {
   const std::vector<BodyPair> wanted = only(is_wanted, near);
   if (wanted.empty()) return;
   if (gathering.serves(bodies, wanted, reach)) {
@@ -57,11 +58,12 @@ void World::State::gather(Gathering& gathering, const Reach& reach, const Wanted
     ++gathering.served;
     return;
   }
+  Pieces pieces(times);
   const bool is_usable = gathering.gathered && gathering.gathered->keeps_motion_kinds(bodies);
   if (is_usable && ++gathering.searched % kQuestionsALook != 0) {
     NearItems all = gathering.gathered->items();
     all.pairs.clear();
-    find_near(wanted, reach, 0, times, all);
+    find_near(wanted, reach, 0, pieces, all);
     gathering.pairs = all.pairs;
     if (gathering.gathered->items().includes(all)) {
       ++gathering.served;
@@ -69,23 +71,23 @@ void World::State::gather(Gathering& gathering, const Reach& reach, const Wanted
     }
   }
   NearItems needed;
-  find_near(wanted, reach, 0, times, needed);
+  find_near(wanted, reach, 0, pieces, needed);
   gathering.pairs = needed.pairs;
   if (!gathering.is_asked()) return;
   if (is_usable && kShrunk * needed.count() >= gathering.needed_when_gathered &&
       gathering.gathered->items().includes(needed))
     return;
-  gather_anew(gathering, reach, is_wanted, needed, times);
+  gather_anew(gathering, reach, is_wanted, needed, pieces);
 }
 
-void World::State::find_near(const std::vector<BodyPair>& pairs, const Reach& reach, double more,
-                             const std::vector<double>& times, NearItems& items) const {
+void World::State::find_near(const std::vector<BodyPair>& pairs, const Reach& reach, double more, Pieces& pieces,
+                             NearItems& items) const {
   const auto reach_of = [&](const Body& a, const Body& b) { return (reach.of(a, b) + more) * (1 + 0x1p-40); };
-  add_near_items(bodies, pairs, reach_of, times, items);
+  add_near_items(bodies, pairs, reach_of, pieces, items);
 }
 
 void World::State::gather_anew(Gathering& gathering, const Reach& reach, const Wanted& is_wanted,
-                               const NearItems& needed, const std::vector<double>& times) {
+                               const NearItems& needed, Pieces& pieces) {
   double edges = 0;
   for (const auto& [id, unused] : needed.of_body) edges += bodies[at(id)]->shape().edge;
   const double edge = edges / static_cast<double>(needed.of_body.size());
@@ -94,9 +96,9 @@ void World::State::gather_anew(Gathering& gathering, const Reach& reach, const W
   NearItems items;
   while (true) {
     const double more = more_in_edges * edge;
-    const std::vector<BodyPair> farther = only(is_wanted, near_bodies(reach, more, times.back() == 0));
+    const std::vector<BodyPair> farther = only(is_wanted, near_bodies(reach, more, pieces.end_in_one_pose()));
     items = needed;
-    find_near(farther, reach, more, times, items);
+    find_near(farther, reach, more, pieces, items);
     gathering.margin = margin_of(farther, reach, more);
     if (more_in_edges <= kLeastMoreInEdges || items.count() <= kMostItems * needed.count()) break;
     more_in_edges = std::max(more_in_edges / 2, kLeastMoreInEdges);
@@ -151,7 +153,7 @@ std::vector<double> World::State::times_of_pieces(const std::vector<BodyPair>& p
 
 void World::State::gather_moving(const Reach& reach) {
   const std::vector<BodyPair> near = near_bodies(reach, 0, false);
-  gather(straight_, reach, is_straight, near, {0, 1});
+  gather(straight_, reach, is_straight, near, kWholeStep);
   times_ = times_of_pieces(only(is_turning, near));
   gather(turning_, reach, is_turning, near, times_);
 }
@@ -159,7 +161,7 @@ void World::State::gather_moving(const Reach& reach) {
 void World::State::gather_at_rest(double distance) {
   const Reach reach{distance};
   const auto any = [](const Body&, const Body&) { return true; };
-  gather(at_rest_, reach, any, near_bodies(reach, 0, true), {0, 0});
+  gather(at_rest_, reach, any, near_bodies(reach, 0, true), kAtRest);
 }
 
 }  // namespace tamis

@@ -152,8 +152,7 @@ std::uint64_t NearItems::memory_bytes() const {
 }
 
 void add_near_items(const BodyList& bodies, const std::vector<BodyPair>& pairs,
-                    const std::function<double(const Body&, const Body&)>& reach, const std::vector<double>& times,
-                    NearItems& near) {
+                    const std::function<double(const Body&, const Body&)>& reach, Pieces& pieces, NearItems& near) {
   const auto body = [&](BodyId id) -> const Body& { return *bodies[at(id)]; };
   const auto items_of = [&](BodyId id) -> IndexSet& {
     return near.of_body.try_emplace(id, body(id).shape().item_count()).first->second;
@@ -161,10 +160,10 @@ void add_near_items(const BodyList& bodies, const std::vector<BodyPair>& pairs,
   std::map<BodyId, CarriedBoxes> carried;
   std::vector<char> is_near;
   for (const BodyPair& pair : pairs) is_near.push_back(std::ranges::binary_search(near.pairs, pair));
-  for (std::size_t piece = 0; piece + 1 < times.size(); ++piece) {
+  for (std::size_t piece = 0; piece < pieces.count(); ++piece) {
     std::map<BodyId, WholeBlocks> whole;
     const auto side = [&](BodyId id) {
-      CarriedBoxes& boxes = carried.try_emplace(id, body(id), times[piece], times[piece + 1]).first->second;
+      CarriedBoxes& boxes = carried.try_emplace(id, body(id), pieces.start(piece), pieces.end(piece)).first->second;
       IndexSet& items = items_of(id);
       return PairWalk::Side{boxes, items, whole.try_emplace(id, body(id).shape(), items).first->second};
     };
@@ -172,6 +171,7 @@ void add_near_items(const BodyList& bodies, const std::vector<BodyPair>& pairs,
       const auto [a, b] = pairs[i];
       if (PairWalk(side(a), side(b), reach(body(a), body(b))).run(is_near[i])) is_near[i] = true;
     }
+    pieces.leave(piece);
     std::erase_if(carried, [](const auto& one) { return one.second.body().motion_kind() != MotionKind::still; });
   }
   for (std::size_t i = 0; i < pairs.size(); ++i)

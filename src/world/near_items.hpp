@@ -6,6 +6,7 @@
 
 #include "world/index_set.hpp"
 #include "world/near_bodies.hpp"
+#include "world/pieces.hpp"
 
 namespace tamis {
 
@@ -19,10 +20,9 @@ struct NearItems {
   std::uint64_t memory_bytes() const;
 };
 
-/// Adds to `near` all that may come as near as `reach` says, during the pieces between `times`, of which there is a
-/// first and a last. Items in it are not looked at again where their bodies are known to come near.
+/// Adds to `near` all that may come as near as `reach` says, during the pieces. Items in it are not looked at again
+/// where their bodies are known to come near.
 void add_near_items(const BodyList& bodies, const std::vector<BodyPair>& pairs,
-                    const std::function<double(const Body&, const Body&)>& reach, const std::vector<double>& times,
-                    NearItems& near);
+                    const std::function<double(const Body&, const Body&)>& reach, Pieces& pieces, NearItems& near);
 
 }  // namespace tamis

@@ -99,14 +99,14 @@ struct World::State {
   /// Pairs that may come within the reach and `more`, by their hulls, and may touch.
   std::vector<BodyPair> near_bodies(const Reach& reach, double more, bool at_start);
   std::vector<BodyPair> only(const Wanted& is_wanted, std::vector<BodyPair> pairs) const;
-  /// `near`: those without more. `times`: as find_near_items has them.
+  /// `near`: those without more. `times`: the ends of pieces.
   void gather(Gathering& gathering, const Reach& reach, const Wanted& is_wanted, const std::vector<BodyPair>& near,
-              const std::vector<double>& times);
+              std::span<const double> times);
   /// Adds to `items` what comes within the reach and `more`.
-  void find_near(const std::vector<BodyPair>& pairs, const Reach& reach, double more, const std::vector<double>& times,
+  void find_near(const std::vector<BodyPair>& pairs, const Reach& reach, double more, Pieces& pieces,
                  NearItems& items) const;
   void gather_anew(Gathering& gathering, const Reach& reach, const Wanted& is_wanted, const NearItems& needed,
-                   const std::vector<double>& times);
+                   Pieces& pieces);
   /// None where one of them turns.
   std::optional<Margin> margin_of(const std::vector<BodyPair>& pairs, const Reach& reach, double more) const;
   /// Those of bodies that move.
@@ -130,6 +130,7 @@ struct World::State {
   void begin();
   std::uint64_t memory_bytes() const;
 
+  ChainsAt at_start_{0}, at_end_{1};  ///< of what is moved
   NearBodies near_bodies_;
   Gathering straight_{MotionKind::still, 1}, turning_{MotionKind::straight, 0.5}, at_rest_{MotionKind::still, 1};
   std::vector<double> times_;  ///< of the pieces of turning_

@@ -1,0 +1,53 @@
+// The pieces of a step on which bodies that turn are looked at, and where bodies are between them.
+#pragma once
+#include <map>
+#include <span>
+#include <vector>
+
+#include "world/body.hpp"
+
+namespace tamis {
+
+/// Where bodies that turn are at one time of the step, in doubles: found when it is first asked for.
+class PlacesAt {
+ public:
+  /// REQUIRES: in [0,1].
+  explicit PlacesAt(double time) : chains_(time) {}
+  double time() const { return chains_.time(); }
+  const PlacedBody& of(const Body& body) {
+    const auto [place, is_new] = places_.try_emplace(&body);
+    if (is_new)
+      place->second = time() == 0   ? body.at_start()
+                      : time() == 1 ? body.at_end()
+                                    : PlacedBody{chains_.of(body.chain())};
+    return place->second;
+  }
+  void forget() { places_.clear(); }
+
+ private:
+  ChainsAt chains_;
+  std::map<const Body*, PlacedBody> places_;
+};
+
+/// Several walks over the same pieces ask for the same places.
+class Pieces {
+ public:
+  /// Ends of pieces, of which there is a first and a last; ascending.
+  explicit Pieces(std::span<const double> times) : places_(times.begin(), times.end()) {}
+
+  std::size_t count() const { return places_.size() - 1; }
+  PlacesAt& start(std::size_t piece) { return places_[piece]; }
+  PlacesAt& end(std::size_t piece) { return places_[piece + 1]; }
+  bool end_in_one_pose() const { return places_.back().time() == 0; }
+  /// A walk has passed by it: memory stays bounded.
+  void leave(std::size_t piece) {
+    if (count() > kKept) start(piece).forget();
+  }
+
+ private:
+  static constexpr std::size_t kKept = 64;
+
+  std::vector<PlacesAt> places_;
+};
+
+}  // namespace tamis

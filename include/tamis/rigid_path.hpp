@@ -1,6 +1,7 @@
 // Ready-made paths of rigid bodies: turning, moving, and chains of such motions.
 #pragma once
 #include <array>
+#include <memory>
 #include <vector>
 
 #include "tamis/path.hpp"
@@ -44,6 +45,8 @@ Chain between(const Pose& start, const Pose& end, const Point& center = {0, 0, 0
 /// much separation is free by theirs. Throws InvalidPath on numbers that are not finite.
 double nlerp_deviation(const Pose& start, const Pose& end);
 
+class ChainWithStillLinks;  // within the library
+
 /// Bodies that move each on a chain of links; a vertex may go straight in its body's frame meanwhile. Positions:
 /// enclosed by interval arithmetic in doubles or double-double, sine and cosine by their alternating series.
 /// Deviations: |x''| (to - from)^2 / 8 (docs/numerics.md, "Curved motion").
@@ -66,7 +69,7 @@ class RigidPath final : public Path {
  private:
   std::vector<Point> rest_, rest_end_;
   std::vector<Index> body_of_vertex_;
-  std::vector<Chain> chains_;
+  std::shared_ptr<const std::vector<ChainWithStillLinks>> chains_;
   std::vector<Point> axes_;                      ///< of each chain
   std::vector<double> accelerations_, reaches_;  ///< bounds of each vertex: how its curve bends, how far it strays
 };

@@ -72,9 +72,11 @@ inline BasicInterval<T> operator-(const BasicInterval<T>& a, const BasicInterval
 /// Inline: what paths are made of, by the hundred; compilers would call it.
 template <class T>
 [[gnu::always_inline]] inline BasicInterval<T> operator*(const BasicInterval<T>& a, const BasicInterval<T>& b) {
-  const T p = a.lower * b.lower, q = a.lower * b.upper, r = a.upper * b.lower, s = a.upper * b.upper;
-  // Infinity times zero: min and max could drop the NaN.
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  const T p = a.lower * b.lower, s = a.upper * b.upper;
+  if (a.lower >= T(0) && b.lower >= T(0) && s < T(kInfinity)) return {rounding::below(p), rounding::above(s)};
+  const T q = a.lower * b.upper, r = a.upper * b.lower;
+  // Infinity times zero: min and max could drop the NaN.
   const bool has_nan = p != p || q != q || r != r || s != s;  // NOLINT(misc-redundant-expression)
   if (has_nan) return {T(-kInfinity), T(kInfinity)};
   return {rounding::below(min(min(p, q), min(r, s))), rounding::above(max(max(p, q), max(r, s)))};

@@ -76,17 +76,29 @@ bool are_same(const Link& a, const Link& b) {
 
 }  // namespace
 
-RoundedTransform ChainsAt::of(const Chain& chain) {
-  if (chain.empty()) return rounded_link(Link{}, time_);
-  const auto known = std::ranges::mismatch(last_, chain, are_same);
-  if (known.in2 != chain.end()) {
-    of_link_.resize(static_cast<std::size_t>(known.in2 - chain.begin()));
-    for (auto link = known.in2; link != chain.end(); ++link) of_link_.push_back(rounded_link(*link, time_));
-    last_ = chain;
+ChainWithStillLinks::ChainWithStillLinks(Chain chain) : links_(std::move(chain)) {
+  for (const Link& link : links_) {
+    const bool stays = link.start.position == link.end.position && link.start.rotation == link.end.rotation;
+    still_.push_back(stays ? std::optional(rounded_link(link, 0)) : std::nullopt);
   }
-  if (chain.size() == 1) return of_link_[0];
-  RoundedTransform result = with_norms(of_link_[chain.size() - 1]);
-  for (std::size_t i = chain.size() - 1; i-- > 0;) result = after(with_norms(of_link_[i]), result);
+}
+
+RoundedTransform ChainWithStillLinks::link_at(std::size_t i, double time) const {
+  return still_[i] ? *still_[i] : rounded_link(links_[i], time);
+}
+
+RoundedTransform ChainsAt::of(const ChainWithStillLinks& chain) {
+  const Chain& links = chain.links();
+  if (links.empty()) return rounded_link(Link{}, time_);
+  const auto known = std::ranges::mismatch(last_, links, are_same);
+  if (known.in2 != links.end()) {
+    of_link_.resize(static_cast<std::size_t>(known.in2 - links.begin()));
+    while (of_link_.size() < links.size()) of_link_.push_back(chain.link_at(of_link_.size(), time_));
+    last_ = links;
+  }
+  if (links.size() == 1) return of_link_[0];
+  RoundedTransform result = with_norms(of_link_[links.size() - 1]);
+  for (std::size_t i = links.size() - 1; i-- > 0;) result = after(with_norms(of_link_[i]), result);
   return result;
 }
 

@@ -2,6 +2,7 @@
 // curves of its points bend.
 #pragma once
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "numerics/interval.hpp"
@@ -30,13 +31,26 @@ struct RoundedTransform {
   }
 };
 
+/// A chain, with those of its links that stay where they are turned once for all times: the inner one of each of
+/// `turned`.
+class ChainWithStillLinks {
+ public:
+  explicit ChainWithStillLinks(Chain chain = {});
+  const Chain& links() const { return links_; }
+  RoundedTransform link_at(std::size_t i, double time) const;
+
+ private:
+  Chain links_;
+  std::vector<std::optional<RoundedTransform>> still_;  ///< of each link
+};
+
 /// Where chains take bodies at one time. Of a chain that begins as the last one did, as those of the links of one arm
 /// do, only the other links are turned anew.
 class ChainsAt {
  public:
   explicit ChainsAt(double time) : time_(time) {}
   double time() const { return time_; }
-  RoundedTransform of(const Chain& chain);
+  RoundedTransform of(const ChainWithStillLinks& chain);
 
  private:
   double time_;

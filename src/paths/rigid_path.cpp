@@ -114,7 +114,7 @@ Chain interpolated(const Pose& start, const Pose& end) { return {{start, end}}; 
 namespace {
 
 /// Rounded.
-Point where(const Pose& pose, const Point& x) { return ChainsAt(0).of({{pose, pose}}).of(x); }
+Point where(const Pose& pose, const Point& x) { return ChainsAt(0).of(ChainWithStillLinks({{pose, pose}})).of(x); }
 
 /// Of R = R1 R0^T; from the quaternion, which is well conditioned at every angle.
 Point shorter_turn(const Pose& start, const Pose& end) {
@@ -159,11 +159,11 @@ RigidPath::RigidPath(std::vector<Point> rest, std::vector<Index> body_of_vertex,
                      std::vector<Point> rest_end)
     : rest_(std::move(rest)),
       rest_end_(rest_end.empty() ? rest_ : std::move(rest_end)),
-      body_of_vertex_(std::move(body_of_vertex)),
-      chains_(std::move(chains)) {
-  validate(rest_, body_of_vertex_, chains_, rest_end_);
-  const std::vector<ChainBounds> bounds(chains_.begin(), chains_.end());
-  for (const Chain& chain : chains_) axes_.push_back(fixed_axis(chain));
+      body_of_vertex_(std::move(body_of_vertex)) {
+  validate(rest_, body_of_vertex_, chains, rest_end_);
+  chains_ = std::make_shared<const std::vector<ChainWithStillLinks>>(chains.begin(), chains.end());
+  const std::vector<ChainBounds> bounds(chains.begin(), chains.end());
+  for (const Chain& chain : chains) axes_.push_back(fixed_axis(chain));
   for (std::size_t v = 0; v < rest_.size(); ++v) {
     const ChainBounds& of_body = bounds[static_cast<std::size_t>(body_of_vertex_[v])];
     const double way = rest_[v] == rest_end_[v] ? 0 : change(rest_[v], rest_end_[v]);
@@ -213,7 +213,7 @@ void RigidPath::points_at(double time, std::span<const Index> vertices, std::spa
                           std::span<double> errors) const {
   RoundedTransform transform{};
   ChainsAt chains(time);
-  const auto begin = [&](std::size_t body) { transform = chains.of(chains_[body]); };
+  const auto begin = [&](std::size_t body) { transform = chains.of((*chains_)[body]); };
   for_each_of_body(vertices, body_of_vertex_, begin, [&](std::size_t i, std::size_t v) {
     const RoundedPlace place = rounded_linear(rest_[v], rest_end_[v], time);
     points[i] = transform.of(place.x);
@@ -224,7 +224,7 @@ void RigidPath::points_at(double time, std::span<const Index> vertices, std::spa
 
 void RigidPath::fine_points_at(double time, std::span<const Index> vertices, std::span<FinePoint> points) const {
   RigidTransform<DoubleDouble> transform;
-  const auto begin = [&](std::size_t body) { transform = transform_of<DoubleDouble>(chains_[body], time); };
+  const auto begin = [&](std::size_t body) { transform = transform_of<DoubleDouble>((*chains_)[body].links(), time); };
   for_each_of_body(vertices, body_of_vertex_, begin, [&](std::size_t i, std::size_t v) {
     points[i] = fine_point(transform.rows * linear<DoubleDouble>(rest_[v], rest_end_[v], time) + transform.shift);
   });

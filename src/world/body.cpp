@@ -128,7 +128,7 @@ void Body::validate(const BodyMotion& motion) const {
 void Body::move(BodyMotion motion, ChainsAt& at_start, ChainsAt& at_end) {
   validate(motion);
   motion_ = std::move(motion);
-  chain_ = chain_of(motion_);
+  chain_ = ChainWithStillLinks(chain_of(motion_));
   if (const Deforming* soft = deforming()) {
     const auto boxes_at = [&](const std::vector<Point>& points) {
       const auto at_point = [&](Index v) -> const Point& { return points[at(v)]; };
@@ -141,7 +141,7 @@ void Body::move(BodyMotion motion, ChainsAt& at_start, ChainsAt& at_end) {
   } else {
     start_boxes_ = end_boxes_ = {};
     itself_.reset();
-    const ChainBounds bounds(chain_);
+    const ChainBounds bounds(chain_.links());
     innermost_ = bounds.of(0, 0);
     outermost_ = bounds.of(shape_->radius, 0);
     motion_kind_ = std::holds_alternative<Static>(motion_) ? MotionKind::still

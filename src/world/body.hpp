@@ -58,7 +58,7 @@ class Body {
   const BodyMotion& motion() const { return motion_; }
   MotionKind motion_kind() const { return motion_kind_; }
   /// What turns, or stays: empty of a body that deforms.
-  const Chain& chain() const { return chain_; }
+  const ChainWithStillLinks& chain() const { return chain_; }
   /// Null unless it deforms.
   const Deforming* deforming() const { return std::get_if<Deforming>(&motion_); }
   Step step() const { return {deforming()->start, deforming()->end}; }
@@ -93,7 +93,7 @@ class Body {
   MotionKind motion_kind_ = MotionKind::still;
   double radius_ = 0;
   std::optional<Detector> itself_;  ///< made by the first question
-  Chain chain_;
+  ChainWithStillLinks chain_;
   PlacedBody at_start_, at_end_;
   Curvature innermost_, outermost_;    ///< at the origin of its frame, and as far from it as vertices are
   BoxLevels start_boxes_, end_boxes_;  ///< of a deforming body

@@ -21,7 +21,7 @@ constexpr double kLeastMoreInEdges = 0.5, kMostMoreInEdges = 64;
 constexpr std::size_t kShrunk = 4;
 constexpr int kQuestionsALook = 16;
 constexpr double kMostPieces = 4096;
-constexpr double kWholeStep[] = {0, 1}, kAtRest[] = {0, 0};
+constexpr double kEndsOfStep[] = {0, 1}, kEndsOfRest[] = {0, 0};
 
 bool is_straight(const Body& a, const Body& b) {
   return a.motion_kind() != MotionKind::turning && b.motion_kind() != MotionKind::turning;
@@ -153,7 +153,7 @@ std::vector<double> World::State::times_of_pieces(const std::vector<BodyPair>& p
 
 void World::State::gather_moving(const Reach& reach) {
   const std::vector<BodyPair> near = near_bodies(reach, 0, false);
-  gather(straight_, reach, is_straight, near, kWholeStep);
+  gather(straight_, reach, is_straight, near, kEndsOfStep);
   times_ = times_of_pieces(only(is_turning, near));
   gather(turning_, reach, is_turning, near, times_);
 }
@@ -161,7 +161,7 @@ void World::State::gather_moving(const Reach& reach) {
 void World::State::gather_at_rest(double distance) {
   const Reach reach{distance};
   const auto any = [](const Body&, const Body&) { return true; };
-  gather(at_rest_, reach, any, near_bodies(reach, 0, true), kAtRest);
+  gather(at_rest_, reach, any, near_bodies(reach, 0, true), kEndsOfRest);
 }
 
 }  // namespace tamis

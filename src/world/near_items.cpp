@@ -159,7 +159,7 @@ void add_near_items(const BodyList& bodies, const std::vector<BodyPair>& pairs,
   };
   std::map<BodyId, CarriedBoxes> carried;
   std::vector<char> is_near;
-  for (const BodyPair& pair : pairs) is_near.push_back(std::ranges::binary_search(near.pairs, pair));
+  for (const BodyPair& pair : pairs) is_near.push_back(static_cast<char>(std::ranges::binary_search(near.pairs, pair)));
   for (std::size_t piece = 0; piece < pieces.count(); ++piece) {
     std::map<BodyId, WholeBlocks> whole;
     const auto side = [&](BodyId id) {

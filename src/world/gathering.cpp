@@ -17,9 +17,9 @@ namespace {
 constexpr int kServes = 16;
 constexpr std::size_t kMostItems = 4;
 constexpr double kLeastMoreInEdges = 0.5, kMostMoreInEdges = 64;
-/// It is gathered anew once so few of the items that it was made for may touch; each so manieth question looks.
+/// It is gathered anew once so few of the items that it was made for may touch; each so manieth search counts them.
 constexpr std::size_t kShrunk = 4;
-constexpr int kQuestionsALook = 16;
+constexpr int kSearchesACount = 16;
 constexpr double kMostPieces = 4096;
 constexpr double kEndsOfStep[] = {0, 1}, kEndsOfRest[] = {0, 0};
 
@@ -60,7 +60,7 @@ void World::State::gather(Gathering& gathering, const Reach& reach, const Wanted
   }
   Pieces pieces(times);
   const bool is_usable = gathering.gathered && gathering.gathered->keeps_motion_kinds(bodies);
-  if (is_usable && ++gathering.searched % kQuestionsALook != 0) {
+  if (is_usable && ++gathering.searched % kSearchesACount != 0) {
     NearItems all = gathering.gathered->items();
     all.pairs.clear();
     find_near(wanted, reach, 0, pieces, all);
@@ -91,20 +91,24 @@ void World::State::gather_anew(Gathering& gathering, const Reach& reach, const W
   double edges = 0;
   for (const auto& [id, unused] : needed.of_body) edges += bodies[at(id)]->shape().edge;
   const double edge = edges / static_cast<double>(needed.of_body.size());
-  double& more_in_edges = gathering.more_in_edges;
+  double more_in_edges = gathering.more_in_edges;
   if (gathering.margin && gathering.served < kServes) more_in_edges = std::min(2 * more_in_edges, kMostMoreInEdges);
   NearItems items;
+  std::optional<Margin> margin;
   while (true) {
     const double more = more_in_edges * edge;
     const std::vector<BodyPair> farther = only(is_wanted, near_bodies(reach, more, pieces.end_in_one_pose()));
     items = needed;
     find_near(farther, reach, more, pieces, items);
-    gathering.margin = margin_of(farther, reach, more);
+    margin = margin_of(farther, reach, more);
     if (more_in_edges <= kLeastMoreInEdges || items.count() <= kMostItems * needed.count()) break;
     more_in_edges = std::max(more_in_edges / 2, kLeastMoreInEdges);
   }
   const MeetingRules rules{gathering.aside, kept_apart};
   gathering.gathered = std::make_unique<Gathered>(bodies, std::move(items), rules, options);
+  // What is thrown before leaves all as it was.
+  gathering.margin = std::move(margin);
+  gathering.more_in_edges = more_in_edges;
   gathering.needed_when_gathered = needed.count();
   gathering.served = 0;
   gathering.searched = 0;

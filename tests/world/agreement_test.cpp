@@ -148,45 +148,97 @@ TEST(World, AgreesStepAfterStep) {
   }
 }
 
-/// Nor where a body goes on, and what was gathered serves until its room is used up: slowly, or faster than any room.
-TEST(World, AgreesWhereASheetSlidesOverTheGround) {
-  constexpr double kEdge = 0.1;
-  const auto sheet = [&](Index cells, double height) {
+/// A sheet in waves that slides over still ground, askew: sides that cross in parallel have times that are less sharp.
+struct SlidingSheet {
+  static constexpr double kEdge = 0.1;
+
+  static Shape sheet(Index cells) {
     scenes::Scene scene;
     scenes::add_grid_faces(scene, 0, cells + 1, cells + 1);
     std::vector<Point> points;
     for (Index i = 0; i <= cells; ++i)
       for (Index j = 0; j <= cells; ++j)
-        points.push_back({kEdge * i, kEdge * j, height + 0.03 * kEdge * std::sin(7.0 * i + 11.0 * j)});
+        points.push_back({kEdge * i, kEdge * j, 0.03 * kEdge * std::sin(7.0 * i + 11.0 * j)});
     return Shape(Mesh(static_cast<Index>(points.size()), scene.faces), points);
-  };
-  const Shape ground = sheet(24, 0), cloth = sheet(6, 0);
+  }
+
+  /// `speed`: edges a step.
+  explicit SlidingSheet(double speed_, Options options = one_thread()) : speed(speed_), world(std::move(options)) {
+    world.add(ground, Static{});
+    body = world.add(cloth, motion(0));
+  }
+  std::vector<Point> cloth_at(int step) const {
+    std::vector<Point> points = cloth.points();
+    for (Point& p : points) {
+      p = {0.92 * p[0] - 0.38 * p[1], 0.39 * p[0] + 0.91 * p[1], p[2]};
+      p[0] += kEdge * std::min(3.37 + speed * step, 25.13);
+      p[1] += 4.41 * kEdge;
+      p[2] += kEdge * (0.05 + 0.2 * std::cos(0.9 * step));
+    }
+    return points;
+  }
+  Deforming motion(int step) const { return {cloth_at(step), cloth_at(step + 1)}; }
+
+  const Shape ground = sheet(24), cloth = sheet(6);
+  const double speed;
+  TestWorld world;
+  BodyId body;
+};
+
+/// Nor where a body goes on, and what was gathered serves until its room is used up: slowly, or faster than any room.
+TEST(World, AgreesWhereASheetSlidesOverTheGround) {
   std::size_t contacts = 0;
   for (const double speed : {0.0413, 0.3071, 1.7137, 5.0719}) {
     SCOPED_TRACE(speed);
-    TestWorld world;
-    world.add(ground, Static{});
-    const auto cloth_at = [&](int step) {
-      std::vector<Point> points = cloth.points();
-      for (Point& p : points) {  // askew: sides that cross in parallel have times that are less sharp
-        p = {0.92 * p[0] - 0.38 * p[1], 0.39 * p[0] + 0.91 * p[1], p[2]};
-        p[0] += kEdge * std::min(3.37 + speed * step, 25.13);
-        p[1] += 4.41 * kEdge;
-        p[2] += kEdge * (0.05 + 0.2 * std::cos(0.9 * step));
-      }
-      return points;
-    };
-    const BodyId body = world.add(cloth, Deforming{cloth_at(0), cloth_at(1)});
+    SlidingSheet sliding(speed);
+    TestWorld& world = sliding.world;
     for (int step = 0; step < 30; ++step) {
       SCOPED_TRACE(step);
-      world.move(body, Deforming{cloth_at(step), cloth_at(step + 1)});
-      contacts += expect_same_contacts(world, {.min_separation = step % 7 == 6 ? 0.05 * kEdge : 0});
+      world.move(sliding.body, sliding.motion(step));
+      contacts += expect_same_contacts(world, {.min_separation = step % 7 == 6 ? 0.05 * SlidingSheet::kEdge : 0});
       if (step % 5) continue;
       OneMesh mesh(world);
       EXPECT_EQ(world.world.safe_step(0.2).lower, mesh.detector.safe_step(mesh.step(), 0.2).lower);
     }
   }
   EXPECT_GT(contacts, 5000u);
+}
+
+/// Nor where questions are cancelled, wherever they ask whether they are: here also while more and more of a bowl is
+/// tried as what might be gathered.
+TEST(World, AgreesWhereQuestionsWereCancelled) {
+  int looks_left = -1, cancelled = 0;
+  Options options = one_thread();
+  options.is_cancelled = [&] { return looks_left-- == 0; };
+  TestWorld world(options);
+  const Shape ground = SlidingSheet::sheet(24), flat = SlidingSheet::sheet(12);
+  std::vector<Point> points = flat.points();
+  for (Point& p : points) {
+    p[2] += 0.5 * (std::pow(p[0] - 0.6, 2) + std::pow(p[1] - 0.6, 2));
+    p = {0.92 * p[0] - 0.38 * p[1], 0.39 * p[0] + 0.91 * p[1], p[2]};
+  }
+  world.add(ground, Static{});
+  const auto at = [](int step) { return Pose{{0.3 + 0.17 * step, 0.3, 0.004 * std::cos(0.9 * step) - 0.015}, {}}; };
+  const BodyId bowl = world.add(
+      Shape(Mesh(static_cast<Index>(points.size()), {flat.mesh().faces().begin(), flat.mesh().faces().end()}), points),
+      Rigid{interpolated(at(0), at(1))});
+  std::size_t contacts = 0;
+  for (int step = 0; step < 10; ++step) {
+    SCOPED_TRACE(step);
+    world.move(bowl, Rigid{interpolated(at(step), at(step + 1))});
+    for (int looks = 0; looks < 5; ++looks) {
+      looks_left = looks;
+      try {
+        world.world.contacts();
+      } catch (const Cancelled&) {
+        ++cancelled;
+      }
+    }
+    looks_left = -1;
+    contacts += expect_same_contacts(world);
+  }
+  EXPECT_GT(cancelled, 20);
+  EXPECT_GT(contacts, 20u);
 }
 
 /// Bug: what had been gathered was asked again, by the rules of then, as long as the bodies that may touch now went as

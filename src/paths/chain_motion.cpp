@@ -92,9 +92,13 @@ RoundedTransform ChainsAt::of(const ChainWithStillLinks& chain) {
   if (links.empty()) return rounded_link(Link{}, time_);
   const auto known = std::ranges::mismatch(last_, links, are_same);
   if (known.in2 != links.end()) {
-    of_link_.resize(static_cast<std::size_t>(known.in2 - links.begin()));
-    while (of_link_.size() < links.size()) of_link_.push_back(chain.link_at(of_link_.size(), time_));
-    last_ = links;
+    const auto same = static_cast<std::size_t>(known.in2 - links.begin());
+    last_.resize(same);
+    of_link_.resize(same);
+    for (std::size_t i = same; i < links.size(); ++i) {
+      of_link_.push_back(chain.link_at(i, time_));
+      last_.push_back(links[i]);
+    }
   }
   if (links.size() == 1) return of_link_[0];
   RoundedTransform result = with_norms(of_link_[links.size() - 1]);

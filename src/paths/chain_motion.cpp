@@ -134,10 +134,6 @@ Point fixed_axis(const Chain& chain) {
   return axis;
 }
 
-double Curvature::deviation(const Interval& length) const {
-  return std::min(chord_deviation(acceleration, length), 2 * reach);
-}
-
 ChainBounds::LinkBounds::LinkBounds(const Link& link)
     : turn(change(link.start.rotation, link.end.rotation)),
       way(change(link.start.position, link.end.position)),

@@ -1,6 +1,7 @@
 // How a chain of links moves a body: where it is at a time, in doubles with what they are off by, and how much the
 // curves of its points bend.
 #pragma once
+#include <algorithm>
 #include <array>
 #include <optional>
 #include <vector>
@@ -67,8 +68,10 @@ struct Curvature {
   double acceleration;  ///< |x''| is at most this
   double reach;         ///< x(t), less what moves linearly, stays this near to a point
 
-  /// How far it is at most from its chord on a piece of that length.
-  double deviation(const Interval& length) const;
+  /// How far it is at most from its chord on a piece, by that one's chord_factor.
+  double deviation(const Interval& factor) const {
+    return std::min((factor * Interval(acceleration)).upper, 2 * reach);
+  }
 };
 
 /// Bounds of what a chain does to the points of a body.

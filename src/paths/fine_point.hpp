@@ -8,9 +8,11 @@
 
 namespace tamis {
 
-/// Of a curve with |x''| <= acceleration on a piece of that length, rounded up.
+/// Times the acceleration: how far a curve is from its chord on a piece of that length.
+inline Interval chord_factor(const Interval& length) { return Interval(0.125) * length * length; }
+/// Of a curve with |x''| <= acceleration, rounded up.
 inline double chord_deviation(double acceleration, const Interval& length) {
-  return (Interval(0.125) * length * length * Interval(acceleration)).upper;
+  return (chord_factor(length) * Interval(acceleration)).upper;
 }
 
 struct RoundedNumber {

@@ -72,13 +72,23 @@ double PathSearch::read_deviations(const Path& path, double from, double to) {
 }
 
 double PathSearch::piece_length(const Path& path, const Frame& start) {
-  const double allowed = kDeviationInEdges * mean_edge(mesh_, start.points);
+  const double allowed = deviation_in_edges_ * mean_edge(mesh_, start.points);
   double length = 1 - start.time;
   for (; length > kShortestPiece; length *= kNearMiddle) {
     const double largest = read_deviations(path, start.time, start.time + length);
     if (largest <= allowed || !(allowed > 0)) break;
   }
   return length;
+}
+
+void PathSearch::choose_deviation(std::size_t pairs) {
+  constexpr std::size_t kFewOfVertices = 32, kManyOfVertices = 8;  // so manieth parts of them
+  constexpr double kFactor = 4;                                    // a piece twice as long
+  const std::size_t vertices = mesh_.points().size();
+  if (kFewOfVertices * pairs <= vertices)
+    deviation_in_edges_ = std::min(kFactor * deviation_in_edges_, kFarthestFromChordInEdges);
+  else if (kManyOfVertices * pairs > vertices)
+    deviation_in_edges_ = std::max(deviation_in_edges_ / kFactor, kDeviationInEdges);
 }
 
 double PathSearch::piece_end(const MeshOnPath& asked, const Path& path, const Frame& start) {
@@ -125,6 +135,7 @@ void PathSearch::find(const MeshOnPath& asked, Question question, std::vector<Co
   deviations_.resize(all_.size());
   contacts.clear();
   never_apart_.clear();
+  deviation_in_edges_ = kDeviationInEdges;
   std::set<PairKey> known;
   const double reach = kept_reach(asked, path);
   for (Frame from = frame_at(path, 0); from.time < 1;) {
@@ -138,6 +149,7 @@ void PathSearch::find(const MeshOnPath& asked, Question question, std::vector<Co
     found_.begin(chords, bound_);
     engine_.find(chords, found_, statistics);
     statistics.decided_by += found_.decided_by();
+    choose_deviation(found_.contacts().size());
     const auto is_known = [&](const Contact& c) { return known.contains({c.kind, c.vertices}); };
     std::erase_if(found_.contacts(), is_known);
     const std::size_t before = contacts.size();

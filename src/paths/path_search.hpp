@@ -16,6 +16,8 @@ namespace tamis {
 /// A piece is as long as lets vertices deviate by this part of the mean edge: longer ones leave more pairs to be looked
 /// at on parts of them, shorter ones ask the whole mesh more often.
 inline constexpr double kDeviationInEdges = 0x1p-6;
+/// Where pieces leave few pairs, the next ones are longer: up to this part.
+inline constexpr double kFarthestFromChordInEdges = 1;
 
 struct MeshOnPath {
   const Path& path;
@@ -50,6 +52,8 @@ class PathSearch {
   /// Of all vertices between two times. Returns the largest; throws at one that is no bound.
   double read_deviations(const Path& path, double from, double to);
   double piece_length(const Path& path, const Frame& start);
+  /// By how many pairs the last piece has left.
+  void choose_deviation(std::size_t pairs);
   double piece_end(const MeshOnPath& asked, const Path& path, const Frame& start);
   void set_radii(const Separations& separations, const Frame& from, const Frame& to);
   /// Throws if a vertex in the middle of its piece is farther from the chord than it says.
@@ -74,6 +78,7 @@ class PathSearch {
   std::set<PairKey> still_never_apart_;
   std::vector<Index> all_;  ///< 0, 1, 2, ...
   std::vector<double> deviations_, radii_;
+  double deviation_in_edges_ = kDeviationInEdges;  ///< of the next piece
 };
 
 /// The contact that bounds the step first, and until when one is certain.

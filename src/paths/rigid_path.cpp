@@ -232,10 +232,10 @@ void RigidPath::fine_points_at(double time, std::span<const Index> vertices, std
 
 void RigidPath::deviations(double from, double to, std::span<const Index> vertices,
                            std::span<double> deviations) const {
-  const Interval length = Interval(to) - Interval(from);
+  const Interval factor = chord_factor(Interval(to) - Interval(from));
   for (std::size_t i = 0; i < vertices.size(); ++i) {
     const auto v = static_cast<std::size_t>(vertices[i]);
-    deviations[i] = Curvature{accelerations_[v], reaches_[v]}.deviation(length);
+    deviations[i] = Curvature{accelerations_[v], reaches_[v]}.deviation(factor);
   }
 }
 

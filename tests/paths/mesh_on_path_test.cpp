@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "lab/detector.hpp"
+#include "paths/counted_path.hpp"
 #include "paths/turning_pairs.hpp"
 #include "scenes/shapes.hpp"
 #include "support/contact_sets.hpp"
@@ -230,6 +231,27 @@ TEST(MeshOnPath, StatisticsAreOfAllPieces) {
   const Statistics& cost = detector.statistics();
   EXPECT_EQ(cost.stages.front().vf, 1U);
   EXPECT_GT(cost.nodes_visited, 0U);
+}
+
+// Bug: pieces were as short where nothing is near as a nut on its bolt needs them.
+TEST(MeshOnPath, PiecesAreFewWhereNothingIsNear) {
+  Bodies bodies;
+  bodies.add(scenes::unit_sphere(24));
+  bodies.add(scenes::unit_sphere(24));
+  Options options;
+  options.filter = bodies.options().filter;
+  Detector detector(bodies.mesh(), options);
+  const auto times_asked = [&](double gap) {
+    const RigidPath path(bodies.rest, bodies.body,
+                         {turned({}, {0, 0, 0.5}, {}), interpolated({{2 + gap, 0, 0}, {}}, {{2 + gap, 0, 0}, {}})});
+    const CountedPath counted(path);
+    EXPECT_FALSE(detector.earliest(counted).contact);
+    return counted.asked;
+  };
+  const int far = times_asked(1);  // of each piece its end and its middle
+  EXPECT_LE(far, 16);
+  EXPECT_EQ(times_asked(1), far);
+  EXPECT_LE(times_asked(0.02), 4 * far);
 }
 
 TEST(MeshOnPath, BadPathsAreNamed) {

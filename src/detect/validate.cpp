@@ -3,6 +3,7 @@
 #include <cmath>
 #include <string>
 #include <string_view>
+#include <type_traits>
 
 #include "detect/enum_names.hpp"
 #include "detect/stored.hpp"
@@ -14,40 +15,52 @@
 namespace tamis {
 namespace {
 
-/// What is well takes no memory for a message that is a literal: some is asked of every question.
-void check(bool ok, std::string_view message) {
-  if (!ok) throw InvalidOptions(std::string(message));
+/// What is well makes no message: some is asked of every question, some of every vertex.
+template <class Message>
+void check(bool ok, const Message& message) {
+  if (ok) return;
+  if constexpr (std::is_invocable_v<const Message&>)
+    throw InvalidOptions(message());
+  else
+    throw InvalidOptions(message);
 }
 
 void validate(const PairFilter& filter, const Mesh& mesh) {
   const auto n = static_cast<std::size_t>(filter.group_count);
-  check(filter.rings >= 1,
-        "rings is " + std::to_string(filter.rings) + ": give at least 1, which leaves out pairs with a common vertex");
-  check(filter.group_count > 0, "group_count is " + std::to_string(filter.group_count) + ": give at least one group");
-  check(filter.groups_may_touch.empty() || filter.groups_may_touch.size() == n * n,
-        "groups_may_touch has " + std::to_string(filter.groups_may_touch.size()) +
-            " entries: give group_count^2 = " + std::to_string(n * n));
+  check(filter.rings >= 1, [&] {
+    return "rings is " + std::to_string(filter.rings) +
+           ": give at least 1, which leaves out pairs with a common vertex";
+  });
+  check(filter.group_count > 0,
+        [&] { return "group_count is " + std::to_string(filter.group_count) + ": give at least one group"; });
+  check(filter.groups_may_touch.empty() || filter.groups_may_touch.size() == n * n, [&] {
+    return "groups_may_touch has " + std::to_string(filter.groups_may_touch.size()) +
+           " entries: give group_count^2 = " + std::to_string(n * n);
+  });
   for (std::size_t a = 0; a < n && !filter.groups_may_touch.empty(); ++a)
     for (std::size_t b = 0; b < a; ++b)
-      check(!filter.groups_may_touch[a * n + b] == !filter.groups_may_touch[b * n + a],
-            "groups_may_touch differs for (" + std::to_string(a) + ", " + std::to_string(b) +
-                ") and its mirror image: make it symmetric");
+      check(!filter.groups_may_touch[a * n + b] == !filter.groups_may_touch[b * n + a], [&] {
+        return "groups_may_touch differs for (" + std::to_string(a) + ", " + std::to_string(b) +
+               ") and its mirror image: make it symmetric";
+      });
   if (filter.group_of_vertex.empty()) {
     check(n == 1 && filter.groups_may_touch.empty(),
           "group_of_vertex is empty, but group_count or groups_may_touch speak of groups: give one group a vertex");
     return;
   }
-  check(filter.group_of_vertex.size() == static_cast<std::size_t>(mesh.vertex_count()),
-        "group_of_vertex has " + std::to_string(filter.group_of_vertex.size()) + " entries for " +
-            std::to_string(mesh.vertex_count()) + " vertices: give one group a vertex, or none");
+  check(filter.group_of_vertex.size() == static_cast<std::size_t>(mesh.vertex_count()), [&] {
+    return "group_of_vertex has " + std::to_string(filter.group_of_vertex.size()) + " entries for " +
+           std::to_string(mesh.vertex_count()) + " vertices: give one group a vertex, or none";
+  });
   auto point = mesh.points().begin();
   for (Index v = 0; v < mesh.vertex_count(); ++v) {
     const Index group = filter.group_of_vertex[static_cast<std::size_t>(v)];
     const bool is_point = point != mesh.points().end() && *point == v;
     if (is_point) ++point;
-    check(group >= (is_point ? 0 : -1) && group < filter.group_count,
-          "vertex " + std::to_string(v) + " is in group " + std::to_string(group) + ": groups must be in [0, " +
-              std::to_string(n) + ")");
+    check(group >= (is_point ? 0 : -1) && group < filter.group_count, [&] {
+      return "vertex " + std::to_string(v) + " is in group " + std::to_string(group) + ": groups must be in [0, " +
+             std::to_string(n) + ")";
+    });
   }
 }
 
@@ -56,9 +69,17 @@ void validate(const PairFilter& filter, const Mesh& mesh) {
                     number_text(coordinate) + what);
 }
 
+bool is_distance(double x) { return std::isfinite(x) && x >= 0; }
+
+std::string distance_text(double distance, std::string_view what) {
+  return std::string(what) + " is " + number_text(distance) + ": give a finite distance >= 0";
+}
+
 void check_kept(double keep, bool is_enough, const char* least) {
-  check(is_enough && keep < 1, "keep is " + number_text(keep) +
-                                   ": give the fraction of its distance that each pair keeps, " + least + " and < 1");
+  check(is_enough && keep < 1, [&] {
+    return "keep is " + number_text(keep) + ": give the fraction of its distance that each pair keeps, " + least +
+           " and < 1";
+  });
 }
 
 }  // namespace
@@ -97,20 +118,21 @@ void validate(const Options& options, const Mesh& mesh) {
   validate_threads(options.threads);
   validate_distance(options.min_separation, "min_separation");
   validate(options.filter, mesh);
-  check(options.radii.empty() || options.radii.size() == static_cast<std::size_t>(options.filter.group_count),
-        "radii has " + std::to_string(options.radii.size()) + " entries for " +
-            std::to_string(options.filter.group_count) + " groups: give one radius a group, or none");
+  check(options.radii.empty() || options.radii.size() == static_cast<std::size_t>(options.filter.group_count), [&] {
+    return "radii has " + std::to_string(options.radii.size()) + " entries for " +
+           std::to_string(options.filter.group_count) + " groups: give one radius a group, or none";
+  });
   for (std::size_t g = 0; g < options.radii.size(); ++g)
-    validate_distance(options.radii[g], "the radii of group " + std::to_string(g));
+    check(is_distance(options.radii[g]),
+          [&] { return distance_text(options.radii[g], "the radii of group " + std::to_string(g)); });
 }
 
 void validate_threads(int threads) {
-  check(threads >= 0, "threads is " + std::to_string(threads) + ": give 0 (all) or a positive number");
+  check(threads >= 0, [&] { return "threads is " + std::to_string(threads) + ": give 0 (all) or a positive number"; });
 }
 
-void validate_distance(double distance, const std::string& what) {
-  check(std::isfinite(distance) && distance >= 0,
-        what + " is " + number_text(distance) + ": give a finite distance >= 0");
+void validate_distance(double distance, std::string_view what) {
+  check(is_distance(distance), [&] { return distance_text(distance, what); });
 }
 
 void validate(const Step& step, const Mesh& mesh) {
@@ -143,8 +165,9 @@ void validate_of_path(const QueryOptions& options) {
   if (options.min_separation) validate_distance(*options.min_separation, "the minimum separation");
   validate_is_named(options.at_start, "way with pairs that touch at the start");
   const double tolerance = options.tolerance.value_or(1);
-  check(tolerance > 0 && tolerance <= 1,
-        "the tolerance of brackets is " + number_text(tolerance) + ": give a fraction of the step, > 0 and <= 1");
+  check(tolerance > 0 && tolerance <= 1, [&] {
+    return "the tolerance of brackets is " + number_text(tolerance) + ": give a fraction of the step, > 0 and <= 1";
+  });
 }
 
 }  // namespace tamis

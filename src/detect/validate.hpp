@@ -1,6 +1,6 @@
 // Bad input is told apart here, before any work is done.
 #pragma once
-#include <string>
+#include <string_view>
 
 #include "tamis/mesh.hpp"
 #include "tamis/options.hpp"
@@ -37,7 +37,7 @@ void validate_stored(const Step& step, const Mesh& mesh, Stored stored);
 void validate_threads(int threads);
 
 /// `what`: as in "the minimum separation". Throws InvalidOptions unless finite and >= 0.
-void validate_distance(double distance, const std::string& what);
+void validate_distance(double distance, std::string_view what);
 
 /// Throws InvalidOptions unless in [0, 1); of `truncate` in (0, 1).
 void validate_kept(double keep);

@@ -46,15 +46,24 @@ void many_bodies(int count, int steps) {
     return interpolated(start, end);
   };
   for (int body = 0; body < count; ++body) world.add(ball, Rigid{chain(body, 0)});
+  std::vector<Chain> chains(static_cast<std::size_t>(count));
+  const auto move_all = [&] {
+    for (int body = 0; body < count; ++body) world.move(body, Rigid{chains[static_cast<std::size_t>(body)]});
+  };
+  const auto step_to = [&](int step) {
+    for (int body = 0; body < count; ++body) chains[static_cast<std::size_t>(body)] = chain(body, step);
+  };
+  const std::string balls = std::to_string(count) + " turning balls of 972 triangles";
   EarliestBodyContact first;
   const Cost cost = milliseconds(
       steps,
       [&](int step) {
-        for (int body = 0; body < count; ++body) world.move(body, Rigid{chain(body, step)});
+        step_to(step);
+        move_all();
       },
       [&] { first = world.earliest(); });
-  print_row("earliest of " + std::to_string(count) + " turning balls of 972 triangles, a tenth near another",
-            first.contact.has_value(), cost);
+  print_row("earliest of " + balls + ", a tenth near another", first.contact.has_value(), cost);
+  print_row("move of " + balls, static_cast<std::size_t>(count), milliseconds(steps, step_to, move_all));
 }
 
 }  // namespace tamis::worlds

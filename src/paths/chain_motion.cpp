@@ -69,18 +69,14 @@ RoundedTransform with_norms(RoundedTransform transform) {
   return transform;
 }
 
-bool are_same(const Link& a, const Link& b) {
-  return a.start.position == b.start.position && a.start.rotation == b.start.rotation &&
-         a.end.position == b.end.position && a.end.rotation == b.end.rotation;
-}
+bool are_same(const Pose& a, const Pose& b) { return a.position == b.position && a.rotation == b.rotation; }
+bool are_same_links(const Link& a, const Link& b) { return are_same(a.start, b.start) && are_same(a.end, b.end); }
 
 }  // namespace
 
 ChainWithStillLinks::ChainWithStillLinks(Chain chain) : links_(std::move(chain)) {
-  for (const Link& link : links_) {
-    const bool stays = link.start.position == link.end.position && link.start.rotation == link.end.rotation;
-    still_.push_back(stays ? std::optional(rounded_link(link, 0)) : std::nullopt);
-  }
+  for (const Link& link : links_)
+    still_.push_back(are_same(link.start, link.end) ? std::optional(rounded_link(link, 0)) : std::nullopt);
 }
 
 RoundedTransform ChainWithStillLinks::link_at(std::size_t i, double time) const {
@@ -90,7 +86,7 @@ RoundedTransform ChainWithStillLinks::link_at(std::size_t i, double time) const 
 RoundedTransform ChainsAt::of(const ChainWithStillLinks& chain) {
   const Chain& links = chain.links();
   if (links.empty()) return rounded_link(Link{}, time_);
-  const auto known = std::ranges::mismatch(last_, links, are_same);
+  const auto known = std::ranges::mismatch(last_, links, are_same_links);
   if (known.in2 != links.end()) {
     const auto same = static_cast<std::size_t>(known.in2 - links.begin());
     last_.resize(same);

@@ -86,9 +86,9 @@ void PathSearch::choose_deviation(std::size_t pairs) {
   constexpr double kFactor = 4;                                    // a piece twice as long
   const std::size_t vertices = mesh_.points().size();
   if (kFewOfVertices * pairs <= vertices)
-    deviation_in_edges_ = std::min(kFactor * deviation_in_edges_, kFarthestFromChordInEdges);
+    deviation_in_edges_ = std::min(kFactor * deviation_in_edges_, kMostChordDeviationInEdges);
   else if (kManyOfVertices * pairs > vertices)
-    deviation_in_edges_ = std::max(deviation_in_edges_ / kFactor, kDeviationInEdges);
+    deviation_in_edges_ = std::max(deviation_in_edges_ / kFactor, kChordDeviationInEdges);
 }
 
 double PathSearch::piece_end(const MeshOnPath& asked, const Path& path, const Frame& start) {
@@ -135,7 +135,7 @@ void PathSearch::find(const MeshOnPath& asked, Question question, std::vector<Co
   deviations_.resize(all_.size());
   contacts.clear();
   never_apart_.clear();
-  deviation_in_edges_ = kDeviationInEdges;
+  deviation_in_edges_ = kChordDeviationInEdges;
   std::set<PairKey> known;
   const double reach = kept_reach(asked, path);
   for (Frame from = frame_at(path, 0); from.time < 1;) {

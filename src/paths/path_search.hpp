@@ -15,9 +15,9 @@ namespace tamis {
 
 /// A piece is as long as lets vertices deviate by this part of the mean edge: longer ones leave more pairs to be looked
 /// at on parts of them, shorter ones ask the whole mesh more often.
-inline constexpr double kDeviationInEdges = 0x1p-6;
+inline constexpr double kChordDeviationInEdges = 0x1p-6;
 /// Where pieces leave few pairs, the next ones are longer: up to this part.
-inline constexpr double kFarthestFromChordInEdges = 1;
+inline constexpr double kMostChordDeviationInEdges = 1;
 
 struct MeshOnPath {
   const Path& path;
@@ -78,7 +78,7 @@ class PathSearch {
   std::set<PairKey> still_never_apart_;
   std::vector<Index> all_;  ///< 0, 1, 2, ...
   std::vector<double> deviations_, radii_;
-  double deviation_in_edges_ = kDeviationInEdges;  ///< of the next piece
+  double deviation_in_edges_ = kChordDeviationInEdges;  ///< of the next piece
 };
 
 /// The contact that bounds the step first, and until when one is certain.

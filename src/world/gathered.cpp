@@ -49,7 +49,7 @@ void Gathered::add(BodyId id, const Body& body, const IndexSet& items) {
   items.for_each([&](Index item) {
     for (const Index own : shape.corners_of(item)) used.add(own);
   });
-  const auto here = std::make_unique_for_overwrite<Index[]>(at(shape.mesh.vertex_count()));  // few are used
+  const auto here = std::make_unique_for_overwrite<Index[]>(at(shape.mesh.vertex_count()));  // not filled: few are used
   used.for_each([&](Index own) {
     here[at(own)] = static_cast<Index>(vertices_.size());
     vertices_.push_back({id, own});

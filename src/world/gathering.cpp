@@ -12,11 +12,12 @@
 namespace tamis {
 namespace {
 
-/// What does not serve so many questions is gathered the next time with twice as much around it, while all that is
-/// gathered is no more than so many times what is needed.
+/// docs/history/performance.md, "What is gathered lasts". What does not serve so many questions is gathered the next
+/// time with twice as much around it, while all that is gathered is no more than so many times what is needed.
 constexpr int kServes = 16;
 constexpr std::size_t kMostItems = 4;
-constexpr double kLeastMoreInEdges = 0.5, kMostMoreInEdges = 64;
+constexpr double kLeastMoreInEdges = 0.5;
+constexpr double kMostMoreInEdges = 64;  // where that is all there is, too
 /// It is gathered anew once so few of the items that it was made for may touch; each so manieth search counts them.
 constexpr std::size_t kShrunk = 4;
 constexpr int kSearchesACount = 16;
@@ -97,7 +98,7 @@ void World::State::gather_anew(Gathering& gathering, const Reach& reach, const W
   std::optional<Margin> margin;
   while (true) {
     const double more = more_in_edges * edge;
-    const std::vector<BodyPair> farther = only(is_wanted, near_bodies(reach, more, pieces.end_in_one_pose()));
+    const std::vector<BodyPair> farther = only(is_wanted, near_bodies(reach, more, pieces.are_of_the_start()));
     items = needed;
     find_near(farther, reach, more, pieces, items);
     margin = margin_of(farther, reach, more);
@@ -143,7 +144,7 @@ std::vector<double> World::State::times_of_pieces(const std::vector<BodyPair>& p
   double pieces = 1;
   for (const BodyPair& pair : pairs) {
     const Body &a = *bodies[at(pair[0])], &b = *bodies[at(pair[1])];
-    const double allowed = kDeviationInEdges * std::max(a.shape().edge, b.shape().edge);
+    const double allowed = kChordDeviationInEdges * std::max(a.shape().edge, b.shape().edge);
     const double deviation = chord_deviation(a.acceleration() + b.acceleration(), Interval(1));  // of the whole step
     if (allowed > 0 && deviation > allowed) pieces = std::max(pieces, std::ceil(std::sqrt(deviation / allowed)));
   }

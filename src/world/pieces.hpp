@@ -38,7 +38,8 @@ class Pieces {
   std::size_t count() const { return places_.size() - 1; }
   PlacesAt& start(std::size_t piece) { return places_[piece]; }
   PlacesAt& end(std::size_t piece) { return places_[piece + 1]; }
-  bool end_in_one_pose() const { return places_.back().time() == 0; }
+  /// Is it the pose at t=0 alone that is asked about?
+  bool are_of_the_start() const { return places_.back().time() == 0; }
   /// A walk has passed by it: memory stays bounded.
   void leave(std::size_t piece) {
     if (count() > kKept) start(piece).forget();

@@ -1,7 +1,11 @@
 #include "mpi/same_answers.hpp"
 
+#include "topology/mean_edge.hpp"
+
 namespace tamis::test {
 namespace {
+
+constexpr double kFractions[] = {0, 0.1, 0.9};
 
 bool same_bits(const Contact& a, const Contact& b) {
   return a.kind == b.kind && a.certainty == b.certainty && a.vertices == b.vertices && a.toi_lower == b.toi_lower &&
@@ -39,22 +43,35 @@ Options one_thread() {
   return options;
 }
 
-void expect_same_answers(Detector& one, distributed::Detector& many, const scenes::Scene& scene, const Part& part,
+OneAnswers answers_of(Detector& one, const scenes::Scene& scene) {
+  OneAnswers answers;
+  answers.separation = 0.03 * mean_edge(one.mesh(), scene.start);
+  const Step step = scene.step();
+  const QueryOptions ignore = answers.ignoring_start();
+  answers.contacts = one.contacts(step);
+  answers.earliest = one.earliest(step);
+  answers.is_free = one.is_free(step);
+  for (const double fraction : kFractions) answers.safe.push_back(one.safe_step(step, fraction));
+  answers.earliest_ignoring_start = one.earliest(step, ignore);
+  answers.safe_ignoring_start = one.safe_step(step, 0.1, ignore);
+  return answers;
+}
+
+void expect_same_answers(const OneAnswers& one, distributed::Detector& many, const Part& part,
                          const std::string& what) {
-  const auto expected = one.contacts(scene.step());
   many.contacts(part.step());
   const auto gathered = many.gather_contacts(0);
   if (rank_of() == 0)
-    expect_same(expected, gathered, what);
+    expect_same(one.contacts, gathered, what);
   else
     EXPECT_TRUE(gathered.empty()) << what;
-  expect_same(one.earliest(scene.step()), many.earliest(part.step()), what);
-  EXPECT_EQ(one.is_free(scene.step()), many.is_free(part.step())) << what;
-  for (const double fraction : {0.0, 0.1, 0.9})
-    expect_same(one.safe_step(scene.step(), fraction), many.safe_step(part.step(), fraction), what);
-  const QueryOptions ignore{.min_separation = 0x1p-6, .at_start = AtStart::ignore};
-  expect_same(one.earliest(scene.step(), ignore), many.earliest(part.step(), ignore), what);
-  expect_same(one.safe_step(scene.step(), 0.1, ignore), many.safe_step(part.step(), 0.1, ignore), what);
+  expect_same(one.earliest, many.earliest(part.step()), what);
+  EXPECT_EQ(one.is_free, many.is_free(part.step())) << what;
+  for (std::size_t i = 0; i < std::size(kFractions); ++i)
+    expect_same(one.safe[i], many.safe_step(part.step(), kFractions[i]), what);
+  const QueryOptions ignore = one.ignoring_start();
+  expect_same(one.earliest_ignoring_start, many.earliest(part.step(), ignore), what);
+  expect_same(one.safe_ignoring_start, many.safe_step(part.step(), 0.1, ignore), what);
 }
 
 }  // namespace tamis::test

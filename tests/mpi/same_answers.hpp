@@ -17,8 +17,20 @@ void expect_same(const std::vector<Contact>& one, const std::vector<Contact>& ma
 void expect_same(const EarliestContact& one, const EarliestContact& many, const std::string& what);
 void expect_same(const SafeStep& one, const SafeStep& many, const std::string& what);
 
-/// Asks both everything about one step.
-void expect_same_answers(Detector& one, distributed::Detector& many, const scenes::Scene& scene, const Part& part,
-                         const std::string& what);
+/// What one process says of a step.
+struct OneAnswers {
+  double separation;  ///< of those that ignore what touches at the start
+  std::vector<Contact> contacts;
+  EarliestContact earliest, earliest_ignoring_start;
+  bool is_free;
+  std::vector<SafeStep> safe;
+  SafeStep safe_ignoring_start;
+
+  QueryOptions ignoring_start() const { return {.min_separation = separation, .at_start = AtStart::ignore}; }
+};
+OneAnswers answers_of(Detector& one, const scenes::Scene& scene);
+
+/// Asks everything about the step of which one process has said `one`.
+void expect_same_answers(const OneAnswers& one, distributed::Detector& many, const Part& part, const std::string& what);
 
 }  // namespace tamis::test

@@ -9,7 +9,7 @@
 
 #include "io/mesh/mesh_file.hpp"
 #include "scenes/scene_list.hpp"
-#include "support/test_data.hpp"
+#include "support/data_folder.hpp"
 #include "tamis/detector.hpp"
 #include "tamis/error.hpp"
 

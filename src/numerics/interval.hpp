@@ -33,6 +33,16 @@ template <class T>
 inline T above(const T& x) {
   return -below(-x);
 }
+/// Of a sum: one that is zero is exact. An interval about it would be of denormal numbers, with which processors take a
+/// hundred times as long, and so would be what it is multiplied with.
+template <class T>
+inline T sum_below(const T& x) {
+  return select(x == T(0), x, below(x));
+}
+template <class T>
+inline T sum_above(const T& x) {
+  return -sum_below(-x);
+}
 
 }  // namespace rounding
 
@@ -49,6 +59,7 @@ struct BasicInterval {
 
   T width() const { return upper - lower; }
   T middle() const { return T(0.5) * lower + T(0.5) * upper; }
+  bool is_zero() const { return lower == T(0) && upper == T(0); }
   /// False only if proven.
   bool may_be_zero() const { return !(lower > T(0) || upper < T(0)); }
 };
@@ -62,7 +73,7 @@ inline BasicInterval<T> operator-(const BasicInterval<T>& a) {
 }
 template <class T>
 inline BasicInterval<T> operator+(const BasicInterval<T>& a, const BasicInterval<T>& b) {
-  return {rounding::below(a.lower + b.lower), rounding::above(a.upper + b.upper)};
+  return {rounding::sum_below(a.lower + b.lower), rounding::sum_above(a.upper + b.upper)};
 }
 template <class T>
 inline BasicInterval<T> operator-(const BasicInterval<T>& a, const BasicInterval<T>& b) {
@@ -74,6 +85,7 @@ template <class T>
 [[gnu::always_inline]] inline BasicInterval<T> operator*(const BasicInterval<T>& a, const BasicInterval<T>& b) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   const T p = a.lower * b.lower, s = a.upper * b.upper;
+  if ((a.is_zero() || b.is_zero()) && p == T(0) && s == T(0)) return {};
   if (a.lower >= T(0) && b.lower >= T(0) && s < T(kInfinity)) return {rounding::below(p), rounding::above(s)};
   const T q = a.lower * b.upper, r = a.upper * b.lower;
   // Infinity times zero: min and max could drop the NaN.
@@ -113,8 +125,7 @@ inline BasicInterval<T> intersection(const BasicInterval<T>& a, const BasicInter
 /// Exactly.
 template <class T>
 inline bool is_zero(const Vec3<BasicInterval<T>>& v) {
-  const auto is_zero = [](const BasicInterval<T>& x) { return x.lower == T(0) && x.upper == T(0); };
-  return is_zero(v.x) && is_zero(v.y) && is_zero(v.z);
+  return v.x.is_zero() && v.y.is_zero() && v.z.is_zero();
 }
 
 /// |v|, rounded up; infinite only where it may be beyond the largest double.

@@ -5,25 +5,24 @@
 
 #include "paths/fine_point.hpp"
 #include "paths/rigid_transform.hpp"
+#include "paths/rounded_rotation.hpp"
 
 namespace tamis {
 namespace {
 
-/// Angles that rotation::any_angle halves a few times lose as many bits: in doubles only this many radians.
-constexpr double kLargestPlainAngle = 4;
-
 bool turns_far(const Link& link) {
   const auto is_far = [](const Pose& pose) {
-    return std::hypot(pose.rotation[0], pose.rotation[1], pose.rotation[2]) > kLargestPlainAngle;
+    return !(std::hypot(pose.rotation[0], pose.rotation[1], pose.rotation[2]) <= kLargestRoundedAngle);
   };
   return is_far(link.start) || is_far(link.end);
 }
 
-template <class T>
-RoundedTransform rounded(const RigidTransform<T>& exact) {
+double largest_coordinate(const Point& x) { return std::max({std::fabs(x[0]), std::fabs(x[1]), std::fabs(x[2])}); }
+
+RoundedTransform rounded(const RigidTransform& exact) {
   RoundedTransform rounded{};
-  const auto take = [](const Vec3<BasicInterval<T>>& entries, double& error) {
-    const auto one = [&](const BasicInterval<T>& entry) {
+  const auto take = [](const Vec3<FineInterval>& entries, double& error) {
+    const auto one = [&](const FineInterval& entry) {
       const RoundedNumber number = rounded_number(entry);
       error = std::max(error, number.error);
       return number.value;
@@ -32,12 +31,22 @@ RoundedTransform rounded(const RigidTransform<T>& exact) {
   };
   for (std::size_t i = 0; i < 3; ++i) rounded.rows[i] = take(exact.rows[i], rounded.turn_error);
   rounded.shift = take(exact.shift, rounded.shift_error);
-  for (const double s : rounded.shift) rounded.shift_size = std::max(rounded.shift_size, std::fabs(s));
   return rounded;
 }
 
+/// Two rotations are no farther from each other, as matrices, than their rotation vectors.
+RoundedTransform rounded_near(const Link& link, double time) {
+  constexpr double kAboveRootOfThree = 1.75;
+  const RoundedPlace turn = rounded_linear(link.start.rotation, link.end.rotation, time);
+  const RoundedPlace shift = rounded_linear(link.start.position, link.end.position, time);
+  const RoundedRotation rotation = rounded_rotation(turn.x, kAboveRootOfThree * turn.error);
+  return {rotation.rows, shift.x, rotation.error, shift.error, 0};
+}
+
 RoundedTransform rounded_link(const Link& link, double time) {
-  return turns_far(link) ? rounded(transform_of<DoubleDouble>(link, time)) : rounded(transform_of<double>(link, time));
+  RoundedTransform result = turns_far(link) ? rounded(transform_of(link, time)) : rounded_near(link, time);
+  result.shift_size = largest_coordinate(result.shift);
+  return result;
 }
 
 /// First `inner`, then `outer`; errors are norms, of matrices and of vectors, so that they add up: for rotations A', B'
@@ -58,7 +67,7 @@ RoundedTransform after(const RoundedTransform& outer, const RoundedTransform& in
       ((outer.turn_error + 0x1p-50) * size + 0x1p-50 * outer.shift_size + inner.shift_error + outer.shift_error) *
           (1 + 0x1p-40) +
       0x1p-1000;
-  for (const double s : both.shift) both.shift_size = std::max(both.shift_size, std::fabs(s));
+  both.shift_size = largest_coordinate(both.shift);
   return both;
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <optional>
 #include <vector>
 
@@ -10,6 +11,25 @@
 #include "tamis/rigid_path.hpp"
 
 namespace tamis {
+
+/// Off by `error` at most, on each axis.
+struct RoundedPlace {
+  Point x;
+  double error;
+};
+
+/// 1 - t, both products and the sum round once each: 3 u max(|a|, |b|), given 4 u.
+inline RoundedPlace rounded_linear(const Point& a, const Point& b, double time) {
+  if (a == b || time == 0) return {a, 0};
+  if (time == 1) return {b, 0};
+  RoundedPlace place{{}, 0x1p-1000};
+  const double rest = 1 - time;
+  for (std::size_t k = 0; k < 3; ++k) {
+    place.x[k] = rest * a[k] + time * b[k];
+    place.error = std::max(place.error, 0x1p-51 * std::max(std::fabs(a[k]), std::fabs(b[k])));
+  }
+  return place;
+}
 
 /// In doubles: entries of the matrix are off by `turn_error` at most, which is a number, those of the shift by
 /// `shift_error`, which is a length.

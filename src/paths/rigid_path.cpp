@@ -189,24 +189,6 @@ void for_each_of_body(std::span<const Index> vertices, const std::vector<Index>&
   }
 }
 
-/// Off by `error` at most, on each axis.
-struct RoundedPlace {
-  Point x;
-  double error;
-};
-
-/// 1 - t, both products and the sum round once each: 3 u (|a| + |b|), given 4 u.
-RoundedPlace rounded_linear(const Point& a, const Point& b, double time) {
-  if (a == b) return {a, 0};
-  RoundedPlace place{{}, 0x1p-1000};
-  const double rest = 1 - time;
-  for (std::size_t k = 0; k < 3; ++k) {
-    place.x[k] = rest * a[k] + time * b[k];
-    place.error = std::max(place.error, 0x1p-51 * (std::fabs(a[k]) + std::fabs(b[k])));
-  }
-  return place;
-}
-
 }  // namespace
 
 void RigidPath::points_at(double time, std::span<const Index> vertices, std::span<Point> points,
@@ -223,10 +205,10 @@ void RigidPath::points_at(double time, std::span<const Index> vertices, std::spa
 }
 
 void RigidPath::fine_points_at(double time, std::span<const Index> vertices, std::span<FinePoint> points) const {
-  RigidTransform<DoubleDouble> transform;
-  const auto begin = [&](std::size_t body) { transform = transform_of<DoubleDouble>((*chains_)[body].links(), time); };
+  RigidTransform transform;
+  const auto begin = [&](std::size_t body) { transform = transform_of((*chains_)[body].links(), time); };
   for_each_of_body(vertices, body_of_vertex_, begin, [&](std::size_t i, std::size_t v) {
-    points[i] = fine_point(transform.rows * linear<DoubleDouble>(rest_[v], rest_end_[v], time) + transform.shift);
+    points[i] = fine_point(transform.rows * linear(rest_[v], rest_end_[v], time) + transform.shift);
   });
 }
 

@@ -1,4 +1,4 @@
-// Where a chain of links takes a body at one time, enclosed.
+// Where a chain of links takes a body at one time, enclosed in double-double.
 #pragma once
 #include "paths/rotation.hpp"
 #include "tamis/rigid_path.hpp"
@@ -6,14 +6,12 @@
 namespace tamis {
 
 /// x goes to rows x + shift.
-template <class T>
 struct RigidTransform {
-  rotation::Rows<T> rows;
-  Vec3<BasicInterval<T>> shift;
+  rotation::Rows rows;
+  Vec3<FineInterval> shift;
 };
 
-template <class T>
-Vec3<BasicInterval<T>> operator*(const rotation::Rows<T>& rows, const Vec3<BasicInterval<T>>& x) {
+inline Vec3<FineInterval> operator*(const rotation::Rows& rows, const Vec3<FineInterval>& x) {
   return {dot(rows[0], x), dot(rows[1], x), dot(rows[2], x)};
 }
 
@@ -31,24 +29,21 @@ inline double farthest(const Point& a, const Point& b) {
 }
 
 /// (1 - t) start + t end.
-template <class T>
-Vec3<BasicInterval<T>> linear(const Point& start, const Point& end, double time) {
-  using I = BasicInterval<T>;
-  if (start == end) return enclosed<T>(start);
-  const I t{T(time)}, s = I(T(1)) - t;
-  return s * enclosed<T>(start) + t * enclosed<T>(end);
+inline Vec3<FineInterval> linear(const Point& start, const Point& end, double time) {
+  using I = FineInterval;
+  if (start == end) return enclosed<DoubleDouble>(start);
+  const I t(time), s = I(1) - t;
+  return s * enclosed<DoubleDouble>(start) + t * enclosed<DoubleDouble>(end);
 }
 
-template <class T>
-RigidTransform<T> transform_of(const Link& link, double time) {
-  return {rotation::matrix(linear<T>(link.start.rotation, link.end.rotation, time)),
-          linear<T>(link.start.position, link.end.position, time)};
+inline RigidTransform transform_of(const Link& link, double time) {
+  return {rotation::matrix(linear(link.start.rotation, link.end.rotation, time)),
+          linear(link.start.position, link.end.position, time)};
 }
 
 /// First `inner`, then `outer`.
-template <class T>
-RigidTransform<T> after(const RigidTransform<T>& outer, const RigidTransform<T>& inner) {
-  RigidTransform<T> both;
+inline RigidTransform after(const RigidTransform& outer, const RigidTransform& inner) {
+  RigidTransform both;
   const auto& r = inner.rows;
   for (std::size_t i = 0; i < 3; ++i) {
     const auto& row = outer.rows[i];
@@ -58,12 +53,10 @@ RigidTransform<T> after(const RigidTransform<T>& outer, const RigidTransform<T>&
   return both;
 }
 
-template <class T>
-RigidTransform<T> transform_of(const Chain& chain, double time) {
-  if (chain.empty()) return transform_of<T>(Link{}, 0);
-  auto result = transform_of<T>(chain.back(), time);
-  for (auto link = chain.rbegin() + 1; link != chain.rend(); ++link)
-    result = after(transform_of<T>(*link, time), result);
+inline RigidTransform transform_of(const Chain& chain, double time) {
+  if (chain.empty()) return transform_of(Link{}, 0);
+  auto result = transform_of(chain.back(), time);
+  for (auto link = chain.rbegin() + 1; link != chain.rend(); ++link) result = after(transform_of(*link, time), result);
   return result;
 }
 

@@ -5,6 +5,9 @@
 #include <gmpxx.h>
 #include <gtest/gtest.h>
 
+#include "paths/fine_point.hpp"
+#include "paths/rigid_transform.hpp"
+#include "paths/rounded_rotation.hpp"
 #include "paths/turning_pairs.hpp"
 
 namespace tamis::test {
@@ -27,28 +30,65 @@ std::pair<mpf_class, mpf_class> by_series(double angle) {
 mpf_class exact(double x) { return mpf_class(x, 256); }
 mpf_class exact(const DoubleDouble& x) { return exact(x.high) + exact(x.low); }
 
-template <class T>
-void expect_enclosed(double angle, double widest) {
+void expect_enclosed(double angle) {
   const auto [cosine, sinc] = by_series(angle);
-  const BasicInterval<T> x{T(angle)};
+  const FineInterval x(angle);
   const auto enclosed = rotation::any_angle(x * x);
   for (const auto& [interval, value] : {std::pair{enclosed.cosine, cosine}, std::pair{enclosed.sinc, sinc}}) {
     EXPECT_LE(exact(interval.lower), value) << angle;
     EXPECT_GE(exact(interval.upper), value) << angle;
-    EXPECT_LE(upper_double(interval.upper - interval.lower), widest) << angle;
+    EXPECT_LE(upper_double(interval.upper - interval.lower), 1e-28 * (1 + angle * angle)) << angle;
   }
 }
 
 // Bug: a term of the series forgotten; a doubling too few; rounding inward.
 TEST(Rotation, EnclosesCosineAndSine) {
   Random random(5);
-  for (int i = 0; i < 200; ++i) {
-    const double angle = std::pow(10.0, random.between(-8, 2.6));
-    expect_enclosed<double>(angle, 1e-14 * (1 + angle * angle));
-    expect_enclosed<DoubleDouble>(angle, 1e-28 * (1 + angle * angle));
+  for (int i = 0; i < 200; ++i) expect_enclosed(std::pow(10.0, random.between(-8, 2.6)));
+  expect_enclosed(0);
+}
+
+/// The largest error of an entry, by that which is said.
+double share_of_error(const Point& rotation, double off) {
+  const RoundedRotation rounded = rounded_rotation(rotation, off);
+  const rotation::Rows truth = rotation::matrix(enclosed<DoubleDouble>(rotation));
+  double most = 0;
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Vec3<FineInterval>& row = truth[i];
+      const FineInterval& entry = k == 0 ? row.x : k == 1 ? row.y : row.z;
+      most = std::max(most, farthest_from(DoubleDouble(rounded.rows[i][k]), entry) / rounded.error);
+    }
+  return most;
+}
+
+// Bug: an error that is too small, for an angle of any size, on either side of that from which cosines are doubled.
+TEST(Rotation, InDoublesIsOffByNoMoreThanItSays) {
+  Random random(7);
+  double most = 0;
+  for (int i = 0; i < 50000; ++i) {
+    const double angle = i % 3 == 0   ? random.between(1.99, 2.01)
+                         : i % 3 == 1 ? random.between(0, 4)
+                                      : std::pow(10.0, random.between(-9, 0.6));
+    Point rotation = random.point_between(-1, 1);
+    if (i % 5 == 0) rotation[static_cast<std::size_t>(i / 5 % 3)] = 0;
+    const double length = std::hypot(rotation[0], rotation[1], rotation[2]);
+    for (double& x : rotation) x *= angle / length;
+    most = std::max(most, share_of_error(rotation, 0));
   }
-  expect_enclosed<double>(0, 1e-14);
-  expect_enclosed<DoubleDouble>(0, 1e-28);
+  EXPECT_LE(most, 1);
+  EXPECT_GT(most, 0.1) << "the bound is not sharp";
+}
+
+// Bug: what turns about an axis of coordinates leaves its plane.
+TEST(Rotation, AboutAnAxisOfCoordinatesKeepsThatCoordinate) {
+  for (const double angle : {1e-200, 0.3, 3.0}) {
+    const RoundedRotation rounded = rounded_rotation({0, angle, 0}, 0);
+    EXPECT_EQ(rounded.rows[1], (Point{0, 1, 0}));
+    EXPECT_EQ(rounded.rows[0][1], 0);
+    EXPECT_EQ(rounded.rows[2][1], 0);
+  }
+  EXPECT_EQ(rounded_rotation({0, 0, 0}, 0).error, 0);
 }
 
 Turning any_turning(Random& random, double angle) {

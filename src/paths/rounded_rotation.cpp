@@ -1,0 +1,51 @@
+#include "paths/rounded_rotation.hpp"
+
+#include <cmath>
+
+#include "numerics/assert.hpp"
+#include "numerics/vec.hpp"
+
+namespace tamis {
+namespace {
+
+struct CosineSinc {
+  double cosine, sinc;
+};
+
+/// cos x and sin x / x from x^2 in [0, 1], by their series: within 4.9 u and 2.3 u.
+CosineSinc of_small_angle(double square) {
+  constexpr int kTerms = 10;  // 20! > 2^61
+  CosineSinc result{1, 1};
+  for (int k = kTerms - 1; k >= 0; --k) {
+    result.cosine = 1 - square * (1 / ((2.0 * k + 1) * (2.0 * k + 2))) * result.cosine;
+    result.sinc = 1 - square * (1 / ((2.0 * k + 2) * (2.0 * k + 3))) * result.sinc;
+  }
+  return result;
+}
+
+/// Of twice the angle: within 15.7 u and 8.1 u. By 1 - 2 sin^2 x, which loses less than 2 cos^2 x - 1.
+CosineSinc of_angle_from_half(double square_of_half) {
+  const auto [cosine, sinc] = of_small_angle(square_of_half);
+  return {1 - 2 * (square_of_half * sinc * sinc), sinc * cosine};
+}
+
+}  // namespace
+
+RoundedRotation rounded_rotation(const Point& rotation, double off) {
+  const auto [x, y, z] = rotation;
+  const double square = x * x + y * y + z * z;
+  TAMIS_ASSERT(square <= kLargestRoundedAngle * kLargestRoundedAngle * (1 + 0x1p-40));
+  if (x == 0 && y == 0 && z == 0 && off == 0) return {{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}, 0};
+  const bool is_small = square <= 4;
+  const auto [cosine, sinc] = is_small ? of_small_angle(square / 4) : of_angle_from_half(square / 16);
+  const double a = sinc * cosine, b = 0.5 * sinc * sinc;  // those of the whole angle, from those of half of it
+  const double xx = b * x * x, yy = b * y * y, zz = b * z * z, xy = b * x * y, xz = b * x * z, yz = b * y * z;
+  const double angle = std::sqrt(square);
+  const double lost = is_small ? 1 + 11 * angle + 1.5 * square : 5 + 25 * angle + 4.5 * square;
+  return {{{{1 - (yy + zz), xy - a * z, xz + a * y},
+            {xy + a * z, 1 - (xx + zz), yz - a * x},
+            {xz - a * y, yz + a * x, 1 - (xx + yy)}}},
+          (0x1p-53 * lost + off) * (1 + 0x1p-40)};
+}
+
+}  // namespace tamis

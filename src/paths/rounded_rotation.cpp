@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include "numerics/assert.hpp"
-#include "numerics/vec.hpp"
 
 namespace tamis {
 namespace {

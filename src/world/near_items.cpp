@@ -5,6 +5,7 @@
 #include <set>
 #include <span>
 
+#include "numerics/assert.hpp"
 #include "topology/at.hpp"
 #include "world/carried_boxes.hpp"
 
@@ -157,22 +158,26 @@ void add_near_items(const BodyList& bodies, const std::vector<BodyPair>& pairs,
   const auto items_of = [&](BodyId id) -> IndexSet& {
     return near.of_body.try_emplace(id, body(id).shape().item_count()).first->second;
   };
-  std::map<BodyId, CarriedBoxes> carried;
+  TAMIS_ASSERT(std::ranges::is_sorted(pairs));
+  std::map<BodyId, CarriedBoxes> of_still, of_moving;
   std::vector<char> is_near;
   for (const BodyPair& pair : pairs) is_near.push_back(static_cast<char>(std::ranges::binary_search(near.pairs, pair)));
   for (std::size_t piece = 0; piece < pieces.count(); ++piece) {
     std::map<BodyId, WholeBlocks> whole;
     const auto side = [&](BodyId id) {
+      auto& carried = body(id).motion_kind() == MotionKind::still ? of_still : of_moving;
       CarriedBoxes& boxes = carried.try_emplace(id, body(id), pieces.start(piece), pieces.end(piece)).first->second;
       IndexSet& items = items_of(id);
       return PairWalk::Side{boxes, items, whole.try_emplace(id, body(id).shape(), items).first->second};
     };
     for (std::size_t i = 0; i < pairs.size(); ++i) {
       const auto [a, b] = pairs[i];
+      // Pairs of bodies before `a` are done: memory that is in the caches serves those that follow.
+      of_moving.erase(of_moving.begin(), of_moving.lower_bound(a));
       if (PairWalk(side(a), side(b), reach(body(a), body(b))).run(is_near[i])) is_near[i] = true;
     }
     pieces.leave(piece);
-    std::erase_if(carried, [](const auto& one) { return one.second.body().motion_kind() != MotionKind::still; });
+    of_moving.clear();
   }
   for (std::size_t i = 0; i < pairs.size(); ++i)
     if (is_near[i]) near.pairs.push_back(pairs[i]);

@@ -152,8 +152,8 @@ void Body::move(BodyMotion motion, ChainsAt& at_start, ChainsAt& at_end) {
   }
   const int root = shape_->boxes.root_level();
   PlacesAt start(0), end(1);
-  start_hull_ = CarriedBoxes(*this, start, start).of_block(root, 0).hull();
-  hull_ = motion_kind_ == MotionKind::still ? start_hull_ : CarriedBoxes(*this, start, end).of_block(root, 0).hull();
+  start_hull_ = CarriedBody(*this, start, start).bounds(root, 0).hull();
+  hull_ = motion_kind_ == MotionKind::still ? start_hull_ : CarriedBody(*this, start, end).bounds(root, 0).hull();
 }
 
 void Body::set_radius(double radius) {

@@ -84,7 +84,7 @@ class Body {
   bool may_touch_itself = true;
 
  private:
-  friend class CarriedBoxes;
+  friend class CarriedBody;
   friend class StraightWay;
 
   BodyId id_;

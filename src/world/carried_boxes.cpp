@@ -50,12 +50,9 @@ const typename Kept::value_type& kept_at(Index& place, Kept& kept, const Make& m
 
 }  // namespace
 
-CarriedBoxes::CarriedBoxes(const Body& body, PlacesAt& from, PlacesAt& to)
+CarriedBody::CarriedBody(const Body& body, PlacesAt& from, PlacesAt& to)
     : body_(body), from_(from.time()), to_(to.time()), at_from_(body.at_start()), at_to_(body.at_end()) {
   TAMIS_ASSERT(0 <= from_ && from_ <= to_ && to_ <= 1);
-  for (int level = 0; level <= root_level(); ++level)
-    place_of_block_.emplace_back(shape().boxes.level(level).size(), kNotMade);
-  place_of_items_ = place_of_block_[0];
   if (body.motion_kind() != MotionKind::turning) return;
   at_from_ = from.of(body);
   at_to_ = to.of(body);
@@ -67,16 +64,8 @@ CarriedBoxes::CarriedBoxes(const Body& body, PlacesAt& from, PlacesAt& to)
   outermost_ = of_piece(body.outermost_);
 }
 
-const MovingBounds& CarriedBoxes::of_block(int level, Index block) {
-  return kept_at(place_of_block_[at(level)][at(block)], bounds_, [&] { return carried(level, block); });
-}
-
-const CarriedItems& CarriedBoxes::items(Index block) {
-  return kept_at(place_of_items_[at(block)], items_, [&] { return carried_items(block); });
-}
-
 /// Of vertices within the box, from their chords.
-double CarriedBoxes::deviation(const Box& at_rest) const {
+double CarriedBody::deviation(const Box& at_rest) const {
   if (body_.motion_kind() != MotionKind::turning) return 0;
   const double radius = shape().radius, place = farthest_in(at_rest);
   const double share = place < radius ? place / radius : 1;  // corners may be farther than all vertices
@@ -85,7 +74,7 @@ double CarriedBoxes::deviation(const Box& at_rest) const {
          (1 + MovingBounds::kRounding);
 }
 
-MovingBounds CarriedBoxes::carried(int level, Index block) const {
+MovingBounds CarriedBody::bounds(int level, Index block) const {
   if (body_.deforming())
     return cut(widened(body_.start_boxes_.box(level, block)), widened(body_.end_boxes_.box(level, block)));
   const Box& at_rest = shape().boxes.box(level, block);
@@ -93,7 +82,7 @@ MovingBounds CarriedBoxes::carried(int level, Index block) const {
   return cut(at_from_.of(at_rest, deviation), at_to_.of(at_rest, deviation));
 }
 
-CarriedItems CarriedBoxes::carried_items(Index block) const {
+CarriedItems CarriedBody::items(Index block) const {
   CarriedItems carried;
   const auto items = shape().order.items_of(block);
   const Box& at_rest = shape().boxes.box(0, block);
@@ -118,7 +107,7 @@ CarriedItems CarriedBoxes::carried_items(Index block) const {
 
 /// Vertices of a body that does not turn go straight during the whole step: linear bounds between those of both ends
 /// hold. Those of one that turns are of the piece already.
-MovingBounds CarriedBoxes::cut(const Box& at_start, const Box& at_end) const {
+MovingBounds CarriedBody::cut(const Box& at_start, const Box& at_end) const {
   const Box start = all_if_unknown(at_start), end = all_if_unknown(at_end);
   if (body_.motion_kind() != MotionKind::straight) return {start, end};
   const auto at_time = [&](double time) {
@@ -133,6 +122,20 @@ MovingBounds CarriedBoxes::cut(const Box& at_start, const Box& at_end) const {
     return box;
   };
   return {at_time(from_), at_time(to_)};
+}
+
+CarriedBoxes::CarriedBoxes(const Body& body, PlacesAt& from, PlacesAt& to) : body_(body, from, to) {
+  for (int level = 0; level <= root_level(); ++level)
+    place_of_block_.emplace_back(shape().boxes.level(level).size(), kNotMade);
+  place_of_items_ = place_of_block_[0];
+}
+
+const MovingBounds& CarriedBoxes::of_block(int level, Index block) {
+  return kept_at(place_of_block_[at(level)][at(block)], bounds_, [&] { return body_.bounds(level, block); });
+}
+
+const CarriedItems& CarriedBoxes::items(Index block) {
+  return kept_at(place_of_items_[at(block)], items_, [&] { return body_.items(block); });
 }
 
 }  // namespace tamis

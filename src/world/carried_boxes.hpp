@@ -17,29 +17,40 @@ struct ChordBounds {
   double by_acceleration = 0, by_reach = 0;
 };
 
-/// Boxes are made when they are first asked for, and kept: their references stay valid.
-class CarriedBoxes {
+/// A body during one piece.
+class CarriedBody {
  public:
   /// Keeps a reference to the body. REQUIRES: `from` is not later than `to`.
-  CarriedBoxes(const Body& body, PlacesAt& from, PlacesAt& to);
+  CarriedBody(const Body& body, PlacesAt& from, PlacesAt& to);
 
-  const Body& body() const { return body_; }
   const BodyShape& shape() const { return body_.shape(); }
   int root_level() const { return shape().boxes.root_level(); }
-  const MovingBounds& of_block(int level, Index block);
+  MovingBounds bounds(int level, Index block) const;
   /// Of a block of level 0, from where the vertices go: tighter than its box.
-  const CarriedItems& items(Index block);
+  CarriedItems items(Index block) const;
 
  private:
   double deviation(const Box& at_rest) const;
-  MovingBounds carried(int level, Index block) const;
-  CarriedItems carried_items(Index block) const;
   MovingBounds cut(const Box& at_start, const Box& at_end) const;
 
   const Body& body_;
   const double from_, to_;
   PlacedBody at_from_, at_to_;         ///< of a body that turns; of others where they are at t=0 and t=1
   ChordBounds innermost_, outermost_;  ///< of points as near to the origin of the body's frame as they are, and as far
+};
+
+/// Its boxes, made when they are first asked for, and kept: their references stay valid.
+class CarriedBoxes {
+ public:
+  CarriedBoxes(const Body& body, PlacesAt& from, PlacesAt& to);
+
+  const BodyShape& shape() const { return body_.shape(); }
+  int root_level() const { return body_.root_level(); }
+  const MovingBounds& of_block(int level, Index block);
+  const CarriedItems& items(Index block);
+
+ private:
+  const CarriedBody body_;
   std::vector<std::vector<Index>> place_of_block_;
   std::vector<Index> place_of_items_;
   std::deque<MovingBounds> bounds_;

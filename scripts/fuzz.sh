@@ -28,7 +28,7 @@ fi
 command -v clang++-14 >/dev/null || { echo "skipped: no clang++-14"; exit 77; }
 runtime=$(clang++-14 --print-file-name=libclang_rt.fuzzer-x86_64.a)
 [[ -e $runtime || -e ${runtime/-x86_64/} ]] || { echo "skipped: no libFuzzer (libclang-rt-14-dev)"; exit 77; }
-cmake --preset fuzz -B "$build" ${runs:+-DCMAKE_CXX_FLAGS_RELWITHDEBINFO=-O0} >/dev/null
+cmake --preset fuzz -B "$build" ${runs:+-DCMAKE_CXX_FLAGS_RELWITHDEBINFO="-O0 -g1"} >/dev/null
 cmake --build "$build" --parallel "$(nproc)" --target "${targets[@]/%/_fuzz}"
 
 for target in "${targets[@]}"; do

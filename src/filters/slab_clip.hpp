@@ -8,6 +8,7 @@
 #include "filters/filter.hpp"
 #include "filters/projection.hpp"
 #include "motion/time_clip.hpp"
+#include "numerics/axes.hpp"
 
 namespace tamis {
 
@@ -24,7 +25,6 @@ struct SlabClip {
     const T margin = margin_of(m, 1);
     for_each_coordinate_axis([&](const auto& along) { clip_axis<kind>(m, along, margin, clip); });
     if constexpr (axes == Axes::all) {
-      constexpr double kRootOfTwo = 1.41421356237309515, kRootOfThree = 1.73205080756887742;  // rounded up
       const T planar = margin_of(m, kRootOfTwo), spatial = margin_of(m, kRootOfThree);
       for_each_planar_diagonal([&](const auto& along) { clip_axis<kind>(m, along, planar, clip); });
       for_each_spatial_diagonal([&](const auto& along) { clip_axis<kind>(m, along, spatial, clip); });

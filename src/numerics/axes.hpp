@@ -28,8 +28,11 @@ inline T project(const Vec3<T>& v) {
   if constexpr (i == 12) return v.x - v.y - v.z;
 }
 
+/// Rounded up. What is off by one on each of three axes is off by the root of three.
+inline constexpr double kRootOfTwo = 1.41421356237309515, kRootOfThree = 1.73205080756887742;
+
 /// Euclidean length of axis `i`, rounded up.
-constexpr double axis_length(std::size_t i) { return i < 3 ? 1 : i < 9 ? 1.41421356237309515 : 1.73205080756887742; }
+constexpr double axis_length(std::size_t i) { return i < 3 ? 1 : i < 9 ? kRootOfTwo : kRootOfThree; }
 
 /// Calls f(integral_constant) for the first `count` axes.
 template <std::size_t count, class F>

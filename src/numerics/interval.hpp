@@ -33,8 +33,9 @@ template <class T>
 inline T above(const T& x) {
   return -below(-x);
 }
-/// Of a sum: one that is zero is exact. An interval about it would be of denormal numbers, with which processors take a
-/// hundred times as long, and so would be what it is multiplied with.
+/// Of a sum: one that is zero is exact, in double as in double-double, whose sums are off by a part of themselves. (So
+/// is a product with an exact zero.) An interval about zero would end in denormal numbers, and so would its products:
+/// processors take a hundred times as long for these.
 template <class T>
 inline T sum_below(const T& x) {
   return select(x == T(0), x, below(x));
@@ -98,6 +99,7 @@ template <class T>
 template <class T>
 inline BasicInterval<T> operator/(const BasicInterval<T>& a, const BasicInterval<T>& b) {
   TAMIS_ASSERT(!b.may_be_zero());
+  if (a.is_zero()) return {};
   if (b.upper < T(0)) return -a / -b;
   return {rounding::below(a.lower / (a.lower < T(0) ? b.lower : b.upper)),
           rounding::above(a.upper / (a.upper < T(0) ? b.upper : b.lower))};

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "numerics/axes.hpp"
 #include "paths/fine_point.hpp"
 #include "paths/rigid_transform.hpp"
 #include "paths/rounded_rotation.hpp"
@@ -10,6 +11,7 @@
 namespace tamis {
 namespace {
 
+/// Also what is no number.
 bool turns_far(const Link& link) {
   const auto is_far = [](const Pose& pose) {
     return !(std::hypot(pose.rotation[0], pose.rotation[1], pose.rotation[2]) <= kLargestRoundedAngle);
@@ -36,10 +38,9 @@ RoundedTransform rounded(const RigidTransform& exact) {
 
 /// Two rotations are no farther from each other, as matrices, than their rotation vectors.
 RoundedTransform rounded_near(const Link& link, double time) {
-  constexpr double kAboveRootOfThree = 1.75;
   const RoundedPlace turn = rounded_linear(link.start.rotation, link.end.rotation, time);
   const RoundedPlace shift = rounded_linear(link.start.position, link.end.position, time);
-  const RoundedRotation rotation = rounded_rotation(turn.x, kAboveRootOfThree * turn.error);
+  const RoundedRotation rotation = rounded_rotation(turn.x, kRootOfThree * (1 + 0x1p-40) * turn.error);
   return {rotation.rows, shift.x, rotation.error, shift.error, 0};
 }
 
@@ -74,7 +75,7 @@ RoundedTransform after(const RoundedTransform& outer, const RoundedTransform& in
 /// Nine entries and three, each off by no more.
 RoundedTransform with_norms(RoundedTransform transform) {
   transform.turn_error *= 3;
-  transform.shift_error *= 1.7320508075688774 * (1 + 0x1p-40);
+  transform.shift_error *= kRootOfThree * (1 + 0x1p-40);
   return transform;
 }
 

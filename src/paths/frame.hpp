@@ -8,6 +8,7 @@
 
 #include "motion/separations.hpp"
 #include "motion/time_clip.hpp"
+#include "numerics/axes.hpp"
 #include "numerics/number_text.hpp"
 #include "tamis/error.hpp"
 #include "tamis/path.hpp"
@@ -25,9 +26,8 @@ struct Frame {
 /// and the caller's own. Throws InvalidPath unless that is finite.
 inline double radius_on_piece(Index vertex, double deviation, const Frame& from, const Frame& to,
                               const Separations& separations) {
-  constexpr double kThreeAxes = 1.7320508075688774 * (1 + 0x1p-40);
   const auto v = static_cast<std::size_t>(vertex);
-  const double error = kThreeAxes * std::max(from.errors[v], to.errors[v]);
+  const double error = kRootOfThree * (1 + 0x1p-40) * std::max(from.errors[v], to.errors[v]);
   double radius = (deviation + error) * (1 + 0x1p-50) + 0x1p-1000;
   if (!separations.radii.empty()) radius = (radius + separations.radii[v]) * (1 + 0x1p-50);
   if (!std::isfinite(radius))

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "numerics/assert.hpp"
+#include "numerics/axes.hpp"
 #include "numerics/finite.hpp"
 #include "tamis/error.hpp"
 #include "topology/at.hpp"
@@ -68,7 +69,7 @@ double farthest_between(const RoundedTransform& a, const RoundedTransform& b, co
     farthest = std::max(farthest, distance_above(a.of(x), b.of(x)));
   }
   const double size = box.size_of_sum();
-  return (farthest + 2 * (a.error_of(size, 0) + b.error_of(size, 0)) * 1.75) * (1 + 0x1p-40);
+  return (farthest + 2 * (a.error_of(size, 0) + b.error_of(size, 0)) * kRootOfThree) * (1 + 0x1p-40);
 }
 
 }  // namespace

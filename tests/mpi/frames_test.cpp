@@ -4,6 +4,7 @@
 #include "io/mesh/mesh_file.hpp"
 #include "mpi/same_answers.hpp"
 #include "support/test_data.hpp"
+#include "topology/mean_edge.hpp"
 
 namespace tamis::test {
 namespace {
@@ -24,7 +25,7 @@ void expect_same_for(const char* start, const char* end, std::initializer_list<s
   if (folder.empty()) GTEST_SKIP() << kNoData;
   const scenes::Scene scene = scene_of(folder / "frames" / start, folder / "frames" / end);
   Detector one(scene.mesh(), one_thread());
-  const OneAnswers expected = answers_of(one, scene);
+  const OneAnswers expected = answers_of(one, scene, 0.1 * mean_edge(one.mesh(), scene.start));
   for (const std::size_t cut : of_cuts) {
     const Part part = part_of(scene, cuts()[cut]);
     distributed::Detector many(MPI_COMM_WORLD, part.mesh, one_thread());

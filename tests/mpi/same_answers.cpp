@@ -1,7 +1,5 @@
 #include "mpi/same_answers.hpp"
 
-#include "topology/mean_edge.hpp"
-
 namespace tamis::test {
 namespace {
 
@@ -43,9 +41,9 @@ Options one_thread() {
   return options;
 }
 
-OneAnswers answers_of(Detector& one, const scenes::Scene& scene) {
+OneAnswers answers_of(Detector& one, const scenes::Scene& scene, double separation) {
   OneAnswers answers;
-  answers.separation = 0.03 * mean_edge(one.mesh(), scene.start);
+  answers.separation = separation;
   const Step step = scene.step();
   const QueryOptions ignore = answers.ignoring_start();
   answers.contacts = one.contacts(step);

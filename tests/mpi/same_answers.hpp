@@ -28,7 +28,8 @@ struct OneAnswers {
 
   QueryOptions ignoring_start() const { return {.min_separation = separation, .at_start = AtStart::ignore}; }
 };
-OneAnswers answers_of(Detector& one, const scenes::Scene& scene);
+/// `separation`: in the unit of the scene; some pairs of generated ones start within this.
+OneAnswers answers_of(Detector& one, const scenes::Scene& scene, double separation = 0x1p-6);
 
 /// Asks everything about the step of which one process has said `one`.
 void expect_same_answers(const OneAnswers& one, distributed::Detector& many, const Part& part, const std::string& what);

@@ -57,10 +57,31 @@ TEST(Interval, EnclosesEveryResult) {
   }
 }
 
+mpq_class value_of(const DoubleDouble& x) { return mpq_class(x.high) + mpq_class(x.low); }
+
+// Bug: a sum of double-doubles that cancels to zero, and is not zero.
+TEST(Interval, SumsOfDoubleDoublesThatCancelAreEnclosed) {
+  std::mt19937 engine(6);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  int zeros = 0;
+  for (int i = 0; i < 200000; ++i) {
+    const auto scaled = [&](int least) {
+      return std::ldexp(uniform(engine), -static_cast<int>(engine() % 120) + least);
+    };
+    const DoubleDouble a = DoubleDouble::sum_of(scaled(20), scaled(-40));
+    const DoubleDouble b = i % 3 == 0 ? -a : -a + DoubleDouble(scaled(-100));
+    const FineInterval sum = FineInterval(a) + FineInterval(b);
+    EXPECT_LE(value_of(sum.lower), value_of(a) + value_of(b));
+    EXPECT_GE(value_of(sum.upper), value_of(a) + value_of(b));
+    zeros += sum.is_zero();
+  }
+  EXPECT_GT(zeros, 60000);
+}
+
 // Bug: denormal numbers about each zero of what turns about an axis of coordinates, a hundred times as slow.
 TEST(Interval, ZerosStayExact) {
   const Interval zero, a(-1, 2), b(3, 4);
-  for (const Interval& x : {zero + zero, zero * a, a * zero, zero * b, b * zero, -zero * zero})
+  for (const Interval& x : {zero + zero, zero * a, a * zero, zero * b, b * zero, -zero * zero, zero / b})
     EXPECT_TRUE(x.is_zero()) << x.lower << ' ' << x.upper;
   const Interval dot_of_axes = Interval(3) * zero + zero * Interval(-4) + zero * zero;
   EXPECT_TRUE(dot_of_axes.is_zero());

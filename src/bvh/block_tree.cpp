@@ -19,9 +19,9 @@ void parallel_blocks(std::size_t count, const F& f) {
 }
 
 /// The last may stay partly empty.
-std::vector<BoxBlock> empty_blocks(std::size_t count) {
-  std::vector<BoxBlock> blocks(count);
-  for (int lane = 0; lane < kBlock && count > 0; ++lane) MovingBox().store_to(blocks.back(), lane);
+RawArray<BoxBlock> new_blocks(std::size_t count) {
+  RawArray<BoxBlock> blocks(count);
+  for (int lane = 0; lane < kBlock && count > 0; ++lane) MovingBox().store_to(blocks[count - 1], lane);
   return blocks;
 }
 
@@ -47,10 +47,10 @@ void BlockTree::build(const PackedMotion& motion, int axes, const TreeKernels& k
   levels_.clear();
   residuals_.clear();
   for (std::size_t blocks = blocks_for(static_cast<std::size_t>(feature_count()));; blocks = blocks_for(blocks)) {
-    levels_.push_back(empty_blocks(blocks));
+    levels_.push_back(new_blocks(blocks));
     if (blocks <= 1 && levels_.size() > 1) break;
   }
-  corner_blocks_.resize(levels_[0].size());
+  corner_blocks_ = RawArray<CornerBlock>(levels_[0].size());
   choose_order(motion, axes, kernels.split, pause);
   if (groups_.may_touch) group_blocks();
   is_built_ = true;
@@ -59,7 +59,7 @@ void BlockTree::build(const PackedMotion& motion, int axes, const TreeKernels& k
 
 void BlockTree::group_blocks() {
   std::vector<Index> below;  // groups of features, then of the blocks of each level
-  for (const CornerBlock& block : corner_blocks_)
+  for (const CornerBlock& block : corner_blocks_.all())
     for (const Index vertex : block.vertex[0])  // empty lanes repeat a feature that there is
       below.push_back(group_of_vertex_[static_cast<std::size_t>(vertex)]);
   group_of_block_.clear();
@@ -126,7 +126,7 @@ void BlockTree::refit_residuals(const PackedMotion& motion, const TreeKernels& k
   TAMIS_ASSERT(is_built_ && motion.residuals.size() == motion.box_vertices.size());
   if (residuals_.size() != levels_.size()) {
     residuals_.clear();
-    for (const auto& level : levels_) residuals_.push_back(empty_blocks(level.size()));
+    for (const auto& level : levels_) residuals_.push_back(new_blocks(level.size()));
   }
   fill(residuals_, motion.residuals, {BoxFrame::kLeastMargin, BoxFrame::kRelativeMargin}, kernels.bound_leaf);
 }
@@ -179,9 +179,9 @@ double BlockTree::swept_area() const {
 }
 
 std::uint64_t BlockTree::memory_bytes() const {
-  std::uint64_t bytes = corner_blocks_.capacity() * sizeof(CornerBlock);
+  std::uint64_t bytes = corner_blocks_.memory_bytes();
   for (const Levels* levels : {&levels_, &residuals_})
-    for (const auto& level : *levels) bytes += level.capacity() * sizeof(BoxBlock);
+    for (const auto& level : *levels) bytes += level.memory_bytes();
   for (const auto& level : group_of_block_) bytes += level.capacity() * sizeof(Index);
   return bytes;
 }

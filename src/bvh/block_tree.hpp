@@ -11,6 +11,7 @@
 #include "bounds/packed_motion.hpp"
 #include "bvh/group_order.hpp"
 #include "bvh/spatial_order.hpp"
+#include "numerics/raw_array.hpp"
 #include "tamis/mesh.hpp"
 
 namespace tamis {
@@ -95,7 +96,7 @@ class BlockTree {
   GroupOrder order_groups(const PackedMotion& motion, Split split) const;
   void choose_order(const PackedMotion& motion, int axes, Split split, const Pause& pause);
   void group_blocks();
-  using Levels = std::vector<std::vector<BoxBlock>>;
+  using Levels = std::vector<RawArray<BoxBlock>>;
 
   int lanes_in_use(std::size_t block) const;
   /// Boxes around `vertices`.
@@ -105,7 +106,7 @@ class BlockTree {
   bool is_built_ = false;
   int corners_ = 1;
   std::span<const Index> vertices_;
-  std::vector<CornerBlock> corner_blocks_;
+  RawArray<CornerBlock> corner_blocks_;
   Levels levels_, residuals_;
   std::span<const Index> group_of_vertex_;
   BlockGroups groups_{};

@@ -3,6 +3,8 @@
 #include <tbb/parallel_invoke.h>
 
 #include <algorithm>
+#include <limits>
+#include <utility>
 
 #include "bounds/moving_boxes.hpp"
 
@@ -14,28 +16,48 @@ struct Halving {
   const Split split;
   const Pause& pause;
   const std::span<const std::size_t> ends;
+  Index* const order;  ///< where features go at last
 };
 
 /// Some centers that come one after the other, from place `first` on.
 struct CenterRange {
   Centers centers, scratch;
   std::size_t first, count;
+  Reach reach;
 
   CenterRange part(std::size_t from, std::size_t to) const {
-    return {centers.from(from), scratch.from(from), first + from, to - from};
+    return {centers.from(from), scratch.from(from), first + from, to - from, reach};
   }
 };
 
+struct Halves {
+  CenterRange low, high;
+};
+
+void copy(const Centers& from, const Centers& to, std::size_t count) {
+  for (int axis = 0; axis < from.axes; ++axis) std::copy_n(from.at[axis], count, to.at[axis]);
+  std::copy_n(from.feature, count, to.feature);
+}
+
 /// Only in the group that the cut goes through features change places.
-void split_at(const CenterRange& range, std::size_t lower, const Halving& how) {
+Halves split_at(const CenterRange& range, std::size_t lower, const Halving& how) {
   const auto end = std::ranges::upper_bound(how.ends, range.first + lower);
   const std::size_t group_begin = end == how.ends.begin() ? 0 : *std::prev(end);
   const std::size_t group_end = end == how.ends.end() ? range.first + range.count : *end;
   const std::size_t from = std::max(group_begin, range.first) - range.first;
   const std::size_t to = std::min(group_end, range.first + range.count) - range.first;
-  if (from == lower) return;
+  Halves halves{range.part(0, lower), range.part(lower, range.count)};
+  if (from == lower) return halves;
   const CenterRange group = range.part(from, to);
-  how.split(group.centers, group.scratch, group.count, lower - from);
+  const PartsReach reach = how.split(group.centers, group.scratch, group.count, lower - from, group.reach);
+  if (group.count == range.count) {
+    halves.low.reach = reach.low;
+    halves.high.reach = reach.high;
+  }
+  const CenterRange behind = range.part(to, range.count);
+  copy(behind.centers, behind.scratch, behind.count);
+  std::swap(halves.high.centers, halves.high.scratch);
+  return halves;
 }
 
 /// In whole blocks of the largest level that has several, so that every block of every level of the tree is one box of
@@ -43,13 +65,17 @@ void split_at(const CenterRange& range, std::size_t lower, const Halving& how) {
 void halve(const CenterRange& range, const Halving& how) {
   constexpr std::size_t kParallelFrom = 8192;
   const std::size_t count = range.count;
-  if (count <= kBlock) return;
+  if (count <= kBlock) {
+    Index* const order = how.order + range.first;
+    if (range.centers.feature != order) std::copy_n(range.centers.feature, count, order);
+    return;
+  }
   std::size_t unit = kBlock;
   while (unit * kBlock < count) unit *= kBlock;
   const std::size_t blocks = (count + unit - 1) / unit, lower = (blocks + 1) / 2 * unit;
-  split_at(range, lower, how);
-  const auto below = [&] { halve(range.part(0, lower), how); };
-  const auto above = [&] { halve(range.part(lower, count), how); };
+  const Halves halves = split_at(range, lower, how);
+  const auto below = [&] { halve(halves.low, how); };
+  const auto above = [&] { halve(halves.high, how); };
   if (count >= kParallelFrom) {
     how.pause();
     tbb::parallel_invoke(below, above);
@@ -62,18 +88,21 @@ void halve(const CenterRange& range, const Halving& how) {
 }  // namespace
 
 CenterStore::CenterStore(std::size_t count, int axes)
-    : at_(static_cast<std::size_t>(axes), std::vector<float>(count)), features_(count) {}
+    : axes_(axes), at_(static_cast<std::size_t>(axes) * count), features_(count) {}
 
 Centers CenterStore::view() {
-  Centers all{{}, features_.data(), static_cast<int>(at_.size())};
-  for (std::size_t axis = 0; axis < at_.size(); ++axis) all.at[axis] = at_[axis].data();
+  Centers all{{}, features_.data(), axes_};
+  for (int axis = 0; axis < axes_; ++axis)
+    all.at[axis] = at_.data() + static_cast<std::size_t>(axis) * features_.size();
   return all;
 }
 
 void order_in_space(const Centers& centers, std::size_t count, Split split, const Pause& pause,
                     std::span<const std::size_t> ends) {
   CenterStore scratch(count, centers.axes);
-  halve({centers, scratch.view(), 0, count}, {split, pause, ends});
+  Reach unknown;
+  unknown.fill(std::numeric_limits<float>::infinity());
+  halve({centers, scratch.view(), 0, count, unknown}, {split, pause, ends, centers.feature});
 }
 
 }  // namespace tamis

@@ -47,7 +47,7 @@ inline void bound_leaf(const BoxVertex* vertices, const CornerBlock& block, int 
       };
       put(ends.low[k], kNowhere, k < 3 ? boxes.low0[k] : boxes.low1[k - 3]);
       put(ends.high[k], -kNowhere, k < 3 ? boxes.high0[k] : boxes.high1[k - 3]);
-      const float low = least(ends.low[k]), high = -least(-ends.high[k]);
+      const float low = least(ends.low[k]), high = greatest(ends.high[k]);
       hull.low[k] = low < hull.low[k] ? low : hull.low[k];
       hull.high[k] = high > hull.high[k] ? high : hull.high[k];
     }

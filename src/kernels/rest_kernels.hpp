@@ -1,6 +1,7 @@
 // Pairs at rest: which are within their separation, and what is to be said of those.
 #pragma once
 #include "distance/near_facts.hpp"
+#include "kernels/compress.hpp"
 #include "kernels/load_pose.hpp"
 #include "kernels/search.hpp"
 

@@ -2,6 +2,7 @@
 // branches on what boxes meet, which nothing could predict: leaf blocks, features against leaf blocks, features.
 #pragma once
 #include "kernels/box_overlap.hpp"
+#include "kernels/compress.hpp"
 
 namespace tamis::TAMIS_ISA {
 

@@ -1,12 +1,12 @@
-// Splitting the centers of features in two along their longest axis: a selection, sixteen at a time and without
-// branches on coordinates (Floyd, Rivest 1975: pivots from a sample, a little beyond the place looked for).
+// Splitting the centers of features in two along their longest axis: sixteen at a time, without branches on
+// coordinates.
 #pragma once
-#include "kernels/partition.hpp"
+#include "bvh/spatial_order.hpp"
+#include "kernels/rank.hpp"
 
 namespace tamis::TAMIS_ISA {
 
-/// Largest less smallest of `count` numbers.
-inline float extent(const float* at, std::size_t count) {
+inline Extent extent_of(const float* at, std::size_t count) {
   FloatLanes low(at[0]), high(at[0]);
   std::size_t i = 0;
   for (; i + kFloatLanes <= count; i += kFloatLanes) {
@@ -18,37 +18,90 @@ inline float extent(const float* at, std::size_t count) {
     low = min(low, FloatLanes(at[i]));
     high = max(high, FloatLanes(at[i]));
   }
-  float lows[kFloatLanes], highs[kFloatLanes];
-  low.store_unaligned(lows);
-  high.store_unaligned(highs);
-  for (int k = 1; k < kFloatLanes; ++k) {
-    lows[0] = lows[k] < lows[0] ? lows[k] : lows[0];
-    highs[0] = highs[k] > highs[0] ? highs[k] : highs[0];
-  }
-  return highs[0] - lows[0];
+  return {least(low), greatest(high)};
 }
 
+struct LongestAxis {
+  int axis;
+  Extent extent;
+};
+
+/// Measures as many axes as it takes, and enters their lengths in `reach`, which bounds them.
+inline LongestAxis longest_axis(const Centers& centers, std::size_t count, Reach& reach) {
+  LongestAxis longest{};
+  float most = -1;
+  for (unsigned measured = 0;;) {
+    int next = -1;
+    for (int axis = 0; axis < centers.axes; ++axis)
+      if (!(measured >> axis & 1) && (next < 0 || reach[axis] > reach[next])) next = axis;
+    if (next < 0 || reach[next] <= most) return longest;
+    measured |= 1u << next;
+    const Extent extent = extent_of(centers.at[next], count);
+    const float length = reach[next] = extent.high - extent.low;
+    if (length > most) {
+      longest = {next, extent};
+      most = length;
+    }
+  }
+}
+
+/// Moves centers of so many axes apart, a batch after the other: the low ones forward where they are, the high ones to
+/// the same places of `scratch`, from `lower` on.
 template <int axes>
-int longest_axis(const Centers& centers, std::size_t count) {
-  int longest = 0;
-  float most = extent(centers.at[0], count);
-  for (int axis = 1; axis < axes; ++axis) {
-    const float here = extent(centers.at[axis], count);
-    longest = here > most ? axis : longest;
-    most = here > most ? here : most;
-  }
-  return longest;
-}
+class Partition {
+ public:
+  Partition(const Centers& centers, const Centers& scratch, std::size_t count, std::size_t lower)
+      : centers_(centers), scratch_(scratch), count_(count), high_(lower) {}
 
-/// A number of which `wanted` of `count` are likely to be on the nearer side of it, with few others.
-inline float pivot_near(const float* at, std::size_t count, std::size_t wanted) {
-  constexpr int kSample = 32, kBeyond = 2;
-  const auto sample = [&](int i) { return at[static_cast<std::size_t>(i) * count / kSample]; };
-  const Ranks ranks(kSample, sample);
-  const int rank = static_cast<int>(wanted * kSample / count);
-  const int beyond = rank < kSample / 2 + 1 ? rank + kBeyond : rank - kBeyond;
-  return sample(ranks.place_of(beyond));
-}
+  /// `low`: bits of the low ones of the lanes that start at `first`, `lanes` of them in use.
+  void take(std::size_t first, unsigned low, int lanes) {
+    const int lows = count_bits(low);
+    if (lanes < kFloatLanes)
+      put_singly(first, low, lanes);
+    else
+      put(first, low, kFloatLanes - lows);
+    low_ += static_cast<std::size_t>(lows);
+    high_ += static_cast<std::size_t>(lanes - lows);
+  }
+
+ private:
+  /// What lies behind the last high one is not this partition's: no batch may reach beyond it.
+  void put(std::size_t first, unsigned low, int highs) const {
+    constexpr unsigned kAll = (1u << kFloatLanes) - 1;
+    const auto feature = IntLanes::load_unaligned(centers_.feature + first);
+    if (high_ + kFloatLanes <= count_) {
+      for (int axis = 0; axis < axes; ++axis) {
+        const auto at = FloatLanes::load_unaligned(centers_.at[axis] + first);
+        store_parted(low, at, centers_.at[axis] + low_, scratch_.at[axis] + high_);
+      }
+      store_parted(low, feature, centers_.feature + low_, scratch_.feature + high_);
+    } else {
+      for (int axis = 0; axis < axes; ++axis) {
+        const auto at = FloatLanes::load_unaligned(centers_.at[axis] + first);
+        store_compressed(low, at, centers_.at[axis] + low_);
+        store_compressed_only(~low & kAll, highs, at, scratch_.at[axis] + high_);
+      }
+      store_compressed(low, feature, centers_.feature + low_);
+      store_compressed_only(~low & kAll, highs, feature, scratch_.feature + high_);
+    }
+  }
+
+  /// Fewer than a batch.
+  void put_singly(std::size_t first, unsigned low, int lanes) const {
+    std::size_t low_place = low_, high_place = high_;
+    for (int i = 0; i < lanes; ++i) {
+      const bool is_low = low >> i & 1;
+      const Centers& to = is_low ? centers_ : scratch_;
+      const std::size_t place = is_low ? low_place++ : high_place++, from = first + static_cast<std::size_t>(i);
+      for (int axis = 0; axis < axes; ++axis) to.at[axis][place] = centers_.at[axis][from];
+      to.feature[place] = centers_.feature[from];
+    }
+  }
+
+  const Centers centers_, scratch_;
+  const std::size_t count_;
+  std::size_t low_ = 0, high_;  ///< where the next ones go
+};
 
 /// `lanes` numbers, then zeros.
 inline FloatLanes load_some(const float* at, int lanes) {
@@ -59,33 +112,33 @@ inline FloatLanes load_some(const float* at, int lanes) {
 }
 
 template <int axes>
-void split_along_longest(const Centers& centers, const Centers& scratch, std::size_t count, std::size_t lower) {
-  const float* const at = centers.at[longest_axis<axes>(centers, count)];
-  std::size_t begin = 0, end = count;  // the place looked for is between them
-  const auto part = [&](const auto& low_lanes) {
-    Partition<axes> parts(centers.from(begin), scratch.from(begin));
-    for (std::size_t first = begin; first < end; first += kFloatLanes) {
-      const int lanes = end - first < kFloatLanes ? static_cast<int>(end - first) : kFloatLanes;
-      parts.take(first - begin, low_lanes(first, lanes), lanes);
-    }
-    return begin + parts.finish();
-  };
-  while (end - begin > Ranks::kRanked) {
-    const FloatLanes pivot(pivot_near(at + begin, end - begin, lower - begin));
-    std::size_t middle = part([&](std::size_t i, int lanes) { return bits(load_some(at + i, lanes) < pivot); });
-    if (middle == begin)
-      middle = part([&](std::size_t i, int lanes) { return bits(load_some(at + i, lanes) <= pivot); });
-    if (middle == end) return;  // all the same
-    (lower < middle ? end : begin) = middle;
-    if (lower == begin) return;
+void part_at(const Cut& cut, const float* along, const Centers& centers, const Centers& scratch, std::size_t count,
+             std::size_t lower) {
+  Partition<axes> parts(centers, scratch, count, lower);
+  const FloatLanes pivot(cut.at);
+  std::size_t equal = lower - cut.below;  // so many of those at the cut are low ones, the first
+  for (std::size_t first = 0; first < count; first += kFloatLanes) {
+    const int lanes = count - first < kFloatLanes ? static_cast<int>(count - first) : kFloatLanes;
+    const unsigned in_use = (1u << lanes) - 1;
+    const auto x = load_some(along + first, lanes);
+    unsigned low = bits(x < pivot) & in_use;
+    if (equal > 0)
+      for (unsigned at_cut = bits(x == pivot) & in_use; at_cut && equal > 0; at_cut &= at_cut - 1, --equal)
+        low |= at_cut & -at_cut;
+    parts.take(first, low, lanes);
   }
-  const Ranks ranks(static_cast<int>(end - begin), [&](int i) { return at[begin + static_cast<std::size_t>(i)]; });
-  part([&](std::size_t i, int) { return ranks.below(static_cast<int>(lower - begin), static_cast<int>(i - begin)); });
 }
 
-inline void split(const Centers& centers, const Centers& scratch, std::size_t count, std::size_t lower) {
-  const auto part = centers.axes == 3 ? split_along_longest<3> : split_along_longest<6>;
-  part(centers, scratch, count, lower);
+inline PartsReach split(const Centers& centers, const Centers& scratch, std::size_t count, std::size_t lower,
+                        Reach reach) {
+  const auto [axis, extent] = longest_axis(centers, count, reach);
+  const float* const along = centers.at[axis];
+  const Cut cut = cut_at_rank(along, count, lower, extent, scratch.at[0], scratch.at[1]);
+  (centers.axes == 3 ? part_at<3> : part_at<6>)(cut, along, centers, scratch, count, lower);
+  PartsReach parts{reach, reach};
+  parts.low[axis] = cut.at - extent.low;
+  parts.high[axis] = extent.high - cut.at;
+  return parts;
 }
 
 }  // namespace tamis::TAMIS_ISA

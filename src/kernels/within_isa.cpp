@@ -1,6 +1,7 @@
 // Pairs within a separation: compiled once for each instruction set.
 #include "distance/turning_gap.hpp"
 #include "kernels/advance_lanes.hpp"
+#include "kernels/compress.hpp"
 #include "kernels/within.hpp"
 
 namespace tamis::TAMIS_ISA {

@@ -1,5 +1,5 @@
-// SIMD lanes: xsimd batches for arithmetic, and the three operations its Debian version lacks (a mask as bits, columns
-// of rows, positions of set bits). Include only from the kernels, which are compiled once per instruction set.
+// SIMD lanes: xsimd batches for arithmetic, and what its Debian version lacks (a mask as bits, columns of rows).
+// Include only from the kernels, which are compiled once per instruction set.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -45,37 +45,11 @@ inline unsigned bits(const xsimd::batch_bool<T, Arch>& mask) {
 #endif
 }
 
-#if XSIMD_WITH_AVX2 && !XSIMD_WITH_AVX512F
-/// [mask]: the positions of its bits, lowest first, one a byte.
-inline constexpr auto kBitPositions = [] {
-  std::array<std::uint64_t, 256> table{};
-  for (unsigned mask = 0; mask < 256; ++mask)
-    for (unsigned bit = 0, count = 0; bit < 8; ++bit)
-      if (mask >> bit & 1) table[mask] |= std::uint64_t{bit} << (8 * count++);
-  return table;
-}();
-#endif
-
-/// Writes the lanes of `mask` to consecutive places from `to` on. A whole batch is written: behind them come zeros or
-/// repetitions of lane 0.
-template <class T>
-inline void store_compressed(unsigned mask, const xsimd::batch<T, Arch>& lanes, T* to) {
-  static_assert(sizeof(T) == 4);
-#if XSIMD_WITH_AVX512F
-  const __m512i raw = xsimd::bitwise_cast<IntLanes>(lanes);
-  _mm512_storeu_si512(to, _mm512_maskz_compress_epi32(static_cast<__mmask16>(mask), raw));
-#elif XSIMD_WITH_AVX2
-  const __m256i raw = xsimd::bitwise_cast<IntLanes>(lanes);
-  const __m256i order = _mm256_cvtepu8_epi32(_mm_loadl_epi64(reinterpret_cast<const __m128i*>(&kBitPositions[mask])));
-  _mm256_storeu_si256(reinterpret_cast<__m256i*>(to), _mm256_permutevar8x32_epi32(raw, order));
-#else
-  alignas(64) T all[IntLanes::size];
-  lanes.store_aligned(all);
-  for (unsigned i = 0; i < IntLanes::size; ++i) {
-    *to = all[i];
-    to += mask >> i & 1;
-  }
-#endif
+/// How many bits are set. REQUIRES (not checked: lanes): no bit beyond the lanes of floats.
+inline int count_bits(unsigned mask) {
+  if constexpr (kFloatLanes == 4)  // the baseline has no instruction for it
+    return static_cast<int>(0x4332322132212110u >> (4 * mask) & 15);
+  return __builtin_popcount(mask);
 }
 
 /// first, first + 1, ...
@@ -117,6 +91,8 @@ inline float least(const FloatLanes& lanes) {
   for (std::size_t i = kStride; i < FloatLanes::size; i += kStride) result = all[i] < result ? all[i] : result;
   return result;
 }
+
+inline float greatest(const FloatLanes& lanes) { return -least(-lanes); }
 
 /// The first seven columns of rows of eight floats: row `index[i]` of `rows` in lane i.
 inline void load_columns(const float (*rows)[8], const std::int32_t* index, FloatLanes (&columns)[7]) {

@@ -2,6 +2,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
 #include <random>
 #include <vector>
 
@@ -17,6 +20,8 @@ using Coordinate = float (*)(Rng&);
 float anywhere(Rng& rng) { return std::uniform_real_distribution<float>(-1, 1)(rng); }
 float on_a_grid(Rng& rng) { return static_cast<float>(rng() % 5) / 4 - 0.5f; }
 float in_one_place(Rng&) { return 0.25f; }
+/// Half of the way to the rest is where half of the rest is.
+float ever_closer(Rng& rng) { return std::ldexp(1.0f, -static_cast<int>(rng() % 100)); }
 float mostly_equal(Rng& rng) { return rng() % 50 == 0 ? anywhere(rng) : 0.0f; }
 
 struct Case {
@@ -25,41 +30,76 @@ struct Case {
 
 constexpr std::size_t kBefore = 3, kAfter = 40;
 
-/// Centers whose longest axis is `axis`, with others around them that must stay.
-CenterStore items_along(int axis, int axes, std::size_t count, Coordinate coordinate, Rng& rng) {
-  CenterStore store(kBefore + count + kAfter, axes);
-  const Centers all = store.view();
-  for (std::size_t i = 0; i < store.features().size(); ++i) {
-    for (int k = 0; k < axes; ++k) all.at[k][i] = coordinate(rng) * (k == axis ? 1.0f : 0.5f);
-    all.feature[i] = static_cast<Index>(i);
+/// Centers with others around them that must stay.
+struct Items {
+  CenterStore store;
+  Centers all, in_question;
+
+  Items(std::size_t count, int axes)
+      : store(kBefore + count + kAfter, axes), all(store.view()), in_question(all.from(kBefore)) {}
+};
+
+/// With `axis` as the longest axis.
+void place(const Items& items, std::size_t count, int axis, Coordinate coordinate, Rng& rng) {
+  for (std::size_t i = 0; i < items.store.features().size(); ++i) {
+    for (int k = 0; k < items.all.axes; ++k) items.all.at[k][i] = coordinate(rng) * (k == axis ? 1.0f : 0.5f);
+    items.all.feature[i] = static_cast<Index>(i);
   }
-  all.at[axis][kBefore] = -1;
-  all.at[axis][kBefore + 1] = 1;
-  return store;
+  items.in_question.at[axis][rng() % count] = -1;
+  if (coordinate != in_one_place) items.in_question.at[axis][0] = 1;
+}
+
+/// Features by their place along the axis, those in front first where they are equal; then each part in its order.
+std::vector<Index> features_in_order(const Centers& centers, std::size_t count, std::size_t lower, int axis) {
+  std::vector<Index> order(centers.feature, centers.feature + count);
+  const float* along = centers.at[axis] - kBefore;
+  std::ranges::stable_sort(order, std::less(), [&](Index i) { return along[i]; });
+  std::sort(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(lower));
+  std::sort(order.begin() + static_cast<std::ptrdiff_t>(lower), order.end());
+  return order;
+}
+
+float length_along(int axis, const Centers& centers, std::size_t count) {
+  const auto [low, high] = std::minmax_element(centers.at[axis], centers.at[axis] + count);
+  return *high - *low;
+}
+
+void expect_same_centers(const Centers& was, const Centers& is, std::size_t first, std::size_t last,
+                         const Index* features) {
+  for (std::size_t i = first; i < last; ++i) {
+    ASSERT_EQ(is.feature[i], features[i]) << "at " << i;
+    for (int k = 0; k < was.axes; ++k)
+      ASSERT_EQ(is.at[k][i], was.at[k][features[i]]) << "a center was torn apart, at " << i;
+  }
 }
 
 void expect_split(const Kernels& kernels, const Case& c, int axis, int axes, Coordinate coordinate, Rng& rng) {
-  CenterStore before = items_along(axis, axes, c.count, coordinate, rng), after = before, scratch = before;
-  kernels.trees.split(after.view().from(kBefore), scratch.view().from(kBefore), c.count, c.lower);
-  const Centers was = before.view(), is = after.view();
-  std::vector<Index> features(after.features().begin(), after.features().end());
-  for (std::size_t i = 0; i < features.size(); ++i) {
-    const auto home = static_cast<std::size_t>(features[i]);
-    for (int k = 0; k < axes; ++k) ASSERT_EQ(is.at[k][i], was.at[k][home]) << "a center was torn apart";
-    const bool is_outside = i < kBefore || i >= kBefore + c.count;
-    ASSERT_TRUE(!is_outside || home == i) << "a neighbour was moved";
-    ASSERT_TRUE(!is_outside || scratch.features()[i] == static_cast<Index>(i)) << "a neighbour's scratch was used";
+  const Items before(c.count, axes), after(c.count, axes), scratch(c.count, axes);
+  const Rng same = rng;
+  for (const Items* items : {&before, &after, &scratch}) place(*items, c.count, axis, coordinate, rng = same);
+  Reach reach;
+  for (int k = 0; k < Centers::kMostAxes; ++k) {
+    reach[k] = std::numeric_limits<float>::infinity();
+    if (k < axes && rng() % 2) reach[k] = length_along(k, before.in_question, c.count) * (rng() % 2 ? 1.0f : 1.5f);
   }
-  std::sort(features.begin(), features.end());
-  for (std::size_t i = 0; i < features.size(); ++i) ASSERT_EQ(features[i], static_cast<Index>(i));
-  const float* along = is.at[axis] + kBefore;
-  // Ranks are those of the leading digits.
-  ASSERT_LE(*std::max_element(along, along + c.lower), *std::min_element(along + c.lower, along + c.count) + 1e-3f);
+  const auto parts = kernels.trees.split(after.in_question, scratch.in_question, c.count, c.lower, reach);
+  std::vector<Index> features = features_in_order(before.in_question, c.count, c.lower, axis);
+  features.insert(features.begin(), {0, 1, 2});
+  for (std::size_t i = 0; i < kAfter; ++i) features.push_back(static_cast<Index>(kBefore + c.count + i));
+  const std::size_t middle = kBefore + c.lower, end = kBefore + c.count;
+  expect_same_centers(before.all, after.all, 0, middle, features.data());
+  expect_same_centers(before.all, scratch.all, middle, end + kAfter, features.data());
+  expect_same_centers(before.all, after.all, end, end + kAfter, features.data());
+  expect_same_centers(before.all, scratch.all, 0, kBefore, features.data());
+  for (int k = 0; k < axes; ++k) {
+    ASSERT_LE(length_along(k, after.in_question, c.lower), parts.low[k]);
+    ASSERT_LE(length_along(k, scratch.in_question.from(c.lower), c.count - c.lower), parts.high[k]);
+  }
 }
 
 class Splitting : public testing::TestWithParam<Isa> {};
 
-TEST_P(Splitting, TheLowerOnesComeFirstAndNothingIsLost) {
+TEST_P(Splitting, TheLowerOnesComeFirstAndBothKeepTheirOrder) {
   const Kernels* kernels = nullptr;
   try {
     kernels = &tamis::kernels(GetParam());
@@ -72,7 +112,7 @@ TEST_P(Splitting, TheLowerOnesComeFirstAndNothingIsLost) {
   for (const Case& c : cases)
     for (const int axes : {3, 6})
       for (int axis = 0; axis < axes; ++axis)
-        for (const Coordinate coordinate : {anywhere, on_a_grid, mostly_equal})
+        for (const Coordinate coordinate : {anywhere, on_a_grid, ever_closer, mostly_equal})
           for (int repeat = 0; repeat < 4; ++repeat) expect_split(*kernels, c, axis, axes, coordinate, rng);
   for (const Case& c : cases) expect_split(*kernels, c, 0, 3, in_one_place, rng);
 }

@@ -1,0 +1,78 @@
+// Lanes that a mask names, written to consecutive places.
+#pragma once
+#include "numerics/lanes.hpp"
+
+namespace tamis::TAMIS_ISA {
+
+#if XSIMD_WITH_AVX2 && !XSIMD_WITH_AVX512F
+/// [mask]: the positions of its bits, lowest first, one a byte.
+inline constexpr auto kBitPositions = [] {
+  std::array<std::uint64_t, 256> table{};
+  for (unsigned mask = 0; mask < 256; ++mask)
+    for (unsigned bit = 0, count = 0; bit < 8; ++bit)
+      if (mask >> bit & 1) table[mask] |= std::uint64_t{bit} << (8 * count++);
+  return table;
+}();
+#endif
+
+/// Writes the lanes of `mask` to consecutive places from `to` on. A whole batch is written: behind them come zeros or
+/// repetitions of lane 0.
+template <class T>
+inline void store_compressed(unsigned mask, const xsimd::batch<T, Arch>& lanes, T* to) {
+  static_assert(sizeof(T) == 4);
+#if XSIMD_WITH_AVX512F
+  const __m512i raw = xsimd::bitwise_cast<IntLanes>(lanes);
+  _mm512_storeu_si512(to, _mm512_maskz_compress_epi32(static_cast<__mmask16>(mask), raw));
+#elif XSIMD_WITH_AVX2
+  const __m256i raw = xsimd::bitwise_cast<IntLanes>(lanes);
+  const __m256i order = _mm256_cvtepu8_epi32(_mm_loadl_epi64(reinterpret_cast<const __m128i*>(&kBitPositions[mask])));
+  _mm256_storeu_si256(reinterpret_cast<__m256i*>(to), _mm256_permutevar8x32_epi32(raw, order));
+#else
+  alignas(64) T all[IntLanes::size];
+  lanes.store_aligned(all);
+  for (unsigned i = 0; i < IntLanes::size; ++i) {
+    *to = all[i];
+    to += mask >> i & 1;
+  }
+#endif
+}
+
+/// The same, and nothing is written behind them. `count`: how many they are.
+template <class T>
+inline void store_compressed_only(unsigned mask, int count, const xsimd::batch<T, Arch>& lanes, T* to) {
+#if XSIMD_WITH_AVX512F
+  const __m512i raw = _mm512_maskz_compress_epi32(static_cast<__mmask16>(mask), xsimd::bitwise_cast<IntLanes>(lanes));
+  _mm512_mask_storeu_epi32(to, static_cast<__mmask16>((1u << count) - 1), raw);
+#else
+  alignas(64) T some[IntLanes::size];
+  store_compressed(mask, lanes, some);
+#if XSIMD_WITH_AVX2
+  const __m256i written = _mm256_cmpgt_epi32(_mm256_set1_epi32(count), counting_from(0));
+  _mm256_maskstore_epi32(reinterpret_cast<int*>(to), written,
+                         xsimd::bitwise_cast<IntLanes>(xsimd::batch<T, Arch>::load_aligned(some)));
+#else
+  for (int i = 0; i < count; ++i) to[i] = some[i];
+#endif
+#endif
+}
+
+/// The lanes of `mask` from `low` on, the others from `high` on: a whole batch is written to both.
+template <class T>
+inline void store_parted(unsigned mask, const xsimd::batch<T, Arch>& lanes, T* low, T* high) {
+#if XSIMD_WITH_AVX2
+  constexpr unsigned kAll = (1u << IntLanes::size) - 1;
+  store_compressed(mask, lanes, low);
+  store_compressed(~mask & kAll, lanes, high);
+#else
+  alignas(64) T all[IntLanes::size];
+  lanes.store_aligned(all);
+  for (unsigned i = 0; i < IntLanes::size; ++i) {
+    *low = *high = all[i];
+    const unsigned is_low = mask >> i & 1;
+    low += is_low;
+    high += 1 - is_low;
+  }
+#endif
+}
+
+}  // namespace tamis::TAMIS_ISA

@@ -1,0 +1,129 @@
+// Which of many numbers has a rank? Many are parted around pivots from a sample, a little beyond the place looked for
+// (Floyd, Rivest 1975), and copied; among the few that are left the place is guessed, and guessed better.
+#pragma once
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+
+#include "kernels/compress.hpp"
+
+namespace tamis::TAMIS_ISA {
+
+/// Numbers below `at` are `below` many: as many as have the rank, or those equal to `at` make up for the rest.
+struct Cut {
+  float at;
+  std::size_t below;
+};
+
+/// Both ends included.
+struct Extent {
+  float low, high;
+};
+
+/// What a guess shows.
+struct Sides {
+  std::size_t below;  ///< how many numbers are less than it
+  float last, first;  ///< the largest of those, the smallest of the others
+};
+
+inline Sides sides_of(float guess, const float* numbers, std::size_t count) {
+  constexpr float kNone = std::numeric_limits<float>::infinity();
+  const FloatLanes pivot(guess), none(kNone);
+  FloatLanes last = -none, first = none;
+  std::size_t i = 0, below = 0;
+  for (; i + kFloatLanes <= count; i += kFloatLanes) {
+    const auto x = FloatLanes::load_unaligned(numbers + i);
+    const auto is_below = x < pivot;
+    below += static_cast<std::size_t>(count_bits(bits(is_below)));
+    last = max(last, select(is_below, x, -none));
+    first = min(first, select(is_below, none, x));
+  }
+  Sides sides{below, greatest(last), least(first)};
+  for (; i < count; ++i) {
+    const float x = numbers[i];
+    float& nearest = x < guess ? sides.last : sides.first;
+    nearest = x < guess ? std::max(nearest, x) : std::min(nearest, x);
+    sides.below += x < guess;
+  }
+  return sides;
+}
+
+/// Of few numbers, within `extent`. Every guess takes at least one of them off what is left.
+inline Cut cut_few(const float* numbers, std::size_t count, std::size_t rank, Extent extent) {
+  auto [low, high] = extent;
+  std::size_t below_low = 0, below_high = count;
+  for (int guesses = 0; low < high; ++guesses) {
+    // As if they were spread evenly; and halfway, where they are not.
+    const float part = static_cast<float>(rank - below_low) / static_cast<float>(below_high - below_low);
+    const float between = low + (high - low) * (guesses % 2 == 0 ? part : 0.5f);
+    const float guess = between > low && between < high ? between : high;
+    const Sides sides = sides_of(guess, numbers, count);
+    if (sides.below == rank) return {guess, rank};
+    if (sides.below < rank) {
+      low = sides.first;
+      below_low = sides.below;
+    } else {
+      high = sides.last;
+      below_high = sides.below;
+    }
+  }
+  return {low, below_low};
+}
+
+/// One of the numbers, of which `wanted` of `count` are likely to be on the nearer side, with few others.
+inline float pivot_near(const float* numbers, std::size_t count, std::size_t wanted, Extent extent) {
+  constexpr std::uint32_t kSample = 32, kBeyond = 2,
+                          kGoldenRatio = 0x9e3779b9;  // numbers of a grid repeat at equal steps
+  float sample[kSample];
+  for (std::uint32_t i = 0; i < kSample; ++i) sample[i] = numbers[std::uint64_t{i * kGoldenRatio} * count >> 32];
+  const std::size_t rank = wanted * kSample / count;
+  return cut_few(sample, kSample, rank <= kSample / 2 ? rank + kBeyond : rank - kBeyond, extent).at;
+}
+
+/// Copies those for which `is_low` to `low`, the others to `high`, where there is room for `count`; either may be where
+/// the numbers are. Returns how many are low.
+template <class IsLow>
+std::size_t part_numbers(const float* numbers, std::size_t count, const IsLow& is_low, float* low, float* high) {
+  std::size_t lows = 0, i = 0;
+  for (; i + kFloatLanes <= count; i += kFloatLanes) {
+    const auto x = FloatLanes::load_unaligned(numbers + i);
+    const unsigned mask = bits(is_low(x));
+    store_parted(mask, x, low + lows, high + (i - lows));
+    lows += static_cast<std::size_t>(count_bits(mask));
+  }
+  for (; i < count; ++i) {
+    const float x = numbers[i];
+    const bool is = bits(is_low(FloatLanes(x))) & 1;
+    (is ? low[lows] : high[i - lows]) = x;
+    lows += is;
+  }
+  return lows;
+}
+
+/// REQUIRES (not checked: each): finite numbers within `extent`; rank < count. `low`, `high`: room for `count` each.
+inline Cut cut_at_rank(const float* numbers, std::size_t count, std::size_t rank, Extent extent, float* low,
+                       float* high) {
+  constexpr std::size_t kFew = 256;
+  std::size_t below = 0;
+  while (count > kFew) {
+    const float pivot = pivot_near(numbers, count, rank, extent);
+    std::size_t lows = part_numbers(
+        numbers, count, [&](const auto& x) { return x < FloatLanes(pivot); }, low, high);
+    if (lows == 0) {  // the pivot is the least
+      lows = part_numbers(
+          numbers, count, [&](const auto& x) { return x <= FloatLanes(pivot); }, low, high);
+      if (rank < lows) return {pivot, below};
+    }
+    const bool is_low = rank < lows;
+    numbers = is_low ? low : high;
+    count = is_low ? lows : count - lows;
+    (is_low ? extent.high : extent.low) = pivot;
+    rank -= is_low ? 0 : lows;
+    below += is_low ? 0 : lows;
+  }
+  const Cut cut = cut_few(numbers, count, rank, extent);
+  return {cut.at, below + cut.below};
+}
+
+}  // namespace tamis::TAMIS_ISA

@@ -76,8 +76,8 @@ std::vector<double> time(Session& session) {
   return medians;
 }
 
-/// What detectors give back stays with the process. Else whether the next one meets 10 page faults or 3,000 hangs on the
-/// order in which the last one let go of its arrays: half of the time of a cell, up or down, by luck.
+/// What detectors give back stays with the process. Else whether the next one meets 10 page faults or 3,000 hangs on
+/// the order in which the last one let go of its arrays: half of the time of a cell, up or down, by luck.
 void keep_memory() {
   mallopt(M_MMAP_MAX, 0);
   mallopt(M_TRIM_THRESHOLD, std::numeric_limits<int>::max());

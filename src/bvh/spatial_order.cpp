@@ -101,7 +101,7 @@ void order_in_space(const Centers& centers, std::size_t count, Split split, cons
                     std::span<const std::size_t> ends) {
   CenterStore scratch(count, centers.axes);
   Reach unknown;
-  unknown.fill(std::numeric_limits<float>::infinity());
+  std::ranges::fill(unknown.along, std::numeric_limits<float>::infinity());
   halve({centers, scratch.view(), 0, count, unknown}, {split, pause, ends, centers.feature});
 }
 

@@ -1,6 +1,5 @@
 // The order of features in a block tree.
 #pragma once
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -27,8 +26,10 @@ struct Centers {
   }
 };
 
-/// By axis: centers reach no farther along it.
-using Reach = std::array<float, Centers::kMostAxes>;
+/// Centers reach no farther along each axis.
+struct Reach {
+  float along[Centers::kMostAxes];
+};
 struct PartsReach {
   Reach low, high;
 };

@@ -33,11 +33,11 @@ inline LongestAxis longest_axis(const Centers& centers, std::size_t count, Reach
   for (unsigned measured = 0;;) {
     int next = -1;
     for (int axis = 0; axis < centers.axes; ++axis)
-      if (!(measured >> axis & 1) && (next < 0 || reach[axis] > reach[next])) next = axis;
-    if (next < 0 || reach[next] <= most) return longest;
+      if (!(measured >> axis & 1) && (next < 0 || reach.along[axis] > reach.along[next])) next = axis;
+    if (next < 0 || reach.along[next] <= most) return longest;
     measured |= 1u << next;
     const Extent extent = extent_of(centers.at[next], count);
-    const float length = reach[next] = extent.high - extent.low;
+    const float length = reach.along[next] = extent.high - extent.low;
     if (length > most) {
       longest = {next, extent};
       most = length;
@@ -136,8 +136,8 @@ inline PartsReach split(const Centers& centers, const Centers& scratch, std::siz
   const Cut cut = cut_at_rank(along, count, lower, extent, scratch.at[0], scratch.at[1]);
   (centers.axes == 3 ? part_at<3> : part_at<6>)(cut, along, centers, scratch, count, lower);
   PartsReach parts{reach, reach};
-  parts.low[axis] = cut.at - extent.low;
-  parts.high[axis] = extent.high - cut.at;
+  parts.low.along[axis] = cut.at - extent.low;
+  parts.high.along[axis] = extent.high - cut.at;
   return parts;
 }
 

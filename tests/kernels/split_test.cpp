@@ -79,8 +79,9 @@ void expect_split(const Kernels& kernels, const Case& c, int axis, int axes, Coo
   for (const Items* items : {&before, &after, &scratch}) place(*items, c.count, axis, coordinate, rng = same);
   Reach reach;
   for (int k = 0; k < Centers::kMostAxes; ++k) {
-    reach[k] = std::numeric_limits<float>::infinity();
-    if (k < axes && rng() % 2) reach[k] = length_along(k, before.in_question, c.count) * (rng() % 2 ? 1.0f : 1.5f);
+    reach.along[k] = std::numeric_limits<float>::infinity();
+    if (k < axes && rng() % 2)
+      reach.along[k] = length_along(k, before.in_question, c.count) * (rng() % 2 ? 1.0f : 1.5f);
   }
   const auto parts = kernels.trees.split(after.in_question, scratch.in_question, c.count, c.lower, reach);
   std::vector<Index> features = features_in_order(before.in_question, c.count, c.lower, axis);
@@ -92,8 +93,8 @@ void expect_split(const Kernels& kernels, const Case& c, int axis, int axes, Coo
   expect_same_centers(before.all, after.all, end, end + kAfter, features.data());
   expect_same_centers(before.all, scratch.all, 0, kBefore, features.data());
   for (int k = 0; k < axes; ++k) {
-    ASSERT_LE(length_along(k, after.in_question, c.lower), parts.low[k]);
-    ASSERT_LE(length_along(k, scratch.in_question.from(c.lower), c.count - c.lower), parts.high[k]);
+    ASSERT_LE(length_along(k, after.in_question, c.lower), parts.low.along[k]);
+    ASSERT_LE(length_along(k, scratch.in_question.from(c.lower), c.count - c.lower), parts.high.along[k]);
   }
 }
 

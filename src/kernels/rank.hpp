@@ -110,7 +110,8 @@ inline Cut cut_at_rank(const float* numbers, std::size_t count, std::size_t rank
     const float pivot = pivot_near(numbers, count, rank, extent);
     std::size_t lows = part_numbers(
         numbers, count, [&](const auto& x) { return x < FloatLanes(pivot); }, low, high);
-    if (lows == 0) {  // the pivot is the least
+    if (lows == 0) {  // the pivot is the least, and all are copied
+      numbers = high;
       lows = part_numbers(
           numbers, count, [&](const auto& x) { return x <= FloatLanes(pivot); }, low, high);
       if (rank < lows) return {pivot, below};

@@ -3,6 +3,7 @@
 #pragma once
 #include "bvh/spatial_order.hpp"
 #include "kernels/rank.hpp"
+#include "numerics/assert.hpp"
 
 namespace tamis::TAMIS_ISA {
 
@@ -46,7 +47,7 @@ inline LongestAxis longest_axis(const Centers& centers, std::size_t count, Reach
 }
 
 /// Moves centers of so many axes apart, a batch after the other: the low ones forward where they are, the high ones to
-/// the same places of `scratch`, from `lower` on.
+/// `scratch`, from place `lower` on.
 template <int axes>
 class Partition {
  public:
@@ -63,6 +64,7 @@ class Partition {
     low_ += static_cast<std::size_t>(lows);
     high_ += static_cast<std::size_t>(lanes - lows);
   }
+  std::size_t lows() const { return low_; }
 
  private:
   /// What lies behind the last high one is not this partition's: no batch may reach beyond it.
@@ -127,6 +129,7 @@ void part_at(const Cut& cut, const float* along, const Centers& centers, const C
         low |= at_cut & -at_cut;
     parts.take(first, low, lanes);
   }
+  TAMIS_ASSERT(parts.lows() == lower);
 }
 
 inline PartsReach split(const Centers& centers, const Centers& scratch, std::size_t count, std::size_t lower,

@@ -15,7 +15,7 @@ namespace tamis {
 namespace {
 
 using Rng = std::mt19937_64;
-using Coordinate = float (*)(Rng&);
+using Coordinate = std::function<float(Rng&)>;
 
 float anywhere(Rng& rng) { return std::uniform_real_distribution<float>(-1, 1)(rng); }
 float on_a_grid(Rng& rng) { return static_cast<float>(rng() % 5) / 4 - 0.5f; }
@@ -40,13 +40,14 @@ struct Items {
 };
 
 /// With `axis` as the longest axis.
-void place(const Items& items, std::size_t count, int axis, Coordinate coordinate, Rng& rng) {
+void place(const Items& items, std::size_t count, int axis, const Coordinate& coordinate, Rng& rng) {
   for (std::size_t i = 0; i < items.store.features().size(); ++i) {
     for (int k = 0; k < items.all.axes; ++k) items.all.at[k][i] = coordinate(rng) * (k == axis ? 1.0f : 0.5f);
     items.all.feature[i] = static_cast<Index>(i);
   }
-  items.in_question.at[axis][rng() % count] = -1;
-  if (coordinate != in_one_place) items.in_question.at[axis][0] = 1;
+  const std::size_t longest = rng() % (count - 1);
+  items.in_question.at[axis][longest] = -1;
+  items.in_question.at[axis][longest + 1] = 1;
 }
 
 /// Features by their place along the axis, those in front first where they are equal; then each part in its order.
@@ -73,7 +74,7 @@ void expect_same_centers(const Centers& was, const Centers& is, std::size_t firs
   }
 }
 
-void expect_split(const Kernels& kernels, const Case& c, int axis, int axes, Coordinate coordinate, Rng& rng) {
+void expect_split(const Kernels& kernels, const Case& c, int axis, int axes, const Coordinate& coordinate, Rng& rng) {
   const Items before(c.count, axes), after(c.count, axes), scratch(c.count, axes);
   const Rng same = rng;
   for (const Items* items : {&before, &after, &scratch}) place(*items, c.count, axis, coordinate, rng = same);
@@ -98,24 +99,44 @@ void expect_split(const Kernels& kernels, const Case& c, int axis, int axes, Coo
   }
 }
 
+/// Nothing where this machine has no such instructions.
+const Kernels* kernels_here(Isa isa) {
+  try {
+    return &kernels(isa);
+  } catch (const InvalidOptions&) {
+    return nullptr;
+  }
+}
+
 class Splitting : public testing::TestWithParam<Isa> {};
 
 TEST_P(Splitting, TheLowerOnesComeFirstAndBothKeepTheirOrder) {
-  const Kernels* kernels = nullptr;
-  try {
-    kernels = &tamis::kernels(GetParam());
-  } catch (const InvalidOptions& error) {
-    GTEST_SKIP() << error.what();
-  }
+  const Kernels* kernels = kernels_here(GetParam());
+  if (!kernels) GTEST_SKIP() << "not on this machine";
   Rng rng(1);
   const Case cases[] = {{17, 16}, {31, 16},   {32, 16},   {33, 32},    {64, 32},     {65, 48},
                         {80, 48}, {257, 256}, {511, 256}, {1000, 512}, {4111, 2304}, {20000, 12288}};
   for (const Case& c : cases)
     for (const int axes : {3, 6})
       for (int axis = 0; axis < axes; ++axis)
-        for (const Coordinate coordinate : {anywhere, on_a_grid, ever_closer, mostly_equal})
-          for (int repeat = 0; repeat < 4; ++repeat) expect_split(*kernels, c, axis, axes, coordinate, rng);
-  for (const Case& c : cases) expect_split(*kernels, c, 0, 3, in_one_place, rng);
+        for (const Coordinate& coordinate : {Coordinate(anywhere), Coordinate(on_a_grid), Coordinate(ever_closer),
+                                             Coordinate(mostly_equal), Coordinate(in_one_place)})
+          expect_split(*kernels, c, axis, axes, coordinate, rng);
+}
+
+TEST_P(Splitting, AnyRankAmongNumbersOfWhichManyAreEqual) {
+  const Kernels* kernels = kernels_here(GetParam());
+  if (!kernels) GTEST_SKIP() << "not on this machine";
+  Rng rng(2);
+  for (int repeat = 0; repeat < 2000; ++repeat) {
+    const std::size_t count = 2 + rng() % 3000, lower = 1 + rng() % (count - 1), places = 1 + rng() % 100;
+    const auto on_places = [&](Rng& r) {  // more in the first ones
+      const double u = std::uniform_real_distribution<double>(0, 1)(r);
+      return static_cast<float>(std::floor(u * u * u * static_cast<double>(places)) / static_cast<double>(places)) -
+             0.5f;
+    };
+    ASSERT_NO_FATAL_FAILURE(expect_split(*kernels, {count, lower}, 0, 3, on_places, rng)) << count << ' ' << lower;
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Isas, Splitting, testing::Values(Isa::baseline, Isa::avx2, Isa::avx512));

@@ -73,10 +73,11 @@ inline Cut cut_few(const float* numbers, std::size_t count, std::size_t rank, Ex
 
 /// One of the numbers, of which `wanted` of `count` are likely to be on the nearer side, with few others.
 inline float pivot_near(const float* numbers, std::size_t count, std::size_t wanted, Extent extent) {
-  constexpr std::uint32_t kSample = 32, kBeyond = 2,
-                          kGoldenRatio = 0x9e3779b9;  // numbers of a grid repeat at equal steps
+  constexpr std::uint32_t kSample = 32, kBeyond = 2;
+  constexpr std::uint32_t kGoldenRatio = 0x9e3779b9;  // of 2^32; at equal steps a grid's numbers repeat
   float sample[kSample];
-  for (std::uint32_t i = 0; i < kSample; ++i) sample[i] = numbers[std::uint64_t{i * kGoldenRatio} * count >> 32];
+  for (std::uint32_t i = 0, place = 0; i < kSample; ++i, place += kGoldenRatio)
+    sample[i] = numbers[std::uint64_t{place} * count >> 32];
   const std::size_t rank = wanted * kSample / count;
   return cut_few(sample, kSample, rank <= kSample / 2 ? rank + kBeyond : rank - kBeyond, extent).at;
 }

@@ -6,7 +6,8 @@ that grew by more than 5%. Counts are the same on every machine and instruction 
     bench/matrix/guard.py build/dev/bin/tamis_matrix              the quick part, as the tests do
     bench/matrix/guard.py build/dev/bin/tamis_matrix --update     writes the counts of the quick part
 
-Cells of recorded scenes are skipped, and counted, where the data is absent; --update keeps what stands there for them.
+Cells of recorded scenes are skipped, and counted, where the data is absent; --update keeps what stands there for them,
+and drops cells that the quick part no longer has.
 """
 import argparse
 import csv
@@ -44,6 +45,16 @@ def write(cells):
         writer.writerows({"cell": cell, **counts} for cell, counts in sorted(cells.items()))
 
 
+def scene_of(cell):
+    return cell.partition("/")[0]
+
+
+def left_out(old, new):
+    """Committed cells that the quick part has no more, though their scenes are here."""
+    here = {scene_of(cell) for cell in new}
+    return {cell for cell in old.keys() - new.keys() if scene_of(cell) in here}
+
+
 def changes(old, new):
     """Yields cell, name of the count, committed, counted: of those that left 5% on either side."""
     for cell in sorted(old.keys() & new.keys()):
@@ -57,13 +68,16 @@ def check(old, new):
     uncommitted = sorted(new.keys() - old.keys())
     for cell in uncommitted:
         print(f"{cell}: no committed counts")
+    stale = left_out(old, new)
+    for cell in sorted(stale):
+        print(f"{cell}: counts of a cell that is not asked")
     grown = 0
     for cell, name, before, now in changes(old, new):
         grown += now > before
         print(f"{cell}: {name} {'grew' if now > before else 'fell'} from {before} to {now}")
     print(f"{len(new)} cells, {grown} counts grew by more than 5%; "
-          f"{len(old.keys() - new.keys())} committed cells skipped: their recorded scenes are not here")
-    if grown or uncommitted:
+          f"{len(old.keys() - new.keys() - stale)} committed cells skipped: their recorded scenes are not here")
+    if grown or uncommitted or stale:
         raise SystemExit("guard: is the cost meant? Then run this with --update and say why in the commit")
 
 
@@ -76,7 +90,8 @@ def main():
     if not new:
         sys.exit("guard: the driver asked no cell")
     if asked.update:
-        write((committed() if COMMITTED.exists() else {}) | new)
+        old = committed() if COMMITTED.exists() else {}
+        write({cell: counts for cell, counts in old.items() if cell not in left_out(old, new)} | new)
     else:
         check(committed(), new)
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "numerics/assert.hpp"
@@ -11,14 +12,18 @@ namespace {
 
 class RootIsolation {
  public:
-  explicit RootIsolation(const IntegerPolynomial& p) : polynomial_(p) {}
+  RootIsolation(const IntegerPolynomial& p, const DyadicCell& within)
+      : polynomial_(p), within_(within), local_(p.on(within)) {}
 
   std::vector<AlgebraicTime> run() {
-    add_if_root({0, 0});
+    add_if_root(within_);
     // Bisection ends only if all roots are simple; one sign variation means one simple root already.
-    if (polynomial_.sign_variations() > 1) polynomial_ = polynomial_.squarefree_part();
+    if (local_.sign_variations() > 1) {
+      polynomial_ = polynomial_.squarefree_part();
+      local_ = polynomial_.on(within_);
+    }
     isolate();
-    add_if_root({1, 0});
+    add_if_root({within_.n + 1, within_.k});
     return std::move(roots_);
   }
 
@@ -42,7 +47,7 @@ class RootIsolation {
   /// From left to right. What is left to look at is a list, for exponents make cells thousands of halvings deep.
   void isolate() {
     std::vector<Part> parts;
-    parts.emplace_back(DyadicCell{0, 0}, polynomial_, 0, 4, false);
+    parts.emplace_back(within_, local_, 0, 4, false);
     while (!parts.empty()) {
       const Part part = std::move(parts.back());
       parts.pop_back();
@@ -91,14 +96,23 @@ class RootIsolation {
   }
 
   IntegerPolynomial polynomial_;
+  const DyadicCell within_;
+  IntegerPolynomial local_;  ///< with that cell mapped to [0,1]
   std::vector<AlgebraicTime> roots_;
 };
 
+/// From 0 to the power of two next above.
+DyadicCell cell_until(double latest) {
+  int exponent = 0;
+  std::frexp(std::max(latest, std::numeric_limits<double>::denorm_min()), &exponent);
+  return {0, static_cast<unsigned long>(std::max(-exponent, 0))};
+}
+
 }  // namespace
 
-std::vector<AlgebraicTime> roots_in_unit_interval(const IntegerPolynomial& p) {
-  TAMIS_ASSERT(!p.is_zero());
-  return RootIsolation(p).run();
+std::vector<AlgebraicTime> roots_in_unit_interval(const IntegerPolynomial& p, double latest) {
+  TAMIS_ASSERT(!p.is_zero() && 0 <= latest && latest <= 1);
+  return RootIsolation(p, cell_until(latest)).run();
 }
 
 }  // namespace tamis

@@ -7,7 +7,8 @@
 
 namespace tamis {
 
-/// Distinct, ascending, both ends of the interval included. REQUIRES: `p` is not zero.
-std::vector<AlgebraicTime> roots_in_unit_interval(const IntegerPolynomial& p);
+/// Distinct, ascending, both ends of the interval included. Those after `latest` may be left out, and are where it is
+/// much less than 1. REQUIRES: `p` is not zero; 0 <= latest <= 1.
+std::vector<AlgebraicTime> roots_in_unit_interval(const IntegerPolynomial& p, double latest = 1);
 
 }  // namespace tamis

@@ -23,13 +23,26 @@ IntegerPolynomial linear(const Integer& b, const Integer& a) {
   return IntegerPolynomial::from_bernstein<2>({-b, a - b});
 }
 
-void expect_brackets(const IntegerPolynomial& p, const std::vector<std::pair<double, double>>& expected) {
-  auto roots = roots_in_unit_interval(p);
-  ASSERT_EQ(roots.size(), expected.size());
+using Brackets = std::vector<std::pair<double, double>>;
+
+/// Those until `latest` at least, and no others.
+void expect_brackets_until(double latest, const IntegerPolynomial& p, const Brackets& expected) {
+  auto roots = roots_in_unit_interval(p, latest);
+  ASSERT_LE(roots.size(), expected.size());
   for (std::size_t i = 0; i < roots.size(); ++i) {
-    EXPECT_EQ(roots[i].bracket().lower, expected[i].first);
-    EXPECT_EQ(roots[i].bracket().upper, expected[i].second);
+    EXPECT_EQ(roots[i].bracket().lower, expected[i].first) << "until " << latest;
+    EXPECT_EQ(roots[i].bracket().upper, expected[i].second) << "until " << latest;
   }
+  if (roots.size() < expected.size()) {
+    EXPECT_GT(expected[roots.size()].second, latest);
+  }
+}
+
+void expect_brackets(const IntegerPolynomial& p, const Brackets& expected) {
+  EXPECT_EQ(roots_in_unit_interval(p).size(), expected.size());
+  for (const double latest : {0.0, 0x1p-1074, 0.3, 0.5, 0.6, 1.0}) expect_brackets_until(latest, p, expected);
+  for (const auto& [lower, upper] : expected)
+    for (const double latest : {lower, upper}) expect_brackets_until(latest, p, expected);
 }
 
 // Catches an end or a halving point that is reported twice, or by neither of its halves.

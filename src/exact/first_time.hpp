@@ -1,7 +1,6 @@
 // The times at which a pair touches that are roots of the polynomials of an exact decision: the first of them, or the
 // first after the pair has come apart.
 #pragma once
-#include <algorithm>
 #include <vector>
 
 #include "exact/exact.hpp"
@@ -17,7 +16,7 @@ class FirstTime {
   template <class Condition>
   void add_roots(const IntegerPolynomial& p, const Condition& holds) {
     TAMIS_ASSERT(!p.is_zero());
-    for (AlgebraicTime& time : roots_in_unit_interval(p, first_.touches ? std::min(first_.toi_upper, 1.0) : 1))
+    for (AlgebraicTime& time : roots_in_unit_interval(p, first_.touches ? first_.toi_upper : 1))
       if (holds(time)) return add(time.bracket());
   }
 

@@ -37,9 +37,10 @@ inline void store_compressed(unsigned mask, const xsimd::batch<T, Arch>& lanes, 
 #endif
 }
 
-/// The same, and nothing is written behind them. `count`: how many they are.
+/// The same, and nothing is written behind them.
 template <class T>
-inline void store_compressed_only(unsigned mask, int count, const xsimd::batch<T, Arch>& lanes, T* to) {
+inline void store_compressed_only(unsigned mask, const xsimd::batch<T, Arch>& lanes, T* to) {
+  const int count = count_bits(mask);
 #if XSIMD_WITH_AVX512F
   const __m512i raw = _mm512_maskz_compress_epi32(static_cast<__mmask16>(mask), xsimd::bitwise_cast<IntLanes>(lanes));
   _mm512_mask_storeu_epi32(to, static_cast<__mmask16>((1u << count) - 1), raw);

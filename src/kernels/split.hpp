@@ -60,7 +60,7 @@ class Partition {
     if (lanes < kFloatLanes)
       put_singly(first, low, lanes);
     else
-      put(first, low, kFloatLanes - lows);
+      put(first, low);
     low_ += static_cast<std::size_t>(lows);
     high_ += static_cast<std::size_t>(lanes - lows);
   }
@@ -68,7 +68,7 @@ class Partition {
 
  private:
   /// What lies behind the last high one is not this partition's: no batch may reach beyond it.
-  void put(std::size_t first, unsigned low, int highs) const {
+  void put(std::size_t first, unsigned low) const {
     constexpr unsigned kAll = (1u << kFloatLanes) - 1;
     const auto feature = IntLanes::load_unaligned(centers_.feature + first);
     if (high_ + kFloatLanes <= count_) {
@@ -81,10 +81,10 @@ class Partition {
       for (int axis = 0; axis < axes; ++axis) {
         const auto at = FloatLanes::load_unaligned(centers_.at[axis] + first);
         store_compressed(low, at, centers_.at[axis] + low_);
-        store_compressed_only(~low & kAll, highs, at, scratch_.at[axis] + high_);
+        store_compressed_only(~low & kAll, at, scratch_.at[axis] + high_);
       }
       store_compressed(low, feature, centers_.feature + low_);
-      store_compressed_only(~low & kAll, highs, feature, scratch_.feature + high_);
+      store_compressed_only(~low & kAll, feature, scratch_.feature + high_);
     }
   }
 

@@ -8,8 +8,7 @@
 #include <random>
 #include <vector>
 
-#include "kernels/kernels.hpp"
-#include "tamis/error.hpp"
+#include "support/kernels_here.hpp"
 
 namespace tamis {
 namespace {
@@ -99,19 +98,10 @@ void expect_split(const Kernels& kernels, const Case& c, int axis, int axes, con
   }
 }
 
-/// Nothing where this machine has no such instructions.
-const Kernels* kernels_here(Isa isa) {
-  try {
-    return &kernels(isa);
-  } catch (const InvalidOptions&) {
-    return nullptr;
-  }
-}
-
 class Splitting : public testing::TestWithParam<Isa> {};
 
 TEST_P(Splitting, TheLowerOnesComeFirstAndBothKeepTheirOrder) {
-  const Kernels* kernels = kernels_here(GetParam());
+  const Kernels* kernels = test::kernels_here(GetParam());
   if (!kernels) GTEST_SKIP() << "not on this machine";
   Rng rng(1);
   const Case cases[] = {{17, 16}, {31, 16},   {32, 16},   {33, 32},    {64, 32},     {65, 48},
@@ -125,7 +115,7 @@ TEST_P(Splitting, TheLowerOnesComeFirstAndBothKeepTheirOrder) {
 }
 
 TEST_P(Splitting, AnyRankAmongNumbersOfWhichManyAreEqual) {
-  const Kernels* kernels = kernels_here(GetParam());
+  const Kernels* kernels = test::kernels_here(GetParam());
   if (!kernels) GTEST_SKIP() << "not on this machine";
   Rng rng(2);
   for (int repeat = 0; repeat < 2000; ++repeat) {

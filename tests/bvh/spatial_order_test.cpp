@@ -49,8 +49,11 @@ TEST(SpatialOrder, EveryFeatureComesOnceInItsGroupOnEveryInstructionSet) {
   for (int repeat = 0; repeat < 300; ++repeat) {
     const Case c = random_case(rng);
     const std::vector<Index> order = ordered(c, kernels(Isa::baseline), rng);
-    for (const Isa isa : {Isa::avx2, Isa::avx512})
-      if (const Kernels* here = test::kernels_here(isa)) ASSERT_EQ(ordered(c, *here, rng), order) << c.count;
+    for (const Isa isa : {Isa::avx2, Isa::avx512}) {
+      const Kernels* here = test::kernels_here(isa);
+      if (!here) continue;
+      ASSERT_EQ(ordered(c, *here, rng), order) << c.count;
+    }
     std::vector<std::size_t> ends = c.ends;
     ends.push_back(c.count);
     std::size_t begin = 0;

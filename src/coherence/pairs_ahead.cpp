@@ -51,8 +51,7 @@ Step PairsAhead::sample_of(const Step& step) {
 }
 
 bool PairsAhead::begin(const Query& query) {
-  const Separations& separations = query.separations;
-  if (!are_listed_ || separations.fixed > separation_ || !separations.radii.empty()) return false;
+  if (!are_listed_ || query.is_piece || query.separations.fixed > separation_) return false;
   if (!follows_prediction(query.step) || when_.t_in > until_) return false;
   // A first contact may lie within what is listed; all contacts do not.
   if (query.question == Question::all_contacts && !covers(when_.t_out)) return false;
@@ -69,9 +68,8 @@ bool PairsAhead::leaves_undecided(const ContactCollector& answer) const {
 }
 
 bool PairsAhead::plan(const Query& query) {
+  if (query.is_piece) return false;
   const Step& step = query.step;
-  const Separations& separations = query.separations;
-  if (!separations.radii.empty()) return false;
   if (are_listed_) learn();
   forget();
   const Step sample = sample_of(step);
@@ -92,7 +90,7 @@ bool PairsAhead::plan(const Query& query) {
   }
   queries_served_ = 0;
   predicted_.make(step, mesh_.points(), steps_listed_);
-  separation_ = separations.fixed;
+  separation_ = query.separations.fixed;
   return follows_prediction(step);
 }
 

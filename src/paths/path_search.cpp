@@ -144,7 +144,8 @@ void PathSearch::find(const MeshOnPath& asked, Question question, std::vector<Co
     read_deviations(path, from.time, to.time);
     check_chords(path, from, to);
     set_radii(asked.separations, from, to);
-    const Query chords{{from.points, to.points}, {reach, radii_}, options_.filter, rings_, options_.is_cancelled};
+    Query chords{{from.points, to.points}, {reach, radii_}, options_.filter, rings_, options_.is_cancelled};
+    chords.is_piece = true;
     bound_.begin();
     found_.begin(chords, bound_);
     engine_.find(chords, found_, statistics);

@@ -27,6 +27,8 @@ struct Query {
   /// Contacts have the bits of decide(), which depend on nothing but the pair; else their last digits may also depend
   /// on what else is in the mesh. (With a separation lanes have these bits always.)
   bool is_by_pair = false;
+  /// A chord of a path: the next one deviates otherwise from its curve, and so has other radii.
+  bool is_piece = false;
 
   /// By which a pair is decided.
   PairOptions rule_for(PairKind kind, const std::array<Index, 4>& vertices) const {

@@ -25,13 +25,14 @@ inline void search_block(SearchKernel kernel, Search& search, int block) {
   kernel(search, block);
 }
 
-/// Keeps the pairs of a buffer for which is_wanted(i). Nothing here waits for a branch. REQUIRES: no more than it
-/// holds.
+/// Keeps the pairs of a buffer for which is_wanted(i). Behind the first that is not, nothing waits for a branch.
+/// REQUIRES: no more than it holds.
 template <class F>
 void keep_wanted(PairBuffer& pairs, const F& is_wanted) {
   TAMIS_ASSERT(0 <= pairs.count && pairs.count <= PairBuffer::kCapacity);
   int kept = 0;
-  for (int i = 0; i < pairs.count; ++i) {
+  while (kept < pairs.count && is_wanted(kept)) ++kept;  // often all of them
+  for (int i = kept + 1; i < pairs.count; ++i) {
     const bool is_kept = is_wanted(i);
     for (auto& corner : pairs.corner) corner[kept] = corner[i];
     pairs.t_in[kept] = pairs.t_in[i];

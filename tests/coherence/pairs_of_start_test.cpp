@@ -35,14 +35,6 @@ struct Iterations {
   }
 };
 
-/// Three groups of vertices, two of them with a radius.
-void give_radii(Options& options, Index vertex_count) {
-  options.filter.group_count = 3;
-  for (Index v = 0; v < vertex_count; ++v) options.filter.group_of_vertex.push_back(v % 3);
-  options.filter.groups_may_touch.assign(9, true);
-  options.radii = {0, 0x1p-6, 0x1p-5};
-}
-
 class PairsOfStart : public testing::TestWithParam<Recipe> {};
 
 void expect_as_of_every_pair(const Scene& scene, const Detector& kept, const TruncatedStep& step, const Step& asked,

@@ -28,6 +28,14 @@ inline std::vector<Point> between(const std::vector<Point>& a, const std::vector
   return points;
 }
 
+/// Three groups of vertices, two of them with a radius.
+inline void give_radii(Options& options, Index vertex_count) {
+  options.filter.group_count = 3;
+  for (Index v = 0; v < vertex_count; ++v) options.filter.group_of_vertex.push_back(v % 3);
+  options.filter.groups_may_touch.assign(9, true);
+  options.radii = {0, 0x1p-6, 0x1p-5};
+}
+
 /// What lies near, and what passes through what, as rows.
 inline std::vector<std::array<double, 8>> at_rest(Detector& detector, const Step& step) {
   std::vector<std::array<double, 8>> rows;

@@ -32,7 +32,7 @@ void add_trees(Workload& work) {
   });
   add(work, "order_and_build", [&work](State& state) {
     for (auto _ : state)
-      for (BlockTree* tree : work.trees()) tree->build(work.motion(), 3, work.kernels().trees);
+      for (BlockTree* tree : work.trees()) tree->build(work.motion(), {}, work.kernels().trees);
   });
   add(work, "refit", [&work](State& state) {
     for (auto _ : state)

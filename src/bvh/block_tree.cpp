@@ -42,7 +42,7 @@ void BlockTree::set_groups(std::span<const Index> group_of_vertex, std::span<con
   for (std::size_t group = 0; group < is_apart_.size(); ++group) is_apart_[group] = !may_touch[group * count + group];
 }
 
-void BlockTree::build(const PackedMotion& motion, int axes, const TreeKernels& kernels, const Pause& pause) {
+void BlockTree::build(const PackedMotion& motion, const OrderAxes& by, const TreeKernels& kernels, const Pause& pause) {
   is_built_ = false;
   levels_.clear();
   residuals_.clear();
@@ -51,7 +51,7 @@ void BlockTree::build(const PackedMotion& motion, int axes, const TreeKernels& k
     if (blocks <= 1 && levels_.size() > 1) break;
   }
   corner_blocks_ = RawArray<CornerBlock>(levels_[0].size());
-  choose_order(motion, axes, kernels.split, pause);
+  choose_order(motion, by, kernels.split, pause);
   if (groups_.may_touch) group_blocks();
   is_built_ = true;
   refit(motion, kernels);
@@ -84,9 +84,9 @@ GroupOrder BlockTree::order_groups(const PackedMotion& motion, Split split) cons
   return tamis::order_groups(features, is_apart_, split);
 }
 
-void BlockTree::choose_order(const PackedMotion& motion, int axes, Split split, const Pause& pause) {
+void BlockTree::choose_order(const PackedMotion& motion, const OrderAxes& by, Split split, const Pause& pause) {
   const auto n = static_cast<std::size_t>(feature_count()), corners = static_cast<std::size_t>(corners_);
-  CenterStore store(n, axes);
+  CenterStore store(n, by.axes);
   const Centers centers = store.view();
   const GroupOrder groups = parts_groups() ? order_groups(motion, split) : GroupOrder();
   parallel_blocks(blocks_for(n), [&](std::size_t block) {
@@ -98,8 +98,8 @@ void BlockTree::choose_order(const PackedMotion& motion, int axes, Split split, 
         for (int k = 0; k < 6; ++k) sum[k] += at[k];
       }
       for (int axis = 0; axis < 3; ++axis)
-        centers.at[axis][i] = (sum[3 + axis] + sum[axis]) / static_cast<float>(2 * corners_);
-      for (int axis = 0; axis < axes - 3; ++axis)
+        centers.at[axis][i] = (sum[axis] + by.time * (sum[3 + axis] - sum[axis])) / static_cast<float>(corners_);
+      for (int axis = 0; axis < by.axes - 3; ++axis)
         centers.at[3 + axis][i] = (sum[3 + axis] - sum[axis]) / static_cast<float>(2 * corners_);
       centers.feature[i] = feature;
     }
@@ -164,18 +164,24 @@ TreeView BlockTree::view() const {
   return view;
 }
 
-double BlockTree::swept_area() const {
-  double area = 0;
+BlockTree::Areas BlockTree::areas() const {
+  Areas sum;
   for (std::size_t block = 0; block < corner_blocks_.size(); ++block) {
     const BoxBlock& hulls = levels_[1][block / kBlock];
     const std::size_t lane = block % kBlock;
-    float size[3];
-    for (int axis = 0; axis < 3; ++axis)
-      size[axis] = std::max(hulls.high0[axis][lane], hulls.high1[axis][lane]) -
-                   std::min(hulls.low0[axis][lane], hulls.low1[axis][lane]);
-    area += static_cast<double>(size[0] * size[1] + size[1] * size[2] + size[2] * size[0]);
+    float size[3], swept[3];
+    for (int axis = 0; axis < 3; ++axis) {
+      const float low = hulls.low0[axis][lane], high = hulls.high0[axis][lane];
+      size[axis] = high - low;
+      swept[axis] = std::max(high, hulls.high1[axis][lane]) - std::min(low, hulls.low1[axis][lane]);
+    }
+    const auto half_area = [](const float(&box)[3]) {
+      return static_cast<double>(box[0] * box[1] + box[1] * box[2] + box[2] * box[0]);
+    };
+    sum.at_start += half_area(size);
+    sum.swept += half_area(swept);
   }
-  return area;
+  return sum;
 }
 
 std::uint64_t BlockTree::memory_bytes() const {

@@ -10,7 +10,7 @@
 #include "bounds/moving_boxes.hpp"
 #include "bounds/packed_motion.hpp"
 #include "bvh/group_order.hpp"
-#include "bvh/spatial_order.hpp"
+#include "bvh/order_axes.hpp"
 #include "numerics/raw_array.hpp"
 #include "tamis/mesh.hpp"
 
@@ -69,10 +69,9 @@ class BlockTree {
   /// Of the features' first vertices, as PairFilter has them; both empty, or spans that outlive the tree.
   void set_groups(std::span<const Index> group_of_vertex, std::span<const std::uint8_t> may_touch, Index group_count);
 
-  /// Chooses the order, by as many axes (order_axes.hpp), then refits. What `pause` throws leaves a tree that can only
-  /// be built.
+  /// Chooses the order, by these axes, then refits. What `pause` throws leaves a tree that can only be built.
   void build(
-      const PackedMotion& motion, int axes, const TreeKernels& kernels, const Pause& pause = [] {});
+      const PackedMotion& motion, const OrderAxes& by, const TreeKernels& kernels, const Pause& pause = [] {});
   bool is_built() const { return is_built_; }
   /// New boxes in the old order. REQUIRES: is_built(); REQUIRES (not checked: O(n)): positions of all vertices.
   void refit(const PackedMotion& motion, const TreeKernels& kernels);
@@ -81,8 +80,12 @@ class BlockTree {
 
   Index feature_count() const { return static_cast<Index>(vertices_.size() / static_cast<std::size_t>(corners_)); }
   TreeView view() const;
-  /// Sum over the leaf blocks of the half area of their swept hulls: what a traversal's cost grows with.
-  double swept_area() const;
+  /// Sums over the leaf blocks of the half area of their hulls, in the frame of the boxes: what a traversal's cost
+  /// grows with.
+  struct Areas {
+    double at_start = 0, swept = 0;
+  };
+  Areas areas() const;
   std::uint64_t memory_bytes() const;
 
  private:
@@ -94,7 +97,7 @@ class BlockTree {
     return vertices_[static_cast<std::size_t>(feature) * static_cast<std::size_t>(corners_) + corner];
   }
   GroupOrder order_groups(const PackedMotion& motion, Split split) const;
-  void choose_order(const PackedMotion& motion, int axes, Split split, const Pause& pause);
+  void choose_order(const PackedMotion& motion, const OrderAxes& by, Split split, const Pause& pause);
   void group_blocks();
   using Levels = std::vector<RawArray<BoxBlock>>;
 

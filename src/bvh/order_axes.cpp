@@ -29,7 +29,7 @@ double half_area(const std::array<CoordinateRange, 3>& box) {
 
 }  // namespace
 
-int order_axes(const PackedMotion& motion, std::span<const Index> points, Split split) {
+OrderAxes axes_of_step(const PackedMotion& motion, std::span<const Index> points, Split split) {
   const std::size_t count = points.size() / kBlock;
   CenterStore store(count, 3);
   const Centers centers = store.view();
@@ -52,7 +52,7 @@ int order_axes(const PackedMotion& motion, std::span<const Index> points, Split 
     apart += half_area(where);
     apart_by_motion += half_area(how_far);
   }
-  return apart_by_motion > kPartingWays * kPartingWays * apart ? 6 : 3;
+  return {.axes = apart_by_motion > kPartingWays * kPartingWays * apart ? 6 : 3};
 }
 
 }  // namespace tamis

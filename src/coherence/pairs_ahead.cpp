@@ -17,6 +17,8 @@ constexpr double kLeastSlackInEdges = 0x1p-12, kMostSlackInEdges = 0x1p-4;
 constexpr double kMostDeviationInEdges = kMostSlackInEdges / (kFewestSteps * kFewestSteps);
 /// Lists that serve fewer queries cost more than they save: none are made for a while, each time twice as long.
 constexpr int kQueriesWorthLists = 2, kQueriesWorthListsOfOneStep = 1;
+/// A step that is not free is found to be so by a fraction of what lists cost, and often no later one is free.
+constexpr int kFreeWorthLists = 2;
 constexpr int kFirstPauseInQueries = 2, kLongestPauseInQueries = 64;
 
 /// Rounding of a time of the predicted step to float.
@@ -110,7 +112,7 @@ bool PairsAhead::plan_again(Question question, double length) {
 
 /// Of steps that go on as the last one did.
 bool PairsAhead::plan_steps(Question question, const Forecast::Fit& fit) {
-  if (question == Question::is_free && !no_contact_before_) return false;
+  if (question == Question::is_free && free_in_row_ < kFreeWorthLists) return false;
   steps_listed_ = steps_to_foresee(fit.deviation);
   slack_ = std::max(kLeastSlackInEdges * edge_, steps_listed_ * steps_listed_ * fit.deviation);
   until_ = 1;
@@ -118,10 +120,12 @@ bool PairsAhead::plan_steps(Question question, const Forecast::Fit& fit) {
 }
 
 void PairsAhead::end(const ContactCollector& answer) {
+  if (answer.query().is_piece) return;
   const Question question = answer.query().question;
   no_contact_before_ = answer.bound().latest();
   if (question == Question::all_contacts) no_contact_before_ = std::min(*no_contact_before_, answer.touched_by());
   if (question == Question::is_free && !answer.contacts().empty()) no_contact_before_.reset();
+  free_in_row_ = no_contact_before_ && *no_contact_before_ >= 1 ? free_in_row_ + 1 : 0;
 }
 
 bool PairsAhead::follows_prediction(const Step& step) {

@@ -67,6 +67,7 @@ class PairsAhead {
   bool starts_again_ = false;                    ///< the query that planned them started as the one before it did
   float until_ = 1;                              ///< when the lists end
   std::optional<double> no_contact_before_ = 1;  ///< of the last query's step; 1: none at all; nothing: not known
+  int free_in_row_ = 0;                          ///< the last queries: no contact at all
   double steps_;                                 ///< to look ahead
   double steps_listed_ = 0;
   int queries_served_ = 0;  ///< by these lists

@@ -37,12 +37,12 @@ class CandidateSearch {
   /// whether they should, and make() makes them, or gives up. True: the lists are to be asked, with the vertices of
   /// this step if has_pairs(); false: the trees must be searched.
   template <class Plan, class Make, class HasPairs>
-  bool prepare(const Query& query, bool is_listed, const Plan& plan, const Make& make, const HasPairs& has_pairs,
-               Statistics& statistics) {
+  bool prepare(const Query& query, LooksAt looks_at, bool is_listed, const Plan& plan, const Make& make,
+               const HasPairs& has_pairs, Statistics& statistics) {
     FeatureTrees& trees = workspace_.trees;
     if (!is_listed) {
       // Refit to the query even if lists follow: the decision to rebuild must not see the step that they are for.
-      trees.refit_or_rebuild(query.step, query.separations, statistics);
+      trees.refit_or_rebuild(query.step, query.separations, looks_at, statistics);
       if (!plan()) return false;
       const Stopwatch watch;
       is_listed = make();

@@ -22,14 +22,15 @@ Samples samples_for(const Query& query, int parts) {
 
 void ContactSearch::find(const Query& query, ContactCollector& answer, Statistics& statistics) {
   FeatureTrees& trees = workspace_.trees;
+  const LooksAt looks_at = query.question == Question::earliest ? LooksAt::start : LooksAt::whole_step;
   const bool is_listed = candidates_.prepare(
-      query, ahead_.begin(query), [&] { return ahead_.plan(query); }, [&] { return list_ahead(query, statistics); },
-      [&] { return ahead_.has_pairs(); }, statistics);
+      query, looks_at, ahead_.begin(query), [&] { return ahead_.plan(query); },
+      [&] { return list_ahead(query, statistics); }, [&] { return ahead_.has_pairs(); }, statistics);
   const Stopwatch watch;
   streams_.begin(answer);
   if (is_listed) search_lists(answer);
   const bool is_undecided = !is_listed || ahead_.leaves_undecided(answer);
-  if (is_listed && is_undecided) trees.refit_or_rebuild(query.step, query.separations, statistics);
+  if (is_listed && is_undecided) trees.refit_or_rebuild(query.step, query.separations, looks_at, statistics);
   if (is_undecided) search_trees(answer);
   ahead_.end(answer);
   using Counts = SearchCounts;

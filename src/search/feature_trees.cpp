@@ -15,14 +15,17 @@ namespace {
 constexpr double kPoorArea = 1.5;
 /// An order by how far features go is asked about again when they sweep over less than this part of what they did then.
 constexpr double kShorterSteps = 1.0 / 64;
+/// Steps are long where leaf blocks sweep over so many times their own area. So many questions that look at the start
+/// come one after the other before they get an order of their own.
+constexpr double kFarAreas = 4;
+constexpr int kStartInRow = 8;
 
 }  // namespace
 
 FeatureTrees::FeatureTrees(const Mesh& mesh, const Options& options, const Kernels& kernels)
     : mesh_(mesh), options_(options), kernels_(kernels), loose_(mesh) {
   const PairFilter& filter = options.filter;
-  for (BlockTree* tree : {&points_, &edges_, &faces_, &loose_points_, &loose_edges_})
-    tree->set_groups(filter.group_of_vertex, filter.groups_may_touch, filter.group_count);
+  for (BlockTree* tree : trees()) tree->set_groups(filter.group_of_vertex, filter.groups_may_touch, filter.group_count);
   points_.set_features(mesh.points());
   edges_.set_features(mesh.edges());
   faces_.set_features(mesh.faces());
@@ -31,11 +34,14 @@ FeatureTrees::FeatureTrees(const Mesh& mesh, const Options& options, const Kerne
   loose_edges_.set_features(std::span<const Edge>(loose_.edges));
 }
 
-void FeatureTrees::refit_or_rebuild(const Step& step, const Separations& separations, Statistics& statistics) {
+void FeatureTrees::refit_or_rebuild(const Step& step, const Separations& separations, LooksAt looks_at,
+                                    Statistics& statistics) {
   Stopwatch watch;
   assign(step, separations);
   statistics.seconds.bounds += watch.lap();
-  if (!are_of_motion_) update_trees(statistics);
+  start_in_row_ = looks_at == LooksAt::start ? start_in_row_ + 1 : 0;
+  const bool is_order_of_start = axes_.time == kAxesOfStart.time;
+  if (!are_of_motion_ || is_order_of_start != (looks_at == LooksAt::start)) update_trees(looks_at, statistics);
   statistics.seconds.build += watch.lap();
 }
 
@@ -62,7 +68,7 @@ void FeatureTrees::refit_for(const Step& step, const Separations& separations) {
 }
 
 void FeatureTrees::refit_trees() {
-  for (BlockTree* tree : {&points_, &edges_, &faces_, &loose_points_, &loose_edges_}) {
+  for (BlockTree* tree : trees()) {
     stop_if_cancelled(options_);
     tree->refit(motion_, kernels_.trees);
   }
@@ -76,40 +82,51 @@ void FeatureTrees::load_vertices(const Step& step, const Separations& separation
   statistics.seconds.bounds += watch.seconds();
 }
 
-void FeatureTrees::update_trees(Statistics& statistics) {
-  BlockTree* const trees[] = {&points_, &edges_, &faces_, &loose_points_, &loose_edges_};
-  const auto area = [&] {
-    double sum = 0;
-    for (const BlockTree* tree : trees)
-      if (tree->feature_count() > 0) sum += tree->swept_area();
-    return sum;
-  };
-  const double scale = motion_.frame.scale;
-  const auto best_axes = [&] { return order_axes(motion_, mesh_.points(), kernels_.trees.split); };
-  if (built_area_ > 0) {
-    refit_trees();
-    const double now = area();
-    // The next step may go nowhere near as far, and sweep over little in whatever order: in its own frame, as a step
-    // that goes far has a large one.
-    const double part = now / built_area_ * (built_scale_ / scale) * (built_scale_ / scale);
-    const bool is_of_longer_steps = axes_ != 3 && part < kShorterSteps && best_axes() == 3;
-    if (now <= kPoorArea * built_area_ && !is_of_longer_steps) return;
+void FeatureTrees::update_trees(LooksAt looks_at, Statistics& statistics) {
+  if (built_areas_) {
+    if (!are_of_motion_) refit_trees();
+    if (is_order_good(looks_at)) return;
   }
-  built_area_ = 0;  // until all are built
+  built_areas_.reset();  // until all are built
   are_of_motion_ = false;
-  axes_ = best_axes();
-  for (BlockTree* tree : trees) tree->build(motion_, axes_, kernels_.trees, [&] { stop_if_cancelled(options_); });
-  // Areas are of the box frame, which holds the scene whatever its size; a scene without area is rebuilt each time.
-  built_area_ = area();
-  built_scale_ = scale;
+  axes_ = looks_at == LooksAt::start ? kAxesOfStart : axes_of_step(motion_, mesh_.points(), kernels_.trees.split);
+  for (BlockTree* tree : trees()) tree->build(motion_, axes_, kernels_.trees, [&] { stop_if_cancelled(options_); });
+  built_areas_ = areas();
+  built_scale_ = motion_.frame.scale;
   are_of_motion_ = true;
   statistics.rebuilt = true;
+}
+
+BlockTree::Areas FeatureTrees::areas() const {
+  BlockTree::Areas sum;
+  for (const BlockTree* tree : trees()) {
+    if (tree->feature_count() == 0) continue;
+    const BlockTree::Areas one = tree->areas();
+    sum.at_start += one.at_start;
+    sum.swept += one.swept;
+  }
+  return sum;
+}
+
+bool FeatureTrees::is_order_good(LooksAt looks_at) const {
+  const BlockTree::Areas now = areas();
+  const double by_scale = (built_scale_ / motion_.frame.scale) * (built_scale_ / motion_.frame.scale);
+  const bool is_far = now.swept > kFarAreas * now.at_start;
+  if (axes_.time == kAxesOfStart.time)
+    return now.at_start * by_scale <= kPoorArea * built_areas_->at_start &&
+           !(is_far && looks_at == LooksAt::whole_step);
+  if (now.swept > kPoorArea * built_areas_->swept) return false;
+  // The next step may go nowhere near as far, and sweep over little in whatever order: in its own frame, as a step that
+  // goes far has a large one.
+  const bool is_of_longer_steps = axes_.axes != 3 && now.swept * by_scale < kShorterSteps * built_areas_->swept;
+  if (is_of_longer_steps && axes_of_step(motion_, mesh_.points(), kernels_.trees.split).axes == 3) return false;
+  return !(is_far && start_in_row_ >= kStartInRow);
 }
 
 void FeatureTrees::fit_residuals(const Step& step, const SharedMotion& shared) {
   TAMIS_ASSERT(are_of(step));
   motion_.assign_residuals(step, shared);
-  for (BlockTree* tree : {&points_, &edges_, &faces_, &loose_points_, &loose_edges_}) {
+  for (BlockTree* tree : trees()) {
     stop_if_cancelled(options_);
     tree->refit_residuals(motion_, kernels_.trees);
   }
@@ -117,8 +134,7 @@ void FeatureTrees::fit_residuals(const Step& step, const SharedMotion& shared) {
 
 std::uint64_t FeatureTrees::memory_bytes() const {
   std::uint64_t bytes = motion_.memory_bytes();
-  for (const BlockTree* tree : {&points_, &edges_, &faces_, &loose_points_, &loose_edges_})
-    bytes += tree->memory_bytes();
+  for (const BlockTree* tree : trees()) bytes += tree->memory_bytes();
   return bytes;
 }
 

@@ -1,6 +1,9 @@
 // The mesh as the search sees it: where its vertices are during a question, and a tree over each kind of feature.
 #pragma once
 #include <algorithm>
+#include <array>
+#include <cstdint>
+#include <optional>
 
 #include "bvh/block_tree.hpp"
 #include "kernels/kernels.hpp"
@@ -9,6 +12,9 @@
 #include "topology/loose_features.hpp"
 
 namespace tamis {
+
+/// What a question looks at most: the whole step; or where it starts, as it ends early where the step is long.
+enum class LooksAt : std::uint8_t { whole_step, start };
 
 /// Kept from question to question.
 class FeatureTrees {
@@ -21,9 +27,9 @@ class FeatureTrees {
 
   // REQUIRES of all: as many positions as the mesh has vertices. REQUIRES (not checked: O(n)): a validated step.
 
-  /// Boxes at t=0 and t=1, in the old order, or in a new one where that has become poor: nothing, where they are of
-  /// this step already. Says seconds and `rebuilt`.
-  void refit_or_rebuild(const Step& step, const Separations& separations, Statistics& statistics);
+  /// Boxes at t=0 and t=1, in the old order, or in a new one where that has become poor, or was chosen for other
+  /// questions: nothing, where they are of this step already, in an order that serves. Says seconds and `rebuilt`.
+  void refit_or_rebuild(const Step& step, const Separations& separations, LooksAt looks_at, Statistics& statistics);
 
   /// The same in the old order, whatever the step. REQUIRES: a refit_or_rebuild() before that ended.
   void refit_for(const Step& step, const Separations& separations);
@@ -56,8 +62,13 @@ class FeatureTrees {
   std::uint64_t memory_bytes() const;
 
  private:
-  void update_trees(Statistics& statistics);
   void refit_trees();
+  void update_trees(LooksAt looks_at, Statistics& statistics);
+  /// Does the order that the trees have serve the step that their boxes are of, and the question?
+  bool is_order_good(LooksAt looks_at) const;
+  BlockTree::Areas areas() const;
+  std::array<BlockTree*, 5> trees() { return {&points_, &edges_, &faces_, &loose_points_, &loose_edges_}; }
+  std::array<const BlockTree*, 5> trees() const { return {&points_, &edges_, &faces_, &loose_points_, &loose_edges_}; }
   /// Leaves boxes of another step unless the vertices are where they were.
   void assign(const Step& step, const Separations& separations);
 
@@ -68,8 +79,10 @@ class FeatureTrees {
   Step assigned_;  ///< where the vertices are from
   const LooseFeatures loose_;
   BlockTree points_, edges_, faces_, loose_points_, loose_edges_;
-  double built_area_ = 0, built_scale_ = 1;
-  int axes_ = 3;                ///< of the order, as order_axes says
+  OrderAxes axes_;
+  std::optional<BlockTree::Areas> built_areas_;  ///< when they were built; nothing: they are not
+  double built_scale_ = 1;
+  int start_in_row_ = 0;        ///< the last questions, that looked at the start most
   bool are_of_motion_ = false;  ///< the boxes
 };
 

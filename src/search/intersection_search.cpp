@@ -55,7 +55,7 @@ void IntersectionConsumer::decide_singly(int pair) {
 
 void IntersectionSearch::find(const Query& query, std::vector<Intersection>& found, Statistics& statistics) {
   const FeatureTrees& trees = workspace_.trees;
-  workspace_.trees.refit_or_rebuild(query.step, {}, statistics);
+  workspace_.trees.refit_or_rebuild(query.step, {}, LooksAt::start, statistics);
   const Stopwatch watch;
   IntersectionQuery asked{query};
   streams_.begin(asked);

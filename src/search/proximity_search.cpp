@@ -6,7 +6,7 @@
 namespace tamis {
 
 void ProximitySearch::find(const Query& query, std::vector<NearPair>& pairs, Statistics& statistics) {
-  workspace_.trees.refit_or_rebuild(query.step, query.separations, statistics);
+  workspace_.trees.refit_or_rebuild(query.step, query.separations, LooksAt::start, statistics);
   Stopwatch watch;
   streams_.begin(query);
   workspace_.trees.for_each_kind(

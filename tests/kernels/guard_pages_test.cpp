@@ -215,7 +215,7 @@ TEST_P(GuardPages, NoKernelReadsOrWritesOutsideItsArrays) {
     const std::vector<std::uint8_t> may_touch(4, 1);
     for (BlockTree* tree : {&points, &edges, &faces}) {
       tree->set_groups(group_of_vertex, may_touch, 2);
-      tree->build(motion, 3, kernels->trees);
+      tree->build(motion, {}, kernels->trees);
       tree->refit_residuals(motion, kernels->trees);
     }
     for (const Guard guard : {Guard::before, Guard::behind}) {

@@ -36,13 +36,13 @@ TEST_F(Contracts, TreesBeforeTheirFirstStep) {
 TEST_F(Contracts, TreesOfAnotherMesh) {
   Trees t;
   const Points few(3);
-  EXPECT_DEATH(t.trees.refit_or_rebuild({few, few}, {}, t.statistics), "vertex_count");
+  EXPECT_DEATH(t.trees.refit_or_rebuild({few, few}, {}, LooksAt::whole_step, t.statistics), "vertex_count");
 }
 
 TEST_F(Contracts, TreesKnowWhoseBoxesTheyHave) {
   Trees t;
   EXPECT_FALSE(t.trees.are_of(t.step));
-  t.trees.refit_or_rebuild(t.step, {}, t.statistics);
+  t.trees.refit_or_rebuild(t.step, {}, LooksAt::whole_step, t.statistics);
   EXPECT_TRUE(t.trees.are_of(t.step));
   EXPECT_FALSE(t.trees.are_of(t.other_step));
   t.trees.refit_for(t.other_step, {});
@@ -57,14 +57,14 @@ TEST_F(Contracts, TreesKnowWhoseBoxesTheyHave) {
 
 TEST_F(Contracts, ResidualsOfAnotherStep) {
   Trees t;
-  t.trees.refit_or_rebuild(t.step, {}, t.statistics);
+  t.trees.refit_or_rebuild(t.step, {}, LooksAt::whole_step, t.statistics);
   const SharedMotion shared(t.mesh);
   EXPECT_DEATH(t.trees.fit_residuals(t.other_step, shared), "are_of");
 }
 
 TEST_F(Contracts, SearchesThatCannotEnd) {
   Trees t;
-  t.trees.refit_or_rebuild(t.step, {}, t.statistics);
+  t.trees.refit_or_rebuild(t.step, {}, LooksAt::whole_step, t.statistics);
   PairBuffer pairs;
   Search search{t.trees.points(), t.trees.faces()};
   const auto kernel = kernels(Isa::best).of(PairKind::vertex_face).search;

@@ -97,19 +97,49 @@ TEST(Reuse, RefitsWhileTheOrderIsGoodAndRebuildsWhenItIsPoor) {
   EXPECT_TRUE(detector.statistics().rebuilt);
 }
 
-TEST(Reuse, AStepThatPartsAllNeighboursSpoilsNothingForThoseAfterIt) {
+/// Steps that part all neighbours, each in another way.
+class LongStep : public testing::Test {
+ protected:
+  Step far(std::size_t way) {
+    end_ = scene_.start;
+    for (std::size_t i = 0; i < end_.size(); ++i) end_[i][2] += 10 * double((i * 7919 + way * 101) % 1000) / 1000;
+    return {scene_.start, end_};
+  }
+
+  const Scene scene_ = scenes::scene_by_name("folded-cloth", 2000, 1);
+
+ private:
+  std::vector<Point> end_;
+};
+
+TEST_F(LongStep, SpoilsNothingForThoseAfterIt) {
   // Would catch an order by how far features go that is kept: what it sweeps over later is less, however poor it is.
-  const Scene scene = scenes::scene_by_name("folded-cloth", 2000, 1);
-  std::vector<Point> far = scene.start;
-  for (std::size_t i = 0; i < far.size(); ++i) far[i][2] += 10 * double((i * 7919) % 1000) / 1000;
-  Detector kept(scene.mesh()), fresh(scene.mesh());
-  kept.safe_step({scene.start, far}, 0.1);
-  kept.safe_step(scene.step(), 0.1);
+  Detector kept(scene_.mesh()), fresh(scene_.mesh());
+  kept.is_free(far(0));
+  kept.contacts(scene_.step());
   EXPECT_TRUE(kept.statistics().rebuilt);
-  fresh.safe_step(scene.step(), 0.1);
+  fresh.contacts(scene_.step());
   EXPECT_EQ(kept.statistics().nodes_visited, fresh.statistics().nodes_visited);
-  kept.safe_step(scene.step(), 0.1);
+  kept.contacts(scene_.step());
   EXPECT_FALSE(kept.statistics().rebuilt);
+}
+
+TEST_F(LongStep, IsSearchedInAnOrderOfItsStartByWhatAsksAboutThatAlone) {
+  // Would catch questions that take turns and build anew each time; and one that has the other's order for ever.
+  Detector kept(scene_.mesh()), fresh(scene_.mesh());
+  for (std::size_t way = 0; way < 4; ++way) {
+    kept.is_free(far(way));
+    EXPECT_EQ(kept.statistics().rebuilt, way == 0);
+    kept.earliest(far(way));
+    EXPECT_FALSE(kept.statistics().rebuilt);
+  }
+  const auto poor = kept.statistics().nodes_visited;
+  for (std::size_t way = 4; way < 12; ++way) kept.earliest(far(way));
+  fresh.earliest(far(11));
+  EXPECT_EQ(kept.statistics().nodes_visited, fresh.statistics().nodes_visited);
+  EXPECT_LT(kept.statistics().nodes_visited, poor);
+  kept.is_free(far(12));
+  EXPECT_TRUE(kept.statistics().rebuilt) << "a whole step is searched in the order of its start";
 }
 
 TEST(Reuse, AWarmDetectorAllocatesNothing) {

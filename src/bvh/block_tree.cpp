@@ -86,7 +86,7 @@ GroupOrder BlockTree::order_groups(const PackedMotion& motion, Split split) cons
 
 void BlockTree::choose_order(const PackedMotion& motion, const OrderAxes& by, Split split, const Pause& pause) {
   const auto n = static_cast<std::size_t>(feature_count()), corners = static_cast<std::size_t>(corners_);
-  CenterStore store(n, by.axes);
+  CenterStore store(n, by.count());
   const Centers centers = store.view();
   const GroupOrder groups = parts_groups() ? order_groups(motion, split) : GroupOrder();
   parallel_blocks(blocks_for(n), [&](std::size_t block) {
@@ -99,8 +99,8 @@ void BlockTree::choose_order(const PackedMotion& motion, const OrderAxes& by, Sp
       }
       for (int axis = 0; axis < 3; ++axis)
         centers.at[axis][i] = (sum[axis] + by.time * (sum[3 + axis] - sum[axis])) / static_cast<float>(corners_);
-      for (int axis = 0; axis < by.axes - 3; ++axis)
-        centers.at[3 + axis][i] = (sum[3 + axis] - sum[axis]) / static_cast<float>(2 * corners_);
+      for (int axis = 0; axis < by.count() - 3; ++axis)
+        centers.at[3 + axis][i] = by.way * (sum[3 + axis] - sum[axis]) / static_cast<float>(corners_);
       centers.feature[i] = feature;
     }
   });

@@ -2,13 +2,16 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace tamis {
 namespace {
 
-/// Six axes are looked at if points of a block differ in how far they go by this part of how far apart they are, as
-/// areas: by its square (docs/history/performance.md, "What parts, by areas").
-constexpr double kPartingWays = 0.5;
+/// Half of how far a feature goes: as much as where it is halfway may be off by.
+constexpr float kHalf = 0.5f;
+/// Where neighbours go together an order by ways parts layers, and spreads blocks at the start little: by no more than
+/// this, counted until blocks by place alone have parted as far as they were apart.
+constexpr double kMoreSpread = 1.25;
 
 /// Of some numbers.
 struct CoordinateRange {
@@ -27,32 +30,64 @@ double half_area(const std::array<CoordinateRange, 3>& box) {
   return x * y + y * z + z * x;
 }
 
-}  // namespace
+/// Of blocks in an order, as areas: how far apart their points are at its time, and how much they differ in their ways.
+struct Spread {
+  double apart = 0, parting = 0;
 
-OrderAxes axes_of_step(const PackedMotion& motion, std::span<const Index> points, Split split) {
+  /// Do they part, until the end of the step, farther than they were apart?
+  bool is_long() const { return parting > apart; }
+  /// The part of the step after which they have parted as far. REQUIRES: is_long().
+  double time() const { return std::sqrt(apart / parting); }
+  double until(double t) const { return apart + t * t * parting; }
+};
+
+/// Every sixteenth of the points, in this order, sixteen a block.
+Spread spread_of(const PackedMotion& motion, std::span<const Index> points, const OrderAxes& by, Split split) {
   const std::size_t count = points.size() / kBlock;
-  CenterStore store(count, 3);
+  CenterStore store(count, by.count());
   const Centers centers = store.view();
+  const auto coordinates = [&](Index vertex) -> const float* {
+    return motion.box_vertices[static_cast<std::size_t>(vertex)].at;
+  };
+  const auto place = [&](const float* at, int axis) { return at[axis] + by.time * (at[3 + axis] - at[axis]); };
   for (std::size_t i = 0; i < count; ++i) {
-    const Index vertex = centers.feature[i] = points[i * kBlock];
-    const auto& at = motion.box_vertices[static_cast<std::size_t>(vertex)].at;
-    for (int axis = 0; axis < 3; ++axis) centers.at[axis][i] = 0.5f * (at[axis] + at[3 + axis]);
+    const float* at = coordinates(centers.feature[i] = points[i * kBlock]);
+    for (int axis = 0; axis < 3; ++axis) centers.at[axis][i] = place(at, axis);
+    for (int axis = 0; axis < by.count() - 3; ++axis) centers.at[3 + axis][i] = by.way * (at[3 + axis] - at[axis]);
   }
   order_in_space(centers, count, split, [] {});
-  double apart = 0, apart_by_motion = 0;
+  Spread spread;
   for (std::size_t first = 0; first < count; first += kBlock) {
     std::array<CoordinateRange, 3> where, how_far;
     for (std::size_t i = first; i < std::min(count, first + kBlock); ++i) {
-      const auto& at = motion.box_vertices[static_cast<std::size_t>(centers.feature[i])].at;
-      for (std::size_t axis = 0; axis < 3; ++axis) {
-        where[axis].include(0.5f * (at[axis] + at[3 + axis]));
-        how_far[axis].include(0.5f * (at[3 + axis] - at[axis]));
+      const float* at = coordinates(centers.feature[i]);
+      for (int axis = 0; axis < 3; ++axis) {
+        where[static_cast<std::size_t>(axis)].include(place(at, axis));
+        how_far[static_cast<std::size_t>(axis)].include(at[3 + axis] - at[axis]);
       }
     }
-    apart += half_area(where);
-    apart_by_motion += half_area(how_far);
+    spread.apart += half_area(where);
+    spread.parting += half_area(how_far);
   }
-  return {.axes = apart_by_motion > kPartingWays * kPartingWays * apart ? 6 : 3};
+  return spread;
+}
+
+OrderAxes axes_of_whole_step(const PackedMotion& motion, std::span<const Index> points, Split split) {
+  return {kHalf, spread_of(motion, points, {kHalf}, split).is_long() ? kHalf : 0};
+}
+
+}  // namespace
+
+OrderAxes order_axes(const PackedMotion& motion, std::span<const Index> points, LooksAt looks_at, Split split) {
+  if (looks_at == LooksAt::whole_step) return axes_of_whole_step(motion, points, split);
+  const Spread by_place = spread_of(motion, points, {0}, split);
+  if (!by_place.is_long()) return axes_of_whole_step(motion, points, split);
+  const double t = by_place.time();
+  if (looks_at == LooksAt::distances) {
+    const Spread by_way = spread_of(motion, points, {0, kHalf}, split);
+    if (by_way.until(t) < kMoreSpread * by_place.until(t)) return axes_of_whole_step(motion, points, split);
+  }
+  return {0, static_cast<float>(t)};
 }
 
 }  // namespace tamis

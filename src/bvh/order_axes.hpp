@@ -6,16 +6,23 @@
 
 namespace tamis {
 
-/// By where features are at `time`; with six axes also by how far they go.
+/// By where features are at `time`; unless `way` is zero also by that part of how far they go.
 struct OrderAxes {
   float time = 0.5f;
-  int axes = 3;
+  float way = 0;
+
+  int count() const { return way > 0 ? 6 : 3; }
 };
 
-/// For what looks at the start of the step, or at little else.
-inline constexpr OrderAxes kAxesOfStart{0, 3};
-/// For what looks at the whole step: halfway; by six axes where points that are near each other then come from far
-/// apart. Judged by every sixteenth of `points`.
-OrderAxes axes_of_step(const PackedMotion& motion, std::span<const Index> points, Split split);
+/// What a question looks at most.
+enum class LooksAt : std::uint8_t {
+  whole_step,
+  start,      ///< and no more of the step than until a first contact, which comes early where the step is long
+  distances,  ///< of the start, and what becomes of them until the end
+};
+
+/// The order that serves it best, judged by every sixteenth of `points` (docs/history/performance.md, "What is near at
+/// the start").
+OrderAxes order_axes(const PackedMotion& motion, std::span<const Index> points, LooksAt looks_at, Split split);
 
 }  // namespace tamis

@@ -12,6 +12,8 @@ namespace {
 
 /// Between two calls of `pause`: well below a millisecond.
 constexpr std::size_t kContactsAPause = std::size_t{1} << 14;
+/// With fewer contacts the buckets would be most of the work.
+constexpr std::size_t kVerticesAContact = 64;
 
 /// f(i) of all i below `count`, in order, `pause` now and then.
 template <class F>
@@ -28,6 +30,8 @@ void for_each_place(std::size_t count, const std::function<void()>& pause, const
 /// A counting sort into one bucket a kind and first vertex, then each small bucket by the other vertices, which lie
 /// together with the contact's place: contacts are looked at once and moved once.
 void ContactSorter::sort(std::vector<Contact>& contacts, Index vertex_count, const std::function<void()>& pause) {
+  if (contacts.size() < static_cast<std::size_t>(vertex_count) / kVerticesAContact)
+    return std::sort(contacts.begin(), contacts.end(), comes_before);
   fill_buckets(contacts, vertex_count, pause);
   const std::size_t buckets = first_.size() - 2;
   const auto is_before = [&](const Entry& a, const Entry& b) {

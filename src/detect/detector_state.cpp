@@ -68,16 +68,9 @@ void Detector::State::find(const Query& query) {
   });
 }
 
-void Detector::State::refuse_touching_start(const Query& query) {
-  Query at_rest = query;
-  at_rest.step.end = query.step.start;
-  at_rest.question = Question::earliest;
-  find(at_rest);
-  const EarliestContact first = found.first();
-  if (!first.contact) return;
-  const auto& [kind, certainty, vertices, toi_lower, toi_upper, u, v, normal] = *first.contact;
-  const double separation = query.separations.between(kind, vertices);
-  throw InvalidStep(features_text(kind, vertices) + " touch at the start of the step" +
+void Detector::State::refuse_start(const Query& query, const Contact& touching) const {
+  const double separation = query.separations.between(touching.kind, touching.vertices);
+  throw InvalidStep(features_text(touching.kind, touching.vertices) + " touch at the start of the step" +
                     (separation > 0 ? ", within " + number_text(separation) + " of each other" : "") +
                     ": move them apart, leave the pair out, or ask with at_start ignore");
 }
@@ -86,9 +79,10 @@ void Detector::State::find_contacts(const Step& step, const QueryOptions& asked,
   Query all = validated_query(step, asked);
   all.is_by_pair = is_by_pair;
   find(all);
-  const auto touches_at_start = [](const Contact& c) { return c.toi_upper == 0; };
-  if (asked.at_start == AtStart::fail && std::ranges::any_of(found.contacts(), touches_at_start))
-    refuse_touching_start(all);
+  if (asked.at_start != AtStart::fail) return;
+  const auto& contacts = found.contacts();
+  const auto touching = std::ranges::find_if(contacts, [](const Contact& c) { return c.toi_upper == 0; });
+  if (touching != contacts.end()) refuse_start(all, *touching);
 }
 
 /// find(search, whole path).
@@ -107,11 +101,12 @@ void Detector::State::on_path(const Path& path, const QueryOptions& asked, std::
 
 void Detector::State::ask(const Path& path, const QueryOptions& asked, Question question,
                           std::span<const double> ends) {
+  if (asked.at_start == AtStart::fail && question == Question::is_free) question = Question::earliest;
   on_path(path, asked, ends, [&](PathSearch& search, const MeshOnPath& whole) {
     search.find(whole, question, found.contacts(), statistics);
     sort_found();
   });
-  if (asked.at_start == AtStart::fail) refuse_touching_start();
+  if (asked.at_start == AtStart::fail) refuse_start_of_path();
 }
 
 SafeStep Detector::State::safe_step(const Path& path, double keep, const QueryOptions& asked,
@@ -125,7 +120,7 @@ SafeStep Detector::State::safe_step(const Path& path, double keep, const QueryOp
   return answer;
 }
 
-void Detector::State::refuse_touching_start() const {
+void Detector::State::refuse_start_of_path() const {
   for (const Contact& c : found.contacts())
     if (c.toi_lower == 0)
       throw InvalidStep(features_text(c.kind, c.vertices) +
@@ -141,7 +136,7 @@ EarliestContact Detector::State::earliest(const Step& step, const QueryOptions& 
   const Query first_of_all = validated_query(step, asked, Question::earliest);
   find(first_of_all);
   const EarliestContact first = found.first();
-  if (asked.at_start == AtStart::fail && first.toi_upper == 0) refuse_touching_start(first_of_all);
+  if (asked.at_start == AtStart::fail && first.toi_upper == 0) refuse_start(first_of_all, *first.contact);
   return first;
 }
 
@@ -166,7 +161,14 @@ SafeStep Detector::State::safe_step(const Step& step, double keep, const QueryOp
 SafeStep Detector::State::step_length(const Query& query, double keep, AtStart at_start) {
   SafeStep answer;
   measure([&] { answer = engine_->find_step_length(query, keep, statistics); });
-  if (at_start == AtStart::fail && answer.lower == 0) refuse_touching_start(query);
+  if (at_start != AtStart::fail || answer.lower > 0) return answer;
+  const Statistics of_answer = statistics;  // that is 0 also where a distance shrinks at once
+  Query at_rest = query;
+  at_rest.step.end = query.step.start;
+  at_rest.question = Question::earliest;
+  find(at_rest);
+  if (const EarliestContact first = found.first(); first.contact) refuse_start(query, *first.contact);
+  statistics = of_answer;
   return answer;
 }
 

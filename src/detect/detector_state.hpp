@@ -56,10 +56,10 @@ struct Detector::State {
   Query validated_query(const Step& step, const QueryOptions& asked, Question question = Question::all_contacts) const;
   /// Into `found`.
   void find(const Query& query);
-  /// Throws InvalidStep, which names the first pair that touches at the query's start, if there is one.
-  void refuse_touching_start(const Query& query);
-  /// The same of a path, whose contacts are in `found`.
-  void refuse_touching_start() const;
+  /// Throws InvalidStep, which names the pair: it touches at the step's start.
+  [[noreturn]] void refuse_start(const Query& query, const Contact& touching) const;
+  /// The same of a path, if one of the contacts in `found` is at its start.
+  void refuse_start_of_path() const;
   /// 0 < keep < 1.
   SafeStep step_length(const Query& query, double keep, AtStart at_start);
   /// Into the documented order.

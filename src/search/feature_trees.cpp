@@ -16,7 +16,7 @@ constexpr double kPoorArea = 1.5;
 /// An order by how far features go is asked about again when they sweep over less than this part of what they did then.
 constexpr double kShorterSteps = 1.0 / 64;
 /// Steps are long where leaf blocks sweep over so many times their own area. So many questions that look at the start
-/// come one after the other before they get an order of their own.
+/// come one after the other before it is looked whether an order of their own would pay.
 constexpr double kFarAreas = 4;
 constexpr int kStartInRow = 8;
 
@@ -39,9 +39,9 @@ void FeatureTrees::refit_or_rebuild(const Step& step, const Separations& separat
   Stopwatch watch;
   assign(step, separations);
   statistics.seconds.bounds += watch.lap();
-  start_in_row_ = looks_at == LooksAt::start ? start_in_row_ + 1 : 0;
-  const bool is_order_of_start = axes_.time == kAxesOfStart.time;
-  if (!are_of_motion_ || is_order_of_start != (looks_at == LooksAt::start)) update_trees(looks_at, statistics);
+  const bool looks_at_start = looks_at != LooksAt::whole_step;
+  start_in_row_ = looks_at_start ? start_in_row_ + 1 : 0;
+  if (!are_of_motion_ || looks_at_start != is_order_of_start()) update_trees(looks_at, statistics);
   statistics.seconds.build += watch.lap();
 }
 
@@ -76,7 +76,6 @@ void FeatureTrees::refit_trees() {
 }
 
 void FeatureTrees::load_vertices(const Step& step, const Separations& separations, Statistics& statistics) {
-  TAMIS_ASSERT(points_.is_built());
   const Stopwatch watch;
   assign(step, separations);
   statistics.seconds.bounds += watch.seconds();
@@ -89,7 +88,7 @@ void FeatureTrees::update_trees(LooksAt looks_at, Statistics& statistics) {
   }
   built_areas_.reset();  // until all are built
   are_of_motion_ = false;
-  axes_ = looks_at == LooksAt::start ? kAxesOfStart : axes_of_step(motion_, mesh_.points(), kernels_.trees.split);
+  axes_ = best_axes(looks_at);
   for (BlockTree* tree : trees()) tree->build(motion_, axes_, kernels_.trees, [&] { stop_if_cancelled(options_); });
   built_areas_ = areas();
   built_scale_ = motion_.frame.scale;
@@ -108,19 +107,22 @@ BlockTree::Areas FeatureTrees::areas() const {
   return sum;
 }
 
+OrderAxes FeatureTrees::best_axes(LooksAt looks_at) const {
+  return order_axes(motion_, mesh_.points(), looks_at, kernels_.trees.split);
+}
+
 bool FeatureTrees::is_order_good(LooksAt looks_at) const {
-  const BlockTree::Areas now = areas();
+  const BlockTree::Areas now = areas(), &built = *built_areas_;
   const double by_scale = (built_scale_ / motion_.frame.scale) * (built_scale_ / motion_.frame.scale);
-  const bool is_far = now.swept > kFarAreas * now.at_start;
-  if (axes_.time == kAxesOfStart.time)
-    return now.at_start * by_scale <= kPoorArea * built_areas_->at_start &&
-           !(is_far && looks_at == LooksAt::whole_step);
-  if (now.swept > kPoorArea * built_areas_->swept) return false;
   // The next step may go nowhere near as far, and sweep over little in whatever order: in its own frame, as a step that
   // goes far has a large one.
-  const bool is_of_longer_steps = axes_.axes != 3 && now.swept * by_scale < kShorterSteps * built_areas_->swept;
-  if (is_of_longer_steps && axes_of_step(motion_, mesh_.points(), kernels_.trees.split).axes == 3) return false;
-  return !(is_far && start_in_row_ >= kStartInRow);
+  const bool is_of_longer_steps = axes_.way > 0 && now.swept * by_scale < kShorterSteps * built.swept;
+  if (is_of_longer_steps && best_axes(looks_at).way == 0) return false;
+  const bool is_far = now.swept > kFarAreas * now.at_start;
+  if (is_order_of_start())
+    return now.at_start * by_scale <= kPoorArea * built.at_start && !(is_far && looks_at == LooksAt::whole_step);
+  const bool may_pay = is_far && looks_at != LooksAt::whole_step && start_in_row_ % kStartInRow == 0;
+  return now.swept <= kPoorArea * built.swept && !(may_pay && best_axes(looks_at).time == 0);
 }
 
 void FeatureTrees::fit_residuals(const Step& step, const SharedMotion& shared) {

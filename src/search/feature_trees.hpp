@@ -2,7 +2,6 @@
 #pragma once
 #include <algorithm>
 #include <array>
-#include <cstdint>
 #include <optional>
 
 #include "bvh/block_tree.hpp"
@@ -12,9 +11,6 @@
 #include "topology/loose_features.hpp"
 
 namespace tamis {
-
-/// What a question looks at most: the whole step; or where it starts, as it ends early where the step is long.
-enum class LooksAt : std::uint8_t { whole_step, start };
 
 /// Kept from question to question.
 class FeatureTrees {
@@ -33,8 +29,7 @@ class FeatureTrees {
 
   /// The same in the old order, whatever the step. REQUIRES: a refit_or_rebuild() before that ended.
   void refit_for(const Step& step, const Separations& separations);
-  /// Vertices alone: boxes are left as they are, of another step, and must not be searched. REQUIRES: a
-  /// refit_or_rebuild() before that ended.
+  /// Vertices alone: boxes are left as they are, of another step if of any, and must not be searched.
   void load_vertices(const Step& step, const Separations& separations, Statistics& statistics);
   /// Are the boxes, and the vertices, those of this step? By where its positions stand in memory, and by one of them.
   bool are_of(const Step& step) const;
@@ -66,6 +61,8 @@ class FeatureTrees {
   void update_trees(LooksAt looks_at, Statistics& statistics);
   /// Does the order that the trees have serve the step that their boxes are of, and the question?
   bool is_order_good(LooksAt looks_at) const;
+  bool is_order_of_start() const { return axes_.time == 0; }
+  OrderAxes best_axes(LooksAt looks_at) const;
   BlockTree::Areas areas() const;
   std::array<BlockTree*, 5> trees() { return {&points_, &edges_, &faces_, &loose_points_, &loose_edges_}; }
   std::array<const BlockTree*, 5> trees() const { return {&points_, &edges_, &faces_, &loose_points_, &loose_edges_}; }
@@ -82,7 +79,7 @@ class FeatureTrees {
   OrderAxes axes_;
   std::optional<BlockTree::Areas> built_areas_;  ///< when they were built; nothing: they are not
   double built_scale_ = 1;
-  int start_in_row_ = 0;        ///< the last questions, that looked at the start most
+  int start_in_row_ = 0;        ///< the last questions, that looked at less than the whole step
   bool are_of_motion_ = false;  ///< the boxes
 };
 

@@ -22,8 +22,8 @@ bool StepLengthSearch::begin(StepLengthQuery& asked, Statistics& statistics) {
   const auto plan = [&] { return asked.lists_all && of_start_.plan(query, asked.fraction); };
   const auto make = [&] { return list_near(query, statistics); };
   const auto has_pairs = [&] { return of_start_.has_pairs(); };
-  const bool is_listed = candidates_.prepare(query, LooksAt::start, of_start_.begin(query, asked.fraction), plan, make,
-                                             has_pairs, statistics);
+  const bool is_listed = candidates_.prepare(query, LooksAt::distances, of_start_.begin(query, asked.fraction), plan,
+                                             make, has_pairs, statistics);
   const Stopwatch watch;
   if (!is_listed) fit_residuals(asked);
   asked.spread = workspace_.trees.motion().spread;

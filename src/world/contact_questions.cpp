@@ -68,6 +68,7 @@ std::vector<BodyContact> World::State::contacts(const QueryOptions& asked) {
   for_each_by_itself([&](BodyId id, Body& body, Detector& itself) {
     for (const Contact& c : itself.contacts(body.step(), of_steps(asked))) parts.add({c, twice(id)});
     parts.end_part();
+    return true;
   });
   gather_moving({separation(asked)});
   const auto add = [&](const Gathered& gathered, const std::vector<Contact>& contacts) {
@@ -97,6 +98,7 @@ EarliestBodyContact World::State::earliest(const QueryOptions& asked) {
   for_each_by_itself([&](BodyId id, Body& body, Detector& itself) {
     const EarliestContact own = itself.earliest(body.step(), of_steps(asked));
     take_sooner(first, own, [&] { return BodyContact{*own.contact, twice(id)}; });
+    return true;
   });
   gather_moving({separation(asked)});
   const auto take = [&](const Gathered& gathered, const EarliestContact& found) {
@@ -129,9 +131,8 @@ bool World::State::is_free(const QueryOptions& asked) {
         return is_free = DetectorAccess::ask(gathered.detector(), path, how, Question::is_free).empty();
       });
   if (is_free)
-    for_each_by_itself([&](BodyId, Body& body, Detector& itself) {
-      is_free = is_free && itself.is_free(body.step(), of_steps(asked));
-    });
+    for_each_by_itself(
+        [&](BodyId, Body& body, Detector& itself) { return is_free = itself.is_free(body.step(), of_steps(asked)); });
   return is_free;
 }
 

@@ -14,6 +14,7 @@ std::vector<BodyNearPair> World::State::pairs_within(double distance) {
   for_each_by_itself([&](BodyId id, Body& body, Detector& itself) {
     for (const NearPair& pair : itself.pairs_within(body.deforming()->start, distance))
       all.push_back({pair, twice(id)});
+    return true;
   });
   gather_at_rest(distance);
   if (at_rest_.is_asked()) {
@@ -33,6 +34,7 @@ std::vector<BodyIntersection> World::State::intersections() {
   std::vector<BodyIntersection> all;
   for_each_by_itself([&](BodyId id, Body& body, Detector& itself) {
     for (const Intersection& one : itself.intersections(body.deforming()->start)) all.push_back({one, twice(id)});
+    return true;
   });
   gather_at_rest(0);
   if (at_rest_.is_asked()) {
@@ -65,6 +67,7 @@ BodyStep World::State::safe_step(double fraction, const QueryOptions& asked) {
   };
   for_each_by_itself([&](BodyId id, Body& body, Detector& itself) {
     add(itself.safe_step(body.step(), fraction, of_steps(asked)), [&](auto&) { return twice(id); });
+    return true;
   });
   const auto add_gathered = [&](const Gathered& gathered, const SafeStep& step) {
     add(step, [&](auto& pair) { return gathered.name(pair.kind, pair.vertices); });

@@ -84,7 +84,8 @@ void World::State::gather(Gathering& gathering, const Reach& reach, const Wanted
 void World::State::find_near(const std::vector<BodyPair>& pairs, const Reach& reach, double more, Pieces& pieces,
                              NearItems& items) const {
   const auto reach_of = [&](const Body& a, const Body& b) { return (reach.of(a, b) + more) * (1 + 0x1p-40); };
-  add_near_items(bodies, pairs, reach_of, pieces, items);
+  add_near_items(
+      bodies, pairs, reach_of, pieces, [this] { stop_if_cancelled(options); }, items);
 }
 
 void World::State::gather_anew(Gathering& gathering, const Reach& reach, const Wanted& is_wanted,

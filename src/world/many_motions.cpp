@@ -19,6 +19,16 @@ Options with_one_thread(Options options) {
   return options;
 }
 
+/// check(), which throws InvalidStep, of one of many motions.
+template <class Check>
+void of_motion(std::size_t motion, const Check& check) {
+  try {
+    check();
+  } catch (const InvalidStep& error) {
+    throw InvalidStep("motion " + std::to_string(motion) + ": " + error.what());
+  }
+}
+
 }  // namespace
 
 World::State::State(const State& other) : options(with_one_thread(other.options)), kept_apart(other.kept_apart) {
@@ -35,13 +45,8 @@ void World::State::validate(std::span<const BodyId> moved, std::span<const BodyM
   if (moved.empty() ? !motions.empty() : motions.size() % moved.size() != 0)
     throw InvalidOptions(std::to_string(motions.size()) + " motions for " + std::to_string(moved.size()) +
                          " bodies: give one for each body, then again, as often as you ask");
-  for (std::size_t i = 0; i < motions.size(); ++i) {
-    try {
-      body(moved[i % moved.size()]).validate(motions[i]);
-    } catch (const InvalidStep& error) {
-      throw InvalidStep("motion " + std::to_string(i / moved.size()) + ": " + error.what());
-    }
-  }
+  for (std::size_t i = 0; i < motions.size(); ++i)
+    of_motion(i / moved.size(), [&] { body(moved[i % moved.size()]).validate(motions[i]); });
 }
 
 std::vector<EarliestBodyContact> World::State::earliest_many(std::span<const BodyId> moved,
@@ -62,7 +67,7 @@ std::vector<EarliestBodyContact> World::State::earliest_many(std::span<const Bod
     statistics.threads = Arena::threads_here();
   });
   for (const auto& world : worlds) add_statistics(world->statistics);
-  for (const EarliestBodyContact& first : found) check_start(first, asked);
+  for (std::size_t i = 0; i < found.size(); ++i) of_motion(i, [&] { check_start(found[i], asked); });
   return found;
 }
 

@@ -55,7 +55,8 @@ class PairWalk {
     WholeBlocks& whole;
   };
 
-  PairWalk(const Side& a, const Side& b, double separation) : a_(a), b_(b), separation_(separation) {}
+  PairWalk(const Side& a, const Side& b, double separation, const Pause& pause)
+      : a_(a), b_(b), separation_(separation), pause_(pause) {}
 
   /// True if any items may meet, or it was `found` before that some do.
   bool run(bool found) {
@@ -81,6 +82,7 @@ class PairWalk {
   /// The larger one is opened. REQUIRES: two that meet.
   void visit(const Node& a, const Node& b) {
     if (found_ && a_.whole.has(a.level, a.block) && b_.whole.has(b.level, b.block)) return;
+    if (++visited_ % kVisitsAPause == 0) pause_();
     if (a.level == 0 && b.level == 0) {
       mark(a, b);
     } else if (b.level == 0 || (a.level > 0 && a.bounds.start.extent() >= b.bounds.start.extent())) {
@@ -125,9 +127,13 @@ class PairWalk {
     }
   }
 
+  static constexpr int kVisitsAPause = 1 << 12;  // well below a millisecond
+
   const Side a_, b_;
   const double separation_;
+  const Pause& pause_;
   bool found_ = false;
+  int visited_ = 0;
 };
 
 }  // namespace
@@ -153,7 +159,8 @@ std::uint64_t NearItems::memory_bytes() const {
 }
 
 void add_near_items(const BodyList& bodies, const std::vector<BodyPair>& pairs,
-                    const std::function<double(const Body&, const Body&)>& reach, Pieces& pieces, NearItems& near) {
+                    const std::function<double(const Body&, const Body&)>& reach, Pieces& pieces, const Pause& pause,
+                    NearItems& near) {
   const auto body = [&](BodyId id) -> const Body& { return *bodies[at(id)]; };
   const auto items_of = [&](BodyId id) -> IndexSet& {
     return near.of_body.try_emplace(id, body(id).shape().item_count()).first->second;
@@ -174,7 +181,8 @@ void add_near_items(const BodyList& bodies, const std::vector<BodyPair>& pairs,
       const auto [a, b] = pairs[i];
       // Pairs of bodies before `a` are done: memory that is in the caches serves those that follow.
       of_moving.erase(of_moving.begin(), of_moving.lower_bound(a));
-      if (PairWalk(side(a), side(b), reach(body(a), body(b))).run(is_near[i])) is_near[i] = true;
+      pause();
+      if (PairWalk(side(a), side(b), reach(body(a), body(b)), pause).run(is_near[i])) is_near[i] = true;
     }
     pieces.leave(piece);
     of_moving.clear();

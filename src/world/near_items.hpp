@@ -21,8 +21,10 @@ struct NearItems {
 };
 
 /// Adds to `near` all that may come as near as `reach` says, during the pieces. Items in it are not looked at again
-/// where their bodies are known to come near. REQUIRES: `pairs` ascending.
+/// where their bodies are known to come near. `pause` is called now and then, and may throw. REQUIRES: `pairs`
+/// ascending.
 void add_near_items(const BodyList& bodies, const std::vector<BodyPair>& pairs,
-                    const std::function<double(const Body&, const Body&)>& reach, Pieces& pieces, NearItems& near);
+                    const std::function<double(const Body&, const Body&)>& reach, Pieces& pieces, const Pause& pause,
+                    NearItems& near);
 
 }  // namespace tamis

@@ -92,14 +92,12 @@ void World::set_may_touch(BodyId a, BodyId b, bool may_touch) {
     return;
   }
   if (may_touch && first.motion_kind() == MotionKind::still && second.motion_kind() == MotionKind::still)
-    throw InvalidOptions("bodies " + std::to_string(a) + " and " + std::to_string(b) +
-                         " both stay where they are, so they cannot come to touch: move one of them");
+    throw InvalidOptions(
+        "bodies " + std::to_string(a) + " and " + std::to_string(b) +
+        " both stay where they are, and two such bodies are never asked about: tell one of them a motion");
   const BodyPair pair{std::min(a, b), std::max(a, b)};
-  if (may_touch)
-    now.kept_apart.erase(pair);
-  else
-    now.kept_apart.insert(pair);
-  now.forget_gathered(first);
+  const bool is_changed = may_touch ? now.kept_apart.erase(pair) > 0 : now.kept_apart.insert(pair).second;
+  if (is_changed) now.forget_gathered(first);
 }
 
 std::vector<BodyContact> World::contacts(const QueryOptions& options) {

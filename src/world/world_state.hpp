@@ -114,7 +114,7 @@ struct World::State {
   void gather_at_rest(double distance);
   /// Ends of the pieces on which bodies that turn are asked about, beginning with 0.
   std::vector<double> times_of_pieces(const std::vector<BodyPair>& pairs) const;
-  /// f(id, body, detector) of each body that may touch itself.
+  /// f(id, body, detector) of each body that may touch itself, until one returns false.
   template <class F>
   void for_each_by_itself(const F& f);
   /// Of what is gathered that moves, until one returns false: on_step(gathered, step, options) of what goes straight,
@@ -154,8 +154,9 @@ void World::State::for_each_by_itself(const F& f) {
   for (std::size_t id = 0; id < bodies.size(); ++id) {
     Body* body = bodies[id].get();
     if (!body || !body->is_enabled || !body->deforming() || !body->may_touch_itself) continue;
-    f(static_cast<BodyId>(id), *body, body->itself(options));
+    const bool goes_on = f(static_cast<BodyId>(id), *body, body->itself(options));
     add_statistics(body->itself(options).statistics());
+    if (!goes_on) return;
   }
 }
 

@@ -176,6 +176,30 @@ TEST_F(Substeps, AfterAnInterruptionAreAnsweredInFull) {
   }
 }
 
+// Bug: a tree that was being built anew is asked for by lists that need none.
+TEST_F(Substeps, AreAnsweredByTheirListsThoughATreeIsHalfBuilt) {
+  int left = -1;
+  Options options;
+  options.threads = 1;
+  options.is_cancelled = [&] { return left-- == 0; };
+  std::vector<Point> jumbled = scene.start;
+  for (std::size_t v = 0; v < jumbled.size(); ++v) jumbled[v] = scene.start[v * 7919 % jumbled.size()];
+  int cancelled = 0;
+  for (int at = 0; at < 12; ++at) {
+    Detector kept(scene.mesh(), options);
+    ask(kept, 0, 3);
+    left = at;
+    try {
+      kept.is_free({jumbled, jumbled});
+    } catch (const Cancelled&) {
+      ++cancelled;
+    }
+    left = -1;
+    EXPECT_EQ(bits_of(kept.contacts(part(3))), bits_of(Detector(scene.mesh()).contacts(part(3)))) << at;
+  }
+  EXPECT_GT(cancelled, 5);
+}
+
 // A question that ends at its first contact promises nothing to others like it, but takes nothing from the others.
 TEST_F(Substeps, AreListedWhereAllQuestionsAreAskedOfEach) {
   Detector kept(scene.mesh());

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <numeric>
 
 #include "exact/exact.hpp"
 #include "lab/detector.hpp"
@@ -14,6 +15,7 @@
 #include "support/contact_sets.hpp"
 #include "support/test_names.hpp"
 #include "tamis/error.hpp"
+#include "tamis/rigid_path.hpp"
 
 namespace tamis::test {
 namespace {
@@ -263,6 +265,22 @@ TEST_F(OnAFace, CurvesIgnoreAndFailToo) {
   EXPECT_THROW(detector.earliest(path, kFail), InvalidStep);
   EXPECT_THROW(detector.is_free(path, kFail), InvalidStep);
   EXPECT_THROW(detector.is_free({start, end}, {.tolerance = 1e-9}), InvalidOptions);
+}
+
+// Bug: is_free ends at a first contact, before it has looked at the pair that touches at the start.
+TEST(AtStart, FailsOnACurveThoughOthersTouchLater) {
+  for (const Index later : {7, 8, 9, 40}) {
+    std::vector<Point> rest{{0, 0, 0}, {9, 0, 0}, {0, 9, 0}};
+    for (Index i = 0; i < later; ++i) rest.push_back({0.1 + 0.1 * i, 0.1, 0.01});
+    rest.push_back({1, 1, 0});
+    std::vector<Index> points(rest.size() - 3), body_of_vertex(rest.size(), 1);
+    std::iota(points.begin(), points.end(), 3);
+    std::fill_n(body_of_vertex.begin(), 3, 0);
+    Detector detector(Mesh(static_cast<Index>(rest.size()), {{0, 1, 2}}, {}, points));
+    const RigidPath path(rest, body_of_vertex, {{}, interpolated({}, {{0, 0, -1}, {0, 0, 0.1}})});
+    EXPECT_THROW(detector.is_free(path, kFail), InvalidStep) << later;
+    EXPECT_FALSE(detector.is_free(path)) << later;
+  }
 }
 
 /// A sheet that starts on a ball, within the separation, is thrown up and falls back.

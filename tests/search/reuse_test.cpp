@@ -126,7 +126,7 @@ TEST_F(LongStep, SpoilsNothingForThoseAfterIt) {
 
 TEST_F(LongStep, IsSearchedInAnOrderOfItsStartByWhatAsksAboutThatAlone) {
   // Would catch questions that take turns and build anew each time; and one that has the other's order for ever.
-  Detector kept(scene_.mesh()), fresh(scene_.mesh());
+  Detector kept(scene_.mesh());
   for (std::size_t way = 0; way < 4; ++way) {
     kept.is_free(far(way));
     EXPECT_EQ(kept.statistics().rebuilt, way == 0);
@@ -134,9 +134,12 @@ TEST_F(LongStep, IsSearchedInAnOrderOfItsStartByWhatAsksAboutThatAlone) {
     EXPECT_FALSE(kept.statistics().rebuilt);
   }
   const auto poor = kept.statistics().nodes_visited;
-  for (std::size_t way = 4; way < 12; ++way) kept.earliest(far(way));
-  fresh.earliest(far(11));
-  EXPECT_EQ(kept.statistics().nodes_visited, fresh.statistics().nodes_visited);
+  int rebuilt = 0;
+  for (std::size_t way = 4; way < 12; ++way) {
+    kept.earliest(far(way));
+    rebuilt += kept.statistics().rebuilt;
+  }
+  EXPECT_EQ(rebuilt, 1);
   EXPECT_LT(kept.statistics().nodes_visited, poor);
   kept.is_free(far(12));
   EXPECT_TRUE(kept.statistics().rebuilt) << "a whole step is searched in the order of its start";

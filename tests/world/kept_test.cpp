@@ -78,6 +78,44 @@ TEST(World, AgreesWhereASheetSlidesOverTheGround) {
   EXPECT_GT(contacts, 5000u);
 }
 
+// Bug: two hierarchies are walked to the end, whoever waits.
+TEST(World, CanBeCancelledWhileItLooksForWhatIsNear) {
+  const scenes::Shape sphere = scenes::unit_sphere(40);
+  std::vector<Point> inner = sphere.points;
+  for (Point& p : inner)
+    for (double& x : p) x *= 0.98;
+  const Mesh mesh(static_cast<Index>(inner.size()), sphere.faces);
+  long looks = 0;
+  Options options;
+  options.threads = 1;
+  options.is_cancelled = [&] { return ++looks == 20; };  // what a question by itself asks less often
+  World world(options);
+  world.add(Shape(mesh, sphere.points), Static{});
+  world.add(Shape(mesh, inner), Rigid{interpolated({}, {{}, {0, 0, 3}})});
+  EXPECT_THROW(world.is_free(), Cancelled);
+  EXPECT_EQ(world.statistics().nodes_visited, 0) << "all was found before";
+}
+
+// Bug: what bodies said of an earlier question is added again, if this one does not ask them.
+TEST(World, SaysOfAQuestionWhatItAloneHasCost) {
+  const std::vector<Point> start{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0.2, 0.2, 0.5}, {0.4, 0.2, 0.5}, {0.2, 0.4, 0.5}};
+  std::vector<Point> end = start;
+  for (std::size_t v = 3; v < 6; ++v) end[v][2] = -0.5;
+  const Shape shape(Mesh(6, {{0, 1, 2}, {3, 4, 5}}), start);
+  const auto cost = [](const World& world) {
+    std::uint64_t pairs = world.statistics().nodes_visited;
+    for (const StageCount& stage : world.statistics().stages) pairs += stage.vf + stage.ee;
+    return pairs;
+  };
+  World kept, fresh;
+  for (World* world : {&kept, &fresh})
+    for (int i = 0; i < 3; ++i) world->add(shape, Deforming{start, end});
+  static_cast<void>(kept.contacts());
+  EXPECT_FALSE(kept.is_free());
+  EXPECT_FALSE(fresh.is_free());
+  EXPECT_EQ(cost(kept), cost(fresh));
+}
+
 /// Nor where questions are cancelled, wherever they ask whether they are: here also while more and more of a bowl is
 /// tried as what might be gathered.
 TEST(World, AgreesWhereQuestionsWereCancelled) {

@@ -102,7 +102,8 @@ class LongStep : public testing::Test {
  protected:
   Step far(std::size_t way) {
     end_ = scene_.start;
-    for (std::size_t i = 0; i < end_.size(); ++i) end_[i][2] += 10 * double((i * 7919 + way * 101) % 1000) / 1000;
+    for (std::size_t i = 0; i < end_.size(); ++i)
+      for (std::size_t k = 0; k < 3; ++k) end_[i][k] += 10 * double(((i + k) * 7919 + way * 101) % 1000) / 1000;
     return {scene_.start, end_};
   }
 

@@ -15,7 +15,8 @@ namespace tamis::audit {
 
 /// Contacts by kind, in the order of tamis::PairKind, and intersections: an edge through a face.
 enum class Kind : std::uint8_t { vertex_face, edge_edge, vertex_edge, vertex_vertex, edge_face };
-inline constexpr std::size_t kKinds = 5;
+inline constexpr std::size_t kKinds = kPairKinds + 1;
+static_assert(static_cast<std::size_t>(Kind::edge_face) == kPairKinds, "name each kind of pair above, in its order");
 
 /// "vf", "ee", "ve", "vv", "ef".
 std::string_view name_of(Kind kind);

@@ -1,6 +1,7 @@
 #include "io/tally.hpp"
 
 #include <algorithm>
+#include <iterator>
 
 namespace tamis::io {
 
@@ -8,6 +9,7 @@ Tally tally_of(std::span<const Contact> contacts) {
   Tally tally;
   for (const Contact& c : contacts) {
     constexpr std::uint64_t Tally::*kOfKind[] = {&Tally::vf, &Tally::ee, &Tally::ve, &Tally::vv};
+    static_assert(std::size(kOfKind) == kPairKinds);
     ++(tally.*kOfKind[static_cast<std::size_t>(c.kind)]);
     tally.toi_lower = std::min(tally.toi_lower, c.toi_lower);
     if (c.certainty == Certainty::unresolved)

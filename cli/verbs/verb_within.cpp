@@ -44,7 +44,7 @@ class Within final : public PoseVerb {
 
  private:
   void report(const std::vector<NearPair>& pairs, const Detector& detector, const Timing& timing) const {
-    std::size_t counts[4] = {};
+    std::size_t counts[kPairKinds] = {};
     for (const NearPair& pair : pairs) ++counts[static_cast<std::size_t>(pair.kind)];
     const auto nearest = std::min_element(pairs.begin(), pairs.end(),
                                           [](const NearPair& a, const NearPair& b) { return a.distance < b.distance; });

@@ -14,6 +14,8 @@ namespace tamis {
 /// Vertex-face (VF) and edge-edge (EE): between them every first contact of two triangle meshes. Points and edges that
 /// belong to no face have closed features of their own that these leave out: vertex-edge (VE) and vertex-vertex (VV).
 enum class PairKind : std::uint8_t { vertex_face, edge_edge, vertex_edge, vertex_vertex };
+/// How many there are: a table that has a row a kind is indexed by it.
+inline constexpr std::size_t kPairKinds = 4;
 
 /// "vf", "ee", "ve", "vv": as in files and on the command line.
 std::string_view name_of(PairKind);

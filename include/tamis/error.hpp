@@ -38,7 +38,7 @@ struct Cancelled : Error {
 /// A question to a detector that is answering another one: of another thread, or of the filter's or path's own caller.
 struct Busy : Error {
   using Error::Error;
-  Busy() : Error("the detector is answering another question: give each thread a detector of its own") {}
+  Busy() : Error("another question is being answered: give each thread a detector, or a world, of its own") {}
 };
 
 }  // namespace tamis

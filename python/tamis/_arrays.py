@@ -23,6 +23,8 @@ _WHOLE = "integers below 2^31"
 
 def _array(given: npt.ArrayLike, name: str, error: type[Error], kinds: str, wanted: str) -> npt.NDArray[Any]:
     """Make an array of one of these kinds of numbers; anything else is refused with a sentence."""
+    if isinstance(given, np.ma.MaskedArray):
+        raise error(f"{name} is a masked array, whose mask would be lost: give its .filled(...) or .data")
     try:
         array = np.asarray(given)
     except (TypeError, ValueError, OverflowError):  # rows of several lengths, say

@@ -58,7 +58,7 @@ def write_mesh(
     Parameters
     ----------
     path : path_like
-        Of the file; an existing one is replaced.
+        Of the file, ending in ``.ply``; an existing one is replaced.
     positions : array_like, shape (n, 3)
         One row a vertex.
     faces : array_like of int, shape (f, 3)
@@ -71,7 +71,7 @@ def write_mesh(
     Raises
     ------
     FileError
-        The file cannot be written.
+        The file cannot be written, or has another ending.
     InvalidMesh
         An index that is no row of the positions, a coordinate that is not finite, or an array of another shape or type.
     """
@@ -80,7 +80,10 @@ def write_mesh(
     loose = indices_or_none(points, 0, "points", InvalidMesh)
     if triangles.size or rods.size or loose.size:
         Mesh(triangles, len(vertices), rods, loose)  # refuses indices out of range
-    _core.write_mesh(file_name(path, "path"), vertices, triangles, rods, loose)
+    name = file_name(path, "path")
+    if not str(name).lower().endswith(".ply"):
+        raise FileError(f"{name}: meshes are written as PLY alone: give a name that ends in .ply")
+    _core.write_mesh(name, vertices, triangles, rods, loose)
 
 
 def read_frames(*names: str | os.PathLike[str]) -> Iterator[MeshFile]:

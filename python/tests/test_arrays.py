@@ -146,3 +146,9 @@ def test_the_mesh_cannot_be_changed_from_outside() -> None:
     assert mesh.faces.tolist() == [[0, 1, 2]] and mesh.vertex_count == 3
     with pytest.raises(ValueError, match="read-only"):
         mesh.faces[0, 0] = 1
+
+
+def test_a_mask_is_not_lost(falling: tamis.Scene) -> None:
+    masked = np.ma.masked_array(falling.start, mask=True)
+    with pytest.raises(tamis.InvalidStep, match="start is a masked array"):
+        tamis.Detector(falling.mesh).is_free(masked, falling.end)

@@ -76,13 +76,11 @@ def test_a_filter_that_raises(soup: tamis.Scene) -> None:
         assert detector.contacts(soup.start, soup.end) == expected
 
 
-def test_a_filter_that_answers_nonsense(falling: tamis.Scene) -> None:
-    class Neither:
-        def __bool__(self) -> bool:
-            raise ValueError("neither")
-
-    with pytest.raises(ValueError, match="neither"):
-        count(falling, filter=lambda kind, vertices: Neither())
+@pytest.mark.parametrize("answer", [None, "no", 1, np.array([True])])
+def test_a_filter_that_answers_neither_true_nor_false(falling: tamis.Scene, answer: object) -> None:
+    with pytest.raises(tamis.InvalidOptions, match=r"filter gave .* for the pair \(3, 0, 1, 2\): return True or False"):
+        count(falling, filter=lambda kind, vertices: answer)
+    assert count(falling, filter=lambda kind, vertices: np.True_) == 1
 
 
 def test_a_filter_that_asks_its_own_detector(falling: tamis.Scene) -> None:

@@ -89,7 +89,7 @@ inline ClosestPointsOf<T> closest_points(const Vec3<T>& e, [[maybe_unused]] cons
   } else if constexpr (kind == PairKind::vertex_edge) {
     const T u = nearest_on_segment(d, e);
     return {u, T(0), d - u * e};
-  } else {
+  } else if constexpr (kind == PairKind::vertex_vertex) {
     return {T(0), T(0), d};
   }
 }

@@ -16,7 +16,7 @@ inline auto difference_corners([[maybe_unused]] const V& e, [[maybe_unused]] con
     return std::array{d, d - e, d + f, d + f - e};
   else if constexpr (kind == PairKind::vertex_edge)
     return std::array{d, d - e};
-  else
+  else if constexpr (kind == PairKind::vertex_vertex)
     return std::array{d};
 }
 

@@ -31,7 +31,7 @@ inline NearFacts<T> near_facts(const T& u, const T& v, const Vec3<T>& unit) {
     return {{u<one, u> zero, v<one, v> zero}, direction};
   else if constexpr (kind == PairKind::vertex_edge)
     return {{all, u<one, u> zero, none}, direction};
-  else
+  else if constexpr (kind == PairKind::vertex_vertex)
     return {{all, all, none, none}, direction};
 }
 

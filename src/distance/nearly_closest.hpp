@@ -17,7 +17,7 @@ struct NearlyClosest {
       return segment_segment(e, f, d);
     else if constexpr (kind == PairKind::vertex_edge)
       return to_segment(d, e);
-    else
+    else if constexpr (kind == PairKind::vertex_vertex)
       return d;
   }
 

@@ -21,7 +21,7 @@ inline Range<T> range_of_differences([[maybe_unused]] const T& e, [[maybe_unused
     return {d + min(zero, f) - max(zero, e), d + max(zero, f) - min(zero, e)};
   else if constexpr (kind == PairKind::vertex_edge)  // d, d - e
     return {d - max(zero, e), d - min(zero, e)};
-  else
+  else if constexpr (kind == PairKind::vertex_vertex)
     return {d, d};
 }
 

@@ -118,8 +118,9 @@ struct ListedPairs {
 /// The kernels of one type of pairs; null where the type has no use for one.
 struct PairKernels {
   /// Finds the pairs of features of leaf block `block` of `a` with all of `b` whose moving boxes meet and that share
-  /// no vertex; of edges: with the blocks from `block` on, each pair once. Loose edges and points are searched as faces
-  /// are, their last vertex repeated.
+  /// no vertex, and others, which depend on how features are put into blocks (box_overlap.hpp); of edges: with the
+  /// blocks from `block` on, each pair once. Loose edges and points are searched as faces are, their last vertex
+  /// repeated.
   SearchKernel search = nullptr;
   /// The same of boxes at t=0 that are wider, together, by search.widened.
   SearchKernel search_at_rest = nullptr;

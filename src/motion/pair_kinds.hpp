@@ -9,9 +9,6 @@
 
 namespace tamis {
 
-/// How many kinds there are; PairKind counts them from 0.
-inline constexpr std::size_t kPairKinds = 4;
-
 constexpr bool is_kind(PairKind kind) { return static_cast<std::size_t>(kind) < kPairKinds; }
 
 /// A difference of two of the pair's vertices.

@@ -25,7 +25,7 @@ inline constexpr auto kDifferences = [] {
     return std::array{P{2, 0}, P{2, 1}, P{3, 0}, P{3, 1}};
   else if constexpr (kind == PairKind::vertex_edge)
     return std::array{P{0, 1}, P{0, 2}};
-  else
+  else if constexpr (kind == PairKind::vertex_vertex)
     return std::array{P{0, 1}};
 }();
 

@@ -124,4 +124,5 @@ class AuditReport:
     def __repr__(self) -> str:
         frames, steps = len(self.frames), len(self.steps)
         found = f"{len(self.pairs) + self.pairs_left_out} pairs" if len(self.pairs) else "nothing found"
-        return f"AuditReport({frames} frames, {steps} steps, {found}{', free' if self.is_free else ''})"
+        not_asked = f", frames that could not be asked: {len(self.problems)}" if self.problems else ""
+        return f"AuditReport({frames} frames, {steps} steps, {found}{not_asked}{', free' if self.is_free else ''})"

@@ -180,6 +180,9 @@ class Questions:
     def pairs_within(self, distance: float) -> BodyNearPairs:
         """Find every pair of features that is near at t=0.
 
+        Two bodies that only have poses are not asked about, even where they pass through each other: give one of them
+        ``interpolated(pose, pose)``.
+
         Parameters
         ----------
         distance : float
@@ -199,6 +202,8 @@ class Questions:
 
     def intersections(self) -> BodyIntersections:
         """Find every edge that passes through a triangle or touches it at t=0: exactly.
+
+        Two bodies that only have poses are not asked about, as of `pairs_within`.
 
         Returns
         -------

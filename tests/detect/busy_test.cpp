@@ -92,7 +92,8 @@ TEST_F(BusyDetector, EndsTheQuestionOfAFilterThatDoesNotMind) {
     contacts.ask(detector);
     ADD_FAILURE() << "a question within the question was answered";
   } catch (const Busy& busy) {
-    EXPECT_STREQ(busy.what(), "another question is being answered: give each thread a detector, or a world, of its own");
+    EXPECT_STREQ(busy.what(),
+                 "another question is being answered: give each thread a detector, or a world, of its own");
   }
   own = nullptr;
   EXPECT_TRUE(contacts.ask(detector) == contacts.ask(plain)) << "the detector may be asked again";

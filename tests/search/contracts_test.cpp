@@ -30,7 +30,6 @@ struct Trees {
 TEST_F(Contracts, TreesBeforeTheirFirstStep) {
   Trees t;
   EXPECT_DEATH(t.trees.refit_for(t.step, {}), "is_built");
-  EXPECT_DEATH(t.trees.load_vertices(t.step, {}, t.statistics), "is_built");
 }
 
 TEST_F(Contracts, TreesOfAnotherMesh) {

@@ -113,7 +113,7 @@ TEST(BadWorld, RefusesWhatCannotTouch) {
                                  "body 0 does not deform, so it cannot touch itself: leave that out");
   expect_refused<InvalidOptions>(
       [&] { world.set_may_touch(0, 1, true); },
-      "bodies 0 and 1 both stay where they are, so they cannot come to touch: move one of them");
+      "bodies 0 and 1 both stay where they are, and two such bodies are never asked about: tell one of them a motion");
 }
 
 TEST(BadWorld, FailsForWhatTouchesAtTheStart) {

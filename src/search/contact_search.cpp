@@ -1,8 +1,11 @@
 #include "search/contact_search.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+
+#include "search/beginning.hpp"
 
 namespace tamis {
 namespace {
@@ -29,7 +32,7 @@ void ContactSearch::find(const Query& query, ContactCollector& answer, Statistic
   const Stopwatch watch;
   streams_.begin(answer);
   if (is_listed) search_lists(answer);
-  const bool is_undecided = !is_listed || ahead_.leaves_undecided(answer);
+  const bool is_undecided = is_listed ? ahead_.leaves_undecided(answer) : !search_beginnings(answer, statistics);
   if (is_listed && is_undecided) trees.refit_or_rebuild(query.step, query.separations, looks_at, statistics);
   if (is_undecided) search_trees(answer);
   ahead_.end(answer);
@@ -58,6 +61,38 @@ void ContactSearch::search_lists(ContactCollector& answer) {
     });
     t_limit = std::min(t_limit, gather(answer));
   }
+}
+
+/// Of a step that goes very far, which starts as one point in the floats of its boxes: its first contact comes early,
+/// and is looked for in beginnings of the step. Returns whether it was found there; else leaves the trees at the step.
+bool ContactSearch::search_beginnings(ContactCollector& answer, Statistics& statistics) {
+  constexpr int kBeginnings = 4;
+  constexpr double kLonger = 16;
+  const Query& query = answer.query();
+  FeatureTrees& trees = workspace_.trees;
+  if (query.question != Question::earliest) return false;
+  double length = beginning_of_long_step(query.step, workspace_.mesh.points());
+  for (int i = 0; i < kBeginnings && length < 1; ++i, length *= kLonger) {
+    const Beginning beginning(query.step, workspace_.mesh.points(), length);
+    const Query shorter{beginning.step(), query.separations, query.filter, query.rings, query.is_cancelled};
+    std::array<PairList, kPairKinds> lists;
+    const auto take = [&](PairKind kind, PairList& pairs) { lists[static_cast<std::size_t>(kind)].take(pairs); };
+    const bool holds_all = candidates_.list(shorter, beginning.deviation(), 1, take, statistics);
+    if (holds_all) {
+      trees.load_vertices(query.step, query.separations, statistics);
+      streams_.begin(answer);
+      const float t_limit = float_after(answer.bound().latest());
+      trees.for_each_kind([&](PairKind kind, const TreeView&, const TreeView&) {
+        streams_.search(kind, lists[static_cast<std::size_t>(kind)], {0, 1}, {0, 1}, t_limit);
+      });
+      gather(answer);
+      if (answer.bound().latest() < length) return true;  // what is not listed touches at `length` or later
+    }
+    trees.refit_for(query.step, query.separations);
+    streams_.begin(answer);
+    if (!holds_all) return false;
+  }
+  return false;
 }
 
 /// REQUIRES: trees of the query's step.

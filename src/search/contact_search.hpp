@@ -23,6 +23,7 @@ class ContactSearch {
  private:
   bool list_ahead(const Query& query, Statistics& statistics);
   void search_lists(ContactCollector& answer);
+  bool search_beginnings(ContactCollector& answer, Statistics& statistics);
   void search_trees(ContactCollector& answer);
   float gather(ContactCollector& answer);
 

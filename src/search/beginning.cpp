@@ -1,0 +1,55 @@
+#include "search/beginning.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "numerics/assert.hpp"
+
+namespace tamis {
+namespace {
+
+/// Below this part of its way a step has lost so many bits of where it starts that its boxes tell little.
+constexpr double kSmallPart = 0x1p-8;
+/// What goes so far, for the size of the scene, meets few others on its way.
+constexpr double kOfExtent = 1.0 / 16;
+
+/// Half of the widest of the three axes: it does not overflow.
+double extent(std::span<const Positions> poses, std::span<const Index> points) {
+  double widest = 0;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+    for (const Positions& pose : poses)
+      for (const Index v : points) {
+        low = std::min(low, pose[v][axis]);
+        high = std::max(high, pose[v][axis]);
+      }
+    widest = std::max(widest, 0.5 * high - 0.5 * low);
+  }
+  return widest;
+}
+
+}  // namespace
+
+double beginning_of_long_step(const Step& step, std::span<const Index> points) {
+  const Positions both[] = {step.start, step.end};
+  const double part = extent(std::span(both).first(1), points) / extent(both, points);
+  return 0 < part && part < kSmallPart ? std::ldexp(kOfExtent, std::ilogb(part)) : 1;
+}
+
+/// (1 - length) start + length end takes four roundings, and what underflows: 2^-50 and 2^-1000 an axis are more.
+Beginning::Beginning(const Step& step, std::span<const Index> points, double length)
+    : start_(step.start), end_(static_cast<std::size_t>(step.start.count()), Point{}) {
+  TAMIS_ASSERT(0 < length && length <= 1);
+  for (const Index v : points) {
+    double off = 0;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const double from = (1 - length) * step.start[v][axis], to = length * step.end[v][axis];
+      end_[static_cast<std::size_t>(v)][axis] = from + to;
+      off += 0x1p-50 * (std::fabs(step.start[v][axis]) + std::fabs(to)) + 0x1p-1000;
+    }
+    deviation_ = std::max(deviation_, off);
+  }
+}
+
+}  // namespace tamis

@@ -9,6 +9,8 @@ namespace {
 
 /// Half of how far a feature goes: as much as where it is halfway may be off by.
 constexpr float kHalf = 0.5f;
+/// A first contact that comes before blocks by place have parted is found best by them; they have late in the step.
+constexpr double kSoon = 0.5;
 /// Where neighbours go together an order by ways parts layers, and spreads blocks at the start little: by no more than
 /// this, counted until blocks by place alone have parted as far as they were apart.
 constexpr double kMoreSpread = 1.25;
@@ -83,11 +85,10 @@ OrderAxes order_axes(const PackedMotion& motion, std::span<const Index> points, 
   const Spread by_place = spread_of(motion, points, {0}, split);
   if (!by_place.is_long()) return axes_of_whole_step(motion, points, split);
   const double t = by_place.time();
-  if (looks_at == LooksAt::distances) {
-    const Spread by_way = spread_of(motion, points, {0, kHalf}, split);
-    if (by_way.until(t) < kMoreSpread * by_place.until(t)) return axes_of_whole_step(motion, points, split);
-  }
-  return {0, static_cast<float>(t)};
+  if (looks_at == LooksAt::start && t > kSoon) return {0};
+  const Spread by_way = spread_of(motion, points, {0, kHalf}, split);
+  if (by_way.until(t) < kMoreSpread * by_place.until(t)) return axes_of_whole_step(motion, points, split);
+  return {0, t > kSoon ? 0 : static_cast<float>(t)};
 }
 
 }  // namespace tamis

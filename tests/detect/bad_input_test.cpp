@@ -209,8 +209,8 @@ TEST(BadNumber, IsSaidSoThatItReadsBack) {
 
 // Bug: in the floats of such a step's boxes its start is one point, and every pair is decided, most by integers.
 TEST(AStepThatExplodes, HasItsFirstContactInItsBeginning) {
-  for (const char* name : {"folded-cloth", "soup", "rod"})
-    for (const double far : {1e3, 1e12, 1e300}) {
+  for (const char* name : {"folded-cloth", "soup"})
+    for (const double far : {1e3, 1e300}) {
       const Scene scene = scenes::scene_by_name(name, 24, 3);
       std::vector<Point> end = scene.start;
       scenes::Random random(5);

@@ -50,7 +50,7 @@ def test_files_that_cannot_be_used(falling: tamis.Scene, tmp_path: pathlib.Path)
         list(tamis.read_frames(tmp_path / "nowhere"))
     with pytest.raises(tamis.FileError):
         tamis.write_mesh(tmp_path / "nowhere" / "a.ply", falling.start, falling.mesh.faces)
-    with pytest.raises(tamis.FileError, match="a name that ends in .ply"):
+    with pytest.raises(tamis.FileError, match="a name that ends in"):
         tamis.write_mesh(tmp_path / "a.obj", falling.start, falling.mesh.faces)
     with pytest.raises(tamis.InvalidMesh):
         tamis.write_mesh(tmp_path / "a.ply", falling.start, [[0, 1, 6]])

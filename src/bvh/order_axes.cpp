@@ -7,9 +7,10 @@
 namespace tamis {
 namespace {
 
-/// Half of how far a feature goes: as much as where it is halfway may be off by.
+/// Halfway; and how much of its way a feature is then from where it starts.
 constexpr float kHalf = 0.5f;
-/// A first contact that comes before blocks by place have parted is found best by them; they have late in the step.
+/// Blocks by place alone serve a search for a first contact, which comes before they have parted, unless they part
+/// sooner than after this part of the step.
 constexpr double kSoon = 0.5;
 /// Where neighbours go together an order by ways parts layers, and spreads blocks at the start little: by no more than
 /// this, counted until blocks by place alone have parted as far as they were apart.

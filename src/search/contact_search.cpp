@@ -99,7 +99,7 @@ bool ContactSearch::search_beginnings(ContactCollector& answer, Statistics& stat
 void ContactSearch::search_trees(ContactCollector& answer) {
   const FeatureTrees& trees = workspace_.trees;
   TAMIS_ASSERT(trees.are_of(answer.query().step));
-  float t_limit = 1;
+  float t_limit = float_after(answer.bound().latest());  // lists may have found something
   for (const Sample& sample : samples_for(answer.query(), trees.most_leaf_blocks())) {
     trees.for_each_kind([&](PairKind kind, const TreeView& a, const TreeView& b) {
       if (answer.wants(kind)) streams_.search(kind, a, b, sample, t_limit);

@@ -76,8 +76,10 @@ void World::State::gather(Gathering& gathering, const Reach& reach, const Wanted
   gathering.pairs = needed.pairs;
   if (!gathering.is_asked()) return;
   if (is_usable && kShrunk * needed.count() >= gathering.needed_when_gathered &&
-      gathering.gathered->items().includes(needed))
+      gathering.gathered->items().includes(needed)) {
+    ++gathering.served;
     return;
+  }
   gather_anew(gathering, reach, is_wanted, needed, pieces);
 }
 

@@ -64,7 +64,7 @@ class Asker {
     if (nb::try_cast(answer, is_accepted)) return is_accepted;
     const std::string type = nb::cast<std::string>(answer.type().attr("__name__"));
     if (type == "bool_" || type == "bool") return nb::cast<bool>(nb::bool_(answer));
-    throw InvalidOptions("filter gave " + nb::cast<std::string>(nb::repr(answer)) + " for the pair " +
+    throw InvalidOptions("filter gave what is of the type " + type + " for the pair " +
                          nb::cast<std::string>(nb::repr(pair)) + ": return True or False");
   }
 

@@ -225,7 +225,7 @@ def test_an_interrupt_stays_itself_on_its_rank(cloth: Part) -> None:
 def test_a_question_within_a_question(cloth: Part) -> None:
     many: distributed.Detector = cloth.detector(filter=lambda kind, v: many.is_free(cloth.start, cloth.end))
     said = raised_on_all(tamis.Error, lambda: many.contacts(cloth.start, cloth.end))
-    assert "the filter raised Busy: another question is being answered" in said
+    assert "the filter raised Busy: the detector is answering another question" in said
 
 
 def test_results_do_not_change_and_detectors_come_and_go(cloth: Part) -> None:

@@ -1,6 +1,7 @@
 // The answers: one contact, and what is said of a whole step.
 #pragma once
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string_view>

@@ -66,7 +66,7 @@ void ContactSearch::search_lists(ContactCollector& answer) {
 /// Of a step that goes very far, which starts as one point in the floats of its boxes: its first contact comes early,
 /// and is looked for in beginnings of the step. Returns whether it was found there; else leaves the trees at the step.
 bool ContactSearch::search_beginnings(ContactCollector& answer, Statistics& statistics) {
-  constexpr int kBeginnings = 4;
+  constexpr int kBeginnings = 4;  // what touches no sooner costs this much more than it did
   constexpr double kLonger = 16;
   const Query& query = answer.query();
   FeatureTrees& trees = workspace_.trees;

@@ -68,7 +68,7 @@ class MovingPolygonTest {
   ExactDecision first_contact_once_apart() const {
     FirstTimeOnceApart times;
     add_events(times);
-    return times.decision([&](const DyadicCell& time) { return starts_within(at_rest_at(polygon_, time), 0); });
+    return times.decision([&](const DyadicCell& time) { return is_within(polygon_at(polygon_, time), 0); });
   }
 
  private:

@@ -33,13 +33,12 @@ template <class Number>
 class Description {
  public:
   using Vector = Vec3<Number>;
-  using Polygon = MovingPolygonOf<Number>;
 
-  /// `polygon`: at the time; `moving` tells how it came there.
-  Description(PairKind kind, const Polygon& polygon, const Polygon& moving)
+  /// `polygon`: at the time; `points` tell how it came there.
+  Description(PairKind kind, const Polygon<Number>& polygon, const PairPoints& points)
       : kind_(kind),
         polygon_(polygon),
-        moving_(moving),
+        points_(points),
         nearest_(NearestPointSearch<Number>::in(polygon)),
         is_sure_(nearest_.is_sure) {}
 
@@ -52,8 +51,12 @@ class Description {
   bool is_sure() const { return is_sure_; }
 
  private:
-  const Vector& corner(std::size_t i) const { return polygon_.corner(i).at0; }
-  Vector velocity(std::size_t i) const { return moving_.corner(i).at1 - moving_.corner(i).at0; }
+  const Vector& corner(std::size_t i) const { return polygon_.corner(i); }
+  /// Asked where there is no gap.
+  const Vector& velocity(std::size_t i) {
+    if (!velocities_) velocities_ = corner_velocities<Number>(kind_, points_);
+    return velocities_->corner(i);
+  }
 
   int sign(const Number& x) {
     is_sure_ = is_sure_ && has_sign(x);
@@ -106,7 +109,7 @@ class Description {
   }
 
   ExactDistance inside() {
-    const std::size_t end = moving_.corner_count - 1;
+    const std::size_t end = polygon_.corner_count - 1;
     const auto& plane = nearest_.plane;
     const Number &square = plane.square, &u = plane.within[end], &v = plane.within[0];
     const auto height_of_velocity = [&] {
@@ -120,7 +123,9 @@ class Description {
   }
 
   PairKind kind_;
-  const Polygon &polygon_, &moving_;
+  const Polygon<Number>& polygon_;
+  const PairPoints& points_;
+  std::optional<Polygon<Number>> velocities_;
   NearestPoint<Number> nearest_;
   bool is_sure_;
 };
@@ -128,17 +133,16 @@ class Description {
 }  // namespace
 
 std::optional<ExactDistance> estimated_distance(PairKind kind, const PairPoints& points) {
-  const auto polygon = difference_polygon<Estimate>(kind, points);
-  Description<Estimate> description(kind, polygon, polygon);
+  const auto polygon = start_polygon<Estimate>(kind, points);
+  Description<Estimate> description(kind, polygon, points);
   const ExactDistance made = description.made();
   return description.is_sure() ? std::optional(made) : std::nullopt;
 }
 
 ExactDistance distance_in_integers(PairKind kind, const PairPoints& points, double time) {
-  const MovingPolygon moving = difference_polygon(kind, points);
-  std::optional<MovingPolygon> later;
-  const MovingPolygon& polygon = time > 0 ? later.emplace(at_rest_at(moving, shortest_cell_at(time))) : moving;
-  return Description<Integer>(kind, polygon, moving).made();
+  const auto polygon =
+      time > 0 ? polygon_at(difference_polygon(kind, points), shortest_cell_at(time)) : start_polygon(kind, points);
+  return Description<Integer>(kind, polygon, points).made();
 }
 
 ExactDistance exact_distance(PairKind kind, const PairPoints& points, double time) {
@@ -149,7 +153,7 @@ ExactDistance exact_distance(PairKind kind, const PairPoints& points, double tim
 
 Vec3<double> exact_normal(PairKind kind, const PairPoints& points, double time) {
   TAMIS_ASSERT(is_finite(points) && 0 <= time && time <= 1);
-  const MovingPolygon polygon = at_rest_at(difference_polygon(kind, points), shortest_cell_at(time));
+  const Polygon<Integer> polygon = polygon_at(difference_polygon(kind, points), shortest_cell_at(time));
   const Vec3<double> normal = unit_vector_of(NearestPointSearch<Integer>::normal(polygon));
   return kind == PairKind::edge_edge ? -normal : normal;  // the polygon's sides are -e and f
 }

@@ -94,7 +94,7 @@ ExactDecision decide_within_once_apart_exactly(PairKind kind, const PairPoints& 
   const MovingPolygon polygon = difference_polygon(kind, points, separation);
   FirstTimeOnceApart times;
   SeparationTest(polygon, separation, times).run();
-  return times.decision([&](const DyadicCell& time) { return starts_within(at_rest_at(polygon, time), separation); });
+  return times.decision([&](const DyadicCell& time) { return is_within(polygon_at(polygon, time), separation); });
 }
 
 }  // namespace tamis

@@ -5,6 +5,7 @@
 #include <climits>
 #include <cmath>
 #include <cstdint>
+#include <span>
 
 #include "motion/pair_kinds.hpp"
 #include "numerics/assert.hpp"
@@ -36,34 +37,52 @@ int lowest_exponent(double x) {
 /// By axis.
 using Exponents = std::array<int, 3>;
 
-/// Of each axis' coordinates; INT_MAX for one that has no bit.
-Exponents lowest_exponents(const PairPoints& points) {
-  Exponents lowest{INT_MAX, INT_MAX, INT_MAX};
-  for (const auto* at : {&points.start, &points.end})
-    for (const Point& point : *at)
-      for (std::size_t k = 0; k < 3; ++k) lowest[k] = std::min(lowest[k], lowest_exponent(point[k]));
+/// The lower of each and of those of the points' coordinates; INT_MAX for an axis that has no bit.
+Exponents lowest_exponents(std::span<const Point> points, Exponents lowest = {INT_MAX, INT_MAX, INT_MAX}) {
+  for (const Point& point : points)
+    for (std::size_t k = 0; k < 3; ++k) lowest[k] = std::min(lowest[k], lowest_exponent(point[k]));
   return lowest;
 }
 
+/// The lowest of all, also of the separation's, for each axis.
+Exponents common_unit(const Exponents& lowest, double separation) {
+  const int common = std::min({lowest[0], lowest[1], lowest[2], lowest_exponent(separation)});
+  const int unit = common == INT_MAX ? 0 : common;
+  return {unit, unit, unit};
+}
+
 template <class Number>
-MovingPolygonOf<Number> polygon(PairKind kind, const PairPoints& points, const Exponents& units) {
-  const auto vector = [&](const Point& p) {
-    return Vec3<Number>{scaled_to_integer<Number>(p[0], units[0]), scaled_to_integer<Number>(p[1], units[1]),
-                        scaled_to_integer<Number>(p[2], units[2])};
-  };
-  const auto moving = [&](std::size_t i) { return Moving<Number>{vector(points.start[i]), vector(points.end[i])}; };
-  const std::array<Moving<Number>, 4> x{moving(0), moving(1), moving(2), moving(3)};
+Vec3<Number> scaled_to_integers(const Point& p, const Exponents& units) {
+  return {scaled_to_integer<Number>(p[0], units[0]), scaled_to_integer<Number>(p[1], units[1]),
+          scaled_to_integer<Number>(p[2], units[2])};
+}
+
+/// Of the features' vertices.
+template <class Corner>
+PolygonOf<Corner> polygon_of(PairKind kind, const std::array<Corner, 4>& x, int exponent) {
   switch (kind) {
     case PairKind::vertex_face:
-      return {{x[0] - x[1], x[0] - x[2], x[0] - x[3], {}}, 3, units[0]};
+      return {{x[0] - x[1], x[0] - x[2], x[0] - x[3], {}}, 3, exponent};
     case PairKind::edge_edge:
-      return {{x[2] - x[0], x[2] - x[1], x[3] - x[1], x[3] - x[0]}, 4, units[0]};
+      return {{x[2] - x[0], x[2] - x[1], x[3] - x[1], x[3] - x[0]}, 4, exponent};
     case PairKind::vertex_edge:
-      return {{x[0] - x[1], x[0] - x[2], {}, {}}, 2, units[0]};
+      return {{x[0] - x[1], x[0] - x[2], {}, {}}, 2, exponent};
     case PairKind::vertex_vertex:
       break;
   }
-  return {{x[0] - x[1], {}, {}, {}}, 1, units[0]};
+  return {{x[0] - x[1], {}, {}, {}}, 1, exponent};
+}
+
+MovingPolygon moving_polygon(PairKind kind, const PairPoints& points, const Exponents& units) {
+  const auto at = [&](std::size_t i) {
+    return Moving<Integer>{scaled_to_integers<Integer>(points.start[i], units),
+                           scaled_to_integers<Integer>(points.end[i], units)};
+  };
+  return polygon_of<Moving<Integer>>(kind, {at(0), at(1), at(2), at(3)}, units[0]);
+}
+
+Exponents lowest_exponents(const PairPoints& points) {
+  return lowest_exponents(points.end, lowest_exponents(points.start));
 }
 
 }  // namespace
@@ -78,31 +97,44 @@ Number scaled_to_integer(double x, int exponent) {
 template Integer scaled_to_integer(double, int);
 template Estimate scaled_to_integer(double, int);
 
-template <class Number>
-MovingPolygonOf<Number> difference_polygon(PairKind kind, const PairPoints& points, double separation) {
+MovingPolygon difference_polygon(PairKind kind, const PairPoints& points, double separation) {
   TAMIS_ASSERT(is_kind(kind) && is_finite(points) && std::isfinite(separation));
-  const Exponents lowest = lowest_exponents(points);
-  const int common = std::min({lowest[0], lowest[1], lowest[2], lowest_exponent(separation)});
-  const int unit = common == INT_MAX ? 0 : common;
-  return polygon<Number>(kind, points, {unit, unit, unit});
-}
-template MovingPolygonOf<Integer> difference_polygon(PairKind, const PairPoints&, double);
-template MovingPolygonOf<Estimate> difference_polygon(PairKind, const PairPoints&, double);
-
-MovingPolygon at_rest_at(const MovingPolygon& polygon, const DyadicCell& time) {
-  const Integer before = (Integer(1) << time.k) - time.n;
-  MovingPolygon resting{{}, polygon.corner_count, polygon.exponent - static_cast<int>(time.k)};
-  for (std::size_t i = 0; i < polygon.corner_count; ++i) {
-    const auto& [at0, at1] = polygon.corners[i];
-    const Vec3<Integer> at = before * at0 + time.n * at1;
-    resting.corners[i] = {at, at};
-  }
-  return resting;
+  return moving_polygon(kind, points, common_unit(lowest_exponents(points), separation));
 }
 
 MovingPolygon stretched_polygon(PairKind kind, const PairPoints& points) {
   TAMIS_ASSERT(is_kind(kind) && is_finite(points));
-  return polygon<Integer>(kind, points, lowest_exponents(points));
+  return moving_polygon(kind, points, lowest_exponents(points));
+}
+
+template <class Number>
+Polygon<Number> start_polygon(PairKind kind, const PairPoints& points, double separation) {
+  TAMIS_ASSERT(is_kind(kind) && is_finite(points) && std::isfinite(separation));
+  const Exponents units = common_unit(lowest_exponents(points.start), separation);
+  const auto at = [&](std::size_t i) { return scaled_to_integers<Number>(points.start[i], units); };
+  return polygon_of<Vec3<Number>>(kind, {at(0), at(1), at(2), at(3)}, units[0]);
+}
+template Polygon<Integer> start_polygon(PairKind, const PairPoints&, double);
+template Polygon<Estimate> start_polygon(PairKind, const PairPoints&, double);
+
+template <class Number>
+Polygon<Number> corner_velocities(PairKind kind, const PairPoints& points) {
+  TAMIS_ASSERT(is_kind(kind) && is_finite(points));
+  const Exponents units = common_unit(lowest_exponents(points), 0);
+  const auto of = [&](std::size_t i) {
+    return scaled_to_integers<Number>(points.end[i], units) - scaled_to_integers<Number>(points.start[i], units);
+  };
+  return polygon_of<Vec3<Number>>(kind, {of(0), of(1), of(2), of(3)}, units[0]);
+}
+template Polygon<Integer> corner_velocities(PairKind, const PairPoints&);
+template Polygon<Estimate> corner_velocities(PairKind, const PairPoints&);
+
+Polygon<Integer> polygon_at(const MovingPolygon& polygon, const DyadicCell& time) {
+  const Integer before = (Integer(1) << time.k) - time.n;
+  Polygon<Integer> at{{}, polygon.corner_count, polygon.exponent - static_cast<int>(time.k)};
+  for (std::size_t i = 0; i < polygon.corner_count; ++i)
+    at.corners[i] = before * polygon.corners[i].at0 + time.n * polygon.corners[i].at1;
+  return at;
 }
 
 }  // namespace tamis

@@ -14,30 +14,40 @@
 
 namespace tamis {
 
-template <class Number>
-struct MovingPolygonOf {
-  std::array<Moving<Number>, 4> corners;  ///< in order around it
-  std::size_t corner_count;               ///< 1 to 4
-  int exponent;                           ///< a coordinate 1 is a length of 2^exponent
+/// Corner: a vector, or a moving one.
+template <class Corner>
+struct PolygonOf {
+  std::array<Corner, 4> corners;  ///< in order around it
+  std::size_t corner_count;       ///< 1 to 4
+  int exponent;                   ///< a coordinate 1 is a length of 2^exponent
 
-  const Moving<Number>& corner(std::size_t i) const { return corners[i % corner_count]; }
+  const Corner& corner(std::size_t i) const { return corners[i % corner_count]; }
   /// Side i leads from corner i to corner i + 1. A point has one too, from itself to itself.
   std::size_t side_count() const { return corner_count == 2 ? 1 : corner_count; }
 };
-using MovingPolygon = MovingPolygonOf<Integer>;
+using MovingPolygon = PolygonOf<Moving<Integer>>;
+/// At one time. Number: Integer or Estimate.
+template <class Number>
+using Polygon = PolygonOf<Vec3<Number>>;
 
 /// Times a power of two that makes every coordinate an integer, and the separation. REQUIRES: finite numbers,
-/// a kind there is. Number: Integer or Estimate.
+/// a kind there is.
+MovingPolygon difference_polygon(PairKind kind, const PairPoints& points, double separation = 0);
+
+/// The same at t=0: numbers no longer than the start makes them. REQUIRES: as above.
 template <class Number = Integer>
-MovingPolygonOf<Number> difference_polygon(PairKind kind, const PairPoints& points, double separation = 0);
+Polygon<Number> start_polygon(PairKind kind, const PairPoints& points, double separation = 0);
+
+/// Of each corner what it moves in the step, in a unit of its own. REQUIRES: as above.
+template <class Number>
+Polygon<Number> corner_velocities(PairKind kind, const PairPoints& points);
 
 /// As difference_polygon, with each axis times a power of two of its own: shorter numbers, the same times of touching,
 /// but no distances. The exponent means nothing. REQUIRES: as above.
 MovingPolygon stretched_polygon(PairKind kind, const PairPoints& points);
 
-/// The same polygon, not moving: as it is at `time` of the step, the lower end of the cell. REQUIRES (not checked:
-/// exact): in [0,1].
-MovingPolygon at_rest_at(const MovingPolygon& polygon, const DyadicCell& time);
+/// As it is at `time` of the step, the lower end of the cell. REQUIRES (not checked: exact): in [0,1].
+Polygon<Integer> polygon_at(const MovingPolygon& polygon, const DyadicCell& time);
 
 /// Of the polygon's plane, as motion/polynomials.hpp has it; zero if there are less than three corners.
 inline std::array<Vec3<Integer>, 3> normal_polynomial(const MovingPolygon& polygon) {

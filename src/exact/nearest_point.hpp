@@ -1,4 +1,4 @@
-// The point of the difference polygon nearest to the origin, at one time: in integers, or in estimates as long as all
+// The point of the difference polygon nearest to the origin: in integers, or in estimates as long as all
 // signs that it asks for are known.
 #pragma once
 #include <array>
@@ -50,14 +50,13 @@ inline bool has_sign(const Estimate& x) { return x.has_sign(); }
 template <class Number>
 class NearestPointSearch {
  public:
-  /// Of the polygon at t=0.
-  static NearestPoint<Number> in(const MovingPolygonOf<Number>& polygon) { return NearestPointSearch(polygon).find(); }
+  static NearestPoint<Number> in(const Polygon<Number>& polygon) { return NearestPointSearch(polygon).find(); }
 
   /// Of the polygon's plane; zero: there is none.
-  static Vec3<Number> normal(const MovingPolygonOf<Number>& polygon) {
+  static Vec3<Number> normal(const Polygon<Number>& polygon) {
     if (polygon.corner_count < 3) return {};
-    const Vec3<Number>& first = polygon.corner(0).at0;
-    return cross(polygon.corner(1).at0 - first, polygon.corner(polygon.corner_count - 1).at0 - first);
+    const Vec3<Number>& first = polygon.corner(0);
+    return cross(polygon.corner(1) - first, polygon.corner(polygon.corner_count - 1) - first);
   }
 
  private:
@@ -67,9 +66,9 @@ class NearestPointSearch {
     Fraction<Number> square, along;
   };
 
-  explicit NearestPointSearch(const MovingPolygonOf<Number>& polygon) : polygon_(polygon) {}
+  explicit NearestPointSearch(const Polygon<Number>& polygon) : polygon_(polygon) {}
 
-  const Vector& corner(std::size_t i) const { return polygon_.corner(i).at0; }
+  const Vector& corner(std::size_t i) const { return polygon_.corner(i); }
 
   int sign(const Number& x) {
     found_.is_sure = found_.is_sure && has_sign(x);
@@ -112,7 +111,7 @@ class NearestPointSearch {
     return found_;
   }
 
-  const MovingPolygonOf<Number>& polygon_;
+  const Polygon<Number>& polygon_;
   NearestPoint<Number> found_;
 };
 

@@ -26,35 +26,34 @@ Integer squared_speed(const MovingPolygon& polygon) {
 
 /// Squared distance minus squared separation, in the unit of the polygon squared: above / below.
 template <class Number>
-Fraction<Number> excess_at_start(const MovingPolygonOf<Number>& polygon, const Fraction<Number>& square,
-                                 double separation) {
+Fraction<Number> squared_excess(const Polygon<Number>& polygon, const Fraction<Number>& square, double separation) {
   const Number s = scaled_to_integer<Number>(separation, polygon.exponent);
   return {square.above - s * s * square.below, square.below};
 }
 
 }  // namespace
 
-bool starts_within(const MovingPolygon& polygon, double separation) {
+bool is_within(const Polygon<Integer>& polygon, double separation) {
   TAMIS_ASSERT(separation >= 0 && std::isfinite(separation));
-  return excess_at_start(polygon, NearestPointSearch<Integer>::in(polygon).square, separation).above.sign() <= 0;
+  return squared_excess(polygon, NearestPointSearch<Integer>::in(polygon).square, separation).above.sign() <= 0;
 }
 
 bool starts_within(PairKind kind, const PairPoints& points, double separation) {
   TAMIS_ASSERT(separation >= 0);
   if (separation == 0 && !may_start_coplanar(make_motion(kind, points))) return false;
-  const PairPoints start{points.start, points.start};  // ends would only make the numbers longer
-  const auto polygon = difference_polygon<Estimate>(kind, start, separation);
+  const auto polygon = start_polygon<Estimate>(kind, points, separation);
   const auto nearest = NearestPointSearch<Estimate>::in(polygon);
-  const Estimate above = excess_at_start(polygon, nearest.square, separation).above;
+  const Estimate above = squared_excess(polygon, nearest.square, separation).above;
   if (nearest.is_sure && above.has_sign()) return above.sign() <= 0;
-  return starts_within(difference_polygon(kind, start, separation), separation);
+  return is_within(start_polygon(kind, points, separation), separation);
 }
 
 double apart_from_start(PairKind kind, const PairPoints& points, double separation) {
   TAMIS_ASSERT(separation >= 0);
   const MovingPolygon polygon = difference_polygon(kind, points, separation);
-  const Fraction<Integer> square = NearestPointSearch<Integer>::in(polygon).square,
-                          excess = excess_at_start(polygon, square, separation);
+  const auto start = polygon_at(polygon, {});
+  const Fraction<Integer> square = NearestPointSearch<Integer>::in(start).square,
+                          excess = squared_excess(start, square, separation);
   if (excess.above.sign() <= 0) return 0;
   const Integer speed = squared_speed(polygon);
   if (speed.sign() == 0) return std::numeric_limits<double>::infinity();

@@ -5,9 +5,9 @@
 
 namespace tamis {
 
-/// Is the origin within the separation of the polygon at t=0? Decided exactly.
+/// Is the origin within the separation of the polygon? Decided exactly.
 /// REQUIRES: the separation is finite, >= 0 and a multiple of the polygon's unit.
-bool starts_within(const MovingPolygon& polygon, double separation);
+bool is_within(const Polygon<Integer>& polygon, double separation);
 
 /// Are the features within the separation of each other at t=0? Decided exactly, by estimates where all signs are
 /// plain. REQUIRES: finite coordinates, a finite separation >= 0.

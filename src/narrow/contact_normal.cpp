@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "distance/direction_apart.hpp"
 #include "exact/exact_distance.hpp"
@@ -39,9 +40,14 @@ Point any_normal(PairKind kind, const PairPoints& points, const PairMotion<doubl
 }
 
 template <PairKind kind>
-ContactPlace closest_place(const PairPoints& points, const PairMotion<double>& m, double time) {
-  const auto apart = direction_apart<kind>(m, time);
-  if (apart.is_sure) return {apart.u, apart.v, {apart.direction.x, apart.direction.y, apart.direction.z}};
+std::optional<ContactPlace> closest_place_in_doubles(const PairMotion<double>& m, double time) {
+  const auto [u, v, direction, is_sure] = direction_apart<kind>(m, time);
+  if (!is_sure) return {};
+  return ContactPlace{u, v, {direction.x, direction.y, direction.z}};
+}
+
+template <PairKind kind>
+ContactPlace exact_closest_place(const PairPoints& points, const PairMotion<double>& m, double time) {
   const ExactDistance exact = exact_distance(kind, points, time);
   const Vec direction = near_facts<kind>(exact.u, exact.v, exact.direction).direction;
   const bool is_known = largest_of(direction) > 0;
@@ -61,7 +67,13 @@ int side_before_crossing(PairKind kind, const PairPoints& points, const PairMoti
 
 ContactPlace closest_place(PairKind kind, const PairPoints& points, const PairMotion<double>& m, double time) {
   TAMIS_ASSERT(0 <= time && time <= 1 && is_motion_of(m, kind, points));
-  return with_kind(kind, [&](auto k) { return closest_place<k()>(points, m, time); });
+  const auto place = with_kind(kind, [&](auto k) { return closest_place_in_doubles<k()>(m, time); });
+  return place ? *place : exact_closest_place(kind, points, m, time);
+}
+
+ContactPlace exact_closest_place(PairKind kind, const PairPoints& points, const PairMotion<double>& m, double time) {
+  TAMIS_ASSERT(0 <= time && time <= 1 && is_motion_of(m, kind, points));
+  return with_kind(kind, [&](auto k) { return exact_closest_place<k()>(points, m, time); });
 }
 
 ContactPlace crossing_place(PairKind kind, const PairPoints& points, const PairMotion<double>& m,
@@ -75,13 +87,10 @@ ContactPlace crossing_place(PairKind kind, const PairPoints& points, const PairM
 }
 
 void describe_contact(PairKind kind, const PairPoints& points, const PairMotion<double>& m, PairResult& result) {
-  const auto [u, v, normal] = is_about_distance(kind, m.separation)
-                                  ? closest_place(kind, points, m, result.toi_lower)
-                                  : crossing_place(kind, points, m, {result.toi_lower, result.toi_upper},
-                                                   side_before_crossing(kind, points, m, result));
-  result.u = u;
-  result.v = v;
-  result.normal = normal;
+  set_place(result, is_about_distance(kind, m.separation)
+                        ? closest_place(kind, points, m, result.toi_lower)
+                        : crossing_place(kind, points, m, {result.toi_lower, result.toi_upper},
+                                         side_before_crossing(kind, points, m, result)));
 }
 
 }  // namespace tamis

@@ -17,9 +17,17 @@ struct ContactPlace {
   Point normal;
 };
 
+inline void set_place(PairResult& result, const ContactPlace& place) {
+  result.u = place.u;
+  result.v = place.v;
+  result.normal = place.normal;
+}
+
 /// Of the closest points at `time`. REQUIRES, as all below: finite coordinates, times in [0,1] and in order; `m` is the
 /// motion of `points`.
 ContactPlace closest_place(PairKind kind, const PairPoints& points, const PairMotion<double>& m, double time);
+/// The same of a pair of which doubles, in lanes or not, did not tell it.
+ContactPlace exact_closest_place(PairKind kind, const PairPoints& points, const PairMotion<double>& m, double time);
 
 /// Of a crossing within `time`, before which the first feature is on that side of the second: 1 or -1, along e x f; 0:
 /// there is no side. REQUIRES: a kind that can cross.

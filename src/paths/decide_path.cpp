@@ -201,10 +201,7 @@ PairResult result_on_path(const PathQuestion& question, const Decision& decision
   result.certainty = decision.verdict == Verdict::touches ? Certainty::certified : Certainty::unresolved;
   result.toi_lower = decision.lower;
   result.toi_upper = decision.upper;
-  const auto [u, v, normal] = place_on_path(question, decision);
-  result.u = u;
-  result.v = v;
-  result.normal = normal;
+  set_place(result, place_on_path(question, decision));
   return result;
 }
 

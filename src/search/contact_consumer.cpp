@@ -60,7 +60,7 @@ void ContactConsumer::add(PairKind kind, const PairVertices& vertices, PairResul
     if (!found_.wants(kind, vertices)) return;
     const PairPoints points = points_of(query().step, vertices);
     const double separation = query().rule_for(kind, vertices).min_separation;
-    describe_contact(kind, points, make_motion(kind, points, separation), result);
+    set_place(result, exact_closest_place(kind, points, make_motion(kind, points, separation), result.toi_lower));
   }
   found_.add(kind, vertices, result);
 }

@@ -205,7 +205,7 @@ bool is_root_within(const mpq_class& a, const mpq_class& square, const mpq_class
 }
 
 mpq_class exact_square_of_distance(PairKind kind, const PairPoints& points) {
-  const MovingPolygon polygon = difference_polygon(kind, points);
+  const Polygon<Integer> polygon = start_polygon(kind, points);
   const Fraction<Integer> square = NearestPointSearch<Integer>::in(polygon).square;
   mpq_class result(mpz_class(square.above.get()), mpz_class(square.below.get()));
   result.canonicalize();

@@ -10,6 +10,7 @@
 #include "numerics/finite.hpp"
 #include "query/cancellation.hpp"
 #include "query/pair_rules.hpp"
+#include "search/pair_buffer.hpp"
 
 namespace tamis {
 namespace {
@@ -60,12 +61,12 @@ class PartDecision {
     const Pair& pair = part_.pairs[static_cast<std::size_t>(place)];
     if (!are_rows<kCorners>(pair, part_.step.start.count())) return false;
     auto& batch = batches_[static_cast<std::size_t>(kind)];
-    if (!batch) batch = std::make_unique_for_overwrite<Batch>();
+    if (!batch) batch = std::make_unique<Batch>();
     const int at = batch->pairs.count++;
-    for (std::size_t i = 0; i < kCorners; ++i) {
-      batch->pairs.corner[i][at] = pair.vertices[i];
-      __builtin_prefetch(part_.step.start[pair.vertices[i]]);
-      __builtin_prefetch(part_.step.end[pair.vertices[i]]);
+    put(kind, pair.vertices, batch->pairs, at);
+    for (const Index v : std::span(pair.vertices).template first<kCorners>()) {
+      __builtin_prefetch(part_.step.start[v]);
+      __builtin_prefetch(part_.step.end[v]);
     }
     batch->places[at] = place;
     return batch->pairs.count < Batch::kPairsABatch || decide_batch(kind);
@@ -86,7 +87,7 @@ class PartDecision {
 
   WithinScratch* within(PairKind kind) {
     if (!is_about_distance(kind, part_.options.min_separation)) return nullptr;
-    if (!within_) within_ = std::make_unique_for_overwrite<WithinScratch>();
+    if (!within_) within_ = std::make_unique<WithinScratch>();
     return within_.get();
   }
 
@@ -94,10 +95,9 @@ class PartDecision {
     stop_if_cancelled(part_);
     const Pair& pair = part_.pairs[static_cast<std::size_t>(place)];
     if (!has_finite_points(pair, part_.step)) return false;
-    PairVertices vertices{-1, -1, -1, -1};
-    std::copy_n(pair.vertices.begin(), vertex_count(kind), vertices.begin());
     PrecisionCount decided_by;
-    results_[place] = decide_undecided(kind, points_of(part_.step, vertices), part_.options, decided_by);
+    const PairPoints points = points_of(part_.step, vertices_in_use(kind, pair.vertices));
+    results_[place] = decide_undecided(kind, points, part_.options, decided_by);
     return true;
   }
 

@@ -1,6 +1,5 @@
 #include "tamis/pair_distance.hpp"
 
-#include <algorithm>
 #include <optional>
 
 #include "detect/pair_faults.hpp"
@@ -15,13 +14,6 @@
 
 namespace tamis {
 namespace {
-
-/// As Contact has them: -1 where the kind has no vertex.
-PairVertices vertices_of(const Pair& pair) {
-  PairVertices vertices{-1, -1, -1, -1};
-  std::copy_n(pair.vertices.begin(), vertex_count(pair.kind), vertices.begin());
-  return vertices;
-}
 
 void validate(const Pair& pair, const Step& step) {
   validate_layout(step);
@@ -51,7 +43,7 @@ End end_by_distance(const Pair& pair, const PairPoints& points, double keep, con
 NearPair distance_of(const Pair& pair, const Positions& positions) {
   const Step rest{positions, positions};
   validate(pair, rest);
-  const PairVertices vertices = vertices_of(pair);
+  const PairVertices vertices = vertices_in_use(pair.kind, pair.vertices);
   return near_pair(pair.kind, vertices, points_of(rest, vertices));
 }
 
@@ -59,7 +51,7 @@ SafeStep safe_step(const Pair& pair, const Step& step, double keep, const PairOp
   validate(pair, step);
   validate(options);
   validate_kept(keep);
-  const PairVertices vertices = vertices_of(pair);
+  const PairVertices vertices = vertices_in_use(pair.kind, pair.vertices);
   const PairPoints points = points_of(step, vertices);
   const End end = keep > 0 ? end_by_distance(pair, points, keep, options) : end_by_contact(pair, points, options);
   if (!end) return {options.latest, 1, {}};

@@ -1,4 +1,4 @@
-#include <algorithm>
+#include <span>
 #include <string>
 
 #include "detect/validate.hpp"
@@ -9,17 +9,14 @@ namespace tamis {
 
 namespace {
 
-template <std::size_t count>
-PairResult decide_pair(PairKind kind, const Path& path, const std::array<Index, count>& used,
-                       const PathOptions& options) {
+PairResult decide_pair(PairKind kind, const Path& path, const PairVertices& vertices, const PathOptions& options) {
   validate_of_path({.min_separation = options.min_separation, .tolerance = options.tolerance});
-  PairVertices vertices{-1, -1, -1, -1};
-  std::copy(used.begin(), used.end(), vertices.begin());
-  for (const Index v : used)
+  for (const Index v : std::span(vertices).first(vertex_count(kind)))
     if (v < 0 || v >= path.vertex_count())
       throw InvalidPath("the path has no vertex " + std::to_string(v) + ": give numbers in [0, " +
                         std::to_string(path.vertex_count()) + ")");
-  const PathQuestion question{path, kind, vertices, options.min_separation, options.tolerance, options.is_cancelled};
+  const PathQuestion question{
+      path, kind, vertices_in_use(kind, vertices), options.min_separation, options.tolerance, options.is_cancelled};
   return result_on_path(question, decide_on_path(question, {0, 1}));
 }
 
@@ -34,11 +31,11 @@ PairResult edge_edge(const Path& path, const std::array<Index, 4>& vertices, con
 }
 
 PairResult vertex_edge(const Path& path, const std::array<Index, 3>& vertices, const PathOptions& options) {
-  return decide_pair(PairKind::vertex_edge, path, vertices, options);
+  return decide_pair(PairKind::vertex_edge, path, {vertices[0], vertices[1], vertices[2]}, options);
 }
 
 PairResult vertex_vertex(const Path& path, const std::array<Index, 2>& vertices, const PathOptions& options) {
-  return decide_pair(PairKind::vertex_vertex, path, vertices, options);
+  return decide_pair(PairKind::vertex_vertex, path, {vertices[0], vertices[1]}, options);
 }
 
 }  // namespace tamis

@@ -13,6 +13,12 @@ namespace tamis {
 
 using PairVertices = std::array<Index, 4>;  ///< as in Contact, before sorting
 
+/// Those that the kind has; -1 in place of the others, as Contact documents.
+inline PairVertices vertices_in_use(PairKind kind, PairVertices v) {
+  std::fill(v.begin() + vertex_count(kind), v.end(), -1);
+  return v;
+}
+
 inline bool are_adjacent(PairKind kind, const PairVertices& v) {
   if (kind == PairKind::edge_edge) return v[0] == v[2] || v[0] == v[3] || v[1] == v[2] || v[1] == v[3];
   return v[0] == v[1] || v[0] == v[2] || v[0] == v[3];

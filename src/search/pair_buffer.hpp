@@ -11,9 +11,13 @@ namespace tamis {
 /// In contact order: the search gives them so. REQUIRES: a pair of the buffer.
 inline PairVertices vertices_of(PairKind kind, const PairBuffer& pairs, int i) {
   TAMIS_ASSERT(0 <= i && i < pairs.count);
-  PairVertices vertices{-1, -1, -1, -1};
-  for (std::size_t c = 0; c < vertex_count(kind); ++c) vertices[c] = pairs.corner[c][i];
-  return vertices;
+  return vertices_in_use(kind, {pairs.corner[0][i], pairs.corner[1][i], pairs.corner[2][i], pairs.corner[3][i]});
+}
+
+/// Makes it pair i of the buffer; its times stay. REQUIRES: room for it.
+inline void put(PairKind kind, const PairVertices& vertices, PairBuffer& pairs, int i) {
+  TAMIS_ASSERT(0 <= i && i < PairBuffer::kSize);
+  for (std::size_t c = 0; c < vertex_count(kind); ++c) pairs.corner[c][i] = vertices[c];
 }
 
 /// Searches from one leaf block, into the buffer. REQUIRES: a buffer, and what empties it; a block that there is; a

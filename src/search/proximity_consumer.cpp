@@ -56,9 +56,7 @@ void ProximityConsumer::describe(PairKind kind, std::span<const PairVertices> pa
   for (std::size_t first = 0; first < pairs.size(); first += kAtOnce) {
     stop_if_cancelled(query());
     buffer.count = static_cast<int>(std::min(kAtOnce, pairs.size() - first));
-    for (int i = 0; i < buffer.count; ++i)
-      for (std::size_t c = 0; c < vertex_count(kind); ++c)
-        buffer.corner[c][i] = pairs[first + static_cast<std::size_t>(i)][c];
+    for (int i = 0; i < buffer.count; ++i) put(kind, pairs[first + static_cast<std::size_t>(i)], buffer, i);
     NearPair* const said = out + first;
     thread().kernels.of(kind).measure(thread().motion.vertices.data(), buffer, said);
     for (int i = 0; i < buffer.count; ++i)

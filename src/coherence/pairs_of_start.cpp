@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "numerics/error_bounds.hpp"
+
 namespace tamis {
 namespace {
 
@@ -10,8 +12,8 @@ namespace {
 /// before, and so many times as far as they go on the average.
 constexpr double kFarther = 1.5, kBesides = 0.5;
 constexpr int kLongestPauseInStarts = 64;
-/// What the arithmetic with lengths may be off by, and more; where squares are too small for it, the least length.
-constexpr double kLengthRounding = 1 + 0x1p-40, kLeastLength = 0x1p-500;
+/// Where squares are too small for it, the least length.
+constexpr double kLeastLength = 0x1p-500;
 
 /// No less than it is.
 double length_at_most(const Step& step, Index v) {
@@ -20,7 +22,7 @@ double length_at_most(const Step& step, Index v) {
     const double length = step.end[v][axis] - step.start[v][axis];
     sum += length * length;
   }
-  return std::sqrt(sum) * kLengthRounding + kLeastLength;
+  return std::sqrt(sum) * kRoundedUp + kLeastLength;
 }
 
 }  // namespace
@@ -74,8 +76,8 @@ bool PairsOfStart::plan(const Query& query, double fraction) {
   const std::span<const double> radii = query.separations.radii;
   for (const Index index : mesh_.points()) {
     const auto v = static_cast<std::size_t>(index);
-    room_[v] = (kFarther * std::max(ways_[v], ways_before_[v]) + besides) / (1 - fraction) * kLengthRounding;
-    reach_[v] = (room_[v] + (radii.empty() ? 0 : radii[v])) * kLengthRounding;
+    room_[v] = (kFarther * std::max(ways_[v], ways_before_[v]) + besides) / (1 - fraction) * kRoundedUp;
+    reach_[v] = (room_[v] + (radii.empty() ? 0 : radii[v])) * kRoundedUp;
     if (!std::isfinite(reach_[v])) return false;
   }
   radii_ = radii.data();

@@ -22,7 +22,7 @@ struct Dnf {
   template <PairKind kind, class T>
   static Mask<T> proves_free_though_deviating(const PairMotion<T>& m, const T& deviation) {
     const T x = T(2) * deviation, d = m.size_d, e = m.size_e, f = m.size_f, unit = d * e * f;
-    const T change = T(6 * (1 + 0x1p-40)) * (x * (d * e + d * f + e * f) + x * x * (d + e + f + x));
+    const T change = T(6 * kRoundedUp) * (x * (d * e + d * f + e * f) + x * x * (d + e + f + x));
     return has_one_sign(coplanarity_polynomial(m), change + error_bounds::bound(error_bounds::kCoplanarityEnd, unit),
                         T(3) * change + error_bounds::bound(error_bounds::kCoplanarityMiddle, unit));
   }

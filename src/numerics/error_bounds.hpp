@@ -145,3 +145,11 @@ inline constexpr double kRoomToAdvance = 0x1p-10;
 inline constexpr double kRoomOfBoxes = 6 * kRoomToAdvance;
 
 }  // namespace tamis::error_bounds
+
+namespace tamis {
+
+/// Sums, products, quotients and roots of doubles >= 0 come, times this, to no less than without rounding: each loses u
+/// of itself, and 2^12 of them less than this adds. What may underflow is added beside it.
+inline constexpr double kRoundedUp = 1 + 0x1p-40;
+
+}  // namespace tamis

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "numerics/axes.hpp"
+#include "numerics/error_bounds.hpp"
 #include "paths/fine_point.hpp"
 #include "paths/rigid_transform.hpp"
 #include "paths/rounded_rotation.hpp"
@@ -40,7 +41,7 @@ RoundedTransform rounded(const RigidTransform& exact) {
 RoundedTransform rounded_near(const Link& link, double time) {
   const RoundedPlace turn = rounded_linear(link.start.rotation, link.end.rotation, time);
   const RoundedPlace shift = rounded_linear(link.start.position, link.end.position, time);
-  const RoundedRotation rotation = rounded_rotation(turn.x, kRootOfThree * (1 + 0x1p-40) * turn.error);
+  const RoundedRotation rotation = rounded_rotation(turn.x, kRootOfThree * kRoundedUp * turn.error);
   return {rotation.rows, shift.x, rotation.error, shift.error, 0};
 }
 
@@ -60,13 +61,12 @@ RoundedTransform after(const RoundedTransform& outer, const RoundedTransform& in
     for (std::size_t k = 0; k < 3; ++k)
       both.rows[i][k] = outer.rows[i][0] * inner.rows[0][k] + outer.rows[i][1] * inner.rows[1][k] +
                         outer.rows[i][2] * inner.rows[2][k];
-  both.turn_error =
-      (outer.turn_error + inner.turn_error + outer.turn_error * inner.turn_error + 0x1p-49) * (1 + 0x1p-40);
+  both.turn_error = (outer.turn_error + inner.turn_error + outer.turn_error * inner.turn_error + 0x1p-49) * kRoundedUp;
   both.shift = outer.of(inner.shift);
   const double size = std::fabs(inner.shift[0]) + std::fabs(inner.shift[1]) + std::fabs(inner.shift[2]);
   both.shift_error =
       ((outer.turn_error + 0x1p-50) * size + 0x1p-50 * outer.shift_size + inner.shift_error + outer.shift_error) *
-          (1 + 0x1p-40) +
+          kRoundedUp +
       0x1p-1000;
   both.shift_size = largest_coordinate(both.shift);
   return both;
@@ -75,7 +75,7 @@ RoundedTransform after(const RoundedTransform& outer, const RoundedTransform& in
 /// Nine entries and three, each off by no more.
 RoundedTransform with_norms(RoundedTransform transform) {
   transform.turn_error *= 3;
-  transform.shift_error *= kRootOfThree * (1 + 0x1p-40);
+  transform.shift_error *= kRootOfThree * kRoundedUp;
   return transform;
 }
 

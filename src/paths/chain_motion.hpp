@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "numerics/error_bounds.hpp"
 #include "numerics/interval.hpp"
 #include "tamis/rigid_path.hpp"
 
@@ -48,7 +49,7 @@ struct RoundedTransform {
   /// factor covers this sum's own rounding.
   double error_of(double size, double x_error) const {
     const double turned = (turn_error + 0x1p-50) * size, shifted = shift_error + 0x1p-50 * shift_size;
-    return (turned + shifted + 2 * x_error) * (1 + 0x1p-40) + 0x1p-1000;
+    return (turned + shifted + 2 * x_error) * kRoundedUp + 0x1p-1000;
   }
 };
 

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "numerics/assert.hpp"
+#include "numerics/error_bounds.hpp"
 
 namespace tamis {
 namespace {
@@ -33,7 +34,7 @@ CosineSinc of_angle_from_half(double square_of_half) {
 RoundedRotation rounded_rotation(const Point& rotation, double off) {
   const auto [x, y, z] = rotation;
   const double square = x * x + y * y + z * z;
-  TAMIS_ASSERT(square <= kLargestRoundedAngle * kLargestRoundedAngle * (1 + 0x1p-40));
+  TAMIS_ASSERT(square <= kLargestRoundedAngle * kLargestRoundedAngle * kRoundedUp);
   if (x == 0 && y == 0 && z == 0 && off == 0) return {{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}, 0};
   const bool is_small = square <= 4;
   const auto [cosine, sinc] = is_small ? of_small_angle(square / 4) : of_angle_from_half(square / 16);
@@ -44,7 +45,7 @@ RoundedRotation rounded_rotation(const Point& rotation, double off) {
   return {{{{1 - (yy + zz), xy - a * z, xz + a * y},
             {xy + a * z, 1 - (xx + zz), yz - a * x},
             {xz - a * y, yz + a * x, 1 - (xx + yy)}}},
-          (0x1p-53 * lost + off) * (1 + 0x1p-40)};
+          (0x1p-53 * lost + off) * kRoundedUp};
 }
 
 }  // namespace tamis

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include "numerics/error_bounds.hpp"
 #include "paths/fine_point.hpp"
 #include "tamis/error.hpp"
 
@@ -75,7 +76,7 @@ void SplinePath::points_at(double time, std::span<const Index> vertices, std::sp
       weighted += std::fabs(rounded[k].value) * largest;
     }
     points[i] = x;
-    errors[i] = (each * weighted + error * size) * (1 + 0x1p-40) + 0x1p-1000;
+    errors[i] = (each * weighted + error * size) * kRoundedUp + 0x1p-1000;
   }
 }
 

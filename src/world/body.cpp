@@ -6,6 +6,7 @@
 
 #include "numerics/assert.hpp"
 #include "numerics/axes.hpp"
+#include "numerics/error_bounds.hpp"
 #include "numerics/finite.hpp"
 #include "tamis/error.hpp"
 #include "topology/at.hpp"
@@ -57,7 +58,7 @@ double distance_above(const Point& a, const Point& b) {
   double square = 0;
   for (std::size_t k = 0; k < 3; ++k) square += (a[k] - b[k]) * (a[k] - b[k]);
   if (std::isnan(square)) return std::numeric_limits<double>::infinity();
-  return std::sqrt(square) * (1 + 0x1p-40) + 0x1p-500;  // squares may underflow
+  return std::sqrt(square) * kRoundedUp + 0x1p-500;  // squares may underflow
 }
 
 /// The difference of two affine maps is largest, over a box, at one of its corners.
@@ -69,7 +70,7 @@ double farthest_between(const RoundedTransform& a, const RoundedTransform& b, co
     farthest = std::max(farthest, distance_above(a.of(x), b.of(x)));
   }
   const double size = box.size_of_sum();
-  return (farthest + 2 * (a.error_of(size, 0) + b.error_of(size, 0)) * kRootOfThree) * (1 + 0x1p-40);
+  return (farthest + 2 * (a.error_of(size, 0) + b.error_of(size, 0)) * kRootOfThree) * kRoundedUp;
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "world/carried_boxes.hpp"
 
 #include "numerics/assert.hpp"
+#include "numerics/error_bounds.hpp"
 #include "paths/fine_point.hpp"
 #include "topology/at.hpp"
 
@@ -25,7 +26,7 @@ Box all_if_unknown(Box box) {
 
 /// Between two bounds that are linear in `share`, rounded up.
 double at_share(double first, double last, double share) {
-  return (first + (last - first) * share) * (1 + 0x1p-40) + 0x1p-1000;
+  return (first + (last - first) * share) * kRoundedUp + 0x1p-1000;
 }
 
 /// No point within is farther from the origin.
@@ -35,7 +36,7 @@ double farthest_in(const Box& box) {
     const double farthest = std::max(std::fabs(box.low[k]), std::fabs(box.high[k]));
     square += farthest * farthest;
   }
-  return std::sqrt(square) * (1 + 0x1p-40);
+  return std::sqrt(square) * kRoundedUp;
 }
 
 /// What is kept in `kept` at a place, made if it is asked for first.

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "numerics/error_bounds.hpp"
 #include "paths/fine_point.hpp"
 #include "paths/path_search.hpp"
 #include "query/cancellation.hpp"
@@ -39,8 +40,8 @@ double World::State::Reach::own(const Body& body) const {
 
 std::vector<BodyPair> World::State::near_bodies(const Reach& reach, double more, bool at_start) {
   stop_if_cancelled(options);
-  const auto own = [&](const Body& body) { return reach.own(body) * (1 + 0x1p-40); };
-  std::vector<BodyPair> pairs = near_bodies_.find(bodies, own, (reach.separation + more) * (1 + 0x1p-40), at_start);
+  const auto own = [&](const Body& body) { return reach.own(body) * kRoundedUp; };
+  std::vector<BodyPair> pairs = near_bodies_.find(bodies, own, (reach.separation + more) * kRoundedUp, at_start);
   if (!kept_apart.empty()) std::erase_if(pairs, [&](const BodyPair& pair) { return kept_apart.contains(pair); });
   return pairs;
 }
@@ -85,7 +86,7 @@ void World::State::gather(Gathering& gathering, const Reach& reach, const Wanted
 
 void World::State::find_near(const std::vector<BodyPair>& pairs, const Reach& reach, double more, Pieces& pieces,
                              NearItems& items) const {
-  const auto reach_of = [&](const Body& a, const Body& b) { return (reach.of(a, b) + more) * (1 + 0x1p-40); };
+  const auto reach_of = [&](const Body& a, const Body& b) { return (reach.of(a, b) + more) * kRoundedUp; };
   add_near_items(
       bodies, pairs, reach_of, pieces, [this] { stop_if_cancelled(options); }, items);
 }
@@ -140,7 +141,7 @@ bool World::State::Margin::has(const BodyList& of_world, const std::vector<BodyP
     return place->second;
   };
   return std::ranges::all_of(
-      pairs, [&](const BodyPair& pair) { return (off_of(pair[0]) + off_of(pair[1])) * (1 + 0x1p-40) <= more; });
+      pairs, [&](const BodyPair& pair) { return (off_of(pair[0]) + off_of(pair[1])) * kRoundedUp <= more; });
 }
 
 std::vector<double> World::State::times_of_pieces(const std::vector<BodyPair>& pairs) const {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "detect/detector_access.hpp"
+#include "numerics/error_bounds.hpp"
 #include "query/stopwatch.hpp"
 #include "tamis/turn.hpp"
 #include "world/gathered.hpp"
@@ -63,7 +64,7 @@ struct World::State {
     double part_of_way = 0;
     /// What one of them adds.
     double own(const Body& body) const;
-    double of(const Body& a, const Body& b) const { return (separation + own(a) + own(b)) * (1 + 0x1p-40); }
+    double of(const Body& a, const Body& b) const { return (separation + own(a) + own(b)) * kRoundedUp; }
   };
   /// What was gathered is all that comes within the reach and `more`. It serves later questions while both bodies of
   /// each pair together are no farther than `more` from where they were then, at the same time of the step.

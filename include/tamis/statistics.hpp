@@ -62,12 +62,12 @@ struct Statistics {
   std::vector<StageCount> stages;
   PrecisionCount decided_by;
   Seconds seconds;
-  /// AtStart::ignore, of contacts, earliest and is_free: pairs that touch at t=0, and not again once they are apart; of
-  /// the last two those that were looked at.
+  /// AtStart::ignore, of contacts, earliest and is_free, of steps and of paths: pairs that touch at t=0, and not again
+  /// once they are apart; of the last two those that were looked at.
   std::uint64_t ignored = 0;
   std::uint64_t nodes_visited = 0;  ///< also to list pairs ahead; 0 where they had been
   bool rebuilt = false;             ///< the hierarchy was built, not refitted
-  std::uint64_t memory_bytes = 0;   ///< held by the detector: hierarchy, buffers, contacts
+  std::uint64_t memory_bytes = 0;   ///< held by the detector: hierarchy, buffers, contacts, groups, rings
 };
 
 }  // namespace tamis

@@ -1,7 +1,6 @@
 #include "paths/decide_path.hpp"
 
 #include <algorithm>
-#include <optional>
 
 #include "narrow/contact_normal.hpp"
 #include "numerics/assert.hpp"
@@ -180,18 +179,12 @@ Decision decide_on_path(const PathQuestion& question, const TimeInterval<double>
                    [&](auto kind) { return PathSolver<kind(), double>(question, reader, time, kMostParts).run(); });
 }
 
-Decision decide_once_apart_on_path(const PathQuestion& question, const TimeInterval<double>& time, bool& never_apart) {
+std::optional<Decision> decide_once_apart_on_path(const PathQuestion& question, const TimeInterval<double>& time) {
   const double length = time.t_out - time.t_in;
-  const auto decided_from = [&](double part) -> std::optional<Decision> {
-    const double from = time.t_in + part * length;
-    if (!is_apart_on_path(question, from)) return std::nullopt;
-    return decide_on_path(question, {from, time.t_out});
-  };
-  never_apart = false;
   for (double part = 0x1p-20; part < 1; part = part < 0x1p-4 ? 2 * part : part + 0x1p-4)
-    if (const auto decision = decided_from(part)) return *decision;
-  never_apart = true;
-  return {};
+    if (const double from = time.t_in + part * length; is_apart_on_path(question, from))
+      return decide_on_path(question, {from, time.t_out});
+  return std::nullopt;
 }
 
 PairResult result_on_path(const PathQuestion& question, const Decision& decision) {

@@ -2,6 +2,8 @@
 // holds a certified crossing in a narrow bracket, or is too short for the arithmetic, which is doubles, then
 // double-double.
 #pragma once
+#include <optional>
+
 #include "narrow/subdivide.hpp"
 #include "paths/path_reader.hpp"
 
@@ -21,8 +23,8 @@ struct PathQuestion {
 Decision decide_on_path(const PathQuestion& question, const TimeInterval<double>& time);
 
 /// Of a pair that may touch at the start of `time`: from the first of some times on at which it is proven apart. Those
-/// are a part 2^-20, 2^-19, ... 2^-4 of `time` after its start, then each sixteenth. `never_apart`: at none of them.
-Decision decide_once_apart_on_path(const PathQuestion& question, const TimeInterval<double>& time, bool& never_apart);
+/// are a part 2^-20, 2^-19, ... 2^-4 of `time` after its start, then each sixteenth. Nothing: at none of them.
+std::optional<Decision> decide_once_apart_on_path(const PathQuestion& question, const TimeInterval<double>& time);
 
 /// With weights and normal at the contact.
 PairResult result_on_path(const PathQuestion& question, const Decision& decision);

@@ -9,30 +9,30 @@
 #include "motion/separations.hpp"
 #include "motion/time_clip.hpp"
 #include "numerics/axes.hpp"
+#include "numerics/error_bounds.hpp"
 #include "numerics/number_text.hpp"
 #include "tamis/error.hpp"
 #include "tamis/path.hpp"
 
 namespace tamis {
 
-/// At one time; of vertices that were not asked for anything.
+/// At one time, by vertex; of vertices that were not asked for anything.
 struct Frame {
   double time = 0;
   std::vector<Point> points;
   std::vector<double> errors;
 };
 
-/// What `vertex` has as radius while its chord stands for it: its deviation, what positions are off by at both ends,
-/// and the caller's own. Throws InvalidPath unless that is finite.
-inline double radius_on_piece(Index vertex, double deviation, const Frame& from, const Frame& to,
+/// What `vertex` has as radius while its chord stands for it: its deviation, what its positions are off by at most at
+/// both ends (an axis), and the caller's own. Throws InvalidPath, naming where the piece begins, unless that is finite.
+inline double radius_on_piece(Index vertex, double deviation, double error, double start,
                               const Separations& separations) {
-  const auto v = static_cast<std::size_t>(vertex);
-  const double error = kRootOfThree * (1 + 0x1p-40) * std::max(from.errors[v], to.errors[v]);
-  double radius = (deviation + error) * (1 + 0x1p-50) + 0x1p-1000;
-  if (!separations.radii.empty()) radius = (radius + separations.radii[v]) * (1 + 0x1p-50);
+  double radius = (deviation + kRootOfThree * kRoundedUp * error) * (1 + 0x1p-50) + 0x1p-1000;
+  if (!separations.radii.empty())
+    radius = (radius + separations.radii[static_cast<std::size_t>(vertex)]) * (1 + 0x1p-50);
   if (!std::isfinite(radius))
     throw InvalidPath("vertex " + std::to_string(vertex) + " of the path deviates without bound after t = " +
-                      number_text(from.time) + ": give a finite bound for short pieces");
+                      number_text(start) + ": give a finite bound for short pieces");
   return radius;
 }
 

@@ -4,10 +4,10 @@
 #include <numeric>
 #include <utility>
 
-#include "motion/pair_kinds.hpp"
 #include "numerics/in_parts.hpp"
 #include "paths/path_reader.hpp"
 #include "query/cancellation.hpp"
+#include "search/pair_buffer.hpp"
 #include "topology/at.hpp"
 
 namespace tamis {
@@ -24,16 +24,45 @@ constexpr std::size_t kMostLooksAPair = 64;
 
 void PairsOnParts::begin(const Piece& piece) {
   piece_.emplace(piece);
-  const auto whole = [](const Frame& frame) { return std::shared_ptr<const Frame>(std::shared_ptr<void>(), &frame); };
+  number_vertices();
   std::vector<std::int32_t> all(piece.pairs.size());
   std::iota(all.begin(), all.end(), 0);
   looks_left_ = kMostLooksAPair * all.size();
   is_given_.assign(all.size(), false);
   may_touch_.assign(all.size(), false);
-  is_used_.assign(piece.from.points.size(), false);
-  vertices_.resize(piece.from.points.size());
+  is_used_.assign(names_.size(), false);
+  vertices_.resize(names_.size());
   parts_.clear();
-  parts_.push_back({whole(piece.from), whole(piece.to), std::move(all), 0});
+  parts_.push_back({of_pairs(piece.from), of_pairs(piece.to), std::move(all), 0});
+}
+
+void PairsOnParts::number_vertices() {
+  constexpr Index kUnused = -1, kUsed = 0;
+  std::vector<Index> numbers(piece_->from.points.size(), kUnused);
+  for (const Contact& pair : piece_->pairs)
+    for (const Index v : pair.vertices)
+      if (v >= 0) numbers[at(v)] = kUsed;
+  names_.clear();
+  for (std::size_t v = 0; v < numbers.size(); ++v) {
+    if (numbers[v] == kUnused) continue;
+    numbers[v] = static_cast<Index>(names_.size());
+    names_.push_back(static_cast<Index>(v));
+  }
+  pairs_.clear();
+  for (const Contact& pair : piece_->pairs) {
+    PairVertices& numbered = pairs_.emplace_back(pair.vertices);
+    for (Index& v : numbered)
+      if (v >= 0) v = numbers[at(v)];
+  }
+}
+
+std::shared_ptr<const Frame> PairsOnParts::of_pairs(const Frame& whole) const {
+  Frame frame{whole.time, {}, {}};
+  for (const Index v : names_) {
+    frame.points.push_back(whole.points[at(v)]);
+    frame.errors.push_back(whole.errors[at(v)]);
+  }
+  return std::make_shared<const Frame>(std::move(frame));
 }
 
 std::vector<std::int32_t> PairsOnParts::next(double latest) {
@@ -64,21 +93,24 @@ void PairsOnParts::halve(const Part& part) {
 
 void PairsOnParts::find_used(const std::vector<std::int32_t>& pairs) {
   for (const std::int32_t pair : pairs)
-    for (const Index v : piece_->pairs[at(pair)].vertices)
+    for (const Index v : pairs_[at(pair)])
       if (v >= 0) is_used_[at(v)] = true;
   used_.clear();
+  names_used_.clear();
   for (std::size_t v = 0; v < is_used_.size(); ++v)
-    if (is_used_[v]) used_.push_back(static_cast<Index>(v));
-  for (const Index v : used_) is_used_[at(v)] = false;
+    if (std::exchange(is_used_[v], false)) {
+      used_.push_back(static_cast<Index>(v));
+      names_used_.push_back(names_[v]);
+    }
 }
 
 std::shared_ptr<const Frame> PairsOnParts::frame_at(double time) const {
   std::vector<Point> points(used_.size());
   std::vector<double> errors(used_.size());
-  piece_->path.points_at(time, used_, points, errors);
+  piece_->path.points_at(time, names_used_, points, errors);
   Frame frame{time, std::vector<Point>(is_used_.size()), std::vector<double>(is_used_.size())};
   for (std::size_t i = 0; i < used_.size(); ++i) {
-    check_point(used_[i], time, points[i], errors[i]);
+    check_point(names_used_[i], time, points[i], errors[i]);
     frame.points[at(used_[i])] = points[i];
     frame.errors[at(used_[i])] = errors[i];
   }
@@ -88,13 +120,14 @@ std::shared_ptr<const Frame> PairsOnParts::frame_at(double time) const {
 /// REQUIRES: used_ of the pairs of `whole`.
 void PairsOnParts::add_half(const Part& whole, std::shared_ptr<const Frame> from, std::shared_ptr<const Frame> to) {
   deviations_.resize(used_.size());
-  piece_->path.deviations(from->time, to->time, used_, deviations_);
+  piece_->path.deviations(from->time, to->time, names_used_, deviations_);
   for (std::size_t i = 0; i < used_.size(); ++i) {
-    const Index v = used_[i];
-    check_deviation(v, from->time, to->time, deviations_[i]);
-    const Point &p = from->points[at(v)], &q = to->points[at(v)];
-    const double radius = radius_on_piece(v, deviations_[i], *from, *to, piece_->separations);
-    vertices_[at(v)] = {{p[0], p[1], p[2], radius, q[0], q[1], q[2], 0}};
+    const std::size_t v = at(used_[i]);
+    check_deviation(names_used_[i], from->time, to->time, deviations_[i]);
+    const Point &p = from->points[v], &q = to->points[v];
+    const double error = std::max(from->errors[v], to->errors[v]);
+    const double radius = radius_on_piece(names_used_[i], deviations_[i], error, from->time, piece_->separations);
+    vertices_[v] = {{p[0], p[1], p[2], radius, q[0], q[1], q[2], 0}};
   }
   for (std::size_t kind = 0; kind < kPairKinds; ++kind) {
     std::vector<std::int32_t> of_kind;
@@ -117,13 +150,17 @@ void PairsOnParts::look(PairKind kind, std::span<const std::int32_t> pairs) {
   Scratch& scratch = scratch_.local();
   PairBuffer& buffer = scratch.pairs;
   buffer.count = static_cast<int>(pairs.size());
-  for (std::size_t i = 0; i < pairs.size(); ++i) {
-    const PairVertices& v = piece_->pairs[at(pairs[i])].vertices;
-    for (std::size_t c = 0; c < vertex_count(kind); ++c) buffer.corner[c][i] = v[c];
-  }
+  for (int i = 0; i < buffer.count; ++i) put(kind, pairs_[at(pairs[at(i)])], buffer, i);
   const WithinRule rule{{piece_->separations.fixed, true}, 1};
   const int left = kernels_.of(kind).come_within(vertices_.data(), rule, buffer, scratch.within, scratch.solved.get());
   for (int i = 0; i < left; ++i) may_touch_[at(pairs[at(scratch.solved[at(i)].pair)])] = true;
+}
+
+std::uint64_t PairsOnParts::memory_bytes() const {
+  return vertices_.capacity() * sizeof(PackedVertex) + pairs_.capacity() * sizeof(PairVertices) +
+         (names_.capacity() + used_.capacity() + names_used_.capacity()) * sizeof(Index) +
+         deviations_.capacity() * sizeof(double) + is_used_.capacity() + is_given_.capacity() + may_touch_.capacity() +
+         scratch_.size() * (sizeof(Scratch) + PairBuffer::kCapacity * sizeof(SolvedPair));
 }
 
 }  // namespace tamis

@@ -11,7 +11,7 @@
 
 #include "kernels/kernels.hpp"
 #include "paths/frame.hpp"
-#include "tamis/contact.hpp"
+#include "query/pair_rules.hpp"
 #include "tamis/path.hpp"
 
 namespace tamis {
@@ -34,10 +34,7 @@ class PairsOnParts {
   /// may do so has been given; empty: nothing else touches until `latest`. Throws InvalidPath and Cancelled.
   std::vector<std::int32_t> next(double latest);
   /// Kept from piece to piece.
-  std::uint64_t memory_bytes() const {
-    return vertices_.capacity() * sizeof(PackedVertex) + used_.capacity() * sizeof(Index) +
-           deviations_.capacity() * sizeof(double) + is_used_.capacity() + is_given_.capacity() + may_touch_.capacity();
-  }
+  std::uint64_t memory_bytes() const;
 
  private:
   struct Part {
@@ -51,8 +48,11 @@ class PairsOnParts {
     std::unique_ptr<SolvedPair[]> solved = std::make_unique_for_overwrite<SolvedPair[]>(PairBuffer::kCapacity);
   };
 
+  /// Numbers the vertices of the piece's pairs: frames and pairs here know these alone.
+  void number_vertices();
+  std::shared_ptr<const Frame> of_pairs(const Frame& whole) const;
   void halve(const Part& part);
-  /// Leaves the vertices of these pairs in used_.
+  /// Leaves the vertices of these pairs in used_ and names_used_.
   void find_used(const std::vector<std::int32_t>& pairs);
   std::shared_ptr<const Frame> frame_at(double time) const;
   void add_half(const Part& whole, std::shared_ptr<const Frame> from, std::shared_ptr<const Frame> to);
@@ -62,10 +62,12 @@ class PairsOnParts {
   std::optional<Piece> piece_;
   std::vector<Part> parts_;  ///< the earliest last
   std::size_t looks_left_ = 0;
+  std::vector<Index> names_;                ///< of the vertices that are numbered here: as the mesh numbers them
+  std::vector<PairVertices> pairs_;         ///< of the piece, as numbered here
   std::vector<char> is_given_, may_touch_;  ///< of each pair of the piece
   std::vector<char> is_used_;               ///< of each vertex
-  std::vector<Index> used_;
-  std::vector<double> deviations_;
+  std::vector<Index> used_, names_used_;
+  std::vector<double> deviations_;  ///< of those
   std::vector<PackedVertex> vertices_;
   tbb::enumerable_thread_specific<Scratch> scratch_;
 };

@@ -1,12 +1,9 @@
 // The questions of a whole mesh on a path: piece by piece along it, a linear question in which every vertex has its
 // deviation as radius; each pair that this leaves is decided on its curves.
 #pragma once
-#include <set>
 #include <span>
-#include <tuple>
 #include <vector>
 
-#include "motion/time_clip.hpp"
 #include "paths/pairs_on_parts.hpp"
 #include "query/engine.hpp"
 #include "tamis/path.hpp"
@@ -46,39 +43,17 @@ class PathSearch {
   std::uint64_t memory_bytes() const;
 
  private:
-  using PairKey = std::tuple<PairKind, PairVertices>;
-
-  Frame frame_at(const Path& path, double time) const;
-  /// Of all vertices between two times. Returns the largest; throws at one that is no bound.
-  double read_deviations(const Path& path, double from, double to);
-  double piece_length(const Path& path, const Frame& start);
-  /// By how many pairs the last piece has left.
-  void choose_deviation(std::size_t pairs);
-  double piece_end(const MeshOnPath& asked, const Path& path, const Frame& start);
-  void set_radii(const Separations& separations, const Frame& from, const Frame& to);
-  /// Throws if a vertex in the middle of its piece is farther from the chord than it says.
-  void check_chords(const Path& path, const Frame& from, const Frame& to) const;
-  /// No pair that stays farther apart, beyond its radii, touches, or fails to keep its part.
-  double kept_reach(const MeshOnPath& asked, const Path& path);
-  /// What chords that come within `reach` have left of a piece.
-  void decide_all(const MeshOnPath& asked, double reach, const Frame& from, const Frame& to, Question question,
-                  std::vector<Contact>& contacts, Statistics& statistics);
-  /// Of that piece, together. Returns when the first of them touches, by its bracket's end.
-  double decide(const MeshOnPath& asked, const TimeInterval<double>& piece, std::span<const std::int32_t> places,
-                std::vector<Contact>& contacts, Statistics& statistics);
+  struct Run;  ///< one question
 
   const Mesh& mesh_;
   const Options& options_;
   const Rings& rings_;
   Engine& engine_;
-  Bound bound_;
-  ContactCollector found_;         ///< pairs that may touch on a piece
-  PairsOnParts parts_;             ///< and their order
-  std::set<PairKey> never_apart_;  ///< ignored: those that have not been apart yet
-  std::set<PairKey> still_never_apart_;
+  // Kept from question to question.
+  ContactCollector found_;  ///< pairs that may touch on a piece
+  PairsOnParts parts_;      ///< and their order
   std::vector<Index> all_;  ///< 0, 1, 2, ...
   std::vector<double> deviations_, radii_;
-  double deviation_in_edges_ = kChordDeviationInEdges;  ///< of the next piece
 };
 
 /// The contact that bounds the step first, and until when one is certain.

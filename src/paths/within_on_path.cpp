@@ -5,6 +5,7 @@
 
 #include "narrow/separation.hpp"
 #include "numerics/assert.hpp"
+#include "numerics/error_bounds.hpp"
 #include "paths/chords.hpp"
 #include "paths/path_parts.hpp"
 
@@ -26,7 +27,7 @@ Point middle_of(const Vec3<Interval>& p) { return {finite_middle(p.x), finite_mi
 /// The largest deviation and error that two points, one of each feature, can have together.
 double slack_of(const PathPart<double>& part, const std::array<double, 4>& deviations) {
   const double deviation = *std::max_element(deviations.begin(), deviations.end());
-  return (2 * deviation + position_slack(std::max(part.from.error, part.to.error))) * (1 + 0x1p-40);
+  return (2 * deviation + position_slack(std::max(part.from.error, part.to.error))) * kRoundedUp;
 }
 
 bool axis_proves_free(PairKind kind, const PathPart<double>& part, const std::array<double, 4>& deviations,
@@ -57,9 +58,25 @@ PairPoints points_between(const Moment<double>& from, const Moment<double>& to) 
 }
 
 bool is_apart_at(PairKind kind, const Moment<double>& moment, double separation) {
-  const double beyond = (separation + position_slack(moment.error)) * (1 + 0x1p-40);
+  const double beyond = (separation + position_slack(moment.error)) * kRoundedUp;
   return first_within(kind, make_motion(kind, points_between(moment, moment), beyond), {0, 1}).verdict ==
          Verdict::is_free;
+}
+
+KeptSeparation kept_separation(const Path& path, PairKind kind, const PairVertices& vertices,
+                               const DistanceRule& rule) {
+  PairReader reader(path, vertices);
+  reader.set_unit_at(0);
+  const auto moment = reader.at<double>(0);
+  const PairPoints points = points_between(moment, moment);
+  const DistanceBounds middles = start_distance_bounds(kind, points);
+  const double slack = position_slack(moment.error), separation = rule.min_separation * reader.scale();
+  const double low = (middles.low - slack) * (1 - 0x1p-50), high = (middles.high + slack) * (1 + 0x1p-50);
+  const auto kept = [&](double distance) {
+    return (separation + rule.fraction * std::max(distance - separation, 0.0)) / reader.scale();
+  };
+  return {kept(low) * (1 - 0x1p-50), kept(high) * (1 + 0x1p-50) + 0x1p-1000,
+          start_distance(kind, points) / reader.scale(), !(low > separation)};
 }
 
 Decision first_within_on_path(const PathQuestion& question, const PairReader& reader,

@@ -2,6 +2,7 @@
 // deviations (narrow/separation.hpp); until then the curves are apart, and there the next, shorter piece begins.
 #pragma once
 #include "motion/make_motion.hpp"
+#include "narrow/kept_distance.hpp"
 #include "paths/decide_path.hpp"
 
 namespace tamis {
@@ -15,6 +16,17 @@ inline double position_slack(double error) { return 4 * error + 0x1p-999; }
 
 /// At one time: is the distance beyond the separation, certainly?
 bool is_apart_at(PairKind kind, const Moment<double>& moment, double separation);
+
+/// D + F (distance at t=0 - D), between proven bounds.
+struct KeptSeparation {
+  double low, high;
+  double distance;        ///< at t=0, rounded
+  bool may_start_within;  ///< D: not proven apart at t=0
+};
+
+/// Step lengths on curves: what a pair must keep of its distance at t=0 is a separation, and when it is reached is
+/// asked as of any other.
+KeptSeparation kept_separation(const Path& path, PairKind kind, const PairVertices& vertices, const DistanceRule& rule);
 
 /// As decide_on_path. REQUIRES: a separation > 0, a part of the path. REQUIRES (not checked: history): `reader` reads
 /// the question's pair.

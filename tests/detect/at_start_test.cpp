@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 #include "exact/exact.hpp"
@@ -258,13 +259,39 @@ TEST_F(OnAFace, CurvesIgnoreAndFailToo) {
   Detector detector(mesh);
   const Still path(start);
   EXPECT_FALSE(detector.is_free(path));
+  EXPECT_EQ(detector.statistics().ignored, 0u);
   EXPECT_TRUE(detector.contacts(path, kIgnore).empty());
+  EXPECT_EQ(detector.statistics().ignored, 1u);
   EXPECT_FALSE(detector.earliest(path, kIgnore).contact);
+  EXPECT_EQ(detector.statistics().ignored, 1u);
   EXPECT_TRUE(detector.is_free(path, kIgnore));
+  EXPECT_EQ(detector.statistics().ignored, 1u);
   EXPECT_THROW(detector.contacts(path, kFail), InvalidStep);
   EXPECT_THROW(detector.earliest(path, kFail), InvalidStep);
   EXPECT_THROW(detector.is_free(path, kFail), InvalidStep);
   EXPECT_THROW(detector.is_free({start, end}, {.tolerance = 1e-9}), InvalidOptions);
+}
+
+// Bugs: pairs that are ignored and not counted; one that is counted though it comes back, in a later piece of the path,
+// or once in each piece.
+TEST(AtStart, OnACurveWhatDoesNotComeBackIsIgnoredAndCountedOnce) {
+  // A face, and points: one stays on it, one leaves it, one goes round and comes back, one comes from above.
+  const std::vector<Point> rest{{0, 0, 0}, {9, 0, 0}, {0, 9, 0}, {1, 1, 0}, {3, 1, 0}, {2, 0, -1}, {1, 3, 1}};
+  const Pose still{{0, 0, 0}, {0, 0, 0}};
+  const double whole_turn = 2 * std::acos(-1.0);
+  const RigidPath path(rest, {0, 0, 0, 0, 1, 2, 3},
+                       {{},
+                        interpolated(still, {{0, 0, 1}, {0, 0, 0}}),
+                        interpolated({{0, 2, 1}, {0, 0, 0}}, {{0, 2, 1}, {whole_turn, 0, 0}}),
+                        interpolated(still, {{0, 0, -1}, {0, 0, 0}})});
+  Detector detector(Mesh(7, {{0, 1, 2}}, {}, {3, 4, 5, 6}));
+  QueryOptions ignore = kIgnore;
+  ignore.min_separation = 0.01;
+  const std::vector<Contact>& contacts = detector.contacts(path, ignore);
+  ASSERT_EQ(contacts.size(), 2u);
+  EXPECT_EQ(contacts[0].vertices[0], 5);
+  EXPECT_EQ(contacts[1].vertices[0], 6);
+  EXPECT_EQ(detector.statistics().ignored, 2u);
 }
 
 // Bug: is_free ends at a first contact, before it has looked at the pair that touches at the start.

@@ -20,29 +20,37 @@ extern const Kernels kKernels;
 
 namespace {
 
-bool is_available([[maybe_unused]] Isa isa) {
+/// Null where this machine, or this build, has none. The compiler names a set that is forgotten here.
+const Kernels* kernels_if_here(Isa isa) {
+  switch (isa) {
 #ifdef TAMIS_X86_KERNELS
-  if (isa == Isa::avx512)
-    return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512cd") &&
-           __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512bw") &&
-           __builtin_cpu_supports("avx512vl");
-  if (isa == Isa::avx2) return __builtin_cpu_supports("avx2");
+    case Isa::avx512: {
+      const bool is_here = __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512cd") &&
+                           __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512bw") &&
+                           __builtin_cpu_supports("avx512vl");
+      return is_here ? &avx512::kKernels : nullptr;
+    }
+    case Isa::avx2:
+      return __builtin_cpu_supports("avx2") ? &avx2::kKernels : nullptr;
+#else
+    case Isa::avx512:
+    case Isa::avx2:
+      return nullptr;
 #endif
-  return isa == Isa::baseline;
+    case Isa::best:
+      for (const Isa wide : {Isa::avx512, Isa::avx2})  // the widest first
+        if (const Kernels* const here = kernels_if_here(wide)) return here;
+      [[fallthrough]];
+    case Isa::baseline:
+      return &baseline::kKernels;
+  }
+  return nullptr;  // of a number that is no set's
 }
-
-/// The widest first.
-constexpr const Kernels* kAll[] = {
-#ifdef TAMIS_X86_KERNELS
-    &avx512::kKernels, &avx2::kKernels,
-#endif
-    &baseline::kKernels};
 
 }  // namespace
 
 const Kernels& kernels(Isa isa) {
-  for (const Kernels* const some : kAll)
-    if ((isa == Isa::best || isa == some->isa) && is_available(some->isa)) return *some;
+  if (const Kernels* const here = kernels_if_here(isa)) return *here;
   throw InvalidOptions("this machine has no " + std::string(name_of(isa)) + ": use 'best'");
 }
 

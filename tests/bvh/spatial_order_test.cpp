@@ -49,7 +49,7 @@ TEST(SpatialOrder, EveryFeatureComesOnceInItsGroupOnEveryInstructionSet) {
   for (int repeat = 0; repeat < 300; ++repeat) {
     const Case c = random_case(rng);
     const std::vector<Index> order = ordered(c, kernels(Isa::baseline), rng);
-    for (const Isa isa : {Isa::avx2, Isa::avx512}) {
+    for (const Isa isa : test::every_isa()) {
       const Kernels* here = test::kernels_here(isa);
       if (!here) continue;
       ASSERT_EQ(ordered(c, *here, rng), order) << c.count;

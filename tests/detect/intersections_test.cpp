@@ -8,6 +8,7 @@
 #include "exact/exact.hpp"
 #include "lab/detector.hpp"
 #include "support/contact_sets.hpp"
+#include "support/kernels_here.hpp"
 #include "support/test_names.hpp"
 #include "tamis/detector.hpp"
 #include "tamis/error.hpp"
@@ -81,7 +82,7 @@ bool are_same(const Intersection& a, const Intersection& b) {
 TEST_P(IntersectionsOf, HaveTheSameBitsWithAnyThreadsAndInstructionSet) {
   const Scene scene = GetParam().make(2000, 7);
   const auto reference = Detector(scene.mesh()).intersections(scene.end);
-  for (const Isa isa : {Isa::baseline, Isa::avx2, Isa::avx512})
+  for (const Isa isa : every_isa())
     for (const int threads : {1, 3}) {
       lab::Options options;
       options.isa = isa;

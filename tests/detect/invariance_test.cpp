@@ -8,6 +8,7 @@
 
 #include "scenes/random.hpp"
 #include "support/contact_sets.hpp"
+#include "support/kernels_here.hpp"
 #include "support/test_names.hpp"
 #include "tamis/detector.hpp"
 #include "tamis/error.hpp"
@@ -47,7 +48,7 @@ TEST_P(Invariance, InstructionSetsGiveTheSameBits) {
   Options options;
   options.isa = Isa::baseline;
   const auto baseline = find_contacts(s, options);
-  for (Isa isa : {Isa::avx2, Isa::avx512}) {
+  for (Isa isa : every_isa()) {
     options.isa = isa;
     try {
       expect_same_bits(baseline, find_contacts(s, options), std::string(name_of(isa)));

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "support/contact_sets.hpp"
+#include "support/kernels_here.hpp"
 #include "support/pair_cases.hpp"
 #include "support/test_data.hpp"
 #include "support/test_names.hpp"
@@ -85,7 +86,7 @@ TEST_P(Lanes, EveryFamilyAndPlacementMissesNothingAndKeepsItsBrackets) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Isas, Lanes, testing::Values(Isa::baseline, Isa::avx2, Isa::avx512),
+INSTANTIATE_TEST_SUITE_P(Isas, Lanes, testing::ValuesIn(every_isa()),
                          [](const testing::TestParamInfo<Isa>& isa) { return test_name(name_of(isa.param)); });
 
 }  // namespace

@@ -13,6 +13,7 @@
 #include "lab/pairs.hpp"
 #include "scenes/random.hpp"
 #include "support/contact_sets.hpp"
+#include "support/kernels_here.hpp"
 #include "support/test_names.hpp"
 #include "tamis/detector.hpp"
 #include "tamis/error.hpp"
@@ -150,7 +151,7 @@ TEST_P(Near, ThreadsAndInstructionSetsChangeNoBit) {
   options.threads = 1;
   options.isa = Isa::baseline;
   const auto one = lab::make_detector(scene.mesh(), options).pairs_within(scene.start, distance);
-  for (const Isa isa : {Isa::baseline, Isa::avx2, Isa::avx512})
+  for (const Isa isa : every_isa())
     for (const int threads : {1, 3}) {
       options.isa = isa;
       options.threads = threads;

@@ -7,6 +7,7 @@
 #include "lab/detector.hpp"
 #include "lab/pairs.hpp"
 #include "support/contact_sets.hpp"
+#include "support/kernels_here.hpp"
 #include "support/test_names.hpp"
 #include "tamis/detector.hpp"
 #include "tamis/error.hpp"
@@ -130,7 +131,7 @@ TEST(ThicknessInLanes, EveryInstructionSetGivesTheSameContacts) {
   options.isa = Isa::baseline;
   const auto expected = find_contacts(scene, options);
   EXPECT_GT(expected.size(), 100u);
-  for (const Isa isa : {Isa::avx2, Isa::avx512}) {
+  for (const Isa isa : every_isa()) {
     options.isa = isa;
     try {
       const auto found = find_contacts(scene, options);

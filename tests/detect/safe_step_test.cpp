@@ -11,6 +11,7 @@
 #include "narrow/kept_distance.hpp"
 #include "query/pair_rules.hpp"
 #include "support/contact_sets.hpp"
+#include "support/kernels_here.hpp"
 #include "support/step_lengths.hpp"
 #include "support/test_names.hpp"
 #include "tamis/components.hpp"
@@ -134,7 +135,7 @@ TEST_P(StepLength, ThreadsAndInstructionSetsChangeNoBit) {
   lab::Options options;
   options.threads = 1;
   const SafeStep one = keep(scene, 0.3, options);
-  for (const Isa isa : {Isa::baseline, Isa::avx2, Isa::avx512}) {
+  for (const Isa isa : every_isa()) {
     options.isa = isa;
     try {
       for (options.threads = 1; options.threads <= 2; ++options.threads)

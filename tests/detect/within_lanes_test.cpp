@@ -10,6 +10,7 @@
 #include "scenes/scene_list.hpp"
 #include "support/ask_pair.hpp"
 #include "support/contact_sets.hpp"
+#include "support/kernels_here.hpp"
 #include "support/pair_cases.hpp"
 #include "support/test_data.hpp"
 #include "support/test_names.hpp"
@@ -125,7 +126,7 @@ TEST_P(WithinLanes, DecideNearlyAllPairsOfACloth) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Isas, WithinLanes, testing::Values(Isa::baseline, Isa::avx2, Isa::avx512),
+INSTANTIATE_TEST_SUITE_P(Isas, WithinLanes, testing::ValuesIn(every_isa()),
                          [](const testing::TestParamInfo<Isa>& isa) { return test_name(name_of(isa.param)); });
 
 }  // namespace

@@ -13,6 +13,7 @@
 #include "kernels/kernels.hpp"
 #include "scenes/random.hpp"
 #include "support/guarded.hpp"
+#include "support/kernels_here.hpp"
 #include "tamis/error.hpp"
 #include "tamis/pair.hpp"
 
@@ -242,7 +243,7 @@ TEST_P(GuardPages, NoKernelReadsOrWritesOutsideItsArrays) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Isas, GuardPages, testing::Values(Isa::baseline, Isa::avx2, Isa::avx512),
+INSTANTIATE_TEST_SUITE_P(Isas, GuardPages, testing::ValuesIn(test::every_isa()),
                          [](const auto& isa) { return std::string(name_of(isa.param)); });
 
 }  // namespace

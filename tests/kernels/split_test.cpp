@@ -129,7 +129,7 @@ TEST_P(Splitting, AnyRankAmongNumbersOfWhichManyAreEqual) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Isas, Splitting, testing::Values(Isa::baseline, Isa::avx2, Isa::avx512));
+INSTANTIATE_TEST_SUITE_P(Isas, Splitting, testing::ValuesIn(test::every_isa()));
 
 }  // namespace
 }  // namespace tamis

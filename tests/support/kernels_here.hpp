@@ -1,9 +1,18 @@
-// The kernels of an instruction set, for tests that compare several.
+// Instruction sets and their kernels, for tests that compare several.
 #pragma once
+#include <vector>
+
 #include "kernels/kernels.hpp"
 #include "tamis/error.hpp"
 
 namespace tamis::test {
+
+/// All that have a name but `best`, which is one of them; this machine may lack some.
+inline std::vector<Isa> every_isa() {
+  std::vector<Isa> all;
+  for (int isa = 1; name_of(static_cast<Isa>(isa)) != kUnnamed; ++isa) all.push_back(static_cast<Isa>(isa));
+  return all;
+}
 
 /// Null where this machine has no such instructions.
 inline const Kernels* kernels_here(Isa isa) {

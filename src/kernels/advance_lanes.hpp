@@ -6,6 +6,7 @@
 
 #include "distance/direction_apart.hpp"
 #include "filters/slab_clip.hpp"
+#include "kernels/compress.hpp"
 #include "kernels/load_motion.hpp"
 #include "kernels/search.hpp"
 #include "narrow/advancement.hpp"
@@ -111,7 +112,7 @@ class AdvanceLanes {
     until.store_unaligned(times[1]);
     for_each_bit(lanes, [&](int i) {
       int& count = to.pairs.count;
-      for (int c = 0; c < 4; ++c) to.pairs.corner[c][count] = from.corner[c][first + i];
+      copy_corners(from, first + i, to.pairs, count);
       to.places[count] = places[i];
       to.now[count] = times[0][i];
       to.until[count] = times[1][i];

@@ -1,5 +1,7 @@
 // Lanes that a mask names, written to consecutive places.
 #pragma once
+#include "kernels/kernels.hpp"
+#include "motion/time_clip.hpp"
 #include "numerics/lanes.hpp"
 
 namespace tamis::TAMIS_ISA {
@@ -74,6 +76,30 @@ inline void store_parted(unsigned mask, const xsimd::batch<T, Arch>& lanes, T* l
     high += 1 - is_low;
   }
 #endif
+}
+
+/// The corners of pair `from`, which becomes pair `to`.
+template <int corners = 4>
+inline void copy_corners(const PairBuffer& in, int from, PairBuffer& out, int to) {
+  for (int c = 0; c < corners; ++c) out.corner[c][to] = in.corner[c][from];
+}
+
+/// The same of the pairs of `mask`, of the lanes from `first` on. `out` may be `in`: what goes on is written over what
+/// has been read.
+template <int corners = 4>
+inline void store_corners(unsigned mask, const PairBuffer& in, int first, PairBuffer& out, int to) {
+  for (int c = 0; c < corners; ++c)
+    store_compressed(mask, IntLanes::load_unaligned(in.corner[c] + first), out.corner[c] + to);
+}
+
+/// The same, with these times. Returns how many pairs.
+template <int corners = 4>
+inline int store_pairs(unsigned mask, const PairBuffer& in, int first, const TimeInterval<FloatLanes>& time,
+                       PairBuffer& out, int to) {
+  store_corners<corners>(mask, in, first, out, to);
+  store_compressed(mask, time.t_in, out.t_in + to);
+  store_compressed(mask, time.t_out, out.t_out + to);
+  return __builtin_popcount(mask);
 }
 
 }  // namespace tamis::TAMIS_ISA

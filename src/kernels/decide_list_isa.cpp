@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "kernels/advance_lanes.hpp"
+#include "kernels/compiled_apart.hpp"
 #include "kernels/crossings.hpp"
-#include "kernels/decide_list.hpp"
 #include "kernels/load_motion.hpp"
 #include "kernels/search.hpp"
 #include "narrow/decided_by_crossing.hpp"
@@ -90,8 +90,7 @@ class ListDecision {
   void try_again(unsigned lanes, const PairBuffer& in, const Batch& batch) {
     for_each_bit(lanes, [&](int i) {
       rest_places_[rest_.count] = batch.places[i];
-      for (int corner = 0; corner < 4; ++corner) rest_.corner[corner][rest_.count] = in.corner[corner][batch.first + i];
-      ++rest_.count;
+      copy_corners(in, batch.first + i, rest_, rest_.count++);
     });
   }
 

@@ -7,15 +7,14 @@
 #include "filters/ncf.hpp"
 #include "filters/slab_clip.hpp"
 #include "kernels/bound_leaf.hpp"
+#include "kernels/compiled_apart.hpp"
 #include "kernels/compress.hpp"
 #include "kernels/crossings.hpp"
-#include "kernels/decide_list.hpp"
 #include "kernels/load_motion.hpp"
 #include "kernels/near_boxes.hpp"
 #include "kernels/rest_kernels.hpp"
 #include "kernels/search.hpp"
 #include "kernels/split.hpp"
-#include "kernels/within.hpp"
 
 namespace tamis::TAMIS_ISA {
 namespace {
@@ -38,7 +37,7 @@ TimeInterval<DoubleLanes> load_time(const PairBuffer& pairs, int first) {
 }
 
 void copy_pair(const PairBuffer& in, int from, PairBuffer& out) {
-  for (int c = 0; c < 5; ++c) out.corner[c][out.count] = in.corner[c][from];
+  copy_corners<5>(in, from, out, out.count);
   out.t_in[out.count] = in.t_in[from];
   out.t_out[out.count] = in.t_out[from];
   ++out.count;
@@ -55,11 +54,7 @@ void slab(const BoxVertex* vertices, const BoxSeparation& separation, const Pair
                                            TimeInterval<FloatLanes>{FloatLanes::load_unaligned(in.t_in + first),
                                                                     FloatLanes::load_unaligned(in.t_out + first)});
     const unsigned left = bits(time.t_in <= time.t_out) & lanes_in_use(in, first, kFloatLanes);
-    for (int c = 0; c < corners_of(course); ++c)
-      store_compressed(left, IntLanes::load_unaligned(in.corner[c] + first), out.corner[c] + out.count);
-    store_compressed(left, time.t_in, out.t_in + out.count);
-    store_compressed(left, time.t_out, out.t_out + out.count);
-    out.count += __builtin_popcount(left);
+    out.count += store_pairs<corners_of(course)>(left, in, first, time, out, out.count);
   }
 }
 
@@ -87,10 +82,7 @@ void leave_out_kept(const BoxVertex* vertices, const BoxSeparation& separation, 
     const FloatLanes t_out = FloatLanes::load_unaligned(pairs.t_out + first);
     const unsigned left =
         lanes_in_use(pairs, first, kFloatLanes) & ~bits(gap.is_kept(gap.start(), gap.at(min(t_out, FloatLanes(1.0f)))));
-    for (auto& corner : pairs.corner) store_compressed(left, IntLanes::load_unaligned(corner + first), corner + count);
-    store_compressed(left, FloatLanes::load_unaligned(pairs.t_in + first), pairs.t_in + count);
-    store_compressed(left, t_out, pairs.t_out + count);
-    count += __builtin_popcount(left);
+    count += store_pairs(left, pairs, first, {FloatLanes::load_unaligned(pairs.t_in + first), t_out}, pairs, count);
   }
   pairs.count = count;
 }

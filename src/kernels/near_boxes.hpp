@@ -4,34 +4,6 @@
 
 namespace tamis::TAMIS_ISA {
 
-/// Bounds of boxes that move linearly, x y z at t=0, then at a later time: their lower ends from 0 on, their upper ends
-/// from `kHigh` on.
-template <int kHigh>
-struct EndBounds {
-  template <class Bounds>
-  static void store(const BoxBlock& block, float later, Bounds& bounds) {
-    const FloatLanes t(later), margin(kLaterMargin);
-    for (int axis = 0; axis < 3; ++axis)
-      for_sixteen_lanes([&](int first) {
-        const auto load = [&](const float* lanes) { return FloatLanes::load_aligned(lanes + first); };
-        const auto l0 = load(block.low0[axis]), l1 = load(block.low1[axis]);
-        const auto h0 = load(block.high0[axis]), h1 = load(block.high1[axis]);
-        l0.store_aligned(bounds.at[axis] + first);
-        h0.store_aligned(bounds.at[kHigh + axis] + first);
-        (later < 1 ? l0 + t * (l1 - l0) - margin : l1).store_aligned(bounds.at[3 + axis] + first);
-        (later < 1 ? h0 + t * (h1 - h0) + margin : h1).store_aligned(bounds.at[kHigh + 3 + axis] + first);
-      });
-  }
-
-  /// f(gap at t=0, gap later) of two boxes for both sides of an axis. `a(k)`, `b(k)`: bound k of the boxes in lanes.
-  /// Each is what two points that move linearly are apart.
-  template <class A, class B, class F>
-  [[gnu::always_inline]] static void for_each_side(int axis, const A& a, const B& b, const F& f) {
-    f(b(axis) - a(kHigh + axis), b(3 + axis) - a(kHigh + 3 + axis));
-    f(a(axis) - b(kHigh + axis), a(3 + axis) - b(kHigh + 3 + axis));
-  }
-};
-
 [[gnu::always_inline]] inline void add_square(FloatLanes& sum, const FloatLanes& x) { sum = sum + x * x; }
 
 /// Of a pair, as ClearanceBounds has it: half of the square of its extent, and of what its clearance may be.
@@ -53,7 +25,7 @@ struct EndBounds {
 class NearBoxes {
  public:
   static constexpr bool kMoves = false;
-  using Bounds = BoundBlock<18>;  ///< x y z at t=0, at t_limit, of residuals
+  using Bounds = BoundBlock<18>;  ///< x y z at t=0, at t_limit, of residuals; upper ends from kHigh on
 
   NearBoxes(const Search& search, int)
       : t_limit_(search.near.t_limit),
@@ -61,8 +33,18 @@ class NearBoxes {
         kept2_((1 + kShare) * search.near.fraction * search.near.fraction) {}
 
   void bound(const TreeView& tree, int level, int node, Bounds& bounds) const {
-    Ends::store(tree.levels[level][node], t_limit_, bounds);
-    const BoxBlock& residuals = tree.residuals[level][node];
+    const BoxBlock &block = tree.levels[level][node], &residuals = tree.residuals[level][node];
+    const FloatLanes t(t_limit_), margin(kLaterMargin);
+    for (int axis = 0; axis < 3; ++axis)
+      for_sixteen_lanes([&](int first) {
+        const auto load = [&](const float* lanes) { return FloatLanes::load_aligned(lanes + first); };
+        const auto l0 = load(block.low0[axis]), l1 = load(block.low1[axis]);
+        const auto h0 = load(block.high0[axis]), h1 = load(block.high1[axis]);
+        l0.store_aligned(bounds.at[axis] + first);
+        h0.store_aligned(bounds.at[kHigh + axis] + first);
+        (t_limit_ < 1 ? l0 + t * (l1 - l0) - margin : l1).store_aligned(bounds.at[3 + axis] + first);
+        (t_limit_ < 1 ? h0 + t * (h1 - h0) + margin : h1).store_aligned(bounds.at[kHigh + 3 + axis] + first);
+      });
     __builtin_memcpy(bounds.at[kResidual], residuals.low1, sizeof(residuals.low1));
     __builtin_memcpy(bounds.at[kHigh + kResidual], residuals.high1, sizeof(residuals.high1));
   }
@@ -76,7 +58,7 @@ class NearBoxes {
       const int rest = axis + kResidual;
       add_square(way2, max(max(b(kHigh + rest) - a(rest), a(kHigh + rest) - b(rest)), zero));
       FloatLanes gap(0.0f), far(0.0f), first(0.0f), second(0.0f);
-      Ends::for_each_side(axis, a, b, [&](const auto& at0, const auto& later) {
+      for_each_side(axis, a, b, [&](const auto& at0, const auto& later) {
         gap = max(gap, at0);
         far = min(far, at0);
         const FloatLanes least = min(at0, later);  // halfway is the mean of both
@@ -97,7 +79,14 @@ class NearBoxes {
 
  private:
   static constexpr int kResidual = 6, kHigh = 9;
-  using Ends = EndBounds<kHigh>;
+
+  /// f(gap at t=0, gap later) for both sides of an axis: each is what two points that move linearly are apart.
+  template <class A, class B, class F>
+  [[gnu::always_inline]] static void for_each_side(int axis, const A& a, const B& b, const F& f) {
+    f(b(axis) - a(kHigh + axis), b(3 + axis) - a(kHigh + 3 + axis));
+    f(a(axis) - b(kHigh + axis), a(3 + axis) - b(kHigh + 3 + axis));
+  }
+
   /// (x + y)^2 is at most (1 + kShare) x^2 + (1 + 1 / kShare) y^2.
   static constexpr float kShare = 0x1p-4f;
   static constexpr auto kRoom2 =

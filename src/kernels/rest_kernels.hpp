@@ -13,8 +13,7 @@ template <PairKind kind>
 void find_within_at_rest(const PackedVertex* vertices, const PairSeparation& separation, const PairBuffer& in,
                          PairBuffer& near, PairBuffer& unsure) {
   const auto append = [&](int first, unsigned lanes, PairBuffer& to) {
-    for (int c = 0; c < 4; ++c)
-      store_compressed(lanes, IntLanes::load_unaligned(in.corner[c] + first), to.corner[c] + to.count);
+    store_corners(lanes, in, first, to, to.count);
     to.count += __builtin_popcount(lanes);
   };
   for (int first = 0; first < in.count; first += kFloatLanes) {

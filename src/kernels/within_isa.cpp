@@ -1,8 +1,8 @@
 // Pairs within a separation: compiled once for each instruction set.
 #include "distance/turning_gap.hpp"
 #include "kernels/advance_lanes.hpp"
+#include "kernels/compiled_apart.hpp"
 #include "kernels/compress.hpp"
-#include "kernels/within.hpp"
 
 namespace tamis::TAMIS_ISA {
 namespace {
@@ -20,11 +20,7 @@ int cull_in_parts(int parts, const BoxVertex* vertices, const BoxSeparation& sep
     const TimeInterval<FloatLanes> time{t_in, min(t_out, FloatLanes(1.0f))};
     const unsigned left =
         lanes_in_use(in, first, kFloatLanes) & ~bits(TurningGap<kind, FloatLanes>(m).stays_apart(time, parts));
-    for (int c = 0; c < 4; ++c)
-      store_compressed(left, IntLanes::load_unaligned(in.corner[c] + first), out.corner[c] + count);
-    store_compressed(left, t_in, out.t_in + count);
-    store_compressed(left, t_out, out.t_out + count);
-    count += __builtin_popcount(left);
+    count += store_pairs(left, in, first, {t_in, t_out}, out, count);
   }
   return count;
 }

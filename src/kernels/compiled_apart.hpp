@@ -1,9 +1,12 @@
-// Pairs within a separation: see PairKernels::cull_apart and come_within.
+// Kernels that are compiled in sources of their own, decide_list_isa.cpp and within_isa.cpp: see PairKernels.
 #pragma once
 #include "kernels/kernels.hpp"
 
 namespace tamis::TAMIS_ISA {
 
+template <PairKind kind>
+int decide_list(const ListedPairs& list, const PairBuffer& in, PairBuffer& rest, PairResult* results,
+                std::int32_t* undecided);
 template <PairKind kind>
 void cull_apart(const BoxVertex* vertices, const BoxSeparation& separation, PairBuffer& pairs, PairBuffer& out);
 template <PairKind kind>

@@ -8,6 +8,7 @@
 #include "narrow/decide.hpp"
 #include "numerics/assert.hpp"
 #include "query/cancellation.hpp"
+#include "topology/countable.hpp"
 
 namespace tamis {
 
@@ -74,6 +75,7 @@ bool ContactCollector::wants(PairKind kind, const PairVertices& vertices) const 
 }
 
 void ContactCollector::take(ContactCollector& other) {
+  require_countable_pairs(contacts_.size() + other.contacts_.size());
   if (contacts_.empty())
     contacts_.swap(other.contacts_);
   else

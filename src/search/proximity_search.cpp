@@ -2,6 +2,7 @@
 
 #include "numerics/in_parts.hpp"
 #include "query/cancellation.hpp"
+#include "topology/countable.hpp"
 
 namespace tamis {
 
@@ -28,7 +29,10 @@ void ProximitySearch::gather(const Query& query) {
         list.insert(list.end(), found.begin(), found.end());
     }
   });
-  for (auto& list : lists_) order_.sort(list, workspace_.mesh.vertex_count(), [&] { stop_if_cancelled(query); });
+  for (auto& list : lists_) {
+    require_countable_pairs(list.size());
+    order_.sort(list, workspace_.mesh.vertex_count(), [&] { stop_if_cancelled(query); });
+  }
 }
 
 void ProximitySearch::describe(std::vector<NearPair>& pairs) {

@@ -2,6 +2,8 @@
 
 #include <numeric>
 
+#include "topology/countable.hpp"
+
 namespace tamis {
 namespace {
 
@@ -44,6 +46,7 @@ Components components_of(const Mesh& mesh) {
 }
 
 IndexRows neighbours_of(const Mesh& mesh) {
+  require_countable_ends(mesh.edges().size());
   IndexRows rows;
   rows.offsets.assign(static_cast<std::size_t>(mesh.vertex_count()) + 1, 0);
   const auto place = [&](Index v) -> Index& { return rows.offsets[static_cast<std::size_t>(v)]; };

@@ -1,4 +1,4 @@
-// How large a mesh may be.
+// How large a mesh may be, and an answer about it.
 #pragma once
 #include <limits>
 #include <string>
@@ -9,20 +9,36 @@
 
 namespace tamis {
 
+/// What an Index can count.
+inline constexpr auto kMostNumbers = static_cast<std::size_t>(std::numeric_limits<Index>::max());
+
 /// Edges, and the rows of faces by vertex and by edge, are numbered by Index: three sides a face and the loose edges
 /// must have a number each. Throws InvalidMesh if they have not.
 inline void require_countable(std::size_t faces, std::size_t loose_edges) {
-  constexpr auto kMostEdges = static_cast<std::size_t>(std::numeric_limits<Index>::max());
-  if (loose_edges <= kMostEdges && faces <= (kMostEdges - loose_edges) / 3) return;
+  if (loose_edges <= kMostNumbers && faces <= (kMostNumbers - loose_edges) / 3) return;
   throw InvalidMesh("the mesh has " + std::to_string(faces) + " faces and " + std::to_string(loose_edges) +
                     " loose edges: three sides a face and the loose edges together may be " +
-                    std::to_string(kMostEdges) + " at most; split the mesh");
+                    std::to_string(kMostNumbers) + " at most; split the mesh");
+}
+
+/// The same of both ends of each edge: rows of neighbours have them all.
+inline void require_countable_ends(std::size_t edges) {
+  if (edges <= kMostNumbers / 2) return;
+  throw InvalidMesh("the mesh has " + std::to_string(edges) + " edges: where neighbours are asked for, as rings do, " +
+                    std::to_string(kMostNumbers / 2) + " may be at most; split the mesh");
+}
+
+/// The pairs of an answer are numbered in 32 bits while they are put in order. Throws Error if there are more.
+inline void require_countable_pairs(std::size_t pairs) {
+  if (pairs <= kMostNumbers) return;
+  throw Error("the answer has more than " + std::to_string(kMostNumbers) +
+              " pairs: ask about parts of the mesh, or with a smaller distance");
 }
 
 /// The number of an edge, or of an item of a row, by how many come before it. REQUIRES: a mesh that is countable, so
 /// that it has one.
 inline Index number_of(std::size_t before) {
-  TAMIS_ASSERT(before <= static_cast<std::size_t>(std::numeric_limits<Index>::max()));
+  TAMIS_ASSERT(before <= kMostNumbers);
   return static_cast<Index>(before);
 }
 

@@ -112,6 +112,10 @@ TEST(MeshSize, ThatNoIndexCountsIsRefused) {
   EXPECT_NO_THROW(require_countable(0, most));
   EXPECT_THROW(require_countable(1, most - 2), InvalidMesh);
   EXPECT_THROW(require_countable(0, most + 1), InvalidMesh);
+  EXPECT_NO_THROW(require_countable_ends(most / 2));
+  EXPECT_THROW(require_countable_ends(most / 2 + 1), InvalidMesh);
+  EXPECT_NO_THROW(require_countable_pairs(most));
+  EXPECT_THROW(require_countable_pairs(most + 1), Error);
 }
 
 // Of the largest meshes that are not refused: as many edges as fit, as faces' sides, as loose edges, and as both.

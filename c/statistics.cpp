@@ -27,7 +27,7 @@ tamis_statistics statistics_of(const Statistics& s, std::vector<std::string>& na
   names.clear();
   for (std::size_t i = 0; i < count; ++i) names.emplace_back(s.stages[i].name);
   for (std::size_t i = 0; i < count; ++i)
-    answer.stages[i] = {names[i].c_str(), s.stages[i].vf, s.stages[i].ee, s.stages[i].ve, s.stages[i].vv};
+    answer.stages[i] = {names[i].c_str(), {s.stages[i].vf, s.stages[i].ee, s.stages[i].ve, s.stages[i].vv}};
   return answer;
 }
 

@@ -91,12 +91,12 @@ typedef struct tamis_pair_result {
   double normal[3];
 } tamis_pair_result;
 
+enum { TAMIS_MOST_STAGES = 16, TAMIS_MOST_KINDS = 8 };
+
 typedef struct tamis_stage {
   const char* name;
-  uint64_t vf, ee, ve, vv; /**< pairs of each kind that entered */
+  uint64_t pairs[TAMIS_MOST_KINDS]; /**< that entered, of each kind: pairs[TAMIS_EDGE_EDGE]; 0 of kinds to come */
 } tamis_stage;
-
-enum { TAMIS_MOST_STAGES = 16 };
 
 /** What the last question cost; times in seconds. */
 typedef struct tamis_statistics {

@@ -61,7 +61,8 @@ def _ctype(parameter: Parameter, declared: str, types: "dict[str, type]") -> typ
         return ctypes.c_void_p
     kind = NUMBERS.get(parameter.type) or types[parameter.type]
     length = re.search(rf"\b{parameter.name}\[(\w+)\]", declared)
-    return kind * (16 if length[1] == "TAMIS_MOST_STAGES" else int(length[1])) if length else kind
+    most = {"TAMIS_MOST_STAGES": 16, "TAMIS_MOST_KINDS": 8}
+    return kind * (most.get(length[1]) or int(length[1])) if length else kind
 
 
 def read(folder: pathlib.Path) -> Interface:

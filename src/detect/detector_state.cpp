@@ -237,8 +237,11 @@ void Detector::State::measure_more(const Work& work) {
 
 std::uint64_t Detector::State::memory_bytes() const {
   const auto of = [](const auto& part) { return part ? part->memory_bytes() : 0; };
+  const PairFilter& filter = options.filter;
   return engine_->memory_bytes() + sorter_.memory_bytes() + found.memory_bytes() + of(path_search_) +
-         near.capacity() * sizeof(NearPair) + intersections.capacity() * sizeof(Intersection);
+         near.capacity() * sizeof(NearPair) + intersections.capacity() * sizeof(Intersection) +
+         radii_.capacity() * sizeof(double) + filter.group_of_vertex.capacity() * sizeof(Index) +
+         filter.groups_may_touch.capacity() + rings_.memory_bytes();
 }
 
 }  // namespace tamis

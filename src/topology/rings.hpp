@@ -20,6 +20,10 @@ class Rings {
     return any() && search(first, second);
   }
 
+  std::uint64_t memory_bytes() const {
+    return (next_to_.offsets.capacity() + next_to_.items.capacity()) * sizeof(Index);
+  }
+
  private:
   bool search(std::span<const Index> first, std::span<const Index> second) const;
 

@@ -115,5 +115,26 @@ TEST(RingsFilter, IsOneOrMore) {
   for (const int rings : {0, -1}) EXPECT_THROW(lab::make_detector(mesh, with(Method::tamis, rings)), InvalidOptions);
 }
 
+std::uint64_t memory_of(const Scene& scene, const Options& options) {
+  Detector detector(scene.mesh(), options);
+  detector.is_free({scene.start, scene.start});
+  return detector.statistics().memory_bytes;
+}
+
+// Bug: what is kept of neighbours, groups and radii, and is not in the memory that a detector says it holds.
+TEST(Memory, NeighboursGroupsAndRadiiCount) {
+  const Scene scene = scenes::scene_by_name("folded-cloth", 3000, 3);
+  const auto vertices = static_cast<std::uint64_t>(scene.vertex_count());
+  const std::uint64_t plain = memory_of(scene, {});
+  Options options;
+  options.filter.rings = 2;
+  EXPECT_GE(memory_of(scene, options), plain + 2 * sizeof(Index) * scene.mesh().edges().size());
+  options.filter.rings = 1;
+  options.filter.group_of_vertex.assign(vertices, 0);
+  EXPECT_GE(memory_of(scene, options), plain + sizeof(Index) * vertices);
+  options.radii = {1e-6};
+  EXPECT_GE(memory_of(scene, options), plain + (sizeof(Index) + sizeof(double)) * vertices);
+}
+
 }  // namespace
 }  // namespace tamis::test

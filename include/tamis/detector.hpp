@@ -93,7 +93,7 @@ class Detector {
 
  private:
   struct State;
-  class Asked;
+  class LockedState;
   friend class DetectorAccess;  ///< within the library: of another engine
   explicit Detector(std::unique_ptr<State> state);
   State& state() const;

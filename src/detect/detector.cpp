@@ -18,65 +18,67 @@ Detector::State& Detector::state() const {
 }
 
 const std::vector<Contact>& Detector::contacts(const Step& step, const QueryOptions& options) {
-  const Asked asked(*this);
-  asked->find_contacts(step, options);
-  return asked->found.contacts();
+  const LockedState state(*this);
+  state->find_contacts(step, options);
+  return state->found.contacts();
 }
 
 void Detector::contacts(const Step& step, std::vector<Contact>& result, const QueryOptions& options) {
-  const Asked asked(*this);
-  asked->find_contacts(step, options);
-  result.swap(asked->found.contacts());
+  const LockedState state(*this);
+  state->find_contacts(step, options);
+  result.swap(state->found.contacts());
 }
 
 EarliestContact Detector::earliest(const Step& step, const QueryOptions& options) {
-  return Asked(*this)->earliest(step, options);
+  return LockedState(*this)->earliest(step, options);
 }
 
 SafeStep Detector::safe_step(const Step& step, double keep, const QueryOptions& options) {
-  return Asked(*this)->safe_step(step, keep, options);
+  return LockedState(*this)->safe_step(step, keep, options);
 }
 
-bool Detector::is_free(const Step& step, const QueryOptions& options) { return Asked(*this)->is_free(step, options); }
+bool Detector::is_free(const Step& step, const QueryOptions& options) {
+  return LockedState(*this)->is_free(step, options);
+}
 
 const std::vector<NearPair>& Detector::pairs_within(const Positions& positions, double distance) {
-  const Asked asked(*this);
-  asked->find_near(positions, distance);
-  return asked->near;
+  const LockedState state(*this);
+  state->find_near(positions, distance);
+  return state->near;
 }
 
 const std::vector<Intersection>& Detector::intersections(const Positions& positions) {
-  const Asked asked(*this);
-  asked->find_intersections(positions, Question::all_contacts);
-  return asked->intersections;
+  const LockedState state(*this);
+  state->find_intersections(positions, Question::all_contacts);
+  return state->intersections;
 }
 
 bool Detector::has_intersection(const Positions& positions) {
-  const Asked asked(*this);
-  asked->find_intersections(positions, Question::is_free);
-  return !asked->intersections.empty();
+  const LockedState state(*this);
+  state->find_intersections(positions, Question::is_free);
+  return !state->intersections.empty();
 }
 
 const std::vector<Contact>& Detector::contacts(const Path& path, const QueryOptions& options) {
-  const Asked asked(*this);
-  asked->ask(path, options, Question::all_contacts);
-  return asked->found.contacts();
+  const LockedState state(*this);
+  state->ask(path, options, Question::all_contacts);
+  return state->found.contacts();
 }
 
 EarliestContact Detector::earliest(const Path& path, const QueryOptions& options) {
-  const Asked asked(*this);
-  asked->ask(path, options, Question::earliest);
-  return first_of(asked->found.contacts());
+  const LockedState state(*this);
+  state->ask(path, options, Question::earliest);
+  return first_of(state->found.contacts());
 }
 
 bool Detector::is_free(const Path& path, const QueryOptions& options) {
-  const Asked asked(*this);
-  asked->ask(path, options, Question::is_free);
-  return asked->found.contacts().empty();
+  const LockedState state(*this);
+  state->ask(path, options, Question::is_free);
+  return state->found.contacts().empty();
 }
 
 TruncatedStep Detector::truncate(const Step& step, double keep, const QueryOptions& options, Stored stored) {
-  return Asked(*this)->truncate(step, keep, options, stored);
+  return LockedState(*this)->truncate(step, keep, options, stored);
 }
 
 const Mesh& Detector::mesh() const { return state().mesh; }
@@ -93,20 +95,20 @@ Detector DetectorAccess::make(Mesh mesh, Options options, const MakeEngine& make
 
 const std::vector<Contact>& DetectorAccess::contacts_by_pair(Detector& detector, const Step& step,
                                                              const QueryOptions& options) {
-  const Detector::Asked asked(detector);
-  asked->find_contacts(step, options, true);
-  return asked->found.contacts();
+  const Detector::LockedState state(detector);
+  state->find_contacts(step, options, true);
+  return state->found.contacts();
 }
 
 const std::vector<Contact>& DetectorAccess::ask(Detector& detector, const CutPath& path, const QueryOptions& options,
                                                 Question question) {
-  const Detector::Asked asked(detector);
-  asked->ask(path.path, options, question, path.ends);
-  return asked->found.contacts();
+  const Detector::LockedState state(detector);
+  state->ask(path.path, options, question, path.ends);
+  return state->found.contacts();
 }
 
 SafeStep DetectorAccess::safe_step(Detector& detector, const CutPath& path, double keep, const QueryOptions& options) {
-  return Detector::Asked(detector)->safe_step(path.path, keep, options, path.ends);
+  return Detector::LockedState(detector)->safe_step(path.path, keep, options, path.ends);
 }
 
 }  // namespace tamis

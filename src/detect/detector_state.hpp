@@ -81,11 +81,11 @@ struct Detector::State {
   ContactSorter sorter_;
 };
 
-/// What a question asks: the state, for as long as the question has its turn.
-class Detector::Asked {
+/// The state, for as long as one question has its turn.
+class Detector::LockedState {
  public:
   /// Throws Busy, and Error of a detector that has been moved from.
-  explicit Asked(const Detector& detector) : state_(detector.state()), turn_(state_.is_asked) {}
+  explicit LockedState(const Detector& detector) : state_(detector.state()), turn_(state_.is_asked) {}
   State* operator->() const { return &state_; }
 
  private:

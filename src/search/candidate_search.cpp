@@ -2,6 +2,34 @@
 
 namespace tamis {
 
+void CandidateConsumer::begin(CandidateQuery& shared) {
+  PairConsumer::begin(shared.query);
+  shared_ = &shared;
+  release();  // an exception may have left pairs of another query
+}
+
+/// The slab clip, then DNF where contact means a crossing. With a separation axes that turn: strict signs prove no
+/// distance.
+void CandidateConsumer::consume(PairKind kind) {
+  PairBuffer &boxes = thread().boxes, &clipped = thread().clipped, &filtered = thread().filtered;
+  const PackedMotion& motion = thread().motion;
+  const PairKernels& stages = thread().kernels.of(kind);
+  clipped.count = filtered.count = 0;
+  stages.slab(motion.box_vertices.data(), motion.box_separation(), boxes, clipped);
+  if (can_cross(kind) && !query().separations.any())
+    stages.filter_deviating(motion.vertices.data(), shared_->deviation, clipped, filtered);
+  else
+    stages.cull_apart(motion.box_vertices.data(), motion.box_separation(), clipped, filtered);
+  candidates(kind).append(filtered, vertex_count(kind));
+  if (shared_->left.fetch_sub(filtered.count, std::memory_order_relaxed) < filtered.count) shared_->bound.settle();
+}
+
+std::uint64_t CandidateConsumer::memory_bytes() const {
+  std::uint64_t bytes = 0;
+  for (const PairList& pairs : candidates_) bytes += pairs.memory_bytes();
+  return bytes;
+}
+
 std::int64_t CandidateSearch::most_pairs() const {
   const FeatureTrees& trees = workspace_.trees;
   return kMostPairsABlock * (trees.points().leaf_blocks + trees.edges().leaf_blocks);

@@ -1,10 +1,45 @@
 // Lists pairs that may touch on a step although vertices deviate from it, for questions to come; and prepares questions
 // that lists may serve.
 #pragma once
-#include "search/candidate_consumer.hpp"
+#include <array>
+#include <atomic>
+
+#include "query/bound.hpp"
 #include "search/thread_streams.hpp"
 
 namespace tamis {
+
+/// What the threads share.
+struct CandidateQuery {
+  const Query& query;
+  double deviation;                ///< how far vertices may be from where the step has them, along any axis
+  std::atomic<std::int64_t> left;  ///< how many more may be listed
+  Bound bound = {};                ///< settled: there are too many
+};
+
+/// Lists pairs that may touch although vertices deviate from the step, and decides none.
+class CandidateConsumer final : public PairConsumer {
+ public:
+  static constexpr bool kHoldsPairsBack = true;
+  using Shared = CandidateQuery;
+
+  using PairConsumer::PairConsumer;
+
+  void begin(CandidateQuery& shared);
+  /// Those found since they were last taken.
+  PairList& candidates(PairKind kind) { return candidates_[static_cast<std::size_t>(kind)]; }
+  /// Gives back the memory of the lists: they are made once in many queries.
+  void release() { candidates_ = {}; }
+
+  bool wants(PairKind) const override { return !shared_->bound.is_settled(); }
+  SearchKernel kernel(PairKind kind) const override { return thread().kernels.of(kind).search; }
+  void consume(PairKind kind) override;
+  std::uint64_t memory_bytes() const;
+
+ private:
+  CandidateQuery* shared_ = nullptr;
+  std::array<PairList, kPairKinds> candidates_;
+};
 
 class CandidateSearch {
  public:

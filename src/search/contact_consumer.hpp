@@ -12,7 +12,7 @@ namespace tamis {
 class ContactConsumer final : public PairConsumer {
  public:
   static constexpr bool kHoldsPairsBack = true;
-  using Asked = const ContactCollector;
+  using Shared = const ContactCollector;
 
   using PairConsumer::PairConsumer;
 

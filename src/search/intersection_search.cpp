@@ -19,9 +19,9 @@ Face face_of(const PairBuffer& pairs, int i) { return {pairs.corner[1][i], pairs
 
 }  // namespace
 
-void IntersectionConsumer::begin(IntersectionQuery& asked) {
-  PairConsumer::begin(asked.query);
-  asked_ = &asked;
+void IntersectionConsumer::begin(IntersectionQuery& shared) {
+  PairConsumer::begin(shared.query);
+  shared_ = &shared;
   found_.clear();
 }
 
@@ -42,7 +42,7 @@ void IntersectionConsumer::add(int pair, const PairResult& r) {
   const Face face = face_of(pairs, pair);
   if (query().rings.are_neighbours(edge, face)) return;
   found_.push_back({edge, face, r.toi_lower, r.toi_upper, r.u, r.v});
-  if (query().question == Question::is_free) asked_->bound.settle();
+  if (query().question == Question::is_free) shared_->bound.settle();
 }
 
 void IntersectionConsumer::decide_singly(int pair) {

@@ -17,14 +17,14 @@ struct IntersectionQuery {
 class IntersectionConsumer final : public PairConsumer {
  public:
   static constexpr bool kHoldsPairsBack = true;
-  using Asked = IntersectionQuery;
+  using Shared = IntersectionQuery;
 
   using PairConsumer::PairConsumer;
 
-  void begin(IntersectionQuery& asked);
+  void begin(IntersectionQuery& shared);
   const std::vector<Intersection>& found() const { return found_; }
 
-  bool wants(PairKind) const override { return !asked_->bound.is_settled(); }
+  bool wants(PairKind) const override { return !shared_->bound.is_settled(); }
   SearchKernel kernel(PairKind) const override { return thread().kernels.along_edges.search; }
   void consume(PairKind kind) override;
   std::uint64_t memory_bytes() const { return found_.capacity() * sizeof(Intersection); }
@@ -34,7 +34,7 @@ class IntersectionConsumer final : public PairConsumer {
   void add(int pair, const PairResult& result);
   void decide_singly(int pair);
 
-  IntersectionQuery* asked_ = nullptr;
+  IntersectionQuery* shared_ = nullptr;
   std::vector<Intersection> found_;
 };
 

@@ -13,7 +13,7 @@ class ProximityConsumer final : public PairConsumer {
  public:
   /// Threads share the decisions evenly.
   static constexpr bool kHoldsPairsBack = false;
-  using Asked = const Query;
+  using Shared = const Query;
 
   using PairConsumer::PairConsumer;
 

@@ -32,9 +32,9 @@ ClearanceBounds StepLengthQuery::clearance_bounds(double until) const {
           rounded_up(2 * (1 + 1 / kShare) * apart * apart), stretch2};
 }
 
-void StepLengthConsumer::begin(StepLengthQuery& asked) {
-  PairConsumer::begin(asked.query);
-  asked_ = &asked;
+void StepLengthConsumer::begin(StepLengthQuery& shared) {
+  PairConsumer::begin(shared.query);
+  shared_ = &shared;
   limit_ = {};
   ends_.clear();
 }
@@ -49,7 +49,7 @@ void StepLengthConsumer::consume(PairKind kind) {
     near.count = 0;
     const NearVertices vertices{motion.box_vertices.data(), motion.box_separation(), motion.vertices.data(),
                                 motion.pair_separation()};
-    thread().kernels.of(kind).may_end_step(vertices, asked_->rule(), boxes, near);
+    thread().kernels.of(kind).may_end_step(vertices, shared_->rule(), boxes, near);
   }
   PairBuffer& left = can_cross(kind) ? near : boxes;  // loose points are few
   of(counts.near, kind) += static_cast<std::uint64_t>(left.count);
@@ -61,18 +61,18 @@ void StepLengthConsumer::consume(PairKind kind) {
 void StepLengthConsumer::decide(PairKind kind, const PairVertices& vertices) {
   stop_if_cancelled(query());
   if (limit_.rules_out(kind, vertices)) return;
-  const double earliest = asked_->bound.latest();
+  const double earliest = shared_->bound.latest();
   const double until = std::nextafter(earliest, 2.0);  // a tie is of interest too
   const double time = keeps_distance_until(kind, points_of(query().step, vertices),
-                                           query().distance_rule_for(kind, vertices, asked_->fraction), until,
+                                           query().distance_rule_for(kind, vertices, shared_->fraction), until,
                                            thread().counts.decided_by);
   if (time == 1 || time > earliest || query().are_neighbours(kind, vertices)) return;
-  if (asked_->lists_all) {
+  if (shared_->lists_all) {
     ends_.push_back({time, kind, vertices});
     return;
   }
   limit_.add({time, kind, vertices});
-  asked_->bound.lower(time);
+  shared_->bound.lower(time);
 }
 
 }  // namespace tamis

@@ -32,25 +32,25 @@ struct StepLengthQuery {
 class StepLengthConsumer final : public PairConsumer {
  public:
   static constexpr bool kHoldsPairsBack = false;
-  using Asked = StepLengthQuery;
+  using Shared = StepLengthQuery;
 
   using PairConsumer::PairConsumer;
 
-  void begin(StepLengthQuery& asked);
+  void begin(StepLengthQuery& shared);
   const StepLimit& limit() const { return limit_; }
   /// If the question lists all, in no order.
   const std::vector<StepLimit>& ends() const { return ends_; }
 
   bool wants(PairKind kind) const override { return !limit_.rules_out(kind); }
   SearchKernel kernel(PairKind kind) const override { return thread().kernels.of(kind).search_step_ends; }
-  void set_limits(Search& search) const override { search.near = asked_->rule(); }
+  void set_limits(Search& search) const override { search.near = shared_->rule(); }
   void consume(PairKind kind) override;
   std::uint64_t memory_bytes() const { return ends_.capacity() * sizeof(StepLimit); }
 
  private:
   void decide(PairKind kind, const PairVertices& vertices);
 
-  StepLengthQuery* asked_ = nullptr;
+  StepLengthQuery* shared_ = nullptr;
   StepLimit limit_;
   std::vector<StepLimit> ends_;
 };

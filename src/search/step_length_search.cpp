@@ -11,7 +11,6 @@ constexpr std::uint64_t kManyPairsABlock = 1024;
 constexpr double kShortSteps[] = {0x1p-6, 0x1p-3};
 /// In the coordinates of the boxes: with a larger separation no two have a gap.
 constexpr double kMeetsAll = 8;
-constexpr std::initializer_list<StageCount SearchCounts::*> kStages{&SearchCounts::boxes, &SearchCounts::near};
 
 }  // namespace
 
@@ -53,32 +52,30 @@ void StepLengthSearch::fit_residuals(StepLengthQuery& asked) {
 
 SafeStep StepLengthSearch::find(const Query& query, double fraction, Statistics& statistics) {
   StepLengthQuery asked{query, fraction, false};
-  const bool is_listed = begin(asked, statistics);
-  const Stopwatch watch;
-  if (is_listed)
-    search_lists();
-  else
-    search_trees(asked.bound);
+  ask(asked, statistics);
   StepLimit limit;
   streams_.for_each([&](StepLengthConsumer& consumer) { limit.add(consumer.limit()); });
-  streams_.report(statistics, watch.seconds(), kStages);
   return limit.answer(query, fraction);
 }
 
 void StepLengthSearch::find_all(const Query& query, double fraction, std::vector<StepLimit>& ends,
                                 Statistics& statistics) {
   StepLengthQuery asked{query, fraction, true};
+  ask(asked, statistics);
+  ends.clear();
+  streams_.for_each(
+      [&](StepLengthConsumer& consumer) { ends.insert(ends.end(), consumer.ends().begin(), consumer.ends().end()); });
+  std::sort(ends.begin(), ends.end(), comes_before_in_order);
+}
+
+void StepLengthSearch::ask(StepLengthQuery& asked, Statistics& statistics) {
   const bool is_listed = begin(asked, statistics);
   const Stopwatch watch;
   if (is_listed)
     search_lists();
   else
-    search(*Samples().begin());
-  streams_.report(statistics, watch.seconds(), kStages);
-  ends.clear();
-  streams_.for_each(
-      [&](StepLengthConsumer& consumer) { ends.insert(ends.end(), consumer.ends().begin(), consumer.ends().end()); });
-  std::sort(ends.begin(), ends.end(), comes_before_in_order);
+    search_trees(asked);
+  streams_.report(statistics, watch.seconds(), {&SearchCounts::boxes, &SearchCounts::near});
 }
 
 void StepLengthSearch::search_lists() {
@@ -87,11 +84,11 @@ void StepLengthSearch::search_lists() {
   });
 }
 
-void StepLengthSearch::search_trees(Bound& bound) {
-  const Samples samples(workspace_.trees.most_leaf_blocks());
+void StepLengthSearch::search_trees(StepLengthQuery& asked) {
+  const Samples samples = asked.lists_all ? Samples() : Samples(workspace_.trees.most_leaf_blocks());
   const Sample& first = *samples.begin();
   search(first);
-  if (meets_many(first)) search_short_steps(bound, samples);
+  if (!asked.lists_all && meets_many(first)) search_short_steps(asked.bound, samples);
   for (const Sample& sample : std::span(samples).subspan(1)) search(sample);
 }
 

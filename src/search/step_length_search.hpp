@@ -31,11 +31,13 @@ class StepLengthSearch {
   }
 
  private:
+  /// Leaves what it finds with the consumers.
+  void ask(StepLengthQuery& asked, Statistics& statistics);
   bool begin(StepLengthQuery& asked, Statistics& statistics);
   bool list_near(const Query& query, Statistics& statistics);
   void fit_residuals(StepLengthQuery& asked);
   void search_lists();
-  void search_trees(Bound& bound);
+  void search_trees(StepLengthQuery& asked);
   void search(const Sample& sample);
   bool meets_many(const Sample& sample) const;
   void search_short_steps(Bound& bound, const Samples& samples);

@@ -8,22 +8,22 @@
 
 namespace tamis {
 
-/// A `Consumer` is made of a SearchThread, and begins with a `Consumer::Asked`. Where it holds pairs back
+/// A `Consumer` is made of a SearchThread, and begins with a `Consumer::Shared`. Where it holds pairs back
 /// (`kHoldsPairsBack`), those of one part of a search wait in the buffer for those of the next; else a part ends with
 /// its pairs decided, so that they can shorten the search of the rest.
 template <class Consumer>
 class ThreadStreams {
  public:
-  using Asked = typename Consumer::Asked;
+  using Shared = typename Consumer::Shared;
 
   /// Keeps a reference.
   explicit ThreadStreams(Workspace& workspace)
       : workspace_(workspace), of_threads_([&workspace] { return OfThread(workspace.threads.local()); }) {}
 
   /// Keeps a reference until the next time.
-  void begin(Asked& asked) {
-    asked_ = &asked;
-    for (OfThread& one : of_threads_) one.begin(asked);
+  void begin(Shared& shared) {
+    shared_ = &shared;
+    for (OfThread& one : of_threads_) one.begin(shared);
   }
 
   /// The sample's leaf blocks of `a` against all of `b`, until `t_limit`.
@@ -52,15 +52,14 @@ class ThreadStreams {
     return static_cast<int>((pairs.size() + kPairsAPart - 1) / kPairsAPart);
   }
 
-  /// f(consumer) for each, with nothing left in its buffers.
+  /// f(consumer) for each, one after the other, with nothing left in its buffers: these are shared out among threads.
   template <class F>
   void finish(const F& f) {
-    for (OfThread& one : of_threads_) {
-      one.stream.finish();
-      f(one.consumer);
-    }
+    in_parts(of_threads_.size(), std::size_t{1}, [&](std::size_t begin, std::size_t end) {
+      for (; begin != end; ++begin) of_threads_.begin()[static_cast<std::ptrdiff_t>(begin)].stream.finish();
+    });
+    for_each(f);
   }
-
   template <class F>
   void for_each(const F& f) {
     for (OfThread& one : of_threads_) f(one.consumer);
@@ -100,9 +99,9 @@ class ThreadStreams {
     explicit OfThread(SearchThread& t) : thread(t), consumer(t), stream(t, consumer) {}
     OfThread(const OfThread&) = delete;
 
-    void begin(Asked& asked) {
+    void begin(Shared& shared) {
       stream.begin();
-      consumer.begin(asked);
+      consumer.begin(shared);
     }
 
     SearchThread& thread;
@@ -113,12 +112,12 @@ class ThreadStreams {
   OfThread& local() {
     bool is_known = false;
     OfThread& one = of_threads_.local(is_known);
-    if (!is_known) one.begin(*asked_);
+    if (!is_known) one.begin(*shared_);
     return one;
   }
 
   Workspace& workspace_;
-  Asked* asked_ = nullptr;
+  Shared* shared_ = nullptr;
   tbb::enumerable_thread_specific<OfThread> of_threads_;
 };
 

@@ -4,7 +4,6 @@
 #include <memory>
 
 #include "narrow/decide.hpp"
-#include "narrow/pair_input.hpp"
 #include "narrow/separation.hpp"
 #include "numerics/assert.hpp"
 #include "numerics/finite.hpp"
@@ -35,7 +34,7 @@ struct Batch {
       128;  // so that the vertices they name, fetched as they come, stay in the first cache
 
   PairBuffer pairs, rest;
-  std::int32_t places[kPairsABatch + PairBuffer::kPadding] = {};
+  std::int32_t places[kPairsABatch + PairBuffer::kPadding];
   std::int32_t undecided[kPairsABatch];
 };
 
@@ -61,7 +60,7 @@ class PartDecision {
     const Pair& pair = part_.pairs[static_cast<std::size_t>(place)];
     if (!are_rows<kCorners>(pair, part_.step.start.count())) return false;
     auto& batch = batches_[static_cast<std::size_t>(kind)];
-    if (!batch) batch = std::make_unique<Batch>();
+    if (!batch) batch = std::make_unique_for_overwrite<Batch>();
     const int at = batch->pairs.count++;
     put(kind, pair.vertices, batch->pairs, at);
     for (const Index v : std::span(pair.vertices).template first<kCorners>()) {
@@ -87,7 +86,7 @@ class PartDecision {
 
   WithinScratch* within(PairKind kind) {
     if (!is_about_distance(kind, part_.options.min_separation)) return nullptr;
-    if (!within_) within_ = std::make_unique<WithinScratch>();
+    if (!within_) within_ = std::make_unique_for_overwrite<WithinScratch>();
     return within_.get();
   }
 

@@ -7,7 +7,6 @@
 #include "detect/list_part.hpp"
 #include "detect/pair_faults.hpp"
 #include "detect/validate.hpp"
-#include "narrow/pair_input.hpp"
 #include "numerics/finite.hpp"
 #include "query/cancellation.hpp"
 #include "tamis/error.hpp"

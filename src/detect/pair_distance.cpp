@@ -8,7 +8,6 @@
 #include "narrow/decide.hpp"
 #include "narrow/kept_distance.hpp"
 #include "narrow/near_pair.hpp"
-#include "narrow/pair_input.hpp"
 #include "query/step_limit.hpp"
 #include "tamis/error.hpp"
 

@@ -1,7 +1,6 @@
 #include "detect/pair_faults.hpp"
 
 #include "motion/pair_kinds.hpp"
-#include "narrow/pair_input.hpp"
 #include "numerics/finite.hpp"
 
 namespace tamis {
@@ -23,6 +22,10 @@ std::string features_text(PairKind kind, const std::array<Index, 4>& vertices) {
 
 std::string no_such_kind(PairKind kind) {
   return "no kind has the number " + std::to_string(static_cast<int>(kind)) + ": use one of the enumeration's names";
+}
+
+std::string not_finite(std::size_t point, const char* when) {
+  return "point " + std::to_string(point) + " at the " + when + " of the step is not finite: give finite coordinates";
 }
 
 std::string fault_of(const Pair& pair, const Step& step) {

@@ -10,6 +10,8 @@ namespace tamis {
 std::string features_text(PairKind kind, const std::array<Index, 4>& vertices);
 /// The sentence on a kind that is none.
 std::string no_such_kind(PairKind kind);
+/// The sentence on a point of a pair. `when`: "start" or "end".
+std::string not_finite(std::size_t point, const char* when);
 /// The sentence on one pair; empty if nothing is wrong with it.
 std::string fault_of(const Pair& pair, const Step& step);
 

@@ -7,10 +7,10 @@
 
 #include "detect/enum_names.hpp"
 #include "detect/stored.hpp"
-#include "narrow/pair_input.hpp"
 #include "numerics/finite.hpp"
 #include "numerics/number_text.hpp"
 #include "tamis/error.hpp"
+#include "topology/at.hpp"
 
 namespace tamis {
 namespace {
@@ -26,7 +26,7 @@ void check(bool ok, const Message& message) {
 }
 
 void validate(const PairFilter& filter, const Mesh& mesh) {
-  const auto n = static_cast<std::size_t>(filter.group_count);
+  const auto n = at(filter.group_count);
   check(filter.rings >= 1, [&] {
     return "rings is " + std::to_string(filter.rings) +
            ": give at least 1, which leaves out pairs with a common vertex";
@@ -48,13 +48,13 @@ void validate(const PairFilter& filter, const Mesh& mesh) {
           "group_of_vertex is empty, but group_count or groups_may_touch speak of groups: give one group a vertex");
     return;
   }
-  check(filter.group_of_vertex.size() == static_cast<std::size_t>(mesh.vertex_count()), [&] {
+  check(filter.group_of_vertex.size() == at(mesh.vertex_count()), [&] {
     return "group_of_vertex has " + std::to_string(filter.group_of_vertex.size()) + " entries for " +
            std::to_string(mesh.vertex_count()) + " vertices: give one group a vertex, or none";
   });
   auto point = mesh.points().begin();
   for (Index v = 0; v < mesh.vertex_count(); ++v) {
-    const Index group = filter.group_of_vertex[static_cast<std::size_t>(v)];
+    const Index group = filter.group_of_vertex[at(v)];
     const bool is_point = point != mesh.points().end() && *point == v;
     if (is_point) ++point;
     check(group >= (is_point ? 0 : -1) && group < filter.group_count, [&] {
@@ -118,13 +118,21 @@ void validate(const Options& options, const Mesh& mesh) {
   validate_threads(options.threads);
   validate_distance(options.min_separation, "min_separation");
   validate(options.filter, mesh);
-  check(options.radii.empty() || options.radii.size() == static_cast<std::size_t>(options.filter.group_count), [&] {
+  check(options.radii.empty() || options.radii.size() == at(options.filter.group_count), [&] {
     return "radii has " + std::to_string(options.radii.size()) + " entries for " +
            std::to_string(options.filter.group_count) + " groups: give one radius a group, or none";
   });
   for (std::size_t g = 0; g < options.radii.size(); ++g)
     check(is_distance(options.radii[g]),
           [&] { return distance_text(options.radii[g], "the radii of group " + std::to_string(g)); });
+}
+
+void validate(const PairOptions& options) {
+  validate_distance(options.min_separation, "the minimum separation");
+  check(options.latest >= 0 && options.latest <= 1, [&] {
+    return "the latest time of interest is " + number_text(options.latest) +
+           ": give a fraction of the step, >= 0 and <= 1";
+  });
 }
 
 void validate_threads(int threads) {

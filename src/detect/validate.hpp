@@ -4,6 +4,7 @@
 
 #include "tamis/mesh.hpp"
 #include "tamis/options.hpp"
+#include "tamis/pair.hpp"
 #include "tamis/step.hpp"
 #include "tamis/stored.hpp"
 
@@ -32,6 +33,9 @@ void validate_of_path(const QueryOptions& options);
 /// Throws InvalidStep: the start of a used vertex is none of the numbers that the caller stores, or its end, rounded to
 /// these, is infinite.
 void validate_stored(const Step& step, const Mesh& mesh, Stored stored);
+
+/// Throws InvalidOptions unless the separation is finite and >= 0 and the latest time lies in [0,1].
+void validate(const PairOptions& options);
 
 /// Throws InvalidOptions if negative.
 void validate_threads(int threads);

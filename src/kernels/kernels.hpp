@@ -38,12 +38,13 @@ struct SolvedPair {
 };
 
 /// Pairs on the way to the time at which they come within their separation (narrow/advancement.hpp): proven apart until
-/// `now`, and what is asked of them ends at `until`.
+/// `now`, and what is asked of them ends at `until`. Beyond `count` only vertices must be valid: the rest, which is as
+/// large, is not initialized.
 struct AdvanceBuffer {
   PairBuffer pairs;
-  std::int32_t places[PairBuffer::kSize] = {};  ///< in the buffer or the list that they came from
-  double now[PairBuffer::kSize] = {};
-  double until[PairBuffer::kSize] = {};
+  std::int32_t places[PairBuffer::kSize];  ///< in the buffer or the list that they came from
+  double now[PairBuffer::kSize];
+  double until[PairBuffer::kSize];
 };
 
 /// Which contacts are asked for.

@@ -8,7 +8,7 @@
 
 namespace tamis {
 
-/// REQUIRES: a kind there is, finite coordinates, valid options (pair_input.hpp). Counts in `decided_by` which
+/// REQUIRES: a kind there is, finite coordinates, valid options (detect/validate.hpp). Counts in `decided_by` which
 /// arithmetic had the last word.
 PairResult decide(PairKind kind, const PairPoints& points, const PairOptions& options, PrecisionCount& decided_by);
 

@@ -21,7 +21,7 @@ struct SearchThread {
     return solved.get();
   }
   WithinScratch& within_scratch() {
-    if (!within) within = std::make_unique<WithinScratch>();
+    if (!within) within = std::make_unique_for_overwrite<WithinScratch>();
     return *within;
   }
   std::uint64_t memory_bytes() const {

@@ -1,9 +1,32 @@
-// Every pair of features there is.
+// Every pair of features there is, and which of them are pairs: those without a common vertex that the caller's filter
+// lets pass.
 #pragma once
+#include "query/isolated.hpp"
 #include "query/pair_rules.hpp"
 #include "topology/loose_features.hpp"
 
 namespace tamis::lab {
+
+inline bool are_adjacent(PairKind kind, const PairVertices& v) {
+  if (kind == PairKind::edge_edge) return v[0] == v[2] || v[0] == v[3] || v[1] == v[2] || v[1] == v[3];
+  return v[0] == v[1] || v[0] == v[2] || v[0] == v[3];
+}
+
+/// The order of vertices that Contact documents; face winding is the mesh's.
+inline PairVertices in_contact_order(PairKind kind, PairVertices v) {
+  if (kind == PairKind::edge_edge && std::array{v[2], v[3]} < std::array{v[0], v[1]}) {
+    std::swap(v[0], v[2]);
+    std::swap(v[1], v[3]);
+  }
+  if (kind == PairKind::vertex_vertex && v[1] < v[0]) std::swap(v[0], v[1]);
+  return v;
+}
+
+/// The caller's PairFilter. `v` in contact order.
+inline bool lets_pass(const PairFilter& filter, PairKind kind, const PairVertices& v) {
+  if (has_groups(filter) && !may_touch(filter, v[0], v[second_feature(kind)])) return false;
+  return !filter.accepts || isolated([&] { return filter.accepts(kind, v); });
+}
 
 /// Calls f(kind, vertices) for every pair of features that is one; vertices in contact order.
 template <class F>

@@ -2,6 +2,7 @@
 
 #include <numeric>
 
+#include "lab/pairs.hpp"
 #include "lab/paper/interval_newton.hpp"
 #include "narrow/decide.hpp"
 #include "narrow/sharp_bracket.hpp"

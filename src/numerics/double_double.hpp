@@ -119,10 +119,8 @@ inline constexpr double unit_roundoff<DoubleDouble> = 0x1p-103;
 
 inline Vec3<double> rounded(const Vec3<DoubleDouble>& v) { return {v.x.high, v.y.high, v.z.high}; }
 
-/// The nearest doubles at or below, and at or above.
-inline double lower_double(double x) { return x; }
+/// The nearest double at or above.
 inline double upper_double(double x) { return x; }
-inline double lower_double(const DoubleDouble& x) { return x.low < 0 ? std::nextafter(x.high, -HUGE_VAL) : x.high; }
 inline double upper_double(const DoubleDouble& x) { return x.low > 0 ? std::nextafter(x.high, HUGE_VAL) : x.high; }
 
 }  // namespace tamis

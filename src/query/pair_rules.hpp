@@ -1,4 +1,4 @@
-// Which pairs of features are pairs at all: those without a common vertex that the caller's filter lets pass.
+// The vertices of a pair, where they are, and whether their groups may touch.
 #pragma once
 #include <algorithm>
 #include <array>
@@ -6,7 +6,6 @@
 #include "motion/make_motion.hpp"
 #include "motion/pair_kinds.hpp"
 #include "numerics/assert.hpp"
-#include "query/isolated.hpp"
 #include "tamis/options.hpp"
 
 namespace tamis {
@@ -16,21 +15,6 @@ using PairVertices = std::array<Index, 4>;  ///< as in Contact, before sorting
 /// Those that the kind has; -1 in place of the others, as Contact documents.
 inline PairVertices vertices_in_use(PairKind kind, PairVertices v) {
   std::fill(v.begin() + vertex_count(kind), v.end(), -1);
-  return v;
-}
-
-inline bool are_adjacent(PairKind kind, const PairVertices& v) {
-  if (kind == PairKind::edge_edge) return v[0] == v[2] || v[0] == v[3] || v[1] == v[2] || v[1] == v[3];
-  return v[0] == v[1] || v[0] == v[2] || v[0] == v[3];
-}
-
-/// The order of vertices that Contact documents; face winding is the mesh's.
-inline PairVertices in_contact_order(PairKind kind, PairVertices v) {
-  if (kind == PairKind::edge_edge && std::array{v[2], v[3]} < std::array{v[0], v[1]}) {
-    std::swap(v[0], v[2]);
-    std::swap(v[1], v[3]);
-  }
-  if (kind == PairKind::vertex_vertex && v[1] < v[0]) std::swap(v[0], v[1]);
   return v;
 }
 
@@ -47,12 +31,6 @@ inline bool may_touch(const PairFilter& filter, Index a, Index b) {
     return static_cast<std::size_t>(g);
   };
   return filter.groups_may_touch[group(a) * static_cast<std::size_t>(filter.group_count) + group(b)] != 0;
-}
-
-/// The caller's PairFilter. `v` in contact order.
-inline bool lets_pass(const PairFilter& filter, PairKind kind, const PairVertices& v) {
-  if (has_groups(filter) && !may_touch(filter, v[0], v[second_feature(kind)])) return false;
-  return !filter.accepts || isolated([&] { return filter.accepts(kind, v); });
 }
 
 /// Where the vertices are; zero where there is none. REQUIRES: vertices of the step.

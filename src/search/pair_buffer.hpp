@@ -4,6 +4,7 @@
 #pragma once
 #include "kernels/kernels.hpp"
 #include "numerics/assert.hpp"
+#include "query/isolated.hpp"
 #include "query/pair_rules.hpp"
 
 namespace tamis {

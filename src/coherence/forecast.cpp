@@ -4,15 +4,16 @@
 #include <cmath>
 
 #include "numerics/assert.hpp"
+#include "topology/at.hpp"
 
 namespace tamis {
 void Forecast::make(const Step& step, std::span<const Index> vertices, double steps) {
   TAMIS_ASSERT(step.start.count() == step.end.count() && steps > 0);
   vertices_ = vertices;
-  to_.resize(static_cast<std::size_t>(step.start.count()));
+  to_.resize(at(step.start.count()));
   from_.resize(to_.size());  // the last: it says that this is made
   for (const Index vertex : vertices) {
-    const auto v = static_cast<std::size_t>(vertex);
+    const auto v = at(vertex);
     for (std::size_t axis = 0; axis < 3; ++axis) {
       from_[v][axis] = step.start[vertex][axis];
       to_[v][axis] = from_[v][axis] + steps * (step.end[vertex][axis] - from_[v][axis]);
@@ -22,7 +23,7 @@ void Forecast::make(const Step& step, std::span<const Index> vertices, double st
 
 std::optional<Forecast::Fit> Forecast::fit(const Step& step, double most) const {
   if (!is_made()) return {};
-  TAMIS_ASSERT(static_cast<std::size_t>(step.start.count()) == from_.size());
+  TAMIS_ASSERT(at(step.start.count()) == from_.size());
   const double start = nearest_time(step.start);
   const auto at_start = deviation(step.start, start, most);
   if (!at_start) return {};
@@ -36,7 +37,7 @@ std::optional<Forecast::Fit> Forecast::fit(const Step& step, double most) const 
 double Forecast::nearest_time(const Positions& positions) const {
   double along = 0, all = 0;
   for (std::size_t i = 0; i < vertices_.size(); i += 1 + vertices_.size() / kSampleVertices) {
-    const auto v = static_cast<std::size_t>(vertices_[i]);
+    const auto v = at(vertices_[i]);
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const double length = to_[v][axis] - from_[v][axis];
       along += length * (positions[vertices_[i]][axis] - from_[v][axis]);
@@ -50,7 +51,7 @@ double Forecast::nearest_time(const Positions& positions) const {
 std::optional<double> Forecast::deviation(const Positions& positions, double t, double most) const {
   double largest = 0;
   for (const Index vertex : vertices_) {
-    const auto v = static_cast<std::size_t>(vertex);
+    const auto v = at(vertex);
     double off = 0;
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const double a = from_[v][axis], b = to_[v][axis], x = positions[vertex][axis];

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "numerics/error_bounds.hpp"
+#include "topology/at.hpp"
 
 namespace tamis {
 namespace {
@@ -30,10 +31,7 @@ double length_at_most(const Step& step, Index v) {
 bool PairsOfStart::begin(const Query& query, double fraction) {
   starts_again_ = starts_again(query.step);
   if (starts_again_) {
-    for (const Index index : mesh_.points()) {
-      const auto v = static_cast<std::size_t>(index);
-      ways_[v] = std::max(ways_[v], length_at_most(query.step, index));
-    }
+    for (const Index v : mesh_.points()) ways_[at(v)] = std::max(ways_[at(v)], length_at_most(query.step, v));
     if (are_listed_ && covers(query, fraction)) return true;
   } else {
     start_anew(query.step);
@@ -45,16 +43,16 @@ void PairsOfStart::start_anew(const Step& step) {
   forget();
   pause_ = std::max(0, pause_ - 1);
   ways_before_.swap(ways_);
-  const auto count = static_cast<std::size_t>(mesh_.vertex_count());
+  const auto count = at(mesh_.vertex_count());
   ways_before_.resize(count);
   ways_.assign(count, 0);
   start_.resize(count);
-  for (const Index v : mesh_.points()) std::copy_n(step.start[v], 3, start_[static_cast<std::size_t>(v)].begin());
+  for (const Index v : mesh_.points()) std::copy_n(step.start[v], 3, start_[at(v)].begin());
 }
 
 bool PairsOfStart::starts_again(const Step& step) const {
   return !start_.empty() && std::all_of(mesh_.points().begin(), mesh_.points().end(), [&](Index v) {
-    return std::equal(step.start[v], step.start[v] + 3, start_[static_cast<std::size_t>(v)].begin());
+    return std::equal(step.start[v], step.start[v] + 3, start_[at(v)].begin());
   });
 }
 
@@ -62,9 +60,8 @@ bool PairsOfStart::starts_again(const Step& step) const {
 /// its vertices leave it more than `fraction` of that.
 bool PairsOfStart::covers(const Query& query, double fraction) const {
   if (query.separations.fixed > separation_ || query.separations.radii.data() != radii_) return false;
-  return std::all_of(mesh_.points().begin(), mesh_.points().end(), [&](Index v) {
-    return length_at_most(query.step, v) <= (1 - fraction) * room_[static_cast<std::size_t>(v)];
-  });
+  return std::all_of(mesh_.points().begin(), mesh_.points().end(),
+                     [&](Index v) { return length_at_most(query.step, v) <= (1 - fraction) * room_[at(v)]; });
 }
 
 bool PairsOfStart::plan(const Query& query, double fraction) {
@@ -75,7 +72,7 @@ bool PairsOfStart::plan(const Query& query, double fraction) {
   reach_.resize(start_.size());
   const std::span<const double> radii = query.separations.radii;
   for (const Index index : mesh_.points()) {
-    const auto v = static_cast<std::size_t>(index);
+    const auto v = at(index);
     room_[v] = (kFarther * std::max(ways_[v], ways_before_[v]) + besides) / (1 - fraction) * kRoundedUp;
     reach_[v] = (room_[v] + (radii.empty() ? 0 : radii[v])) * kRoundedUp;
     if (!std::isfinite(reach_[v])) return false;
@@ -87,7 +84,7 @@ bool PairsOfStart::plan(const Query& query, double fraction) {
 
 double PairsOfStart::mean_of_ways() const {
   double sum = 0;
-  for (const Index v : mesh_.points()) sum += ways_[static_cast<std::size_t>(v)];
+  for (const Index v : mesh_.points()) sum += ways_[at(v)];
   return sum / static_cast<double>(std::max<std::size_t>(1, mesh_.points().size()));
 }
 

@@ -6,6 +6,7 @@
 #include "numerics/assert.hpp"
 #include "numerics/in_parts.hpp"
 #include "query/contact_collector.hpp"
+#include "topology/at.hpp"
 
 namespace tamis {
 namespace {
@@ -30,7 +31,7 @@ void for_each_place(std::size_t count, const std::function<void()>& pause, const
 /// A counting sort into one bucket a kind and first vertex, then each small bucket by the other vertices, which lie
 /// together with the contact's place: contacts are looked at once and moved once.
 void ContactSorter::sort(std::vector<Contact>& contacts, Index vertex_count, const std::function<void()>& pause) {
-  if (contacts.size() < static_cast<std::size_t>(vertex_count) / kVerticesAContact)
+  if (contacts.size() < at(vertex_count) / kVerticesAContact)
     return std::sort(contacts.begin(), contacts.end(), comes_before);
   fill_buckets(contacts, vertex_count, pause);
   const std::size_t buckets = first_.size() - 2;
@@ -60,11 +61,10 @@ void ContactSorter::fill_buckets(const std::vector<Contact>& contacts, Index ver
   std::size_t kinds = 0;
   for_each_place(contacts.size(), pause,
                  [&](std::size_t i) { kinds = std::max(kinds, static_cast<std::size_t>(contacts[i].kind) + 1); });
-  const auto buckets = kinds * static_cast<std::size_t>(vertex_count);
+  const auto buckets = kinds * at(vertex_count);
   const auto bucket_of = [&](const Contact& c) {
     TAMIS_ASSERT(0 <= c.vertices[0] && c.vertices[0] < vertex_count);
-    return static_cast<std::size_t>(c.kind) * static_cast<std::size_t>(vertex_count) +
-           static_cast<std::size_t>(c.vertices[0]);
+    return static_cast<std::size_t>(c.kind) * at(vertex_count) + at(c.vertices[0]);
   };
   first_.assign(buckets + 2, 0);
   for_each_place(contacts.size(), pause, [&](std::size_t i) { ++first_[bucket_of(contacts[i]) + 2]; });

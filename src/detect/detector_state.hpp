@@ -30,8 +30,7 @@ struct Detector::State {
   TruncatedStep truncate(const Step& step, double keep, const QueryOptions& asked, Stored stored);
   /// The pairs are in `near`.
   void find_near(const Positions& positions, double distance);
-  /// They are in `intersections`.
-  /// `is_free`: some of them, if there are any.
+  /// They are in `intersections`: all, or for `is_free` some, if there are any.
   void find_intersections(const Positions& positions, Question question);
 
   const Mesh mesh;

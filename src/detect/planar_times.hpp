@@ -19,9 +19,9 @@ struct KeptFractions {
     TAMIS_ASSERT(0 < kept && kept < 1);
   }
 
-  /// What is kept of the distance that a pair had at t=0, where all have come to at one pace by that time.
+  /// The fraction of its distance at t=0 that a pair has left at `time`, up to which all vertices go at one pace.
   double at(double time) const { return time > 0 ? together : 1; }
-  /// What planes there leave of it: a little more than must be kept, for rounding.
+  /// The fraction that planes placed at `time` leave it: a little more than `keep`, for rounding.
   double between_planes(double time) const { return keep + (at(time) - keep) / 16; }
 
   double keep, together;

@@ -6,6 +6,7 @@
 
 #include "tamis/positions.hpp"
 #include "tamis/stored.hpp"
+#include "topology/at.hpp"
 
 namespace tamis {
 
@@ -15,9 +16,9 @@ inline double rounded(double x, Stored stored) {
 }
 
 inline std::vector<Point> rounded(const Positions& positions, Stored stored) {
-  std::vector<Point> points(static_cast<std::size_t>(positions.count()));
+  std::vector<Point> points(at(positions.count()));
   for (Index v = 0; v < positions.count(); ++v)
-    for (std::size_t k = 0; k < 3; ++k) points[static_cast<std::size_t>(v)][k] = rounded(positions[v][k], stored);
+    for (std::size_t k = 0; k < 3; ++k) points[at(v)][k] = rounded(positions[v][k], stored);
   return points;
 }
 

@@ -7,6 +7,7 @@
 #include "narrow/near_pair.hpp"
 #include "numerics/assert.hpp"
 #include "query/pair_rules.hpp"
+#include "topology/at.hpp"
 #include "topology/mean_edge.hpp"
 
 namespace tamis {
@@ -46,7 +47,7 @@ Truncation::Truncation(const Mesh& mesh, const Query& query, const KeptFractions
 void Truncation::begin(double together) {
   together_ = together;
   rounds_ = 0;
-  const auto count = static_cast<std::size_t>(mesh_.vertex_count());
+  const auto count = at(mesh_.vertex_count());
   to_ = {std::vector<Point>(count), std::vector<double>(count, 1), true};
   for (Index v = 0; v < mesh_.vertex_count(); ++v) place(v);
   const double edge = mean_edge(mesh_, step_.start), farthest = edge > 0 ? kFarthestInEdges * edge : HUGE_VAL;
@@ -62,7 +63,7 @@ void Truncation::begin_apart() {
   const double reach = 1 / (1 - fractions_.between_planes(0));
   radii_.assign(to_.parts.size(), 0);
   for (const Index index : mesh_.points()) {
-    const auto v = static_cast<std::size_t>(index);
+    const auto v = at(index);
     const double way =
         to_.parts[v] > 0 ? to_.parts[v] * length_of_way(step_, index) : 0;  // nothing is none of infinity
     radii_[v] = std::min(reach * way, 0x1p1020) + (separations_.radii.empty() ? 0 : separations_.radii[v]);
@@ -79,7 +80,7 @@ void Truncation::keep_apart(const std::vector<NearPair>& near) {
 }
 
 void Truncation::place(Index vertex) {
-  const auto v = static_cast<std::size_t>(vertex);
+  const auto v = at(vertex);
   const double t = to_.parts[v];
   const double *start = step_.start[vertex], *end = step_.end[vertex];
   for (std::size_t k = 0; k < 3; ++k)
@@ -87,7 +88,7 @@ void Truncation::place(Index vertex) {
 }
 
 void Truncation::stop(Index vertex, double time) {
-  double& part = to_.parts[static_cast<std::size_t>(vertex)];
+  double& part = to_.parts[at(vertex)];
   if (!(time < part)) return;
   part = time;
   place(vertex);
@@ -120,7 +121,7 @@ void Truncation::stop_at_planes(const StepLimit& pair, const std::vector<double>
   const auto times = planar_times(there, points, {fractions_, separation_of(pair), stored_}, together_);
   const std::size_t count = vertex_count(pair.kind);
   bool is_stopped = false;
-  for (std::size_t i = 0; i < count; ++i) is_stopped |= times[i] < asked[static_cast<std::size_t>(pair.vertices[i])];
+  for (std::size_t i = 0; i < count; ++i) is_stopped |= times[i] < asked[at(pair.vertices[i])];
   for (std::size_t i = 0; i < count; ++i) stop(pair.vertices[i], is_stopped ? times[i] : together_);
 }
 
@@ -142,8 +143,7 @@ bool Truncation::moves(const StepLimit& pair) const {
 
 bool Truncation::is_beyond(const StepLimit& pair) const {
   const auto* v = pair.vertices.data();
-  return std::any_of(v, v + vertex_count(pair.kind),
-                     [&](Index i) { return to_.parts[static_cast<std::size_t>(i)] > together_; });
+  return std::any_of(v, v + vertex_count(pair.kind), [&](Index i) { return to_.parts[at(i)] > together_; });
 }
 
 }  // namespace tamis

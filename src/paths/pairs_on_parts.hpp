@@ -30,8 +30,8 @@ class PairsOnParts {
   /// Keeps the piece's references until the next time.
   void begin(const Piece& piece);
 
-  /// Places of pairs to be decided next, ascending, each pair once in all calls. What touches before the last of them
-  /// may do so has been given; empty: nothing else touches until `latest`. Throws InvalidPath and Cancelled.
+  /// The places of the pairs to be decided next, ascending: those that may touch in the earliest part that is left.
+  /// Each pair is given once. None: no other pair touches until `latest`. Throws InvalidPath and Cancelled.
   std::vector<std::int32_t> next(double latest);
   /// Kept from piece to piece.
   std::uint64_t memory_bytes() const;

@@ -16,7 +16,6 @@
 #include "numerics/error_bounds.hpp"
 #include "numerics/number_text.hpp"
 #include "paths/decide_path.hpp"
-#include "paths/isolated_path.hpp"
 #include "paths/remembered_path.hpp"
 #include "paths/within_on_path.hpp"
 #include "query/cancellation.hpp"
@@ -279,7 +278,7 @@ void PathSearch::find(const MeshOnPath& asked, Question question, std::vector<Co
   TAMIS_ASSERT(asked.separations.fixed >= 0 && std::isfinite(asked.separations.fixed) && asked.tolerance > 0);
   TAMIS_ASSERT(asked.separations.radii.empty() ||
                asked.separations.radii.size() == static_cast<std::size_t>(mesh_.vertex_count()));
-  const Index vertices = isolated([&] { return asked.path.vertex_count(); });
+  const Index vertices = asked.path.vertex_count();
   if (vertices != mesh_.vertex_count())
     throw InvalidPath("the path has " + std::to_string(vertices) + " vertices, the mesh " +
                       std::to_string(mesh_.vertex_count()) + ": give a path of this mesh");

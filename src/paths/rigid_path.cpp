@@ -10,6 +10,7 @@
 #include "paths/fine_point.hpp"
 #include "paths/rigid_transform.hpp"
 #include "tamis/error.hpp"
+#include "topology/at.hpp"
 #include "topology/points.hpp"
 
 namespace tamis {
@@ -28,7 +29,7 @@ void validate(const std::vector<Point>& rest, const std::vector<Index>& body_of_
   for (std::size_t v = 0; v < rest.size(); ++v) {
     if (!is_finite(rest[v]) || !is_finite(rest_end[v]))
       throw InvalidPath("vertex " + std::to_string(v) + " of the path is not finite at rest: give finite positions");
-    if (body_of_vertex[v] < 0 || static_cast<std::size_t>(body_of_vertex[v]) >= chains.size())
+    if (body_of_vertex[v] < 0 || at(body_of_vertex[v]) >= chains.size())
       throw InvalidPath("vertex " + std::to_string(v) + " belongs to body " + std::to_string(body_of_vertex[v]) +
                         ": bodies must be in [0, " + std::to_string(chains.size()) + ")");
   }
@@ -165,7 +166,7 @@ RigidPath::RigidPath(std::vector<Point> rest, std::vector<Index> body_of_vertex,
   const std::vector<ChainBounds> bounds(chains.begin(), chains.end());
   for (const Chain& chain : chains) axes_.push_back(fixed_axis(chain));
   for (std::size_t v = 0; v < rest_.size(); ++v) {
-    const ChainBounds& of_body = bounds[static_cast<std::size_t>(body_of_vertex_[v])];
+    const ChainBounds& of_body = bounds[at(body_of_vertex_[v])];
     const double way = rest_[v] == rest_end_[v] ? 0 : change(rest_[v], rest_end_[v]);
     const Curvature curve = of_body.of(farthest(rest_[v], rest_end_[v]), way);
     accelerations_.push_back(curve.acceleration);
@@ -183,8 +184,8 @@ void for_each_of_body(std::span<const Index> vertices, const std::vector<Index>&
                       const F& f) {
   Index body = -1;
   for (std::size_t i = 0; i < vertices.size(); ++i) {
-    const auto v = static_cast<std::size_t>(vertices[i]);
-    if (body_of_vertex[v] != body) begin(static_cast<std::size_t>(body = body_of_vertex[v]));
+    const auto v = at(vertices[i]);
+    if (body_of_vertex[v] != body) begin(at(body = body_of_vertex[v]));
     f(i, v);
   }
 }
@@ -216,14 +217,13 @@ void RigidPath::deviations(double from, double to, std::span<const Index> vertic
                            std::span<double> deviations) const {
   const Interval factor = chord_factor(Interval(to) - Interval(from));
   for (std::size_t i = 0; i < vertices.size(); ++i) {
-    const auto v = static_cast<std::size_t>(vertices[i]);
+    const auto v = at(vertices[i]);
     deviations[i] = Curvature{accelerations_[v], reaches_[v]}.deviation(factor);
   }
 }
 
 void RigidPath::straight_directions(std::span<const Index> vertices, std::span<Point> directions) const {
-  for (std::size_t i = 0; i < vertices.size(); ++i)
-    directions[i] = axes_[static_cast<std::size_t>(body_of_vertex_[static_cast<std::size_t>(vertices[i])])];
+  for (std::size_t i = 0; i < vertices.size(); ++i) directions[i] = axes_[at(body_of_vertex_[at(vertices[i])])];
 }
 
 }  // namespace tamis

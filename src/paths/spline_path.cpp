@@ -7,6 +7,7 @@
 #include "numerics/error_bounds.hpp"
 #include "paths/fine_point.hpp"
 #include "tamis/error.hpp"
+#include "topology/at.hpp"
 
 namespace tamis {
 
@@ -65,7 +66,7 @@ void SplinePath::points_at(double time, std::span<const Index> vertices, std::sp
   // which covers this bound's own rounding.
   const double each = static_cast<double>(rounded.size() + 1) * 0x1p-52;
   for (std::size_t i = 0; i < vertices.size(); ++i) {
-    const auto v = static_cast<std::size_t>(vertices[i]);
+    const auto v = at(vertices[i]);
     Point x{0, 0, 0};
     double size = 0, weighted = 0;
     for (std::size_t k = 0; k < rounded.size(); ++k) {
@@ -83,7 +84,7 @@ void SplinePath::points_at(double time, std::span<const Index> vertices, std::sp
 void SplinePath::fine_points_at(double time, std::span<const Index> vertices, std::span<FinePoint> points) const {
   const SplineWeights weights = weights_at(time);
   for (std::size_t i = 0; i < vertices.size(); ++i) {
-    const auto v = static_cast<std::size_t>(vertices[i]);
+    const auto v = at(vertices[i]);
     Vec3<FineInterval> x{fine(0), fine(0), fine(0)};
     for (std::size_t k = 0; k < weights.values.size(); ++k) {
       const Point& p = frames_[weights.first + k][v];
@@ -122,7 +123,7 @@ void BezierPath::deviations(double from, double to, std::span<const Index> verti
                             std::span<double> deviations) const {
   const Interval length = Interval(to) - Interval(from);
   for (std::size_t i = 0; i < vertices.size(); ++i)
-    deviations[i] = chord_deviation(acceleration_[static_cast<std::size_t>(vertices[i])], length);
+    deviations[i] = chord_deviation(acceleration_[at(vertices[i])], length);
 }
 
 CatmullRomPath::CatmullRomPath(std::vector<std::vector<Point>> all) : SplinePath(std::move(all), 2) {
@@ -197,7 +198,7 @@ void CatmullRomPath::deviations(double from, double to, std::span<const Index> v
   for (std::size_t i = 0; i < vertices.size(); ++i) {
     double largest = 0;
     for (std::size_t piece = first_piece; piece <= last_piece; ++piece)
-      largest = std::max(largest, acceleration_[piece][static_cast<std::size_t>(vertices[i])]);
+      largest = std::max(largest, acceleration_[piece][at(vertices[i])]);
     deviations[i] = chord_deviation(largest, length);
   }
 }

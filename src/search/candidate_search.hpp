@@ -1,5 +1,5 @@
-// Lists pairs that may touch on a step although vertices deviate from it, for questions to come; and prepares questions
-// that lists may serve.
+// Lists pairs that may touch on a step although vertices deviate from it, for questions to come, and prepares questions
+// that such lists may serve.
 #pragma once
 #include <array>
 #include <atomic>
@@ -68,9 +68,9 @@ class CandidateSearch {
     end(statistics);
     return !asked.bound.is_settled();
   }
-  /// Prepares the trees for a query of which lists may hold the pairs (`is_listed`): if they do not, plan() says
-  /// whether they should, and make() makes them, or gives up. True: the lists are to be asked, with the vertices of
-  /// this step if has_pairs(); false: the trees must be searched.
+  /// Prepares for a query whose pairs may be in lists (`is_listed`). If they are not, plan() says whether lists are
+  /// worth making, and make() makes them, or finds that they are too long. True: the lists are to be asked; the
+  /// vertices of this step are loaded if has_pairs(). False: the trees, which are of this step, must be searched.
   template <class Plan, class Make, class HasPairs>
   bool prepare(const Query& query, LooksAt looks_at, bool is_listed, const Plan& plan, const Make& make,
                const HasPairs& has_pairs, Statistics& statistics) {

@@ -1,10 +1,71 @@
 #include "search/proximity_search.hpp"
 
+#include <algorithm>
+#include <cmath>
+
+#include "narrow/near_pair.hpp"
 #include "numerics/in_parts.hpp"
 #include "query/cancellation.hpp"
+#include "search/pair_buffer.hpp"
 #include "topology/countable.hpp"
 
 namespace tamis {
+
+void ProximityConsumer::begin(const Query& query) {
+  PairConsumer::begin(query);
+  for (auto& pairs : found_) pairs.clear();
+}
+
+std::uint64_t ProximityConsumer::memory_bytes() const {
+  std::uint64_t bytes = 0;
+  for (const auto& pairs : found_) bytes += pairs.capacity() * sizeof(PairVertices);
+  return bytes;
+}
+
+void ProximityConsumer::consume(PairKind kind) {
+  const PackedMotion& motion = thread().motion;
+  SearchCounts& counts = thread().counts;
+  PairBuffer &boxes = thread().boxes, &within = thread().clipped, &unsure = thread().filtered;
+  of(counts.boxes, kind) += static_cast<std::uint64_t>(boxes.count);
+  within.count = unsure.count = 0;
+  thread().kernels.of(kind).find_within_at_rest(motion.vertices.data(), motion.pair_separation(), boxes, within,
+                                                unsure);
+  counts.decided_by.lanes += static_cast<std::uint64_t>(boxes.count - unsure.count);
+  keep_wanted(unsure, [&](int i) {
+    stop_if_cancelled(query());
+    const PairVertices v = vertices_of(kind, unsure, i);
+    return is_near(kind, points_of(query().step, v), motion.separations.between(kind, v), counts.decided_by);
+  });
+  keep(kind, within);
+  keep(kind, unsure);
+}
+
+/// The caller's filter and the rings come last: they may cost more than a distance.
+void ProximityConsumer::keep(PairKind kind, PairBuffer& pairs) {
+  leave_out(query().filter, kind, pairs);
+  if (query().rings.any())
+    keep_wanted(pairs, [&](int i) { return !query().are_neighbours(kind, vertices_of(kind, pairs, i)); });
+  auto& list = found(kind);
+  const std::size_t before = list.size(), count = static_cast<std::size_t>(pairs.count);
+  list.resize(before + count);
+  for (std::size_t i = 0; i < count; ++i) list[before + i] = vertices_of(kind, pairs, static_cast<int>(i));
+  of(thread().counts.near, kind) += count;
+}
+
+void ProximityConsumer::describe(PairKind kind, std::span<const PairVertices> pairs, NearPair* out) {
+  constexpr std::size_t kAtOnce = 128;  // what is on its way stays in the first cache
+  PairBuffer& buffer = thread().clipped;
+  for (std::size_t first = 0; first < pairs.size(); first += kAtOnce) {
+    stop_if_cancelled(query());
+    buffer.count = static_cast<int>(std::min(kAtOnce, pairs.size() - first));
+    for (int i = 0; i < buffer.count; ++i) put(kind, pairs[first + static_cast<std::size_t>(i)], buffer, i);
+    NearPair* const said = out + first;
+    thread().kernels.of(kind).measure(thread().motion.vertices.data(), buffer, said);
+    for (int i = 0; i < buffer.count; ++i)
+      if (std::isnan(said[i].distance))
+        said[i] = near_pair(kind, said[i].vertices, points_of(query().step, said[i].vertices));
+  }
+}
 
 void ProximitySearch::find(const Query& query, std::vector<NearPair>& pairs, Statistics& statistics) {
   workspace_.trees.refit_or_rebuild(query.step, query.separations, LooksAt::start, statistics);

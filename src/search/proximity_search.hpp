@@ -1,12 +1,40 @@
 // The pairs within a distance at rest, in their order, and what is to be said of each.
 #pragma once
 #include <array>
+#include <vector>
 
+#include "query/pair_rules.hpp"
 #include "query/proximity_order.hpp"
-#include "search/proximity_consumer.hpp"
 #include "search/thread_streams.hpp"
+#include "tamis/proximity.hpp"
 
 namespace tamis {
+
+/// Which pairs are within their separation at rest: closest points in lanes, and in integers where doubles do not tell.
+class ProximityConsumer final : public PairConsumer {
+ public:
+  /// Threads share the decisions evenly.
+  static constexpr bool kHoldsPairsBack = false;
+  using Shared = const Query;
+
+  using PairConsumer::PairConsumer;
+
+  void begin(const Query& query);
+  /// Of one kind, in no order.
+  std::vector<PairVertices>& found(PairKind kind) { return found_[static_cast<std::size_t>(kind)]; }
+  /// What is to be said of pairs that were found, in their order.
+  void describe(PairKind kind, std::span<const PairVertices> pairs, NearPair* out);
+
+  SearchKernel kernel(PairKind kind) const override { return thread().kernels.of(kind).search_at_rest; }
+  void set_limits(Search& search) const override { search.widened = thread().motion.box_separation().fixed; }
+  void consume(PairKind kind) override;
+  std::uint64_t memory_bytes() const;
+
+ private:
+  void keep(PairKind kind, PairBuffer& pairs);
+
+  std::array<std::vector<PairVertices>, kPairKinds> found_;
+};
 
 class ProximitySearch {
  public:

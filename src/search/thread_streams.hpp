@@ -52,10 +52,14 @@ class ThreadStreams {
     return static_cast<int>((pairs.size() + kPairsAPart - 1) / kPairsAPart);
   }
 
-  /// f(consumer) for each, one after the other, with nothing left in its buffers: these are shared out among threads.
+  /// f(consumer) for each, one after the other, with nothing left in its buffers: threads share these, if much is left.
   template <class F>
   void finish(const F& f) {
-    in_parts(of_threads_.size(), std::size_t{1}, [&](std::size_t begin, std::size_t end) {
+    constexpr int kPairsWorthSharing = 512;
+    int left = 0;
+    for (const OfThread& one : of_threads_) left += one.thread.boxes.count;
+    const std::size_t grain = left < kPairsWorthSharing ? of_threads_.size() : 1;
+    in_parts(of_threads_.size(), grain, [&](std::size_t begin, std::size_t end) {
       for (; begin != end; ++begin) of_threads_.begin()[static_cast<std::ptrdiff_t>(begin)].stream.finish();
     });
     for_each(f);

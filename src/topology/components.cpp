@@ -2,6 +2,7 @@
 
 #include <numeric>
 
+#include "topology/at.hpp"
 #include "topology/countable.hpp"
 
 namespace tamis {
@@ -10,9 +11,7 @@ namespace {
 /// Union-find over the vertices.
 class Forest {
  public:
-  explicit Forest(Index vertices) : parent_(static_cast<std::size_t>(vertices)) {
-    std::iota(parent_.begin(), parent_.end(), 0);
-  }
+  explicit Forest(Index vertices) : parent_(at(vertices)) { std::iota(parent_.begin(), parent_.end(), 0); }
   Index root(Index v) {
     while (parent(v) != v) v = parent(v) = parent(parent(v));
     return v;
@@ -20,7 +19,7 @@ class Forest {
   void join(Index a, Index b) { parent(root(a)) = root(b); }
 
  private:
-  Index& parent(Index v) { return parent_[static_cast<std::size_t>(v)]; }
+  Index& parent(Index v) { return parent_[at(v)]; }
   std::vector<Index> parent_;
 };
 
@@ -35,12 +34,12 @@ Components components_of(const Mesh& mesh) {
   for (const Edge& e : mesh.edges()) forest.join(e[0], e[1]);
 
   Components components;
-  components.of_vertex.assign(static_cast<std::size_t>(mesh.vertex_count()), -1);
-  std::vector<Index> number(static_cast<std::size_t>(mesh.vertex_count()), -1);
+  components.of_vertex.assign(at(mesh.vertex_count()), -1);
+  std::vector<Index> number(at(mesh.vertex_count()), -1);
   for (const Index v : mesh.points()) {
-    Index& component = number[static_cast<std::size_t>(forest.root(v))];
+    Index& component = number[at(forest.root(v))];
     if (component < 0) component = components.count++;
-    components.of_vertex[static_cast<std::size_t>(v)] = component;
+    components.of_vertex[at(v)] = component;
   }
   return components;
 }
@@ -48,17 +47,17 @@ Components components_of(const Mesh& mesh) {
 IndexRows neighbours_of(const Mesh& mesh) {
   require_countable_ends(mesh.edges().size());
   IndexRows rows;
-  rows.offsets.assign(static_cast<std::size_t>(mesh.vertex_count()) + 1, 0);
-  const auto place = [&](Index v) -> Index& { return rows.offsets[static_cast<std::size_t>(v)]; };
+  rows.offsets.assign(at(mesh.vertex_count()) + 1, 0);
+  const auto place = [&](Index v) -> Index& { return rows.offsets[at(v)]; };
   for (const Edge& e : mesh.edges())
     for (const Index v : e) ++place(v);
   Index sum = 0;
   for (Index& offset : rows.offsets) sum += offset, offset = sum;
-  rows.items.resize(static_cast<std::size_t>(sum));
+  rows.items.resize(at(sum));
   // Each row is filled from its end, so that its offset ends at its first item.
   for (const Edge& e : mesh.edges()) {
-    rows.items[static_cast<std::size_t>(--place(e[0]))] = e[1];
-    rows.items[static_cast<std::size_t>(--place(e[1]))] = e[0];
+    rows.items[at(--place(e[0]))] = e[1];
+    rows.items[at(--place(e[1]))] = e[0];
   }
   return rows;
 }

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "exact/exact.hpp"
+#include "motion/pair_kinds.hpp"
 #include "support/ask_pair.hpp"
 #include "support/pair_cases.hpp"
 

@@ -93,6 +93,12 @@ Detector DetectorAccess::make(Mesh mesh, Options options, const MakeEngine& make
   return Detector(std::make_unique<Detector::State>(std::move(mesh), std::move(options), make_engine));
 }
 
+Detector DetectorAccess::make(Mesh mesh, Options options, std::vector<double> radius_of_vertex) {
+  Detector detector(std::move(mesh), std::move(options));
+  detector.state().set_radii(std::move(radius_of_vertex));
+  return detector;
+}
+
 const std::vector<Contact>& DetectorAccess::contacts_by_pair(Detector& detector, const Step& step,
                                                              const QueryOptions& options) {
   const Detector::LockedState state(detector);

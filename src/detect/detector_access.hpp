@@ -2,6 +2,7 @@
 // curved motion are the same), how a path is cut, and that answers must not depend on what else the mesh holds.
 #pragma once
 #include <functional>
+#include <vector>
 
 #include "query/engine.hpp"
 #include "tamis/detector.hpp"
@@ -21,6 +22,9 @@ class DetectorAccess {
  public:
   /// `make_engine` is called once, with what has been validated. Throws InvalidOptions.
   static Detector make(Mesh mesh, Options options, const MakeEngine& make_engine);
+  /// With a radius for each vertex in place of one for each group, so that radii make no groups. Throws as above.
+  /// REQUIRES: the options have no radii; as many as vertices. REQUIRES (not checked: O(n)): finite and >= 0.
+  static Detector make(Mesh mesh, Options options, std::vector<double> radius_of_vertex);
   /// All contacts, each with the bits of narrow_phase.
   static const std::vector<Contact>& contacts_by_pair(Detector& detector, const Step& step,
                                                       const QueryOptions& options);

@@ -8,6 +8,7 @@
 #include "detect/truncation.hpp"
 #include "detect/validate.hpp"
 #include "exact/start_distance.hpp"
+#include "numerics/assert.hpp"
 #include "numerics/number_text.hpp"
 #include "query/cancellation.hpp"
 #include "query/pair_rules.hpp"
@@ -17,10 +18,13 @@
 namespace tamis {
 namespace {
 
+bool are_zero(const std::vector<double>& radii) {
+  return std::ranges::all_of(radii, [](double radius) { return radius == 0; });
+}
+
 /// Of each vertex; empty where all are zero.
 std::vector<double> radii_of(const Options& options, const Mesh& mesh) {
-  const auto is_zero = [](double radius) { return radius == 0; };
-  if (std::all_of(options.radii.begin(), options.radii.end(), is_zero)) return {};
+  if (are_zero(options.radii)) return {};
   const std::vector<Index>& group = options.filter.group_of_vertex;
   std::vector<double> radii(static_cast<std::size_t>(mesh.vertex_count()), options.radii[0]);
   for (std::size_t v = 0; v < group.size(); ++v)
@@ -42,6 +46,11 @@ Detector::State::State(Mesh m, Options o, const MakeEngine& make_engine)
       arena_(options.threads) {
   radii_ = radii_of(options, mesh);
   engine_ = make_engine(mesh, options);
+}
+
+void Detector::State::set_radii(std::vector<double> radii) {
+  TAMIS_ASSERT(radii.size() == static_cast<std::size_t>(mesh.vertex_count()));
+  radii_ = are_zero(radii) ? std::vector<double>() : std::move(radii);
 }
 
 Separations Detector::State::separations(const QueryOptions& asked) const {

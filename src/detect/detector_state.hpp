@@ -16,6 +16,8 @@ namespace tamis {
 
 struct Detector::State {
   State(Mesh m, Options o, const MakeEngine& make_engine);
+  /// Of the vertices, before the first question. REQUIRES: one each.
+  void set_radii(std::vector<double> radii);
 
   /// The contacts are in `found`.
   void find_contacts(const Step& step, const QueryOptions& asked, bool is_by_pair = false);

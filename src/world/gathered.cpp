@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "detect/detector_access.hpp"
 #include "topology/at.hpp"
 
 namespace tamis {
@@ -40,7 +41,14 @@ Detector Gathered::make_detector(const BodyList& bodies, const MeetingRules& rul
   set_groups(bodies, rules, of_mesh);
   Mesh mesh(static_cast<Index>(vertices_.size()), std::move(faces_), edges_, std::move(points_));
   edges_ = {};
-  return Detector(std::move(mesh), std::move(of_mesh));
+  return DetectorAccess::make(std::move(mesh), std::move(of_mesh), radii(bodies));
+}
+
+std::vector<double> Gathered::radii(const BodyList& bodies) const {
+  std::vector<double> radii;
+  radii.reserve(vertices_.size());
+  for (const Vertex& vertex : vertices_) radii.push_back(body_of(bodies, vertex.body).radius());
+  return radii;
 }
 
 void Gathered::add(BodyId id, const Body& body, const IndexSet& items) {
@@ -68,23 +76,18 @@ void Gathered::add(BodyId id, const Body& body, const IndexSet& items) {
 }
 
 /// Bodies of one color are not asked about: either they are not near each other, or they are aside. A group of the
-/// detector is those of one color and radius.
+/// detector is those of one color: there are few, however many bodies and radii.
 void Gathered::set_groups(const BodyList& bodies, const MeetingRules& rules, Options& options) const {
-  using Group = std::pair<Index, double>;
-  std::map<BodyId, Group> groups;
-  for (const auto& [id, color] : colors_of(items_, bodies, rules)) groups[id] = {color, body_of(bodies, id).radius()};
-  std::map<Group, Index> numbers;
-  for (const auto& [id, group] : groups) numbers.emplace(group, static_cast<Index>(numbers.size()));
+  const std::map<BodyId, Index> colors = colors_of(items_, bodies, rules);
+  std::map<Index, Index> group_of_color;
+  for (const auto& [id, color] : colors) group_of_color.emplace(color, static_cast<Index>(group_of_color.size()));
+  const std::size_t count = group_of_color.size();
   PairFilter& filter = options.filter;
-  filter.group_count = static_cast<Index>(numbers.size());
-  for (const Vertex& vertex : vertices_) filter.group_of_vertex.push_back(numbers.at(groups.at(vertex.body)));
-  filter.groups_may_touch.assign(numbers.size() * numbers.size(), 0);
-  options.radii.assign(numbers.size(), 0);
-  for (const auto& [group, number] : numbers) {
-    options.radii[at(number)] = group.second;
-    for (const auto& [other, other_number] : numbers)
-      filter.groups_may_touch[at(number) * numbers.size() + at(other_number)] = group.first != other.first;
-  }
+  filter.group_count = static_cast<Index>(count);
+  filter.group_of_vertex.reserve(vertices_.size());
+  for (const Vertex& vertex : vertices_) filter.group_of_vertex.push_back(group_of_color.at(colors.at(vertex.body)));
+  filter.groups_may_touch.assign(count * count, 1);
+  for (std::size_t group = 0; group < count; ++group) filter.groups_may_touch[group * count + group] = 0;
   // Of two bodies that the caller keeps apart one may be near a third that the other is near, too.
   const auto is_here = [&](BodyId id) { return items_.of_body.contains(id); };
   std::set<BodyPair> kept_apart;

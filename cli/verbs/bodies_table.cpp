@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "cli/answers.hpp"
+#include "cli/command_line/verb.hpp"
 
 namespace tamis::cli {
 namespace {
@@ -26,11 +27,27 @@ std::array<std::string, 2> names_of(const BodyContact& contact, const std::vecto
 
 }  // namespace
 
-void BodiesTable::print_head() const {
-  if (json_) return;
+void BodiesTable::print_bodies() const {
   fmt::print("bodies          {} static, {} rigid, {} deforming, with {} triangles\n",
              grouped(bodies_.count_of(false, false)), grouped(bodies_.count_of(true, false)),
              grouped(bodies_.count_of(true, true)), grouped(bodies_.triangle_count()));
+}
+
+int BodiesTable::refuse(const StartCheck& start) const {
+  if (json_) {
+    Json json{{"free", false}};
+    start.add_refused_to(json, bodies_.names());
+    print_json(json);
+  } else {
+    print_bodies();
+    start.print_refused(bodies_.names());
+  }
+  return kNo;
+}
+
+void BodiesTable::print_head() const {
+  if (json_) return;
+  print_bodies();
   if (!is_one())
     fmt::print("\n{:>5} {:>11} {:>11} {:>14} {:>10}\n", "step", "vertex-face", "edge-edge", "free until", "time");
 }
@@ -69,32 +86,36 @@ Json BodiesTable::step_json(const Tally& tally, const std::optional<BodyContact>
   return json;
 }
 
-Json BodiesTable::totals_json(const Options& options, const Statistics& statistics) {
-  return {{"free", is_free()},
-          {"bodies",
-           {{"static", bodies_.count_of(false, false)},
-            {"rigid", bodies_.count_of(true, false)},
-            {"deforming", bodies_.count_of(true, true)}}},
-          {"triangles", bodies_.triangle_count()},
-          {"steps", std::move(steps_)},
-          {"contacts", json_of(total_)},
-          {"unresolved", total_.unresolved},
-          {"free_steps", free_steps_},
-          {"first_not_free", first_ ? Json(first_->step) : Json()},
-          {"seconds", {{"total", timing_.warm.total}}},
-          {"peak_memory_bytes", peak_memory_bytes()},
-          {"threads", statistics.threads},
-          {"min_separation", options.min_separation},
-          {"isa", name_of(statistics.isa)}};
+Json BodiesTable::totals_json(const Options& options, const Statistics& statistics, const StartCheck& start) {
+  Json json{{"free", is_free()},
+            {"bodies",
+             {{"static", bodies_.count_of(false, false)},
+              {"rigid", bodies_.count_of(true, false)},
+              {"deforming", bodies_.count_of(true, true)}}},
+            {"triangles", bodies_.triangle_count()},
+            {"steps", std::move(steps_)},
+            {"contacts", json_of(total_)},
+            {"unresolved", total_.unresolved},
+            {"free_steps", free_steps_},
+            {"first_not_free", first_ ? Json(first_->step) : Json()},
+            {"seconds", {{"total", timing_.warm.total}}},
+            {"peak_memory_bytes", peak_memory_bytes()},
+            {"threads", statistics.threads},
+            {"min_separation", options.min_separation},
+            {"isa", name_of(statistics.isa)}};
+  start.add_to(json);
+  return json;
 }
 
-void BodiesTable::print_totals(const Options& options, const Statistics& statistics, int repeat) {
-  if (json_) return print_json(totals_json(options, statistics));
+void BodiesTable::print_totals(const Options& options, const Statistics& statistics, const StartCheck& start,
+                               int repeat) {
+  if (json_) return print_json(totals_json(options, statistics, start));
   if (!is_one())
     fmt::print("{:>5} {:>11} {:>11} {:>14} {:>10}\n", "total", grouped(total_.vf), grouped(total_.ee),
                fmt::format("{}/{} free", free_steps_, steps_asked_), readable(timing_.warm.total));
   if (first_ && !is_one()) fmt::print("\nfirst not free  step {}\n", first_->step);
   if (first_) print_contact(first_->contact, names_of(first_->contact, bodies_.names()));
+  if (is_free()) start.print_for_bodies();
   if (is_one()) print_costs(statistics, timing_, repeat);
 }
 

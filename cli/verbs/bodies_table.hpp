@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "cli/report.hpp"
+#include "cli/start_check.hpp"
 #include "cli/verbs/moving_bodies.hpp"
 
 namespace tamis::cli {
@@ -15,9 +16,11 @@ class BodiesTable {
   BodiesTable(const MovingBodies& bodies, bool json) : bodies_(bodies), json_(json) {}
 
   void print_head() const;
+  /// In its place, of a start that does not pass. Returns the exit code.
+  int refuse(const StartCheck& start) const;
   /// In order; `statistics` of the last question.
   void add(const std::vector<BodyContact>& contacts, const Statistics& statistics, const Timing& timing);
-  void print_totals(const Options& options, const Statistics& statistics, int repeat);
+  void print_totals(const Options& options, const Statistics& statistics, const StartCheck& start, int repeat);
   bool is_free() const { return !first_; }
 
  private:
@@ -27,10 +30,11 @@ class BodiesTable {
   };
 
   bool is_one() const { return bodies_.step_count() == 1; }
+  void print_bodies() const;
   void print_row(const Tally& tally, const Timing& timing) const;
   Json step_json(const Tally& tally, const std::optional<BodyContact>& contact, const Statistics& statistics,
                  const Timing& timing) const;
-  Json totals_json(const Options& options, const Statistics& statistics);
+  Json totals_json(const Options& options, const Statistics& statistics, const StartCheck& start);
 
   const MovingBodies& bodies_;
   bool json_;

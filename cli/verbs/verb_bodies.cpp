@@ -8,6 +8,7 @@
 #include "cli/command_line/verb.hpp"
 #include "cli/output_file.hpp"
 #include "cli/progress.hpp"
+#include "cli/start_check.hpp"
 #include "cli/verbs/bodies_film.hpp"
 #include "cli/verbs/bodies_table.hpp"
 #include "io/bodies/bodies_csv.hpp"
@@ -30,6 +31,7 @@ class Bodies final : public Verb {
     return "  tamis bodies throw.json\n"
            "  tamis bodies throw.json --out contacts.csv\n"
            "  tamis bodies throw.json --out throw.html\n"
+           "  tamis bodies throw.json --check-start\n"
            "  tamis bodies throw.json --min-separation 1e-3 --at-start ignore --json";
   }
 
@@ -38,6 +40,7 @@ class Bodies final : public Verb {
         .required();
     detector_.declare_for_bodies(options);
     at_start_.declare(options);
+    start_.declare_for_bodies(options);
     declare_output(options, out_, "the contacts of all steps: a table (.csv), or a page that shows them (.html)");
     declare_repeat(options, repeat_, "ask N times, report the median time of the runs after the first; default 1");
     declare_json(options, json_);
@@ -50,13 +53,14 @@ class Bodies final : public Verb {
     require_output(out_, bodies.inputs());
     const bool is_film = !out_.empty() && io::format_of(out_, kShownAs) == 1;
     World world = bodies.world(detector_.options());
+    BodiesTable table(bodies, json_);
+    if (!start_.passes(world)) return table.refuse(start_);
     std::optional<io::BodiesCsv> csv;
     std::optional<BodiesFilm> film;
     if (is_film)
       film.emplace(bodies, detector_.options());
     else if (!out_.empty())
       csv.emplace(out_);
-    BodiesTable table(bodies, json_);
     table.print_head();
     Progress progress(bodies.step_count(), "steps");
     for (std::size_t step = 1; step <= bodies.step_count(); ++step) {
@@ -72,7 +76,7 @@ class Bodies final : public Verb {
     progress.clear();
     if (csv) csv->commit();
     if (film) film->write(out_);
-    table.print_totals(detector_.options(), world.statistics(), repeat_);
+    table.print_totals(detector_.options(), world.statistics(), start_, repeat_);
     return table.is_free() ? kSuccess : kNo;
   }
 
@@ -82,6 +86,7 @@ class Bodies final : public Verb {
   bool json_ = false;
   DetectorArguments detector_;
   AtStartArgument at_start_;
+  StartCheck start_;
 };
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <numbers>
 
 #include "cli/command.hpp"
@@ -128,6 +129,36 @@ TEST_F(BodiesVerb, OptionsReachTheQuestion) {
   EXPECT_EQ(ask(apart).code, 0);
   const std::string one = ask(above, "").out;
   EXPECT_NE(one.find("first contact   none: the step is free, proven"), std::string::npos) << one;
+}
+
+// Bug: bodies that stand in each other are "free, proven" for as long as they do not touch anew.
+TEST_F(BodiesVerb, StartIsAskedIfItIsToBe) {
+  const auto scene = [](const std::string& height) {
+    return R"({"meshes": {"floor": {"points": [[-1,-1,0],[2,-1,0],[-1,2,0]], "faces": [[0,1,2]]},
+                          "pin": {"points": [[0.25,0.25,-1],[0.25,0.25,1]], "edges": [[0,1]]}},
+               "bodies": [{"name": "floor", "mesh": "floor"},
+                          {"name": "pin", "mesh": "pin", "poses": [{"position": [0,0,)" +
+           height + R"(]}, {"position": [0.1,0,)" + height + R"(]}, {"position": [0.2,0,)" + height + "]}]}]}";
+  };
+  const Outcome unasked = ask(scene("0"), "");
+  EXPECT_EQ(unasked.code, 0) << unasked.err;
+  EXPECT_NE(unasked.out.find("presupposes     bodies that do not pass through each other at the START"),
+            std::string::npos)
+      << unasked.out;
+  EXPECT_TRUE(ask(scene("0")).json()["start_intersections"].is_null());
+  const Outcome through = ask(scene("0"), "--check-start --out all.csv");
+  EXPECT_EQ(through.code, 1) << through.err;
+  EXPECT_NE(through.out.find("1 intersection, the first of edge 0 1 of pin and face 0 1 2 of floor"), std::string::npos)
+      << through.out;
+  EXPECT_FALSE(std::filesystem::exists(folder_.path() / "all.csv"));
+  EXPECT_EQ(ask(scene("0"), "--check-start --json").json(),
+            nlohmann::json::parse(R"({"free": false, "start_intersections": 1, "start_intersection":
+                                      {"bodies": ["pin", "floor"], "edge": [0, 1], "face": [0, 1, 2]}})"));
+  const Outcome above = ask(scene("3"), "--check-start");
+  EXPECT_EQ(above.code, 0) << above.err;
+  EXPECT_NE(above.out.find("START           no body that moves passes through another"), std::string::npos)
+      << above.out;
+  EXPECT_EQ(ask(scene("3"), "--check-start --json").json()["start_intersections"], 0);
 }
 
 // Bug: half a file answers as if the rest were at the origin; a sentence that does not say where.

@@ -43,7 +43,7 @@ std::vector<std::filesystem::path> MovingBodies::inputs() const {
 }
 
 World MovingBodies::world(const Options& options) const {
-  const auto shape_of = [](const io::MeshFile& mesh) { return Shape(io::mesh_of(mesh), mesh.positions); };
+  const auto shape_of = [&](const io::MeshFile& mesh) { return Shape(io::mesh_of(mesh), mesh.positions, options.isa); };
   std::vector<Shape> shapes;
   for (const auto& mesh : file_.meshes) shapes.push_back(shape_of(mesh.mesh));
   World world(options);

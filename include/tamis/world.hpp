@@ -22,8 +22,10 @@ struct BodyShape;
 /// number of bodies. Copies share it.
 class Shape {
  public:
-  /// `points`: one row a vertex. Throws InvalidMesh unless they fit the mesh and those of Mesh::points() are finite.
-  Shape(Mesh mesh, std::vector<Point> points);
+  /// `points`: one row a vertex. `isa`: of what makes the hierarchy; speed only, as in Options. Throws InvalidMesh
+  /// unless the points fit the mesh and those of Mesh::points() are finite, InvalidOptions if this machine lacks the
+  /// set.
+  Shape(Mesh mesh, std::vector<Point> points, Isa isa = Isa::best);
 
   const Mesh& mesh() const;
   const std::vector<Point>& points() const;
@@ -92,7 +94,7 @@ struct BodyStep {
 class World {
  public:
   /// Of the options `threads`, `min_separation`, `isa`, `is_cancelled`, and of the filter `rings` count; all else is
-  /// said by body. Throws InvalidOptions.
+  /// said by body. Throws InvalidOptions: also for an instruction set that this machine lacks.
   explicit World(Options options = {});
   ~World();
   World(World&&) noexcept;

@@ -18,6 +18,9 @@ def test_shapes(cube: tamis.Shape) -> None:
     assert np.array_equal(cube.points, CUBE) and cube.memory_bytes > 0 and cube.mesh.vertex_count == 8
     copied = pickle.loads(pickle.dumps(cube))
     assert np.array_equal(copied.points, CUBE) and repr(copied) == repr(cube)
+    assert np.array_equal(tamis.Shape(cube.mesh, CUBE, isa="baseline").points, CUBE)
+    with pytest.raises(tamis.InvalidOptions, match="best"):
+        tamis.Shape(cube.mesh, CUBE, isa="sse9")  # type: ignore[arg-type]
     with pytest.raises(tamis.InvalidMesh, match="7 points"):
         tamis.Shape(tamis.Mesh(CUBE_FACES), CUBE[:7])
     with pytest.raises(TypeError, match="make a World"):

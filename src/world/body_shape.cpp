@@ -3,6 +3,7 @@
 #include <cmath>
 #include <string>
 
+#include "detect/enum_names.hpp"
 #include "kernels/kernels.hpp"
 #include "numerics/finite.hpp"
 #include "paths/rigid_transform.hpp"
@@ -12,7 +13,8 @@
 
 namespace tamis {
 
-BodyShape::BodyShape(Mesh m, std::vector<Point> at_rest) : mesh(std::move(m)), points(std::move(at_rest)), loose(mesh) {
+BodyShape::BodyShape(Mesh m, std::vector<Point> at_rest, Isa isa)
+    : mesh(std::move(m)), points(std::move(at_rest)), loose(mesh) {
   if (points.size() != at(mesh.vertex_count()))
     throw InvalidMesh("the shape has " + std::to_string(points.size()) + " points, its mesh " +
                       std::to_string(mesh.vertex_count()) + " vertices: give one point a vertex");
@@ -21,10 +23,11 @@ BodyShape::BodyShape(Mesh m, std::vector<Point> at_rest) : mesh(std::move(m)), p
       throw InvalidMesh("vertex " + std::to_string(v) + " of the shape is not finite: give finite points");
     radius = std::max(radius, farthest(points[at(v)], points[at(v)]));
   }
+  validate_is_named(isa, "instruction set");
   edge = mean_edge(mesh, points);
   std::vector<Point> centers(at(item_count()));
   for (Index item = 0; item < item_count(); ++item) centers[at(item)] = box_at_rest(item).middle();
-  order = SpaceOrder(centers, kernels(Isa::best).trees.split);
+  order = SpaceOrder(centers, kernels(isa).trees.split);
   boxes = BoxLevels(order, [this](Index item) { return box_at_rest(item); });
 }
 

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "tamis/mesh.hpp"
+#include "tamis/options.hpp"
 #include "topology/loose_features.hpp"
 #include "world/box_tree.hpp"
 
@@ -10,8 +11,8 @@ namespace tamis {
 
 /// Its items are what a contact can be with: the faces, then the edges of no face, then the points of neither.
 struct BodyShape {
-  /// Throws InvalidMesh.
-  BodyShape(Mesh m, std::vector<Point> at_rest);
+  /// Throws InvalidMesh, and InvalidOptions if this machine lacks the instruction set.
+  BodyShape(Mesh m, std::vector<Point> at_rest, Isa isa);
 
   Index item_count() const {
     return static_cast<Index>(mesh.faces().size() + loose.edges.size() + loose.points.size());

@@ -20,7 +20,7 @@ class BodyTree {
  public:
   BodyTree() = default;
   /// `hulls`: one a body.
-  BodyTree(std::vector<BodyId> bodies, std::vector<Box> hulls);
+  BodyTree(std::vector<BodyId> bodies, std::vector<Box> hulls, Split split);
 
   /// f(body) of all whose hulls may meet the box.
   template <class F>
@@ -55,6 +55,8 @@ using ReachOfBody = std::function<double(const Body&)>;
 /// Keeps the bodies that do not move from question to question.
 class NearBodies {
  public:
+  /// Throws InvalidOptions if this machine lacks the instruction set.
+  explicit NearBodies(Isa isa);
   /// A body that does not move has changed, or has another reach.
   void forget_still() { knows_still_ = false; }
 
@@ -63,6 +65,7 @@ class NearBodies {
   std::vector<BodyPair> find(const BodyList& bodies, const ReachOfBody& own, double separation, bool at_start);
 
  private:
+  Split split_;
   bool knows_still_ = false;
   BodyTree still_;
 };

@@ -10,8 +10,8 @@
 
 namespace tamis {
 
-Shape::Shape(Mesh mesh, std::vector<Point> points)
-    : shape_(std::make_shared<const BodyShape>(std::move(mesh), std::move(points))) {}
+Shape::Shape(Mesh mesh, std::vector<Point> points, Isa isa)
+    : shape_(std::make_shared<const BodyShape>(std::move(mesh), std::move(points), isa)) {}
 
 const Mesh& Shape::mesh() const { return shape_->mesh; }
 const std::vector<Point>& Shape::points() const { return shape_->points; }

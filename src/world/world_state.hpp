@@ -132,7 +132,7 @@ struct World::State {
   std::uint64_t memory_bytes() const;
 
   ChainsAt at_start_{0}, at_end_{1};  ///< of what is moved
-  NearBodies near_bodies_;
+  NearBodies near_bodies_{options.isa};
   Gathering straight_{MotionKind::still, 1}, turning_{MotionKind::straight, 0.5}, at_rest_{MotionKind::still, 1};
   std::vector<double> times_;  ///< of the pieces of turning_
   bool must_gather_ = false;

@@ -1,4 +1,8 @@
 // A mesh with its points at rest, of which bodies are made.
+#include <nanobind/stl/string.h>
+
+#include <string>
+
 #include "python/src/answers.hpp"
 #include "python/src/bindings.hpp"
 #include "tamis/world.hpp"
@@ -6,9 +10,9 @@
 namespace tamis::python {
 namespace {
 
-void make_shape(Shape* shape, const Mesh& mesh, const PointRows& points) {
+void make_shape(Shape* shape, const Mesh& mesh, const PointRows& points, const std::string& isa) {
   const nb::gil_scoped_release unlocked;
-  new (shape) Shape(mesh, copy_of<Point>(points));
+  new (shape) Shape(mesh, copy_of<Point>(points), isa_from_name(isa));
 }
 
 }  // namespace

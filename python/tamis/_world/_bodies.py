@@ -2,16 +2,18 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
 import numpy.typing as npt
 
 from tamis import _core
-from tamis._arrays import Doubles, Indices, finite, indices, numbers, rows, shape_text
-from tamis._checks import instance
+from tamis._arrays import Doubles, Indices, indices, numbers, rows, shape_text
+from tamis._checks import instance, word
 from tamis._errors import InvalidMesh, InvalidOptions, InvalidPath
 from tamis._mesh import Mesh
+from tamis._options import Isa
 
 AT_REST = np.zeros((2, 3))
 _MOTION = "give a pose (2, 3), a chain (links, 4, 3) as tamis.between makes one, or a tamis.Deforming"
@@ -29,18 +31,23 @@ class Shape:
         Its topology.
     points : array_like, shape (n, 3)
         Where each vertex is. They are copied.
+    isa : str
+        Instruction set of what makes the hierarchy: "best", "baseline", "avx2", "avx512". Speed only.
 
     Raises
     ------
     InvalidMesh
         Points that do not fit the mesh, or are not finite.
+    InvalidOptions
+        An unknown name, or an instruction set that this machine lacks.
     """
 
     __slots__ = ("_mesh", "_shape")
 
-    def __init__(self, mesh: Mesh, points: npt.ArrayLike) -> None:
+    def __init__(self, mesh: Mesh, points: npt.ArrayLike, *, isa: Isa = "best") -> None:
         self._mesh = instance(mesh, Mesh, "mesh", "a tamis.Mesh, as of tamis.Mesh(faces)", InvalidMesh)
-        self._shape = _core.Shape(self._mesh._mesh, np.ascontiguousarray(rows(points, "points", InvalidMesh)))
+        given = np.ascontiguousarray(rows(points, "points", InvalidMesh))
+        self._shape = _core.Shape(self._mesh._mesh, given, word(isa, "isa"))
 
     @property
     def mesh(self) -> Mesh:
@@ -117,34 +124,56 @@ def each_once(named: Indices) -> Indices:
     return named
 
 
-def motion_of(given: npt.ArrayLike | Deforming) -> tuple[Doubles, ...]:
-    """Return what the compiled part takes for one body."""
+def motion_of(given: npt.ArrayLike | Deforming, body: int | None = None) -> tuple[Doubles, ...]:
+    """Return what the compiled part takes for one body, which is named where it is refused."""
     if isinstance(given, Deforming):
         return given.start, given.end
     motion = numbers(given, "motion", InvalidPath)
-    return (_poses_or_chains(motion[np.newaxis], motion, "motion", _MOTION),)
+    chains = _poses_or_chains(motion[np.newaxis], motion, "motion", _MOTION)
+    return (_finite(chains, lambda _: "motion" if body is None else f"motion of body {body}"),)
 
 
 def motions_of(given: npt.ArrayLike) -> Doubles:
-    """Return poses (n, 2, 3) or chains (n, links, 4, 3) of n bodies."""
-    motions = numbers(given, "motions", InvalidPath)
-    return _poses_or_chains(motions, motions, "motions", _MOTIONS)
+    """Return poses (n, 2, 3) or chains (n, links, 4, 3) of n new bodies."""
+    return _finite(_motions(given), lambda i: f"motions[{i}]")
+
+
+def motions_of_bodies(given: npt.ArrayLike, named: Indices) -> Doubles:
+    """Return as many of bodies that are there."""
+    motions = _motions(given)
+    if len(named) != len(motions):
+        raise InvalidPath(f"motions has {len(motions)} entries, bodies {len(named)}: give as many")
+    return _finite(motions, lambda i: f"motions[{i}], of body {named[i]},")
 
 
 def chains_of_each(given: npt.ArrayLike, named: Indices) -> Doubles:
     """Return chains of all motions of these bodies, one after the other, from (n, bodies, links, 4, 3)."""
     motions = numbers(given, "motions", InvalidPath)
-    if motions.ndim != 5 or motions.shape[1] != len(named) or motions.shape[3:] != (4, 3):
+    count = len(named)
+    if motions.ndim != 5 or motions.shape[1] != count or motions.shape[3:] != (4, 3):
         raise InvalidPath(
-            f"motions has the shape {shape_text(motions)}: give (n, {len(named)}, links, 4, 3), for each motion as "
-            "many chains as bodies"
+            f"motions has the shape {shape_text(motions)}: give (n, {count}, links, 4, 3), for each motion as many "
+            "chains as bodies"
         )
-    if not len(named):
+    if not count:
         raise InvalidOptions("bodies is empty: name those that move")
-    return motions_of(motions.reshape(len(motions) * len(named), *motions.shape[2:]))
+    chains = _motions(motions.reshape(len(motions) * count, *motions.shape[2:]))
+    return _finite(chains, lambda i: f"motions[{i // count}, {i % count}], of body {named[i % count]},")
+
+
+def _motions(given: npt.ArrayLike) -> Doubles:
+    motions = numbers(given, "motions", InvalidPath)
+    return _poses_or_chains(motions, motions, "motions", _MOTIONS)
 
 
 def _poses_or_chains(array: npt.NDArray[Any], given: npt.NDArray[Any], name: str, advice: str) -> Doubles:
     if array.shape[1:] != (2, 3) and (array.ndim != 4 or array.shape[2:] != (4, 3)):
         raise InvalidPath(f"{name} has the shape {shape_text(given)}: {advice}")
-    return finite(np.require(array, np.float64, ["C", "ALIGNED"]), name, InvalidPath)
+    return np.require(array, np.float64, ["C", "ALIGNED"])
+
+
+def _finite(motions: Doubles, name_of: Callable[[int], str]) -> Doubles:
+    if not np.isfinite(motions).all():
+        first = int(np.argmin(np.isfinite(motions).all(axis=tuple(range(1, motions.ndim)))))
+        raise InvalidPath(f"{name_of(first)} holds a number that is not finite: give finite ones")
+    return motions

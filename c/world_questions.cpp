@@ -93,6 +93,12 @@ tamis_status tamis_world_intersections(tamis_world* world, size_t* count) {
   });
 }
 
+tamis_status tamis_world_has_intersection(tamis_world* world, int* has_intersection) {
+  return with(world, [&](tamis_world& handle) {
+    required(has_intersection, "has_intersection") = handle.asked->has_intersection() ? 1 : 0;
+  });
+}
+
 tamis_status tamis_world_copy_contacts(tamis_world* world, size_t first, size_t count, tamis_contact* contacts,
                                        size_t contact_size) {
   return copy_contacts(world, {first, count, contacts, contact_size});

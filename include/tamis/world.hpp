@@ -139,6 +139,8 @@ class World {
   std::vector<BodyNearPair> pairs_within(double distance);
   /// Edges that pass through triangles there, by bodies, edge and face.
   std::vector<BodyIntersection> intersections();
+  /// Are there any? Ends at the first.
+  bool has_intersection();
 
   /// How far all may go, as Detector::safe_step. Where one of two bodies turns, QueryOptions::tolerance counts, and a
   /// pair that starts nearer to its separation than doubles can tell ends the step at once.

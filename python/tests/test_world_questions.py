@@ -68,10 +68,12 @@ def test_tables_have_the_bodies(cube: tamis.Shape) -> None:
     assert [*frame.columns[:3]] == ["b0", "b1", "kind"] and len(frame) == len(contacts)
     assert (np.abs(contacts.weights.sum(1)) < 1e-12).all() and "first at 0.8" in repr(contacts)
     assert pickle.loads(pickle.dumps(contacts)) == contacts and contacts[contacts.kind == 0][:1][0].kind == 0
+    assert not world.has_intersection()
     near = world.pairs_within(2)
     assert near[0].bodies == (0, 1) and near.distance.min() == 2 and [*near.to_pandas().columns[:2]] == ["b0", "b1"]
     world.move(1, at((0.5, 0.5, 0.5))[0])
     world.move(0, tamis.between(at((0, 0, 0)), at((0, 0, 1)))[0])
+    assert world.has_intersection()
     crossing = world.intersections()
     assert len(crossing) and crossing[0].bodies in ((0, 1), (1, 0))
     assert crossing.to_pandas()["b0"].tolist() == crossing.bodies[:, 0].tolist()

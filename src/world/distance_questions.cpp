@@ -1,4 +1,4 @@
-// pairs_within, intersections and safe_step of a world.
+// pairs_within, intersections, has_intersection and safe_step of a world.
 #include <algorithm>
 #include <tuple>
 
@@ -47,6 +47,22 @@ std::vector<BodyIntersection> World::State::intersections() {
     return std::tie(a.bodies[0], a.edge, a.bodies[1], a.face) < std::tie(b.bodies[0], b.edge, b.bodies[1], b.face);
   });
   return all;
+}
+
+bool World::State::has_intersection() {
+  gather_at_rest(0);
+  bool has_one = false;
+  if (at_rest_.is_asked()) {
+    Gathered& gathered = *at_rest_.gathered;
+    has_one = gathered.detector().has_intersection(gathered.start(bodies));
+    add_statistics(gathered.detector().statistics());
+  }
+  if (!has_one)
+    for_each_by_itself([&](BodyId, Body& body, Detector& itself) {
+      has_one = itself.has_intersection(body.deforming()->start);
+      return !has_one;
+    });
+  return has_one;
 }
 
 /// A pair that starts at the distance d, beyond the separation, and keeps no more than f d has come f w / (1 - f) near,

@@ -132,6 +132,11 @@ std::vector<BodyIntersection> World::intersections() {
   return now.answer([&] { return now.intersections(); });
 }
 
+bool World::has_intersection() {
+  State& now = state();
+  return now.answer([&] { return now.has_intersection(); });
+}
+
 BodyStep World::safe_step(double fraction, const QueryOptions& options) {
   State& now = state();
   return now.answer([&] { return now.safe_step(fraction, options); });

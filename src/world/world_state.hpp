@@ -55,6 +55,7 @@ struct World::State {
   bool is_free(const QueryOptions& asked);
   std::vector<BodyNearPair> pairs_within(double distance);
   std::vector<BodyIntersection> intersections();
+  bool has_intersection();
   BodyStep safe_step(double fraction, const QueryOptions& asked);
 
  private:

@@ -105,17 +105,21 @@ static void what_goes_straight_and_what_deforms(void) {
   tamis_safe_step safe = {sizeof safe, 0, 0, 0, 0, {0}, 0, {0}};
   tamis_contact contact;
   tamis_intersection crossing;
+  int intersects = -1;
   int32_t soft = -1;
   double lower = 0, upper = 0;
   size_t count = 0;
   motion.poses = &upright; /* it stays in the plate: two that stay are not asked about */
   EXPECT(tamis_world_move(world, &moved, &motion) == TAMIS_OK);
   EXPECT(tamis_world_intersections(world, &count) == TAMIS_OK && count == 0);
+  EXPECT(tamis_world_has_intersection(world, &intersects) == TAMIS_OK && intersects == 0);
+  EXPECT(tamis_world_has_intersection(world, NULL) == TAMIS_INVALID_ARGUMENT);
   motion.poses = NULL;
   motion.links = &down; /* out of the plate */
   motion.links_of_each = 1;
   EXPECT(tamis_world_move(world, &moved, &motion) == TAMIS_OK);
   EXPECT(tamis_world_intersections(world, &count) == TAMIS_OK && count > 0);
+  EXPECT(tamis_world_has_intersection(world, &intersects) == TAMIS_OK && intersects == 1);
   EXPECT(tamis_world_copy_intersections(world, 0, 1, &crossing, sizeof crossing) == TAMIS_OK);
   EXPECT(crossing.bodies[0] == 1 && crossing.bodies[1] == 0);
 

@@ -120,6 +120,7 @@ TEST(World, AgreesAboutIntersections) {
     for (const BodyIntersection& one : world.world.intersections())
       found.insert({one.bodies[0], one.edge, one.bodies[1], one.face});
     EXPECT_EQ(found, expected);
+    EXPECT_EQ(world.world.has_intersection(), !expected.empty());
     count += found.size();
   }
   EXPECT_GT(count, 100u);

@@ -32,6 +32,7 @@ TEST(World, HasNoContactsWithoutBodies) {
   EXPECT_TRUE(world.is_free());
   EXPECT_TRUE(world.pairs_within(1).empty());
   EXPECT_TRUE(world.intersections().empty());
+  EXPECT_FALSE(world.has_intersection());
   EXPECT_EQ(world.safe_step().lower, 1);
 }
 
@@ -125,8 +126,14 @@ TEST(World, AsksADeformingBodyAboutItself) {
   const std::vector<BodyContact> contacts = world.contacts();
   ASSERT_FALSE(contacts.empty());
   EXPECT_EQ(contacts[0].bodies, (std::array{body, body}));
+  EXPECT_FALSE(world.has_intersection());
+  std::vector<Point> pierced = start;
+  pierced[6][2] = -1;
+  world.move(body, Deforming{pierced, folded});
+  EXPECT_TRUE(world.has_intersection());
   world.set_may_touch(body, body, false);
   EXPECT_TRUE(world.is_free());
+  EXPECT_FALSE(world.has_intersection());
 }
 
 TEST(World, FindsTwoBodiesInOnePlace) {
@@ -135,7 +142,25 @@ TEST(World, FindsTwoBodiesInOnePlace) {
   world.add(cube(), Rigid{interpolated({}, {{0, 0, 0.25}, {}})});
   EXPECT_EQ(world.earliest().toi_lower, 0);
   EXPECT_FALSE(world.intersections().empty());
+  EXPECT_TRUE(world.has_intersection());
   EXPECT_FALSE(world.pairs_within(0).empty());
+}
+
+/// Bug: each radius made a group of its own, and which groups may touch is a table of all their pairs.
+TEST(World, KeepsManyRadiiAsItKeepsOne) {
+  const Shape plate(Mesh(3, {{0, 1, 2}}), {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
+  const auto memory_with = [&](const auto& radius_of) {
+    World world(one_thread());
+    for (int i = 0; i < 4000; ++i) {
+      const Pose place{{0, 0, 0.5 * i}, {}}, next{{0.01 * (i % 3), 0, 0.5 * i}, {}};
+      world.set_radius(world.add(plate, Rigid{interpolated(place, next)}), radius_of(i));
+    }
+    EXPECT_TRUE(world.is_free());
+    EXPECT_FALSE(world.is_free({.min_separation = 0.4}));
+    return static_cast<double>(world.statistics().memory_bytes);
+  };
+  const double one = memory_with([](int) { return 0.1; });
+  EXPECT_LT(memory_with([](int i) { return 0.1 + 1e-6 * i; }), 1.1 * one);
 }
 
 TEST(World, IgnoresWhatTouchesAtTheStart) {

@@ -113,6 +113,8 @@ TAMIS_API tamis_status tamis_world_safe_step(tamis_world* world, double keep, co
 TAMIS_API tamis_status tamis_world_pairs_within(tamis_world* world, double distance, size_t* count);
 /** Every edge that passes through a triangle or touches it at t=0, by bodies, edge and face. */
 TAMIS_API tamis_status tamis_world_intersections(tamis_world* world, size_t* count);
+/** Writes 1 if there is any, else 0. */
+TAMIS_API tamis_status tamis_world_has_intersection(tamis_world* world, int* has_intersection);
 
 /** As those of a detector; vertices are those of the bodies' own meshes. */
 TAMIS_API tamis_status tamis_world_copy_contacts(tamis_world* world, size_t first, size_t count,

@@ -88,6 +88,9 @@ class Bodies {
   nb::object intersections() {
     return own_bytes(answer([&] { return world_.intersections(); }));
   }
+  bool has_intersection() {
+    return answer([&] { return world_.has_intersection(); });
+  }
   nb::tuple safe_step(double keep, const QueryOptions& q) {
     return step_tuple(answer([&] { return world_.safe_step(keep, q); }));
   }
@@ -144,6 +147,7 @@ void bind_world(nb::module_& module) {
       .def("is_free", &Bodies::is_free)
       .def("pairs_within", &Bodies::pairs_within)
       .def("intersections", &Bodies::intersections)
+      .def("has_intersection", &Bodies::has_intersection)
       .def("safe_step", &Bodies::safe_step)
       .def("statistics", &Bodies::statistics);
 }

@@ -211,3 +211,13 @@ class Questions:
             By bodies, edge and face.
         """
         return BodyIntersections(self._world.intersections())
+
+    def has_intersection(self) -> bool:
+        """Tell whether any edge passes through a triangle or touches it at t=0: whether this is no start to move from.
+
+        Returns
+        -------
+        bool
+            Exact, of the pairs that `intersections` asks about. Ends at the first.
+        """
+        return self._world.has_intersection()

@@ -13,6 +13,8 @@ from conftest import CUBE, CUBE_FACES, at
 
 import tamis
 
+ZERO, NAN, FAR = [0.0, 0.0, 0.0], [np.nan, 0.0, 0.0], [1e160, 0.0, 0.0]
+
 
 def test_shapes(cube: tamis.Shape) -> None:
     assert np.array_equal(cube.points, CUBE) and cube.memory_bytes > 0 and cube.mesh.vertex_count == 8
@@ -32,7 +34,12 @@ def test_shapes(cube: tamis.Shape) -> None:
     [
         (lambda w, s: w.add(s, np.zeros((4, 3))), r"motion has the shape \(4, 3\)"),
         (lambda w, s: w.add_many(s, np.zeros((2, 3))), r"motions has the shape \(2, 3\)"),
-        (lambda w, s: w.add_many(s, np.full((1, 2, 3), np.nan)), "not finite"),
+        (lambda w, s: w.add_many(s, [[ZERO, ZERO], [ZERO, NAN]]), r"motions\[1\] holds a number that is not finite"),
+        (lambda w, s: w.move(2, [NAN, ZERO]), "motion of body 2 holds a number that is not finite"),
+        (lambda w, s: w.move_many([0, 2], [[ZERO, ZERO], [ZERO, NAN]]), r"motions\[1\], of body 2, holds a number"),
+        (lambda w, s: w.earliest_many([2], [[[[ZERO, ZERO, ZERO, NAN]]]]), r"motions\[0, 0\], of body 2, holds"),
+        (lambda w, s: w.move_many([0, 2], [[ZERO, ZERO], [ZERO, FAR]]), "vertex 0 of body 2 is at the start of its"),
+        (lambda w, s: w.add_many(s, [[ZERO, ZERO], [ZERO, FAR]]), "vertex 0 of body 4 is at the start of its"),
         (lambda w, s: w.move_many([0, 1], at((0, 0, 0))), "motions has 1 entries, bodies 2"),
         (lambda w, s: w.move_many([0, 0], at((0, 0, 0), (1, 1, 1))), "bodies holds 0 twice"),
         (lambda w, s: w.move_many([0, 7], at((0, 0, 0), (1, 1, 1))), "body 7"),

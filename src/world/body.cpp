@@ -1,29 +1,16 @@
 #include "world/body.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
-#include <string>
 
 #include "numerics/assert.hpp"
 #include "numerics/axes.hpp"
 #include "numerics/error_bounds.hpp"
-#include "numerics/finite.hpp"
-#include "tamis/error.hpp"
 #include "topology/at.hpp"
 #include "world/carried_boxes.hpp"
 
 namespace tamis {
-namespace {
-
-bool is_finite_pose(const Pose& pose) { return is_finite(pose.position) && is_finite(pose.rotation); }
-
-Chain chain_of(const BodyMotion& motion) {
-  if (const auto* still = std::get_if<Static>(&motion)) return {{still->pose, still->pose}};
-  if (const auto* rigid = std::get_if<Rigid>(&motion)) return rigid->chain;
-  return {};
-}
-
-}  // namespace
 
 // No coordinate of a box is larger than its size and the shift together, but for what is added here.
 double PlacedBody::off(double size) const {
@@ -106,25 +93,6 @@ Body::Body(const Body& other) : Body(other.id_, other.shape_, other.motion_) {
   set_radius(other.radius_);
   is_enabled = other.is_enabled;
   may_touch_itself = other.may_touch_itself;
-}
-
-void Body::validate(const BodyMotion& motion) const {
-  const std::string name = "body " + std::to_string(id_);
-  for (const Link& link : chain_of(motion))
-    if (!is_finite_pose(link.start) || !is_finite_pose(link.end))
-      throw InvalidStep("a pose of " + name + " is not finite: give finite positions and rotation vectors");
-  const auto* deforming = std::get_if<Deforming>(&motion);
-  if (!deforming) return;
-  for (const auto& [points, when] : {std::pair(&deforming->start, "start"), std::pair(&deforming->end, "end")}) {
-    if (points->size() != shape_->points.size())
-      throw InvalidStep(name + " has " + std::to_string(points->size()) + " points at the " + when +
-                        " of its motion, its shape " + std::to_string(shape_->points.size()) +
-                        " vertices: give one point a vertex");
-    for (const Index v : shape_->mesh.points())
-      if (!is_finite((*points)[at(v)]))
-        throw InvalidStep("vertex " + std::to_string(v) + " of " + name + " at the " + when +
-                          " of its motion is not finite: give finite points");
-  }
 }
 
 void Body::move(BodyMotion motion, ChainsAt& at_start, ChainsAt& at_end) {

@@ -13,6 +13,9 @@ namespace tamis {
 /// The motions there are, as far as questions differ: vertices that stay, that go straight, that go on curves.
 enum class MotionKind : std::uint8_t { still, straight, turning };
 
+/// By which a body that does not deform goes: of a static one to the same place; empty if it deforms.
+Chain chain_of(const BodyMotion& motion);
+
 class Body;
 
 /// How a body moved that did not turn, of which its vertices' ways are measured later.
@@ -59,6 +62,8 @@ class Body {
   MotionKind motion_kind() const { return motion_kind_; }
   /// What turns, or stays: empty of a body that deforms.
   const ChainWithStillLinks& chain() const { return chain_; }
+  /// Are its numbers so small that doubles can tell where it is at all times?
+  bool is_surely_near() const;
   /// Null unless it deforms.
   const Deforming* deforming() const { return std::get_if<Deforming>(&motion_); }
   Step step() const { return {deforming()->start, deforming()->end}; }
@@ -86,6 +91,10 @@ class Body {
  private:
   friend class CarriedBody;
   friend class StraightWay;
+
+  /// Of a body that does not deform, by finite poses: throws InvalidStep if where a vertex is cannot be told from them
+  /// in doubles.
+  void validate_far(const Chain& chain) const;
 
   BodyId id_;
   std::shared_ptr<const BodyShape> shape_;

@@ -59,6 +59,14 @@ void World::State::refuse_touching_start(PairKind kind, const PairVertices& vert
                     "set_may_touch, or ask with at_start ignore");
 }
 
+void World::State::refuse_far(const Gathered& gathered) const {
+  for (const auto& [id, unused] : gathered.items().of_body)
+    if (!bodies[at(id)]->is_surely_near())
+      throw InvalidPath("body " + std::to_string(id) +
+                        " goes or turns farther than doubles can follow beside bodies that turn: give shorter "
+                        "positions and rotation vectors");
+}
+
 void World::State::check_start(const EarliestBodyContact& first, const QueryOptions& asked) const {
   if (asked.at_start != AtStart::fail || !first.contact || first.toi_lower > 0) return;
   refuse_touching_start(first.contact->kind, first.contact->vertices, first.contact->bodies);

@@ -11,6 +11,7 @@
 #include "detect/detector_access.hpp"
 #include "numerics/error_bounds.hpp"
 #include "query/stopwatch.hpp"
+#include "tamis/error.hpp"
 #include "tamis/turn.hpp"
 #include "world/gathered.hpp"
 
@@ -127,6 +128,8 @@ struct World::State {
   /// Of a contact, or of what ends a step.
   [[noreturn]] void refuse_touching_start(PairKind kind, const PairVertices& vertices,
                                           const std::array<BodyId, 2>& of) const;
+  /// Of bodies that were refused as one path: throws InvalidPath, naming the first that goes far.
+  void refuse_far(const Gathered& gathered) const;
   /// Throws InvalidStep, if that is asked for.
   void check_start(const EarliestBodyContact& first, const QueryOptions& asked) const;
   void begin();
@@ -172,8 +175,13 @@ void World::State::for_each_gathered(const QueryOptions& asked, const OnStep& on
   };
   ask(straight_, [&](Gathered& gathered) { return on_step(gathered, gathered.step(bodies), of_steps(asked)); });
   ask(turning_, [&](Gathered& gathered) {
-    const RigidPath path = gathered.path(bodies);
-    return on_path(gathered, CutPath{path, std::span(times_).subspan(1)}, of_curves(asked));
+    try {
+      const RigidPath path = gathered.path(bodies);
+      return on_path(gathered, CutPath{path, std::span(times_).subspan(1)}, of_curves(asked));
+    } catch (const InvalidPath&) {
+      refuse_far(gathered);
+      throw;
+    }
   });
 }
 

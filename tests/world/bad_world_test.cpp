@@ -81,6 +81,50 @@ TEST(BadWorld, RefusesMotionsThatAreNone) {
   EXPECT_TRUE(world.is_free());
 }
 
+/// Bug: such a body was taken, and each question after it was refused for "vertex 3 of the path", which is one of a
+/// mesh that the caller has never seen.
+TEST(BadWorld, RefusesMotionsBeyondDoublesByTheBody) {
+  const Shape large(Mesh(3, {{0, 1, 2}}), {{1e308, 0, 0}, {0, 0, 0}, {0, 1, 0}});
+  World world;
+  world.add(triangle(), Rigid{interpolated({}, {{0, 0, 1}, {0, 0, 1}})});
+  const BodyId body = world.add(large, Static{{{-1e308, 0, 0}, {}}});
+  const auto beyond = [](const std::string& vertex, const std::string& when) {
+    return "where vertex " + vertex + " of body 1 is at the " + when +
+           " of its motion is beyond what doubles hold: give shorter positions and rotation vectors";
+  };
+  const Pose far{{1e308, 0, 0}, {}}, huge_turn{{}, {0, 0, 1e160}};
+  expect_refused<InvalidStep>([&] { world.move(body, Static{far}); }, beyond("0", "start"));
+  expect_refused<InvalidStep>([&] { world.move(body, Rigid{interpolated({}, far)}); }, beyond("0", "end"));
+  expect_refused<InvalidStep>([&] { world.move(body, Rigid{interpolated({}, huge_turn)}); }, beyond("0", "end"));
+  const Pose arm{{1.5e308, 0, 0}, {}}, back{{-1.5e308, 0, 0}, {}}, turn{{}, {0, 0, 0.1}};
+  expect_refused<InvalidStep>(
+      [&] {
+        world.move(body, Rigid{{{{}, turn}, {arm, arm}, {back, back}}});
+      },
+      "body 1 turns about what is farther away than doubles hold: give shorter positions");
+  const std::vector<BodyMotion> motions{Static{far}};
+  expect_refused<InvalidStep>([&] { world.earliest_many(std::array{body}, motions); },
+                              "motion 0: " + beyond("0", "start"));
+  EXPECT_EQ(std::get<Static>(world.motion(body)).pose.position[0], -1e308);
+  expect_refused<InvalidPath>([&] { world.is_free(); },
+                              "body 1 goes or turns farther than doubles can follow beside bodies that turn: give "
+                              "shorter positions and rotation vectors");
+  world.remove(body);
+  EXPECT_TRUE(world.is_free());
+}
+
+/// Bug: the hierarchies of shapes and bodies were made with the best instruction set, whatever was asked for.
+TEST(BadWorld, RefusesInstructionSetsThatAreNone) {
+  Options options;
+  options.isa = static_cast<Isa>(9);
+  const std::string sentence = "no instruction set has the number 9: use one of the enumeration's names";
+  expect_refused<InvalidOptions>([&] { World world(options); }, sentence);
+  const Mesh mesh(3, {{0, 1, 2}});
+  const std::vector<Point> points = triangle().points();
+  expect_refused<InvalidOptions>([&] { Shape(mesh, points, options.isa); }, sentence);
+  for (const Isa isa : {Isa::best, Isa::baseline}) EXPECT_EQ(Shape(mesh, points, isa).points(), points);
+}
+
 TEST(BadWorld, RefusesOptionsOfOneMesh) {
   Options groups;
   groups.filter = PairFilter::no_self_contact({0, 0, 0});

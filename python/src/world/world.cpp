@@ -18,22 +18,37 @@ class Bodies {
  public:
   explicit Bodies(const Asking& asking) : asker_(asking), world_(asker_.with_callbacks(asking.options)) {}
 
+  /// All or none.
   template <class Motions, class... Arrays>
   nb::object add(const Shape& shape, const Arrays&... arrays) {
     const Motions motions{arrays...};
-    std::vector<BodyId> added(motions.count());
+    std::vector<BodyId> added;
     asker_.ask([&] {
-      for (std::size_t i = 0; i < added.size(); ++i) added[i] = world_.add(shape, motions[i]);
+      try {
+        for (std::size_t i = 0; i < motions.count(); ++i) added.push_back(world_.add(shape, motions[i]));
+      } catch (...) {
+        for (const BodyId body : added) world_.remove(body);
+        throw;
+      }
     });
     return own<BodyId>(std::move(added), 0);
   }
 
-  /// REQUIRES: as many bodies as motions, which the Python side sees to.
+  /// All or none. REQUIRES: as many bodies as motions, each once, which the Python side sees to.
   template <class Motions, class... Arrays>
   void move(const Indices& bodies, const Arrays&... arrays) {
     const Motions motions{arrays...};
     change(of(bodies), [&] {
-      for (std::size_t i = 0; i < motions.count(); ++i) world_.move(bodies.data()[i], motions[i]);
+      std::vector<BodyMotion> before;
+      try {
+        for (const BodyId body : of(bodies)) {
+          before.push_back(world_.motion(body));
+          world_.move(body, motions[before.size() - 1]);
+        }
+      } catch (...) {
+        for (std::size_t i = 0; i < before.size(); ++i) world_.move(of(bodies)[i], std::move(before[i]));
+        throw;
+      }
     });
   }
 

@@ -8,8 +8,18 @@ import numpy.typing as npt
 from tamis import _core
 from tamis._arrays import Indices, indices
 from tamis._checks import number, truth, whole
-from tamis._errors import InvalidOptions, InvalidPath
-from tamis._world._bodies import AT_REST, Deforming, Shape, each_once, known_shape, motion_of, motions_of, numbers_of
+from tamis._errors import InvalidOptions
+from tamis._world._bodies import (
+    AT_REST,
+    Deforming,
+    Shape,
+    each_once,
+    known_shape,
+    motion_of,
+    motions_of,
+    motions_of_bodies,
+    numbers_of,
+)
 
 
 class Changes:
@@ -82,7 +92,8 @@ class Changes:
         InvalidOptions
             The body is not there.
         """
-        self._world.move(np.array([whole(body, "body")], np.int32), *motion_of(motion))
+        moved = whole(body, "body")
+        self._world.move(np.array([moved], np.int32), *motion_of(motion, moved))
 
     def move_many(self, bodies: npt.ArrayLike, motions: npt.ArrayLike) -> None:
         """Say how bodies move from now on, all in one call: ``world.move_many(bodies, tamis.between(start, end))``.
@@ -101,10 +112,8 @@ class Changes:
         InvalidOptions
             A body that is not there, or one twice; then none is moved.
         """
-        given, named = motions_of(motions), each_once(numbers_of(bodies))
-        if len(named) != len(given):
-            raise InvalidPath(f"motions has {len(given)} entries, bodies {len(named)}: give as many")
-        self._world.move(named, given)
+        named = each_once(numbers_of(bodies))
+        self._world.move(named, motions_of_bodies(motions, named))
 
     def remove(self, bodies: npt.ArrayLike) -> None:
         """Take bodies out of the world; their numbers are not given again.

@@ -1,6 +1,7 @@
 #include "tamis/detector.hpp"
 
 #include "detect/detector_state.hpp"
+#include "numerics/assert.hpp"
 #include "tamis/error.hpp"
 
 namespace tamis {
@@ -94,6 +95,7 @@ Detector DetectorAccess::make(Mesh mesh, Options options, const MakeEngine& make
 }
 
 Detector DetectorAccess::make(Mesh mesh, Options options, std::vector<double> radius_of_vertex) {
+  TAMIS_ASSERT(options.radii.empty());
   Detector detector(std::move(mesh), std::move(options));
   detector.state().set_radii(std::move(radius_of_vertex));
   return detector;

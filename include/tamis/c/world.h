@@ -13,8 +13,8 @@ extern "C" {
  * number of bodies, which keep what they need of it. */
 typedef struct tamis_shape tamis_shape;
 
-/** `points`: three coordinates for each vertex of the mesh. Copies both. TAMIS_INVALID_MESH: a point of a feature that
- * is not finite. */
+/** `points`: three coordinates for each vertex of the mesh. Copies both. The hierarchy is made by the best
+ * instruction set of the machine. TAMIS_INVALID_MESH: a point of a feature that is not finite. */
 TAMIS_API tamis_status tamis_shape_create(const tamis_mesh* mesh, const double* points, tamis_shape** shape);
 TAMIS_API void tamis_shape_free(tamis_shape* shape);
 /** What making this shape had to say; "" after TAMIS_OK. */

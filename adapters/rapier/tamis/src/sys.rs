@@ -159,6 +159,7 @@ extern "C" {
     ) -> c_int;
     pub fn tamis_world_pairs_within(world: *mut tamis_world, distance: f64, count: *mut usize) -> c_int;
     pub fn tamis_world_intersections(world: *mut tamis_world, count: *mut usize) -> c_int;
+    pub fn tamis_world_has_intersection(world: *mut tamis_world, has_intersection: *mut c_int) -> c_int;
     pub fn tamis_world_copy_contacts(
         world: *mut tamis_world,
         first: usize,

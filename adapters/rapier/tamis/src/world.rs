@@ -194,6 +194,15 @@ impl World {
         self.copied(count, sys::tamis_world_copy_intersections)
     }
 
+    /// Are there any? Ends at the first.
+    pub fn has_intersection(&mut self) -> Result<bool, Error> {
+        let mut has_one = 0;
+        // SAFETY: a pointer to a local.
+        let status = unsafe { sys::tamis_world_has_intersection(self.handle, &mut has_one) };
+        self.checked(status)?;
+        Ok(has_one != 0)
+    }
+
     pub(crate) fn checked(&self, status: c_int) -> Result<(), Error> {
         // SAFETY: the sentence is of the call just made.
         check(status, || text(unsafe { sys::tamis_world_message(self.handle) }))

@@ -91,6 +91,7 @@ fn what_deforms_touches_and_is_near_and_passes_through() {
     let body = world.add(&shape, &Motion::Deforming { start: start.clone(), end }).unwrap();
     let through = world.intersections().unwrap();
     assert!(!through.is_empty() && through.iter().all(|i| i.bodies == [body, 0]));
+    assert!(world.has_intersection().unwrap());
     let near = world.pairs_within(0.11).unwrap();
     assert!(near.iter().any(|n| n.kind == 0 && n.bodies == [body, 0] && (n.distance - 0.1).abs() < 1e-12));
     assert!((world.earliest(&Query::default()).unwrap().lower - 0.5).abs() < 1e-9);

@@ -108,6 +108,13 @@ const std::vector<Contact>& DetectorAccess::contacts_by_pair(Detector& detector,
   return state->found.contacts();
 }
 
+const std::vector<Intersection>& DetectorAccess::intersections_by_pair(Detector& detector, const Positions& positions,
+                                                                       Question question) {
+  const Detector::LockedState state(detector);
+  state->find_intersections(positions, question, true);
+  return state->intersections;
+}
+
 const std::vector<Contact>& DetectorAccess::ask(Detector& detector, const CutPath& path, const QueryOptions& options,
                                                 Question question) {
   const Detector::LockedState state(detector);

@@ -28,6 +28,10 @@ class DetectorAccess {
   /// All contacts, each with the bits of narrow_phase.
   static const std::vector<Contact>& contacts_by_pair(Detector& detector, const Step& step,
                                                       const QueryOptions& options);
+  /// All intersections, or with is_free one if there is any, each with the bits of its pair alone, and of pairs that
+  /// `accepts` of the options' filter leaves: it is asked of a vertex of the edge and the face.
+  static const std::vector<Intersection>& intersections_by_pair(Detector& detector, const Positions& positions,
+                                                                Question question);
   /// As Detector's `contacts`, `earliest` and `is_free` of a path.
   static const std::vector<Contact>& ask(Detector& detector, const CutPath& path, const QueryOptions& options,
                                          Question question);

@@ -221,9 +221,10 @@ void Detector::State::find_near(const Positions& positions, double distance) {
   measure([&] { engine_->find_near(asked, near, statistics); });
 }
 
-void Detector::State::find_intersections(const Positions& positions, Question question) {
+void Detector::State::find_intersections(const Positions& positions, Question question, bool is_by_pair) {
   validate(positions, mesh, "the pose");
-  const Query asked = query({positions, positions}, {}, question);
+  Query asked = query({positions, positions}, {}, question);
+  asked.is_by_pair = is_by_pair;
   measure([&] { engine_->find_intersections(asked, intersections, statistics); });
 }
 

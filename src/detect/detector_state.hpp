@@ -33,7 +33,7 @@ struct Detector::State {
   /// The pairs are in `near`.
   void find_near(const Positions& positions, double distance);
   /// They are in `intersections`: all, or for `is_free` some, if there are any.
-  void find_intersections(const Positions& positions, Question question);
+  void find_intersections(const Positions& positions, Question question, bool is_by_pair = false);
 
   const Mesh mesh;
   const Options options;

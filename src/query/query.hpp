@@ -25,7 +25,8 @@ struct Query {
   Question question = Question::all_contacts;
   bool ignores_start = false;  ///< AtStart::ignore; `fail` is asked as `report`
   /// Contacts have the bits of decide(), which depend on nothing but the pair; else their last digits may also depend
-  /// on what else is in the mesh. (With a separation lanes have these bits always.)
+  /// on what else is in the mesh. (With a separation lanes have these bits always.) So have intersections, which then
+  /// ask `filter.accepts`, too, of the edge's first vertex and the face.
   bool is_by_pair = false;
   /// A chord of a path: the next one deviates otherwise from its curve, and so has other radii.
   bool is_piece = false;

@@ -25,13 +25,15 @@ void IntersectionConsumer::begin(IntersectionQuery& shared) {
   found_.clear();
 }
 
-/// The caller's own function is about pairs of other kinds: groups alone leave pairs out.
+/// The caller's own function is about pairs of other kinds: of a detector's question groups alone leave pairs out.
 void IntersectionConsumer::consume(PairKind kind) {
+  const bool is_by_pair = query().is_by_pair;
   if (!wants(kind)) thread().boxes.count = 0;
-  leave_out_groups(query().filter, kind, thread().boxes);
+  is_by_pair ? leave_out(query().filter, kind, thread().boxes) : leave_out_groups(query().filter, kind, thread().boxes);
   const int count = decide_crossings(thread(), kind, thread().kernels.along_edges);
   for_each_solved(
-      thread(), count, [&](int pair, const PairResult& result) { add(pair, result); },
+      thread(), count,
+      [&](int pair, const PairResult& result) { is_by_pair ? decide_singly(pair) : add(pair, result); },
       [&](int pair) { decide_singly(pair); });
 }
 

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <tuple>
 
+#include "detect/detector_access.hpp"
 #include "detect/validate.hpp"
 #include "world/named_pairs.hpp"
 #include "world/world_state.hpp"
@@ -39,7 +40,8 @@ std::vector<BodyIntersection> World::State::intersections() {
   gather_at_rest(0);
   if (at_rest_.is_asked()) {
     Gathered& gathered = *at_rest_.gathered;
-    for (const Intersection& one : gathered.detector().intersections(gathered.start(bodies)))
+    for (const Intersection& one :
+         DetectorAccess::intersections_by_pair(gathered.detector(), gathered.start(bodies), Question::all_contacts))
       all.push_back(gathered.named(one));
     add_statistics(gathered.detector().statistics());
   }
@@ -54,7 +56,8 @@ bool World::State::has_intersection() {
   bool has_one = false;
   if (at_rest_.is_asked()) {
     Gathered& gathered = *at_rest_.gathered;
-    has_one = gathered.detector().has_intersection(gathered.start(bodies));
+    has_one =
+        !DetectorAccess::intersections_by_pair(gathered.detector(), gathered.start(bodies), Question::is_free).empty();
     add_statistics(gathered.detector().statistics());
   }
   if (!has_one)

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <set>
 
 #include "world/oracle_world.hpp"
 
@@ -144,6 +145,42 @@ TEST(World, FindsTwoBodiesInOnePlace) {
   EXPECT_FALSE(world.intersections().empty());
   EXPECT_TRUE(world.has_intersection());
   EXPECT_FALSE(world.pairs_within(0).empty());
+}
+
+/// Bug: two bodies that are both near a third were asked about, although they are kept apart.
+TEST(World, FindsNoIntersectionOfBodiesThatAreKeptApart) {
+  const Shape lying(Mesh(3, {{0, 1, 2}}), {{-1, -1, 0}, {1, -1, 0}, {0, 1, 0}});
+  const Shape standing(Mesh(3, {{0, 1, 2}}), {{-1, 0, -1}, {1, 0, -1}, {0, 0, 1}});
+  const auto at = [](double x) { return Rigid{interpolated({{x, 0, 0}, {}}, {{x, 0, 0}, {}})}; };
+  World world;
+  const BodyId a = world.add(lying, at(1)), b = world.add(lying, at(0)), c = world.add(standing, at(0.5)),
+               d = world.add(standing, at(-1));
+  for (const auto& [first, second] : {std::pair(b, c), std::pair(a, b), std::pair(c, d)})
+    world.set_may_touch(first, second, false);
+  std::set<std::set<BodyId>> found;
+  for (const BodyIntersection& one : world.intersections()) found.insert({one.bodies[0], one.bodies[1]});
+  EXPECT_EQ(found, (std::set<std::set<BodyId>>{{a, c}, {b, d}}));
+  EXPECT_TRUE(world.has_intersection());
+  world.set_may_touch(a, c, false);
+  world.set_may_touch(b, d, false);
+  EXPECT_TRUE(world.intersections().empty());
+  EXPECT_FALSE(world.has_intersection());
+}
+
+/// Bug: the last digits came from coordinates whose unit is the size of all that is near.
+TEST(World, HasTheBitsOfAnIntersectionFromItsPairAlone) {
+  const auto places_of = [](bool has_floor) {
+    World world;
+    world.add(cube(), Rigid{interpolated({{0.1, 0.2, 0.3}, {0.1, 0.7, 0.2}}, {})});
+    world.add(cube(), Rigid{interpolated({{0.5, 0.3, 0.1}, {0.9, 0.1, 0.4}}, {})});
+    if (has_floor) world.add(floor(), Static{});
+    std::vector<std::array<double, 4>> places;
+    for (const BodyIntersection& one : world.intersections())
+      if (one.bodies[0] < 2 && one.bodies[1] < 2) places.push_back({one.s_lower, one.s_upper, one.u, one.v});
+    return places;
+  };
+  EXPECT_GT(places_of(false).size(), 4u);
+  EXPECT_EQ(places_of(true), places_of(false));
 }
 
 /// Bug: each radius made a group of its own, and which groups may touch is a table of all their pairs.

@@ -9,10 +9,6 @@
 
 namespace tamis {
 
-/// `earliest` looks at every contact that starts up to this factor after the end of another one: no bracket is so
-/// wide that the first of two could be lost to rounding.
-inline constexpr double kNearTie = 1 + 0x1p-16;
-
 /// By kind, then vertices; duplicate features leave equal keys, so the time comes last.
 bool comes_before(const Contact& a, const Contact& b);
 
@@ -59,6 +55,8 @@ class ContactCollector {
   const PrecisionCount& decided_by() const { return decided_by_; }
   /// Pairs that touch at t=0 and do not count.
   std::uint64_t ignored() const { return ignored_; }
+  /// The same pairs will be looked at again.
+  void count_ignored_anew() { ignored_ = 0; }
   std::uint64_t memory_bytes() const { return contacts_.capacity() * sizeof(Contact); }
 
  private:

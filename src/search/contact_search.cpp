@@ -81,6 +81,7 @@ bool ContactSearch::search_beginnings(ContactCollector& answer, Statistics& stat
     if (holds_all) {
       trees.load_vertices(query.step, query.separations, statistics);
       streams_.begin(answer);
+      answer.count_ignored_anew();
       const float t_limit = float_after(answer.bound().latest());
       trees.for_each_kind([&](PairKind kind, const TreeView&, const TreeView&) {
         streams_.search(kind, lists[static_cast<std::size_t>(kind)], {0, 1}, {0, 1}, t_limit);
@@ -99,6 +100,7 @@ bool ContactSearch::search_beginnings(ContactCollector& answer, Statistics& stat
 void ContactSearch::search_trees(ContactCollector& answer) {
   const FeatureTrees& trees = workspace_.trees;
   TAMIS_ASSERT(trees.are_of(answer.query().step));
+  answer.count_ignored_anew();
   float t_limit = float_after(answer.bound().latest());  // lists may have found something
   for (const Sample& sample : samples_for(answer.query(), trees.most_leaf_blocks())) {
     trees.for_each_kind([&](PairKind kind, const TreeView& a, const TreeView& b) {

@@ -295,6 +295,20 @@ TEST(AtStart, OnACurveWhatDoesNotComeBackIsIgnoredAndCountedOnce) {
 }
 
 // Bug: is_free ends at a first contact, before it has looked at the pair that touches at the start.
+// Bug: they were counted again with each beginning of the step that was looked at.
+TEST(AtStart, IsCountedOnceWhereAStepGoesVeryFar) {
+  const std::vector<Point> start{{-4, -4, 0}, {4, -4, 0}, {0, 4, 0}, {0, 0, 0}, {0.5, 0, 0}, {-0.5, 0, 0}};
+  for (const double far : {1.0, 1e5, 1e9}) {
+    std::vector<Point> end = start;
+    for (const std::size_t v : {3, 4, 5}) end[v][2] += far;
+    Detector detector(Mesh(6, {{0, 1, 2}}, {}, {3, 4, 5}));
+    for (int time = 0; time < 3; ++time) {
+      EXPECT_FALSE(detector.earliest({start, end}, kIgnore).contact);
+      EXPECT_EQ(detector.statistics().ignored, 3u) << far << ' ' << time;
+    }
+  }
+}
+
 TEST(AtStart, FailsOnACurveThoughOthersTouchLater) {
   for (const Index later : {7, 8, 9, 40}) {
     std::vector<Point> rest{{0, 0, 0}, {9, 0, 0}, {0, 9, 0}};

@@ -21,23 +21,53 @@ float box_distance(double distance) {
   return static_cast<float>(std::min(distance * (1 + 0x1p-20), kFarthest));
 }
 
-BoxFrame frame_of(const Step& step, std::span<const Index> used, double min_separation) {
+struct Bounds {
   std::array<double, 3> low, high;
-  low.fill(std::numeric_limits<double>::infinity());
-  high.fill(-std::numeric_limits<double>::infinity());
-  for (const Positions* positions : {&step.start, &step.end})
-    for (Index v : used)
-      for (std::size_t axis = 0; axis < 3; ++axis) {
-        const double x = (*positions)[v][axis];
-        low[axis] = std::min(low[axis], x);
-        high[axis] = std::max(high[axis], x);
-      }
-  BoxFrame frame{};
-  double half = 0;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    frame.origin[axis] = 0.5 * low[axis] + 0.5 * high[axis];
-    half = std::max(half, 0.5 * high[axis] - 0.5 * low[axis]);
+
+  void include(const std::array<double, 3>& l, const std::array<double, 3>& h) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      low[axis] = std::min(low[axis], l[axis]);
+      high[axis] = std::max(high[axis], h[axis]);
+    }
   }
+  std::array<double, 3> middle() const {
+    std::array<double, 3> middle{};
+    for (std::size_t axis = 0; axis < 3; ++axis) middle[axis] = 0.5 * low[axis] + 0.5 * high[axis];
+    return middle;
+  }
+  /// Half of the widest axis: it does not overflow.
+  double half() const {
+    double half = 0;
+    for (std::size_t axis = 0; axis < 3; ++axis) half = std::max(half, 0.5 * high[axis] - 0.5 * low[axis]);
+    return half;
+  }
+};
+
+Bounds bounds_of(const Positions& positions, std::span<const Index> used) {
+  Bounds bounds;
+  bounds.low.fill(std::numeric_limits<double>::infinity());
+  bounds.high.fill(-std::numeric_limits<double>::infinity());
+  for (const Index v : used) {
+    const double* p = positions[v];
+    bounds.include({p[0], p[1], p[2]}, {p[0], p[1], p[2]});
+  }
+  return bounds;
+}
+
+/// A frame goes with the scene where that makes it so much narrower: three bits more of every coordinate. (Where it
+/// would gain less it stays: the last digits of answers come with it.)
+constexpr double kMuchNarrower = 8;
+
+BoxFrame frame_of(const Step& step, std::span<const Index> used, double min_separation) {
+  const Bounds start = bounds_of(step.start, used), end = bounds_of(step.end, used);
+  Bounds both = start;
+  both.include(end.low, end.high);
+  double half = std::max(start.half(), end.half());
+  const bool goes_along = kMuchNarrower * half < both.half();
+  if (!goes_along) half = both.half();
+  BoxFrame frame{};
+  frame.origin = (goes_along ? start : both).middle();
+  frame.origin_at_end = (goes_along ? end : both).middle();
   // One binary digit to spare, so that rounding of origin and half width stays inside [-1,1].
   const int exponent = half > 0 ? std::min(-2 - std::ilogb(half), 1000) : 0;
   frame.scale = std::ldexp(1.0, exponent);
@@ -72,7 +102,8 @@ Vec3<double> BoxFrame::place(const Positions& positions, Index vertex) const {
 }
 
 Vec3<double> BoxFrame::displacement(const Step& step, Index vertex) const {
-  return scaled_difference(step.end[vertex], step.start[vertex], scale);
+  if (origin == origin_at_end) return scaled_difference(step.end[vertex], step.start[vertex], scale);
+  return scaled_difference(step.end[vertex], origin_at_end.data(), scale) - place(step.start, vertex);
 }
 
 bool PackedMotion::assign(const Step& step, std::span<const Index> used, const Separations& kept_apart) {
@@ -100,7 +131,7 @@ bool PackedMotion::assign(const Step& step, std::span<const Index> used, const S
       packed.at[axis] = start[axis];
       packed.at[4 + axis] = end[axis];
       box.at[axis] = static_cast<float>((start[axis] - frame.origin[axis]) * frame.scale);
-      box.at[3 + axis] = static_cast<float>((end[axis] - frame.origin[axis]) * frame.scale);
+      box.at[3 + axis] = static_cast<float>((end[axis] - frame.origin_at_end[axis]) * frame.scale);
     }
   }
   return is_first || difference.is_any();

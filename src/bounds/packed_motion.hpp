@@ -27,9 +27,11 @@ struct alignas(32) BoxVertex {
 };
 
 /// box coordinate = (coordinate - origin) * scale: within [-1,1] for every vertex of the step. Scale is a power of
-/// two and the origin follows the scene, so the unit of length changes no decision.
+/// two and the origin follows the scene, so the unit of length changes no decision. Where the scene goes far as a whole
+/// the frame goes with it, from the first origin to the second: straight, so that all stays linear, and all that two
+/// features have between them stays the same.
 struct BoxFrame {
-  std::array<double, 3> origin;
+  std::array<double, 3> origin, origin_at_end;
   double scale;
   /// Added on each side of a box: rounding to float is off by 2^-25, the subtraction by 2^-53, and the box's own
   /// subtraction of the margin by 2^-25; plus half the fixed separation. A vertex' radius comes on top.
@@ -46,7 +48,7 @@ struct BoxFrame {
   /// sharper.
   static constexpr float kLeastMargin = 0x1p-44f;
 
-  /// Where a vertex is, and how far it goes during the step.
+  /// Where a vertex is, and how far it goes during the step in this frame.
   Vec3<double> place(const Positions& positions, Index vertex) const;
   Vec3<double> displacement(const Step& step, Index vertex) const;
 };

@@ -14,16 +14,17 @@ constexpr double kSmallPart = 0x1p-8;
 /// What goes so far, for the size of the scene, meets few others on its way.
 constexpr double kOfExtent = 1.0 / 16;
 
-/// Half of the widest of the three axes: it does not overflow.
-double extent(std::span<const Positions> poses, std::span<const Index> points) {
+/// Of halves, which do not overflow, the range along the axis where that is widest. `half_of(vertex, axis)`.
+template <class Half>
+double widest_range(std::span<const Index> points, const Half& half_of) {
   double widest = 0;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     double low = std::numeric_limits<double>::infinity(), high = -low;
-    for (const Positions& pose : poses)
-      for (const Index v : points) {
-        low = std::min(low, pose[v][axis]);
-        high = std::max(high, pose[v][axis]);
-      }
+    for (const Index v : points) {
+      const double half = half_of(v, axis);
+      low = std::min(low, half);
+      high = std::max(high, half);
+    }
     widest = std::max(widest, 0.5 * high - 0.5 * low);
   }
   return widest;
@@ -32,8 +33,9 @@ double extent(std::span<const Positions> poses, std::span<const Index> points) {
 }  // namespace
 
 double beginning_of_long_step(const Step& step, std::span<const Index> points) {
-  const Positions both[] = {step.start, step.end};
-  const double part = extent(std::span(both).first(1), points) / extent(both, points);
+  const auto start = [&](Index v, std::size_t axis) { return 0.5 * step.start[v][axis]; };
+  const auto way = [&](Index v, std::size_t axis) { return 0.5 * step.end[v][axis] - 0.5 * step.start[v][axis]; };
+  const double part = widest_range(points, start) / widest_range(points, way);
   return 0 < part && part < kSmallPart ? std::ldexp(kOfExtent, std::ilogb(part)) : 1;
 }
 

@@ -8,8 +8,8 @@
 
 namespace tamis {
 
-/// The part of the step, a power of two, in which no vertex goes much farther than a sixteenth of what the scene is
-/// wide at t=0; 1 unless the step goes very far. REQUIRES (not checked: O(n)): finite positions of the points.
+/// The part of the step, a power of two, in which no two vertices part by much more than a sixteenth of what the scene
+/// is wide at t=0; 1 unless they part very far. REQUIRES (not checked: O(n)): finite positions of the points.
 double beginning_of_long_step(const Step& step, std::span<const Index> points);
 
 class Beginning {

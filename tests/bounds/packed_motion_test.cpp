@@ -24,5 +24,27 @@ TEST(PackedMotion, CoordinatesStayWithinTheFrame) {
   }
 }
 
+// Bug: the frame held a whole flight, however far, and its floats told little of what flies together.
+TEST(PackedMotion, TheFrameGoesWithWhatGoesFarAsAWhole) {
+  const std::vector<Index> used{0, 1};
+  for (const double far : {1.0, 1e3, 1e9}) {
+    const std::vector<Point> start{{-1, 0, 0}, {1, 0.5, 0}}, end{{far - 1, 0, -far}, {far + 1, 0.25, -far}};
+    PackedMotion motion;
+    motion.assign({start, end}, used, {});
+    for (const BoxVertex& vertex : motion.box_vertices)
+      for (int i = 0; i < 6; ++i) EXPECT_LE(std::fabs(vertex.at[i]), 1) << far << ", coordinate " << i;
+    EXPECT_GE(motion.frame.scale, 0.25) << far;
+    for (int i = 0; i < 6; ++i) {
+      const auto axis = static_cast<std::size_t>(i % 3);
+      const double apart = i < 3 ? start[1][axis] - start[0][axis] : end[1][axis] - end[0][axis];
+      const float in_frame = motion.box_vertices[1].at[i] - motion.box_vertices[0].at[i];
+      EXPECT_NEAR(static_cast<double>(in_frame), motion.frame.scale * apart, 0x1p-23) << far << ", coordinate " << i;
+    }
+    const Vec3<double> way = motion.frame.displacement({start, end}, 1) - motion.frame.displacement({start, end}, 0);
+    EXPECT_NEAR(way.y, -0.25 * motion.frame.scale, 0x1p-50) << far;
+    EXPECT_NEAR(way.x, 0, 0x1p-50) << far;
+  }
+}
+
 }  // namespace
 }  // namespace tamis

@@ -236,6 +236,62 @@ TEST(AStepThatExplodes, HasItsFirstContactInItsBeginning) {
     }
 }
 
+// Bug: in the floats of a frame that held the whole flight, all that flies together was one point.
+TEST(AStepThatGoesFarAsAWhole, HasTheContactsOfAllPairsAndLooksAtFew) {
+  for (const double far : {1e3, 1e7}) {
+    const Scene scene = scenes::scene_by_name("folded-cloth", 400, 3);
+    std::vector<Point> end = scene.end;
+    for (Point& p : end) p = {p[0] + far, p[1] - 0.5 * far, p[2]};
+    for (const double separation : {0.0, 0.01}) {
+      const QueryOptions asked{.min_separation = separation};
+      lab::Options options;
+      options.method = Method::brute;
+      Detector all = lab::make_detector(scene.mesh(), options), detector(scene.mesh());
+      const auto expected = names_of(all.contacts({scene.start, end}, asked));
+      EXPECT_FALSE(expected.empty());
+      EXPECT_EQ(names_of(detector.contacts({scene.start, end}, asked)), expected) << far;
+      const StageCount boxes = detector.statistics().stages.front();
+      EXPECT_EQ(detector.earliest({scene.start, end}, asked).toi_lower,
+                all.earliest({scene.start, end}, asked).toi_lower);
+      EXPECT_EQ(detector.safe_step({scene.start, end}, 0.1, asked).lower,
+                all.safe_step({scene.start, end}, 0.1, asked).lower);
+      Detector near(scene.mesh());
+      near.contacts(scene.step(), asked);
+      EXPECT_LT(boxes.ee, 2 * near.statistics().stages.front().ee + 100) << far;
+    }
+  }
+}
+
+// Bug: with brackets of 1e-11, whatever the time, one of a pair that touches just after a beginning could begin before
+// that of the first pair in it: so the beginning had another answer than lists and single pairs.
+TEST(AStepThatExplodes, HasTheFirstContactOfAllPairsWhereTwoComeInOneInstant) {
+  const std::vector<Point> start{{-0x1.2bbe0bf936f82p-1, -0x1.f79863eb1ae47p-2, -0x1.c5b63f3cafb35p-2},
+                                 {-0x1.6c8b439581063p-1, -0x1.7ae147ae147aep-1, -0x1.db22d0e56041ap-4},
+                                 {-0x1.47ae147ae147p-7, -0x1.6666666666666p-1, -0x1.5c28f5c28f5c3p-1},
+                                 {-0x1.4fdf3b645a1cap-1, -0x1.9999999999998p-4, -0x1.84189374bc6a8p-1},
+                                 {0x1.10ff86a32bb8ep-1, 0x1.1b64457b1146ep-1, 0x1.0b92242811562p-1},
+                                 {0x1.78d4fdf3b645ap-2, 0x1.0a3d70a3d70a4p-2, 0x1.a5e353f7ced91p-1},
+                                 {0x1.a8f5c28f5c28fp-1, 0x1.3333333333333p-2, 0x1.c28f5c28f5c29p-2},
+                                 {0x1.a9fbe76c8b43ap-2, 0x1.7ae147ae147aep-1, 0x1.5a1cac083126ep-2},
+                                 {-1, -1, -1},
+                                 {1, 1, 1}};
+  std::vector<Point> end = start;
+  end[0] = {0x1.6ff580d0bbce2p+19, -0x1.b3c8339876419p+10, -0x1.1563497236927p+19};
+  end[4] = {-0x1.eb84da787042bp+17, -0x1.33330fc6aa83dp+18, -0x1.47adf3089cc2bp+18};
+  Detector detector(Mesh(10, {{1, 2, 3}, {5, 6, 7}}, {}, {0, 4, 8, 9}));
+  lab::Options options;
+  options.method = Method::brute;
+  const EarliestContact expected = lab::make_detector(detector.mesh(), options).earliest({start, end});
+  ASSERT_TRUE(expected.contact);
+  for (int time = 0; time < 3; ++time) {  // of a beginning, then of lists
+    const EarliestContact first = detector.earliest({start, end});
+    ASSERT_TRUE(first.contact);
+    EXPECT_EQ(first.contact->vertices, expected.contact->vertices) << time;
+    EXPECT_EQ(first.toi_lower, expected.toi_lower) << time;
+    EXPECT_LT(first.toi_upper - first.toi_lower, 1e-6 * first.toi_upper) << time;
+  }
+}
+
 TEST(BadName, OfAMethodNamesTheChoices) {
   EXPECT_NE(message_of<InvalidOptions>([] { lab::method_from_name("fast"); }).find("tamis"), std::string::npos);
   EXPECT_THROW(isa_from_name("sse9"), InvalidOptions);

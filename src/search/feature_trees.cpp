@@ -13,8 +13,11 @@ namespace {
 /// Refitting goes on until the leaf blocks' swept area exceeds by this factor what it was when they were built
 /// (docs/history/performance.md: "When to rebuild").
 constexpr double kPoorArea = 1.5;
-/// An order by how far features go is asked about again when they sweep over less than this part of what they did then.
-constexpr double kShorterSteps = 1.0 / 64;
+/// And until they are so much larger at the start than they were then, whatever they sweep over: steps are of all
+/// lengths.
+constexpr double kPoorStart = 8;
+/// Building costs about as much as visiting so many pairs of nodes for each leaf block.
+constexpr std::uint64_t kNodesABlock = 9;
 /// Steps are long where leaf blocks sweep over so many times their own area. So many questions that look at the start
 /// come one after the other before it is looked whether an order of their own would pay.
 constexpr double kFarAreas = 4;
@@ -41,7 +44,7 @@ void FeatureTrees::refit_or_rebuild(const Step& step, const Separations& separat
   statistics.seconds.bounds += watch.lap();
   const bool looks_at_start = looks_at != LooksAt::whole_step;
   start_in_row_ = looks_at_start ? start_in_row_ + 1 : 0;
-  if (!are_of_motion_ || looks_at_start != is_order_of_start()) update_trees(looks_at, statistics);
+  if (!are_of_motion_ || is_doubtful_ || looks_at_start != is_order_of_start()) update_trees(looks_at, statistics);
   statistics.seconds.build += watch.lap();
 }
 
@@ -92,6 +95,8 @@ void FeatureTrees::update_trees(LooksAt looks_at, Statistics& statistics) {
   for (BlockTree* tree : trees()) tree->build(motion_, axes_, kernels_.trees, [&] { stop_if_cancelled(options_); });
   built_areas_ = areas();
   built_scale_ = motion_.frame.scale;
+  is_doubtful_ = false;
+  nodes_in_doubt_ = 0;
   are_of_motion_ = true;
   statistics.rebuilt = true;
 }
@@ -111,16 +116,17 @@ OrderAxes FeatureTrees::best_axes(LooksAt looks_at) const {
   return order_axes(motion_, mesh_.points(), looks_at, kernels_.trees.split);
 }
 
-bool FeatureTrees::is_order_good(LooksAt looks_at) const {
+bool FeatureTrees::is_order_good(LooksAt looks_at) {
   const BlockTree::Areas now = areas(), &built = *built_areas_;
   const double by_scale = (built_scale_ / motion_.frame.scale) * (built_scale_ / motion_.frame.scale);
-  // The next step may go nowhere near as far, and sweep over little in whatever order: in its own frame, as a step that
-  // goes far has a large one.
-  const bool is_of_longer_steps = axes_.way > 0 && now.swept * by_scale < kShorterSteps * built.swept;
-  if (is_of_longer_steps && best_axes(looks_at).way == 0) return false;
   const bool is_far = now.swept > kFarAreas * now.at_start;
-  if (is_order_of_start())
-    return now.at_start * by_scale <= kPoorArea * built.at_start && !(is_far && looks_at == LooksAt::whole_step);
+  is_doubtful_ = axes_.way > 0 && !is_far;
+  const int blocks = points_.view().leaf_blocks + edges_.view().leaf_blocks + faces_.view().leaf_blocks;
+  const bool has_cost_an_order = nodes_in_doubt_ > kNodesABlock * static_cast<std::uint64_t>(blocks);
+  if (is_doubtful_ && has_cost_an_order && best_axes(looks_at).way == 0) return false;
+  const double spread = now.at_start * by_scale / built.at_start;
+  if (is_order_of_start()) return spread <= kPoorArea && !(is_far && looks_at == LooksAt::whole_step);
+  if (spread > kPoorStart) return false;
   const bool may_pay = is_far && looks_at != LooksAt::whole_step && start_in_row_ % kStartInRow == 0;
   return now.swept <= kPoorArea * built.swept && !(may_pay && best_axes(looks_at).time == 0);
 }

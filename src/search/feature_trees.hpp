@@ -37,6 +37,11 @@ class FeatureTrees {
   /// are_of(step).
   void fit_residuals(const Step& step, const SharedMotion& shared);
 
+  /// A search of these trees has visited so many pairs of nodes.
+  void add_search(std::uint64_t nodes) {
+    if (is_doubtful_) nodes_in_doubt_ += nodes;
+  }
+
   /// Of the largest of the trees that make pairs.
   int most_leaf_blocks() const { return std::max(points_.view().leaf_blocks, edges_.view().leaf_blocks); }
   TreeView points() const { return points_.view(); }
@@ -60,7 +65,7 @@ class FeatureTrees {
   void refit_trees();
   void update_trees(LooksAt looks_at, Statistics& statistics);
   /// Does the order that the trees have serve the step that their boxes are of, and the question?
-  bool is_order_good(LooksAt looks_at) const;
+  bool is_order_good(LooksAt looks_at);
   bool is_order_of_start() const { return axes_.time == 0; }
   OrderAxes best_axes(LooksAt looks_at) const;
   BlockTree::Areas areas() const;
@@ -79,8 +84,10 @@ class FeatureTrees {
   OrderAxes axes_;
   std::optional<BlockTree::Areas> built_areas_;  ///< when they were built; nothing: they are not
   double built_scale_ = 1;
-  int start_in_row_ = 0;        ///< the last questions, that looked at less than the whole step
-  bool are_of_motion_ = false;  ///< the boxes
+  bool is_doubtful_ = false;          ///< an order by how far features go, of a step that goes nowhere near as far
+  std::uint64_t nodes_in_doubt_ = 0;  ///< visited since the trees were built, with steps of that kind
+  int start_in_row_ = 0;              ///< the last questions, that looked at less than the whole step
+  bool are_of_motion_ = false;        ///< the boxes
 };
 
 }  // namespace tamis

@@ -79,8 +79,10 @@ class ThreadStreams {
   }
   /// `wall`: seconds that the threads took together. `stages`: those that the question has, in order.
   void report(Statistics& statistics, double wall, std::initializer_list<StageCount SearchCounts::*> stages) const {
+    const SearchCounts sum = counts();
     statistics.isa = workspace_.kernels.isa;
-    counts().add_to(statistics, wall, stages);
+    sum.add_to(statistics, wall, stages);
+    workspace_.trees.add_search(sum.nodes_visited);
   }
   /// Beside the workspace.
   std::uint64_t memory_bytes() const {

@@ -100,10 +100,10 @@ TEST(Reuse, RefitsWhileTheOrderIsGoodAndRebuildsWhenItIsPoor) {
 /// Steps that part all neighbours, each in another way.
 class LongStep : public testing::Test {
  protected:
-  Step far(std::size_t way) {
+  Step far(std::size_t way, double reach = 10) {
     end_ = scene_.start;
     for (std::size_t i = 0; i < end_.size(); ++i)
-      for (std::size_t k = 0; k < 3; ++k) end_[i][k] += 10 * double(((i + k) * 7919 + way * 101) % 1000) / 1000;
+      for (std::size_t k = 0; k < 3; ++k) end_[i][k] += reach * double(((i + k) * 7919 + way * 101) % 1000) / 1000;
     return {scene_.start, end_};
   }
 
@@ -116,12 +116,18 @@ class LongStep : public testing::Test {
 TEST_F(LongStep, SpoilsNothingForThoseAfterIt) {
   // Would catch an order by how far features go that is kept: what it sweeps over later is less, however poor it is.
   Detector kept(scene_.mesh()), fresh(scene_.mesh());
+  // And one that is given up before it has cost what another one would.
+  constexpr double kNear = 0.01;
   kept.is_free(far(0));
-  kept.contacts(scene_.step());
-  EXPECT_TRUE(kept.statistics().rebuilt);
-  fresh.contacts(scene_.step());
-  EXPECT_EQ(kept.statistics().nodes_visited, fresh.statistics().nodes_visited);
-  kept.contacts(scene_.step());
+  fresh.contacts(far(1, kNear));
+  const auto few = fresh.statistics().nodes_visited;
+  int poor = 0;
+  for (kept.contacts(far(1, kNear)); !kept.statistics().rebuilt && poor < 10; kept.contacts(far(1 + ++poor, kNear)))
+    EXPECT_GT(kept.statistics().nodes_visited, 2 * few) << poor;
+  EXPECT_GE(poor, 2);
+  EXPECT_LE(poor, 6);
+  EXPECT_LE(kept.statistics().nodes_visited, few + few / 8);
+  kept.contacts(far(20, kNear));
   EXPECT_FALSE(kept.statistics().rebuilt);
 }
 

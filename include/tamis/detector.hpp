@@ -68,9 +68,8 @@ class Detector {
   const std::vector<NearPair>& pairs_within(const Positions& positions, double distance);
 
   /// Every edge that passes through a triangle or touches it, without a common vertex, by edge, then face: is this a
-  /// pose to start from, and if not, why? Decided exactly. Radii do not
-  /// matter; of the filter the groups count (an edge has that of its first vertex). The vector is valid until the next
-  /// such question.
+  /// pose to start from, and if not, why? Decided exactly. Radii do not matter; of the filter groups (an edge has that
+  /// of its first vertex) and rings count, `accepts` does not. The vector is valid until the next such question.
   const std::vector<Intersection>& intersections(const Positions& positions);
   /// Is there any? Ends at the first.
   bool has_intersection(const Positions& positions);

@@ -6,27 +6,22 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numeric>
 #include <optional>
 #include <set>
-#include <string>
 #include <tuple>
 
 #include "numerics/assert.hpp"
 #include "numerics/error_bounds.hpp"
-#include "numerics/number_text.hpp"
 #include "paths/decide_path.hpp"
+#include "paths/mesh_pieces.hpp"
 #include "paths/remembered_path.hpp"
 #include "paths/within_on_path.hpp"
 #include "query/cancellation.hpp"
-#include "tamis/error.hpp"
 #include "topology/at.hpp"
-#include "topology/mean_edge.hpp"
 
 namespace tamis {
 namespace {
 
-constexpr double kShortestPiece = 0x1p-20;
 /// Pairs that are decided together, and between two looks at whether the question is cancelled.
 constexpr std::size_t kBatch = 256;
 /// The first of them, where a first contact spares the rest.
@@ -66,27 +61,17 @@ struct PathSearch::Run {
   Question question;
   std::vector<Contact>& contacts;
   Statistics& statistics;
-  const Mesh& mesh = kept.mesh_;
   const Options& options = kept.options_;
-  const IsolatedPath path{asked.path};
+  MeshPieces pieces{kept.mesh_, asked.path, asked.ends};
   /// No pair that stays farther apart, beyond its radii, touches, or fails to keep its part.
   double reach = kept_reach();
-  double deviation_in_edges = kChordDeviationInEdges;  ///< of the next piece
-  std::set<PairKey> known = {};                        ///< to touch
+  std::set<PairKey> known = {};  ///< to touch
   /// Ignored: those that touch at the start, and not since. Until when each has not been apart: the end of a piece, or
   /// the start of the one in which it came apart.
   std::map<PairKey, double> together_until = {};
 
   void search();
-  Frame frame_at(double time) const;
-  /// Of all vertices between two times. Returns the largest; throws at one that is no bound.
-  double read_deviations(double from, double to) const;
-  double kept_reach() const;
-  double piece_end(const Frame& start) const;
-  /// By how many pairs the last piece has left.
-  void choose_deviation(std::size_t pairs);
-  /// Throws if a vertex in the middle of its piece is farther from the chord than it says.
-  void check_chords(const Frame& from, const Frame& to) const;
+  double kept_reach();
   /// Finds the pairs whose chords come within reach.
   void search_chords(const Frame& from, const Frame& to);
   /// What those have left of a piece.
@@ -100,86 +85,17 @@ struct PathSearch::Run {
   }
 };
 
-Frame PathSearch::Run::frame_at(double time) const {
-  Frame frame{time, std::vector<Point>(kept.all_.size()), std::vector<double>(kept.all_.size())};
-  path.points_at(time, kept.all_, frame.points, frame.errors);
-  for (const Index v : mesh.points()) check_point(v, time, frame.points[at(v)], frame.errors[at(v)]);
-  return frame;
-}
-
-double PathSearch::Run::read_deviations(double from, double to) const {
-  path.deviations(from, to, kept.all_, kept.deviations_);
-  double largest = 0;
-  for (const Index v : mesh.points()) {
-    check_deviation(v, from, to, kept.deviations_[at(v)]);
-    largest = std::max(largest, kept.deviations_[at(v)]);
-  }
-  return largest;
-}
-
-double PathSearch::Run::piece_end(const Frame& start) const {
-  if (!asked.ends.empty()) return *std::ranges::upper_bound(asked.ends, start.time);
-  const double allowed = deviation_in_edges * mean_edge(mesh, start.points);
-  double length = 1 - start.time;
-  for (; length > kShortestPiece; length *= kNearMiddle) {
-    const double largest = read_deviations(start.time, start.time + length);
-    if (largest <= allowed || !(allowed > 0)) break;
-  }
-  return length < 1 - start.time ? start.time + length : 1;
-}
-
-void PathSearch::Run::choose_deviation(std::size_t pairs) {
-  constexpr std::size_t kFewOfVertices = 32, kManyOfVertices = 8;  // so manieth parts of them
-  constexpr double kFactor = 4;                                    // a piece twice as long
-  const std::size_t vertices = mesh.points().size();
-  if (kFewOfVertices * pairs <= vertices)
-    deviation_in_edges = std::min(kFactor * deviation_in_edges, kMostChordDeviationInEdges);
-  else if (kManyOfVertices * pairs > vertices)
-    deviation_in_edges = std::max(deviation_in_edges / kFactor, kChordDeviationInEdges);
-}
-
-void PathSearch::Run::check_chords(const Frame& from, const Frame& to) const {
-  const Frame middle = frame_at(0.5 * from.time + 0.5 * to.time);
-  for (const Index index : mesh.points()) {
-    const std::size_t v = at(index);
-    Point off{};
-    double size = 0;
-    for (std::size_t k = 0; k < 3; ++k) {
-      off[k] = middle.points[v][k] - (0.5 * from.points[v][k] + 0.5 * to.points[v][k]);
-      size = std::max(size, std::fabs(middle.points[v][k]));
-    }
-    const double distance = std::hypot(off[0], off[1], off[2]), bound = kept.deviations_[v];
-    const double errors = 2 * (middle.errors[v] + from.errors[v] + to.errors[v]) + 0x1p-48 * size;
-    if (distance <= bound + errors) continue;
-    throw InvalidPath("vertex " + std::to_string(index) + " of the path is " + number_text(distance) +
-                      " from its chord at t = " + number_text(middle.time) + ", beyond its bound " +
-                      number_text(bound) + ": give a bound that holds");
-  }
-}
-
 /// A pair that starts c beyond its separation and keeps no more than f c has lost (1 - f) c, which is no more than how
 /// far both its features go.
-double PathSearch::Run::kept_reach() const {
+double PathSearch::Run::kept_reach() {
   if (asked.keep == 0) return asked.separations.fixed;
-  const Frame from = frame_at(0), to = frame_at(1);
-  read_deviations(0, 1);
-  double farthest = 0;
-  for (const Index index : mesh.points()) {
-    const std::size_t v = at(index);
-    Point way{};
-    for (std::size_t k = 0; k < 3; ++k)
-      way[k] = std::fabs(to.points[v][k] - from.points[v][k]) + from.errors[v] + to.errors[v];
-    farthest = std::max(farthest, std::hypot(way[0], way[1], way[2]) + kept.deviations_[v]);
-  }
-  return (asked.separations.fixed + 2 * farthest * asked.keep / (1 - asked.keep)) * kRoundedUp;
+  return (asked.separations.fixed + 2 * pieces.farthest_way() * asked.keep / (1 - asked.keep)) * kRoundedUp;
 }
 
 void PathSearch::Run::search() {
-  for (Frame from = frame_at(0); from.time < 1;) {
+  for (Frame from = pieces.frame_at(0); from.time < 1;) {
     stop_if_cancelled(options);
-    Frame to = frame_at(piece_end(from));
-    read_deviations(from.time, to.time);
-    check_chords(from, to);
+    Frame to = pieces.next(from);
     search_chords(from, to);
     const std::size_t before = contacts.size();
     decide_all(from, to);
@@ -195,11 +111,11 @@ void PathSearch::Run::search() {
 
 void PathSearch::Run::search_chords(const Frame& from, const Frame& to) {
   std::vector<double>& radii = kept.radii_;
-  radii.assign(kept.all_.size(), 0);
-  for (const Index index : mesh.points()) {
+  radii.assign(from.points.size(), 0);
+  for (const Index index : kept.mesh_.points()) {
     const std::size_t v = at(index);
     const double error = std::max(from.errors[v], to.errors[v]);
-    radii[v] = radius_on_piece(index, kept.deviations_[v], error, from.time, asked.separations);
+    radii[v] = radius_on_piece(index, pieces.deviations()[v], error, from.time, asked.separations);
   }
   Query chords{{from.points, to.points}, {reach, radii}, options.filter, kept.rings_, options.is_cancelled};
   chords.is_piece = true;
@@ -208,7 +124,7 @@ void PathSearch::Run::search_chords(const Frame& from, const Frame& to) {
   found.begin(chords, bound);
   kept.engine_.find(chords, found, statistics);
   statistics.decided_by += found.decided_by();
-  choose_deviation(found.contacts().size());
+  pieces.learn(found.contacts().size());
   std::erase_if(found.contacts(), [&](const Contact& pair) { return known.contains(key_of(pair)); });
 }
 
@@ -278,13 +194,6 @@ void PathSearch::find(const MeshOnPath& asked, Question question, std::vector<Co
   TAMIS_ASSERT(asked.separations.fixed >= 0 && std::isfinite(asked.separations.fixed) && asked.tolerance > 0);
   TAMIS_ASSERT(asked.separations.radii.empty() ||
                asked.separations.radii.size() == static_cast<std::size_t>(mesh_.vertex_count()));
-  const Index vertices = asked.path.vertex_count();
-  if (vertices != mesh_.vertex_count())
-    throw InvalidPath("the path has " + std::to_string(vertices) + " vertices, the mesh " +
-                      std::to_string(mesh_.vertex_count()) + ": give a path of this mesh");
-  all_.resize(at(vertices));
-  std::iota(all_.begin(), all_.end(), 0);
-  deviations_.resize(all_.size());
   contacts.clear();
   Run{*this, asked, question, contacts, statistics}.search();
 }
@@ -307,8 +216,7 @@ SafeStep PathSearch::find_step_length(const MeshOnPath& asked, Statistics& stati
 }
 
 std::uint64_t PathSearch::memory_bytes() const {
-  return found_.memory_bytes() + parts_.memory_bytes() + all_.capacity() * sizeof(Index) +
-         (deviations_.capacity() + radii_.capacity()) * sizeof(double);
+  return found_.memory_bytes() + parts_.memory_bytes() + radii_.capacity() * sizeof(double);
 }
 
 EarliestContact first_of(const std::vector<Contact>& contacts) {

@@ -10,12 +10,6 @@
 
 namespace tamis {
 
-/// A piece is as long as lets vertices deviate by this part of the mean edge: longer ones leave more pairs to be looked
-/// at on parts of them, shorter ones ask the whole mesh more often.
-inline constexpr double kChordDeviationInEdges = 0x1p-6;
-/// Where pieces leave few pairs, the next ones are longer: up to this part.
-inline constexpr double kMostChordDeviationInEdges = 1;
-
 struct MeshOnPath {
   const Path& path;
   const Separations& separations;
@@ -52,8 +46,7 @@ class PathSearch {
   // Kept from question to question.
   ContactCollector found_;  ///< pairs that may touch on a piece
   PairsOnParts parts_;      ///< and their order
-  std::vector<Index> all_;  ///< 0, 1, 2, ...
-  std::vector<double> deviations_, radii_;
+  std::vector<double> radii_;
 };
 
 /// The contact that bounds the step first, and until when one is certain.

@@ -5,7 +5,7 @@
 
 #include "numerics/error_bounds.hpp"
 #include "paths/fine_point.hpp"
-#include "paths/path_search.hpp"
+#include "paths/mesh_pieces.hpp"
 #include "query/cancellation.hpp"
 #include "topology/at.hpp"
 #include "world/world_state.hpp"

@@ -300,7 +300,7 @@ TEST(AtStart, IsCountedOnceWhereAStepGoesVeryFar) {
   const std::vector<Point> start{{-4, -4, 0}, {4, -4, 0}, {0, 4, 0}, {0, 0, 0}, {0.5, 0, 0}, {-0.5, 0, 0}};
   for (const double far : {1.0, 1e5, 1e9}) {
     std::vector<Point> end = start;
-    for (const std::size_t v : {3, 4, 5}) end[v][2] += far;
+    for (const std::size_t v : {3u, 4u, 5u}) end[v][2] += far;
     Detector detector(Mesh(6, {{0, 1, 2}}, {}, {3, 4, 5}));
     for (int time = 0; time < 3; ++time) {
       EXPECT_FALSE(detector.earliest({start, end}, kIgnore).contact);

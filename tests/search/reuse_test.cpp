@@ -121,11 +121,11 @@ TEST_F(LongStep, SpoilsNothingForThoseAfterIt) {
   kept.is_free(far(0));
   fresh.contacts(far(1, kNear));
   const auto few = fresh.statistics().nodes_visited;
-  int poor = 0;
+  std::size_t poor = 0;
   for (kept.contacts(far(1, kNear)); !kept.statistics().rebuilt && poor < 10; kept.contacts(far(1 + ++poor, kNear)))
     EXPECT_GT(kept.statistics().nodes_visited, 2 * few) << poor;
-  EXPECT_GE(poor, 2);
-  EXPECT_LE(poor, 6);
+  EXPECT_GE(poor, 2u);
+  EXPECT_LE(poor, 6u);
   EXPECT_LE(kept.statistics().nodes_visited, few + few / 8);
   kept.contacts(far(20, kNear));
   EXPECT_FALSE(kept.statistics().rebuilt);

@@ -11,7 +11,8 @@ every question, state and separation comes in turn, with every instruction set; 
 take little. What the night leaves out is counted at the start.
 
 A sweep asks each cell in one turn, and in all turns only what then seems slower than its ratio: a first look at many
-cells. What takes longer than --limit is given up, and named at the end. Ctrl-C ends it with what was measured.
+cells. What takes longer than --limit is given up, and named at the end (under chrt -r, not -f: with a core to itself a build
+would keep this program from looking at the time). Ctrl-C, or kill, ends it with what was measured.
 """
 import argparse
 import collections
@@ -20,6 +21,7 @@ import fnmatch
 import json
 import math
 import select
+import signal
 import statistics
 import subprocess
 import sys
@@ -220,6 +222,8 @@ def write(rows, name):
 
 
 def main():
+    for ending in (signal.SIGINT, signal.SIGTERM):  # in the background the shell has them ignored
+        signal.signal(ending, signal.default_int_handler)
     asked = arguments()
     patterns = asked.cells or ["*"]
     cells = list_cells(asked.new, asked.part, patterns)

@@ -124,9 +124,9 @@ bool FeatureTrees::is_order_good(LooksAt looks_at) {
   const int blocks = points_.view().leaf_blocks + edges_.view().leaf_blocks + faces_.view().leaf_blocks;
   const bool has_cost_an_order = nodes_in_doubt_ > kNodesABlock * static_cast<std::uint64_t>(blocks);
   if (is_doubtful_ && has_cost_an_order && best_axes(looks_at).way == 0) return false;
-  const double spread = now.at_start * by_scale / built.at_start;
-  if (is_order_of_start()) return spread <= kPoorArea && !(is_far && looks_at == LooksAt::whole_step);
-  if (spread > kPoorStart) return false;
+  const auto has_spread = [&](double times) { return now.at_start * by_scale > times * built.at_start; };
+  if (is_order_of_start()) return !has_spread(kPoorArea) && !(is_far && looks_at == LooksAt::whole_step);
+  if (has_spread(kPoorStart)) return false;
   const bool may_pay = is_far && looks_at != LooksAt::whole_step && start_in_row_ % kStartInRow == 0;
   return now.swept <= kPoorArea * built.swept && !(may_pay && best_axes(looks_at).time == 0);
 }

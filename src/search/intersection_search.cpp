@@ -29,7 +29,10 @@ void IntersectionConsumer::begin(IntersectionQuery& shared) {
 void IntersectionConsumer::consume(PairKind kind) {
   const bool is_by_pair = query().is_by_pair;
   if (!wants(kind)) thread().boxes.count = 0;
-  is_by_pair ? leave_out(query().filter, kind, thread().boxes) : leave_out_groups(query().filter, kind, thread().boxes);
+  if (is_by_pair)
+    leave_out(query().filter, kind, thread().boxes);
+  else
+    leave_out_groups(query().filter, kind, thread().boxes);
   const int count = decide_crossings(thread(), kind, thread().kernels.along_edges);
   for_each_solved(
       thread(), count,

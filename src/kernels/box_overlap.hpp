@@ -77,21 +77,18 @@ class MovingBoxes {
 
   void bound(const TreeView& tree, int level, int node, Bounds& bounds) const {
     const BoxBlock& block = tree.levels[level][node];
-    const FloatLanes t(t_limit_), margin(kLaterMargin);
-    for (int axis = 0; axis < 3; ++axis)
-      for (int first = 0; first < kBlock; first += kFloatLanes) {
-        const auto load = [&](const float* lanes) { return FloatLanes::load_aligned(lanes + first); };
-        const FloatLanes way(way_[axis]), l0 = load(block.low0[axis]), h0 = load(block.high0[axis]);
-        const auto l = l0 + (t * (load(block.low1[axis]) - l0) - way);
-        const auto h = h0 + (t * (load(block.high1[axis]) - h0) - way);
-        (min(l, l0) - margin).store_aligned(bounds.at[axis] + first);
-        (max(h, h0) + margin).store_aligned(bounds.at[3 + axis] + first);
-      }
+    const FloatLanes t(t_limit_);
+    if (t_limit_ == 1)
+      sweep(block, bounds, [](const auto&, const auto& at1, const auto& way) { return at1 - way; });
+    else
+      sweep(block, bounds,
+            [&](const auto& at0, const auto& at1, const auto& way) { return at0 + (t * (at1 - at0) - way); });
   }
 
+  /// Bounds are off by less than kLaterMargin each.
   template <class A, class B>
   [[gnu::always_inline]] auto meet(const A& a, const B& b) const {
-    return largest_gap(a, b) <= FloatLanes(0.0f);
+    return largest_gap(a, b) <= FloatLanes(2 * kLaterMargin);
   }
 
   /// What the boxes of a leaf block are like, in the mean, as sums over the axes: how large, and how much larger by
@@ -148,6 +145,18 @@ class MovingBoxes {
   float t_limit() const { return t_limit_; }
 
  private:
+  /// `at_limit(at0, at1, way)`: an end of boxes at t_limit, as the observer sees it.
+  template <class F>
+  [[gnu::always_inline]] void sweep(const BoxBlock& block, Bounds& bounds, const F& at_limit) const {
+    for (int axis = 0; axis < 3; ++axis)
+      for_sixteen_lanes([&](int first) {
+        const auto load = [&](const float* lanes) { return FloatLanes::load_aligned(lanes + first); };
+        const FloatLanes way(way_[axis]), low0 = load(block.low0[axis]), high0 = load(block.high0[axis]);
+        min(at_limit(low0, load(block.low1[axis]), way), low0).store_aligned(bounds.at[axis] + first);
+        max(at_limit(high0, load(block.high1[axis]), way), high0).store_aligned(bounds.at[3 + axis] + first);
+      });
+  }
+
   /// At t=0.
   static FloatLanes extent(const BoxBlock& block, int first) {
     FloatLanes sum(0.0f);

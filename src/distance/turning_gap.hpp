@@ -59,6 +59,8 @@ class TurningGap {
     for (int i = 2; i <= parts; ++i) {
       from = next;
       next = i < parts ? at(from.time + share) : at(time.t_out);
+      if constexpr (std::is_same_v<Mask<T>, bool>)
+        if (!result) return false;
       result = result & exceeds(least, from, next);
     }
     return result;

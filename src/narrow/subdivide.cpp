@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "distance/turning_gap.hpp"
 #include "filters/ncf.hpp"
 #include "motion/pair_kinds.hpp"
 #include "narrow/crossing.hpp"
@@ -89,6 +90,7 @@ Decision subdivide_kind(const PairMotion<double>& m, const TimeInterval<double>&
     const auto r = restrict_to(m, part.t_in, part.t_out);
     if (Ncf::proves_free<kind>(r)) continue;
     const auto points = coplanarity(r);
+    if (points.always && TurningGap<kind, double>(m).stays_apart(part, kTurningGapParts)) continue;  // no sign tells
     coplanar_parts += points.always;
     const double cut = cut_at(points, part);
     if (cut > part.t_in && cut < part.t_out && part.t_out - part.t_in > kShortestPart && looked_at < kMostPartsOfStep &&

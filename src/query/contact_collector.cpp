@@ -37,7 +37,7 @@ void ContactCollector::begin(const Query& query, Bound& bound) {
   ignored_ = 0;
 }
 
-bool ContactCollector::add(PairKind kind, const PairVertices& vertices, const PairResult& decided) {
+bool ContactCollector::add(PairKind kind, const PairVertices& vertices, const PairResult& decided, bool is_by_pair) {
   if (!decided.touches) return false;
   TAMIS_ASSERT(is_kind(kind) && is_part_of_step(TimeInterval<double>{decided.toi_lower, decided.toi_upper}));
   if (query_->are_neighbours(kind, vertices)) return false;
@@ -57,6 +57,10 @@ bool ContactCollector::add(PairKind kind, const PairVertices& vertices, const Pa
     bound_->lower(result.toi_upper * kNearTie);
   }
   touched_by_ = std::min(touched_by_, result.toi_upper);
+  if (question == Question::earliest && is_by_pair) {
+    keep_first(contact_of(kind, vertices, result));
+    return true;
+  }
   contacts_.push_back(contact_of(kind, vertices, result));
   if (question == Question::earliest && (contacts_.size() >= kMostContactsKept || result.toi_lower == 0))
     reduce_to_first();
@@ -100,7 +104,7 @@ EarliestContact ContactCollector::first() {
   return first_;
 }
 
-/// Contacts are decided anew on the whole step: the last bits of what the search found depend on how far it still had
+/// Contacts that lanes found are decided anew on the whole step: their last bits depend on how far the search still had
 /// to look, and so on earlier questions.
 void ContactCollector::reduce_to_first() {
   for (const Contact& c : contacts_) {

@@ -29,8 +29,9 @@ class ContactCollector {
   void begin(const Query& query, Bound& bound);
   /// Takes what was decided of a pair, if it touches and counts: its features are no neighbours; and where the query
   /// ignores the start, one that touches at t=0 is asked whether it touches again once it is apart. Returns true if it
-  /// is among the contacts now. REQUIRES: a kind there is, times in [0,1] and in order.
-  bool add(PairKind kind, const PairVertices& vertices, const PairResult& result);
+  /// is among the contacts now. `is_by_pair`: it is what decide() says of the pair on the whole step. REQUIRES: a kind
+  /// there is, times in [0,1] and in order.
+  bool add(PairKind kind, const PairVertices& vertices, const PairResult& result, bool is_by_pair = false);
   /// Can this pair still change the answer? Cheap, to be asked before a pair is decided: a pair that touches at t=0
   /// makes all that come behind it in the order of contacts irrelevant, and any contact ends the question is_free.
   bool wants(PairKind kind, const PairVertices& vertices) const;
@@ -72,7 +73,7 @@ class ContactCollector {
 
   const Query* query_ = nullptr;
   Bound* bound_ = nullptr;
-  std::vector<Contact> contacts_;  ///< earliest: those not yet decided on the whole step
+  std::vector<Contact> contacts_;  ///< earliest: those not yet decided by pair
   EarliestContact first_;          ///< of those that are
   double touched_by_ = 1;
   PrecisionCount decided_by_;

@@ -70,7 +70,8 @@ void ContactConsumer::decide_singly(PairKind kind, const PairVertices& vertices)
   if (!found_.wants(kind, vertices)) return;
   found_.add(
       kind, vertices,
-      decide(kind, points_of(query().step, vertices), query().rule_for(kind, vertices), thread().counts.decided_by));
+      decide(kind, points_of(query().step, vertices), query().rule_for(kind, vertices), thread().counts.decided_by),
+      true);
 }
 
 }  // namespace tamis

@@ -54,6 +54,18 @@ TEST_F(Collectors, EarliestInAnyOrder) {
   EXPECT_EQ(again.toi_upper, first.toi_upper);
 }
 
+// Many pairs may touch at the same time, and each took integers twice.
+TEST_F(Collectors, WhatWasDecidedByPairIsNotDecidedAgain) {
+  ask(Question::earliest);
+  PrecisionCount count;
+  for (const PairVertices& vertices : {kLate, kEarly})
+    one.add(kKind, vertices, decide(kKind, points_of(query->step, vertices), query->rule_for(kKind, vertices), count),
+            true);
+  EXPECT_EQ(one.first().contact->vertices, kEarly);
+  EXPECT_EQ(one.decided_by().scalar + one.decided_by().exact, 0u);
+  EXPECT_LT(bound.latest(), 0.2501);
+}
+
 TEST_F(Collectors, EarliestKnowsWhatOtherThreadsFound) {
   ask(Question::earliest);
   EXPECT_EQ(bound.latest(), 1);

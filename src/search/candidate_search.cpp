@@ -1,5 +1,7 @@
 #include "search/candidate_search.hpp"
 
+#include "search/pair_buffer.hpp"
+
 namespace tamis {
 
 void CandidateConsumer::begin(CandidateQuery& shared) {
@@ -14,6 +16,7 @@ void CandidateConsumer::consume(PairKind kind) {
   PairBuffer &boxes = thread().boxes, &clipped = thread().clipped, &filtered = thread().filtered;
   const PackedMotion& motion = thread().motion;
   const PairKernels& stages = thread().kernels.of(kind);
+  leave_out_groups(query().filter, kind, boxes);
   clipped.count = filtered.count = 0;
   stages.slab(motion.box_vertices.data(), motion.box_separation(), boxes, clipped);
   if (can_cross(kind) && !query().separations.any())

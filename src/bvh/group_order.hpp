@@ -21,7 +21,8 @@ struct GroupOrder {
 };
 
 /// Groups with `is_apart` come as their middles lie in space, so that neighbours share the block in which one ends and
-/// the next begins; all others are one group. REQUIRES: `is_apart` of all groups.
+/// the next begins; all others are one group. Empty where many groups lie in each other, and an order in space alone
+/// serves better. REQUIRES: `is_apart` of all groups.
 GroupOrder order_groups(std::span<const GroupedFeature> features, std::span<const std::uint8_t> is_apart, Split split);
 
 }  // namespace tamis

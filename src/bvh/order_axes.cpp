@@ -27,21 +27,37 @@ struct CoordinateRange {
   double length() const { return static_cast<double>(high) - static_cast<double>(low); }
 };
 
-/// What a traversal's cost grows with.
-double half_area(const std::array<CoordinateRange, 3>& box) {
-  const double x = box[0].length(), y = box[1].length(), z = box[2].length();
-  return x * y + y * z + z * x;
+using CoordinateBox = std::array<CoordinateRange, 3>;
+
+/// Sum of what one box is long along an axis times what the other is along another axis.
+double across(const CoordinateBox& a, const CoordinateBox& b) {
+  const double x = b[0].length(), y = b[1].length(), z = b[2].length();
+  return a[0].length() * (y + z) + a[1].length() * (z + x) + a[2].length() * (x + y);
 }
 
-/// Of blocks in an order, as areas: how far apart their points are at its time, and how much they differ in their ways.
+/// Of blocks in an order, the sum of their boxes' areas, with which a traversal's cost grows: as wide as their points
+/// are apart at its time and, from then on, as these part by the differences of their ways. Some that part along one
+/// line have no area of their own, but make their boxes longer.
 struct Spread {
-  double apart = 0, parting = 0;
+  double apart = 0, along = 0, parting = 0;
 
-  /// Do they part, until the end of the step, farther than they were apart?
-  bool is_long() const { return parting > apart; }
-  /// The part of the step after which they have parted as far. REQUIRES: is_long().
-  double time() const { return std::sqrt(apart / parting); }
-  double until(double t) const { return apart + t * t * parting; }
+  void include(const CoordinateBox& where, const CoordinateBox& how_far) {
+    apart += across(where, where);
+    along += 2 * across(where, how_far);
+    parting += across(how_far, how_far);
+  }
+  double until(double t) const { return apart + t * along + t * t * parting; }
+  /// Are they twice as wide, four times the area, before the end of the step?
+  bool is_long() const { return until(1) > kTwiceAsWide * apart; }
+  /// The part of the step after which they are. REQUIRES: is_long().
+  double time() const {
+    if (apart == 0) return 0;
+    const double more = (kTwiceAsWide - 1) * apart;
+    return 2 * more / (along + std::sqrt(along * along + 4 * parting * more));
+  }
+
+ private:
+  static constexpr double kTwiceAsWide = 4;
 };
 
 /// Every sixteenth of the points, in this order, sixteen a block.
@@ -61,7 +77,7 @@ Spread spread_of(const PackedMotion& motion, std::span<const Index> points, cons
   order_in_space(centers, count, split, [] {});
   Spread spread;
   for (std::size_t first = 0; first < count; first += kBlock) {
-    std::array<CoordinateRange, 3> where, how_far;
+    CoordinateBox where, how_far;
     for (std::size_t i = first; i < std::min(count, first + kBlock); ++i) {
       const float* at = coordinates(centers.feature[i]);
       for (int axis = 0; axis < 3; ++axis) {
@@ -69,8 +85,7 @@ Spread spread_of(const PackedMotion& motion, std::span<const Index> points, cons
         how_far[static_cast<std::size_t>(axis)].include(at[3 + axis] - at[axis]);
       }
     }
-    spread.apart += half_area(where);
-    spread.parting += half_area(how_far);
+    spread.include(where, how_far);
   }
   return spread;
 }

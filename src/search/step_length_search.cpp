@@ -9,6 +9,8 @@ namespace {
 /// Where a leaf block meets so many pairs short steps come first, which meet few: a pair that ends one spares the rest.
 constexpr std::uint64_t kManyPairsABlock = 1024;
 constexpr double kShortSteps[] = {0x1p-6, 0x1p-3};
+/// Of what is known to end the step: a step that is hardly shorter meets hardly fewer.
+constexpr double kShort = 0.25;
 /// In the coordinates of the boxes: with a larger separation no two have a gap.
 constexpr double kMeetsAll = 8;
 
@@ -106,7 +108,7 @@ bool StepLengthSearch::meets_many(const Sample& sample) const {
 void StepLengthSearch::search_short_steps(Bound& bound, const Samples& samples) {
   for (const double until : kShortSteps) {
     const double earliest = bound.latest();
-    if (until >= earliest) return;
+    if (until >= kShort * earliest) return;
     bound.begin(until);
     for (const Sample& sample : samples) search(sample);
     if (bound.latest() < until) return;

@@ -13,7 +13,10 @@ scenes::Scene graded_sheets(Index triangles, std::uint64_t seed);
 // Colliding bodies or folded cloth, moved otherwise.
 scenes::Scene fast_body(Index triangles, std::uint64_t seed);        ///< one body flies through the whole heap
 scenes::Scene spinning_bodies(Index triangles, std::uint64_t seed);  ///< each about itself by a quarter of a turn
-scenes::Scene fast_together(Index triangles, std::uint64_t seed);  ///< all a hundred times as far as the scene is wide
+scenes::Scene fast_together(Index triangles, std::uint64_t seed);   ///< all a hundred times as far as the scene is wide
+scenes::Scene passing_bodies(Index triangles, std::uint64_t seed);  ///< two, which change places along one line
+/// Soup, of sixteen groups that are everywhere.
+scenes::Scene scattered_groups(Index triangles, std::uint64_t seed);
 
 // Bad input.
 scenes::Scene huge_beside_tiny(Index triangles, std::uint64_t seed);   ///< motion of 1e300 beside 1e-300

@@ -4,6 +4,7 @@
 #include "scenes/generators/generators.hpp"
 #include "scenes/point_math.hpp"
 #include "scenes/random.hpp"
+#include "scenes/shapes.hpp"
 
 namespace tamis::matrix {
 
@@ -39,6 +40,28 @@ Scene spinning_bodies(Index triangles, std::uint64_t seed) {
 Scene fast_together(Index triangles, std::uint64_t seed) {
   Scene scene = folded_cloth(triangles, seed);
   for (Point& p : scene.end) p = p + Point{100, 50, 25};
+  return scene;
+}
+
+Scene passing_bodies(Index triangles, std::uint64_t) {
+  const Shape ball = unit_sphere(sphere_cells(triangles, 2, triangles));
+  Scene scene;
+  for (Index body = 0; body < 2; ++body)
+    add_shape(
+        scene, ball, body,
+        [&](const Point& p) {
+          return rotated(p, {0.1 * body, 0.2, 0}) + Point{3.0 * body, 0, 0};
+        },
+        [&](const Point& p) {
+          return rotated(p, {0.1 * body, 0.2, 0}) + Point{3.0 - 3.0 * body, 0.1, 0};
+        });
+  return scene;
+}
+
+Scene scattered_groups(Index triangles, std::uint64_t seed) {
+  constexpr Index kGroups = 16;
+  Scene scene = soup(triangles, seed);
+  for (Index& group : scene.group_of_vertex) group %= kGroups;
   return scene;
 }
 

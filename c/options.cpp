@@ -27,6 +27,8 @@ PairFilter filter_of(const tamis_options& given, Index vertex_count) {
 
 }  // namespace
 
+Isa isa_of(const char* name) { return name ? isa_from_name(name) : Isa::best; }
+
 std::function<bool()> cancelling(int (*ask)(void* user), void* user) {
   if (!ask) return nullptr;
   return [ask, user] { return ask(user) != 0; };
@@ -34,7 +36,7 @@ std::function<bool()> cancelling(int (*ask)(void* user), void* user) {
 
 Options options_of(const tamis_options& given, Index vertex_count) {
   Options options;
-  if (given.isa) options.isa = isa_from_name(given.isa);
+  options.isa = isa_of(given.isa);
   options.threads = given.threads;
   options.min_separation = given.min_separation;
   options.filter = filter_of(given, vertex_count);
@@ -47,7 +49,7 @@ PairListOptions options_of(const tamis_pair_options& given) {
   PairListOptions options;
   options.min_separation = given.min_separation;
   options.threads = given.threads;
-  if (given.isa) options.isa = isa_from_name(given.isa);
+  options.isa = isa_of(given.isa);
   if (given.latest) options.latest = *given.latest;
   options.is_cancelled = cancelling(given.is_cancelled, given.user);
   return options;
@@ -55,7 +57,7 @@ PairListOptions options_of(const tamis_pair_options& given) {
 
 Options options_of(const tamis_world_options& given) {
   Options options;
-  if (given.isa) options.isa = isa_from_name(given.isa);
+  options.isa = isa_of(given.isa);
   options.threads = given.threads;
   options.min_separation = given.min_separation;
   if (given.rings != 0) options.filter.rings = given.rings;

@@ -8,6 +8,8 @@
 
 namespace tamis::c {
 
+/// By its name; NULL: the best. Throws InvalidOptions.
+Isa isa_of(const char* name);
 /// `vertex_count`: of the mesh, for the arrays that have one entry a vertex. Throws InvalidOptions.
 Options options_of(const tamis_options& given, Index vertex_count);
 PairListOptions options_of(const tamis_pair_options& given);

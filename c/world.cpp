@@ -65,10 +65,13 @@ void move(World& world, std::span<const BodyId> bodies, std::vector<BodyMotion> 
 
 using namespace tamis::c;
 
-tamis_status tamis_shape_create(const tamis_mesh* mesh, const double* points, tamis_shape** shape) {
+tamis_status tamis_shape_create(const tamis_mesh* mesh, const double* points, const tamis_shape_options* options,
+                                tamis_shape** shape) {
   return make_handle(shape, [&](tamis_shape& handle) {
     const tamis::Mesh& of = made(mesh);
-    handle.shape.emplace(of, point_rows(points, static_cast<std::size_t>(of.vertex_count()), "points"));
+    const tamis_shape_options asked = options ? read_sized(options, "options") : tamis_shape_options{};
+    const auto vertices = static_cast<std::size_t>(of.vertex_count());
+    handle.shape.emplace(of, point_rows(points, vertices, "points"), isa_of(asked.isa));
   });
 }
 

@@ -15,7 +15,7 @@ static tamis_shape* shape_of(const double* points) {
   tamis_mesh* mesh = NULL;
   tamis_shape* shape = NULL;
   EXPECT(tamis_mesh_create(&input, &mesh) == TAMIS_OK);
-  EXPECT(tamis_shape_create(mesh, points, &shape) == TAMIS_OK);
+  EXPECT(tamis_shape_create(mesh, points, NULL, &shape) == TAMIS_OK);
   tamis_mesh_free(mesh); /* the shape has its own */
   return shape;
 }
@@ -238,6 +238,7 @@ static void what_cannot_be_made(void) {
   const double bad_points[] = {0, 0, 0, 1, 0, 0, 0, NAN, 0};
   tamis_mesh_input input = {sizeof input, 3, face, 1, NULL, 0, NULL, 0};
   tamis_world_options options;
+  tamis_shape_options of_shape = {sizeof of_shape, NULL};
   tamis_motions motion = motions(1);
   tamis_mesh* mesh = NULL;
   tamis_shape* shape = NULL;
@@ -245,7 +246,7 @@ static void what_cannot_be_made(void) {
   int32_t body = -1;
   size_t count = 0;
   EXPECT(tamis_mesh_create(&input, &mesh) == TAMIS_OK);
-  EXPECT(tamis_shape_create(mesh, bad_points, &shape) == TAMIS_INVALID_MESH);
+  EXPECT(tamis_shape_create(mesh, bad_points, NULL, &shape) == TAMIS_INVALID_MESH);
   EXPECT_SAYS(tamis_shape_message(shape), "vertex 2");
   EXPECT(tamis_world_create(NULL, &world) == TAMIS_OK);
   EXPECT(tamis_world_add(world, shape, &motion, &body) == TAMIS_INVALID_MESH);
@@ -253,7 +254,14 @@ static void what_cannot_be_made(void) {
   EXPECT(tamis_world_contacts(world, NULL, &count) == TAMIS_OK && count == 0);
   tamis_shape_free(shape);
   tamis_world_free(world);
-  EXPECT(tamis_shape_create(mesh, NULL, &shape) == TAMIS_INVALID_ARGUMENT);
+  EXPECT(tamis_shape_create(mesh, NULL, NULL, &shape) == TAMIS_INVALID_ARGUMENT);
+  tamis_shape_free(shape);
+  of_shape.isa = "baseline";
+  EXPECT(tamis_shape_create(mesh, blade_points, &of_shape, &shape) == TAMIS_OK);
+  tamis_shape_free(shape);
+  of_shape.isa = "perhaps";
+  EXPECT(tamis_shape_create(mesh, blade_points, &of_shape, &shape) == TAMIS_INVALID_OPTIONS);
+  EXPECT_SAYS(tamis_shape_message(shape), "perhaps");
   tamis_shape_free(shape);
   tamis_mesh_free(mesh);
 

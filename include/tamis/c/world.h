@@ -13,9 +13,17 @@ extern "C" {
  * number of bodies, which keep what they need of it. */
 typedef struct tamis_shape tamis_shape;
 
-/** `points`: three coordinates for each vertex of the mesh. Copies both. The hierarchy is made by the best
- * instruction set of the machine. TAMIS_INVALID_MESH: a point of a feature that is not finite. */
-TAMIS_API tamis_status tamis_shape_create(const tamis_mesh* mesh, const double* points, tamis_shape** shape);
+/** All zero but `size` are the defaults. */
+typedef struct tamis_shape_options {
+  size_t size;
+  const char* isa; /**< of what makes the hierarchy, as in tamis_options; NULL: best */
+} tamis_shape_options;
+
+/** `points`: three coordinates for each vertex of the mesh. Copies both. NULL as options: the defaults.
+ * TAMIS_INVALID_MESH: a point of a feature that is not finite. TAMIS_INVALID_OPTIONS: an instruction set that is none,
+ * or that this machine lacks. */
+TAMIS_API tamis_status tamis_shape_create(const tamis_mesh* mesh, const double* points,
+                                          const tamis_shape_options* options, tamis_shape** shape);
 TAMIS_API void tamis_shape_free(tamis_shape* shape);
 /** What making this shape had to say; "" after TAMIS_OK. */
 TAMIS_API const char* tamis_shape_message(const tamis_shape* shape);

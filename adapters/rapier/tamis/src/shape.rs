@@ -1,6 +1,6 @@
 use crate::error::{check, text, Error};
 use crate::sys;
-use std::ptr::null_mut;
+use std::ptr::{null, null_mut};
 
 /// A mesh with its points at rest, in the body's own frame, and the hierarchy over them: made once, for any number of
 /// bodies.
@@ -40,7 +40,7 @@ impl Shape {
         })?;
         let mut shape = Shape { handle: null_mut(), vertex_count: points.len() };
         // SAFETY: as many points as the mesh has vertices; copied.
-        check(unsafe { sys::tamis_shape_create(mesh.0, points.as_ptr().cast(), &mut shape.handle) }, || {
+        check(unsafe { sys::tamis_shape_create(mesh.0, points.as_ptr().cast(), null(), &mut shape.handle) }, || {
             text(unsafe { sys::tamis_shape_message(shape.handle) })
         })?;
         Ok(shape)

@@ -44,6 +44,12 @@ pub struct tamis_mesh_input {
 zeroed!(tamis_mesh_input);
 
 #[repr(C)]
+pub struct tamis_shape_options {
+    pub size: usize,
+    pub isa: *const c_char,
+}
+
+#[repr(C)]
 pub struct tamis_world_options {
     pub size: usize,
     pub isa: *const c_char,
@@ -103,7 +109,12 @@ extern "C" {
     pub fn tamis_mesh_create(input: *const tamis_mesh_input, mesh: *mut *mut tamis_mesh) -> c_int;
     pub fn tamis_mesh_free(mesh: *mut tamis_mesh);
     pub fn tamis_mesh_message(mesh: *const tamis_mesh) -> *const c_char;
-    pub fn tamis_shape_create(mesh: *const tamis_mesh, points: *const f64, shape: *mut *mut tamis_shape) -> c_int;
+    pub fn tamis_shape_create(
+        mesh: *const tamis_mesh,
+        points: *const f64,
+        options: *const tamis_shape_options,
+        shape: *mut *mut tamis_shape,
+    ) -> c_int;
     pub fn tamis_shape_free(shape: *mut tamis_shape);
     pub fn tamis_shape_message(shape: *const tamis_shape) -> *const c_char;
     pub fn tamis_between(start: *const Pose, end: *const Pose, center: *const f64, links: *mut Link) -> c_int;

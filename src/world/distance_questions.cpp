@@ -1,40 +1,38 @@
 // pairs_within, intersections, has_intersection and safe_step of a world.
 #include <algorithm>
-#include <tuple>
 
 #include "detect/detector_access.hpp"
 #include "detect/validate.hpp"
-#include "world/named_pairs.hpp"
+#include "world/ordered_parts.hpp"
 #include "world/world_state.hpp"
 
 namespace tamis {
 
 std::vector<BodyNearPair> World::State::pairs_within(double distance) {
   validate_distance(distance, "the distance");
-  std::vector<BodyNearPair> all;
+  OrderedParts<BodyNearPair> parts;
+  const auto add = [&](const std::vector<NearPair>& pairs, const auto& whose) {
+    for (const NearPair& pair : pairs) parts.add(named<BodyNearPair>(pair, whose));
+    parts.end_part();
+  };
   for_each_by_itself([&](BodyId id, Body& body, Detector& itself) {
-    for (const NearPair& pair : itself.pairs_within(body.deforming()->start, distance))
-      all.push_back({pair, twice(id)});
+    add(itself.pairs_within(body.deforming()->start, distance), id);
     return true;
   });
   gather_at_rest(distance);
   if (at_rest_.is_asked()) {
     Gathered& gathered = *at_rest_.gathered;
-    for (const NearPair& pair : gathered.detector().pairs_within(gathered.start(bodies), distance)) {
-      BodyNearPair one{pair, {}};
-      one.bodies = gathered.name(pair.kind, one.vertices);
-      all.push_back(one);
-    }
+    add(gathered.detector().pairs_within(gathered.start(bodies), distance), gathered);
     add_statistics(gathered.detector().statistics());
   }
-  std::ranges::sort(all, is_before<BodyNearPair>);
-  return all;
+  return std::move(parts).merged();
 }
 
 std::vector<BodyIntersection> World::State::intersections() {
-  std::vector<BodyIntersection> all;
+  OrderedParts<BodyIntersection> parts;
   for_each_by_itself([&](BodyId id, Body& body, Detector& itself) {
-    for (const Intersection& one : itself.intersections(body.deforming()->start)) all.push_back({one, twice(id)});
+    for (const Intersection& one : itself.intersections(body.deforming()->start)) parts.add({one, twice(id)});
+    parts.end_part();
     return true;
   });
   gather_at_rest(0);
@@ -42,13 +40,11 @@ std::vector<BodyIntersection> World::State::intersections() {
     Gathered& gathered = *at_rest_.gathered;
     for (const Intersection& one :
          DetectorAccess::intersections_by_pair(gathered.detector(), gathered.start(bodies), Question::all_contacts))
-      all.push_back(gathered.named(one));
+      parts.add(gathered.named(one));
+    parts.end_part();
     add_statistics(gathered.detector().statistics());
   }
-  std::ranges::sort(all, [](const auto& a, const auto& b) {
-    return std::tie(a.bodies[0], a.edge, a.bodies[1], a.face) < std::tie(b.bodies[0], b.edge, b.bodies[1], b.face);
-  });
-  return all;
+  return std::move(parts).merged();
 }
 
 bool World::State::has_intersection() {
@@ -75,30 +71,21 @@ BodyStep World::State::safe_step(double fraction, const QueryOptions& asked) {
   validate_of_path(asked);
   gather_moving({separation(asked), fraction / (1 - fraction)});
   BodyStep first;
-  const auto add = [&](const SafeStep& step, const auto& name) {
+  const auto take = [&](const SafeStep& step, const auto& whose) {
     first.upper = std::min(first.upper, step.upper);
-    if (!step.pair || step.lower > first.lower) return;
-    BodyStep::Pair named{*step.pair, {}};
-    named.bodies = name(named);
-    if (first.pair && step.lower == first.lower && !is_before(named, *first.pair)) return;
-    first.lower = step.lower;
-    first.pair = named;
+    take_sooner(first.pair, first.lower, step.pair, step.lower, whose);
+    return true;
   };
   for_each_by_itself([&](BodyId id, Body& body, Detector& itself) {
-    add(itself.safe_step(body.step(), fraction, of_steps(asked)), [&](auto&) { return twice(id); });
-    return true;
+    return take(itself.safe_step(body.step(), fraction, of_steps(asked)), id);
   });
-  const auto add_gathered = [&](const Gathered& gathered, const SafeStep& step) {
-    add(step, [&](auto& pair) { return gathered.name(pair.kind, pair.vertices); });
-    return true;
-  };
   for_each_gathered(
       asked,
       [&](Gathered& gathered, const Step& step, const QueryOptions& how) {
-        return add_gathered(gathered, gathered.detector().safe_step(step, fraction, how));
+        return take(gathered.detector().safe_step(step, fraction, how), gathered);
       },
       [&](Gathered& gathered, const CutPath& path, const QueryOptions& how) {
-        return add_gathered(gathered, DetectorAccess::safe_step(gathered.detector(), path, fraction, how));
+        return take(DetectorAccess::safe_step(gathered.detector(), path, fraction, how), gathered);
       });
   if (asked.at_start == AtStart::fail && first.pair && first.lower == 0)
     refuse_touching_start(first.pair->kind, first.pair->vertices, first.pair->bodies);

@@ -44,6 +44,8 @@ struct Static {
 
 /// Moves as a whole, by a chain of links (tamis/rigid_path.hpp: `interpolated`, `turned`, `between`). Where no rotation
 /// of the chain changes, each vertex goes straight, from where its start is rounded to in doubles to where its end is.
+/// In one step the links together turn by no more than 4096 radians, and no rotation vector, of a static body neither,
+/// is longer than 2^32 (docs/worlds.md, "How far a body may turn").
 struct Rigid {
   Chain chain;
 };
@@ -101,7 +103,7 @@ class World {
   World& operator=(World&&) noexcept;
 
   /// Throws InvalidStep: a deforming body with other than one point a vertex of the shape, at each end; numbers that
-  /// are not finite.
+  /// are not finite; a body that turns too far.
   BodyId add(const Shape& shape, BodyMotion motion);
   /// It may also begin to move in another way. Throws as `add`, and as all that names a body InvalidOptions where the
   /// world has no such body, or has it no more.

@@ -22,7 +22,6 @@ constexpr double kMostMoreInEdges = 64;  // where that is all there is, too
 /// It is gathered anew once so few of the items that it was made for may touch; each so manieth search counts them.
 constexpr std::size_t kShrunk = 4;
 constexpr int kSearchesACount = 16;
-constexpr double kMostPieces = 4096;
 constexpr double kEndsOfStep[] = {0, 1}, kEndsOfRest[] = {0, 0};
 
 bool is_straight(const Body& a, const Body& b) {

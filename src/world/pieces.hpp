@@ -8,6 +8,9 @@
 
 namespace tamis {
 
+/// A step is cut into no more.
+inline constexpr double kMostPieces = 4096;
+
 /// Where bodies that turn are at one time of the step, in doubles: found when it is first asked for.
 class PlacesAt {
  public:

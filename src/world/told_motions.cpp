@@ -4,16 +4,23 @@
 #include <string>
 
 #include "numerics/finite.hpp"
+#include "numerics/number_text.hpp"
 #include "tamis/error.hpp"
 #include "topology/at.hpp"
-#include "world/body.hpp"
+#include "world/pieces.hpp"
 
 namespace tamis {
 namespace {
 
 bool is_finite_pose(const Pose& pose) { return is_finite(pose.position) && is_finite(pose.rotation); }
 
-/// Of so many links, poses and points that are no larger, doubles can tell where they take a vertex.
+/// Radians of a step, of all links together: one a piece. Where bodies turn by more, chords of pieces prove nothing,
+/// and every question cuts on pair by pair, a thousand times as long (docs/worlds.md, "How far a body may turn").
+constexpr double kMostTurn = kMostPieces;
+/// Radians of a rotation vector: doubles stand 2^-20 apart there. Beyond they soon are no angle that anyone means.
+constexpr double kLongestRotation = 0x1p32;
+
+/// Of so many links, places and points that are no larger, doubles can tell where they take a vertex.
 constexpr double kSurelyNear = 0x1p40;
 constexpr std::size_t kSurelyFew = 100;
 
@@ -22,9 +29,26 @@ bool is_surely_near(const Point& x) {
   return std::ranges::all_of(x, [](double c) { return std::fabs(c) <= kSurelyNear; });
 }
 bool are_surely_near(const Chain& chain) {
-  const auto is_near = [](const Pose& pose) { return is_surely_near(pose.position) && is_surely_near(pose.rotation); };
-  return chain.size() <= kSurelyFew &&
-         std::ranges::all_of(chain, [&](const Link& link) { return is_near(link.start) && is_near(link.end); });
+  return chain.size() <= kSurelyFew && std::ranges::all_of(chain, [](const Link& link) {
+           return is_surely_near(link.start.position) && is_surely_near(link.end.position);
+         });
+}
+
+double distance(const Point& a, const Point& b) { return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]); }
+
+/// REQUIRES: finite poses.
+void refuse_far_turns(const Chain& chain, const std::string& name) {
+  double turn = 0;
+  for (const Link& link : chain) {
+    for (const Pose& pose : {link.start, link.end})
+      if (const double length = distance(pose.rotation, {}); length > kLongestRotation)
+        throw InvalidStep("a rotation vector of " + name + " is " + number_text(length) +
+                          " radians long, beyond 2^32: take whole turns off it, as doubles have no finer angles there");
+    if (link.start.rotation != link.end.rotation) turn += distance(link.start.rotation, link.end.rotation);
+  }
+  if (turn > kMostTurn)
+    throw InvalidStep(name + " turns by " + number_text(turn) + " radians in one step, beyond " +
+                      number_text(kMostTurn) + ": ask about parts of the step");
 }
 
 }  // namespace
@@ -47,6 +71,7 @@ void Body::validate(const BodyMotion& motion) const {
       throw InvalidStep("a pose of " + name + " is not finite: give finite positions and rotation vectors");
   const auto* deforming = std::get_if<Deforming>(&motion);
   if (!deforming) {
+    refuse_far_turns(chain, name);
     if (!are_surely_near(chain) || shape_->radius > kSurelyNear) validate_far(chain);
     return;
   }
@@ -74,7 +99,7 @@ void Body::validate_far(const Chain& chain) const {
     for (const Index v : shape_->mesh.points())
       if (!is_known(shape_->points[at(v)]))
         throw InvalidStep("where vertex " + std::to_string(v) + " of " + name + " is at the " + when +
-                          " of its motion is beyond what doubles hold: give shorter positions and rotation vectors");
+                          " of its motion is beyond what doubles hold: give shorter positions");
   }
   if (bounds.turns() && !std::isfinite(bounds.of(shape_->radius, 0).reach))
     throw InvalidStep(name + " turns about what is farther away than doubles hold: give shorter positions");

@@ -63,8 +63,7 @@ void World::State::refuse_far(const Gathered& gathered) const {
   for (const auto& [id, unused] : gathered.items().of_body)
     if (!bodies[at(id)]->is_surely_near())
       throw InvalidPath("body " + std::to_string(id) +
-                        " goes or turns farther than doubles can follow beside bodies that turn: give shorter "
-                        "positions and rotation vectors");
+                        " goes farther than doubles can follow beside bodies that turn: give shorter positions");
 }
 
 void World::State::check_start(const EarliestBodyContact& first, const QueryOptions& asked) const {

@@ -191,7 +191,7 @@ static void what_is_refused_changes_nothing(void) {
   tamis_shape* blade = shape_of(blade_points);
   tamis_motions motion = motions(2);
   const tamis_pose poses[] = {{{0, 0, 50}, {0, 0, 0}}, {{0, 0, NAN}, {0, 0, 0}}};
-  const tamis_link link = turning(0, 1, 0);
+  const tamis_link link = turning(0, 1, 0), far = turning(0, 1, 5000);
   const int32_t there[] = {1, 0}, gone[] = {1, 7}, twice[] = {1, 1};
   const size_t all = contacts_of(world);
   int32_t added[2];
@@ -211,6 +211,17 @@ static void what_is_refused_changes_nothing(void) {
   EXPECT_SAYS(tamis_world_message(world), "no body 7");
   EXPECT(tamis_world_set_may_touch(world, gone, 1, 0) == TAMIS_INVALID_OPTIONS && contacts_of(world) == all);
   EXPECT(tamis_world_set_may_touch(world, twice, 1, 1) == TAMIS_INVALID_OPTIONS);
+
+  motion.count = 1;
+  motion.poses = NULL;
+  motion.links = &far;
+  motion.links_of_each = 1;
+  EXPECT(tamis_world_move(world, there, &motion) == TAMIS_INVALID_STEP);
+  EXPECT_SAYS(tamis_world_message(world), "body 1 turns by 5000 radians in one step");
+  EXPECT(contacts_of(world) == all);
+  motion.count = 2;
+  motion.poses = poses;
+  motion.links_of_each = 0;
 
   motion.links = &link;
   EXPECT(tamis_world_move(world, there, &motion) == TAMIS_INVALID_ARGUMENT);

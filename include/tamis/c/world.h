@@ -63,7 +63,8 @@ typedef struct tamis_motions {
 } tamis_motions;
 
 /** Adds `motions->count` bodies of one shape and writes their numbers: 0, 1, 2, ..., never given twice. If one cannot
- * be added, none is. TAMIS_INVALID_STEP: numbers that are not finite, other than one point a vertex. */
+ * be added, none is. TAMIS_INVALID_STEP: numbers that are not finite, other than one point a vertex, a body that turns
+ * by more than 4096 radians, a rotation vector longer than 2^32. */
 TAMIS_API tamis_status tamis_world_add(tamis_world* world, const tamis_shape* shape, const tamis_motions* motions,
                                        int32_t* bodies);
 /** Says how `motions->count` bodies move from now on, each named once; if one cannot, none does. All calls that name a

@@ -49,7 +49,8 @@ class Changes:
         InvalidPath
             No pose and no chain, or numbers that are not finite.
         InvalidStep
-            A deforming body with other than one point a vertex, or one that is not finite.
+            A deforming body with other than one point a vertex, or one that is not finite; a body that turns by more
+            than 4096 radians, or a rotation vector longer than 2^32.
         """
         return int(self._world.add(known_shape(shape)._shape, *motion_of(AT_REST if motion is None else motion))[0])
 
@@ -70,7 +71,7 @@ class Changes:
 
         Raises
         ------
-        InvalidPath
+        InvalidPath, InvalidStep
             As of `add`; then none is added.
         """
         return self._world.add(known_shape(shape)._shape, motions_of(motions))
@@ -107,7 +108,7 @@ class Changes:
 
         Raises
         ------
-        InvalidPath
+        InvalidPath, InvalidStep
             As of `add`, or not as many; then none is moved.
         InvalidOptions
             A body that is not there, or one twice; then none is moved.

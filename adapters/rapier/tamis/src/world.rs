@@ -57,7 +57,8 @@ impl World {
         Ok(world)
     }
 
-    /// Refuses numbers that are not finite, and other than one point a vertex.
+    /// Refuses numbers that are not finite, other than one point a vertex, and a body that turns by more than 4096
+    /// radians.
     pub fn add(&mut self, shape: &Shape, motion: &Motion) -> Result<BodyId, Error> {
         let mut body = -1;
         // SAFETY: what `motions_of` points to is in `motion`; a body is one number.

@@ -40,52 +40,73 @@ struct Arm {
   }
 };
 
+using Random = std::mt19937_64;
+double any(Random& random) { return std::uniform_real_distribution<double>(-1, 1)(random); }
+
+/// Forty balls that stand around the arm, none on it.
+void add_balls(World& world, Random& random) {
+  scenes::Shape ball = scenes::unit_sphere(9);
+  for (Point& p : ball.points)
+    for (double& x : p) x *= 0.15;
+  const Shape obstacle = shape_of(ball);
+  for (int i = 0; i < 40; ++i) {
+    const double x = 2.5 * any(random), y = 2.5 * any(random), z = 0.3 + std::fabs(2 * any(random));
+    Pose place{{x, y, z}, {}};
+    if (std::hypot(x, y, z) < 0.8) place.position[0] += 1.6;
+    world.add(obstacle, Static{place});
+  }
+}
+
+/// Its links, of which neighbours meet in their joint, and the first one stands on the floor.
+std::vector<BodyId> add_arm(World& world, const Arm& robot, BodyId floor) {
+  std::vector<BodyId> links;
+  for (std::size_t k = 0; k < Arm::kJoints; ++k) {
+    links.push_back(world.add(robot.link, Static{}));
+    if (k > 0) world.set_may_touch(links[k - 1], links[k], false);
+  }
+  world.set_may_touch(floor, links[0], false);
+  return links;
+}
+
+/// From random configurations by `way` radians.
+std::vector<BodyMotion> motions_by(double way, int count, Random& random) {
+  std::vector<BodyMotion> motions;
+  for (int i = 0; i < count; ++i) {
+    Arm::Angles start{}, end{};
+    for (std::size_t k = 0; k < Arm::kJoints; ++k) {
+      start[k] = 1.5 * any(random);
+      end[k] = start[k] + way / std::sqrt(7.) * any(random);
+    }
+    Arm::add_motion(start, end, motions);
+  }
+  return motions;
+}
+
+void arm_row(int threads, double way, int count) {
+  Random random(7);
+  Options options;
+  options.threads = threads;
+  World world(options);
+  const BodyId floor = world.add(shape_of(sheet(100, 0.1, floor_height)), Static{});
+  add_balls(world, random);
+  const Arm robot;
+  const std::vector<BodyId> links = add_arm(world, robot, floor);
+  const std::vector<BodyMotion> motions = motions_by(way, count, random);
+  const auto begin = std::chrono::steady_clock::now();
+  const std::vector<EarliestBodyContact> found = world.earliest_many(links, motions);
+  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
+  const auto free = std::ranges::count_if(found, [](const auto& first) { return !first.contact; });
+  std::printf("| %d | %.1f | %d | %td | %.0f |\n", threads, way, count, free, count / seconds.count());
+}
+
 }  // namespace
 
 /// An arm over a floor of 20,000 triangles among forty balls of 972, as a planner asks about it: from random
 /// configurations by so many radians. Motions a second of wall-clock time.
 void arm(int steps) {
-  const int count = 20 * steps;
   std::printf("\n| threads | radians | motions of an arm | free | a second |\n|--:|--:|--:|--:|--:|\n");
   for (const int threads : {1, 2})
-    for (const double way : {0.1, 0.5}) {
-      std::mt19937_64 random(7);
-      std::uniform_real_distribution<double> any(-1, 1);
-      Options options;
-      options.threads = threads;
-      World world(options);
-      const BodyId floor = world.add(shape_of(sheet(100, 0.1, floor_height)), Static{});
-      scenes::Shape ball = scenes::unit_sphere(9);
-      for (Point& p : ball.points)
-        for (double& x : p) x *= 0.15;
-      const Shape obstacle = shape_of(ball);
-      for (int i = 0; i < 40; ++i) {
-        Pose place{{2.5 * any(random), 2.5 * any(random), 0.3 + std::fabs(2 * any(random))}, {}};
-        if (std::hypot(place.position[0], place.position[1], place.position[2]) < 0.8) place.position[0] += 1.6;
-        world.add(obstacle, Static{place});
-      }
-      const Arm robot;
-      std::vector<BodyId> links;
-      for (std::size_t k = 0; k < Arm::kJoints; ++k) {
-        links.push_back(world.add(robot.link, Static{}));
-        if (k > 0) world.set_may_touch(links[k - 1], links[k], false);
-      }
-      world.set_may_touch(floor, links[0], false);
-      std::vector<BodyMotion> motions;
-      for (int i = 0; i < count; ++i) {
-        Arm::Angles start{}, end{};
-        for (std::size_t k = 0; k < Arm::kJoints; ++k) {
-          start[k] = 1.5 * any(random);
-          end[k] = start[k] + way / std::sqrt(7.) * any(random);
-        }
-        Arm::add_motion(start, end, motions);
-      }
-      const auto begin = std::chrono::steady_clock::now();
-      const std::vector<EarliestBodyContact> found = world.earliest_many(links, motions);
-      const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
-      const auto free = std::ranges::count_if(found, [](const auto& first) { return !first.contact; });
-      std::printf("| %d | %.1f | %d | %td | %.0f |\n", threads, way, count, free, count / seconds.count());
-    }
+    for (const double way : {0.1, 0.5}) arm_row(threads, way, 20 * steps);
 }
 
 }  // namespace tamis::worlds

@@ -7,7 +7,7 @@
 
 #include "worlds/rows.hpp"
 
-/// Which: two, many (or one of its numbers of bodies), machines (or nut), plates, room, or arm; all without one.
+/// Which: two, many (or one of its numbers of bodies), machines (or nut), plates, radii, room, or arm; all without one.
 int main(int count, char** arguments) {
   using namespace tamis::worlds;
   const std::string which = count > 2 ? arguments[2] : "";
@@ -18,6 +18,7 @@ int main(int count, char** arguments) {
     if (which.empty() || which == "many" || which == std::to_string(bodies)) many_bodies(bodies, steps);
   if (which.empty() || which == "machines" || which == "nut") machines(which, steps);
   if (which.empty() || which == "plates") plates(steps);
+  if (which.empty() || which == "radii") many_radii(20000, steps);
   if (which.empty() || which == "room") room(steps);
   if (which.empty() || which == "arm") arm(steps);
   return 0;

@@ -32,6 +32,7 @@ void many_bodies(int count, int steps);
 /// `which`: nut, or all of them.
 void machines(const std::string& which, int steps);
 void plates(int steps);
+void many_radii(int count, int steps);
 void room(int steps);
 void arm(int steps);
 

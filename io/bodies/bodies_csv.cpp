@@ -14,4 +14,10 @@ void BodiesCsv::add(std::size_t step, std::span<const BodyContact> contacts, std
     table_.row("{},{},{},{}\n", step, name(c.bodies[0]), name(c.bodies[1]), contact_cells(c));
 }
 
+void write_body_contacts_csv(const std::filesystem::path& path, std::span<const BodyContact> contacts) {
+  CsvTable table(path, fmt::format("b0,b1,{}", kContactColumns));
+  for (const BodyContact& c : contacts) table.row("{},{},{}\n", c.bodies[0], c.bodies[1], contact_cells(c));
+  table.commit();
+}
+
 }  // namespace tamis::io

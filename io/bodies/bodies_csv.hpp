@@ -23,4 +23,7 @@ class BodiesCsv {
   CsvTable table_;
 };
 
+/// Of one step, by the bodies' numbers: columns b0,b1, then the same. Atomically. Throws FileError.
+void write_body_contacts_csv(const std::filesystem::path& path, std::span<const BodyContact> contacts);
+
 }  // namespace tamis::io

@@ -13,8 +13,10 @@ namespace tamis::python {
 /// Contacts as the Python side hands them back.
 using ContactBytes = nb::ndarray<const std::uint8_t, nb::shape<-1>, nb::c_contig, nb::device::cpu>;
 
-inline std::span<const Contact> contacts_in(const ContactBytes& bytes) {
-  return {reinterpret_cast<const Contact*>(bytes.data()), bytes.shape(0) / sizeof(Contact)};
+/// Contacts of a mesh, or BodyContacts.
+template <class AnyContact = Contact>
+std::span<const AnyContact> contacts_in(const ContactBytes& bytes) {
+  return {reinterpret_cast<const AnyContact*>(bytes.data()), bytes.shape(0) / sizeof(AnyContact)};
 }
 
 /// Memory for the next answer: that of the largest result that Python has let go. Fresh memory would cost the system

@@ -3,6 +3,7 @@
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/vector.h>
 
+#include "io/bodies/bodies_csv.hpp"
 #include "io/mesh/frames.hpp"
 #include "io/mesh/mesh_file.hpp"
 #include "io/mesh/ply.hpp"
@@ -45,6 +46,12 @@ void write_contacts(const std::filesystem::path& path, const ContactBytes& bytes
   io::write_contacts_csv(path, contacts);
 }
 
+void write_body_contacts(const std::filesystem::path& path, const ContactBytes& bytes) {
+  const auto contacts = contacts_in<BodyContact>(bytes);
+  const nb::gil_scoped_release unlocked;
+  io::write_body_contacts_csv(path, contacts);
+}
+
 /// Else a table. Throws io::FileError if nothing is written under such a name.
 bool is_file_to_look_at(const std::filesystem::path& path) {
   return &io::output_for(path, io::outputs()) != io::outputs().data();
@@ -57,6 +64,7 @@ void bind_files(nb::module_& module) {
   module.def("read_mesh", &read_mesh);
   module.def("write_mesh", &write_mesh);
   module.def("write_contacts", &write_contacts);
+  module.def("write_body_contacts", &write_body_contacts);
   module.def("frame_files", &io::frame_files);
 }
 

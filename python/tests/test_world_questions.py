@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import pathlib
 import pickle
 from typing import Any
 
@@ -77,6 +78,54 @@ def test_tables_have_the_bodies(cube: tamis.Shape) -> None:
     crossing = world.intersections()
     assert len(crossing) and crossing[0].bodies in ((0, 1), (1, 0))
     assert crossing.to_pandas()["b0"].tolist() == crossing.bodies[:, 0].tolist()
+
+
+def test_features_are_those_of_both_meshes() -> None:
+    """A rod and a point fall on a plate, each with its own numbers."""
+    plate = tamis.Shape(
+        tamis.Mesh([[4, 3, 2]], vertex_count=5), [[0, 0, 0], [0, 0, 0], [0, 2, 0], [2, 0, 0], [0, 0, 0]]
+    )
+    loose = tamis.Mesh(np.empty((0, 3), int), 4, edges=[[1, 3]], points=[2])
+    rod = tamis.Shape(loose, [[0, 0, 0], [-0.5, 0.5, 1], [0.5, 0.25, 1], [3, 0.5, 1]])
+    world = tamis.World(min_separation=0.1)
+    bodies = [world.add(plate), world.add(rod, tamis.between(at((0, 0, 0)), at((0, 0, -2)))[0])]
+    meshes = dict(zip(bodies, (plate.mesh, loose)))
+    for rows in (world.contacts(), world.pairs_within(1.5)):
+        assert {*rows.kind.tolist()} >= {tamis.PairKind.VERTEX_FACE, tamis.PairKind.EDGE_EDGE}
+        places = rows.features(meshes)
+        assert places.shape == (len(rows), 2) and np.array_equal(rows.features([plate.mesh, loose]), places)
+        for row, (first, second) in zip(rows, places.tolist()):
+            mine, theirs = meshes[row.bodies[0]], meshes[row.bodies[1]]
+            if row.kind == tamis.PairKind.VERTEX_FACE:
+                assert first == row.vertices[0] and tuple(theirs.faces[second]) == row.vertices[1:]
+            elif row.kind == tamis.PairKind.EDGE_EDGE:
+                assert (*mine.edges[first], *theirs.edges[second]) == row.vertices
+    with pytest.raises(tamis.InvalidMesh, match="meshes has none for body 1"):
+        world.contacts().features({0: plate.mesh})
+    with pytest.raises(tamis.InvalidMesh, match=r"meshes\[0\] has no feature"):
+        world.contacts().features([loose, loose])
+    with pytest.raises(tamis.InvalidMesh, match=r"meshes\[0\] is"):
+        world.contacts().features([rod, loose])  # type: ignore[list-item]
+    assert world.contacts()[:0].features({}).shape == (0, 2)
+
+
+def test_a_table_is_saved(cube: tamis.Shape, tmp_path: pathlib.Path) -> None:
+    world = tamis.World()
+    world.add(cube)
+    world.add(cube, tamis.between(at((3, 0, 0)), at((0.5, 0, 0)))[0])
+    contacts = world.contacts()
+    contacts.save(tmp_path / "contacts.csv")
+    head, *rows = (line.split(",") for line in (tmp_path / "contacts.csv").read_text().splitlines())
+    frame = contacts.to_pandas()
+    assert head == [*frame.columns] and len(rows) == len(contacts) > 0
+    for name, column in zip(head, zip(*rows)):
+        mine = frame[name].tolist()
+        assert [type(x)(text) for x, text in zip(mine, column)] == mine
+    with pytest.raises(tamis.Error, match="tamis bodies --out"):
+        contacts.save(tmp_path / "contacts.html")
+    with pytest.raises(tamis.FileError):
+        contacts.save(tmp_path / "contacts.txt")
+    assert [p.name for p in tmp_path.iterdir()] == ["contacts.csv"]
 
 
 def test_turning_bodies_and_their_paths(cube: tamis.Shape) -> None:

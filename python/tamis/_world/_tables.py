@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
@@ -9,11 +10,14 @@ import numpy.typing as npt
 
 from tamis import _core
 from tamis._arrays import Doubles, Indices
+from tamis._checks import file_name
+from tamis._errors import Error
 from tamis._kinds import PairKind
-from tamis._tables._columns import Columns, numbered
+from tamis._tables._columns import Columns, FeaturePairs, numbered
 from tamis._tables._contacts import TouchingPairs, contact_of
 from tamis._tables._near import ClosePairs, CrossingPairs, intersection_of, near_pair_of
 from tamis._tables._table import Row, Table
+from tamis._world._features import Meshes, both_features, places_of
 
 if TYPE_CHECKING:
     BodyPair = tuple[int, int]
@@ -185,7 +189,35 @@ class OfBodies(Table[Row]):
         return {**numbered("b", self.bodies), **super()._columns()}
 
 
-class BodyContacts(OfBodies[BodyContact], TouchingPairs[BodyContact]):
+class FeaturesOfBodies(OfBodies[Row], FeaturePairs[Row]):
+    """Pairs of features of two bodies each."""
+
+    __slots__ = ()
+
+    def features(self, meshes: Meshes) -> Indices:
+        """Find both features of each row in the meshes of their bodies, shape (n, 2).
+
+        Parameters
+        ----------
+        meshes : mapping or sequence of Mesh
+            Of each body that is in the table, by its number: ``{body: shape.mesh}``.
+
+        Returns
+        -------
+        array of int, shape (n, 2)
+            The row of `Mesh.faces` or of `Mesh.edges`, the index of a vertex; of the bodies in the same row of
+            `bodies`.
+
+        Raises
+        ------
+        InvalidMesh
+            There is no mesh for a body, or it has no such vertex, edge or face.
+        """
+        features = both_features(self._kinds(), self.vertices)
+        return np.stack([places_of(features[i], self.bodies[:, i], meshes) for i in (0, 1)], axis=1)
+
+
+class BodyContacts(FeaturesOfBodies[BodyContact], TouchingPairs[BodyContact]):
     """Contacts of a step, by kind, then bodies and vertices. They own their memory.
 
     `len()` counts them; an integer index gives a `BodyContact`, anything else that indexes an array `BodyContacts`.
@@ -195,12 +227,33 @@ class BodyContacts(OfBodies[BodyContact], TouchingPairs[BodyContact]):
     __slots__ = ()
     _dtype = np.dtype(_core.body_contact_layout())
 
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """Write a table, complete or not at all; numbers read back to the same doubles.
+
+        Parameters
+        ----------
+        path : path_like
+            Ending in ``.csv``, or without an extension. The columns are b0, b1, the bodies, then those of
+            `Contacts.save`.
+
+        Raises
+        ------
+        FileError
+            The file cannot be written, or its name has another extension.
+        Error
+            An extension of files to look at: of bodies the command makes pages, ``tamis bodies SCENE.json --out``.
+        """
+        name = file_name(path, "path")
+        if _core.is_file_to_look_at(name):
+            raise Error(f"{name}: of bodies a table alone is written: save .csv, or let tamis bodies --out make a page")
+        _core.write_body_contacts(name, np.ascontiguousarray(self._table).view(np.uint8))
+
     def _row(self, values: Any, index: int) -> BodyContact:
         *contact, bodies = values
         return BodyContact(tuple(bodies.tolist()), *contact_of(contact))
 
 
-class BodyNearPairs(OfBodies[BodyNearPair], ClosePairs[BodyNearPair]):
+class BodyNearPairs(FeaturesOfBodies[BodyNearPair], ClosePairs[BodyNearPair]):
     """Pairs of features that are near each other at the start, by kind, then bodies and vertices.
 
     `len()` counts them; an integer index gives a `BodyNearPair`, anything else that indexes an array `BodyNearPairs`.

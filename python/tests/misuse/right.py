@@ -52,6 +52,7 @@ _NAMED: Mapping[str, Any] = {
     "kind": tamis.PairKind.VERTEX_FACE,
     "may_touch": False,
     "mesh": _MESH,
+    "meshes": [_MESH] * 2,
     "motion": _POSE,
     "motions": np.zeros((2, 2, 3)),
     "nthreads": 1,

@@ -86,20 +86,21 @@ def test_features_are_those_of_both_meshes() -> None:
         tamis.Mesh([[4, 3, 2]], vertex_count=5), [[0, 0, 0], [0, 0, 0], [0, 2, 0], [2, 0, 0], [0, 0, 0]]
     )
     loose = tamis.Mesh(np.empty((0, 3), int), 4, edges=[[1, 3]], points=[2])
-    rod = tamis.Shape(loose, [[0, 0, 0], [-0.5, 0.5, 1], [0.5, 0.25, 1], [3, 0.5, 1]])
+    rod = tamis.Shape(loose, [[0.0, 0, 0], [-0.5, 0.5, 1], [0.5, 0.25, 1], [3, 0.5, 1]])
     world = tamis.World(min_separation=0.1)
     bodies = [world.add(plate), world.add(rod, tamis.between(at((0, 0, 0)), at((0, 0, -2)))[0])]
     meshes = dict(zip(bodies, (plate.mesh, loose)))
-    for rows in (world.contacts(), world.pairs_within(1.5)):
-        assert {*rows.kind.tolist()} >= {tamis.PairKind.VERTEX_FACE, tamis.PairKind.EDGE_EDGE}
+    found: tuple[tamis.BodyContacts | tamis.BodyNearPairs, ...] = (world.contacts(), world.pairs_within(1.5))
+    for rows in found:
+        kinds, vertices, owners = rows.kind.tolist(), rows.vertices.tolist(), rows.bodies.tolist()
+        assert {*kinds} >= {tamis.PairKind.VERTEX_FACE, tamis.PairKind.EDGE_EDGE}
         places = rows.features(meshes)
         assert places.shape == (len(rows), 2) and np.array_equal(rows.features([plate.mesh, loose]), places)
-        for row, (first, second) in zip(rows, places.tolist()):
-            mine, theirs = meshes[row.bodies[0]], meshes[row.bodies[1]]
-            if row.kind == tamis.PairKind.VERTEX_FACE:
-                assert first == row.vertices[0] and tuple(theirs.faces[second]) == row.vertices[1:]
-            elif row.kind == tamis.PairKind.EDGE_EDGE:
-                assert (*mine.edges[first], *theirs.edges[second]) == row.vertices
+        for kind, corners, (mine, theirs), (first, second) in zip(kinds, vertices, owners, places.tolist()):
+            if kind == tamis.PairKind.VERTEX_FACE:
+                assert [first, *meshes[theirs].faces[second]] == corners
+            elif kind == tamis.PairKind.EDGE_EDGE:
+                assert [*meshes[mine].edges[first], *meshes[theirs].edges[second]] == corners
     with pytest.raises(tamis.InvalidMesh, match="meshes has none for body 1"):
         world.contacts().features({0: plate.mesh})
     with pytest.raises(tamis.InvalidMesh, match=r"meshes\[0\] has no feature"):

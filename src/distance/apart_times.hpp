@@ -8,6 +8,7 @@
 #include "distance/distance_along.hpp"
 #include "numerics/assert.hpp"
 #include "numerics/error_bounds.hpp"
+#include "numerics/unit_vector.hpp"
 
 namespace tamis {
 
@@ -17,11 +18,6 @@ struct TurningAxis {
   Vec3<T> direction;
   Vec3<T> turn{T(0), T(0), T(0)};
 };
-
-template <class T>
-inline T largest_component(const Vec3<T>& v) {
-  return max(max(abs(v.x), abs(v.y)), abs(v.z));
-}
 
 /// A lower bound, beyond all rounding, of the first x > 0 at which c0 + c1 x + c2 x^2 <= 0; 0 if c0 <= 0, and infinite
 /// if there is none. Never NaN.

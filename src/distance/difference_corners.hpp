@@ -25,4 +25,15 @@ inline auto difference_corners(const PairMotion<T>& m) {
   return difference_corners<kind>(m.e, m.f, m.d);
 }
 
+/// Of the fastest corner: convex combinations of the corners' velocities are those of all pairs of points.
+template <PairKind kind, class T>
+inline T squared_speed(const PairMotion<T>& m) {
+  T square(0);
+  for (const auto& corner : difference_corners<kind>(m)) {
+    const Vec3<T> velocity = corner.at1 - corner.at0;
+    square = max(square, dot(velocity, velocity));
+  }
+  return square;
+}
+
 }  // namespace tamis

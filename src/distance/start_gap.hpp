@@ -34,16 +34,6 @@ struct StartGap {
     });
     return gap;
   }
-
-  template <PairKind kind, class T>
-  static T squared_speed(const PairMotion<T>& m) {
-    T square(0);
-    for (const auto& corner : difference_corners<kind>(m)) {
-      const Vec3<T> velocity = corner.at1 - corner.at0;
-      square = max(square, dot(velocity, velocity));
-    }
-    return square;
-  }
 };
 
 }  // namespace tamis

@@ -60,17 +60,10 @@ Vec3<Number> scaled_to_integers(const Point& p, const Exponents& units) {
 /// Of the features' vertices.
 template <class Corner>
 PolygonOf<Corner> polygon_of(PairKind kind, const std::array<Corner, 4>& x, int exponent) {
-  switch (kind) {
-    case PairKind::vertex_face:
-      return {{x[0] - x[1], x[0] - x[2], x[0] - x[3], {}}, 3, exponent};
-    case PairKind::edge_edge:
-      return {{x[2] - x[0], x[2] - x[1], x[3] - x[1], x[3] - x[0]}, 4, exponent};
-    case PairKind::vertex_edge:
-      return {{x[0] - x[1], x[0] - x[2], {}, {}}, 2, exponent};
-    case PairKind::vertex_vertex:
-      break;
-  }
-  return {{x[0] - x[1], {}, {}, {}}, 1, exponent};
+  const auto corners = difference_corners(kind);
+  PolygonOf<Corner> polygon{{}, corners.size(), exponent};
+  for (std::size_t i = 0; i < corners.size(); ++i) polygon.corners[i] = x[corners[i].to] - x[corners[i].from];
+  return polygon;
 }
 
 MovingPolygon moving_polygon(PairKind kind, const PairPoints& points, const Exponents& units) {

@@ -80,7 +80,7 @@ inline VertexLanes<kind> load_vertices_at(Vertices vertices, bool at_end, const 
 
 template <std::size_t count>
 inline Vec3<DoubleLanes> difference(const std::array<Vec3<DoubleLanes>, count>& at, VertexDifference v) {
-  return at[static_cast<std::size_t>(v.to)] - at[static_cast<std::size_t>(v.from)];
+  return at[v.to] - at[v.from];
 }
 
 inline DoubleLanes largest(const Moving<DoubleLanes>& v) {

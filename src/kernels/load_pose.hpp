@@ -5,8 +5,6 @@
 
 namespace tamis::TAMIS_ISA {
 
-inline DoubleLanes largest(const Vec3<DoubleLanes>& v) { return max(max(abs(v.x), abs(v.y)), abs(v.z)); }
-
 /// Some pairs' poses, scaled by a power of two, and that power.
 struct LoadedPoses {
   PairPose<DoubleLanes> pose;
@@ -19,7 +17,7 @@ inline LoadedPoses load_pose(const PackedVertex* vertices, const PairBuffer& pai
   const auto at = load_vertices_at<kind>(vertices, false, pairs, first);
   constexpr SpanningVectors kVectors = spanning_vectors(kind);
   const auto e = difference(at, kVectors.e), f = difference(at, kVectors.f), d = difference(at, kVectors.d);
-  const DoubleLanes size_e = largest(e), size_f = largest(f), size_d = largest(d);
+  const DoubleLanes size_e = largest_component(e), size_f = largest_component(f), size_d = largest_component(d);
   const DoubleLanes scale = scale_to_one(max(max(size_e, size_f), size_d));
   return {{scale * e, scale * f, scale * d, scale * size_e, scale * size_f, scale * size_d,
            scale * load_separation<kind>(vertices, pairs, first, separation)},

@@ -42,7 +42,7 @@ Moving<DoubleDouble> scaled(const Moving<DoubleDouble>& v, double scale) {
 template <class T>
 Moving<T> difference(const PairPoints& points, VertexDifference v, double unit) {
   const auto at = [&](const std::array<Point, 4>& p) {
-    const Point &to = p[static_cast<std::size_t>(v.to)], &from = p[static_cast<std::size_t>(v.from)];
+    const Point &to = p[v.to], &from = p[v.from];
     const auto along = [&](std::size_t k) { return T(unit * to[k]) - T(unit * from[k]); };
     return Vec3<T>{along(0), along(1), along(2)};
   };

@@ -2,6 +2,7 @@
 // of PairMotion (motion/pair_motion.hpp).
 #pragma once
 #include <cstddef>
+#include <span>
 #include <type_traits>
 
 #include "numerics/assert.hpp"
@@ -13,7 +14,7 @@ constexpr bool is_kind(PairKind kind) { return static_cast<std::size_t>(kind) < 
 
 /// A difference of two of the pair's vertices.
 struct VertexDifference {
-  int to, from;
+  std::size_t to, from;
 };
 
 /// The vectors of PairMotion. A feature that has no such side has the difference of a vertex and itself: zero, exactly.
@@ -46,6 +47,15 @@ constexpr std::size_t second_feature(PairKind kind) { return kind == PairKind::e
 /// How many vertices the pair has.
 constexpr std::size_t vertex_count(PairKind kind) {
   return kind == PairKind::vertex_vertex ? 2 : kind == PairKind::vertex_edge ? 3 : 4;
+}
+
+inline constexpr VertexDifference kVertexCorners[] = {{0, 1}, {0, 2}, {0, 3}};
+inline constexpr VertexDifference kEdgeCorners[] = {{2, 0}, {2, 1}, {3, 1}, {3, 0}};
+
+/// The corners of the Minkowski difference of the two features, in order around it.
+constexpr std::span<const VertexDifference> difference_corners(PairKind kind) {
+  if (kind == PairKind::edge_edge) return kEdgeCorners;
+  return std::span(kVertexCorners).first(vertex_count(kind) - 1);
 }
 
 /// f(kind), with the kind as a constant: `kind()` in f may stand where a template argument is asked for. REQUIRES: a

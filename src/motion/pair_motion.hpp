@@ -8,8 +8,7 @@
 #include <cmath>
 
 #include "numerics/assert.hpp"
-#include "numerics/select.hpp"
-#include "numerics/vec.hpp"
+#include "numerics/unit_vector.hpp"
 #include "tamis/contact.hpp"
 
 namespace tamis {
@@ -34,9 +33,7 @@ inline Moving<T> operator-(const Moving<T>& a) {
 }
 
 /// Largest |component| at both ends.
-inline double largest(const Moving<double>& v) {
-  return max(max(max(abs(v.at0.x), abs(v.at0.y)), abs(v.at0.z)), max(max(abs(v.at1.x), abs(v.at1.y)), abs(v.at1.z)));
-}
+inline double largest(const Moving<double>& v) { return max(largest_component(v.at0), largest_component(v.at1)); }
 
 /// `size_*` bound every |component| of the unrestricted vector: the unit of its rounding errors. They stay those of
 /// the whole step when the motion is restricted to a part of it.

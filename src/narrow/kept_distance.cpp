@@ -18,7 +18,7 @@ namespace {
 using Vec = Vec3<double>;
 
 using error_bounds::kRoundoff;
-/// The distance at t=0 is good enough for a rate if known to this fraction of itself; else it is decided in integers.
+/// To this fraction of itself the distance at t=0 must be known; else it is decided in integers.
 constexpr double kSharpEnough = 0x1p-20;
 
 /// In the unit of the motion, proven.
@@ -27,23 +27,14 @@ struct StartBounds {
   double speed;      ///< at least the speed of any point of one feature against any of the other
 };
 
-template <PairKind kind>
-StartBounds start_bounds(const PairMotion<double>& m) {
+StartBounds start_bounds(PairKind kind, const PairMotion<double>& m) {
   const double size = m.size_d + m.size_e + m.size_f;
   const ClosestPoints closest = closest_points(kind, m.e.at0, m.f.at0, m.d.at0);
   const double high = std::sqrt(dot(closest.gap, closest.gap)) * error_bounds::kLengthUp +
                       error_bounds::bound(error_bounds::kGap, size);
-  double square = 0;  // convex combinations of the corners' velocities are those of all pairs of points
-  for (const auto& corner : difference_corners<kind>(m)) {
-    const Vec velocity = corner.at1 - corner.at0;
-    square = std::max(square, dot(velocity, velocity));
-  }
+  const double square = with_kind(kind, [&](auto k) { return squared_speed<k()>(m); });
   const double speed = std::sqrt(square) * error_bounds::kLengthUp + error_bounds::bound(error_bounds::kVelocity, size);
   return {start_distance_bound(kind, m, closest), high, speed};
-}
-
-StartBounds start_bounds(PairKind kind, const PairMotion<double>& m) {
-  return with_kind(kind, [&](auto k) { return start_bounds<k()>(m); });
 }
 
 /// The distance that must be kept, from one at t=0: `rounding` 1 for an upper bound, -1 for a lower one.

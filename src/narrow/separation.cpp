@@ -12,7 +12,8 @@ namespace {
 
 /// Looks at one pair. Newton's method needs 3 to 8; a near miss by 1e-15 of the pair's size needs about 40.
 constexpr int kMaxLooks = 160;
-/// Looks that bring so much of the step do not count: a pair with room (error_bounds::kRoomToAdvance) has no others.
+/// Looks that advance by so much of the step do not count: a pair with room (error_bounds::kRoomToAdvance) needs no
+/// others.
 constexpr double kLeastProgress = error_bounds::kRoomToAdvance / 16;
 
 /// Goes through the step from its start. Until `at_.now` everything is decided.
@@ -104,12 +105,6 @@ double apart_until(const PairMotion<double>& m, double from, double until) {
 }
 
 template <PairKind kind>
-bool is_apart_from_end(const PairMotion<double>& m) {
-  const Looker<kind, double> looker(m);
-  return looker.clip().parts_along(1, looker.sight(1).closest.gap);
-}
-
-template <PairKind kind>
 double start_distance_bound(const PairMotion<double>& m, const ClosestPoints& closest) {
   constexpr double kSharp = 1 - 0x1p-40;
   const AxisClip<kind, double> clip(m);
@@ -121,7 +116,10 @@ double start_distance_bound(const PairMotion<double>& m, const ClosestPoints& cl
 }  // namespace
 
 bool is_apart_from_end(PairKind kind, const PairMotion<double>& m) {
-  return with_kind(kind, [&](auto k) { return is_apart_from_end<k()>(m); });
+  return with_kind(kind, [&](auto k) {
+    const Looker<k(), double> looker(m);
+    return looker.clip().parts_along(1, looker.sight(1).closest.gap);
+  });
 }
 
 double start_distance_bound(PairKind kind, const PairMotion<double>& m, const ClosestPoints& closest) {

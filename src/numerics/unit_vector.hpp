@@ -1,14 +1,20 @@
-// A vector of length one.
+// How large a vector is, and one of length one.
 #pragma once
 #include "numerics/select.hpp"
 #include "numerics/vec.hpp"
 
 namespace tamis {
 
+/// |v|_max.
+template <class T>
+inline T largest_component(const Vec3<T>& v) {
+  return max(max(abs(v.x), abs(v.y)), abs(v.z));
+}
+
 /// Of unit length; NaN where `v` is zero or NaN. Divided by its largest component first, so that no square underflows.
 template <class T>
 inline Vec3<T> unit_vector(const Vec3<T>& v) {
-  const T size = max(max(abs(v.x), abs(v.y)), abs(v.z));
+  const T size = largest_component(v);
   const Vec3<T> scaled{v.x / size, v.y / size, v.z / size};
   return (T(1) / sqrt(dot(scaled, scaled))) * scaled;
 }

@@ -4,7 +4,6 @@
 // run on intervals (docs/numerics.md, "Curved motion").
 #pragma once
 #include <cmath>
-#include <utility>
 
 #include "distance/closest.hpp"
 #include "filters/dnf.hpp"
@@ -14,20 +13,6 @@
 #include "paths/path_reader.hpp"
 
 namespace tamis {
-
-/// The corners of the features' difference, each the difference of two vertices: first minus second.
-template <PairKind kind>
-inline constexpr auto kDifferences = [] {
-  using P = std::pair<std::size_t, std::size_t>;
-  if constexpr (kind == PairKind::vertex_face)
-    return std::array{P{0, 1}, P{0, 2}, P{0, 3}};
-  else if constexpr (kind == PairKind::edge_edge)
-    return std::array{P{2, 0}, P{2, 1}, P{3, 0}, P{3, 1}};
-  else if constexpr (kind == PairKind::vertex_edge)
-    return std::array{P{0, 1}, P{0, 2}};
-  else if constexpr (kind == PairKind::vertex_vertex)
-    return std::array{P{0, 1}};
-}();
 
 template <PairKind kind, class T>
 class Chords {
@@ -44,8 +29,8 @@ class Chords {
   /// The same without the deviations: true at the ends only.
   PairMotion<I> at_ends() const { return motion(Deviations{}); }
 
-  /// Farther apart than the separation: by an axis that turns linearly from the gap of the closest points at one end to
-  /// that at the other, or along a direction in which a vertex does not deviate.
+  /// Proven farther apart than the separation, along an axis that turns linearly from the gap of the closest points at
+  /// one end to that at the other, or along a direction in which a vertex does not deviate.
   bool axis_proves_free(const PairMotion<I>& ends, double separation = 0) const {
     const Vec3<I> n0 = gap(ends.e.at0, ends.f.at0, ends.d.at0), n1 = gap(ends.e.at1, ends.f.at1, ends.d.at1);
     if (axes_prove_free(axis(n0), axis(n1), separation)) return true;
@@ -62,7 +47,7 @@ class Chords {
  private:
   PairMotion<I> motion(const Deviations& deviations) const {
     const auto moving = [&](const VertexDifference& difference) {
-      const auto i = static_cast<std::size_t>(difference.to), j = static_cast<std::size_t>(difference.from);
+      const auto [i, j] = difference;
       const T deviation = (I(T(deviations[i])) + I(T(deviations[j]))).upper;
       const I wide(-deviation, deviation);
       const auto widened = [&](const Vec3<I>& v) { return Vec3<I>{v.x + wide, v.y + wide, v.z + wide}; };
@@ -74,7 +59,7 @@ class Chords {
             rounding_is_enclosed, rounding_is_enclosed, rounding_is_enclosed};
   }
 
-  /// An axis at one end of the piece: its length, and for each vertex how far it may be beside its chord along that.
+  /// An axis at one end of the piece, its length, and how far each vertex may be from its chord along it, times that.
   struct Axis {
     Vec3<I> n;
     I length;
@@ -97,12 +82,12 @@ class Chords {
     return sharp;
   }
 
-  /// Of what lies across the direction d, or nearly: by d itself, or by the normals of the features, which may be a
-  /// little askew. Their closest points tell no axis where they are as far apart as rounding goes.
+  /// For features in planes across the direction d, or nearly: the axis is d itself, or the features' normal, as the
+  /// planes may be tilted a little. Closest points give no axis where the gap is no larger than rounding.
   bool direction_proves_free(const PairMotion<I>& ends, const Vec3<I>& d, double separation) const {
     const double deviation = *std::max_element(deviations_.begin(), deviations_.end());
     const double thin = separation + 8 * std::max(deviation, from_.error);
-    for (const auto& [i, j] : kDifferences<kind>)
+    for (const auto& [i, j] : difference_corners(kind))
       if (!(std::fabs(nearest_double(dot(d, from_.points[i] - from_.points[j]).middle())) <= thin)) return false;
     const auto prove_free = [&](const Vec3<I>& at0, const Vec3<I>& at1) {
       return axes_prove_free(sharp_axis(at0), sharp_axis(at1), separation);
@@ -115,7 +100,7 @@ class Chords {
 
   bool axes_prove_free(const Axis& a0, const Axis& a1, double separation) const {
     const I apart = T(separation), apart0 = a0.length * apart, apart1 = a1.length * apart;
-    for (const auto& [i, j] : kDifferences<kind>) {
+    for (const auto& [i, j] : difference_corners(kind)) {
       const auto c0 = from_.points[i] - from_.points[j], c1 = to_.points[i] - to_.points[j];
       const I lost0 = apart0 + a0.beside[i] + a0.beside[j], lost1 = apart1 + a1.beside[i] + a1.beside[j];
       if (!(dot(a0.n, c0) > lost0 && dot(a1.n, c1) > lost1 && dot(a0.n, c1) + dot(a1.n, c0) > lost0 + lost1))
@@ -127,7 +112,7 @@ class Chords {
   static Vec3<I> vector(const Vec3<double>& v) { return {I(T(v.x)), I(T(v.y)), I(T(v.z))}; }
   /// The middle of n, or its opposite.
   static Vec3<I> towards_first(const Vec3<I>& n, const Moment<T>& at) {
-    const auto [i, j] = kDifferences<kind>[0];
+    const auto [i, j] = difference_corners(kind)[0];
     const Vec3<I> middle{I(n.x.middle()), I(n.y.middle()), I(n.z.middle())};
     return dot(middle, at.points[i] - at.points[j]).middle() < T(0) ? -middle : middle;
   }

@@ -1,7 +1,6 @@
-#include "exact/coprime.hpp"
-
 #include <utility>
 
+#include "exact/integer_polynomial.hpp"
 #include "numerics/assert.hpp"
 
 namespace tamis {

@@ -7,6 +7,7 @@
 #include "exact/first_time.hpp"
 #include "exact/moving_polygon.hpp"
 #include "exact/start_distance.hpp"
+#include "motion/pair_kinds.hpp"
 #include "motion/polynomials.hpp"
 #include "numerics/assert.hpp"
 
@@ -54,28 +55,16 @@ struct Side {
 
 class MovingPolygonTest {
  public:
-  MovingPolygonTest(PairKind kind, const PairPoints& points)
-      : polygon_(stretched_polygon(kind, points)),
-        normal_(normal_polynomial(polygon_)),
-        coplanarity_(IntegerPolynomial::from_bernstein(coplanarity_polynomial(polygon_.corner(0), normal_))) {}
+  /// Keeps a reference.
+  explicit MovingPolygonTest(const MovingPolygon& polygon)
+      : polygon_(polygon),
+        normal_(normal_polynomial(polygon)),
+        coplanarity_(IntegerPolynomial::from_bernstein(coplanarity_polynomial(polygon.corner(0), normal_))) {}
 
-  /// Of what does not touch at the start: what moves within its plane may go on touching without an event.
-  ExactDecision first_contact() const {
-    FirstTime first;
-    add_events(first);
-    return first.decision();
-  }
-  ExactDecision first_contact_once_apart() const {
-    FirstTimeOnceApart times;
-    add_events(times);
-    return times.decision([&](const DyadicCell& time) { return is_within(polygon_at(polygon_, time), 0); });
-  }
-
- private:
   /// The times of touching at which a span of them may begin or end. The origin comes into the polygon's plane and out
   /// of it; where it is always in that plane it comes into the polygon, and out of it, through a side.
   template <class Times>
-  void add_events(Times& times) const {
+  void add_times(Times& times) const {
     if (!coplanarity_.is_zero())
       return times.add_roots(coplanarity_, [&](AlgebraicTime& time) { return contains_origin(time); });
     for (std::size_t i = 0; i < polygon_.side_count(); ++i) {
@@ -85,6 +74,7 @@ class MovingPolygonTest {
     }
   }
 
+ private:
   Side side(std::size_t i) const { return {polygon_.corner(i), polygon_.corner(i + 1)}; }
 
   /// REQUIRES (not checked: exact): the origin lies in the polygon's plane at this time.
@@ -111,24 +101,51 @@ class MovingPolygonTest {
     return false;
   }
 
-  MovingPolygon polygon_;
+  const MovingPolygon& polygon_;
   std::array<Vec3<Integer>, 3> normal_;
   IntegerPolynomial coplanarity_;
 };
+
+MovingPolygon polygon_for(PairKind kind, const PairPoints& points, double separation) {
+  return separation > 0 ? difference_polygon(kind, points, separation) : stretched_polygon(kind, points);
+}
+
+template <class Times>
+void add_times(const MovingPolygon& polygon, double separation, Times& times) {
+  if (separation > 0)
+    add_times_within(polygon, separation, times);
+  else
+    MovingPolygonTest(polygon).add_times(times);
+}
 
 }  // namespace
 
 ExactDecision decide_exactly(PairKind kind, const PairPoints& points, double separation) {
   TAMIS_ASSERT(separation >= 0 && std::isfinite(separation) && is_finite(points));
   if (starts_within(kind, points, separation)) return {true, 0, 0};
-  return separation > 0 ? decide_within_exactly(kind, points, separation)
-                        : MovingPolygonTest(kind, points).first_contact();
+  FirstTime first;
+  add_times(polygon_for(kind, points, separation), separation, first);
+  return first.decision();
 }
 
 ExactDecision decide_once_apart_exactly(PairKind kind, const PairPoints& points, double separation) {
   TAMIS_ASSERT(separation >= 0 && std::isfinite(separation) && is_finite(points));
-  return separation > 0 ? decide_within_once_apart_exactly(kind, points, separation)
-                        : MovingPolygonTest(kind, points).first_contact_once_apart();
+  const MovingPolygon polygon = polygon_for(kind, points, separation);
+  FirstTimeOnceApart times;
+  add_times(polygon, separation, times);
+  return times.decision([&](const DyadicCell& time) { return is_within(polygon_at(polygon, time), separation); });
+}
+
+int side_just_before(PairKind kind, const PairPoints& points, double time) {
+  TAMIS_ASSERT(can_cross(kind) && is_finite(points) && 0 <= time && time <= 1);
+  // The normal of edges' polygon is -(e x f), and its corners lead from the first edge to the second: two changes of
+  // sign.
+  const MovingPolygon polygon = stretched_polygon(kind, points);
+  auto k = IntegerPolynomial::from_bernstein(coplanarity_polynomial(polygon.corner(0), normal_polynomial(polygon)));
+  AlgebraicTime now = AlgebraicTime::exactly(shortest_cell_at(time));
+  for (int before = 1; !k.is_zero(); before = -before, k = k.derivative())
+    if (const int sign = now.sign_of(k)) return before * sign;
+  return 0;
 }
 
 }  // namespace tamis

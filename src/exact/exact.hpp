@@ -20,4 +20,9 @@ ExactDecision decide_exactly(PairKind kind, const PairPoints& points, double sep
 /// start touches once it has come apart and meets again.
 ExactDecision decide_once_apart_exactly(PairKind kind, const PairPoints& points, double separation = 0);
 
+/// On which side of the second feature is the first one? The sign, along e x f (motion/pair_motion.hpp), of its place
+/// at `time`, and where the four points are coplanar then, just before it; at t=0 as if the motion had gone on so
+/// before. 0: they are coplanar throughout. REQUIRES: finite coordinates, `time` in [0,1], a kind that can cross.
+int side_just_before(PairKind kind, const PairPoints& points, double time);
+
 }  // namespace tamis

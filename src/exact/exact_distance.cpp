@@ -28,7 +28,7 @@ Weights corner_weights(PairKind kind, std::size_t i) {
   return kind == PairKind::edge_edge ? kEdges[i] : kFace[i];
 }
 
-/// Rounds what a search found; of estimates what is sharp.
+/// Rounds what NearestPointSearch found. Estimates must be sharp for that.
 template <class Number>
 class Description {
  public:
@@ -47,7 +47,7 @@ class Description {
     if (sign(nearest_.square.above) > 0) result.distance = root(nearest_.square);
     return result;
   }
-  /// Of what was made; always of integers.
+  /// Is what was made sharp? That of integers is always.
   bool is_sure() const { return is_sure_; }
 
  private:

@@ -6,9 +6,8 @@
 
 namespace tamis {
 
-/// As NearPair has them, each rounded by a few u of itself; `direction` along the gap (distance/closest.hpp).
-/// Where there is none the one that it had before, as the features came together; of those that did not the normal, or
-/// zero where there is none.
+/// As in NearPair, each rounded by a few u of itself; `direction` along the gap (distance/closest.hpp). Of features
+/// that touch it is the direction in which they came together; if they did not move, their normal, or zero without one.
 struct ExactDistance {
   double distance, u, v;
   Vec3<double> direction;
@@ -17,8 +16,8 @@ struct ExactDistance {
 /// REQUIRES, all: finite coordinates, `time` in [0,1].
 ExactDistance exact_distance(PairKind kind, const PairPoints& points, double time = 0);
 
-/// Its two halves. By estimates, at t=0 (later times make long integers, of which they rarely know what is left where
-/// much cancels): none where a sign is not plain.
+/// Its two halves. By estimates, at t=0 alone, none where a sign is not plain: later times make long integers, and
+/// where much of these cancels estimates rarely know what is left.
 std::optional<ExactDistance> estimated_distance(PairKind kind, const PairPoints& points);
 ExactDistance distance_in_integers(PairKind kind, const PairPoints& points, double time);
 

@@ -3,8 +3,6 @@
 #include <cmath>
 
 #include "exact/first_time.hpp"
-#include "exact/moving_polygon.hpp"
-#include "exact/start_distance.hpp"
 #include "numerics/assert.hpp"
 
 namespace tamis {
@@ -20,7 +18,6 @@ PolynomialVec vector_of(const Moving<Integer>& v) {
   return {along(v.at0.x, v.at1.x), along(v.at0.y, v.at1.y), along(v.at0.z, v.at1.z)};
 }
 
-/// Adds to `Times` (exact/first_time.hpp) all at which the pair may come within the separation, or leave it.
 template <class Times>
 class SeparationTest {
  public:
@@ -81,20 +78,12 @@ class SeparationTest {
 
 }  // namespace
 
-ExactDecision decide_within_exactly(PairKind kind, const PairPoints& points, double separation) {
-  TAMIS_ASSERT(separation > 0 && std::isfinite(separation) && is_finite(points));
-  const MovingPolygon polygon = difference_polygon(kind, points, separation);
-  FirstTime first;
-  SeparationTest(polygon, separation, first).run();
-  return first.decision();
-}
-
-ExactDecision decide_within_once_apart_exactly(PairKind kind, const PairPoints& points, double separation) {
-  TAMIS_ASSERT(separation > 0 && std::isfinite(separation) && is_finite(points));
-  const MovingPolygon polygon = difference_polygon(kind, points, separation);
-  FirstTimeOnceApart times;
+template <class Times>
+void add_times_within(const MovingPolygon& polygon, double separation, Times& times) {
+  TAMIS_ASSERT(separation > 0 && std::isfinite(separation));
   SeparationTest(polygon, separation, times).run();
-  return times.decision([&](const DyadicCell& time) { return is_within(polygon_at(polygon, time), separation); });
 }
+template void add_times_within(const MovingPolygon&, double, FirstTime&);
+template void add_times_within(const MovingPolygon&, double, FirstTimeOnceApart&);
 
 }  // namespace tamis

@@ -9,13 +9,13 @@
 // if it does the distance is at most s then. So the first such root of all is the first time. Proof, and why a
 // polynomial that is always zero may be left out: docs/numerics.md.
 #pragma once
-#include "exact/exact.hpp"
+#include "exact/moving_polygon.hpp"
 
 namespace tamis {
 
-/// REQUIRES: finite coordinates, a finite separation > 0.
-ExactDecision decide_within_exactly(PairKind kind, const PairPoints& points, double separation);
-/// As decide_once_apart_exactly. REQUIRES: the same.
-ExactDecision decide_within_once_apart_exactly(PairKind kind, const PairPoints& points, double separation);
+/// Adds to `times` (exact/first_time.hpp) all at which the pair may come within the separation, or leave it. REQUIRES:
+/// a finite separation > 0, as difference_polygon() had it.
+template <class Times>
+void add_times_within(const MovingPolygon& polygon, double separation, Times& times);
 
 }  // namespace tamis

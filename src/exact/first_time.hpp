@@ -9,7 +9,8 @@
 
 namespace tamis {
 
-/// Brackets need not be compared exactly: the largest double below a time and the smallest above it grow with it.
+/// Times are compared by their brackets, which ascend with them. Of pairs apart at t=0 alone: one that moves within its
+/// plane may go on touching without any of these times.
 class FirstTime {
  public:
   /// The first root of `p` in [0,1] for which `holds(time)`, if there is one. REQUIRES: `p` is not zero.

@@ -1,23 +1,11 @@
 #include "exact/integer_polynomial.hpp"
 
-#include <gmpxx.h>
-
 #include <algorithm>
 #include <utility>
 
-#include "exact/coprime.hpp"
 #include "numerics/assert.hpp"
 
 namespace tamis {
-namespace {
-
-mpz_class exact_quotient(mpz_srcptr a, mpz_srcptr b) {
-  mpz_class quotient;
-  mpz_divexact(quotient.get_mpz_t(), a, b);
-  return quotient;
-}
-
-}  // namespace
 
 void IntegerPolynomial::find_degree(int at_most) {
   degree_ = at_most;
@@ -69,9 +57,6 @@ IntegerPolynomial IntegerPolynomial::on(const DyadicCell& cell) const {
   return p;
 }
 
-IntegerPolynomial IntegerPolynomial::left_half() const { return on({0, 1}); }
-IntegerPolynomial IntegerPolynomial::right_half() const { return on({1, 1}); }
-
 IntegerPolynomial operator+(const IntegerPolynomial& a, const IntegerPolynomial& b) {
   IntegerPolynomial sum = a.degree_ < b.degree_ ? b : a;
   const IntegerPolynomial& other = a.degree_ < b.degree_ ? a : b;
@@ -115,9 +100,9 @@ void IntegerPolynomial::divide_by_powers_of_two() {
 }
 
 void IntegerPolynomial::divide_by_content() {
-  mpz_class content;
-  for (int i = 0; i <= degree_; ++i) mpz_gcd(content.get_mpz_t(), content.get_mpz_t(), at(i).get());
-  for (int i = 0; i <= degree_; ++i) at(i).assign(exact_quotient(at(i).get(), content.get_mpz_t()).get_mpz_t());
+  Integer content;
+  for (int i = 0; i <= degree_; ++i) content = greatest_common_divisor(content, at(i));
+  for (int i = 0; i <= degree_; ++i) at(i) = exact_quotient(at(i), content);
 }
 
 void IntegerPolynomial::reduce_modulo(const IntegerPolynomial& b) {
@@ -151,9 +136,8 @@ IntegerPolynomial greatest_common_divisor(IntegerPolynomial a, IntegerPolynomial
 IntegerPolynomial IntegerPolynomial::divided_exactly_by(const IntegerPolynomial& b) const {
   IntegerPolynomial rest = *this, quotient;
   for (int shift = degree_ - b.degree_; shift >= 0; --shift) {
-    Integer& factor = quotient.at(shift);
-    factor.assign(exact_quotient(rest[shift + b.degree_].get(), b[b.degree_].get()).get_mpz_t());
-    for (int i = 0; i <= b.degree_; ++i) rest.at(shift + i) -= factor * b[i];
+    quotient.at(shift) = exact_quotient(rest[shift + b.degree_], b[b.degree_]);
+    for (int i = 0; i <= b.degree_; ++i) rest.at(shift + i) -= quotient[shift] * b[i];
   }
   quotient.degree_ = degree_ - b.degree_;
   return quotient;

@@ -44,9 +44,6 @@ class IntegerPolynomial {
 
   /// The cell mapped to [0,1], times a positive constant.
   IntegerPolynomial on(const DyadicCell& cell) const;
-  /// [0,1/2] and [1/2,1] mapped to [0,1], times a positive constant.
-  IntegerPolynomial left_half() const;
-  IntegerPolynomial right_half() const;
 
   /// REQUIRES: the degree of the result is at most kMaxDegree.
   friend IntegerPolynomial operator+(const IntegerPolynomial& a, const IntegerPolynomial& b);
@@ -75,6 +72,11 @@ class IntegerPolynomial {
   std::array<Integer, kMaxDegree + 1> powers_;
   int degree_ = -1;
 };
+
+/// A quick proof that two polynomials have no common factor: true only if they have none modulo a prime. A common
+/// factor of degree d keeps it modulo a prime that does not divide its leading coefficient, and so not one of theirs.
+/// REQUIRES: neither is zero.
+bool are_surely_coprime(const IntegerPolynomial& a, const IntegerPolynomial& b);
 
 template <std::size_t N>
 IntegerPolynomial IntegerPolynomial::from_bernstein(std::array<Integer, N> b) {

@@ -73,8 +73,8 @@ class RootIsolation {
       }
     }
     const unsigned long fewer_bits = std::max(bits / 2, 2UL);
-    parts.emplace_back(cell.right_half(), local.right_half(), depth + 1, fewer_bits, true);
-    parts.emplace_back(cell.left_half(), local.left_half(), depth + 1, fewer_bits, false);
+    parts.emplace_back(cell.right_half(), local.on({1, 1}), depth + 1, fewer_bits, true);
+    parts.emplace_back(cell.left_half(), local.on({0, 1}), depth + 1, fewer_bits, false);
   }
 
   /// Of 2^bits cells of [0,1] one that may hold so many roots, by one step of Newton's method from an end.

@@ -1,27 +1,25 @@
 #include "narrow/contact_normal.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <optional>
 
 #include "distance/direction_apart.hpp"
+#include "exact/exact.hpp"
 #include "exact/exact_distance.hpp"
-#include "exact/exact_side.hpp"
 #include "narrow/crossing_slope.hpp"
 #include "numerics/assert.hpp"
+#include "numerics/unit_vector.hpp"
 
 namespace tamis {
 namespace {
 
 using Vec = Vec3<double>;
 
-double largest_of(const Vec& v) { return std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)}); }
-
 /// Along e x f, of any length; zero: there is none. Where rounding would tilt it by more than 2^-28 (components are off
 /// by at most 20 u E F, as those of N in error_bounds.hpp), as of slivers, by integers.
 Vec normal_at(PairKind kind, const PairPoints& points, const PairMotion<double>& m, double time) {
   const Vec normal = cross(at_time(m.e, time), at_time(m.f, time));
-  const bool is_sharp = largest_of(normal) > 0x1p-20 * m.size_e * m.size_f + error_bounds::underflow<double>;
+  const bool is_sharp = largest_component(normal) > 0x1p-20 * m.size_e * m.size_f + error_bounds::underflow<double>;
   return is_sharp ? normal : exact_normal(kind, points, time);
 }
 
@@ -33,8 +31,8 @@ Point unit_point(const Vec& v) {
 /// A unit vector along e x f, or if that vanishes one orthogonal to what is left.
 Point any_normal(PairKind kind, const PairPoints& points, const PairMotion<double>& m, double time) {
   const Vec normal = normal_at(kind, points, m, time), e = at_time(m.e, time);
-  if (largest_of(normal) > 0) return unit_point(normal);
-  const Vec w = largest_of(e) > 0 ? e : at_time(m.f, time);
+  if (largest_component(normal) > 0) return unit_point(normal);
+  const Vec w = largest_component(e) > 0 ? e : at_time(m.f, time);
   if (std::fabs(w.x) + std::fabs(w.y) > 0) return unit_point({-w.y, w.x, 0});
   return {1, 0, 0};
 }
@@ -50,7 +48,7 @@ template <PairKind kind>
 ContactPlace exact_closest_place(const PairPoints& points, const PairMotion<double>& m, double time) {
   const ExactDistance exact = exact_distance(kind, points, time);
   const Vec direction = near_facts<kind>(exact.u, exact.v, exact.direction).direction;
-  const bool is_known = largest_of(direction) > 0;
+  const bool is_known = largest_component(direction) > 0;
   return {exact.u, exact.v, is_known ? unit_point(direction) : any_normal(kind, points, m, time)};
 }
 
@@ -81,7 +79,7 @@ ContactPlace crossing_place(PairKind kind, const PairPoints& points, const PairM
   TAMIS_ASSERT(can_cross(kind) && is_part_of_step(time) && is_motion_of(m, kind, points) && -1 <= side && side <= 1);
   const Vec normal = normal_at(kind, points, m, time.t_in);  // where the side is meant, as the two may turn over
   const double middle = 0.5 * (time.t_in + time.t_out);
-  if (side == 0 || !(largest_of(normal) > 0)) return closest_place(kind, points, m, time.t_in);
+  if (side == 0 || !(largest_component(normal) > 0)) return closest_place(kind, points, m, time.t_in);
   const auto closest = closest_points(kind, at_time(m.e, middle), at_time(m.f, middle), at_time(m.d, middle));
   return {closest.u, closest.v, unit_point(side > 0 ? normal : -normal)};
 }

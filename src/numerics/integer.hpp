@@ -63,6 +63,13 @@ class Integer {
     TAMIS_ASSERT(b.sign() != 0);
     return make(std::max(a.limbs(), 1), mpz_tdiv_q, a.get(), b.get());
   }
+  /// REQUIRES (not checked: exact): b divides a, and is not zero.
+  friend Integer exact_quotient(const Integer& a, const Integer& b) {
+    return make(std::max(a.limbs(), 1), mpz_divexact, a.get(), b.get());
+  }
+  friend Integer greatest_common_divisor(const Integer& a, const Integer& b) {
+    return make(std::max(a.limbs(), b.limbs()), mpz_gcd, a.get(), b.get());
+  }
   friend Integer operator<<(const Integer& a, unsigned long bits) {
     if (a.limbs() < 2 && bits < GMP_NUMB_BITS) {
       Integer result;

@@ -1,6 +1,6 @@
 // The decision on one pair, cheap arithmetic first: slab clip, one or two certified crossings, roots by subdivision in
-// time, then exact algebra, or what else the methods try.
-// Every method ends here, so that all return the same set of contacts.
+// time, then exact algebra. All engines hand the pairs they leave undecided to these functions, so that they return the
+// same set of contacts.
 #pragma once
 #include "motion/make_motion.hpp"
 #include "tamis/pair.hpp"

@@ -1,9 +1,8 @@
-#include "narrow/fine_crossing.hpp"
-
 #include <cmath>
 
 #include "motion/pair_kinds.hpp"
 #include "narrow/crossing_slope.hpp"
+#include "narrow/finely.hpp"
 #include "numerics/assert.hpp"
 
 namespace tamis {

@@ -1,10 +1,9 @@
-#include "narrow/fine_separation.hpp"
-
 #include <algorithm>
 #include <cmath>
 
 #include "distance/squared_axis.hpp"
 #include "motion/pair_kinds.hpp"
+#include "narrow/finely.hpp"
 #include "numerics/scale.hpp"
 
 namespace tamis {

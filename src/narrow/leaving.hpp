@@ -1,5 +1,5 @@
-// A pair that is within its separation at t=0, in doubles: it stays so, or leaves it, and then it may come back.
-// Whoever ignores what touches at the start asks this of each such pair.
+// A pair that is within its separation at t=0, in doubles: it stays so, or leaves it, and then it may come back. Asked
+// of each such pair where pairs that touch at the start are ignored.
 #pragma once
 #include <optional>
 

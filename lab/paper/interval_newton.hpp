@@ -27,6 +27,19 @@ inline constexpr double kShortest = 0x1p-20;
 /// Evaluations for one pair; ordinary pairs need 3 to 12.
 inline constexpr int kMaxEvaluations = 96;
 inline constexpr std::size_t kMaxDepth = 32;
+/// What the value of the cubic at a time in [0,1] is off by, as the bounds in numerics/error_bounds.hpp: its
+/// coefficients' errors weighted by (1-t)^(3-i) t^i, at most kCoplanarityEnd + kCoplanarityMiddle / 4 = 320 u;
+/// evaluation on |K0|,|K3| <= 6, |K1|,|K2| <= 18: below 12 * 10.5 = 126 u.
+inline constexpr double kCoplanarityValue = 450;
+
+/// Empty (lower > upper) if they have nothing in common.
+template <class T>
+inline BasicInterval<T> intersection(const BasicInterval<T>& a, const BasicInterval<T>& b) {
+  BasicInterval<T> common;
+  common.lower = max(a.lower, b.lower);
+  common.upper = min(a.upper, b.upper);
+  return common;
+}
 
 /// The cubic with its certified enclosures at, and over, times in [0,1].
 template <class T>
@@ -34,7 +47,7 @@ class Cubic {
  public:
   explicit Cubic(const PairMotion<T>& m) : k_(coplanarity_polynomial(m)) {
     const T unit = m.size_d * m.size_e * m.size_f;
-    value_error_ = error_bounds::bound(error_bounds::kCoplanarityValue, unit);
+    value_error_ = error_bounds::bound(kCoplanarityValue, unit);
     slope_error_ = error_bounds::bound(error_bounds::kCoplanaritySlope, unit);
     slope_ = {k_[1] - T(3) * k_[0], k_[2] - k_[1], T(3) * k_[3] - k_[2]};
   }

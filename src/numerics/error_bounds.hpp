@@ -60,11 +60,6 @@ inline constexpr double kSideEnd = 480;
 inline constexpr double kSideNext = 2000;
 inline constexpr double kSideMiddle = 3000;
 
-// The value of K at a time in [0,1], same unit: its coefficients' errors weighted by (1-t)^(3-i) t^i, at most
-// kCoplanarityEnd + kCoplanarityMiddle / 4 = 320 u; evaluation on |K0|,|K3| <= 6, |K1|,|K2| <= 18: below 12 * 10.5 =
-// 126 u.
-inline constexpr double kCoplanarityValue = 450;
-
 // The value of K from the vectors at one time of the whole step, same unit: positions and at_time 1 + 3 = 4 each, N
 // 2 (2 * 4 + 1) + 2 = 20 with |N| <= 2, K 3 (2 * 4 + 20 + 2) + 4 + 6 = 100.
 inline constexpr double kCoplanarityNow = 104;

@@ -115,15 +115,6 @@ inline bool operator<(const BasicInterval<T>& a, const BasicInterval<T>& b) {
   return a.upper < b.lower;
 }
 
-/// Empty (lower > upper) if they have nothing in common.
-template <class T>
-inline BasicInterval<T> intersection(const BasicInterval<T>& a, const BasicInterval<T>& b) {
-  BasicInterval<T> common;
-  common.lower = max(a.lower, b.lower);
-  common.upper = min(a.upper, b.upper);
-  return common;
-}
-
 /// Exactly.
 template <class T>
 inline bool is_zero(const Vec3<BasicInterval<T>>& v) {

@@ -68,4 +68,22 @@ std::uint64_t PairList::memory_bytes() const {
   return bytes;
 }
 
+bool PairLists::any() const {
+  return std::ranges::any_of(lists_, [](const PairList& list) { return list.size() > 0; });
+}
+
+void PairLists::take(PairLists& other) {
+  for (std::size_t kind = 0; kind < kPairKinds; ++kind) lists_[kind].take(other.lists_[kind]);
+}
+
+void PairLists::clear() {
+  for (PairList& list : lists_) list.clear();
+}
+
+std::uint64_t PairLists::memory_bytes() const {
+  std::uint64_t bytes = 0;
+  for (const PairList& list : lists_) bytes += list.memory_bytes();
+  return bytes;
+}
+
 }  // namespace tamis

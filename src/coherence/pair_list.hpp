@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <span>
+#include <utility>
 #include <vector>
 
 #include "kernels/kernels.hpp"
@@ -32,8 +32,31 @@ class PairList {
   std::vector<float> t_in_, t_out_;
 };
 
-inline bool any_of(std::span<const PairList> lists) {
-  return std::any_of(lists.begin(), lists.end(), [](const PairList& list) { return list.size() > 0; });
-}
+/// One of each kind.
+class PairLists {
+ public:
+  PairList& operator[](PairKind kind) { return lists_[static_cast<std::size_t>(kind)]; }
+  const PairList& operator[](PairKind kind) const { return lists_[static_cast<std::size_t>(kind)]; }
+  /// Is there any pair?
+  bool any() const;
+  /// All of `other`, which is empty then.
+  void take(PairLists& other);
+  /// Keeps the memory.
+  void clear();
+  std::uint64_t memory_bytes() const;
+
+ private:
+  std::array<PairList, kPairKinds> lists_;
+};
+
+/// After lists that cost more than they saved none are made for a while, each time twice as long.
+struct ListingPause {
+  static constexpr int kLongest = 64;
+  int first, next = first, left = 0;
+
+  void begin() { left = std::exchange(next, std::min(2 * next, kLongest)); }
+  void tick() { left = std::max(0, left - 1); }
+  void lists_were_worth_it() { next = first; }
+};
 
 }  // namespace tamis

@@ -15,11 +15,11 @@ constexpr double kFewestSteps = 4, kFirstSteps = 8, kMostSteps = 32;
 constexpr double kLeastSlackInEdges = 0x1p-12, kMostSlackInEdges = 0x1p-4;
 /// After one step: with more the fewest steps need more than the most slack.
 constexpr double kMostDeviationInEdges = kMostSlackInEdges / (kFewestSteps * kFewestSteps);
-/// Lists that serve fewer queries cost more than they save: none are made for a while, each time twice as long.
+/// Lists that serve fewer queries cost more than they save.
 constexpr int kQueriesWorthLists = 2, kQueriesWorthListsOfOneStep = 1;
 /// A step that is not free is found to be so by a fraction of what lists cost, and often no later one is free.
 constexpr int kFreeWorthLists = 2;
-constexpr int kFirstPauseInQueries = 2, kLongestPauseInQueries = 64;
+constexpr int kFirstPauseInQueries = 2;
 
 /// Rounding of a time of the predicted step to float.
 constexpr float kTimeRounding = 0x1p-22f;
@@ -38,7 +38,7 @@ PairsAhead::PairsAhead(const Mesh& mesh)
       sample_(some_of(mesh.points())),
       sample_numbers_(sample_.size()),
       steps_(kFirstSteps),
-      next_pause_(kFirstPauseInQueries) {
+      pause_{kFirstPauseInQueries} {
   std::iota(sample_numbers_.begin(), sample_numbers_.end(), 0);
 }
 
@@ -86,8 +86,8 @@ bool PairsAhead::plan(const Query& query) {
   const bool is_promising =
       starts_again_ ? plan_again(query.question, kFirstSteps * fit->end) : plan_steps(query.question, *fit);
   if (!is_promising) return false;
-  if (pause_ > 0) {
-    --pause_;
+  if (pause_.left > 0) {
+    pause_.tick();
     return false;
   }
   queries_served_ = 0;
@@ -143,9 +143,9 @@ double PairsAhead::steps_to_foresee(double deviation) const {
 /// From what became of the lists.
 void PairsAhead::learn() {
   if (queries_served_ < (starts_again_ ? kQueriesWorthListsOfOneStep : kQueriesWorthLists))
-    pause();
+    pause_.begin();
   else
-    next_pause_ = kFirstPauseInQueries;
+    pause_.lists_were_worth_it();
   if (starts_again_) return;
   const bool have_all_come = queries_served_ + 1 >= steps_listed_;
   steps_ = have_all_come ? std::min(2 * steps_, kMostSteps) : std::max(steps_ / 2, kFewestSteps);
@@ -154,29 +154,22 @@ void PairsAhead::learn() {
 bool PairsAhead::complete(bool hold_all) {
   are_listed_ = hold_all;
   if (hold_all) return true;
-  pause();
+  pause_.begin();
   forget();
-  for (PairList& list : lists_) list = {};
+  lists_ = {};
   return false;
-}
-
-void PairsAhead::pause() {
-  pause_ = next_pause_;
-  next_pause_ = std::min(2 * next_pause_, kLongestPauseInQueries);
 }
 
 void PairsAhead::forget() {
   are_listed_ = false;
   predicted_.clear();
-  for (PairList& list : lists_) list.clear();
+  lists_.clear();
 }
 
 std::uint64_t PairsAhead::memory_bytes() const {
-  std::uint64_t bytes = next_.memory_bytes() + predicted_.memory_bytes() +
-                        (sample_.capacity() + sample_numbers_.capacity()) * sizeof(Index) +
-                        (sample_start_.capacity() + sample_end_.capacity()) * sizeof(Point);
-  for (const PairList& list : lists_) bytes += list.memory_bytes();
-  return bytes;
+  return lists_.memory_bytes() + next_.memory_bytes() + predicted_.memory_bytes() +
+         (sample_.capacity() + sample_numbers_.capacity()) * sizeof(Index) +
+         (sample_start_.capacity() + sample_end_.capacity()) * sizeof(Point);
 }
 
 }  // namespace tamis

@@ -22,21 +22,18 @@ class PairsAhead {
   /// The listed pairs have been decided, and a contact may be among others: the trees must be searched.
   bool leaves_undecided(const ContactCollector& answer) const;
   /// Else: did the last query foresee this one, so that lists promise to help the next ones? If so, search
-  /// predicted_step() for pairs that may touch before until() while every vertex is within slack() of it, hand them to
-  /// take(), then call complete().
+  /// predicted_step() for pairs that may touch before until() while every vertex is within slack() of it, add them to
+  /// lists(), then call complete().
   bool plan(const Query& query);
   Step predicted_step() const { return predicted_.step(); }
   double slack() const { return slack_; }
   /// A part of the predicted step.
   float until() const { return until_; }
-  /// All of `pairs`, which then is empty.
-  void take(PairKind kind, PairList& pairs) { lists_[static_cast<std::size_t>(kind)].take(pairs); }
   /// The lists are ready; or the pairs were too many, and there are none. Returns which.
   bool complete(bool hold_all);
   /// This query, as part of the predicted step.
   const TimeInterval<float>& when() const { return when_; }
-  const PairList& list(PairKind kind) const { return lists_[static_cast<std::size_t>(kind)]; }
-  bool has_pairs() const { return any_of(lists_); }
+  PairLists& lists() { return lists_; }
   void end(const ContactCollector& answer);
   std::uint64_t memory_bytes() const;
 
@@ -50,7 +47,6 @@ class PairsAhead {
   bool follows_prediction(const Step& step);
   void forget();
   void learn();
-  void pause();
   double steps_to_foresee(double deviation) const;
 
   const Mesh& mesh_;
@@ -62,7 +58,7 @@ class PairsAhead {
   double edge_ = 0;                               ///< mean length, when last planned
   double separation_ = 0;                         ///< asked for when the lists were made
   TimeInterval<float> when_{};
-  PairList lists_[kPairKinds];
+  PairLists lists_;
   bool are_listed_ = false;
   bool starts_again_ = false;                    ///< the query that planned them started as the one before it did
   float until_ = 1;                              ///< when the lists end
@@ -71,8 +67,7 @@ class PairsAhead {
   double steps_;                                 ///< to look ahead
   double steps_listed_ = 0;
   int queries_served_ = 0;  ///< by these lists
-  int pause_ = 0;           ///< queries until it is worth another try
-  int next_pause_;
+  ListingPause pause_;      ///< in queries
 };
 
 }  // namespace tamis

@@ -12,7 +12,6 @@ namespace {
 /// Lists hold ways to come from the same start: a vertex may go so much farther than it went from this one or the one
 /// before, and so many times as far as they go on the average.
 constexpr double kFarther = 1.5, kBesides = 0.5;
-constexpr int kLongestPauseInStarts = 64;
 /// Where squares are too small for it, the least length.
 constexpr double kLeastLength = 0x1p-500;
 
@@ -41,7 +40,7 @@ bool PairsOfStart::begin(const Query& query, double fraction) {
 
 void PairsOfStart::start_anew(const Step& step) {
   forget();
-  pause_ = std::max(0, pause_ - 1);
+  pause_.tick();
   ways_before_.swap(ways_);
   const auto count = at(mesh_.vertex_count());
   ways_before_.resize(count);
@@ -65,7 +64,7 @@ bool PairsOfStart::covers(const Query& query, double fraction) const {
 }
 
 bool PairsOfStart::plan(const Query& query, double fraction) {
-  if (!starts_again_ || pause_ > 0) return false;
+  if (!starts_again_ || pause_.left > 0) return false;
   const double besides = kBesides * mean_of_ways();
   forget();
   room_.resize(start_.size());
@@ -91,26 +90,22 @@ double PairsOfStart::mean_of_ways() const {
 bool PairsOfStart::complete(bool hold_all) {
   are_listed_ = hold_all;
   if (hold_all) {
-    next_pause_ = 1;
+    pause_.lists_were_worth_it();
     return true;
   }
-  pause_ = next_pause_;
-  next_pause_ = std::min(2 * next_pause_, kLongestPauseInStarts);
+  pause_.begin();
   forget();
   return false;
 }
 
 void PairsOfStart::forget() {
   are_listed_ = false;
-  for (PairList& list : lists_) list.clear();
+  lists_.clear();
 }
 
 std::uint64_t PairsOfStart::memory_bytes() const {
-  std::uint64_t bytes =
-      start_.capacity() * sizeof(Point) +
-      (ways_.capacity() + ways_before_.capacity() + room_.capacity() + reach_.capacity()) * sizeof(double);
-  for (const PairList& list : lists_) bytes += list.memory_bytes();
-  return bytes;
+  return lists_.memory_bytes() + start_.capacity() * sizeof(Point) +
+         (ways_.capacity() + ways_before_.capacity() + room_.capacity() + reach_.capacity()) * sizeof(double);
 }
 
 }  // namespace tamis

@@ -1,8 +1,7 @@
 // Pairs near at the start: the rounds of a truncation ask about one start again and again, and so do the iterations of
-// a solver that truncates each. The pairs whose distance can be used up by vertices that go about as far are listed
-// once, and each further question looks at those alone. It decides what is looked at, never what the answer is.
+// a solver that truncates each. The pairs that are so near that their vertices may use up the distance are listed once,
+// and each further question looks at those alone. It decides what is looked at, never what the answer is.
 #pragma once
-#include <array>
 #include <vector>
 
 #include "coherence/pair_list.hpp"
@@ -18,17 +17,14 @@ class PairsOfStart {
 
   /// A new question. True: the lists hold all pairs that may end the step.
   bool begin(const Query& query, double fraction);
-  /// Else, where more questions about this start are sure to come: was there one before, and
-  /// is a list worth another try? If so, hand pairs that are within separations() of each other at the start to
-  /// take(), then call complete().
+  /// Else, where more questions about this start are sure to come: was there one before, and is a list worth another
+  /// try? If so, add all pairs that are within separations() of each other at the start to lists(), then call
+  /// complete().
   bool plan(const Query& query, double fraction);
   Separations separations() const { return {separation_, reach_}; }
-  /// All of `pairs`, which then is empty.
-  void take(PairKind kind, PairList& pairs) { lists_[static_cast<std::size_t>(kind)].take(pairs); }
   /// The lists are ready; or the pairs were too many, and there are none. Returns which.
   bool complete(bool hold_all);
-  const PairList& list(PairKind kind) const { return lists_[static_cast<std::size_t>(kind)]; }
-  bool has_pairs() const { return any_of(lists_); }
+  PairLists& lists() { return lists_; }
   std::uint64_t memory_bytes() const;
 
  private:
@@ -40,17 +36,16 @@ class PairsOfStart {
 
   const Mesh& mesh_;
   std::vector<Point> start_;  ///< of the last question
-  /// The longest of each vertex from this start, but for the first question, and from the start before.
+  /// How far each vertex went at most, from this start (in all questions but the first) and from the start before.
   std::vector<double> ways_, ways_before_;
   std::vector<double> room_;   ///< how far each vertex may go and leave pairs that are not listed all of their distance
   std::vector<double> reach_;  ///< that, and its own radius
   const double* radii_ = nullptr;  ///< the query's when the lists were made
   double separation_ = 0;
-  std::array<PairList, kPairKinds> lists_;
+  PairLists lists_;
   bool starts_again_ = false;  ///< the last question, as the one before it
   bool are_listed_ = false;
-  int pause_ = 0;  ///< starts until it is worth another try
-  int next_pause_ = 1;
+  ListingPause pause_{1};  ///< in starts
 };
 
 }  // namespace tamis

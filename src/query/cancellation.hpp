@@ -1,5 +1,5 @@
-// How a question ends before its answer: every place that takes a batch of pairs asks first, and every one that
-// decides a pair by itself, which can take milliseconds.
+// How a question ends before its answer: cancellation is checked before each batch of pairs, and before each pair that
+// is decided by itself, which can take milliseconds.
 #pragma once
 #include "query/isolated.hpp"
 #include "tamis/error.hpp"

@@ -1,6 +1,6 @@
-// A callback of the user's, or a whole question, may wait for oneTBB. A waiting thread takes other tasks, also parts of
-// the loop that it is inside of; such a part would use this thread's buffers while they are half full. Isolation keeps
-// a waiting thread to the tasks of what it waits for.
+// A callback of the user's, or a whole question, may wait for oneTBB. A waiting thread takes other tasks, among them
+// parts of the loop that it is in, which would use this thread's buffers while they are half full. In isolation it
+// takes only tasks of what it waits for.
 #pragma once
 #include <tbb/task_arena.h>
 

@@ -23,19 +23,31 @@ void CandidateConsumer::consume(PairKind kind) {
     stages.filter_deviating(motion.vertices.data(), shared_->deviation, clipped, filtered);
   else
     stages.cull_apart(motion.box_vertices.data(), motion.box_separation(), clipped, filtered);
-  candidates(kind).append(filtered, vertex_count(kind));
+  candidates_[kind].append(filtered, vertex_count(kind));
   if (shared_->left.fetch_sub(filtered.count, std::memory_order_relaxed) < filtered.count) shared_->bound.settle();
-}
-
-std::uint64_t CandidateConsumer::memory_bytes() const {
-  std::uint64_t bytes = 0;
-  for (const PairList& pairs : candidates_) bytes += pairs.memory_bytes();
-  return bytes;
 }
 
 std::int64_t CandidateSearch::most_pairs() const {
   const FeatureTrees& trees = workspace_.trees;
   return kMostPairsABlock * (trees.points().leaf_blocks + trees.edges().leaf_blocks);
+}
+
+bool CandidateSearch::list(const Query& query, double deviation, float until, PairLists& lists,
+                           Statistics& statistics) {
+  const std::int64_t most = most_pairs();
+  CandidateQuery asked{query, deviation, most};
+  begin(asked);
+  double part = 0;
+  for (const Sample& sample : Samples(workspace_.trees.most_leaf_blocks())) {
+    search(asked, sample, until);
+    streams_.finish([&](CandidateConsumer& consumer) { lists.take(consumer.candidates()); });
+    part += 1.0 / sample.stride;
+    if (static_cast<double>(most - asked.left) > (part + kSmallestPart) * static_cast<double>(most))
+      asked.bound.settle();
+  }
+  streams_.for_each([](CandidateConsumer& consumer) { consumer.release(); });
+  statistics.nodes_visited += streams_.counts().nodes_visited;
+  return !asked.bound.is_settled();
 }
 
 void CandidateSearch::begin(CandidateQuery& asked) {
@@ -49,11 +61,6 @@ void CandidateSearch::search(const CandidateQuery& asked, const Sample& sample, 
   workspace_.trees.for_each_kind([&](PairKind kind, const TreeView& a, const TreeView& b) {
     if (!asked.bound.is_settled()) streams_.search(kind, a, b, sample, until);
   });
-}
-
-void CandidateSearch::end(Statistics& statistics) {
-  streams_.for_each([](CandidateConsumer& consumer) { consumer.release(); });
-  statistics.nodes_visited += streams_.counts().nodes_visited;
 }
 
 }  // namespace tamis

@@ -1,7 +1,6 @@
 #include "search/contact_search.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 
@@ -28,7 +27,7 @@ void ContactSearch::find(const Query& query, ContactCollector& answer, Statistic
   const LooksAt looks_at = query.question == Question::earliest ? LooksAt::start : LooksAt::whole_step;
   const bool is_listed = candidates_.prepare(
       query, looks_at, ahead_.begin(query), [&] { return ahead_.plan(query); },
-      [&] { return list_ahead(query, statistics); }, [&] { return ahead_.has_pairs(); }, statistics);
+      [&] { return list_ahead(query, statistics); }, ahead_.lists(), statistics);
   const Stopwatch watch;
   streams_.begin(answer);
   if (is_listed) search_lists(answer);
@@ -47,17 +46,17 @@ void ContactSearch::find(const Query& query, ContactCollector& answer, Statistic
 /// Lists what may touch within the next steps. False: that is too much.
 bool ContactSearch::list_ahead(const Query& query, Statistics& statistics) {
   const Query predicted{ahead_.predicted_step(), query.separations, query.filter, query.rings, query.is_cancelled};
-  const auto take = [&](PairKind kind, PairList& pairs) { ahead_.take(kind, pairs); };
-  return ahead_.complete(candidates_.list(predicted, ahead_.slack(), ahead_.until(), take, statistics));
+  return ahead_.complete(candidates_.list(predicted, ahead_.slack(), ahead_.until(), ahead_.lists(), statistics));
 }
 
 void ContactSearch::search_lists(ContactCollector& answer) {
-  const auto parts_of = [&](PairKind kind) { return streams_.parts_of(ahead_.list(kind)); };
-  const int most_parts = std::max(parts_of(PairKind::vertex_face), parts_of(PairKind::edge_edge));
+  const PairLists& lists = ahead_.lists();
+  const int most_parts =
+      std::max(streams_.parts_of(lists[PairKind::vertex_face]), streams_.parts_of(lists[PairKind::edge_edge]));
   float t_limit = 1;
   for (const Sample& sample : samples_for(answer.query(), most_parts)) {
     workspace_.trees.for_each_kind([&](PairKind kind, const TreeView&, const TreeView&) {
-      if (answer.wants(kind)) streams_.search(kind, ahead_.list(kind), sample, ahead_.when(), t_limit);
+      if (answer.wants(kind)) streams_.search(kind, lists[kind], sample, ahead_.when(), t_limit);
     });
     t_limit = std::min(t_limit, gather(answer));
   }
@@ -75,16 +74,15 @@ bool ContactSearch::search_beginnings(ContactCollector& answer, Statistics& stat
   for (int i = 0; i < kBeginnings && length < 1; ++i, length *= kLonger) {
     const Beginning beginning(query.step, workspace_.mesh.points(), length);
     const Query shorter{beginning.step(), query.separations, query.filter, query.rings, query.is_cancelled};
-    std::array<PairList, kPairKinds> lists;
-    const auto take = [&](PairKind kind, PairList& pairs) { lists[static_cast<std::size_t>(kind)].take(pairs); };
-    const bool holds_all = candidates_.list(shorter, beginning.deviation(), 1, take, statistics);
+    PairLists lists;
+    const bool holds_all = candidates_.list(shorter, beginning.deviation(), 1, lists, statistics);
     if (holds_all) {
       trees.load_vertices(query.step, query.separations, statistics);
       streams_.begin(answer);
       answer.count_ignored_anew();
       const float t_limit = float_after(answer.bound().latest());
       trees.for_each_kind([&](PairKind kind, const TreeView&, const TreeView&) {
-        streams_.search(kind, lists[static_cast<std::size_t>(kind)], {0, 1}, {0, 1}, t_limit);
+        streams_.search(kind, lists[kind], {0, 1}, {0, 1}, t_limit);
       });
       gather(answer);
       if (answer.bound().latest() < length) return true;  // what is not listed touches at `length` or later

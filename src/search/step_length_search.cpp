@@ -22,9 +22,8 @@ bool StepLengthSearch::begin(StepLengthQuery& asked, Statistics& statistics) {
   const Query& query = asked.query;
   const auto plan = [&] { return asked.lists_all && of_start_.plan(query, asked.fraction); };
   const auto make = [&] { return list_near(query, statistics); };
-  const auto has_pairs = [&] { return of_start_.has_pairs(); };
   const bool is_listed = candidates_.prepare(query, LooksAt::distances, of_start_.begin(query, asked.fraction), plan,
-                                             make, has_pairs, statistics);
+                                             make, of_start_.lists(), statistics);
   const Stopwatch watch;
   if (!is_listed) fit_residuals(asked);
   asked.spread = workspace_.trees.motion().spread;
@@ -37,8 +36,7 @@ bool StepLengthSearch::begin(StepLengthQuery& asked, Statistics& statistics) {
 bool StepLengthSearch::list_near(const Query& query, Statistics& statistics) {
   const Step at_start{query.step.start, query.step.start};
   const Query near{at_start, of_start_.separations(), query.filter, query.rings, query.is_cancelled};
-  const auto take = [&](PairKind kind, PairList& pairs) { of_start_.take(kind, pairs); };
-  return of_start_.complete(candidates_.list(near, 0, 1, take, statistics));
+  return of_start_.complete(candidates_.list(near, 0, 1, of_start_.lists(), statistics));
 }
 
 void StepLengthSearch::fit_residuals(StepLengthQuery& asked) {
@@ -82,7 +80,7 @@ void StepLengthSearch::ask(StepLengthQuery& asked, Statistics& statistics) {
 
 void StepLengthSearch::search_lists() {
   workspace_.trees.for_each_kind([&](PairKind kind, const TreeView&, const TreeView&) {
-    streams_.search(kind, of_start_.list(kind), *Samples().begin(), {0, 1}, 1);
+    streams_.search(kind, of_start_.lists()[kind], *Samples().begin(), {0, 1}, 1);
   });
 }
 

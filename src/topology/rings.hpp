@@ -12,7 +12,7 @@ class Rings {
   /// nothing is kept. REQUIRES: rings >= 1.
   Rings(const Mesh& mesh, int rings);
 
-  /// Is anything to be asked? Without a common vertex features of one ring are no neighbours.
+  /// False: features without a common vertex are no neighbours, so that there is nothing to search.
   bool any() const { return rings_ > 1; }
   /// Is the shortest way along edges of the mesh, from a vertex of the one feature to one of the other, shorter than
   /// the rings? Goes from ring to ring around the first. REQUIRES: vertices of the mesh.

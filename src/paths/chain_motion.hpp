@@ -8,10 +8,13 @@
 #include <vector>
 
 #include "numerics/error_bounds.hpp"
+#include "numerics/finite.hpp"
 #include "numerics/interval.hpp"
 #include "tamis/rigid_path.hpp"
 
 namespace tamis {
+
+inline bool is_finite(const Pose& pose) { return is_finite(pose.position) && is_finite(pose.rotation); }
 
 /// Off by `error` at most, on each axis.
 struct RoundedPlace {

@@ -12,11 +12,11 @@
 namespace tamis {
 namespace {
 
-/// What is spent on one pair: parts that are looked at in doubles, and in double-double, of which so many within one
-/// part that doubles leave.
+/// Limits for one pair: parts that are looked at in doubles; in double-double; and in double-double within one part
+/// that doubles leave undecided.
 constexpr int kMostParts = 1 << 17, kMostFineParts = 1 << 17, kMostWithinPart = 1 << 13;
-/// While deviations are larger than errors cutting makes proofs sharper; below that only because chords turn less, for
-/// parts longer than this.
+/// While deviations are larger than errors, cutting makes proofs sharper. Below that it does so only because chords
+/// turn less, which counts for parts longer than this.
 template <class T>
 constexpr double kShortest = 0x1p-6;
 template <>
@@ -29,39 +29,33 @@ class PathSolver {
       : question_(question), reader_(reader), parts_(question, reader, time), parts_left_(most_parts) {}
 
   Decision run() {
-    Decision decision;
-    while (auto part = parts_.next())
-      if (settles(*part, decision)) break;
-    return decision;
+    while (const auto part = parts_.next())
+      if (const auto decision = decided_by(*part)) return *decision;
+    return {};
   }
   int parts_looked_at() const { return parts_.taken(); }
 
  private:
-  /// True if `decision` is final: the earliest time that cannot be proven free is known.
-  bool settles(const PathPart<T>& part, Decision& decision) {
+  /// The final decision: the earliest time that cannot be proven free. Nothing: this part is free, or cut further.
+  std::optional<Decision> decided_by(const PathPart<T>& part) {
     const std::array<double, 4> deviations = reader_.deviations(part.from.time, part.to.time);
     const Chords<kind, T> chords(part.from, part.to, deviations, reader_.directions());
     const auto ends = chords.at_ends();
-    if (chords.axis_proves_free(ends)) return false;
+    if (chords.axis_proves_free(ends)) return {};
     const auto widened = chords.motion();
-    if (filters_prove_free(widened)) return false;
-    if (!std::is_same_v<T, double> && !is_apart_at_start(part)) {
-      decision = {Verdict::unsure, part.from.time, end_of_shortest(part.from.time, part.to.time)};
-      return true;
-    }
+    if (filters_prove_free(widened)) return {};
+    if (!std::is_same_v<T, double> && !is_apart_at_start(part))
+      return Decision{Verdict::unsure, part.from.time, end_of_shortest(part.from.time, part.to.time)};
     const PathCrossing crossing = can_cross(kind) ? crossing_of(ends) : PathCrossing{};
     if (crossing.is_opposite()) {
       const bool is_narrow = part.length() <= question_.tolerance && part.from.time > 0;
-      if (is_narrow && stays_inside<kind>(widened)) {
-        decision = {Verdict::touches, part.from.time, part.to.time};
-        return true;
-      }
-      if (cut_around_crossing(part, window_of(widened, crossing.sign_at_start))) return false;
+      if (is_narrow && stays_inside<kind>(widened)) return Decision{Verdict::touches, part.from.time, part.to.time};
+      if (cut_around_crossing(part, window_of(widened, crossing.sign_at_start))) return {};
     }
     if (--parts_left_ > 0 && may_gain(part, deviations, chords.gap_at_start(ends)) &&
         parts_.cut(part, near_middle(part.from.time, part.to.time)))
-      return false;
-    return settles_further(part, widened, crossing, decision);
+      return {};
+    return decided_further(part, widened, crossing);
   }
 
   static bool filters_prove_free(const PairMotion<BasicInterval<T>>& m) {
@@ -78,7 +72,7 @@ class PathSolver {
     return start.axis_proves_free(ends) || filters_prove_free(ends);
   }
 
-  /// Where cutting ends of which the first part is cut again and again.
+  /// The end of the first part, if that is cut until it is too short.
   static double end_of_shortest(double from, double to) {
     while (to - from > kShortest<T>) {
       const double middle = near_middle(from, to);
@@ -107,20 +101,19 @@ class PathSolver {
     return true;
   }
 
-  /// Where this arithmetic ends.
-  bool settles_further(const PathPart<T>& part, const PairMotion<BasicInterval<T>>& widened,
-                       const PathCrossing& crossing, Decision& decision) {
+  /// Where cutting helps this arithmetic no more: doubles ask double-double, which has the last word.
+  std::optional<Decision> decided_further(const PathPart<T>& part, const PairMotion<BasicInterval<T>>& widened,
+                                          const PathCrossing& crossing) {
     if constexpr (std::is_same_v<T, double>) {
       const int most_parts = std::min(kMostWithinPart, fine_parts_left_);
       PathSolver<kind, DoubleDouble> fine(question_, reader_, {part.from.time, part.to.time}, most_parts);
-      decision = fine.run();
+      const Decision decision = fine.run();
       fine_parts_left_ -= fine.parts_looked_at();
-      return decision.verdict != Verdict::is_free;
+      return decision.verdict == Verdict::is_free ? std::nullopt : std::optional(decision);
     } else {
       const bool touches =
           crossing.is_opposite() && part.length() <= question_.tolerance && stays_inside<kind>(widened);
-      decision = {touches ? Verdict::touches : Verdict::unsure, part.from.time, part.to.time};
-      return true;
+      return Decision{touches ? Verdict::touches : Verdict::unsure, part.from.time, part.to.time};
     }
   }
 
@@ -130,8 +123,8 @@ class PathSolver {
   int parts_left_, fine_parts_left_ = kMostFineParts;
 };
 
-/// The sign of the pair's coplanarity at a moment: in doubles, or where they do not know it in double-double, which
-/// costs ten times as much. 0: that does not know it either.
+/// The sign of the pair's coplanarity at a moment, by doubles, or where these cannot tell by double-double, which costs
+/// ten times as much. 0: neither can tell.
 int side_at(PairKind kind, const PairReader& reader, const Moment<double>& moment) {
   return with_kind(kind, [&](auto k) {
     const auto side_of = [&]<class T>(const Moment<T>& at) {
@@ -142,7 +135,7 @@ int side_at(PairKind kind, const PairReader& reader, const Moment<double>& momen
   });
 }
 
-/// Of the chord between the ends of the bracket; on which side it begins the path knows better than the chord.
+/// By the chord between the ends of the bracket; the side on which it begins is read from the path itself.
 ContactPlace place_on_path(const PathQuestion& question, const Decision& decision) {
   const PairKind kind = question.kind;
   PairReader reader(question.path, question.vertices);

@@ -15,6 +15,12 @@ inline double chord_deviation(double acceleration, const Interval& length) {
   return (chord_factor(length) * Interval(acceleration)).upper;
 }
 
+template <class T>
+Vec3<BasicInterval<T>> enclosed(const Point& p) {
+  using I = BasicInterval<T>;
+  return {I(T(p[0])), I(T(p[1])), I(T(p[2]))};
+}
+
 struct RoundedNumber {
   double value, error;
 };

@@ -16,15 +16,16 @@
 
 namespace tamis {
 
-/// At one time, by vertex; of vertices that were not asked for anything.
+/// Positions and their errors at one time, by vertex. Those of vertices that were not asked for mean nothing.
 struct Frame {
   double time = 0;
   std::vector<Point> points;
   std::vector<double> errors;
 };
 
-/// What `vertex` has as radius while its chord stands for it: its deviation, what its positions are off by at most at
-/// both ends (an axis), and the caller's own. Throws InvalidPath, naming where the piece begins, unless that is finite.
+/// The radius of `vertex` on its chord, so that the chord stands for the curve: its deviation, the error of its
+/// positions at both ends (`error`, on each axis), and the caller's own radius. Throws InvalidPath, naming where the
+/// piece begins, unless that is finite.
 inline double radius_on_piece(Index vertex, double deviation, double error, double start,
                               const Separations& separations) {
   double radius = (deviation + kRootOfThree * kRoundedUp * error) * (1 + 0x1p-50) + 0x1p-1000;

@@ -9,10 +9,10 @@
 
 namespace tamis {
 
-/// A piece is as long as lets vertices deviate by this part of the mean edge: longer ones leave more pairs to be looked
-/// at on parts of them, shorter ones ask the whole mesh more often.
+/// On a piece no vertex deviates from its chord by more than this part of the mean edge. Longer pieces would leave more
+/// pairs to be looked at on parts of them, shorter ones search the whole mesh more often.
 inline constexpr double kChordDeviationInEdges = 0x1p-6;
-/// Where pieces leave few pairs, the next ones are longer: up to this part.
+/// Where pieces leave few pairs the next ones are longer, up to this part.
 inline constexpr double kMostChordDeviationInEdges = 1;
 
 /// Of one question. Throws InvalidPath where the path breaks its promises.
@@ -22,14 +22,13 @@ class MeshPieces {
   MeshPieces(const Mesh& mesh, const Path& path, std::span<const double> ends);
 
   Frame frame_at(double time) const;
-  /// The end of the piece that begins so; `deviations` are of it, and no vertex in its middle is farther from its
-  /// chord.
+  /// The end of the piece that begins so. deviations() are then of this piece, and were checked in its middle.
   Frame next(const Frame& from);
   /// Of every vertex from its chord, at most.
   const std::vector<double>& deviations() const { return deviations_; }
-  /// How long the next piece is follows from how many pairs the last one has left.
+  /// Sets the length of the next piece by the number of pairs that the last one left undecided.
   void learn(std::size_t pairs);
-  /// How far any vertex is from where it starts, at any time at most. Deviations are of the whole path then.
+  /// How far any vertex is from its start at most, at any time. deviations() are then of the whole path.
   double farthest_way();
 
  private:

@@ -13,11 +13,11 @@
 namespace tamis {
 namespace {
 
-/// So few are decided at once.
+/// So few pairs are decided without cutting their part further.
 constexpr std::size_t kFewPairs = 4;
-/// Where deviations go by squares of lengths, as of all paths here, they have become smaller by a million.
+/// Deviations go by the square of the length, as on all paths here: they are then a million times smaller.
 constexpr int kMostHalvingsOfAPiece = 10;
-/// A pair that is looked at in lanes so often has cost a part of what its decision does.
+/// Looks in lanes: so many cost a part of what the decision on one pair does.
 constexpr std::size_t kMostLooksAPair = 64;
 
 }  // namespace

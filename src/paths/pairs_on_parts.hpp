@@ -1,5 +1,5 @@
-// Pairs that may touch on a piece of a path, looked at again on its halves, the earlier half first, and on theirs:
-// chords of shorter parts deviate less, and lanes look at hundreds of pairs while one is decided on its curves.
+// The pairs that may touch on a piece of a path are searched again on its halves, the earlier first, and on halves of
+// these: chords of shorter parts deviate less, and lanes look at hundreds of pairs while one is decided on its curves.
 #pragma once
 #include <tbb/enumerable_thread_specific.h>
 

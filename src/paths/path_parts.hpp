@@ -1,5 +1,5 @@
-// Parts of the time that are still in question, the earliest on top. Who cancels waits for some of them, not for a
-// pair: that may take seconds.
+// Parts of the time that are still undecided, the earliest on top. One pair may take seconds, so cancellation is
+// checked every few parts.
 #pragma once
 #include <optional>
 #include <vector>

@@ -12,18 +12,14 @@
 namespace tamis {
 namespace {
 
+/// A moment of which the first `count` points are known.
 template <class T>
-Moment<T> with_error(Moment<T> moment) {
+Moment<T> completed(Moment<T> moment, std::size_t count) {
   using I = BasicInterval<T>;
+  for (std::size_t i = count; i < 4; ++i) moment.points[i] = moment.points[0];
   for (const auto& p : moment.points)
     for (const I& x : {p.x, p.y, p.z})
       moment.error = std::max(moment.error, upper_double((I(x.upper) - I(x.lower)).upper));
-  return moment;
-}
-
-template <class T>
-Moment<T> fill_up(Moment<T> moment, std::size_t count) {
-  for (std::size_t i = count; i < 4; ++i) moment.points[i] = moment.points[0];
   return moment;
 }
 
@@ -100,7 +96,7 @@ Moment<double> PairReader::at(double time) const {
     };
     moment.points[i] = {enclosed(points[i][0]), enclosed(points[i][1]), enclosed(points[i][2])};
   }
-  return with_error(fill_up(moment, count_));
+  return completed(moment, count_);
 }
 
 template <>
@@ -120,7 +116,7 @@ Moment<DoubleDouble> PairReader::at(double time) const {
     };
     moment.points[i] = {enclosed(0), enclosed(1), enclosed(2)};
   }
-  return with_error(fill_up(moment, count_));
+  return completed(moment, count_);
 }
 
 std::array<double, 4> PairReader::deviations(double from, double to) const {

@@ -15,16 +15,16 @@
 #include "paths/decide_path.hpp"
 #include "paths/mesh_pieces.hpp"
 #include "paths/remembered_path.hpp"
-#include "paths/within_on_path.hpp"
+#include "paths/step_length_on_path.hpp"
 #include "query/cancellation.hpp"
 #include "topology/at.hpp"
 
 namespace tamis {
 namespace {
 
-/// Pairs that are decided together, and between two looks at whether the question is cancelled.
+/// Pairs that are decided in parallel; also the pairs between two checks for cancellation.
 constexpr std::size_t kBatch = 256;
-/// The first of them, where a first contact spares the rest.
+/// In the first batch, where a first contact spares the rest.
 constexpr std::size_t kFirstBatch = 8;
 
 /// Ascending, each once.
@@ -37,7 +37,7 @@ std::vector<Index> vertices_of(std::span<const Contact> pairs, std::span<const s
   return vertices;
 }
 
-/// By which a pair is decided.
+/// How a pair is decided.
 struct PairRule {
   double separation;
   bool ignores_start;
@@ -66,17 +66,17 @@ struct PathSearch::Run {
   /// No pair that stays farther apart, beyond its radii, touches, or fails to keep its part.
   double reach = kept_reach();
   std::set<PairKey> known = {};  ///< to touch
-  /// Ignored: those that touch at the start, and not since. Until when each has not been apart: the end of a piece, or
-  /// the start of the one in which it came apart.
+  /// Pairs that are ignored, as they touch at the start, with a time until which each has not been apart: the end of a
+  /// piece, or the start of the piece in which it came apart. One that touches again is no longer among them.
   std::map<PairKey, double> together_until = {};
 
   void search();
   double kept_reach();
   /// Finds the pairs whose chords come within reach.
   void search_chords(const Frame& from, const Frame& to);
-  /// What those have left of a piece.
+  /// Decides the pairs whose chords are within reach on the piece.
   void decide_all(const Frame& from, const Frame& to);
-  /// Of that piece, together. Returns when the first of them touches, by its bracket's end.
+  /// Some of them, in parallel. Returns the end of the bracket of the first that touches.
   double decide(const TimeInterval<double>& piece, std::span<const std::int32_t> places);
   /// Has the pair, which is ignored at the start, not been apart until this time, the start of a piece?
   bool is_together(const Contact& pair, double time) const {
@@ -196,23 +196,6 @@ void PathSearch::find(const MeshOnPath& asked, Question question, std::vector<Co
                asked.separations.radii.size() == static_cast<std::size_t>(mesh_.vertex_count()));
   contacts.clear();
   Run{*this, asked, question, contacts, statistics}.search();
-}
-
-SafeStep PathSearch::find_step_length(const MeshOnPath& asked, Statistics& statistics) {
-  std::vector<Contact> contacts;
-  find(asked, Question::earliest, contacts, statistics);
-  const EarliestContact first = first_of(contacts);
-  if (!first.contact) return {};
-  const auto& [kind, certainty, vertices, toi_lower, toi_upper, u, v, normal] = *first.contact;
-  const DistanceRule rule{asked.keep, asked.separations.between(kind, vertices)};
-  const KeptSeparation kept = kept_separation(asked.path, kind, vertices, rule);
-  SafeStep step{toi_lower, first.toi_upper, LimitingPair{kind, vertices, kept.distance}};
-  if (asked.keep > 0) {
-    const PathQuestion question{asked.path, kind, vertices, kept.low, asked.tolerance, options_.is_cancelled};
-    const Decision decision = decide_on_path(question, {toi_lower, 1});
-    step.upper = decision.verdict == Verdict::touches ? decision.upper : 1;
-  }
-  return step;
 }
 
 std::uint64_t PathSearch::memory_bytes() const {

@@ -32,7 +32,7 @@ class PathSearch {
   /// finite fixed separation >= 0, radii of all vertices or none, a tolerance > 0. REQUIRES (not checked: O(n)): finite
   /// radii >= 0. Runs in the caller's oneTBB arena.
   void find(const MeshOnPath& asked, Question question, std::vector<Contact>& contacts, Statistics& statistics);
-  /// How far all may go, so that every pair keeps its part. Otherwise as `find`.
+  /// How far all vertices may go so that every pair keeps its part. Otherwise as `find`.
   SafeStep find_step_length(const MeshOnPath& asked, Statistics& statistics);
   std::uint64_t memory_bytes() const;
 

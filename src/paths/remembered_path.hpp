@@ -1,5 +1,5 @@
-// A caller's path, asked in the middle of a question; and one that remembers where some vertices are: pairs that are
-// cut at the same times share what it costs to know a time, such as the poses of turning bodies.
+// A caller's path, called during a question; and one that remembers positions at times that are asked for again: pairs
+// cut at the same times then share the cost of these, such as that of the poses of turning bodies.
 #pragma once
 #include <vector>
 
@@ -8,7 +8,7 @@
 
 namespace tamis {
 
-/// What waits in the caller's functions takes no other part of the question (query/isolated.hpp).
+/// A thread that waits in the caller's functions takes no other part of the question (query/isolated.hpp).
 class IsolatedPath : public Path {
  public:
   /// Keeps a reference.
@@ -54,14 +54,14 @@ class RememberedPath final : public IsolatedPath {
 
   /// Null where the time is asked for for the first time, or there is no more room.
   const Time* kept_at(double time) const;
-  /// Was it asked for not long ago? Notes that it is now.
+  /// Was it asked for before, among the last times? Remembers that it is now.
   bool was_seen(double time) const;
   /// False if a vertex is not a used one.
   bool copy(const Time& from, std::span<const Index> vertices, std::span<Point> points, std::span<double> errors) const;
 
   const std::vector<Index>& used_;
   mutable std::vector<Time> kept_;
-  mutable std::vector<double> seen_;  ///< most times are asked for once: only the second time all are looked at
+  mutable std::vector<double> seen_;  ///< asked for once, as most times are; the second time all vertices are kept
   mutable std::size_t oldest_ = 0;    ///< of those
 };
 

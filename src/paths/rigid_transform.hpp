@@ -1,5 +1,6 @@
 // Where a chain of links takes a body at one time, enclosed in double-double.
 #pragma once
+#include "paths/fine_point.hpp"
 #include "paths/rotation.hpp"
 #include "tamis/rigid_path.hpp"
 
@@ -13,12 +14,6 @@ struct RigidTransform {
 
 inline Vec3<FineInterval> operator*(const rotation::Rows& rows, const Vec3<FineInterval>& x) {
   return {dot(rows[0], x), dot(rows[1], x), dot(rows[2], x)};
-}
-
-template <class T>
-Vec3<BasicInterval<T>> enclosed(const Point& p) {
-  using I = BasicInterval<T>;
-  return {I(T(p[0])), I(T(p[1])), I(T(p[2]))};
 }
 
 /// Both rounded up: |b - a|, and the larger of |a| and |b|.

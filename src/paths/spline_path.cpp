@@ -5,6 +5,7 @@
 #include <string>
 
 #include "numerics/error_bounds.hpp"
+#include "numerics/finite.hpp"
 #include "paths/fine_point.hpp"
 #include "tamis/error.hpp"
 #include "topology/at.hpp"
@@ -44,10 +45,9 @@ SplinePath::SplinePath(std::vector<std::vector<Point>> frames, std::size_t least
       throw InvalidPath("frame " + std::to_string(i) + " of the path has " + std::to_string(frames_[i].size()) +
                         " points, the first one " + std::to_string(frames_[0].size()) + ": give one a vertex");
     for (std::size_t v = 0; v < frames_[i].size(); ++v)
-      for (const double x : frames_[i][v])
-        if (!std::isfinite(x))
-          throw InvalidPath("vertex " + std::to_string(v) + " in frame " + std::to_string(i) +
-                            " of the path is not finite: give finite positions");
+      if (!is_finite(frames_[i][v]))
+        throw InvalidPath("vertex " + std::to_string(v) + " in frame " + std::to_string(i) +
+                          " of the path is not finite: give finite positions");
   }
 }
 
@@ -85,11 +85,9 @@ void SplinePath::fine_points_at(double time, std::span<const Index> vertices, st
   const SplineWeights weights = weights_at(time);
   for (std::size_t i = 0; i < vertices.size(); ++i) {
     const auto v = at(vertices[i]);
-    Vec3<FineInterval> x{fine(0), fine(0), fine(0)};
-    for (std::size_t k = 0; k < weights.values.size(); ++k) {
-      const Point& p = frames_[weights.first + k][v];
-      x = x + weights.values[k] * Vec3<FineInterval>{fine(p[0]), fine(p[1]), fine(p[2])};
-    }
+    auto x = enclosed<DoubleDouble>({0, 0, 0});
+    for (std::size_t k = 0; k < weights.values.size(); ++k)
+      x = x + weights.values[k] * enclosed<DoubleDouble>(frames_[weights.first + k][v]);
     points[i] = fine_point(x);
   }
 }

@@ -1,0 +1,43 @@
+#include "paths/step_length_on_path.hpp"
+
+#include <algorithm>
+
+#include "paths/path_search.hpp"
+#include "paths/within_on_path.hpp"
+
+namespace tamis {
+
+KeptSeparation kept_separation(const Path& path, PairKind kind, const PairVertices& vertices,
+                               const DistanceRule& rule) {
+  PairReader reader(path, vertices);
+  reader.set_unit_at(0);
+  const auto moment = reader.at<double>(0);
+  const PairPoints points = points_between(moment, moment);
+  const DistanceBounds middles = start_distance_bounds(kind, points);
+  const double slack = position_slack(moment.error), separation = rule.min_separation * reader.scale();
+  const double low = (middles.low - slack) * (1 - 0x1p-50), high = (middles.high + slack) * (1 + 0x1p-50);
+  const auto kept = [&](double distance) {
+    return (separation + rule.fraction * std::max(distance - separation, 0.0)) / reader.scale();
+  };
+  return {kept(low) * (1 - 0x1p-50), kept(high) * (1 + 0x1p-50) + 0x1p-1000,
+          start_distance(kind, points) / reader.scale(), !(low > separation)};
+}
+
+SafeStep PathSearch::find_step_length(const MeshOnPath& asked, Statistics& statistics) {
+  std::vector<Contact> contacts;
+  find(asked, Question::earliest, contacts, statistics);
+  const EarliestContact first = first_of(contacts);
+  if (!first.contact) return {};
+  const auto& [kind, certainty, vertices, toi_lower, toi_upper, u, v, normal] = *first.contact;
+  const DistanceRule rule{asked.keep, asked.separations.between(kind, vertices)};
+  const KeptSeparation kept = kept_separation(asked.path, kind, vertices, rule);
+  SafeStep step{toi_lower, first.toi_upper, LimitingPair{kind, vertices, kept.distance}};
+  if (asked.keep > 0) {
+    const PathQuestion question{asked.path, kind, vertices, kept.low, asked.tolerance, options_.is_cancelled};
+    const Decision decision = decide_on_path(question, {toi_lower, 1});
+    step.upper = decision.verdict == Verdict::touches ? decision.upper : 1;
+  }
+  return step;
+}
+
+}  // namespace tamis

@@ -7,7 +7,7 @@
 namespace tamis {
 namespace {
 
-/// More are none: oneTBB warns on stderr when it is asked for them, and has no memory for a million.
+/// Asked for more, oneTBB warns on stderr, and has no memory for a million.
 int most_threads() {
   return static_cast<int>(tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
 }

@@ -12,7 +12,6 @@
 #include "numerics/number_text.hpp"
 #include "query/cancellation.hpp"
 #include "query/pair_rules.hpp"
-#include "query/stopwatch.hpp"
 #include "tamis/error.hpp"
 
 namespace tamis {
@@ -43,10 +42,9 @@ Detector::State::State(Mesh m, Options o, const MakeEngine& make_engine)
     : mesh(std::move(m)),
       options(valid(std::move(o), mesh)),
       rings_(mesh, options.filter.rings),
-      arena_(options.threads) {
-  radii_ = radii_of(options, mesh);
-  engine_ = make_engine(mesh, options);
-}
+      arena_(options.threads),
+      radii_(radii_of(options, mesh)),
+      engine_(make_engine(mesh, options)) {}
 
 void Detector::State::set_radii(std::vector<double> radii) {
   TAMIS_ASSERT(radii.size() == static_cast<std::size_t>(mesh.vertex_count()));
@@ -92,49 +90,6 @@ void Detector::State::find_contacts(const Step& step, const QueryOptions& asked,
   const auto& contacts = found.contacts();
   const auto touching = std::ranges::find_if(contacts, [](const Contact& c) { return c.toi_upper == 0; });
   if (touching != contacts.end()) refuse_start(all, *touching);
-}
-
-/// find(search, whole path).
-template <class Find>
-void Detector::State::on_path(const Path& path, const QueryOptions& asked, std::span<const double> ends,
-                              const Find& find) {
-  constexpr double kTolerance = 1e-9;
-  validate_of_path(asked);
-  measure([&] {
-    if (!path_search_) path_search_ = std::make_unique<PathSearch>(mesh, options, rings_, *engine_);
-    const MeshOnPath whole{path, separations(asked), asked.tolerance.value_or(kTolerance),
-                           asked.at_start == AtStart::ignore, ends};
-    find(*path_search_, whole);
-  });
-}
-
-void Detector::State::ask(const Path& path, const QueryOptions& asked, Question question,
-                          std::span<const double> ends) {
-  if (asked.at_start == AtStart::fail && question == Question::is_free) question = Question::earliest;
-  on_path(path, asked, ends, [&](PathSearch& search, const MeshOnPath& whole) {
-    search.find(whole, question, found.contacts(), statistics);
-    sort_found();
-  });
-  if (asked.at_start == AtStart::fail) refuse_start_of_path();
-}
-
-SafeStep Detector::State::safe_step(const Path& path, double keep, const QueryOptions& asked,
-                                    std::span<const double> ends) {
-  validate_kept(keep);
-  SafeStep answer;
-  on_path(path, asked, ends, [&](PathSearch& search, MeshOnPath whole) {
-    whole.keep = keep;
-    answer = search.find_step_length(whole, statistics);
-  });
-  return answer;
-}
-
-void Detector::State::refuse_start_of_path() const {
-  for (const Contact& c : found.contacts())
-    if (c.toi_lower == 0)
-      throw InvalidStep(features_text(c.kind, c.vertices) +
-                        " touch at the start of the path, or are nearer than can be told: move them apart, leave the "
-                        "pair out, or ask with at_start ignore");
 }
 
 void Detector::State::sort_found() {
@@ -226,23 +181,6 @@ void Detector::State::find_intersections(const Positions& positions, Question qu
   Query asked = query({positions, positions}, {}, question);
   asked.is_by_pair = is_by_pair;
   measure([&] { engine_->find_intersections(asked, intersections, statistics); });
-}
-
-template <class Work>
-void Detector::State::measure(const Work& work) {
-  statistics = {};
-  measure_more(work);
-}
-
-template <class Work>
-void Detector::State::measure_more(const Work& work) {
-  const Stopwatch watch;
-  arena_.run([&] {
-    statistics.threads = Arena::threads_here();
-    work();
-  });
-  statistics.memory_bytes = memory_bytes();
-  statistics.seconds.total += watch.seconds();
 }
 
 std::uint64_t Detector::State::memory_bytes() const {

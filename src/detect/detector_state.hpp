@@ -9,6 +9,7 @@
 #include "detect/planar_times.hpp"
 #include "paths/path_search.hpp"
 #include "query/engine.hpp"
+#include "query/stopwatch.hpp"
 #include "tamis/detector.hpp"
 #include "tamis/turn.hpp"
 
@@ -59,8 +60,6 @@ struct Detector::State {
   void find(const Query& query);
   /// Throws InvalidStep, which names the pair: it touches at the step's start.
   [[noreturn]] void refuse_start(const Query& query, const Contact& touching) const;
-  /// The same of a path, if one of the contacts in `found` is at its start.
-  void refuse_start_of_path() const;
   /// 0 < keep < 1.
   SafeStep step_length(const Query& query, double keep, AtStart at_start);
   /// Into the documented order.
@@ -81,6 +80,23 @@ struct Detector::State {
   std::unique_ptr<PathSearch> path_search_;  ///< made by the first question that needs it
   ContactSorter sorter_;
 };
+
+template <class Work>
+void Detector::State::measure(const Work& work) {
+  statistics = {};
+  measure_more(work);
+}
+
+template <class Work>
+void Detector::State::measure_more(const Work& work) {
+  const Stopwatch watch;
+  arena_.run([&] {
+    statistics.threads = Arena::threads_here();
+    work();
+  });
+  statistics.memory_bytes = memory_bytes();
+  statistics.seconds.total += watch.seconds();
+}
 
 /// The state, for as long as one question has its turn.
 class Detector::LockedState {

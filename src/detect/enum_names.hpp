@@ -24,7 +24,7 @@ Enum find_by_name(const EnumNames<Enum, n>& names, std::string_view what, std::s
   throw InvalidOptions("no " + std::string(what) + " is called '" + std::string(name) + "': use one of " + choices);
 }
 
-/// kUnnamed of a number that was cast to the enumeration.
+/// kUnnamed if `value` is none of the enumeration's.
 template <class Enum, std::size_t n>
 std::string_view find_name(const EnumNames<Enum, n>& names, Enum value) {
   for (const auto& [key, text] : names)
@@ -32,7 +32,7 @@ std::string_view find_name(const EnumNames<Enum, n>& names, Enum value) {
   return kUnnamed;
 }
 
-/// Throws InvalidOptions of a number that was cast to the enumeration.
+/// Throws InvalidOptions if `value` is none of the enumeration's.
 template <class Enum>
 void validate_is_named(Enum value, std::string_view what) {
   if (name_of(value) == kUnnamed)

@@ -9,10 +9,10 @@
 namespace tamis {
 namespace {
 
-/// The part of the room between them that features have on their side of the planes at least, unless they rest.
+/// The least part of that room for a feature that moves.
 constexpr double kLeastPart = 1.0 / 64;
 
-/// Of the room between the features, the part that is the first one's: the faster has more.
+/// The first feature's part of the room between the features: the faster one has more.
 double first_part(double first_speed, double second_speed) {
   const double speeds = first_speed + second_speed;
   if (!(speeds > 0)) return 0.5;

@@ -11,8 +11,8 @@
 
 namespace tamis {
 
-/// By what a step is truncated: every pair keeps `keep` of its distance, and while all go at one pace a little
-/// more, `together`: what lies between both is for vertices that go on alone.
+/// The fractions of its distance that each pair keeps when a step is truncated: `keep`, and while all vertices go at
+/// one pace a little more, `together`. Vertices that go on alone use what lies between.
 struct KeptFractions {
   /// REQUIRES: 0 < kept < 1.
   explicit KeptFractions(double kept) : keep(kept), together(std::min(1.25 * kept, kept + 0.25 * (1 - kept))) {

@@ -23,7 +23,7 @@ inline std::vector<Point> rounded(const Positions& positions, Stored stored) {
 }
 
 /// About how far rounding moves a coordinate at most on its way between two of these sizes: half a unit in the last
-/// place. Of doubles nothing that is to be planned for: whoever plans leaves a part of each distance, which is more.
+/// place. 0 for doubles, whose rounding is less than the part of each distance that plans leave.
 inline double most_rounding(double start, double end, Stored stored) {
   if (stored == Stored::float64) return 0;
   return 0x1p-24 * std::max(std::fabs(start), std::fabs(end)) + 0x1p-150;

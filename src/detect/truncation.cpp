@@ -16,12 +16,12 @@ namespace {
 /// Beyond the place up to which all go together no vertex goes farther than this many mean edges: there would be too
 /// many pairs that it could meet.
 constexpr double kFarthestInEdges = 0.25;
-/// Rounds in which pairs get planes as they turn out to need them: what follows in a stack stops one round later than
-/// what it follows. Recorded steps take 3 to 20.
+/// Rounds in which only the pairs that need planes get them. In a stack each body stops one round after the one below.
+/// Recorded steps take 3 to 20.
 constexpr int kRounds = 32;
-/// Rounds in which, where all have planes, only those go back that are not proven; then all do.
+/// Rounds in which all pairs have planes and only vertices of pairs that are not proven go back; then all vertices do.
 constexpr int kRoundsApart = 8;
-/// What a pair keeps of a distance that is within its separation at the start.
+/// The part of its distance that a pair keeps which starts within its separation.
 constexpr double kAllButAMillionth = 1 - 0x1p-20;
 
 double length_of_way(const Step& step, Index v) {
@@ -65,7 +65,7 @@ void Truncation::begin_apart() {
   for (const Index index : mesh_.points()) {
     const auto v = at(index);
     const double way =
-        to_.parts[v] > 0 ? to_.parts[v] * length_of_way(step_, index) : 0;  // nothing is none of infinity
+        to_.parts[v] > 0 ? to_.parts[v] * length_of_way(step_, index) : 0;  // 0 times infinity is not a number
     radii_[v] = std::min(reach * way, 0x1p1020) + (separations_.radii.empty() ? 0 : separations_.radii[v]);
   }
 }
@@ -114,7 +114,7 @@ Truncation::Next Truncation::after(const std::vector<StepLimit>& ends) {
   return Next::ask;
 }
 
-/// Where all are on their sides already, and it is not proven all the same, they go back.
+/// Vertices that are all on their sides of the planes, of a pair that is not proven all the same, go back to together_.
 void Truncation::stop_at_planes(const StepLimit& pair, const std::vector<double>& asked) {
   const PairPoints points = points_of(step_, pair.vertices);
   const NearPair there = near_pair(pair.kind, pair.vertices, at_rest_at(points, together_));

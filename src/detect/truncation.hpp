@@ -1,8 +1,8 @@
-// Every vertex its own step. All go together as far as every pair keeps a little more than it must; from there each
-// goes on by itself. Of the straight way to these very doubles it is asked which pairs do not keep what they must: they
-// get planes between them (detect/planar_times.hpp), until there is none. Where that does not come to an end each goes
-// by itself from the start, with planes between all that it could reach. All positions that are asked about are such as
-// the caller can store.
+// A step length for each vertex. All vertices go together as far as every pair keeps a little more of its distance than
+// it must; from there each goes on alone. The engine then finds the pairs that do not keep their distance on the
+// straight way to these positions, and planes between the features of each (detect/planar_times.hpp) stop its vertices,
+// round by round until no pair is left. If that does not end, each vertex goes alone from the start, with planes
+// between all pairs that could meet. All positions asked about are numbers that the caller can store.
 #pragma once
 #include <vector>
 
@@ -20,13 +20,14 @@ class Truncation {
   /// between positions that can be stored.
   Truncation(const Mesh& mesh, const Query& query, const KeptFractions& fractions, double together, Stored stored);
 
-  /// To be asked: all pairs that are not proven to keep their fraction on it.
+  /// The way to be proven next: the engine is asked for all pairs that do not keep their fraction on it.
   Step way() const { return {step_.start, to_.positions}; }
   enum class Next : std::uint8_t {
     done,        ///< the way is proven
     ask,         ///< of another way
     plan_apart,  ///< the same, after keep_apart() of what is near at the start within reach()
   };
+  /// `ends`: the engine's answer about way().
   Next after(const std::vector<StepLimit>& ends);
 
   Separations reach() const { return {separations_.fixed, radii_}; }
@@ -39,8 +40,8 @@ class Truncation {
   void begin_apart();
   void place(Index vertex);
   void stop(Index vertex, double time);
-  /// Is it to go less far? REQUIRES: a time in [0,1). REQUIRES (not checked: history): one of the pairs that were asked
-  /// for.
+  /// Must the pair's vertices go less far? REQUIRES: a time in [0,1). REQUIRES (not checked: history): a pair of the
+  /// engine's answer.
   bool is_broken(const StepLimit& pair);
   bool moves(const StepLimit& pair) const;
   bool is_beyond(const StepLimit& pair) const;

@@ -75,6 +75,11 @@ std::string distance_text(double distance, std::string_view what) {
   return std::string(what) + " is " + number_text(distance) + ": give a finite distance >= 0";
 }
 
+void validate_of_any(const QueryOptions& options) {
+  if (options.min_separation) validate_distance(*options.min_separation, "the minimum separation");
+  validate_is_named(options.at_start, "way with pairs that touch at the start");
+}
+
 void check_kept(double keep, bool is_enough, const char* least) {
   check(is_enough && keep < 1, [&] {
     return "keep is " + number_text(keep) + ": give the fraction of its distance that each pair keeps, " + least +
@@ -163,15 +168,13 @@ void validate_kept(double keep) { check_kept(keep, keep >= 0, ">= 0"); }
 void validate_kept_of_truncate(double keep) { check_kept(keep, keep > 0, "> 0"); }
 
 void validate_of_step(const QueryOptions& options) {
-  if (options.min_separation) validate_distance(*options.min_separation, "the minimum separation");
-  validate_is_named(options.at_start, "way with pairs that touch at the start");
+  validate_of_any(options);
   check(!options.tolerance,
         "a step has no tolerance, its brackets are as narrow as doubles: leave it out, or give a path");
 }
 
 void validate_of_path(const QueryOptions& options) {
-  if (options.min_separation) validate_distance(*options.min_separation, "the minimum separation");
-  validate_is_named(options.at_start, "way with pairs that touch at the start");
+  validate_of_any(options);
   const double tolerance = options.tolerance.value_or(1);
   check(tolerance > 0 && tolerance <= 1, [&] {
     return "the tolerance of brackets is " + number_text(tolerance) + ": give a fraction of the step, > 0 and <= 1";

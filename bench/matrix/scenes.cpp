@@ -52,8 +52,8 @@ constexpr std::array kGenerated{
     Generated{"fast-body", fast_body, 1, 100},
     Generated{"spinning-bodies", spinning_bodies, 1, 100},
     Generated{"fast-together", fast_together},
-    Generated{"passing-bodies", passing_bodies, 1, 100},
     Generated{"bodies-without-self-contact", scenes::colliding_bodies, 1, 100, true},
+    Generated{"passing-bodies", passing_bodies, 1, 100},
     Generated{"scattered-groups", scattered_groups, 1, 100, true},
 };
 

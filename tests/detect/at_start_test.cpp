@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
+#include "detect/at_start_options.hpp"
 #include "exact/exact.hpp"
 #include "lab/detector.hpp"
 #include "lab/pairs.hpp"
@@ -16,15 +16,12 @@
 #include "support/contact_sets.hpp"
 #include "support/test_names.hpp"
 #include "tamis/error.hpp"
-#include "tamis/rigid_path.hpp"
 
 namespace tamis::test {
 namespace {
 
 using lab::Method;
 using scenes::Recipe, scenes::Scene;
-
-constexpr QueryOptions kIgnore{.at_start = AtStart::ignore}, kFail{.at_start = AtStart::fail};
 
 lab::Options with(Method method, double separation) {
   lab::Options options;
@@ -195,134 +192,6 @@ TEST_P(AtStartIn, EveryQuestionFailsForTheSamePair) {
 
 INSTANTIATE_TEST_SUITE_P(Scenes, AtStartIn, testing::ValuesIn(scenes::recipes().begin(), scenes::recipes().end()),
                          scene_test_name);
-
-/// A point that moves against a triangle, and another triangle beside it.
-struct OnAFace : testing::Test {
-  Mesh mesh{7, {{0, 1, 2}, {4, 5, 6}}, {}, {3}};
-  std::vector<Point> start{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0.25, 0.25, 0}, {3, 0, 0}, {4, 0, 0}, {3, 1, 0}},
-      end = start;
-};
-
-// Bugs: a sentence without the pair, the separation or advice; an answer that is refused where nothing touches.
-TEST_F(OnAFace, FailureNamesThePair) {
-  const auto sentence_of = [&](double separation) -> std::string {
-    Detector detector(mesh);
-    try {
-      detector.contacts({start, end}, {.min_separation = separation, .at_start = AtStart::fail});
-    } catch (const InvalidStep& refusal) {
-      return refusal.what();
-    }
-    return "";
-  };
-  EXPECT_EQ(sentence_of(0),
-            "vertex 3 and face 0 1 2 touch at the start of the step: move them apart, leave the pair out, or ask with "
-            "at_start ignore");
-  EXPECT_NE(sentence_of(0.125).find("within 0.125 of each other"), std::string::npos);
-  start[3][2] = end[3][2] = 0.5;
-  EXPECT_EQ(sentence_of(0.125), "");
-  EXPECT_NE(sentence_of(0.5).find("vertex 3 and face 0 1 2"), std::string::npos);
-  end[3][2] = -0.5;
-  EXPECT_EQ(sentence_of(0), "") << "what only comes to touch";
-}
-
-// Bugs: radii that are left out of what touches at the start.
-TEST_F(OnAFace, RadiiCountAtTheStart) {
-  start[3][2] = 0.25;
-  end[3][2] = 1;
-  Options options;
-  options.radii = {0.125};
-  Detector detector(mesh, options);
-  EXPECT_FALSE(detector.is_free({start, end}));
-  EXPECT_TRUE(detector.is_free({start, end}, kIgnore));
-  EXPECT_EQ(detector.statistics().ignored, 1u);
-  EXPECT_THROW(detector.is_free({start, end}, kFail), InvalidStep);
-}
-
-// Bugs: a curve that is asked as if pairs that touch at its start were to be reported.
-TEST_F(OnAFace, CurvesIgnoreAndFailToo) {
-  class Still : public Path {
-   public:
-    explicit Still(const std::vector<Point>& points) : points_(points) {}
-    Index vertex_count() const override { return static_cast<Index>(points_.size()); }
-    void points_at(double, std::span<const Index> vertices, std::span<Point> points,
-                   std::span<double> errors) const override {
-      for (std::size_t i = 0; i < vertices.size(); ++i) points[i] = points_[static_cast<std::size_t>(vertices[i])];
-      std::ranges::fill(errors, 0);
-    }
-    void deviations(double, double, std::span<const Index>, std::span<double> deviations) const override {
-      std::ranges::fill(deviations, 0);
-    }
-
-   private:
-    const std::vector<Point>& points_;
-  };
-  Detector detector(mesh);
-  const Still path(start);
-  EXPECT_FALSE(detector.is_free(path));
-  EXPECT_EQ(detector.statistics().ignored, 0u);
-  EXPECT_TRUE(detector.contacts(path, kIgnore).empty());
-  EXPECT_EQ(detector.statistics().ignored, 1u);
-  EXPECT_FALSE(detector.earliest(path, kIgnore).contact);
-  EXPECT_EQ(detector.statistics().ignored, 1u);
-  EXPECT_TRUE(detector.is_free(path, kIgnore));
-  EXPECT_EQ(detector.statistics().ignored, 1u);
-  EXPECT_THROW(detector.contacts(path, kFail), InvalidStep);
-  EXPECT_THROW(detector.earliest(path, kFail), InvalidStep);
-  EXPECT_THROW(detector.is_free(path, kFail), InvalidStep);
-  EXPECT_THROW(detector.is_free({start, end}, {.tolerance = 1e-9}), InvalidOptions);
-}
-
-// Bugs: pairs that are ignored and not counted; one that is counted though it comes back, in a later piece of the path,
-// or once in each piece.
-TEST(AtStart, OnACurveWhatDoesNotComeBackIsIgnoredAndCountedOnce) {
-  // A face, and points: one stays on it, one leaves it, one goes round and comes back, one comes from above.
-  const std::vector<Point> rest{{0, 0, 0}, {9, 0, 0}, {0, 9, 0}, {1, 1, 0}, {3, 1, 0}, {2, 0, -1}, {1, 3, 1}};
-  const Pose still{{0, 0, 0}, {0, 0, 0}};
-  const double whole_turn = 2 * std::acos(-1.0);
-  const RigidPath path(rest, {0, 0, 0, 0, 1, 2, 3},
-                       {{},
-                        interpolated(still, {{0, 0, 1}, {0, 0, 0}}),
-                        interpolated({{0, 2, 1}, {0, 0, 0}}, {{0, 2, 1}, {whole_turn, 0, 0}}),
-                        interpolated(still, {{0, 0, -1}, {0, 0, 0}})});
-  Detector detector(Mesh(7, {{0, 1, 2}}, {}, {3, 4, 5, 6}));
-  QueryOptions ignore = kIgnore;
-  ignore.min_separation = 0.01;
-  const std::vector<Contact>& contacts = detector.contacts(path, ignore);
-  ASSERT_EQ(contacts.size(), 2u);
-  EXPECT_EQ(contacts[0].vertices[0], 5);
-  EXPECT_EQ(contacts[1].vertices[0], 6);
-  EXPECT_EQ(detector.statistics().ignored, 2u);
-}
-
-// Bug: is_free ends at a first contact, before it has looked at the pair that touches at the start.
-// Bug: they were counted again with each beginning of the step that was looked at.
-TEST(AtStart, IsCountedOnceWhereAStepGoesVeryFar) {
-  const std::vector<Point> start{{-4, -4, 0}, {4, -4, 0}, {0, 4, 0}, {0, 0, 0}, {0.5, 0, 0}, {-0.5, 0, 0}};
-  for (const double far : {1.0, 1e5, 1e9}) {
-    std::vector<Point> end = start;
-    for (const std::size_t v : {3u, 4u, 5u}) end[v][2] += far;
-    Detector detector(Mesh(6, {{0, 1, 2}}, {}, {3, 4, 5}));
-    for (int time = 0; time < 3; ++time) {
-      EXPECT_FALSE(detector.earliest({start, end}, kIgnore).contact);
-      EXPECT_EQ(detector.statistics().ignored, 3u) << far << ' ' << time;
-    }
-  }
-}
-
-TEST(AtStart, FailsOnACurveThoughOthersTouchLater) {
-  for (const Index later : {7, 8, 9, 40}) {
-    std::vector<Point> rest{{0, 0, 0}, {9, 0, 0}, {0, 9, 0}};
-    for (Index i = 0; i < later; ++i) rest.push_back({0.1 + 0.1 * i, 0.1, 0.01});
-    rest.push_back({1, 1, 0});
-    std::vector<Index> points(rest.size() - 3), body_of_vertex(rest.size(), 1);
-    std::iota(points.begin(), points.end(), 3);
-    std::fill_n(body_of_vertex.begin(), 3, 0);
-    Detector detector(Mesh(static_cast<Index>(rest.size()), {{0, 1, 2}}, {}, points));
-    const RigidPath path(rest, body_of_vertex, {{}, interpolated({}, {{0, 0, -1}, {0, 0, 0.1}})});
-    EXPECT_THROW(detector.is_free(path, kFail), InvalidStep) << later;
-    EXPECT_FALSE(detector.is_free(path)) << later;
-  }
-}
 
 /// A sheet that starts on a ball, within the separation, is thrown up and falls back.
 struct Throw {

@@ -1,4 +1,4 @@
-// Bodies that come, go, are switched off and kept apart; poses and places that are hard.
+// Bodies that come, go, are switched off and kept apart.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -7,24 +7,14 @@
 
 #include "tamis/error.hpp"
 #include "world/oracle_world.hpp"
+#include "world/simple_shapes.hpp"
 
 namespace tamis::test {
 namespace {
 
-Shape cube() {
-  const scenes::Shape cube = scenes::unit_cube(2);
-  return {Mesh(static_cast<Index>(cube.points.size()), cube.faces), cube.points};
-}
-
 /// At a height above the floor, falling by one.
 Rigid falling(double height, const Point& turn = {0, 0, 0}) {
   return {turned({{0, 0, height}, {}}, turn, {0, 0, height - 1})};
-}
-
-/// Of side 20, at z = 0.
-Shape floor() {
-  const std::vector<Point> points{{-10, -10, 0}, {10, -10, 0}, {10, 10, 0}, {-10, 10, 0}};
-  return {Mesh(4, {{0, 1, 2}, {0, 2, 3}}), points};
 }
 
 TEST(World, HasNoContactsWithoutBodies) {
@@ -222,116 +212,6 @@ TEST(World, IgnoresWhatTouchesAtTheStart) {
     world.remove(moving);
     EXPECT_TRUE(world.is_free());
   }
-}
-
-/// A bar that turns by many turns, between two posts that it meets as soon as it is a little beyond.
-TEST(World, FollowsHugeRotations) {
-  const Shape bar(Mesh(3, {{0, 1, 2}}), {{-2, 0, 0}, {2, 0, 0}, {0, 0, 0.1}});
-  const Shape post(Mesh(2, {}, {{0, 1}}), {{0, 0, -1}, {0, 0, 1}});
-  for (const double turns : {0.25, 1.0, 20.0}) {
-    World world;
-    const double angle = 2 * std::numbers::pi * turns;
-    world.add(bar, Rigid{interpolated({}, {{}, {0, 0, angle}})});
-    world.add(post, Static{{{1, 1, 0}, {}}});
-    EXPECT_NEAR(world.earliest().toi_lower, std::numbers::pi / 4 / angle, 1e-8);
-    EXPECT_FALSE(world.contacts().empty());
-  }
-}
-
-/// So far that the step has kMostPieces pieces, each of which bends by more than one should. The bar comes nearer to a
-/// post, turning, and meets it within half a turn of when it can.
-TEST(World, FollowsRotationsBeyondItsPieces) {
-  constexpr double kTurns = 650;
-  const Shape bar(Mesh(2, {}, {{0, 1}}), {{-2, 0, 0}, {2, 0, 0}});
-  const Shape post(Mesh(2, {}, {{0, 1}}), {{0, 0, -1}, {0, 0, 1}});
-  World world(one_thread());
-  world.add(bar, Rigid{interpolated({}, {{2, 0, 0}, {0, 0, 2 * std::numbers::pi * kTurns}})});
-  world.add(post, Static{{{3.1, 0.2, 0}, {}}});
-  const double reached = (3.1 - std::sqrt(4 - 0.2 * 0.2)) / 2;  // by the disc in which the bar turns
-  const EarliestBodyContact first = world.earliest();
-  EXPECT_GE(first.toi_upper, reached);
-  EXPECT_LE(first.toi_lower, reached + 0.5 / kTurns);
-  EXPECT_LE(first.toi_upper, first.toi_lower + 1e-8);
-}
-
-/// A nut that follows the thread of a bolt is free, however far it turns; one that goes too far up for its turn meets
-/// it when the oracle of turning pairs says so, of all pairs.
-TEST(World, TurnsANutOnABolt) {
-  const scenes::Thread thread{2, 12, 2, 1, 0.6, 0.3};
-  scenes::Thread larger = thread;
-  larger.turns = 1;
-  larger.radius += 0.08;
-  const auto shape_of = [](const scenes::Shape& s) {
-    return Shape({static_cast<Index>(s.points.size()), s.faces}, s.points);
-  };
-  const Shape bolt = shape_of(scenes::thread(thread)), nut = shape_of(scenes::thread(larger));
-  World world(one_thread());
-  const BodyId still = world.add(bolt, Static{}), turning = world.add(nut, Static{});
-  const Pose start{{0, 0, 0.3}, {0, 0, std::numbers::pi}};
-  const auto turned = [&](double angle, double up) {
-    return Pose{{0, 0, start.position[2] + 0.6 * angle / (2 * std::numbers::pi) + up},
-                {0, 0, std::numbers::pi + angle}};
-  };
-  for (const double angle : {0.1, 1.0, 3.0}) {
-    world.move(turning, Rigid{interpolated(start, turned(angle, 0))});
-    EXPECT_TRUE(world.is_free()) << angle;
-    const Pose end = turned(angle, 0.15);
-    world.move(turning, Rigid{interpolated(start, end)});
-    const auto first = static_cast<double>(
-        oracle::first_touch(for_oracle(bolt, Static{}), for_oracle(nut, Rigid{interpolated(start, end)})));
-    const EarliestBodyContact found = world.earliest();
-    ASSERT_TRUE(found.contact) << angle;
-    EXPECT_EQ(std::set<BodyId>(found.contact->bodies.begin(), found.contact->bodies.end()),
-              (std::set<BodyId>{still, turning}));
-    EXPECT_LE(found.toi_lower, first + 1e-12) << angle;
-    EXPECT_GE(found.toi_upper, first - 1e-12) << angle;
-    EXPECT_GT(found.toi_lower, first - 1e-6) << angle;
-  }
-}
-
-TEST(World, IsAsExactFarFromTheOrigin) {
-  const Point far{1e8, -3e8, 2e8};
-  World world;
-  const auto at = [&](double height) { return Pose{{far[0], far[1], far[2] + height}, {}}; };
-  world.add(floor(), Static{at(0)});
-  const BodyId cubes = world.add(cube(), Rigid{interpolated(at(1.75), at(0.75))});
-  EXPECT_NEAR(world.earliest().toi_lower, 0.75, 1e-12);
-  Pose end = at(0.75);
-  end.rotation = {0, 0, 1};
-  world.move(cubes, Rigid{interpolated(at(1.75), end)});
-  EXPECT_NEAR(world.earliest().toi_lower, 0.75, 1e-6);
-}
-
-/// Bug: differences of gaps that overflow said when boxes part along one axis.
-TEST(World, GoesAsFarAsDoubles) {
-  constexpr double kUnit = 1e307;
-  const auto plate_at = [](double x, double y, double z) {
-    return std::vector<Point>{{x - kUnit, y - kUnit, z}, {x + kUnit, y - kUnit, z}, {x, y + kUnit, z}};
-  };
-  const Shape plate(Mesh(3, {{0, 1, 2}}), plate_at(0, 0, 0));
-  World world(one_thread());
-  world.add(plate, Static{});
-  const double far = 12 * kUnit, side = 5 * kUnit;
-  world.add(plate, Deforming{plate_at(-far, side, side), plate_at(far, -side, -side)});
-  EXPECT_NEAR(world.earliest().toi_lower, 0.5, 1e-12);
-}
-
-/// A plate at the end of an arm turns as often as it may past another one that stands in its way.
-World plate_on_an_arm(double unit) {
-  const Shape plate(Mesh(3, {{0, 1, 2}}), {{-unit, -unit, 0}, {unit, -unit, 0}, {0, unit, 0}});
-  World world(one_thread());
-  const Pose arm{{10 * unit, 0, 0}, {}}, turn{{}, {0, 0, 4096}};
-  world.add(plate, Rigid{{{{}, turn}, {arm, arm}}});
-  world.add(plate, Static{{{0, 10 * unit, 0}, {0, std::numbers::pi / 2, 0}}});
-  return world;
-}
-
-/// Bug: boxes of what bends without bound were left out of those that hold them, so that it was free.
-TEST(World, FollowsWhatBendsWithoutBoundOrRefusesIt) {
-  const EarliestBodyContact first = plate_on_an_arm(1e289).earliest();
-  ASSERT_TRUE(first.contact);
-  EXPECT_LT(first.toi_lower, 0.5 * std::numbers::pi / 4096);
-  EXPECT_THROW(plate_on_an_arm(1e301).earliest(), InvalidPath);
 }
 
 /// The same bits, whatever was asked before and however many threads ask.

@@ -2,6 +2,7 @@
 // Machines, bolts, reduced sheets and simulated setups use sine and cosine, too, and may differ in last places.
 #pragma once
 #include <cmath>
+#include <vector>
 
 #include "tamis/step.hpp"
 
@@ -31,6 +32,12 @@ inline double cube_root(double x) {
 inline Point rotated(const Point& p, const Point& axis) {
   const double norm = 1 + dot(axis, axis);
   return p + (2 / norm) * (cross(axis, p) + cross(axis, cross(axis, p)));
+}
+
+/// The same with the axes exchanged, x for y for z: as hard, and nothing that a detector remembers of these fits.
+inline std::vector<Point> exchanged(std::vector<Point> points) {
+  for (Point& p : points) p = {p[1], p[2], p[0]};
+  return points;
 }
 
 }  // namespace tamis::scenes

@@ -1,10 +1,9 @@
 // Tamis itself, the published pipeline, and the decision of one pair.
 #include <fmt/format.h>
 
-#include <utility>
-
 #include "bench/contenders/contender.hpp"
 #include "lab/detector.hpp"
+#include "scenes/point_math.hpp"
 #include "tamis/pair.hpp"
 
 namespace tamis::bench {
@@ -12,13 +11,8 @@ namespace {
 
 Pair pair_of(const Contact& contact) { return {contact.kind, contact.vertices}; }
 
-std::vector<Point> exchanged(std::vector<Point> points) {
-  for (Point& p : points) std::swap(p[0], p[1]);
-  return points;
-}
-
 /// A detector that is made anew in every run (cold), or kept and refitted (warm): it was just asked about other
-/// positions, x exchanged for y, so that no list of pairs helps.
+/// positions, so that no list of pairs helps.
 class Asked : public Contender {
  public:
   Asked(std::string method, bool is_warm) : method_(std::move(method)), is_warm_(is_warm) {}
@@ -33,7 +27,7 @@ class Asked : public Contender {
       detector_ = std::make_unique<Detector>(lab::make_detector(task.mesh, options));
     }
     if (is_warm_) {
-      const std::vector<Point> start = exchanged(task.start), end = exchanged(task.end);
+      const std::vector<Point> start = scenes::exchanged(task.start), end = scenes::exchanged(task.end);
       ask({start, end});
     }
     return *detector_;

@@ -5,6 +5,7 @@
 #include <ctime>
 
 #include "matrix/versions.hpp"
+#include "scenes/point_math.hpp"
 
 namespace tamis::matrix {
 namespace {
@@ -24,12 +25,6 @@ std::vector<Point> on_the_way(const std::vector<Point>& start, const std::vector
   std::vector<Point> points = start;
   for (std::size_t v = 0; v < points.size(); ++v)
     for (std::size_t axis = 0; axis < 3; ++axis) points[v][axis] += part * (end[v][axis] - start[v][axis]);
-  return points;
-}
-
-/// The same scene turned: positions that a detector has not seen, and as hard.
-std::vector<Point> turned(std::vector<Point> points) {
-  for (Point& p : points) p = {p[1], p[2], p[0]};
   return points;
 }
 
@@ -109,8 +104,8 @@ Session::Session(const Cell& cell, scenes::Scene scene, Isa isa)
   decide_all(options_);
   if (cell.scene.parts_groups) options_.filter = PairFilter::no_self_contact(scene_.group_of_vertex);
   options_.min_separation = cell.separation * mean_edge(mesh_, scene_.start);
-  other_start_ = turned(scene_.start);
-  other_end_ = turned(scene_.end);
+  other_start_ = scenes::exchanged(scene_.start);
+  other_end_ = scenes::exchanged(scene_.end);
 }
 
 void Session::ask(Question question, const std::vector<Point>& start, const std::vector<Point>& end, Outcome& outcome) {

@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "cli/step_files.hpp"
+#include "scenes/point_math.hpp"
 #include "tamis/error.hpp"
 
 namespace tamis::cli {
@@ -67,7 +68,7 @@ class Runner {
     const auto& known = benchmark_modes();
     if (std::find(known.begin(), known.end(), setup.mode) == known.end())
       throw InvalidOptions(fmt::format("there is no mode '{}': choose one of {}", setup.mode, fmt::join(known, ", ")));
-    if (setup.mode == "warm") before_ = {exchanged(step.start), exchanged(step.end)};
+    if (setup.mode == "warm") before_ = {scenes::exchanged(step.start), scenes::exchanged(step.end)};
     if (setup.mode == "again") before_ = {step.start, between(step.start, step.end, -1)};
     const int parts = setup.mode == "substeps" ? setup.substeps : 1;
     for (int i = 1; i <= parts; ++i)
@@ -94,11 +95,6 @@ class Runner {
   }
 
  private:
-  static std::vector<Point> exchanged(std::vector<Point> points) {
-    for (Point& p : points) p = {p[1], p[2], p[0]};
-    return points;
-  }
-
   static void add(Seconds& sum, const Seconds& part) {
     sum.total += part.total;
     sum.bounds += part.bounds;

@@ -13,7 +13,7 @@ constexpr float kHalf = 0.5f;
 /// sooner than after this part of the step.
 constexpr double kSoon = 0.5;
 /// Where neighbours go together an order by ways parts layers, and spreads blocks at the start little: by no more than
-/// this, counted until blocks by place alone have parted as far as they were apart.
+/// this, counted until blocks by place alone are twice as wide.
 constexpr double kMoreSpread = 1.25;
 
 /// Of some numbers.

@@ -9,7 +9,8 @@ namespace {
 /// Where a leaf block meets so many pairs short steps come first, which meet few: a pair that ends one spares the rest.
 constexpr std::uint64_t kManyPairsABlock = 1024;
 constexpr double kShortSteps[] = {0x1p-6, 0x1p-3};
-/// Of what is known to end the step: a step that is hardly shorter meets hardly fewer.
+/// Of what is known to end the step: a step that is hardly shorter meets hardly fewer (docs/history/performance.md,
+/// "Steps made to be slow").
 constexpr double kShort = 0.25;
 /// In the coordinates of the boxes: with a larger separation no two have a gap.
 constexpr double kMeetsAll = 8;

@@ -14,8 +14,8 @@ namespace {
 
 bool is_finite_pose(const Pose& pose) { return is_finite(pose.position) && is_finite(pose.rotation); }
 
-/// Radians of a step, of all links together: one a piece. Where bodies turn by twice as much, chords of pieces prove
-/// little, and what they leave is cut on pair by pair: ten times as long (docs/worlds.md, "How far a body may turn").
+/// Radians of a step, of all links together: one a piece. On longer pieces chords prove little, and what they leave is
+/// cut on pair by pair (docs/worlds.md, "How far a body may turn").
 constexpr double kMostTurn = kMostPieces;
 /// Radians of a rotation vector: doubles stand 2^-20 apart there. Beyond they soon are no angle that anyone means.
 constexpr double kLongestRotation = 0x1p32;

@@ -149,6 +149,7 @@ TEST(PairFilterBlocks, PairsThatGroupsLeaveOutAreNotLookedAt) {
   const auto cost_of = [&](const PairFilter& of) {
     lab::Options options;
     options.filter = of;
+    options.threads = 1;  // another one brings buffers of its own
     Detector detector = lab::make_detector(scene.mesh(), options);
     (void)detector.safe_step(scene.step(), 0.1);
     Cost cost;

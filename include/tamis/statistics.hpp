@@ -67,8 +67,8 @@ struct Statistics {
   std::uint64_t ignored = 0;
   std::uint64_t nodes_visited = 0;  ///< also to list pairs ahead; 0 where they had been
   bool rebuilt = false;             ///< the hierarchy was built, not refitted
-  /// Held by the detector: hierarchy, buffers, contacts, groups, rings. With more than one thread it differs from run to
-  /// run, as each thread's buffers grow with what that thread came to do.
+  /// Held by the detector: hierarchy, buffers, contacts, groups, rings. With more than one thread it differs from run
+  /// to run, as each thread's buffers grow with what that thread came to do.
   std::uint64_t memory_bytes = 0;
 };
 

@@ -8,7 +8,6 @@
 #include "filters/slab_clip.hpp"
 #include "kernels/compress.hpp"
 #include "kernels/load_motion.hpp"
-#include "kernels/search.hpp"
 #include "narrow/advancement.hpp"
 #include "narrow/sharp_bracket.hpp"
 

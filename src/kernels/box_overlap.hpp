@@ -3,16 +3,11 @@
 #pragma once
 #include "bounds/moving_boxes.hpp"
 #include "kernels/kernels.hpp"
+#include "kernels/sixteen_lanes.hpp"
 #include "motion/time_clip.hpp"
 #include "numerics/lanes.hpp"
 
 namespace tamis::TAMIS_ISA {
-
-/// Calls f(first) for the batches that make up sixteen lanes.
-template <class F>
-[[gnu::always_inline]] inline void for_sixteen_lanes(const F& f) {
-  for (int first = 0; first < kBlock; first += kFloatLanes) f(first);
-}
 
 /// `count` numbers of each of sixteen boxes, [number][lane]: first the lower ends, then as many upper ends.
 template <int count>

@@ -1,6 +1,7 @@
 // Lanes that a mask names, written to consecutive places.
 #pragma once
 #include "kernels/kernels.hpp"
+#include "kernels/sixteen_lanes.hpp"
 #include "motion/time_clip.hpp"
 #include "numerics/lanes.hpp"
 
@@ -76,6 +77,15 @@ inline void store_parted(unsigned mask, const xsimd::batch<T, Arch>& lanes, T* l
     high += 1 - is_low;
   }
 #endif
+}
+
+/// Appends first, first + 1, ... for the bits of `mask`, sixteen at most.
+inline void append_bits(unsigned mask, int first, std::int32_t* list, int& count) {
+  for_sixteen_lanes([&](int lane) {
+    const unsigned some = mask >> lane & ((1u << kFloatLanes) - 1);
+    store_compressed(some, counting_from(first + lane), list + count);
+    count += __builtin_popcount(some);
+  });
 }
 
 /// The corners of pair `from`, which becomes pair `to`.

@@ -6,7 +6,6 @@
 #include "kernels/compiled_apart.hpp"
 #include "kernels/crossings.hpp"
 #include "kernels/load_motion.hpp"
-#include "kernels/search.hpp"
 #include "narrow/decided_by_crossing.hpp"
 
 namespace tamis::TAMIS_ISA {

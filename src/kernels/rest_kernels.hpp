@@ -3,7 +3,6 @@
 #include "distance/near_facts.hpp"
 #include "kernels/compress.hpp"
 #include "kernels/load_pose.hpp"
-#include "kernels/search.hpp"
 
 namespace tamis::TAMIS_ISA {
 

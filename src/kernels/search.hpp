@@ -2,35 +2,19 @@
 // branches on what boxes meet, which nothing could predict: leaf blocks, features against leaf blocks, features.
 #pragma once
 #include "kernels/box_overlap.hpp"
-#include "kernels/compress.hpp"
+#include "kernels/row_pairs.hpp"
 
 namespace tamis::TAMIS_ISA {
-
-/// Positions of the set bits, lowest first.
-template <class F>
-inline void for_each_bit(unsigned mask, const F& f) {
-  for (; mask; mask &= mask - 1) f(__builtin_ctz(mask));
-}
 
 /// The bits of sixteen from `first` on.
 inline unsigned from_bit(int first) { return first >= kBlock ? 0 : ~0u << std::max(first, 0); }
 
-/// Appends first, first + 1, ... for the bits of `mask`, sixteen at most.
-inline void append_bits(unsigned mask, int first, std::int32_t* list, int& count) {
-  for_sixteen_lanes([&](int lane) {
-    const unsigned some = mask >> lane & ((1u << kFloatLanes) - 1);
-    store_compressed(some, counting_from(first + lane), list + count);
-    count += __builtin_popcount(some);
-  });
-}
-
-/// `Boxes`: MovingBoxes, StillBoxes, RestBoxes, NearBoxes or ClearanceBoxes. A row: one feature of a block and the
-/// sixteen of the other, of the block searched from ("mine") and one of the tree ("theirs").
+/// `Boxes`: MovingBoxes, StillBoxes, RestBoxes, NearBoxes or ClearanceBoxes.
 template <PairKind kind, class Boxes, Course course = Course::step>
 class BlockSearch {
  public:
   BlockSearch(Search& search, int block)
-      : search_(search), block_(block), corners_(search.a.corners[block]), boxes_(search, block) {
+      : search_(search), block_(block), row_pairs_(search, block), boxes_(search, block) {
     Bounds hulls;
     boxes_.bound(search.a, 1, block / kBlock, hulls);
     for (int k = 0; k < Bounds::kCount; ++k) my_hull_[k] = hulls.at[k][block % kBlock];
@@ -46,10 +30,7 @@ class BlockSearch {
 
  private:
   using Bounds = typename Boxes::Bounds;
-  /// Whose the one feature of a row is.
-  enum class One { mine, theirs };
-  static constexpr bool kIsSelf = kind == PairKind::edge_edge;
-  static constexpr int kCornersA = kIsSelf || course == Course::along_edge ? 2 : 1, kCornersB = kIsSelf ? 2 : 3;
+  static constexpr bool kIsSelf = RowPairs<kind, course>::kIsSelf;
   static constexpr int kMostLeaves = 32, kAhead = 4;
   /// Rows of a block that are looked at first, and the part of them above which the cheap test leaves too many to be
   /// asked at all (docs/history/performance.md, "What chooses").
@@ -151,7 +132,8 @@ class BlockSearch {
     int count = 0;
     for (int i = 0; i < leaf_count_; ++i) append_bits(is_one(i) ? rows_of_[i] : 0, kBlock * i, rows_, count);
     const int found = keep(count);
-    for (int i = 0; i < found; ++i) append<one>(rows_[i], found_[i]);
+    for (int i = 0; i < found; ++i)
+      row_pairs_.template append<one>(leaf_of(rows_[i]), lane_of(rows_[i]), found_[i], boxes_.t_limit());
   }
 
   /// Of the first `count` rows, those of features that may meet, with the bits of these; their number.
@@ -200,6 +182,7 @@ class BlockSearch {
 
   /// Of a row, place in leaves_ and lane of the one: without a sign, which takes more operations.
   static unsigned place_of(std::int32_t row) { return static_cast<unsigned>(row) / kBlock; }
+  int leaf_of(std::int32_t row) const { return leaves_[place_of(row)]; }
   static int lane_of(std::int32_t row) { return static_cast<int>(static_cast<unsigned>(row) % kBlock); }
 
   /// Bits of the sixteen that may meet the one and are no neighbours.
@@ -213,88 +196,19 @@ class BlockSearch {
   }
 
   template <One one>
-  unsigned others_that_meet_at_some_time(int row) const {
-    const auto boxes = of_row<one>(search_.a.levels[0][block_], search_.b.levels[0][leaves_[place_of(row)]]);
-    return boxes_.meet_at_some_time(boxes.one, lane_of(row), boxes.sixteen);
-  }
-
-  /// What two blocks have, by their parts in a row.
-  template <class T>
-  struct OfRow {
-    const T &one, &sixteen;
-  };
-  template <One one, class T>
-  static OfRow<T> of_row(const T& mine, const T& theirs) {
-    if constexpr (one == One::mine)
-      return {mine, theirs};
-    else
-      return {theirs, mine};
-  }
-
-  /// Bits of the sixteen that share a vertex with the one; in my own block, also of those up to mine.
-  template <One one>
   unsigned neighbours(int row) const {
-    const int lane = lane_of(row), leaf = leaves_[place_of(row)];
-    unsigned mask = kIsSelf && leaf == block_ ? ~(~1u << lane) : 0;
-    for_sixteen_lanes([&](int first) { mask |= adjacent<one>(lane, search_.b.corners[leaf], first) << first; });
-    return mask;
-  }
-
-  /// Bits of the lanes that share a vertex with the one; of empty lanes, anything.
-  template <One one>
-  unsigned adjacent(int lane, const CornerBlock& theirs, int first) const {
-    using Unsigned = xsimd::batch<std::uint32_t, Arch>;
-    constexpr int kCornersOfOne = one == One::mine ? kCornersA : kCornersB;
-    constexpr int kCornersOfSixteen = one == One::mine ? kCornersB : kCornersA;
-    const auto corners = of_row<one>(corners_, theirs);
-    Unsigned differ(~0u);  // 0 where two vertices are one: cheaper than as many masks
-    for (int c = 0; c < kCornersOfOne; ++c)
-      for (int o = 0; o < kCornersOfSixteen; ++o)
-        differ = xsimd::min(differ,
-                            xsimd::bitwise_cast<Unsigned>(IntLanes(corners.one.vertex[c][lane]) ^
-                                                          IntLanes::load_aligned(corners.sixteen.vertex[o] + first)));
-    return bits(differ == Unsigned(0u));
+    return row_pairs_.template neighbours<one>(leaf_of(row), lane_of(row));
   }
 
   template <One one>
-  void append(int row, unsigned found) {
-    PairBuffer& pairs = *search_.pairs;
-    if (pairs.count + kBlock > PairBuffer::kCapacity) search_.flush(search_);
-    const CornerBlock& theirs = search_.b.corners[leaves_[place_of(row)]];
-    const int lane = lane_of(row);
-    for_sixteen_lanes([&](int first) {
-      const unsigned mask = found >> first & ((1u << kFloatLanes) - 1);
-      const auto put = [&](int corner, const IntLanes& lanes) {
-        store_compressed(mask, lanes, pairs.corner[corner] + pairs.count);
-      };
-      const auto of = [&](const CornerBlock& block, One owner, int corner) {
-        return owner == one ? IntLanes(block.vertex[corner][lane])
-                            : IntLanes::load_aligned(block.vertex[corner] + first);
-      };
-      const auto my = [&](int corner) { return of(corners_, One::mine, corner); };
-      const auto their = [&](int corner) { return of(theirs, One::theirs, corner); };
-      if constexpr (kIsSelf) {
-        // The smaller edge first, so that the answer does not depend on the order in the tree: by its first vertex,
-        // in which two edges without a common vertex differ.
-        const auto is_first = my(0) < their(0);
-        for (int c = 0; c < 2; ++c) {
-          put(c, select(is_first, my(c), their(c)));
-          put(2 + c, select(is_first, their(c), my(c)));
-        }
-      } else {
-        put(0, my(0));
-        for (int c = 0; c < kCornersB; ++c) put(1 + c, their(c));
-        if constexpr (course == Course::along_edge) put(4, my(1));
-      }
-      FloatLanes(0.0f).store_unaligned(pairs.t_in + pairs.count);
-      FloatLanes(boxes_.t_limit()).store_unaligned(pairs.t_out + pairs.count);
-      pairs.count += __builtin_popcount(mask);
-    });
+  unsigned others_that_meet_at_some_time(int row) const {
+    const auto boxes = of_row<one>(search_.a.levels[0][block_], search_.b.levels[0][leaf_of(row)]);
+    return boxes_.meet_at_some_time(boxes.one, lane_of(row), boxes.sixteen);
   }
 
   Search& search_;
   const int block_;
-  const CornerBlock& corners_;
+  const RowPairs<kind, course> row_pairs_;
   const Boxes boxes_;
   float my_hull_[Bounds::kCount];
   Bounds mine_;

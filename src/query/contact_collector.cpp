@@ -37,12 +37,20 @@ void ContactCollector::begin(const Query& query, Bound& bound) {
   ignored_ = 0;
 }
 
-bool ContactCollector::add(PairKind kind, const PairVertices& vertices, const PairResult& decided, bool is_by_pair) {
-  if (!decided.touches) return false;
-  TAMIS_ASSERT(is_kind(kind) && is_part_of_step(TimeInterval<double>{decided.toi_lower, decided.toi_upper}));
+bool ContactCollector::add(PairKind kind, const PairVertices& vertices, const PairResult& result) {
+  return add(kind, vertices, result, false);
+}
+
+bool ContactCollector::add_decided(PairKind kind, const PairVertices& vertices, const PairResult& result) {
+  return add(kind, vertices, result, true);
+}
+
+bool ContactCollector::add(PairKind kind, const PairVertices& vertices, const PairResult& found, bool is_decided) {
+  if (!found.touches) return false;
+  TAMIS_ASSERT(is_kind(kind) && is_part_of_step(TimeInterval<double>{found.toi_lower, found.toi_upper}));
   if (query_->are_neighbours(kind, vertices)) return false;
   PairResult once_apart;
-  const PairResult& result = as_counted(kind, vertices, decided, once_apart);
+  const PairResult& result = as_counted(kind, vertices, found, once_apart);
   if (!result.touches) {
     ++ignored_;
     return false;
@@ -57,7 +65,7 @@ bool ContactCollector::add(PairKind kind, const PairVertices& vertices, const Pa
     bound_->lower(result.toi_upper * kNearTie);
   }
   touched_by_ = std::min(touched_by_, result.toi_upper);
-  if (question == Question::earliest && is_by_pair) {
+  if (question == Question::earliest && is_decided) {
     keep_first(contact_of(kind, vertices, result));
     return true;
   }

@@ -68,10 +68,8 @@ void ContactConsumer::add(PairKind kind, const PairVertices& vertices, PairResul
 void ContactConsumer::decide_singly(PairKind kind, const PairVertices& vertices) {
   stop_if_cancelled(query());
   if (!found_.wants(kind, vertices)) return;
-  found_.add(
-      kind, vertices,
-      decide(kind, points_of(query().step, vertices), query().rule_for(kind, vertices), thread().counts.decided_by),
-      true);
+  const PairOptions rule = query().rule_for(kind, vertices);
+  found_.add_decided(kind, vertices, decide(kind, points_of(query().step, vertices), rule, thread().counts.decided_by));
 }
 
 }  // namespace tamis

@@ -5,8 +5,8 @@
 #include <algorithm>
 
 #include "lab/detector.hpp"
-#include "scenes/shapes.hpp"
 #include "support/contact_sets.hpp"
+#include "support/flat_sheets.hpp"
 #include "support/test_names.hpp"
 #include "tamis/detector.hpp"
 
@@ -88,17 +88,7 @@ TEST_P(Questions, ThreadsChangeNoBitOfTheEarliestContact) {
 
 // What falls flat on something flat touches it everywhere at once; each of these pairs took integers twice.
 TEST(Earliest, DecidesPairsThatTouchAtOneTimeOnce) {
-  constexpr Index kSide = 8;
-  Scene scene;
-  for (Index sheet = 0; sheet < 2; ++sheet) {
-    const Index first = scene.vertex_count();
-    for (Index i = 0; i < kSide; ++i)
-      for (Index j = 0; j < kSide; ++j) {
-        const Point at{i + 0.3 * sheet, double(sheet), j + 0.2 * sheet};
-        scene.add_vertex(at, {at[0], 0, at[2]}, sheet);
-      }
-    scenes::add_grid_faces(scene, first, kSide, kSide);
-  }
+  const Scene scene = flat_sheets(8, 1, 0);
   Detector detector(scene.mesh());
   EXPECT_GT(detector.contacts(scene.step()).size(), 100u);
   const std::uint64_t of_all = detector.statistics().decided_by.exact;

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "lab/detector.hpp"
-#include "scenes/shapes.hpp"
 #include "support/contact_sets.hpp"
+#include "support/flat_sheets.hpp"
 #include "support/test_names.hpp"
 #include "tamis/detector.hpp"
 
@@ -123,26 +123,10 @@ TEST(PairFilterBlocks, WholeBlocksAreLeftOut) {
   for (std::size_t question = 0; question < all.size(); ++question) EXPECT_LT(others[question], all[question]);
 }
 
-/// Two flat sheets that pass through each other, none through itself.
-Scene passing_sheets() {
-  constexpr Index kSide = 20;
-  Scene scene;
-  for (Index sheet = 0; sheet < 2; ++sheet) {
-    const Index first = scene.vertex_count();
-    for (Index i = 0; i < kSide; ++i)
-      for (Index j = 0; j < kSide; ++j) {
-        const Point at{i + 0.3 * sheet, 0.1 * sheet, j + 0.2 * sheet};
-        scene.add_vertex(at, {at[0], at[1] - 0.2 * sheet, at[2]}, sheet);
-      }
-    scenes::add_grid_faces(scene, first, kSide, kSide);
-  }
-  return scene;
-}
-
 // Catches a question that looks closely at pairs, or lists them for later ones, which their groups leave out: each
 // group may touch itself, so that blocks of both lie in each other's way.
 TEST(PairFilterBlocks, PairsThatGroupsLeaveOutAreNotLookedAt) {
-  const Scene scene = passing_sheets();
+  const Scene scene = flat_sheets(20, 0.1, -0.1);
   struct Cost {
     std::uint64_t near = 0, listed_bytes = 0;
   };

@@ -1,0 +1,103 @@
+// Rows of pairs: one feature of a leaf block and the sixteen of another. Which of the sixteen are neighbours of the
+// one, and how those that meet it become pairs.
+#pragma once
+#include "kernels/compress.hpp"
+
+namespace tamis::TAMIS_ISA {
+
+/// Whose the one feature is: of the block searched from ("mine"), or of a block of the tree ("theirs").
+enum class One { mine, theirs };
+
+/// What two blocks have, by their parts in a row.
+template <class T>
+struct OfRow {
+  const T &one, &sixteen;
+};
+template <One one, class T>
+inline OfRow<T> of_row(const T& mine, const T& theirs) {
+  if constexpr (one == One::mine)
+    return {mine, theirs};
+  else
+    return {theirs, mine};
+}
+
+/// Of the rows of one block with the leaf blocks of search.b.
+template <PairKind kind, Course course>
+class RowPairs {
+ public:
+  /// Blocks are of one tree, so that a pair is met from both sides.
+  static constexpr bool kIsSelf = kind == PairKind::edge_edge;
+
+  RowPairs(Search& search, int block) : search_(search), block_(block), mine_(search.a.corners[block]) {}
+
+  /// Bits of the sixteen that share a vertex with the one, which is in that lane; in my own block, also of those up to
+  /// mine.
+  template <One one>
+  unsigned neighbours(int leaf, int lane) const {
+    unsigned mask = kIsSelf && leaf == block_ ? ~(~1u << lane) : 0;
+    for_sixteen_lanes([&](int first) { mask |= adjacent<one>(lane, search_.b.corners[leaf], first) << first; });
+    return mask;
+  }
+
+  /// Hands on the one in that lane with each of the bits of `found`.
+  template <One one>
+  void append(int leaf, int lane, unsigned found, float t_limit) const {
+    PairBuffer& pairs = *search_.pairs;
+    if (pairs.count + kBlock > PairBuffer::kCapacity) search_.flush(search_);
+    const CornerBlock& theirs = search_.b.corners[leaf];
+    for_sixteen_lanes([&](int first) {
+      const unsigned mask = found >> first & ((1u << kFloatLanes) - 1);
+      const auto put = [&](int corner, const IntLanes& lanes) {
+        store_compressed(mask, lanes, pairs.corner[corner] + pairs.count);
+      };
+      const auto of = [&](const CornerBlock& block, One owner, int corner) {
+        return owner == one ? IntLanes(block.vertex[corner][lane])
+                            : IntLanes::load_aligned(block.vertex[corner] + first);
+      };
+      const auto my = [&](int corner) { return of(mine_, One::mine, corner); };
+      const auto their = [&](int corner) { return of(theirs, One::theirs, corner); };
+      if constexpr (kIsSelf) {
+        // The smaller edge first, so that the answer does not depend on the order in the tree: by its first vertex,
+        // in which two edges without a common vertex differ.
+        const auto is_first = my(0) < their(0);
+        for (int c = 0; c < 2; ++c) {
+          put(c, select(is_first, my(c), their(c)));
+          put(2 + c, select(is_first, their(c), my(c)));
+        }
+      } else {
+        put(0, my(0));
+        for (int c = 0; c < kCornersOfTheirs; ++c) put(1 + c, their(c));
+        if constexpr (course == Course::along_edge) put(4, my(1));
+      }
+      FloatLanes(0.0f).store_unaligned(pairs.t_in + pairs.count);
+      FloatLanes(t_limit).store_unaligned(pairs.t_out + pairs.count);
+      pairs.count += __builtin_popcount(mask);
+    });
+  }
+
+ private:
+  static constexpr int kCornersOfMine = kIsSelf || course == Course::along_edge ? 2 : 1;
+  static constexpr int kCornersOfTheirs = kIsSelf ? 2 : 3;
+
+  /// Bits of the lanes that share a vertex with the one; of empty lanes, anything.
+  template <One one>
+  unsigned adjacent(int lane, const CornerBlock& theirs, int first) const {
+    using Unsigned = xsimd::batch<std::uint32_t, Arch>;
+    constexpr int kCornersOfOne = one == One::mine ? kCornersOfMine : kCornersOfTheirs;
+    constexpr int kCornersOfSixteen = one == One::mine ? kCornersOfTheirs : kCornersOfMine;
+    const auto corners = of_row<one>(mine_, theirs);
+    Unsigned differ(~0u);  // 0 where two vertices are one: cheaper than as many masks
+    for (int c = 0; c < kCornersOfOne; ++c)
+      for (int o = 0; o < kCornersOfSixteen; ++o)
+        differ = xsimd::min(differ,
+                            xsimd::bitwise_cast<Unsigned>(IntLanes(corners.one.vertex[c][lane]) ^
+                                                          IntLanes::load_aligned(corners.sixteen.vertex[o] + first)));
+    return bits(differ == Unsigned(0u));
+  }
+
+  Search& search_;
+  const int block_;
+  const CornerBlock& mine_;
+};
+
+}  // namespace tamis::TAMIS_ISA

@@ -1,0 +1,20 @@
+// The sixteen lanes of a block: in batches, and by the bits of a mask.
+#pragma once
+#include "bounds/moving_boxes.hpp"
+#include "numerics/lanes.hpp"
+
+namespace tamis::TAMIS_ISA {
+
+/// Calls f(first) for the batches that make up sixteen lanes.
+template <class F>
+[[gnu::always_inline]] inline void for_sixteen_lanes(const F& f) {
+  for (int first = 0; first < kBlock; first += kFloatLanes) f(first);
+}
+
+/// Calls f(lane) for the bits of a mask, lowest first.
+template <class F>
+inline void for_each_bit(unsigned mask, const F& f) {
+  for (; mask; mask &= mask - 1) f(__builtin_ctz(mask));
+}
+
+}  // namespace tamis::TAMIS_ISA

@@ -30,10 +30,19 @@ template <class A, class B>
   return gap;
 }
 
+/// Of boxes at t=0, as a sum over the axes.
+inline FloatLanes extent_at_start(const BoxBlock& block, int first) {
+  FloatLanes sum(0.0f);
+  for (int axis = 0; axis < 3; ++axis)
+    sum = sum +
+          (FloatLanes::load_aligned(block.high0[axis] + first) - FloatLanes::load_aligned(block.low0[axis] + first));
+  return sum;
+}
+
 /// Boxes at t=0.
 class StillBoxes {
  public:
-  static constexpr bool kMoves = false;
+  static constexpr bool kMoves = false, kHasReach = false;
   using Bounds = BoundBlock<6>;  ///< x y z
 
   StillBoxes(const Search&, int) {}
@@ -57,7 +66,7 @@ class StillBoxes {
 /// all gaps between two boxes are closed. Two features can meet only where their boxes do.
 class MovingBoxes {
  public:
-  static constexpr bool kMoves = true;
+  static constexpr bool kMoves = true, kHasReach = false;
   using Bounds = BoundBlock<6>;  ///< what boxes sweep over: x y z
 
   /// From leaf block `block` of search.a.
@@ -94,7 +103,7 @@ class MovingBoxes {
   Means means(const BoxBlock& block, const Bounds& swept) const {
     float sizes[kBlock], growths[kBlock], used = 0;
     for_sixteen_lanes([&](int first) {
-      const FloatLanes size = extent(block, first);
+      const FloatLanes size = extent_at_start(block, first);
       size.store_unaligned(sizes + first);
       (swept_extent(swept, first) - size).store_unaligned(growths + first);
     });
@@ -112,7 +121,7 @@ class MovingBoxes {
   unsigned move_far(const BoxBlock& block, const Bounds& swept, const Means& mine) const {
     unsigned mask = 0;
     for_sixteen_lanes([&](int first) {
-      const FloatLanes size = extent(block, first);
+      const FloatLanes size = extent_at_start(block, first);
       const FloatLanes growth = swept_extent(swept, first) - size + FloatLanes(mine.growth);
       mask |= bits(growth > FloatLanes(kShort) * (FloatLanes(mine.size) + FloatLanes(0.25f) * size)) << first;
     });
@@ -152,14 +161,6 @@ class MovingBoxes {
       });
   }
 
-  /// At t=0.
-  static FloatLanes extent(const BoxBlock& block, int first) {
-    FloatLanes sum(0.0f);
-    for (int axis = 0; axis < 3; ++axis)
-      sum = sum +
-            (FloatLanes::load_aligned(block.high0[axis] + first) - FloatLanes::load_aligned(block.low0[axis] + first));
-    return sum;
-  }
   static FloatLanes swept_extent(const Bounds& swept, int first) {
     FloatLanes sum(0.0f);
     for (int axis = 0; axis < 3; ++axis) sum = sum + (swept.lanes(3 + axis, first) - swept.lanes(axis, first));

@@ -7,6 +7,7 @@
 #include "filters/ncf.hpp"
 #include "filters/slab_clip.hpp"
 #include "kernels/bound_leaf.hpp"
+#include "kernels/clearance_boxes.hpp"
 #include "kernels/compiled_apart.hpp"
 #include "kernels/compress.hpp"
 #include "kernels/crossings.hpp"

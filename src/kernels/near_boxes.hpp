@@ -1,10 +1,8 @@
 // Moving boxes and residuals: in which of them may a pair of features lose more of its distance than it may?
 #pragma once
-#include "kernels/box_overlap.hpp"
+#include "kernels/reach.hpp"
 
 namespace tamis::TAMIS_ISA {
-
-[[gnu::always_inline]] inline void add_square(FloatLanes& sum, const FloatLanes& x) { sum = sum + x * x; }
 
 /// Of a pair, as ClearanceBounds has it: half of the square of its extent, and of what its clearance may be.
 [[gnu::always_inline]] inline FloatLanes size2(const ClearanceBounds& bounds, const FloatLanes& way2,
@@ -24,7 +22,7 @@ namespace tamis::TAMIS_ISA {
 ///   farthest corners. Boxes are wider by the minimum separation, which so is in all gaps.
 class NearBoxes {
  public:
-  static constexpr bool kMoves = false;
+  static constexpr bool kMoves = false, kHasReach = true;
   using Bounds = BoundBlock<18>;  ///< x y z at t=0, at t_limit, of residuals; upper ends from kHigh on
 
   NearBoxes(const Search& search, int)
@@ -53,10 +51,9 @@ class NearBoxes {
   template <class A, class B>
   [[gnu::always_inline]] auto meet(const A& a, const B& b) const {
     const FloatLanes zero(0.0f);
-    FloatLanes gap2(0.0f), way2(0.0f), far2(0.0f), first2(0.0f), second2(0.0f);
+    const FloatLanes way2 = greatest_way2<kResidual, kHigh>(a, b);
+    FloatLanes gap2(0.0f), far2(0.0f), first2(0.0f), second2(0.0f);
     for (int axis = 0; axis < 3; ++axis) {
-      const int rest = axis + kResidual;
-      add_square(way2, max(max(b(kHigh + rest) - a(rest), a(kHigh + rest) - b(rest)), zero));
       FloatLanes gap(0.0f), far(0.0f), first(0.0f), second(0.0f);
       for_each_side(axis, a, b, [&](const auto& at0, const auto& later) {
         gap = max(gap, at0);
@@ -73,6 +70,16 @@ class NearBoxes {
     const FloatLanes size = size2(clearance_, way2, far2), clearance = clearance2(clearance_, way2, size);
     const FloatLanes kept2 = FloatLanes(kept2_) * min(far2, clearance) + FloatLanes(kRoom2) * size;
     return (gap2 <= clearance) & (FloatLanes(0.25f) * min(first2, second2) <= kept2);
+  }
+
+  /// How far apart at t=0, along each axis, features in the boxes can be that end the step.
+  template <class A, class B>
+  [[gnu::always_inline]] FloatLanes reach(const A& a, const B& b) const {
+    const FloatLanes way2 = greatest_way2<kResidual, kHigh>(a, b);
+    FloatLanes far2(0.0f);
+    for (int axis = 0; axis < 3; ++axis)
+      add_square(far2, min(min(b(axis) - a(kHigh + axis), a(axis) - b(kHigh + axis)), FloatLanes(0.0f)));
+    return reach_of(clearance2(clearance_, way2, size2(clearance_, way2, far2)));
   }
 
   float t_limit() const { return t_limit_; }
@@ -96,54 +103,5 @@ class NearBoxes {
   const ClearanceBounds clearance_;
   const float kept2_;
 };
-
-/// The same by the clearance alone, where there is no gradient: less than half the work, and hardly more pairs where
-/// features go a short way beside each other.
-class ClearanceBoxes {
- public:
-  static constexpr bool kMoves = false;
-  using Bounds = BoundBlock<12>;  ///< x y z at t=0, of residuals
-
-  ClearanceBoxes(const Search& search, int)
-      : t_limit_(search.near.t_limit), per_way2_(search.near.clearance.per_way2) {}
-
-  void bound(const TreeView& tree, int level, int node, Bounds& bounds) const {
-    const BoxBlock &boxes = tree.levels[level][node], &residuals = tree.residuals[level][node];
-    __builtin_memcpy(bounds.at, boxes.low0, sizeof(boxes.low0));
-    __builtin_memcpy(bounds.at[kResidual], residuals.low1, sizeof(residuals.low1));
-    __builtin_memcpy(bounds.at[kHigh], boxes.high0, sizeof(boxes.high0));
-    __builtin_memcpy(bounds.at[kHigh + kResidual], residuals.high1, sizeof(residuals.high1));
-  }
-
-  template <class A, class B>
-  [[gnu::always_inline]] auto meet(const A& a, const B& b) const {
-    const FloatLanes zero(0.0f);
-    FloatLanes gap2(0.0f), way2(0.0f);
-    for (int axis = 0; axis < 3; ++axis) {
-      const int rest = axis + kResidual;
-      add_square(gap2, max(max(b(axis) - a(kHigh + axis), a(axis) - b(kHigh + axis)), zero));
-      add_square(way2, max(max(b(kHigh + rest) - a(rest), a(kHigh + rest) - b(rest)), zero));
-    }
-    return gap2 <= FloatLanes(per_way2_) * way2;
-  }
-
-  float t_limit() const { return t_limit_; }
-
- private:
-  static constexpr int kResidual = 3, kHigh = 6;
-
-  const float t_limit_, per_way2_;
-};
-
-/// Is there no gradient, and do all features go less far beside each other than half of a leaf block's size? Then
-/// where the boxes come near says little more than how near they are (docs/history/performance.md, "What chooses").
-inline bool goes_a_short_way(const Search& search, int block) {
-  if (search.near.clearance.per_size2 > 0) return false;
-  const BoxBlock& hulls = search.a.levels[1][block / kBlock];
-  const int lane = block % kBlock;
-  float size = 0;
-  for (int axis = 0; axis < 3; ++axis) size += hulls.high0[axis][lane] - hulls.low0[axis][lane];
-  return search.near.reach * search.near.spread < 0.5f * size;
-}
 
 }  // namespace tamis::TAMIS_ISA

@@ -1,7 +1,9 @@
 // From a leaf block of one tree down the other tree to pairs of features. Stage by stage over small lists, without
 // branches on what boxes meet, which nothing could predict: leaf blocks, features against leaf blocks, features.
 #pragma once
-#include "kernels/box_overlap.hpp"
+#include <utility>
+
+#include "kernels/reach.hpp"
 #include "kernels/row_pairs.hpp"
 
 namespace tamis::TAMIS_ISA {
@@ -20,6 +22,7 @@ class BlockSearch {
     for (int k = 0; k < Bounds::kCount; ++k) my_hull_[k] = hulls.at[k][block % kBlock];
     boxes_.bound(search.a, 0, block, mine_);
     if constexpr (Boxes::kMoves) means_ = boxes_.means(search.a.levels[0][block], mine_);
+    if constexpr (Boxes::kHasReach) expect_short_reaches();
   }
 
   void run() {
@@ -36,6 +39,10 @@ class BlockSearch {
   /// asked at all (docs/history/performance.md, "What chooses").
   static constexpr int kSample = 16;
   static constexpr double kMostMet = 0.65;
+  /// Part of a leaf block's extent up to which hardly any features but neighbours are within reach of each other, and
+  /// how many in a row cost less later than being asked again (docs/history/performance.md, "Reach by blocks").
+  static constexpr float kShortReach = 0x1p-4f;
+  static constexpr int kFew = 2;
 
   void visit(int level, int node) {
     ++search_.nodes_visited;
@@ -45,6 +52,7 @@ class BlockSearch {
     if constexpr (Boxes::kMoves) fast = mask & boxes_.move_far(search_.b.levels[level][node], hulls, means_);
     if (fast) mask &= ~fast | sharply(level, node);
     if (level > 1) return for_each_bit(mask, [&](int child) { visit(level - 1, node * kBlock + child); });
+    if (has_short_reaches()) find_reaches(node, hulls);
     for_each_bit(mask, [&](int child) { append_leaf(node * kBlock + child, hulls, child, fast >> child & 1); });
     if (leaf_count_ > kMostLeaves - kBlock) match_leaves();
   }
@@ -52,14 +60,33 @@ class BlockSearch {
   /// Unless none of my features may meet its hull, which is lane `lane` of `hulls`.
   void append_leaf(int leaf, const Bounds& hulls, int lane, bool is_fast) {
     leaves_[leaf_count_] = leaf;
-    if constexpr (Boxes::kMoves)
-      rows_of_[leaf_count_] = is_fast ? boxes_.meet_at_some_time(search_.b.levels[1][leaf / kBlock], leaf % kBlock,
-                                                                 search_.a.levels[0][block_])
-                                      : rows_that_meet(hulls, lane);
-    else
-      rows_of_[leaf_count_] = rows_that_meet(hulls, lane);
     is_fast_[leaf_count_] = is_fast;
+    if (has_short_reaches()) reach_[leaf_count_] = reaches_[lane];
+    rows_of_[leaf_count_] = rows_that_meet(leaf_count_, hulls, lane);
     leaf_count_ += rows_of_[leaf_count_] != 0;
+  }
+
+  /// The reach between two blocks is at least half of that within mine.
+  void expect_short_reaches() {
+    const auto mine = [&](int k) { return FloatLanes(my_hull_[k]); };
+    extent_ = extent(search_, block_);
+    has_short_reaches_ = boxes_.reach(mine, mine).get(0) <= 2 * kShortReach * extent_;
+  }
+  bool has_short_reaches() const {
+    if constexpr (Boxes::kHasReach) return has_short_reaches_;
+    return false;
+  }
+
+  /// Of the leaf blocks of a node: how far apart their features and mine can be that are of interest; -1 where that is
+  /// far.
+  void find_reaches(int node, const Bounds& hulls) {
+    if constexpr (Boxes::kHasReach)
+      for_sixteen_lanes([&](int first) {
+        const FloatLanes reach =
+            boxes_.reach([&](int k) { return FloatLanes(my_hull_[k]); }, [&](int k) { return hulls.lanes(k, first); });
+        const FloatLanes least = min(FloatLanes(extent_), extent_at_start(search_.b.levels[1][node], first));
+        select(reach <= FloatLanes(kShortReach) * least, reach, FloatLanes(-1.0f)).store_aligned(reaches_ + first);
+      });
   }
 
   unsigned children_that_meet(int level, int node, const Bounds& hulls) const {
@@ -100,10 +127,14 @@ class BlockSearch {
     for (int i = 0; i < kAhead && i < leaf_count_; ++i) fetch(leaves_[i]);
     for (int i = 0; i < leaf_count_; ++i) {
       if (i + kAhead < leaf_count_) fetch(leaves_[i + kAhead]);
-      boxes_.bound(search_.b, 0, leaves_[i], theirs_[i]);
+      is_bounded_[i] = false;
+      if (!has_short_reach(i)) bound(i);
       if constexpr (Boxes::kMoves) asks_theirs_[i] = is_fast_[i] && ask_theirs(i);
     }
-    match_rows<One::mine>([&](int i) { return !is_fast_[i]; },
+    if (has_short_reaches())
+      match_rows<One::mine>([&](int i) { return has_short_reach(i); },
+                            [&](int count) { return keep_near_rows(count); });
+    match_rows<One::mine>([&](int i) { return !is_fast_[i] && !has_short_reach(i); },
                           [&](int count) {
                             return keep_rows(0, count, 0, [&](int i) { return others_that_meet<One::mine>(rows_[i]); });
                           });
@@ -114,6 +145,11 @@ class BlockSearch {
                               [&](int count) { return keep_fast_rows<One::theirs>(count); });
     }
     leaf_count_ = 0;
+  }
+
+  void bound(int i) {
+    if (std::exchange(is_bounded_[i], true)) return;
+    boxes_.bound(search_.b, 0, leaves_[i], theirs_[i]);
   }
 
   /// Takes their features that may meet my hull as the rows of a leaf, if these are fewer than mine. Returns whether.
@@ -153,6 +189,16 @@ class BlockSearch {
     return keep_rows(found, keep_rows(sample, count, found, cheap), found, both);
   }
 
+  /// The same where hardly any but neighbours are within reach of each other.
+  int keep_near_rows(int count) {
+    const int near = keep_rows(0, count, 0, [&](int i) { return others_within_reach(rows_[i]); });
+    return keep_rows(0, near, 0, [&](int i) {
+      if (__builtin_popcount(found_[i]) <= kFew) return found_[i];
+      bound(static_cast<int>(place_of(rows_[i])));
+      return found_[i] & others_that_meet<One::mine>(rows_[i]);
+    });
+  }
+
   /// Of the rows first to last those where bits(i) has some, from place `to` on. Returns the place behind them.
   template <class Bits>
   int keep_rows(int first, int last, int to, const Bits& bits) {
@@ -174,8 +220,12 @@ class BlockSearch {
     fetch_all(search_.b.corners[leaf]);
   }
 
-  /// Bits of my features that may meet some of the block whose hull is in that lane.
-  unsigned rows_that_meet(const Bounds& hulls, int lane) const {
+  /// Bits of my features that may meet some of leaf i, whose hull is in that lane.
+  unsigned rows_that_meet(int i, const Bounds& hulls, int lane) const {
+    const BoxBlock &theirs = search_.b.levels[1][leaves_[i] / kBlock], &mine = search_.a.levels[0][block_];
+    if constexpr (Boxes::kMoves)
+      if (is_fast_[i]) return boxes_.meet_at_some_time(theirs, lane, mine);
+    if (has_short_reach(i)) return within_reach(theirs, lane, mine, reach_[i]);
     return meet([&](int k, int first) { return mine_.lanes(k, first); },
                 [&](int k, int) { return FloatLanes(hulls.at[k][lane]); });
   }
@@ -184,6 +234,16 @@ class BlockSearch {
   static unsigned place_of(std::int32_t row) { return static_cast<unsigned>(row) / kBlock; }
   int leaf_of(std::int32_t row) const { return leaves_[place_of(row)]; }
   static int lane_of(std::int32_t row) { return static_cast<int>(static_cast<unsigned>(row) % kBlock); }
+
+  /// Of a leaf: is how near the boxes are at t=0 all that need be asked of its features?
+  bool has_short_reach(int i) const { return has_short_reaches() && reach_[i] >= 0; }
+
+  /// Bits of theirs that are within reach of mine and no neighbours.
+  unsigned others_within_reach(int row) const {
+    return within_reach(search_.a.levels[0][block_], lane_of(row), search_.b.levels[0][leaf_of(row)],
+                        reach_[place_of(row)]) &
+           ~neighbours<One::mine>(row);
+  }
 
   /// Bits of the sixteen that may meet the one and are no neighbours.
   template <One one>
@@ -215,8 +275,12 @@ class BlockSearch {
   int leaf_count_ = 0;
   alignas(64) std::int32_t leaves_[kMostLeaves + kBlock];
   unsigned rows_of_[kMostLeaves + kBlock];
-  bool is_fast_[kMostLeaves + kBlock], asks_theirs_[kMostLeaves + kBlock];
+  bool is_bounded_[kMostLeaves + kBlock], is_fast_[kMostLeaves + kBlock], asks_theirs_[kMostLeaves + kBlock];
   MovingBoxes::Means means_;
+  bool has_short_reaches_ = false;
+  float extent_ = 0;
+  alignas(64) float reaches_[kBlock];  ///< of the leaf blocks of a node
+  float reach_[kMostLeaves + kBlock];
   int sampled_ = 0, met_ = 0;  ///< fast rows that were asked the cheap way first, and those that it left
   Bounds theirs_[kMostLeaves];
   std::int32_t rows_[kMostLeaves * kBlock + kBlock];

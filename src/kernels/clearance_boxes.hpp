@@ -1,0 +1,52 @@
+// Boxes at the start of a step and residuals, where features go a short way beside each other.
+#pragma once
+#include "kernels/reach.hpp"
+
+namespace tamis::TAMIS_ISA {
+
+/// As NearBoxes, by the clearance alone, where there is no gradient: less than half the work, and hardly more pairs
+/// where features go a short way beside each other.
+class ClearanceBoxes {
+ public:
+  static constexpr bool kMoves = false, kHasReach = true;
+  using Bounds = BoundBlock<12>;  ///< x y z at t=0, of residuals
+
+  ClearanceBoxes(const Search& search, int)
+      : t_limit_(search.near.t_limit), per_way2_(search.near.clearance.per_way2) {}
+
+  void bound(const TreeView& tree, int level, int node, Bounds& bounds) const {
+    const BoxBlock &boxes = tree.levels[level][node], &residuals = tree.residuals[level][node];
+    __builtin_memcpy(bounds.at, boxes.low0, sizeof(boxes.low0));
+    __builtin_memcpy(bounds.at[kResidual], residuals.low1, sizeof(residuals.low1));
+    __builtin_memcpy(bounds.at[kHigh], boxes.high0, sizeof(boxes.high0));
+    __builtin_memcpy(bounds.at[kHigh + kResidual], residuals.high1, sizeof(residuals.high1));
+  }
+
+  template <class A, class B>
+  [[gnu::always_inline]] auto meet(const A& a, const B& b) const {
+    FloatLanes gap2(0.0f);
+    for (int axis = 0; axis < 3; ++axis)
+      add_square(gap2, max(max(b(axis) - a(kHigh + axis), a(axis) - b(kHigh + axis)), FloatLanes(0.0f)));
+    return gap2 <= FloatLanes(per_way2_) * greatest_way2<kResidual, kHigh>(a, b);
+  }
+
+  template <class A, class B>
+  [[gnu::always_inline]] FloatLanes reach(const A& a, const B& b) const {
+    return reach_of(FloatLanes(per_way2_) * greatest_way2<kResidual, kHigh>(a, b));
+  }
+
+  float t_limit() const { return t_limit_; }
+
+ private:
+  static constexpr int kResidual = 3, kHigh = 6;
+
+  const float t_limit_, per_way2_;
+};
+
+/// Is there no gradient, and do all features go less far beside each other than half of a leaf block's size? Then
+/// where the boxes come near says little more than how near they are (docs/history/performance.md, "What chooses").
+inline bool goes_a_short_way(const Search& search, int block) {
+  return search.near.clearance.per_size2 == 0 && search.near.reach * search.near.spread < 0.5f * extent(search, block);
+}
+
+}  // namespace tamis::TAMIS_ISA

@@ -5,6 +5,7 @@
 
 #include "numerics/error_bounds.hpp"
 #include "topology/at.hpp"
+#include "topology/largest_beside.hpp"
 
 namespace tamis {
 namespace {
@@ -56,7 +57,8 @@ bool PairsOfStart::starts_again(const Step& step) const {
 }
 
 /// A pair beyond separations() has more than (way + way) / (1 - fraction) besides what it is to keep apart, so that
-/// its vertices leave it more than `fraction` of that.
+/// its vertices leave it more than `fraction` of that: a feature's reach is no less than its room and its radius, which
+/// may be those of two vertices (largest_beside).
 bool PairsOfStart::covers(const Query& query, double fraction) const {
   if (query.separations.fixed > separation_ || query.separations.radii.data() != radii_) return false;
   return std::all_of(mesh_.points().begin(), mesh_.points().end(),
@@ -69,14 +71,14 @@ bool PairsOfStart::plan(const Query& query, double fraction) {
   forget();
   room_.resize(start_.size());
   reach_.resize(start_.size());
-  const std::span<const double> radii = query.separations.radii;
+  const std::vector<double> radii = largest_beside(mesh_, query.separations.radii);
   for (const Index index : mesh_.points()) {
     const auto v = at(index);
     room_[v] = (kFarther * std::max(ways_[v], ways_before_[v]) + besides) / (1 - fraction) * kRoundedUp;
     reach_[v] = (room_[v] + (radii.empty() ? 0 : radii[v])) * kRoundedUp;
     if (!std::isfinite(reach_[v])) return false;
   }
-  radii_ = radii.data();
+  radii_ = query.separations.radii.data();
   separation_ = query.separations.fixed;
   return true;
 }

@@ -39,7 +39,7 @@ class PairsOfStart {
   /// How far each vertex went at most, from this start (in all questions but the first) and from the start before.
   std::vector<double> ways_, ways_before_;
   std::vector<double> room_;   ///< how far each vertex may go and leave pairs that are not listed all of their distance
-  std::vector<double> reach_;  ///< that, and its own radius
+  std::vector<double> reach_;  ///< that, and the largest radius of its features
   const double* radii_ = nullptr;  ///< the query's when the lists were made
   double separation_ = 0;
   PairLists lists_;

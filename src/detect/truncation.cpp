@@ -8,6 +8,7 @@
 #include "numerics/assert.hpp"
 #include "query/pair_rules.hpp"
 #include "topology/at.hpp"
+#include "topology/largest_beside.hpp"
 #include "topology/mean_edge.hpp"
 
 namespace tamis {
@@ -61,12 +62,13 @@ void Truncation::begin_apart() {
   is_apart_ = true;
   // A pair keeps its fraction of what it has beyond its separation, unless its vertices go the rest of that.
   const double reach = 1 / (1 - fractions_.between_planes(0));
-  radii_.assign(to_.parts.size(), 0);
+  radii_ = largest_beside(mesh_, separations_.radii);
+  radii_.resize(to_.parts.size(), 0);
   for (const Index index : mesh_.points()) {
     const auto v = at(index);
     const double way =
         to_.parts[v] > 0 ? to_.parts[v] * length_of_way(step_, index) : 0;  // 0 times infinity is not a number
-    radii_[v] = std::min(reach * way, 0x1p1020) + (separations_.radii.empty() ? 0 : separations_.radii[v]);
+    radii_[v] += std::min(reach * way, 0x1p1020);
   }
 }
 

@@ -58,7 +58,7 @@ class Truncation {
   double together_ = 0;
   bool is_apart_ = false;
   int rounds_ = 0;
-  std::vector<double> radii_;  ///< how far each vertex reaches from the start, and the caller's own
+  std::vector<double> radii_;  ///< how far each vertex reaches from the start, and its features' own radius
 };
 
 }  // namespace tamis

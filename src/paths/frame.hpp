@@ -24,8 +24,8 @@ struct Frame {
 };
 
 /// The radius of `vertex` on its chord, so that the chord stands for the curve: its deviation, the error of its
-/// positions at both ends (`error`, on each axis), and the caller's own radius. Throws InvalidPath, naming where the
-/// piece begins, unless that is finite.
+/// positions at both ends (`error`, on each axis), and the largest radius of its features (largest_beside). Throws
+/// InvalidPath, naming where the piece begins, unless that is finite.
 inline double radius_on_piece(Index vertex, double deviation, double error, double start,
                               const Separations& separations) {
   double radius = (deviation + kRootOfThree * kRoundedUp * error) * (1 + 0x1p-50) + 0x1p-1000;

@@ -22,7 +22,7 @@ class PairsOnParts {
 
   struct Piece {
     const Path& path;
-    Separations separations;         ///< the radii: the caller's
+    Separations separations;         ///< the radii: the largest of each vertex' features
     std::span<const Contact> pairs;  ///< which their chords on the whole piece cannot prove free
     const Frame &from, &to;
     const std::function<bool()>& is_cancelled;

@@ -18,6 +18,7 @@
 #include "paths/step_length_on_path.hpp"
 #include "query/cancellation.hpp"
 #include "topology/at.hpp"
+#include "topology/largest_beside.hpp"
 
 namespace tamis {
 namespace {
@@ -65,6 +66,8 @@ struct PathSearch::Run {
   MeshPieces pieces{kept.mesh_, asked.path, asked.ends};
   /// No pair that stays farther apart, beyond its radii, touches, or fails to keep its part.
   double reach = kept_reach();
+  /// To which deviations are added, vertex by vertex.
+  const std::vector<double> largest_radii = largest_beside(kept.mesh_, asked.separations.radii);
   std::set<PairKey> known = {};  ///< to touch
   /// Pairs that are ignored, as they touch at the start, with a time until which each has not been apart: the end of a
   /// piece, or the start of the piece in which it came apart. One that touches again is no longer among them.
@@ -115,7 +118,7 @@ void PathSearch::Run::search_chords(const Frame& from, const Frame& to) {
   for (const Index index : kept.mesh_.points()) {
     const std::size_t v = at(index);
     const double error = std::max(from.errors[v], to.errors[v]);
-    radii[v] = radius_on_piece(index, pieces.deviations()[v], error, from.time, asked.separations);
+    radii[v] = radius_on_piece(index, pieces.deviations()[v], error, from.time, {reach, largest_radii});
   }
   Query chords{{from.points, to.points}, {reach, radii}, options.filter, kept.rings_, options.is_cancelled};
   chords.is_piece = true;
@@ -134,7 +137,7 @@ void PathSearch::Run::decide_all(const Frame& from, const Frame& to) {
     return a.toi_lower != b.toi_lower ? a.toi_lower < b.toi_lower : comes_before(a, b);
   });
   PairsOnParts& parts = kept.parts_;
-  parts.begin({asked.path, {reach, asked.separations.radii}, pairs, from, to, options.is_cancelled});
+  parts.begin({asked.path, {reach, largest_radii}, pairs, from, to, options.is_cancelled});
   const TimeInterval<double> piece{from.time, to.time};
   const double start = piece.t_in, length = piece.t_out - start;
   double latest = piece.t_out;

@@ -123,6 +123,30 @@ TEST(Truncate, AStackSettlesHoweverHighItIs) {
     }
 }
 
+// Bug, once: pairs were listed by how far each vertex may go and its own radius, though an edge has the radius of its
+// thick end where its thin end goes.
+TEST(Truncate, TheThinEndOfAThickEdgeGoesNoNearerThanTheEdgeMay) {
+  Scene scene;
+  const auto add = [&](const Point& start, const Point& end, Index group) {
+    return scene.add_vertex(start, end, group);
+  };
+  const Index thin = add({0, 0, 12}, {0, 0, 9}, 0), thick = add({100, 0, 12}, {100, 0, 12}, 1);
+  scene.loose_edges.push_back({thin, thick});
+  const Index below = add({0, -1, 0}, {0, -1, 0}, 0);
+  scene.loose_edges.push_back({below, add({0, 1, 0}, {0, 1, 0}, 0)});
+  for (int i = 0; i < 200; ++i) {  // that stay: the mean of all ways is short
+    const Point at{-100.0 - i, 0, 0};
+    scene.loose_points.push_back(add(at, at, 0));
+  }
+  Options options;
+  options.filter = {scene.group_of_vertex, 2};
+  options.radii = {0, 10};
+  const TruncatedStep to = Detector(scene.mesh(), options).truncate(scene.step(), 0.1);
+  EXPECT_GE(to.positions[0][2], 10.2);
+  EXPECT_LT(to.positions[0][2], 10.3);
+  EXPECT_TRUE(Detector(scene.mesh(), options).is_free({scene.start, to.positions}));
+}
+
 // Bug: a mesh without edges has no length to measure reach by, and stays.
 TEST(Truncate, PointsAloneGoTheirWay) {
   const std::vector<Point> start{{0, 0, 0}, {1, 0, 0}, {0, 5, 0}}, end{{2, 0, 0}, {-1, 0, 0}, {0, 9, 0}};

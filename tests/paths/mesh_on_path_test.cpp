@@ -134,6 +134,23 @@ TEST(MeshOnPath, SplinesGiveTheContactsOfAllPairs) {
   expect_as_one_by_one(bodies, BezierPath(frames));
 }
 
+// Bug, once: each vertex' deviation was added to its own radius, though an edge has the radius of its thick end where
+// its thin end bends. That end comes down from 12 to 9 and goes up again, above another edge.
+TEST(MeshOnPath, TheThinEndOfAThickEdgeBends) {
+  const std::vector<Point> ends{{0, 0, 12}, {1000, 0, 12}, {0, -1, 0}, {0, 1, 0}};
+  std::vector<Point> middle = ends;
+  middle[0][2] = 6;
+  const BezierPath path({ends, middle, ends});
+  Options options;
+  options.filter = {{0, 1, 0, 0}, 2};
+  options.radii = {0, 10};
+  Detector detector(Mesh(4, {}, {{0, 1}, {2, 3}}), options);
+  EXPECT_FALSE(detector.is_free(path));
+  const auto& contacts = detector.contacts(path);
+  ASSERT_EQ(contacts.size(), 1u);
+  EXPECT_NEAR(contacts[0].toi_lower, 0.5 - std::sqrt(1 / 12.0), 1e-8);
+}
+
 /// A ridge along a helix, from one radius to another, as a strip of triangles.
 Shape helix(double inner, double outer, double phase, int turns) {
   constexpr int kAround = 24;

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "lab/detector.hpp"
@@ -149,6 +150,29 @@ TEST(MeshOnPath, TheThinEndOfAThickEdgeBends) {
   const auto& contacts = detector.contacts(path);
   ASSERT_EQ(contacts.size(), 1u);
   EXPECT_NEAR(contacts[0].toi_lower, 0.5 - std::sqrt(1 / 12.0), 1e-8);
+}
+
+// The same on halves of a piece, which are looked at where more than a few pairs are left: in each half thin ends come
+// down by 3 from 102 and go up again, above edges of their own.
+TEST(MeshOnPath, TheThinEndsOfThickEdgesBendOnBothHalvesOfAPiece) {
+  constexpr Index kPairs = 5;
+  std::vector<std::vector<Point>> control(5);
+  std::vector<Edge> rods;
+  Options options;
+  options.filter.group_count = 2;
+  options.radii = {0, 100};
+  for (Index i = 0; i < kPairs; ++i) {
+    const double y = 1000.0 * i;
+    for (std::size_t k = 0; k < control.size(); ++k) {
+      const double z = 90 + std::array{12, 0, 28, 0, 12}[k];  // 102 - 192 t (1 - t) (t - 1/2)^2
+      control[k].insert(control[k].end(), {{0, y, z}, {20000, y, 102}, {0, y - 1, 0}, {0, y + 1, 0}});
+    }
+    rods.push_back({4 * i, 4 * i + 1});
+    rods.push_back({4 * i + 2, 4 * i + 3});
+    options.filter.group_of_vertex.insert(options.filter.group_of_vertex.end(), {0, 1, 0, 0});
+  }
+  Detector detector(Mesh(4 * kPairs, {}, rods), options);
+  EXPECT_EQ(detector.contacts(BezierPath(control)).size(), static_cast<std::size_t>(kPairs));
 }
 
 /// A ridge along a helix, from one radius to another, as a strip of triangles.

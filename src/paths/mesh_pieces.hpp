@@ -12,8 +12,17 @@ namespace tamis {
 /// On a piece no vertex deviates from its chord by more than this part of the mean edge. Longer pieces would leave more
 /// pairs to be looked at on parts of them, shorter ones search the whole mesh more often.
 inline constexpr double kChordDeviationInEdges = 0x1p-6;
+/// Of a vertex' bound on a piece, where that goes by the square of its length: how far it is at most from the chord
+/// moved half way to where it is in the middle (MeshPieces::lines).
+inline constexpr double kPartBesideLine = 0.75;
 /// Where pieces leave few pairs the next ones are longer, up to this part.
 inline constexpr double kMostChordDeviationInEdges = 1;
+
+/// Straight ways that stand for the curves on a piece, and how far each vertex is from its own at most.
+struct Lines {
+  std::vector<Point> start, end;
+  std::vector<double> deviations;
+};
 
 /// Of one question. Throws InvalidPath where the path breaks its promises.
 class MeshPieces {
@@ -22,26 +31,35 @@ class MeshPieces {
   MeshPieces(const Mesh& mesh, const Path& path, std::span<const double> ends);
 
   Frame frame_at(double time) const;
-  /// The end of the piece that begins so. deviations() are then of this piece, and were checked in its middle.
+  /// The end of the piece that begins so. lines() are then of this piece, whose bounds were checked in its middle.
   Frame next(const Frame& from);
-  /// Of every vertex from its chord, at most.
-  const std::vector<double>& deviations() const { return deviations_; }
+  const Lines& lines() const { return lines_; }
   /// Sets the length of the next piece by the number of pairs that the last one left undecided.
   void learn(std::size_t pairs);
-  /// How far any vertex is from its start at most, at any time. deviations() are then of the whole path.
+  /// How far any vertex is from its start at most, at any time.
   double farthest_way();
 
  private:
   /// Between two times. Returns the largest.
   double read_deviations(double from, double to);
   double end_of(const Frame& start);
-  void check_chords(const Frame& from, const Frame& to) const;
+  /// What the path is off its chord in the middle of a piece, known to `error`.
+  struct Beside {
+    Point off;
+    double error;
+  };
+  Beside beside_chord(std::size_t v, const Frame& from, const Frame& middle, const Frame& to) const;
+  /// Throws if a vertex is farther from its chord in the middle than its bound promises.
+  void set_lines(const Frame& from, const Frame& to);
+  void read_halves(double from, double middle, double to);
 
   const Mesh& mesh_;
   const IsolatedPath path_;
   const std::span<const double> ends_;
-  const std::vector<Index> all_;  ///< 0, 1, 2, ...
-  std::vector<double> deviations_;
+  const std::vector<Index> all_;    ///< 0, 1, 2, ...
+  std::vector<double> deviations_;  ///< from chords, at most
+  std::vector<double> of_halves_;   ///< the same on either half of a piece
+  Lines lines_;
   double deviation_in_edges_ = kChordDeviationInEdges;  ///< of the next piece
 };
 

@@ -113,14 +113,15 @@ void PathSearch::Run::search() {
 }
 
 void PathSearch::Run::search_chords(const Frame& from, const Frame& to) {
+  const Lines& lines = pieces.lines();
   std::vector<double>& radii = kept.radii_;
   radii.assign(from.points.size(), 0);
   for (const Index index : kept.mesh_.points()) {
     const std::size_t v = at(index);
     const double error = std::max(from.errors[v], to.errors[v]);
-    radii[v] = radius_on_piece(index, pieces.deviations()[v], error, from.time, {reach, largest_radii});
+    radii[v] = radius_on_piece(index, lines.deviations[v], error, from.time, {reach, largest_radii});
   }
-  Query chords{{from.points, to.points}, {reach, radii}, options.filter, kept.rings_, options.is_cancelled};
+  Query chords{{lines.start, lines.end}, {reach, radii}, options.filter, kept.rings_, options.is_cancelled};
   chords.is_piece = true;
   Bound bound;
   ContactCollector& found = kept.found_;

@@ -148,7 +148,8 @@ std::vector<double> World::State::times_of_pieces(const std::vector<BodyPair>& p
   for (const BodyPair& pair : pairs) {
     const Body &a = *bodies[at(pair[0])], &b = *bodies[at(pair[1])];
     const double allowed = kChordDeviationInEdges * std::max(a.shape().edge, b.shape().edge);
-    const double deviation = chord_deviation(a.acceleration() + b.acceleration(), Interval(1));  // of the whole step
+    const double acceleration = a.acceleration() + b.acceleration();
+    const double deviation = kPartBesideLine * chord_deviation(acceleration, Interval(1));  // of the whole step
     if (allowed > 0 && deviation > allowed) pieces = std::max(pieces, std::ceil(std::sqrt(deviation / allowed)));
   }
   pieces = std::min(pieces, kMostPieces);

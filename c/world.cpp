@@ -108,6 +108,19 @@ tamis_status tamis_world_move(tamis_world* world, const int32_t* bodies, const t
   });
 }
 
+tamis_status tamis_world_points_at(tamis_world* world, int32_t body, double time, int32_t vertex_count, double* points,
+                                   double* error) {
+  return with(world, [&](tamis_world& handle) {
+    const tamis::BodyPoints found = handle.asked->points_at(body, time);
+    if (vertex_count < 0 || static_cast<std::size_t>(vertex_count) != found.points.size())
+      throw InvalidArgument("vertex_count is " + std::to_string(vertex_count) + ", and body " + std::to_string(body) +
+                            " has " + std::to_string(found.points.size()) +
+                            " vertices: give as many, and room for them");
+    if (vertex_count > 0) copy_points(found.points, &required(points, "points"));
+    if (error) *error = found.error;
+  });
+}
+
 tamis_status tamis_world_remove(tamis_world* world, const int32_t* bodies, size_t count) {
   return with(world, [&](tamis_world& handle) {
     const auto named = bodies_of(bodies, count, "count");

@@ -78,6 +78,11 @@ struct EarliestBodyContact {
   double toi_upper = 1;
   std::optional<BodyContact> contact;
 };
+/// Where the vertices of a body are at one time.
+struct BodyPoints {
+  std::vector<Point> points;  ///< one a vertex of its shape
+  double error = 0;           ///< no coordinate of a vertex of a feature is off by more
+};
 struct BodyStep {
   double lower = 1;  ///< as in SafeStep
   double upper = 1;
@@ -110,6 +115,9 @@ class World {
   void move(BodyId body, BodyMotion motion);
   /// As it was told last; valid until the next change of the world.
   const BodyMotion& motion(BodyId body) const;
+  /// Where its vertices are at `time` in [0,1] of that motion, on the curves that questions are about: at a contact's
+  /// time, to draw it or to work out a response. With the error 0 these are the very points. Throws InvalidOptions.
+  BodyPoints points_at(BodyId body, double time) const;
   void remove(BodyId body);
   /// A body that is switched off takes no part in any question until it is switched on again; bodies begin switched on.
   void set_enabled(BodyId body, bool is_enabled);

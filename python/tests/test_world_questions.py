@@ -151,6 +151,22 @@ def test_turning_bodies_and_their_paths(cube: tamis.Shape) -> None:
     assert world.is_free() and world.safe_step().pair is None
 
 
+def test_vertices_are_on_their_curves(cube: tamis.Shape) -> None:
+    """Bug: on the chord of a turn, or in the frame of the body."""
+    chain = tamis.turned(at((0, 0, 0))[0], [0, 0, np.pi / 2], [2, 0, 0])
+    world = tamis.World()
+    turning, still = world.add(cube, chain), world.add(cube, at((5, 0, 0))[0])
+    points, error = world.points_at(turning, 0.5)
+    path = tamis.RigidPath(CUBE, np.zeros(8, int), [chain])
+    assert np.array_equal(points, path.points_at(0.5)) and 0 < error < 1e-14
+    points, error = world.points_at(still, 0.5)
+    assert np.array_equal(points, CUBE + [5, 0, 0]) and error == 0
+    with pytest.raises(tamis.InvalidOptions, match="time is 2"):
+        world.points_at(turning, 2)
+    with pytest.raises(tamis.InvalidOptions, match="body 7"):
+        world.points_at(7, 0.5)
+
+
 def test_a_cloth_between_bodies() -> None:
     """A deforming body falls on a static one: both ways of saying so agree; then it may touch itself."""
     sheet = tamis.Shape(tamis.Mesh(FACES), START)

@@ -148,6 +148,21 @@ Point Body::end_of(Index vertex) const {
   return deforming() ? deforming()->end[at(vertex)] : at_end_.transform.of(shape_->points[at(vertex)]);
 }
 
+/// What turns is on its curve; all else goes straight from double to double, as in a step.
+BodyPoints Body::points_at(double time) const {
+  const bool turns = motion_kind_ == MotionKind::turning;
+  const RoundedTransform place = turns ? ChainsAt(time).of(chain_) : RoundedTransform{};
+  const auto place_of = [&](Index v) -> RoundedPlace {
+    if (!turns) return rounded_linear(start_of(v), end_of(v), time);
+    const Point& x = shape_->points[at(v)];
+    return {place.of(x), place.error_of(std::fabs(x[0]) + std::fabs(x[1]) + std::fabs(x[2]), 0)};
+  };
+  BodyPoints found;
+  for (Index v = 0; v < shape_->mesh.vertex_count(); ++v) found.points.push_back(place_of(v).x);
+  for (const Index v : shape_->mesh.points()) found.error = std::max(found.error, place_of(v).error);
+  return found;
+}
+
 std::uint64_t Body::memory_bytes() const {
   std::uint64_t bytes = sizeof(*this) + start_boxes_.memory_bytes() + end_boxes_.memory_bytes();
   if (const Deforming* soft = deforming()) bytes += (soft->start.capacity() + soft->end.capacity()) * sizeof(Point);

@@ -71,6 +71,8 @@ class Body {
   /// Where a vertex is, rounded to doubles.
   Point start_of(Index vertex) const;
   Point end_of(Index vertex) const;
+  /// All at a time of the step, with what rounding makes them off by.
+  BodyPoints points_at(double time) const;
   /// Of a body that does not deform.
   const PlacedBody& at_start() const { return at_start_; }
   const PlacedBody& at_end() const { return at_end_; }

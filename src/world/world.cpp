@@ -4,6 +4,7 @@
 #include <string>
 
 #include "detect/validate.hpp"
+#include "numerics/number_text.hpp"
 #include "tamis/error.hpp"
 #include "topology/at.hpp"
 #include "world/world_state.hpp"
@@ -48,6 +49,14 @@ const BodyMotion& World::motion(BodyId body) const {
   State& now = state();
   const Turn turn(now.is_asked);
   return now.body(body).motion();
+}
+
+BodyPoints World::points_at(BodyId body, double time) const {
+  State& now = state();
+  const Turn turn(now.is_asked);
+  const Body& asked = now.body(body);
+  if (!(time >= 0 && time <= 1)) throw InvalidOptions("the time is " + number_text(time) + ": give a number in [0, 1]");
+  return asked.points_at(time);
 }
 
 void World::remove(BodyId body) {

@@ -94,6 +94,21 @@ static void what_is_answered(void) {
   tamis_world_free(NULL);
 }
 
+static void where_vertices_are(void) {
+  tamis_world* world = blade_over_plate();
+  double points[9], error = -1;
+  EXPECT(tamis_world_points_at(world, 1, 1, 3, points, &error) == TAMIS_OK && 0 < error && error < 1e-14);
+  EXPECT(fabs(points[3]) < 1e-14 && points[4] == 0 && fabs(points[5] + 1) < 1e-14); /* the tip, a quarter further */
+  EXPECT(tamis_world_points_at(world, 0, 0.5, 3, points, NULL) == TAMIS_OK);
+  EXPECT(memcmp(points, plate_points, sizeof points) == 0);
+  EXPECT(tamis_world_points_at(world, 1, 1, 4, points, &error) == TAMIS_INVALID_ARGUMENT);
+  EXPECT_SAYS(tamis_world_message(world), "body 1 has 3 vertices");
+  EXPECT(tamis_world_points_at(world, 1, 1, 3, NULL, &error) == TAMIS_INVALID_ARGUMENT);
+  EXPECT(tamis_world_points_at(world, 1, 1.5, 3, points, &error) == TAMIS_INVALID_OPTIONS);
+  EXPECT(tamis_world_points_at(world, 2, 1, 3, points, &error) == TAMIS_INVALID_OPTIONS);
+  tamis_world_free(world);
+}
+
 static void what_goes_straight_and_what_deforms(void) {
   tamis_world* world = blade_over_plate();
   tamis_shape* blade = shape_of(blade_points);
@@ -321,6 +336,7 @@ static void many_motions(void) {
 int main(void) {
   many_motions();
   what_is_answered();
+  where_vertices_are();
   what_goes_straight_and_what_deforms();
   many_in_one_call();
   what_is_refused_changes_nothing();

@@ -70,6 +70,11 @@ TAMIS_API tamis_status tamis_world_add(tamis_world* world, const tamis_shape* sh
 /** Says how `motions->count` bodies move from now on, each named once; if one cannot, none does. All calls that name a
  * body that is not there change nothing and give TAMIS_INVALID_OPTIONS. */
 TAMIS_API tamis_status tamis_world_move(tamis_world* world, const int32_t* bodies, const tamis_motions* motions);
+/** Where the vertices of a body are at a time in [0, 1] of its motion, on the curves that questions are about: at a
+ * contact's time, say. `points`: three coordinates each; `vertex_count`: as many as its shape has. No coordinate of a
+ * vertex of a feature is off by more than `error`, which may be NULL; where it is 0 these are the very points. */
+TAMIS_API tamis_status tamis_world_points_at(tamis_world* world, int32_t body, double time, int32_t vertex_count,
+                                             double* points, double* error);
 /** Takes `count` bodies out, each named once; their numbers are not given again. */
 TAMIS_API tamis_status tamis_world_remove(tamis_world* world, const int32_t* bodies, size_t count);
 /** 0 switches `count` bodies off, so that they take no part in any question until they are switched on by 1. */

@@ -78,6 +78,12 @@ class Bodies {
     });
   }
 
+  nb::tuple points_at(BodyId body, double time) {
+    BodyPoints found = answer([&] { return world_.points_at(body, time); });
+    const double error = found.error;
+    return nb::make_tuple(own<double>(std::move(found.points), 3), error);
+  }
+
   nb::object contacts(const QueryOptions& q) {
     return own_bytes(answer([&] { return world_.contacts(q); }));
   }
@@ -156,6 +162,7 @@ void bind_world(nb::module_& module) {
       .def("set_enabled", &Bodies::set_enabled)
       .def("set_radius", &Bodies::set_radius)
       .def("set_may_touch", &Bodies::set_may_touch)
+      .def("points_at", &Bodies::points_at)
       .def("contacts", &Bodies::contacts)
       .def("earliest", &Bodies::earliest)
       .def("earliest_many", &Bodies::earliest_many)

@@ -5,7 +5,8 @@ from __future__ import annotations
 import numpy.typing as npt
 
 from tamis import _core
-from tamis._checks import number
+from tamis._arrays import Doubles
+from tamis._checks import number, whole
 from tamis._options import AtStart, query_options
 from tamis._world._bodies import chains_of_each, numbers_of
 from tamis._world._tables import (
@@ -221,3 +222,27 @@ class Questions:
             Exact, of the pairs that `intersections` asks about. Ends at the first.
         """
         return self._world.has_intersection()
+
+    def points_at(self, body: int, time: float) -> tuple[Doubles, float]:
+        """Tell where the vertices of a body are at a time of its motion, on the curves that questions are about.
+
+        Parameters
+        ----------
+        body : int
+            That `add` has returned.
+        time : float
+            In [0, 1]: that of a contact, say.
+
+        Returns
+        -------
+        points : array, shape (n, 3)
+            One a vertex of its shape, in the frame of the world.
+        error : float
+            No coordinate of a vertex of a feature is off by more; where it is 0 these are the very points.
+
+        Raises
+        ------
+        InvalidOptions
+            The body is not there, or the time is outside the step.
+        """
+        return self._world.points_at(whole(body, "body"), number(time, "time"))

@@ -137,6 +137,14 @@ extern "C" {
         bodies: *mut i32,
     ) -> c_int;
     pub fn tamis_world_move(world: *mut tamis_world, bodies: *const i32, motions: *const tamis_motions) -> c_int;
+    pub fn tamis_world_points_at(
+        world: *mut tamis_world,
+        body: i32,
+        time: f64,
+        vertex_count: i32,
+        points: *mut f64,
+        error: *mut f64,
+    ) -> c_int;
     pub fn tamis_world_remove(world: *mut tamis_world, bodies: *const i32, count: usize) -> c_int;
     pub fn tamis_world_set_enabled(world: *mut tamis_world, bodies: *const i32, count: usize, on: c_int) -> c_int;
     pub fn tamis_world_set_radius(world: *mut tamis_world, bodies: *const i32, count: usize, radius: f64) -> c_int;

@@ -73,10 +73,29 @@ impl World {
     /// How a body moves from now on; it may begin to move in another way. Refuses a body that is not there, and as
     /// `add`.
     pub fn move_body(&mut self, body: BodyId, motion: &Motion) -> Result<(), Error> {
-        let vertices = usize::try_from(body).ok().and_then(|i| self.vertex_counts.get(i)).copied().unwrap_or(0);
         // SAFETY: as in `add`.
-        let status = unsafe { sys::tamis_world_move(self.handle, &body, &motions_of(motion, vertices)?) };
+        let status = unsafe { sys::tamis_world_move(self.handle, &body, &motions_of(motion, self.vertices_of(body))?) };
         self.checked(status)
+    }
+
+    /// Where the vertices of a body are at a time in [0, 1] of its motion, on the curves that questions are about, and by
+    /// how much a coordinate is off at most: 0 where these are the very points.
+    pub fn points_at(&mut self, body: BodyId, time: f64) -> Result<(Vec<[f64; 3]>, f64), Error> {
+        let vertices = self.vertices_of(body);
+        let (mut points, mut error) = (vec![[0.0; 3]; vertices], 0.0);
+        // SAFETY: three numbers a vertex, and one.
+        let status = unsafe {
+            sys::tamis_world_points_at(
+                self.handle,
+                body,
+                time,
+                vertices as i32,
+                points.as_mut_ptr().cast(),
+                &mut error,
+            )
+        };
+        self.checked(status)?;
+        Ok((points, error))
     }
 
     /// Takes a body out; its number is not given again.
@@ -202,6 +221,11 @@ impl World {
         let status = unsafe { sys::tamis_world_has_intersection(self.handle, &mut has_one) };
         self.checked(status)?;
         Ok(has_one != 0)
+    }
+
+    /// 0 of a body that was never added.
+    fn vertices_of(&self, body: BodyId) -> usize {
+        usize::try_from(body).ok().and_then(|i| self.vertex_counts.get(i)).copied().unwrap_or(0)
     }
 
     pub(crate) fn checked(&self, status: c_int) -> Result<(), Error> {

@@ -35,6 +35,16 @@ fn what_falls_touches_half_way() {
 }
 
 #[test]
+fn vertices_are_where_the_motion_takes_them() {
+    let (mut world, body) = falling();
+    assert_eq!(world.points_at(0, 0.5).unwrap(), (vec![[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]], 0.0));
+    let (points, error) = world.points_at(body, 0.75).unwrap();
+    assert!((points[1][2] + 0.5).abs() <= error && error < 1e-14);
+    assert_eq!(world.points_at(body, 1.5).unwrap_err().status, INVALID_OPTIONS);
+    assert_eq!(world.points_at(7, 0.5).unwrap_err().status, INVALID_OPTIONS);
+}
+
+#[test]
 fn a_radius_is_half_of_a_thickness() {
     let (mut world, body) = falling();
     world.set_radius(body, 0.3).unwrap();

@@ -9,15 +9,23 @@
 
 namespace tamis::crossing {
 
-/// The sign of the slope of the coplanarity during all of `time`: -1, 1, or 0 if not certain. REQUIRES: a whole motion.
-inline int slope_during(const PairMotion<double>& m, const TimeInterval<double>& time) {
+/// The slope of the coplanarity during all of `time`, where it has one sign: in size no more than the least; or 0 if
+/// that is not certain. REQUIRES: a whole motion.
+inline double least_slope_during(const PairMotion<double>& m, const TimeInterval<double>& time) {
   TAMIS_ASSERT(is_whole(m) && is_part_of_step(time));
   const double unit = m.size_d * m.size_e * m.size_f, middle = 0.5 * (time.t_in + time.t_out);
   const double value = slope(coplanarity_polynomial(m), middle);
   // The slope changes by at most 2 kBend a unit of time.
   const double error = error_bounds::bound(error_bounds::kCoplanaritySlope, unit) +
                        2 * error_bounds::kBend * (time.t_out - time.t_in) * unit;
-  return std::fabs(value) > error ? (value > 0 ? 1 : -1) : 0;
+  const double least = std::fabs(value) - error;
+  return least > 0 ? std::copysign(least / kRoundedUp, value) : 0;
+}
+
+/// Its sign: -1, 1, or 0 if not certain.
+inline int slope_during(const PairMotion<double>& m, const TimeInterval<double>& time) {
+  const double least = least_slope_during(m, time);
+  return least > 0 ? 1 : least < 0 ? -1 : 0;
 }
 
 }  // namespace tamis::crossing

@@ -47,9 +47,10 @@ std::optional<Decision> decide_again(PairKind kind, const PairPoints& points, do
                                      const PairMotion<double>& m, const Decision& d) {
   if (!is_finite(m)) return {};
   const TimeInterval<double> bracket{d.lower, d.upper};
-  if (d.verdict == Verdict::unsure)
-    return separation > 0 && flies_past(kind, points, separation, m) ? std::optional(Decision{}) : std::nullopt;
   if (separation == 0 && !can_cross(kind)) return {};
+  if (d.verdict == Verdict::unsure && separation == 0) return decide_crossing_finely(kind, points, m, bracket);
+  if (d.verdict == Verdict::unsure)
+    return flies_past(kind, points, separation, m) ? std::optional(Decision{}) : std::nullopt;
   const auto time = separation > 0 ? first_within_finely(kind, points, separation, m, bracket)
                                    : first_crossing_finely(kind, points, m, bracket);
   return time ? std::optional(Decision{Verdict::touches, time->t_in, time->t_out}) : std::nullopt;

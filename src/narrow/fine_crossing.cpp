@@ -1,6 +1,8 @@
+#include <algorithm>
 #include <cmath>
 
 #include "motion/pair_kinds.hpp"
+#include "narrow/crossing_sides.hpp"
 #include "narrow/crossing_slope.hpp"
 #include "narrow/finely.hpp"
 #include "numerics/assert.hpp"
@@ -10,16 +12,23 @@ namespace {
 
 using Fine = DoubleDouble;
 
-/// Newton's method, from the middle of a bracket until its ends are neighbouring doubles.
+/// Where the coplanarity is zero, give or take the radius.
+struct FineRoot {
+  Fine time;
+  double radius;
+};
+
+/// During a bracket in which the coplanarity has a slope of one sign.
 class FineCrossing {
  public:
-  /// `slope`: of the coplanarity during the bracket, -1 or 1.
-  FineCrossing(const PairMotion<Fine>& fine, const PairMotion<double>& m, int slope)
+  /// `slope`: of the coplanarity during the bracket, the least; its sign.
+  FineCrossing(const PairMotion<Fine>& fine, const PairMotion<double>& m, double slope)
       : fine_(fine),
         error_(error_bounds::bound<Fine>(error_bounds::kCoplanarityNow, fine.size_d * fine.size_e * fine.size_f)),
         cubic_(coplanarity_polynomial(m)),
         slope_(slope) {}
 
+  /// Newton's method, from the middle of a bracket until its ends are neighbouring doubles.
   std::optional<TimeInterval<double>> run(TimeInterval<double> bracket) const {
     constexpr int kMostLooks = 8;
     bool is_before_known = false, is_after_known = false;
@@ -37,16 +46,46 @@ class FineCrossing {
     return {};
   }
 
+  /// By Newton's method, too; nothing if it may lie outside the bracket. A root is no farther from t than what the
+  /// coplanarity is there, by the least slope.
+  std::optional<FineRoot> root(const TimeInterval<double>& bracket) const {
+    constexpr int kMostLooks = 4;
+    constexpr double kSharp = 0x1p-80;  // sides in double-double tell no more
+    FineRoot root{bracket.t_in + 0.5 * (bracket.t_out - bracket.t_in), 1};
+    for (int looks = 1;; ++looks) {
+      const Fine value = coplanarity_at(root.time);
+      root.radius = kRoundedUp * (std::fabs(value.high) + 2 * error_.high) / std::fabs(slope_);
+      if (!(root.radius > kSharp) || looks == kMostLooks) break;
+      root.time = root.time - value.high / crossing::slope(cubic_, root.time.high);
+    }
+    const bool is_within = root.time - root.radius > bracket.t_in && Fine(bracket.t_out) - root.radius > root.time;
+    return is_within ? std::optional(root) : std::nullopt;
+  }
+
+  template <PairKind kind>
+  crossing::Sides<Fine> sides(const FineRoot& root) const {
+    const Vec3<Fine> n = cross(at_time(fine_.e, root.time), at_time(fine_.f, root.time));
+    return crossing::sides<kind>(fine_, n, root.time, Fine(2 * root.radius));  // it and its rounding
+  }
+
  private:
-  Fine coplanarity_at(double t) const {
-    return dot(at_time(fine_.d, Fine(t)), cross(at_time(fine_.e, Fine(t)), at_time(fine_.f, Fine(t))));
+  Fine coplanarity_at(const Fine& t) const {
+    return dot(at_time(fine_.d, t), cross(at_time(fine_.e, t), at_time(fine_.f, t)));
   }
 
   const PairMotion<Fine>& fine_;
   const Fine error_;
   const std::array<double, 4> cubic_;
-  const int slope_;
+  const double slope_;
 };
+
+/// The neighbouring doubles strictly between which it is; nothing if it may be a double.
+std::optional<TimeInterval<double>> doubles_around(const FineRoot& root) {
+  const double before = root.time.low > 0 ? root.time.high : std::nextafter(root.time.high, -1.0);
+  const double after = std::nextafter(before, 2.0);
+  if (!(root.time - before > 2 * root.radius && Fine(after) - root.time > 2 * root.radius)) return {};
+  return TimeInterval<double>{before, after};
+}
 
 }  // namespace
 
@@ -54,9 +93,27 @@ std::optional<TimeInterval<double>> first_crossing_finely(PairKind kind, const P
                                                           const PairMotion<double>& m,
                                                           const TimeInterval<double>& bracket) {
   TAMIS_ASSERT(can_cross(kind) && is_motion_of(m, kind, points));
-  const int slope = crossing::slope_during(m, bracket);
+  const double slope = crossing::least_slope_during(m, bracket);
   if (slope == 0) return {};
   return FineCrossing(make_fine_motion(kind, points, 0), m, slope).run(bracket);
+}
+
+std::optional<Decision> decide_crossing_finely(PairKind kind, const PairPoints& points, const PairMotion<double>& m,
+                                               const TimeInterval<double>& bracket) {
+  TAMIS_ASSERT(can_cross(kind) && is_motion_of(m, kind, points));
+  constexpr double kRoom = 0x1p-50;  // a clip may end at the very root
+  const TimeInterval<double> around{std::max(bracket.t_in - kRoom, 0.0), std::min(bracket.t_out + kRoom, 1.0)};
+  const double slope = crossing::least_slope_during(m, around);
+  if (slope == 0) return {};
+  const PairMotion<Fine> fine = make_fine_motion(kind, points, 0);
+  const FineCrossing crossing(fine, m, slope);
+  const auto root = crossing.root(around);
+  if (!root) return {};
+  const auto sides = kind == PairKind::vertex_face ? crossing.sides<PairKind::vertex_face>(*root)
+                                                   : crossing.sides<PairKind::edge_edge>(*root);
+  if (sides.outside) return Decision{};
+  const auto time = sides.inside ? doubles_around(*root) : std::nullopt;
+  return time ? std::optional(Decision{Verdict::touches, time->t_in, time->t_out}) : std::nullopt;
 }
 
 }  // namespace tamis

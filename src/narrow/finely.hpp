@@ -1,11 +1,12 @@
-// Where doubles have found when a pair touches, but not sharply: the neighbouring doubles around that time, in
-// double-double. What exact algebra would answer, in a fraction of its time; most of what doubles leave undecided is of
-// this kind.
+// What doubles leave undecided of pairs that are ordinary but for rounding, in double-double: when one touches that is
+// known to touch, and whether one touches that crosses a border of its features or passes it by. What exact algebra
+// would answer, in a fraction of its time; most of what doubles leave undecided is of these kinds.
 #pragma once
 #include <optional>
 
 #include "motion/make_motion.hpp"
 #include "motion/time_clip.hpp"
+#include "narrow/subdivide.hpp"
 
 namespace tamis {
 
@@ -15,6 +16,13 @@ namespace tamis {
 std::optional<TimeInterval<double>> first_crossing_finely(PairKind kind, const PairPoints& points,
                                                           const PairMotion<double>& m,
                                                           const TimeInterval<double>& bracket);
+
+/// Whether the features meet where the four points are coplanar in the bracket, and then the neighbouring doubles
+/// around that time: of structured meshes most vertices that come to edges do so within rounding. Nothing where
+/// double-double proves neither, as where they touch exactly at a border. REQUIRES: as above. REQUIRES (not checked:
+/// exact): the pair does not touch outside the bracket.
+std::optional<Decision> decide_crossing_finely(PairKind kind, const PairPoints& points, const PairMotion<double>& m,
+                                               const TimeInterval<double>& bracket);
 
 /// Neighbouring doubles, the pair being apart until the first, and within its separation at the second; nothing where
 /// double-double does not prove that. Costs some twelve thousand instructions. REQUIRES: `m` is the motion of `points`

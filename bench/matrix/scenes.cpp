@@ -57,18 +57,28 @@ constexpr std::array kGenerated{
     Generated{"scattered-groups", scattered_groups, 1, 100, true},
 };
 
-/// Bad input, of one size each.
-struct Bad {
+/// Of one size each: bad input, and steps as simulations make them.
+struct OfOneSize {
   std::string_view name;
   scenes::Scene (*make)(Index triangles, std::uint64_t seed);
   Index triangles;
 };
 
-constexpr std::array kBad{
+constexpr std::array kOfOneSize{
     // Everything passes everything within 1e-300 of the step: each pair needs exact algebra.
-    Bad{"huge-beside-tiny", huge_beside_tiny, 12},
-    Bad{"infinite-ratio", infinite_ratio, 24},
-    Bad{"one-flies-through", one_flies_through, 1000},
+    OfOneSize{"huge-beside-tiny", huge_beside_tiny, 12},
+    OfOneSize{"infinite-ratio", infinite_ratio, 24},
+    OfOneSize{"one-flies-through", one_flies_through, 1000},
+    OfOneSize{"sleeve-on-arm", sleeve_on_arm, 3000},
+    OfOneSize{"shell-on-core", shell_on_core, 3000},
+    OfOneSize{"cloth-through-ring", cloth_through_ring, 3000},
+    OfOneSize{"ball-through-curtain", ball_through_curtain, 3000},
+    OfOneSize{"chain", chain, 3000},
+    OfOneSize{"rope-on-post", rope_on_post, 3000},
+    OfOneSize{"hair", hair, 3000},
+    OfOneSize{"felt", felt, 3000},
+    OfOneSize{"drum-of-grains", drum_of_grains, 3000},
+    OfOneSize{"vehicle-in-city", vehicle_in_city, 3000},
 };
 
 struct Size {
@@ -112,7 +122,7 @@ const std::vector<SceneName>& scene_names() {
       for (const Size& size : kSizes)
         if (size.triangles >= kind.fewest_triangles)
           names.push_back({sized(kind, size), double(size.triangles), kind.crowding, true, kind.parts_groups});
-    for (const Bad& kind : kBad) names.push_back({std::string(kind.name), double(kind.triangles), 1, true});
+    for (const OfOneSize& kind : kOfOneSize) names.push_back({std::string(kind.name), double(kind.triangles), 1, true});
     return names;
   }();
   return all;
@@ -124,7 +134,7 @@ scenes::Scene load_scene(const std::string& name) {
   for (const Generated& kind : kGenerated)
     for (const Size& size : kSizes)
       if (sized(kind, size) == name) return kind.make(size.triangles, kSceneSeed);
-  for (const Bad& kind : kBad)
+  for (const OfOneSize& kind : kOfOneSize)
     if (kind.name == name) return kind.make(kind.triangles, kSceneSeed);
   throw InvalidOptions(fmt::format("the matrix has no scene '{}'", name));
 }

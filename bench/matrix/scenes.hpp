@@ -1,4 +1,4 @@
-// The scenes of the matrix by their names: recorded ones, generated kinds in five sizes, bad input.
+// The scenes of the matrix by their names: recorded ones, generated kinds in five sizes or in one.
 #pragma once
 #include <string>
 #include <vector>

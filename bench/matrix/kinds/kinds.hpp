@@ -18,6 +18,18 @@ scenes::Scene passing_bodies(Index triangles, std::uint64_t seed);  ///< two, wh
 /// Soup, of sixteen groups that are everywhere.
 scenes::Scene scattered_groups(Index triangles, std::uint64_t seed);
 
+// As simulations make them.
+scenes::Scene sleeve_on_arm(Index triangles, std::uint64_t seed);  ///< two layers of cloth slide on an arm that bends
+scenes::Scene shell_on_core(Index triangles, std::uint64_t seed);  ///< a shell wrinkles over a core with as many rows
+scenes::Scene cloth_through_ring(Index triangles, std::uint64_t seed);    ///< pulled through it, in folds
+scenes::Scene ball_through_curtain(Index triangles, std::uint64_t seed);  ///< which hardly moves
+scenes::Scene chain(Index triangles, std::uint64_t seed);                 ///< its links swing
+scenes::Scene rope_on_post(Index triangles, std::uint64_t seed);          ///< three strands, drawn tight around it
+scenes::Scene hair(Index triangles, std::uint64_t seed);             ///< strips two vertices wide sway about a head
+scenes::Scene felt(Index triangles, std::uint64_t seed);             ///< pressed fibres, of loose edges
+scenes::Scene drum_of_grains(Index triangles, std::uint64_t seed);   ///< of few long triangles, it turns
+scenes::Scene vehicle_in_city(Index triangles, std::uint64_t seed);  ///< all else stands
+
 // Bad input.
 scenes::Scene huge_beside_tiny(Index triangles, std::uint64_t seed);   ///< motion of 1e300 beside 1e-300
 scenes::Scene infinite_ratio(Index triangles, std::uint64_t seed);     ///< a mesh of 1e-310 that moves by 1

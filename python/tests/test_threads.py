@@ -66,12 +66,12 @@ def test_ctrl_c_ends_many_pairs() -> None:
 def test_a_cancelled_question_leaves_the_detector_as_it_was() -> None:
     stop = True
     soup = tamis.scene("soup", 3000)
-    detector = tamis.Detector(soup.mesh, min_separation=0.05, is_cancelled=lambda: stop)
+    detector = tamis.Detector(soup.mesh, min_separation=0.15, is_cancelled=lambda: stop)
     with pytest.raises(tamis.Cancelled, match="ask it again"):
         for _ in range(100):  # each takes longer than the pause between two looks
             detector.contacts(soup.start, soup.end)
     stop = False
-    assert detector.contacts(soup.start, soup.end) == tamis.Detector(soup.mesh, min_separation=0.05).contacts(
+    assert detector.contacts(soup.start, soup.end) == tamis.Detector(soup.mesh, min_separation=0.15).contacts(
         soup.start, soup.end
     )
 
@@ -82,7 +82,7 @@ def test_a_raising_is_cancelled_arrives() -> None:
     def is_cancelled() -> bool:
         raise RuntimeError("no more")
 
-    detector = tamis.Detector(soup.mesh, min_separation=0.05, is_cancelled=is_cancelled)
+    detector = tamis.Detector(soup.mesh, min_separation=0.15, is_cancelled=is_cancelled)
     with pytest.raises(RuntimeError, match="no more"):
         for _ in range(100):
             detector.contacts(soup.start, soup.end)
@@ -91,7 +91,7 @@ def test_a_raising_is_cancelled_arrives() -> None:
 def test_other_threads_run_during_a_question() -> None:
     """Would catch a lock that is held: then no tick falls into the question."""
     scene = tamis.scene("soup", 3000)
-    detector = tamis.Detector(scene.mesh, min_separation=0.05)
+    detector = tamis.Detector(scene.mesh, min_separation=0.15)
     done = threading.Event()
     ticks: list[float] = []
     span: list[float] = []
@@ -113,7 +113,7 @@ def test_other_threads_run_during_a_question() -> None:
 
 def test_a_second_question_at_once_is_refused() -> None:
     scene = tamis.scene("soup", 3000)
-    detector = tamis.Detector(scene.mesh, min_separation=0.05)
+    detector = tamis.Detector(scene.mesh, min_separation=0.15)
     first = threading.Thread(target=detector.contacts, args=(scene.start, scene.end))
     first.start()
     refused = 0

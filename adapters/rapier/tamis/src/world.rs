@@ -85,14 +85,7 @@ impl World {
         let (mut points, mut error) = (vec![[0.0; 3]; vertices], 0.0);
         // SAFETY: three numbers a vertex, and one.
         let status = unsafe {
-            sys::tamis_world_points_at(
-                self.handle,
-                body,
-                time,
-                vertices as i32,
-                points.as_mut_ptr().cast(),
-                &mut error,
-            )
+            sys::tamis_world_points_at(self.handle, body, time, vertices as i32, points.as_mut_ptr().cast(), &mut error)
         };
         self.checked(status)?;
         Ok((points, error))

@@ -66,7 +66,8 @@ class BlockSearch {
     leaf_count_ += rows_of_[leaf_count_] != 0;
   }
 
-  /// The reach between two blocks is at least half of that within mine.
+  /// Reaches are looked for where some can be short: that between two blocks is at least half of that within mine, as
+  /// any residual is at least half of mine's range away from one of its ends.
   void expect_short_reaches() {
     const auto mine = [&](int k) { return FloatLanes(my_hull_[k]); };
     extent_ = extent(search_, block_);

@@ -20,6 +20,18 @@ struct Compared {
   long asked = 0, answered = 0;
 };
 
+/// Pairs of all families that can cross, somewhere, their corners in any order.
+template <class F>
+void for_each_case(Random& random, const F& f) {
+  const long cases = repetitions("TAMIS_CROSSING_CASES", 40);
+  for (const Family& family : kFamilies)
+    for (const PairKind kind : kCrossing)
+      for (long i = 0; i < cases && !testing::Test::HasFailure(); ++i) {
+        const Placement& placement = kPlacements[static_cast<std::size_t>(random.below(Index{kPlacements.size()}))];
+        f(kind, to_points(permuted(kind, placed(family.make(kind, random), placement), random)));
+      }
+}
+
 /// In a bracket that begins up to `around` ahead of the first time, and ends as much after it.
 void compare_crossing(PairKind kind, const PairPoints& points, double around, Compared& counts) {
   const ExactDecision exact = decide_exactly(kind, points);
@@ -36,16 +48,12 @@ void compare_crossing(PairKind kind, const PairPoints& points, double around, Co
 // Bugs: a time that is exact is taken for one between doubles (grazing, dyadic times); a bound on the error that is too
 // small; a second root of the coplanarity in the bracket; a slope of the wrong sign.
 TEST(FineCrossing, GivesTheExactBracketOrNone) {
-  const long cases = repetitions("TAMIS_CROSSING_CASES", 40);
   Random random(47);
-  for (const Family& family : kFamilies)
-    for (const PairKind kind : kCrossing)
-      for (long i = 0; i < cases && !HasFailure(); ++i) {
-        const Placement& placement = kPlacements[static_cast<std::size_t>(random.below(Index{kPlacements.size()}))];
-        const PairPoints points = to_points(permuted(kind, placed(family.make(kind, random), placement), random));
-        Compared counts;
-        for (const double around : {1e-10, 1e-4, 1.0}) compare_crossing(kind, points, around, counts);
-      }
+  Compared counts;
+  for_each_case(random, [&](PairKind kind, const PairPoints& points) {
+    for (const double around : {1e-10, 1e-4, 1.0}) compare_crossing(kind, points, around, counts);
+  });
+  EXPECT_GT(counts.answered, 100);
 }
 
 // Bug: it gives up on what it is for: ordinary crossings.
@@ -79,17 +87,12 @@ void compare_decision(PairKind kind, const PairPoints& points, double time, doub
 // Bugs: a margin of the sides that is too small, or of where the root is; a root outside the bracket, or none, is taken
 // for one.
 TEST(FineCrossing, DecidesAsIntegersDoOrNotAtAll) {
-  const long cases = repetitions("TAMIS_CROSSING_CASES", 40);
   Random random(59);
-  for (const Family& family : kFamilies)
-    for (const PairKind kind : kCrossing)
-      for (long i = 0; i < cases && !HasFailure(); ++i) {
-        const Placement& placement = kPlacements[static_cast<std::size_t>(random.below(Index{kPlacements.size()}))];
-        const PairPoints points = to_points(permuted(kind, placed(family.make(kind, random), placement), random));
-        Compared counts;
-        for (const double around : {1e-14, 1e-10, 1e-4, 1.0})
-          compare_decision(kind, points, random.unit(), around, counts);
-      }
+  Compared counts;
+  for_each_case(random, [&](PairKind kind, const PairPoints& points) {
+    for (const double around : {1e-14, 1e-10, 1e-4, 1.0}) compare_decision(kind, points, random.unit(), around, counts);
+  });
+  EXPECT_GT(counts.answered, 100);
 }
 
 /// A vertex that falls on a side of a triangle, or beside it, as rounding has it.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <type_traits>
 
 #include "exact/nearest_point.hpp"
 #include "numerics/unit_vector.hpp"
@@ -29,17 +30,18 @@ Weights corner_weights(PairKind kind, std::size_t i) {
 }
 
 /// Rounds what NearestPointSearch found. Estimates must be sharp for that.
-template <class Number>
+template <class Length>
 class Description {
- public:
+  using Number = NumberOf<Length>;
   using Vector = Vec3<Number>;
 
+ public:
   /// `polygon`: at the time; `points` tell how it came there.
-  Description(PairKind kind, const Polygon<Number>& polygon, const PairPoints& points)
+  Description(PairKind kind, const Polygon<Length>& polygon, const PairPoints& points)
       : kind_(kind),
         polygon_(polygon),
         points_(points),
-        nearest_(NearestPointSearch<Number>::in(polygon)),
+        nearest_(NearestPointSearch<Length>::in(polygon)),
         is_sure_(nearest_.is_sure) {}
 
   ExactDistance made() {
@@ -51,7 +53,9 @@ class Description {
   bool is_sure() const { return is_sure_; }
 
  private:
-  const Vector& corner(std::size_t i) const { return polygon_.corner(i); }
+  static constexpr bool kIsInteger = std::is_same_v<Number, Integer>;
+
+  Vector corner(std::size_t i) const { return as<Number>(polygon_.corner(i)); }
   /// Asked where there is no gap.
   const Vector& velocity(std::size_t i) {
     if (!velocities_) velocities_ = corner_velocities<Number>(kind_, points_);
@@ -63,23 +67,31 @@ class Description {
     return x.sign();
   }
 
-  double root(const Fraction<Integer>& square) const {
-    return wide(square).root().times_two_to(polygon_.exponent).value();
-  }
-  double root(const Fraction<Estimate>& square) { return std::ldexp(std::sqrt(quotient(square)), polygon_.exponent); }
-
-  double quotient(const Fraction<Integer>& a) const { return wide(a).value(); }
-  double quotient(const Fraction<Estimate>& a) {
-    is_sure_ = is_sure_ && a.above.is_sharp() && a.below.is_sharp();
-    return a.above.value() / a.below.value();
+  double root(const Fraction<Number>& square) {
+    if constexpr (kIsInteger)
+      return wide(square).root().times_two_to(polygon_.exponent).value();
+    else
+      return std::ldexp(std::sqrt(quotient(square)), polygon_.exponent);
   }
 
-  Vec3<double> unit(const Vec3<Integer>& v) const { return unit_vector_of(v); }
-  Vec3<double> unit(const Vec3<Estimate>& v) {
-    const Vec3<double> rounded{v.x.value(), v.y.value(), v.z.value()};
-    const double size = std::max({std::fabs(rounded.x), std::fabs(rounded.y), std::fabs(rounded.z)});
-    is_sure_ = is_sure_ && v.x.is_sharp(size) && v.y.is_sharp(size) && v.z.is_sharp(size);
-    return size > 0 ? unit_vector(rounded) : rounded;
+  double quotient(const Fraction<Number>& a) {
+    if constexpr (kIsInteger) {
+      return wide(a).value();
+    } else {
+      is_sure_ = is_sure_ && a.above.is_sharp() && a.below.is_sharp();
+      return a.above.value() / a.below.value();
+    }
+  }
+
+  Vec3<double> unit(const Vector& v) {
+    if constexpr (kIsInteger) {
+      return unit_vector_of(v);
+    } else {
+      const Vec3<double> rounded{v.x.value(), v.y.value(), v.z.value()};
+      const double size = largest_component(rounded);
+      is_sure_ = is_sure_ && v.x.is_sharp(size) && v.y.is_sharp(size) && v.z.is_sharp(size);
+      return size > 0 ? unit_vector(rounded) : rounded;
+    }
   }
 
   /// Of the point from corner i to corner j, at that time.
@@ -123,20 +135,26 @@ class Description {
   }
 
   PairKind kind_;
-  const Polygon<Number>& polygon_;
+  const Polygon<Length>& polygon_;
   const PairPoints& points_;
   std::optional<Polygon<Number>> velocities_;
-  NearestPoint<Number> nearest_;
+  NearestPoint<Length> nearest_;
   bool is_sure_;
 };
+
+template <class Length>
+std::optional<ExactDistance> sure_distance(PairKind kind, const Polygon<Length>& polygon, const PairPoints& points) {
+  Description<Length> description(kind, polygon, points);
+  const ExactDistance made = description.made();
+  return description.is_sure() ? std::optional(made) : std::nullopt;
+}
 
 }  // namespace
 
 std::optional<ExactDistance> estimated_distance(PairKind kind, const PairPoints& points) {
-  const auto polygon = start_polygon<Estimate>(kind, points);
-  Description<Estimate> description(kind, polygon, points);
-  const ExactDistance made = description.made();
-  return description.is_sure() ? std::optional(made) : std::nullopt;
+  const auto words = start_polygon_in_words(kind, points);
+  return words ? sure_distance(kind, *words, points)
+               : sure_distance(kind, start_polygon<Estimate>(kind, points), points);
 }
 
 ExactDistance distance_in_integers(PairKind kind, const PairPoints& points, double time) {

@@ -16,8 +16,8 @@ struct ExactDistance {
 /// REQUIRES, all: finite coordinates, `time` in [0,1].
 ExactDistance exact_distance(PairKind kind, const PairPoints& points, double time = 0);
 
-/// Its two halves. By estimates, at t=0 alone, none where a sign is not plain: later times make long integers, and
-/// where much of these cancels estimates rarely know what is left.
+/// Its two halves. By words or estimates, at t=0 alone, none where a sign is not plain: later times make long integers,
+/// and where much of these cancels estimates rarely know what is left.
 std::optional<ExactDistance> estimated_distance(PairKind kind, const PairPoints& points);
 ExactDistance distance_in_integers(PairKind kind, const PairPoints& points, double time);
 

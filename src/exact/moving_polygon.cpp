@@ -57,12 +57,57 @@ Vec3<Number> scaled_to_integers(const Point& p, const Exponents& units) {
           scaled_to_integer<Number>(p[2], units[2])};
 }
 
+/// Points whose coordinates are integers in one unit, of 2^exponent.
+template <std::size_t count>
+struct InWords {
+  std::array<Vec3<Word>, count> points;
+  int exponent;
+};
+
+/// In the largest unit in which they and the separation are whole, if 61 bits hold them then: tried is a unit of 2^-61
+/// of the largest, and the last bits are taken off that none has set.
+template <std::size_t count>
+std::optional<InWords<count>> in_words(const std::array<Point, count>& points, double separation) {
+  double largest = separation;
+  for (const Point& p : points)
+    for (const double x : p) largest = std::max(largest, std::fabs(x));
+  const int power = 8 - parts_of(largest).exponent;  // a mantissa has 53 bits
+  if (largest == 0 || std::abs(power) > 900) return {};
+  const double factor = times_power_of_two(1, power);
+  std::int64_t set = 0;
+  bool are_whole = true;
+  const auto word = [&](double x) {
+    const double scaled = x * factor;
+    const auto integer = static_cast<std::int64_t>(scaled);
+    are_whole = are_whole && static_cast<double>(integer) == scaled && (integer != 0 || x == 0);
+    set |= integer;
+    return Word{integer};
+  };
+  InWords<count> result;
+  word(separation);
+  for (std::size_t i = 0; i < count; ++i)
+    result.points[i] = {word(points[i][0]), word(points[i][1]), word(points[i][2])};
+  if (!are_whole) return {};
+  const int unset = std::countr_zero(static_cast<std::uint64_t>(set));
+  for (auto& [x, y, z] : result.points)
+    for (Word* w : {&x, &y, &z}) w->value >>= unset;
+  result.exponent = unset - power;
+  return result;
+}
+
 /// Of the features' vertices.
 template <class Corner>
 PolygonOf<Corner> polygon_of(PairKind kind, const std::array<Corner, 4>& x, int exponent) {
   const auto corners = difference_corners(kind);
   PolygonOf<Corner> polygon{{}, corners.size(), exponent};
   for (std::size_t i = 0; i < corners.size(); ++i) polygon.corners[i] = x[corners[i].to] - x[corners[i].from];
+  return polygon;
+}
+
+template <class Number>
+Polygon<Number> polygon_in(const Polygon<Word>& words) {
+  Polygon<Number> polygon{{}, words.corner_count, words.exponent};
+  for (std::size_t i = 0; i < words.corner_count; ++i) polygon.corners[i] = as<Number>(words.corners[i]);
   return polygon;
 }
 
@@ -100,6 +145,13 @@ MovingPolygon stretched_polygon(PairKind kind, const PairPoints& points) {
   return moving_polygon(kind, points, lowest_exponents(points));
 }
 
+std::optional<Polygon<Word>> start_polygon_in_words(PairKind kind, const PairPoints& points, double separation) {
+  TAMIS_ASSERT(is_kind(kind) && is_finite(points) && std::isfinite(separation));
+  const auto words = in_words(points.start, separation);
+  if (!words) return {};
+  return polygon_of<Vec3<Word>>(kind, words->points, words->exponent);
+}
+
 template <class Number>
 Polygon<Number> start_polygon(PairKind kind, const PairPoints& points, double separation) {
   TAMIS_ASSERT(is_kind(kind) && is_finite(points) && std::isfinite(separation));
@@ -113,9 +165,15 @@ template Polygon<Estimate> start_polygon(PairKind, const PairPoints&, double);
 template <class Number>
 Polygon<Number> corner_velocities(PairKind kind, const PairPoints& points) {
   TAMIS_ASSERT(is_kind(kind) && is_finite(points));
+  const auto& [start, end] = points;
+  if (const auto words = in_words<8>({start[0], start[1], start[2], start[3], end[0], end[1], end[2], end[3]}, 0)) {
+    const auto& x = words->points;
+    return polygon_in<Number>(
+        polygon_of<Vec3<Word>>(kind, {x[4] - x[0], x[5] - x[1], x[6] - x[2], x[7] - x[3]}, words->exponent));
+  }
   const Exponents units = common_unit(lowest_exponents(points), 0);
   const auto of = [&](std::size_t i) {
-    return scaled_to_integers<Number>(points.end[i], units) - scaled_to_integers<Number>(points.start[i], units);
+    return scaled_to_integers<Number>(end[i], units) - scaled_to_integers<Number>(start[i], units);
   };
   return polygon_of<Vec3<Number>>(kind, {of(0), of(1), of(2), of(3)}, units[0]);
 }

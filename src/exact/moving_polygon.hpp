@@ -6,11 +6,12 @@
 #pragma once
 #include <array>
 #include <cstddef>
+#include <optional>
 
 #include "exact/dyadic_cell.hpp"
 #include "motion/make_motion.hpp"
 #include "motion/polynomials.hpp"
-#include "numerics/estimate.hpp"
+#include "numerics/word.hpp"
 
 namespace tamis {
 
@@ -21,14 +22,18 @@ struct PolygonOf {
   std::size_t corner_count;       ///< 1 to 4
   int exponent;                   ///< a coordinate 1 is a length of 2^exponent
 
-  const Corner& corner(std::size_t i) const { return corners[i % corner_count]; }
+  /// REQUIRES: i <= corner_count, which is the first corner again.
+  const Corner& corner(std::size_t i) const {
+    TAMIS_ASSERT(i <= corner_count);
+    return corners[i < corner_count ? i : 0];
+  }
   /// Side i leads from corner i to corner i + 1. A point has one too, from itself to itself.
   std::size_t side_count() const { return corner_count == 2 ? 1 : corner_count; }
 };
 using MovingPolygon = PolygonOf<Moving<Integer>>;
-/// At one time. Number: Integer or Estimate.
-template <class Number>
-using Polygon = PolygonOf<Vec3<Number>>;
+/// At one time.
+template <class Length>
+using Polygon = PolygonOf<Vec3<Length>>;
 
 /// Times a power of two that makes every coordinate an integer, and the separation. REQUIRES: finite numbers,
 /// a kind there is.
@@ -37,6 +42,9 @@ MovingPolygon difference_polygon(PairKind kind, const PairPoints& points, double
 /// The same at t=0: numbers no longer than the start makes them. REQUIRES: as above.
 template <class Number = Integer>
 Polygon<Number> start_polygon(PairKind kind, const PairPoints& points, double separation = 0);
+
+/// The same in words, where 61 bits hold every coordinate: what nearly all are. REQUIRES: as above.
+std::optional<Polygon<Word>> start_polygon_in_words(PairKind kind, const PairPoints& points, double separation = 0);
 
 /// Of each corner what it moves in the step, in a unit of its own. REQUIRES: as above.
 template <class Number>

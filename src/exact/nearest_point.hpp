@@ -1,7 +1,8 @@
-// The point of the difference polygon nearest to the origin: in integers, or in estimates as long as all
-// signs that it asks for are known.
+// The point of the difference polygon nearest to the origin: in integers, or in words or estimates as long as all signs
+// that it asks for are known.
 #pragma once
 #include <array>
+#include <type_traits>
 #include <utility>
 
 #include "exact/moving_polygon.hpp"
@@ -22,8 +23,16 @@ inline WideDouble wide(const Fraction<Integer>& a) {
   return WideDouble::of(a.above) / WideDouble::of(a.below);
 }
 
-template <class Number>
+/// What products of two lengths are, and of more.
+template <class Length>
+using AreaOf = decltype(std::declval<Length>() * std::declval<Length>());
+template <class Length>
+using NumberOf = decltype(std::declval<AreaOf<Length>>() * std::declval<AreaOf<Length>>());
+
+template <class Length>
 struct NearestPoint {
+  using Number = NumberOf<Length>;
+
   struct Plane {
     Vec3<Number> normal;
     Number square;  ///< of the normal
@@ -41,57 +50,65 @@ struct NearestPoint {
   bool is_sure = true;  ///< false: an estimate's sign was not known, and the rest means nothing
 };
 
-inline bool has_sign(const Integer&) { return true; }
-inline bool has_sign(const Estimate& x) { return x.has_sign(); }
+template <class Number>
+bool has_sign(const Number& x) {
+  if constexpr (std::is_same_v<Number, Estimate>)
+    return x.has_sign();
+  else
+    return true;
+}
 
 /// Its plane where the foot of the perpendicular lies inside, else the nearest of the sides that part the two; a side
 /// that holds the origin in any case. No other side is nearer: from the nearest point of a convex polygon the foot lies
 /// along the outward normal of a side, or between those of two that meet, so beyond one of them.
-template <class Number>
+template <class Length>
 class NearestPointSearch {
+  using Area = AreaOf<Length>;
+  using Number = NumberOf<Length>;
+  using Vector = Vec3<Length>;
+
  public:
-  static NearestPoint<Number> in(const Polygon<Number>& polygon) { return NearestPointSearch(polygon).find(); }
+  static NearestPoint<Length> in(const Polygon<Length>& polygon) { return NearestPointSearch(polygon).find(); }
 
   /// Of the polygon's plane; zero: there is none.
-  static Vec3<Number> normal(const Polygon<Number>& polygon) {
+  static Vec3<Area> normal(const Polygon<Length>& polygon) {
     if (polygon.corner_count < 3) return {};
-    const Vec3<Number>& first = polygon.corner(0);
+    const Vector& first = polygon.corner(0);
     return cross(polygon.corner(1) - first, polygon.corner(polygon.corner_count - 1) - first);
   }
 
  private:
-  using Vector = Vec3<Number>;
-
   struct OnSide {
     Fraction<Number> square, along;
   };
 
-  explicit NearestPointSearch(const Polygon<Number>& polygon) : polygon_(polygon) {}
+  explicit NearestPointSearch(const Polygon<Length>& polygon) : polygon_(polygon) {}
 
   const Vector& corner(std::size_t i) const { return polygon_.corner(i); }
 
-  int sign(const Number& x) {
+  template <class T>
+  int sign(const T& x) {
     found_.is_sure = found_.is_sure && has_sign(x);
     return x.sign();
   }
 
   /// Of the segment from corner x to corner y; `across` is x cross y.
-  OnSide nearest_on_side(const Vector& x, const Vector& y, const Vector& across) {
+  OnSide nearest_on_side(const Vector& x, const Vector& y, const Vec3<Area>& across) {
     const Vector side = y - x;
-    const Number before = dot(x, side);
+    const Area before = dot(x, side);
     if (sign(before) >= 0) return {{dot(x, x)}, {0}};
-    const Number length2 = dot(side, side);
+    const Area length2 = dot(side, side);
     if (sign(before + length2) <= 0) return {{dot(y, y)}, {1}};  // y.side
     return {{dot(across, across), length2}, {-before, length2}};
   }
 
-  NearestPoint<Number> find() {
+  NearestPoint<Length> find() {
     auto& plane = found_.plane;
-    plane.normal = normal(polygon_);
+    plane.normal = as<Number>(normal(polygon_));
     plane.square = dot(plane.normal, plane.normal);
     bool is_first = true, is_inside = sign(plane.square) > 0;
     for (std::size_t i = 0; i < polygon_.side_count() && found_.is_sure; ++i) {
-      const Vector across = cross(corner(i), corner(i + 1));
+      const Vec3<Area> across = cross(corner(i), corner(i + 1));
       plane.within[i] = dot(plane.normal, across);
       const int side = sign(plane.within[i]);
       if (side > 0) continue;
@@ -111,8 +128,8 @@ class NearestPointSearch {
     return found_;
   }
 
-  const Polygon<Number>& polygon_;
-  NearestPoint<Number> found_;
+  const Polygon<Length>& polygon_;
+  NearestPoint<Length> found_;
 };
 
 }  // namespace tamis

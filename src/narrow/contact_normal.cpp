@@ -29,7 +29,8 @@ Point unit_point(const Vec& v) {
 }
 
 /// A unit vector along e x f, or if that vanishes one orthogonal to what is left.
-Point any_normal(PairKind kind, const PairPoints& points, const PairMotion<double>& m, double time) {
+Point any_normal(PairKind kind, const PairPoints& points, double time) {
+  const auto m = make_motion(kind, points);
   const Vec normal = normal_at(kind, points, m, time), e = at_time(m.e, time);
   if (largest_component(normal) > 0) return unit_point(normal);
   const Vec w = largest_component(e) > 0 ? e : at_time(m.f, time);
@@ -42,14 +43,6 @@ std::optional<ContactPlace> closest_place_in_doubles(const PairMotion<double>& m
   const auto [u, v, direction, is_sure] = direction_apart<kind>(m, time);
   if (!is_sure) return {};
   return ContactPlace{u, v, {direction.x, direction.y, direction.z}};
-}
-
-template <PairKind kind>
-ContactPlace exact_closest_place(const PairPoints& points, const PairMotion<double>& m, double time) {
-  const ExactDistance exact = exact_distance(kind, points, time);
-  const Vec direction = near_facts<kind>(exact.u, exact.v, exact.direction).direction;
-  const bool is_known = largest_component(direction) > 0;
-  return {exact.u, exact.v, is_known ? unit_point(direction) : any_normal(kind, points, m, time)};
 }
 
 /// As side_just_before: the coplanarity, which has that sign for a vertex and the other for edges, falls to zero from
@@ -66,12 +59,16 @@ int side_before_crossing(PairKind kind, const PairPoints& points, const PairMoti
 ContactPlace closest_place(PairKind kind, const PairPoints& points, const PairMotion<double>& m, double time) {
   TAMIS_ASSERT(0 <= time && time <= 1 && is_motion_of(m, kind, points));
   const auto place = with_kind(kind, [&](auto k) { return closest_place_in_doubles<k()>(m, time); });
-  return place ? *place : exact_closest_place(kind, points, m, time);
+  return place ? *place : exact_closest_place(kind, points, time);
 }
 
-ContactPlace exact_closest_place(PairKind kind, const PairPoints& points, const PairMotion<double>& m, double time) {
-  TAMIS_ASSERT(0 <= time && time <= 1 && is_motion_of(m, kind, points));
-  return with_kind(kind, [&](auto k) { return exact_closest_place<k()>(points, m, time); });
+ContactPlace exact_closest_place(PairKind kind, const PairPoints& points, double time) {
+  TAMIS_ASSERT(0 <= time && time <= 1);
+  const ExactDistance exact = exact_distance(kind, points, time);
+  const Vec direction =
+      with_kind(kind, [&](auto k) { return near_facts<k()>(exact.u, exact.v, exact.direction).direction; });
+  const bool is_known = largest_component(direction) > 0;
+  return {exact.u, exact.v, is_known ? unit_point(direction) : any_normal(kind, points, time)};
 }
 
 ContactPlace crossing_place(PairKind kind, const PairPoints& points, const PairMotion<double>& m,

@@ -27,7 +27,7 @@ inline void set_place(PairResult& result, const ContactPlace& place) {
 /// motion of `points`.
 ContactPlace closest_place(PairKind kind, const PairPoints& points, const PairMotion<double>& m, double time);
 /// The same of a pair of which doubles, in lanes or not, did not tell it.
-ContactPlace exact_closest_place(PairKind kind, const PairPoints& points, const PairMotion<double>& m, double time);
+ContactPlace exact_closest_place(PairKind kind, const PairPoints& points, double time);
 
 /// Of a crossing within `time`, before which the first feature is on that side of the second: 1 or -1, along e x f; 0:
 /// there is no side. REQUIRES: a kind that can cross.

@@ -23,6 +23,15 @@ class Estimate {
             shift < 128 ? static_cast<Wide>(mantissa) << shift : 0};
   }
 
+  /// WholeNumber: of 64 or 128 bits. REQUIRES: |value| < 2^127.
+  template <class WholeNumber>
+  static Estimate of(WholeNumber value) {
+    constexpr std::int64_t kExact = std::int64_t{1} << 53;
+    const auto rounded = static_cast<double>(value);
+    const bool is_exact = -kExact <= value && value <= kExact;
+    return {rounded, is_exact ? 0 : kRounding * std::fabs(rounded), static_cast<Wide>(value)};
+  }
+
   double value() const { return value_; }
   bool has_sign() const { return is_zero() || std::fabs(value_) > error_; }
   /// REQUIRES (not checked: who takes note of it may go on): has_sign().
@@ -39,8 +48,7 @@ class Estimate {
   }
   [[gnu::always_inline]] friend Estimate operator-(const Estimate& a, const Estimate& b) { return a + -b; }
   [[gnu::always_inline]] friend Estimate operator*(const Estimate& a, const Estimate& b) {
-    if (a.is_zero() || b.is_zero()) return {};
-    const double product = a.value_ * b.value_;
+    const double product = a.value_ * b.value_ + 0;  // never -0
     const double inherited = std::fabs(a.value_) * b.error_ + a.error_ * (std::fabs(b.value_) + b.error_);
     return {product, kUp * (inherited + kRounding * std::fabs(product)), a.rest_ * b.rest_};
   }

@@ -28,14 +28,20 @@ inline Vec3<T> operator*(const T& s, const Vec3<T>& a) {
   return {s * a.x, s * a.y, s * a.z};
 }
 
-template <class T>
-inline T dot(const Vec3<T>& a, const Vec3<T>& b) {
+template <class T, class U>
+inline auto dot(const Vec3<T>& a, const Vec3<U>& b) {
   return a.x * b.x + a.y * b.y + a.z * b.z;
 }
 
 template <class T>
-inline Vec3<T> cross(const Vec3<T>& a, const Vec3<T>& b) {
+inline auto cross(const Vec3<T>& a, const Vec3<T>& b) -> Vec3<decltype(a.x * b.x)> {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
+/// With numbers of another type.
+template <class T, class U>
+inline Vec3<T> as(const Vec3<U>& a) {
+  return {T(a.x), T(a.y), T(a.z)};
 }
 
 }  // namespace tamis

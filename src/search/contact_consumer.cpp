@@ -58,9 +58,7 @@ void ContactConsumer::leave_out_unwanted(PairKind kind) {
 void ContactConsumer::add(PairKind kind, const PairVertices& vertices, PairResult& result) {
   if (std::isnan(result.normal[0])) {
     if (!found_.wants(kind, vertices)) return;
-    const PairPoints points = points_of(query().step, vertices);
-    const double separation = query().rule_for(kind, vertices).min_separation;
-    set_place(result, exact_closest_place(kind, points, make_motion(kind, points, separation), result.toi_lower));
+    set_place(result, exact_closest_place(kind, points_of(query().step, vertices), result.toi_lower));
   }
   found_.add(kind, vertices, result);
 }

@@ -71,6 +71,7 @@ BoxFrame frame_of(const Step& step, std::span<const Index> used, double min_sepa
   // One binary digit to spare, so that rounding of origin and half width stays inside [-1,1].
   const int exponent = half > 0 ? std::min(-2 - std::ilogb(half), 1000) : 0;
   frame.scale = std::ldexp(1.0, exponent);
+  frame.widening = end.half() / start.half();
   frame.margin = kRounding + box_distance(0.5 * (min_separation * frame.scale));
   return frame;
 }

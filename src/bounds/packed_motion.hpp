@@ -33,6 +33,7 @@ struct alignas(32) BoxVertex {
 struct BoxFrame {
   std::array<double, 3> origin, origin_at_end;
   double scale;
+  double widening;  ///< how many times as wide the scene is at t=1 as at t=0; NaN: it is a point at both
   /// Added on each side of a box: rounding to float is off by 2^-25, the subtraction by 2^-53, and the box's own
   /// subtraction of the margin by 2^-25; plus half the fixed separation. A vertex' radius comes on top.
   float margin;

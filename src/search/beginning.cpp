@@ -32,7 +32,9 @@ double widest_range(std::span<const Index> points, const Half& half_of) {
 
 }  // namespace
 
-double beginning_of_long_step(const Step& step, std::span<const Index> points) {
+double beginning_of_long_step(const Step& step, std::span<const Index> points, double widening) {
+  // Points part by no more than the scene is wide at both ends.
+  if (widening < 0.5 / kSmallPart) return 1;
   const auto start = [&](Index v, std::size_t axis) { return 0.5 * step.start[v][axis]; };
   const auto way = [&](Index v, std::size_t axis) { return 0.5 * step.end[v][axis] - 0.5 * step.start[v][axis]; };
   const double part = widest_range(points, start) / widest_range(points, way);

@@ -9,8 +9,9 @@
 namespace tamis {
 
 /// The part of the step, a power of two, in which no two vertices part by much more than a sixteenth of what the scene
-/// is wide at t=0; 1 unless they part very far. REQUIRES (not checked: O(n)): finite positions of the points.
-double beginning_of_long_step(const Step& step, std::span<const Index> points);
+/// is wide at t=0; 1 unless they part very far. `widening`: as the frame of the boxes has it; spares most steps the
+/// walk. REQUIRES (not checked: O(n)): finite positions of the points.
+double beginning_of_long_step(const Step& step, std::span<const Index> points, double widening);
 
 class Beginning {
  public:

@@ -70,7 +70,7 @@ bool ContactSearch::search_beginnings(ContactCollector& answer, Statistics& stat
   const Query& query = answer.query();
   FeatureTrees& trees = workspace_.trees;
   if (query.question != Question::earliest) return false;
-  double length = beginning_of_long_step(query.step, workspace_.mesh.points());
+  double length = beginning_of_long_step(query.step, workspace_.mesh.points(), trees.motion().frame.widening);
   for (int i = 0; i < kBeginnings && length < 1; ++i, length *= kLonger) {
     const Beginning beginning(query.step, workspace_.mesh.points(), length);
     const Query shorter{beginning.step(), query.separations, query.filter, query.rings, query.is_cancelled};

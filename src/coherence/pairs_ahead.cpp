@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 #include "topology/mean_edge.hpp"
@@ -119,13 +120,14 @@ bool PairsAhead::plan_steps(Question question, const Forecast::Fit& fit) {
   return fit.start > 0 && steps_listed_ >= kFewestSteps;
 }
 
-void PairsAhead::end(const ContactCollector& answer) {
+void PairsAhead::end(const ContactCollector& answer, const SearchWork& work) {
   if (answer.query().is_piece) return;
   const Question question = answer.query().question;
   no_contact_before_ = answer.bound().latest();
   if (question == Question::all_contacts) no_contact_before_ = std::min(*no_contact_before_, answer.touched_by());
   if (question == Question::is_free && !answer.contacts().empty()) no_contact_before_.reset();
   free_in_row_ = no_contact_before_ && *no_contact_before_ >= 1 ? free_in_row_ + 1 : 0;
+  if (!are_listed_) last_search_ = work;
 }
 
 bool PairsAhead::follows_prediction(const Step& step) {
@@ -151,9 +153,20 @@ void PairsAhead::learn() {
   steps_ = have_all_come ? std::min(2 * steps_, kMostSteps) : std::max(steps_ / 2, kFewestSteps);
 }
 
+/// is_free: that of as many searches as are known to have ended nowhere, so that lists cost no more than twice what is
+/// best in hindsight; more where more steps are foreseen, since all of those before came. The others are asked of every
+/// step to its end, and lists that cost several of their searches have paid (docs/history/performance.md, "Lists that
+/// cost too much").
+std::uint64_t PairsAhead::most_work(Question question) const {
+  if (question != Question::is_free) return std::numeric_limits<std::uint64_t>::max();
+  const auto searches = std::max<std::uint64_t>(kFreeWorthLists, static_cast<std::uint64_t>(steps_listed_) / 4);
+  return (searches - 1) * last_search_.trees + searches * last_search_.pairs;
+}
+
 bool PairsAhead::complete(bool hold_all) {
   are_listed_ = hold_all;
   if (hold_all) return true;
+  steps_ = std::max(steps_ / 2, kFewestSteps);
   pause_.begin();
   forget();
   lists_ = {};

@@ -10,6 +10,11 @@
 
 namespace tamis {
 
+/// About what a search has cost: of its trees, refitting and visiting, and of the pairs whose boxes met.
+struct SearchWork {
+  std::uint64_t trees = 0, pairs = 0;
+};
+
 /// Bounded memory: as many pairs as CandidateSearch lists, 24 bytes each, with room to grow to twice that; and
 /// positions.
 class PairsAhead {
@@ -29,12 +34,14 @@ class PairsAhead {
   double slack() const { return slack_; }
   /// A part of the predicted step.
   float until() const { return until_; }
+  /// What the pairs of the lists may cost at most (SearchWork), beside trees that cost what those of a search do.
+  std::uint64_t most_work(Question question) const;
   /// The lists are ready; or the pairs were too many, and there are none. Returns which.
   bool complete(bool hold_all);
   /// This query, as part of the predicted step.
   const TimeInterval<float>& when() const { return when_; }
   PairLists& lists() { return lists_; }
-  void end(const ContactCollector& answer);
+  void end(const ContactCollector& answer, const SearchWork& work);
   std::uint64_t memory_bytes() const;
 
  private:
@@ -66,6 +73,7 @@ class PairsAhead {
   int free_in_row_ = 0;                          ///< the last queries: no contact at all
   double steps_;                                 ///< to look ahead
   double steps_listed_ = 0;
+  SearchWork last_search_;  ///< where no lists served
   int queries_served_ = 0;  ///< by these lists
   ListingPause pause_;      ///< in queries
 };

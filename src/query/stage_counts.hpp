@@ -14,6 +14,8 @@ inline std::uint64_t& of(StageCount& count, PairKind kind) {
   return *counts[static_cast<std::size_t>(kind)];
 }
 
+inline std::uint64_t total(const StageCount& count) { return count.vf + count.ee + count.ve + count.vv; }
+
 inline void add(StageCount& to, const StageCount& from) {
   to.vf += from.vf;
   to.ee += from.ee;

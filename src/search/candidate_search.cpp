@@ -23,17 +23,17 @@ void CandidateConsumer::consume(PairKind kind) {
     stages.filter_deviating(motion.vertices.data(), shared_->deviation, clipped, filtered);
   else
     stages.cull_apart(motion.box_vertices.data(), motion.box_separation(), clipped, filtered);
+  SearchCounts& counts = thread().counts;
+  of(counts.boxes, kind) += static_cast<std::uint64_t>(boxes.count);
+  of(counts.apart, kind) += static_cast<std::uint64_t>(clipped.count);
   candidates_[kind].append(filtered, vertex_count(kind));
   if (shared_->left.fetch_sub(filtered.count, std::memory_order_relaxed) < filtered.count) shared_->bound.settle();
 }
 
-std::int64_t CandidateSearch::most_pairs() const {
-  const FeatureTrees& trees = workspace_.trees;
-  return kMostPairsABlock * (trees.points().leaf_blocks + trees.edges().leaf_blocks);
-}
+std::int64_t CandidateSearch::most_pairs() const { return kMostPairsABlock * workspace_.trees.leaf_blocks(); }
 
-bool CandidateSearch::list(const Query& query, double deviation, float until, PairLists& lists,
-                           Statistics& statistics) {
+bool CandidateSearch::list(const Query& query, double deviation, float until, PairLists& lists, Statistics& statistics,
+                           std::uint64_t most_work) {
   const std::int64_t most = most_pairs();
   CandidateQuery asked{query, deviation, most};
   begin(asked);
@@ -42,7 +42,9 @@ bool CandidateSearch::list(const Query& query, double deviation, float until, Pa
     search(asked, sample, until);
     streams_.finish([&](CandidateConsumer& consumer) { lists.take(consumer.candidates()); });
     part += 1.0 / sample.stride;
-    if (static_cast<double>(most - asked.left) > (part + kSmallestPart) * static_cast<double>(most))
+    const double work = static_cast<double>(streams_.counts().work(0).pairs);
+    if (static_cast<double>(most - asked.left) > (part + kSmallestPart) * static_cast<double>(most) ||
+        work > (part + kPartToTry) * static_cast<double>(most_work))
       asked.bound.settle();
   }
   streams_.for_each([](CandidateConsumer& consumer) { consumer.release(); });

@@ -2,6 +2,8 @@
 // that such lists may serve.
 #pragma once
 #include <atomic>
+#include <cstdint>
+#include <limits>
 
 #include "query/bound.hpp"
 #include "search/thread_streams.hpp"
@@ -46,9 +48,11 @@ class CandidateSearch {
   explicit CandidateSearch(Workspace& workspace) : workspace_(workspace), streams_(workspace) {}
 
   /// Adds to `lists`, in no order, all pairs that come within their separations before `until` although vertices
-  /// deviate by up to `deviation` from their place. False: there are more than most_pairs(), or a part of them suggests
-  /// it, and some are missing. Leaves the trees at this step.
-  bool list(const Query& query, double deviation, float until, PairLists& lists, Statistics& statistics);
+  /// deviate by up to `deviation` from their place. False: there are more than most_pairs(), or they cost more than
+  /// `most_work` (SearchWork::pairs), or a part of them suggests it, and some are missing. Leaves the trees at
+  /// this step.
+  bool list(const Query& query, double deviation, float until, PairLists& lists, Statistics& statistics,
+            std::uint64_t most_work = kAnyWork);
   /// Prepares for a query whose pairs may be in `lists` (`is_listed`). If they are not, plan() says whether lists are
   /// worth making, and make() makes them, or finds that they are too long. True: the lists are to be asked; the
   /// vertices of this step are loaded if they hold any pair. False: the trees, which are of this step, must be
@@ -72,9 +76,11 @@ class CandidateSearch {
   std::uint64_t memory_bytes() const { return streams_.memory_bytes(); }
 
  private:
+  static constexpr std::uint64_t kAnyWork = std::numeric_limits<std::uint64_t>::max();
   /// Of each leaf block of sixteen features, on the average.
   static constexpr std::int64_t kMostPairsABlock = 256;
-  static constexpr double kSmallestPart = 1.0 / 64;  ///< samples are uneven: a part may have as many more
+  /// Samples are uneven: a part may have so much more of what is listed, and cost so much more.
+  static constexpr double kSmallestPart = 1.0 / 64, kPartToTry = 0.25;
 
   std::int64_t most_pairs() const;
   void begin(CandidateQuery& asked);

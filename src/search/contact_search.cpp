@@ -34,19 +34,21 @@ void ContactSearch::find(const Query& query, ContactCollector& answer, Statistic
   const bool is_undecided = is_listed ? ahead_.leaves_undecided(answer) : !search_beginnings(answer, statistics);
   if (is_listed && is_undecided) trees.refit_or_rebuild(query.step, query.separations, looks_at, statistics);
   if (is_undecided) search_trees(answer);
-  ahead_.end(answer);
   using Counts = SearchCounts;
-  if (query.separations.any())
-    streams_.report(statistics, watch.seconds(), {&Counts::boxes, &Counts::slab, &Counts::apart, &Counts::solve});
-  else
-    streams_.report(statistics, watch.seconds(),
-                    {&Counts::boxes, &Counts::slab, &Counts::dnf, &Counts::ncf, &Counts::solve});
+  const Counts counts =
+      query.separations.any()
+          ? streams_.report(statistics, watch.seconds(),
+                            {&Counts::boxes, &Counts::slab, &Counts::apart, &Counts::solve})
+          : streams_.report(statistics, watch.seconds(),
+                            {&Counts::boxes, &Counts::slab, &Counts::dnf, &Counts::ncf, &Counts::solve});
+  ahead_.end(answer, counts.work(trees.leaf_blocks()));
 }
 
 /// Lists what may touch within the next steps. False: that is too much.
 bool ContactSearch::list_ahead(const Query& query, Statistics& statistics) {
   const Query predicted{ahead_.predicted_step(), query.separations, query.filter, query.rings, query.is_cancelled};
-  return ahead_.complete(candidates_.list(predicted, ahead_.slack(), ahead_.until(), ahead_.lists(), statistics));
+  return ahead_.complete(candidates_.list(predicted, ahead_.slack(), ahead_.until(), ahead_.lists(), statistics,
+                                          ahead_.most_work(query.question)));
 }
 
 void ContactSearch::search_lists(ContactCollector& answer) {

@@ -42,7 +42,8 @@ class FeatureTrees {
     if (is_doubtful_) nodes_in_doubt_ += nodes;
   }
 
-  /// Of the largest of the trees that make pairs.
+  /// Of the trees that make pairs, together; and of the largest.
+  int leaf_blocks() const { return points_.view().leaf_blocks + edges_.view().leaf_blocks; }
   int most_leaf_blocks() const { return std::max(points_.view().leaf_blocks, edges_.view().leaf_blocks); }
   TreeView points() const { return points_.view(); }
   TreeView edges() const { return edges_.view(); }

@@ -77,12 +77,14 @@ class ThreadStreams {
     for (const OfThread& one : of_threads_) sum += one.thread.counts;
     return sum;
   }
-  /// `wall`: seconds that the threads took together. `stages`: those that the question has, in order.
-  void report(Statistics& statistics, double wall, std::initializer_list<StageCount SearchCounts::*> stages) const {
+  /// Returns them. `wall`: seconds that the threads took together. `stages`: those that the question has, in order.
+  SearchCounts report(Statistics& statistics, double wall,
+                      std::initializer_list<StageCount SearchCounts::*> stages) const {
     const SearchCounts sum = counts();
     statistics.isa = workspace_.kernels.isa;
     sum.add_to(statistics, wall, stages);
     workspace_.trees.add_search(sum.nodes_visited);
+    return sum;
   }
   /// Beside the workspace.
   std::uint64_t memory_bytes() const {

@@ -46,8 +46,8 @@ class CandidateSearch {
   explicit CandidateSearch(Workspace& workspace) : workspace_(workspace), streams_(workspace) {}
 
   /// Adds to `lists`, in no order, all pairs that come within their separations before `until` although vertices
-  /// deviate by up to `deviation` from their place. False: there are more than most_pairs(), or a part of them suggests
-  /// it, and some are missing. Leaves the trees at this step.
+  /// deviate by up to `deviation` from their place. False: there are more than kMostPairsABlock times the blocks, or a
+  /// part of them suggests it, and some are missing. Leaves the trees at this step.
   bool list(const Query& query, double deviation, float until, PairLists& lists, Statistics& statistics);
   /// Prepares for a query whose pairs may be in `lists` (`is_listed`). If they are not, plan() says whether lists are
   /// worth making, and make() makes them, or finds that they are too long. True: the lists are to be asked; the
@@ -75,10 +75,6 @@ class CandidateSearch {
   /// Of each leaf block of sixteen features, on the average.
   static constexpr std::int64_t kMostPairsABlock = 256;
   static constexpr double kSmallestPart = 1.0 / 64;  ///< samples are uneven: a part may have as many more
-
-  std::int64_t most_pairs() const;
-  void begin(CandidateQuery& asked);
-  void search(const CandidateQuery& asked, const Sample& sample, float until);
 
   Workspace& workspace_;
   ThreadStreams<CandidateConsumer> streams_;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "detect/detector_access.hpp"
 #include "topology/at.hpp"
 
 namespace tamis {
@@ -41,7 +40,9 @@ Detector Gathered::make_detector(const BodyList& bodies, const MeetingRules& rul
   set_groups(bodies, rules, of_mesh);
   Mesh mesh(static_cast<Index>(vertices_.size()), std::move(faces_), edges_, std::move(points_));
   edges_ = {};
-  return DetectorAccess::make(std::move(mesh), std::move(of_mesh), radii(bodies));
+  Detector detector(std::move(mesh), std::move(of_mesh));
+  DetectorAccess::lock(detector)->set_radii(radii(bodies));
+  return detector;
 }
 
 std::vector<double> Gathered::radii(const BodyList& bodies) const {

@@ -3,6 +3,7 @@
 #include <set>
 #include <vector>
 
+#include "detect/detector_state.hpp"
 #include "query/pair_rules.hpp"
 #include "tamis/detector.hpp"
 #include "world/near_items.hpp"
@@ -39,6 +40,8 @@ class Gathered {
   BodyIntersection named(const Intersection& intersection) const;
 
   Detector& detector() { return detector_; }
+  /// Its detector's state, for one question.
+  auto locked() const { return DetectorAccess::lock(detector_); }
   std::uint64_t memory_bytes() const;
 
  private:

@@ -8,6 +8,7 @@
 #include "distance/closest.hpp"
 #include "motion/decision.hpp"
 #include "motion/pair_kinds.hpp"
+#include "motion/pair_motion.hpp"
 #include "motion/time_clip.hpp"
 
 namespace tamis {

@@ -19,11 +19,7 @@ struct NcfPublished {
       const auto corner_plane = edge_plane_polynomial(m.e, normal_polynomial(m.e, m.f));
       const auto corner = side_polynomial(m.f - m.e, corner_plane);
       const T size = m.size_e + m.size_f;
-      const Mask<T> keeps_side = side::all_negative(corner, side::bounds(m, size, m.size_e));
-      if constexpr (std::is_same_v<Mask<T>, bool>)  // one pair at a time skips the rest
-        return keeps_side && Ncf::proves_free<kind>(m);
-      else
-        return keeps_side & Ncf::proves_free<kind>(m);
+      return side::all_negative(corner, side::bounds(m, size, m.size_e)) & Ncf::proves_free<kind>(m);
     } else {
       return Ncf::proves_free<kind>(m);
     }

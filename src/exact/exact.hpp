@@ -7,8 +7,8 @@
 namespace tamis {
 
 /// Is there a t in [0,1] at which the distance of the two closed features is at most `separation`? At zero: at which
-/// they share a point. All degeneracies are decided: never unsure. The
-/// ends of the bracket are equal, or neighbouring doubles. REQUIRES: finite coordinates, a finite separation >= 0.
+/// they share a point. All degeneracies are decided: the answer is never unsure, and the ends of its bracket are equal,
+/// or neighbouring doubles. REQUIRES: finite coordinates, a finite separation >= 0.
 Decision decide_exactly(PairKind kind, const PairPoints& points, double separation = 0);
 
 /// The same, but where that holds at t=0 it counts only after a time at which it does not: a pair that touches at the

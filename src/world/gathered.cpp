@@ -41,15 +41,10 @@ Detector Gathered::make_detector(const BodyList& bodies, const MeetingRules& rul
   Mesh mesh(static_cast<Index>(vertices_.size()), std::move(faces_), edges_, std::move(points_));
   edges_ = {};
   Detector detector(std::move(mesh), std::move(of_mesh));
-  DetectorAccess::lock(detector)->set_radii(radii(bodies));
-  return detector;
-}
-
-std::vector<double> Gathered::radii(const BodyList& bodies) const {
   std::vector<double> radii;
-  radii.reserve(vertices_.size());
   for (const Vertex& vertex : vertices_) radii.push_back(body_of(bodies, vertex.body).radius());
-  return radii;
+  DetectorAccess::lock(detector)->set_radii(std::move(radii));
+  return detector;
 }
 
 void Gathered::add(BodyId id, const Body& body, const IndexSet& items) {

@@ -53,8 +53,6 @@ class Gathered {
   void add(BodyId id, const Body& body, const IndexSet& items);
   Detector make_detector(const BodyList& bodies, const MeetingRules& rules, const Options& options);
   void set_groups(const BodyList& bodies, const MeetingRules& rules, Options& options) const;
-  /// Of all vertices: those of their bodies.
-  std::vector<double> radii(const BodyList& bodies) const;
 
   const NearItems items_;
   std::vector<MotionKind> motion_kinds_;  ///< of its bodies, ascending

@@ -5,7 +5,7 @@ import re
 import sys
 
 # A layer includes itself and those of a smaller number.
-LAYER = {"numerics": 0, "motion": 1, "bounds": 2, "topology": 3, "bvh": 3, "filters": 3, "distance": 4,
+LAYER = {"numerics": 0, "motion": 1, "bounds": 2, "topology": 3, "bvh": 3, "filters": 3, "distance": 4, "curves": 4,
          "exact": 5, "narrow": 6, "kernels": 7, "query": 8, "coherence": 9, "search": 10,
          "paths": 11, "detect": 12, "world": 13}
 # Folders outside the library, and what each may use beside itself and the public headers.

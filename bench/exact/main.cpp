@@ -21,9 +21,9 @@ double microseconds(PairKind kind, const PairPoints& points, double separation) 
   double least = 1e300;
   for (int turn = 0; turn < 3; ++turn) {
     const auto start = std::chrono::steady_clock::now();
-    const ExactDecision decision = decide_exactly(kind, points, separation);
+    const Decision decision = decide_exactly(kind, points, separation);
     const std::chrono::duration<double, std::micro> time = std::chrono::steady_clock::now() - start;
-    least = decision.toi_lower <= decision.toi_upper ? std::min(least, time.count()) : least;
+    least = decision.lower <= decision.upper ? std::min(least, time.count()) : least;
   }
   return least;
 }

@@ -2,8 +2,8 @@
 #include <benchmark/benchmark.h>
 
 #include "bench/stages/workload.hpp"
+#include "curves/chain_motion.hpp"
 #include "lab/filters/filters.hpp"
-#include "paths/chain_motion.hpp"
 #include "tamis/pair.hpp"
 
 namespace tamis::bench {

@@ -19,8 +19,7 @@ struct NcfPublished {
       const auto corner_plane = edge_plane_polynomial(m.e, normal_polynomial(m.e, m.f));
       const auto corner = side_polynomial(m.f - m.e, corner_plane);
       const T size = m.size_e + m.size_f;
-      return both(side::all_negative(corner, side::bounds(m, size, m.size_e)),
-                  [&] { return Ncf::proves_free<kind>(m); });
+      return side::all_negative(corner, side::bounds(m, size, m.size_e)) & Ncf::proves_free<kind>(m);
     } else {
       return Ncf::proves_free<kind>(m);
     }

@@ -4,8 +4,8 @@
 // that is left to narrow/decide.hpp.
 #pragma once
 #include "filters/ncf.hpp"
+#include "motion/decision.hpp"
 #include "narrow/crossing.hpp"
-#include "narrow/subdivide.hpp"
 #include "numerics/assert.hpp"
 #include "numerics/interval.hpp"
 

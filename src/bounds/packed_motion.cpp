@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <limits>
 #include <utility>
 
+#include "bounds/box.hpp"
 #include "bounds/shared_motion.hpp"
 #include "numerics/assert.hpp"
 
@@ -21,37 +21,13 @@ float box_distance(double distance) {
   return static_cast<float>(std::min(distance * (1 + 0x1p-20), kFarthest));
 }
 
-struct Bounds {
-  std::array<double, 3> low, high;
-
-  void include(const std::array<double, 3>& l, const std::array<double, 3>& h) {
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      low[axis] = std::min(low[axis], l[axis]);
-      high[axis] = std::max(high[axis], h[axis]);
-    }
-  }
-  std::array<double, 3> middle() const {
-    std::array<double, 3> middle{};
-    for (std::size_t axis = 0; axis < 3; ++axis) middle[axis] = 0.5 * low[axis] + 0.5 * high[axis];
-    return middle;
-  }
-  /// Half of the widest axis: it does not overflow.
-  double half() const {
-    double half = 0;
-    for (std::size_t axis = 0; axis < 3; ++axis) half = std::max(half, 0.5 * high[axis] - 0.5 * low[axis]);
-    return half;
-  }
-};
-
-Bounds bounds_of(const Positions& positions, std::span<const Index> used) {
-  Bounds bounds;
-  bounds.low.fill(std::numeric_limits<double>::infinity());
-  bounds.high.fill(-std::numeric_limits<double>::infinity());
+Box box_of(const Positions& positions, std::span<const Index> used) {
+  Box box;
   for (const Index v : used) {
     const double* p = positions[v];
-    bounds.include({p[0], p[1], p[2]}, {p[0], p[1], p[2]});
+    box.include(Point{p[0], p[1], p[2]});
   }
-  return bounds;
+  return box;
 }
 
 /// A frame goes with the scene where that makes it so much narrower: three bits more of every coordinate. (Where it
@@ -59,9 +35,9 @@ Bounds bounds_of(const Positions& positions, std::span<const Index> used) {
 constexpr double kMuchNarrower = 8;
 
 BoxFrame frame_of(const Step& step, std::span<const Index> used, double min_separation) {
-  const Bounds start = bounds_of(step.start, used), end = bounds_of(step.end, used);
-  Bounds both = start;
-  both.include(end.low, end.high);
+  const Box start = box_of(step.start, used), end = box_of(step.end, used);
+  Box both = start;
+  both.include(end);
   double half = std::max(start.half(), end.half());
   const bool goes_along = kMuchNarrower * half < both.half();
   if (!goes_along) half = both.half();
@@ -141,15 +117,13 @@ bool PackedMotion::assign(const Step& step, std::span<const Index> used, const S
 void PackedMotion::assign_residuals(const Step& step, const SharedMotion& shared) {
   TAMIS_ASSERT(static_cast<std::size_t>(step.start.count()) == vertices.size());
   residuals.resize(vertices.size());
-  constexpr double kNone = std::numeric_limits<double>::infinity();
-  Vec3<double> low{kNone, kNone, kNone}, high = -low;
+  Box box;
   shared.for_each_residual(step, frame, [&](Index v, const Vec3<double>& residual) {
     residuals[static_cast<std::size_t>(v)] = {
         {0, 0, 0, static_cast<float>(residual.x), static_cast<float>(residual.y), static_cast<float>(residual.z)}};
-    low = {std::min(low.x, residual.x), std::min(low.y, residual.y), std::min(low.z, residual.z)};
-    high = {std::max(high.x, residual.x), std::max(high.y, residual.y), std::max(high.z, residual.z)};
+    box.include(Point{residual.x, residual.y, residual.z});
   });
-  spread = static_cast<float>((high.x - low.x) + (high.y - low.y) + (high.z - low.z));
+  spread = static_cast<float>(box.extent());
 }
 
 }  // namespace tamis

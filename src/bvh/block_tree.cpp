@@ -135,7 +135,9 @@ void BlockTree::fill(Levels& levels, const std::vector<BoxVertex>& vertices, con
                      BoundLeaf bound_leaf) const {
   parallel_blocks(corner_blocks_.size(), [&](std::size_t block) {
     MovingBox hull;
-    bound_leaf(vertices.data(), corner_blocks_[block], corners_, lanes_in_use(block), margins, levels[0][block], hull);
+    const auto in_use = std::min<std::size_t>(static_cast<std::size_t>(feature_count()) - block * kBlock, kBlock);
+    bound_leaf(vertices.data(), corner_blocks_[block], corners_, static_cast<int>(in_use), margins, levels[0][block],
+               hull);
     hull.store_to(levels[1][block / kBlock], static_cast<int>(block % kBlock));
   });
   for (std::size_t level = 2; level < levels.size(); ++level)
@@ -144,11 +146,6 @@ void BlockTree::fill(Levels& levels, const std::vector<BoxVertex>& vertices, con
       for (int lane = 0; lane < kBlock; ++lane) hull.include({levels[level - 1][child], lane});
       hull.store_to(levels[level][child / kBlock], static_cast<int>(child % kBlock));
     });
-}
-
-int BlockTree::lanes_in_use(std::size_t block) const {
-  const auto left = static_cast<std::size_t>(feature_count()) - block * kBlock;
-  return static_cast<int>(std::min<std::size_t>(left, kBlock));
 }
 
 TreeView BlockTree::view() const {

@@ -101,7 +101,6 @@ class BlockTree {
   void group_blocks();
   using Levels = std::vector<RawArray<BoxBlock>>;
 
-  int lanes_in_use(std::size_t block) const;
   /// Boxes around `vertices`.
   void fill(Levels& levels, const std::vector<BoxVertex>& vertices, const BoxMargins& margins,
             BoundLeaf bound_leaf) const;

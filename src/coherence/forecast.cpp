@@ -7,23 +7,31 @@
 #include "topology/at.hpp"
 
 namespace tamis {
+
 void Forecast::make(const Step& step, std::span<const Index> vertices, double steps) {
   TAMIS_ASSERT(step.start.count() == step.end.count() && steps > 0);
   vertices_ = vertices;
-  to_.resize(at(step.start.count()));
-  from_.resize(to_.size());  // the last: it says that this is made
-  for (const Index vertex : vertices) {
-    const auto v = at(vertex);
+  to_.resize(vertices.size());
+  from_.resize(vertices.size());  // the last: it says that this is made
+  for (std::size_t i = 0; i < vertices.size(); ++i)
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      from_[v][axis] = step.start[vertex][axis];
-      to_[v][axis] = from_[v][axis] + steps * (step.end[vertex][axis] - from_[v][axis]);
+      from_[i][axis] = step.start[vertices[i]][axis];
+      to_[i][axis] = from_[i][axis] + steps * (step.end[vertices[i]][axis] - from_[i][axis]);
     }
+}
+
+Forecast::Ends Forecast::ends(Index count) const {
+  Ends ends{std::vector<Point>(at(count)), std::vector<Point>(at(count))};
+  for (std::size_t i = 0; i < from_.size(); ++i) {
+    ends.start[at(vertices_[i])] = from_[i];
+    ends.end[at(vertices_[i])] = to_[i];
   }
+  return ends;
 }
 
 std::optional<Forecast::Fit> Forecast::fit(const Step& step, double most) const {
   if (!is_made()) return {};
-  TAMIS_ASSERT(at(step.start.count()) == from_.size());
+  TAMIS_ASSERT(vertices_.back() < step.start.count());
   const double start = nearest_time(step.start);
   const auto at_start = deviation(step.start, start, most);
   if (!at_start) return {};
@@ -37,10 +45,9 @@ std::optional<Forecast::Fit> Forecast::fit(const Step& step, double most) const 
 double Forecast::nearest_time(const Positions& positions) const {
   double along = 0, all = 0;
   for (std::size_t i = 0; i < vertices_.size(); i += 1 + vertices_.size() / kSampleVertices) {
-    const auto v = at(vertices_[i]);
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      const double length = to_[v][axis] - from_[v][axis];
-      along += length * (positions[vertices_[i]][axis] - from_[v][axis]);
+      const double length = to_[i][axis] - from_[i][axis];
+      along += length * (positions[vertices_[i]][axis] - from_[i][axis]);
       all += length * length;
     }
   }
@@ -50,11 +57,10 @@ double Forecast::nearest_time(const Positions& positions) const {
 /// Sums of the axes, which are no less than distances. Rounding (docs/numerics.md: "Pairs listed ahead"): 2^-49.
 std::optional<double> Forecast::deviation(const Positions& positions, double t, double most) const {
   double largest = 0;
-  for (const Index vertex : vertices_) {
-    const auto v = at(vertex);
+  for (std::size_t i = 0; i < from_.size(); ++i) {
     double off = 0;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      const double a = from_[v][axis], b = to_[v][axis], x = positions[vertex][axis];
+      const double a = from_[i][axis], b = to_[i][axis], x = positions[vertices_[i]][axis];
       off += std::fabs(x - (a + t * (b - a))) + 0x1p-49 * (std::fabs(a) + std::fabs(b) + std::fabs(x));
     }
     if (!(off <= most) || std::isinf(off)) return {};

@@ -24,10 +24,13 @@ class Forecast {
   void clear() { from_.clear(); }
   bool is_made() const { return !from_.empty(); }
   /// Nothing if no step was predicted, if the deviation exceeds `most` or is not finite, or if `step` goes backwards.
-  /// REQUIRES: as many positions as it was made of.
+  /// REQUIRES: positions of the vertices it was made for.
   std::optional<Fit> fit(const Step& step, double most) const;
-  /// The predicted step; vertices it was not made for are anywhere.
-  Step step() const { return {from_, to_}; }
+  /// Where the predicted step begins and ends, of `count` vertices: those it was not made for are anywhere.
+  struct Ends {
+    std::vector<Point> start, end;
+  };
+  Ends ends(Index count) const;
   std::uint64_t memory_bytes() const { return (from_.capacity() + to_.capacity()) * sizeof(Point); }
 
  private:
@@ -35,7 +38,7 @@ class Forecast {
   std::optional<double> deviation(const Positions& positions, double t, double most) const;
 
   std::span<const Index> vertices_;
-  std::vector<Point> from_, to_;  ///< by vertex
+  std::vector<Point> from_, to_;  ///< of those
 };
 
 }  // namespace tamis

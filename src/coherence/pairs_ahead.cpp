@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 #include "topology/mean_edge.hpp"
 
@@ -35,30 +34,14 @@ std::vector<Index> some_of(std::span<const Index> points) {
 }  // namespace
 
 PairsAhead::PairsAhead(const Mesh& mesh)
-    : mesh_(mesh),
-      sample_(some_of(mesh.points())),
-      sample_numbers_(sample_.size()),
-      steps_(kFirstSteps),
-      pause_{kFirstPauseInQueries} {
-  std::iota(sample_numbers_.begin(), sample_numbers_.end(), 0);
-}
-
-Step PairsAhead::sample_of(const Step& step) {
-  sample_start_.clear();
-  sample_end_.clear();
-  for (const Index v : sample_) {
-    sample_start_.push_back({step.start[v][0], step.start[v][1], step.start[v][2]});
-    sample_end_.push_back({step.end[v][0], step.end[v][1], step.end[v][2]});
-  }
-  return {sample_start_, sample_end_};
-}
+    : mesh_(mesh), sample_(some_of(mesh.points())), steps_(kFirstSteps), pause_{kFirstPauseInQueries} {}
 
 bool PairsAhead::begin(const Query& query) {
   if (!are_listed_ || query.is_piece || query.separations.fixed > separation_) return false;
   if (!follows_prediction(query.step) || when_.t_in > until_) return false;
   // A first contact may lie within what is listed; all contacts do not.
   if (query.question == Question::all_contacts && !covers(when_.t_out)) return false;
-  next_.make(sample_of(query.step), sample_numbers_, kFirstSteps);
+  next_.make(query.step, sample_, kFirstSteps);
   ++queries_served_;
   return true;
 }
@@ -75,13 +58,12 @@ bool PairsAhead::plan(const Query& query) {
   const Step& step = query.step;
   if (are_listed_) learn();
   forget();
-  const Step sample = sample_of(step);
   std::optional<Forecast::Fit> fit;
   if (next_.is_made()) {
     edge_ = mean_edge(mesh_, step.start);
-    fit = next_.fit(sample, kMostDeviationInEdges * edge_);
+    fit = next_.fit(step, kMostDeviationInEdges * edge_);
   }
-  next_.make(sample, sample_numbers_, kFirstSteps);
+  next_.make(step, sample_, kFirstSteps);
   if (!fit) return false;
   starts_again_ = fit->start == 0 && fit->deviation <= kLeastSlackInEdges * edge_;
   const bool is_promising =
@@ -180,9 +162,7 @@ void PairsAhead::forget() {
 }
 
 std::uint64_t PairsAhead::memory_bytes() const {
-  return lists_.memory_bytes() + next_.memory_bytes() + predicted_.memory_bytes() +
-         (sample_.capacity() + sample_numbers_.capacity()) * sizeof(Index) +
-         (sample_start_.capacity() + sample_end_.capacity()) * sizeof(Point);
+  return lists_.memory_bytes() + next_.memory_bytes() + predicted_.memory_bytes() + sample_.capacity() * sizeof(Index);
 }
 
 }  // namespace tamis

@@ -27,10 +27,10 @@ class PairsAhead {
   /// The listed pairs have been decided, and a contact may be among others: the trees must be searched.
   bool leaves_undecided(const ContactCollector& answer) const;
   /// Else: did the last query foresee this one, so that lists promise to help the next ones? If so, search
-  /// predicted_step() for pairs that may touch before until() while every vertex is within slack() of it, add them to
+  /// predicted_ends() for pairs that may touch before until() while every vertex is within slack() of it, add them to
   /// lists(), then call complete().
   bool plan(const Query& query);
-  Step predicted_step() const { return predicted_.step(); }
+  Forecast::Ends predicted_ends() const { return predicted_.ends(mesh_.vertex_count()); }
   double slack() const { return slack_; }
   /// A part of the predicted step.
   float until() const { return until_; }
@@ -49,7 +49,6 @@ class PairsAhead {
   bool plan_steps(Question question, const Forecast::Fit& fit);
   /// Do the lists hold all that may touch until this part of the predicted step?
   bool covers(float time) const { return until_ == 1 || time <= until_; }
-  Step sample_of(const Step& step);
   /// Sets when_.
   bool follows_prediction(const Step& step);
   void forget();
@@ -57,13 +56,12 @@ class PairsAhead {
   double steps_to_foresee(double deviation) const;
 
   const Mesh& mesh_;
-  std::vector<Index> sample_, sample_numbers_;    ///< some vertices in use; 0, 1, ...
-  std::vector<Point> sample_start_, sample_end_;  ///< where they are in a step
-  Forecast next_;                                 ///< by the last query, of the sample
-  Forecast predicted_;                            ///< that the lists are for, of all vertices in use
-  double slack_ = 0;                              ///< how far vertices may deviate from it
-  double edge_ = 0;                               ///< mean length, when last planned
-  double separation_ = 0;                         ///< asked for when the lists were made
+  std::vector<Index> sample_;  ///< some vertices in use
+  Forecast next_;              ///< by the last query, of the sample
+  Forecast predicted_;         ///< that the lists are for, of all vertices in use
+  double slack_ = 0;           ///< how far vertices may deviate from it
+  double edge_ = 0;            ///< mean length, when last planned
+  double separation_ = 0;      ///< asked for when the lists were made
   TimeInterval<float> when_{};
   PairLists lists_;
   bool are_listed_ = false;

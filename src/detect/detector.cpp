@@ -1,7 +1,6 @@
 #include "tamis/detector.hpp"
 
 #include "detect/detector_state.hpp"
-#include "numerics/assert.hpp"
 #include "tamis/error.hpp"
 
 namespace tamis {
@@ -19,9 +18,7 @@ Detector::State& Detector::state() const {
 }
 
 const std::vector<Contact>& Detector::contacts(const Step& step, const QueryOptions& options) {
-  const LockedState state(*this);
-  state->find_contacts(step, options);
-  return state->found.contacts();
+  return LockedState(*this)->find_contacts(step, options);
 }
 
 void Detector::contacts(const Step& step, std::vector<Contact>& result, const QueryOptions& options) {
@@ -43,39 +40,27 @@ bool Detector::is_free(const Step& step, const QueryOptions& options) {
 }
 
 const std::vector<NearPair>& Detector::pairs_within(const Positions& positions, double distance) {
-  const LockedState state(*this);
-  state->find_near(positions, distance);
-  return state->near;
+  return LockedState(*this)->find_near(positions, distance);
 }
 
 const std::vector<Intersection>& Detector::intersections(const Positions& positions) {
-  const LockedState state(*this);
-  state->find_intersections(positions, Question::all_contacts);
-  return state->intersections;
+  return LockedState(*this)->find_intersections(positions, Question::all_contacts);
 }
 
 bool Detector::has_intersection(const Positions& positions) {
-  const LockedState state(*this);
-  state->find_intersections(positions, Question::is_free);
-  return !state->intersections.empty();
+  return !LockedState(*this)->find_intersections(positions, Question::is_free).empty();
 }
 
 const std::vector<Contact>& Detector::contacts(const Path& path, const QueryOptions& options) {
-  const LockedState state(*this);
-  state->ask(path, options, Question::all_contacts);
-  return state->found.contacts();
+  return LockedState(*this)->ask({path}, options, Question::all_contacts);
 }
 
 EarliestContact Detector::earliest(const Path& path, const QueryOptions& options) {
-  const LockedState state(*this);
-  state->ask(path, options, Question::earliest);
-  return first_of(state->found.contacts());
+  return first_of(LockedState(*this)->ask({path}, options, Question::earliest));
 }
 
 bool Detector::is_free(const Path& path, const QueryOptions& options) {
-  const LockedState state(*this);
-  state->ask(path, options, Question::is_free);
-  return state->found.contacts().empty();
+  return LockedState(*this)->ask({path}, options, Question::is_free).empty();
 }
 
 TruncatedStep Detector::truncate(const Step& step, double keep, const QueryOptions& options, Stored stored) {
@@ -94,36 +79,6 @@ Detector DetectorAccess::make(Mesh mesh, Options options, const MakeEngine& make
   return Detector(std::make_unique<Detector::State>(std::move(mesh), std::move(options), make_engine));
 }
 
-Detector DetectorAccess::make(Mesh mesh, Options options, std::vector<double> radius_of_vertex) {
-  TAMIS_ASSERT(options.radii.empty());
-  Detector detector(std::move(mesh), std::move(options));
-  detector.state().set_radii(std::move(radius_of_vertex));
-  return detector;
-}
-
-const std::vector<Contact>& DetectorAccess::contacts_by_pair(Detector& detector, const Step& step,
-                                                             const QueryOptions& options) {
-  const Detector::LockedState state(detector);
-  state->find_contacts(step, options, true);
-  return state->found.contacts();
-}
-
-const std::vector<Intersection>& DetectorAccess::intersections_by_pair(Detector& detector, const Positions& positions,
-                                                                       Question question) {
-  const Detector::LockedState state(detector);
-  state->find_intersections(positions, question, true);
-  return state->intersections;
-}
-
-const std::vector<Contact>& DetectorAccess::ask(Detector& detector, const CutPath& path, const QueryOptions& options,
-                                                Question question) {
-  const Detector::LockedState state(detector);
-  state->ask(path.path, options, question, path.ends);
-  return state->found.contacts();
-}
-
-SafeStep DetectorAccess::safe_step(Detector& detector, const CutPath& path, double keep, const QueryOptions& options) {
-  return Detector::LockedState(detector)->safe_step(path.path, keep, options, path.ends);
-}
+Detector::LockedState DetectorAccess::lock(const Detector& detector) { return Detector::LockedState(detector); }
 
 }  // namespace tamis

@@ -8,38 +8,35 @@ namespace tamis {
 
 /// find(search, whole path).
 template <class Find>
-void Detector::State::on_path(const Path& path, const QueryOptions& asked, std::span<const double> ends,
-                              const Find& find) {
+void Detector::State::on_path(const CutPath& path, const QueryOptions& asked, const Find& find) {
   constexpr double kTolerance = 1e-9;
   validate_of_path(asked);
   measure([&] {
     if (!path_search_) path_search_ = std::make_unique<PathSearch>(mesh, options, rings_, *engine_);
-    const MeshOnPath whole{path, separations(asked), asked.tolerance.value_or(kTolerance),
-                           asked.at_start == AtStart::ignore, ends};
+    const MeshOnPath whole{path.path, separations(asked), asked.tolerance.value_or(kTolerance),
+                           asked.at_start == AtStart::ignore, path.ends};
     find(*path_search_, whole);
   });
 }
 
-void Detector::State::ask(const Path& path, const QueryOptions& asked, Question question,
-                          std::span<const double> ends) {
+const std::vector<Contact>& Detector::State::ask(const CutPath& path, const QueryOptions& asked, Question question) {
   if (asked.at_start == AtStart::fail && question == Question::is_free) question = Question::earliest;
-  on_path(path, asked, ends, [&](PathSearch& search, const MeshOnPath& whole) {
+  on_path(path, asked, [&](PathSearch& search, const MeshOnPath& whole) {
     search.find(whole, question, found.contacts(), statistics);
     sort_found();
   });
-  if (asked.at_start != AtStart::fail) return;
   for (const Contact& c : found.contacts())
-    if (c.toi_lower == 0)
+    if (asked.at_start == AtStart::fail && c.toi_lower == 0)
       throw InvalidStep(features_text(c.kind, c.vertices) +
                         " touch at the start of the path, or are nearer than can be told: move them apart, leave the "
                         "pair out, or ask with at_start ignore");
+  return found.contacts();
 }
 
-SafeStep Detector::State::safe_step(const Path& path, double keep, const QueryOptions& asked,
-                                    std::span<const double> ends) {
+SafeStep Detector::State::safe_step(const CutPath& path, double keep, const QueryOptions& asked) {
   validate_kept(keep);
   SafeStep answer;
-  on_path(path, asked, ends, [&](PathSearch& search, MeshOnPath whole) {
+  on_path(path, asked, [&](PathSearch& search, MeshOnPath whole) {
     whole.keep = keep;
     answer = search.find_step_length(whole, statistics);
   });

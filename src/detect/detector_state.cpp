@@ -47,7 +47,7 @@ Detector::State::State(Mesh m, Options o, const MakeEngine& make_engine)
       engine_(make_engine(mesh, options)) {}
 
 void Detector::State::set_radii(std::vector<double> radii) {
-  TAMIS_ASSERT(radii.size() == static_cast<std::size_t>(mesh.vertex_count()));
+  TAMIS_ASSERT(radii.size() == static_cast<std::size_t>(mesh.vertex_count()) && options.radii.empty());
   radii_ = are_zero(radii) ? std::vector<double>() : std::move(radii);
 }
 
@@ -82,14 +82,16 @@ void Detector::State::refuse_start(const Query& query, const Contact& touching) 
                     ": move them apart, leave the pair out, or ask with at_start ignore");
 }
 
-void Detector::State::find_contacts(const Step& step, const QueryOptions& asked, bool is_by_pair) {
+const std::vector<Contact>& Detector::State::find_contacts(const Step& step, const QueryOptions& asked,
+                                                           bool is_by_pair) {
   Query all = validated_query(step, asked);
   all.is_by_pair = is_by_pair;
   find(all);
-  if (asked.at_start != AtStart::fail) return;
   const auto& contacts = found.contacts();
+  if (asked.at_start != AtStart::fail) return contacts;
   const auto touching = std::ranges::find_if(contacts, [](const Contact& c) { return c.toi_upper == 0; });
   if (touching != contacts.end()) refuse_start(all, *touching);
+  return contacts;
 }
 
 void Detector::State::sort_found() {
@@ -169,25 +171,28 @@ TruncatedStep Detector::State::truncate(const Query& whole, const KeptFractions&
   return truncation.take();
 }
 
-void Detector::State::find_near(const Positions& positions, double distance) {
+const std::vector<NearPair>& Detector::State::find_near(const Positions& positions, double distance) {
   validate_distance(distance, "the distance");
   validate(positions, mesh, "the pose");
   const Query asked = query({positions, positions}, {distance, radii_});
-  measure([&] { engine_->find_near(asked, near, statistics); });
+  measure([&] { engine_->find_near(asked, near_, statistics); });
+  return near_;
 }
 
-void Detector::State::find_intersections(const Positions& positions, Question question, bool is_by_pair) {
+const std::vector<Intersection>& Detector::State::find_intersections(const Positions& positions, Question question,
+                                                                     bool is_by_pair) {
   validate(positions, mesh, "the pose");
   Query asked = query({positions, positions}, {}, question);
   asked.is_by_pair = is_by_pair;
-  measure([&] { engine_->find_intersections(asked, intersections, statistics); });
+  measure([&] { engine_->find_intersections(asked, intersections_, statistics); });
+  return intersections_;
 }
 
 std::uint64_t Detector::State::memory_bytes() const {
   const auto of = [](const auto& part) { return part ? part->memory_bytes() : 0; };
   const PairFilter& filter = options.filter;
   return engine_->memory_bytes() + sorter_.memory_bytes() + found.memory_bytes() + of(path_search_) +
-         near.capacity() * sizeof(NearPair) + intersections.capacity() * sizeof(Intersection) +
+         near_.capacity() * sizeof(NearPair) + intersections_.capacity() * sizeof(Intersection) +
          radii_.capacity() * sizeof(double) + filter.group_of_vertex.capacity() * sizeof(Index) +
          filter.groups_may_touch.capacity() + rings_.memory_bytes();
 }

@@ -17,30 +17,29 @@ namespace tamis {
 
 struct Detector::State {
   State(Mesh m, Options o, const MakeEngine& make_engine);
-  /// Of the vertices, before the first question. REQUIRES: one each.
+  /// Of the vertices, before the first question: so they make no groups. REQUIRES: one each, no radii of the options.
+  /// REQUIRES (not checked: O(n)): finite and >= 0.
   void set_radii(std::vector<double> radii);
 
-  /// The contacts are in `found`.
-  void find_contacts(const Step& step, const QueryOptions& asked, bool is_by_pair = false);
-  /// Of a path, which is cut into pieces that end at `ends`, or if there are none as deviations ask for. In `found`,
-  /// too.
-  void ask(const Path& path, const QueryOptions& asked, Question question, std::span<const double> ends = {});
+  /// All, those of `found`. `is_by_pair`: each with the bits of narrow_phase.
+  const std::vector<Contact>& find_contacts(const Step& step, const QueryOptions& asked, bool is_by_pair = false);
+  /// Those of a path: they are in `found`, too.
+  const std::vector<Contact>& ask(const CutPath& path, const QueryOptions& asked, Question question);
   EarliestContact earliest(const Step& step, const QueryOptions& asked);
   bool is_free(const Step& step, const QueryOptions& asked);
   SafeStep safe_step(const Step& step, double keep, const QueryOptions& asked);
-  /// Of a path, cut in the same way; a pair that starts nearer to its separation than doubles can tell ends it at once.
-  SafeStep safe_step(const Path& path, double keep, const QueryOptions& asked, std::span<const double> ends);
+  /// Of a path: a pair that starts nearer to its separation than doubles can tell ends it at once.
+  SafeStep safe_step(const CutPath& path, double keep, const QueryOptions& asked);
   TruncatedStep truncate(const Step& step, double keep, const QueryOptions& asked, Stored stored);
-  /// The pairs are in `near`.
-  void find_near(const Positions& positions, double distance);
-  /// They are in `intersections`: all, or for `is_free` some, if there are any.
-  void find_intersections(const Positions& positions, Question question, bool is_by_pair = false);
+  const std::vector<NearPair>& find_near(const Positions& positions, double distance);
+  /// All, or for `is_free` some, if there are any. `is_by_pair`: each with the bits of its pair alone, and of pairs
+  /// that `accepts` of the options' filter leaves: it is asked of a vertex of the edge and the face.
+  const std::vector<Intersection>& find_intersections(const Positions& positions, Question question,
+                                                      bool is_by_pair = false);
 
   const Mesh mesh;
   const Options options;
   ContactCollector found;
-  std::vector<NearPair> near;
-  std::vector<Intersection> intersections;
   Statistics statistics;
   std::atomic_flag is_asked;  ///< the turn of the question that is being answered
 
@@ -51,7 +50,7 @@ struct Detector::State {
     return {step, separations, options.filter, rings_, options.is_cancelled, question};
   }
   template <class Find>
-  void on_path(const Path& path, const QueryOptions& asked, std::span<const double> ends, const Find& find);
+  void on_path(const CutPath& path, const QueryOptions& asked, const Find& find);
   /// Of a validated query, whose step's end the caller can store.
   TruncatedStep truncate(const Query& whole, const KeptFractions& fractions, AtStart at_start, Stored stored);
   /// Throws InvalidOptions, InvalidStep.
@@ -74,7 +73,9 @@ struct Detector::State {
 
   Rings rings_;
   Arena arena_;
-  Bound bound_;                ///< of the contacts in `found`
+  Bound bound_;  ///< of the contacts in `found`
+  std::vector<NearPair> near_;
+  std::vector<Intersection> intersections_;
   std::vector<double> radii_;  ///< of the vertices; empty: all zero
   std::unique_ptr<Engine> engine_;
   std::unique_ptr<PathSearch> path_search_;  ///< made by the first question that needs it

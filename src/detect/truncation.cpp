@@ -132,15 +132,11 @@ bool Truncation::is_broken(const StepLimit& pair) {
   if (ignores_start_ || pair.time > 0) return true;
   if (!starts_within(pair.kind, points_of(step_, pair.vertices), separation_of(pair))) return true;
   to_.is_free = false;
-  if (!moves(pair)) return false;
+  const PairPoints points = points_of(way(), pair.vertices);
+  if (points.start == points.end) return false;
   PrecisionCount decided_by;
   const DistanceRule comes_no_nearer{kAllButAMillionth, 0};
-  return keeps_distance_until(pair.kind, points_of(way(), pair.vertices), comes_no_nearer, 1, decided_by) < 1;
-}
-
-bool Truncation::moves(const StepLimit& pair) const {
-  const PairPoints points = points_of(way(), pair.vertices);
-  return points.start != points.end;
+  return keeps_distance_until(pair.kind, points, comes_no_nearer, 1, decided_by) < 1;
 }
 
 bool Truncation::is_beyond(const StepLimit& pair) const {

@@ -43,7 +43,6 @@ class Truncation {
   /// Must the pair's vertices go less far? REQUIRES: a time in [0,1). REQUIRES (not checked: history): a pair of the
   /// engine's answer.
   bool is_broken(const StepLimit& pair);
-  bool moves(const StepLimit& pair) const;
   bool is_beyond(const StepLimit& pair) const;
   double separation_of(const StepLimit& pair) const { return separations_.between(pair.kind, pair.vertices); }
   void stop_at_planes(const StepLimit& pair, const std::vector<double>& asked);

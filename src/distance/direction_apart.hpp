@@ -22,8 +22,8 @@ inline DirectionApart<T> direction_apart(const PairMotion<T>& m, const T& time) 
   // Where the corners of the difference are at least c g along a unit vector, g the length of the gap, the gap is no
   // more than acos(c) off it: below sqrt(2 (1 - c)), and g is off by kGap, which is small beside what `low` lost.
   constexpr double kSharp = 1 - 0x1p-20;
-  const RestDistance<T> rest = rest_distance<kind>(PairPose<T>{
-      at_time(m.e, time), at_time(m.f, time), at_time(m.d, time), m.size_e, m.size_f, m.size_d, m.separation});
+  const RestDistance<T> rest =
+      rest_distance<kind>(at_time(m.e, time), at_time(m.f, time), at_time(m.d, time), m.size_d + m.size_e + m.size_f);
   const auto& [u, v, gap] = rest.closest;
   const Mask<T> is_sure = (rest.low > T(0)) & (rest.low >= error_bounds::constant<T>(kSharp) * rest.distance);
   return {u, v, near_facts<kind>(u, v, unit_vector(rest.direction)).direction, is_sure};

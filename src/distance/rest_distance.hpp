@@ -9,15 +9,7 @@
 
 namespace tamis {
 
-/// A pair at rest: the vectors of PairMotion at one time, with their sizes and the separation.
-template <class T>
-struct PairPose {
-  Vec3<T> e, f, d;
-  T size_e, size_f, size_d;
-  T separation;
-};
-
-/// In the unit of the pose.
+/// In the unit of the vectors.
 template <class T>
 struct RestDistance {
   ClosestPointsOf<T> closest;
@@ -30,12 +22,12 @@ struct RestDistance {
   auto is_sharp() const { return distance - low <= tolerance; }
 };
 
+/// The vectors of PairMotion at one time; `size`: D + E + F.
 template <PairKind kind, class T>
-inline RestDistance<T> rest_distance(const PairPose<T>& p) {
-  const ClosestPointsOf<T> closest = closest_points<kind>(p.e, p.f, p.d);
-  const Vec3<T> direction = squared_gap<kind>(p.e, p.f, closest);
-  const T size = p.size_d + p.size_e + p.size_f;
-  return {closest, distance_along(difference_corners<kind>(p.e, p.f, p.d), direction, size),
+inline RestDistance<T> rest_distance(const Vec3<T>& e, const Vec3<T>& f, const Vec3<T>& d, const T& size) {
+  const ClosestPointsOf<T> closest = closest_points<kind>(e, f, d);
+  const Vec3<T> direction = squared_gap<kind>(e, f, closest);
+  return {closest, distance_along(difference_corners<kind>(e, f, d), direction, size),
           sqrt(dot(closest.gap, closest.gap)), error_bounds::bound<T>(error_bounds::kRestDistance, size), direction};
 }
 

@@ -146,7 +146,7 @@ void AlgebraicTime::narrow_to_doubles(double lower, double upper) {
   cell_ = cell_above(lower);
 }
 
-AlgebraicTime::Bracket AlgebraicTime::bracket() const {
+TimeInterval<double> AlgebraicTime::bracket() const {
   const double lower = lower_end(cell_);
   return {lower, is_exact_ && lower_end_is_double(cell_) ? lower : next_up(lower)};
 }

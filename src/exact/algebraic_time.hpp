@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "exact/integer_polynomial.hpp"
+#include "motion/time_clip.hpp"
 
 namespace tamis {
 
@@ -27,10 +28,7 @@ class AlgebraicTime {
   friend DyadicCell time_between(AlgebraicTime& a, AlgebraicTime& b);
 
   /// Largest double <= this time, smallest double >= it.
-  struct Bracket {
-    double lower, upper;
-  };
-  Bracket bracket() const;
+  TimeInterval<double> bracket() const;
 
  private:
   explicit AlgebraicTime(DyadicCell time) : cell_(std::move(time)), is_exact_(true) {}

@@ -120,15 +120,15 @@ void add_times(const MovingPolygon& polygon, double separation, Times& times) {
 
 }  // namespace
 
-ExactDecision decide_exactly(PairKind kind, const PairPoints& points, double separation) {
+Decision decide_exactly(PairKind kind, const PairPoints& points, double separation) {
   TAMIS_ASSERT(separation >= 0 && std::isfinite(separation) && is_finite(points));
-  if (starts_within(kind, points, separation)) return {true, 0, 0};
+  if (starts_within(kind, points, separation)) return {Verdict::touches, 0, 0};
   FirstTime first;
   add_times(polygon_for(kind, points, separation), separation, first);
   return first.decision();
 }
 
-ExactDecision decide_once_apart_exactly(PairKind kind, const PairPoints& points, double separation) {
+Decision decide_once_apart_exactly(PairKind kind, const PairPoints& points, double separation) {
   TAMIS_ASSERT(separation >= 0 && std::isfinite(separation) && is_finite(points));
   const MovingPolygon polygon = polygon_for(kind, points, separation);
   FirstTimeOnceApart times;

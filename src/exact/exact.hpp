@@ -1,24 +1,19 @@
 // The last word: exact algebra on the double inputs.
 #pragma once
+#include "motion/decision.hpp"
 #include "motion/make_motion.hpp"
 #include "tamis/contact.hpp"
 
 namespace tamis {
 
-struct ExactDecision {
-  bool touches = false;
-  /// The first time of touching lies in [toi_lower, toi_upper]: equal, or neighbouring doubles, within [0,1].
-  double toi_lower = 1;
-  double toi_upper = 1;
-};
-
 /// Is there a t in [0,1] at which the distance of the two closed features is at most `separation`? At zero: at which
-/// they share a point. All degeneracies are decided. REQUIRES: finite coordinates, a finite separation >= 0.
-ExactDecision decide_exactly(PairKind kind, const PairPoints& points, double separation = 0);
+/// they share a point. All degeneracies are decided: the answer is never unsure, and the ends of its bracket are equal,
+/// or neighbouring doubles. REQUIRES: finite coordinates, a finite separation >= 0.
+Decision decide_exactly(PairKind kind, const PairPoints& points, double separation = 0);
 
 /// The same, but where that holds at t=0 it counts only after a time at which it does not: a pair that touches at the
 /// start touches once it has come apart and meets again.
-ExactDecision decide_once_apart_exactly(PairKind kind, const PairPoints& points, double separation = 0);
+Decision decide_once_apart_exactly(PairKind kind, const PairPoints& points, double separation = 0);
 
 /// On which side of the second feature is the first one? The sign, along e x f (motion/pair_motion.hpp), of its place
 /// at `time`, and where the four points are coplanar then, just before it; at t=0 as if the motion had gone on so

@@ -3,8 +3,8 @@
 #pragma once
 #include <vector>
 
-#include "exact/exact.hpp"
 #include "exact/root_isolation.hpp"
+#include "motion/decision.hpp"
 #include "numerics/assert.hpp"
 
 namespace tamis {
@@ -17,19 +17,19 @@ class FirstTime {
   template <class Condition>
   void add_roots(const IntegerPolynomial& p, const Condition& holds) {
     TAMIS_ASSERT(!p.is_zero());
-    for (AlgebraicTime& time : roots_in_unit_interval(p, first_.touches ? first_.toi_upper : 1))
+    for (AlgebraicTime& time : roots_in_unit_interval(p, first_.touches() ? first_.upper : 1))
       if (holds(time)) return add(time.bracket());
   }
 
-  const ExactDecision& decision() const { return first_; }
+  const Decision& decision() const { return first_; }
 
  private:
-  void add(const AlgebraicTime::Bracket& time) {
-    if (first_.touches && time.lower >= first_.toi_lower && time.upper >= first_.toi_upper) return;
-    first_ = {true, time.lower, time.upper};
+  void add(const TimeInterval<double>& time) {
+    if (first_.touches() && time.t_in >= first_.lower && time.t_out >= first_.upper) return;
+    first_ = {Verdict::touches, time.t_in, time.t_out};
   }
 
-  ExactDecision first_;
+  Decision first_;
 };
 
 /// The end of every span of time in which the pair touches must be among the roots that hold, its start too: then
@@ -47,12 +47,12 @@ class FirstTimeOnceApart {
   /// The first time of touching before which there is one without, `touches(time)` telling both apart; at the start the
   /// pair may do either.
   template <class Condition>
-  ExactDecision decision(const Condition& touches) {
+  Decision decision(const Condition& touches) {
     AlgebraicTime start = AlgebraicTime::exactly({0, 0});
     for (AlgebraicTime *last = &start, *next = first_after(start); next; last = next, next = first_after(*last)) {
       if (touches(time_between(*last, *next))) continue;
       const auto [lower, upper] = next->bracket();
-      return {true, lower, upper};
+      return {Verdict::touches, lower, upper};
     }
     return {};
   }

@@ -20,20 +20,13 @@
 
 namespace tamis {
 
-/// a | b() and a & b(): one pair at a time skips `b` where `a` decides, lanes compute both.
+/// a | b(): one pair at a time skips `b` where `a` decides, lanes compute both.
 template <class M, class Other>
 inline M either(const M& a, const Other& b) {
   if constexpr (std::is_same_v<M, bool>)
     return a || b();
   else
     return a | b();
-}
-template <class M, class Other>
-inline M both(const M& a, const Other& b) {
-  if constexpr (std::is_same_v<M, bool>)
-    return a && b();
-  else
-    return a & b();
 }
 
 }  // namespace tamis

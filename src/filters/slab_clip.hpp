@@ -22,13 +22,11 @@ struct SlabClip {
   template <PairKind kind, Axes axes = Axes::all, class T>
   static TimeInterval<T> clip(const PairMotion<T>& m, const TimeInterval<T>& time) {
     TimeClip<T> clip(time);
-    const T margin = margin_of(m, 1);
-    for_each_coordinate_axis([&](const auto& along) { clip_axis<kind>(m, along, margin, clip); });
-    if constexpr (axes == Axes::all) {
-      const T planar = margin_of(m, kRootOfTwo), spatial = margin_of(m, kRootOfThree);
-      for_each_planar_diagonal([&](const auto& along) { clip_axis<kind>(m, along, planar, clip); });
-      for_each_spatial_diagonal([&](const auto& along) { clip_axis<kind>(m, along, spatial, clip); });
-    }
+    const T along_axis = margin_of(m, 1), planar = margin_of(m, kRootOfTwo), spatial = margin_of(m, kRootOfThree);
+    for_each_axis<axes == Axes::all ? 13 : 3>([&](auto axis) {
+      constexpr std::size_t i = decltype(axis)::value;
+      clip_axis<kind, i>(m, i < 3 ? along_axis : i < 9 ? planar : spatial, clip);
+    });
     return clip.rest();
   }
 
@@ -47,35 +45,10 @@ struct SlabClip {
     return error + error_bounds::constant<T>(axis_length * (1 + 8 * error_bounds::unit_roundoff<T>)) * m.separation;
   }
 
-  template <class F>
-  static void for_each_coordinate_axis(const F& f) {
-    f([](const auto& v) { return v.x; });
-    f([](const auto& v) { return v.y; });
-    f([](const auto& v) { return v.z; });
-  }
-
-  template <class F>
-  static void for_each_planar_diagonal(const F& f) {
-    f([](const auto& v) { return v.x + v.y; });
-    f([](const auto& v) { return v.x - v.y; });
-    f([](const auto& v) { return v.x + v.z; });
-    f([](const auto& v) { return v.x - v.z; });
-    f([](const auto& v) { return v.y + v.z; });
-    f([](const auto& v) { return v.y - v.z; });
-  }
-
-  template <class F>
-  static void for_each_spatial_diagonal(const F& f) {
-    f([](const auto& v) { return v.x + v.y + v.z; });
-    f([](const auto& v) { return v.x + v.y - v.z; });
-    f([](const auto& v) { return v.x - v.y + v.z; });
-    f([](const auto& v) { return v.x - v.y - v.z; });
-  }
-
-  template <PairKind kind, class T, class Along>
-  static void clip_axis(const PairMotion<T>& m, const Along& along, const T& margin, TimeClip<T>& clip) {
-    const auto r0 = range_of_differences<kind>(along(m.e.at0), along(m.f.at0), along(m.d.at0));
-    const auto r1 = range_of_differences<kind>(along(m.e.at1), along(m.f.at1), along(m.d.at1));
+  template <PairKind kind, std::size_t i, class T>
+  static void clip_axis(const PairMotion<T>& m, const T& margin, TimeClip<T>& clip) {
+    const auto r0 = range_of_differences<kind>(project<i>(m.e.at0), project<i>(m.f.at0), project<i>(m.d.at0));
+    const auto r1 = range_of_differences<kind>(project<i>(m.e.at1), project<i>(m.f.at1), project<i>(m.d.at1));
     clip.cut_positive(r0.low - margin, r1.low - margin);
     clip.cut_positive(-r0.high - margin, -r1.high - margin);
   }

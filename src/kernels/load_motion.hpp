@@ -83,10 +83,6 @@ inline Vec3<DoubleLanes> difference(const std::array<Vec3<DoubleLanes>, count>& 
   return at[v.to] - at[v.from];
 }
 
-inline DoubleLanes largest(const Moving<DoubleLanes>& v) {
-  return max(max(max(abs(v.at0.x), abs(v.at0.y)), abs(v.at0.z)), max(max(abs(v.at1.x), abs(v.at1.y)), abs(v.at1.z)));
-}
-
 /// As scale_to_one in motion/make_motion.cpp: 2^(-1-exponent), kept in the normal range.
 inline DoubleLanes scale_to_one(const DoubleLanes& size) {
   using Int64Lanes = xsimd::batch<std::int64_t, Arch>;
@@ -165,10 +161,6 @@ inline PairMotion<FloatLanes> load_motion_as_float(const PackedVertex* vertices,
           to_float(low.size_f, high.size_f),
           to_float(low.size_d, high.size_d),
           to_float(low.separation, high.separation)};
-}
-
-inline FloatLanes largest(const Moving<FloatLanes>& v) {
-  return max(max(max(abs(v.at0.x), abs(v.at0.y)), abs(v.at0.z)), max(max(abs(v.at1.x), abs(v.at1.y)), abs(v.at1.z)));
 }
 
 /// As many pairs as there are lanes of floats, from the floats that boxes are made of; what rounding the vertices to

@@ -5,10 +5,10 @@
 
 namespace tamis::TAMIS_ISA {
 
-/// Some pairs' poses, scaled by a power of two, and that power.
+/// Some pairs' distances at rest and their separations, scaled by a power of two, and that power.
 struct LoadedPoses {
-  PairPose<DoubleLanes> pose;
-  DoubleLanes scale;
+  RestDistance<DoubleLanes> rest;
+  DoubleLanes separation, scale;
 };
 
 template <PairKind kind>
@@ -19,9 +19,8 @@ inline LoadedPoses load_pose(const PackedVertex* vertices, const PairBuffer& pai
   const auto e = difference(at, kVectors.e), f = difference(at, kVectors.f), d = difference(at, kVectors.d);
   const DoubleLanes size_e = largest_component(e), size_f = largest_component(f), size_d = largest_component(d);
   const DoubleLanes scale = scale_to_one(max(max(size_e, size_f), size_d));
-  return {{scale * e, scale * f, scale * d, scale * size_e, scale * size_f, scale * size_d,
-           scale * load_separation<kind>(vertices, pairs, first, separation)},
-          scale};
+  return {rest_distance<kind>(scale * e, scale * f, scale * d, scale * size_d + scale * size_e + scale * size_f),
+          scale * load_separation<kind>(vertices, pairs, first, separation), scale};
 }
 
 }  // namespace tamis::TAMIS_ISA

@@ -18,10 +18,9 @@ void find_within_at_rest(const PackedVertex* vertices, const PairSeparation& sep
   for (int first = 0; first < in.count; first += kFloatLanes) {
     unsigned far = 0, sharp = 0;
     for (int lane = 0; lane < kFloatLanes; lane += kDoubleLanes) {
-      const auto [pose, scale] = load_pose<kind>(vertices, in, first + lane, separation);
-      const RestDistance<DoubleLanes> rest = rest_distance<kind>(pose);
-      far |= bits(rest.low > pose.separation) << lane;
-      sharp |= bits(rest.is_sharp()) << lane;
+      const LoadedPoses poses = load_pose<kind>(vertices, in, first + lane, separation);
+      far |= bits(poses.rest.low > poses.separation) << lane;
+      sharp |= bits(poses.rest.is_sharp()) << lane;
     }
     const unsigned left = lanes_in_use(in, first, kFloatLanes) & ~far;
     append(first, left & sharp, near);
@@ -33,8 +32,7 @@ void find_within_at_rest(const PackedVertex* vertices, const PairSeparation& sep
 template <PairKind kind>
 void measure(const PackedVertex* vertices, const PairBuffer& in, NearPair* out) {
   for (int first = 0; first < in.count; first += kDoubleLanes) {
-    const auto [pose, scale] = load_pose<kind>(vertices, in, first, {});
-    const RestDistance<DoubleLanes> rest = rest_distance<kind>(pose);
+    const auto [rest, no_separation, scale] = load_pose<kind>(vertices, in, first, {});
     const auto& [u, v, gap] = rest.closest;
     const auto [corners, direction] = near_facts<kind>(u, v, unit_vector(rest.direction));
     const DoubleLanes distance = Masked<DoubleLanes>::nan_where(!rest.is_sharp(), rest.distance / scale);

@@ -33,7 +33,10 @@ inline Moving<T> operator-(const Moving<T>& a) {
 }
 
 /// Largest |component| at both ends.
-inline double largest(const Moving<double>& v) { return max(largest_component(v.at0), largest_component(v.at1)); }
+template <class T>
+inline T largest(const Moving<T>& v) {
+  return max(largest_component(v.at0), largest_component(v.at1));
+}
 
 /// `size_*` bound every |component| of the unrestricted vector: the unit of its rounding errors. They stay those of
 /// the whole step when the motion is restricted to a part of it.

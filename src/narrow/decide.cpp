@@ -29,7 +29,7 @@ TimeInterval<double> time_in_question(PairKind kind, const PairMotion<double>& m
 
 /// The decision without what the clip proves free.
 Decision within(const TimeInterval<double>& clip, Decision d) {
-  if (d.verdict == Verdict::is_free) return d;
+  if (d.is_free()) return d;
   d.lower = std::max(d.lower, clip.t_in);
   d.upper = std::min(d.upper, clip.t_out);
   return d.verdict == Verdict::unsure && d.lower > d.upper ? Decision{} : d;
@@ -51,9 +51,8 @@ std::optional<Decision> decide_again(PairKind kind, const PairPoints& points, do
   if (d.verdict == Verdict::unsure && separation == 0) return decide_crossing_finely(kind, points, m, bracket);
   if (d.verdict == Verdict::unsure)
     return flies_past(kind, points, separation, m) ? std::optional(Decision{}) : std::nullopt;
-  const auto time = separation > 0 ? first_within_finely(kind, points, separation, m, bracket)
-                                   : first_crossing_finely(kind, points, m, bracket);
-  return time ? std::optional(Decision{Verdict::touches, time->t_in, time->t_out}) : std::nullopt;
+  return separation > 0 ? first_within_finely(kind, points, separation, m, bracket)
+                        : first_crossing_finely(kind, points, m, bracket);
 }
 
 /// What is decided of a pair, and by what arithmetic.
@@ -62,18 +61,7 @@ struct Outcome {
   std::uint64_t PrecisionCount::*arithmetic;
 };
 
-bool is_sharp_answer(const Decision& d) {
-  return d.verdict == Verdict::is_free || (d.verdict == Verdict::touches && is_sharp(d.lower, d.upper));
-}
-
-Outcome as_outcome(const ExactDecision& exact) {
-  const Verdict verdict = exact.touches ? Verdict::touches : Verdict::is_free;
-  return {{verdict, exact.toi_lower, exact.toi_upper}, &PrecisionCount::exact};
-}
-
-Outcome decide_in_integers(PairKind kind, const PairPoints& points, double separation) {
-  return as_outcome(decide_exactly(kind, points, separation));
-}
+bool is_sharp_answer(const Decision& d) { return d.is_free() || (d.touches() && is_sharp(d.lower, d.upper)); }
 
 bool is_proven_free(const TimeInterval<double>& clip, const PairOptions& options) {
   return clip.t_in > clip.t_out || clip.t_in > options.latest;
@@ -119,17 +107,18 @@ Outcome decide_pair(PairKind kind, const PairPoints& points, const PairMotion<do
                     const TimeInterval<double>& clip, const PairOptions& options) {
   if (is_proven_free(clip, options)) return {{}, &PrecisionCount::scalar};
   if (clip.t_in == 0 && !is_about_distance(kind, m.separation) && may_start_coplanar(m))
-    return stays_apart(kind, m, clip) ? Outcome{{}, &PrecisionCount::scalar}
-                                      : decide_in_integers(kind, points, options.min_separation);
+    return stays_apart(kind, m, clip)
+               ? Outcome{{}, &PrecisionCount::scalar}
+               : Outcome{decide_exactly(kind, points, options.min_separation), &PrecisionCount::exact};
   const Decision d = decide_in_doubles(kind, m, clip);
   if (is_sharp_answer(d)) return {d, &PrecisionCount::scalar};
   if (const auto again = decide_again(kind, points, options.min_separation, m, d))
     return {*again, &PrecisionCount::scalar};
-  return decide_in_integers(kind, points, options.min_separation);
+  return {decide_exactly(kind, points, options.min_separation), &PrecisionCount::exact};
 }
 
 PairResult described(PairKind kind, const PairPoints& points, const PairMotion<double>& m, const Decision& decision) {
-  if (decision.verdict == Verdict::is_free) return {};
+  if (decision.is_free()) return {};
   PairResult result;
   result.touches = true;
   result.toi_lower = decision.lower;
@@ -160,9 +149,10 @@ PairResult decide(PairKind kind, const PairPoints& points, const PairOptions& op
 PairResult decide_once_apart(PairKind kind, const PairPoints& points, double separation, PrecisionCount& decided_by) {
   const auto m = make_motion(kind, points, separation);
   const auto again = is_finite(m) && m.separation > 0 ? within_once_apart(kind, m) : std::nullopt;
-  const auto [decision, arithmetic] = again && is_sharp_answer(*again)
-                                          ? Outcome{*again, &PrecisionCount::scalar}
-                                          : as_outcome(decide_once_apart_exactly(kind, points, separation));
+  const auto [decision, arithmetic] =
+      again && is_sharp_answer(*again)
+          ? Outcome{*again, &PrecisionCount::scalar}
+          : Outcome{decide_once_apart_exactly(kind, points, separation), &PrecisionCount::exact};
   ++(decided_by.*arithmetic);
   return described(kind, points, m, decision);
 }

@@ -25,8 +25,7 @@ bool flies_past(PairKind kind, const PairPoints& points, double separation, cons
   const double part = part_of_beginning(m);
   if (part == 0) return false;
   const auto beginning = make_beginning(kind, points, separation, part);
-  return beginning && is_apart_from_end(kind, *beginning) &&
-         first_within(kind, *beginning, {0, 1}).verdict == Verdict::is_free;
+  return beginning && is_apart_from_end(kind, *beginning) && first_within(kind, *beginning, {0, 1}).is_free();
 }
 
 }  // namespace tamis

@@ -29,7 +29,7 @@ class FineCrossing {
         slope_(slope) {}
 
   /// Newton's method, from the middle of a bracket until its ends are neighbouring doubles.
-  std::optional<TimeInterval<double>> run(TimeInterval<double> bracket) const {
+  std::optional<Decision> run(TimeInterval<double> bracket) const {
     constexpr int kMostLooks = 8;
     bool is_before_known = false, is_after_known = false;
     double t = bracket.t_in + 0.5 * (bracket.t_out - bracket.t_in);
@@ -39,7 +39,8 @@ class FineCrossing {
       const bool is_before = (value.high > 0) != (slope_ > 0);
       (is_before ? is_before_known : is_after_known) = true;
       (is_before ? bracket.t_in : bracket.t_out) = t;
-      if (is_before_known && is_after_known && std::nextafter(bracket.t_in, 2.0) == bracket.t_out) return bracket;
+      if (is_before_known && is_after_known && std::nextafter(bracket.t_in, 2.0) == bracket.t_out)
+        return Decision{Verdict::touches, bracket.t_in, bracket.t_out};
       const double next = t - value.high / crossing::slope(cubic_, t);
       t = next != t ? next : std::nextafter(t, is_before ? 2.0 : -1.0);
     }
@@ -79,19 +80,18 @@ class FineCrossing {
   const double slope_;
 };
 
-/// The neighbouring doubles strictly between which it is; nothing if it may be a double.
-std::optional<TimeInterval<double>> doubles_around(const FineRoot& root) {
+/// Between the neighbouring doubles strictly between which the root is; nothing if it may be a double.
+std::optional<Decision> touches_around(const FineRoot& root) {
   const double before = root.time.low > 0 ? root.time.high : std::nextafter(root.time.high, -1.0);
   const double after = std::nextafter(before, 2.0);
   if (!(root.time - before > 2 * root.radius && Fine(after) - root.time > 2 * root.radius)) return {};
-  return TimeInterval<double>{before, after};
+  return Decision{Verdict::touches, before, after};
 }
 
 }  // namespace
 
-std::optional<TimeInterval<double>> first_crossing_finely(PairKind kind, const PairPoints& points,
-                                                          const PairMotion<double>& m,
-                                                          const TimeInterval<double>& bracket) {
+std::optional<Decision> first_crossing_finely(PairKind kind, const PairPoints& points, const PairMotion<double>& m,
+                                              const TimeInterval<double>& bracket) {
   TAMIS_ASSERT(can_cross(kind) && is_motion_of(m, kind, points));
   const double slope = crossing::least_slope_during(m, bracket);
   if (slope == 0) return {};
@@ -112,8 +112,7 @@ std::optional<Decision> decide_crossing_finely(PairKind kind, const PairPoints& 
   const auto sides = kind == PairKind::vertex_face ? crossing.sides<PairKind::vertex_face>(*root)
                                                    : crossing.sides<PairKind::edge_edge>(*root);
   if (sides.outside) return Decision{};
-  const auto time = sides.inside ? doubles_around(*root) : std::nullopt;
-  return time ? std::optional(Decision{Verdict::touches, time->t_in, time->t_out}) : std::nullopt;
+  return sides.inside ? touches_around(*root) : std::nullopt;
 }
 
 }  // namespace tamis

@@ -40,7 +40,7 @@ class FineSearch {
       : fine_(fine), m_(m), size_(fine.size_d + fine.size_e + fine.size_f) {}
 
   /// Newton's method, from the middle of the bracket until its ends are neighbouring doubles.
-  std::optional<TimeInterval<double>> run(TimeInterval<double> bracket) const {
+  std::optional<Decision> run(TimeInterval<double> bracket) const {
     constexpr int kMostSights = 8;
     const double start = bracket.t_in;
     std::optional<FineSight> before, after;
@@ -53,7 +53,8 @@ class FineSearch {
       (is_before ? before : after) = now;
       (is_before ? bracket.t_in : bracket.t_out) = t;
       if (before && after && std::nextafter(before->time, 2.0) == after->time) {
-        if (was_apart(*before, start) && is_within(*after)) return bracket;
+        if (was_apart(*before, start) && is_within(*after))
+          return Decision{Verdict::touches, bracket.t_in, bracket.t_out};
         break;
       }
       t = next != t ? next : std::nextafter(t, is_before ? 2.0 : -1.0);
@@ -124,13 +125,12 @@ class FineSearch {
 
 }  // namespace
 
-std::optional<TimeInterval<double>> first_within_finely(PairKind kind, const PairPoints& points, double separation,
-                                                        const PairMotion<double>& m,
-                                                        const TimeInterval<double>& bracket) {
+std::optional<Decision> first_within_finely(PairKind kind, const PairPoints& points, double separation,
+                                            const PairMotion<double>& m, const TimeInterval<double>& bracket) {
   const PairMotion<Fine> fine = make_fine_motion(kind, points, separation);
   return with_kind(kind, [&](auto k) {
-    const auto time = FineSearch<k(), WeightsIn::doubles>(fine, m).run(bracket);
-    return time ? time : FineSearch<k(), WeightsIn::double_doubles>(fine, m).run(bracket);
+    const auto decision = FineSearch<k(), WeightsIn::doubles>(fine, m).run(bracket);
+    return decision ? decision : FineSearch<k(), WeightsIn::double_doubles>(fine, m).run(bracket);
   });
 }
 

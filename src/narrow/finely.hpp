@@ -4,18 +4,17 @@
 #pragma once
 #include <optional>
 
+#include "motion/decision.hpp"
 #include "motion/make_motion.hpp"
 #include "motion/time_clip.hpp"
-#include "narrow/subdivide.hpp"
 
 namespace tamis {
 
-/// Neighbouring doubles around the first time at which the pair touches; nothing where double-double does not prove
-/// that. REQUIRES: a kind that can cross; `m` is the motion of `points`, its sizes are finite; the bracket lies in
-/// [0,1]. REQUIRES (not checked: exact): the pair touches in the bracket, and not before.
-std::optional<TimeInterval<double>> first_crossing_finely(PairKind kind, const PairPoints& points,
-                                                          const PairMotion<double>& m,
-                                                          const TimeInterval<double>& bracket);
+/// Touches, between neighbouring doubles around the first time at which it does; nothing where double-double does not
+/// prove that. REQUIRES: a kind that can cross; `m` is the motion of `points`, its sizes are finite; the bracket lies
+/// in [0,1]. REQUIRES (not checked: exact): the pair touches in the bracket, and not before.
+std::optional<Decision> first_crossing_finely(PairKind kind, const PairPoints& points, const PairMotion<double>& m,
+                                              const TimeInterval<double>& bracket);
 
 /// Whether the features meet where the four points are coplanar in the bracket, and then the neighbouring doubles
 /// around that time: of structured meshes most vertices that come to edges do so within rounding. Nothing where
@@ -24,11 +23,11 @@ std::optional<TimeInterval<double>> first_crossing_finely(PairKind kind, const P
 std::optional<Decision> decide_crossing_finely(PairKind kind, const PairPoints& points, const PairMotion<double>& m,
                                                const TimeInterval<double>& bracket);
 
-/// Neighbouring doubles, the pair being apart until the first, and within its separation at the second; nothing where
-/// double-double does not prove that. Costs some twelve thousand instructions. REQUIRES: `m` is the motion of `points`
-/// with that separation, its sizes are finite; the pair is apart on [0, bracket.t_in); the bracket lies in [0,1].
-std::optional<TimeInterval<double>> first_within_finely(PairKind kind, const PairPoints& points, double separation,
-                                                        const PairMotion<double>& m,
-                                                        const TimeInterval<double>& bracket);
+/// Touches, between neighbouring doubles, the pair being apart until the first, and within its separation at the
+/// second; nothing where double-double does not prove that. Costs some twelve thousand instructions. REQUIRES: `m` is
+/// the motion of `points` with that separation, its sizes are finite; the pair is apart on [0, bracket.t_in); the
+/// bracket lies in [0,1].
+std::optional<Decision> first_within_finely(PairKind kind, const PairPoints& points, double separation,
+                                            const PairMotion<double>& m, const TimeInterval<double>& bracket);
 
 }  // namespace tamis

@@ -78,7 +78,7 @@ double fraction_is_left_at(PairKind kind, const PairPoints& points, const Distan
   PairMotion<double> m = make_motion(kind, points, rule.min_separation);
   m.separation = kept(start_bounds(kind, m).low, m, rule.fraction, -1);
   const Decision decision = first_within(kind, m, {lower, 1});
-  return decision.verdict == Verdict::touches ? decision.upper : 1;
+  return decision.touches() ? decision.upper : 1;
 }
 
 DistanceBounds start_distance_bounds(PairKind kind, const PairPoints& points) {

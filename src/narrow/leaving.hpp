@@ -3,8 +3,8 @@
 #pragma once
 #include <optional>
 
+#include "motion/decision.hpp"
 #include "motion/pair_motion.hpp"
-#include "narrow/subdivide.hpp"
 
 namespace tamis {
 

@@ -9,8 +9,9 @@
 namespace tamis {
 namespace {
 
-PairPose<double> pose_of(const PairMotion<double>& m) {
-  return {m.e.at0, m.f.at0, m.d.at0, m.size_e, m.size_f, m.size_d, m.separation};
+template <PairKind kind>
+RestDistance<double> distance_at_start(const PairMotion<double>& m) {
+  return rest_distance<kind>(m.e.at0, m.f.at0, m.d.at0, m.size_d + m.size_e + m.size_f);
 }
 
 /// Of known distance; `unit` as for near_facts.
@@ -27,11 +28,11 @@ NearPair described(const std::array<Index, 4>& vertices, double distance, double
 
 bool is_near(PairKind kind, const PairPoints& points, double separation, PrecisionCount& decided_by) {
   TAMIS_ASSERT(is_finite(points));
-  const PairPose<double> pose = pose_of(make_motion(kind, {points.start, points.start}, separation));
-  const auto rest = with_kind(kind, [&](auto k) { return rest_distance<k()>(pose); });
-  if (rest.low > pose.separation || rest.is_sharp()) {
+  const PairMotion<double> m = make_motion(kind, {points.start, points.start}, separation);
+  const auto rest = with_kind(kind, [&](auto k) { return distance_at_start<k()>(m); });
+  if (rest.low > m.separation || rest.is_sharp()) {
     ++decided_by.scalar;
-    return !(rest.low > pose.separation);
+    return !(rest.low > m.separation);
   }
   ++decided_by.exact;
   return starts_within(kind, points, separation);
@@ -41,7 +42,7 @@ NearPair near_pair(PairKind kind, const std::array<Index, 4>& vertices, const Pa
   TAMIS_ASSERT(is_finite(points));
   const PairMotion<double> m = make_motion(kind, {points.start, points.start}, 1);
   return with_kind(kind, [&](auto k) {
-    const auto rest = rest_distance<k()>(pose_of(m));
+    const auto rest = distance_at_start<k()>(m);
     if (rest.is_sharp())
       return described<k()>(vertices, rest.distance / m.separation, rest.closest.u, rest.closest.v,
                             unit_vector(rest.direction));

@@ -27,7 +27,10 @@ class Advance {
     for (int looks = 0; looks < kMaxLooks && at_.now <= end_;) {
       const double before = at_.now, t = std::min(before + at_.ahead, end_);
       const Sight<double> sight = looker_.sight(t);
-      if (looker_.touches(sight)) return touching(t);
+      if (looker_.touches(sight)) {
+        decision_.add_contact(at_.now, t);
+        return decision_;
+      }
       const Look<double> look = looker_.at(t, sight);
       if (look.until > t)
         pass(look, t);
@@ -71,14 +74,8 @@ class Advance {
     beyond_.reset();
   }
 
-  void add_unsure(double until) {
-    if (decision_.verdict == Verdict::is_free) decision_ = {Verdict::unsure, at_.now, until};
-    decision_.upper = until;
-  }
-
-  Decision touching(double t) const {
-    return {Verdict::touches, decision_.verdict == Verdict::is_free ? at_.now : decision_.lower, t};
-  }
+  /// Times ascend.
+  void add_unsure(double until) { decision_.add_unsure(at_.now, until); }
 
   const Looker<kind, double> looker_;
   const double end_;

@@ -6,9 +6,10 @@
 // lanes, by the same looks (kernels/advance_lanes.hpp).
 #pragma once
 #include "distance/closest.hpp"
-#include "filters/slab_clip.hpp"
+#include "motion/decision.hpp"
 #include "motion/pair_kinds.hpp"
-#include "narrow/subdivide.hpp"
+#include "motion/pair_motion.hpp"
+#include "motion/time_clip.hpp"
 
 namespace tamis {
 

@@ -1,6 +1,5 @@
 #include "narrow/subdivide.hpp"
 
-#include <algorithm>
 #include <array>
 
 #include "distance/turning_gap.hpp"
@@ -58,21 +57,9 @@ class PartStack {
   std::size_t size_ = 0;
 };
 
-/// Keeps the whole answer: an undecided part before a certified one moves only the lower end.
-struct Findings {
-  Decision decision;
-  void add_unsure(double lower, double upper) {
-    if (decision.verdict == Verdict::is_free) decision = {Verdict::unsure, lower, upper};
-    decision.upper = std::max(decision.upper, upper);
-  }
-  void add_contact(double lower, double upper) {
-    decision = {Verdict::touches, decision.verdict == Verdict::is_free ? lower : decision.lower, upper};
-  }
-};
-
 template <PairKind kind>
 Decision subdivide_kind(const PairMotion<double>& m, const TimeInterval<double>& time) {
-  Findings findings;
+  Decision decision;
   PartStack parts(time);
   int coplanar_parts = 0;
   for (int looked_at = 0; !parts.empty(); ++looked_at) {
@@ -80,11 +67,11 @@ Decision subdivide_kind(const PairMotion<double>& m, const TimeInterval<double>&
     const auto c = find_crossing<kind>(m, part);
     if (c.is_free) continue;
     if (c.touches) {
-      findings.add_contact(c.lower, c.upper);
+      decision.add_contact(c.lower, c.upper);
       break;
     }
     if (c.brackets && c.upper - c.lower <= kNarrowBracket) {
-      findings.add_unsure(c.lower, c.upper);  // its sides have said more than NCF could
+      decision.add_unsure(c.lower, c.upper);  // its sides have said more than NCF could
       continue;
     }
     const auto r = restrict_to(m, part.t_in, part.t_out);
@@ -97,11 +84,11 @@ Decision subdivide_kind(const PairMotion<double>& m, const TimeInterval<double>&
         coplanar_parts < kMostCoplanarParts && parts.has_room())
       parts.push_halves(part, cut);
     else if (c.brackets)
-      findings.add_unsure(c.lower, c.upper);
+      decision.add_unsure(c.lower, c.upper);
     else
-      findings.add_unsure(part.t_in, part.t_out);
+      decision.add_unsure(part.t_in, part.t_out);
   }
-  return findings.decision;
+  return decision;
 }
 
 }  // namespace

@@ -5,11 +5,11 @@
 #pragma once
 #include <cmath>
 
+#include "curves/fine_point.hpp"
 #include "distance/closest.hpp"
 #include "filters/dnf.hpp"
 #include "filters/ncf.hpp"
 #include "motion/pair_kinds.hpp"
-#include "paths/fine_point.hpp"
 #include "paths/path_reader.hpp"
 
 namespace tamis {

@@ -109,7 +109,7 @@ class PathSolver {
       PathSolver<kind, DoubleDouble> fine(question_, reader_, {part.from.time, part.to.time}, most_parts);
       const Decision decision = fine.run();
       fine_parts_left_ -= fine.parts_looked_at();
-      return decision.verdict == Verdict::is_free ? std::nullopt : std::optional(decision);
+      return decision.is_free() ? std::nullopt : std::optional(decision);
     } else {
       const bool touches =
           crossing.is_opposite() && part.length() <= question_.tolerance && stays_inside<kind>(widened);
@@ -182,9 +182,9 @@ std::optional<Decision> decide_once_apart_on_path(const PathQuestion& question, 
 
 PairResult result_on_path(const PathQuestion& question, const Decision& decision) {
   PairResult result;
-  if (decision.verdict == Verdict::is_free) return result;
+  if (decision.is_free()) return result;
   result.touches = true;
-  result.certainty = decision.verdict == Verdict::touches ? Certainty::certified : Certainty::unresolved;
+  result.certainty = decision.touches() ? Certainty::certified : Certainty::unresolved;
   result.toi_lower = decision.lower;
   result.toi_upper = decision.upper;
   set_place(result, place_on_path(question, decision));

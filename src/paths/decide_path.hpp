@@ -4,7 +4,8 @@
 #pragma once
 #include <optional>
 
-#include "narrow/subdivide.hpp"
+#include "motion/decision.hpp"
+#include "motion/time_clip.hpp"
 #include "paths/path_reader.hpp"
 
 namespace tamis {

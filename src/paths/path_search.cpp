@@ -170,7 +170,7 @@ double PathSearch::Run::decide(const TimeInterval<double>& piece, std::span<cons
     const PathQuestion of_pair{paths.local(),   pair.kind,       pair.vertices,
                                rule.separation, asked.tolerance, options.is_cancelled};
     Decision decision = decide_on_path(of_pair, piece);
-    const bool may_touch_at_start = decision.verdict != Verdict::is_free && decision.lower == piece.t_in;
+    const bool may_touch_at_start = !decision.is_free() && decision.lower == piece.t_in;
     if (rule.ignores_start && may_touch_at_start && is_together(pair, piece.t_in)) {
       const auto once_apart = decide_once_apart_on_path(of_pair, piece);
       decision = once_apart.value_or(Decision{});

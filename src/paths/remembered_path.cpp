@@ -6,15 +6,15 @@ namespace tamis {
 
 void RememberedPath::points_at(double time, std::span<const Index> vertices, std::span<Point> points,
                                std::span<double> errors) const {
-  const Time* kept = kept_at(time);
+  const Frame* kept = kept_at(time);
   if (!kept || !copy(*kept, vertices, points, errors)) IsolatedPath::points_at(time, vertices, points, errors);
 }
 
-const RememberedPath::Time* RememberedPath::kept_at(double time) const {
-  const auto found = std::find_if(kept_.begin(), kept_.end(), [&](const Time& t) { return t.time == time; });
+const Frame* RememberedPath::kept_at(double time) const {
+  const auto found = std::find_if(kept_.begin(), kept_.end(), [&](const Frame& t) { return t.time == time; });
   if (found != kept_.end()) return &*found;
   if (!was_seen(time) || kept_.size() >= kMostTimesKept) return nullptr;
-  Time& now = kept_.emplace_back(Time{time, std::vector<Point>(used_.size()), std::vector<double>(used_.size())});
+  Frame& now = kept_.emplace_back(Frame{time, std::vector<Point>(used_.size()), std::vector<double>(used_.size())});
   IsolatedPath::points_at(time, used_, now.points, now.errors);
   return &now;
 }
@@ -28,7 +28,7 @@ bool RememberedPath::was_seen(double time) const {
   return false;
 }
 
-bool RememberedPath::copy(const Time& from, std::span<const Index> vertices, std::span<Point> points,
+bool RememberedPath::copy(const Frame& from, std::span<const Index> vertices, std::span<Point> points,
                           std::span<double> errors) const {
   for (std::size_t i = 0; i < vertices.size(); ++i) {
     const auto found = std::lower_bound(used_.begin(), used_.end(), vertices[i]);

@@ -3,6 +3,7 @@
 #pragma once
 #include <vector>
 
+#include "paths/frame.hpp"
 #include "query/isolated.hpp"
 #include "tamis/path.hpp"
 
@@ -46,21 +47,16 @@ class RememberedPath final : public IsolatedPath {
  private:
   static constexpr std::size_t kMostTimesKept = 32, kMostTimesSeen = 32;
 
-  struct Time {
-    double time;
-    std::vector<Point> points;  ///< of the used vertices
-    std::vector<double> errors;
-  };
-
   /// Null where the time is asked for for the first time, or there is no more room.
-  const Time* kept_at(double time) const;
+  const Frame* kept_at(double time) const;
   /// Was it asked for before, among the last times? Remembers that it is now.
   bool was_seen(double time) const;
   /// False if a vertex is not a used one.
-  bool copy(const Time& from, std::span<const Index> vertices, std::span<Point> points, std::span<double> errors) const;
+  bool copy(const Frame& from, std::span<const Index> vertices, std::span<Point> points,
+            std::span<double> errors) const;
 
   const std::vector<Index>& used_;
-  mutable std::vector<Time> kept_;
+  mutable std::vector<Frame> kept_;   ///< of the used vertices, in their order
   mutable std::vector<double> seen_;  ///< asked for once, as most times are; the second time all vertices are kept
   mutable std::size_t oldest_ = 0;    ///< of those
 };

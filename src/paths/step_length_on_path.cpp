@@ -35,7 +35,7 @@ SafeStep PathSearch::find_step_length(const MeshOnPath& asked, Statistics& stati
   if (asked.keep > 0) {
     const PathQuestion question{asked.path, kind, vertices, kept.low, asked.tolerance, options_.is_cancelled};
     const Decision decision = decide_on_path(question, {toi_lower, 1});
-    step.upper = decision.verdict == Verdict::touches ? decision.upper : 1;
+    step.upper = decision.touches() ? decision.upper : 1;
   }
   return step;
 }

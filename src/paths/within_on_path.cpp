@@ -43,7 +43,7 @@ bool touches_at(PairKind kind, const Moment<double>& moment, double separation) 
   const double allowed = separation - position_slack(moment.error);
   if (!(allowed > 0)) return false;
   const auto m = make_motion(kind, points_between(moment, moment), allowed);
-  return first_within(kind, m, {0, 1}).verdict == Verdict::touches;
+  return first_within(kind, m, {0, 1}).touches();
 }
 
 }  // namespace
@@ -59,8 +59,7 @@ PairPoints points_between(const Moment<double>& from, const Moment<double>& to) 
 
 bool is_apart_at(PairKind kind, const Moment<double>& moment, double separation) {
   const double beyond = (separation + position_slack(moment.error)) * kRoundedUp;
-  return first_within(kind, make_motion(kind, points_between(moment, moment), beyond), {0, 1}).verdict ==
-         Verdict::is_free;
+  return first_within(kind, make_motion(kind, points_between(moment, moment), beyond), {0, 1}).is_free();
 }
 
 Decision first_within_on_path(const PathQuestion& question, const PairReader& reader,
@@ -76,7 +75,7 @@ Decision first_within_on_path(const PathQuestion& question, const PairReader& re
     const double slack = slack_of(*part, deviations);
     const auto m = make_motion(kind, points_between(part->from, part->to), separation + slack);
     const Decision chords = first_within(kind, m, {0, 1});
-    if (chords.verdict == Verdict::is_free) continue;
+    if (chords.is_free()) continue;
     const double reached = from + chords.lower * (to - from) * (1 - 0x1p-50) - 0x1p-52 * to;
     const double lower = std::clamp(reached, from, std::nextafter(to, 0.0));
     if (to - lower <= question.tolerance && touches_at(kind, part->to, separation))

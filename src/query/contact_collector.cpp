@@ -37,14 +37,6 @@ void ContactCollector::begin(const Query& query, Bound& bound) {
   ignored_ = 0;
 }
 
-bool ContactCollector::add(PairKind kind, const PairVertices& vertices, const PairResult& result) {
-  return add(kind, vertices, result, false);
-}
-
-bool ContactCollector::add_decided(PairKind kind, const PairVertices& vertices, const PairResult& result) {
-  return add(kind, vertices, result, true);
-}
-
 bool ContactCollector::add(PairKind kind, const PairVertices& vertices, const PairResult& found, bool is_decided) {
   if (!found.touches) return false;
   TAMIS_ASSERT(is_kind(kind) && is_part_of_step(TimeInterval<double>{found.toi_lower, found.toi_upper}));

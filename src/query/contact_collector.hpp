@@ -30,10 +30,9 @@ class ContactCollector {
   /// Takes what was decided of a pair, if it touches and counts: its features are no neighbours; and where the query
   /// ignores the start, one that touches at t=0 is asked whether it touches again once it is apart. Returns true if it
   /// is among the contacts now. REQUIRES: a kind there is, times in [0,1] and in order.
-  bool add(PairKind kind, const PairVertices& vertices, const PairResult& result);
-  /// The same of what decide() says of the pair on the whole step: `earliest` takes it as it is, where it decides
-  /// others anew.
-  bool add_decided(PairKind kind, const PairVertices& vertices, const PairResult& result);
+  /// `is_decided`: it is what decide() says of the pair on the whole step; `earliest` takes it as it is, where it
+  /// decides others anew.
+  bool add(PairKind kind, const PairVertices& vertices, const PairResult& result, bool is_decided = false);
   /// Can this pair still change the answer? Cheap, to be asked before a pair is decided: a pair that touches at t=0
   /// makes all that come behind it in the order of contacts irrelevant, and any contact ends the question is_free.
   bool wants(PairKind kind, const PairVertices& vertices) const;
@@ -63,8 +62,6 @@ class ContactCollector {
   std::uint64_t memory_bytes() const { return contacts_.capacity() * sizeof(Contact); }
 
  private:
-  bool add(PairKind kind, const PairVertices& vertices, const PairResult& result, bool is_decided);
-
   /// Contacts that `earliest` keeps at most before they are reduced to the first one. One that may touch at t=0, where
   /// nothing comes before it, is not kept at all.
   static constexpr std::size_t kMostContactsKept = 1024;

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "bounds/box.hpp"
 #include "numerics/assert.hpp"
 
 namespace tamis {
@@ -14,20 +14,12 @@ constexpr double kSmallPart = 0x1p-8;
 /// What goes so far, for the size of the scene, meets few others on its way.
 constexpr double kOfExtent = 1.0 / 16;
 
-/// Of halves, which do not overflow, the range along the axis where that is widest. `half_of(vertex, axis)`.
+/// Of halves, which do not overflow, half the range along the axis where that is widest. `half_of(vertex, axis)`.
 template <class Half>
 double widest_range(std::span<const Index> points, const Half& half_of) {
-  double widest = 0;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    double low = std::numeric_limits<double>::infinity(), high = -low;
-    for (const Index v : points) {
-      const double half = half_of(v, axis);
-      low = std::min(low, half);
-      high = std::max(high, half);
-    }
-    widest = std::max(widest, 0.5 * high - 0.5 * low);
-  }
-  return widest;
+  Box box;
+  for (const Index v : points) box.include(Point{half_of(v, 0), half_of(v, 1), half_of(v, 2)});
+  return box.half();
 }
 
 }  // namespace

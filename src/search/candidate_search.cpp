@@ -30,16 +30,20 @@ void CandidateConsumer::consume(PairKind kind) {
   if (shared_->left.fetch_sub(filtered.count, std::memory_order_relaxed) < filtered.count) shared_->bound.settle();
 }
 
-std::int64_t CandidateSearch::most_pairs() const { return kMostPairsABlock * workspace_.trees.leaf_blocks(); }
-
 bool CandidateSearch::list(const Query& query, double deviation, float until, PairLists& lists, Statistics& statistics,
                            std::uint64_t most_work) {
-  const std::int64_t most = most_pairs();
+  FeatureTrees& trees = workspace_.trees;
+  const std::int64_t most = kMostPairsABlock * trees.leaf_blocks();
   CandidateQuery asked{query, deviation, most};
-  begin(asked);
+  Separations separations = query.separations;
+  separations.fixed += 2 * deviation;
+  trees.refit_for(query.step, separations);
+  streams_.begin(asked);
   double part = 0;
-  for (const Sample& sample : Samples(workspace_.trees.most_leaf_blocks())) {
-    search(asked, sample, until);
+  for (const Sample& sample : Samples(trees.most_leaf_blocks())) {
+    trees.for_each_kind([&](PairKind kind, const TreeView& a, const TreeView& b) {
+      if (!asked.bound.is_settled()) streams_.search(kind, a, b, sample, until);
+    });
     streams_.finish([&](CandidateConsumer& consumer) { lists.take(consumer.candidates()); });
     part += 1.0 / sample.stride;
     const double work = static_cast<double>(streams_.counts().work(0).pairs);
@@ -50,19 +54,6 @@ bool CandidateSearch::list(const Query& query, double deviation, float until, Pa
   streams_.for_each([](CandidateConsumer& consumer) { consumer.release(); });
   statistics.nodes_visited += streams_.counts().nodes_visited;
   return !asked.bound.is_settled();
-}
-
-void CandidateSearch::begin(CandidateQuery& asked) {
-  Separations separations = asked.query.separations;
-  separations.fixed += 2 * asked.deviation;
-  workspace_.trees.refit_for(asked.query.step, separations);
-  streams_.begin(asked);
-}
-
-void CandidateSearch::search(const CandidateQuery& asked, const Sample& sample, float until) {
-  workspace_.trees.for_each_kind([&](PairKind kind, const TreeView& a, const TreeView& b) {
-    if (!asked.bound.is_settled()) streams_.search(kind, a, b, sample, until);
-  });
 }
 
 }  // namespace tamis

@@ -48,9 +48,9 @@ class CandidateSearch {
   explicit CandidateSearch(Workspace& workspace) : workspace_(workspace), streams_(workspace) {}
 
   /// Adds to `lists`, in no order, all pairs that come within their separations before `until` although vertices
-  /// deviate by up to `deviation` from their place. False: there are more than most_pairs(), or they cost more than
-  /// `most_work` (SearchWork::pairs), or a part of them suggests it, and some are missing. Leaves the trees at
-  /// this step.
+  /// deviate by up to `deviation` from their place. False: there are more than kMostPairsABlock times the blocks, or
+  /// they cost more than `most_work` (SearchWork::pairs), or a part of them suggests it, and some are missing. Leaves
+  /// the trees at this step.
   bool list(const Query& query, double deviation, float until, PairLists& lists, Statistics& statistics,
             std::uint64_t most_work = kAnyWork);
   /// Prepares for a query whose pairs may be in `lists` (`is_listed`). If they are not, plan() says whether lists are
@@ -81,10 +81,6 @@ class CandidateSearch {
   static constexpr std::int64_t kMostPairsABlock = 256;
   /// Samples are uneven: a part may have so much more of what is listed, and cost so much more.
   static constexpr double kSmallestPart = 1.0 / 64, kPartToTry = 0.25;
-
-  std::int64_t most_pairs() const;
-  void begin(CandidateQuery& asked);
-  void search(const CandidateQuery& asked, const Sample& sample, float until);
 
   Workspace& workspace_;
   ThreadStreams<CandidateConsumer> streams_;

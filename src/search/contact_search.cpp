@@ -46,7 +46,8 @@ void ContactSearch::find(const Query& query, ContactCollector& answer, Statistic
 
 /// Lists what may touch within the next steps. False: that is too much.
 bool ContactSearch::list_ahead(const Query& query, Statistics& statistics) {
-  const Query predicted{ahead_.predicted_step(), query.separations, query.filter, query.rings, query.is_cancelled};
+  const auto [start, end] = ahead_.predicted_ends();
+  const Query predicted{{start, end}, query.separations, query.filter, query.rings, query.is_cancelled};
   return ahead_.complete(candidates_.list(predicted, ahead_.slack(), ahead_.until(), ahead_.lists(), statistics,
                                           ahead_.most_work(query.question)));
 }

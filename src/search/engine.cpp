@@ -18,11 +18,11 @@ class TamisEngine final : public Engine {
     contacts_.find(query, answer, statistics);
   }
   SafeStep find_step_length(const Query& query, double fraction, Statistics& statistics) override {
-    return step_lengths().find(query, fraction, statistics);
+    return step_lengths_.find(query, fraction, statistics);
   }
   void find_step_ends(const Query& query, double fraction, std::vector<StepLimit>& ends,
                       Statistics& statistics) override {
-    step_lengths().find_all(query, fraction, ends, statistics);
+    step_lengths_.find_all(query, fraction, ends, statistics);
   }
   void find_near(const Query& query, std::vector<NearPair>& pairs, Statistics& statistics) override {
     proximity_.find(query, pairs, statistics);
@@ -32,20 +32,15 @@ class TamisEngine final : public Engine {
   }
   std::uint64_t memory_bytes() const override {
     return workspace_.memory_bytes() + contacts_.memory_bytes() + proximity_.memory_bytes() +
-           intersections_.memory_bytes() + (step_lengths_ ? step_lengths_->memory_bytes() : 0);
+           intersections_.memory_bytes() + step_lengths_.memory_bytes();
   }
 
  private:
-  StepLengthSearch& step_lengths() {
-    if (!step_lengths_) step_lengths_ = std::make_unique<StepLengthSearch>(workspace_);
-    return *step_lengths_;
-  }
-
   Workspace workspace_;
   ContactSearch contacts_{workspace_};
   ProximitySearch proximity_{workspace_};
   IntersectionSearch intersections_{workspace_};
-  std::unique_ptr<StepLengthSearch> step_lengths_;  ///< made by the first question that needs it: it copies objects
+  StepLengthSearch step_lengths_{workspace_};
 };
 
 }  // namespace

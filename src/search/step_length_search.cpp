@@ -73,16 +73,12 @@ void StepLengthSearch::ask(StepLengthQuery& asked, Statistics& statistics) {
   const bool is_listed = begin(asked, statistics);
   const Stopwatch watch;
   if (is_listed)
-    search_lists();
+    workspace_.trees.for_each_kind([&](PairKind kind, const TreeView&, const TreeView&) {
+      streams_.search(kind, of_start_.lists()[kind], {0, 1}, {0, 1}, 1);
+    });
   else
     search_trees(asked);
   streams_.report(statistics, watch.seconds(), {&SearchCounts::boxes, &SearchCounts::near});
-}
-
-void StepLengthSearch::search_lists() {
-  workspace_.trees.for_each_kind([&](PairKind kind, const TreeView&, const TreeView&) {
-    streams_.search(kind, of_start_.lists()[kind], *Samples().begin(), {0, 1}, 1);
-  });
 }
 
 void StepLengthSearch::search_trees(StepLengthQuery& asked) {

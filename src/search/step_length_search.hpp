@@ -36,7 +36,6 @@ class StepLengthSearch {
   bool begin(StepLengthQuery& asked, Statistics& statistics);
   bool list_near(const Query& query, Statistics& statistics);
   void fit_residuals(StepLengthQuery& asked);
-  void search_lists();
   void search_trees(StepLengthQuery& asked);
   void search(const Sample& sample);
   bool meets_many(const Sample& sample) const;

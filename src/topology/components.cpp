@@ -4,6 +4,7 @@
 
 #include "topology/at.hpp"
 #include "topology/countable.hpp"
+#include "topology/rows.hpp"
 
 namespace tamis {
 namespace {
@@ -46,20 +47,12 @@ Components components_of(const Mesh& mesh) {
 
 IndexRows neighbours_of(const Mesh& mesh) {
   require_countable_ends(mesh.edges().size());
-  IndexRows rows;
-  rows.offsets.assign(at(mesh.vertex_count()) + 1, 0);
-  const auto place = [&](Index v) -> Index& { return rows.offsets[at(v)]; };
-  for (const Edge& e : mesh.edges())
-    for (const Index v : e) ++place(v);
-  Index sum = 0;
-  for (Index& offset : rows.offsets) sum += offset, offset = sum;
-  rows.items.resize(at(sum));
-  // Each row is filled from its end, so that its offset ends at its first item.
-  for (const Edge& e : mesh.edges()) {
-    rows.items[at(--place(e[0]))] = e[1];
-    rows.items[at(--place(e[1]))] = e[0];
-  }
-  return rows;
+  return rows_of(mesh.vertex_count(), [edges = mesh.edges()](const auto& add) {
+    for (std::size_t e = edges.size(); e-- > 0;) {
+      add(edges[e][0], edges[e][1]);
+      add(edges[e][1], edges[e][0]);
+    }
+  });
 }
 
 }  // namespace tamis

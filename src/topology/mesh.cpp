@@ -8,6 +8,7 @@
 #include "tamis/error.hpp"
 #include "topology/at.hpp"
 #include "topology/countable.hpp"
+#include "topology/rows.hpp"
 
 namespace tamis {
 namespace {
@@ -65,21 +66,14 @@ std::vector<FaceSide> collect_sides(Index vertex_count, const std::vector<Face>&
 void close_row(IndexRows& rows) { rows.offsets.push_back(number_of(rows.items.size())); }
 
 IndexRows faces_by_vertex(Index vertex_count, const std::vector<Face>& faces) {
-  IndexRows rows;
-  rows.offsets.assign(at(vertex_count) + 1, 0);
   const auto is_repeated = [](const Face& face, std::size_t k) {
     return (k > 0 && face[k] == face[0]) || (k == 2 && face[2] == face[1]);
   };
-  for (const Face& face : faces)
-    for (std::size_t k = 0; k < 3; ++k)
-      if (!is_repeated(face, k)) ++rows.offsets[at(face[k]) + 1];
-  for (std::size_t v = 0; v < at(vertex_count); ++v) rows.offsets[v + 1] += rows.offsets[v];
-  rows.items.resize(at(rows.offsets.back()));
-  std::vector<Index> next(rows.offsets.begin(), rows.offsets.end() - 1);
-  for (std::size_t f = 0; f < faces.size(); ++f)
-    for (std::size_t k = 0; k < 3; ++k)
-      if (!is_repeated(faces[f], k)) rows.items[at(next[at(faces[f][k])]++)] = static_cast<Index>(f);
-  return rows;
+  return rows_of(vertex_count, [&](const auto& add) {
+    for (std::size_t f = 0; f < faces.size(); ++f)
+      for (std::size_t k = 0; k < 3; ++k)
+        if (!is_repeated(faces[f], k)) add(faces[f][k], static_cast<Index>(f));
+  });
 }
 
 }  // namespace

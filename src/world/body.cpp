@@ -155,7 +155,7 @@ BodyPoints Body::points_at(double time) const {
   const auto place_of = [&](Index v) -> RoundedPlace {
     if (!turns) return rounded_linear(start_of(v), end_of(v), time);
     const Point& x = shape_->points[at(v)];
-    return {place.of(x), place.error_of(std::fabs(x[0]) + std::fabs(x[1]) + std::fabs(x[2]), 0)};
+    return {place.of(x), place.error_of(sum_of_sizes(x), 0)};
   };
   BodyPoints found;
   for (Index v = 0; v < shape_->mesh.vertex_count(); ++v) found.points.push_back(place_of(v).x);

@@ -3,7 +3,7 @@
 #include <memory>
 #include <optional>
 
-#include "paths/chain_motion.hpp"
+#include "curves/chain_motion.hpp"
 #include "tamis/detector.hpp"
 #include "tamis/world.hpp"
 #include "world/body_shape.hpp"

@@ -3,10 +3,10 @@
 #include <cmath>
 #include <string>
 
+#include "curves/rigid_transform.hpp"
 #include "detect/enum_names.hpp"
 #include "kernels/kernels.hpp"
 #include "numerics/finite.hpp"
-#include "paths/rigid_transform.hpp"
 #include "tamis/error.hpp"
 #include "topology/at.hpp"
 #include "topology/mean_edge.hpp"

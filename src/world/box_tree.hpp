@@ -6,7 +6,7 @@
 
 #include "bounds/moving_boxes.hpp"
 #include "bvh/spatial_order.hpp"
-#include "world/box.hpp"
+#include "world/moving_bounds.hpp"
 
 namespace tamis {
 

@@ -1,8 +1,8 @@
 #include "world/carried_boxes.hpp"
 
+#include "curves/fine_point.hpp"
 #include "numerics/assert.hpp"
 #include "numerics/error_bounds.hpp"
-#include "paths/fine_point.hpp"
 #include "topology/at.hpp"
 
 namespace tamis {

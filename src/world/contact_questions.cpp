@@ -24,10 +24,10 @@ std::vector<BodyContact> World::State::contacts(const QueryOptions& asked) {
       asked,
       [&](Gathered& gathered, const Step& step, const QueryOptions& how) {
         // What else is in the mesh depends on earlier questions.
-        return add(DetectorAccess::contacts_by_pair(gathered.detector(), step, how), gathered);
+        return add(gathered.locked()->find_contacts(step, how, true), gathered);
       },
       [&](Gathered& gathered, const CutPath& path, const QueryOptions& how) {
-        return add(DetectorAccess::ask(gathered.detector(), path, how, Question::all_contacts), gathered);
+        return add(gathered.locked()->ask(path, how, Question::all_contacts), gathered);
       });
   std::vector<BodyContact> all = std::move(parts).merged();
   if (asked.at_start == AtStart::fail)
@@ -53,7 +53,7 @@ EarliestBodyContact World::State::earliest(const QueryOptions& asked) {
         return take(gathered.detector().earliest(step, how), gathered);
       },
       [&](Gathered& gathered, const CutPath& path, const QueryOptions& how) {
-        return take(first_of(DetectorAccess::ask(gathered.detector(), path, how, Question::earliest)), gathered);
+        return take(first_of(gathered.locked()->ask(path, how, Question::earliest)), gathered);
       });
   check_start(first, asked);
   return first;
@@ -70,7 +70,7 @@ bool World::State::is_free(const QueryOptions& asked) {
         return is_free = gathered.detector().is_free(step, how);
       },
       [&](Gathered& gathered, const CutPath& path, const QueryOptions& how) {
-        return is_free = DetectorAccess::ask(gathered.detector(), path, how, Question::is_free).empty();
+        return is_free = gathered.locked()->ask(path, how, Question::is_free).empty();
       });
   if (is_free)
     for_each_by_itself(

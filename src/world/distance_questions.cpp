@@ -1,7 +1,6 @@
 // pairs_within, intersections, has_intersection and safe_step of a world.
 #include <algorithm>
 
-#include "detect/detector_access.hpp"
 #include "detect/validate.hpp"
 #include "world/ordered_parts.hpp"
 #include "world/world_state.hpp"
@@ -19,12 +18,9 @@ std::vector<BodyNearPair> World::State::pairs_within(double distance) {
     add(itself.pairs_within(body.deforming()->start, distance), id);
     return true;
   });
-  gather_at_rest(distance);
-  if (at_rest_.is_asked()) {
-    Gathered& gathered = *at_rest_.gathered;
+  ask_at_rest(distance, [&](Gathered& gathered) {
     add(gathered.detector().pairs_within(gathered.start(bodies), distance), gathered);
-    add_statistics(gathered.detector().statistics());
-  }
+  });
   return std::move(parts).merged();
 }
 
@@ -35,27 +31,20 @@ std::vector<BodyIntersection> World::State::intersections() {
     parts.end_part();
     return true;
   });
-  gather_at_rest(0);
-  if (at_rest_.is_asked()) {
-    Gathered& gathered = *at_rest_.gathered;
-    for (const Intersection& one :
-         DetectorAccess::intersections_by_pair(gathered.detector(), gathered.start(bodies), Question::all_contacts))
+  ask_at_rest(0, [&](Gathered& gathered) {
+    const auto state = gathered.locked();
+    for (const Intersection& one : state->find_intersections(gathered.start(bodies), Question::all_contacts, true))
       parts.add(gathered.named(one));
     parts.end_part();
-    add_statistics(gathered.detector().statistics());
-  }
+  });
   return std::move(parts).merged();
 }
 
 bool World::State::has_intersection() {
-  gather_at_rest(0);
   bool has_one = false;
-  if (at_rest_.is_asked()) {
-    Gathered& gathered = *at_rest_.gathered;
-    has_one =
-        !DetectorAccess::intersections_by_pair(gathered.detector(), gathered.start(bodies), Question::is_free).empty();
-    add_statistics(gathered.detector().statistics());
-  }
+  ask_at_rest(0, [&](Gathered& gathered) {
+    has_one = !gathered.locked()->find_intersections(gathered.start(bodies), Question::is_free, true).empty();
+  });
   if (!has_one)
     for_each_by_itself([&](BodyId, Body& body, Detector& itself) {
       has_one = itself.has_intersection(body.deforming()->start);
@@ -85,7 +74,7 @@ BodyStep World::State::safe_step(double fraction, const QueryOptions& asked) {
         return take(gathered.detector().safe_step(step, fraction, how), gathered);
       },
       [&](Gathered& gathered, const CutPath& path, const QueryOptions& how) {
-        return take(DetectorAccess::safe_step(gathered.detector(), path, fraction, how), gathered);
+        return take(gathered.locked()->safe_step(path, fraction, how), gathered);
       });
   if (asked.at_start == AtStart::fail && first.pair && first.lower == 0)
     refuse_touching_start(first.pair->kind, first.pair->vertices, first.pair->bodies);

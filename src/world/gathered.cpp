@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "detect/detector_access.hpp"
 #include "topology/at.hpp"
 
 namespace tamis {
@@ -41,14 +40,11 @@ Detector Gathered::make_detector(const BodyList& bodies, const MeetingRules& rul
   set_groups(bodies, rules, of_mesh);
   Mesh mesh(static_cast<Index>(vertices_.size()), std::move(faces_), edges_, std::move(points_));
   edges_ = {};
-  return DetectorAccess::make(std::move(mesh), std::move(of_mesh), radii(bodies));
-}
-
-std::vector<double> Gathered::radii(const BodyList& bodies) const {
+  Detector detector(std::move(mesh), std::move(of_mesh));
   std::vector<double> radii;
-  radii.reserve(vertices_.size());
   for (const Vertex& vertex : vertices_) radii.push_back(body_of(bodies, vertex.body).radius());
-  return radii;
+  DetectorAccess::lock(detector)->set_radii(std::move(radii));
+  return detector;
 }
 
 void Gathered::add(BodyId id, const Body& body, const IndexSet& items) {

@@ -3,6 +3,7 @@
 #include <set>
 #include <vector>
 
+#include "detect/detector_state.hpp"
 #include "query/pair_rules.hpp"
 #include "tamis/detector.hpp"
 #include "world/near_items.hpp"
@@ -39,6 +40,8 @@ class Gathered {
   BodyIntersection named(const Intersection& intersection) const;
 
   Detector& detector() { return detector_; }
+  /// Its detector's state, for one question.
+  auto locked() const { return DetectorAccess::lock(detector_); }
   std::uint64_t memory_bytes() const;
 
  private:
@@ -50,8 +53,6 @@ class Gathered {
   void add(BodyId id, const Body& body, const IndexSet& items);
   Detector make_detector(const BodyList& bodies, const MeetingRules& rules, const Options& options);
   void set_groups(const BodyList& bodies, const MeetingRules& rules, Options& options) const;
-  /// Of all vertices: those of their bodies.
-  std::vector<double> radii(const BodyList& bodies) const;
 
   const NearItems items_;
   std::vector<MotionKind> motion_kinds_;  ///< of its bodies, ascending

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <limits>
 
+#include "curves/fine_point.hpp"
 #include "numerics/error_bounds.hpp"
-#include "paths/fine_point.hpp"
 #include "paths/mesh_pieces.hpp"
 #include "query/cancellation.hpp"
 #include "topology/at.hpp"
@@ -22,7 +22,7 @@ constexpr double kMostMoreInEdges = 64;  // where that is all there is, too
 /// It is gathered anew once so few of the items that it was made for may touch; each so manieth search counts them.
 constexpr std::size_t kShrunk = 4;
 constexpr int kSearchesACount = 16;
-constexpr double kEndsOfStep[] = {0, 1}, kEndsOfRest[] = {0, 0};
+constexpr double kEndsOfStep[] = {0, 1};
 
 bool is_straight(const Body& a, const Body& b) {
   return a.motion_kind() != MotionKind::turning && b.motion_kind() != MotionKind::turning;
@@ -165,12 +165,6 @@ void World::State::gather_moving(const Reach& reach) {
   gather(straight_, reach, is_straight, near, kEndsOfStep);
   times_ = times_of_pieces(only(is_turning, near));
   gather(turning_, reach, is_turning, near, times_);
-}
-
-void World::State::gather_at_rest(double distance) {
-  const Reach reach{distance};
-  const auto any = [](const Body&, const Body&) { return true; };
-  gather(at_rest_, reach, any, near_bodies(reach, 0, true), kEndsOfRest);
 }
 
 }  // namespace tamis

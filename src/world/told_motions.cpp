@@ -12,8 +12,6 @@
 namespace tamis {
 namespace {
 
-bool is_finite_pose(const Pose& pose) { return is_finite(pose.position) && is_finite(pose.rotation); }
-
 /// Radians of a step, of all links together: one a piece. On longer pieces chords prove little, and what they leave is
 /// cut on pair by pair (docs/worlds.md, "How far a body may turn").
 constexpr double kMostTurn = kMostPieces;
@@ -24,7 +22,6 @@ constexpr double kLongestRotation = 0x1p32;
 constexpr double kSurelyNear = 0x1p40;
 constexpr std::size_t kSurelyFew = 100;
 
-double size_of_sum(const Point& x) { return std::fabs(x[0]) + std::fabs(x[1]) + std::fabs(x[2]); }
 bool is_surely_near(const Point& x) {
   return std::ranges::all_of(x, [](double c) { return std::fabs(c) <= kSurelyNear; });
 }
@@ -67,7 +64,7 @@ void Body::validate(const BodyMotion& motion) const {
   const std::string name = "body " + std::to_string(id_);
   const Chain chain = chain_of(motion);
   for (const Link& link : chain)
-    if (!is_finite_pose(link.start) || !is_finite_pose(link.end))
+    if (!is_finite(link.start) || !is_finite(link.end))
       throw InvalidStep("a pose of " + name + " is not finite: give finite positions and rotation vectors");
   const auto* deforming = std::get_if<Deforming>(&motion);
   if (!deforming) {
@@ -94,7 +91,7 @@ void Body::validate_far(const Chain& chain) const {
   for (const auto& [time, when] : {std::pair(0, "start"), std::pair(1, "end")}) {
     const RoundedTransform place = ChainsAt(time).of(links);
     const auto is_known = [&](const Point& x) {  // what does not turn goes straight from double to double
-      return is_finite(place.of(x)) && (!bounds.turns() || std::isfinite(place.error_of(size_of_sum(x), 0)));
+      return is_finite(place.of(x)) && (!bounds.turns() || std::isfinite(place.error_of(sum_of_sizes(x), 0)));
     };
     for (const Index v : shape_->mesh.points())
       if (!is_known(shape_->points[at(v)]))

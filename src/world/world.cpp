@@ -110,45 +110,29 @@ void World::set_may_touch(BodyId a, BodyId b, bool may_touch) {
 }
 
 std::vector<BodyContact> World::contacts(const QueryOptions& options) {
-  State& now = state();
-  return now.answer([&] { return now.contacts(options); });
+  return state().answer(&State::contacts, options);
 }
 
-EarliestBodyContact World::earliest(const QueryOptions& options) {
-  State& now = state();
-  return now.answer([&] { return now.earliest(options); });
-}
+EarliestBodyContact World::earliest(const QueryOptions& options) { return state().answer(&State::earliest, options); }
 
 std::vector<EarliestBodyContact> World::earliest_many(std::span<const BodyId> bodies,
                                                       std::span<const BodyMotion> motions,
                                                       const QueryOptions& options) {
-  State& now = state();
-  return now.answer([&] { return now.earliest_many(bodies, motions, options); });
+  return state().answer(&State::earliest_many, bodies, motions, options);
 }
 
-bool World::is_free(const QueryOptions& options) {
-  State& now = state();
-  return now.answer([&] { return now.is_free(options); });
-}
+bool World::is_free(const QueryOptions& options) { return state().answer(&State::is_free, options); }
 
 std::vector<BodyNearPair> World::pairs_within(double distance) {
-  State& now = state();
-  return now.answer([&] { return now.pairs_within(distance); });
+  return state().answer(&State::pairs_within, distance);
 }
 
-std::vector<BodyIntersection> World::intersections() {
-  State& now = state();
-  return now.answer([&] { return now.intersections(); });
-}
+std::vector<BodyIntersection> World::intersections() { return state().answer(&State::intersections); }
 
-bool World::has_intersection() {
-  State& now = state();
-  return now.answer([&] { return now.has_intersection(); });
-}
+bool World::has_intersection() { return state().answer(&State::has_intersection); }
 
 BodyStep World::safe_step(double fraction, const QueryOptions& options) {
-  State& now = state();
-  return now.answer([&] { return now.safe_step(fraction, options); });
+  return state().answer(&State::safe_step, fraction, options);
 }
 
 const Statistics& World::statistics() const {

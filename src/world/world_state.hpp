@@ -37,14 +37,14 @@ struct World::State {
   Statistics statistics;
   std::atomic_flag is_asked;
 
-  /// What ask() returns; one at a time.
-  template <class Ask>
-  auto answer(const Ask& ask) {
+  /// What `ask`, a function of the state, returns of these; one at a time.
+  template <class Ask, class... Of>
+  auto answer(const Ask& ask, const Of&... of) {
     const Turn turn(is_asked);
     statistics = {};
     begin();
     const Stopwatch watch;
-    auto result = ask();
+    auto result = std::invoke(ask, *this, of...);
     statistics.seconds.total = watch.seconds();
     statistics.memory_bytes = memory_bytes();
     return result;
@@ -114,7 +114,6 @@ struct World::State {
   std::optional<Margin> margin_of(const std::vector<BodyPair>& pairs, const Reach& reach, double more) const;
   /// Those of bodies that move.
   void gather_moving(const Reach& reach);
-  void gather_at_rest(double distance);
   /// Ends of the pieces on which bodies that turn are asked about, beginning with 0.
   std::vector<double> times_of_pieces(const std::vector<BodyPair>& pairs) const;
   /// f(id, body, detector) of each body that may touch itself, until one returns false.
@@ -124,6 +123,9 @@ struct World::State {
   /// on_path(gathered, cut path, options) of what turns.
   template <class OnStep, class OnPath>
   void for_each_gathered(const QueryOptions& asked, const OnStep& on_step, const OnPath& on_path);
+  /// ask(gathered) of what comes within the distance at the start, if there is anything.
+  template <class Ask>
+  void ask_at_rest(double distance, const Ask& ask);
   void add_statistics(const Statistics& of_part);
   /// Of a contact, or of what ends a step.
   [[noreturn]] void refuse_touching_start(PairKind kind, const PairVertices& vertices,
@@ -163,6 +165,17 @@ void World::State::for_each_by_itself(const F& f) {
     add_statistics(body->itself(options).statistics());
     if (!goes_on) return;
   }
+}
+
+template <class Ask>
+void World::State::ask_at_rest(double distance, const Ask& ask) {
+  constexpr double kEndsOfRest[] = {0, 0};
+  const Reach reach{distance};
+  const auto any = [](const Body&, const Body&) { return true; };
+  gather(at_rest_, reach, any, near_bodies(reach, 0, true), kEndsOfRest);
+  if (!at_rest_.is_asked()) return;
+  ask(*at_rest_.gathered);
+  add_statistics(at_rest_.gathered->detector().statistics());
 }
 
 template <class OnStep, class OnPath>

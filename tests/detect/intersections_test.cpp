@@ -50,7 +50,7 @@ TEST_P(IntersectionsOf, AreThoseOfEveryEdgeWithEveryFace) {
     const Scene scene = GetParam().make(60, 5 + seed);
     const Mesh mesh = scene.mesh();
     const Found truth = truth_by(mesh, scene.end, [](const auto& start, const auto& end) {
-      return decide_exactly(PairKind::vertex_face, {start, end}).touches;
+      return decide_exactly(PairKind::vertex_face, {start, end}).touches();
     });
     for (const Method method : kMethods) {
       lab::Options options;

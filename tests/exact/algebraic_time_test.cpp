@@ -30,8 +30,8 @@ void expect_brackets_until(double latest, const IntegerPolynomial& p, const Brac
   auto roots = roots_in_unit_interval(p, latest);
   ASSERT_LE(roots.size(), expected.size());
   for (std::size_t i = 0; i < roots.size(); ++i) {
-    EXPECT_EQ(roots[i].bracket().lower, expected[i].first) << "until " << latest;
-    EXPECT_EQ(roots[i].bracket().upper, expected[i].second) << "until " << latest;
+    EXPECT_EQ(roots[i].bracket().t_in, expected[i].first) << "until " << latest;
+    EXPECT_EQ(roots[i].bracket().t_out, expected[i].second) << "until " << latest;
   }
   if (roots.size() < expected.size()) {
     EXPECT_GT(expected[roots.size()].second, latest);

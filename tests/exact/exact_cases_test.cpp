@@ -10,29 +10,29 @@ namespace {
 
 using Points = std::array<Point, 4>;
 
-ExactDecision vf(const Points& start, const Points& end) { return decide_exactly(PairKind::vertex_face, {start, end}); }
-ExactDecision ee(const Points& start, const Points& end) { return decide_exactly(PairKind::edge_edge, {start, end}); }
+Decision vf(const Points& start, const Points& end) { return decide_exactly(PairKind::vertex_face, {start, end}); }
+Decision ee(const Points& start, const Points& end) { return decide_exactly(PairKind::edge_edge, {start, end}); }
 
-void expect_free(const ExactDecision& decision) { EXPECT_FALSE(decision.touches); }
+void expect_free(const Decision& decision) { EXPECT_FALSE(decision.touches()); }
 
 /// The first time is the double `time`.
-void expect_at(double time, const ExactDecision& decision) {
-  EXPECT_TRUE(decision.touches);
-  EXPECT_EQ(decision.toi_lower, time);
-  EXPECT_EQ(decision.toi_upper, time);
+void expect_at(double time, const Decision& decision) {
+  EXPECT_TRUE(decision.touches());
+  EXPECT_EQ(decision.lower, time);
+  EXPECT_EQ(decision.upper, time);
 }
 
 /// The first time is no double and lies within half a spacing of `nearest`.
-void expect_near(double nearest, const ExactDecision& decision) {
-  EXPECT_TRUE(decision.touches);
-  EXPECT_EQ(decision.toi_upper, std::nextafter(decision.toi_lower, 2.0));
-  EXPECT_TRUE(decision.toi_lower == nearest || decision.toi_upper == nearest);
+void expect_near(double nearest, const Decision& decision) {
+  EXPECT_TRUE(decision.touches());
+  EXPECT_EQ(decision.upper, std::nextafter(decision.lower, 2.0));
+  EXPECT_TRUE(decision.lower == nearest || decision.upper == nearest);
 }
 
 const Points kFace{{{0, 0, 0}, {0, 0, 0}, {4, 0, 0}, {0, 4, 0}}};
 
 /// The vertex moves, the face (0,0,0), (4,0,0), (0,4,0) stands still.
-ExactDecision point_to_face(const Point& from, const Point& to) {
+Decision point_to_face(const Point& from, const Point& to) {
   Points start = kFace, end = kFace;
   start[0] = from;
   end[0] = to;
@@ -40,7 +40,7 @@ ExactDecision point_to_face(const Point& from, const Point& to) {
 }
 
 /// Edge a moves, edge b from (-1,0,0) to (1,0,0) stands still.
-ExactDecision edge_to_edge(const std::array<Point, 2>& from, const std::array<Point, 2>& to) {
+Decision edge_to_edge(const std::array<Point, 2>& from, const std::array<Point, 2>& to) {
   const Point b0{-1, 0, 0}, b1{1, 0, 0};
   return ee({from[0], from[1], b0, b1}, {to[0], to[1], b0, b1});
 }
@@ -57,7 +57,7 @@ TEST(ExactTime, is_enclosed_by_neighbours_where_the_root_is_rational) {
 }
 
 /// The face (0,0,0), (4,0,0), (0,4,0) tilts: its plane is z = t x. The vertex goes from `from` to `to`.
-ExactDecision point_to_tilting_face(const Point& from, const Point& to) {
+Decision point_to_tilting_face(const Point& from, const Point& to) {
   Points start = kFace, end = kFace;
   end[2][2] = 4;
   start[0] = from;

@@ -55,8 +55,8 @@ TEST(ExactStress, no_contact_made_on_purpose_is_missed) {
     Motion m = on_lattice(random);
     const double t = eighths(random);
     make_touch(kind, m, t, random);
-    const ExactDecision decision = decide_exactly(kind, to_points(m));
-    ASSERT_TRUE(decision.touches && decision.toi_lower <= t) << t << "\n" << describe(kind, m);
+    const Decision decision = decide_exactly(kind, to_points(m));
+    ASSERT_TRUE(decision.touches() && decision.lower <= t) << t << "\n" << describe(kind, m);
   }
 }
 
@@ -73,7 +73,7 @@ TEST(ExactStress, no_pair_kept_apart_by_a_plane_touches) {
         const double above = random.coin() ? 0 : random.below(3) * 0.5, side = k < split(kind) ? 1 : -1;
         p[0] = slope_y * p[1] + slope_z * p[2] + side * above + (k < split(kind) ? 0x1p-30 : 0);
       }
-    ASSERT_FALSE(decide_exactly(kind, to_points(m)).touches) << describe(kind, m);
+    ASSERT_FALSE(decide_exactly(kind, to_points(m)).touches()) << describe(kind, m);
   }
 }
 

@@ -45,19 +45,19 @@ enum class Course { as_usual, one_span, returns };
 
 Course course_of(PairKind kind, const Motion& m, double separation) {
   const PairPoints points = to_points(m);
-  const ExactDecision decision = decide_once_apart_exactly(kind, points, separation);
+  const Decision decision = decide_once_apart_exactly(kind, points, separation);
   if (!touches_during(kind, m, separation, {0, 0})) {
-    const ExactDecision usual = decide_exactly(kind, points, separation);
-    EXPECT_EQ(decision.touches, usual.touches);
-    EXPECT_EQ(decision.toi_lower, usual.toi_lower);
-    EXPECT_EQ(decision.toi_upper, usual.toi_upper);
+    const Decision usual = decide_exactly(kind, points, separation);
+    EXPECT_EQ(decision.touches(), usual.touches());
+    EXPECT_EQ(decision.lower, usual.lower);
+    EXPECT_EQ(decision.upper, usual.upper);
     return Course::as_usual;
   }
-  if (!decision.touches) {
+  if (!decision.touches()) {
     expect_one_span(kind, m, separation, {});
     return Course::one_span;
   }
-  const double lower = decision.toi_lower, upper = decision.toi_upper;
+  const double lower = decision.lower, upper = decision.upper;
   EXPECT_TRUE(0 <= lower && lower <= upper && upper <= 1 && upper > 0);
   EXPECT_TRUE(lower == upper || std::nextafter(lower, 2.0) == upper);
   EXPECT_TRUE(touches_during(kind, m, separation, {lower, upper})) << "not within the bracket";
@@ -107,17 +107,17 @@ Motion turning(PairKind kind) {
 TEST(OnceApart, ATouchThatComesBackCounts) {
   for (const PairKind kind : {PairKind::vertex_face, PairKind::edge_edge, PairKind::vertex_edge}) {
     const PairPoints points = to_points(turning(kind));
-    EXPECT_EQ(decide_exactly(kind, points).toi_upper, 0);
-    const ExactDecision again = decide_once_apart_exactly(kind, points);
-    EXPECT_TRUE(again.touches);
-    EXPECT_EQ(again.toi_lower, 0.5);
-    EXPECT_EQ(again.toi_upper, 0.5);
+    EXPECT_EQ(decide_exactly(kind, points).upper, 0);
+    const Decision again = decide_once_apart_exactly(kind, points);
+    EXPECT_TRUE(again.touches());
+    EXPECT_EQ(again.lower, 0.5);
+    EXPECT_EQ(again.upper, 0.5);
     // Within a separation that it does not leave on the way there, and within one that it leaves and comes back to.
-    EXPECT_FALSE(decide_once_apart_exactly(kind, points, 0.25).touches);
-    const ExactDecision near = decide_once_apart_exactly(kind, points, 0x1p-8);
-    EXPECT_TRUE(near.touches);
-    EXPECT_GT(near.toi_lower, 0.25);
-    EXPECT_LT(near.toi_upper, 0.5);
+    EXPECT_FALSE(decide_once_apart_exactly(kind, points, 0.25).touches());
+    const Decision near = decide_once_apart_exactly(kind, points, 0x1p-8);
+    EXPECT_TRUE(near.touches());
+    EXPECT_GT(near.lower, 0.25);
+    EXPECT_LT(near.upper, 0.5);
   }
 }
 
@@ -126,12 +126,12 @@ TEST(OnceApart, WhatSlidesInContactCountsWhenItHasComeOffAndMeetsAgain) {
   // On a line: one end of the edge passes the point at t = 1/4, the other at t = 1/2.
   const Motion m{{kOrigin, Point{-1, 0, 0}, Point{1, 0, 0}, kOrigin},
                  {kOrigin, Point{1, 0, 0}, Point{-3, 0, 0}, kOrigin}};
-  const ExactDecision again = decide_once_apart_exactly(PairKind::vertex_edge, to_points(m));
-  EXPECT_TRUE(again.touches);
-  EXPECT_EQ(again.toi_lower, 0.5);
-  EXPECT_EQ(again.toi_upper, 0.5);
+  const Decision again = decide_once_apart_exactly(PairKind::vertex_edge, to_points(m));
+  EXPECT_TRUE(again.touches());
+  EXPECT_EQ(again.lower, 0.5);
+  EXPECT_EQ(again.upper, 0.5);
   const Motion off{m.start, {kOrigin, Point{-9, 0, 0}, Point{-3, 0, 0}, kOrigin}};
-  EXPECT_FALSE(decide_once_apart_exactly(PairKind::vertex_edge, to_points(off)).touches);
+  EXPECT_FALSE(decide_once_apart_exactly(PairKind::vertex_edge, to_points(off)).touches());
 }
 
 // Catches a contact of what never comes apart, at rest against each other or within a separation.
@@ -142,10 +142,10 @@ TEST(OnceApart, WhatNeverComesApartIsNoContact) {
     if (kind == PairKind::vertex_vertex) m.start[1] = kOrigin;
     m.end = m.start;
     for (const double separation : {0.0, 0x1p-8, 2.0}) {
-      EXPECT_FALSE(decide_once_apart_exactly(kind, to_points(m), separation).touches);
+      EXPECT_FALSE(decide_once_apart_exactly(kind, to_points(m), separation).touches());
       Motion carried = m;
       for (Point& p : carried.end) p[2] += up[2];
-      EXPECT_FALSE(decide_once_apart_exactly(kind, to_points(carried), separation).touches);
+      EXPECT_FALSE(decide_once_apart_exactly(kind, to_points(carried), separation).touches());
     }
   }
 }
@@ -154,8 +154,8 @@ TEST(OnceApart, WhatNeverComesApartIsNoContact) {
 TEST(OnceApart, WhatPassesThroughFromTheVeryTouchIsNoContact) {
   const Motion m{{Point{0.25, 0.25, 0}, Point{0, 0, 0}, Point{1, 0, 0}, Point{0, 1, 0}},
                  {Point{0.25, 0.25, -1}, Point{0, 0, 0}, Point{1, 0, 0}, Point{0, 1, 0}}};
-  EXPECT_EQ(decide_exactly(PairKind::vertex_face, to_points(m)).toi_upper, 0);
-  EXPECT_FALSE(decide_once_apart_exactly(PairKind::vertex_face, to_points(m)).touches);
+  EXPECT_EQ(decide_exactly(PairKind::vertex_face, to_points(m)).upper, 0);
+  EXPECT_FALSE(decide_once_apart_exactly(PairKind::vertex_face, to_points(m)).touches());
 }
 
 // Catches a touch at the very end of the step that is taken for the end of nothing.
@@ -163,9 +163,9 @@ TEST(OnceApart, AReturnAtTheEndOfTheStepCounts) {
   Motion m = turning(PairKind::edge_edge);
   for (std::size_t i = 0; i < 4; ++i)
     for (std::size_t k = 0; k < 3; ++k) m.end[i][k] = 0.5 * m.start[i][k] + 0.5 * m.end[i][k];
-  const ExactDecision again = decide_once_apart_exactly(PairKind::edge_edge, to_points(m));
-  EXPECT_TRUE(again.touches);
-  EXPECT_EQ(again.toi_lower, 1);
+  const Decision again = decide_once_apart_exactly(PairKind::edge_edge, to_points(m));
+  EXPECT_TRUE(again.touches());
+  EXPECT_EQ(again.lower, 1);
 }
 
 }  // namespace

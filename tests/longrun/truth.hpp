@@ -26,7 +26,7 @@ class Truth {
   Judge judge_;
   PairKind kind_;
   const oracle::Motion& motion_;
-  ExactDecision exact_;
+  Decision exact_;
   bool touches_;
 };
 

@@ -41,7 +41,7 @@ TEST(CoplanarPairs, AreDecidedAsIntegersDecideThem) {
     PrecisionCount decided_by;
     for (int i = 0; i < 3000 && !HasFailure(); ++i) {
       const PairPoints points = in_one_plane(random);
-      const bool touches = decide_exactly(kind, points).touches;
+      const bool touches = decide_exactly(kind, points).touches();
       EXPECT_EQ(decide(kind, points, {}, decided_by).touches, touches) << describe(kind, {points.start, points.end});
       ++(touches ? touching : free);
     }

@@ -37,7 +37,7 @@ TEST(FarFlight, IsFreeOnlyWhereExactAlgebraSaysSo) {
       const int exponent = std::array{25, 60, 400, 1000}[static_cast<std::size_t>(i % 4)];
       const PairPoints points = to_points(far_flight(kind, random, exponent, is_together));
       const double separation = std::ldexp(1 + random.unit(), -random.below(12));
-      const bool touches = decide_exactly(kind, points, separation).touches;
+      const bool touches = decide_exactly(kind, points, separation).touches();
       const bool is_proven = flies_past(kind, points, separation, make_motion(kind, points, separation));
       EXPECT_FALSE(touches && is_proven) << describe(kind, {points.start, points.end}) << "\n separation "
                                          << separation;
@@ -54,7 +54,7 @@ TEST(FarFlight, AsksForTheRestOfTheStep) {
   const PairPoints points{{{{0.25, 0.25, 1}, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}}},
                           {{{0.25, 0.25, -1}, {0, 0, 0}, {1, 0, 0}, {0, 0x1p40, 0}}}};
   constexpr double kSeparation = 0x1p-5;
-  ASSERT_TRUE(decide_exactly(PairKind::vertex_face, points, kSeparation).touches);
+  ASSERT_TRUE(decide_exactly(PairKind::vertex_face, points, kSeparation).touches());
   EXPECT_FALSE(
       flies_past(PairKind::vertex_face, points, kSeparation, make_motion(PairKind::vertex_face, points, kSeparation)));
 }

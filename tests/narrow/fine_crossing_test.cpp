@@ -34,15 +34,15 @@ void for_each_case(Random& random, const F& f) {
 
 /// In a bracket that begins up to `around` ahead of the first time, and ends as much after it.
 void compare_crossing(PairKind kind, const PairPoints& points, double around, Compared& counts) {
-  const ExactDecision exact = decide_exactly(kind, points);
-  if (!exact.touches || exact.toi_lower == 0) return;
-  const TimeInterval<double> bracket{std::max(exact.toi_lower - around, 0.), std::min(exact.toi_upper + around, 1.)};
+  const Decision exact = decide_exactly(kind, points);
+  if (!exact.touches() || exact.lower == 0) return;
+  const TimeInterval<double> bracket{std::max(exact.lower - around, 0.), std::min(exact.upper + around, 1.)};
   const auto fine = first_crossing_finely(kind, points, make_motion(kind, points), bracket);
   ++counts.asked;
   if (!fine) return;
   ++counts.answered;
-  EXPECT_EQ(fine->t_in, exact.toi_lower) << describe(kind, {points.start, points.end});
-  EXPECT_EQ(fine->t_out, exact.toi_upper) << describe(kind, {points.start, points.end});
+  EXPECT_EQ(fine->lower, exact.lower) << describe(kind, {points.start, points.end});
+  EXPECT_EQ(fine->upper, exact.upper) << describe(kind, {points.start, points.end});
 }
 
 // Bugs: a time that is exact is taken for one between doubles (grazing, dyadic times); a bound on the error that is too
@@ -70,18 +70,18 @@ TEST(FineCrossing, AnswersNearlyAllOrdinaryPairs) {
 
 /// In brackets around the first time, or, of a pair that does not touch, around any time.
 void compare_decision(PairKind kind, const PairPoints& points, double time, double around, Compared& counts) {
-  const ExactDecision exact = decide_exactly(kind, points);
-  if (exact.touches && exact.toi_lower == 0) return;
-  const double middle = exact.touches ? exact.toi_lower : time;
+  const Decision exact = decide_exactly(kind, points);
+  if (exact.touches() && exact.lower == 0) return;
+  const double middle = exact.touches() ? exact.lower : time;
   const TimeInterval<double> bracket{std::max(middle - around, 0.), std::min(middle + around + 0x1p-52, 1.)};
   const auto fine = decide_crossing_finely(kind, points, make_motion(kind, points), bracket);
   ++counts.asked;
   if (!fine) return;
   ++counts.answered;
-  EXPECT_EQ(fine->verdict == Verdict::touches, exact.touches) << describe(kind, {points.start, points.end});
-  if (!exact.touches || fine->verdict != Verdict::touches) return;
-  EXPECT_EQ(fine->lower, exact.toi_lower) << describe(kind, {points.start, points.end});
-  EXPECT_EQ(fine->upper, exact.toi_upper) << describe(kind, {points.start, points.end});
+  EXPECT_EQ(fine->touches(), exact.touches()) << describe(kind, {points.start, points.end});
+  if (!exact.touches() || !fine->touches()) return;
+  EXPECT_EQ(fine->lower, exact.lower) << describe(kind, {points.start, points.end});
+  EXPECT_EQ(fine->upper, exact.upper) << describe(kind, {points.start, points.end});
 }
 
 // Bugs: a margin of the sides that is too small, or of where the root is; a root outside the bracket, or none, is taken
@@ -116,13 +116,13 @@ TEST(FineCrossing, DecidesWhatMeetsASideWithinRounding) {
   Compared counts;
   for (int i = 0; i < 1000; ++i) {
     const PairPoints points = falls_on_a_side(random);
-    const ExactDecision exact = decide_exactly(PairKind::vertex_face, points);
+    const Decision exact = decide_exactly(PairKind::vertex_face, points);
     const PairResult result = decide(PairKind::vertex_face, points, {}, decided_by);
-    counts.answered += exact.touches;
-    ASSERT_EQ(result.touches, exact.touches) << describe(PairKind::vertex_face, {points.start, points.end});
-    if (!exact.touches) continue;
-    EXPECT_EQ(result.toi_lower, exact.toi_lower);
-    EXPECT_EQ(result.toi_upper, exact.toi_upper);
+    counts.answered += exact.touches();
+    ASSERT_EQ(result.touches, exact.touches()) << describe(PairKind::vertex_face, {points.start, points.end});
+    if (!exact.touches()) continue;
+    EXPECT_EQ(result.toi_lower, exact.lower);
+    EXPECT_EQ(result.toi_upper, exact.upper);
   }
   EXPECT_LT(decided_by.exact, 50u);
   EXPECT_GT(counts.answered, 200);

@@ -20,17 +20,15 @@ struct Counts {
 
 /// In a bracket that begins up to `before` ahead of the first time, and ends as much after it.
 void compare(PairKind kind, const PairPoints& points, double separation, double before, Counts& counts) {
-  const ExactDecision exact = decide_exactly(kind, points, separation);
-  if (!exact.touches || exact.toi_lower == 0) return;
-  const TimeInterval<double> bracket{std::max(exact.toi_lower - before, 0.), std::min(exact.toi_upper + before, 1.)};
+  const Decision exact = decide_exactly(kind, points, separation);
+  if (!exact.touches() || exact.lower == 0) return;
+  const TimeInterval<double> bracket{std::max(exact.lower - before, 0.), std::min(exact.upper + before, 1.)};
   const auto fine = first_within_finely(kind, points, separation, make_motion(kind, points, separation), bracket);
   ++counts.asked;
   if (!fine) return;
   ++counts.answered;
-  EXPECT_EQ(fine->t_in, exact.toi_lower) << describe(kind, {points.start, points.end}) << "\n separation "
-                                         << separation;
-  EXPECT_EQ(fine->t_out, exact.toi_upper)
-      << describe(kind, {points.start, points.end}) << "\n separation " << separation;
+  EXPECT_EQ(fine->lower, exact.lower) << describe(kind, {points.start, points.end}) << "\n separation " << separation;
+  EXPECT_EQ(fine->upper, exact.upper) << describe(kind, {points.start, points.end}) << "\n separation " << separation;
 }
 
 // Bugs: a time that is exact is taken for one between doubles (grazing, dyadic times); a bound on the error that is too

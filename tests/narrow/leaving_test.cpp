@@ -28,11 +28,11 @@ void expect_exact_answer(PairKind kind, const Motion& m, double separation) {
   const PairPoints points = to_points(m);
   PrecisionCount decided_by;
   const PairResult result = decide_once_apart(kind, points, separation, decided_by);
-  const ExactDecision exact = decide_once_apart_exactly(kind, points, separation);
-  ASSERT_EQ(result.touches, exact.touches);
-  if (!exact.touches) return;
-  EXPECT_LE(result.toi_lower, exact.toi_upper);
-  EXPECT_GE(result.toi_upper, exact.toi_lower);
+  const Decision exact = decide_once_apart_exactly(kind, points, separation);
+  ASSERT_EQ(result.touches, exact.touches());
+  if (!exact.touches()) return;
+  EXPECT_LE(result.toi_lower, exact.upper);
+  EXPECT_GE(result.toi_upper, exact.lower);
   EXPECT_LE(result.toi_upper - result.toi_lower, 1e-11);
   EXPECT_GT(result.toi_upper, 0);
 }
@@ -54,7 +54,7 @@ TEST(Leaving, DoublesSayWhatExactAlgebraSays) {
                      std::to_string(separation));
         const auto motion = make_motion(kind, to_points(m), separation);
         const bool is_proven = is_finite(motion) && motion.separation > 0 && within_once_apart(kind, motion);
-        if (decide_exactly(kind, to_points(m), separation).toi_upper == 0) {
+        if (decide_exactly(kind, to_points(m), separation).upper == 0) {
           expect_exact_answer(kind, m, separation);
           ++starting;
           proven += is_proven;
@@ -74,9 +74,9 @@ TEST(Leaving, ProvesNearlyAllOrdinaryPairs) {
     for (int i = 0; i < 2000; ++i) {
       const PairPoints points = to_points(slower(family_named("random").make(kind, random), 0x1p-5));
       const double separation = 0.25 * (1 + random.unit());
-      if (!(decide_exactly(kind, points, separation).toi_upper == 0)) continue;
+      if (!(decide_exactly(kind, points, separation).upper == 0)) continue;
       ++starting;
-      leaving += !decide_exactly(kind, {points.end, points.end}, separation).touches;
+      leaving += !decide_exactly(kind, {points.end, points.end}, separation).touches();
       proven += within_once_apart(kind, make_motion(kind, points, separation)).has_value();
     }
     EXPECT_GT(starting, 50);
@@ -90,7 +90,7 @@ TEST(Leaving, WhatComesBackIsNotFree) {
   // An edge that turns away from the point by one end, and back to it by the other.
   const PairPoints back{{{{0, 0, 0}, {-1, 0, 0}, {1, 0, 0}, {}}}, {{{0, 0, 0}, {-0.5, 0, 0.75}, {1, 0, -1}, {}}}};
   for (const double separation : {0x1p-8, 0x1p-12}) {
-    EXPECT_TRUE(decide_once_apart_exactly(PairKind::vertex_edge, back, separation).touches);
+    EXPECT_TRUE(decide_once_apart_exactly(PairKind::vertex_edge, back, separation).touches());
     expect_exact_answer(PairKind::vertex_edge, {back.start, back.end}, separation);
   }
 }

@@ -32,12 +32,12 @@ void expect_exact(const PairPoints& points, Tally& tally) {
     ++tally.unsure;
     return;
   }
-  const ExactDecision exact = decide_exactly(kind, points);
-  ++(exact.touches ? tally.touches : tally.is_free);
-  ASSERT_EQ(test.verdict == Verdict::touches, exact.touches);
-  if (!exact.touches) return;
-  EXPECT_LE(test.lower, exact.toi_upper);
-  EXPECT_GE(test.upper, exact.toi_lower);
+  const Decision exact = decide_exactly(kind, points);
+  ++(exact.touches() ? tally.touches : tally.is_free);
+  ASSERT_EQ(test.verdict == Verdict::touches, exact.touches());
+  if (!exact.touches()) return;
+  EXPECT_LE(test.lower, exact.upper);
+  EXPECT_GE(test.upper, exact.lower);
   EXPECT_GE(std::min(test.u, test.v), 0);
   EXPECT_LE(std::max(test.u, test.v), 1);
 }

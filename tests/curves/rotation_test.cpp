@@ -1,13 +1,13 @@
 // Enclosures of rotations, and the deviations and errors of rigid paths, against longer arithmetic and the motion
 // itself.
-#include "paths/rotation.hpp"
+#include "curves/rotation.hpp"
 
 #include <gmpxx.h>
 #include <gtest/gtest.h>
 
-#include "paths/fine_point.hpp"
-#include "paths/rigid_transform.hpp"
-#include "paths/rounded_rotation.hpp"
+#include "curves/fine_point.hpp"
+#include "curves/rigid_transform.hpp"
+#include "curves/rounded_rotation.hpp"
 #include "paths/turning_pairs.hpp"
 
 namespace tamis::test {

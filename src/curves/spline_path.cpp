@@ -4,9 +4,9 @@
 #include <cmath>
 #include <string>
 
+#include "curves/fine_point.hpp"
 #include "numerics/error_bounds.hpp"
 #include "numerics/finite.hpp"
-#include "paths/fine_point.hpp"
 #include "tamis/error.hpp"
 #include "topology/at.hpp"
 

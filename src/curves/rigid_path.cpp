@@ -4,9 +4,9 @@
 #include <cmath>
 #include <string>
 
-#include "paths/chain_motion.hpp"
-#include "paths/fine_point.hpp"
-#include "paths/rigid_transform.hpp"
+#include "curves/chain_motion.hpp"
+#include "curves/fine_point.hpp"
+#include "curves/rigid_transform.hpp"
 #include "tamis/error.hpp"
 #include "topology/at.hpp"
 
@@ -81,8 +81,7 @@ void RigidPath::points_at(double time, std::span<const Index> vertices, std::spa
   for_each_of_body(vertices, body_of_vertex_, begin, [&](std::size_t i, std::size_t v) {
     const RoundedPlace place = rounded_linear(rest_[v], rest_end_[v], time);
     points[i] = transform.of(place.x);
-    const double size = std::fabs(place.x[0]) + std::fabs(place.x[1]) + std::fabs(place.x[2]);
-    errors[i] = transform.error_of(size, place.error);
+    errors[i] = transform.error_of(sum_of_sizes(place.x), place.error);
   });
 }
 

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <string>
 
+#include "curves/chain_motion.hpp"
 #include "numerics/number_text.hpp"
-#include "paths/chain_motion.hpp"
 #include "tamis/error.hpp"
 #include "tamis/rigid_path.hpp"
 #include "topology/points.hpp"

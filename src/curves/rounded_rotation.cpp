@@ -1,4 +1,4 @@
-#include "paths/rounded_rotation.hpp"
+#include "curves/rounded_rotation.hpp"
 
 #include <cmath>
 

@@ -35,6 +35,9 @@ inline RoundedPlace rounded_linear(const Point& a, const Point& b, double time) 
   return place;
 }
 
+/// |x|_1.
+inline double sum_of_sizes(const Point& x) { return std::fabs(x[0]) + std::fabs(x[1]) + std::fabs(x[2]); }
+
 /// In doubles: entries of the matrix are off by `turn_error` at most, which is a number, those of the shift by
 /// `shift_error`, which is a length.
 struct RoundedTransform {

@@ -1,13 +1,13 @@
-#include "paths/chain_motion.hpp"
+#include "curves/chain_motion.hpp"
 
 #include <algorithm>
 #include <cmath>
 
+#include "curves/fine_point.hpp"
+#include "curves/rigid_transform.hpp"
+#include "curves/rounded_rotation.hpp"
 #include "numerics/axes.hpp"
 #include "numerics/error_bounds.hpp"
-#include "paths/fine_point.hpp"
-#include "paths/rigid_transform.hpp"
-#include "paths/rounded_rotation.hpp"
 
 namespace tamis {
 namespace {
@@ -63,11 +63,10 @@ RoundedTransform after(const RoundedTransform& outer, const RoundedTransform& in
                         outer.rows[i][2] * inner.rows[2][k];
   both.turn_error = (outer.turn_error + inner.turn_error + outer.turn_error * inner.turn_error + 0x1p-49) * kRoundedUp;
   both.shift = outer.of(inner.shift);
-  const double size = std::fabs(inner.shift[0]) + std::fabs(inner.shift[1]) + std::fabs(inner.shift[2]);
-  both.shift_error =
-      ((outer.turn_error + 0x1p-50) * size + 0x1p-50 * outer.shift_size + inner.shift_error + outer.shift_error) *
-          kRoundedUp +
-      0x1p-1000;
+  both.shift_error = ((outer.turn_error + 0x1p-50) * sum_of_sizes(inner.shift) + 0x1p-50 * outer.shift_size +
+                      inner.shift_error + outer.shift_error) *
+                         kRoundedUp +
+                     0x1p-1000;
   both.shift_size = largest_coordinate(both.shift);
   return both;
 }

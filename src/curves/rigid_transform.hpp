@@ -1,7 +1,7 @@
 // Where a chain of links takes a body at one time, enclosed in double-double.
 #pragma once
-#include "paths/fine_point.hpp"
-#include "paths/rotation.hpp"
+#include "curves/fine_point.hpp"
+#include "curves/rotation.hpp"
 #include "tamis/rigid_path.hpp"
 
 namespace tamis {

@@ -18,7 +18,7 @@ class ThreadStreams {
 
   /// Keeps a reference.
   explicit ThreadStreams(Workspace& workspace)
-      : workspace_(workspace), of_threads_([&workspace] { return OfThread(workspace.threads.local()); }) {}
+      : workspace_(workspace), of_threads_([&workspace] { return OfThread(*workspace.threads.local()); }) {}
 
   /// Keeps a reference until the next time.
   void begin(Shared& shared) {

@@ -45,17 +45,18 @@ struct Workspace {
       : mesh(m),
         kernels(tamis::kernels(options.isa)),
         trees(m, options, kernels),
-        threads([this] { return SearchThread(kernels, trees.motion()); }) {}
+        threads([this] { return std::make_unique<SearchThread>(kernels, trees.motion()); }) {}
   std::uint64_t memory_bytes() const {
     std::uint64_t bytes = trees.memory_bytes();
-    for (const SearchThread& thread : threads) bytes += thread.memory_bytes();
+    for (const auto& thread : threads) bytes += thread->memory_bytes();
     return bytes;
   }
 
   const Mesh& mesh;
   const Kernels& kernels;
   FeatureTrees trees;
-  tbb::enumerable_thread_specific<SearchThread> threads;
+  /// Pointers: TBB fills with zeros what it makes room for.
+  tbb::enumerable_thread_specific<std::unique_ptr<SearchThread>> threads;
 };
 
 }  // namespace tamis

@@ -151,6 +151,19 @@ def print_table(rows, sweep):
     for group, ratios in sorted(groups.items()):
         print_group(group, ratios)
     print_group("all", [row["ratio"] for row in rows])
+    print_earliest_by_contacts(rows)
+
+
+def print_earliest_by_contacts(rows):
+    """Of the new build, where both were asked of a scene, state and separation: a first contact should cost no more."""
+    ms = {(row["cell"], row["isa"]): row["new_ms"] for row in rows}
+    pairs = ((cell, time, ms.get((cell.replace("/contacts/", "/earliest/"), isa))) for (cell, isa), time in ms.items()
+             if "/contacts/" in cell)
+    ratios = sorted((earliest / time, cell) for cell, time, earliest in pairs if earliest)
+    if ratios:
+        print(f"earliest by contacts     {len(ratios):6} cells, {sum(ratio > 1.1 for ratio, _ in ratios):6} above 1.1, "
+              f"most {ratios[-1][0]:.3f} of {ratios[-1][1]}, geometric mean "
+              f"{geometric_mean([ratio for ratio, _ in ratios]):.3f}")
 
 
 def list_cells(program, part, patterns):

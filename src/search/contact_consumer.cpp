@@ -67,7 +67,8 @@ void ContactConsumer::decide_singly(PairKind kind, const PairVertices& vertices)
   stop_if_cancelled(query());
   if (!found_.wants(kind, vertices)) return;
   const PairOptions rule = query().rule_for(kind, vertices);
-  found_.add(kind, vertices, decide(kind, points_of(query().step, vertices), rule, thread().counts.decided_by), true);
+  found_.add(kind, vertices, decide(kind, points_of(query().step, vertices), rule, thread().counts.decided_by),
+             Decided::by_pair);
 }
 
 }  // namespace tamis

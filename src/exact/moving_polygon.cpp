@@ -1,98 +1,18 @@
 #include "exact/moving_polygon.hpp"
 
-#include <algorithm>
-#include <bit>
-#include <climits>
 #include <cmath>
-#include <cstdint>
-#include <span>
 
+#include "exact/units.hpp"
 #include "motion/pair_kinds.hpp"
 #include "numerics/assert.hpp"
 
 namespace tamis {
 namespace {
 
-/// x = mantissa 2^exponent.
-struct Parts {
-  std::int64_t mantissa;
-  int exponent;
-};
-
-Parts parts_of(double x) {
-  const auto bits = std::bit_cast<std::uint64_t>(x);
-  const auto biased = static_cast<int>(bits >> 52 & 0x7ff);
-  auto mantissa = static_cast<std::int64_t>(bits & 0xfffffffffffff);
-  if (biased > 0) mantissa |= std::int64_t{1} << 52;
-  return {x < 0 ? -mantissa : mantissa, std::max(biased, 1) - 1075};
-}
-
-/// Of the last bit that is set; INT_MAX for zero.
-int lowest_exponent(double x) {
-  if (x == 0) return INT_MAX;
-  const Parts parts = parts_of(x);
-  return parts.exponent + std::countr_zero(static_cast<std::uint64_t>(parts.mantissa));
-}
-
-/// By axis.
-using Exponents = std::array<int, 3>;
-
-/// The lower of each and of those of the points' coordinates; INT_MAX for an axis that has no bit.
-Exponents lowest_exponents(std::span<const Point> points, Exponents lowest = {INT_MAX, INT_MAX, INT_MAX}) {
-  for (const Point& point : points)
-    for (std::size_t k = 0; k < 3; ++k) lowest[k] = std::min(lowest[k], lowest_exponent(point[k]));
-  return lowest;
-}
-
-/// The lowest of all, also of the separation's, for each axis.
-Exponents common_unit(const Exponents& lowest, double separation) {
-  const int common = std::min({lowest[0], lowest[1], lowest[2], lowest_exponent(separation)});
-  const int unit = common == INT_MAX ? 0 : common;
-  return {unit, unit, unit};
-}
-
 template <class Number>
 Vec3<Number> scaled_to_integers(const Point& p, const Exponents& units) {
   return {scaled_to_integer<Number>(p[0], units[0]), scaled_to_integer<Number>(p[1], units[1]),
           scaled_to_integer<Number>(p[2], units[2])};
-}
-
-/// Points whose coordinates are integers in one unit, of 2^exponent.
-template <std::size_t count>
-struct InWords {
-  std::array<Vec3<Word>, count> points;
-  int exponent;
-};
-
-/// In the largest unit in which they and the separation are whole, if 61 bits hold them then: tried is a unit of 2^-61
-/// of the largest, and the last bits are taken off that none has set.
-template <std::size_t count>
-std::optional<InWords<count>> in_words(const std::array<Point, count>& points, double separation) {
-  double largest = separation;
-  for (const Point& p : points)
-    for (const double x : p) largest = std::max(largest, std::fabs(x));
-  const int power = 8 - parts_of(largest).exponent;  // a mantissa has 53 bits
-  if (largest == 0 || std::abs(power) > 900) return {};
-  const double factor = times_power_of_two(1, power);
-  std::int64_t set = 0;
-  bool are_whole = true;
-  const auto word = [&](double x) {
-    const double scaled = x * factor;
-    const auto integer = static_cast<std::int64_t>(scaled);
-    are_whole = are_whole && static_cast<double>(integer) == scaled && (integer != 0 || x == 0);
-    set |= integer;
-    return Word{integer};
-  };
-  InWords<count> result;
-  word(separation);
-  for (std::size_t i = 0; i < count; ++i)
-    result.points[i] = {word(points[i][0]), word(points[i][1]), word(points[i][2])};
-  if (!are_whole) return {};
-  const int unset = std::countr_zero(static_cast<std::uint64_t>(set));
-  for (auto& [x, y, z] : result.points)
-    for (Word* w : {&x, &y, &z}) w->value >>= unset;
-  result.exponent = unset - power;
-  return result;
 }
 
 /// Of the features' vertices.
@@ -117,10 +37,6 @@ MovingPolygon moving_polygon(PairKind kind, const PairPoints& points, const Expo
                            scaled_to_integers<Integer>(points.end[i], units)};
   };
   return polygon_of<Moving<Integer>>(kind, {at(0), at(1), at(2), at(3)}, units[0]);
-}
-
-Exponents lowest_exponents(const PairPoints& points) {
-  return lowest_exponents(points.end, lowest_exponents(points.start));
 }
 
 }  // namespace
@@ -165,7 +81,7 @@ template Polygon<Estimate> start_polygon(PairKind, const PairPoints&, double);
 template <class Number>
 Polygon<Number> corner_velocities(PairKind kind, const PairPoints& points) {
   TAMIS_ASSERT(is_kind(kind) && is_finite(points));
-  const auto& [start, end] = points;
+  const auto &start = points.start, &end = points.end;
   if (const auto words = in_words<8>({start[0], start[1], start[2], start[3], end[0], end[1], end[2], end[3]}, 0)) {
     const auto& x = words->points;
     return polygon_in<Number>(

@@ -37,7 +37,7 @@ void ContactCollector::begin(const Query& query, Bound& bound) {
   ignored_ = 0;
 }
 
-bool ContactCollector::add(PairKind kind, const PairVertices& vertices, const PairResult& found, Decided decided) {
+bool ContactCollector::add(PairKind kind, const PairVertices& vertices, const PairResult& found, DecidedBy by) {
   if (!found.touches) return false;
   TAMIS_ASSERT(is_kind(kind) && is_part_of_step(TimeInterval<double>{found.toi_lower, found.toi_upper}));
   if (query_->are_neighbours(kind, vertices)) return false;
@@ -57,7 +57,7 @@ bool ContactCollector::add(PairKind kind, const PairVertices& vertices, const Pa
     bound_->lower(result.toi_upper * kNearTie);
   }
   touched_by_ = std::min(touched_by_, result.toi_upper);
-  if (question == Question::earliest && decided == Decided::by_pair) {
+  if (question == Question::earliest && by == DecidedBy::pair) {
     keep_first(contact_of(kind, vertices, result));
     return true;
   }

@@ -21,8 +21,8 @@ inline Contact contact_of(PairKind kind, const PairVertices& vertices, const Pai
 /// Keeps in `first` the contact that bounds the step first, and until when one is certain.
 void keep_first(EarliestContact& first, const Contact& contact);
 
-/// How a pair was: with others, or alone, by decide() on the whole step.
-enum class Decided { in_lanes, by_pair };
+/// Pair: alone, by decide() on the whole step.
+enum class DecidedBy { lanes, pair };
 
 /// One per thread, and one for the answer. In any order of contacts, shared out in any way, the answer is the same.
 class ContactCollector {
@@ -34,7 +34,7 @@ class ContactCollector {
   /// ignores the start, one that touches at t=0 is asked whether it touches again once it is apart. Returns true if it
   /// is among the contacts now. REQUIRES: a kind there is, times in [0,1] and in order.
   /// `earliest` takes what was decided by pair as it is, where it decides others anew.
-  bool add(PairKind kind, const PairVertices& vertices, const PairResult& result, Decided decided = Decided::in_lanes);
+  bool add(PairKind kind, const PairVertices& vertices, const PairResult& result, DecidedBy by = DecidedBy::lanes);
   /// Can this pair still change the answer? Cheap, to be asked before a pair is decided: a pair that touches at t=0
   /// makes all that come behind it in the order of contacts irrelevant, and any contact ends the question is_free.
   bool wants(PairKind kind, const PairVertices& vertices) const;

@@ -50,11 +50,11 @@ double greatest_eigenvalue(const SymmetricMatrix& m) {
   return std::max({m.xx + xy + xz, m.yy + xy + yz, m.zz + xz + yz});
 }
 
-Columns rows_of(const SymmetricMatrix& m) { return {{{m.xx, m.xy, m.xz}, {m.xy, m.yy, m.yz}, {m.xz, m.yz, m.zz}}}; }
+Columns as_rows(const SymmetricMatrix& m) { return {{{m.xx, m.xy, m.xz}, {m.xy, m.yy, m.yz}, {m.xz, m.yz, m.zz}}}; }
 
 /// x -> M^-1 x, by cofactors.
 Columns inverse(const SymmetricMatrix& m) {
-  const auto [a, b, c] = rows_of(m);
+  const auto [a, b, c] = as_rows(m);
   const double scale = 1 / dot(a, cross(b, c));
   return {scale * cross(b, c), scale * cross(c, a), scale * cross(a, b)};
 }

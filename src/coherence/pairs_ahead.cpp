@@ -109,7 +109,8 @@ void PairsAhead::end(const ContactCollector& answer, const SearchWork& work) {
   if (question == Question::all_contacts) no_contact_before_ = std::min(*no_contact_before_, answer.touched_by());
   if (question == Question::is_free && !answer.contacts().empty()) no_contact_before_.reset();
   free_in_row_ = no_contact_before_ && *no_contact_before_ >= 1 ? free_in_row_ + 1 : 0;
-  if (!are_listed_) last_search_ = work;
+  const bool ended_early = question == Question::is_free && !answer.contacts().empty();  // at once, or by chance later
+  if (!are_listed_ && !ended_early) last_search_ = work;
 }
 
 bool PairsAhead::follows_prediction(const Step& step) {

@@ -71,7 +71,7 @@ class PairsAhead {
   int free_in_row_ = 0;                          ///< the last queries: no contact at all
   double steps_;                                 ///< to look ahead
   double steps_listed_ = 0;
-  SearchWork last_search_;  ///< where no lists served
+  SearchWork last_search_;  ///< the last one of trees that went to its end
   int queries_served_ = 0;  ///< by these lists
   ListingPause pause_;      ///< in queries
 };

@@ -7,7 +7,8 @@
 
 namespace tamis {
 
-/// Below 2^63 in size. REQUIRES, all operators (not checked: hundreds a pair): what comes out fits.
+/// Below 2^63 in size: coordinates of 61 bits (exact/units.hpp), their differences, and those of velocities. REQUIRES,
+/// all operators (not checked: hundreds a pair): what comes out fits.
 struct Word {
   std::int64_t value = 0;
 
@@ -20,7 +21,7 @@ struct Word {
   friend Word operator-(Word a, Word b) { return {a.value - b.value}; }
 };
 
-/// Below 2^127: a product of two Words, or a sum of such.
+/// Below 2^127: a product of two differences has 124 bits, three of them 126, and two such sums 127.
 struct WideWord {
   __extension__ using Wide = __int128;
   Wide value = 0;

@@ -25,7 +25,7 @@ double widest_range(std::span<const Index> points, const Half& half_of) {
 }  // namespace
 
 double beginning_of_long_step(const Step& step, std::span<const Index> points, double widening) {
-  // Points part by no more than the scene is wide at both ends.
+  // Points part by no more than the scene is wide at both ends together: the part is no less than 1 / (1 + widening).
   if (widening < 0.5 / kSmallPart) return 1;
   const auto start = [&](Index v, std::size_t axis) { return 0.5 * step.start[v][axis]; };
   const auto way = [&](Index v, std::size_t axis) { return 0.5 * step.end[v][axis] - 0.5 * step.start[v][axis]; };

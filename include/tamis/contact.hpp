@@ -83,7 +83,7 @@ struct EarliestContact {
 struct LimitingPair {
   PairKind kind;
   std::array<Index, 4> vertices;
-  /// At t=0, in the unit of the positions; rounded, not certified.
+  /// At t=0, in the unit of the positions, as near as NearPair::distance is; on a path, of the positions as rounded.
   double distance;
 };
 

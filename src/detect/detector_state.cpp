@@ -7,7 +7,7 @@
 #include "detect/stored.hpp"
 #include "detect/truncation.hpp"
 #include "detect/validate.hpp"
-#include "exact/start_distance.hpp"
+#include "narrow/near_pair.hpp"
 #include "numerics/assert.hpp"
 #include "numerics/number_text.hpp"
 #include "query/cancellation.hpp"

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "motion/pair_kinds.hpp"
-#include "narrow/kept_distance.hpp"
+#include "narrow/near_pair.hpp"
 #include "topology/points.hpp"
 
 namespace tamis {

@@ -88,10 +88,4 @@ DistanceBounds start_distance_bounds(PairKind kind, const PairPoints& points) {
           start.high / m.separation * (1 + 4 * kRoundoff)};
 }
 
-double start_distance(PairKind kind, const PairPoints& points) {
-  const PairMotion<double> m = make_motion(kind, points, 1);
-  const Vec gap = closest_points(kind, m.e.at0, m.f.at0, m.d.at0).gap;
-  return std::sqrt(dot(gap, gap)) / m.separation;  // as above
-}
-
 }  // namespace tamis

@@ -36,7 +36,4 @@ struct DistanceBounds {
 };
 DistanceBounds start_distance_bounds(PairKind kind, const PairPoints& points);
 
-/// Distance of the features at t=0, rounded, not certified; infinite if it overflows.
-double start_distance(PairKind kind, const PairPoints& points);
-
 }  // namespace tamis

@@ -14,4 +14,7 @@ bool is_near(PairKind kind, const PairPoints& points, double separation, Precisi
 /// REQUIRES: finite coordinates, also at t=1.
 NearPair near_pair(PairKind kind, const std::array<Index, 4>& vertices, const PairPoints& points);
 
+/// The distance at t=0, as NearPair tells it. REQUIRES: finite coordinates, also at t=1.
+inline double start_distance(PairKind kind, const PairPoints& points) { return near_pair(kind, {}, points).distance; }
+
 }  // namespace tamis

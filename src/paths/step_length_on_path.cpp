@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "narrow/near_pair.hpp"
 #include "paths/path_search.hpp"
 #include "paths/within_on_path.hpp"
 

@@ -2,7 +2,7 @@
 #pragma once
 #include <tuple>
 
-#include "narrow/kept_distance.hpp"
+#include "narrow/near_pair.hpp"
 #include "numerics/assert.hpp"
 #include "query/pair_rules.hpp"
 #include "query/query.hpp"

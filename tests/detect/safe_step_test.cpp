@@ -8,7 +8,7 @@
 
 #include "lab/detector.hpp"
 #include "lab/pairs.hpp"
-#include "narrow/kept_distance.hpp"
+#include "narrow/near_pair.hpp"
 #include "query/pair_rules.hpp"
 #include "support/contact_sets.hpp"
 #include "support/kernels_here.hpp"

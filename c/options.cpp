@@ -45,8 +45,8 @@ Options options_of(const tamis_options& given, Index vertex_count) {
   return options;
 }
 
-PairListOptions options_of(const tamis_pair_options& given) {
-  PairListOptions options;
+PairOptions options_of(const tamis_pair_options& given) {
+  PairOptions options;
   options.min_separation = given.min_separation;
   options.threads = given.threads;
   options.isa = isa_of(given.isa);

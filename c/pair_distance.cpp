@@ -43,8 +43,8 @@ tamis_status tamis_pair_safe_step(tamis_pairs* pairs, const tamis_pair* pair, co
     write_sized(tamis_safe_step{}, answer, "answer");  // refused before the work
     const tamis_step given = read_sized(step, "step");
     refuse_at_start(given);
-    const auto& [separation, latest, threads, isa, is_cancelled] = handle.options;
-    const tamis::PairOptions options{given.min_separation ? *given.min_separation : separation, latest};
+    tamis::PairOptions options = handle.options;
+    if (given.min_separation) options.min_separation = *given.min_separation;
     const tamis::Pair asked = pair_of(required(pair, "pair"));
     write_sized(answer_of(tamis::safe_step(asked, step_of(given), keep, options)), answer, "answer");
   });

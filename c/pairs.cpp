@@ -68,7 +68,7 @@ tamis_status tamis_narrow_phase(tamis_pairs* pairs, const tamis_pair* list, size
   return ask(pairs, [&](tamis_pairs& handle) {
     const tamis_step given = read_sized(step, "step");
     refuse_at_start(given);
-    tamis::PairListOptions options = handle.options;
+    tamis::PairOptions options = handle.options;
     if (given.min_separation) options.min_separation = *given.min_separation;
     const auto listed = list_of(list, count);
     write_results(tamis::narrow_phase(listed, step_of(given), options), results, result_size);

@@ -8,7 +8,7 @@
 
 struct tamis_pairs {
   tamis::c::Outcome outcome;
-  tamis::PairListOptions options;
+  tamis::PairOptions options;
   bool is_made = false;
 };
 

@@ -15,7 +15,7 @@ namespace {
 
 tamis_path_options options_of(const tamis_path_options* given) {
   tamis_path_options options = given ? read_sized(given, "options") : tamis_path_options{};
-  if (options.tolerance == 0) options.tolerance = PathOptions().tolerance;
+  if (options.tolerance == 0) options.tolerance = PairOptions().tolerance;
   return options;
 }
 
@@ -45,15 +45,16 @@ tamis_status with_path(tamis_path* handle, const Work& work) noexcept {
 }
 
 template <std::size_t corners>
-using Ask = PairResult (*)(const Path&, const std::array<Index, corners>&, const PathOptions&);
+using Ask = PairResult (*)(const Path&, const std::array<Index, corners>&, const PairOptions&);
 
 template <std::size_t corners>
 tamis_status ask_all(tamis_path* handle, const tamis_path_options* options, const int32_t* vertices, std::size_t count,
                      tamis_pair_result* results, std::size_t result_size, Ask<corners> ask) noexcept {
   return with_path(handle, [&](const Path& path) {
     const tamis_path_options given = options_of(options);
-    const PathOptions chosen{separation(given.min_separation).value_or(0), given.tolerance,
-                             cancelling(given.is_cancelled, given.user)};
+    const PairOptions chosen{.min_separation = separation(given.min_separation).value_or(0),
+                             .tolerance = given.tolerance,
+                             .is_cancelled = cancelling(given.is_cancelled, given.user)};
     check_count(count, "count");
     std::vector<PairResult> answers;
     answers.reserve(count);

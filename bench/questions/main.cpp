@@ -61,7 +61,7 @@ struct Bench {
     std::vector<Pair> pairs;
     for (const Contact& c : detector.contacts(step)) pairs.push_back({c.kind, c.vertices});
     std::vector<PairResult> results(pairs.size());
-    PairListOptions options;
+    PairOptions options;
     options.threads = 1;
     const double ms = milliseconds(repeat, [&] { narrow_phase(pairs, step, results, options); });
     const auto touching = std::count_if(results.begin(), results.end(), [](const auto& r) { return r.touches; });

@@ -21,11 +21,17 @@ struct PairResult {
   Point normal{0, 0, 0};
 };
 
+/// How questions about pairs are answered: one or a list, on a step or on a path.
 struct PairOptions {
   double min_separation = 0;  ///< d >= 0, in the unit of the positions: contact means Euclidean distance <= d
   /// The latest time of interest, in [0,1]: a pair that is proven apart until then is free. Of others it changes
   /// nothing.
   double latest = 1;
+  double tolerance = 1e-9;  ///< of a path: the widest bracket of a contact, a fraction of the step in (0, 1]
+  int threads = 0;          ///< of a list, as in Options: 0 is as many as the caller's oneTBB arena gives
+  Isa isa = Isa::best;      ///< of a list; speed only
+  /// Of a list or a path, as in Options: once it says true, asked again and again, the call throws Cancelled.
+  std::function<bool()> is_cancelled = nullptr;
 };
 
 /// A vertex against a face: p, then its corners a b c, each moving on a straight line. May be called from several
@@ -46,25 +52,16 @@ struct Pair {
   std::array<Index, 4> vertices;
 };
 
-struct PairListOptions {
-  double min_separation = 0;  ///< as in PairOptions, as is what follows
-  double latest = 1;
-  int threads = 0;      ///< as in Options: 0 is as many as the caller's oneTBB arena gives
-  Isa isa = Isa::best;  ///< speed only
-  /// As in Options: once it says true, asked again and again, the call throws Cancelled.
-  std::function<bool()> is_cancelled = nullptr;
-};
-
 /// The narrow phase of a list: `results[i]` is what pairs[i] does during the step, bit for bit what the function for
 /// one pair says of it, many times faster. The positions have any number of rows, the same at both ends; only those
 /// that pairs name are read. Throws InvalidStep, naming the first such pair: a kind that is none, an index that is no
 /// row, a coordinate that is not finite; also unless there are as many results as pairs. InvalidOptions.
 void narrow_phase(std::span<const Pair> pairs, const Step& step, std::span<PairResult> results,
-                  const PairListOptions& = {});
-std::vector<PairResult> narrow_phase(std::span<const Pair> pairs, const Step& step, const PairListOptions& = {});
+                  const PairOptions& = {});
+std::vector<PairResult> narrow_phase(std::span<const Pair> pairs, const Step& step, const PairOptions& = {});
 /// The same of pairs of one kind that come as points: four, three or two a pair, one pair behind the other. Throws
 /// InvalidStep unless there are as many at both ends as `results` need.
 void narrow_phase(PairKind kind, std::span<const Point> start, std::span<const Point> end,
-                  std::span<PairResult> results, const PairListOptions& = {});
+                  std::span<PairResult> results, const PairOptions& = {});
 
 }  // namespace tamis

@@ -1,7 +1,6 @@
 // Curved motion: where every vertex is at each time of a step, and how far it deviates from straight pieces.
 #pragma once
 #include <array>
-#include <functional>
 #include <span>
 
 #include "tamis/pair.hpp"
@@ -44,26 +43,17 @@ class Path {
   virtual void straight_directions(std::span<const Index> vertices, std::span<Point> directions) const;
 };
 
-/// How a question about a path is answered.
-struct PathOptions {
-  double min_separation = 0;  ///< d >= 0, in the unit of the positions: contact means Euclidean distance <= d
-  /// Widest bracket of a contact, in (0, 1]; a fraction of the step.
-  double tolerance = 1e-9;
-  /// As in Options: once it says true, asked again and again, the call throws Cancelled.
-  std::function<bool()> is_cancelled = nullptr;
-};
-
 /// A vertex against a face that move on a path: p, then the face's corners a b c, by their numbers in the path. As
 /// vertex_face for straight motion: free is proven; a certified contact's bracket is no wider than the tolerance. What
 /// double-double arithmetic cannot decide (a touch without crossing, a crossing exactly on an edge) is an unresolved
 /// contact; with a separation doubles have the last word (docs/numerics.md, "Curved motion"). Throws InvalidPath where
 /// the path breaks its promises or has no such vertex, InvalidOptions.
-PairResult vertex_face(const Path& path, const std::array<Index, 4>& vertices, const PathOptions& = {});
+PairResult vertex_face(const Path& path, const std::array<Index, 4>& vertices, const PairOptions& = {});
 /// Edge (0,1) against edge (2,3); otherwise the same.
-PairResult edge_edge(const Path& path, const std::array<Index, 4>& vertices, const PathOptions& = {});
+PairResult edge_edge(const Path& path, const std::array<Index, 4>& vertices, const PairOptions& = {});
 /// A point against a segment; otherwise the same.
-PairResult vertex_edge(const Path& path, const std::array<Index, 3>& vertices, const PathOptions& = {});
+PairResult vertex_edge(const Path& path, const std::array<Index, 3>& vertices, const PairOptions& = {});
 /// Two points; otherwise the same.
-PairResult vertex_vertex(const Path& path, const std::array<Index, 2>& vertices, const PathOptions& = {});
+PairResult vertex_vertex(const Path& path, const std::array<Index, 2>& vertices, const PairOptions& = {});
 
 }  // namespace tamis

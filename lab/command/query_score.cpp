@@ -15,9 +15,8 @@ PairResult ask(const Query& query, const PairOptions& options) {
 
 PairResult ask(const RigidQuery& query, const PairOptions& options) {
   constexpr std::array<Index, 4> kVertices{0, 1, 2, 3};
-  const PathOptions on_path{options.min_separation};
-  return query.kind == PairKind::vertex_face ? vertex_face(query.path(), kVertices, on_path)
-                                             : edge_edge(query.path(), kVertices, on_path);
+  return query.kind == PairKind::vertex_face ? vertex_face(query.path(), kVertices, options)
+                                             : edge_edge(query.path(), kVertices, options);
 }
 
 PairResult ask(const SingleQuery& query, const PairOptions& options) {

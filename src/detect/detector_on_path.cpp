@@ -9,11 +9,10 @@ namespace tamis {
 /// find(search, whole path).
 template <class Find>
 void Detector::State::on_path(const CutPath& path, const QueryOptions& asked, const Find& find) {
-  constexpr double kTolerance = 1e-9;
   validate_of_path(asked);
   measure([&] {
     if (!path_search_) path_search_ = std::make_unique<PathSearch>(mesh, options, rings_, *engine_);
-    const MeshOnPath whole{path.path, separations(asked), asked.tolerance.value_or(kTolerance),
+    const MeshOnPath whole{path.path, separations(asked), asked.tolerance.value_or(PairOptions().tolerance),
                            asked.at_start == AtStart::ignore, path.ends};
     find(*path_search_, whole);
   });

@@ -76,7 +76,7 @@ class PartDecision {
     TAMIS_ASSERT(batch.pairs.count <= Batch::kPairsABatch);
     const auto& [start, end] = part_.step;
     const StepRows vertices{start.data(), end.data(), start.stride(), end.stride()};
-    const int undecided = part_.kernels.of(kind).decide_list({vertices, batch.places, part_.options, within(kind)},
+    const int undecided = part_.kernels.of(kind).decide_list({vertices, batch.places, part_.rule, within(kind)},
                                                              batch.pairs, batch.rest, results_, batch.undecided);
     TAMIS_ASSERT(0 <= undecided && undecided <= batch.pairs.count);
     batch.pairs.count = 0;
@@ -85,7 +85,7 @@ class PartDecision {
   }
 
   WithinScratch* within(PairKind kind) {
-    if (!is_about_distance(kind, part_.options.min_separation)) return nullptr;
+    if (!is_about_distance(kind, part_.rule.min_separation)) return nullptr;
     if (!within_) within_ = std::make_unique_for_overwrite<WithinScratch>();
     return within_.get();
   }
@@ -96,7 +96,7 @@ class PartDecision {
     if (!has_finite_points(pair, part_.step)) return false;
     PrecisionCount decided_by;
     const PairPoints points = points_of(part_.step, vertices_in_use(kind, pair.vertices));
-    results_[place] = decide_undecided(kind, points, part_.options, decided_by);
+    results_[place] = decide_undecided(kind, points, part_.rule, decided_by);
     return true;
   }
 

@@ -11,7 +11,7 @@ namespace tamis {
 struct ListPart {
   std::span<const Pair> pairs;  ///< fewer than 2^31
   const Step& step;
-  const PairOptions& options;
+  const ContactRule& rule;
   const Kernels& kernels;
   const std::function<bool()>& is_cancelled;
 };

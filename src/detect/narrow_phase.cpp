@@ -46,11 +46,9 @@ void validate(PairKind kind, std::span<const Point> start, std::span<const Point
 
 /// `pairs_of(first, last)`: what a part of the list is. False: some pair is not legal.
 template <class PairsOf>
-bool decide_in_parts(std::span<PairResult> results, const PairListOptions& options, const PairsOf& pairs_of) {
+bool decide_in_parts(std::span<PairResult> results, const PairOptions& options, const PairsOf& pairs_of) {
   constexpr std::size_t kGrain = 8192;
-  const PairOptions rule{options.min_separation, options.latest};
-  validate(rule);
-  validate_threads(options.threads);
+  const ContactRule rule = validated_rule(options);
   const Kernels& chosen = kernels(options.isa);
   std::atomic<bool> is_legal{true};
   Arena(options.threads).run([&] {
@@ -90,7 +88,7 @@ struct PartOfList {
 }  // namespace
 
 void narrow_phase(std::span<const Pair> pairs, const Step& step, std::span<PairResult> results,
-                  const PairListOptions& options) {
+                  const PairOptions& options) {
   validate(pairs, step, results);
   const bool is_legal = decide_in_parts(results, options, [&](std::size_t first, std::size_t last) {
     return PartOfList{pairs.subspan(first, last - first), step};
@@ -98,14 +96,14 @@ void narrow_phase(std::span<const Pair> pairs, const Step& step, std::span<PairR
   if (!is_legal) refuse_first_fault(pairs, step);
 }
 
-std::vector<PairResult> narrow_phase(std::span<const Pair> pairs, const Step& step, const PairListOptions& options) {
+std::vector<PairResult> narrow_phase(std::span<const Pair> pairs, const Step& step, const PairOptions& options) {
   std::vector<PairResult> results(pairs.size());
   narrow_phase(pairs, step, results, options);
   return results;
 }
 
 void narrow_phase(PairKind kind, std::span<const Point> start, std::span<const Point> end,
-                  std::span<PairResult> results, const PairListOptions& options) {
+                  std::span<PairResult> results, const PairOptions& options) {
   validate(kind, start, end, results);
   const std::size_t corners = vertex_count(kind);
   const bool is_legal = decide_in_parts(results, options, [&](std::size_t first, std::size_t last) {

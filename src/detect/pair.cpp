@@ -26,23 +26,24 @@ PairResult decide_points(PairKind kind, const std::array<Point, count>& start, c
                          const PairOptions& options) {
   check_finite(start, "start");
   check_finite(end, "end");
-  validate(options);
+  const ContactRule rule = validated_rule(options);
   PairPoints points{};
   std::copy(start.begin(), start.end(), points.start.begin());
   std::copy(end.begin(), end.end(), points.end.begin());
   PrecisionCount decided_by;
-  return decide(kind, points, options, decided_by);
+  return decide(kind, points, rule, decided_by);
 }
 
-PairResult decide_curves(PairKind kind, const Path& path, const PairVertices& vertices, const PathOptions& options) {
-  validate_of_path({.min_separation = options.min_separation, .tolerance = options.tolerance});
+PairResult decide_curves(PairKind kind, const Path& path, const PairVertices& vertices, const PairOptions& options) {
+  const ContactRule rule = validated_rule(options);
   for (const Index v : std::span(vertices).first(vertex_count(kind)))
     if (v < 0 || v >= path.vertex_count())
       throw InvalidPath("the path has no vertex " + std::to_string(v) + ": give numbers in [0, " +
                         std::to_string(path.vertex_count()) + ")");
   const PathQuestion question{
-      path, kind, vertices_in_use(kind, vertices), options.min_separation, options.tolerance, options.is_cancelled};
-  return result_on_path(question, decide_on_path(question, {0, 1}));
+      path, kind, vertices_in_use(kind, vertices), rule.min_separation, options.tolerance, options.is_cancelled};
+  const Decision decision = decide_on_path(question, {0, 1});
+  return decision.lower > rule.latest ? PairResult{} : result_on_path(question, decision);
 }
 
 }  // namespace
@@ -50,21 +51,21 @@ PairResult decide_curves(PairKind kind, const Path& path, const PairVertices& ve
 PairResult vertex_face(const std::array<Point, 4>& start, const std::array<Point, 4>& end, const PairOptions& options) {
   return decide_points(PairKind::vertex_face, start, end, options);
 }
-PairResult vertex_face(const Path& path, const std::array<Index, 4>& vertices, const PathOptions& options) {
+PairResult vertex_face(const Path& path, const std::array<Index, 4>& vertices, const PairOptions& options) {
   return decide_curves(PairKind::vertex_face, path, vertices, options);
 }
 
 PairResult edge_edge(const std::array<Point, 4>& start, const std::array<Point, 4>& end, const PairOptions& options) {
   return decide_points(PairKind::edge_edge, start, end, options);
 }
-PairResult edge_edge(const Path& path, const std::array<Index, 4>& vertices, const PathOptions& options) {
+PairResult edge_edge(const Path& path, const std::array<Index, 4>& vertices, const PairOptions& options) {
   return decide_curves(PairKind::edge_edge, path, vertices, options);
 }
 
 PairResult vertex_edge(const std::array<Point, 3>& start, const std::array<Point, 3>& end, const PairOptions& options) {
   return decide_points(PairKind::vertex_edge, start, end, options);
 }
-PairResult vertex_edge(const Path& path, const std::array<Index, 3>& vertices, const PathOptions& options) {
+PairResult vertex_edge(const Path& path, const std::array<Index, 3>& vertices, const PairOptions& options) {
   return decide_curves(PairKind::vertex_edge, path, {vertices[0], vertices[1], vertices[2]}, options);
 }
 
@@ -72,7 +73,7 @@ PairResult vertex_vertex(const std::array<Point, 2>& start, const std::array<Poi
                          const PairOptions& options) {
   return decide_points(PairKind::vertex_vertex, start, end, options);
 }
-PairResult vertex_vertex(const Path& path, const std::array<Index, 2>& vertices, const PathOptions& options) {
+PairResult vertex_vertex(const Path& path, const std::array<Index, 2>& vertices, const PairOptions& options) {
   return decide_curves(PairKind::vertex_vertex, path, {vertices[0], vertices[1]}, options);
 }
 

@@ -25,6 +25,12 @@ void check(bool ok, const Message& message) {
     throw InvalidOptions(message);
 }
 
+void check_tolerance(double tolerance) {
+  check(tolerance > 0 && tolerance <= 1, [&] {
+    return "the tolerance of brackets is " + number_text(tolerance) + ": give a fraction of the step, > 0 and <= 1";
+  });
+}
+
 void validate(const PairFilter& filter, const Mesh& mesh) {
   const auto n = at(filter.group_count);
   check(filter.rings >= 1, [&] {
@@ -132,12 +138,16 @@ void validate(const Options& options, const Mesh& mesh) {
           [&] { return distance_text(options.radii[g], "the radii of group " + std::to_string(g)); });
 }
 
-void validate(const PairOptions& options) {
+ContactRule validated_rule(const PairOptions& options) {
   validate_distance(options.min_separation, "the minimum separation");
   check(options.latest >= 0 && options.latest <= 1, [&] {
     return "the latest time of interest is " + number_text(options.latest) +
            ": give a fraction of the step, >= 0 and <= 1";
   });
+  check_tolerance(options.tolerance);
+  validate_threads(options.threads);
+  if (options.isa != Isa::best) validate_is_named(options.isa, "instruction set");  // the usual one costs nothing
+  return {options.min_separation, options.latest};
 }
 
 void validate_threads(int threads) {
@@ -175,10 +185,7 @@ void validate_of_step(const QueryOptions& options) {
 
 void validate_of_path(const QueryOptions& options) {
   validate_of_any(options);
-  const double tolerance = options.tolerance.value_or(1);
-  check(tolerance > 0 && tolerance <= 1, [&] {
-    return "the tolerance of brackets is " + number_text(tolerance) + ": give a fraction of the step, > 0 and <= 1";
-  });
+  check_tolerance(options.tolerance.value_or(1));
 }
 
 }  // namespace tamis

@@ -2,6 +2,7 @@
 #pragma once
 #include <string_view>
 
+#include "narrow/contact_rule.hpp"
 #include "tamis/mesh.hpp"
 #include "tamis/options.hpp"
 #include "tamis/pair.hpp"
@@ -34,8 +35,8 @@ void validate_of_path(const QueryOptions& options);
 /// these, is infinite.
 void validate_stored(const Step& step, const Mesh& mesh, Stored stored);
 
-/// Throws InvalidOptions unless the separation is finite and >= 0 and the latest time lies in [0,1].
-void validate(const PairOptions& options);
+/// Throws InvalidOptions unless all lies in its range.
+ContactRule validated_rule(const PairOptions& options);
 
 /// Throws InvalidOptions if negative.
 void validate_threads(int threads);

@@ -19,13 +19,13 @@ struct ClippedBatch : CrossingBatch {
   ClippedBatch(const ListedPairs& list, const PairBuffer& pairs, const std::int32_t* all_places, int at)
       : CrossingBatch{at,
                       lanes_in_use(pairs, at),
-                      load_motion<kind>(list.vertices, pairs, at, {list.options.min_separation, false}),
+                      load_motion<kind>(list.vertices, pairs, at, {list.rule.min_separation, false}),
                       {}},
         places(all_places + at),
         clip(SlabClip::clip<kind, axes>(motion, TimeInterval<DoubleLanes>{DoubleLanes(0), DoubleLanes(1)})) {
     part = widened(clip);
     finite = finite_lanes(motion);
-    free = lanes & finite & bits((clip.t_in > clip.t_out) | (clip.t_in > DoubleLanes(list.options.latest)));
+    free = lanes & finite & bits((clip.t_in > clip.t_out) | (clip.t_in > DoubleLanes(list.rule.latest)));
     lanes &= ~free;
   }
   /// Lanes that a crossing may decide.
@@ -47,8 +47,8 @@ class ListDecision {
   /// Returns how many pairs are left undecided.
   int run(const PairBuffer& in) {
     if constexpr (can_cross(kind))
-      if (list_.options.min_separation == 0) return find_crossings(in);
-    const WithinRule rule{{list_.options.min_separation, false}, list_.options.latest};
+      if (list_.rule.min_separation == 0) return find_crossings(in);
+    const WithinRule rule{{list_.rule.min_separation, false}, list_.rule.latest};
     AdvanceLanes<kind, StepRows, ListDecision>(list_.vertices, rule, *list_.within, *this).run(in);
     return undecided_count_;
   }
@@ -117,7 +117,7 @@ class ListDecision {
     const auto s = decided_by_crossing(crossing, batch.clip);
     const unsigned lanes = batch.lanes;
     const unsigned free = lanes & bits(s.is_free), touches = lanes & ~free & bits(s.touches);
-    const unsigned late = touches & bits(s.lower > DoubleLanes(list_.options.latest));
+    const unsigned late = touches & bits(s.lower > DoubleLanes(list_.rule.latest));
     keep_free(free | late, batch.places);
     const DoubleLanes fields[] = {s.lower, s.upper, s.u, s.v, s.normal.x, s.normal.y, s.normal.z};
     double f[7][kDoubleLanes];

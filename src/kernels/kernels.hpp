@@ -7,6 +7,7 @@
 
 #include "bvh/block_tree.hpp"
 #include "motion/pair_kinds.hpp"
+#include "narrow/contact_rule.hpp"
 #include "tamis/contact.hpp"
 #include "tamis/options.hpp"
 #include "tamis/pair.hpp"
@@ -112,7 +113,7 @@ struct StepRows {
 struct ListedPairs {
   StepRows vertices;
   const std::int32_t* places;  ///< of the pairs of the buffer in the list
-  const PairOptions& options;
+  const ContactRule& rule;
   WithinScratch* within;  ///< where a separation is asked for, or a kind that cannot cross
 };
 

@@ -63,15 +63,15 @@ struct Outcome {
 
 bool is_sharp_answer(const Decision& d) { return d.is_free() || (d.touches() && is_sharp(d.lower, d.upper)); }
 
-bool is_proven_free(const TimeInterval<double>& clip, const PairOptions& options) {
-  return clip.t_in > clip.t_out || clip.t_in > options.latest;
+bool is_proven_free(const TimeInterval<double>& clip, const ContactRule& rule) {
+  return clip.t_in > clip.t_out || clip.t_in > rule.latest;
 }
 
 /// What a crossing that `find` finds in widened(clip) decides; nothing where that takes more.
 template <class Find>
 std::optional<PairResult> decided_within(const PairMotion<double>& m, const TimeInterval<double>& clip,
-                                         const PairOptions& options, const Find& find) {
-  if (is_proven_free(clip, options)) return PairResult{};
+                                         const ContactRule& rule, const Find& find) {
+  if (is_proven_free(clip, rule)) return PairResult{};
   if (clip.t_in == 0 && may_start_coplanar(m)) return {};
   const auto s = decided_by_crossing(find(m, widened(clip)), clip);
   if (s.is_free) return PairResult{};
@@ -80,19 +80,19 @@ std::optional<PairResult> decided_within(const PairMotion<double>& m, const Time
 }
 
 template <PairKind kind>
-std::optional<PairResult> decided_by_crossings(const PairMotion<double>& m, const PairOptions& options) {
+std::optional<PairResult> decided_by_crossings(const PairMotion<double>& m, const ContactRule& rule) {
   const auto one = [](const auto&... in) { return find_crossing<kind>(in...); };
   const auto in_halves = [](const auto&... in) { return find_crossing_in_halves<kind>(in...); };
   if (const auto result =
-          decided_within(m, SlabClip::clip<kind, SlabClip::Axes::coordinates>(m, kWholeStep), options, one))
+          decided_within(m, SlabClip::clip<kind, SlabClip::Axes::coordinates>(m, kWholeStep), rule, one))
     return result;
-  return decided_within(m, SlabClip::clip<kind>(m, kWholeStep), options, in_halves);
+  return decided_within(m, SlabClip::clip<kind>(m, kWholeStep), rule, in_halves);
 }
 
-std::optional<PairResult> decided_by_crossings(PairKind kind, const PairMotion<double>& m, const PairOptions& options) {
-  if (is_about_distance(kind, options.min_separation) || !is_finite(m)) return {};
-  return kind == PairKind::vertex_face ? decided_by_crossings<PairKind::vertex_face>(m, options)
-                                       : decided_by_crossings<PairKind::edge_edge>(m, options);
+std::optional<PairResult> decided_by_crossings(PairKind kind, const PairMotion<double>& m, const ContactRule& rule) {
+  if (is_about_distance(kind, rule.min_separation) || !is_finite(m)) return {};
+  return kind == PairKind::vertex_face ? decided_by_crossings<PairKind::vertex_face>(m, rule)
+                                       : decided_by_crossings<PairKind::edge_edge>(m, rule);
 }
 
 /// Of a pair whose cubic has no certain sign at t=0, as of edges that slide beside each other in one plane: axes
@@ -104,17 +104,17 @@ bool stays_apart(PairKind kind, const PairMotion<double>& m, const TimeInterval<
 }
 
 Outcome decide_pair(PairKind kind, const PairPoints& points, const PairMotion<double>& m,
-                    const TimeInterval<double>& clip, const PairOptions& options) {
-  if (is_proven_free(clip, options)) return {{}, &PrecisionCount::scalar};
+                    const TimeInterval<double>& clip, const ContactRule& rule) {
+  if (is_proven_free(clip, rule)) return {{}, &PrecisionCount::scalar};
   if (clip.t_in == 0 && !is_about_distance(kind, m.separation) && may_start_coplanar(m))
     return stays_apart(kind, m, clip)
                ? Outcome{{}, &PrecisionCount::scalar}
-               : Outcome{decide_exactly(kind, points, options.min_separation), &PrecisionCount::exact};
+               : Outcome{decide_exactly(kind, points, rule.min_separation), &PrecisionCount::exact};
   const Decision d = decide_in_doubles(kind, m, clip);
   if (is_sharp_answer(d)) return {d, &PrecisionCount::scalar};
-  if (const auto again = decide_again(kind, points, options.min_separation, m, d))
+  if (const auto again = decide_again(kind, points, rule.min_separation, m, d))
     return {*again, &PrecisionCount::scalar};
-  return {decide_exactly(kind, points, options.min_separation), &PrecisionCount::exact};
+  return {decide_exactly(kind, points, rule.min_separation), &PrecisionCount::exact};
 }
 
 PairResult described(PairKind kind, const PairPoints& points, const PairMotion<double>& m, const Decision& decision) {
@@ -128,22 +128,22 @@ PairResult described(PairKind kind, const PairPoints& points, const PairMotion<d
 }
 
 /// Of a pair that crossings do not decide.
-PairResult decide_motion(PairKind kind, const PairPoints& points, const PairMotion<double>& m,
-                         const PairOptions& options, PrecisionCount& decided_by) {
-  const auto [decision, arithmetic] = decide_pair(kind, points, m, time_in_question(kind, m), options);
+PairResult decide_motion(PairKind kind, const PairPoints& points, const PairMotion<double>& m, const ContactRule& rule,
+                         PrecisionCount& decided_by) {
+  const auto [decision, arithmetic] = decide_pair(kind, points, m, time_in_question(kind, m), rule);
   ++(decided_by.*arithmetic);
-  return decision.lower > options.latest ? PairResult{} : described(kind, points, m, decision);
+  return decision.lower > rule.latest ? PairResult{} : described(kind, points, m, decision);
 }
 
 }  // namespace
 
-PairResult decide(PairKind kind, const PairPoints& points, const PairOptions& options, PrecisionCount& decided_by) {
-  TAMIS_ASSERT(0 <= options.latest && options.latest <= 1);
-  const auto m = make_motion(kind, points, options.min_separation);
-  const auto decided = decided_by_crossings(kind, m, options);
-  if (!decided) return decide_motion(kind, points, m, options, decided_by);
+PairResult decide(PairKind kind, const PairPoints& points, const ContactRule& rule, PrecisionCount& decided_by) {
+  TAMIS_ASSERT(0 <= rule.latest && rule.latest <= 1);
+  const auto m = make_motion(kind, points, rule.min_separation);
+  const auto decided = decided_by_crossings(kind, m, rule);
+  if (!decided) return decide_motion(kind, points, m, rule, decided_by);
   ++decided_by.scalar;
-  return decided->toi_lower > options.latest ? PairResult{} : *decided;
+  return decided->toi_lower > rule.latest ? PairResult{} : *decided;
 }
 
 PairResult decide_once_apart(PairKind kind, const PairPoints& points, double separation, PrecisionCount& decided_by) {
@@ -157,11 +157,11 @@ PairResult decide_once_apart(PairKind kind, const PairPoints& points, double sep
   return described(kind, points, m, decision);
 }
 
-PairResult decide_undecided(PairKind kind, const PairPoints& points, const PairOptions& options,
+PairResult decide_undecided(PairKind kind, const PairPoints& points, const ContactRule& rule,
                             PrecisionCount& decided_by) {
-  const auto m = make_motion(kind, points, options.min_separation);
-  TAMIS_ASSERT(!decided_by_crossings(kind, m, options));
-  return decide_motion(kind, points, m, options, decided_by);
+  const auto m = make_motion(kind, points, rule.min_separation);
+  TAMIS_ASSERT(!decided_by_crossings(kind, m, rule));
+  return decide_motion(kind, points, m, rule, decided_by);
 }
 
 }  // namespace tamis

@@ -3,18 +3,19 @@
 // same set of contacts.
 #pragma once
 #include "motion/make_motion.hpp"
+#include "narrow/contact_rule.hpp"
 #include "tamis/pair.hpp"
 #include "tamis/statistics.hpp"
 
 namespace tamis {
 
-/// REQUIRES: a kind there is, finite coordinates, valid options (detect/validate.hpp). Counts in `decided_by` which
+/// REQUIRES: a kind there is, finite coordinates, a valid rule. Counts in `decided_by` which
 /// arithmetic had the last word.
-PairResult decide(PairKind kind, const PairPoints& points, const PairOptions& options, PrecisionCount& decided_by);
+PairResult decide(PairKind kind, const PairPoints& points, const ContactRule& rule, PrecisionCount& decided_by);
 
 /// The same. REQUIRES: decided_by_crossing.hpp does not decide the pair, which has been tried where many are tried at
 /// once.
-PairResult decide_undecided(PairKind kind, const PairPoints& points, const PairOptions& options,
+PairResult decide_undecided(PairKind kind, const PairPoints& points, const ContactRule& rule,
                             PrecisionCount& decided_by);
 
 /// What a pair does that touches at t=0 and counts once it has come apart: does it touch again? REQUIRES (not checked:

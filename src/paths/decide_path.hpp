@@ -14,7 +14,7 @@ struct PathQuestion {
   const Path& path;
   PairKind kind;
   PairVertices vertices;
-  double min_separation, tolerance;  ///< as in PathOptions
+  double min_separation, tolerance;  ///< as in PairOptions
   const std::function<bool()>& is_cancelled;
 };
 

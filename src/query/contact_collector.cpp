@@ -110,7 +110,7 @@ void ContactCollector::reduce_to_first() {
   for (const Contact& c : contacts_) {
     if (c.toi_lower > bound_->latest() || !wants(c.kind, c.vertices)) continue;
     stop_if_cancelled(*query_);
-    const PairOptions rule = query_->rule_for(c.kind, c.vertices);
+    const ContactRule rule = query_->rule_for(c.kind, c.vertices);
     const PairResult result = decide(c.kind, points_of(query_->step, c.vertices), rule, decided_by_);
     PairResult once_apart;
     keep_first(contact_of(c.kind, c.vertices, as_counted(c.kind, c.vertices, result, once_apart)));

@@ -1,6 +1,7 @@
 // What is asked. A query goes down through the engine unchanged; answers come back in collectors.
 #pragma once
 #include "motion/separations.hpp"
+#include "narrow/contact_rule.hpp"
 #include "narrow/kept_distance.hpp"
 #include "tamis/options.hpp"
 #include "tamis/pair.hpp"
@@ -32,7 +33,7 @@ struct Query {
   bool is_piece = false;
 
   /// By which a pair is decided.
-  PairOptions rule_for(PairKind kind, const std::array<Index, 4>& vertices) const {
+  ContactRule rule_for(PairKind kind, const std::array<Index, 4>& vertices) const {
     return {.min_separation = separations.between(kind, vertices)};
   }
   /// The same for its part of the distance.

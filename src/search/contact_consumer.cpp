@@ -35,7 +35,7 @@ void ContactConsumer::decide_by_pair(PairKind kind) {
   const auto& [start, end] = query().step;
   const StepRows vertices{start.data(), end.data(), start.stride(), end.stride()};
   auto& [places, undecided, results] = *by_pair_;
-  const int count = kernels.decide_list({vertices, places.data(), PairOptions{}, nullptr}, pairs, thread().clipped,
+  const int count = kernels.decide_list({vertices, places.data(), ContactRule{}, nullptr}, pairs, thread().clipped,
                                         results.data(), undecided.data());
   thread().counts.decided_by.lanes += static_cast<std::uint64_t>(pairs.count - count);
   for (const std::int32_t pair : std::span(undecided).first(static_cast<std::size_t>(count))) {
@@ -66,7 +66,7 @@ void ContactConsumer::add(PairKind kind, const PairVertices& vertices, PairResul
 void ContactConsumer::decide_singly(PairKind kind, const PairVertices& vertices) {
   stop_if_cancelled(query());
   if (!found_.wants(kind, vertices)) return;
-  const PairOptions rule = query().rule_for(kind, vertices);
+  const ContactRule rule = query().rule_for(kind, vertices);
   found_.add(kind, vertices, decide(kind, points_of(query().step, vertices), rule, thread().counts.decided_by),
              DecidedBy::pair);
 }

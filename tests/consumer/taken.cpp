@@ -52,8 +52,8 @@ int main() {
   const tamis::PairFilter filter{.group_of_vertex = {0, 0, 0}};
   const tamis::Options options{.min_separation = 1e-3, .filter = filter};
   const tamis::PairOptions pair{.latest = 0.5};
-  const tamis::PairListOptions list{.threads = 1};
-  const tamis::PathOptions path{.tolerance = 1e-6};
+  const tamis::PairOptions list{.threads = 1};
+  const tamis::PairOptions path{.tolerance = 1e-6};
   const tamis::Pose pose{.rotation = {0, 0, 1}};
   const tamis::Link link{.end = pose};
   return options.threads + int(pair.latest + path.tolerance) + list.threads + int(link.start.position[0]);

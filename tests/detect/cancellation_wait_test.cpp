@@ -147,7 +147,7 @@ TEST_P(HardPaths, EndSoonOnceCancelled) {
 TEST_P(HardPaths, EndSoonOnceCancelledPairByPair) {
   Waits waits(0.02);
   for (const double separation : {0.0, 1e-14}) {
-    const PathOptions options{separation, 1e-9, waits.is_cancelled()};
+    const PairOptions options{.min_separation = separation, .is_cancelled = waits.is_cancelled()};
     const auto expect_short = [&](const char* kind, const auto& ask) {
       EXPECT_LT(waits.longest_of(ask), kLongestWait) << kind << " within " << separation;
     };
@@ -191,7 +191,7 @@ TEST(CancellationWaitOfLists, IsShort) {
   std::vector<PairResult> results(pairs.size());  // memory that is used for the first time takes a time of its own
   Waits waits(2);
   for (const double separation : {0.0, 0.01}) {
-    const PairListOptions options{.min_separation = separation, .threads = 1, .is_cancelled = waits.is_cancelled()};
+    const PairOptions options{.min_separation = separation, .threads = 1, .is_cancelled = waits.is_cancelled()};
     EXPECT_LT(waits.longest_of([&] { narrow_phase(pairs, scene.step(), results, options); }), kLongestWait)
         << separation;
   }

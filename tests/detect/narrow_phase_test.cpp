@@ -70,7 +70,8 @@ TEST(NarrowPhase, ListsSayBitForBitWhatTheFunctionsForOnePairSay) {
   for (const double separation : {0.0, 1e-300, 1e-9, 0.01, 0.125, 3.0})
     for (const auto& [isa, latest] : kAsked) {
       if (!is_here(isa)) continue;
-      const auto results = narrow_phase(cases.pairs, {cases.start, cases.end}, {separation, latest, 1, isa});
+      const auto results = narrow_phase(cases.pairs, {cases.start, cases.end},
+                                        {.min_separation = separation, .latest = latest, .threads = 1, .isa = isa});
       ASSERT_EQ(results.size(), cases.pairs.size());
       for (std::size_t i = 0; i < results.size(); ++i) {
         const auto alone = test::ask_pair(cases.pairs[i].kind, cases.motions[i], {separation, latest});
@@ -134,7 +135,7 @@ TEST(NarrowPhase, StridesAreFollowedAndRowsThatNoPairNamesAreNotRead) {
 TEST(NarrowPhase, AnEmptyListHasNoResults) { EXPECT_TRUE(narrow_phase(std::vector<Pair>{}, Step{}).empty()); }
 
 template <class Bad>
-std::string sentence(std::vector<Pair> pairs, const Step& step, const PairListOptions& options = {}) {
+std::string sentence(std::vector<Pair> pairs, const Step& step, const PairOptions& options = {}) {
   try {
     narrow_phase(pairs, step, options);
   } catch (const Bad& e) {

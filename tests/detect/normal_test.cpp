@@ -65,7 +65,7 @@ TEST_P(Normal, IsAUnitVectorWhereAFeatureIsAPoint) {
 
 /// As one pair of a list.
 PairResult alone(const Scene& scene, const Contact& c, double separation) {
-  PairListOptions options;
+  PairOptions options;
   options.min_separation = separation;
   return narrow_phase(std::vector<Pair>{{c.kind, c.vertices}}, scene.step(), options)[0];
 }

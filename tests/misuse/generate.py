@@ -17,7 +17,7 @@ NOT_ASKED = {
     "spline_path.hpp": "asked through C", "statistics.hpp": "answers", "step.hpp": "a struct", "stored.hpp": "names", "tamis.h": "asked through C",
     "tamis.hpp": "includes the others", "turn.hpp": "takes what is made", "world.hpp": "asked by tests/world",
 }
-STRUCTS = ("Options", "PairFilter", "QueryOptions", "PairOptions", "PairListOptions", "PathOptions")
+STRUCTS = ("Options", "PairFilter", "QueryOptions", "PairOptions")
 # Looking something up that is not there is no misuse: -1.
 LOOKS_UP = ("find_edge", "find_face")
 

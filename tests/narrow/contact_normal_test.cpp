@@ -192,7 +192,7 @@ TEST(SideOfAPoint, IsTheOneItArrivesFrom) {
 /// Straight motion as a path.
 PairResult on_path(PairKind kind, const Motion& m, double separation) {
   const BezierPath path({{m.start.begin(), m.start.end()}, {m.end.begin(), m.end.end()}});
-  const PathOptions options{separation, 1e-9};
+  const PairOptions options{.min_separation = separation};
   if (kind == PairKind::vertex_face) return vertex_face(path, {0, 1, 2, 3}, options);
   if (kind == PairKind::edge_edge) return edge_edge(path, {0, 1, 2, 3}, options);
   if (kind == PairKind::vertex_edge) return vertex_edge(path, {0, 1, 2}, options);

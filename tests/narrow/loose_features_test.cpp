@@ -11,7 +11,7 @@
 namespace tamis {
 namespace {
 
-constexpr PairOptions within(double separation) { return {separation}; }
+PairOptions within(double separation) { return {separation}; }
 
 // A point falls past the middle of an edge of length 2 at a distance of 1, on a straight line.
 PairResult point_past_edge(double height, const PairOptions& options) {

@@ -91,8 +91,10 @@ TEST(BadPath, OptionsAndNumbersAreChecked) {
   expect_message<InvalidPath>([&] { edge_edge(path, {-1, 1, 2, 3}); }, "no vertex -1");
   expect_message<InvalidOptions>([&] { edge_edge(path, kAll, {-1.0}); }, "minimum separation is -1");
   expect_message<InvalidOptions>([&] { edge_edge(path, kAll, {kNan}); }, "minimum separation");
+  for (const double latest : {-1e-9, 1.5, kNan})
+    expect_message<InvalidOptions>([&] { edge_edge(path, kAll, {.latest = latest}); }, "latest time");
   for (const double tolerance : {0.0, -1e-9, 2.0, kNan})
-    expect_message<InvalidOptions>([&] { edge_edge(path, kAll, {0, tolerance}); }, "tolerance");
+    expect_message<InvalidOptions>([&] { edge_edge(path, kAll, {.tolerance = tolerance}); }, "tolerance");
 }
 
 TEST(BadPath, RigidBodiesAreChecked) {

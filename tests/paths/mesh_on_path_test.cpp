@@ -51,7 +51,7 @@ std::vector<Contact> one_by_one(const Mesh& mesh, const lab::Options& options, c
   const auto apart = [&](Index a, Index b) {
     return group[static_cast<std::size_t>(a)] != group[static_cast<std::size_t>(b)];
   };
-  const PathOptions rule{options.min_separation};
+  const PairOptions rule{options.min_separation};
   for (const Index p : mesh.points())
     for (const Face& f : mesh.faces())
       if (apart(p, f[0])) {

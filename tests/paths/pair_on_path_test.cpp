@@ -143,6 +143,25 @@ TEST(PairOnPath, AgreesWithStraightMotionWhereNothingTurns) {
   EXPECT_GT(touching, 50);
 }
 
+// Bug: the latest time of interest is for straight pairs alone, or cuts a contact before it.
+TEST(PairOnPath, ALatestTimeOfInterestOnlyMakesLaterPairsFree) {
+  Random random(17);
+  int early = 0, late = 0;
+  for (int i = 0; i < 1000; ++i) {
+    const TurningPair pair = random_pair(random, 2, 1);
+    const PairResult whole = ask(pair, {.min_separation = 0.1});
+    const PairResult part = ask(pair, {.min_separation = 0.1, .latest = 0.5});
+    EXPECT_EQ(part.touches, whole.touches && whole.toi_lower <= 0.5) << i;
+    if (part.touches) {
+      EXPECT_EQ(part.toi_lower, whole.toi_lower) << i;
+    }
+    early += part.touches;
+    late += whole.touches && !part.touches;
+  }
+  EXPECT_GT(early, 20);
+  EXPECT_GT(late, 20);
+}
+
 // Bug: the separation added once and not twice, or the deviations not at all.
 TEST(PairOnPath, ComesWithinASeparationWhenTheOracleSaysSo) {
   Random random(13);

@@ -22,7 +22,7 @@ inline RigidPath path_of(const TurningPair& pair) {
   return {{pair.points.begin(), pair.points.end()}, bodies, {chain(pair.first), chain(pair.second)}};
 }
 
-inline PairResult ask(const TurningPair& pair, const PathOptions& options = {}) {
+inline PairResult ask(const TurningPair& pair, const PairOptions& options = {}) {
   constexpr std::array<Index, 4> kVertices{0, 1, 2, 3};
   const RigidPath path = path_of(pair);
   return pair.kind == PairKind::vertex_face ? vertex_face(path, kVertices, options)

@@ -27,7 +27,7 @@ Rigid far_turn(Random& random, const Point& place) {
 /// The first time at which each pair of features of two bodies may touch: of those that do.
 std::map<NamedPair, PairResult> each_by_itself(const TestWorld& world, const OneMesh& mesh, double separation) {
   std::map<NamedPair, PairResult> found;
-  PathOptions options;
+  PairOptions options;
   options.min_separation = separation;
   const Mesh& cube = world.bodies[0].shape.mesh();
   const auto count = static_cast<Index>(world.bodies[0].shape.points().size());

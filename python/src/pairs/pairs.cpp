@@ -18,7 +18,7 @@ void copy_pairs(const Kinds& kinds, const IndexRowsIn<4>& vertices, std::size_t 
 
 /// In parts that stay in the cache: a copy of the whole list would take a tenth of the time.
 void decide_in_parts(const Kinds& kinds, const IndexRowsIn<4>& vertices, const Step& step,
-                     std::span<PairResult> results, const PairListOptions& options) {
+                     std::span<PairResult> results, const PairOptions& options) {
   constexpr std::size_t kPart = 1 << 15;
   std::vector<Pair> pairs;
   std::size_t first = 0;
@@ -39,7 +39,8 @@ nb::object decide_list(const Kinds& kinds, const IndexRowsIn<4>& vertices, const
                        double min_separation, double latest) {
   std::vector<PairResult> results(kinds.shape(0));
   Signals signals;
-  const PairListOptions options{min_separation, latest, 0, Isa::best, [&] { return signals.ask(); }};
+  const PairOptions options{
+      .min_separation = min_separation, .latest = latest, .is_cancelled = [&] { return signals.ask(); }};
   signals.begin();
   try {
     const nb::gil_scoped_release unlocked;

@@ -41,7 +41,7 @@ std::array<Index, corners> first_of(const Pair& pair) {
   return vertices;
 }
 
-PairResult decide_on(const Path& path, const Pair& pair, const PathOptions& options) {
+PairResult decide_on(const Path& path, const Pair& pair, const PairOptions& options) {
   switch (pair.kind) {
     case PairKind::vertex_face:
       return vertex_face(path, pair.vertices, options);
@@ -58,7 +58,8 @@ PairResult decide_on(const Path& path, const Pair& pair, const PathOptions& opti
 nb::object decide_list_on(const Kinds& kinds, const IndexRowsIn<4>& vertices, const Path& path, double min_separation,
                           double tolerance) {
   return decide_each(kinds.shape(0), [&](std::size_t i, const std::function<bool()>& is_cancelled) {
-    return decide_on(path, pair_at(kinds, vertices, i), {min_separation, tolerance, is_cancelled});
+    return decide_on(path, pair_at(kinds, vertices, i),
+                     {.min_separation = min_separation, .tolerance = tolerance, .is_cancelled = is_cancelled});
   });
 }
 

@@ -1,0 +1,228 @@
+// The features of one leaf block against those of the leaf blocks that it may meet. A row is one feature and sixteen of
+// another block; rows without pairs drop out stage by stage, without branches on what boxes meet, which nothing could
+// predict.
+#pragma once
+#include <utility>
+
+#include "kernels/reach.hpp"
+#include "kernels/row_pairs.hpp"
+
+namespace tamis::TAMIS_ISA {
+
+/// What the features of two leaf blocks are asked.
+enum class Test {
+  boxes,                ///< do the boxes of the search meet?
+  some_time,            ///< do they meet at some time, mine one by one with theirs?
+  some_time_of_theirs,  ///< the same, theirs one by one with mine
+  reach,                ///< are they within reach of each other at t=0?
+};
+
+/// A leaf block of search.b.
+struct MetLeaf {
+  int block;
+  Test test;
+  float reach;    ///< Test::reach: how far apart features can be that are of interest
+  unsigned rows;  ///< bits of the features that are asked one by one
+};
+
+/// Bits of sixteen lanes whose boxes may meet. `a(k, first)`, `b(k, first)`: bound k of those from lane `first` on.
+template <class Boxes, class A, class B>
+[[gnu::always_inline]] inline unsigned lanes_that_meet(const Boxes& boxes, const A& a, const B& b) {
+  unsigned mask = 0;
+  for_sixteen_lanes([&](int first) {
+    mask |= bits(boxes.meet([&](int k) { return a(k, first); }, [&](int k) { return b(k, first); })) << first;
+  });
+  return mask;
+}
+
+/// `Boxes`: as of BlockSearch.
+template <PairKind kind, class Boxes, Course course>
+class LeafRows {
+ public:
+  using Bounds = typename Boxes::Bounds;
+  static constexpr bool kIsSelf = RowPairs<kind, course>::kIsSelf;
+
+  LeafRows(Search& search, int block, const Boxes& boxes)
+      : search_(search), block_(block), boxes_(boxes), row_pairs_(search, block) {
+    boxes_.bound(search.a, 0, block, mine_);
+  }
+
+  /// Of my features.
+  const Bounds& bounds() const { return mine_; }
+
+  /// `leaf`: all but its rows. Nothing if none of my features may meet its hull, which is lane `lane` of `hulls`.
+  void append(MetLeaf leaf, const Bounds& hulls, int lane) {
+    leaf.rows = rows_that_meet(leaf, hulls, lane);
+    leaves_[leaf_count_] = leaf;
+    leaf_count_ += leaf.rows != 0;
+  }
+
+  /// Is there no room for the leaves of another node?
+  bool is_full() const { return leaf_count_ > kMostLeaves - kBlock; }
+
+  /// Hands on the pairs of all leaves, and forgets these.
+  void match() {
+    for (int i = 0; i < kAhead && i < leaf_count_; ++i) fetch(leaves_[i].block);
+    for (int i = 0; i < leaf_count_; ++i) {
+      if (i + kAhead < leaf_count_) fetch(leaves_[i + kAhead].block);
+      is_bounded_[i] = false;
+      if (!Boxes::kHasReach || leaves_[i].test != Test::reach) bound(i);
+      if constexpr (Boxes::kMoves) ask_fewer(leaves_[i]);
+    }
+    if constexpr (Boxes::kHasReach)
+      match_rows<One::mine>(Test::reach, [&](int count) { return keep_near_rows(count); });
+    match_rows<One::mine>(Test::boxes, [&](int count) {
+      return keep_rows(0, count, 0, [&](int i) { return others_that_meet<One::mine>(rows_[i]); });
+    });
+    if constexpr (Boxes::kMoves) {
+      match_rows<One::mine>(Test::some_time, [&](int count) { return keep_fast_rows<One::mine>(count); });
+      match_rows<One::theirs>(Test::some_time_of_theirs, [&](int count) { return keep_fast_rows<One::theirs>(count); });
+    }
+    leaf_count_ = 0;
+  }
+
+ private:
+  static constexpr int kMostLeaves = 32, kAhead = 4;
+  /// Rows of a block that are looked at first, and the part of them above which the cheap test leaves too many to be
+  /// asked at all (docs/history/performance.md, "What chooses").
+  static constexpr int kSample = 16;
+  static constexpr double kMostMet = 0.65;
+  /// Of a row, features within reach up to which it costs less later than being asked again
+  /// (docs/history/performance.md, "Reach by blocks").
+  static constexpr int kFew = 2;
+
+  unsigned rows_that_meet(const MetLeaf& leaf, const Bounds& hulls, int lane) const {
+    const BoxBlock &theirs = search_.b.levels[1][leaf.block / kBlock], &mine = search_.a.levels[0][block_];
+    if constexpr (Boxes::kMoves)
+      if (leaf.test == Test::some_time) return boxes_.meet_at_some_time(theirs, lane, mine);
+    if constexpr (Boxes::kHasReach)
+      if (leaf.test == Test::reach) return within_reach(theirs, lane, mine, leaf.reach);
+    return lanes_that_meet(
+        boxes_, [&](int k, int first) { return mine_.lanes(k, first); },
+        [&](int k, int) { return FloatLanes(hulls.at[k][lane]); });
+  }
+
+  /// Boxes and corners are on their way while other blocks are looked at.
+  void fetch(int block) const {
+    const auto fetch_all = [](const auto& of_block) {
+      for (std::size_t byte = 0; byte < sizeof(of_block); byte += 64)
+        __builtin_prefetch(reinterpret_cast<const char*>(&of_block) + byte);
+    };
+    fetch_all(search_.b.levels[0][block]);
+    fetch_all(search_.b.corners[block]);
+  }
+
+  void bound(int i) {
+    if (std::exchange(is_bounded_[i], true)) return;
+    boxes_.bound(search_.b, 0, leaves_[i].block, theirs_[i]);
+  }
+
+  /// Of a leaf whose features move far: its features that may meet my hull become the rows, if these are fewer.
+  void ask_fewer(MetLeaf& leaf) const {
+    if (leaf.test != Test::some_time || (kIsSelf && leaf.block == block_)) return;
+    const unsigned theirs = boxes_.meet_at_some_time(search_.a.levels[1][block_ / kBlock], block_ % kBlock,
+                                                     search_.b.levels[0][leaf.block]);
+    if (__builtin_popcount(theirs) >= __builtin_popcount(leaf.rows)) return;
+    leaf.rows = theirs;
+    leaf.test = Test::some_time_of_theirs;
+  }
+
+  /// Hands on the pairs of the leaves that are asked this. `keep(count)`, of that many rows, leaves those with pairs.
+  template <One one, class Keep>
+  void match_rows(Test test, const Keep& keep) {
+    int count = 0;
+    for (int i = 0; i < leaf_count_; ++i)
+      append_bits(leaves_[i].test == test ? leaves_[i].rows : 0, kBlock * i, rows_, count);
+    const int found = keep(count);
+    for (int i = 0; i < found; ++i)
+      row_pairs_.template append<one>(leaf_of(rows_[i]).block, lane_of(rows_[i]), found_[i], boxes_.t_limit());
+  }
+
+  /// Of the first `count` rows, those of features that may meet, with the bits of these; their number.
+  template <One one>
+  int keep_fast_rows(int count) {
+    const auto cheap = [&](int i) { return others_that_meet<one>(rows_[i]); };
+    const auto both = [&](int i) { return found_[i] & others_that_meet_at_some_time<one>(rows_[i]); };
+    // The block's first rows tell whether the cheap test leaves so much that the sharp one is better asked at once.
+    const int sample = std::min(count, kSample - sampled_), met = keep_rows(0, sample, 0, cheap);
+    sampled_ += sample;
+    met_ += met;
+    const int found = keep_rows(0, met, 0, both);
+    if (met_ > kMostMet * sampled_)
+      return keep_rows(sample, count, found, [&](int i) {
+        return others_that_meet_at_some_time<one>(rows_[i]) & ~neighbours<one>(rows_[i]);
+      });
+    return keep_rows(found, keep_rows(sample, count, found, cheap), found, both);
+  }
+
+  /// The same where hardly any but neighbours are within reach of each other.
+  int keep_near_rows(int count) {
+    const int near = keep_rows(0, count, 0, [&](int i) { return others_within_reach(rows_[i]); });
+    return keep_rows(0, near, 0, [&](int i) {
+      if (__builtin_popcount(found_[i]) <= kFew) return found_[i];
+      bound(static_cast<int>(place_of(rows_[i])));
+      return found_[i] & others_that_meet<One::mine>(rows_[i]);
+    });
+  }
+
+  /// Of the rows first to last those where bits(i) has some, from place `to` on. Returns the place behind them.
+  template <class Bits>
+  int keep_rows(int first, int last, int to, const Bits& bits) {
+    for (int i = first; i < last; ++i) {
+      found_[to] = bits(i);
+      rows_[to] = rows_[i];
+      to += found_[to] != 0;
+    }
+    return to;
+  }
+
+  /// Of a row, place in leaves_ and lane of the one: without a sign, which takes more operations.
+  static unsigned place_of(std::int32_t row) { return static_cast<unsigned>(row) / kBlock; }
+  const MetLeaf& leaf_of(std::int32_t row) const { return leaves_[place_of(row)]; }
+  static int lane_of(std::int32_t row) { return static_cast<int>(static_cast<unsigned>(row) % kBlock); }
+
+  /// Bits of the sixteen of a row that are within reach of the one and no neighbours.
+  unsigned others_within_reach(int row) const {
+    const MetLeaf& leaf = leaf_of(row);
+    return within_reach(search_.a.levels[0][block_], lane_of(row), search_.b.levels[0][leaf.block], leaf.reach) &
+           ~neighbours<One::mine>(row);
+  }
+
+  /// Bits of those that may meet the one and are no neighbours.
+  template <One one>
+  unsigned others_that_meet(int row) const {
+    const int lane = lane_of(row);
+    const auto bounds = of_row<one>(mine_, theirs_[place_of(row)]);
+    return lanes_that_meet(
+               boxes_, [&](int k, int) { return FloatLanes(bounds.one.at[k][lane]); },
+               [&](int k, int first) { return bounds.sixteen.lanes(k, first); }) &
+           ~neighbours<one>(row);
+  }
+
+  template <One one>
+  unsigned neighbours(int row) const {
+    return row_pairs_.template neighbours<one>(leaf_of(row).block, lane_of(row));
+  }
+
+  /// Bits of those that may meet the one at some time, neighbours among them.
+  template <One one>
+  unsigned others_that_meet_at_some_time(int row) const {
+    const auto boxes = of_row<one>(search_.a.levels[0][block_], search_.b.levels[0][leaf_of(row).block]);
+    return boxes_.meet_at_some_time(boxes.one, lane_of(row), boxes.sixteen);
+  }
+
+  Search& search_;
+  const int block_;
+  const Boxes boxes_;
+  const RowPairs<kind, course> row_pairs_;
+  Bounds mine_;
+  int leaf_count_ = 0;
+  MetLeaf leaves_[kMostLeaves + 1];
+  bool is_bounded_[kMostLeaves];
+  int sampled_ = 0, met_ = 0;  ///< fast rows that were asked the cheap way first, and those that it left
+  Bounds theirs_[kMostLeaves];
+  std::int32_t rows_[kMostLeaves * kBlock + kBlock];
+  unsigned found_[kMostLeaves * kBlock];
+};
+
+}  // namespace tamis::TAMIS_ISA

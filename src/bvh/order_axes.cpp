@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "numerics/assert.hpp"
+
 namespace tamis {
 namespace {
 
@@ -51,6 +53,7 @@ struct Spread {
   bool is_long() const { return until(1) > kTwiceAsWide * apart; }
   /// The part of the step after which they are. REQUIRES: is_long().
   double time() const {
+    TAMIS_ASSERT(is_long());
     if (apart == 0) return 0;
     const double more = (kTwiceAsWide - 1) * apart;
     return 2 * more / (along + std::sqrt(along * along + 4 * parting * more));

@@ -95,6 +95,7 @@ PairMotion<DoubleDouble> make_fine_motion(PairKind kind, const PairPoints& point
 
 std::optional<PairMotion<double>> make_beginning(PairKind kind, const PairPoints& points, double separation,
                                                  double part) {
+  TAMIS_ASSERT(0 < part && part <= 1);
   constexpr double kMostScale = 0x1p60;
   const auto whole = unscaled<DoubleDouble>(kind, points, separation);
   const Unscaled<double> motion{beginning(whole.e, part), beginning(whole.f, part), beginning(whole.d, part),

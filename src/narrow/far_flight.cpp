@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "narrow/separation.hpp"
+#include "numerics/assert.hpp"
 
 namespace tamis {
 namespace {
@@ -22,6 +23,7 @@ double part_of_beginning(const PairMotion<double>& m) {
 }  // namespace
 
 bool flies_past(PairKind kind, const PairPoints& points, double separation, const PairMotion<double>& m) {
+  TAMIS_ASSERT(is_motion_of(m, kind, points) && is_finite(m));
   const double part = part_of_beginning(m);
   if (part == 0) return false;
   const auto beginning = make_beginning(kind, points, separation, part);

@@ -4,6 +4,7 @@
 #include "distance/squared_axis.hpp"
 #include "motion/pair_kinds.hpp"
 #include "narrow/finely.hpp"
+#include "numerics/assert.hpp"
 #include "numerics/scale.hpp"
 
 namespace tamis {
@@ -127,6 +128,7 @@ class FineSearch {
 
 std::optional<Decision> first_within_finely(PairKind kind, const PairPoints& points, double separation,
                                             const PairMotion<double>& m, const TimeInterval<double>& bracket) {
+  TAMIS_ASSERT(is_motion_of(m, kind, points) && is_part_of_step(bracket));
   const PairMotion<Fine> fine = make_fine_motion(kind, points, separation);
   return with_kind(kind, [&](auto k) {
     const auto decision = FineSearch<k(), WeightsIn::doubles>(fine, m).run(bracket);

@@ -113,6 +113,7 @@ double start_distance_bound(const PairMotion<double>& m, const ClosestPoints& cl
 }  // namespace
 
 bool is_apart_from_end(PairKind kind, const PairMotion<double>& m) {
+  TAMIS_ASSERT(is_finite(m));
   return with_kind(kind, [&](auto k) {
     const Looker<k(), double> looker(m);
     return looker.clip().parts_along(1, looker.sight(1).closest.gap);
@@ -120,6 +121,7 @@ bool is_apart_from_end(PairKind kind, const PairMotion<double>& m) {
 }
 
 double start_distance_bound(PairKind kind, const PairMotion<double>& m, const ClosestPoints& closest) {
+  TAMIS_ASSERT(is_whole(m) && is_finite(m));
   return with_kind(kind, [&](auto k) { return start_distance_bound<k()>(m, closest); });
 }
 

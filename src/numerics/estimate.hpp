@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <limits>
 
+#include "numerics/assert.hpp"
 #include "numerics/double_double.hpp"
 #include "numerics/wide_double.hpp"
 
@@ -17,6 +18,7 @@ class Estimate {
   Estimate(int value) : value_(value), rest_(static_cast<Wide>(value)) {}
   /// mantissa 2^shift, an integer. REQUIRES: |mantissa| <= 2^53.
   static Estimate scaled(std::int64_t mantissa, int shift) {
+    TAMIS_ASSERT(std::int64_t{-1} << 53 <= mantissa && mantissa <= std::int64_t{1} << 53);
     if (shift <= 0) return {static_cast<double>(mantissa >> -shift), 0, static_cast<Wide>(mantissa >> -shift)};
     if (shift > 900) return {0, HUGE_VAL, 0};
     return {times_power_of_two(static_cast<double>(mantissa), shift), 0,

@@ -19,6 +19,7 @@ class Integer {
   Integer(std::int64_t value) noexcept;
   /// mantissa 2^shift, cut to an integer. REQUIRES: shift > -64.
   static Integer scaled(std::int64_t mantissa, int shift) {
+    TAMIS_ASSERT(shift > -64);
     if (shift <= 0) return mantissa >> -shift;
     return Integer(mantissa) << static_cast<unsigned long>(shift);
   }

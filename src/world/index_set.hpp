@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "numerics/assert.hpp"
 #include "tamis/mesh.hpp"
 #include "topology/at.hpp"
 
@@ -22,6 +23,7 @@ class IndexSet {
   }
   /// REQUIRES: of the same thing.
   bool includes(const IndexSet& other) const {
+    TAMIS_ASSERT(words_.size() == other.words_.size());
     return std::ranges::equal(words_, other.words_,
                               [](std::uint64_t mine, std::uint64_t theirs) { return (theirs & ~mine) == 0; });
   }

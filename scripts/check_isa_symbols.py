@@ -26,6 +26,8 @@ def shared_functions(isa: str, path: str):
 
 def main() -> int:
     isa, objects = sys.argv[1], sys.argv[2:]
+    if isa not in OWN_NAME:
+        sys.exit(f"{isa}: say in OWN_NAME which names its objects may define")
     leaks = [(path, name) for path in objects for name in shared_functions(isa, path)]
     for path, name in leaks:
         print(f"{path}: {name}")

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""docs/questions.md has every question of every door, and no other."""
+"""docs/questions.md has every question of every door, and no other; what tests of all questions ask is all of them."""
 from __future__ import annotations
 
 import ast
@@ -9,6 +9,9 @@ import sys
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 PAGE = "docs/questions.md"
+DETECTOR = "include/tamis/detector.hpp"
+# Tests of whatever a detector is asked.
+ASK_ALL = ("tests/support/every_question.cpp", "tests/support/as_new.hpp")
 # What a door has besides questions: making, changing, reading what was answered.
 NO_QUESTIONS = {
     *("add", "add_many", "move", "move_many", "motion", "remove", "set_enabled", "set_may_touch", "set_radius"),
@@ -78,7 +81,7 @@ def doors() -> dict[str, list[set[str]]]:
     command = verbs("cli/verbs")
     return {
         "One mesh": [
-            methods("include/tamis/detector.hpp", "Detector"),
+            methods(DETECTOR, "Detector"),
             python_methods("Detector", "_detector/*.py"),
             c_functions("tamis_detector_"),
             command - {"bodies"},
@@ -125,10 +128,19 @@ def faults() -> list[str]:
     return found
 
 
+def unasked() -> list[str]:
+    return [
+        f"{place}: nobody asks {name}"
+        for place in ASK_ALL
+        for name in sorted(methods(DETECTOR, "Detector") - NO_QUESTIONS)
+        if not re.search(rf"\.{name}\(", text(place))
+    ]
+
+
 def main() -> int:
-    found = faults()
+    found = [f"{PAGE}: {fault}" for fault in faults()] + unasked()
     for fault in found:
-        print(f"{PAGE}: {fault}")
+        print(fault)
     return 1 if found else 0
 
 

@@ -45,6 +45,7 @@ inline std::vector<std::array<double, 8>> at_rest(Detector& detector, const Step
   for (const Intersection& p : detector.intersections(step.start))
     rows.push_back({double(p.edge[0]), double(p.edge[1]), double(p.face[0]), double(p.face[1]), double(p.face[2]),
                     p.s_lower, p.s_upper, p.u});
+  rows.push_back({double(detector.has_intersection(step.start))});
   return rows;
 }
 

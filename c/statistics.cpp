@@ -26,8 +26,10 @@ tamis_statistics statistics_of(const Statistics& s, std::vector<std::string>& na
   answer.stage_count = static_cast<int32_t>(count);
   names.clear();
   for (std::size_t i = 0; i < count; ++i) names.emplace_back(s.stages[i].name);
-  for (std::size_t i = 0; i < count; ++i)
-    answer.stages[i] = {names[i].c_str(), {s.stages[i].vf, s.stages[i].ee, s.stages[i].ve, s.stages[i].vv}};
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto& [name, vf, ee, ve, vv] = s.stages[i];
+    answer.stages[i] = {names[i].c_str(), {vf, ee, ve, vv}};
+  }
   return answer;
 }
 

@@ -4,12 +4,16 @@
 #include <iterator>
 
 namespace tamis::io {
+namespace {
+
+constexpr std::uint64_t Tally::*kOfKind[] = {&Tally::vf, &Tally::ee, &Tally::ve, &Tally::vv};
+static_assert(std::size(kOfKind) == kPairKinds, "name each kind of pair");
+
+}  // namespace
 
 Tally tally_of(std::span<const Contact> contacts) {
   Tally tally;
   for (const Contact& c : contacts) {
-    constexpr std::uint64_t Tally::*kOfKind[] = {&Tally::vf, &Tally::ee, &Tally::ve, &Tally::vv};
-    static_assert(std::size(kOfKind) == kPairKinds);
     ++(tally.*kOfKind[static_cast<std::size_t>(c.kind)]);
     tally.toi_lower = std::min(tally.toi_lower, c.toi_lower);
     if (c.certainty == Certainty::unresolved)
@@ -21,10 +25,7 @@ Tally tally_of(std::span<const Contact> contacts) {
 }
 
 void Tally::add_counts(const Tally& step) {
-  vf += step.vf;
-  ee += step.ee;
-  ve += step.ve;
-  vv += step.vv;
+  for (const auto of_kind : kOfKind) this->*of_kind += step.*of_kind;
   unresolved += step.unresolved;
 }
 

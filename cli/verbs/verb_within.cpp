@@ -46,18 +46,19 @@ class Within final : public PoseVerb {
   void report(const std::vector<NearPair>& pairs, const Detector& detector, const Timing& timing) const {
     std::size_t counts[kPairKinds] = {};
     for (const NearPair& pair : pairs) ++counts[static_cast<std::size_t>(pair.kind)];
+    const auto& [vf, ee, ve, vv] = counts;
     const auto nearest = std::min_element(pairs.begin(), pairs.end(),
                                           [](const NearPair& a, const NearPair& b) { return a.distance < b.distance; });
     if (json_) {
       Json json{{"distance", distance_},
-                {"within", {{"vf", counts[0]}, {"ee", counts[1]}, {"ve", counts[2]}, {"vv", counts[3]}}},
+                {"within", {{"vf", vf}, {"ee", ee}, {"ve", ve}, {"vv", vv}}},
                 {"smallest_distance", pairs.empty() ? Json() : Json(nearest->distance)}};
       add_costs(json, detector, timing);
       return print_json(json);
     }
     print_mesh(detector.mesh());
     fmt::print("within {:<9.4g}{} vertex-face, {} edge-edge, {} vertex-edge, {} vertex-vertex\n", distance_,
-               grouped(counts[0]), grouped(counts[1]), grouped(counts[2]), grouped(counts[3]));
+               grouped(vf), grouped(ee), grouped(ve), grouped(vv));
     if (!pairs.empty()) fmt::print("smallest        {}\n", nearest->distance);
     if (!out_.empty()) fmt::print("written to      {}\n", printable(out_));
     print_costs(detector.statistics(), timing, repeat_);

@@ -148,8 +148,8 @@ SafeStep LocalSearch::safe_step(double keep, const QueryOptions& asked) {
 
 std::uint64_t LocalSearch::pairs_tested() const {
   if (!detector_ || detector_->statistics().stages.empty()) return 0;
-  const StageCount& boxes = detector_->statistics().stages.front();
-  return boxes.vf + boxes.ee + boxes.ve + boxes.vv;
+  const auto& [name, vf, ee, ve, vv] = detector_->statistics().stages.front();
+  return vf + ee + ve + vv;
 }
 
 std::vector<std::uint64_t> LocalSearch::weights_of(const ElementSet& part) const {

@@ -36,8 +36,8 @@ nb::dict pairs_by_arithmetic(const PrecisionCount& count) {
 
 nb::dict as_dict(const Statistics& s) {
   nb::dict stages, all;
-  for (const StageCount& stage : s.stages)
-    stages[nb::str(stage.name.data(), stage.name.size())] = nb::make_tuple(stage.vf, stage.ee, stage.ve, stage.vv);
+  for (const auto& [name, vf, ee, ve, vv] : s.stages)
+    stages[nb::str(name.data(), name.size())] = nb::make_tuple(vf, ee, ve, vv);
   all["isa"] = std::string(name_of(s.isa));
   all["threads"] = s.threads;
   all["stages"] = stages;

@@ -10,6 +10,7 @@ constexpr EnumNames<PairKind, 4> kKinds{{{PairKind::vertex_face, "vf"},
                                          {PairKind::edge_edge, "ee"},
                                          {PairKind::vertex_edge, "ve"},
                                          {PairKind::vertex_vertex, "vv"}}};
+static_assert(kKinds.size() == kPairKinds, "name each kind of pair");
 constexpr EnumNames<Isa, 4> kIsas{
     {{Isa::best, "best"}, {Isa::baseline, "baseline"}, {Isa::avx2, "avx2"}, {Isa::avx512, "avx512"}}};
 

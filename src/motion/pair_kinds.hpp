@@ -46,7 +46,16 @@ constexpr std::size_t second_feature(PairKind kind) { return kind == PairKind::e
 
 /// How many vertices the pair has.
 constexpr std::size_t vertex_count(PairKind kind) {
-  return kind == PairKind::vertex_vertex ? 2 : kind == PairKind::vertex_edge ? 3 : 4;
+  switch (kind) {
+    case PairKind::vertex_vertex:
+      return 2;
+    case PairKind::vertex_edge:
+      return 3;
+    case PairKind::vertex_face:
+    case PairKind::edge_edge:
+      break;
+  }
+  return 4;
 }
 
 inline constexpr VertexDifference kVertexCorners[] = {{0, 1}, {0, 2}, {0, 3}};

@@ -8,19 +8,22 @@
 
 namespace tamis {
 
+inline constexpr std::uint64_t StageCount::*kCountOfKind[] = {&StageCount::vf, &StageCount::ee, &StageCount::ve,
+                                                              &StageCount::vv};
+static_assert(std::size(kCountOfKind) == kPairKinds, "name each kind of pair");
+
 inline std::uint64_t& of(StageCount& count, PairKind kind) {
-  std::uint64_t* const counts[] = {&count.vf, &count.ee, &count.ve, &count.vv};
-  static_assert(std::size(counts) == kPairKinds);
-  return *counts[static_cast<std::size_t>(kind)];
+  return count.*kCountOfKind[static_cast<std::size_t>(kind)];
 }
 
-inline std::uint64_t total(const StageCount& count) { return count.vf + count.ee + count.ve + count.vv; }
+inline std::uint64_t total(const StageCount& count) {
+  std::uint64_t sum = 0;
+  for (const auto of_kind : kCountOfKind) sum += count.*of_kind;
+  return sum;
+}
 
 inline void add(StageCount& to, const StageCount& from) {
-  to.vf += from.vf;
-  to.ee += from.ee;
-  to.ve += from.ve;
-  to.vv += from.vv;
+  for (const auto of_kind : kCountOfKind) to.*of_kind += from.*of_kind;
 }
 
 /// To the stage of its name; a new one is the last.

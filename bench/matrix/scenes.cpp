@@ -79,6 +79,7 @@ constexpr std::array kOfOneSize{
     OfOneSize{"felt", felt, 3000},
     OfOneSize{"drum-of-grains", drum_of_grains, 3000},
     OfOneSize{"vehicle-in-city", vehicle_in_city, 3000},
+    OfOneSize{"exploding-cloth", exploding_cloth, 300},
 };
 
 struct Size {

@@ -7,39 +7,19 @@
 #include "exact/exact.hpp"
 #include "filters/slab_clip.hpp"
 #include "motion/pair_kinds.hpp"
+#include "narrow/beginnings.hpp"
 #include "narrow/contact_normal.hpp"
+#include "narrow/decide_in_doubles.hpp"
 #include "narrow/decided_by_crossing.hpp"
-#include "narrow/far_flight.hpp"
 #include "narrow/finely.hpp"
 #include "narrow/leaving.hpp"
 #include "narrow/separation.hpp"
-#include "narrow/subdivide.hpp"
 #include "numerics/assert.hpp"
 
 namespace tamis {
 namespace {
 
 constexpr TimeInterval<double> kWholeStep{0, 1};
-
-/// The times that the slab clip leaves.
-TimeInterval<double> time_in_question(PairKind kind, const PairMotion<double>& m) {
-  if (!is_finite(m)) return kWholeStep;
-  return with_kind(kind, [&](auto k) { return SlabClip::clip<k()>(m, kWholeStep); });
-}
-
-/// The decision without what the clip proves free.
-Decision within(const TimeInterval<double>& clip, Decision d) {
-  if (d.is_free()) return d;
-  d.lower = std::max(d.lower, clip.t_in);
-  d.upper = std::min(d.upper, clip.t_out);
-  return d.verdict == Verdict::unsure && d.lower > d.upper ? Decision{} : d;
-}
-
-Decision decide_in_doubles(PairKind kind, const PairMotion<double>& m, const TimeInterval<double>& clip) {
-  if (!is_finite(m)) return {Verdict::unsure, 0, 1};
-  return is_about_distance(kind, m.separation) ? first_within(kind, m, clip)
-                                               : within(clip, subdivide(kind, m, widened(clip)));
-}
 
 /// What doubles leave undecided, again: other units of time and length, or of precision. Nothing where these do not
 /// decide it.
@@ -48,9 +28,8 @@ std::optional<Decision> decide_again(PairKind kind, const PairPoints& points, do
   if (!is_finite(m)) return {};
   const TimeInterval<double> bracket{d.lower, d.upper};
   if (separation == 0 && !can_cross(kind)) return {};
-  if (d.verdict == Verdict::unsure && separation == 0) return decide_crossing_finely(kind, points, m, bracket);
   if (d.verdict == Verdict::unsure)
-    return flies_past(kind, points, separation, m) ? std::optional(Decision{}) : std::nullopt;
+    return separation == 0 ? decide_crossing_finely(kind, points, m, bracket) : std::nullopt;
   return separation > 0 ? first_within_finely(kind, points, separation, m, bracket)
                         : first_crossing_finely(kind, points, m, bracket);
 }
@@ -60,8 +39,6 @@ struct Outcome {
   Decision decision;
   std::uint64_t PrecisionCount::*arithmetic;
 };
-
-bool is_sharp_answer(const Decision& d) { return d.is_free() || (d.touches() && is_sharp(d.lower, d.upper)); }
 
 bool is_proven_free(const TimeInterval<double>& clip, const ContactRule& rule) {
   return clip.t_in > clip.t_out || clip.t_in > rule.latest;
@@ -106,11 +83,12 @@ bool stays_apart(PairKind kind, const PairMotion<double>& m, const TimeInterval<
 Outcome decide_pair(PairKind kind, const PairPoints& points, const PairMotion<double>& m,
                     const TimeInterval<double>& clip, const ContactRule& rule) {
   if (is_proven_free(clip, rule)) return {{}, &PrecisionCount::scalar};
-  if (clip.t_in == 0 && !is_about_distance(kind, m.separation) && may_start_coplanar(m))
+  const auto early = decide_in_beginnings(kind, points, rule.min_separation, m);
+  if (!early && clip.t_in == 0 && !is_about_distance(kind, m.separation) && may_start_coplanar(m))
     return stays_apart(kind, m, clip)
                ? Outcome{{}, &PrecisionCount::scalar}
                : Outcome{decide_exactly(kind, points, rule.min_separation), &PrecisionCount::exact};
-  const Decision d = decide_in_doubles(kind, m, clip);
+  const Decision d = early ? *early : decide_in_doubles(kind, m, clip);
   if (is_sharp_answer(d)) return {d, &PrecisionCount::scalar};
   if (const auto again = decide_again(kind, points, rule.min_separation, m, d))
     return {*again, &PrecisionCount::scalar};
@@ -130,7 +108,7 @@ PairResult described(PairKind kind, const PairPoints& points, const PairMotion<d
 /// Of a pair that crossings do not decide.
 PairResult decide_motion(PairKind kind, const PairPoints& points, const PairMotion<double>& m, const ContactRule& rule,
                          PrecisionCount& decided_by) {
-  const auto [decision, arithmetic] = decide_pair(kind, points, m, time_in_question(kind, m), rule);
+  const auto [decision, arithmetic] = decide_pair(kind, points, m, clipped(kind, m, kWholeStep), rule);
   ++(decided_by.*arithmetic);
   return decision.lower > rule.latest ? PairResult{} : described(kind, points, m, decision);
 }

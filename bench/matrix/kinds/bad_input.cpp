@@ -1,6 +1,7 @@
 #include "matrix/kinds/kinds.hpp"
 #include "scenes/generators/generators.hpp"
 #include "scenes/point_math.hpp"
+#include "scenes/random.hpp"
 
 namespace tamis::matrix {
 
@@ -28,6 +29,14 @@ Scene one_flies_through(Index triangles, std::uint64_t seed) {
   Scene scene = folded_cloth(triangles, seed);
   const std::size_t middle = scene.start.size() / 2;
   scene.end[middle] = scene.start[middle] + Point{100, 100, 100};
+  return scene;
+}
+
+Scene exploding_cloth(Index triangles, std::uint64_t seed) {
+  Scene scene = folded_cloth(triangles, seed);
+  Random numbers(seed);
+  const auto way = [&] { return numbers.between(-100, 100); };
+  for (std::size_t v = 0; v < scene.start.size(); ++v) scene.end[v] = scene.start[v] + Point{way(), way(), way()};
   return scene;
 }
 

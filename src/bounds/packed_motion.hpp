@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "motion/separations.hpp"
+#include "numerics/held_bytes.hpp"
 #include "numerics/vec.hpp"
 #include "tamis/step.hpp"
 
@@ -85,10 +86,7 @@ struct PackedMotion {
   /// What the kernels need of the separations.
   PairSeparation pair_separation() const { return {separations.fixed, !separations.radii.empty()}; }
   BoxSeparation box_separation() const { return {2 * frame.margin, !separations.radii.empty()}; }
-  std::uint64_t memory_bytes() const {
-    return vertices.capacity() * sizeof(PackedVertex) +
-           (box_vertices.capacity() + residuals.capacity()) * sizeof(BoxVertex);
-  }
+  std::uint64_t memory_bytes() const { return held_bytes(vertices, box_vertices, residuals); }
 };
 
 /// What boxes of vertices, or of residuals, are widened by: so much, and so much of the box's size.

@@ -181,12 +181,4 @@ BlockTree::Areas BlockTree::areas() const {
   return sum;
 }
 
-std::uint64_t BlockTree::memory_bytes() const {
-  std::uint64_t bytes = corner_blocks_.memory_bytes() + is_apart_.capacity();
-  for (const Levels* levels : {&levels_, &residuals_})
-    for (const auto& level : *levels) bytes += level.memory_bytes();
-  for (const auto& level : group_of_block_) bytes += level.capacity() * sizeof(Index);
-  return bytes;
-}
-
 }  // namespace tamis

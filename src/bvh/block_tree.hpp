@@ -11,6 +11,7 @@
 #include "bounds/packed_motion.hpp"
 #include "bvh/group_order.hpp"
 #include "bvh/order_axes.hpp"
+#include "numerics/held_bytes.hpp"
 #include "numerics/raw_array.hpp"
 #include "tamis/mesh.hpp"
 
@@ -86,7 +87,9 @@ class BlockTree {
     double at_start = 0, swept = 0;
   };
   Areas areas() const;
-  std::uint64_t memory_bytes() const;
+  std::uint64_t memory_bytes() const {
+    return held_bytes(corner_blocks_, is_apart_, levels_, residuals_, group_of_block_);
+  }
 
  private:
   /// Is there a group that does not touch itself, and another one?

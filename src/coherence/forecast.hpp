@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "numerics/held_bytes.hpp"
 #include "tamis/step.hpp"
 
 namespace tamis {
@@ -31,7 +32,7 @@ class Forecast {
     std::vector<Point> start, end;
   };
   Ends ends(Index count) const;
-  std::uint64_t memory_bytes() const { return (from_.capacity() + to_.capacity()) * sizeof(Point); }
+  std::uint64_t memory_bytes() const { return held_bytes(from_, to_); }
 
  private:
   double nearest_time(const Positions& positions) const;

@@ -62,12 +62,6 @@ void PairList::copy(std::size_t first, std::size_t last, const TimeInterval<floa
   pairs.count += static_cast<int>(count);
 }
 
-std::uint64_t PairList::memory_bytes() const {
-  std::uint64_t bytes = (t_in_.capacity() + t_out_.capacity()) * sizeof(float);
-  for (const auto& corner : corner_) bytes += corner.capacity() * sizeof(std::int32_t);
-  return bytes;
-}
-
 bool PairLists::any() const {
   return std::ranges::any_of(lists_, [](const PairList& list) { return list.size() > 0; });
 }
@@ -78,12 +72,6 @@ void PairLists::take(PairLists& other) {
 
 void PairLists::clear() {
   for (PairList& list : lists_) list.clear();
-}
-
-std::uint64_t PairLists::memory_bytes() const {
-  std::uint64_t bytes = 0;
-  for (const PairList& list : lists_) bytes += list.memory_bytes();
-  return bytes;
 }
 
 }  // namespace tamis

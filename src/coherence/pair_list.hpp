@@ -9,6 +9,7 @@
 
 #include "kernels/kernels.hpp"
 #include "motion/time_clip.hpp"
+#include "numerics/held_bytes.hpp"
 
 namespace tamis {
 
@@ -24,7 +25,7 @@ class PairList {
   /// to `t_limit`. REQUIRES: pairs that there are, room for all of them, times in order.
   void copy(std::size_t first, std::size_t last, const TimeInterval<float>& when, float t_limit,
             PairBuffer& pairs) const;
-  std::uint64_t memory_bytes() const;
+  std::uint64_t memory_bytes() const { return held_bytes(corner_, t_in_, t_out_); }
 
  private:
   static constexpr std::size_t kCorners = 4;
@@ -43,7 +44,7 @@ class PairLists {
   void take(PairLists& other);
   /// Keeps the memory.
   void clear();
-  std::uint64_t memory_bytes() const;
+  std::uint64_t memory_bytes() const { return held_bytes(lists_); }
 
  private:
   std::array<PairList, kPairKinds> lists_;

@@ -162,8 +162,4 @@ void PairsAhead::forget() {
   lists_.clear();
 }
 
-std::uint64_t PairsAhead::memory_bytes() const {
-  return lists_.memory_bytes() + next_.memory_bytes() + predicted_.memory_bytes() + sample_.capacity() * sizeof(Index);
-}
-
 }  // namespace tamis

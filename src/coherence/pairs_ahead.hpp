@@ -6,6 +6,7 @@
 
 #include "coherence/forecast.hpp"
 #include "coherence/pair_list.hpp"
+#include "numerics/held_bytes.hpp"
 #include "query/contact_collector.hpp"
 
 namespace tamis {
@@ -42,7 +43,7 @@ class PairsAhead {
   const TimeInterval<float>& when() const { return when_; }
   PairLists& lists() { return lists_; }
   void end(const ContactCollector& answer, const SearchWork& work);
-  std::uint64_t memory_bytes() const;
+  std::uint64_t memory_bytes() const { return held_bytes(lists_, next_, predicted_, sample_); }
 
  private:
   bool plan_again(Question question, double length);

@@ -105,9 +105,4 @@ void PairsOfStart::forget() {
   lists_.clear();
 }
 
-std::uint64_t PairsOfStart::memory_bytes() const {
-  return lists_.memory_bytes() + start_.capacity() * sizeof(Point) +
-         (ways_.capacity() + ways_before_.capacity() + room_.capacity() + reach_.capacity()) * sizeof(double);
-}
-
 }  // namespace tamis

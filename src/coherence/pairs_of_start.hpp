@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "coherence/pair_list.hpp"
+#include "numerics/held_bytes.hpp"
 #include "query/query.hpp"
 
 namespace tamis {
@@ -25,7 +26,7 @@ class PairsOfStart {
   /// The lists are ready; or the pairs were too many, and there are none. Returns which.
   bool complete(bool hold_all);
   PairLists& lists() { return lists_; }
-  std::uint64_t memory_bytes() const;
+  std::uint64_t memory_bytes() const { return held_bytes(lists_, start_, ways_, ways_before_, room_, reach_); }
 
  private:
   bool starts_again(const Step& step) const;

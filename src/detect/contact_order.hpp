@@ -3,6 +3,7 @@
 #include <functional>
 #include <vector>
 
+#include "numerics/held_bytes.hpp"
 #include "tamis/contact.hpp"
 
 namespace tamis {
@@ -12,10 +13,7 @@ namespace tamis {
 class ContactSorter {
  public:
   void sort(std::vector<Contact>& contacts, Index vertex_count, const std::function<void()>& pause);
-  std::uint64_t memory_bytes() const {
-    return first_.capacity() * sizeof(std::uint32_t) + entries_.capacity() * sizeof(Entry) +
-           sorted_.capacity() * sizeof(Contact);
-  }
+  std::uint64_t memory_bytes() const { return held_bytes(first_, entries_, sorted_); }
 
  private:
   struct Entry {

@@ -9,6 +9,7 @@
 #include "detect/validate.hpp"
 #include "narrow/near_pair.hpp"
 #include "numerics/assert.hpp"
+#include "numerics/held_bytes.hpp"
 #include "numerics/number_text.hpp"
 #include "query/cancellation.hpp"
 #include "query/pair_rules.hpp"
@@ -189,12 +190,8 @@ const std::vector<Intersection>& Detector::State::find_intersections(const Posit
 }
 
 std::uint64_t Detector::State::memory_bytes() const {
-  const auto of = [](const auto& part) { return part ? part->memory_bytes() : 0; };
-  const PairFilter& filter = options.filter;
-  return engine_->memory_bytes() + sorter_.memory_bytes() + found.memory_bytes() + of(path_search_) +
-         near_.capacity() * sizeof(NearPair) + intersections_.capacity() * sizeof(Intersection) +
-         radii_.capacity() * sizeof(double) + filter.group_of_vertex.capacity() * sizeof(Index) +
-         filter.groups_may_touch.capacity() + rings_.memory_bytes();
+  return held_bytes(engine_, sorter_, found, path_search_, near_, intersections_, radii_,
+                    options.filter.group_of_vertex, options.filter.groups_may_touch, rings_);
 }
 
 }  // namespace tamis

@@ -4,6 +4,7 @@
 #include <numeric>
 #include <utility>
 
+#include "numerics/held_bytes.hpp"
 #include "numerics/in_parts.hpp"
 #include "paths/path_reader.hpp"
 #include "query/cancellation.hpp"
@@ -157,9 +158,7 @@ void PairsOnParts::look(PairKind kind, std::span<const std::int32_t> pairs) {
 }
 
 std::uint64_t PairsOnParts::memory_bytes() const {
-  return vertices_.capacity() * sizeof(PackedVertex) + pairs_.capacity() * sizeof(PairVertices) +
-         (names_.capacity() + used_.capacity() + names_used_.capacity()) * sizeof(Index) +
-         deviations_.capacity() * sizeof(double) + is_used_.capacity() + is_given_.capacity() + may_touch_.capacity() +
+  return held_bytes(vertices_, pairs_, names_, used_, names_used_, deviations_, is_used_, is_given_, may_touch_) +
          scratch_.size() * (sizeof(Scratch) + PairBuffer::kCapacity * sizeof(SolvedPair));
 }
 

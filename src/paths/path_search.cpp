@@ -202,10 +202,6 @@ void PathSearch::find(const MeshOnPath& asked, Question question, std::vector<Co
   Run{*this, asked, question, contacts, statistics}.search();
 }
 
-std::uint64_t PathSearch::memory_bytes() const {
-  return found_.memory_bytes() + parts_.memory_bytes() + radii_.capacity() * sizeof(double);
-}
-
 EarliestContact first_of(const std::vector<Contact>& contacts) {
   EarliestContact first;
   for (const Contact& contact : contacts) keep_first(first, contact);

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "numerics/held_bytes.hpp"
 #include "paths/pairs_on_parts.hpp"
 #include "query/engine.hpp"
 #include "tamis/path.hpp"
@@ -34,7 +35,7 @@ class PathSearch {
   void find(const MeshOnPath& asked, Question question, std::vector<Contact>& contacts, Statistics& statistics);
   /// How far all vertices may go so that every pair keeps its part. Otherwise as `find`.
   SafeStep find_step_length(const MeshOnPath& asked, Statistics& statistics);
-  std::uint64_t memory_bytes() const;
+  std::uint64_t memory_bytes() const { return held_bytes(found_, parts_, radii_); }
 
  private:
   struct Run;  ///< one question

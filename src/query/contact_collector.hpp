@@ -2,6 +2,7 @@
 #pragma once
 #include <vector>
 
+#include "numerics/held_bytes.hpp"
 #include "query/bound.hpp"
 #include "query/pair_rules.hpp"
 #include "query/query.hpp"
@@ -61,7 +62,7 @@ class ContactCollector {
   std::uint64_t ignored() const { return ignored_; }
   /// The same pairs will be looked at again.
   void count_ignored_anew() { ignored_ = 0; }
-  std::uint64_t memory_bytes() const { return contacts_.capacity() * sizeof(Contact); }
+  std::uint64_t memory_bytes() const { return held_bytes(contacts_); }
 
  private:
   /// Contacts that `earliest` keeps at most before they are reduced to the first one. One that may touch at t=0, where

@@ -3,6 +3,7 @@
 #include <functional>
 #include <vector>
 
+#include "numerics/held_bytes.hpp"
 #include "query/pair_rules.hpp"
 
 namespace tamis {
@@ -13,9 +14,7 @@ class ProximityOrder {
  public:
   void sort(
       std::vector<PairVertices>& pairs, Index vertex_count, const std::function<void()>& pause = [] {});
-  std::uint64_t memory_bytes() const {
-    return places_.capacity() * sizeof(places_[0]) + sorted_.capacity() * sizeof(PairVertices);
-  }
+  std::uint64_t memory_bytes() const { return held_bytes(places_, sorted_); }
 
  private:
   void sort_by(std::size_t corner, std::vector<PairVertices>& pairs, std::size_t buckets);

@@ -2,6 +2,7 @@
 // listed for several steps, and the list is asked; else the trees.
 #pragma once
 #include "coherence/pairs_ahead.hpp"
+#include "numerics/held_bytes.hpp"
 #include "search/candidate_search.hpp"
 #include "search/contact_consumer.hpp"
 #include "search/thread_streams.hpp"
@@ -16,9 +17,7 @@ class ContactSearch {
 
   /// As Engine::find.
   void find(const Query& query, ContactCollector& answer, Statistics& statistics);
-  std::uint64_t memory_bytes() const {
-    return ahead_.memory_bytes() + streams_.memory_bytes() + candidates_.memory_bytes();
-  }
+  std::uint64_t memory_bytes() const { return held_bytes(ahead_, streams_, candidates_); }
 
  private:
   bool list_ahead(const Query& query, Statistics& statistics);

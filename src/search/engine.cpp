@@ -2,6 +2,7 @@
 // buffers.
 #include "query/engine.hpp"
 
+#include "numerics/held_bytes.hpp"
 #include "search/contact_search.hpp"
 #include "search/intersection_search.hpp"
 #include "search/proximity_search.hpp"
@@ -31,8 +32,7 @@ class TamisEngine final : public Engine {
     intersections_.find(query, found, statistics);
   }
   std::uint64_t memory_bytes() const override {
-    return workspace_.memory_bytes() + contacts_.memory_bytes() + proximity_.memory_bytes() +
-           intersections_.memory_bytes() + step_lengths_.memory_bytes();
+    return held_bytes(workspace_, contacts_, proximity_, intersections_, step_lengths_);
   }
 
  private:

@@ -140,11 +140,4 @@ void FeatureTrees::fit_residuals(const Step& step, const SharedMotion& shared) {
   }
 }
 
-std::uint64_t FeatureTrees::memory_bytes() const {
-  std::uint64_t bytes =
-      motion_.memory_bytes() + loose_.points.capacity() * sizeof(Index) + loose_.edges.capacity() * sizeof(Edge);
-  for (const BlockTree* tree : trees()) bytes += tree->memory_bytes();
-  return bytes;
-}
-
 }  // namespace tamis

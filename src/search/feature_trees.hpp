@@ -6,6 +6,7 @@
 
 #include "bvh/block_tree.hpp"
 #include "kernels/kernels.hpp"
+#include "numerics/held_bytes.hpp"
 #include "tamis/options.hpp"
 #include "tamis/statistics.hpp"
 #include "topology/loose_features.hpp"
@@ -60,7 +61,7 @@ class FeatureTrees {
   }
 
   const PackedMotion& motion() const { return motion_; }
-  std::uint64_t memory_bytes() const;
+  std::uint64_t memory_bytes() const { return held_bytes(motion_, loose_.points, loose_.edges, trees()); }
 
  private:
   void refit_trees();

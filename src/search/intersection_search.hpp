@@ -3,6 +3,7 @@
 #pragma once
 #include <vector>
 
+#include "numerics/held_bytes.hpp"
 #include "query/bound.hpp"
 #include "search/thread_streams.hpp"
 
@@ -27,7 +28,7 @@ class IntersectionConsumer final : public PairConsumer {
   bool wants(PairKind) const override { return !shared_->bound.is_settled(); }
   SearchKernel kernel(PairKind) const override { return thread().kernels.along_edges.search; }
   void consume(PairKind kind) override;
-  std::uint64_t memory_bytes() const { return found_.capacity() * sizeof(Intersection); }
+  std::uint64_t memory_bytes() const { return held_bytes(found_); }
 
  private:
   /// A pair of thread().filtered.

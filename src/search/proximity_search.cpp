@@ -16,12 +16,6 @@ void ProximityConsumer::begin(const Query& query) {
   for (auto& pairs : found_) pairs.clear();
 }
 
-std::uint64_t ProximityConsumer::memory_bytes() const {
-  std::uint64_t bytes = 0;
-  for (const auto& pairs : found_) bytes += pairs.capacity() * sizeof(PairVertices);
-  return bytes;
-}
-
 void ProximityConsumer::consume(PairKind kind) {
   const PackedMotion& motion = thread().motion;
   SearchCounts& counts = thread().counts;
@@ -110,12 +104,6 @@ void ProximitySearch::describe(std::vector<NearPair>& pairs) {
     });
     out += list.size();
   }
-}
-
-std::uint64_t ProximitySearch::memory_bytes() const {
-  std::uint64_t bytes = order_.memory_bytes() + streams_.memory_bytes();
-  for (const auto& list : lists_) bytes += list.capacity() * sizeof(PairVertices);
-  return bytes;
 }
 
 }  // namespace tamis

@@ -3,6 +3,7 @@
 #include <array>
 #include <vector>
 
+#include "numerics/held_bytes.hpp"
 #include "query/pair_rules.hpp"
 #include "query/proximity_order.hpp"
 #include "search/thread_streams.hpp"
@@ -28,7 +29,7 @@ class ProximityConsumer final : public PairConsumer {
   SearchKernel kernel(PairKind kind) const override { return thread().kernels.of(kind).search_at_rest; }
   void set_limits(Search& search) const override { search.widened = thread().motion.box_separation().fixed; }
   void consume(PairKind kind) override;
-  std::uint64_t memory_bytes() const;
+  std::uint64_t memory_bytes() const { return held_bytes(found_); }
 
  private:
   void keep(PairKind kind, PairBuffer& pairs);
@@ -43,7 +44,7 @@ class ProximitySearch {
 
   /// As Engine::find_near.
   void find(const Query& query, std::vector<NearPair>& pairs, Statistics& statistics);
-  std::uint64_t memory_bytes() const;
+  std::uint64_t memory_bytes() const { return held_bytes(order_, streams_, lists_); }
 
  private:
   /// Puts what the threads found into one list a kind, in order.

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "bounds/shared_motion.hpp"
+#include "numerics/held_bytes.hpp"
 #include "query/bound.hpp"
 #include "query/step_limit.hpp"
 #include "search/pair_stream.hpp"
@@ -45,7 +46,7 @@ class StepLengthConsumer final : public PairConsumer {
   SearchKernel kernel(PairKind kind) const override { return thread().kernels.of(kind).search_step_ends; }
   void set_limits(Search& search) const override { search.near = shared_->rule(); }
   void consume(PairKind kind) override;
-  std::uint64_t memory_bytes() const { return ends_.capacity() * sizeof(StepLimit); }
+  std::uint64_t memory_bytes() const { return held_bytes(ends_); }
 
  private:
   void decide(PairKind kind, const PairVertices& vertices);

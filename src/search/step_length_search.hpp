@@ -6,6 +6,7 @@
 #pragma once
 #include "bounds/shared_motion.hpp"
 #include "coherence/pairs_of_start.hpp"
+#include "numerics/held_bytes.hpp"
 #include "search/candidate_search.hpp"
 #include "search/step_length_consumer.hpp"
 #include "search/thread_streams.hpp"
@@ -26,9 +27,7 @@ class StepLengthSearch {
   SafeStep find(const Query& query, double fraction, Statistics& statistics);
   /// As Engine::find_step_ends.
   void find_all(const Query& query, double fraction, std::vector<StepLimit>& ends, Statistics& statistics);
-  std::uint64_t memory_bytes() const {
-    return of_start_.memory_bytes() + streams_.memory_bytes() + candidates_.memory_bytes();
-  }
+  std::uint64_t memory_bytes() const { return held_bytes(of_start_, streams_, candidates_); }
 
  private:
   /// Leaves what it finds with the consumers.

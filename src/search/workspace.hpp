@@ -4,6 +4,7 @@
 
 #include <memory>
 
+#include "numerics/held_bytes.hpp"
 #include "query/stopwatch.hpp"
 #include "search/feature_trees.hpp"
 #include "search/search_counts.hpp"
@@ -46,11 +47,7 @@ struct Workspace {
         kernels(tamis::kernels(options.isa)),
         trees(m, options, kernels),
         threads([this] { return std::make_unique<SearchThread>(kernels, trees.motion()); }) {}
-  std::uint64_t memory_bytes() const {
-    std::uint64_t bytes = trees.memory_bytes();
-    for (const auto& thread : threads) bytes += thread->memory_bytes();
-    return bytes;
-  }
+  std::uint64_t memory_bytes() const { return held_bytes(trees, threads); }
 
   const Mesh& mesh;
   const Kernels& kernels;

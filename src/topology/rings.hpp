@@ -2,6 +2,7 @@
 #pragma once
 #include <span>
 
+#include "numerics/held_bytes.hpp"
 #include "tamis/mesh.hpp"
 
 namespace tamis {
@@ -20,9 +21,7 @@ class Rings {
     return any() && search(first, second);
   }
 
-  std::uint64_t memory_bytes() const {
-    return (next_to_.offsets.capacity() + next_to_.items.capacity()) * sizeof(Index);
-  }
+  std::uint64_t memory_bytes() const { return held_bytes(next_to_.offsets, next_to_.items); }
 
  private:
   bool search(std::span<const Index> first, std::span<const Index> second) const;

@@ -164,8 +164,8 @@ BodyPoints Body::points_at(double time) const {
 }
 
 std::uint64_t Body::memory_bytes() const {
-  std::uint64_t bytes = sizeof(*this) + start_boxes_.memory_bytes() + end_boxes_.memory_bytes();
-  if (const Deforming* soft = deforming()) bytes += (soft->start.capacity() + soft->end.capacity()) * sizeof(Point);
+  std::uint64_t bytes = sizeof(*this) + held_bytes(start_boxes_, end_boxes_);
+  if (const Deforming* soft = deforming()) bytes += held_bytes(soft->start, soft->end);
   if (itself_) bytes += itself_->statistics().memory_bytes;
   return bytes;
 }

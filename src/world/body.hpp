@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "curves/chain_motion.hpp"
+#include "numerics/held_bytes.hpp"
 #include "tamis/detector.hpp"
 #include "tamis/world.hpp"
 #include "world/body_shape.hpp"
@@ -26,9 +27,7 @@ class StraightWay {
   /// No vertex is farther, at the same time of the step, from where it was then: rounded up. Infinite where it moves in
   /// another manner.
   double farthest_of(const Body& body) const;
-  std::uint64_t memory_bytes() const {
-    return sizeof(*this) + (soft_ ? (soft_->start.capacity() + soft_->end.capacity()) * sizeof(Point) : 0);
-  }
+  std::uint64_t memory_bytes() const { return sizeof(*this) + (soft_ ? held_bytes(soft_->start, soft_->end) : 0); }
 
  private:
   MotionKind motion_kind_;

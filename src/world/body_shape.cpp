@@ -40,9 +40,4 @@ Face BodyShape::corners_of(Index item) const {
   return {point, point, point};
 }
 
-std::uint64_t BodyShape::memory_bytes() const {
-  return order.memory_bytes() + boxes.memory_bytes() + loose.edges.capacity() * sizeof(Edge) +
-         loose.points.capacity() * sizeof(Index);
-}
-
 }  // namespace tamis

@@ -2,6 +2,7 @@
 #pragma once
 #include <vector>
 
+#include "numerics/held_bytes.hpp"
 #include "tamis/mesh.hpp"
 #include "tamis/options.hpp"
 #include "topology/loose_features.hpp"
@@ -29,7 +30,7 @@ struct BodyShape {
   Box box_at_rest(Index item) const {
     return box_of(item, [&](Index v) -> const Point& { return points[static_cast<std::size_t>(v)]; });
   }
-  std::uint64_t memory_bytes() const;
+  std::uint64_t memory_bytes() const { return held_bytes(order, boxes, loose.edges, loose.points); }
 
   const Mesh mesh;
   const std::vector<Point> points;

@@ -33,10 +33,4 @@ void BoxLevels::build_upwards() {
   }
 }
 
-std::uint64_t BoxLevels::memory_bytes() const {
-  std::uint64_t bytes = 0;
-  for (const auto& level : levels_) bytes += level.capacity() * sizeof(Box);
-  return bytes;
-}
-
 }  // namespace tamis

@@ -6,6 +6,7 @@
 
 #include "bounds/moving_boxes.hpp"
 #include "bvh/spatial_order.hpp"
+#include "numerics/held_bytes.hpp"
 #include "world/moving_bounds.hpp"
 
 namespace tamis {
@@ -23,7 +24,7 @@ class SpaceOrder {
     return std::span(items_).subspan(first, std::min<std::size_t>(kBlock, items_.size() - first));
   }
   std::size_t block_count() const { return (items_.size() + kBlock - 1) / kBlock; }
-  std::uint64_t memory_bytes() const { return items_.capacity() * sizeof(Index); }
+  std::uint64_t memory_bytes() const { return held_bytes(items_); }
 
  private:
   std::vector<Index> items_;
@@ -48,7 +49,7 @@ class BoxLevels {
   const Box& box(int level, Index block) const {
     return levels_[static_cast<std::size_t>(level)][static_cast<std::size_t>(block)];
   }
-  std::uint64_t memory_bytes() const;
+  std::uint64_t memory_bytes() const { return held_bytes(levels_); }
 
  private:
   void build_upwards();

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "numerics/held_bytes.hpp"
 #include "topology/at.hpp"
 
 namespace tamis {
@@ -152,8 +153,7 @@ BodyIntersection Gathered::named(const Intersection& intersection) const {
 }
 
 std::uint64_t Gathered::memory_bytes() const {
-  return items_.memory_bytes() + vertices_.capacity() * sizeof(Vertex) +
-         (start_.capacity() + end_.capacity()) * sizeof(Point) + detector_.statistics().memory_bytes;
+  return held_bytes(items_, vertices_, start_, end_) + detector_.statistics().memory_bytes;
 }
 
 }  // namespace tamis

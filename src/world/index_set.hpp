@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "numerics/assert.hpp"
+#include "numerics/held_bytes.hpp"
 #include "tamis/mesh.hpp"
 #include "topology/at.hpp"
 
@@ -40,7 +41,7 @@ class IndexSet {
       for (std::uint64_t left = words_[w]; left != 0; left &= left - 1)
         f(static_cast<Index>(w * kBits + static_cast<std::size_t>(std::countr_zero(left))));
   }
-  std::uint64_t memory_bytes() const { return words_.capacity() * sizeof(words_[0]); }
+  std::uint64_t memory_bytes() const { return held_bytes(words_); }
 
  private:
   static constexpr std::size_t kBits = 64;

@@ -152,12 +152,6 @@ std::size_t NearItems::count() const {
   return count;
 }
 
-std::uint64_t NearItems::memory_bytes() const {
-  std::uint64_t bytes = pairs.capacity() * sizeof(BodyPair);
-  for (const auto& [id, items] : of_body) bytes += items.memory_bytes();
-  return bytes;
-}
-
 void add_near_items(const BodyList& bodies, const std::vector<BodyPair>& pairs,
                     const std::function<double(const Body&, const Body&)>& reach, Pieces& pieces, const Pause& pause,
                     NearItems& near) {

@@ -4,6 +4,7 @@
 #include <map>
 #include <vector>
 
+#include "numerics/held_bytes.hpp"
 #include "world/index_set.hpp"
 #include "world/near_bodies.hpp"
 #include "world/pieces.hpp"
@@ -17,7 +18,7 @@ struct NearItems {
 
   bool includes(const NearItems& other) const;
   std::size_t count() const;
-  std::uint64_t memory_bytes() const;
+  std::uint64_t memory_bytes() const { return held_bytes(pairs, of_body); }
 };
 
 /// Adds to `near` all that may come as near as `reach` says, during the pieces. Items in it are not looked at again

@@ -4,6 +4,7 @@
 
 #include "detect/pair_faults.hpp"
 #include "detect/validate.hpp"
+#include "numerics/held_bytes.hpp"
 #include "query/stage_counts.hpp"
 #include "tamis/error.hpp"
 #include "topology/at.hpp"
@@ -91,15 +92,9 @@ void World::State::add_statistics(const Statistics& of_part) {
 }
 
 std::uint64_t World::State::memory_bytes() const {
-  std::uint64_t bytes = 0;
-  for (const auto& body : bodies)
-    if (body) bytes += body->memory_bytes();
+  std::uint64_t bytes = held_bytes(bodies);
   for (const Gathering* gathering : {&straight_, &turning_, &at_rest_})
-    if (gathering->gathered) {
-      bytes += gathering->gathered->memory_bytes();
-      if (gathering->margin)
-        for (const auto& [id, way] : gathering->margin->ways) bytes += way.memory_bytes();
-    }
+    if (gathering->gathered) bytes += held_bytes(gathering->gathered, gathering->margin);
   return bytes;
 }
 

@@ -10,6 +10,7 @@
 
 #include "detect/detector_access.hpp"
 #include "numerics/error_bounds.hpp"
+#include "numerics/held_bytes.hpp"
 #include "query/stopwatch.hpp"
 #include "tamis/error.hpp"
 #include "tamis/turn.hpp"
@@ -74,6 +75,7 @@ struct World::State {
     double separation, more;
     std::map<BodyId, StraightWay> ways;
     bool has(const BodyList& of_world, const std::vector<BodyPair>& pairs) const;
+    std::uint64_t memory_bytes() const { return held_bytes(ways); }
   };
   /// One mesh of bodies that meet: those whose vertices all go straight, those of which one turns, or at rest all.
   struct Gathering {

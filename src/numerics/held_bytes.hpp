@@ -1,0 +1,31 @@
+// How much memory parts of an object hold on the heap: what each memory_bytes() adds up.
+#pragma once
+#include <cstdint>
+#include <type_traits>
+
+namespace tamis {
+
+/// What its memory_bytes() says; of what a pointer or an optional has, if anything; of a vector of numbers all that it
+/// has room for; of other containers what their elements, or a map's values, hold.
+template <class Part>
+std::uint64_t held_bytes(const Part& part) {
+  if constexpr (requires { part.memory_bytes(); }) {
+    return part.memory_bytes();
+  } else if constexpr (requires { part.second; }) {
+    return held_bytes(part.second);
+  } else if constexpr (requires { *part; }) {
+    return part ? held_bytes(*part) : 0;
+  } else if constexpr (requires { part.capacity(); } && std::is_trivially_copyable_v<typename Part::value_type>) {
+    return part.capacity() * sizeof(typename Part::value_type);
+  } else {
+    std::uint64_t bytes = 0;
+    for (const auto& element : part) bytes += held_bytes(element);
+    return bytes;
+  }
+}
+
+/// Of all together.
+template <class... Parts>
+requires(sizeof...(Parts) > 1) std::uint64_t held_bytes(const Parts&... parts) { return (held_bytes(parts) + ...); }
+
+}  // namespace tamis

@@ -52,15 +52,15 @@ bool Detector::has_intersection(const Positions& positions) {
 }
 
 const std::vector<Contact>& Detector::contacts(const Path& path, const QueryOptions& options) {
-  return LockedState(*this)->ask({path}, options, Question::all_contacts);
+  return LockedState(*this)->find_contacts(CutPath{path}, options);
 }
 
 EarliestContact Detector::earliest(const Path& path, const QueryOptions& options) {
-  return first_of(LockedState(*this)->ask({path}, options, Question::earliest));
+  return LockedState(*this)->earliest(CutPath{path}, options);
 }
 
 bool Detector::is_free(const Path& path, const QueryOptions& options) {
-  return LockedState(*this)->ask({path}, options, Question::is_free).empty();
+  return LockedState(*this)->is_free(CutPath{path}, options);
 }
 
 TruncatedStep Detector::truncate(const Step& step, double keep, const QueryOptions& options, Stored stored) {

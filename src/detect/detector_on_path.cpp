@@ -32,6 +32,18 @@ const std::vector<Contact>& Detector::State::ask(const CutPath& path, const Quer
   return found.contacts();
 }
 
+const std::vector<Contact>& Detector::State::find_contacts(const CutPath& path, const QueryOptions& asked) {
+  return ask(path, asked, Question::all_contacts);
+}
+
+EarliestContact Detector::State::earliest(const CutPath& path, const QueryOptions& asked) {
+  return first_of(ask(path, asked, Question::earliest));
+}
+
+bool Detector::State::is_free(const CutPath& path, const QueryOptions& asked) {
+  return ask(path, asked, Question::is_free).empty();
+}
+
 SafeStep Detector::State::safe_step(const CutPath& path, double keep, const QueryOptions& asked) {
   validate_kept(keep);
   SafeStep answer;

@@ -47,9 +47,10 @@ Detector::State::State(Mesh m, Options o, const MakeEngine& make_engine)
       radii_(radii_of(options, mesh)),
       engine_(make_engine(mesh, options)) {}
 
-void Detector::State::set_radii(std::vector<double> radii) {
+void Detector::State::serve_world(std::vector<double> radii) {
   TAMIS_ASSERT(radii.size() == static_cast<std::size_t>(mesh.vertex_count()) && options.radii.empty());
   radii_ = are_zero(radii) ? std::vector<double>() : std::move(radii);
+  serves_world_ = true;
 }
 
 Separations Detector::State::separations(const QueryOptions& asked) const {
@@ -83,10 +84,9 @@ void Detector::State::refuse_start(const Query& query, const Contact& touching) 
                     ": move them apart, leave the pair out, or ask with at_start ignore");
 }
 
-const std::vector<Contact>& Detector::State::find_contacts(const Step& step, const QueryOptions& asked,
-                                                           bool is_by_pair) {
+const std::vector<Contact>& Detector::State::find_contacts(const Step& step, const QueryOptions& asked) {
   Query all = validated_query(step, asked);
-  all.is_by_pair = is_by_pair;
+  all.is_by_pair = serves_world_;
   find(all);
   const auto& contacts = found.contacts();
   if (asked.at_start != AtStart::fail) return contacts;
@@ -180,11 +180,10 @@ const std::vector<NearPair>& Detector::State::find_near(const Positions& positio
   return near_;
 }
 
-const std::vector<Intersection>& Detector::State::find_intersections(const Positions& positions, Question question,
-                                                                     bool is_by_pair) {
+const std::vector<Intersection>& Detector::State::find_intersections(const Positions& positions, Question question) {
   validate(positions, mesh, "the pose");
   Query asked = query({positions, positions}, {}, question);
-  asked.is_by_pair = is_by_pair;
+  asked.is_by_pair = serves_world_;
   measure([&] { engine_->find_intersections(asked, intersections_, statistics); });
   return intersections_;
 }

@@ -17,25 +17,26 @@ namespace tamis {
 
 struct Detector::State {
   State(Mesh m, Options o, const MakeEngine& make_engine);
-  /// Of the vertices, before the first question: so they make no groups. REQUIRES: one each, no radii of the options.
-  /// REQUIRES (not checked: O(n)): finite and >= 0.
-  void set_radii(std::vector<double> radii);
+  /// Of a mesh whose bodies and radii are a world's, before the first question. Radii are those of the vertices: so
+  /// they make no groups. All contacts and intersections have the bits of their pair alone (Query::is_by_pair).
+  /// REQUIRES: a radius each, no radii of the options. REQUIRES (not checked: O(n)): finite and >= 0.
+  void serve_world(std::vector<double> radii);
 
-  /// All, those of `found`. `is_by_pair`: each with the bits of narrow_phase.
-  const std::vector<Contact>& find_contacts(const Step& step, const QueryOptions& asked, bool is_by_pair = false);
-  /// Those of a path: they are in `found`, too.
-  const std::vector<Contact>& ask(const CutPath& path, const QueryOptions& asked, Question question);
+  /// All, those of `found`.
+  const std::vector<Contact>& find_contacts(const Step& step, const QueryOptions& asked);
+  const std::vector<Contact>& find_contacts(const CutPath& path, const QueryOptions& asked);
   EarliestContact earliest(const Step& step, const QueryOptions& asked);
+  EarliestContact earliest(const CutPath& path, const QueryOptions& asked);
   bool is_free(const Step& step, const QueryOptions& asked);
+  bool is_free(const CutPath& path, const QueryOptions& asked);
   SafeStep safe_step(const Step& step, double keep, const QueryOptions& asked);
   /// Of a path: a pair that starts nearer to its separation than doubles can tell ends it at once.
   SafeStep safe_step(const CutPath& path, double keep, const QueryOptions& asked);
   TruncatedStep truncate(const Step& step, double keep, const QueryOptions& asked, Stored stored);
   const std::vector<NearPair>& find_near(const Positions& positions, double distance);
-  /// All, or for `is_free` some, if there are any. `is_by_pair`: each with the bits of its pair alone, and of pairs
-  /// that `accepts` of the options' filter leaves: it is asked of a vertex of the edge and the face.
-  const std::vector<Intersection>& find_intersections(const Positions& positions, Question question,
-                                                      bool is_by_pair = false);
+  /// All, or for `is_free` some, if there are any. Of a world's mesh those of pairs that `accepts` of the options'
+  /// filter leaves: it is asked of a vertex of the edge and the face.
+  const std::vector<Intersection>& find_intersections(const Positions& positions, Question question);
 
   const Mesh mesh;
   const Options options;
@@ -49,6 +50,8 @@ struct Detector::State {
   Query query(const Step& step, const Separations& separations, Question question = Question::all_contacts) const {
     return {step, separations, options.filter, rings_, options.is_cancelled, question};
   }
+  /// Into `found`.
+  const std::vector<Contact>& ask(const CutPath& path, const QueryOptions& asked, Question question);
   template <class Find>
   void on_path(const CutPath& path, const QueryOptions& asked, const Find& find);
   /// Of a validated query, whose step's end the caller can store.
@@ -77,6 +80,7 @@ struct Detector::State {
   std::vector<NearPair> near_;
   std::vector<Intersection> intersections_;
   std::vector<double> radii_;  ///< of the vertices; empty: all zero
+  bool serves_world_ = false;
   std::unique_ptr<Engine> engine_;
   std::unique_ptr<PathSearch> path_search_;  ///< made by the first question that needs it
   ContactSorter sorter_;

@@ -8,7 +8,7 @@
 namespace tamis {
 namespace {
 
-const Body& body_of(const BodyList& bodies, BodyId id) { return *bodies[at(id)]; }
+const Body& member(const BodyList& bodies, BodyId id) { return *bodies[at(id)]; }
 
 /// Colors of bodies: those that may meet have different ones, as few as come by; 0 for those that are aside.
 std::map<BodyId, Index> colors_of(const NearItems& items, const BodyList& bodies, const MeetingRules& rules) {
@@ -16,7 +16,7 @@ std::map<BodyId, Index> colors_of(const NearItems& items, const BodyList& bodies
   for (const BodyPair& pair : items.pairs) met_before[pair[1]].push_back(pair[0]);
   std::map<BodyId, Index> colors;
   for (const auto& [id, unused] : items.of_body) {
-    if (rules.is_aside(body_of(bodies, id))) {
+    if (rules.is_aside(member(bodies, id))) {
       colors[id] = 0;
       continue;
     }
@@ -35,7 +35,7 @@ Gathered::Gathered(const BodyList& bodies, NearItems items, const MeetingRules& 
     : items_(std::move(items)), detector_(make_detector(bodies, rules, options)) {}
 
 Detector Gathered::make_detector(const BodyList& bodies, const MeetingRules& rules, const Options& options) {
-  for (const auto& [id, set] : items_.of_body) add(id, body_of(bodies, id), set);
+  for (const auto& [id, set] : items_.of_body) add(id, member(bodies, id), set);
   Options of_mesh = options;
   of_mesh.filter = PairFilter();
   set_groups(bodies, rules, of_mesh);
@@ -43,8 +43,8 @@ Detector Gathered::make_detector(const BodyList& bodies, const MeetingRules& rul
   edges_ = {};
   Detector detector(std::move(mesh), std::move(of_mesh));
   std::vector<double> radii;
-  for (const Vertex& vertex : vertices_) radii.push_back(body_of(bodies, vertex.body).radius());
-  DetectorAccess::lock(detector)->set_radii(std::move(radii));
+  for (const Vertex& vertex : vertices_) radii.push_back(member(bodies, vertex.body).radius());
+  DetectorAccess::lock(detector)->serve_world(std::move(radii));
   return detector;
 }
 
@@ -92,7 +92,7 @@ void Gathered::set_groups(const BodyList& bodies, const MeetingRules& rules, Opt
     if (is_here(pair[0]) && is_here(pair[1])) kept_apart.insert(pair);
   if (kept_apart.empty()) return;
   filter.accepts = [this, kept_apart](PairKind kind, const PairVertices& v) {
-    const BodyId a = vertices_[at(v[0])].body, b = vertices_[at(v[second_feature(kind)])].body;
+    const BodyId a = body_of(v[0]), b = body_of(v[second_feature(kind)]);
     return !kept_apart.contains({std::min(a, b), std::max(a, b)});
   };
 }
@@ -100,21 +100,21 @@ void Gathered::set_groups(const BodyList& bodies, const MeetingRules& rules, Opt
 bool Gathered::keeps_motion_kinds(const BodyList& bodies) const {
   auto kind = motion_kinds_.begin();
   for (const auto& [id, unused] : items_.of_body)
-    if (body_of(bodies, id).motion_kind() != *kind++) return false;
+    if (member(bodies, id).motion_kind() != *kind++) return false;
   return true;
 }
 
 Positions Gathered::start(const BodyList& bodies) {
   start_.resize(vertices_.size());
   for (std::size_t v = 0; v < vertices_.size(); ++v)
-    start_[v] = body_of(bodies, vertices_[v].body).start_of(vertices_[v].own);
+    start_[v] = member(bodies, vertices_[v].body).start_of(vertices_[v].own);
   return start_;
 }
 
 Step Gathered::step(const BodyList& bodies) {
   end_.resize(vertices_.size());
   for (std::size_t v = 0; v < vertices_.size(); ++v)
-    end_[v] = body_of(bodies, vertices_[v].body).end_of(vertices_[v].own);
+    end_[v] = member(bodies, vertices_[v].body).end_of(vertices_[v].own);
   return {start(bodies), end_};
 }
 
@@ -125,7 +125,7 @@ RigidPath Gathered::path(const BodyList& bodies) const {
   std::vector<Chain> chains;
   BodyId last = -1;
   for (const auto& [id, own] : vertices_) {
-    const Body& body = body_of(bodies, id);
+    const Body& body = member(bodies, id);
     const bool turns = body.motion_kind() == MotionKind::turning;
     if (id != last) chains.push_back(turns ? body.chain().links() : Chain());
     last = id;
@@ -136,20 +136,14 @@ RigidPath Gathered::path(const BodyList& bodies) const {
   return {std::move(rest), std::move(number_of_body), std::move(chains), std::move(rest_end)};
 }
 
-std::array<BodyId, 2> Gathered::name(PairKind kind, PairVertices& vertices) const {
-  const std::array<BodyId, 2> bodies{vertices_[at(vertices[0])].body,
-                                     vertices_[at(vertices[second_feature(kind)])].body};
-  for (Index& v : vertices)
-    if (v >= 0) v = vertices_[at(v)].own;
-  return bodies;
+void Gathered::name(BodyIntersection& row) const {
+  row.bodies = {body_of(row.edge[0]), body_of(row.face[0])};
+  to_own(row.edge);
+  to_own(row.face);
 }
 
-BodyIntersection Gathered::named(const Intersection& intersection) const {
-  BodyIntersection named{intersection,
-                         {vertices_[at(intersection.edge[0])].body, vertices_[at(intersection.face[0])].body}};
-  for (Index& v : named.edge) v = vertices_[at(v)].own;
-  for (Index& v : named.face) v = vertices_[at(v)].own;
-  return named;
+void Gathered::to_own(std::span<Index> vertices) const {
+  for (Index& v : vertices) v = vertices_[at(v)].own;
 }
 
 std::uint64_t Gathered::memory_bytes() const {

@@ -1,6 +1,7 @@
 // What may touch of bodies that are near each other, as one mesh, and the detector that is asked about it.
 #pragma once
 #include <set>
+#include <span>
 #include <vector>
 
 #include "detect/detector_state.hpp"
@@ -35,13 +36,15 @@ class Gathered {
   /// The same on their curves.
   RigidPath path(const BodyList& bodies) const;
 
-  /// By bodies, and in their own vertices. `vertices` become those.
-  std::array<BodyId, 2> name(PairKind kind, PairVertices& vertices) const;
-  BodyIntersection named(const Intersection& intersection) const;
+  /// What its detector says of a pair, by bodies and in their own vertices.
+  template <class Row, class Pair>
+  Row named(const Pair& pair) const {
+    Row row{pair, {}};
+    name(row);
+    return row;
+  }
 
   Detector& detector() { return detector_; }
-  /// Its detector's state, for one question.
-  auto locked() const { return DetectorAccess::lock(detector_); }
   std::uint64_t memory_bytes() const;
 
  private:
@@ -50,6 +53,14 @@ class Gathered {
     Index own;
   };
 
+  BodyId body_of(Index vertex) const { return vertices_[static_cast<std::size_t>(vertex)].body; }
+  template <class Row>
+  void name(Row& row) const {
+    row.bodies = {body_of(row.vertices[0]), body_of(row.vertices[second_feature(row.kind)])};
+    to_own(std::span(row.vertices).first(vertex_count(row.kind)));
+  }
+  void name(BodyIntersection& row) const;
+  void to_own(std::span<Index> vertices) const;
   void add(BodyId id, const Body& body, const IndexSet& items);
   Detector make_detector(const BodyList& bodies, const MeetingRules& rules, const Options& options);
   void set_groups(const BodyList& bodies, const MeetingRules& rules, Options& options) const;

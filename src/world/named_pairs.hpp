@@ -24,18 +24,14 @@ inline bool is_before(const BodyIntersection& a, const BodyIntersection& b) {
   return std::tie(a.bodies[0], a.edge, a.bodies[1], a.face) < std::tie(b.bodies[0], b.edge, b.bodies[1], b.face);
 }
 
-inline std::array<BodyId, 2> twice(BodyId body) { return {body, body}; }
-
 /// What a detector says of a pair, as a `Row` of an answer: of a body by itself, or of what is gathered.
 template <class Row, class Pair>
 Row named(const Pair& pair, BodyId itself) {
-  return {pair, twice(itself)};
+  return {pair, {itself, itself}};
 }
 template <class Row, class Pair>
 Row named(const Pair& pair, const Gathered& gathered) {
-  Row row{pair, {}};
-  row.bodies = gathered.name(row.kind, row.vertices);
-  return row;
+  return gathered.named<Row>(pair);
 }
 
 /// Keeps the first of what several detectors say, `other` of `whose`; of two at one time the one that is before.

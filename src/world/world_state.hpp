@@ -118,16 +118,19 @@ struct World::State {
   void gather_moving(const Reach& reach);
   /// Ends of the pieces on which bodies that turn are asked about, beginning with 0.
   std::vector<double> times_of_pieces(const std::vector<BodyPair>& pairs) const;
-  /// f(id, body, detector) of each body that may touch itself, until one returns false.
+  /// ask(state of a detector, motion, options, whose) of all that may touch, until one returns false: of what is
+  /// gathered that goes straight, a Step; of what is that turns, a CutPath; of each body by itself, by its number.
+  template <class Ask>
+  void for_each_moving(const Reach& reach, const QueryOptions& asked, const Ask& ask);
+  /// ask(state of a detector, pose, whose) of all that comes within the distance at the start, until one returns false.
+  template <class Ask>
+  void for_each_at_rest(double distance, const Ask& ask);
+  /// f(id, body) of each that may touch itself, until one returns false.
   template <class F>
   void for_each_by_itself(const F& f);
-  /// Of what is gathered that moves, until one returns false: on_step(gathered, step, options) of what goes straight,
-  /// on_path(gathered, cut path, options) of what turns.
-  template <class OnStep, class OnPath>
-  void for_each_gathered(const QueryOptions& asked, const OnStep& on_step, const OnPath& on_path);
-  /// ask(gathered) of what comes within the distance at the start, if there is anything.
-  template <class Ask>
-  void ask_at_rest(double distance, const Ask& ask);
+  /// What `ask` returns of a detector's state and these.
+  template <class Ask, class... Of>
+  bool ask_one(Detector& detector, const Ask& ask, const Of&... of);
   void add_statistics(const Statistics& of_part);
   /// Of a contact, or of what ends a step.
   [[noreturn]] void refuse_touching_start(PairKind kind, const PairVertices& vertices,
@@ -158,45 +161,56 @@ inline QueryOptions of_steps(const QueryOptions& asked) {
   return options;
 }
 
+template <class Ask, class... Of>
+bool World::State::ask_one(Detector& detector, const Ask& ask, const Of&... of) {
+  const auto state = DetectorAccess::lock(detector);
+  const bool goes_on = ask(state, of...);
+  add_statistics(state->statistics);
+  return goes_on;
+}
+
 template <class F>
 void World::State::for_each_by_itself(const F& f) {
   for (std::size_t id = 0; id < bodies.size(); ++id) {
     Body* body = bodies[id].get();
     if (!body || !body->is_enabled || !body->deforming() || !body->may_touch_itself) continue;
-    const bool goes_on = f(static_cast<BodyId>(id), *body, body->itself(options));
-    add_statistics(body->itself(options).statistics());
-    if (!goes_on) return;
+    if (!f(static_cast<BodyId>(id), *body)) return;
   }
 }
 
 template <class Ask>
-void World::State::ask_at_rest(double distance, const Ask& ask) {
-  constexpr double kEndsOfRest[] = {0, 0};
-  const Reach reach{distance};
-  const auto any = [](const Body&, const Body&) { return true; };
-  gather(at_rest_, reach, any, near_bodies(reach, 0, true), kEndsOfRest);
-  if (!at_rest_.is_asked()) return;
-  ask(*at_rest_.gathered);
-  add_statistics(at_rest_.gathered->detector().statistics());
-}
-
-template <class OnStep, class OnPath>
-void World::State::for_each_gathered(const QueryOptions& asked, const OnStep& on_step, const OnPath& on_path) {
-  bool goes_on = true;
-  const auto ask = [&](Gathering& gathering, const auto& question) {
-    if (!goes_on || !gathering.is_asked()) return;
-    goes_on = question(*gathering.gathered);
-    add_statistics(gathering.gathered->detector().statistics());
+void World::State::for_each_moving(const Reach& reach, const QueryOptions& asked, const Ask& ask) {
+  gather_moving(reach);
+  const auto ask_straight = [&](Gathered& gathered) {
+    return ask_one(gathered.detector(), ask, gathered.step(bodies), of_steps(asked), gathered);
   };
-  ask(straight_, [&](Gathered& gathered) { return on_step(gathered, gathered.step(bodies), of_steps(asked)); });
-  ask(turning_, [&](Gathered& gathered) {
+  const auto ask_turning = [&](Gathered& gathered) {
     try {
       const RigidPath path = gathered.path(bodies);
-      return on_path(gathered, CutPath{path, std::span(times_).subspan(1)}, of_curves(asked));
+      return ask_one(gathered.detector(), ask, CutPath{path, std::span(times_).subspan(1)}, of_curves(asked), gathered);
     } catch (const InvalidPath&) {
       refuse_far(gathered);
       throw;
     }
+  };
+  if (straight_.is_asked() && !ask_straight(*straight_.gathered)) return;
+  if (turning_.is_asked() && !ask_turning(*turning_.gathered)) return;
+  for_each_by_itself(
+      [&](BodyId id, Body& body) { return ask_one(body.itself(options), ask, body.step(), of_steps(asked), id); });
+}
+
+template <class Ask>
+void World::State::for_each_at_rest(double distance, const Ask& ask) {
+  constexpr double kEndsOfRest[] = {0, 0};
+  const Reach reach{distance};
+  const auto any = [](const Body&, const Body&) { return true; };
+  gather(at_rest_, reach, any, near_bodies(reach, 0, true), kEndsOfRest);
+  if (at_rest_.is_asked()) {
+    Gathered& gathered = *at_rest_.gathered;
+    if (!ask_one(gathered.detector(), ask, gathered.start(bodies), gathered)) return;
+  }
+  for_each_by_itself([&](BodyId id, Body& body) {
+    return ask_one(body.itself(options), ask, Positions(body.deforming()->start), id);
   });
 }
 

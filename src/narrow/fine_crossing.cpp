@@ -28,27 +28,8 @@ class FineCrossing {
         cubic_(coplanarity_polynomial(m)),
         slope_(slope) {}
 
-  /// Newton's method, from the middle of a bracket until its ends are neighbouring doubles.
-  std::optional<Decision> run(TimeInterval<double> bracket) const {
-    constexpr int kMostLooks = 8;
-    bool is_before_known = false, is_after_known = false;
-    double t = bracket.t_in + 0.5 * (bracket.t_out - bracket.t_in);
-    for (int looks = 0; looks < kMostLooks && t > bracket.t_in && t < bracket.t_out; ++looks) {
-      const Fine value = coplanarity_at(t);
-      if (!(abs(value) > error_)) break;  // the root may be this very double
-      const bool is_before = (value.high > 0) != (slope_ > 0);
-      (is_before ? is_before_known : is_after_known) = true;
-      (is_before ? bracket.t_in : bracket.t_out) = t;
-      if (is_before_known && is_after_known && std::nextafter(bracket.t_in, 2.0) == bracket.t_out)
-        return Decision{Verdict::touches, bracket.t_in, bracket.t_out};
-      const double next = t - value.high / crossing::slope(cubic_, t);
-      t = next != t ? next : std::nextafter(t, is_before ? 2.0 : -1.0);
-    }
-    return {};
-  }
-
-  /// By Newton's method, too; nothing if it may lie outside the bracket. A root is no farther from t than what the
-  /// coplanarity is there, by the least slope.
+  /// By Newton's method, from the middle of the bracket; nothing if it may lie outside. A root is no farther from t
+  /// than what the coplanarity is there, by the least slope.
   std::optional<FineRoot> root(const TimeInterval<double>& bracket) const {
     constexpr int kMostLooks = 4;
     constexpr double kSharp = 0x1p-80;  // sides in double-double tell no more
@@ -95,7 +76,9 @@ std::optional<Decision> first_crossing_finely(PairKind kind, const PairPoints& p
   TAMIS_ASSERT(can_cross(kind) && is_motion_of(m, kind, points));
   const double slope = crossing::least_slope_during(m, bracket);
   if (slope == 0) return {};
-  return FineCrossing(make_fine_motion(kind, points, 0), m, slope).run(bracket);
+  const PairMotion<Fine> fine = make_fine_motion(kind, points, 0);
+  const auto root = FineCrossing(fine, m, slope).root(bracket);
+  return root ? touches_around(*root) : std::nullopt;
 }
 
 std::optional<Decision> decide_crossing_finely(PairKind kind, const PairPoints& points, const PairMotion<double>& m,

@@ -4,7 +4,7 @@
 #include <array>
 #include <utility>
 
-#include "bounds/moving_boxes.hpp"
+#include "bounds/box.hpp"
 
 namespace tamis {
 namespace {
@@ -15,25 +15,19 @@ constexpr std::size_t kMostAtOnePlace = 3;
 
 /// Do more groups than pay lie in the place of one feature, in the mean? By some features, and the groups' boxes.
 bool lie_in_each_other(std::span<const GroupedFeature> features, std::size_t group_count) {
-  constexpr std::size_t kSpace = 3, kSampleFeatures = 64;
-  struct Box {
-    std::array<float, kSpace> low{kNowhere, kNowhere, kNowhere}, high{-kNowhere, -kNowhere, -kNowhere};
+  constexpr std::size_t kSampleFeatures = 64;
+  const auto point_of = [](const GroupedFeature& feature) {
+    return Point{feature.at[0], feature.at[1], feature.at[2]};
   };
   std::vector<Box> boxes(group_count);
-  for (const auto& [group, at] : features) {
-    auto& [low, high] = boxes[static_cast<std::size_t>(group)];
-    for (std::size_t k = 0; k < kSpace; ++k) {
-      low[k] = std::min(low[k], at[k]);
-      high[k] = std::max(high[k], at[k]);
-    }
-  }
+  for (const GroupedFeature& feature : features)
+    boxes[static_cast<std::size_t>(feature.group)].include(point_of(feature));
   std::size_t asked = 0, found = 0;
-  for (std::size_t i = 0; i < features.size(); i += 1 + features.size() / kSampleFeatures, ++asked)
-    for (const auto& [low, high] : boxes) {
-      bool is_inside = true;
-      for (std::size_t k = 0; k < kSpace; ++k) is_inside &= low[k] <= features[i].at[k] && features[i].at[k] <= high[k];
-      found += is_inside;
-    }
+  for (std::size_t i = 0; i < features.size(); i += 1 + features.size() / kSampleFeatures, ++asked) {
+    Box here;
+    here.include(point_of(features[i]));
+    for (const Box& box : boxes) found += may_meet(box, here);
+  }
   return found > kMostAtOnePlace * asked;
 }
 

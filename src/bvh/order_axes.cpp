@@ -1,9 +1,9 @@
 #include "bvh/order_axes.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
+#include "bounds/box.hpp"
 #include "numerics/assert.hpp"
 
 namespace tamis {
@@ -18,23 +18,13 @@ constexpr double kSoon = 0.5;
 /// this, counted until blocks by place alone are twice as wide.
 constexpr double kMoreSpread = 1.25;
 
-/// Of some numbers.
-struct CoordinateRange {
-  float low = kNowhere, high = -kNowhere;
-
-  void include(float x) {
-    low = std::min(low, x);
-    high = std::max(high, x);
-  }
-  double length() const { return static_cast<double>(high) - static_cast<double>(low); }
-};
-
-using CoordinateBox = std::array<CoordinateRange, 3>;
+Point lengths(const Box& box) { return {box.high[0] - box.low[0], box.high[1] - box.low[1], box.high[2] - box.low[2]}; }
 
 /// Sum of what one box is long along an axis times what the other is along another axis.
-double across(const CoordinateBox& a, const CoordinateBox& b) {
-  const double x = b[0].length(), y = b[1].length(), z = b[2].length();
-  return a[0].length() * (y + z) + a[1].length() * (z + x) + a[2].length() * (x + y);
+double across(const Box& a, const Box& b) {
+  const auto [x, y, z] = lengths(b);
+  const Point along = lengths(a);
+  return along[0] * (y + z) + along[1] * (z + x) + along[2] * (x + y);
 }
 
 /// Of blocks in an order, the sum of their boxes' areas, with which a traversal's cost grows: as wide as their points
@@ -43,7 +33,7 @@ double across(const CoordinateBox& a, const CoordinateBox& b) {
 struct Spread {
   double apart = 0, along = 0, parting = 0;
 
-  void include(const CoordinateBox& where, const CoordinateBox& how_far) {
+  void include(const Box& where, const Box& how_far) {
     apart += across(where, where);
     along += 2 * across(where, how_far);
     parting += across(how_far, how_far);
@@ -71,22 +61,21 @@ Spread spread_of(const PackedMotion& motion, std::span<const Index> points, cons
   const auto coordinates = [&](Index vertex) -> const float* {
     return motion.box_vertices[static_cast<std::size_t>(vertex)].at;
   };
-  const auto place = [&](const float* at, int axis) { return at[axis] + by.time * (at[3 + axis] - at[axis]); };
+  const auto way = [](const float* at, int axis) { return at[3 + axis] - at[axis]; };
+  const auto place = [&](const float* at, int axis) { return at[axis] + by.time * way(at, axis); };
   for (std::size_t i = 0; i < count; ++i) {
     const float* at = coordinates(centers.feature[i] = points[i * kBlock]);
     for (int axis = 0; axis < 3; ++axis) centers.at[axis][i] = place(at, axis);
-    for (int axis = 0; axis < by.count() - 3; ++axis) centers.at[3 + axis][i] = by.way * (at[3 + axis] - at[axis]);
+    for (int axis = 0; axis < by.count() - 3; ++axis) centers.at[3 + axis][i] = by.way * way(at, axis);
   }
   order_in_space(centers, count, split, [] {});
   Spread spread;
   for (std::size_t first = 0; first < count; first += kBlock) {
-    CoordinateBox where, how_far;
+    Box where, how_far;
     for (std::size_t i = first; i < std::min(count, first + kBlock); ++i) {
       const float* at = coordinates(centers.feature[i]);
-      for (int axis = 0; axis < 3; ++axis) {
-        where[static_cast<std::size_t>(axis)].include(place(at, axis));
-        how_far[static_cast<std::size_t>(axis)].include(at[3 + axis] - at[axis]);
-      }
+      where.include(Point{place(at, 0), place(at, 1), place(at, 2)});
+      how_far.include(Point{way(at, 0), way(at, 1), way(at, 2)});
     }
     spread.include(where, how_far);
   }

@@ -1,6 +1,6 @@
 #include "narrow/subdivide.hpp"
 
-#include <array>
+#include <vector>
 
 #include "distance/turning_gap.hpp"
 #include "filters/ncf.hpp"
@@ -16,7 +16,7 @@ namespace {
 constexpr double kShortestPart = 0x1p-44, kNarrowBracket = 0x1p-30;
 /// Parts that are looked at; of these, coplanar throughout: cutting them helps only NCF.
 constexpr int kMostPartsOfStep = 96, kMostCoplanarParts = 2;
-constexpr std::size_t kMaxDepth = 64;
+constexpr std::size_t kMostWaiting = 64;
 
 /// How the points of a part are coplanar, as far as doubles can tell.
 struct Coplanarity {
@@ -40,30 +40,14 @@ double cut_at(const Coplanarity& points, const TimeInterval<double>& part) {
   return (1 - s) * part.t_in + s * part.t_out;
 }
 
-/// Parts still to be looked at, the earliest on top.
-class PartStack {
- public:
-  explicit PartStack(const TimeInterval<double>& all) { parts_[size_++] = all; }
-  bool empty() const { return size_ == 0; }
-  TimeInterval<double> pop() { return parts_[--size_]; }
-  bool has_room() const { return size_ + 2 <= kMaxDepth; }
-  void push_halves(const TimeInterval<double>& part, double cut) {
-    parts_[size_++] = {cut, part.t_out};
-    parts_[size_++] = {part.t_in, cut};
-  }
-
- private:
-  std::array<TimeInterval<double>, kMaxDepth> parts_;
-  std::size_t size_ = 0;
-};
-
 template <PairKind kind>
 Decision subdivide_kind(const PairMotion<double>& m, const TimeInterval<double>& time) {
   Decision decision;
-  PartStack parts(time);
+  std::vector<TimeInterval<double>> parts{time};  // still to be looked at, the earliest last
   int coplanar_parts = 0;
   for (int looked_at = 0; !parts.empty(); ++looked_at) {
-    const auto part = parts.pop();
+    const auto part = parts.back();
+    parts.pop_back();
     const auto c = find_crossing<kind>(m, part);
     if (c.is_free) continue;
     if (c.touches) {
@@ -81,8 +65,8 @@ Decision subdivide_kind(const PairMotion<double>& m, const TimeInterval<double>&
     coplanar_parts += points.always;
     const double cut = cut_at(points, part);
     if (cut > part.t_in && cut < part.t_out && part.t_out - part.t_in > kShortestPart && looked_at < kMostPartsOfStep &&
-        coplanar_parts < kMostCoplanarParts && parts.has_room())
-      parts.push_halves(part, cut);
+        coplanar_parts < kMostCoplanarParts && parts.size() + 2 <= kMostWaiting)
+      parts.insert(parts.end(), {{cut, part.t_out}, {part.t_in, cut}});
     else if (c.brackets)
       decision.add_unsure(c.lower, c.upper);
     else

@@ -11,9 +11,9 @@
 namespace tamis {
 namespace {
 
-/// In the first beginning a pair goes some sixteen times as far as it is large at the start; each next one is so much
-/// longer, as a power of two.
-constexpr int kFarther = 5;
+/// The first beginning is 2^kDoublings times as long as the pair takes to go as far as it is large at the start, and
+/// each next one as the one before (docs/history/performance.md, "What is near at the start").
+constexpr int kDoublings = 5;
 /// With a separation an advancement finds its way through all of the step, unless the first beginning is shorter.
 constexpr double kLongestOfDistance = 0x1p-15;
 
@@ -23,7 +23,7 @@ double first_length(const PairMotion<double>& m) {
   const auto at_start = [](const Moving<double>& v) { return largest(Moving<double>{v.at0, v.at0}); };
   const double size = std::max({at_start(m.e), at_start(m.f), at_start(m.d), m.separation});
   if (!(size > 0 && size < 1)) return 1;
-  return std::ldexp(1, std::max(std::ilogb(size), kLeastExponent) + kFarther);
+  return std::ldexp(1, std::max(std::ilogb(size), kLeastExponent) + kDoublings);
 }
 
 /// During `time` of a beginning, apart before it.
@@ -47,14 +47,14 @@ std::optional<Decision> decide_in_beginnings(PairKind kind, const PairPoints& po
   TAMIS_ASSERT(is_motion_of(m, kind, points));
   double length = first_length(m), from = 0;  // of a beginning: apart until then
   if (is_about_distance(kind, separation) && length > kLongestOfDistance) return {};
-  for (; length < 1; length = std::ldexp(length, kFarther)) {
+  for (; length < 1; length = std::ldexp(length, kDoublings)) {
     const auto beginning = make_beginning(kind, points, separation, length);
     if (!beginning) return {};
     const Decision d = decide_during(kind, *beginning, {from, 1});
     if (d.verdict == Verdict::unsure) return {};
     if (d.touches()) return in_step(d, length);
     if (is_apart_from_end(kind, *beginning)) return Decision{};
-    from = std::ldexp(1, -kFarther);
+    from = std::ldexp(1, -kDoublings);
   }
   return {};
 }

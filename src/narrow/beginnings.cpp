@@ -14,8 +14,6 @@ namespace {
 /// The first beginning is 2^kDoublings times as long as the pair takes to go as far as it is large at the start, and
 /// each next one as the one before (docs/history/performance.md, "What is near at the start").
 constexpr int kDoublings = 5;
-/// With a separation an advancement finds its way through all of the step, unless the first beginning is shorter.
-constexpr double kLongestOfDistance = 0x1p-15;
 
 /// The length of the first beginning, a power of two; 1 or more where the pair does not go far.
 double first_length(const PairMotion<double>& m) {
@@ -45,9 +43,8 @@ std::optional<Decision> in_step(const Decision& contact, double length) {
 std::optional<Decision> decide_in_beginnings(PairKind kind, const PairPoints& points, double separation,
                                              const PairMotion<double>& m) {
   TAMIS_ASSERT(is_motion_of(m, kind, points));
-  double length = first_length(m), from = 0;  // of a beginning: apart until then
-  if (is_about_distance(kind, separation) && length > kLongestOfDistance) return {};
-  for (; length < 1; length = std::ldexp(length, kDoublings)) {
+  double from = 0;  // of a beginning: apart until then
+  for (double length = first_length(m); length < 1; length = std::ldexp(length, kDoublings)) {
     const auto beginning = make_beginning(kind, points, separation, length);
     if (!beginning) return {};
     const Decision d = decide_during(kind, *beginning, {from, 1});

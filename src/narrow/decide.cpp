@@ -80,19 +80,27 @@ bool stays_apart(PairKind kind, const PairMotion<double>& m, const TimeInterval<
          with_kind(kind, [&](auto k) { return TurningGap<k(), double>(m).stays_apart(time, kTurningGapParts); });
 }
 
+/// What doubles say; nothing where the pair may touch at the start, which double-double does not decide either. With a
+/// separation they are asked about the whole step first, so that a pair has the bits that it has in lanes; without one
+/// they would cut what goes far into many parts there.
+std::optional<Decision> decide_by_doubles(PairKind kind, const PairPoints& points, const PairMotion<double>& m,
+                                          const TimeInterval<double>& clip, double separation) {
+  if (is_about_distance(kind, m.separation)) {
+    const Decision whole = decide_in_doubles(kind, m, clip);
+    return is_sharp_answer(whole) ? whole : decide_in_beginnings(kind, points, separation, m).value_or(whole);
+  }
+  if (const auto early = decide_in_beginnings(kind, points, separation, m)) return early;
+  if (clip.t_in > 0 || !may_start_coplanar(m)) return decide_in_doubles(kind, m, clip);
+  return stays_apart(kind, m, clip) ? std::optional(Decision{}) : std::nullopt;
+}
+
 Outcome decide_pair(PairKind kind, const PairPoints& points, const PairMotion<double>& m,
                     const TimeInterval<double>& clip, const ContactRule& rule) {
   if (is_proven_free(clip, rule)) return {{}, &PrecisionCount::scalar};
-  const auto early = decide_in_beginnings(kind, points, rule.min_separation, m);
-  if (!early && clip.t_in == 0 && !is_about_distance(kind, m.separation) && may_start_coplanar(m))
-    return stays_apart(kind, m, clip)
-               ? Outcome{{}, &PrecisionCount::scalar}
-               : Outcome{decide_exactly(kind, points, rule.min_separation), &PrecisionCount::exact};
-  const Decision d = early ? *early : decide_in_doubles(kind, m, clip);
-  if (is_sharp_answer(d)) return {d, &PrecisionCount::scalar};
-  if (const auto again = decide_again(kind, points, rule.min_separation, m, d))
-    return {*again, &PrecisionCount::scalar};
-  return {decide_exactly(kind, points, rule.min_separation), &PrecisionCount::exact};
+  auto decision = decide_by_doubles(kind, points, m, clip, rule.min_separation);
+  if (decision && !is_sharp_answer(*decision)) decision = decide_again(kind, points, rule.min_separation, m, *decision);
+  return decision ? Outcome{*decision, &PrecisionCount::scalar}
+                  : Outcome{decide_exactly(kind, points, rule.min_separation), &PrecisionCount::exact};
 }
 
 PairResult described(PairKind kind, const PairPoints& points, const PairMotion<double>& m, const Decision& decision) {

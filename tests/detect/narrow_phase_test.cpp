@@ -2,6 +2,7 @@
 // pair whose answer depends on its neighbours in the list, an index or a coordinate that is read before it is checked.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 #include <random>
 
@@ -41,7 +42,18 @@ std::string difference(const PairResult& a, const PairResult& b) {
   return a.normal == b.normal ? "" : "normal";
 }
 
-/// Motions of all kinds and families, and a list in which the kinds alternate.
+/// As when a simulation diverges: each vertex goes so many times as far, unless that is beyond all doubles.
+oracle::Motion exploding(const oracle::Motion& motion, double times) {
+  oracle::Motion far = motion;
+  for (std::size_t i = 0; i < 4; ++i)
+    for (std::size_t k = 0; k < 3; ++k) {
+      far.end[i][k] = motion.start[i][k] + times * (motion.end[i][k] - motion.start[i][k]);
+      if (!(std::fabs(far.end[i][k]) < 0x1p1000)) return motion;
+    }
+  return far;
+}
+
+/// Motions of all kinds and families, every third of which goes very far, and a list in which the kinds alternate.
 struct Cases {
   std::vector<Point> start, end;
   std::vector<Pair> pairs;
@@ -54,8 +66,9 @@ Cases make_cases(int count) {
   for (int i = 0; i < count; ++i)
     for (const auto& family : test::kFamilies)
       for (const PairKind kind : test::kAllKinds) {
-        const oracle::Motion motion =
+        const oracle::Motion placed =
             test::placed(family.make(kind, random), test::kPlacements[static_cast<std::size_t>(random.below(6))]);
+        const oracle::Motion motion = i % 3 == 0 ? exploding(placed, std::ldexp(1, 4 + random.below(40))) : placed;
         const auto first = static_cast<Index>(cases.start.size());
         cases.start.insert(cases.start.end(), motion.start.begin(), motion.start.end());
         cases.end.insert(cases.end.end(), motion.end.begin(), motion.end.end());

@@ -20,10 +20,12 @@ class Bench : public Verb {
            "  tamis bench cloth1.ply cloth2.ply --scale 1,2,3,10 --out steps.csv\n"
            "  tamis bench cloth1.ply cloth2.ply --mode warm,again,substeps --substeps 20\n"
            "  tamis bench --scene folded-cloth --triangles 10000,100000,1000000 --json\n\n"
-           "Every combination of the lists is a row. Cold: a new detector, which builds its hierarchy. Kept: one that\n"
-           "refits, after questions by mode: warm, about other positions; again, about the same start in the other\n"
-           "direction; substeps, all parts of the step together. All times are medians in seconds; reading files and\n"
-           "making scenes is not in them.\n"
+           "Every combination of the lists is a row. New: the first question of a detector, which builds its "
+           "hierarchy.\n"
+           "Kept: one that refits, after questions by mode: warm, about other positions; again, about the same start "
+           "in\n"
+           "the other direction; substeps, all parts of the step together. All times are medians in seconds; reading\n"
+           "files and making scenes is not in them.\n"
            "Exit code 1: two rows of the same question and step differ in their answer.";
   }
   void declare(OptionList& options) override;
@@ -50,6 +52,7 @@ class Bench : public Verb {
 
   std::vector<BenchmarkWay> ways_;
   BenchmarkSetup setup_;
+  KeepArgument keep_;
   std::string start_, end_, scene_, out_;
   std::vector<Index> triangles_{100000};
   std::vector<std::string> questions_ = benchmark_questions();

@@ -36,7 +36,7 @@ std::uint64_t fingerprint_of(const std::vector<Contact>& contacts) {
 
 using Ask = std::function<void(Detector&, const Step&, BenchmarkResult&)>;
 
-Ask ask_for(const std::string& question) {
+Ask ask_for(const std::string& question, double keep) {
   if (question == "contacts")
     return [](Detector& detector, const Step& step, BenchmarkResult& result) {
       const std::vector<Contact>& contacts = detector.contacts(step);
@@ -57,6 +57,13 @@ Ask ask_for(const std::string& question) {
     return [](Detector& detector, const Step& step, BenchmarkResult& result) {
       result.contacts = detector.is_free(step) ? 0 : 1;
     };
+  if (question == "safe-step")
+    return [keep](Detector& detector, const Step& step, BenchmarkResult& result) {
+      const SafeStep safe = detector.safe_step(step, keep);
+      result.contacts = safe.pair ? 1 : 0;
+      result.toi_lower = safe.lower;
+      result.toi_upper = safe.upper;
+    };
   throw InvalidOptions(
       fmt::format("there is no question '{}': choose one of {}", question, fmt::join(benchmark_questions(), ", ")));
 }
@@ -64,7 +71,8 @@ Ask ask_for(const std::string& question) {
 /// One run: the times of all its questions together.
 class Runner {
  public:
-  Runner(const BenchmarkCase& step, const BenchmarkSetup& setup) : case_(step), ask_(ask_for(setup.question)) {
+  Runner(const BenchmarkCase& step, const BenchmarkSetup& setup)
+      : case_(step), ask_(ask_for(setup.question, setup.keep)) {
     const auto& known = benchmark_modes();
     if (std::find(known.begin(), known.end(), setup.mode) == known.end())
       throw InvalidOptions(fmt::format("there is no mode '{}': choose one of {}", setup.mode, fmt::join(known, ", ")));
@@ -138,7 +146,7 @@ double median_cpu(std::vector<Run>& runs) {
 }  // namespace
 
 const std::vector<std::string>& benchmark_questions() {
-  static const std::vector<std::string> questions{"contacts", "earliest", "is-free"};
+  static const std::vector<std::string> questions{"contacts", "earliest", "is-free", "safe-step"};
   return questions;
 }
 

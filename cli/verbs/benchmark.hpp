@@ -27,7 +27,8 @@ struct BenchmarkWay {
 };
 
 struct BenchmarkSetup {
-  std::string question;  ///< contacts, earliest or is-free
+  std::string question;  ///< one of benchmark_questions()
+  double keep = 0.1;     ///< of safe-step
   BenchmarkWay way = {};
   std::string mode = "warm";  ///< what the kept detector was asked before: see benchmark_modes()
   int substeps = 20;          ///< of mode substeps

@@ -73,7 +73,8 @@ void Bench::declare_lists(OptionList& options) {
       .shown_as("NAME");
   triangles_option_ =
       options.add_numbers("--triangles", "N", triangles_, {1, 100'000'000}, "its sizes; default 100000");
-  options.add_names("--question", questions_, "contacts, earliest, is-free; default all three");
+  options.add_names("--question", questions_, "contacts, earliest, is-free, safe-step; default all four");
+  keep_.declare(options);
   options.add_names(
       "--mode", modes_,
       "what the kept detector was asked before: warm (default), other positions; again, the same start in the "
@@ -87,6 +88,7 @@ void Bench::declare_lists(OptionList& options) {
 void Bench::check() {
   for (const std::string& isa : isas_) isa_from_name(isa);
   ways_ = ways();
+  setup_.keep = keep_.part();
   require_known("question", questions_, benchmark_questions());
   require_known("mode", modes_, benchmark_modes());
   const bool has_files = !start_.empty() && !end_.empty();
@@ -147,8 +149,8 @@ void Bench::print_row(const Json& row) const {
   };
   if (rows_.empty())
     fmt::print("{:<18} {:>10} {:>5} {:<9} {:<8} {}{:<8} {:>2} {:>10} {:>10} {:>10} {:>9}\n", "scene", "triangles",
-               "scale", "question", "mode", columns([](const auto& column) { return column.first; }), "isa", "T",
-               "cold", "kept", "cpu kept", "contacts");
+               "scale", "question", "mode", columns([](const auto& column) { return column.first; }), "isa", "T", "new",
+               "kept", "cpu kept", "contacts");
   fmt::print("{:<18} {:>10} {:>5} {:<9} {:<8} {}{:<8} {:>2} {:>10} {:>10} {:>10} {:>9}{}\n",
              printable(row["scene"].get<std::string>()), grouped(row["triangles"]), row["scale"].get<double>(),
              row["question"].get<std::string>(), row["mode"].get<std::string>(),

@@ -53,8 +53,7 @@ class Detector {
   bool is_free(const Path& path, const QueryOptions& = {});
   /// How far may the step go so that the distance of every pair, as far as it exceeds the minimum separation and both
   /// radii, stays at least `keep` of what it is at t=0? The step length for the line search of a barrier method. 0:
-  /// only contacts count, and `lower` is earliest()'s toi_lower. The
-  /// closer `keep` is to 1, the longer the search until the first near pairs have shortened the step.
+  /// only contacts count, and `lower` is earliest()'s toi_lower. Larger values take longer where motion is fast.
   /// Which: 0.1 for a barrier's line search, where the next steps need room; 0.01 and less where a step should come
   /// near what it meets, as towards a first contact; 0.5 and more where distances may shrink slowly only. A pair that
   /// is ignored at the start (AtStart) has nothing to keep: it ends the step where it touches again. Throws
@@ -77,11 +76,12 @@ class Detector {
   /// Positions to go to, as doubles, so that every pair keeps `keep` of its distance, and one near pair does not
   /// stop all: all vertices go together as far as every pair keeps a little more than that, from there each on its own
   /// side of planes between the features that it could reach, by a quarter of the mean edge at most, so as to bound the
-  /// number of such pairs. What starts within the minimum separation may move as long as it comes no nearer; then no
-  /// vertex goes farther than that. What is ignored at the start (AtStart) may move as it likes, but not apart and
-  /// back. A caller who keeps floats says so by `stored`: then all positions are floats' values, so that storing them
-  /// changes nothing, and what is proven holds of what is stored. Throws InvalidOptions unless 0 < keep < 1,
-  /// InvalidStep where floats are stored and `start` is not made of them, or `end` is beyond all of them.
+  /// number of such pairs. What starts within the minimum separation may move as long as it comes no nearer (at a
+  /// distance of 0 not at all, not even apart), and all others go a quarter of the mean edge at most. What is ignored
+  /// at the start (AtStart) may move as it likes, but not apart and back. A caller who keeps floats says so by
+  /// `stored`: then all positions are floats' values, so that storing them changes nothing, and what is proven holds of
+  /// what is stored. Throws InvalidOptions unless 0 < keep < 1, InvalidStep where floats are stored and `start` is not
+  /// made of them, or `end` is beyond all of them.
   TruncatedStep truncate(const Step& step, double keep = 0.1, const QueryOptions& = {},
                          Stored stored = Stored::float64);
 

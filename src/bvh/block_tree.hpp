@@ -1,5 +1,6 @@
-// The hierarchy: features in an order of space-filling locality, sixteen to a leaf block, sixteen blocks to a node, and
-// so on up to one root block. The tree is implicit: child c of block b is block 16 b + c of the level below.
+// The hierarchy: features in an order that halves space again and again (spatial_order.hpp), sixteen to a leaf block,
+// sixteen blocks to a node, and so on up to one root block. The tree is implicit: child c of block b is block 16 b + c
+// of the level below.
 #pragma once
 #include <algorithm>
 #include <array>

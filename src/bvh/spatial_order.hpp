@@ -10,8 +10,8 @@
 
 namespace tamis {
 
-/// Centers of features, [axis], and whose they are: parallel arrays. Three axes, or six: where the centers are halfway
-/// through the step, then half of how far they go.
+/// Centers of features, [axis], and whose they are: parallel arrays. Three axes, or six: where the centers are at
+/// OrderAxes::time, then OrderAxes::way of how far they go.
 struct Centers {
   static constexpr int kMostAxes = 6;
   float* at[kMostAxes];

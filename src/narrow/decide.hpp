@@ -1,6 +1,6 @@
-// The decision on one pair, cheap arithmetic first: slab clip, one or two certified crossings, roots by subdivision in
-// time, then exact algebra. All engines hand the pairs they leave undecided to these functions, so that they return the
-// same set of contacts.
+// The decision on one pair, cheap arithmetic first: slab clip, one or two certified crossings; beginnings of the step
+// of a pair that goes far; subdivision in time, or with a separation advancement; double-double; integers. All engines
+// hand the pairs they leave undecided to these functions, so that they return the same set of contacts.
 #pragma once
 #include "motion/make_motion.hpp"
 #include "narrow/contact_rule.hpp"

@@ -9,8 +9,8 @@
 
 namespace tamis {
 
-/// On a piece no vertex deviates from its chord by more than this part of the mean edge. Longer pieces would leave more
-/// pairs to be looked at on parts of them, shorter ones search the whole mesh more often.
+/// How far vertices may deviate on the first piece, as a part of the mean edge (MeshPieces::learn changes it). Longer
+/// pieces would leave more pairs to be looked at on parts of them, shorter ones search the whole mesh more often.
 inline constexpr double kChordDeviationInEdges = 0x1p-6;
 /// Of a vertex' bound on a piece, where that goes by the square of its length: how far it is at most from the chord
 /// moved half way to where it is in the middle (MeshPieces::lines).

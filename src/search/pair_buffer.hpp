@@ -1,6 +1,6 @@
 // What consumers do with a buffer of pairs. `leave_out` is the place where pairs are left out for what they are, and
-// not for where: each consumer calls it where that costs least, and never after a pair is decided. Only the rings
-// (Query::are_neighbours) are asked after that.
+// not for where: each consumer calls it where that costs least, before a pair is decided (ProximityConsumer after
+// its distance). Only the rings (Query::are_neighbours) are asked after that.
 #pragma once
 #include "kernels/kernels.hpp"
 #include "numerics/assert.hpp"

@@ -1,4 +1,5 @@
-// Finds the pair that ends the step first: gap on constant axes, and one by one what those leave.
+// Finds the pair that ends the step first: gaps on axes that turn, then on axes that stay, and one by one what those
+// leave.
 #pragma once
 #include <vector>
 

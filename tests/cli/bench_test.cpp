@@ -17,7 +17,7 @@ TEST(Bench, EveryCombinationIsARowAndAllAgree) {
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   const auto json = outcome.json();
   EXPECT_TRUE(json["answers_agree"]);
-  ASSERT_EQ(json["rows"].size(), 2u * 2u * 2u * 2u * 3u);
+  ASSERT_EQ(json["rows"].size(), 2u * 2u * 2u * 2u * 4u);
   for (const auto& row : json["rows"]) {
     EXPECT_GT(row["seconds"], 0) << row;
     EXPECT_GT(row["seconds_cold"], 0) << row;
@@ -32,7 +32,7 @@ TEST(Bench, TableHasARowForEachMeasurement) {
   const Outcome outcome = folder.run("bench above.obj below.obj --cold 1 --repeat 1 --out table.csv");
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   const std::string table = bytes_of_file(folder.path() / "table.csv");
-  EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), 4);  // the names, and three questions
+  EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), 5);  // the names, and four questions
   const std::string names = table.substr(0, table.find('\n'));
   const std::string last = table.substr(table.rfind('\n', table.size() - 2) + 1);
   EXPECT_EQ(std::count(names.begin(), names.end(), ','), std::count(last.begin(), last.end(), ','));

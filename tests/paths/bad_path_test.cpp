@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "paths/turning_pairs.hpp"
+#include "tamis/detector.hpp"
 #include "tamis/error.hpp"
 
 namespace tamis::test {
@@ -85,6 +86,14 @@ TEST(BadPath, BoundsThatNeverShrinkAreUnresolved) {
   }
 }
 
+// Bug: radii that are not finite make boxes that meet nothing.
+TEST(BadPath, OfAMeshIsRefusedWhereItDeviatesWithoutBound) {
+  ToldPath path;
+  path.deviation = kInfinity;
+  Detector detector(Mesh(4, {{1, 2, 3}}, {}, {0}));
+  expect_message<InvalidPath>([&] { detector.contacts(path); }, "vertex 0 of the path deviates without bound");
+}
+
 TEST(BadPath, OptionsAndNumbersAreChecked) {
   const ToldPath path;
   expect_message<InvalidPath>([&] { vertex_face(path, {0, 1, 2, 4}); }, "no vertex 4");
@@ -103,6 +112,11 @@ TEST(BadPath, RigidBodiesAreChecked) {
   expect_message<InvalidPath>([&] { RigidPath(rest, {0, 1}, {Chain{}}); }, "vertex 1 belongs to body 1");
   expect_message<InvalidPath>([&] { RigidPath(rest, {0, -1}, {Chain{}}); }, "vertex 1 belongs to body -1");
   expect_message<InvalidPath>([&] { RigidPath({{0, kNan, 0}}, {0}, {Chain{}}); }, "vertex 0 of the path is not finite");
+  expect_message<InvalidPath>(
+      [&] {
+        RigidPath(rest, {0, 0}, {Chain{}}, {{0, 0, 0}});
+      },
+      "2 rest positions and 1 at the end");
   const Pose bad{{0, 0, 0}, {kInfinity, 0, 0}};
   expect_message<InvalidPath>([&] { RigidPath(rest, {0, 0}, {interpolated({}, bad)}); }, "a pose of body 0");
 }

@@ -1,7 +1,7 @@
 """A hand of three fingers grasps a cloth that lies over a ball, in MuJoCo; `tamis.mujoco.Referee` follows every step.
 
 MuJoCo's flag `ipc` keeps flexes apart, and has nothing for bodies that move: this is what it leaves out. It needs
-``pip install tamis[mujoco]``. With ``--scene ball`` a cloth under that flag falls on a ball that rests.
+``pip install '.[mujoco]'`` in the clone. With ``--scene ball`` a cloth under that flag falls on a ball that rests.
 """
 
 from __future__ import annotations

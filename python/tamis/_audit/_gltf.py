@@ -58,7 +58,7 @@ def read_gltf(
     InvalidOptions
         There is no such animation; frames_per_second is not finite or not above 0.
     ModuleNotFoundError
-        pygltflib is not installed: pip install tamis[gltf].
+        pygltflib is not installed: pip install pygltflib.
     """
     name = file_name(path, "path")
     rate = number(frames_per_second, "frames_per_second")

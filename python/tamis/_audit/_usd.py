@@ -50,7 +50,7 @@ def read_usd(stage: str | os.PathLike[str] | Usd.Stage, *, prims: Sequence[str] 
     InvalidOptions
         A path that names nothing.
     ModuleNotFoundError
-        usd-core is not installed: pip install tamis[usd].
+        usd-core is not installed: pip install usd-core.
     """
     opened, name = _open(stage)
     roots = _roots(opened, prims)

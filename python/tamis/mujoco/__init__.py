@@ -4,7 +4,7 @@
 >>> mujoco.mj_step(model, data)
 >>> step = referee.check()
 
-It needs the package `mujoco`, in the version that this was written for: ``pip install tamis[mujoco]``.
+It needs the package `mujoco`, in the version that this was written for: ``pip install '.[mujoco]'`` in the clone.
 """
 
 from tamis.mujoco._version import WRITTEN_FOR, complaint

@@ -11,7 +11,7 @@
 
 Every step then leads on straight lines, from the floats that it starts with to the floats that it ends with, past no
 contact: proven. No buffer has a size to choose. Needs `newton` and `warp-lang` in the versions that
-``pip install tamis[newton]`` takes.
+``pip install '.[newton]'`` takes, in the clone.
 """
 
 from tamis.newton._attachment import Attachment, attach

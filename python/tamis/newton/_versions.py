@@ -15,7 +15,7 @@ def check_versions() -> None:
         try:
             found = metadata.version(package)
         except metadata.PackageNotFoundError:
-            raise Error(f"{package} is not installed: pip install tamis[newton], or {package}=={known}") from None
+            raise Error(f"{package} is not installed: pip install {package}=={known}") from None
         if found != known:
             raise Error(
                 f"{package} is {found}, and tamis.newton knows the inside of {known} alone: "

@@ -44,7 +44,7 @@ const char* title_of(Field field) {
     case Field::all_contacts:
       return "all contacts, end to end";
     default:
-      return "largest step, end to end";
+      return "first contact, end to end";
   }
 }
 

@@ -11,22 +11,22 @@ namespace {
 
 Pair pair_of(const Contact& contact) { return {contact.kind, contact.vertices}; }
 
-/// A detector that is made anew in every run (cold), or kept and refitted (warm): it was just asked about other
+/// A detector that is made anew in every run (new), or kept and refitted (kept): it was just asked about other
 /// positions, so that no list of pairs helps.
 class Asked : public Contender {
  public:
-  Asked(std::string method, bool is_warm) : method_(std::move(method)), is_warm_(is_warm) {}
-  std::string name() const override { return method_ + (is_warm_ ? ", warm" : ", cold"); }
+  Asked(std::string method, bool is_kept) : method_(std::move(method)), is_kept_(is_kept) {}
+  std::string name() const override { return method_ + (is_kept_ ? ", kept" : ", new"); }
 
  protected:
   Detector& detector(const Task& task) {
-    if (!detector_ || !is_warm_ || threads_ != task.threads) {
+    if (!detector_ || !is_kept_ || threads_ != task.threads) {
       lab::Options options;
       choose_method(options, method_);
       options.threads = threads_ = task.threads;
       detector_ = std::make_unique<Detector>(lab::make_detector(task.mesh, options));
     }
-    if (is_warm_) {
+    if (is_kept_) {
       const std::vector<Point> start = scenes::exchanged(task.start), end = scenes::exchanged(task.end);
       ask({start, end});
     }
@@ -43,7 +43,7 @@ class Asked : public Contender {
   }
 
   std::string method_;
-  bool is_warm_;
+  bool is_kept_;
   int threads_ = 0;
   std::unique_ptr<Detector> detector_;
 };
@@ -142,11 +142,11 @@ class OnePair final : public Contender {
 }  // namespace
 
 void add_tamis(Contenders& list) {
-  for (const bool is_warm : {false, true}) {
-    list.push_back(std::make_unique<BroadPhase>("tamis", is_warm));
-    list.push_back(std::make_unique<AllContacts>("tamis", is_warm));
-    list.push_back(std::make_unique<AllContacts>("paper", is_warm));
-    list.push_back(std::make_unique<LargestStep>("tamis", is_warm));
+  for (const bool is_kept : {false, true}) {
+    list.push_back(std::make_unique<BroadPhase>("tamis", is_kept));
+    list.push_back(std::make_unique<AllContacts>("tamis", is_kept));
+    list.push_back(std::make_unique<AllContacts>("paper", is_kept));
+    list.push_back(std::make_unique<LargestStep>("tamis", is_kept));
   }
   list.push_back(std::make_unique<OnePair>(PairKind::vertex_face));
   list.push_back(std::make_unique<OnePair>(PairKind::edge_edge));

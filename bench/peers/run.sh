@@ -8,7 +8,7 @@ echo "question,scene,who,ms,note" >"$out"
 time_step() {  # SCENE START END
   "$build/bin/tamis" bench "$2" "$3" --question contacts,earliest --repeat 15 --json | python3 -c '
 import json, sys
-words = {"contacts": "all contacts", "earliest": "largest safe step"}
+words = {"contacts": "all contacts", "earliest": "first contact"}
 for row in json.load(sys.stdin)["rows"]:
     print(words[row["question"]], sys.argv[1], "Tamis", round(1e3 * row["seconds"], 2), "exact", sep=",")' "$1" >>"$out"
 }

@@ -4,7 +4,6 @@
 #include <array>
 
 #include "exact/exact_separation.hpp"
-#include "exact/first_time.hpp"
 #include "exact/moving_polygon.hpp"
 #include "exact/start_distance.hpp"
 #include "motion/pair_kinds.hpp"
@@ -63,14 +62,12 @@ class MovingPolygonTest {
 
   /// The times of touching at which a span of them may begin or end. The origin comes into the polygon's plane and out
   /// of it; where it is always in that plane it comes into the polygon, and out of it, through a side.
-  template <class Times>
-  void add_times(Times& times) const {
+  void add_times(TouchingTimes& times) const {
     if (!coplanarity_.is_zero())
       return times.add_roots(coplanarity_, [&](AlgebraicTime& time) { return contains_origin(time); });
     for (std::size_t i = 0; i < polygon_.side_count(); ++i) {
       const Side passed = side(i);
-      if (!passed.event().is_zero())
-        times.add_roots(passed.event(), [&](AlgebraicTime& time) { return passed.holds_origin(time); });
+      times.add_roots(passed.event(), [&](AlgebraicTime& time) { return passed.holds_origin(time); });
     }
   }
 
@@ -110,8 +107,7 @@ MovingPolygon polygon_for(PairKind kind, const PairPoints& points, double separa
   return separation > 0 ? difference_polygon(kind, points, separation) : stretched_polygon(kind, points);
 }
 
-template <class Times>
-void add_times(const MovingPolygon& polygon, double separation, Times& times) {
+void add_times(const MovingPolygon& polygon, double separation, TouchingTimes& times) {
   if (separation > 0)
     add_times_within(polygon, separation, times);
   else
@@ -123,17 +119,18 @@ void add_times(const MovingPolygon& polygon, double separation, Times& times) {
 Decision decide_exactly(PairKind kind, const PairPoints& points, double separation) {
   TAMIS_ASSERT(separation >= 0 && std::isfinite(separation) && is_finite(points));
   if (starts_within(kind, points, separation)) return {Verdict::touches, 0, 0};
-  FirstTime first;
-  add_times(polygon_for(kind, points, separation), separation, first);
-  return first.decision();
+  TouchingTimes times(TouchingTimes::Wanted::first);
+  add_times(polygon_for(kind, points, separation), separation, times);
+  return times.first();
 }
 
 Decision decide_once_apart_exactly(PairKind kind, const PairPoints& points, double separation) {
   TAMIS_ASSERT(separation >= 0 && std::isfinite(separation) && is_finite(points));
   const MovingPolygon polygon = polygon_for(kind, points, separation);
-  FirstTimeOnceApart times;
+  TouchingTimes times(TouchingTimes::Wanted::once_apart);
   add_times(polygon, separation, times);
-  return times.decision([&](const DyadicCell& time) { return is_within(polygon_at(polygon, time), separation); });
+  return times.first_once_apart(
+      [&](const DyadicCell& time) { return is_within(polygon_at(polygon, time), separation); });
 }
 
 int side_just_before(PairKind kind, const PairPoints& points, double time) {

@@ -2,7 +2,6 @@
 
 #include <cmath>
 
-#include "exact/first_time.hpp"
 #include "numerics/assert.hpp"
 
 namespace tamis {
@@ -18,10 +17,10 @@ PolynomialVec vector_of(const Moving<Integer>& v) {
   return {along(v.at0.x, v.at1.x), along(v.at0.y, v.at1.y), along(v.at0.z, v.at1.z)};
 }
 
-template <class Times>
 class SeparationTest {
  public:
-  SeparationTest(const MovingPolygon& polygon, double separation, Times& times) : polygon_(polygon), times_(times) {
+  SeparationTest(const MovingPolygon& polygon, double separation, TouchingTimes& times)
+      : polygon_(polygon), times_(times) {
     const Integer s = scaled_to_integer(separation, polygon.exponent);
     square_ = s * s;
     for (std::size_t i = 0; i < polygon.corner_count; ++i) corners_[i] = vector_of(polygon.corners[i]);
@@ -36,19 +35,13 @@ class SeparationTest {
  private:
   const PolynomialVec& corner(std::size_t i) const { return corners_[i % polygon_.corner_count]; }
 
-  /// A polynomial that is always zero begins and ends nothing: the pair would be as near before and after.
-  template <class Condition>
-  void add_roots(const IntegerPolynomial& p, const Condition& holds) {
-    if (!p.is_zero()) times_.add_roots(p, holds);
-  }
-
   void add_corner(const PolynomialVec& c) {
-    add_roots(dot(c, c) - IntegerPolynomial(square_), [](AlgebraicTime&) { return true; });
+    times_.add_roots(dot(c, c) - IntegerPolynomial(square_), [](AlgebraicTime&) { return true; });
   }
 
   void add_side(const PolynomialVec& x, const PolynomialVec& y) {
     const PolynomialVec side = y - x, normal = cross(x, y);
-    add_roots(dot(normal, normal) - square_ * dot(side, side), [&](AlgebraicTime& time) {
+    times_.add_roots(dot(normal, normal) - square_ * dot(side, side), [&](AlgebraicTime& time) {
       const int before = time.sign_of(dot(x, side));
       if (before > 0) return false;
       const int after = time.sign_of(dot(y, side));
@@ -59,7 +52,7 @@ class SeparationTest {
   void add_plane() {
     const PolynomialVec normal = cross(corner(1) - corner(0), corner(polygon_.corner_count - 1) - corner(0));
     const IntegerPolynomial height = dot(corner(0), normal);
-    add_roots(height * height - square_ * dot(normal, normal), [&](AlgebraicTime& time) {
+    times_.add_roots(height * height - square_ * dot(normal, normal), [&](AlgebraicTime& time) {
       bool has_area = false;
       for (std::size_t i = 0; i < polygon_.corner_count; ++i) {
         const int side = time.sign_of(dot(normal, cross(corner(i), corner(i + 1))));
@@ -73,17 +66,14 @@ class SeparationTest {
   const MovingPolygon& polygon_;
   Integer square_;  ///< of the separation
   std::array<PolynomialVec, 4> corners_;
-  Times& times_;
+  TouchingTimes& times_;
 };
 
 }  // namespace
 
-template <class Times>
-void add_times_within(const MovingPolygon& polygon, double separation, Times& times) {
+void add_times_within(const MovingPolygon& polygon, double separation, TouchingTimes& times) {
   TAMIS_ASSERT(separation > 0 && std::isfinite(separation));
   SeparationTest(polygon, separation, times).run();
 }
-template void add_times_within(const MovingPolygon&, double, FirstTime&);
-template void add_times_within(const MovingPolygon&, double, FirstTimeOnceApart&);
 
 }  // namespace tamis

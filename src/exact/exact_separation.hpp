@@ -10,12 +10,12 @@
 // polynomial that is always zero may be left out: docs/numerics.md.
 #pragma once
 #include "exact/moving_polygon.hpp"
+#include "exact/touching_times.hpp"
 
 namespace tamis {
 
-/// Adds to `times` (exact/first_time.hpp) all at which the pair may come within the separation, or leave it. REQUIRES:
-/// a finite separation > 0, as difference_polygon() had it.
-template <class Times>
-void add_times_within(const MovingPolygon& polygon, double separation, Times& times);
+/// Adds all times at which the pair may come within the separation, or leave it. REQUIRES: a finite separation > 0, as
+/// difference_polygon() had it.
+void add_times_within(const MovingPolygon& polygon, double separation, TouchingTimes& times);
 
 }  // namespace tamis

@@ -1,0 +1,70 @@
+// The times at which a pair touches that are roots of the polynomials of an exact decision: the first of them, or the
+// first after the pair has come apart.
+#pragma once
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "exact/root_isolation.hpp"
+#include "motion/decision.hpp"
+
+namespace tamis {
+
+class TouchingTimes {
+ public:
+  enum class Wanted { first, once_apart };
+  explicit TouchingTimes(Wanted wanted) : wanted_(wanted) {}
+
+  /// The roots of `p` in [0,1] for which `holds(time)`, each a time of touching; where the first time of all is wanted,
+  /// the first of them. A polynomial that is always zero has none: it begins and ends nothing.
+  template <class Condition>
+  void add_roots(const IntegerPolynomial& p, const Condition& holds) {
+    if (p.is_zero()) return;
+    for (AlgebraicTime& time : roots_in_unit_interval(p, latest_)) {
+      if (!holds(time)) continue;
+      times_.push_back(std::move(time));
+      if (wanted_ == Wanted::once_apart) continue;
+      latest_ = std::min(latest_, times_.back().bracket().t_out);
+      return;
+    }
+  }
+
+  /// Times are compared by their brackets, which ascend with them. Of pairs apart at t=0 alone: one that moves within
+  /// its plane may go on touching without any of these times.
+  Decision first() const {
+    Decision first;
+    for (const AlgebraicTime& time : times_) {
+      const auto [lower, upper] = time.bracket();
+      if (first.is_free() || lower < first.lower || upper < first.upper) first = {Verdict::touches, lower, upper};
+    }
+    return first;
+  }
+
+  /// The first time of touching before which there is one without, `touches(time)` telling both apart; at the start the
+  /// pair may do either. The end of every span of time in which the pair touches must be among the times, its start
+  /// too: then between two neighbours it touches always or never.
+  template <class Condition>
+  Decision first_once_apart(const Condition& touches) {
+    AlgebraicTime start = AlgebraicTime::exactly({0, 0});
+    for (AlgebraicTime *last = &start, *next = first_after(start); next; last = next, next = first_after(*last)) {
+      if (touches(time_between(*last, *next))) continue;
+      const auto [lower, upper] = next->bracket();
+      return {Verdict::touches, lower, upper};
+    }
+    return {};
+  }
+
+ private:
+  AlgebraicTime* first_after(AlgebraicTime& last) {
+    AlgebraicTime* first = nullptr;
+    for (AlgebraicTime& time : times_)
+      if (compare(last, time) < 0 && (!first || compare(time, *first) < 0)) first = &time;
+    return first;
+  }
+
+  Wanted wanted_;
+  double latest_ = 1;  ///< roots after it are not wanted
+  std::vector<AlgebraicTime> times_;
+};
+
+}  // namespace tamis

@@ -15,15 +15,11 @@ double next_up(double x) { return std::nextafter(x, 2.0); }
 
 AlgebraicTime AlgebraicTime::exactly(DyadicCell time) { return AlgebraicTime(std::move(time)); }
 
-AlgebraicTime::AlgebraicTime(IntegerPolynomial p, DyadicCell cell) : cell_(std::move(cell)) {
-  take_polynomial(std::move(p));
-}
-
-AlgebraicTime::AlgebraicTime(IntegerPolynomial p, int sign_before, double lower, double upper)
-    : polynomial_(std::move(p)), sign_before_(sign_before) {
-  TAMIS_ASSERT(0 <= lower && lower < upper && upper <= 1);
-  TAMIS_ASSERT(sign_before_ != 0 && polynomial_.on(cell_above(lower)).sign_after_zero() == sign_before_);
-  narrow_to_doubles(lower, upper);
+AlgebraicTime::AlgebraicTime(IntegerPolynomial p, int sign_before, DyadicCell cell)
+    : polynomial_(std::move(p)), sign_before_(sign_before), cell_(std::move(cell)) {
+  TAMIS_ASSERT(sign_before_ != 0 && polynomial_.on(cell_).sign_after_zero() == sign_before_);
+  const double lower = lower_end(cell_), upper = lower_end({cell_.n + 1, cell_.k});
+  if (next_up(lower) < upper) narrow_to_doubles(lower, upper);
 }
 
 void AlgebraicTime::take_polynomial(IntegerPolynomial p) {
@@ -119,6 +115,7 @@ DyadicCell time_between(AlgebraicTime& a, AlgebraicTime& b) {
 }
 
 void AlgebraicTime::narrow_to_doubles(double lower, double upper) {
+  TAMIS_ASSERT(0 <= lower && lower < upper && upper <= 1);
   constexpr int kNewtonSteps = 12;
   refinement_ = 32;  // between neighbouring doubles it is nearly a straight line
   const ApproximatePolynomial rough(polynomial_), slope = rough.derivative();

@@ -11,12 +11,9 @@ class AlgebraicTime {
  public:
   /// The lower end of the cell.
   static AlgebraicTime exactly(DyadicCell time);
-  /// REQUIRES: `p` has a sign just after the lower end of the cell. REQUIRES (not checked: exact), of both:
-  /// exactly one root of `p` lies inside of the cell or the open interval, a simple one; the cell lies between
-  /// neighbouring doubles.
-  AlgebraicTime(IntegerPolynomial p, DyadicCell cell);
-  /// REQUIRES: 0 <= lower < upper <= 1; a sign, which `p` has just after `lower`.
-  AlgebraicTime(IntegerPolynomial p, int sign_before, double lower, double upper);
+  /// REQUIRES: a sign, which `p` has just after the lower end of the cell. REQUIRES (not checked: exact): exactly one
+  /// root of `p` lies inside of the cell, a simple one.
+  AlgebraicTime(IntegerPolynomial p, int sign_before, DyadicCell cell);
 
   /// -1, 0 or 1; decided exactly. Narrows the cell as far as that needs.
   int sign_of(const IntegerPolynomial& q);
@@ -43,7 +40,7 @@ class AlgebraicTime {
   /// Makes the cell smaller, quadratically: where a straight line through the values at its ends puts the root, among
   /// 2^refinement_ cells; twice as many bits after a success, half as many after none (Abbott 2006).
   void refine();
-  /// Makes the cell one between neighbouring doubles, or exact.
+  /// Makes the cell one between neighbouring doubles, or exact. REQUIRES: 0 <= lower < upper <= 1.
   void narrow_to_doubles(double lower, double upper);
 
   IntegerPolynomial polynomial_;

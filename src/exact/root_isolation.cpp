@@ -34,9 +34,6 @@ class RootIsolation {
 
   /// A cell that may hold roots.
   struct Part {
-    Part(const DyadicCell& where, IntegerPolynomial there, int halvings, unsigned long next_bits, bool is_right_half)
-        : cell(where), local(std::move(there)), depth(halvings), bits(next_bits), may_start_with_root(is_right_half) {}
-
     DyadicCell cell;
     IntegerPolynomial local;  ///< the polynomial with the cell mapped to [0,1]
     int depth;
@@ -47,13 +44,13 @@ class RootIsolation {
   /// From left to right. What is left to look at is a list, for exponents make cells thousands of halvings deep.
   void isolate() {
     std::vector<Part> parts;
-    parts.emplace_back(within_, local_, 0, 4, false);
+    parts.push_back({within_, local_, 0, 4, false});
     while (!parts.empty()) {
       const Part part = std::move(parts.back());
       parts.pop_back();
       if (part.may_start_with_root) add_if_root(part.cell);
       const int variations = part.local.sign_variations();
-      if (variations == 1) add_root_in(part.cell, part.local);
+      if (variations == 1) roots_.emplace_back(polynomial_, part.local.sign_after_zero(), part.cell);
       if (variations > 1) divide(part, variations, parts);
     }
   }
@@ -68,13 +65,13 @@ class RootIsolation {
       const DyadicCell smaller = cell_of_roots(local, variations, end, bits);
       IntegerPolynomial there = local.on(smaller);
       if (there.sign_variations() == variations) {
-        parts.emplace_back(cell.part(smaller), std::move(there), depth, 2 * bits, false);
+        parts.push_back({cell.part(smaller), std::move(there), depth, 2 * bits, false});
         return;
       }
     }
     const unsigned long fewer_bits = std::max(bits / 2, 2UL);
-    parts.emplace_back(cell.right_half(), local.on({1, 1}), depth + 1, fewer_bits, true);
-    parts.emplace_back(cell.left_half(), local.on({0, 1}), depth + 1, fewer_bits, false);
+    parts.push_back({cell.right_half(), local.on({1, 1}), depth + 1, fewer_bits, true});
+    parts.push_back({cell.left_half(), local.on({0, 1}), depth + 1, fewer_bits, false});
   }
 
   /// Of 2^bits cells of [0,1] one that may hold so many roots, by one step of Newton's method from an end.
@@ -85,14 +82,6 @@ class RootIsolation {
     if (slope.sign() != 0) n -= quotient((value * roots) << bits, slope);
     if (n.sign() < 0) n = 0;
     return {(last - n).sign() < 0 ? last : n, bits};
-  }
-
-  void add_root_in(const DyadicCell& cell, const IntegerPolynomial& local) {
-    const double lower = lower_end(cell), upper = lower_end({cell.n + 1, cell.k});
-    if (std::nextafter(lower, 2.0) < upper)
-      roots_.emplace_back(polynomial_, local.sign_after_zero(), lower, upper);
-    else
-      roots_.emplace_back(polynomial_, cell);
   }
 
   IntegerPolynomial polynomial_;

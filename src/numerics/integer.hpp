@@ -41,9 +41,9 @@ class Integer {
   Integer& operator+=(const Integer& b);
   Integer& operator-=(const Integer& b);
   Integer& operator*=(const Integer& b) { return *this = *this * b; }
-  Integer& operator<<=(unsigned long bits);
+  Integer& operator<<=(unsigned long bits) { return *this = *this << bits; }
   /// Towards zero.
-  Integer& operator>>=(unsigned long bits);
+  Integer& operator>>=(unsigned long bits) { return *this = *this >> bits; }
 
   friend Integer operator-(const Integer& a) { return make(a.limbs(), mpz_neg, a.get()); }
   friend Integer operator+(const Integer& a, const Integer& b) {
@@ -224,17 +224,6 @@ inline Integer& Integer::operator-=(const Integer& b) {
   if (are_short(*this, b)) return set(wide() - b.wide()), *this;
   reserve(sum_limbs(*this, b));
   mpz_sub(value_, value_, b.value_);
-  return *this;
-}
-
-inline Integer& Integer::operator<<=(unsigned long bits) {
-  reserve(shifted_limbs(bits));
-  mpz_mul_2exp(value_, value_, bits);
-  return *this;
-}
-
-inline Integer& Integer::operator>>=(unsigned long bits) {
-  mpz_tdiv_q_2exp(value_, value_, bits);
   return *this;
 }
 

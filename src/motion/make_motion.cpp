@@ -25,12 +25,6 @@ double safe_unit(const PairPoints& points) {
   return largest < 0x1p1021 ? 1 : 0x1p-3;
 }
 
-bool are_equal(const Vec3<double>& a, const Vec3<double>& b) { return a.x == b.x && a.y == b.y && a.z == b.z; }
-
-bool are_equal(const Moving<double>& a, const Moving<double>& b) {
-  return are_equal(a.at0, b.at0) && are_equal(a.at1, b.at1);
-}
-
 Moving<double> scaled(const Moving<double>& v, double scale) { return {scale * v.at0, scale * v.at1}; }
 
 Moving<DoubleDouble> scaled(const Moving<DoubleDouble>& v, double scale) {
@@ -114,7 +108,7 @@ bool is_finite(const PairPoints& points) {
 
 bool is_motion_of(const PairMotion<double>& m, PairKind kind, const PairPoints& points) {
   const PairMotion<double> own = make_motion(kind, points);
-  return are_equal(m.e, own.e) && are_equal(m.f, own.f) && are_equal(m.d, own.d);
+  return m.e == own.e && m.f == own.f && m.d == own.d;
 }
 
 }  // namespace tamis

@@ -17,6 +17,8 @@ namespace tamis {
 template <class T>
 struct Moving {
   Vec3<T> at0, at1;
+
+  bool operator==(const Moving&) const = default;
 };
 
 template <class T>

@@ -6,6 +6,8 @@ namespace tamis {
 template <class T>
 struct Vec3 {
   T x, y, z;
+
+  bool operator==(const Vec3&) const = default;
 };
 
 template <class T>

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "paths/frame.hpp"
-#include "paths/remembered_path.hpp"
+#include "tamis/path.hpp"
 
 namespace tamis {
 
@@ -54,7 +54,7 @@ class MeshPieces {
   void read_halves(double from, double middle, double to);
 
   const Mesh& mesh_;
-  const IsolatedPath path_;
+  const Path& path_;
   const std::span<const double> ends_;
   const std::vector<Index> all_;    ///< 0, 1, 2, ...
   std::vector<double> deviations_;  ///< from chords, at most

@@ -7,7 +7,8 @@ namespace tamis {
 void RememberedPath::points_at(double time, std::span<const Index> vertices, std::span<Point> points,
                                std::span<double> errors) const {
   const Frame* kept = kept_at(time);
-  if (!kept || !copy(*kept, vertices, points, errors)) IsolatedPath::points_at(time, vertices, points, errors);
+  if (!kept || !copy(*kept, vertices, points, errors))
+    isolated([&] { path_.points_at(time, vertices, points, errors); });
 }
 
 const Frame* RememberedPath::kept_at(double time) const {
@@ -15,7 +16,7 @@ const Frame* RememberedPath::kept_at(double time) const {
   if (found != kept_.end()) return &*found;
   if (!was_seen(time) || kept_.size() >= kMostTimesKept) return nullptr;
   Frame& now = kept_.emplace_back(Frame{time, std::vector<Point>(used_.size()), std::vector<double>(used_.size())});
-  IsolatedPath::points_at(time, used_, now.points, now.errors);
+  isolated([&] { path_.points_at(time, used_, now.points, now.errors); });
   return &now;
 }
 

@@ -1,5 +1,5 @@
-// A caller's path, called during a question; and one that remembers positions at times that are asked for again: pairs
-// cut at the same times then share the cost of these, such as that of the poses of turning bodies.
+// A caller's path with a memory of positions at times that are asked for again: pairs cut at the same times then share
+// the cost of these, such as that of the poses of turning bodies.
 #pragma once
 #include <vector>
 
@@ -9,17 +9,16 @@
 
 namespace tamis {
 
-/// A thread that waits in the caller's functions takes no other part of the question (query/isolated.hpp).
-class IsolatedPath : public Path {
+/// For one thread, which takes no other part of the question while it waits in the caller's functions
+/// (query/isolated.hpp). Positions are the path's own, bit for bit.
+class RememberedPath final : public Path {
  public:
-  /// Keeps a reference.
-  explicit IsolatedPath(const Path& path) : path_(path) {}
+  /// Keeps references. `used`: ascending; others may be asked for, too.
+  RememberedPath(const Path& path, const std::vector<Index>& used) : path_(path), used_(used) {}
 
   Index vertex_count() const override { return path_.vertex_count(); }
   void points_at(double time, std::span<const Index> vertices, std::span<Point> points,
-                 std::span<double> errors) const override {
-    isolated([&] { path_.points_at(time, vertices, points, errors); });
-  }
+                 std::span<double> errors) const override;
   void fine_points_at(double time, std::span<const Index> vertices, std::span<FinePoint> points) const override {
     isolated([&] { path_.fine_points_at(time, vertices, points); });
   }
@@ -32,19 +31,6 @@ class IsolatedPath : public Path {
   }
 
  private:
-  const Path& path_;
-};
-
-/// For one thread. Positions are the path's own, bit for bit.
-class RememberedPath final : public IsolatedPath {
- public:
-  /// Keeps references. `used`: ascending; others may be asked for, too.
-  RememberedPath(const Path& path, const std::vector<Index>& used) : IsolatedPath(path), used_(used) {}
-
-  void points_at(double time, std::span<const Index> vertices, std::span<Point> points,
-                 std::span<double> errors) const override;
-
- private:
   static constexpr std::size_t kMostTimesKept = 32, kMostTimesSeen = 32;
 
   /// Null where the time is asked for for the first time, or there is no more room.
@@ -55,6 +41,7 @@ class RememberedPath final : public IsolatedPath {
   bool copy(const Frame& from, std::span<const Index> vertices, std::span<Point> points,
             std::span<double> errors) const;
 
+  const Path& path_;
   const std::vector<Index>& used_;
   mutable std::vector<Frame> kept_;   ///< of the used vertices, in their order
   mutable std::vector<double> seen_;  ///< asked for once, as most times are; the second time all vertices are kept

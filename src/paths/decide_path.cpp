@@ -46,16 +46,16 @@ class PathSolver {
     if (filters_prove_free(widened)) return {};
     if (!std::is_same_v<T, double> && !is_apart_at_start(part))
       return Decision{Verdict::unsure, part.from.time, end_of_shortest(part.from.time, part.to.time)};
-    const PathCrossing crossing = can_cross(kind) ? crossing_of(ends) : PathCrossing{};
-    if (crossing.is_opposite()) {
+    const int side_before = can_cross(kind) ? side_before_crossing(ends) : 0;
+    if (side_before != 0) {
       const bool is_narrow = part.length() <= question_.tolerance && part.from.time > 0;
       if (is_narrow && stays_inside<kind>(widened)) return Decision{Verdict::touches, part.from.time, part.to.time};
-      if (cut_around_crossing(part, window_of(widened, crossing.sign_at_start))) return {};
+      if (cut_around_crossing(part, window_of(widened, side_before))) return {};
     }
     if (--parts_left_ > 0 && may_gain(part, deviations, chords.gap_at_start(ends)) &&
         parts_.cut(part, near_middle(part.from.time, part.to.time)))
       return {};
-    return decided_further(part, widened, crossing);
+    return decided_further(part, widened, side_before != 0);
   }
 
   static bool filters_prove_free(const PairMotion<BasicInterval<T>>& m) {
@@ -103,7 +103,7 @@ class PathSolver {
 
   /// Where cutting helps this arithmetic no more: doubles ask double-double, which has the last word.
   std::optional<Decision> decided_further(const PathPart<T>& part, const PairMotion<BasicInterval<T>>& widened,
-                                          const PathCrossing& crossing) {
+                                          bool crosses) {
     if constexpr (std::is_same_v<T, double>) {
       const int most_parts = std::min(kMostWithinPart, fine_parts_left_);
       PathSolver<kind, DoubleDouble> fine(question_, reader_, {part.from.time, part.to.time}, most_parts);
@@ -111,8 +111,7 @@ class PathSolver {
       fine_parts_left_ -= fine.parts_looked_at();
       return decision.is_free() ? std::nullopt : std::optional(decision);
     } else {
-      const bool touches =
-          crossing.is_opposite() && part.length() <= question_.tolerance && stays_inside<kind>(widened);
+      const bool touches = crosses && part.length() <= question_.tolerance && stays_inside<kind>(widened);
       return Decision{touches ? Verdict::touches : Verdict::unsure, part.from.time, part.to.time};
     }
   }
@@ -127,19 +126,19 @@ class PathSolver {
 /// ten times as much. 0: neither can tell.
 int side_at(PairKind kind, const PairReader& reader, const Moment<double>& moment) {
   return with_kind(kind, [&](auto k) {
-    const auto side_of = [&]<class T>(const Moment<T>& at) {
-      return crossing_of(Chords<k(), T>(at, at, {}).at_ends()).sign_at_start;
+    const auto known_side = [&]<class T>(const Moment<T>& at) {
+      const auto ends = Chords<k(), T>(at, at, {}).at_ends();
+      return side_of(ends.e.at0, ends.f.at0, ends.d.at0);
     };
-    const int side = side_of(moment);
-    return side != 0 ? side : side_of(reader.at<DoubleDouble>(moment.time));
+    const int side = known_side(moment);
+    return side != 0 ? side : known_side(reader.at<DoubleDouble>(moment.time));
   });
 }
 
 /// By the chord between the ends of the bracket; the side on which it begins is read from the path itself.
 ContactPlace place_on_path(const PathQuestion& question, const Decision& decision) {
   const PairKind kind = question.kind;
-  PairReader reader(question.path, question.vertices);
-  reader.set_unit_at(decision.lower);
+  const PairReader reader(question.path, question.vertices, decision.lower);
   const auto start = reader.at<double>(decision.lower);
   const PairPoints points = points_between(start, reader.at<double>(decision.upper));
   const PairMotion<double> chord = make_motion(kind, points);
@@ -150,8 +149,7 @@ ContactPlace place_on_path(const PathQuestion& question, const Decision& decisio
 
 /// Proven, at one time.
 bool is_apart_on_path(const PathQuestion& question, double time) {
-  PairReader reader(question.path, question.vertices);
-  reader.set_unit_at(time);
+  const PairReader reader(question.path, question.vertices, time);
   const auto moment = reader.at<double>(time);
   if (question.min_separation > 0) return is_apart_at(question.kind, moment, question.min_separation * reader.scale());
   const std::array<double, 4> deviations{};
@@ -165,8 +163,7 @@ bool is_apart_on_path(const PathQuestion& question, double time) {
 
 Decision decide_on_path(const PathQuestion& question, const TimeInterval<double>& time) {
   TAMIS_ASSERT(is_kind(question.kind) && is_part_of_step(time));
-  PairReader reader(question.path, question.vertices);
-  reader.set_unit_at(time.t_in);
+  const PairReader reader(question.path, question.vertices, time.t_in);
   if (question.min_separation > 0) return first_within_on_path(question, reader, time);
   return with_kind(question.kind,
                    [&](auto kind) { return PathSolver<kind(), double>(question, reader, time, kMostParts).run(); });

@@ -63,18 +63,14 @@ void check_deviation(Index vertex, double from, double to, double deviation) {
                     ": give a bound >= 0 of its distance from the chord");
 }
 
-PairReader::PairReader(const Path& path, const PairVertices& vertices)
+PairReader::PairReader(const Path& path, const PairVertices& vertices, double time_of_unit)
     : path_(path),
       vertices_(vertices),
       count_(static_cast<std::size_t>(std::find(vertices.begin(), vertices.end(), -1) - vertices.begin())) {
   std::array<Point, 4> given{};
   path_.straight_directions(std::span(vertices_).first(count_), given);
   for (std::size_t i = 0; i < count_; ++i) directions_[i] = direction_of(vertices_[i], given[i]);
-}
-
-void PairReader::set_unit_at(double time) {
-  scale_ = 1;
-  const auto moment = at<double>(time);
+  const auto moment = at<double>(time_of_unit);
   double size = 0;
   for (const auto& p : moment.points)
     for (const auto k : {&Vec3<Interval>::x, &Vec3<Interval>::y, &Vec3<Interval>::z})

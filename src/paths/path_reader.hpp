@@ -32,14 +32,13 @@ struct StraightDirection {
 using StraightDirections = std::array<StraightDirection, 4>;
 inline constexpr StraightDirections kNoDirections{};
 
-/// Asks for the vertices at a time; lengths times a power of two.
+/// Asks for the vertices at a time; lengths times the power of two that brings them to the size of the pair.
 class PairReader {
  public:
   /// Keeps the reference. Vertices as in Contact: those that the kind does not use are -1, and stand at the first one.
-  PairReader(const Path& path, const PairVertices& vertices);
+  /// The size of the pair is that at `time_of_unit`.
+  PairReader(const Path& path, const PairVertices& vertices, double time_of_unit);
 
-  /// Brings lengths to the size that the pair has at a time.
-  void set_unit_at(double time);
   double scale() const { return scale_; }
   const StraightDirections& directions() const { return directions_; }
 
@@ -54,7 +53,7 @@ class PairReader {
   PairVertices vertices_;
   std::size_t count_;  ///< vertices in use
   StraightDirections directions_;
-  double scale_ = 1;
+  double scale_ = 1;  ///< of lengths
 };
 
 template <>

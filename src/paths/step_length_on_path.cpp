@@ -10,8 +10,7 @@ namespace tamis {
 
 KeptSeparation kept_separation(const Path& path, PairKind kind, const PairVertices& vertices,
                                const DistanceRule& rule) {
-  PairReader reader(path, vertices);
-  reader.set_unit_at(0);
+  const PairReader reader(path, vertices, 0);
   const auto moment = reader.at<double>(0);
   const PairPoints points = points_between(moment, moment);
   const DistanceBounds middles = start_distance_bounds(kind, points);

@@ -36,11 +36,11 @@ std::vector<Index> numbers_of(const Mesh& mesh, const Path& path) {
 }  // namespace
 
 MeshPieces::MeshPieces(const Mesh& mesh, const Path& path, std::span<const double> ends)
-    : mesh_(mesh), path_(path), ends_(ends), all_(numbers_of(mesh, path_)), deviations_(all_.size()) {}
+    : mesh_(mesh), path_(path), ends_(ends), all_(numbers_of(mesh, path_)) {}
 
 Frame MeshPieces::next(const Frame& from) {
   Frame to = frame_at(end_of(from));
-  read_deviations(from.time, to.time);
+  read(from.time, to.time, deviations_);
   set_lines(from, to);
   return to;
 }
@@ -52,12 +52,13 @@ Frame MeshPieces::frame_at(double time) const {
   return frame;
 }
 
-double MeshPieces::read_deviations(double from, double to) {
-  path_.deviations(from, to, all_, deviations_);
+double MeshPieces::read(double from, double to, std::vector<double>& deviations) const {
+  deviations.resize(all_.size());
+  path_.deviations(from, to, all_, deviations);
   double largest = 0;
   for (const Index v : mesh_.points()) {
-    check_deviation(v, from, to, deviations_[at(v)]);
-    largest = std::max(largest, deviations_[at(v)]);
+    check_deviation(v, from, to, deviations[at(v)]);
+    largest = std::max(largest, deviations[at(v)]);
   }
   return largest;
 }
@@ -67,7 +68,7 @@ double MeshPieces::end_of(const Frame& start) {
   const double allowed = deviation_in_edges_ * mean_edge(mesh_, start.points);
   double length = 1 - start.time;
   for (; length > kShortestPiece; length *= kNearMiddle) {
-    const double largest = kPartBesideLine * read_deviations(start.time, start.time + length);
+    const double largest = kPartBesideLine * read(start.time, start.time + length, deviations_);
     if (largest <= allowed || !(allowed > 0)) break;
   }
   return length < 1 - start.time ? start.time + length : 1;
@@ -85,7 +86,7 @@ void MeshPieces::learn(std::size_t pairs) {
 
 double MeshPieces::farthest_way() {
   const Frame from = frame_at(0), to = frame_at(1);
-  read_deviations(0, 1);
+  read(0, 1, deviations_);
   double farthest = 0;
   for (const Index index : mesh_.points()) {
     const std::size_t v = at(index);
@@ -148,14 +149,10 @@ MeshPieces::Beside MeshPieces::beside_chord(std::size_t v, const Frame& from, co
 void MeshPieces::read_halves(double from, double middle, double to) {
   of_halves_.assign(all_.size(), std::numeric_limits<double>::infinity());
   if (!(from < middle && middle < to)) return;
-  std::vector<double> of_second(all_.size());
-  path_.deviations(from, middle, all_, of_halves_);
-  path_.deviations(middle, to, all_, of_second);
-  for (const Index v : mesh_.points()) {
-    check_deviation(v, from, middle, of_halves_[at(v)]);
-    check_deviation(v, middle, to, of_second[at(v)]);
-    of_halves_[at(v)] = std::max(of_halves_[at(v)], of_second[at(v)]);
-  }
+  std::vector<double> of_second;
+  read(from, middle, of_halves_);
+  read(middle, to, of_second);
+  for (const Index v : mesh_.points()) of_halves_[at(v)] = std::max(of_halves_[at(v)], of_second[at(v)]);
 }
 
 }  // namespace tamis

@@ -40,8 +40,8 @@ class MeshPieces {
   double farthest_way();
 
  private:
-  /// Between two times. Returns the largest.
-  double read_deviations(double from, double to);
+  /// Deviations between two times, checked. Returns the largest.
+  double read(double from, double to, std::vector<double>& deviations) const;
   double end_of(const Frame& start);
   /// What the path is off its chord in the middle of a piece, known to `error`.
   struct Beside {

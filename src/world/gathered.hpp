@@ -36,13 +36,13 @@ class Gathered {
   /// The same on their curves.
   RigidPath path(const BodyList& bodies) const;
 
-  /// What its detector says of a pair, by bodies and in their own vertices.
-  template <class Row, class Pair>
-  Row named(const Pair& pair) const {
-    Row row{pair, {}};
-    name(row);
-    return row;
+  /// Names the bodies of a row that has what the detector says of a pair, and its vertices as they number them.
+  template <class Row>
+  void name(Row& row) const {
+    row.bodies = {body_of(row.vertices[0]), body_of(row.vertices[second_feature(row.kind)])};
+    to_own(std::span(row.vertices).first(vertex_count(row.kind)));
   }
+  void name(BodyIntersection& row) const;
 
   Detector& detector() { return detector_; }
   std::uint64_t memory_bytes() const;
@@ -54,12 +54,6 @@ class Gathered {
   };
 
   BodyId body_of(Index vertex) const { return vertices_[static_cast<std::size_t>(vertex)].body; }
-  template <class Row>
-  void name(Row& row) const {
-    row.bodies = {body_of(row.vertices[0]), body_of(row.vertices[second_feature(row.kind)])};
-    to_own(std::span(row.vertices).first(vertex_count(row.kind)));
-  }
-  void name(BodyIntersection& row) const;
   void to_own(std::span<Index> vertices) const;
   void add(BodyId id, const Body& body, const IndexSet& items);
   Detector make_detector(const BodyList& bodies, const MeetingRules& rules, const Options& options);

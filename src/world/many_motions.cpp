@@ -67,7 +67,10 @@ std::vector<EarliestBodyContact> World::State::earliest_many(std::span<const Bod
     statistics.threads = Arena::threads_here();
   });
   for (const auto& world : worlds) add_statistics(world->statistics);
-  for (std::size_t i = 0; i < found.size(); ++i) of_motion(i, [&] { check_start(found[i], asked); });
+  for (std::size_t i = 0; i < found.size(); ++i)
+    of_motion(i, [&] {
+      if (found[i].contact) check_start(*found[i].contact, found[i].toi_lower, asked);
+    });
   return found;
 }
 

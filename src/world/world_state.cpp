@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "detect/pair_faults.hpp"
-#include "detect/validate.hpp"
 #include "numerics/held_bytes.hpp"
 #include "query/stage_counts.hpp"
 #include "tamis/error.hpp"
@@ -50,8 +49,7 @@ void World::State::forget_gathered(const Body& changed) {
   forget_if_still(changed);
 }
 
-void World::State::refuse_touching_start(PairKind kind, const PairVertices& vertices,
-                                         const std::array<BodyId, 2>& of) const {
+void World::State::refuse_touching_start(PairKind kind, const PairVertices& vertices, const std::array<BodyId, 2>& of) {
   const auto& [a, b] = of;
   const std::string which =
       a == b ? "body " + std::to_string(a) : "bodies " + std::to_string(a) + " and " + std::to_string(b);
@@ -65,11 +63,6 @@ void World::State::refuse_far(const Gathered& gathered) const {
     if (!bodies[at(id)]->is_surely_near())
       throw InvalidPath("body " + std::to_string(id) +
                         " goes farther than doubles can follow beside bodies that turn: give shorter positions");
-}
-
-void World::State::check_start(const EarliestBodyContact& first, const QueryOptions& asked) const {
-  if (asked.at_start != AtStart::fail || !first.contact || first.toi_lower > 0) return;
-  refuse_touching_start(first.contact->kind, first.contact->vertices, first.contact->bodies);
 }
 
 void World::State::begin() {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "detect/detector_access.hpp"
+#include "detect/validate.hpp"
 #include "numerics/error_bounds.hpp"
 #include "numerics/held_bytes.hpp"
 #include "query/stopwatch.hpp"
@@ -100,7 +101,6 @@ struct World::State {
 
   /// Throws InvalidOptions and InvalidStep.
   void validate(std::span<const BodyId> moved, std::span<const BodyMotion> motions);
-  double separation(const QueryOptions& asked) const { return asked.min_separation.value_or(options.min_separation); }
   /// Pairs that may come within the reach and `more`, by their hulls, and may touch.
   std::vector<BodyPair> near_bodies(const Reach& reach, double more, bool at_start);
   std::vector<BodyPair> only(const Wanted& is_wanted, std::vector<BodyPair> pairs) const;
@@ -120,8 +120,9 @@ struct World::State {
   std::vector<double> times_of_pieces(const std::vector<BodyPair>& pairs) const;
   /// ask(state of a detector, motion, options, whose) of all that may touch, until one returns false: of what is
   /// gathered that goes straight, a Step; of what is that turns, a CutPath; of each body by itself, by its number.
+  /// `part_of_way`: as in Reach. Throws InvalidOptions.
   template <class Ask>
-  void for_each_moving(const Reach& reach, const QueryOptions& asked, const Ask& ask);
+  void for_each_moving(const QueryOptions& asked, double part_of_way, const Ask& ask);
   /// ask(state of a detector, pose, whose) of all that comes within the distance at the start, until one returns false.
   template <class Ask>
   void for_each_at_rest(double distance, const Ask& ask);
@@ -132,13 +133,15 @@ struct World::State {
   template <class Ask, class... Of>
   bool ask_one(Detector& detector, const Ask& ask, const Of&... of);
   void add_statistics(const Statistics& of_part);
-  /// Of a contact, or of what ends a step.
-  [[noreturn]] void refuse_touching_start(PairKind kind, const PairVertices& vertices,
-                                          const std::array<BodyId, 2>& of) const;
   /// Of bodies that were refused as one path: throws InvalidPath, naming the first that goes far.
   void refuse_far(const Gathered& gathered) const;
-  /// Throws InvalidStep, if that is asked for.
-  void check_start(const EarliestBodyContact& first, const QueryOptions& asked) const;
+  /// Throws InvalidStep of a contact, or a pair that ends a step, at the time 0: if that is asked for.
+  template <class Row>
+  static void check_start(const Row& row, double time, const QueryOptions& asked) {
+    if (asked.at_start == AtStart::fail && time == 0) refuse_touching_start(row.kind, row.vertices, row.bodies);
+  }
+  [[noreturn]] static void refuse_touching_start(PairKind kind, const PairVertices& vertices,
+                                                 const std::array<BodyId, 2>& of);
   void begin();
   std::uint64_t memory_bytes() const;
 
@@ -179,8 +182,9 @@ void World::State::for_each_by_itself(const F& f) {
 }
 
 template <class Ask>
-void World::State::for_each_moving(const Reach& reach, const QueryOptions& asked, const Ask& ask) {
-  gather_moving(reach);
+void World::State::for_each_moving(const QueryOptions& asked, double part_of_way, const Ask& ask) {
+  validate_of_path(asked);
+  gather_moving({asked.min_separation.value_or(options.min_separation), part_of_way});
   const auto ask_straight = [&](Gathered& gathered) {
     return ask_one(gathered.detector(), ask, gathered.step(bodies), of_steps(asked), gathered);
   };

@@ -1,0 +1,88 @@
+// Answers of a world, made of those of its detectors: pairs named by bodies and own vertices, and in one order.
+#pragma once
+#include <algorithm>
+#include <optional>
+#include <tuple>
+#include <vector>
+
+#include "numerics/assert.hpp"
+#include "query/pair_rules.hpp"
+#include "world/gathered.hpp"
+
+namespace tamis {
+
+/// By kind, then body and own vertex of all four.
+template <class Row>
+bool is_before(const Row& a, const Row& b) {
+  if (a.kind != b.kind) return a.kind < b.kind;
+  const std::size_t second = second_feature(a.kind);
+  for (std::size_t i = 0; i < 4; ++i) {
+    const std::size_t body = i < second ? 0 : 1;
+    if (a.bodies[body] != b.bodies[body]) return a.bodies[body] < b.bodies[body];
+    if (a.vertices[i] != b.vertices[i]) return a.vertices[i] < b.vertices[i];
+  }
+  return false;
+}
+inline bool is_before(const BodyIntersection& a, const BodyIntersection& b) {
+  return std::tie(a.bodies[0], a.edge, a.bodies[1], a.face) < std::tie(b.bodies[0], b.edge, b.bodies[1], b.face);
+}
+
+/// What a detector says of a pair, as a `Row` of an answer: of a body by itself, or of what is gathered.
+template <class Row, class Pair>
+Row named(const Pair& pair, BodyId itself) {
+  return {pair, {itself, itself}};
+}
+template <class Row, class Pair>
+Row named(const Pair& pair, const Gathered& gathered) {
+  Row row{pair, {}};
+  gathered.name(row);
+  return row;
+}
+
+/// Keeps the first of what several detectors say, `other` of `whose`; of two at one time the one that is before.
+template <class Row, class Pair, class Whose>
+void take_sooner(std::optional<Row>& first, double& time, const std::optional<Pair>& other, double other_time,
+                 const Whose& whose) {
+  if (!other || other_time > time) return;
+  const Row row = named<Row>(*other, whose);
+  if (first && other_time == time && !is_before(row, *first)) return;
+  time = other_time;
+  first = row;
+}
+
+/// What several detectors say, each in the order of is_before(), as one answer in that order.
+template <class Row>
+class OrderedParts {
+ public:
+  /// All that one of them says, of `whose`.
+  template <class Pair, class Whose>
+  void add(const std::vector<Pair>& pairs, const Whose& whose) {
+    const std::size_t first = rows_.size();
+    for (const Pair& pair : pairs) rows_.push_back(named<Row>(pair, whose));
+    TAMIS_ASSERT(std::is_sorted(at(first), rows_.end(), is_row_before));
+    ends_.push_back(rows_.size());
+  }
+  /// Neighbours are merged until one is left.
+  std::vector<Row> merged() && {
+    while (ends_.size() > 1) {
+      std::vector<std::size_t> ends;
+      std::size_t first = 0;
+      for (std::size_t i = 0; i < ends_.size(); i += 2) {
+        const std::size_t last = ends_[std::min(i + 1, ends_.size() - 1)];
+        std::inplace_merge(at(first), at(ends_[i]), at(last), is_row_before);
+        ends.push_back(first = last);
+      }
+      ends_ = std::move(ends);
+    }
+    return std::move(rows_);
+  }
+
+ private:
+  static bool is_row_before(const Row& a, const Row& b) { return is_before(a, b); }
+  typename std::vector<Row>::iterator at(std::size_t i) { return rows_.begin() + static_cast<std::ptrdiff_t>(i); }
+
+  std::vector<Row> rows_;
+  std::vector<std::size_t> ends_;  ///< of parts
+};
+
+}  // namespace tamis

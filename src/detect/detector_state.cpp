@@ -143,33 +143,19 @@ TruncatedStep Detector::State::truncate(const Step& step, double keep, const Que
   validate_kept_of_truncate(keep);
   validate_is_named(stored, "kind of numbers that are stored");
   Query whole = validated_query(step, asked);
-  if (stored == Stored::float64) return truncate(whole, KeptFractions(keep), asked.at_start, stored);
+  if (stored == Stored::float64) return truncate(whole, keep, asked.at_start, stored);
   validate_stored(step, mesh, stored);
   const std::vector<Point> end = rounded(step.end, stored);
   whole.step.end = end;
-  return truncate(whole, KeptFractions(keep), asked.at_start, stored);
+  return truncate(whole, keep, asked.at_start, stored);
 }
 
-TruncatedStep Detector::State::truncate(const Query& whole, const KeptFractions& fractions, AtStart at_start,
-                                        Stored stored) {
-  using Next = Truncation::Next;
-  const Stopwatch watch;
+TruncatedStep Detector::State::truncate(const Query& whole, double keep, AtStart at_start, Stored stored) {
+  const KeptFractions fractions(keep);
   const double together = step_length(whole, fractions.together, at_start).lower;
-  Truncation truncation(mesh, whole, fractions, together, stored);
-  std::vector<StepLimit> ends;
-  for (Next next = together < 1 ? Next::ask : Next::done; next != Next::done; next = truncation.after(ends)) {
-    if (next == Next::plan_apart) {
-      std::vector<NearPair> within_reach;
-      const Query near_start = query({whole.step.start, whole.step.start}, truncation.reach());
-      measure_more([&] { engine_->find_near(near_start, within_reach, statistics); });
-      truncation.keep_apart(within_reach);
-    }
-    Query way = whole;
-    way.step = truncation.way();
-    measure_more([&] { engine_->find_step_ends(way, fractions.keep, ends, statistics); });
-  }
-  statistics.seconds.total = watch.seconds();
-  return truncation.take();
+  TruncatedStep answer;
+  measure_more([&] { answer = Truncation(mesh, whole, fractions, stored, *engine_, statistics).run(together); });
+  return answer;
 }
 
 const std::vector<NearPair>& Detector::State::find_near(const Positions& positions, double distance) {

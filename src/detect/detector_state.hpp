@@ -6,7 +6,6 @@
 #include "detect/arena.hpp"
 #include "detect/contact_order.hpp"
 #include "detect/detector_access.hpp"
-#include "detect/planar_times.hpp"
 #include "paths/path_search.hpp"
 #include "query/engine.hpp"
 #include "query/stopwatch.hpp"
@@ -55,7 +54,7 @@ struct Detector::State {
   template <class Find>
   void on_path(const CutPath& path, const QueryOptions& asked, const Find& find);
   /// Of a validated query, whose step's end the caller can store.
-  TruncatedStep truncate(const Query& whole, const KeptFractions& fractions, AtStart at_start, Stored stored);
+  TruncatedStep truncate(const Query& whole, double keep, AtStart at_start, Stored stored);
   /// Throws InvalidOptions, InvalidStep.
   Query validated_query(const Step& step, const QueryOptions& asked, Question question = Question::all_contacts) const;
   /// Into `found`.

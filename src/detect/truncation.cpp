@@ -32,17 +32,36 @@ double length_of_way(const Step& step, Index v) {
 
 }  // namespace
 
-Truncation::Truncation(const Mesh& mesh, const Query& query, const KeptFractions& fractions, double together,
-                       Stored stored)
+Truncation::Truncation(const Mesh& mesh, const Query& query, const KeptFractions& fractions, Stored stored,
+                       Engine& engine, Statistics& statistics)
     : mesh_(mesh),
+      query_(query),
       step_(query.step),
-      separations_(query.separations),
-      ignores_start_(query.ignores_start),
       fractions_(fractions),
-      stored_(stored) {
+      stored_(stored),
+      engine_(engine),
+      statistics_(statistics) {
   TAMIS_ASSERT(step_.start.count() == mesh.vertex_count() && step_.end.count() == mesh.vertex_count());
+}
+
+TruncatedStep Truncation::run(double together) {
   TAMIS_ASSERT(0 <= together && together <= 1);
   begin(together);
+  if (together == 1) return std::move(to_);
+  for (auto broken = broken_pairs(); !broken.empty(); broken = broken_pairs()) {
+    const bool is_tight =  // it is rounding that breaks them
+        !std::ranges::all_of(broken, [this](const StepLimit& pair) { return is_beyond(pair); });
+    ++rounds_;
+    if (!is_apart_ && (is_tight || rounds_ > kRounds)) {
+      begin_apart();
+      continue;
+    }
+    const std::vector<double> asked = to_.parts;
+    for (const StepLimit& pair : broken) stop_at_planes(pair, asked);
+    if (is_apart_ && rounds_ > kRoundsApart)
+      for (const Index v : mesh_.points()) stop(v, 0);
+  }
+  return std::move(to_);
 }
 
 void Truncation::begin(double together) {
@@ -62,20 +81,21 @@ void Truncation::begin_apart() {
   is_apart_ = true;
   // A pair keeps its fraction of what it has beyond its separation, unless its vertices go the rest of that.
   const double reach = 1 / (1 - fractions_.between_planes(0));
-  radii_ = largest_beside(mesh_, separations_.radii);
-  radii_.resize(to_.parts.size(), 0);
+  std::vector<double> radii = largest_beside(mesh_, query_.separations.radii);
+  radii.resize(to_.parts.size(), 0);
   for (const Index index : mesh_.points()) {
     const auto v = at(index);
     const double way =
         to_.parts[v] > 0 ? to_.parts[v] * length_of_way(step_, index) : 0;  // 0 times infinity is not a number
-    radii_[v] += std::min(reach * way, 0x1p1020);
+    radii[v] += std::min(reach * way, 0x1p1020);
   }
-}
-
-void Truncation::keep_apart(const std::vector<NearPair>& near) {
+  std::vector<NearPair> near;
+  const Query near_start{
+      {step_.start, step_.start}, {query_.separations.fixed, radii}, query_.filter, query_.rings, query_.is_cancelled};
+  engine_.find_near(near_start, near, statistics_);
   for (const NearPair& pair : near) {
-    const double separation = separations_.between(pair.kind, pair.vertices);
-    if (ignores_start_ && pair.distance <= separation) continue;
+    const double separation = separation_of(pair);
+    if (query_.ignores_start && pair.distance <= separation) continue;
     const auto times = planar_times(pair, points_of(step_, pair.vertices), {fractions_, separation, stored_}, 0);
     for (std::size_t i = 0; i < vertex_count(pair.kind); ++i) stop(pair.vertices[i], times[i]);
   }
@@ -96,24 +116,14 @@ void Truncation::stop(Index vertex, double time) {
   place(vertex);
 }
 
-Truncation::Next Truncation::after(const std::vector<StepLimit>& ends) {
+std::vector<StepLimit> Truncation::broken_pairs() {
   to_.is_free = true;
-  std::vector<StepLimit> broken;
-  for (const StepLimit& pair : ends)
-    if (is_broken(pair)) broken.push_back(pair);
-  if (broken.empty()) return Next::done;
-  const auto is_beyond = [&](const StepLimit& pair) { return this->is_beyond(pair); };
-  const bool is_tight = !std::all_of(broken.begin(), broken.end(), is_beyond);  // it is rounding that breaks them
-  ++rounds_;
-  if (!is_apart_ && (is_tight || rounds_ > kRounds)) {
-    begin_apart();
-    return Next::plan_apart;
-  }
-  const std::vector<double> asked = to_.parts;
-  for (const StepLimit& pair : broken) stop_at_planes(pair, asked);
-  if (is_apart_ && rounds_ > kRoundsApart)
-    for (const Index v : mesh_.points()) stop(v, 0);
-  return Next::ask;
+  Query on_way = query_;
+  on_way.step = way();
+  std::vector<StepLimit> pairs;
+  engine_.find_step_ends(on_way, fractions_.keep, pairs, statistics_);
+  std::erase_if(pairs, [this](const StepLimit& pair) { return !is_broken(pair); });
+  return pairs;
 }
 
 /// Vertices that are all on their sides of the planes, of a pair that is not proven all the same, go back to together_.
@@ -129,7 +139,7 @@ void Truncation::stop_at_planes(const StepLimit& pair, const std::vector<double>
 
 bool Truncation::is_broken(const StepLimit& pair) {
   TAMIS_ASSERT(0 <= pair.time && pair.time < 1);
-  if (ignores_start_ || pair.time > 0) return true;
+  if (query_.ignores_start || pair.time > 0) return true;
   if (!starts_within(pair.kind, points_of(step_, pair.vertices), separation_of(pair))) return true;
   to_.is_free = false;
   const PairPoints points = points_of(way(), pair.vertices);

@@ -8,17 +8,18 @@
 #include "numerics/axes.hpp"
 #include "numerics/error_bounds.hpp"
 #include "topology/at.hpp"
+#include "topology/points.hpp"
 #include "world/carried_boxes.hpp"
 
 namespace tamis {
 
 // No coordinate of a box is larger than its size and the shift together, but for what is added here.
-double PlacedBody::off(double size) const {
-  return transform.error_of(size, 0) + 2 * MovingBounds::kRounding * (size + transform.shift_size);
+double off_by(const RoundedTransform& place, double size) {
+  return place.error_of(size, 0) + 2 * MovingBounds::kRounding * (size + place.shift_size);
 }
 
 /// A rotation takes a box around a middle to one around where that goes.
-Box PlacedBody::of(const Box& at_rest, double wider) const {
+Box carried(const Box& at_rest, const RoundedTransform& place, double wider) {
   const Point middle = at_rest.middle();
   Point half{};
   double size = 0;
@@ -26,12 +27,12 @@ Box PlacedBody::of(const Box& at_rest, double wider) const {
     half[k] = std::max(at_rest.high[k] - middle[k], middle[k] - at_rest.low[k]);
     size += std::fabs(middle[k]) + half[k];
   }
-  const Point center = transform.of(middle);
+  const Point center = place.of(middle);
   Box box;
   for (std::size_t k = 0; k < 3; ++k) {
-    const Point& row = transform.rows[k];
+    const Point& row = place.rows[k];
     const double reach = std::fabs(row[0]) * half[0] + std::fabs(row[1]) * half[1] + std::fabs(row[2]) * half[2];
-    const double wide = reach + off(size) + wider;
+    const double wide = reach + off_by(place, size) + wider;
     box.low[k] = center[k] - wide;
     box.high[k] = center[k] + wide;
   }
@@ -42,8 +43,7 @@ namespace {
 
 /// |a - b|, rounded up; infinite where doubles do not know it.
 double distance_above(const Point& a, const Point& b) {
-  double square = 0;
-  for (std::size_t k = 0; k < 3; ++k) square += (a[k] - b[k]) * (a[k] - b[k]);
+  const double square = dot(difference(a, b), difference(a, b));
   if (std::isnan(square)) return std::numeric_limits<double>::infinity();
   return std::sqrt(square) * kRoundedUp + 0x1p-500;  // squares may underflow
 }
@@ -63,7 +63,7 @@ double farthest_between(const RoundedTransform& a, const RoundedTransform& b, co
 }  // namespace
 
 StraightWay::StraightWay(const Body& body)
-    : motion_kind_(body.motion_kind()), start_(body.at_start_.transform), end_(body.at_end_.transform) {
+    : motion_kind_(body.motion_kind()), start_(body.at_start_), end_(body.at_end_) {
   TAMIS_ASSERT(motion_kind_ != MotionKind::turning);
   if (body.deforming()) soft_ = *body.deforming();
 }
@@ -74,8 +74,7 @@ double StraightWay::farthest_of(const Body& body) const {
     return std::numeric_limits<double>::infinity();
   if (!soft) {
     const Box& box = body.shape().boxes.box(body.shape().boxes.root_level(), 0);
-    return std::max(farthest_between(start_, body.at_start_.transform, box),
-                    farthest_between(end_, body.at_end_.transform, box));
+    return std::max(farthest_between(start_, body.at_start_, box), farthest_between(end_, body.at_end_, box));
   }
   double farthest = 0;
   for (const Index v : body.shape().mesh.points())
@@ -117,8 +116,8 @@ void Body::move(BodyMotion motion, ChainsAt& at_start, ChainsAt& at_end) {
     motion_kind_ = std::holds_alternative<Static>(motion_) ? MotionKind::still
                    : bounds.turns()                        ? MotionKind::turning
                                                            : MotionKind::straight;
-    at_start_ = PlacedBody{at_start.of(chain_)};
-    at_end_ = motion_kind_ == MotionKind::still ? at_start_ : PlacedBody{at_end.of(chain_)};
+    at_start_ = at_start.of(chain_);
+    at_end_ = motion_kind_ == MotionKind::still ? at_start_ : at_end.of(chain_);
   }
   const int root = shape_->boxes.root_level();
   PlacesAt start(0), end(1);
@@ -141,11 +140,11 @@ Detector& Body::itself(const Options& options) {
 }
 
 Point Body::start_of(Index vertex) const {
-  return deforming() ? deforming()->start[at(vertex)] : at_start_.transform.of(shape_->points[at(vertex)]);
+  return deforming() ? deforming()->start[at(vertex)] : at_start_.of(shape_->points[at(vertex)]);
 }
 
 Point Body::end_of(Index vertex) const {
-  return deforming() ? deforming()->end[at(vertex)] : at_end_.transform.of(shape_->points[at(vertex)]);
+  return deforming() ? deforming()->end[at(vertex)] : at_end_.of(shape_->points[at(vertex)]);
 }
 
 /// What turns is on its curve; all else goes straight from double to double, as in a step.

@@ -35,15 +35,11 @@ class StraightWay {
   std::optional<Deforming> soft_;
 };
 
-/// Where a rigid body stands at one time, in doubles.
-struct PlacedBody {
-  RoundedTransform transform{};
-
-  /// How far boxes and vertices are off of which no point has a larger |x|_1 than `size`, with room for the rounding of
-  /// boxes that meet.
-  double off(double size) const;
-  Box of(const Box& at_rest, double wider) const;
-};
+/// How far boxes and vertices are off of which no point has a larger |x|_1 than `size`, with room for the rounding of
+/// boxes that meet.
+double off_by(const RoundedTransform& place, double size);
+/// Holds a box of a body at rest where the body is now, wider on all sides.
+Box carried(const Box& at_rest, const RoundedTransform& place, double wider);
 
 class Body {
  public:
@@ -73,8 +69,8 @@ class Body {
   /// All at a time of the step, with what rounding makes them off by.
   BodyPoints points_at(double time) const;
   /// Of a body that does not deform.
-  const PlacedBody& at_start() const { return at_start_; }
-  const PlacedBody& at_end() const { return at_end_; }
+  const RoundedTransform& at_start() const { return at_start_; }
+  const RoundedTransform& at_end() const { return at_end_; }
   /// Hold the body at t=0, and during the whole step.
   const Box& start_hull() const { return start_hull_; }
   const Box& hull() const { return hull_; }
@@ -104,7 +100,7 @@ class Body {
   double radius_ = 0;
   std::optional<Detector> itself_;  ///< made by the first question
   ChainWithStillLinks chain_;
-  PlacedBody at_start_, at_end_;
+  RoundedTransform at_start_{}, at_end_{};
   Curvature innermost_, outermost_;    ///< at the origin of its frame, and as far from it as vertices are
   BoxLevels start_boxes_, end_boxes_;  ///< of a deforming body
   Box start_hull_, hull_;

@@ -4,10 +4,10 @@
 #include <span>
 #include <vector>
 
+#include "bounds/box.hpp"
 #include "bounds/moving_boxes.hpp"
 #include "bvh/spatial_order.hpp"
 #include "numerics/held_bytes.hpp"
-#include "world/moving_bounds.hpp"
 
 namespace tamis {
 

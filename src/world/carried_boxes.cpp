@@ -80,30 +80,30 @@ MovingBounds CarriedBody::bounds(int level, Index block) const {
     return cut(widened(body_.start_boxes_.box(level, block)), widened(body_.end_boxes_.box(level, block)));
   const Box& at_rest = shape().boxes.box(level, block);
   const double deviation = this->deviation(at_rest);
-  return cut(at_from_.of(at_rest, deviation), at_to_.of(at_rest, deviation));
+  return cut(carried(at_rest, at_from_, deviation), carried(at_rest, at_to_, deviation));
 }
 
 CarriedItems CarriedBody::items(Index block) const {
-  CarriedItems carried;
+  CarriedItems result;
   const auto items = shape().order.items_of(block);
   const Box& at_rest = shape().boxes.box(0, block);
   const bool turns = body_.motion_kind() == MotionKind::turning;
   const double size = at_rest.size_of_sum(), deviation = this->deviation(at_rest);
-  const auto placed = [&](const PlacedBody& place, const auto& end_of_vertex, Index item) {
+  const auto placed = [&](const RoundedTransform& place, const auto& end_of_vertex, Index item) {
     if (!turns) return widened(shape().box_of(item, end_of_vertex));
-    Box box = shape().box_of(item, [&](Index v) { return place.transform.of(shape().points[at(v)]); });
-    box.widen(place.off(size) + deviation);
+    Box box = shape().box_of(item, [&](Index v) { return place.of(shape().points[at(v)]); });
+    box.widen(off_by(place, size) + deviation);
     return box;
   };
   for (std::size_t i = 0; i < items.size(); ++i) {
-    carried.of_item[i] = cut(placed(
-                                 at_from_, [&](Index v) { return body_.start_of(v); }, items[i]),
-                             placed(
-                                 at_to_, [&](Index v) { return body_.end_of(v); }, items[i]));
-    carried.all.start.include(carried.of_item[i].start);
-    carried.all.end.include(carried.of_item[i].end);
+    result.of_item[i] = cut(placed(
+                                at_from_, [&](Index v) { return body_.start_of(v); }, items[i]),
+                            placed(
+                                at_to_, [&](Index v) { return body_.end_of(v); }, items[i]));
+    result.all.start.include(result.of_item[i].start);
+    result.all.end.include(result.of_item[i].end);
   }
-  return carried;
+  return result;
 }
 
 /// Vertices of a body that does not turn go straight during the whole step: linear bounds between those of both ends
@@ -126,7 +126,7 @@ MovingBounds CarriedBody::cut(const Box& at_start, const Box& at_end) const {
 }
 
 CarriedBoxes::CarriedBoxes(const Body& body, PlacesAt& from, PlacesAt& to) : body_(body, from, to) {
-  for (int level = 0; level <= root_level(); ++level)
+  for (int level = 0; level <= shape().boxes.root_level(); ++level)
     place_of_block_.emplace_back(shape().boxes.level(level).size(), kNotMade);
   place_of_items_ = place_of_block_[0];
 }

@@ -2,9 +2,44 @@
 #pragma once
 #include <deque>
 
+#include "bounds/box.hpp"
 #include "world/pieces.hpp"
 
 namespace tamis {
+
+/// Of something in the world that goes straight from `start` to `end`. Each is wider than what it holds by kRounding of
+/// its size: that is for the rounding of `may_meet`.
+struct MovingBounds {
+  Box start, end;
+
+  static constexpr double kRounding = 0x1p-44;
+
+  Box hull() const {
+    Box hull = start;
+    hull.include(end);
+    return hull;
+  }
+};
+
+/// Do they come within `separation` at one time? False only if proven: the gap along one axis is open, or those along
+/// several are at times between them. What is not a number proves nothing.
+inline bool may_meet(const MovingBounds& a, const MovingBounds& b, double separation) {
+  constexpr double kRoundingOfTimes = 0x1p-40;
+  double from = 0, to = 1;
+  const auto close = [&](double gap0, double gap1) {
+    if (!(gap0 > 0 || gap1 > 0)) return true;
+    if (gap0 > 0 && gap1 > 0) return false;
+    // Where a difference overflows these are 0 and 1, which prove nothing.
+    if (gap0 > 0) from = std::max(from, gap0 / (gap0 - gap1));
+    if (gap1 > 0) to = std::min(to, 1 - gap1 / (gap1 - gap0));
+    return true;
+  };
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (!close(a.start.low[k] - b.start.high[k] - separation, a.end.low[k] - b.end.high[k] - separation)) return false;
+    if (!close(b.start.low[k] - a.start.high[k] - separation, b.end.low[k] - a.end.high[k] - separation)) return false;
+  }
+  return !(from > to + kRoundingOfTimes);
+}
 
 /// The items of one block of items.
 struct CarriedItems {
@@ -24,7 +59,6 @@ class CarriedBody {
   CarriedBody(const Body& body, PlacesAt& from, PlacesAt& to);
 
   const BodyShape& shape() const { return body_.shape(); }
-  int root_level() const { return shape().boxes.root_level(); }
   MovingBounds bounds(int level, Index block) const;
   /// Of a block of level 0, from where the vertices go: tighter than its box.
   CarriedItems items(Index block) const;
@@ -35,7 +69,7 @@ class CarriedBody {
 
   const Body& body_;
   const double from_, to_;
-  PlacedBody at_from_, at_to_;         ///< of a body that turns; of others where they are at t=0 and t=1
+  RoundedTransform at_from_, at_to_;   ///< of a body that turns; of others where they are at t=0 and t=1
   ChordBounds innermost_, outermost_;  ///< of points as near to the origin of the body's frame as they are, and as far
 };
 
@@ -45,7 +79,6 @@ class CarriedBoxes {
   CarriedBoxes(const Body& body, PlacesAt& from, PlacesAt& to);
 
   const BodyShape& shape() const { return body_.shape(); }
-  int root_level() const { return body_.root_level(); }
   const MovingBounds& of_block(int level, Index block);
   const CarriedItems& items(Index block);
 

@@ -76,13 +76,12 @@ void Gathered::add(BodyId id, const Body& body, const IndexSet& items) {
 /// detector is those of one color: there are few, however many bodies and radii.
 void Gathered::set_groups(const BodyList& bodies, const MeetingRules& rules, Options& options) const {
   const std::map<BodyId, Index> colors = colors_of(items_, bodies, rules);
-  std::map<Index, Index> group_of_color;
-  for (const auto& [id, color] : colors) group_of_color.emplace(color, static_cast<Index>(group_of_color.size()));
-  const std::size_t count = group_of_color.size();
+  std::size_t count = 1;
+  for (const auto& [id, color] : colors) count = std::max(count, at(color) + 1);
   PairFilter& filter = options.filter;
   filter.group_count = static_cast<Index>(count);
   filter.group_of_vertex.reserve(vertices_.size());
-  for (const Vertex& vertex : vertices_) filter.group_of_vertex.push_back(group_of_color.at(colors.at(vertex.body)));
+  for (const Vertex& vertex : vertices_) filter.group_of_vertex.push_back(colors.at(vertex.body));
   filter.groups_may_touch.assign(count * count, 1);
   for (std::size_t group = 0; group < count; ++group) filter.groups_may_touch[group * count + group] = 0;
   // Of two bodies that the caller keeps apart one may be near a third that the other is near, too.

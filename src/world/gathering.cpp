@@ -24,11 +24,6 @@ constexpr std::size_t kShrunk = 4;
 constexpr int kSearchesACount = 16;
 constexpr double kEndsOfStep[] = {0, 1};
 
-bool is_straight(const Body& a, const Body& b) {
-  return a.motion_kind() != MotionKind::turning && b.motion_kind() != MotionKind::turning;
-}
-bool is_turning(const Body& a, const Body& b) { return !is_straight(a, b); }
-
 }  // namespace
 
 double World::State::Reach::own(const Body& body) const {
@@ -45,17 +40,18 @@ std::vector<BodyPair> World::State::near_bodies(const Reach& reach, double more,
   return pairs;
 }
 
-std::vector<BodyPair> World::State::only(const Wanted& is_wanted, std::vector<BodyPair> pairs) const {
-  std::erase_if(pairs, [&](const BodyPair& pair) { return !is_wanted(*bodies[at(pair[0])], *bodies[at(pair[1])]); });
+std::vector<BodyPair> World::State::only(const Gathering& gathering, std::vector<BodyPair> pairs) const {
+  std::erase_if(pairs,
+                [&](const BodyPair& pair) { return !gathering.wants(*bodies[at(pair[0])], *bodies[at(pair[1])]); });
   return pairs;
 }
 
-void World::State::gather(Gathering& gathering, const Reach& reach, const Wanted& is_wanted,
-                          const std::vector<BodyPair>& near, std::span<const double> times) {
-  const std::vector<BodyPair> wanted = only(is_wanted, near);
+void World::State::gather(Gathering& gathering, const Reach& reach, const std::vector<BodyPair>& near,
+                          std::span<const double> times) {
+  const std::vector<BodyPair> wanted = only(gathering, near);
   if (wanted.empty()) return;
   if (gathering.serves(bodies, wanted, reach)) {
-    gathering.pairs = wanted;
+    gathering.is_asked = true;
     ++gathering.served;
     return;
   }
@@ -65,7 +61,7 @@ void World::State::gather(Gathering& gathering, const Reach& reach, const Wanted
     NearItems all = gathering.gathered->items();
     all.pairs.clear();
     find_near(wanted, reach, 0, pieces, all);
-    gathering.pairs = all.pairs;
+    gathering.is_asked = !all.pairs.empty();
     if (gathering.gathered->items().includes(all)) {
       ++gathering.served;
       return;
@@ -73,14 +69,14 @@ void World::State::gather(Gathering& gathering, const Reach& reach, const Wanted
   }
   NearItems needed;
   find_near(wanted, reach, 0, pieces, needed);
-  gathering.pairs = needed.pairs;
-  if (!gathering.is_asked()) return;
+  gathering.is_asked = !needed.pairs.empty();
+  if (!gathering.is_asked) return;
   if (is_usable && kShrunk * needed.count() >= gathering.needed_when_gathered &&
       gathering.gathered->items().includes(needed)) {
     ++gathering.served;
     return;
   }
-  gather_anew(gathering, reach, is_wanted, needed, pieces);
+  gather_anew(gathering, reach, needed, pieces);
 }
 
 void World::State::find_near(const std::vector<BodyPair>& pairs, const Reach& reach, double more, Pieces& pieces,
@@ -90,8 +86,7 @@ void World::State::find_near(const std::vector<BodyPair>& pairs, const Reach& re
       bodies, pairs, reach_of, pieces, [this] { stop_if_cancelled(options); }, items);
 }
 
-void World::State::gather_anew(Gathering& gathering, const Reach& reach, const Wanted& is_wanted,
-                               const NearItems& needed, Pieces& pieces) {
+void World::State::gather_anew(Gathering& gathering, const Reach& reach, const NearItems& needed, Pieces& pieces) {
   double edges = 0;
   for (const auto& [id, unused] : needed.of_body) edges += bodies[at(id)]->shape().edge;
   const double edge = edges / static_cast<double>(needed.of_body.size());
@@ -101,7 +96,7 @@ void World::State::gather_anew(Gathering& gathering, const Reach& reach, const W
   std::optional<Margin> margin;
   while (true) {
     const double more = more_in_edges * edge;
-    const std::vector<BodyPair> farther = only(is_wanted, near_bodies(reach, more, pieces.are_of_the_start()));
+    const std::vector<BodyPair> farther = only(gathering, near_bodies(reach, more, pieces.are_of_the_start()));
     items = needed;
     find_near(farther, reach, more, pieces, items);
     margin = margin_of(farther, reach, more);
@@ -162,9 +157,9 @@ std::vector<double> World::State::times_of_pieces(const std::vector<BodyPair>& p
 
 void World::State::gather_moving(const Reach& reach) {
   const std::vector<BodyPair> near = near_bodies(reach, 0, false);
-  gather(straight_, reach, is_straight, near, kEndsOfStep);
-  times_ = times_of_pieces(only(is_turning, near));
-  gather(turning_, reach, is_turning, near, times_);
+  gather(straight_, reach, near, kEndsOfStep);
+  times_ = times_of_pieces(only(turning_, near));
+  gather(turning_, reach, near, times_);
 }
 
 }  // namespace tamis

@@ -15,12 +15,14 @@ using BodyPair = std::array<BodyId, 2>;
 /// By their numbers; null for those that have been removed.
 using BodyList = std::vector<std::unique_ptr<Body>>;
 
-/// Some bodies in a tree.
+using ReachOfBody = std::function<double(const Body&)>;
+
+/// The bodies that are switched on, those that stay or those that move, in a tree.
 class BodyTree {
  public:
   BodyTree() = default;
-  /// `hulls`: one a body.
-  BodyTree(std::vector<BodyId> bodies, std::vector<Box> hulls, Split split);
+  /// By what each sweeps over, or holds `at_start`, and reaches farther by itself.
+  BodyTree(const BodyList& bodies, bool are_still, const ReachOfBody& own, bool at_start, Split split);
 
   /// f(body) of all whose hulls may meet the box.
   template <class F>
@@ -49,8 +51,6 @@ class BodyTree {
   SpaceOrder order_;
   BoxLevels levels_;
 };
-
-using ReachOfBody = std::function<double(const Body&)>;
 
 /// Keeps the bodies that do not move from question to question.
 class NearBodies {

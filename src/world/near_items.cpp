@@ -74,7 +74,7 @@ class PairWalk {
   };
 
   static Node root_of(const Side& side) {
-    const int level = side.boxes.root_level();
+    const int level = side.boxes.shape().boxes.root_level();
     return {level, 0, side.boxes.of_block(level, 0)};
   }
   bool meet(const MovingBounds& a, const MovingBounds& b) const { return may_meet(a, b, separation_); }

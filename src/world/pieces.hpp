@@ -17,19 +17,16 @@ class PlacesAt {
   /// REQUIRES: in [0,1].
   explicit PlacesAt(double time) : chains_(time) {}
   double time() const { return chains_.time(); }
-  const PlacedBody& of(const Body& body) {
+  const RoundedTransform& of(const Body& body) {
     const auto [place, is_new] = places_.try_emplace(&body);
-    if (is_new)
-      place->second = time() == 0   ? body.at_start()
-                      : time() == 1 ? body.at_end()
-                                    : PlacedBody{chains_.of(body.chain())};
+    if (is_new) place->second = time() == 0 ? body.at_start() : time() == 1 ? body.at_end() : chains_.of(body.chain());
     return place->second;
   }
   void forget() { places_.clear(); }
 
  private:
   ChainsAt chains_;
-  std::map<const Body*, PlacedBody> places_;
+  std::map<const Body*, RoundedTransform> places_;
 };
 
 /// Several walks over the same pieces ask for the same places.

@@ -68,7 +68,7 @@ void World::State::refuse_far(const Gathered& gathered) const {
 void World::State::begin() {
   for (Gathering* gathering : {&straight_, &turning_, &at_rest_}) {
     if (must_gather_) gathering->gathered = nullptr;
-    gathering->pairs.clear();
+    gathering->is_asked = false;
   }
   must_gather_ = false;
 }

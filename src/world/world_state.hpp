@@ -80,38 +80,40 @@ struct World::State {
   };
   /// One mesh of bodies that meet: those whose vertices all go straight, those of which one turns, or at rest all.
   struct Gathering {
-    MotionKind aside;  ///< as in MeetingRules
+    bool (*wants)(const Body&, const Body&);  ///< is it asked about such a pair?
+    MotionKind aside;                         ///< as in MeetingRules
     /// What is gathered is more than what may touch now, by so many mean edges: it serves the questions that follow.
     /// More where these are answered without a search (Margin).
     double more_in_edges;
     std::unique_ptr<Gathered> gathered = nullptr;
     std::size_t needed_when_gathered = 0;         ///< items
-    std::vector<BodyPair> pairs = {};             ///< those that may touch in this question
+    bool is_asked = false;                        ///< may any pair touch in this question?
     std::optional<Margin> margin = std::nullopt;  ///< of bodies that do not turn
     int served = 0, searched = 0;                 ///< questions, and those that its margin did not serve
-    bool is_asked() const { return !pairs.empty(); }
     bool serves(const BodyList& of_world, const std::vector<BodyPair>& near, const Reach& reach) const {
       return gathered && margin && reach.part_of_way == 0 && reach.separation <= margin->separation &&
              gathered->keeps_motion_kinds(of_world) && margin->has(of_world, near);
     }
   };
 
-  /// Which pairs a gathering is asked about.
-  using Wanted = std::function<bool(const Body&, const Body&)>;
+  static bool is_turning(const Body& a, const Body& b) {
+    return a.motion_kind() == MotionKind::turning || b.motion_kind() == MotionKind::turning;
+  }
+  static bool is_straight(const Body& a, const Body& b) { return !is_turning(a, b); }
+  static bool is_any(const Body&, const Body&) { return true; }
 
   /// Throws InvalidOptions and InvalidStep.
   void validate(std::span<const BodyId> moved, std::span<const BodyMotion> motions);
   /// Pairs that may come within the reach and `more`, by their hulls, and may touch.
   std::vector<BodyPair> near_bodies(const Reach& reach, double more, bool at_start);
-  std::vector<BodyPair> only(const Wanted& is_wanted, std::vector<BodyPair> pairs) const;
+  std::vector<BodyPair> only(const Gathering& gathering, std::vector<BodyPair> pairs) const;
   /// `near`: those without more. `times`: the ends of pieces.
-  void gather(Gathering& gathering, const Reach& reach, const Wanted& is_wanted, const std::vector<BodyPair>& near,
+  void gather(Gathering& gathering, const Reach& reach, const std::vector<BodyPair>& near,
               std::span<const double> times);
   /// Adds to `items` what comes within the reach and `more`.
   void find_near(const std::vector<BodyPair>& pairs, const Reach& reach, double more, Pieces& pieces,
                  NearItems& items) const;
-  void gather_anew(Gathering& gathering, const Reach& reach, const Wanted& is_wanted, const NearItems& needed,
-                   Pieces& pieces);
+  void gather_anew(Gathering& gathering, const Reach& reach, const NearItems& needed, Pieces& pieces);
   /// None where one of them turns.
   std::optional<Margin> margin_of(const std::vector<BodyPair>& pairs, const Reach& reach, double more) const;
   /// Those of bodies that move.
@@ -147,7 +149,8 @@ struct World::State {
 
   ChainsAt at_start_{0}, at_end_{1};  ///< of what is moved
   NearBodies near_bodies_{options.isa};
-  Gathering straight_{MotionKind::still, 1}, turning_{MotionKind::straight, 0.5}, at_rest_{MotionKind::still, 1};
+  Gathering straight_{is_straight, MotionKind::still, 1}, turning_{is_turning, MotionKind::straight, 0.5},
+      at_rest_{is_any, MotionKind::still, 1};
   std::vector<double> times_;  ///< of the pieces of turning_
   bool must_gather_ = false;
 };
@@ -197,8 +200,8 @@ void World::State::for_each_moving(const QueryOptions& asked, double part_of_way
       throw;
     }
   };
-  if (straight_.is_asked() && !ask_straight(*straight_.gathered)) return;
-  if (turning_.is_asked() && !ask_turning(*turning_.gathered)) return;
+  if (straight_.is_asked && !ask_straight(*straight_.gathered)) return;
+  if (turning_.is_asked && !ask_turning(*turning_.gathered)) return;
   for_each_by_itself(
       [&](BodyId id, Body& body) { return ask_one(body.itself(options), ask, body.step(), of_steps(asked), id); });
 }
@@ -207,9 +210,8 @@ template <class Ask>
 void World::State::for_each_at_rest(double distance, const Ask& ask) {
   constexpr double kEndsOfRest[] = {0, 0};
   const Reach reach{distance};
-  const auto any = [](const Body&, const Body&) { return true; };
-  gather(at_rest_, reach, any, near_bodies(reach, 0, true), kEndsOfRest);
-  if (at_rest_.is_asked()) {
+  gather(at_rest_, reach, near_bodies(reach, 0, true), kEndsOfRest);
+  if (at_rest_.is_asked) {
     Gathered& gathered = *at_rest_.gathered;
     if (!ask_one(gathered.detector(), ask, gathered.start(bodies), gathered)) return;
   }

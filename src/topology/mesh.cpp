@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <numeric>
 #include <string>
-#include <tuple>
 
 #include "tamis/error.hpp"
 #include "topology/at.hpp"
@@ -35,7 +34,7 @@ struct FaceSide {
   Index side;
 };
 
-/// By edge, then face and side: counted into one bucket a first vertex, each of which is then sorted.
+/// By edge: counted into one bucket a first vertex, each of which is then sorted.
 std::vector<FaceSide> collect_sides(Index vertex_count, const std::vector<Face>& faces,
                                     const std::vector<Edge>& loose_edges) {
   const auto for_each = [&](const auto& f) {
@@ -55,24 +54,21 @@ std::vector<FaceSide> collect_sides(Index vertex_count, const std::vector<Face>&
   auto first = sides.begin();
   for (std::size_t v = 0; v < at(vertex_count); ++v) {
     const auto last = sides.begin() + static_cast<std::ptrdiff_t>(bucket_end[v]);
-    std::sort(first, last, [](const FaceSide& a, const FaceSide& b) {
-      return std::tie(a.edge[1], a.face, a.side) < std::tie(b.edge[1], b.face, b.side);
-    });
+    std::sort(first, last, [](const FaceSide& a, const FaceSide& b) { return a.edge[1] < b.edge[1]; });
     first = last;
   }
   return sides;
 }
 
-void close_row(IndexRows& rows) { rows.offsets.push_back(number_of(rows.items.size())); }
-
-IndexRows faces_by_vertex(Index vertex_count, const std::vector<Face>& faces) {
-  const auto is_repeated = [](const Face& face, std::size_t k) {
-    return (k > 0 && face[k] == face[0]) || (k == 2 && face[2] == face[1]);
+/// Of each vertex, or edge, the faces that have it, each once; `corners`: the three of each face, or -1.
+IndexRows faces_by(Index count, const std::vector<std::array<Index, 3>>& corners) {
+  const auto is_repeated = [](const std::array<Index, 3>& of_face, std::size_t k) {
+    return (k > 0 && of_face[k] == of_face[0]) || (k == 2 && of_face[2] == of_face[1]);
   };
-  return rows_of(vertex_count, [&](const auto& add) {
-    for (std::size_t f = 0; f < faces.size(); ++f)
+  return rows_of(count, [&](const auto& add) {
+    for (std::size_t f = 0; f < corners.size(); ++f)
       for (std::size_t k = 0; k < 3; ++k)
-        if (!is_repeated(faces[f], k)) add(faces[f][k], static_cast<Index>(f));
+        if (corners[f][k] >= 0 && !is_repeated(corners[f], k)) add(corners[f][k], static_cast<Index>(f));
   });
 }
 
@@ -90,17 +86,11 @@ Mesh::Mesh(Index vertex_count, std::vector<Face> faces, const std::vector<Edge>&
 
   edges_of_face_.assign(faces_.size(), {-1, -1, -1});
   for (const FaceSide& side : collect_sides(vertex_count, faces_, loose_edges)) {
-    if (edges_.empty() || edges_.back() != side.edge) {
-      if (!edges_.empty()) close_row(faces_of_edge_);
-      edges_.push_back(side.edge);
-    }
-    if (side.face < 0) continue;
-    edges_of_face_[at(side.face)][at(side.side)] = number_of(edges_.size() - 1);
-    const auto row = std::span(faces_of_edge_.items).subspan(at(faces_of_edge_.offsets.back()));
-    if (row.empty() || row.back() != side.face) faces_of_edge_.items.push_back(side.face);
+    if (edges_.empty() || edges_.back() != side.edge) edges_.push_back(side.edge);
+    if (side.face >= 0) edges_of_face_[at(side.face)][at(side.side)] = number_of(edges_.size() - 1);
   }
-  if (!edges_.empty()) close_row(faces_of_edge_);
-  faces_of_vertex_ = faces_by_vertex(vertex_count, faces_);
+  faces_of_edge_ = faces_by(number_of(edges_.size()), edges_of_face_);
+  faces_of_vertex_ = faces_by(vertex_count, faces_);
 
   std::vector<bool> used(at(vertex_count), false);
   for (const Face& face : faces_)

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <memory>
 
+#include "detect/pair_faults.hpp"
 #include "narrow/decide.hpp"
 #include "narrow/separation.hpp"
 #include "numerics/assert.hpp"
-#include "numerics/finite.hpp"
 #include "query/cancellation.hpp"
 #include "query/pair_rules.hpp"
 #include "search/pair_buffer.hpp"
@@ -20,12 +20,6 @@ bool are_rows(const Pair& pair, Index rows) {
   for (std::size_t i = 0; i < count; ++i)
     result &= static_cast<std::uint32_t>(pair.vertices[i]) < static_cast<std::uint32_t>(rows);
   return result;
-}
-
-bool has_finite_points(const Pair& pair, const Step& step) {
-  const auto* v = pair.vertices.data();
-  return std::all_of(v, v + vertex_count(pair.kind),
-                     [&](Index i) { return is_finite(step.start[i]) && is_finite(step.end[i]); });
 }
 
 /// Pairs of one kind on their way through the lanes.
@@ -93,7 +87,7 @@ class PartDecision {
   bool decide_singly(PairKind kind, std::int32_t place) {
     stop_if_cancelled(part_);
     const Pair& pair = part_.pairs[static_cast<std::size_t>(place)];
-    if (!has_finite_points(pair, part_.step)) return false;
+    if (!fault_of(pair, part_.step).empty()) return false;
     PrecisionCount decided_by;
     const PairPoints points = points_of(part_.step, vertices_in_use(kind, pair.vertices));
     results_[place] = decide_undecided(kind, points, part_.rule, decided_by);

@@ -93,8 +93,6 @@ void check_kept(double keep, bool is_enough, const char* least) {
   });
 }
 
-}  // namespace
-
 void validate_layout(const Positions& positions, const char* what) {
   if (positions.count() < 0)
     throw InvalidStep(std::string(what) + " has more than 2^31 - 1 positions: give one row a vertex");
@@ -103,6 +101,8 @@ void validate_layout(const Positions& positions, const char* what) {
                       " is no n x 3 array of doubles, row by row: give three columns next to each other (of Eigen a "
                       "RowMajor matrix or a Matrix3Xd, or points_of(matrix)) and a stride of at least 3");
 }
+
+}  // namespace
 
 void validate_layout(const Step& step) {
   if (step.start.count() != step.end.count())

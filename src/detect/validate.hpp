@@ -20,10 +20,7 @@ void validate(const Step& step, const Mesh& mesh);
 /// The same of one pose. `what`: as in "the start of the step".
 void validate(const Positions& positions, const Mesh& mesh, const char* what);
 
-/// Throws InvalidStep unless three numbers of a row stand side by side. `what` as before.
-void validate_layout(const Positions& positions, const char* what);
-
-/// Both ends, which must have as many rows.
+/// Throws InvalidStep unless three numbers of a row stand side by side, at both ends, which must have as many rows.
 void validate_layout(const Step& step);
 
 /// Throws InvalidOptions unless its separation is finite and >= 0 and `at_start` has a name; and if it says something

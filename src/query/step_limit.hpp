@@ -21,9 +21,8 @@ struct StepLimit {
     if (other.time < 1 && other.key() < key()) *this = other;
   }
 
-  /// Does this pair end the step at once, and come before all such pairs in the order of contacts?
-  bool rules_out(PairKind other_kind) const { return time == 0 && kind < other_kind; }
-  bool rules_out(PairKind other_kind, const PairVertices& others) const {
+  /// Does this pair end the step at once, and come before that one, or all of that kind, in the order of contacts?
+  bool rules_out(PairKind other_kind, const PairVertices& others = {}) const {
     return time == 0 && key() < StepLimit{0, other_kind, others}.key();
   }
 

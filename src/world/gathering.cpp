@@ -57,25 +57,20 @@ void World::State::gather(Gathering& gathering, const Reach& reach, const std::v
   }
   Pieces pieces(times);
   const bool is_usable = gathering.gathered && gathering.gathered->keeps_motion_kinds(bodies);
-  if (is_usable && ++gathering.searched % kSearchesACount != 0) {
-    NearItems all = gathering.gathered->items();
-    all.pairs.clear();
-    find_near(wanted, reach, 0, pieces, all);
-    gathering.is_asked = !all.pairs.empty();
-    if (gathering.gathered->items().includes(all)) {
-      ++gathering.served;
-      return;
-    }
-  }
-  NearItems needed;
-  find_near(wanted, reach, 0, pieces, needed);
-  gathering.is_asked = !needed.pairs.empty();
+  const bool counts = !is_usable || ++gathering.searched % kSearchesACount == 0;
+  NearItems near_now;  // beside what is gathered, which is not looked at again, or all that is needed
+  if (!counts) near_now.of_body = gathering.gathered->items().of_body;
+  find_near(wanted, reach, 0, pieces, near_now);
+  gathering.is_asked = !near_now.pairs.empty();
   if (!gathering.is_asked) return;
-  if (is_usable && kShrunk * needed.count() >= gathering.needed_when_gathered &&
-      gathering.gathered->items().includes(needed)) {
+  const bool has_shrunk = counts && kShrunk * near_now.count() < gathering.needed_when_gathered;
+  if (is_usable && !has_shrunk && gathering.gathered->items().includes(near_now)) {
     ++gathering.served;
     return;
   }
+  if (counts) return gather_anew(gathering, reach, near_now, pieces);
+  NearItems needed;
+  find_near(wanted, reach, 0, pieces, needed);
   gather_anew(gathering, reach, needed, pieces);
 }
 

@@ -5,6 +5,9 @@
 namespace tamis {
 BodyTree::BodyTree(const BodyList& bodies, bool are_still, const ReachOfBody& own, bool at_start, Split split) {
   std::vector<Point> centers;
+  centers.reserve(bodies.size());
+  bodies_.reserve(bodies.size());
+  hulls_.reserve(bodies.size());
   for (std::size_t id = 0; id < bodies.size(); ++id) {
     const Body* body = bodies[id].get();
     if (!body || !body->is_enabled || (body->motion_kind() == MotionKind::still) != are_still) continue;

@@ -1,7 +1,7 @@
 // One crossing: where the coplanarity cubic provably passes zero exactly once during the motion, the root is bracketed
 // by certified signs and the features are compared there. This decides nearly every pair that reaches the solver;
-// the rest is cut in time first (narrow/subdivide.hpp). One template for double and for SIMD lanes; every lane's answer
-// depends on that lane alone.
+// the rest is cut in time first (narrow/decide_in_doubles.cpp). One template for double and for SIMD lanes; every
+// lane's answer depends on that lane alone.
 #pragma once
 #include "filters/ncf.hpp"
 #include "motion/polynomials.hpp"

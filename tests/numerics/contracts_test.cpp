@@ -10,9 +10,9 @@
 #include "exact/root_isolation.hpp"
 #include "motion/pair_kinds.hpp"
 #include "narrow/decide.hpp"
+#include "narrow/decide_in_doubles.hpp"
 #include "narrow/kept_distance.hpp"
 #include "narrow/separation.hpp"
-#include "narrow/subdivide.hpp"
 #include "numerics/interval.hpp"
 #include "topology/countable.hpp"
 
@@ -85,12 +85,7 @@ TEST_F(Contracts, MotionRestrictedTwice) {
 TEST_F(Contracts, PartsOfTheStepInOrder) {
   const auto m = make_motion(kFace, kPassing, 0.1);
   EXPECT_DEATH(first_within(kFace, m, {0.75, 0.25}), "is_part_of_step");
-  EXPECT_DEATH(subdivide(kFace, m, {0, 1.5}), "is_part_of_step");
-}
-
-TEST_F(Contracts, KindsThatCannotCross) {
-  const auto m = make_motion(PairKind::vertex_vertex, kPassing);
-  EXPECT_DEATH(subdivide(PairKind::vertex_vertex, m, {0, 1}), "can_cross");
+  EXPECT_DEATH(decide_in_doubles(kFace, make_motion(kFace, kPassing), {0, 1.5}), "is_part_of_step");
 }
 
 TEST_F(Contracts, AllOfTheDistanceKept) {

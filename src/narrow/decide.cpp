@@ -26,12 +26,9 @@ constexpr TimeInterval<double> kWholeStep{0, 1};
 std::optional<Decision> decide_again(PairKind kind, const PairPoints& points, double separation,
                                      const PairMotion<double>& m, const Decision& d) {
   if (!is_finite(m)) return {};
-  const TimeInterval<double> bracket{d.lower, d.upper};
-  if (separation == 0 && !can_cross(kind)) return {};
-  if (d.verdict == Verdict::unsure)
-    return separation == 0 ? decide_crossing_finely(kind, points, m, bracket) : std::nullopt;
-  return separation > 0 ? first_within_finely(kind, points, separation, m, bracket)
-                        : first_crossing_finely(kind, points, m, bracket);
+  if (!is_about_distance(kind, separation)) return decide_crossing_finely(kind, points, m, d);
+  if (separation == 0 || !d.touches()) return {};
+  return first_within_finely(kind, points, separation, m, {d.lower, d.upper});
 }
 
 /// What is decided of a pair, and by what arithmetic.

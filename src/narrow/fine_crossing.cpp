@@ -71,27 +71,19 @@ std::optional<Decision> touches_around(const FineRoot& root) {
 
 }  // namespace
 
-std::optional<Decision> first_crossing_finely(PairKind kind, const PairPoints& points, const PairMotion<double>& m,
-                                              const TimeInterval<double>& bracket) {
-  TAMIS_ASSERT(can_cross(kind) && is_motion_of(m, kind, points));
-  const double slope = crossing::least_slope_during(m, bracket);
-  if (slope == 0) return {};
-  const PairMotion<Fine> fine = make_fine_motion(kind, points, 0);
-  const auto root = FineCrossing(fine, m, slope).root(bracket);
-  return root ? touches_around(*root) : std::nullopt;
-}
-
 std::optional<Decision> decide_crossing_finely(PairKind kind, const PairPoints& points, const PairMotion<double>& m,
-                                               const TimeInterval<double>& bracket) {
-  TAMIS_ASSERT(can_cross(kind) && is_motion_of(m, kind, points));
-  constexpr double kRoom = 0x1p-50;  // a clip may end at the very root
-  const TimeInterval<double> around{std::max(bracket.t_in - kRoom, 0.0), std::min(bracket.t_out + kRoom, 1.0)};
+                                               const Decision& coarse) {
+  TAMIS_ASSERT(can_cross(kind) && is_motion_of(m, kind, points) && !coarse.is_free());
+  // A clip, after which a pair may touch, may end at the very root.
+  const double room = coarse.touches() ? 0 : 0x1p-50;
+  const TimeInterval<double> around{std::max(coarse.lower - room, 0.0), std::min(coarse.upper + room, 1.0)};
   const double slope = crossing::least_slope_during(m, around);
   if (slope == 0) return {};
   const PairMotion<Fine> fine = make_fine_motion(kind, points, 0);
   const FineCrossing crossing(fine, m, slope);
   const auto root = crossing.root(around);
   if (!root) return {};
+  if (coarse.touches()) return touches_around(*root);
   const auto sides = kind == PairKind::vertex_face ? crossing.sides<PairKind::vertex_face>(*root)
                                                    : crossing.sides<PairKind::edge_edge>(*root);
   if (sides.outside) return Decision{};

@@ -10,18 +10,13 @@
 
 namespace tamis {
 
-/// Touches, between neighbouring doubles around the first time at which it does; nothing where double-double does not
-/// prove that. REQUIRES: a kind that can cross; `m` is the motion of `points`, its sizes are finite; the bracket lies
-/// in [0,1]. REQUIRES (not checked: exact): the pair touches in the bracket, and not before.
-std::optional<Decision> first_crossing_finely(PairKind kind, const PairPoints& points, const PairMotion<double>& m,
-                                              const TimeInterval<double>& bracket);
-
-/// Whether the features meet where the four points are coplanar in the bracket, and then the neighbouring doubles
-/// around that time: of structured meshes most vertices that come to edges do so within rounding. Nothing where
-/// double-double proves neither, as where they touch exactly at a border. REQUIRES: as above. REQUIRES (not checked:
-/// exact): the pair does not touch outside the bracket.
+/// When a pair that touches by `coarse` does so first, between neighbouring doubles; of one that is unsure there,
+/// whether it touches where the four points are coplanar, and when: of structured meshes most vertices that come to
+/// edges do so within rounding. Nothing where double-double proves neither, as where they touch exactly at a border.
+/// REQUIRES: a kind that can cross; `m` is the motion of `points`, its sizes are finite; what `coarse` says of times in
+/// [0,1].
 std::optional<Decision> decide_crossing_finely(PairKind kind, const PairPoints& points, const PairMotion<double>& m,
-                                               const TimeInterval<double>& bracket);
+                                               const Decision& coarse);
 
 /// Touches, between neighbouring doubles, the pair being apart until the first, and within its separation at the
 /// second; nothing where double-double does not prove that. Costs some twelve thousand instructions. REQUIRES: `m` is

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "motion/pair_kinds.hpp"
 #include "motion/polynomials.hpp"
+#include "narrow/advancement.hpp"
 #include "narrow/decide_in_doubles.hpp"
 #include "narrow/separation.hpp"
 #include "numerics/assert.hpp"
@@ -30,6 +32,15 @@ Decision decide_during(PairKind kind, const PairMotion<double>& beginning, const
   const bool may_touch_at_start =
       clip.t_in == 0 && !is_about_distance(kind, beginning.separation) && may_start_coplanar(beginning);
   return may_touch_at_start ? Decision{Verdict::unsure, 0, 1} : decide_in_doubles(kind, beginning, clip);
+}
+
+/// Proven: at t=1 and for ever after, should the motion go on, the pair is farther apart than its separation.
+bool is_apart_from_end(PairKind kind, const PairMotion<double>& m) {
+  TAMIS_ASSERT(is_finite(m));
+  return with_kind(kind, [&](auto k) {
+    const Looker<k(), double> looker(m);
+    return looker.clip().parts_along(1, looker.sight(1).closest.gap);
+  });
 }
 
 /// A contact in a beginning of that length; nothing where its times underflow.

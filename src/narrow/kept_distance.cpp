@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include "distance/closest.hpp"
 #include "distance/difference_corners.hpp"
+#include "distance/squared_axis.hpp"
 #include "exact/start_distance.hpp"
 #include "motion/pair_kinds.hpp"
 #include "narrow/decide.hpp"
@@ -27,14 +27,29 @@ struct StartBounds {
   double speed;      ///< at least the speed of any point of one feature against any of the other
 };
 
+/// A lower bound, beyond all rounding, of the distance at t=0: along the gap of the closest points, and where that says
+/// little, along that squared with the features, as a small gap is tilted by rounding.
+template <PairKind kind>
+double start_distance_bound(const PairMotion<double>& m, const ClosestPoints& closest) {
+  constexpr double kSharp = 1 - 0x1p-40;
+  const AxisClip<kind, double> clip(m);
+  const double along_gap = clip.distance_along(0.0, closest.gap);
+  if (along_gap >= kSharp * std::sqrt(dot(closest.gap, closest.gap))) return along_gap;
+  return std::max(along_gap, clip.distance_along(0, squared_axis<kind>(m, 0.0, closest).direction));
+}
+
+/// REQUIRES: the motion of the whole step, finite.
 StartBounds start_bounds(PairKind kind, const PairMotion<double>& m) {
+  TAMIS_ASSERT(is_finite(m));
   const double size = m.size_d + m.size_e + m.size_f;
-  const ClosestPoints closest = closest_points(kind, m.e.at0, m.f.at0, m.d.at0);
-  const double high = std::sqrt(dot(closest.gap, closest.gap)) * error_bounds::kLengthUp +
-                      error_bounds::bound(error_bounds::kGap, size);
-  const double square = with_kind(kind, [&](auto k) { return squared_speed<k()>(m); });
-  const double speed = std::sqrt(square) * error_bounds::kLengthUp + error_bounds::bound(error_bounds::kVelocity, size);
-  return {start_distance_bound(kind, m, closest), high, speed};
+  return with_kind(kind, [&](auto k) -> StartBounds {
+    const ClosestPoints closest = closest_points<k()>(m.e.at0, m.f.at0, m.d.at0);
+    const double high = std::sqrt(dot(closest.gap, closest.gap)) * error_bounds::kLengthUp +
+                        error_bounds::bound(error_bounds::kGap, size);
+    const double speed =
+        std::sqrt(squared_speed<k()>(m)) * error_bounds::kLengthUp + error_bounds::bound(error_bounds::kVelocity, size);
+    return {start_distance_bound<k()>(m, closest), high, speed};
+  });
 }
 
 /// The distance that must be kept, from one at t=0: `rounding` 1 for an upper bound, -1 for a lower one.

@@ -101,29 +101,7 @@ double apart_until(const PairMotion<double>& m, double from, double until) {
   return std::min(now, 1.0);
 }
 
-template <PairKind kind>
-double start_distance_bound(const PairMotion<double>& m, const ClosestPoints& closest) {
-  constexpr double kSharp = 1 - 0x1p-40;
-  const AxisClip<kind, double> clip(m);
-  const double along_gap = clip.distance_along(0.0, closest.gap);
-  if (along_gap >= kSharp * std::sqrt(dot(closest.gap, closest.gap))) return along_gap;
-  return std::max(along_gap, clip.distance_along(0, squared_axis<kind>(m, 0.0, closest).direction));
-}
-
 }  // namespace
-
-bool is_apart_from_end(PairKind kind, const PairMotion<double>& m) {
-  TAMIS_ASSERT(is_finite(m));
-  return with_kind(kind, [&](auto k) {
-    const Looker<k(), double> looker(m);
-    return looker.clip().parts_along(1, looker.sight(1).closest.gap);
-  });
-}
-
-double start_distance_bound(PairKind kind, const PairMotion<double>& m, const ClosestPoints& closest) {
-  TAMIS_ASSERT(is_whole(m) && is_finite(m));
-  return with_kind(kind, [&](auto k) { return start_distance_bound<k()>(m, closest); });
-}
 
 Decision first_within(PairKind kind, const PairMotion<double>& m, const TimeInterval<double>& time) {
   TAMIS_ASSERT(is_part_of_step(time));

@@ -5,7 +5,6 @@
 // bound on the speed needs many more steps). Here one pair at a time, to the end; most have been decided before, in
 // lanes, by the same looks (kernels/advance_lanes.hpp).
 #pragma once
-#include "distance/closest.hpp"
 #include "motion/decision.hpp"
 #include "motion/pair_kinds.hpp"
 #include "motion/pair_motion.hpp"
@@ -25,14 +24,5 @@ Decision first_within(PairKind kind, const PairMotion<double>& m, const TimeInte
 /// "Step lengths"). It looks no further than `until`: a result below `until` does not depend on it. REQUIRES: the
 /// motion of the whole step, finite; `from` in [0,1]. REQUIRES (not checked: exact): the pair is apart before `from`.
 double apart_until(PairKind kind, const PairMotion<double>& m, double from, double until);
-
-/// Proven: at t=1 and for ever after, should the motion go on, the pair is farther apart than its separation. REQUIRES:
-/// finite sizes.
-bool is_apart_from_end(PairKind kind, const PairMotion<double>& m);
-
-/// A lower bound, beyond all rounding, of the distance at t=0: along the gap of the closest points, and where that says
-/// little, along that squared with the features, as a small gap is tilted by rounding. REQUIRES: the motion of
-/// the whole step, finite.
-double start_distance_bound(PairKind kind, const PairMotion<double>& m, const ClosestPoints& closest);
 
 }  // namespace tamis

@@ -8,8 +8,6 @@ namespace tamis {
 template <PairKind kind, class T>
 class KeptGap {
  public:
-  using Axis = typename TurningGap<kind, T>::Axis;
-
   /// `blur`: the pair may have been so much farther apart at t=0 than its vectors say.
   KeptGap(const PairMotion<T>& m, const T& fraction, const T& blur = T(0)) : gap_(m) {
     const Vec3<T> gap = gap_.gap(T(0));
@@ -22,16 +20,13 @@ class KeptGap {
         m.separation + fraction * max(distance + blur - m.separation, T(0)) + room * (m.size_d + m.size_e + m.size_f);
   }
 
-  const Axis& start() const { return start_; }
-  Axis at(const T& t) const { return gap_.at(t); }
-
-  /// Is the distance proven to stay, from one time in [0,1] to another, beyond the separation, the fraction of its
-  /// excess at t=0, and the room to advance?
-  auto is_kept(const Axis& from, const Axis& until) const { return gap_.exceeds(kept_, from, until); }
+  /// Is the distance proven to stay, from t=0 until a time in [0,1], beyond the separation, the fraction of its excess
+  /// at t=0, and the room to advance? By one axis, or one in each of `parts` equal parts.
+  auto is_kept(const T& until, int parts = 1) const { return gap_.exceeds(kept_, start_, until, parts); }
 
  private:
   const TurningGap<kind, T> gap_;
-  Axis start_;
+  typename TurningGap<kind, T>::Axis start_;
   T kept_;
 };
 

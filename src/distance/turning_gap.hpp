@@ -11,7 +11,7 @@
 
 namespace tamis {
 
-/// Of stays_apart, where one axis does not suffice.
+/// Of the time, where one axis does not suffice.
 inline constexpr int kTurningGapParts = 4;
 
 template <PairKind kind, class T>
@@ -48,22 +48,25 @@ class TurningGap {
     return lowest > least;
   }
 
-  /// Is the pair proven farther apart than its separation during `time`, as one axis, or one in each of `parts` equal
-  /// parts, shows?
-  Mask<T> stays_apart(const TimeInterval<T>& time, int parts) const {
-    const T least =
-        m_.separation + error_bounds::bound<T>(error_bounds::kTurningGap, m_.size_d + m_.size_e + m_.size_f);
-    const T share = error_bounds::constant<T>(1.0 / parts) * (time.t_out - time.t_in);
-    Axis from = at(time.t_in), next = parts > 1 ? at(time.t_in + share) : at(time.t_out);
-    Mask<T> result = exceeds(least, from, next);
-    for (int i = 2; i <= parts; ++i) {
-      from = next;
-      next = i < parts ? at(from.time + share) : at(time.t_out);
+  /// The same, as one axis, or one in each of `parts` equal parts of the time, shows.
+  Mask<T> exceeds(const T& least, Axis from, const T& until, int parts) const {
+    const T share = error_bounds::constant<T>(1.0 / parts) * (until - from.time);
+    Mask<T> result(true);
+    for (int i = 1; i <= parts; ++i) {
+      const Axis next = at(i < parts ? from.time + share : until);
+      result = result & exceeds(least, from, next);
       if constexpr (std::is_same_v<Mask<T>, bool>)
         if (!result) return false;
-      result = result & exceeds(least, from, next);
+      from = next;
     }
     return result;
+  }
+
+  /// Is the pair proven farther apart than its separation during `time`?
+  Mask<T> stays_apart(const TimeInterval<T>& time, int parts) const {
+    const T size = m_.size_d + m_.size_e + m_.size_f;
+    return exceeds(m_.separation + error_bounds::bound<T>(error_bounds::kTurningGap, size), at(time.t_in), time.t_out,
+                   parts);
   }
 
  private:

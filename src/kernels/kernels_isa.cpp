@@ -59,19 +59,6 @@ void slab(const BoxVertex* vertices, const BoxSeparation& separation, const Pair
   }
 }
 
-/// Axes turn less in each of four parts.
-template <PairKind kind>
-unsigned is_kept_in_parts(const KeptGap<kind, FloatLanes>& gap, const FloatLanes& until) {
-  unsigned kept = ~0u;
-  auto from = gap.start();
-  for (int i = 1; i <= 4; ++i) {
-    const auto next = gap.at(i < 4 ? FloatLanes(0.25f * static_cast<float>(i)) * until : until);
-    kept &= bits(gap.is_kept(from, next));
-    from = next;
-  }
-  return kept;
-}
-
 /// The same as may_end_step() begins with, in the floats of the boxes: half the memory to read for most of the pairs.
 template <PairKind kind>
 void leave_out_kept(const BoxVertex* vertices, const BoxSeparation& separation, const NearRule& rule,
@@ -81,8 +68,7 @@ void leave_out_kept(const BoxVertex* vertices, const BoxSeparation& separation, 
     const auto m = load_box_motion<kind>(vertices, pairs, first, separation);
     const KeptGap<kind, FloatLanes> gap(m, FloatLanes(rule.fraction), FloatLanes(BoxFrame::kBlur));
     const FloatLanes t_out = FloatLanes::load_unaligned(pairs.t_out + first);
-    const unsigned left =
-        lanes_in_use(pairs, first, kFloatLanes) & ~bits(gap.is_kept(gap.start(), gap.at(min(t_out, FloatLanes(1.0f)))));
+    const unsigned left = lanes_in_use(pairs, first, kFloatLanes) & ~bits(gap.is_kept(min(t_out, FloatLanes(1.0f))));
     count += store_pairs(left, pairs, first, {FloatLanes::load_unaligned(pairs.t_in + first), t_out}, pairs, count);
   }
   pairs.count = count;
@@ -96,9 +82,9 @@ void may_end_step(const NearVertices& vertices, const NearRule& rule, PairBuffer
     const auto m = load_motion_as_float<kind>(vertices.exact, in, first, vertices.separation);
     const KeptGap<kind, FloatLanes> gap(m, FloatLanes(rule.fraction));
     const FloatLanes until = min(FloatLanes::load_unaligned(in.t_out + first), FloatLanes(1.0f));
-    unsigned left = lanes_in_use(in, first, kFloatLanes) & ~bits(gap.is_kept(gap.start(), gap.at(until)));
+    unsigned left = lanes_in_use(in, first, kFloatLanes) & ~bits(gap.is_kept(until));
     if (left) left &= ~bits(StartGap::exceeds<kind>(m, FloatLanes(rule.reach)));
-    if (left) left &= ~is_kept_in_parts(gap, until);
+    if (left) left &= ~bits(gap.is_kept(until, kTurningGapParts));  // axes turn less in each
     for_each_bit(left, [&](int lane) { copy_pair(in, first + lane, out); });
   }
 }

@@ -39,28 +39,6 @@ inline FloatLanes extent_at_start(const BoxBlock& block, int first) {
   return sum;
 }
 
-/// Boxes at t=0.
-class StillBoxes {
- public:
-  static constexpr bool kMoves = false, kHasReach = false;
-  using Bounds = BoundBlock<6>;  ///< x y z
-
-  StillBoxes(const Search&, int) {}
-
-  void bound(const TreeView& tree, int level, int node, Bounds& bounds) const {
-    const BoxBlock& block = tree.levels[level][node];
-    __builtin_memcpy(bounds.at, block.low0, sizeof(block.low0));
-    __builtin_memcpy(bounds.at[3], block.high0, sizeof(block.high0));
-  }
-
-  template <class A, class B>
-  [[gnu::always_inline]] auto meet(const A& a, const B& b) const {
-    return largest_gap(a, b) <= FloatLanes(0.0f);
-  }
-
-  float t_limit() const { return 1; }
-};
-
 /// Boxes that move until t_limit. A cheap test looks at what they sweep over, for an observer who moves as the block
 /// does from which the search starts: a motion common to all makes no box larger. A sharp one looks for a time at which
 /// all gaps between two boxes are closed. Two features can meet only where their boxes do.
@@ -174,14 +152,21 @@ class MovingBoxes {
   float way_[3] = {};  ///< the observer's until t_limit
 };
 
-/// Boxes at rest: two features are near only where their boxes, without what these are widened by, are no farther apart
+/// Boxes at t=0: two features are near only where their boxes, without what these are widened by, are no farther apart
 /// than that: by the root of the sum of the squares of the gaps on three axes.
-class RestBoxes : public StillBoxes {
+class RestBoxes {
  public:
-  RestBoxes(const Search& search, int block)
-      : StillBoxes(search, block),
-        widened_(search.widened),
-        widened2_(search.widened * search.widened * (1 + 0x1p-20f)) {}
+  static constexpr bool kMoves = false, kHasReach = false;
+  using Bounds = BoundBlock<6>;  ///< x y z
+
+  RestBoxes(const Search& search, int)
+      : widened_(search.widened), widened2_(search.widened * search.widened * (1 + 0x1p-20f)) {}
+
+  void bound(const TreeView& tree, int level, int node, Bounds& bounds) const {
+    const BoxBlock& block = tree.levels[level][node];
+    __builtin_memcpy(bounds.at, block.low0, sizeof(block.low0));
+    __builtin_memcpy(bounds.at[3], block.high0, sizeof(block.high0));
+  }
 
   /// `a(k)`, `b(k)`: bound k of the boxes in lanes.
   template <class A, class B>
@@ -195,7 +180,7 @@ class RestBoxes : public StillBoxes {
     return gap2 <= FloatLanes(widened2_);
   }
 
-  float t_limit() const { return 0; }
+  float t_limit() const { return 1; }
 
  private:
   const float widened_, widened2_;

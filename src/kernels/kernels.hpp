@@ -91,7 +91,7 @@ struct Search {
   /// Nothing that starts after this time is of interest; a float, so that the stages in floats do not round it.
   float t_limit = 1;
   NearRule near{};  ///< for search_step_ends, which looks at nothing else
-  /// For search_at_rest: by how much boxes are wider, together, than what is near.
+  /// For searches at rest: by how much boxes are wider, together, than what is near.
   float widened = 0;
   PairBuffer* pairs = nullptr;
   /// Called when `pairs` cannot take sixteen pairs more; must empty it.

@@ -181,7 +181,7 @@ constexpr PairKernels kernels_of() {
   return kernels;
 }
 
-constexpr PairKernels kAlongEdges{.search = search<kVf, StillBoxes, Course::along_edge>,
+constexpr PairKernels kAlongEdges{.search = search<kVf, RestBoxes, Course::along_edge>,
                                   .slab = slab<kVf, Course::along_edge>,
                                   .filter = filter<kVf, Course::along_edge>,
                                   .solve = solve<kVf, Course::along_edge>};

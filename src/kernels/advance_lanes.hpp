@@ -7,6 +7,7 @@
 #include "distance/direction_apart.hpp"
 #include "filters/slab_clip.hpp"
 #include "kernels/compress.hpp"
+#include "kernels/contact_lanes.hpp"
 #include "kernels/load_motion.hpp"
 #include "narrow/advancement.hpp"
 #include "narrow/sharp_bracket.hpp"
@@ -24,13 +25,7 @@ inline unsigned finite_lanes(const PairMotion<DoubleLanes>& m) {
   return bits(all - all == DoubleLanes(0));  // NOLINT(misc-redundant-expression): NaN where all is not finite
 }
 
-/// What is written of a pair that touches, one a lane.
-struct TouchingLanes {
-  double lower[kDoubleLanes], upper[kDoubleLanes], u[kDoubleLanes], v[kDoubleLanes];
-  double x[kDoubleLanes], y[kDoubleLanes], z[kDoubleLanes];  ///< normal; NaN where doubles do not tell it, nor u and v
-};
-
-/// `Sink`: free(place), undecided(place), touches(place, lanes, lane): each pair of the buffer comes to one of them.
+/// `Sink`: free(place), undecided(place), touches(place, contacts, lane): each pair of the buffer comes to one of them.
 template <PairKind kind, class Vertices, class Sink>
 class AdvanceLanes {
  public:
@@ -130,21 +125,13 @@ class AdvanceLanes {
     const Looker<kind, Lanes> looker(m);
     const auto touches = looker.touches(looker.sight(upper));
     const unsigned decided = lanes & ~late & bits(touches & is_sharp(lower, upper));
-    TouchingLanes out;
-    lower.store_unaligned(out.lower);
-    upper.store_unaligned(out.upper);
-    place.u.store_unaligned(out.u);
-    place.v.store_unaligned(out.v);
-    const auto store = [&](const Lanes& x, double* to) {
-      select(place.is_sure, x, Lanes(std::numeric_limits<double>::quiet_NaN())).store_unaligned(to);
-    };
-    store(place.direction.x, out.x);
-    store(place.direction.y, out.y);
-    store(place.direction.z, out.z);
+    const Lanes unknown(std::numeric_limits<double>::quiet_NaN());
+    const Vec3<Lanes> normal = select(place.is_sure, place.direction, Vec3<Lanes>{unknown, unknown, unknown});
+    const ContactLanes contacts(lower, upper, place.u, place.v, normal);
     const std::int32_t* places = touching_.places + first;
     for_each_bit(late, [&](int i) { sink_.free(places[i]); });
     for_each_bit(lanes & ~late & ~decided, [&](int i) { sink_.undecided(places[i]); });
-    for_each_bit(decided, [&](int i) { sink_.touches(places[i], out, i); });
+    for_each_bit(decided, [&](int i) { sink_.touches(places[i], contacts, i); });
   }
 
   const Vertices vertices_;

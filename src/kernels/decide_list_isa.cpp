@@ -1,7 +1,5 @@
 // The pairs of a list: compiled once for each instruction set. What is asked of a pair here is asked of it in decide()
 // too, in the same order, so that it has the same bits.
-#include <cmath>
-
 #include "kernels/advance_lanes.hpp"
 #include "kernels/compiled_apart.hpp"
 #include "kernels/crossings.hpp"
@@ -56,15 +54,9 @@ class ListDecision {
   // Of pairs within a separation.
   void free(int i) { results_[list_.places[i]] = {}; }
   void undecided(int i) { undecided_[undecided_count_++] = list_.places[i]; }
-  void touches(int i, const TouchingLanes& t, int lane) {
-    if (std::isnan(t.x[lane])) return undecided(i);
-    results_[list_.places[i]] = {true,
-                                 Certainty::certified,
-                                 t.lower[lane],
-                                 t.upper[lane],
-                                 t.u[lane],
-                                 t.v[lane],
-                                 {t.x[lane], t.y[lane], t.z[lane]}};
+  void touches(int i, const ContactLanes& contacts, int lane) {
+    if (!contacts.has_place(lane)) return undecided(i);
+    results_[list_.places[i]] = contacts.result(lane);
   }
 
  private:
@@ -119,13 +111,8 @@ class ListDecision {
     const unsigned free = lanes & bits(s.is_free), touches = lanes & ~free & bits(s.touches);
     const unsigned late = touches & bits(s.lower > DoubleLanes(list_.rule.latest));
     keep_free(free | late, batch.places);
-    const DoubleLanes fields[] = {s.lower, s.upper, s.u, s.v, s.normal.x, s.normal.y, s.normal.z};
-    double f[7][kDoubleLanes];
-    for (int k = 0; k < 7; ++k) fields[k].store_unaligned(f[k]);
-    for_each_bit(touches & ~late, [&](int i) {
-      results_[batch.places[i]] = {true,    Certainty::certified,       f[0][i], f[1][i], f[2][i],
-                                   f[3][i], {f[4][i], f[5][i], f[6][i]}};
-    });
+    const ContactLanes contacts(s.lower, s.upper, s.u, s.v, s.normal);
+    for_each_bit(touches & ~late, [&](int i) { results_[batch.places[i]] = contacts.result(i); });
     return lanes & ~free & ~touches;
   }
 

@@ -10,12 +10,14 @@
 #include "kernels/clearance_boxes.hpp"
 #include "kernels/compiled_apart.hpp"
 #include "kernels/compress.hpp"
+#include "kernels/contact_lanes.hpp"
 #include "kernels/crossings.hpp"
 #include "kernels/load_motion.hpp"
 #include "kernels/near_boxes.hpp"
 #include "kernels/rest_kernels.hpp"
 #include "kernels/search.hpp"
 #include "kernels/split.hpp"
+#include "narrow/decided_by_crossing.hpp"
 
 namespace tamis::TAMIS_ISA {
 namespace {
@@ -115,18 +117,13 @@ void filter_deviating(const PackedVertex* vertices, double deviation, const Pair
   }
 }
 
-/// Writes the lanes of `left` to `out`, of which those of `touches` are decided; `pairs` names each lane's pair.
-/// Returns the new number of entries.
-int write_solved(const Crossing<DoubleLanes>& c, unsigned left, unsigned touches, const std::int32_t* pairs,
-                 SolvedPair* out, int count) {
-  const DoubleLanes zero(0), one(1);
-  const DoubleLanes fields[] = {c.lower,    c.upper,   min(max(c.u, zero), one), min(max(c.v, zero), one), c.normal.x,
-                                c.normal.y, c.normal.z};
-  double f[7][kDoubleLanes];
-  for (int k = 0; k < 7; ++k) fields[k].store_unaligned(f[k]);
-  for_each_bit(left, [&](int i) {
-    out[count++] = {pairs[i], (touches >> i & 1) != 0, f[0][i], f[1][i], f[2][i], f[3][i], {f[4][i], f[5][i], f[6][i]}};
-  });
+/// Writes the lanes of `left` to `out`; `pairs` names each lane's pair. Returns the new number of entries.
+int write_solved(const Crossing<DoubleLanes>& crossing, const TimeInterval<DoubleLanes>& part, unsigned left,
+                 const std::int32_t* pairs, SolvedPair* out, int count) {
+  const auto c = decided_by_crossing(crossing, part);
+  const ContactLanes contacts(c.lower, c.upper, c.u, c.v, c.normal);
+  const unsigned touches = bits(c.touches);
+  for_each_bit(left, [&](int i) { out[count++] = contacts.solved(pairs[i], touches >> i & 1, i); });
   return count;
 }
 
@@ -143,17 +140,17 @@ int solve(const PackedVertex* vertices, const PairBuffer& in, PairBuffer& rest, 
   for_each_crossing<kind>(in.count, make, [&](const CrossingBatch& batch, const Crossing<DoubleLanes>& c) {
     const unsigned left = batch.lanes & ~bits(c.is_free), touches = left & bits(c.touches);
     for (int i = 0; i < kDoubleLanes; ++i) pairs[i] = batch.first + i;
-    if (touches) count = write_solved(c, touches, touches, pairs, out, count);
+    if (touches) count = write_solved(c, batch.part, touches, pairs, out, count);
     for_each_bit(left & ~touches, [&](int i) {
       rest_pairs[rest.count] = batch.first + i;
       copy_pair(in, batch.first + i, rest);
     });
   });
   for (int first = 0; first < rest.count; first += kDoubleLanes) {
-    const auto c =
-        find_crossing_in_halves<kind>(load_motion<kind, course>(vertices, rest, first), load_time(rest, first));
+    const auto part = load_time(rest, first);
+    const auto c = find_crossing_in_halves<kind>(load_motion<kind, course>(vertices, rest, first), part);
     const unsigned left = lanes_in_use(rest, first) & ~bits(c.is_free);
-    if (left) count = write_solved(c, left, bits(c.touches), rest_pairs + first, out, count);
+    if (left) count = write_solved(c, part, left, rest_pairs + first, out, count);
   }
   return count;
 }

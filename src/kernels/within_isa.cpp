@@ -29,8 +29,8 @@ int cull_in_parts(int parts, const BoxVertex* vertices, const BoxSeparation& sep
 struct SolvedSink {
   void free(std::int32_t) {}
   void undecided(std::int32_t place) { out[count++] = {place, false, 0, 1, 0, 0, {0, 0, 0}}; }
-  void touches(std::int32_t place, const TouchingLanes& t, int i) {
-    out[count++] = {place, true, t.lower[i], t.upper[i], t.u[i], t.v[i], {t.x[i], t.y[i], t.z[i]}};
+  void touches(std::int32_t place, const ContactLanes& contacts, int lane) {
+    out[count++] = contacts.solved(place, true, lane);
   }
 
   SolvedPair* out;

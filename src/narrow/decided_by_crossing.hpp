@@ -15,22 +15,15 @@ inline TimeInterval<T> widened(const TimeInterval<T>& time) {
   return {max(time.t_in - room, T(0)), min(time.t_out + room, T(1))};
 }
 
-/// Both false: not decided.
+/// What a crossing decides that was found in `clip`, or in widened(clip): nothing, unless it is free or touches. A
+/// contact whose bracket is not sharp is not decided.
 template <class T>
-struct DecidedByCrossing {
-  Mask<T> is_free, touches;
-  T lower, upper;
-  T u, v;
-  Vec3<T> normal;  ///< unit
-};
-
-/// What a crossing found in widened(clip) decides. A contact whose bracket is not sharp is not decided.
-template <class T>
-inline DecidedByCrossing<T> decided_by_crossing(const Crossing<T>& c, const TimeInterval<T>& clip) {
-  const T lower = max(c.lower, clip.t_in), upper = min(c.upper, clip.t_out), zero(0), one(1);
-  const Mask<T> touches = c.touches & is_sharp(lower, upper);
-  const auto within_one = [&](const T& weight) { return min(max(weight, zero), one); };
-  return {c.is_free, touches, lower, upper, within_one(c.u), within_one(c.v), c.normal};
+inline Crossing<T> decided_by_crossing(Crossing<T> c, const TimeInterval<T>& clip) {
+  c.lower = max(c.lower, clip.t_in);
+  c.upper = min(c.upper, clip.t_out);
+  c.touches = c.touches & is_sharp(c.lower, c.upper);
+  for (T* weight : {&c.u, &c.v}) *weight = min(max(*weight, T(0)), T(1));
+  return c;
 }
 
 }  // namespace tamis

@@ -1,6 +1,5 @@
 // The stages that decide pairs of a step in lanes, over one buffer, and what becomes of the pairs they leave undecided.
 #pragma once
-#include "narrow/sharp_bracket.hpp"
 #include "query/pair_rules.hpp"
 #include "search/workspace.hpp"
 
@@ -25,7 +24,7 @@ void for_each_solved(SearchThread& thread, int count, const Add& add, const Deci
   int undecided = 0;
   for (int i = 0; i < count; ++i) {
     const SolvedPair& s = thread.solved[static_cast<std::size_t>(i)];
-    if (s.is_decided && is_sharp(s.toi_lower, s.toi_upper)) {
+    if (s.is_decided) {
       const Point normal{s.normal[0], s.normal[1], s.normal[2]};
       add(s.pair, PairResult{true, Certainty::certified, s.toi_lower, s.toi_upper, s.u, s.v, normal});
     } else {

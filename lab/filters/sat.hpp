@@ -6,7 +6,7 @@
 // Error bound: error_bounds::kProjection times the axis' largest component. Cost: 8 (VF) or 6 (EE) axes of about 50.
 #pragma once
 #include "filters/filter.hpp"
-#include "filters/projection.hpp"
+#include "motion/difference_corners.hpp"
 
 namespace tamis::lab {
 

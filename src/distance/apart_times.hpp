@@ -4,8 +4,7 @@
 #pragma once
 #include <limits>
 
-#include "distance/difference_corners.hpp"
-#include "distance/distance_along.hpp"
+#include "motion/difference_corners.hpp"
 #include "numerics/assert.hpp"
 #include "numerics/error_bounds.hpp"
 #include "numerics/unit_vector.hpp"

@@ -2,8 +2,7 @@
 // above, and from below the axis along which they lie. Error bounds: kGap, kAxisNow. Cost: about 200 operations.
 #pragma once
 #include "distance/closest.hpp"
-#include "distance/difference_corners.hpp"
-#include "distance/distance_along.hpp"
+#include "motion/difference_corners.hpp"
 #include "motion/pair_motion.hpp"
 #include "numerics/unit_vector.hpp"
 

@@ -3,8 +3,7 @@
 // Error bound: twice that of a projection and of a velocity, so that what is culled here is also beyond reach by the
 // bounds in doubles of narrow/kept_distance.hpp. Cost: about 150 operations.
 #pragma once
-#include "distance/difference_corners.hpp"
-#include "filters/projection.hpp"
+#include "motion/difference_corners.hpp"
 #include "numerics/axes.hpp"
 #include "numerics/error_bounds.hpp"
 

@@ -3,9 +3,9 @@
 // whose Bernstein coefficients bound them from below; so a pair that turns as a whole is proven apart in one go.
 // Error bound: kTurningGap. Cost: about 350 operations.
 #pragma once
-#include "distance/difference_corners.hpp"
 #include "distance/nearly_closest.hpp"
 #include "filters/filter.hpp"
+#include "motion/difference_corners.hpp"
 #include "motion/time_clip.hpp"
 #include "numerics/assert.hpp"
 

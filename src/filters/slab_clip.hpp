@@ -6,7 +6,7 @@
 // Error bound: error_bounds::kProjection. Cost: about 40 operations an axis.
 #pragma once
 #include "filters/filter.hpp"
-#include "filters/projection.hpp"
+#include "motion/difference_corners.hpp"
 #include "motion/time_clip.hpp"
 #include "numerics/axes.hpp"
 

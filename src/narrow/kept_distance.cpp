@@ -4,9 +4,9 @@
 #include <cmath>
 #include <limits>
 
-#include "distance/difference_corners.hpp"
 #include "distance/squared_axis.hpp"
 #include "exact/start_distance.hpp"
+#include "motion/difference_corners.hpp"
 #include "motion/pair_kinds.hpp"
 #include "narrow/decide.hpp"
 #include "narrow/separation.hpp"

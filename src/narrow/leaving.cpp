@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "distance/difference_corners.hpp"
 #include "distance/squared_axis.hpp"
+#include "motion/difference_corners.hpp"
 #include "narrow/advancement.hpp"
 #include "narrow/separation.hpp"
 

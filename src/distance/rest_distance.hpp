@@ -1,9 +1,13 @@
 // The distance of two features at rest, between proven bounds, in doubles or in lanes: closest points bound it from
-// above, and from below the axis along which they lie. Error bounds: kGap, kAxisNow. Cost: about 200 operations.
+// above, and from below the axis along which they lie. In which direction one lies from the other, where that tells:
+// integers tell the rest. Error bounds: kGap, kAxisNow. Cost: about 200 operations.
 #pragma once
+#include <array>
+
 #include "distance/closest.hpp"
 #include "motion/difference_corners.hpp"
 #include "motion/pair_motion.hpp"
+#include "numerics/assert.hpp"
 #include "numerics/unit_vector.hpp"
 
 namespace tamis {
@@ -28,6 +32,55 @@ inline RestDistance<T> rest_distance(const Vec3<T>& e, const Vec3<T>& f, const V
   const Vec3<T> direction = squared_gap<kind>(e, f, closest);
   return {closest, distance_along(difference_corners<kind>(e, f, d), direction, size),
           sqrt(dot(closest.gap, closest.gap)), error_bounds::bound<T>(error_bounds::kRestDistance, size), direction};
+}
+
+/// What NearPair says of closest points.
+template <class T>
+struct NearFacts {
+  std::array<Mask<T>, 4> corners;  ///< as the bits of NearPair::corners
+  Vec3<T> direction;               ///< as in NearPair
+};
+
+/// `u`, `v` as in ClosestPointsOf; `unit`: along its gap, zero or NaN where nothing tells the direction.
+template <PairKind kind, class T>
+inline NearFacts<T> near_facts(const T& u, const T& v, const Vec3<T>& unit) {
+  const T zero(0), one(1);
+  const Mask<T> all(true), none(false);
+  // Edges have the gap from the first to the second. No component is -0.
+  const T sign(kind == PairKind::edge_edge ? -1 : 1);
+  const auto is_known = unit.x == unit.x;  // NOLINT(misc-redundant-expression): NaN where it is not
+  const auto component = [&](const T& x) { return select(is_known, sign * x, zero) + zero; };
+  const Vec3<T> direction{component(unit.x), component(unit.y), component(unit.z)};
+  if constexpr (kind == PairKind::vertex_face)
+    return {{all, u + v<one, u> zero, v > zero}, direction};
+  else if constexpr (kind == PairKind::edge_edge)
+    return {{u<one, u> zero, v<one, v> zero}, direction};
+  else if constexpr (kind == PairKind::vertex_edge)
+    return {{all, u<one, u> zero, none}, direction};
+  else if constexpr (kind == PairKind::vertex_vertex)
+    return {{all, all, none, none}, direction};
+}
+
+/// Of a pair at one time of its step.
+template <class T>
+struct DirectionApart {
+  T u, v;             ///< weights of the closest points, as in Contact
+  Vec3<T> direction;  ///< from the second feature's closest point to the first's; unit where `is_sure`
+  Mask<T> is_sure;    ///< proven: the features are apart, and the direction is no more than 2^-9 off
+};
+
+/// REQUIRES: `m` is the motion of the whole step, `time` in [0,1].
+template <PairKind kind, class T>
+inline DirectionApart<T> direction_apart(const PairMotion<T>& m, const T& time) {
+  TAMIS_ASSERT(is_whole(m) && !any(!((time >= T(0)) & (time <= T(1)))));
+  // Where the corners of the difference are at least c g along a unit vector, g the length of the gap, the gap is no
+  // more than acos(c) off it: below sqrt(2 (1 - c)), and g is off by kGap, which is small beside what `low` lost.
+  constexpr double kSharp = 1 - 0x1p-20;
+  const RestDistance<T> rest =
+      rest_distance<kind>(at_time(m.e, time), at_time(m.f, time), at_time(m.d, time), m.size_d + m.size_e + m.size_f);
+  const auto& [u, v, gap] = rest.closest;
+  const Mask<T> is_sure = (rest.low > T(0)) & (rest.low >= error_bounds::constant<T>(kSharp) * rest.distance);
+  return {u, v, near_facts<kind>(u, v, unit_vector(rest.direction)).direction, is_sure};
 }
 
 }  // namespace tamis

@@ -4,7 +4,7 @@
 #pragma once
 #include <limits>
 
-#include "distance/direction_apart.hpp"
+#include "distance/rest_distance.hpp"
 #include "filters/slab_clip.hpp"
 #include "kernels/compress.hpp"
 #include "kernels/contact_lanes.hpp"

@@ -1,9 +1,8 @@
 #include "narrow/contact_normal.hpp"
 
 #include <cmath>
-#include <optional>
 
-#include "distance/direction_apart.hpp"
+#include "distance/rest_distance.hpp"
 #include "exact/exact.hpp"
 #include "exact/exact_distance.hpp"
 #include "narrow/crossing_slope.hpp"
@@ -38,13 +37,6 @@ Point any_normal(PairKind kind, const PairPoints& points, double time) {
   return {1, 0, 0};
 }
 
-template <PairKind kind>
-std::optional<ContactPlace> closest_place_in_doubles(const PairMotion<double>& m, double time) {
-  const auto [u, v, direction, is_sure] = direction_apart<kind>(m, time);
-  if (!is_sure) return {};
-  return ContactPlace{u, v, {direction.x, direction.y, direction.z}};
-}
-
 /// As side_just_before: the coplanarity, which has that sign for a vertex and the other for edges, falls to zero from
 /// it.
 int side_before_crossing(PairKind kind, const PairPoints& points, const PairMotion<double>& m,
@@ -58,8 +50,9 @@ int side_before_crossing(PairKind kind, const PairPoints& points, const PairMoti
 
 ContactPlace closest_place(PairKind kind, const PairPoints& points, const PairMotion<double>& m, double time) {
   TAMIS_ASSERT(0 <= time && time <= 1 && is_motion_of(m, kind, points));
-  const auto place = with_kind(kind, [&](auto k) { return closest_place_in_doubles<k()>(m, time); });
-  return place ? *place : exact_closest_place(kind, points, time);
+  const auto [u, v, direction, is_sure] = with_kind(kind, [&](auto k) { return direction_apart<k()>(m, time); });
+  if (!is_sure) return exact_closest_place(kind, points, time);
+  return {u, v, {direction.x, direction.y, direction.z}};
 }
 
 ContactPlace exact_closest_place(PairKind kind, const PairPoints& points, double time) {

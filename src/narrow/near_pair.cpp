@@ -1,6 +1,5 @@
 #include "narrow/near_pair.hpp"
 
-#include "distance/near_facts.hpp"
 #include "distance/rest_distance.hpp"
 #include "exact/exact_distance.hpp"
 #include "exact/start_distance.hpp"

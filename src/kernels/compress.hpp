@@ -1,4 +1,4 @@
-// Lanes that a mask names, written to consecutive places.
+// Lanes that a mask names, written to consecutive places; pairs with their times among them.
 #pragma once
 #include "kernels/kernels.hpp"
 #include "kernels/sixteen_lanes.hpp"
@@ -86,6 +86,12 @@ inline void append_bits(unsigned mask, int first, std::int32_t* list, int& count
     store_compressed(some, counting_from(first + lane), list + count);
     count += __builtin_popcount(some);
   });
+}
+
+/// The times in which pairs may touch; `Lanes`: of floats or of doubles.
+template <class Lanes>
+inline TimeInterval<Lanes> load_time(const PairBuffer& pairs, int first) {
+  return {Lanes::load_unaligned(pairs.t_in + first), Lanes::load_unaligned(pairs.t_out + first)};
 }
 
 /// The corners of pair `from`, which becomes pair `to`.

@@ -35,10 +35,6 @@ void search_step_ends(Search& state, int block) {
     BlockSearch<kind, NearBoxes>(state, block).run();
 }
 
-TimeInterval<DoubleLanes> load_time(const PairBuffer& pairs, int first) {
-  return {DoubleLanes::load_unaligned(pairs.t_in + first), DoubleLanes::load_unaligned(pairs.t_out + first)};
-}
-
 void copy_pair(const PairBuffer& in, int from, PairBuffer& out) {
   copy_corners<5>(in, from, out, out.count);
   out.t_in[out.count] = in.t_in[from];
@@ -54,8 +50,7 @@ template <PairKind kind, Course course = Course::step>
 void slab(const BoxVertex* vertices, const BoxSeparation& separation, const PairBuffer& in, PairBuffer& out) {
   for (int first = 0; first < in.count; first += kFloatLanes) {
     const auto time = SlabClip::clip<kind>(load_box_motion<kind, course>(vertices, in, first, separation),
-                                           TimeInterval<FloatLanes>{FloatLanes::load_unaligned(in.t_in + first),
-                                                                    FloatLanes::load_unaligned(in.t_out + first)});
+                                           load_time<FloatLanes>(in, first));
     const unsigned left = bits(time.t_in <= time.t_out) & lanes_in_use(in, first, kFloatLanes);
     out.count += store_pairs<corners_of(course)>(left, in, first, time, out, out.count);
   }
@@ -69,9 +64,9 @@ void leave_out_kept(const BoxVertex* vertices, const BoxSeparation& separation, 
   for (int first = 0; first < pairs.count; first += kFloatLanes) {
     const auto m = load_box_motion<kind>(vertices, pairs, first, separation);
     const KeptGap<kind, FloatLanes> gap(m, FloatLanes(rule.fraction), FloatLanes(BoxFrame::kBlur));
-    const FloatLanes t_out = FloatLanes::load_unaligned(pairs.t_out + first);
-    const unsigned left = lanes_in_use(pairs, first, kFloatLanes) & ~bits(gap.is_kept(min(t_out, FloatLanes(1.0f))));
-    count += store_pairs(left, pairs, first, {FloatLanes::load_unaligned(pairs.t_in + first), t_out}, pairs, count);
+    const auto time = load_time<FloatLanes>(pairs, first);
+    const unsigned left = lanes_in_use(pairs, first, kFloatLanes) & ~bits(gap.is_kept(min(time.t_out, FloatLanes(1))));
+    count += store_pairs(left, pairs, first, time, pairs, count);
   }
   pairs.count = count;
 }
@@ -95,7 +90,7 @@ template <PairKind kind, Course course = Course::step>
 int filter(const PackedVertex* vertices, const PairBuffer& in, PairBuffer& out) {
   int ncf_count = 0;
   for (int first = 0; first < in.count; first += kDoubleLanes) {
-    const auto time = load_time(in, first);
+    const auto time = load_time<DoubleLanes>(in, first);
     const auto m = restrict_to(load_motion<kind, course>(vertices, in, first), time.t_in, time.t_out);
     unsigned left = lanes_in_use(in, first) & ~bits(Dnf::proves_free<kind>(m));
     if (!left) continue;
@@ -109,7 +104,7 @@ int filter(const PackedVertex* vertices, const PairBuffer& in, PairBuffer& out) 
 template <PairKind kind>
 void filter_deviating(const PackedVertex* vertices, double deviation, const PairBuffer& in, PairBuffer& out) {
   for (int first = 0; first < in.count; first += kDoubleLanes) {
-    const auto time = load_time(in, first);
+    const auto time = load_time<DoubleLanes>(in, first);
     const auto whole = load_motion<kind>(vertices, in, first, {deviation, false});  // scaled as the motion is
     const auto m = restrict_to(whole, time.t_in, time.t_out);
     const auto free = Dnf::proves_free_though_deviating<kind>(m, whole.separation);
@@ -135,7 +130,7 @@ int solve(const PackedVertex* vertices, const PairBuffer& in, PairBuffer& rest, 
   rest.count = 0;
   const auto make = [&](int first) {
     return CrossingBatch{first, lanes_in_use(in, first), load_motion<kind, course>(vertices, in, first),
-                         load_time(in, first)};
+                         load_time<DoubleLanes>(in, first)};
   };
   for_each_crossing<kind>(in.count, make, [&](const CrossingBatch& batch, const Crossing<DoubleLanes>& c) {
     const unsigned left = batch.lanes & ~bits(c.is_free), touches = left & bits(c.touches);
@@ -147,7 +142,7 @@ int solve(const PackedVertex* vertices, const PairBuffer& in, PairBuffer& rest, 
     });
   });
   for (int first = 0; first < rest.count; first += kDoubleLanes) {
-    const auto part = load_time(rest, first);
+    const auto part = load_time<DoubleLanes>(rest, first);
     const auto c = find_crossing_in_halves<kind>(load_motion<kind, course>(vertices, rest, first), part);
     const unsigned left = lanes_in_use(rest, first) & ~bits(c.is_free);
     if (left) count = write_solved(c, part, left, rest_pairs + first, out, count);

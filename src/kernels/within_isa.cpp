@@ -15,12 +15,11 @@ int cull_in_parts(int parts, const BoxVertex* vertices, const BoxSeparation& sep
   int count = 0;
   for (int first = 0; first < in.count; first += kFloatLanes) {
     const auto m = load_box_motion<kind>(vertices, in, first, separation);
-    const FloatLanes t_in = FloatLanes::load_unaligned(in.t_in + first);
-    const FloatLanes t_out = FloatLanes::load_unaligned(in.t_out + first);
-    const TimeInterval<FloatLanes> time{t_in, min(t_out, FloatLanes(1.0f))};
+    const auto time = load_time<FloatLanes>(in, first);
+    const TimeInterval<FloatLanes> of_step{time.t_in, min(time.t_out, FloatLanes(1))};
     const unsigned left =
-        lanes_in_use(in, first, kFloatLanes) & ~bits(TurningGap<kind, FloatLanes>(m).stays_apart(time, parts));
-    count += store_pairs(left, in, first, {t_in, t_out}, out, count);
+        lanes_in_use(in, first, kFloatLanes) & ~bits(TurningGap<kind, FloatLanes>(m).stays_apart(of_step, parts));
+    count += store_pairs(left, in, first, time, out, count);
   }
   return count;
 }

@@ -41,13 +41,17 @@ bool is_proven_free(const TimeInterval<double>& clip, const ContactRule& rule) {
   return clip.t_in > clip.t_out || clip.t_in > rule.latest;
 }
 
-/// What a crossing that `find` finds in widened(clip) decides; nothing where that takes more.
-template <class Find>
-std::optional<PairResult> decided_within(const PairMotion<double>& m, const TimeInterval<double>& clip,
-                                         const ContactRule& rule, const Find& find) {
+/// What one crossing decides in what the clip on the coordinates leaves, or two in what that on all axes does; nothing
+/// where that takes more.
+template <PairKind kind, SlabClip::Axes axes>
+std::optional<PairResult> decided_after_clip(const PairMotion<double>& m, const ContactRule& rule) {
+  const auto clip = SlabClip::clip<kind, axes>(m, kWholeStep);
   if (is_proven_free(clip, rule)) return PairResult{};
   if (clip.t_in == 0 && may_start_coplanar(m)) return {};
-  const auto s = decided_by_crossing(find(m, widened(clip)), clip);
+  const auto part = widened(clip);
+  const auto s = decided_by_crossing(
+      axes == SlabClip::Axes::coordinates ? find_crossing<kind>(m, part) : find_crossing_in_halves<kind>(m, part),
+      clip);
   if (s.is_free) return PairResult{};
   if (!s.touches) return {};
   return PairResult{true, Certainty::certified, s.lower, s.upper, s.u, s.v, {s.normal.x, s.normal.y, s.normal.z}};
@@ -55,12 +59,8 @@ std::optional<PairResult> decided_within(const PairMotion<double>& m, const Time
 
 template <PairKind kind>
 std::optional<PairResult> decided_by_crossings(const PairMotion<double>& m, const ContactRule& rule) {
-  const auto one = [](const auto&... in) { return find_crossing<kind>(in...); };
-  const auto in_halves = [](const auto&... in) { return find_crossing_in_halves<kind>(in...); };
-  if (const auto result =
-          decided_within(m, SlabClip::clip<kind, SlabClip::Axes::coordinates>(m, kWholeStep), rule, one))
-    return result;
-  return decided_within(m, SlabClip::clip<kind>(m, kWholeStep), rule, in_halves);
+  const auto by_one = decided_after_clip<kind, SlabClip::Axes::coordinates>(m, rule);
+  return by_one ? by_one : decided_after_clip<kind, SlabClip::Axes::all>(m, rule);
 }
 
 std::optional<PairResult> decided_by_crossings(PairKind kind, const PairMotion<double>& m, const ContactRule& rule) {

@@ -53,11 +53,7 @@ class Leaving {
     if (farthest(until.time, from.sight.closest) <= m_.separation) return true;
     if (halvings == 0) return false;
     const Seen middle = at(0.5 * (from.time + until.time));
-    if (!middle.touches) return false;
-    if (std::max(farthest(from.time, middle.sight.closest), farthest(until.time, middle.sight.closest)) <=
-        m_.separation)
-      return true;
-    return stays(from, middle, halvings - 1) && stays(middle, until, halvings - 1);
+    return middle.touches && stays(from, middle, halvings - 1) && stays(middle, until, halvings - 1);
   }
 
   /// `last` touches, `next` seems not to; both come nearer to the time between them at which the pair leaves.

@@ -5,7 +5,7 @@
 namespace tamis {
 
 void CandidateConsumer::begin(CandidateQuery& shared) {
-  PairConsumer::begin(shared.query);
+  PairStream::begin(shared.query);
   shared_ = &shared;
   release();  // an exception may have left pairs of another query
 }
@@ -41,9 +41,7 @@ bool CandidateSearch::list(const Query& query, double deviation, float until, Pa
   streams_.begin(asked);
   double part = 0;
   for (const Sample& sample : Samples(trees.most_leaf_blocks())) {
-    trees.for_each_kind([&](PairKind kind, const TreeView& a, const TreeView& b) {
-      if (!asked.bound.is_settled()) streams_.search(kind, a, b, sample, until);
-    });
+    streams_.search_trees(sample, until);
     streams_.finish([&](CandidateConsumer& consumer) { lists.take(consumer.candidates()); });
     part += 1.0 / sample.stride;
     const double work = static_cast<double>(streams_.counts().work(0).pairs);

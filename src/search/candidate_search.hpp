@@ -19,12 +19,12 @@ struct CandidateQuery {
 };
 
 /// Lists pairs that may touch although vertices deviate from the step, and decides none.
-class CandidateConsumer final : public PairConsumer {
+class CandidateConsumer final : public PairStream {
  public:
   static constexpr bool kHoldsPairsBack = true;
   using Shared = CandidateQuery;
 
-  using PairConsumer::PairConsumer;
+  using PairStream::PairStream;
 
   void begin(CandidateQuery& shared);
   /// Those found since they were last taken.

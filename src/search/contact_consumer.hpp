@@ -9,16 +9,16 @@
 
 namespace tamis {
 
-class ContactConsumer final : public PairConsumer {
+class ContactConsumer final : public PairStream {
  public:
   static constexpr bool kHoldsPairsBack = true;
   using Shared = const ContactCollector;
 
-  using PairConsumer::PairConsumer;
+  using PairStream::PairStream;
 
   /// Of the answer, which has begun.
   void begin(const ContactCollector& answer) {
-    PairConsumer::begin(answer.query());
+    PairStream::begin(answer.query());
     found_.begin(answer.query(), answer.bound());
     found_.learn(answer);
   }

@@ -58,9 +58,7 @@ void ContactSearch::search_lists(ContactCollector& answer) {
       std::max(streams_.parts_of(lists[PairKind::vertex_face]), streams_.parts_of(lists[PairKind::edge_edge]));
   float t_limit = 1;
   for (const Sample& sample : samples_for(answer.query(), most_parts)) {
-    workspace_.trees.for_each_kind([&](PairKind kind, const TreeView&, const TreeView&) {
-      if (answer.wants(kind)) streams_.search(kind, lists[kind], sample, ahead_.when(), t_limit);
-    });
+    streams_.search_lists(lists, sample, ahead_.when(), t_limit);
     t_limit = std::min(t_limit, gather(answer));
   }
 }
@@ -83,10 +81,7 @@ bool ContactSearch::search_beginnings(ContactCollector& answer, Statistics& stat
       trees.load_vertices(query.step, query.separations, statistics);
       streams_.begin(answer);
       answer.count_ignored_anew();
-      const float t_limit = float_after(answer.bound().latest());
-      trees.for_each_kind([&](PairKind kind, const TreeView&, const TreeView&) {
-        streams_.search(kind, lists[kind], {0, 1}, {0, 1}, t_limit);
-      });
+      streams_.search_lists(lists, {0, 1}, {0, 1}, float_after(answer.bound().latest()));
       gather(answer);
       if (answer.bound().latest() < length) return true;  // what is not listed touches at `length` or later
     }
@@ -104,9 +99,7 @@ void ContactSearch::search_trees(ContactCollector& answer) {
   answer.count_ignored_anew();
   float t_limit = float_after(answer.bound().latest());  // lists may have found something
   for (const Sample& sample : samples_for(answer.query(), trees.most_leaf_blocks())) {
-    trees.for_each_kind([&](PairKind kind, const TreeView& a, const TreeView& b) {
-      if (answer.wants(kind)) streams_.search(kind, a, b, sample, t_limit);
-    });
+    streams_.search_trees(sample, t_limit);
     t_limit = std::min(t_limit, gather(answer));
   }
 }

@@ -46,7 +46,6 @@ class FeatureTrees {
   /// Of the trees that make pairs, together; and of the largest.
   int leaf_blocks() const { return points_.view().leaf_blocks + edges_.view().leaf_blocks; }
   int most_leaf_blocks() const { return std::max(points_.view().leaf_blocks, edges_.view().leaf_blocks); }
-  TreeView points() const { return points_.view(); }
   TreeView edges() const { return edges_.view(); }
   TreeView faces() const { return faces_.view(); }
   /// f(kind, a, b): the trees whose features make the pairs of each kind there is. Loose points meet loose edges, and

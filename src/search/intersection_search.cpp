@@ -20,7 +20,7 @@ Face face_of(const PairBuffer& pairs, int i) { return {pairs.corner[1][i], pairs
 }  // namespace
 
 void IntersectionConsumer::begin(IntersectionQuery& shared) {
-  PairConsumer::begin(shared.query);
+  PairStream::begin(shared.query);
   shared_ = &shared;
   found_.clear();
 }

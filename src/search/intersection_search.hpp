@@ -15,12 +15,12 @@ struct IntersectionQuery {
   Bound bound = {};  ///< settled: nothing more is asked for
 };
 
-class IntersectionConsumer final : public PairConsumer {
+class IntersectionConsumer final : public PairStream {
  public:
   static constexpr bool kHoldsPairsBack = true;
   using Shared = IntersectionQuery;
 
-  using PairConsumer::PairConsumer;
+  using PairStream::PairStream;
 
   void begin(IntersectionQuery& shared);
   const std::vector<Intersection>& found() const { return found_; }

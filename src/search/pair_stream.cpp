@@ -7,7 +7,8 @@
 
 namespace tamis {
 
-void PairStream::begin() {
+void PairStream::begin(const Query& query) {
+  query_ = &query;
   thread_.counts = {};
   thread_.boxes.count = 0;
 }
@@ -17,13 +18,13 @@ void PairStream::search(PairKind kind, const TreeView& a, const TreeView& b, con
   set_kind(kind);
   Search search{a, b};
   search.t_limit = t_limit;
-  consumer_.set_limits(search);
+  set_limits(search);
   search.pairs = &thread_.boxes;
   search.flush = flush;
   search.context = this;
-  const SearchKernel kernel = consumer_.kernel(kind);
-  for (int block = blocks.first; block < blocks.last && consumer_.wants(kind); block += blocks.stride)
-    search_block(kernel, search, block);
+  const SearchKernel find = kernel(kind);
+  for (int block = blocks.first; block < blocks.last && wants(kind); block += blocks.stride)
+    search_block(find, search, block);
   thread_.counts.nodes_visited += search.nodes_visited;
   thread_.counts.traverse += thread_.watch.lap();
 }
@@ -33,10 +34,10 @@ void PairStream::search(PairKind kind, const PairList& pairs, std::size_t first,
   thread_.watch.lap();
   set_kind(kind);
   constexpr std::size_t kPairsAtOnce = 256;
-  for (; first < last && consumer_.wants(kind); first += kPairsAtOnce) {
+  for (; first < last && wants(kind); first += kPairsAtOnce) {
     if (static_cast<std::size_t>(thread_.boxes.count) + kPairsAtOnce > PairBuffer::kCapacity) {
       thread_.counts.traverse += thread_.watch.lap();
-      consume();
+      hand_over();
     }
     pairs.copy(first, std::min(last, first + kPairsAtOnce), when, t_limit, thread_.boxes);
   }
@@ -45,26 +46,26 @@ void PairStream::search(PairKind kind, const PairList& pairs, std::size_t first,
 
 void PairStream::finish() {
   thread_.watch.lap();
-  consume();
+  hand_over();
 }
 
 void PairStream::flush(Search& search) {
   auto& self = *static_cast<PairStream*>(search.context);
   self.thread_.counts.traverse += self.thread_.watch.lap();
-  self.consume();
-  self.consumer_.set_limits(search);
+  self.hand_over();
+  self.set_limits(search);
 }
 
 void PairStream::set_kind(PairKind kind) {
-  if (kind != kind_) consume();
+  if (kind != kind_) hand_over();
   kind_ = kind;
 }
 
-void PairStream::consume() {
-  stop_if_cancelled(consumer_.query());
+void PairStream::hand_over() {
+  stop_if_cancelled(query());
   if (thread_.boxes.count == 0) return;
   keep_each_once(kind_, thread_.boxes);
-  consumer_.consume(kind_);
+  consume(kind_);
   thread_.boxes.count = 0;
   thread_.counts.solving += thread_.watch.lap();
 }

@@ -1,5 +1,5 @@
-// One thread's stream of pairs: searches leaf blocks, or a list, into a small buffer, and hands each full one to the
-// consumer of the question.
+// One thread's stream of pairs: searches leaf blocks, or a list, into a small buffer. What becomes of each full one is
+// a class for each question.
 #pragma once
 #include "coherence/pair_list.hpp"
 #include "query/query.hpp"
@@ -7,14 +7,36 @@
 
 namespace tamis {
 
-/// What becomes of the pairs: a class for each question. One is made for each thread, and begins anew with each query.
-class PairConsumer {
+/// Leaf blocks first, first + stride, ... below last.
+struct BlockRange {
+  int first, last, stride;
+};
+
+/// One is made for each thread, and begins anew with each query.
+class PairStream {
  public:
   /// Keeps a reference.
-  explicit PairConsumer(SearchThread& thread) : thread_(thread) {}
-  virtual ~PairConsumer() = default;
+  explicit PairStream(SearchThread& thread) : thread_(thread) {}
+  virtual ~PairStream() = default;
+  PairStream(const PairStream&) = delete;
+
+  /// Every `blocks.stride`-th leaf block of `a` against all of `b`, as far as they may touch until `t_limit`.
+  void search(PairKind kind, const TreeView& a, const TreeView& b, const BlockRange& blocks, float t_limit);
+  /// The pairs first to last of a list, as far as they may touch at some time of `when`, by the list, and until
+  /// `t_limit`, by this query.
+  void search(PairKind kind, const PairList& pairs, std::size_t first, std::size_t last,
+              const TimeInterval<float>& when, float t_limit);
+  /// Hands over what is still in the buffer: so many pairs.
+  void finish();
+  int waiting() const { return thread_.boxes.count; }
 
   const Query& query() const { return *query_; }
+  const SearchCounts& counts() const { return thread_.counts; }
+
+ protected:
+  /// Forgets what the thread had of another query: an exception may have left pairs.
+  void begin(const Query& query);
+  SearchThread& thread() const { return thread_; }
 
   /// Can pairs of this kind still change the answer? Asked before each leaf block.
   virtual bool wants(PairKind) const { return true; }
@@ -25,43 +47,13 @@ class PairConsumer {
   /// Takes the pairs of thread().boxes, each of which is there once. What it leaves there is forgotten.
   virtual void consume(PairKind kind) = 0;
 
- protected:
-  void begin(const Query& query) { query_ = &query; }
-  SearchThread& thread() const { return thread_; }
-
- private:
-  SearchThread& thread_;
-  const Query* query_ = nullptr;
-};
-
-/// Leaf blocks first, first + stride, ... below last.
-struct BlockRange {
-  int first, last, stride;
-};
-
-class PairStream {
- public:
-  /// Keeps references.
-  PairStream(SearchThread& thread, PairConsumer& consumer) : thread_(thread), consumer_(consumer) {}
-
-  /// Forgets what the thread had of another query: an exception may have left pairs.
-  void begin();
-  /// Every `blocks.stride`-th leaf block of `a` against all of `b`, as far as they may touch until `t_limit`.
-  void search(PairKind kind, const TreeView& a, const TreeView& b, const BlockRange& blocks, float t_limit);
-  /// The pairs first to last of a list, as far as they may touch at some time of `when`, by the list, and until
-  /// `t_limit`, by this query.
-  void search(PairKind kind, const PairList& pairs, std::size_t first, std::size_t last,
-              const TimeInterval<float>& when, float t_limit);
-  /// Hands over what is still in the buffer.
-  void finish();
-
  private:
   static void flush(Search& search);
   void set_kind(PairKind kind);
-  void consume();
+  void hand_over();
 
   SearchThread& thread_;
-  PairConsumer& consumer_;
+  const Query* query_ = nullptr;
   PairKind kind_ = PairKind::vertex_face;  ///< of the pairs in the buffer
 };
 

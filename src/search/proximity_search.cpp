@@ -12,7 +12,7 @@
 namespace tamis {
 
 void ProximityConsumer::begin(const Query& query) {
-  PairConsumer::begin(query);
+  PairStream::begin(query);
   for (auto& pairs : found_) pairs.clear();
 }
 
@@ -65,8 +65,7 @@ void ProximitySearch::find(const Query& query, std::vector<NearPair>& pairs, Sta
   workspace_.trees.refit_or_rebuild(query.step, query.separations, LooksAt::start, statistics);
   Stopwatch watch;
   streams_.begin(query);
-  workspace_.trees.for_each_kind(
-      [&](PairKind kind, const TreeView& a, const TreeView& b) { streams_.search(kind, a, b); });
+  streams_.search_trees();
   streams_.report(statistics, watch.lap(), {&SearchCounts::boxes, &SearchCounts::near});
   gather(query);
   describe(pairs);
@@ -99,8 +98,7 @@ void ProximitySearch::describe(std::vector<NearPair>& pairs) {
     const auto& list = lists_[kind];
     constexpr std::size_t kGrain = 4096;
     in_parts(list.size(), kGrain, [&](std::size_t begin, std::size_t end) {
-      streams_.consumer().describe(static_cast<PairKind>(kind), std::span(list).subspan(begin, end - begin),
-                                   out + begin);
+      streams_.local().describe(static_cast<PairKind>(kind), std::span(list).subspan(begin, end - begin), out + begin);
     });
     out += list.size();
   }

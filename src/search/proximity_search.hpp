@@ -12,13 +12,13 @@
 namespace tamis {
 
 /// Which pairs are within their separation at rest: closest points in lanes, and in integers where doubles do not tell.
-class ProximityConsumer final : public PairConsumer {
+class ProximityConsumer final : public PairStream {
  public:
   /// Threads share the decisions evenly.
   static constexpr bool kHoldsPairsBack = false;
   using Shared = const Query;
 
-  using PairConsumer::PairConsumer;
+  using PairStream::PairStream;
 
   void begin(const Query& query);
   /// Of one kind, in no order.

@@ -33,7 +33,7 @@ ClearanceBounds StepLengthQuery::clearance_bounds(double until) const {
 }
 
 void StepLengthConsumer::begin(StepLengthQuery& shared) {
-  PairConsumer::begin(shared.query);
+  PairStream::begin(shared.query);
   shared_ = &shared;
   limit_ = {};
   ends_.clear();

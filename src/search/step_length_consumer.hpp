@@ -31,12 +31,12 @@ struct StepLengthQuery {
   ClearanceBounds clearance_bounds(double until) const;
 };
 
-class StepLengthConsumer final : public PairConsumer {
+class StepLengthConsumer final : public PairStream {
  public:
   static constexpr bool kHoldsPairsBack = false;
   using Shared = StepLengthQuery;
 
-  using PairConsumer::PairConsumer;
+  using PairStream::PairStream;
 
   void begin(StepLengthQuery& shared);
   const StepLimit& limit() const { return limit_; }

@@ -73,9 +73,7 @@ void StepLengthSearch::ask(StepLengthQuery& asked, Statistics& statistics) {
   const bool is_listed = begin(asked, statistics);
   const Stopwatch watch;
   if (is_listed)
-    workspace_.trees.for_each_kind([&](PairKind kind, const TreeView&, const TreeView&) {
-      streams_.search(kind, of_start_.lists()[kind], {0, 1}, {0, 1}, 1);
-    });
+    streams_.search_lists(of_start_.lists());
   else
     search_trees(asked);
   streams_.report(statistics, watch.seconds(), {&SearchCounts::boxes, &SearchCounts::near});
@@ -84,9 +82,9 @@ void StepLengthSearch::ask(StepLengthQuery& asked, Statistics& statistics) {
 void StepLengthSearch::search_trees(StepLengthQuery& asked) {
   const Samples samples = asked.lists_all ? Samples() : Samples(workspace_.trees.most_leaf_blocks());
   const Sample& first = *samples.begin();
-  search(first);
+  streams_.search_trees(first);
   if (!asked.lists_all && meets_many(first)) search_short_steps(asked.bound, samples);
-  for (const Sample& sample : std::span(samples).subspan(1)) search(sample);
+  for (const Sample& sample : std::span(samples).subspan(1)) streams_.search_trees(sample);
 }
 
 /// Of the sample, which has been searched.
@@ -105,15 +103,10 @@ void StepLengthSearch::search_short_steps(Bound& bound, const Samples& samples) 
     const double earliest = bound.latest();
     if (until >= kShort * earliest) return;
     bound.begin(until);
-    for (const Sample& sample : samples) search(sample);
+    for (const Sample& sample : samples) streams_.search_trees(sample);
     if (bound.latest() < until) return;
     bound.begin(earliest);
   }
-}
-
-void StepLengthSearch::search(const Sample& sample) {
-  workspace_.trees.for_each_kind(
-      [&](PairKind kind, const TreeView& a, const TreeView& b) { streams_.search(kind, a, b, sample); });
 }
 
 }  // namespace tamis

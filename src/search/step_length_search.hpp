@@ -36,7 +36,6 @@ class StepLengthSearch {
   bool list_near(const Query& query, Statistics& statistics);
   void fit_residuals(StepLengthQuery& asked);
   void search_trees(StepLengthQuery& asked);
-  void search(const Sample& sample);
   bool meets_many(const Sample& sample) const;
   void search_short_steps(Bound& bound, const Samples& samples);
 

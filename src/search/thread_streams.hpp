@@ -1,4 +1,4 @@
-// The streams of all threads that take part in a question, each with its consumer.
+// The streams of all threads that take part in a question.
 #pragma once
 #include <algorithm>
 
@@ -8,7 +8,8 @@
 
 namespace tamis {
 
-/// A `Consumer` is made of a SearchThread, and begins with a `Consumer::Shared`. Where it holds pairs back
+/// A `Consumer` is a PairStream. It is made of a SearchThread, and begins with a `Consumer::Shared`. Where it holds
+/// pairs back
 /// (`kHoldsPairsBack`), those of one part of a search wait in the buffer for those of the next; else a part ends with
 /// its pairs decided, so that they can shorten the search of the rest.
 template <class Consumer>
@@ -18,15 +19,20 @@ class ThreadStreams {
 
   /// Keeps a reference.
   explicit ThreadStreams(Workspace& workspace)
-      : workspace_(workspace), of_threads_([&workspace] { return OfThread(*workspace.threads.local()); }) {}
+      : workspace_(workspace), of_threads_([&workspace] { return Consumer(*workspace.threads.local()); }) {}
 
   /// Keeps a reference until the next time.
   void begin(Shared& shared) {
     shared_ = &shared;
-    for (OfThread& one : of_threads_) one.begin(shared);
+    for (Consumer& one : of_threads_) one.begin(shared);
   }
 
-  /// The sample's leaf blocks of `a` against all of `b`, until `t_limit`.
+  /// The sample's leaf blocks of the trees, until `t_limit`: pairs of all kinds.
+  void search_trees(const Sample& sample = {0, 1}, float t_limit = 1) {
+    workspace_.trees.for_each_kind(
+        [&](PairKind kind, const TreeView& a, const TreeView& b) { search(kind, a, b, sample, t_limit); });
+  }
+  /// The sample's leaf blocks of `a` against all of `b`.
   void search(PairKind kind, const TreeView& a, const TreeView& b, const Sample& sample = {0, 1}, float t_limit = 1) {
     for_each_part(sample.count_in(a.leaf_blocks), [&](PairStream& stream, int begin, int end) {
       const int first = sample.first + begin * sample.stride, last = sample.first + end * sample.stride;
@@ -35,17 +41,11 @@ class ThreadStreams {
     });
   }
 
-  /// The sample's parts of a list, as far as the pairs may touch at some time of `when`, by the list, and until
+  /// The sample's parts of the lists, as far as the pairs may touch at some time of `when`, by the list, and until
   /// `t_limit`, by this query.
-  void search(PairKind kind, const PairList& pairs, const Sample& sample, const TimeInterval<float>& when,
-              float t_limit) {
-    for_each_part(sample.count_in(parts_of(pairs)), [&](PairStream& stream, int begin, int end) {
-      for (int i = begin; i < end; ++i) {
-        const auto first = static_cast<std::size_t>(sample.first + i * sample.stride) * kPairsAPart;
-        stream.search(kind, pairs, first, std::min(first + kPairsAPart, pairs.size()), when, t_limit);
-      }
-      if constexpr (!Consumer::kHoldsPairsBack) stream.finish();
-    });
+  void search_lists(const PairLists& lists, const Sample& sample = {0, 1}, const TimeInterval<float>& when = {0, 1},
+                    float t_limit = 1) {
+    for (std::size_t i = 0; i < kPairKinds; ++i) search(static_cast<PairKind>(i), lists, sample, when, t_limit);
   }
   /// Of a list: what a sample counts.
   static int parts_of(const PairList& pairs) {
@@ -57,24 +57,29 @@ class ThreadStreams {
   void finish(const F& f) {
     constexpr int kPairsWorthSharing = 512;
     int left = 0;
-    for (const OfThread& one : of_threads_) left += one.thread.boxes.count;
+    for (const Consumer& one : of_threads_) left += one.waiting();
     const std::size_t grain = left < kPairsWorthSharing ? of_threads_.size() : 1;
     in_parts(of_threads_.size(), grain, [&](std::size_t begin, std::size_t end) {
-      for (; begin != end; ++begin) of_threads_.begin()[static_cast<std::ptrdiff_t>(begin)].stream.finish();
+      for (; begin != end; ++begin) of_threads_.begin()[static_cast<std::ptrdiff_t>(begin)].finish();
     });
     for_each(f);
   }
   template <class F>
   void for_each(const F& f) {
-    for (OfThread& one : of_threads_) f(one.consumer);
+    for (Consumer& one : of_threads_) f(one);
   }
   /// This thread's.
-  Consumer& consumer() { return local().consumer; }
+  Consumer& local() {
+    bool is_known = false;
+    Consumer& one = of_threads_.local(is_known);
+    if (!is_known) one.begin(*shared_);
+    return one;
+  }
 
   /// Of all threads in this question.
   SearchCounts counts() const {
     SearchCounts sum;
-    for (const OfThread& one : of_threads_) sum += one.thread.counts;
+    for (const Consumer& one : of_threads_) sum += one.counts();
     return sum;
   }
   /// Returns them. `wall`: seconds that the threads took together. `stages`: those that the question has, in order.
@@ -89,44 +94,35 @@ class ThreadStreams {
   /// Beside the workspace.
   std::uint64_t memory_bytes() const {
     std::uint64_t bytes = 0;
-    for (const OfThread& one : of_threads_) bytes += one.consumer.memory_bytes();
+    for (const Consumer& one : of_threads_) bytes += one.memory_bytes();
     return bytes;
   }
 
  private:
   static constexpr std::size_t kPairsAPart = 1024;
 
+  void search(PairKind kind, const PairLists& lists, const Sample& sample, const TimeInterval<float>& when,
+              float t_limit) {
+    const PairList& pairs = lists[kind];
+    for_each_part(sample.count_in(parts_of(pairs)), [&](PairStream& stream, int begin, int end) {
+      for (int i = begin; i < end; ++i) {
+        const auto first = static_cast<std::size_t>(sample.first + i * sample.stride) * kPairsAPart;
+        stream.search(kind, pairs, first, std::min(first + kPairsAPart, pairs.size()), when, t_limit);
+      }
+      if constexpr (!Consumer::kHoldsPairsBack) stream.finish();
+    });
+  }
+
   /// f(stream of the thread, begin, end) for all parts of 0 to `count`.
   template <class F>
   void for_each_part(int count, const F& f) {
     constexpr int kGrain = 8;
-    in_parts(count, kGrain, [&](int begin, int end) { f(local().stream, begin, end); });
-  }
-
-  struct OfThread {
-    explicit OfThread(SearchThread& t) : thread(t), consumer(t), stream(t, consumer) {}
-    OfThread(const OfThread&) = delete;
-
-    void begin(Shared& shared) {
-      stream.begin();
-      consumer.begin(shared);
-    }
-
-    SearchThread& thread;
-    Consumer consumer;
-    PairStream stream;
-  };
-
-  OfThread& local() {
-    bool is_known = false;
-    OfThread& one = of_threads_.local(is_known);
-    if (!is_known) one.begin(*shared_);
-    return one;
+    in_parts(count, kGrain, [&](int begin, int end) { f(local(), begin, end); });
   }
 
   Workspace& workspace_;
   Shared* shared_ = nullptr;
-  tbb::enumerable_thread_specific<OfThread> of_threads_;
+  tbb::enumerable_thread_specific<Consumer> of_threads_;
 };
 
 }  // namespace tamis

@@ -65,7 +65,7 @@ TEST_F(Contracts, SearchesThatCannotEnd) {
   Trees t;
   t.trees.refit_or_rebuild(t.step, {}, LooksAt::whole_step, t.statistics);
   PairBuffer pairs;
-  Search search{t.trees.points(), t.trees.faces()};
+  Search search{t.trees.edges(), t.trees.faces()};
   const auto kernel = kernels(Isa::best).of(PairKind::vertex_face).search;
   search.pairs = &pairs;
   EXPECT_DEATH(search_block(kernel, search, 0), "search.flush");

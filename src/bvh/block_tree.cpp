@@ -38,8 +38,9 @@ void BlockTree::set_groups(std::span<const Index> group_of_vertex, std::span<con
   groups_.may_touch = group_of_vertex.empty() || may_touch.empty() ? nullptr : may_touch.data();
   groups_.group_count = group_count;
   const auto count = static_cast<std::size_t>(group_count);
-  is_apart_.assign(groups_.may_touch ? count : 0, 0);
-  for (std::size_t group = 0; group < is_apart_.size(); ++group) is_apart_[group] = !may_touch[group * count + group];
+  self_apart_.assign(groups_.may_touch ? count : 0, 0);
+  for (std::size_t group = 0; group < self_apart_.size(); ++group)
+    self_apart_[group] = !may_touch[group * count + group];
 }
 
 void BlockTree::build(const PackedMotion& motion, const OrderAxes& by, const TreeKernels& kernels, const Pause& pause) {
@@ -81,14 +82,14 @@ GroupOrder BlockTree::order_groups(const PackedMotion& motion, Split split) cons
     const auto vertex = static_cast<std::size_t>(vertex_of(static_cast<Index>(i), 0));
     features[i] = {group_of_vertex_[vertex], motion.box_vertices[vertex].at};
   }
-  return tamis::order_groups(features, is_apart_, split);
+  return tamis::order_groups(features, self_apart_, split);
 }
 
 void BlockTree::choose_order(const PackedMotion& motion, const OrderAxes& by, Split split, const Pause& pause) {
   const auto n = static_cast<std::size_t>(feature_count()), corners = static_cast<std::size_t>(corners_);
   CenterStore store(n, by.count());
   const Centers centers = store.view();
-  const GroupOrder groups = parts_groups() ? order_groups(motion, split) : GroupOrder();
+  const GroupOrder groups = separates_groups() ? order_groups(motion, split) : GroupOrder();
   parallel_blocks(blocks_for(n), [&](std::size_t block) {
     for (std::size_t i = block * kBlock; i < std::min(n, (block + 1) * kBlock); ++i) {
       const Index feature = groups.features.empty() ? static_cast<Index>(i) : groups.features[i];

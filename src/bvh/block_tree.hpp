@@ -89,13 +89,13 @@ class BlockTree {
   };
   Areas areas() const;
   std::uint64_t memory_bytes() const {
-    return held_bytes(corner_blocks_, is_apart_, levels_, residuals_, group_of_block_);
+    return held_bytes(corner_blocks_, self_apart_, levels_, residuals_, group_of_block_);
   }
 
  private:
   /// Is there a group that does not touch itself, and another one?
-  bool parts_groups() const {
-    return groups_.group_count > 1 && std::ranges::find(is_apart_, std::uint8_t{1}) != is_apart_.end();
+  bool separates_groups() const {
+    return groups_.group_count > 1 && std::ranges::find(self_apart_, std::uint8_t{1}) != self_apart_.end();
   }
   Index vertex_of(Index feature, std::size_t corner) const {
     return vertices_[static_cast<std::size_t>(feature) * static_cast<std::size_t>(corners_) + corner];
@@ -116,7 +116,7 @@ class BlockTree {
   Levels levels_, residuals_;
   std::span<const Index> group_of_vertex_;
   BlockGroups groups_{};
-  std::vector<std::uint8_t> is_apart_;              ///< of each group: does it not touch itself?
+  std::vector<std::uint8_t> self_apart_;            ///< of each group: does it not touch itself?
   std::vector<std::vector<Index>> group_of_block_;  ///< as BlockGroups::of
 };
 

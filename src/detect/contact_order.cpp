@@ -12,16 +12,16 @@ namespace tamis {
 namespace {
 
 /// Between two calls of `pause`: well below a millisecond.
-constexpr std::size_t kContactsAPause = std::size_t{1} << 14;
+constexpr std::size_t kContactsPerPause = std::size_t{1} << 14;
 /// With fewer contacts the buckets would be most of the work.
-constexpr std::size_t kVerticesAContact = 64;
+constexpr std::size_t kVerticesPerContact = 64;
 
 /// f(i) of all i below `count`, in order, `pause` now and then.
 template <class F>
 void for_each_place(std::size_t count, const std::function<void()>& pause, const F& f) {
-  for (std::size_t first = 0; first < count; first += kContactsAPause) {
+  for (std::size_t first = 0; first < count; first += kContactsPerPause) {
     pause();
-    const std::size_t end = std::min(count, first + kContactsAPause);
+    const std::size_t end = std::min(count, first + kContactsPerPause);
     for (std::size_t i = first; i < end; ++i) f(i);
   }
 }
@@ -31,7 +31,7 @@ void for_each_place(std::size_t count, const std::function<void()>& pause, const
 /// A counting sort into one bucket a kind and first vertex, then each small bucket by the other vertices, which lie
 /// together with the contact's place: contacts are looked at once and moved once.
 void ContactSorter::sort(std::vector<Contact>& contacts, Index vertex_count, const std::function<void()>& pause) {
-  if (contacts.size() < at(vertex_count) / kVerticesAContact)
+  if (contacts.size() < at(vertex_count) / kVerticesPerContact)
     return std::sort(contacts.begin(), contacts.end(), comes_before);
   fill_buckets(contacts, vertex_count, pause);
   const std::size_t buckets = first_.size() - 2;

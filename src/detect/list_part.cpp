@@ -24,12 +24,12 @@ bool are_rows(const Pair& pair, Index rows) {
 
 /// Pairs of one kind on their way through the lanes.
 struct Batch {
-  static constexpr int kPairsABatch =
+  static constexpr int kPairsPerBatch =
       128;  // so that the vertices they name, fetched as they come, stay in the first cache
 
   PairBuffer pairs, rest;
-  std::int32_t places[kPairsABatch + PairBuffer::kPadding];
-  std::int32_t undecided[kPairsABatch];
+  std::int32_t places[kPairsPerBatch + PairBuffer::kPadding];
+  std::int32_t undecided[kPairsPerBatch];
 };
 
 class PartDecision {
@@ -62,12 +62,12 @@ class PartDecision {
       __builtin_prefetch(part_.step.end[v]);
     }
     batch->places[at] = place;
-    return batch->pairs.count < Batch::kPairsABatch || decide_batch(kind);
+    return batch->pairs.count < Batch::kPairsPerBatch || decide_batch(kind);
   }
 
   bool decide_batch(PairKind kind) {
     Batch& batch = *batches_[static_cast<std::size_t>(kind)];
-    TAMIS_ASSERT(batch.pairs.count <= Batch::kPairsABatch);
+    TAMIS_ASSERT(batch.pairs.count <= Batch::kPairsPerBatch);
     const auto& [start, end] = part_.step;
     const StepRows vertices{start.data(), end.data(), start.stride(), end.stride()};
     const int undecided = part_.kernels.of(kind).decide_list({vertices, batch.places, part_.rule, within(kind)},

@@ -21,7 +21,7 @@ constexpr double kFarthestInEdges = 0.25;
 /// Recorded steps take 3 to 20.
 constexpr int kRounds = 32;
 /// Rounds in which all pairs have planes and only vertices of pairs that are not proven go back; then all vertices do.
-constexpr int kRoundsApart = 8;
+constexpr int kRoundsOnOwnSides = 8;
 /// The part of its distance that a pair keeps which starts within its separation.
 constexpr double kAllButAMillionth = 1 - 0x1p-20;
 
@@ -52,13 +52,13 @@ TruncatedStep Truncation::run(double together) {
     const bool is_tight =  // it is rounding that breaks them
         !std::ranges::all_of(broken, [this](const StepLimit& pair) { return is_beyond(pair); });
     ++rounds_;
-    if (!is_apart_ && (is_tight || rounds_ > kRounds)) {
-      begin_apart();
+    if (!on_own_sides_ && (is_tight || rounds_ > kRounds)) {
+      begin_on_own_sides();
       continue;
     }
     const std::vector<double> asked = to_.parts;
     for (const StepLimit& pair : broken) stop_at_planes(pair, asked);
-    if (is_apart_ && rounds_ > kRoundsApart)
+    if (on_own_sides_ && rounds_ > kRoundsOnOwnSides)
       for (const Index v : mesh_.points()) stop(v, 0);
   }
   return std::move(to_);
@@ -76,9 +76,9 @@ void Truncation::begin(double together) {
       stop(v, together + farthest / length);
 }
 
-void Truncation::begin_apart() {
+void Truncation::begin_on_own_sides() {
   begin(0);
-  is_apart_ = true;
+  on_own_sides_ = true;
   // A pair keeps its fraction of what it has beyond its separation, unless its vertices go the rest of that.
   const double reach = 1 / (1 - fractions_.between_planes(0));
   std::vector<double> radii = largest_beside(mesh_, query_.separations.radii);

@@ -24,7 +24,7 @@ class Truncation {
 
  private:
   void begin(double together);
-  void begin_apart();
+  void begin_on_own_sides();
   void place(Index vertex);
   void stop(Index vertex, double time);
   /// Those whose vertices must go less far.
@@ -48,7 +48,7 @@ class Truncation {
   Statistics& statistics_;
   TruncatedStep to_;
   double together_ = 0;
-  bool is_apart_ = false;
+  bool on_own_sides_ = false;
   int rounds_ = 0;
 };
 

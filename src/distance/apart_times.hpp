@@ -63,7 +63,7 @@ class AxisClip {
     return was;
   }
   /// From `now` on for ever, should the motion go on, all corners lie beyond the separation along a direction, proven.
-  bool parts_along(const T& now, const Vec3<T>& direction) const {
+  bool recedes_along(const T& now, const Vec3<T>& direction) const {
     bool parts = true;
     for_each_course(now, UnitAxis({direction}), [&](const T& c0, const T& c1, const T& /*c2*/, const T& drift) {
       parts = parts && c0 > T(0) && c1 - drift > T(0);

@@ -4,7 +4,7 @@
 
 namespace tamis::TAMIS_ISA {
 
-/// As NearBoxes, by the clearance alone, where there is no gradient: less than half the work, and hardly more pairs
+/// As KeepBoxes, by the clearance alone, where there is no gradient: less than half the work, and hardly more pairs
 /// where features go a short way beside each other.
 class ClearanceBoxes {
  public:
@@ -12,7 +12,7 @@ class ClearanceBoxes {
   using Bounds = BoundBlock<12>;  ///< x y z at t=0, of residuals
 
   ClearanceBoxes(const Search& search, int)
-      : t_limit_(search.near.t_limit), per_way2_(search.near.clearance.per_way2) {}
+      : t_limit_(search.keep.t_limit), per_way2_(search.keep.clearance.per_way2) {}
 
   void bound(const TreeView& tree, int level, int node, Bounds& bounds) const {
     const BoxBlock &boxes = tree.levels[level][node], &residuals = tree.residuals[level][node];
@@ -46,7 +46,7 @@ class ClearanceBoxes {
 /// Is there no gradient, and do all features go less far beside each other than half of a leaf block's size? Then
 /// where the boxes come near says little more than how near they are (docs/history/performance.md, "What chooses").
 inline bool goes_a_short_way(const Search& search, int block) {
-  return search.near.clearance.per_size2 == 0 && search.near.reach * search.near.spread < 0.5f * extent(search, block);
+  return search.keep.clearance.per_size2 == 0 && search.keep.reach * search.keep.spread < 0.5f * extent(search, block);
 }
 
 }  // namespace tamis::TAMIS_ISA

@@ -1,8 +1,8 @@
 // The pairs of a list: compiled once for each instruction set. What is asked of a pair here is asked of it in decide()
 // too, in the same order, so that it has the same bits.
 #include "kernels/advance_lanes.hpp"
-#include "kernels/compiled_apart.hpp"
 #include "kernels/crossings.hpp"
+#include "kernels/isa_declarations.hpp"
 #include "kernels/load_motion.hpp"
 #include "narrow/decided_by_crossing.hpp"
 

@@ -69,7 +69,7 @@ struct ClearanceBounds {
 
 /// Which pairs may end the step before `t_limit`, where each must keep a fraction of its distance beyond the separation
 /// (distance/kept_gap.hpp).
-struct NearRule {
+struct KeepRule {
   float fraction;  ///< rounded up
   float reach;     ///< t_limit / (1 - fraction), rounded up
   float t_limit;   ///< rounded up; may exceed 1
@@ -78,7 +78,7 @@ struct NearRule {
 };
 
 /// The vertices of a step, and what pairs of them are kept apart by, in floats and in doubles.
-struct NearVertices {
+struct KeepVertices {
   const BoxVertex* in_boxes;
   BoxSeparation box_separation;
   const PackedVertex* exact;
@@ -90,7 +90,7 @@ struct Search {
   TreeView a, b;  ///< vf: points, faces; ee: edges, edges
   /// Nothing that starts after this time is of interest; a float, so that the stages in floats do not round it.
   float t_limit = 1;
-  NearRule near{};  ///< for search_step_ends, which looks at nothing else
+  KeepRule keep{};  ///< for search_step_ends, in place of t_limit
   /// For searches at rest: by how much boxes are wider, together, than what is near.
   float widened = 0;
   PairBuffer* pairs = nullptr;
@@ -126,11 +126,11 @@ struct PairKernels {
   SearchKernel search = nullptr;
   /// The same of boxes at t=0 that are wider, together, by search.widened.
   SearchKernel search_at_rest = nullptr;
-  /// The same of pairs that may end the step by the near rule. Trees have residuals.
+  /// The same of pairs that may end the step by the rule. Trees have residuals.
   SearchKernel search_step_ends = nullptr;
   /// Pairs that cannot end the step by the rule, from t=0 to their t_out, are culled. `pairs` is used up: what it holds
   /// then are those that floats could not cull. Of pairs that can cross.
-  void (*may_end_step)(const NearVertices& vertices, const NearRule& rule, PairBuffer& pairs,
+  void (*may_end_step)(const KeepVertices& vertices, const KeepRule& rule, PairBuffer& pairs,
                        PairBuffer& out) = nullptr;
   /// Slab clip: pairs that stay farther apart than `separation` are culled. Survivors, with their times, go to `out`.
   void (*slab)(const BoxVertex* vertices, const BoxSeparation& separation, const PairBuffer& in,

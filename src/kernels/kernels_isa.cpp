@@ -8,12 +8,12 @@
 #include "filters/slab_clip.hpp"
 #include "kernels/bound_leaf.hpp"
 #include "kernels/clearance_boxes.hpp"
-#include "kernels/compiled_apart.hpp"
 #include "kernels/compress.hpp"
 #include "kernels/contact_lanes.hpp"
 #include "kernels/crossings.hpp"
+#include "kernels/isa_declarations.hpp"
+#include "kernels/keep_boxes.hpp"
 #include "kernels/load_motion.hpp"
-#include "kernels/near_boxes.hpp"
 #include "kernels/rest_kernels.hpp"
 #include "kernels/search.hpp"
 #include "kernels/split.hpp"
@@ -32,7 +32,7 @@ void search_step_ends(Search& state, int block) {
   if (goes_a_short_way(state, block))
     BlockSearch<kind, ClearanceBoxes>(state, block).run();
   else
-    BlockSearch<kind, NearBoxes>(state, block).run();
+    BlockSearch<kind, KeepBoxes>(state, block).run();
 }
 
 void copy_pair(const PairBuffer& in, int from, PairBuffer& out) {
@@ -58,7 +58,7 @@ void slab(const BoxVertex* vertices, const BoxSeparation& separation, const Pair
 
 /// The same as may_end_step() begins with, in the floats of the boxes: half the memory to read for most of the pairs.
 template <PairKind kind>
-void leave_out_kept(const BoxVertex* vertices, const BoxSeparation& separation, const NearRule& rule,
+void leave_out_kept(const BoxVertex* vertices, const BoxSeparation& separation, const KeepRule& rule,
                     PairBuffer& pairs) {
   int count = 0;
   for (int first = 0; first < pairs.count; first += kFloatLanes) {
@@ -73,7 +73,7 @@ void leave_out_kept(const BoxVertex* vertices, const BoxSeparation& separation, 
 
 /// Turning axes leave few of the pairs that boxes do: first of all, though they cost most.
 template <PairKind kind>
-void may_end_step(const NearVertices& vertices, const NearRule& rule, PairBuffer& in, PairBuffer& out) {
+void may_end_step(const KeepVertices& vertices, const KeepRule& rule, PairBuffer& in, PairBuffer& out) {
   leave_out_kept<kind>(vertices.in_boxes, vertices.box_separation, rule, in);
   for (int first = 0; first < in.count; first += kFloatLanes) {
     const auto m = load_motion_as_float<kind>(vertices.exact, in, first, vertices.separation);

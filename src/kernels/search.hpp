@@ -7,7 +7,7 @@ namespace tamis::TAMIS_ISA {
 /// The bits of sixteen from `first` on.
 inline unsigned from_bit(int first) { return first >= kBlock ? 0 : ~0u << std::max(first, 0); }
 
-/// `Boxes`: MovingBoxes, RestBoxes, NearBoxes or ClearanceBoxes.
+/// `Boxes`: MovingBoxes, RestBoxes, KeepBoxes or ClearanceBoxes.
 template <PairKind kind, class Boxes, Course course = Course::step>
 class BlockSearch {
  public:

@@ -1,8 +1,8 @@
 // Pairs within a separation: compiled once for each instruction set.
 #include "distance/turning_gap.hpp"
 #include "kernels/advance_lanes.hpp"
-#include "kernels/compiled_apart.hpp"
 #include "kernels/compress.hpp"
+#include "kernels/isa_declarations.hpp"
 
 namespace tamis::TAMIS_ISA {
 namespace {

@@ -39,7 +39,7 @@ bool is_apart_from_end(PairKind kind, const PairMotion<double>& m) {
   TAMIS_ASSERT(is_finite(m));
   return with_kind(kind, [&](auto k) {
     const Looker<k(), double> looker(m);
-    return looker.clip().parts_along(1, looker.sight(1).closest.gap);
+    return looker.clip().recedes_along(1, looker.sight(1).closest.gap);
   });
 }
 

@@ -17,9 +17,9 @@ namespace {
 /// So few pairs are decided without cutting their part further.
 constexpr std::size_t kFewPairs = 4;
 /// Deviations go by the square of the length, as on all paths here: they are then a million times smaller.
-constexpr int kMostHalvingsOfAPiece = 10;
+constexpr int kMostHalvingsOfPiece = 10;
 /// Looks in lanes: so many cost a part of what the decision on one pair does.
-constexpr std::size_t kMostLooksAPair = 64;
+constexpr std::size_t kMostLooksPerPair = 64;
 
 }  // namespace
 
@@ -28,7 +28,7 @@ void PairsOnParts::begin(const Piece& piece) {
   number_vertices();
   std::vector<std::int32_t> all(piece.pairs.size());
   std::iota(all.begin(), all.end(), 0);
-  looks_left_ = kMostLooksAPair * all.size();
+  looks_left_ = kMostLooksPerPair * all.size();
   is_given_.assign(all.size(), false);
   may_touch_.assign(all.size(), false);
   is_used_.assign(names_.size(), false);
@@ -72,8 +72,7 @@ std::vector<std::int32_t> PairsOnParts::next(double latest) {
     parts_.pop_back();
     std::erase_if(part.pairs, [&](std::int32_t pair) { return is_given_[at(pair)]; });
     if (part.pairs.empty()) continue;
-    if (part.pairs.size() > kFewPairs && part.halvings < kMostHalvingsOfAPiece &&
-        looks_left_ >= 2 * part.pairs.size()) {
+    if (part.pairs.size() > kFewPairs && part.halvings < kMostHalvingsOfPiece && looks_left_ >= 2 * part.pairs.size()) {
       halve(part);
       continue;
     }

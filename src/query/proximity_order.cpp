@@ -13,10 +13,10 @@ namespace tamis {
 namespace {
 
 /// Parts that are counted on their own need as many counters as there are vertices, and this many pairs for each.
-constexpr std::size_t kPairsACounter = 4;
+constexpr std::size_t kPairsPerCounter = 4;
 
 /// With fewer pairs the counters would be most of the work.
-constexpr std::size_t kVerticesAPair = 8;
+constexpr std::size_t kVerticesPerPair = 8;
 
 /// The first is of -1, which stands for no vertex: it wraps around. REQUIRES: a vertex of the mesh, or -1.
 std::size_t bucket_of(const PairVertices& pair, std::size_t corner, [[maybe_unused]] std::size_t buckets) {
@@ -45,7 +45,7 @@ void sort_by_last(std::span<PairVertices> pairs) {
 /// comparison sort of each vertex's pairs twice as slow.
 void ProximityOrder::sort(std::vector<PairVertices>& pairs, Index vertex_count, const std::function<void()>& pause) {
   const std::size_t buckets = static_cast<std::size_t>(vertex_count) + 1;
-  if (pairs.size() < buckets / kVerticesAPair) return std::sort(pairs.begin(), pairs.end());
+  if (pairs.size() < buckets / kVerticesPerPair) return std::sort(pairs.begin(), pairs.end());
   sorted_.resize(pairs.size());
   for (const std::size_t corner : {2u, 1u, 0u}) {
     sort_by(corner, pairs, buckets);
@@ -57,7 +57,7 @@ void ProximityOrder::sort(std::vector<PairVertices>& pairs, Index vertex_count, 
 /// A counting sort, in parts that follow each other.
 void ProximityOrder::sort_by(std::size_t corner, std::vector<PairVertices>& pairs, std::size_t buckets) {
   const auto threads = static_cast<std::size_t>(tbb::this_task_arena::max_concurrency());
-  const std::size_t parts = std::clamp(pairs.size() / (kPairsACounter * buckets), std::size_t{1}, threads);
+  const std::size_t parts = std::clamp(pairs.size() / (kPairsPerCounter * buckets), std::size_t{1}, threads);
   const auto for_each_part = [&](const auto& f) {
     tbb::parallel_for(std::size_t{0}, parts, [&](std::size_t part) {
       const std::size_t first = pairs.size() * part / parts, last = pairs.size() * (part + 1) / parts;

@@ -33,7 +33,7 @@ void CandidateConsumer::consume(PairKind kind) {
 bool CandidateSearch::list(const Query& query, double deviation, float until, PairLists& lists, Statistics& statistics,
                            std::uint64_t most_work) {
   FeatureTrees& trees = workspace_.trees;
-  const std::int64_t most = kMostPairsABlock * trees.leaf_blocks();
+  const std::int64_t most = kMostPairsPerBlock * trees.leaf_blocks();
   CandidateQuery asked{query, deviation, most};
   Separations separations = query.separations;
   separations.fixed += 2 * deviation;

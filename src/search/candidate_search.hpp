@@ -48,7 +48,7 @@ class CandidateSearch {
   explicit CandidateSearch(Workspace& workspace) : workspace_(workspace), streams_(workspace) {}
 
   /// Adds to `lists`, in no order, all pairs that come within their separations before `until` although vertices
-  /// deviate by up to `deviation` from their place. False: there are more than kMostPairsABlock times the blocks, or
+  /// deviate by up to `deviation` from their place. False: there are more than kMostPairsPerBlock times the blocks, or
   /// they cost more than `most_work` (SearchWork::pairs), or a part of them suggests it, and some are missing. Leaves
   /// the trees at this step.
   bool list(const Query& query, double deviation, float until, PairLists& lists, Statistics& statistics,
@@ -78,7 +78,7 @@ class CandidateSearch {
  private:
   static constexpr std::uint64_t kAnyWork = std::numeric_limits<std::uint64_t>::max();
   /// Of each leaf block of sixteen features, on the average.
-  static constexpr std::int64_t kMostPairsABlock = 256;
+  static constexpr std::int64_t kMostPairsPerBlock = 256;
   /// Samples are uneven: a part may have so much more of what is listed, and cost so much more.
   static constexpr double kSmallestPart = 1.0 / 64, kPartToTry = 0.25;
 

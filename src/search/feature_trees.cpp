@@ -17,7 +17,7 @@ constexpr double kPoorArea = 1.5;
 /// lengths.
 constexpr double kPoorStart = 8;
 /// Building costs about as much as visiting so many pairs of nodes for each leaf block.
-constexpr std::uint64_t kNodesABlock = 9;
+constexpr std::uint64_t kNodesPerBlock = 9;
 /// Steps are long where leaf blocks sweep over so many times their own area. So many questions that look at the start
 /// come one after the other before it is looked whether an order of their own would pay.
 constexpr double kFarAreas = 4;
@@ -122,7 +122,7 @@ bool FeatureTrees::is_order_good(LooksAt looks_at) {
   const bool is_far = now.swept > kFarAreas * now.at_start;
   is_doubtful_ = axes_.way > 0 && !is_far;
   const int blocks = points_.view().leaf_blocks + edges_.view().leaf_blocks + faces_.view().leaf_blocks;
-  const bool has_cost_an_order = nodes_in_doubt_ > kNodesABlock * static_cast<std::uint64_t>(blocks);
+  const bool has_cost_an_order = nodes_in_doubt_ > kNodesPerBlock * static_cast<std::uint64_t>(blocks);
   if (is_doubtful_ && has_cost_an_order && best_axes(looks_at).way == 0) return false;
   const auto has_spread = [&](double times) { return now.at_start * by_scale > times * built.at_start; };
   if (is_order_of_start()) return !has_spread(kPoorArea) && !(is_far && looks_at == LooksAt::whole_step);

@@ -14,7 +14,7 @@ float rounded_up(double x) { return std::nextafter(static_cast<float>(x), std::n
 
 }  // namespace
 
-NearRule StepLengthQuery::rule() const {
+KeepRule StepLengthQuery::rule() const {
   TAMIS_ASSERT(0 < fraction && fraction < 1);
   const double until = bound.latest() * (1 + 0x1p-15);
   return {rounded_up(fraction), rounded_up(until / (1 - fraction)), rounded_up(until), spread, clearance_bounds(until)};
@@ -48,7 +48,7 @@ void StepLengthConsumer::consume(PairKind kind) {
   leave_out_groups(query().filter, kind, boxes);  // costs less than what follows
   if (can_cross(kind)) {
     near.count = 0;
-    const NearVertices vertices{motion.box_vertices.data(), motion.box_separation(), motion.vertices.data(),
+    const KeepVertices vertices{motion.box_vertices.data(), motion.box_separation(), motion.vertices.data(),
                                 motion.pair_separation()};
     thread().kernels.of(kind).may_end_step(vertices, shared_->rule(), boxes, near);
   }

@@ -25,7 +25,7 @@ struct StepLengthQuery {
   /// covers its own rounding, that of the searches in floats, and what the times of single pairs lose to it (2^-18,
   /// keeps_distance_until): so a pair is never left out that might have had the same time as the first, and the order
   /// of the search changes nothing.
-  NearRule rule() const;
+  KeepRule rule() const;
 
  private:
   ClearanceBounds clearance_bounds(double until) const;
@@ -45,7 +45,7 @@ class StepLengthConsumer final : public PairStream {
 
   bool wants(PairKind kind) const override { return !limit_.rules_out(kind); }
   SearchKernel kernel(PairKind kind) const override { return thread().kernels.of(kind).search_step_ends; }
-  void set_limits(Search& search) const override { search.near = shared_->rule(); }
+  void set_limits(Search& search) const override { search.keep = shared_->rule(); }
   void consume(PairKind kind) override;
   std::uint64_t memory_bytes() const { return held_bytes(ends_); }
 

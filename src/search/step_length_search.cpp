@@ -7,7 +7,7 @@ namespace tamis {
 namespace {
 
 /// Where a leaf block meets so many pairs short steps come first, which meet few: a pair that ends one spares the rest.
-constexpr std::uint64_t kManyPairsABlock = 1024;
+constexpr std::uint64_t kManyPairsPerBlock = 1024;
 constexpr double kShortSteps[] = {0x1p-6, 0x1p-3};
 /// Of what is known to end the step: a step that is hardly shorter meets hardly fewer (docs/history/performance.md,
 /// "Steps made to be slow").
@@ -94,7 +94,7 @@ bool StepLengthSearch::meets_many(const Sample& sample) const {
     blocks += static_cast<std::uint64_t>(sample.count_in(a.leaf_blocks));
   });
   const StageCount pairs = streams_.counts().boxes;
-  return pairs.vf + pairs.ee > kManyPairsABlock * blocks;
+  return pairs.vf + pairs.ee > kManyPairsPerBlock * blocks;
 }
 
 /// A pair that ends a short step ends it first of all.

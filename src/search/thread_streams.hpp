@@ -49,7 +49,7 @@ class ThreadStreams {
   }
   /// Of a list: what a sample counts.
   static int parts_of(const PairList& pairs) {
-    return static_cast<int>((pairs.size() + kPairsAPart - 1) / kPairsAPart);
+    return static_cast<int>((pairs.size() + kPairsPerPart - 1) / kPairsPerPart);
   }
 
   /// f(consumer) for each, one after the other, with nothing left in its buffers: threads share these, if much is left.
@@ -99,15 +99,15 @@ class ThreadStreams {
   }
 
  private:
-  static constexpr std::size_t kPairsAPart = 1024;
+  static constexpr std::size_t kPairsPerPart = 1024;
 
   void search(PairKind kind, const PairLists& lists, const Sample& sample, const TimeInterval<float>& when,
               float t_limit) {
     const PairList& pairs = lists[kind];
     for_each_part(sample.count_in(parts_of(pairs)), [&](PairStream& stream, int begin, int end) {
       for (int i = begin; i < end; ++i) {
-        const auto first = static_cast<std::size_t>(sample.first + i * sample.stride) * kPairsAPart;
-        stream.search(kind, pairs, first, std::min(first + kPairsAPart, pairs.size()), when, t_limit);
+        const auto first = static_cast<std::size_t>(sample.first + i * sample.stride) * kPairsPerPart;
+        stream.search(kind, pairs, first, std::min(first + kPairsPerPart, pairs.size()), when, t_limit);
       }
       if constexpr (!Consumer::kHoldsPairsBack) stream.finish();
     });

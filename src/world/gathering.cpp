@@ -21,7 +21,7 @@ constexpr double kLeastMoreInEdges = 0.5;
 constexpr double kMostMoreInEdges = 64;  // where that is all there is, too
 /// It is gathered anew once so few of the items that it was made for may touch; each so manieth search counts them.
 constexpr std::size_t kShrunk = 4;
-constexpr int kSearchesACount = 16;
+constexpr int kSearchesPerCount = 16;
 constexpr double kEndsOfStep[] = {0, 1};
 
 }  // namespace
@@ -57,7 +57,7 @@ void World::State::gather(Gathering& gathering, const Reach& reach, const std::v
   }
   Pieces pieces(times);
   const bool is_usable = gathering.gathered && gathering.gathered->keeps_motion_kinds(bodies);
-  const bool counts = !is_usable || ++gathering.searched % kSearchesACount == 0;
+  const bool counts = !is_usable || ++gathering.searched % kSearchesPerCount == 0;
   NearItems near_now;  // beside what is gathered, which is not looked at again, or all that is needed
   if (!counts) near_now.of_body = gathering.gathered->items().of_body;
   find_near(wanted, reach, 0, pieces, near_now);

@@ -82,7 +82,7 @@ class PairWalk {
   /// The larger one is opened. REQUIRES: two that meet.
   void visit(const Node& a, const Node& b) {
     if (found_ && a_.whole.has(a.level, a.block) && b_.whole.has(b.level, b.block)) return;
-    if (++visited_ % kVisitsAPause == 0) pause_();
+    if (++visited_ % kVisitsPerPause == 0) pause_();
     if (a.level == 0 && b.level == 0) {
       mark(a, b);
     } else if (b.level == 0 || (a.level > 0 && a.bounds.start.extent() >= b.bounds.start.extent())) {
@@ -127,7 +127,7 @@ class PairWalk {
     }
   }
 
-  static constexpr int kVisitsAPause = 1 << 12;  // well below a millisecond
+  static constexpr int kVisitsPerPause = 1 << 12;  // well below a millisecond
 
   const Side a_, b_;
   const double separation_;

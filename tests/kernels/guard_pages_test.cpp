@@ -108,14 +108,14 @@ int run_at_rest(const Kernels& kernels, PairKind kind, const GuardedTree& a, con
 
 /// The way of step lengths: pairs that the search leaves, and of these the ones that may end the step.
 std::array<int, 2> run_near(const Kernels& kernels, PairKind kind, const GuardedTree& a, const GuardedTree& b,
-                            const NearVertices& vertices, Guard guard) {
+                            const KeepVertices& vertices, Guard guard) {
   const auto empty = std::make_unique<PairBuffer>();
   const Guarded<PairBuffer> boxes({empty.get(), 1}, guard), near({empty.get(), 1}, guard);
   Search search{a.view(), b.view()};
-  search.near = {0.25f, 1.5f, 1.0f, 10.0f, {2.25f, 0, 0, 1}};
+  search.keep = {0.25f, 1.5f, 1.0f, 10.0f, {2.25f, 0, 0, 1}};
   find(search, kernels.of(kind).search_step_ends, *boxes.data());
   const int found = boxes.data()->count;
-  kernels.of(kind).may_end_step(vertices, search.near, *boxes.data(), *near.data());
+  kernels.of(kind).may_end_step(vertices, search.keep, *boxes.data(), *near.data());
   return {found, near.data()->count};
 }
 
@@ -231,7 +231,7 @@ TEST_P(GuardPages, NoKernelReadsOrWritesOutsideItsArrays) {
       EXPECT_LE(ee[0], 9 * triangles * (triangles - 1) / 2);
       for (const auto& counts : {vf, ee})
         for (std::size_t stage = 1; stage < counts.size(); ++stage) EXPECT_LE(counts[stage], counts[stage - 1]);
-      const NearVertices on_both{box_vertices.data(), {0x1p-20f, true}, vertices.data(), {0, true}};
+      const KeepVertices on_both{box_vertices.data(), {0x1p-20f, true}, vertices.data(), {0, true}};
       for (const auto& [kind, a, b] : {std::tuple(PairKind::vertex_face, &p, &f), {PairKind::edge_edge, &e, &e}}) {
         const auto near = run_near(*kernels, kind, *a, *b, on_both, guard);
         EXPECT_GT(near[0], 0);

@@ -116,8 +116,8 @@ void EarlierResults::read_table(const std::filesystem::path& file) {
     r.steps = cells.integer<std::size_t>();
     r.all_steps = cells.integer<std::size_t>();
     MethodResult& m = method_of(r, cells.text());
-    constexpr double kSecondsAMillisecond = 1e-3;
-    m.seconds = kSecondsAMillisecond * cells.real() * static_cast<double>(r.steps);
+    constexpr double kSecondsPerMillisecond = 1e-3;
+    m.seconds = kSecondsPerMillisecond * cells.real() * static_cast<double>(r.steps);
     cells.text();  // elementary tests and false pairs follow from the stages
     cells.text();
     m.contacts = cells.integer<std::uint64_t>();

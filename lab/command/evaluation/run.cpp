@@ -111,8 +111,8 @@ const MethodResult& SceneResult::method(std::string_view name) const {
 }
 
 double SceneResult::milliseconds(std::string_view name) const {
-  constexpr double kMillisecondsASecond = 1e3;
-  return kMillisecondsASecond * method(name).seconds / static_cast<double>(steps);
+  constexpr double kMillisecondsPerSecond = 1e3;
+  return kMillisecondsPerSecond * method(name).seconds / static_cast<double>(steps);
 }
 
 bool SceneResult::sets_agree() const {

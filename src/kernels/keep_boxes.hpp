@@ -14,21 +14,21 @@ namespace tamis::TAMIS_ISA {
   return FloatLanes(bounds.per_way2) * way2 + FloatLanes(bounds.per_size2) * size2 + FloatLanes(bounds.fixed2);
 }
 
-/// Boxes that move, with the residuals of what they hold. A pair of features can, by search.near, end the step only
+/// Boxes that move, with the residuals of what they hold. A pair of features can, by search.keep, end the step only
 /// - if its clearance, and so the boxes' gap at t=0, is within ClearanceBounds; squares of lengths are compared: gaps
 /// are
 ///   multiples of 2^-47, because boxes have margins, so that nothing that matters underflows;
 /// - while the boxes are as near as the fraction of the largest clearance of such a pair, or of any pair between the
 ///   farthest corners. Boxes are wider by the minimum separation, which so is in all gaps.
-class NearBoxes {
+class KeepBoxes {
  public:
   static constexpr bool kMoves = false, kHasReach = true;
   using Bounds = BoundBlock<18>;  ///< x y z at t=0, at t_limit, of residuals; upper ends from kHigh on
 
-  NearBoxes(const Search& search, int)
-      : t_limit_(search.near.t_limit),
-        clearance_(search.near.clearance),
-        kept2_((1 + kShare) * search.near.fraction * search.near.fraction) {}
+  KeepBoxes(const Search& search, int)
+      : t_limit_(search.keep.t_limit),
+        clearance_(search.keep.clearance),
+        kept2_((1 + kShare) * search.keep.fraction * search.keep.fraction) {}
 
   void bound(const TreeView& tree, int level, int node, Bounds& bounds) const {
     const BoxBlock &block = tree.levels[level][node], &residuals = tree.residuals[level][node];

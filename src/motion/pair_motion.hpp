@@ -6,7 +6,6 @@
 // One template on the number type T: double, SIMD lanes, interval, exact rational.
 #pragma once
 #include <cmath>
-#include <type_traits>
 
 #include "numerics/assert.hpp"
 #include "numerics/unit_vector.hpp"
@@ -53,14 +52,20 @@ struct PairMotion {
 
 inline bool is_finite(const PairMotion<double>& m) { return std::isfinite(m.size_e + m.size_f + m.size_d); }
 
-/// Finite, and not restricted: its sizes are those of its vectors as they are. Of numbers other than doubles it is not
-/// asked.
+/// Of a motion that is not restricted: its sizes are those of its vectors as they are. Always true of what is not
+/// finite, and of numbers other than doubles, which are not asked.
+inline bool may_be_whole(const PairMotion<double>& m) {
+  return !is_finite(m) || (m.size_e == largest(m.e) && m.size_f == largest(m.f) && m.size_d == largest(m.d));
+}
 template <class T>
-constexpr bool is_whole(const PairMotion<T>& m) {
-  if constexpr (std::is_same_v<T, double>)
-    return is_finite(m) && m.size_e == largest(m.e) && m.size_f == largest(m.f) && m.size_d == largest(m.d);
-  else
-    return true;
+constexpr bool may_be_whole(const PairMotion<T>&) {
+  return true;
+}
+/// The same, and finite.
+inline bool is_whole(const PairMotion<double>& m) { return is_finite(m) && may_be_whole(m); }
+template <class T>
+constexpr bool is_whole(const PairMotion<T>&) {
+  return true;
 }
 
 /// Position of the vector at time t; off by at most 3 u times its size.
@@ -75,10 +80,10 @@ inline Moving<T> restrict_to(const Moving<T>& v, const T& t_in, const T& t_out) 
   return {at_time(v, t_in), at_time(v, t_out)};
 }
 
-/// The motion during [t_in, t_out], with that time mapped to [0,1]. REQUIRES: `m` is finite and not itself restricted.
+/// The motion during [t_in, t_out], with that time mapped to [0,1]. REQUIRES: `m` is not itself restricted.
 template <class T>
 inline PairMotion<T> restrict_to(const PairMotion<T>& m, const T& t_in, const T& t_out) {
-  TAMIS_ASSERT(is_whole(m));
+  TAMIS_ASSERT(may_be_whole(m));
   return {restrict_to(m.e, t_in, t_out),
           restrict_to(m.f, t_in, t_out),
           restrict_to(m.d, t_in, t_out),

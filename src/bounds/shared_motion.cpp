@@ -15,7 +15,7 @@ constexpr double kRoomOfAnEdge = 8 * error_bounds::kRoomOfBoxes;
 /// So much is left beyond the fraction, and distances grow by so much at most: else the room takes more than is won.
 constexpr double kLeastBeyond = 0x1p-4, kGreatestStretch = 4;
 
-Vec3<double> difference(const double* to, const double* from, double scale) {
+Vec3<double> rounded_difference(const double* to, const double* from, double scale) {
   return {scale * (to[0] - from[0]), scale * (to[1] - from[1]), scale * (to[2] - from[2])};
 }
 
@@ -26,8 +26,8 @@ double growth_beside(const DisplacementGradient& gradient, const Mesh& mesh, con
   const auto edges = mesh.edges();
   for (std::size_t e = 0; e < edges.size(); e += edges.size() / kSampledEdges + 1) {
     const auto [a, b] = edges[e];
-    const Vec3<double> length = difference(step.start[b], step.start[a], frame.scale);
-    const Vec3<double> way = difference(step.end[b], step.end[a], frame.scale) - length - gradient.at(length);
+    const Vec3<double> length = rounded_difference(step.start[b], step.start[a], frame.scale);
+    const Vec3<double> way = rounded_difference(step.end[b], step.end[a], frame.scale) - length - gradient.at(length);
     way2 += dot(way, way);
     length2 += dot(length, length);
   }

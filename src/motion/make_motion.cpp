@@ -34,7 +34,7 @@ Moving<DoubleDouble> scaled(const Moving<DoubleDouble>& v, double scale) {
 }
 
 template <class T>
-Moving<T> difference(const PairPoints& points, VertexDifference v, double unit) {
+Moving<T> moving_difference(const PairPoints& points, VertexDifference v, double unit) {
   const auto at = [&](const std::array<Point, 4>& p) {
     const Point &to = p[v.to], &from = p[v.from];
     const auto along = [&](std::size_t k) { return T(unit * to[k]) - T(unit * from[k]); };
@@ -60,7 +60,7 @@ template <class T>
 Unscaled<T> unscaled(PairKind kind, const PairPoints& points, double separation) {
   const SpanningVectors vectors = spanning_vectors(kind);
   const double unit = safe_unit(points);
-  const auto vector = [&](VertexDifference v) { return difference<T>(points, v, unit); };
+  const auto vector = [&](VertexDifference v) { return moving_difference<T>(points, v, unit); };
   return {vector(vectors.e), vector(vectors.f), vector(vectors.d), unit * separation};
 }
 

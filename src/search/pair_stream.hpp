@@ -30,6 +30,8 @@ class PairStream {
   void finish();
   int waiting() const { return thread_.boxes.count; }
 
+  /// Can pairs of this kind still change the answer? Asked before each search and each leaf block.
+  virtual bool wants(PairKind) const { return true; }
   const Query& query() const { return *query_; }
   const SearchCounts& counts() const { return thread_.counts; }
 
@@ -38,8 +40,6 @@ class PairStream {
   void begin(const Query& query);
   SearchThread& thread() const { return thread_; }
 
-  /// Can pairs of this kind still change the answer? Asked before each leaf block.
-  virtual bool wants(PairKind) const { return true; }
   /// What finds its pairs.
   virtual SearchKernel kernel(PairKind kind) const = 0;
   /// Says what the search is limited by besides time; asked again after each full buffer.

@@ -34,7 +34,7 @@ class ThreadStreams {
   }
   /// The sample's leaf blocks of `a` against all of `b`.
   void search(PairKind kind, const TreeView& a, const TreeView& b, const Sample& sample = {0, 1}, float t_limit = 1) {
-    for_each_part(sample.count_in(a.leaf_blocks), [&](PairStream& stream, int begin, int end) {
+    for_each_part(kind, sample.count_in(a.leaf_blocks), [&](PairStream& stream, int begin, int end) {
       const int first = sample.first + begin * sample.stride, last = sample.first + end * sample.stride;
       stream.search(kind, a, b, {first, std::min(last, a.leaf_blocks), sample.stride}, t_limit);
       if constexpr (!Consumer::kHoldsPairsBack) stream.finish();
@@ -104,7 +104,7 @@ class ThreadStreams {
   void search(PairKind kind, const PairLists& lists, const Sample& sample, const TimeInterval<float>& when,
               float t_limit) {
     const PairList& pairs = lists[kind];
-    for_each_part(sample.count_in(parts_of(pairs)), [&](PairStream& stream, int begin, int end) {
+    for_each_part(kind, sample.count_in(parts_of(pairs)), [&](PairStream& stream, int begin, int end) {
       for (int i = begin; i < end; ++i) {
         const auto first = static_cast<std::size_t>(sample.first + i * sample.stride) * kPairsPerPart;
         stream.search(kind, pairs, first, std::min(first + kPairsPerPart, pairs.size()), when, t_limit);
@@ -113,10 +113,12 @@ class ThreadStreams {
     });
   }
 
-  /// f(stream of the thread, begin, end) for all parts of 0 to `count`.
+  /// f(stream of the thread, begin, end) for all parts of 0 to `count`, if what this thread has found leaves any of
+  /// the kind to be wanted.
   template <class F>
-  void for_each_part(int count, const F& f) {
+  void for_each_part(PairKind kind, int count, const F& f) {
     constexpr int kGrain = 8;
+    if (!local().wants(kind)) return;
     in_parts(count, kGrain, [&](int begin, int end) { f(local(), begin, end); });
   }
 

@@ -59,9 +59,8 @@ def draw_size(results, pictures):
             values = [r[key] for r in rows]
             label = f"{scene}, {word}: $n^{{{exponent(sizes, values):.2f}}}$"
             time.loglog(sizes, values, style, color=colour, marker="o", markersize=3.5, label=label)
-        for key, style, word in (("peak_memory_bytes", "--", "process"), ("detector_memory_bytes", "-", "detector")):
-            if scene != "folded-cloth":
-                break  # the other's lines would lie on these
+        memories = (("peak_memory_bytes", "--", "process"), ("detector_memory_bytes", "-", "detector"))
+        for key, style, word in memories if scene == "folded-cloth" else ():  # the other's lines would lie on these
             values = [r[key] / 1e6 for r in rows]
             label = f"{scene}, {word}: $n^{{{exponent(sizes, values):.2f}}}$"
             memory.loglog(sizes, values, style, color=colour, marker="o", markersize=3.5, label=label)
@@ -86,7 +85,7 @@ def draw_step(results, pictures):
     for question, colour, word in (("contacts", TAMIS, "all contacts"), ("earliest", BLUE, "first contact")):
         picked = [r for r in rows if r["question"] == question]
         time.semilogy([r["scale"] for r in picked], [1e3 * r["cpu"] for r in picked], color=colour, marker="o",
-                  markersize=3.5, label=word)
+                      markersize=3.5, label=word)
     all_contacts = [r for r in rows if r["question"] == "contacts"]
     scales = [r["scale"] for r in all_contacts]
     for key, colour, word in (("candidates", GREY, "pairs of moving boxes"), ("contacts", TAMIS, "contacts")):

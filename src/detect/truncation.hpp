@@ -27,7 +27,8 @@ class Truncation {
   void begin_on_own_sides();
   void place(Index vertex);
   void stop(Index vertex, double time);
-  /// Those whose vertices must go less far.
+  /// Asks about way(): those pairs whose vertices must go less far. Says in to_ whether the step is free, as far as
+  /// that shows.
   std::vector<StepLimit> broken_pairs();
   /// REQUIRES: a time in [0,1). REQUIRES (not checked: history): a pair of the engine's answer.
   bool is_broken(const StepLimit& pair);

@@ -40,7 +40,7 @@ double start_distance_bound(const PairMotion<double>& m, const ClosestPoints& cl
 
 /// REQUIRES: the motion of the whole step, finite.
 StartBounds start_bounds(PairKind kind, const PairMotion<double>& m) {
-  TAMIS_ASSERT(is_finite(m));
+  TAMIS_ASSERT(is_whole(m));
   const double size = m.size_d + m.size_e + m.size_f;
   return with_kind(kind, [&](auto k) -> StartBounds {
     const ClosestPoints closest = closest_points<k()>(m.e.at0, m.f.at0, m.d.at0);

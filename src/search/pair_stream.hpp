@@ -1,5 +1,5 @@
-// One thread's stream of pairs: searches leaf blocks, or a list, into a small buffer. What becomes of each full one is
-// a class for each question.
+// One thread's stream of pairs: searches leaf blocks, or a list, into a small buffer, and consumes each full one. Each
+// question has a class of its own, derived from this, that says how (*_consumer, *_search).
 #pragma once
 #include "coherence/pair_list.hpp"
 #include "query/query.hpp"
@@ -26,8 +26,9 @@ class PairStream {
   /// `t_limit`, by this query.
   void search(PairKind kind, const PairList& pairs, std::size_t first, std::size_t last,
               const TimeInterval<float>& when, float t_limit);
-  /// Hands over what is still in the buffer: so many pairs.
+  /// Consumes what is still in the buffer.
   void finish();
+  /// So many pairs are in it.
   int waiting() const { return thread_.boxes.count; }
 
   /// Can pairs of this kind still change the answer? Asked before each search and each leaf block.

@@ -9,9 +9,8 @@
 namespace tamis {
 
 /// A `Consumer` is a PairStream. It is made of a SearchThread, and begins with a `Consumer::Shared`. Where it holds
-/// pairs back
-/// (`kHoldsPairsBack`), those of one part of a search wait in the buffer for those of the next; else a part ends with
-/// its pairs decided, so that they can shorten the search of the rest.
+/// pairs back (`kHoldsPairsBack`), those of one part of a search wait in the buffer for those of the next; else a part
+/// ends with its pairs decided, so that they can shorten the search of the rest.
 template <class Consumer>
 class ThreadStreams {
  public:

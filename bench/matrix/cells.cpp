@@ -6,13 +6,15 @@
 #include <array>
 #include <map>
 
+#include "matrix/versions.hpp"
+#include "tamis/detector.hpp"
 #include "tamis/error.hpp"
 
 namespace tamis::matrix {
 namespace {
 
 constexpr std::array kScales{0.01, 0.1, 1., 3., 10., 30.};
-constexpr std::array kQuestions{"contacts", "earliest", "free", "keep", "three"};
+constexpr std::array kQuestions{"contacts", "earliest", "free", "keep", "three", "truncate", "within", "intersections"};
 constexpr std::array kStates{"new", "kept", "line", "substeps"};
 constexpr std::array kSeparations{0., 0.001, 0.1};
 constexpr std::array kParts{"night", "daily", "quick"};
@@ -28,26 +30,48 @@ struct Asked {
 constexpr std::array kAsked{Asked{1, 1}, Asked{2, 2}, Asked{9, 3}, Asked{21, 2}};
 constexpr Asked kAskedThrice{6, 6};
 
-/// All ways to ask a scene at a scale, in a fixed order.
-std::vector<Cell> ways_to_ask(const SceneName& scene, double scale) {
-  std::vector<Cell> cells;
+constexpr std::array kAllStates{State::fresh, State::kept, State::line, State::substeps};
+
+void add_ways(const Cell& cell, std::initializer_list<Question> questions, std::vector<Cell>& ways) {
+  for (const auto question : questions)
+    for (const auto state : kAllStates) ways.push_back({cell.scene, cell.scale, question, state, cell.separation});
+}
+
+/// All ways to ask what a step runs into, in a fixed order.
+std::vector<Cell> ways_to_ask_step(const SceneName& scene, double scale) {
+  std::vector<Cell> ways;
   for (const double separation : kSeparations) {
-    for (const auto question : {Question::contacts, Question::earliest, Question::free, Question::keep})
-      for (const auto state : {State::fresh, State::kept, State::line, State::substeps})
-        cells.push_back({scene, scale, question, state, separation});
-    cells.push_back({scene, scale, Question::three, State::kept, separation});
+    const Cell three{scene, scale, Question::three, State::kept, separation};
+    add_ways(three, {Question::contacts, Question::earliest, Question::free, Question::keep}, ways);
+    ways.push_back(three);
   }
-  return cells;
+  return ways;
+}
+
+/// All ways to ask about positions, or for them. Intersections know no separation, and trials of a line search do not
+/// ask for them.
+std::vector<Cell> ways_to_ask_positions(const SceneName& scene, double scale) {
+  std::vector<Cell> ways;
+  for (const double separation : kSeparations)
+    add_ways({scene, scale, {}, {}, separation}, {Question::truncate, Question::within}, ways);
+  for (const auto state : {State::fresh, State::kept, State::substeps})
+    ways.push_back({scene, scale, Question::intersections, state, 0});
+  return ways;
 }
 
 bool is_asked(const Cell& cell, Part part) { return work_of(cell) <= kMostWork[static_cast<std::size_t>(part)]; }
 
-/// Calls visit(scene, scale, ways, number of the step) for each step of the matrix.
+/// Calls visit(ways, number of the step) for each step of the matrix, first with the ways to ask it, then its
+/// positions.
 template <class Visit>
 void for_each_step(const Visit& visit) {
   std::size_t number = 0;
   for (const SceneName& scene : scene_names()) {
-    for (const double scale : kScales) visit(ways_to_ask(scene, scale), number++);
+    for (const double scale : kScales) {
+      visit(ways_to_ask_step(scene, scale), number);
+      if constexpr (AsksPositions<Detector, std::vector<Point>>) visit(ways_to_ask_positions(scene, scale), number);
+      ++number;
+    }
     ++number;  // seven a scene: the ways come in turn at each scale, too
   }
 }

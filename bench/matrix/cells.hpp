@@ -7,7 +7,16 @@
 
 namespace tamis::matrix {
 
-enum class Question { contacts, earliest, free, keep, three };
+enum class Question {
+  contacts,
+  earliest,
+  free,
+  keep,
+  three,  ///< contacts, earliest, free, one after the other
+  truncate,
+  within,         ///< of the positions at the end, within the separation
+  intersections,  ///< of the positions at the end
+};
 
 /// What the detector was asked before, and how often it is asked.
 enum class State {
@@ -34,7 +43,7 @@ double work_of(const Cell& cell);
 /// Which cells are asked.
 enum class Part {
   night,  ///< all whose work is below a limit
-  daily,  ///< one of each scene and scale, so that all ways to ask come in turn
+  daily,  ///< two of each scene and scale, of steps' and of positions' questions, so that all ways to ask come in turn
   quick,  ///< of the daily ones those that take little
 };
 

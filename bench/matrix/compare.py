@@ -171,6 +171,15 @@ def list_cells(program, part, patterns):
     return subprocess.run(command, check=True, capture_output=True, text=True).stdout.split()
 
 
+def cells_of_both(asked, patterns):
+    """What both builds know; an old one may lack a question."""
+    known = set(list_cells(asked.old, asked.part, patterns))
+    cells = list_cells(asked.new, asked.part, patterns)
+    if len(cells) > len(known):
+        print(f"not asked, as the old build does not know the question: {len(set(cells) - known)} cells", file=sys.stderr)
+    return [cell for cell in cells if cell in known]
+
+
 def print_left_out(program, patterns):
     steps = collections.Counter("/".join(cell.split("/")[:2]) for cell in list_cells(program, "left-out", patterns))
     if steps:
@@ -239,7 +248,7 @@ def main():
         signal.signal(ending, signal.default_int_handler)
     asked = arguments()
     patterns = asked.cells or ["*"]
-    cells = list_cells(asked.new, asked.part, patterns)
+    cells = cells_of_both(asked, patterns)
     cells = [cell for cell in cells if not any(fnmatch.fnmatch(cell, pattern) for pattern in asked.without)]
     if not cells:
         raise SystemExit("compare: no such cells")

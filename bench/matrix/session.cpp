@@ -88,6 +88,32 @@ void add_answer(const SafeStep& step, Outcome& outcome) {
   add_bracket(step.lower, step.upper, outcome);
 }
 
+/// A pair of features that are near each other, or an edge that passes through a face.
+template <class Found>
+void add_found(const Found& found, Outcome& outcome) {
+  if constexpr (requires { found.distance; }) {
+    add_pair(found, outcome);
+    add(outcome.bits, found.distance);
+  } else {
+    for (std::uint64_t* hash : {&outcome.pairs, &outcome.bits}) {
+      for (const Index v : found.edge) add(*hash, static_cast<std::uint64_t>(v));
+      for (const Index v : found.face) add(*hash, static_cast<std::uint64_t>(v));
+    }
+  }
+}
+
+/// Of whatever positions are asked about: types that old versions lack.
+template <class Answer>
+void add_answer(const Answer& answer, Outcome& outcome) {
+  if constexpr (requires { answer.positions; }) {
+    for (const Point& point : answer.positions)
+      for (const double x : point) add(outcome.bits, x);
+  } else {
+    for (const auto& pair : answer) add_found(pair, outcome);
+    outcome.contacts += answer.size();
+  }
+}
+
 void add_counts(const Statistics& statistics, Outcome& outcome) {
   outcome.counts["nodes"] += statistics.nodes_visited;
   outcome.counts["exact"] += statistics.decided_by.exact;
@@ -103,7 +129,8 @@ Session::Session(const Cell& cell, scenes::Scene scene, Isa isa)
   options_.isa = isa;
   decide_all(options_);
   if (cell.scene.parts_groups) options_.filter = PairFilter::no_self_contact(scene_.group_of_vertex);
-  options_.min_separation = cell.separation * mean_edge(mesh_, scene_.start);
+  distance_ = cell.separation * mean_edge(mesh_, scene_.start);
+  if (cell.question != Question::within) options_.min_separation = distance_;
   other_start_ = scenes::exchanged(scene_.start);
   other_end_ = scenes::exchanged(scene_.end);
 }
@@ -121,6 +148,9 @@ void Session::ask(Question question, const std::vector<Point>& start, const std:
   if (question == Question::earliest) timed([&] { return detector_->earliest(step); });
   if (question == Question::free) timed([&] { return detector_->is_free(step); });
   if (question == Question::keep) timed([&] { return safe_step(*detector_, step, kKeptFraction); });
+  if (question == Question::truncate) timed([&] { return truncate(*detector_, step, kKeptFraction); });
+  if (question == Question::within) timed([&]() -> decltype(auto) { return within(*detector_, end, distance_); });
+  if (question == Question::intersections) timed([&]() -> decltype(auto) { return intersections(*detector_, end); });
   if (question == Question::three)
     for (const auto one : {Question::contacts, Question::earliest, Question::free}) ask(one, start, end, outcome);
 }

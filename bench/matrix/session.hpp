@@ -38,6 +38,7 @@ class Session {
   scenes::Scene scene_;
   Mesh mesh_;
   Options options_;
+  double distance_;  ///< of the cell's separation, in the unit of the positions
   std::vector<Point> other_start_, other_end_;
   std::optional<Detector> detector_;
 };

@@ -149,6 +149,25 @@ void BlockTree::fill(Levels& levels, const std::vector<BoxVertex>& vertices, con
     });
 }
 
+void BlockTree::mark(std::span<const std::uint8_t> of_vertex) {
+  marked_.clear();
+  if (of_vertex.empty()) return;
+  TAMIS_ASSERT(is_built_);
+  const auto is_marked = [&](const CornerBlock& block) {
+    return std::ranges::any_of(block.vertex, [&](const auto& corner) {
+      return std::ranges::any_of(corner, [&](Index v) { return of_vertex[static_cast<std::size_t>(v)] != 0; });
+    });
+  };
+  std::vector<std::uint8_t> marks(corner_blocks_.size());
+  parallel_blocks(marks.size(), [&](std::size_t block) { marks[block] = is_marked(corner_blocks_[block]); });
+  for (marked_.push_back(std::move(marks)); marked_.size() < levels_.size();) {
+    const std::vector<std::uint8_t>& below = marked_.back();
+    std::vector<std::uint8_t> above(blocks_for(below.size()));
+    for (std::size_t child = 0; child < below.size(); ++child) above[child / kBlock] |= below[child];
+    marked_.push_back(std::move(above));
+  }
+}
+
 TreeView BlockTree::view() const {
   TreeView view{};
   for (const auto& level : residuals_) view.residuals[view.level_count++] = level.data();
@@ -159,6 +178,8 @@ TreeView BlockTree::view() const {
   view.groups = groups_;
   for (std::size_t level = 0; level < group_of_block_.size(); ++level)
     view.groups.of[level] = group_of_block_[level].data();
+  for (std::size_t level = 0; level < marked_.size(); ++level) view.marked[level] = marked_[level].data();
+  view.leaves_out = groups_.may_touch || !marked_.empty();
   return view;
 }
 

@@ -38,11 +38,15 @@ struct TreeView {
   int leaf_blocks;
   const CornerBlock* corners;
   BlockGroups groups;
+  /// Of each block of levels[k]: does it hold a feature that is marked? Null: pairs without one are of interest, too.
+  const std::uint8_t* marked[kMaxLevels];
+  bool leaves_out;  ///< blocks, by groups or marks
 };
 
-/// No feature of leaf block `block` of a may touch any of block `other` of level `level` of b, by their groups.
-[[gnu::always_inline]] inline bool are_kept_apart(const TreeView& a, int block, const TreeView& b, int level,
-                                                  int other) {
+/// No feature of leaf block `block` of a makes a pair of interest with any of block `other` of level `level` of b: by
+/// their groups, or as none is marked.
+[[gnu::always_inline]] inline bool is_left_out(const TreeView& a, int block, const TreeView& b, int level, int other) {
+  if (a.marked[0] && !a.marked[0][block] && !b.marked[level][other]) return true;
   if (!a.groups.may_touch) return false;
   const std::ptrdiff_t mine = a.groups.of[0][block], theirs = b.groups.of[level][other];
   return mine >= 0 && theirs >= 0 && a.groups.may_touch[mine * a.groups.group_count + theirs] == 0;
@@ -82,6 +86,8 @@ class BlockTree {
 
   Index feature_count() const { return static_cast<Index>(vertices_.size() / static_cast<std::size_t>(corners_)); }
   TreeView view() const;
+  /// Marks features with a vertex that is not 0 here; empty: views have no marks. REQUIRES: is_built(), or empty.
+  void mark(std::span<const std::uint8_t> of_vertex);
   /// Sums over the leaf blocks of the half area of their hulls, in the frame of the boxes: what a traversal's cost
   /// grows with.
   struct Areas {
@@ -89,7 +95,7 @@ class BlockTree {
   };
   Areas areas() const;
   std::uint64_t memory_bytes() const {
-    return held_bytes(corner_blocks_, self_apart_, levels_, residuals_, group_of_block_);
+    return held_bytes(corner_blocks_, self_apart_, levels_, residuals_, group_of_block_, marked_);
   }
 
  private:
@@ -118,6 +124,7 @@ class BlockTree {
   BlockGroups groups_{};
   std::vector<std::uint8_t> self_apart_;            ///< of each group: does it not touch itself?
   std::vector<std::vector<Index>> group_of_block_;  ///< as BlockGroups::of
+  std::vector<std::vector<std::uint8_t>> marked_;   ///< as TreeView::marked; empty: no marks
 };
 
 }  // namespace tamis

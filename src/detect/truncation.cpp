@@ -67,6 +67,7 @@ TruncatedStep Truncation::run(double together) {
 void Truncation::begin(double together) {
   together_ = together;
   rounds_ = 0;
+  changed_.clear();
   const auto count = at(mesh_.vertex_count());
   to_ = {std::vector<Point>(count), std::vector<double>(count, 1), true};
   for (Index v = 0; v < mesh_.vertex_count(); ++v) place(v);
@@ -113,15 +114,17 @@ void Truncation::stop(Index vertex, double time) {
   double& part = to_.parts[at(vertex)];
   if (!(time < part)) return;
   part = time;
+  if (!changed_.empty()) changed_[at(vertex)] = 1;
   place(vertex);
 }
 
 std::vector<StepLimit> Truncation::broken_pairs() {
-  to_.is_free = true;
   Query on_way = query_;
   on_way.step = way();
+  on_way.changed = changed_;
   std::vector<StepLimit> pairs;
   engine_.find_step_ends(on_way, fractions_.keep, pairs, statistics_);
+  changed_.assign(to_.parts.size(), 0);
   std::erase_if(pairs, [this](const StepLimit& pair) { return !is_broken(pair); });
   return pairs;
 }
@@ -135,6 +138,7 @@ void Truncation::stop_at_planes(const StepLimit& pair, const std::vector<double>
   bool is_stopped = false;
   for (std::size_t i = 0; i < count; ++i) is_stopped |= times[i] < asked[at(pair.vertices[i])];
   for (std::size_t i = 0; i < count; ++i) stop(pair.vertices[i], is_stopped ? times[i] : together_);
+  changed_[at(pair.vertices[0])] = 1;  // whatever became of it, it is asked again
 }
 
 bool Truncation::is_broken(const StepLimit& pair) {

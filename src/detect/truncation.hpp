@@ -27,8 +27,8 @@ class Truncation {
   void begin_on_own_sides();
   void place(Index vertex);
   void stop(Index vertex, double time);
-  /// Asks about way(): those pairs whose vertices must go less far. Says in to_ whether the step is free, as far as
-  /// that shows.
+  /// Asks about way(): those pairs whose vertices must go less far. Pairs that were asked about and have not changed
+  /// since are not asked again. Says in to_ if the step is not free, as far as that shows.
   std::vector<StepLimit> broken_pairs();
   /// REQUIRES: a time in [0,1). REQUIRES (not checked: history): a pair of the engine's answer.
   bool is_broken(const StepLimit& pair);
@@ -48,6 +48,7 @@ class Truncation {
   Engine& engine_;
   Statistics& statistics_;
   TruncatedStep to_;
+  std::vector<std::uint8_t> changed_;  ///< as Query::changed, since way() was asked about; empty: it was not
   double together_ = 0;
   bool on_own_sides_ = false;
   int rounds_ = 0;

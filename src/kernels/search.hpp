@@ -56,14 +56,13 @@ class BlockSearch {
         [&](int k, int first) { return hulls.lanes(k, first); });
     // In the same tree only blocks from this one on: child c covers leaf blocks below (c + 1) 16^(level-1).
     if (rows_.kIsSelf) mask &= from_bit((block_ >> (4 * (level - 1))) - node * kBlock);
-    return search_.a.groups.may_touch ? without_kept_apart(mask, level, node) : mask;
+    return search_.a.leaves_out ? without_left_out(mask, level, node) : mask;
   }
 
-  /// Of the bits of a node's children, those that may touch by their groups.
-  unsigned without_kept_apart(unsigned mask, int level, int node) const {
+  unsigned without_left_out(unsigned mask, int level, int node) const {
     unsigned rest = mask;
     for_each_bit(mask, [&](int child) {
-      if (are_kept_apart(search_.a, block_, search_.b, level - 1, node * kBlock + child)) rest &= ~(1u << child);
+      if (is_left_out(search_.a, block_, search_.b, level - 1, node * kBlock + child)) rest &= ~(1u << child);
     });
     return rest;
   }

@@ -32,7 +32,7 @@ class Engine {
   virtual SafeStep find_step_length(const Query& query, double fraction, Statistics& statistics) = 0;
 
   /// Every pair that is not proven to keep the fraction during the whole step, by kind, then vertices, with the time
-  /// until which it is. REQUIRES: 0 < fraction < 1.
+  /// until which it is. Pairs without a vertex of query.changed may be left out. REQUIRES: 0 < fraction < 1.
   virtual void find_step_ends(const Query& query, double fraction, std::vector<StepLimit>& ends,
                               Statistics& statistics) = 0;
 

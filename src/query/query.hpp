@@ -1,5 +1,8 @@
 // What is asked. A query goes down through the engine unchanged; answers come back in collectors.
 #pragma once
+#include <cstdint>
+#include <span>
+
 #include "motion/separations.hpp"
 #include "narrow/contact_rule.hpp"
 #include "narrow/kept_distance.hpp"
@@ -31,6 +34,9 @@ struct Query {
   bool is_by_pair = false;
   /// A chord of a path: the next one deviates otherwise from its curve, and so has other radii.
   bool is_piece = false;
+  /// Of each vertex, not 0: pairs with no such vertex are known, and may be left out of the answer. Empty: none is. Of
+  /// find_step_ends alone.
+  std::span<const std::uint8_t> changed = {};
 
   /// By which a pair is decided.
   ContactRule rule_for(PairKind kind, const std::array<Index, 4>& vertices) const {

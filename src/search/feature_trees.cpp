@@ -51,6 +51,7 @@ void FeatureTrees::refit_or_rebuild(const Step& step, const Separations& separat
 void FeatureTrees::assign(const Step& step, const Separations& separations) {
   TAMIS_ASSERT(step.start.count() == mesh_.vertex_count() && step.end.count() == mesh_.vertex_count());
   assigned_ = step;
+  mark({});
   if (motion_.assign(step, mesh_.points(), separations)) are_of_motion_ = false;
 }
 
@@ -129,6 +130,10 @@ bool FeatureTrees::is_order_good(LooksAt looks_at) {
   if (has_spread(kPoorStart)) return false;
   const bool may_pay = is_far && looks_at != LooksAt::whole_step && start_in_row_ % kStartInRow == 0;
   return now.swept <= kPoorArea * built.swept && !(may_pay && best_axes(looks_at).time == 0);
+}
+
+void FeatureTrees::mark(std::span<const std::uint8_t> of_vertex) {
+  for (BlockTree* tree : trees()) tree->mark(of_vertex);
 }
 
 void FeatureTrees::fit_residuals(const Step& step, const SharedMotion& shared) {

@@ -37,6 +37,9 @@ class FeatureTrees {
   /// What the displacements of each feature have besides a motion they share, for the questions that ask. REQUIRES:
   /// are_of(step).
   void fit_residuals(const Step& step, const SharedMotion& shared);
+  /// From now until the next step is told, searches leave out blocks of features without a vertex that is not 0 here,
+  /// with each other. Empty: none. REQUIRES: as above, or empty.
+  void mark(std::span<const std::uint8_t> of_vertex);
 
   /// A search of these trees has visited so many pairs of nodes.
   void add_search(std::uint64_t nodes) {

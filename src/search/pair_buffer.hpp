@@ -6,6 +6,7 @@
 #include "numerics/assert.hpp"
 #include "query/isolated.hpp"
 #include "query/pair_rules.hpp"
+#include "topology/at.hpp"
 
 namespace tamis {
 
@@ -51,6 +52,16 @@ void keep_wanted(PairBuffer& pairs, const F& is_wanted) {
 inline void keep_each_once(PairKind kind, PairBuffer& pairs) {
   if (kind == PairKind::vertex_vertex)
     keep_wanted(pairs, [&](int i) { return pairs.corner[0][i] < pairs.corner[1][i]; });
+}
+
+/// Leaves out the pairs that have no changed vertex (Query::changed).
+inline void leave_out_unchanged(std::span<const std::uint8_t> changed, PairKind kind, PairBuffer& pairs) {
+  if (changed.empty()) return;
+  keep_wanted(pairs, [&, count = vertex_count(kind)](int i) {
+    std::uint8_t any = 0;
+    for (std::size_t c = 0; c < count; ++c) any |= changed[at(pairs.corner[c][i])];
+    return any != 0;
+  });
 }
 
 /// Leaves out the pairs of groups that may not touch.

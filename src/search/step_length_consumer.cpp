@@ -45,7 +45,8 @@ void StepLengthConsumer::consume(PairKind kind) {
   PairBuffer &boxes = thread().boxes, &near = thread().filtered;
   of(counts.boxes, kind) += static_cast<std::uint64_t>(boxes.count);
   if (limit_.time == 0) keep_wanted(boxes, [&](int i) { return !limit_.rules_out(kind, vertices_of(kind, boxes, i)); });
-  leave_out_groups(query().filter, kind, boxes);  // costs less than what follows
+  leave_out_unchanged(query().changed, kind, boxes);  // costs less than what follows
+  leave_out_groups(query().filter, kind, boxes);
   if (can_cross(kind)) {
     near.count = 0;
     const KeepVertices vertices{motion.box_vertices.data(), motion.box_separation(), motion.vertices.data(),

@@ -26,7 +26,10 @@ bool StepLengthSearch::begin(StepLengthQuery& asked, Statistics& statistics) {
   const bool is_listed = candidates_.prepare(query, LooksAt::distances, of_start_.begin(query, asked.fraction), plan,
                                              make, of_start_.lists(), statistics);
   const Stopwatch watch;
-  if (!is_listed) fit_residuals(asked);
+  if (!is_listed) {
+    fit_residuals(asked);
+    workspace_.trees.mark(query.changed);
+  }
   asked.spread = workspace_.trees.motion().spread;
   statistics.seconds.bounds += watch.seconds();
   streams_.begin(asked);

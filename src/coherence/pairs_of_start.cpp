@@ -28,9 +28,11 @@ double length_at_most(const Step& step, Index v) {
 
 }  // namespace
 
-bool PairsOfStart::begin(const Query& query, double fraction) {
+bool PairsOfStart::begin(const Query& query, double fraction, bool lists_all) {
   starts_again_ = starts_again(query.step);
   if (starts_again_) {
+    is_truncated_again_ |= is_truncated_ && !lists_all;
+    is_truncated_ |= lists_all;
     for (const Index v : mesh_.points()) ways_[at(v)] = std::max(ways_[at(v)], length_at_most(query.step, v));
     if (are_listed_ && covers(query, fraction)) return true;
   } else {
@@ -42,6 +44,8 @@ bool PairsOfStart::begin(const Query& query, double fraction) {
 void PairsOfStart::start_anew(const Step& step) {
   forget();
   pause_.tick();
+  were_truncated_again_ = {is_truncated_again_, were_truncated_again_[0]};
+  is_truncated_ = is_truncated_again_ = false;
   ways_before_.swap(ways_);
   const auto count = at(mesh_.vertex_count());
   ways_before_.resize(count);
@@ -67,6 +71,7 @@ bool PairsOfStart::covers(const Query& query, double fraction) const {
 
 bool PairsOfStart::plan(const Query& query, double fraction) {
   if (!starts_again_ || pause_.left > 0) return false;
+  if (!is_truncated_again_ && !were_truncated_again_[0] && !were_truncated_again_[1]) return false;
   const double besides = kBesides * mean_of_ways();
   forget();
   room_.resize(start_.size());

@@ -1,7 +1,8 @@
-// Pairs near at the start: the rounds of a truncation ask about one start again and again, and so do the iterations of
-// a solver that truncates each. The pairs that are so near that their vertices may use up the distance are listed once,
-// and each further question looks at those alone. It decides what is looked at, never what the answer is.
+// Pairs near at the start: a solver that truncates each of its iterations asks about one start again and again. The
+// pairs that are so near that their vertices may use up the distance are listed once, and each further question looks
+// at those alone. It decides what is looked at, never what the answer is.
 #pragma once
+#include <array>
 #include <vector>
 
 #include "coherence/pair_list.hpp"
@@ -16,11 +17,11 @@ class PairsOfStart {
   /// Keeps a reference.
   explicit PairsOfStart(const Mesh& mesh) : mesh_(mesh) {}
 
-  /// A new question. True: the lists hold all pairs that may end the step.
-  bool begin(const Query& query, double fraction);
-  /// Else, where more questions about this start are sure to come: was there one before, and is a list worth another
-  /// try? If so, add all pairs that are within separations() of each other at the start to lists(), then call
-  /// complete().
+  /// A new question. `lists_all`: for every pair that ends the step, as truncations ask after one for a step for all.
+  /// True: the lists hold all pairs that may.
+  bool begin(const Query& query, double fraction, bool lists_all);
+  /// Else, in a truncation: will this start be truncated again, and is a list worth another try? If so, add all pairs
+  /// that are within separations() of each other at the start to lists(), then call complete().
   bool plan(const Query& query, double fraction);
   Separations separations() const { return {separation_, reach_}; }
   /// The lists are ready; or the pairs were too many, and there are none. Returns which.
@@ -45,6 +46,9 @@ class PairsOfStart {
   double separation_ = 0;
   PairLists lists_;
   bool starts_again_ = false;  ///< the last question, as the one before it
+  // Lists pay from the second truncation of a start on: is there one from this start, and was there from the last two?
+  bool is_truncated_ = false, is_truncated_again_ = false;
+  std::array<bool, 2> were_truncated_again_{};
   bool are_listed_ = false;
   ListingPause pause_{1};  ///< in starts
 };

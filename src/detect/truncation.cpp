@@ -6,6 +6,7 @@
 #include "exact/start_distance.hpp"
 #include "narrow/near_pair.hpp"
 #include "numerics/assert.hpp"
+#include "numerics/in_parts.hpp"
 #include "query/pair_rules.hpp"
 #include "topology/at.hpp"
 #include "topology/largest_beside.hpp"
@@ -24,6 +25,8 @@ constexpr int kRounds = 32;
 constexpr int kRoundsOnOwnSides = 8;
 /// The part of its distance that a pair keeps which starts within its separation.
 constexpr double kAllButAMillionth = 1 - 0x1p-20;
+/// In a part of a loop that threads share; a pair takes a microsecond or two.
+constexpr std::size_t kPairsWorthSharing = 64;
 
 double length_of_way(const Step& step, Index v) {
   const double *from = step.start[v], *to = step.end[v];
@@ -125,7 +128,13 @@ std::vector<StepLimit> Truncation::broken_pairs() {
   std::vector<StepLimit> pairs;
   engine_.find_step_ends(on_way, fractions_.keep, pairs, statistics_);
   changed_.assign(to_.parts.size(), 0);
-  std::erase_if(pairs, [this](const StepLimit& pair) { return !is_broken(pair); });
+  std::atomic<bool> some_start_within = false;
+  in_parts(pairs.size(), kPairsWorthSharing, [&](std::size_t begin, std::size_t end) {
+    for (; begin != end; ++begin)
+      if (!is_broken(pairs[begin], some_start_within)) pairs[begin].time = 1;
+  });
+  if (some_start_within) to_.is_free = false;
+  std::erase_if(pairs, [](const StepLimit& pair) { return pair.time == 1; });
   return pairs;
 }
 
@@ -141,11 +150,11 @@ void Truncation::stop_at_planes(const StepLimit& pair, const std::vector<double>
   changed_[at(pair.vertices[0])] = 1;  // whatever became of it, it is asked again
 }
 
-bool Truncation::is_broken(const StepLimit& pair) {
+bool Truncation::is_broken(const StepLimit& pair, std::atomic<bool>& some_start_within) const {
   TAMIS_ASSERT(0 <= pair.time && pair.time < 1);
   if (query_.ignores_start || pair.time > 0) return true;
   if (!starts_within(pair.kind, points_of(step_, pair.vertices), separation_of(pair))) return true;
-  to_.is_free = false;
+  some_start_within = true;
   const PairPoints points = points_of(way(), pair.vertices);
   if (points.start == points.end) return false;
   PrecisionCount decided_by;

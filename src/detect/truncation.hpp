@@ -4,6 +4,7 @@
 // round by round until no pair is left. If that does not end, each vertex goes alone from the start, with planes
 // between all pairs that could meet. All positions asked about are numbers that the caller can store.
 #pragma once
+#include <atomic>
 #include <vector>
 
 #include "detect/planar_times.hpp"
@@ -30,8 +31,9 @@ class Truncation {
   /// Asks about way(): those pairs whose vertices must go less far. Pairs that were asked about and have not changed
   /// since are not asked again. Says in to_ if the step is not free, as far as that shows.
   std::vector<StepLimit> broken_pairs();
-  /// REQUIRES: a time in [0,1). REQUIRES (not checked: history): a pair of the engine's answer.
-  bool is_broken(const StepLimit& pair);
+  /// Sets `some_start_within` if it starts within its separation. Several threads may ask. REQUIRES: a time in [0,1).
+  /// REQUIRES (not checked: history): a pair of the engine's answer.
+  bool is_broken(const StepLimit& pair, std::atomic<bool>& some_start_within) const;
   bool is_beyond(const StepLimit& pair) const;
   template <class Pair>
   double separation_of(const Pair& pair) const {

@@ -20,11 +20,13 @@ constexpr double kMeetsAll = 8;
 /// Returns true if the lists are to be asked, false if the trees must be searched.
 bool StepLengthSearch::begin(StepLengthQuery& asked, Statistics& statistics) {
   TAMIS_ASSERT(0 < asked.fraction && asked.fraction < 1);
+  TAMIS_ASSERT(asked.query.changed.empty() || asked.query.changed.size() == at(workspace_.mesh.vertex_count()));
   const Query& query = asked.query;
   const auto plan = [&] { return asked.lists_all && of_start_.plan(query, asked.fraction); };
   const auto make = [&] { return list_near(query, statistics); };
-  const bool is_listed = candidates_.prepare(query, LooksAt::distances, of_start_.begin(query, asked.fraction), plan,
-                                             make, of_start_.lists(), statistics);
+  const bool is_listed =
+      candidates_.prepare(query, LooksAt::distances, of_start_.begin(query, asked.fraction, asked.lists_all), plan,
+                          make, of_start_.lists(), statistics);
   const Stopwatch watch;
   if (!is_listed) {
     fit_residuals(asked);

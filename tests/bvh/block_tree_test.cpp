@@ -48,15 +48,15 @@ TEST_F(BlockTreeGroups, ABlockHasTheGroupOfAllItHolds) {
   EXPECT_EQ(view.groups.of[view.level_count - 1][0], BlockGroups::kMixed) << "the root holds all";
 }
 
-TEST_F(BlockTreeGroups, ANodeIsKeptApartOnlyIfAllInItMayNotTouch) {
+TEST_F(BlockTreeGroups, ANodeIsLeftOutOnlyIfAllInItMayNotTouch) {
   const TreeView view = tree_.view();
   int apart = 0;
   for (int block = 0; block < view.leaf_blocks; ++block)
     for (int other = 0; other < view.leaf_blocks; ++other) {
       const Index mine = view.groups.of[0][block], theirs = view.groups.of[0][other];
       const bool expected = mine >= 0 && mine == theirs;
-      EXPECT_EQ(are_kept_apart(view, block, view, 0, other), expected);
-      EXPECT_LE(are_kept_apart(view, block, view, 1, other / kBlock), expected);
+      EXPECT_EQ(is_left_out(view, block, view, 0, other), expected);
+      EXPECT_LE(is_left_out(view, block, view, 1, other / kBlock), expected);
       apart += expected;
     }
   EXPECT_GT(apart, 0);
@@ -82,10 +82,10 @@ TEST_F(BlockTreeGroups, GroupsThatTouchThemselvesAreOrderedAsOne) {
   EXPECT_NE(together, parted);
 }
 
-TEST_F(BlockTreeGroups, WithoutGroupsNothingIsKeptApart) {
+TEST_F(BlockTreeGroups, WithoutGroupsNothingIsLeftOut) {
   tree_.set_groups({}, {}, 1);
   tree_.build(motion_, {}, kernels(Isa::best).trees);
-  EXPECT_FALSE(are_kept_apart(tree_.view(), 0, tree_.view(), 0, 0));
+  EXPECT_FALSE(is_left_out(tree_.view(), 0, tree_.view(), 0, 0));
 }
 
 }  // namespace

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <span>
 
+#include "topology/at.hpp"
+
 namespace tamis {
 namespace {
 

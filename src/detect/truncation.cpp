@@ -150,16 +150,16 @@ void Truncation::stop_at_planes(const StepLimit& pair, const std::vector<double>
   changed_[at(pair.vertices[0])] = 1;  // whatever became of it, it is asked again
 }
 
+/// A pair that stands still keeps its distance, though rounding may leave that unproven where nearly all is to be kept.
 bool Truncation::is_broken(const StepLimit& pair, std::atomic<bool>& some_start_within) const {
   TAMIS_ASSERT(0 <= pair.time && pair.time < 1);
-  if (query_.ignores_start || pair.time > 0) return true;
-  if (!starts_within(pair.kind, points_of(step_, pair.vertices), separation_of(pair))) return true;
-  some_start_within = true;
   const PairPoints points = points_of(way(), pair.vertices);
-  if (points.start == points.end) return false;
+  const bool moves = points.start != points.end;
+  if (query_.ignores_start || pair.time > 0 || !starts_within(pair.kind, points, separation_of(pair))) return moves;
+  some_start_within = true;
   PrecisionCount decided_by;
   const DistanceRule comes_no_nearer{kAllButAMillionth, 0};
-  return keeps_distance_until(pair.kind, points, comes_no_nearer, 1, decided_by) < 1;
+  return moves && keeps_distance_until(pair.kind, points, comes_no_nearer, 1, decided_by) < 1;
 }
 
 bool Truncation::is_beyond(const StepLimit& pair) const {

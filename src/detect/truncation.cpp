@@ -105,12 +105,15 @@ void Truncation::begin_on_own_sides() {
   }
 }
 
+/// A coordinate that the step leaves as it is stays.
 void Truncation::place(Index vertex) {
   const auto v = at(vertex);
   const double t = to_.parts[v];
   const double *start = step_.start[vertex], *end = step_.end[vertex];
   for (std::size_t k = 0; k < 3; ++k)
-    to_.positions[v][k] = t == 1 ? end[k] : t == 0 ? start[k] : rounded((1 - t) * start[k] + t * end[k], stored_);
+    to_.positions[v][k] = t == 1                         ? end[k]
+                          : t == 0 || start[k] == end[k] ? start[k]
+                                                         : rounded((1 - t) * start[k] + t * end[k], stored_);
 }
 
 void Truncation::stop(Index vertex, double time) {

@@ -61,7 +61,8 @@ struct Options {
   double min_separation = 0;
   /// A radius >= 0 for each group of filter.group_of_vertex: radii is half a thickness. Two features are in
   /// contact when their distance is at most `min_separation` plus both radii, for every question but intersections. A
-  /// feature that joins groups has the largest radius of its vertices. Empty: all zero.
+  /// feature that joins groups has the largest radius of its vertices. Empty: all zero. A question throws
+  /// InvalidOptions where its separation and twice a radius are more than any double.
   std::vector<double> radii = {};
   Isa isa = Isa::best;
   PairFilter filter = PairFilter();

@@ -123,10 +123,10 @@ class World {
   void set_enabled(BodyId body, bool is_enabled);
   /// Half of its thickness, in the unit of the positions: bodies are in contact where their distance is at most the
   /// minimum separation plus both radii, for every question but `intersections`; so is a deforming one with itself.
-  /// At first 0. Throws InvalidOptions: negative or not finite.
+  /// At first 0. Throws InvalidOptions: negative or not finite; a question does where sums are more than any double.
   void set_radius(BodyId body, double radius);
   /// Two bodies, or a deforming body with itself: may they touch at all? At first all may; two static bodies never, nor
-  /// a body that does not deform itself. Throws InvalidOptions: the latter is asked for.
+  /// a body that does not deform itself. Throws InvalidOptions: one of these is asked for.
   void set_may_touch(BodyId a, BodyId b, bool may_touch);
 
   /// All contacts, by kind, then bodies and vertices in the order of the features. Where one of two bodies turns, these

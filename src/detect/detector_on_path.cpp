@@ -10,9 +10,10 @@ namespace tamis {
 template <class Find>
 void Detector::State::on_path(const CutPath& path, const QueryOptions& asked, const Find& find) {
   validate_of_path(asked);
+  const Separations kept = separations(asked);
   measure([&] {
     if (!path_search_) path_search_ = std::make_unique<PathSearch>(mesh, options, rings_, *engine_);
-    const MeshOnPath whole{path.path, separations(asked), asked.tolerance.value_or(PairOptions().tolerance),
+    const MeshOnPath whole{path.path, kept, asked.tolerance.value_or(PairOptions().tolerance),
                            asked.at_start == AtStart::ignore, path.ends};
     find(*path_search_, whole);
   });

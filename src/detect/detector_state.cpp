@@ -53,8 +53,10 @@ void Detector::State::serve_world(std::vector<double> radii) {
   serves_world_ = true;
 }
 
-Separations Detector::State::separations(const QueryOptions& asked) const {
-  return {asked.min_separation.value_or(options.min_separation), radii_};
+Separations Detector::State::separations(double fixed) const {
+  const Separations result{fixed, radii_};
+  validate(result);
+  return result;
 }
 
 Query Detector::State::validated_query(const Step& step, const QueryOptions& asked, Question question) const {
@@ -161,7 +163,7 @@ TruncatedStep Detector::State::truncate(const Query& whole, double keep, AtStart
 const std::vector<NearPair>& Detector::State::find_near(const Positions& positions, double distance) {
   validate_distance(distance, "the distance");
   validate(positions, mesh, "the pose");
-  const Query asked = query({positions, positions}, {distance, radii_});
+  const Query asked = query({positions, positions}, separations(distance));
   measure([&] { engine_->find_near(asked, near_, statistics); });
   return near_;
 }

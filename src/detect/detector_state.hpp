@@ -44,7 +44,11 @@ struct Detector::State {
   std::atomic_flag is_asked;  ///< the turn of the question that is being answered
 
  private:
-  Separations separations(const QueryOptions& asked) const;
+  /// Throws InvalidOptions.
+  Separations separations(double fixed) const;
+  Separations separations(const QueryOptions& asked) const {
+    return separations(asked.min_separation.value_or(options.min_separation));
+  }
   /// Of a step that is validated.
   Query query(const Step& step, const Separations& separations, Question question = Question::all_contacts) const {
     return {step, separations, options.filter, rings_, options.is_cancelled, question};

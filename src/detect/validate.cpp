@@ -158,6 +158,14 @@ void validate_distance(double distance, std::string_view what) {
   check(is_distance(distance), [&] { return distance_text(distance, what); });
 }
 
+void validate(const Separations& separations) {
+  const double radius = separations.largest_radius();
+  check(std::isfinite(2 * radius + separations.fixed), [&] {
+    return "a separation of " + number_text(separations.fixed) + " and twice the radius " + number_text(radius) +
+           " are together more than any double: give smaller ones";
+  });
+}
+
 void validate(const Step& step, const Mesh& mesh) {
   validate(step.start, mesh, "the start of the step");
   validate(step.end, mesh, "the end of the step");

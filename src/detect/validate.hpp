@@ -2,6 +2,7 @@
 #pragma once
 #include <string_view>
 
+#include "motion/separations.hpp"
 #include "narrow/contact_rule.hpp"
 #include "tamis/mesh.hpp"
 #include "tamis/options.hpp"
@@ -40,6 +41,9 @@ void validate_threads(int threads);
 
 /// `what`: as in "the minimum separation". Throws InvalidOptions unless finite and >= 0.
 void validate_distance(double distance, std::string_view what);
+
+/// Throws InvalidOptions unless all pairs are kept apart by a finite distance.
+void validate(const Separations& separations);
 
 /// Throws InvalidOptions unless in [0, 1); of `truncate` in (0, 1).
 void validate_kept(double keep);

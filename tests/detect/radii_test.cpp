@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
+#include <string>
 
 #include "lab/detector.hpp"
 #include "lab/pairs.hpp"
@@ -11,6 +13,7 @@
 #include "support/test_names.hpp"
 #include "tamis/detector.hpp"
 #include "tamis/error.hpp"
+#include "tamis/spline_path.hpp"
 
 namespace tamis::test {
 namespace {
@@ -165,6 +168,36 @@ TEST(ThicknessThatDoesNotFit, IsRefusedByName) {
     EXPECT_THROW(detector.is_free(scene.step(), {.min_separation = bad}), InvalidOptions);
     EXPECT_THROW(detector.safe_step(scene.step(), 0.5, {.min_separation = bad}), InvalidOptions);
   }
+}
+
+// Bug: a separation that is infinite as a sum went on into integers, which have no infinity.
+TEST(Radii, AndSeparationTogetherAreFinite) {
+  const Mesh mesh(6, {{0, 1, 2}, {3, 4, 5}});
+  const std::vector<Point> start{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}, {0, 1, 1}};
+  std::vector<Point> end = start;
+  end[3][2] = 0.5;
+  const Step step{start, end};
+  const BezierPath path({start, end, start});
+  const auto ask = [&](double radius, double separation) {
+    Detector detector(mesh, {.radii = {radius}});
+    const QueryOptions how{.min_separation = separation};
+    const std::function<void()> questions[] = {
+        [&] { detector.contacts(step, how); },      [&] { detector.earliest(step, how); },
+        [&] { detector.is_free(step, how); },       [&] { detector.safe_step(step, 0.1, how); },
+        [&] { detector.truncate(step, 0.1, how); }, [&] { detector.pairs_within(start, separation); },
+        [&] { detector.contacts(path, how); }};
+    int refused = 0;
+    for (const auto& question : questions) try {
+        question();
+      } catch (const InvalidOptions& error) {
+        EXPECT_NE(std::string(error.what()).find("together"), std::string::npos) << error.what();
+        ++refused;
+      }
+    return refused;
+  };
+  EXPECT_EQ(ask(8e307, 1e307), 0);
+  EXPECT_EQ(ask(8e307, 8e307), 7);
+  EXPECT_EQ(ask(1.7e308, 0), 7);
 }
 
 }  // namespace

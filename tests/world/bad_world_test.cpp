@@ -173,6 +173,10 @@ TEST(BadWorld, RefusesOptionsOfOneMesh) {
   EXPECT_THROW(world.earliest({.tolerance = 0}), InvalidOptions);
   EXPECT_THROW(world.pairs_within(kNan), InvalidOptions);
   EXPECT_THROW(world.safe_step(1), InvalidOptions);
+  world.set_radius(body, 1.7e308);
+  world.set_radius(world.add(triangle(), Rigid{}), 1.7e308);
+  EXPECT_THROW(world.contacts(), InvalidOptions);
+  EXPECT_THROW(world.pairs_within(0), InvalidOptions);
 }
 
 TEST(BadWorld, RefusesWhatCannotTouch) {

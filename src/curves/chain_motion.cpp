@@ -8,6 +8,7 @@
 #include "curves/rounded_rotation.hpp"
 #include "numerics/axes.hpp"
 #include "numerics/error_bounds.hpp"
+#include "numerics/finite.hpp"
 
 namespace tamis {
 namespace {
@@ -15,7 +16,8 @@ namespace {
 /// Also what is no number.
 bool turns_far(const Link& link) {
   const auto is_far = [](const Pose& pose) {
-    return !(std::hypot(pose.rotation[0], pose.rotation[1], pose.rotation[2]) <= kLargestRoundedAngle);
+    const auto [x, y, z] = pose.rotation;
+    return !is_finite(pose.rotation) || std::hypot(x, y, z) > kLargestRoundedAngle;
   };
   return is_far(link.start) || is_far(link.end);
 }

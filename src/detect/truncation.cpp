@@ -7,6 +7,7 @@
 #include "narrow/near_pair.hpp"
 #include "numerics/assert.hpp"
 #include "numerics/in_parts.hpp"
+#include "numerics/length.hpp"
 #include "query/pair_rules.hpp"
 #include "topology/at.hpp"
 #include "topology/largest_beside.hpp"
@@ -30,7 +31,7 @@ constexpr std::size_t kPairsWorthSharing = 64;
 
 double length_of_way(const Step& step, Index v) {
   const double *from = step.start[v], *to = step.end[v];
-  return std::hypot(to[0] - from[0], to[1] - from[1], to[2] - from[2]);
+  return length_of(to[0] - from[0], to[1] - from[1], to[2] - from[2]);
 }
 
 }  // namespace

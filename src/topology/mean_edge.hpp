@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "numerics/length.hpp"
 #include "tamis/mesh.hpp"
 #include "tamis/step.hpp"
 
@@ -25,7 +26,7 @@ inline double mean_edge(const Mesh& mesh, const Positions& points) {
   const double mean = mean_of([](double x, double y, double z) { return std::sqrt(x * x + y * y + z * z); });
   if (mean > 0 && std::isfinite(mean)) return mean;
   // Squares that are too large or too small for a double: slower.
-  const double careful = mean_of([](double x, double y, double z) { return std::hypot(x, y, z); });
+  const double careful = mean_of([](double x, double y, double z) { return length_of(x, y, z); });
   return std::min(careful, std::numeric_limits<double>::max());
 }
 

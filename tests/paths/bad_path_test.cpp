@@ -119,6 +119,12 @@ TEST(BadPath, RigidBodiesAreChecked) {
       "2 rest positions and 1 at the end");
   const Pose bad{{0, 0, 0}, {kInfinity, 0, 0}};
   expect_message<InvalidPath>([&] { RigidPath(rest, {0, 0}, {interpolated({}, bad)}); }, "a pose of body 0");
+  // Bug: wherever it is, of three numbers std::hypot makes 0 where the second is none beside zeros.
+  for (const Point& none : {Point{kNan, 0, 0}, Point{0, kNan, 0}, Point{0, 0, kNan}}) {
+    const Pose nowhere{{0, 0, 0}, none};
+    for (const Chain& chain : {between(nowhere, {}), between({}, nowhere), turned(nowhere, {0, 0, 1}, {0, 0, 0})})
+      expect_message<InvalidPath>([&] { RigidPath(rest, {0, 0}, {chain}); }, "a pose of body 0");
+  }
 }
 
 }  // namespace

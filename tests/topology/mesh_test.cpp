@@ -4,12 +4,14 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <limits>
 #include <map>
 #include <set>
 
 #include "support/test_names.hpp"
 #include "tamis/error.hpp"
 #include "topology/countable.hpp"
+#include "topology/mean_edge.hpp"
 
 namespace tamis::test {
 namespace {
@@ -144,6 +146,14 @@ TEST(Mesh, FeaturesAreFoundByTheirVertices) {
   EXPECT_EQ(mesh.find_edge(0, 3), -1);
   EXPECT_EQ(mesh.find_edge(4, 4), -1);
   EXPECT_EQ(mesh.find_edge(-1, 99), -1);
+}
+
+// Bug: of an infinite component std::hypot makes NaN, of three.
+TEST(MeanEdge, IsFiniteAlways) {
+  const Mesh mesh(3, {{0, 1, 2}});
+  const double largest = std::numeric_limits<double>::max();
+  const std::vector<Point> points{{-largest, 0, 0}, {largest, 1, 0}, {0, 0, largest}};
+  EXPECT_EQ(mean_edge(mesh, points), largest);
 }
 
 }  // namespace

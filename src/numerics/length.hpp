@@ -1,0 +1,15 @@
+// The length of a vector that may be too long for a double, or for the square of one.
+#pragma once
+#include <cmath>
+#include <limits>
+
+namespace tamis {
+
+/// Infinite where a component is: of three numbers the standard library's hypot makes NaN then (libstdc++ 12).
+/// REQUIRES (not checked: inner loop): numbers.
+inline double length_of(double x, double y, double z) {
+  const double length = std::hypot(x, y, z);
+  return std::isnan(length) ? std::numeric_limits<double>::infinity() : length;
+}
+
+}  // namespace tamis

@@ -22,7 +22,7 @@ struct RestDistance {
   Vec3<T> direction;  ///< along the gap; of any length, zero or NaN where nothing tells it
 
   /// False where the bounds lie too far apart, or something overflowed.
-  auto is_sharp() const { return distance - low <= tolerance; }
+  Mask<T> is_sharp() const { return (distance - low <= tolerance) & (tolerance < T(1)); }
 };
 
 /// The vectors of PairMotion at one time; `size`: D + E + F.

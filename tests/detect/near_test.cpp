@@ -258,6 +258,23 @@ TEST(NearSlivers, HaveProvenDistances) {
   for (const NearPair& pair : pairs) check(pair, scene);
 }
 
+// Bug: where the difference of two vertices is more than any double, lanes took the pair for near, infinitely far off.
+TEST(Near, VerticesMayBeFartherApartThanAnyDouble) {
+  const Mesh mesh(4, {}, {{0, 1}, {2, 3}});
+  std::vector<Point> at{{4, 4, 1.3}, {-3, 5, 1.3}, {-4, -5, 0}, {0, 0, 0}};
+  const double distance = Detector(mesh).pairs_within(at, 10).at(0).distance;
+  for (Point& p : at)
+    for (double& c : p) c *= 0x1p1021;
+  for (const Isa isa : every_isa()) {
+    if (!kernels_here(isa)) continue;
+    Detector detector(mesh, {.isa = isa});
+    EXPECT_TRUE(detector.pairs_within(at, 0.99 * distance * 0x1p1021).empty()) << name_of(isa);
+    const auto& pairs = detector.pairs_within(at, 1.01 * distance * 0x1p1021);
+    ASSERT_EQ(pairs.size(), 1u) << name_of(isa);
+    EXPECT_NEAR(pairs[0].distance, distance * 0x1p1021, 0x1p980) << name_of(isa);
+  }
+}
+
 TEST(NearBadInput, IsRefusedByName) {
   const Particles scene;
   Detector detector(scene.mesh);

@@ -15,6 +15,7 @@ from tamis._kinds import PairKind
 from tamis._motion import StraightMotion, motion
 from tamis._paths._path import Path
 from tamis._tables._columns import Columns, NamedPairs, TimedPairs, numbered
+from tamis._tables._table import Column
 
 
 class PairResult(NamedTuple):
@@ -54,6 +55,8 @@ class Pairs(NamedPairs[PairResult], TimedPairs[PairResult]):
     __slots__ = ("_kind", "_vertices")
     _dtype = np.dtype(_core.pair_layout())
 
+    touches = Column[npt.NDArray[np.bool_]]("False: proven free.")
+
     def __init__(
         self, table: npt.NDArray[np.void] | npt.NDArray[np.uint8], kind: npt.ArrayLike, vertices: npt.ArrayLike
     ) -> None:
@@ -63,19 +66,14 @@ class Pairs(NamedPairs[PairResult], TimedPairs[PairResult]):
             raise InvalidStep(f"vertices has {len(self._kind)} rows, the table {len(self)}: give as many")
 
     @property
-    def kind(self) -> npt.NDArray[np.uint8]:
+    def kind(self) -> npt.NDArray[np.uint8]:  # type: ignore[override]
         """`PairKind` of each, shape (n,)."""
         return self._kind
 
     @property
-    def vertices(self) -> Indices:
+    def vertices(self) -> Indices:  # type: ignore[override]
         """Vertex indices as given, shape (n, 4)."""
         return self._vertices
-
-    @property
-    def touches(self) -> npt.NDArray[np.bool_]:
-        """False: proven free."""
-        return self._table["touches"]
 
     @property
     def certified(self) -> npt.NDArray[np.bool_]:

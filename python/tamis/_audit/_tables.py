@@ -13,7 +13,7 @@ from tamis import _core
 from tamis._arrays import Doubles, Indices
 from tamis._checks import instance
 from tamis._tables._columns import Columns, numbered
-from tamis._tables._table import Table
+from tamis._tables._table import Column, Table
 
 Counts = npt.NDArray[np.uint64]
 
@@ -107,44 +107,23 @@ class AuditPairs(Table[AuditPair]):
     __slots__ = ("_names",)
     _dtype = np.dtype(_core.finding_layout())
 
+    frame = Column[npt.NDArray[np.int64]]("The frame of each, shape (n,); of a contact the one at which the step ends.")
+    kind = Column[npt.NDArray[np.uint8]]("`AuditKind` of each, shape (n,).")
+    vertices = Column[Indices](
+        "Vertex indices, shape (n, 5): of the first feature, then of the second; -1 where a kind has fewer."
+    )
+    toi_lower = Column[Doubles](
+        "Before this fraction of the step the pair is proven apart, shape (n,); 1 of an intersection."
+    )
+    toi_upper = Column[Doubles]("By this fraction of the step the pair has touched, shape (n,); 1 of an intersection.")
+    objects = Column[Indices]("The objects of both features by their numbers, shape (n, 2).")
+    rings = Column[Indices](
+        "Edges from one feature to the other, shape (n,); -1 if none leads there: as in `AuditPair`."
+    )
+
     def __init__(self, table: npt.NDArray[np.void] | npt.NDArray[np.uint8], names: ObjectNames | None = None) -> None:
         super().__init__(table)
         self._names = ObjectNames([]) if names is None else instance(names, ObjectNames, "names", _NO_NAMES)
-
-    @property
-    def frame(self) -> npt.NDArray[np.int64]:
-        """The frame of each, shape (n,); of a contact the one at which the step ends."""
-        return self._table["frame"]
-
-    @property
-    def kind(self) -> npt.NDArray[np.uint8]:
-        """`AuditKind` of each, shape (n,)."""
-        return self._table["kind"]
-
-    @property
-    def vertices(self) -> Indices:
-        """Vertex indices, shape (n, 5): of the first feature, then of the second; -1 where a kind has fewer."""
-        return self._table["vertices"]
-
-    @property
-    def toi_lower(self) -> Doubles:
-        """Before this fraction of the step the pair is proven apart, shape (n,); 1 of an intersection."""
-        return self._table["toi_lower"]
-
-    @property
-    def toi_upper(self) -> Doubles:
-        """By this fraction of the step the pair has touched, shape (n,); 1 of an intersection."""
-        return self._table["toi_upper"]
-
-    @property
-    def objects(self) -> Indices:
-        """The objects of both features by their numbers, shape (n, 2)."""
-        return self._table["objects"]
-
-    @property
-    def rings(self) -> Indices:
-        """Edges from one feature to the other, shape (n,); -1 if none leads there: as in `AuditPair`."""
-        return self._table["rings"]
 
     def _named_objects(self) -> list[tuple[str, str]]:
         of = self._names.of
@@ -225,34 +204,22 @@ class AuditFrames(Table[AuditFrame]):
     __slots__ = ("_names",)
     _dtype = np.dtype(_core.frame_row_layout())
 
+    frame = Column[npt.NDArray[np.int64]]("The number of each, from 0, shape (n,).")
+    is_usable = Column[npt.NDArray[np.bool_]]("Whether anything could be asked of it, shape (n,).")
+    has_step = Column[npt.NDArray[np.bool_]]("Whether a step was asked about that ends here, shape (n,).")
+    counts = Column[Counts]("Pairs by `AuditKind`, shape (n, 5).")
+    neighbours = Column[Counts]("Of the pairs of each frame and step, those that one edge joins, shape (n,).")
+    toi_lower = Column[Doubles]("Each step is free before this fraction of it: proven, shape (n,); 1 if it is free.")
+    toi_upper = Column[Doubles]("By this fraction of each step some pair has touched, shape (n,); 1 if it is free.")
+
     def __init__(self, table: npt.NDArray[np.void] | npt.NDArray[np.uint8], names: FrameNames | None = None) -> None:
         super().__init__(table)
         self._names = FrameNames([]) if names is None else instance(names, FrameNames, "names", _NO_NAMES)
 
     @property
-    def frame(self) -> npt.NDArray[np.int64]:
-        """The number of each, from 0, shape (n,)."""
-        return self._table["frame"]
-
-    @property
     def names(self) -> list[str]:
         """What the source calls each."""
-        return [self._name(frame) for frame in self.frame.tolist()]
-
-    @property
-    def is_usable(self) -> npt.NDArray[np.bool_]:
-        """Whether anything could be asked of it, shape (n,)."""
-        return self._table["is_usable"]
-
-    @property
-    def has_step(self) -> npt.NDArray[np.bool_]:
-        """Whether a step was asked about that ends here, shape (n,)."""
-        return self._table["has_step"]
-
-    @property
-    def counts(self) -> Counts:
-        """Pairs by `AuditKind`, shape (n, 5)."""
-        return self._table["counts"]
+        return [self._names.of(frame) for frame in self.frame.tolist()]
 
     @property
     def intersections(self) -> Counts:
@@ -266,28 +233,10 @@ class AuditFrames(Table[AuditFrame]):
         return total
 
     @property
-    def neighbours(self) -> Counts:
-        """Of the pairs of each frame and step, those that one edge joins, shape (n,)."""
-        return self._table["neighbours"]
-
-    @property
-    def toi_lower(self) -> Doubles:
-        """Each step is free before this fraction of it: proven, shape (n,); 1 if it is free."""
-        return self._table["toi_lower"]
-
-    @property
-    def toi_upper(self) -> Doubles:
-        """By this fraction of each step some pair has touched, shape (n,); 1 if it is free."""
-        return self._table["toi_upper"]
-
-    @property
     def is_bad(self) -> npt.NDArray[np.bool_]:
         """Whether anything was found, shape (n,)."""
         bad: npt.NDArray[np.bool_] = np.asarray(self.counts.any(axis=1))
         return bad
-
-    def _name(self, frame: int) -> str:
-        return self._names.of(frame)
 
     def _columns(self) -> Columns:
         kinds = {name: self.counts[:, kind] for kind, name in enumerate(_SHORT_NAMES)}
@@ -298,7 +247,7 @@ class AuditFrames(Table[AuditFrame]):
     def _row(self, values: Any, index: int) -> AuditFrame:
         frame, is_usable, has_step, counts, neighbours, toi_lower, toi_upper = values
         contacts, intersections = sum(counts.tolist()[:4]), counts.tolist()[4]
-        name = self._name(frame)
+        name = self._names.of(frame)
         return AuditFrame(frame, name, is_usable, has_step, intersections, contacts, neighbours, toi_lower, toi_upper)
 
     def _part(self, table: npt.NDArray[np.void], index: Any) -> AuditFrames:

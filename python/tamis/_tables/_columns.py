@@ -14,7 +14,7 @@ from tamis._errors import InvalidMesh
 from tamis._kinds import SHORT_NAMES
 from tamis._mesh import Mesh
 from tamis._tables._points import Corners, both_points
-from tamis._tables._table import Row, Table
+from tamis._tables._table import Column, Row, Table
 
 Columns = dict[str, npt.NDArray[Any]]
 
@@ -24,20 +24,15 @@ def numbered(letter: str, array: npt.NDArray[Any], numbers: str = "0123") -> Col
     return {letter + number: array[:, i] for i, number in enumerate(numbers[: array.shape[1]])}
 
 
-class WeightedPairs(Table[Row]):
+class FeaturePairs(Table[Row]):
     """Pairs of features with a point on each."""
 
     __slots__ = ()
 
-    @property
-    def u(self) -> Doubles:
-        """First weight, as in `Contact`, shape (n,)."""
-        return self._table["u"]
-
-    @property
-    def v(self) -> Doubles:
-        """Second weight, shape (n,)."""
-        return self._table["v"]
+    kind = Column[npt.NDArray[np.uint8]]("`PairKind` of each, shape (n,).")
+    vertices = Column[Indices]("Vertex indices, shape (n, 4), ordered as in `Contact`.")
+    u = Column[Doubles]("First weight, as in `Contact`, shape (n,).")
+    v = Column[Doubles]("Second weight, shape (n,).")
 
     @property
     def weights(self) -> Doubles:
@@ -48,27 +43,8 @@ class WeightedPairs(Table[Row]):
         """
         return _core.weights_of(self._kinds(), self.u, self.v)
 
-    def _kinds(self) -> npt.NDArray[np.uint8]:
-        raise NotImplementedError
-
     def _points(self, corners: Corners) -> Doubles:
         return both_points(self._kinds(), self.weights, corners)
-
-
-class FeaturePairs(WeightedPairs[Row]):
-    """Pairs of features by kind and vertices."""
-
-    __slots__ = ()
-
-    @property
-    def kind(self) -> npt.NDArray[np.uint8]:
-        """`PairKind` of each, shape (n,)."""
-        return self._table["kind"]
-
-    @property
-    def vertices(self) -> Indices:
-        """Vertex indices, shape (n, 4), ordered as in `Contact`."""
-        return self._table["vertices"]
 
     def _kinds(self) -> npt.NDArray[np.uint8]:
         return np.ascontiguousarray(self.kind)
@@ -104,25 +80,20 @@ class NamedPairs(FeaturePairs[Row]):
         return _core.features_of(known._mesh, self._kinds(), np.ascontiguousarray(self.vertices))
 
 
-class TimedPairs(WeightedPairs[Row]):
+class TimedPairs(FeaturePairs[Row]):
     """What pairs do during a step."""
 
     __slots__ = ()
 
-    @property
-    def toi_lower(self) -> Doubles:
-        """Before this fraction of the step the pair is proven apart, shape (n,); 1 if it is free."""
-        return self._table["toi_lower"]
-
-    @property
-    def toi_upper(self) -> Doubles:
-        """By this fraction of the step a certified pair has touched, shape (n,); 1 if it is free."""
-        return self._table["toi_upper"]
-
-    @property
-    def normal(self) -> Doubles:
-        """Unit vectors along which the first feature leaves the second, shape (n, 3): as `Contact.normal`."""
-        return self._table["normal"]
+    toi_lower = Column[Doubles](
+        "Before this fraction of the step the pair is proven apart, shape (n,); 1 if it is free."
+    )
+    toi_upper = Column[Doubles](
+        "By this fraction of the step a certified pair has touched, shape (n,); 1 if it is free."
+    )
+    normal = Column[Doubles](
+        "Unit vectors along which the first feature leaves the second, shape (n, 3): as `Contact.normal`."
+    )
 
     @property
     def certified(self) -> npt.NDArray[np.bool_]:

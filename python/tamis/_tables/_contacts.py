@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterable
+from collections.abc import Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -17,7 +17,7 @@ from tamis._kinds import PairKind
 from tamis._looking import Asked, Page, place_for_page, show
 from tamis._motion import motion
 from tamis._paths._path import Path
-from tamis._tables._columns import Columns, FeaturePairs, NamedPairs, TimedPairs, numbered
+from tamis._tables._columns import Columns, NamedPairs, TimedPairs, numbered
 from tamis._tables._table import Row
 
 
@@ -56,17 +56,14 @@ class Contact(NamedTuple):
     certified: bool
 
 
-def contact_of(values: Iterable[Any]) -> Contact:
-    """Give the fields of a row their names."""
-    kind, certainty, vertices, toi_lower, toi_upper, u, v, normal = values
-    times = toi_lower, toi_upper, u, v
-    return Contact(PairKind(kind), tuple(vertices.tolist()), *times, tuple(normal.tolist()), certainty == 0)
-
-
-class TouchingPairs(FeaturePairs[Row], TimedPairs[Row]):
+class TouchingPairs(TimedPairs[Row]):
     """Pairs of features that touch during a step: of one mesh, or of bodies."""
 
     __slots__ = ()
+
+    def _fields(self, values: Sequence[Any]) -> tuple[Any, ...]:
+        kind, certainty, vertices, *times, normal = values
+        return PairKind(kind), tuple(vertices.tolist()), *times, tuple(normal.tolist()), certainty == 0
 
     def _columns(self) -> Columns:
         status = np.where(self.certified, "certified", "unresolved")
@@ -90,6 +87,7 @@ class Contacts(NamedPairs[Contact], TouchingPairs[Contact]):
 
     __slots__ = ("_asked",)
     _dtype = np.dtype(_core.contact_layout())
+    _record = Contact
 
     def __init__(self, table: npt.NDArray[np.void] | npt.NDArray[np.uint8], asked: Asked | None = None) -> None:
         super().__init__(table)
@@ -178,9 +176,6 @@ class Contacts(NamedPairs[Contact], TouchingPairs[Contact]):
                 "Detector.contacts(start, end) has returned"
             )
         return self._asked
-
-    def _row(self, values: Any, index: int) -> Contact:
-        return contact_of(values)
 
     def _part(self, table: npt.NDArray[np.void], index: Any) -> Contacts:
         return Contacts(table, self._asked)

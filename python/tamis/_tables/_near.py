@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -16,7 +16,7 @@ from tamis._kinds import PairKind
 from tamis._mesh import Mesh
 from tamis._tables._columns import Columns, FeaturePairs, NamedPairs, numbered
 from tamis._tables._points import corners_at_rest
-from tamis._tables._table import Row, Table
+from tamis._tables._table import Column, Row, Table
 
 
 class NearPair(NamedTuple):
@@ -47,34 +47,23 @@ class NearPair(NamedTuple):
     corners: int
 
 
-def near_pair_of(values: Iterable[Any]) -> NearPair:
-    """Give the fields of a row their names."""
-    kind, corners, vertices, distance, u, v, direction = values
-    return NearPair(PairKind(kind), tuple(vertices.tolist()), distance, u, v, tuple(direction.tolist()), corners)
-
-
 class ClosePairs(FeaturePairs[Row]):
     """Pairs of features that are near each other at rest: of one mesh, or of bodies."""
 
     __slots__ = ()
 
-    @property
-    def corners(self) -> npt.NDArray[np.uint8]:
-        """Bit i is set if vertex i has a share in the closest points: which corners, borders or insides they lie on."""
-        return self._table["corners"]
+    corners = Column[npt.NDArray[np.uint8]](
+        "Bit i is set if vertex i has a share in the closest points: which corners, borders or insides they lie on."
+    )
+    distance = Column[Doubles](
+        "Between the closed features, in the unit of the positions, shape (n,).\n\n"
+        "Correct to 2^-41 of the pair's extent, and where it is no normal double to half the smallest one more."
+    )
+    direction = Column[Doubles]("Unit vectors from the second feature's closest point to the first's, shape (n, 3).")
 
-    @property
-    def distance(self) -> Doubles:
-        """Between the closed features, in the unit of the positions, shape (n,).
-
-        Correct to 2^-41 of the pair's extent, and where it is no normal double to half the smallest one more.
-        """
-        return self._table["distance"]
-
-    @property
-    def direction(self) -> Doubles:
-        """Unit vectors from the second feature's closest point to the first's, shape (n, 3)."""
-        return self._table["direction"]
+    def _fields(self, values: Sequence[Any]) -> tuple[Any, ...]:
+        kind, corners, vertices, distance, u, v, direction = values
+        return PairKind(kind), tuple(vertices.tolist()), distance, u, v, tuple(direction.tolist()), corners
 
     def _columns(self) -> Columns:
         weights = {"u": self.u, "v": self.v}
@@ -96,6 +85,7 @@ class NearPairs(NamedPairs[NearPair], ClosePairs[NearPair]):
 
     __slots__ = ()
     _dtype = np.dtype(_core.near_layout())
+    _record = NearPair
 
     def points(self, positions: npt.ArrayLike) -> Doubles:
         """Tell where the closest points of each pair are.
@@ -111,9 +101,6 @@ class NearPairs(NamedPairs[NearPair], ClosePairs[NearPair]):
             The point on the first feature and that on the second, by `weights`.
         """
         return self._points(corners_at_rest(rows(positions, "positions"), self.vertices, "positions"))
-
-    def _row(self, values: Any, index: int) -> NearPair:
-        return near_pair_of(values)
 
 
 class Intersection(NamedTuple):
@@ -137,46 +124,19 @@ class Intersection(NamedTuple):
     v: float
 
 
-def intersection_of(values: Iterable[Any]) -> Intersection:
-    """Give the fields of a row their names."""
-    edge, face, *numbers = values
-    return Intersection(tuple(edge.tolist()), tuple(face.tolist()), *numbers)
-
-
 class CrossingPairs(Table[Row]):
     """Edges with triangles that they pass through or touch: of one mesh, or of bodies."""
 
     __slots__ = ()
 
-    @property
-    def edge(self) -> Indices:
-        """Vertex indices of each edge, ascending, shape (n, 2)."""
-        return self._table["edge"]
-
-    @property
-    def face(self) -> Indices:
-        """Vertex indices of each triangle, in the mesh's order, shape (n, 3)."""
-        return self._table["face"]
-
-    @property
-    def s_lower(self) -> Doubles:
-        """The first common point along the edge has a parameter of at least this, counted from the first vertex."""
-        return self._table["s_lower"]
-
-    @property
-    def s_upper(self) -> Doubles:
-        """And of at most this."""
-        return self._table["s_upper"]
-
-    @property
-    def u(self) -> Doubles:
-        """Weight of the triangle's second corner at that point, rounded."""
-        return self._table["u"]
-
-    @property
-    def v(self) -> Doubles:
-        """Weight of the triangle's third corner, rounded."""
-        return self._table["v"]
+    edge = Column[Indices]("Vertex indices of each edge, ascending, shape (n, 2).")
+    face = Column[Indices]("Vertex indices of each triangle, in the mesh's order, shape (n, 3).")
+    s_lower = Column[Doubles](
+        "The first common point along the edge has a parameter of at least this, counted from the first vertex."
+    )
+    s_upper = Column[Doubles]("And of at most this.")
+    u = Column[Doubles]("Weight of the triangle's second corner at that point, rounded.")
+    v = Column[Doubles]("Weight of the triangle's third corner, rounded.")
 
     @property
     def vertices(self) -> Indices:
@@ -188,6 +148,10 @@ class CrossingPairs(Table[Row]):
         """Signed weights of these vertices, shape (n, 5): of the edge positive, of the face negative."""
         s = (self.s_lower + self.s_upper) / 2
         return np.stack([1 - s, s, self.u + self.v - 1, -self.u, -self.v], axis=1)
+
+    def _fields(self, values: Sequence[Any]) -> tuple[Any, ...]:
+        edge, face, *numbers = values
+        return tuple(edge.tolist()), tuple(face.tolist()), *numbers
 
     def _columns(self) -> Columns:
         lines = {name: self._table[name] for name in ("s_lower", "s_upper", "u", "v")}
@@ -207,6 +171,7 @@ class Intersections(CrossingPairs[Intersection]):
 
     __slots__ = ()
     _dtype = np.dtype(_core.intersection_layout())
+    _record = Intersection
 
     def points(self, positions: npt.ArrayLike) -> Doubles:
         """Tell where each common point is.
@@ -251,6 +216,3 @@ class Intersections(CrossingPairs[Intersection]):
                 f"the mesh has no edge {first.edge} or no face {first.face}: give the mesh that was asked"
             )
         return places
-
-    def _row(self, values: Any, index: int) -> Intersection:
-        return intersection_of(values)

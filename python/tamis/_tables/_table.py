@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING, Any, ClassVar, Generic, TypeVar, overload
+from collections.abc import Callable, Iterator, Sequence
+from typing import TYPE_CHECKING, Any, ClassVar, Generic, NoReturn, TypeVar, overload
 
 import numpy as np
 import numpy.typing as npt
@@ -16,6 +16,23 @@ if TYPE_CHECKING:
 
 Row = TypeVar("Row")
 Part = TypeVar("Part", bound="Table[Any]")
+Array = TypeVar("Array", bound="npt.NDArray[Any]")
+
+
+class Column(Generic[Array]):
+    """A column of a table: the field of its array that has this name. Read-only, with a docstring as a property has."""
+
+    def __init__(self, doc: str) -> None:
+        self.__doc__ = doc
+
+    def __set_name__(self, owner: type, name: str) -> None:
+        self._name = name
+
+    def __get__(self, table: Any, owner: type | None = None) -> Array:
+        return self if table is None else table._table[self._name]  # type: ignore[return-value]
+
+    def __set__(self, table: Any, value: NoReturn) -> None:
+        raise AttributeError(f"{self._name} is a column of {type(table).__name__} and cannot be replaced")
 
 
 class Table(Generic[Row]):
@@ -26,6 +43,7 @@ class Table(Generic[Row]):
 
     __slots__ = ("_table",)
     _dtype: ClassVar[np.dtype[np.void]]
+    _record: ClassVar[Callable[..., Any]]  # makes a Row
 
     def __init__(self, table: npt.NDArray[np.void] | npt.NDArray[np.uint8]) -> None:
         self._table: npt.NDArray[np.void] = _as_rows(table, self._dtype, type(self).__name__)
@@ -44,9 +62,14 @@ class Table(Generic[Row]):
     def _columns(self) -> dict[str, npt.NDArray[Any]]:
         raise NotImplementedError
 
-    def _row(self, values: Any, index: int) -> Row:
-        """Give the fields of one row their names; `index` is where it stands, for what is kept beside the table."""
+    def _fields(self, values: Sequence[Any]) -> tuple[Any, ...]:
+        """Return what `_record` is made of, from one row of the array."""
         raise NotImplementedError
+
+    def _row(self, values: Sequence[Any], index: int) -> Row:
+        """Give the fields of one row their names; `index` is where it stands, for what is kept beside the table."""
+        row: Row = self._record(*self._fields(values))
+        return row
 
     def _part(self: Part, table: npt.NDArray[np.void], index: Any) -> Part:
         """Make a table of some of the rows, those that the index chose."""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
@@ -14,9 +15,9 @@ from tamis._checks import file_name
 from tamis._errors import Error
 from tamis._kinds import PairKind
 from tamis._tables._columns import Columns, FeaturePairs, numbered
-from tamis._tables._contacts import TouchingPairs, contact_of
-from tamis._tables._near import ClosePairs, CrossingPairs, intersection_of, near_pair_of
-from tamis._tables._table import Row, Table
+from tamis._tables._contacts import TouchingPairs
+from tamis._tables._near import ClosePairs, CrossingPairs
+from tamis._tables._table import Column, Row, Table
 from tamis._world._features import Meshes, both_features, places_of
 
 if TYPE_CHECKING:
@@ -180,10 +181,13 @@ class OfBodies(Table[Row]):
 
     __slots__ = ()
 
-    @property
-    def bodies(self) -> Indices:
-        """The bodies of the first and of the second feature, shape (n, 2); twice the same where one touches itself."""
-        return self._table["bodies"]
+    bodies = Column[Indices](
+        "The bodies of the first and of the second feature, shape (n, 2); twice the same where one touches itself."
+    )
+
+    def _fields(self, values: Sequence[Any]) -> tuple[Any, ...]:
+        *pair, bodies = values
+        return tuple(bodies.tolist()), *super()._fields(pair)
 
     def _columns(self) -> Columns:
         return {**numbered("b", self.bodies), **super()._columns()}
@@ -226,6 +230,7 @@ class BodyContacts(FeaturesOfBodies[BodyContact], TouchingPairs[BodyContact]):
 
     __slots__ = ()
     _dtype = np.dtype(_core.body_contact_layout())
+    _record = BodyContact
 
     def save(self, path: str | os.PathLike[str]) -> None:
         """Write a table, complete or not at all; numbers read back to the same doubles.
@@ -248,10 +253,6 @@ class BodyContacts(FeaturesOfBodies[BodyContact], TouchingPairs[BodyContact]):
             raise Error(f"{name}: of bodies a table alone is written: save .csv, or let tamis bodies --out make a page")
         _core.write_body_contacts(name, np.ascontiguousarray(self._table).view(np.uint8))
 
-    def _row(self, values: Any, index: int) -> BodyContact:
-        *contact, bodies = values
-        return BodyContact(tuple(bodies.tolist()), *contact_of(contact))
-
 
 class BodyNearPairs(FeaturesOfBodies[BodyNearPair], ClosePairs[BodyNearPair]):
     """Pairs of features that are near each other at the start, by kind, then bodies and vertices.
@@ -262,10 +263,7 @@ class BodyNearPairs(FeaturesOfBodies[BodyNearPair], ClosePairs[BodyNearPair]):
 
     __slots__ = ()
     _dtype = np.dtype(_core.body_near_layout())
-
-    def _row(self, values: Any, index: int) -> BodyNearPair:
-        *pair, bodies = values
-        return BodyNearPair(tuple(bodies.tolist()), *near_pair_of(pair))
+    _record = BodyNearPair
 
 
 class BodyIntersections(OfBodies[BodyIntersection], CrossingPairs[BodyIntersection]):
@@ -277,7 +275,4 @@ class BodyIntersections(OfBodies[BodyIntersection], CrossingPairs[BodyIntersecti
 
     __slots__ = ()
     _dtype = np.dtype(_core.body_intersection_layout())
-
-    def _row(self, values: Any, index: int) -> BodyIntersection:
-        *crossing, bodies = values
-        return BodyIntersection(tuple(bodies.tolist()), *intersection_of(crossing))
+    _record = BodyIntersection

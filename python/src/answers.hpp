@@ -40,8 +40,8 @@ inline nb::tuple earliest_columns(const std::vector<EarliestBodyContact>& each) 
     lower.push_back(first.toi_lower);
     upper.push_back(first.toi_upper);
   }
-  return nb::make_tuple(own<double>(std::move(lower), 0), own<double>(std::move(upper), 0),
-                        own<Index>(std::move(touching), 0), own_bytes(std::move(contacts)));
+  return nb::make_tuple(own<double>(std::move(lower)), own<double>(std::move(upper)), own<Index>(std::move(touching)),
+                        own_bytes(std::move(contacts)));
 }
 
 /// Of a SafeStep, or one of bodies.

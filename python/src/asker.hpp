@@ -1,5 +1,7 @@
 // How Python asks: one question at a time, other threads run meanwhile, callables of Python answer, Ctrl-C stops it.
 #pragma once
+#include <type_traits>
+
 #include "python/src/options.hpp"
 #include "python/src/signals.hpp"
 #include "tamis/turn.hpp"
@@ -32,14 +34,14 @@ class Asker {
   template <class Work>
   void ask(const Work& work) {
     const Turn turn(is_asked_);
-    signals_.begin();
-    try {
-      const nb::gil_scoped_release unlocked;
-      work();
-    } catch (const Cancelled&) {
-      signals_.rethrow();
-      throw;
-    }
+    signals_.during(work);
+  }
+  /// The same, of what has an answer.
+  template <class Question>
+  auto answer(const Question& question) {
+    std::decay_t<std::invoke_result_t<Question>> found{};
+    ask([&] { found = question(); });
+    return found;
   }
   /// For what is read between questions.
   Turn turn() { return Turn(is_asked_); }

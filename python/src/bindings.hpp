@@ -18,6 +18,5 @@ void bind_world(nanobind::module_& module);
 void bind_files(nanobind::module_& module);
 void bind_scenes(nanobind::module_& module);
 void bind_audit(nanobind::module_& module);
-void bind_simulation(nanobind::module_& module);
 
 }  // namespace tamis::python

@@ -2,7 +2,6 @@
 // on; thin, private, and typed in tamis/_distributed.pyi.
 #include "tamis/distributed.hpp"
 
-#include <nanobind/stl/optional.h>
 #include <nanobind/stl/string.h>
 
 #include <array>
@@ -14,8 +13,6 @@
 
 namespace tamis::python {
 namespace {
-
-using Separation = std::optional<double>;
 
 /// Of this rank.
 struct Part {
@@ -47,34 +44,20 @@ class RankQuestions {
       : asker_(asking),
         detector_(MPI_Comm_f2c(communicator), part.mesh, with_sentences(asker_.with_callbacks(asking.options))) {}
 
-  nb::object contacts(const Rows& start, const Rows& end, const QueryOptions& q) {
-    std::vector<Contact> found;
-    asker_.ask([&] { found = detector_.contacts({positions(start), positions(end)}, q); });
-    return own_bytes(std::move(found));
+  nb::object contacts(const QueryOptions& q, const Rows& start, const Rows& end) {
+    return own_bytes(asker_.answer([&] { return detector_.contacts(step_of(start, end), q); }));
   }
-
   nb::object gather_contacts(int root) {
-    std::vector<Contact> found;
-    asker_.ask([&] { found = detector_.gather_contacts(root); });
-    return own_bytes(std::move(found));
+    return own_bytes(asker_.answer([&] { return detector_.gather_contacts(root); }));
   }
-
-  nb::tuple earliest(const Rows& start, const Rows& end, const QueryOptions& q) {
-    EarliestContact first;
-    asker_.ask([&] { first = detector_.earliest({positions(start), positions(end)}, q); });
-    return earliest_tuple(first);
+  nb::tuple earliest(const QueryOptions& q, const Rows& start, const Rows& end) {
+    return earliest_tuple(asker_.answer([&] { return detector_.earliest(step_of(start, end), q); }));
   }
-
-  bool is_free(const Rows& start, const Rows& end, const QueryOptions& q) {
-    bool free = false;
-    asker_.ask([&] { free = detector_.is_free({positions(start), positions(end)}, q); });
-    return free;
+  bool is_free(const QueryOptions& q, const Rows& start, const Rows& end) {
+    return asker_.answer([&] { return detector_.is_free(step_of(start, end), q); });
   }
-
-  nb::tuple safe_step(const Rows& start, const Rows& end, double keep, const QueryOptions& q) {
-    SafeStep safe;
-    asker_.ask([&] { safe = detector_.safe_step({positions(start), positions(end)}, keep, q); });
-    return step_tuple(safe);
+  nb::tuple safe_step(const QueryOptions& q, double keep, const Rows& start, const Rows& end) {
+    return step_tuple(asker_.answer([&] { return detector_.safe_step(step_of(start, end), keep, q); }));
   }
 
   Index vertex_count() const { return detector_.vertex_count(); }

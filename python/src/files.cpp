@@ -12,7 +12,6 @@
 #include "python/src/arrays.hpp"
 #include "python/src/bindings.hpp"
 #include "python/src/contact_array.hpp"
-#include "python/src/options.hpp"
 
 namespace tamis::python {
 namespace {
@@ -23,16 +22,14 @@ nb::tuple read_mesh(const std::filesystem::path& path) {
     const nb::gil_scoped_release unlocked;
     file = io::read_mesh(path);
   }
-  return nb::make_tuple(own<double>(std::move(file.positions), 3), own<Index>(std::move(file.faces), 3),
-                        own<Index>(std::move(file.loose_edges), 2), own<Index>(std::move(file.loose_points), 0),
-                        file.notes);
+  return nb::make_tuple(own<double>(std::move(file.positions)), own<Index>(std::move(file.faces)),
+                        own<Index>(std::move(file.loose_edges)), own<Index>(std::move(file.loose_points)), file.notes);
 }
 
 void write_mesh(const std::filesystem::path& path, const PointRows& positions, const IndexRowsIn<3>& faces,
                 const IndexRowsIn<2>& edges, const Indices& points) {
   io::MeshFile file;
-  const auto* first = reinterpret_cast<const Point*>(positions.data());
-  file.positions.assign(first, first + positions.shape(0));
+  file.positions = copy_of<Point>(positions);
   file.faces = copy_of<Face>(faces);
   file.loose_edges = copy_of<Edge>(edges);
   file.loose_points = copy_of<Index>(points);

@@ -24,12 +24,11 @@ std::string format_of() {
         .append(format_of<typename T::value_type>());
   else if constexpr (std::is_same_v<T, bool>)
     return "?";
-  else if constexpr (std::is_floating_point_v<T>)
-    return "f" + std::to_string(sizeof(T));
-  else if constexpr (std::is_enum_v<T>)
-    return "u" + std::to_string(sizeof(T));
   else
-    return (std::is_signed_v<T> ? "i" : "u") + std::to_string(sizeof(T));
+    return std::string(std::is_floating_point_v<T> ? "f"
+                       : std::is_signed_v<T>       ? "i"
+                                                   : "u")
+        .append(std::to_string(sizeof(T)));
 }
 
 /// What numpy.dtype() understands: names, formats, offsets, itemsize.

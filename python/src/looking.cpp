@@ -5,6 +5,7 @@
 
 #include "io/view/film.hpp"
 #include "io/view/outputs.hpp"
+#include "python/src/arrays.hpp"
 #include "tamis/error.hpp"
 
 namespace tamis::python {
@@ -26,13 +27,6 @@ bool is_part(std::span<const Contact> part, std::span<const Contact> found) {
                      [&](const Contact& c) { return std::binary_search(found.begin(), found.end(), c, before); });
 }
 
-std::vector<Point> points_of(const Positions& positions) {
-  std::vector<Point> points;
-  points.reserve(static_cast<std::size_t>(positions.count()));
-  for (Index v = 0; v < positions.count(); ++v) points.push_back({positions[v][0], positions[v][1], positions[v][2]});
-  return points;
-}
-
 Options with(Options options, const QueryOptions& asked) {
   options.min_separation = asked.min_separation.value_or(options.min_separation);
   return options;
@@ -40,8 +34,8 @@ Options with(Options options, const QueryOptions& asked) {
 
 }  // namespace
 
-void write_step(const std::filesystem::path& to, Detector& detector, const Step& step, const QueryOptions& asked,
-                std::span<const Contact> part) {
+void write_motion(const std::filesystem::path& to, Detector& detector, const Step& step, const QueryOptions& asked,
+                  std::span<const Contact> part) {
   const auto& found = detector.contacts(step, asked);
   if (!is_part(part, found))
     throw InvalidStep(
@@ -58,8 +52,8 @@ void write_step(const std::filesystem::path& to, Detector& detector, const Step&
   io::output_for(to, io::outputs()).write(to, recording);
 }
 
-void write_path(const std::filesystem::path& to, Detector& detector, const Path& path, const QueryOptions& asked,
-                std::span<const Contact> part) {
+void write_motion(const std::filesystem::path& to, Detector& detector, const Path& path, const QueryOptions& asked,
+                  std::span<const Contact> part) {
   const io::Output& output = io::output_for(to, io::outputs());
   if (!output.holds_sequence)
     throw Error(to.string() + " would hold one straight piece, and these contacts are of a path: save html or csv");

@@ -10,7 +10,7 @@ namespace {
 
 template <class Row>
 nb::object index_rows(std::span<const Row> rows) {
-  return own<Index>(std::vector<Row>(rows.begin(), rows.end()), sizeof(Row) / sizeof(Index));
+  return own<Index>(std::vector<Row>(rows.begin(), rows.end()));
 }
 
 /// The place of each row, as `place_of` finds it.
@@ -19,7 +19,7 @@ nb::object places(const Rows& rows, const PlaceOf& place_of) {
   const auto* first = reinterpret_cast<const Row*>(rows.data());
   std::vector<Index> found(rows.shape(0));
   std::transform(first, first + rows.shape(0), found.begin(), place_of);
-  return own<Index>(std::move(found), 0);
+  return own<Index>(std::move(found));
 }
 
 nb::object find_edges(const Mesh& mesh, const IndexRowsIn<2>& edges) {
@@ -42,10 +42,7 @@ void bind_mesh(nb::module_& module) {
       .def_prop_ro("vertex_count", &Mesh::vertex_count)
       .def("faces", [](const Mesh& mesh) { return index_rows(mesh.faces()); })
       .def("edges", [](const Mesh& mesh) { return index_rows(mesh.edges()); })
-      .def("points", [](const Mesh& mesh) {
-        const auto points = mesh.points();
-        return own<Index>(std::vector<Index>(points.begin(), points.end()), 0);
-      });
+      .def("points", [](const Mesh& mesh) { return index_rows(mesh.points()); });
   module.def("find_edges", &find_edges);
   module.def("find_faces", &find_faces);
 }

@@ -19,5 +19,4 @@ NB_MODULE(_core, module) {
   bind_files(module);
   bind_scenes(module);
   bind_audit(module);
-  bind_simulation(module);
 }

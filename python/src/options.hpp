@@ -5,8 +5,6 @@
 
 namespace tamis::python {
 
-using PointRows = nb::ndarray<const double, nb::shape<-1, 3>, nb::c_contig, nb::device::cpu>;
-
 struct Asking {
   Options options;
   nb::object accepts = nb::none();       ///< (kind, vertices) -> bool, or none

@@ -6,6 +6,8 @@
 #include <chrono>
 #include <thread>
 
+#include "tamis/error.hpp"
+
 namespace tamis::python {
 
 /// Asks the interpreter now and then, in the thread that asked the question: only the main thread handles signals.
@@ -16,8 +18,19 @@ class Signals {
 
   const nanobind::object& is_cancelled() const { return is_cancelled_; }
   void clear() { is_cancelled_ = nanobind::none(); }
-  /// The calling thread begins a question.
-  void begin();
+  /// Works without the interpreter's lock, for the calling thread's question. Cancelled becomes what Python raised, if
+  /// that is why the question ended.
+  template <class Work>
+  void during(const Work& work) {
+    begin();
+    try {
+      const nanobind::gil_scoped_release unlocked;
+      work();
+    } catch (const Cancelled&) {
+      rethrow();
+      throw;
+    }
+  }
   /// Says true once the question should end; for Options::is_cancelled.
   bool ask();
   /// What Python raised, if that is why the question ended. Call with the lock held.
@@ -27,6 +40,7 @@ class Signals {
   using Clock = std::chrono::steady_clock;
   static constexpr std::chrono::milliseconds kPause{50};  ///< taking the lock costs microseconds
 
+  void begin();
   bool interpreter_says_stop();
 
   nanobind::object is_cancelled_;

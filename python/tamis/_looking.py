@@ -33,7 +33,7 @@ class Asked:
 
     def write(self, path: str, contacts: npt.NDArray[np.uint8]) -> None:
         """Write the contacts, all that were found or some, in the format that the extension names."""
-        _core.Detector(self.mesh, self.options).write(path, contacts, *self.motion.native(), self.own)
+        _core.Detector(self.mesh, self.options).write(path, contacts, self.own, *self.motion.native())
 
 
 class Page:

@@ -18,7 +18,7 @@ from tamis._tables._points import Corners, corners_at_rest, used_vertices
 if TYPE_CHECKING:
     from tamis import _core
 
-    Native = tuple[Doubles | _core.Path, Doubles | float]  # what the compiled part takes
+    Native = tuple[Doubles, Doubles] | tuple[_core.Path]  # what the compiled part takes
 
 
 @dataclass(frozen=True)
@@ -40,14 +40,13 @@ class StraightMotion:
 
 @dataclass(frozen=True)
 class CurvedMotion:
-    """On a path, whose brackets are as narrow as the tolerance."""
+    """On a path."""
 
     path: Path
-    tolerance: float = 1e-9
 
     def native(self) -> Native:
         """Return what the compiled part takes."""
-        return self.path._native(), self.tolerance
+        return (self.path._native(),)
 
     def corners(self, times: Doubles, vertices: Indices) -> Corners:
         """Return where the vertices of each pair are at a time of its own."""
@@ -61,26 +60,26 @@ Motion = Union[StraightMotion, CurvedMotion]
 
 def step_asked(
     start: npt.ArrayLike, end: npt.ArrayLike, min_separation: float | None, at_start: AtStart
-) -> tuple[Doubles, Doubles, _core.QueryOptions]:
+) -> tuple[_core.QueryOptions, Doubles, Doubles]:
     """Return what the compiled part takes of a question about a step."""
     own = query_options(min_separation, at_start)
-    return rows(start, "start"), rows(end, "end"), own
+    return own, rows(start, "start"), rows(end, "end")
 
 
 def step_asked_to_keep(
     start: npt.ArrayLike, end: npt.ArrayLike, keep: float, min_separation: float | None, at_start: AtStart
-) -> tuple[Doubles, Doubles, float, _core.QueryOptions]:
+) -> tuple[_core.QueryOptions, float, Doubles, Doubles]:
     """The same of a step on which pairs keep a fraction of their distance."""
-    first, last, own = step_asked(start, end, min_separation, at_start)
-    return first, last, number(keep, "keep"), own
+    own, first, last = step_asked(start, end, min_separation, at_start)
+    return own, number(keep, "keep"), first, last
 
 
-def motion(start: npt.ArrayLike | Path, end: npt.ArrayLike | None, tolerance: float | None) -> Motion:
-    """Tell one from the other by what the user gave."""
+def motion(start: npt.ArrayLike | Path, end: npt.ArrayLike | None, tolerance: float | None = None) -> Motion:
+    """Tell one from the other by what the user gave; a tolerance goes with a path alone."""
     if isinstance(start, Path):
         if end is not None:
             raise InvalidPath("the path says where everything goes: give no end beside it")
-        return CurvedMotion(start) if tolerance is None else CurvedMotion(start, number(tolerance, "tolerance"))
+        return CurvedMotion(start)
     if end is None:
         raise InvalidStep("the end is missing: give the positions at the end of the step, or a Path alone")
     if tolerance is not None:

@@ -9,7 +9,7 @@ import numpy.typing as npt
 
 from tamis import _core
 from tamis._arrays import Doubles, Indices, pair_list
-from tamis._checks import number
+from tamis._checks import number, number_or_none
 from tamis._errors import Error, InvalidOptions, InvalidPath, InvalidStep
 from tamis._kinds import PairKind
 from tamis._motion import StraightMotion, motion
@@ -97,7 +97,7 @@ class Pairs(NamedPairs[PairResult], TimedPairs[PairResult]):
         array, shape (n, 2, 3)
             A point on the first feature and one on the second, by `weights`.
         """
-        return self._points(motion(start, end, None).corners(self.toi_upper, self.vertices))
+        return self._points(motion(start, end).corners(self.toi_upper, self.vertices))
 
     def _columns(self) -> Columns:
         touching = np.where(self.certified, "certified", "unresolved")
@@ -200,4 +200,5 @@ def narrow_phase(
         return Pairs(_core.narrow_phase(kinds, rows, moving.start, moving.end, d, until), kinds, rows)
     if latest is not None:
         raise InvalidOptions("latest is an option of steps: leave it out for a path")
-    return Pairs(_core.narrow_phase_on(kinds, rows, moving.path._native(), d, moving.tolerance), kinds, rows)
+    widest = number_or_none(tolerance, "tolerance")
+    return Pairs(_core.narrow_phase_on(kinds, rows, moving.path._native(), d, widest), kinds, rows)

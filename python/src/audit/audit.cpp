@@ -98,7 +98,7 @@ class StreamAuditor {
     std::size_t number = 0;
     asker_.ask([&] {
       number = auditor_.report().frames.size();
-      added = auditor_.add(points_of(rows), std::move(name));
+      added = auditor_.add(points_of(positions(rows)), std::move(name));
     });
     return nb::make_tuple(own_bytes(std::vector{row_of(added.answer, number)}), added.answer.name, added.answer.problem,
                           own_bytes(std::move(added.pairs)));

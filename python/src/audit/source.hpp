@@ -10,8 +10,6 @@ struct SharedMesh {
   std::shared_ptr<const audit::AuditedMesh> mesh;
 };
 
-std::vector<Point> points_of(const Rows& rows);
-
 /// Over an iterator whose items are (name, positions, mesh, problem, note, follows); the Python side has checked them.
 class IteratorSource final : public audit::FrameSource {
  public:

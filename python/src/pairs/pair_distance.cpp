@@ -41,14 +41,14 @@ nb::object features(const Mesh& mesh, const Kinds& kinds, const IndexRowsIn<4>& 
       throw InvalidMesh("pair " + std::to_string(i) + ": " + fault.what());
     }
   }
-  return own<Index>(std::move(places), 2);
+  return own<Index>(std::move(places));
 }
 
 /// Signed weights of each, four a row. REQUIRES: kinds that there are, and as many weights.
 nb::object weights(const Kinds& kinds, const Numbers& u, const Numbers& v) {
   std::vector<std::array<double, 4>> all(kinds.shape(0));
   for (std::size_t i = 0; i < all.size(); ++i) all[i] = weights_of(static_cast<PairKind>(kinds.data()[i]), u(i), v(i));
-  return own<double>(std::move(all), 4);
+  return own<double>(std::move(all));
 }
 
 }  // namespace

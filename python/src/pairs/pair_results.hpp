@@ -6,7 +6,6 @@
 
 #include "python/src/arrays.hpp"
 #include "python/src/signals.hpp"
-#include "tamis/error.hpp"
 
 namespace tamis::python {
 
@@ -14,21 +13,15 @@ namespace tamis::python {
 template <class Decide>
 nb::object decide_each(std::size_t count, const Decide& decide) {
   Signals signals;
-  signals.begin();
   const std::function<bool()> is_cancelled = [&] { return signals.ask(); };
   std::vector<std::invoke_result_t<Decide, std::size_t, decltype(is_cancelled)>> results(count);
-  try {
-    const nb::gil_scoped_release unlocked;
+  signals.during([&] {
     constexpr std::size_t kBatch = 256;  // between two looks at the clock
     for (std::size_t i = 0; i < count; ++i) {
-      if (i % kBatch == 0 && signals.ask()) break;
+      if (i % kBatch == 0 && signals.ask()) throw Cancelled("the list was interrupted");
       results[i] = decide(i, is_cancelled);
     }
-  } catch (const Cancelled&) {
-    signals.rethrow();
-    throw;
-  }
-  signals.rethrow();
+  });
   return own_bytes(std::move(results));
 }
 

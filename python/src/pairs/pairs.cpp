@@ -41,14 +41,7 @@ nb::object decide_list(const Kinds& kinds, const IndexRowsIn<4>& vertices, const
   Signals signals;
   const PairOptions options{
       .min_separation = min_separation, .latest = latest, .is_cancelled = [&] { return signals.ask(); }};
-  signals.begin();
-  try {
-    const nb::gil_scoped_release unlocked;
-    decide_in_parts(kinds, vertices, {positions(start), positions(end)}, results, options);
-  } catch (const Cancelled&) {
-    signals.rethrow();
-    throw;
-  }
+  signals.during([&] { decide_in_parts(kinds, vertices, step_of(start, end), results, options); });
   return own_bytes(std::move(results));
 }
 

@@ -6,10 +6,9 @@ namespace tamis::python {
 namespace {
 
 using Bounds = nb::ndarray<const double, nb::ndim<1>, nb::c_contig, nb::device::cpu>;
-using Places = nb::ndarray<const double, nb::shape<-1, 3>, nb::c_contig, nb::device::cpu>;
 
 nb::object array_of(std::span<const Index> vertices) {
-  return own<Index>(std::vector<Index>(vertices.begin(), vertices.end()), 0);
+  return own<Index>(std::vector<Index>(vertices.begin(), vertices.end()));
 }
 
 }  // namespace
@@ -18,7 +17,7 @@ void FunctionPath::points_at(double time, std::span<const Index> vertices, std::
                              std::span<double> errors) const {
   const nb::gil_scoped_acquire lock;
   const auto answer = nb::cast<nb::tuple>(points_at_(time, array_of(vertices)));
-  const auto places = nb::cast<Places>(answer[0]);
+  const auto places = nb::cast<PointRows>(answer[0]);
   const auto bounds = nb::cast<Bounds>(answer[1]);
   std::copy_n(places.data(), 3 * points.size(), points.data()->data());
   std::copy_n(bounds.data(), errors.size(), errors.data());

@@ -1,7 +1,9 @@
 // Curved motion: ready-made paths, those that Python describes, and their single pairs.
+#include <nanobind/stl/optional.h>
 #include <nanobind/stl/vector.h>
 
 #include <algorithm>
+#include <optional>
 
 #include "io/view/path_positions.hpp"
 #include "python/src/bindings.hpp"
@@ -56,10 +58,12 @@ PairResult decide_on(const Path& path, const Pair& pair, const PairOptions& opti
 }
 
 nb::object decide_list_on(const Kinds& kinds, const IndexRowsIn<4>& vertices, const Path& path, double min_separation,
-                          double tolerance) {
+                          std::optional<double> tolerance) {
+  PairOptions options{.min_separation = min_separation};
+  options.tolerance = tolerance.value_or(options.tolerance);
   return decide_each(kinds.shape(0), [&](std::size_t i, const std::function<bool()>& is_cancelled) {
-    return decide_on(path, pair_at(kinds, vertices, i),
-                     {.min_separation = min_separation, .tolerance = tolerance, .is_cancelled = is_cancelled});
+    options.is_cancelled = is_cancelled;
+    return decide_on(path, pair_at(kinds, vertices, i), options);
   });
 }
 
@@ -74,10 +78,10 @@ nb::object corners_at(const Path& path, const Times& times, const VertexRows& ro
   for (std::size_t i = 0; i < rows.shape(0); ++i)
     path.points_at(times.data()[i], {rows.data() + columns * i, columns}, {corners.data() + columns * i, columns},
                    errors);
-  return own<double>(std::move(corners), 3);
+  return own<double>(std::move(corners));
 }
 
-nb::object points_at(const Path& path, double time) { return own<double>(io::positions_at(path, time), 3); }
+nb::object points_at(const Path& path, double time) { return own<double>(io::positions_at(path, time)); }
 
 }  // namespace
 
@@ -90,7 +94,8 @@ void bind_paths(nb::module_& module) {
   nb::class_<BezierPath, Path>(module, "BezierPath").def("__init__", &make_spline_path<BezierPath>);
   nb::class_<CatmullRomPath, Path>(module, "CatmullRomPath").def("__init__", &make_spline_path<CatmullRomPath>);
   nb::class_<FunctionPath, Path>(module, "FunctionPath").def(nb::init<Index, nb::object, nb::object>());
-  module.def("narrow_phase_on", &decide_list_on);
+  const nb::arg any;
+  module.def("narrow_phase_on", &decide_list_on, any, any, any, any, nb::arg().none());
 }
 
 }  // namespace tamis::python

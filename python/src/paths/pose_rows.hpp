@@ -1,6 +1,6 @@
 // Poses and links of chains as they lie in NumPy.
 #pragma once
-#include "python/src/options.hpp"
+#include "python/src/arrays.hpp"
 #include "tamis/rigid_path.hpp"
 
 namespace tamis::python {

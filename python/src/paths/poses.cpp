@@ -24,7 +24,7 @@ nb::object poses_of(const Rotations& rotations, const PointRows& positions,
       throw InvalidPath("rotation " + std::to_string(i) + ": " + error.what());
     }
   }
-  return own<double>(std::move(poses), 6);
+  return own<double>(std::move(poses));
 }
 
 /// All links, one chain after the other.
@@ -35,7 +35,7 @@ nb::object chains_of(std::size_t count, const ChainAt& chain_at) {
     const Chain chain = chain_at(i);
     links.insert(links.end(), chain.begin(), chain.end());
   }
-  return own<double>(std::move(links), 12);
+  return own<double>(std::move(links));
 }
 
 nb::object each_interpolated(const PoseRows& start, const PoseRows& end) {
@@ -58,7 +58,7 @@ nb::object each_nlerp_deviation(const PoseRows& start, const PoseRows& end) {
   std::vector<double> parts;
   for (std::size_t i = 0; i < start.shape(0); ++i)
     parts.push_back(nlerp_deviation(row<Pose>(start, i), row<Pose>(end, i)));
-  return own<double>(std::move(parts), 0);
+  return own<double>(std::move(parts));
 }
 
 }  // namespace

@@ -20,7 +20,7 @@ void make_shape(Shape* shape, const Mesh& mesh, const PointRows& points, const s
 void bind_shape(nb::module_& module) {
   nb::class_<Shape>(module, "Shape")
       .def("__init__", &make_shape)
-      .def("points", [](const Shape& shape) { return own<double>(std::vector<Point>(shape.points()), 3); })
+      .def("points", [](const Shape& shape) { return own<double>(std::vector<Point>(shape.points())); })
       .def("memory_bytes", &Shape::memory_bytes);
 }
 

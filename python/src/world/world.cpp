@@ -2,7 +2,6 @@
 #include "tamis/world.hpp"
 
 #include <span>
-#include <type_traits>
 
 #include "python/src/answers.hpp"
 #include "python/src/asker.hpp"
@@ -31,7 +30,7 @@ class Bodies {
         throw;
       }
     });
-    return own<BodyId>(std::move(added), 0);
+    return own<BodyId>(std::move(added));
   }
 
   /// All or none. REQUIRES: as many bodies as motions, each once, which the Python side sees to.
@@ -79,21 +78,21 @@ class Bodies {
   }
 
   nb::tuple points_at(BodyId body, double time) {
-    BodyPoints found = answer([&] { return world_.points_at(body, time); });
+    BodyPoints found = asker_.answer([&] { return world_.points_at(body, time); });
     const double error = found.error;
-    return nb::make_tuple(own<double>(std::move(found.points), 3), error);
+    return nb::make_tuple(own<double>(std::move(found.points)), error);
   }
 
   nb::object contacts(const QueryOptions& q) {
-    return own_bytes(answer([&] { return world_.contacts(q); }));
+    return own_bytes(asker_.answer([&] { return world_.contacts(q); }));
   }
   nb::tuple earliest(const QueryOptions& q) {
-    return earliest_tuple(answer([&] { return world_.earliest(q); }));
+    return earliest_tuple(asker_.answer([&] { return world_.earliest(q); }));
   }
   /// Of chains, one for each of the bodies, then again for the next motion.
   nb::tuple earliest_many(const Indices& bodies, const Chains& chains, const QueryOptions& q) {
     const ByChains given{chains};
-    const auto found = answer([&] {
+    const auto found = asker_.answer([&] {
       std::vector<BodyMotion> motions;
       for (std::size_t i = 0; i < given.count(); ++i) motions.push_back(given[i]);
       return world_.earliest_many(of(bodies), motions, q);
@@ -101,19 +100,19 @@ class Bodies {
     return earliest_columns(found);
   }
   bool is_free(const QueryOptions& q) {
-    return answer([&] { return world_.is_free(q); });
+    return asker_.answer([&] { return world_.is_free(q); });
   }
   nb::object pairs_within(double distance) {
-    return own_bytes(answer([&] { return world_.pairs_within(distance); }));
+    return own_bytes(asker_.answer([&] { return world_.pairs_within(distance); }));
   }
   nb::object intersections() {
-    return own_bytes(answer([&] { return world_.intersections(); }));
+    return own_bytes(asker_.answer([&] { return world_.intersections(); }));
   }
   bool has_intersection() {
-    return answer([&] { return world_.has_intersection(); });
+    return asker_.answer([&] { return world_.has_intersection(); });
   }
   nb::tuple safe_step(double keep, const QueryOptions& q) {
-    return step_tuple(answer([&] { return world_.safe_step(keep, q); }));
+    return step_tuple(asker_.answer([&] { return world_.safe_step(keep, q); }));
   }
 
   nb::dict statistics() {
@@ -125,13 +124,6 @@ class Bodies {
   void clear() { asker_.clear(); }
 
  private:
-  template <class Question>
-  std::invoke_result_t<Question> answer(const Question& question) {
-    std::invoke_result_t<Question> found{};
-    asker_.ask([&] { found = question(); });
-    return found;
-  }
-
   static std::span<const BodyId> of(const Indices& bodies) { return {bodies.data(), bodies.shape(0)}; }
 
   /// One that is not there is refused before anything has changed.

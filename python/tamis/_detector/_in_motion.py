@@ -75,11 +75,11 @@ class InMotion:
             By kind, then vertices; `Contacts.view` shows them. On a path, what cannot be decided (a touch
             without crossing, say) is a contact that is not certified.
         """
-        return self._contacts_of(motion(start, end, tolerance), query_options(min_separation, at_start))
+        return self._contacts_of(motion(start, end, tolerance), query_options(min_separation, at_start, tolerance))
 
     def _contacts_of(self, moving: Motion, own: _core.QueryOptions) -> Contacts:
         """Ask the same without a look at what is given."""
-        found = self._detector.contacts(*moving.native(), own)
+        found = self._detector.contacts(own, *moving.native())
         return Contacts(found, Asked(self._mesh._mesh, self._options, moving, own))
 
     @overload
@@ -122,8 +122,8 @@ class InMotion:
         EarliestContact
             The motion is free before its `toi_lower`: proven.
         """
-        own = query_options(min_separation, at_start)
-        return earliest_of(self._detector.earliest(*motion(start, end, tolerance).native(), own))
+        own = query_options(min_separation, at_start, tolerance)
+        return earliest_of(self._detector.earliest(own, *motion(start, end, tolerance).native()))
 
     @overload
     def is_free(
@@ -165,5 +165,5 @@ class InMotion:
         bool
             True is a proof. On a path False may be due to a contact that is not certified.
         """
-        own = query_options(min_separation, at_start)
-        return self._detector.is_free(*motion(start, end, tolerance).native(), own)
+        own = query_options(min_separation, at_start, tolerance)
+        return self._detector.is_free(own, *motion(start, end, tolerance).native())

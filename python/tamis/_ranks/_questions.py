@@ -163,7 +163,7 @@ class Questions:
 
     def _asked(
         self, start: npt.ArrayLike, end: npt.ArrayLike, min_separation: float | None, at_start: AtStart
-    ) -> tuple[Doubles, Doubles, _core.QueryOptions]:
+    ) -> tuple[_core.QueryOptions, Doubles, Doubles]:
         return self._ranks.together(lambda: step_asked(start, end, min_separation, at_start))
 
     @contextmanager

@@ -108,7 +108,7 @@ class Contacts(NamedPairs[Contact], TouchingPairs[Contact]):
         array, shape (n, 2, 3)
             A point on the first feature and one on the second, by `weights`; a separation lies between them.
         """
-        return self._points(motion(start, end, None).corners(self.toi_upper, self.vertices))
+        return self._points(motion(start, end).corners(self.toi_upper, self.vertices))
 
     def save(self, path: str | os.PathLike[str]) -> None:
         """Write a file, as the command's `--out` does: complete or not at all.

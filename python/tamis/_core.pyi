@@ -118,7 +118,6 @@ class AuditOptions:
         contacts: bool,
         ring_limit: int,
         listed_pairs: int,
-        kept_bytes: int,
         progress: Callable[[int], object] | None,
     ) -> None: ...
 
@@ -128,8 +127,8 @@ class AuditReport:
     def write_pairs(self, path: str) -> None: ...
     def raise_what_ended_it(self) -> None: ...
 
-# Of each frame: name, positions, mesh, problem, note, follows.
-_AuditFrame = tuple[str, _Doubles | None, SharedMesh | None, str, str, bool]
+# Of each frame: name, positions, mesh, problem, note.
+_AuditFrame = tuple[str, _Doubles | None, SharedMesh | None, str, str]
 
 def audit_frames(frames: Iterator[_AuditFrame], options: AuditOptions) -> AuditReport: ...
 def motion_files(names: list[str]) -> tuple[list[str], bool]: ...

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import enum
 
+import numpy as np
+
 
 class PairKind(enum.IntEnum):
     """Kinds of pairs of features; the last two are of points and edges that belong to no face."""
@@ -25,3 +27,5 @@ class PairKind(enum.IntEnum):
 
 
 SHORT_NAMES = ("vf", "ee", "ve", "vv")
+# By kind: how many of the vertices of a pair are those of its first feature.
+FIRST_COUNTS = np.array([1, 2, 1, 1])

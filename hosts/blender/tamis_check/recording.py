@@ -17,7 +17,6 @@ class Topology:
 
     names: list[str]
     vertex_counts: list[int]
-    face_counts: list[int]
     triangles: np.ndarray
     face_of_triangle: np.ndarray  # of each object from 0
     loose_edges: np.ndarray
@@ -50,7 +49,6 @@ def topology_of(objects: list[Any], depsgraph: Any) -> Topology:
     return Topology(
         names=[thing.name for thing in objects],
         vertex_counts=counts,
-        face_counts=[part["faces"] for part in parts],
         triangles=np.vstack([part["triangles"] + n for part, n in zip(parts, first)]),
         face_of_triangle=np.concatenate([part["face_of_triangle"] for part in parts]),
         loose_edges=np.vstack([part["loose_edges"] + n for part, n in zip(parts, first)]),
@@ -91,7 +89,6 @@ def _part(mesh: Any, evaluated: Any) -> dict[str, Any]:
     ends = _get(mesh.edges, "vertices", 2, np.int32)
     return {
         "vertices": len(mesh.vertices),
-        "faces": len(mesh.polygons),
         "triangles": _get(mesh.loop_triangles, "vertices", 3, np.int32),
         "face_of_triangle": _get(mesh.loop_triangles, "polygon_index", 1, np.int32),
         "loose_edges": np.delete(ends, np.unique(used), axis=0),

@@ -49,7 +49,6 @@ FrameRow row_of(const audit::FrameAnswer& answer, std::size_t frame) {
 nb::dict as_dict(const audit::Report& report) {
   nb::dict all;
   all["is_free"] = report.is_free();
-  all["min_separation"] = report.min_separation;
   all["ring_limit"] = report.ring_limit;
   all["frames"] = frame_rows(report);
   all["names"] = texts(report, &audit::FrameAnswer::name);

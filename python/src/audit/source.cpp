@@ -18,7 +18,6 @@ audit::FramePointer IteratorSource::next() {
   if (!parts[2].is_none()) frame->mesh = nb::cast<const SharedMesh&>(parts[2]).mesh;
   frame->problem = nb::cast<std::string>(parts[3]);
   frame->note = nb::cast<std::string>(parts[4]);
-  frame->follows = nb::cast<bool>(parts[5]);
   return frame;
 }
 

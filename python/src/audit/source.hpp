@@ -10,7 +10,7 @@ struct SharedMesh {
   std::shared_ptr<const audit::AuditedMesh> mesh;
 };
 
-/// Over an iterator whose items are (name, positions, mesh, problem, note, follows); the Python side has checked them.
+/// Over an iterator whose items are (name, positions, mesh, problem, note); the Python side has checked them.
 class IteratorSource final : public audit::FrameSource {
  public:
   explicit IteratorSource(nb::object iterator) : iterator_(std::move(iterator)) {}

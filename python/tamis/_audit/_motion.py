@@ -19,7 +19,6 @@ class Frame(NamedTuple):
     mesh: _core.SharedMesh | None
     problem: str = ""
     note: str = ""
-    follows: bool = True
 
 
 class Motion:

@@ -7,8 +7,6 @@ from typing import Callable
 from tamis import _core
 from tamis._checks import number, truth, whole
 
-KEPT_BYTES = 256 << 20
-
 
 def make_audit_options(
     *,
@@ -18,7 +16,6 @@ def make_audit_options(
     contacts: bool,
     ring_limit: int,
     listed_pairs: int,
-    kept_bytes: int = KEPT_BYTES,
     progress: Callable[[int], object] | None = None,
 ) -> _core.AuditOptions:
     """Return what the keywords say."""
@@ -29,6 +26,5 @@ def make_audit_options(
         truth(contacts, "contacts"),
         whole(ring_limit, "ring_limit", 1),
         whole(listed_pairs, "listed_pairs"),
-        kept_bytes,
         progress,
     )

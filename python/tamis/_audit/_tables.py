@@ -12,6 +12,7 @@ import numpy.typing as npt
 from tamis import _core
 from tamis._arrays import Doubles, Indices
 from tamis._checks import instance
+from tamis._kinds import SHORT_NAMES
 from tamis._tables._columns import Columns, numbered
 from tamis._tables._table import Column, Table
 
@@ -33,7 +34,7 @@ class AuditKind(enum.IntEnum):
         return _SHORT_NAMES[self]
 
 
-_SHORT_NAMES = ("vf", "ee", "ve", "vv", "ef")
+_SHORT_NAMES = (*SHORT_NAMES, "ef")
 
 
 class AuditPair(NamedTuple):

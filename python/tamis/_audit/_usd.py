@@ -7,12 +7,12 @@ from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+import numpy.typing as npt
 
-from tamis._arrays import Doubles
+from tamis._arrays import Doubles, Indices
 from tamis._audit._joined import Part, joined
 from tamis._audit._motion import Frame, Motion
 from tamis._audit._shared import Shared
-from tamis._audit._triangles import fans
 from tamis._audit._usd_prims import shown_meshes
 from tamis._audit._usd_skins import with_baked_skins
 from tamis._audit._usd_times import frame_times
@@ -125,7 +125,19 @@ def _part(mesh: Any, time: Any) -> Part:
     is_sound = (counts >= 0).all() and counts.sum() == len(corners)
     if not is_sound or (len(corners) and not 0 <= corners.min() <= corners.max() < vertices):
         raise FileError(f"{path}: its polygons do not fit its {vertices} points at time {time}: write the mesh again")
-    return Part(path, vertices, fans(counts, corners))
+    return Part(path, vertices, _fans(counts, corners))
+
+
+def _fans(counts: npt.NDArray[np.integer], corners: npt.NDArray[np.integer]) -> Indices:
+    """Cut polygons, given by their numbers of corners and all their corners, into fans: shape (t, 3)."""
+    counts = np.asarray(counts, np.int64)
+    first = np.concatenate([[0], np.cumsum(counts)[:-1]]) if len(counts) else np.empty(0, np.int64)
+    of_polygon = np.maximum(counts - 2, 0)
+    start = np.repeat(first, of_polygon)
+    place = np.arange(of_polygon.sum()) - np.repeat(np.cumsum(of_polygon) - of_polygon, of_polygon)
+    corner = np.stack([start, start + place + 1, start + place + 2], axis=1)
+    triangles: Indices = np.asarray(corners, np.int32)[corner]
+    return triangles
 
 
 def _same(a: list[Part], b: list[Part]) -> bool:

@@ -7,14 +7,14 @@ import numpy.typing as npt
 
 from tamis._arrays import Doubles, Indices, finite
 from tamis._errors import Error, InvalidStep
-from tamis._kinds import PairKind
+from tamis._kinds import FIRST_COUNTS
 
 Corners = npt.NDArray[np.float64]  # of each pair, (n, corners, 3)
 
 
 def both_points(kinds: npt.NDArray[np.uint8], weights: Doubles, corners: Corners) -> Doubles:
     """Return the points on the first and on the second feature, shape (n, 2, 3)."""
-    of_first = np.where(kinds == PairKind.EDGE_EDGE, 2, 1)[:, np.newaxis] > np.arange(weights.shape[1])
+    of_first = FIRST_COUNTS[kinds][:, np.newaxis] > np.arange(weights.shape[1])
     shares = np.stack([np.where(of_first, weights, 0), np.where(of_first, 0, -weights)], 1)
     points: Doubles = np.einsum("nfi,nij->nfj", shares, corners)
     return points

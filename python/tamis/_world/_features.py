@@ -11,7 +11,7 @@ import numpy.typing as npt
 from tamis._arrays import Indices
 from tamis._checks import instance
 from tamis._errors import InvalidMesh
-from tamis._kinds import PairKind
+from tamis._kinds import FIRST_COUNTS
 from tamis._mesh import Mesh
 
 Meshes = Union[Mapping[int, Mesh], Sequence[Mesh]]
@@ -21,7 +21,7 @@ _NONE = -1  # in place of a vertex
 
 def both_features(kinds: npt.NDArray[np.uint8], vertices: Indices) -> tuple[Indices, Indices]:
     """Return the vertices of the first and of the second feature of each pair, (n, 3), `_NONE` where one has less."""
-    of_first = np.where(kinds == PairKind.EDGE_EDGE, 2, 1)[:, np.newaxis]
+    of_first = FIRST_COUNTS[kinds][:, np.newaxis]
     corners = np.arange(3)
     padded = np.pad(vertices, ((0, 0), (0, 1)), constant_values=_NONE)
     second = np.take_along_axis(padded, of_first + corners, 1)

@@ -8,14 +8,11 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from tamis._arrays import Indices
-from tamis._kinds import PairKind
+from tamis._kinds import FIRST_COUNTS
 from tamis._tables._contacts import Contacts
 
 if TYPE_CHECKING:
     import pandas
-
-# Of each kind of pair, the first vertex of its second feature.
-_SECOND = np.array([2 if kind == PairKind.EDGE_EDGE else 1 for kind in PairKind])
 
 
 class Meeting(NamedTuple):
@@ -122,8 +119,8 @@ def meetings_of(
     """Gather contacts by the surfaces they are between; `span` is the simulated time of both ends of the step."""
     if not len(contacts):
         return []
-    rows = np.arange(len(contacts))
-    both = np.column_stack([groups[contacts.vertices[:, 0]], groups[contacts.vertices[rows, _SECOND[contacts.kind]]]])
+    second = contacts.vertices[np.arange(len(contacts)), FIRST_COUNTS[contacts.kind]]
+    both = np.column_stack([groups[contacts.vertices[:, 0]], groups[second]])
     meetings = []
     for first, second in np.unique(np.sort(both, axis=1), axis=0).tolist():
         own = contacts[(np.sort(both, axis=1) == [first, second]).all(axis=1)]

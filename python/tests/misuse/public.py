@@ -22,7 +22,6 @@ class Argument:
 
     name: str
     takes: tuple[str, ...]
-    by_position: bool
     is_many: bool
 
 
@@ -43,7 +42,6 @@ _KINDS = {
     "bool": "truth",
     "None": "nothing",
     "npt.ArrayLike": "array",
-    "Guarantee": "word",
     "Isa": "word",
     "AtStart": "word",
     "Filter": "function",
@@ -77,7 +75,7 @@ def _arguments(function: Callable[..., Any]) -> tuple[Argument, ...]:
         if name != "self" and parameter.kind != parameter.VAR_KEYWORD:
             assert isinstance(parameter.annotation, str), f"{function.__qualname__}: {name} has no annotation"
             takes, is_many = _takes(parameter.annotation), parameter.kind == parameter.VAR_POSITIONAL
-            found.append(Argument(name, takes, parameter.kind != parameter.KEYWORD_ONLY, is_many))
+            found.append(Argument(name, takes, is_many))
     return tuple(found)
 
 

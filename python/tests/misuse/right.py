@@ -33,10 +33,8 @@ def _no_deviation(start: float, end: float, vertices: Any) -> float:
 
 
 _NAMED: Mapping[str, Any] = {
-    "at_start": "report",
     "bodies": [0, 1],
     "body": 0,
-    "basis": np.ones((18, 2)),
     "body_of_vertex": np.zeros(6, int),
     "chains": [tamis.interpolated(_POSE, _POSE)],
     "control_points": np.stack([START, END]),
@@ -46,7 +44,6 @@ _NAMED: Mapping[str, Any] = {
     "end_position": np.ones(3),
     "faces": FACES,
     "frames": np.stack([START, END]),
-    "keep": 0.1,
     "index": 0,
     "is_enabled": True,
     "kind": tamis.PairKind.VERTEX_FACE,
@@ -66,7 +63,6 @@ _NAMED: Mapping[str, Any] = {
     "rest": START,
     "rotation": np.array([[1.0, 0, 0, 0], [0, 1, 0, 0]]),
     "shape": _SHAPE,
-    "rest_end": END,
     "rest_positions": START,
     "start": START,
     "deviations": _no_deviation,

@@ -11,7 +11,7 @@ from tamis._arrays import Doubles, Indices, finite, indices_or_none, rows
 from tamis._checks import function
 from tamis._detector._detector import Detector
 from tamis._errors import InvalidMesh
-from tamis._kinds import PairKind
+from tamis._kinds import FIRST_COUNTS, PairKind
 from tamis._mesh import Mesh
 from tamis._options import Filter
 from tamis.compat.ipctk._threads import get_num_threads
@@ -118,9 +118,7 @@ def _between(can_collide: Callable[[int, int], bool]) -> Filter:
 
     def accepts(kind: PairKind, v: tuple[int, int, int, int]) -> bool:
         used = [i for i in v if i >= 0]
-        cut = (
-            2 if kind == PairKind.EDGE_EDGE else 1
-        )  # an edge has two vertices, and else the first is a vertex by itself
+        cut = FIRST_COUNTS[kind]
         return any(can_collide(a, b) for a in used[:cut] for b in used[cut:])
 
     return accepts

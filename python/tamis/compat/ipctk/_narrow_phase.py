@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
+import numpy as np
 import numpy.typing as npt
 
-from tamis._arrays import Doubles
+from tamis._arrays import Doubles, finite, numbers
 from tamis._checks import number, number_from_zero, whole
-from tamis._errors import InvalidOptions
+from tamis._errors import InvalidOptions, InvalidStep
 from tamis._kinds import PairKind
 from tamis._pair_distance import safe_step
-from tamis.compat.ipctk._points import stacked
 
 
 class NarrowPhaseCCD:
@@ -52,8 +52,8 @@ class NarrowPhaseCCD:
         tmax: float = 1.0,
     ) -> tuple[bool, float]:
         """Tell this of a point and a triangle."""
-        start = stacked(p_t0=p_t0, t0_t0=t0_t0, t1_t0=t1_t0, t2_t0=t2_t0)
-        end = stacked(p_t1=p_t1, t0_t1=t0_t1, t1_t1=t1_t1, t2_t1=t2_t1)
+        start = _stacked(p_t0=p_t0, t0_t0=t0_t0, t1_t0=t1_t0, t2_t0=t2_t0)
+        end = _stacked(p_t1=p_t1, t0_t1=t0_t1, t1_t1=t1_t1, t2_t1=t2_t1)
         return self._found(PairKind.VERTEX_FACE, start, end, min_distance, tmax)
 
     def edge_edge_ccd(
@@ -70,8 +70,8 @@ class NarrowPhaseCCD:
         tmax: float = 1.0,
     ) -> tuple[bool, float]:
         """Tell this of two edges."""
-        start = stacked(ea0_t0=ea0_t0, ea1_t0=ea1_t0, eb0_t0=eb0_t0, eb1_t0=eb1_t0)
-        end = stacked(ea0_t1=ea0_t1, ea1_t1=ea1_t1, eb0_t1=eb0_t1, eb1_t1=eb1_t1)
+        start = _stacked(ea0_t0=ea0_t0, ea1_t0=ea1_t0, eb0_t0=eb0_t0, eb1_t0=eb1_t0)
+        end = _stacked(ea0_t1=ea0_t1, ea1_t1=ea1_t1, eb0_t1=eb0_t1, eb1_t1=eb1_t1)
         return self._found(PairKind.EDGE_EDGE, start, end, min_distance, tmax)
 
     def point_edge_ccd(
@@ -86,8 +86,8 @@ class NarrowPhaseCCD:
         tmax: float = 1.0,
     ) -> tuple[bool, float]:
         """Tell this of a point and an edge."""
-        start = stacked(p_t0=p_t0, e0_t0=e0_t0, e1_t0=e1_t0)
-        end = stacked(p_t1=p_t1, e0_t1=e0_t1, e1_t1=e1_t1)
+        start = _stacked(p_t0=p_t0, e0_t0=e0_t0, e1_t0=e1_t0)
+        end = _stacked(p_t1=p_t1, e0_t1=e0_t1, e1_t1=e1_t1)
         return self._found(PairKind.VERTEX_EDGE, start, end, min_distance, tmax)
 
     def point_point_ccd(
@@ -100,8 +100,8 @@ class NarrowPhaseCCD:
         tmax: float = 1.0,
     ) -> tuple[bool, float]:
         """Tell this of two points."""
-        start = stacked(p0_t0=p0_t0, p1_t0=p1_t0)
-        end = stacked(p0_t1=p0_t1, p1_t1=p1_t1)
+        start = _stacked(p0_t0=p0_t0, p1_t0=p1_t0)
+        end = _stacked(p0_t1=p0_t1, p1_t1=p1_t1)
         return self._found(PairKind.VERTEX_VERTEX, start, end, min_distance, tmax)
 
     def _found(
@@ -141,3 +141,17 @@ class AdditiveCCD(NarrowPhaseCCD):
     def __init__(self, max_iterations: int = 10_000_000, conservative_rescaling: float = 0.9) -> None:
         whole(max_iterations, "max_iterations")
         self.conservative_rescaling = conservative_rescaling
+
+
+def _stacked(**points: npt.ArrayLike) -> Doubles:
+    """Return points, by the names that the caller knows them by, as rows."""
+    return np.stack([_point(point, name) for name, point in points.items()])
+
+
+def _point(given: npt.ArrayLike, name: str) -> Doubles:
+    """One point, as a row or as a column."""
+    array = numbers(given, name, InvalidStep)
+    if array.shape not in ((3,), (1, 3), (3, 1)):
+        advice = "give three numbers in a row; points in the plane have a z of 0"
+        raise InvalidStep(f"{name} has {array.size} numbers in {array.ndim} dimensions: {advice}")
+    return finite(array.ravel().astype(np.float64), name, InvalidStep)

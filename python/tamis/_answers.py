@@ -38,7 +38,7 @@ def earliest_of(found: _core._Earliest) -> EarliestContact:
 
 
 class LimitingPair(NamedTuple):
-    """The pair of features that ends a step; `distance` is its own at the start, rounded."""
+    """The pair of features that ends a step; `distance` is how far apart it is at the start, rounded."""
 
     kind: PairKind
     vertices: tuple[int, int, int, int]

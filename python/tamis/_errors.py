@@ -28,7 +28,7 @@ class Cancelled(Error):
 
 
 class Busy(Error):
-    """A second question to a detector that is answering another thread, or its own filter's caller."""
+    """A question to a detector or world that is answering one: of another thread, or the one that calls its filter."""
 
 
 class FileError(Error, OSError):

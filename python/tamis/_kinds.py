@@ -8,7 +8,7 @@ import numpy as np
 
 
 class PairKind(enum.IntEnum):
-    """Kinds of pairs of features; the last two are of points and edges that belong to no face."""
+    """Kinds of pairs of features. The last two are about loose edges and loose points, which belong to no face."""
 
     VERTEX_FACE = 0
     EDGE_EDGE = 1

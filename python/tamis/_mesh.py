@@ -89,19 +89,19 @@ class Mesh:
         return self._points
 
     def features_of(self, kind: npt.ArrayLike, vertices: npt.ArrayLike) -> Indices:
-        """Find edges and faces by their places, for data that is kept by feature.
+        """Find the features of pairs among those of this mesh, for data that is kept by feature.
 
         Parameters
         ----------
         kind : array_like of PairKind, shape (n,)
             As in `Contacts` or `NearPairs`; one may serve for all.
         vertices : array_like of int, shape (n, 4)
-            The same; one pair may come as (4,).
+            As in `Contacts` or `NearPairs`; one pair may come as (4,).
 
         Returns
         -------
         array of int, shape (n, 2)
-            The two features of each pair: the row of `faces` or of `edges`, the index of a vertex. Another library's
+            The two features of each pair: the row of `faces` or of `edges`, or the index of a vertex. Another library's
             list of edges has other rows: `find_edges` leads from one to the other.
 
         Raises

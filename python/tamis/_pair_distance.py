@@ -22,7 +22,7 @@ def distance_of(kind: npt.ArrayLike, vertices: npt.ArrayLike, positions: npt.Arr
     vertices : array_like of int, shape (n, 4)
         Rows of the positions, ordered as in `Contact`; what a kind does not use is not read. One pair may come as (4,).
     positions : array_like, shape (m, 3)
-        Where each vertex is. The start of a step is such a rest.
+        Where each vertex is, at the start of a step for example.
 
     Returns
     -------

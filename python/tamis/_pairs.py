@@ -19,7 +19,7 @@ from tamis._tables._table import Column
 
 
 class PairResult(NamedTuple):
-    """What one pair does during the step. Only where `touches` have the others a meaning.
+    """What one pair does during the step. Times, weights and normal have a meaning only where it touches.
 
     Attributes
     ----------
@@ -45,7 +45,9 @@ class PairResult(NamedTuple):
 
 
 class Pairs(NamedPairs[PairResult], TimedPairs[PairResult]):
-    """What each pair does during the step, as arrays of length n. Only where `touches` have the others a meaning.
+    """What each pair does during the step, as arrays of length n.
+
+    Times, weights and normals have a meaning only where `touches` is True.
 
     `len()` counts them; an integer index gives a `PairResult`, anything else that indexes an array gives `Pairs`.
     The columns of `table` are touches, certainty, toi_lower, toi_upper, u, v, normal; `kind` and `vertices` are those
@@ -55,7 +57,9 @@ class Pairs(NamedPairs[PairResult], TimedPairs[PairResult]):
     __slots__ = ("_kind", "_vertices")
     _dtype = np.dtype(_core.pair_layout())
 
-    touches = Column[npt.NDArray[np.bool_]]("False: proven free.")
+    touches = Column[npt.NDArray[np.bool_]](
+        "True where the pair touches, or is unresolved; False where it is proven free, shape (n,)."
+    )
 
     def __init__(
         self, table: npt.NDArray[np.void] | npt.NDArray[np.uint8], kind: npt.ArrayLike, vertices: npt.ArrayLike
@@ -90,7 +94,7 @@ class Pairs(NamedPairs[PairResult], TimedPairs[PairResult]):
         Parameters
         ----------
         start, end : array_like, shape (m, 3)
-            That were asked about. Or the `Path` alone.
+            Both ends of the step that was asked about. Or the `Path` alone.
 
         Returns
         -------
@@ -171,7 +175,7 @@ def narrow_phase(
         d >= 0: contact means Euclidean distance <= d.
     latest : float, optional
         Of a step: the latest time of interest, in [0, 1]; by default 1. A pair that is proven apart until then is free.
-        Of others it changes nothing.
+        For all others it changes nothing.
     tolerance : float, optional
         Of a path: widest bracket of a contact, in (0, 1], a fraction of the step; by default 1e-9.
 

@@ -12,16 +12,22 @@ class Statistics:
 
     Attributes
     ----------
+    isa : str
+        The instruction set that ran.
+    threads : int
+        How many were used.
     stages : mapping of str to (int, int, int, int)
-        Pairs of each `PairKind` that entered each stage, in the pipeline's order; the first counts the pairs whose
-        boxes meet.
+        Pairs of each `PairKind` that entered each stage, in the pipeline's order. The first counts the pairs whose
+        boxes meet, and some more, which depend on earlier questions.
     decided_by : mapping of str to int
         Pairs decided by each arithmetic: lanes, scalar, exact; and unresolved, of paths alone.
     seconds : mapping of str to float
         Wall-clock time of bounds, build, traverse, filter, solve, and the total.
     ignored : int
         With ``at_start="ignore"``, of contacts, earliest and is_free: pairs that touch at the start, and not again once
-        they are apart.
+        they are apart; earliest and is_free count those that they looked at.
+    nodes_visited : int
+        Of the hierarchy.
     rebuilt : bool
         The hierarchy was built, not refitted.
     memory_bytes : int

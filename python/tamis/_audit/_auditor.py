@@ -22,9 +22,9 @@ class StepReport(NamedTuple):
     Attributes
     ----------
     frame : AuditFrame
-        In numbers.
+        How many pairs, and when the first touches.
     pairs : AuditPairs
-        One by one.
+        What was found, a row a pair.
     problem : str
         Why the frame could not be used; empty if it could.
     """

@@ -65,7 +65,7 @@ class AuditReport:
 
     @property
     def rings(self) -> dict[int, int]:
-        """All pairs, those that are not listed too, by the edges between their features: as `AuditPair.rings`."""
+        """How many pairs there are of each `AuditPair.rings`, counting those that are not listed."""
         *connected, apart = self._facts["by_rings"]
         return {rings: count for rings, count in [*enumerate(connected, 1), (-1, apart)] if count}
 

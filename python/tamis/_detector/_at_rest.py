@@ -24,7 +24,7 @@ class AtRest:
         positions : array_like, shape (n, 3)
             Where each vertex is.
         distance : float
-            >= 0, in the unit of the positions; both radii of `radii` come on top.
+            >= 0, in the unit of the positions; the radii of both features are added.
 
         Returns
         -------
@@ -49,7 +49,7 @@ class AtRest:
         Returns
         -------
         Intersections
-            By edge, then face. Of the filter the groups count, radii does not.
+            By edge, then face. Groups and `rings` leave out pairs; `filter`, radii and separation play no part.
         """
         return Intersections(self._detector.intersections(rows(positions, "positions")))
 

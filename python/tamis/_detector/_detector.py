@@ -24,8 +24,8 @@ class Detector(InMotion, StepLengths, AtRest):
     """Holds a mesh and the hierarchy over it; keep one for all steps of a mesh.
 
     The first question builds the hierarchy; later ones refit it, and rebuild it by themselves once that pays. Pairs are
-    vertex-face and edge-edge, of features without a common vertex. The answers do not depend on the number of threads,
-    on the machine, or on earlier questions.
+    vertex-face and edge-edge, of loose edges and points also vertex-edge and vertex-vertex; their features have no
+    common vertex. The answers do not depend on the number of threads, on the machine, or on earlier questions.
 
     Questions take positions at the start and at the end of a step, shape (n, 3), one row a vertex; each vertex moves on
     a straight line. Doubles whose rows are contiguous, at any positive distance from each other, are read where they
@@ -51,11 +51,12 @@ class Detector(InMotion, StepLengths, AtRest):
     radii : array_like of float, shape (g,), optional
         A radius >= 0 for each group: contact means a distance of at most `min_separation` plus both radii.
     filter : callable, optional
-        ``filter(kind, vertices)`` is asked for every pair that is left, and says whether it counts. From several
-        threads, one at a time: slow, a microsecond a pair. Groups cost nothing.
+        ``filter(kind, vertices)`` returns True for a pair that counts, False for one to leave out. It is called for
+        every pair that groups leave, from several threads, one at a time: slow, a microsecond a pair. Groups cost
+        nothing.
     rings : int
-        Pairs are left out whose features are fewer edges apart than this, along the mesh; 1: those with a common
-        vertex. Asked last, of pairs alone that would be in an answer.
+        Leaves out pairs whose features are fewer than this many edges apart, along the mesh; 1: those with a common
+        vertex. Looked at last, and only for pairs that would be in an answer.
     is_cancelled : callable, optional
         Asked some 20 times a second during a question; True ends it with `Cancelled`.
 

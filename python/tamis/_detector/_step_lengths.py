@@ -67,9 +67,10 @@ class StepLengths:
     ) -> TruncatedStep:
         """Find positions to go to, so that every pair keeps a fraction of its distance, and one does not stop all.
 
-        All vertices go together as far as every pair keeps a little more than the fraction, from there each on its own
-        side of planes between the features that it could reach, by a quarter of the mean edge at most. What starts
-        within the minimum separation may move as long as it comes no nearer; then no vertex goes farther than that.
+        First all vertices go together, as far as every pair keeps a little more than the fraction. From there each goes
+        on by itself, by a quarter of the mean edge at most, and stays on its own side of planes between the features
+        that it could reach. A pair that starts within the minimum separation may move as long as it comes no nearer;
+        where there is one, no vertex goes farther than a quarter of the mean edge in all.
 
         Parameters
         ----------
@@ -80,8 +81,8 @@ class StepLengths:
         at_start : str
             As of `contacts`. A pair that is ignored may move as it likes, but not apart and back.
         stored : str
-            In which numbers you keep positions: "float64", or "float32". With the latter all positions are values that
-            a float32 has, so that storing them as such changes nothing.
+            The type of number that you keep positions in: "float64" or "float32". With the latter all positions are
+            values that a float32 has, so that storing them as such changes nothing.
 
         Returns
         -------

@@ -33,7 +33,7 @@ class FunctionPath(Path):
     deviations : callable
         ``deviations(start, end, vertices)`` gives a bound for each vertex, shape (n,) or one number: at no time t
         between the two is it farther than that from its chord, walked at constant speed. It must go to zero with the
-        piece; for smooth curves it is |x''| (end - start)^2 / 8.
+        piece; for smooth curves a bound of |x''| (end - start)^2 / 8 will do.
 
     Raises
     ------

@@ -164,8 +164,8 @@ def nlerp_deviation(start: npt.ArrayLike, end: npt.ArrayLike) -> Doubles:
     Returns
     -------
     array, shape (n,)
-        Times its distance from the center, no point is farther off. What is free by `between` with as much separation
-        is free by theirs.
+        A factor for each body: no point is farther from where `between` has it than this times its distance from the
+        center. What is free by `between` with as much separation is free by theirs.
 
     Raises
     ------

@@ -59,17 +59,17 @@ class NamedPairs(FeaturePairs[Row]):
     __slots__ = ()
 
     def features(self, mesh: Mesh) -> Indices:
-        """Find both features of each by their places: `Mesh.features_of` of all rows, shape (n, 2).
+        """Find both features of each pair among those of the mesh: `Mesh.features_of` of all rows.
 
         Parameters
         ----------
         mesh : Mesh
-            That was asked about.
+            The one that was asked about.
 
         Returns
         -------
         array of int, shape (n, 2)
-            The row of `Mesh.faces` or of `Mesh.edges`, the index of a vertex.
+            Of each feature the row of `Mesh.faces` or of `Mesh.edges`, or the index of a vertex.
 
         Raises
         ------

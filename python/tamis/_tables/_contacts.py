@@ -27,7 +27,7 @@ class Contact(NamedTuple):
     Attributes
     ----------
     kind : PairKind
-        Vertex-face or edge-edge.
+        What touches: vertex-face or edge-edge, of loose edges and points also vertex-edge or vertex-vertex.
     vertices : tuple of four int
         Vertex-face: the vertex, then the face's vertices in the mesh's order. Edge-edge: each edge ascending, the
         smaller edge first. Vertex-edge: the vertex, then the edge's. Vertex-vertex: ascending. -1 where a kind has less
@@ -37,6 +37,7 @@ class Contact(NamedTuple):
         toi_upper].
     u, v : float
         Contact weights. Vertex-face: point = (1-u-v) f0 + u f1 + v f2. Edge-edge: u on the first edge, v on the second.
+        Vertex-edge: u on the edge, v is 0. Vertex-vertex: both are 0.
     normal : tuple of three float
         Of unit length: the direction in which the first feature (the vertex; the first edge) must go, or the second be
         pushed back, so that they part. With a separation or radii along the closest points at `toi_lower`; else of
@@ -101,7 +102,7 @@ class Contacts(NamedPairs[Contact], TouchingPairs[Contact]):
         Parameters
         ----------
         start, end : array_like, shape (n, 3)
-            Of the step that was asked about. Or its `Path` alone.
+            Both ends of the step that was asked about. Or its `Path` alone.
 
         Returns
         -------

@@ -27,15 +27,17 @@ class NearPair(NamedTuple):
     kind : PairKind
         As in `Contact`.
     vertices : tuple of four int
-        The same.
+        As in `Contact`.
     distance : float
         Between the closed features, in the unit of the positions; correct to 2^-41 of the pair's extent.
     u, v : float
         Weights of two closest points, as in `Contact`.
     direction : tuple of three float
-        Of unit length: from the second feature's closest point to the first's. Where they touch, their normal, or zero.
+        Of unit length: from the second feature's closest point to the first's. Where they touch: their normal, or zero
+        where they have none.
     corners : int
-        Bit i is set if vertex i has a share in the closest points: which corners, borders or insides they lie on.
+        Bit i is set if vertex i has a weight in the closest points. So it tells whether these lie at a corner, on a
+        border or inside.
     """
 
     kind: PairKind
@@ -53,7 +55,7 @@ class ClosePairs(FeaturePairs[Row]):
     __slots__ = ()
 
     corners = Column[npt.NDArray[np.uint8]](
-        "Bit i is set if vertex i has a share in the closest points: which corners, borders or insides they lie on."
+        "Bit i is set if vertex i has a weight in the closest points, shape (n,): as `NearPair.corners`."
     )
     distance = Column[Doubles](
         "Between the closed features, in the unit of the positions, shape (n,).\n\n"
@@ -93,7 +95,7 @@ class NearPairs(NamedPairs[NearPair], ClosePairs[NearPair]):
         Parameters
         ----------
         positions : array_like, shape (n, 3)
-            That were asked about.
+            Those that were asked about.
 
         Returns
         -------
@@ -132,11 +134,11 @@ class CrossingPairs(Table[Row]):
     edge = Column[Indices]("Vertex indices of each edge, ascending, shape (n, 2).")
     face = Column[Indices]("Vertex indices of each triangle, in the mesh's order, shape (n, 3).")
     s_lower = Column[Doubles](
-        "The first common point along the edge has a parameter of at least this, counted from the first vertex."
+        "The first common point along the edge has at least this parameter, 0 at its first vertex, shape (n,)."
     )
-    s_upper = Column[Doubles]("And of at most this.")
-    u = Column[Doubles]("Weight of the triangle's second corner at that point, rounded.")
-    v = Column[Doubles]("Weight of the triangle's third corner, rounded.")
+    s_upper = Column[Doubles]("The first common point along the edge has at most this parameter, shape (n,).")
+    u = Column[Doubles]("Weight of the triangle's second vertex in that point, rounded, shape (n,).")
+    v = Column[Doubles]("Weight of the triangle's third vertex in that point, rounded, shape (n,).")
 
     @property
     def vertices(self) -> Indices:
@@ -179,7 +181,7 @@ class Intersections(CrossingPairs[Intersection]):
         Parameters
         ----------
         positions : array_like, shape (n, 3)
-            That were asked about.
+            Those that were asked about.
 
         Returns
         -------
@@ -191,12 +193,12 @@ class Intersections(CrossingPairs[Intersection]):
         return np.stack([shares[:, :2].sum(1), -shares[:, 2:].sum(1)], axis=1)
 
     def features(self, mesh: Mesh) -> Indices:
-        """Find each edge and face by its place.
+        """Find each edge and face among those of the mesh.
 
         Parameters
         ----------
         mesh : Mesh
-            That was asked about.
+            The one that was asked about.
 
         Returns
         -------

@@ -42,8 +42,8 @@ class Questions:
         min_separation : float, optional
             Of this question alone; by default the world's.
         at_start : str
-            As of `Detector.contacts`; of bodies that turn, "ignore" leaves a pair out until one of some times proves it
-            apart (docs/worlds.md).
+            As of `Detector.contacts`. Where one of two bodies turns, "ignore" looks at certain times alone: a pair
+            counts from the first of these on at which it is proven apart (docs/worlds.md).
         tolerance : float, optional
             Where one of two bodies turns: widest bracket of a contact, in (0, 1], a fraction of the step; by default
             1e-9.
@@ -92,7 +92,7 @@ class Questions:
         at_start: AtStart = "report",
         tolerance: float | None = None,
     ) -> EarliestMany:
-        """Find the first contact for each of many motions of some bodies: as of a planner, between configurations.
+        """Find the first contact for each of many motions of some bodies: a planner's, between configurations.
 
         All other bodies move as they were told, and so do these afterwards. Threads share the motions; each answer has
         the bits that it has alone.
@@ -238,7 +238,7 @@ class Questions:
         points : array, shape (n, 3)
             One a vertex of its shape, in the frame of the world.
         error : float
-            No coordinate of a vertex of a feature is off by more; where it is 0 these are the very points.
+            No coordinate is off by more, of vertices that take part in contacts. 0: the points are exact.
 
         Raises
         ------

@@ -209,8 +209,8 @@ class FeaturesOfBodies(OfBodies[Row], FeaturePairs[Row]):
         Returns
         -------
         array of int, shape (n, 2)
-            The row of `Mesh.faces` or of `Mesh.edges`, the index of a vertex; of the bodies in the same row of
-            `bodies`.
+            Of each feature the row of `Mesh.faces` or of `Mesh.edges`, or the index of a vertex, in the mesh of the
+            body that stands in the same place of `bodies`.
 
         Raises
         ------

@@ -29,7 +29,7 @@ _Edges = npt.NDArray[np.int64]  # ipctk's number of each edge
 
 
 def mesh(collision_mesh: ipctk.CollisionMesh) -> Mesh:
-    """Return the mesh that ipctk's is for Tamis: the same vertices, faces, edges and loose points.
+    """Return a collision mesh of ipctk as a mesh of Tamis: the same vertices, faces, edges and loose points.
 
     Parameters
     ----------
@@ -56,7 +56,8 @@ def candidates(pairs: NamedPairs[Any], collision_mesh: ipctk.CollisionMesh) -> i
     Parameters
     ----------
     pairs : NearPairs or Contacts
-        Of a detector of `mesh`, or of another mesh with the same numbers of vertices and orders of each face's.
+        That a detector of `mesh` has found, or one of another mesh whose vertices have the same numbers, and whose
+        faces list theirs in the same order.
     collision_mesh : ipctk.CollisionMesh
         As of `mesh`.
 

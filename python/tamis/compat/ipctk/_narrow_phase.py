@@ -15,8 +15,8 @@ from tamis._pair_distance import safe_step
 class NarrowPhaseCCD:
     """Single pairs, and how far a step may go towards a contact: what both narrow phases have in common.
 
-    The calls for single pairs return whether the pair keeps its part of the distance no longer than until tmax, and
-    until when; infinity if it does.
+    The calls for single pairs return False and infinity if the pair keeps its part of the distance until tmax; else
+    True, and the time until which it does.
     """
 
     def __init__(self) -> None:
@@ -51,7 +51,7 @@ class NarrowPhaseCCD:
         min_distance: float = 0.0,
         tmax: float = 1.0,
     ) -> tuple[bool, float]:
-        """Tell this of a point and a triangle."""
+        """Ask about a point and a triangle."""
         start = _stacked(p_t0=p_t0, t0_t0=t0_t0, t1_t0=t1_t0, t2_t0=t2_t0)
         end = _stacked(p_t1=p_t1, t0_t1=t0_t1, t1_t1=t1_t1, t2_t1=t2_t1)
         return self._found(PairKind.VERTEX_FACE, start, end, min_distance, tmax)
@@ -69,7 +69,7 @@ class NarrowPhaseCCD:
         min_distance: float = 0.0,
         tmax: float = 1.0,
     ) -> tuple[bool, float]:
-        """Tell this of two edges."""
+        """Ask about two edges."""
         start = _stacked(ea0_t0=ea0_t0, ea1_t0=ea1_t0, eb0_t0=eb0_t0, eb1_t0=eb1_t0)
         end = _stacked(ea0_t1=ea0_t1, ea1_t1=ea1_t1, eb0_t1=eb0_t1, eb1_t1=eb1_t1)
         return self._found(PairKind.EDGE_EDGE, start, end, min_distance, tmax)
@@ -85,7 +85,7 @@ class NarrowPhaseCCD:
         min_distance: float = 0.0,
         tmax: float = 1.0,
     ) -> tuple[bool, float]:
-        """Tell this of a point and an edge."""
+        """Ask about a point and an edge."""
         start = _stacked(p_t0=p_t0, e0_t0=e0_t0, e1_t0=e1_t0)
         end = _stacked(p_t1=p_t1, e0_t1=e0_t1, e1_t1=e1_t1)
         return self._found(PairKind.VERTEX_EDGE, start, end, min_distance, tmax)
@@ -99,7 +99,7 @@ class NarrowPhaseCCD:
         min_distance: float = 0.0,
         tmax: float = 1.0,
     ) -> tuple[bool, float]:
-        """Tell this of two points."""
+        """Ask about two points."""
         start = _stacked(p0_t0=p0_t0, p1_t0=p1_t0)
         end = _stacked(p0_t1=p0_t1, p1_t1=p1_t1)
         return self._found(PairKind.VERTEX_VERTEX, start, end, min_distance, tmax)

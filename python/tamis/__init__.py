@@ -14,7 +14,7 @@ from tamis._answers import EarliestContact, LimitingPair, SafeStep, TruncatedSte
 from tamis._audit._audit import audit
 from tamis._audit._auditor import Auditor, StepReport
 from tamis._audit._gltf import read_gltf
-from tamis._audit._motion import Motion
+from tamis._audit._recorded import Motion
 from tamis._audit._report import AuditReport
 from tamis._audit._tables import AuditFrame, AuditFrames, AuditKind, AuditPair, AuditPairs
 from tamis._audit._usd import read_usd

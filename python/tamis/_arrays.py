@@ -55,12 +55,22 @@ def _is_view(array: npt.NDArray[Any]) -> bool:
     )
 
 
+def doubles(array: npt.NDArray[Any]) -> Doubles:
+    """Return numbers as doubles, one behind the other: themselves if they lie so already, else a copy."""
+    return np.require(array, dtype=_DOUBLE, requirements=["C", "ALIGNED"])
+
+
 def rows(given: npt.ArrayLike, name: str, error: type[Error] = InvalidStep) -> Doubles:
     """Return n rows of three doubles, without a copy if they lie so already, also with a stride between rows."""
     array = numbers(given, name, error)
     if array.ndim != 2 or array.shape[1] != 3:
         raise error(f"{name} has the shape {shape_text(array)}: give one row of three numbers a vertex, (n, 3)")
-    return array if _is_view(array) else np.require(array, dtype=_DOUBLE, requirements=["C", "ALIGNED"])
+    return array if _is_view(array) else doubles(array)
+
+
+def packed_rows(given: npt.ArrayLike, name: str, error: type[Error] = InvalidStep) -> Doubles:
+    """Return the same without a gap between rows."""
+    return doubles(rows(given, name, error))
 
 
 def finite(array: Doubles, name: str, error: type[Error]) -> Doubles:
@@ -75,7 +85,7 @@ def point_frames(given: npt.ArrayLike, name: str, error: type[Error]) -> Doubles
     array = numbers(given, name, error)
     if array.ndim != 3 or array.shape[2] != 3:
         raise error(f"{name} has the shape {shape_text(array)}: give three numbers a vertex and frame, (f, n, 3)")
-    return np.require(array, dtype=_DOUBLE, requirements=["C", "ALIGNED"])
+    return doubles(array)
 
 
 def vector(given: npt.ArrayLike, name: str, error: type[Error]) -> Doubles:
@@ -83,7 +93,7 @@ def vector(given: npt.ArrayLike, name: str, error: type[Error]) -> Doubles:
     array = numbers(given, name, error)
     if array.ndim != 1:
         raise error(f"{name} has the shape {shape_text(array)}: give one dimension")
-    return np.require(array, dtype=_DOUBLE, requirements=["C", "ALIGNED"])
+    return doubles(array)
 
 
 def indices_or_none(given: npt.ArrayLike | None, columns: int, name: str, error: type[Error]) -> Indices:

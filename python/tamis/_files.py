@@ -10,7 +10,7 @@ import numpy as np
 import numpy.typing as npt
 
 from tamis import _core
-from tamis._arrays import Doubles, finite, indices, indices_or_none, rows
+from tamis._arrays import Doubles, finite, indices, indices_or_none, packed_rows
 from tamis._checks import file_name
 from tamis._errors import FileError, InvalidMesh
 from tamis._mesh import Mesh
@@ -75,7 +75,7 @@ def write_mesh(
     InvalidMesh
         An index that is no row of the positions, a coordinate that is not finite, or an array of another shape or type.
     """
-    vertices = finite(np.ascontiguousarray(rows(positions, "positions", InvalidMesh)), "positions", InvalidMesh)
+    vertices = finite(packed_rows(positions, "positions", InvalidMesh), "positions", InvalidMesh)
     triangles, rods = indices(faces, 3, "faces", InvalidMesh), indices_or_none(edges, 2, "edges", InvalidMesh)
     loose = indices_or_none(points, 0, "points", InvalidMesh)
     if triangles.size or rods.size or loose.size:

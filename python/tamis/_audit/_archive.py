@@ -11,7 +11,7 @@ import numpy.lib.format as npy
 import numpy.typing as npt
 
 from tamis._arrays import indices, rows
-from tamis._audit._motion import Frame
+from tamis._audit._recorded import Frame
 from tamis._audit._shared import Objects, Shared, shared_mesh
 from tamis._errors import FileError, InvalidMesh
 from tamis._mesh import Mesh

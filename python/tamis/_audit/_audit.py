@@ -14,8 +14,8 @@ from tamis import _core
 from tamis._arrays import indices, point_frames, rows
 from tamis._audit._archive import archive_frames
 from tamis._audit._gltf import read_gltf
-from tamis._audit._motion import Frame, Motion
 from tamis._audit._options import make_audit_options
+from tamis._audit._recorded import Frame, Motion
 from tamis._audit._report import AuditReport
 from tamis._audit._shared import Objects, Shared, shared_mesh
 from tamis._audit._usd import read_usd
@@ -176,15 +176,8 @@ def _frames_of(source: Any, known: _Known) -> Iterator[Frame]:
         known.require_none("a stage")
         return read_usd(source)._frames()
     if isinstance(source, np.ndarray) or not hasattr(source, "__iter__"):
-        return _frames_of_array(source, known)
+        return _frames_of_rows(source if _is_stack(source) else point_frames(source, "source", InvalidStep), known)
     return _frames_of_items(iter(source), known)
-
-
-def _frames_of_array(source: Any, known: _Known) -> Iterator[Frame]:
-    positions = source if _is_stack(source) else point_frames(source, "source", InvalidStep)
-    shared = known.of(positions.shape[1])
-    for i, frame in enumerate(positions):
-        yield Frame(str(i), rows(frame, f"source[{i}]"), shared.mesh)
 
 
 def _is_stack(source: Any) -> bool:
@@ -203,7 +196,7 @@ def _frames_of_items(items: Iterator[Any], known: _Known) -> Iterator[Frame]:
     return _frames_of_rows(frames, known)
 
 
-def _frames_of_rows(items: Iterator[Any], known: _Known) -> Iterator[Frame]:
+def _frames_of_rows(items: Iterable[Any], known: _Known) -> Iterator[Frame]:
     shared: Shared | None = None
     for i, item in enumerate(items):
         frame = rows(item, f"source[{i}]")

@@ -12,7 +12,7 @@ from tamis._audit._gltf_animation import Pose, animation_of
 from tamis._audit._gltf_buffers import Buffers
 from tamis._audit._gltf_mesh import MovingNode, moving_nodes
 from tamis._audit._joined import Part, joined
-from tamis._audit._motion import Frame, Motion
+from tamis._audit._recorded import Frame, Motion
 from tamis._checks import file_name, number
 from tamis._errors import FileError, InvalidOptions
 

@@ -11,7 +11,7 @@ import numpy.typing as npt
 
 from tamis._arrays import Doubles, Indices
 from tamis._audit._joined import Part, joined
-from tamis._audit._motion import Frame, Motion
+from tamis._audit._recorded import Frame, Motion
 from tamis._audit._shared import Shared
 from tamis._audit._usd_prims import shown_meshes
 from tamis._audit._usd_skins import with_baked_skins

@@ -8,7 +8,7 @@ import numpy as np
 import numpy.typing as npt
 
 from tamis import _core
-from tamis._arrays import Doubles, Indices, numbers, rows, vector
+from tamis._arrays import Doubles, Indices, numbers, packed_rows, vector
 from tamis._checks import function, whole
 from tamis._errors import InvalidPath
 from tamis._paths._path import Path
@@ -59,7 +59,7 @@ class FunctionPath(Path):
         answer = self._points_at(time, vertices)
         if not isinstance(answer, tuple) or len(answer) != 2:
             raise InvalidPath("points_at gave no pair: give the points and their errors")
-        points = np.ascontiguousarray(rows(answer[0], "what points_at gave", InvalidPath))
+        points = packed_rows(answer[0], "what points_at gave", InvalidPath)
         if len(points) != len(vertices):
             raise InvalidPath(f"points_at gave {len(points)} points for {len(vertices)} vertices: give one each")
         return points, _one_each(answer[1], len(vertices), "the errors of points_at")

@@ -8,7 +8,7 @@ import numpy as np
 import numpy.typing as npt
 
 from tamis import _core
-from tamis._arrays import Doubles, finite, indices, numbers, point_frames, rows, shape_text
+from tamis._arrays import Doubles, doubles, finite, indices, numbers, packed_rows, point_frames, shape_text
 from tamis._checks import shown
 from tamis._errors import InvalidPath
 from tamis._paths._path import Path
@@ -45,8 +45,8 @@ class RigidPath(Path):
         chains: Sequence[npt.ArrayLike],
         rest_end: npt.ArrayLike | None = None,
     ) -> None:
-        points = np.ascontiguousarray(rows(rest, "rest", InvalidPath))
-        ends = points if rest_end is None else np.ascontiguousarray(rows(rest_end, "rest_end", InvalidPath))
+        points = packed_rows(rest, "rest", InvalidPath)
+        ends = points if rest_end is None else packed_rows(rest_end, "rest_end", InvalidPath)
         if len(ends) != len(points):
             raise InvalidPath(f"rest_end has {len(ends)} rows, rest {len(points)}: give one each a vertex")
         is_list = isinstance(chains, (Sequence, np.ndarray)) and getattr(chains, "ndim", 1) > 0
@@ -199,7 +199,7 @@ def _one_or_many(given: npt.ArrayLike, name: str, shape: tuple[int, ...], advice
         raise InvalidPath(
             f"{name} has the shape {shape_text(array)}, which is {advice}; or as many as you like at once"
         )
-    many = np.require(array, np.float64, ["C", "ALIGNED"]).reshape(-1, *shape)
+    many = doubles(array).reshape(-1, *shape)
     return finite(many, name, InvalidPath), array.ndim == len(shape)
 
 

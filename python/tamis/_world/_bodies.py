@@ -9,7 +9,7 @@ import numpy as np
 import numpy.typing as npt
 
 from tamis import _core
-from tamis._arrays import Doubles, Indices, indices, numbers, rows, shape_text
+from tamis._arrays import Doubles, Indices, doubles, indices, numbers, packed_rows, shape_text
 from tamis._checks import instance, word
 from tamis._errors import InvalidMesh, InvalidOptions, InvalidPath
 from tamis._mesh import Mesh
@@ -46,7 +46,7 @@ class Shape:
 
     def __init__(self, mesh: Mesh, points: npt.ArrayLike, *, isa: Isa = "best") -> None:
         self._mesh = instance(mesh, Mesh, "mesh", "a tamis.Mesh, as of tamis.Mesh(faces)", InvalidMesh)
-        given = np.ascontiguousarray(rows(points, "points", InvalidMesh))
+        given = packed_rows(points, "points", InvalidMesh)
         self._shape = _core.Shape(self._mesh._mesh, given, word(isa, "isa"))
 
     @property
@@ -88,8 +88,8 @@ class Deforming:
     __slots__ = ("_end", "_start")
 
     def __init__(self, start: npt.ArrayLike, end: npt.ArrayLike) -> None:
-        self._start = np.ascontiguousarray(rows(start, "start"))
-        self._end = np.ascontiguousarray(rows(end, "end"))
+        self._start = packed_rows(start, "start")
+        self._end = packed_rows(end, "end")
 
     @property
     def start(self) -> Doubles:
@@ -169,7 +169,7 @@ def _motions(given: npt.ArrayLike) -> Doubles:
 def _poses_or_chains(array: npt.NDArray[Any], given: npt.NDArray[Any], name: str, advice: str) -> Doubles:
     if array.shape[1:] != (2, 3) and (array.ndim != 4 or array.shape[2:] != (4, 3)):
         raise InvalidPath(f"{name} has the shape {shape_text(given)}: {advice}")
-    return np.require(array, np.float64, ["C", "ALIGNED"])
+    return doubles(array)
 
 
 def _finite(motions: Doubles, name_of: Callable[[int], str]) -> Doubles:

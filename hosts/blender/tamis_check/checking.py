@@ -26,7 +26,7 @@ class BadFrame:
     contacts: int = 0
     problem: str = ""
     who: str = ""
-    features: list[tuple[int, np.ndarray]] = field(default_factory=list)  # kind; the world positions of its vertices
+    features: list[tuple[bool, np.ndarray]] = field(default_factory=list)  # of an intersection? where its vertices are
     faces: dict[str, np.ndarray] = field(default_factory=dict)  # by object
 
     def __str__(self) -> str:
@@ -111,7 +111,7 @@ class Check:
         for kind, row in zip(pairs.kind.tolist(), pairs.vertices.tolist()):
             vertices = [v for v in row if v >= 0]
             for feature in (vertices[: _FIRST[kind]], vertices[_FIRST[kind] :]):
-                bad.features.append((kind, positions[feature]))
+                bad.features.append((kind == _INTERSECTION, positions[feature]))
                 chosen |= set.intersection(*(self._triangles.get(v, set()) for v in feature))
         bad.faces = self._faces_of(sorted(chosen))
         return bad

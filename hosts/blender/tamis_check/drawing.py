@@ -12,7 +12,6 @@ from . import results
 from .checking import BadFrame
 
 _RED, _ORANGE = (1.0, 0.1, 0.1, 1.0), (1.0, 0.6, 0.0, 1.0)
-_INTERSECTION = 4
 _SIDES = {1: [], 2: [(0, 1)], 3: [(0, 1), (1, 2), (2, 0)]}
 _handle: Any = None
 
@@ -21,8 +20,8 @@ def lines_of(bad: BadFrame, is_intersection: bool) -> np.ndarray:
     """Both ends of the sides of all features, shape (2 n, 3)."""
     ends = [
         points[[*side]]
-        for kind, points in bad.features
-        if (kind == _INTERSECTION) == is_intersection
+        for crosses, points in bad.features
+        if crosses == is_intersection
         for side in _SIDES[len(points)]
     ]
     return np.vstack(ends) if ends else np.empty((0, 3))

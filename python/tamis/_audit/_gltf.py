@@ -10,7 +10,7 @@ import numpy as np
 
 from tamis._audit._gltf_animation import Pose, animation_of
 from tamis._audit._gltf_buffers import Buffers
-from tamis._audit._gltf_mesh import MovingNode, moving_nodes
+from tamis._audit._gltf_mesh import moving_nodes
 from tamis._audit._joined import Part, joined
 from tamis._audit._recorded import Frame, Motion
 from tamis._checks import file_name, number
@@ -75,7 +75,8 @@ def read_gltf(
         shared = joined([Part(node.name, node.vertex_count, node.faces) for node in nodes])
         for i, time in enumerate(times.tolist()):
             pose = Pose(gltf, moves, time)
-            yield Frame(f"{time:g} s", _points(nodes, pose), shared.mesh, note="" if i else note)
+            points = np.concatenate([node.points(pose) for node in nodes])
+            yield Frame(f"{time:g} s", points, shared.mesh, note="" if i else note)
 
     return Motion(frames, f"{name}, {len(nodes)} meshes, {len(times)} frames")
 
@@ -89,10 +90,6 @@ def _note(gltf: Any, animation: int | str | None) -> str:
     if any(channel.target.node is None for each in gltf.animations or [] for channel in each.channels):
         notes.append("what is animated by KHR_animation_pointer stays where it is")
     return "; ".join(notes)
-
-
-def _points(nodes: list[MovingNode], pose: Pose) -> Any:
-    return np.concatenate([node.points(pose) for node in nodes])
 
 
 def _load(name: str) -> Any:

@@ -84,9 +84,8 @@ def animation_of(gltf: Any, buffers: Buffers, name: str, which: Any) -> Animatio
     if which is None and not animations:
         return None
     names = [animation.name for animation in animations]
-    places = dict(enumerate(range(len(animations))))
     wanted = 0 if which is None else names.index(which) if which in names else which
-    if isinstance(wanted, bool) or not isinstance(wanted, int) or wanted not in places:
+    if isinstance(wanted, bool) or not isinstance(wanted, int) or wanted not in range(len(animations)):
         raise InvalidOptions(f"{name} has no animation {shown(which)}: it has {names or 'none'}")
     return Animation(_channels(animations[wanted], buffers))
 

@@ -27,10 +27,12 @@ class Shared(NamedTuple):
 def shared_mesh(mesh: Mesh, objects: Objects | None = None) -> Shared:
     """Return the mesh with the objects that the caller names; none: what is connected, which have no names."""
     known = instance(mesh, Mesh, "mesh", "a tamis.Mesh, as of tamis.Mesh(faces)", InvalidMesh)
-    names = [word(name, "a name in objects") for name in objects] if isinstance(objects, dict) else []
-    numbers = (
-        _of_names(objects, known.vertex_count) if isinstance(objects, dict) else _of_array(objects, known.vertex_count)
-    )
+    names: list[str] = []
+    if isinstance(objects, dict):
+        names = [word(name, "a name in objects") for name in objects]
+        numbers = _of_names(objects, known.vertex_count)
+    else:
+        numbers = _of_array(objects, known.vertex_count)
     return Shared(_core.shared_mesh(known._mesh, numbers, names), numbers, names)
 
 

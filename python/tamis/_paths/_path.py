@@ -40,7 +40,17 @@ class Path(abc.ABC):
         return f"{type(self).__name__}({self.vertex_count} vertices)"
 
 
-class BezierPath(Path):
+class CompiledPath(Path):
+    """A path that the compiled part has a class for."""
+
+    __slots__ = ("_path",)
+    _path: _core.Path
+
+    def _native(self) -> _core.Path:
+        return self._path
+
+
+class BezierPath(CompiledPath):
     """Each vertex on a Bezier curve: every polynomial motion can be written so.
 
     Parameters
@@ -54,16 +64,13 @@ class BezierPath(Path):
         Another shape, or numbers that are not finite.
     """
 
-    __slots__ = ("_path",)
+    __slots__ = ()
 
     def __init__(self, control_points: npt.ArrayLike) -> None:
         self._path = _core.BezierPath(point_frames(control_points, "control_points", InvalidPath))
 
-    def _native(self) -> _core.Path:
-        return self._path
 
-
-class CatmullRomPath(Path):
+class CatmullRomPath(CompiledPath):
     """Through a sequence of frames at equal distances of time, smoothly.
 
     Between any two frames a cubic; its slope at a frame is (next - previous) / 2, at the first and the last one that of
@@ -80,10 +87,7 @@ class CatmullRomPath(Path):
         Another shape, less than two frames, or numbers that are not finite.
     """
 
-    __slots__ = ("_path",)
+    __slots__ = ()
 
     def __init__(self, frames: npt.ArrayLike) -> None:
         self._path = _core.CatmullRomPath(point_frames(frames, "frames", InvalidPath))
-
-    def _native(self) -> _core.Path:
-        return self._path

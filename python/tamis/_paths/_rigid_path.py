@@ -11,10 +11,10 @@ from tamis import _core
 from tamis._arrays import Doubles, doubles, finite, indices, numbers, packed_rows, point_frames, shape_text
 from tamis._checks import shown
 from tamis._errors import InvalidPath
-from tamis._paths._path import Path
+from tamis._paths._path import CompiledPath
 
 
-class RigidPath(Path):
+class RigidPath(CompiledPath):
     """Bodies that each move on a chain of links.
 
     Parameters
@@ -36,7 +36,7 @@ class RigidPath(Path):
         Sizes that do not fit, or numbers that are not finite.
     """
 
-    __slots__ = ("_path",)
+    __slots__ = ()
 
     def __init__(
         self,
@@ -54,9 +54,6 @@ class RigidPath(Path):
             raise InvalidPath(f"chains is {shown(chains)}: give a list with a chain for each body, (links, 4, 3)")
         links = [links_of(chain, f"chain {body}") for body, chain in enumerate(chains)]
         self._path = _core.RigidPath(points, indices(body_of_vertex, 0, "body_of_vertex", InvalidPath), links, ends)
-
-    def _native(self) -> _core.Path:
-        return self._path
 
 
 def pose_of(rotation: npt.ArrayLike, position: npt.ArrayLike) -> Doubles:

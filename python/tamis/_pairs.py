@@ -50,8 +50,8 @@ class Pairs(NamedPairs[PairResult], TimedPairs[PairResult]):
     Times, weights and normals have a meaning only where `touches` is True.
 
     `len()` counts them; an integer index gives a `PairResult`, anything else that indexes an array gives `Pairs`.
-    The columns of `table` are touches, certainty, toi_lower, toi_upper, u, v, normal; `kind` and `vertices` are those
-    that were given.
+    The columns of `table` are touches, certainty (0: certified, 1: unresolved), toi_lower, toi_upper, u, v, normal;
+    `kind` and `vertices` are those that were given.
     """
 
     __slots__ = ("_kind", "_vertices")

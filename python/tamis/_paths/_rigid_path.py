@@ -91,9 +91,22 @@ def pose_of(rotation: npt.ArrayLike, position: npt.ArrayLike) -> Doubles:
 
 
 def interpolated(start: npt.ArrayLike, end: npt.ArrayLike) -> Doubles:
-    """Make a chain whose position and rotation vector go linearly from one pose, shape (2, 3), to the other.
+    """Make a chain whose position and rotation vector go linearly from one pose to the other.
 
-    Of n poses each, shape (n, 2, 3), n chains, shape (n, 1, 4, 3).
+    Parameters
+    ----------
+    start, end : array_like, shape (2, 3) or (n, 2, 3)
+        Poses, of one body or of n.
+
+    Returns
+    -------
+    array, shape (1, 4, 3) or (n, 1, 4, 3)
+        A chain of one link each.
+
+    Raises
+    ------
+    InvalidPath
+        Other shapes, or numbers that are not finite.
     """
     (first, last), is_one = _alike(start=_poses(start, "start"), end=_poses(end, "end"))
     return _chains(_core.interpolated(first, last), 1, is_one)
@@ -138,13 +151,18 @@ def between(start: npt.ArrayLike, end: npt.ArrayLike, *, center: npt.ArrayLike |
     ----------
     start, end : array_like, shape (2, 3) or (n, 2, 3)
         Poses, of one body or of n.
-    center : array_like, optional
+    center : array_like, shape (3,) or (n, 3), optional
         The point of the body that goes straight, as of `turned`.
 
     Returns
     -------
-    array
-        As of `turned`; so are errors.
+    array, shape (2, 4, 3) or (n, 2, 4, 3)
+        A chain of two links each.
+
+    Raises
+    ------
+    InvalidPath
+        Other shapes, or numbers that are not finite.
     """
     (first, last), is_one = _alike(start=_poses(start, "start"), end=_poses(end, "end"))
     return _chains(_core.between(first, last, _centers(center, len(first))), 2, is_one)

@@ -83,7 +83,8 @@ class Contacts(NamedPairs[Contact], TouchingPairs[Contact]):
     """Contacts of a step, by kind, then vertices. They own their memory: later questions change nothing in them.
 
     `len()` counts them; an integer index gives a `Contact`, anything else that indexes an array gives `Contacts`.
-    The columns of `table` are kind, certainty, vertices, toi_lower, toi_upper, u, v, normal.
+    The columns of `table` are kind, certainty (0: certified, 1: unresolved), vertices, toi_lower, toi_upper, u, v,
+    normal.
     """
 
     __slots__ = ("_asked",)

@@ -126,7 +126,7 @@ class Referee:
 
     @property
     def report(self) -> RefereeReport:
-        """What all steps so far had."""
+        """How many steps were checked so far, and what met in them."""
         return self._report
 
     @property

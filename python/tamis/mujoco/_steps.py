@@ -82,7 +82,7 @@ class RefereeReport:
     Attributes
     ----------
     steps : int
-        That were checked.
+        How many were checked.
     meetings : list of Meeting
         Of all steps, in their order.
     """

@@ -12,7 +12,7 @@ class AttachmentReport:
     Attributes
     ----------
     steps : int
-        Of the solver.
+        That the solver has taken.
     shortened : int
         Times that positions would have led to a contact, or too near one, and were held back.
     moved_into_contact : int

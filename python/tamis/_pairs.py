@@ -8,13 +8,13 @@ import numpy as np
 import numpy.typing as npt
 
 from tamis import _core
-from tamis._arrays import Doubles, Indices, pair_list
+from tamis._arrays import Indices, pair_list
 from tamis._checks import number, number_or_none
 from tamis._errors import Error, InvalidOptions, InvalidPath, InvalidStep
 from tamis._kinds import PairKind
 from tamis._motion import StraightMotion, motion
 from tamis._paths._path import Path
-from tamis._tables._columns import Columns, NamedPairs, TimedPairs, numbered
+from tamis._tables._columns import MovingPairs
 from tamis._tables._table import Column
 
 
@@ -44,7 +44,7 @@ class PairResult(NamedTuple):
     normal: tuple[float, float, float]
 
 
-class Pairs(NamedPairs[PairResult], TimedPairs[PairResult]):
+class Pairs(MovingPairs[PairResult]):
     """What each pair does during the step, as arrays of length n.
 
     Times, weights and normals have a meaning only where `touches` is True.
@@ -84,29 +84,8 @@ class Pairs(NamedPairs[PairResult], TimedPairs[PairResult]):
         """True: proven to touch. False: free, or, on a path alone, unresolved."""
         return super().certified & self.touches
 
-    @overload
-    def points(self, start: npt.ArrayLike, end: npt.ArrayLike) -> Doubles: ...
-    @overload
-    def points(self, start: Path) -> Doubles: ...
-    def points(self, start: npt.ArrayLike | Path, end: npt.ArrayLike | None = None) -> Doubles:
-        """Tell where both features of each pair meet, at its `toi_upper`.
-
-        Parameters
-        ----------
-        start, end : array_like, shape (m, 3)
-            Both ends of the step that was asked about. Or the `Path` alone.
-
-        Returns
-        -------
-        array, shape (n, 2, 3)
-            A point on the first feature and one on the second, by `weights`.
-        """
-        return self._points(motion(start, end).corners(self.toi_upper, self.vertices))
-
-    def _columns(self) -> Columns:
-        touching = np.where(self.certified, "certified", "unresolved")
-        status = np.where(self.touches, touching, "free")
-        return {**self._names(), **self._times(), "status": status, **numbered("n", self.normal, "xyz")}
+    def _status(self) -> npt.NDArray[np.str_]:
+        return np.where(self.touches, super()._status(), "free")
 
     def _row(self, values: Any, index: int) -> PairResult:
         touches, certainty, lower, upper, u, v, normal = values

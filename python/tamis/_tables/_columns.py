@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, overload
 
 import numpy as np
 import numpy.typing as npt
@@ -13,6 +13,8 @@ from tamis._checks import instance
 from tamis._errors import InvalidMesh
 from tamis._kinds import SHORT_NAMES
 from tamis._mesh import Mesh
+from tamis._motion import motion
+from tamis._paths._path import Path
 from tamis._tables._points import Corners, both_points
 from tamis._tables._table import Column, Row, Table
 
@@ -101,5 +103,34 @@ class TimedPairs(FeaturePairs[Row]):
         proven: npt.NDArray[np.bool_] = np.equal(self._table["certainty"], 0)
         return proven
 
-    def _times(self) -> Columns:
-        return {name: self._table[name] for name in ("toi_lower", "toi_upper", "u", "v")}
+    def _status(self) -> npt.NDArray[np.str_]:
+        return np.where(self.certified, "certified", "unresolved")
+
+    def _columns(self) -> Columns:
+        times = {name: self._table[name] for name in ("toi_lower", "toi_upper", "u", "v")}
+        return {**self._names(), **times, "status": self._status(), **numbered("n", self.normal, "xyz")}
+
+
+class MovingPairs(NamedPairs[Row], TimedPairs[Row]):
+    """What pairs of features of one mesh do during a step."""
+
+    __slots__ = ()
+
+    @overload
+    def points(self, start: npt.ArrayLike, end: npt.ArrayLike) -> Doubles: ...
+    @overload
+    def points(self, start: Path) -> Doubles: ...
+    def points(self, start: npt.ArrayLike | Path, end: npt.ArrayLike | None = None) -> Doubles:
+        """Tell where both features of each pair meet, at its `toi_upper`.
+
+        Parameters
+        ----------
+        start, end : array_like, shape (m, 3)
+            Both ends of the step that was asked about. Or its `Path` alone.
+
+        Returns
+        -------
+        array, shape (n, 2, 3)
+            A point on the first feature and one on the second, by `weights`; a separation lies between them.
+        """
+        return self._points(motion(start, end).corners(self.toi_upper, self.vertices))

@@ -10,14 +10,11 @@ import numpy as np
 import numpy.typing as npt
 
 from tamis import _core
-from tamis._arrays import Doubles
 from tamis._checks import file_name, instance
 from tamis._errors import Error
 from tamis._kinds import PairKind
 from tamis._looking import Asked, Page, place_for_page, show
-from tamis._motion import motion
-from tamis._paths._path import Path
-from tamis._tables._columns import Columns, NamedPairs, TimedPairs, numbered
+from tamis._tables._columns import MovingPairs, TimedPairs
 from tamis._tables._table import Row
 
 
@@ -66,10 +63,6 @@ class TouchingPairs(TimedPairs[Row]):
         kind, certainty, vertices, *times, normal = values
         return PairKind(kind), tuple(vertices.tolist()), *times, tuple(normal.tolist()), certainty == 0
 
-    def _columns(self) -> Columns:
-        status = np.where(self.certified, "certified", "unresolved")
-        return {**self._names(), **self._times(), "status": status, **numbered("n", self.normal, "xyz")}
-
     def __repr__(self) -> str:
         name = type(self).__name__
         if not len(self):
@@ -79,7 +72,7 @@ class TouchingPairs(TimedPairs[Row]):
         return f"{name}({kinds}; first at {self.toi_lower.min():g})"
 
 
-class Contacts(NamedPairs[Contact], TouchingPairs[Contact]):
+class Contacts(MovingPairs[Contact], TouchingPairs[Contact]):
     """Contacts of a step, by kind, then vertices. They own their memory: later questions change nothing in them.
 
     `len()` counts them; an integer index gives a `Contact`, anything else that indexes an array gives `Contacts`.
@@ -96,21 +89,6 @@ class Contacts(NamedPairs[Contact], TouchingPairs[Contact]):
         if asked is not None:
             instance(asked, Asked, "asked", "none: only what a question returns knows what was asked")
         self._asked = asked
-
-    def points(self, start: npt.ArrayLike | Path, end: npt.ArrayLike | None = None) -> Doubles:
-        """Tell where both features of each contact meet, at its `toi_upper`.
-
-        Parameters
-        ----------
-        start, end : array_like, shape (n, 3)
-            Both ends of the step that was asked about. Or its `Path` alone.
-
-        Returns
-        -------
-        array, shape (n, 2, 3)
-            A point on the first feature and one on the second, by `weights`; a separation lies between them.
-        """
-        return self._points(motion(start, end).corners(self.toi_upper, self.vertices))
 
     def save(self, path: str | os.PathLike[str]) -> None:
         """Write a file, as the command's `--out` does: complete or not at all.

@@ -1,4 +1,4 @@
-"""Columns that tables of pairs have in common."""
+"""What tables of pairs have in common: their columns, and what follows from these."""
 
 from __future__ import annotations
 

@@ -80,7 +80,7 @@ def test_the_path_is_where_mujoco_integrates_to_at_every_time() -> None:
         data.time += model.opt.timestep
         before = referee.positions
         referee._look()
-        moving = referee._motion(before, referee.positions)
+        moving = referee._motion(before)
         assert isinstance(moving, CurvedMotion)
         for time, positions in ((0, before), (0.25, early), (0.5, middle), (1, referee.positions)):
             assert np.abs(moving.path.points_at(time) - positions).max() < 1e-12

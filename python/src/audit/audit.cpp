@@ -79,10 +79,12 @@ nb::tuple motion_files(const std::vector<std::string>& names) {
   return nb::make_tuple(paths, !files.cache.empty());
 }
 
-/// `mesh`: of a point cache, or none.
-AuditReport audit_files(const std::vector<std::string>& names, const SharedMesh* mesh, std::vector<Index> of_vertex,
-                        std::vector<std::string> object_names, const AuditOptions& given) {
-  io::GivenMesh known{mesh != nullptr ? mesh->mesh : nullptr, {std::move(of_vertex), std::move(object_names)}};
+/// `mesh`: of a point cache, or none. `with_objects`: has those of what is read, or none.
+AuditReport audit_files(const std::vector<std::string>& names, const SharedMesh* mesh, const SharedMesh* with_objects,
+                        const AuditOptions& given) {
+  io::GivenMesh known;
+  if (mesh != nullptr) known.mesh = mesh->mesh;
+  if (with_objects != nullptr) known.objects = with_objects->mesh->objects();
   const auto source = io::open_motion(io::motion_files(names), std::move(known));
   return audit_source(*source, given);
 }
@@ -127,7 +129,9 @@ SharedMesh shared_mesh(const Mesh& mesh, const Indices& of_vertex, std::vector<s
 
 void bind_audit(nb::module_& module) {
   const nb::arg any;
-  nb::class_<SharedMesh>(module, "SharedMesh");
+  nb::class_<SharedMesh>(module, "SharedMesh").def_prop_ro("object_names", [](const SharedMesh& shared) {
+    return shared.mesh->objects().names;
+  });
   module.def("shared_mesh", &shared_mesh);
   nb::class_<AuditOptions>(module, "AuditOptions")
       .def("__init__", &init_options, any, any, any, any, any, any, nb::arg().none());
@@ -138,7 +142,7 @@ void bind_audit(nb::module_& module) {
       .def("raise_what_ended_it", &AuditReport::raise);
   module.def("audit_frames", &audit_frames);
   module.def("motion_files", &motion_files);
-  module.def("audit_files", &audit_files, any, nb::arg().none(), any, any, any);
+  module.def("audit_files", &audit_files, any, nb::arg().none(), nb::arg().none(), any);
   nb::class_<StreamAuditor>(module, "Auditor")
       .def(nb::init<const SharedMesh&, const AuditOptions&>())
       .def("add", &StreamAuditor::add)

@@ -10,9 +10,10 @@ import numpy as np
 import numpy.lib.format as npy
 import numpy.typing as npt
 
+from tamis import _core
 from tamis._arrays import indices, rows
 from tamis._audit._recorded import Frame
-from tamis._audit._shared import Objects, Shared, shared_mesh
+from tamis._audit._shared import Objects, shared_mesh
 from tamis._errors import FileError, InvalidMesh
 from tamis._mesh import Mesh
 
@@ -24,7 +25,9 @@ class _Member(NamedTuple):
     is_fortran: bool
 
 
-def archive_frames(path: str, mesh_of: Callable[[int], Shared] | None, objects: Objects | None) -> Iterator[Frame]:
+def archive_frames(
+    path: str, mesh_of: Callable[[int], _core.SharedMesh] | None, objects: Objects | None
+) -> Iterator[Frame]:
     """Yield the frames; `mesh_of` gives the mesh for so many vertices, where the archive's own is not to be used."""
     try:
         with zipfile.ZipFile(path) as archive:
@@ -64,7 +67,7 @@ def _only(
 
 def _mesh_in(
     path: str, archive: zipfile.ZipFile, members: list[_Member], positions: _Member, objects: Objects | None
-) -> Shared:
+) -> _core.SharedMesh:
     faces = _only(
         path, members, "iu", lambda shape: len(shape) == 2 and shape[1] == 3, "(t, 3), whole numbers, the faces"
     )
@@ -73,7 +76,7 @@ def _mesh_in(
     return shared_mesh(Mesh(indices(triangles, 3, faces.name, InvalidMesh), positions.shape[1]), objects)
 
 
-def _stream(path: str, archive: zipfile.ZipFile, member: _Member, shared: Shared) -> Iterator[Frame]:
+def _stream(path: str, archive: zipfile.ZipFile, member: _Member, shared: _core.SharedMesh) -> Iterator[Frame]:
     if member.is_fortran:
         raise FileError(f"{path}: {member.name} is in Fortran's order: save numpy.ascontiguousarray of it")
     frames, vertices, _ = member.shape
@@ -88,4 +91,4 @@ def _stream(path: str, archive: zipfile.ZipFile, member: _Member, shared: Shared
                 )
                 return
             frame = np.frombuffer(bytes_, member.dtype).reshape(vertices, 3)
-            yield Frame(str(i), rows(frame, f"frame {i}"), shared.mesh)
+            yield Frame(str(i), rows(frame, f"frame {i}"), shared)

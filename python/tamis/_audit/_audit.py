@@ -17,7 +17,7 @@ from tamis._audit._gltf import read_gltf
 from tamis._audit._options import make_audit_options
 from tamis._audit._recorded import Frame, Motion
 from tamis._audit._report import AuditReport
-from tamis._audit._shared import Objects, Shared, shared_mesh
+from tamis._audit._shared import Objects, shared_mesh
 from tamis._audit._usd import read_usd
 from tamis._checks import file_name, function, shown
 from tamis._errors import Error, InvalidMesh, InvalidStep
@@ -112,7 +112,7 @@ class _Known:
         self._mesh = mesh
         self._faces = None if faces is None else indices(faces, 3, "faces", InvalidMesh)
 
-    def of(self, vertex_count: int | None) -> Shared:
+    def of(self, vertex_count: int | None) -> _core.SharedMesh:
         if self._faces is not None:
             return shared_mesh(Mesh(self._faces, vertex_count), self.objects)
         if self._mesh is None:
@@ -161,11 +161,10 @@ def _ask_files(names: list[str], known: _Known, options: _core.AuditOptions) -> 
     if not is_cache_alone:
         known.require_none(paths[0])
     if known.is_given:
-        return _core.audit_files(names, known.of(None).mesh, [], [], options)
+        return _core.audit_files(names, known.of(None), None, options)
     if known.objects is None or is_cache_alone:  # for which the core has a sentence
-        return _core.audit_files(names, None, [], [], options)
-    first = shared_mesh(read_mesh(paths[0]).mesh, known.objects)
-    return _core.audit_files(names, None, first.numbers.tolist(), first.names, options)
+        return _core.audit_files(names, None, None, options)
+    return _core.audit_files(names, None, shared_mesh(read_mesh(paths[0]).mesh, known.objects), options)
 
 
 def _frames_of(source: Any, known: _Known) -> Iterator[Frame]:
@@ -197,20 +196,18 @@ def _frames_of_items(items: Iterator[Any], known: _Known) -> Iterator[Frame]:
 
 
 def _frames_of_rows(items: Iterable[Any], known: _Known) -> Iterator[Frame]:
-    shared: Shared | None = None
+    shared: _core.SharedMesh | None = None
     for i, item in enumerate(items):
         frame = rows(item, f"source[{i}]")
         shared = shared or known.of(len(frame))
-        yield Frame(str(i), frame, shared.mesh)
+        yield Frame(str(i), frame, shared)
 
 
 def _frames_of_meshes(items: Iterator[Any], objects: Objects | None) -> Iterator[Frame]:
-    last: tuple[Mesh, Shared] | None = None
+    last: tuple[Mesh, _core.SharedMesh] | None = None
     for i, item in enumerate(items):
         if not isinstance(item, MeshFile):
             raise InvalidStep(f"source[{i}] is {shown(item)}, the first a MeshFile: give frames of one kind")
         if last is None or item.mesh is not last[0]:
             last = (item.mesh, shared_mesh(item.mesh, objects))
-        yield Frame(
-            str(i), rows(item.positions, f"source[{i}]"), last[1].mesh, note="; ".join(item.notes if i == 0 else ())
-        )
+        yield Frame(str(i), rows(item.positions, f"source[{i}]"), last[1], note="; ".join(item.notes if i == 0 else ()))

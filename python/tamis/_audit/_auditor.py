@@ -97,8 +97,8 @@ class Auditor:
             listed_pairs=listed_pairs,
         )
         self._mesh = mesh
-        self._names = ObjectNames([(0, shared.names)])
-        self._auditor = _core.Auditor(shared.mesh, options)
+        self._names = ObjectNames([(0, shared.object_names)])
+        self._auditor = _core.Auditor(shared, options)
 
     @property
     def mesh(self) -> Mesh:

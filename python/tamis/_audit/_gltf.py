@@ -76,7 +76,7 @@ def read_gltf(
         for i, time in enumerate(times.tolist()):
             pose = Pose(gltf, moves, time)
             points = np.concatenate([node.points(pose) for node in nodes])
-            yield Frame(f"{time:g} s", points, shared.mesh, note="" if i else note)
+            yield Frame(f"{time:g} s", points, shared, note="" if i else note)
 
     return Motion(frames, f"{name}, {len(nodes)} meshes, {len(times)} frames")
 

@@ -6,8 +6,9 @@ from typing import NamedTuple
 
 import numpy as np
 
+from tamis import _core
 from tamis._arrays import Indices
-from tamis._audit._shared import Shared, shared_mesh
+from tamis._audit._shared import shared_mesh
 from tamis._mesh import Mesh
 
 
@@ -19,7 +20,7 @@ class Part(NamedTuple):
     faces: Indices
 
 
-def joined(parts: list[Part]) -> Shared:
+def joined(parts: list[Part]) -> _core.SharedMesh:
     """Make one mesh of them, their vertices one behind the other."""
     ends = np.cumsum([part.vertex_count for part in parts])
     starts = ends - [part.vertex_count for part in parts]

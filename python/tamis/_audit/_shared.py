@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any, NamedTuple, Union
+from typing import Any, Union
 
 import numpy as np
 import numpy.typing as npt
@@ -16,15 +16,7 @@ from tamis._mesh import Mesh
 Objects = Union[npt.ArrayLike, "dict[str, Any]"]
 
 
-class Shared(NamedTuple):
-    """A mesh as frames share it, the object of each vertex, and the objects' names."""
-
-    mesh: _core.SharedMesh
-    numbers: Indices
-    names: list[str]
-
-
-def shared_mesh(mesh: Mesh, objects: Objects | None = None) -> Shared:
+def shared_mesh(mesh: Mesh, objects: Objects | None = None) -> _core.SharedMesh:
     """Return the mesh with the objects that the caller names; none: what is connected, which have no names."""
     known = instance(mesh, Mesh, "mesh", "a tamis.Mesh, as of tamis.Mesh(faces)", InvalidMesh)
     names: list[str] = []
@@ -33,7 +25,7 @@ def shared_mesh(mesh: Mesh, objects: Objects | None = None) -> Shared:
         numbers = _of_names(objects, known.vertex_count)
     else:
         numbers = _of_array(objects, known.vertex_count)
-    return Shared(_core.shared_mesh(known._mesh, numbers, names), numbers, names)
+    return _core.shared_mesh(known._mesh, numbers, names)
 
 
 def _of_array(objects: npt.ArrayLike | None, count: int) -> Indices:

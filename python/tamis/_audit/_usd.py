@@ -9,10 +9,10 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import numpy.typing as npt
 
+from tamis import _core
 from tamis._arrays import Doubles, Indices
 from tamis._audit._joined import Part, joined
 from tamis._audit._recorded import Frame, Motion
-from tamis._audit._shared import Shared
 from tamis._audit._usd_prims import shown_meshes
 from tamis._audit._usd_skins import with_baked_skins
 from tamis._audit._usd_times import frame_times
@@ -108,9 +108,9 @@ class _Meshes:
             placed = [_world_points(mesh, time, transforms) for mesh in self.prims]
             yield self._frame(i, time, placed, shared)
 
-    def _frame(self, i: int, time: Any, placed: list[Doubles], shared: Shared) -> Frame:
+    def _frame(self, i: int, time: Any, placed: list[Doubles], shared: _core.SharedMesh) -> Frame:
         name = "default" if time.IsDefault() else f"{time.GetValue():g}"
-        return Frame(name, np.concatenate(placed), shared.mesh, note="" if i else self._note)
+        return Frame(name, np.concatenate(placed), shared, note="" if i else self._note)
 
 
 def _may_change_topology(mesh: Any) -> bool:

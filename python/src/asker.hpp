@@ -36,7 +36,7 @@ class Asker {
     const Turn turn(is_asked_);
     signals_.during(work);
   }
-  /// The same, of what has an answer.
+  /// The same; returns the answer.
   template <class Question>
   auto answer(const Question& question) {
     std::decay_t<std::invoke_result_t<Question>> found{};

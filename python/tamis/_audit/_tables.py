@@ -179,7 +179,7 @@ class AuditFrame(NamedTuple):
     contacts : int
         Pairs that touch during the step.
     neighbours : int
-        How many of both one edge joins.
+        Pairs among both whose features are one edge apart.
     toi_lower, toi_upper : float
         Of the first contact: the step is free before `toi_lower`, proven. 1 if it is free.
     """
@@ -209,7 +209,7 @@ class AuditFrames(Table[AuditFrame]):
     is_usable = Column[npt.NDArray[np.bool_]]("Whether anything could be asked of it, shape (n,).")
     has_step = Column[npt.NDArray[np.bool_]]("Whether a step was asked about that ends here, shape (n,).")
     counts = Column[Counts]("Pairs by `AuditKind`, shape (n, 5).")
-    neighbours = Column[Counts]("How many of the pairs of each frame and step one edge joins, shape (n,).")
+    neighbours = Column[Counts]("Pairs of each frame and step whose features are one edge apart, shape (n,).")
     toi_lower = Column[Doubles]("Each step is free before this fraction of it: proven, shape (n,); 1 if it is free.")
     toi_upper = Column[Doubles]("By this fraction of each step some pair has touched, shape (n,); 1 if it is free.")
 

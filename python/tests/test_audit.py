@@ -189,6 +189,8 @@ def test_misuse() -> None:
         tamis.audit(FRAMES, mesh=tamis.Mesh(FACES), faces=FACES)
     with pytest.raises(tamis.InvalidStep, match="no frame"):
         tamis.audit([], faces=FACES)
+    with pytest.raises(tamis.InvalidStep, match="no frame"):
+        tamis.audit(np.zeros((0, 6, 3)), faces=FACES)
     with pytest.raises(tamis.InvalidMesh, match="numbers for 6 vertices"):
         tamis.audit(FRAMES, faces=FACES, objects=[0, 1])
     with pytest.raises(tamis.InvalidMesh, match="spike"):

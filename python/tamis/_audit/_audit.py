@@ -175,7 +175,7 @@ def _frames_of(source: Any, known: _Known) -> Iterator[Frame]:
         known.require_none("a stage")
         return read_usd(source)._frames()
     if isinstance(source, np.ndarray) or not hasattr(source, "__iter__"):
-        return _frames_of_rows(source if _is_stack(source) else point_frames(source, "source", InvalidStep), known)
+        source = source if _is_stack(source) else point_frames(source, "source", InvalidStep)
     return _frames_of_items(iter(source), known)
 
 

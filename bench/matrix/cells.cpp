@@ -69,7 +69,7 @@ void for_each_step(const Visit& visit) {
   for (const SceneName& scene : scene_names()) {
     for (const double scale : kScales) {
       visit(ways_to_ask_step(scene, scale), number);
-      if constexpr (AsksPositions<Detector, std::vector<Point>>) visit(ways_to_ask_positions(scene, scale), number);
+      if constexpr (AsksPositions<Detector>) visit(ways_to_ask_positions(scene, scale), number);
       ++number;
     }
     ++number;  // seven a scene: the ways come in turn at each scale, too

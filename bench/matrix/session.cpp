@@ -148,9 +148,7 @@ void Session::ask(Question question, const std::vector<Point>& start, const std:
   if (question == Question::earliest) timed([&] { return detector_->earliest(step); });
   if (question == Question::free) timed([&] { return detector_->is_free(step); });
   if (question == Question::keep) timed([&] { return safe_step(*detector_, step, kKeptFraction); });
-  if (question == Question::truncate) timed([&] { return truncate(*detector_, step, kKeptFraction); });
-  if (question == Question::within) timed([&]() -> decltype(auto) { return within(*detector_, end, distance_); });
-  if (question == Question::intersections) timed([&]() -> decltype(auto) { return intersections(*detector_, end); });
+  ask_positions(*detector_, question, step, kKeptFraction, distance_, timed);
   if (question == Question::three)
     for (const auto one : {Question::contacts, Question::earliest, Question::free}) ask(one, start, end, outcome);
 }

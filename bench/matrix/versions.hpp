@@ -1,10 +1,10 @@
 // What differs between the commits that the matrix is built against.
 #pragma once
-#include <array>
 #include <cstdint>
 
-#include "tamis/mesh.hpp"
+#include "matrix/cells.hpp"
 #include "tamis/statistics.hpp"
+#include "tamis/step.hpp"
 
 namespace tamis::matrix {
 
@@ -32,42 +32,23 @@ auto safe_step(AnyDetector& detector, const AnyStep& step, double keep) {
     return detector.keep_distance(step, keep);
 }
 
-/// Does this version answer questions about positions? Else the matrix has no cells of them, and none of these is
-/// called.
-template <class AnyDetector, class AnyPositions>
-concept AsksPositions = requires(AnyDetector& detector, const AnyPositions& positions) {
-  detector.pairs_within(positions, 0.1);
-  detector.truncate({positions, positions}, 0.1);
-  detector.intersections(positions);
+/// Does this version answer questions about positions? Else the matrix has no cells of them.
+template <class AnyDetector>
+concept AsksPositions = requires(AnyDetector& detector, const Step& step) {
+  detector.truncate(step, 0.1);
+  detector.pairs_within(step.end, 0.1);
+  detector.intersections(step.end);
 };
 
-/// What a question is answered with that this version does not know: nothing.
-struct Unknown {
-  std::array<Point, 0> positions;
-};
-
-template <class AnyDetector, class AnyStep>
-decltype(auto) truncate(AnyDetector& detector, const AnyStep& step, double keep) {
-  if constexpr (requires { detector.truncate(step, keep); })
-    return detector.truncate(step, keep);
-  else
-    return Unknown{};
-}
-
-template <class AnyDetector, class AnyPositions>
-decltype(auto) within(AnyDetector& detector, const AnyPositions& positions, double distance) {
-  if constexpr (requires { detector.pairs_within(positions, distance); })
-    return detector.pairs_within(positions, distance);
-  else
-    return Unknown{};
-}
-
-template <class AnyDetector, class AnyPositions>
-decltype(auto) intersections(AnyDetector& detector, const AnyPositions& positions) {
-  if constexpr (requires { detector.intersections(positions); })
-    return detector.intersections(positions);
-  else
-    return Unknown{};
+/// Calls timed(ask) for one of these.
+template <class AnyDetector, class Timed>
+void ask_positions(AnyDetector& detector, Question question, const Step& step, double keep, double distance,
+                   const Timed& timed) {
+  if constexpr (AsksPositions<AnyDetector>) {
+    if (question == Question::truncate) timed([&] { return detector.truncate(step, keep); });
+    if (question == Question::within) timed([&]() -> const auto& { return detector.pairs_within(step.end, distance); });
+    if (question == Question::intersections) timed([&]() -> const auto& { return detector.intersections(step.end); });
+  }
 }
 
 }  // namespace tamis::matrix

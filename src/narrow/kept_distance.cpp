@@ -61,7 +61,7 @@ double kept(double distance, const PairMotion<double>& m, double fraction, int r
 /// Of a pair without clearance at t=0.
 double stays_away_until(PairKind kind, const PairPoints& points, const DistanceRule& rule, PrecisionCount& decided_by) {
   if (!rule.ignores_start) return 0;
-  const PairResult again = decide_once_apart(kind, points, rule.min_separation, decided_by);
+  const PairResult again = decide_recontact(kind, points, rule.min_separation, decided_by);
   return again.touches ? again.toi_lower : 1;
 }
 

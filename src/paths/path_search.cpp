@@ -172,9 +172,9 @@ double PathSearch::Run::decide(const TimeInterval<double>& piece, std::span<cons
     Decision decision = decide_on_path(of_pair, piece);
     const bool may_touch_at_start = !decision.is_free() && decision.lower == piece.t_in;
     if (rule.ignores_start && may_touch_at_start && is_together(pair, piece.t_in)) {
-      const auto once_apart = decide_once_apart_on_path(of_pair, piece);
-      decision = once_apart.value_or(Decision{});
-      decided[i].together_until = once_apart ? piece.t_in : piece.t_out;
+      const auto recontact = decide_recontact_on_path(of_pair, piece);
+      decision = recontact.value_or(Decision{});
+      decided[i].together_until = recontact ? piece.t_in : piece.t_out;
     }
     decided[i].result = result_on_path(of_pair, decision);
   });

@@ -22,8 +22,8 @@ inline Contact contact_of(PairKind kind, const PairVertices& vertices, const Pai
 /// Keeps in `first` the contact that bounds the step first, and until when one is certain.
 void keep_first(EarliestContact& first, const Contact& contact);
 
-/// Pair: alone, by decide() on the whole step.
-enum class DecidedBy { lanes, pair };
+/// Singly: by decide() on the whole step.
+enum class DecidedBy { lanes, singly };
 
 /// One per thread, and one for the answer. In any order of contacts, shared out in any way, the answer is the same.
 class ContactCollector {
@@ -31,10 +31,10 @@ class ContactCollector {
   /// A new query; the memory stays. Query and bound, which all threads share, must outlive the answer. REQUIRES: a
   /// bound that has begun.
   void begin(const Query& query, Bound& bound);
-  /// Takes what was decided of a pair, if it touches and counts: its features are no neighbours; and where the query
-  /// ignores the start, one that touches at t=0 is asked whether it touches again once it is apart. Returns true if it
-  /// is among the contacts now. REQUIRES: a kind there is, times in [0,1] and in order.
-  /// `earliest` takes what was decided by pair as it is, where it decides others anew.
+  /// Takes a decided pair if it touches and counts: its features are no neighbours, and where the query ignores the
+  /// start, a pair that touches at t=0 counts by its recontact. Returns true if it is among the contacts now.
+  /// `earliest` decides again what lanes decided, and keeps what was decided singly. REQUIRES: a kind there is, times
+  /// in [0,1] and in order.
   bool add(PairKind kind, const PairVertices& vertices, const PairResult& result, DecidedBy by = DecidedBy::lanes);
   /// Can this pair still change the answer? Cheap, to be asked before a pair is decided: a pair that touches at t=0
   /// makes all that come behind it in the order of contacts irrelevant, and any contact ends the question is_free.
@@ -69,15 +69,14 @@ class ContactCollector {
   /// nothing comes before it, is not kept at all.
   static constexpr std::size_t kMostContactsKept = 1024;
 
-  /// What the pair does as far as it counts: the result, or what `once_apart` then holds.
-  const PairResult& as_counted(PairKind kind, const PairVertices& vertices, const PairResult& result,
-                               PairResult& once_apart);
+  /// The contact that counts for the query: the result, or where contacts at the start are ignored, its recontact.
+  PairResult as_counted(PairKind kind, const PairVertices& vertices, const PairResult& result);
   void reduce_to_first();
   void keep_first(const Contact& decided);
 
   const Query* query_ = nullptr;
   Bound* bound_ = nullptr;
-  std::vector<Contact> contacts_;  ///< earliest: those not yet decided by pair
+  std::vector<Contact> contacts_;  ///< earliest: those not yet decided singly
   EarliestContact first_;          ///< of those that are
   double touched_by_ = 1;
   PrecisionCount decided_by_;

@@ -68,7 +68,7 @@ void ContactConsumer::decide_singly(PairKind kind, const PairVertices& vertices)
   if (!found_.wants(kind, vertices)) return;
   const ContactRule rule = query().rule_for(kind, vertices);
   found_.add(kind, vertices, decide(kind, points_of(query().step, vertices), rule, thread().counts.decided_by),
-             DecidedBy::pair);
+             DecidedBy::singly);
 }
 
 }  // namespace tamis

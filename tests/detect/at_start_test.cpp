@@ -40,7 +40,7 @@ Truth truth_of(const Scene& scene, double separation) {
   Truth truth;
   lab::for_each_pair(scene.mesh(), {}, [&](PairKind kind, const PairVertices& v) {
     const PairPoints points = points_of(scene.step(), v);
-    if (decide_once_apart_exactly(kind, points, separation).touches())
+    if (decide_recontact_exactly(kind, points, separation).touches())
       truth.counted.insert({kind, v});
     else
       truth.ignored += decide_exactly(kind, points, separation).touches();

@@ -1,6 +1,6 @@
 // Pairs that touch at the start, in doubles, against exact algebra. TAMIS_LEAVING_CASES sets the number of cases a
 // family.
-#include "narrow/leaving.hpp"
+#include "narrow/recontact.hpp"
 
 #include <gtest/gtest.h>
 
@@ -27,8 +27,8 @@ Motion slower(Motion m, double part) {
 void expect_exact_answer(PairKind kind, const Motion& m, double separation) {
   const PairPoints points = to_points(m);
   PrecisionCount decided_by;
-  const PairResult result = decide_once_apart(kind, points, separation, decided_by);
-  const Decision exact = decide_once_apart_exactly(kind, points, separation);
+  const PairResult result = decide_recontact(kind, points, separation, decided_by);
+  const Decision exact = decide_recontact_exactly(kind, points, separation);
   ASSERT_EQ(result.touches, exact.touches());
   if (!exact.touches()) return;
   EXPECT_LE(result.toi_lower, exact.upper);
@@ -39,7 +39,7 @@ void expect_exact_answer(PairKind kind, const Motion& m, double separation) {
 
 // Bugs: a bound on the error that is too small, an angle that is, a corner that is not looked at, a time during which
 // the pair is taken to stay within.
-TEST(Leaving, DoublesSayWhatExactAlgebraSays) {
+TEST(Recontact, DoublesSayWhatExactAlgebraSays) {
   const long cases = repetitions("TAMIS_LEAVING_CASES", 40);
   Random random(47);
   long proven = 0, starting = 0;
@@ -53,7 +53,7 @@ TEST(Leaving, DoublesSayWhatExactAlgebraSays) {
         SCOPED_TRACE(std::string(family.name) + "\n" + describe(kind, m) + "\n separation " +
                      std::to_string(separation));
         const auto motion = make_motion(kind, to_points(m), separation);
-        const bool is_proven = is_finite(motion) && motion.separation > 0 && within_once_apart(kind, motion);
+        const bool is_proven = is_finite(motion) && motion.separation > 0 && first_recontact_within(kind, motion);
         if (decide_exactly(kind, to_points(m), separation).upper == 0) {
           expect_exact_answer(kind, m, separation);
           ++starting;
@@ -67,7 +67,7 @@ TEST(Leaving, DoublesSayWhatExactAlgebraSays) {
 }
 
 // Bug: it gives up on what it is for: steps that are short beside the separation, in which a pair stays or leaves.
-TEST(Leaving, ProvesNearlyAllOrdinaryPairs) {
+TEST(Recontact, ProvesNearlyAllOrdinaryPairs) {
   Random random(53);
   for (const PairKind kind : kAllKinds) {
     long proven = 0, starting = 0, leaving = 0;
@@ -77,7 +77,7 @@ TEST(Leaving, ProvesNearlyAllOrdinaryPairs) {
       if (!(decide_exactly(kind, points, separation).upper == 0)) continue;
       ++starting;
       leaving += !decide_exactly(kind, {points.end, points.end}, separation).touches();
-      proven += within_once_apart(kind, make_motion(kind, points, separation)).has_value();
+      proven += first_recontact_within(kind, make_motion(kind, points, separation)).has_value();
     }
     EXPECT_GT(starting, 50);
     EXPECT_GT(leaving, 2);
@@ -86,11 +86,11 @@ TEST(Leaving, ProvesNearlyAllOrdinaryPairs) {
 }
 
 // Bug: a pair that comes back late in the step is taken for one that stays, or for one that is gone.
-TEST(Leaving, WhatComesBackIsNotFree) {
+TEST(Recontact, WhatComesBackIsNotFree) {
   // An edge that turns away from the point by one end, and back to it by the other.
   const PairPoints back{{{{0, 0, 0}, {-1, 0, 0}, {1, 0, 0}, {}}}, {{{0, 0, 0}, {-0.5, 0, 0.75}, {1, 0, -1}, {}}}};
   for (const double separation : {0x1p-8, 0x1p-12}) {
-    EXPECT_TRUE(decide_once_apart_exactly(PairKind::vertex_edge, back, separation).touches());
+    EXPECT_TRUE(decide_recontact_exactly(PairKind::vertex_edge, back, separation).touches());
     expect_exact_answer(PairKind::vertex_edge, {back.start, back.end}, separation);
   }
 }

@@ -1,4 +1,4 @@
-#include "narrow/leaving.hpp"
+#include "narrow/recontact.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,20 +11,20 @@
 namespace tamis {
 namespace {
 
-/// Times at which the time of leaving is looked for, and halvings of a time during which the pair is to stay.
+/// Iterations of the search for the time of leaving; halvings of a time during which the pair must stay within.
 constexpr int kMostLooks = 16, kMostHalvings = 10;
 
 template <PairKind kind>
-class Leaving {
+class Recontact {
  public:
-  explicit Leaving(const PairMotion<double>& m)
+  explicit Recontact(const PairMotion<double>& m)
       : m_(m), looker_(m), corners_(difference_corners<kind>(m)), size_(m.size_d + m.size_e + m.size_f) {}
 
   std::optional<Decision> run() {
     const Seen start = at(0), end = at(1);
     if (!start.touches) return {};
     if (!end.touches) return after_leaving(start, end);
-    return stays(start, end, kMostHalvings) ? std::optional(Decision{}) : std::nullopt;
+    return stays_within(start, end, kMostHalvings) ? std::optional(Decision{}) : std::nullopt;
   }
 
  private:
@@ -39,24 +39,25 @@ class Leaving {
     return {time, sight, looker_.touches(sight)};
   }
 
-  /// What the distance at `time` is at most, by two points of the features. Between two times the way from the one
-  /// point to the other changes linearly: it is no longer than at one of them.
-  double farthest(double time, const ClosestPoints& points) const {
+  /// An upper bound of the distance at `time`, from two points of the features with fixed weights. The vector between
+  /// these is linear in time, so between two times it is no longer than at one of them.
+  double distance_at_most(double time, const ClosestPoints& points) const {
     const Vec3<double> gap =
         gap_at<kind>(at_time(m_.e, time), at_time(m_.f, time), at_time(m_.d, time), points.u, points.v);
     return std::sqrt(dot(gap, gap)) * error_bounds::kLengthUp + error_bounds::bound(error_bounds::kGap, size_);
   }
 
-  /// Within the separation all the time. Both touch.
-  bool stays(const Seen& from, const Seen& until, int halvings) const {
-    if (farthest(from.time, until.sight.closest) <= m_.separation) return true;
-    if (farthest(until.time, from.sight.closest) <= m_.separation) return true;
+  /// Is the pair proven within its separation from `from` until `until`? REQUIRES: it touches at both.
+  bool stays_within(const Seen& from, const Seen& until, int halvings) const {
+    if (distance_at_most(from.time, until.sight.closest) <= m_.separation) return true;
+    if (distance_at_most(until.time, from.sight.closest) <= m_.separation) return true;
     if (halvings == 0) return false;
     const Seen middle = at(0.5 * (from.time + until.time));
-    return middle.touches && stays(from, middle, halvings - 1) && stays(middle, until, halvings - 1);
+    return middle.touches && stays_within(from, middle, halvings - 1) && stays_within(middle, until, halvings - 1);
   }
 
-  /// `last` touches, `next` seems not to; both come nearer to the time between them at which the pair leaves.
+  /// Brackets the time at which the pair leaves between `last`, which touches, and `next`, which seems not to; then
+  /// searches the rest of the step.
   std::optional<Decision> after_leaving(const Seen& start, Seen next) const {
     Seen last = start;
     for (int looks = 0; !grows(last.time, next.time); ++looks) {
@@ -67,18 +68,19 @@ class Leaving {
       (now.touches ? last : next) = now;
     }
     const bool is_apart = looker_.at(next.time, next.sight).until > next.time;  // certified
-    if (!is_apart || !stays(start, last, kMostHalvings)) return {};
+    if (!is_apart || !stays_within(start, last, kMostHalvings)) return {};
     return first_within(kind, m_, {next.time, 1});
   }
 
-  /// Its distance grows all this time: it is apart from one moment on, if at all. Proof: docs/numerics.md.
+  /// Is the distance proven to grow throughout? Then the pair leaves its separation once at most. Proof:
+  /// docs/numerics.md.
   bool grows(double from, double until) const {
     const double middle = 0.5 * (from + until);
     const ClosestPoints closest = looker_.sight(middle).closest;
     const TurningAxis<double> axis = squared_axis<kind>(m_, middle, closest);
     const double scale = 1 / largest_component(axis.direction);
     Growth growth{scale * axis.direction, scale * axis.turn};
-    const double most = std::max(farthest(from, closest), farthest(until, closest));
+    const double most = std::max(distance_at_most(from, closest), distance_at_most(until, closest));
     const double least =
         std::min(looker_.clip().distance_along(from, growth.n), looker_.clip().distance_along(until, growth.n));
     const double length = std::sqrt(dot(growth.n, growth.n)) * kUp;
@@ -106,14 +108,14 @@ class Leaving {
     double sideways = 0;    ///< the nearest point is no farther from the line along n
     double least_gain = 0;  ///< what turning with n can take from the gain of corners, and all rounding
 
-    /// Then it has no part in the nearest point.
+    /// Is the corner too far along the direction to take part in the nearest point?
     bool is_beyond(const Vec3<double>& corner, double size) const {
       const double error = error_bounds::bound(error_bounds::kAxisNow, size);
       return dot(n, corner) - error > (reach + tilt * (std::sqrt(dot(corner, corner)) + error)) * kUp;
     }
   };
 
-  /// Does the corner move along the axis as that turns, faster than a tilt of it can hide?
+  /// Does the corner move away along the turning axis faster than the axis' possible tilt could hide?
   bool gains(const Moving<double>& corner, const Vec3<double>& first, const Vec3<double>& last,
              const Growth& growth) const {
     const Vec3<double> velocity = corner.at1 - corner.at0;
@@ -132,9 +134,9 @@ class Leaving {
 
 }  // namespace
 
-std::optional<Decision> within_once_apart(PairKind kind, const PairMotion<double>& m) {
+std::optional<Decision> first_recontact_within(PairKind kind, const PairMotion<double>& m) {
   TAMIS_ASSERT(is_whole(m) && m.separation > 0);
-  return with_kind(kind, [&](auto k) { return Leaving<k()>(m).run(); });
+  return with_kind(kind, [&](auto k) { return Recontact<k()>(m).run(); });
 }
 
 }  // namespace tamis

@@ -45,7 +45,7 @@ enum class Course { as_usual, one_span, returns };
 
 Course course_of(PairKind kind, const Motion& m, double separation) {
   const PairPoints points = to_points(m);
-  const Decision decision = decide_once_apart_exactly(kind, points, separation);
+  const Decision decision = decide_recontact_exactly(kind, points, separation);
   if (!touches_during(kind, m, separation, {0, 0})) {
     const Decision usual = decide_exactly(kind, points, separation);
     EXPECT_EQ(decision.touches(), usual.touches());
@@ -69,7 +69,7 @@ Course course_of(PairKind kind, const Motion& m, double separation) {
 
 // Catches a start that counts, a return that does not, a second return in place of the first, and a time that is taken
 // for the end of a span within it.
-TEST(OnceApart, AgreesWithTheOracle) {
+TEST(ExactRecontact, AgreesWithTheOracle) {
   Random random(31);
   const long cases = repetitions("TAMIS_ONCE_APART_CASES", 6);
   std::array<long, 3> courses{};
@@ -104,17 +104,17 @@ Motion turning(PairKind kind) {
 }
 
 // Catches a pair that is forgotten once it has touched at the start.
-TEST(OnceApart, ATouchThatComesBackCounts) {
+TEST(ExactRecontact, ATouchThatComesBackCounts) {
   for (const PairKind kind : {PairKind::vertex_face, PairKind::edge_edge, PairKind::vertex_edge}) {
     const PairPoints points = to_points(turning(kind));
     EXPECT_EQ(decide_exactly(kind, points).upper, 0);
-    const Decision again = decide_once_apart_exactly(kind, points);
+    const Decision again = decide_recontact_exactly(kind, points);
     EXPECT_TRUE(again.touches());
     EXPECT_EQ(again.lower, 0.5);
     EXPECT_EQ(again.upper, 0.5);
     // Within a separation that it does not leave on the way there, and within one that it leaves and comes back to.
-    EXPECT_FALSE(decide_once_apart_exactly(kind, points, 0.25).touches());
-    const Decision near = decide_once_apart_exactly(kind, points, 0x1p-8);
+    EXPECT_FALSE(decide_recontact_exactly(kind, points, 0.25).touches());
+    const Decision near = decide_recontact_exactly(kind, points, 0x1p-8);
     EXPECT_TRUE(near.touches());
     EXPECT_GT(near.lower, 0.25);
     EXPECT_LT(near.upper, 0.5);
@@ -122,48 +122,48 @@ TEST(OnceApart, ATouchThatComesBackCounts) {
 }
 
 // Catches a span of touching that is taken for a moment, at its start, its end or within it.
-TEST(OnceApart, WhatSlidesInContactCountsWhenItHasComeOffAndMeetsAgain) {
+TEST(ExactRecontact, WhatSlidesInContactCountsWhenItHasComeOffAndMeetsAgain) {
   // On a line: one end of the edge passes the point at t = 1/4, the other at t = 1/2.
   const Motion m{{kOrigin, Point{-1, 0, 0}, Point{1, 0, 0}, kOrigin},
                  {kOrigin, Point{1, 0, 0}, Point{-3, 0, 0}, kOrigin}};
-  const Decision again = decide_once_apart_exactly(PairKind::vertex_edge, to_points(m));
+  const Decision again = decide_recontact_exactly(PairKind::vertex_edge, to_points(m));
   EXPECT_TRUE(again.touches());
   EXPECT_EQ(again.lower, 0.5);
   EXPECT_EQ(again.upper, 0.5);
   const Motion off{m.start, {kOrigin, Point{-9, 0, 0}, Point{-3, 0, 0}, kOrigin}};
-  EXPECT_FALSE(decide_once_apart_exactly(PairKind::vertex_edge, to_points(off)).touches());
+  EXPECT_FALSE(decide_recontact_exactly(PairKind::vertex_edge, to_points(off)).touches());
 }
 
 // Catches a contact of what never comes apart, at rest against each other or within a separation.
-TEST(OnceApart, WhatNeverComesApartIsNoContact) {
+TEST(ExactRecontact, WhatNeverComesApartIsNoContact) {
   const Point up{0, 0, 1};
   for (const PairKind kind : kAllKinds) {
     Motion m = turning(kind == PairKind::vertex_vertex ? PairKind::vertex_edge : kind);
     if (kind == PairKind::vertex_vertex) m.start[1] = kOrigin;
     m.end = m.start;
     for (const double separation : {0.0, 0x1p-8, 2.0}) {
-      EXPECT_FALSE(decide_once_apart_exactly(kind, to_points(m), separation).touches());
+      EXPECT_FALSE(decide_recontact_exactly(kind, to_points(m), separation).touches());
       Motion carried = m;
       for (Point& p : carried.end) p[2] += up[2];
-      EXPECT_FALSE(decide_once_apart_exactly(kind, to_points(carried), separation).touches());
+      EXPECT_FALSE(decide_recontact_exactly(kind, to_points(carried), separation).touches());
     }
   }
 }
 
 // Catches a pair that counts for passing through where it began. docs/cpp.md says so.
-TEST(OnceApart, WhatPassesThroughFromTheVeryTouchIsNoContact) {
+TEST(ExactRecontact, WhatPassesThroughFromTheVeryTouchIsNoContact) {
   const Motion m{{Point{0.25, 0.25, 0}, Point{0, 0, 0}, Point{1, 0, 0}, Point{0, 1, 0}},
                  {Point{0.25, 0.25, -1}, Point{0, 0, 0}, Point{1, 0, 0}, Point{0, 1, 0}}};
   EXPECT_EQ(decide_exactly(PairKind::vertex_face, to_points(m)).upper, 0);
-  EXPECT_FALSE(decide_once_apart_exactly(PairKind::vertex_face, to_points(m)).touches());
+  EXPECT_FALSE(decide_recontact_exactly(PairKind::vertex_face, to_points(m)).touches());
 }
 
 // Catches a touch at the very end of the step that is taken for the end of nothing.
-TEST(OnceApart, AReturnAtTheEndOfTheStepCounts) {
+TEST(ExactRecontact, AReturnAtTheEndOfTheStepCounts) {
   Motion m = turning(PairKind::edge_edge);
   for (std::size_t i = 0; i < 4; ++i)
     for (std::size_t k = 0; k < 3; ++k) m.end[i][k] = 0.5 * m.start[i][k] + 0.5 * m.end[i][k];
-  const Decision again = decide_once_apart_exactly(PairKind::edge_edge, to_points(m));
+  const Decision again = decide_recontact_exactly(PairKind::edge_edge, to_points(m));
   EXPECT_TRUE(again.touches());
   EXPECT_EQ(again.lower, 1);
 }

@@ -38,8 +38,8 @@ Decision decide_during(PairKind kind, const PairMotion<double>& beginning, const
 bool is_apart_from_end(PairKind kind, const PairMotion<double>& m) {
   TAMIS_ASSERT(is_finite(m));
   return with_kind(kind, [&](auto k) {
-    const Looker<k(), double> looker(m);
-    return looker.clip().recedes_along(1, looker.sight(1).closest.gap);
+    const SeparationProbe<k(), double> probe(m);
+    return probe.clip().recedes_along(1, probe.distance_at(1).closest.gap);
   });
 }
 

@@ -19,7 +19,7 @@ struct DistanceRule {
 };
 
 /// A time in [0,1] until which the pair is proven to keep to the rule; 0 iff it has no clearance at t=0, and that is
-/// not ignored (or the time underflows). It looks no further than `until`: a result below `until` does not depend on
+/// not ignored (or the time underflows). It searches no further than `until`: a result below `until` does not depend on
 /// it, and is no less than 1 - 2^-18 times (1 - fraction) clearance / speed, with `speed` the largest length of any
 /// velocity of a corner of the difference, rounded up by kVelocity. REQUIRES: finite coordinates.
 double keeps_distance_until(PairKind kind, const PairPoints& points, const DistanceRule& rule, double until,

@@ -12,31 +12,31 @@ namespace tamis {
 namespace {
 
 /// Iterations of the search for the time of leaving; halvings of a time during which the pair must stay within.
-constexpr int kMostLooks = 16, kMostHalvings = 10;
+constexpr int kMaxLeavingProbes = 16, kMostHalvings = 10;
 
 template <PairKind kind>
 class Recontact {
  public:
   explicit Recontact(const PairMotion<double>& m)
-      : m_(m), looker_(m), corners_(difference_corners<kind>(m)), size_(m.size_d + m.size_e + m.size_f) {}
+      : m_(m), probe_(m), corners_(difference_corners<kind>(m)), size_(m.size_d + m.size_e + m.size_f) {}
 
   std::optional<Decision> run() {
-    const Seen start = at(0), end = at(1);
+    const Probed start = probed_at(0), end = probed_at(1);
     if (!start.touches) return {};
     if (!end.touches) return after_leaving(start, end);
     return stays_within(start, end, kMostHalvings) ? std::optional(Decision{}) : std::nullopt;
   }
 
  private:
-  struct Seen {
+  struct Probed {
     double time;
-    Sight<double> sight;
+    DistanceAt<double> distance;
     bool touches;
   };
 
-  Seen at(double time) const {
-    const Sight<double> sight = looker_.sight(time);
-    return {time, sight, looker_.touches(sight)};
+  Probed probed_at(double time) const {
+    const DistanceAt<double> distance = probe_.distance_at(time);
+    return {time, distance, probe_.touches(distance)};
   }
 
   /// An upper bound of the distance at `time`, from two points of the features with fixed weights. The vector between
@@ -48,26 +48,26 @@ class Recontact {
   }
 
   /// Is the pair proven within its separation from `from` until `until`? REQUIRES: it touches at both.
-  bool stays_within(const Seen& from, const Seen& until, int halvings) const {
-    if (distance_at_most(from.time, until.sight.closest) <= m_.separation) return true;
-    if (distance_at_most(until.time, from.sight.closest) <= m_.separation) return true;
+  bool stays_within(const Probed& from, const Probed& until, int halvings) const {
+    if (distance_at_most(from.time, until.distance.closest) <= m_.separation) return true;
+    if (distance_at_most(until.time, from.distance.closest) <= m_.separation) return true;
     if (halvings == 0) return false;
-    const Seen middle = at(0.5 * (from.time + until.time));
+    const Probed middle = probed_at(0.5 * (from.time + until.time));
     return middle.touches && stays_within(from, middle, halvings - 1) && stays_within(middle, until, halvings - 1);
   }
 
   /// Brackets the time at which the pair leaves between `last`, which touches, and `next`, which seems not to; then
   /// searches the rest of the step.
-  std::optional<Decision> after_leaving(const Seen& start, Seen next) const {
-    Seen last = start;
-    for (int looks = 0; !grows(last.time, next.time); ++looks) {
-      const double first = last.sight.length - m_.separation, then = next.sight.length - m_.separation;
+  std::optional<Decision> after_leaving(const Probed& start, Probed next) const {
+    Probed last = start;
+    for (int probes = 0; !grows(last.time, next.time); ++probes) {
+      const double first = last.distance.length - m_.separation, then = next.distance.length - m_.separation;
       const double part = std::clamp(first / (first - then), 0.125, 0.875);
-      const Seen now = at((1 - part) * last.time + part * next.time);
-      if (looks == kMostLooks || !(last.time < now.time && now.time < next.time)) return {};
+      const Probed now = probed_at((1 - part) * last.time + part * next.time);
+      if (probes == kMaxLeavingProbes || !(last.time < now.time && now.time < next.time)) return {};
       (now.touches ? last : next) = now;
     }
-    const bool is_apart = looker_.at(next.time, next.sight).until > next.time;  // certified
+    const bool is_apart = probe_.prove_apart(next.time, next.distance).until > next.time;  // certified
     if (!is_apart || !stays_within(start, last, kMostHalvings)) return {};
     return first_within(kind, m_, {next.time, 1});
   }
@@ -76,13 +76,13 @@ class Recontact {
   /// docs/numerics.md.
   bool grows(double from, double until) const {
     const double middle = 0.5 * (from + until);
-    const ClosestPoints closest = looker_.sight(middle).closest;
+    const ClosestPoints closest = probe_.distance_at(middle).closest;
     const TurningAxis<double> axis = squared_axis<kind>(m_, middle, closest);
     const double scale = 1 / largest_component(axis.direction);
     Growth growth{scale * axis.direction, scale * axis.turn};
     const double most = std::max(distance_at_most(from, closest), distance_at_most(until, closest));
     const double least =
-        std::min(looker_.clip().distance_along(from, growth.n), looker_.clip().distance_along(until, growth.n));
+        std::min(probe_.clip().distance_along(from, growth.n), probe_.clip().distance_along(until, growth.n));
     const double length = std::sqrt(dot(growth.n, growth.n)) * kUp;
     // Of two unit vectors |a - b|^2 = 2 - 2 a.b. What is added covers the rounding here.
     growth.tilt = std::sqrt(2 * (1 - least / most) + 0x1p-46) * length;
@@ -127,7 +127,7 @@ class Recontact {
   static constexpr double kUp = 1 + 32 * error_bounds::kRoundoff;
 
   const PairMotion<double>& m_;
-  const Looker<kind, double> looker_;
+  const SeparationProbe<kind, double> probe_;
   const decltype(difference_corners<kind>(PairMotion<double>{})) corners_;
   const double size_;
 };

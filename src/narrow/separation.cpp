@@ -10,54 +10,54 @@
 namespace tamis {
 namespace {
 
-/// Looks at one pair. Newton's method needs 3 to 8; a near miss by 1e-15 of the pair's size needs about 40.
-constexpr int kMaxLooks = 160;
-/// Looks that advance by so much of the step do not count: a pair with room (error_bounds::kRoomToAdvance) needs no
-/// others.
+/// Probes of one pair. Newton's method needs 3 to 8; a near miss by 1e-15 of the pair's size needs about 40.
+constexpr int kMaxProbes = 160;
+/// Probes that advance by so much of the step do not count: while a pair is farther apart than the separation by
+/// error_bounds::kRoomToAdvance, all of them do.
 constexpr double kLeastProgress = error_bounds::kRoomToAdvance / 16;
 
-/// Goes through the step from its start. Until `at_.now` everything is decided.
+/// Advances through the step from its start. Until `at_.now` everything is decided.
 template <PairKind kind>
 class Advance {
  public:
   Advance(const PairMotion<double>& m, const TimeInterval<double>& time)
-      : looker_(m), end_(time.t_out), at_{time.t_in} {}
+      : probe_(m), end_(time.t_out), at_{time.t_in} {}
 
   Decision run() {
-    for (int looks = 0; looks < kMaxLooks && at_.now <= end_;) {
+    for (int probes = 0; probes < kMaxProbes && at_.now <= end_;) {
       const double before = at_.now, t = std::min(before + at_.ahead, end_);
-      const Sight<double> sight = looker_.sight(t);
-      if (looker_.touches(sight)) {
+      const DistanceAt<double> distance = probe_.distance_at(t);
+      if (probe_.touches(distance)) {
         decision_.add_contact(at_.now, t);
         return decision_;
       }
-      const Look<double> look = looker_.at(t, sight);
-      if (look.until > t)
-        pass(look, t);
+      const ApartProof<double> proof = probe_.prove_apart(t, distance);
+      if (proof.until > t)
+        advance(proof, t);
       else
-        wait(look, t);
-      if (at_.now - before < kLeastProgress) ++looks;
+        retry_later(proof, t);
+      if (at_.now - before < kLeastProgress) ++probes;
     }
     if (at_.now <= end_) add_unsure(end_);
     return decision_;
   }
 
  private:
-  /// A time proven apart: everything up to the end of that proof is decided, or all but a part before it.
-  void pass(const Look<double>& look, double t) {
-    const double since = t > at_.now ? looker_.clip().apart_since(t, look.axis) : t;
+  /// The pair is proven apart at `t`: everything up to the end of the proof is decided, or all but a gap before it.
+  void advance(const ApartProof<double>& proof, double t) {
+    const double since = t > at_.now ? probe_.clip().apart_since(t, proof.axis) : t;
     if (t > at_.now && since >= at_.now) {
-      beyond_ = {since, look.until};
+      beyond_ = {since, proof.until};
       at_.ahead = 0.5 * (since - at_.now);
-      if (at_.ahead > kShortestStride) return;
+      if (at_.ahead > kShortestAdvance) return;
       add_unsure(since);
     }
-    at_.pass(true, look);
+    at_.advance(true, proof);
     beyond_.reset();
   }
 
-  /// A time at which doubles cannot tell: look later, until the answer is clear.
-  void wait(const Look<double>& look, double t) {
+  /// Doubles cannot tell at `t`: probes later, until the answer is clear.
+  void retry_later(const ApartProof<double>& proof, double t) {
     if (beyond_) {
       add_unsure(beyond_->t_in);
       continue_at(beyond_->t_out);
@@ -65,7 +65,7 @@ class Advance {
       add_unsure(end_);
       continue_at(2);
     } else {
-      at_.wait(true, look);
+      at_.retry_later(true, proof);
     }
   }
 
@@ -77,26 +77,26 @@ class Advance {
   /// Times ascend.
   void add_unsure(double until) { decision_.add_unsure(at_.now, until); }
 
-  const Looker<kind, double> looker_;
+  const SeparationProbe<kind, double> probe_;
   const double end_;
   Advancement<double> at_;
-  std::optional<TimeInterval<double>> beyond_;  ///< proven apart again, after times that are not
+  std::optional<TimeInterval<double>> beyond_;  ///< proven apart again, after times that are undecided
   Decision decision_;
 };
 
 template <PairKind kind>
 double apart_until(const PairMotion<double>& m, double from, double until) {
-  const Looker<kind, double> looker(m);
+  const SeparationProbe<kind, double> probe(m);
   double now = from;
-  for (int looks = 0; looks < kMaxLooks && now < until;) {
-    const Sight<double> sight = looker.sight(now);
-    if (looker.touches(sight)) break;
-    const Look<double> look = looker.at(now, sight);
-    if (!(look.until > now)) break;
-    const double progress = look.until - now;
-    now = look.until;
+  for (int probes = 0; probes < kMaxProbes && now < until;) {
+    const DistanceAt<double> distance = probe.distance_at(now);
+    if (probe.touches(distance)) break;
+    const ApartProof<double> proof = probe.prove_apart(now, distance);
+    if (!(proof.until > now)) break;
+    const double progress = proof.until - now;
+    now = proof.until;
     if (progress <= 0x1p-40 * now) break;
-    if (progress < kLeastProgress) ++looks;
+    if (progress < kLeastProgress) ++probes;
   }
   return std::min(now, 1.0);
 }

@@ -3,7 +3,7 @@
 // proves apart are known in closed form (narrow/advancement.hpp). The next time in question is where they end: Newton's
 // method on the distance, from the safe side (after conservative advancement, Mirtich 1996; Zhang, Lee, Kim 2006, whose
 // bound on the speed needs many more steps). Here one pair at a time, to the end; most have been decided before, in
-// lanes, by the same looks (kernels/advance_lanes.hpp).
+// lanes, by the same steps (kernels/advance_lanes.hpp).
 #pragma once
 #include "motion/decision.hpp"
 #include "motion/pair_kinds.hpp"
@@ -21,7 +21,7 @@ Decision first_within(PairKind kind, const PairMotion<double>& m, const TimeInte
 
 /// A time in [0,1] before which the pair is proven farther apart than its separation, as late as doubles can prove
 /// within a few steps; at least until the pair is first within kRoomToAdvance of its size of that (docs/numerics.md,
-/// "Step lengths"). It looks no further than `until`: a result below `until` does not depend on it. REQUIRES: the
+/// "Step lengths"). It searches no further than `until`: a result below `until` does not depend on it. REQUIRES: the
 /// motion of the whole step, finite; `from` in [0,1]. REQUIRES (not checked: exact): the pair is apart before `from`.
 double apart_until(PairKind kind, const PairMotion<double>& m, double from, double until);
 

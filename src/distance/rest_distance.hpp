@@ -29,7 +29,7 @@ struct RestDistance {
 template <PairKind kind, class T>
 inline RestDistance<T> rest_distance(const Vec3<T>& e, const Vec3<T>& f, const Vec3<T>& d, const T& size) {
   const ClosestPointsOf<T> closest = closest_points<kind>(e, f, d);
-  const Vec3<T> direction = squared_gap<kind>(e, f, closest);
+  const Vec3<T> direction = orthogonal_gap<kind>(e, f, closest);
   return {closest, distance_along(difference_corners<kind>(e, f, d), direction, size),
           sqrt(dot(closest.gap, closest.gap)), error_bounds::bound<T>(error_bounds::kRestDistance, size), direction};
 }

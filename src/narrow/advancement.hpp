@@ -2,7 +2,7 @@
 // until when is it certainly apart? The next time to probe is where that proof ends: Newton's method on the distance,
 // from the safe side. For double and for SIMD lanes, so that a pair has the same bits however it is asked.
 #pragma once
-#include "distance/squared_axis.hpp"
+#include "distance/orthogonal_axis.hpp"
 #include "filters/filter.hpp"
 #include "numerics/assert.hpp"
 
@@ -46,7 +46,7 @@ class SeparationProbe {
 
   /// `distance`: that at `t`.
   ApartProof<T> prove_apart(const T& t, const DistanceAt<T>& distance) const {
-    const TurningAxis<T> fixed{distance.closest.gap}, turning = squared_axis<kind>(m_, t, distance.closest);
+    const TurningAxis<T> fixed{distance.closest.gap}, turning = orthogonal_axis<kind>(m_, t, distance.closest);
     const T by_fixed = clip_.apart_until(t, fixed), by_turning = clip_.apart_until(t, turning);
     const auto is_fixed = by_fixed >= by_turning;
     return {select(is_fixed, by_fixed, by_turning),

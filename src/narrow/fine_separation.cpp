@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "distance/squared_axis.hpp"
+#include "distance/orthogonal_axis.hpp"
 #include "motion/pair_kinds.hpp"
 #include "narrow/finely.hpp"
 #include "numerics/assert.hpp"
@@ -106,7 +106,7 @@ class FineSearch {
   /// the end, and have come nearer all that time.
   bool was_apart(const FineDistance& s, double start) const {
     const Fine zero(0);
-    const FineVec axis = squared_gap<kind>(s.e, s.f, ClosestPointsOf<Fine>{s.rough.u, s.rough.v, s.gap});
+    const FineVec axis = orthogonal_gap<kind>(s.e, s.f, ClosestPointsOf<Fine>{s.rough.u, s.rough.v, s.gap});
     const double scale = scale_below_one(largest_component(rounded(axis)));
     const FineVec n = times_power_of_two(scale, axis);
     const Fine error = error_bounds::bound<Fine>(error_bounds::kAxisNow, size_);
@@ -115,7 +115,7 @@ class FineSearch {
       const Fine along = dot(n, corner) - error;
       if (!(along > zero && along * along * one_and(-8) > reach)) return false;
     }
-    const Vec3<double> turn = squared_axis<kind>(m_, s.time, s.rough).turn;
+    const Vec3<double> turn = orthogonal_axis<kind>(m_, s.time, s.rough).turn;
     return AxisClip<kind, double>(m_).was_beyond(s.time, {rounded(n), scale * turn}, s.time - start);
   }
 

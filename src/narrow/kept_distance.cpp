@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "distance/squared_axis.hpp"
+#include "distance/orthogonal_axis.hpp"
 #include "exact/start_distance.hpp"
 #include "motion/difference_corners.hpp"
 #include "motion/pair_kinds.hpp"
@@ -35,7 +35,7 @@ double start_distance_bound(const PairMotion<double>& m, const ClosestPoints& cl
   const AxisClip<kind, double> clip(m);
   const double along_gap = clip.distance_along(0.0, closest.gap);
   if (along_gap >= kSharp * std::sqrt(dot(closest.gap, closest.gap))) return along_gap;
-  return std::max(along_gap, clip.distance_along(0, squared_axis<kind>(m, 0.0, closest).direction));
+  return std::max(along_gap, clip.distance_along(0, orthogonal_axis<kind>(m, 0.0, closest).direction));
 }
 
 /// REQUIRES: the motion of the whole step, finite.

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "distance/squared_axis.hpp"
+#include "distance/orthogonal_axis.hpp"
 #include "motion/difference_corners.hpp"
 #include "narrow/advancement.hpp"
 #include "narrow/separation.hpp"
@@ -77,7 +77,7 @@ class Recontact {
   bool grows(double from, double until) const {
     const double middle = 0.5 * (from + until);
     const ClosestPoints closest = probe_.distance_at(middle).closest;
-    const TurningAxis<double> axis = squared_axis<kind>(m_, middle, closest);
+    const TurningAxis<double> axis = orthogonal_axis<kind>(m_, middle, closest);
     const double scale = 1 / largest_component(axis.direction);
     Growth growth{scale * axis.direction, scale * axis.turn};
     const double most = std::max(distance_at_most(from, closest), distance_at_most(until, closest));

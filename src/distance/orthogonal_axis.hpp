@@ -1,16 +1,16 @@
 // The axis along which two features lie apart, and how it turns with them. For double and for SIMD lanes.
 #pragma once
-#include "distance/apart_times.hpp"
+#include "distance/axis_clip.hpp"
 #include "distance/closest.hpp"
 
 namespace tamis {
 
-/// The axis of the closest points at `t`, made orthogonal to the sides that hold them in their inside (squared_gap). It
-/// turns so that it stays orthogonal to those.
+/// The axis along orthogonal_gap() of the closest points at `t`; it turns so that it stays orthogonal to the same
+/// sides.
 template <PairKind kind, class T>
-inline TurningAxis<T> squared_axis(const PairMotion<T>& m, const T& t, const ClosestPointsOf<T>& closest) {
+inline TurningAxis<T> orthogonal_axis(const PairMotion<T>& m, const T& t, const ClosestPointsOf<T>& closest) {
   const T zero(0), one(1), u = closest.u, v = closest.v;
-  const Vec3<T> e = at_time(m.e, t), f = at_time(m.f, t), axis = squared_gap<kind>(e, f, closest);
+  const Vec3<T> e = at_time(m.e, t), f = at_time(m.f, t), axis = orthogonal_gap<kind>(e, f, closest);
   const Vec3<T> still{zero, zero, zero};
   const auto along = [&](const Vec3<T>& side, const Vec3<T>& velocity) {
     return -(dot(axis, velocity) * (one / dot(side, side))) * side;

@@ -1,6 +1,6 @@
-// Until when does an axis keep a pair apart? The slab clip on one axis chosen for the pair, which may turn with it. On
-// a fixed axis the two features close in linearly, corner by corner; on one that turns at a constant rate,
-// quadratically. Both are sharper than a bound on the speed of the pair. For double and for SIMD lanes.
+// For how long is a pair apart along one axis? The axis is chosen for the pair and may turn with it. Along a fixed axis
+// each corner of the Minkowski difference moves linearly; along one that turns at a constant rate, quadratically. Both
+// are sharper than a bound on the speed of the pair. For double and for SIMD lanes.
 #pragma once
 #include <limits>
 
@@ -42,32 +42,34 @@ class AxisClip {
     TAMIS_ASSERT(is_whole(m));
   }
 
-  /// From `now` until the time that is returned, proven, all corners lie beyond the separation along the axis; no later
-  /// than `now` if not even then.
+  /// A time until which, from `now` on, all corners are proven beyond the separation along the axis; no later than
+  /// `now` if nothing is proven.
   T apart_until(const T& now, const TurningAxis<T>& axis) const {
     return (now + time_from(now, axis, T(1))) * T(1 - 4 * error_bounds::unit_roundoff<T>);
   }
-  /// The same backwards: from the time that is returned until `now`.
+  /// A time since which, until `now`, they are.
   T apart_since(const T& now, const TurningAxis<T>& axis) const {
     return (now - time_from(now, axis, T(-1))) * T(1 + 4 * error_bounds::unit_roundoff<T>);
   }
-  /// A pair that lies beyond the separation along the axis at `now` has done so for this long, proven: every corner
-  /// comes nearer, or is far from that. Also where the axis is off by 2 u a component.
-  bool was_beyond(const T& now, const TurningAxis<T>& axis, const T& long_since) const {
+  /// Is a pair that lies beyond the separation along the axis at `now` proven to have done so during the time
+  /// `duration` before? Every corner comes nearer, or is far from the separation. Holds also where the axis is off by
+  /// 2 u a component.
+  bool was_beyond(const T& now, const TurningAxis<T>& axis, const T& duration) const {
     const UnitAxis unit(axis);
-    bool was = long_since * unit.turning <= T(1);
-    for_each_course(now, unit, [&](const T& c0, const T& c1, const T& c2, const T& drift) {
-      const T speed = T(-2) * drift - c1, least_speed = speed + min(c2, T(0)) * long_since;
-      was = was && (least_speed > T(0) || c0 - drift + least_speed * long_since > T(0));
+    bool was = duration * unit.turning <= T(1);
+    for_each_corner_bound(now, unit, [&](const T& c0, const T& c1, const T& c2, const T& error_rate) {
+      const T speed = T(-2) * error_rate - c1, least_speed = speed + min(c2, T(0)) * duration;
+      was = was && (least_speed > T(0) || c0 - error_rate + least_speed * duration > T(0));
     });
     return was;
   }
-  /// From `now` on for ever, should the motion go on, all corners lie beyond the separation along a direction, proven.
+  /// Are all corners proven beyond the separation along a direction from `now` on for ever, should the motion go on?
   bool recedes_along(const T& now, const Vec3<T>& direction) const {
     bool parts = true;
-    for_each_course(now, UnitAxis({direction}), [&](const T& c0, const T& c1, const T& /*c2*/, const T& drift) {
-      parts = parts && c0 > T(0) && c1 - drift > T(0);
-    });
+    for_each_corner_bound(now, UnitAxis({direction}),
+                          [&](const T& c0, const T& c1, const T& /*c2*/, const T& error_rate) {
+                            parts = parts && c0 > T(0) && c1 - error_rate > T(0);
+                          });
     return parts;
   }
   /// A lower bound, beyond all rounding, of the distance at `now` by a direction of any length; 0 if it proves none.
@@ -96,16 +98,16 @@ class AxisClip {
   T time_from(const T& now, const TurningAxis<T>& axis, const T& forward) const {
     const UnitAxis unit(axis);
     T least = select(unit.turning > T(0), T(1) / unit.turning, T(std::numeric_limits<double>::infinity()));
-    for_each_course(now, unit, [&](const T& c0, const T& c1, const T& c2, const T& drift) {
-      least = min(least, first_root(c0, forward * c1 - drift, c2));
+    for_each_corner_bound(now, unit, [&](const T& c0, const T& c1, const T& c2, const T& error_rate) {
+      least = min(least, first_root(c0, forward * c1 - error_rate, c2));
     });
     return least;
   }
 
-  /// A corner lies beyond the separation at now + x by at least c0 + c1 x - drift |x| + c2 x^2, while |x| times the
-  /// turn is at most 1.
+  /// visit(c0, c1, c2, error_rate) for each corner: it lies beyond the separation at now + x by at least
+  /// c0 + c1 x - error_rate |x| + c2 x^2, while |x| times the turn is at most 1.
   template <class Visit>
-  void for_each_course(const T& now, const UnitAxis& axis, const Visit& visit) const {
+  void for_each_corner_bound(const T& now, const UnitAxis& axis, const Visit& visit) const {
     constexpr double u = error_bounds::unit_roundoff<T>;
     const auto& [n, turn, turning] = axis;
     const T error = T(u) * size_ + T(error_bounds::underflow<T>);
@@ -114,12 +116,12 @@ class AxisClip {
     const T length = sqrt(dot(n, n));
     const T threshold = separation_ * length * T(1 + 8 * u) + T(error_bounds::kAxisNow) * error;
     const T slope = separation_ * (dot(n, turn) / length), bend = separation_ * (dot(turn, turn) / (T(2) * length));
-    const T drift = T(error_bounds::kAxisLater) * error * (T(1) + turning);
+    const T error_rate = T(error_bounds::kAxisLater) * error * (T(1) + turning);
     for (const auto& corner : corners_) {
       const Vec3<T> at = at_time(corner, now), velocity = corner.at1 - corner.at0;
       const T c0 = dot(n, at) - threshold, c1 = dot(n, velocity) + dot(turn, at) - slope;
       const T c2 = dot(turn, velocity) - bend;
-      visit(c0, c1, c2, drift);
+      visit(c0, c1, c2, error_rate);
     }
   }
 

@@ -48,7 +48,7 @@ class BruteEngine final : public Engine {
     for_each_pair(mesh_, query.filter, [&](PairKind kind, const PairVertices& v) {
       stop_if_cancelled(query);
       ++of(count, kind);
-      if (is_near(kind, points_of(query.step, v), query.separations.between(kind, v), statistics.decided_by) &&
+      if (may_start_within(kind, points_of(query.step, v), query.separations.between(kind, v), statistics.decided_by) &&
           !query.are_neighbours(kind, v))
         found[static_cast<std::size_t>(kind)].push_back(v);
     });

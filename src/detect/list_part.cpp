@@ -5,7 +5,6 @@
 
 #include "detect/pair_faults.hpp"
 #include "narrow/decide.hpp"
-#include "narrow/separation.hpp"
 #include "numerics/assert.hpp"
 #include "query/cancellation.hpp"
 #include "query/pair_rules.hpp"

@@ -1,6 +1,6 @@
 // When do pairs come within their separation? Each pair takes as many steps of conservative advancement as it needs
 // (narrow/advancement.hpp). After each step the pairs that go on are compacted, so that no lane waits for the slowest.
-// What is left undecided takes the same steps one pair at a time (narrow/separation.hpp), with the same bits.
+// What is left undecided takes the same steps one pair at a time (narrow/first_within.hpp), with the same bits.
 #pragma once
 #include <limits>
 

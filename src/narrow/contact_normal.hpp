@@ -6,7 +6,6 @@
 #include "motion/make_motion.hpp"
 #include "motion/pair_kinds.hpp"
 #include "motion/time_clip.hpp"
-#include "narrow/separation.hpp"
 #include "tamis/pair.hpp"
 
 namespace tamis {

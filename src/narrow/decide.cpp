@@ -7,13 +7,13 @@
 #include "exact/exact.hpp"
 #include "filters/slab_clip.hpp"
 #include "motion/pair_kinds.hpp"
-#include "narrow/beginnings.hpp"
 #include "narrow/contact_normal.hpp"
 #include "narrow/decide_in_doubles.hpp"
 #include "narrow/decided_by_crossing.hpp"
-#include "narrow/finely.hpp"
+#include "narrow/fine_crossing.hpp"
+#include "narrow/fine_separation.hpp"
+#include "narrow/pair_beginnings.hpp"
 #include "narrow/recontact.hpp"
-#include "narrow/separation.hpp"
 #include "numerics/assert.hpp"
 
 namespace tamis {

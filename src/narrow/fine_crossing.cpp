@@ -1,10 +1,11 @@
+#include "narrow/fine_crossing.hpp"
+
 #include <algorithm>
 #include <cmath>
 
 #include "motion/pair_kinds.hpp"
 #include "narrow/crossing_sides.hpp"
 #include "narrow/crossing_slope.hpp"
-#include "narrow/finely.hpp"
 #include "numerics/assert.hpp"
 
 namespace tamis {

@@ -1,9 +1,10 @@
+#include "narrow/fine_separation.hpp"
+
 #include <algorithm>
 #include <cmath>
 
 #include "distance/orthogonal_axis.hpp"
 #include "motion/pair_kinds.hpp"
-#include "narrow/finely.hpp"
 #include "numerics/assert.hpp"
 #include "numerics/scale.hpp"
 

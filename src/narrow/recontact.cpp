@@ -6,7 +6,7 @@
 #include "distance/orthogonal_axis.hpp"
 #include "motion/difference_corners.hpp"
 #include "narrow/advancement.hpp"
-#include "narrow/separation.hpp"
+#include "narrow/first_within.hpp"
 
 namespace tamis {
 namespace {

@@ -130,8 +130,8 @@ inline constexpr double kTurningGap = 96;
 // The same, where the least distance is a part of that at t=0: kGap and kLength, 27 more.
 inline constexpr double kKeptGap = 128;
 
-// Part of D + E + F: while a pair is so much farther apart than a separation, advancement (narrow/separation.hpp) goes
-// on, and each of its strides is at least 1/16 of this part of the step (docs/numerics.md, "Step lengths").
+// Part of D + E + F: while a pair is so much farther apart than a separation, advancement (narrow/first_within.hpp)
+// goes on, and each of its strides is at least 1/16 of this part of the step (docs/numerics.md, "Step lengths").
 inline constexpr double kRoomToAdvance = 0x1p-10;
 
 // The same of every pair within two boxes, times their largest extent along an axis, from the lower end of the one to

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "narrow/separation.hpp"
+#include "narrow/first_within.hpp"
 #include "numerics/assert.hpp"
 #include "numerics/error_bounds.hpp"
 #include "paths/chords.hpp"

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "search/beginning.hpp"
+#include "search/scene_beginning.hpp"
 
 namespace tamis {
 namespace {

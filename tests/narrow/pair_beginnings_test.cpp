@@ -1,5 +1,5 @@
 // Pairs that go far for their size, against exact algebra.
-#include "narrow/beginnings.hpp"
+#include "narrow/pair_beginnings.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "narrow/separation.hpp"
+#include "narrow/first_within.hpp"
 
 #include <algorithm>
 #include <optional>

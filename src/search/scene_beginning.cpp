@@ -1,4 +1,4 @@
-#include "search/beginning.hpp"
+#include "search/scene_beginning.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,12 +9,13 @@
 namespace tamis {
 namespace {
 
-/// Below this part of its way a step has lost so many bits of where it starts that its boxes tell little.
+/// Where the scene at t=0 is this part of the displacements or less, the floats of the boxes have lost so many bits of
+/// it that they cull little.
 constexpr double kSmallPart = 0x1p-8;
-/// What goes so far, for the size of the scene, meets few others on its way.
-constexpr double kOfExtent = 1.0 / 16;
+/// The part of the scene's width that vertices may move in a beginning: they meet few others on it.
+constexpr double kPartOfWidth = 1.0 / 16;
 
-/// Of halves, which do not overflow, half the range along the axis where that is widest. `half_of(vertex, axis)`.
+/// Half the range of coordinates along the axis where it is widest, from half coordinates, which do not overflow.
 template <class Half>
 double widest_range(std::span<const Index> points, const Half& half_of) {
   Box box;
@@ -25,12 +26,15 @@ double widest_range(std::span<const Index> points, const Half& half_of) {
 }  // namespace
 
 double beginning_of_long_step(const Step& step, std::span<const Index> points, double widening) {
-  // Points part by no more than the scene is wide at both ends together: the part is no less than 1 / (1 + widening).
+  // Displacements differ by no more than the scene's widths at both ends together: the part is no less than
+  // 1 / (1 + widening).
   if (widening < 0.5 / kSmallPart) return 1;
   const auto start = [&](Index v, std::size_t axis) { return 0.5 * step.start[v][axis]; };
-  const auto way = [&](Index v, std::size_t axis) { return 0.5 * step.end[v][axis] - 0.5 * step.start[v][axis]; };
-  const double part = widest_range(points, start) / widest_range(points, way);
-  return 0 < part && part < kSmallPart ? std::ldexp(kOfExtent, std::ilogb(part)) : 1;
+  const auto displacement = [&](Index v, std::size_t axis) {
+    return 0.5 * step.end[v][axis] - 0.5 * step.start[v][axis];
+  };
+  const double part = widest_range(points, start) / widest_range(points, displacement);
+  return 0 < part && part < kSmallPart ? std::ldexp(kPartOfWidth, std::ilogb(part)) : 1;
 }
 
 /// (1 - length) start + length end takes four roundings, and what underflows: 2^-50 and 2^-1000 an axis are more.

@@ -1,19 +1,15 @@
-// Minimum separation: when do two features come within m.separation of each other? By advancement along separating
-// axes: at a time that is still in question the closest points give an axis that turns with the pair, and the times it
-// proves apart are known in closed form (narrow/advancement.hpp). The next time in question is where they end: Newton's
-// method on the distance, from the safe side (after conservative advancement, Mirtich 1996; Zhang, Lee, Kim 2006, whose
-// bound on the speed needs many more steps). Here one pair at a time, to the end; most have been decided before, in
-// lanes, by the same steps (kernels/advance_lanes.hpp).
+// Minimum separation: when do two features first come within m.separation of each other? By advancement along
+// separating axes: at a time that is still in question the closest points give an axis that turns with the pair, and
+// the times it proves apart are known in closed form (narrow/advancement.hpp). The next time in question is where they
+// end: Newton's method on the distance, from the safe side (after conservative advancement, Mirtich 1996; Zhang, Lee,
+// Kim 2006, whose bound on the speed needs many more steps). Here one pair at a time, to the end; most have been
+// decided before, in lanes, by the same steps (kernels/advance_lanes.hpp).
 #pragma once
 #include "motion/decision.hpp"
-#include "motion/pair_kinds.hpp"
 #include "motion/pair_motion.hpp"
 #include "motion/time_clip.hpp"
 
 namespace tamis {
-
-/// Is contact a matter of the distance? If not, of when the four points are coplanar.
-constexpr bool is_about_distance(PairKind kind, double separation) { return separation > 0 || !can_cross(kind); }
 
 /// REQUIRES: `m` is the motion of the whole step, finite; `time` is a part of it. REQUIRES (not checked: exact): the
 /// pair is apart outside `time`. `touches`: at `upper` the distance is within the separation, certified.

@@ -1,6 +1,6 @@
-// Features that go far for how large they are, and their gap, at the start: in the unit of the whole step they are
-// points, which may have met at once. So they are asked about beginnings of the step, each longer than the one before
-// and in a unit of time and length of its own, until they part for good.
+// Pairs that move much farther than they and their gap are large: in the unit of the whole step rounding makes points
+// of them, which may have met at once. So beginnings of the step are decided, each longer than the one before and in
+// units of time and length of its own, until the features separate for good.
 #pragma once
 #include <optional>
 

@@ -1,4 +1,4 @@
-#include "narrow/beginnings.hpp"
+#include "narrow/pair_beginnings.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,6 @@
 #include "motion/polynomials.hpp"
 #include "narrow/advancement.hpp"
 #include "narrow/decide_in_doubles.hpp"
-#include "narrow/separation.hpp"
 #include "numerics/assert.hpp"
 
 namespace tamis {

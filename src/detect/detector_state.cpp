@@ -86,7 +86,7 @@ void Detector::State::refuse_start(const Query& query, const Contact& touching) 
 
 const std::vector<Contact>& Detector::State::find_contacts(const Step& step, const QueryOptions& asked) {
   Query all = validated_query(step, asked);
-  all.is_by_pair = serves_world_;
+  all.depends_on_pair_alone = serves_world_;
   find(all);
   const auto& contacts = found.contacts();
   if (asked.at_start != AtStart::fail) return contacts;
@@ -169,7 +169,7 @@ const std::vector<NearPair>& Detector::State::find_near(const Positions& positio
 const std::vector<Intersection>& Detector::State::find_intersections(const Positions& positions, Question question) {
   validate(positions, mesh, "the pose");
   Query asked = query({positions, positions}, {}, question);
-  asked.is_by_pair = serves_world_;
+  asked.depends_on_pair_alone = serves_world_;
   measure([&] { engine_->find_intersections(asked, intersections_, statistics); });
   return intersections_;
 }

@@ -102,8 +102,8 @@ EarliestContact ContactCollector::first() {
   return first_;
 }
 
-/// Contacts that lanes found are decided anew on the whole step: their last bits depend on how far the search still had
-/// to look, and so on earlier questions.
+/// Contacts found in lanes are decided again on the whole step: their last bits depend on how much of the step the
+/// search still had to look at, and so on earlier questions.
 void ContactCollector::reduce_to_first() {
   for (const Contact& c : contacts_) {
     if (c.toi_lower > bound_->latest() || !wants(c.kind, c.vertices)) continue;

@@ -9,7 +9,7 @@
 namespace tamis {
 
 /// Sorts pairs of one kind by their vertices; keeps its scratch memory from call to call. Runs in the caller's oneTBB
-/// arena. What `pause`, called now and then, throws ends it.
+/// arena. Calls `pause` now and then; an exception of that ends the sort.
 class ProximityOrder {
  public:
   void sort(

@@ -1,4 +1,4 @@
-// Where vertices will be if they go on as in the last step.
+// A step predicted from the last one: where vertices will be if they go on so for several steps.
 #pragma once
 #include <optional>
 #include <span>
@@ -9,25 +9,27 @@
 
 namespace tamis {
 
-class Forecast {
+class PredictedStep {
  public:
-  /// Time is found by so many vertices.
+  /// A step's place in time within the predicted one is found from about so many vertices.
   static constexpr std::size_t kSampleVertices = 64;
 
   /// How a step follows the predicted one.
   struct Fit {
-    double start, end;  ///< as parts of the predicted step
-    double deviation;   ///< a bound of how far any vertex is at any time from where it is predicted at some time
+    double start, end;  ///< times of the predicted step
+    double deviation;   ///< no vertex, at any time, is farther from where it is predicted at the matching time
   };
 
-  /// Predicts a step `steps` times as long as `step`, straight; for some of its vertices, which the caller keeps alive.
+  /// Predicts `steps` more steps of the same displacements, as one straight step, for some of the vertices. Keeps the
+  /// span `vertices`.
   void make(const Step& step, std::span<const Index> vertices, double steps);
   void clear() { from_.clear(); }
   bool is_made() const { return !from_.empty(); }
-  /// Nothing if no step was predicted, if the deviation exceeds `most` or is not finite, or if `step` goes backwards.
+  /// How `step` follows the prediction. Nothing if no step was predicted, if the deviation exceeds `most` or is not
+  /// finite, or if `step` goes backwards.
   /// REQUIRES: positions of the vertices it was made for.
   std::optional<Fit> fit(const Step& step, double most) const;
-  /// Where the predicted step begins and ends, of `count` vertices: those it was not made for are anywhere.
+  /// Start and end of the predicted step, of `count` vertices: those it was not made for are anywhere.
   struct Ends {
     std::vector<Point> start, end;
   };

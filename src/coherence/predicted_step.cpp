@@ -1,4 +1,4 @@
-#include "coherence/forecast.hpp"
+#include "coherence/predicted_step.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,11 +8,11 @@
 
 namespace tamis {
 
-void Forecast::make(const Step& step, std::span<const Index> vertices, double steps) {
+void PredictedStep::make(const Step& step, std::span<const Index> vertices, double steps) {
   TAMIS_ASSERT(step.start.count() == step.end.count() && steps > 0);
   vertices_ = vertices;
   to_.resize(vertices.size());
-  from_.resize(vertices.size());  // the last: it says that this is made
+  from_.resize(vertices.size());  // last, as it tells is_made()
   for (std::size_t i = 0; i < vertices.size(); ++i)
     for (std::size_t axis = 0; axis < 3; ++axis) {
       from_[i][axis] = step.start[vertices[i]][axis];
@@ -20,7 +20,7 @@ void Forecast::make(const Step& step, std::span<const Index> vertices, double st
     }
 }
 
-Forecast::Ends Forecast::ends(Index count) const {
+PredictedStep::Ends PredictedStep::ends(Index count) const {
   Ends ends{std::vector<Point>(at(count)), std::vector<Point>(at(count))};
   for (std::size_t i = 0; i < from_.size(); ++i) {
     ends.start[at(vertices_[i])] = from_[i];
@@ -29,7 +29,7 @@ Forecast::Ends Forecast::ends(Index count) const {
   return ends;
 }
 
-std::optional<Forecast::Fit> Forecast::fit(const Step& step, double most) const {
+std::optional<PredictedStep::Fit> PredictedStep::fit(const Step& step, double most) const {
   if (!is_made()) return {};
   TAMIS_ASSERT(vertices_.back() < step.start.count());
   const double start = nearest_time(step.start);
@@ -41,8 +41,8 @@ std::optional<Forecast::Fit> Forecast::fit(const Step& step, double most) const 
   return Fit{start, end, std::max(*at_start, *at_end)};
 }
 
-/// By least squares, of some vertices.
-double Forecast::nearest_time(const Positions& positions) const {
+/// The time of the predicted step nearest to these positions, by least squares over a sample of the vertices.
+double PredictedStep::nearest_time(const Positions& positions) const {
   double along = 0, all = 0;
   for (std::size_t i = 0; i < vertices_.size(); i += 1 + vertices_.size() / kSampleVertices) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -54,8 +54,8 @@ double Forecast::nearest_time(const Positions& positions) const {
   return all > 0 ? std::clamp(along / all, 0.0, 1.0) : 0;
 }
 
-/// Sums of the axes, which are no less than distances. Rounding (docs/numerics.md: "Pairs listed ahead"): 2^-49.
-std::optional<double> Forecast::deviation(const Positions& positions, double t, double most) const {
+/// Sums over the axes, which bound distances. Rounding (docs/numerics.md: "Pairs listed ahead"): 2^-49.
+std::optional<double> PredictedStep::deviation(const Positions& positions, double t, double most) const {
   double largest = 0;
   for (std::size_t i = 0; i < from_.size(); ++i) {
     double off = 0;

@@ -35,7 +35,7 @@ struct Iterations {
   }
 };
 
-class PairsOfStart : public testing::TestWithParam<Recipe> {};
+class PairsNearStart : public testing::TestWithParam<Recipe> {};
 
 void expect_as_of_every_pair(const Scene& scene, const Detector& kept, const TruncatedStep& step, const Step& asked,
                              const QueryOptions& own, const std::string& where) {
@@ -50,7 +50,7 @@ void expect_as_of_every_pair(const Scene& scene, const Detector& kept, const Tru
 
 // Bugs: a vertex that goes farther than the lists allow; lists of another start, separation or fraction; a radius, or
 // what a vertex keeps, left out of how far it reaches; pairs that the caller's filter left out while they were listed.
-TEST_P(PairsOfStart, ChangeNoBitOfAnyAnswer) {
+TEST_P(PairsNearStart, ChangeNoBitOfAnyAnswer) {
   const auto seeds = static_cast<std::uint64_t>(repetitions("TAMIS_JOURNEYS", 1));
   for (std::uint64_t seed = 5; seed < 5 + seeds; ++seed) {
     const Scene scene = GetParam().make(60, seed);
@@ -93,7 +93,7 @@ TEST(PairsOfAStart, ServeAllThatAsksAboutItAgain) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Scenes, PairsOfStart, testing::ValuesIn(scenes::recipes().begin(), scenes::recipes().end()),
+INSTANTIATE_TEST_SUITE_P(Scenes, PairsNearStart, testing::ValuesIn(scenes::recipes().begin(), scenes::recipes().end()),
                          scene_test_name);
 
 }  // namespace

@@ -12,7 +12,7 @@
 #include "numerics/held_bytes.hpp"
 #include "numerics/number_text.hpp"
 #include "query/cancellation.hpp"
-#include "query/pair_rules.hpp"
+#include "query/pair_vertices.hpp"
 #include "tamis/error.hpp"
 
 namespace tamis {

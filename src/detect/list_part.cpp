@@ -7,7 +7,7 @@
 #include "narrow/decide.hpp"
 #include "numerics/assert.hpp"
 #include "query/cancellation.hpp"
-#include "query/pair_rules.hpp"
+#include "query/pair_vertices.hpp"
 #include "search/pair_buffer.hpp"
 
 namespace tamis {

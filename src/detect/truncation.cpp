@@ -6,7 +6,7 @@
 #include "exact/start_distance.hpp"
 #include "narrow/near_pair.hpp"
 #include "numerics/assert.hpp"
-#include "query/pair_rules.hpp"
+#include "query/pair_vertices.hpp"
 #include "topology/at.hpp"
 #include "topology/largest_beside.hpp"
 #include "topology/mean_edge.hpp"

@@ -11,7 +11,7 @@
 
 #include "kernels/kernels.hpp"
 #include "paths/frame.hpp"
-#include "query/pair_rules.hpp"
+#include "query/pair_vertices.hpp"
 #include "tamis/path.hpp"
 
 namespace tamis {

@@ -4,7 +4,7 @@
 
 #include "numerics/held_bytes.hpp"
 #include "query/bound.hpp"
-#include "query/pair_rules.hpp"
+#include "query/pair_vertices.hpp"
 #include "query/query.hpp"
 #include "tamis/statistics.hpp"
 

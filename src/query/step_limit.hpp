@@ -4,7 +4,7 @@
 
 #include "narrow/near_pair.hpp"
 #include "numerics/assert.hpp"
-#include "query/pair_rules.hpp"
+#include "query/pair_vertices.hpp"
 #include "query/query.hpp"
 #include "tamis/contact.hpp"
 

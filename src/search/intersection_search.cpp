@@ -54,7 +54,7 @@ void IntersectionConsumer::decide_singly(int pair) {
   stop_if_cancelled(query());
   if (!wants(kEdgeRunner)) return;
   const PairBuffer& pairs = thread().filtered;
-  const PairPoints points = points_along(query().step.start, edge_of(pairs, pair), face_of(pairs, pair));
+  const PairPoints points = edge_runner_points(query().step.start, edge_of(pairs, pair), face_of(pairs, pair));
   add(pair, decide(kEdgeRunner, points, {}, thread().counts.decided_by));
 }
 

@@ -5,7 +5,8 @@
 #include "kernels/kernels.hpp"
 #include "numerics/assert.hpp"
 #include "query/isolated.hpp"
-#include "query/pair_rules.hpp"
+#include "query/pair_groups.hpp"
+#include "query/pair_vertices.hpp"
 
 namespace tamis {
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "numerics/held_bytes.hpp"
-#include "query/pair_rules.hpp"
+#include "query/pair_vertices.hpp"
 #include "query/proximity_order.hpp"
 #include "search/thread_streams.hpp"
 #include "tamis/proximity.hpp"

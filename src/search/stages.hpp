@@ -1,6 +1,6 @@
 // The stages in lanes over one buffer of pairs, and how their results are read.
 #pragma once
-#include "query/pair_rules.hpp"
+#include "query/pair_vertices.hpp"
 #include "search/workspace.hpp"
 
 namespace tamis {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "numerics/assert.hpp"
-#include "query/pair_rules.hpp"
+#include "query/pair_vertices.hpp"
 #include "world/gathered.hpp"
 
 namespace tamis {

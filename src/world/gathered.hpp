@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "detect/detector_state.hpp"
-#include "query/pair_rules.hpp"
+#include "query/pair_vertices.hpp"
 #include "tamis/detector.hpp"
 #include "world/near_items.hpp"
 

@@ -9,7 +9,7 @@
 #include "exact/exact.hpp"
 #include "lab/detector.hpp"
 #include "lab/pairs.hpp"
-#include "query/pair_rules.hpp"
+#include "query/pair_vertices.hpp"
 #include "scenes/random.hpp"
 #include "scenes/shapes.hpp"
 #include "support/as_new.hpp"

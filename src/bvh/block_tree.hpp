@@ -40,9 +40,9 @@ struct TreeView {
   BlockGroups groups;
 };
 
-/// No feature of leaf block `block` of a may touch any of block `other` of level `level` of b, by their groups.
-[[gnu::always_inline]] inline bool are_kept_apart(const TreeView& a, int block, const TreeView& b, int level,
-                                                  int other) {
+/// May no feature of leaf block `block` of a touch any of block `other` of level `level` of b, by their groups?
+[[gnu::always_inline]] inline bool are_excluded_by_groups(const TreeView& a, int block, const TreeView& b, int level,
+                                                          int other) {
   if (!a.groups.may_touch) return false;
   const std::ptrdiff_t mine = a.groups.of[0][block], theirs = b.groups.of[level][other];
   return mine >= 0 && theirs >= 0 && a.groups.may_touch[mine * a.groups.group_count + theirs] == 0;
@@ -68,10 +68,10 @@ class BlockTree {
     corners_ = static_cast<int>(corners);
     vertices_ = features.empty() ? std::span<const Index>() : std::span(features[0].data(), corners * features.size());
   }
-  /// Of the features' first vertices, as PairFilter has them; both empty, or spans that outlive the tree.
+  /// The groups of all vertices, as PairFilter has them; a feature has that of its first vertex. Keeps the spans.
   void set_groups(std::span<const Index> group_of_vertex, std::span<const std::uint8_t> may_touch, Index group_count);
 
-  /// Chooses the order, by these axes, then refits. What `pause` throws leaves a tree that can only be built.
+  /// Chooses the order by these axes, then refits. An exception of `pause` leaves a tree that can only be built again.
   void build(
       const PackedMotion& motion, const OrderAxes& by, const TreeKernels& kernels, const Pause& pause = [] {});
   bool is_built() const { return is_built_; }
@@ -82,20 +82,20 @@ class BlockTree {
 
   Index feature_count() const { return static_cast<Index>(vertices_.size() / static_cast<std::size_t>(corners_)); }
   TreeView view() const;
-  /// Sums over the leaf blocks of the half area of their hulls, in the frame of the boxes: what a traversal's cost
-  /// grows with.
+  /// Half the surface area of the leaf blocks' hulls, summed, in the frame of the boxes: a traversal's cost grows with
+  /// it.
   struct Areas {
     double at_start = 0, swept = 0;
   };
   Areas areas() const;
   std::uint64_t memory_bytes() const {
-    return held_bytes(corner_blocks_, self_apart_, levels_, residuals_, group_of_block_);
+    return held_bytes(corner_blocks_, no_self_contact_, levels_, residuals_, group_of_block_);
   }
 
  private:
-  /// Is there a group that does not touch itself, and another one?
+  /// Is there a group without self-contact, and another one?
   bool separates_groups() const {
-    return groups_.group_count > 1 && std::ranges::find(self_apart_, std::uint8_t{1}) != self_apart_.end();
+    return groups_.group_count > 1 && std::ranges::find(no_self_contact_, std::uint8_t{1}) != no_self_contact_.end();
   }
   Index vertex_of(Index feature, std::size_t corner) const {
     return vertices_[static_cast<std::size_t>(feature) * static_cast<std::size_t>(corners_) + corner];
@@ -116,7 +116,7 @@ class BlockTree {
   Levels levels_, residuals_;
   std::span<const Index> group_of_vertex_;
   BlockGroups groups_{};
-  std::vector<std::uint8_t> self_apart_;            ///< of each group: does it not touch itself?
+  std::vector<std::uint8_t> no_self_contact_;       ///< of each group, as 0 or 1
   std::vector<std::vector<Index>> group_of_block_;  ///< as BlockGroups::of
 };
 

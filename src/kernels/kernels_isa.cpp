@@ -29,7 +29,7 @@ void search(Search& state, int block) {
 
 template <PairKind kind>
 void search_step_ends(Search& state, int block) {
-  if (goes_a_short_way(state, block))
+  if (moves_little(state, block))
     BlockSearch<kind, ClearanceBoxes>(state, block).run();
   else
     BlockSearch<kind, KeepBoxes>(state, block).run();
@@ -42,7 +42,7 @@ void copy_pair(const PairBuffer& in, int from, PairBuffer& out) {
   ++out.count;
 }
 
-/// Corners of a pair on its way.
+/// How many corners a pair in a buffer has.
 constexpr int corners_of(Course course) { return course == Course::along_edge ? 5 : 4; }
 
 /// In floats: the times need not be sharp here, and twice as many pairs fit.
@@ -56,7 +56,7 @@ void slab(const BoxVertex* vertices, const BoxSeparation& separation, const Pair
   }
 }
 
-/// The same as may_end_step() begins with, in the floats of the boxes: half the memory to read for most of the pairs.
+/// The first test of may_end_step(), on the floats of the boxes: half the memory to read for most of the pairs.
 template <PairKind kind>
 void leave_out_kept(const BoxVertex* vertices, const BoxSeparation& separation, const KeepRule& rule,
                     PairBuffer& pairs) {
@@ -71,7 +71,7 @@ void leave_out_kept(const BoxVertex* vertices, const BoxSeparation& separation, 
   pairs.count = count;
 }
 
-/// Turning axes leave few of the pairs that boxes do: first of all, though they cost most.
+/// Turning axes come first, although they cost most: they leave few of the pairs.
 template <PairKind kind>
 void may_end_step(const KeepVertices& vertices, const KeepRule& rule, PairBuffer& in, PairBuffer& out) {
   leave_out_kept<kind>(vertices.in_boxes, vertices.box_separation, rule, in);
@@ -80,7 +80,7 @@ void may_end_step(const KeepVertices& vertices, const KeepRule& rule, PairBuffer
     const KeptGap<kind, FloatLanes> gap(m, FloatLanes(rule.fraction));
     const FloatLanes until = min(FloatLanes::load_unaligned(in.t_out + first), FloatLanes(1.0f));
     unsigned left = lanes_in_use(in, first, kFloatLanes) & ~bits(gap.is_kept(until));
-    if (left) left &= ~bits(StartGap::exceeds<kind>(m, FloatLanes(rule.reach)));
+    if (left) left &= ~bits(StartGap::exceeds<kind>(m, FloatLanes(rule.reach_per_speed)));
     if (left) left &= ~bits(gap.is_kept(until, kTurningGapParts));  // axes turn less in each
     for_each_bit(left, [&](int lane) { copy_pair(in, first + lane, out); });
   }
@@ -122,7 +122,7 @@ int write_solved(const Crossing<DoubleLanes>& crossing, const TimeInterval<Doubl
   return count;
 }
 
-/// First with one crossing; what that leaves undecided goes to `rest` and is cut in two.
+/// One crossing first; pairs that it leaves undecided go to `rest`, and are searched in two halves of their time.
 template <PairKind kind, Course course = Course::step>
 int solve(const PackedVertex* vertices, const PairBuffer& in, PairBuffer& rest, SolvedPair* out) {
   std::int32_t pairs[kDoubleLanes], rest_pairs[PairBuffer::kSize];

@@ -9,7 +9,7 @@
 
 namespace tamis::TAMIS_ISA {
 
-/// How the first vertex of a pair goes: as all do in the step, or along an edge, where all else rests at t=0
+/// How a pair's first vertex moves: in the step, as all vertices do, or along an edge while the others rest at t=0
 /// (PairBuffer).
 enum class Course { step, along_edge };
 
@@ -22,7 +22,7 @@ inline const double* position(const StepRows& vertices, std::int32_t vertex, boo
 }
 
 #if XSIMD_WITH_AVX
-/// With any fourth number; behind the three of a StepRows nothing is read.
+/// Three coordinates and any fourth number; of a StepRows no more than the three are read.
 inline __m256d load_position(const PackedVertex* vertices, std::int32_t vertex, bool at_end) {
   return _mm256_load_pd(position(vertices, vertex, at_end));
 }
@@ -35,7 +35,7 @@ inline __m256d load_position(const StepRows& vertices, std::int32_t vertex, bool
 }
 #endif
 
-/// A vertex of as many pairs as there are lanes, at t=0 or t=1: read as rows, turned into columns.
+/// One vertex of as many pairs as there are lanes, at t=0 or t=1: rows, transposed.
 template <class Vertices>
 inline Vec3<DoubleLanes> load_vertices_at(Vertices vertices, bool at_end, const std::int32_t* index) {
 #if XSIMD_WITH_AVX

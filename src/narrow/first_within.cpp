@@ -13,8 +13,8 @@ namespace {
 /// Probes of one pair. Newton's method needs 3 to 8; a near miss by 1e-15 of the pair's size needs about 40.
 constexpr int kMaxProbes = 160;
 /// Probes that advance by so much of the step do not count: while a pair is farther apart than the separation by
-/// error_bounds::kRoomToAdvance, all of them do.
-constexpr double kLeastProgress = error_bounds::kRoomToAdvance / 16;
+/// error_bounds::kAdvanceClearance, all of them do.
+constexpr double kLeastProgress = error_bounds::kAdvanceClearance / 16;
 
 /// Advances through the step from its start. Until `at_.now` everything is decided.
 template <PairKind kind>

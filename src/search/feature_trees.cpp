@@ -121,10 +121,10 @@ bool FeatureTrees::is_order_good(LooksAt looks_at) {
   const BlockTree::Areas now = areas(), &built = *built_areas_;
   const double by_scale = (built_scale_ / motion_.frame.scale) * (built_scale_ / motion_.frame.scale);
   const bool is_far = now.swept > kFarAreas * now.at_start;
-  is_order_in_doubt_ = axes_.way > 0 && !is_far;
+  is_order_in_doubt_ = axes_.displacement_weight > 0 && !is_far;
   const int blocks = points_.view().leaf_blocks + edges_.view().leaf_blocks + faces_.view().leaf_blocks;
   const bool has_cost_an_order = nodes_in_doubt_ > kNodesPerBlock * static_cast<std::uint64_t>(blocks);
-  if (is_order_in_doubt_ && has_cost_an_order && best_axes(looks_at).way == 0) return false;
+  if (is_order_in_doubt_ && has_cost_an_order && best_axes(looks_at).displacement_weight == 0) return false;
   const auto has_spread = [&](double times) { return now.at_start * by_scale > times * built.at_start; };
   if (is_order_of_start()) return !has_spread(kPoorArea) && !(is_far && looks_at == LooksAt::whole_step);
   if (has_spread(kPoorStart)) return false;

@@ -20,7 +20,7 @@ template <class Half>
 double widest_range(std::span<const Index> points, const Half& half_of) {
   Box box;
   for (const Index v : points) box.include(Point{half_of(v, 0), half_of(v, 1), half_of(v, 2)});
-  return box.half();
+  return box.half_width();
 }
 
 }  // namespace

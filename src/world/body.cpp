@@ -56,7 +56,7 @@ double farthest_between(const RoundedTransform& a, const RoundedTransform& b, co
     for (std::size_t k = 0; k < 3; ++k) x[k] = corner >> k & 1 ? box.high[k] : box.low[k];
     farthest = std::max(farthest, distance_above(a.of(x), b.of(x)));
   }
-  const double size = box.size_of_sum();
+  const double size = box.largest_sum();
   return (farthest + 2 * (a.error_of(size, 0) + b.error_of(size, 0)) * kRootOfThree) * kRoundedUp;
 }
 

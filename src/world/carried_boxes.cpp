@@ -12,7 +12,7 @@ constexpr Index kNotMade = -1;
 
 /// Of a box that holds rounded positions, for the tests that boxes meet.
 Box widened(Box box) {
-  box.widen(MovingBounds::kRounding * box.size());
+  box.widen(MovingBounds::kRounding * box.largest_coordinate());
   return box;
 }
 
@@ -20,7 +20,7 @@ Box widened(Box box) {
 /// includes it is as large.
 Box all_if_unknown(Box box) {
   for (std::size_t k = 0; k < 3; ++k)
-    if (!(box.low[k] <= box.high[k])) box.low[k] = -kEverywhere, box.high[k] = kEverywhere;
+    if (!(box.low[k] <= box.high[k])) box.low[k] = -kUnbounded, box.high[k] = kUnbounded;
   return box;
 }
 
@@ -88,7 +88,7 @@ CarriedItems CarriedBody::items(Index block) const {
   const auto items = shape().order.items_of(block);
   const Box& at_rest = shape().boxes.box(0, block);
   const bool turns = body_.motion_kind() == MotionKind::turning;
-  const double size = at_rest.size_of_sum(), deviation = this->deviation(at_rest);
+  const double size = at_rest.largest_sum(), deviation = this->deviation(at_rest);
   const auto placed = [&](const RoundedTransform& place, const auto& end_of_vertex, Index item) {
     if (!turns) return widened(shape().box_of(item, end_of_vertex));
     Box box = shape().box_of(item, [&](Index v) { return place.of(shape().points[at(v)]); });
@@ -119,7 +119,7 @@ MovingBounds CarriedBody::cut(const Box& at_start, const Box& at_end) const {
       box.low[k] = (1 - time) * start.low[k] + time * end.low[k];
       box.high[k] = (1 - time) * start.high[k] + time * end.high[k];
     }
-    box.widen(MovingBounds::kRounding * std::max(start.size(), end.size()));
+    box.widen(MovingBounds::kRounding * std::max(start.largest_coordinate(), end.largest_coordinate()));
     return box;
   };
   return {at_time(from_), at_time(to_)};

@@ -57,7 +57,8 @@ Chain chain_of(const BodyMotion& motion) {
 }
 
 bool Body::is_surely_near() const {
-  return deforming() ? hull_.size() <= kSurelyNear : are_surely_near(chain_.links()) && shape_->radius <= kSurelyNear;
+  return deforming() ? hull_.largest_coordinate() <= kSurelyNear
+                     : are_surely_near(chain_.links()) && shape_->radius <= kSurelyNear;
 }
 
 void Body::validate(const BodyMotion& motion) const {

@@ -5,7 +5,7 @@
 
 #include "numerics/error_bounds.hpp"
 #include "topology/at.hpp"
-#include "topology/largest_beside.hpp"
+#include "topology/neighbourhood_maximum.hpp"
 
 namespace tamis {
 namespace {
@@ -73,7 +73,7 @@ bool PairsNearStart::plan(const Query& query, double fraction) {
   forget();
   search_radii_.resize(start_.size());
   listing_radii_.resize(start_.size());
-  const std::vector<double> radii = largest_beside(mesh_, query.separations.radii);
+  const std::vector<double> radii = neighbourhood_maximum(mesh_, query.separations.radii);
   for (const Index index : mesh_.points()) {
     const auto v = at(index);
     search_radii_[v] =

@@ -12,7 +12,7 @@
 namespace tamis {
 namespace {
 
-/// Also what is no number.
+/// True also of NaN.
 bool turns_far(const Link& link) {
   const auto is_far = [](const Pose& pose) {
     return !(std::hypot(pose.rotation[0], pose.rotation[1], pose.rotation[2]) <= kLargestRoundedAngle);
@@ -153,15 +153,15 @@ ChainBounds::ChainBounds(const Chain& chain)
 ///   y' = R' x + R x' + p',   y'' = R'' x + 2 R' x' + R x''.
 Curvature ChainBounds::of(double at, double way) const {
   Interval place(at), speed(way), acceleration(0);
-  double reach = 0;  // the outermost position moves linearly: no chord deviates from it
+  double orbit_radius = 0;  // without the outermost position, which moves linearly: no chord deviates from it
   for (auto link = links_.rbegin(); link != links_.rend(); ++link) {
-    if (link + 1 == links_.rend()) reach = place.upper;
+    if (link + 1 == links_.rend()) orbit_radius = place.upper;
     const Interval& w = link->turn;
     acceleration = w * w * place + Interval(2) * w * speed + acceleration;
     speed = w * place + speed + link->way;
     place = place + link->position;
   }
-  return {acceleration.upper, reach};
+  return {acceleration.upper, orbit_radius};
 }
 
 }  // namespace tamis

@@ -152,9 +152,9 @@ TruncatedStep Detector::State::truncate(const Step& step, double keep, const Que
 
 TruncatedStep Detector::State::truncate(const Query& whole, double keep, AtStart at_start, Stored stored) {
   const KeptFractions fractions(keep);
-  const double together = step_length(whole, fractions.together, at_start).lower;
+  const double common_time = step_length(whole, fractions.together, at_start).lower;
   TruncatedStep answer;
-  measure_more([&] { answer = Truncation(mesh, whole, fractions, stored, *engine_, statistics).run(together); });
+  measure_more([&] { answer = Truncation(mesh, whole, fractions, stored, *engine_, statistics).run(common_time); });
   return answer;
 }
 

@@ -1,8 +1,9 @@
-// A step length for each vertex. All vertices go together as far as every pair keeps a little more of its distance than
-// it must; from there each goes on alone. The engine then finds the pairs that do not keep their distance on the
-// straight way to these positions, and planes between the features of each (detect/planar_times.hpp) stop its vertices,
-// round by round until no pair is left. If that does not end, each vertex goes alone from the start, with planes
-// between all pairs that could meet. All positions asked about are numbers that the caller can store.
+// Truncates a step vertex by vertex. All vertices go together until a common time, up to which every pair keeps a
+// little more of its distance than it must; from there each goes on alone. The engine then finds the pairs that do not
+// keep their distance on the straight motion to these positions, and planes between the features of each
+// (detect/planar_times.hpp) stop its vertices, round by round until no pair is left. If that does not end, each vertex
+// goes alone from the start, with planes between all pairs that could meet. All positions asked about are numbers that
+// the caller can store.
 #pragma once
 #include <vector>
 
@@ -19,25 +20,28 @@ class Truncation {
   Truncation(const Mesh& mesh, const Query& query, const KeptFractions& fractions, Stored stored, Engine& engine,
              Statistics& statistics);
 
-  /// `together`: until then it is proven that every pair of the query keeps fractions.together. REQUIRES: in [0,1].
-  TruncatedStep run(double together);
+  /// `common_time`: until then every pair of the query is proven to keep fractions.together. REQUIRES: in [0,1].
+  TruncatedStep run(double common_time);
 
  private:
-  void begin(double together);
+  void begin(double common_time);
   void begin_on_own_sides();
+  /// Sets the vertex' position from its part of the step.
   void place(Index vertex);
+  /// Lets the vertex go no farther than to `time`.
   void stop(Index vertex, double time);
-  /// Asks about way(): those pairs whose vertices must go less far. Says in to_ whether the step is free, as far as
-  /// that shows.
+  /// The pairs that break their fraction on the step to result_: their vertices must stop earlier. Also clears
+  /// result_.is_free if a pair touches at the start.
   std::vector<StepLimit> broken_pairs();
   /// REQUIRES: a time in [0,1). REQUIRES (not checked: history): a pair of the engine's answer.
   bool is_broken(const StepLimit& pair);
-  bool is_beyond(const StepLimit& pair) const;
+  /// Does a vertex of the pair go on after the common time?
+  bool goes_on_alone(const StepLimit& pair) const;
   template <class Pair>
   double separation_of(const Pair& pair) const {
     return query_.separations.between(pair.kind, pair.vertices);
   }
-  Step way() const { return {step_.start, to_.positions}; }
+  Step step_to_result() const { return {step_.start, result_.positions}; }
   void stop_at_planes(const StepLimit& pair, const std::vector<double>& asked);
 
   const Mesh& mesh_;
@@ -47,8 +51,8 @@ class Truncation {
   const Stored stored_;
   Engine& engine_;
   Statistics& statistics_;
-  TruncatedStep to_;
-  double together_ = 0;
+  TruncatedStep result_;  ///< so far
+  double common_time_ = 0;
   bool on_own_sides_ = false;
   int rounds_ = 0;
 };

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
+#include "motion/time_clip.hpp"
 #include "narrow/contact_normal.hpp"
 #include "numerics/assert.hpp"
 #include "paths/crossing_on_path.hpp"
-#include "paths/frame.hpp"
 #include "paths/path_parts.hpp"
 #include "paths/within_on_path.hpp"
 

@@ -1,5 +1,5 @@
 // Would catch: positions of another time or vertex, a time that is computed again and again.
-#include "paths/remembered_path.hpp"
+#include "paths/cached_path.hpp"
 
 #include <gtest/gtest.h>
 
@@ -32,10 +32,10 @@ void expect_right(const Path& path, double time, const std::vector<Index>& verti
   }
 }
 
-TEST(RememberedPath, SaysWhatThePathSaysAtAnyTimeOfAnyVertex) {
+TEST(CachedPath, SaysWhatThePathSaysAtAnyTimeOfAnyVertex) {
   const CountingPath path;
   const std::vector<Index> used{3, 8, 20, 99};
-  const RememberedPath remembered(path, used);
+  const CachedPath remembered(path, used);
   for (int round = 0; round < 3; ++round)
     for (int i = 0; i <= 500; ++i) {
       expect_right(remembered, i / 500.0, {99, 3});
@@ -43,10 +43,10 @@ TEST(RememberedPath, SaysWhatThePathSaysAtAnyTimeOfAnyVertex) {
     }
 }
 
-TEST(RememberedPath, AsksForATimeTwiceAndThenNoMore) {
+TEST(CachedPath, AsksForATimeTwiceAndThenNoMore) {
   const CountingPath path;
   const std::vector<Index> used{1, 2, 3, 4};
-  const RememberedPath remembered(path, used);
+  const CachedPath remembered(path, used);
   for (int i = 0; i < 1000; ++i)
     for (const double time : {0.0, 1.0}) expect_right(remembered, time, {2, 4});
   EXPECT_EQ(path.calls, 4);

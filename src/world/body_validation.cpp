@@ -1,4 +1,4 @@
-// What a body may be told of how it moves, and with which sentence it is refused.
+// Which motions a body may be given, and the sentences with which others are refused.
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -12,22 +12,22 @@
 namespace tamis {
 namespace {
 
-/// Radians of a step, of all links together: one a piece. On longer pieces chords prove little, and what they leave is
-/// cut on pair by pair (docs/worlds.md, "How far a body may turn").
+/// Radians that all links together may turn in a step, one a piece. On longer pieces chords prove little, and each pair
+/// that they leave is cut further by itself (docs/worlds.md, "How far a body may turn").
 constexpr double kMostTurn = kMostPieces;
-/// Radians of a rotation vector: doubles stand 2^-20 apart there. Beyond they soon are no angle that anyone means.
+/// Length of a rotation vector in radians: doubles are 2^-20 apart there, and longer vectors mean no angle.
 constexpr double kLongestRotation = 0x1p32;
 
-/// Of so many links, places and points that are no larger, doubles can tell where they take a vertex.
-constexpr double kSurelyNear = 0x1p40;
-constexpr std::size_t kSurelyFew = 100;
+/// With no larger coordinates and no more links doubles are sure to tell where a vertex is.
+constexpr double kSafeCoordinate = 0x1p40;
+constexpr std::size_t kSafeLinks = 100;
 
-bool is_surely_near(const Point& x) {
-  return std::ranges::all_of(x, [](double c) { return std::fabs(c) <= kSurelyNear; });
+bool is_safe(const Point& x) {
+  return std::ranges::all_of(x, [](double c) { return std::fabs(c) <= kSafeCoordinate; });
 }
-bool are_surely_near(const Chain& chain) {
-  return chain.size() <= kSurelyFew && std::ranges::all_of(chain, [](const Link& link) {
-           return is_surely_near(link.start.position) && is_surely_near(link.end.position);
+bool is_safe(const Chain& chain) {
+  return chain.size() <= kSafeLinks && std::ranges::all_of(chain, [](const Link& link) {
+           return is_safe(link.start.position) && is_safe(link.end.position);
          });
 }
 
@@ -56,9 +56,9 @@ Chain chain_of(const BodyMotion& motion) {
   return {};
 }
 
-bool Body::is_surely_near() const {
-  return deforming() ? hull_.largest_coordinate() <= kSurelyNear
-                     : are_surely_near(chain_.links()) && shape_->radius <= kSurelyNear;
+bool Body::is_surely_representable() const {
+  return deforming() ? hull_.largest_coordinate() <= kSafeCoordinate
+                     : is_safe(chain_.links()) && shape_->radius <= kSafeCoordinate;
 }
 
 void Body::validate(const BodyMotion& motion) const {
@@ -70,7 +70,7 @@ void Body::validate(const BodyMotion& motion) const {
   const auto* deforming = std::get_if<Deforming>(&motion);
   if (!deforming) {
     refuse_far_turns(chain, name);
-    if (!are_surely_near(chain) || shape_->radius > kSurelyNear) validate_far(chain);
+    if (!is_safe(chain) || shape_->radius > kSafeCoordinate) validate_far(chain);
     return;
   }
   for (const auto& [points, when] : {std::pair(&deforming->start, "start"), std::pair(&deforming->end, "end")}) {
@@ -99,7 +99,7 @@ void Body::validate_far(const Chain& chain) const {
         throw InvalidStep("where vertex " + std::to_string(v) + " of " + name + " is at the " + when +
                           " of its motion is beyond what doubles hold: give shorter positions");
   }
-  if (bounds.turns() && !std::isfinite(bounds.of(shape_->radius, 0).reach))
+  if (bounds.turns() && !std::isfinite(bounds.of(shape_->radius, 0).orbit_radius))
     throw InvalidStep(name + " turns about what is farther away than doubles hold: give shorter positions");
 }
 

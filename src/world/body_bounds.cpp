@@ -1,6 +1,6 @@
-#include "world/carried_boxes.hpp"
+#include "world/body_bounds.hpp"
 
-#include "curves/fine_point.hpp"
+#include "curves/chord_deviation.hpp"
 #include "numerics/assert.hpp"
 #include "numerics/error_bounds.hpp"
 #include "topology/at.hpp"
@@ -10,15 +10,14 @@ namespace {
 
 constexpr Index kNotMade = -1;
 
-/// Of a box that holds rounded positions, for the tests that boxes meet.
+/// Widens a box for the rounding of may_meet().
 Box widened(Box box) {
   box.widen(MovingBounds::kRounding * box.largest_coordinate());
   return box;
 }
 
-/// What is not a number, as where curves bend by more than doubles can say, may be anywhere: so that a box that
-/// includes it is as large.
-Box all_if_unknown(Box box) {
+/// Unbounded along axes with NaN, as where curves bend by more than doubles can say.
+Box unbounded_if_unknown(Box box) {
   for (std::size_t k = 0; k < 3; ++k)
     if (!(box.low[k] <= box.high[k])) box.low[k] = -kUnbounded, box.high[k] = kUnbounded;
   return box;
@@ -29,7 +28,7 @@ double at_share(double first, double last, double share) {
   return (first + (last - first) * share) * kRoundedUp + 0x1p-1000;
 }
 
-/// No point within is farther from the origin.
+/// An upper bound of the distance of the box' points from the origin.
 double farthest_in(const Box& box) {
   double square = 0;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -39,19 +38,19 @@ double farthest_in(const Box& box) {
   return std::sqrt(square) * kRoundedUp;
 }
 
-/// What is kept in `kept` at a place, made if it is asked for first.
-template <class Kept, class Make>
-const typename Kept::value_type& kept_at(Index& place, Kept& kept, const Make& make) {
+/// The cached value at a place, made if it is not there yet.
+template <class Cache, class Make>
+const typename Cache::value_type& cached_at(Index& place, Cache& cache, const Make& make) {
   if (place == kNotMade) {
-    place = static_cast<Index>(kept.size());
-    kept.push_back(make());
+    place = static_cast<Index>(cache.size());
+    cache.push_back(make());
   }
-  return kept[at(place)];
+  return cache[at(place)];
 }
 
 }  // namespace
 
-CarriedBody::CarriedBody(const Body& body, PlacesAt& from, PlacesAt& to)
+BodyOnPiece::BodyOnPiece(const Body& body, PlacesAt& from, PlacesAt& to)
     : body_(body), from_(from.time()), to_(to.time()), at_from_(body.at_start()), at_to_(body.at_end()) {
   TAMIS_ASSERT(0 <= from_ && from_ <= to_ && to_ <= 1);
   if (body.motion_kind() != MotionKind::turning) return;
@@ -59,32 +58,32 @@ CarriedBody::CarriedBody(const Body& body, PlacesAt& from, PlacesAt& to)
   at_to_ = to.of(body);
   const Interval length = Interval(to_) - Interval(from_);
   const auto of_piece = [&](const Curvature& curve) {
-    return ChordBounds{chord_deviation(curve.acceleration, length), 2 * curve.reach};
+    return ChordBounds{chord_deviation(curve.acceleration, length), 2 * curve.orbit_radius};
   };
   innermost_ = of_piece(body.innermost_);
   outermost_ = of_piece(body.outermost_);
 }
 
-/// Of vertices within the box, from their chords.
-double CarriedBody::deviation(const Box& at_rest) const {
+/// An upper bound of the distance of vertices within the box from their chords.
+double BodyOnPiece::deviation(const Box& at_rest) const {
   if (body_.motion_kind() != MotionKind::turning) return 0;
   const double radius = shape().radius, place = farthest_in(at_rest);
   const double share = place < radius ? place / radius : 1;  // corners may be farther than all vertices
   return std::min(at_share(innermost_.by_acceleration, outermost_.by_acceleration, share),
-                  at_share(innermost_.by_reach, outermost_.by_reach, share)) *
+                  at_share(innermost_.by_orbit, outermost_.by_orbit, share)) *
          (1 + MovingBounds::kRounding);
 }
 
-MovingBounds CarriedBody::bounds(int level, Index block) const {
+MovingBounds BodyOnPiece::bounds(int level, Index block) const {
   if (body_.deforming())
     return cut(widened(body_.start_boxes_.box(level, block)), widened(body_.end_boxes_.box(level, block)));
   const Box& at_rest = shape().boxes.box(level, block);
   const double deviation = this->deviation(at_rest);
-  return cut(carried(at_rest, at_from_, deviation), carried(at_rest, at_to_, deviation));
+  return cut(box_in_world(at_rest, at_from_, deviation), box_in_world(at_rest, at_to_, deviation));
 }
 
-CarriedItems CarriedBody::items(Index block) const {
-  CarriedItems result;
+ItemBounds BodyOnPiece::items(Index block) const {
+  ItemBounds result;
   const auto items = shape().order.items_of(block);
   const Box& at_rest = shape().boxes.box(0, block);
   const bool turns = body_.motion_kind() == MotionKind::turning;
@@ -92,7 +91,7 @@ CarriedItems CarriedBody::items(Index block) const {
   const auto placed = [&](const RoundedTransform& place, const auto& end_of_vertex, Index item) {
     if (!turns) return widened(shape().box_of(item, end_of_vertex));
     Box box = shape().box_of(item, [&](Index v) { return place.of(shape().points[at(v)]); });
-    box.widen(off_by(place, size) + deviation);
+    box.widen(rounding_bound(place, size) + deviation);
     return box;
   };
   for (std::size_t i = 0; i < items.size(); ++i) {
@@ -106,10 +105,10 @@ CarriedItems CarriedBody::items(Index block) const {
   return result;
 }
 
-/// Vertices of a body that does not turn go straight during the whole step: linear bounds between those of both ends
-/// hold. Those of one that turns are of the piece already.
-MovingBounds CarriedBody::cut(const Box& at_start, const Box& at_end) const {
-  const Box start = all_if_unknown(at_start), end = all_if_unknown(at_end);
+/// Restricts bounds to the piece. Vertices of a body that does not turn move straight during the whole step, so its
+/// bounds at both ends are interpolated; those of a body that turns are of the piece already.
+MovingBounds BodyOnPiece::cut(const Box& at_start, const Box& at_end) const {
+  const Box start = unbounded_if_unknown(at_start), end = unbounded_if_unknown(at_end);
   if (body_.motion_kind() != MotionKind::straight) return {start, end};
   const auto at_time = [&](double time) {
     if (time == 0) return start;
@@ -125,18 +124,18 @@ MovingBounds CarriedBody::cut(const Box& at_start, const Box& at_end) const {
   return {at_time(from_), at_time(to_)};
 }
 
-CarriedBoxes::CarriedBoxes(const Body& body, PlacesAt& from, PlacesAt& to) : body_(body, from, to) {
+BoundsOnPiece::BoundsOnPiece(const Body& body, PlacesAt& from, PlacesAt& to) : body_(body, from, to) {
   for (int level = 0; level <= shape().boxes.root_level(); ++level)
     place_of_block_.emplace_back(shape().boxes.level(level).size(), kNotMade);
   place_of_items_ = place_of_block_[0];
 }
 
-const MovingBounds& CarriedBoxes::of_block(int level, Index block) {
-  return kept_at(place_of_block_[at(level)][at(block)], bounds_, [&] { return body_.bounds(level, block); });
+const MovingBounds& BoundsOnPiece::of_block(int level, Index block) {
+  return cached_at(place_of_block_[at(level)][at(block)], bounds_, [&] { return body_.bounds(level, block); });
 }
 
-const CarriedItems& CarriedBoxes::items(Index block) {
-  return kept_at(place_of_items_[at(block)], items_, [&] { return body_.items(block); });
+const ItemBounds& BoundsOnPiece::items(Index block) {
+  return cached_at(place_of_items_[at(block)], items_, [&] { return body_.items(block); });
 }
 
 }  // namespace tamis

@@ -1,4 +1,4 @@
-// The boxes of a body's hierarchy during a piece of the step, in the frame of the world.
+// The boxes of a body's hierarchy in the frame of the world, during a piece of the step.
 #pragma once
 #include <deque>
 
@@ -7,8 +7,8 @@
 
 namespace tamis {
 
-/// Of something in the world that goes straight from `start` to `end`. Each is wider than what it holds by kRounding of
-/// its size: that is for the rounding of `may_meet`.
+/// Linear bounds in the frame of the world. Each box is wider than what it holds by kRounding of its coordinates, which
+/// covers the rounding of may_meet().
 struct MovingBounds {
   Box start, end;
 
@@ -21,8 +21,8 @@ struct MovingBounds {
   }
 };
 
-/// Do they come within `separation` at one time? False only if proven: the gap along one axis is open, or those along
-/// several are at times between them. What is not a number proves nothing.
+/// Do the bounds come within `separation` at one time? False only if proven: at every time a gap is open along some
+/// axis. NaN proves nothing.
 inline bool may_meet(const MovingBounds& a, const MovingBounds& b, double separation) {
   constexpr double kRoundingOfTimes = 0x1p-40;
   double from = 0, to = 1;
@@ -41,27 +41,27 @@ inline bool may_meet(const MovingBounds& a, const MovingBounds& b, double separa
   return !(from > to + kRoundingOfTimes);
 }
 
-/// The items of one block of items.
-struct CarriedItems {
+/// The bounds of one block's items.
+struct ItemBounds {
   MovingBounds all;
   std::array<MovingBounds, kBlock> of_item;  ///< in the order of the block
 };
 
-/// How far a point is at most from its chord on a piece, by its acceleration and wherever it goes: both bounds hold.
+/// Two upper bounds of a point's distance from its chord on a piece: by its acceleration, and by its orbit's diameter.
 struct ChordBounds {
-  double by_acceleration = 0, by_reach = 0;
+  double by_acceleration = 0, by_orbit = 0;
 };
 
-/// A body during one piece.
-class CarriedBody {
+/// A body during one piece of the step.
+class BodyOnPiece {
  public:
   /// Keeps a reference to the body. REQUIRES: `from` is not later than `to`.
-  CarriedBody(const Body& body, PlacesAt& from, PlacesAt& to);
+  BodyOnPiece(const Body& body, PlacesAt& from, PlacesAt& to);
 
   const BodyShape& shape() const { return body_.shape(); }
   MovingBounds bounds(int level, Index block) const;
-  /// Of a block of level 0, from where the vertices go: tighter than its box.
-  CarriedItems items(Index block) const;
+  /// The items of a block of level 0, bounded by their vertices: tighter than the block's box.
+  ItemBounds items(Index block) const;
 
  private:
   double deviation(const Box& at_rest) const;
@@ -69,25 +69,25 @@ class CarriedBody {
 
   const Body& body_;
   const double from_, to_;
-  RoundedTransform at_from_, at_to_;   ///< of a body that turns; of others where they are at t=0 and t=1
-  ChordBounds innermost_, outermost_;  ///< of points as near to the origin of the body's frame as they are, and as far
+  RoundedTransform at_from_, at_to_;   ///< of a body that does not turn, at t=0 and t=1
+  ChordBounds innermost_, outermost_;  ///< at the origin of its frame, and at the distance of its farthest vertex
 };
 
-/// Its boxes, made when they are first asked for, and kept: their references stay valid.
-class CarriedBoxes {
+/// Caches its bounds, each computed when it is first asked for; references to them stay valid.
+class BoundsOnPiece {
  public:
-  CarriedBoxes(const Body& body, PlacesAt& from, PlacesAt& to);
+  BoundsOnPiece(const Body& body, PlacesAt& from, PlacesAt& to);
 
   const BodyShape& shape() const { return body_.shape(); }
   const MovingBounds& of_block(int level, Index block);
-  const CarriedItems& items(Index block);
+  const ItemBounds& items(Index block);
 
  private:
-  const CarriedBody body_;
+  const BodyOnPiece body_;
   std::vector<std::vector<Index>> place_of_block_;
   std::vector<Index> place_of_items_;
   std::deque<MovingBounds> bounds_;
-  std::deque<CarriedItems> items_;
+  std::deque<ItemBounds> items_;
 };
 
 }  // namespace tamis

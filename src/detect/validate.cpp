@@ -15,7 +15,7 @@
 namespace tamis {
 namespace {
 
-/// What is well makes no message: some is asked of every question, some of every vertex.
+/// `message`: a text, or a function that makes it only if it is needed, as checks are many.
 template <class Message>
 void check(bool ok, const Message& message) {
   if (ok) return;

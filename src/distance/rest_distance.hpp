@@ -1,6 +1,6 @@
 // The distance of two features at rest, between proven bounds, in doubles or in lanes: closest points bound it from
-// above, and from below the axis along which they lie. In which direction one lies from the other, where that tells:
-// integers tell the rest. Error bounds: kGap, kAxisNow. Cost: about 200 operations.
+// above, the axis along their gap from below. And the direction from one to the other, where doubles tell it; integers
+// tell the rest. Error bounds: kGap, kAxisNow. Cost: about 200 operations.
 #pragma once
 #include <array>
 

@@ -1,4 +1,4 @@
-// The last word: exact algebra on the double inputs.
+// Exact decisions on one pair: integer algebra on the inputs, which are doubles.
 #pragma once
 #include "motion/decision.hpp"
 #include "motion/make_motion.hpp"

@@ -100,8 +100,16 @@ inline void copy_corners(const PairBuffer& in, int from, PairBuffer& out, int to
   for (int c = 0; c < corners; ++c) out.corner[c][to] = in.corner[c][from];
 }
 
-/// The same for the pairs of `mask` among the lanes from `first` on. `out` may be `in`, where only what has been read
-/// is overwritten.
+/// Appends pair `from` of `in`, with its times, to `out`.
+inline void copy_pair(const PairBuffer& in, int from, PairBuffer& out) {
+  copy_corners<5>(in, from, out, out.count);
+  out.t_in[out.count] = in.t_in[from];
+  out.t_out[out.count] = in.t_out[from];
+  ++out.count;
+}
+
+/// Copies the corners of the pairs of `mask` among the lanes from `first` on. `out` may be `in`, where only what has
+/// been read is overwritten.
 template <int corners = 4>
 inline void store_corners(unsigned mask, const PairBuffer& in, int first, PairBuffer& out, int to) {
   for (int c = 0; c < corners; ++c)

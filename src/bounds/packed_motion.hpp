@@ -77,8 +77,8 @@ struct PackedMotion {
   Separations separations;
 
   /// Loads the vertices `used` and the separations; residuals stay. Returns false if nothing has changed, to the bit.
-  /// REQUIRES: as
-  /// many positions at both ends, and as many radii or none. REQUIRES (not checked: O(n)): a validated step.
+  /// REQUIRES: as many positions at both ends, and as many radii or none. REQUIRES (not checked: O(n)): a validated
+  /// step.
   bool assign(const Step& step, std::span<const Index> used, const Separations& separations);
   /// Computes the residuals beside `shared`. REQUIRES: as many positions as the step assigned last. REQUIRES (not
   /// checked: history): that very step, to which the motion has been fitted.

@@ -57,9 +57,9 @@ class CenterStore {
 };
 
 /// Orders the features such that every sixteen, every sixteen times sixteen, and so on, lie close together: by halving
-/// again and again along the longest axis. Overwrites the coordinates. Costs more than a Morton
-/// order, and saves as much on every question (docs/history/performance.md). The same for any number of threads.
-/// `ends`: where the centers are in groups, the places at which these end, ascending; groups stay one after the other.
+/// again and again along the longest axis. Overwrites the coordinates. Costs more than a Morton order, and saves as
+/// much on every question (docs/history/performance.md). The same for any number of threads. `ends`: where the centers
+/// are in groups, the places at which these end, ascending; groups stay one after the other.
 void order_in_space(const Centers& centers, std::size_t count, Split split, const Pause& pause,
                     std::span<const std::size_t> ends = {});
 

@@ -105,9 +105,9 @@ class ChainBounds {
  public:
   explicit ChainBounds(const Chain& chain);
 
-  /// Of a point no farther than `place` from the origin of the body's frame, in which it goes straight by `way`.
-  /// Linear in `place`, but for rounding.
-  Curvature of(double place, double way) const;
+  /// Of a point no farther than `from_origin` from the origin of the body's frame, in which it moves by `displacement`.
+  /// Linear in `from_origin`, but for rounding.
+  Curvature of(double from_origin, double displacement) const;
   /// Does any link turn? If not, points go straight.
   bool turns() const { return turns_; }
 
@@ -115,7 +115,7 @@ class ChainBounds {
   /// Of one link: how far its rotation vector changes, how far its position does, and how far that is from zero.
   struct LinkBounds {
     explicit LinkBounds(const Link& link);
-    Interval turn, way, position;
+    Interval turn, displacement, position;
   };
   std::vector<LinkBounds> links_;
   bool turns_;

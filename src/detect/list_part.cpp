@@ -21,7 +21,7 @@ bool are_rows(const Pair& pair, Index rows) {
   return result;
 }
 
-/// Pairs of one kind on their way through the lanes.
+/// A batch of pairs of one kind.
 struct Batch {
   static constexpr int kPairsPerBatch =
       128;  // so that the vertices they name, fetched as they come, stay in the first cache

@@ -5,6 +5,7 @@
 #pragma once
 #include <vector>
 
+#include "coherence/listing_pause.hpp"
 #include "coherence/pair_list.hpp"
 #include "numerics/held_bytes.hpp"
 #include "query/query.hpp"

@@ -6,6 +6,7 @@
 #include <numeric>
 #include <string>
 
+#include "motion/time_clip.hpp"
 #include "numerics/error_bounds.hpp"
 #include "numerics/number_text.hpp"
 #include "paths/path_reader.hpp"

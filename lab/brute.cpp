@@ -7,7 +7,8 @@
 #include "narrow/decide.hpp"
 #include "narrow/near_pair.hpp"
 #include "query/cancellation.hpp"
-#include "query/pair_rules.hpp"
+#include "query/pair_groups.hpp"
+#include "query/pair_vertices.hpp"
 #include "query/proximity_order.hpp"
 #include "query/stage_counts.hpp"
 
@@ -48,7 +49,7 @@ class BruteEngine final : public Engine {
     for_each_pair(mesh_, query.filter, [&](PairKind kind, const PairVertices& v) {
       stop_if_cancelled(query);
       ++of(count, kind);
-      if (is_near(kind, points_of(query.step, v), query.separations.between(kind, v), statistics.decided_by) &&
+      if (may_start_within(kind, points_of(query.step, v), query.separations.between(kind, v), statistics.decided_by) &&
           !query.are_neighbours(kind, v))
         found[static_cast<std::size_t>(kind)].push_back(v);
     });
@@ -73,7 +74,8 @@ class BruteEngine final : public Engine {
         if (query.question == Question::is_free && !found.empty()) break;
         if (!is_pair(query.filter, edge, face)) continue;
         ++count.vf;
-        const auto r = decide(PairKind::vertex_face, points_along(positions, edge, face), {}, statistics.decided_by);
+        const auto r =
+            decide(PairKind::vertex_face, edge_runner_points(positions, edge, face), {}, statistics.decided_by);
         if (r.touches && !query.rings.are_neighbours(edge, face))
           found.push_back({edge, face, r.toi_lower, r.toi_upper, r.u, r.v});
       }

@@ -2,7 +2,8 @@
 // lets pass.
 #pragma once
 #include "query/isolated.hpp"
-#include "query/pair_rules.hpp"
+#include "query/pair_groups.hpp"
+#include "query/pair_vertices.hpp"
 #include "topology/loose_features.hpp"
 
 namespace tamis::lab {

@@ -1,10 +1,12 @@
 #!/usr/bin/env python3
-"""Includes point one way: down the layers of src/, and from everything else to the public headers only."""
+"""Includes point one way: down the layers of src/, and from everything else to the public headers only.
+
+The order of the layers has its home here; src/CMakeLists.txt and docs/architecture.md list them, which is checked."""
 import pathlib
 import re
 import sys
 
-# A layer includes itself and those of a smaller number.
+# A layer includes itself and those of a smaller number. Lists elsewhere go upwards, too.
 LAYER = {"numerics": 0, "motion": 1, "bounds": 2, "topology": 3, "bvh": 3, "filters": 3, "distance": 4, "curves": 4,
          "exact": 5, "narrow": 6, "kernels": 7, "query": 8, "coherence": 9, "search": 10,
          "paths": 11, "detect": 12, "world": 13}
@@ -30,6 +32,21 @@ def may_include(user: str, used: str) -> bool:
     return used in OUTSIDE[user]
 
 
+def wrong_lists(root: pathlib.Path) -> list[str]:
+    """Other lists of the layers: each names all of them, none before one that is below it."""
+    build = (root / "src/CMakeLists.txt").read_text()
+    document = (root / "docs/architecture.md").read_text()
+    lists = {"src/CMakeLists.txt": re.search(r"foreach\(layer ([^)]*)\)", build)[1].split(),
+             "docs/architecture.md": re.findall(r"^\| `(\w+)` \|", document.split("\n## Layers\n")[1], re.MULTILINE)}
+    wrong = []
+    for place, names in lists.items():
+        if sorted(names) != sorted(LAYER):
+            wrong.append(f"{place}: lists other layers: {sorted(set(names) ^ set(LAYER))}")
+        elif any(LAYER[a] > LAYER[b] for a, b in zip(names, names[1:])):
+            wrong.append(f"{place}: lists the layers in another order than scripts/check_layers.py")
+    return wrong
+
+
 def main() -> int:
     root = pathlib.Path(__file__).resolve().parent.parent
     folders = [(layer, root / "src" / layer) for layer in LAYER] + [(name, root / name) for name in OUTSIDE]
@@ -45,6 +62,7 @@ def main() -> int:
                     wrong.append(f"{place}: may not include {used}")
     deviations = [p for p in (root / "src").iterdir() if p.name not in LAYER and p.name != "CMakeLists.txt"]
     wrong += [f"{path.relative_to(root)}: belongs to no layer" for path in sorted(deviations)]
+    wrong += wrong_lists(root)
     print("\n".join(wrong) or "every include points down")
     return 1 if wrong else 0
 

@@ -17,7 +17,7 @@ struct Components {
 /// By faces and edges; a loose point is a component of its own. Time: nearly linear (union-find: Tarjan 1975).
 Components components_of(const Mesh& mesh);
 
-/// Of each vertex those at the other end of an edge. Throws InvalidMesh if there are more than 2^30 - 1 edges. Time:
+/// For each vertex those at the other end of an edge. Throws InvalidMesh if there are more than 2^30 - 1 edges. Time:
 /// linear.
 IndexRows neighbours_of(const Mesh& mesh);
 

@@ -21,12 +21,12 @@ namespace tamis {
 /// calls (a filter, a path), throws Busy at once. Such functions may ask other detectors, and use oneTBB.
 class Detector {
  public:
-  /// Throws InvalidOptions: negative threads, a separation or radii that is negative or not finite, an instruction
+  /// Throws InvalidOptions: negative threads, a separation or radius that is negative or not finite, an instruction
   /// set this machine lacks, groups or radii that do not fit.
   explicit Detector(Mesh mesh, Options options = {});
   ~Detector();
-  /// What was moved from may be destroyed or assigned to; all else throws Error. Not to be moved, assigned to or
-  /// destroyed by another thread while it answers.
+  /// A detector that was moved from may be destroyed or assigned to; all else throws Error. Must not be moved, assigned
+  /// to or destroyed by another thread while it answers.
   Detector(Detector&&) noexcept;
   Detector& operator=(Detector&&) noexcept;
 

@@ -59,7 +59,7 @@ struct Options {
   int threads = 0;
   /// d >= 0, in the unit of the positions: contact means Euclidean distance <= d at some time.
   double min_separation = 0;
-  /// A radius >= 0 for each group of filter.group_of_vertex: radii is half a thickness. Two features are in
+  /// A radius >= 0 for each group of filter.group_of_vertex, half of its thickness. Two features are in
   /// contact when their distance is at most `min_separation` plus both radii, for every question but intersections. A
   /// feature that joins groups has the largest radius of its vertices. Empty: all zero. A question throws
   /// InvalidOptions where its separation and twice a radius are more than any double.

@@ -24,8 +24,8 @@ struct PairResult {
 /// How questions about pairs are answered: one or a list, on a step or on a path.
 struct PairOptions {
   double min_separation = 0;  ///< d >= 0, in the unit of the positions: contact means Euclidean distance <= d
-  /// The latest time of interest, in [0,1]: a pair that is proven apart until then is free. Of others it changes
-  /// nothing.
+  /// The latest time of interest, in [0,1]: a pair that is proven apart until then is free. Other answers do
+  /// not depend on it.
   double latest = 1;
   double tolerance = 1e-9;  ///< of a path: the widest bracket of a contact, a fraction of the step in (0, 1]
   int threads = 0;          ///< of a list, as in Options: 0 is as many as the caller's oneTBB arena gives

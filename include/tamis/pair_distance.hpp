@@ -1,12 +1,12 @@
-// How far apart one pair of features is, and how long it may go so as to keep a part of that.
+// The distance of one pair of features, and until when the pair keeps a part of it.
 #pragma once
 #include "tamis/pair.hpp"
 #include "tamis/proximity.hpp"
 
 namespace tamis {
 
-/// The distance of a pair at rest, with its proven error, weights and direction: what Detector::pairs_within says of
-/// it. The start of a step is such a rest. Throws InvalidStep as narrow_phase does.
+/// The distance of a pair in one pose, such as the start of a step, with weights and direction: what
+/// Detector::pairs_within says of it. Throws InvalidStep as narrow_phase does.
 NearPair distance_of(const Pair& pair, const Positions& positions);
 
 /// How far may one pair go so that its distance, as far as it exceeds the minimum separation, stays at least `keep`

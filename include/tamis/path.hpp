@@ -28,7 +28,7 @@ class Path {
   virtual void points_at(double time, std::span<const Index> vertices, std::span<Point> points,
                          std::span<double> errors) const = 0;
 
-  /// The same, as well as the path can tell: pairs that points_at leaves undecided ask here. By default points_at.
+  /// The same, as precisely as the path can: asked for pairs that points_at leaves undecided. By default points_at.
   virtual void fine_points_at(double time, std::span<const Index> vertices, std::span<FinePoint> points) const;
 
   /// For each vertex a bound, >= 0, of its deviation on [from, to]: at no time t of it is the vertex farther
@@ -37,9 +37,9 @@ class Path {
   virtual void deviations(double from, double to, std::span<const Index> vertices,
                           std::span<double> deviations) const = 0;
 
-  /// For each vertex a direction d, of any length, along which it goes straight all the time though it bends: d.x(t) is
-  /// linear in t, exactly, for d as written. Its deviations are then across d. Zeros where none is known, as by
-  /// default. What turns about a fixed axis has it; what slides on a plane across the axis is told apart by it.
+  /// For each vertex a direction d, of any length, along which it moves uniformly although its curve bends: d.x(t) is
+  /// linear in t, exactly, for d as written, so that deviations are orthogonal to d. Zeros where none is known, as by
+  /// default. A body that turns about a fixed axis has one; bodies that slide on planes across it are told apart by it.
   virtual void straight_directions(std::span<const Index> vertices, std::span<Point> directions) const;
 };
 

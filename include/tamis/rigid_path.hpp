@@ -70,8 +70,8 @@ class RigidPath final : public Path {
   std::vector<Point> rest_, rest_end_;
   std::vector<Index> body_of_vertex_;
   std::shared_ptr<const std::vector<ChainWithStillLinks>> chains_;
-  std::vector<Point> axes_;                      ///< of each chain
-  std::vector<double> accelerations_, reaches_;  ///< bounds of each vertex: how its curve bends, how far it strays
+  std::vector<Point> axes_;                          ///< of each chain
+  std::vector<double> accelerations_, orbit_radii_;  ///< bounds of each vertex' curve (Curvature, within the library)
 };
 
 }  // namespace tamis

@@ -57,8 +57,8 @@ struct PrecisionCount {
 struct Statistics {
   Isa isa = Isa::baseline;  ///< the one that ran, never `best`
   int threads = 1;
-  /// In pipeline order, the first being the pairs of features whose boxes meet, and some more, which depend on earlier
-  /// questions (where pairs were listed ahead, those of the list that the question looks at).
+  /// In pipeline order. The first stage counts the pairs of features whose boxes meet, and some more, which depend on
+  /// earlier questions (where pairs were listed ahead, those of the list that the question decides).
   std::vector<StageCount> stages;
   PrecisionCount decided_by;
   Seconds seconds;

@@ -6,7 +6,7 @@
 #include "lab/options.hpp"
 #include "lab/topology/representatives.hpp"
 #include "query/engine.hpp"
-#include "query/pair_rules.hpp"
+#include "query/pair_vertices.hpp"
 #include "tamis/pair.hpp"
 
 namespace tamis::lab {

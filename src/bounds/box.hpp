@@ -1,4 +1,4 @@
-// A box in doubles: what holds some points.
+// An axis-aligned box in doubles.
 #pragma once
 #include <algorithm>
 #include <cmath>
@@ -8,12 +8,12 @@
 
 namespace tamis {
 
-inline constexpr double kEverywhere = std::numeric_limits<double>::infinity();
+inline constexpr double kUnbounded = std::numeric_limits<double>::infinity();
 
 struct Box {
-  /// Empty at first: includes nothing.
-  Point low{kEverywhere, kEverywhere, kEverywhere};
-  Point high{-kEverywhere, -kEverywhere, -kEverywhere};
+  // Empty at first.
+  Point low{kUnbounded, kUnbounded, kUnbounded};
+  Point high{-kUnbounded, -kUnbounded, -kUnbounded};
 
   void include(const Point& point) {
     for (std::size_t k = 0; k < 3; ++k) {
@@ -34,26 +34,26 @@ struct Box {
     }
   }
   /// The largest |coordinate|.
-  double size() const {
+  double largest_coordinate() const {
     double size = 0;
     for (std::size_t k = 0; k < 3; ++k) size = std::max({size, std::fabs(low[k]), std::fabs(high[k])});
     return size;
   }
-  /// No |x|_1 within is larger.
-  double size_of_sum() const {
+  /// An upper bound of |x|_1 within the box.
+  double largest_sum() const {
     double size = 0;
     for (std::size_t k = 0; k < 3; ++k) size += std::max(std::fabs(low[k]), std::fabs(high[k]));
     return size * (1 + 0x1p-50);
   }
-  /// How far it reaches along all axes together.
+  /// The sum of its lengths along the axes.
   double extent() const { return high[0] - low[0] + (high[1] - low[1]) + (high[2] - low[2]); }
-  /// Half of the widest axis: it does not overflow.
-  double half() const {
+  /// Half of its length along the widest axis, which does not overflow.
+  double half_width() const {
     double half = 0;
     for (std::size_t k = 0; k < 3; ++k) half = std::max(half, 0.5 * high[k] - 0.5 * low[k]);
     return half;
   }
-  /// The center, but for rounding.
+  /// The center, rounded.
   Point middle() const {
     return {0.5 * low[0] + 0.5 * high[0], 0.5 * low[1] + 0.5 * high[1], 0.5 * low[2] + 0.5 * high[2]};
   }

@@ -81,27 +81,29 @@ StretchBounds stretch_bounds(const DisplacementGradient& gradient) {
 GradientFit fit_gradient(const Step& step, const BoxFrame& frame, std::span<const Index> vertices, std::size_t stride) {
   constexpr double kRidge = 0x1p-20;  // what lies in a plane, or on a line, has no gradient out of it
   double count = 0;
-  Vec places{}, ways{};
+  Vec places{}, displacements{};
   SymmetricMatrix squares;
-  std::array<Vec, 3> products{};  // [i]: way[i] times place
+  std::array<Vec, 3> products{};  // [i]: displacement[i] times place
   for (std::size_t i = 0; i < vertices.size(); i += stride, ++count) {
-    const Vec place = frame.place(step.start, vertices[i]), way = frame.displacement(step, vertices[i]);
+    const Vec place = frame.place(step.start, vertices[i]), displacement = frame.displacement(step, vertices[i]);
     places = places + place;
-    ways = ways + way;
+    displacements = displacements + displacement;
     squares.add_square(place, 1);
-    products = {products[0] + way.x * place, products[1] + way.y * place, products[2] + way.z * place};
+    products = {products[0] + displacement.x * place, products[1] + displacement.y * place,
+                products[2] + displacement.z * place};
   }
   GradientFit result;
   if (!(count > 0)) return result;
-  result.middle = (1 / count) * places;
-  result.way = (1 / count) * ways;
-  squares.add_square(result.middle, -count);
+  result.mean_position = (1 / count) * places;
+  result.mean_displacement = (1 / count) * displacements;
+  squares.add_square(result.mean_position, -count);
   const double ridge = kRidge * (squares.xx + squares.yy + squares.zz);
   if (!(ridge > 0)) return result;  // a point turns as one likes
   for (double* diagonal : {&squares.xx, &squares.yy, &squares.zz}) *diagonal += ridge;
   const DisplacementGradient solve{inverse(squares)};
-  const std::array<double, 3> way{result.way.x, result.way.y, result.way.z};
-  for (std::size_t i = 0; i < 3; ++i) result.gradient.rows[i] = solve.at(products[i] - way[i] * places);
+  const std::array<double, 3> displacement{result.mean_displacement.x, result.mean_displacement.y,
+                                           result.mean_displacement.z};
+  for (std::size_t i = 0; i < 3; ++i) result.gradient.rows[i] = solve.at(products[i] - displacement[i] * places);
   return result;
 }
 

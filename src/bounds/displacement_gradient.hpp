@@ -1,5 +1,5 @@
-// What displacements have in common beyond a translation: u(x) = c + G x + residual(x). At t two points are apart by
-// (I + t G) (y - x) + t (residual(y) - residual(x)), so what turns or stretches as a whole has no residual, and its
+// The displacement gradient: u(x) = c + G x + residual(x). At t the vector between two points is
+// (I + t G) (y - x) + t (residual(y) - residual(x)), so what turns or stretches as a whole has no residual, and
 // distances shrink by the least principal stretch of I + t G at most.
 #pragma once
 #include <array>
@@ -37,13 +37,13 @@ struct StretchBounds {
 
 StretchBounds stretch_bounds(const DisplacementGradient& gradient);
 
-/// Any gradient is a true one, with its residuals; so nothing is proven here, and NaN is an answer.
+/// Any gradient is valid, together with its residuals; so nothing is proven here, and NaN is an answer.
 struct GradientFit {
   DisplacementGradient gradient;
-  Vec3<double> middle{}, way{};  ///< means of places at t=0, and of displacements
+  Vec3<double> mean_position{}, mean_displacement{};  ///< positions at t=0
 };
 
-/// That of least squares, of every `stride`-th of the vertices from the first on, in the frame of the boxes.
+/// The gradient by least squares over every `stride`-th of the vertices, in the frame of the boxes.
 GradientFit fit_gradient(const Step& step, const BoxFrame& frame, std::span<const Index> vertices, std::size_t stride);
 
 }  // namespace tamis

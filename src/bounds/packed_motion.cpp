@@ -30,29 +30,29 @@ Box box_of(const Positions& positions, std::span<const Index> used) {
   return box;
 }
 
-/// A frame goes with the scene where that makes it so much narrower: three bits more of every coordinate. (Where it
-/// would gain less it stays: the last digits of answers come with it.)
+/// The frame moves with the scene where that makes it so many times narrower, which is three bits of every coordinate.
+/// (Where it gained less it would only change the last digits of answers.)
 constexpr double kMuchNarrower = 8;
 
 BoxFrame frame_of(const Step& step, std::span<const Index> used, double min_separation) {
   const Box start = box_of(step.start, used), end = box_of(step.end, used);
   Box both = start;
   both.include(end);
-  double half = std::max(start.half(), end.half());
-  const bool goes_along = kMuchNarrower * half < both.half();
-  if (!goes_along) half = both.half();
+  double half = std::max(start.half_width(), end.half_width());
+  const bool moves_along = kMuchNarrower * half < both.half_width();
+  if (!moves_along) half = both.half_width();
   BoxFrame frame{};
-  frame.origin = (goes_along ? start : both).middle();
-  frame.origin_at_end = (goes_along ? end : both).middle();
+  frame.origin = (moves_along ? start : both).middle();
+  frame.origin_at_end = (moves_along ? end : both).middle();
   // One binary digit to spare, so that rounding of origin and half width stays inside [-1,1].
   const int exponent = half > 0 ? std::min(-2 - std::ilogb(half), 1000) : 0;
   frame.scale = std::ldexp(1.0, exponent);
-  frame.widening = end.half() / start.half();
+  frame.widening = end.half_width() / start.half_width();
   frame.margin = kRounding + box_distance(0.5 * (min_separation * frame.scale));
   return frame;
 }
 
-/// Whichever comes first, the scaling can neither overflow nor lose more than what underflows.
+/// (to - from) scale, in the order in which neither overflows, nor loses more than underflows.
 double scaled_difference(double to, double from, double scale) {
   return scale < 1 ? to * scale - from * scale : (to - from) * scale;
 }
@@ -62,8 +62,8 @@ Vec3<double> scaled_difference(const double* to, const double* from, double scal
   return {on(0), on(1), on(2)};
 }
 
-/// Of any bit of some numbers.
-class Difference {
+/// Does any bit differ between two sequences of numbers?
+class BitDifference {
  public:
   void add(double a, double b) { bits_ |= std::bit_cast<std::uint64_t>(a) ^ std::bit_cast<std::uint64_t>(b); }
   bool is_any() const { return bits_ != 0; }
@@ -83,12 +83,13 @@ Vec3<double> BoxFrame::displacement(const Step& step, Index vertex) const {
   return scaled_difference(step.end[vertex], origin_at_end.data(), scale) - place(step.start, vertex);
 }
 
-bool PackedMotion::assign(const Step& step, std::span<const Index> used, const Separations& kept_apart) {
+bool PackedMotion::assign(const Step& step, std::span<const Index> used, const Separations& new_separations) {
   TAMIS_ASSERT(step.start.count() == step.end.count());
-  TAMIS_ASSERT(kept_apart.radii.empty() || kept_apart.radii.size() == static_cast<std::size_t>(step.start.count()));
+  TAMIS_ASSERT(new_separations.radii.empty() ||
+               new_separations.radii.size() == static_cast<std::size_t>(step.start.count()));
   const bool is_first = vertices.empty();
-  const double last_separation = std::exchange(separations, kept_apart).fixed;
-  Difference difference;
+  const double last_separation = std::exchange(separations, new_separations).fixed;
+  BitDifference difference;
   difference.add(last_separation, separations.fixed);
   frame = frame_of(step, used, separations.fixed);
   const auto count = static_cast<std::size_t>(step.start.count());

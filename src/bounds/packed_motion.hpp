@@ -1,4 +1,4 @@
-// The vertices of a step as the hot loops want them: one cache line each in doubles for the solver, and floats in a
+// The vertices of a step as the kernels read them: one cache line each in doubles for the solver, and floats in a
 // common frame for the boxes.
 #pragma once
 #include <array>
@@ -20,27 +20,26 @@ struct alignas(64) PackedVertex {
 };
 
 /// A vertex in the frame of the boxes, rounded to nearest: x y z at t=0, then at t=1, its radius (rounded up), one
-/// unused; half a cache line. Or, at t=1 alone, what its displacement has besides a motion that it shares: its
-/// residual.
+/// unused; half a cache line. For residuals (SharedMotion): zeros, then x y z of the residual.
 struct alignas(32) BoxVertex {
   static constexpr int kRadius = 6;
   float at[8] = {};
 };
 
 /// box coordinate = (coordinate - origin) * scale: within [-1,1] for every vertex of the step. Scale is a power of
-/// two and the origin follows the scene, so the unit of length changes no decision. Where the scene goes far as a whole
-/// the frame goes with it, from the first origin to the second: straight, so that all stays linear, and all that two
-/// features have between them stays the same.
+/// two and the origin follows the scene, so the unit of length changes no decision. Where the scene moves far as a
+/// whole the frame moves with it, straight from `origin` to `origin_at_end`: motions stay linear, and relative motions
+/// the same.
 struct BoxFrame {
   std::array<double, 3> origin, origin_at_end;
   double scale;
-  double widening;  ///< how many times as wide the scene is at t=1 as at t=0; NaN: it is a point at both
+  double widening;  ///< the scene's width at t=1 over that at t=0; NaN if it is a point at both
   /// Added on each side of a box: rounding to float is off by 2^-25, the subtraction by 2^-53, and the box's own
   /// subtraction of the margin by 2^-25; plus half the fixed separation. A vertex' radius comes on top.
   float margin;
-  /// What is left of a distance in floats against a fraction of what it was (KeptGap): rounding hides 2^-23 of either,
-  /// since no component of a vector between vertices is off by more than 2^-24; the separation of a pair in floats is
-  /// larger by 2^-22, which is for the first, and is taken off the second.
+  /// Added where KeptGap compares a distance in floats with a fraction of an earlier one: rounding hides 2^-23 of
+  /// either, since no component of a vector between vertices is off by more than 2^-24. A pair's separation in floats
+  /// is larger by 2^-22, which covers the distance compared, but is subtracted from the earlier one.
   static constexpr float kBlur = 0x1p-21f;
   /// The same for residuals, times the residual: rounding to float is off by 2^-24 of it, the box's own subtraction by
   /// as much.
@@ -73,15 +72,16 @@ struct PackedMotion {
   std::vector<PackedVertex> vertices;
   std::vector<BoxVertex> box_vertices;
   std::vector<BoxVertex> residuals;
-  float spread = 0;  ///< how much residuals differ, summed over the axes
+  float spread = 0;  ///< the extent of all residuals, summed over the axes
   BoxFrame frame;
   Separations separations;
 
-  /// Vertices outside `used` are left as they are; so are residuals. False: everything is, to the bit. REQUIRES: as
-  /// many positions at both ends, and as many radii or none. REQUIRES (not checked: O(n)): a validated step.
+  /// Loads the vertices `used` and the separations; residuals stay. Returns false if nothing has changed, to the bit.
+  /// REQUIRES: as many positions at both ends, and as many radii or none. REQUIRES (not checked: O(n)): a validated
+  /// step.
   bool assign(const Step& step, std::span<const Index> used, const Separations& separations);
-  /// Residuals. REQUIRES: as many positions as the step assigned last. REQUIRES (not checked: history): that very step,
-  /// to which the motion has been fitted.
+  /// Computes the residuals beside `shared`. REQUIRES: as many positions as the step assigned last. REQUIRES (not
+  /// checked: history): that very step, to which the motion has been fitted.
   void assign_residuals(const Step& step, const SharedMotion& shared);
   /// What the kernels need of the separations.
   PairSeparation pair_separation() const { return {separations.fixed, !separations.radii.empty()}; }

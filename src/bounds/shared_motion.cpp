@@ -7,31 +7,32 @@
 namespace tamis {
 namespace {
 
-/// About so many are looked at.
+/// About so many are sampled.
 constexpr std::size_t kSampledVertices = 4096, kSampledEdges = 1024;
-/// The room that a gradient takes, for the length of edges: that of boxes eight edges wide, a guess at those of near
-/// pairs. It decides on time alone.
-constexpr double kRoomOfAnEdge = 8 * error_bounds::kRoomOfBoxes;
-/// So much is left beyond the fraction, and distances grow by so much at most: else the room takes more than is won.
+/// The clearance that a gradient costs, over the length of edges: that of boxes eight edges wide, a guess at those of
+/// near pairs. No answer depends on it.
+constexpr double kEdgeAdvanceClearance = 8 * error_bounds::kBoxAdvanceClearance;
+/// The least stretch beyond the fraction, and the greatest: else the clearance costs more than the gradient gains.
 constexpr double kLeastBeyond = 0x1p-4, kGreatestStretch = 4;
 
 Vec3<double> rounded_difference(const double* to, const double* from, double scale) {
   return {scale * (to[0] - from[0]), scale * (to[1] - from[1]), scale * (to[2] - from[2])};
 }
 
-/// How much the ends of edges differ in what is left of their displacements, for the edges' length: root mean square.
-/// Not finite, and no reason for a gradient, where differences are not.
+/// The differences of residuals along edges over the edges' lengths, as root mean squares. Not finite, and no reason
+/// for a gradient, where differences are not.
 double growth_beside(const DisplacementGradient& gradient, const Mesh& mesh, const Step& step, const BoxFrame& frame) {
-  double way2 = 0, length2 = 0;
+  double residual2 = 0, length2 = 0;
   const auto edges = mesh.edges();
   for (std::size_t e = 0; e < edges.size(); e += edges.size() / kSampledEdges + 1) {
     const auto [a, b] = edges[e];
     const Vec3<double> length = rounded_difference(step.start[b], step.start[a], frame.scale);
-    const Vec3<double> way = rounded_difference(step.end[b], step.end[a], frame.scale) - length - gradient.at(length);
-    way2 += dot(way, way);
+    const Vec3<double> residual =
+        rounded_difference(step.end[b], step.end[a], frame.scale) - length - gradient.at(length);
+    residual2 += dot(residual, residual);
     length2 += dot(length, length);
   }
-  return length2 > 0 ? std::sqrt(way2 / length2) : 0;
+  return length2 > 0 ? std::sqrt(residual2 / length2) : 0;
 }
 
 }  // namespace
@@ -40,13 +41,13 @@ void SharedMotion::fit(const Step& step, const BoxFrame& frame, double fraction)
   fit_ = {};
   stretch_ = {};
   const double most = growth_beside({}, mesh_, step, frame) / (1 - fraction);
-  if (!(kRoomOfAnEdge / (1 - fraction) < most)) return;  // whatever it leaves
+  if (!(kEdgeAdvanceClearance / (1 - fraction) < most)) return;  // whatever it leaves
   const auto points = mesh_.points();
   const GradientFit fit = fit_gradient(step, frame, points, points.size() / kSampledVertices + 1);
   const StretchBounds stretch = stretch_bounds(fit.gradient);
   const double left = stretch.least - fraction;
   if (!(left > kLeastBeyond && stretch.greatest <= kGreatestStretch)) return;
-  if (!((growth_beside(fit.gradient, mesh_, step, frame) + kRoomOfAnEdge) / left < most)) return;
+  if (!((growth_beside(fit.gradient, mesh_, step, frame) + kEdgeAdvanceClearance) / left < most)) return;
   fit_ = fit;
   stretch_ = {stretch, true};
 }

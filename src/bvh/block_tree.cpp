@@ -38,9 +38,9 @@ void BlockTree::set_groups(std::span<const Index> group_of_vertex, std::span<con
   groups_.may_touch = group_of_vertex.empty() || may_touch.empty() ? nullptr : may_touch.data();
   groups_.group_count = group_count;
   const auto count = static_cast<std::size_t>(group_count);
-  self_apart_.assign(groups_.may_touch ? count : 0, 0);
-  for (std::size_t group = 0; group < self_apart_.size(); ++group)
-    self_apart_[group] = !may_touch[group * count + group];
+  no_self_contact_.assign(groups_.may_touch ? count : 0, 0);
+  for (std::size_t group = 0; group < no_self_contact_.size(); ++group)
+    no_self_contact_[group] = !may_touch[group * count + group];
 }
 
 void BlockTree::build(const PackedMotion& motion, const OrderAxes& by, const TreeKernels& kernels, const Pause& pause) {
@@ -82,7 +82,7 @@ GroupOrder BlockTree::order_groups(const PackedMotion& motion, Split split) cons
     const auto vertex = static_cast<std::size_t>(vertex_of(static_cast<Index>(i), 0));
     features[i] = {group_of_vertex_[vertex], motion.box_vertices[vertex].at};
   }
-  return tamis::order_groups(features, self_apart_, split);
+  return tamis::order_groups(features, no_self_contact_, split);
 }
 
 void BlockTree::choose_order(const PackedMotion& motion, const OrderAxes& by, Split split, const Pause& pause) {
@@ -101,7 +101,7 @@ void BlockTree::choose_order(const PackedMotion& motion, const OrderAxes& by, Sp
       for (int axis = 0; axis < 3; ++axis)
         centers.at[axis][i] = (sum[axis] + by.time * (sum[3 + axis] - sum[axis])) / static_cast<float>(corners_);
       for (int axis = 0; axis < by.count() - 3; ++axis)
-        centers.at[3 + axis][i] = by.way * (sum[3 + axis] - sum[axis]) / static_cast<float>(corners_);
+        centers.at[3 + axis][i] = by.displacement_weight * (sum[3 + axis] - sum[axis]) / static_cast<float>(corners_);
       centers.feature[i] = feature;
     }
   });
@@ -179,7 +179,7 @@ TreeView BlockTree::view() const {
   for (std::size_t level = 0; level < group_of_block_.size(); ++level)
     view.groups.of[level] = group_of_block_[level].data();
   for (std::size_t level = 0; level < marked_.size(); ++level) view.marked[level] = marked_[level].data();
-  view.leaves_out = groups_.may_touch || !marked_.empty();
+  view.has_exclusions = groups_.may_touch || !marked_.empty();
   return view;
 }
 

@@ -40,12 +40,12 @@ struct TreeView {
   BlockGroups groups;
   /// Of each block of levels[k]: does it hold a feature that is marked? Null: pairs without one are of interest, too.
   const std::uint8_t* marked[kMaxLevels];
-  bool leaves_out;  ///< blocks, by groups or marks
+  bool has_exclusions;  ///< by groups or marks
 };
 
-/// No feature of leaf block `block` of a makes a pair of interest with any of block `other` of level `level` of b: by
-/// their groups, or as none is marked.
-[[gnu::always_inline]] inline bool is_left_out(const TreeView& a, int block, const TreeView& b, int level, int other) {
+/// Does no feature of leaf block `block` of a make a pair of interest with any of block `other` of level `level` of b:
+/// as their groups may not touch, or none is marked?
+[[gnu::always_inline]] inline bool are_excluded(const TreeView& a, int block, const TreeView& b, int level, int other) {
   if (a.marked[0] && !a.marked[0][block] && !b.marked[level][other]) return true;
   if (!a.groups.may_touch) return false;
   const std::ptrdiff_t mine = a.groups.of[0][block], theirs = b.groups.of[level][other];
@@ -72,10 +72,10 @@ class BlockTree {
     corners_ = static_cast<int>(corners);
     vertices_ = features.empty() ? std::span<const Index>() : std::span(features[0].data(), corners * features.size());
   }
-  /// Of the features' first vertices, as PairFilter has them; both empty, or spans that outlive the tree.
+  /// The groups of all vertices, as PairFilter has them; a feature has that of its first vertex. Keeps the spans.
   void set_groups(std::span<const Index> group_of_vertex, std::span<const std::uint8_t> may_touch, Index group_count);
 
-  /// Chooses the order, by these axes, then refits. What `pause` throws leaves a tree that can only be built.
+  /// Chooses the order by these axes, then refits. An exception of `pause` leaves a tree that can only be built again.
   void build(
       const PackedMotion& motion, const OrderAxes& by, const TreeKernels& kernels, const Pause& pause = [] {});
   bool is_built() const { return is_built_; }
@@ -88,20 +88,20 @@ class BlockTree {
   TreeView view() const;
   /// Marks features with a vertex that is not 0 here; empty: views have no marks. REQUIRES: is_built(), or empty.
   void mark(std::span<const std::uint8_t> of_vertex);
-  /// Sums over the leaf blocks of the half area of their hulls, in the frame of the boxes: what a traversal's cost
-  /// grows with.
+  /// Half the surface area of the leaf blocks' hulls, summed, in the frame of the boxes: a traversal's cost grows with
+  /// it.
   struct Areas {
     double at_start = 0, swept = 0;
   };
   Areas areas() const;
   std::uint64_t memory_bytes() const {
-    return held_bytes(corner_blocks_, self_apart_, levels_, residuals_, group_of_block_, marked_);
+    return held_bytes(corner_blocks_, no_self_contact_, levels_, residuals_, group_of_block_, marked_);
   }
 
  private:
-  /// Is there a group that does not touch itself, and another one?
+  /// Is there a group without self-contact, and another one?
   bool separates_groups() const {
-    return groups_.group_count > 1 && std::ranges::find(self_apart_, std::uint8_t{1}) != self_apart_.end();
+    return groups_.group_count > 1 && std::ranges::find(no_self_contact_, std::uint8_t{1}) != no_self_contact_.end();
   }
   Index vertex_of(Index feature, std::size_t corner) const {
     return vertices_[static_cast<std::size_t>(feature) * static_cast<std::size_t>(corners_) + corner];
@@ -122,7 +122,7 @@ class BlockTree {
   Levels levels_, residuals_;
   std::span<const Index> group_of_vertex_;
   BlockGroups groups_{};
-  std::vector<std::uint8_t> self_apart_;            ///< of each group: does it not touch itself?
+  std::vector<std::uint8_t> no_self_contact_;       ///< of each group, as 0 or 1
   std::vector<std::vector<Index>> group_of_block_;  ///< as BlockGroups::of
   std::vector<std::vector<std::uint8_t>> marked_;   ///< as TreeView::marked; empty: no marks
 };

@@ -1,5 +1,5 @@
-// Groups of features that never touch themselves, such as rigid bodies, are kept together in the order of a tree: a
-// block of one such group is not looked at beside others of it.
+// An order by groups: features of a group without self-contact, such as a rigid body, come one after the other in the
+// tree, so that blocks of one such group are never tested against each other.
 #pragma once
 #include <span>
 #include <vector>
@@ -8,7 +8,7 @@
 
 namespace tamis {
 
-/// What of a feature decides where it comes: its group, and a point of it in space (three coordinates).
+/// A feature's sort key: its group, and one of its points (three coordinates).
 struct GroupedFeature {
   Index group;
   const float* at;
@@ -20,9 +20,10 @@ struct GroupOrder {
   std::vector<std::size_t> ends;  ///< of the groups, ascending: places in `features`
 };
 
-/// Groups with `is_apart` come as their middles lie in space, so that neighbours share the block in which one ends and
-/// the next begins; all others are one group. Empty where many groups lie in each other, and an order in space alone
-/// serves better. REQUIRES: `is_apart` of all groups.
-GroupOrder order_groups(std::span<const GroupedFeature> features, std::span<const std::uint8_t> is_apart, Split split);
+/// Orders the groups with `no_self_contact` by their centers in space, so that neighbours share the block in which one
+/// ends and the next begins; all other features are one group. Empty where many groups overlap, and an order in space
+/// alone serves better. REQUIRES: `no_self_contact` of all groups.
+GroupOrder order_groups(std::span<const GroupedFeature> features, std::span<const std::uint8_t> no_self_contact,
+                        Split split);
 
 }  // namespace tamis

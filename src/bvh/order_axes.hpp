@@ -1,4 +1,4 @@
-// By what the features of a step are put in order: by where they are at some time, or also by how far they go.
+// By which coordinates the features of a step are ordered in a tree: positions at some time, or also displacements.
 #pragma once
 #include "bounds/moving_boxes.hpp"
 #include "bounds/packed_motion.hpp"
@@ -6,23 +6,23 @@
 
 namespace tamis {
 
-/// By where features are at `time`; unless `way` is zero also by that part of how far they go.
+/// Positions at `time`; if the weight is not zero, also displacements times that.
 struct OrderAxes {
   float time = 0.5f;
-  float way = 0;
+  float displacement_weight = 0;
 
-  int count() const { return way > 0 ? 6 : 3; }
+  int count() const { return displacement_weight > 0 ? 6 : 3; }
 };
 
-/// What a question looks at most.
+/// Which part of the step a question's search visits most, so that the trees' order should serve it.
 enum class LooksAt : std::uint8_t {
   whole_step,
-  start,      ///< and no more of the step than until a first contact, which comes early where the step is long
-  distances,  ///< of the start, and what becomes of them until the end
+  start,      ///< poses, and `earliest`: where the step is long its first contact comes early
+  distances,  ///< step lengths: distances at the start, and how far they shrink until the end
 };
 
-/// The order that serves it best, judged by every sixteenth of `points` (docs/history/performance.md, "What is near at
-/// the start").
+/// The axes whose order serves the question best, judged by every sixteenth of `points` (docs/history/performance.md,
+/// "What is near at the start").
 OrderAxes order_axes(const PackedMotion& motion, std::span<const Index> points, LooksAt looks_at, Split split);
 
 }  // namespace tamis

@@ -16,17 +16,17 @@ struct Halving {
   const Split split;
   const Pause& pause;
   const std::span<const std::size_t> ends;
-  Index* const order;  ///< where features go at last
+  Index* const order;  ///< the result
 };
 
-/// Some centers that come one after the other, from place `first` on.
+/// A range of the centers, from place `first` on.
 struct CenterRange {
   Centers centers, scratch;
   std::size_t first, count;
-  Reach reach;
+  ExtentBounds extents;
 
   CenterRange part(std::size_t from, std::size_t to) const {
-    return {centers.from(from), scratch.from(from), first + from, to - from, reach};
+    return {centers.from(from), scratch.from(from), first + from, to - from, extents};
   }
 };
 
@@ -39,7 +39,7 @@ void copy(const Centers& from, const Centers& to, std::size_t count) {
   std::copy_n(from.feature, count, to.feature);
 }
 
-/// Only in the group that the cut goes through features change places.
+/// Features change places only within the group that the cut goes through.
 Halves split_at(const CenterRange& range, std::size_t lower, const Halving& how) {
   const auto end = std::ranges::upper_bound(how.ends, range.first + lower);
   const std::size_t group_begin = end == how.ends.begin() ? 0 : *std::prev(end);
@@ -49,10 +49,10 @@ Halves split_at(const CenterRange& range, std::size_t lower, const Halving& how)
   Halves halves{range.part(0, lower), range.part(lower, range.count)};
   if (from == lower) return halves;
   const CenterRange group = range.part(from, to);
-  const PartsReach reach = how.split(group.centers, group.scratch, group.count, lower - from, group.reach);
+  const HalvesExtents extents = how.split(group.centers, group.scratch, group.count, lower - from, group.extents);
   if (group.count == range.count) {
-    halves.low.reach = reach.low;
-    halves.high.reach = reach.high;
+    halves.low.extents = extents.low;
+    halves.high.extents = extents.high;
   }
   const CenterRange behind = range.part(to, range.count);
   copy(behind.centers, behind.scratch, behind.count);
@@ -60,8 +60,8 @@ Halves split_at(const CenterRange& range, std::size_t lower, const Halving& how)
   return halves;
 }
 
-/// In whole blocks of the largest level that has several, so that every block of every level of the tree is one box of
-/// space.
+/// Cuts between blocks of the largest level of which the range has several, so that every block of every level of the
+/// tree is made by such cuts.
 void halve(const CenterRange& range, const Halving& how) {
   constexpr std::size_t kParallelFrom = 8192;
   const std::size_t count = range.count;
@@ -100,7 +100,7 @@ Centers CenterStore::view() {
 void order_in_space(const Centers& centers, std::size_t count, Split split, const Pause& pause,
                     std::span<const std::size_t> ends) {
   CenterStore scratch(count, centers.axes);
-  Reach unknown;
+  ExtentBounds unknown;
   std::ranges::fill(unknown.along, std::numeric_limits<float>::infinity());
   halve({centers, scratch.view(), 0, count, unknown}, {split, pause, ends, centers.feature});
 }

@@ -1,4 +1,4 @@
-// The order of features in a block tree.
+// Orders features in space, so that every block of a tree over them is compact.
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -10,8 +10,8 @@
 
 namespace tamis {
 
-/// Centers of features, [axis], and whose they are: parallel arrays. Three axes, or six: where the centers are at
-/// OrderAxes::time, then OrderAxes::way of how far they go.
+/// Coordinates of feature centers, [axis], and the features' numbers: parallel arrays. Three axes, the positions at
+/// OrderAxes::time, or six: then their displacements, too, times OrderAxes::displacement_weight.
 struct Centers {
   static constexpr int kMostAxes = 6;
   float* at[kMostAxes];
@@ -26,25 +26,24 @@ struct Centers {
   }
 };
 
-/// Centers reach no farther along each axis.
-struct Reach {
-  float along[Centers::kMostAxes];
+/// Upper bounds of the extents of some centers along each axis.
+struct ExtentBounds {
+  float along[Centers::kMostAxes];  ///< each axis
 };
-struct PartsReach {
-  Reach low, high;
+struct HalvesExtents {
+  ExtentBounds low, high;
 };
 
-/// Splits `count` centers along their longest axis. The `lower` ones that come first (of equal ones those in front)
-/// move to the front of `centers`, the others to `scratch`, from place `lower` on; both stay in their order. What else
-/// lies before place `count` is lost. `reach`: of all. REQUIRES (not checked: each): finite coordinates; 0 < lower <
-/// count. One of the kernels.
-using Split = PartsReach (*)(const Centers& centers, const Centers& scratch, std::size_t count, std::size_t lower,
-                             Reach reach);
+/// Splits `count` centers along their longest axis, in a stable way: the `lower` lowest move to the front of `centers`,
+/// the others to `scratch`, from place `lower` on. The rest of both, up to place `count`, is overwritten. `extents`: of
+/// all centers. REQUIRES (not checked: each): finite coordinates; 0 < lower < count. One of the kernels.
+using Split = HalvesExtents (*)(const Centers& centers, const Centers& scratch, std::size_t count, std::size_t lower,
+                                ExtentBounds extents);
 
-/// Called now and then, from several threads; what it throws ends the work.
+/// Called now and then, from several threads; an exception that it throws ends the work.
 using Pause = std::function<void()>;
 
-/// Memory for centers, not set.
+/// Memory for centers, not initialized.
 class CenterStore {
  public:
   CenterStore(std::size_t count, int axes);
@@ -57,10 +56,10 @@ class CenterStore {
   RawArray<Index> features_;
 };
 
-/// Orders the features of centers, whose coordinates are lost, such that every sixteen, and every sixteen times
-/// sixteen, and so on, lie close together: halved again and again along the longest axis. Costs more than a Morton
-/// order, and saves as much on every question (docs/history/performance.md). The same for any number of threads.
-/// `ends`: where centers come in groups, ascending, the places at which these end; they stay one after the other.
+/// Orders the features such that every sixteen, every sixteen times sixteen, and so on, lie close together: by halving
+/// again and again along the longest axis. Overwrites the coordinates. Costs more than a Morton order, and saves as
+/// much on every question (docs/history/performance.md). The same for any number of threads. `ends`: where the centers
+/// are in groups, the places at which these end, ascending; groups stay one after the other.
 void order_in_space(const Centers& centers, std::size_t count, Split split, const Pause& pause,
                     std::span<const std::size_t> ends = {});
 

@@ -9,15 +9,16 @@
 namespace tamis {
 namespace {
 
-/// Steps to look ahead: more when all predicted ones came, fewer where vertices deviate.
+/// Steps to predict: more after all predicted ones came, fewer where vertices deviate.
 constexpr double kFewestSteps = 4, kFirstSteps = 8, kMostSteps = 32;
-/// Slack, in mean edges: the least, which costs nothing; the most, beyond which fewer steps are predicted.
+/// Slack in mean edges: the least, which costs nothing, and the most, which limits how many steps are predicted.
 constexpr double kLeastSlackInEdges = 0x1p-12, kMostSlackInEdges = 0x1p-4;
-/// After one step: with more the fewest steps need more than the most slack.
+/// Deviation after one step with which kFewestSteps still need no more than the most slack.
 constexpr double kMostDeviationInEdges = kMostSlackInEdges / (kFewestSteps * kFewestSteps);
-/// Lists that serve fewer queries cost more than they save.
+/// Queries that lists must serve to be worth their cost.
 constexpr int kQueriesWorthLists = 2, kQueriesWorthListsOfOneStep = 1;
-/// A step that is not free is found to be so by a fraction of what lists cost, and often no later one is free.
+/// Free queries in a row before lists are made for is_free: a step with a contact is found by a fraction of what lists
+/// cost, and those after it often have one too.
 constexpr int kFreeWorthLists = 2;
 constexpr int kFirstPauseInQueries = 2;
 
@@ -26,7 +27,7 @@ constexpr float kTimeRounding = 0x1p-22f;
 
 std::vector<Index> some_of(std::span<const Index> points) {
   std::vector<Index> some;
-  for (std::size_t i = 0; i < points.size(); i += 1 + points.size() / Forecast::kSampleVertices)
+  for (std::size_t i = 0; i < points.size(); i += 1 + points.size() / PredictedStep::kSampleVertices)
     some.push_back(points[i]);
   return some;
 }
@@ -38,7 +39,7 @@ PairsAhead::PairsAhead(const Mesh& mesh)
 
 bool PairsAhead::begin(const Query& query) {
   if (!are_listed_ || query.is_piece || query.separations.fixed > separation_) return false;
-  if (!follows_prediction(query.step) || when_.t_in > until_) return false;
+  if (!follows_prediction(query.step) || when_.t_in > listed_until_) return false;
   // A first contact may lie within what is listed; all contacts do not.
   if (query.question == Question::all_contacts && !covers(when_.t_out)) return false;
   next_.make(query.step, sample_, kFirstSteps);
@@ -58,16 +59,16 @@ bool PairsAhead::plan(const Query& query) {
   const Step& step = query.step;
   if (are_listed_) learn();
   forget();
-  std::optional<Forecast::Fit> fit;
+  std::optional<PredictedStep::Fit> fit;
   if (next_.is_made()) {
     edge_ = mean_edge(mesh_, step.start);
     fit = next_.fit(step, kMostDeviationInEdges * edge_);
   }
   next_.make(step, sample_, kFirstSteps);
   if (!fit) return false;
-  starts_again_ = fit->start == 0 && fit->deviation <= kLeastSlackInEdges * edge_;
+  same_start_ = fit->start == 0 && fit->deviation <= kLeastSlackInEdges * edge_;
   const bool is_promising =
-      starts_again_ ? plan_again(query.question, kFirstSteps * fit->end) : plan_steps(query.question, *fit);
+      same_start_ ? plan_for_same_start(query.question, kFirstSteps * fit->end) : plan_steps(query.question, *fit);
   if (!is_promising) return false;
   if (pause_.left > 0) {
     pause_.tick();
@@ -79,26 +80,27 @@ bool PairsAhead::plan(const Query& query) {
   return follows_prediction(step);
 }
 
-/// From the same start in the same direction, `length` times as far as the last query. The lists are for this step,
-/// until its first contact where no later one is asked for. False: that contact is not known.
-bool PairsAhead::plan_again(Question question, double length) {
+/// Plans lists for a step from the last query's start in the same direction, `length` times as long: for this step
+/// alone, and where only the first contact is asked for, until the time of the last query's. Returns false if that is
+/// unknown.
+bool PairsAhead::plan_for_same_start(Question question, double length) {
   constexpr double kBeyond = 1 + 0x1p-10, kLeast = 0x1p-20;
   steps_listed_ = 1;
   slack_ = kLeastSlackInEdges * edge_;
-  until_ = 1;
+  listed_until_ = 1;
   if (question == Question::all_contacts) return true;
   if (!no_contact_before_) return false;
   if (*no_contact_before_ >= 1 || *no_contact_before_ > kBeyond * length) return true;
-  until_ = static_cast<float>(std::min(1.0, kBeyond * *no_contact_before_ / length + kLeast));
+  listed_until_ = static_cast<float>(std::min(1.0, kBeyond * *no_contact_before_ / length + kLeast));
   return question == Question::earliest;
 }
 
-/// Of steps that go on as the last one did.
-bool PairsAhead::plan_steps(Question question, const Forecast::Fit& fit) {
+/// Plans lists for several steps that go on as the last one did.
+bool PairsAhead::plan_steps(Question question, const PredictedStep::Fit& fit) {
   if (question == Question::is_free && free_in_row_ < kFreeWorthLists) return false;
   steps_listed_ = steps_to_foresee(fit.deviation);
   slack_ = std::max(kLeastSlackInEdges * edge_, steps_listed_ * steps_listed_ * fit.deviation);
-  until_ = 1;
+  listed_until_ = 1;
   return fit.start > 0 && steps_listed_ >= kFewestSteps;
 }
 
@@ -120,35 +122,35 @@ bool PairsAhead::follows_prediction(const Step& step) {
   return true;
 }
 
-/// `deviation`: after one step. It grows as the square of the steps, where something pulls or pushes.
+/// `deviation`: after one step. Under a constant force it grows with the square of the number of steps.
 double PairsAhead::steps_to_foresee(double deviation) const {
   return std::floor(std::min(steps_, std::sqrt(kMostSlackInEdges * edge_ / deviation)));
 }
 
-/// From what became of the lists.
+/// Adapts the pause and the number of steps to how many queries the lists served.
 void PairsAhead::learn() {
-  if (queries_served_ < (starts_again_ ? kQueriesWorthListsOfOneStep : kQueriesWorthLists))
+  if (queries_served_ < (same_start_ ? kQueriesWorthListsOfOneStep : kQueriesWorthLists))
     pause_.begin();
   else
     pause_.lists_were_worth_it();
-  if (starts_again_) return;
+  if (same_start_) return;
   const bool have_all_come = queries_served_ + 1 >= steps_listed_;
   steps_ = have_all_come ? std::min(2 * steps_, kMostSteps) : std::max(steps_ / 2, kFewestSteps);
 }
 
-/// is_free: that of as many searches as are known to have ended nowhere, so that lists cost no more than twice what is
-/// best in hindsight; more where more steps are foreseen, since all of those before came. The others are asked of every
-/// step to its end, and lists that cost several of their searches have paid (docs/history/performance.md, "Lists that
-/// cost too much").
+/// For is_free: the work of as many searches as were free in a row, so that lists cost no more than twice what is best
+/// in hindsight; more where more steps are predicted, since all predicted ones came before. No limit for the other
+/// questions, which search every step to its end: there lists that cost several searches have paid
+/// (docs/history/performance.md, "Lists that cost too much").
 std::uint64_t PairsAhead::most_work(Question question) const {
   if (question != Question::is_free) return std::numeric_limits<std::uint64_t>::max();
   const auto searches = std::max<std::uint64_t>(kFreeWorthLists, static_cast<std::uint64_t>(steps_listed_) / 4);
   return (searches - 1) * last_search_.trees + searches * last_search_.pairs;
 }
 
-bool PairsAhead::complete(bool hold_all) {
-  are_listed_ = hold_all;
-  if (hold_all) return true;
+bool PairsAhead::keep_if_complete(bool is_complete) {
+  are_listed_ = is_complete;
+  if (is_complete) return true;
   steps_ = std::max(steps_ / 2, kFewestSteps);
   pause_.begin();
   forget();

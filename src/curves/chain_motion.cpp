@@ -13,7 +13,7 @@
 namespace tamis {
 namespace {
 
-/// Also what is no number.
+/// True also of NaN.
 bool turns_far(const Link& link) {
   const auto is_far = [](const Pose& pose) {
     const auto [x, y, z] = pose.rotation;
@@ -143,7 +143,7 @@ Point fixed_axis(const Chain& chain) {
 
 ChainBounds::LinkBounds::LinkBounds(const Link& link)
     : turn(change(link.start.rotation, link.end.rotation)),
-      way(change(link.start.position, link.end.position)),
+      displacement(change(link.start.position, link.end.position)),
       position(farthest(link.start.position, link.end.position)) {}
 
 ChainBounds::ChainBounds(const Chain& chain)
@@ -153,17 +153,17 @@ ChainBounds::ChainBounds(const Chain& chain)
 /// Bounds of y and its derivatives, y being the point as one link after the other has moved it. With |R'| <= w and
 /// |R''| <= w^2 for a rotation vector that changes by w (docs/numerics.md, "Curved motion"):
 ///   y' = R' x + R x' + p',   y'' = R'' x + 2 R' x' + R x''.
-Curvature ChainBounds::of(double at, double way) const {
-  Interval place(at), speed(way), acceleration(0);
-  double reach = 0;  // the outermost position moves linearly: no chord deviates from it
+Curvature ChainBounds::of(double from_origin, double displacement) const {
+  Interval place(from_origin), speed(displacement), acceleration(0);
+  double orbit_radius = 0;  // without the outermost position, which moves linearly: no chord deviates from it
   for (auto link = links_.rbegin(); link != links_.rend(); ++link) {
-    if (link + 1 == links_.rend()) reach = place.upper;
+    if (link + 1 == links_.rend()) orbit_radius = place.upper;
     const Interval& w = link->turn;
     acceleration = w * w * place + Interval(2) * w * speed + acceleration;
-    speed = w * place + speed + link->way;
+    speed = w * place + speed + link->displacement;
     place = place + link->position;
   }
-  return {acceleration.upper, reach};
+  return {acceleration.upper, orbit_radius};
 }
 
 }  // namespace tamis

@@ -1,5 +1,5 @@
-// How a chain of links moves a body: where it is at a time, in doubles with what they are off by, and how much the
-// curves of its points bend.
+// How a chain of links moves a body: where it is at a time, in doubles with error bounds, and how much the curves of
+// its points bend.
 #pragma once
 #include <algorithm>
 #include <array>
@@ -59,8 +59,7 @@ struct RoundedTransform {
   }
 };
 
-/// A chain, with those of its links that stay where they are turned once for all times: the inner one of each of
-/// `turned`.
+/// A chain whose links that do not move, as the inner one of `turned`, are evaluated once for all times.
 class ChainWithStillLinks {
  public:
   explicit ChainWithStillLinks(Chain chain = {});
@@ -72,8 +71,8 @@ class ChainWithStillLinks {
   std::vector<std::optional<RoundedTransform>> still_;  ///< of each link
 };
 
-/// Where chains take bodies at one time. Of a chain that begins as the last one did, as those of the links of one arm
-/// do, only the other links are turned anew.
+/// Where chains take bodies at one time. If a chain begins like the last one, as those of an arm's links do, only the
+/// links that differ are evaluated.
 class ChainsAt {
  public:
   explicit ChainsAt(double time) : time_(time) {}
@@ -90,14 +89,14 @@ class ChainsAt {
 /// turns are parallel. Zeros where there is none, or nothing turns.
 Point fixed_axis(const Chain& chain);
 
-/// Of one point, over the whole step.
+/// Of one point's curve, over the whole step.
 struct Curvature {
   double acceleration;  ///< |x''| is at most this
-  double reach;         ///< x(t), less what moves linearly, stays this near to a point
+  double orbit_radius;  ///< x(t), less what moves linearly, stays within this of one point
 
-  /// How far it is at most from its chord on a piece, by that one's chord_factor.
+  /// An upper bound of the distance from the chord on a piece with that chord_factor.
   double deviation(const Interval& factor) const {
-    return std::min((factor * Interval(acceleration)).upper, 2 * reach);
+    return std::min((factor * Interval(acceleration)).upper, 2 * orbit_radius);
   }
 };
 
@@ -106,9 +105,9 @@ class ChainBounds {
  public:
   explicit ChainBounds(const Chain& chain);
 
-  /// Of a point no farther than `place` from the origin of the body's frame, in which it goes straight by `way`.
-  /// Linear in `place`, but for rounding.
-  Curvature of(double place, double way) const;
+  /// Of a point no farther than `from_origin` from the origin of the body's frame, in which it moves by `displacement`.
+  /// Linear in `from_origin`, but for rounding.
+  Curvature of(double from_origin, double displacement) const;
   /// Does any link turn? If not, points go straight.
   bool turns() const { return turns_; }
 
@@ -116,7 +115,7 @@ class ChainBounds {
   /// Of one link: how far its rotation vector changes, how far its position does, and how far that is from zero.
   struct LinkBounds {
     explicit LinkBounds(const Link& link);
-    Interval turn, way, position;
+    Interval turn, displacement, position;
   };
   std::vector<LinkBounds> links_;
   bool turns_;

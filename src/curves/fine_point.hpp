@@ -1,4 +1,4 @@
-// From enclosures to what a path answers: a number and its error, a bound of how far a curve is from its chord.
+// From enclosures to what a path answers: a number and a bound of its error.
 #pragma once
 #include <algorithm>
 
@@ -7,13 +7,6 @@
 #include "tamis/path.hpp"
 
 namespace tamis {
-
-/// Times the acceleration: how far a curve is from its chord on a piece of that length.
-inline Interval chord_factor(const Interval& length) { return Interval(0.125) * length * length; }
-/// Of a curve with |x''| <= acceleration, rounded up.
-inline double chord_deviation(double acceleration, const Interval& length) {
-  return (chord_factor(length) * Interval(acceleration)).upper;
-}
 
 template <class T>
 Vec3<BasicInterval<T>> enclosed(const Point& p) {
@@ -25,7 +18,7 @@ struct RoundedNumber {
   double value, error;
 };
 
-/// The farthest of the interval from a number in it.
+/// The largest distance of a point of the interval from a number in it.
 template <class T>
 double farthest_from(const T& number, const BasicInterval<T>& x) {
   using I = BasicInterval<T>;

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "curves/chain_motion.hpp"
+#include "curves/chord_deviation.hpp"
 #include "curves/fine_point.hpp"
 #include "curves/rigid_transform.hpp"
 #include "tamis/error.hpp"
@@ -48,10 +49,10 @@ RigidPath::RigidPath(std::vector<Point> rest, std::vector<Index> body_of_vertex,
   for (const Chain& chain : chains) axes_.push_back(fixed_axis(chain));
   for (std::size_t v = 0; v < rest_.size(); ++v) {
     const ChainBounds& of_body = bounds[at(body_of_vertex_[v])];
-    const double way = rest_[v] == rest_end_[v] ? 0 : change(rest_[v], rest_end_[v]);
-    const Curvature curve = of_body.of(farthest(rest_[v], rest_end_[v]), way);
+    const double displacement = rest_[v] == rest_end_[v] ? 0 : change(rest_[v], rest_end_[v]);
+    const Curvature curve = of_body.of(farthest(rest_[v], rest_end_[v]), displacement);
     accelerations_.push_back(curve.acceleration);
-    reaches_.push_back(curve.reach);
+    orbit_radii_.push_back(curve.orbit_radius);
   }
 }
 
@@ -98,7 +99,7 @@ void RigidPath::deviations(double from, double to, std::span<const Index> vertic
   const Interval factor = chord_factor(Interval(to) - Interval(from));
   for (std::size_t i = 0; i < vertices.size(); ++i) {
     const auto v = at(vertices[i]);
-    deviations[i] = Curvature{accelerations_[v], reaches_[v]}.deviation(factor);
+    deviations[i] = Curvature{accelerations_[v], orbit_radii_[v]}.deviation(factor);
   }
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include "curves/chord_deviation.hpp"
 #include "curves/fine_point.hpp"
 #include "numerics/error_bounds.hpp"
 #include "numerics/finite.hpp"

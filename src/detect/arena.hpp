@@ -1,4 +1,4 @@
-// Where the work of a question runs.
+// The oneTBB arena in which a question runs: the caller's, or one with a number of threads of its own.
 #pragma once
 #include <tbb/task_arena.h>
 

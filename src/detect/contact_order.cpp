@@ -16,7 +16,7 @@ constexpr std::size_t kContactsPerPause = std::size_t{1} << 14;
 /// With fewer contacts the buckets would be most of the work.
 constexpr std::size_t kVerticesPerContact = 64;
 
-/// f(i) of all i below `count`, in order, `pause` now and then.
+/// Calls f(i) for all i below `count`, in order, and `pause` now and then.
 template <class F>
 void for_each_place(std::size_t count, const std::function<void()>& pause, const F& f) {
   for (std::size_t first = 0; first < count; first += kContactsPerPause) {

@@ -1,5 +1,5 @@
-// What only the library says to a detector: which engine it asks, if not the library's own (validation, order and
-// curved motion are the same), how a path is cut, and what else its state can be asked.
+// The library's own access to a detector: to make one with another engine (validation, order and curved motion are the
+// same), to cut a path at given times, and to ask its state.
 #pragma once
 #include <functional>
 #include <span>
@@ -12,7 +12,7 @@ namespace tamis {
 /// Keeps references to mesh and options, which outlive the engine, as all engines do.
 using MakeEngine = std::function<std::unique_ptr<Engine>(const Mesh&, const Options&)>;
 
-/// Its pieces end at `ends`: ascending, the last one 1; none: as deviations ask for.
+/// A path, and the ends of its pieces: ascending, the last one 1; empty: as deviations ask for.
 struct CutPath {
   const Path& path;
   std::span<const double> ends = {};

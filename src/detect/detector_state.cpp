@@ -12,7 +12,7 @@
 #include "numerics/held_bytes.hpp"
 #include "numerics/number_text.hpp"
 #include "query/cancellation.hpp"
-#include "query/pair_rules.hpp"
+#include "query/pair_vertices.hpp"
 #include "tamis/error.hpp"
 
 namespace tamis {
@@ -88,7 +88,7 @@ void Detector::State::refuse_start(const Query& query, const Contact& touching) 
 
 const std::vector<Contact>& Detector::State::find_contacts(const Step& step, const QueryOptions& asked) {
   Query all = validated_query(step, asked);
-  all.is_by_pair = serves_world_;
+  all.depends_on_pair_alone = serves_world_;
   find(all);
   const auto& contacts = found.contacts();
   if (asked.at_start != AtStart::fail) return contacts;
@@ -154,9 +154,9 @@ TruncatedStep Detector::State::truncate(const Step& step, double keep, const Que
 
 TruncatedStep Detector::State::truncate(const Query& whole, double keep, AtStart at_start, Stored stored) {
   const KeptFractions fractions(keep);
-  const double together = step_length(whole, fractions.together, at_start).lower;
+  const double common_time = step_length(whole, fractions.together, at_start).lower;
   TruncatedStep answer;
-  measure_more([&] { answer = Truncation(mesh, whole, fractions, stored, *engine_, statistics).run(together); });
+  measure_more([&] { answer = Truncation(mesh, whole, fractions, stored, *engine_, statistics).run(common_time); });
   return answer;
 }
 
@@ -171,7 +171,7 @@ const std::vector<NearPair>& Detector::State::find_near(const Positions& positio
 const std::vector<Intersection>& Detector::State::find_intersections(const Positions& positions, Question question) {
   validate(positions, mesh, "the pose");
   Query asked = query({positions, positions}, {}, question);
-  asked.is_by_pair = serves_world_;
+  asked.depends_on_pair_alone = serves_world_;
   measure([&] { engine_->find_intersections(asked, intersections_, statistics); });
   return intersections_;
 }

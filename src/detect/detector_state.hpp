@@ -16,9 +16,9 @@ namespace tamis {
 
 struct Detector::State {
   State(Mesh m, Options o, const MakeEngine& make_engine);
-  /// Of a mesh whose bodies and radii are a world's, before the first question. Radii are those of the vertices: so
-  /// they make no groups. All contacts and intersections have the bits of their pair alone (Query::is_by_pair).
-  /// REQUIRES: a radius each, no radii of the options. REQUIRES (not checked: O(n)): finite and >= 0.
+  /// Prepares for a world, before the first question: `radii` are those of the vertices, without groups, and all
+  /// contacts and intersections depend on their pair alone (Query::depends_on_pair_alone). REQUIRES: a radius each, no
+  /// radii of the options. REQUIRES (not checked: O(n)): finite and >= 0.
   void serve_world(std::vector<double> radii);
 
   /// All, those of `found`.

@@ -5,10 +5,9 @@
 
 #include "detect/pair_faults.hpp"
 #include "narrow/decide.hpp"
-#include "narrow/separation.hpp"
 #include "numerics/assert.hpp"
 #include "query/cancellation.hpp"
-#include "query/pair_rules.hpp"
+#include "query/pair_vertices.hpp"
 #include "search/pair_buffer.hpp"
 
 namespace tamis {
@@ -22,7 +21,7 @@ bool are_rows(const Pair& pair, Index rows) {
   return result;
 }
 
-/// Pairs of one kind on their way through the lanes.
+/// A batch of pairs of one kind.
 struct Batch {
   static constexpr int kPairsPerBatch =
       128;  // so that the vertices they name, fetched as they come, stay in the first cache

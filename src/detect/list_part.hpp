@@ -1,4 +1,4 @@
-// One thread's part of a list of pairs: through the lanes, and one by one what those leave undecided.
+// Decides one thread's part of a list of pairs: in lanes, and singly what those leave undecided.
 #pragma once
 #include <functional>
 #include <span>

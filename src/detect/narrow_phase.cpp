@@ -44,7 +44,7 @@ void validate(PairKind kind, std::span<const Point> start, std::span<const Point
                     " at the start and " + std::to_string(end.size()) + " at the end of the step: give as many");
 }
 
-/// `pairs_of(first, last)`: what a part of the list is. False: some pair is not legal.
+/// `pairs_of(first, last)`: a part of the list. Returns false if some pair is not legal.
 template <class PairsOf>
 bool decide_in_parts(std::span<PairResult> results, const PairOptions& options, const PairsOf& pairs_of) {
   constexpr std::size_t kGrain = 8192;
@@ -65,7 +65,7 @@ bool decide_in_parts(std::span<PairResult> results, const PairOptions& options, 
   return is_legal;
 }
 
-/// Pairs that come as points, as a list of its own.
+/// A list of pairs made of points.
 struct OwnPairs {
   OwnPairs(PairKind kind, std::span<const Point> start, std::span<const Point> end)
       : pairs(start.size() / vertex_count(kind)), step{start, end} {

@@ -1,4 +1,4 @@
-// Pairs in sentences: their features, and what may be wrong with a pair that names rows of a step.
+// Sentences about pairs: their features, and what may be wrong with a pair that names rows of a step.
 #pragma once
 #include <string>
 

@@ -9,28 +9,29 @@
 namespace tamis {
 namespace {
 
-/// The least part of that room for a feature that moves.
-constexpr double kLeastPart = 1.0 / 64;
+/// The least share of the gap between the features for one that moves.
+constexpr double kLeastShare = 1.0 / 64;
 
-/// The first feature's part of the room between the features: the faster one has more.
-double first_part(double first_speed, double second_speed) {
+/// The first feature's share of the gap: the faster feature gets more.
+double first_share(double first_speed, double second_speed) {
   const double speeds = first_speed + second_speed;
   if (!(speeds > 0)) return 0.5;
-  const double part = first_speed / speeds;
-  return part == 0 || part == 1 ? part : std::clamp(part, kLeastPart, 1 - kLeastPart);
+  const double share = first_speed / speeds;
+  return share == 0 || share == 1 ? share : std::clamp(share, kLeastShare, 1 - kLeastShare);
 }
 
-/// When does what is at `place` at the time `from` come to the level? At once if it is beyond, and still is at the end.
-double time_at(double level, double place, double speed, double from) {
+/// When does a point that is at `place` at the time `from` reach the level? At once if it is beyond, and still is at
+/// t=1.
+double time_of_reaching(double level, double place, double speed, double from) {
   if (place + (1 - from) * speed <= level) return 1;
   const double time = from + (level - place) / speed;
   return place <= level && time > from ? std::min(time, 1.0) : from;  // not a number: not beyond
 }
 
-/// How far rounding moves a vertex along n at most.
+/// An upper bound of how far rounding moves a vertex along n.
 double rounding_along(const Point& n, const Point& start, const Point& end, Stored stored) {
   double sum = 0;
-  for (std::size_t k = 0; k < 3; ++k) sum += std::fabs(n[k]) * most_rounding(start[k], end[k], stored);
+  for (std::size_t k = 0; k < 3; ++k) sum += std::fabs(n[k]) * max_rounding(start[k], end[k], stored);
   return sum;
 }
 
@@ -61,12 +62,12 @@ std::array<double, 4> planar_times(const NearPair& there, const PairPoints& poin
   const double at_start = time > 0 ? start_distance(there.kind, points) : there.distance;
   const double clearance = at_start - rule.separation;
   const double kept = clearance > 0 ? rule.separation + rule.fractions.between_planes(time) * clearance : at_start;
-  const double room = std::max(above - below - kept, 0.0), part = first_part(first_speed, second_speed);
-  const double first_level = below + part * room, second_level = above - (1 - part) * room;
+  const double gap = std::max(above - below - kept, 0.0), share = first_share(first_speed, second_speed);
+  const double first_level = below + share * gap, second_level = above - (1 - share) * gap;
   for (std::size_t i = 0; i < count; ++i) {
     const double rounding = rounding_along(n, points.start[i], points.end[i], rule.stored);
-    times[i] = i < second ? time_at(first_level - rounding, places[i], speeds[i], time)
-                          : time_at(-second_level - rounding, -places[i], -speeds[i], time);
+    times[i] = i < second ? time_of_reaching(first_level - rounding, places[i], speeds[i], time)
+                          : time_of_reaching(-second_level - rounding, -places[i], -speeds[i], time);
   }
   return times;
 }

@@ -10,7 +10,7 @@
 
 namespace tamis {
 
-/// The nearest of them.
+/// x, rounded to the nearest number that is stored.
 inline double rounded(double x, Stored stored) {
   return stored == Stored::float32 ? static_cast<double>(static_cast<float>(x)) : x;
 }
@@ -22,9 +22,9 @@ inline std::vector<Point> rounded(const Positions& positions, Stored stored) {
   return points;
 }
 
-/// About how far rounding moves a coordinate at most on its way between two of these sizes: half a unit in the last
-/// place. 0 for doubles, whose rounding is less than the part of each distance that plans leave.
-inline double most_rounding(double start, double end, Stored stored) {
+/// An upper bound of the rounding of a coordinate between these two: half a unit in the last place. 0 for doubles,
+/// whose rounding is covered by what KeptFractions::between_planes adds.
+inline double max_rounding(double start, double end, Stored stored) {
   if (stored == Stored::float64) return 0;
   return 0x1p-24 * std::max(std::fabs(start), std::fabs(end)) + 0x1p-150;
 }

@@ -8,28 +8,28 @@
 #include "numerics/assert.hpp"
 #include "numerics/in_parts.hpp"
 #include "numerics/length.hpp"
-#include "query/pair_rules.hpp"
+#include "query/pair_vertices.hpp"
 #include "topology/at.hpp"
-#include "topology/largest_beside.hpp"
 #include "topology/mean_edge.hpp"
+#include "topology/neighbourhood_maximum.hpp"
 
 namespace tamis {
 namespace {
 
-/// Beyond the place up to which all go together no vertex goes farther than this many mean edges: there would be too
-/// many pairs that it could meet.
+/// After the common time no vertex goes farther than this many mean edges, as there would be too many pairs that it
+/// could meet.
 constexpr double kFarthestInEdges = 0.25;
-/// Rounds in which only the pairs that need planes get them. In a stack each body stops one round after the one below.
-/// Recorded steps take 3 to 20.
+/// Rounds in which only broken pairs get planes. In a stack each body stops one round after the one below; recorded
+/// steps take 3 to 20.
 constexpr int kRounds = 32;
-/// Rounds in which all pairs have planes and only vertices of pairs that are not proven go back; then all vertices do.
+/// Rounds in which all pairs have planes, and only vertices of broken pairs go back; after them all vertices do.
 constexpr int kRoundsOnOwnSides = 8;
-/// The part of its distance that a pair keeps which starts within its separation.
+/// The part of its distance that a pair which starts within its separation keeps.
 constexpr double kAllButAMillionth = 1 - 0x1p-20;
 /// In a part of a loop that threads share; a pair takes a microsecond or two.
 constexpr std::size_t kPairsWorthSharing = 64;
 
-double length_of_way(const Step& step, Index v) {
+double displacement_length(const Step& step, Index v) {
   const double *from = step.start[v], *to = step.end[v];
   return length_of(to[0] - from[0], to[1] - from[1], to[2] - from[2]);
 }
@@ -48,51 +48,51 @@ Truncation::Truncation(const Mesh& mesh, const Query& query, const KeptFractions
   TAMIS_ASSERT(step_.start.count() == mesh.vertex_count() && step_.end.count() == mesh.vertex_count());
 }
 
-TruncatedStep Truncation::run(double together) {
-  TAMIS_ASSERT(0 <= together && together <= 1);
-  begin(together);
-  if (together == 1) return std::move(to_);
+TruncatedStep Truncation::run(double common_time) {
+  TAMIS_ASSERT(0 <= common_time && common_time <= 1);
+  begin(common_time);
+  if (common_time == 1) return std::move(result_);
   for (auto broken = broken_pairs(); !broken.empty(); broken = broken_pairs()) {
-    const bool is_tight =  // it is rounding that breaks them
-        !std::ranges::all_of(broken, [this](const StepLimit& pair) { return is_beyond(pair); });
+    const bool is_by_rounding =  // a pair is broken whose vertices have not gone on alone
+        !std::ranges::all_of(broken, [this](const StepLimit& pair) { return goes_on_alone(pair); });
     ++rounds_;
-    if (!on_own_sides_ && (is_tight || rounds_ > kRounds)) {
+    if (!on_own_sides_ && (is_by_rounding || rounds_ > kRounds)) {
       begin_on_own_sides();
       continue;
     }
-    const std::vector<double> asked = to_.parts;
+    const std::vector<double> asked = result_.parts;
     for (const StepLimit& pair : broken) stop_at_planes(pair, asked);
     if (on_own_sides_ && rounds_ > kRoundsOnOwnSides)
       for (const Index v : mesh_.points()) stop(v, 0);
   }
-  return std::move(to_);
+  return std::move(result_);
 }
 
-void Truncation::begin(double together) {
-  together_ = together;
+void Truncation::begin(double common_time) {
+  common_time_ = common_time;
   rounds_ = 0;
   changed_.clear();
   const auto count = at(mesh_.vertex_count());
-  to_ = {std::vector<Point>(count), std::vector<double>(count, 1), true};
+  result_ = {std::vector<Point>(count), std::vector<double>(count, 1), true};
   for (Index v = 0; v < mesh_.vertex_count(); ++v) place(v);
   const double edge = mean_edge(mesh_, step_.start), farthest = edge > 0 ? kFarthestInEdges * edge : HUGE_VAL;
   for (const Index v : mesh_.points())
-    if (const double length = length_of_way(step_, v); length * (1 - together) > farthest)
-      stop(v, together + farthest / length);
+    if (const double length = displacement_length(step_, v); length * (1 - common_time) > farthest)
+      stop(v, common_time + farthest / length);
 }
 
 void Truncation::begin_on_own_sides() {
   begin(0);
   on_own_sides_ = true;
-  // A pair keeps its fraction of what it has beyond its separation, unless its vertices go the rest of that.
-  const double reach = 1 / (1 - fractions_.between_planes(0));
-  std::vector<double> radii = largest_beside(mesh_, query_.separations.radii);
-  radii.resize(to_.parts.size(), 0);
+  // A pair keeps its fraction of its clearance unless its vertices move the rest of that.
+  const double clearance_per_displacement = 1 / (1 - fractions_.between_planes(0));
+  std::vector<double> radii = neighbourhood_maximum(mesh_, query_.separations.radii);
+  radii.resize(result_.parts.size(), 0);
   for (const Index index : mesh_.points()) {
     const auto v = at(index);
-    const double way =
-        to_.parts[v] > 0 ? to_.parts[v] * length_of_way(step_, index) : 0;  // 0 times infinity is not a number
-    radii[v] += std::min(reach * way, 0x1p1020);
+    // 0 times infinity is not a number
+    const double displacement = result_.parts[v] > 0 ? result_.parts[v] * displacement_length(step_, index) : 0;
+    radii[v] += std::min(clearance_per_displacement * displacement, 0x1p1020);
   }
   std::vector<NearPair> near;
   const Query near_start{
@@ -109,16 +109,16 @@ void Truncation::begin_on_own_sides() {
 /// A coordinate that the step leaves as it is stays.
 void Truncation::place(Index vertex) {
   const auto v = at(vertex);
-  const double t = to_.parts[v];
+  const double t = result_.parts[v];
   const double *start = step_.start[vertex], *end = step_.end[vertex];
   for (std::size_t k = 0; k < 3; ++k)
-    to_.positions[v][k] = t == 1                         ? end[k]
-                          : t == 0 || start[k] == end[k] ? start[k]
-                                                         : rounded((1 - t) * start[k] + t * end[k], stored_);
+    result_.positions[v][k] = t == 1                         ? end[k]
+                              : t == 0 || start[k] == end[k] ? start[k]
+                                                             : rounded((1 - t) * start[k] + t * end[k], stored_);
 }
 
 void Truncation::stop(Index vertex, double time) {
-  double& part = to_.parts[at(vertex)];
+  double& part = result_.parts[at(vertex)];
   if (!(time < part)) return;
   part = time;
   if (!changed_.empty()) changed_[at(vertex)] = 1;
@@ -126,38 +126,38 @@ void Truncation::stop(Index vertex, double time) {
 }
 
 std::vector<StepLimit> Truncation::broken_pairs() {
-  Query on_way = query_;
-  on_way.step = way();
-  on_way.changed = changed_;
+  Query to_result = query_;
+  to_result.step = step_to_result();
+  to_result.changed = changed_;
   std::vector<StepLimit> pairs;
-  engine_.find_step_ends(on_way, fractions_.keep, pairs, statistics_);
-  changed_.assign(to_.parts.size(), 0);
+  engine_.find_step_ends(to_result, fractions_.keep, pairs, statistics_);
+  changed_.assign(result_.parts.size(), 0);
   std::atomic<bool> some_start_within = false;
   in_parts(pairs.size(), kPairsWorthSharing, [&](std::size_t begin, std::size_t end) {
     for (; begin != end; ++begin)
       if (!is_broken(pairs[begin], some_start_within)) pairs[begin].time = 1;
   });
-  if (some_start_within) to_.is_free = false;
+  if (some_start_within) result_.is_free = false;
   std::erase_if(pairs, [](const StepLimit& pair) { return pair.time == 1; });
   return pairs;
 }
 
-/// Vertices that are all on their sides of the planes, of a pair that is not proven all the same, go back to together_.
+/// Planes for a broken pair, placed at common_time_. If all its vertices are on their sides, they go back to that time.
 void Truncation::stop_at_planes(const StepLimit& pair, const std::vector<double>& asked) {
   const PairPoints points = points_of(step_, pair.vertices);
-  const NearPair there = near_pair(pair.kind, pair.vertices, at_rest_at(points, together_));
-  const auto times = planar_times(there, points, {fractions_, separation_of(pair), stored_}, together_);
+  const NearPair there = near_pair(pair.kind, pair.vertices, at_rest_at(points, common_time_));
+  const auto times = planar_times(there, points, {fractions_, separation_of(pair), stored_}, common_time_);
   const std::size_t count = vertex_count(pair.kind);
   bool is_stopped = false;
   for (std::size_t i = 0; i < count; ++i) is_stopped |= times[i] < asked[at(pair.vertices[i])];
-  for (std::size_t i = 0; i < count; ++i) stop(pair.vertices[i], is_stopped ? times[i] : together_);
+  for (std::size_t i = 0; i < count; ++i) stop(pair.vertices[i], is_stopped ? times[i] : common_time_);
   changed_[at(pair.vertices[0])] = 1;  // whatever became of it, it is asked again
 }
 
 /// A pair that stands still keeps its distance, though rounding may leave that unproven where nearly all is to be kept.
 bool Truncation::is_broken(const StepLimit& pair, std::atomic<bool>& some_start_within) const {
   TAMIS_ASSERT(0 <= pair.time && pair.time < 1);
-  const PairPoints points = points_of(way(), pair.vertices);
+  const PairPoints points = points_of(step_to_result(), pair.vertices);
   const bool moves = points.start != points.end;
   if (query_.ignores_start || pair.time > 0 || !starts_within(pair.kind, points, separation_of(pair))) return moves;
   some_start_within = true;
@@ -166,9 +166,9 @@ bool Truncation::is_broken(const StepLimit& pair, std::atomic<bool>& some_start_
   return moves && keeps_distance_until(pair.kind, points, comes_no_nearer, 1, decided_by) < 1;
 }
 
-bool Truncation::is_beyond(const StepLimit& pair) const {
+bool Truncation::goes_on_alone(const StepLimit& pair) const {
   const auto* v = pair.vertices.data();
-  return std::any_of(v, v + vertex_count(pair.kind), [&](Index i) { return to_.parts[at(i)] > together_; });
+  return std::any_of(v, v + vertex_count(pair.kind), [&](Index i) { return result_.parts[at(i)] > common_time_; });
 }
 
 }  // namespace tamis

@@ -1,8 +1,9 @@
-// A step length for each vertex. All vertices go together as far as every pair keeps a little more of its distance than
-// it must; from there each goes on alone. The engine then finds the pairs that do not keep their distance on the
-// straight way to these positions, and planes between the features of each (detect/planar_times.hpp) stop its vertices,
-// round by round until no pair is left. If that does not end, each vertex goes alone from the start, with planes
-// between all pairs that could meet. All positions asked about are numbers that the caller can store.
+// Truncates a step vertex by vertex. All vertices go together until a common time, up to which every pair keeps a
+// little more of its distance than it must; from there each goes on alone. The engine then finds the pairs that do not
+// keep their distance on the straight motion to these positions, and planes between the features of each
+// (detect/planar_times.hpp) stop its vertices, round by round until no pair is left. If that does not end, each vertex
+// goes alone from the start, with planes between all pairs that could meet. All positions asked about are numbers that
+// the caller can store.
 #pragma once
 #include <atomic>
 #include <vector>
@@ -20,26 +21,30 @@ class Truncation {
   Truncation(const Mesh& mesh, const Query& query, const KeptFractions& fractions, Stored stored, Engine& engine,
              Statistics& statistics);
 
-  /// `together`: until then it is proven that every pair of the query keeps fractions.together. REQUIRES: in [0,1].
-  TruncatedStep run(double together);
+  /// `common_time`: until then every pair of the query is proven to keep fractions.together. REQUIRES: in [0,1].
+  TruncatedStep run(double common_time);
 
  private:
-  void begin(double together);
+  void begin(double common_time);
   void begin_on_own_sides();
+  /// Sets the vertex' position from its part of the step.
   void place(Index vertex);
+  /// Lets the vertex go no farther than to `time`.
   void stop(Index vertex, double time);
-  /// Asks about way(): those pairs whose vertices must go less far. Pairs that were asked about and have not changed
-  /// since are not asked again. Says in to_ if the step is not free, as far as that shows.
+  /// The pairs that break their fraction on the step to result_: their vertices must stop earlier. Pairs that were
+  /// asked about before and have not changed since are not asked again. Clears result_.is_free if a pair touches at the
+  /// start.
   std::vector<StepLimit> broken_pairs();
-  /// Sets `some_start_within` if it starts within its separation. Several threads may ask. REQUIRES: a time in [0,1).
-  /// REQUIRES (not checked: history): a pair of the engine's answer.
+  /// Sets `some_start_within` if the pair starts within its separation. Several threads may ask. REQUIRES: a time in
+  /// [0,1). REQUIRES (not checked: history): a pair of the engine's answer.
   bool is_broken(const StepLimit& pair, std::atomic<bool>& some_start_within) const;
-  bool is_beyond(const StepLimit& pair) const;
+  /// Does a vertex of the pair go on after the common time?
+  bool goes_on_alone(const StepLimit& pair) const;
   template <class Pair>
   double separation_of(const Pair& pair) const {
     return query_.separations.between(pair.kind, pair.vertices);
   }
-  Step way() const { return {step_.start, to_.positions}; }
+  Step step_to_result() const { return {step_.start, result_.positions}; }
   void stop_at_planes(const StepLimit& pair, const std::vector<double>& asked);
 
   const Mesh& mesh_;
@@ -49,9 +54,9 @@ class Truncation {
   const Stored stored_;
   Engine& engine_;
   Statistics& statistics_;
-  TruncatedStep to_;
-  std::vector<std::uint8_t> changed_;  ///< as Query::changed, since way() was asked about; empty: it was not
-  double together_ = 0;
+  TruncatedStep result_;               ///< so far
+  std::vector<std::uint8_t> changed_;  ///< Query::changed, since result_ was asked about; empty: it was not
+  double common_time_ = 0;
   bool on_own_sides_ = false;
   int rounds_ = 0;
 };

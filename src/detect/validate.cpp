@@ -15,7 +15,7 @@
 namespace tamis {
 namespace {
 
-/// What is well makes no message: some is asked of every question, some of every vertex.
+/// `message`: a text, or a function that makes it only if it is needed, as checks are many.
 template <class Message>
 void check(bool ok, const Message& message) {
   if (ok) return;
@@ -135,7 +135,7 @@ void validate(const Options& options, const Mesh& mesh) {
   });
   for (std::size_t g = 0; g < options.radii.size(); ++g)
     check(is_distance(options.radii[g]),
-          [&] { return distance_text(options.radii[g], "the radii of group " + std::to_string(g)); });
+          [&] { return distance_text(options.radii[g], "the radius of group " + std::to_string(g)); });
 }
 
 ContactRule validated_rule(const PairOptions& options) {

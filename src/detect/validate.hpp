@@ -1,4 +1,4 @@
-// Bad input is told apart here, before any work is done.
+// Bad input is refused here, before any work is done.
 #pragma once
 #include <string_view>
 

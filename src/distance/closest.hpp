@@ -1,5 +1,5 @@
-// Closest points of two features at one time, in doubles or in lanes: contact weights where the crossing's are not at
-// hand, distances, and the axis along which the features are apart.
+// Closest points of two features at one time, in doubles or in lanes: for contact weights, distances, and the axis
+// along which the features are apart.
 #pragma once
 #include "motion/pair_kinds.hpp"
 #include "numerics/select.hpp"
@@ -99,10 +99,10 @@ inline ClosestPoints closest_points(PairKind kind, const Vec3<double>& e, const 
   return with_kind(kind, [&](auto k) { return closest_points<k()>(e, f, d); });
 }
 
-/// The gap made orthogonal to the sides that hold the closest points in their inside: it is off by a few u of the
-/// features' size, not of its own, which would tilt a small one. Of any length; zero or NaN where it tells nothing.
+/// The gap of the closest points, made orthogonal to the sides in whose inside these lie: rounding, a few u of the
+/// features' size, would tilt a small gap. Of any length; zero or NaN where it has no direction.
 template <PairKind kind, class T>
-inline Vec3<T> squared_gap(const Vec3<T>& e, [[maybe_unused]] const Vec3<T>& f, const ClosestPointsOf<T>& closest) {
+inline Vec3<T> orthogonal_gap(const Vec3<T>& e, [[maybe_unused]] const Vec3<T>& f, const ClosestPointsOf<T>& closest) {
   const T zero(0), one(1), u = closest.u, v = closest.v;
   const Vec3<T> gap = closest.gap;
   const auto across = [&](const Vec3<T>& side) { return gap - (dot(gap, side) * (one / dot(side, side))) * side; };

@@ -1,6 +1,6 @@
 // The distance of two features at rest, between proven bounds, in doubles or in lanes: closest points bound it from
-// above, and from below the axis along which they lie. In which direction one lies from the other, where that tells:
-// integers tell the rest. Error bounds: kGap, kAxisNow. Cost: about 200 operations.
+// above, the axis along their gap from below. And the direction from one to the other, where doubles tell it; integers
+// tell the rest. Error bounds: kGap, kAxisNow. Cost: about 200 operations.
 #pragma once
 #include <array>
 
@@ -29,7 +29,7 @@ struct RestDistance {
 template <PairKind kind, class T>
 inline RestDistance<T> rest_distance(const Vec3<T>& e, const Vec3<T>& f, const Vec3<T>& d, const T& size) {
   const ClosestPointsOf<T> closest = closest_points<kind>(e, f, d);
-  const Vec3<T> direction = squared_gap<kind>(e, f, closest);
+  const Vec3<T> direction = orthogonal_gap<kind>(e, f, closest);
   return {closest, distance_along(difference_corners<kind>(e, f, d), direction, size),
           sqrt(dot(closest.gap, closest.gap)), error_bounds::bound<T>(error_bounds::kRestDistance, size), direction};
 }

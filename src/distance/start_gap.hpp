@@ -1,5 +1,4 @@
-// How long does a pair certainly take to come closer by a given part of its distance? Its distance beyond the
-// separation at t=0, bounded from below on the 13 axes of the 26-DOP, against a bound on its speed.
+// Does a pair's clearance at t=0, bounded from below on the 13 axes of the 26-DOP, suffice for its speed?
 // Error bound: twice that of a projection and of a velocity, so that what is culled here is also beyond reach by the
 // bounds in doubles of narrow/kept_distance.hpp. Cost: about 150 operations.
 #pragma once
@@ -10,7 +9,7 @@
 namespace tamis {
 
 struct StartGap {
-  /// Is the gap proven larger than `reach` times the relative speed?
+  /// Is the clearance proven larger than `reach` times the relative speed?
   template <PairKind kind, class T>
   static auto exceeds(const PairMotion<T>& m, const T& reach) {
     const T size = m.size_d + m.size_e + m.size_f;

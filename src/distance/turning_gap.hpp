@@ -1,4 +1,4 @@
-// Does a pair certainly stay farther apart than a distance during some time? Along an axis that turns at a constant
+// Is a pair proven to stay farther apart than a distance during some time? Along an axis that turns at a constant
 // rate from the closest points' gap at the start of it to that at the end, the pair's corners are quadratics in time,
 // whose Bernstein coefficients bound them from below; so a pair that turns as a whole is proven apart in one go.
 // Error bound: kTurningGap. Cost: about 350 operations.
@@ -11,13 +11,13 @@
 
 namespace tamis {
 
-/// Of the time, where one axis does not suffice.
+/// Parts into which the time is cut where one axis does not suffice.
 inline constexpr int kTurningGapParts = 4;
 
 template <PairKind kind, class T>
 class TurningGap {
  public:
-  /// A time, and a vector along the gap at it, not longer than 1.
+  /// A time, and a vector along the gap then, no longer than 1.
   struct Axis {
     T time;
     Vec3<T> along;
@@ -29,7 +29,7 @@ class TurningGap {
   Vec3<T> gap(const T& t) const {
     return NearlyClosest::gap<kind>(at_time(m_.e, t), at_time(m_.f, t), at_time(m_.d, t));
   }
-  /// At least; where squares underflow, axes are so shorter than 1.
+  /// The length, or more where squares underflow: axes are shorter than 1 then.
   static T length(const Vec3<T>& v) {
     return sqrt(max(dot(v, v), error_bounds::constant<T>(error_bounds::underflow<T>)));
   }

@@ -124,12 +124,12 @@ Decision decide_exactly(PairKind kind, const PairPoints& points, double separati
   return times.first();
 }
 
-Decision decide_once_apart_exactly(PairKind kind, const PairPoints& points, double separation) {
+Decision decide_recontact_exactly(PairKind kind, const PairPoints& points, double separation) {
   TAMIS_ASSERT(separation >= 0 && std::isfinite(separation) && is_finite(points));
   const MovingPolygon polygon = polygon_for(kind, points, separation);
-  TouchingTimes times(TouchingTimes::Wanted::once_apart);
+  TouchingTimes times(TouchingTimes::Wanted::recontact);
   add_times(polygon, separation, times);
-  return times.first_once_apart(
+  return times.first_recontact(
       [&](const DyadicCell& time) { return is_within(polygon_at(polygon, time), separation); });
 }
 

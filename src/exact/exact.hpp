@@ -1,4 +1,4 @@
-// The last word: exact algebra on the double inputs.
+// Exact decisions on one pair: integer algebra on the inputs, which are doubles.
 #pragma once
 #include "motion/decision.hpp"
 #include "motion/make_motion.hpp"
@@ -11,9 +11,8 @@ namespace tamis {
 /// or neighbouring doubles. REQUIRES: finite coordinates, a finite separation >= 0.
 Decision decide_exactly(PairKind kind, const PairPoints& points, double separation = 0);
 
-/// The same, but where that holds at t=0 it counts only after a time at which it does not: a pair that touches at the
-/// start touches once it has come apart and meets again.
-Decision decide_once_apart_exactly(PairKind kind, const PairPoints& points, double separation = 0);
+/// Recontact: the same, but a pair that touches at t=0 counts only from when it touches again after it has come apart.
+Decision decide_recontact_exactly(PairKind kind, const PairPoints& points, double separation = 0);
 
 /// On which side of the second feature is the first one? The sign, along e x f (motion/pair_motion.hpp), of its place
 /// at `time`, and where the four points are coplanar then, just before it; at t=0 as if the motion had gone on so

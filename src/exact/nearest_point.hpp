@@ -23,7 +23,7 @@ inline WideDouble wide(const Fraction<Integer>& a) {
   return WideDouble::of(a.above) / WideDouble::of(a.below);
 }
 
-/// What products of two lengths are, and of more.
+/// The types of products of two lengths, and of more.
 template <class Length>
 using AreaOf = decltype(std::declval<Length>() * std::declval<Length>());
 template <class Length>

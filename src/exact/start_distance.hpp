@@ -1,4 +1,4 @@
-// The distance at t=0 against a separation, decided exactly: what doubles cannot tell there must not stop a step that
+// The distance at t=0 compared with a separation, decided exactly: rounding must not stop a step that
 // may go, be it ever so little.
 #pragma once
 #include "exact/moving_polygon.hpp"

@@ -1,5 +1,5 @@
 // The times at which a pair touches that are roots of the polynomials of an exact decision: the first of them, or the
-// first after the pair has come apart.
+// first recontact after the pair has come apart.
 #pragma once
 #include <algorithm>
 #include <utility>
@@ -12,7 +12,7 @@ namespace tamis {
 
 class TouchingTimes {
  public:
-  enum class Wanted { first, once_apart };
+  enum class Wanted { first, recontact };
   explicit TouchingTimes(Wanted wanted) : wanted_(wanted) {}
 
   /// The roots of `p` in [0,1] for which `holds(time)`, each a time of touching; where the first time of all is wanted,
@@ -23,7 +23,7 @@ class TouchingTimes {
     for (AlgebraicTime& time : roots_in_unit_interval(p, latest_)) {
       if (!holds(time)) continue;
       times_.push_back(std::move(time));
-      if (wanted_ == Wanted::once_apart) continue;
+      if (wanted_ == Wanted::recontact) continue;
       latest_ = std::min(latest_, times_.back().bracket().t_out);
       return;
     }
@@ -40,11 +40,11 @@ class TouchingTimes {
     return first;
   }
 
-  /// The first time of touching before which there is one without, `touches(time)` telling both apart; at the start the
-  /// pair may do either. The end of every span of time in which the pair touches must be among the times, its start
-  /// too: then between two neighbours it touches always or never.
+  /// The first time of touching that a time without contact precedes; `touches(time)` decides single times. At the
+  /// start the pair may touch or not. The end of every span of time in which the pair touches must be among the times,
+  /// its start too: then between two neighbours it touches always or never.
   template <class Condition>
-  Decision first_once_apart(const Condition& touches) {
+  Decision first_recontact(const Condition& touches) {
     AlgebraicTime start = AlgebraicTime::exactly({0, 0});
     for (AlgebraicTime *last = &start, *next = first_after(start); next; last = next, next = first_after(*last)) {
       if (touches(time_between(*last, *next))) continue;

@@ -1,4 +1,4 @@
-// In which unit are coordinates integers? The largest, so that they are short; and as words, where 61 bits hold them.
+// The largest unit in which coordinates are integers, so that these are short; and coordinates as words of 61 bits.
 #pragma once
 #include <algorithm>
 #include <array>

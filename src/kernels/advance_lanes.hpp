@@ -1,6 +1,6 @@
-// When do pairs come within their separation? Each takes as many looks as it needs (narrow/advancement.hpp), one after
-// the other; after each look those that go on close their ranks, so that no lane waits for the slowest. What this
-// leaves undecided, the same looks decide one pair at a time (narrow/separation.hpp), with the same bits.
+// When do pairs come within their separation? Each pair takes as many steps of conservative advancement as it needs
+// (narrow/advancement.hpp). After each step the pairs that go on are compacted, so that no lane waits for the slowest.
+// What is left undecided takes the same steps one pair at a time (narrow/first_within.hpp), with the same bits.
 #pragma once
 #include <limits>
 
@@ -25,7 +25,7 @@ inline unsigned finite_lanes(const PairMotion<DoubleLanes>& m) {
   return bits(all - all == DoubleLanes(0));  // NOLINT(misc-redundant-expression): NaN where all is not finite
 }
 
-/// `Sink`: free(place), undecided(place), touches(place, contacts, lane): each pair of the buffer comes to one of them.
+/// `Sink`: each pair of the buffer is reported to one of free(place), undecided(place), touches(place, contacts, lane).
 template <PairKind kind, class Vertices, class Sink>
 class AdvanceLanes {
  public:
@@ -35,15 +35,15 @@ class AdvanceLanes {
   void run(const PairBuffer& in) {
     moving_.pairs.count = touching_.pairs.count = 0;
     for (int first = 0; first < in.count; first += kDoubleLanes) start(in, first);
-    for (int looks = 1; moving_.pairs.count > 0 && looks < kMostLooks; ++looks) look_again();
+    for (int probes = 1; moving_.pairs.count > 0 && probes < kMaxProbes; ++probes) probe_again();
     for (int i = 0; i < moving_.pairs.count; ++i) sink_.undecided(moving_.places[i]);
     for (int first = 0; first < touching_.pairs.count; first += kDoubleLanes) describe(first);
   }
 
  private:
   using Lanes = DoubleLanes;
-  /// Hardly any pair needs more; these go one by one.
-  static constexpr int kMostLooks = 24;
+  /// The few pairs that need more are decided one by one.
+  static constexpr int kMaxProbes = 24;
 
   PairMotion<Lanes> load(const PairBuffer& pairs, int first) const {
     return load_motion<kind>(vertices_, pairs, first, rule_.separation);
@@ -60,10 +60,10 @@ class AdvanceLanes {
     for (int i = 0; i < kDoubleLanes; ++i) places[i] = first + i;
     for_each_bit(all & ~fit, [&](int i) { sink_.undecided(places[i]); });
     for_each_bit(free, [&](int i) { sink_.free(places[i]); });
-    if (fit & ~free) look(in, first, places, m, clip.t_in, clip.t_out, fit & ~free);
+    if (fit & ~free) probe(in, first, places, m, clip.t_in, clip.t_out, fit & ~free);
   }
 
-  void look_again() {
+  void probe_again() {
     PairBuffer& pairs = moving_.pairs;
     const int count = pairs.count;
     pairs.count = 0;
@@ -71,27 +71,27 @@ class AdvanceLanes {
       std::int32_t places[kDoubleLanes];  // what goes on is written over what has been read
       for (int i = 0; i < kDoubleLanes; ++i) places[i] = moving_.places[first + i];
       const Lanes now = Lanes::load_unaligned(moving_.now + first), end = Lanes::load_unaligned(moving_.until + first);
-      look(pairs, first, places, load(pairs, first), now, end, first_lanes(count - first));
+      probe(pairs, first, places, load(pairs, first), now, end, first_lanes(count - first));
     }
   }
 
-  /// One look at the pairs first, first + 1, ... of a buffer.
-  void look(const PairBuffer& pairs, int first, const std::int32_t* places, const PairMotion<Lanes>& m,
-            const Lanes& now, const Lanes& end, unsigned lanes) {
-    const Looker<kind, Lanes> looker(m);
-    const Sight<Lanes> sight = looker.sight(now);
-    const unsigned touches = lanes & bits(looker.touches(sight));
+  /// One step of the pairs first, first + 1, ... of a buffer, from the times `now`.
+  void probe(const PairBuffer& pairs, int first, const std::int32_t* places, const PairMotion<Lanes>& m,
+             const Lanes& now, const Lanes& end, unsigned lanes) {
+    const SeparationProbe<kind, Lanes> separation(m);
+    const DistanceAt<Lanes> distance = separation.distance_at(now);
+    const unsigned touches = lanes & bits(separation.touches(distance));
     append(pairs, first, touches, places, now, now, touching_);
     lanes &= ~touches;
     if (!lanes) return;
-    const Look<Lanes> look = looker.at(now, sight);
-    const auto apart = look.until > now;
+    const ApartProof<Lanes> proof = separation.prove_apart(now, distance);
+    const auto is_apart = proof.until > now;
     Advancement<Lanes> next{now};
-    next.pass(apart, look);
-    next.wait(!apart, look);
-    const unsigned passes = lanes & bits(apart), undecided = lanes & ~passes & bits(now >= end);
-    const unsigned free = passes & bits((next.now > end) | (next.now > Lanes(rule_.latest)));
-    const unsigned goes_on = passes & ~free & bits(next.ahead == Lanes(0));
+    next.advance(is_apart, proof);
+    next.retry_later(!is_apart, proof);
+    const unsigned apart = lanes & bits(is_apart), undecided = lanes & ~apart & bits(now >= end);
+    const unsigned free = apart & bits((next.now > end) | (next.now > Lanes(rule_.latest)));
+    const unsigned goes_on = apart & ~free & bits(next.ahead == Lanes(0));
     for_each_bit(undecided, [&](int i) { sink_.undecided(places[i]); });
     for_each_bit(free, [&](int i) { sink_.free(places[i]); });
     append(pairs, first, lanes & ~free & ~goes_on & ~undecided, places, next.now, min(next.now + next.ahead, end),
@@ -114,7 +114,7 @@ class AdvanceLanes {
     });
   }
 
-  /// Of pairs that should touch at the end of the time they have been given.
+  /// Decides pairs that should touch by their time `until`, and describes their contacts.
   void describe(int first) {
     const unsigned lanes = lanes_in_use(touching_.pairs, first);
     const Lanes lower = Lanes::load_unaligned(touching_.now + first);
@@ -122,8 +122,8 @@ class AdvanceLanes {
     const auto m = load(touching_.pairs, first);
     const auto place = direction_apart<kind>(m, lower);
     const unsigned late = lanes & bits(lower > Lanes(rule_.latest));
-    const Looker<kind, Lanes> looker(m);
-    const auto touches = looker.touches(looker.sight(upper));
+    const SeparationProbe<kind, Lanes> separation(m);
+    const auto touches = separation.touches(separation.distance_at(upper));
     const unsigned decided = lanes & ~late & bits(touches & is_sharp(lower, upper));
     const Lanes unknown(std::numeric_limits<double>::quiet_NaN());
     const Vec3<Lanes> normal = select(place.is_sure, place.direction, Vec3<Lanes>{unknown, unknown, unknown});

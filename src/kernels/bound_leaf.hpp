@@ -5,7 +5,7 @@
 
 namespace tamis::TAMIS_ISA {
 
-/// The ends of sixteen boxes: columns of a BoxVertex, as they are after all corners have been included.
+/// Lower and upper ends of as many boxes as there are lanes, by the columns of BoxVertex.
 struct BoxEnds {
   FloatLanes low[BoxVertex::kRadius + 1], high[BoxVertex::kRadius + 1];
 

@@ -1,5 +1,4 @@
-// Boxes as the search sees them, and which of them may meet: by what they sweep over, by where they are at both ends of
-// the step, or at rest.
+// Box tests of the search: do moving boxes meet, by what they sweep over or at one time; are boxes at rest near.
 #pragma once
 #include "bounds/moving_boxes.hpp"
 #include "kernels/kernels.hpp"
@@ -18,11 +17,12 @@ struct alignas(64) BoundBlock {
   FloatLanes lanes(int k, int first) const { return FloatLanes::load_aligned(at[k] + first); }
 };
 
-/// Boxes between the ends of the step, and boxes seen by an observer who moves, are off by less than this
+/// Interpolated boxes, and boxes relative to a moving observer, are off by less than this
 /// (docs/numerics.md, "Boxes").
 inline constexpr float kLaterMargin = 0x1p-18f;
 
-/// Of boxes along three axes, x y z: 0 or less if two meet. `a(k)`, `b(k)`: bound k of the boxes in lanes.
+/// The largest gap of two boxes along x, y and z: 0 or less if they meet. `a(k)`, `b(k)`: bound k of the boxes in
+/// lanes.
 template <class A, class B>
 [[gnu::always_inline]] inline FloatLanes largest_gap(const A& a, const B& b) {
   FloatLanes gap = max(b(0) - a(3), a(0) - b(3));  // cheaper than six masks
@@ -30,7 +30,7 @@ template <class A, class B>
   return gap;
 }
 
-/// Of boxes at t=0, as a sum over the axes.
+/// The extents of boxes at t=0, summed over the axes.
 inline FloatLanes extent_at_start(const BoxBlock& block, int first) {
   FloatLanes sum(0.0f);
   for (int axis = 0; axis < 3; ++axis)
@@ -39,9 +39,9 @@ inline FloatLanes extent_at_start(const BoxBlock& block, int first) {
   return sum;
 }
 
-/// Boxes that move until t_limit. A cheap test looks at what they sweep over, for an observer who moves as the block
-/// does from which the search starts: a motion common to all makes no box larger. A sharp one looks for a time at which
-/// all gaps between two boxes are closed. Two features can meet only where their boxes do.
+/// Boxes that move until t_limit. The cheap test compares what they sweep over relative to an observer who moves with
+/// the block from which the search starts, so that a common motion makes no box larger. The sharp test asks for a time
+/// at which all gaps between two boxes are closed. Two features can touch only where their boxes meet by either.
 class MovingBoxes {
  public:
   static constexpr bool kMoves = true, kHasReach = false;
@@ -52,7 +52,7 @@ class MovingBoxes {
     const BoxBlock& hulls = search.a.levels[1][block / kBlock];
     const int lane = block % kBlock;
     for (int axis = 0; axis < 3; ++axis)
-      way_[axis] =
+      observer_displacement_[axis] =
           0.5f * t_limit_ *
           ((hulls.low1[axis][lane] - hulls.low0[axis][lane]) + (hulls.high1[axis][lane] - hulls.high0[axis][lane]));
   }
@@ -61,10 +61,13 @@ class MovingBoxes {
     const BoxBlock& block = tree.levels[level][node];
     const FloatLanes t(t_limit_);
     if (t_limit_ == 1)
-      sweep(block, bounds, [](const auto&, const auto& at1, const auto& way) { return at1 - way; });
+      sweep(block, bounds, [](const auto&, const auto& at1, const auto& observer_displacement) {
+        return at1 - observer_displacement;
+      });
     else
-      sweep(block, bounds,
-            [&](const auto& at0, const auto& at1, const auto& way) { return at0 + (t * (at1 - at0) - way); });
+      sweep(block, bounds, [&](const auto& at0, const auto& at1, const auto& observer_displacement) {
+        return at0 + (t * (at1 - at0) - observer_displacement);
+      });
   }
 
   /// Bounds are off by less than kLaterMargin each.
@@ -73,8 +76,7 @@ class MovingBoxes {
     return largest_gap(a, b) <= FloatLanes(2 * kLaterMargin);
   }
 
-  /// What the boxes of a leaf block are like, in the mean, as sums over the axes: how large, and how much larger by
-  /// being swept.
+  /// Means over the boxes of a leaf block, summed over the axes: the extent, and its growth by sweeping.
   struct Means {
     float size = 0, growth = 0;
   };
@@ -95,7 +97,7 @@ class MovingBoxes {
     return {sum.size / used, sum.growth / used};
   }
 
-  /// Bits of the leaf blocks of a node, by their hulls, whose features move far, for their size and that of mine.
+  /// Bits of the leaf blocks of a node whose features move far for their size and that of mine, judged by their hulls.
   unsigned move_far(const BoxBlock& block, const Bounds& swept, const Means& mine) const {
     unsigned mask = 0;
     for_sixteen_lanes([&](int first) {
@@ -106,7 +108,7 @@ class MovingBoxes {
     return mask;
   }
 
-  /// Bits of the sixteen that meet one box at some time.
+  /// Bits of the sixteen boxes that meet one box at some time: the sharp test.
   unsigned meet_at_some_time(const BoxBlock& one, int lane, const BoxBlock& sixteen) const {
     unsigned mask = 0;
     for_sixteen_lanes([&](int first) {
@@ -127,15 +129,18 @@ class MovingBoxes {
   float t_limit() const { return t_limit_; }
 
  private:
-  /// `at_limit(at0, at1, way)`: an end of boxes at t_limit, as the observer sees it.
+  /// `at_limit(at0, at1, observer_displacement)`: an end of boxes at t_limit, relative to the observer, who has moved
+  /// by that.
   template <class F>
   [[gnu::always_inline]] void sweep(const BoxBlock& block, Bounds& bounds, const F& at_limit) const {
     for (int axis = 0; axis < 3; ++axis)
       for_sixteen_lanes([&](int first) {
         const auto load = [&](const float* lanes) { return FloatLanes::load_aligned(lanes + first); };
-        const FloatLanes way(way_[axis]), low0 = load(block.low0[axis]), high0 = load(block.high0[axis]);
-        min(at_limit(low0, load(block.low1[axis]), way), low0).store_aligned(bounds.at[axis] + first);
-        max(at_limit(high0, load(block.high1[axis]), way), high0).store_aligned(bounds.at[3 + axis] + first);
+        const FloatLanes observer_displacement(observer_displacement_[axis]), low0 = load(block.low0[axis]),
+                                                                              high0 = load(block.high0[axis]);
+        min(at_limit(low0, load(block.low1[axis]), observer_displacement), low0).store_aligned(bounds.at[axis] + first);
+        max(at_limit(high0, load(block.high1[axis]), observer_displacement), high0)
+            .store_aligned(bounds.at[3 + axis] + first);
       });
   }
 
@@ -145,15 +150,15 @@ class MovingBoxes {
     return sum;
   }
 
-  /// Growth of a box by what it sweeps over, for its size, up to which the cheap test is as sharp
+  /// Up to this growth by sweeping, over its extent, the cheap test is as sharp as the other
   /// (docs/history/performance.md, "What chooses").
   static constexpr float kShort = 0.3f;
   const float t_limit_;
-  float way_[3] = {};  ///< the observer's until t_limit
+  float observer_displacement_[3] = {};  ///< the observer's until t_limit
 };
 
-/// Boxes at t=0: two features are near only where their boxes, without what these are widened by, are no farther apart
-/// than that: by the root of the sum of the squares of the gaps on three axes.
+/// Boxes at t=0 that were widened by the separation: features can be within it only where the distance of the unwidened
+/// boxes is, the root of the sum of the squares of three gaps.
 class RestBoxes {
  public:
   static constexpr bool kMoves = false, kHasReach = false;

@@ -1,18 +1,18 @@
-// Boxes at the start of a step and residuals, where features go a short way beside each other.
+// Box test for step lengths where features move little against each other: by boxes at t=0 and residuals alone.
 #pragma once
 #include "kernels/reach.hpp"
 
 namespace tamis::TAMIS_ISA {
 
-/// As KeepBoxes, by the clearance alone, where there is no gradient: less than half the work, and hardly more pairs
-/// where features go a short way beside each other.
+/// The clearance test of KeepBoxes alone, without a gradient: less than half the work, and hardly more pairs where
+/// features move little against each other.
 class ClearanceBoxes {
  public:
   static constexpr bool kMoves = false, kHasReach = true;
   using Bounds = BoundBlock<12>;  ///< x y z at t=0, of residuals
 
   ClearanceBoxes(const Search& search, int)
-      : t_limit_(search.keep.t_limit), per_way2_(search.keep.clearance.per_way2) {}
+      : t_limit_(search.keep.t_limit), per_residual2_(search.keep.clearance.per_residual2) {}
 
   void bound(const TreeView& tree, int level, int node, Bounds& bounds) const {
     const BoxBlock &boxes = tree.levels[level][node], &residuals = tree.residuals[level][node];
@@ -27,12 +27,12 @@ class ClearanceBoxes {
     FloatLanes gap2(0.0f);
     for (int axis = 0; axis < 3; ++axis)
       add_square(gap2, max(max(b(axis) - a(kHigh + axis), a(axis) - b(kHigh + axis)), FloatLanes(0.0f)));
-    return gap2 <= FloatLanes(per_way2_) * greatest_way2<kResidual, kHigh>(a, b);
+    return gap2 <= FloatLanes(per_residual2_) * greatest_residual2<kResidual, kHigh>(a, b);
   }
 
   template <class A, class B>
   [[gnu::always_inline]] FloatLanes reach(const A& a, const B& b) const {
-    return reach_of(FloatLanes(per_way2_) * greatest_way2<kResidual, kHigh>(a, b));
+    return reach_of(FloatLanes(per_residual2_) * greatest_residual2<kResidual, kHigh>(a, b));
   }
 
   float t_limit() const { return t_limit_; }
@@ -40,13 +40,14 @@ class ClearanceBoxes {
  private:
   static constexpr int kResidual = 3, kHigh = 6;
 
-  const float t_limit_, per_way2_;
+  const float t_limit_, per_residual2_;
 };
 
-/// Is there no gradient, and do all features go less far beside each other than half of a leaf block's size? Then
-/// where the boxes come near says little more than how near they are (docs/history/performance.md, "What chooses").
-inline bool goes_a_short_way(const Search& search, int block) {
-  return search.keep.clearance.per_size2 == 0 && search.keep.reach * search.keep.spread < 0.5f * extent(search, block);
+/// Is there no gradient, and do all features move less against each other than half of a leaf block's size? Then the
+/// clearance test alone is nearly as sharp as all of KeepBoxes (docs/history/performance.md, "What chooses").
+inline bool moves_little(const Search& search, int block) {
+  return search.keep.clearance.per_size2 == 0 &&
+         search.keep.reach_per_speed * search.keep.spread < 0.5f * extent(search, block);
 }
 
 }  // namespace tamis::TAMIS_ISA

@@ -1,4 +1,4 @@
-// Lanes that a mask names, written to consecutive places; pairs with their times among them.
+// Stream compaction: lanes that a mask names are written to consecutive places; pairs with their times, too.
 #pragma once
 #include "kernels/kernels.hpp"
 #include "kernels/sixteen_lanes.hpp"
@@ -40,7 +40,7 @@ inline void store_compressed(unsigned mask, const xsimd::batch<T, Arch>& lanes, 
 #endif
 }
 
-/// The same, and nothing is written behind them.
+/// The same, but writes nothing behind them.
 template <class T>
 inline void store_compressed_only(unsigned mask, const xsimd::batch<T, Arch>& lanes, T* to) {
   const int count = count_bits(mask);
@@ -60,9 +60,9 @@ inline void store_compressed_only(unsigned mask, const xsimd::batch<T, Arch>& la
 #endif
 }
 
-/// The lanes of `mask` from `low` on, the others from `high` on: a whole batch is written to both.
+/// Writes the lanes of `mask` from `low` on, the others from `high` on: a whole batch to both.
 template <class T>
-inline void store_parted(unsigned mask, const xsimd::batch<T, Arch>& lanes, T* low, T* high) {
+inline void store_partitioned(unsigned mask, const xsimd::batch<T, Arch>& lanes, T* low, T* high) {
 #if XSIMD_WITH_AVX2
   constexpr unsigned kAll = (1u << IntLanes::size) - 1;
   store_compressed(mask, lanes, low);
@@ -94,14 +94,22 @@ inline TimeInterval<Lanes> load_time(const PairBuffer& pairs, int first) {
   return {Lanes::load_unaligned(pairs.t_in + first), Lanes::load_unaligned(pairs.t_out + first)};
 }
 
-/// The corners of pair `from`, which becomes pair `to`.
+/// Copies the corners of pair `from` of `in` to pair `to` of `out`.
 template <int corners = 4>
 inline void copy_corners(const PairBuffer& in, int from, PairBuffer& out, int to) {
   for (int c = 0; c < corners; ++c) out.corner[c][to] = in.corner[c][from];
 }
 
-/// The same of the pairs of `mask`, of the lanes from `first` on. `out` may be `in`: what goes on is written over what
-/// has been read.
+/// Appends pair `from` of `in`, with its times, to `out`.
+inline void copy_pair(const PairBuffer& in, int from, PairBuffer& out) {
+  copy_corners<5>(in, from, out, out.count);
+  out.t_in[out.count] = in.t_in[from];
+  out.t_out[out.count] = in.t_out[from];
+  ++out.count;
+}
+
+/// Copies the corners of the pairs of `mask` among the lanes from `first` on. `out` may be `in`, where only what has
+/// been read is overwritten.
 template <int corners = 4>
 inline void store_corners(unsigned mask, const PairBuffer& in, int first, PairBuffer& out, int to) {
   for (int c = 0; c < corners; ++c)

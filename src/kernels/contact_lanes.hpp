@@ -1,4 +1,4 @@
-// What lanes found of pairs that touch, for those who take it pair by pair.
+// Contacts in lanes, to be read pair by pair.
 #pragma once
 #include <cmath>
 

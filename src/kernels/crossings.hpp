@@ -1,4 +1,4 @@
-// The crossings of many pairs, two batches of lanes at a time.
+// find_crossing for many pairs, two batches of lanes at a time.
 #pragma once
 #include <optional>
 
@@ -7,7 +7,7 @@
 
 namespace tamis::TAMIS_ISA {
 
-/// As many pairs as there are lanes, on their way to find_crossing.
+/// The arguments of find_crossing for as many pairs as there are lanes.
 struct CrossingBatch {
   int first;       ///< place of the first of them
   unsigned lanes;  ///< bits of those that are asked
@@ -15,8 +15,9 @@ struct CrossingBatch {
   TimeInterval<DoubleLanes> part;
 };
 
-/// make(first) gives what derives from CrossingBatch, of the pairs first, first + 1, ... up to `count`; its crossings
-/// go to keep(batch, crossings), unless no lane of it is asked.
+/// For batches of the pairs 0 to `count`: make(first) returns the batch of the pairs first, first + 1, ..., a
+/// CrossingBatch or derived from it; keep(batch, crossings) takes its crossings. Batches none of whose lanes are asked
+/// are skipped.
 template <PairKind kind, class Make, class Keep>
 inline void for_each_crossing(int count, const Make& make, const Keep& keep) {
   using Batch = decltype(make(0));

@@ -11,7 +11,7 @@ namespace {
 
 using Axes = SlabClip::Axes;
 
-/// The pairs first, first + 1, ... of `pairs`, whose places in the list of results are `places`; clipped.
+/// The pairs first, first + 1, ... of a buffer, and their slab clip; `places`: where their results go.
 template <PairKind kind, Axes axes>
 struct ClippedBatch : CrossingBatch {
   ClippedBatch(const ListedPairs& list, const PairBuffer& pairs, const std::int32_t* all_places, int at)

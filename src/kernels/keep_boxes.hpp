@@ -1,17 +1,18 @@
-// Moving boxes and residuals: in which of them may a pair of features lose more of its distance than it may?
+// Box test for step lengths: in which moving boxes may features come nearer than the fraction of their distance?
 #pragma once
 #include "kernels/reach.hpp"
 
 namespace tamis::TAMIS_ISA {
 
-/// Of a pair, as ClearanceBounds has it: half of the square of its extent, and of what its clearance may be.
-[[gnu::always_inline]] inline FloatLanes size2(const ClearanceBounds& bounds, const FloatLanes& way2,
-                                               const FloatLanes& far2) {
-  return FloatLanes(bounds.stretch2) * far2 + way2;
+/// size^2 of ClearanceBounds for a pair of boxes, and the bound of its clearance's square.
+[[gnu::always_inline]] inline FloatLanes size2(const ClearanceBounds& bounds, const FloatLanes& residual2,
+                                               const FloatLanes& farthest2) {
+  return FloatLanes(bounds.stretch2) * farthest2 + residual2;
 }
-[[gnu::always_inline]] inline FloatLanes clearance2(const ClearanceBounds& bounds, const FloatLanes& way2,
+[[gnu::always_inline]] inline FloatLanes clearance2(const ClearanceBounds& bounds, const FloatLanes& residual2,
                                                     const FloatLanes& size2) {
-  return FloatLanes(bounds.per_way2) * way2 + FloatLanes(bounds.per_size2) * size2 + FloatLanes(bounds.fixed2);
+  return FloatLanes(bounds.per_residual2) * residual2 + FloatLanes(bounds.per_size2) * size2 +
+         FloatLanes(bounds.fixed2);
 }
 
 /// Boxes that move, with the residuals of what they hold. A pair of features can, by search.keep, end the step only
@@ -51,8 +52,8 @@ class KeepBoxes {
   template <class A, class B>
   [[gnu::always_inline]] auto meet(const A& a, const B& b) const {
     const FloatLanes zero(0.0f);
-    const FloatLanes way2 = greatest_way2<kResidual, kHigh>(a, b);
-    FloatLanes gap2(0.0f), far2(0.0f), first2(0.0f), second2(0.0f);
+    const FloatLanes residual2 = greatest_residual2<kResidual, kHigh>(a, b);
+    FloatLanes gap2(0.0f), farthest2(0.0f), first2(0.0f), second2(0.0f);
     for (int axis = 0; axis < 3; ++axis) {
       FloatLanes gap(0.0f), far(0.0f), first(0.0f), second(0.0f);
       for_each_side(axis, a, b, [&](const auto& at0, const auto& later) {
@@ -63,23 +64,24 @@ class KeepBoxes {
         second = max(second, least + later);
       });
       add_square(gap2, gap);
-      add_square(far2, far);
+      add_square(farthest2, far);
       add_square(first2, first);
       add_square(second2, second);
     }
-    const FloatLanes size = size2(clearance_, way2, far2), clearance = clearance2(clearance_, way2, size);
-    const FloatLanes kept2 = FloatLanes(kept2_) * min(far2, clearance) + FloatLanes(kRoom2) * size;
+    const FloatLanes size = size2(clearance_, residual2, farthest2),
+                     clearance = clearance2(clearance_, residual2, size);
+    const FloatLanes kept2 = FloatLanes(kept2_) * min(farthest2, clearance) + FloatLanes(kClearance2) * size;
     return (gap2 <= clearance) & (FloatLanes(0.25f) * min(first2, second2) <= kept2);
   }
 
   /// How far apart at t=0, along each axis, features in the boxes can be that end the step.
   template <class A, class B>
   [[gnu::always_inline]] FloatLanes reach(const A& a, const B& b) const {
-    const FloatLanes way2 = greatest_way2<kResidual, kHigh>(a, b);
-    FloatLanes far2(0.0f);
+    const FloatLanes residual2 = greatest_residual2<kResidual, kHigh>(a, b);
+    FloatLanes farthest2(0.0f);
     for (int axis = 0; axis < 3; ++axis)
-      add_square(far2, min(min(b(axis) - a(kHigh + axis), a(axis) - b(kHigh + axis)), FloatLanes(0.0f)));
-    return reach_of(clearance2(clearance_, way2, size2(clearance_, way2, far2)));
+      add_square(farthest2, min(min(b(axis) - a(kHigh + axis), a(axis) - b(kHigh + axis)), FloatLanes(0.0f)));
+    return reach_of(clearance2(clearance_, residual2, size2(clearance_, residual2, farthest2)));
   }
 
   float t_limit() const { return t_limit_; }
@@ -94,10 +96,10 @@ class KeepBoxes {
     f(a(axis) - b(kHigh + axis), a(3 + axis) - b(kHigh + 3 + axis));
   }
 
-  /// (x + y)^2 is at most (1 + kShare) x^2 + (1 + 1 / kShare) y^2.
+  /// (x + y)^2 <= (1 + kShare) x^2 + (1 + 1 / kShare) y^2.
   static constexpr float kShare = 0x1p-4f;
-  static constexpr auto kRoom2 =
-      static_cast<float>(2 * (1 + 1 / kShare) * error_bounds::kRoomOfBoxes * error_bounds::kRoomOfBoxes);
+  static constexpr auto kClearance2 = static_cast<float>(2 * (1 + 1 / kShare) * error_bounds::kBoxAdvanceClearance *
+                                                         error_bounds::kBoxAdvanceClearance);
 
   const float t_limit_;
   const ClearanceBounds clearance_;

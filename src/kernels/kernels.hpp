@@ -15,10 +15,10 @@
 
 namespace tamis {
 
-/// Pairs of features on their way through the stages: corners in Contact's order, and the part of the step in which
-/// they may touch. An edge and a face in one pose are a vertex and a face: the vertex starts at corner 0, runs along
-/// the edge within the step, and ends at corner 4, which other pairs do not have. Kernels may read (not use) and
-/// overwrite, with valid vertices, up to kPadding entries past `count`.
+/// Pairs of features between two stages: corners in Contact's order, and the part of the step in which they may touch.
+/// An edge and a face in one pose are a vertex and a face: the vertex starts at corner 0, runs along the edge within
+/// the step, and ends at corner 4, which other pairs do not have. Kernels may read (not use) and overwrite, with valid
+/// vertices, up to kPadding entries past `count`.
 struct PairBuffer {
   static constexpr int kPadding = 16;
   static constexpr int kCapacity = 2048;
@@ -29,18 +29,18 @@ struct PairBuffer {
   float t_out[kSize] = {};
 };
 
-/// What the solver in lanes says of one pair of a buffer.
+/// What the solver in lanes found of one pair of a buffer.
 struct SolvedPair {
   std::int32_t pair;  ///< its place in the buffer
-  bool is_decided;    ///< false: cut in time, one pair at a time
+  bool is_decided;    ///< false: to be decided singly
   double toi_lower, toi_upper;
   double u, v;
   double normal[3];  ///< unit; NaN where it is decided, but the place is asked of a single pair (contact_normal.hpp)
 };
 
-/// Pairs on the way to the time at which they come within their separation (narrow/advancement.hpp): proven apart until
-/// `now`, and what is asked of them ends at `until`. Beyond `count` only vertices must be valid: the rest, which is as
-/// large, is not initialized.
+/// Pairs that advance towards the time at which they come within their separation (narrow/advancement.hpp): proven
+/// apart until `now`; times after `until` are not asked about. Beyond `count` only vertices must be valid; the other
+/// arrays are not initialized.
 struct AdvanceBuffer {
   PairBuffer pairs;
   std::int32_t places[PairBuffer::kSize];  ///< in the buffer or the list that they came from
@@ -60,24 +60,25 @@ struct WithinScratch {
 };
 
 /// How large the clearance of a pair within two boxes may be if it can end the step, in their frame:
-/// clearance^2 <= per_way2 way^2 + per_size2 size^2 + fixed2, where way is the largest difference of residuals
-/// (SharedMotion) and size^2 at least half of the square of their extent together, at t=0 and t=1. All rounded up.
+/// clearance^2 <= per_residual2 residual^2 + per_size2 size^2 + fixed2, where `residual` is the largest difference of
+/// residuals (SharedMotion) and size^2 at least half of the square of their extent together, at t=0 and t=1. All
+/// rounded up.
 struct ClearanceBounds {
-  float per_way2, per_size2, fixed2;
-  float stretch2;  ///< size^2 = stretch2 far^2 + way^2, where far is the largest distance of corners at t=0
+  float per_residual2, per_size2, fixed2;
+  float stretch2;  ///< size^2 = stretch2 far^2 + residual^2, where far is the largest distance of corners at t=0
 };
 
 /// Which pairs may end the step before `t_limit`, where each must keep a fraction of its distance beyond the separation
 /// (distance/kept_gap.hpp).
 struct KeepRule {
-  float fraction;  ///< rounded up
-  float reach;     ///< t_limit / (1 - fraction), rounded up
-  float t_limit;   ///< rounded up; may exceed 1
-  float spread;    ///< of the residuals of all features: how much they differ, summed over the axes
+  float fraction;         ///< rounded up
+  float reach_per_speed;  ///< t_limit / (1 - fraction), rounded up
+  float t_limit;          ///< rounded up; may exceed 1
+  float spread;           ///< of the residuals of all features: how much they differ, summed over the axes
   ClearanceBounds clearance;
 };
 
-/// The vertices of a step, and what pairs of them are kept apart by, in floats and in doubles.
+/// The vertices of a step and the separations of its pairs, in floats and in doubles.
 struct KeepVertices {
   const BoxVertex* in_boxes;
   BoxSeparation box_separation;
@@ -91,7 +92,7 @@ struct Search {
   /// Nothing that starts after this time is of interest; a float, so that the stages in floats do not round it.
   float t_limit = 1;
   KeepRule keep{};  ///< for search_step_ends, in place of t_limit
-  /// For searches at rest: by how much boxes are wider, together, than what is near.
+  /// For searches at rest: by how much two boxes together are wider than their features.
   float widened = 0;
   PairBuffer* pairs = nullptr;
   /// Called when `pairs` cannot take sixteen pairs more; must empty it.
@@ -117,51 +118,51 @@ struct ListedPairs {
   WithinScratch* within;  ///< where a separation is asked for, or a kind that cannot cross
 };
 
-/// The kernels of one type of pairs; null where the type has no use for one.
+/// The kernels of one kind of pairs; null where the kind has no use for one.
 struct PairKernels {
   /// Finds the pairs of features of leaf block `block` of `a` with all of `b` whose moving boxes meet and that share
   /// no vertex, and others, which depend on how features are put into blocks (box_overlap.hpp); of edges: with the
   /// blocks from `block` on, each pair once. Loose edges and points are searched as faces are, their last vertex
   /// repeated.
   SearchKernel search = nullptr;
-  /// The same of boxes at t=0 that are wider, together, by search.widened.
+  /// The same of boxes at t=0, widened by search.widened together.
   SearchKernel search_at_rest = nullptr;
   /// The same of pairs that may end the step by the rule. Trees have residuals.
   SearchKernel search_step_ends = nullptr;
-  /// Pairs that cannot end the step by the rule, from t=0 to their t_out, are culled. `pairs` is used up: what it holds
-  /// then are those that floats could not cull. Of pairs that can cross.
+  /// Culls pairs that cannot end the step by the rule between t=0 and their t_out; the others go to `out`. `pairs` is
+  /// overwritten. For kinds that can cross.
   void (*may_end_step)(const KeepVertices& vertices, const KeepRule& rule, PairBuffer& pairs,
                        PairBuffer& out) = nullptr;
-  /// Slab clip: pairs that stay farther apart than `separation` are culled. Survivors, with their times, go to `out`.
+  /// Slab clip: culls pairs that stay farther apart than `separation`. The others go to `out`, with the times left.
   void (*slab)(const BoxVertex* vertices, const BoxSeparation& separation, const PairBuffer& in,
                PairBuffer& out) = nullptr;
-  /// DNF, then NCF, on what is left of the step. Returns how many pairs NCF had to look at. Of pairs that can cross, as
-  /// the next two.
+  /// DNF, then NCF, on each pair's times. Returns how many pairs DNF left to NCF. For kinds that can cross, as the next
+  /// two.
   int (*filter)(const PackedVertex* vertices, const PairBuffer& in, PairBuffer& out) = nullptr;
-  /// DNF for motions that are not quite known: pairs that cannot touch while no vertex is farther than `deviation` from
-  /// where it is here, along any axis, are culled.
+  /// DNF for deviating motions: culls pairs that cannot touch while no vertex is farther than `deviation`, along any
+  /// axis, from where it is here.
   void (*filter_deviating)(const PackedVertex* vertices, double deviation, const PairBuffer& in,
                            PairBuffer& out) = nullptr;
   /// Roots and inside test. Writes the pairs that touch or are undecided, returns their number; `rest` is scratch.
   int (*solve)(const PackedVertex* vertices, const PairBuffer& in, PairBuffer& rest, SolvedPair* out) = nullptr;
-  /// Pairs that one axis which turns with them, or four, prove farther apart than their separation during their times
-  /// are culled. `pairs` is used up.
+  /// Culls pairs that one axis which turns with them, or four, prove farther apart than their separation during their
+  /// times. `pairs` is overwritten.
   void (*cull_apart)(const BoxVertex* vertices, const BoxSeparation& separation, PairBuffer& pairs,
                      PairBuffer& out) = nullptr;
   /// When do pairs come within their separation? Asked of the whole step, with the bits of decide(). Writes the pairs
   /// that do, and those left undecided; returns their number.
   int (*come_within)(const PackedVertex* vertices, const WithinRule& rule, const PairBuffer& in, WithinScratch& scratch,
                      SolvedPair* out) = nullptr;
-  /// At rest: appends the pairs within their separation to `near`, and to `unsure` those that may be and whose
-  /// distance doubles do not know well enough.
+  /// At rest: appends the pairs within their separation to `near`, and to `unsure` those that may be, whose distance
+  /// doubles do not give sharply enough.
   void (*find_within_at_rest)(const PackedVertex* vertices, const PairSeparation& separation, const PairBuffer& in,
                               PairBuffer& near, PairBuffer& unsure) = nullptr;
-  /// At rest: one NearPair for each pair of the buffer; the distance is NaN where doubles do not know it well enough.
+  /// At rest: writes a NearPair for each pair of the buffer; the distance is NaN where doubles do not give it sharply
+  /// enough.
   void (*measure)(const PackedVertex* vertices, const PairBuffer& in, NearPair* out) = nullptr;
-  /// The pairs of a list, each for the whole step and by itself, as far as doubles decide it
-  /// (narrow/decided_by_crossing.hpp): with the bits of decide(). Writes results[places[i]], or the place to
-  /// `undecided`, whose number is returned: of pairs for decide_undecided(), or whose coordinates are not finite.
-  /// `rest` is scratch.
+  /// Decides the pairs of a list on the whole step, each with the bits of decide(), as far as crossings in doubles do
+  /// (narrow/decided_by_crossing.hpp). Writes results[places[i]]. The places of other pairs go to `undecided`, whose
+  /// number is returned: these are for decide_undecided(), or their coordinates are not finite. `rest` is scratch.
   int (*decide_list)(const ListedPairs& list, const PairBuffer& in, PairBuffer& rest, PairResult* results,
                      std::int32_t* undecided) = nullptr;
 };

@@ -1,6 +1,6 @@
-// The features of one leaf block against those of the leaf blocks that it may meet. A row is one feature and sixteen of
-// another block; rows without pairs drop out stage by stage, without branches on what boxes meet, which nothing could
-// predict.
+// The features of one leaf block against those of the leaf blocks that it may meet. A row is one feature and the
+// sixteen of another block. Rows without pairs are removed stage by stage, without branches on which boxes meet, which
+// no processor could predict.
 #pragma once
 #include <utility>
 
@@ -9,20 +9,20 @@
 
 namespace tamis::TAMIS_ISA {
 
-/// What the features of two leaf blocks are asked.
+/// How the features of two leaf blocks are tested against each other.
 enum class Test {
-  boxes,                ///< do the boxes of the search meet?
-  some_time,            ///< do they meet at some time, mine one by one with theirs?
-  some_time_of_theirs,  ///< the same, theirs one by one with mine
+  boxes,                ///< do their boxes meet by the search's cheap test?
+  some_time,            ///< do they meet at one time? Each of my features against sixteen of theirs
+  some_time_of_theirs,  ///< the same, each of their features against sixteen of mine
   reach,                ///< are they within reach of each other at t=0?
 };
 
-/// A leaf block of search.b.
+/// A leaf block of search.b that mine may meet.
 struct MetLeaf {
   int block;
   Test test;
   float reach;    ///< Test::reach: how far apart features can be that are of interest
-  unsigned rows;  ///< bits of the features that are asked one by one
+  unsigned rows;  ///< bits of the features that have a row
 };
 
 /// Bits of sixteen lanes whose boxes may meet. `a(k, first)`, `b(k, first)`: bound k of those from lane `first` on.
@@ -35,7 +35,7 @@ template <class Boxes, class A, class B>
   return mask;
 }
 
-/// `Boxes`: as of BlockSearch.
+/// The rows of one leaf block of search.a. `Boxes`: as in BlockSearch.
 template <PairKind kind, class Boxes, Course course>
 class LeafRows {
  public:
@@ -47,20 +47,21 @@ class LeafRows {
     boxes_.bound(search.a, 0, block, mine_);
   }
 
-  /// Of my features.
+  /// Bounds of my features.
   const Bounds& bounds() const { return mine_; }
 
-  /// `leaf`: all but its rows. Nothing if none of my features may meet its hull, which is lane `lane` of `hulls`.
+  /// Adds the rows of my features that may meet the hull of `leaf`, which is lane `lane` of `hulls`; `leaf.rows` is set
+  /// here.
   void append(MetLeaf leaf, const Bounds& hulls, int lane) {
     leaf.rows = rows_that_meet(leaf, hulls, lane);
     leaves_[leaf_count_] = leaf;
     leaf_count_ += leaf.rows != 0;
   }
 
-  /// Is there no room for the leaves of another node?
+  /// Is there no space for the leaves of another node?
   bool is_full() const { return leaf_count_ > kMostLeaves - kBlock; }
 
-  /// Hands on the pairs of all leaves, and forgets these.
+  /// Finds the pairs of all leaves that were appended, and empties the list of leaves.
   void match() {
     for (int i = 0; i < kAhead && i < leaf_count_; ++i) fetch(leaves_[i].block);
     for (int i = 0; i < leaf_count_; ++i) {
@@ -83,11 +84,11 @@ class LeafRows {
 
  private:
   static constexpr int kMostLeaves = 32, kAhead = 4;
-  /// Rows of a block that are looked at first, and the part of them above which the cheap test leaves too many to be
-  /// asked at all (docs/history/performance.md, "What chooses").
+  /// Rows of a block that are sampled with the cheap test; if it leaves more than this part of them, the others get the
+  /// sharp test at once (docs/history/performance.md, "What chooses").
   static constexpr int kSample = 16;
   static constexpr double kMostMet = 0.65;
-  /// Of a row, features within reach up to which it costs less later than being asked again
+  /// A row with no more features within reach is not tested again: later stages take less time
   /// (docs/history/performance.md, "Reach by blocks").
   static constexpr int kFew = 2;
 
@@ -102,7 +103,7 @@ class LeafRows {
         [&](int k, int) { return FloatLanes(hulls.at[k][lane]); });
   }
 
-  /// Boxes and corners are on their way while other blocks are looked at.
+  /// Prefetches boxes and corners while other blocks are tested.
   void fetch(int block) const {
     const auto fetch_all = [](const auto& of_block) {
       for (std::size_t byte = 0; byte < sizeof(of_block); byte += 64)
@@ -117,7 +118,7 @@ class LeafRows {
     boxes_.bound(search_.b, 0, leaves_[i].block, theirs_[i]);
   }
 
-  /// Of a leaf whose features move far: its features that may meet my hull become the rows, if these are fewer.
+  /// For a leaf whose features move far: makes its features that may meet my hull the rows, if these are fewer.
   void ask_fewer(MetLeaf& leaf) const {
     if (leaf.test != Test::some_time || (kIsSelf && leaf.block == block_)) return;
     const unsigned theirs = boxes_.meet_at_some_time(search_.a.levels[1][block_ / kBlock], block_ % kBlock,
@@ -127,7 +128,7 @@ class LeafRows {
     leaf.test = Test::some_time_of_theirs;
   }
 
-  /// Hands on the pairs of the leaves that are asked this. `keep(count)`, of that many rows, leaves those with pairs.
+  /// Finds the pairs of the leaves with this test. `keep(count)` reduces the first `count` rows to those with pairs.
   template <One one, class Keep>
   void match_rows(Test test, const Keep& keep) {
     int count = 0;
@@ -138,12 +139,12 @@ class LeafRows {
       row_pairs_.template append<one>(leaf_of(rows_[i]).block, lane_of(rows_[i]), found_[i], boxes_.t_limit());
   }
 
-  /// Of the first `count` rows, those of features that may meet, with the bits of these; their number.
+  /// Keeps those of the first `count` rows with features that meet at one time. Returns their number.
   template <One one>
   int keep_fast_rows(int count) {
     const auto cheap = [&](int i) { return others_that_meet<one>(rows_[i]); };
     const auto both = [&](int i) { return found_[i] & others_that_meet_at_some_time<one>(rows_[i]); };
-    // The block's first rows tell whether the cheap test leaves so much that the sharp one is better asked at once.
+    // The block's first rows tell whether the cheap test is worth its time.
     const int sample = std::min(count, kSample - sampled_), met = keep_rows(0, sample, 0, cheap);
     sampled_ += sample;
     met_ += met;
@@ -155,7 +156,7 @@ class LeafRows {
     return keep_rows(found, keep_rows(sample, count, found, cheap), found, both);
   }
 
-  /// The same where hardly any but neighbours are within reach of each other.
+  /// Keeps those of the first `count` rows with features within reach. Returns their number.
   int keep_near_rows(int count) {
     const int near = keep_rows(0, count, 0, [&](int i) { return others_within_reach(rows_[i]); });
     return keep_rows(0, near, 0, [&](int i) {
@@ -165,7 +166,8 @@ class LeafRows {
     });
   }
 
-  /// Of the rows first to last those where bits(i) has some, from place `to` on. Returns the place behind them.
+  /// Moves those of the rows first to last for which bits(i) is not zero to place `to` and on. Returns the place behind
+  /// them.
   template <class Bits>
   int keep_rows(int first, int last, int to, const Bits& bits) {
     for (int i = first; i < last; ++i) {
@@ -176,19 +178,19 @@ class LeafRows {
     return to;
   }
 
-  /// Of a row, place in leaves_ and lane of the one: without a sign, which takes more operations.
+  /// A row's place in leaves_, and the lane of its one feature: unsigned, which takes fewer operations.
   static unsigned place_of(std::int32_t row) { return static_cast<unsigned>(row) / kBlock; }
   const MetLeaf& leaf_of(std::int32_t row) const { return leaves_[place_of(row)]; }
   static int lane_of(std::int32_t row) { return static_cast<int>(static_cast<unsigned>(row) % kBlock); }
 
-  /// Bits of the sixteen of a row that are within reach of the one and no neighbours.
+  /// Bits of the sixteen of a row that are within reach of its one feature and no neighbours of it.
   unsigned others_within_reach(int row) const {
     const MetLeaf& leaf = leaf_of(row);
     return within_reach(search_.a.levels[0][block_], lane_of(row), search_.b.levels[0][leaf.block], leaf.reach) &
            ~neighbours<One::mine>(row);
   }
 
-  /// Bits of those that may meet the one and are no neighbours.
+  /// Bits of the sixteen that may meet the one feature by the cheap test and are no neighbours of it.
   template <One one>
   unsigned others_that_meet(int row) const {
     const int lane = lane_of(row);
@@ -204,7 +206,7 @@ class LeafRows {
     return row_pairs_.template neighbours<one>(leaf_of(row).block, lane_of(row));
   }
 
-  /// Bits of those that may meet the one at some time, neighbours among them.
+  /// Bits of the sixteen that may meet the one feature at one time, neighbours included.
   template <One one>
   unsigned others_that_meet_at_some_time(int row) const {
     const auto boxes = of_row<one>(search_.a.levels[0][block_], search_.b.levels[0][leaf_of(row).block]);
@@ -219,7 +221,7 @@ class LeafRows {
   int leaf_count_ = 0;
   MetLeaf leaves_[kMostLeaves + 1];
   bool is_bounded_[kMostLeaves];
-  int sampled_ = 0, met_ = 0;  ///< fast rows that were asked the cheap way first, and those that it left
+  int sampled_ = 0, met_ = 0;  ///< rows that were sampled with the cheap test, and those that it left
   Bounds theirs_[kMostLeaves];
   std::int32_t rows_[kMostLeaves * kBlock + kBlock];
   unsigned found_[kMostLeaves * kBlock];

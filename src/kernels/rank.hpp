@@ -1,5 +1,5 @@
-// Which of many numbers has a rank? Many are parted around pivots from a sample, a little beyond the place looked for
-// (Floyd, Rivest 1975), and copied; among the few that are left the place is guessed, and guessed better.
+// Selection: which of many numbers has a given rank? Many are partitioned around pivots from a sample, a little beyond
+// the rank (Floyd, Rivest 1975); among the few that are left it is found by interpolation search.
 #pragma once
 #include <algorithm>
 #include <cstddef>
@@ -10,18 +10,18 @@
 
 namespace tamis::TAMIS_ISA {
 
-/// Numbers below `at` are `below` many: as many as have the rank, or those equal to `at` make up for the rest.
+/// `below` numbers are less than `at`: exactly `rank` many, or numbers equal to `at` make up the difference.
 struct Cut {
   float at;
   std::size_t below;
 };
 
 /// Both ends included.
-struct Extent {
+struct NumberRange {
   float low, high;
 };
 
-/// What a guess shows.
+/// The numbers on both sides of a guess.
 struct Sides {
   std::size_t below;  ///< how many numbers are less than it
   float last, first;  ///< the largest of those, the smallest of the others
@@ -49,8 +49,8 @@ inline Sides sides_of(float guess, const float* numbers, std::size_t count) {
   return sides;
 }
 
-/// Of few numbers, within `extent`. Every guess takes at least one of them off what is left.
-inline Cut cut_few(const float* numbers, std::size_t count, std::size_t rank, Extent extent) {
+/// The same for few numbers within `extent`. Every guess excludes at least one of them.
+inline Cut cut_few(const float* numbers, std::size_t count, std::size_t rank, NumberRange extent) {
   auto [low, high] = extent;
   std::size_t below_low = 0, below_high = count;
   for (int guesses = 0; low < high; ++guesses) {
@@ -71,8 +71,8 @@ inline Cut cut_few(const float* numbers, std::size_t count, std::size_t rank, Ex
   return {low, below_low};
 }
 
-/// One of the numbers, of which `wanted` of `count` are likely to be on the nearer side, with few others.
-inline float pivot_near(const float* numbers, std::size_t count, std::size_t wanted, Extent extent) {
+/// A pivot from the numbers, a little beyond rank `wanted` of `count`, on the side that leaves fewer numbers.
+inline float pivot_near(const float* numbers, std::size_t count, std::size_t wanted, NumberRange extent) {
   constexpr std::uint32_t kSample = 32, kBeyond = 2;
   constexpr std::uint32_t kGoldenRatio = 0x9e3779b9;  // of 2^32; at equal steps a grid's numbers repeat
   float sample[kSample];
@@ -85,12 +85,12 @@ inline float pivot_near(const float* numbers, std::size_t count, std::size_t wan
 /// Copies those for which `is_low` to `low`, the others to `high`, where there is room for `count`. Either may be where
 /// the numbers are: they are overwritten then, even if none goes there. Returns how many are low.
 template <class IsLow>
-std::size_t part_numbers(const float* numbers, std::size_t count, const IsLow& is_low, float* low, float* high) {
+std::size_t partition_numbers(const float* numbers, std::size_t count, const IsLow& is_low, float* low, float* high) {
   std::size_t lows = 0, i = 0;
   for (; i + kFloatLanes <= count; i += kFloatLanes) {
     const auto x = FloatLanes::load_unaligned(numbers + i);
     const unsigned mask = bits(is_low(x));
-    store_parted(mask, x, low + lows, high + (i - lows));
+    store_partitioned(mask, x, low + lows, high + (i - lows));
     lows += static_cast<std::size_t>(count_bits(mask));
   }
   for (; i < count; ++i) {
@@ -103,7 +103,7 @@ std::size_t part_numbers(const float* numbers, std::size_t count, const IsLow& i
 }
 
 /// REQUIRES (not checked: each): finite numbers within `extent`; rank < count. `low`, `high`: room for `count` each.
-inline Cut cut_at_rank(const float* numbers, std::size_t count, std::size_t rank, Extent extent, float* low,
+inline Cut cut_at_rank(const float* numbers, std::size_t count, std::size_t rank, NumberRange extent, float* low,
                        float* high) {
   constexpr std::size_t kFew = 256;  // 64 and 128 take up to a tenth longer, 512 as long
   std::size_t below = 0;
@@ -111,10 +111,10 @@ inline Cut cut_at_rank(const float* numbers, std::size_t count, std::size_t rank
     const float pivot = pivot_near(numbers, count, rank, extent);
     const auto is_less = [&](const auto& x) { return x < FloatLanes(pivot); };
     const auto is_no_more = [&](const auto& x) { return x <= FloatLanes(pivot); };
-    std::size_t lows = part_numbers(numbers, count, is_less, low, high);
+    std::size_t lows = partition_numbers(numbers, count, is_less, low, high);
     if (lows == 0) {  // the pivot is the least, and all are copied
       numbers = high;
-      lows = part_numbers(numbers, count, is_no_more, low, high);
+      lows = partition_numbers(numbers, count, is_no_more, low, high);
       if (rank < lows) return {pivot, below};
     }
     const bool is_low = rank < lows;

@@ -1,5 +1,5 @@
-// How far apart at the start of a step features may be that end it, by the residuals of the boxes they are in; and
-// which are no farther apart.
+// Reach: how far apart at t=0 features in two boxes may be so that they can still end the step, by their residuals; and
+// which boxes are within it.
 #pragma once
 #include "kernels/box_overlap.hpp"
 
@@ -7,22 +7,22 @@ namespace tamis::TAMIS_ISA {
 
 [[gnu::always_inline]] inline void add_square(FloatLanes& sum, const FloatLanes& x) { sum = sum + x * x; }
 
-/// Of two boxes: the square of how far their residuals can part them. `a(k)`, `b(k)`: bound k of the boxes in lanes;
-/// lower ends of residuals are from `residual` on, all upper ends `high` behind the lower ones.
+/// The square of the largest difference of two boxes' residuals. `a(k)`, `b(k)`: bound k of the boxes in lanes; lower
+/// ends of residuals are from `residual` on, upper ends `high` behind the lower ones.
 template <int residual, int high, class A, class B>
-[[gnu::always_inline]] inline FloatLanes greatest_way2(const A& a, const B& b) {
-  FloatLanes way2(0.0f);
+[[gnu::always_inline]] inline FloatLanes greatest_residual2(const A& a, const B& b) {
+  FloatLanes residual2(0.0f);
   for (int k = residual; k < residual + 3; ++k)
-    add_square(way2, max(max(b(high + k) - a(k), a(high + k) - b(k)), FloatLanes(0.0f)));
-  return way2;
+    add_square(residual2, max(max(b(high + k) - a(k), a(high + k) - b(k)), FloatLanes(0.0f)));
+  return residual2;
 }
 
-/// How far apart along an axis two features can be, of a clearance whose square is at most so much.
+/// The reach along an axis of features whose clearance's square is at most so much.
 [[gnu::always_inline]] inline FloatLanes reach_of(const FloatLanes& clearance2) {
   return xsimd::sqrt(clearance2) * FloatLanes(1 + 0x1p-20f);
 }
 
-/// Of the features of a leaf block at t=0: summed over the axes, how far they extend.
+/// The extent at t=0 of a leaf block's features, summed over the axes.
 inline float extent(const Search& search, int block) {
   const BoxBlock& hulls = search.a.levels[1][block / kBlock];
   const int lane = block % kBlock;
@@ -31,7 +31,7 @@ inline float extent(const Search& search, int block) {
   return sum;
 }
 
-/// Bits of the sixteen whose boxes at t=0 are, along each axis, within reach of the one in that lane.
+/// Bits of the sixteen boxes that at t=0 are, along each axis, within reach of the box `one` in that lane.
 inline unsigned within_reach(const BoxBlock& one, int lane, const BoxBlock& sixteen, float reach) {
   unsigned mask = 0;
   for_sixteen_lanes([&](int first) {

@@ -1,14 +1,14 @@
-// Rows of pairs: one feature of a leaf block and the sixteen of another. Which of the sixteen are neighbours of the
-// one, and how those that meet it become pairs.
+// The pairs of a row, which is one feature of a leaf block and the sixteen of another: which of the sixteen are
+// neighbours of the one, and how those that meet it are appended to the buffer.
 #pragma once
 #include "kernels/compress.hpp"
 
 namespace tamis::TAMIS_ISA {
 
-/// Whose the one feature is: of the block searched from ("mine"), or of a block of the tree ("theirs").
+/// Whether a row's one feature is of the block searched from ("mine"), or of a block of the tree ("theirs").
 enum class One { mine, theirs };
 
-/// What two blocks have, by their parts in a row.
+/// The data of two blocks, ordered by their roles in a row.
 template <class T>
 struct OfRow {
   const T &one, &sixteen;
@@ -21,11 +21,11 @@ inline OfRow<T> of_row(const T& mine, const T& theirs) {
     return {theirs, mine};
 }
 
-/// Of the rows of one block with the leaf blocks of search.b.
+/// Pairs of the rows between one block and the leaf blocks of search.b.
 template <PairKind kind, Course course>
 class RowPairs {
  public:
-  /// Blocks are of one tree, so that a pair is met from both sides.
+  /// Both blocks are of one tree, so that a pair is found from both sides.
   static constexpr bool kIsSelf = kind == PairKind::edge_edge;
 
   RowPairs(Search& search, int block) : search_(search), block_(block), mine_(search.a.corners[block]) {}
@@ -39,7 +39,7 @@ class RowPairs {
     return mask;
   }
 
-  /// Hands on the one in that lane with each of the bits of `found`.
+  /// Appends to the buffer the pairs of the one feature, in that lane, with the features of the bits of `found`.
   template <One one>
   void append(int leaf, int lane, unsigned found, float t_limit) const {
     PairBuffer& pairs = *search_.pairs;

@@ -1,4 +1,5 @@
-// From a leaf block of one tree down the other tree: which leaf blocks may meet it, and what their features are asked.
+// The traversal: from a leaf block of one tree down the other tree, to the leaf blocks that it may meet. Their features
+// are then tested by LeafRows.
 #pragma once
 #include "kernels/leaf_rows.hpp"
 
@@ -7,7 +8,7 @@ namespace tamis::TAMIS_ISA {
 /// The bits of sixteen from `first` on.
 inline unsigned from_bit(int first) { return first >= kBlock ? 0 : ~0u << std::max(first, 0); }
 
-/// `Boxes`: MovingBoxes, RestBoxes, KeepBoxes or ClearanceBoxes.
+/// `Boxes`: the box test, MovingBoxes, RestBoxes, KeepBoxes or ClearanceBoxes.
 template <PairKind kind, class Boxes, Course course = Course::step>
 class BlockSearch {
  public:
@@ -28,7 +29,7 @@ class BlockSearch {
 
  private:
   using Bounds = typename Boxes::Bounds;
-  /// Part of a leaf block's extent up to which hardly any features but neighbours are within reach of each other
+  /// A reach up to this part of a leaf block's extent is short: hardly any features but neighbours are within it
   /// (docs/history/performance.md, "Reach by blocks").
   static constexpr float kShortReach = 0x1p-4f;
 
@@ -56,13 +57,14 @@ class BlockSearch {
         [&](int k, int first) { return hulls.lanes(k, first); });
     // In the same tree only blocks from this one on: child c covers leaf blocks below (c + 1) 16^(level-1).
     if (rows_.kIsSelf) mask &= from_bit((block_ >> (4 * (level - 1))) - node * kBlock);
-    return search_.a.leaves_out ? without_left_out(mask, level, node) : mask;
+    return search_.a.has_exclusions ? without_excluded(mask, level, node) : mask;
   }
 
-  unsigned without_left_out(unsigned mask, int level, int node) const {
+  /// Clears the bits of children that make no pair of interest with mine.
+  unsigned without_excluded(unsigned mask, int level, int node) const {
     unsigned rest = mask;
     for_each_bit(mask, [&](int child) {
-      if (is_left_out(search_.a, block_, search_.b, level - 1, node * kBlock + child)) rest &= ~(1u << child);
+      if (are_excluded(search_.a, block_, search_.b, level - 1, node * kBlock + child)) rest &= ~(1u << child);
     });
     return rest;
   }
@@ -74,16 +76,15 @@ class BlockSearch {
     return ~0u;
   }
 
-  /// Reaches are looked for where some can be short: that between two blocks is at least half of that within mine, as
-  /// any residual is at least half of mine's range away from one of its ends.
+  /// Can any reach be short? The reach between two blocks is at least half of that within mine, as any residual is at
+  /// least half the range of mine away from one of its ends.
   void expect_short_reaches() {
     const auto mine = [&](int k) { return FloatLanes(my_hull_[k]); };
     extent_ = extent(search_, block_);
     has_short_reaches_ = boxes_.reach(mine, mine).get(0) <= 2 * kShortReach * extent_;
   }
 
-  /// Of the leaf blocks of a node: how far apart their features and mine can be that are of interest; -1 where that is
-  /// far.
+  /// Computes the reach between my block and each leaf block of a node; -1 where it is not short.
   void find_reaches(int node, const Bounds& hulls) {
     if (!has_short_reaches_) return;
     for_sixteen_lanes([&](int first) {

@@ -7,7 +7,7 @@
 
 namespace tamis::TAMIS_ISA {
 
-inline Extent extent_of(const float* at, std::size_t count) {
+inline NumberRange extent_of(const float* at, std::size_t count) {
   FloatLanes low(at[0]), high(at[0]);
   std::size_t i = 0;
   for (; i + kFloatLanes <= count; i += kFloatLanes) {
@@ -24,21 +24,21 @@ inline Extent extent_of(const float* at, std::size_t count) {
 
 struct LongestAxis {
   int axis;
-  Extent extent;
+  NumberRange extent;
 };
 
-/// Measures as many axes as it takes, and enters their lengths in `reach`, which bounds them.
-inline LongestAxis longest_axis(const Centers& centers, std::size_t count, Reach& reach) {
+/// Measures only axes that may be the longest, by the bounds in `extents`, and enters their lengths there.
+inline LongestAxis longest_axis(const Centers& centers, std::size_t count, ExtentBounds& extents) {
   LongestAxis longest{};
   float most = -1;
   for (unsigned measured = 0;;) {
     int next = -1;
     for (int axis = 0; axis < centers.axes; ++axis)
-      if (!(measured >> axis & 1) && (next < 0 || reach.along[axis] > reach.along[next])) next = axis;
-    if (next < 0 || reach.along[next] <= most) return longest;
+      if (!(measured >> axis & 1) && (next < 0 || extents.along[axis] > extents.along[next])) next = axis;
+    if (next < 0 || extents.along[next] <= most) return longest;
     measured |= 1u << next;
-    const Extent extent = extent_of(centers.at[next], count);
-    const float length = reach.along[next] = extent.high - extent.low;
+    const NumberRange extent = extent_of(centers.at[next], count);
+    const float length = extents.along[next] = extent.high - extent.low;
     if (length > most) {
       longest = {next, extent};
       most = length;
@@ -46,8 +46,8 @@ inline LongestAxis longest_axis(const Centers& centers, std::size_t count, Reach
   }
 }
 
-/// Moves centers of so many axes apart, a batch after the other: the low ones forward where they are, the high ones to
-/// `scratch`, from place `lower` on.
+/// Partitions centers, batch after batch: low ones move forward in place, high ones to `scratch`, from place `lower`
+/// on.
 template <int axes>
 class Partition {
  public:
@@ -74,9 +74,9 @@ class Partition {
     if (high_ + kFloatLanes <= count_) {
       for (int axis = 0; axis < axes; ++axis) {
         const auto at = FloatLanes::load_unaligned(centers_.at[axis] + first);
-        store_parted(low, at, centers_.at[axis] + low_, scratch_.at[axis] + high_);
+        store_partitioned(low, at, centers_.at[axis] + low_, scratch_.at[axis] + high_);
       }
-      store_parted(low, feature, centers_.feature + low_, scratch_.feature + high_);
+      store_partitioned(low, feature, centers_.feature + low_, scratch_.feature + high_);
     } else {
       for (int axis = 0; axis < axes; ++axis) {
         const auto at = FloatLanes::load_unaligned(centers_.at[axis] + first);
@@ -114,11 +114,11 @@ inline FloatLanes load_some(const float* at, int lanes) {
 }
 
 template <int axes>
-void part_at(const Cut& cut, const float* along, const Centers& centers, const Centers& scratch, std::size_t count,
-             std::size_t lower) {
+void partition_at(const Cut& cut, const float* along, const Centers& centers, const Centers& scratch, std::size_t count,
+                  std::size_t lower) {
   Partition<axes> parts(centers, scratch, count, lower);
   const FloatLanes pivot(cut.at);
-  std::size_t equal = lower - cut.below;  // so many of those at the cut are low ones, the first
+  std::size_t equal = lower - cut.below;  // the first so many of those equal to the cut are low ones
   for (std::size_t first = 0; first < count; first += kFloatLanes) {
     const int lanes = count - first < kFloatLanes ? static_cast<int>(count - first) : kFloatLanes;
     const unsigned in_use = (1u << lanes) - 1;
@@ -132,13 +132,13 @@ void part_at(const Cut& cut, const float* along, const Centers& centers, const C
   TAMIS_ASSERT(parts.lows() == lower);
 }
 
-inline PartsReach split(const Centers& centers, const Centers& scratch, std::size_t count, std::size_t lower,
-                        Reach reach) {
-  const auto [axis, extent] = longest_axis(centers, count, reach);
+inline HalvesExtents split(const Centers& centers, const Centers& scratch, std::size_t count, std::size_t lower,
+                           ExtentBounds extents) {
+  const auto [axis, extent] = longest_axis(centers, count, extents);
   const float* const along = centers.at[axis];
   const Cut cut = cut_at_rank(along, count, lower, extent, scratch.at[0], scratch.at[1]);
-  (centers.axes == 3 ? part_at<3> : part_at<6>)(cut, along, centers, scratch, count, lower);
-  PartsReach parts{reach, reach};
+  (centers.axes == 3 ? partition_at<3> : partition_at<6>)(cut, along, centers, scratch, count, lower);
+  HalvesExtents parts{extents, extents};
   parts.low.along[axis] = cut.at - extent.low;
   parts.high.along[axis] = extent.high - cut.at;
   return parts;

@@ -1,4 +1,4 @@
-// What is known of whether a pair touches, and when, before its place and its normal are.
+// Whether a pair touches, and when, as far as that is known; place and normal are found later.
 #pragma once
 #include <algorithm>
 #include <cstdint>
@@ -15,8 +15,8 @@ struct Decision {
   bool is_free() const { return verdict == Verdict::is_free; }
   bool touches() const { return verdict == Verdict::touches; }
 
-  /// Of parts of the step, the earliest first. One that may hold a contact stays when one that does follows: as the
-  /// lower end. REQUIRES: none before does.
+  /// Adds a part of the step that may hold a contact, or one that does; parts come in order. An unsure part before a
+  /// contact becomes the lower end of its bracket. REQUIRES: no contact was added.
   void add_unsure(double from, double until) {
     if (is_free()) *this = {Verdict::unsure, from, until};
     upper = std::max(upper, until);

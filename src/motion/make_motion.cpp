@@ -43,7 +43,7 @@ Moving<T> moving_difference(const PairPoints& points, VertexDifference v, double
   return {at(points.start), at(points.end)};
 }
 
-/// As it was in the unit of the points times a power of two.
+/// A motion in the unit of the points times a power of two.
 template <class T>
 struct Unscaled {
   Moving<T> e, f, d;
@@ -70,7 +70,7 @@ PairMotion<T> motion_of(PairKind kind, const PairPoints& points, double separati
   return motion.times(scale_below_one(motion.size()));
 }
 
-/// At its start, and at `part` of the way, rounded once.
+/// A vector at t=0 and at t=part, rounded once.
 Moving<double> beginning(const Moving<DoubleDouble>& v, double part) {
   const Moving<DoubleDouble> change = scaled({v.at0, v.at1 - v.at0}, part);
   return {rounded(v.at0), rounded(v.at0 + change.at1)};

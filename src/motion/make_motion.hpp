@@ -23,8 +23,8 @@ PairMotion<double> make_motion(PairKind kind, const PairPoints& points, double s
 /// The same in double-double, where no difference is rounded, and what underflows is below `underflow`.
 PairMotion<DoubleDouble> make_fine_motion(PairKind kind, const PairPoints& points, double separation);
 
-/// That of the first `part` of the step, a power of two, with that time mapped to [0,1]: as exact as make_motion, in
-/// units of what it is then. None where it is so small that underflow would count. REQUIRES: 0 < part <= 1.
+/// The motion during the first `part` of the step, a power of two, mapped to [0,1] and scaled by its own size: as exact
+/// as make_motion. Nothing if it is so small that underflow would count. REQUIRES: 0 < part <= 1.
 std::optional<PairMotion<double>> make_beginning(PairKind kind, const PairPoints& points, double separation,
                                                  double part);
 

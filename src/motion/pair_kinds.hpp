@@ -41,6 +41,9 @@ constexpr SpanningVectors spanning_vectors(PairKind kind) {
 /// no inside to pass through: they meet at single times, which hardly ever happens, or come near.
 constexpr bool can_cross(PairKind kind) { return kind == PairKind::vertex_face || kind == PairKind::edge_edge; }
 
+/// Is contact a matter of the distance? If not, of when the four points are coplanar.
+constexpr bool is_about_distance(PairKind kind, double separation) { return separation > 0 || !can_cross(kind); }
+
 /// The place, among the pair's vertices, of the second feature's first.
 constexpr std::size_t second_feature(PairKind kind) { return kind == PairKind::edge_edge ? 2 : 1; }
 

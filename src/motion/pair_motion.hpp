@@ -52,8 +52,8 @@ struct PairMotion {
 
 inline bool is_finite(const PairMotion<double>& m) { return std::isfinite(m.size_e + m.size_f + m.size_d); }
 
-/// Of a motion that is not restricted: its sizes are those of its vectors as they are. Always true of what is not
-/// finite, and of numbers other than doubles, which are not asked.
+/// Can the motion be one that is not restricted, with sizes of just these vectors? Always true of motions that are not
+/// finite, and of numbers other than doubles, which are not checked.
 inline bool may_be_whole(const PairMotion<double>& m) {
   return !is_finite(m) || (m.size_e == largest(m.e) && m.size_f == largest(m.f) && m.size_d == largest(m.d));
 }
@@ -61,7 +61,7 @@ template <class T>
 constexpr bool may_be_whole(const PairMotion<T>&) {
   return true;
 }
-/// The same, and finite.
+/// Is the motion finite and not restricted?
 inline bool is_whole(const PairMotion<double>& m) { return is_finite(m) && may_be_whole(m); }
 template <class T>
 constexpr bool is_whole(const PairMotion<T>&) {

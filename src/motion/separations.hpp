@@ -9,12 +9,12 @@
 
 namespace tamis {
 
-/// All in the unit of the step, finite and >= 0. Whoever makes one keeps the radii alive.
+/// In the unit of the positions, finite and >= 0. Refers to the radii, which must outlive it.
 struct Separations {
   double fixed = 0;
   std::span<const double> radii = {};  ///< one a vertex of the mesh; empty: all zero
 
-  /// False: contact means touching, for every pair.
+  /// Is there any? If not, contact means touching.
   bool any() const { return fixed > 0 || !radii.empty(); }
   /// A feature has the largest radius of its vertices. `v` as in Contact. REQUIRES: a radius of each.
   double between(PairKind kind, const std::array<Index, 4>& v) const {
@@ -22,7 +22,7 @@ struct Separations {
     const std::size_t second = second_feature(kind);
     return (largest(v, 0, second) + largest(v, second, vertex_count(kind))) + fixed;
   }
-  /// Of all vertices.
+  /// The largest radius of all vertices.
   double largest_radius() const { return radii.empty() ? 0 : *std::max_element(radii.begin(), radii.end()); }
 
  private:

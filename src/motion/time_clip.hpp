@@ -12,11 +12,12 @@ struct TimeInterval {
   T t_in, t_out;
 };
 
-/// Where a part is cut whose halves are looked at next. At no simple fraction: contacts happen at those, and one at a
+/// Where a part of the time is cut into halves: at no simple fraction, as contacts happen at those, and a contact at a
 /// cut is undecided on both sides.
 inline constexpr double kNearMiddle = 0.48713;
+inline double near_middle(double from, double to) { return from + kNearMiddle * (to - from); }
 
-/// Neither empty nor beyond the step. Of numbers other than doubles it is not asked.
+/// Is the interval neither empty nor beyond the step? Checked for doubles alone.
 inline bool is_part_of_step(const TimeInterval<double>& time) {
   return 0 <= time.t_in && time.t_in <= time.t_out && time.t_out <= 1;
 }

@@ -14,8 +14,8 @@ namespace {
 
 using Vec = Vec3<double>;
 
-/// Along e x f, of any length; zero: there is none. Where rounding would tilt it by more than 2^-28 (components are off
-/// by at most 20 u E F, as those of N in error_bounds.hpp), as of slivers, by integers.
+/// Along e x f, of any length; zero if there is none. Where rounding would tilt it by more than 2^-28 (components are
+/// off by at most 20 u E F, as those of N in error_bounds.hpp), as of slivers, by integers.
 Vec normal_at(PairKind kind, const PairPoints& points, const PairMotion<double>& m, double time) {
   const Vec normal = cross(at_time(m.e, time), at_time(m.f, time));
   const bool is_sharp = largest_component(normal) > 0x1p-20 * m.size_e * m.size_f + error_bounds::underflow<double>;

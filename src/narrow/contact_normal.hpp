@@ -6,7 +6,6 @@
 #include "motion/make_motion.hpp"
 #include "motion/pair_kinds.hpp"
 #include "motion/time_clip.hpp"
-#include "narrow/separation.hpp"
 #include "tamis/pair.hpp"
 
 namespace tamis {
@@ -26,11 +25,11 @@ inline void set_place(PairResult& result, const ContactPlace& place) {
 /// Of the closest points at `time`. REQUIRES, as all below: finite coordinates, times in [0,1] and in order; `m` is the
 /// motion of `points`.
 ContactPlace closest_place(PairKind kind, const PairPoints& points, const PairMotion<double>& m, double time);
-/// The same of a pair of which doubles, in lanes or not, did not tell it.
+/// The same in integers, where doubles do not tell it.
 ContactPlace exact_closest_place(PairKind kind, const PairPoints& points, double time);
 
-/// Of a crossing within `time`, before which the first feature is on that side of the second: 1 or -1, along e x f; 0:
-/// there is no side. REQUIRES: a kind that can cross.
+/// The place of a crossing within `time`. `side`: on which side of the second feature the first is before it, 1 or -1
+/// along e x f, or 0 if there is none. REQUIRES: a kind that can cross.
 ContactPlace crossing_place(PairKind kind, const PairPoints& points, const PairMotion<double>& m,
                             const TimeInterval<double>& time, int side);
 

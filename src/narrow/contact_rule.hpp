@@ -1,4 +1,4 @@
-// By what a pair is decided.
+// The rule by which a pair is decided: separation and latest time of interest.
 #pragma once
 
 namespace tamis {

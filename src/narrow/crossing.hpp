@@ -62,7 +62,7 @@ struct CrossingSearch {
     // Turned so that the cubic falls; one sign change whatever the uncertain signs, unless k1 < 0 < k2.
     rises = k[0] < T(0);
     for (T& c : k) c = select(rises, -c, c);
-    stays = (k[0] > end) & (k[1] > middle) & (k[2] > middle) & (k[3] > end);  // DNF
+    keeps_sign = (k[0] > end) & (k[1] > middle) & (k[2] > middle) & (k[3] > end);  // DNF
     falls_once = (k[0] > end) & (k[3] < -end) & ((k[1] > middle) | (k[2] < -middle));
     k[0] = select(falls_once, k[0], T(1));  // the others solve 1 - 2t, and are not used
     k[3] = select(falls_once, k[3], T(-1));
@@ -88,7 +88,7 @@ struct CrossingSearch {
     const T per_norm = sqrt(sides.per_norm2);
     const T along =
         kind == PairKind::vertex_face ? select(rises, -per_norm, per_norm) : select(rises, per_norm, -per_norm);
-    return {Mask<T>(stays | (brackets & sides.outside)),
+    return {Mask<T>(keeps_sign | (brackets & sides.outside)),
             Mask<T>(brackets & sides.inside),
             brackets,
             lower,
@@ -102,7 +102,7 @@ struct CrossingSearch {
   const TimeInterval<T> part;
   std::array<T, 4> cubic;
   T unit;
-  Mask<T> rises, stays, falls_once;
+  Mask<T> rises, keeps_sign, falls_once;
 };
 
 namespace crossing {
@@ -119,7 +119,7 @@ template <PairKind kind, class T>
 inline Crossing<T> find_crossing(const PairMotion<T>& step, const TimeInterval<T>& part) {
   const CrossingSearch<kind, T> search(step, coplanarity_polynomial(step), part);
   if constexpr (std::is_same_v<Mask<T>, bool>)
-    if (search.stays) return Crossing<T>::free();
+    if (search.keeps_sign) return Crossing<T>::free();
   return search.at_root(crossing::find_root(search.cubic));
 }
 

@@ -20,8 +20,8 @@ inline T slope(const std::array<T, 4>& k, const T& t) {
   return s * s * (k[1] - T(3) * k[0]) + T(2) * s * t * (k[2] - k[1]) + t * t * (T(3) * k[3] - k[2]);
 }
 
-/// Newton's iteration kept inside a shrinking bracket, stride by stride: to one of the roots, if k[0] > 0 > k[3]; else
-/// it does not begin, and root() means nothing.
+/// Newton's iteration kept inside a shrinking bracket, one iterate() at a time. It converges to one of the roots if
+/// k[0] > 0 > k[3]; else goes_on() is false from the start, and root() means nothing.
 template <class T>
 class RootSearch {
  public:
@@ -36,9 +36,9 @@ class RootSearch {
   const Mask<T>& goes_on() const { return goes_on_; }
   const T& root() const { return root_; }
 
-  void stride() {
-    // Of the last stride d: the root is then off by at most kBend d^2 / fall, a third of what the sign is certain
-    // within.
+  void iterate() {
+    // After a last correction of d the root is off by at most kBend d^2 / fall: a third of the distance within which
+    // the sign is certain.
     const T tolerance(0x1p-27), square = root_ * root_;
     const T f = (c0_ + c1_ * root_) + square * (c2_ + c3_ * root_);
     const T slope = (c1_ + T(2) * c2_ * root_) + T(3) * c3_ * square;
@@ -57,22 +57,22 @@ class RootSearch {
   Mask<T> goes_on_;
 };
 
-inline constexpr int kMostStrides = 60;
+inline constexpr int kMaxIterations = 60;
 
 template <class T>
 inline T find_root(const std::array<T, 4>& k) {
   RootSearch<T> search(k);
-  for (int i = 0; i < kMostStrides && any(search.goes_on()); ++i) search.stride();
+  for (int i = 0; i < kMaxIterations && any(search.goes_on()); ++i) search.iterate();
   return search.root();
 }
 
-/// The same of two, stride by stride: each waits for its divisions, and neither for the other's.
+/// The roots of two cubics, interleaved: the divisions of one run while the other's are waited for.
 template <class T>
 inline std::array<T, 2> find_two_roots(const std::array<T, 4>& k, const std::array<T, 4>& other) {
   RootSearch<T> a(k), b(other);
-  for (int i = 0; i < kMostStrides && any(Mask<T>(a.goes_on() | b.goes_on())); ++i) {
-    a.stride();
-    b.stride();
+  for (int i = 0; i < kMaxIterations && any(Mask<T>(a.goes_on() | b.goes_on())); ++i) {
+    a.iterate();
+    b.iterate();
   }
   return {a.root(), b.root()};
 }

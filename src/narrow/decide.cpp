@@ -7,13 +7,13 @@
 #include "exact/exact.hpp"
 #include "filters/slab_clip.hpp"
 #include "motion/pair_kinds.hpp"
-#include "narrow/beginnings.hpp"
 #include "narrow/contact_normal.hpp"
 #include "narrow/decide_in_doubles.hpp"
 #include "narrow/decided_by_crossing.hpp"
-#include "narrow/finely.hpp"
-#include "narrow/leaving.hpp"
-#include "narrow/separation.hpp"
+#include "narrow/fine_crossing.hpp"
+#include "narrow/fine_separation.hpp"
+#include "narrow/pair_beginnings.hpp"
+#include "narrow/recontact.hpp"
 #include "numerics/assert.hpp"
 
 namespace tamis {
@@ -129,13 +129,13 @@ PairResult decide(PairKind kind, const PairPoints& points, const ContactRule& ru
   return decided->toi_lower > rule.latest ? PairResult{} : *decided;
 }
 
-PairResult decide_once_apart(PairKind kind, const PairPoints& points, double separation, PrecisionCount& decided_by) {
+PairResult decide_recontact(PairKind kind, const PairPoints& points, double separation, PrecisionCount& decided_by) {
   const auto m = make_motion(kind, points, separation);
-  const auto again = is_finite(m) && m.separation > 0 ? within_once_apart(kind, m) : std::nullopt;
+  const auto again = is_finite(m) && m.separation > 0 ? first_recontact_within(kind, m) : std::nullopt;
   const auto [decision, arithmetic] =
       again && is_sharp_answer(*again)
           ? Outcome{*again, &PrecisionCount::scalar}
-          : Outcome{decide_once_apart_exactly(kind, points, separation), &PrecisionCount::exact};
+          : Outcome{decide_recontact_exactly(kind, points, separation), &PrecisionCount::exact};
   ++(decided_by.*arithmetic);
   return described(kind, points, m, decision);
 }

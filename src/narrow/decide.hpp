@@ -18,8 +18,8 @@ PairResult decide(PairKind kind, const PairPoints& points, const ContactRule& ru
 PairResult decide_undecided(PairKind kind, const PairPoints& points, const ContactRule& rule,
                             PrecisionCount& decided_by);
 
-/// What a pair does that touches at t=0 and counts once it has come apart: does it touch again? REQUIRES (not checked:
-/// exact): it does touch at t=0.
-PairResult decide_once_apart(PairKind kind, const PairPoints& points, double separation, PrecisionCount& decided_by);
+/// Recontact: does a pair that touches at t=0 touch again, after it has come apart? REQUIRES (not checked: exact): it
+/// touches at t=0.
+PairResult decide_recontact(PairKind kind, const PairPoints& points, double separation, PrecisionCount& decided_by);
 
 }  // namespace tamis

@@ -7,7 +7,7 @@
 #include "filters/ncf.hpp"
 #include "filters/slab_clip.hpp"
 #include "narrow/decided_by_crossing.hpp"
-#include "narrow/separation.hpp"
+#include "narrow/first_within.hpp"
 #include "numerics/assert.hpp"
 
 namespace tamis {
@@ -79,8 +79,8 @@ Decision subdivide(const PairMotion<double>& m, const TimeInterval<double>& time
   return decision;
 }
 
-/// The decision without what the clip proves free.
-Decision within(const TimeInterval<double>& clip, Decision d) {
+/// The decision, less what the clip proves free.
+Decision restricted_to(const TimeInterval<double>& clip, Decision d) {
   if (d.is_free()) return d;
   d.lower = std::max(d.lower, clip.t_in);
   d.upper = std::min(d.upper, clip.t_out);
@@ -99,8 +99,8 @@ Decision decide_in_doubles(PairKind kind, const PairMotion<double>& m, const Tim
   if (!is_finite(m)) return {Verdict::unsure, time.t_in, time.t_out};
   TAMIS_ASSERT(is_whole(m) && is_part_of_step(time));
   if (is_about_distance(kind, m.separation)) return first_within(kind, m, time);
-  return within(time, kind == PairKind::vertex_face ? subdivide<PairKind::vertex_face>(m, widened(time))
-                                                    : subdivide<PairKind::edge_edge>(m, widened(time)));
+  return restricted_to(time, kind == PairKind::vertex_face ? subdivide<PairKind::vertex_face>(m, widened(time))
+                                                           : subdivide<PairKind::edge_edge>(m, widened(time)));
 }
 
 }  // namespace tamis

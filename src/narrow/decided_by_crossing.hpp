@@ -8,15 +8,15 @@
 
 namespace tamis {
 
-/// A face that meets the axes squarely is clipped to the very instant of contact, where no sign is certain any more.
+/// The clip of a face that is orthogonal to an axis ends at the very time of contact, where no sign is certain.
 template <class T>
 inline TimeInterval<T> widened(const TimeInterval<T>& time) {
-  const T room(1.0 / 1024);
-  return {max(time.t_in - room, T(0)), min(time.t_out + room, T(1))};
+  const T margin(1.0 / 1024);
+  return {max(time.t_in - margin, T(0)), min(time.t_out + margin, T(1))};
 }
 
-/// What a crossing decides that was found in `clip`, or in widened(clip): nothing, unless it is free or touches. A
-/// contact whose bracket is not sharp is not decided.
+/// Restricts a crossing that was found in widened(clip) to `clip`. It decides the pair if it is free or touches then; a
+/// contact whose bracket is not sharp does not count as decided.
 template <class T>
 inline Crossing<T> decided_by_crossing(Crossing<T> c, const TimeInterval<T>& clip) {
   c.lower = max(c.lower, clip.t_in);

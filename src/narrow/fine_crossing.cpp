@@ -1,10 +1,11 @@
+#include "narrow/fine_crossing.hpp"
+
 #include <algorithm>
 #include <cmath>
 
 #include "motion/pair_kinds.hpp"
 #include "narrow/crossing_sides.hpp"
 #include "narrow/crossing_slope.hpp"
-#include "narrow/finely.hpp"
 #include "numerics/assert.hpp"
 
 namespace tamis {
@@ -31,13 +32,13 @@ class FineCrossing {
   /// By Newton's method, from the middle of the bracket; nothing if it may lie outside. A root is no farther from t
   /// than what the coplanarity is there, by the least slope.
   std::optional<FineRoot> root(const TimeInterval<double>& bracket) const {
-    constexpr int kMostLooks = 4;
+    constexpr int kMaxIterations = 4;
     constexpr double kSharp = 0x1p-80;  // sides in double-double tell no more
     FineRoot root{bracket.t_in + 0.5 * (bracket.t_out - bracket.t_in), 1};
-    for (int looks = 1;; ++looks) {
+    for (int iterations = 1;; ++iterations) {
       const Fine value = coplanarity_at(root.time);
       root.radius = kRoundedUp * (std::fabs(value.high) + 2 * error_.high) / std::fabs(slope_);
-      if (!(root.radius > kSharp) || looks == kMostLooks) break;
+      if (!(root.radius > kSharp) || iterations == kMaxIterations) break;
       root.time = root.time - value.high / crossing::slope(cubic_, root.time.high);
     }
     const bool is_within = root.time - root.radius > bracket.t_in && Fine(bracket.t_out) - root.radius > root.time;
@@ -74,9 +75,9 @@ std::optional<Decision> touches_around(const FineRoot& root) {
 std::optional<Decision> decide_crossing_finely(PairKind kind, const PairPoints& points, const PairMotion<double>& m,
                                                const Decision& coarse) {
   TAMIS_ASSERT(can_cross(kind) && is_motion_of(m, kind, points) && !coarse.is_free());
-  // A clip, after which a pair may touch, may end at the very root.
-  const double room = coarse.touches() ? 0 : 0x1p-50;
-  const TimeInterval<double> around{std::max(coarse.lower - room, 0.0), std::min(coarse.upper + room, 1.0)};
+  // The clip may end at the very root.
+  const double margin = coarse.touches() ? 0 : 0x1p-50;
+  const TimeInterval<double> around{std::max(coarse.lower - margin, 0.0), std::min(coarse.upper + margin, 1.0)};
   const double slope = crossing::least_slope_during(m, around);
   if (slope == 0) return {};
   const PairMotion<Fine> fine = make_fine_motion(kind, points, 0);

@@ -1,9 +1,10 @@
+#include "narrow/fine_separation.hpp"
+
 #include <algorithm>
 #include <cmath>
 
-#include "distance/squared_axis.hpp"
+#include "distance/orthogonal_axis.hpp"
 #include "motion/pair_kinds.hpp"
-#include "narrow/finely.hpp"
 #include "numerics/assert.hpp"
 #include "numerics/scale.hpp"
 
@@ -22,8 +23,8 @@ FineVec times_power_of_two(double power, const FineVec& v) {
 /// 1 + x, x being some roundings.
 Fine one_and(double roundings) { return {1, roundings * error_bounds::unit_roundoff<Fine>}; }
 
-/// As the distance is at one time.
-struct FineSight {
+/// The distance at one time, in double-double.
+struct FineDistance {
   double time;
   FineVec e, f, d;
   ClosestPoints rough;  ///< the closest points in doubles
@@ -42,13 +43,13 @@ class FineSearch {
 
   /// Newton's method, from the middle of the bracket until its ends are neighbouring doubles.
   std::optional<Decision> run(TimeInterval<double> bracket) const {
-    constexpr int kMostSights = 8;
+    constexpr int kMaxIterations = 8;
     const double start = bracket.t_in;
-    std::optional<FineSight> before, after;
+    std::optional<FineDistance> before, after;
     double t = start + 0.5 * (bracket.t_out - start);
-    for (int sights = 0; sights < kMostSights; ++sights) {
+    for (int iterations = 0; iterations < kMaxIterations; ++iterations) {
       if (!(t > bracket.t_in && t < bracket.t_out)) break;
-      const FineSight now = sight(t);
+      const FineDistance now = distance_at(t);
       const double closer = 2 * dot(rounded(now.gap), velocity(now.rough)), next = t - now.excess / closer;
       const bool is_before = now.excess > 0;
       (is_before ? before : after) = now;
@@ -77,8 +78,8 @@ class FineSearch {
     return p;
   }
 
-  FineSight sight(double t) const {
-    FineSight s{t, at_time(fine_.e, Fine(t)), at_time(fine_.f, Fine(t)), at_time(fine_.d, Fine(t)), {}, {}, 0};
+  FineDistance distance_at(double t) const {
+    FineDistance s{t, at_time(fine_.e, Fine(t)), at_time(fine_.f, Fine(t)), at_time(fine_.d, Fine(t)), {}, {}, 0};
     if constexpr (weights == WeightsIn::doubles) {
       s.rough = snapped(closest_points<kind>(rounded(s.e), rounded(s.f), rounded(s.d)));
       s.gap = gap_at<kind>(s.e, s.f, s.d, Fine(s.rough.u), Fine(s.rough.v));
@@ -97,16 +98,16 @@ class FineSearch {
   }
 
   /// Certified: the closest points are within the separation.
-  bool is_within(const FineSight& s) const {
-    const Fine room = fine_.separation - error_bounds::bound<Fine>(error_bounds::kGap, size_);
-    return room > Fine(0) && dot(s.gap, s.gap) * one_and(8) < room * room * one_and(-8);
+  bool is_within(const FineDistance& s) const {
+    const Fine least = fine_.separation - error_bounds::bound<Fine>(error_bounds::kGap, size_);
+    return least > Fine(0) && dot(s.gap, s.gap) * one_and(8) < least * least * one_and(-8);
   }
 
   /// Certified, from `start` until then: along the axis of the closest points all corners lie beyond the separation at
   /// the end, and have come nearer all that time.
-  bool was_apart(const FineSight& s, double start) const {
+  bool was_apart(const FineDistance& s, double start) const {
     const Fine zero(0);
-    const FineVec axis = squared_gap<kind>(s.e, s.f, ClosestPointsOf<Fine>{s.rough.u, s.rough.v, s.gap});
+    const FineVec axis = orthogonal_gap<kind>(s.e, s.f, ClosestPointsOf<Fine>{s.rough.u, s.rough.v, s.gap});
     const double scale = scale_below_one(largest_component(rounded(axis)));
     const FineVec n = times_power_of_two(scale, axis);
     const Fine error = error_bounds::bound<Fine>(error_bounds::kAxisNow, size_);
@@ -115,7 +116,7 @@ class FineSearch {
       const Fine along = dot(n, corner) - error;
       if (!(along > zero && along * along * one_and(-8) > reach)) return false;
     }
-    const Vec3<double> turn = squared_axis<kind>(m_, s.time, s.rough).turn;
+    const Vec3<double> turn = orthogonal_axis<kind>(m_, s.time, s.rough).turn;
     return AxisClip<kind, double>(m_).was_beyond(s.time, {rounded(n), scale * turn}, s.time - start);
   }
 

@@ -4,12 +4,12 @@
 #include <cmath>
 #include <limits>
 
-#include "distance/squared_axis.hpp"
+#include "distance/orthogonal_axis.hpp"
 #include "exact/start_distance.hpp"
 #include "motion/difference_corners.hpp"
 #include "motion/pair_kinds.hpp"
 #include "narrow/decide.hpp"
-#include "narrow/separation.hpp"
+#include "narrow/first_within.hpp"
 #include "numerics/assert.hpp"
 
 namespace tamis {
@@ -35,7 +35,7 @@ double start_distance_bound(const PairMotion<double>& m, const ClosestPoints& cl
   const AxisClip<kind, double> clip(m);
   const double along_gap = clip.distance_along(0.0, closest.gap);
   if (along_gap >= kSharp * std::sqrt(dot(closest.gap, closest.gap))) return along_gap;
-  return std::max(along_gap, clip.distance_along(0, squared_axis<kind>(m, 0.0, closest).direction));
+  return std::max(along_gap, clip.distance_along(0, orthogonal_axis<kind>(m, 0.0, closest).direction));
 }
 
 /// REQUIRES: the motion of the whole step, finite.
@@ -52,16 +52,17 @@ StartBounds start_bounds(PairKind kind, const PairMotion<double>& m) {
   });
 }
 
-/// The distance that must be kept, from one at t=0: `rounding` 1 for an upper bound, -1 for a lower one.
+/// The distance that must be kept where the one at t=0 is `distance`; `rounding`: 1 for an upper bound, -1 for a lower.
 double kept(double distance, const PairMotion<double>& m, double fraction, int rounding) {
   const double clearance = std::max(distance - m.separation, 0.0);
   return (m.separation + fraction * clearance) * (1 + rounding * 8 * kRoundoff);
 }
 
-/// Of a pair without clearance at t=0.
-double stays_away_until(PairKind kind, const PairPoints& points, const DistanceRule& rule, PrecisionCount& decided_by) {
+/// Until when a pair without clearance at t=0 obeys the rule.
+double keeps_without_clearance_until(PairKind kind, const PairPoints& points, const DistanceRule& rule,
+                                     PrecisionCount& decided_by) {
   if (!rule.ignores_start) return 0;
-  const PairResult again = decide_once_apart(kind, points, rule.min_separation, decided_by);
+  const PairResult again = decide_recontact(kind, points, rule.min_separation, decided_by);
   return again.touches ? again.toi_lower : 1;
 }
 
@@ -76,15 +77,15 @@ double keeps_distance_until(PairKind kind, const PairPoints& points, const Dista
   const double clearance = start.low - m.separation, portion = (1 - rule.fraction) * (1 - 4 * kRoundoff);
   const bool is_sharp = start.high - start.low <= kSharpEnough * clearance;
   ++(is_within || is_sharp ? decided_by.scalar : decided_by.exact);
-  if (is_within) return stays_away_until(kind, points, rule, decided_by);
-  const double at_rest = is_sharp ? portion * (clearance / start.speed) * (1 - 4 * kRoundoff)
-                                  : portion * apart_from_start(kind, points, rule.min_separation);
+  if (is_within) return keeps_without_clearance_until(kind, points, rule, decided_by);
+  const double by_speed = is_sharp ? portion * (clearance / start.speed) * (1 - 4 * kRoundoff)
+                                   : portion * apart_from_start(kind, points, rule.min_separation);
   until = std::min(until, 1.0);
-  if (at_rest == 0 && rule.ignores_start && starts_within(kind, points, rule.min_separation))  // or it underflows
-    return stays_away_until(kind, points, rule, decided_by);
-  if (at_rest == 0 || at_rest >= until) return std::min(at_rest, 1.0);
+  if (by_speed == 0 && rule.ignores_start && starts_within(kind, points, rule.min_separation))  // or it underflows
+    return keeps_without_clearance_until(kind, points, rule, decided_by);
+  if (by_speed == 0 || by_speed >= until) return std::min(by_speed, 1.0);
   m.separation = kept(start.high, m, rule.fraction, 1);
-  return apart_until(kind, m, at_rest, until);
+  return apart_until(kind, m, by_speed, until);
 }
 
 double fraction_is_left_at(PairKind kind, const PairPoints& points, const DistanceRule& rule, double lower) {

@@ -25,7 +25,7 @@ NearPair described(const std::array<Index, 4>& vertices, double distance, double
 
 }  // namespace
 
-bool is_near(PairKind kind, const PairPoints& points, double separation, PrecisionCount& decided_by) {
+bool may_start_within(PairKind kind, const PairPoints& points, double separation, PrecisionCount& decided_by) {
   TAMIS_ASSERT(is_finite(points));
   const PairMotion<double> m = make_motion(kind, {points.start, points.start}, separation);
   const auto rest = with_kind(kind, [&](auto k) { return distance_at_start<k()>(m); });

@@ -7,9 +7,9 @@
 
 namespace tamis {
 
-/// At t=0: true if within the separation, or by less than doubles can tell beyond it. REQUIRES: finite coordinates,
+/// Is the pair within its separation at t=0, or beyond it by less than doubles can tell? REQUIRES: finite coordinates,
 /// also at t=1, a finite separation >= 0. Counts in `decided_by` which arithmetic had the last word.
-bool is_near(PairKind kind, const PairPoints& points, double separation, PrecisionCount& decided_by);
+bool may_start_within(PairKind kind, const PairPoints& points, double separation, PrecisionCount& decided_by);
 
 /// REQUIRES: finite coordinates, also at t=1.
 NearPair near_pair(PairKind kind, const std::array<Index, 4>& vertices, const PairPoints& points);

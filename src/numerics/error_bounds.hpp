@@ -130,14 +130,14 @@ inline constexpr double kTurningGap = 96;
 // The same, where the least distance is a part of that at t=0: kGap and kLength, 27 more.
 inline constexpr double kKeptGap = 128;
 
-// Part of D + E + F: while a pair is so much farther apart than a separation, advancement (narrow/separation.hpp) goes
-// on, and each of its strides is at least 1/16 of this part of the step (docs/numerics.md, "Step lengths").
-inline constexpr double kRoomToAdvance = 0x1p-10;
+// Part of D + E + F: while a pair's clearance exceeds it, advancement (narrow/first_within.hpp) goes on, and each
+// advance is at least 1/16 of this part of the step (docs/numerics.md, "Step lengths").
+inline constexpr double kAdvanceClearance = 0x1p-10;
 
 // The same of every pair within two boxes, times their largest extent along an axis, from the lower end of the one to
 // the upper end of the other: D is at most that, and a box at most twice as wide, so that E + F of a face, whose sides
 // are in one box, are at most four times that; 6 covers the rounding of all the rest.
-inline constexpr double kRoomOfBoxes = 6 * kRoomToAdvance;
+inline constexpr double kBoxAdvanceClearance = 6 * kAdvanceClearance;
 
 }  // namespace tamis::error_bounds
 

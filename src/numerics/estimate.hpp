@@ -1,5 +1,5 @@
-// An integer known in two ways: as a double with a bound of its rounding, and modulo 2^128. Together they are the whole
-// integer where it is below 2^127, so that what is zero, or nearly, is known to be. For what is asked before Integer.
+// An estimate of an integer: a double with a bound of its rounding, and the value modulo 2^128. Together they are exact
+// below 2^127, so that zeros, and small values, are known. Tried before Integer.
 #pragma once
 #include <cmath>
 #include <cstdint>

@@ -1,4 +1,4 @@
-// Is a point finite?
+// Tests whether a point is finite.
 #pragma once
 #include "tamis/contact.hpp"
 

@@ -5,8 +5,8 @@
 
 namespace tamis {
 
-/// What its memory_bytes() says; of what a pointer or an optional has, if anything; of a vector of numbers all that it
-/// has room for; of other containers what their elements, or a map's values, hold.
+/// An object's memory_bytes(); for a pointer or an optional that of its object, if any; for a vector of numbers its
+/// capacity; for other containers what their elements, or a map's values, hold.
 template <class Part>
 std::uint64_t held_bytes(const Part& part) {
   if constexpr (requires { part.memory_bytes(); }) {

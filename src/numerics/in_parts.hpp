@@ -1,11 +1,11 @@
-// A loop shared out among threads, where it is long enough.
+// A parallel loop, if it is long enough.
 #pragma once
 #include <tbb/parallel_for.h>
 
 namespace tamis {
 
-/// f(begin, end) of parts that make up 0 to `count`; what is no longer than `grain` is one, and stays with this thread:
-/// handing it over costs as much as a tenth of all that a mesh of a dozen triangles asks for.
+/// Calls f(begin, end) for parts of 0 to `count`. A loop no longer than `grain` stays with this thread: handing it over
+/// costs a tenth of a whole question about a mesh of a dozen triangles.
 template <class Count, class F>
 void in_parts(Count count, Count grain, const F& f) {
   if (count <= grain) {

@@ -1,4 +1,4 @@
-// Memory for what is written before it is read: filling it with zeros first would take as long as writing it.
+// An array that is not initialized: filling it with zeros first would take as long as writing it.
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -10,7 +10,7 @@
 
 namespace tamis {
 
-/// So many elements, whose values are not set.
+/// An array of fixed size whose elements are not initialized.
 template <class T>
 class RawArray {
   static_assert(std::is_trivially_default_constructible_v<T>);

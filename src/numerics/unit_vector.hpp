@@ -1,4 +1,4 @@
-// How large a vector is, and one of length one.
+// The largest component of a vector, and the unit vector along it.
 #pragma once
 #include "numerics/select.hpp"
 #include "numerics/vec.hpp"

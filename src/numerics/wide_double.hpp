@@ -1,4 +1,4 @@
-// A double with room for any exponent: what is left of an integer when most of its bits are not needed.
+// A double with an exponent of any size: an integer's leading bits.
 #pragma once
 #include <algorithm>
 #include <bit>

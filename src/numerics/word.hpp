@@ -1,5 +1,5 @@
-// Integers in machine words, for what is asked of coordinates that fit: their products are exact at the price of a
-// multiplication each, where an Estimate carries a bound along. Products of those are Estimates.
+// Integers in machine words, for coordinates that fit: products are exact at the price of one multiplication, where an
+// Estimate carries a bound along. Products of products are Estimates.
 #pragma once
 #include <cstdint>
 

@@ -29,8 +29,8 @@ class Chords {
   /// The same without the deviations: true at the ends only.
   PairMotion<I> at_ends() const { return motion(Deviations{}); }
 
-  /// Proven farther apart than the separation, along an axis that turns linearly from the gap of the closest points at
-  /// one end to that at the other, or along a direction in which a vertex does not deviate.
+  /// Is the pair proven farther apart than the separation: along an axis that turns linearly from the gap of the
+  /// closest points at one end to that at the other, or along a direction in which a vertex does not deviate?
   bool axis_proves_free(const PairMotion<I>& ends, double separation = 0) const {
     const Vec3<I> n0 = gap(ends.e.at0, ends.f.at0, ends.d.at0), n1 = gap(ends.e.at1, ends.f.at1, ends.d.at1);
     if (axes_prove_free(axis(n0), axis(n1), separation)) return true;
@@ -38,7 +38,7 @@ class Chords {
     return known != directions_.end() && direction_proves_free(ends, vector(known->direction), separation);
   }
 
-  /// About as far as the features are apart.
+  /// About the distance of the features at the start of the piece.
   double gap_at_start(const PairMotion<I>& ends) const {
     const Vec3<I> n = gap(ends.e.at0, ends.f.at0, ends.d.at0);
     return nearest_double(length_above(n).upper);
@@ -59,15 +59,15 @@ class Chords {
             rounding_is_enclosed, rounding_is_enclosed, rounding_is_enclosed};
   }
 
-  /// An axis at one end of the piece, its length, and how far each vertex may be from its chord along it, times that.
+  /// An axis at one end of the piece, and how far each vertex may deviate from its chord along it, times its length.
   struct Axis {
     Vec3<I> n;
     I length;
-    std::array<I, 4> beside;
+    std::array<I, 4> deviations;
   };
   Axis axis(const Vec3<I>& n) const {
     Axis axis{n, length_above(n), {}};
-    for (std::size_t i = 0; i < 4; ++i) axis.beside[i] = axis.length * I(T(deviations_[i]));
+    for (std::size_t i = 0; i < 4; ++i) axis.deviations[i] = axis.length * I(T(deviations_[i]));
     return axis;
   }
   /// |n . s| of a deviation s across a direction d is at most |n x d| / |d| times |s|.
@@ -77,13 +77,14 @@ class Chords {
       const auto& [d, per_length] = directions_[i];
       if (!directions_[i].is_known()) continue;
       const I across = length_above(cross(n, vector(d))) * I(T(per_length));
-      if (across.upper < sharp.length.upper) sharp.beside[i] = across * I(T(deviations_[i]));
+      if (across.upper < sharp.length.upper) sharp.deviations[i] = across * I(T(deviations_[i]));
     }
     return sharp;
   }
 
-  /// For features in planes across the direction d, or nearly: the axis is d itself, or the features' normal, as the
-  /// planes may be tilted a little. Closest points give no axis where the gap is no larger than rounding.
+  /// For features that lie, or nearly lie, in planes orthogonal to the direction d: the axis is d itself, or the
+  /// features' normal, as the planes may be tilted a little. Closest points give no axis where the gap is no larger
+  /// than rounding.
   bool direction_proves_free(const PairMotion<I>& ends, const Vec3<I>& d, double separation) const {
     const double deviation = *std::max_element(deviations_.begin(), deviations_.end());
     const double thin = separation + 8 * std::max(deviation, from_.error);
@@ -99,18 +100,19 @@ class Chords {
   }
 
   bool axes_prove_free(const Axis& a0, const Axis& a1, double separation) const {
-    const I apart = T(separation), apart0 = a0.length * apart, apart1 = a1.length * apart;
+    const I apart = T(separation), separation0 = a0.length * apart, separation1 = a1.length * apart;
     for (const auto& [i, j] : difference_corners(kind)) {
       const auto c0 = from_.points[i] - from_.points[j], c1 = to_.points[i] - to_.points[j];
-      const I lost0 = apart0 + a0.beside[i] + a0.beside[j], lost1 = apart1 + a1.beside[i] + a1.beside[j];
-      if (!(dot(a0.n, c0) > lost0 && dot(a1.n, c1) > lost1 && dot(a0.n, c1) + dot(a1.n, c0) > lost0 + lost1))
+      const I least0 = separation0 + a0.deviations[i] + a0.deviations[j];
+      const I least1 = separation1 + a1.deviations[i] + a1.deviations[j];
+      if (!(dot(a0.n, c0) > least0 && dot(a1.n, c1) > least1 && dot(a0.n, c1) + dot(a1.n, c0) > least0 + least1))
         return false;
     }
     return true;
   }
 
   static Vec3<I> vector(const Vec3<double>& v) { return {I(T(v.x)), I(T(v.y)), I(T(v.z))}; }
-  /// The middle of n, or its opposite.
+  /// The middle of n, turned towards the first feature.
   static Vec3<I> towards_first(const Vec3<I>& n, const Moment<T>& at) {
     const auto [i, j] = difference_corners(kind)[0];
     const Vec3<I> middle{I(n.x.middle()), I(n.y.middle()), I(n.z.middle())};
@@ -134,8 +136,8 @@ class Chords {
   const StraightDirections& directions_;
 };
 
-/// At every time of the motion at which the four points are coplanar the features cross, each strictly inside the
-/// other: the side polynomials of NCF have the strict signs of the inside.
+/// Do the features cross, each strictly inside the other, whenever their four points are coplanar during the motion?
+/// Proven if the side polynomials of NCF have the strict signs of the inside.
 template <PairKind kind, class T>
 bool stays_inside(const PairMotion<T>& m) {
   const auto n = normal_polynomial(m.e, m.f);

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
+#include "motion/time_clip.hpp"
 #include "narrow/contact_normal.hpp"
 #include "numerics/assert.hpp"
 #include "paths/crossing_on_path.hpp"
-#include "paths/frame.hpp"
 #include "paths/path_parts.hpp"
 #include "paths/within_on_path.hpp"
 
@@ -169,7 +169,7 @@ Decision decide_on_path(const PathQuestion& question, const TimeInterval<double>
                    [&](auto kind) { return PathSolver<kind(), double>(question, reader, time, kMostParts).run(); });
 }
 
-std::optional<Decision> decide_once_apart_on_path(const PathQuestion& question, const TimeInterval<double>& time) {
+std::optional<Decision> decide_recontact_on_path(const PathQuestion& question, const TimeInterval<double>& time) {
   const double length = time.t_out - time.t_in;
   for (double part = 0x1p-20; part < 1; part = part < 0x1p-4 ? 2 * part : part + 0x1p-4)
     if (const double from = time.t_in + part * length; is_apart_on_path(question, from))

@@ -23,9 +23,10 @@ struct PathQuestion {
 /// kind there is, a part of the path.
 Decision decide_on_path(const PathQuestion& question, const TimeInterval<double>& time);
 
-/// Of a pair that may touch at the start of `time`: from the first of some times on at which it is proven apart. Those
-/// are a part 2^-20, 2^-19, ... 2^-4 of `time` after its start, then each sixteenth. Nothing: at none of them.
-std::optional<Decision> decide_once_apart_on_path(const PathQuestion& question, const TimeInterval<double>& time);
+/// Recontact of a pair that may touch at the start of `time`: decides it from the first probed time at which it is
+/// proven apart. Probed are 2^-20, 2^-19, ... 2^-4 of `time` after its start, then each sixteenth. Nothing if it is
+/// proven apart at none of them.
+std::optional<Decision> decide_recontact_on_path(const PathQuestion& question, const TimeInterval<double>& time);
 
 /// With weights and normal at the contact.
 PairResult result_on_path(const PathQuestion& question, const Decision& decision);

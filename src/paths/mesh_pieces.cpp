@@ -6,6 +6,7 @@
 #include <numeric>
 #include <string>
 
+#include "motion/time_clip.hpp"
 #include "numerics/error_bounds.hpp"
 #include "numerics/length.hpp"
 #include "numerics/number_text.hpp"
@@ -39,21 +40,21 @@ std::vector<Index> numbers_of(const Mesh& mesh, const Path& path) {
 MeshPieces::MeshPieces(const Mesh& mesh, const Path& path, std::span<const double> ends)
     : mesh_(mesh), path_(path), ends_(ends), all_(numbers_of(mesh, path_)) {}
 
-Frame MeshPieces::next(const Frame& from) {
-  Frame to = frame_at(end_of(from));
-  read(from.time, to.time, deviations_);
-  set_lines(from, to);
+MeshMoment MeshPieces::next(const MeshMoment& from) {
+  MeshMoment to = moment_at(end_of(from));
+  read_deviations(from.time, to.time, deviations_);
+  shift_chords(from, to);
   return to;
 }
 
-Frame MeshPieces::frame_at(double time) const {
-  Frame frame{time, std::vector<Point>(all_.size()), std::vector<double>(all_.size())};
-  path_.points_at(time, all_, frame.points, frame.errors);
-  for (const Index v : mesh_.points()) check_point(v, time, frame.points[at(v)], frame.errors[at(v)]);
-  return frame;
+MeshMoment MeshPieces::moment_at(double time) const {
+  MeshMoment moment{time, std::vector<Point>(all_.size()), std::vector<double>(all_.size())};
+  path_.points_at(time, all_, moment.points, moment.errors);
+  for (const Index v : mesh_.points()) check_point(v, time, moment.points[at(v)], moment.errors[at(v)]);
+  return moment;
 }
 
-double MeshPieces::read(double from, double to, std::vector<double>& deviations) const {
+double MeshPieces::read_deviations(double from, double to, std::vector<double>& deviations) const {
   deviations.resize(all_.size());
   path_.deviations(from, to, all_, deviations);
   double largest = 0;
@@ -64,96 +65,96 @@ double MeshPieces::read(double from, double to, std::vector<double>& deviations)
   return largest;
 }
 
-double MeshPieces::end_of(const Frame& start) {
+double MeshPieces::end_of(const MeshMoment& start) {
   if (!ends_.empty()) return *std::ranges::upper_bound(ends_, start.time);
   const double allowed = deviation_in_edges_ * mean_edge(mesh_, start.points);
   double length = 1 - start.time;
   for (; length > kShortestPiece; length *= kNearMiddle) {
-    const double largest = kPartBesideLine * read(start.time, start.time + length, deviations_);
+    const double largest = kShiftedChordPart * read_deviations(start.time, start.time + length, deviations_);
     if (largest <= allowed || !(allowed > 0)) break;
   }
   return length < 1 - start.time ? start.time + length : 1;
 }
 
-void MeshPieces::learn(std::size_t pairs) {
-  constexpr std::size_t kFewOfVertices = 32, kManyOfVertices = 8;  // so manieth parts of them
-  constexpr double kFactor = 4;                                    // a piece twice as long
+void MeshPieces::adapt_length(std::size_t pairs) {
+  constexpr std::size_t kVerticesPerPairIfFew = 32, kVerticesPerPairIfMany = 8;
+  constexpr double kFactor = 4;  // a piece twice as long
   const std::size_t vertices = mesh_.points().size();
-  if (kFewOfVertices * pairs <= vertices)
+  if (kVerticesPerPairIfFew * pairs <= vertices)
     deviation_in_edges_ = std::min(kFactor * deviation_in_edges_, kMostChordDeviationInEdges);
-  else if (kManyOfVertices * pairs > vertices)
+  else if (kVerticesPerPairIfMany * pairs > vertices)
     deviation_in_edges_ = std::max(deviation_in_edges_ / kFactor, kChordDeviationInEdges);
 }
 
-double MeshPieces::farthest_way() {
-  const Frame from = frame_at(0), to = frame_at(1);
-  read(0, 1, deviations_);
+double MeshPieces::max_displacement() {
+  const MeshMoment from = moment_at(0), to = moment_at(1);
+  read_deviations(0, 1, deviations_);
   double farthest = 0;
   for (const Index index : mesh_.points()) {
     const std::size_t v = at(index);
-    Point way{};
+    Point displacement{};
     for (std::size_t k = 0; k < 3; ++k)
-      way[k] = std::fabs(to.points[v][k] - from.points[v][k]) + from.errors[v] + to.errors[v];
-    farthest = std::max(farthest, length_of(way[0], way[1], way[2]) + deviations_[v]);
+      displacement[k] = std::fabs(to.points[v][k] - from.points[v][k]) + from.errors[v] + to.errors[v];
+    farthest = std::max(farthest, length_of(displacement[0], displacement[1], displacement[2]) + deviations_[v]);
   }
   return farthest;
 }
 
-/// On either half of the piece the curve is within that half's bound of its chord; these two chords meet where the path
-/// is in the middle. Beside the piece's own chord that place is D, the ends are 0, and what is between lies at each
-/// time on the segment from 0 to D. So from the piece's chord moved by D / 2 the curve is no farther than |D| / 2 and
-/// the larger bound of the halves. Where bounds go by the square, |D| is at most the piece's, and those of halves are a
-/// fourth of it: kPartBesideLine.
-void MeshPieces::set_lines(const Frame& from, const Frame& to) {
-  const Frame middle = frame_at(0.5 * from.time + 0.5 * to.time);
-  read_halves(from.time, middle.time, to.time);
-  lines_.start = from.points;
-  lines_.end = to.points;
-  lines_.deviations = deviations_;
+/// On either half of the piece the curve is within that half's bound of the half's chord; the two chords meet where the
+/// path is in the middle. Relative to the piece's own chord they lead from 0 to an offset D, and from D to 0: at each
+/// time on the segment from 0 to D. So from the piece's chord shifted by D / 2 the curve is no farther than |D| / 2
+/// plus the larger bound of the halves. Where bounds go by the square, |D| is at most the piece's, and those of halves
+/// are a fourth of it: kShiftedChordPart.
+void MeshPieces::shift_chords(const MeshMoment& from, const MeshMoment& to) {
+  const MeshMoment middle = moment_at(0.5 * from.time + 0.5 * to.time);
+  read_half_deviations(from.time, middle.time, to.time);
+  chords_.start = from.points;
+  chords_.end = to.points;
+  chords_.deviations = deviations_;
   for (const Index index : mesh_.points()) {
     const std::size_t v = at(index);
-    const Beside beside = beside_chord(v, from, middle, to);
-    const double distance = length(beside.off), bound = deviations_[v];
-    if (!(distance <= bound + beside.error))
+    const auto [offset, error] = chord_offset(v, from, middle, to);
+    const double distance = length(offset), bound = deviations_[v];
+    if (!(distance <= bound + error))
       throw InvalidPath("vertex " + std::to_string(index) + " of the path is " + number_text(distance) +
                         " from its chord at t = " + number_text(middle.time) + ", beyond its bound " +
                         number_text(bound) + ": give a bound that holds");
-    const double deviation = (0.5 * distance + beside.error + of_halves_[v]) * kRoundedUp;
+    const double deviation = (0.5 * distance + error + half_deviations_[v]) * kRoundedUp;
     if (!(deviation < bound)) continue;
     for (std::size_t k = 0; k < 3; ++k) {
-      lines_.start[v][k] += 0.5 * beside.off[k];
-      lines_.end[v][k] += 0.5 * beside.off[k];
+      chords_.start[v][k] += 0.5 * offset[k];
+      chords_.end[v][k] += 0.5 * offset[k];
     }
-    lines_.deviations[v] = deviation;
+    chords_.deviations[v] = deviation;
   }
 }
 
-/// What is computed is off by no more than `error` says: by all three positions, each on three axes, sqrt(3) times as
-/// far, for which there is 2; by 8 roundings of numbers no larger than `size`; and by the time of the middle, which is
-/// rounded by 2^-53, and so much of the way.
-MeshPieces::Beside MeshPieces::beside_chord(std::size_t v, const Frame& from, const Frame& middle,
-                                            const Frame& to) const {
-  Beside beside{};
-  double size = 0, way = 0;
+/// `error` covers the errors of all three positions, which on three axes count sqrt(3) times, for which there is 2;
+/// 8 roundings of numbers no larger than `size`; and the rounding of the middle's time by 2^-53, times the
+/// displacement.
+MeshPieces::ChordOffset MeshPieces::chord_offset(std::size_t v, const MeshMoment& from, const MeshMoment& middle,
+                                                 const MeshMoment& to) const {
+  ChordOffset result{};
+  double size = 0, displacement = 0;
   for (std::size_t k = 0; k < 3; ++k) {
     const double p = from.points[v][k], q = to.points[v][k], x = middle.points[v][k];
-    beside.off[k] = x - (0.5 * p + 0.5 * q);
+    result.offset[k] = x - (0.5 * p + 0.5 * q);
     size = std::max({size, std::fabs(x), std::fabs(p), std::fabs(q)});
-    way = std::max(way, std::fabs(0.5 * q - 0.5 * p));
+    displacement = std::max(displacement, std::fabs(0.5 * q - 0.5 * p));
   }
   const double errors = middle.errors[v] + from.errors[v] + to.errors[v];
-  beside.error = 2 * errors + 0x1p-48 * size + 0x1p-49 / (to.time - from.time) * way;
-  return beside;
+  result.error = 2 * errors + 0x1p-48 * size + 0x1p-49 / (to.time - from.time) * displacement;
+  return result;
 }
 
-/// Without a middle there is no bound.
-void MeshPieces::read_halves(double from, double middle, double to) {
-  of_halves_.assign(all_.size(), std::numeric_limits<double>::infinity());
+/// Infinite if no double lies between `from` and `to`.
+void MeshPieces::read_half_deviations(double from, double middle, double to) {
+  half_deviations_.assign(all_.size(), std::numeric_limits<double>::infinity());
   if (!(from < middle && middle < to)) return;
   std::vector<double> of_second;
-  read(from, middle, of_halves_);
-  read(middle, to, of_second);
-  for (const Index v : mesh_.points()) of_halves_[at(v)] = std::max(of_halves_[at(v)], of_second[at(v)]);
+  read_deviations(from, middle, half_deviations_);
+  read_deviations(middle, to, of_second);
+  for (const Index v : mesh_.points()) half_deviations_[at(v)] = std::max(half_deviations_[at(v)], of_second[at(v)]);
 }
 
 }  // namespace tamis

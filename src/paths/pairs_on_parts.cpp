@@ -4,6 +4,7 @@
 #include <numeric>
 #include <utility>
 
+#include "motion/time_clip.hpp"
 #include "numerics/held_bytes.hpp"
 #include "numerics/in_parts.hpp"
 #include "paths/path_reader.hpp"
@@ -14,12 +15,12 @@
 namespace tamis {
 namespace {
 
-/// So few pairs are decided without cutting their part further.
+/// A part with no more pairs is not cut further: these are decided.
 constexpr std::size_t kFewPairs = 4;
 /// Deviations go by the square of the length, as on all paths here: they are then a million times smaller.
 constexpr int kMostHalvingsOfPiece = 10;
-/// Looks in lanes: so many cost a part of what the decision on one pair does.
-constexpr std::size_t kMostLooksPerPair = 64;
+/// Tests in lanes: so many cost less than the decision on one pair.
+constexpr std::size_t kMostTestsPerPair = 64;
 
 }  // namespace
 
@@ -28,7 +29,7 @@ void PairsOnParts::begin(const Piece& piece) {
   number_vertices();
   std::vector<std::int32_t> all(piece.pairs.size());
   std::iota(all.begin(), all.end(), 0);
-  looks_left_ = kMostLooksPerPair * all.size();
+  tests_left_ = kMostTestsPerPair * all.size();
   is_given_.assign(all.size(), false);
   may_touch_.assign(all.size(), false);
   is_used_.assign(names_.size(), false);
@@ -57,13 +58,13 @@ void PairsOnParts::number_vertices() {
   }
 }
 
-std::shared_ptr<const Frame> PairsOnParts::of_pairs(const Frame& whole) const {
-  Frame frame{whole.time, {}, {}};
+std::shared_ptr<const MeshMoment> PairsOnParts::of_pairs(const MeshMoment& whole) const {
+  MeshMoment moment{whole.time, {}, {}};
   for (const Index v : names_) {
-    frame.points.push_back(whole.points[at(v)]);
-    frame.errors.push_back(whole.errors[at(v)]);
+    moment.points.push_back(whole.points[at(v)]);
+    moment.errors.push_back(whole.errors[at(v)]);
   }
-  return std::make_shared<const Frame>(std::move(frame));
+  return std::make_shared<const MeshMoment>(std::move(moment));
 }
 
 std::vector<std::int32_t> PairsOnParts::next(double latest) {
@@ -72,7 +73,7 @@ std::vector<std::int32_t> PairsOnParts::next(double latest) {
     parts_.pop_back();
     std::erase_if(part.pairs, [&](std::int32_t pair) { return is_given_[at(pair)]; });
     if (part.pairs.empty()) continue;
-    if (part.pairs.size() > kFewPairs && part.halvings < kMostHalvingsOfPiece && looks_left_ >= 2 * part.pairs.size()) {
+    if (part.pairs.size() > kFewPairs && part.halvings < kMostHalvingsOfPiece && tests_left_ >= 2 * part.pairs.size()) {
       halve(part);
       continue;
     }
@@ -84,9 +85,9 @@ std::vector<std::int32_t> PairsOnParts::next(double latest) {
 
 void PairsOnParts::halve(const Part& part) {
   stop_if_cancelled(*piece_);
-  looks_left_ -= 2 * part.pairs.size();
+  tests_left_ -= 2 * part.pairs.size();
   find_used(part.pairs);
-  const auto middle = frame_at(near_middle(part.from->time, part.to->time));
+  const auto middle = moment_at(near_middle(part.from->time, part.to->time));
   add_half(part, middle, part.to);
   add_half(part, part.from, middle);
 }
@@ -104,21 +105,22 @@ void PairsOnParts::find_used(const std::vector<std::int32_t>& pairs) {
     }
 }
 
-std::shared_ptr<const Frame> PairsOnParts::frame_at(double time) const {
+std::shared_ptr<const MeshMoment> PairsOnParts::moment_at(double time) const {
   std::vector<Point> points(used_.size());
   std::vector<double> errors(used_.size());
   piece_->path.points_at(time, names_used_, points, errors);
-  Frame frame{time, std::vector<Point>(is_used_.size()), std::vector<double>(is_used_.size())};
+  MeshMoment moment{time, std::vector<Point>(is_used_.size()), std::vector<double>(is_used_.size())};
   for (std::size_t i = 0; i < used_.size(); ++i) {
     check_point(names_used_[i], time, points[i], errors[i]);
-    frame.points[at(used_[i])] = points[i];
-    frame.errors[at(used_[i])] = errors[i];
+    moment.points[at(used_[i])] = points[i];
+    moment.errors[at(used_[i])] = errors[i];
   }
-  return std::make_shared<const Frame>(std::move(frame));
+  return std::make_shared<const MeshMoment>(std::move(moment));
 }
 
 /// REQUIRES: used_ of the pairs of `whole`.
-void PairsOnParts::add_half(const Part& whole, std::shared_ptr<const Frame> from, std::shared_ptr<const Frame> to) {
+void PairsOnParts::add_half(const Part& whole, std::shared_ptr<const MeshMoment> from,
+                            std::shared_ptr<const MeshMoment> to) {
   deviations_.resize(used_.size());
   piece_->path.deviations(from->time, to->time, names_used_, deviations_);
   for (std::size_t i = 0; i < used_.size(); ++i) {
@@ -126,7 +128,7 @@ void PairsOnParts::add_half(const Part& whole, std::shared_ptr<const Frame> from
     check_deviation(names_used_[i], from->time, to->time, deviations_[i]);
     const Point &p = from->points[v], &q = to->points[v];
     const double error = std::max(from->errors[v], to->errors[v]);
-    const double radius = radius_on_piece(names_used_[i], deviations_[i], error, from->time, piece_->separations);
+    const double radius = chord_radius(names_used_[i], deviations_[i], error, from->time, piece_->separations);
     vertices_[v] = {{p[0], p[1], p[2], radius, q[0], q[1], q[2], 0}};
   }
   for (std::size_t kind = 0; kind < kPairKinds; ++kind) {
@@ -136,7 +138,7 @@ void PairsOnParts::add_half(const Part& whole, std::shared_ptr<const Frame> from
     });
     in_parts(of_kind.size(), std::size_t{PairBuffer::kCapacity / 2}, [&](std::size_t first, std::size_t last) {
       for (; first < last; first += PairBuffer::kCapacity)
-        look(static_cast<PairKind>(kind),
+        test(static_cast<PairKind>(kind),
              std::span(of_kind).subspan(first, std::min<std::size_t>(last - first, PairBuffer::kCapacity)));
     });
   }
@@ -146,7 +148,7 @@ void PairsOnParts::add_half(const Part& whole, std::shared_ptr<const Frame> from
   if (!half.pairs.empty()) parts_.push_back(std::move(half));
 }
 
-void PairsOnParts::look(PairKind kind, std::span<const std::int32_t> pairs) {
+void PairsOnParts::test(PairKind kind, std::span<const std::int32_t> pairs) {
   Scratch& scratch = scratch_.local();
   PairBuffer& buffer = scratch.pairs;
   buffer.count = static_cast<int>(pairs.size());

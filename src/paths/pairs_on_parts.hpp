@@ -1,5 +1,5 @@
-// The pairs that may touch on a piece of a path are searched again on its halves, the earlier first, and on halves of
-// these: chords of shorter parts deviate less, and lanes look at hundreds of pairs while one is decided on its curves.
+// The pairs that may touch on a piece of a path are tested again on its halves, the earlier first, and on halves of
+// these: chords of shorter parts deviate less, and lanes test hundreds of pairs while one is decided on its curves.
 #pragma once
 #include <tbb/enumerable_thread_specific.h>
 
@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "kernels/kernels.hpp"
-#include "paths/frame.hpp"
-#include "query/pair_rules.hpp"
+#include "paths/mesh_moment.hpp"
+#include "query/pair_vertices.hpp"
 #include "tamis/path.hpp"
 
 namespace tamis {
@@ -23,22 +23,22 @@ class PairsOnParts {
   struct Piece {
     const Path& path;
     Separations separations;         ///< the radii: the largest of each vertex' features
-    std::span<const Contact> pairs;  ///< which their chords on the whole piece cannot prove free
-    const Frame &from, &to;
+    std::span<const Contact> pairs;  ///< those that chords of the whole piece do not prove free
+    const MeshMoment &from, &to;
     const std::function<bool()>& is_cancelled;
   };
-  /// Keeps the piece's references until the next time.
+  /// Keeps the piece's references until the next call.
   void begin(const Piece& piece);
 
   /// The places of the pairs to be decided next, ascending: those that may touch in the earliest part that is left.
-  /// Each pair is given once. None: no other pair touches until `latest`. Throws InvalidPath and Cancelled.
+  /// Each pair is returned once. Empty if no other pair touches until `latest`. Throws InvalidPath and Cancelled.
   std::vector<std::int32_t> next(double latest);
   /// Kept from piece to piece.
   std::uint64_t memory_bytes() const;
 
  private:
   struct Part {
-    std::shared_ptr<const Frame> from, to;
+    std::shared_ptr<const MeshMoment> from, to;
     std::vector<std::int32_t> pairs;
     int halvings;
   };
@@ -48,20 +48,21 @@ class PairsOnParts {
     std::unique_ptr<SolvedPair[]> solved = std::make_unique_for_overwrite<SolvedPair[]>(PairBuffer::kCapacity);
   };
 
-  /// Numbers the vertices of the piece's pairs: frames and pairs here know these alone.
+  /// Numbers the vertices of the piece's pairs: moments and pairs here have these alone.
   void number_vertices();
-  std::shared_ptr<const Frame> of_pairs(const Frame& whole) const;
+  std::shared_ptr<const MeshMoment> of_pairs(const MeshMoment& whole) const;
   void halve(const Part& part);
   /// Leaves the vertices of these pairs in used_ and names_used_.
   void find_used(const std::vector<std::int32_t>& pairs);
-  std::shared_ptr<const Frame> frame_at(double time) const;
-  void add_half(const Part& whole, std::shared_ptr<const Frame> from, std::shared_ptr<const Frame> to);
-  void look(PairKind kind, std::span<const std::int32_t> pairs);
+  std::shared_ptr<const MeshMoment> moment_at(double time) const;
+  void add_half(const Part& whole, std::shared_ptr<const MeshMoment> from, std::shared_ptr<const MeshMoment> to);
+  /// Tests pairs of one kind in lanes, and marks in may_touch_ those that may touch in the half.
+  void test(PairKind kind, std::span<const std::int32_t> pairs);
 
   const Kernels& kernels_;
   std::optional<Piece> piece_;
   std::vector<Part> parts_;  ///< the earliest last
-  std::size_t looks_left_ = 0;
+  std::size_t tests_left_ = 0;
   std::vector<Index> names_;                ///< of the vertices that are numbered here: as the mesh numbers them
   std::vector<PairVertices> pairs_;         ///< of the piece, as numbered here
   std::vector<char> is_given_, may_touch_;  ///< of each pair of the piece

@@ -1,5 +1,5 @@
-// Parts of the time that are still undecided, the earliest on top. One pair may take seconds, so cancellation is
-// checked every few parts.
+// The subdivision of a pair's path in time: a stack of undecided parts, the earliest on top. One pair may take seconds,
+// so cancellation is checked every few parts.
 #pragma once
 #include <optional>
 #include <vector>
@@ -25,7 +25,7 @@ class PathParts {
     parts_.push_back({reader.at<T>(time.t_in), reader.at<T>(time.t_out)});
   }
 
-  /// Throws Cancelled.
+  /// Takes the earliest undecided part; none is left if nothing. Throws Cancelled.
   std::optional<PathPart<T>> next() {
     constexpr int kPartsBetweenChecks = 64;  // some milliseconds at most
     if (parts_.empty()) return std::nullopt;
@@ -36,7 +36,7 @@ class PathParts {
   }
   int taken() const { return taken_; }
 
-  /// False if no double lies strictly between.
+  /// Cuts a part in two; returns false if `time` does not lie strictly within it.
   bool cut(const PathPart<T>& part, double time) {
     if (!(time > part.from.time && time < part.to.time)) return false;
     const Moment<T> moment = reader_.at<T>(time);
@@ -45,12 +45,12 @@ class PathParts {
     return true;
   }
 
-  /// Cut at `time` where that lies within.
+  /// Adds a part, cut in two if `time` lies strictly within it.
   void add(const PathPart<T>& part, double time) {
     if (!cut(part, time)) parts_.push_back(part);
   }
 
-  /// Into up to three, the middle one given.
+  /// Cuts a part in up to three, `middle` being one of them.
   void cut(const PathPart<T>& part, const TimeInterval<double>& middle) {
     const bool has_end = middle.t_out<part.to.time, has_start = middle.t_in> part.from.time;
     const Moment<T> start = has_start ? reader_.at<T>(middle.t_in) : part.from;

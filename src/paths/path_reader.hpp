@@ -5,7 +5,7 @@
 
 #include "numerics/interval.hpp"
 #include "numerics/vec.hpp"
-#include "query/pair_rules.hpp"
+#include "query/pair_vertices.hpp"
 #include "tamis/path.hpp"
 
 namespace tamis {

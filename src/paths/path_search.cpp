@@ -12,20 +12,20 @@
 
 #include "numerics/assert.hpp"
 #include "numerics/error_bounds.hpp"
+#include "paths/cached_path.hpp"
 #include "paths/decide_path.hpp"
 #include "paths/mesh_pieces.hpp"
-#include "paths/remembered_path.hpp"
 #include "paths/step_length_on_path.hpp"
 #include "query/cancellation.hpp"
 #include "topology/at.hpp"
-#include "topology/largest_beside.hpp"
+#include "topology/neighbourhood_maximum.hpp"
 
 namespace tamis {
 namespace {
 
-/// Pairs that are decided in parallel; also the pairs between two checks for cancellation.
+/// Pairs that are decided in parallel, between two checks for cancellation.
 constexpr std::size_t kBatch = 256;
-/// In the first batch, where a first contact spares the rest.
+/// Of the first batch, where a first contact spares the rest.
 constexpr std::size_t kFirstBatch = 8;
 
 /// Ascending, each once.
@@ -56,89 +56,91 @@ PairKey key_of(const Contact& pair) { return {pair.kind, pair.vertices}; }
 
 }  // namespace
 
+/// One question: what it asks, and its state from piece to piece. `owner` keeps what lasts longer.
 struct PathSearch::Run {
-  PathSearch& kept;
+  PathSearch& owner;
   const MeshOnPath& asked;
   Question question;
   std::vector<Contact>& contacts;
   Statistics& statistics;
-  const Options& options = kept.options_;
-  MeshPieces pieces{kept.mesh_, asked.path, asked.ends};
-  /// No pair that stays farther apart, beyond its radii, touches, or fails to keep its part.
-  double reach = kept_reach();
-  /// To which deviations are added, vertex by vertex.
-  const std::vector<double> largest_radii = largest_beside(kept.mesh_, asked.separations.radii);
-  std::set<PairKey> known = {};  ///< to touch
-  /// Pairs that are ignored, as they touch at the start, with a time until which each has not been apart: the end of a
-  /// piece, or the start of the piece in which it came apart. One that touches again is no longer among them.
-  std::map<PairKey, double> together_until = {};
+  const Options& options = owner.options_;
+  MeshPieces pieces{owner.mesh_, asked.path, asked.ends};
+  /// A pair that stays farther apart, beyond its radii, neither touches nor fails to keep its part.
+  double search_distance = distance_to_search();
+  /// Deviations are added to these, vertex by vertex.
+  const std::vector<double> largest_radii = neighbourhood_maximum(owner.mesh_, asked.separations.radii);
+  std::set<PairKey> reported = {};  ///< pairs among the contacts
+  /// Ignored pairs, which touch at the start, each with a time until which it is not known to have been apart: the end
+  /// of a piece, or the start of the piece in which it came apart. Removed when the pair touches again.
+  std::map<PairKey, double> in_contact_until = {};
 
   void search();
-  double kept_reach();
-  /// Finds the pairs whose chords come within reach.
-  void search_chords(const Frame& from, const Frame& to);
-  /// Decides the pairs whose chords are within reach on the piece.
-  void decide_all(const Frame& from, const Frame& to);
-  /// Some of them, in parallel. Returns the end of the bracket of the first that touches.
+  double distance_to_search();
+  /// Finds the pairs whose chords come within the search distance on a piece.
+  void search_chords(const MeshMoment& from, const MeshMoment& to);
+  /// Decides these pairs on their curves.
+  void decide_all(const MeshMoment& from, const MeshMoment& to);
+  /// Decides some of them, in parallel. Returns the earliest end of a bracket among those that touch.
   double decide(const TimeInterval<double>& piece, std::span<const std::int32_t> places);
-  /// Has the pair, which is ignored at the start, not been apart until this time, the start of a piece?
-  bool is_together(const Contact& pair, double time) const {
-    const auto found = together_until.find(key_of(pair));
-    return time == 0 || (found != together_until.end() && found->second == time);
+  /// Is the pair, which is ignored at the start, still in its first contact at this time, the start of a piece?
+  bool is_in_first_contact(const Contact& pair, double time) const {
+    const auto found = in_contact_until.find(key_of(pair));
+    return time == 0 || (found != in_contact_until.end() && found->second == time);
   }
 };
 
-/// A pair that starts c beyond its separation and keeps no more than f c has lost (1 - f) c, which is no more than how
-/// far both its features go.
-double PathSearch::Run::kept_reach() {
+/// A pair of clearance c that keeps no more than f c has lost (1 - f) c, which is no more than both features'
+/// displacements together.
+double PathSearch::Run::distance_to_search() {
   if (asked.keep == 0) return asked.separations.fixed;
-  return (asked.separations.fixed + 2 * pieces.farthest_way() * asked.keep / (1 - asked.keep)) * kRoundedUp;
+  return (asked.separations.fixed + 2 * pieces.max_displacement() * asked.keep / (1 - asked.keep)) * kRoundedUp;
 }
 
 void PathSearch::Run::search() {
-  for (Frame from = pieces.frame_at(0); from.time < 1;) {
+  for (MeshMoment from = pieces.moment_at(0); from.time < 1;) {
     stop_if_cancelled(options);
-    Frame to = pieces.next(from);
+    MeshMoment to = pieces.next(from);
     search_chords(from, to);
     const std::size_t before = contacts.size();
     decide_all(from, to);
     if (contacts.size() > before && question != Question::all_contacts) break;
     for (std::size_t i = before; i < contacts.size(); ++i) {
       if (i % kBatch == 0) stop_if_cancelled(options);
-      known.insert(key_of(contacts[i]));
+      reported.insert(key_of(contacts[i]));
     }
     from = std::move(to);
   }
-  if (asked.keep == 0) statistics.ignored += together_until.size();
+  if (asked.keep == 0) statistics.ignored += in_contact_until.size();
 }
 
-void PathSearch::Run::search_chords(const Frame& from, const Frame& to) {
-  const Lines& lines = pieces.lines();
-  std::vector<double>& radii = kept.radii_;
+void PathSearch::Run::search_chords(const MeshMoment& from, const MeshMoment& to) {
+  const ShiftedChords& straight = pieces.chords();
+  std::vector<double>& radii = owner.radii_;
   radii.assign(from.points.size(), 0);
-  for (const Index index : kept.mesh_.points()) {
+  for (const Index index : owner.mesh_.points()) {
     const std::size_t v = at(index);
     const double error = std::max(from.errors[v], to.errors[v]);
-    radii[v] = radius_on_piece(index, lines.deviations[v], error, from.time, {reach, largest_radii});
+    radii[v] = chord_radius(index, straight.deviations[v], error, from.time, {search_distance, largest_radii});
   }
-  Query chords{{lines.start, lines.end}, {reach, radii}, options.filter, kept.rings_, options.is_cancelled};
+  Query chords{
+      {straight.start, straight.end}, {search_distance, radii}, options.filter, owner.rings_, options.is_cancelled};
   chords.is_piece = true;
   Bound bound;
-  ContactCollector& found = kept.found_;
+  ContactCollector& found = owner.found_;
   found.begin(chords, bound);
-  kept.engine_.find(chords, found, statistics);
+  owner.engine_.find(chords, found, statistics);
   statistics.decided_by += found.decided_by();
-  pieces.learn(found.contacts().size());
-  std::erase_if(found.contacts(), [&](const Contact& pair) { return known.contains(key_of(pair)); });
+  pieces.adapt_length(found.contacts().size());
+  std::erase_if(found.contacts(), [&](const Contact& pair) { return reported.contains(key_of(pair)); });
 }
 
-void PathSearch::Run::decide_all(const Frame& from, const Frame& to) {
-  std::vector<Contact>& pairs = kept.found_.contacts();
+void PathSearch::Run::decide_all(const MeshMoment& from, const MeshMoment& to) {
+  std::vector<Contact>& pairs = owner.found_.contacts();
   std::ranges::sort(pairs, [](const Contact& a, const Contact& b) {
     return a.toi_lower != b.toi_lower ? a.toi_lower < b.toi_lower : comes_before(a, b);
   });
-  PairsOnParts& parts = kept.parts_;
-  parts.begin({asked.path, {reach, largest_radii}, pairs, from, to, options.is_cancelled});
+  PairsOnParts& parts = owner.parts_;
+  parts.begin({asked.path, {search_distance, largest_radii}, pairs, from, to, options.is_cancelled});
   const TimeInterval<double> piece{from.time, to.time};
   const double start = piece.t_in, length = piece.t_out - start;
   double latest = piece.t_out;
@@ -158,12 +160,12 @@ void PathSearch::Run::decide_all(const Frame& from, const Frame& to) {
 double PathSearch::Run::decide(const TimeInterval<double>& piece, std::span<const std::int32_t> places) {
   struct Decided {
     PairResult result;
-    std::optional<double> together_until;  ///< of one that touches at the start and is ignored
+    std::optional<double> in_contact_until;  ///< of a pair that touches at the start and is ignored
   };
-  const std::vector<Contact>& pairs = kept.found_.contacts();
+  const std::vector<Contact>& pairs = owner.found_.contacts();
   const std::vector<Index> used = vertices_of(pairs, places);
   std::vector<Decided> decided(places.size());
-  tbb::enumerable_thread_specific<RememberedPath> paths([&] { return RememberedPath(asked.path, used); });
+  tbb::enumerable_thread_specific<CachedPath> paths([&] { return CachedPath(asked.path, used); });
   tbb::parallel_for(std::size_t{0}, places.size(), [&](std::size_t i) {
     const Contact& pair = pairs[at(places[i])];
     const PairRule rule = rule_of(asked, paths.local(), pair);
@@ -171,10 +173,10 @@ double PathSearch::Run::decide(const TimeInterval<double>& piece, std::span<cons
                                rule.separation, asked.tolerance, options.is_cancelled};
     Decision decision = decide_on_path(of_pair, piece);
     const bool may_touch_at_start = !decision.is_free() && decision.lower == piece.t_in;
-    if (rule.ignores_start && may_touch_at_start && is_together(pair, piece.t_in)) {
-      const auto once_apart = decide_once_apart_on_path(of_pair, piece);
-      decision = once_apart.value_or(Decision{});
-      decided[i].together_until = once_apart ? piece.t_in : piece.t_out;
+    if (rule.ignores_start && may_touch_at_start && is_in_first_contact(pair, piece.t_in)) {
+      const auto recontact = decide_recontact_on_path(of_pair, piece);
+      decision = recontact.value_or(Decision{});
+      decided[i].in_contact_until = recontact ? piece.t_in : piece.t_out;
     }
     decided[i].result = result_on_path(of_pair, decision);
   });
@@ -182,11 +184,11 @@ double PathSearch::Run::decide(const TimeInterval<double>& piece, std::span<cons
   for (std::size_t i = 0; i < places.size(); ++i) {
     const auto& [r, until] = decided[i];
     const Contact& pair = pairs[at(places[i])];
-    if (until) together_until[key_of(pair)] = *until;
+    if (until) in_contact_until[key_of(pair)] = *until;
     statistics.decided_by.scalar += !r.touches || r.certainty == Certainty::certified;
     statistics.decided_by.unresolved += r.touches && r.certainty == Certainty::unresolved;
     if (!r.touches) continue;
-    together_until.erase(key_of(pair));
+    in_contact_until.erase(key_of(pair));
     contacts.push_back(contact_of(pair.kind, pair.vertices, r));
     touched_by = std::min(touched_by, r.toi_upper);
   }

@@ -1,4 +1,4 @@
-// The questions of a whole mesh on a path: piece by piece along it, a linear question in which every vertex has its
+// Conducts the questions about a mesh on a path: piece by piece a linear question in which every vertex has its
 // deviation as radius; each pair that this leaves is decided on its curves.
 #pragma once
 #include <span>
@@ -11,14 +11,15 @@
 
 namespace tamis {
 
+/// A question about a mesh on a path.
 struct MeshOnPath {
   const Path& path;
   const Separations& separations;
   double tolerance;
   bool ignores_start = false;         ///< as in Query
   std::span<const double> ends = {};  ///< of the pieces, ascending, the last one 1; empty: as deviations ask for
-  /// In [0, 1): the part of its distance at t=0 that a pair must keep, beyond the separation. With one a pair touches
-  /// when it has no more.
+  /// In [0, 1): the part of its clearance at t=0 that a pair must keep. If it is not 0, a pair counts as touching where
+  /// no more is left.
   double keep = 0;
 };
 
@@ -46,11 +47,11 @@ class PathSearch {
   Engine& engine_;
   // Kept from question to question.
   ContactCollector found_;  ///< pairs that may touch on a piece
-  PairsOnParts parts_;      ///< and their order
+  PairsOnParts parts_;      ///< of these pairs
   std::vector<double> radii_;
 };
 
-/// The contact that bounds the step first, and until when one is certain.
+/// The first of these contacts, as keep_first() has it.
 EarliestContact first_of(const std::vector<Contact>& contacts);
 
 }  // namespace tamis

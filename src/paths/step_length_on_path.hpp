@@ -3,7 +3,7 @@
 #pragma once
 #include "motion/pair_kinds.hpp"
 #include "narrow/kept_distance.hpp"
-#include "query/pair_rules.hpp"
+#include "query/pair_vertices.hpp"
 #include "tamis/path.hpp"
 
 namespace tamis {

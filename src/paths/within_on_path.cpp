@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "narrow/separation.hpp"
+#include "narrow/first_within.hpp"
 #include "numerics/assert.hpp"
 #include "numerics/error_bounds.hpp"
 #include "paths/chords.hpp"
@@ -13,7 +13,7 @@ namespace tamis {
 namespace {
 
 constexpr int kMostPartsWithin = 1 << 16;
-/// Of a part, looked at next after a time at which the chords could not be proven apart any more.
+/// The share of the rest of a part that is tested next, after a time from which the chords are not proven apart.
 constexpr double kNext = 0x1p-5;
 
 /// Zero where it may be anywhere: there an infinite error says so.

@@ -1,5 +1,5 @@
 // Minimum separation on a path: the time at which the chords of a piece come within the separation plus their
-// deviations (narrow/separation.hpp). Until then the curves are apart; the next, shorter piece begins there.
+// deviations (narrow/first_within.hpp). Until then the curves are apart; the next, shorter piece begins there.
 #pragma once
 #include "motion/make_motion.hpp"
 #include "paths/decide_path.hpp"

@@ -1,4 +1,4 @@
-// What all threads know of the answer to a query, and what spares them the rest of the search.
+// What all threads know of the answer to a query, which spares them parts of the search.
 #pragma once
 #include <atomic>
 
@@ -8,15 +8,15 @@ namespace tamis {
 
 class Bound {
  public:
-  /// Of a new query, or of one about a part of the step.
+  /// Begins a query, or one about the part of the step until `latest`.
   void begin(double latest = 1) {
     TAMIS_ASSERT(0 <= latest && latest <= 1);
     latest_.store(latest, std::memory_order_relaxed);
     is_settled_.store(false, std::memory_order_relaxed);
   }
-  /// Nothing later in the step can change the answer.
+  /// The latest time of interest: nothing later in the step can change the answer.
   double latest() const { return latest_.load(std::memory_order_relaxed); }
-  /// A later time than the latest one changes nothing.
+  /// Lowers the latest time of interest to `time`, if that is earlier.
   void lower(double time) {
     double latest = this->latest();
     while (time < latest && !latest_.compare_exchange_weak(latest, time, std::memory_order_relaxed)) {

@@ -1,5 +1,5 @@
-// How a question ends before its answer: cancellation is checked before each batch of pairs, and before each pair that
-// is decided by itself, which can take milliseconds.
+// Cancellation is checked before each batch of pairs, and before each pair that is decided singly, which can take
+// milliseconds.
 #pragma once
 #include "query/isolated.hpp"
 #include "tamis/error.hpp"
@@ -7,7 +7,7 @@
 
 namespace tamis {
 
-/// Throws Cancelled once the caller wants no answer any more. Options, those of a list of pairs, or of its parts.
+/// Throws Cancelled if the caller's is_cancelled says so. `options`: anything with that member.
 template <class AnyOptions>
 void stop_if_cancelled(const AnyOptions& options) {
   if (options.is_cancelled && isolated(options.is_cancelled))

@@ -41,8 +41,7 @@ bool ContactCollector::add(PairKind kind, const PairVertices& vertices, const Pa
   if (!found.touches) return false;
   TAMIS_ASSERT(is_kind(kind) && is_part_of_step(TimeInterval<double>{found.toi_lower, found.toi_upper}));
   if (query_->are_neighbours(kind, vertices)) return false;
-  PairResult once_apart;
-  const PairResult& result = as_counted(kind, vertices, found, once_apart);
+  const PairResult result = as_counted(kind, vertices, found);
   if (!result.touches) {
     ++ignored_;
     return false;
@@ -57,7 +56,7 @@ bool ContactCollector::add(PairKind kind, const PairVertices& vertices, const Pa
     bound_->lower(result.toi_upper * kNearTie);
   }
   touched_by_ = std::min(touched_by_, result.toi_upper);
-  if (question == Question::earliest && by == DecidedBy::pair) {
+  if (question == Question::earliest && by == DecidedBy::singly) {
     keep_first(contact_of(kind, vertices, result));
     return true;
   }
@@ -67,11 +66,10 @@ bool ContactCollector::add(PairKind kind, const PairVertices& vertices, const Pa
   return true;
 }
 
-const PairResult& ContactCollector::as_counted(PairKind kind, const PairVertices& vertices, const PairResult& result,
-                                               PairResult& once_apart) {
+PairResult ContactCollector::as_counted(PairKind kind, const PairVertices& vertices, const PairResult& result) {
   if (!query_->ignores_start || result.toi_upper > 0) return result;
-  return once_apart = decide_once_apart(kind, points_of(query_->step, vertices),
-                                        query_->separations.between(kind, vertices), decided_by_);
+  return decide_recontact(kind, points_of(query_->step, vertices), query_->separations.between(kind, vertices),
+                          decided_by_);
 }
 
 bool ContactCollector::wants(PairKind kind, const PairVertices& vertices) const {
@@ -104,16 +102,15 @@ EarliestContact ContactCollector::first() {
   return first_;
 }
 
-/// Contacts that lanes found are decided anew on the whole step: their last bits depend on how far the search still had
-/// to look, and so on earlier questions.
+/// Contacts found in lanes are decided again on the whole step: their last bits depend on how much of the step the
+/// search still had to look at, and so on earlier questions.
 void ContactCollector::reduce_to_first() {
   for (const Contact& c : contacts_) {
     if (c.toi_lower > bound_->latest() || !wants(c.kind, c.vertices)) continue;
     stop_if_cancelled(*query_);
     const ContactRule rule = query_->rule_for(c.kind, c.vertices);
     const PairResult result = decide(c.kind, points_of(query_->step, c.vertices), rule, decided_by_);
-    PairResult once_apart;
-    keep_first(contact_of(c.kind, c.vertices, as_counted(c.kind, c.vertices, result, once_apart)));
+    keep_first(contact_of(c.kind, c.vertices, as_counted(c.kind, c.vertices, result)));
   }
   contacts_.clear();
 }

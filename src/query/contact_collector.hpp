@@ -1,10 +1,10 @@
-// Where a decided pair becomes an answer: all contacts are kept, those that can still be the first, or one.
+// Where decided pairs become answers: it collects all contacts, those that may be the first, or one.
 #pragma once
 #include <vector>
 
 #include "numerics/held_bytes.hpp"
 #include "query/bound.hpp"
-#include "query/pair_rules.hpp"
+#include "query/pair_vertices.hpp"
 #include "query/query.hpp"
 #include "tamis/statistics.hpp"
 
@@ -19,32 +19,33 @@ inline Contact contact_of(PairKind kind, const PairVertices& vertices, const Pai
   return {kind, r.certainty, vertices, r.toi_lower, r.toi_upper, r.u, r.v, r.normal};
 }
 
-/// Keeps in `first` the contact that bounds the step first, and until when one is certain.
+/// Updates `first` by a contact: the earliest toi_lower with its contact, and the earliest certain toi_upper.
 void keep_first(EarliestContact& first, const Contact& contact);
 
-/// Pair: alone, by decide() on the whole step.
-enum class DecidedBy { lanes, pair };
+/// Singly: by decide() on the whole step.
+enum class DecidedBy { lanes, singly };
 
-/// One per thread, and one for the answer. In any order of contacts, shared out in any way, the answer is the same.
+/// One per thread, and one for the answer. The answer does not depend on the order of contacts, nor on which thread
+/// adds which.
 class ContactCollector {
  public:
-  /// A new query; the memory stays. Query and bound, which all threads share, must outlive the answer. REQUIRES: a
-  /// bound that has begun.
+  /// Begins a query; the memory stays. Keeps references to query and bound, which all threads share. REQUIRES: a bound
+  /// that has begun.
   void begin(const Query& query, Bound& bound);
-  /// Takes what was decided of a pair, if it touches and counts: its features are no neighbours; and where the query
-  /// ignores the start, one that touches at t=0 is asked whether it touches again once it is apart. Returns true if it
-  /// is among the contacts now. REQUIRES: a kind there is, times in [0,1] and in order.
-  /// `earliest` takes what was decided by pair as it is, where it decides others anew.
+  /// Takes a decided pair if it touches and counts: its features are no neighbours, and where the query ignores the
+  /// start, a pair that touches at t=0 counts by its recontact. Returns true if it is among the contacts now.
+  /// `earliest` decides again what lanes decided, and keeps what was decided singly. REQUIRES: a kind there is, times
+  /// in [0,1] and in order.
   bool add(PairKind kind, const PairVertices& vertices, const PairResult& result, DecidedBy by = DecidedBy::lanes);
   /// Can this pair still change the answer? Cheap, to be asked before a pair is decided: a pair that touches at t=0
   /// makes all that come behind it in the order of contacts irrelevant, and any contact ends the question is_free.
   bool wants(PairKind kind, const PairVertices& vertices) const;
   bool wants(PairKind kind) const { return wants(kind, {0, 0, 0, 0}); }
-  /// A pair touches at t=0: from now on it is worth asking `wants` of each pair first.
+  /// Does a known pair touch at t=0? From then on it is worth asking `wants` of each pair first.
   bool touches_at_start() const { return first_.contact && first_.toi_upper == 0; }
   /// Takes what `other` has collected, which then is empty.
   void take(ContactCollector& other);
-  /// What `other` knows of the first contact spares pairs here.
+  /// Takes over what `other` knows of the first contact, which spares pairs here.
   void learn(const ContactCollector& other);
 
   const Query& query() const { return *query_; }
@@ -54,30 +55,29 @@ class ContactCollector {
   const std::vector<Contact>& contacts() const { return contacts_; }
   /// earliest: the answer, decided on the whole step, so that it does not depend on how far the search still looked.
   EarliestContact first();
-  /// A time by which some pair of all_contacts touches; 1: none is known to.
+  /// all_contacts: a time by which some pair has touched; 1 if none is known to.
   double touched_by() const { return touched_by_; }
   /// Pairs that it has decided itself.
   const PrecisionCount& decided_by() const { return decided_by_; }
   /// Pairs that touch at t=0 and do not count.
   std::uint64_t ignored() const { return ignored_; }
-  /// The same pairs will be looked at again.
+  /// Restarts the count: the same pairs will be decided again.
   void count_ignored_anew() { ignored_ = 0; }
   std::uint64_t memory_bytes() const { return held_bytes(contacts_); }
 
  private:
-  /// Contacts that `earliest` keeps at most before they are reduced to the first one. One that may touch at t=0, where
-  /// nothing comes before it, is not kept at all.
+  /// `earliest` collects at most so many contacts before it reduces them to the first one. A contact at t=0 is reduced
+  /// at once.
   static constexpr std::size_t kMostContactsKept = 1024;
 
-  /// What the pair does as far as it counts: the result, or what `once_apart` then holds.
-  const PairResult& as_counted(PairKind kind, const PairVertices& vertices, const PairResult& result,
-                               PairResult& once_apart);
+  /// The contact that counts for the query: the result, or where contacts at the start are ignored, its recontact.
+  PairResult as_counted(PairKind kind, const PairVertices& vertices, const PairResult& result);
   void reduce_to_first();
   void keep_first(const Contact& decided);
 
   const Query* query_ = nullptr;
   Bound* bound_ = nullptr;
-  std::vector<Contact> contacts_;  ///< earliest: those not yet decided by pair
+  std::vector<Contact> contacts_;  ///< earliest: those not yet decided singly
   EarliestContact first_;          ///< of those that are
   double touched_by_ = 1;
   PrecisionCount decided_by_;

@@ -1,4 +1,4 @@
-// What searches a mesh: a question goes in, its answer comes out.
+// The interface of what searches a mesh: a query goes in, its answer comes out.
 #pragma once
 #include <memory>
 #include <tuple>

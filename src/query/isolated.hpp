@@ -1,12 +1,12 @@
-// A callback of the user's, or a whole question, may wait for oneTBB. A waiting thread takes other tasks, among them
-// parts of the loop that it is in, which would use this thread's buffers while they are half full. In isolation it
+// Task isolation. While a thread waits inside oneTBB, in a user's callback or a nested question, it may take other
+// tasks, among them parts of the loop that it is in, which would use this thread's half-filled buffers. In isolation it
 // takes only tasks of what it waits for.
 #pragma once
 #include <tbb/task_arena.h>
 
 namespace tamis {
 
-/// Runs f(). Whoever waits in it takes only tasks that began in it.
+/// Runs f(); threads that wait within it take only tasks that were started within it.
 template <class F>
 auto isolated(const F& f) {
   return tbb::this_task_arena::isolate(f);

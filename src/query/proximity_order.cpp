@@ -12,20 +12,21 @@
 namespace tamis {
 namespace {
 
-/// Parts that are counted on their own need as many counters as there are vertices, and this many pairs for each.
+/// A part that is counted separately needs as many counters as there are vertices, and is worth that with so many pairs
+/// a counter.
 constexpr std::size_t kPairsPerCounter = 4;
 
-/// With fewer pairs the counters would be most of the work.
+/// With more vertices a pair the counters would be most of the work: then a comparison sort.
 constexpr std::size_t kVerticesPerPair = 8;
 
-/// The first is of -1, which stands for no vertex: it wraps around. REQUIRES: a vertex of the mesh, or -1.
+/// Bucket 0 is for -1, no vertex. REQUIRES: a vertex of the mesh, or -1.
 std::size_t bucket_of(const PairVertices& pair, std::size_t corner, [[maybe_unused]] std::size_t buckets) {
   const std::size_t bucket = static_cast<std::size_t>(pair[corner]) + 1;
   TAMIS_ASSERT(bucket < buckets);
   return bucket;
 }
 
-/// What differs in the last vertex alone.
+/// Sorts runs of pairs that differ in the last vertex alone.
 void sort_by_last(std::span<PairVertices> pairs) {
   const auto differ = [](const PairVertices& a, const PairVertices& b) {
     return a[2] != b[2] || a[1] != b[1] || a[0] != b[0];
@@ -41,8 +42,8 @@ void sort_by_last(std::span<PairVertices> pairs) {
 
 }  // namespace
 
-/// By all vertices but the last, the first one last: each pass is stable. No branch depends on a pair, which made a
-/// comparison sort of each vertex's pairs twice as slow.
+/// A radix sort: stable passes by all vertices but the last, the first vertex in the last pass. No branch depends on a
+/// pair; a comparison sort of each vertex's pairs took twice as long.
 void ProximityOrder::sort(std::vector<PairVertices>& pairs, Index vertex_count, const std::function<void()>& pause) {
   const std::size_t buckets = static_cast<std::size_t>(vertex_count) + 1;
   if (pairs.size() < buckets / kVerticesPerPair) return std::sort(pairs.begin(), pairs.end());
@@ -54,7 +55,7 @@ void ProximityOrder::sort(std::vector<PairVertices>& pairs, Index vertex_count, 
   sort_by_last(pairs);
 }
 
-/// A counting sort, in parts that follow each other.
+/// One stable counting sort, by parts in parallel.
 void ProximityOrder::sort_by(std::size_t corner, std::vector<PairVertices>& pairs, std::size_t buckets) {
   const auto threads = static_cast<std::size_t>(tbb::this_task_arena::max_concurrency());
   const std::size_t parts = std::clamp(pairs.size() / (kPairsPerCounter * buckets), std::size_t{1}, threads);

@@ -4,12 +4,12 @@
 #include <vector>
 
 #include "numerics/held_bytes.hpp"
-#include "query/pair_rules.hpp"
+#include "query/pair_vertices.hpp"
 
 namespace tamis {
 
 /// Sorts pairs of one kind by their vertices; keeps its scratch memory from call to call. Runs in the caller's oneTBB
-/// arena. What `pause`, called now and then, throws ends it.
+/// arena. Calls `pause` now and then; an exception of that ends the sort.
 class ProximityOrder {
  public:
   void sort(

@@ -1,4 +1,5 @@
-// What is asked. A query goes down through the engine unchanged; answers come back in collectors.
+// A query: the step and all that is asked about it. It goes down through the engine unchanged; answers come back in
+// collectors.
 #pragma once
 #include <cstdint>
 #include <span>
@@ -16,38 +17,37 @@ namespace tamis {
 enum class Question : std::uint8_t {
   all_contacts,
   earliest,
-  is_free,  ///< of intersections: is there none?
+  is_free,  ///< also in a search for intersections: is there none?
 };
 
-/// Step, radii, filter, rings and function must outlive it.
+/// Refers to positions, radii, filter, rings and function, which must outlive it.
 struct Query {
-  Step step;  ///< of a question about one pose: from the pose to itself
+  Step step;  ///< for a question about one pose: from the pose to itself
   Separations separations;
   const PairFilter& filter;
   const Rings& rings;
   const std::function<bool()>& is_cancelled;
   Question question = Question::all_contacts;
   bool ignores_start = false;  ///< AtStart::ignore; `fail` is asked as `report`
-  /// Contacts have the bits of decide(), which depend on nothing but the pair; else their last digits may also depend
-  /// on what else is in the mesh. (With a separation lanes have these bits always.) So have intersections, which then
-  /// ask `filter.accepts`, too, of the edge's first vertex and the face.
-  bool is_by_pair = false;
-  /// A chord of a path: the next one deviates otherwise from its curve, and so has other radii.
+  /// Contacts and intersections have the bits of decide(), which depend on their pair alone; else the last digits of
+  /// crossings may also depend on what else is in the mesh. (With a separation lanes have these bits always.)
+  /// Intersections then also ask `filter.accepts`, of the edge's first vertex and the face.
+  bool depends_on_pair_alone = false;
+  /// The step is a piece of a path: the next one has other radii, so nothing is listed ahead.
   bool is_piece = false;
   /// Of each vertex, not 0: pairs with no such vertex are known, and may be left out of the answer. Empty: none is. Of
   /// find_step_ends alone.
   std::span<const std::uint8_t> changed = {};
 
-  /// By which a pair is decided.
+  /// The rule by which a pair is decided, in contact questions, and in those that keep a fraction of distances.
   ContactRule rule_for(PairKind kind, const std::array<Index, 4>& vertices) const {
     return {.min_separation = separations.between(kind, vertices)};
   }
-  /// The same for its part of the distance.
   DistanceRule distance_rule_for(PairKind kind, const std::array<Index, 4>& vertices, double fraction) const {
     return {fraction, separations.between(kind, vertices), ignores_start};
   }
-  /// Are its features fewer edges apart than the caller wants? Takes a search along the mesh, so it is asked last: of
-  /// pairs that would be in the answer.
+  /// Are the pair's features fewer edges apart than the caller wants? Takes a search along the mesh, so it is asked
+  /// last, of pairs that would be in the answer.
   bool are_neighbours(PairKind kind, const std::array<Index, 4>& v) const {
     const std::span<const Index> all(v.data(), vertex_count(kind));
     return rings.are_neighbours(all.first(second_feature(kind)), all.subspan(second_feature(kind)));

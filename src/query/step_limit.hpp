@@ -1,32 +1,34 @@
-// The pair that ends the step first, found in any order.
+// The pair that ends the step first, the same in whatever order pairs are added.
 #pragma once
 #include <tuple>
 
 #include "narrow/near_pair.hpp"
 #include "numerics/assert.hpp"
-#include "query/pair_rules.hpp"
+#include "query/pair_vertices.hpp"
 #include "query/query.hpp"
 #include "tamis/contact.hpp"
 
 namespace tamis {
 
+/// A pair that ends the step, and when.
 struct StepLimit {
   double time = 1;  ///< 1: no pair ends the step
   PairKind kind = PairKind::vertex_face;
   PairVertices vertices{};
 
-  /// Of equal times the first in the order of contacts stays.
+  /// Keeps the earlier of both; of equal times the first in the order of contacts.
   void add(const StepLimit& other) {
     TAMIS_ASSERT(0 <= other.time && other.time <= 1);
     if (other.time < 1 && other.key() < key()) *this = other;
   }
 
-  /// Does this pair end the step at once, and come before that one, or all of that kind, in the order of contacts?
+  /// Can no other pair with these vertices (by default: of that kind) end the step first? This one ends it at t=0, and
+  /// comes before that one in the order of contacts.
   bool rules_out(PairKind other_kind, const PairVertices& others = {}) const {
     return time == 0 && key() < StepLimit{0, other_kind, others}.key();
   }
 
-  /// With the time at which the pair is proven to end the step, and its distance.
+  /// As an answer to safe_step, with the time by which the pair is proven to end the step, and its distance.
   SafeStep answer(const Query& query, double fraction) const {
     if (time == 1) return {};
     const DistanceRule rule = query.distance_rule_for(kind, vertices, fraction);
@@ -39,7 +41,7 @@ struct StepLimit {
   std::tuple<double, PairKind, PairVertices> key() const { return {time, kind, vertices}; }
 };
 
-/// By kind, then vertices, whatever their times.
+/// By kind, then vertices, whatever their times: the order of contacts.
 inline bool comes_before_in_order(const StepLimit& a, const StepLimit& b) {
   return std::tie(a.kind, a.vertices) < std::tie(b.kind, b.vertices);
 }

@@ -6,9 +6,9 @@ namespace tamis {
 
 class Stopwatch {
  public:
-  /// Since it was made, or since the last lap.
+  /// Since construction, or since the last lap.
   double seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
-  /// The same, and starts anew.
+  /// The same, and restarts.
   double lap() {
     const auto now = Clock::now();
     const double seconds = std::chrono::duration<double>(now - start_).count();

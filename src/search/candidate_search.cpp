@@ -10,8 +10,8 @@ void CandidateConsumer::begin(CandidateQuery& shared) {
   release();  // an exception may have left pairs of another query
 }
 
-/// The slab clip, then DNF where contact means a crossing. With a separation axes that turn: strict signs prove no
-/// distance.
+/// The slab clip, then DNF where contact means a crossing; with a separation axes that turn with the pair, as DNF
+/// proves no distance.
 void CandidateConsumer::consume(PairKind kind) {
   PairBuffer &boxes = thread().boxes, &clipped = thread().clipped, &filtered = thread().filtered;
   const PackedMotion& motion = thread().motion;
@@ -27,26 +27,26 @@ void CandidateConsumer::consume(PairKind kind) {
   of(counts.boxes, kind) += static_cast<std::uint64_t>(boxes.count);
   of(counts.apart, kind) += static_cast<std::uint64_t>(clipped.count);
   candidates_[kind].append(filtered, vertex_count(kind));
-  if (shared_->left.fetch_sub(filtered.count, std::memory_order_relaxed) < filtered.count) shared_->bound.settle();
+  if (shared_->pairs_left.fetch_sub(filtered.count, std::memory_order_relaxed) < filtered.count)
+    shared_->bound.settle();
 }
 
-bool CandidateSearch::list(const Query& query, double deviation, float until, PairLists& lists, Statistics& statistics,
-                           std::uint64_t most_work) {
+bool CandidateSearch::list(const Query& query, const ListingLimits& limits, PairLists& lists, Statistics& statistics) {
   FeatureTrees& trees = workspace_.trees;
   const std::int64_t most = kMostPairsPerBlock * trees.leaf_blocks();
-  CandidateQuery asked{query, deviation, most};
+  CandidateQuery asked{query, limits.deviation, most};
   Separations separations = query.separations;
-  separations.fixed += 2 * deviation;
+  separations.fixed += 2 * limits.deviation;
   trees.refit_for(query.step, separations);
   streams_.begin(asked);
   double part = 0;
   for (const Sample& sample : Samples(trees.most_leaf_blocks())) {
-    streams_.search_trees(sample, until);
+    streams_.search_trees(sample, limits.until);
     streams_.finish([&](CandidateConsumer& consumer) { lists.take(consumer.candidates()); });
     part += 1.0 / sample.stride;
     const double work = static_cast<double>(streams_.counts().work(0).pairs);
-    if (static_cast<double>(most - asked.left) > (part + kSmallestPart) * static_cast<double>(most) ||
-        work > (part + kPartToTry) * static_cast<double>(most_work))
+    if (static_cast<double>(most - asked.pairs_left) > (part + kSmallestPart) * static_cast<double>(most) ||
+        work > (part + kPartToTry) * static_cast<double>(limits.work))
       asked.bound.settle();
   }
   streams_.for_each([](CandidateConsumer& consumer) { consumer.release(); });

@@ -1,4 +1,4 @@
-// Lists pairs that may touch on a step although vertices deviate from it, for questions to come, and prepares questions
+// Lists the pairs that may touch on a step although vertices deviate from it, for queries to come, and prepares queries
 // that such lists may serve.
 #pragma once
 #include <atomic>
@@ -13,9 +13,9 @@ namespace tamis {
 /// What the threads share.
 struct CandidateQuery {
   const Query& query;
-  double deviation;                ///< how far vertices may be from where the step has them, along any axis
-  std::atomic<std::int64_t> left;  ///< how many more may be listed
-  Bound bound = {};                ///< settled: there are too many
+  double deviation;                      ///< as in ListingLimits
+  std::atomic<std::int64_t> pairs_left;  ///< how many more may be listed
+  Bound bound = {};                      ///< settled: there are too many
 };
 
 /// Lists pairs that may touch although vertices deviate from the step, and decides none.
@@ -42,21 +42,26 @@ class CandidateConsumer final : public PairStream {
   PairLists candidates_;
 };
 
+/// Which pairs are listed, and at what cost.
+struct ListingLimits {
+  double deviation = 0;  ///< vertices may be so far, along any axis, from where the step has them
+  float until = 1;       ///< pairs that touch later are not listed
+  std::uint64_t work = std::numeric_limits<std::uint64_t>::max();  ///< SearchWork::pairs
+};
+
 class CandidateSearch {
  public:
   /// Keeps a reference.
   explicit CandidateSearch(Workspace& workspace) : workspace_(workspace), streams_(workspace) {}
 
-  /// Adds to `lists`, in no order, all pairs that come within their separations before `until` although vertices
-  /// deviate by up to `deviation` from their place. False: there are more than kMostPairsPerBlock times the blocks, or
-  /// they cost more than `most_work` (SearchWork::pairs), or a part of them suggests it, and some are missing. Leaves
-  /// the trees at this step.
-  bool list(const Query& query, double deviation, float until, PairLists& lists, Statistics& statistics,
-            std::uint64_t most_work = kAnyWork);
-  /// Prepares for a query whose pairs may be in `lists` (`is_listed`). If they are not, plan() says whether lists are
-  /// worth making, and make() makes them, or finds that they are too long. True: the lists are to be asked; the
-  /// vertices of this step are loaded if they hold any pair. False: the trees, which are of this step, must be
-  /// searched.
+  /// Adds to `lists`, in no order, all pairs that come within their separations before `limits.until` although vertices
+  /// deviate. Returns false if some are missing: there are more than kMostPairsPerBlock times the blocks, or they cost
+  /// more than `limits.work`, or the first samples suggest that. Leaves the trees refitted to this step.
+  bool list(const Query& query, const ListingLimits& limits, PairLists& lists, Statistics& statistics);
+  /// Prepares lists or trees for a query. Returns true if the lists are to be asked: the vertices of this step are then
+  /// loaded, if the lists hold any pair. Returns false if the trees must be searched, which are then of this step.
+  /// `is_listed`: the lists that there are serve this query. If not, plan() says whether lists are worth making, and
+  /// make() makes them and says whether they are complete.
   template <class Plan, class Make>
   bool prepare(const Query& query, LooksAt looks_at, bool is_listed, const Plan& plan, const Make& make,
                const PairLists& lists, Statistics& statistics) {
@@ -76,10 +81,9 @@ class CandidateSearch {
   std::uint64_t memory_bytes() const { return streams_.memory_bytes(); }
 
  private:
-  static constexpr std::uint64_t kAnyWork = std::numeric_limits<std::uint64_t>::max();
-  /// Of each leaf block of sixteen features, on the average.
+  /// A list holds no more, times the number of leaf blocks.
   static constexpr std::int64_t kMostPairsPerBlock = 256;
-  /// Samples are uneven: a part may have so much more of what is listed, and cost so much more.
+  /// Samples are uneven: one may list, and cost, so much more than its share.
   static constexpr double kSmallestPart = 1.0 / 64, kPartToTry = 0.25;
 
   Workspace& workspace_;

@@ -15,7 +15,7 @@ namespace tamis {
 void ContactConsumer::consume(PairKind kind) {
   leave_out_unwanted(kind);
   const bool by_distance = thread().motion.separations.any() || !can_cross(kind);
-  if (query().is_by_pair && !by_distance) return decide_by_pair(kind);
+  if (query().depends_on_pair_alone && !by_distance) return decide_as_list(kind);
   const int count = by_distance ? decide_within_separation(thread(), kind, found_.bound().latest())
                                 : decide_crossings(thread(), kind, thread().kernels.of(kind));
   const PairBuffer& pairs = thread().filtered;
@@ -24,17 +24,17 @@ void ContactConsumer::consume(PairKind kind) {
       [&](int i) { decide_singly(kind, vertices_of(kind, pairs, i)); });
 }
 
-void ContactConsumer::decide_by_pair(PairKind kind) {
-  if (!by_pair_) {
-    by_pair_ = std::make_unique<ByPair>();
-    std::iota(by_pair_->places.begin(), by_pair_->places.end(), 0);
+void ContactConsumer::decide_as_list(PairKind kind) {
+  if (!list_scratch_) {
+    list_scratch_ = std::make_unique<ListScratch>();
+    std::iota(list_scratch_->places.begin(), list_scratch_->places.end(), 0);
   }
   const PairKernels& kernels = thread().kernels.of(kind);
   filter_crossings(thread(), kind, kernels);
   const PairBuffer& pairs = thread().filtered;
   const auto& [start, end] = query().step;
   const StepRows vertices{start.data(), end.data(), start.stride(), end.stride()};
-  auto& [places, undecided, results] = *by_pair_;
+  auto& [places, undecided, results] = *list_scratch_;
   const int count = kernels.decide_list({vertices, places.data(), ContactRule{}, nullptr}, pairs, thread().clipped,
                                         results.data(), undecided.data());
   thread().counts.decided_by.lanes += static_cast<std::uint64_t>(pairs.count - count);
@@ -54,7 +54,7 @@ void ContactConsumer::leave_out_unwanted(PairKind kind) {
   leave_out(query().filter, kind, pairs);
 }
 
-/// Its times are known, its place not always.
+/// Adds a contact that lanes found, whose place they may have left to integers.
 void ContactConsumer::add(PairKind kind, const PairVertices& vertices, PairResult& result) {
   if (std::isnan(result.normal[0])) {
     if (!found_.wants(kind, vertices)) return;
@@ -68,7 +68,7 @@ void ContactConsumer::decide_singly(PairKind kind, const PairVertices& vertices)
   if (!found_.wants(kind, vertices)) return;
   const ContactRule rule = query().rule_for(kind, vertices);
   found_.add(kind, vertices, decide(kind, points_of(query().step, vertices), rule, thread().counts.decided_by),
-             DecidedBy::pair);
+             DecidedBy::singly);
 }
 
 }  // namespace tamis

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "search/beginning.hpp"
+#include "search/scene_beginning.hpp"
 
 namespace tamis {
 namespace {
@@ -15,7 +15,7 @@ float float_after(double t) {
   return static_cast<double>(f) >= t ? f : std::nextafter(f, std::numeric_limits<float>::infinity());
 }
 
-/// All contacts have nothing to learn from an early one.
+/// The question for all contacts has no use for samples: an early contact shortens nothing.
 Samples samples_for(const Query& query, int parts) {
   return query.question == Question::all_contacts ? Samples() : Samples(parts);
 }
@@ -44,12 +44,13 @@ void ContactSearch::find(const Query& query, ContactCollector& answer, Statistic
   ahead_.end(answer, counts.work(trees.leaf_blocks()));
 }
 
-/// Lists what may touch within the next steps. False: that is too much.
+/// Lists what may touch within the next steps. Returns false if that are too many pairs.
 bool ContactSearch::list_ahead(const Query& query, Statistics& statistics) {
   const auto [start, end] = ahead_.predicted_ends();
   const Query predicted{{start, end}, query.separations, query.filter, query.rings, query.is_cancelled};
-  return ahead_.complete(candidates_.list(predicted, ahead_.slack(), ahead_.until(), ahead_.lists(), statistics,
-                                          ahead_.most_work(query.question)));
+  const ListingLimits limits{
+      .deviation = ahead_.slack(), .until = ahead_.until(), .work = ahead_.most_work(query.question)};
+  return ahead_.keep_if_complete(candidates_.list(predicted, limits, ahead_.lists(), statistics));
 }
 
 void ContactSearch::search_lists(ContactCollector& answer) {
@@ -63,10 +64,10 @@ void ContactSearch::search_lists(ContactCollector& answer) {
   }
 }
 
-/// Of a step that goes very far, which starts as one point in the floats of its boxes: its first contact comes early,
-/// and is looked for in beginnings of the step. Returns whether it was found there; else leaves the trees at the step.
+/// For steps on which vertices go very far (scene_beginning.hpp): the first contact comes early, and is searched for in
+/// beginnings of the step. Returns whether it was found there; if not, the trees are of the whole step again.
 bool ContactSearch::search_beginnings(ContactCollector& answer, Statistics& statistics) {
-  constexpr int kBeginnings = 4;  // what touches no sooner costs this much more than it did
+  constexpr int kBeginnings = 4;  // where no contact comes early they are searched in vain
   constexpr double kLonger = 16;
   const Query& query = answer.query();
   FeatureTrees& trees = workspace_.trees;
@@ -76,8 +77,8 @@ bool ContactSearch::search_beginnings(ContactCollector& answer, Statistics& stat
     const Beginning beginning(query.step, workspace_.mesh.points(), length);
     const Query shorter{beginning.step(), query.separations, query.filter, query.rings, query.is_cancelled};
     PairLists lists;
-    const bool holds_all = candidates_.list(shorter, beginning.deviation(), 1, lists, statistics);
-    if (holds_all) {
+    const bool is_complete = candidates_.list(shorter, {.deviation = beginning.deviation()}, lists, statistics);
+    if (is_complete) {
       trees.load_vertices(query.step, query.separations, statistics);
       streams_.begin(answer);
       answer.count_ignored_anew();
@@ -87,7 +88,7 @@ bool ContactSearch::search_beginnings(ContactCollector& answer, Statistics& stat
     }
     trees.refit_for(query.step, query.separations);
     streams_.begin(answer);
-    if (!holds_all) return false;
+    if (!is_complete) return false;
   }
   return false;
 }
@@ -104,8 +105,9 @@ void ContactSearch::search_trees(ContactCollector& answer) {
   }
 }
 
-/// What the threads have found goes to `answer`, and what it knows to each thread. Returns the time after which nothing
-/// is of interest: the step is shortened only between samples, so that the answer knows nothing of threads.
+/// Collects what the threads have found in `answer`, and tells each thread the first contact so far. Returns the time
+/// after which nothing is of interest: the step is shortened only between samples, so that answers do not depend on
+/// threads.
 float ContactSearch::gather(ContactCollector& answer) {
   streams_.finish([&](ContactConsumer& consumer) { answer.take(consumer.found()); });
   streams_.for_each([&](ContactConsumer& consumer) { consumer.found().learn(answer); });

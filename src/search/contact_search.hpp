@@ -1,5 +1,5 @@
-// The conductor of the questions about contacts of a step: where a mesh goes on as it did, pairs that may touch are
-// listed for several steps, and the list is asked; else the trees.
+// Conducts contacts, earliest and is_free: where the mesh moves on as before, pairs that may touch are listed for
+// several steps, and the list is asked; else the trees are searched.
 #pragma once
 #include "coherence/pairs_ahead.hpp"
 #include "numerics/held_bytes.hpp"

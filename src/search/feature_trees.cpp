@@ -10,16 +10,15 @@
 namespace tamis {
 namespace {
 
-/// Refitting goes on until the leaf blocks' swept area exceeds by this factor what it was when they were built
+/// Trees are rebuilt once the leaf blocks' swept area exceeds that at the last build by this factor
 /// (docs/history/performance.md: "When to rebuild").
 constexpr double kPoorArea = 1.5;
-/// And until they are so much larger at the start than they were then, whatever they sweep over: steps are of all
-/// lengths.
+/// Or once their area at the start does by this one, whatever they sweep over: steps are of all lengths.
 constexpr double kPoorStart = 8;
 /// Building costs about as much as visiting so many pairs of nodes for each leaf block.
 constexpr std::uint64_t kNodesPerBlock = 9;
-/// Steps are long where leaf blocks sweep over so many times their own area. So many questions that look at the start
-/// come one after the other before it is looked whether an order of their own would pay.
+/// A step is long where leaf blocks sweep over so many times their own area. After every kStartInRow questions in a row
+/// that look at the start, it is tested whether an order of their own would pay.
 constexpr double kFarAreas = 4;
 constexpr int kStartInRow = 8;
 
@@ -44,22 +43,24 @@ void FeatureTrees::refit_or_rebuild(const Step& step, const Separations& separat
   statistics.seconds.bounds += watch.lap();
   const bool looks_at_start = looks_at != LooksAt::whole_step;
   start_in_row_ = looks_at_start ? start_in_row_ + 1 : 0;
-  if (!are_of_motion_ || is_doubtful_ || looks_at_start != is_order_of_start()) update_trees(looks_at, statistics);
+  if (!boxes_are_current_ || is_order_in_doubt_ || looks_at_start != is_order_of_start())
+    update_trees(looks_at, statistics);
   statistics.seconds.build += watch.lap();
 }
 
 void FeatureTrees::assign(const Step& step, const Separations& separations) {
   TAMIS_ASSERT(step.start.count() == mesh_.vertex_count() && step.end.count() == mesh_.vertex_count());
-  assigned_ = step;
+  loaded_step_ = step;
   mark({});
-  if (motion_.assign(step, mesh_.points(), separations)) are_of_motion_ = false;
+  if (motion_.assign(step, mesh_.points(), separations)) boxes_are_current_ = false;
 }
 
 bool FeatureTrees::are_of(const Step& step) const {
   const auto are_same = [](const Positions& a, const Positions& b) {
     return a.data() == b.data() && a.count() == b.count() && a.stride() == b.stride();
   };
-  if (!are_of_motion_ || !are_same(assigned_.start, step.start) || !are_same(assigned_.end, step.end)) return false;
+  if (!boxes_are_current_ || !are_same(loaded_step_.start, step.start) || !are_same(loaded_step_.end, step.end))
+    return false;
   const Index some = mesh_.points()[mesh_.points().size() / 2];
   const double* packed = motion_.vertices[static_cast<std::size_t>(some)].at;
   return std::equal(packed, packed + 3, step.start[some]) && std::equal(packed + 4, packed + 7, step.end[some]);
@@ -68,7 +69,7 @@ bool FeatureTrees::are_of(const Step& step) const {
 void FeatureTrees::refit_for(const Step& step, const Separations& separations) {
   TAMIS_ASSERT(points_.is_built());
   assign(step, separations);
-  if (!are_of_motion_) refit_trees();
+  if (!boxes_are_current_) refit_trees();
 }
 
 void FeatureTrees::refit_trees() {
@@ -76,7 +77,7 @@ void FeatureTrees::refit_trees() {
     stop_if_cancelled(options_);
     tree->refit(motion_, kernels_.trees);
   }
-  are_of_motion_ = true;
+  boxes_are_current_ = true;
 }
 
 void FeatureTrees::load_vertices(const Step& step, const Separations& separations, Statistics& statistics) {
@@ -87,18 +88,18 @@ void FeatureTrees::load_vertices(const Step& step, const Separations& separation
 
 void FeatureTrees::update_trees(LooksAt looks_at, Statistics& statistics) {
   if (built_areas_) {
-    if (!are_of_motion_) refit_trees();
+    if (!boxes_are_current_) refit_trees();
     if (is_order_good(looks_at)) return;
   }
   built_areas_.reset();  // until all are built
-  are_of_motion_ = false;
+  boxes_are_current_ = false;
   axes_ = best_axes(looks_at);
   for (BlockTree* tree : trees()) tree->build(motion_, axes_, kernels_.trees, [&] { stop_if_cancelled(options_); });
   built_areas_ = areas();
   built_scale_ = motion_.frame.scale;
-  is_doubtful_ = false;
+  is_order_in_doubt_ = false;
   nodes_in_doubt_ = 0;
-  are_of_motion_ = true;
+  boxes_are_current_ = true;
   statistics.rebuilt = true;
 }
 
@@ -121,10 +122,10 @@ bool FeatureTrees::is_order_good(LooksAt looks_at) {
   const BlockTree::Areas now = areas(), &built = *built_areas_;
   const double by_scale = (built_scale_ / motion_.frame.scale) * (built_scale_ / motion_.frame.scale);
   const bool is_far = now.swept > kFarAreas * now.at_start;
-  is_doubtful_ = axes_.way > 0 && !is_far;
+  is_order_in_doubt_ = axes_.displacement_weight > 0 && !is_far;
   const int blocks = points_.view().leaf_blocks + edges_.view().leaf_blocks + faces_.view().leaf_blocks;
   const bool has_cost_an_order = nodes_in_doubt_ > kNodesPerBlock * static_cast<std::uint64_t>(blocks);
-  if (is_doubtful_ && has_cost_an_order && best_axes(looks_at).way == 0) return false;
+  if (is_order_in_doubt_ && has_cost_an_order && best_axes(looks_at).displacement_weight == 0) return false;
   const auto has_spread = [&](double times) { return now.at_start * by_scale > times * built.at_start; };
   if (is_order_of_start()) return !has_spread(kPoorArea) && !(is_far && looks_at == LooksAt::whole_step);
   if (has_spread(kPoorStart)) return false;
@@ -136,7 +137,7 @@ void FeatureTrees::mark(std::span<const std::uint8_t> of_vertex) {
   for (BlockTree* tree : trees()) tree->mark(of_vertex);
 }
 
-void FeatureTrees::fit_residuals(const Step& step, const SharedMotion& shared) {
+void FeatureTrees::refit_residuals(const Step& step, const SharedMotion& shared) {
   TAMIS_ASSERT(are_of(step));
   motion_.assign_residuals(step, shared);
   for (BlockTree* tree : trees()) {

@@ -1,4 +1,4 @@
-// The mesh as the search sees it: where its vertices are during a question, and a tree over each kind of feature.
+// The mesh as the search sees it: the packed vertices of the current step, and a tree over each kind of feature.
 #pragma once
 #include <algorithm>
 #include <array>
@@ -22,37 +22,36 @@ class FeatureTrees {
   FeatureTrees(const FeatureTrees&) = delete;
   FeatureTrees& operator=(const FeatureTrees&) = delete;
 
-  // REQUIRES of all: as many positions as the mesh has vertices. REQUIRES (not checked: O(n)): a validated step.
+  // REQUIRES, all: as many positions as the mesh has vertices. REQUIRES (not checked: O(n)): a validated step.
 
-  /// Boxes at t=0 and t=1, in the old order, or in a new one where that has become poor, or was chosen for other
-  /// questions: nothing, where they are of this step already, in an order that serves. Says seconds and `rebuilt`.
+  /// Gives the trees the boxes of this step: refits them, or rebuilds them where their order has become poor or was
+  /// chosen for other questions. Does nothing if they are current, in an order that serves. Adds seconds and `rebuilt`.
   void refit_or_rebuild(const Step& step, const Separations& separations, LooksAt looks_at, Statistics& statistics);
 
-  /// The same in the old order, whatever the step. REQUIRES: a refit_or_rebuild() before that ended.
+  /// Refits, in the old order, whatever the step. REQUIRES: an earlier refit_or_rebuild() that ended.
   void refit_for(const Step& step, const Separations& separations);
-  /// Vertices alone: boxes are left as they are, of another step if of any, and must not be searched.
+  /// Loads the vertices alone. The boxes stay those of another step, if of any, and must not be searched.
   void load_vertices(const Step& step, const Separations& separations, Statistics& statistics);
-  /// Are the boxes, and the vertices, those of this step? By where its positions stand in memory, and by one of them.
+  /// Are boxes and vertices those of this step? Judged by the addresses of its positions, and by one of them.
   bool are_of(const Step& step) const;
-  /// What the displacements of each feature have besides a motion they share, for the questions that ask. REQUIRES:
-  /// are_of(step).
-  void fit_residuals(const Step& step, const SharedMotion& shared);
-  /// From now until the next step is told, searches leave out blocks of features without a vertex that is not 0 here,
-  /// with each other. Empty: none. REQUIRES: as above, or empty.
+  /// Refits the boxes of residuals, what is left of displacements beside a shared motion. REQUIRES: are_of(step).
+  void refit_residuals(const Step& step, const SharedMotion& shared);
+  /// Until another step is loaded, searches leave out pairs of blocks without a vertex that is not 0 here. Empty: none.
+  /// REQUIRES: as above, or empty.
   void mark(std::span<const std::uint8_t> of_vertex);
 
-  /// A search of these trees has visited so many pairs of nodes.
+  /// Takes note of a search that visited so many pairs of nodes.
   void add_search(std::uint64_t nodes) {
-    if (is_doubtful_) nodes_in_doubt_ += nodes;
+    if (is_order_in_doubt_) nodes_in_doubt_ += nodes;
   }
 
-  /// Of the trees that make pairs, together; and of the largest.
+  /// Leaf blocks of the trees that searches start from: the sum, and the larger number.
   int leaf_blocks() const { return points_.view().leaf_blocks + edges_.view().leaf_blocks; }
   int most_leaf_blocks() const { return std::max(points_.view().leaf_blocks, edges_.view().leaf_blocks); }
   TreeView edges() const { return edges_.view(); }
   TreeView faces() const { return faces_.view(); }
-  /// f(kind, a, b): the trees whose features make the pairs of each kind there is. Loose points meet loose edges, and
-  /// each other: all other pairs of closed features are among those of faces and of edges.
+  /// Calls f(kind, a, b) for each kind of pair, with the trees of its two features. Loose points are searched against
+  /// loose edges and each other: all other contacts of points and edges are among those of faces and of edges.
   template <class F>
   void for_each_kind(const F& f) const {
     f(PairKind::vertex_face, points_.view(), faces_.view());
@@ -68,30 +67,30 @@ class FeatureTrees {
  private:
   void refit_trees();
   void update_trees(LooksAt looks_at, Statistics& statistics);
-  /// Does the order that the trees have serve the step that their boxes are of, and the question?
+  /// Does the order of the trees serve the current step, and the question?
   bool is_order_good(LooksAt looks_at);
   bool is_order_of_start() const { return axes_.time == 0; }
   OrderAxes best_axes(LooksAt looks_at) const;
   BlockTree::Areas areas() const;
   std::array<BlockTree*, 5> trees() { return {&points_, &edges_, &faces_, &loose_points_, &loose_edges_}; }
   std::array<const BlockTree*, 5> trees() const { return {&points_, &edges_, &faces_, &loose_points_, &loose_edges_}; }
-  /// Leaves boxes of another step unless the vertices are where they were.
+  /// Loads the vertices; the boxes stay current only if no vertex has changed.
   void assign(const Step& step, const Separations& separations);
 
   const Mesh& mesh_;
   const Options& options_;
   const Kernels& kernels_;
   PackedMotion motion_;
-  Step assigned_;  ///< where the vertices are from
+  Step loaded_step_;  ///< from which the vertices were loaded
   const LooseFeatures loose_;
   BlockTree points_, edges_, faces_, loose_points_, loose_edges_;
   OrderAxes axes_;
-  std::optional<BlockTree::Areas> built_areas_;  ///< when they were built; nothing: they are not
+  std::optional<BlockTree::Areas> built_areas_;  ///< at the last build; nothing before the first
   double built_scale_ = 1;
-  bool is_doubtful_ = false;          ///< an order by how far features go, of a step that goes nowhere near as far
-  std::uint64_t nodes_in_doubt_ = 0;  ///< visited since the trees were built, with steps of that kind
-  int start_in_row_ = 0;              ///< the last questions, that looked at less than the whole step
-  bool are_of_motion_ = false;        ///< the boxes
+  bool is_order_in_doubt_ = false;    ///< the order is by displacements, but the current step's are much shorter
+  std::uint64_t nodes_in_doubt_ = 0;  ///< visited for such steps since the trees were built
+  int start_in_row_ = 0;              ///< questions in a row that were not about the whole step
+  bool boxes_are_current_ = false;    ///< the boxes are of loaded_step_
 };
 
 }  // namespace tamis

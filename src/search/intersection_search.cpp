@@ -11,7 +11,7 @@
 namespace tamis {
 namespace {
 
-/// The edge's first vertex, which runs along it, and the face.
+/// The pair of a vertex that runs along the edge, from its first vertex, and the face.
 constexpr PairKind kEdgeRunner = PairKind::vertex_face;
 
 Edge edge_of(const PairBuffer& pairs, int i) { return {pairs.corner[0][i], pairs.corner[4][i]}; }
@@ -25,18 +25,18 @@ void IntersectionConsumer::begin(IntersectionQuery& shared) {
   found_.clear();
 }
 
-/// The caller's own function is about pairs of other kinds: of a detector's question groups alone leave pairs out.
+/// A detector's intersections heed groups alone: the caller's own function is about the kinds of pairs.
 void IntersectionConsumer::consume(PairKind kind) {
-  const bool is_by_pair = query().is_by_pair;
+  const bool depends_on_pair_alone = query().depends_on_pair_alone;
   if (!wants(kind)) thread().boxes.count = 0;
-  if (is_by_pair)
+  if (depends_on_pair_alone)
     leave_out(query().filter, kind, thread().boxes);
   else
     leave_out_groups(query().filter, kind, thread().boxes);
   const int count = decide_crossings(thread(), kind, thread().kernels.along_edges);
   for_each_solved(
       thread(), count,
-      [&](int pair, const PairResult& result) { is_by_pair ? decide_singly(pair) : add(pair, result); },
+      [&](int pair, const PairResult& result) { depends_on_pair_alone ? decide_singly(pair) : add(pair, result); },
       [&](int pair) { decide_singly(pair); });
 }
 
@@ -54,7 +54,7 @@ void IntersectionConsumer::decide_singly(int pair) {
   stop_if_cancelled(query());
   if (!wants(kEdgeRunner)) return;
   const PairBuffer& pairs = thread().filtered;
-  const PairPoints points = points_along(query().step.start, edge_of(pairs, pair), face_of(pairs, pair));
+  const PairPoints points = edge_runner_points(query().step.start, edge_of(pairs, pair), face_of(pairs, pair));
   add(pair, decide(kEdgeRunner, points, {}, thread().counts.decided_by));
 }
 

@@ -1,29 +1,30 @@
-// What consumers do with a buffer of pairs. `leave_out` is the place where pairs are left out for what they are, and
-// not for where: each consumer calls it where that costs least, before a pair is decided (ProximityConsumer after
-// its distance). Only the rings (Query::are_neighbours) are asked after that.
+// Operations on a PairBuffer. `leave_out` is the one place where pairs are left out by their identity rather than their
+// positions: each consumer calls it where that costs least, before a pair is decided (ProximityConsumer after its
+// distance). Only the rings (Query::are_neighbours) are asked after that.
 #pragma once
 #include "kernels/kernels.hpp"
 #include "numerics/assert.hpp"
 #include "query/isolated.hpp"
-#include "query/pair_rules.hpp"
+#include "query/pair_groups.hpp"
+#include "query/pair_vertices.hpp"
 #include "topology/at.hpp"
 
 namespace tamis {
 
-/// In contact order: the search gives them so. REQUIRES: a pair of the buffer.
+/// Vertices of pair i, in the order of Contact, as the search gives them. REQUIRES: a pair of the buffer.
 inline PairVertices vertices_of(PairKind kind, const PairBuffer& pairs, int i) {
   TAMIS_ASSERT(0 <= i && i < pairs.count);
   return vertices_in_use(kind, {pairs.corner[0][i], pairs.corner[1][i], pairs.corner[2][i], pairs.corner[3][i]});
 }
 
-/// Makes it pair i of the buffer; its times stay. REQUIRES: room for it.
+/// Writes the vertices of pair i; its times stay. REQUIRES: 0 <= i < PairBuffer::kSize.
 inline void put(PairKind kind, const PairVertices& vertices, PairBuffer& pairs, int i) {
   TAMIS_ASSERT(0 <= i && i < PairBuffer::kSize);
   for (std::size_t c = 0; c < vertex_count(kind); ++c) pairs.corner[c][i] = vertices[c];
 }
 
-/// Searches from one leaf block, into the buffer. REQUIRES: a buffer, and what empties it; a block that there is; a
-/// time limit in [0,1].
+/// Runs a search kernel from one leaf block. REQUIRES: a buffer and its flush; a block that there is; a time limit in
+/// [0,1].
 inline void search_block(SearchKernel kernel, Search& search, int block) {
   TAMIS_ASSERT(search.pairs && search.flush && search.pairs->count <= PairBuffer::kCapacity);
   TAMIS_ASSERT(0 <= block && block < search.a.leaf_blocks);
@@ -31,7 +32,7 @@ inline void search_block(SearchKernel kernel, Search& search, int block) {
   kernel(search, block);
 }
 
-/// Keeps the pairs of a buffer for which is_wanted(i). Behind the first that is not, nothing waits for a branch.
+/// Keeps the pairs for which is_wanted(i). From the first that is not on, without branches.
 /// REQUIRES: no more than it holds.
 template <class F>
 void keep_wanted(PairBuffer& pairs, const F& is_wanted) {
@@ -48,13 +49,13 @@ void keep_wanted(PairBuffer& pairs, const F& is_wanted) {
   pairs.count = kept;
 }
 
-/// Two loose points are found from both sides.
+/// The search finds two loose points from both sides: keeps one.
 inline void keep_each_once(PairKind kind, PairBuffer& pairs) {
   if (kind == PairKind::vertex_vertex)
     keep_wanted(pairs, [&](int i) { return pairs.corner[0][i] < pairs.corner[1][i]; });
 }
 
-/// Leaves out the pairs that have no changed vertex (Query::changed).
+/// Removes the pairs that have no changed vertex (Query::changed).
 inline void leave_out_unchanged(std::span<const std::uint8_t> changed, PairKind kind, PairBuffer& pairs) {
   if (changed.empty()) return;
   keep_wanted(pairs, [&, count = vertex_count(kind)](int i) {
@@ -64,7 +65,7 @@ inline void leave_out_unchanged(std::span<const std::uint8_t> changed, PairKind 
   });
 }
 
-/// Leaves out the pairs of groups that may not touch.
+/// Removes pairs whose groups may not touch.
 inline void leave_out_groups(const PairFilter& filter, PairKind kind, PairBuffer& pairs) {
   if (!has_groups(filter)) return;
   keep_wanted(pairs, [&, second = second_feature(kind)](int i) {
@@ -72,7 +73,7 @@ inline void leave_out_groups(const PairFilter& filter, PairKind kind, PairBuffer
   });
 }
 
-/// Leaves out what the caller's filter does not let pass.
+/// Removes pairs that the caller's filter does not let pass.
 inline void leave_out(const PairFilter& filter, PairKind kind, PairBuffer& pairs) {
   leave_out_groups(filter, kind, pairs);
   if (!filter.accepts) return;

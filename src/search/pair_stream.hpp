@@ -1,5 +1,5 @@
-// One thread's stream of pairs: searches leaf blocks, or a list, into a small buffer, and consumes each full one. Each
-// question has a class of its own, derived from this, that says how (*_consumer, *_search).
+// One thread's stream of pairs: it searches leaf blocks, or a list, into a small buffer, and consumes each full buffer.
+// How is said by a derived class, one for each question (*_consumer, *_search).
 #pragma once
 #include "coherence/pair_list.hpp"
 #include "query/query.hpp"
@@ -20,15 +20,15 @@ class PairStream {
   virtual ~PairStream() = default;
   PairStream(const PairStream&) = delete;
 
-  /// Every `blocks.stride`-th leaf block of `a` against all of `b`, as far as they may touch until `t_limit`.
+  /// Searches every `blocks.stride`-th leaf block of `a` against all of `b`, for pairs that may touch until `t_limit`.
   void search(PairKind kind, const TreeView& a, const TreeView& b, const BlockRange& blocks, float t_limit);
-  /// The pairs first to last of a list, as far as they may touch at some time of `when`, by the list, and until
-  /// `t_limit`, by this query.
+  /// Takes the pairs first to last of a list that may touch at some time of `when`, a time of the list, for contacts
+  /// until `t_limit`, a time of the query.
   void search(PairKind kind, const PairList& pairs, std::size_t first, std::size_t last,
               const TimeInterval<float>& when, float t_limit);
   /// Consumes what is still in the buffer.
   void finish();
-  /// So many pairs are in it.
+  /// The number of pairs still in the buffer.
   int waiting() const { return thread_.boxes.count; }
 
   /// Can pairs of this kind still change the answer? Asked before each search and each leaf block.
@@ -37,15 +37,15 @@ class PairStream {
   const SearchCounts& counts() const { return thread_.counts; }
 
  protected:
-  /// Forgets what the thread had of another query: an exception may have left pairs.
+  /// Begins a query, and drops what an exception may have left of another one.
   void begin(const Query& query);
   SearchThread& thread() const { return thread_; }
 
-  /// What finds its pairs.
+  /// The kernel that searches for pairs of this kind.
   virtual SearchKernel kernel(PairKind kind) const = 0;
-  /// Says what the search is limited by besides time; asked again after each full buffer.
+  /// Sets the search's limits other than time; called again after each full buffer.
   virtual void set_limits(Search&) const {}
-  /// Takes the pairs of thread().boxes, each of which is there once. What it leaves there is forgotten.
+  /// Consumes the pairs of thread().boxes, each of which is there once. The stream empties the buffer afterwards.
   virtual void consume(PairKind kind) = 0;
 
  private:

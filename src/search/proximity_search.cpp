@@ -28,7 +28,7 @@ void ProximityConsumer::consume(PairKind kind) {
   keep_wanted(unsure, [&](int i) {
     stop_if_cancelled(query());
     const PairVertices v = vertices_of(kind, unsure, i);
-    return is_near(kind, points_of(query().step, v), motion.separations.between(kind, v), counts.decided_by);
+    return may_start_within(kind, points_of(query().step, v), motion.separations.between(kind, v), counts.decided_by);
   });
   keep(kind, within);
   keep(kind, unsure);

@@ -1,29 +1,29 @@
-// The pairs within a distance at rest, in their order, and what is to be said of each.
+// The pairs within a distance in one pose, in order, with what NearPair says of each.
 #pragma once
 #include <array>
 #include <vector>
 
 #include "numerics/held_bytes.hpp"
-#include "query/pair_rules.hpp"
+#include "query/pair_vertices.hpp"
 #include "query/proximity_order.hpp"
 #include "search/thread_streams.hpp"
 #include "tamis/proximity.hpp"
 
 namespace tamis {
 
-/// Which pairs are within their separation at rest: closest points in lanes, and in integers where doubles do not tell.
+/// Consumer for pairs_within: closest points in lanes, integers where doubles do not tell.
 class ProximityConsumer final : public PairStream {
  public:
-  /// Threads share the decisions evenly.
+  /// False, so that threads share the decisions evenly.
   static constexpr bool kHoldsPairsBack = false;
   using Shared = const Query;
 
   using PairStream::PairStream;
 
   void begin(const Query& query);
-  /// Of one kind, in no order.
+  /// Pairs of one kind that were found, in no order.
   std::vector<PairVertices>& found(PairKind kind) { return found_[static_cast<std::size_t>(kind)]; }
-  /// What is to be said of pairs that were found, in their order.
+  /// Writes a NearPair for each of these pairs to `out`.
   void describe(PairKind kind, std::span<const PairVertices> pairs, NearPair* out);
 
   SearchKernel kernel(PairKind kind) const override { return thread().kernels.of(kind).search_at_rest; }
@@ -47,7 +47,7 @@ class ProximitySearch {
   std::uint64_t memory_bytes() const { return held_bytes(order_, streams_, lists_); }
 
  private:
-  /// Puts what the threads found into one list a kind, in order.
+  /// Merges what the threads found into one ordered list a kind.
   void gather(const Query& query);
   void describe(std::vector<NearPair>& pairs);
 

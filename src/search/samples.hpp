@@ -1,4 +1,5 @@
-// The order in which leaf blocks are searched when an early answer shortens the rest of the work.
+// Samples of leaf blocks: searched one after the other, so that what an early one finds shortens the search of the
+// rest.
 #pragma once
 #include <array>
 
@@ -8,7 +9,7 @@ namespace tamis {
 struct Sample {
   int first, stride;
 
-  /// Of `blocks` leaf blocks.
+  /// How many of `blocks` leaf blocks are in the sample.
   int count_in(int blocks) const { return blocks > first ? (blocks - first + stride - 1) / stride : 0; }
 };
 
@@ -18,7 +19,7 @@ class Samples {
  public:
   /// All blocks at once.
   Samples() { add({0, 1}); }
-  /// Of so many leaf blocks. A sample costs as much as some blocks do: the first has no fewer than kFewestBlocks.
+  /// Up to kMostSamples of so many leaf blocks. A sample has an overhead, so the first has at least kFewestBlocks.
   explicit Samples(int blocks) {
     int stride = 1 << (kMostSamples - 1);
     while (stride > 1 && blocks < kFewestBlocks * stride) stride /= 2;

@@ -3,7 +3,7 @@
 namespace tamis {
 namespace {
 
-/// Leaves thread.clipped.
+/// The slab clip, from thread.boxes to thread.clipped.
 void clip(SearchThread& thread, PairKind kind, const PairKernels& stages) {
   const auto entered = static_cast<std::uint64_t>(thread.boxes.count);
   of(thread.counts.boxes, kind) += entered;
@@ -25,7 +25,7 @@ void filter_crossings(SearchThread& thread, PairKind kind, const PairKernels& st
 
 int decide_crossings(SearchThread& thread, PairKind kind, const PairKernels& stages) {
   filter_crossings(thread, kind, stages);
-  return stages.solve(thread.motion.vertices.data(), thread.filtered, thread.clipped, thread.room_for_solved());
+  return stages.solve(thread.motion.vertices.data(), thread.filtered, thread.clipped, thread.solved_scratch());
 }
 
 int decide_within_separation(SearchThread& thread, PairKind kind, double latest) {
@@ -38,7 +38,7 @@ int decide_within_separation(SearchThread& thread, PairKind kind, double latest)
   thread.counts.filter += thread.watch.lap();
   const WithinRule rule{motion.pair_separation(), latest};
   return stages.come_within(motion.vertices.data(), rule, thread.filtered, thread.within_scratch(),
-                            thread.room_for_solved());
+                            thread.solved_scratch());
 }
 
 }  // namespace tamis

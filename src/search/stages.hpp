@@ -1,23 +1,24 @@
-// The stages that decide pairs of a step in lanes, over one buffer, and what becomes of the pairs they leave undecided.
+// The stages in lanes over one buffer of pairs, and how their results are read.
 #pragma once
-#include "query/pair_rules.hpp"
+#include "query/pair_vertices.hpp"
 #include "search/workspace.hpp"
 
 namespace tamis {
 
-/// Do pairs touch? Slab clip, DNF and NCF, roots in lanes. Takes thread.boxes, and returns how many pairs of
-/// thread.solved touch or are undecided; they are places in thread.filtered. `stages`: of the kind, or along_edges.
+/// Decides which pairs of thread.boxes touch: slab clip, DNF and NCF, roots in lanes. Returns how many entries of
+/// thread.solved there are, pairs that touch or are undecided; each names its place in thread.filtered. `stages`: of
+/// the kind, or along_edges.
 int decide_crossings(SearchThread& thread, PairKind kind, const PairKernels& stages);
 
-/// The same without roots: leaves thread.filtered.
+/// The same without roots: pairs that the filters leave are in thread.filtered.
 void filter_crossings(SearchThread& thread, PairKind kind, const PairKernels& stages);
 
-/// Do pairs come within their separation, until `latest`? The same with a slab clip, axes that turn, distances in
-/// lanes.
+/// Decides which pairs come within their separation until `latest`: slab clip, axes that turn, advancement in lanes.
+/// Results as above.
 int decide_within_separation(SearchThread& thread, PairKind kind, double latest);
 
-/// Calls add(place, PairResult) for each pair that lanes found to touch, and decide_singly(place) for each that they
-/// left undecided. REQUIRES: the first `count` of thread.solved speak of thread.filtered.
+/// Calls add(place, PairResult) for each pair that touches, and decide_singly(place) for each that is undecided.
+/// REQUIRES: the first `count` entries of thread.solved name pairs of thread.filtered.
 template <class Add, class DecideSingly>
 void for_each_solved(SearchThread& thread, int count, const Add& add, const DecideSingly& decide_singly) {
   TAMIS_ASSERT(0 <= count && count <= thread.filtered.count);

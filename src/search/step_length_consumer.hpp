@@ -1,5 +1,4 @@
-// Finds the pair that ends the step first: gaps on axes that turn, then on axes that stay, and one by one what those
-// leave.
+// Consumer for step lengths: gaps along axes that turn, then along fixed axes, and singly what those leave.
 #pragma once
 #include <vector>
 
@@ -11,14 +10,14 @@
 
 namespace tamis {
 
-/// What the threads share. The bound: the first time found so far at which a pair ends the step.
+/// What the threads share. `bound`: the earliest time known at which a pair ends the step.
 struct StepLengthQuery {
   const Query& query;
   double fraction;
-  bool lists_all;                      ///< every pair that ends the step is of interest: the bound stays
+  bool lists_all;                      ///< all pairs that end the step are listed: the bound is not lowered
   float spread = 0;                    ///< as in PackedMotion
-  SharedMotion::Stretch stretch = {};  ///< of the motion beside which the trees have residuals
-  double separation = 0;               ///< of any pair at most, in the coordinates of the boxes
+  SharedMotion::Stretch stretch = {};  ///< of the shared motion that residuals leave out
+  double separation = 0;               ///< the largest of any pair, in the coordinates of the boxes
   Bound bound = {};
 
   /// Which pairs may still end the step first, in time or in the order of contacts. Until a time later by 2^-15, which
@@ -40,7 +39,7 @@ class StepLengthConsumer final : public PairStream {
 
   void begin(StepLengthQuery& shared);
   const StepLimit& limit() const { return limit_; }
-  /// If the question lists all, in no order.
+  /// All pairs that end the step, in no order, if StepLengthQuery::lists_all.
   const std::vector<StepLimit>& ends() const { return ends_; }
 
   bool wants(PairKind kind) const override { return !limit_.rules_out(kind); }

@@ -8,13 +8,14 @@
 namespace tamis {
 namespace {
 
-/// Where a leaf block meets so many pairs short steps come first, which meet few: a pair that ends one spares the rest.
+/// Where leaf blocks meet so many pairs, short steps are searched first, on which they meet few: a pair that ends one
+/// spares the rest.
 constexpr std::uint64_t kManyPairsPerBlock = 1024;
 constexpr double kShortSteps[] = {0x1p-6, 0x1p-3};
-/// Of what is known to end the step: a step that is hardly shorter meets hardly fewer (docs/history/performance.md,
-/// "Steps made to be slow").
+/// Short steps are no longer than this part of the time known to end the step: one that is hardly shorter meets hardly
+/// fewer pairs (docs/history/performance.md, "Steps made to be slow").
 constexpr double kShort = 0.25;
-/// In the coordinates of the boxes: with a larger separation no two have a gap.
+/// In the coordinates of the boxes: within such a separation all boxes meet.
 constexpr double kMeetsAll = 8;
 
 }  // namespace
@@ -24,14 +25,14 @@ bool StepLengthSearch::begin(StepLengthQuery& asked, Statistics& statistics) {
   TAMIS_ASSERT(0 < asked.fraction && asked.fraction < 1);
   TAMIS_ASSERT(asked.query.changed.empty() || asked.query.changed.size() == at(workspace_.mesh.vertex_count()));
   const Query& query = asked.query;
-  const auto plan = [&] { return asked.lists_all && of_start_.plan(query, asked.fraction); };
+  const auto plan = [&] { return asked.lists_all && near_start_.plan(query, asked.fraction); };
   const auto make = [&] { return list_near(query, statistics); };
   const bool is_listed =
-      candidates_.prepare(query, LooksAt::distances, of_start_.begin(query, asked.fraction, asked.lists_all), plan,
-                          make, of_start_.lists(), statistics);
+      candidates_.prepare(query, LooksAt::distances, near_start_.begin(query, asked.fraction, asked.lists_all), plan,
+                          make, near_start_.lists(), statistics);
   const Stopwatch watch;
   if (!is_listed) {
-    fit_residuals(asked);
+    refit_residuals(asked);
     workspace_.trees.mark(query.changed);
   }
   asked.spread = workspace_.trees.motion().spread;
@@ -40,26 +41,26 @@ bool StepLengthSearch::begin(StepLengthQuery& asked, Statistics& statistics) {
   return is_listed;
 }
 
-/// False: that is too much.
+/// Returns false if there are too many pairs.
 bool StepLengthSearch::list_near(const Query& query, Statistics& statistics) {
   const Step at_start{query.step.start, query.step.start};
-  const Query near{at_start, of_start_.separations(), query.filter, query.rings, query.is_cancelled};
-  return of_start_.complete(candidates_.list(near, 0, 1, of_start_.lists(), statistics));
+  const Query near{at_start, near_start_.separations(), query.filter, query.rings, query.is_cancelled};
+  return near_start_.keep_if_complete(candidates_.list(near, {}, near_start_.lists(), statistics));
 }
 
-void StepLengthSearch::fit_residuals(StepLengthQuery& asked) {
+void StepLengthSearch::refit_residuals(StepLengthQuery& asked) {
   FeatureTrees& trees = workspace_.trees;
   const BoxFrame& frame = trees.motion().frame;
   const Separations& separations = asked.query.separations;
   shared_.fit(asked.query.step, frame, asked.fraction);
-  trees.fit_residuals(asked.query.step, shared_);
+  trees.refit_residuals(asked.query.step, shared_);
   asked.stretch = shared_.stretch();
   const double separation = (separations.fixed + 2 * separations.largest_radius()) * frame.scale;
   asked.separation = std::min(separation, kMeetsAll);
 }
 
 SafeStep StepLengthSearch::find(const Query& query, double fraction, Statistics& statistics) {
-  StepLengthQuery asked{query, fraction, false};
+  StepLengthQuery asked{.query = query, .fraction = fraction, .lists_all = false};
   ask(asked, statistics);
   StepLimit limit;
   streams_.for_each([&](StepLengthConsumer& consumer) { limit.add(consumer.limit()); });
@@ -68,7 +69,7 @@ SafeStep StepLengthSearch::find(const Query& query, double fraction, Statistics&
 
 void StepLengthSearch::find_all(const Query& query, double fraction, std::vector<StepLimit>& ends,
                                 Statistics& statistics) {
-  StepLengthQuery asked{query, fraction, true};
+  StepLengthQuery asked{.query = query, .fraction = fraction, .lists_all = true};
   ask(asked, statistics);
   ends.clear();
   streams_.for_each(
@@ -80,7 +81,7 @@ void StepLengthSearch::ask(StepLengthQuery& asked, Statistics& statistics) {
   const bool is_listed = begin(asked, statistics);
   const Stopwatch watch;
   if (is_listed)
-    streams_.search_lists(of_start_.lists());
+    streams_.search_lists(near_start_.lists());
   else
     search_trees(asked);
   streams_.report(statistics, watch.seconds(), {&SearchCounts::boxes, &SearchCounts::near});
@@ -94,7 +95,7 @@ void StepLengthSearch::search_trees(StepLengthQuery& asked) {
   for (const Sample& sample : std::span(samples).subspan(1)) streams_.search_trees(sample);
 }
 
-/// Of the sample, which has been searched.
+/// Has the sample, the first that is searched, met many pairs a leaf block?
 bool StepLengthSearch::meets_many(const Sample& sample) const {
   std::uint64_t blocks = 0;
   workspace_.trees.for_each_kind([&](PairKind, const TreeView& a, const TreeView&) {

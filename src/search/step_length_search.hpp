@@ -1,11 +1,11 @@
-// How far may the step go so that every pair keeps a fraction of its distance? A pair can end the step before t only
-// if it is fast enough: (1 - fraction) (distance at t=0 - min_separation) < t * relative speed, or what of that is left
-// beside a motion that many share; and only if it comes as near as the fraction before t. So the search is for pairs of
-// moving boxes that come as near as that, and each pair that ends the step earlier shortens the step for all the rest.
-// Where one start is asked about again and again, the pairs that are near there are listed, and the list is asked.
+// Conducts safe_step and truncate: how far may the step go so that every pair keeps a fraction of its distance? A pair
+// can end the step before t only if it is fast enough, (1 - fraction) (distance at t=0 - min_separation) < t * relative
+// speed, less a motion that many share, and only if it comes as near as the fraction before t. So pairs of moving boxes
+// that come as near are searched for, and each pair that ends the step earlier shortens the step for all others. Where
+// one start is asked about again and again, the pairs near there are listed, and the list is asked.
 #pragma once
 #include "bounds/shared_motion.hpp"
-#include "coherence/pairs_of_start.hpp"
+#include "coherence/pairs_near_start.hpp"
 #include "numerics/held_bytes.hpp"
 #include "search/candidate_search.hpp"
 #include "search/step_length_consumer.hpp"
@@ -19,7 +19,7 @@ class StepLengthSearch {
   explicit StepLengthSearch(Workspace& workspace)
       : workspace_(workspace),
         shared_(workspace.mesh),
-        of_start_(workspace.mesh),
+        near_start_(workspace.mesh),
         streams_(workspace),
         candidates_(workspace) {}
 
@@ -27,21 +27,21 @@ class StepLengthSearch {
   SafeStep find(const Query& query, double fraction, Statistics& statistics);
   /// As Engine::find_step_ends.
   void find_all(const Query& query, double fraction, std::vector<StepLimit>& ends, Statistics& statistics);
-  std::uint64_t memory_bytes() const { return held_bytes(of_start_, streams_, candidates_); }
+  std::uint64_t memory_bytes() const { return held_bytes(near_start_, streams_, candidates_); }
 
  private:
-  /// Leaves what it finds with the consumers.
+  /// Searches; what is found stays in the consumers.
   void ask(StepLengthQuery& asked, Statistics& statistics);
   bool begin(StepLengthQuery& asked, Statistics& statistics);
   bool list_near(const Query& query, Statistics& statistics);
-  void fit_residuals(StepLengthQuery& asked);
+  void refit_residuals(StepLengthQuery& asked);
   void search_trees(StepLengthQuery& asked);
   bool meets_many(const Sample& sample) const;
   void search_short_steps(Bound& bound, const Samples& samples);
 
   Workspace& workspace_;
   SharedMotion shared_;
-  PairsOfStart of_start_;
+  PairsNearStart near_start_;
   ThreadStreams<StepLengthConsumer> streams_;
   CandidateSearch candidates_;
 };

@@ -8,9 +8,9 @@
 
 namespace tamis {
 
-/// A `Consumer` is a PairStream. It is made of a SearchThread, and begins with a `Consumer::Shared`. Where it holds
-/// pairs back (`kHoldsPairsBack`), those of one part of a search wait in the buffer for those of the next; else a part
-/// ends with its pairs decided, so that they can shorten the search of the rest.
+/// `Consumer`: a PairStream that is constructed with a SearchThread and begins with a `Consumer::Shared`. If it holds
+/// pairs back (`kHoldsPairsBack`), the pairs of one part of a search wait in the buffer for those of the next; else
+/// each part ends with its pairs decided, so that they can shorten the search of the rest.
 template <class Consumer>
 class ThreadStreams {
  public:
@@ -20,18 +20,18 @@ class ThreadStreams {
   explicit ThreadStreams(Workspace& workspace)
       : workspace_(workspace), of_threads_([&workspace] { return Consumer(*workspace.threads.local()); }) {}
 
-  /// Keeps a reference until the next time.
+  /// Keeps a reference until the next call.
   void begin(Shared& shared) {
     shared_ = &shared;
     for (Consumer& one : of_threads_) one.begin(shared);
   }
 
-  /// The sample's leaf blocks of the trees, until `t_limit`: pairs of all kinds.
+  /// Searches the sample's leaf blocks for pairs of all kinds that may touch until `t_limit`.
   void search_trees(const Sample& sample = {0, 1}, float t_limit = 1) {
     workspace_.trees.for_each_kind(
         [&](PairKind kind, const TreeView& a, const TreeView& b) { search(kind, a, b, sample, t_limit); });
   }
-  /// The sample's leaf blocks of `a` against all of `b`.
+  /// Searches the sample's leaf blocks of `a` against all of `b`.
   void search(PairKind kind, const TreeView& a, const TreeView& b, const Sample& sample = {0, 1}, float t_limit = 1) {
     for_each_part(kind, sample.count_in(a.leaf_blocks), [&](PairStream& stream, int begin, int end) {
       const int first = sample.first + begin * sample.stride, last = sample.first + end * sample.stride;
@@ -40,18 +40,18 @@ class ThreadStreams {
     });
   }
 
-  /// The sample's parts of the lists, as far as the pairs may touch at some time of `when`, by the list, and until
-  /// `t_limit`, by this query.
+  /// Takes the sample's parts of the lists: pairs that may touch at some time of `when`, a time of the lists, for
+  /// contacts until `t_limit`, a time of the query.
   void search_lists(const PairLists& lists, const Sample& sample = {0, 1}, const TimeInterval<float>& when = {0, 1},
                     float t_limit = 1) {
     for (std::size_t i = 0; i < kPairKinds; ++i) search(static_cast<PairKind>(i), lists, sample, when, t_limit);
   }
-  /// Of a list: what a sample counts.
+  /// The number of parts of a list, which samples count as they count leaf blocks.
   static int parts_of(const PairList& pairs) {
     return static_cast<int>((pairs.size() + kPairsPerPart - 1) / kPairsPerPart);
   }
 
-  /// f(consumer) for each, one after the other, with nothing left in its buffers: threads share these, if much is left.
+  /// Consumes what is left in the buffers, in parallel if that is much; then calls f(consumer) for each, one by one.
   template <class F>
   void finish(const F& f) {
     constexpr int kPairsWorthSharing = 512;
@@ -67,7 +67,7 @@ class ThreadStreams {
   void for_each(const F& f) {
     for (Consumer& one : of_threads_) f(one);
   }
-  /// This thread's.
+  /// The calling thread's consumer.
   Consumer& local() {
     bool is_known = false;
     Consumer& one = of_threads_.local(is_known);
@@ -75,13 +75,14 @@ class ThreadStreams {
     return one;
   }
 
-  /// Of all threads in this question.
+  /// Sums over all threads of this question.
   SearchCounts counts() const {
     SearchCounts sum;
     for (const Consumer& one : of_threads_) sum += one.counts();
     return sum;
   }
-  /// Returns them. `wall`: seconds that the threads took together. `stages`: those that the question has, in order.
+  /// Adds the counts to the statistics, and returns them. `wall`: wall-clock seconds of the search. `stages`: those of
+  /// the question, in order.
   SearchCounts report(Statistics& statistics, double wall,
                       std::initializer_list<StageCount SearchCounts::*> stages) const {
     const SearchCounts sum = counts();
@@ -112,8 +113,7 @@ class ThreadStreams {
     });
   }
 
-  /// f(stream of the thread, begin, end) for all parts of 0 to `count`, if what this thread has found leaves any of
-  /// the kind to be wanted.
+  /// Calls f(the thread's stream, begin, end) for parts of 0 to `count`, unless no pair of the kind is wanted any more.
   template <class F>
   void for_each_part(PairKind kind, int count, const F& f) {
     constexpr int kGrain = 8;

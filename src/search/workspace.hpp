@@ -15,8 +15,8 @@ namespace tamis {
 struct SearchThread {
   SearchThread(const Kernels& k, const PackedMotion& m) : kernels(k), motion(m) {}
 
-  /// For what becomes of the filtered pairs; made where it is used, as is the next.
-  SolvedPair* room_for_solved() {
+  /// Output of the solver, and scratch for separations: allocated when first used.
+  SolvedPair* solved_scratch() {
     TAMIS_ASSERT(0 <= filtered.count && filtered.count <= PairBuffer::kCapacity);
     if (!solved) solved = std::make_unique_for_overwrite<SolvedPair[]>(PairBuffer::kCapacity);
     return solved.get();
@@ -37,7 +37,7 @@ struct SearchThread {
   std::unique_ptr<SolvedPair[]> solved;
   std::unique_ptr<WithinScratch> within;
   SearchCounts counts;
-  Stopwatch watch;  ///< runs since the last of the seconds that were counted
+  Stopwatch watch;  ///< runs since seconds were last added to the counts
 };
 
 struct Workspace {

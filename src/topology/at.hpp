@@ -1,4 +1,4 @@
-// An index as a place in a vector.
+// Converts an index to a place in a vector.
 #pragma once
 #include <cstddef>
 

@@ -1,4 +1,4 @@
-// How large a mesh may be, and an answer about it.
+// Limits of size: what 32-bit indices can number of a mesh, and of an answer about it.
 #pragma once
 #include <limits>
 #include <string>

@@ -1,4 +1,4 @@
-// How long the edges of a mesh are: the length that searches measure motion by.
+// The mean edge length: the unit in which searches measure motion.
 #pragma once
 #include <algorithm>
 #include <cmath>

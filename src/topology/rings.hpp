@@ -1,4 +1,4 @@
-// How many edges lie between two features? Pairs that are fewer apart than the caller wants are no pairs.
+// Rings: how many edges lie between two features? Pairs fewer edges apart than the caller wants are left out.
 #pragma once
 #include <span>
 
@@ -13,7 +13,7 @@ class Rings {
   /// nothing is kept. REQUIRES: rings >= 1.
   Rings(const Mesh& mesh, int rings);
 
-  /// False: features without a common vertex are no neighbours, so that there is nothing to search.
+  /// Is there more than one ring? If not, only features with a common vertex are neighbours.
   bool any() const { return rings_ > 1; }
   /// Is the shortest way along edges of the mesh, from a vertex of the one feature to one of the other, shorter than
   /// the rings? Goes from ring to ring around the first. REQUIRES: vertices of the mesh.

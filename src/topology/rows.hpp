@@ -1,4 +1,4 @@
-// Rows of indices, by counting.
+// Builds rows of indices by counting.
 #pragma once
 #include <numeric>
 #include <vector>

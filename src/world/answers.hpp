@@ -1,4 +1,4 @@
-// Answers of a world, made of those of its detectors: pairs named by bodies and own vertices, and in one order.
+// Merges the answers of a world's detectors: pairs named by bodies and their own vertices, in one order.
 #pragma once
 #include <algorithm>
 #include <optional>
@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "numerics/assert.hpp"
-#include "query/pair_rules.hpp"
+#include "query/pair_vertices.hpp"
 #include "world/gathered.hpp"
 
 namespace tamis {
@@ -27,7 +27,7 @@ inline bool is_before(const BodyIntersection& a, const BodyIntersection& b) {
   return std::tie(a.bodies[0], a.edge, a.bodies[1], a.face) < std::tie(b.bodies[0], b.edge, b.bodies[1], b.face);
 }
 
-/// What a detector says of a pair, as a `Row` of an answer: of a body by itself, or of what is gathered.
+/// A pair of a detector as a `Row` of the world's answer: of a body with itself, or of a gathered mesh.
 template <class Row, class Pair>
 Row named(const Pair& pair, BodyId itself) {
   return {pair, {itself, itself}};
@@ -39,10 +39,11 @@ Row named(const Pair& pair, const Gathered& gathered) {
   return row;
 }
 
-/// Keeps the first of what several detectors say, `other` of `whose`; of two at one time the one that is before.
+/// Keeps the earliest pair of several detectors in `first` and `time`; of two at one time the one that is before.
+/// `other` is of `whose` mesh.
 template <class Row, class Pair, class Whose>
-void take_sooner(std::optional<Row>& first, double& time, const std::optional<Pair>& other, double other_time,
-                 const Whose& whose) {
+void keep_earlier(std::optional<Row>& first, double& time, const std::optional<Pair>& other, double other_time,
+                  const Whose& whose) {
   if (!other || other_time > time) return;
   const Row row = named<Row>(*other, whose);
   if (first && other_time == time && !is_before(row, *first)) return;
@@ -50,11 +51,11 @@ void take_sooner(std::optional<Row>& first, double& time, const std::optional<Pa
   first = row;
 }
 
-/// What several detectors say, each in the order of is_before(), as one answer in that order.
+/// Merges the ordered rows of several detectors into one answer in the order of is_before().
 template <class Row>
 class OrderedParts {
  public:
-  /// All that one of them says, of `whose`.
+  /// Adds the answer of one detector, of `whose` mesh.
   template <class Pair, class Whose>
   void add(const std::vector<Pair>& pairs, const Whose& whose) {
     const std::size_t first = rows_.size();

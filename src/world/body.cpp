@@ -9,17 +9,17 @@
 #include "numerics/error_bounds.hpp"
 #include "topology/at.hpp"
 #include "topology/points.hpp"
-#include "world/carried_boxes.hpp"
+#include "world/body_bounds.hpp"
 
 namespace tamis {
 
 // No coordinate of a box is larger than its size and the shift together, but for what is added here.
-double off_by(const RoundedTransform& place, double size) {
+double rounding_bound(const RoundedTransform& place, double size) {
   return place.error_of(size, 0) + 2 * MovingBounds::kRounding * (size + place.shift_size);
 }
 
-/// A rotation takes a box around a middle to one around where that goes.
-Box carried(const Box& at_rest, const RoundedTransform& place, double wider) {
+/// The box around the transformed center, with the extents that the rotation gives.
+Box box_in_world(const Box& at_rest, const RoundedTransform& place, double wider) {
   const Point middle = at_rest.middle();
   Point half{};
   double size = 0;
@@ -31,8 +31,8 @@ Box carried(const Box& at_rest, const RoundedTransform& place, double wider) {
   Box box;
   for (std::size_t k = 0; k < 3; ++k) {
     const Point& row = place.rows[k];
-    const double reach = std::fabs(row[0]) * half[0] + std::fabs(row[1]) * half[1] + std::fabs(row[2]) * half[2];
-    const double wide = reach + off_by(place, size) + wider;
+    const double extent = std::fabs(row[0]) * half[0] + std::fabs(row[1]) * half[1] + std::fabs(row[2]) * half[2];
+    const double wide = extent + rounding_bound(place, size) + wider;
     box.low[k] = center[k] - wide;
     box.high[k] = center[k] + wide;
   }
@@ -56,19 +56,19 @@ double farthest_between(const RoundedTransform& a, const RoundedTransform& b, co
     for (std::size_t k = 0; k < 3; ++k) x[k] = corner >> k & 1 ? box.high[k] : box.low[k];
     farthest = std::max(farthest, distance_above(a.of(x), b.of(x)));
   }
-  const double size = box.size_of_sum();
+  const double size = box.largest_sum();
   return (farthest + 2 * (a.error_of(size, 0) + b.error_of(size, 0)) * kRootOfThree) * kRoundedUp;
 }
 
 }  // namespace
 
-StraightWay::StraightWay(const Body& body)
+StraightMotion::StraightMotion(const Body& body)
     : motion_kind_(body.motion_kind()), start_(body.at_start_), end_(body.at_end_) {
   TAMIS_ASSERT(motion_kind_ != MotionKind::turning);
   if (body.deforming()) soft_ = *body.deforming();
 }
 
-double StraightWay::farthest_of(const Body& body) const {
+double StraightMotion::max_deviation(const Body& body) const {
   const Deforming* soft = body.deforming();
   if (body.motion_kind() != motion_kind_ || soft_.has_value() != (soft != nullptr))
     return std::numeric_limits<double>::infinity();
@@ -109,7 +109,7 @@ void Body::move(BodyMotion motion, ChainsAt& at_start, ChainsAt& at_end) {
     motion_kind_ = MotionKind::straight;
   } else {
     start_boxes_ = end_boxes_ = {};
-    itself_.reset();
+    self_detector_.reset();
     const ChainBounds bounds(chain_.links());
     innermost_ = bounds.of(0, 0);
     outermost_ = bounds.of(shape_->radius, 0);
@@ -121,22 +121,22 @@ void Body::move(BodyMotion motion, ChainsAt& at_start, ChainsAt& at_end) {
   }
   const int root = shape_->boxes.root_level();
   PlacesAt start(0), end(1);
-  start_hull_ = CarriedBody(*this, start, start).bounds(root, 0).hull();
-  hull_ = motion_kind_ == MotionKind::still ? start_hull_ : CarriedBody(*this, start, end).bounds(root, 0).hull();
+  start_hull_ = BodyOnPiece(*this, start, start).bounds(root, 0).hull();
+  hull_ = motion_kind_ == MotionKind::still ? start_hull_ : BodyOnPiece(*this, start, end).bounds(root, 0).hull();
 }
 
 void Body::set_radius(double radius) {
   radius_ = radius;
-  itself_.reset();
+  self_detector_.reset();
 }
 
-Detector& Body::itself(const Options& options) {
-  if (!itself_) {
+Detector& Body::self_detector(const Options& options) {
+  if (!self_detector_) {
     Options own = options;
     own.radii = {radius_};
-    itself_.emplace(shape_->mesh, std::move(own));
+    self_detector_.emplace(shape_->mesh, std::move(own));
   }
-  return *itself_;
+  return *self_detector_;
 }
 
 Point Body::start_of(Index vertex) const {
@@ -147,7 +147,7 @@ Point Body::end_of(Index vertex) const {
   return deforming() ? deforming()->end[at(vertex)] : at_end_.of(shape_->points[at(vertex)]);
 }
 
-/// What turns is on its curve; all else goes straight from double to double, as in a step.
+/// Vertices of a body that turns are on their curves; all others move straight from double to double, as in a step.
 BodyPoints Body::points_at(double time) const {
   const bool turns = motion_kind_ == MotionKind::turning;
   const RoundedTransform place = turns ? ChainsAt(time).of(chain_) : RoundedTransform{};
@@ -165,7 +165,7 @@ BodyPoints Body::points_at(double time) const {
 std::uint64_t Body::memory_bytes() const {
   std::uint64_t bytes = sizeof(*this) + held_bytes(start_boxes_, end_boxes_);
   if (const Deforming* soft = deforming()) bytes += held_bytes(soft->start, soft->end);
-  if (itself_) bytes += itself_->statistics().memory_bytes;
+  if (self_detector_) bytes += self_detector_->statistics().memory_bytes;
   return bytes;
 }
 

@@ -14,19 +14,19 @@ namespace tamis {
 /// The motions there are, as far as questions differ: vertices that stay, that go straight, that go on curves.
 enum class MotionKind : std::uint8_t { still, straight, turning };
 
-/// By which a body that does not deform goes: of a static one to the same place; empty if it deforms.
+/// The chain of a body that does not deform, of a static one from its pose to itself; empty if it deforms.
 Chain chain_of(const BodyMotion& motion);
 
 class Body;
 
-/// How a body moved that did not turn, of which its vertices' ways are measured later.
-class StraightWay {
+/// A record of how a body moved that did not turn, to measure later how far another motion deviates from it.
+class StraightMotion {
  public:
   /// REQUIRES: it does not turn.
-  explicit StraightWay(const Body& body);
-  /// No vertex is farther, at the same time of the step, from where it was then: rounded up. Infinite where it moves in
-  /// another manner.
-  double farthest_of(const Body& body) const;
+  explicit StraightMotion(const Body& body);
+  /// An upper bound, at all times of the step, of the distance of a vertex from where it was in the recorded motion.
+  /// Infinite if the body moves in another manner now.
+  double max_deviation(const Body& body) const;
   std::uint64_t memory_bytes() const { return sizeof(*this) + (soft_ ? held_bytes(soft_->start, soft_->end) : 0); }
 
  private:
@@ -35,17 +35,16 @@ class StraightWay {
   std::optional<Deforming> soft_;
 };
 
-/// How far boxes and vertices are off of which no point has a larger |x|_1 than `size`, with room for the rounding of
-/// boxes that meet.
-double off_by(const RoundedTransform& place, double size);
-/// Holds a box of a body at rest where the body is now, wider on all sides.
-Box carried(const Box& at_rest, const RoundedTransform& place, double wider);
+/// An error bound of transformed points with |x|_1 <= size, and of their boxes, the rounding of may_meet() included.
+double rounding_bound(const RoundedTransform& place, double size);
+/// A box in the frame of the world that holds a box of the body's frame at `place`, widened on all sides.
+Box box_in_world(const Box& at_rest, const RoundedTransform& place, double wider);
 
 class Body {
  public:
   /// Throws InvalidStep, naming the body.
   Body(BodyId id, std::shared_ptr<const BodyShape> shape, BodyMotion motion);
-  /// The same, but for its detector.
+  /// A copy without the detector.
   Body(const Body& other);
   /// `at_start`: at t=0, `at_end`: at t=1, of bodies that may be links of the same arm.
   void move(BodyMotion motion, ChainsAt& at_start, ChainsAt& at_end);
@@ -57,8 +56,8 @@ class Body {
   MotionKind motion_kind() const { return motion_kind_; }
   /// What turns, or stays: empty of a body that deforms.
   const ChainWithStillLinks& chain() const { return chain_; }
-  /// Are its numbers so small that doubles can tell where it is at all times?
-  bool is_surely_near() const;
+  /// Are its numbers so small that doubles are sure to tell where it is at all times?
+  bool is_surely_representable() const;
   /// Null unless it deforms.
   const Deforming* deforming() const { return std::get_if<Deforming>(&motion_); }
   Step step() const { return {deforming()->start, deforming()->end}; }
@@ -66,7 +65,7 @@ class Body {
   /// Where a vertex is, rounded to doubles.
   Point start_of(Index vertex) const;
   Point end_of(Index vertex) const;
-  /// All at a time of the step, with what rounding makes them off by.
+  /// All vertices at a time of the step, with an error bound.
   BodyPoints points_at(double time) const;
   /// Of a body that does not deform.
   const RoundedTransform& at_start() const { return at_start_; }
@@ -78,19 +77,18 @@ class Body {
   double acceleration() const { return outermost_.acceleration; }
   double radius() const { return radius_; }
   void set_radius(double radius);
-  /// Of a body that deforms, by itself. `options`: those of the world.
-  Detector& itself(const Options& options);
+  /// The detector of a deforming body's contacts with itself. `options`: those of the world.
+  Detector& self_detector(const Options& options);
   std::uint64_t memory_bytes() const;
 
   bool is_enabled = true;
   bool may_touch_itself = true;
 
  private:
-  friend class CarriedBody;
-  friend class StraightWay;
+  friend class BodyOnPiece;
+  friend class StraightMotion;
 
-  /// Of a body that does not deform, by finite poses: throws InvalidStep if where a vertex is cannot be told from them
-  /// in doubles.
+  /// Throws InvalidStep if doubles cannot tell where a vertex is. REQUIRES: a body that does not deform, finite poses.
   void validate_far(const Chain& chain) const;
 
   BodyId id_;
@@ -98,10 +96,10 @@ class Body {
   BodyMotion motion_;
   MotionKind motion_kind_ = MotionKind::still;
   double radius_ = 0;
-  std::optional<Detector> itself_;  ///< made by the first question
+  std::optional<Detector> self_detector_;  ///< made by the first question
   ChainWithStillLinks chain_;
   RoundedTransform at_start_{}, at_end_{};
-  Curvature innermost_, outermost_;    ///< at the origin of its frame, and as far from it as vertices are
+  Curvature innermost_, outermost_;    ///< at the origin of its frame, and at the distance of its farthest vertex
   BoxLevels start_boxes_, end_boxes_;  ///< of a deforming body
   Box start_hull_, hull_;
 };

@@ -1,4 +1,4 @@
-// What bodies share: a mesh at rest in its own frame, and a hierarchy over its items.
+// A shape, which bodies share: a mesh with its points in a frame of its own, and a hierarchy over its items.
 #pragma once
 #include <vector>
 

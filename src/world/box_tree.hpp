@@ -1,5 +1,5 @@
-// A hierarchy of items by space, whatever they are: features of a shape, bodies of a world. The order is made once; the
-// boxes over it as often as items move.
+// A hierarchy of any items in space: features of a shape, bodies of a world. The order is made once, the boxes over it
+// as often as items move.
 #pragma once
 #include <span>
 #include <vector>
@@ -30,7 +30,7 @@ class SpaceOrder {
   std::vector<Index> items_;
 };
 
-/// [level][block].
+/// The boxes of a hierarchy, [level][block].
 class BoxLevels {
  public:
   BoxLevels() = default;

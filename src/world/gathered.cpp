@@ -10,13 +10,13 @@ namespace {
 
 const Body& member(const BodyList& bodies, BodyId id) { return *bodies[at(id)]; }
 
-/// Colors of bodies: those that may meet have different ones, as few as come by; 0 for those that are aside.
+/// Colors of bodies, greedily few: bodies that may meet have different ones; passive ones have 0.
 std::map<BodyId, Index> colors_of(const NearItems& items, const BodyList& bodies, const MeetingRules& rules) {
   std::map<BodyId, std::vector<BodyId>> met_before;  // of each body those of smaller numbers
   for (const BodyPair& pair : items.pairs) met_before[pair[1]].push_back(pair[0]);
   std::map<BodyId, Index> colors;
   for (const auto& [id, unused] : items.of_body) {
-    if (rules.is_aside(member(bodies, id))) {
+    if (rules.is_passive(member(bodies, id))) {
       colors[id] = 0;
       continue;
     }
@@ -72,8 +72,8 @@ void Gathered::add(BodyId id, const Body& body, const IndexSet& items) {
   motion_kinds_.push_back(body.motion_kind());
 }
 
-/// Bodies of one color are not asked about: either they are not near each other, or they are aside. A group of the
-/// detector is those of one color: there are few, however many bodies and radii.
+/// A group of the detector holds the bodies of one color, which need not be asked about: they are not near each other,
+/// or passive. So there are few groups, however many bodies and radii.
 void Gathered::set_groups(const BodyList& bodies, const MeetingRules& rules, Options& options) const {
   const std::map<BodyId, Index> colors = colors_of(items_, bodies, rules);
   std::size_t count = 1;
@@ -84,15 +84,15 @@ void Gathered::set_groups(const BodyList& bodies, const MeetingRules& rules, Opt
   for (const Vertex& vertex : vertices_) filter.group_of_vertex.push_back(colors.at(vertex.body));
   filter.groups_may_touch.assign(count * count, 1);
   for (std::size_t group = 0; group < count; ++group) filter.groups_may_touch[group * count + group] = 0;
-  // Of two bodies that the caller keeps apart one may be near a third that the other is near, too.
+  // Both bodies of an excluded pair may be here because each is near a third.
   const auto is_here = [&](BodyId id) { return items_.of_body.contains(id); };
-  std::set<BodyPair> kept_apart;
-  for (const BodyPair& pair : rules.kept_apart)
-    if (is_here(pair[0]) && is_here(pair[1])) kept_apart.insert(pair);
-  if (kept_apart.empty()) return;
-  filter.accepts = [this, kept_apart](PairKind kind, const PairVertices& v) {
+  std::set<BodyPair> excluded;
+  for (const BodyPair& pair : rules.excluded_pairs)
+    if (is_here(pair[0]) && is_here(pair[1])) excluded.insert(pair);
+  if (excluded.empty()) return;
+  filter.accepts = [this, excluded](PairKind kind, const PairVertices& v) {
     const BodyId a = body_of(v[0]), b = body_of(v[second_feature(kind)]);
-    return !kept_apart.contains({std::min(a, b), std::max(a, b)});
+    return !excluded.contains({std::min(a, b), std::max(a, b)});
   };
 }
 
@@ -117,7 +117,7 @@ Step Gathered::step(const BodyList& bodies) {
   return {start(bodies), end_};
 }
 
-/// What does not turn goes straight between its doubles, as in a step.
+/// Bodies that do not turn move straight between their doubles, as in a step.
 RigidPath Gathered::path(const BodyList& bodies) const {
   std::vector<Point> rest, rest_end;
   std::vector<Index> number_of_body;

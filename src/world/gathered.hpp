@@ -1,11 +1,11 @@
-// What may touch of bodies that are near each other, as one mesh, and the detector that is asked about it.
+// The items of near bodies that may touch, gathered as one mesh with a detector.
 #pragma once
 #include <set>
 #include <span>
 #include <vector>
 
 #include "detect/detector_state.hpp"
-#include "query/pair_rules.hpp"
+#include "query/pair_vertices.hpp"
 #include "tamis/detector.hpp"
 #include "world/near_items.hpp"
 
@@ -13,11 +13,12 @@ namespace tamis {
 
 /// Which pairs of bodies meet in one mesh.
 struct MeetingRules {
-  /// Bodies that do not meet each other: those that stay, or in a question about curves those that do not turn.
-  MotionKind aside;
-  const std::set<BodyPair>& kept_apart;
+  /// Bodies up to this kind are passive, they do not meet each other: those that stay, or in a question about curves
+  /// those that do not turn.
+  MotionKind passive;
+  const std::set<BodyPair>& excluded_pairs;
 
-  bool is_aside(const Body& body) const { return body.motion_kind() <= aside; }
+  bool is_passive(const Body& body) const { return body.motion_kind() <= passive; }
 };
 
 class Gathered {
@@ -26,17 +27,17 @@ class Gathered {
   Gathered(const BodyList& bodies, NearItems items, const MeetingRules& rules, const Options& options);
   Gathered(const Gathered&) = delete;
 
-  /// Does each of its bodies stay, go straight, or turn, as it did when this was made?
+  /// Does each body stay, move straight, or turn, as it did when this was made?
   bool keeps_motion_kinds(const BodyList& bodies) const;
   const NearItems& items() const { return items_; }
 
-  /// Where all vertices are at t=0, in doubles, and at t=1. Valid until the next time.
+  /// All vertices at t=0 and at t=1, in doubles. Valid until the next call.
   Step step(const BodyList& bodies);
   Positions start(const BodyList& bodies);
-  /// The same on their curves.
+  /// Their motion on curves.
   RigidPath path(const BodyList& bodies) const;
 
-  /// Names the bodies of a row that has what the detector says of a pair, and its vertices as they number them.
+  /// Turns a row with a pair of the detector into one of bodies and their own vertices.
   template <class Row>
   void name(Row& row) const {
     row.bodies = {body_of(row.vertices[0]), body_of(row.vertices[second_feature(row.kind)])};

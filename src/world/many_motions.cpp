@@ -31,7 +31,8 @@ void of_motion(std::size_t motion, const Check& check) {
 
 }  // namespace
 
-World::State::State(const State& other) : options(with_one_thread(other.options)), kept_apart(other.kept_apart) {
+World::State::State(const State& other)
+    : options(with_one_thread(other.options)), excluded_pairs(other.excluded_pairs) {
   for (const auto& body : other.bodies) bodies.push_back(body ? std::make_unique<Body>(*body) : nullptr);
 }
 

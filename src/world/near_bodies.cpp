@@ -3,17 +3,17 @@
 #include "kernels/kernels.hpp"
 
 namespace tamis {
-BodyTree::BodyTree(const BodyList& bodies, bool are_still, const ReachOfBody& own, bool at_start, Split split) {
+BodyTree::BodyTree(const BodyList& bodies, Of of, const BodyWidening& widening, Split split) {
   std::vector<Point> centers;
   centers.reserve(bodies.size());
   bodies_.reserve(bodies.size());
   hulls_.reserve(bodies.size());
   for (std::size_t id = 0; id < bodies.size(); ++id) {
     const Body* body = bodies[id].get();
-    if (!body || !body->is_enabled || (body->motion_kind() == MotionKind::still) != are_still) continue;
+    if (!body || !body->is_enabled || (body->motion_kind() == MotionKind::still) != (of == Of::still)) continue;
     bodies_.push_back(static_cast<BodyId>(id));
-    Box& hull = hulls_.emplace_back(at_start ? body->start_hull() : body->hull());
-    hull.widen(own(*body));
+    Box& hull = hulls_.emplace_back(of == Of::moving_at_start ? body->start_hull() : body->hull());
+    hull.widen(widening(*body));
     centers.push_back(hull.middle());
   }
   order_ = SpaceOrder(centers, split);
@@ -22,11 +22,12 @@ BodyTree::BodyTree(const BodyList& bodies, bool are_still, const ReachOfBody& ow
 
 NearBodies::NearBodies(Isa isa) : split_(kernels(isa).trees.split) {}
 
-std::vector<BodyPair> NearBodies::find(const BodyList& bodies, const ReachOfBody& own, double separation,
-                                       bool at_start) {
-  if (!knows_still_) still_ = BodyTree(bodies, true, own, false, split_);
+std::vector<BodyPair> NearBodies::find(const BodyList& bodies, const BodyWidening& widening, double separation,
+                                       During during) {
+  if (!knows_still_) still_ = BodyTree(bodies, BodyTree::Of::still, widening, split_);
   knows_still_ = true;
-  const BodyTree moving(bodies, false, own, at_start, split_);
+  const auto when = during == During::start ? BodyTree::Of::moving_at_start : BodyTree::Of::moving_during_step;
+  const BodyTree moving(bodies, when, widening, split_);
   std::vector<BodyPair> pairs;
   for (std::size_t i = 0; i < moving.bodies().size(); ++i) {
     const BodyId body = moving.bodies()[i];

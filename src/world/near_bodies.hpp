@@ -12,19 +12,25 @@ namespace tamis {
 /// In ascending order.
 using BodyPair = std::array<BodyId, 2>;
 
-/// By their numbers; null for those that have been removed.
+/// When bodies are to be near each other.
+enum class During { step, start };
+
+/// By number; null for bodies that have been removed.
 using BodyList = std::vector<std::unique_ptr<Body>>;
 
-using ReachOfBody = std::function<double(const Body&)>;
+/// How far a body's hull is widened.
+using BodyWidening = std::function<double(const Body&)>;
 
-/// The bodies that are switched on, those that stay or those that move, in a tree.
+/// A tree of the bodies that are switched on: of those that stay, or of those that move.
 class BodyTree {
  public:
   BodyTree() = default;
-  /// By what each sweeps over, or holds `at_start`, and reaches farther by itself.
-  BodyTree(const BodyList& bodies, bool are_still, const ReachOfBody& own, bool at_start, Split split);
+  /// Which bodies, and their hulls when.
+  enum class Of { still, moving_during_step, moving_at_start };
 
-  /// f(body) of all whose hulls may meet the box.
+  BodyTree(const BodyList& bodies, Of of, const BodyWidening& widening, Split split);
+
+  /// Calls f(body) for all whose widened hulls may meet the box.
   template <class F>
   void for_each_near(const Box& box, const F& f) const {
     if (!bodies_.empty()) visit(levels_.root_level(), 0, box, f);
@@ -52,17 +58,17 @@ class BodyTree {
   BoxLevels levels_;
 };
 
-/// Keeps the bodies that do not move from question to question.
+/// Finds near bodies; keeps a tree of those that do not move from question to question.
 class NearBodies {
  public:
   /// Throws InvalidOptions if this machine lacks the instruction set.
   explicit NearBodies(Isa isa);
-  /// A body that does not move has changed, or has another reach.
+  /// To be called when a body that does not move has changed, or its widening.
   void forget_still() { knows_still_ = false; }
 
-  /// Pairs of bodies, both switched on and not both still, that may come within `separation` and what each reaches
-  /// farther by itself, during the step, or `at_start`: ascending.
-  std::vector<BodyPair> find(const BodyList& bodies, const ReachOfBody& own, double separation, bool at_start);
+  /// Pairs of bodies, ascending, both switched on and not both still, that may come within `separation` plus the
+  /// widenings of both.
+  std::vector<BodyPair> find(const BodyList& bodies, const BodyWidening& widening, double separation, During during);
 
  private:
   Split split_;

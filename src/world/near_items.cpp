@@ -7,12 +7,12 @@
 
 #include "numerics/assert.hpp"
 #include "topology/at.hpp"
-#include "world/carried_boxes.hpp"
+#include "world/body_bounds.hpp"
 
 namespace tamis {
 namespace {
 
-/// Of which blocks of a body are all items known to be near? Asked of few, and kept; items come in meanwhile.
+/// The blocks all of whose items are in a set, each tested when it is first asked for; items added later do not count.
 class WholeBlocks {
  public:
   WholeBlocks(const BodyShape& shape, const IndexSet& near) : shape_(shape), near_(near) {
@@ -50,7 +50,7 @@ class WholeBlocks {
 class PairWalk {
  public:
   struct Side {
-    CarriedBoxes& boxes;
+    BoundsOnPiece& boxes;
     IndexSet& near;
     WholeBlocks& whole;
   };
@@ -58,7 +58,7 @@ class PairWalk {
   PairWalk(const Side& a, const Side& b, double separation, const Pause& pause)
       : a_(a), b_(b), separation_(separation), pause_(pause) {}
 
-  /// True if any items may meet, or it was `found` before that some do.
+  /// Returns true if any items may meet, or if some were `found` to before.
   bool run(bool found) {
     found_ = found;
     const Node a = root_of(a_), b = root_of(b_);
@@ -79,7 +79,7 @@ class PairWalk {
   }
   bool meet(const MovingBounds& a, const MovingBounds& b) const { return may_meet(a, b, separation_); }
 
-  /// The larger one is opened. REQUIRES: two that meet.
+  /// Descends into the larger node. REQUIRES: two that meet.
   void visit(const Node& a, const Node& b) {
     if (found_ && a_.whole.has(a.level, a.block) && b_.whole.has(b.level, b.block)) return;
     if (++visited_ % kVisitsPerPause == 0) pause_();
@@ -103,13 +103,13 @@ class PairWalk {
     }
   }
 
-  /// Items of two blocks of items that may meet each other.
+  /// Adds the items of two blocks that may meet each other.
   void mark(const Node& node_a, const Node& node_b) {
     const auto items_a = a_.boxes.shape().order.items_of(node_a.block);
     const auto items_b = b_.boxes.shape().order.items_of(node_b.block);
-    const CarriedItems& a = a_.boxes.items(node_a.block);
+    const ItemBounds& a = a_.boxes.items(node_a.block);
     if (!meet(a.all, node_b.bounds)) return;
-    const CarriedItems& b = b_.boxes.items(node_b.block);
+    const ItemBounds& b = b_.boxes.items(node_b.block);
     if (!meet(a.all, b.all)) return;
     std::array<std::size_t, kBlock> near_b;
     std::size_t count = 0;
@@ -153,21 +153,21 @@ std::size_t NearItems::count() const {
 }
 
 void add_near_items(const BodyList& bodies, const std::vector<BodyPair>& pairs,
-                    const std::function<double(const Body&, const Body&)>& reach, Pieces& pieces, const Pause& pause,
+                    const std::function<double(const Body&, const Body&)>& distance, Pieces& pieces, const Pause& pause,
                     NearItems& near) {
   const auto body = [&](BodyId id) -> const Body& { return *bodies[at(id)]; };
   const auto items_of = [&](BodyId id) -> IndexSet& {
     return near.of_body.try_emplace(id, body(id).shape().item_count()).first->second;
   };
   TAMIS_ASSERT(std::ranges::is_sorted(pairs));
-  std::map<BodyId, CarriedBoxes> of_still, of_moving;
+  std::map<BodyId, BoundsOnPiece> of_still, of_moving;
   std::vector<char> is_near;
   for (const BodyPair& pair : pairs) is_near.push_back(static_cast<char>(std::ranges::binary_search(near.pairs, pair)));
   for (std::size_t piece = 0; piece < pieces.count(); ++piece) {
     std::map<BodyId, WholeBlocks> whole;
     const auto side = [&](BodyId id) {
-      auto& carried = body(id).motion_kind() == MotionKind::still ? of_still : of_moving;
-      CarriedBoxes& boxes = carried.try_emplace(id, body(id), pieces.start(piece), pieces.end(piece)).first->second;
+      auto& bounds = body(id).motion_kind() == MotionKind::still ? of_still : of_moving;
+      BoundsOnPiece& boxes = bounds.try_emplace(id, body(id), pieces.start(piece), pieces.end(piece)).first->second;
       IndexSet& items = items_of(id);
       return PairWalk::Side{boxes, items, whole.try_emplace(id, body(id).shape(), items).first->second};
     };
@@ -176,7 +176,7 @@ void add_near_items(const BodyList& bodies, const std::vector<BodyPair>& pairs,
       // Pairs of bodies before `a` are done: memory that is in the caches serves those that follow.
       of_moving.erase(of_moving.begin(), of_moving.lower_bound(a));
       pause();
-      if (PairWalk(side(a), side(b), reach(body(a), body(b)), pause).run(is_near[i])) is_near[i] = true;
+      if (PairWalk(side(a), side(b), distance(body(a), body(b)), pause).run(is_near[i])) is_near[i] = true;
     }
     pieces.leave(piece);
     of_moving.clear();

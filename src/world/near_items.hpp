@@ -1,4 +1,5 @@
-// Which items of bodies may come near items of others: two hierarchies walked together, in the frame of the world.
+// Which items of bodies may come near items of others: a traversal of two hierarchies at once, in the frame of the
+// world.
 #pragma once
 #include <functional>
 #include <map>
@@ -11,7 +12,7 @@
 
 namespace tamis {
 
-/// Of some bodies.
+/// Items of bodies that may come near others, and the pairs of these bodies.
 struct NearItems {
   std::map<BodyId, IndexSet> of_body;
   std::vector<BodyPair> pairs;  ///< of those bodies; ascending
@@ -21,11 +22,11 @@ struct NearItems {
   std::uint64_t memory_bytes() const { return held_bytes(pairs, of_body); }
 };
 
-/// Adds to `near` all that may come as near as `reach` says, during the pieces. Items in it are not looked at again
-/// where their bodies are known to come near. `pause` is called now and then, and may throw. REQUIRES: `pairs`
-/// ascending.
+/// Adds to `near` all items of the pairs that may come within `distance(a, b)` of each other during the pieces. Items
+/// that are in it already are not tested again where their bodies are known to come near. Calls `pause` now and then,
+/// which may throw. REQUIRES: `pairs` ascending.
 void add_near_items(const BodyList& bodies, const std::vector<BodyPair>& pairs,
-                    const std::function<double(const Body&, const Body&)>& reach, Pieces& pieces, const Pause& pause,
+                    const std::function<double(const Body&, const Body&)>& distance, Pieces& pieces, const Pause& pause,
                     NearItems& near);
 
 }  // namespace tamis

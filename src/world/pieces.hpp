@@ -1,4 +1,4 @@
-// The pieces of a step on which bodies that turn are looked at, and where bodies are between them.
+// The pieces of a step on which bodies that turn are bounded, and their places at the pieces' ends.
 #pragma once
 #include <map>
 #include <span>
@@ -11,7 +11,7 @@ namespace tamis {
 /// A step is cut into no more.
 inline constexpr double kMostPieces = 4096;
 
-/// Where bodies that turn are at one time of the step, in doubles: found when it is first asked for.
+/// Where bodies that turn are at one time of the step, in doubles: computed when first asked for.
 class PlacesAt {
  public:
   /// REQUIRES: in [0,1].
@@ -29,7 +29,7 @@ class PlacesAt {
   std::map<const Body*, RoundedTransform> places_;
 };
 
-/// Several walks over the same pieces ask for the same places.
+/// Keeps the places, for which several traversals of the same pieces ask.
 class Pieces {
  public:
   /// Ends of pieces, of which there is a first and a last; ascending.
@@ -38,9 +38,9 @@ class Pieces {
   std::size_t count() const { return places_.size() - 1; }
   PlacesAt& start(std::size_t piece) { return places_[piece]; }
   PlacesAt& end(std::size_t piece) { return places_[piece + 1]; }
-  /// Is it the pose at t=0 alone that is asked about?
+  /// Do the pieces consist of the pose at t=0 alone?
   bool are_of_the_start() const { return places_.back().time() == 0; }
-  /// A walk has passed by it: memory stays bounded.
+  /// Drops a piece's places after a traversal, where there are so many pieces that memory counts.
   void leave(std::size_t piece) {
     if (count() > kKept) start(piece).forget();
   }

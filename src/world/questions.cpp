@@ -23,7 +23,7 @@ EarliestBodyContact World::State::earliest(const QueryOptions& asked) {
   for_each_moving(asked, 0, [&](const auto& state, const auto& motion, const QueryOptions& how, const auto& whose) {
     const EarliestContact found = state->earliest(motion, how);
     first.toi_upper = std::min(first.toi_upper, found.toi_upper);
-    take_sooner(first.contact, first.toi_lower, found.contact, found.toi_lower, whose);
+    keep_earlier(first.contact, first.toi_lower, found.contact, found.toi_lower, whose);
     return true;
   });
   if (first.contact) check_start(*first.contact, first.toi_lower, asked);
@@ -39,8 +39,8 @@ bool World::State::is_free(const QueryOptions& asked) {
   return is_free;
 }
 
-/// A pair that starts at the distance d, beyond the separation, and keeps no more than f d has come f w / (1 - f) near,
-/// w being how far both bodies go.
+/// A pair of clearance c that keeps no more than f c has lost (1 - f) c, at most the displacements w of both bodies:
+/// then it has come within f w / (1 - f) of its separation.
 BodyStep World::State::safe_step(double fraction, const QueryOptions& asked) {
   validate_kept(fraction);
   BodyStep first;
@@ -48,7 +48,7 @@ BodyStep World::State::safe_step(double fraction, const QueryOptions& asked) {
                   [&](const auto& state, const auto& motion, const QueryOptions& how, const auto& whose) {
                     const SafeStep step = state->safe_step(motion, fraction, how);
                     first.upper = std::min(first.upper, step.upper);
-                    take_sooner(first.pair, first.lower, step.pair, step.lower, whose);
+                    keep_earlier(first.pair, first.lower, step.pair, step.lower, whose);
                     return true;
                   });
   if (first.pair) check_start(*first.pair, first.lower, asked);

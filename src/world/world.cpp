@@ -64,7 +64,7 @@ void World::remove(BodyId body) {
   const Turn turn(now.is_asked);
   now.forget_gathered(now.body(body));
   now.bodies[at(body)] = nullptr;
-  std::erase_if(now.kept_apart, [&](const BodyPair& pair) { return pair[0] == body || pair[1] == body; });
+  std::erase_if(now.excluded_pairs, [&](const BodyPair& pair) { return pair[0] == body || pair[1] == body; });
 }
 
 void World::set_enabled(BodyId body, bool is_enabled) {
@@ -105,7 +105,7 @@ void World::set_may_touch(BodyId a, BodyId b, bool may_touch) {
         "bodies " + std::to_string(a) + " and " + std::to_string(b) +
         " both stay where they are, and two such bodies are never asked about: tell one of them a motion");
   const BodyPair pair{std::min(a, b), std::max(a, b)};
-  const bool is_changed = may_touch ? now.kept_apart.erase(pair) > 0 : now.kept_apart.insert(pair).second;
+  const bool is_changed = may_touch ? now.excluded_pairs.erase(pair) > 0 : now.excluded_pairs.insert(pair).second;
   if (is_changed) now.forget_gathered(first);
 }
 

@@ -60,7 +60,7 @@ void World::State::refuse_touching_start(PairKind kind, const PairVertices& vert
 
 void World::State::refuse_far(const Gathered& gathered) const {
   for (const auto& [id, unused] : gathered.items().of_body)
-    if (!bodies[at(id)]->is_surely_near())
+    if (!bodies[at(id)]->is_surely_representable())
       throw InvalidPath("body " + std::to_string(id) +
                         " goes farther than doubles can follow beside bodies that turn: give shorter positions");
 }

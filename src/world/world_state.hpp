@@ -1,8 +1,7 @@
-// What a world keeps from question to question, and how each is answered: bodies that are near each other are found,
-// what may touch of them is gathered, and detectors are asked.
+// What a world keeps from question to question, and how each is answered: near bodies are found, what may touch of them
+// is gathered (world/gathering.hpp), and detectors are asked.
 #pragma once
 #include <functional>
-#include <map>
 #include <memory>
 #include <optional>
 #include <set>
@@ -10,12 +9,10 @@
 
 #include "detect/detector_access.hpp"
 #include "detect/validate.hpp"
-#include "numerics/error_bounds.hpp"
-#include "numerics/held_bytes.hpp"
 #include "query/stopwatch.hpp"
 #include "tamis/error.hpp"
 #include "tamis/turn.hpp"
-#include "world/gathered.hpp"
+#include "world/gathering.hpp"
 
 namespace tamis {
 
@@ -26,20 +23,20 @@ struct World::State {
 
   Body& body(BodyId id);
   void move(BodyId id, BodyMotion motion);
-  /// Of a body of which something else than its motion has changed, or that goes: what was gathered is of no use.
+  /// To be called when a body is removed, or anything of it but its motion has changed: what was gathered is of no use.
   void forget_gathered(const Body& changed);
-  /// Of a body that comes, or gets another motion: what is gathered sees that itself.
+  /// To be called when a body is added or given another motion, which gathered meshes see themselves.
   void forget_if_still(const Body& changed) {
     if (changed.motion_kind() == MotionKind::still) near_bodies_.forget_still();
   }
 
   const Options options;
   BodyList bodies;
-  std::set<BodyPair> kept_apart;
+  std::set<BodyPair> excluded_pairs;  ///< may not touch, by set_may_touch
   Statistics statistics;
   std::atomic_flag is_asked;
 
-  /// What `ask`, a function of the state, returns of these; one at a time.
+  /// Calls `ask`, a function of the state, with these arguments, as one question with its turn and statistics.
   template <class Ask, class... Of>
   auto answer(const Ask& ask, const Of&... of) {
     const Turn turn(is_asked);
@@ -62,40 +59,6 @@ struct World::State {
   BodyStep safe_step(double fraction, const QueryOptions& asked);
 
  private:
-  /// How near bodies must come to be asked about: within the separation, both radii, and a part of how far both go.
-  struct Reach {
-    double separation = 0;
-    double part_of_way = 0;
-    /// What one of them adds.
-    double own(const Body& body) const;
-    double of(const Body& a, const Body& b) const { return (separation + own(a) + own(b)) * kRoundedUp; }
-  };
-  /// What was gathered is all that comes within the reach and `more`. It serves later questions while both bodies of
-  /// each pair together are no farther than `more` from where they were then, at the same time of the step.
-  struct Margin {
-    double separation, more;
-    std::map<BodyId, StraightWay> ways;
-    bool has(const BodyList& of_world, const std::vector<BodyPair>& pairs) const;
-    std::uint64_t memory_bytes() const { return held_bytes(ways); }
-  };
-  /// One mesh of bodies that meet: those whose vertices all go straight, those of which one turns, or at rest all.
-  struct Gathering {
-    bool (*wants)(const Body&, const Body&);  ///< is it asked about such a pair?
-    MotionKind aside;                         ///< as in MeetingRules
-    /// What is gathered is more than what may touch now, by so many mean edges: it serves the questions that follow.
-    /// More where these are answered without a search (Margin).
-    double more_in_edges;
-    std::unique_ptr<Gathered> gathered = nullptr;
-    std::size_t needed_when_gathered = 0;         ///< items
-    bool is_asked = false;                        ///< may any pair touch in this question?
-    std::optional<Margin> margin = std::nullopt;  ///< of bodies that do not turn
-    int served = 0, searched = 0;                 ///< questions, and those that its margin did not serve
-    bool serves(const BodyList& of_world, const std::vector<BodyPair>& near, const Reach& reach) const {
-      return gathered && margin && reach.part_of_way == 0 && reach.separation <= margin->separation &&
-             gathered->keeps_motion_kinds(of_world) && margin->has(of_world, near);
-    }
-  };
-
   static bool is_turning(const Body& a, const Body& b) {
     return a.motion_kind() == MotionKind::turning || b.motion_kind() == MotionKind::turning;
   }
@@ -104,40 +67,42 @@ struct World::State {
 
   /// Throws InvalidOptions and InvalidStep.
   void validate(std::span<const BodyId> moved, std::span<const BodyMotion> motions);
-  /// Pairs that may come within the reach and `more`, by their hulls, and may touch.
-  std::vector<BodyPair> near_bodies(const Reach& reach, double more, bool at_start);
-  std::vector<BodyPair> only(const Gathering& gathering, std::vector<BodyPair> pairs) const;
-  /// `near`: those without more. `times`: the ends of pieces.
-  void gather(Gathering& gathering, const Reach& reach, const std::vector<BodyPair>& near,
+  /// Pairs that may touch and, by their hulls, come within `distance` plus `margin`.
+  std::vector<BodyPair> near_bodies(const NearDistance& distance, double margin, During during);
+  std::vector<BodyPair> wanted_pairs(const Gathering& gathering, std::vector<BodyPair> pairs) const;
+  /// Makes `gathering` hold all that comes within `distance`. `near`: near_bodies() without margin. `times`: the ends
+  /// of pieces.
+  void gather(Gathering& gathering, const NearDistance& distance, const std::vector<BodyPair>& near,
               std::span<const double> times);
-  /// Adds to `items` what comes within the reach and `more`.
-  void find_near(const std::vector<BodyPair>& pairs, const Reach& reach, double more, Pieces& pieces,
+  /// Adds to `items` those that come within `distance` plus `margin`.
+  void find_near(const std::vector<BodyPair>& pairs, const NearDistance& distance, double margin, Pieces& pieces,
                  NearItems& items) const;
-  void gather_anew(Gathering& gathering, const Reach& reach, const NearItems& needed, Pieces& pieces);
-  /// None where one of them turns.
-  std::optional<Margin> margin_of(const std::vector<BodyPair>& pairs, const Reach& reach, double more) const;
-  /// Those of bodies that move.
-  void gather_moving(const Reach& reach);
+  void gather_anew(Gathering& gathering, const NearDistance& distance, const NearItems& needed, Pieces& pieces);
+  /// Nothing if one of the bodies turns.
+  std::optional<GatherMargin> margin_of(const std::vector<BodyPair>& pairs, const NearDistance& distance,
+                                        double width) const;
+  /// Gathers what moves, straight and turning.
+  void gather_moving(const NearDistance& distance);
   /// Ends of the pieces on which bodies that turn are asked about, beginning with 0.
   std::vector<double> times_of_pieces(const std::vector<BodyPair>& pairs) const;
-  /// ask(state of a detector, motion, options, whose) of all that may touch, until one returns false: of what is
-  /// gathered that goes straight, a Step; of what is that turns, a CutPath; of each body by itself, by its number.
-  /// `part_of_way`: as in Reach. Throws InvalidOptions.
+  /// Calls ask(state of a detector, motion, options, whose) for each detector of what may touch, until one returns
+  /// false: with the gathered bodies that go straight and a Step; with those that turn and a CutPath; with each
+  /// deforming body's number and its Step. `displacement_factor`: as in NearDistance. Throws InvalidOptions.
   template <class Ask>
-  void for_each_moving(const QueryOptions& asked, double part_of_way, const Ask& ask);
-  /// ask(state of a detector, pose, whose) of all that comes within the distance at the start, until one returns false.
+  void for_each_moving(const QueryOptions& asked, double displacement_factor, const Ask& ask);
+  /// The same in the pose at the start, of all that comes within the distance: ask(state of a detector, pose, whose).
   template <class Ask>
   void for_each_at_rest(double distance, const Ask& ask);
-  /// f(id, body) of each that may touch itself, until one returns false.
+  /// Calls f(id, body) for each body that may touch itself, until one returns false.
   template <class F>
   void for_each_by_itself(const F& f);
-  /// What `ask` returns of a detector's state and these.
+  /// Asks one detector, and adds its statistics.
   template <class Ask, class... Of>
   bool ask_one(Detector& detector, const Ask& ask, const Of&... of);
   void add_statistics(const Statistics& of_part);
-  /// Of bodies that were refused as one path: throws InvalidPath, naming the first that goes far.
+  /// Throws InvalidPath, naming the first gathered body whose numbers are too large.
   void refuse_far(const Gathered& gathered) const;
-  /// Throws InvalidStep of a contact, or a pair that ends a step, at the time 0: if that is asked for.
+  /// Throws InvalidStep with AtStart::fail if the pair touches, or ends the step, at the time 0.
   template <class Row>
   static void check_start(const Row& row, double time, const QueryOptions& asked) {
     if (asked.at_start == AtStart::fail && time == 0) refuse_touching_start(row.kind, row.vertices, row.bodies);
@@ -147,7 +112,7 @@ struct World::State {
   void begin();
   std::uint64_t memory_bytes() const;
 
-  ChainsAt at_start_{0}, at_end_{1};  ///< of what is moved
+  ChainsAt at_start_{0}, at_end_{1};  ///< of bodies that are given a motion
   NearBodies near_bodies_{options.isa};
   Gathering straight_{is_straight, MotionKind::still, 1}, turning_{is_turning, MotionKind::straight, 0.5},
       at_rest_{is_any, MotionKind::still, 1};
@@ -155,12 +120,13 @@ struct World::State {
   bool must_gather_ = false;
 };
 
-/// As bodies are asked about curves. Whoever fails for what touches at the start asks for it, and names the bodies.
+/// The options for detectors that are asked about curves. With AtStart::fail contacts at the start are reported, and
+/// the world refuses them, naming bodies.
 inline QueryOptions of_curves(QueryOptions asked) {
   if (asked.at_start == AtStart::fail) asked.at_start = AtStart::report;
   return asked;
 }
-/// As bodies are asked that go straight: curves alone have a tolerance.
+/// The same for steps, which have no tolerance.
 inline QueryOptions of_steps(const QueryOptions& asked) {
   QueryOptions options = of_curves(asked);
   options.tolerance.reset();
@@ -185,9 +151,9 @@ void World::State::for_each_by_itself(const F& f) {
 }
 
 template <class Ask>
-void World::State::for_each_moving(const QueryOptions& asked, double part_of_way, const Ask& ask) {
+void World::State::for_each_moving(const QueryOptions& asked, double displacement_factor, const Ask& ask) {
   validate_of_path(asked);
-  gather_moving({asked.min_separation.value_or(options.min_separation), part_of_way});
+  gather_moving({asked.min_separation.value_or(options.min_separation), displacement_factor});
   const auto ask_straight = [&](Gathered& gathered) {
     return ask_one(gathered.detector(), ask, gathered.step(bodies), of_steps(asked), gathered);
   };
@@ -202,21 +168,22 @@ void World::State::for_each_moving(const QueryOptions& asked, double part_of_way
   };
   if (straight_.is_asked && !ask_straight(*straight_.gathered)) return;
   if (turning_.is_asked && !ask_turning(*turning_.gathered)) return;
-  for_each_by_itself(
-      [&](BodyId id, Body& body) { return ask_one(body.itself(options), ask, body.step(), of_steps(asked), id); });
+  for_each_by_itself([&](BodyId id, Body& body) {
+    return ask_one(body.self_detector(options), ask, body.step(), of_steps(asked), id);
+  });
 }
 
 template <class Ask>
 void World::State::for_each_at_rest(double distance, const Ask& ask) {
   constexpr double kEndsOfRest[] = {0, 0};
-  const Reach reach{distance};
-  gather(at_rest_, reach, near_bodies(reach, 0, true), kEndsOfRest);
+  const NearDistance near{distance};
+  gather(at_rest_, near, near_bodies(near, 0, During::start), kEndsOfRest);
   if (at_rest_.is_asked) {
     Gathered& gathered = *at_rest_.gathered;
     if (!ask_one(gathered.detector(), ask, gathered.start(bodies), gathered)) return;
   }
   for_each_by_itself([&](BodyId id, Body& body) {
-    return ask_one(body.itself(options), ask, Positions(body.deforming()->start), id);
+    return ask_one(body.self_detector(options), ask, Positions(body.deforming()->start), id);
   });
 }
 

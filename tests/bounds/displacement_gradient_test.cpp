@@ -101,8 +101,8 @@ TEST(DisplacementGradient, ExplainsWhatTurnsAsAWhole) {
   EXPECT_NEAR(fit.gradient.rows[0].y, -std::sin(1.0), 1e-4);
   EXPECT_NEAR(fit.gradient.rows[1].x, std::sin(1.0), 1e-4);
   for (const Index v : all) {
-    const Vec place = motion.frame.place(step.start, v) - fit.middle, way = motion.frame.displacement(step, v);
-    const Vec residual = way - fit.way - fit.gradient.at(place);
+    const Vec place = motion.frame.place(step.start, v) - fit.mean_position, way = motion.frame.displacement(step, v);
+    const Vec residual = way - fit.mean_displacement - fit.gradient.at(place);
     EXPECT_LT(dot(residual, residual), 1e-9);
   }
 }

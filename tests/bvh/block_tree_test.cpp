@@ -55,8 +55,8 @@ TEST_F(BlockTreeGroups, ANodeIsLeftOutOnlyIfAllInItMayNotTouch) {
     for (int other = 0; other < view.leaf_blocks; ++other) {
       const Index mine = view.groups.of[0][block], theirs = view.groups.of[0][other];
       const bool expected = mine >= 0 && mine == theirs;
-      EXPECT_EQ(is_left_out(view, block, view, 0, other), expected);
-      EXPECT_LE(is_left_out(view, block, view, 1, other / kBlock), expected);
+      EXPECT_EQ(are_excluded(view, block, view, 0, other), expected);
+      EXPECT_LE(are_excluded(view, block, view, 1, other / kBlock), expected);
       apart += expected;
     }
   EXPECT_GT(apart, 0);
@@ -85,7 +85,7 @@ TEST_F(BlockTreeGroups, GroupsThatTouchThemselvesAreOrderedAsOne) {
 TEST_F(BlockTreeGroups, WithoutGroupsNothingIsLeftOut) {
   tree_.set_groups({}, {}, 1);
   tree_.build(motion_, {}, kernels(Isa::best).trees);
-  EXPECT_FALSE(is_left_out(tree_.view(), 0, tree_.view(), 0, 0));
+  EXPECT_FALSE(are_excluded(tree_.view(), 0, tree_.view(), 0, 0));
 }
 
 }  // namespace

@@ -68,10 +68,10 @@ OrderAxes axes_of_passing_balls(double times, LooksAt looks_at) {
 }
 
 TEST(OrderAxesOfPassingBodies, PartThemByTheirWays) {
-  EXPECT_GT(axes_of_passing_balls(1, LooksAt::whole_step).way, 0) << "halfway they are in one place";
+  EXPECT_GT(axes_of_passing_balls(1, LooksAt::whole_step).displacement_weight, 0) << "halfway they are in one place";
   const OrderAxes for_distances = axes_of_passing_balls(1, LooksAt::distances);
-  EXPECT_TRUE(for_distances.way > 0 || for_distances.time == 0) << "at the start they are not";
-  EXPECT_EQ(axes_of_passing_balls(0.01, LooksAt::whole_step).way, 0);
+  EXPECT_TRUE(for_distances.displacement_weight > 0 || for_distances.time == 0) << "at the start they are not";
+  EXPECT_EQ(axes_of_passing_balls(0.01, LooksAt::whole_step).displacement_weight, 0);
 }
 
 }  // namespace

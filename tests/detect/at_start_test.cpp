@@ -9,7 +9,7 @@
 #include "exact/exact.hpp"
 #include "lab/detector.hpp"
 #include "lab/pairs.hpp"
-#include "query/pair_rules.hpp"
+#include "query/pair_vertices.hpp"
 #include "scenes/random.hpp"
 #include "scenes/shapes.hpp"
 #include "support/as_new.hpp"
@@ -40,7 +40,7 @@ Truth truth_of(const Scene& scene, double separation) {
   Truth truth;
   lab::for_each_pair(scene.mesh(), {}, [&](PairKind kind, const PairVertices& v) {
     const PairPoints points = points_of(scene.step(), v);
-    if (decide_once_apart_exactly(kind, points, separation).touches())
+    if (decide_recontact_exactly(kind, points, separation).touches())
       truth.counted.insert({kind, v});
     else
       truth.ignored += decide_exactly(kind, points, separation).touches();

@@ -9,7 +9,7 @@
 #include "lab/detector.hpp"
 #include "lab/pairs.hpp"
 #include "narrow/near_pair.hpp"
-#include "query/pair_rules.hpp"
+#include "query/pair_vertices.hpp"
 #include "support/contact_sets.hpp"
 #include "support/kernels_here.hpp"
 #include "support/step_lengths.hpp"

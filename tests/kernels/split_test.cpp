@@ -77,13 +77,13 @@ void expect_split(const Kernels& kernels, const Case& c, int axis, int axes, con
   const Items before(c.count, axes), after(c.count, axes), scratch(c.count, axes);
   const Rng same = rng;
   for (const Items* items : {&before, &after, &scratch}) place(*items, c.count, axis, coordinate, rng = same);
-  Reach reach;
+  ExtentBounds extents;
   for (int k = 0; k < Centers::kMostAxes; ++k) {
-    reach.along[k] = std::numeric_limits<float>::infinity();
+    extents.along[k] = std::numeric_limits<float>::infinity();
     if (k < axes && rng() % 2)
-      reach.along[k] = length_along(k, before.in_question, c.count) * (rng() % 2 ? 1.0f : 1.5f);
+      extents.along[k] = length_along(k, before.in_question, c.count) * (rng() % 2 ? 1.0f : 1.5f);
   }
-  const auto parts = kernels.trees.split(after.in_question, scratch.in_question, c.count, c.lower, reach);
+  const auto parts = kernels.trees.split(after.in_question, scratch.in_question, c.count, c.lower, extents);
   std::vector<Index> features = features_in_order(before.in_question, c.count, c.lower, axis);
   features.insert(features.begin(), {0, 1, 2});
   for (std::size_t i = 0; i < kAfter; ++i) features.push_back(static_cast<Index>(kBefore + c.count + i));

@@ -11,8 +11,8 @@
 #include "motion/pair_kinds.hpp"
 #include "narrow/decide.hpp"
 #include "narrow/decide_in_doubles.hpp"
+#include "narrow/first_within.hpp"
 #include "narrow/kept_distance.hpp"
-#include "narrow/separation.hpp"
 #include "numerics/interval.hpp"
 #include "topology/countable.hpp"
 

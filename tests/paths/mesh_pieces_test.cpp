@@ -15,7 +15,7 @@ const Mesh kTriangle(3, {{0, 1, 2}});
 const std::vector<Point> kRest{{1, 0, 0}, {0, 3, 1}, {0, 0, 0.5}};
 
 /// The largest distance of a vertex from its way, in parts of what is said to be the largest.
-double farthest_share(const Path& path, double from, double to, const Lines& lines) {
+double farthest_share(const Path& path, double from, double to, const ShiftedChords& lines) {
   std::vector<Index> all(kRest.size());
   std::iota(all.begin(), all.end(), 0);
   std::vector<Point> points(all.size());
@@ -41,9 +41,9 @@ TEST(MeshPieces, CurvesStayBesideTheirLines) {
     const RigidPath path(kRest, {0, 0, 0}, {turned({{1, 2, 3}, {0.1, 0, 0}}, turn, {2, 2, 2})});
     const std::vector<double> ends{0.25, 0.3, 1};
     MeshPieces pieces(kTriangle, path, ends);
-    for (Frame from = pieces.frame_at(0); from.time < 1;) {
-      const Frame to = pieces.next(from);
-      EXPECT_LE(farthest_share(path, from.time, to.time, pieces.lines()), 1) << "from " << from.time;
+    for (MeshMoment from = pieces.moment_at(0); from.time < 1;) {
+      const MeshMoment to = pieces.next(from);
+      EXPECT_LE(farthest_share(path, from.time, to.time, pieces.chords()), 1) << "from " << from.time;
       from = to;
     }
   }
@@ -54,10 +54,10 @@ TEST(MeshPieces, LinesBesideChordsAreNearer) {
   const RigidPath path(kRest, {0, 0, 0}, {turned({}, {0, 0, 0.1}, {})});
   const std::vector<double> ends{1};
   MeshPieces pieces(kTriangle, path, ends);
-  pieces.next(pieces.frame_at(0));
+  pieces.next(pieces.moment_at(0));
   std::vector<double> chords(3);
   path.deviations(0, 1, std::vector<Index>{0, 1, 2}, chords);
-  for (std::size_t v = 0; v < 2; ++v) EXPECT_LT(pieces.lines().deviations[v], (kPartBesideLine + 1e-6) * chords[v]);
+  for (std::size_t v = 0; v < 2; ++v) EXPECT_LT(pieces.chords().deviations[v], (kShiftedChordPart + 1e-6) * chords[v]);
 }
 
 }  // namespace

@@ -60,7 +60,7 @@ TEST_F(Collectors, WhatIsDecidedIsNotDecidedAgain) {
   PrecisionCount count;
   for (const PairVertices& vertices : {kLate, kEarly})
     one.add(kKind, vertices, decide(kKind, points_of(query->step, vertices), query->rule_for(kKind, vertices), count),
-            DecidedBy::pair);
+            DecidedBy::singly);
   EXPECT_EQ(one.first().contact->vertices, kEarly);
   EXPECT_EQ(one.decided_by().scalar + one.decided_by().exact, 0u);
   EXPECT_LT(bound.latest(), 0.2501);

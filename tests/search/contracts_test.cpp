@@ -58,7 +58,7 @@ TEST_F(Contracts, ResidualsOfAnotherStep) {
   Trees t;
   t.trees.refit_or_rebuild(t.step, {}, LooksAt::whole_step, t.statistics);
   const SharedMotion shared(t.mesh);
-  EXPECT_DEATH(t.trees.fit_residuals(t.other_step, shared), "are_of");
+  EXPECT_DEATH(t.trees.refit_residuals(t.other_step, shared), "are_of");
 }
 
 TEST_F(Contracts, SearchesThatCannotEnd) {

@@ -1,0 +1,116 @@
+#include "coherence/pairs_near_start.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "numerics/error_bounds.hpp"
+#include "topology/at.hpp"
+#include "topology/neighbourhood_maximum.hpp"
+
+namespace tamis {
+namespace {
+
+/// Lists must serve displacements to come: those seen so far, of this start or the one before, times kFarther, plus
+/// kExtra times the mean displacement.
+constexpr double kFarther = 1.5, kExtra = 0.5;
+/// A length above all whose squares underflow.
+constexpr double kLeastLength = 0x1p-500;
+
+/// An upper bound of how far the vertex moves.
+double displacement_bound(const Step& step, Index v) {
+  double sum = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double length = step.end[v][axis] - step.start[v][axis];
+    sum += length * length;
+  }
+  return std::sqrt(sum) * kRoundedUp + kLeastLength;
+}
+
+}  // namespace
+
+bool PairsNearStart::begin(const Query& query, double fraction, bool lists_all) {
+  same_start_ = has_same_start(query.step);
+  if (same_start_) {
+    is_truncated_again_ |= is_truncated_ && !lists_all;
+    is_truncated_ |= lists_all;
+    for (const Index v : mesh_.points())
+      displacements_[at(v)] = std::max(displacements_[at(v)], displacement_bound(query.step, v));
+    if (are_listed_ && covers(query, fraction)) return true;
+  } else {
+    start_anew(query.step);
+  }
+  return false;
+}
+
+void PairsNearStart::start_anew(const Step& step) {
+  forget();
+  pause_.tick();
+  were_truncated_again_ = {is_truncated_again_, were_truncated_again_[0]};
+  is_truncated_ = is_truncated_again_ = false;
+  previous_displacements_.swap(displacements_);
+  const auto count = at(mesh_.vertex_count());
+  previous_displacements_.resize(count);
+  displacements_.assign(count, 0);
+  start_.resize(count);
+  for (const Index v : mesh_.points()) std::copy_n(step.start[v], 3, start_[at(v)].begin());
+}
+
+bool PairsNearStart::has_same_start(const Step& step) const {
+  return !start_.empty() && std::all_of(mesh_.points().begin(), mesh_.points().end(), [&](Index v) {
+    return std::equal(step.start[v], step.start[v] + 3, start_[at(v)].begin());
+  });
+}
+
+/// A pair that is not listed is farther apart than separations(), so its clearance exceeds the sum of both
+/// displacements over (1 - fraction), and more than `fraction` of it is left. A feature's listing radius is at least
+/// its search radius plus its contact radius, even where these are those of two vertices (neighbourhood_maximum).
+bool PairsNearStart::covers(const Query& query, double fraction) const {
+  if (query.separations.fixed > separation_ || query.separations.radii.data() != radii_) return false;
+  return std::all_of(mesh_.points().begin(), mesh_.points().end(), [&](Index v) {
+    return displacement_bound(query.step, v) <= (1 - fraction) * search_radii_[at(v)];
+  });
+}
+
+bool PairsNearStart::plan(const Query& query, double fraction) {
+  if (!same_start_ || pause_.left > 0) return false;
+  if (!is_truncated_again_ && !were_truncated_again_[0] && !were_truncated_again_[1]) return false;
+  const double extra = kExtra * mean_displacement();
+  forget();
+  search_radii_.resize(start_.size());
+  listing_radii_.resize(start_.size());
+  const std::vector<double> radii = neighbourhood_maximum(mesh_, query.separations.radii);
+  for (const Index index : mesh_.points()) {
+    const auto v = at(index);
+    search_radii_[v] =
+        (kFarther * std::max(displacements_[v], previous_displacements_[v]) + extra) / (1 - fraction) * kRoundedUp;
+    listing_radii_[v] = (search_radii_[v] + (radii.empty() ? 0 : radii[v])) * kRoundedUp;
+    if (!std::isfinite(listing_radii_[v])) return false;
+  }
+  radii_ = query.separations.radii.data();
+  separation_ = query.separations.fixed;
+  return true;
+}
+
+double PairsNearStart::mean_displacement() const {
+  double sum = 0;
+  for (const Index v : mesh_.points()) sum += displacements_[at(v)];
+  return sum / static_cast<double>(std::max<std::size_t>(1, mesh_.points().size()));
+}
+
+bool PairsNearStart::keep_if_complete(bool is_complete) {
+  are_listed_ = is_complete;
+  if (is_complete) {
+    pause_.lists_were_worth_it();
+    return true;
+  }
+  pause_.begin();
+  forget();
+  return false;
+}
+
+void PairsNearStart::forget() {
+  are_listed_ = false;
+  lists_.clear();
+}
+
+}  // namespace tamis

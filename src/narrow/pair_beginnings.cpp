@@ -1,0 +1,69 @@
+#include "narrow/pair_beginnings.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "motion/pair_kinds.hpp"
+#include "motion/polynomials.hpp"
+#include "narrow/advancement.hpp"
+#include "narrow/decide_in_doubles.hpp"
+#include "numerics/assert.hpp"
+
+namespace tamis {
+namespace {
+
+/// The first beginning is 2^kDoublings times as long as the pair takes to go as far as it is large at the start, and
+/// each next one as the one before (docs/history/performance.md, "What is near at the start").
+constexpr int kDoublings = 5;
+
+/// The length of the first beginning, a power of two; 1 or more where the pair does not go far.
+double first_length(const PairMotion<double>& m) {
+  constexpr int kLeastExponent = -1020;
+  const auto at_start = [](const Moving<double>& v) { return largest(Moving<double>{v.at0, v.at0}); };
+  const double size = std::max({at_start(m.e), at_start(m.f), at_start(m.d), m.separation});
+  if (!(size > 0 && size < 1)) return 1;
+  return std::ldexp(1, std::max(std::ilogb(size), kLeastExponent) + kDoublings);
+}
+
+/// During `time` of a beginning, apart before it.
+Decision decide_during(PairKind kind, const PairMotion<double>& beginning, const TimeInterval<double>& time) {
+  const TimeInterval<double> clip = clipped(kind, beginning, time);
+  const bool may_touch_at_start =
+      clip.t_in == 0 && !is_about_distance(kind, beginning.separation) && may_start_coplanar(beginning);
+  return may_touch_at_start ? Decision{Verdict::unsure, 0, 1} : decide_in_doubles(kind, beginning, clip);
+}
+
+/// Proven: at t=1 and for ever after, should the motion go on, the pair is farther apart than its separation.
+bool is_apart_from_end(PairKind kind, const PairMotion<double>& m) {
+  TAMIS_ASSERT(is_finite(m));
+  return with_kind(kind, [&](auto k) {
+    const SeparationProbe<k(), double> probe(m);
+    return probe.clip().recedes_along(1, probe.distance_at(1).closest.gap);
+  });
+}
+
+/// A contact in a beginning of that length; nothing where its times underflow.
+std::optional<Decision> in_step(const Decision& contact, double length) {
+  const Decision d{Verdict::touches, contact.lower * length, contact.upper * length};
+  return d.lower / length == contact.lower && d.upper / length == contact.upper ? std::optional(d) : std::nullopt;
+}
+
+}  // namespace
+
+std::optional<Decision> decide_in_beginnings(PairKind kind, const PairPoints& points, double separation,
+                                             const PairMotion<double>& m) {
+  TAMIS_ASSERT(is_motion_of(m, kind, points));
+  double from = 0;  // of a beginning: apart until then
+  for (double length = first_length(m); length < 1; length = std::ldexp(length, kDoublings)) {
+    const auto beginning = make_beginning(kind, points, separation, length);
+    if (!beginning) return {};
+    const Decision d = decide_during(kind, *beginning, {from, 1});
+    if (d.verdict == Verdict::unsure) return {};
+    if (d.touches()) return in_step(d, length);
+    if (is_apart_from_end(kind, *beginning)) return Decision{};
+    from = std::ldexp(1, -kDoublings);
+  }
+  return {};
+}
+
+}  // namespace tamis

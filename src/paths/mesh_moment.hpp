@@ -1,0 +1,38 @@
+// The vertices of a mesh at one time of its path, and the radii by which chords between two such times stand for
+// curves.
+#pragma once
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "motion/separations.hpp"
+#include "numerics/axes.hpp"
+#include "numerics/error_bounds.hpp"
+#include "numerics/number_text.hpp"
+#include "tamis/error.hpp"
+#include "tamis/path.hpp"
+
+namespace tamis {
+
+/// Positions and their errors at one time, by vertex. Those of vertices that were not asked for mean nothing.
+struct MeshMoment {
+  double time = 0;
+  std::vector<Point> points;
+  std::vector<double> errors;
+};
+
+/// The radius with which a vertex on its chord stands for its curve: its deviation, the error of its positions at both
+/// ends (`error`, on each axis), and the largest radius of its features (neighbourhood_maximum). Throws InvalidPath,
+/// naming where the piece begins, unless that is finite.
+inline double chord_radius(Index vertex, double deviation, double error, double start, const Separations& separations) {
+  double radius = (deviation + kRootOfThree * kRoundedUp * error) * (1 + 0x1p-50) + 0x1p-1000;
+  if (!separations.radii.empty())
+    radius = (radius + separations.radii[static_cast<std::size_t>(vertex)]) * (1 + 0x1p-50);
+  if (!std::isfinite(radius))
+    throw InvalidPath("vertex " + std::to_string(vertex) + " of the path deviates without bound after t = " +
+                      number_text(start) + ": give a finite bound for short pieces");
+  return radius;
+}
+
+}  // namespace tamis

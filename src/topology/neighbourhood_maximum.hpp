@@ -1,0 +1,27 @@
+// A feature has the largest radius of its vertices, which need not be the radius of the vertex that moves or deviates
+// most. Where both are added vertex by vertex, each vertex takes the largest radius of its neighbourhood instead.
+#pragma once
+#include <algorithm>
+#include <span>
+#include <vector>
+
+#include "numerics/assert.hpp"
+#include "topology/at.hpp"
+
+namespace tamis {
+
+/// Of each vertex the largest number among itself and the vertices that it shares a feature with, which are those at
+/// the other end of an edge; empty if there are no numbers. Then for any second number of each vertex, the largest sum
+/// over a feature's vertices is no less than the sum of the largest of both. REQUIRES: one number a vertex, or none.
+inline std::vector<double> neighbourhood_maximum(const Mesh& mesh, std::span<const double> of_vertex) {
+  TAMIS_ASSERT(of_vertex.empty() || of_vertex.size() == at(mesh.vertex_count()));
+  std::vector<double> largest(of_vertex.begin(), of_vertex.end());
+  if (largest.empty()) return largest;
+  for (const auto& [a, b] : mesh.edges()) {
+    largest[at(a)] = std::max(largest[at(a)], of_vertex[at(b)]);
+    largest[at(b)] = std::max(largest[at(b)], of_vertex[at(a)]);
+  }
+  return largest;
+}
+
+}  // namespace tamis

@@ -1,0 +1,141 @@
+#include "world/body_bounds.hpp"
+
+#include "curves/chord_deviation.hpp"
+#include "numerics/assert.hpp"
+#include "numerics/error_bounds.hpp"
+#include "topology/at.hpp"
+
+namespace tamis {
+namespace {
+
+constexpr Index kNotMade = -1;
+
+/// Widens a box for the rounding of may_meet().
+Box widened(Box box) {
+  box.widen(MovingBounds::kRounding * box.largest_coordinate());
+  return box;
+}
+
+/// Unbounded along axes with NaN, as where curves bend by more than doubles can say.
+Box unbounded_if_unknown(Box box) {
+  for (std::size_t k = 0; k < 3; ++k)
+    if (!(box.low[k] <= box.high[k])) box.low[k] = -kUnbounded, box.high[k] = kUnbounded;
+  return box;
+}
+
+/// Between two bounds that are linear in `share`, rounded up.
+double at_share(double first, double last, double share) {
+  return (first + (last - first) * share) * kRoundedUp + 0x1p-1000;
+}
+
+/// An upper bound of the distance of the box' points from the origin.
+double farthest_in(const Box& box) {
+  double square = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double farthest = std::max(std::fabs(box.low[k]), std::fabs(box.high[k]));
+    square += farthest * farthest;
+  }
+  return std::sqrt(square) * kRoundedUp;
+}
+
+/// The cached value at a place, made if it is not there yet.
+template <class Cache, class Make>
+const typename Cache::value_type& cached_at(Index& place, Cache& cache, const Make& make) {
+  if (place == kNotMade) {
+    place = static_cast<Index>(cache.size());
+    cache.push_back(make());
+  }
+  return cache[at(place)];
+}
+
+}  // namespace
+
+BodyOnPiece::BodyOnPiece(const Body& body, PlacesAt& from, PlacesAt& to)
+    : body_(body), from_(from.time()), to_(to.time()), at_from_(body.at_start()), at_to_(body.at_end()) {
+  TAMIS_ASSERT(0 <= from_ && from_ <= to_ && to_ <= 1);
+  if (body.motion_kind() != MotionKind::turning) return;
+  at_from_ = from.of(body);
+  at_to_ = to.of(body);
+  const Interval length = Interval(to_) - Interval(from_);
+  const auto of_piece = [&](const Curvature& curve) {
+    return ChordBounds{chord_deviation(curve.acceleration, length), 2 * curve.orbit_radius};
+  };
+  innermost_ = of_piece(body.innermost_);
+  outermost_ = of_piece(body.outermost_);
+}
+
+/// An upper bound of the distance of vertices within the box from their chords.
+double BodyOnPiece::deviation(const Box& at_rest) const {
+  if (body_.motion_kind() != MotionKind::turning) return 0;
+  const double radius = shape().radius, place = farthest_in(at_rest);
+  const double share = place < radius ? place / radius : 1;  // corners may be farther than all vertices
+  return std::min(at_share(innermost_.by_acceleration, outermost_.by_acceleration, share),
+                  at_share(innermost_.by_orbit, outermost_.by_orbit, share)) *
+         (1 + MovingBounds::kRounding);
+}
+
+MovingBounds BodyOnPiece::bounds(int level, Index block) const {
+  if (body_.deforming())
+    return cut(widened(body_.start_boxes_.box(level, block)), widened(body_.end_boxes_.box(level, block)));
+  const Box& at_rest = shape().boxes.box(level, block);
+  const double deviation = this->deviation(at_rest);
+  return cut(box_in_world(at_rest, at_from_, deviation), box_in_world(at_rest, at_to_, deviation));
+}
+
+ItemBounds BodyOnPiece::items(Index block) const {
+  ItemBounds result;
+  const auto items = shape().order.items_of(block);
+  const Box& at_rest = shape().boxes.box(0, block);
+  const bool turns = body_.motion_kind() == MotionKind::turning;
+  const double size = at_rest.largest_sum(), deviation = this->deviation(at_rest);
+  const auto placed = [&](const RoundedTransform& place, const auto& end_of_vertex, Index item) {
+    if (!turns) return widened(shape().box_of(item, end_of_vertex));
+    Box box = shape().box_of(item, [&](Index v) { return place.of(shape().points[at(v)]); });
+    box.widen(rounding_bound(place, size) + deviation);
+    return box;
+  };
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    result.of_item[i] = cut(placed(
+                                at_from_, [&](Index v) { return body_.start_of(v); }, items[i]),
+                            placed(
+                                at_to_, [&](Index v) { return body_.end_of(v); }, items[i]));
+    result.all.start.include(result.of_item[i].start);
+    result.all.end.include(result.of_item[i].end);
+  }
+  return result;
+}
+
+/// Restricts bounds to the piece. Vertices of a body that does not turn move straight during the whole step, so its
+/// bounds at both ends are interpolated; those of a body that turns are of the piece already.
+MovingBounds BodyOnPiece::cut(const Box& at_start, const Box& at_end) const {
+  const Box start = unbounded_if_unknown(at_start), end = unbounded_if_unknown(at_end);
+  if (body_.motion_kind() != MotionKind::straight) return {start, end};
+  const auto at_time = [&](double time) {
+    if (time == 0) return start;
+    if (time == 1) return end;
+    Box box;
+    for (std::size_t k = 0; k < 3; ++k) {
+      box.low[k] = (1 - time) * start.low[k] + time * end.low[k];
+      box.high[k] = (1 - time) * start.high[k] + time * end.high[k];
+    }
+    box.widen(MovingBounds::kRounding * std::max(start.largest_coordinate(), end.largest_coordinate()));
+    return box;
+  };
+  return {at_time(from_), at_time(to_)};
+}
+
+BoundsOnPiece::BoundsOnPiece(const Body& body, PlacesAt& from, PlacesAt& to) : body_(body, from, to) {
+  for (int level = 0; level <= shape().boxes.root_level(); ++level)
+    place_of_block_.emplace_back(shape().boxes.level(level).size(), kNotMade);
+  place_of_items_ = place_of_block_[0];
+}
+
+const MovingBounds& BoundsOnPiece::of_block(int level, Index block) {
+  return cached_at(place_of_block_[at(level)][at(block)], bounds_, [&] { return body_.bounds(level, block); });
+}
+
+const ItemBounds& BoundsOnPiece::items(Index block) {
+  return cached_at(place_of_items_[at(block)], items_, [&] { return body_.items(block); });
+}
+
+}  // namespace tamis

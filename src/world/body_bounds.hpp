@@ -1,0 +1,93 @@
+// The boxes of a body's hierarchy in the frame of the world, during a piece of the step.
+#pragma once
+#include <deque>
+
+#include "bounds/box.hpp"
+#include "world/pieces.hpp"
+
+namespace tamis {
+
+/// Linear bounds in the frame of the world. Each box is wider than what it holds by kRounding of its coordinates, which
+/// covers the rounding of may_meet().
+struct MovingBounds {
+  Box start, end;
+
+  static constexpr double kRounding = 0x1p-44;
+
+  Box hull() const {
+    Box hull = start;
+    hull.include(end);
+    return hull;
+  }
+};
+
+/// Do the bounds come within `separation` at one time? False only if proven: at every time a gap is open along some
+/// axis. NaN proves nothing.
+inline bool may_meet(const MovingBounds& a, const MovingBounds& b, double separation) {
+  constexpr double kRoundingOfTimes = 0x1p-40;
+  double from = 0, to = 1;
+  const auto close = [&](double gap0, double gap1) {
+    if (!(gap0 > 0 || gap1 > 0)) return true;
+    if (gap0 > 0 && gap1 > 0) return false;
+    // Where a difference overflows these are 0 and 1, which prove nothing.
+    if (gap0 > 0) from = std::max(from, gap0 / (gap0 - gap1));
+    if (gap1 > 0) to = std::min(to, 1 - gap1 / (gap1 - gap0));
+    return true;
+  };
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (!close(a.start.low[k] - b.start.high[k] - separation, a.end.low[k] - b.end.high[k] - separation)) return false;
+    if (!close(b.start.low[k] - a.start.high[k] - separation, b.end.low[k] - a.end.high[k] - separation)) return false;
+  }
+  return !(from > to + kRoundingOfTimes);
+}
+
+/// The bounds of one block's items.
+struct ItemBounds {
+  MovingBounds all;
+  std::array<MovingBounds, kBlock> of_item;  ///< in the order of the block
+};
+
+/// Two upper bounds of a point's distance from its chord on a piece: by its acceleration, and by its orbit's diameter.
+struct ChordBounds {
+  double by_acceleration = 0, by_orbit = 0;
+};
+
+/// A body during one piece of the step.
+class BodyOnPiece {
+ public:
+  /// Keeps a reference to the body. REQUIRES: `from` is not later than `to`.
+  BodyOnPiece(const Body& body, PlacesAt& from, PlacesAt& to);
+
+  const BodyShape& shape() const { return body_.shape(); }
+  MovingBounds bounds(int level, Index block) const;
+  /// The items of a block of level 0, bounded by their vertices: tighter than the block's box.
+  ItemBounds items(Index block) const;
+
+ private:
+  double deviation(const Box& at_rest) const;
+  MovingBounds cut(const Box& at_start, const Box& at_end) const;
+
+  const Body& body_;
+  const double from_, to_;
+  RoundedTransform at_from_, at_to_;   ///< of a body that does not turn, at t=0 and t=1
+  ChordBounds innermost_, outermost_;  ///< at the origin of its frame, and at the distance of its farthest vertex
+};
+
+/// Caches its bounds, each computed when it is first asked for; references to them stay valid.
+class BoundsOnPiece {
+ public:
+  BoundsOnPiece(const Body& body, PlacesAt& from, PlacesAt& to);
+
+  const BodyShape& shape() const { return body_.shape(); }
+  const MovingBounds& of_block(int level, Index block);
+  const ItemBounds& items(Index block);
+
+ private:
+  const BodyOnPiece body_;
+  std::vector<std::vector<Index>> place_of_block_;
+  std::vector<Index> place_of_items_;
+  std::deque<MovingBounds> bounds_;
+  std::deque<ItemBounds> items_;
+};
+
+}  // namespace tamis

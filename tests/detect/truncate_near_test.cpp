@@ -44,8 +44,8 @@ TEST(Truncate, LeavesRoomForRoundingHoweverLittleThereIs) {
           EXPECT_TRUE(detector.is_free({to.positions, to.positions}));
           expect_kept(scene, to.positions, 0.1, separation);
           EXPECT_LT(to.positions[7][2], scene.start[7][2]) << "the other one";
-          for (const std::size_t v : {0, 1, 2, 4, 5, 6})
-            EXPECT_EQ(to.positions[v], scene.start[v]) << "which stands still";
+          for (std::size_t v = 0; v < 7; ++v)
+            EXPECT_TRUE(v == 3 || to.positions[v] == scene.start[v]) << v << " stands still";
           moved += to.positions[3] != scene.start[3];
         }
   EXPECT_GT(moved, 50);

@@ -84,6 +84,7 @@ double keeps_distance_until(PairKind kind, const PairPoints& points, const Dista
   if (by_speed == 0 && rule.ignores_start && starts_within(kind, points, rule.min_separation))  // or it underflows
     return keeps_without_clearance_until(kind, points, rule, decided_by);
   if (by_speed == 0 || by_speed >= until) return std::min(by_speed, 1.0);
+  if (points.start == points.end) return 1;  // of nearly all of its distance rounding alone takes more than it may lose
   m.separation = kept(start.high, m, rule.fraction, 1);
   return apart_until(kind, m, by_speed, until);
 }

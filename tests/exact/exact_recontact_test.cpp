@@ -1,5 +1,5 @@
 // Exact algebra on pairs that touch at the start and count once they have come apart: against the oracle, which looks
-// at single times and asks for touching during parts of the step, and by hand. TAMIS_ONCE_APART_CASES sets the number
+// at single times and asks for touching during parts of the step, and by hand. TAMIS_RECONTACT_CASES sets the number
 // of random cases of each family.
 #include <gtest/gtest.h>
 
@@ -71,7 +71,7 @@ Course course_of(PairKind kind, const Motion& m, double separation) {
 // for the end of a span within it.
 TEST(ExactRecontact, AgreesWithTheOracle) {
   Random random(31);
-  const long cases = repetitions("TAMIS_ONCE_APART_CASES", 6);
+  const long cases = repetitions("TAMIS_RECONTACT_CASES", 6);
   std::array<long, 3> courses{};
   for (const Family& family : kFamilies)
     for (const PairKind kind : kAllKinds)

@@ -6,7 +6,7 @@ geometric mean. Answers are compared, too: cells whose answers contradict each o
     bench/matrix/compare.py OLD/bin/tamis_matrix NEW/bin/tamis_matrix --cells 'kick*/x3/*' --isa avx2 --repeat 7
     bench/matrix/compare.py OLD/bin/tamis_matrix NEW/bin/tamis_matrix --sweep 0.8 --limit 60
 
-Parts (bench/matrix/cells.hpp): night, every cell below a limit of work; daily, one of each scene and scale, so that
+Parts (bench/matrix/cells.hpp): night, every cell below a limit of work; daily, two of each scene and scale, so that
 every question, state and separation comes in turn, with every instruction set; quick, those of the daily ones that
 take little. What the night leaves out is counted at the start.
 

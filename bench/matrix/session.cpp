@@ -102,7 +102,7 @@ void add_found(const Found& found, Outcome& outcome) {
   }
 }
 
-/// Of whatever positions are asked about: types that old versions lack.
+/// Of the questions about positions, whose types old versions lack.
 template <class Answer>
 void add_answer(const Answer& answer, Outcome& outcome) {
   if constexpr (requires { answer.positions; }) {

@@ -27,7 +27,7 @@ constexpr int kRoundsOnOwnSides = 8;
 /// The part of its distance that a pair which starts within its separation keeps.
 constexpr double kAllButAMillionth = 1 - 0x1p-20;
 /// In a part of a loop that threads share; a pair takes a microsecond or two.
-constexpr std::size_t kPairsWorthSharing = 64;
+constexpr std::size_t kPairsPerPart = 64;
 
 double displacement_length(const Step& step, Index v) {
   const double *from = step.start[v], *to = step.end[v];
@@ -133,7 +133,7 @@ std::vector<StepLimit> Truncation::broken_pairs() {
   engine_.find_step_ends(to_result, fractions_.keep, pairs, statistics_);
   changed_.assign(result_.parts.size(), 0);
   std::atomic<bool> some_start_within = false;
-  in_parts(pairs.size(), kPairsWorthSharing, [&](std::size_t begin, std::size_t end) {
+  in_parts(pairs.size(), kPairsPerPart, [&](std::size_t begin, std::size_t end) {
     for (; begin != end; ++begin)
       if (!is_broken(pairs[begin], some_start_within)) pairs[begin].time = 1;
   });
@@ -154,16 +154,15 @@ void Truncation::stop_at_planes(const StepLimit& pair, const std::vector<double>
   changed_[at(pair.vertices[0])] = 1;  // whatever became of it, it is asked again
 }
 
-/// A pair that stands still keeps its distance, though rounding may leave that unproven where nearly all is to be kept.
 bool Truncation::is_broken(const StepLimit& pair, std::atomic<bool>& some_start_within) const {
   TAMIS_ASSERT(0 <= pair.time && pair.time < 1);
   const PairPoints points = points_of(step_to_result(), pair.vertices);
-  const bool moves = points.start != points.end;
-  if (query_.ignores_start || pair.time > 0 || !starts_within(pair.kind, points, separation_of(pair))) return moves;
+  if (query_.ignores_start || pair.time > 0 || !starts_within(pair.kind, points, separation_of(pair))) return true;
   some_start_within = true;
+  if (points.start == points.end) return false;
   PrecisionCount decided_by;
   const DistanceRule comes_no_nearer{kAllButAMillionth, 0};
-  return moves && keeps_distance_until(pair.kind, points, comes_no_nearer, 1, decided_by) < 1;
+  return keeps_distance_until(pair.kind, points, comes_no_nearer, 1, decided_by) < 1;
 }
 
 bool Truncation::goes_on_alone(const StepLimit& pair) const {

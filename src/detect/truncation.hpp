@@ -32,11 +32,11 @@ class Truncation {
   /// Lets the vertex go no farther than to `time`.
   void stop(Index vertex, double time);
   /// The pairs that break their fraction on the step to result_: their vertices must stop earlier. Pairs that were
-  /// asked about before and have not changed since are not asked again. Clears result_.is_free if a pair touches at the
-  /// start.
+  /// asked about before and have not changed since are not asked again. Clears result_.is_free if a pair starts within
+  /// its separation.
   std::vector<StepLimit> broken_pairs();
-  /// Sets `some_start_within` if the pair starts within its separation. Several threads may ask. REQUIRES: a time in
-  /// [0,1). REQUIRES (not checked: history): a pair of the engine's answer.
+  /// Must a vertex of the pair stop earlier? Sets `some_start_within` if it starts within its separation. Several
+  /// threads may ask. REQUIRES: a time in [0,1). REQUIRES (not checked: history): a pair of the engine's answer.
   bool is_broken(const StepLimit& pair, std::atomic<bool>& some_start_within) const;
   /// Does a vertex of the pair go on after the common time?
   bool goes_on_alone(const StepLimit& pair) const;

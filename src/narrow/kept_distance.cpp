@@ -81,10 +81,13 @@ double keeps_distance_until(PairKind kind, const PairPoints& points, const Dista
   const double by_speed = is_sharp ? portion * (clearance / start.speed) * (1 - 4 * kRoundoff)
                                    : portion * apart_from_start(kind, points, rule.min_separation);
   until = std::min(until, 1.0);
-  if (by_speed == 0 && rule.ignores_start && starts_within(kind, points, rule.min_separation))  // or it underflows
+  // What stands still loses nothing, though rounding takes more than the part of its distance that it may lose.
+  const bool stands_still = by_speed < until && points.start == points.end;
+  if (by_speed == 0 && (rule.ignores_start || stands_still) &&
+      starts_within(kind, points, rule.min_separation))  // or it underflows
     return keeps_without_clearance_until(kind, points, rule, decided_by);
+  if (stands_still) return 1;
   if (by_speed == 0 || by_speed >= until) return std::min(by_speed, 1.0);
-  if (points.start == points.end) return 1;  // of nearly all of its distance rounding alone takes more than it may lose
   m.separation = kept(start.high, m, rule.fraction, 1);
   return apart_until(kind, m, by_speed, until);
 }

@@ -32,7 +32,7 @@ tamis_contact contact_of(const AnyContact& c) {
 
 template <class AnyNearPair>
 tamis_near_pair near_pair_of(const AnyNearPair& n) {
-  tamis_near_pair pair{static_cast<int32_t>(n.kind), n.corners, {}, n.distance, n.u, n.v, {}, {}};
+  tamis_near_pair pair{static_cast<int32_t>(n.kind), {}, n.distance, n.u, n.v, {}, {}};
   std::copy(n.vertices.begin(), n.vertices.end(), pair.vertices);
   std::copy(n.direction.begin(), n.direction.end(), pair.direction);
   write_bodies(n, pair.bodies);

@@ -7,8 +7,8 @@
 #include "c/answers.hpp"
 #include "c/failure.hpp"
 #include "c/sized.hpp"
+#include "tamis/busy_guard.hpp"
 #include "tamis/options.hpp"
-#include "tamis/turn.hpp"
 
 namespace tamis::c {
 
@@ -29,7 +29,7 @@ template <class Handle, class Work>
 tamis_status with(Handle* handle, const Work& work) noexcept {
   if (!handle) return TAMIS_INVALID_ARGUMENT;
   try {
-    const Turn turn(handle->is_asked);
+    const BusyGuard guard(handle->is_asked);
     if (!handle->asked) return handle->outcome.status();  // it still says why it was not made
     return attempt(handle->outcome, [&] { work(*handle); });
   } catch (const Busy&) {

@@ -17,13 +17,13 @@ tamis::Stored known_stored(int32_t stored) {
 }  // namespace
 
 tamis_status tamis_detector_truncate(tamis_detector* detector, const tamis_step* step, double keep, int32_t stored,
-                                     double* positions, double* parts, int* is_free) {
+                                     double* positions, double* fractions, int* is_free) {
   return ask(detector, step, [&](tamis_detector& handle, const tamis::Step& s, const tamis::QueryOptions& q) {
     double& first = required(positions, "positions");
     int& free = required(is_free, "is_free");
     const tamis::TruncatedStep reached = handle.asked->truncate(s, keep, q, known_stored(stored));
     copy_points(reached.positions, &first);
-    if (parts) std::copy(reached.parts.begin(), reached.parts.end(), parts);
+    if (fractions) std::copy(reached.fractions.begin(), reached.fractions.end(), fractions);
     free = reached.is_free ? 1 : 0;
   });
 }

@@ -106,9 +106,9 @@ struct TruncatedStep {
   /// that starts within those keeps all of its distance but a millionth, or none of its vertices moves; one that is
   /// ignored for it (AtStart) does not come back to them once it has left them.
   std::vector<Point> positions;
-  /// One a vertex: the part of its way that it goes, in [0, 1], 1 for vertices that take no part in contacts. What
-  /// start + part (end - start) is rounded to need not be `positions`.
-  std::vector<double> parts;
+  /// One a vertex: how much of its way it goes, in [0, 1], 1 for vertices that take no part in contacts. What
+  /// start + fraction (end - start) is rounded to need not be `positions`.
+  std::vector<double> fractions;
   /// The whole way is free of contacts. False: some pair touches (is within the minimum separation) at the start, and
   /// is not ignored for it.
   bool is_free = true;

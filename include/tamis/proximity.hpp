@@ -1,7 +1,6 @@
 // What is said of a mesh at rest: which features are near each other, and which pass through each other.
 #pragma once
 #include <array>
-#include <cstdint>
 
 #include "tamis/contact.hpp"
 
@@ -10,16 +9,14 @@ namespace tamis {
 /// A pair of features that are near each other.
 struct NearPair {
   PairKind kind;
-  /// Bit i is set if vertices[i] has a share in the closest points: which corners, borders or insides they lie on. vf:
-  /// bit 0, and of bits 1 to 3 one for a corner of the face, two for a border, three for its inside. ee: of bits 0, 1
-  /// and of bits 2, 3 one for an end, two for the inside of the edge. ve and vv likewise.
-  std::uint8_t corners;
   std::array<Index, 4> vertices;  ///< as in Contact
   /// Between the closed features, in the unit of the positions; off by at most 2^-41 of the largest |component| of the
   /// differences between the pair's vertices, and below the smallest normal double by half the smallest double
   /// (2^-1075) more, as doubles lie no closer there: proven.
   double distance;
-  /// Weights of two closest points, as in Contact. Of parallel edges one such pair of points.
+  /// Weights of two closest points, as in Contact. Of parallel edges one such pair of points. weights_of is 0 for just
+  /// the vertices that have no share in these points: so of a face it leaves one vertex for a corner, two for a border,
+  /// three for the inside.
   double u, v;
   /// Unit vector from the second feature's closest point to the first's. Where they touch: along the normal if that is
   /// inside a face or two edges, else zero.

@@ -1,5 +1,6 @@
 // Tamis: every contact between moving, deforming triangle meshes.
 #pragma once
+#include "tamis/busy_guard.hpp"
 #include "tamis/components.hpp"
 #include "tamis/contact.hpp"
 #include "tamis/detector.hpp"
@@ -16,5 +17,4 @@
 #include "tamis/statistics.hpp"
 #include "tamis/step.hpp"
 #include "tamis/stored.hpp"
-#include "tamis/turn.hpp"
 #include "tamis/world.hpp"

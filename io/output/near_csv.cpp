@@ -5,10 +5,10 @@
 namespace tamis::io {
 
 void write_near_csv(const std::filesystem::path& path, std::span<const NearPair> pairs) {
-  CsvTable table(path, "kind,v0,v1,v2,v3,distance,u,v,dx,dy,dz,corners");
+  CsvTable table(path, "kind,v0,v1,v2,v3,distance,u,v,dx,dy,dz");
   for (const NearPair& p : pairs)
-    table.row("{},{},{},{},{},{},{},{},{},{},{},{}\n", name_of(p.kind), p.vertices[0], p.vertices[1], p.vertices[2],
-              p.vertices[3], p.distance, p.u, p.v, p.direction[0], p.direction[1], p.direction[2], p.corners);
+    table.row("{},{},{},{},{},{},{},{},{},{},{}\n", name_of(p.kind), p.vertices[0], p.vertices[1], p.vertices[2],
+              p.vertices[3], p.distance, p.u, p.v, p.direction[0], p.direction[1], p.direction[2]);
   table.commit();
 }
 

@@ -7,7 +7,7 @@
 
 namespace tamis::io {
 
-/// Columns kind,v0,v1,v2,v3,distance,u,v,dx,dy,dz,corners, where d is the direction; kind is vf, ee, ve or vv, vertices
+/// Columns kind,v0,v1,v2,v3,distance,u,v,dx,dy,dz, where d is the direction; kind is vf, ee, ve or vv, vertices
 /// that a kind does not use are -1. Rows in the order of `pairs`; numbers read back to the same doubles. Atomically.
 /// Throws FileError.
 void write_near_csv(const std::filesystem::path& path, std::span<const NearPair> pairs);

@@ -5,9 +5,9 @@
 #include "mpi/src/first_of_all.hpp"
 #include "mpi/src/same_on_all.hpp"
 #include "mpi/src/searches.hpp"
+#include "tamis/busy_guard.hpp"
 #include "tamis/distributed.hpp"
 #include "tamis/error.hpp"
-#include "tamis/turn.hpp"
 
 namespace tamis::distributed {
 namespace {
@@ -97,14 +97,14 @@ Detector::Detector(Detector&&) noexcept = default;
 Detector& Detector::operator=(Detector&&) noexcept = default;
 
 const std::vector<Contact>& Detector::contacts(const Step& step, const QueryOptions& options) {
-  const Turn turn(state_->is_asked);
+  const BusyGuard guard(state_->is_asked);
   state_->ask("contacts", step, options, [&] { state_->find_contacts(); });
   agreed_or_ended(state_->searches.communicator().raw(), [&] { state_->searches.watch_balance(); });
   return state_->contacts;
 }
 
 std::vector<Contact> Detector::gather_contacts(int root) {
-  const Turn turn(state_->is_asked);
+  const BusyGuard guard(state_->is_asked);
   Communicator& communicator = state_->searches.communicator();
   return agreed_or_ended(communicator.raw(), [&] {
     require_same(communicator, {"gather contacts on rank " + std::to_string(root)});
@@ -116,21 +116,21 @@ std::vector<Contact> Detector::gather_contacts(int root) {
 }
 
 EarliestContact Detector::earliest(const Step& step, const QueryOptions& options) {
-  const Turn turn(state_->is_asked);
+  const BusyGuard guard(state_->is_asked);
   EarliestContact first;
   state_->ask("earliest", step, options, [&] { first = state_->find_earliest(); });
   return first;
 }
 
 bool Detector::is_free(const Step& step, const QueryOptions& options) {
-  const Turn turn(state_->is_asked);
+  const BusyGuard guard(state_->is_asked);
   bool is_free = false;
   state_->ask("is_free", step, options, [&] { is_free = state_->find_whether_free(); });
   return is_free;
 }
 
 SafeStep Detector::safe_step(const Step& step, double keep, const QueryOptions& options) {
-  const Turn turn(state_->is_asked);
+  const BusyGuard guard(state_->is_asked);
   SafeStep safe;
   state_->ask("safe_step " + exact(keep), step, options, [&] { safe = state_->find_safe_step(keep); });
   return safe;

@@ -4,7 +4,7 @@
 
 #include "python/src/options.hpp"
 #include "python/src/signals.hpp"
-#include "tamis/turn.hpp"
+#include "tamis/busy_guard.hpp"
 
 namespace tamis::python {
 
@@ -33,7 +33,7 @@ class Asker {
 
   template <class Work>
   void ask(const Work& work) {
-    const Turn turn(is_asked_);
+    const BusyGuard guard(is_asked_);
     signals_.during(work);
   }
   /// The same; returns the answer.
@@ -44,7 +44,7 @@ class Asker {
     return found;
   }
   /// For what is read between questions.
-  Turn turn() { return Turn(is_asked_); }
+  BusyGuard guard() { return BusyGuard(is_asked_); }
 
   /// What Python's garbage collector must know: a callable may refer back to its detector.
   int traverse(visitproc visit, void* arg) const {

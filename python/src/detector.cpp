@@ -50,7 +50,7 @@ class Questions {
   nb::tuple truncate(const QueryOptions& q, double keep, const Rows& start, const Rows& end, bool as_float32) {
     const Stored stored = as_float32 ? Stored::float32 : Stored::float64;
     TruncatedStep step = asker_.answer([&] { return detector_.truncate(step_of(start, end), keep, q, stored); });
-    return nb::make_tuple(own<double>(std::move(step.positions)), own<double>(std::move(step.parts)), step.is_free);
+    return nb::make_tuple(own<double>(std::move(step.positions)), own<double>(std::move(step.fractions)), step.is_free);
   }
 
   nb::object pairs_within(const Rows& at, double distance) {
@@ -64,7 +64,7 @@ class Questions {
   }
 
   nb::dict statistics() {
-    const Turn turn = asker_.turn();
+    const BusyGuard guard = asker_.guard();
     return as_dict(detector_.statistics());
   }
 

@@ -28,7 +28,6 @@ template <class Record>
 Layout<Record> near_layout() {
   return Layout<Record>()
       .field("kind", &NearPair::kind)
-      .field("corners", &NearPair::corners)
       .field("vertices", &NearPair::vertices)
       .field("distance", &NearPair::distance)
       .field("u", &NearPair::u)

@@ -79,13 +79,13 @@ class TruncatedStep(NamedTuple):
         Where to go. On the straight way there from the start of the step, to these very doubles, every pair keeps the
         fraction of its distance: proven. A pair that starts within the minimum separation keeps all of its distance but
         a millionth, or none of its vertices moves.
-    parts : array, shape (n,)
-        The part of its way that each vertex goes, in [0, 1]; 1 for vertices that take no part in contacts. What
-        ``start + part * (end - start)`` is rounded to need not be `positions`.
+    fractions : array, shape (n,)
+        How much of its way each vertex goes, in [0, 1]; 1 for vertices that take no part in contacts. What
+        ``start + fraction * (end - start)`` is rounded to need not be `positions`.
     is_free : bool
         The whole way is free of contacts. False: some pair touches, or is within the minimum separation, at the start.
     """
 
     positions: Doubles
-    parts: Doubles
+    fractions: Doubles
     is_free: bool

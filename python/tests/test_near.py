@@ -15,7 +15,7 @@ def test_near_pairs_of_the_example(falling: tamis.Scene) -> None:
     near = tamis.Detector(falling.mesh).pairs_within(falling.start, 1.0)
     first = near.distance.argmin()
     assert near.vertices[first].tolist() == [3, 0, 1, 2] and near.distance[first] == 1
-    assert near.kind[first] == tamis.PairKind.VERTEX_FACE and near.corners[first] == 0b1111
+    assert near.kind[first] == tamis.PairKind.VERTEX_FACE and (near.weights[first] != 0).all()
     assert near.u[first] == pytest.approx(0.25) and near.direction[first].tolist() == [0, 0, 1]
     assert near.distance.max() <= 1
     assert repr(near) == f"NearPairs({len(near)} pairs, nearest 1)"

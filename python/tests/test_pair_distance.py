@@ -42,7 +42,7 @@ def test_distances_are_those_of_near_pairs(soup: tamis.Scene) -> None:
     assert len(near) > 100
     assert tamis.distance_of(near.kind, near.vertices, soup.start) == near
     one = tamis.distance_of(VF, [0, 1, 2, 3], START)
-    assert one.distance.tolist() == [1] and one.corners.tolist() == [15]
+    assert one.distance.tolist() == [1] and (one.weights != 0).all()
     apart = tamis.distance_of(tamis.PairKind.VERTEX_VERTEX, [[0, 1, -1, -1], [2, 3, -1, -1]], START)
     assert apart.distance == pytest.approx([np.sqrt(1.08), np.sqrt(2)])
     assert len(tamis.distance_of(VF, np.empty((0, 4), int), START)) == 0

@@ -12,9 +12,9 @@ def test_a_far_vertex_is_not_stopped_by_a_near_pair(falling: tamis.Scene) -> Non
     end = falling.end.copy()
     end[2, 1] = 1.25  # sideways: it meets nothing
     step = tamis.Detector(falling.mesh).truncate(falling.start, end)
-    assert step.parts.shape == (6,) and (step.parts >= 0).all() and (step.parts <= 1).all()
-    assert step.parts[2] > step.parts[3]
-    assert np.allclose(step.positions, falling.start + step.parts[:, np.newaxis] * (end - falling.start), atol=1e-15)
+    assert step.fractions.shape == (6,) and (step.fractions >= 0).all() and (step.fractions <= 1).all()
+    assert step.fractions[2] > step.fractions[3]
+    assert np.allclose(step.positions, falling.start + step.fractions[:, np.newaxis] * (end - falling.start), atol=1e-15)
 
 
 @pytest.mark.parametrize("keep", [0.1, 0.5])
@@ -22,7 +22,7 @@ def test_every_pair_keeps_its_fraction(keep: float) -> None:
     scene = tamis.scene("folded-cloth", 400, seed=2)
     detector = tamis.Detector(scene.mesh)
     step = detector.truncate(scene.start, scene.end, keep)
-    assert step.is_free and step.parts.min() < 1
+    assert step.is_free and step.fractions.min() < 1
     before = detector.pairs_within(scene.start, 0.05)
     assert tamis.Detector(scene.mesh).safe_step(scene.start, step.positions, keep).lower == 1
     after = tamis.distance_of(before.kind, before.vertices, step.positions)
@@ -47,7 +47,7 @@ def test_floats_are_proven_as_they_are_stored() -> None:
     detector = tamis.Detector(scene.mesh)
     step = detector.truncate(start, scene.end, stored="float32")
     kept = step.positions.astype(np.float32)
-    assert np.array_equal(kept, step.positions) and 0 < step.parts.min() < 1
+    assert np.array_equal(kept, step.positions) and 0 < step.fractions.min() < 1
     assert detector.is_free(start, kept)
     assert not np.array_equal(detector.truncate(start, scene.end).positions.astype(np.float32), step.positions)
 
@@ -67,17 +67,17 @@ def test_what_touches_at_the_start_stays_and_the_rest_moves(falling: tamis.Scene
     start[3, 2] = 0
     step = tamis.Detector(falling.mesh).truncate(start, falling.end)
     assert not step.is_free
-    assert np.array_equal(step.positions[3], start[3]) and step.parts[3] == 0
-    assert step.parts[5] > 0
+    assert np.array_equal(step.positions[3], start[3]) and step.fractions[3] == 0
+    assert step.fractions[5] > 0
 
 
 def test_answers_own_their_memory(falling: tamis.Scene) -> None:
     detector = tamis.Detector(falling.mesh)
     step = detector.truncate(falling.start, falling.end)
-    before = step.parts.copy(), step.positions.copy()
+    before = step.fractions.copy(), step.positions.copy()
     detector.truncate(falling.start, falling.start)
     del detector
-    assert np.array_equal(step.parts, before[0]) and np.array_equal(step.positions, before[1])
+    assert np.array_equal(step.fractions, before[0]) and np.array_equal(step.positions, before[1])
 
 
 @pytest.mark.parametrize("keep", [0.0, 1.0, -0.5, float("nan")])

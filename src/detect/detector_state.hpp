@@ -9,8 +9,8 @@
 #include "paths/path_search.hpp"
 #include "query/engine.hpp"
 #include "query/stopwatch.hpp"
+#include "tamis/busy_guard.hpp"
 #include "tamis/detector.hpp"
-#include "tamis/turn.hpp"
 
 namespace tamis {
 
@@ -110,12 +110,12 @@ void Detector::State::measure_more(const Work& work) {
 class Detector::LockedState {
  public:
   /// Throws Busy, and Error of a detector that has been moved from.
-  explicit LockedState(const Detector& detector) : state_(detector.state()), turn_(state_.is_asked) {}
+  explicit LockedState(const Detector& detector) : state_(detector.state()), guard_(state_.is_asked) {}
   State* operator->() const { return &state_; }
 
  private:
   State& state_;
-  const Turn turn_;
+  const BusyGuard guard_;
 };
 
 }  // namespace tamis

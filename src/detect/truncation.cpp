@@ -60,7 +60,7 @@ TruncatedStep Truncation::run(double common_time) {
       begin_on_own_sides();
       continue;
     }
-    const std::vector<double> asked = result_.parts;
+    const std::vector<double> asked = result_.fractions;
     for (const StepLimit& pair : broken) stop_at_planes(pair, asked);
     if (on_own_sides_ && rounds_ > kRoundsOnOwnSides)
       for (const Index v : mesh_.points()) stop(v, 0);
@@ -87,11 +87,11 @@ void Truncation::begin_on_own_sides() {
   // A pair keeps its fraction of its clearance unless its vertices move the rest of that.
   const double clearance_per_displacement = 1 / (1 - fractions_.between_planes(0));
   std::vector<double> radii = neighbourhood_maximum(mesh_, query_.separations.radii);
-  radii.resize(result_.parts.size(), 0);
+  radii.resize(result_.fractions.size(), 0);
   for (const Index index : mesh_.points()) {
     const auto v = at(index);
     // 0 times infinity is not a number
-    const double displacement = result_.parts[v] > 0 ? result_.parts[v] * displacement_length(step_, index) : 0;
+    const double displacement = result_.fractions[v] > 0 ? result_.fractions[v] * displacement_length(step_, index) : 0;
     radii[v] += std::min(clearance_per_displacement * displacement, 0x1p1020);
   }
   std::vector<NearPair> near;
@@ -109,7 +109,7 @@ void Truncation::begin_on_own_sides() {
 /// A coordinate that the step leaves as it is stays.
 void Truncation::place(Index vertex) {
   const auto v = at(vertex);
-  const double t = result_.parts[v];
+  const double t = result_.fractions[v];
   const double *start = step_.start[vertex], *end = step_.end[vertex];
   for (std::size_t k = 0; k < 3; ++k)
     result_.positions[v][k] = t == 1                         ? end[k]
@@ -118,9 +118,9 @@ void Truncation::place(Index vertex) {
 }
 
 void Truncation::stop(Index vertex, double time) {
-  double& part = result_.parts[at(vertex)];
-  if (!(time < part)) return;
-  part = time;
+  double& fraction = result_.fractions[at(vertex)];
+  if (!(time < fraction)) return;
+  fraction = time;
   if (!changed_.empty()) changed_[at(vertex)] = 1;
   place(vertex);
 }
@@ -131,7 +131,7 @@ std::vector<StepLimit> Truncation::broken_pairs() {
   to_result.changed = changed_;
   std::vector<StepLimit> pairs;
   engine_.find_step_ends(to_result, fractions_.keep, pairs, statistics_);
-  changed_.assign(result_.parts.size(), 0);
+  changed_.assign(result_.fractions.size(), 0);
   std::atomic<bool> some_start_within = false;
   in_parts(pairs.size(), kPairsPerPart, [&](std::size_t begin, std::size_t end) {
     for (; begin != end; ++begin)
@@ -167,7 +167,7 @@ bool Truncation::is_broken(const StepLimit& pair, std::atomic<bool>& some_start_
 
 bool Truncation::goes_on_alone(const StepLimit& pair) const {
   const auto* v = pair.vertices.data();
-  return std::any_of(v, v + vertex_count(pair.kind), [&](Index i) { return result_.parts[at(i)] > common_time_; });
+  return std::any_of(v, v + vertex_count(pair.kind), [&](Index i) { return result_.fractions[at(i)] > common_time_; });
 }
 
 }  // namespace tamis

@@ -2,8 +2,6 @@
 // above, the axis along their gap from below. And the direction from one to the other, where doubles tell it; integers
 // tell the rest. Error bounds: kGap, kAxisNow. Cost: about 200 operations.
 #pragma once
-#include <array>
-
 #include "distance/closest.hpp"
 #include "motion/difference_corners.hpp"
 #include "motion/pair_motion.hpp"
@@ -34,31 +32,13 @@ inline RestDistance<T> rest_distance(const Vec3<T>& e, const Vec3<T>& f, const V
           sqrt(dot(closest.gap, closest.gap)), error_bounds::bound<T>(error_bounds::kRestDistance, size), direction};
 }
 
-/// What NearPair says of closest points.
-template <class T>
-struct NearFacts {
-  std::array<Mask<T>, 4> corners;  ///< as the bits of NearPair::corners
-  Vec3<T> direction;               ///< as in NearPair
-};
-
-/// `u`, `v` as in ClosestPointsOf; `unit`: along its gap, zero or NaN where nothing tells the direction.
+/// NearPair::direction. `unit`: along the gap of ClosestPointsOf, zero or NaN where nothing tells the direction.
 template <PairKind kind, class T>
-inline NearFacts<T> near_facts(const T& u, const T& v, const Vec3<T>& unit) {
-  const T zero(0), one(1);
-  const Mask<T> all(true), none(false);
-  // Edges have the gap from the first to the second. No component is -0.
-  const T sign(kind == PairKind::edge_edge ? -1 : 1);
+inline Vec3<T> near_direction(const Vec3<T>& unit) {
+  const T zero(0), sign(kind == PairKind::edge_edge ? -1 : 1);  // edges have the gap from the first to the second
   const auto is_known = unit.x == unit.x;  // NOLINT(misc-redundant-expression): NaN where it is not
-  const auto component = [&](const T& x) { return select(is_known, sign * x, zero) + zero; };
-  const Vec3<T> direction{component(unit.x), component(unit.y), component(unit.z)};
-  if constexpr (kind == PairKind::vertex_face)
-    return {{all, u + v<one, u> zero, v > zero}, direction};
-  else if constexpr (kind == PairKind::edge_edge)
-    return {{u<one, u> zero, v<one, v> zero}, direction};
-  else if constexpr (kind == PairKind::vertex_edge)
-    return {{all, u<one, u> zero, none}, direction};
-  else if constexpr (kind == PairKind::vertex_vertex)
-    return {{all, all, none, none}, direction};
+  const auto component = [&](const T& x) { return select(is_known, sign * x, zero) + zero; };  // none is -0
+  return {component(unit.x), component(unit.y), component(unit.z)};
 }
 
 /// Of a pair at one time of its step.
@@ -80,7 +60,7 @@ inline DirectionApart<T> direction_apart(const PairMotion<T>& m, const T& time) 
       rest_distance<kind>(at_time(m.e, time), at_time(m.f, time), at_time(m.d, time), m.size_d + m.size_e + m.size_f);
   const auto& [u, v, gap] = rest.closest;
   const Mask<T> is_sure = (rest.low > T(0)) & (rest.low >= error_bounds::constant<T>(kSharp) * rest.distance);
-  return {u, v, near_facts<kind>(u, v, unit_vector(rest.direction)).direction, is_sure};
+  return {u, v, near_direction<kind>(unit_vector(rest.direction)), is_sure};
 }
 
 }  // namespace tamis

@@ -52,22 +52,15 @@ void measure(const PackedVertex* vertices, const PairBuffer& in, NearPair* out) 
   for (int first = 0; first < in.count; first += kDoubleLanes) {
     const auto [rest, no_separation, scale] = load_pose<kind>(vertices, in, first, {});
     const auto& [u, v, gap] = rest.closest;
-    const auto [corners, direction] = near_facts<kind>(u, v, unit_vector(rest.direction));
+    const Vec3<DoubleLanes> direction = near_direction<kind>(unit_vector(rest.direction));
     const DoubleLanes distance = Masked<DoubleLanes>::nan_where(!rest.is_sharp(), rest.distance / scale);
     const DoubleLanes fields[] = {distance, u, v, direction.x, direction.y, direction.z};
     double f[6][kDoubleLanes];
     for (int k = 0; k < 6; ++k) fields[k].store_unaligned(f[k]);
-    const unsigned masks[] = {bits(corners[0]), bits(corners[1]), bits(corners[2]), bits(corners[3])};
     for_each_bit(lanes_in_use(in, first), [&](int i) {
       const auto corner = [&](std::size_t c) { return c < vertex_count(kind) ? in.corner[c][first + i] : -1; };
-      const auto share = [&](int c) { return (masks[c] >> i & 1) << c; };
-      out[first + i] = {kind,
-                        static_cast<std::uint8_t>(share(0) | share(1) | share(2) | share(3)),
-                        {corner(0), corner(1), corner(2), corner(3)},
-                        f[0][i],
-                        f[1][i],
-                        f[2][i],
-                        {f[3][i], f[4][i], f[5][i]}};
+      out[first + i] = {
+          kind, {corner(0), corner(1), corner(2), corner(3)}, f[0][i], f[1][i], f[2][i], {f[3][i], f[4][i], f[5][i]}};
     });
   }
 }

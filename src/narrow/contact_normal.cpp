@@ -58,8 +58,7 @@ ContactPlace closest_place(PairKind kind, const PairPoints& points, const PairMo
 ContactPlace exact_closest_place(PairKind kind, const PairPoints& points, double time) {
   TAMIS_ASSERT(0 <= time && time <= 1);
   const ExactDistance exact = exact_distance(kind, points, time);
-  const Vec direction =
-      with_kind(kind, [&](auto k) { return near_facts<k()>(exact.u, exact.v, exact.direction).direction; });
+  const Vec direction = with_kind(kind, [&](auto k) { return near_direction<k()>(exact.direction); });
   const bool is_known = largest_component(direction) > 0;
   return {exact.u, exact.v, is_known ? unit_point(direction) : any_normal(kind, points, time)};
 }

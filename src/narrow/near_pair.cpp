@@ -13,14 +13,12 @@ RestDistance<double> distance_at_start(const PairMotion<double>& m) {
   return rest_distance<kind>(m.e.at0, m.f.at0, m.d.at0, m.size_d + m.size_e + m.size_f);
 }
 
-/// Of known distance; `unit` as for near_facts.
+/// Of known distance; `unit` as for near_direction.
 template <PairKind kind>
 NearPair described(const std::array<Index, 4>& vertices, double distance, double u, double v,
                    const Vec3<double>& unit) {
-  const auto [corners, direction] = near_facts<kind>(u, v, unit);
-  NearPair pair{kind, 0, vertices, distance, u, v, {direction.x, direction.y, direction.z}};
-  for (std::size_t i = 0; i < 4; ++i) pair.corners |= static_cast<std::uint8_t>(corners[i] << i);
-  return pair;
+  const Vec3<double> direction = near_direction<kind>(unit);
+  return {kind, vertices, distance, u, v, {direction.x, direction.y, direction.z}};
 }
 
 }  // namespace

@@ -30,7 +30,7 @@ World::State& World::state() const {
 
 BodyId World::add(const Shape& shape, BodyMotion motion) {
   State& now = state();
-  const Turn turn(now.is_asked);
+  const BusyGuard guard(now.is_asked);
   if (now.bodies.size() >= at(std::numeric_limits<BodyId>::max()))
     throw InvalidOptions("the world has had 2^31 - 1 bodies, and numbers are not given twice: make another world");
   const auto id = static_cast<BodyId>(now.bodies.size());
@@ -41,19 +41,19 @@ BodyId World::add(const Shape& shape, BodyMotion motion) {
 
 void World::move(BodyId body, BodyMotion motion) {
   State& now = state();
-  const Turn turn(now.is_asked);
+  const BusyGuard guard(now.is_asked);
   now.move(body, std::move(motion));
 }
 
 const BodyMotion& World::motion(BodyId body) const {
   State& now = state();
-  const Turn turn(now.is_asked);
+  const BusyGuard guard(now.is_asked);
   return now.body(body).motion();
 }
 
 BodyPoints World::points_at(BodyId body, double time) const {
   State& now = state();
-  const Turn turn(now.is_asked);
+  const BusyGuard guard(now.is_asked);
   const Body& asked = now.body(body);
   if (!(time >= 0 && time <= 1)) throw InvalidOptions("the time is " + number_text(time) + ": give a number in [0, 1]");
   return asked.points_at(time);
@@ -61,7 +61,7 @@ BodyPoints World::points_at(BodyId body, double time) const {
 
 void World::remove(BodyId body) {
   State& now = state();
-  const Turn turn(now.is_asked);
+  const BusyGuard guard(now.is_asked);
   now.forget_gathered(now.body(body));
   now.bodies[at(body)] = nullptr;
   std::erase_if(now.excluded_pairs, [&](const BodyPair& pair) { return pair[0] == body || pair[1] == body; });
@@ -69,7 +69,7 @@ void World::remove(BodyId body) {
 
 void World::set_enabled(BodyId body, bool is_enabled) {
   State& now = state();
-  const Turn turn(now.is_asked);
+  const BusyGuard guard(now.is_asked);
   Body& switched = now.body(body);
   if (switched.is_enabled == is_enabled) return;
   switched.is_enabled = is_enabled;
@@ -81,7 +81,7 @@ void World::set_enabled(BodyId body, bool is_enabled) {
 
 void World::set_radius(BodyId body, double radius) {
   State& now = state();
-  const Turn turn(now.is_asked);
+  const BusyGuard guard(now.is_asked);
   Body& thick = now.body(body);
   validate_distance(radius, "the radius of body " + std::to_string(body));
   if (thick.radius() == radius) return;
@@ -91,7 +91,7 @@ void World::set_radius(BodyId body, double radius) {
 
 void World::set_may_touch(BodyId a, BodyId b, bool may_touch) {
   State& now = state();
-  const Turn turn(now.is_asked);
+  const BusyGuard guard(now.is_asked);
   Body& first = now.body(a);
   const Body& second = now.body(b);
   if (a == b) {

@@ -10,8 +10,8 @@
 #include "detect/detector_access.hpp"
 #include "detect/validate.hpp"
 #include "query/stopwatch.hpp"
+#include "tamis/busy_guard.hpp"
 #include "tamis/error.hpp"
-#include "tamis/turn.hpp"
 #include "world/gathering.hpp"
 
 namespace tamis {
@@ -39,7 +39,7 @@ struct World::State {
   /// Calls `ask`, a function of the state, with these arguments, as one question with its turn and statistics.
   template <class Ask, class... Of>
   auto answer(const Ask& ask, const Of&... of) {
-    const Turn turn(is_asked);
+    const BusyGuard guard(is_asked);
     statistics = {};
     begin();
     const Stopwatch watch;

@@ -222,16 +222,16 @@ static void bad_paths(void) {
 static void a_step_for_each_vertex(void) {
   tamis_detector* detector = detector_of_two();
   tamis_step step = falling();
-  double sideways[18], positions[18], parts[6], same[18];
+  double sideways[18], positions[18], fractions[6], same[18];
   int is_free = -1, i;
   memcpy(sideways, end, sizeof end);
   sideways[7] = 1.25; /* vertex 2 meets nothing */
   step.end = sideways;
-  EXPECT(tamis_detector_truncate(detector, &step, 0.1, TAMIS_FLOAT64, positions, parts, &is_free) == TAMIS_OK &&
+  EXPECT(tamis_detector_truncate(detector, &step, 0.1, TAMIS_FLOAT64, positions, fractions, &is_free) == TAMIS_OK &&
          is_free == 1);
   EXPECT(0.1 <= positions[11] && positions[11] < 0.5);
-  for (i = 0; i < 6; ++i) EXPECT(0 <= parts[i] && parts[i] <= 1);
-  EXPECT(parts[2] > parts[3] && fabs(positions[11] - (1 - 2 * parts[3])) < 1e-12);
+  for (i = 0; i < 6; ++i) EXPECT(0 <= fractions[i] && fractions[i] <= 1);
+  EXPECT(fractions[2] > fractions[3] && fabs(positions[11] - (1 - 2 * fractions[3])) < 1e-12);
   EXPECT(tamis_detector_truncate(detector, &step, 0.1, TAMIS_FLOAT64, same, NULL, &is_free) == TAMIS_OK);
   EXPECT(memcmp(same, positions, sizeof same) == 0);
   EXPECT(tamis_detector_truncate(detector, &step, 0.1, TAMIS_FLOAT32, same, NULL, &is_free) == TAMIS_OK);
@@ -241,12 +241,13 @@ static void a_step_for_each_vertex(void) {
   is_free = -1;
   EXPECT(tamis_detector_is_free(detector, &step, &is_free) == TAMIS_OK && is_free == 1);
 
-  EXPECT(tamis_detector_truncate(detector, &step, 0, TAMIS_FLOAT64, positions, parts, &is_free) ==
+  EXPECT(tamis_detector_truncate(detector, &step, 0, TAMIS_FLOAT64, positions, fractions, &is_free) ==
          TAMIS_INVALID_OPTIONS);
-  EXPECT(tamis_detector_truncate(detector, &step, 1, TAMIS_FLOAT64, positions, parts, &is_free) ==
+  EXPECT(tamis_detector_truncate(detector, &step, 1, TAMIS_FLOAT64, positions, fractions, &is_free) ==
          TAMIS_INVALID_OPTIONS);
-  EXPECT(tamis_detector_truncate(detector, &step, 0.1, TAMIS_FLOAT64, NULL, parts, &is_free) == TAMIS_INVALID_ARGUMENT);
-  EXPECT(tamis_detector_truncate(detector, &step, 0.1, TAMIS_FLOAT64, positions, parts, NULL) ==
+  EXPECT(tamis_detector_truncate(detector, &step, 0.1, TAMIS_FLOAT64, NULL, fractions, &is_free) ==
+         TAMIS_INVALID_ARGUMENT);
+  EXPECT(tamis_detector_truncate(detector, &step, 0.1, TAMIS_FLOAT64, positions, fractions, NULL) ==
          TAMIS_INVALID_ARGUMENT);
   tamis_detector_free(detector);
 }

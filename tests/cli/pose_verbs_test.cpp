@@ -23,7 +23,7 @@ TEST_F(PoseVerbs, NearListsPairsWithTheirDistance) {
   EXPECT_EQ(outcome.json()["within"]["vf"], 1);
   EXPECT_EQ(outcome.json()["smallest_distance"], 1);
   const std::string table = bytes_of_file(folder_.path() / "near.csv");
-  EXPECT_EQ(table.rfind("kind,v0,v1,v2,v3,distance,u,v,dx,dy,dz,corners\nvf,3,0,1,2,1,0.2", 0), 0u) << table;
+  EXPECT_EQ(table.rfind("kind,v0,v1,v2,v3,distance,u,v,dx,dy,dz\nvf,3,0,1,2,1,0.2", 0), 0u) << table;
   EXPECT_NE(folder_.run("within above.obj --distance 1").out.find("1 vertex-face"), std::string::npos);
 }
 

@@ -44,7 +44,7 @@ void expect_as_of_every_pair(const Scene& scene, const Detector& kept, const Tru
   Detector brute = lab::make_detector(scene.mesh(), options);
   const TruncatedStep expected = brute.truncate(asked, 0.1, own);
   EXPECT_EQ(step.positions, expected.positions) << where;
-  EXPECT_EQ(step.parts, expected.parts) << where;
+  EXPECT_EQ(step.fractions, expected.fractions) << where;
   EXPECT_EQ(step.is_free, expected.is_free) << where;
 }
 
@@ -91,7 +91,7 @@ TEST(PairsNearOneStart, ServeAllTruncationsAfterTheSecond) {
     const int lists = at == 0.999 ? 1 : 0;
     for (const int i : {0, 1, 2, 3}) {
       const std::vector<Point> end = between(start, scene.end, i % 2 == 0 ? 0.02 : 0.01);
-      EXPECT_NE(kept.truncate({start, end}).parts, std::vector<double>(end.size(), 1)) << "nothing is held back";
+      EXPECT_NE(kept.truncate({start, end}).fractions, std::vector<double>(end.size(), 1)) << "nothing is held back";
       EXPECT_EQ(was_listed(kept), i > lists) << at << ", truncation " << i;
     }
   }

@@ -42,28 +42,11 @@ void expect_same(const std::vector<NearPair>& a, const std::vector<NearPair>& b)
     SCOPED_TRACE(std::to_string(i));
     EXPECT_EQ(a[i].kind, b[i].kind);
     EXPECT_EQ(a[i].vertices, b[i].vertices);
-    EXPECT_EQ(a[i].corners, b[i].corners);
     EXPECT_EQ(a[i].distance, b[i].distance);
     EXPECT_EQ(a[i].u, b[i].u);
     EXPECT_EQ(a[i].v, b[i].v);
     EXPECT_EQ(a[i].direction, b[i].direction);
   }
-}
-
-/// Of the pair's vertices; 0 for those that do not carry the closest points.
-std::array<double, 4> weights_of(const NearPair& pair) {
-  const double u = pair.u, v = pair.v;
-  switch (pair.kind) {
-    case PairKind::vertex_face:
-      return {1, -(1 - (u + v)), -u, -v};
-    case PairKind::edge_edge:
-      return {1 - u, u, -(1 - v), -v};
-    case PairKind::vertex_edge:
-      return {1, -(1 - u), -u, 0};
-    case PairKind::vertex_vertex:
-      break;
-  }
-  return {1, -1, 0, 0};
 }
 
 /// The largest |component| of a difference of the pair's vertices.
@@ -75,13 +58,13 @@ double size_of(const PairPoints& points, PairKind kind) {
   return size;
 }
 
-/// Distance as promised, the points that u, v name as far apart as that, the direction between them, and the corners.
+/// Distance as promised, the points that u, v name as far apart as that, and the direction between them.
 void check(const NearPair& pair, const Scene& scene) {
   const PairPoints points = points_of({scene.start, scene.start}, pair.vertices);
   const double size = size_of(points, pair.kind), tolerance = 0x1p-41 * size;
   const double exact = distance_in_integers(pair.kind, points, 0).distance;
   EXPECT_NEAR(pair.distance, exact, tolerance);
-  const auto weights = weights_of(pair);
+  const auto weights = weights_of(pair.kind, pair.u, pair.v);
   Point gap{};
   for (std::size_t i = 0; i < vertex_count(pair.kind); ++i)
     for (std::size_t k = 0; k < 3; ++k) gap[k] += weights[i] * (points.start[i][k] - points.start[0][k]);
@@ -97,7 +80,6 @@ void check(const NearPair& pair, const Scene& scene) {
   } else {
     EXPECT_TRUE(length == 0 || std::fabs(length - 1) < 1e-12) << length;
   }
-  for (std::size_t i = 0; i < 4; ++i) EXPECT_EQ(pair.corners >> i & 1, std::fabs(weights[i]) > 0 ? 1 : 0) << i;
 }
 
 class Near : public testing::TestWithParam<Recipe> {};
@@ -185,7 +167,6 @@ TEST(NearLoosePoints, MeetLooseEdgesAndEachOther) {
   const auto& pairs = detector.pairs_within(scene.at, 0.5);
   ASSERT_EQ(pairs.size(), 2u);
   EXPECT_EQ(pairs[0].vertices, (std::array<Index, 4>{5, 0, 1, 2}));
-  EXPECT_EQ(pairs[0].corners, 0b1111);
   EXPECT_EQ(pairs[1].kind, PairKind::vertex_edge);
   EXPECT_EQ(pairs[1].vertices, (std::array<Index, 4>{6, 3, 4, -1}));
   EXPECT_EQ(pairs[1].distance, 1);
@@ -196,7 +177,6 @@ TEST(NearLoosePoints, MeetLooseEdgesAndEachOther) {
   ASSERT_FALSE(wide.empty());
   EXPECT_EQ(wide.back().kind, PairKind::vertex_vertex);
   EXPECT_EQ(wide.back().vertices, (std::array<Index, 4>{5, 6, -1, -1}));
-  EXPECT_EQ(wide.back().corners, 0b11);
 }
 
 /// |a - sqrt(square)| <= tolerance.

@@ -75,7 +75,7 @@ TEST(Truncate, TheWholeStepEndsAtFloatsToo) {
   const TruncatedStep to = Detector(scene.mesh()).truncate(scene.step(), 0.1, {}, Stored::float32);
   EXPECT_EQ(to.positions, as_floats(scene.end));
   EXPECT_NE(to.positions, scene.end);
-  EXPECT_EQ(to.parts, std::vector<double>(scene.start.size(), 1.0));
+  EXPECT_EQ(to.fractions, std::vector<double>(scene.start.size(), 1.0));
 }
 
 }  // namespace

@@ -61,7 +61,7 @@ TEST(Truncate, AVertexDoesNotPassAFaceThatIsFast) {
     end[3][2] = -0.5;
     Detector detector(mesh);
     const TruncatedStep to = detector.truncate({start, end}, 0.1);
-    EXPECT_LT(to.parts[3], 0.5) << away;
+    EXPECT_LT(to.fractions[3], 0.5) << away;
     EXPECT_TRUE(detector.is_free({start, to.positions})) << away;
   }
 }
@@ -95,7 +95,7 @@ TEST(Truncate, WhatTouchesAtTheStartStaysAndIsAskedAboutOnce) {
   const TruncatedStep to = detector.truncate(scene.step());
   EXPECT_FALSE(to.is_free);
   EXPECT_EQ(to.positions[3], scene.start[3]);
-  EXPECT_EQ(to.parts[3], 0);
+  EXPECT_EQ(to.fractions[3], 0);
   EXPECT_EQ(to.positions[7], scene.end[7]);
   EXPECT_LE(asked, 4) << "how far together, what is within reach, and whether it holds; once more where it does not";
 }
@@ -137,7 +137,7 @@ TEST(Truncate, AStackSettlesHoweverHighItIs) {
       EXPECT_EQ(to.is_free, !touches);
       expect_kept(scene, to.positions, 0.1, 0);
       for (std::size_t v = 3; v < 3 * static_cast<std::size_t>(layers); ++v)
-        EXPECT_GT(to.parts[v], 0) << "layer " << v / 3 << " of " << layers;
+        EXPECT_GT(to.fractions[v], 0) << "layer " << v / 3 << " of " << layers;
     }
 }
 

@@ -44,13 +44,13 @@ TEST_P(TruncateScene, MethodsAgreeAndPartsSayWherePositionsAre) {
   for (const Method method : {Method::brute, Method::paper}) {
     const TruncatedStep other = lab::make_detector(scene.mesh(), with(method, 0)).truncate(scene.step());
     EXPECT_EQ(other.positions, to.positions) << name_of(method);
-    EXPECT_EQ(other.parts, to.parts);
+    EXPECT_EQ(other.fractions, to.fractions);
     EXPECT_EQ(other.is_free, to.is_free);
   }
-  for (std::size_t v = 0; v < to.parts.size(); ++v)
+  for (std::size_t v = 0; v < to.fractions.size(); ++v)
     for (std::size_t k = 0; k < 3; ++k) {
       const double from = scene.start[v][k], until = scene.end[v][k];
-      EXPECT_NEAR(to.positions[v][k], from + to.parts[v] * (until - from),
+      EXPECT_NEAR(to.positions[v][k], from + to.fractions[v] * (until - from),
                   0x1p-50 * std::max(std::fabs(from), std::fabs(until)));
     }
 }

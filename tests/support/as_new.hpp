@@ -89,7 +89,7 @@ inline void expect_as_new(Detector& kept, const Step& step, Asked question, cons
     case Asked::truncate: {
       const TruncatedStep a = kept.truncate(step, 0.1, own), b = fresh.truncate(step, 0.1, own);
       EXPECT_EQ(a.positions, b.positions) << where;
-      EXPECT_EQ(a.parts, b.parts) << where;
+      EXPECT_EQ(a.fractions, b.fractions) << where;
     }
   }
 }

@@ -46,7 +46,7 @@ Numbers numbers_of(const SafeStep& safe) {
 Numbers numbers_of(const std::vector<NearPair>& pairs) {
   Numbers numbers;
   for (const NearPair& p : pairs) {
-    append(numbers, {double(p.kind), double(p.corners), p.distance, p.u, p.v});
+    append(numbers, {double(p.kind), p.distance, p.u, p.v});
     append_all(numbers, p.vertices);
     append_all(numbers, p.direction);
   }

@@ -66,10 +66,9 @@ typedef struct tamis_safe_step {
 /** A pair of features that are near each other at rest; see NearPair in tamis/proximity.hpp. */
 typedef struct tamis_near_pair {
   int32_t kind;
-  int32_t corners;     /**< bit i: vertex i has a share in the closest points */
   int32_t vertices[4]; /**< as in tamis_contact */
   double distance;     /**< off by 2^-41 of the pair's extent at most; by 2^-1075 more if it is no normal double */
-  double u, v;         /**< weights of two closest points */
+  double u, v;         /**< weights of two closest points; tamis_weights_of is 0 for vertices without a share */
   double direction[3]; /**< from the second feature's closest point to the first's */
   int32_t bodies[2];   /**< as in tamis_contact */
 } tamis_near_pair;

@@ -55,13 +55,13 @@ TAMIS_API tamis_status tamis_detector_safe_step(tamis_detector* detector, const 
 enum { TAMIS_FLOAT64 = 0, TAMIS_FLOAT32 = 1 };
 
 /** Positions to go to, each vertex as far as it may on its own line: three doubles for each vertex of the mesh, on the
- * straight way to which every pair keeps the fraction of its distance, 0 < keep < 1: proven. `parts`, one a vertex,
- * is the part of its way that each goes, in [0, 1]; NULL: not wanted. *is_free is 0 if something touches at the start,
+ * straight way to which every pair keeps the fraction of its distance, 0 < keep < 1: proven. `fractions`, one a vertex,
+ * is how much of its way each goes, in [0, 1]; NULL: not wanted. *is_free is 0 if something touches at the start,
  * and is not ignored for it; of that no pair comes nearer. `stored` is TAMIS_FLOAT64 or TAMIS_FLOAT32: with the latter
  * all positions are floats' values, so that storing them as floats changes nothing, and the step's start must be made
  * of such. See TruncatedStep in tamis/contact.hpp. */
 TAMIS_API tamis_status tamis_detector_truncate(tamis_detector* detector, const tamis_step* step, double keep,
-                                               int32_t stored, double* positions, double* parts, int* is_free);
+                                               int32_t stored, double* positions, double* fractions, int* is_free);
 
 /** Every pair whose distance at the step's start is at most `distance` plus both radii; the step's end is not read. */
 TAMIS_API tamis_status tamis_detector_pairs_within(tamis_detector* detector, const tamis_step* step, double distance,

@@ -106,7 +106,7 @@ class StreamAuditor {
                           own_bytes(std::move(added.pairs)));
   }
   AuditReport report() {
-    const Turn turn = asker_.turn();
+    const BusyGuard guard = asker_.guard();
     return {auditor_.report()};
   }
 

@@ -116,7 +116,7 @@ class Bodies {
   }
 
   nb::dict statistics() {
-    const Turn turn = asker_.turn();
+    const BusyGuard guard = asker_.guard();
     return as_dict(world_.statistics());
   }
 

@@ -31,13 +31,10 @@ class NearPair(NamedTuple):
     distance : float
         Between the closed features, in the unit of the positions; correct to 2^-41 of the pair's extent.
     u, v : float
-        Weights of two closest points, as in `Contact`.
+        Weights of two closest points, as in `Contact`. A vertex without a share in them has the weight 0.
     direction : tuple of three float
         Of unit length: from the second feature's closest point to the first's. Where they touch: their normal, or zero
         where they have none.
-    corners : int
-        Bit i is set if vertex i has a weight in the closest points. So it tells whether these lie at a corner, on a
-        border or inside.
     """
 
     kind: PairKind
@@ -46,7 +43,6 @@ class NearPair(NamedTuple):
     u: float
     v: float
     direction: tuple[float, float, float]
-    corners: int
 
 
 class ClosePairs(FeaturePairs[Row]):
@@ -54,9 +50,6 @@ class ClosePairs(FeaturePairs[Row]):
 
     __slots__ = ()
 
-    corners = Column[npt.NDArray[np.uint8]](
-        "Bit i is set if vertex i has a weight in the closest points, shape (n,): as `NearPair.corners`."
-    )
     distance = Column[Doubles](
         "Between the closed features, in the unit of the positions, shape (n,).\n\n"
         "Correct to 2^-41 of the pair's extent, and where it is no normal double to half the smallest one more."
@@ -64,13 +57,13 @@ class ClosePairs(FeaturePairs[Row]):
     direction = Column[Doubles]("Unit vectors from the second feature's closest point to the first's, shape (n, 3).")
 
     def _fields(self, values: Sequence[Any]) -> tuple[Any, ...]:
-        kind, corners, vertices, distance, u, v, direction = values
-        return PairKind(kind), tuple(vertices.tolist()), distance, u, v, tuple(direction.tolist()), corners
+        kind, vertices, distance, u, v, direction = values
+        return PairKind(kind), tuple(vertices.tolist()), distance, u, v, tuple(direction.tolist())
 
     def _columns(self) -> Columns:
         weights = {"u": self.u, "v": self.v}
         direction = numbered("d", self.direction, "xyz")
-        return {**self._names(), "distance": self.distance, **weights, **direction, "corners": self.corners}
+        return {**self._names(), "distance": self.distance, **weights, **direction}
 
     def __repr__(self) -> str:
         nearest = f", nearest {self.distance.min():g}" if len(self) else ""
@@ -82,7 +75,7 @@ class NearPairs(NamedPairs[NearPair], ClosePairs[NearPair]):
 
     `len()` counts them; an integer index gives a `NearPair`, anything else that indexes an array gives `NearPairs`.
 
-    The columns of `table` are kind, corners, vertices, distance, u, v, direction.
+    The columns of `table` are kind, vertices, distance, u, v, direction.
     """
 
     __slots__ = ()

@@ -53,7 +53,7 @@ class BodyNearPair(NamedTuple):
     ----------
     bodies : tuple of two int
         As in `BodyContact`.
-    kind, vertices, distance, u, v, direction, corners
+    kind, vertices, distance, u, v, direction
         As in `NearPair`; vertices are those of the bodies' own meshes.
     """
 
@@ -64,7 +64,6 @@ class BodyNearPair(NamedTuple):
     u: float
     v: float
     direction: tuple[float, float, float]
-    corners: int
 
 
 class BodyIntersection(NamedTuple):

@@ -18,7 +18,7 @@ import wrong
 
 _RAW = re.compile(r"std::|vector(?!s\b)|max_size|bad_alloc|basic_string|optional|bad function|Unknown|unknown")
 LAST = "TAMIS_LAST_CALL"  # names the file that says what is being asked
-OPTIONAL = ("options", "parts", "center", "error")
+OPTIONAL = ("options", "fractions", "center", "error")
 
 
 class Session:

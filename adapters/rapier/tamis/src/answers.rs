@@ -30,8 +30,6 @@ pub struct Contact {
 pub struct NearPair {
     /// As of a contact.
     pub kind: i32,
-    /// Bit i: vertex i has a share in the closest points.
-    pub corners: i32,
     /// As of a contact.
     pub vertices: [i32; 4],
     /// How far they are apart.

@@ -83,15 +83,14 @@ PairMotion<double> make_motion(PairKind kind, const PairPoints& points, double s
   return motion_of<double>(kind, points, separation);
 }
 
-PairMotion<DoubleDouble> make_fine_motion(PairKind kind, const PairPoints& points, double separation) {
-  return motion_of<DoubleDouble>(kind, points, separation);
+PairMotion<DoubleDouble> make_fine_motion(const PairInStep& pair) {
+  return motion_of<DoubleDouble>(pair.kind, pair.points, pair.separation);
 }
 
-std::optional<PairMotion<double>> make_beginning(PairKind kind, const PairPoints& points, double separation,
-                                                 double part) {
+std::optional<PairMotion<double>> make_beginning(const PairInStep& pair, double part) {
   TAMIS_ASSERT(0 < part && part <= 1);
   constexpr double kMostScale = 0x1p60;
-  const auto whole = unscaled<DoubleDouble>(kind, points, separation);
+  const auto whole = unscaled<DoubleDouble>(pair.kind, pair.points, pair.separation);
   const Unscaled<double> motion{beginning(whole.e, part), beginning(whole.f, part), beginning(whole.d, part),
                                 whole.separation};
   const double scale = scale_below_one(motion.size());
@@ -104,11 +103,6 @@ bool is_finite(const PairPoints& points) {
     return std::all_of(at.begin(), at.end(), [](const Point& p) { return is_finite(p); });
   };
   return are_finite(points.start) && are_finite(points.end);
-}
-
-bool is_motion_of(const PairMotion<double>& m, PairKind kind, const PairPoints& points) {
-  const PairMotion<double> own = make_motion(kind, points);
-  return m.e == own.e && m.f == own.f && m.d == own.d;
 }
 
 }  // namespace tamis

@@ -20,16 +20,24 @@ struct PairPoints {
 /// a kind there is, finite coordinates, a separation >= 0; infinite where nothing bounds it.
 PairMotion<double> make_motion(PairKind kind, const PairPoints& points, double separation = 0);
 
-/// The same in double-double, where no difference is rounded, and what underflows is below `underflow`.
-PairMotion<DoubleDouble> make_fine_motion(PairKind kind, const PairPoints& points, double separation);
+/// A pair that is asked about, and its motion. Refers to the points. REQUIRES: as make_motion.
+struct PairInStep {
+  PairInStep(PairKind k, const PairPoints& p, double s = 0)
+      : kind(k), points(p), separation(s), motion(make_motion(k, p, s)) {}
+
+  const PairKind kind;
+  const PairPoints& points;
+  const double separation;  ///< in the unit of the points
+  const PairMotion<double> motion;
+};
+
+/// The same motion in double-double, where no difference is rounded, and what underflows is below `underflow`.
+PairMotion<DoubleDouble> make_fine_motion(const PairInStep& pair);
 
 /// The motion during the first `part` of the step, a power of two, mapped to [0,1] and scaled by its own size: as exact
 /// as make_motion. Nothing if it is so small that underflow would count. REQUIRES: 0 < part <= 1.
-std::optional<PairMotion<double>> make_beginning(PairKind kind, const PairPoints& points, double separation,
-                                                 double part);
+std::optional<PairMotion<double>> make_beginning(const PairInStep& pair, double part);
 
 bool is_finite(const PairPoints& points);
-/// Is `m` what make_motion() makes of the points, whatever its separation?
-bool is_motion_of(const PairMotion<double>& m, PairKind kind, const PairPoints& points);
 
 }  // namespace tamis

@@ -16,10 +16,11 @@ using Vec = Vec3<double>;
 
 /// Along e x f, of any length; zero if there is none. Where rounding would tilt it by more than 2^-28 (components are
 /// off by at most 20 u E F, as those of N in error_bounds.hpp), as of slivers, by integers.
-Vec normal_at(PairKind kind, const PairPoints& points, const PairMotion<double>& m, double time) {
+Vec normal_at(const PairInStep& pair, double time) {
+  const PairMotion<double>& m = pair.motion;
   const Vec normal = cross(at_time(m.e, time), at_time(m.f, time));
   const bool is_sharp = largest_component(normal) > 0x1p-20 * m.size_e * m.size_f + error_bounds::underflow<double>;
-  return is_sharp ? normal : exact_normal(kind, points, time);
+  return is_sharp ? normal : exact_normal(pair.kind, pair.points, time);
 }
 
 Point unit_point(const Vec& v) {
@@ -28,9 +29,9 @@ Point unit_point(const Vec& v) {
 }
 
 /// A unit vector along e x f, or if that vanishes one orthogonal to what is left.
-Point any_normal(PairKind kind, const PairPoints& points, double time) {
-  const auto m = make_motion(kind, points);
-  const Vec normal = normal_at(kind, points, m, time), e = at_time(m.e, time);
+Point any_normal(const PairInStep& pair, double time) {
+  const PairMotion<double>& m = pair.motion;
+  const Vec normal = normal_at(pair, time), e = at_time(m.e, time);
   if (largest_component(normal) > 0) return unit_point(normal);
   const Vec w = largest_component(e) > 0 ? e : at_time(m.f, time);
   if (std::fabs(w.x) + std::fabs(w.y) > 0) return unit_point({-w.y, w.x, 0});
@@ -39,19 +40,19 @@ Point any_normal(PairKind kind, const PairPoints& points, double time) {
 
 /// As side_just_before: the coplanarity, which has that sign for a vertex and the other for edges, falls to zero from
 /// it.
-int side_before_crossing(PairKind kind, const PairPoints& points, const PairMotion<double>& m,
-                         const PairResult& result) {
-  const int slope = crossing::slope_during(m, {result.toi_lower, result.toi_upper});
-  if (slope == 0) return side_just_before(kind, points, result.toi_lower);
-  return kind == PairKind::edge_edge ? slope : -slope;
+int side_before_crossing(const PairInStep& pair, const TimeInterval<double>& time) {
+  const int slope = crossing::slope_during(pair.motion, time);
+  if (slope == 0) return side_just_before(pair.kind, pair.points, time.t_in);
+  return pair.kind == PairKind::edge_edge ? slope : -slope;
 }
 
 }  // namespace
 
-ContactPlace closest_place(PairKind kind, const PairPoints& points, const PairMotion<double>& m, double time) {
-  TAMIS_ASSERT(0 <= time && time <= 1 && is_motion_of(m, kind, points));
-  const auto [u, v, direction, is_sure] = with_kind(kind, [&](auto k) { return direction_apart<k()>(m, time); });
-  if (!is_sure) return exact_closest_place(kind, points, time);
+ContactPlace closest_place(const PairInStep& pair, double time) {
+  TAMIS_ASSERT(0 <= time && time <= 1);
+  const auto [u, v, direction, is_sure] =
+      with_kind(pair.kind, [&](auto kind) { return direction_apart<kind()>(pair.motion, time); });
+  if (!is_sure) return exact_closest_place(pair.kind, pair.points, time);
   return {u, v, {direction.x, direction.y, direction.z}};
 }
 
@@ -60,24 +61,22 @@ ContactPlace exact_closest_place(PairKind kind, const PairPoints& points, double
   const ExactDistance exact = exact_distance(kind, points, time);
   const Vec direction = with_kind(kind, [&](auto k) { return near_direction<k()>(exact.direction); });
   const bool is_known = largest_component(direction) > 0;
-  return {exact.u, exact.v, is_known ? unit_point(direction) : any_normal(kind, points, time)};
+  return {exact.u, exact.v, is_known ? unit_point(direction) : any_normal({kind, points}, time)};
 }
 
-ContactPlace crossing_place(PairKind kind, const PairPoints& points, const PairMotion<double>& m,
-                            const TimeInterval<double>& time, int side) {
-  TAMIS_ASSERT(can_cross(kind) && is_part_of_step(time) && is_motion_of(m, kind, points) && -1 <= side && side <= 1);
-  const Vec normal = normal_at(kind, points, m, time.t_in);  // where the side is meant, as the two may turn over
+ContactPlace crossing_place(const PairInStep& pair, const TimeInterval<double>& time, int side) {
+  TAMIS_ASSERT(can_cross(pair.kind) && is_part_of_step(time) && -1 <= side && side <= 1);
+  const PairMotion<double>& m = pair.motion;
+  const Vec normal = normal_at(pair, time.t_in);  // where the side is meant, as the two may turn over
   const double middle = 0.5 * (time.t_in + time.t_out);
-  if (side == 0 || !(largest_component(normal) > 0)) return closest_place(kind, points, m, time.t_in);
-  const auto closest = closest_points(kind, at_time(m.e, middle), at_time(m.f, middle), at_time(m.d, middle));
+  if (side == 0 || !(largest_component(normal) > 0)) return closest_place(pair, time.t_in);
+  const auto closest = closest_points(pair.kind, at_time(m.e, middle), at_time(m.f, middle), at_time(m.d, middle));
   return {closest.u, closest.v, unit_point(side > 0 ? normal : -normal)};
 }
 
-void describe_contact(PairKind kind, const PairPoints& points, const PairMotion<double>& m, PairResult& result) {
-  set_place(result, is_about_distance(kind, m.separation)
-                        ? closest_place(kind, points, m, result.toi_lower)
-                        : crossing_place(kind, points, m, {result.toi_lower, result.toi_upper},
-                                         side_before_crossing(kind, points, m, result)));
+ContactPlace contact_place(const PairInStep& pair, const TimeInterval<double>& time) {
+  if (is_about_distance(pair.kind, pair.motion.separation)) return closest_place(pair, time.t_in);
+  return crossing_place(pair, time, side_before_crossing(pair, time));
 }
 
 }  // namespace tamis

@@ -22,18 +22,16 @@ inline void set_place(PairResult& result, const ContactPlace& place) {
   result.normal = place.normal;
 }
 
-/// Of the closest points at `time`. REQUIRES, as all below: finite coordinates, times in [0,1] and in order; `m` is the
-/// motion of `points`.
-ContactPlace closest_place(PairKind kind, const PairPoints& points, const PairMotion<double>& m, double time);
+/// Of the closest points at `time`. REQUIRES, as all below: finite coordinates, times in [0,1] and in order.
+ContactPlace closest_place(const PairInStep& pair, double time);
 /// The same in integers, where doubles do not tell it.
 ContactPlace exact_closest_place(PairKind kind, const PairPoints& points, double time);
 
 /// The place of a crossing within `time`. `side`: on which side of the second feature the first is before it, 1 or -1
 /// along e x f, or 0 if there is none. REQUIRES: a kind that can cross.
-ContactPlace crossing_place(PairKind kind, const PairPoints& points, const PairMotion<double>& m,
-                            const TimeInterval<double>& time, int side);
+ContactPlace crossing_place(const PairInStep& pair, const TimeInterval<double>& time, int side);
 
-/// Sets u, v and normal of a contact whose times are known.
-void describe_contact(PairKind kind, const PairPoints& points, const PairMotion<double>& m, PairResult& result);
+/// The place of a contact whose times are known.
+ContactPlace contact_place(const PairInStep& pair, const TimeInterval<double>& time);
 
 }  // namespace tamis

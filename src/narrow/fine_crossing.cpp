@@ -72,21 +72,20 @@ std::optional<Decision> touches_around(const FineRoot& root) {
 
 }  // namespace
 
-std::optional<Decision> decide_crossing_finely(PairKind kind, const PairPoints& points, const PairMotion<double>& m,
-                                               const Decision& coarse) {
-  TAMIS_ASSERT(can_cross(kind) && is_motion_of(m, kind, points) && !coarse.is_free());
+std::optional<Decision> decide_crossing_finely(const PairInStep& pair, const Decision& coarse) {
+  TAMIS_ASSERT(can_cross(pair.kind) && pair.separation == 0 && !coarse.is_free());
   // The clip may end at the very root.
   const double margin = coarse.touches() ? 0 : 0x1p-50;
   const TimeInterval<double> around{std::max(coarse.lower - margin, 0.0), std::min(coarse.upper + margin, 1.0)};
-  const double slope = crossing::least_slope_during(m, around);
+  const double slope = crossing::least_slope_during(pair.motion, around);
   if (slope == 0) return {};
-  const PairMotion<Fine> fine = make_fine_motion(kind, points, 0);
-  const FineCrossing crossing(fine, m, slope);
+  const PairMotion<Fine> fine = make_fine_motion(pair);
+  const FineCrossing crossing(fine, pair.motion, slope);
   const auto root = crossing.root(around);
   if (!root) return {};
   if (coarse.touches()) return touches_around(*root);
-  const auto sides = kind == PairKind::vertex_face ? crossing.sides<PairKind::vertex_face>(*root)
-                                                   : crossing.sides<PairKind::edge_edge>(*root);
+  const auto sides = pair.kind == PairKind::vertex_face ? crossing.sides<PairKind::vertex_face>(*root)
+                                                        : crossing.sides<PairKind::edge_edge>(*root);
   if (sides.outside) return Decision{};
   return sides.inside ? touches_around(*root) : std::nullopt;
 }

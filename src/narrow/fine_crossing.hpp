@@ -11,10 +11,9 @@ namespace tamis {
 /// Of a pair that touches by `coarse`: when it first does, between neighbouring doubles. Of one that is unsure there:
 /// whether it touches where the four points are coplanar, and when; in structured meshes most vertices that come to
 /// edges do so within rounding. Nothing where double-double proves neither, as where they touch exactly at a border.
-/// REQUIRES: a kind that can cross; `m` is the motion of `points`, its sizes are finite; `coarse` is not free, its
-/// times lie in [0,1]. REQUIRES (not checked: exact): between these the pair touches, and not before; or, if `coarse`
-/// is unsure, it does not touch outside of them.
-std::optional<Decision> decide_crossing_finely(PairKind kind, const PairPoints& points, const PairMotion<double>& m,
-                                               const Decision& coarse);
+/// REQUIRES: a kind that can cross, no separation, sizes that are finite; `coarse` is not free, its times lie in [0,1].
+/// REQUIRES (not checked: exact): between these the pair touches, and not before; or, if `coarse` is unsure, it does
+/// not touch outside of them.
+std::optional<Decision> decide_crossing_finely(const PairInStep& pair, const Decision& coarse);
 
 }  // namespace tamis

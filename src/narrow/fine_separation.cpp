@@ -127,13 +127,12 @@ class FineSearch {
 
 }  // namespace
 
-std::optional<Decision> first_within_finely(PairKind kind, const PairPoints& points, double separation,
-                                            const PairMotion<double>& m, const TimeInterval<double>& bracket) {
-  TAMIS_ASSERT(is_motion_of(m, kind, points) && is_part_of_step(bracket));
-  const PairMotion<Fine> fine = make_fine_motion(kind, points, separation);
-  return with_kind(kind, [&](auto k) {
-    const auto decision = FineSearch<k(), WeightsIn::doubles>(fine, m).run(bracket);
-    return decision ? decision : FineSearch<k(), WeightsIn::double_doubles>(fine, m).run(bracket);
+std::optional<Decision> first_within_finely(const PairInStep& pair, const TimeInterval<double>& bracket) {
+  TAMIS_ASSERT(is_part_of_step(bracket));
+  const PairMotion<Fine> fine = make_fine_motion(pair);
+  return with_kind(pair.kind, [&](auto kind) {
+    const auto decision = FineSearch<kind(), WeightsIn::doubles>(fine, pair.motion).run(bracket);
+    return decision ? decision : FineSearch<kind(), WeightsIn::double_doubles>(fine, pair.motion).run(bracket);
   });
 }
 

@@ -9,10 +9,8 @@
 namespace tamis {
 
 /// Touches between neighbouring doubles: the pair is apart until the first, and within its separation at the second.
-/// Nothing where double-double does not prove that. Costs some twelve thousand instructions. REQUIRES: `m` is the
-/// motion of `points` with that separation, its sizes are finite; the pair is apart on [0, bracket.t_in); the bracket
-/// lies in [0,1].
-std::optional<Decision> first_within_finely(PairKind kind, const PairPoints& points, double separation,
-                                            const PairMotion<double>& m, const TimeInterval<double>& bracket);
+/// Nothing where double-double does not prove that. Costs some twelve thousand instructions. REQUIRES: sizes that
+/// are finite; the pair is apart on [0, bracket.t_in); the bracket lies in [0,1].
+std::optional<Decision> first_within_finely(const PairInStep& pair, const TimeInterval<double>& bracket);
 
 }  // namespace tamis

@@ -50,17 +50,15 @@ std::optional<Decision> in_step(const Decision& contact, double length) {
 
 }  // namespace
 
-std::optional<Decision> decide_in_beginnings(PairKind kind, const PairPoints& points, double separation,
-                                             const PairMotion<double>& m) {
-  TAMIS_ASSERT(is_motion_of(m, kind, points));
+std::optional<Decision> decide_in_beginnings(const PairInStep& pair) {
   double from = 0;  // of a beginning: apart until then
-  for (double length = first_length(m); length < 1; length = std::ldexp(length, kDoublings)) {
-    const auto beginning = make_beginning(kind, points, separation, length);
+  for (double length = first_length(pair.motion); length < 1; length = std::ldexp(length, kDoublings)) {
+    const auto beginning = make_beginning(pair, length);
     if (!beginning) return {};
-    const Decision d = decide_during(kind, *beginning, {from, 1});
+    const Decision d = decide_during(pair.kind, *beginning, {from, 1});
     if (d.verdict == Verdict::unsure) return {};
     if (d.touches()) return in_step(d, length);
-    if (is_apart_from_end(kind, *beginning)) return Decision{};
+    if (is_apart_from_end(pair.kind, *beginning)) return Decision{};
     from = std::ldexp(1, -kDoublings);
   }
   return {};

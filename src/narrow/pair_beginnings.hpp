@@ -9,9 +9,7 @@
 
 namespace tamis {
 
-/// What the pair does during the step, proven. Nothing where it does not go far, or doubles do not tell. REQUIRES: `m`
-/// is the motion of `points` with that separation, its sizes are finite.
-std::optional<Decision> decide_in_beginnings(PairKind kind, const PairPoints& points, double separation,
-                                             const PairMotion<double>& m);
+/// What the pair does during the step, proven. Nothing where it does not go far, or doubles do not tell.
+std::optional<Decision> decide_in_beginnings(const PairInStep& pair);
 
 }  // namespace tamis

@@ -141,10 +141,10 @@ ContactPlace place_on_path(const PathQuestion& question, const Decision& decisio
   const PairReader reader(question.path, question.vertices, decision.lower);
   const auto start = reader.at<double>(decision.lower);
   const PairPoints points = points_between(start, reader.at<double>(decision.upper));
-  const PairMotion<double> chord = make_motion(kind, points);
-  if (is_about_distance(kind, question.min_separation)) return closest_place(kind, points, chord, 0);
+  const PairInStep chord(kind, points);
+  if (is_about_distance(kind, question.min_separation)) return closest_place(chord, 0);
   const int side = side_at(kind, reader, start);
-  return crossing_place(kind, points, chord, {0, 1}, kind == PairKind::edge_edge ? -side : side);
+  return crossing_place(chord, {0, 1}, kind == PairKind::edge_edge ? -side : side);
 }
 
 /// Proven, at one time.

@@ -38,7 +38,7 @@ void compare_crossing(PairKind kind, const PairPoints& points, double around, Co
   const Decision exact = decide_exactly(kind, points);
   if (!exact.touches() || exact.lower == 0) return;
   const Decision coarse{Verdict::touches, std::max(exact.lower - around, 0.), std::min(exact.upper + around, 1.)};
-  const auto fine = decide_crossing_finely(kind, points, make_motion(kind, points), coarse);
+  const auto fine = decide_crossing_finely({kind, points}, coarse);
   ++counts.asked;
   if (!fine) return;
   ++counts.answered;
@@ -75,7 +75,7 @@ void compare_decision(PairKind kind, const PairPoints& points, double time, doub
   if (exact.touches() && exact.lower == 0) return;
   const double middle = exact.touches() ? exact.lower : time;
   const Decision coarse{Verdict::unsure, std::max(middle - around, 0.), std::min(middle + around + 0x1p-52, 1.)};
-  const auto fine = decide_crossing_finely(kind, points, make_motion(kind, points), coarse);
+  const auto fine = decide_crossing_finely({kind, points}, coarse);
   ++counts.asked;
   if (!fine) return;
   ++counts.answered;
@@ -134,8 +134,7 @@ TEST(FineCrossing, LeavesExactTimesToIntegers) {
   const auto ask = [](double height) {
     const PairPoints fall{{{{0, 0, height}, {-1, -1, 0}, {1, -1, 0}, {0, 1, 0}}},
                           {{{0, 0, -1}, {-1, -1, 0}, {1, -1, 0}, {0, 1, 0}}}};
-    return decide_crossing_finely(PairKind::vertex_face, fall, make_motion(PairKind::vertex_face, fall),
-                                  {Verdict::touches, 0.495, 0.505});
+    return decide_crossing_finely({PairKind::vertex_face, fall}, {Verdict::touches, 0.495, 0.505});
   };
   EXPECT_FALSE(ask(1));
   EXPECT_TRUE(ask(1.01));

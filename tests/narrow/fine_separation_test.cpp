@@ -24,7 +24,7 @@ void compare(PairKind kind, const PairPoints& points, double separation, double 
   const Decision exact = decide_exactly(kind, points, separation);
   if (!exact.touches() || exact.lower == 0) return;
   const TimeInterval<double> bracket{std::max(exact.lower - before, 0.), std::min(exact.upper + before, 1.)};
-  const auto fine = first_within_finely(kind, points, separation, make_motion(kind, points, separation), bracket);
+  const auto fine = first_within_finely({kind, points, separation}, bracket);
   ++counts.asked;
   if (!fine) return;
   ++counts.answered;
@@ -81,8 +81,7 @@ TEST(FineSeparation, LeavesExactTimesToIntegers) {
   const PairPoints fall{{{{0, 0, 2}, {-1, -1, 0}, {1, -1, 0}, {0, 1, 0}}},
                         {{{0, 0, 0}, {-1, -1, 0}, {1, -1, 0}, {0, 1, 0}}}};
   const auto ask = [&](double separation) {
-    return first_within_finely(PairKind::vertex_face, fall, separation,
-                               make_motion(PairKind::vertex_face, fall, separation), {0.4, 0.6});
+    return first_within_finely({PairKind::vertex_face, fall, separation}, {0.4, 0.6});
   };
   EXPECT_FALSE(ask(1));
   EXPECT_TRUE(ask(std::nextafter(1, 0)));

@@ -39,7 +39,7 @@ TEST(Beginnings, SayWhatExactAlgebraSays) {
       const PairPoints points = to_points(flight(kind, random, exponent, is_together));
       const double separation = has_separation ? std::ldexp(1 + random.unit(), -random.below(12)) : 0;
       const Decision exact = decide_exactly(kind, points, separation);
-      const auto early = decide_in_beginnings(kind, points, separation, make_motion(kind, points, separation));
+      const auto early = decide_in_beginnings({kind, points, separation});
       ++asked;
       if (!early) continue;
       ++decided;
@@ -62,8 +62,7 @@ TEST(Beginnings, GoOnUntilThePairPartsForGood) {
                           {{{0.25, 0.25, -1}, {0, 0, 0}, {1, 0, 0}, {0, 0x1p40, 0}}}};
   for (const double separation : {0.0, 0x1p-5}) {
     ASSERT_TRUE(decide_exactly(PairKind::vertex_face, points, separation).touches());
-    const auto m = make_motion(PairKind::vertex_face, points, separation);
-    const auto early = decide_in_beginnings(PairKind::vertex_face, points, separation, m);
+    const auto early = decide_in_beginnings({PairKind::vertex_face, points, separation});
     EXPECT_TRUE(!early || early->touches());
   }
 }

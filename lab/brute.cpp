@@ -24,7 +24,8 @@ class BruteEngine final : public Engine {
       stop_if_cancelled(query);
       if (!answer.wants(kind, v)) return;
       ++of(count, kind);
-      answer.add(kind, v, decide(kind, points_of(query.step, v), query.rule_for(kind, v), statistics.decided_by));
+      answer.add(kind, v,
+                 decide({kind, points_of(query.step, v), query.separations.between(kind, v)}, statistics.decided_by));
     });
     add(statistics.stages, count);
   }
@@ -74,7 +75,7 @@ class BruteEngine final : public Engine {
         if (!is_pair(query.filter, edge, face)) continue;
         ++count.vf;
         const auto r =
-            decide(PairKind::vertex_face, edge_runner_points(positions, edge, face), {}, statistics.decided_by);
+            decide({PairKind::vertex_face, edge_runner_points(positions, edge, face)}, statistics.decided_by);
         if (r.touches && !query.rings.are_neighbours(edge, face))
           found.push_back({edge, face, r.toi_lower, r.toi_upper, r.u, r.v});
       }

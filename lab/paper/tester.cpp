@@ -69,7 +69,8 @@ void PaperTester::add_loose(Index a, Index b) {
       in_contact_order(kind, {point[0], other[0], kind == PairKind::vertex_edge ? other[1] : -1, -1});
   if (!lets_pass(scene_.options.filter, kind, v) || !found.wants(kind, v)) return;
   ++of(counts.decide, kind);
-  const auto r = decide(kind, points_of(found.query().step, v), found.query().rule_for(kind, v), counts.decided_by);
+  const auto r =
+      decide({kind, points_of(found.query().step, v), found.query().separations.between(kind, v)}, counts.decided_by);
   if (!found.add(kind, v, r)) return;
   if (found.query().question == Question::all_contacts) features.push_back({a, b});
 }
@@ -163,7 +164,8 @@ PairResult PaperTester::result_of(const Block<kind>& block, std::size_t pair) {
   }
   of(counts.decide, kind) += 1;
   const PairVertices& v = block.vertices[pair];
-  return decide(kind, points_of(found.query().step, v), found.query().rule_for(kind, v), counts.decided_by);
+  return decide({kind, points_of(found.query().step, v), found.query().separations.between(kind, v)},
+                counts.decided_by);
 }
 
 }  // namespace tamis::lab

@@ -33,7 +33,8 @@ struct Batch {
 
 class PartDecision {
  public:
-  PartDecision(const ListPart& part, PairResult* results) : part_(part), results_(results) {}
+  PartDecision(const ListPart& part, PairResult* results)
+      : part_(part), rule_{{part.options.min_separation, false}, part.options.latest}, results_(results) {}
 
   bool run() {
     for (std::size_t i = 0; i < part_.pairs.size(); ++i) {
@@ -69,8 +70,8 @@ class PartDecision {
     TAMIS_ASSERT(batch.pairs.count <= Batch::kPairsPerBatch);
     const auto& [start, end] = part_.step;
     const StepRows vertices{start.data(), end.data(), start.stride(), end.stride()};
-    const int undecided = part_.kernels.of(kind).decide_list({vertices, batch.places, part_.rule, within(kind)},
-                                                             batch.pairs, batch.rest, results_, batch.undecided);
+    const int undecided = part_.kernels.of(kind).decide_list({vertices, batch.places, rule_, within(kind)}, batch.pairs,
+                                                             batch.rest, results_, batch.undecided);
     TAMIS_ASSERT(0 <= undecided && undecided <= batch.pairs.count);
     batch.pairs.count = 0;
     return std::all_of(batch.undecided, batch.undecided + undecided,
@@ -78,22 +79,23 @@ class PartDecision {
   }
 
   WithinScratch* within(PairKind kind) {
-    if (!is_about_distance(kind, part_.rule.min_separation)) return nullptr;
+    if (!is_about_distance(kind, part_.options.min_separation)) return nullptr;
     if (!within_) within_ = std::make_unique_for_overwrite<WithinScratch>();
     return within_.get();
   }
 
   bool decide_singly(PairKind kind, std::int32_t place) {
-    stop_if_cancelled(part_);
+    stop_if_cancelled(part_.options);
     const Pair& pair = part_.pairs[static_cast<std::size_t>(place)];
     if (!fault_of(pair, part_.step).empty()) return false;
     PrecisionCount decided_by;
     const PairPoints points = points_of(part_.step, vertices_in_use(kind, pair.vertices));
-    results_[place] = decide_undecided(kind, points, part_.rule, decided_by);
+    results_[place] = decide_undecided({kind, points, part_.options.min_separation}, decided_by, part_.options.latest);
     return true;
   }
 
   const ListPart part_;
+  const WithinRule rule_;
   PairResult* results_;
   std::unique_ptr<Batch> batches_[kPairKinds];
   std::unique_ptr<WithinScratch> within_;

@@ -1,6 +1,5 @@
 // Decides one thread's part of a list of pairs: in lanes, and singly what those leave undecided.
 #pragma once
-#include <functional>
 #include <span>
 
 #include "kernels/kernels.hpp"
@@ -11,9 +10,8 @@ namespace tamis {
 struct ListPart {
   std::span<const Pair> pairs;  ///< fewer than 2^31
   const Step& step;
-  const ContactRule& rule;
   const Kernels& kernels;
-  const std::function<bool()>& is_cancelled;
+  const PairOptions& options;  ///< valid
 };
 
 /// results[i]: what pairs[i] does. False if some pair is not legal: its kind is none, a vertex no row of the step, a

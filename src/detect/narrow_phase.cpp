@@ -48,7 +48,7 @@ void validate(PairKind kind, std::span<const Point> start, std::span<const Point
 template <class PairsOf>
 bool decide_in_parts(std::span<PairResult> results, const PairOptions& options, const PairsOf& pairs_of) {
   constexpr std::size_t kGrain = 8192;
-  const ContactRule rule = validated_rule(options);
+  validate(options);
   const Kernels& chosen = kernels(options.isa);
   std::atomic<bool> is_legal{true};
   Arena(options.threads).run([&] {
@@ -56,8 +56,7 @@ bool decide_in_parts(std::span<PairResult> results, const PairOptions& options, 
     const auto decide_part = [&](const tbb::blocked_range<std::size_t>& part) {
       stop_if_cancelled(options);
       const auto mine = pairs_of(part.begin(), part.end());
-      if (!decide_part_of_list({mine.pairs, mine.step, rule, chosen, options.is_cancelled},
-                               results.subspan(part.begin(), part.size())))
+      if (!decide_part_of_list({mine.pairs, mine.step, chosen, options}, results.subspan(part.begin(), part.size())))
         is_legal = false;
     };
     tbb::parallel_for(all, decide_part, tbb::simple_partitioner());

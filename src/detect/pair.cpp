@@ -26,24 +26,24 @@ PairResult decide_points(PairKind kind, const std::array<Point, count>& start, c
                          const PairOptions& options) {
   check_finite(start, "start");
   check_finite(end, "end");
-  const ContactRule rule = validated_rule(options);
+  validate(options);
   PairPoints points{};
   std::copy(start.begin(), start.end(), points.start.begin());
   std::copy(end.begin(), end.end(), points.end.begin());
   PrecisionCount decided_by;
-  return decide(kind, points, rule, decided_by);
+  return decide({kind, points, options.min_separation}, decided_by, options.latest);
 }
 
 PairResult decide_curves(PairKind kind, const Path& path, const PairVertices& vertices, const PairOptions& options) {
-  const ContactRule rule = validated_rule(options);
+  validate(options);
   for (const Index v : std::span(vertices).first(vertex_count(kind)))
     if (v < 0 || v >= path.vertex_count())
       throw InvalidPath("the path has no vertex " + std::to_string(v) + ": give numbers in [0, " +
                         std::to_string(path.vertex_count()) + ")");
   const PathQuestion question{
-      path, kind, vertices_in_use(kind, vertices), rule.min_separation, options.tolerance, options.is_cancelled};
+      path, kind, vertices_in_use(kind, vertices), options.min_separation, options.tolerance, options.is_cancelled};
   const Decision decision = decide_on_path(question, {0, 1});
-  return decision.lower > rule.latest ? PairResult{} : result_on_path(question, decision);
+  return decision.lower > options.latest ? PairResult{} : result_on_path(question, decision);
 }
 
 }  // namespace

@@ -22,18 +22,18 @@ void validate(const Pair& pair, const Step& step) {
 /// When a pair ends a step: proven not before t_in; at t_out proven, or 1. None: not until the latest time of interest.
 using End = std::optional<TimeInterval<double>>;
 
-End end_by_contact(const Pair& pair, const PairPoints& points, const ContactRule& rule) {
+End end_by_contact(const Pair& pair, const PairPoints& points, const PairOptions& options) {
   PrecisionCount decided_by;
-  const PairResult r = decide(pair.kind, points, rule, decided_by);
+  const PairResult r = decide({pair.kind, points, options.min_separation}, decided_by, options.latest);
   if (!r.touches) return {};
   return TimeInterval<double>{r.toi_lower, r.toi_upper};
 }
 
-End end_by_distance(const Pair& pair, const PairPoints& points, double keep, const ContactRule& rule) {
+End end_by_distance(const Pair& pair, const PairPoints& points, double keep, const PairOptions& options) {
   PrecisionCount decided_by;
-  const DistanceRule kept{keep, rule.min_separation};
-  const double until = keeps_distance_until(pair.kind, points, kept, rule.latest, decided_by);
-  if (until >= rule.latest) return {};
+  const DistanceRule kept{keep, options.min_separation};
+  const double until = keeps_distance_until(pair.kind, points, kept, options.latest, decided_by);
+  if (until >= options.latest) return {};
   return TimeInterval<double>{until, fraction_is_left_at(pair.kind, points, kept, until)};
 }
 
@@ -48,12 +48,12 @@ NearPair distance_of(const Pair& pair, const Positions& positions) {
 
 SafeStep safe_step(const Pair& pair, const Step& step, double keep, const PairOptions& options) {
   validate(pair, step);
-  const ContactRule rule = validated_rule(options);
+  tamis::validate(options);
   validate_kept(keep);
   const PairVertices vertices = vertices_in_use(pair.kind, pair.vertices);
   const PairPoints points = points_of(step, vertices);
-  const End end = keep > 0 ? end_by_distance(pair, points, keep, rule) : end_by_contact(pair, points, rule);
-  if (!end) return {rule.latest, 1, {}};
+  const End end = keep > 0 ? end_by_distance(pair, points, keep, options) : end_by_contact(pair, points, options);
+  if (!end) return {options.latest, 1, {}};
   return {end->t_in, end->t_out, LimitingPair{pair.kind, vertices, start_distance(pair.kind, points)}};
 }
 

@@ -138,7 +138,7 @@ void validate(const Options& options, const Mesh& mesh) {
           [&] { return distance_text(options.radii[g], "the radius of group " + std::to_string(g)); });
 }
 
-ContactRule validated_rule(const PairOptions& options) {
+void validate(const PairOptions& options) {
   validate_distance(options.min_separation, "the minimum separation");
   check(options.latest >= 0 && options.latest <= 1, [&] {
     return "the latest time of interest is " + number_text(options.latest) +
@@ -147,7 +147,6 @@ ContactRule validated_rule(const PairOptions& options) {
   check_tolerance(options.tolerance);
   validate_threads(options.threads);
   if (options.isa != Isa::best) validate_is_named(options.isa, "instruction set");  // the usual one costs nothing
-  return {options.min_separation, options.latest};
 }
 
 void validate_threads(int threads) {

@@ -3,7 +3,6 @@
 #include <string_view>
 
 #include "motion/separations.hpp"
-#include "narrow/contact_rule.hpp"
 #include "tamis/mesh.hpp"
 #include "tamis/options.hpp"
 #include "tamis/pair.hpp"
@@ -34,7 +33,7 @@ void validate_of_path(const QueryOptions& options);
 void validate_stored(const Step& step, const Mesh& mesh, Stored stored);
 
 /// Throws InvalidOptions unless all lies in its range.
-ContactRule validated_rule(const PairOptions& options);
+void validate(const PairOptions& options);
 
 /// Throws InvalidOptions if negative.
 void validate_threads(int threads);

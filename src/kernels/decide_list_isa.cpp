@@ -17,7 +17,7 @@ struct ClippedBatch : CrossingBatch {
   ClippedBatch(const ListedPairs& list, const PairBuffer& pairs, const std::int32_t* all_places, int at)
       : CrossingBatch{at,
                       lanes_in_use(pairs, at),
-                      load_motion<kind>(list.vertices, pairs, at, {list.rule.min_separation, false}),
+                      load_motion<kind>(list.vertices, pairs, at, list.rule.separation),
                       {}},
         places(all_places + at),
         clip(SlabClip::clip<kind, axes>(motion, TimeInterval<DoubleLanes>{DoubleLanes(0), DoubleLanes(1)})) {
@@ -45,9 +45,8 @@ class ListDecision {
   /// Returns how many pairs are left undecided.
   int run(const PairBuffer& in) {
     if constexpr (can_cross(kind))
-      if (list_.rule.min_separation == 0) return find_crossings(in);
-    const WithinRule rule{{list_.rule.min_separation, false}, list_.rule.latest};
-    AdvanceLanes<kind, StepRows, ListDecision>(list_.vertices, rule, *list_.within, *this).run(in);
+      if (!list_.rule.separation.any()) return find_crossings(in);
+    AdvanceLanes<kind, StepRows, ListDecision>(list_.vertices, list_.rule, *list_.within, *this).run(in);
     return undecided_count_;
   }
 

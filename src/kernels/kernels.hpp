@@ -7,7 +7,6 @@
 
 #include "bvh/block_tree.hpp"
 #include "motion/pair_kinds.hpp"
-#include "narrow/contact_rule.hpp"
 #include "tamis/contact.hpp"
 #include "tamis/options.hpp"
 #include "tamis/pair.hpp"
@@ -51,7 +50,7 @@ struct AdvanceBuffer {
 /// Which contacts are asked for.
 struct WithinRule {
   PairSeparation separation;
-  double latest;  ///< none that begins later
+  double latest = 1;  ///< none that begins later
 };
 
 /// Scratch of the kernels that decide pairs within a separation.
@@ -114,7 +113,7 @@ struct StepRows {
 struct ListedPairs {
   StepRows vertices;
   const std::int32_t* places;  ///< of the pairs of the buffer in the list
-  const ContactRule& rule;
+  const WithinRule& rule;
   WithinScratch* within;  ///< where a separation is asked for, or a kind that cannot cross
 };
 

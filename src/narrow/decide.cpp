@@ -30,12 +30,6 @@ std::optional<Decision> decide_again(const PairInStep& pair, const Decision& d) 
   return first_within_finely(pair, {d.lower, d.upper});
 }
 
-/// What is decided of a pair, and by what arithmetic.
-struct Outcome {
-  Decision decision;
-  std::uint64_t PrecisionCount::*arithmetic;
-};
-
 bool is_proven_free(const TimeInterval<double>& clip, double latest) {
   return clip.t_in > clip.t_out || clip.t_in > latest;
 }
@@ -91,15 +85,6 @@ std::optional<Decision> decide_by_doubles(const PairInStep& pair, const TimeInte
   return stays_apart(pair, clip) ? std::optional(Decision{}) : std::nullopt;
 }
 
-Outcome decide_pair(const PairInStep& pair, double latest) {
-  const auto clip = clipped(pair.kind, pair.motion, kWholeStep);
-  if (is_proven_free(clip, latest)) return {{}, &PrecisionCount::scalar};
-  auto decision = decide_by_doubles(pair, clip);
-  if (decision && !is_sharp_answer(*decision)) decision = decide_again(pair, *decision);
-  return decision ? Outcome{*decision, &PrecisionCount::scalar}
-                  : Outcome{decide_exactly(pair.kind, pair.points, pair.separation), &PrecisionCount::exact};
-}
-
 PairResult described(const PairInStep& pair, const Decision& decision) {
   if (decision.is_free()) return {};
   PairResult result;
@@ -111,40 +96,36 @@ PairResult described(const PairInStep& pair, const Decision& decision) {
 }
 
 /// Of a pair that crossings do not decide.
-PairResult decide_further(const PairInStep& pair, double latest, PrecisionCount& decided_by) {
-  const auto [decision, arithmetic] = decide_pair(pair, latest);
-  ++(decided_by.*arithmetic);
-  return decision.lower > latest ? PairResult{} : described(pair, decision);
+PairResult decide_further(const PairInStep& pair, PrecisionCount& decided_by, double latest) {
+  const auto clip = clipped(pair.kind, pair.motion, kWholeStep);
+  auto decision = is_proven_free(clip, latest) ? Decision{} : decide_by_doubles(pair, clip);
+  if (decision && !is_sharp_answer(*decision)) decision = decide_again(pair, *decision);
+  ++(decision ? decided_by.scalar : decided_by.exact);
+  if (!decision) decision = decide_exactly(pair.kind, pair.points, pair.separation);
+  return decision->lower > latest ? PairResult{} : described(pair, *decision);
 }
 
 }  // namespace
 
-PairResult decide(PairKind kind, const PairPoints& points, const ContactRule& rule, PrecisionCount& decided_by) {
-  TAMIS_ASSERT(0 <= rule.latest && rule.latest <= 1);
-  const PairInStep pair(kind, points, rule.min_separation);
-  const auto decided = decided_by_crossings(pair, rule.latest);
-  if (!decided) return decide_further(pair, rule.latest, decided_by);
+PairResult decide(const PairInStep& pair, PrecisionCount& decided_by, double latest) {
+  TAMIS_ASSERT(0 <= latest && latest <= 1);
+  const auto decided = decided_by_crossings(pair, latest);
+  if (!decided) return decide_further(pair, decided_by, latest);
   ++decided_by.scalar;
-  return decided->toi_lower > rule.latest ? PairResult{} : *decided;
+  return decided->toi_lower > latest ? PairResult{} : *decided;
 }
 
-PairResult decide_recontact(PairKind kind, const PairPoints& points, double separation, PrecisionCount& decided_by) {
-  const PairInStep pair(kind, points, separation);
+PairResult decide_undecided(const PairInStep& pair, PrecisionCount& decided_by, double latest) {
+  TAMIS_ASSERT(!decided_by_crossings(pair, latest));
+  return decide_further(pair, decided_by, latest);
+}
+
+PairResult decide_recontact(const PairInStep& pair, PrecisionCount& decided_by) {
   const PairMotion<double>& m = pair.motion;
-  const auto again = is_finite(m) && m.separation > 0 ? first_recontact_within(kind, m) : std::nullopt;
-  const auto [decision, arithmetic] =
-      again && is_sharp_answer(*again)
-          ? Outcome{*again, &PrecisionCount::scalar}
-          : Outcome{decide_recontact_exactly(kind, points, separation), &PrecisionCount::exact};
-  ++(decided_by.*arithmetic);
-  return described(pair, decision);
-}
-
-PairResult decide_undecided(PairKind kind, const PairPoints& points, const ContactRule& rule,
-                            PrecisionCount& decided_by) {
-  const PairInStep pair(kind, points, rule.min_separation);
-  TAMIS_ASSERT(!decided_by_crossings(pair, rule.latest));
-  return decide_further(pair, rule.latest, decided_by);
+  const auto again = is_finite(m) && m.separation > 0 ? first_recontact_within(pair.kind, m) : std::nullopt;
+  const bool is_decided = again && is_sharp_answer(*again);
+  ++(is_decided ? decided_by.scalar : decided_by.exact);
+  return described(pair, is_decided ? *again : decide_recontact_exactly(pair.kind, pair.points, pair.separation));
 }
 
 }  // namespace tamis

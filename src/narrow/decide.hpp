@@ -3,23 +3,20 @@
 // hand the pairs they leave undecided to these functions, so that they return the same set of contacts.
 #pragma once
 #include "motion/make_motion.hpp"
-#include "narrow/contact_rule.hpp"
 #include "tamis/pair.hpp"
 #include "tamis/statistics.hpp"
 
 namespace tamis {
 
-/// REQUIRES: a kind there is, finite coordinates, a valid rule. Counts in `decided_by` which
-/// arithmetic had the last word.
-PairResult decide(PairKind kind, const PairPoints& points, const ContactRule& rule, PrecisionCount& decided_by);
+/// Counts in `decided_by` which arithmetic had the last word. `latest`, in [0,1]: as in PairOptions.
+PairResult decide(const PairInStep& pair, PrecisionCount& decided_by, double latest = 1);
 
 /// The same. REQUIRES: decided_by_crossing.hpp does not decide the pair, which has been tried where many are tried at
 /// once.
-PairResult decide_undecided(PairKind kind, const PairPoints& points, const ContactRule& rule,
-                            PrecisionCount& decided_by);
+PairResult decide_undecided(const PairInStep& pair, PrecisionCount& decided_by, double latest = 1);
 
 /// Recontact: does a pair that touches at t=0 touch again, after it has come apart? REQUIRES (not checked: exact): it
 /// touches at t=0.
-PairResult decide_recontact(PairKind kind, const PairPoints& points, double separation, PrecisionCount& decided_by);
+PairResult decide_recontact(const PairInStep& pair, PrecisionCount& decided_by);
 
 }  // namespace tamis

@@ -62,7 +62,7 @@ double kept(double distance, const PairMotion<double>& m, double fraction, int r
 double keeps_without_clearance_until(PairKind kind, const PairPoints& points, const DistanceRule& rule,
                                      PrecisionCount& decided_by) {
   if (!rule.ignores_start) return 0;
-  const PairResult again = decide_recontact(kind, points, rule.min_separation, decided_by);
+  const PairResult again = decide_recontact({kind, points, rule.min_separation}, decided_by);
   return again.touches ? again.toi_lower : 1;
 }
 

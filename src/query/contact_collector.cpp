@@ -68,7 +68,7 @@ bool ContactCollector::add(PairKind kind, const PairVertices& vertices, const Pa
 
 PairResult ContactCollector::as_counted(PairKind kind, const PairVertices& vertices, const PairResult& result) {
   if (!query_->ignores_start || result.toi_upper > 0) return result;
-  return decide_recontact(kind, points_of(query_->step, vertices), query_->separations.between(kind, vertices),
+  return decide_recontact({kind, points_of(query_->step, vertices), query_->separations.between(kind, vertices)},
                           decided_by_);
 }
 
@@ -108,8 +108,8 @@ void ContactCollector::reduce_to_first() {
   for (const Contact& c : contacts_) {
     if (c.toi_lower > bound_->latest() || !wants(c.kind, c.vertices)) continue;
     stop_if_cancelled(*query_);
-    const ContactRule rule = query_->rule_for(c.kind, c.vertices);
-    const PairResult result = decide(c.kind, points_of(query_->step, c.vertices), rule, decided_by_);
+    const double separation = query_->separations.between(c.kind, c.vertices);
+    const PairResult result = decide({c.kind, points_of(query_->step, c.vertices), separation}, decided_by_);
     keep_first(contact_of(c.kind, c.vertices, as_counted(c.kind, c.vertices, result)));
   }
   contacts_.clear();

@@ -5,7 +5,6 @@
 #include <span>
 
 #include "motion/separations.hpp"
-#include "narrow/contact_rule.hpp"
 #include "narrow/kept_distance.hpp"
 #include "tamis/options.hpp"
 #include "tamis/pair.hpp"
@@ -39,10 +38,7 @@ struct Query {
   /// find_step_ends alone.
   std::span<const std::uint8_t> changed = {};
 
-  /// The rule by which a pair is decided, in contact questions, and in those that keep a fraction of distances.
-  ContactRule rule_for(PairKind kind, const std::array<Index, 4>& vertices) const {
-    return {.min_separation = separations.between(kind, vertices)};
-  }
+  /// The rule by which a pair is decided in questions that keep a fraction of distances.
   DistanceRule distance_rule_for(PairKind kind, const std::array<Index, 4>& vertices, double fraction) const {
     return {fraction, separations.between(kind, vertices), ignores_start};
   }

@@ -35,7 +35,7 @@ void ContactConsumer::decide_as_list(PairKind kind) {
   const auto& [start, end] = query().step;
   const StepRows vertices{start.data(), end.data(), start.stride(), end.stride()};
   auto& [places, undecided, results] = *list_scratch_;
-  const int count = kernels.decide_list({vertices, places.data(), ContactRule{}, nullptr}, pairs, thread().clipped,
+  const int count = kernels.decide_list({vertices, places.data(), WithinRule{}, nullptr}, pairs, thread().clipped,
                                         results.data(), undecided.data());
   thread().counts.decided_by.lanes += static_cast<std::uint64_t>(pairs.count - count);
   for (const std::int32_t pair : std::span(undecided).first(static_cast<std::size_t>(count))) {
@@ -66,9 +66,9 @@ void ContactConsumer::add(PairKind kind, const PairVertices& vertices, PairResul
 void ContactConsumer::decide_singly(PairKind kind, const PairVertices& vertices) {
   stop_if_cancelled(query());
   if (!found_.wants(kind, vertices)) return;
-  const ContactRule rule = query().rule_for(kind, vertices);
-  found_.add(kind, vertices, decide(kind, points_of(query().step, vertices), rule, thread().counts.decided_by),
-             DecidedBy::singly);
+  const double separation = query().separations.between(kind, vertices);
+  const PairResult result = decide({kind, points_of(query().step, vertices), separation}, thread().counts.decided_by);
+  found_.add(kind, vertices, result, DecidedBy::singly);
 }
 
 }  // namespace tamis

@@ -55,7 +55,7 @@ void IntersectionConsumer::decide_singly(int pair) {
   if (!wants(kEdgeRunner)) return;
   const PairBuffer& pairs = thread().filtered;
   const PairPoints points = edge_runner_points(query().step.start, edge_of(pairs, pair), face_of(pairs, pair));
-  add(pair, decide(kEdgeRunner, points, {}, thread().counts.decided_by));
+  add(pair, decide({kEdgeRunner, points}, thread().counts.decided_by));
 }
 
 void IntersectionSearch::find(const Query& query, std::vector<Intersection>& found, Statistics& statistics) {

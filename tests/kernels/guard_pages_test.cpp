@@ -126,8 +126,7 @@ void run_list(const Kernels& kernels, std::size_t kind, const PairBuffer& in, co
   const auto count = static_cast<std::size_t>(in.count);
   const auto empty = std::make_unique<PairBuffer>();
   for (const double min_separation : {0.0, 0.5}) {
-    ContactRule rule;
-    rule.min_separation = min_separation;
+    const WithinRule rule{{min_separation, false}};
     std::vector<std::int32_t> numbers(count);
     std::iota(numbers.begin(), numbers.end(), 0);
     const Guarded<std::int32_t> places(numbers, guard), open(std::vector<std::int32_t>(count), guard);

@@ -42,7 +42,8 @@ TEST(CoplanarPairs, AreDecidedAsIntegersDecideThem) {
     for (int i = 0; i < 3000 && !HasFailure(); ++i) {
       const PairPoints points = in_one_plane(random);
       const bool touches = decide_exactly(kind, points).touches();
-      EXPECT_EQ(decide(kind, points, {}, decided_by).touches, touches) << describe(kind, {points.start, points.end});
+      EXPECT_EQ(decide(PairInStep(kind, points), decided_by).touches, touches)
+          << describe(kind, {points.start, points.end});
       ++(touches ? touching : free);
     }
     EXPECT_GT(touching, 300);
@@ -55,7 +56,8 @@ TEST(CoplanarPairs, AreDecidedAsIntegersDecideThem) {
 TEST(CoplanarPairs, WhatSlidesPastNeedsNoIntegers) {
   Random random(5);
   PrecisionCount decided_by;
-  for (int i = 0; i < 300; ++i) EXPECT_FALSE(decide(PairKind::edge_edge, sliding(random), {}, decided_by).touches);
+  for (int i = 0; i < 300; ++i)
+    EXPECT_FALSE(decide(PairInStep(PairKind::edge_edge, sliding(random)), decided_by).touches);
   EXPECT_EQ(decided_by.exact, 0u);
 }
 

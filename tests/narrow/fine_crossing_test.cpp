@@ -118,7 +118,7 @@ TEST(FineCrossing, DecidesWhatMeetsASideWithinRounding) {
   for (int i = 0; i < 1000; ++i) {
     const PairPoints points = falls_on_a_side(random);
     const Decision exact = decide_exactly(PairKind::vertex_face, points);
-    const PairResult result = decide(PairKind::vertex_face, points, {}, decided_by);
+    const PairResult result = decide({PairKind::vertex_face, points}, decided_by);
     counts.answered += exact.touches();
     ASSERT_EQ(result.touches, exact.touches()) << describe(PairKind::vertex_face, {points.start, points.end});
     if (!exact.touches()) continue;

@@ -27,7 +27,7 @@ Motion slower(Motion m, double part) {
 void expect_exact_answer(PairKind kind, const Motion& m, double separation) {
   const PairPoints points = to_points(m);
   PrecisionCount decided_by;
-  const PairResult result = decide_recontact(kind, points, separation, decided_by);
+  const PairResult result = decide_recontact({kind, points, separation}, decided_by);
   const Decision exact = decide_recontact_exactly(kind, points, separation);
   ASSERT_EQ(result.touches, exact.touches());
   if (!exact.touches()) return;

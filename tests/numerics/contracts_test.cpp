@@ -72,7 +72,7 @@ TEST_F(Contracts, PointsThatAreNotFinite) {
   PairPoints points = kPassing;
   points.end[2][1] = kNan;
   PrecisionCount count;
-  EXPECT_DEATH(decide(kFace, points, {}, count), "is_finite");
+  EXPECT_DEATH(decide(PairInStep(kFace, points), count), "is_finite");
   EXPECT_DEATH(exact_distance(kFace, points), "is_finite");
 }
 
@@ -96,7 +96,7 @@ TEST_F(Contracts, AllOfTheDistanceKept) {
 /// Lanes that gave another answer than doubles would be called upon here.
 TEST_F(Contracts, DecidedPairsAreNotAskedAgain) {
   PrecisionCount count;
-  EXPECT_DEATH(decide_undecided(kFace, kPassing, {}, count), "decided_by_crossings");
+  EXPECT_DEATH(decide_undecided(PairInStep(kFace, kPassing), count), "decided_by_crossings");
 }
 
 }  // namespace

@@ -31,7 +31,8 @@ struct Collectors : testing::Test {
   }
   void add(ContactCollector& to, const PairVertices& vertices) {
     PrecisionCount count;
-    to.add(kKind, vertices, decide(kKind, points_of(query->step, vertices), query->rule_for(kKind, vertices), count));
+    to.add(kKind, vertices,
+           decide({kKind, points_of(query->step, vertices), query->separations.between(kKind, vertices)}, count));
   }
 };
 
@@ -59,7 +60,8 @@ TEST_F(Collectors, WhatIsDecidedIsNotDecidedAgain) {
   ask(Question::earliest);
   PrecisionCount count;
   for (const PairVertices& vertices : {kLate, kEarly})
-    one.add(kKind, vertices, decide(kKind, points_of(query->step, vertices), query->rule_for(kKind, vertices), count),
+    one.add(kKind, vertices,
+            decide({kKind, points_of(query->step, vertices), query->separations.between(kKind, vertices)}, count),
             DecidedBy::singly);
   EXPECT_EQ(one.first().contact->vertices, kEarly);
   EXPECT_EQ(one.decided_by().scalar + one.decided_by().exact, 0u);

@@ -120,9 +120,7 @@ TEST_F(Contracts, FewerResultsThanPairs) {
   const Trees t;
   const std::vector<Pair> pairs(2, {PairKind::vertex_face, {0, 3, 4, 5}});
   std::vector<PairResult> results(1);
-  const ContactRule rule;
-  const std::function<bool()> never;
-  EXPECT_DEATH(decide_part_of_list({pairs, t.step, rule, kernels(Isa::best), never}, results), "results.size");
+  EXPECT_DEATH(decide_part_of_list({pairs, t.step, kernels(Isa::best), PairOptions()}, results), "results.size");
 }
 
 TEST_F(Contracts, FractionsOfAStepThatIsCut) {

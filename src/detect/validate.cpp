@@ -3,7 +3,6 @@
 #include <cmath>
 #include <string>
 #include <string_view>
-#include <type_traits>
 
 #include "detect/enum_names.hpp"
 #include "detect/stored.hpp"
@@ -15,58 +14,43 @@
 namespace tamis {
 namespace {
 
-/// `message`: a text, or a function that makes it only if it is needed, as checks are many.
-template <class Message>
-void check(bool ok, const Message& message) {
-  if (ok) return;
-  if constexpr (std::is_invocable_v<const Message&>)
-    throw InvalidOptions(message());
-  else
-    throw InvalidOptions(message);
-}
-
 void check_tolerance(double tolerance) {
-  check(tolerance > 0 && tolerance <= 1, [&] {
-    return "the tolerance of brackets is " + number_text(tolerance) + ": give a fraction of the step, > 0 and <= 1";
-  });
+  if (!(tolerance > 0 && tolerance <= 1))
+    throw InvalidOptions("the tolerance of brackets is " + number_text(tolerance) +
+                         ": give a fraction of the step, > 0 and <= 1");
 }
 
 void validate(const PairFilter& filter, const Mesh& mesh) {
   const auto n = at(filter.group_count);
-  check(filter.rings >= 1, [&] {
-    return "rings is " + std::to_string(filter.rings) +
-           ": give at least 1, which leaves out pairs with a common vertex";
-  });
-  check(filter.group_count > 0,
-        [&] { return "group_count is " + std::to_string(filter.group_count) + ": give at least one group"; });
-  check(filter.groups_may_touch.empty() || filter.groups_may_touch.size() == n * n, [&] {
-    return "groups_may_touch has " + std::to_string(filter.groups_may_touch.size()) +
-           " entries: give group_count^2 = " + std::to_string(n * n);
-  });
+  if (filter.rings < 1)
+    throw InvalidOptions("rings is " + std::to_string(filter.rings) +
+                         ": give at least 1, which leaves out pairs with a common vertex");
+  if (filter.group_count <= 0)
+    throw InvalidOptions("group_count is " + std::to_string(filter.group_count) + ": give at least one group");
+  if (!filter.groups_may_touch.empty() && filter.groups_may_touch.size() != n * n)
+    throw InvalidOptions("groups_may_touch has " + std::to_string(filter.groups_may_touch.size()) +
+                         " entries: give group_count^2 = " + std::to_string(n * n));
   for (std::size_t a = 0; a < n && !filter.groups_may_touch.empty(); ++a)
     for (std::size_t b = 0; b < a; ++b)
-      check(!filter.groups_may_touch[a * n + b] == !filter.groups_may_touch[b * n + a], [&] {
-        return "groups_may_touch differs for (" + std::to_string(a) + ", " + std::to_string(b) +
-               ") and its mirror image: make it symmetric";
-      });
+      if (!filter.groups_may_touch[a * n + b] != !filter.groups_may_touch[b * n + a])
+        throw InvalidOptions("groups_may_touch differs for (" + std::to_string(a) + ", " + std::to_string(b) +
+                             ") and its mirror image: make it symmetric");
   if (filter.group_of_vertex.empty()) {
-    check(n == 1 && filter.groups_may_touch.empty(),
-          "group_of_vertex is empty, but group_count or groups_may_touch speak of groups: give one group a vertex");
-    return;
+    if (n == 1 && filter.groups_may_touch.empty()) return;
+    throw InvalidOptions(
+        "group_of_vertex is empty, but group_count or groups_may_touch speak of groups: give one group a vertex");
   }
-  check(filter.group_of_vertex.size() == at(mesh.vertex_count()), [&] {
-    return "group_of_vertex has " + std::to_string(filter.group_of_vertex.size()) + " entries for " +
-           std::to_string(mesh.vertex_count()) + " vertices: give one group a vertex, or none";
-  });
+  if (filter.group_of_vertex.size() != at(mesh.vertex_count()))
+    throw InvalidOptions("group_of_vertex has " + std::to_string(filter.group_of_vertex.size()) + " entries for " +
+                         std::to_string(mesh.vertex_count()) + " vertices: give one group a vertex, or none");
   auto point = mesh.points().begin();
   for (Index v = 0; v < mesh.vertex_count(); ++v) {
     const Index group = filter.group_of_vertex[at(v)];
     const bool is_point = point != mesh.points().end() && *point == v;
     if (is_point) ++point;
-    check(group >= (is_point ? 0 : -1) && group < filter.group_count, [&] {
-      return "vertex " + std::to_string(v) + " is in group " + std::to_string(group) + ": groups must be in [0, " +
-             std::to_string(n) + ")";
-    });
+    if (group < (is_point ? 0 : -1) || group >= filter.group_count)
+      throw InvalidOptions("vertex " + std::to_string(v) + " is in group " + std::to_string(group) +
+                           ": groups must be in [0, " + std::to_string(n) + ")");
   }
 }
 
@@ -75,22 +59,15 @@ void validate(const PairFilter& filter, const Mesh& mesh) {
                     number_text(coordinate) + what);
 }
 
-bool is_distance(double x) { return std::isfinite(x) && x >= 0; }
-
-std::string distance_text(double distance, std::string_view what) {
-  return std::string(what) + " is " + number_text(distance) + ": give a finite distance >= 0";
-}
-
 void validate_of_any(const QueryOptions& options) {
   if (options.min_separation) validate_distance(*options.min_separation, "the minimum separation");
   validate_is_named(options.at_start, "way with pairs that touch at the start");
 }
 
 void check_kept(double keep, bool is_enough, const char* least) {
-  check(is_enough && keep < 1, [&] {
-    return "keep is " + number_text(keep) + ": give the fraction of its distance that each pair keeps, " + least +
-           " and < 1";
-  });
+  if (!(is_enough && keep < 1))
+    throw InvalidOptions("keep is " + number_text(keep) + ": give the fraction of its distance that each pair keeps, " +
+                         least + " and < 1");
 }
 
 void validate_layout(const Positions& positions, const char* what) {
@@ -129,40 +106,38 @@ void validate(const Options& options, const Mesh& mesh) {
   validate_threads(options.threads);
   validate_distance(options.min_separation, "min_separation");
   validate(options.filter, mesh);
-  check(options.radii.empty() || options.radii.size() == at(options.filter.group_count), [&] {
-    return "radii has " + std::to_string(options.radii.size()) + " entries for " +
-           std::to_string(options.filter.group_count) + " groups: give one radius a group, or none";
-  });
+  if (!options.radii.empty() && options.radii.size() != at(options.filter.group_count))
+    throw InvalidOptions("radii has " + std::to_string(options.radii.size()) + " entries for " +
+                         std::to_string(options.filter.group_count) + " groups: give one radius a group, or none");
   for (std::size_t g = 0; g < options.radii.size(); ++g)
-    check(is_distance(options.radii[g]),
-          [&] { return distance_text(options.radii[g], "the radius of group " + std::to_string(g)); });
+    validate_distance(options.radii[g], "the radius of group " + std::to_string(g));
 }
 
 void validate(const PairOptions& options) {
   validate_distance(options.min_separation, "the minimum separation");
-  check(options.latest >= 0 && options.latest <= 1, [&] {
-    return "the latest time of interest is " + number_text(options.latest) +
-           ": give a fraction of the step, >= 0 and <= 1";
-  });
+  if (!(options.latest >= 0 && options.latest <= 1))
+    throw InvalidOptions("the latest time of interest is " + number_text(options.latest) +
+                         ": give a fraction of the step, >= 0 and <= 1");
   check_tolerance(options.tolerance);
   validate_threads(options.threads);
   if (options.isa != Isa::best) validate_is_named(options.isa, "instruction set");  // the usual one costs nothing
 }
 
 void validate_threads(int threads) {
-  check(threads >= 0, [&] { return "threads is " + std::to_string(threads) + ": give 0 (all) or a positive number"; });
+  if (threads < 0)
+    throw InvalidOptions("threads is " + std::to_string(threads) + ": give 0 (all) or a positive number");
 }
 
 void validate_distance(double distance, std::string_view what) {
-  check(is_distance(distance), [&] { return distance_text(distance, what); });
+  if (!(std::isfinite(distance) && distance >= 0))
+    throw InvalidOptions(std::string(what) + " is " + number_text(distance) + ": give a finite distance >= 0");
 }
 
 void validate(const Separations& separations) {
   const double radius = separations.largest_radius();
-  check(std::isfinite(2 * radius + separations.fixed), [&] {
-    return "a separation of " + number_text(separations.fixed) + " and twice the radius " + number_text(radius) +
-           " are together more than any double: give smaller ones";
-  });
+  if (!std::isfinite(2 * radius + separations.fixed))
+    throw InvalidOptions("a separation of " + number_text(separations.fixed) + " and twice the radius " +
+                         number_text(radius) + " are together more than any double: give smaller ones");
 }
 
 void validate(const Step& step, const Mesh& mesh) {
@@ -186,7 +161,8 @@ void validate_kept_of_truncate(double keep) { check_kept(keep, keep > 0, "> 0");
 
 void validate_of_step(const QueryOptions& options) {
   validate_of_any(options);
-  check(!options.tolerance,
+  if (options.tolerance)
+    throw InvalidOptions(
         "a step has no tolerance, its brackets are as narrow as doubles: leave it out, or give a path");
 }
 

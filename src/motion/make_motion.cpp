@@ -25,12 +25,9 @@ double safe_unit(const PairPoints& points) {
   return largest < 0x1p1021 ? 1 : 0x1p-3;
 }
 
-Moving<double> scaled(const Moving<double>& v, double scale) { return {scale * v.at0, scale * v.at1}; }
-
-Moving<DoubleDouble> scaled(const Moving<DoubleDouble>& v, double scale) {
-  const auto part = [&](const DoubleDouble& x) { return DoubleDouble{scale * x.high, scale * x.low}; };
-  const auto vector = [&](const Vec3<DoubleDouble>& x) { return Vec3<DoubleDouble>{part(x.x), part(x.y), part(x.z)}; };
-  return {vector(v.at0), vector(v.at1)};
+template <class T>
+Moving<T> scaled(double power, const Moving<T>& v) {
+  return {scaled(power, v.at0), scaled(power, v.at1)};
 }
 
 template <class T>
@@ -51,7 +48,7 @@ struct Unscaled {
 
   double size() const { return std::max({largest(e), largest(f), largest(d)}); }
   PairMotion<T> times(double scale) const {
-    return {scaled(e, scale),   scaled(f, scale),   scaled(d, scale),  scale * largest(e),
+    return {scaled(scale, e),   scaled(scale, f),   scaled(scale, d),  scale * largest(e),
             scale * largest(f), scale * largest(d), scale * separation};
   }
 };
@@ -72,8 +69,7 @@ PairMotion<T> motion_of(PairKind kind, const PairPoints& points, double separati
 
 /// A vector at t=0 and at t=part, rounded once.
 Moving<double> beginning(const Moving<DoubleDouble>& v, double part) {
-  const Moving<DoubleDouble> change = scaled({v.at0, v.at1 - v.at0}, part);
-  return {rounded(v.at0), rounded(v.at0 + change.at1)};
+  return {rounded(v.at0), rounded(v.at0 + scaled(part, v.at1 - v.at0))};
 }
 
 }  // namespace

@@ -14,12 +14,6 @@ namespace {
 using Fine = DoubleDouble;
 using FineVec = Vec3<Fine>;
 
-/// Exact.
-FineVec times_power_of_two(double power, const FineVec& v) {
-  const auto times = [&](const Fine& x) { return Fine{power * x.high, power * x.low}; };
-  return {times(v.x), times(v.y), times(v.z)};
-}
-
 /// 1 + x, x being some roundings.
 Fine one_and(double roundings) { return {1, roundings * error_bounds::unit_roundoff<Fine>}; }
 
@@ -109,7 +103,7 @@ class FineSearch {
     const Fine zero(0);
     const FineVec axis = orthogonal_gap<kind>(s.e, s.f, ClosestPointsOf<Fine>{s.rough.u, s.rough.v, s.gap});
     const double scale = scale_below_one(largest_component(rounded(axis)));
-    const FineVec n = times_power_of_two(scale, axis);
+    const FineVec n = scaled(scale, axis);
     const Fine error = error_bounds::bound<Fine>(error_bounds::kAxisNow, size_);
     const Fine reach = fine_.separation * fine_.separation * dot(n, n) * one_and(16);
     for (const FineVec& corner : difference_corners<kind>(s.e, s.f, s.d)) {

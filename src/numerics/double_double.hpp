@@ -117,6 +117,13 @@ template <>
 inline constexpr double unit_roundoff<DoubleDouble> = 0x1p-103;
 }  // namespace error_bounds
 
+/// Times a power of two: exact, where nothing underflows.
+inline Vec3<DoubleDouble> scaled(double power, const Vec3<DoubleDouble>& v) {
+  const auto times = [&](const DoubleDouble& x) { return DoubleDouble{power * x.high, power * x.low}; };
+  return {times(v.x), times(v.y), times(v.z)};
+}
+inline Vec3<double> scaled(double power, const Vec3<double>& v) { return power * v; }
+
 inline Vec3<double> rounded(const Vec3<DoubleDouble>& v) { return {v.x.high, v.y.high, v.z.high}; }
 
 /// The nearest double at or above.

@@ -33,8 +33,7 @@ struct Batch {
 
 class PartDecision {
  public:
-  PartDecision(const ListPart& part, PairResult* results)
-      : part_(part), rule_{{part.options.min_separation, false}, part.options.latest}, results_(results) {}
+  PartDecision(const ListPart& part, PairResult* results) : part_(part), results_(results) {}
 
   bool run() {
     for (std::size_t i = 0; i < part_.pairs.size(); ++i) {
@@ -70,8 +69,8 @@ class PartDecision {
     TAMIS_ASSERT(batch.pairs.count <= Batch::kPairsPerBatch);
     const auto& [start, end] = part_.step;
     const StepRows vertices{start.data(), end.data(), start.stride(), end.stride()};
-    const int undecided = part_.kernels.of(kind).decide_list({vertices, batch.places, rule_, within(kind)}, batch.pairs,
-                                                             batch.rest, results_, batch.undecided);
+    const ListedPairs list{vertices, batch.places, part_.options.min_separation, part_.options.latest, within(kind)};
+    const int undecided = part_.kernels.of(kind).decide_list(list, batch.pairs, batch.rest, results_, batch.undecided);
     TAMIS_ASSERT(0 <= undecided && undecided <= batch.pairs.count);
     batch.pairs.count = 0;
     return std::all_of(batch.undecided, batch.undecided + undecided,
@@ -95,7 +94,6 @@ class PartDecision {
   }
 
   const ListPart part_;
-  const WithinRule rule_;
   PairResult* results_;
   std::unique_ptr<Batch> batches_[kPairKinds];
   std::unique_ptr<WithinScratch> within_;

@@ -17,13 +17,13 @@ struct ClippedBatch : CrossingBatch {
   ClippedBatch(const ListedPairs& list, const PairBuffer& pairs, const std::int32_t* all_places, int at)
       : CrossingBatch{at,
                       lanes_in_use(pairs, at),
-                      load_motion<kind>(list.vertices, pairs, at, list.rule.separation),
+                      load_motion<kind>(list.vertices, pairs, at, {list.min_separation, false}),
                       {}},
         places(all_places + at),
         clip(SlabClip::clip<kind, axes>(motion, TimeInterval<DoubleLanes>{DoubleLanes(0), DoubleLanes(1)})) {
     part = widened(clip);
     finite = finite_lanes(motion);
-    free = lanes & finite & bits((clip.t_in > clip.t_out) | (clip.t_in > DoubleLanes(list.rule.latest)));
+    free = lanes & finite & bits((clip.t_in > clip.t_out) | (clip.t_in > DoubleLanes(list.latest)));
     lanes &= ~free;
   }
   /// Lanes that a crossing may decide.
@@ -45,8 +45,9 @@ class ListDecision {
   /// Returns how many pairs are left undecided.
   int run(const PairBuffer& in) {
     if constexpr (can_cross(kind))
-      if (!list_.rule.separation.any()) return find_crossings(in);
-    AdvanceLanes<kind, StepRows, ListDecision>(list_.vertices, list_.rule, *list_.within, *this).run(in);
+      if (list_.min_separation == 0) return find_crossings(in);
+    const WithinRule rule{{list_.min_separation, false}, list_.latest};
+    AdvanceLanes<kind, StepRows, ListDecision>(list_.vertices, rule, *list_.within, *this).run(in);
     return undecided_count_;
   }
 
@@ -108,7 +109,7 @@ class ListDecision {
     const auto s = decided_by_crossing(crossing, batch.clip);
     const unsigned lanes = batch.lanes;
     const unsigned free = lanes & bits(s.is_free), touches = lanes & ~free & bits(s.touches);
-    const unsigned late = touches & bits(s.lower > DoubleLanes(list_.rule.latest));
+    const unsigned late = touches & bits(s.lower > DoubleLanes(list_.latest));
     keep_free(free | late, batch.places);
     const ContactLanes contacts(s.lower, s.upper, s.u, s.v, s.normal);
     for_each_bit(touches & ~late, [&](int i) { results_[batch.places[i]] = contacts.result(i); });

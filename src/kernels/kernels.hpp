@@ -50,7 +50,7 @@ struct AdvanceBuffer {
 /// Which contacts are asked for.
 struct WithinRule {
   PairSeparation separation;
-  double latest = 1;  ///< none that begins later
+  double latest;  ///< none that begins later
 };
 
 /// Scratch of the kernels that decide pairs within a separation.
@@ -113,8 +113,9 @@ struct StepRows {
 struct ListedPairs {
   StepRows vertices;
   const std::int32_t* places;  ///< of the pairs of the buffer in the list
-  const WithinRule& rule;
-  WithinScratch* within;  ///< where a separation is asked for, or a kind that cannot cross
+  double min_separation = 0;
+  double latest = 1;                ///< no contact that begins later is asked for
+  WithinScratch* within = nullptr;  ///< where a separation is asked for, or a kind that cannot cross
 };
 
 /// The kernels of one kind of pairs; null where the kind has no use for one.

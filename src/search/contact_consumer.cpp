@@ -35,8 +35,8 @@ void ContactConsumer::decide_as_list(PairKind kind) {
   const auto& [start, end] = query().step;
   const StepRows vertices{start.data(), end.data(), start.stride(), end.stride()};
   auto& [places, undecided, results] = *list_scratch_;
-  const int count = kernels.decide_list({vertices, places.data(), WithinRule{}, nullptr}, pairs, thread().clipped,
-                                        results.data(), undecided.data());
+  const int count =
+      kernels.decide_list({vertices, places.data()}, pairs, thread().clipped, results.data(), undecided.data());
   thread().counts.decided_by.lanes += static_cast<std::uint64_t>(pairs.count - count);
   for (const std::int32_t pair : std::span(undecided).first(static_cast<std::size_t>(count))) {
     results[static_cast<std::size_t>(pair)] = {};

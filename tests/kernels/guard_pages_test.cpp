@@ -126,7 +126,6 @@ void run_list(const Kernels& kernels, std::size_t kind, const PairBuffer& in, co
   const auto count = static_cast<std::size_t>(in.count);
   const auto empty = std::make_unique<PairBuffer>();
   for (const double min_separation : {0.0, 0.5}) {
-    const WithinRule rule{{min_separation, false}};
     std::vector<std::int32_t> numbers(count);
     std::iota(numbers.begin(), numbers.end(), 0);
     const Guarded<std::int32_t> places(numbers, guard), open(std::vector<std::int32_t>(count), guard);
@@ -136,7 +135,7 @@ void run_list(const Kernels& kernels, std::size_t kind, const PairBuffer& in, co
     const Guarded<PairResult> results(std::vector<PairResult>(count, none), guard);
     const auto unused = std::make_unique<WithinScratch>();
     const Guarded<WithinScratch> within({unused.get(), 1}, guard);
-    const ListedPairs list{vertices, places.data(), rule, within.data()};
+    const ListedPairs list{vertices, places.data(), min_separation, 1, within.data()};
     const int left = kernels.of_kind[kind].decide_list(list, in, *rest.data(), results.data(), open.data());
     const auto answered =
         std::count_if(results.data(), results.data() + count, [](const PairResult& r) { return r.toi_lower >= 0; });

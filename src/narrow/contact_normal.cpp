@@ -41,9 +41,9 @@ Point any_normal(const PairInStep& pair, double time) {
 /// As side_just_before: the coplanarity, which has that sign for a vertex and the other for edges, falls to zero from
 /// it.
 int side_before_crossing(const PairInStep& pair, const TimeInterval<double>& time) {
-  const int slope = crossing::slope_during(pair.motion, time);
+  const double slope = crossing::least_slope_during(pair.motion, time);
   if (slope == 0) return side_just_before(pair.kind, pair.points, time.t_in);
-  return pair.kind == PairKind::edge_edge ? slope : -slope;
+  return (slope > 0) == (pair.kind == PairKind::edge_edge) ? 1 : -1;
 }
 
 }  // namespace

@@ -22,10 +22,4 @@ inline double least_slope_during(const PairMotion<double>& m, const TimeInterval
   return least > 0 ? std::copysign(least / kRoundedUp, value) : 0;
 }
 
-/// Its sign: -1, 1, or 0 if not certain.
-inline int slope_during(const PairMotion<double>& m, const TimeInterval<double>& time) {
-  const double least = least_slope_during(m, time);
-  return least > 0 ? 1 : least < 0 ? -1 : 0;
-}
-
 }  // namespace tamis::crossing

@@ -4,10 +4,10 @@
 #include <cmath>
 #include <limits>
 
+#include "distance/orthogonal_axis.hpp"
 #include "exact/start_distance.hpp"
 #include "motion/difference_corners.hpp"
 #include "motion/pair_kinds.hpp"
-#include "narrow/advancement.hpp"
 #include "narrow/decide.hpp"
 #include "narrow/first_within.hpp"
 #include "numerics/assert.hpp"
@@ -27,19 +27,28 @@ struct StartBounds {
   double speed;      ///< at least the speed of any point of one feature against any of the other
 };
 
-/// The distance is bounded from below along the gap of the closest points, and where that says little, along that made
-/// orthogonal to the features, as a small gap is tilted by rounding. REQUIRES: the motion of the whole step, finite.
-StartBounds start_bounds(PairKind kind, const PairMotion<double>& m) {
+/// A lower bound, beyond all rounding, of the distance at t=0: along the gap of the closest points, and where that says
+/// little, along that squared with the features, as a small gap is tilted by rounding.
+template <PairKind kind>
+double start_distance_bound(const PairMotion<double>& m, const ClosestPoints& closest) {
   constexpr double kSharp = 1 - 0x1p-40;
+  const AxisClip<kind, double> clip(m);
+  const double along_gap = clip.distance_along(0.0, closest.gap);
+  if (along_gap >= kSharp * std::sqrt(dot(closest.gap, closest.gap))) return along_gap;
+  return std::max(along_gap, clip.distance_along(0, orthogonal_axis<kind>(m, 0.0, closest).direction));
+}
+
+/// REQUIRES: the motion of the whole step, finite.
+StartBounds start_bounds(PairKind kind, const PairMotion<double>& m) {
+  TAMIS_ASSERT(is_whole(m));
+  const double size = m.size_d + m.size_e + m.size_f;
   return with_kind(kind, [&](auto k) -> StartBounds {
-    const SeparationProbe<k(), double> probe(m);
-    const auto [closest, length, high] = probe.distance_at(0);
-    double low = probe.clip().distance_along(0, closest.gap);
-    if (!(low >= kSharp * length))
-      low = std::max(low, probe.clip().distance_along(0, orthogonal_gap<k()>(m.e.at0, m.f.at0, closest)));
-    const double speed = std::sqrt(squared_speed<k()>(m)) * error_bounds::kLengthUp +
-                         error_bounds::bound(error_bounds::kVelocity, m.size_d + m.size_e + m.size_f);
-    return {low, high, speed};
+    const ClosestPoints closest = closest_points<k()>(m.e.at0, m.f.at0, m.d.at0);
+    const double high = std::sqrt(dot(closest.gap, closest.gap)) * error_bounds::kLengthUp +
+                        error_bounds::bound(error_bounds::kGap, size);
+    const double speed =
+        std::sqrt(squared_speed<k()>(m)) * error_bounds::kLengthUp + error_bounds::bound(error_bounds::kVelocity, size);
+    return {start_distance_bound<k()>(m, closest), high, speed};
   });
 }
 

@@ -1,5 +1,6 @@
 #include "detect/validate.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <string_view>
@@ -59,6 +60,8 @@ void validate(const PairFilter& filter, const Mesh& mesh) {
                     number_text(coordinate) + what);
 }
 
+bool is_distance(double distance) { return std::isfinite(distance) && distance >= 0; }
+
 void validate_of_any(const QueryOptions& options) {
   if (options.min_separation) validate_distance(*options.min_separation, "the minimum separation");
   validate_is_named(options.at_start, "way with pairs that touch at the start");
@@ -109,8 +112,9 @@ void validate(const Options& options, const Mesh& mesh) {
   if (!options.radii.empty() && options.radii.size() != at(options.filter.group_count))
     throw InvalidOptions("radii has " + std::to_string(options.radii.size()) + " entries for " +
                          std::to_string(options.filter.group_count) + " groups: give one radius a group, or none");
-  for (std::size_t g = 0; g < options.radii.size(); ++g)
-    validate_distance(options.radii[g], "the radius of group " + std::to_string(g));
+  const auto refused = std::ranges::find_if_not(options.radii, is_distance);
+  if (refused != options.radii.end())
+    validate_distance(*refused, "the radius of group " + std::to_string(refused - options.radii.begin()));
 }
 
 void validate(const PairOptions& options) {
@@ -129,7 +133,7 @@ void validate_threads(int threads) {
 }
 
 void validate_distance(double distance, std::string_view what) {
-  if (!(std::isfinite(distance) && distance >= 0))
+  if (!is_distance(distance))
     throw InvalidOptions(std::string(what) + " is " + number_text(distance) + ": give a finite distance >= 0");
 }
 

@@ -45,8 +45,6 @@ Chain between(const Pose& start, const Pose& end, const Point& center = {0, 0, 0
 /// much separation is free by theirs. Throws InvalidPath on numbers that are not finite.
 double nlerp_deviation(const Pose& start, const Pose& end);
 
-class ChainWithStillLinks;  // within the library
-
 /// Bodies that move each on a chain of links; a vertex may go straight in its body's frame meanwhile. Positions:
 /// enclosed by interval arithmetic in doubles or double-double, sine and cosine by their alternating series.
 /// Deviations: |x''| (to - from)^2 / 8 (docs/numerics.md, "Curved motion").
@@ -57,6 +55,9 @@ class RigidPath final : public Path {
   /// are not finite.
   RigidPath(std::vector<Point> rest, std::vector<Index> body_of_vertex, std::vector<Chain> chains,
             std::vector<Point> rest_end = {});
+  /// Copies share what they hold; one that is moved from keeps it.
+  RigidPath(const RigidPath&) = default;
+  RigidPath& operator=(const RigidPath&) = default;
 
   Index vertex_count() const override;
   void points_at(double time, std::span<const Index> vertices, std::span<Point> points,
@@ -67,11 +68,9 @@ class RigidPath final : public Path {
   void straight_directions(std::span<const Index> vertices, std::span<Point> directions) const override;
 
  private:
-  std::vector<Point> rest_, rest_end_;
-  std::vector<Index> body_of_vertex_;
-  std::shared_ptr<const std::vector<ChainWithStillLinks>> chains_;
-  std::vector<Point> axes_;                          ///< of each chain
-  std::vector<double> accelerations_, orbit_radii_;  ///< bounds of each vertex' curve (Curvature, within the library)
+  struct Motion;
+
+  std::shared_ptr<const Motion> motion_;
 };
 
 }  // namespace tamis

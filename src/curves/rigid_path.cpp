@@ -38,25 +38,33 @@ void validate(const std::vector<Point>& rest, const std::vector<Index>& body_of_
 
 }  // namespace
 
+struct RigidPath::Motion {
+  Motion(std::vector<Point> r, std::vector<Index> body_of_each, const std::vector<Chain>& of_bodies,
+         std::vector<Point> end)
+      : rest(std::move(r)), rest_end(end.empty() ? rest : std::move(end)), body_of_vertex(std::move(body_of_each)) {
+    validate(rest, body_of_vertex, of_bodies, rest_end);
+    chains = std::vector<ChainWithStillLinks>(of_bodies.begin(), of_bodies.end());
+    const std::vector<ChainBounds> bounds(of_bodies.begin(), of_bodies.end());
+    for (const Chain& chain : of_bodies) axes.push_back(fixed_axis(chain));
+    for (std::size_t v = 0; v < rest.size(); ++v) {
+      const double displacement = rest[v] == rest_end[v] ? 0 : change(rest[v], rest_end[v]);
+      curves.push_back(bounds[at(body_of_vertex[v])].of(farthest(rest[v], rest_end[v]), displacement));
+    }
+  }
+
+  std::vector<Point> rest, rest_end;
+  std::vector<Index> body_of_vertex;
+  std::vector<ChainWithStillLinks> chains;
+  std::vector<Point> axes;        ///< of each chain
+  std::vector<Curvature> curves;  ///< of each vertex
+};
+
 RigidPath::RigidPath(std::vector<Point> rest, std::vector<Index> body_of_vertex, std::vector<Chain> chains,
                      std::vector<Point> rest_end)
-    : rest_(std::move(rest)),
-      rest_end_(rest_end.empty() ? rest_ : std::move(rest_end)),
-      body_of_vertex_(std::move(body_of_vertex)) {
-  validate(rest_, body_of_vertex_, chains, rest_end_);
-  chains_ = std::make_shared<const std::vector<ChainWithStillLinks>>(chains.begin(), chains.end());
-  const std::vector<ChainBounds> bounds(chains.begin(), chains.end());
-  for (const Chain& chain : chains) axes_.push_back(fixed_axis(chain));
-  for (std::size_t v = 0; v < rest_.size(); ++v) {
-    const ChainBounds& of_body = bounds[at(body_of_vertex_[v])];
-    const double displacement = rest_[v] == rest_end_[v] ? 0 : change(rest_[v], rest_end_[v]);
-    const Curvature curve = of_body.of(farthest(rest_[v], rest_end_[v]), displacement);
-    accelerations_.push_back(curve.acceleration);
-    orbit_radii_.push_back(curve.orbit_radius);
-  }
+    : motion_(std::make_shared<const Motion>(std::move(rest), std::move(body_of_vertex), chains, std::move(rest_end))) {
 }
 
-Index RigidPath::vertex_count() const { return static_cast<Index>(rest_.size()); }
+Index RigidPath::vertex_count() const { return static_cast<Index>(motion_->rest.size()); }
 
 namespace {
 
@@ -78,9 +86,9 @@ void RigidPath::points_at(double time, std::span<const Index> vertices, std::spa
                           std::span<double> errors) const {
   RoundedTransform transform{};
   ChainsAt chains(time);
-  const auto begin = [&](std::size_t body) { transform = chains.of((*chains_)[body]); };
-  for_each_of_body(vertices, body_of_vertex_, begin, [&](std::size_t i, std::size_t v) {
-    const RoundedPlace place = rounded_linear(rest_[v], rest_end_[v], time);
+  const auto begin = [&](std::size_t body) { transform = chains.of(motion_->chains[body]); };
+  for_each_of_body(vertices, motion_->body_of_vertex, begin, [&](std::size_t i, std::size_t v) {
+    const RoundedPlace place = rounded_linear(motion_->rest[v], motion_->rest_end[v], time);
     points[i] = transform.of(place.x);
     errors[i] = transform.error_of(sum_of_sizes(place.x), place.error);
   });
@@ -88,23 +96,21 @@ void RigidPath::points_at(double time, std::span<const Index> vertices, std::spa
 
 void RigidPath::fine_points_at(double time, std::span<const Index> vertices, std::span<FinePoint> points) const {
   RigidTransform transform;
-  const auto begin = [&](std::size_t body) { transform = transform_of((*chains_)[body].links(), time); };
-  for_each_of_body(vertices, body_of_vertex_, begin, [&](std::size_t i, std::size_t v) {
-    points[i] = fine_point(transform.rows * linear(rest_[v], rest_end_[v], time) + transform.shift);
+  const auto begin = [&](std::size_t body) { transform = transform_of(motion_->chains[body].links(), time); };
+  for_each_of_body(vertices, motion_->body_of_vertex, begin, [&](std::size_t i, std::size_t v) {
+    points[i] = fine_point(transform.rows * linear(motion_->rest[v], motion_->rest_end[v], time) + transform.shift);
   });
 }
 
 void RigidPath::deviations(double from, double to, std::span<const Index> vertices,
                            std::span<double> deviations) const {
   const Interval factor = chord_factor(Interval(to) - Interval(from));
-  for (std::size_t i = 0; i < vertices.size(); ++i) {
-    const auto v = at(vertices[i]);
-    deviations[i] = Curvature{accelerations_[v], orbit_radii_[v]}.deviation(factor);
-  }
+  for (std::size_t i = 0; i < vertices.size(); ++i)
+    deviations[i] = motion_->curves[at(vertices[i])].deviation(factor);
 }
 
 void RigidPath::straight_directions(std::span<const Index> vertices, std::span<Point> directions) const {
-  for (std::size_t i = 0; i < vertices.size(); ++i) directions[i] = axes_[at(body_of_vertex_[at(vertices[i])])];
+  for (std::size_t i = 0; i < vertices.size(); ++i) directions[i] = motion_->axes[at(motion_->body_of_vertex[at(vertices[i])])];
 }
 
 }  // namespace tamis

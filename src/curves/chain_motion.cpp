@@ -80,36 +80,15 @@ RoundedTransform with_norms(RoundedTransform transform) {
   return transform;
 }
 
-bool are_same(const Pose& a, const Pose& b) { return a.position == b.position && a.rotation == b.rotation; }
-bool are_same_links(const Link& a, const Link& b) { return are_same(a.start, b.start) && are_same(a.end, b.end); }
-
 }  // namespace
 
-ChainWithStillLinks::ChainWithStillLinks(Chain chain) : links_(std::move(chain)) {
-  for (const Link& link : links_)
-    still_.push_back(are_same(link.start, link.end) ? std::optional(rounded_link(link, 0)) : std::nullopt);
-}
-
-RoundedTransform ChainWithStillLinks::link_at(std::size_t i, double time) const {
-  return still_[i] ? *still_[i] : rounded_link(links_[i], time);
-}
-
-RoundedTransform ChainsAt::of(const ChainWithStillLinks& chain) {
-  const Chain& links = chain.links();
-  if (links.empty()) return rounded_link(Link{}, time_);
-  const auto known = std::ranges::mismatch(last_, links, are_same_links);
-  if (known.in2 != links.end()) {
-    const auto same = static_cast<std::size_t>(known.in2 - links.begin());
-    last_.resize(same);
-    of_link_.resize(same);
-    for (std::size_t i = same; i < links.size(); ++i) {
-      of_link_.push_back(chain.link_at(i, time_));
-      last_.push_back(links[i]);
-    }
-  }
-  if (links.size() == 1) return of_link_[0];
-  RoundedTransform result = with_norms(of_link_[links.size() - 1]);
-  for (std::size_t i = links.size() - 1; i-- > 0;) result = after(with_norms(of_link_[i]), result);
+RoundedTransform transform_at(const Chain& chain, double time) {
+  if (chain.empty()) return rounded_link(Link{}, time);
+  RoundedTransform result = rounded_link(chain.back(), time);
+  if (chain.size() == 1) return result;
+  result = with_norms(result);
+  for (auto link = chain.rbegin() + 1; link != chain.rend(); ++link)
+    result = after(with_norms(rounded_link(*link, time)), result);
   return result;
 }
 

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <optional>
 #include <vector>
 
 #include "numerics/error_bounds.hpp"
@@ -59,31 +58,8 @@ struct RoundedTransform {
   }
 };
 
-/// A chain whose links that do not move, as the inner one of `turned`, are evaluated once for all times.
-class ChainWithStillLinks {
- public:
-  explicit ChainWithStillLinks(Chain chain = {});
-  const Chain& links() const { return links_; }
-  RoundedTransform link_at(std::size_t i, double time) const;
-
- private:
-  Chain links_;
-  std::vector<std::optional<RoundedTransform>> still_;  ///< of each link
-};
-
-/// Where chains take bodies at one time. If a chain begins like the last one, as those of an arm's links do, only the
-/// links that differ are evaluated.
-class ChainsAt {
- public:
-  explicit ChainsAt(double time) : time_(time) {}
-  double time() const { return time_; }
-  RoundedTransform of(const ChainWithStillLinks& chain);
-
- private:
-  double time_;
-  Chain last_;
-  std::vector<RoundedTransform> of_link_;  ///< of last_
-};
+/// Where a chain takes a body at a time in [0,1].
+RoundedTransform transform_at(const Chain& chain, double time);
 
 /// The axis about which all points turn, exactly: the rotation vectors of all links from the outermost to the last that
 /// turns are parallel. Zeros where there is none, or nothing turns.

@@ -49,7 +49,7 @@ Rows nearer_rotation(const Rows& rows) {
 }
 
 /// Rounded.
-Point where(const Pose& pose, const Point& x) { return ChainsAt(0).of(ChainWithStillLinks({{pose, pose}})).of(x); }
+Point where(const Pose& pose, const Point& x) { return transform_at({{pose, pose}}, 0).of(x); }
 
 /// Of R = R1 R0^T; from the quaternion, which is well conditioned at every angle.
 Point shorter_turn(const Pose& start, const Pose& end) {

@@ -39,13 +39,14 @@ void validate(const std::vector<Point>& rest, const std::vector<Index>& body_of_
 }  // namespace
 
 struct RigidPath::Motion {
-  Motion(std::vector<Point> r, std::vector<Index> body_of_each, const std::vector<Chain>& of_bodies,
-         std::vector<Point> end)
-      : rest(std::move(r)), rest_end(end.empty() ? rest : std::move(end)), body_of_vertex(std::move(body_of_each)) {
-    validate(rest, body_of_vertex, of_bodies, rest_end);
-    chains = std::vector<ChainWithStillLinks>(of_bodies.begin(), of_bodies.end());
-    const std::vector<ChainBounds> bounds(of_bodies.begin(), of_bodies.end());
-    for (const Chain& chain : of_bodies) axes.push_back(fixed_axis(chain));
+  Motion(std::vector<Point> r, std::vector<Index> body_of_each, std::vector<Chain> c, std::vector<Point> end)
+      : rest(std::move(r)),
+        rest_end(end.empty() ? rest : std::move(end)),
+        body_of_vertex(std::move(body_of_each)),
+        chains(std::move(c)) {
+    validate(rest, body_of_vertex, chains, rest_end);
+    const std::vector<ChainBounds> bounds(chains.begin(), chains.end());
+    for (const Chain& chain : chains) axes.push_back(fixed_axis(chain));
     for (std::size_t v = 0; v < rest.size(); ++v) {
       const double displacement = rest[v] == rest_end[v] ? 0 : change(rest[v], rest_end[v]);
       curves.push_back(bounds[at(body_of_vertex[v])].of(farthest(rest[v], rest_end[v]), displacement));
@@ -54,15 +55,15 @@ struct RigidPath::Motion {
 
   std::vector<Point> rest, rest_end;
   std::vector<Index> body_of_vertex;
-  std::vector<ChainWithStillLinks> chains;
+  std::vector<Chain> chains;
   std::vector<Point> axes;        ///< of each chain
   std::vector<Curvature> curves;  ///< of each vertex
 };
 
 RigidPath::RigidPath(std::vector<Point> rest, std::vector<Index> body_of_vertex, std::vector<Chain> chains,
                      std::vector<Point> rest_end)
-    : motion_(std::make_shared<const Motion>(std::move(rest), std::move(body_of_vertex), chains, std::move(rest_end))) {
-}
+    : motion_(std::make_shared<const Motion>(std::move(rest), std::move(body_of_vertex), std::move(chains),
+                                             std::move(rest_end))) {}
 
 Index RigidPath::vertex_count() const { return static_cast<Index>(motion_->rest.size()); }
 
@@ -85,8 +86,7 @@ void for_each_of_body(std::span<const Index> vertices, const std::vector<Index>&
 void RigidPath::points_at(double time, std::span<const Index> vertices, std::span<Point> points,
                           std::span<double> errors) const {
   RoundedTransform transform{};
-  ChainsAt chains(time);
-  const auto begin = [&](std::size_t body) { transform = chains.of(motion_->chains[body]); };
+  const auto begin = [&](std::size_t body) { transform = transform_at(motion_->chains[body], time); };
   for_each_of_body(vertices, motion_->body_of_vertex, begin, [&](std::size_t i, std::size_t v) {
     const RoundedPlace place = rounded_linear(motion_->rest[v], motion_->rest_end[v], time);
     points[i] = transform.of(place.x);
@@ -96,7 +96,7 @@ void RigidPath::points_at(double time, std::span<const Index> vertices, std::spa
 
 void RigidPath::fine_points_at(double time, std::span<const Index> vertices, std::span<FinePoint> points) const {
   RigidTransform transform;
-  const auto begin = [&](std::size_t body) { transform = transform_of(motion_->chains[body].links(), time); };
+  const auto begin = [&](std::size_t body) { transform = transform_of(motion_->chains[body], time); };
   for_each_of_body(vertices, motion_->body_of_vertex, begin, [&](std::size_t i, std::size_t v) {
     points[i] = fine_point(transform.rows * linear(motion_->rest[v], motion_->rest_end[v], time) + transform.shift);
   });
@@ -105,12 +105,12 @@ void RigidPath::fine_points_at(double time, std::span<const Index> vertices, std
 void RigidPath::deviations(double from, double to, std::span<const Index> vertices,
                            std::span<double> deviations) const {
   const Interval factor = chord_factor(Interval(to) - Interval(from));
-  for (std::size_t i = 0; i < vertices.size(); ++i)
-    deviations[i] = motion_->curves[at(vertices[i])].deviation(factor);
+  for (std::size_t i = 0; i < vertices.size(); ++i) deviations[i] = motion_->curves[at(vertices[i])].deviation(factor);
 }
 
 void RigidPath::straight_directions(std::span<const Index> vertices, std::span<Point> directions) const {
-  for (std::size_t i = 0; i < vertices.size(); ++i) directions[i] = motion_->axes[at(motion_->body_of_vertex[at(vertices[i])])];
+  for (std::size_t i = 0; i < vertices.size(); ++i)
+    directions[i] = motion_->axes[at(motion_->body_of_vertex[at(vertices[i])])];
 }
 
 }  // namespace tamis

@@ -84,8 +84,7 @@ double StraightMotion::max_deviation(const Body& body) const {
 }
 
 Body::Body(BodyId id, std::shared_ptr<const BodyShape> shape, BodyMotion motion) : id_(id), shape_(std::move(shape)) {
-  ChainsAt at_start(0), at_end(1);
-  move(std::move(motion), at_start, at_end);
+  move(std::move(motion));
 }
 
 Body::Body(const Body& other) : Body(other.id_, other.shape_, other.motion_) {
@@ -94,10 +93,9 @@ Body::Body(const Body& other) : Body(other.id_, other.shape_, other.motion_) {
   may_touch_itself = other.may_touch_itself;
 }
 
-void Body::move(BodyMotion motion, ChainsAt& at_start, ChainsAt& at_end) {
+void Body::move(BodyMotion motion) {
   validate(motion);
   motion_ = std::move(motion);
-  chain_ = ChainWithStillLinks(chain_of(motion_));
   if (const Deforming* soft = deforming()) {
     const auto boxes_at = [&](const std::vector<Point>& points) {
       const auto at_point = [&](Index v) -> const Point& { return points[at(v)]; };
@@ -110,19 +108,19 @@ void Body::move(BodyMotion motion, ChainsAt& at_start, ChainsAt& at_end) {
   } else {
     start_boxes_ = end_boxes_ = {};
     self_detector_.reset();
-    const ChainBounds bounds(chain_.links());
+    const Chain chain = chain_of(motion_);
+    const ChainBounds bounds(chain);
     innermost_ = bounds.of(0, 0);
     outermost_ = bounds.of(shape_->radius, 0);
     motion_kind_ = std::holds_alternative<Static>(motion_) ? MotionKind::still
                    : bounds.turns()                        ? MotionKind::turning
                                                            : MotionKind::straight;
-    at_start_ = at_start.of(chain_);
-    at_end_ = motion_kind_ == MotionKind::still ? at_start_ : at_end.of(chain_);
+    at_start_ = transform_at(chain, 0);
+    at_end_ = motion_kind_ == MotionKind::still ? at_start_ : transform_at(chain, 1);
   }
   const int root = shape_->boxes.root_level();
-  PlacesAt start(0), end(1);
-  start_hull_ = BodyOnPiece(*this, start, start).bounds(root, 0).hull();
-  hull_ = motion_kind_ == MotionKind::still ? start_hull_ : BodyOnPiece(*this, start, end).bounds(root, 0).hull();
+  start_hull_ = BodyOnPiece(*this, 0, 0).bounds(root, 0).hull();
+  hull_ = motion_kind_ == MotionKind::still ? start_hull_ : BodyOnPiece(*this, 0, 1).bounds(root, 0).hull();
 }
 
 void Body::set_radius(double radius) {
@@ -150,7 +148,7 @@ Point Body::end_of(Index vertex) const {
 /// Vertices of a body that turns are on their curves; all others move straight from double to double, as in a step.
 BodyPoints Body::points_at(double time) const {
   const bool turns = motion_kind_ == MotionKind::turning;
-  const RoundedTransform place = turns ? ChainsAt(time).of(chain_) : RoundedTransform{};
+  const RoundedTransform place = turns ? place_at(time) : RoundedTransform{};
   const auto place_of = [&](Index v) -> RoundedPlace {
     if (!turns) return rounded_linear(start_of(v), end_of(v), time);
     const Point& x = shape_->points[at(v)];

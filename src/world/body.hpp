@@ -46,16 +46,15 @@ class Body {
   Body(BodyId id, std::shared_ptr<const BodyShape> shape, BodyMotion motion);
   /// A copy without the detector.
   Body(const Body& other);
-  /// `at_start`: at t=0, `at_end`: at t=1, of bodies that may be links of the same arm.
-  void move(BodyMotion motion, ChainsAt& at_start, ChainsAt& at_end);
+  void move(BodyMotion motion);
   /// Throws InvalidStep, naming the body.
   void validate(const BodyMotion& motion) const;
 
   const BodyShape& shape() const { return *shape_; }
   const BodyMotion& motion() const { return motion_; }
   MotionKind motion_kind() const { return motion_kind_; }
-  /// What turns, or stays: empty of a body that deforms.
-  const ChainWithStillLinks& chain() const { return chain_; }
+  /// REQUIRES: it turns.
+  const Chain& chain() const { return std::get<Rigid>(motion_).chain; }
   /// Are its numbers so small that doubles are sure to tell where it is at all times?
   bool is_surely_representable() const;
   /// Null unless it deforms.
@@ -67,9 +66,10 @@ class Body {
   Point end_of(Index vertex) const;
   /// All vertices at a time of the step, with an error bound.
   BodyPoints points_at(double time) const;
-  /// Of a body that does not deform.
-  const RoundedTransform& at_start() const { return at_start_; }
-  const RoundedTransform& at_end() const { return at_end_; }
+  /// Where its frame is at a time of the step; of a body that does not turn at t=0 or 1. REQUIRES: it does not deform.
+  RoundedTransform place_at(double time) const {
+    return time == 0 ? at_start_ : time == 1 ? at_end_ : transform_at(chain(), time);
+  }
   /// Hold the body at t=0, and during the whole step.
   const Box& start_hull() const { return start_hull_; }
   const Box& hull() const { return hull_; }
@@ -97,7 +97,6 @@ class Body {
   MotionKind motion_kind_ = MotionKind::still;
   double radius_ = 0;
   std::optional<Detector> self_detector_;  ///< made by the first question
-  ChainWithStillLinks chain_;
   RoundedTransform at_start_{}, at_end_{};
   Curvature innermost_, outermost_;    ///< at the origin of its frame, and at the distance of its farthest vertex
   BoxLevels start_boxes_, end_boxes_;  ///< of a deforming body

@@ -50,13 +50,13 @@ const typename Cache::value_type& cached_at(Index& place, Cache& cache, const Ma
 
 }  // namespace
 
-BodyOnPiece::BodyOnPiece(const Body& body, PlacesAt& from, PlacesAt& to)
-    : body_(body), from_(from.time()), to_(to.time()), at_from_(body.at_start()), at_to_(body.at_end()) {
-  TAMIS_ASSERT(0 <= from_ && from_ <= to_ && to_ <= 1);
-  if (body.motion_kind() != MotionKind::turning) return;
-  at_from_ = from.of(body);
-  at_to_ = to.of(body);
-  const Interval length = Interval(to_) - Interval(from_);
+BodyOnPiece::BodyOnPiece(const Body& body, double from, double to) : body_(body), from_(from), to_(to) {
+  TAMIS_ASSERT(0 <= from && from <= to && to <= 1);
+  const bool turns = body.motion_kind() == MotionKind::turning;
+  at_from_ = body.place_at(turns ? from : 0);
+  at_to_ = body.place_at(turns ? to : 1);
+  if (!turns) return;
+  const Interval length = Interval(to) - Interval(from);
   const auto of_piece = [&](const Curvature& curve) {
     return ChordBounds{chord_deviation(curve.acceleration, length), 2 * curve.orbit_radius};
   };
@@ -124,7 +124,7 @@ MovingBounds BodyOnPiece::cut(const Box& at_start, const Box& at_end) const {
   return {at_time(from_), at_time(to_)};
 }
 
-BoundsOnPiece::BoundsOnPiece(const Body& body, PlacesAt& from, PlacesAt& to) : body_(body, from, to) {
+BoundsOnPiece::BoundsOnPiece(const Body& body, double from, double to) : body_(body, from, to) {
   for (int level = 0; level <= shape().boxes.root_level(); ++level)
     place_of_block_.emplace_back(shape().boxes.level(level).size(), kNotMade);
   place_of_items_ = place_of_block_[0];

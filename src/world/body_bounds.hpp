@@ -3,7 +3,7 @@
 #include <deque>
 
 #include "bounds/box.hpp"
-#include "world/pieces.hpp"
+#include "world/body.hpp"
 
 namespace tamis {
 
@@ -55,8 +55,8 @@ struct ChordBounds {
 /// A body during one piece of the step.
 class BodyOnPiece {
  public:
-  /// Keeps a reference to the body. REQUIRES: `from` is not later than `to`.
-  BodyOnPiece(const Body& body, PlacesAt& from, PlacesAt& to);
+  /// Keeps a reference to the body. REQUIRES: 0 <= from <= to <= 1.
+  BodyOnPiece(const Body& body, double from, double to);
 
   const BodyShape& shape() const { return body_.shape(); }
   MovingBounds bounds(int level, Index block) const;
@@ -76,7 +76,7 @@ class BodyOnPiece {
 /// Caches its bounds, each computed when it is first asked for; references to them stay valid.
 class BoundsOnPiece {
  public:
-  BoundsOnPiece(const Body& body, PlacesAt& from, PlacesAt& to);
+  BoundsOnPiece(const Body& body, double from, double to);
 
   const BodyShape& shape() const { return body_.shape(); }
   const MovingBounds& of_block(int level, Index block);

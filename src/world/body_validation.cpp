@@ -7,7 +7,8 @@
 #include "numerics/number_text.hpp"
 #include "tamis/error.hpp"
 #include "topology/at.hpp"
-#include "world/pieces.hpp"
+#include "world/body.hpp"
+#include "world/gathering.hpp"
 
 namespace tamis {
 namespace {
@@ -58,7 +59,7 @@ Chain chain_of(const BodyMotion& motion) {
 
 bool Body::is_surely_representable() const {
   return deforming() ? hull_.largest_coordinate() <= kSafeCoordinate
-                     : is_safe(chain_.links()) && shape_->radius <= kSafeCoordinate;
+                     : is_safe(chain_of(motion_)) && shape_->radius <= kSafeCoordinate;
 }
 
 void Body::validate(const BodyMotion& motion) const {
@@ -87,10 +88,9 @@ void Body::validate(const BodyMotion& motion) const {
 
 void Body::validate_far(const Chain& chain) const {
   const std::string name = "body " + std::to_string(id_);
-  const ChainWithStillLinks links(chain);
   const ChainBounds bounds(chain);
   for (const auto& [time, when] : {std::pair(0, "start"), std::pair(1, "end")}) {
-    const RoundedTransform place = ChainsAt(time).of(links);
+    const RoundedTransform place = transform_at(chain, time);
     const auto is_known = [&](const Point& x) {  // what does not turn goes straight from double to double
       return is_finite(place.of(x)) && (!bounds.turns() || std::isfinite(place.error_of(sum_of_sizes(x), 0)));
     };

@@ -126,7 +126,7 @@ RigidPath Gathered::path(const BodyList& bodies) const {
   for (const auto& [id, own] : vertices_) {
     const Body& body = member(bodies, id);
     const bool turns = body.motion_kind() == MotionKind::turning;
-    if (id != last) chains.push_back(turns ? body.chain().links() : Chain());
+    if (id != last) chains.push_back(turns ? body.chain() : Chain());
     last = id;
     number_of_body.push_back(static_cast<Index>(chains.size()) - 1);
     rest.push_back(turns ? body.shape().points[at(own)] : body.start_of(own));

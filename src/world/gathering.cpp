@@ -58,13 +58,12 @@ void World::State::gather(Gathering& gathering, const NearDistance& distance, co
     ++gathering.served;
     return;
   }
-  Pieces pieces(times);
   const bool is_usable = gathering.gathered && gathering.gathered->keeps_motion_kinds(bodies);
   const bool counts = !is_usable || ++gathering.searched % kSearchesPerCount == 0;
   NearItems
       near_now;  // all that is needed if `counts`; else what is gathered, which is not tested again, and new items
   if (!counts) near_now.of_body = gathering.gathered->items().of_body;
-  find_near(wanted, distance, 0, pieces, near_now);
+  find_near(wanted, distance, 0, times, near_now);
   gathering.is_asked = !near_now.pairs.empty();
   if (!gathering.is_asked) return;
   const bool has_shrunk = counts && kShrunk * near_now.count() < gathering.needed_when_gathered;
@@ -72,21 +71,21 @@ void World::State::gather(Gathering& gathering, const NearDistance& distance, co
     ++gathering.served;
     return;
   }
-  if (counts) return gather_anew(gathering, distance, near_now, pieces);
+  if (counts) return gather_anew(gathering, distance, near_now, times);
   NearItems needed;
-  find_near(wanted, distance, 0, pieces, needed);
-  gather_anew(gathering, distance, needed, pieces);
+  find_near(wanted, distance, 0, times, needed);
+  gather_anew(gathering, distance, needed, times);
 }
 
 void World::State::find_near(const std::vector<BodyPair>& pairs, const NearDistance& distance, double margin,
-                             Pieces& pieces, NearItems& items) const {
+                             std::span<const double> times, NearItems& items) const {
   const auto within = [&](const Body& a, const Body& b) { return (distance.between(a, b) + margin) * kRoundedUp; };
   add_near_items(
-      bodies, pairs, within, pieces, [this] { stop_if_cancelled(options); }, items);
+      bodies, pairs, within, times, [this] { stop_if_cancelled(options); }, items);
 }
 
 void World::State::gather_anew(Gathering& gathering, const NearDistance& distance, const NearItems& needed,
-                               Pieces& pieces) {
+                               std::span<const double> times) {
   double edges = 0;
   for (const auto& [id, unused] : needed.of_body) edges += bodies[at(id)]->shape().edge;
   const double edge = edges / static_cast<double>(needed.of_body.size());
@@ -97,10 +96,10 @@ void World::State::gather_anew(Gathering& gathering, const NearDistance& distanc
   std::optional<GatherMargin> margin;
   while (true) {
     const double width = in_edges * edge;
-    const auto during = pieces.are_of_the_start() ? During::start : During::step;
+    const auto during = times.back() == 0 ? During::start : During::step;
     const std::vector<BodyPair> farther = wanted_pairs(gathering, near_bodies(distance, width, during));
     items = needed;
-    find_near(farther, distance, width, pieces, items);
+    find_near(farther, distance, width, times, items);
     margin = margin_of(farther, distance, width);
     if (in_edges <= kLeastMarginInEdges || items.count() <= kMostItemsPerNeeded * needed.count()) break;
     in_edges = std::max(in_edges / 2, kLeastMarginInEdges);

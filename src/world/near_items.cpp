@@ -153,8 +153,8 @@ std::size_t NearItems::count() const {
 }
 
 void add_near_items(const BodyList& bodies, const std::vector<BodyPair>& pairs,
-                    const std::function<double(const Body&, const Body&)>& distance, Pieces& pieces, const Pause& pause,
-                    NearItems& near) {
+                    const std::function<double(const Body&, const Body&)>& distance, std::span<const double> times,
+                    const Pause& pause, NearItems& near) {
   const auto body = [&](BodyId id) -> const Body& { return *bodies[at(id)]; };
   const auto items_of = [&](BodyId id) -> IndexSet& {
     return near.of_body.try_emplace(id, body(id).shape().item_count()).first->second;
@@ -163,11 +163,11 @@ void add_near_items(const BodyList& bodies, const std::vector<BodyPair>& pairs,
   std::map<BodyId, BoundsOnPiece> of_still, of_moving;
   std::vector<char> is_near;
   for (const BodyPair& pair : pairs) is_near.push_back(static_cast<char>(std::ranges::binary_search(near.pairs, pair)));
-  for (std::size_t piece = 0; piece < pieces.count(); ++piece) {
+  for (std::size_t piece = 0; piece + 1 < times.size(); ++piece) {
     std::map<BodyId, WholeBlocks> whole;
     const auto side = [&](BodyId id) {
       auto& bounds = body(id).motion_kind() == MotionKind::still ? of_still : of_moving;
-      BoundsOnPiece& boxes = bounds.try_emplace(id, body(id), pieces.start(piece), pieces.end(piece)).first->second;
+      BoundsOnPiece& boxes = bounds.try_emplace(id, body(id), times[piece], times[piece + 1]).first->second;
       IndexSet& items = items_of(id);
       return PairWalk::Side{boxes, items, whole.try_emplace(id, body(id).shape(), items).first->second};
     };
@@ -178,7 +178,6 @@ void add_near_items(const BodyList& bodies, const std::vector<BodyPair>& pairs,
       pause();
       if (PairWalk(side(a), side(b), distance(body(a), body(b)), pause).run(is_near[i])) is_near[i] = true;
     }
-    pieces.leave(piece);
     of_moving.clear();
   }
   for (std::size_t i = 0; i < pairs.size(); ++i)

@@ -40,7 +40,7 @@ Body& World::State::body(BodyId id) {
 void World::State::move(BodyId id, BodyMotion motion) {
   Body& moved = body(id);
   forget_if_still(moved);
-  moved.move(std::move(motion), at_start_, at_end_);
+  moved.move(std::move(motion));
   forget_if_still(moved);
 }
 

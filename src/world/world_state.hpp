@@ -75,9 +75,10 @@ struct World::State {
   void gather(Gathering& gathering, const NearDistance& distance, const std::vector<BodyPair>& near,
               std::span<const double> times);
   /// Adds to `items` those that come within `distance` plus `margin`.
-  void find_near(const std::vector<BodyPair>& pairs, const NearDistance& distance, double margin, Pieces& pieces,
-                 NearItems& items) const;
-  void gather_anew(Gathering& gathering, const NearDistance& distance, const NearItems& needed, Pieces& pieces);
+  void find_near(const std::vector<BodyPair>& pairs, const NearDistance& distance, double margin,
+                 std::span<const double> times, NearItems& items) const;
+  void gather_anew(Gathering& gathering, const NearDistance& distance, const NearItems& needed,
+                   std::span<const double> times);
   /// Nothing if one of the bodies turns.
   std::optional<GatherMargin> margin_of(const std::vector<BodyPair>& pairs, const NearDistance& distance,
                                         double width) const;
@@ -112,7 +113,6 @@ struct World::State {
   void begin();
   std::uint64_t memory_bytes() const;
 
-  ChainsAt at_start_{0}, at_end_{1};  ///< of bodies that are given a motion
   NearBodies near_bodies_{options.isa};
   Gathering straight_{is_straight, MotionKind::still, 1}, turning_{is_turning, MotionKind::straight, 0.5},
       at_rest_{is_any, MotionKind::still, 1};

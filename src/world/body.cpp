@@ -73,7 +73,7 @@ double StraightMotion::max_deviation(const Body& body) const {
   if (body.motion_kind() != motion_kind_ || soft_.has_value() != (soft != nullptr))
     return std::numeric_limits<double>::infinity();
   if (!soft) {
-    const Box& box = body.shape().boxes.box(body.shape().boxes.root_level(), 0);
+    const Box& box = body.shape().boxes.back();
     return std::max(farthest_between(start_, body.at_start_, box), farthest_between(end_, body.at_end_, box));
   }
   double farthest = 0;
@@ -99,7 +99,7 @@ void Body::move(BodyMotion motion) {
   if (const Deforming* soft = deforming()) {
     const auto boxes_at = [&](const std::vector<Point>& points) {
       const auto at_point = [&](Index v) -> const Point& { return points[at(v)]; };
-      return BoxLevels(shape_->order, [&](Index item) { return shape_->box_of(item, at_point); });
+      return shape_->tree.boxes([&](Index item) { return shape_->box_of(item, at_point); });
     };
     start_boxes_ = boxes_at(soft->start);
     end_boxes_ = boxes_at(soft->end);
@@ -118,9 +118,9 @@ void Body::move(BodyMotion motion) {
     at_start_ = transform_at(chain, 0);
     at_end_ = motion_kind_ == MotionKind::still ? at_start_ : transform_at(chain, 1);
   }
-  const int root = shape_->boxes.root_level();
-  start_hull_ = BodyOnPiece(*this, 0, 0).bounds(root, 0).hull();
-  hull_ = motion_kind_ == MotionKind::still ? start_hull_ : BodyOnPiece(*this, 0, 1).bounds(root, 0).hull();
+  const Index root = shape_->tree.root();
+  start_hull_ = BodyOnPiece(*this, 0, 0).bounds(root).hull();
+  hull_ = motion_kind_ == MotionKind::still ? start_hull_ : BodyOnPiece(*this, 0, 1).bounds(root).hull();
 }
 
 void Body::set_radius(double radius) {

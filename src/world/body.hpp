@@ -98,8 +98,8 @@ class Body {
   double radius_ = 0;
   std::optional<Detector> self_detector_;  ///< made by the first question
   RoundedTransform at_start_{}, at_end_{};
-  Curvature innermost_, outermost_;    ///< at the origin of its frame, and at the distance of its farthest vertex
-  BoxLevels start_boxes_, end_boxes_;  ///< of a deforming body
+  Curvature innermost_, outermost_;  ///< at the origin of its frame, and at the distance of its farthest vertex
+  std::vector<Box> start_boxes_, end_boxes_;  ///< of a deforming body, of all nodes
   Box start_hull_, hull_;
 };
 

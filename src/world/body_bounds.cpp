@@ -74,18 +74,17 @@ double BodyOnPiece::deviation(const Box& at_rest) const {
          (1 + MovingBounds::kRounding);
 }
 
-MovingBounds BodyOnPiece::bounds(int level, Index block) const {
-  if (body_.deforming())
-    return cut(widened(body_.start_boxes_.box(level, block)), widened(body_.end_boxes_.box(level, block)));
-  const Box& at_rest = shape().boxes.box(level, block);
+MovingBounds BodyOnPiece::bounds(Index node) const {
+  if (body_.deforming()) return cut(widened(body_.start_boxes_[at(node)]), widened(body_.end_boxes_[at(node)]));
+  const Box& at_rest = shape().boxes[at(node)];
   const double deviation = this->deviation(at_rest);
   return cut(box_in_world(at_rest, at_from_, deviation), box_in_world(at_rest, at_to_, deviation));
 }
 
-ItemBounds BodyOnPiece::items(Index block) const {
+ItemBounds BodyOnPiece::items(Index leaf) const {
   ItemBounds result;
-  const auto items = shape().order.items_of(block);
-  const Box& at_rest = shape().boxes.box(0, block);
+  const auto items = shape().tree.items_of(leaf);
+  const Box& at_rest = shape().boxes[at(leaf)];
   const bool turns = body_.motion_kind() == MotionKind::turning;
   const double size = at_rest.largest_sum(), deviation = this->deviation(at_rest);
   const auto placed = [&](const RoundedTransform& place, const auto& end_of_vertex, Index item) {
@@ -124,18 +123,17 @@ MovingBounds BodyOnPiece::cut(const Box& at_start, const Box& at_end) const {
   return {at_time(from_), at_time(to_)};
 }
 
-BoundsOnPiece::BoundsOnPiece(const Body& body, double from, double to) : body_(body, from, to) {
-  for (int level = 0; level <= shape().boxes.root_level(); ++level)
-    place_of_block_.emplace_back(shape().boxes.level(level).size(), kNotMade);
-  place_of_items_ = place_of_block_[0];
+BoundsOnPiece::BoundsOnPiece(const Body& body, double from, double to)
+    : body_(body, from, to),
+      place_of_bounds_(at(shape().tree.node_count()), kNotMade),
+      place_of_items_(at(shape().tree.leaf_count()), kNotMade) {}
+
+const MovingBounds& BoundsOnPiece::bounds(Index node) {
+  return cached_at(place_of_bounds_[at(node)], bounds_, [&] { return body_.bounds(node); });
 }
 
-const MovingBounds& BoundsOnPiece::of_block(int level, Index block) {
-  return cached_at(place_of_block_[at(level)][at(block)], bounds_, [&] { return body_.bounds(level, block); });
-}
-
-const ItemBounds& BoundsOnPiece::items(Index block) {
-  return cached_at(place_of_items_[at(block)], items_, [&] { return body_.items(block); });
+const ItemBounds& BoundsOnPiece::items(Index leaf) {
+  return cached_at(place_of_items_[at(leaf)], items_, [&] { return body_.items(leaf); });
 }
 
 }  // namespace tamis

@@ -41,10 +41,10 @@ inline bool may_meet(const MovingBounds& a, const MovingBounds& b, double separa
   return !(from > to + kRoundingOfTimes);
 }
 
-/// The bounds of one block's items.
+/// The bounds of one leaf's items.
 struct ItemBounds {
   MovingBounds all;
-  std::array<MovingBounds, kBlock> of_item;  ///< in the order of the block
+  std::array<MovingBounds, kBlock> of_item;  ///< in the order of the tree
 };
 
 /// Two upper bounds of a point's distance from its chord on a piece: by its acceleration, and by its orbit's diameter.
@@ -59,9 +59,9 @@ class BodyOnPiece {
   BodyOnPiece(const Body& body, double from, double to);
 
   const BodyShape& shape() const { return body_.shape(); }
-  MovingBounds bounds(int level, Index block) const;
-  /// The items of a block of level 0, bounded by their vertices: tighter than the block's box.
-  ItemBounds items(Index block) const;
+  MovingBounds bounds(Index node) const;
+  /// The items of a leaf, bounded by their vertices: tighter than the leaf's box.
+  ItemBounds items(Index leaf) const;
 
  private:
   double deviation(const Box& at_rest) const;
@@ -79,13 +79,12 @@ class BoundsOnPiece {
   BoundsOnPiece(const Body& body, double from, double to);
 
   const BodyShape& shape() const { return body_.shape(); }
-  const MovingBounds& of_block(int level, Index block);
-  const ItemBounds& items(Index block);
+  const MovingBounds& bounds(Index node);
+  const ItemBounds& items(Index leaf);
 
  private:
   const BodyOnPiece body_;
-  std::vector<std::vector<Index>> place_of_block_;
-  std::vector<Index> place_of_items_;
+  std::vector<Index> place_of_bounds_, place_of_items_;  ///< of each node
   std::deque<MovingBounds> bounds_;
   std::deque<ItemBounds> items_;
 };

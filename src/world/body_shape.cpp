@@ -27,8 +27,8 @@ BodyShape::BodyShape(Mesh m, std::vector<Point> at_rest, Isa isa)
   edge = mean_edge(mesh, points);
   std::vector<Point> centers(at(item_count()));
   for (Index item = 0; item < item_count(); ++item) centers[at(item)] = box_at_rest(item).middle();
-  order = SpaceOrder(centers, kernels(isa).trees.split);
-  boxes = BoxLevels(order, [this](Index item) { return box_at_rest(item); });
+  tree = BoxTree(centers, kernels(isa).trees.split);
+  boxes = tree.boxes([this](Index item) { return box_at_rest(item); });
 }
 
 Face BodyShape::corners_of(Index item) const {

@@ -30,15 +30,15 @@ struct BodyShape {
   Box box_at_rest(Index item) const {
     return box_of(item, [&](Index v) -> const Point& { return points[static_cast<std::size_t>(v)]; });
   }
-  std::uint64_t memory_bytes() const { return held_bytes(order, boxes, loose.edges, loose.points); }
+  std::uint64_t memory_bytes() const { return held_bytes(tree, boxes, loose.edges, loose.points); }
 
   const Mesh mesh;
   const std::vector<Point> points;
   const LooseFeatures loose;
-  SpaceOrder order;
-  BoxLevels boxes;
-  double radius = 0;  ///< no vertex in use is farther from the origin of the frame
-  double edge = 0;    ///< the mean edge
+  BoxTree tree;
+  std::vector<Box> boxes;  ///< of its nodes
+  double radius = 0;       ///< no vertex in use is farther from the origin of the frame
+  double edge = 0;         ///< the mean edge
 };
 
 }  // namespace tamis

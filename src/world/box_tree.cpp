@@ -1,10 +1,8 @@
 #include "world/box_tree.hpp"
 
-#include <numeric>
-
 namespace tamis {
 
-SpaceOrder::SpaceOrder(std::span<const Point> centers, Split split) : items_(centers.size()) {
+BoxTree::BoxTree(std::span<const Point> centers, Split split) : items_(centers.size()), first_child_() {
   Box all;
   for (const Point& center : centers) all.include(center);
   // Within [0,1], so that centers fit floats whatever the unit of length; where they do not, the order is poor.
@@ -22,15 +20,13 @@ SpaceOrder::SpaceOrder(std::span<const Point> centers, Split split) : items_(cen
   }
   order_in_space(view, centers.size(), split, [] {});
   std::ranges::copy(store.features(), items_.begin());
-}
-
-void BoxLevels::build_upwards() {
-  while (levels_.back().size() > 1) {
-    const std::vector<Box>& below = levels_.back();
-    std::vector<Box> level((below.size() + kBlock - 1) / kBlock);
-    for (std::size_t block = 0; block < below.size(); ++block) level[block / kBlock].include(below[block]);
-    levels_.push_back(std::move(level));
+  Index first = 0, end = leaf_count();  // of one level
+  while (end - first > 1) {
+    const Index below = first;
+    first = end;
+    for (Index child = below; child < first; child += kBlock, ++end) first_child_.push_back(child);
   }
+  first_child_.push_back(first);
 }
 
 }  // namespace tamis

@@ -8,53 +8,50 @@
 #include "bounds/moving_boxes.hpp"
 #include "bvh/spatial_order.hpp"
 #include "numerics/held_bytes.hpp"
+#include "topology/at.hpp"
 
 namespace tamis {
 
-/// Items sixteen to a block (kBlock), sixteen blocks to a node, and so on up to one root: child c of block b is block
-/// 16 b + c of the level below. Level 0 holds the blocks of items.
-class SpaceOrder {
+/// Items sixteen to a leaf (kBlock), sixteen nodes to a node above, and so on up to one root. Nodes are numbered: the
+/// leaves first, then level by level; the root is the last one.
+class BoxTree {
  public:
-  SpaceOrder() = default;
+  BoxTree() = default;
   /// One center an item.
-  SpaceOrder(std::span<const Point> centers, Split split);
+  BoxTree(std::span<const Point> centers, Split split);
 
-  std::span<const Index> items_of(Index block) const {
-    const auto first = static_cast<std::size_t>(block) * kBlock;
+  Index leaf_count() const { return static_cast<Index>((items_.size() + kBlock - 1) / kBlock); }
+  Index node_count() const { return leaf_count() + static_cast<Index>(first_child_.size()) - 1; }
+  /// REQUIRES: there are items.
+  Index root() const { return node_count() - 1; }
+  bool is_leaf(Index node) const { return node < leaf_count(); }
+  /// Those of a leaf.
+  std::span<const Index> items_of(Index leaf) const {
+    const std::size_t first = at(leaf) * kBlock;
     return std::span(items_).subspan(first, std::min<std::size_t>(kBlock, items_.size() - first));
   }
-  std::size_t block_count() const { return (items_.size() + kBlock - 1) / kBlock; }
-  std::uint64_t memory_bytes() const { return held_bytes(items_); }
-
- private:
-  std::vector<Index> items_;
-};
-
-/// The boxes of a hierarchy, [level][block].
-class BoxLevels {
- public:
-  BoxLevels() = default;
-  /// `box_of(item)`: a Box.
+  /// f(child), ascending, of a node that is no leaf.
   template <class F>
-  BoxLevels(const SpaceOrder& order, const F& box_of) {
-    if (order.block_count() == 0) return;
-    std::vector<Box>& leaves = levels_.emplace_back(order.block_count());
-    for (std::size_t block = 0; block < leaves.size(); ++block)
-      for (const Index item : order.items_of(static_cast<Index>(block))) leaves[block].include(box_of(item));
-    build_upwards();
+  void for_each_child(Index node, const F& f) const {
+    const std::size_t inner = at(node - leaf_count());
+    for (Index child = first_child_[inner]; child < first_child_[inner + 1]; ++child) f(child);
   }
-
-  int root_level() const { return static_cast<int>(levels_.size()) - 1; }
-  std::span<const Box> level(int k) const { return levels_[static_cast<std::size_t>(k)]; }
-  const Box& box(int level, Index block) const {
-    return levels_[static_cast<std::size_t>(level)][static_cast<std::size_t>(block)];
+  /// Of all nodes. `box_of(item)`: a Box.
+  template <class F>
+  std::vector<Box> boxes(const F& box_of) const {
+    std::vector<Box> boxes(at(node_count()));
+    for (Index node = 0; node < node_count(); ++node)
+      if (is_leaf(node))
+        for (const Index item : items_of(node)) boxes[at(node)].include(box_of(item));
+      else
+        for_each_child(node, [&](Index child) { boxes[at(node)].include(boxes[at(child)]); });
+    return boxes;
   }
-  std::uint64_t memory_bytes() const { return held_bytes(levels_); }
+  std::uint64_t memory_bytes() const { return held_bytes(items_, first_child_); }
 
  private:
-  void build_upwards();
-
-  std::vector<std::vector<Box>> levels_;
+  std::vector<Index> items_;           ///< in order
+  std::vector<Index> first_child_{0};  ///< of nodes that are no leaves; last the number of the root
 };
 
 }  // namespace tamis

@@ -16,8 +16,8 @@ BodyTree::BodyTree(const BodyList& bodies, Of of, const BodyWidening& widening, 
     hull.widen(widening(*body));
     centers.push_back(hull.middle());
   }
-  order_ = SpaceOrder(centers, split);
-  levels_ = BoxLevels(order_, [this](Index i) -> const Box& { return hulls_[static_cast<std::size_t>(i)]; });
+  tree_ = BoxTree(centers, split);
+  boxes_ = tree_.boxes([this](Index i) -> const Box& { return hulls_[at(i)]; });
 }
 
 NearBodies::NearBodies(Isa isa) : split_(kernels(isa).trees.split) {}

@@ -33,29 +33,27 @@ class BodyTree {
   /// Calls f(body) for all whose widened hulls may meet the box.
   template <class F>
   void for_each_near(const Box& box, const F& f) const {
-    if (!bodies_.empty()) visit(levels_.root_level(), 0, box, f);
+    if (!bodies_.empty()) visit(tree_.root(), box, f);
   }
   std::span<const BodyId> bodies() const { return bodies_; }
   const Box& hull(std::size_t place) const { return hulls_[place]; }
 
  private:
   template <class F>
-  void visit(int level, Index block, const Box& box, const F& f) const {
-    if (level == 0) {
-      for (const Index i : order_.items_of(block))
-        if (may_meet(hulls_[static_cast<std::size_t>(i)], box)) f(bodies_[static_cast<std::size_t>(i)]);
-      return;
+  void visit(Index node, const Box& box, const F& f) const {
+    if (!may_meet(boxes_[at(node)], box)) return;
+    if (tree_.is_leaf(node)) {
+      for (const Index i : tree_.items_of(node))
+        if (may_meet(hulls_[at(i)], box)) f(bodies_[at(i)]);
+    } else {
+      tree_.for_each_child(node, [&](Index child) { visit(child, box, f); });
     }
-    const auto below = levels_.level(level - 1);
-    const auto first = static_cast<std::size_t>(block) * kBlock;
-    for (std::size_t child = first; child < std::min(first + kBlock, below.size()); ++child)
-      if (may_meet(below[child], box)) visit(level - 1, static_cast<Index>(child), box, f);
   }
 
   std::vector<BodyId> bodies_;
   std::vector<Box> hulls_;
-  SpaceOrder order_;
-  BoxLevels levels_;
+  BoxTree tree_;
+  std::vector<Box> boxes_;  ///< of its nodes
 };
 
 /// Finds near bodies; keeps a tree of those that do not move from question to question.

@@ -12,38 +12,30 @@
 namespace tamis {
 namespace {
 
-/// The blocks all of whose items are in a set, each tested when it is first asked for; items added later do not count.
-class WholeBlocks {
+/// The nodes all of whose items are in a set, each tested when it is first asked for; items added later do not count.
+class WholeNodes {
  public:
-  WholeBlocks(const BodyShape& shape, const IndexSet& near) : shape_(shape), near_(near) {
-    std::size_t count = 0;
-    for (int level = 0; level <= shape.boxes.root_level(); ++level) {
-      first_of_level_[at(level)] = count;
-      count += shape.boxes.level(level).size();
-    }
-    answers_.assign(count, Answer::none);
-  }
+  WholeNodes(const BoxTree& tree, const IndexSet& near)
+      : tree_(tree), near_(near), answers_(at(tree.node_count()), Answer::none) {}
 
-  bool has(int level, Index block) {
-    Answer& answer = answers_[first_of_level_[at(level)] + at(block)];
-    if (answer == Answer::none) answer = is_whole(level, block) ? Answer::yes : Answer::no;
+  bool has(Index node) {
+    Answer& answer = answers_[at(node)];
+    if (answer == Answer::none) answer = is_whole(node) ? Answer::yes : Answer::no;
     return answer == Answer::yes;
   }
 
  private:
   enum class Answer : char { none, yes, no };
 
-  bool is_whole(int level, Index block) {
-    if (level == 0) return near_.has_all(shape_.order.items_of(block));
-    const auto count = static_cast<Index>(shape_.boxes.level(level - 1).size());
-    for (Index child = block * kBlock; child < std::min(block * kBlock + kBlock, count); ++child)
-      if (!has(level - 1, child)) return false;
-    return true;
+  bool is_whole(Index node) {
+    if (tree_.is_leaf(node)) return near_.has_all(tree_.items_of(node));
+    bool has_all = true;
+    tree_.for_each_child(node, [&](Index child) { has_all = has_all && has(child); });
+    return has_all;
   }
 
-  const BodyShape& shape_;
+  const BoxTree& tree_;
   const IndexSet& near_;
-  std::array<std::size_t, 8> first_of_level_{};  // of 2^31 items at most
   std::vector<Answer> answers_;
 };
 
@@ -52,7 +44,7 @@ class PairWalk {
   struct Side {
     BoundsOnPiece& boxes;
     IndexSet& near;
-    WholeBlocks& whole;
+    WholeNodes& whole;
   };
 
   PairWalk(const Side& a, const Side& b, double separation, const Pause& pause)
@@ -68,24 +60,23 @@ class PairWalk {
 
  private:
   struct Node {
-    int level;
-    Index block;
+    Index number;
     const MovingBounds& bounds;
   };
 
-  static Node root_of(const Side& side) {
-    const int level = side.boxes.shape().boxes.root_level();
-    return {level, 0, side.boxes.of_block(level, 0)};
-  }
+  static const BoxTree& tree_of(const Side& side) { return side.boxes.shape().tree; }
+  static Node node_of(const Side& side, Index number) { return {number, side.boxes.bounds(number)}; }
+  static Node root_of(const Side& side) { return node_of(side, tree_of(side).root()); }
   bool meet(const MovingBounds& a, const MovingBounds& b) const { return may_meet(a, b, separation_); }
 
   /// Descends into the larger node. REQUIRES: two that meet.
   void visit(const Node& a, const Node& b) {
-    if (found_ && a_.whole.has(a.level, a.block) && b_.whole.has(b.level, b.block)) return;
+    if (found_ && a_.whole.has(a.number) && b_.whole.has(b.number)) return;
     if (++visited_ % kVisitsPerPause == 0) pause_();
-    if (a.level == 0 && b.level == 0) {
+    const bool is_a_leaf = tree_of(a_).is_leaf(a.number), is_b_leaf = tree_of(b_).is_leaf(b.number);
+    if (is_a_leaf && is_b_leaf) {
       mark(a, b);
-    } else if (b.level == 0 || (a.level > 0 && a.bounds.start.extent() >= b.bounds.start.extent())) {
+    } else if (is_b_leaf || (!is_a_leaf && a.bounds.start.extent() >= b.bounds.start.extent())) {
       for_each_child_near(a_, a, b, [&](const Node& child) { visit(child, b); });
     } else {
       for_each_child_near(b_, b, a, [&](const Node& child) { visit(a, child); });
@@ -94,22 +85,17 @@ class PairWalk {
 
   template <class F>
   void for_each_child_near(const Side& side, const Node& node, const Node& other, const F& f) const {
-    const int level = node.level - 1;
-    const auto count = static_cast<Index>(side.boxes.shape().boxes.level(level).size());
-    const Index first = node.block * kBlock, last = std::min(first + kBlock, count);
-    for (Index child = first; child < last; ++child) {
-      const MovingBounds& bounds = side.boxes.of_block(level, child);
-      if (meet(bounds, other.bounds)) f(Node{level, child, bounds});
-    }
+    tree_of(side).for_each_child(node.number, [&](Index number) {
+      if (const Node child = node_of(side, number); meet(child.bounds, other.bounds)) f(child);
+    });
   }
 
-  /// Adds the items of two blocks that may meet each other.
+  /// Adds the items of two leaves that may meet each other.
   void mark(const Node& node_a, const Node& node_b) {
-    const auto items_a = a_.boxes.shape().order.items_of(node_a.block);
-    const auto items_b = b_.boxes.shape().order.items_of(node_b.block);
-    const ItemBounds& a = a_.boxes.items(node_a.block);
+    const auto items_a = tree_of(a_).items_of(node_a.number), items_b = tree_of(b_).items_of(node_b.number);
+    const ItemBounds& a = a_.boxes.items(node_a.number);
     if (!meet(a.all, node_b.bounds)) return;
-    const ItemBounds& b = b_.boxes.items(node_b.block);
+    const ItemBounds& b = b_.boxes.items(node_b.number);
     if (!meet(a.all, b.all)) return;
     std::array<std::size_t, kBlock> near_b;
     std::size_t count = 0;
@@ -164,12 +150,12 @@ void add_near_items(const BodyList& bodies, const std::vector<BodyPair>& pairs,
   std::vector<char> is_near;
   for (const BodyPair& pair : pairs) is_near.push_back(static_cast<char>(std::ranges::binary_search(near.pairs, pair)));
   for (std::size_t piece = 0; piece + 1 < times.size(); ++piece) {
-    std::map<BodyId, WholeBlocks> whole;
+    std::map<BodyId, WholeNodes> whole;
     const auto side = [&](BodyId id) {
       auto& bounds = body(id).motion_kind() == MotionKind::still ? of_still : of_moving;
       BoundsOnPiece& boxes = bounds.try_emplace(id, body(id), times[piece], times[piece + 1]).first->second;
       IndexSet& items = items_of(id);
-      return PairWalk::Side{boxes, items, whole.try_emplace(id, body(id).shape(), items).first->second};
+      return PairWalk::Side{boxes, items, whole.try_emplace(id, body(id).shape().tree, items).first->second};
     };
     for (std::size_t i = 0; i < pairs.size(); ++i) {
       const auto [a, b] = pairs[i];

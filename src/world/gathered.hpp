@@ -13,12 +13,12 @@ namespace tamis {
 
 /// Which pairs of bodies meet in one mesh.
 struct MeetingRules {
-  /// Bodies up to this kind are passive, they do not meet each other: those that stay, or in a question about curves
+  /// Bodies of a lesser kind are passive, they do not meet each other: those that stay, or in a question about curves
   /// those that do not turn.
-  MotionKind passive;
+  MotionKind least;
   const std::set<BodyPair>& excluded_pairs;
 
-  bool is_passive(const Body& body) const { return body.motion_kind() <= passive; }
+  bool is_passive(const Body& body) const { return body.motion_kind() < least; }
 };
 
 class Gathered {

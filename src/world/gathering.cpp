@@ -104,7 +104,7 @@ void World::State::gather_anew(Gathering& gathering, const NearDistance& distanc
     if (in_edges <= kLeastMarginInEdges || items.count() <= kMostItemsPerNeeded * needed.count()) break;
     in_edges = std::max(in_edges / 2, kLeastMarginInEdges);
   }
-  const MeetingRules rules{gathering.passive, excluded_pairs};
+  const MeetingRules rules{gathering.least, excluded_pairs};
   gathering.gathered = std::make_unique<Gathered>(bodies, std::move(items), rules, options);
   // No exception from here on: one before leaves the gathering as it was.
   gathering.margin = std::move(margin);

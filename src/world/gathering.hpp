@@ -39,8 +39,7 @@ struct GatherMargin {
 /// One gathered mesh of bodies that meet: of those whose vertices all go straight, of those of which one turns, or of
 /// all in a pose.
 struct Gathering {
-  bool (*wants)(const Body&, const Body&);  ///< is it asked about such a pair?
-  MotionKind passive;                       ///< as in MeetingRules
+  MotionKind least, most;  ///< of the body of a pair that moves most: such pairs are asked about
   /// Items within so many mean edges more than needed are gathered, too, so that they serve the questions that follow;
   /// more where these are answered without a search (GatherMargin).
   double margin_in_edges;
@@ -50,6 +49,10 @@ struct Gathering {
   std::optional<GatherMargin> margin = std::nullopt;  ///< of bodies that do not turn
   int served = 0, searched = 0;                       ///< questions, and those that the margin did not cover
 
+  bool wants(const Body& a, const Body& b) const {
+    const MotionKind kind = std::max(a.motion_kind(), b.motion_kind());
+    return least <= kind && kind <= most;
+  }
   bool serves(const BodyList& bodies, const std::vector<BodyPair>& near, const NearDistance& distance) const {
     return gathered && margin && distance.displacement_factor == 0 && distance.separation <= margin->separation &&
            gathered->keeps_motion_kinds(bodies) && margin->covers(bodies, near);

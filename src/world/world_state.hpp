@@ -59,12 +59,6 @@ struct World::State {
   BodyStep safe_step(double fraction, const QueryOptions& asked);
 
  private:
-  static bool is_turning(const Body& a, const Body& b) {
-    return a.motion_kind() == MotionKind::turning || b.motion_kind() == MotionKind::turning;
-  }
-  static bool is_straight(const Body& a, const Body& b) { return !is_turning(a, b); }
-  static bool is_any(const Body&, const Body&) { return true; }
-
   /// Throws InvalidOptions and InvalidStep.
   void validate(std::span<const BodyId> moved, std::span<const BodyMotion> motions);
   /// Pairs that may touch and, by their hulls, come within `distance` plus `margin`.
@@ -114,8 +108,9 @@ struct World::State {
   std::uint64_t memory_bytes() const;
 
   NearBodies near_bodies_{options.isa};
-  Gathering straight_{is_straight, MotionKind::still, 1}, turning_{is_turning, MotionKind::straight, 0.5},
-      at_rest_{is_any, MotionKind::still, 1};
+  Gathering straight_{MotionKind::straight, MotionKind::straight, 1};
+  Gathering turning_{MotionKind::turning, MotionKind::turning, 0.5};
+  Gathering at_rest_{MotionKind::straight, MotionKind::turning, 1};
   std::vector<double> times_;  ///< of the pieces of turning_
   bool must_gather_ = false;
 };

@@ -145,6 +145,15 @@ Point Body::end_of(Index vertex) const {
   return deforming() ? deforming()->end[at(vertex)] : at_end_.of(shape_->points[at(vertex)]);
 }
 
+Curvature Body::curvature(double from_origin) const {
+  const double share = from_origin < shape_->radius ? from_origin / shape_->radius : 1;
+  const auto between = [share](double first, double last) {
+    return (first + (last - first) * share) * kRoundedUp + 0x1p-1000;
+  };
+  return {between(innermost_.acceleration, outermost_.acceleration),
+          between(innermost_.orbit_radius, outermost_.orbit_radius)};
+}
+
 /// Vertices of a body that turns are on their curves; all others move straight from double to double, as in a step.
 BodyPoints Body::points_at(double time) const {
   const bool turns = motion_kind_ == MotionKind::turning;

@@ -73,6 +73,8 @@ class Body {
   /// Hold the body at t=0, and during the whole step.
   const Box& start_hull() const { return start_hull_; }
   const Box& hull() const { return hull_; }
+  /// Of its points no farther than this from the origin of its frame, and none farther than its farthest vertex.
+  Curvature curvature(double from_origin) const;
   /// |x''| of its vertices is at most this.
   double acceleration() const { return outermost_.acceleration; }
   double radius() const { return radius_; }

@@ -23,11 +23,6 @@ Box unbounded_if_unknown(Box box) {
   return box;
 }
 
-/// Between two bounds that are linear in `share`, rounded up.
-double at_share(double first, double last, double share) {
-  return (first + (last - first) * share) * kRoundedUp + 0x1p-1000;
-}
-
 /// An upper bound of the distance of the box' points from the origin.
 double farthest_in(const Box& box) {
   double square = 0;
@@ -50,28 +45,18 @@ const typename Cache::value_type& cached_at(Index& place, Cache& cache, const Ma
 
 }  // namespace
 
-BodyOnPiece::BodyOnPiece(const Body& body, double from, double to) : body_(body), from_(from), to_(to) {
+BodyOnPiece::BodyOnPiece(const Body& body, double from, double to)
+    : body_(body), from_(from), to_(to), chord_factor_(chord_factor(Interval(to) - Interval(from))) {
   TAMIS_ASSERT(0 <= from && from <= to && to <= 1);
   const bool turns = body.motion_kind() == MotionKind::turning;
   at_from_ = body.place_at(turns ? from : 0);
   at_to_ = body.place_at(turns ? to : 1);
-  if (!turns) return;
-  const Interval length = Interval(to) - Interval(from);
-  const auto of_piece = [&](const Curvature& curve) {
-    return ChordBounds{chord_deviation(curve.acceleration, length), 2 * curve.orbit_radius};
-  };
-  innermost_ = of_piece(body.innermost_);
-  outermost_ = of_piece(body.outermost_);
 }
 
 /// An upper bound of the distance of vertices within the box from their chords.
 double BodyOnPiece::deviation(const Box& at_rest) const {
   if (body_.motion_kind() != MotionKind::turning) return 0;
-  const double radius = shape().radius, place = farthest_in(at_rest);
-  const double share = place < radius ? place / radius : 1;  // corners may be farther than all vertices
-  return std::min(at_share(innermost_.by_acceleration, outermost_.by_acceleration, share),
-                  at_share(innermost_.by_orbit, outermost_.by_orbit, share)) *
-         (1 + MovingBounds::kRounding);
+  return body_.curvature(farthest_in(at_rest)).deviation(chord_factor_) * (1 + MovingBounds::kRounding);
 }
 
 MovingBounds BodyOnPiece::bounds(Index node) const {

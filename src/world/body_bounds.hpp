@@ -47,11 +47,6 @@ struct ItemBounds {
   std::array<MovingBounds, kBlock> of_item;  ///< in the order of the tree
 };
 
-/// Two upper bounds of a point's distance from its chord on a piece: by its acceleration, and by its orbit's diameter.
-struct ChordBounds {
-  double by_acceleration = 0, by_orbit = 0;
-};
-
 /// A body during one piece of the step.
 class BodyOnPiece {
  public:
@@ -69,8 +64,8 @@ class BodyOnPiece {
 
   const Body& body_;
   const double from_, to_;
-  RoundedTransform at_from_, at_to_;   ///< of a body that does not turn, at t=0 and t=1
-  ChordBounds innermost_, outermost_;  ///< at the origin of its frame, and at the distance of its farthest vertex
+  const Interval chord_factor_;
+  RoundedTransform at_from_, at_to_;  ///< of a body that does not turn, at t=0 and t=1
 };
 
 /// Caches its bounds, each computed when it is first asked for; references to them stay valid.

@@ -12,33 +12,6 @@
 #include "world/body_bounds.hpp"
 
 namespace tamis {
-
-// No coordinate of a box is larger than its size and the shift together, but for what is added here.
-double rounding_bound(const RoundedTransform& place, double size) {
-  return place.error_of(size, 0) + 2 * MovingBounds::kRounding * (size + place.shift_size);
-}
-
-/// The box around the transformed center, with the extents that the rotation gives.
-Box box_in_world(const Box& at_rest, const RoundedTransform& place, double wider) {
-  const Point middle = at_rest.middle();
-  Point half{};
-  double size = 0;
-  for (std::size_t k = 0; k < 3; ++k) {
-    half[k] = std::max(at_rest.high[k] - middle[k], middle[k] - at_rest.low[k]);
-    size += std::fabs(middle[k]) + half[k];
-  }
-  const Point center = place.of(middle);
-  Box box;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const Point& row = place.rows[k];
-    const double extent = std::fabs(row[0]) * half[0] + std::fabs(row[1]) * half[1] + std::fabs(row[2]) * half[2];
-    const double wide = extent + rounding_bound(place, size) + wider;
-    box.low[k] = center[k] - wide;
-    box.high[k] = center[k] + wide;
-  }
-  return box;
-}
-
 namespace {
 
 /// |a - b|, rounded up; infinite where doubles do not know it.

@@ -35,11 +35,6 @@ class StraightMotion {
   std::optional<Deforming> soft_;
 };
 
-/// An error bound of transformed points with |x|_1 <= size, and of their boxes, the rounding of may_meet() included.
-double rounding_bound(const RoundedTransform& place, double size);
-/// A box in the frame of the world that holds a box of the body's frame at `place`, widened on all sides.
-Box box_in_world(const Box& at_rest, const RoundedTransform& place, double wider);
-
 class Body {
  public:
   /// Throws InvalidStep, naming the body.

@@ -1,5 +1,8 @@
 #include "world/body_bounds.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 #include "curves/chord_deviation.hpp"
 #include "numerics/assert.hpp"
 #include "numerics/error_bounds.hpp"
@@ -31,6 +34,34 @@ double farthest_in(const Box& box) {
     square += farthest * farthest;
   }
   return std::sqrt(square) * kRoundedUp;
+}
+
+/// An error bound of transformed points with |x|_1 <= size, and of their boxes, the rounding of may_meet() included.
+/// No coordinate of a box is larger than its size and the shift together, but for what is added here.
+double rounding_bound(const RoundedTransform& place, double size) {
+  return place.error_of(size, 0) + 2 * MovingBounds::kRounding * (size + place.shift_size);
+}
+
+/// A box in the frame of the world that holds a box of the body's frame at `place`, widened on all sides: around the
+/// transformed center, with the extents that the rotation gives.
+Box box_in_world(const Box& at_rest, const RoundedTransform& place, double wider) {
+  const Point middle = at_rest.middle();
+  Point half{};
+  double size = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    half[k] = std::max(at_rest.high[k] - middle[k], middle[k] - at_rest.low[k]);
+    size += std::fabs(middle[k]) + half[k];
+  }
+  const Point center = place.of(middle);
+  Box box;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Point& row = place.rows[k];
+    const double extent = std::fabs(row[0]) * half[0] + std::fabs(row[1]) * half[1] + std::fabs(row[2]) * half[2];
+    const double wide = extent + rounding_bound(place, size) + wider;
+    box.low[k] = center[k] - wide;
+    box.high[k] = center[k] + wide;
+  }
+  return box;
 }
 
 /// The cached value at a place, made if it is not there yet.

@@ -149,18 +149,18 @@ void PairsOnParts::add_half(const Part& whole, std::shared_ptr<const MeshMoment>
 }
 
 void PairsOnParts::test(PairKind kind, std::span<const std::int32_t> pairs) {
-  Scratch& scratch = scratch_.local();
+  Scratch& scratch = *scratch_.local();
   PairBuffer& buffer = scratch.pairs;
   buffer.count = static_cast<int>(pairs.size());
   for (int i = 0; i < buffer.count; ++i) put(kind, pairs_[at(pairs[at(i)])], buffer, i);
   const WithinRule rule{{piece_->separations.fixed, true}, 1};
-  const int left = kernels_.of(kind).come_within(vertices_.data(), rule, buffer, scratch.within, scratch.solved.get());
+  const int left = kernels_.of(kind).come_within(vertices_.data(), rule, buffer, scratch.within, scratch.solved.data());
   for (int i = 0; i < left; ++i) may_touch_[at(pairs[at(scratch.solved[at(i)].pair)])] = true;
 }
 
 std::uint64_t PairsOnParts::memory_bytes() const {
   return held_bytes(vertices_, pairs_, names_, used_, names_used_, deviations_, is_used_, is_given_, may_touch_) +
-         scratch_.size() * (sizeof(Scratch) + PairBuffer::kCapacity * sizeof(SolvedPair));
+         scratch_.size() * sizeof(Scratch);
 }
 
 }  // namespace tamis

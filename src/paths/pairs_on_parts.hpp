@@ -3,6 +3,7 @@
 #pragma once
 #include <tbb/enumerable_thread_specific.h>
 
+#include <array>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -45,7 +46,7 @@ class PairsOnParts {
   struct Scratch {
     PairBuffer pairs;
     WithinScratch within;
-    std::unique_ptr<SolvedPair[]> solved = std::make_unique_for_overwrite<SolvedPair[]>(PairBuffer::kCapacity);
+    std::array<SolvedPair, PairBuffer::kCapacity> solved;
   };
 
   /// Numbers the vertices of the piece's pairs: moments and pairs here have these alone.
@@ -70,7 +71,9 @@ class PairsOnParts {
   std::vector<Index> used_, names_used_;
   std::vector<double> deviations_;  ///< of those
   std::vector<PackedVertex> vertices_;
-  tbb::enumerable_thread_specific<Scratch> scratch_;
+  /// Pointers: TBB fills with zeros what it makes room for.
+  tbb::enumerable_thread_specific<std::unique_ptr<Scratch>> scratch_{
+      [] { return std::make_unique_for_overwrite<Scratch>(); }};
 };
 
 }  // namespace tamis

@@ -2,27 +2,29 @@
 #include "detect/detector_state.hpp"
 #include "detect/pair_faults.hpp"
 #include "detect/validate.hpp"
+#include "paths/path_search.hpp"
 #include "tamis/error.hpp"
 
 namespace tamis {
 
-/// find(search, whole path).
+/// find(search).
 template <class Find>
-void Detector::State::on_path(const CutPath& path, const QueryOptions& asked, const Find& find) {
+void Detector::State::on_path(const CutPath& path, double keep, const QueryOptions& asked, const Find& find) {
   validate_of_path(asked);
   const Separations kept = separations(asked);
   measure([&] {
-    if (!path_search_) path_search_ = std::make_unique<PathSearch>(mesh, options, rings_, *engine_);
-    const MeshOnPath whole{path.path, kept, asked.tolerance.value_or(PairOptions().tolerance),
-                           asked.at_start == AtStart::ignore, path.ends};
-    find(*path_search_, whole);
+    const MeshOnPath whole{
+        path.path, kept, asked.tolerance.value_or(PairOptions().tolerance), asked.at_start == AtStart::ignore,
+        path.ends, keep};
+    PathSearch search(mesh, options, rings_, *engine_, whole, statistics);
+    find(search);
   });
 }
 
 const std::vector<Contact>& Detector::State::ask(const CutPath& path, const QueryOptions& asked, Question question) {
   if (asked.at_start == AtStart::fail && question == Question::is_free) question = Question::earliest;
-  on_path(path, asked, [&](PathSearch& search, const MeshOnPath& whole) {
-    search.find(whole, question, found.contacts(), statistics);
+  on_path(path, 0, asked, [&](PathSearch& search) {
+    found.contacts() = search.find(question);
     sort_found();
   });
   for (const Contact& c : found.contacts())
@@ -48,10 +50,7 @@ bool Detector::State::is_free(const CutPath& path, const QueryOptions& asked) {
 SafeStep Detector::State::safe_step(const CutPath& path, double keep, const QueryOptions& asked) {
   validate_kept(keep);
   SafeStep answer;
-  on_path(path, asked, [&](PathSearch& search, MeshOnPath whole) {
-    whole.keep = keep;
-    answer = search.find_step_length(whole, statistics);
-  });
+  on_path(path, keep, asked, [&](PathSearch& search) { answer = search.find_step_length(); });
   return answer;
 }
 

@@ -177,8 +177,8 @@ const std::vector<Intersection>& Detector::State::find_intersections(const Posit
 }
 
 std::uint64_t Detector::State::memory_bytes() const {
-  return held_bytes(engine_, sorter_, found, path_search_, near_, intersections_, radii_,
-                    options.filter.group_of_vertex, options.filter.groups_may_touch, rings_);
+  return held_bytes(engine_, sorter_, found, near_, intersections_, radii_, options.filter.group_of_vertex,
+                    options.filter.groups_may_touch, rings_);
 }
 
 }  // namespace tamis

@@ -6,11 +6,11 @@
 #include "detect/arena.hpp"
 #include "detect/contact_order.hpp"
 #include "detect/detector_access.hpp"
-#include "paths/path_search.hpp"
 #include "query/engine.hpp"
 #include "query/stopwatch.hpp"
 #include "tamis/busy_guard.hpp"
 #include "tamis/detector.hpp"
+#include "topology/rings.hpp"
 
 namespace tamis {
 
@@ -56,7 +56,7 @@ struct Detector::State {
   /// Into `found`.
   const std::vector<Contact>& ask(const CutPath& path, const QueryOptions& asked, Question question);
   template <class Find>
-  void on_path(const CutPath& path, const QueryOptions& asked, const Find& find);
+  void on_path(const CutPath& path, double keep, const QueryOptions& asked, const Find& find);
   /// Of a validated query, whose step's end the caller can store.
   TruncatedStep truncate(const Query& whole, double keep, AtStart at_start, Stored stored);
   /// Throws InvalidOptions, InvalidStep.
@@ -85,7 +85,6 @@ struct Detector::State {
   std::vector<double> radii_;  ///< of the vertices; empty: all zero
   bool serves_world_ = false;
   std::unique_ptr<Engine> engine_;
-  std::unique_ptr<PathSearch> path_search_;  ///< made by the first question that needs it
   ContactSorter sorter_;
 };
 

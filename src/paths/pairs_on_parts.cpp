@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "motion/time_clip.hpp"
-#include "numerics/held_bytes.hpp"
 #include "numerics/in_parts.hpp"
 #include "paths/path_reader.hpp"
 #include "query/cancellation.hpp"
@@ -156,11 +155,6 @@ void PairsOnParts::test(PairKind kind, std::span<const std::int32_t> pairs) {
   const WithinRule rule{{piece_->separations.fixed, true}, 1};
   const int left = kernels_.of(kind).come_within(vertices_.data(), rule, buffer, scratch.within, scratch.solved.data());
   for (int i = 0; i < left; ++i) may_touch_[at(pairs[at(scratch.solved[at(i)].pair)])] = true;
-}
-
-std::uint64_t PairsOnParts::memory_bytes() const {
-  return held_bytes(vertices_, pairs_, names_, used_, names_used_, deviations_, is_used_, is_given_, may_touch_) +
-         scratch_.size() * sizeof(Scratch);
 }
 
 }  // namespace tamis

@@ -34,8 +34,6 @@ class PairsOnParts {
   /// The places of the pairs to be decided next, ascending: those that may touch in the earliest part that is left.
   /// Each pair is returned once. Empty if no other pair touches until `latest`. Throws InvalidPath and Cancelled.
   std::vector<std::int32_t> next(double latest);
-  /// Kept from piece to piece.
-  std::uint64_t memory_bytes() const;
 
  private:
   struct Part {

@@ -1,10 +1,14 @@
 // Conducts the questions about a mesh on a path: piece by piece a linear question in which every vertex has its
 // deviation as radius; each pair that this leaves is decided on its curves.
 #pragma once
+#include <map>
+#include <set>
 #include <span>
+#include <tuple>
 #include <vector>
 
-#include "numerics/held_bytes.hpp"
+#include "motion/time_clip.hpp"
+#include "paths/mesh_pieces.hpp"
 #include "paths/pairs_on_parts.hpp"
 #include "query/engine.hpp"
 #include "tamis/path.hpp"
@@ -23,32 +27,53 @@ struct MeshOnPath {
   double keep = 0;
 };
 
+/// One question, asked once. Throws InvalidPath: a path of another number of vertices, or one that breaks its promises.
+/// Runs in the caller's oneTBB arena.
 class PathSearch {
  public:
-  /// Keeps references.
-  PathSearch(const Mesh& mesh, const Options& options, const Rings& rings, Engine& engine)
-      : mesh_(mesh), options_(options), rings_(rings), engine_(engine), parts_(kernels(options.isa)) {}
+  /// Keeps references. REQUIRES: a finite fixed separation >= 0, radii of all vertices or none, a tolerance > 0.
+  /// REQUIRES (not checked: O(n)): finite radii >= 0.
+  PathSearch(const Mesh& mesh, const Options& options, const Rings& rings, Engine& engine, const MeshOnPath& asked,
+             Statistics& statistics);
 
-  /// Writes every pair that touches, once, in no order; for `earliest` and `is_free` the search ends soon after the
-  /// first. Throws InvalidPath: a path of another number of vertices, or one that breaks its promises. REQUIRES: a
-  /// finite fixed separation >= 0, radii of all vertices or none, a tolerance > 0. REQUIRES (not checked: O(n)): finite
-  /// radii >= 0. Runs in the caller's oneTBB arena.
-  void find(const MeshOnPath& asked, Question question, std::vector<Contact>& contacts, Statistics& statistics);
-  /// How far all vertices may go so that every pair keeps its part. Otherwise as `find`.
-  SafeStep find_step_length(const MeshOnPath& asked, Statistics& statistics);
-  std::uint64_t memory_bytes() const { return held_bytes(found_, parts_, radii_); }
+  /// Every pair that touches, once, in no order; for `earliest` and `is_free` the search ends soon after the first.
+  std::vector<Contact> find(Question question);
+  /// How far all vertices may go so that every pair keeps its part.
+  SafeStep find_step_length();
 
  private:
-  struct Run;  ///< one question
+  using PairKey = std::tuple<PairKind, PairVertices>;
+  static PairKey key_of(const Contact& pair) { return {pair.kind, pair.vertices}; }
+
+  double distance_to_search();
+  /// Leaves in candidates_ the pairs whose chords come within the search distance on a piece.
+  void search_chords(const MeshMoment& from, const MeshMoment& to);
+  /// Decides these pairs on their curves.
+  void decide_all(Question question, const MeshMoment& from, const MeshMoment& to);
+  /// Decides some of them, in parallel. Returns the earliest end of a bracket among those that touch.
+  double decide(const TimeInterval<double>& piece, std::span<const std::int32_t> places);
+  /// Is the pair, which is ignored at the start, still in its first contact at this time, the start of a piece?
+  bool is_in_first_contact(const Contact& pair, double time) const {
+    const auto found = in_contact_until_.find(key_of(pair));
+    return time == 0 || (found != in_contact_until_.end() && found->second == time);
+  }
 
   const Mesh& mesh_;
   const Options& options_;
   const Rings& rings_;
   Engine& engine_;
-  // Kept from question to question.
-  ContactCollector found_;  ///< pairs that may touch on a piece
-  PairsOnParts parts_;      ///< of these pairs
-  std::vector<double> radii_;
+  const MeshOnPath& asked_;
+  Statistics& statistics_;
+  MeshPieces pieces_;
+  const double search_distance_;  ///< beyond the radii; a pair that stays farther apart need not be looked at
+  const std::vector<double> largest_radii_;  ///< deviations are added to these, vertex by vertex
+  ContactCollector candidates_;
+  PairsOnParts parts_;  ///< of the candidates
+  std::vector<Contact> contacts_;
+  std::set<PairKey> reported_;  ///< pairs among the contacts
+  /// Ignored pairs, which touch at the start, each with a time until which it is not known to have been apart: the end
+  /// of a piece, or the start of the piece in which it came apart. Removed when the pair touches again.
+  std::map<PairKey, double> in_contact_until_;
 };
 
 /// The first of these contacts, as keep_first() has it.

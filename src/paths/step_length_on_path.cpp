@@ -23,17 +23,15 @@ KeptSeparation kept_separation(const Path& path, PairKind kind, const PairVertic
           start_distance(kind, points) / reader.scale(), !(low > separation)};
 }
 
-SafeStep PathSearch::find_step_length(const MeshOnPath& asked, Statistics& statistics) {
-  std::vector<Contact> contacts;
-  find(asked, Question::earliest, contacts, statistics);
-  const EarliestContact first = first_of(contacts);
+SafeStep PathSearch::find_step_length() {
+  const EarliestContact first = first_of(find(Question::earliest));
   if (!first.contact) return {};
   const auto& [kind, certainty, vertices, toi_lower, toi_upper, u, v, normal] = *first.contact;
-  const DistanceRule rule{asked.keep, asked.separations.between(kind, vertices)};
-  const KeptSeparation kept = kept_separation(asked.path, kind, vertices, rule);
+  const DistanceRule rule{asked_.keep, asked_.separations.between(kind, vertices)};
+  const KeptSeparation kept = kept_separation(asked_.path, kind, vertices, rule);
   SafeStep step{toi_lower, first.toi_upper, LimitingPair{kind, vertices, kept.distance}};
-  if (asked.keep > 0) {
-    const PathQuestion question{asked.path, kind, vertices, kept.low, asked.tolerance, options_.is_cancelled};
+  if (asked_.keep > 0) {
+    const PathQuestion question{asked_.path, kind, vertices, kept.low, asked_.tolerance, options_.is_cancelled};
     const Decision decision = decide_on_path(question, {toi_lower, 1});
     step.upper = decision.touches() ? decision.upper : 1;
   }

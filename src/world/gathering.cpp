@@ -24,7 +24,6 @@ constexpr double kMostMarginInEdges = 64;
 /// counted in every kSearchesPerCount-th search.
 constexpr std::size_t kShrunk = 4;
 constexpr int kSearchesPerCount = 16;
-constexpr double kEndsOfStep[] = {0, 1};
 
 }  // namespace
 
@@ -49,32 +48,31 @@ std::vector<BodyPair> World::State::wanted_pairs(const Gathering& gathering, std
   return pairs;
 }
 
-void World::State::gather(Gathering& gathering, const NearDistance& distance, const std::vector<BodyPair>& near,
+bool World::State::gather(Gathering& gathering, const NearDistance& distance, const std::vector<BodyPair>& pairs,
                           std::span<const double> times) {
-  const std::vector<BodyPair> wanted = wanted_pairs(gathering, near);
-  if (wanted.empty()) return;
-  if (gathering.serves(bodies, wanted, distance)) {
-    gathering.is_asked = true;
+  if (pairs.empty()) return false;
+  if (gathering.serves(bodies, pairs, distance)) {
     ++gathering.served;
-    return;
+    return true;
   }
   const bool is_usable = gathering.gathered && gathering.gathered->keeps_motion_kinds(bodies);
   const bool counts = !is_usable || ++gathering.searched % kSearchesPerCount == 0;
-  NearItems
-      near_now;  // all that is needed if `counts`; else what is gathered, which is not tested again, and new items
+  // All that is needed if `counts`; else what is gathered, which is not tested again, and new items.
+  NearItems near_now;
   if (!counts) near_now.of_body = gathering.gathered->items().of_body;
-  find_near(wanted, distance, 0, times, near_now);
-  gathering.is_asked = !near_now.pairs.empty();
-  if (!gathering.is_asked) return;
+  find_near(pairs, distance, 0, times, near_now);
+  if (near_now.pairs.empty()) return false;
   const bool has_shrunk = counts && kShrunk * near_now.count() < gathering.needed_when_gathered;
   if (is_usable && !has_shrunk && gathering.gathered->items().includes(near_now)) {
     ++gathering.served;
-    return;
+    return true;
   }
-  if (counts) return gather_anew(gathering, distance, near_now, times);
-  NearItems needed;
-  find_near(wanted, distance, 0, times, needed);
-  gather_anew(gathering, distance, needed, times);
+  if (!counts) {
+    near_now = {};
+    find_near(pairs, distance, 0, times, near_now);
+  }
+  gather_anew(gathering, distance, near_now, times);
+  return true;
 }
 
 void World::State::find_near(const std::vector<BodyPair>& pairs, const NearDistance& distance, double margin,
@@ -155,13 +153,6 @@ std::vector<double> World::State::times_of_pieces(const std::vector<BodyPair>& p
   for (int piece = 1; piece < pieces; ++piece) times.push_back((piece - kNoSimplePart) / pieces);
   times.push_back(1);
   return times;
-}
-
-void World::State::gather_moving(const NearDistance& distance) {
-  const std::vector<BodyPair> near = near_bodies(distance, 0, During::step);
-  gather(straight_, distance, near, kEndsOfStep);
-  times_ = times_of_pieces(wanted_pairs(turning_, near));
-  gather(turning_, distance, near, times_);
 }
 
 }  // namespace tamis

@@ -45,7 +45,6 @@ struct Gathering {
   double margin_in_edges;
   std::unique_ptr<Gathered> gathered = nullptr;
   std::size_t needed_when_gathered = 0;               ///< items
-  bool is_asked = false;                              ///< may any pair touch in this question?
   std::optional<GatherMargin> margin = std::nullopt;  ///< of bodies that do not turn
   int served = 0, searched = 0;                       ///< questions, and those that the margin did not cover
 

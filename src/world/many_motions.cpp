@@ -62,7 +62,6 @@ std::vector<EarliestBodyContact> World::State::earliest_many(std::span<const Bod
     tbb::parallel_for(std::size_t{0}, found.size(), [&](std::size_t i) {
       State& mine = *worlds.local();
       for (std::size_t k = 0; k < moved.size(); ++k) mine.move(moved[k], motions[i * moved.size() + k]);
-      mine.begin();
       found[i] = mine.earliest(of_each);
     });
     statistics.threads = Arena::threads_here();

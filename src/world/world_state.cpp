@@ -45,7 +45,7 @@ void World::State::move(BodyId id, BodyMotion motion) {
 }
 
 void World::State::forget_gathered(const Body& changed) {
-  must_gather_ = true;
+  for (Gathering* gathering : {&straight_, &turning_, &at_rest_}) gathering->gathered = nullptr;
   forget_if_still(changed);
 }
 
@@ -63,14 +63,6 @@ void World::State::refuse_far(const Gathered& gathered) const {
     if (!bodies[at(id)]->is_surely_representable())
       throw InvalidPath("body " + std::to_string(id) +
                         " goes farther than doubles can follow beside bodies that turn: give shorter positions");
-}
-
-void World::State::begin() {
-  for (Gathering* gathering : {&straight_, &turning_, &at_rest_}) {
-    if (must_gather_) gathering->gathered = nullptr;
-    gathering->is_asked = false;
-  }
-  must_gather_ = false;
 }
 
 void World::State::add_statistics(const Statistics& of_part) {

@@ -41,7 +41,6 @@ struct World::State {
   auto answer(const Ask& ask, const Of&... of) {
     const BusyGuard guard(is_asked);
     statistics = {};
-    begin();
     const Stopwatch watch;
     auto result = std::invoke(ask, *this, of...);
     statistics.seconds.total = watch.seconds();
@@ -64,9 +63,9 @@ struct World::State {
   /// Pairs that may touch and, by their hulls, come within `distance` plus `margin`.
   std::vector<BodyPair> near_bodies(const NearDistance& distance, double margin, During during);
   std::vector<BodyPair> wanted_pairs(const Gathering& gathering, std::vector<BodyPair> pairs) const;
-  /// Makes `gathering` hold all that comes within `distance`. `near`: near_bodies() without margin. `times`: the ends
-  /// of pieces.
-  void gather(Gathering& gathering, const NearDistance& distance, const std::vector<BodyPair>& near,
+  /// Makes `gathering` hold all that comes within `distance`; false if nothing does. `pairs`: wanted ones of
+  /// near_bodies() without margin. `times`: the ends of pieces.
+  bool gather(Gathering& gathering, const NearDistance& distance, const std::vector<BodyPair>& pairs,
               std::span<const double> times);
   /// Adds to `items` those that come within `distance` plus `margin`.
   void find_near(const std::vector<BodyPair>& pairs, const NearDistance& distance, double margin,
@@ -76,8 +75,6 @@ struct World::State {
   /// Nothing if one of the bodies turns.
   std::optional<GatherMargin> margin_of(const std::vector<BodyPair>& pairs, const NearDistance& distance,
                                         double width) const;
-  /// Gathers what moves, straight and turning.
-  void gather_moving(const NearDistance& distance);
   /// Ends of the pieces on which bodies that turn are asked about, beginning with 0.
   std::vector<double> times_of_pieces(const std::vector<BodyPair>& pairs) const;
   /// Calls ask(state of a detector, motion, options, whose) for each detector of what may touch, until one returns
@@ -104,15 +101,12 @@ struct World::State {
   }
   [[noreturn]] static void refuse_touching_start(PairKind kind, const PairVertices& vertices,
                                                  const std::array<BodyId, 2>& of);
-  void begin();
   std::uint64_t memory_bytes() const;
 
   NearBodies near_bodies_{options.isa};
   Gathering straight_{MotionKind::straight, MotionKind::straight, 1};
   Gathering turning_{MotionKind::turning, MotionKind::turning, 0.5};
   Gathering at_rest_{MotionKind::straight, MotionKind::turning, 1};
-  std::vector<double> times_;  ///< of the pieces of turning_
-  bool must_gather_ = false;
 };
 
 /// The options for detectors that are asked about curves. With AtStart::fail contacts at the start are reported, and
@@ -147,22 +141,27 @@ void World::State::for_each_by_itself(const F& f) {
 
 template <class Ask>
 void World::State::for_each_moving(const QueryOptions& asked, double displacement_factor, const Ask& ask) {
+  constexpr double kEndsOfStep[] = {0, 1};
   validate_of_path(asked);
-  gather_moving({asked.min_separation.value_or(options.min_separation), displacement_factor});
-  const auto ask_straight = [&](Gathered& gathered) {
-    return ask_one(gathered.detector(), ask, gathered.step(bodies), of_steps(asked), gathered);
-  };
-  const auto ask_turning = [&](Gathered& gathered) {
+  const NearDistance distance{asked.min_separation.value_or(options.min_separation), displacement_factor};
+  const std::vector<BodyPair> near = near_bodies(distance, 0, During::step);
+  if (gather(straight_, distance, wanted_pairs(straight_, near), kEndsOfStep)) {
+    Gathered& gathered = *straight_.gathered;
+    if (!ask_one(gathered.detector(), ask, gathered.step(bodies), of_steps(asked), gathered)) return;
+  }
+  const std::vector<BodyPair> turning = wanted_pairs(turning_, near);
+  const std::vector<double> times = times_of_pieces(turning);
+  if (gather(turning_, distance, turning, times)) {
+    Gathered& gathered = *turning_.gathered;
     try {
       const RigidPath path = gathered.path(bodies);
-      return ask_one(gathered.detector(), ask, CutPath{path, std::span(times_).subspan(1)}, of_curves(asked), gathered);
+      const CutPath pieces{path, std::span(times).subspan(1)};
+      if (!ask_one(gathered.detector(), ask, pieces, of_curves(asked), gathered)) return;
     } catch (const InvalidPath&) {
       refuse_far(gathered);
       throw;
     }
-  };
-  if (straight_.is_asked && !ask_straight(*straight_.gathered)) return;
-  if (turning_.is_asked && !ask_turning(*turning_.gathered)) return;
+  }
   for_each_by_itself([&](BodyId id, Body& body) {
     return ask_one(body.self_detector(options), ask, body.step(), of_steps(asked), id);
   });
@@ -172,8 +171,7 @@ template <class Ask>
 void World::State::for_each_at_rest(double distance, const Ask& ask) {
   constexpr double kEndsOfRest[] = {0, 0};
   const NearDistance near{distance};
-  gather(at_rest_, near, near_bodies(near, 0, During::start), kEndsOfRest);
-  if (at_rest_.is_asked) {
+  if (gather(at_rest_, near, near_bodies(near, 0, During::start), kEndsOfRest)) {
     Gathered& gathered = *at_rest_.gathered;
     if (!ask_one(gathered.detector(), ask, gathered.start(bodies), gathered)) return;
   }

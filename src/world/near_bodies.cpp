@@ -3,16 +3,16 @@
 #include "kernels/kernels.hpp"
 
 namespace tamis {
-BodyTree::BodyTree(const BodyList& bodies, Of of, const BodyWidening& widening, Split split) {
+BodyTree::BodyTree(const BodyList& bodies, bool are_still, During during, const BodyWidening& widening, Split split) {
   std::vector<Point> centers;
   centers.reserve(bodies.size());
   bodies_.reserve(bodies.size());
   hulls_.reserve(bodies.size());
   for (std::size_t id = 0; id < bodies.size(); ++id) {
     const Body* body = bodies[id].get();
-    if (!body || !body->is_enabled || (body->motion_kind() == MotionKind::still) != (of == Of::still)) continue;
+    if (!body || !body->is_enabled || (body->motion_kind() == MotionKind::still) != are_still) continue;
     bodies_.push_back(static_cast<BodyId>(id));
-    Box& hull = hulls_.emplace_back(of == Of::moving_at_start ? body->start_hull() : body->hull());
+    Box& hull = hulls_.emplace_back(during == During::start ? body->start_hull() : body->hull());
     hull.widen(widening(*body));
     centers.push_back(hull.middle());
   }
@@ -24,10 +24,9 @@ NearBodies::NearBodies(Isa isa) : split_(kernels(isa).trees.split) {}
 
 std::vector<BodyPair> NearBodies::find(const BodyList& bodies, const BodyWidening& widening, double separation,
                                        During during) {
-  if (!knows_still_) still_ = BodyTree(bodies, BodyTree::Of::still, widening, split_);
+  if (!knows_still_) still_ = BodyTree(bodies, true, during, widening, split_);
   knows_still_ = true;
-  const auto when = during == During::start ? BodyTree::Of::moving_at_start : BodyTree::Of::moving_during_step;
-  const BodyTree moving(bodies, when, widening, split_);
+  const BodyTree moving(bodies, false, during, widening, split_);
   std::vector<BodyPair> pairs;
   for (std::size_t i = 0; i < moving.bodies().size(); ++i) {
     const BodyId body = moving.bodies()[i];

@@ -25,10 +25,7 @@ using BodyWidening = std::function<double(const Body&)>;
 class BodyTree {
  public:
   BodyTree() = default;
-  /// Which bodies, and their hulls when.
-  enum class Of { still, moving_during_step, moving_at_start };
-
-  BodyTree(const BodyList& bodies, Of of, const BodyWidening& widening, Split split);
+  BodyTree(const BodyList& bodies, bool are_still, During during, const BodyWidening& widening, Split split);
 
   /// Calls f(body) for all whose widened hulls may meet the box.
   template <class F>

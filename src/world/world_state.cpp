@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "detect/pair_faults.hpp"
+#include "detect/validate.hpp"
 #include "numerics/held_bytes.hpp"
 #include "query/stage_counts.hpp"
 #include "tamis/error.hpp"

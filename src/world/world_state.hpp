@@ -7,11 +7,8 @@
 #include <set>
 #include <vector>
 
-#include "detect/detector_access.hpp"
-#include "detect/validate.hpp"
 #include "query/stopwatch.hpp"
 #include "tamis/busy_guard.hpp"
-#include "tamis/error.hpp"
 #include "world/gathering.hpp"
 
 namespace tamis {
@@ -114,70 +111,6 @@ struct World::State {
 inline QueryOptions of_curves(QueryOptions asked) {
   if (asked.at_start == AtStart::fail) asked.at_start = AtStart::report;
   return asked;
-}
-/// The same for steps, which have no tolerance.
-inline QueryOptions of_steps(const QueryOptions& asked) {
-  QueryOptions options = of_curves(asked);
-  options.tolerance.reset();
-  return options;
-}
-
-template <class Ask, class... Of>
-bool World::State::ask_one(Detector& detector, const Ask& ask, const Of&... of) {
-  const auto state = DetectorAccess::lock(detector);
-  const bool goes_on = ask(state, of...);
-  add_statistics(state->statistics);
-  return goes_on;
-}
-
-template <class F>
-void World::State::for_each_by_itself(const F& f) {
-  for (std::size_t id = 0; id < bodies.size(); ++id) {
-    Body* body = bodies[id].get();
-    if (!body || !body->is_enabled || !body->deforming() || !body->may_touch_itself) continue;
-    if (!f(static_cast<BodyId>(id), *body)) return;
-  }
-}
-
-template <class Ask>
-void World::State::for_each_moving(const QueryOptions& asked, double displacement_factor, const Ask& ask) {
-  constexpr double kEndsOfStep[] = {0, 1};
-  validate_of_path(asked);
-  const NearDistance distance{asked.min_separation.value_or(options.min_separation), displacement_factor};
-  const std::vector<BodyPair> near = near_bodies(distance, 0, During::step);
-  if (gather(straight_, distance, wanted_pairs(straight_, near), kEndsOfStep)) {
-    Gathered& gathered = *straight_.gathered;
-    if (!ask_one(gathered.detector(), ask, gathered.step(bodies), of_steps(asked), gathered)) return;
-  }
-  const std::vector<BodyPair> turning = wanted_pairs(turning_, near);
-  const std::vector<double> times = times_of_pieces(turning);
-  if (gather(turning_, distance, turning, times)) {
-    Gathered& gathered = *turning_.gathered;
-    try {
-      const RigidPath path = gathered.path(bodies);
-      const CutPath pieces{path, std::span(times).subspan(1)};
-      if (!ask_one(gathered.detector(), ask, pieces, of_curves(asked), gathered)) return;
-    } catch (const InvalidPath&) {
-      refuse_far(gathered);
-      throw;
-    }
-  }
-  for_each_by_itself([&](BodyId id, Body& body) {
-    return ask_one(body.self_detector(options), ask, body.step(), of_steps(asked), id);
-  });
-}
-
-template <class Ask>
-void World::State::for_each_at_rest(double distance, const Ask& ask) {
-  constexpr double kEndsOfRest[] = {0, 0};
-  const NearDistance near{distance};
-  if (gather(at_rest_, near, near_bodies(near, 0, During::start), kEndsOfRest)) {
-    Gathered& gathered = *at_rest_.gathered;
-    if (!ask_one(gathered.detector(), ask, gathered.start(bodies), gathered)) return;
-  }
-  for_each_by_itself([&](BodyId id, Body& body) {
-    return ask_one(body.self_detector(options), ask, Positions(body.deforming()->start), id);
-  });
 }
 
 }  // namespace tamis

@@ -11,6 +11,9 @@
 
 namespace tamis {
 
+/// A step on which bodies turn is cut into no more pieces.
+inline constexpr double kMostPieces = 4096;
+
 /// The motions there are, as far as questions differ: vertices that stay, that go straight, that go on curves.
 enum class MotionKind : std::uint8_t { still, straight, turning };
 

@@ -8,7 +8,6 @@
 #include "tamis/error.hpp"
 #include "topology/at.hpp"
 #include "world/body.hpp"
-#include "world/gathering.hpp"
 
 namespace tamis {
 namespace {

@@ -12,9 +12,6 @@
 
 namespace tamis {
 
-/// A step is cut into no more pieces.
-inline constexpr double kMostPieces = 4096;
-
 /// How near bodies must come to be asked about: within the separation, both radii, and a multiple of both
 /// displacements.
 struct NearDistance {

@@ -12,4 +12,10 @@ inline double length_of(double x, double y, double z) {
   return std::isnan(length) ? std::numeric_limits<double>::infinity() : length;
 }
 
+/// The same, but for a rounding or two: without the 20 ns of hypot wherever squares neither overflow nor underflow.
+inline double quick_length_of(double x, double y, double z) {
+  const double square = x * x + y * y + z * z;
+  return 0x1p-900 < square && square < 0x1p900 ? std::sqrt(square) : length_of(x, y, z);
+}
+
 }  // namespace tamis

@@ -20,12 +20,6 @@ namespace {
 
 constexpr double kShortestPiece = 0x1p-20;
 
-/// length_of takes 20 ns, of each vertex of each piece.
-double length(const Point& x) {
-  const double square = x[0] * x[0] + x[1] * x[1] + x[2] * x[2];
-  return 0x1p-900 < square && square < 0x1p900 ? std::sqrt(square) : length_of(x[0], x[1], x[2]);
-}
-
 std::vector<Index> numbers_of(const Mesh& mesh, const Path& path) {
   if (path.vertex_count() != mesh.vertex_count())
     throw InvalidPath("the path has " + std::to_string(path.vertex_count()) + " vertices, the mesh " +
@@ -114,7 +108,7 @@ void MeshPieces::shift_chords(const MeshMoment& from, const MeshMoment& to) {
   for (const Index index : mesh_.points()) {
     const std::size_t v = at(index);
     const auto [offset, error] = chord_offset(v, from, middle, to);
-    const double distance = length(offset), bound = deviations_[v];
+    const double distance = quick_length_of(offset[0], offset[1], offset[2]), bound = deviations_[v];
     if (!(distance <= bound + error))
       throw InvalidPath("vertex " + std::to_string(index) + " of the path is " + number_text(distance) +
                         " from its chord at t = " + number_text(middle.time) + ", beyond its bound " +

@@ -8,7 +8,6 @@
 #include "numerics/in_parts.hpp"
 #include "paths/path_reader.hpp"
 #include "query/cancellation.hpp"
-#include "search/pair_buffer.hpp"
 #include "topology/at.hpp"
 
 namespace tamis {
@@ -25,49 +24,41 @@ constexpr std::size_t kMostTestsPerPair = 64;
 
 void PairsOnParts::begin(const Piece& piece) {
   piece_.emplace(piece);
-  number_vertices();
-  std::vector<std::int32_t> all(piece.pairs.size());
-  std::iota(all.begin(), all.end(), 0);
-  tests_left_ = kMostTestsPerPair * all.size();
-  is_given_.assign(all.size(), false);
-  may_touch_.assign(all.size(), false);
-  is_used_.assign(names_.size(), false);
-  vertices_.resize(names_.size());
+  std::vector<std::int32_t> pairs(piece.pairs.size());
+  std::iota(pairs.begin(), pairs.end(), 0);
+  std::vector<Index> vertices(piece.from.points.size());
+  std::iota(vertices.begin(), vertices.end(), 0);
+  tests_left_ = kMostTestsPerPair * pairs.size();
+  is_given_.assign(pairs.size(), false);
+  may_touch_.assign(pairs.size(), false);
+  place_.resize(vertices.size());
   parts_.clear();
-  parts_.push_back({of_pairs(piece.from), of_pairs(piece.to), std::move(all), 0});
+  parts_.push_back(part_of(vertices, piece.from, piece.to, std::move(pairs), 0));
 }
 
-void PairsOnParts::number_vertices() {
+PairsOnParts::Part PairsOnParts::part_of(const std::vector<Index>& vertices, const MeshMoment& from,
+                                         const MeshMoment& to, std::vector<std::int32_t> pairs, int halvings) {
   constexpr Index kUnused = -1, kUsed = 0;
-  std::vector<Index> numbers(piece_->from.points.size(), kUnused);
-  for (const Contact& pair : piece_->pairs)
-    for (const Index v : pair.vertices)
-      if (v >= 0) numbers[at(v)] = kUsed;
-  names_.clear();
-  for (std::size_t v = 0; v < numbers.size(); ++v) {
-    if (numbers[v] == kUnused) continue;
-    numbers[v] = static_cast<Index>(names_.size());
-    names_.push_back(static_cast<Index>(v));
-  }
-  pairs_.clear();
-  for (const Contact& pair : piece_->pairs) {
-    PairVertices& numbered = pairs_.emplace_back(pair.vertices);
-    for (Index& v : numbered)
-      if (v >= 0) v = numbers[at(v)];
-  }
-}
-
-std::shared_ptr<const MeshMoment> PairsOnParts::of_pairs(const MeshMoment& whole) const {
-  MeshMoment moment{whole.time, {}, {}};
-  for (const Index v : names_) {
-    moment.points.push_back(whole.points[at(v)]);
-    moment.errors.push_back(whole.errors[at(v)]);
-  }
-  return std::make_shared<const MeshMoment>(std::move(moment));
+  for (const Index v : vertices) place_[at(v)] = kUnused;
+  for (const std::int32_t pair : pairs)
+    for (const Index v : piece_->pairs[at(pair)].vertices)
+      if (v >= 0) place_[at(v)] = kUsed;
+  std::vector<std::size_t> used;
+  for (std::size_t i = 0; i < vertices.size(); ++i)
+    if (place_[at(vertices[i])] == kUsed) used.push_back(i);
+  const auto used_of = [&used]<class T>(const std::vector<T>& all) {
+    std::vector<T> some(used.size());
+    for (std::size_t i = 0; i < used.size(); ++i) some[i] = all[used[i]];
+    return some;
+  };
+  const auto at_time = [&](const MeshMoment& all) {
+    return MeshMoment{all.time, used_of(all.points), used_of(all.errors)};
+  };
+  return {used_of(vertices), at_time(from), at_time(to), std::move(pairs), halvings};
 }
 
 std::vector<std::int32_t> PairsOnParts::next(double latest) {
-  while (!parts_.empty() && parts_.back().from->time <= latest) {
+  while (!parts_.empty() && parts_.back().from.time <= latest) {
     Part part = std::move(parts_.back());
     parts_.pop_back();
     std::erase_if(part.pairs, [&](std::int32_t pair) { return is_given_[at(pair)]; });
@@ -85,50 +76,28 @@ std::vector<std::int32_t> PairsOnParts::next(double latest) {
 void PairsOnParts::halve(const Part& part) {
   stop_if_cancelled(*piece_);
   tests_left_ -= 2 * part.pairs.size();
-  find_used(part.pairs);
-  const auto middle = moment_at(near_middle(part.from->time, part.to->time));
+  const std::size_t count = part.vertices.size();
+  MeshMoment middle{near_middle(part.from.time, part.to.time), std::vector<Point>(count), std::vector<double>(count)};
+  piece_->path.points_at(middle.time, part.vertices, middle.points, middle.errors);
+  for (std::size_t i = 0; i < count; ++i)
+    check_point(part.vertices[i], middle.time, middle.points[i], middle.errors[i]);
   add_half(part, middle, part.to);
   add_half(part, part.from, middle);
 }
 
-void PairsOnParts::find_used(const std::vector<std::int32_t>& pairs) {
-  for (const std::int32_t pair : pairs)
-    for (const Index v : pairs_[at(pair)])
-      if (v >= 0) is_used_[at(v)] = true;
-  used_.clear();
-  names_used_.clear();
-  for (std::size_t v = 0; v < is_used_.size(); ++v)
-    if (std::exchange(is_used_[v], false)) {
-      used_.push_back(static_cast<Index>(v));
-      names_used_.push_back(names_[v]);
-    }
-}
-
-std::shared_ptr<const MeshMoment> PairsOnParts::moment_at(double time) const {
-  std::vector<Point> points(used_.size());
-  std::vector<double> errors(used_.size());
-  piece_->path.points_at(time, names_used_, points, errors);
-  MeshMoment moment{time, std::vector<Point>(is_used_.size()), std::vector<double>(is_used_.size())};
-  for (std::size_t i = 0; i < used_.size(); ++i) {
-    check_point(names_used_[i], time, points[i], errors[i]);
-    moment.points[at(used_[i])] = points[i];
-    moment.errors[at(used_[i])] = errors[i];
-  }
-  return std::make_shared<const MeshMoment>(std::move(moment));
-}
-
-/// REQUIRES: used_ of the pairs of `whole`.
-void PairsOnParts::add_half(const Part& whole, std::shared_ptr<const MeshMoment> from,
-                            std::shared_ptr<const MeshMoment> to) {
-  deviations_.resize(used_.size());
-  piece_->path.deviations(from->time, to->time, names_used_, deviations_);
-  for (std::size_t i = 0; i < used_.size(); ++i) {
-    const std::size_t v = at(used_[i]);
-    check_deviation(names_used_[i], from->time, to->time, deviations_[i]);
-    const Point &p = from->points[v], &q = to->points[v];
-    const double error = std::max(from->errors[v], to->errors[v]);
-    const double radius = chord_radius(names_used_[i], deviations_[i], error, from->time, piece_->separations);
-    vertices_[v] = {{p[0], p[1], p[2], radius, q[0], q[1], q[2], 0}};
+void PairsOnParts::add_half(const Part& whole, const MeshMoment& from, const MeshMoment& to) {
+  const std::vector<Index>& vertices = whole.vertices;
+  std::vector<double> deviations(vertices.size());
+  piece_->path.deviations(from.time, to.time, vertices, deviations);
+  vertices_.resize(std::max(vertices_.size(), vertices.size()));
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    const Index v = vertices[i];
+    check_deviation(v, from.time, to.time, deviations[i]);
+    const Point &p = from.points[i], &q = to.points[i];
+    const double error = std::max(from.errors[i], to.errors[i]);
+    const double radius = chord_radius(v, deviations[i], error, from.time, piece_->separations);
+    vertices_[i] = {{p[0], p[1], p[2], radius, q[0], q[1], q[2], 0}};
+    place_[at(v)] = static_cast<Index>(i);
   }
   for (std::size_t kind = 0; kind < kPairKinds; ++kind) {
     std::vector<std::int32_t> of_kind;
@@ -141,17 +110,20 @@ void PairsOnParts::add_half(const Part& whole, std::shared_ptr<const MeshMoment>
              std::span(of_kind).subspan(first, std::min<std::size_t>(last - first, PairBuffer::kCapacity)));
     });
   }
-  Part half{std::move(from), std::move(to), {}, whole.halvings + 1};
-  std::ranges::copy_if(whole.pairs, std::back_inserter(half.pairs),
+  std::vector<std::int32_t> left;
+  std::ranges::copy_if(whole.pairs, std::back_inserter(left),
                        [&](std::int32_t pair) { return std::exchange(may_touch_[at(pair)], false); });
-  if (!half.pairs.empty()) parts_.push_back(std::move(half));
+  if (!left.empty()) parts_.push_back(part_of(vertices, from, to, std::move(left), whole.halvings + 1));
 }
 
 void PairsOnParts::test(PairKind kind, std::span<const std::int32_t> pairs) {
   Scratch& scratch = *scratch_.local();
   PairBuffer& buffer = scratch.pairs;
   buffer.count = static_cast<int>(pairs.size());
-  for (int i = 0; i < buffer.count; ++i) put(kind, pairs_[at(pairs[at(i)])], buffer, i);
+  for (int i = 0; i < buffer.count; ++i) {
+    const PairVertices& vertices = piece_->pairs[at(pairs[at(i)])].vertices;
+    for (std::size_t c = 0; c < vertex_count(kind); ++c) buffer.corner[c][i] = place_[at(vertices[c])];
+  }
   const WithinRule rule{{piece_->separations.fixed, true}, 1};
   const int left = kernels_.of(kind).come_within(vertices_.data(), rule, buffer, scratch.within, scratch.solved.data());
   for (int i = 0; i < left; ++i) may_touch_[at(pairs[at(scratch.solved[at(i)].pair)])] = true;

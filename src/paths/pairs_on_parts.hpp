@@ -37,7 +37,8 @@ class PairsOnParts {
 
  private:
   struct Part {
-    std::shared_ptr<const MeshMoment> from, to;
+    std::vector<Index> vertices;  ///< of its pairs, ascending
+    MeshMoment from, to;          ///< of these vertices alone
     std::vector<std::int32_t> pairs;
     int halvings;
   };
@@ -47,14 +48,11 @@ class PairsOnParts {
     std::array<SolvedPair, PairBuffer::kCapacity> solved;
   };
 
-  /// Numbers the vertices of the piece's pairs: moments and pairs here have these alone.
-  void number_vertices();
-  std::shared_ptr<const MeshMoment> of_pairs(const MeshMoment& whole) const;
+  /// `from` and `to` are of `vertices`, which are those of these pairs, and maybe others.
+  Part part_of(const std::vector<Index>& vertices, const MeshMoment& from, const MeshMoment& to,
+               std::vector<std::int32_t> pairs, int halvings);
   void halve(const Part& part);
-  /// Leaves the vertices of these pairs in used_ and names_used_.
-  void find_used(const std::vector<std::int32_t>& pairs);
-  std::shared_ptr<const MeshMoment> moment_at(double time) const;
-  void add_half(const Part& whole, std::shared_ptr<const MeshMoment> from, std::shared_ptr<const MeshMoment> to);
+  void add_half(const Part& whole, const MeshMoment& from, const MeshMoment& to);
   /// Tests pairs of one kind in lanes, and marks in may_touch_ those that may touch in the half.
   void test(PairKind kind, std::span<const std::int32_t> pairs);
 
@@ -62,13 +60,9 @@ class PairsOnParts {
   std::optional<Piece> piece_;
   std::vector<Part> parts_;  ///< the earliest last
   std::size_t tests_left_ = 0;
-  std::vector<Index> names_;                ///< of the vertices that are numbered here: as the mesh numbers them
-  std::vector<PairVertices> pairs_;         ///< of the piece, as numbered here
   std::vector<char> is_given_, may_touch_;  ///< of each pair of the piece
-  std::vector<char> is_used_;               ///< of each vertex
-  std::vector<Index> used_, names_used_;
-  std::vector<double> deviations_;  ///< of those
-  std::vector<PackedVertex> vertices_;
+  std::vector<Index> place_;                ///< of each vertex of the mesh: among those of a part
+  std::vector<PackedVertex> vertices_;      ///< of a half, and behind them what other parts have left
   /// Pointers: TBB fills with zeros what it makes room for.
   tbb::enumerable_thread_specific<std::unique_ptr<Scratch>> scratch_{
       [] { return std::make_unique_for_overwrite<Scratch>(); }};

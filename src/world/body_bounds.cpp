@@ -11,8 +11,6 @@
 namespace tamis {
 namespace {
 
-constexpr Index kNotMade = -1;
-
 /// Widens a box for the rounding of may_meet().
 Box widened(Box box) {
   box.widen(MovingBounds::kRounding * box.largest_coordinate());
@@ -62,16 +60,6 @@ Box box_in_world(const Box& at_rest, const RoundedTransform& place, double wider
     box.high[k] = center[k] + wide;
   }
   return box;
-}
-
-/// The cached value at a place, made if it is not there yet.
-template <class Cache, class Make>
-const typename Cache::value_type& cached_at(Index& place, Cache& cache, const Make& make) {
-  if (place == kNotMade) {
-    place = static_cast<Index>(cache.size());
-    cache.push_back(make());
-  }
-  return cache[at(place)];
 }
 
 }  // namespace
@@ -140,16 +128,18 @@ MovingBounds BodyOnPiece::cut(const Box& at_start, const Box& at_end) const {
 }
 
 BoundsOnPiece::BoundsOnPiece(const Body& body, double from, double to)
-    : body_(body, from, to),
-      place_of_bounds_(at(shape().tree.node_count()), kNotMade),
-      place_of_items_(at(shape().tree.leaf_count()), kNotMade) {}
+    : body_(body, from, to), bounds_(at(shape().tree.node_count())), items_(at(shape().tree.leaf_count())) {}
 
 const MovingBounds& BoundsOnPiece::bounds(Index node) {
-  return cached_at(place_of_bounds_[at(node)], bounds_, [&] { return body_.bounds(node); });
+  const MovingBounds*& bounds = bounds_[at(node)];
+  if (!bounds) bounds = &made_.emplace_back(body_.bounds(node));
+  return *bounds;
 }
 
 const ItemBounds& BoundsOnPiece::items(Index leaf) {
-  return cached_at(place_of_items_[at(leaf)], items_, [&] { return body_.items(leaf); });
+  auto& items = items_[at(leaf)];
+  if (!items) items = std::make_unique<const ItemBounds>(body_.items(leaf));
+  return *items;
 }
 
 }  // namespace tamis

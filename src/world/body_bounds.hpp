@@ -1,6 +1,8 @@
 // The boxes of a body's hierarchy in the frame of the world, during a piece of the step.
 #pragma once
 #include <deque>
+#include <memory>
+#include <vector>
 
 #include "bounds/box.hpp"
 #include "world/body.hpp"
@@ -79,9 +81,9 @@ class BoundsOnPiece {
 
  private:
   const BodyOnPiece body_;
-  std::vector<Index> place_of_bounds_, place_of_items_;  ///< of each node
-  std::deque<MovingBounds> bounds_;
-  std::deque<ItemBounds> items_;
+  std::vector<const MovingBounds*> bounds_;               ///< of each node; null until it is asked for
+  std::vector<std::unique_ptr<const ItemBounds>> items_;  ///< of each leaf
+  std::deque<MovingBounds> made_;                         ///< which bounds_ point to
 };
 
 }  // namespace tamis

@@ -1,31 +1,37 @@
 // Ready-made paths of vertices that move on polynomials: Bezier curves, and frames joined by Catmull-Rom splines.
 #pragma once
+#include <utility>
 #include <vector>
 
 #include "tamis/path.hpp"
 
 namespace tamis {
 
-struct SplineWeights;
-
-/// What both have in common: x(t) is a sum of given points, with weights that depend on the time alone.
+/// What both have in common: x(t) is a sum of given points, with weights that depend on the time alone; on each of
+/// some pieces of equal length |x''| has a bound.
 class SplinePath : public Path {
  public:
   Index vertex_count() const override;
   void points_at(double time, std::span<const Index> vertices, std::span<Point> points,
                  std::span<double> errors) const override;
   void fine_points_at(double time, std::span<const Index> vertices, std::span<FinePoint> points) const override;
+  void deviations(double from, double to, std::span<const Index> vertices, std::span<double> deviations) const override;
 
  protected:
+  struct Weights;
+
   /// frames[i][v]. Throws InvalidPath: fewer than `least` frames, of different sizes, numbers that are not finite.
   SplinePath(std::vector<std::vector<Point>> frames, std::size_t least);
 
   const std::vector<std::vector<Point>>& frames() const { return frames_; }
+  /// A bound of |x''| on the next piece, of each vertex.
+  void add_piece(std::vector<double> acceleration) { acceleration_.push_back(std::move(acceleration)); }
 
  private:
-  virtual SplineWeights weights_at(double time) const = 0;
+  virtual Weights weights_at(double time) const = 0;
 
   std::vector<std::vector<Point>> frames_;
+  std::vector<std::vector<double>> acceleration_;  ///< [piece][vertex]
 };
 
 /// Each vertex on a Bezier curve: every polynomial motion can be written so.
@@ -34,12 +40,9 @@ class BezierPath final : public SplinePath {
   /// `control_points[i][v]`: the i-th control point of vertex v; one more than the degree, at least 1. Throws
   /// InvalidPath.
   explicit BezierPath(std::vector<std::vector<Point>> control_points);
-  void deviations(double from, double to, std::span<const Index> vertices, std::span<double> deviations) const override;
 
  private:
-  SplineWeights weights_at(double time) const override;
-
-  std::vector<double> acceleration_;  ///< a bound of |x''|, of each vertex
+  Weights weights_at(double time) const override;
 };
 
 /// Through a sequence of frames at equal distances of time, smoothly: a cubic between any two, with the slope
@@ -48,12 +51,9 @@ class CatmullRomPath final : public SplinePath {
  public:
   /// `frames[i][v]`: where vertex v is at t = i / (frames - 1); at least 2. Throws InvalidPath.
   explicit CatmullRomPath(std::vector<std::vector<Point>> frames);
-  void deviations(double from, double to, std::span<const Index> vertices, std::span<double> deviations) const override;
 
  private:
-  SplineWeights weights_at(double time) const override;
-
-  std::vector<std::vector<double>> acceleration_;  ///< a bound of |x''| between two frames, of each vertex
+  Weights weights_at(double time) const override;
 };
 
 }  // namespace tamis

@@ -14,7 +14,7 @@
 namespace tamis {
 
 /// Of the frames first, first + 1, ...
-struct SplineWeights {
+struct SplinePath::Weights {
   std::size_t first;
   std::vector<FineInterval> values;
 };
@@ -33,6 +33,20 @@ double length_above(std::initializer_list<std::pair<double, const Point*>> terms
     return sum;
   };
   return tamis::length_above({along(0), along(1), along(2)});
+}
+
+/// The frame at or before time t, of `last` pieces, and exactly how far t lies beyond it.
+struct PieceTime {
+  std::size_t piece;
+  FineInterval beyond;
+};
+
+PieceTime piece_at(double time, std::size_t last) {
+  const DoubleDouble place = DoubleDouble::product_of(time, static_cast<double>(last));
+  double whole = std::floor(place.high);
+  if (whole == place.high && place.low < 0) whole -= 1;
+  whole = std::clamp(whole, 0.0, static_cast<double>(last - 1));
+  return {static_cast<std::size_t>(whole), FineInterval(place) - fine(whole)};
 }
 
 }  // namespace
@@ -56,7 +70,7 @@ Index SplinePath::vertex_count() const { return static_cast<Index>(frames_[0].si
 
 void SplinePath::points_at(double time, std::span<const Index> vertices, std::span<Point> points,
                            std::span<double> errors) const {
-  const SplineWeights weights = weights_at(time);
+  const Weights weights = weights_at(time);
   std::vector<RoundedNumber> rounded;
   double error = 0;
   for (const FineInterval& w : weights.values) {
@@ -83,7 +97,7 @@ void SplinePath::points_at(double time, std::span<const Index> vertices, std::sp
 }
 
 void SplinePath::fine_points_at(double time, std::span<const Index> vertices, std::span<FinePoint> points) const {
-  const SplineWeights weights = weights_at(time);
+  const Weights weights = weights_at(time);
   for (std::size_t i = 0; i < vertices.size(); ++i) {
     const auto v = at(vertices[i]);
     auto x = enclosed<DoubleDouble>({0, 0, 0});
@@ -93,22 +107,37 @@ void SplinePath::fine_points_at(double time, std::span<const Index> vertices, st
   }
 }
 
+void SplinePath::deviations(double from, double to, std::span<const Index> vertices,
+                            std::span<double> deviations) const {
+  const Interval length = Interval(to) - Interval(from);
+  // x' has no jumps, so the largest |x''| of all pieces touched bounds the deviation.
+  const std::size_t first = piece_at(from, acceleration_.size()).piece, last = piece_at(to, acceleration_.size()).piece;
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    double largest = 0;
+    for (std::size_t piece = first; piece <= last; ++piece)
+      largest = std::max(largest, acceleration_[piece][at(vertices[i])]);
+    deviations[i] = chord_deviation(largest, length);
+  }
+}
+
 BezierPath::BezierPath(std::vector<std::vector<Point>> control_points) : SplinePath(std::move(control_points), 1) {
   const Frames& p = frames();
   const double degree = static_cast<double>(p.size() - 1);
+  std::vector<double> acceleration;
   for (std::size_t v = 0; v < p[0].size(); ++v) {
     // x'' is the Bezier curve of n (n - 1) times the second differences of the control points.
     double largest = 0;
     for (std::size_t i = 0; i + 2 < p.size(); ++i)
       largest = std::max(largest, length_above({{1, &p[i][v]}, {-2, &p[i + 1][v]}, {1, &p[i + 2][v]}}));
-    acceleration_.push_back((Interval(degree * (degree - 1)) * Interval(largest)).upper);
+    acceleration.push_back((Interval(degree * (degree - 1)) * Interval(largest)).upper);
   }
+  add_piece(std::move(acceleration));
 }
 
 /// De Casteljau's weights: those of degree n from those of n - 1.
-SplineWeights BezierPath::weights_at(double time) const {
+SplinePath::Weights BezierPath::weights_at(double time) const {
   const FineInterval t = fine(time), s = fine(1) - t;
-  SplineWeights weights{0, {fine(1)}};
+  Weights weights{0, {fine(1)}};
   auto& w = weights.values;
   while (w.size() < frames().size()) {
     w.push_back(w.back() * t);
@@ -118,19 +147,12 @@ SplineWeights BezierPath::weights_at(double time) const {
   return weights;
 }
 
-void BezierPath::deviations(double from, double to, std::span<const Index> vertices,
-                            std::span<double> deviations) const {
-  const Interval length = Interval(to) - Interval(from);
-  for (std::size_t i = 0; i < vertices.size(); ++i)
-    deviations[i] = chord_deviation(acceleration_[at(vertices[i])], length);
-}
-
 CatmullRomPath::CatmullRomPath(std::vector<std::vector<Point>> all) : SplinePath(std::move(all), 2) {
   const Frames& p = frames();
   const std::size_t last = p.size() - 1;
   const double pieces = static_cast<double>(last);
-  acceleration_.assign(last, std::vector<double>(p[0].size()));
   for (std::size_t i = 0; i < last; ++i) {
+    std::vector<double> acceleration;
     // Between frames b and c, with the slopes m and n there: Bezier points b, b + m/3, c - n/3, c; x'' is between
     // 6 (c - b) - 4 m - 2 n at b and -6 (c - b) + 2 m + 4 n at c, linear between.
     const std::size_t a = i > 0 ? i - 1 : 0, d = std::min(i + 2, last);
@@ -141,35 +163,18 @@ CatmullRomPath::CatmullRomPath(std::vector<std::vector<Point>> all) : SplinePath
           length_above({{6, at_c}, {-6, at_b}, {-4 * m, at_c}, {4 * m, at_a}, {-2 * n, at_d}, {2 * n, at_b}});
       const double end =
           length_above({{-6, at_c}, {6, at_b}, {2 * m, at_c}, {-2 * m, at_a}, {4 * n, at_d}, {-4 * n, at_b}});
-      acceleration_[i][v] = (Interval(std::max(start, end)) * Interval(pieces) * Interval(pieces)).upper;
+      acceleration.push_back((Interval(std::max(start, end)) * Interval(pieces) * Interval(pieces)).upper);
     }
+    add_piece(std::move(acceleration));
   }
 }
 
-namespace {
-
-/// The frame at or before time t, of `last` pieces, and exactly how far t lies beyond it.
-struct PieceTime {
-  std::size_t piece;
-  FineInterval beyond;
-};
-
-PieceTime piece_at(double time, std::size_t last) {
-  const DoubleDouble place = DoubleDouble::product_of(time, static_cast<double>(last));
-  double whole = std::floor(place.high);
-  if (whole == place.high && place.low < 0) whole -= 1;
-  whole = std::clamp(whole, 0.0, static_cast<double>(last - 1));
-  return {static_cast<std::size_t>(whole), FineInterval(place) - fine(whole)};
-}
-
-}  // namespace
-
 /// Hermite's weights, the slopes written as differences of frames.
-SplineWeights CatmullRomPath::weights_at(double time) const {
+SplinePath::Weights CatmullRomPath::weights_at(double time) const {
   const std::size_t last = frames().size() - 1;
   const auto [piece, u] = piece_at(time, last);
   const FineInterval one = fine(1), s = one - u;
-  SplineWeights weights{piece > 0 ? piece - 1 : 0, {}};
+  Weights weights{piece > 0 ? piece - 1 : 0, {}};
   weights.values.assign(std::min(piece + 2, last) - weights.first + 1, fine(0));
   const auto add = [&](std::size_t frame, const FineInterval& w) {
     FineInterval& sum = weights.values[frame - weights.first];
@@ -186,20 +191,6 @@ SplineWeights CatmullRomPath::weights_at(double time) const {
   add_slope(piece, u * s * s);
   add_slope(piece + 1, -(u * u * s));
   return weights;
-}
-
-void CatmullRomPath::deviations(double from, double to, std::span<const Index> vertices,
-                                std::span<double> deviations) const {
-  const Interval length = Interval(to) - Interval(from);
-  // x' has no jumps, so the largest |x''| of all pieces touched bounds the deviation.
-  const std::size_t last = frames().size() - 1, first_piece = piece_at(from, last).piece,
-                    last_piece = piece_at(to, last).piece;
-  for (std::size_t i = 0; i < vertices.size(); ++i) {
-    double largest = 0;
-    for (std::size_t piece = first_piece; piece <= last_piece; ++piece)
-      largest = std::max(largest, acceleration_[piece][at(vertices[i])]);
-    deviations[i] = chord_deviation(largest, length);
-  }
 }
 
 }  // namespace tamis

@@ -2,7 +2,7 @@
 
 namespace tamis {
 
-BoxTree::BoxTree(std::span<const Point> centers, Split split) : items_(centers.size()), first_child_() {
+BoxTree::BoxTree(std::span<const Point> centers, Split split) : items_(centers.size()) {
   Box all;
   for (const Point& center : centers) all.include(center);
   // Within [0,1], so that centers fit floats whatever the unit of length; where they do not, the order is poor.

@@ -16,7 +16,7 @@ namespace tamis {
 /// leaves first, then level by level; the root is the last one.
 class BoxTree {
  public:
-  BoxTree() = default;
+  BoxTree() = default;  ///< to be assigned to
   /// One center an item.
   BoxTree(std::span<const Point> centers, Split split);
 
@@ -50,8 +50,8 @@ class BoxTree {
   std::uint64_t memory_bytes() const { return held_bytes(items_, first_child_); }
 
  private:
-  std::vector<Index> items_;           ///< in order
-  std::vector<Index> first_child_{0};  ///< of nodes that are no leaves; last the number of the root
+  std::vector<Index> items_;        ///< in order
+  std::vector<Index> first_child_;  ///< of nodes that are no leaves; last the number of the root
 };
 
 }  // namespace tamis

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "coherence/listing_pause.hpp"
-#include "coherence/pair_list.hpp"
+#include "coherence/pair_lists.hpp"
 #include "coherence/predicted_step.hpp"
 #include "numerics/held_bytes.hpp"
 #include "query/contact_collector.hpp"

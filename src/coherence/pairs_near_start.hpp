@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "coherence/listing_pause.hpp"
-#include "coherence/pair_list.hpp"
+#include "coherence/pair_lists.hpp"
 #include "numerics/held_bytes.hpp"
 #include "query/query.hpp"
 

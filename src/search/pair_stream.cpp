@@ -29,17 +29,19 @@ void PairStream::search(PairKind kind, const TreeView& a, const TreeView& b, con
   thread_.counts.traverse += thread_.watch.lap();
 }
 
-void PairStream::search(PairKind kind, const PairList& pairs, std::size_t first, std::size_t last,
-                        const TimeInterval<float>& when, float t_limit) {
+void PairStream::search(PairKind kind, std::span<const Candidate> pairs, const TimeInterval<float>& when,
+                        float t_limit) {
   thread_.watch.lap();
   set_kind(kind);
   constexpr std::size_t kPairsAtOnce = 256;
-  for (; first < last && wants(kind); first += kPairsAtOnce) {
+  while (!pairs.empty() && wants(kind)) {
     if (static_cast<std::size_t>(thread_.boxes.count) + kPairsAtOnce > PairBuffer::kCapacity) {
       thread_.counts.traverse += thread_.watch.lap();
       hand_over();
     }
-    pairs.copy(first, std::min(last, first + kPairsAtOnce), when, t_limit, thread_.boxes);
+    const std::size_t count = std::min(pairs.size(), kPairsAtOnce);
+    append(pairs.first(count), when, t_limit, thread_.boxes);
+    pairs = pairs.subspan(count);
   }
   thread_.counts.traverse += thread_.watch.lap();
 }

@@ -1,7 +1,7 @@
 // One thread's stream of pairs: it searches leaf blocks, or a list, into a small buffer, and consumes each full buffer.
 // How is said by a derived class, one for each question (*_consumer, *_search).
 #pragma once
-#include "coherence/pair_list.hpp"
+#include "coherence/pair_lists.hpp"
 #include "query/query.hpp"
 #include "search/workspace.hpp"
 
@@ -22,10 +22,9 @@ class PairStream {
 
   /// Searches every `blocks.stride`-th leaf block of `a` against all of `b`, for pairs that may touch until `t_limit`.
   void search(PairKind kind, const TreeView& a, const TreeView& b, const BlockRange& blocks, float t_limit);
-  /// Takes the pairs first to last of a list that may touch at some time of `when`, a time of the list, for contacts
-  /// until `t_limit`, a time of the query.
-  void search(PairKind kind, const PairList& pairs, std::size_t first, std::size_t last,
-              const TimeInterval<float>& when, float t_limit);
+  /// Takes the pairs of a list that may touch at some time of `when`, a time of the list, for contacts until `t_limit`,
+  /// a time of the query.
+  void search(PairKind kind, std::span<const Candidate> pairs, const TimeInterval<float>& when, float t_limit);
   /// Consumes what is still in the buffer.
   void finish();
   /// The number of pairs still in the buffer.

@@ -47,7 +47,7 @@ class ThreadStreams {
     for (std::size_t i = 0; i < kPairKinds; ++i) search(static_cast<PairKind>(i), lists, sample, when, t_limit);
   }
   /// The number of parts of a list, which samples count as they count leaf blocks.
-  static int parts_of(const PairList& pairs) {
+  static int parts_of(std::span<const Candidate> pairs) {
     return static_cast<int>((pairs.size() + kPairsPerPart - 1) / kPairsPerPart);
   }
 
@@ -103,11 +103,11 @@ class ThreadStreams {
 
   void search(PairKind kind, const PairLists& lists, const Sample& sample, const TimeInterval<float>& when,
               float t_limit) {
-    const PairList& pairs = lists[kind];
+    const std::span<const Candidate> pairs = lists[kind];
     for_each_part(kind, sample.count_in(parts_of(pairs)), [&](PairStream& stream, int begin, int end) {
       for (int i = begin; i < end; ++i) {
         const auto first = static_cast<std::size_t>(sample.first + i * sample.stride) * kPairsPerPart;
-        stream.search(kind, pairs, first, std::min(first + kPairsPerPart, pairs.size()), when, t_limit);
+        stream.search(kind, pairs.subspan(first, std::min(kPairsPerPart, pairs.size() - first)), when, t_limit);
       }
       if constexpr (!Consumer::kHoldsPairsBack) stream.finish();
     });

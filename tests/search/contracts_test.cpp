@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "bounds/shared_motion.hpp"
-#include "coherence/pair_list.hpp"
+#include "coherence/pair_lists.hpp"
 #include "detect/list_part.hpp"
 #include "detect/planar_times.hpp"
 #include "query/contact_collector.hpp"
@@ -78,14 +78,12 @@ TEST_F(Contracts, SearchesThatCannotEnd) {
 TEST_F(Contracts, BuffersWithoutRoom) {
   PairBuffer pairs;
   pairs.count = 2;
-  PairList list;
-  list.append(pairs, 4);
-  EXPECT_DEATH(list.append(pairs, 3), "corners");
+  std::vector<Candidate> list;
+  append(pairs, list);
   pairs.count = PairBuffer::kCapacity - 1;
-  EXPECT_DEATH(list.copy(0, 2, {0, 1}, 1, pairs), "kCapacity");
+  EXPECT_DEATH(append(list, {0, 1}, 1, pairs), "kCapacity");
   pairs.count = 0;
-  EXPECT_DEATH(list.copy(0, 3, {0, 1}, 1, pairs), "t_in_.size");
-  EXPECT_DEATH(list.copy(0, 2, {1, 0}, 1, pairs), "when.t_in <= when.t_out");
+  EXPECT_DEATH(append(list, {1, 0}, 1, pairs), "when.t_in <= when.t_out");
   EXPECT_DEATH((void)vertices_of(PairKind::vertex_face, pairs, 0), "pairs.count");
 }
 

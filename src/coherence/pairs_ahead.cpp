@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "topology/mean_edge.hpp"
 
@@ -35,7 +36,7 @@ std::vector<Index> some_of(std::span<const Index> points) {
 }  // namespace
 
 PairsAhead::PairsAhead(const Mesh& mesh)
-    : mesh_(mesh), sample_(some_of(mesh.points())), steps_(kFirstSteps), pause_{kFirstPauseInQueries} {}
+    : KeptLists({kFirstPauseInQueries}), mesh_(mesh), sample_(some_of(mesh.points())), steps_(kFirstSteps) {}
 
 bool PairsAhead::begin(const Query& query) {
   if (!are_listed_ || query.is_piece || query.separations.fixed > separation_) return false;
@@ -54,8 +55,8 @@ bool PairsAhead::leaves_undecided(const ContactCollector& answer) const {
   return !covers(when_.t_in + latest * (when_.t_out - when_.t_in) + kTimeRounding);
 }
 
-bool PairsAhead::plan(const Query& query) {
-  if (query.is_piece) return false;
+std::optional<Listing> PairsAhead::plan(const Query& query) {
+  if (query.is_piece) return {};
   const Step& step = query.step;
   if (are_listed_) learn();
   forget();
@@ -65,19 +66,22 @@ bool PairsAhead::plan(const Query& query) {
     fit = next_.fit(step, kMostDeviationInEdges * edge_);
   }
   next_.make(step, sample_, kFirstSteps);
-  if (!fit) return false;
+  if (!fit) return {};
   same_start_ = fit->start == 0 && fit->deviation <= kLeastSlackInEdges * edge_;
   const bool is_promising =
       same_start_ ? plan_for_same_start(query.question, kFirstSteps * fit->end) : plan_steps(query.question, *fit);
-  if (!is_promising) return false;
+  if (!is_promising) return {};
   if (pause_.left > 0) {
     pause_.tick();
-    return false;
+    return {};
   }
   queries_served_ = 0;
   predicted_.make(step, mesh_.points(), steps_listed_);
   separation_ = query.separations.fixed;
-  return follows_prediction(step);
+  if (!follows_prediction(step)) return {};
+  auto [start, end] = predicted_.ends(mesh_.vertex_count());
+  return Listing{{start, end},     query.separations, slack_, listed_until_, most_work(query.question),
+                 std::move(start), std::move(end)};
 }
 
 /// Plans lists for a step from the last query's start in the same direction, `length` times as long: for this step
@@ -148,20 +152,9 @@ std::uint64_t PairsAhead::most_work(Question question) const {
   return (searches - 1) * last_search_.trees + searches * last_search_.pairs;
 }
 
-bool PairsAhead::keep_if_complete(bool is_complete) {
-  are_listed_ = is_complete;
-  if (is_complete) return true;
-  steps_ = std::max(steps_ / 2, kFewestSteps);
-  pause_.begin();
-  forget();
-  lists_ = {};
-  return false;
-}
-
-void PairsAhead::forget() {
-  are_listed_ = false;
-  predicted_.clear();
-  lists_.clear();
+void PairsAhead::end_listing(bool is_complete) {
+  KeptLists::end_listing(is_complete);
+  if (!is_complete) steps_ = std::max(steps_ / 2, kFewestSteps);
 }
 
 }  // namespace tamis

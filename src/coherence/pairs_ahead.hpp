@@ -1,11 +1,9 @@
 // Pairs listed ahead: while a mesh moves on as before, or the same step is asked about again, as in a line search, the
-// pairs that may touch on the predicted step are listed once, and the queries that follow it decide only those. This
-// chooses which pairs are decided, never what the answer is.
+// pairs that may touch on the predicted step are listed once, and the queries that follow it decide only those.
 #pragma once
 #include <vector>
 
-#include "coherence/listing_pause.hpp"
-#include "coherence/pair_lists.hpp"
+#include "coherence/kept_lists.hpp"
 #include "coherence/predicted_step.hpp"
 #include "numerics/held_bytes.hpp"
 #include "query/contact_collector.hpp"
@@ -19,7 +17,7 @@ struct SearchWork {
 
 /// Bounded memory: as many pairs as CandidateSearch lists, 24 bytes each, with room to grow to twice that; and
 /// positions.
-class PairsAhead {
+class PairsAhead final : public KeptLists {
  public:
   /// Keeps a reference.
   explicit PairsAhead(const Mesh& mesh);
@@ -28,22 +26,11 @@ class PairsAhead {
   bool begin(const Query& query);
   /// After the listed pairs have been decided: may another pair still touch, so that the trees must be searched?
   bool leaves_undecided(const ContactCollector& answer) const;
-  /// If begin() returned false: are lists worth making, since this query goes on as the last one did? Then the caller
-  /// searches predicted_ends() for pairs that may touch before until() while every vertex is within slack() of it, adds
-  /// them to lists(), and calls keep_if_complete().
-  bool plan(const Query& query);
-  PredictedStep::Ends predicted_ends() const { return predicted_.ends(mesh_.vertex_count()); }
-  double slack() const { return slack_; }
-  /// Up to which time of the predicted step pairs are listed.
-  float until() const { return listed_until_; }
-  /// What listing may cost at most (SearchWork::pairs), beside what the trees cost in any search.
-  std::uint64_t most_work(Question question) const;
-  /// Ends the listing: keeps the lists if they are complete, else drops them, as the pairs were too many. Returns
-  /// `is_complete`.
-  bool keep_if_complete(bool is_complete);
+  /// Lists are worth making if the query goes on as the last one did: of the step that is predicted then.
+  std::optional<Listing> plan(const Query& query) override;
+  void end_listing(bool is_complete) override;
   /// The times of the predicted step that this query covers.
   const TimeInterval<float>& when() const { return when_; }
-  PairLists& lists() { return lists_; }
   /// Learns from a query that has been answered.
   void end(const ContactCollector& answer, const SearchWork& work);
   std::uint64_t memory_bytes() const { return held_bytes(lists_, next_, predicted_, sample_); }
@@ -55,9 +42,9 @@ class PairsAhead {
   bool covers(float time) const { return listed_until_ == 1 || time <= listed_until_; }
   /// Does the step follow the predicted one within the slack? Sets when_.
   bool follows_prediction(const Step& step);
-  void forget();
   void learn();
   double steps_to_foresee(double deviation) const;
+  std::uint64_t most_work(Question question) const;
 
   const Mesh& mesh_;
   std::vector<Index> sample_;  ///< some vertices in use
@@ -67,8 +54,6 @@ class PairsAhead {
   double edge_ = 0;            ///< mean length, when last planned
   double separation_ = 0;      ///< fixed separation of the query for which the lists were made
   TimeInterval<float> when_{};
-  PairLists lists_;
-  bool are_listed_ = false;
   bool same_start_ = false;  ///< the lists are for one step, whose start is that of the query before
   float listed_until_ = 1;   ///< time of the predicted step
   std::optional<double> no_contact_before_ =
@@ -78,7 +63,6 @@ class PairsAhead {
   double steps_listed_ = 0;
   SearchWork last_search_;  ///< of the last search of the trees that was not ended early
   int queries_served_ = 0;  ///< by these lists
-  ListingPause pause_;      ///< in queries
 };
 
 }  // namespace tamis

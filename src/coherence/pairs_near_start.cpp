@@ -29,13 +29,15 @@ double displacement_bound(const Step& step, Index v) {
 }  // namespace
 
 bool PairsNearStart::begin(const Query& query, double fraction, bool lists_all) {
+  fraction_ = fraction;
+  lists_all_ = lists_all;
   same_start_ = has_same_start(query.step);
   if (same_start_) {
     is_truncated_again_ |= is_truncated_ && !lists_all;
     is_truncated_ |= lists_all;
     for (const Index v : mesh_.points())
       displacements_[at(v)] = std::max(displacements_[at(v)], displacement_bound(query.step, v));
-    if (are_listed_ && covers(query, fraction)) return true;
+    if (are_listed_ && covers(query)) return true;
   } else {
     start_anew(query.step);
   }
@@ -64,16 +66,16 @@ bool PairsNearStart::has_same_start(const Step& step) const {
 /// A pair that is not listed is farther apart than separations(), so its clearance exceeds the sum of both
 /// displacements over (1 - fraction), and more than `fraction` of it is left. A feature's listing radius is at least
 /// its search radius plus its contact radius, even where these are those of two vertices (neighbourhood_maximum).
-bool PairsNearStart::covers(const Query& query, double fraction) const {
+bool PairsNearStart::covers(const Query& query) const {
   if (query.separations.fixed > separation_ || query.separations.radii.data() != radii_) return false;
   return std::all_of(mesh_.points().begin(), mesh_.points().end(), [&](Index v) {
-    return displacement_bound(query.step, v) <= (1 - fraction) * search_radii_[at(v)];
+    return displacement_bound(query.step, v) <= (1 - fraction_) * search_radii_[at(v)];
   });
 }
 
-bool PairsNearStart::plan(const Query& query, double fraction) {
-  if (!same_start_ || pause_.left > 0) return false;
-  if (!is_truncated_again_ && !were_truncated_again_[0] && !were_truncated_again_[1]) return false;
+std::optional<Listing> PairsNearStart::plan(const Query& query) {
+  if (!lists_all_ || !same_start_ || pause_.left > 0) return {};
+  if (!is_truncated_again_ && !were_truncated_again_[0] && !were_truncated_again_[1]) return {};
   const double extra = kExtra * mean_displacement();
   forget();
   search_radii_.resize(start_.size());
@@ -82,13 +84,13 @@ bool PairsNearStart::plan(const Query& query, double fraction) {
   for (const Index index : mesh_.points()) {
     const auto v = at(index);
     search_radii_[v] =
-        (kFarther * std::max(displacements_[v], previous_displacements_[v]) + extra) / (1 - fraction) * kRoundedUp;
+        (kFarther * std::max(displacements_[v], previous_displacements_[v]) + extra) / (1 - fraction_) * kRoundedUp;
     listing_radii_[v] = (search_radii_[v] + (radii.empty() ? 0 : radii[v])) * kRoundedUp;
-    if (!std::isfinite(listing_radii_[v])) return false;
+    if (!std::isfinite(listing_radii_[v])) return {};
   }
   radii_ = query.separations.radii.data();
   separation_ = query.separations.fixed;
-  return true;
+  return Listing{{query.step.start, query.step.start}, {separation_, listing_radii_}};
 }
 
 double PairsNearStart::mean_displacement() const {
@@ -97,20 +99,9 @@ double PairsNearStart::mean_displacement() const {
   return sum / static_cast<double>(std::max<std::size_t>(1, mesh_.points().size()));
 }
 
-bool PairsNearStart::keep_if_complete(bool is_complete) {
-  are_listed_ = is_complete;
-  if (is_complete) {
-    pause_.lists_were_worth_it();
-    return true;
-  }
-  pause_.begin();
-  forget();
-  return false;
-}
-
-void PairsNearStart::forget() {
-  are_listed_ = false;
-  lists_.clear();
+void PairsNearStart::end_listing(bool is_complete) {
+  KeptLists::end_listing(is_complete);
+  if (is_complete) pause_.lists_were_worth_it();
 }
 
 }  // namespace tamis

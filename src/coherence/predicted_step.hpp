@@ -23,7 +23,6 @@ class PredictedStep {
   /// Predicts `steps` more steps of the same displacements, as one straight step, for some of the vertices. Keeps the
   /// span `vertices`.
   void make(const Step& step, std::span<const Index> vertices, double steps);
-  void clear() { from_.clear(); }
   bool is_made() const { return !from_.empty(); }
   /// How `step` follows the prediction. Nothing if no step was predicted, if the deviation exceeds `most` or is not
   /// finite, or if `step` goes backwards.

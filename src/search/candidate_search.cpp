@@ -31,27 +31,46 @@ void CandidateConsumer::consume(PairKind kind) {
     shared_->bound.settle();
 }
 
-bool CandidateSearch::list(const Query& query, const ListingLimits& limits, PairLists& lists, Statistics& statistics) {
+bool CandidateSearch::list(const Query& query, const Listing& listing, PairLists& lists, Statistics& statistics) {
   FeatureTrees& trees = workspace_.trees;
   const std::int64_t most = kMostPairsPerBlock * trees.leaf_blocks();
-  CandidateQuery asked{query, limits.deviation, most};
-  Separations separations = query.separations;
-  separations.fixed += 2 * limits.deviation;
-  trees.refit_for(query.step, separations);
+  const Query listed{listing.step, listing.separations, query.filter, query.rings, query.is_cancelled};
+  CandidateQuery asked{listed, listing.deviation, most};
+  Separations separations = listing.separations;
+  separations.fixed += 2 * listing.deviation;
+  trees.refit_for(listing.step, separations);
   streams_.begin(asked);
   double part = 0;
   for (const Sample& sample : Samples(trees.most_leaf_blocks())) {
-    streams_.search_trees(sample, limits.until);
+    streams_.search_trees(sample, listing.until);
     streams_.finish([&](CandidateConsumer& consumer) { lists.take(consumer.candidates()); });
     part += 1.0 / sample.stride;
     const double work = static_cast<double>(streams_.counts().work(0).pairs);
     if (static_cast<double>(most - asked.pairs_left) > (part + kSmallestPart) * static_cast<double>(most) ||
-        work > (part + kPartToTry) * static_cast<double>(limits.work))
+        work > (part + kPartToTry) * static_cast<double>(listing.most_work))
       asked.bound.settle();
   }
   streams_.for_each([](CandidateConsumer& consumer) { consumer.release(); });
   statistics.nodes_visited += streams_.counts().nodes_visited;
   return !asked.bound.is_settled();
+}
+
+bool CandidateSearch::prepare(const Query& query, LooksAt looks_at, bool is_listed, KeptLists& kept,
+                              Statistics& statistics) {
+  FeatureTrees& trees = workspace_.trees;
+  if (!is_listed) {
+    // Refit to the query even if lists follow: the decision to rebuild must not see the step that they are for.
+    trees.refit_or_rebuild(query.step, query.separations, looks_at, statistics);
+    const std::optional<Listing> listing = kept.plan(query);
+    if (!listing) return false;
+    const Stopwatch watch;
+    is_listed = list(query, *listing, kept.lists(), statistics);
+    kept.end_listing(is_listed);
+    if (!is_listed) trees.refit_for(query.step, query.separations);
+    statistics.seconds.build += watch.seconds();
+  }
+  if (is_listed && kept.lists().any()) trees.load_vertices(query.step, query.separations, statistics);
+  return is_listed;
 }
 
 }  // namespace tamis

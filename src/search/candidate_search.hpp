@@ -3,8 +3,8 @@
 #pragma once
 #include <atomic>
 #include <cstdint>
-#include <limits>
 
+#include "coherence/kept_lists.hpp"
 #include "query/bound.hpp"
 #include "search/thread_streams.hpp"
 
@@ -13,7 +13,7 @@ namespace tamis {
 /// What the threads share.
 struct CandidateQuery {
   const Query& query;
-  double deviation;                      ///< as in ListingLimits
+  double deviation;                      ///< as in Listing
   std::atomic<std::int64_t> pairs_left;  ///< how many more may be listed
   Bound bound = {};                      ///< settled: there are too many
 };
@@ -42,42 +42,19 @@ class CandidateConsumer final : public PairStream {
   PairLists candidates_;
 };
 
-/// Which pairs are listed, and at what cost.
-struct ListingLimits {
-  double deviation = 0;  ///< vertices may be so far, along any axis, from where the step has them
-  float until = 1;       ///< pairs that touch later are not listed
-  std::uint64_t work = std::numeric_limits<std::uint64_t>::max();  ///< SearchWork::pairs
-};
-
 class CandidateSearch {
  public:
   /// Keeps a reference.
   explicit CandidateSearch(Workspace& workspace) : workspace_(workspace), streams_(workspace) {}
 
-  /// Adds to `lists`, in no order, all pairs that come within their separations before `limits.until` although vertices
-  /// deviate. Returns false if some are missing: there are more than kMostPairsPerBlock times the blocks, or they cost
-  /// more than `limits.work`, or the first samples suggest that. Leaves the trees refitted to this step.
-  bool list(const Query& query, const ListingLimits& limits, PairLists& lists, Statistics& statistics);
+  /// Adds to `lists`, in no order, the pairs of the listing; filter, rings and cancellation are the query's. Returns
+  /// false if some are missing: there are more than kMostPairsPerBlock times the blocks, or they cost too much, or the
+  /// first samples suggest that. Leaves the trees refitted to the listing's step.
+  bool list(const Query& query, const Listing& listing, PairLists& lists, Statistics& statistics);
   /// Prepares lists or trees for a query. Returns true if the lists are to be asked: the vertices of this step are then
   /// loaded, if the lists hold any pair. Returns false if the trees must be searched, which are then of this step.
-  /// `is_listed`: the lists that there are serve this query. If not, plan() says whether lists are worth making, and
-  /// make() makes them and says whether they are complete.
-  template <class Plan, class Make>
-  bool prepare(const Query& query, LooksAt looks_at, bool is_listed, const Plan& plan, const Make& make,
-               const PairLists& lists, Statistics& statistics) {
-    FeatureTrees& trees = workspace_.trees;
-    if (!is_listed) {
-      // Refit to the query even if lists follow: the decision to rebuild must not see the step that they are for.
-      trees.refit_or_rebuild(query.step, query.separations, looks_at, statistics);
-      if (!plan()) return false;
-      const Stopwatch watch;
-      is_listed = make();
-      if (!is_listed) trees.refit_for(query.step, query.separations);
-      statistics.seconds.build += watch.seconds();
-    }
-    if (is_listed && lists.any()) trees.load_vertices(query.step, query.separations, statistics);
-    return is_listed;
-  }
+  /// `is_listed`: the lists that there are serve this query. If not, others are made where they are worth it.
+  bool prepare(const Query& query, LooksAt looks_at, bool is_listed, KeptLists& kept, Statistics& statistics);
   std::uint64_t memory_bytes() const { return streams_.memory_bytes(); }
 
  private:

@@ -25,9 +25,7 @@ Samples samples_for(const Query& query, int parts) {
 void ContactSearch::find(const Query& query, ContactCollector& answer, Statistics& statistics) {
   FeatureTrees& trees = workspace_.trees;
   const LooksAt looks_at = query.question == Question::earliest ? LooksAt::start : LooksAt::whole_step;
-  const bool is_listed = candidates_.prepare(
-      query, looks_at, ahead_.begin(query), [&] { return ahead_.plan(query); },
-      [&] { return list_ahead(query, statistics); }, ahead_.lists(), statistics);
+  const bool is_listed = candidates_.prepare(query, looks_at, ahead_.begin(query), ahead_, statistics);
   const Stopwatch watch;
   streams_.begin(answer);
   if (is_listed) search_lists(answer);
@@ -42,15 +40,6 @@ void ContactSearch::find(const Query& query, ContactCollector& answer, Statistic
           : streams_.report(statistics, watch.seconds(),
                             {&Counts::boxes, &Counts::slab, &Counts::dnf, &Counts::ncf, &Counts::solve});
   ahead_.end(answer, counts.work(trees.leaf_blocks()));
-}
-
-/// Lists what may touch within the next steps. Returns false if that are too many pairs.
-bool ContactSearch::list_ahead(const Query& query, Statistics& statistics) {
-  const auto [start, end] = ahead_.predicted_ends();
-  const Query predicted{{start, end}, query.separations, query.filter, query.rings, query.is_cancelled};
-  const ListingLimits limits{
-      .deviation = ahead_.slack(), .until = ahead_.until(), .work = ahead_.most_work(query.question)};
-  return ahead_.keep_if_complete(candidates_.list(predicted, limits, ahead_.lists(), statistics));
 }
 
 void ContactSearch::search_lists(ContactCollector& answer) {
@@ -75,9 +64,9 @@ bool ContactSearch::search_beginnings(ContactCollector& answer, Statistics& stat
   double length = beginning_of_long_step(query.step, workspace_.mesh.points(), trees.motion().frame.widening);
   for (int i = 0; i < kBeginnings && length < 1; ++i, length *= kLonger) {
     const Beginning beginning(query.step, workspace_.mesh.points(), length);
-    const Query shorter{beginning.step(), query.separations, query.filter, query.rings, query.is_cancelled};
     PairLists lists;
-    const bool is_complete = candidates_.list(shorter, {.deviation = beginning.deviation()}, lists, statistics);
+    const bool is_complete =
+        candidates_.list(query, {beginning.step(), query.separations, beginning.deviation()}, lists, statistics);
     if (is_complete) {
       trees.load_vertices(query.step, query.separations, statistics);
       streams_.begin(answer);

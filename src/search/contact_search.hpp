@@ -20,7 +20,6 @@ class ContactSearch {
   std::uint64_t memory_bytes() const { return held_bytes(ahead_, streams_, candidates_); }
 
  private:
-  bool list_ahead(const Query& query, Statistics& statistics);
   void search_lists(ContactCollector& answer);
   bool search_beginnings(ContactCollector& answer, Statistics& statistics);
   void search_trees(ContactCollector& answer);

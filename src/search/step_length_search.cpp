@@ -25,11 +25,8 @@ bool StepLengthSearch::begin(StepLengthQuery& asked, Statistics& statistics) {
   TAMIS_ASSERT(0 < asked.fraction && asked.fraction < 1);
   TAMIS_ASSERT(asked.query.changed.empty() || asked.query.changed.size() == at(workspace_.mesh.vertex_count()));
   const Query& query = asked.query;
-  const auto plan = [&] { return asked.lists_all && near_start_.plan(query, asked.fraction); };
-  const auto make = [&] { return list_near(query, statistics); };
-  const bool is_listed =
-      candidates_.prepare(query, LooksAt::distances, near_start_.begin(query, asked.fraction, asked.lists_all), plan,
-                          make, near_start_.lists(), statistics);
+  const bool do_lists_serve = near_start_.begin(query, asked.fraction, asked.lists_all);
+  const bool is_listed = candidates_.prepare(query, LooksAt::distances, do_lists_serve, near_start_, statistics);
   const Stopwatch watch;
   if (!is_listed) {
     refit_residuals(asked);
@@ -39,13 +36,6 @@ bool StepLengthSearch::begin(StepLengthQuery& asked, Statistics& statistics) {
   statistics.seconds.bounds += watch.seconds();
   streams_.begin(asked);
   return is_listed;
-}
-
-/// Returns false if there are too many pairs.
-bool StepLengthSearch::list_near(const Query& query, Statistics& statistics) {
-  const Step at_start{query.step.start, query.step.start};
-  const Query near{at_start, near_start_.separations(), query.filter, query.rings, query.is_cancelled};
-  return near_start_.keep_if_complete(candidates_.list(near, {}, near_start_.lists(), statistics));
 }
 
 void StepLengthSearch::refit_residuals(StepLengthQuery& asked) {

@@ -33,7 +33,6 @@ class StepLengthSearch {
   /// Searches; what is found stays in the consumers.
   void ask(StepLengthQuery& asked, Statistics& statistics);
   bool begin(StepLengthQuery& asked, Statistics& statistics);
-  bool list_near(const Query& query, Statistics& statistics);
   void refit_residuals(StepLengthQuery& asked);
   void search_trees(StepLengthQuery& asked);
   bool meets_many(const Sample& sample) const;

@@ -78,14 +78,15 @@ StretchBounds stretch_bounds(const DisplacementGradient& gradient) {
   return {std::sqrt(least) * (1 - 0x1p-50), std::sqrt(greatest) * (1 + 0x1p-48)};
 }
 
-GradientFit fit_gradient(const Step& step, const BoxFrame& frame, std::span<const Index> vertices, std::size_t stride) {
+GradientFit fit_gradient(const PackedMotion& motion, std::span<const Index> vertices, std::size_t stride) {
   constexpr double kRidge = 0x1p-20;  // what lies in a plane, or on a line, has no gradient out of it
   double count = 0;
   Vec places{}, displacements{};
   SymmetricMatrix squares;
   std::array<Vec, 3> products{};  // [i]: displacement[i] times place
   for (std::size_t i = 0; i < vertices.size(); i += stride, ++count) {
-    const Vec place = frame.place(step.start, vertices[i]), displacement = frame.displacement(step, vertices[i]);
+    const PackedVertex& vertex = motion.vertices[static_cast<std::size_t>(vertices[i])];
+    const Vec place = motion.frame.place(vertex), displacement = motion.frame.displacement(vertex);
     places = places + place;
     displacements = displacements + displacement;
     squares.add_square(place, 1);

@@ -44,6 +44,6 @@ struct GradientFit {
 };
 
 /// The gradient by least squares over every `stride`-th of the vertices, in the frame of the boxes.
-GradientFit fit_gradient(const Step& step, const BoxFrame& frame, std::span<const Index> vertices, std::size_t stride);
+GradientFit fit_gradient(const PackedMotion& motion, std::span<const Index> vertices, std::size_t stride);
 
 }  // namespace tamis

@@ -74,13 +74,13 @@ class BitDifference {
 
 }  // namespace
 
-Vec3<double> BoxFrame::place(const Positions& positions, Index vertex) const {
-  return scaled_difference(positions[vertex], origin.data(), scale);
+Vec3<double> BoxFrame::place(const PackedVertex& vertex) const {
+  return scaled_difference(vertex.start(), origin.data(), scale);
 }
 
-Vec3<double> BoxFrame::displacement(const Step& step, Index vertex) const {
-  if (origin == origin_at_end) return scaled_difference(step.end[vertex], step.start[vertex], scale);
-  return scaled_difference(step.end[vertex], origin_at_end.data(), scale) - place(step.start, vertex);
+Vec3<double> BoxFrame::displacement(const PackedVertex& vertex) const {
+  if (origin == origin_at_end) return scaled_difference(vertex.end(), vertex.start(), scale);
+  return scaled_difference(vertex.end(), origin_at_end.data(), scale) - place(vertex);
 }
 
 bool PackedMotion::assign(const Step& step, std::span<const Index> used, const Separations& new_separations) {
@@ -115,15 +115,15 @@ bool PackedMotion::assign(const Step& step, std::span<const Index> used, const S
   return is_first || difference.is_any();
 }
 
-void PackedMotion::assign_residuals(const Step& step, const SharedMotion& shared) {
-  TAMIS_ASSERT(static_cast<std::size_t>(step.start.count()) == vertices.size());
+void PackedMotion::assign_residuals(std::span<const Index> used, const SharedMotion& shared) {
   residuals.resize(vertices.size());
   Box box;
-  shared.for_each_residual(step, frame, [&](Index v, const Vec3<double>& residual) {
+  for (const Index v : used) {
+    const Vec3<double> residual = shared.residual_of(vertices[static_cast<std::size_t>(v)], frame);
     residuals[static_cast<std::size_t>(v)] = {
         {0, 0, 0, static_cast<float>(residual.x), static_cast<float>(residual.y), static_cast<float>(residual.z)}};
     box.include(Point{residual.x, residual.y, residual.z});
-  });
+  }
   spread = static_cast<float>(box.extent());
 }
 

@@ -17,6 +17,9 @@ class SharedMotion;
 /// A vertex at t=0 and t=1: x y z, its radius (Separations), x y z, unused.
 struct alignas(64) PackedVertex {
   double at[8];
+
+  const double* start() const { return at; }
+  const double* end() const { return at + 4; }
 };
 
 /// A vertex in the frame of the boxes, rounded to nearest: x y z at t=0, then at t=1, its radius (rounded up), one
@@ -49,9 +52,9 @@ struct BoxFrame {
   /// sharper.
   static constexpr float kLeastMargin = 0x1p-44f;
 
-  /// Where a vertex is, and how far it goes during the step in this frame.
-  Vec3<double> place(const Positions& positions, Index vertex) const;
-  Vec3<double> displacement(const Step& step, Index vertex) const;
+  /// Where a vertex starts, and how far it goes during the step in this frame.
+  Vec3<double> place(const PackedVertex& vertex) const;
+  Vec3<double> displacement(const PackedVertex& vertex) const;
 };
 
 /// The separation of a pair: a fixed distance, and if there are any the radii that stand beside the vertices.
@@ -80,9 +83,8 @@ struct PackedMotion {
   /// REQUIRES: as many positions at both ends, and as many radii or none. REQUIRES (not checked: O(n)): a validated
   /// step.
   bool assign(const Step& step, std::span<const Index> used, const Separations& separations);
-  /// Computes the residuals beside `shared`. REQUIRES: as many positions as the step assigned last. REQUIRES (not
-  /// checked: history): that very step, to which the motion has been fitted.
-  void assign_residuals(const Step& step, const SharedMotion& shared);
+  /// Computes the residuals of the vertices `used`, what is left of their displacements beside `shared`.
+  void assign_residuals(std::span<const Index> used, const SharedMotion& shared);
   /// What the kernels need of the separations.
   PairSeparation pair_separation() const { return {separations.fixed, !separations.radii.empty()}; }
   BoxSeparation box_separation() const { return {2 * frame.margin, !separations.radii.empty()}; }

@@ -21,14 +21,15 @@ Vec3<double> rounded_difference(const double* to, const double* from, double sca
 
 /// The differences of residuals along edges over the edges' lengths, as root mean squares. Not finite, and no reason
 /// for a gradient, where differences are not.
-double growth_beside(const DisplacementGradient& gradient, const Mesh& mesh, const Step& step, const BoxFrame& frame) {
+double growth_beside(const DisplacementGradient& gradient, const Mesh& mesh, const PackedMotion& motion) {
   double residual2 = 0, length2 = 0;
   const auto edges = mesh.edges();
   for (std::size_t e = 0; e < edges.size(); e += edges.size() / kSampledEdges + 1) {
-    const auto [a, b] = edges[e];
-    const Vec3<double> length = rounded_difference(step.start[b], step.start[a], frame.scale);
+    const PackedVertex& a = motion.vertices[static_cast<std::size_t>(edges[e][0])];
+    const PackedVertex& b = motion.vertices[static_cast<std::size_t>(edges[e][1])];
+    const Vec3<double> length = rounded_difference(b.start(), a.start(), motion.frame.scale);
     const Vec3<double> residual =
-        rounded_difference(step.end[b], step.end[a], frame.scale) - length - gradient.at(length);
+        rounded_difference(b.end(), a.end(), motion.frame.scale) - length - gradient.at(length);
     residual2 += dot(residual, residual);
     length2 += dot(length, length);
   }
@@ -37,19 +38,16 @@ double growth_beside(const DisplacementGradient& gradient, const Mesh& mesh, con
 
 }  // namespace
 
-void SharedMotion::fit(const Step& step, const BoxFrame& frame, double fraction) {
-  fit_ = {};
-  stretch_ = {};
-  const double most = growth_beside({}, mesh_, step, frame) / (1 - fraction);
-  if (!(kEdgeAdvanceClearance / (1 - fraction) < most)) return;  // whatever it leaves
-  const auto points = mesh_.points();
-  const GradientFit fit = fit_gradient(step, frame, points, points.size() / kSampledVertices + 1);
+SharedMotion fit_shared_motion(const Mesh& mesh, const PackedMotion& motion, double fraction) {
+  const double most = growth_beside({}, mesh, motion) / (1 - fraction);
+  if (!(kEdgeAdvanceClearance / (1 - fraction) < most)) return {};  // whatever it leaves
+  const auto points = mesh.points();
+  const GradientFit fit = fit_gradient(motion, points, points.size() / kSampledVertices + 1);
   const StretchBounds stretch = stretch_bounds(fit.gradient);
   const double left = stretch.least - fraction;
-  if (!(left > kLeastBeyond && stretch.greatest <= kGreatestStretch)) return;
-  if (!((growth_beside(fit.gradient, mesh_, step, frame) + kEdgeAdvanceClearance) / left < most)) return;
-  fit_ = fit;
-  stretch_ = {stretch, true};
+  if (!(left > kLeastBeyond && stretch.greatest <= kGreatestStretch)) return {};
+  if (!((growth_beside(fit.gradient, mesh, motion) + kEdgeAdvanceClearance) / left < most)) return {};
+  return {true, fit, stretch};
 }
 
 }  // namespace tamis

@@ -6,31 +6,20 @@
 
 namespace tamis {
 
-class SharedMotion {
- public:
-  /// Keeps a reference.
-  explicit SharedMotion(const Mesh& mesh) : mesh_(mesh) {}
+struct SharedMotion {
+  bool is_any = false;    ///< is there a gradient?
+  GradientFit fit = {};   ///< else zero
+  StretchBounds stretch;  ///< of the gradient
 
-  /// Fits the gradient of the step; drops it unless the residuals are less likely to bring pairs to `fraction` of their
-  /// distance than the displacements themselves.
-  void fit(const Step& step, const BoxFrame& frame, double fraction);
-
-  struct Stretch : StretchBounds {
-    bool is_any = false;  ///< is there a gradient?
-  };
-  const Stretch& stretch() const { return stretch_; }
-  /// Calls f(vertex, residual) for all vertices that take part in contacts, in the frame of the boxes.
-  template <class F>
-  void for_each_residual(const Step& step, const BoxFrame& frame, const F& f) const {
-    for (const Index v : mesh_.points())
-      f(v, frame.displacement(step, v) - fit_.mean_displacement -
-               fit_.gradient.at(frame.place(step.start, v) - fit_.mean_position));
+  /// What is left of the displacement of a vertex, in the frame of the boxes.
+  Vec3<double> residual_of(const PackedVertex& vertex, const BoxFrame& frame) const {
+    return frame.displacement(vertex) - fit.mean_displacement -
+           fit.gradient.at(frame.place(vertex) - fit.mean_position);
   }
-
- private:
-  const Mesh& mesh_;
-  GradientFit fit_{};
-  Stretch stretch_;
 };
+
+/// Fits the gradient; there is none unless the residuals are less likely to bring pairs to `fraction` of their distance
+/// than the displacements themselves.
+SharedMotion fit_shared_motion(const Mesh& mesh, const PackedMotion& motion, double fraction);
 
 }  // namespace tamis

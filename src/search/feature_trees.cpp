@@ -50,20 +50,16 @@ void FeatureTrees::refit_or_rebuild(const Step& step, const Separations& separat
 
 void FeatureTrees::assign(const Step& step, const Separations& separations) {
   TAMIS_ASSERT(step.start.count() == mesh_.vertex_count() && step.end.count() == mesh_.vertex_count());
-  loaded_step_ = step;
   mark({});
   if (motion_.assign(step, mesh_.points(), separations)) boxes_are_current_ = false;
 }
 
 bool FeatureTrees::are_of(const Step& step) const {
-  const auto are_same = [](const Positions& a, const Positions& b) {
-    return a.data() == b.data() && a.count() == b.count() && a.stride() == b.stride();
-  };
-  if (!boxes_are_current_ || !are_same(loaded_step_.start, step.start) || !are_same(loaded_step_.end, step.end))
-    return false;
+  if (!boxes_are_current_) return false;
   const Index some = mesh_.points()[mesh_.points().size() / 2];
-  const double* packed = motion_.vertices[static_cast<std::size_t>(some)].at;
-  return std::equal(packed, packed + 3, step.start[some]) && std::equal(packed + 4, packed + 7, step.end[some]);
+  const PackedVertex& packed = motion_.vertices[static_cast<std::size_t>(some)];
+  return std::equal(packed.start(), packed.start() + 3, step.start[some]) &&
+         std::equal(packed.end(), packed.end() + 3, step.end[some]);
 }
 
 void FeatureTrees::refit_for(const Step& step, const Separations& separations) {
@@ -137,9 +133,9 @@ void FeatureTrees::mark(std::span<const std::uint8_t> of_vertex) {
   for (BlockTree* tree : trees()) tree->mark(of_vertex);
 }
 
-void FeatureTrees::refit_residuals(const Step& step, const SharedMotion& shared) {
-  TAMIS_ASSERT(are_of(step));
-  motion_.assign_residuals(step, shared);
+void FeatureTrees::refit_residuals(const SharedMotion& shared) {
+  TAMIS_ASSERT(boxes_are_current_);
+  motion_.assign_residuals(mesh_.points(), shared);
   for (BlockTree* tree : trees()) {
     stop_if_cancelled(options_);
     tree->refit_residuals(motion_, kernels_.trees);

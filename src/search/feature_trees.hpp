@@ -32,10 +32,10 @@ class FeatureTrees {
   void refit_for(const Step& step, const Separations& separations);
   /// Loads the vertices alone. The boxes stay those of another step, if of any, and must not be searched.
   void load_vertices(const Step& step, const Separations& separations, Statistics& statistics);
-  /// Are boxes and vertices those of this step? Judged by the addresses of its positions, and by one of them.
+  /// Are boxes and vertices those of this step? Judged by one vertex.
   bool are_of(const Step& step) const;
-  /// Refits the boxes of residuals, what is left of displacements beside a shared motion. REQUIRES: are_of(step).
-  void refit_residuals(const Step& step, const SharedMotion& shared);
+  /// Refits the boxes of residuals, what is left of displacements beside a shared motion. REQUIRES: current boxes.
+  void refit_residuals(const SharedMotion& shared);
   /// Until another step is loaded, searches leave out pairs of blocks without a vertex that is not 0 here. Empty: none.
   /// REQUIRES: as above, or empty.
   void mark(std::span<const std::uint8_t> of_vertex);
@@ -81,7 +81,6 @@ class FeatureTrees {
   const Options& options_;
   const Kernels& kernels_;
   PackedMotion motion_;
-  Step loaded_step_;  ///< from which the vertices were loaded
   const LooseFeatures loose_;
   BlockTree points_, edges_, faces_, loose_points_, loose_edges_;
   OrderAxes axes_;
@@ -90,7 +89,7 @@ class FeatureTrees {
   bool is_order_in_doubt_ = false;    ///< the order is by displacements, but the current step's are much shorter
   std::uint64_t nodes_in_doubt_ = 0;  ///< visited for such steps since the trees were built
   int start_in_row_ = 0;              ///< questions in a row that were not about the whole step
-  bool boxes_are_current_ = false;    ///< the boxes are of loaded_step_
+  bool boxes_are_current_ = false;    ///< they are of the vertices that were loaded last
 };
 
 }  // namespace tamis

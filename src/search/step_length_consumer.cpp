@@ -24,11 +24,12 @@ KeepRule StepLengthQuery::rule() const {
 /// + (1 - stretch) separation; without a gradient, only if its speed suffices, by the bound that decide() has, too.
 ClearanceBounds StepLengthQuery::clearance_bounds(double until) const {
   constexpr double kShare = 0.25;  // (x + y + z)^2 <= (1 + kShare) x^2 + 2 (1 + 1 / kShare) (y^2 + z^2)
-  const double left = stretch.least - fraction, reach = until / left;
-  const float stretch2 = rounded_up(stretch.greatest * stretch.greatest);
-  if (!stretch.is_any) return {rounded_up(reach * reach), 0, 0, stretch2};
+  const auto& [least, greatest] = shared_motion.stretch;
+  const double left = least - fraction, reach = until / left;
+  const float stretch2 = rounded_up(greatest * greatest);
+  if (!shared_motion.is_any) return {rounded_up(reach * reach), 0, 0, stretch2};
   const double per_size = error_bounds::kBoxAdvanceClearance / left;
-  const double fixed = (1 - stretch.least) * separation / left;
+  const double fixed = (1 - least) * separation / left;
   return {rounded_up((1 + kShare) * reach * reach), rounded_up(4 * (1 + 1 / kShare) * per_size * per_size),
           rounded_up(2 * (1 + 1 / kShare) * fixed * fixed), stretch2};
 }

@@ -14,10 +14,10 @@ namespace tamis {
 struct StepLengthQuery {
   const Query& query;
   double fraction;
-  bool lists_all;                      ///< all pairs that end the step are listed: the bound is not lowered
-  float spread = 0;                    ///< as in PackedMotion
-  SharedMotion::Stretch stretch = {};  ///< of the shared motion that residuals leave out
-  double separation = 0;               ///< the largest of any pair, in the coordinates of the boxes
+  bool lists_all;                   ///< all pairs that end the step are listed: the bound is not lowered
+  float spread = 0;                 ///< as in PackedMotion
+  SharedMotion shared_motion = {};  ///< what residuals leave out
+  double separation = 0;            ///< the largest of any pair, in the coordinates of the boxes
   Bound bound = {};
 
   /// Which pairs may still end the step first, in time or in the order of contacts. Until a time later by 2^-15, which

@@ -40,12 +40,11 @@ bool StepLengthSearch::begin(StepLengthQuery& asked, Statistics& statistics) {
 
 void StepLengthSearch::refit_residuals(StepLengthQuery& asked) {
   FeatureTrees& trees = workspace_.trees;
-  const BoxFrame& frame = trees.motion().frame;
-  const Separations& separations = asked.query.separations;
-  shared_.fit(asked.query.step, frame, asked.fraction);
-  trees.refit_residuals(asked.query.step, shared_);
-  asked.stretch = shared_.stretch();
-  const double separation = (separations.fixed + 2 * separations.largest_radius()) * frame.scale;
+  const PackedMotion& motion = trees.motion();
+  asked.shared_motion = fit_shared_motion(workspace_.mesh, motion, asked.fraction);
+  trees.refit_residuals(asked.shared_motion);
+  const Separations& separations = motion.separations;
+  const double separation = (separations.fixed + 2 * separations.largest_radius()) * motion.frame.scale;
   asked.separation = std::min(separation, kMeetsAll);
 }
 

@@ -4,7 +4,6 @@
 // that come as near are searched for, and each pair that ends the step earlier shortens the step for all others. Where
 // one start is asked about again and again, the pairs near there are listed, and the list is asked.
 #pragma once
-#include "bounds/shared_motion.hpp"
 #include "coherence/pairs_near_start.hpp"
 #include "numerics/held_bytes.hpp"
 #include "search/candidate_search.hpp"
@@ -17,11 +16,7 @@ class StepLengthSearch {
  public:
   /// Keeps a reference.
   explicit StepLengthSearch(Workspace& workspace)
-      : workspace_(workspace),
-        shared_(workspace.mesh),
-        near_start_(workspace.mesh),
-        streams_(workspace),
-        candidates_(workspace) {}
+      : workspace_(workspace), near_start_(workspace.mesh), streams_(workspace), candidates_(workspace) {}
 
   /// As Engine::find_step_length (docs/numerics.md, "Step lengths").
   SafeStep find(const Query& query, double fraction, Statistics& statistics);
@@ -39,7 +34,6 @@ class StepLengthSearch {
   void search_short_steps(Bound& bound, const Samples& samples);
 
   Workspace& workspace_;
-  SharedMotion shared_;
   PairsNearStart near_start_;
   ThreadStreams<StepLengthConsumer> streams_;
   CandidateSearch candidates_;

@@ -74,11 +74,10 @@ TEST(DisplacementGradient, OfAPointOrALineIsSmall) {
       end{{0, 0, 0}, {0, 0, 1}, {0, 0, 2}, {0, 0, 3}};
   const std::vector<Index> all{0, 1, 2, 3}, one{2};
   PackedMotion motion;
-  const Step step{start, end};
-  motion.assign(step, all, {});
-  const DisplacementGradient line = fit_gradient(step, motion.frame, all, 1).gradient;
+  motion.assign({start, end}, all, {});
+  const DisplacementGradient line = fit_gradient(motion, all, 1).gradient;
   for (const Vec& row : line.rows) EXPECT_LT(dot(row, row), 1.01);
-  EXPECT_GE(stretch_bounds(fit_gradient(step, motion.frame, one, 3).gradient).least, 0.999);
+  EXPECT_GE(stretch_bounds(fit_gradient(motion, one, 3).gradient).least, 0.999);
 }
 
 // Bug: a gradient transposed, or not about the middle.
@@ -95,13 +94,12 @@ TEST(DisplacementGradient, ExplainsWhatTurnsAsAWhole) {
     all.push_back(v);
   }
   PackedMotion motion;
-  const Step step{start, end};
-  motion.assign(step, all, {});
-  const GradientFit fit = fit_gradient(step, motion.frame, all, 3);
+  motion.assign({start, end}, all, {});
+  const GradientFit fit = fit_gradient(motion, all, 3);
   EXPECT_NEAR(fit.gradient.rows[0].y, -std::sin(1.0), 1e-4);
   EXPECT_NEAR(fit.gradient.rows[1].x, std::sin(1.0), 1e-4);
-  for (const Index v : all) {
-    const Vec place = motion.frame.place(step.start, v) - fit.mean_position, way = motion.frame.displacement(step, v);
+  for (const PackedVertex& vertex : motion.vertices) {
+    const Vec place = motion.frame.place(vertex) - fit.mean_position, way = motion.frame.displacement(vertex);
     const Vec residual = way - fit.mean_displacement - fit.gradient.at(place);
     EXPECT_LT(dot(residual, residual), 1e-9);
   }

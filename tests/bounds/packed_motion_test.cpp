@@ -40,7 +40,7 @@ TEST(PackedMotion, TheFrameGoesWithWhatGoesFarAsAWhole) {
       const float in_frame = motion.box_vertices[1].at[i] - motion.box_vertices[0].at[i];
       EXPECT_NEAR(static_cast<double>(in_frame), motion.frame.scale * apart, 0x1p-23) << far << ", coordinate " << i;
     }
-    const Vec3<double> way = motion.frame.displacement({start, end}, 1) - motion.frame.displacement({start, end}, 0);
+    const auto way = motion.frame.displacement(motion.vertices[1]) - motion.frame.displacement(motion.vertices[0]);
     EXPECT_NEAR(way.y, -0.25 * motion.frame.scale, 0x1p-50) << far;
     EXPECT_NEAR(way.x, 0, 0x1p-50) << far;
   }

@@ -21,7 +21,6 @@ struct CandidateQuery {
 /// Lists pairs that may touch although vertices deviate from the step, and decides none.
 class CandidateConsumer final : public PairStream {
  public:
-  static constexpr bool kHoldsPairsBack = true;
   using Shared = CandidateQuery;
 
   using PairStream::PairStream;

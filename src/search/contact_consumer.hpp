@@ -11,7 +11,6 @@ namespace tamis {
 
 class ContactConsumer final : public PairStream {
  public:
-  static constexpr bool kHoldsPairsBack = true;
   using Shared = const ContactCollector;
 
   using PairStream::PairStream;

@@ -17,7 +17,6 @@ struct IntersectionQuery {
 
 class IntersectionConsumer final : public PairStream {
  public:
-  static constexpr bool kHoldsPairsBack = true;
   using Shared = IntersectionQuery;
 
   using PairStream::PairStream;

@@ -14,8 +14,6 @@ namespace tamis {
 /// Consumer for pairs_within: closest points in lanes, integers where doubles do not tell.
 class ProximityConsumer final : public PairStream {
  public:
-  /// False, so that threads share the decisions evenly.
-  static constexpr bool kHoldsPairsBack = false;
   using Shared = const Query;
 
   using PairStream::PairStream;

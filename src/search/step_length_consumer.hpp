@@ -32,7 +32,6 @@ struct StepLengthQuery {
 
 class StepLengthConsumer final : public PairStream {
  public:
-  static constexpr bool kHoldsPairsBack = false;
   using Shared = StepLengthQuery;
 
   using PairStream::PairStream;

@@ -8,9 +8,8 @@
 
 namespace tamis {
 
-/// `Consumer`: a PairStream that is constructed with a SearchThread and begins with a `Consumer::Shared`. If it holds
-/// pairs back (`kHoldsPairsBack`), the pairs of one part of a search wait in the buffer for those of the next; else
-/// each part ends with its pairs decided, so that they can shorten the search of the rest.
+/// `Consumer`: a PairStream that is constructed with a SearchThread and begins with a `Consumer::Shared`. The pairs of
+/// one part of a search wait in the buffer for those of the next, until finish().
 template <class Consumer>
 class ThreadStreams {
  public:
@@ -36,7 +35,6 @@ class ThreadStreams {
     for_each_part(kind, sample.count_in(a.leaf_blocks), [&](PairStream& stream, int begin, int end) {
       const int first = sample.first + begin * sample.stride, last = sample.first + end * sample.stride;
       stream.search(kind, a, b, {first, std::min(last, a.leaf_blocks), sample.stride}, t_limit);
-      if constexpr (!Consumer::kHoldsPairsBack) stream.finish();
     });
   }
 
@@ -51,9 +49,8 @@ class ThreadStreams {
     return static_cast<int>((pairs.size() + kPairsPerPart - 1) / kPairsPerPart);
   }
 
-  /// Consumes what is left in the buffers, in parallel if that is much; then calls f(consumer) for each, one by one.
-  template <class F>
-  void finish(const F& f) {
+  /// Consumes what is left in the buffers, in parallel if that is much.
+  void finish() {
     constexpr int kPairsWorthSharing = 512;
     int left = 0;
     for (const Consumer& one : of_threads_) left += one.waiting();
@@ -61,6 +58,11 @@ class ThreadStreams {
     in_parts(of_threads_.size(), grain, [&](std::size_t begin, std::size_t end) {
       for (; begin != end; ++begin) of_threads_.begin()[static_cast<std::ptrdiff_t>(begin)].finish();
     });
+  }
+  /// The same, then calls f(consumer) for each, one by one.
+  template <class F>
+  void finish(const F& f) {
+    finish();
     for_each(f);
   }
   template <class F>
@@ -109,7 +111,6 @@ class ThreadStreams {
         const auto first = static_cast<std::size_t>(sample.first + i * sample.stride) * kPairsPerPart;
         stream.search(kind, pairs.subspan(first, std::min(kPairsPerPart, pairs.size() - first)), when, t_limit);
       }
-      if constexpr (!Consumer::kHoldsPairsBack) stream.finish();
     });
   }
 

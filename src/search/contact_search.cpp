@@ -63,10 +63,9 @@ bool ContactSearch::search_beginnings(ContactCollector& answer, Statistics& stat
   if (query.question != Question::earliest) return false;
   double length = beginning_of_long_step(query.step, workspace_.mesh.points(), trees.motion().frame.widening);
   for (int i = 0; i < kBeginnings && length < 1; ++i, length *= kLonger) {
-    const Beginning beginning(query.step, workspace_.mesh.points(), length);
     PairLists lists;
-    const bool is_complete =
-        candidates_.list(query, {beginning.step(), query.separations, beginning.deviation()}, lists, statistics);
+    const Listing beginning = listing_of_beginning(query, workspace_.mesh.points(), length);
+    const bool is_complete = candidates_.list(query, beginning, lists, statistics);
     if (is_complete) {
       trees.load_vertices(query.step, query.separations, statistics);
       streams_.begin(answer);

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 #include "bounds/box.hpp"
 #include "numerics/assert.hpp"
@@ -38,18 +40,23 @@ double beginning_of_long_step(const Step& step, std::span<const Index> points, d
 }
 
 /// (1 - length) start + length end takes four roundings, and what underflows: 2^-50 and 2^-1000 an axis are more.
-Beginning::Beginning(const Step& step, std::span<const Index> points, double length)
-    : start_(step.start), end_(static_cast<std::size_t>(step.start.count()), Point{}) {
+Listing listing_of_beginning(const Query& query, std::span<const Index> points, double length) {
   TAMIS_ASSERT(0 < length && length <= 1);
+  const Step& step = query.step;
+  std::vector<Point> end(static_cast<std::size_t>(step.start.count()));
+  double deviation = 0;
   for (const Index v : points) {
     double off = 0;
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const double from = (1 - length) * step.start[v][axis], to = length * step.end[v][axis];
-      end_[static_cast<std::size_t>(v)][axis] = from + to;
+      end[static_cast<std::size_t>(v)][axis] = from + to;
       off += 0x1p-50 * (std::fabs(step.start[v][axis]) + std::fabs(to)) + 0x1p-1000;
     }
-    deviation_ = std::max(deviation_, off);
+    deviation = std::max(deviation, off);
   }
+  Listing listing{{step.start, end}, query.separations, deviation};
+  listing.end = std::move(end);
+  return listing;
 }
 
 }  // namespace tamis

@@ -2,9 +2,8 @@
 // boxes make a point of the scene at t=0.
 #pragma once
 #include <span>
-#include <vector>
 
-#include "tamis/step.hpp"
+#include "coherence/kept_lists.hpp"
 
 namespace tamis {
 
@@ -13,20 +12,8 @@ namespace tamis {
 /// the vertices. REQUIRES (not checked: O(n)): finite positions of the points.
 double beginning_of_long_step(const Step& step, std::span<const Index> points, double widening);
 
-class Beginning {
- public:
-  /// REQUIRES: 0 < length <= 1, a power of two.
-  Beginning(const Step& step, std::span<const Index> points, double length);
-
-  /// Refers to the start of the whole step. Vertices that are no points are anywhere.
-  Step step() const { return {start_, end_}; }
-  /// An upper bound, for all vertices and all times until `length`, of the distance between the two motions: rounding.
-  double deviation() const { return deviation_; }
-
- private:
-  Positions start_;
-  std::vector<Point> end_;
-  double deviation_ = 0;
-};
+/// The pairs that come within their separations on [0, length]: of a step of its own, which refers to the start of the
+/// query's. Its deviation is rounding. REQUIRES: 0 < length <= 1, a power of two.
+Listing listing_of_beginning(const Query& query, std::span<const Index> points, double length);
 
 }  // namespace tamis

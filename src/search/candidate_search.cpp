@@ -43,7 +43,7 @@ bool CandidateSearch::list(const Query& query, const Listing& listing, PairLists
   double part = 0;
   for (const Sample& sample : Samples(trees.most_leaf_blocks())) {
     streams_.search_trees(sample, listing.until);
-    streams_.finish([&](CandidateConsumer& consumer) { lists.take(consumer.candidates()); });
+    streams_.for_each([&](CandidateConsumer& consumer) { lists.take(consumer.candidates()); });
     part += 1.0 / sample.stride;
     const double work = static_cast<double>(streams_.counts().work(0).pairs);
     if (static_cast<double>(most - asked.pairs_left) > (part + kSmallestPart) * static_cast<double>(most) ||

@@ -97,7 +97,7 @@ void ContactSearch::search_trees(ContactCollector& answer) {
 /// after which nothing is of interest: the step is shortened only between samples, so that answers do not depend on
 /// threads.
 float ContactSearch::gather(ContactCollector& answer) {
-  streams_.finish([&](ContactConsumer& consumer) { answer.take(consumer.found()); });
+  streams_.for_each([&](ContactConsumer& consumer) { answer.take(consumer.found()); });
   streams_.for_each([&](ContactConsumer& consumer) { consumer.found().learn(answer); });
   return float_after(answer.bound().latest());
 }

@@ -66,7 +66,7 @@ void IntersectionSearch::find(const Query& query, std::vector<Intersection>& fou
   streams_.begin(asked);
   streams_.search(kEdgeRunner, trees.edges(), trees.faces());
   found.clear();
-  streams_.finish([&](IntersectionConsumer& consumer) {
+  streams_.for_each([&](IntersectionConsumer& consumer) {
     found.insert(found.end(), consumer.found().begin(), consumer.found().end());
   });
   using Counts = SearchCounts;

@@ -66,7 +66,6 @@ void ProximitySearch::find(const Query& query, std::vector<NearPair>& pairs, Sta
   Stopwatch watch;
   streams_.begin(query);
   streams_.search_trees();
-  streams_.finish();
   streams_.report(statistics, watch.lap(), {&SearchCounts::boxes, &SearchCounts::near});
   gather(query);
   describe(pairs);

@@ -69,26 +69,19 @@ void StepLengthSearch::find_all(const Query& query, double fraction, std::vector
 void StepLengthSearch::ask(StepLengthQuery& asked, Statistics& statistics) {
   const bool is_listed = begin(asked, statistics);
   const Stopwatch watch;
-  if (is_listed) {
+  if (is_listed)
     streams_.search_lists(near_start_.lists());
-    streams_.finish();
-  } else {
+  else
     search_trees(asked);
-  }
   streams_.report(statistics, watch.seconds(), {&SearchCounts::boxes, &SearchCounts::near});
 }
 
 void StepLengthSearch::search_trees(StepLengthQuery& asked) {
   const Samples samples = asked.lists_all ? Samples() : Samples(workspace_.trees.most_leaf_blocks());
   const Sample& first = *samples.begin();
-  search(first);
+  streams_.search_trees(first);
   if (!asked.lists_all && meets_many(first)) search_short_steps(asked.bound, samples);
-  for (const Sample& sample : std::span(samples).subspan(1)) search(sample);
-}
-
-void StepLengthSearch::search(const Sample& sample) {
-  streams_.search_trees(sample);
-  streams_.finish();  // what it finds shortens the search of the next
+  for (const Sample& sample : std::span(samples).subspan(1)) streams_.search_trees(sample);
 }
 
 /// Has the sample, the first that is searched, met many pairs a leaf block?
@@ -107,7 +100,7 @@ void StepLengthSearch::search_short_steps(Bound& bound, const Samples& samples) 
     const double earliest = bound.latest();
     if (until >= kShort * earliest) return;
     bound.begin(until);
-    for (const Sample& sample : samples) search(sample);
+    for (const Sample& sample : samples) streams_.search_trees(sample);
     if (bound.latest() < until) return;
     bound.begin(earliest);
   }

@@ -30,7 +30,6 @@ class StepLengthSearch {
   bool begin(StepLengthQuery& asked, Statistics& statistics);
   void refit_residuals(StepLengthQuery& asked);
   void search_trees(StepLengthQuery& asked);
-  void search(const Sample& sample);
   bool meets_many(const Sample& sample) const;
   void search_short_steps(Bound& bound, const Samples& samples);
 

@@ -73,24 +73,21 @@ void add_stages(const Workload& work, PairKind kind) {
   };
   const auto scratch = std::make_shared<Scratch>();
   const PairKernels& k = work.kernels().of(kind);
-  const PackedVertex* vertices = work.motion().vertices.data();
-  const BoxVertex* box_vertices = work.motion().box_vertices.data();
-  const BoxSeparation separation = work.motion().box_separation();
+  const MotionView motion = work.motion().view();
   const auto slab = k.slab;
   const auto filter = k.filter;
   const auto solve = k.solve;
   const StageInputs& inputs = work.inputs(kind);
   add_stage(work, "slab_" + name(kind), inputs.slab, [=](const PairBuffer& in) {
     scratch->out.count = 0;
-    slab(box_vertices, separation, in, scratch->out);
+    slab(motion, in, scratch->out);
   });
   add_stage(work, "dnf_ncf_" + name(kind), inputs.filter, [=](const PairBuffer& in) {
     scratch->out.count = 0;
-    filter(vertices, in, scratch->out);
+    filter(motion, in, scratch->out);
   });
-  add_stage(work, "solve_in_lanes_" + name(kind), inputs.solve, [=](const PairBuffer& in) {
-    benchmark::DoNotOptimize(solve(vertices, in, scratch->rest, scratch->solved));
-  });
+  add_stage(work, "solve_in_lanes_" + name(kind), inputs.solve,
+            [=](const PairBuffer& in) { benchmark::DoNotOptimize(solve(motion, in, scratch->rest, scratch->solved)); });
 }
 
 void add_filters(const Workload& work, PairKind kind) {

@@ -47,8 +47,8 @@ StageInputs Workload::inputs_of(PairKind kind) const {
   auto slab = std::make_unique<PairBuffer>(), filtered = std::make_unique<PairBuffer>();
   search(kind, [&](PairBuffer& pairs) {
     slab->count = filtered->count = 0;
-    kernels_.of(kind).slab(motion_.box_vertices.data(), motion_.box_separation(), pairs, *slab);
-    kernels_.of(kind).filter(motion_.vertices.data(), *slab, *filtered);
+    kernels_.of(kind).slab(motion_.view(), pairs, *slab);
+    kernels_.of(kind).filter(motion_.view(), *slab, *filtered);
     keep(inputs.slab, pairs);
     keep(inputs.filter, *slab);
     keep(inputs.solve, *filtered);

@@ -58,17 +58,18 @@ struct BoxFrame {
 };
 
 /// The separation of a pair: a fixed distance, and if there are any the radii that stand beside the vertices.
+template <class T>
 struct PairSeparation {
-  double fixed = 0;
+  T fixed = 0;
   bool has_radii = false;
-
-  bool any() const { return fixed > 0 || has_radii; }
 };
 
-/// The same in the frame of the boxes, with what rounding the vertices to floats may hide: the margins of two boxes.
-struct BoxSeparation {
-  float fixed;
-  bool has_radii;
+/// A motion as the kernels see it: in doubles, and in the frame of the boxes.
+struct MotionView {
+  const PackedVertex* vertices;
+  PairSeparation<double> separation = {};
+  const BoxVertex* box_vertices = nullptr;
+  PairSeparation<float> box_separation = {};  ///< with what rounding may hide: the margins of two boxes
 };
 
 struct PackedMotion {
@@ -85,9 +86,10 @@ struct PackedMotion {
   bool assign(const Step& step, std::span<const Index> used, const Separations& separations);
   /// Computes the residuals of the vertices `used`, what is left of their displacements beside `shared`.
   void assign_residuals(std::span<const Index> used, const SharedMotion& shared);
-  /// What the kernels need of the separations.
-  PairSeparation pair_separation() const { return {separations.fixed, !separations.radii.empty()}; }
-  BoxSeparation box_separation() const { return {2 * frame.margin, !separations.radii.empty()}; }
+  MotionView view() const {
+    const bool has_radii = !separations.radii.empty();
+    return {vertices.data(), {separations.fixed, has_radii}, box_vertices.data(), {2 * frame.margin, has_radii}};
+  }
   std::uint64_t memory_bytes() const { return held_bytes(vertices, box_vertices, residuals); }
 };
 

@@ -29,8 +29,15 @@ inline unsigned finite_lanes(const PairMotion<DoubleLanes>& m) {
 template <PairKind kind, class Vertices, class Sink>
 class AdvanceLanes {
  public:
-  AdvanceLanes(Vertices vertices, const WithinRule& rule, WithinScratch& scratch, Sink& sink)
-      : vertices_(vertices), rule_(rule), moving_(scratch.moving), touching_(scratch.touching), sink_(sink) {}
+  /// Contacts that begin after `latest` are none.
+  AdvanceLanes(Vertices vertices, const PairSeparation<double>& separation, double latest, WithinScratch& scratch,
+               Sink& sink)
+      : vertices_(vertices),
+        separation_(separation),
+        latest_(latest),
+        moving_(scratch.moving),
+        touching_(scratch.touching),
+        sink_(sink) {}
 
   void run(const PairBuffer& in) {
     moving_.pairs.count = touching_.pairs.count = 0;
@@ -46,7 +53,7 @@ class AdvanceLanes {
   static constexpr int kMaxProbes = 24;
 
   PairMotion<Lanes> load(const PairBuffer& pairs, int first) const {
-    return load_motion<kind>(vertices_, pairs, first, rule_.separation);
+    return load_motion<kind>(vertices_, pairs, first, separation_);
   }
 
   void start(const PairBuffer& in, int first) {
@@ -55,7 +62,7 @@ class AdvanceLanes {
     unsigned fit = all & finite_lanes(m);
     if constexpr (can_cross(kind)) fit &= bits(m.separation > Lanes(0));  // no separation, or one that underflows
     const auto clip = SlabClip::clip<kind>(m, TimeInterval<Lanes>{Lanes(0), Lanes(1)});
-    const unsigned free = fit & bits((clip.t_in > clip.t_out) | (clip.t_in > Lanes(rule_.latest)));
+    const unsigned free = fit & bits((clip.t_in > clip.t_out) | (clip.t_in > Lanes(latest_)));
     std::int32_t places[kDoubleLanes];
     for (int i = 0; i < kDoubleLanes; ++i) places[i] = first + i;
     for_each_bit(all & ~fit, [&](int i) { sink_.undecided(places[i]); });
@@ -90,7 +97,7 @@ class AdvanceLanes {
     next.advance(is_apart, proof);
     next.retry_later(!is_apart, proof);
     const unsigned apart = lanes & bits(is_apart), undecided = lanes & ~apart & bits(now >= end);
-    const unsigned free = apart & bits((next.now > end) | (next.now > Lanes(rule_.latest)));
+    const unsigned free = apart & bits((next.now > end) | (next.now > Lanes(latest_)));
     const unsigned goes_on = apart & ~free & bits(next.ahead == Lanes(0));
     for_each_bit(undecided, [&](int i) { sink_.undecided(places[i]); });
     for_each_bit(free, [&](int i) { sink_.free(places[i]); });
@@ -121,7 +128,7 @@ class AdvanceLanes {
     const Lanes upper = Lanes::load_unaligned(touching_.until + first);
     const auto m = load(touching_.pairs, first);
     const auto place = direction_apart<kind>(m, lower);
-    const unsigned late = lanes & bits(lower > Lanes(rule_.latest));
+    const unsigned late = lanes & bits(lower > Lanes(latest_));
     const SeparationProbe<kind, Lanes> separation(m);
     const auto touches = separation.touches(separation.distance_at(upper));
     const unsigned decided = lanes & ~late & bits(touches & is_sharp(lower, upper));
@@ -135,7 +142,8 @@ class AdvanceLanes {
   }
 
   const Vertices vertices_;
-  const WithinRule& rule_;
+  const PairSeparation<double> separation_;
+  const double latest_;
   AdvanceBuffer &moving_, &touching_;
   Sink& sink_;
 };

@@ -16,21 +16,21 @@ constexpr int corners_of(Course course) { return course == Course::along_edge ? 
 
 /// In floats: the times need not be sharp here, and twice as many pairs fit.
 template <PairKind kind, Course course = Course::step>
-void slab(const BoxVertex* vertices, const BoxSeparation& separation, const PairBuffer& in, PairBuffer& out) {
+void slab(const MotionView& motion, const PairBuffer& in, PairBuffer& out) {
   for (int first = 0; first < in.count; first += kFloatLanes) {
-    const auto time = SlabClip::clip<kind>(load_box_motion<kind, course>(vertices, in, first, separation),
-                                           load_time<FloatLanes>(in, first));
+    const auto time =
+        SlabClip::clip<kind>(load_box_motion<kind, course>(motion, in, first), load_time<FloatLanes>(in, first));
     const unsigned left = bits(time.t_in <= time.t_out) & lanes_in_use(in, first, kFloatLanes);
     out.count += store_pairs<corners_of(course)>(left, in, first, time, out, out.count);
   }
 }
 
 template <PairKind kind, Course course = Course::step>
-int filter(const PackedVertex* vertices, const PairBuffer& in, PairBuffer& out) {
+int filter(const MotionView& motion, const PairBuffer& in, PairBuffer& out) {
   int ncf_count = 0;
   for (int first = 0; first < in.count; first += kDoubleLanes) {
     const auto time = load_time<DoubleLanes>(in, first);
-    const auto m = restrict_to(load_motion<kind, course>(vertices, in, first), time.t_in, time.t_out);
+    const auto m = restrict_to(load_motion<kind, course>(motion.vertices, in, first), time.t_in, time.t_out);
     unsigned left = lanes_in_use(in, first) & ~bits(Dnf::proves_free<kind>(m));
     if (!left) continue;
     ncf_count += __builtin_popcount(left);
@@ -41,10 +41,10 @@ int filter(const PackedVertex* vertices, const PairBuffer& in, PairBuffer& out) 
 }
 
 template <PairKind kind>
-void filter_deviating(const PackedVertex* vertices, double deviation, const PairBuffer& in, PairBuffer& out) {
+void filter_deviating(const MotionView& motion, double deviation, const PairBuffer& in, PairBuffer& out) {
   for (int first = 0; first < in.count; first += kDoubleLanes) {
     const auto time = load_time<DoubleLanes>(in, first);
-    const auto whole = load_motion<kind>(vertices, in, first, {deviation, false});  // scaled as the motion is
+    const auto whole = load_motion<kind>(motion.vertices, in, first, {deviation, false});  // scaled as the motion is
     const auto m = restrict_to(whole, time.t_in, time.t_out);
     const auto free = Dnf::proves_free_though_deviating<kind>(m, whole.separation);
     for_each_bit(lanes_in_use(in, first) & ~bits(free), [&](int lane) { copy_pair(in, first + lane, out); });
@@ -63,12 +63,12 @@ inline int write_solved(const Crossing<DoubleLanes>& crossing, const TimeInterva
 
 /// One crossing first; pairs that it leaves undecided go to `rest`, and are searched in two halves of their time.
 template <PairKind kind, Course course = Course::step>
-int solve(const PackedVertex* vertices, const PairBuffer& in, PairBuffer& rest, SolvedPair* out) {
+int solve(const MotionView& motion, const PairBuffer& in, PairBuffer& rest, SolvedPair* out) {
   std::int32_t pairs[kDoubleLanes], rest_pairs[PairBuffer::kSize];
   int count = 0;
   rest.count = 0;
   const auto make = [&](int first) {
-    return CrossingBatch{first, lanes_in_use(in, first), load_motion<kind, course>(vertices, in, first),
+    return CrossingBatch{first, lanes_in_use(in, first), load_motion<kind, course>(motion.vertices, in, first),
                          load_time<DoubleLanes>(in, first)};
   };
   for_each_crossing<kind>(in.count, make, [&](const CrossingBatch& batch, const Crossing<DoubleLanes>& c) {
@@ -82,7 +82,7 @@ int solve(const PackedVertex* vertices, const PairBuffer& in, PairBuffer& rest, 
   });
   for (int first = 0; first < rest.count; first += kDoubleLanes) {
     const auto part = load_time<DoubleLanes>(rest, first);
-    const auto c = find_crossing_in_halves<kind>(load_motion<kind, course>(vertices, rest, first), part);
+    const auto c = find_crossing_in_halves<kind>(load_motion<kind, course>(motion.vertices, rest, first), part);
     const unsigned left = lanes_in_use(rest, first) & ~bits(c.is_free);
     if (left) count = write_solved(c, part, left, rest_pairs + first, out, count);
   }

@@ -46,8 +46,9 @@ class ListDecision {
   int run(const PairBuffer& in) {
     if constexpr (can_cross(kind))
       if (list_.min_separation == 0) return find_crossings(in);
-    const WithinRule rule{{list_.min_separation, false}, list_.latest};
-    AdvanceLanes<kind, StepRows, ListDecision>(list_.vertices, rule, *list_.within, *this).run(in);
+    AdvanceLanes<kind, StepRows, ListDecision>(list_.vertices, {list_.min_separation, false}, list_.latest,
+                                               *list_.within, *this)
+        .run(in);
     return undecided_count_;
   }
 

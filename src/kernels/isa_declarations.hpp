@@ -8,9 +8,8 @@ template <PairKind kind>
 int decide_list(const ListedPairs& list, const PairBuffer& in, PairBuffer& rest, PairResult* results,
                 std::int32_t* undecided);
 template <PairKind kind>
-void cull_apart(const BoxVertex* vertices, const BoxSeparation& separation, PairBuffer& pairs, PairBuffer& out);
+void cull_apart(const MotionView& motion, PairBuffer& pairs, PairBuffer& out);
 template <PairKind kind>
-int come_within(const PackedVertex* vertices, const WithinRule& rule, const PairBuffer& in, WithinScratch& scratch,
-                SolvedPair* out);
+int come_within(const MotionView& motion, double latest, const PairBuffer& in, WithinScratch& scratch, SolvedPair* out);
 
 }  // namespace tamis::TAMIS_ISA

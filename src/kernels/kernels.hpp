@@ -47,12 +47,6 @@ struct AdvanceBuffer {
   double until[PairBuffer::kSize];
 };
 
-/// Which contacts are asked for.
-struct WithinRule {
-  PairSeparation separation;
-  double latest;  ///< none that begins later
-};
-
 /// Scratch of the kernels that decide pairs within a separation.
 struct WithinScratch {
   AdvanceBuffer moving, touching;
@@ -75,14 +69,6 @@ struct KeepRule {
   float t_limit;          ///< rounded up; may exceed 1
   float spread;           ///< of the residuals of all features: how much they differ, summed over the axes
   ClearanceBounds clearance;
-};
-
-/// The vertices of a step and the separations of its pairs, in floats and in doubles.
-struct KeepVertices {
-  const BoxVertex* in_boxes;
-  BoxSeparation box_separation;
-  const PackedVertex* exact;
-  PairSeparation separation;
 };
 
 /// One thread's search over one pair of trees.
@@ -131,32 +117,28 @@ struct PairKernels {
   SearchKernel search_step_ends = nullptr;
   /// Culls pairs that cannot end the step by the rule between t=0 and their t_out; the others go to `out`. `pairs` is
   /// overwritten. For kinds that can cross.
-  void (*may_end_step)(const KeepVertices& vertices, const KeepRule& rule, PairBuffer& pairs,
-                       PairBuffer& out) = nullptr;
-  /// Slab clip: culls pairs that stay farther apart than `separation`. The others go to `out`, with the times left.
-  void (*slab)(const BoxVertex* vertices, const BoxSeparation& separation, const PairBuffer& in,
-               PairBuffer& out) = nullptr;
+  void (*may_end_step)(const MotionView& motion, const KeepRule& rule, PairBuffer& pairs, PairBuffer& out) = nullptr;
+  /// Slab clip: culls pairs that stay farther apart than their separation. The others go to `out`, with the times left.
+  void (*slab)(const MotionView& motion, const PairBuffer& in, PairBuffer& out) = nullptr;
   /// DNF, then NCF, on each pair's times. Returns how many pairs DNF left to NCF. For kinds that can cross, as the next
   /// two.
-  int (*filter)(const PackedVertex* vertices, const PairBuffer& in, PairBuffer& out) = nullptr;
+  int (*filter)(const MotionView& motion, const PairBuffer& in, PairBuffer& out) = nullptr;
   /// DNF for deviating motions: culls pairs that cannot touch while no vertex is farther than `deviation`, along any
   /// axis, from where it is here.
-  void (*filter_deviating)(const PackedVertex* vertices, double deviation, const PairBuffer& in,
-                           PairBuffer& out) = nullptr;
+  void (*filter_deviating)(const MotionView& motion, double deviation, const PairBuffer& in, PairBuffer& out) = nullptr;
   /// Roots and inside test. Writes the pairs that touch or are undecided, returns their number; `rest` is scratch.
-  int (*solve)(const PackedVertex* vertices, const PairBuffer& in, PairBuffer& rest, SolvedPair* out) = nullptr;
+  int (*solve)(const MotionView& motion, const PairBuffer& in, PairBuffer& rest, SolvedPair* out) = nullptr;
   /// Culls pairs that one axis which turns with them, or four, prove farther apart than their separation during their
   /// times. `pairs` is overwritten.
-  void (*cull_apart)(const BoxVertex* vertices, const BoxSeparation& separation, PairBuffer& pairs,
-                     PairBuffer& out) = nullptr;
+  void (*cull_apart)(const MotionView& motion, PairBuffer& pairs, PairBuffer& out) = nullptr;
   /// When do pairs come within their separation? Asked of the whole step, with the bits of decide(). Writes the pairs
-  /// that do, and those left undecided; returns their number.
-  int (*come_within)(const PackedVertex* vertices, const WithinRule& rule, const PairBuffer& in, WithinScratch& scratch,
+  /// that do, but none that does after `latest`, and those left undecided; returns their number.
+  int (*come_within)(const MotionView& motion, double latest, const PairBuffer& in, WithinScratch& scratch,
                      SolvedPair* out) = nullptr;
   /// At rest: appends the pairs within their separation to `near`, and to `unsure` those that may be, whose distance
   /// doubles do not give sharply enough.
-  void (*find_within_at_rest)(const PackedVertex* vertices, const PairSeparation& separation, const PairBuffer& in,
-                              PairBuffer& near, PairBuffer& unsure) = nullptr;
+  void (*find_within_at_rest)(const MotionView& motion, const PairBuffer& in, PairBuffer& near,
+                              PairBuffer& unsure) = nullptr;
   /// At rest: writes a NearPair for each pair of the buffer; the distance is NaN where doubles do not give it sharply
   /// enough.
   void (*measure)(const PackedVertex* vertices, const PairBuffer& in, NearPair* out) = nullptr;

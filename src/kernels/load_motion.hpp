@@ -23,7 +23,7 @@ inline Moving<DoubleLanes> scaled(const DoubleLanes& s, const Moving<DoubleLanes
 /// In the unit of the vertices; the same sum as Separations::between.
 template <PairKind kind>
 inline DoubleLanes load_separation(const PackedVertex* vertices, const PairBuffer& pairs, int first,
-                                   const PairSeparation& separation) {
+                                   const PairSeparation<double>& separation) {
   const DoubleLanes fixed(separation.fixed);
   if (!separation.has_radii) return fixed;
   double radii[2][kDoubleLanes] = {};
@@ -36,7 +36,7 @@ inline DoubleLanes load_separation(const PackedVertex* vertices, const PairBuffe
 }
 
 template <PairKind>
-inline DoubleLanes load_separation(const StepRows&, const PairBuffer&, int, const PairSeparation& separation) {
+inline DoubleLanes load_separation(const StepRows&, const PairBuffer&, int, const PairSeparation<double>& separation) {
   return DoubleLanes(separation.fixed);
 }
 
@@ -44,7 +44,7 @@ inline DoubleLanes load_separation(const StepRows&, const PairBuffer&, int, cons
 /// in the unit of the vertices.
 template <PairKind kind, Course course = Course::step, class Vertices>
 inline PairMotion<DoubleLanes> load_motion(Vertices vertices, const PairBuffer& pairs, int first,
-                                           const PairSeparation& separation = {}) {
+                                           const PairSeparation<double>& separation = {}) {
   const auto at0 = load_vertices_at<kind>(vertices, false, pairs, first);
   auto at1 = at0;
   if constexpr (course == Course::step)
@@ -76,11 +76,10 @@ inline Moving<FloatLanes> to_float(const Moving<DoubleLanes>& low, const Moving<
 
 /// Twice as many pairs, rounded to float: the rounding is within the kInput of float lanes.
 template <PairKind kind>
-inline PairMotion<FloatLanes> load_motion_as_float(const PackedVertex* vertices, const PairBuffer& pairs, int first,
-                                                   const PairSeparation& separation) {
+inline PairMotion<FloatLanes> load_motion_as_float(const MotionView& view, const PairBuffer& pairs, int first) {
   static_assert(kFloatLanes == 2 * kDoubleLanes);
-  const auto low = load_motion<kind>(vertices, pairs, first, separation);
-  const auto high = load_motion<kind>(vertices, pairs, first + kDoubleLanes, separation);
+  const auto low = load_motion<kind>(view.vertices, pairs, first, view.separation);
+  const auto high = load_motion<kind>(view.vertices, pairs, first + kDoubleLanes, view.separation);
   return {to_float(low.e, high.e),
           to_float(low.f, high.f),
           to_float(low.d, high.d),
@@ -93,26 +92,25 @@ inline PairMotion<FloatLanes> load_motion_as_float(const PackedVertex* vertices,
 /// As many pairs as there are lanes of floats, from the floats that boxes are made of; what rounding the vertices to
 /// these may hide is in the separation.
 template <PairKind kind, Course course = Course::step>
-inline PairMotion<FloatLanes> load_box_motion(const BoxVertex* vertices, const PairBuffer& pairs, int first,
-                                              const BoxSeparation& separation) {
+inline PairMotion<FloatLanes> load_box_motion(const MotionView& view, const PairBuffer& pairs, int first) {
   Moving<FloatLanes> at[vertex_count(kind)];
   FloatLanes radius[vertex_count(kind)];
   for (std::size_t corner = 0; corner < vertex_count(kind); ++corner) {
     FloatLanes columns[BoxVertex::kRadius + 1];
-    load_columns(&vertices->at, pairs.corner[corner] + first, columns);
+    load_columns(&view.box_vertices->at, pairs.corner[corner] + first, columns);
     at[corner] = {{columns[0], columns[1], columns[2]}, {columns[3], columns[4], columns[5]}};
     radius[corner] = columns[BoxVertex::kRadius];
   }
   if constexpr (course == Course::along_edge) {
     FloatLanes columns[BoxVertex::kRadius + 1];
-    load_columns(&vertices->at, pairs.corner[4] + first, columns);
+    load_columns(&view.box_vertices->at, pairs.corner[4] + first, columns);
     at[0].at1 = {columns[0], columns[1], columns[2]};
   }
   const auto moving = [&](VertexDifference v) { return at[v.to] - at[v.from]; };
   constexpr SpanningVectors kVectors = spanning_vectors(kind);
   const auto e = moving(kVectors.e), f = moving(kVectors.f), d = moving(kVectors.d);
-  PairMotion<FloatLanes> motion{e, f, d, largest(e), largest(f), largest(d), FloatLanes(separation.fixed)};
-  if (separation.has_radii) {
+  PairMotion<FloatLanes> motion{e, f, d, largest(e), largest(f), largest(d), FloatLanes(view.box_separation.fixed)};
+  if (view.box_separation.has_radii) {
     FloatLanes of_feature[2] = {radius[0], radius[second_feature(kind)]};
     for (std::size_t corner = 1; corner < vertex_count(kind); ++corner) {
       FloatLanes& largest_radius = of_feature[corner < second_feature(kind) ? 0 : 1];

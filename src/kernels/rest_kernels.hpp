@@ -14,7 +14,7 @@ struct LoadedPoses {
 
 template <PairKind kind>
 inline LoadedPoses load_pose(const PackedVertex* vertices, const PairBuffer& pairs, int first,
-                             const PairSeparation& separation) {
+                             const PairSeparation<double>& separation) {
   const auto at = load_vertices_at<kind>(vertices, false, pairs, first);
   constexpr SpanningVectors kVectors = spanning_vectors(kind);
   const auto e = difference(at, kVectors.e), f = difference(at, kVectors.f), d = difference(at, kVectors.d);
@@ -27,8 +27,7 @@ inline LoadedPoses load_pose(const PackedVertex* vertices, const PairBuffer& pai
 /// Pairs within their separation, or by less than doubles can tell beyond it, go to `near`; those whose
 /// distance doubles do not know well enough go to `unsure` if they may be.
 template <PairKind kind>
-void find_within_at_rest(const PackedVertex* vertices, const PairSeparation& separation, const PairBuffer& in,
-                         PairBuffer& near, PairBuffer& unsure) {
+void find_within_at_rest(const MotionView& motion, const PairBuffer& in, PairBuffer& near, PairBuffer& unsure) {
   const auto append = [&](int first, unsigned lanes, PairBuffer& to) {
     store_corners(lanes, in, first, to, to.count);
     to.count += __builtin_popcount(lanes);
@@ -36,7 +35,7 @@ void find_within_at_rest(const PackedVertex* vertices, const PairSeparation& sep
   for (int first = 0; first < in.count; first += kFloatLanes) {
     unsigned far = 0, sharp = 0;
     for (int lane = 0; lane < kFloatLanes; lane += kDoubleLanes) {
-      const LoadedPoses poses = load_pose<kind>(vertices, in, first + lane, separation);
+      const LoadedPoses poses = load_pose<kind>(motion.vertices, in, first + lane, motion.separation);
       far |= bits(poses.rest.low > poses.separation) << lane;
       sharp |= bits(poses.rest.is_sharp()) << lane;
     }

@@ -9,11 +9,10 @@ namespace tamis::TAMIS_ISA {
 
 /// The first test of may_end_step(), on the floats of the boxes: half the memory to read for most of the pairs.
 template <PairKind kind>
-void leave_out_kept(const BoxVertex* vertices, const BoxSeparation& separation, const KeepRule& rule,
-                    PairBuffer& pairs) {
+void leave_out_kept(const MotionView& motion, const KeepRule& rule, PairBuffer& pairs) {
   int count = 0;
   for (int first = 0; first < pairs.count; first += kFloatLanes) {
-    const auto m = load_box_motion<kind>(vertices, pairs, first, separation);
+    const auto m = load_box_motion<kind>(motion, pairs, first);
     const KeptGap<kind, FloatLanes> gap(m, FloatLanes(rule.fraction), FloatLanes(BoxFrame::kBlur));
     const auto time = load_time<FloatLanes>(pairs, first);
     const unsigned left = lanes_in_use(pairs, first, kFloatLanes) & ~bits(gap.is_kept(min(time.t_out, FloatLanes(1))));
@@ -24,10 +23,10 @@ void leave_out_kept(const BoxVertex* vertices, const BoxSeparation& separation, 
 
 /// Turning axes come first, although they cost most: they leave few of the pairs.
 template <PairKind kind>
-void may_end_step(const KeepVertices& vertices, const KeepRule& rule, PairBuffer& in, PairBuffer& out) {
-  leave_out_kept<kind>(vertices.in_boxes, vertices.box_separation, rule, in);
+void may_end_step(const MotionView& motion, const KeepRule& rule, PairBuffer& in, PairBuffer& out) {
+  leave_out_kept<kind>(motion, rule, in);
   for (int first = 0; first < in.count; first += kFloatLanes) {
-    const auto m = load_motion_as_float<kind>(vertices.exact, in, first, vertices.separation);
+    const auto m = load_motion_as_float<kind>(motion, in, first);
     const KeptGap<kind, FloatLanes> gap(m, FloatLanes(rule.fraction));
     const FloatLanes until = min(FloatLanes::load_unaligned(in.t_out + first), FloatLanes(1.0f));
     unsigned left = lanes_in_use(in, first, kFloatLanes) & ~bits(gap.is_kept(until));

@@ -10,11 +10,10 @@ namespace {
 /// In floats: what is culled need not be culled sharply, and twice as many pairs fit. Returns the number of pairs that
 /// are left, in `out`, which may be `in`.
 template <PairKind kind>
-int cull_in_parts(int parts, const BoxVertex* vertices, const BoxSeparation& separation, const PairBuffer& in,
-                  PairBuffer& out) {
+int cull_in_parts(int parts, const MotionView& motion, const PairBuffer& in, PairBuffer& out) {
   int count = 0;
   for (int first = 0; first < in.count; first += kFloatLanes) {
-    const auto m = load_box_motion<kind>(vertices, in, first, separation);
+    const auto m = load_box_motion<kind>(motion, in, first);
     const auto time = load_time<FloatLanes>(in, first);
     const TimeInterval<FloatLanes> of_step{time.t_in, min(time.t_out, FloatLanes(1))};
     const unsigned left =
@@ -39,23 +38,23 @@ struct SolvedSink {
 }  // namespace
 
 template <PairKind kind>
-void cull_apart(const BoxVertex* vertices, const BoxSeparation& separation, PairBuffer& pairs, PairBuffer& out) {
-  pairs.count = cull_in_parts<kind>(1, vertices, separation, pairs, pairs);
-  out.count = cull_in_parts<kind>(kTurningGapParts, vertices, separation, pairs, out);
+void cull_apart(const MotionView& motion, PairBuffer& pairs, PairBuffer& out) {
+  pairs.count = cull_in_parts<kind>(1, motion, pairs, pairs);
+  out.count = cull_in_parts<kind>(kTurningGapParts, motion, pairs, out);
 }
 
 template <PairKind kind>
-int come_within(const PackedVertex* vertices, const WithinRule& rule, const PairBuffer& in, WithinScratch& scratch,
+int come_within(const MotionView& motion, double latest, const PairBuffer& in, WithinScratch& scratch,
                 SolvedPair* out) {
   SolvedSink sink{out};
-  AdvanceLanes<kind, const PackedVertex*, SolvedSink>(vertices, rule, scratch, sink).run(in);
+  AdvanceLanes<kind, const PackedVertex*, SolvedSink>(motion.vertices, motion.separation, latest, scratch, sink)
+      .run(in);
   return sink.count;
 }
 
-#define TAMIS_WITHIN(kind)                                                                                            \
-  template void cull_apart<PairKind::kind>(const BoxVertex*, const BoxSeparation&, PairBuffer&, PairBuffer&);         \
-  template int come_within<PairKind::kind>(const PackedVertex*, const WithinRule&, const PairBuffer&, WithinScratch&, \
-                                           SolvedPair*);
+#define TAMIS_WITHIN(kind)                                                               \
+  template void cull_apart<PairKind::kind>(const MotionView&, PairBuffer&, PairBuffer&); \
+  template int come_within<PairKind::kind>(const MotionView&, double, const PairBuffer&, WithinScratch&, SolvedPair*);
 TAMIS_WITHIN(vertex_face)
 TAMIS_WITHIN(edge_edge)
 TAMIS_WITHIN(vertex_edge)

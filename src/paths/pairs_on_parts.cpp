@@ -124,8 +124,8 @@ void PairsOnParts::test(PairKind kind, std::span<const std::int32_t> pairs) {
     const PairVertices& vertices = piece_->pairs[at(pairs[at(i)])].vertices;
     for (std::size_t c = 0; c < vertex_count(kind); ++c) buffer.corner[c][i] = place_[at(vertices[c])];
   }
-  const WithinRule rule{{piece_->separations.fixed, true}, 1};
-  const int left = kernels_.of(kind).come_within(vertices_.data(), rule, buffer, scratch.within, scratch.solved.data());
+  const MotionView motion{vertices_.data(), {piece_->separations.fixed, true}};
+  const int left = kernels_.of(kind).come_within(motion, 1, buffer, scratch.within, scratch.solved.data());
   for (int i = 0; i < left; ++i) may_touch_[at(pairs[at(scratch.solved[at(i)].pair)])] = true;
 }
 

@@ -14,15 +14,15 @@ void CandidateConsumer::begin(CandidateQuery& shared) {
 /// proves no distance.
 void CandidateConsumer::consume(PairKind kind) {
   PairBuffer &boxes = thread().boxes, &clipped = thread().clipped, &filtered = thread().filtered;
-  const PackedMotion& motion = thread().motion;
+  const MotionView motion = thread().motion.view();
   const PairKernels& stages = thread().kernels.of(kind);
   leave_out_groups(query().filter, kind, boxes);
   clipped.count = filtered.count = 0;
-  stages.slab(motion.box_vertices.data(), motion.box_separation(), boxes, clipped);
+  stages.slab(motion, boxes, clipped);
   if (can_cross(kind) && !query().separations.any())
-    stages.filter_deviating(motion.vertices.data(), shared_->deviation, clipped, filtered);
+    stages.filter_deviating(motion, shared_->deviation, clipped, filtered);
   else
-    stages.cull_apart(motion.box_vertices.data(), motion.box_separation(), clipped, filtered);
+    stages.cull_apart(motion, clipped, filtered);
   SearchCounts& counts = thread().counts;
   of(counts.boxes, kind) += static_cast<std::uint64_t>(boxes.count);
   of(counts.apart, kind) += static_cast<std::uint64_t>(clipped.count);

@@ -17,18 +17,16 @@ void ProximityConsumer::begin(const Query& query) {
 }
 
 void ProximityConsumer::consume(PairKind kind) {
-  const PackedMotion& motion = thread().motion;
   SearchCounts& counts = thread().counts;
   PairBuffer &boxes = thread().boxes, &within = thread().clipped, &unsure = thread().filtered;
   of(counts.boxes, kind) += static_cast<std::uint64_t>(boxes.count);
   within.count = unsure.count = 0;
-  thread().kernels.of(kind).find_within_at_rest(motion.vertices.data(), motion.pair_separation(), boxes, within,
-                                                unsure);
+  thread().kernels.of(kind).find_within_at_rest(thread().motion.view(), boxes, within, unsure);
   counts.decided_by.lanes += static_cast<std::uint64_t>(boxes.count - unsure.count);
   keep_wanted(unsure, [&](int i) {
     stop_if_cancelled(query());
     const PairVertices v = vertices_of(kind, unsure, i);
-    return may_start_within(kind, points_of(query().step, v), motion.separations.between(kind, v), counts.decided_by);
+    return may_start_within(kind, points_of(query().step, v), query().separations.between(kind, v), counts.decided_by);
   });
   keep(kind, within);
   keep(kind, unsure);

@@ -25,7 +25,7 @@ class ProximityConsumer final : public PairStream {
   void describe(PairKind kind, std::span<const PairVertices> pairs, NearPair* out);
 
   SearchKernel kernel(PairKind kind) const override { return thread().kernels.of(kind).search_at_rest; }
-  void set_limits(Search& search) const override { search.widened = thread().motion.box_separation().fixed; }
+  void set_limits(Search& search) const override { search.widened = thread().motion.view().box_separation.fixed; }
   void consume(PairKind kind) override;
   std::uint64_t memory_bytes() const { return held_bytes(found_); }
 

@@ -9,36 +9,34 @@ void clip(SearchThread& thread, PairKind kind, const PairKernels& stages) {
   of(thread.counts.boxes, kind) += entered;
   of(thread.counts.slab, kind) += entered;
   thread.clipped.count = thread.filtered.count = 0;
-  stages.slab(thread.motion.box_vertices.data(), thread.motion.box_separation(), thread.boxes, thread.clipped);
+  stages.slab(thread.motion.view(), thread.boxes, thread.clipped);
 }
 
 }  // namespace
 
 void filter_crossings(SearchThread& thread, PairKind kind, const PairKernels& stages) {
   clip(thread, kind, stages);
-  const PackedVertex* vertices = thread.motion.vertices.data();
   of(thread.counts.dnf, kind) += static_cast<std::uint64_t>(thread.clipped.count);
-  of(thread.counts.ncf, kind) += static_cast<std::uint64_t>(stages.filter(vertices, thread.clipped, thread.filtered));
+  of(thread.counts.ncf, kind) +=
+      static_cast<std::uint64_t>(stages.filter(thread.motion.view(), thread.clipped, thread.filtered));
   of(thread.counts.solve, kind) += static_cast<std::uint64_t>(thread.filtered.count);
   thread.counts.filter += thread.watch.lap();
 }
 
 int decide_crossings(SearchThread& thread, PairKind kind, const PairKernels& stages) {
   filter_crossings(thread, kind, stages);
-  return stages.solve(thread.motion.vertices.data(), thread.filtered, thread.clipped, thread.solved_scratch());
+  return stages.solve(thread.motion.view(), thread.filtered, thread.clipped, thread.solved_scratch());
 }
 
 int decide_within_separation(SearchThread& thread, PairKind kind, double latest) {
   const PairKernels& stages = thread.kernels.of(kind);
-  const PackedMotion& motion = thread.motion;
+  const MotionView motion = thread.motion.view();
   clip(thread, kind, stages);
   of(thread.counts.apart, kind) += static_cast<std::uint64_t>(thread.clipped.count);
-  stages.cull_apart(motion.box_vertices.data(), motion.box_separation(), thread.clipped, thread.filtered);
+  stages.cull_apart(motion, thread.clipped, thread.filtered);
   of(thread.counts.solve, kind) += static_cast<std::uint64_t>(thread.filtered.count);
   thread.counts.filter += thread.watch.lap();
-  const WithinRule rule{motion.pair_separation(), latest};
-  return stages.come_within(motion.vertices.data(), rule, thread.filtered, thread.within_scratch(),
-                            thread.solved_scratch());
+  return stages.come_within(motion, latest, thread.filtered, thread.within_scratch(), thread.solved_scratch());
 }
 
 }  // namespace tamis

@@ -42,7 +42,6 @@ void StepLengthConsumer::begin(StepLengthQuery& shared) {
 }
 
 void StepLengthConsumer::consume(PairKind kind) {
-  const PackedMotion& motion = thread().motion;
   SearchCounts& counts = thread().counts;
   PairBuffer &boxes = thread().boxes, &near = thread().filtered;
   of(counts.boxes, kind) += static_cast<std::uint64_t>(boxes.count);
@@ -51,9 +50,7 @@ void StepLengthConsumer::consume(PairKind kind) {
   leave_out_groups(query().filter, kind, boxes);
   if (can_cross(kind)) {
     near.count = 0;
-    const KeepVertices vertices{motion.box_vertices.data(), motion.box_separation(), motion.vertices.data(),
-                                motion.pair_separation()};
-    thread().kernels.of(kind).may_end_step(vertices, shared_->rule(), boxes, near);
+    thread().kernels.of(kind).may_end_step(thread().motion.view(), shared_->rule(), boxes, near);
   }
   PairBuffer& left = can_cross(kind) ? near : boxes;  // loose points are few
   of(counts.near, kind) += static_cast<std::uint64_t>(left.count);

@@ -81,7 +81,7 @@ void find(Search& search, void (*kernel)(Search&, int), PairBuffer& pairs) {
 
 /// Pairs that the kernels leave after search, clip, filters and roots.
 std::array<int, 4> run(const Kernels& kernels, PairKind kind, const GuardedTree& a, const GuardedTree& b,
-                       const PackedVertex* vertices, const BoxVertex* box_vertices, Guard guard) {
+                       const MotionView& motion, Guard guard) {
   const auto empty = std::make_unique<PairBuffer>();
   const Guarded<PairBuffer> boxes({empty.get(), 1}, guard), slab({empty.get(), 1}, guard),
       filtered({empty.get(), 1}, guard);
@@ -89,10 +89,10 @@ std::array<int, 4> run(const Kernels& kernels, PairKind kind, const GuardedTree&
   const Guarded<SolvedPair> solved(none, guard);
   Search search{a.view(), b.view()};
   find(search, kernels.of(kind).search, *boxes.data());
-  kernels.of(kind).slab(box_vertices, {0x1p-22f, true}, *boxes.data(), *slab.data());
-  kernels.of(kind).filter(vertices, *slab.data(), *filtered.data());
+  kernels.of(kind).slab(motion, *boxes.data(), *slab.data());
+  kernels.of(kind).filter(motion, *slab.data(), *filtered.data());
   const int slab_count = slab.data()->count;
-  const int left = kernels.of(kind).solve(vertices, *filtered.data(), *slab.data(), solved.data());
+  const int left = kernels.of(kind).solve(motion, *filtered.data(), *slab.data(), solved.data());
   return {boxes.data()->count, slab_count, filtered.data()->count, left};
 }
 
@@ -108,14 +108,14 @@ int run_at_rest(const Kernels& kernels, PairKind kind, const GuardedTree& a, con
 
 /// The way of step lengths: pairs that the search leaves, and of these the ones that may end the step.
 std::array<int, 2> run_near(const Kernels& kernels, PairKind kind, const GuardedTree& a, const GuardedTree& b,
-                            const KeepVertices& vertices, Guard guard) {
+                            const MotionView& motion, Guard guard) {
   const auto empty = std::make_unique<PairBuffer>();
   const Guarded<PairBuffer> boxes({empty.get(), 1}, guard), near({empty.get(), 1}, guard);
   Search search{a.view(), b.view()};
   search.keep = {0.25f, 1.5f, 1.0f, 10.0f, {2.25f, 0, 0, 1}};
   find(search, kernels.of(kind).search_step_ends, *boxes.data());
   const int found = boxes.data()->count;
-  kernels.of(kind).may_end_step(vertices, search.keep, *boxes.data(), *near.data());
+  kernels.of(kind).may_end_step(motion, search.keep, *boxes.data(), *near.data());
   return {found, near.data()->count};
 }
 
@@ -144,19 +144,18 @@ void run_list(const Kernels& kernels, std::size_t kind, const PairBuffer& in, co
 }
 
 /// The way of pairs within a separation: all that the axes leave come to an answer or stay undecided.
-void run_within(const Kernels& kernels, std::size_t kind, const PairBuffer& pairs, const PackedVertex* vertices,
-                const BoxVertex* box_vertices, Guard guard) {
+void run_within(const Kernels& kernels, std::size_t kind, const PairBuffer& pairs, MotionView motion, Guard guard) {
   const auto empty = std::make_unique<PairBuffer>();
   const auto unused = std::make_unique<WithinScratch>();
   for (const float separation : {0x1p-20f, 0.5f}) {
     const Guarded<PairBuffer> in({&pairs, 1}, guard), left({empty.get(), 1}, guard);
     const Guarded<WithinScratch> scratch({unused.get(), 1}, guard);
     const Guarded<SolvedPair> solved(std::vector<SolvedPair>(PairBuffer::kCapacity), guard);
-    kernels.of_kind[kind].cull_apart(box_vertices, {separation, true}, *in.data(), *left.data());
+    motion.separation.fixed = motion.box_separation.fixed = separation;
+    kernels.of_kind[kind].cull_apart(motion, *in.data(), *left.data());
     EXPECT_LE(left.data()->count, in.data()->count) << kind;
     EXPECT_LE(in.data()->count, pairs.count) << kind;
-    const WithinRule rule{{separation, true}, 1};
-    const int count = kernels.of_kind[kind].come_within(vertices, rule, *left.data(), *scratch.data(), solved.data());
+    const int count = kernels.of_kind[kind].come_within(motion, 1, *left.data(), *scratch.data(), solved.data());
     EXPECT_LE(count, left.data()->count) << kind;
     const auto decided =
         std::count_if(solved.data(), solved.data() + count, [](const auto& s) { return s.is_decided; });
@@ -165,8 +164,7 @@ void run_within(const Kernels& kernels, std::size_t kind, const PairBuffer& pair
 }
 
 /// The clips of the kinds that cannot cross, and the distances at rest: of vertices of the soup, in any order.
-void run_other_kinds(const Kernels& kernels, const Soup& soup, const PackedVertex* vertices,
-                     const BoxVertex* box_vertices, Guard guard) {
+void run_other_kinds(const Kernels& kernels, const Soup& soup, MotionView motion, Guard guard) {
   const auto count = static_cast<int>(soup.start.size());
   const auto pairs = std::make_unique<PairBuffer>(), empty = std::make_unique<PairBuffer>();
   for (pairs->count = 0; pairs->count < count; ++pairs->count)
@@ -176,17 +174,19 @@ void run_other_kinds(const Kernels& kernels, const Soup& soup, const PackedVerte
   const Guarded<PairBuffer> in({pairs.get(), 1}, guard);
   for (const auto slab : {kernels.of(PairKind::vertex_edge).slab, kernels.of(PairKind::vertex_vertex).slab}) {
     const Guarded<PairBuffer> out({empty.get(), 1}, guard);
-    slab(box_vertices, {4, true}, *in.data(), *out.data());
+    motion.box_separation.fixed = 4;
+    slab(motion, *in.data(), *out.data());
     EXPECT_GT(out.data()->count, 0);
   }
   for (std::size_t kind = 0; kind < kPairKinds; ++kind) {
     const Guarded<PairBuffer> near({empty.get(), 1}, guard), unsure({empty.get(), 1}, guard);
-    kernels.of_kind[kind].find_within_at_rest(vertices, {8, true}, *in.data(), *near.data(), *unsure.data());
+    motion.separation.fixed = 8;
+    kernels.of_kind[kind].find_within_at_rest(motion, *in.data(), *near.data(), *unsure.data());
     EXPECT_EQ(near.data()->count + unsure.data()->count, count) << kind;
     const Guarded<NearPair> rest(std::vector<NearPair>(PairBuffer::kCapacity), guard);
-    kernels.of_kind[kind].measure(vertices, *in.data(), rest.data());
+    kernels.of_kind[kind].measure(motion.vertices, *in.data(), rest.data());
     run_list(kernels, kind, *in.data(), soup, guard);
-    run_within(kernels, kind, *in.data(), vertices, box_vertices, guard);
+    run_within(kernels, kind, *in.data(), motion, guard);
   }
 }
 
@@ -221,22 +221,23 @@ TEST_P(GuardPages, NoKernelReadsOrWritesOutsideItsArrays) {
       const Guarded<PackedVertex> vertices(motion.vertices, guard);
       const Guarded<BoxVertex> box_vertices(motion.box_vertices, guard);
       const GuardedTree p(points, guard), e(edges, guard), f(faces, guard);
-      const auto vf = run(*kernels, PairKind::vertex_face, p, f, vertices.data(), box_vertices.data(), guard);
-      const auto ee = run(*kernels, PairKind::edge_edge, e, e, vertices.data(), box_vertices.data(), guard);
+      MotionView guarded{vertices.data(), {0, true}, box_vertices.data(), {0x1p-22f, true}};
+      const auto vf = run(*kernels, PairKind::vertex_face, p, f, guarded, guard);
+      const auto ee = run(*kernels, PairKind::edge_edge, e, e, guarded, guard);
       EXPECT_GT(vf[0], 0);
       EXPECT_LE(vf[0], 3 * triangles * (triangles - 1));
       EXPECT_GT(ee[0], 0);
       EXPECT_LE(ee[0], 9 * triangles * (triangles - 1) / 2);
       for (const auto& counts : {vf, ee})
         for (std::size_t stage = 1; stage < counts.size(); ++stage) EXPECT_LE(counts[stage], counts[stage - 1]);
-      const KeepVertices on_both{box_vertices.data(), {0x1p-20f, true}, vertices.data(), {0, true}};
+      guarded.box_separation.fixed = 0x1p-20f;
       for (const auto& [kind, a, b] : {std::tuple(PairKind::vertex_face, &p, &f), {PairKind::edge_edge, &e, &e}}) {
-        const auto near = run_near(*kernels, kind, *a, *b, on_both, guard);
+        const auto near = run_near(*kernels, kind, *a, *b, guarded, guard);
         EXPECT_GT(near[0], 0);
         EXPECT_LE(near[1], near[0]);
         EXPECT_GT(run_at_rest(*kernels, kind, *a, *b, guard), 0);
       }
-      run_other_kinds(*kernels, soup, vertices.data(), box_vertices.data(), guard);
+      run_other_kinds(*kernels, soup, guarded, guard);
     }
   }
 }

@@ -26,20 +26,20 @@ class ThreadStreams {
   }
 
   /// Searches the sample's leaf blocks for pairs of all kinds that may touch until `t_limit`.
-  void search_trees(const Sample& sample = {0, 1}, float t_limit = 1) {
+  void search_trees(const Sample& sample = {}, float t_limit = 1) {
     workspace_.trees.for_each_kind(
         [&](PairKind kind, const TreeView& a, const TreeView& b) { search_part(kind, a, b, sample, t_limit); });
     finish();
   }
   /// Searches all of `a` against all of `b`.
   void search(PairKind kind, const TreeView& a, const TreeView& b) {
-    search_part(kind, a, b, {0, 1}, 1);
+    search_part(kind, a, b, {}, 1);
     finish();
   }
 
   /// Takes the sample's parts of the lists: pairs that may touch at some time of `when`, a time of the lists, for
   /// contacts until `t_limit`, a time of the query.
-  void search_lists(const PairLists& lists, const Sample& sample = {0, 1}, const TimeInterval<float>& when = {0, 1},
+  void search_lists(const PairLists& lists, const Sample& sample = {}, const TimeInterval<float>& when = {0, 1},
                     float t_limit = 1) {
     for (std::size_t i = 0; i < kPairKinds; ++i) search_part(static_cast<PairKind>(i), lists, sample, when, t_limit);
     finish();

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "numerics/assert.hpp"
 #include "query/cancellation.hpp"
 #include "search/pair_buffer.hpp"
 
@@ -14,8 +15,7 @@ void PairStream::begin(const Query& query) {
 }
 
 void PairStream::search(PairKind kind, const TreeView& a, const TreeView& b, const BlockRange& blocks, float t_limit) {
-  thread_.watch.lap();
-  set_kind(kind);
+  begin_search(kind);
   Search search{a, b};
   search.t_limit = t_limit;
   set_limits(search);
@@ -31,8 +31,7 @@ void PairStream::search(PairKind kind, const TreeView& a, const TreeView& b, con
 
 void PairStream::search(PairKind kind, std::span<const Candidate> pairs, const TimeInterval<float>& when,
                         float t_limit) {
-  thread_.watch.lap();
-  set_kind(kind);
+  begin_search(kind);
   constexpr std::size_t kPairsAtOnce = 256;
   while (!pairs.empty() && wants(kind)) {
     if (static_cast<std::size_t>(thread_.boxes.count) + kPairsAtOnce > PairBuffer::kCapacity) {
@@ -58,9 +57,10 @@ void PairStream::flush(Search& search) {
   self.set_limits(search);
 }
 
-void PairStream::set_kind(PairKind kind) {
-  if (kind != kind_) hand_over();
+void PairStream::begin_search(PairKind kind) {
+  TAMIS_ASSERT(kind == kind_ || thread_.boxes.count == 0);
   kind_ = kind;
+  thread_.watch.lap();
 }
 
 void PairStream::hand_over() {

@@ -21,6 +21,7 @@ class PairStream {
   PairStream(const PairStream&) = delete;
 
   /// Searches every `blocks.stride`-th leaf block of `a` against all of `b`, for pairs that may touch until `t_limit`.
+  /// REQUIRES, as the next: no pairs of another kind in the buffer.
   void search(PairKind kind, const TreeView& a, const TreeView& b, const BlockRange& blocks, float t_limit);
   /// Takes the pairs of a list that may touch at some time of `when`, a time of the list, for contacts until `t_limit`,
   /// a time of the query.
@@ -49,7 +50,7 @@ class PairStream {
 
  private:
   static void flush(Search& search);
-  void set_kind(PairKind kind);
+  void begin_search(PairKind kind);
   void hand_over();
 
   SearchThread& thread_;

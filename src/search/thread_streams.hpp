@@ -9,7 +9,7 @@
 namespace tamis {
 
 /// `Consumer`: a PairStream that is constructed with a SearchThread and begins with a `Consumer::Shared`. Pairs of one
-/// part of a search wait in the buffer for those of the next; a search ends when all are consumed.
+/// part of a search wait in the buffer for those of the next; the search for a kind ends when all are consumed.
 template <class Consumer>
 class ThreadStreams {
  public:
@@ -28,21 +28,21 @@ class ThreadStreams {
   /// Searches the sample's leaf blocks for pairs of all kinds that may touch until `t_limit`.
   void search_trees(const Sample& sample = {}, float t_limit = 1) {
     workspace_.trees.for_each_kind(
-        [&](PairKind kind, const TreeView& a, const TreeView& b) { search_part(kind, a, b, sample, t_limit); });
-    finish();
+        [&](PairKind kind, const TreeView& a, const TreeView& b) { search(kind, a, b, sample, t_limit); });
   }
-  /// Searches all of `a` against all of `b`.
-  void search(PairKind kind, const TreeView& a, const TreeView& b) {
-    search_part(kind, a, b, {}, 1);
-    finish();
+  /// Searches the sample's leaf blocks of `a` against all of `b`.
+  void search(PairKind kind, const TreeView& a, const TreeView& b, const Sample& sample = {}, float t_limit = 1) {
+    for_each_part(kind, sample.count_in(a.leaf_blocks), [&](PairStream& stream, int begin, int end) {
+      const int first = sample.first + begin * sample.stride, last = sample.first + end * sample.stride;
+      stream.search(kind, a, b, {first, std::min(last, a.leaf_blocks), sample.stride}, t_limit);
+    });
   }
 
   /// Takes the sample's parts of the lists: pairs that may touch at some time of `when`, a time of the lists, for
   /// contacts until `t_limit`, a time of the query.
   void search_lists(const PairLists& lists, const Sample& sample = {}, const TimeInterval<float>& when = {0, 1},
                     float t_limit = 1) {
-    for (std::size_t i = 0; i < kPairKinds; ++i) search_part(static_cast<PairKind>(i), lists, sample, when, t_limit);
-    finish();
+    for (std::size_t i = 0; i < kPairKinds; ++i) search(static_cast<PairKind>(i), lists, sample, when, t_limit);
   }
   /// The number of parts of a list, which samples count as they count leaf blocks.
   static int parts_of(std::span<const Candidate> pairs) {
@@ -87,14 +87,8 @@ class ThreadStreams {
  private:
   static constexpr std::size_t kPairsPerPart = 1024;
 
-  void search_part(PairKind kind, const TreeView& a, const TreeView& b, const Sample& sample, float t_limit) {
-    for_each_part(kind, sample.count_in(a.leaf_blocks), [&](PairStream& stream, int begin, int end) {
-      const int first = sample.first + begin * sample.stride, last = sample.first + end * sample.stride;
-      stream.search(kind, a, b, {first, std::min(last, a.leaf_blocks), sample.stride}, t_limit);
-    });
-  }
-  void search_part(PairKind kind, const PairLists& lists, const Sample& sample, const TimeInterval<float>& when,
-                   float t_limit) {
+  void search(PairKind kind, const PairLists& lists, const Sample& sample, const TimeInterval<float>& when,
+              float t_limit) {
     const std::span<const Candidate> pairs = lists[kind];
     for_each_part(kind, sample.count_in(parts_of(pairs)), [&](PairStream& stream, int begin, int end) {
       for (int i = begin; i < end; ++i) {
@@ -110,6 +104,7 @@ class ThreadStreams {
     constexpr int kGrain = 8;
     if (!local().wants(kind)) return;
     in_parts(count, kGrain, [&](int begin, int end) { f(local(), begin, end); });
+    finish();
   }
 
   /// Consumes what is left in the buffers, in parallel if that is much.

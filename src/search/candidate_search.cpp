@@ -41,7 +41,7 @@ bool CandidateSearch::list(const Query& query, const Listing& listing, PairLists
   trees.refit_for(listing.step, separations);
   streams_.begin(asked);
   double part = 0;
-  for (const Sample& sample : samples_of(trees.most_leaf_blocks())) {
+  for (const Sample& sample : Samples(trees.most_leaf_blocks())) {
     streams_.search_trees(sample, listing.until);
     streams_.for_each([&](CandidateConsumer& consumer) { lists.take(consumer.candidates()); });
     part += 1.0 / sample.stride;

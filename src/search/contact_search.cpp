@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <vector>
 
 #include "search/scene_beginning.hpp"
 
@@ -17,8 +16,8 @@ float float_after(double t) {
 }
 
 /// The question for all contacts has no use for samples: an early contact shortens nothing.
-std::vector<Sample> samples_for(const Query& query, int parts) {
-  return query.question == Question::all_contacts ? std::vector<Sample>(1) : samples_of(parts);
+Samples samples_for(const Query& query, int parts) {
+  return query.question == Question::all_contacts ? Samples() : Samples(parts);
 }
 
 }  // namespace
@@ -71,7 +70,7 @@ bool ContactSearch::search_beginnings(ContactCollector& answer, Statistics& stat
       trees.load_vertices(query.step, query.separations, statistics);
       streams_.begin(answer);
       answer.count_ignored_anew();
-      streams_.search_lists(lists, {}, {0, 1}, float_after(answer.bound().latest()));
+      streams_.search_lists(lists, {0, 1}, {0, 1}, float_after(answer.bound().latest()));
       gather(answer);
       if (answer.bound().latest() < length) return true;  // what is not listed touches at `length` or later
     }

@@ -1,27 +1,42 @@
 // Samples of leaf blocks: searched one after the other, so that what an early one finds shortens the search of the
 // rest.
 #pragma once
-#include <vector>
+#include <array>
 
 namespace tamis {
 
-/// Leaf blocks first, first + stride, ...: by default all of them.
+/// Leaf blocks first, first + stride, ...
 struct Sample {
-  int first = 0, stride = 1;
+  int first, stride;
 
   /// How many of `blocks` leaf blocks are in the sample.
   int count_in(int blocks) const { return blocks > first ? (blocks - first + stride - 1) / stride : 0; }
 };
 
-/// All leaf blocks in up to seven samples, each as large as all before it: an early contact found in a small one
-/// shortens the step for the rest. A sample has an overhead, so the first has at least two blocks; fewer are all in it.
-inline std::vector<Sample> samples_of(int blocks) {
-  constexpr int kMostSamples = 7, kFewestBlocks = 2;
-  int stride = 1 << (kMostSamples - 1);
-  while (stride > 1 && blocks < kFewestBlocks * stride) stride /= 2;
-  std::vector<Sample> samples{{0, stride}};
-  for (; stride > 1; stride /= 2) samples.push_back({stride / 2, stride});
-  return samples;
-}
+/// The leaf blocks in up to seven samples, each as large as all before it: an early contact found in a small one
+/// shortens the step for the rest.
+class Samples {
+ public:
+  /// All blocks at once.
+  Samples() { add({0, 1}); }
+  /// Up to kMostSamples of so many leaf blocks. A sample has an overhead, so the first has at least kFewestBlocks.
+  explicit Samples(int blocks) {
+    int stride = 1 << (kMostSamples - 1);
+    while (stride > 1 && blocks < kFewestBlocks * stride) stride /= 2;
+    add({0, stride});
+    for (; stride > 1; stride /= 2) add({stride / 2, stride});
+  }
+
+  const Sample* begin() const { return samples_.data(); }
+  const Sample* end() const { return begin() + count_; }
+
+ private:
+  static constexpr int kMostSamples = 7, kFewestBlocks = 2;
+
+  void add(const Sample& sample) { samples_[static_cast<std::size_t>(count_++)] = sample; }
+
+  std::array<Sample, kMostSamples> samples_;
+  int count_ = 0;
+};
 
 }  // namespace tamis

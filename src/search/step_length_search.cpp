@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <span>
-#include <vector>
 
 #include "topology/at.hpp"
 
@@ -78,10 +77,10 @@ void StepLengthSearch::ask(StepLengthQuery& asked, Statistics& statistics) {
 }
 
 void StepLengthSearch::search_trees(StepLengthQuery& asked) {
-  if (asked.lists_all) return streams_.search_trees();
-  const std::vector<Sample> samples = samples_of(workspace_.trees.most_leaf_blocks());
-  streams_.search_trees(samples[0]);
-  if (meets_many(samples[0])) search_short_steps(asked.bound, samples);
+  const Samples samples = asked.lists_all ? Samples() : Samples(workspace_.trees.most_leaf_blocks());
+  const Sample& first = *samples.begin();
+  streams_.search_trees(first);
+  if (!asked.lists_all && meets_many(first)) search_short_steps(asked.bound, samples);
   for (const Sample& sample : std::span(samples).subspan(1)) streams_.search_trees(sample);
 }
 
@@ -96,7 +95,7 @@ bool StepLengthSearch::meets_many(const Sample& sample) const {
 }
 
 /// A pair that ends a short step ends it first of all.
-void StepLengthSearch::search_short_steps(Bound& bound, std::span<const Sample> samples) {
+void StepLengthSearch::search_short_steps(Bound& bound, const Samples& samples) {
   for (const double until : kShortSteps) {
     const double earliest = bound.latest();
     if (until >= kShort * earliest) return;

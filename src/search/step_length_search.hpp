@@ -31,7 +31,7 @@ class StepLengthSearch {
   void refit_residuals(StepLengthQuery& asked);
   void search_trees(StepLengthQuery& asked);
   bool meets_many(const Sample& sample) const;
-  void search_short_steps(Bound& bound, std::span<const Sample> samples);
+  void search_short_steps(Bound& bound, const Samples& samples);
 
   Workspace& workspace_;
   PairsNearStart near_start_;

@@ -26,12 +26,12 @@ class ThreadStreams {
   }
 
   /// Searches the sample's leaf blocks for pairs of all kinds that may touch until `t_limit`.
-  void search_trees(const Sample& sample = {}, float t_limit = 1) {
+  void search_trees(const Sample& sample = {0, 1}, float t_limit = 1) {
     workspace_.trees.for_each_kind(
         [&](PairKind kind, const TreeView& a, const TreeView& b) { search(kind, a, b, sample, t_limit); });
   }
   /// Searches the sample's leaf blocks of `a` against all of `b`.
-  void search(PairKind kind, const TreeView& a, const TreeView& b, const Sample& sample = {}, float t_limit = 1) {
+  void search(PairKind kind, const TreeView& a, const TreeView& b, const Sample& sample = {0, 1}, float t_limit = 1) {
     for_each_part(kind, sample.count_in(a.leaf_blocks), [&](PairStream& stream, int begin, int end) {
       const int first = sample.first + begin * sample.stride, last = sample.first + end * sample.stride;
       stream.search(kind, a, b, {first, std::min(last, a.leaf_blocks), sample.stride}, t_limit);
@@ -40,7 +40,7 @@ class ThreadStreams {
 
   /// Takes the sample's parts of the lists: pairs that may touch at some time of `when`, a time of the lists, for
   /// contacts until `t_limit`, a time of the query.
-  void search_lists(const PairLists& lists, const Sample& sample = {}, const TimeInterval<float>& when = {0, 1},
+  void search_lists(const PairLists& lists, const Sample& sample = {0, 1}, const TimeInterval<float>& when = {0, 1},
                     float t_limit = 1) {
     for (std::size_t i = 0; i < kPairKinds; ++i) search(static_cast<PairKind>(i), lists, sample, when, t_limit);
   }

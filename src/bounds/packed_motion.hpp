@@ -12,7 +12,7 @@
 
 namespace tamis {
 
-class SharedMotion;
+struct SharedMotion;
 
 /// A vertex at t=0 and t=1: x y z, its radius (Separations), x y z, unused.
 struct alignas(64) PackedVertex {

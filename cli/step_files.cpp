@@ -26,7 +26,8 @@ StepFiles read_step(const std::string& start, const std::string& end, double sca
   io::require_same_mesh(first, start, second, end);
   io::scale_step(first.positions, second.positions, scale);
   std::vector<Point> positions = first.positions;
-  return {io::mesh_of(std::move(first)), std::move(positions), std::move(second.positions)};
+  return {io::mesh_of(std::move(first)), std::move(positions), std::move(second.positions),
+          std::move(second.loose_edges), std::move(second.loose_points)};
 }
 
 }  // namespace tamis::cli

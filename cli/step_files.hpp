@@ -20,6 +20,8 @@ struct StepFiles {
   Mesh mesh;
   std::vector<Point> start;
   std::vector<Point> end;
+  std::vector<Edge> loose_edges;    ///< as the files list them
+  std::vector<Index> loose_points;  ///< the same
 
   /// Valid as long as this object.
   Step step() const { return {start, end}; }

@@ -9,14 +9,14 @@
 #include "cli/output_file.hpp"
 #include "cli/report.hpp"
 #include "cli/verbs/step_verb.hpp"
-#include "io/mesh/loose_features.hpp"
 #include "io/mesh/ply.hpp"
 
 namespace tamis::cli {
 namespace {
 
-io::MeshFile file_of(const Mesh& mesh, const std::vector<Point>& positions) {
-  return {positions, {mesh.faces().begin(), mesh.faces().end()}, io::rods_of(mesh), io::loose_points_of(mesh), {}};
+/// Another frame of the mesh that was read.
+io::MeshFile frame_of(const Mesh& mesh, const StepFiles& files, const std::vector<Point>& positions) {
+  return {positions, {mesh.faces().begin(), mesh.faces().end()}, files.loose_edges, files.loose_points, {}};
 }
 
 /// How much of the way from start to end the vertices go, their ways added up.
@@ -56,7 +56,7 @@ class Truncate final : public StepVerb {
     const Step step = files.step();
     TruncatedStep to;
     const Timing timing = ask_repeatedly(detector, repeat_, [&] { to = detector.truncate(step, keep_, own()); });
-    if (!out_.empty()) io::write_ply(out_, file_of(detector.mesh(), to.positions));
+    if (!out_.empty()) io::write_ply(out_, frame_of(detector.mesh(), files, to.positions));
     report(to, part_of_way(step, to.positions), detector, timing);
     return to.is_free ? kSuccess : kNo;
   }

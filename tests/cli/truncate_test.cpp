@@ -49,6 +49,18 @@ TEST_F(Truncate, KeepsLoosePoints) {
   EXPECT_EQ(onwards.json()["contacts"]["vf"], 1);
 }
 
+// Bug: rods and points are listed as the detector has them, so that the file is no frame of the mesh it came from.
+TEST_F(Truncate, WritesAFrameOfTheMeshThatItRead) {
+  const std::string rods = "l 4 3\nl 2 1\nl 2 1\nf 1 2 5\np 6\np 5\np 6\n";
+  folder_.write("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 -1\nv 0 1 1\nv 0 -1 0\nv 9 9 9\n" + rods);
+  folder_.write("b.obj", "v 0 0 0\nv 1 0 0\nv 0.5 -1 -1\nv 0.5 -1 1\nv 0 -1 0\nv 9 9 9\n" + rods);
+  EXPECT_EQ(folder_.run("truncate a.obj b.obj --out next.ply").code, 0);
+  EXPECT_EQ(written("next.ply").loose_edges, (std::vector<Edge>{{3, 2}, {1, 0}, {1, 0}}));
+  EXPECT_EQ(written("next.ply").loose_points, (std::vector<Index>{5, 4, 5}));
+  const Outcome outcome = folder_.run("is-free a.obj next.ply");
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+}
+
 // Bug: the option is not handed on, or means the part that is gone, or holds until vertices go on alone.
 TEST_F(Truncate, KeepsAFractionOfTheDistance) {
   const auto part = [&](const char* options) -> double {

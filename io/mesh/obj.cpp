@@ -26,6 +26,15 @@ bool contains(const std::array<std::string_view, n>& words, std::string_view wor
   return std::find(words.begin(), words.end(), word) != words.end();
 }
 
+bool has_comment(std::string_view line) {
+  for (std::string_view word = take_word(line); !word.empty(); word = take_word(line))
+    if (word[0] == '#') return true;
+  return false;
+}
+
+/// Not where a comment ends it, as with the name of a folder.
+bool goes_on(std::string_view line) { return line.ends_with('\\') && !has_comment(line); }
+
 class ObjParser {
  public:
   ObjParser(std::string_view bytes, const std::string& name) : bytes_(bytes), lines_(bytes), name_(name) {}
@@ -51,11 +60,12 @@ class ObjParser {
   bool next_line() {
     if (!lines_.next()) return false;
     rest_ = lines_.line();
-    if (rest_.empty() || rest_.back() != '\\') return true;
+    if (!goes_on(rest_)) return true;
     joined_ = rest_;
-    while (!joined_.empty() && joined_.back() == '\\') {
+    while (goes_on(lines_.line())) {
       joined_.back() = ' ';
-      if (lines_.next()) joined_ += lines_.line();
+      if (!lines_.next()) break;
+      joined_ += lines_.line();
     }
     rest_ = joined_;
     return true;
@@ -76,7 +86,6 @@ class ObjParser {
       fail(fmt::format("{} is no word of OBJ: correct the line, or give a PLY or OBJ file", in_quotes(keyword)));
   }
 
-  /// What may follow the coordinates, a weight or a colour, is left alone.
   void add_vertex() {
     if (vertex_count() == std::numeric_limits<Index>::max())
       fail("more vertices than a 32-bit index can name: split the mesh");
@@ -84,12 +93,23 @@ class ObjParser {
     for (double& coordinate : p) {
       const std::string_view word = take_word(rest_);
       if (word.empty()) fail("a vertex needs three coordinates: correct the line");
-      const auto value = to_double(word);
-      if (!value) fail(fmt::format("{} is no number: correct the line", in_quotes(word)));
-      if (!std::isfinite(*value)) fail("a coordinate is not finite: give finite coordinates");
-      coordinate = *value;
+      coordinate = number(word);
+      if (!std::isfinite(coordinate)) fail("a coordinate is not finite: give finite coordinates");
     }
+    pass_over_numbers();
     mesh_.positions.push_back(p);
+  }
+
+  double number(std::string_view word) const {
+    const auto value = to_double(word);
+    if (!value) fail(fmt::format("{} is no number: correct the line", in_quotes(word)));
+    return *value;
+  }
+
+  /// A weight or a colour may follow the coordinates. Anything else may be a statement whose line end is lost.
+  void pass_over_numbers() {
+    for (std::string_view word = take_word(rest_); !word.empty() && word[0] != '#'; word = take_word(rest_))
+      number(word);
   }
 
   void add_face() {

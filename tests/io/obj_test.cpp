@@ -42,6 +42,13 @@ TEST(Obj, TakesWhatPeopleWrite) {
   EXPECT_TRUE(test::contains(mesh.notes[0], "1 polygon"));
 }
 
+// Bug: a folder's name in a comment takes the next line with it, so that all indices mean other vertices.
+TEST(Obj, ACommentEndsWithItsLine) {
+  const MeshFile mesh = parse_obj("  # from C:\\scenes\\\nv 9 9 9 # here, too: \\\n" + kFour + "f 1 2 3\n", "m.obj");
+  EXPECT_EQ(mesh.positions.size(), 5u);
+  EXPECT_EQ(mesh.positions[0], (Point{9, 9, 9}));
+}
+
 TEST(Obj, SaysThatFreeFormSurfacesAndOpenEndsAreNotMeshes) {
   const MeshFile mesh = parse_obj(kFour + "cstype bezier\nsurf 0 1 0 1 1 2 3 4\nend\nf 1 2 3", "m.obj");
   EXPECT_EQ(mesh.faces.size(), 1u);
@@ -54,6 +61,7 @@ TEST(Obj, EachErrorNamesItsLine) {
       {"v 0 0\n", "line 1: a vertex needs three"},
       {"v 0 0 x\n", "line 1: 'x' is no number"},
       {"v 0 0 inf\n", "line 1: a coordinate is not finite"},
+      {"v 0 0 0\rv 5 5 5\n", "line 1: 'v' is no number"},
       {kFour + "f 1 2\n", "line 5: a face needs three"},
       {kFour + "f 0 1 2\n", "line 5: '0' names no vertex"},
       {kFour + "f 1 2 5\nf 1 2 3\n", "line 5: vertex 5 is named, but the file has only 4"},

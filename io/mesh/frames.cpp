@@ -38,7 +38,7 @@ std::vector<std::filesystem::path> mesh_files_in(const std::filesystem::path& fo
   std::vector<std::filesystem::path> files;
   std::error_code error;
   for (std::filesystem::directory_iterator it(folder, error), end; !error && it != end; it.increment(error))
-    if (!it->is_directory() && is_mesh_name(it->path())) files.push_back(it->path());
+    if (std::error_code unknown; !it->is_directory(unknown) && is_mesh_name(it->path())) files.push_back(it->path());
   if (error) throw FileError(folder.string(), "", "the folder cannot be read: check its permissions");
   if (files.empty()) throw FileError(folder.string(), "", "no PLY or OBJ file in this folder: give one that has some");
   return files;

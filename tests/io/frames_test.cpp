@@ -59,6 +59,12 @@ TEST_F(FrameFiles, ANameThatExistsIsNoPattern) {
   EXPECT_EQ(names_of(frame_files({in_folder("odd[1].ply")})), (std::vector<std::string>{"odd[1].ply"}));
 }
 
+// Bug: one that leads to itself ends in a sentence about memory and threads, and none of its name.
+TEST_F(FrameFiles, ALinkThatLeadsNowhereIsForTheReaderToRefuse) {
+  std::filesystem::create_symlink("f4.ply", folder_.path() / "f4.ply");
+  EXPECT_EQ(names_of(frame_files({folder_.path().string()}))[2], "f4.ply");
+}
+
 TEST_F(FrameFiles, NothingFoundIsAnError) {
   const test::TemporaryFolder empty;
   test::file_error(empty.path().string(), [&] { frame_files({empty.path().string()}); });

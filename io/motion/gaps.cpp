@@ -49,7 +49,7 @@ std::vector<std::string> gaps_between(const std::vector<std::filesystem::path>& 
     if (const std::int64_t leap = difference(paths[i - 1], paths[i]); leap > 0)
       stride = stride == 0 ? leap : std::min(stride, leap);
   for (std::size_t i = 1; i < paths.size(); ++i)
-    if (const std::int64_t leap = difference(paths[i - 1], paths[i]); stride > 0 && leap >= 2 * stride)
+    if (const std::int64_t leap = difference(paths[i - 1], paths[i]); stride > 0 && leap / stride >= 2)
       gaps[i] = missing(paths[i - 1], leap, stride);
   return gaps;
 }

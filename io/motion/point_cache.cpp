@@ -83,7 +83,7 @@ PointCache::PointCache(const std::filesystem::path& path, std::shared_ptr<const 
 }
 
 audit::FramePointer PointCache::next() {
-  if (next_ == header_.frames) return nullptr;
+  if (next_ == header_.frames) return std::exchange(has_ended_, true) ? nullptr : what_is_left();
   audit::Frame frame{header_.names[next_], {}, mesh_};
   if (read(frame.positions)) {
     ++next_;
@@ -91,7 +91,16 @@ audit::FramePointer PointCache::next() {
     frame.problem = fmt::format("the file ends here: it was cut short, and {} of its {} frames are not there",
                                 header_.frames - next_, header_.frames);
     next_ = header_.frames;
+    has_ended_ = true;
   }
+  return std::make_shared<const audit::Frame>(std::move(frame));
+}
+
+audit::FramePointer PointCache::what_is_left() {
+  if (file_.peek() == std::ifstream::traits_type::eof()) return nullptr;
+  audit::Frame frame{"rest", {}, mesh_};
+  frame.problem =
+      fmt::format("the file goes on after the {} frames that its header names: export it again", header_.frames);
   return std::make_shared<const audit::Frame>(std::move(frame));
 }
 

@@ -31,11 +31,14 @@ class PointCache final : public audit::FrameSource {
 
  private:
   bool read(std::vector<Point>& positions);
+  /// What follows the last frame, as one that cannot be asked about; null if nothing does.
+  audit::FramePointer what_is_left();
 
   std::ifstream file_;
   PointCacheHeader header_;
   std::shared_ptr<const audit::AuditedMesh> mesh_;
   std::uint32_t next_ = 0;
+  bool has_ended_ = false;
 };
 
 }  // namespace tamis::io

@@ -134,12 +134,17 @@ TEST_F(AuditVerb, ABadCacheIsSaid) {
   folder_.write("cloth.obj", frame_at(1) + kTriangles);
   const std::string good = pc2({1, 0.9f, 0.8f});
   folder_.write("cut.pc2", good.substr(0, good.size() - 5));
+  folder_.write("long.pc2", good + std::string(72, '\0'));
+  folder_.write("long.mdd", mdd({1, 0.9f}) + "x");
   folder_.write("head.pc2", good.substr(0, 20));
   folder_.write("other.pc2", pc2({1}, 7));
   folder_.write("none.pc2", pc2({}));
   folder_.write("text.pc2", std::string(100, 'x'));
   folder_.write("text.mdd", std::string(100, 'x'));
   expect_refused("audit cloth.obj cut.pc2", "frame 2, 2: the file ends here: it was cut short, and 1 of its 3 frames");
+  expect_refused("audit cloth.obj long.pc2",
+                 "frame 3, rest: the file goes on after the 3 frames that its header names");
+  expect_refused("audit cloth.obj long.mdd", "frame 2, rest: the file goes on after the 2 frames");
   expect_refused("audit cloth.obj head.pc2", "ends in its header");
   expect_refused("audit cloth.obj other.pc2", "it has 7 vertices a frame, the mesh 6");
   expect_refused("audit cloth.obj none.pc2", "names 0 frames");
@@ -181,6 +186,13 @@ TEST_F(AuditVerb, EveryTenthFrameIsNoGap) {
   const Outcome outcome = folder_.run("audit t --json");
   EXPECT_EQ(outcome.json()["steps"], 4) << outcome.err;
   EXPECT_EQ(outcome.err, "");
+}
+
+// Bug: twice the stride is more than a number holds, and the one step there is is left out.
+TEST_F(AuditVerb, TwoFramesFarApartAreNoGap) {
+  for (const char* name : {"u/x1.obj", "u/x9000000000000000000.obj"}) folder_.write(name, frame_at(1) + kTriangles);
+  const Outcome outcome = folder_.run("audit u --json");
+  EXPECT_EQ(outcome.json()["steps"], 1) << outcome.err;
 }
 
 TEST_F(AuditVerb, MisuseIsRefused) {

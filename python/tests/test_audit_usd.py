@@ -89,6 +89,29 @@ def test_what_turns_is_asked_frame_by_frame() -> None:
         tamis.audit(stage)
 
 
+def test_splines_are_asked_frame_by_frame() -> None:
+    """Would catch a motion without samples of its own that is taken for none."""
+    pxr_ts = pytest.importorskip("pxr.Ts")
+    stage = _stage()
+    spike = UsdGeom.Mesh(stage.GetPrimAtPath("/World/Spike"))
+    spike.ClearXformOpOrder()
+    fall = UsdGeom.Xformable(spike).AddTranslateZOp()
+    spline = pxr_ts.Spline("double")
+    for time, height in ((3, 0.0), (9, -3.0)):
+        knot = pxr_ts.Knot("double")
+        knot.SetTime(time)
+        knot.SetValue(height)
+        knot.SetNextInterpolation(pxr_ts.InterpLinear)
+        spline.SetKnot(knot)
+    assert fall.GetAttr().SetSpline(spline)
+    report = tamis.audit(stage)
+    assert report.frames.names == [str(time) for time in range(3, 10)]
+    assert report.first_bad is not None and report.first_bad.name == "5"
+    stage.SetStartTimeCode(1)
+    stage.SetEndTimeCode(12)
+    assert len(tamis.audit(stage).frames) == 12
+
+
 @pytest.mark.parametrize("purpose", ["proxy", "guide", "invisible"])
 def test_what_is_not_rendered_is_left_out_unless_it_is_named(purpose: str) -> None:
     stage = _stage()

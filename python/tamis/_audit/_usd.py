@@ -27,9 +27,9 @@ def read_usd(stage: str | os.PathLike[str] | Usd.Stage, *, prims: Sequence[str] 
     """Read the meshes of a USD stage in motion: composed, in world space, polygons cut into fans.
 
     Frames are the times at which points or transforms of a mesh are written, and those of the frames that are played
-    where something turns or has a skin; each mesh is an object, by its path. Skinned meshes (UsdSkel) are baked in
-    memory. Subdivision surfaces are taken as their control meshes. Proxies, guides and what is never visible are left
-    out unless a path in `prims` names them; so are point instancers.
+    where something turns, goes by a spline or has a skin; each mesh is an object, by its path. Skinned meshes (UsdSkel)
+    are baked in memory. Subdivision surfaces are taken as their control meshes. Proxies, guides and what is never
+    visible are left out unless a path in `prims` names them; so are point instancers.
 
     Parameters
     ----------

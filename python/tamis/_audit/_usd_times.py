@@ -14,12 +14,13 @@ _MOST_FRAMES = 10_000_000
 def frame_times(stage: Any, meshes: list[Any]) -> list[Any]:
     """Return the times at which points or transforms of a mesh are written; the default where none are.
 
-    Between two of them the stage interpolates, points on straight lines. What turns or grows does not go straight:
-    where something does, all frames that are played between the first time and the last are taken, too.
+    Between two of them the stage interpolates, points on straight lines. What turns, grows or goes by a spline does
+    not go straight: where something does, all frames that are played between the first time and the last are taken,
+    too.
     """
     from pxr import Usd
 
-    written = sorted({time for mesh in meshes for time in _written(mesh)})
+    written = sorted({time for mesh in meshes for time in _written(stage, mesh)})
     if any(op.MightBeTimeVarying() and _bends(op) for mesh in meshes for op in _ops_above(mesh)):
         written = played(stage, written)
     return [Usd.TimeCode(time) for time in written] or [Usd.TimeCode.Default()]
@@ -40,14 +41,29 @@ def played(stage: Any, times: list[float]) -> list[float]:
     return sorted({*times, *(np.arange(first, last + 1) * step).tolist()})
 
 
-def _written(mesh: Any) -> list[float]:
+def _written(stage: Any, mesh: Any) -> list[float]:
     times = {*mesh.GetPointsAttr().GetTimeSamples(), *mesh.GetFaceVertexIndicesAttr().GetTimeSamples()}
-    return sorted(times.union(*(op.GetTimeSamples() for op in _ops_above(mesh))))
+    ops = _ops_above(mesh)
+    return sorted(times.union(*(op.GetTimeSamples() for op in ops), *(_times_of_spline(stage, op) for op in ops)))
+
+
+def _has_spline(op: Any) -> bool:
+    attribute = op.GetAttr()
+    return hasattr(attribute, "HasSpline") and bool(attribute.HasSpline())  # as from usd-core 24.11 on
+
+
+def _times_of_spline(stage: Any, op: Any) -> set[float]:
+    """Return the times of its knots; and, as it may go on before and behind them, those between which it is played."""
+    if not _has_spline(op):
+        return set()
+    spline = op.GetAttr().GetSpline()
+    times = set((spline.GetKnotsWithInnerLoopsBaked() if spline.HasInnerLoops() else spline.GetKnots()).keys())
+    return times | {stage.GetStartTimeCode(), stage.GetEndTimeCode()} if stage.HasAuthoredTimeCodeRange() else times
 
 
 def _bends(op: Any) -> bool:
     kind = op.GetOpName().split(":")[1]  # of xformOp:translate, !invert!xformOp:translate:pivot
-    return not kind.startswith("translate")
+    return _has_spline(op) or not kind.startswith("translate")
 
 
 def _ops_above(mesh: Any) -> list[Any]:

@@ -163,3 +163,19 @@ def test_what_cannot_be_used(tmp_path: pathlib.Path) -> None:
     file.gltf.accessors[0].count = 1000
     with pytest.raises(tamis.FileError, match="accessor 0 is not sound"):
         tamis.read_gltf(file.save(tmp_path / "c.glb"))
+
+
+def test_nodes_that_are_no_tree(tmp_path: pathlib.Path) -> None:
+    file = _File()
+    nodes = file.gltf.nodes
+    nodes += [gltf.Node(children=[len(nodes) + i + 1]) for i in range(3000)]  # more than Python may call in each other
+    nodes[-1].children = [1]
+    file.animate(2, "translation", [[0, 0, 0], [0, 0, -2]])
+    file.gltf.scenes = [gltf.Scene(nodes=[0, 2, 0])]
+    _check(file.save(tmp_path / "deep.glb"))
+    nodes[1].children = [2]
+    with pytest.raises(tamis.FileError, match="is below itself"):
+        tamis.read_gltf(file.save(tmp_path / "round.glb"))
+    nodes[1].children = [9999]
+    with pytest.raises(tamis.FileError, match="do not fit each other"):
+        tamis.read_gltf(file.save(tmp_path / "none.glb"))

@@ -14,7 +14,7 @@ from tamis._audit._gltf_mesh import moving_nodes
 from tamis._audit._joined import Part, joined
 from tamis._audit._recorded import Frame, Motion
 from tamis._checks import file_name, number
-from tamis._errors import FileError, InvalidOptions
+from tamis._errors import Error, FileError, InvalidOptions
 
 # What changes nothing in where vertices are.
 _HARMLESS = (
@@ -66,9 +66,16 @@ def read_gltf(
         raise InvalidOptions(f"frames_per_second is {rate}: give a finite number above 0")
     gltf = _load(name)
     buffers = Buffers(gltf, name)
-    nodes = moving_nodes(gltf, buffers, name)
-    moves = animation_of(gltf, buffers, name, animation)
-    times = np.array([0.0]) if moves is None else moves.frame_times(rate)
+    try:
+        nodes = moving_nodes(gltf, buffers, name)
+        moves = animation_of(gltf, buffers, name, animation)
+        times = np.array([0.0]) if moves is None else moves.frame_times(rate)
+        for node in nodes:
+            node.points(Pose(gltf, moves, float(times[0])))
+    except Error:
+        raise
+    except (AttributeError, IndexError, KeyError, TypeError, ValueError) as error:
+        raise FileError(f"{name}: its parts do not fit each other ({error}): export the file again") from None
     note = _note(gltf, animation)
 
     def frames() -> Iterator[Frame]:

@@ -113,10 +113,18 @@ class Pose:
 
     def world(self, node: int) -> Doubles:
         """Return the matrix from the node's space to the world's, for columns."""
-        if node not in self._worlds:
-            parent = self._parents.get(node)
-            local = self._local(node)
-            self._worlds[node] = local if parent is None else self.world(parent) @ local
+        above: list[int] = []
+        next_above = node
+        while next_above not in self._worlds:
+            above.append(next_above)
+            if len(above) > len(self._gltf.nodes):
+                raise ValueError(f"node {node} is below itself")
+            if (parent := self._parents.get(next_above)) is None:
+                break
+            next_above = parent
+        for each in reversed(above):
+            parent, local = self._parents.get(each), self._local(each)
+            self._worlds[each] = local if parent is None else self._worlds[parent] @ local
         return self._worlds[node]
 
     def weights(self, node: int, default: Doubles) -> Doubles:

@@ -48,7 +48,7 @@ class Buffers:
             else:
                 array = self._view(given.bufferView, given.byteOffset or 0, dtype, given.count, columns)
             return self._with_sparse(array.copy(), given)
-        except (IndexError, KeyError, TypeError, ValueError) as error:
+        except (IndexError, KeyError, MemoryError, TypeError, ValueError) as error:
             raise FileError(
                 f"{self._name}: accessor {accessor} is not sound ({error}): export the file again"
             ) from None

@@ -149,9 +149,11 @@ def _nodes_of_scene(gltf: Any) -> list[int]:
     """Return the nodes of the default scene, or of the first; all of a file without scenes."""
     if not gltf.scenes:
         return list(range(len(gltf.nodes or [])))
-    found: list[int] = []
+    found: set[int] = set()
     left = list(gltf.scenes[gltf.scene or 0].nodes or [])
     while left:
-        found.append(left.pop())
-        left += gltf.nodes[found[-1]].children or []
+        node = left.pop()
+        if node not in found:
+            found.add(node)
+            left += gltf.nodes[node].children or []
     return sorted(found)

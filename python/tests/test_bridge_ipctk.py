@@ -148,6 +148,20 @@ def test_asked_again(pose: tuple[Any, Numbers]) -> None:
     assert len(bridge.candidates(near[:0], mesh)) == 0
 
 
+def test_an_edge_from_a_vertex_to_itself() -> None:
+    """Would catch that it takes the number of another: pairs with that one are then lost to the barrier."""
+    faces = np.array([[0, 1, 2], [3, 4, 5]])
+    positions = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0.25, 0.25, 0.2], [1, 0.5, 1], [0.5, 1, 1]])
+    mesh = ipctk.CollisionMesh(positions, np.concatenate([ipctk.edges(faces), [[3, 3]]]), faces)
+    near = tamis.Detector(bridge.mesh(mesh)).pairs_within(positions, 3.0)
+    found = [
+        sorted([sorted(mesh.edges[c.edge0_id]), sorted(mesh.edges[c.edge1_id])])
+        for c in bridge.candidates(near, mesh).ee_candidates
+    ]
+    vertices = near.vertices[near.kind == tamis.PairKind.EDGE_EDGE]
+    assert len(found) == 9 and found == [sorted([sorted(v[:2]), sorted(v[2:])]) for v in vertices]
+
+
 def test_what_is_refused(pose: tuple[Any, Numbers]) -> None:
     mesh, positions = pose
     near = tamis.Detector(bridge.mesh(mesh)).pairs_within(positions, REACH)

@@ -119,7 +119,8 @@ class _Known:
     def __init__(self, given: ipctk.CollisionMesh) -> None:
         self.mesh = Mesh(given.faces, given.num_vertices, given.edges, given.codim_vertices)
         edges = np.empty(len(self.mesh.edges), np.int64)
-        edges[self.mesh.find_edges(given.edges)] = np.arange(given.num_edges)
+        places = self.mesh.find_edges(given.edges)  # -1: from a vertex to itself, which is an edge in ipctk alone
+        edges[places[places >= 0]] = np.flatnonzero(places >= 0)
         self.kinds = {
             PairKind.VERTEX_FACE: _Kind("fv_candidates", _second_first(ipctk.FaceVertexCandidate), None, None),
             PairKind.EDGE_EDGE: _Kind("ee_candidates", ipctk.EdgeEdgeCandidate, edges, edges),

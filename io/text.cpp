@@ -1,9 +1,19 @@
 #include "io/text.hpp"
 
+#include <clocale>
 #include <cstdlib>
 #include <string>
 
 namespace tamis::io {
+namespace {
+
+/// As the language has it, whatever a program around it has set: strtod() of many countries ends at the point.
+double plain_number(const std::string& word) {
+  static const locale_t plain = newlocale(LC_ALL_MASK, "C", nullptr);
+  return strtod_l(word.c_str(), nullptr, plain);
+}
+
+}  // namespace
 
 std::optional<double> to_double(std::string_view word) {
   if (word.size() > 1 && word[0] == '+' && word[1] != '-') word.remove_prefix(1);
@@ -11,7 +21,7 @@ std::optional<double> to_double(std::string_view word) {
   const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
   if (end != word.data() + word.size() || error == std::errc::invalid_argument) return std::nullopt;
   // from_chars leaves the value alone beyond the range; strtod says which end of it was passed.
-  if (error == std::errc::result_out_of_range) value = std::strtod(std::string(word).c_str(), nullptr);
+  if (error == std::errc::result_out_of_range) value = plain_number(std::string(word));
   return value;
 }
 

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <clocale>
+
 #include "io/messages.hpp"
 
 namespace tamis::io {
@@ -47,6 +49,18 @@ TEST(Obj, ACommentEndsWithItsLine) {
   const MeshFile mesh = parse_obj("  # from C:\\scenes\\\nv 9 9 9 # here, too: \\\n" + kFour + "f 1 2 3\n", "m.obj");
   EXPECT_EQ(mesh.positions.size(), 5u);
   EXPECT_EQ(mesh.positions[0], (Point{9, 9, 9}));
+}
+
+// Bug: where numbers have a comma, one that is too small for a double is read up to its point.
+TEST(Obj, NumbersAreTheSameInEveryCountry) {
+  const std::string before = std::setlocale(LC_NUMERIC, nullptr);
+  for (const char* country : {"de_DE.UTF-8", "fr_FR.UTF-8", "C"})
+    if (std::setlocale(LC_NUMERIC, country)) break;
+  const MeshFile mesh = parse_obj("v 1.5e-400 -1.5e-400 1.5\nf 1 1 1\n", "m.obj");
+  const std::string message = test::file_error("m.obj", [] { parse_obj("v 1.5e400 0 0\nf 1 1 1\n", "m.obj"); });
+  std::setlocale(LC_NUMERIC, before.c_str());
+  EXPECT_EQ(mesh.positions[0], (Point{0, 0, 1.5}));
+  EXPECT_TRUE(test::contains(message, "a coordinate is not finite")) << message;
 }
 
 TEST(Obj, SaysThatFreeFormSurfacesAndOpenEndsAreNotMeshes) {

@@ -12,7 +12,8 @@
 
 namespace tamis::c {
 
-/// What it answered last; rows of `contacts` are of the last question for contacts or the earliest one.
+/// What it answered last; rows of `contacts` are of the last question about motion: none unless
+/// it was for contacts or the earliest one.
 template <class Asked, class ContactRow, class NearRow, class IntersectionRow>
 struct AskedHandle {
   Outcome outcome;

@@ -77,8 +77,9 @@ TAMIS_API tamis_status tamis_detector_copy_pairs_within(tamis_detector* detector
 TAMIS_API tamis_status tamis_detector_copy_intersections(tamis_detector* detector, size_t first, size_t count,
                                                          tamis_intersection* intersections, size_t intersection_size);
 
-/** Copies contacts [first, first + count) of the last question for contacts or the earliest one, of a step or a path,
- * into an array whose elements are `contact_size` = sizeof(tamis_contact) bytes. */
+/** Copies contacts [first, first + count) of the last question about a step or a path, if that was for contacts or the
+ * earliest one, into an array whose elements are `contact_size` = sizeof(tamis_contact) bytes: after any other there
+ * are none. */
 TAMIS_API tamis_status tamis_detector_copy_contacts(tamis_detector* detector, size_t first, size_t count,
                                                     tamis_contact* contacts, size_t contact_size);
 

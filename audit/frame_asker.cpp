@@ -8,6 +8,9 @@ namespace {
 
 bool is_finite(const Point& p) { return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]); }
 
+/// Is it one vertex, three times?
+bool is_point(const Face& face) { return face[0] == face[1] && face[1] == face[2]; }
+
 /// Vertices of the first feature.
 std::size_t first_size(Kind kind) { return kind == Kind::edge_edge || kind == Kind::edge_face ? 2 : 1; }
 
@@ -69,6 +72,7 @@ void FrameAsker::use(const std::shared_ptr<const AuditedMesh>& mesh) {
   rings_.reset();
   detector_.emplace(mesh->mesh(), std::move(options));
   mesh_ = mesh;
+  has_point_face_ = std::any_of(mesh->mesh().faces().begin(), mesh->mesh().faces().end(), is_point);
   rings_.emplace(*mesh_, options_.ring_limit);
 }
 
@@ -79,9 +83,11 @@ void FrameAsker::ask_step(FrameFindings& findings) {
 }
 
 /// From a frame without intersections a step without contacts leads to another one: an edge that comes to touch a face
-/// does so first with an end, or at an edge of the face, and those are contacts.
+/// does so first with an end, or at an edge of the face, and those are contacts. Not where a face is one vertex, and
+/// has no edge: a triangle that has this vertex, too, can flatten until the side opposite meets it.
 void FrameAsker::ask_pose(FrameFindings& findings) {
-  const bool is_led_to = findings.before && findings.before == free_frame_ && findings.contacts.empty();
+  const bool is_led_to =
+      !has_point_face_ && findings.before && findings.before == free_frame_ && findings.contacts.empty();
   if (!is_led_to) findings.intersections = detector_->intersections(findings.frame->positions);
   free_frame_ = findings.intersections.empty() ? findings.frame : nullptr;
 }

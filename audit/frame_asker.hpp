@@ -33,7 +33,8 @@ class FrameAsker {
   std::shared_ptr<const AuditedMesh> mesh_;
   std::optional<Detector> detector_;
   std::optional<RingSearch> rings_;
-  FramePointer free_frame_;  ///< the last frame that is known to have no intersection
+  bool has_point_face_ = false;  ///< a face that is one vertex
+  FramePointer free_frame_;      ///< the last frame that is known to have no intersection
 };
 
 /// Why the frame cannot be asked about; empty if it can. Looks at every coordinate.

@@ -88,9 +88,10 @@ TEST(Audit, FindsInEachFrameWhatANewDetectorFinds) {
   EXPECT_FALSE(report.is_free());
 }
 
-// Bug: nothing comes to touch where an edge meets a face that is one vertex, and so the frame is not asked about.
+// Bug: nothing comes to touch where a triangle's side meets its own corner, which is a face by itself as well, and so
+// the frame is not asked about.
 TEST(Audit, AsksAboutFacesThatAreOneVertex) {
-  const auto mesh = std::make_shared<const AuditedMesh>(Mesh(3, {{0, 0, 0}}, {{1, 2}}), Objects{});
+  const auto mesh = std::make_shared<const AuditedMesh>(Mesh(3, {{0, 0, 0}, {0, 1, 2}}), Objects{});
   const auto edge_at = [&](double z) { return Frame{"", {{0, 0, 0}, {-1, 0, z}, {1, 0, z}}, mesh}; };
   const Report report = audited({edge_at(1), edge_at(0)}, {});
   EXPECT_EQ(report.frames.at(1).intersections(), 1u);

@@ -25,7 +25,8 @@ struct IndexRows {
 };
 
 /// Triangles, plus optional loose edges (rods) and loose points. Any winding, open, non-manifold, duplicate
-/// and degenerate triangles are legal; so are vertices that nothing uses (they take no part in contacts).
+/// and degenerate triangles are legal; so are vertices that nothing uses (they take no part in contacts). A triangle
+/// that is one vertex three times counts as a loose point, too.
 class Mesh {
  public:
   /// `vertex_count`: number of rows of the positions of every step, >= 0.

@@ -31,7 +31,7 @@ double farthest_in(const Box& box) {
     const double farthest = std::max(std::fabs(box.low[k]), std::fabs(box.high[k]));
     square += farthest * farthest;
   }
-  return std::sqrt(square) * kRoundedUp;
+  return std::sqrt(square) * kRoundedUp + 0x1p-500;  // squares may underflow
 }
 
 /// An error bound of transformed points with |x|_1 <= size, and of their boxes, the rounding of may_meet() included.

@@ -93,7 +93,7 @@ void World::State::gather_anew(Gathering& gathering, const NearDistance& distanc
   NearItems items;
   std::optional<GatherMargin> margin;
   while (true) {
-    const double width = in_edges * edge;
+    const double width = std::min(in_edges * edge, std::numeric_limits<double>::max());  // less than what is unknown
     const auto during = times.back() == 0 ? During::start : During::step;
     const std::vector<BodyPair> farther = wanted_pairs(gathering, near_bodies(distance, width, during));
     items = needed;

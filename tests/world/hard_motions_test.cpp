@@ -104,6 +104,21 @@ TEST(World, GoesAsFarAsDoubles) {
   EXPECT_NEAR(world.earliest().toi_lower, 0.5, 1e-12);
 }
 
+/// Bug: where squares of lengths underflow, the boxes of what turns held its chords alone. A rod sweeps over a post that
+/// stands between its arc and the chord.
+TEST(World, FollowsArcsAtAnyScale) {
+  for (const int exponent : {0, -500, -540, -600, -900}) {
+    SCOPED_TRACE(exponent);
+    const double unit = std::ldexp(1.0, exponent);
+    const Shape rod(Mesh(2, {}, {{0, 1}}), {{0, 0, 0}, {unit, 0, 0}});
+    const Shape post(Mesh(2, {}, {{0, 1}}), {{0, 0, -unit}, {0, 0, unit}});
+    World world(one_thread());
+    world.add(rod, Rigid{interpolated({}, {{}, {0, 0, 0.3}})});
+    world.add(post, Static{{{0.9999 * unit * std::cos(0.15), 0.9999 * unit * std::sin(0.15), 0}, {}}});
+    EXPECT_NEAR(world.earliest().toi_lower, 0.5, 1e-8);
+  }
+}
+
 /// A plate at the end of an arm turns as often as it may past another one that stands in its way.
 World plate_on_an_arm(double unit) {
   const Shape plate(Mesh(3, {{0, 1, 2}}), {{-unit, -unit, 0}, {unit, -unit, 0}, {0, unit, 0}});

@@ -153,6 +153,19 @@ TEST(World, AgreesWhereQuestionsWereCancelled) {
   EXPECT_GT(contacts, 20u);
 }
 
+/// Bug: where edges together are longer than any double, what had been gathered was taken to hold all that comes near,
+/// also of bodies that were added since.
+TEST(World, AgreesWhereEdgesAreAsLongAsDoubles) {
+  const Shape plate(Mesh(3, {{0, 1, 2}}), {{-0x1p1022, 0, 0}, {0x1p1023, 0, 0}, {0, 0x1p1023, 0}});
+  const auto down = [](double from, double to) { return Rigid{interpolated({{0, 0, from}, {}}, {{0, 0, to}, {}})}; };
+  TestWorld world;
+  world.add(plate, Static{});
+  world.add(plate, down(1, -1));
+  const std::size_t of_two = expect_same_contacts(world);
+  world.add(plate, down(3, -4));
+  EXPECT_EQ(expect_same_contacts(world), 3 * of_two);
+}
+
 /// Bug: what had been gathered was asked again, by the rules of then, as long as the bodies that may touch now went as
 /// they did, although others in it had come to rest, or turned.
 TEST(World, AgreesWhereSomeBodiesGoAnotherWayAndOthersGoOn) {

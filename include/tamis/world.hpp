@@ -19,13 +19,15 @@ namespace tamis {
 struct BodyShape;
 
 /// A mesh with its points at rest, in the body's own frame, and the hierarchy over them: made once, then shared by any
-/// number of bodies. Copies share it.
+/// number of bodies. Copies share it, and what is moved from is copied: it still has its own.
 class Shape {
  public:
   /// `points`: one row a vertex. `isa`: of what makes the hierarchy; speed only, as in Options. Throws InvalidMesh
   /// unless the points fit the mesh and those of Mesh::points() are finite, InvalidOptions if this machine lacks the
   /// set.
   Shape(Mesh mesh, std::vector<Point> points, Isa isa = Isa::best);
+  Shape(const Shape&) = default;
+  Shape& operator=(const Shape&) = default;
 
   const Mesh& mesh() const;
   const std::vector<Point>& points() const;

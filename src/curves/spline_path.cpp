@@ -66,7 +66,8 @@ SplinePath::SplinePath(std::vector<std::vector<Point>> frames, std::size_t least
   }
 }
 
-Index SplinePath::vertex_count() const { return static_cast<Index>(frames_[0].size()); }
+/// One that was moved from has no frames.
+Index SplinePath::vertex_count() const { return frames_.empty() ? 0 : static_cast<Index>(frames_[0].size()); }
 
 void SplinePath::points_at(double time, std::span<const Index> vertices, std::span<Point> points,
                            std::span<double> errors) const {

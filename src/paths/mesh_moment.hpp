@@ -30,8 +30,9 @@ inline double chord_radius(Index vertex, double deviation, double error, double 
   if (!separations.radii.empty())
     radius = (radius + separations.radii[static_cast<std::size_t>(vertex)]) * (1 + 0x1p-50);
   if (!std::isfinite(radius))
-    throw InvalidPath("vertex " + std::to_string(vertex) + " of the path deviates without bound after t = " +
-                      number_text(start) + ": give a finite bound for short pieces");
+    throw InvalidPath("vertex " + std::to_string(vertex) + " of the path " +
+                      (std::isfinite(deviation) ? "is off" : "deviates") +
+                      " without bound after t = " + number_text(start) + ": give a finite bound for short pieces");
   return radius;
 }
 

@@ -6,6 +6,7 @@
 #include "paths/turning_pairs.hpp"
 #include "tamis/detector.hpp"
 #include "tamis/error.hpp"
+#include "tamis/spline_path.hpp"
 
 namespace tamis::test {
 namespace {
@@ -92,6 +93,18 @@ TEST(BadPath, OfAMeshIsRefusedWhereItDeviatesWithoutBound) {
   path.deviation = kInfinity;
   Detector detector(Mesh(4, {{1, 2, 3}}, {}, {0}));
   expect_message<InvalidPath>([&] { detector.contacts(path); }, "vertex 0 of the path deviates without bound");
+  // Bug: the same was said of positions that may be off by any distance.
+  path.deviation = 0;
+  path.error = kInfinity;
+  expect_message<InvalidPath>([&] { detector.contacts(path); }, "of the path is off without bound after t = 0");
+}
+
+// Bug: one that was moved from has no frames, and looked for its vertices in the first one.
+TEST(BadPath, ThatHasBeenMovedFromHasNoVertices) {
+  BezierPath path({{{0, 0, 0}, {1, 0, 0}}, {{0, 1, 0}, {1, 0, 0}}});
+  const BezierPath other(std::move(path));
+  EXPECT_EQ(other.vertex_count(), 2);
+  expect_message<InvalidPath>([&] { vertex_vertex(path, {0, 1}); }, "the path has no vertex 0");
 }
 
 TEST(BadPath, OptionsAndNumbersAreChecked) {

@@ -216,5 +216,16 @@ TEST(BadWorld, RefusesOneThatHasBeenMovedFrom) {
   EXPECT_THROW(world.add(triangle(), Static{}), Error);
 }
 
+/// Bug: a shape that was moved from had no mesh, and a body of it was an access to nothing.
+TEST(World, TakesAShapeThatHasBeenMovedFrom) {
+  Shape shape = triangle();
+  const Shape other(std::move(shape));  // NOLINT(performance-move-const-arg): that it is a copy is what is tested
+  World world;
+  world.add(shape, Static{});
+  world.add(other, Rigid{});
+  EXPECT_FALSE(world.is_free());
+  EXPECT_EQ(&shape.mesh(), &other.mesh());
+}
+
 }  // namespace
 }  // namespace tamis::test

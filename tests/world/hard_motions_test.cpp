@@ -104,8 +104,8 @@ TEST(World, GoesAsFarAsDoubles) {
   EXPECT_NEAR(world.earliest().toi_lower, 0.5, 1e-12);
 }
 
-/// Bug: where squares of lengths underflow, the boxes of what turns held its chords alone. A rod sweeps over a post that
-/// stands between its arc and the chord.
+/// Bug: where squares of lengths underflow, the boxes of what turns held its chords alone. A rod sweeps over a post
+/// that stands between its arc and the chord.
 TEST(World, FollowsArcsAtAnyScale) {
   for (const int exponent : {0, -500, -540, -600, -900}) {
     SCOPED_TRACE(exponent);

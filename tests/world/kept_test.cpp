@@ -158,12 +158,13 @@ TEST(World, AgreesWhereQuestionsWereCancelled) {
 TEST(World, AgreesWhereEdgesAreAsLongAsDoubles) {
   const Shape plate(Mesh(3, {{0, 1, 2}}), {{-0x1p1022, 0, 0}, {0x1p1023, 0, 0}, {0, 0x1p1023, 0}});
   const auto down = [](double from, double to) { return Rigid{interpolated({{0, 0, from}, {}}, {{0, 0, to}, {}})}; };
-  TestWorld world;
+  World world(one_thread());
   world.add(plate, Static{});
   world.add(plate, down(1, -1));
-  const std::size_t of_two = expect_same_contacts(world);
+  const std::size_t of_two = world.contacts().size();
+  EXPECT_GT(of_two, 0u);
   world.add(plate, down(3, -4));
-  EXPECT_EQ(expect_same_contacts(world), 3 * of_two);
+  EXPECT_EQ(world.contacts().size(), 3 * of_two);
 }
 
 /// Bug: what had been gathered was asked again, by the rules of then, as long as the bodies that may touch now went as

@@ -91,7 +91,8 @@ struct LimitingPair {
 /// is what exceeds the minimum separation.
 struct SafeStep {
   /// On [0, lower] every pair keeps at least the fraction, and on [0, lower) none touches: proven. 1 if the whole step
-  /// may go; 0 only if a pair touches (comes within the minimum separation) at t=0, and is not ignored for it.
+  /// may go; 0 only if a pair touches (comes within the minimum separation) at t=0, and is not ignored for it, or
+  /// (upper > 0) may have lost its part sooner than at any positive double.
   double lower = 1;
   /// At this time some pair has no more than the fraction left: proven; 1 if that is not known of any time.
   double upper = 1;

@@ -94,7 +94,7 @@ double keeps_distance_until(PairKind kind, const PairPoints& points, const Dista
 
 double fraction_is_left_at(PairKind kind, const PairPoints& points, const DistanceRule& rule, double lower) {
   TAMIS_ASSERT(0 < rule.fraction && rule.fraction < 1 && 0 <= lower && lower <= 1);
-  if (lower == 0) return 0;
+  if (lower == 0) return starts_within(kind, points, rule.min_separation) ? 0 : 1;
   PairMotion<double> m = make_motion(kind, points, rule.min_separation);
   m.separation = kept(start_bounds(kind, m).low, m, rule.fraction, -1);
   const Decision decision = first_within(kind, m, {lower, 1});

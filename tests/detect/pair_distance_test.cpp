@@ -95,6 +95,18 @@ TEST(PairDistance, BesideANeedleALimitsDistanceIsAsNearAsAnyOther) {
   }
 }
 
+// Bug: a time of 0 in which a pair that is apart has all of its distance, said to be one at which that is lost.
+TEST(PairDistance, APairThatIsApartAtTheStartHasAllOfItsDistanceThere) {
+  const std::vector<Point> start{{0, 0, 0}, {0x1p-1074, 0, 0}}, end{{0x1p1000, 0, 0}, {0x1p-1074, 0, 0}};
+  const SafeStep apart = safe_step({PairKind::vertex_vertex, {0, 1, -1, -1}}, {start, end}, 0.1);
+  EXPECT_EQ(apart.lower, 0);
+  EXPECT_GT(apart.upper, 0);
+  const std::vector<Point> touching{{0, 0, 0}, {0, 0, 0}};
+  const SafeStep none = safe_step({PairKind::vertex_vertex, {0, 1, -1, -1}}, {touching, end}, 0.1);
+  EXPECT_EQ(none.lower, 0);
+  EXPECT_EQ(none.upper, 0);
+}
+
 TEST(PairDistance, NothingAfterTheLatestTimeOfInterestMatters) {
   // From 1 to -3 above a still point's place: half of the distance is left at t = 1/8.
   const std::vector<Point> start{{0, 0, 1}, {0, 0, 0}}, end{{0, 0, -3}, {0, 0, 0}};

@@ -14,7 +14,8 @@ def test_a_far_vertex_is_not_stopped_by_a_near_pair(falling: tamis.Scene) -> Non
     step = tamis.Detector(falling.mesh).truncate(falling.start, end)
     assert step.fractions.shape == (6,) and (step.fractions >= 0).all() and (step.fractions <= 1).all()
     assert step.fractions[2] > step.fractions[3]
-    assert np.allclose(step.positions, falling.start + step.fractions[:, np.newaxis] * (end - falling.start), atol=1e-15)
+    reached = falling.start + step.fractions[:, np.newaxis] * (end - falling.start)
+    assert np.allclose(step.positions, reached, atol=1e-15)
 
 
 @pytest.mark.parametrize("keep", [0.1, 0.5])

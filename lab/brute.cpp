@@ -9,6 +9,7 @@
 #include "query/cancellation.hpp"
 #include "query/pair_groups.hpp"
 #include "query/pair_vertices.hpp"
+#include "query/proximity_order.hpp"
 #include "query/stage_counts.hpp"
 
 namespace tamis::lab {
@@ -56,7 +57,7 @@ class BruteEngine final : public Engine {
     add(statistics.stages, count);
     pairs.clear();
     for (std::size_t kind = 0; kind < kPairKinds; ++kind) {
-      std::ranges::sort(found[kind]);
+      ProximityOrder().sort(found[kind], mesh_.vertex_count());
       for (const PairVertices& v : found[kind]) {
         stop_if_cancelled(query);
         pairs.push_back(near_pair(static_cast<PairKind>(kind), v, points_of(query.step, v)));

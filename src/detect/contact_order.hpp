@@ -1,10 +1,9 @@
 // Sorting by the documented order of contacts.
 #pragma once
-#include <array>
 #include <functional>
 #include <vector>
 
-#include "query/pair_sorter.hpp"
+#include "numerics/held_bytes.hpp"
 #include "tamis/contact.hpp"
 
 namespace tamis {
@@ -14,16 +13,19 @@ namespace tamis {
 class ContactSorter {
  public:
   void sort(std::vector<Contact>& contacts, Index vertex_count, const std::function<void()>& pause);
-  std::uint64_t memory_bytes() const { return held_bytes(keys_, sorter_, sorted_); }
+  std::uint64_t memory_bytes() const { return held_bytes(first_, entries_, sorted_); }
 
  private:
-  /// Sorted in place of the contact, which is looked at once and moved once.
-  struct Key : PairVertices {
-    std::uint32_t place;  ///< of the contact
+  struct Entry {
+    Index v1, v2, v3;
+    std::uint32_t place;  ///< of the contact, before sorting
   };
 
-  std::array<std::vector<Key>, kPairKinds> keys_;
-  PairSorter<Key> sorter_;
+  /// Counts, then places each contact in its bucket: of bucket b they are entries_[first_[b], first_[b + 1]).
+  void fill_buckets(const std::vector<Contact>& contacts, Index vertex_count, const std::function<void()>& pause);
+
+  std::vector<std::uint32_t> first_;  ///< of each bucket: kind and first vertex
+  std::vector<Entry> entries_;
   std::vector<Contact> sorted_;
 };
 

@@ -83,7 +83,7 @@ void ProximitySearch::gather(const Query& query) {
   });
   for (auto& list : lists_) {
     require_countable_pairs(list.size());
-    sorter_.sort(list, workspace_.mesh.vertex_count(), std::less<>(), [&] { stop_if_cancelled(query); });
+    order_.sort(list, workspace_.mesh.vertex_count(), [&] { stop_if_cancelled(query); });
   }
 }
 

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "numerics/held_bytes.hpp"
-#include "query/pair_sorter.hpp"
 #include "query/pair_vertices.hpp"
+#include "query/proximity_order.hpp"
 #include "search/thread_streams.hpp"
 #include "tamis/proximity.hpp"
 
@@ -42,7 +42,7 @@ class ProximitySearch {
 
   /// As Engine::find_near.
   void find(const Query& query, std::vector<NearPair>& pairs, Statistics& statistics);
-  std::uint64_t memory_bytes() const { return held_bytes(sorter_, streams_, lists_); }
+  std::uint64_t memory_bytes() const { return held_bytes(order_, streams_, lists_); }
 
  private:
   /// Merges what the threads found into one ordered list a kind.
@@ -51,7 +51,7 @@ class ProximitySearch {
 
   Workspace& workspace_;
   std::array<std::vector<PairVertices>, kPairKinds> lists_;  ///< in order, once all threads have searched
-  PairSorter<PairVertices> sorter_;
+  ProximityOrder order_;
   ThreadStreams<ProximityConsumer> streams_;
 };
 

@@ -1,4 +1,4 @@
-#include "query/pair_sorter.hpp"
+#include "query/proximity_order.hpp"
 
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
@@ -23,12 +23,12 @@ void expect_sorted(std::vector<PairVertices> pairs, Index vertex_count, int thre
   std::vector<PairVertices> expected = pairs;
   std::sort(expected.begin(), expected.end());
   const tbb::global_control allowed(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
-  PairSorter<PairVertices> sorter;
-  tbb::task_arena(threads).execute([&] { sorter.sort(pairs, vertex_count, std::less<>(), [] {}); });
+  ProximityOrder order;
+  tbb::task_arena(threads).execute([&] { order.sort(pairs, vertex_count); });
   EXPECT_EQ(pairs, expected) << vertex_count << " vertices, " << threads << " threads";
 }
 
-TEST(PairSorter, IsThatOfTheVerticesWithAnyNumberOfThreads) {
+TEST(ProximityOrder, IsThatOfTheVerticesWithAnyNumberOfThreads) {
   // Would catch a pass that is not stable, parts of the pairs put together in another order, and a last vertex that
   // is not looked at: few vertices make many parts, and many pairs that differ in nothing else.
   for (const int threads : {1, 2, 3, 7})
@@ -37,7 +37,7 @@ TEST(PairSorter, IsThatOfTheVerticesWithAnyNumberOfThreads) {
         expect_sorted(pairs_of(vertex_count, count, static_cast<unsigned>(threads)), vertex_count, threads);
 }
 
-TEST(PairSorter, TakesPairsOfFewerThanFourVertices) {
+TEST(ProximityOrder, TakesPairsOfFewerThanFourVertices) {
   for (const std::size_t used : {2u, 3u}) {
     std::vector<PairVertices> pairs = pairs_of(50, 3000, 5);
     for (PairVertices& pair : pairs) std::fill(pair.begin() + used, pair.end(), -1);

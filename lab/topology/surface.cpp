@@ -1,21 +1,15 @@
 #include "lab/topology/surface.hpp"
 
+#include "topology/loose_features.hpp"
+
 namespace tamis::lab {
 namespace {
 
 std::vector<Face> triangles_of_loose_features(const Mesh& mesh) {
+  const LooseFeatures loose(mesh);
   std::vector<Face> triangles;
-  std::vector<bool> covered(static_cast<std::size_t>(mesh.vertex_count()), false);
-  for (const Face& face : mesh.faces())
-    for (Index v : face) covered[static_cast<std::size_t>(v)] = true;
-  for (Index e = 0; e < static_cast<Index>(mesh.edges().size()); ++e) {
-    if (!mesh.faces_of_edge(e).empty()) continue;
-    const auto [a, b] = mesh.edges()[static_cast<std::size_t>(e)];
-    triangles.push_back({a, b, b});
-    covered[static_cast<std::size_t>(a)] = covered[static_cast<std::size_t>(b)] = true;
-  }
-  for (Index p : mesh.points())
-    if (!covered[static_cast<std::size_t>(p)]) triangles.push_back({p, p, p});
+  for (const auto& [a, b] : loose.edges) triangles.push_back({a, b, b});
+  for (const Index p : loose.points) triangles.push_back({p, p, p});
   return triangles;
 }
 

@@ -6,6 +6,7 @@
 #include "curves/chord_deviation.hpp"
 #include "numerics/assert.hpp"
 #include "numerics/error_bounds.hpp"
+#include "numerics/length.hpp"
 #include "topology/at.hpp"
 
 namespace tamis {
@@ -26,12 +27,9 @@ Box unbounded_if_unknown(Box box) {
 
 /// An upper bound of the distance of the box' points from the origin.
 double farthest_in(const Box& box) {
-  double square = 0;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const double farthest = std::max(std::fabs(box.low[k]), std::fabs(box.high[k]));
-    square += farthest * farthest;
-  }
-  return std::sqrt(square) * kRoundedUp + 0x1p-500;  // squares may underflow
+  const auto along = [&](std::size_t k) { return std::max(std::fabs(box.low[k]), std::fabs(box.high[k])); };
+  // Below the normal doubles the length is off by a unit of 2^-1074, and the factor adds nothing.
+  return quick_length_of(along(0), along(1), along(2)) * kRoundedUp + 0x1p-1000;
 }
 
 /// An error bound of transformed points with |x|_1 <= size, and of their boxes, the rounding of may_meet() included.

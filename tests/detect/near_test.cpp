@@ -65,6 +65,8 @@ void check(const NearPair& pair, const Scene& scene) {
   const double exact = distance_in_integers(pair.kind, points, 0).distance;
   EXPECT_NEAR(pair.distance, exact, tolerance);
   const auto weights = weights_of(pair.kind, pair.u, pair.v);
+  const std::size_t first = pair.kind == PairKind::edge_edge ? 2 : 1;  // vertices of the first feature
+  for (std::size_t i = 0; i < 4; ++i) EXPECT_TRUE(i < first ? weights[i] >= 0 : weights[i] <= 0) << i;
   Point gap{};
   for (std::size_t i = 0; i < vertex_count(pair.kind); ++i)
     for (std::size_t k = 0; k < 3; ++k) gap[k] += weights[i] * (points.start[i][k] - points.start[0][k]);

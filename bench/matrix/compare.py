@@ -5,6 +5,7 @@ geometric mean. Answers are compared, too: cells whose answers contradict each o
     bench/matrix/compare.py OLD/bin/tamis_matrix NEW/bin/tamis_matrix --part daily --csv daily.csv
     bench/matrix/compare.py OLD/bin/tamis_matrix NEW/bin/tamis_matrix --cells 'kick*/x3/*' --isa avx2 --repeat 7
     bench/matrix/compare.py OLD/bin/tamis_matrix NEW/bin/tamis_matrix --sweep 0.8 --limit 60
+    bench/matrix/compare.py BUILD/bin/tamis_matrix BUILD/bin/tamis_matrix --threads 1,16 --cells '*-300k/*'
 
 Parts (bench/matrix/cells.hpp): night, every cell below a limit of work; daily, two of each scene and scale, so that
 every question, state and separation comes in turn, with every instruction set; quick, those of the daily ones that
@@ -37,8 +38,8 @@ class GivenUp(Exception):
 class Driver:
     """One build, serving. Scenes are made once; a question is timed by the process itself."""
 
-    def __init__(self, program, isa, limit):
-        self.command = [program, "--isa", isa, "--serve"]
+    def __init__(self, program, isa, threads, limit):
+        self.command = [program, "--isa", isa, *(["--threads", threads] if threads != "1" else []), "--serve"]
         self.limit = limit  # seconds, or nothing
         self.start()
 
@@ -197,6 +198,8 @@ def arguments():
     parser.add_argument("--repeat", type=int, default=3, metavar="N", help="turns a cell [3]")
     parser.add_argument("--sweep", type=float, metavar="RATIO", help="one turn only where no slower than this")
     parser.add_argument("--limit", type=float, metavar="SECONDS", help="wall clock of one answer, scene included")
+    parser.add_argument("--threads", default="1,1", metavar="OLD,NEW", help="of each build; more than one are timed by "
+                        "the wall clock, on a machine with nothing else to do [1,1]")
     parser.add_argument("--isa", metavar="NAME,...", help="instruction sets [night: best; else: all]")
     parser.add_argument("--csv", metavar="FILE", help="all rows, for plot.py")
     return parser.parse_args()
@@ -210,7 +213,8 @@ def isas_of(asked):
 
 def measure_all(asked, cells):
     """The rows of all cells, and what was given up; of those before an interrupt."""
-    drivers = {isa: [Driver(program, isa, asked.limit) for program in (asked.old, asked.new)] for isa in isas_of(asked)}
+    builds = [*zip((asked.old, asked.new), asked.threads.split(","), strict=True)]
+    drivers = {isa: [Driver(program, isa, threads, asked.limit) for program, threads in builds] for isa in isas_of(asked)}
     rows, given_up = [], []
     try:
         for i, cell in enumerate(cells):

@@ -25,6 +25,7 @@ constexpr const char* kUsage = R"(tamis_matrix [--part PART] --list [PATTERN...]
 tamis_matrix [--part PART] [--isa NAME] PATTERN...          asks each cell once: counts and a hash of the answer
 tamis_matrix [--isa NAME] --serve                           cells, one a line, on stdin; an empty line asks the last
                                                             one again, timed
+--threads N: of the detectors [1]. Times are processor time of one thread, of more the wall clock.
 Patterns as of the shell: 'kick*/x3/contacts/*'. A name is SCENE/xSCALE/QUESTION/STATE/dSEPARATION.
 Parts: night (all, the default), daily, quick; left-out: what takes too long even for the night (--list only).
 )";
@@ -85,12 +86,12 @@ void keep_memory() {
 
 void print(const nlohmann::ordered_json& row) { std::cout << row.dump() << std::endl; }
 
-void serve(Isa isa) {
+void serve(const Options& options) {
   std::unique_ptr<Session> session;
   for (std::string line; std::getline(std::cin, line);) {
     if (!line.empty()) {
       const Cell cell = cell_from_name(line);
-      session = std::make_unique<Session>(cell, scene_named(cell.scene.name), isa);
+      session = std::make_unique<Session>(cell, scene_named(cell.scene.name), options);
       print(row_of(cell, session->run()));
     } else if (session) {
       print({{"ms", time(*session)}});
@@ -104,7 +105,7 @@ bool fits(const std::string& name, const std::vector<std::string>& patterns) {
 }
 
 struct Arguments {
-  Isa isa = Isa::best;
+  Options options{.threads = 1};
   bool lists = false, serves = false;
   std::string part = "night";
   std::vector<std::string> patterns;
@@ -115,7 +116,9 @@ Arguments read(const std::vector<std::string>& words) {
   for (std::size_t i = 0; i < words.size(); ++i) {
     const bool has_value = i + 1 < words.size();
     if (words[i] == "--isa" && has_value)
-      asked.isa = isa_from_name(words[++i]);
+      asked.options.isa = isa_from_name(words[++i]);
+    else if (words[i] == "--threads" && has_value)
+      asked.options.threads = std::stoi(words[++i]);
     else if (words[i] == "--part" && has_value)
       asked.part = words[++i];
     else if (words[i] == "--list")
@@ -141,12 +144,12 @@ std::vector<Cell> cells_of(const Arguments& asked) {
 }
 
 void run(const Arguments& asked) {
-  if (asked.serves) return serve(asked.isa);
+  if (asked.serves) return serve(asked.options);
   for (const Cell& cell : cells_of(asked))
     if (asked.lists)
       std::cout << name_of(cell) << '\n';
     else
-      print(row_of(cell, Session(cell, scene_named(cell.scene.name), asked.isa).run()));
+      print(row_of(cell, Session(cell, scene_named(cell.scene.name), asked.options).run()));
 }
 
 }  // namespace

@@ -14,10 +14,10 @@ constexpr double kKeptFraction = 0.2;
 constexpr int kTrials = 8;
 constexpr int kSubsteps = 20;
 
-/// Of the whole process: with one thread the time of the question, whoever else uses the machine.
-double processor_seconds() {
+/// With one thread the processor time of the process: the time of the question, whoever else uses the machine.
+double seconds_now(int threads) {
   timespec now{};
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+  clock_gettime(threads == 1 ? CLOCK_PROCESS_CPUTIME_ID : CLOCK_MONOTONIC, &now);
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
@@ -122,11 +122,11 @@ void add_counts(const Statistics& statistics, Outcome& outcome) {
 
 }  // namespace
 
-Session::Session(const Cell& cell, scenes::Scene scene, Isa isa)
+Session::Session(const Cell& cell, scenes::Scene scene, const Options& options)
     : cell_(cell), scene_(std::move(scene)), mesh_(scene_.mesh()) {
   scene_.end = on_the_way(scene_.start, scene_.end, cell.scale);
-  options_.threads = 1;
-  options_.isa = isa;
+  options_.threads = options.threads;
+  options_.isa = options.isa;
   decide_all(options_);
   if (cell.scene.parts_groups) options_.filter = PairFilter::no_self_contact(scene_.group_of_vertex);
   distance_ = cell.separation * mean_edge(mesh_, scene_.start);
@@ -138,9 +138,9 @@ Session::Session(const Cell& cell, scenes::Scene scene, Isa isa)
 void Session::ask(Question question, const std::vector<Point>& start, const std::vector<Point>& end, Outcome& outcome) {
   const Step step{start, end};
   const auto timed = [&](const auto& question_of) {
-    const double before = processor_seconds();
+    const double before = seconds_now(options_.threads);
     const auto& answer = question_of();
-    outcome.seconds.push_back(processor_seconds() - before);
+    outcome.seconds.push_back(seconds_now(options_.threads) - before);
     add_answer(answer, outcome);
     add_counts(detector_->statistics(), outcome);
   };

@@ -19,15 +19,15 @@ struct Outcome {
   std::uint64_t pairs = kHashSeed;   ///< hash of what touches: the same for every version
   std::uint64_t bits = kHashSeed;    ///< of all that is answered, times too
   std::vector<double> lower, upper;  ///< of each question: the bracket of the first time
-  std::vector<double> seconds;       ///< processor time of each question
+  std::vector<double> seconds;       ///< of each question: processor time of one thread, of more the wall clock
 
   static constexpr std::uint64_t kHashSeed = 0xcbf29ce484222325;
 };
 
 class Session {
  public:
-  /// `scene` as load_scene gives it, its motion not yet scaled.
-  Session(const Cell& cell, scenes::Scene scene, Isa isa);
+  /// `scene` as load_scene gives it, its motion not yet scaled. Of the options threads and instruction set count.
+  Session(const Cell& cell, scenes::Scene scene, const Options& options);
   /// Asks all questions of the cell; again with the same detector, but where the cell wants a new one.
   Outcome run();
 

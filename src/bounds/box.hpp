@@ -59,6 +59,11 @@ struct Box {
   }
 };
 
+inline Box joined(Box a, const Box& b) {
+  a.include(b);
+  return a;
+}
+
 /// False only if proven.
 inline bool may_meet(const Box& a, const Box& b) {
   bool is_apart = false;

@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <functional>
 #include <utility>
 
 #include "bounds/box.hpp"
 #include "bounds/shared_motion.hpp"
 #include "numerics/assert.hpp"
+#include "numerics/in_parts.hpp"
 
 namespace tamis {
 namespace {
@@ -21,13 +23,22 @@ float box_distance(double distance) {
   return static_cast<float>(std::min(distance * (1 + 0x1p-20), kFarthest));
 }
 
-Box box_of(const Positions& positions, std::span<const Index> used) {
-  Box box;
-  for (const Index v : used) {
+/// Around `point_of` each of the vertices.
+template <class PointOf>
+Box box_of(std::span<const Index> vertices, const PointOf& point_of) {
+  const auto box_of_part = [&](std::size_t begin, std::size_t end) {
+    Box box;
+    for (const Index v : vertices.subspan(begin, end - begin)) box.include(point_of(v));
+    return box;
+  };
+  return joined_parts(vertices.size(), kVerticesPerPart, Box(), box_of_part, joined);
+}
+
+Box box_of(const Positions& positions, std::span<const Index> vertices) {
+  return box_of(vertices, [&](Index v) {
     const double* p = positions[v];
-    box.include(Point{p[0], p[1], p[2]});
-  }
-  return box;
+    return Point{p[0], p[1], p[2]};
+  });
 }
 
 /// The frame moves with the scene where that makes it so many times narrower, which is three bits of every coordinate.
@@ -35,9 +46,7 @@ Box box_of(const Positions& positions, std::span<const Index> used) {
 constexpr double kMuchNarrower = 8;
 
 BoxFrame frame_of(const Step& step, std::span<const Index> used, double min_separation) {
-  const Box start = box_of(step.start, used), end = box_of(step.end, used);
-  Box both = start;
-  both.include(end);
+  const Box start = box_of(step.start, used), end = box_of(step.end, used), both = joined(start, end);
   double half = std::max(start.half_width(), end.half_width());
   const bool moves_along = kMuchNarrower * half < both.half_width();
   if (!moves_along) half = both.half_width();
@@ -62,15 +71,10 @@ Vec3<double> scaled_difference(const double* to, const double* from, double scal
   return {on(0), on(1), on(2)};
 }
 
-/// Does any bit differ between two sequences of numbers?
-class BitDifference {
- public:
-  void add(double a, double b) { bits_ |= std::bit_cast<std::uint64_t>(a) ^ std::bit_cast<std::uint64_t>(b); }
-  bool is_any() const { return bits_ != 0; }
-
- private:
-  std::uint64_t bits_ = 0;
-};
+/// Those in which two numbers differ.
+std::uint64_t different_bits(double a, double b) {
+  return std::bit_cast<std::uint64_t>(a) ^ std::bit_cast<std::uint64_t>(b);
+}
 
 }  // namespace
 
@@ -89,41 +93,45 @@ bool PackedMotion::assign(const Step& step, std::span<const Index> used, const S
                new_separations.radii.size() == static_cast<std::size_t>(step.start.count()));
   const bool is_first = vertices.empty();
   const double last_separation = std::exchange(separations, new_separations).fixed;
-  BitDifference difference;
-  difference.add(last_separation, separations.fixed);
   frame = frame_of(step, used, separations.fixed);
   const auto count = static_cast<std::size_t>(step.start.count());
   vertices.resize(count);
   box_vertices.resize(count);
-  for (Index v : used) {
-    PackedVertex& packed = vertices[static_cast<std::size_t>(v)];
-    BoxVertex& box = box_vertices[static_cast<std::size_t>(v)];
-    const double *start = step.start[v], *end = step.end[v];
-    const double radius = separations.radii.empty() ? 0 : separations.radii[static_cast<std::size_t>(v)];
-    difference.add(packed.at[3], radius);
-    packed.at[3] = radius;
-    box.at[BoxVertex::kRadius] = box_distance(radius * frame.scale);
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      difference.add(packed.at[axis], start[axis]);
-      difference.add(packed.at[4 + axis], end[axis]);
-      packed.at[axis] = start[axis];
-      packed.at[4 + axis] = end[axis];
-      box.at[axis] = static_cast<float>((start[axis] - frame.origin[axis]) * frame.scale);
-      box.at[3 + axis] = static_cast<float>((end[axis] - frame.origin_at_end[axis]) * frame.scale);
-    }
+  const auto load_part = [&](std::size_t begin, std::size_t end) {
+    std::uint64_t bits = 0;
+    for (const Index v : used.subspan(begin, end - begin)) bits |= load(v, step);
+    return bits;
+  };
+  const auto bits = joined_parts(used.size(), kVerticesPerPart, std::uint64_t{0}, load_part, std::bit_or<>());
+  return is_first || (bits | different_bits(last_separation, separations.fixed)) != 0;
+}
+
+std::uint64_t PackedMotion::load(Index v, const Step& step) {
+  PackedVertex& packed = vertices[static_cast<std::size_t>(v)];
+  BoxVertex& box = box_vertices[static_cast<std::size_t>(v)];
+  const double *start = step.start[v], *end = step.end[v];
+  const double radius = separations.radii.empty() ? 0 : separations.radii[static_cast<std::size_t>(v)];
+  std::uint64_t bits = different_bits(packed.at[3], radius);
+  packed.at[3] = radius;
+  box.at[BoxVertex::kRadius] = box_distance(radius * frame.scale);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    bits |= different_bits(packed.at[axis], start[axis]) | different_bits(packed.at[4 + axis], end[axis]);
+    packed.at[axis] = start[axis];
+    packed.at[4 + axis] = end[axis];
+    box.at[axis] = static_cast<float>((start[axis] - frame.origin[axis]) * frame.scale);
+    box.at[3 + axis] = static_cast<float>((end[axis] - frame.origin_at_end[axis]) * frame.scale);
   }
-  return is_first || difference.is_any();
+  return bits;
 }
 
 void PackedMotion::assign_residuals(std::span<const Index> used, const SharedMotion& shared) {
   residuals.resize(vertices.size());
-  Box box;
-  for (const Index v : used) {
+  const Box box = box_of(used, [&](Index v) {
     const Vec3<double> residual = shared.residual_of(vertices[static_cast<std::size_t>(v)], frame);
     residuals[static_cast<std::size_t>(v)] = {
         {0, 0, 0, static_cast<float>(residual.x), static_cast<float>(residual.y), static_cast<float>(residual.z)}};
-    box.include(Point{residual.x, residual.y, residual.z});
-  }
+    return Point{residual.x, residual.y, residual.z};
+  });
   spread = static_cast<float>(box.extent());
 }
 

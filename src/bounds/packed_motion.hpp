@@ -91,6 +91,10 @@ struct PackedMotion {
     return {vertices.data(), {separations.fixed, has_radii}, box_vertices.data(), {2 * frame.margin, has_radii}};
   }
   std::uint64_t memory_bytes() const { return held_bytes(vertices, box_vertices, residuals); }
+
+ private:
+  /// Returns the bits in which the vertex differs from what it was.
+  std::uint64_t load(Index vertex, const Step& step);
 };
 
 /// What boxes of vertices, or of residuals, are widened by: so much, and so much of the box's size.

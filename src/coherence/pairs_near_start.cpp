@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "numerics/error_bounds.hpp"
+#include "numerics/in_parts.hpp"
 #include "topology/at.hpp"
 #include "topology/neighbourhood_maximum.hpp"
 
@@ -35,8 +36,9 @@ bool PairsNearStart::begin(const Query& query, double fraction, bool lists_all) 
   if (same_start_) {
     is_truncated_again_ |= is_truncated_ && !lists_all;
     is_truncated_ |= lists_all;
-    for (const Index v : mesh_.points())
+    for_each_in_parts(mesh_.points(), kVerticesPerPart, [&](Index v) {
       displacements_[at(v)] = std::max(displacements_[at(v)], displacement_bound(query.step, v));
+    });
     if (are_listed_ && covers(query)) return true;
   } else {
     start_anew(query.step);
@@ -54,11 +56,12 @@ void PairsNearStart::start_anew(const Step& step) {
   previous_displacements_.resize(count);
   displacements_.assign(count, 0);
   start_.resize(count);
-  for (const Index v : mesh_.points()) std::copy_n(step.start[v], 3, start_[at(v)].begin());
+  for_each_in_parts(mesh_.points(), kVerticesPerPart,
+                    [&](Index v) { std::copy_n(step.start[v], 3, start_[at(v)].begin()); });
 }
 
 bool PairsNearStart::has_same_start(const Step& step) const {
-  return !start_.empty() && std::all_of(mesh_.points().begin(), mesh_.points().end(), [&](Index v) {
+  return !start_.empty() && all_in_parts(mesh_.points(), kVerticesPerPart, [&](Index v) {
     return std::equal(step.start[v], step.start[v] + 3, start_[at(v)].begin());
   });
 }
@@ -68,7 +71,7 @@ bool PairsNearStart::has_same_start(const Step& step) const {
 /// its search radius plus its contact radius, even where these are those of two vertices (neighbourhood_maximum).
 bool PairsNearStart::covers(const Query& query) const {
   if (query.separations.fixed > separation_ || query.separations.radii.data() != radii_) return false;
-  return std::all_of(mesh_.points().begin(), mesh_.points().end(), [&](Index v) {
+  return all_in_parts(mesh_.points(), kVerticesPerPart, [&](Index v) {
     return displacement_bound(query.step, v) <= (1 - fraction_) * search_radii_[at(v)];
   });
 }

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "numerics/assert.hpp"
+#include "numerics/in_parts.hpp"
 #include "topology/at.hpp"
 
 namespace tamis {
@@ -13,11 +15,13 @@ void PredictedStep::make(const Step& step, std::span<const Index> vertices, doub
   vertices_ = vertices;
   to_.resize(vertices.size());
   from_.resize(vertices.size());  // last, as it tells is_made()
-  for (std::size_t i = 0; i < vertices.size(); ++i)
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      from_[i][axis] = step.start[vertices[i]][axis];
-      to_[i][axis] = from_[i][axis] + steps * (step.end[vertices[i]][axis] - from_[i][axis]);
-    }
+  in_parts(vertices.size(), kVerticesPerPart, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        from_[i][axis] = step.start[vertices[i]][axis];
+        to_[i][axis] = from_[i][axis] + steps * (step.end[vertices[i]][axis] - from_[i][axis]);
+      }
+  });
 }
 
 PredictedStep::Ends PredictedStep::ends(Index count) const {
@@ -56,17 +60,23 @@ double PredictedStep::nearest_time(const Positions& positions) const {
 
 /// Sums over the axes, which bound distances. Rounding (docs/numerics.md: "Pairs listed ahead"): 2^-49.
 std::optional<double> PredictedStep::deviation(const Positions& positions, double t, double most) const {
-  double largest = 0;
-  for (std::size_t i = 0; i < from_.size(); ++i) {
-    double off = 0;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const double a = from_[i][axis], b = to_[i][axis], x = positions[vertices_[i]][axis];
-      off += std::fabs(x - (a + t * (b - a))) + 0x1p-49 * (std::fabs(a) + std::fabs(b) + std::fabs(x));
+  constexpr double kTooFar = std::numeric_limits<double>::infinity();
+  const auto largest_of_part = [&](std::size_t begin, std::size_t end) {
+    double largest = 0;
+    for (std::size_t i = begin; i < end; ++i) {
+      double off = 0;
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        const double a = from_[i][axis], b = to_[i][axis], x = positions[vertices_[i]][axis];
+        off += std::fabs(x - (a + t * (b - a))) + 0x1p-49 * (std::fabs(a) + std::fabs(b) + std::fabs(x));
+      }
+      if (!(off <= most)) return kTooFar;
+      largest = std::max(largest, off);
     }
-    if (!(off <= most) || std::isinf(off)) return {};
-    largest = std::max(largest, off);
-  }
-  return largest;
+    return largest;
+  };
+  const double largest = joined_parts(from_.size(), kVerticesPerPart, 0.0, largest_of_part,
+                                      [](double a, double b) { return std::max(a, b); });
+  return largest < kTooFar ? std::optional(largest) : std::nullopt;
 }
 
 }  // namespace tamis

@@ -3,7 +3,7 @@
 #include <functional>
 #include <vector>
 
-#include "numerics/held_bytes.hpp"
+#include "numerics/counting_sort.hpp"
 #include "tamis/contact.hpp"
 
 namespace tamis {
@@ -13,19 +13,25 @@ namespace tamis {
 class ContactSorter {
  public:
   void sort(std::vector<Contact>& contacts, Index vertex_count, const std::function<void()>& pause);
-  std::uint64_t memory_bytes() const { return held_bytes(first_, entries_, sorted_); }
+  std::uint64_t memory_bytes() const { return held_bytes(keys_, counting_, entries_, sorted_); }
 
  private:
   struct Entry {
     Index v1, v2, v3;
     std::uint32_t place;  ///< of the contact, before sorting
   };
+  struct Key {
+    std::size_t bucket;  ///< by kind and first vertex
+    Entry entry;
+  };
 
-  /// Counts, then places each contact in its bucket: of bucket b they are entries_[first_[b], first_[b + 1]).
-  void fill_buckets(const std::vector<Contact>& contacts, Index vertex_count, const std::function<void()>& pause);
+  /// Returns how many buckets there are.
+  std::size_t make_keys(const std::vector<Contact>& contacts, std::size_t vertex_count,
+                        const std::function<void()>& pause);
 
-  std::vector<std::uint32_t> first_;  ///< of each bucket: kind and first vertex
-  std::vector<Entry> entries_;
+  std::vector<Key> keys_;
+  CountingSort counting_;
+  std::vector<Entry> entries_;  ///< in the order of their buckets
   std::vector<Contact> sorted_;
 };
 

@@ -59,8 +59,11 @@ struct Detector::State {
   void on_path(const CutPath& path, double keep, const QueryOptions& asked, const Find& find);
   /// Of a validated query, whose step's end the caller can store.
   TruncatedStep truncate(const Query& whole, double keep, AtStart at_start, Stored stored);
+  /// Runs a loop over the vertices, in the arena if threads share it.
+  template <class Work>
+  void in_arena_if_long(const Work& work);
   /// Throws InvalidOptions, InvalidStep.
-  Query validated_query(const Step& step, const QueryOptions& asked, Question question = Question::all_contacts) const;
+  Query validated_query(const Step& step, const QueryOptions& asked, Question question = Question::all_contacts);
   /// Into `found`.
   void find(const Query& query);
   /// Throws InvalidStep, which names the pair: it touches at the step's start.

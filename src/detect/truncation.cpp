@@ -29,6 +29,16 @@ constexpr double kAllButAMillionth = 1 - 0x1p-20;
 /// In a part of a loop that threads share; a pair takes a microsecond or two.
 constexpr std::size_t kPairsPerPart = 64;
 
+/// Of each pair times_of(pair), from several threads.
+template <class Pair, class TimesOf>
+std::vector<std::array<double, 4>> planar_times_of(const std::vector<Pair>& pairs, const TimesOf& times_of) {
+  std::vector<std::array<double, 4>> times(pairs.size());
+  in_parts(pairs.size(), kPairsPerPart, [&](std::size_t begin, std::size_t end) {
+    for (; begin != end; ++begin) times[begin] = times_of(pairs[begin]);
+  });
+  return times;
+}
+
 double displacement_length(const Step& step, Index v) {
   const double *from = step.start[v], *to = step.end[v];
   return length_of(to[0] - from[0], to[1] - from[1], to[2] - from[2]);
@@ -60,8 +70,7 @@ TruncatedStep Truncation::run(double common_time) {
       begin_on_own_sides();
       continue;
     }
-    const std::vector<double> asked = result_.fractions;
-    for (const StepLimit& pair : broken) stop_at_planes(pair, asked);
+    stop_at_planes(broken);
     if (on_own_sides_ && rounds_ > kRoundsOnOwnSides)
       for (const Index v : mesh_.points()) stop(v, 0);
   }
@@ -74,11 +83,14 @@ void Truncation::begin(double common_time) {
   changed_.clear();
   const auto count = at(mesh_.vertex_count());
   result_ = {std::vector<Point>(count), std::vector<double>(count, 1), true};
-  for (Index v = 0; v < mesh_.vertex_count(); ++v) place(v);
+  in_parts(count, kVerticesPerPart, [&](std::size_t first, std::size_t last) {
+    for (; first != last; ++first) place(static_cast<Index>(first));
+  });
   const double edge = mean_edge(mesh_, step_.start), farthest = edge > 0 ? kFarthestInEdges * edge : HUGE_VAL;
-  for (const Index v : mesh_.points())
+  for_each_in_parts(mesh_.points(), kVerticesPerPart, [&](Index v) {
     if (const double length = displacement_length(step_, v); length * (1 - common_time) > farthest)
       stop(v, common_time + farthest / length);
+  });
 }
 
 void Truncation::begin_on_own_sides() {
@@ -98,12 +110,13 @@ void Truncation::begin_on_own_sides() {
   const Query near_start{
       {step_.start, step_.start}, {query_.separations.fixed, radii}, query_.filter, query_.rings, query_.is_cancelled};
   engine_.find_near(near_start, near, statistics_);
-  for (const NearPair& pair : near) {
+  const auto times = planar_times_of(near, [&](const NearPair& pair) {
     const double separation = separation_of(pair);
-    if (query_.ignores_start && pair.distance <= separation) continue;
-    const auto times = planar_times(pair, points_of(step_, pair.vertices), {fractions_, separation, stored_}, 0);
-    for (std::size_t i = 0; i < vertex_count(pair.kind); ++i) stop(pair.vertices[i], times[i]);
-  }
+    if (query_.ignores_start && pair.distance <= separation) return std::array{1.0, 1.0, 1.0, 1.0};
+    return planar_times(pair, points_of(step_, pair.vertices), {fractions_, separation, stored_}, 0);
+  });
+  for (std::size_t pair = 0; pair < near.size(); ++pair)
+    for (std::size_t i = 0; i < vertex_count(near[pair].kind); ++i) stop(near[pair].vertices[i], times[pair][i]);
 }
 
 /// A coordinate that the step leaves as it is stays.
@@ -142,16 +155,21 @@ std::vector<StepLimit> Truncation::broken_pairs() {
   return pairs;
 }
 
-/// Planes for a broken pair, placed at common_time_. If all its vertices are on their sides, they go back to that time.
-void Truncation::stop_at_planes(const StepLimit& pair, const std::vector<double>& asked) {
-  const PairPoints points = points_of(step_, pair.vertices);
-  const NearPair there = near_pair(pair.kind, pair.vertices, at_rest_at(points, common_time_));
-  const auto times = planar_times(there, points, {fractions_, separation_of(pair), stored_}, common_time_);
-  const std::size_t count = vertex_count(pair.kind);
-  bool is_stopped = false;
-  for (std::size_t i = 0; i < count; ++i) is_stopped |= times[i] < asked[at(pair.vertices[i])];
-  for (std::size_t i = 0; i < count; ++i) stop(pair.vertices[i], is_stopped ? times[i] : common_time_);
-  changed_[at(pair.vertices[0])] = 1;  // whatever became of it, it is asked again
+void Truncation::stop_at_planes(const std::vector<StepLimit>& broken) {
+  const auto times = planar_times_of(broken, [&](const StepLimit& pair) {
+    const PairPoints points = points_of(step_, pair.vertices);
+    const NearPair there = near_pair(pair.kind, pair.vertices, at_rest_at(points, common_time_));
+    return planar_times(there, points, {fractions_, separation_of(pair), stored_}, common_time_);
+  });
+  const std::vector<double> asked = result_.fractions;
+  for (std::size_t pair = 0; pair < broken.size(); ++pair) {
+    const auto& v = broken[pair].vertices;
+    const std::size_t count = vertex_count(broken[pair].kind);
+    bool is_stopped = false;
+    for (std::size_t i = 0; i < count; ++i) is_stopped |= times[pair][i] < asked[at(v[i])];
+    for (std::size_t i = 0; i < count; ++i) stop(v[i], is_stopped ? times[pair][i] : common_time_);
+    changed_[at(v[0])] = 1;  // whatever became of it, it is asked again
+  }
 }
 
 bool Truncation::is_broken(const StepLimit& pair, std::atomic<bool>& some_start_within) const {

@@ -45,7 +45,9 @@ class Truncation {
     return query_.separations.between(pair.kind, pair.vertices);
   }
   Step step_to_result() const { return {step_.start, result_.positions}; }
-  void stop_at_planes(const StepLimit& pair, const std::vector<double>& asked);
+  /// Planes for each pair, placed at common_time_. If all vertices of one are on their sides, they go back to that
+  /// time.
+  void stop_at_planes(const std::vector<StepLimit>& broken);
 
   const Mesh& mesh_;
   const Query& query_;

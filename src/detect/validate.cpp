@@ -8,6 +8,7 @@
 #include "detect/enum_names.hpp"
 #include "detect/stored.hpp"
 #include "numerics/finite.hpp"
+#include "numerics/in_parts.hpp"
 #include "numerics/number_text.hpp"
 #include "tamis/error.hpp"
 #include "topology/at.hpp"
@@ -97,11 +98,10 @@ void validate(const Positions& positions, const Mesh& mesh, const char* what) {
   if (positions.count() != mesh.vertex_count())
     throw InvalidStep(std::string(what) + " has " + std::to_string(positions.count()) + " positions, the mesh " +
                       std::to_string(mesh.vertex_count()) + " vertices: give one row a vertex");
-  for (Index v : mesh.points()) {
-    if (is_finite(positions[v])) continue;
-    throw InvalidStep("vertex " + std::to_string(v) + " in " + what +
-                      " has a coordinate that is not finite: give finite positions");
-  }
+  const auto is_valid = [&](Index v) { return is_finite(positions[v]); };
+  if (all_in_parts(mesh.points(), kVerticesPerPart, is_valid)) return;
+  throw InvalidStep("vertex " + std::to_string(*std::ranges::find_if_not(mesh.points(), is_valid)) + " in " + what +
+                    " has a coordinate that is not finite: give finite positions");
 }
 
 void validate(const Options& options, const Mesh& mesh) {

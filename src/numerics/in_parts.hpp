@@ -1,8 +1,18 @@
-// A parallel loop, if it is long enough.
+// Parallel loops, if they are long enough.
 #pragma once
 #include <tbb/parallel_for.h>
+#include <tbb/parallel_reduce.h>
+#include <tbb/parallel_sort.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cstddef>
 
 namespace tamis {
+
+/// Vertices in a part of a loop that does little with each: tens of microseconds.
+inline constexpr std::size_t kVerticesPerPart = 4096;
 
 /// Calls f(begin, end) for parts of 0 to `count`. A loop no longer than `grain` stays with this thread: handing it over
 /// costs a tenth of a whole question about a mesh of a dozen triangles.
@@ -14,6 +24,46 @@ void in_parts(Count count, Count grain, const F& f) {
   }
   tbb::parallel_for(tbb::blocked_range<Count>(0, count, static_cast<std::size_t>(grain)),
                     [&](const tbb::blocked_range<Count>& part) { f(part.begin(), part.end()); });
+}
+
+/// Calls f(item) for all items, in parts.
+template <class Items, class F>
+void for_each_in_parts(const Items& items, std::size_t grain, const F& f) {
+  in_parts(items.size(), grain, [&](std::size_t begin, std::size_t end) {
+    for (; begin != end; ++begin) f(items[begin]);
+  });
+}
+
+/// What f(begin, end) says of all parts together: a flag, a largest or least value, a box, so that it is the same
+/// however the loop is parted. `nothing`: of no part. join(a, b): of both.
+template <class Count, class Value, class F, class Join>
+Value joined_parts(Count count, Count grain, const Value& nothing, const F& f, const Join& join) {
+  if (count == 0) return nothing;
+  if (count <= grain) return f(Count{0}, count);
+  using Range = tbb::blocked_range<Count>;
+  return tbb::parallel_reduce(
+      Range(0, count, static_cast<std::size_t>(grain)), nothing,
+      [&](const Range& part, const Value& before) { return join(before, f(part.begin(), part.end())); }, join);
+}
+
+/// Does is_so(item) hold for all items? Parts after one with an item for which it does not are passed over.
+template <class Items, class F>
+bool all_in_parts(const Items& items, std::size_t grain, const F& is_so) {
+  std::atomic<bool> are_so = true;
+  in_parts(items.size(), grain, [&](std::size_t begin, std::size_t end) {
+    if (are_so && !std::all_of(items.begin() + begin, items.begin() + end, is_so)) are_so = false;
+  });
+  return are_so;
+}
+
+/// Sorts by an order in which only equal items are neither before nor after each other. One thread alone is faster
+/// without oneTBB's sort.
+template <class Items, class Order>
+void sort_in_parts(Items& items, const Order& comes_before) {
+  if (tbb::this_task_arena::max_concurrency() > 1)
+    tbb::parallel_sort(items, comes_before);
+  else
+    std::sort(items.begin(), items.end(), comes_before);
 }
 
 }  // namespace tamis

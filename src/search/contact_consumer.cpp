@@ -19,9 +19,8 @@ void ContactConsumer::consume(PairKind kind) {
   const int count = by_distance ? decide_within_separation(thread(), kind, found_.bound().latest())
                                 : decide_crossings(thread(), kind, thread().kernels.of(kind));
   const PairBuffer& pairs = thread().filtered;
-  for_each_solved(
-      thread(), count, [&](int i, PairResult result) { add(kind, vertices_of(kind, pairs, i), result); },
-      [&](int i) { decide_singly(kind, vertices_of(kind, pairs, i)); });
+  decide_singly(kind, add_solved(thread(), count,
+                                 [&](int i, PairResult result) { add(kind, vertices_of(kind, pairs, i), result); }));
 }
 
 void ContactConsumer::decide_as_list(PairKind kind) {
@@ -38,10 +37,9 @@ void ContactConsumer::decide_as_list(PairKind kind) {
   const int count =
       kernels.decide_list({vertices, places.data()}, pairs, thread().clipped, results.data(), undecided.data());
   thread().counts.decided_by.lanes += static_cast<std::uint64_t>(pairs.count - count);
-  for (const std::int32_t pair : std::span(undecided).first(static_cast<std::size_t>(count))) {
-    results[static_cast<std::size_t>(pair)] = {};
-    decide_singly(kind, vertices_of(kind, pairs, pair));
-  }
+  const auto left = std::span<const int>(undecided).first(static_cast<std::size_t>(count));
+  for (const int pair : left) results[static_cast<std::size_t>(pair)] = {};
+  decide_singly(kind, left);
   for (int i = 0; i < pairs.count; ++i)
     found_.add(kind, vertices_of(kind, pairs, i), results[static_cast<std::size_t>(i)]);
 }
@@ -63,12 +61,26 @@ void ContactConsumer::add(PairKind kind, const PairVertices& vertices, PairResul
   found_.add(kind, vertices, result);
 }
 
-void ContactConsumer::decide_singly(PairKind kind, const PairVertices& vertices) {
-  stop_if_cancelled(query());
-  if (!found_.wants(kind, vertices)) return;
-  const double separation = query().separations.between(kind, vertices);
-  const PairResult result = decide({kind, points_of(query().step, vertices), separation}, thread().counts.decided_by);
-  found_.add(kind, vertices, result, DecidedBy::singly);
+/// All contacts are all decided; of other questions one may spare the next.
+void ContactConsumer::decide_singly(PairKind kind, std::span<const int> places) {
+  const PairBuffer& pairs = thread().filtered;
+  const auto decided = [&](int place, PrecisionCount& counts) {
+    stop_if_cancelled(query());
+    const PairVertices vertices = vertices_of(kind, pairs, place);
+    const double separation = query().separations.between(kind, vertices);
+    return decide({kind, points_of(query().step, vertices), separation}, counts);
+  };
+  const auto add_decided = [&](int place, const PairResult& result) {
+    found_.add(kind, vertices_of(kind, pairs, place), result, DecidedBy::singly);
+  };
+  if (query().question == Question::all_contacts) {
+    const std::span<const PairResult> results = decide_each(thread(), places, decided);
+    for (std::size_t i = 0; i < places.size(); ++i) add_decided(places[i], results[i]);
+    return;
+  }
+  for (const int place : places)
+    if (found_.wants(kind, vertices_of(kind, pairs, place)))
+      add_decided(place, decided(place, thread().counts.decided_by));
 }
 
 }  // namespace tamis

@@ -3,6 +3,7 @@
 #pragma once
 #include <array>
 #include <memory>
+#include <span>
 
 #include "query/contact_collector.hpp"
 #include "search/pair_stream.hpp"
@@ -34,7 +35,8 @@ class ContactConsumer final : public PairStream {
   /// Decides the pairs of thread().boxes as those of narrow_phase() lists (Query::depends_on_pair_alone).
   void decide_as_list(PairKind kind);
   void add(PairKind kind, const PairVertices& vertices, PairResult& result);
-  void decide_singly(PairKind kind, const PairVertices& vertices);
+  /// Pairs of thread().filtered.
+  void decide_singly(PairKind kind, std::span<const int> places);
 
   struct ListScratch {
     std::array<std::int32_t, PairBuffer::kSize> places, undecided;

@@ -1,7 +1,5 @@
 #include "search/intersection_search.hpp"
 
-#include <algorithm>
-
 #include "narrow/decide.hpp"
 #include "query/cancellation.hpp"
 #include "query/engine.hpp"
@@ -34,10 +32,12 @@ void IntersectionConsumer::consume(PairKind kind) {
   else
     leave_out_groups(query().filter, kind, thread().boxes);
   const int count = decide_crossings(thread(), kind, thread().kernels.along_edges);
-  for_each_solved(
-      thread(), count,
-      [&](int pair, const PairResult& result) { depends_on_pair_alone ? decide_singly(pair) : add(pair, result); },
-      [&](int pair) { decide_singly(pair); });
+  decide_singly(add_solved(thread(), count, [&](int pair, const PairResult& result) {
+    if (depends_on_pair_alone)
+      thread().undecided.push_back(pair);
+    else
+      add(pair, result);
+  }));
 }
 
 void IntersectionConsumer::add(int pair, const PairResult& r) {
@@ -50,12 +50,21 @@ void IntersectionConsumer::add(int pair, const PairResult& r) {
   if (query().question == Question::is_free) shared_->bound.settle();
 }
 
-void IntersectionConsumer::decide_singly(int pair) {
-  stop_if_cancelled(query());
-  if (!wants(kEdgeRunner)) return;
-  const PairBuffer& pairs = thread().filtered;
-  const PairPoints points = edge_runner_points(query().step.start, edge_of(pairs, pair), face_of(pairs, pair));
-  add(pair, decide({kEdgeRunner, points}, thread().counts.decided_by));
+/// Where one is enough it spares the next.
+void IntersectionConsumer::decide_singly(std::span<const int> pairs) {
+  const auto decided = [&](int pair, PrecisionCount& counts) {
+    stop_if_cancelled(query());
+    const PairBuffer& filtered = thread().filtered;
+    const PairPoints points = edge_runner_points(query().step.start, edge_of(filtered, pair), face_of(filtered, pair));
+    return decide({kEdgeRunner, points}, counts);
+  };
+  if (query().question == Question::is_free) {
+    for (const int pair : pairs)
+      if (wants(kEdgeRunner)) add(pair, decided(pair, thread().counts.decided_by));
+    return;
+  }
+  const std::span<const PairResult> results = decide_each(thread(), pairs, decided);
+  for (std::size_t i = 0; i < pairs.size(); ++i) add(pairs[i], results[i]);
 }
 
 void IntersectionSearch::find(const Query& query, std::vector<Intersection>& found, Statistics& statistics) {
@@ -72,7 +81,7 @@ void IntersectionSearch::find(const Query& query, std::vector<Intersection>& fou
   using Counts = SearchCounts;
   streams_.report(statistics, watch.seconds(),
                   {&Counts::boxes, &Counts::slab, &Counts::dnf, &Counts::ncf, &Counts::solve});
-  std::sort(found.begin(), found.end(), comes_first);
+  sort_in_parts(found, comes_first);
 }
 
 }  // namespace tamis

@@ -1,6 +1,7 @@
 // Which edges pass through triangles, or touch them, in one pose? A vertex that runs along the edge during a step
 // touches exactly the triangles that the edge meets, so this is decided as vertex-face contacts are.
 #pragma once
+#include <span>
 #include <vector>
 
 #include "numerics/held_bytes.hpp"
@@ -32,7 +33,7 @@ class IntersectionConsumer final : public PairStream {
  private:
   /// A pair of thread().filtered.
   void add(int pair, const PairResult& result);
-  void decide_singly(int pair);
+  void decide_singly(std::span<const int> pairs);
 
   IntersectionQuery* shared_ = nullptr;
   std::vector<Intersection> found_;

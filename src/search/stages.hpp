@@ -1,5 +1,9 @@
 // The stages in lanes over one buffer of pairs, and how their results are read.
 #pragma once
+#include <span>
+
+#include "numerics/in_parts.hpp"
+#include "query/isolated.hpp"
 #include "query/pair_vertices.hpp"
 #include "search/workspace.hpp"
 
@@ -17,23 +21,41 @@ void filter_crossings(SearchThread& thread, PairKind kind, const PairKernels& st
 /// Results as above.
 int decide_within_separation(SearchThread& thread, PairKind kind, double latest);
 
-/// Calls add(place, PairResult) for each pair that touches, and decide_singly(place) for each that is undecided.
-/// REQUIRES: the first `count` entries of thread.solved name pairs of thread.filtered.
-template <class Add, class DecideSingly>
-void for_each_solved(SearchThread& thread, int count, const Add& add, const DecideSingly& decide_singly) {
+/// Calls add(place, PairResult) for each pair that touches, and returns the places of those that are undecided, in
+/// thread.undecided. REQUIRES: the first `count` entries of thread.solved name pairs of thread.filtered.
+template <class Add>
+std::span<const int> add_solved(SearchThread& thread, int count, const Add& add) {
   TAMIS_ASSERT(0 <= count && count <= thread.filtered.count);
-  int undecided = 0;
+  thread.undecided.clear();
   for (int i = 0; i < count; ++i) {
     const SolvedPair& s = thread.solved[static_cast<std::size_t>(i)];
-    if (s.is_decided) {
-      const Point normal{s.normal[0], s.normal[1], s.normal[2]};
-      add(s.pair, PairResult{true, Certainty::certified, s.toi_lower, s.toi_upper, s.u, s.v, normal});
-    } else {
-      decide_singly(s.pair);
-      ++undecided;
+    if (!s.is_decided) {
+      thread.undecided.push_back(s.pair);
+      continue;
     }
+    const Point normal{s.normal[0], s.normal[1], s.normal[2]};
+    add(s.pair, PairResult{true, Certainty::certified, s.toi_lower, s.toi_upper, s.u, s.v, normal});
   }
-  thread.counts.decided_by.lanes += static_cast<std::uint64_t>(thread.filtered.count - undecided);
+  thread.counts.decided_by.lanes += static_cast<std::uint64_t>(thread.filtered.count) - thread.undecided.size();
+  return thread.undecided;
+}
+
+/// What decide(place, counts), of a pair of thread.filtered, says of each place, in thread.decided: a pair takes a
+/// microsecond or a hundred, so threads that have nothing else to do share them.
+template <class Decide>
+std::span<const PairResult> decide_each(SearchThread& thread, std::span<const int> places, const Decide& decide) {
+  constexpr std::size_t kGrain = 16;
+  thread.decided.resize(places.size());
+  const auto decide_part = [&](std::size_t begin, std::size_t end) {
+    PrecisionCount counts;
+    for (; begin != end; ++begin) thread.decided[begin] = decide(places[begin], counts);
+    return counts;
+  };
+  isolated([&] {  // a thread that waits here must not begin another part of the search: that would use its buffers
+    thread.counts.decided_by += joined_parts(places.size(), kGrain, PrecisionCount(), decide_part,
+                                             [](PrecisionCount a, const PrecisionCount& b) { return a += b; });
+  });
+  return thread.decided;
 }
 
 }  // namespace tamis

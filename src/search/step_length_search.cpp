@@ -63,7 +63,7 @@ void StepLengthSearch::find_all(const Query& query, double fraction, std::vector
   ends.clear();
   streams_.for_each(
       [&](StepLengthConsumer& consumer) { ends.insert(ends.end(), consumer.ends().begin(), consumer.ends().end()); });
-  std::sort(ends.begin(), ends.end(), comes_before_in_order);
+  sort_in_parts(ends, comes_before_in_order);
 }
 
 void StepLengthSearch::ask(StepLengthQuery& asked, Statistics& statistics) {

@@ -32,7 +32,8 @@ class ThreadStreams {
   }
   /// Searches the sample's leaf blocks of `a` against all of `b`.
   void search(PairKind kind, const TreeView& a, const TreeView& b, const Sample& sample = {0, 1}, float t_limit = 1) {
-    for_each_part(kind, sample.count_in(a.leaf_blocks), [&](PairStream& stream, int begin, int end) {
+    constexpr int kBlocks = 8;
+    for_each_part(kind, sample.count_in(a.leaf_blocks), kBlocks, [&](PairStream& stream, int begin, int end) {
       const int first = sample.first + begin * sample.stride, last = sample.first + end * sample.stride;
       stream.search(kind, a, b, {first, std::min(last, a.leaf_blocks), sample.stride}, t_limit);
     });
@@ -90,7 +91,7 @@ class ThreadStreams {
   void search(PairKind kind, const PairLists& lists, const Sample& sample, const TimeInterval<float>& when,
               float t_limit) {
     const std::span<const Candidate> pairs = lists[kind];
-    for_each_part(kind, sample.count_in(parts_of(pairs)), [&](PairStream& stream, int begin, int end) {
+    for_each_part(kind, sample.count_in(parts_of(pairs)), 1, [&](PairStream& stream, int begin, int end) {
       for (int i = begin; i < end; ++i) {
         const auto first = static_cast<std::size_t>(sample.first + i * sample.stride) * kPairsPerPart;
         stream.search(kind, pairs.subspan(first, std::min(kPairsPerPart, pairs.size() - first)), when, t_limit);
@@ -100,10 +101,9 @@ class ThreadStreams {
 
   /// Calls f(the thread's stream, begin, end) for parts of 0 to `count`, unless no pair of the kind is wanted any more.
   template <class F>
-  void for_each_part(PairKind kind, int count, const F& f) {
-    constexpr int kGrain = 8;
+  void for_each_part(PairKind kind, int count, int grain, const F& f) {
     if (!local().wants(kind)) return;
-    in_parts(count, kGrain, [&](int begin, int end) { f(local(), begin, end); });
+    in_parts(count, grain, [&](int begin, int end) { f(local(), begin, end); });
     finish();
   }
 

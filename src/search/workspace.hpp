@@ -26,7 +26,7 @@ struct SearchThread {
     return *within;
   }
   std::uint64_t memory_bytes() const {
-    return sizeof(*this) + (solved ? PairBuffer::kCapacity * sizeof(SolvedPair) : 0) +
+    return sizeof(*this) + held_bytes(undecided, decided) + (solved ? PairBuffer::kCapacity * sizeof(SolvedPair) : 0) +
            (within ? sizeof(WithinScratch) : 0);
   }
 
@@ -36,6 +36,8 @@ struct SearchThread {
   PairBuffer clipped, filtered;  ///< what stages leave
   std::unique_ptr<SolvedPair[]> solved;
   std::unique_ptr<WithinScratch> within;
+  std::vector<int> undecided;       ///< what lanes leave of `filtered`
+  std::vector<PairResult> decided;  ///< the answers to these
   SearchCounts counts;
   Stopwatch watch;  ///< runs since seconds were last added to the counts
 };

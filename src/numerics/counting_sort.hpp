@@ -1,0 +1,63 @@
+// A stable counting sort, in parallel.
+#pragma once
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <functional>
+#include <utility>
+#include <vector>
+
+#include "numerics/assert.hpp"
+#include "numerics/held_bytes.hpp"
+
+namespace tamis {
+
+/// Finds the places of items that are sorted by a number each, their bucket. Keeps its counters from call to call.
+class CountingSort {
+ public:
+  /// Calls put(i, place) once for each i below `count`: places, all those below `count`, ascend by bucket_of(i), below
+  /// `buckets`, then by i. Runs in the caller's oneTBB arena, whose threads call all three; what `pause`, called now
+  /// and then, throws ends it. REQUIRES: count < 2^32.
+  template <class BucketOf, class Put>
+  void find_places(std::size_t count, std::size_t buckets, const BucketOf& bucket_of, const Put& put,
+                   const std::function<void()>& pause) {
+    TAMIS_ASSERT(count >> 32 == 0 && buckets > 0);
+    const auto threads = static_cast<std::size_t>(tbb::this_task_arena::max_concurrency());
+    const std::size_t parts = std::clamp(count / buckets, std::size_t{1}, threads);
+    const auto for_each_item = [&](const auto& f) {
+      tbb::parallel_for(std::size_t{0}, parts, [&](std::size_t part) {
+        const std::size_t first = count * part / parts, end = count * (part + 1) / parts;
+        for (std::size_t i = first; i < end; ++i) {
+          if (i % kItemsPerPause == 0) pause();
+          const std::size_t bucket = bucket_of(i);
+          TAMIS_ASSERT(bucket < buckets);
+          f(i, places_[part * buckets + bucket]);
+        }
+      });
+    };
+    places_.assign(parts * buckets, 0);
+    for_each_item([](std::size_t, std::uint32_t& counted) { ++counted; });
+    std::uint32_t place = 0;
+    for (std::size_t bucket = 0; bucket < buckets; ++bucket)
+      for (std::size_t part = 0; part < parts; ++part) place += std::exchange(places_[part * buckets + bucket], place);
+    for_each_item([&](std::size_t i, std::uint32_t& next) { put(i, next++); });
+    ends_ = (parts - 1) * buckets;
+  }
+  /// The places of the last call's bucket are [begin, end).
+  std::uint32_t begin_of(std::size_t bucket) const { return bucket == 0 ? 0 : end_of(bucket - 1); }
+  std::uint32_t end_of(std::size_t bucket) const { return places_[ends_ + bucket]; }
+  std::uint64_t memory_bytes() const { return held_bytes(places_); }
+
+ private:
+  /// Below a tenth of a millisecond.
+  static constexpr std::size_t kItemsPerPause = std::size_t{1} << 14;
+
+  /// [part of the items][bucket]: how many there are, then where the next one goes. A part for each thread, unless the
+  /// counters would be most of the work.
+  std::vector<std::uint32_t> places_;
+  std::size_t ends_ = 0;  ///< of the last part
+};
+
+}  // namespace tamis

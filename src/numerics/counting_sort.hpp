@@ -28,12 +28,15 @@ class CountingSort {
     const std::size_t parts = std::clamp(count / buckets, std::size_t{1}, threads);
     const auto for_each_item = [&](const auto& f) {
       tbb::parallel_for(std::size_t{0}, parts, [&](std::size_t part) {
-        const std::size_t first = count * part / parts, end = count * (part + 1) / parts;
-        for (std::size_t i = first; i < end; ++i) {
-          if (i % kItemsPerPause == 0) pause();
-          const std::size_t bucket = bucket_of(i);
-          TAMIS_ASSERT(bucket < buckets);
-          f(i, places_[part * buckets + bucket]);
+        std::uint32_t* const counters = places_.data() + part * buckets;
+        const std::size_t end = count * (part + 1) / parts;
+        for (std::size_t i = count * part / parts; i < end;) {
+          pause();
+          for (const std::size_t until = std::min(end, i + kItemsPerPause); i < until; ++i) {
+            const std::size_t bucket = bucket_of(i);
+            TAMIS_ASSERT(bucket < buckets);
+            f(i, counters[bucket]);
+          }
         }
       });
     };

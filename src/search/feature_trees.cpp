@@ -4,6 +4,7 @@
 
 #include "bvh/order_axes.hpp"
 #include "numerics/assert.hpp"
+#include "numerics/in_parts.hpp"
 #include "query/cancellation.hpp"
 #include "query/stopwatch.hpp"
 
@@ -34,6 +35,13 @@ FeatureTrees::FeatureTrees(const Mesh& mesh, const Options& options, const Kerne
   if (loose_.points.empty()) return;
   loose_points_.set_features(loose_.points);
   loose_edges_.set_features(std::span<const Edge>(loose_.edges));
+}
+
+template <class F>
+void FeatureTrees::for_each_tree(const F& f) {
+  const auto all = trees();
+  const std::size_t at_a_time = mesh_.points().size() > kVerticesPerPart ? 1 : all.size();
+  for_each_in_parts(all, at_a_time, [&](BlockTree* tree) { f(*tree); });
 }
 
 void FeatureTrees::refit_or_rebuild(const Step& step, const Separations& separations, LooksAt looks_at,
@@ -69,10 +77,10 @@ void FeatureTrees::refit_for(const Step& step, const Separations& separations) {
 }
 
 void FeatureTrees::refit_trees() {
-  for (BlockTree* tree : trees()) {
+  for_each_tree([&](BlockTree& tree) {
     stop_if_cancelled(options_);
-    tree->refit(motion_, kernels_.trees);
-  }
+    tree.refit(motion_, kernels_.trees);
+  });
   boxes_are_current_ = true;
 }
 
@@ -90,7 +98,8 @@ void FeatureTrees::update_trees(LooksAt looks_at, Statistics& statistics) {
   built_areas_.reset();  // until all are built
   boxes_are_current_ = false;
   axes_ = best_axes(looks_at);
-  for (BlockTree* tree : trees()) tree->build(motion_, axes_, kernels_.trees, [&] { stop_if_cancelled(options_); });
+  for_each_tree(
+      [&](BlockTree& tree) { tree.build(motion_, axes_, kernels_.trees, [&] { stop_if_cancelled(options_); }); });
   built_areas_ = areas();
   built_scale_ = motion_.frame.scale;
   is_order_in_doubt_ = false;
@@ -136,10 +145,10 @@ void FeatureTrees::mark(std::span<const std::uint8_t> of_vertex) {
 void FeatureTrees::refit_residuals(const SharedMotion& shared) {
   TAMIS_ASSERT(boxes_are_current_);
   motion_.assign_residuals(mesh_.points(), shared);
-  for (BlockTree* tree : trees()) {
+  for_each_tree([&](BlockTree& tree) {
     stop_if_cancelled(options_);
-    tree->refit_residuals(motion_, kernels_.trees);
-  }
+    tree.refit_residuals(motion_, kernels_.trees);
+  });
 }
 
 }  // namespace tamis

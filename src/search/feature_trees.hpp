@@ -74,6 +74,9 @@ class FeatureTrees {
   BlockTree::Areas areas() const;
   std::array<BlockTree*, 5> trees() { return {&points_, &edges_, &faces_, &loose_points_, &loose_edges_}; }
   std::array<const BlockTree*, 5> trees() const { return {&points_, &edges_, &faces_, &loose_points_, &loose_edges_}; }
+  /// Calls f(tree) for each, for all at a time where they are large.
+  template <class F>
+  void for_each_tree(const F& f);
   /// Loads the vertices; the boxes stay current only if no vertex has changed.
   void assign(const Step& step, const Separations& separations);
 

@@ -32,11 +32,13 @@ class ThreadStreams {
   }
   /// Searches the sample's leaf blocks of `a` against all of `b`.
   void search(PairKind kind, const TreeView& a, const TreeView& b, const Sample& sample = {0, 1}, float t_limit = 1) {
-    constexpr int kBlocks = 8;
-    for_each_part(kind, sample.count_in(a.leaf_blocks), kBlocks, [&](PairStream& stream, int begin, int end) {
-      const int first = sample.first + begin * sample.stride, last = sample.first + end * sample.stride;
-      stream.search(kind, a, b, {first, std::min(last, a.leaf_blocks), sample.stride}, t_limit);
-    });
+    constexpr int kFewBlocks = 16, kBlocksPerPart = 8;  // other threads take longer to wake than few blocks to search
+    const int count = sample.count_in(a.leaf_blocks);
+    for_each_part(kind, count, count <= kFewBlocks ? kFewBlocks : kBlocksPerPart,
+                  [&](PairStream& stream, int begin, int end) {
+                    const int first = sample.first + begin * sample.stride, last = sample.first + end * sample.stride;
+                    stream.search(kind, a, b, {first, std::min(last, a.leaf_blocks), sample.stride}, t_limit);
+                  });
   }
 
   /// Takes the sample's parts of the lists: pairs that may touch at some time of `when`, a time of the lists, for

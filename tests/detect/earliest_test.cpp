@@ -7,6 +7,7 @@
 #include "lab/detector.hpp"
 #include "support/contact_sets.hpp"
 #include "support/flat_sheets.hpp"
+#include "support/shortened.hpp"
 #include "support/test_names.hpp"
 #include "tamis/detector.hpp"
 
@@ -14,14 +15,6 @@ namespace tamis::test {
 namespace {
 
 using scenes::Recipe, scenes::Scene;
-
-/// The scene during the first part of its step, or at rest.
-Scene shortened(Scene scene, double part) {
-  for (std::size_t v = 0; v < scene.start.size(); ++v)
-    for (std::size_t k = 0; k < 3; ++k)
-      scene.end[v][k] = scene.start[v][k] + part * (scene.end[v][k] - scene.start[v][k]);
-  return scene;
-}
 
 void check_questions(const Scene& scene, const lab::Options& options) {
   Detector detector = lab::make_detector(scene.mesh(), options);

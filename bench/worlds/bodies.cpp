@@ -11,7 +11,7 @@ void two_large_bodies(int steps) {
   for (std::size_t v = 0; v < rough.points.size(); ++v)
     for (double& x : rough.points[v]) x *= 1 + 0.005 * std::sin(static_cast<double>(7 * v));
   const Shape ball = shape_of(rough);
-  World world(one_thread());
+  World world(options());
   world.add(ball, Rigid{interpolated({{0, 0, 0}, {}}, {{0, 0, 0.001}, {}})});
   const BodyId turning = world.add(ball, Static{});
   EarliestBodyContact first;
@@ -29,7 +29,7 @@ void two_large_bodies(int steps) {
 /// `count` balls in a lattice, of which each tenth has another one beside it that comes near while both turn.
 void many_bodies(int count, int steps) {
   const Shape ball = shape_of(scenes::unit_sphere(9));
-  World world(one_thread());
+  World world(options());
   const int side = static_cast<int>(std::ceil(std::cbrt(count)));
   const auto chain = [&](int body, int step) {
     const int pair = body / 20, in_pair = body % 20;

@@ -9,7 +9,7 @@ namespace {
 
 /// The step of a machine, and back, and again.
 void machine_row(const std::string& what, const scenes::Machine& machine, int steps) {
-  World world(one_thread());
+  World world(options());
   std::vector<Shape> shapes;
   for (const scenes::Shape& shape : machine.shapes) shapes.push_back(shape_of(shape));
   std::size_t triangles = 0;

@@ -1,5 +1,5 @@
-// What bodies cost in a world: a Markdown table; medians over steps, each from where the last one ended, processor time
-// of one thread. tamis_worlds [STEPS [WHICH]]
+// What bodies cost in a world: a Markdown table; medians over steps, each from where the last one ended.
+// tamis_worlds [STEPS [WHICH [THREADS]]]
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
@@ -7,11 +7,13 @@
 
 #include "worlds/rows.hpp"
 
-/// Which: two, many (or one of its numbers of bodies), machines (or nut), plates, radii, room, or arm; all without one.
+/// Which: two, many (or one of its numbers of bodies), machines (or nut), plates, radii, room, or arm; all without one,
+/// or "all".
 int main(int count, char** arguments) {
   using namespace tamis::worlds;
-  const std::string which = count > 2 ? arguments[2] : "";
+  const std::string named = count > 2 ? arguments[2] : "all", which = named == "all" ? "" : named;
   const int steps = std::max(1, count > 1 ? std::atoi(arguments[1]) : 20);
+  set_threads(std::max(1, count > 3 ? std::atoi(arguments[3]) : 1));
   if (which != "arm") std::printf("| question | answers | ms, median | mean |\n|---|--:|--:|--:|\n");
   if (which.empty() || which == "two") two_large_bodies(steps);
   for (const int bodies : {1000, 10000})

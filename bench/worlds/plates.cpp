@@ -28,7 +28,7 @@ Point direction_of(const Point& rotation, const Point& in_body) {
 void plate_on_plate(double gap, int steps) {
   const scenes::Shape plate = sheet(16, 0.125, [](double, double) { return 0.0; });
   const Point askew{0.3, 0.2, 0.5};
-  World world(one_thread());
+  World world(options());
   world.add(shape_of(plate), Static{{{0, 0, 0}, askew}});
   const BodyId turning = world.add(shape_of({scaled(plate.points, 0.7), plate.faces}), Static{});
   const Point normal = direction_of(askew, {0, 0, 1});

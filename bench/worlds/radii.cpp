@@ -17,7 +17,7 @@ void thick_cubes(const std::string& what, int count, int steps, const std::funct
     };
     return Rigid{interpolated(place(step), place(step + 1))};
   };
-  World world(one_thread());
+  World world(options());
   for (int body = 0; body < count; ++body) world.set_radius(world.add(cube, way(body, 0)), kGap * radius(body));
   std::size_t found = 0;
   const Cost cost = milliseconds(

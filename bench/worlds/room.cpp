@@ -35,9 +35,9 @@ void cloth_on_its_part_of_the_floor(const Cloth& cloth, int steps) {
   std::vector<Index> group(floor.size(), 0);
   group.resize(floor.size() + cloth.shape.points.size(), 1);
   for (const Face& f : cloth.shape.faces) all.faces.push_back({first + f[0], first + f[1], first + f[2]});
-  Options options = one_thread();
-  options.filter = PairFilter::no_self_contact(group);
-  Detector detector(Mesh(static_cast<Index>(group.size()), all.faces), options);
+  Options asked = options();
+  asked.filter = PairFilter::no_self_contact(group);
+  Detector detector(Mesh(static_cast<Index>(group.size()), all.faces), asked);
   std::vector<Point> start, end;
   std::size_t found = 0;
   const Cost cost = milliseconds(
@@ -58,7 +58,7 @@ void cloth_on_its_part_of_the_floor(const Cloth& cloth, int steps) {
 
 void room(int steps) {
   const Cloth cloth;
-  Detector alone(Mesh(static_cast<Index>(cloth.shape.points.size()), cloth.shape.faces), one_thread());
+  Detector alone(Mesh(static_cast<Index>(cloth.shape.points.size()), cloth.shape.faces), options());
   std::vector<Point> start, end;
   std::size_t found = 0;
   const auto move = [&](int step) {
@@ -70,7 +70,7 @@ void room(int steps) {
   cloth_on_its_part_of_the_floor(cloth, steps);
   const scenes::Shape floor = sheet(707, 0.01, floor_height);
   const Shape room = shape_of(floor);
-  World world(one_thread());
+  World world(options());
   world.add(room, Static{});
   const BodyId body = world.add(shape_of(cloth.shape), Deforming{cloth.start(0), cloth.end(0)});
   const Cost both = milliseconds(

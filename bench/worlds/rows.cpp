@@ -6,8 +6,15 @@
 #include <ctime>
 
 namespace tamis::worlds {
-
 namespace {
+
+int threads_of_rows = 1;
+
+double milliseconds_now() {
+  timespec now{};
+  clock_gettime(threads_of_rows == 1 ? CLOCK_PROCESS_CPUTIME_ID : CLOCK_MONOTONIC, &now);
+  return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
+}
 
 double median(std::vector<double> values) {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
@@ -23,9 +30,9 @@ Cost milliseconds(int steps, const std::function<void(int)>& move, const std::fu
   double sum = 0;
   for (int step = 0; step < kWarm + steps; ++step) {
     move(step);
-    const std::clock_t start = std::clock();
+    const double start = milliseconds_now();
     ask();
-    const double time = 1e3 * static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+    const double time = milliseconds_now() - start;
     if (step < kWarm) continue;
     times.push_back(time);
     sum += time;
@@ -38,11 +45,9 @@ void print_row(const std::string& what, std::size_t answers, const Cost& cost) {
   std::fflush(stdout);
 }
 
-Options one_thread() {
-  Options options;
-  options.threads = 1;
-  return options;
-}
+void set_threads(int threads) { threads_of_rows = threads; }
+
+Options options() { return {.threads = threads_of_rows}; }
 
 scenes::Shape sheet(Index cells, double edge, const std::function<double(double, double)>& height) {
   scenes::Scene scene;

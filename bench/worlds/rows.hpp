@@ -13,12 +13,15 @@ struct Cost {
   double median, mean;
 };
 
-/// Milliseconds of processor time; the first steps warm up. `ask(step)` is timed, `move(step)` is not.
+/// Milliseconds: of one thread processor time, of more the wall clock. The first steps warm up. `ask(step)` is timed,
+/// `move(step)` is not.
 Cost milliseconds(int steps, const std::function<void(int)>& move, const std::function<void()>& ask);
 
 void print_row(const std::string& what, std::size_t answers, const Cost& cost);
 
-Options one_thread();
+/// With how many threads all rows are made: 1 at first.
+void set_threads(int threads);
+Options options();
 
 /// A grid of `cells` x `cells` squares of side `edge`, in the middle, at height(x, y).
 scenes::Shape sheet(Index cells, double edge, const std::function<double(double, double)>& height);

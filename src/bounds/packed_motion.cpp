@@ -23,22 +23,18 @@ float box_distance(double distance) {
   return static_cast<float>(std::min(distance * (1 + 0x1p-20), kFarthest));
 }
 
-/// Around `point_of` each of the vertices.
-template <class PointOf>
-Box box_of(std::span<const Index> vertices, const PointOf& point_of) {
-  const auto box_of_part = [&](std::size_t begin, std::size_t end) {
-    Box box;
-    for (const Index v : vertices.subspan(begin, end - begin)) box.include(point_of(v));
-    return box;
-  };
-  return joined_parts(vertices.size(), kVerticesPerPart, Box(), box_of_part, joined);
+Box box_of_some(const Positions& positions, std::span<const Index> some) {
+  Box box;
+  for (const Index v : some) {
+    const double* p = positions[v];
+    box.include(Point{p[0], p[1], p[2]});
+  }
+  return box;
 }
 
-Box box_of(const Positions& positions, std::span<const Index> vertices) {
-  return box_of(vertices, [&](Index v) {
-    const double* p = positions[v];
-    return Point{p[0], p[1], p[2]};
-  });
+Box box_of(const Positions& positions, std::span<const Index> used) {
+  return joined_parts(used, kVerticesPerPart, Box(), joined,
+                      [&](std::span<const Index> some) { return box_of_some(positions, some); });
 }
 
 /// The frame moves with the scene where that makes it so many times narrower, which is three bits of every coordinate.
@@ -97,42 +93,48 @@ bool PackedMotion::assign(const Step& step, std::span<const Index> used, const S
   const auto count = static_cast<std::size_t>(step.start.count());
   vertices.resize(count);
   box_vertices.resize(count);
-  const auto load_part = [&](std::size_t begin, std::size_t end) {
-    std::uint64_t bits = 0;
-    for (const Index v : used.subspan(begin, end - begin)) bits |= load(v, step);
-    return bits;
-  };
-  const auto bits = joined_parts(used.size(), kVerticesPerPart, std::uint64_t{0}, load_part, std::bit_or<>());
+  const auto bits = joined_parts(used, kVerticesPerPart, std::uint64_t{0}, std::bit_or<>(),
+                                 [&](std::span<const Index> some) { return load(some, step); });
   return is_first || (bits | different_bits(last_separation, separations.fixed)) != 0;
 }
 
-std::uint64_t PackedMotion::load(Index v, const Step& step) {
-  PackedVertex& packed = vertices[static_cast<std::size_t>(v)];
-  BoxVertex& box = box_vertices[static_cast<std::size_t>(v)];
-  const double *start = step.start[v], *end = step.end[v];
-  const double radius = separations.radii.empty() ? 0 : separations.radii[static_cast<std::size_t>(v)];
-  std::uint64_t bits = different_bits(packed.at[3], radius);
-  packed.at[3] = radius;
-  box.at[BoxVertex::kRadius] = box_distance(radius * frame.scale);
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    bits |= different_bits(packed.at[axis], start[axis]) | different_bits(packed.at[4 + axis], end[axis]);
-    packed.at[axis] = start[axis];
-    packed.at[4 + axis] = end[axis];
-    box.at[axis] = static_cast<float>((start[axis] - frame.origin[axis]) * frame.scale);
-    box.at[3 + axis] = static_cast<float>((end[axis] - frame.origin_at_end[axis]) * frame.scale);
+std::uint64_t PackedMotion::load(std::span<const Index> some, const Step& step) {
+  std::uint64_t bits = 0;
+  for (const Index v : some) {
+    PackedVertex& packed = vertices[static_cast<std::size_t>(v)];
+    BoxVertex& box = box_vertices[static_cast<std::size_t>(v)];
+    const double *start = step.start[v], *end = step.end[v];
+    const double radius = separations.radii.empty() ? 0 : separations.radii[static_cast<std::size_t>(v)];
+    bits |= different_bits(packed.at[3], radius);
+    packed.at[3] = radius;
+    box.at[BoxVertex::kRadius] = box_distance(radius * frame.scale);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      bits |= different_bits(packed.at[axis], start[axis]) | different_bits(packed.at[4 + axis], end[axis]);
+      packed.at[axis] = start[axis];
+      packed.at[4 + axis] = end[axis];
+      box.at[axis] = static_cast<float>((start[axis] - frame.origin[axis]) * frame.scale);
+      box.at[3 + axis] = static_cast<float>((end[axis] - frame.origin_at_end[axis]) * frame.scale);
+    }
   }
   return bits;
 }
 
 void PackedMotion::assign_residuals(std::span<const Index> used, const SharedMotion& shared) {
   residuals.resize(vertices.size());
-  const Box box = box_of(used, [&](Index v) {
+  const Box box = joined_parts(used, kVerticesPerPart, Box(), joined,
+                               [&](std::span<const Index> some) { return load_residuals(some, shared); });
+  spread = static_cast<float>(box.extent());
+}
+
+Box PackedMotion::load_residuals(std::span<const Index> some, const SharedMotion& shared) {
+  Box box;
+  for (const Index v : some) {
     const Vec3<double> residual = shared.residual_of(vertices[static_cast<std::size_t>(v)], frame);
     residuals[static_cast<std::size_t>(v)] = {
         {0, 0, 0, static_cast<float>(residual.x), static_cast<float>(residual.y), static_cast<float>(residual.z)}};
-    return Point{residual.x, residual.y, residual.z};
-  });
-  spread = static_cast<float>(box.extent());
+    box.include(Point{residual.x, residual.y, residual.z});
+  }
+  return box;
 }
 
 }  // namespace tamis

@@ -12,6 +12,7 @@
 
 namespace tamis {
 
+struct Box;
 struct SharedMotion;
 
 /// A vertex at t=0 and t=1: x y z, its radius (Separations), x y z, unused.
@@ -93,8 +94,10 @@ struct PackedMotion {
   std::uint64_t memory_bytes() const { return held_bytes(vertices, box_vertices, residuals); }
 
  private:
-  /// Returns the bits in which the vertex differs from what it was.
-  std::uint64_t load(Index vertex, const Step& step);
+  /// Returns the bits in which some vertex differs from what it was.
+  std::uint64_t load(std::span<const Index> some, const Step& step);
+  /// Returns the box around these residuals.
+  Box load_residuals(std::span<const Index> some, const SharedMotion& shared);
 };
 
 /// What boxes of vertices, or of residuals, are widened by: so much, and so much of the box's size.

@@ -74,8 +74,8 @@ std::optional<double> PredictedStep::deviation(const Positions& positions, doubl
     }
     return largest;
   };
-  const double largest = joined_parts(from_.size(), kVerticesPerPart, 0.0, largest_of_part,
-                                      [](double a, double b) { return std::max(a, b); });
+  const auto larger = [](double a, double b) { return std::max(a, b); };
+  const double largest = joined_parts(from_.size(), kVerticesPerPart, 0.0, larger, largest_of_part);
   return largest < kTooFar ? std::optional(largest) : std::nullopt;
 }
 

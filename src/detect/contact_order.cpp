@@ -13,7 +13,7 @@ namespace {
 /// With fewer contacts the buckets would be most of the work.
 constexpr std::size_t kVerticesPerContact = 64;
 /// In a part of a loop: well below a millisecond.
-constexpr std::size_t kContactsPerPart = 4096, kBucketsPerPart = 2048;
+constexpr std::size_t kContactsPerPart = 4096, kBucketsPerPart = 512;
 
 }  // namespace
 
@@ -62,8 +62,8 @@ std::size_t ContactSorter::make_keys(const std::vector<Contact>& contacts, std::
     }
     return kinds;
   };
-  return vertex_count * joined_parts(contacts.size(), kContactsPerPart, std::size_t{0}, make_part,
-                                     [](std::size_t a, std::size_t b) { return std::max(a, b); });
+  const auto larger = [](std::size_t a, std::size_t b) { return std::max(a, b); };
+  return vertex_count * joined_parts(contacts.size(), kContactsPerPart, std::size_t{0}, larger, make_part);
 }
 
 }  // namespace tamis

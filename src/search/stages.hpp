@@ -52,8 +52,8 @@ std::span<const PairResult> decide_each(SearchThread& thread, std::span<const in
     return counts;
   };
   isolated([&] {  // a thread that waits here must not begin another part of the search: that would use its buffers
-    thread.counts.decided_by += joined_parts(places.size(), kGrain, PrecisionCount(), decide_part,
-                                             [](PrecisionCount a, const PrecisionCount& b) { return a += b; });
+    const auto sum = [](PrecisionCount a, const PrecisionCount& b) { return a += b; };
+    thread.counts.decided_by += joined_parts(places.size(), kGrain, PrecisionCount(), sum, decide_part);
   });
   return thread.decided;
 }

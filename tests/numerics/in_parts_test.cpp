@@ -45,9 +45,8 @@ TEST(InParts, JoinedPartsSayWhatAllSay) {
   with_any_threads([] {
     for (const std::size_t count : kCounts) {
       const auto sum = joined_parts(
-          count, kGrain, std::size_t{0},
-          [](std::size_t begin, std::size_t end) { return (end * (end - 1) - begin * (begin - 1)) / 2; },
-          [](std::size_t a, std::size_t b) { return a + b; });
+          count, kGrain, std::size_t{0}, [](std::size_t a, std::size_t b) { return a + b; },
+          [](std::size_t begin, std::size_t end) { return (end * (end - 1) - begin * (begin - 1)) / 2; });
       EXPECT_EQ(sum, count > 0 ? count * (count - 1) / 2 : 0);
     }
   });

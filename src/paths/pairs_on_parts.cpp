@@ -104,7 +104,8 @@ void PairsOnParts::add_half(const Part& whole, const MeshMoment& from, const Mes
     std::ranges::copy_if(whole.pairs, std::back_inserter(of_kind), [&](std::int32_t pair) {
       return static_cast<std::size_t>(piece_->pairs[at(pair)].kind) == kind;
     });
-    in_parts(of_kind.size(), std::size_t{PairBuffer::kCapacity / 2}, [&](std::size_t first, std::size_t last) {
+    constexpr std::size_t kPairsPerPart = 256;
+    in_parts(of_kind.size(), kPairsPerPart, [&](std::size_t first, std::size_t last) {
       for (; first < last; first += PairBuffer::kCapacity)
         test(static_cast<PairKind>(kind),
              std::span(of_kind).subspan(first, std::min<std::size_t>(last - first, PairBuffer::kCapacity)));

@@ -64,11 +64,11 @@ Value joined_parts(std::span<Item> items, std::size_t grain, const Value& nothin
 }
 
 /// Does is_so(item) hold for all items? Parts after one with an item for which it does not are passed over.
-template <class Items, class F>
-bool all_in_parts(const Items& items, std::size_t grain, const F& is_so) {
+template <class Item, class F>
+bool all_in_parts(std::span<const Item> items, std::size_t grain, const F& is_so) {
   std::atomic<bool> are_so = true;
   in_parts(items.size(), grain, [&](std::size_t begin, std::size_t end) {
-    if (are_so && !std::all_of(items.begin() + begin, items.begin() + end, is_so)) are_so = false;
+    if (are_so && !std::ranges::all_of(items.subspan(begin, end - begin), is_so)) are_so = false;
   });
   return are_so;
 }

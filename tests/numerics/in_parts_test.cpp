@@ -56,7 +56,9 @@ TEST(InParts, JoinedPartsSayWhatAllSay) {
 TEST(InParts, AllAreSoUnlessOneIsNot) {
   with_any_threads([] {
     std::vector<int> items(1000, 1);
-    const auto are_all = [&] { return all_in_parts(items, kGrain, [](int item) { return item == 1; }); };
+    const auto are_all = [&] {
+      return all_in_parts(std::span<const int>(items), kGrain, [](int item) { return item == 1; });
+    };
     EXPECT_TRUE(are_all());
     for (int& item : items) {
       item = 0;

@@ -46,6 +46,7 @@ template <class Decide>
 std::span<const PairResult> decide_each(SearchThread& thread, std::span<const int> places, const Decide& decide) {
   constexpr std::size_t kGrain = 16;
   thread.decided.resize(places.size());
+  if (places.empty()) return {};
   const auto decide_part = [&](std::size_t begin, std::size_t end) {
     PrecisionCount counts;
     for (; begin != end; ++begin) thread.decided[begin] = decide(places[begin], counts);

@@ -15,6 +15,15 @@ BodyMotion motion_at(const btCollisionObject& object, const Pose& pose) {
   return object.isStaticObject() ? BodyMotion(Static{pose}) : adapters::resting(pose);
 }
 
+/// Motion states go back from the end of a step by what they are told of the speed: it must be that of the way that was
+/// proven, not the one with which a body that was held back wants to go on.
+void show_way(btRigidBody& body, const btTransform& start, const btTransform& end, btScalar seconds) {
+  btVector3 speed, turning;
+  btTransformUtil::calculateVelocity(start, end, seconds, speed, turning);
+  body.setInterpolationLinearVelocity(speed);
+  body.setInterpolationAngularVelocity(turning);
+}
+
 }  // namespace
 
 /// How a body is to move in one step, of which a part can be asked for. Bullet's solver may have moved it already, out
@@ -45,8 +54,11 @@ class ClampedWorld::Way {
 class ClampedWorld::Step final : public adapters::WantedStep {
  public:
   Step(const ClampedWorld& world, btScalar seconds) : world_(world) {
+    const btAlignedObjectArray<btRigidBody*>& all = world.getNonStaticRigidBodies();  // as they were when added
+    std::set<const btCollisionObject*> may_move;
+    for (int i = 0; i < all.size(); ++i) may_move.insert(all[i]);
     for (const auto& [id, member] : world.members_) {
-      if (!moves(*member.object)) continue;
+      if (!may_move.contains(member.object) || !moves(*member.object)) continue;
       btTransform end;
       btRigidBody::upcast(member.object)->predictIntegratedTransform(seconds, end);
       ways_.emplace(id, Way(member.place, end));
@@ -56,7 +68,7 @@ class ClampedWorld::Step final : public adapters::WantedStep {
 
   std::span<const BodyId> moving() const override { return moving_; }
   Pose pose(BodyId body, double fraction) const override { return pose_of(place(body, fraction)); }
-  double radius(BodyId body) const override { return world_.members_.at(body).surface->radius; }
+  double radius(BodyId body) const override { return world_.members_.at(body).shape.surface->radius; }
   bool collides(const adapters::BodyPair& bodies) const override { return world_.collides(bodies); }
 
   std::vector<adapters::Approach> approaches() const override {
@@ -91,22 +103,22 @@ ClampedWorld::ClampedWorld(btDispatcher* dispatcher, btBroadphaseInterface* broa
       bodies_(Options{.threads = threads}) {}
 
 void ClampedWorld::set_mesh(const btCollisionShape& shape, const Shape& mesh) {
-  given_.insert_or_assign(&shape, std::make_shared<const Surface>(mesh));
+  given_.insert_or_assign(&shape, KnownShape{&shape, traits_of(shape), std::make_shared<const Surface>(mesh)});
 }
 
-std::shared_ptr<const Surface> ClampedWorld::surface_of(const btCollisionShape* shape) const {
-  if (const auto given = given_.find(shape); given != given_.end()) return given->second;
+ClampedWorld::KnownShape ClampedWorld::known(const btCollisionShape* shape) const {
+  std::vector<btScalar> traits = traits_of(*shape);
+  const auto is_it = [&](const KnownShape& other) { return other.shape == shape && other.traits == traits; };
+  if (const auto given = given_.find(shape); given != given_.end() && is_it(given->second)) return given->second;
   for (const auto& [id, member] : members_)
-    if (member.shape == shape) return member.surface;
-  return std::make_shared<const Surface>(mesh_of(*shape));
+    if (is_it(member.shape)) return member.shape;
+  return {shape, std::move(traits), std::make_shared<const Surface>(mesh_of(*shape))};
 }
 
-void ClampedWorld::join(btCollisionObject* object) {
-  const btCollisionShape* const shape = object->getCollisionShape();
-  const auto surface = surface_of(shape);
+void ClampedWorld::join(btCollisionObject* object, const KnownShape& shape) {
   const btTransform& place = object->getWorldTransform();
-  const BodyId id = bodies_.add(surface->mesh, motion_at(*object, pose_of(place)));
-  members_.emplace(id, Member{object, shape, surface, place});
+  const BodyId id = bodies_.add(shape.surface->mesh, motion_at(*object, pose_of(place)));
+  members_.emplace(id, Member{object, shape, place});
 }
 
 void ClampedWorld::leave(const btCollisionObject* object) {
@@ -118,7 +130,7 @@ void ClampedWorld::leave(const btCollisionObject* object) {
 
 void ClampedWorld::addCollisionObject(btCollisionObject* object, int group, int mask) {
   try {
-    if (object->hasContactResponse()) join(object);
+    if (object->hasContactResponse()) join(object, known(object->getCollisionShape()));
   } catch (...) {
     if (btRigidBody* const body = btRigidBody::upcast(object)) m_nonStaticRigidBodies.remove(body);
     throw;
@@ -137,20 +149,32 @@ void ClampedWorld::removeRigidBody(btRigidBody* body) {
 }
 
 void ClampedWorld::put(BodyId id, Member& member) {
-  member.place = member.object->getWorldTransform();
-  bodies_.move(id, motion_at(*member.object, pose_of(member.place)));
+  const btTransform& place = member.object->getWorldTransform();
+  bodies_.move(id, motion_at(*member.object, pose_of(place)));
+  member.place = place;
 }
 
-/// What was moved, or given another shape, from outside since the last step.
+/// What was moved, given another shape or a changed one, or made solid from outside since the last step.
 void ClampedWorld::follow() {
+  std::map<const btCollisionShape*, std::vector<btScalar>> traits;
+  std::set<const btCollisionObject*> followed;
   std::vector<btCollisionObject*> changed;
   for (auto& [id, member] : members_) {
-    if (member.object->getCollisionShape() != member.shape) changed.push_back(member.object);
+    followed.insert(member.object);
+    const btCollisionShape* const shape = member.object->getCollisionShape();
+    const auto [now, is_new] = traits.try_emplace(shape);
+    if (is_new) now->second = traits_of(*shape);
+    if (shape != member.shape.shape || now->second != member.shape.traits) changed.push_back(member.object);
     if (!(member.place == member.object->getWorldTransform())) put(id, member);
   }
+  for (int i = 0; i < getNumCollisionObjects(); ++i) {
+    btCollisionObject* const object = getCollisionObjectArray()[i];
+    if (object->hasContactResponse() && !followed.contains(object)) join(object, known(object->getCollisionShape()));
+  }
   for (btCollisionObject* const object : changed) {
+    const KnownShape shape = known(object->getCollisionShape());  // who is refused stays as it was: no step goes on
     leave(object);
-    join(object);
+    join(object, shape);
   }
 }
 
@@ -158,13 +182,13 @@ bool ClampedWorld::collides(const adapters::BodyPair& bodies) const {
   btCollisionObject *const a = members_.at(bodies[0]).object, *const b = members_.at(bodies[1]).object;
   const btOverlappingPairCache& pairs = *getBroadphase()->getOverlappingPairCache();
   return pairs.needsBroadphaseCollision(a->getBroadphaseHandle(), b->getBroadphaseHandle()) &&
-         m_dispatcher1->needsCollision(a, b);
+         m_dispatcher1->needsCollision(a, b) && a->hasContactResponse() && b->hasContactResponse();
 }
 
 NearFeature ClampedWorld::feature_of(BodyId body, std::span<const Index> vertices, std::span<const double> weights,
                                      double sign) const {
   const Member& member = members_.at(body);
-  NearFeature feature{member.object, *member.surface, {}, {}};
+  NearFeature feature{member.object, *member.shape.surface, {}, {}};
   for (std::size_t i = 0; i < vertices.size(); ++i) {
     if (vertices[i] < 0) continue;
     feature.vertices.push_back(vertices[i]);
@@ -223,7 +247,9 @@ void ClampedWorld::integrateTransforms(btScalar seconds) {
     Member& member = members_.at(id);
     btRigidBody* const body = btRigidBody::upcast(member.object);
     body->setHitFraction(static_cast<btScalar>(clamped.fractions[i]));
-    body->proceedToTransform(step.place(id, clamped.fractions[i]));
+    const btTransform start = member.place, end = step.place(id, clamped.fractions[i]);
+    body->proceedToTransform(end);
+    show_way(*body, start, end, seconds);
     put(id, member);
     last_step_.moved.emplace_back(body, clamped.fractions[i]);
   }

@@ -29,7 +29,8 @@ class ClampedWorld : public btDiscreteDynamicsWorld {
   ClampedWorld(btDispatcher* dispatcher, btBroadphaseInterface* broadphase, btConstraintSolver* solver,
                btCollisionConfiguration* configuration, adapters::ClampOptions options = {}, int threads = 1);
 
-  /// The mesh of a shape that has none of its own, or another than its own. Before bodies with it are added.
+  /// The mesh of a shape that has none of its own, or another than its own. Before bodies with it are added, and again
+  /// where the shape is changed (`traits_of`).
   void set_mesh(const btCollisionShape& shape, const Shape& mesh);
 
   /// Throw InvalidMesh where a shape has no mesh; the object is not added then.
@@ -51,18 +52,23 @@ class ClampedWorld : public btDiscreteDynamicsWorld {
   void integrateTransforms(btScalar seconds) override;
 
  private:
+  /// A shape as it was when its mesh was made.
+  struct KnownShape {
+    const btCollisionShape* shape;
+    std::vector<btScalar> traits;
+    std::shared_ptr<const Surface> surface;
+  };
   struct Member {
     btCollisionObject* object;
-    const btCollisionShape* shape;
-    std::shared_ptr<const Surface> surface;
+    KnownShape shape;
     btTransform place;  ///< where the world of bodies has it
   };
   class Way;
   class Step;
 
-  void join(btCollisionObject* object);
+  void join(btCollisionObject* object, const KnownShape& shape);
   void leave(const btCollisionObject* object);
-  std::shared_ptr<const Surface> surface_of(const btCollisionShape* shape) const;
+  KnownShape known(const btCollisionShape* shape) const;
   void put(BodyId id, Member& member);
   void follow();
   bool collides(const adapters::BodyPair& bodies) const;
@@ -75,7 +81,7 @@ class ClampedWorld : public btDiscreteDynamicsWorld {
   adapters::ClampOptions options_;
   World bodies_;
   std::map<BodyId, Member> members_;
-  std::map<const btCollisionShape*, std::shared_ptr<const Surface>> given_;  ///< by set_mesh
+  std::map<const btCollisionShape*, KnownShape> given_;  ///< by set_mesh
   std::set<adapters::BodyPair> overlapping_;
   std::vector<BodyContact> limits_;                 ///< of the last step
   std::vector<NearContact> near_;                   ///< when this step began

@@ -34,7 +34,8 @@ class Gathered : public btTriangleCallback {
   Shape shape(const char* name) && {
     if (faces_.empty())
       throw InvalidMesh(std::string("the Bullet shape ") + name +
-                        " has no triangles: fill it before the body is added (a btGImpactMeshShape needs updateBound)");
+                        " has no triangles: fill it before the body is added (a btGImpactMeshShape needs updateBound), "
+                        "or give a mesh for it with ClampedWorld::set_mesh");
     return {Mesh(static_cast<Index>(points_.size()), faces_), std::move(points_)};
   }
 
@@ -82,6 +83,38 @@ class Gathered : public btTriangleCallback {
   std::map<Point, Index> vertices_;
 };
 
+void add(const btVector3& v, std::vector<btScalar>& traits) { traits.insert(traits.end(), {v.x(), v.y(), v.z()}); }
+
+void add_corners(const btPolyhedralConvexShape& shape, std::vector<btScalar>& traits) {
+  for (int i = 0; i < shape.getNumVertices(); ++i) {
+    btVector3 corner;
+    shape.getVertex(i, corner);
+    add(corner, traits);
+  }
+}
+
+void add_box(const btCollisionShape& shape, std::vector<btScalar>& traits) {
+  btVector3 low, high;
+  shape.getAabb(btTransform::getIdentity(), low, high);
+  const btScalar around = shape.isConcave() ? shape.getMargin() : btScalar(0);  // that of a round shape is its radius
+  add(low + btVector3(around, around, around), traits);
+  add(high - btVector3(around, around, around), traits);
+}
+
+void add_traits(const btCollisionShape& shape, std::vector<btScalar>& traits) {
+  traits.push_back(static_cast<btScalar>(shape.getShapeType()));
+  add(shape.getLocalScaling(), traits);
+  if (shape.isPolyhedral()) return add_corners(static_cast<const btPolyhedralConvexShape&>(shape), traits);
+  if (!shape.isCompound()) return add_box(shape, traits);
+  const auto& compound = static_cast<const btCompoundShape&>(shape);
+  for (int i = 0; i < compound.getNumChildShapes(); ++i) {
+    const btTransform& place = compound.getChildTransform(i);
+    for (int row = 0; row < 3; ++row) add(place.getBasis()[row], traits);
+    add(place.getOrigin(), traits);
+    add_traits(*compound.getChildShape(i), traits);
+  }
+}
+
 }  // namespace
 
 Point point_of(const btVector3& v) { return {v.x(), v.y(), v.z()}; }
@@ -100,6 +133,12 @@ Shape mesh_of(const btCollisionShape& shape) {
   Gathered gathered;
   gathered.add(shape, btTransform::getIdentity());
   return std::move(gathered).shape(shape.getName());
+}
+
+std::vector<btScalar> traits_of(const btCollisionShape& shape) {
+  std::vector<btScalar> traits;
+  add_traits(shape, traits);
+  return traits;
 }
 
 }  // namespace tamis::bullet

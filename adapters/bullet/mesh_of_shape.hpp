@@ -2,6 +2,8 @@
 #pragma once
 #include <btBulletCollisionCommon.h>
 
+#include <vector>
+
 #include "tamis/world.hpp"
 
 namespace tamis::bullet {
@@ -17,5 +19,10 @@ Pose pose_of(const btTransform& transform);
 /// is not part of its mesh. Throws InvalidMesh, saying what to do, for others: round shapes have no triangles, planes
 /// no end; and for shapes without triangles.
 Shape mesh_of(const btCollisionShape& shape);
+
+/// What tells a shape from what it was before, or from another one that was made at the same address since: its kind,
+/// scale and box, the corners of a polyhedron, the children of a compound with their places. The vertices of a mesh are
+/// not read: one that is rewritten in place within its box looks the same.
+std::vector<btScalar> traits_of(const btCollisionShape& shape);
 
 }  // namespace tamis::bullet

@@ -1,5 +1,7 @@
 #include "adapters/bullet/truncated_world.hpp"
 
+#include <algorithm>
+
 #include "adapters/bullet/mesh_of_shape.hpp"
 
 namespace tamis::bullet {
@@ -10,14 +12,27 @@ std::vector<Point> positions_of(const btSoftBody& body) {
   return positions;
 }
 
-Mesh mesh_of(const btSoftBody& body) {
-  std::vector<Face> faces;
+SoftFeatures features_of(const btSoftBody& body) {
   const auto index = [&](const btSoftBody::Node* node) { return static_cast<Index>(node - &body.m_nodes[0]); };
+  SoftFeatures features;
+  std::vector<bool> is_of_face(static_cast<std::size_t>(body.m_nodes.size()));
   for (int i = 0; i < body.m_faces.size(); ++i) {
     const btSoftBody::Node* const* const nodes = body.m_faces[i].m_n;
-    faces.push_back({index(nodes[0]), index(nodes[1]), index(nodes[2])});
+    const Face& face = features.faces.emplace_back(Face{index(nodes[0]), index(nodes[1]), index(nodes[2])});
+    for (const Index vertex : face) is_of_face[static_cast<std::size_t>(vertex)] = true;
   }
-  return Mesh(body.m_nodes.size(), faces);
+  for (int i = 0; i < body.m_links.size(); ++i) {
+    const btSoftBody::Link& link = body.m_links[i];
+    const Edge edge{index(link.m_n[0]), index(link.m_n[1])};
+    const bool is_inside = std::ranges::all_of(edge, [&](Index v) { return is_of_face[static_cast<std::size_t>(v)]; });
+    if (!link.m_bbending && !is_inside) features.edges.push_back(edge);
+  }
+  return features;
+}
+
+Mesh mesh_of(const btSoftBody& body) {
+  const SoftFeatures features = features_of(body);
+  return Mesh(body.m_nodes.size(), features.faces, features.edges);
 }
 
 namespace {
@@ -41,13 +56,13 @@ std::vector<Point> way_towards(Detector& detector, const std::vector<Point>& sta
 
 }  // namespace
 
-void TruncatedWorld::internalSingleStepSimulation(btScalar seconds) {
+void TruncatedWorld::predictUnconstraintMotion(btScalar seconds) {
   starts_.clear();
   for (int i = 0; i < getSoftBodyArray().size(); ++i)
     starts_[getSoftBodyArray()[i]] = positions_of(*getSoftBodyArray()[i]);
-  std::erase_if(detectors_, [&](const auto& entry) { return !starts_.contains(entry.first); });
+  std::erase_if(asked_, [&](const auto& entry) { return !starts_.contains(entry.first); });
   held_back_ = 0;
-  btDeformableMultiBodyDynamicsWorld::internalSingleStepSimulation(seconds);
+  btDeformableMultiBodyDynamicsWorld::predictUnconstraintMotion(seconds);
 }
 
 void TruncatedWorld::integrateTransforms(btScalar seconds) {
@@ -58,11 +73,12 @@ void TruncatedWorld::integrateTransforms(btScalar seconds) {
 
 void TruncatedWorld::truncate(btSoftBody& body, const std::vector<Point>& start, btScalar seconds) {
   const std::vector<Point> end = positions_of(body);
-  auto detector = detectors_.find(&body);
-  if (detector == detectors_.end() || detector->second.mesh().vertex_count() != body.m_nodes.size() ||
-      detector->second.mesh().faces().size() != static_cast<std::size_t>(body.m_faces.size()))
-    detector = detectors_.insert_or_assign(&body, Detector(mesh_of(body), {.threads = 1})).first;
-  const std::vector<Point> reached = way_towards(detector->second, start, end);
+  SoftFeatures features = features_of(body);
+  if (features.faces.empty() && features.edges.empty()) return;
+  auto asked = asked_.find(&body);
+  if (asked == asked_.end() || asked->second.features != features)
+    asked = asked_.insert_or_assign(&body, Asked{std::move(features), Detector(mesh_of(body), {.threads = 1})}).first;
+  const std::vector<Point> reached = way_towards(asked->second.detector, start, end);
   for (std::size_t v = 0; v < end.size(); ++v) {
     if (reached[v] == end[v]) continue;
     btSoftBody::Node& node = body.m_nodes[static_cast<int>(v)];

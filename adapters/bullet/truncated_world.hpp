@@ -3,10 +3,19 @@
 #include <BulletSoftBody/btDeformableMultiBodyDynamicsWorld.h>
 
 #include <map>
+#include <vector>
 
 #include "tamis/detector.hpp"
 
 namespace tamis::bullet {
+
+/// Triangles, and links that lead to no triangle at one end at least: ropes. Bending links are none.
+struct SoftFeatures {
+  std::vector<Face> faces;
+  std::vector<Edge> edges;
+  bool operator==(const SoftFeatures&) const = default;
+};
+SoftFeatures features_of(const btSoftBody& body);
 
 /// Use it in place of btDeformableMultiBodyDynamicsWorld; all else stays as it is. After Bullet has moved the vertices
 /// of a soft body, they are put where Detector::truncate says: on their straight ways there no two features of that
@@ -21,13 +30,18 @@ class TruncatedWorld : public btDeformableMultiBodyDynamicsWorld {
   int held_back() const { return held_back_; }
 
  protected:
-  void internalSingleStepSimulation(btScalar seconds) override;
+  /// The first part of a step: after the callback before it, which may have added bodies.
+  void predictUnconstraintMotion(btScalar seconds) override;
   void integrateTransforms(btScalar seconds) override;
 
  private:
   void truncate(btSoftBody& body, const std::vector<Point>& start, btScalar seconds);
 
-  std::map<const btSoftBody*, Detector> detectors_;
+  struct Asked {
+    SoftFeatures features;
+    Detector detector;
+  };
+  std::map<const btSoftBody*, Asked> asked_;
   std::map<const btSoftBody*, std::vector<Point>> starts_;
   int held_back_ = 0;
 };

@@ -21,6 +21,10 @@ constexpr double kTolerance = 1e-4;
 /// Over all approaches; more would only spare questions.
 constexpr int kMostSweeps = 32;
 
+bool collide_at(const WantedStep& step, const std::array<BodyId, 2>& bodies, const std::array<Index, 2>& vertices) {
+  return step.collides(pair_of(bodies)) && step.collides_at(bodies, vertices);
+}
+
 double length(const Point& v) { return std::hypot(v[0], v[1], v[2]); }
 
 class Clamp {
@@ -100,7 +104,8 @@ class Clamp {
     FirstContacts first;
     for (const BodyContact& contact : world_.contacts({.at_start = AtStart::ignore, .tolerance = kTolerance})) {
       const BodyPair bodies = pair_of(contact.bodies);
-      if (overlapping_.contains(bodies) || !step_.collides(bodies)) continue;
+      const Index second = contact.vertices[contact.kind == PairKind::edge_edge ? 2 : 1];
+      if (overlapping_.contains(bodies) || !collide_at(step_, contact.bodies, {contact.vertices[0], second})) continue;
       const auto [known, is_new] = first.try_emplace(bodies, contact);
       if (!is_new && contact.toi_lower < known->second.toi_lower) known->second = contact;
     }
@@ -170,6 +175,13 @@ BodyMotion resting(const Pose& pose) { return Rigid{Chain{{pose, pose}}}; }
 std::set<BodyPair> overlapping(World& world) {
   std::set<BodyPair> pairs;
   for (const BodyIntersection& intersection : world.intersections()) pairs.insert(pair_of(intersection.bodies));
+  return pairs;
+}
+
+std::set<BodyPair> overlapping(World& world, const WantedStep& step) {
+  std::set<BodyPair> pairs;
+  for (const BodyIntersection& place : world.intersections())
+    if (collide_at(step, place.bodies, {place.edge[0], place.face[0]})) pairs.insert(pair_of(place.bodies));
   return pairs;
 }
 

@@ -35,6 +35,11 @@ class WantedStep {
   virtual double radius(BodyId body) const = 0;
   /// Does the engine collide these two?
   virtual bool collides(const BodyPair& bodies) const = 0;
+  /// Of two that it does: here, too? For bodies of several parts that differ in what they collide with. `vertices`: one
+  /// of each body, of the feature there.
+  virtual bool collides_at(const std::array<BodyId, 2>& /*bodies*/, const std::array<Index, 2>& /*vertices*/) const {
+    return true;
+  }
   /// Where bodies are known to be near each other, so that those that follow a body which is held back are held back
   /// with it: a pile would else take a question for each body in it. Any may be left out, and none need be exact: what
   /// is proven does not rest on them.
@@ -65,6 +70,8 @@ BodyMotion resting(const Pose& pose);
 
 /// Pairs of bodies whose surfaces pass through each other at t=0. Of two that are Static that is not looked for.
 std::set<BodyPair> overlapping(World& world);
+/// Those that the engine collides where they do.
+std::set<BodyPair> overlapping(World& world, const WantedStep& step);
 
 /// With these parts of their ways, no pair of bodies touches at any time, but those of `overlapping`, which the engine
 /// has to part and which are not held back on account of each other, and features that touch already at t=0

@@ -26,6 +26,9 @@ class Wanted final : public adapters::WantedStep {
   bool collides(const adapters::BodyPair& bodies) const override {
     return step_.collides(step_.user, bodies[0], bodies[1]) != 0;
   }
+  bool collides_at(const std::array<BodyId, 2>& bodies, const std::array<Index, 2>& vertices) const override {
+    return !step_.collides_at || step_.collides_at(step_.user, bodies[0], vertices[0], bodies[1], vertices[1]) != 0;
+  }
 
  private:
   const tamis_wanted_step& step_;
@@ -45,7 +48,7 @@ tamis_status tamis_world_clamp(tamis_world* world, const tamis_wanted_step* step
     required(contact_count, "contact_count");
     required(clamped, "clamped");
     handle.contacts.clear();
-    const auto overlapping = tamis::adapters::overlapping(*handle.asked);
+    const auto overlapping = tamis::adapters::overlapping(*handle.asked, wanted);
     tamis::adapters::ClampedStep result =
         tamis::adapters::clamp(*handle.asked, wanted, overlapping, {.gap = given.gap, .rounds = given.rounds});
     std::ranges::copy(result.fractions, fractions);

@@ -19,6 +19,8 @@ typedef struct tamis_wanted_step {
   int (*collides)(void* user, int32_t first, int32_t second); /**< the smaller number first */
   double gap;
   int32_t rounds;
+  /** Of two that it collides: at these vertices of their shapes, too? For bodies of several parts. NULL: everywhere. */
+  int (*collides_at)(void* user, int32_t first, int32_t first_vertex, int32_t second, int32_t second_vertex);
 } tamis_wanted_step;
 
 typedef struct tamis_clamped {

@@ -17,6 +17,9 @@ pub struct Step {
     /// Pairs of bodies that overlapped when the step began: rapier parts them as ever, they are not held back because of
     /// each other.
     pub overlapping: usize,
+    /// Bodies that came to the step, or left it, with a speed that is more than half a turn a step
+    /// (`allow_fast_rotation`). Two poses do not show that: the way of these that is proven is the shorter one.
+    pub turned_too_far: Vec<RigidBodyHandle>,
 }
 
 /// Holds back what rapier moves, so that no body passes through another. For one world; it keeps the triangles of the
@@ -26,7 +29,14 @@ pub struct Clamp {
     options: ClampOptions,
     members: BTreeMap<BodyId, Member>,
     bodies_of: BTreeMap<Owner, BodyId>,
-    given: HashMap<ColliderHandle, Mesh>,
+    given: HashMap<ColliderHandle, Given>,
+    turns: BTreeMap<Owner, (RigidBodyHandle, f64)>,
+}
+
+/// By `set_mesh`: for the shape that the collider has when a step sees it first, and for no other.
+struct Given {
+    mesh: Mesh,
+    shape: Option<SharedShape>,
 }
 
 impl Clamp {
@@ -38,14 +48,15 @@ impl Clamp {
             members: BTreeMap::new(),
             bodies_of: BTreeMap::new(),
             given: HashMap::new(),
+            turns: BTreeMap::new(),
         })
     }
 
-    /// The triangles of a collider whose shape has none, a ball's for one, in the collider's frame. Before the collider
-    /// is first seen by a step.
+    /// The triangles of a collider whose shape has none, a ball's for one, in the collider's frame. They serve as long
+    /// as the collider has the shape that it has in the next step: whoever changes it gives new ones.
     pub fn set_mesh(&mut self, collider: ColliderHandle, points: &[[f64; 3]], faces: &[[i32; 3]]) {
         let points = points.iter().map(|&p| DVec3::from_array(p)).collect();
-        self.given.insert(collider, Mesh { points, faces: faces.to_vec() });
+        self.given.insert(collider, Given { mesh: Mesh { points, faces: faces.to_vec() }, shape: None });
     }
 
     /// One step of rapier, in which nothing passes through anything. Refuses colliders without triangles, before
@@ -53,19 +64,30 @@ impl Clamp {
     pub fn step(&mut self, physics: &mut PhysicsWorld) -> Result<Step, Error> {
         self.before(&physics.bodies, &physics.colliders)?;
         physics.step();
-        self.after(&mut physics.bodies, &mut physics.colliders, &physics.impulse_joints, &physics.multibody_joints)
+        self.after(
+            &physics.integration_parameters,
+            &mut physics.bodies,
+            &mut physics.colliders,
+            &physics.impulse_joints,
+            &physics.multibody_joints,
+        )
     }
 
     /// For who calls the pipeline: what there is, and where, before it makes its step.
     pub fn before(&mut self, bodies: &RigidBodySet, colliders: &ColliderSet) -> Result<(), Error> {
         let mut present = contents_of(bodies, colliders);
+        self.turns = fast_turns(bodies);
+        self.given.retain(|&collider, _| colliders.contains(collider));
+        let is_new = |part: &Part| self.given.get(&part.collider).is_some_and(|given| given.shape.is_none());
         let stale: Vec<BodyId> = (self.members.iter())
             .filter(|(_, member)| present.get(&member.owner).is_none_or(|(content, _)| *content != member.content))
+            .chain(self.members.iter().filter(|(_, member)| member.content.parts.iter().any(is_new)))
             .map(|(&id, _)| id)
             .collect();
         for id in stale {
+            let Some(member) = self.members.remove(&id) else { continue };
+            self.bodies_of.remove(&member.owner);
             self.world.remove(id)?;
-            self.members.remove(&id).map(|member| self.bodies_of.remove(&member.owner));
         }
         while let Some((owner, (content, pose))) = present.pop_first() {
             match self.bodies_of.get(&owner) {
@@ -79,6 +101,7 @@ impl Clamp {
     /// The same after it: holds bodies back.
     pub fn after(
         &mut self,
+        parameters: &IntegrationParameters,
         bodies: &mut RigidBodySet,
         colliders: &mut ColliderSet,
         joints: &ImpulseJointSet,
@@ -99,7 +122,17 @@ impl Clamp {
         let moving: Vec<BodyId> = ways.keys().copied().collect();
         let wanted = Wanted { moving: &moving, ways: &ways, members: &self.members, colliders, joints };
         let clamped = self.world.clamp(&wanted, &self.options)?;
-        let mut step = Step { held: vec![], questions: clamped.questions, overlapping: clamped.overlapping };
+        for (owner, (handle, now)) in fast_turns(bodies) {
+            let fastest = &mut self.turns.entry(owner).or_insert((handle, now)).1;
+            *fastest = fastest.max(now);
+        }
+        let is_too_far = |turn: f64| turn * f64::from(parameters.dt) > MOST_TURN;
+        let mut step = Step {
+            held: vec![],
+            questions: clamped.questions,
+            overlapping: clamped.overlapping,
+            turned_too_far: self.turns.values().filter(|(_, turn)| is_too_far(*turn)).map(|(body, _)| *body).collect(),
+        };
         for (&id, &fraction) in moving.iter().zip(&clamped.fractions) {
             let pose = ways[&id].at(fraction);
             self.put(id, pose)?;
@@ -112,17 +145,18 @@ impl Clamp {
     }
 
     fn join(&mut self, owner: Owner, content: Content, pose: Pose) -> Result<(), Error> {
-        let mut mesh = Mesh::default();
+        let (mut mesh, mut first_vertices) = (Mesh::default(), vec![]);
         for part in &content.parts {
+            first_vertices.push(mesh.points.len() as i32);
             let at = DPose3::from_translation(-content.centre) * double_pose(&part.at);
-            match self.given.get(&part.collider) {
+            match self.given.get_mut(&part.collider).and_then(|given| given.mesh_for(&part.shape)) {
                 Some(given) => mesh.append(given.points.iter().copied(), &given.faces, &at),
                 None => mesh.append_shape(&*part.shape.0, &at)?,
             }
         }
         let points: Vec<[f64; 3]> = mesh.points.iter().map(|p| p.to_array()).collect();
         let radius = mesh.points.iter().map(|p| p.length()).fold(0.0, f64::max);
-        let member = Member { owner, content, radius, pose };
+        let member = Member { owner, content, radius, first_vertices, pose };
         let id = self.world.add(&Shape::new(&points, &mesh.faces)?, &member.motion()?)?;
         self.members.insert(id, member);
         self.bodies_of.insert(owner, id);
@@ -137,6 +171,25 @@ impl Clamp {
     }
 }
 
+/// How fast bodies turn that may do so by more than pi/4 in a step, in radians a second.
+fn fast_turns(bodies: &RigidBodySet) -> BTreeMap<Owner, (RigidBodyHandle, f64)> {
+    let turns = |(handle, body): (RigidBodyHandle, &RigidBody)| {
+        let (index, generation) = handle.into_raw_parts();
+        (Owner::Body(index, generation), (handle, f64::from(body.angvel().length())))
+    };
+    bodies.iter().filter(|(_, body)| body.is_dynamic() && body.is_fast_rotation_allowed()).map(turns).collect()
+}
+
+/// Half a turn, less a hundredth: a step changes the speed.
+const MOST_TURN: f64 = 0.99 * std::f64::consts::PI;
+
+impl Given {
+    fn mesh_for(&mut self, shape: &SharedShape) -> Option<&Mesh> {
+        let known = self.shape.get_or_insert_with(|| shape.clone());
+        std::sync::Arc::ptr_eq(&known.0, &shape.0).then_some(&self.mesh)
+    }
+}
+
 const NOWHERE: tamis::Pose = tamis::Pose { position: [f64::NAN; 3], rotation: [f64::NAN; 3] };
 
 struct Wanted<'a> {
@@ -145,6 +198,13 @@ struct Wanted<'a> {
     members: &'a BTreeMap<BodyId, Member>,
     colliders: &'a ColliderSet,
     joints: &'a ImpulseJointSet,
+}
+
+impl Wanted<'_> {
+    fn meet(&self, a: &Part, b: &Part) -> bool {
+        let (a, b) = (&self.colliders[a.collider], &self.colliders[b.collider]);
+        a.collision_groups().test(b.collision_groups()) && a.solver_groups().test(b.solver_groups())
+    }
 }
 
 impl WantedStep for Wanted<'_> {
@@ -169,10 +229,10 @@ impl WantedStep for Wanted<'_> {
                 return false;
             }
         }
-        let meets = |a: &Part, b: &Part| {
-            let (a, b) = (&self.colliders[a.collider], &self.colliders[b.collider]);
-            a.collision_groups().test(b.collision_groups()) && a.solver_groups().test(b.solver_groups())
-        };
-        first.content.parts.iter().any(|a| second.content.parts.iter().any(|b| meets(a, b)))
+        first.content.parts.iter().any(|a| second.content.parts.iter().any(|b| self.meet(a, b)))
+    }
+
+    fn collides_at(&self, first: (BodyId, i32), second: (BodyId, i32)) -> bool {
+        self.meet(self.members[&first.0].part_of(first.1), self.members[&second.0].part_of(second.1))
     }
 }

@@ -48,11 +48,17 @@ pub struct Member {
     pub owner: Owner,
     pub content: Content,
     pub radius: f64,
+    /// Of each part, the number of its first vertex.
+    pub first_vertices: Vec<i32>,
     /// Where the world of Tamis has it.
     pub pose: Pose,
 }
 
 impl Member {
+    pub fn part_of(&self, vertex: i32) -> &Part {
+        &self.content.parts[self.first_vertices.partition_point(|&first| first <= vertex) - 1]
+    }
+
     pub fn motion(&self) -> Result<Motion, Error> {
         let pose = pose_of(&self.pose, self.content.centre)?;
         // Two bodies that stay are never asked about: who may move is at rest in another way.

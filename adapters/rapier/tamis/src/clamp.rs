@@ -17,6 +17,11 @@ pub trait WantedStep {
     fn radius(&self, body: BodyId) -> f64;
     /// Does the engine collide these two?
     fn collides(&self, first: BodyId, second: BodyId) -> bool;
+    /// Of two that it does: here, too? For bodies of several parts that differ in what they collide with. A vertex of
+    /// each body's shape.
+    fn collides_at(&self, _first: (BodyId, i32), _second: (BodyId, i32)) -> bool {
+        true
+    }
 }
 
 /// How bodies are held back.
@@ -63,6 +68,7 @@ impl World {
             collides: Some(collides),
             gap: options.gap,
             rounds: options.rounds,
+            collides_at: Some(collides_at),
         };
         let mut fractions = vec![0.0; moving.len()];
         let (mut count, mut clamped) = (0, sys::tamis_clamped::default());
@@ -87,6 +93,10 @@ unsafe extern "C" fn pose(user: *mut c_void, body: i32, fraction: f64, pose: *mu
 
 unsafe extern "C" fn radius(user: *mut c_void, body: i32) -> f64 {
     step_of(user).radius(body)
+}
+
+unsafe extern "C" fn collides_at(user: *mut c_void, first: i32, at_first: i32, second: i32, at_second: i32) -> c_int {
+    c_int::from(step_of(user).collides_at((first, at_first), (second, at_second)))
 }
 
 unsafe extern "C" fn collides(user: *mut c_void, first: i32, second: i32) -> c_int {

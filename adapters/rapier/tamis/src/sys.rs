@@ -220,6 +220,7 @@ mod clamp {
         pub collides: Option<unsafe extern "C" fn(*mut c_void, i32, i32) -> c_int>,
         pub gap: f64,
         pub rounds: i32,
+        pub collides_at: Option<unsafe extern "C" fn(*mut c_void, i32, i32, i32, i32) -> c_int>,
     }
 
     #[repr(C)]

@@ -11,8 +11,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from tamis._arrays import Doubles, Indices
+from tamis._errors import InvalidOptions
 
-_MOST_RINGS = 512  # two million triangles
+_MOST_RINGS = 518  # two million triangles
 
 
 @dataclass(frozen=True)
@@ -58,8 +59,13 @@ def ellipsoid(half: Doubles, tolerance: float) -> Shape:
 def capsule(radius: float, half_length: float, tolerance: float) -> Shape:
     """Along z; a ball if its half length is 0. The ball's halves, moved apart, are as far out as the ball is."""
     rings = 1
-    while radius * (_size_around_ball(rings) - 1) > tolerance and rings < _MOST_RINGS:
+    while radius * (_size_around_ball(rings) - 1) > tolerance:
         rings += max(1, rings // 8)
+        if rings > _MOST_RINGS:
+            raise InvalidOptions(
+                f"more than two million triangles would be needed to come within {tolerance} of a round surface of "
+                f"radius {radius:.6g}: give a larger tolerance"
+            )
     top, faces = _half_ball(rings)
     top *= radius * _size_around_ball(rings)
     n, rim = len(top), np.arange(len(top) - 4 * rings, len(top))

@@ -16,9 +16,11 @@ from tamis._options import query_options
 from tamis._paths._path import Path
 from tamis._tables._near import Intersections
 from tamis.mujoco._kinematics import Carriers
+from tamis.mujoco._pins import Pins
 from tamis.mujoco._places import Places
 from tamis.mujoco._steps import RefereedStep, RefereeReport, meetings_of
 from tamis.mujoco._surfaces import may_touch, name_of, surfaces_of
+from tamis.mujoco._watch import Watch
 
 # Of the size of the scene: how far positions that MuJoCo computes may be from those that the chains of joints give.
 _SEAM = 1e-10
@@ -48,7 +50,7 @@ class Referee:
     Parameters
     ----------
     model : mujoco.MjModel
-        Which surfaces may touch is what its bits, bodies and lists of pairs say. Read once.
+        Which surfaces may touch is what its bits, bodies and lists of pairs say. Read once: it may not change.
     data : mujoco.MjData
         The simulation to follow, from its present state on. It is read, never written.
     min_separation : float
@@ -66,7 +68,7 @@ class Referee:
     InvalidMesh
         A height field or a signed distance field that collides; no surface at all.
     InvalidOptions
-        An option outside its range.
+        An option outside its range; a tolerance so small that a round surface needs more than two million triangles.
     """
 
     def __init__(
@@ -85,6 +87,9 @@ class Referee:
         self._surfaces = surfaces_of(model, _above_zero(tolerance, "tolerance"), self._reach)
         self._carriers = Carriers(model)
         self._places = Places(model, self._surfaces.parts, self._carriers)
+        self._pins = Pins(model, self._surfaces.parts)
+        states = [self._places.now, self._places.before]
+        self._watch = Watch(model, states, self._surfaces.parts, self._carriers.is_moving)
         self._planes = [part for part in self._surfaces.parts if part.is_plane]
         self.detector = Detector(
             self._surfaces.mesh,
@@ -118,7 +123,7 @@ class Referee:
 
     def intersections(self) -> Intersections:
         """Find what passes through what in the last state that was seen, exactly; the first state is the one to ask."""
-        return self.detector.intersections(self._places.points)
+        return self._pins.without_intersections(self.detector.intersections(self._places.points))
 
     def check(self) -> RefereedStep:
         """Prove the step from the last state that was seen to the present one free, or name what touches.
@@ -134,12 +139,13 @@ class Referee:
         ------
         InvalidStep
             The simulation has gone on by more or less than one step, or a body has turned too far in one; or positions
-            are not where joints at constant velocity take them. Call `restart` where that was meant.
+            are not where joints at constant velocity take them. Call `restart` where that was meant. What collides was
+            changed in the model: make another referee.
         """
         start, span = self._places.points, (self._places.now.time, self._data.time)
         self._require_one_step(*span)
         self._look()
-        found = self.detector._contacts_of(self._motion(start), self._asking)
+        found = self._pins.without(self.detector._contacts_of(self._motion(start), self._asking))
         report = self._report
         met = meetings_of(found, self._surfaces.groups, self.names, report.steps, span)
         report.steps += 1
@@ -148,6 +154,7 @@ class Referee:
 
     def _look(self) -> None:
         self._places.look(self._data)
+        self._watch.require_same(self._places.now)
         self._require_reach()
 
     def _require_reach(self) -> None:

@@ -166,7 +166,7 @@ def may_touch(model: Any, parts: list[Surface]) -> npt.NDArray[np.bool_]:
 
 def _may_touch(model: Any, a: Surface, b: Surface, excluded: set[int], listed: set[frozenset[int]]) -> bool:
     if a is b:
-        return a.flex >= 0 and bool(model.flex_selfcollide[a.flex])
+        return a.flex >= 0 and bool(model.flex_selfcollide[a.flex]) and bool(_bits(model, a)[0] & _bits(model, a)[1])
     if a.geom >= 0 and b.geom >= 0:
         if frozenset((a.geom, b.geom)) in listed:
             return True

@@ -262,3 +262,68 @@ def test_bad_input() -> None:
     with pytest.raises(tamis.InvalidStep, match="give a larger plane_reach"):
         tamis.mujoco.Referee(model, data, plane_reach=0.01)
     assert "MuJoCo 3.2.1 is installed" in _version.complaint("3.2.1")
+
+
+PINNED = """
+<mujoco>
+  <worldbody>
+    <body name="pole" pos="0 0 1">
+      <joint type="hinge" axis="0 0 1"/>
+      <geom name="pole" type="capsule" size=".02" fromto="{pole} -.3 0 {pole} .3 0"/>
+      <flexcomp name="flag" type="grid" count="4 4 1" spacing=".1 .1 .1" radius=".001" dim="2" mass=".1">
+        <contact selfcollide="auto" contype="{bits}" conaffinity="{bits}"/><pin id="0 1 2 3"/>
+      </flexcomp>
+    </body>
+  </worldbody>
+</mujoco>"""
+
+
+@pytest.mark.parametrize(("pole", "is_pinned"), [(-0.15, True), (0.05, False)])
+def test_what_is_pinned_to_a_body_passes_its_geoms_as_in_mujoco(pole: float, is_pinned: bool) -> None:
+    model, data = loaded(PINNED.format(pole=pole, bits=1))
+    referee = tamis.mujoco.Referee(model, data)
+    assert (len(referee.intersections()) == 0) == is_pinned
+    mujoco.mj_step(model, data)
+    assert referee.check().is_free == is_pinned
+    assert (data.ncon == 0) == is_pinned
+
+
+def test_a_flex_without_bits_does_not_meet_itself() -> None:
+    for bits in (0, 1):
+        model, _ = loaded(PINNED.format(pole=-0.15, bits=bits))
+        parts = _surfaces.surfaces_of(model, 0.01, 1).parts
+        assert _surfaces.may_touch(model, parts)[0, 0] == bool(bits)
+
+
+STANDING = """
+<mujoco>
+  <option gravity="0 0 0"/>
+  <worldbody>
+    <body name="table"><geom name="top" type="box" size="1 1 .1"/></body>
+    <body pos="0 0 1"><freejoint/><geom name="cube" type="box" size=".1 .1 .1"/></body>
+    <body name="sign"><geom name="sign" type="box" size=".1 .1 .1" contype="0" conaffinity="0"/></body>
+  </worldbody>
+</mujoco>"""
+
+
+@pytest.mark.parametrize("field", ["body_pos", "body_quat", "geom_size", "geom_pos", "geom_quat", "geom_contype"])
+@pytest.mark.parametrize("what", ["table", "sign"])
+def test_a_model_is_refused_if_what_collides_has_changed(field: str, what: str) -> None:
+    model, data = loaded(STANDING)
+    referee = tamis.mujoco.Referee(model, data)
+    number = model.geom(what if what == "sign" else "top").id if "geom" in field else model.body(what).id
+    getattr(model, field)[number] = 2 if field == "geom_contype" else [0.5] * getattr(model, field).shape[1]
+    mujoco.mj_step(model, data)
+    if what == "sign" and field != "geom_contype":
+        assert referee.check().is_free
+        return
+    with pytest.raises(tamis.InvalidStep, match="make another one after the model was changed"):
+        referee.check()
+    with pytest.raises(tamis.InvalidStep, match="make another one"):
+        referee.restart()
+
+
+def test_a_tolerance_that_asks_for_too_many_triangles_is_refused() -> None:
+    earth = '<mujoco><worldbody><geom type="sphere" size="6000"/></worldbody></mujoco>'
+    with pytest.raises(tamis.InvalidOptions, match="two million triangles"):
+        tamis.mujoco.Referee(*loaded(earth))

@@ -36,6 +36,34 @@ def scene_of_a_sheet_that_falls_through_the_ground():
     return ground, sheet
 
 
+def linked(name, data):
+    thing = bpy.data.objects.new(name, data)
+    bpy.context.collection.objects.link(thing)
+    return thing
+
+
+def wire():
+    """A curve with a thickness, in the sheet's way."""
+    data = bpy.data.curves.new("wire", "CURVE")
+    data.dimensions, data.bevel_depth = "3D", 0.2
+    ends = data.splines.new("POLY").points
+    ends.add(1)
+    ends[0].co, ends[1].co = (-2, 0, 0, 1), (2, 0, 0, 1)
+    return linked("wire", data)
+
+
+def unread():
+    """What shows something without a mesh of its own, and a lamp and a plain empty, which show nothing."""
+    group = bpy.data.collections.new("group")
+    group.objects.link(mesh("grouped", [(-1, -1, 0), (1, -1, 0), (0, 1, 0)], [(0, 1, 2)]))
+    whole = linked("whole", None)
+    whole.instance_type, whole.instance_collection = "COLLECTION", group
+    many = mesh("many", [(0, 0, 0)], [])
+    mesh("one of many", [(-1, -1, 0), (1, -1, 0), (0, 1, 0)], [(0, 1, 2)]).parent = many
+    many.instance_type = "VERTS"
+    return whole, many, linked("lamp", bpy.data.lights.new("lamp", "POINT")), linked("plain", None)
+
+
 def select(*things):
     for thing in bpy.context.scene.objects:
         thing.select_set(thing in things)
@@ -89,6 +117,13 @@ def main():
     seen["alone"] = facts(scene)
     select()
     seen["nothing"] = said(bpy.ops.tamis.check_cache)
+    select(wire(), sheet)
+    said(bpy.ops.tamis.check_cache)
+    seen["wire"] = facts(scene)
+    seen["wire shown"] = said(bpy.ops.tamis.show_frame, frame=6)
+    select(*unread(), sheet)
+    said(bpy.ops.tamis.check_cache)
+    seen["unread"] = facts(scene)
     select(ground, sheet)
     scene.tamis_check.min_separation = 0.3
     said(bpy.ops.tamis.check_cache)

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from .library import Trouble, tamis
-from .recording import Topology, frame_of, topology_of
+from .recording import Topology, frame_of, instancers, readable, topology_of
 
 # How many vertices the first feature of each kind of pair has: vf, ee, ve, vv, ef, as in tamis.AuditKind.
 _FIRST = (1, 2, 1, 1, 2)
@@ -44,17 +44,20 @@ class Findings:
     steps: int = 0
     bad: dict[int, BadFrame] = field(default_factory=dict)
     notes: list[str] = field(default_factory=list)
+    left_out: list[str] = field(default_factory=list)  # objects of which something was not asked about
 
     def __str__(self) -> str:
+        said = f"{len(self.bad)} of {self.frames} frames are bad, the first is {min(self.bad, default=0)}"
         if not self.bad:
-            return f"{self.frames} frames and {self.steps} steps, all free: proven"
-        return f"{len(self.bad)} of {self.frames} frames are bad, the first is {min(self.bad)}"
+            said = f"{self.frames} frames and {self.steps} steps, all free: proven"
+        return said + (f"; not looked at: {', '.join(self.left_out)}" if self.left_out else "")
 
 
 class Check:
     """One run over the frames; `run` yields after each, and may be left at any time: `findings` has what was done."""
 
-    def __init__(self, scene: Any, objects: list[Any], frames: range, separation: float, rings: int) -> None:
+    def __init__(self, scene: Any, selected: list[Any], frames: range, separation: float, rings: int) -> None:
+        objects, left_out = readable(selected)
         if not objects:
             raise Trouble("no mesh is selected: select the cloth, and what it must not pass through")
         if len(frames) == 0:
@@ -65,7 +68,7 @@ class Check:
         self._topology: Topology | None = None
         self._auditor: Any = None
         self._triangles: dict[int, set[int]] = {}
-        self.findings = Findings()
+        self.findings = Findings(left_out=left_out)
 
     def run(self, view_layer: Any) -> Iterator[int]:
         """Ask about one frame after the other."""
@@ -93,6 +96,8 @@ class Check:
             self.findings.notes.append(f"frame {frame}: the meshes have other faces from here on; no step leads there")
         self._topology = topology = topology_of(self._objects, depsgraph)
         self._corners = corners
+        instances = [f"instances of {name}" for name in instancers(self._objects, depsgraph)]
+        self.findings.left_out += [name for name in instances if name not in self.findings.left_out]
         mesh = self._tamis.Mesh(topology.triangles, sum(topology.vertex_counts), topology.loose_edges)
         self._auditor = self._tamis.Auditor(
             mesh, objects=topology.vertices_of(), min_separation=self._separation, ring_limit=max(10, self._rings)

@@ -54,11 +54,10 @@ class TamisCheckCache(bpy.types.Operator):
 
     def _begin(self, context: Any) -> bool:
         scene, settings = context.scene, context.scene.tamis_check
-        meshes = [thing for thing in context.selected_objects if thing.type == "MESH"]
         frames = range(scene.frame_start, scene.frame_end + 1)
         self._before = scene.frame_current
         try:
-            self._check = Check(scene, meshes, frames, settings.min_separation, settings.rings)
+            self._check = Check(scene, list(context.selected_objects), frames, settings.min_separation, settings.rings)
         except Trouble as trouble:
             self.report({"ERROR"}, str(trouble))
             return False
@@ -89,7 +88,7 @@ class TamisCheckCache(bpy.types.Operator):
         findings = self._check.findings
         for note in findings.notes:
             self.report({"WARNING"}, note)
-        self.report({"WARNING" if findings.bad else "INFO"}, str(findings))
+        self.report({"WARNING" if findings.bad or findings.left_out else "INFO"}, str(findings))
         return {"FINISHED"}
 
     def _publish(self, context: Any) -> None:

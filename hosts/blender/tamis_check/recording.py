@@ -11,6 +11,28 @@ import numpy as np
 from .library import Trouble
 
 
+# What Blender makes meshes of; and what has none and may be in the way of the cloth all the same.
+_WITH_MESH = {"MESH", "CURVE", "SURFACE", "FONT"}
+_WITHOUT_SHAPE = {"ARMATURE", "CAMERA", "LATTICE", "LIGHT", "LIGHT_PROBE", "SPEAKER"}
+
+
+def readable(selected: list[Any]) -> tuple[list[Any], list[str]]:
+    """Objects that have a mesh, or are made one; and the names of those that show something else."""
+    shows = [thing for thing in selected if thing.type not in _WITH_MESH | _WITHOUT_SHAPE]
+    other = [thing.name for thing in shows if thing.type != "EMPTY" or thing.instance_type == "COLLECTION"]
+    return [thing for thing in selected if thing.type in _WITH_MESH], other
+
+
+def instancers(objects: list[Any], depsgraph: Any) -> list[str]:
+    """Names of objects that show others, or parts, in many places: these instances are in none of their meshes."""
+    found = set()
+    for shown in depsgraph.object_instances:
+        # The mesh of a curve is an instance of the curve.
+        if shown.is_instance and shown.parent and shown.instance_object.original != shown.parent.original:
+            found.add(shown.parent.original.name)
+    return [thing.name for thing in objects if thing.name in found]
+
+
 @dataclass(frozen=True)
 class Topology:
     """Of all objects together; vertices of each follow those of the one before."""

@@ -60,8 +60,11 @@ def show(context: Any, frame: int) -> str:
 
 def _select(thing: Any, faces: np.ndarray) -> str:
     """These and no others; what the modifiers have made anew has no faces to select."""
-    if thing is None or (len(faces) and faces[-1] >= len(thing.data.polygons)):
+    polygons = thing.data.polygons if thing and thing.type == "MESH" else ()
+    if thing is None or (len(faces) and faces[-1] >= len(polygons)):
         return f"{thing.name if thing else 'an object'} has other faces than its modifiers make: its pairs are drawn."
+    if thing.type != "MESH":
+        return ""
     mesh = thing.data
     sides = {side for face in faces.tolist() for side in mesh.polygons[face].edge_keys}
     corners = [vertex for side in sides for vertex in side]

@@ -86,6 +86,18 @@ def test_one_mesh_alone_is_free(seen: Any) -> None:
     assert seen["alone"]["rows"] == [] and len(seen["alone"]["markers"]) == 1
 
 
+def test_a_curve_with_a_thickness_is_in_the_way(seen: Any) -> None:
+    """The bug: all that is no mesh object was left out without a word, and the sheet was proven free."""
+    assert seen["wire"]["summary"].startswith("2 of 12 frames are bad, the first is 6")
+    assert seen["wire"]["rows"][0][1].endswith("sheet and wire")
+    assert seen["wire shown"] == ["FINISHED"]
+
+
+def test_the_summary_names_what_was_not_looked_at(seen: Any) -> None:
+    free = "12 frames and 11 steps, all free: proven"
+    assert seen["unread"]["summary"] == f"{free}; not looked at: whole, instances of many"
+
+
 def test_nothing_selected_is_a_sentence(seen: Any) -> None:
     assert "no mesh is selected: select the cloth" in seen["nothing"]
 

@@ -193,6 +193,8 @@ def make_user(work: pathlib.Path, wheel: pathlib.Path) -> None:
 
 
 def main() -> int:
+    if not sys.argv[1:] or sys.argv[1].startswith("-"):
+        sys.exit(__doc__)
     work, *build = (pathlib.Path(argument).resolve() for argument in sys.argv[1:])
     work.mkdir(parents=True, exist_ok=True)
     make_tools(work)

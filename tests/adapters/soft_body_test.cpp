@@ -1,8 +1,9 @@
-// Soft bodies in a truncated world: ropes, bodies that come in a callback, others at an old address.
+// Soft bodies in a truncated world: ropes, bodies that come in a callback, bodies that have nothing to meet.
 #include <BulletSoftBody/btDeformableBodySolver.h>
 #include <BulletSoftBody/btDeformableMultiBodyConstraintSolver.h>
 #include <BulletSoftBody/btSoftBodyHelpers.h>
 #include <BulletSoftBody/btSoftBodyRigidBodyCollisionConfiguration.h>
+#include <btBulletDynamicsCommon.h>
 #include <gtest/gtest.h>
 
 #include <memory>

@@ -61,8 +61,8 @@ class Detector {
   SafeStep safe_step(const Step& step, double keep = 0.1, const QueryOptions& = {});
 
   /// Every pair of features whose distance at rest is at most `distance` plus both radii (Options::radii), each
-  /// once, by kind, then vertices: what a barrier or penalty method starts from. A pair that is farther apart by less
-  /// than NearPair::distance may be off is in it too. The vector is valid until the next such question. Throws
+  /// once, by kind, then vertices: what a barrier or penalty method starts from. Some that are farther apart by less
+  /// than NearPair::distance may be off can be among them. The vector is valid until the next such question. Throws
   /// InvalidOptions unless `distance` is finite and >= 0, InvalidStep as above.
   const std::vector<NearPair>& pairs_within(const Positions& positions, double distance);
 

@@ -188,6 +188,13 @@ def print_left_out(program, patterns):
               + ", ".join(f"{count} of {step}" for step, count in steps.items()), file=sys.stderr)
 
 
+def two_numbers(text):
+    numbers = text.split(",")
+    if len(numbers) != 2 or not all(number.isdecimal() for number in numbers):
+        raise argparse.ArgumentTypeError(f"'{text}': give two numbers, of the old build and of the new one, as 1,16")
+    return numbers
+
+
 def arguments():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("old", help="tamis_matrix, built against the old version")
@@ -198,7 +205,7 @@ def arguments():
     parser.add_argument("--repeat", type=int, default=3, metavar="N", help="turns a cell [3]")
     parser.add_argument("--sweep", type=float, metavar="RATIO", help="one turn only where no slower than this")
     parser.add_argument("--limit", type=float, metavar="SECONDS", help="wall clock of one answer, scene included")
-    parser.add_argument("--threads", default="1,1", metavar="OLD,NEW", help="of each build; more than one are timed by "
+    parser.add_argument("--threads", type=two_numbers, default="1,1", metavar="OLD,NEW", help="of each build; more than one are timed by "
                         "the wall clock, on a machine with nothing else to do [1,1]")
     parser.add_argument("--isa", metavar="NAME,...", help="instruction sets [night: best; else: all]")
     parser.add_argument("--csv", metavar="FILE", help="all rows, for plot.py")
@@ -213,7 +220,7 @@ def isas_of(asked):
 
 def measure_all(asked, cells):
     """The rows of all cells, and what was given up; of those before an interrupt."""
-    builds = [*zip((asked.old, asked.new), asked.threads.split(","), strict=True)]
+    builds = [*zip((asked.old, asked.new), asked.threads)]
     drivers = {isa: [Driver(program, isa, threads, asked.limit) for program, threads in builds] for isa in isas_of(asked)}
     rows, given_up = [], []
     try:

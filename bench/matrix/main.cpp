@@ -4,6 +4,7 @@
 #include <malloc.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cstdio>
 #include <iostream>
 #include <limits>
@@ -111,6 +112,14 @@ struct Arguments {
   std::vector<std::string> patterns;
 };
 
+int number_from(const std::string& word) {
+  int number = 0;
+  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
+  if (error != std::errc() || end != word.data() + word.size())
+    throw InvalidOptions(fmt::format("'{}' is no number of threads: give 0 (all) or a positive number", word));
+  return number;
+}
+
 Arguments read(const std::vector<std::string>& words) {
   Arguments asked;
   for (std::size_t i = 0; i < words.size(); ++i) {
@@ -118,7 +127,7 @@ Arguments read(const std::vector<std::string>& words) {
     if (words[i] == "--isa" && has_value)
       asked.options.isa = isa_from_name(words[++i]);
     else if (words[i] == "--threads" && has_value)
-      asked.options.threads = std::stoi(words[++i]);
+      asked.options.threads = number_from(words[++i]);
     else if (words[i] == "--part" && has_value)
       asked.part = words[++i];
     else if (words[i] == "--list")

@@ -17,7 +17,9 @@ inline constexpr std::size_t kVerticesPerPart = 1024;
 
 inline bool has_other_threads() { return tbb::this_task_arena::max_concurrency() > 1; }
 
-/// Of a loop longer than `grain`. One thread alone takes larger parts.
+/// Calls f(begin, end) for parts of a loop longer than `grain`. One thread alone takes parts sixteen times as long: as
+/// many that a function that is asked between them, for cancellation, is asked often, and so few that they cost
+/// nothing.
 template <class Count, class F>
 void in_several_parts(Count count, Count grain, const F& f) {
   if (has_other_threads())
@@ -46,8 +48,8 @@ void for_each_in_parts(const Items& items, std::size_t grain, const F& f) {
   });
 }
 
-/// What f(begin, end) says of all parts together: a flag, a largest or least value, a box, so that it is the same
-/// however the loop is parted. `nothing`: of no part. join(a, b): of both.
+/// What f(begin, end) says of all parts together: a flag, a count, a largest or least value, a box, so that it is the
+/// same however the loop is parted. `nothing`: of no part. join(a, b): of both.
 template <class Value, class Join, class F>
 Value joined_parts(std::size_t count, std::size_t grain, const Value& nothing, const Join& join, const F& f) {
   if (count > grain && has_other_threads()) {

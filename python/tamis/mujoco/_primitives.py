@@ -13,7 +13,7 @@ import numpy as np
 from tamis._arrays import Doubles, Indices
 from tamis._errors import InvalidOptions
 
-_MOST_RINGS = 518  # two million triangles
+_MOST_RINGS = 518  # that is 8 rings^2 triangles, two million
 
 
 @dataclass(frozen=True)

@@ -80,6 +80,8 @@ constexpr std::array kOfOneSize{
     OfOneSize{"drum-of-grains", drum_of_grains, 3000},
     OfOneSize{"vehicle-in-city", vehicle_in_city, 3000},
     OfOneSize{"exploding-cloth", exploding_cloth, 300},
+    OfOneSize{"body-fallen-off", body_fallen_off, 3000},
+    OfOneSize{"vertex-flies-off", vertex_flies_off, 3000},
 };
 
 struct Size {

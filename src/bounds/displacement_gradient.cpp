@@ -84,7 +84,9 @@ GradientFit fit_gradient(const PackedMotion& motion, std::span<const Index> vert
   Vec places{}, displacements{};
   SymmetricMatrix squares;
   std::array<Vec, 3> products{};  // [i]: displacement[i] times place
-  for (std::size_t i = 0; i < vertices.size(); i += stride, ++count) {
+  for (std::size_t i = 0; i < vertices.size(); i += stride) {
+    if (motion.is_outlier(vertices[i])) continue;
+    ++count;
     const PackedVertex& vertex = motion.vertices[static_cast<std::size_t>(vertices[i])];
     const Vec place = motion.frame.place(vertex), displacement = motion.frame.displacement(vertex);
     places = places + place;

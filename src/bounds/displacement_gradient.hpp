@@ -43,7 +43,7 @@ struct GradientFit {
   Vec3<double> mean_position{}, mean_displacement{};  ///< positions at t=0
 };
 
-/// The gradient by least squares over every `stride`-th of the vertices, in the frame of the boxes.
+/// The gradient by least squares over every `stride`-th of the vertices but outliers, in the frame of the boxes.
 GradientFit fit_gradient(const PackedMotion& motion, std::span<const Index> vertices, std::size_t stride);
 
 }  // namespace tamis

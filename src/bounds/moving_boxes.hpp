@@ -8,8 +8,11 @@ namespace tamis {
 
 inline constexpr int kBlock = 16;
 
-/// Coordinates are in the frame of the boxes, within [-8,8]. An empty lane has low = kNowhere, high = -kNowhere, and
-/// meets nothing; it is finite because differences of infinities are none.
+/// Boxes of what lies within the frame are no wider: wider ones reach to outliers.
+inline constexpr float kWidest = 16;
+
+/// Coordinates are in the frame of the boxes, within [-8,8], but those of outliers (BoxFrame). An empty lane has low =
+/// kNowhere, high = -kNowhere, and meets nothing; it is finite because differences of infinities are none.
 inline constexpr float kNowhere = 1e30f;
 
 /// [axis][lane].

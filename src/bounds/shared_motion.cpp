@@ -19,12 +19,13 @@ Vec3<double> rounded_difference(const double* to, const double* from, double sca
   return {scale * (to[0] - from[0]), scale * (to[1] - from[1]), scale * (to[2] - from[2])};
 }
 
-/// The differences of residuals along edges over the edges' lengths, as root mean squares. Not finite, and no reason
-/// for a gradient, where differences are not.
+/// The differences of residuals along edges over the edges' lengths, as root mean squares, without outliers. Not
+/// finite, and no reason for a gradient, where differences are not.
 double growth_beside(const DisplacementGradient& gradient, const Mesh& mesh, const PackedMotion& motion) {
   double residual2 = 0, length2 = 0;
   const auto edges = mesh.edges();
   for (std::size_t e = 0; e < edges.size(); e += edges.size() / kSampledEdges + 1) {
+    if (motion.is_outlier(edges[e][0]) || motion.is_outlier(edges[e][1])) continue;
     const PackedVertex& a = motion.vertices[static_cast<std::size_t>(edges[e][0])];
     const PackedVertex& b = motion.vertices[static_cast<std::size_t>(edges[e][1])];
     const Vec3<double> length = rounded_difference(b.start(), a.start(), motion.frame.scale);

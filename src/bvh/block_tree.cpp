@@ -194,6 +194,7 @@ BlockTree::Areas BlockTree::areas() const {
       size[axis] = high - low;
       swept[axis] = std::max(high, hulls.high1[axis][lane]) - std::min(low, hulls.low1[axis][lane]);
     }
+    if (*std::ranges::max_element(swept) > kWidest) continue;
     const auto half_area = [](const float(&box)[3]) {
       return static_cast<double>(box[0] * box[1] + box[1] * box[2] + box[2] * box[0]);
     };

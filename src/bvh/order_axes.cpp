@@ -78,7 +78,8 @@ Spread spread_of(const PackedMotion& motion, std::span<const Index> points, cons
       positions.include(Point{position(at, 0), position(at, 1), position(at, 2)});
       displacements.include(Point{displacement(at, 0), displacement(at, 1), displacement(at, 2)});
     }
-    spread.include(positions, displacements);
+    if (2 * std::max(positions.half_width(), displacements.half_width()) <= double{kWidest})
+      spread.include(positions, displacements);
   }
   return spread;
 }

@@ -1,5 +1,7 @@
 // Box tests of the search: do moving boxes meet, by what they sweep over or at one time; are boxes at rest near.
 #pragma once
+#include <algorithm>
+
 #include "bounds/moving_boxes.hpp"
 #include "kernels/kernels.hpp"
 #include "kernels/sixteen_lanes.hpp"
@@ -47,14 +49,16 @@ class MovingBoxes {
   static constexpr bool kMoves = true, kHasReach = false;
   using Bounds = BoundBlock<6>;  ///< what boxes sweep over: x y z
 
-  /// From leaf block `block` of search.a.
+  /// From leaf block `block` of search.a. No observer goes as far as outliers may.
   MovingBoxes(const Search& search, int block) : t_limit_(search.t_limit) {
+    constexpr float kFarthest = 4;
     const BoxBlock& hulls = search.a.levels[1][block / kBlock];
     const int lane = block % kBlock;
-    for (int axis = 0; axis < 3; ++axis)
-      observer_displacement_[axis] =
-          0.5f * t_limit_ *
-          ((hulls.low1[axis][lane] - hulls.low0[axis][lane]) + (hulls.high1[axis][lane] - hulls.high0[axis][lane]));
+    for (int axis = 0; axis < 3; ++axis) {
+      const float twice =
+          (hulls.low1[axis][lane] - hulls.low0[axis][lane]) + (hulls.high1[axis][lane] - hulls.high0[axis][lane]);
+      observer_displacement_[axis] = 0.5f * t_limit_ * std::clamp(twice, -2 * kFarthest, 2 * kFarthest);
+    }
   }
 
   void bound(const TreeView& tree, int level, int node, Bounds& bounds) const {

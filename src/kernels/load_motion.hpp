@@ -105,6 +105,7 @@ inline PairMotion<FloatLanes> load_box_motion(const MotionView& view, const Pair
     FloatLanes columns[BoxVertex::kRadius + 1];
     load_columns(&view.box_vertices->at, pairs.corner[4] + first, columns);
     at[0].at1 = {columns[0], columns[1], columns[2]};
+    radius[0] = max(radius[0], columns[BoxVertex::kRadius]);
   }
   const auto moving = [&](VertexDifference v) { return at[v.to] - at[v.from]; };
   constexpr SpanningVectors kVectors = spanning_vectors(kind);

@@ -13,7 +13,9 @@ void leave_out_kept(const MotionView& motion, const KeepRule& rule, PairBuffer& 
   int count = 0;
   for (int first = 0; first < pairs.count; first += kFloatLanes) {
     const auto m = load_box_motion<kind>(motion, pairs, first);
-    const KeptGap<kind, FloatLanes> gap(m, FloatLanes(rule.fraction), FloatLanes(BoxFrame::kBlur));
+    FloatLanes blur(BoxFrame::kBlur);
+    if (motion.has_outliers) blur = blur + (m.separation - FloatLanes(motion.box_separation.fixed)) * FloatLanes(2.0f);
+    const KeptGap<kind, FloatLanes> gap(m, FloatLanes(rule.fraction), blur);
     const auto time = load_time<FloatLanes>(pairs, first);
     const unsigned left = lanes_in_use(pairs, first, kFloatLanes) & ~bits(gap.is_kept(min(time.t_out, FloatLanes(1))));
     count += store_pairs(left, pairs, first, time, pairs, count);

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "bounds/shared_motion.hpp"
+
 namespace tamis {
 namespace {
 
@@ -43,6 +45,51 @@ TEST(PackedMotion, TheFrameGoesWithWhatGoesFarAsAWhole) {
     const auto way = motion.frame.displacement(motion.vertices[1]) - motion.frame.displacement(motion.vertices[0]);
     EXPECT_NEAR(way.y, -0.25 * motion.frame.scale, 0x1p-50) << far;
     EXPECT_NEAR(way.x, 0, 0x1p-50) << far;
+  }
+}
+
+// Bug: a frame that holds one vertex far away makes a point of all others; or rounding hides more of that vertex than
+// its radius says.
+TEST(PackedMotion, OutliersLieOutsideWithinTheirRadius) {
+  constexpr Index kCount = 400;
+  std::vector<Index> used;
+  std::vector<Point> start;
+  for (Index v = 0; v < kCount; ++v) {
+    used.push_back(v);
+    start.push_back({0.1 * (v % 20), 0.1 * (v / 20), 0.001 * v});
+  }
+  for (const double far : {1e3, 1e5, 1e9, 1e12, 1e14, 1e300}) {
+    std::vector<Point> end = start;
+    start[123] = {far / 3, 1, 2};
+    end[123] = {far / 7, 1, -far / 7};
+    PackedMotion motion;
+    motion.assign({start, end}, used, {});
+    motion.assign_residuals(used, {});
+    EXPECT_TRUE(motion.frame.has_outliers);
+    EXPECT_TRUE(motion.view().box_separation.has_radii);
+    EXPECT_GE(motion.frame.scale, 0.125) << far;
+    EXPECT_LT(motion.spread, 1e-6f) << far;
+    for (const Index v : used) {
+      const BoxVertex& box = motion.box_vertices[static_cast<std::size_t>(v)];
+      const BoxVertex& residual = motion.residuals[static_cast<std::size_t>(v)];
+      EXPECT_EQ(motion.is_outlier(v), v == 123);
+      const auto radius = static_cast<double>(box.at[BoxVertex::kRadius]);
+      if (v != 123) {
+        EXPECT_EQ(radius, 0) << far;
+        EXPECT_EQ(residual.at[BoxVertex::kRadius], 0) << far;
+        continue;
+      }
+      for (std::size_t k = 0; k < 6; ++k) {
+        const Point& at = k < 3 ? start[123] : end[123];
+        const double exact = (at[k % 3] - motion.frame.origin[k % 3]) * motion.frame.scale;
+        if (std::fabs(exact) < 0x1p40)  // a sixteenth of the radius is what rounding to float may take
+          EXPECT_LE(std::fabs(static_cast<double>(box.at[k]) - exact), radius / 16) << far;
+        else
+          EXPECT_GE(radius, 0x1p41) << far;
+      }
+      EXPECT_GE(static_cast<double>(residual.at[BoxVertex::kRadius]), std::min(1e12, 0.3 * far) * 0x1p-46) << far;
+      for (const float x : residual.at) EXPECT_TRUE(std::isfinite(x)) << far;
+    }
   }
 }
 

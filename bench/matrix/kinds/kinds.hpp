@@ -30,6 +30,10 @@ scenes::Scene felt(Index triangles, std::uint64_t seed);             ///< presse
 scenes::Scene drum_of_grains(Index triangles, std::uint64_t seed);   ///< of few long triangles, it turns
 scenes::Scene vehicle_in_city(Index triangles, std::uint64_t seed);  ///< all else stands
 
+// A few vertices far from all others.
+scenes::Scene body_fallen_off(Index triangles, std::uint64_t seed);   ///< 10^4 widths below a heap of others
+scenes::Scene vertex_flies_off(Index triangles, std::uint64_t seed);  ///< of a cloth, 10^5 of its widths in a step
+
 // Bad input.
 scenes::Scene huge_beside_tiny(Index triangles, std::uint64_t seed);   ///< motion of 1e300 beside 1e-300
 scenes::Scene infinite_ratio(Index triangles, std::uint64_t seed);     ///< a mesh of 1e-310 that moves by 1

@@ -1,0 +1,46 @@
+#include "scenes/outliers.hpp"
+
+#include <array>
+
+#include "scenes/point_math.hpp"
+
+namespace tamis::scenes {
+namespace {
+
+void add_triangle(Scene& scene, const std::array<Point, 3>& corners, const Point& way) {
+  const Index first = scene.vertex_count();
+  for (const Point& corner : corners) scene.add_vertex(corner, corner + way, 0);
+  scene.faces.push_back({first, first + 1, first + 2});
+}
+
+/// Multiples of 2^-20, which floats do not hold there, while doubles hold their halves.
+void add_fallen_triangles(Scene& scene, double d) {
+  const auto in_plane = [&](double x, double z) { return 0x1p-20 * Point{x, -x, z} + Point{0, -d, 0}; };
+  const Point a = in_plane(12345, 77777), b = in_plane(98765, 33333), c = in_plane(54321, 123457);
+  add_triangle(scene, {a, b, c}, {});
+  const Point way{-0.125, -0.125, 0}, corner = in_plane(0.5 * (12345 + 98765), 0.5 * (77777 + 33333)) + -1.0 * way;
+  add_triangle(scene, {corner, corner + Point{0.1, 0.2, 0}, corner + Point{0.2, 0.1, 0.1}}, way);
+}
+
+}  // namespace
+
+void add_outliers(Scene& scene, Outliers which, double distance) {
+  const double d = distance;
+  const std::size_t middle = scene.start.size() / 2;
+  switch (which) {
+    case Outliers::fallen_triangles:
+      return add_fallen_triangles(scene, d);
+    case Outliers::flying_triangle:
+      return add_triangle(scene, {{{d, 2, 0}, {d, 2.1, 0}, {d, 2, 0.1}}}, {-2 * d, 0, 0});
+    case Outliers::wide_ground:
+      return add_triangle(scene, {{{-d, -0.05, -d}, {2 * d, -0.05, -d}, {0, -0.05, d}}}, {0, 0.06, 0});
+    case Outliers::lost_vertex:
+      scene.start[middle][1] += d;
+      [[fallthrough]];
+    case Outliers::flying_vertex:
+      scene.end[middle][1] += d;
+      return;
+  }
+}
+
+}  // namespace tamis::scenes

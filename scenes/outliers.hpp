@@ -1,0 +1,18 @@
+// A few vertices far from all others, as simulations have them.
+#pragma once
+#include "scenes/scene.hpp"
+
+namespace tamis::scenes {
+
+enum class Outliers {
+  fallen_triangles,  ///< two, far away: a corner of one ends on the other, in a plane of x + y
+  flying_triangle,   ///< which passes by
+  wide_ground,       ///< a triangle below everything
+  lost_vertex,       ///< one of the scene's own, in the middle of its list
+  flying_vertex,     ///< the same, but it starts at its place
+};
+
+/// As far as `distance`, in the unit of the positions; what is new comes last.
+void add_outliers(Scene& scene, Outliers which, double distance);
+
+}  // namespace tamis::scenes

@@ -1,0 +1,56 @@
+// The common frame in which boxes are floats: where it lies, and what its rounding may hide.
+#pragma once
+#include <array>
+#include <span>
+
+#include "motion/separations.hpp"
+#include "numerics/vec.hpp"
+#include "tamis/step.hpp"
+
+namespace tamis {
+
+struct PackedVertex;
+
+/// box coordinate = (coordinate - origin) * scale: within [-1,1] for every vertex of the step but outliers. Scale is a
+/// power of two and the origin follows the scene, so the unit of length changes no decision. Where the scene moves far
+/// as a whole the frame moves with it, straight from `origin` to `origin_at_end`: motions stay linear, and relative
+/// motions the same.
+struct BoxFrame {
+  std::array<double, 3> origin, origin_at_end;
+  double scale;
+  double widening;  ///< the scene's width at t=1 over that at t=0; NaN if it is a point at both
+  /// Does it hold most vertices, and leave some outside that are far away? What rounding hides of such an outlier grows
+  /// with its largest coordinate, and is a radius of it (kOutlierMargin).
+  bool has_outliers;
+  /// Added on each side of a box: rounding to float is off by 2^-25, the subtraction by 2^-53, and the box's own
+  /// subtraction of the margin by 2^-25; plus half the fixed separation. A vertex' radius comes on top.
+  float margin;
+  /// Added where KeptGap compares a distance in floats with a fraction of an earlier one: rounding hides 2^-23 of
+  /// either, since no component of a vector between vertices is off by more than 2^-24. A pair's separation in floats
+  /// is larger by 2^-22, which covers the distance compared, but is subtracted from the earlier one. Twice the radii
+  /// come on top where there are outliers, for the same reason.
+  static constexpr float kBlur = 0x1p-21f;
+  /// The same for residuals, times the residual: rounding to float is off by 2^-24 of it, the box's own subtraction by
+  /// as much.
+  static constexpr float kRelativeMargin = 0x1p-22f;
+  /// And added to that: the speed of a single pair (narrow/kept_distance.hpp) is rounded up by at most 2 * 40 * 2^-53
+  /// of its three sizes, each at most 2 here: below 2^-44, and two boxes' margins add up. No bound from boxes may be
+  /// sharper.
+  static constexpr float kLeastMargin = 0x1p-44f;
+  /// An outlier's radius, times its largest coordinate (docs/numerics.md, "Boxes").
+  static constexpr float kOutlierMargin = 0x1p-19f;
+  /// Of coordinates beyond it, whose squares floats would not hold, all is hidden: such a vertex may be anywhere.
+  static constexpr float kFarthest = 0x1p40f;
+
+  /// Where a vertex starts, and how far it goes during the step in this frame.
+  Vec3<double> place(const PackedVertex& vertex) const;
+  Vec3<double> displacement(const PackedVertex& vertex) const;
+};
+
+/// Of the vertices `used`.
+BoxFrame frame_of(const Step& step, std::span<const Index> used, const Separations& separations);
+
+/// A distance in the frame, rounded up with room for what is added to it.
+float box_distance(double distance);
+
+}  // namespace tamis

@@ -1,0 +1,106 @@
+// A few vertices far from all others: nothing is missed, and the others cost what they cost alone.
+#include "scenes/outliers.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+#include <utility>
+
+#include "lab/detector.hpp"
+#include "support/contact_sets.hpp"
+#include "tamis/detector.hpp"
+
+namespace tamis::test {
+namespace {
+
+using scenes::Outliers;
+
+struct Case {
+  Outliers which;
+  double distance;
+};
+
+void PrintTo(const Case& c, std::ostream* out) {
+  *out << "outliers of kind " << static_cast<int>(c.which) << " at " << c.distance;
+}
+
+class FarFromOthers : public testing::TestWithParam<Case> {
+ protected:
+  FarFromOthers() { add_outliers(scene, GetParam().which, GetParam().distance); }
+
+  static scenes::Scene cloth() { return scenes::scene_by_name("folded-cloth", 600, 3); }
+
+  scenes::Scene scene = cloth();
+};
+
+// Bug: what rounding hides of an outlier is more than the margins say, and a contact is lost.
+TEST_P(FarFromOthers, HaveTheContactsOfAllPairs) {
+  for (const double separation : {0.0, 0.01}) {
+    const QueryOptions asked{.min_separation = separation};
+    lab::Options options;
+    options.method = Method::brute;
+    Detector all = lab::make_detector(scene.mesh(), options), detector(scene.mesh());
+    const PairSet expected = names_of(all.contacts(scene.step(), asked));
+    EXPECT_FALSE(expected.empty());
+    EXPECT_EQ(names_of(detector.contacts(scene.step(), asked)), expected);
+    EXPECT_EQ(detector.earliest(scene.step(), asked).toi_lower, all.earliest(scene.step(), asked).toi_lower);
+    const SafeStep safe = detector.safe_step(scene.step(), 0.1, asked),
+                   expected_safe = all.safe_step(scene.step(), 0.1, asked);
+    EXPECT_EQ(safe.lower, expected_safe.lower);
+    EXPECT_EQ(safe.upper, expected_safe.upper);
+  }
+}
+
+// Bug: a frame of boxes that holds the outliers makes one point of the rest, and all its pairs are decided.
+TEST_P(FarFromOthers, CostTheOthersNothing) {
+  const scenes::Scene alone = cloth();
+  Detector detector(scene.mesh()), near(alone.mesh());
+  const auto boxes = [](const Detector& asked) {
+    const StageCount count = asked.statistics().stages.front();
+    return count.vf + count.ee;
+  };
+  detector.contacts(scene.step());
+  near.contacts(alone.step());
+  // A triangle, or those about a vertex, may meet every feature.
+  const std::uint64_t features = scene.mesh().edges().size() + scene.faces.size() + scene.start.size();
+  EXPECT_LT(boxes(detector), 2 * boxes(near) + 20 * features);
+}
+
+// Bug: the same of what is at rest, whose boxes come from the same frame.
+TEST_P(FarFromOthers, LeaveTheOthersTheirAnswersAtRest) {
+  const Outliers which = GetParam().which;
+  if (which == Outliers::lost_vertex || which == Outliers::flying_vertex) return;  // the cloth itself is another one
+  const scenes::Scene alone = cloth();
+  const auto is_of_cloth = [&](const auto& vertices) {
+    return std::ranges::all_of(vertices, [&](Index v) { return v < alone.vertex_count(); });
+  };
+  const auto pairs = [&](Detector& detector, const scenes::Scene& of) {
+    PairSet names;
+    for (const NearPair& pair : detector.pairs_within(of.end, 0.05))
+      if (is_of_cloth(pair.vertices)) names.insert({pair.kind, pair.vertices});
+    return names;
+  };
+  const auto intersections = [&](Detector& detector, const scenes::Scene& of) {
+    std::set<std::pair<Edge, Face>> names;
+    for (const Intersection& i : detector.intersections(of.end))
+      if (is_of_cloth(i.edge) && is_of_cloth(i.face)) names.insert({i.edge, i.face});
+    return names;
+  };
+  Detector detector(scene.mesh()), near(alone.mesh());
+  const PairSet expected = pairs(near, alone);
+  EXPECT_FALSE(expected.empty());
+  EXPECT_EQ(pairs(detector, scene), expected);
+  EXPECT_FALSE(intersections(near, alone).empty());
+  EXPECT_EQ(intersections(detector, scene), intersections(near, alone));
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, FarFromOthers,
+                         testing::Values(Case{Outliers::fallen_triangles, 1e3}, Case{Outliers::fallen_triangles, 1e5},
+                                         Case{Outliers::fallen_triangles, 1e14}, Case{Outliers::flying_triangle, 1e3},
+                                         Case{Outliers::flying_triangle, 1e8}, Case{Outliers::wide_ground, 1e3},
+                                         Case{Outliers::wide_ground, 1e6}, Case{Outliers::lost_vertex, 1e5},
+                                         Case{Outliers::flying_vertex, 1e4}, Case{Outliers::flying_vertex, 1e20}));
+
+}  // namespace
+}  // namespace tamis::test

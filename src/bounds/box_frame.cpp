@@ -87,10 +87,9 @@ Medians medians_of(const Step& step, std::span<const Index> used) {
   return medians;
 }
 
-/// Where most vertices are, if that is so many times narrower than where all are; else `all`. It is not narrower than
-/// the separations: boxes that these widen stay within what is proven of them.
-Extent extent_of_most(const Step& step, std::span<const Index> used, const Separations& separations,
-                      const Extent& all) {
+/// Where most vertices are, if that is so many times narrower than where all are; else `all`. It is no narrower than
+/// the separation, by which all boxes are widened.
+Extent extent_of_most(const Step& step, std::span<const Index> used, double min_separation, const Extent& all) {
   constexpr std::size_t kFewVertices = 256;  // of which all pairs cost as much as looking for outliers
   constexpr double kOutlier = 64, kMost = 16;
   if (used.size() < kFewVertices) return all;
@@ -99,7 +98,7 @@ Extent extent_of_most(const Step& step, std::span<const Index> used, const Separ
   Extent most = extent_of(ends_of(step, used, [&](const double* start, const double* end) {
     return medians.distance_of(start, end) <= kMost * medians.distance;
   }));
-  most.half = std::max(most.half, separations.fixed + 2 * separations.largest_radius());
+  most.half = std::max(most.half, min_separation);
   return 0 < most.half && most.half < all.half / kOutlier ? most : all;
 }
 
@@ -115,15 +114,9 @@ Vec3<double> scaled_difference(const double* to, const double* from, double scal
 
 }  // namespace
 
-/// Two boxes widened by kFarthest each meet wherever they are, but outliers.
-float box_distance(double distance) {
-  constexpr double kFarthest = 3.0;
-  return static_cast<float>(std::min(distance * (1 + 0x1p-20), kFarthest));
-}
-
-BoxFrame frame_of(const Step& step, std::span<const Index> used, const Separations& separations) {
+BoxFrame frame_of(const Step& step, std::span<const Index> used, double min_separation) {
   const Ends ends = ends_of(step, used, [](const double*, const double*) { return true; });
-  const Extent all = extent_of(ends), most = extent_of_most(step, used, separations, all);
+  const Extent all = extent_of(ends), most = extent_of_most(step, used, min_separation, all);
   BoxFrame frame{};
   frame.origin = most.middle;
   frame.origin_at_end = most.middle_at_end;
@@ -132,12 +125,17 @@ BoxFrame frame_of(const Step& step, std::span<const Index> used, const Separatio
   frame.scale = std::ldexp(1.0, exponent);
   frame.widening = ends.end.half_width() / ends.start.half_width();
   frame.has_outliers = most.half < all.half;
-  frame.margin = kRounding + box_distance(0.5 * (separations.fixed * frame.scale));
+  frame.margin = kRounding + frame.distance(0.5 * min_separation);
   return frame;
 }
 
 Vec3<double> BoxFrame::place(const PackedVertex& vertex) const {
   return scaled_difference(vertex.start(), origin.data(), scale);
+}
+
+float BoxFrame::distance(double distance) const {
+  constexpr double kMeetsAll = 3;
+  return static_cast<float>(std::min(distance * scale * (1 + 0x1p-20), has_outliers ? kFarthest : kMeetsAll));
 }
 
 Vec3<double> BoxFrame::displacement(const PackedVertex& vertex) const {

@@ -3,7 +3,6 @@
 #include <array>
 #include <span>
 
-#include "motion/separations.hpp"
 #include "numerics/vec.hpp"
 #include "tamis/step.hpp"
 
@@ -20,7 +19,7 @@ struct BoxFrame {
   double scale;
   double widening;  ///< the scene's width at t=1 over that at t=0; NaN if it is a point at both
   /// Does it hold most vertices, and leave some outside that are far away? What rounding hides of such an outlier grows
-  /// with its largest coordinate, and is a radius of it (kOutlierMargin).
+  /// with its coordinates, and is added to its radius (kOutlierMargin).
   bool has_outliers;
   /// Added on each side of a box: rounding to float is off by 2^-25, the subtraction by 2^-53, and the box's own
   /// subtraction of the margin by 2^-25; plus half the fixed separation. A vertex' radius comes on top.
@@ -37,20 +36,21 @@ struct BoxFrame {
   /// of its three sizes, each at most 2 here: below 2^-44, and two boxes' margins add up. No bound from boxes may be
   /// sharper.
   static constexpr float kLeastMargin = 0x1p-44f;
-  /// An outlier's radius, times its largest coordinate (docs/numerics.md, "Boxes").
+  /// What rounding hides of an outlier, times its largest coordinate and its radius together (docs/numerics.md,
+  /// "Boxes").
   static constexpr float kOutlierMargin = 0x1p-19f;
-  /// Of coordinates beyond it, whose squares floats would not hold, all is hidden: such a vertex may be anywhere.
-  static constexpr float kFarthest = 0x1p40f;
+  /// Beyond it, where floats would not hold squares, all is hidden: such a vertex may be anywhere.
+  static constexpr double kFarthest = 0x1p40;
 
   /// Where a vertex starts, and how far it goes during the step in this frame.
   Vec3<double> place(const PackedVertex& vertex) const;
   Vec3<double> displacement(const PackedVertex& vertex) const;
+  /// A distance in the frame, rounded up with room for what is added to it; no more than it takes that two boxes, each
+  /// widened by it, meet wherever they are.
+  float distance(double distance) const;
 };
 
-/// Of the vertices `used`.
-BoxFrame frame_of(const Step& step, std::span<const Index> used, const Separations& separations);
-
-/// A distance in the frame, rounded up with room for what is added to it.
-float box_distance(double distance);
+/// Of the vertices `used`, and boxes widened by half the separation.
+BoxFrame frame_of(const Step& step, std::span<const Index> used, double min_separation);
 
 }  // namespace tamis

@@ -20,14 +20,16 @@ std::uint64_t different_bits(double a, double b) {
 }
 
 float rounded(double coordinate) {
-  constexpr double kFarthest = BoxFrame::kFarthest;
-  return static_cast<float>(std::clamp(coordinate, -kFarthest, kFarthest));
+  return static_cast<float>(std::clamp(coordinate, -BoxFrame::kFarthest, BoxFrame::kFarthest));
 }
 
-/// What rounding hides of an outlier: `margin` times its largest coordinate, or all.
-float hidden_of(const BoxVertex& outlier, float margin) {
-  const float largest = outlier.largest_coordinate();
-  return largest < BoxFrame::kFarthest ? margin * largest : 4 * BoxFrame::kFarthest;
+/// What rounding hides of an outlier, or of a vertex whose radius reaches so far; of others margins know. `margin`: for
+/// a reach of 1.
+float hidden_of(const BoxVertex& vertex, float margin) {
+  constexpr auto kFarthest = static_cast<float>(BoxFrame::kFarthest);
+  const float reach = vertex.largest_coordinate() + vertex.at[BoxVertex::kRadius];
+  if (reach <= 1) return 0;
+  return reach < kFarthest ? margin * reach : 4 * kFarthest;
 }
 
 }  // namespace
@@ -38,7 +40,7 @@ bool PackedMotion::assign(const Step& step, std::span<const Index> used, const S
                new_separations.radii.size() == static_cast<std::size_t>(step.start.count()));
   const bool is_first = vertices.empty();
   const double last_separation = std::exchange(separations, new_separations).fixed;
-  frame = frame_of(step, used, separations);
+  frame = frame_of(step, used, separations.fixed);
   const auto count = static_cast<std::size_t>(step.start.count());
   vertices.resize(count);
   box_vertices.resize(count);
@@ -47,7 +49,7 @@ bool PackedMotion::assign(const Step& step, std::span<const Index> used, const S
   if (frame.has_outliers)
     for_each_in_parts(used, kVerticesPerPart, [&](Index v) {
       BoxVertex& vertex = box_vertices[static_cast<std::size_t>(v)];
-      if (is_outlier(v)) vertex.at[BoxVertex::kRadius] += hidden_of(vertex, BoxFrame::kOutlierMargin);
+      vertex.at[BoxVertex::kRadius] += hidden_of(vertex, BoxFrame::kOutlierMargin);
     });
   return is_first || (bits | different_bits(last_separation, separations.fixed)) != 0;
 }
@@ -61,7 +63,7 @@ std::uint64_t PackedMotion::load(std::span<const Index> some, const Step& step) 
     const double radius = separations.radii.empty() ? 0 : separations.radii[static_cast<std::size_t>(v)];
     bits |= different_bits(packed.at[3], radius);
     packed.at[3] = radius;
-    box.at[BoxVertex::kRadius] = box_distance(radius * frame.scale);
+    box.at[BoxVertex::kRadius] = frame.distance(radius);
     for (std::size_t axis = 0; axis < 3; ++axis) {
       bits |= different_bits(packed.at[axis], start[axis]) | different_bits(packed.at[4 + axis], end[axis]);
       packed.at[axis] = start[axis];
@@ -84,13 +86,12 @@ Box PackedMotion::load_residuals(std::span<const Index> some, const SharedMotion
   Box box;
   for (const Index v : some) {
     const auto i = static_cast<std::size_t>(v);
-    const bool is_outside = is_outlier(v);
-    const float hidden = is_outside ? hidden_of(box_vertices[i], 2 * BoxFrame::kLeastMargin) : 0;
+    const float hidden = frame.has_outliers ? hidden_of(box_vertices[i], 2 * BoxFrame::kLeastMargin) : 0;
     const bool is_anywhere = hidden > BoxFrame::kFarthest;
     const Vec3<double> residual = is_anywhere ? Vec3<double>{} : shared.residual_of(vertices[i], frame);
     residuals[i] = {{0, 0, 0, static_cast<float>(residual.x), static_cast<float>(residual.y),
                      static_cast<float>(residual.z), hidden}};
-    if (!is_outside) box.include(Point{residual.x, residual.y, residual.z});
+    if (!is_outlier(v)) box.include(Point{residual.x, residual.y, residual.z});
   }
   return box;
 }

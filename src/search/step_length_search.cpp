@@ -15,8 +15,9 @@ constexpr double kShortSteps[] = {0x1p-6, 0x1p-3};
 /// Short steps are no longer than this part of the time known to end the step: one that is hardly shorter meets hardly
 /// fewer pairs (docs/history/performance.md, "Steps made to be slow").
 constexpr double kShort = 0.25;
-/// In the coordinates of the boxes: within such a separation all boxes meet.
-constexpr double kMeetsAll = 8;
+/// In the coordinates of the boxes: within such a separation all boxes meet but those of outliers; within the other,
+/// these too.
+constexpr double kMeetsAll = 8, kMeetsOutliers = 4 * BoxFrame::kFarthest;
 
 }  // namespace
 
@@ -45,7 +46,7 @@ void StepLengthSearch::refit_residuals(StepLengthQuery& asked) {
   trees.refit_residuals(asked.shared_motion);
   const Separations& separations = motion.separations;
   const double separation = (separations.fixed + 2 * separations.largest_radius()) * motion.frame.scale;
-  asked.separation = std::min(separation, kMeetsAll);
+  asked.separation = std::min(separation, motion.frame.has_outliers ? kMeetsOutliers : kMeetsAll);
 }
 
 SafeStep StepLengthSearch::find(const Query& query, double fraction, Statistics& statistics) {

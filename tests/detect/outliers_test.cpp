@@ -52,6 +52,23 @@ TEST_P(FarFromOthers, HaveTheContactsOfAllPairs) {
   }
 }
 
+// Bug: a radius that reaches from an outlier to the rest is cut off, as those are that reach across a frame.
+TEST_P(FarFromOthers, ReachTheOthersByTheirRadii) {
+  lab::Options options, brute;
+  options.filter.group_of_vertex.assign(scene.start.size(), 0);
+  std::fill_n(options.filter.group_of_vertex.rbegin(), 3, 1);
+  options.filter.group_count = 2;
+  options.radii = {0.001, GetParam().distance};
+  brute = options;
+  brute.method = Method::brute;
+  const QueryOptions asked{.min_separation = 0.002};
+  Detector all = lab::make_detector(scene.mesh(), brute), detector = lab::make_detector(scene.mesh(), options);
+  const PairSet expected = names_of(all.contacts(scene.step(), asked));
+  EXPECT_FALSE(expected.empty());
+  EXPECT_EQ(names_of(detector.contacts(scene.step(), asked)), expected);
+  EXPECT_EQ(detector.safe_step(scene.step(), 0.1, asked).lower, all.safe_step(scene.step(), 0.1, asked).lower);
+}
+
 // Bug: a frame of boxes that holds the outliers makes one point of the rest, and all its pairs are decided.
 TEST_P(FarFromOthers, CostTheOthersNothing) {
   const scenes::Scene alone = cloth();

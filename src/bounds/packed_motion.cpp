@@ -19,10 +19,6 @@ std::uint64_t different_bits(double a, double b) {
   return std::bit_cast<std::uint64_t>(a) ^ std::bit_cast<std::uint64_t>(b);
 }
 
-float rounded(double coordinate) {
-  return static_cast<float>(std::clamp(coordinate, -BoxFrame::kFarthest, BoxFrame::kFarthest));
-}
-
 /// What rounding hides of an outlier, or of a vertex whose radius reaches so far; of others margins know. `margin`: for
 /// a reach of 1.
 float hidden_of(const BoxVertex& vertex, float margin) {
@@ -44,17 +40,19 @@ bool PackedMotion::assign(const Step& step, std::span<const Index> used, const S
   const auto count = static_cast<std::size_t>(step.start.count());
   vertices.resize(count);
   box_vertices.resize(count);
-  const auto bits = joined_parts(used, kVerticesPerPart, std::uint64_t{0}, std::bit_or<>(),
-                                 [&](std::span<const Index> some) { return load(some, step); });
-  if (frame.has_outliers)
-    for_each_in_parts(used, kVerticesPerPart, [&](Index v) {
-      BoxVertex& vertex = box_vertices[static_cast<std::size_t>(v)];
-      vertex.at[BoxVertex::kRadius] += hidden_of(vertex, BoxFrame::kOutlierMargin);
-    });
+  const auto bits =
+      joined_parts(used, kVerticesPerPart, std::uint64_t{0}, std::bit_or<>(), [&](std::span<const Index> some) {
+        return frame.has_outliers ? load<true>(some, step) : load<false>(some, step);
+      });
   return is_first || (bits | different_bits(last_separation, separations.fixed)) != 0;
 }
 
+template <bool has_outliers>
 std::uint64_t PackedMotion::load(std::span<const Index> some, const Step& step) {
+  const auto rounded = [](double coordinate) {
+    constexpr double kFarthest = BoxFrame::kFarthest;
+    return static_cast<float>(has_outliers ? std::clamp(coordinate, -kFarthest, kFarthest) : coordinate);
+  };
   std::uint64_t bits = 0;
   for (const Index v : some) {
     PackedVertex& packed = vertices[static_cast<std::size_t>(v)];
@@ -63,7 +61,7 @@ std::uint64_t PackedMotion::load(std::span<const Index> some, const Step& step) 
     const double radius = separations.radii.empty() ? 0 : separations.radii[static_cast<std::size_t>(v)];
     bits |= different_bits(packed.at[3], radius);
     packed.at[3] = radius;
-    box.at[BoxVertex::kRadius] = frame.distance(radius);
+    box.at[BoxVertex::kRadius] = separations.radii.empty() ? 0 : frame.distance(radius);
     for (std::size_t axis = 0; axis < 3; ++axis) {
       bits |= different_bits(packed.at[axis], start[axis]) | different_bits(packed.at[4 + axis], end[axis]);
       packed.at[axis] = start[axis];
@@ -71,6 +69,7 @@ std::uint64_t PackedMotion::load(std::span<const Index> some, const Step& step) 
       box.at[axis] = rounded((start[axis] - frame.origin[axis]) * frame.scale);
       box.at[3 + axis] = rounded((end[axis] - frame.origin_at_end[axis]) * frame.scale);
     }
+    if (has_outliers) box.at[BoxVertex::kRadius] += hidden_of(box, BoxFrame::kOutlierMargin);
   }
   return bits;
 }

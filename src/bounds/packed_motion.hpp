@@ -84,7 +84,8 @@ struct PackedMotion {
   std::uint64_t memory_bytes() const { return held_bytes(vertices, box_vertices, residuals); }
 
  private:
-  /// Returns the bits in which some vertex differs from what it was.
+  /// Returns the bits in which some vertex differs from what it was. `has_outliers`: of the frame.
+  template <bool has_outliers>
   std::uint64_t load(std::span<const Index> some, const Step& step);
   /// Returns the box around these residuals but outliers'.
   Box load_residuals(std::span<const Index> some, const SharedMotion& shared);

@@ -5,6 +5,7 @@
 
 #include "numerics/error_bounds.hpp"
 #include "numerics/in_parts.hpp"
+#include "numerics/mean_of_most.hpp"
 #include "topology/at.hpp"
 #include "topology/neighbourhood_maximum.hpp"
 
@@ -97,9 +98,8 @@ std::optional<Listing> PairsNearStart::plan(const Query& query) {
 }
 
 double PairsNearStart::mean_displacement() const {
-  double sum = 0;
-  for (const Index v : mesh_.points()) sum += displacements_[at(v)];
-  return sum / static_cast<double>(std::max<std::size_t>(1, mesh_.points().size()));
+  const auto points = mesh_.points();
+  return mean_of_most(points.size(), 1, [&](std::size_t i) { return displacements_[at(points[i])]; });
 }
 
 void PairsNearStart::end_listing(bool is_complete) {

@@ -10,6 +10,8 @@
 #include "narrow/contact_normal.hpp"
 #include "narrow/decide_in_doubles.hpp"
 #include "narrow/decided_by_crossing.hpp"
+#include "narrow/decided_by_crossings.hpp"
+#include "narrow/decided_in_plane.hpp"
 #include "narrow/fine_crossing.hpp"
 #include "narrow/fine_separation.hpp"
 #include "narrow/pair_beginnings.hpp"
@@ -28,38 +30,6 @@ std::optional<Decision> decide_again(const PairInStep& pair, const Decision& d) 
   if (!is_about_distance(pair.kind, pair.separation)) return decide_crossing_finely(pair, d);
   if (pair.separation == 0 || !d.touches()) return {};
   return first_within_finely(pair, {d.lower, d.upper});
-}
-
-bool is_proven_free(const TimeInterval<double>& clip, double latest) {
-  return clip.t_in > clip.t_out || clip.t_in > latest;
-}
-
-/// What one crossing decides in what the clip on the coordinates leaves, or two in what that on all axes does; nothing
-/// where that takes more.
-template <PairKind kind, SlabClip::Axes axes>
-std::optional<PairResult> decided_after_clip(const PairMotion<double>& m, double latest) {
-  const auto clip = SlabClip::clip<kind, axes>(m, kWholeStep);
-  if (is_proven_free(clip, latest)) return PairResult{};
-  if (clip.t_in == 0 && may_start_coplanar(m)) return {};
-  const auto part = widened(clip);
-  const auto s = decided_by_crossing(
-      axes == SlabClip::Axes::coordinates ? find_crossing<kind>(m, part) : find_crossing_in_halves<kind>(m, part),
-      clip);
-  if (s.is_free) return PairResult{};
-  if (!s.touches) return {};
-  return PairResult{true, Certainty::certified, s.lower, s.upper, s.u, s.v, {s.normal.x, s.normal.y, s.normal.z}};
-}
-
-template <PairKind kind>
-std::optional<PairResult> decided_by_crossings(const PairMotion<double>& m, double latest) {
-  const auto by_one = decided_after_clip<kind, SlabClip::Axes::coordinates>(m, latest);
-  return by_one ? by_one : decided_after_clip<kind, SlabClip::Axes::all>(m, latest);
-}
-
-std::optional<PairResult> decided_by_crossings(const PairInStep& pair, double latest) {
-  if (is_about_distance(pair.kind, pair.separation) || !is_finite(pair.motion)) return {};
-  return pair.kind == PairKind::vertex_face ? decided_by_crossings<PairKind::vertex_face>(pair.motion, latest)
-                                            : decided_by_crossings<PairKind::edge_edge>(pair.motion, latest);
 }
 
 /// Of a pair whose cubic has no certain sign at t=0, as of edges that slide beside each other in one plane: axes
@@ -97,6 +67,10 @@ PairResult described(const PairInStep& pair, const Decision& decision) {
 
 /// Of a pair that crossings do not decide.
 PairResult decide_further(const PairInStep& pair, PrecisionCount& decided_by, double latest) {
+  if (const auto in_plane = decided_in_plane(pair)) {
+    ++decided_by.scalar;
+    return in_plane->toi_lower > latest ? PairResult{} : *in_plane;
+  }
   const auto clip = clipped(pair.kind, pair.motion, kWholeStep);
   auto decision = is_proven_free(clip, latest) ? Decision{} : decide_by_doubles(pair, clip);
   if (decision && !is_sharp_answer(*decision)) decision = decide_again(pair, *decision);

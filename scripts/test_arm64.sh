@@ -13,7 +13,8 @@ target=tamis_same_bits here= short=() build=build/arm64 options=()
 while (($#)); do
   case $1 in
     --short) short=(--short) build=build/arm64-short
-             options=(-DCMAKE_CXX_FLAGS_RELEASE="-O1 -DNDEBUG" -DTAMIS_OPTIMIZE_KERNELS=OFF) ;;
+             options=(-DCMAKE_CXX_FLAGS_RELEASE="-O1 -DNDEBUG --param=ggc-min-heapsize=2000000"
+                      -DTAMIS_OPTIMIZE_KERNELS=OFF) ;;
     --all) target=all ;;
     --here) here=$2 && shift ;;
     *) echo "test_arm64.sh: $1: say --short, --all, --here FOLDER or nothing" >&2; exit 2 ;;

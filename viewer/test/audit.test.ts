@@ -77,7 +77,6 @@ void test("each frame has the pairs that the command found, at their places", as
   // Weights have sixteen bits, places twenty-four.
   for (const { off } of shown) assert.ok(off < 1e-3, `${off}`);
   assert.deepEqual(faults, []);
-  await page.close();
 });
 
 // Bug: a click in the strip goes nowhere, or to another frame.
@@ -100,5 +99,4 @@ void test("opens at the first bad frame, and the strip leads to the others", asy
   for (const pressed of ["s", "f", "1", "n", "p", "e", "v"]) await page.keyboard.press(pressed);
   await settled(page);
   assert.deepEqual(faults, []);
-  await page.close();
 });

@@ -8,6 +8,9 @@ const executablePath = process.env.TAMIS_CHROMIUM ?? "/usr/bin/chromium";
 const pictures = process.env.TAMIS_SCREENSHOTS;
 
 const launched: Browser[] = [];
+// One page for all files that a browser opens: a page for each would be a process for each, which starts with nothing.
+const pages = new Map<Browser, Page>();
+const kViewport = { width: 960, height: 540 };
 
 // One left open by a test that fails would keep the tests from ending.
 after(() => Promise.all(launched.map((browser) => browser.close())));
@@ -30,14 +33,26 @@ export interface Opened {
   faults: string[];
 }
 
-/** Opens a file as a double click would, and waits until it is shown. */
+async function emptyPage(browser: Browser, options?: BrowserContextOptions): Promise<Page> {
+  const used = options ? undefined : pages.get(browser);
+  const page = used ?? (await browser.newPage({ viewport: kViewport, reducedMotion: "reduce", ...options }));
+  if (!options) pages.set(browser, page);
+  for (const event of ["console", "pageerror", "request"]) page.removeAllListeners(event);
+  if (used) await used.goto("about:blank");
+  return page;
+}
+
+/**
+ * Opens a file as a double click would, and waits until it is shown. What the browser showed before is gone, unless one
+ * of the two has options of its own.
+ */
 export async function open(
   browser: Browser,
   file: string,
   hash = "",
-  options: BrowserContextOptions = {},
+  options?: BrowserContextOptions,
 ): Promise<Opened> {
-  const page = await browser.newPage({ viewport: { width: 960, height: 540 }, reducedMotion: "reduce", ...options });
+  const page = await emptyPage(browser, options);
   // Drawn in software, a million contacts take their time where other tests run beside this one.
   page.setDefaultTimeout(120000);
   const faults: string[] = [];

@@ -36,7 +36,6 @@ async function openStep(
   const answer = (await page.textContent("#answer")) ?? "";
   const frames = await page.evaluate(() => window.tamis!.stage!.cost.frames);
   await picture(page, name);
-  await page.close();
   return { answer, faults, frames };
 }
 
@@ -114,7 +113,6 @@ void test(`${part} million contacts open`, async () => {
   assert.ok(await page.evaluate(() => window.tamis!.session.pair !== null));
   await picture(page, "million");
   assert.deepEqual(faults, []);
-  await page.close();
 });
 
 // Bug: a sort, or a string, for each triangle.
@@ -138,7 +136,6 @@ void test(`${part} million triangles open`, async () => {
   assert.ok(await page.evaluate(() => window.tamis!.session.pair !== null));
   await picture(page, "million-triangles");
   assert.deepEqual(faults, []);
-  await page.close();
 });
 
 // Bug: a blank page where the browser cannot draw.
@@ -160,5 +157,4 @@ void test("a damaged page says that it cannot be shown", async () => {
   folder.write("damaged.html", damaged);
   const { page } = await open(browser, folder.file("damaged.html"));
   assert.ok((await page.textContent("#unreadable"))?.startsWith("This page cannot be shown"));
-  await page.close();
 });

@@ -49,7 +49,6 @@ void test("holds the intersections of the table, at their places", async () => {
   for (const { off } of shown) assert.ok(off < 1e-4, `${off}`);
   assert.equal(await page.getAttribute("#count", "data-count"), String(lines.length));
   assert.deepEqual(faults, []);
-  await page.close();
 });
 
 // Bug: times, and a motion, that a single frame does not have.
@@ -74,7 +73,6 @@ void test("says what it shows, and shows no time", async () => {
     await page.keyboard.press(pressed);
   await settled(page);
   assert.deepEqual(faults, []);
-  await page.close();
 });
 
 void test("a frame without intersections is proven so", async () => {
@@ -84,5 +82,4 @@ void test("a frame without intersections is proven so", async () => {
   assert.ok(answer.includes("no intersection: no edge passes through a triangle or touches one, proven."), answer);
   await picture(page, "pose-free");
   assert.deepEqual(faults, []);
-  await page.close();
 });

@@ -36,9 +36,10 @@ struct BoxFrame {
   /// of its three sizes, each at most 2 here: below 2^-44, and two boxes' margins add up. No bound from boxes may be
   /// sharper.
   static constexpr float kLeastMargin = 0x1p-44f;
-  /// What rounding hides of an outlier, times its largest coordinate and its radius together (docs/numerics.md,
-  /// "Boxes").
-  static constexpr float kOutlierMargin = 0x1p-19f;
+  /// What rounding hides of an outlier, times its largest coordinate and its radius together: rounding to float is off
+  /// by 2^-24 of it, the box's own subtraction by as much, and on an axis with m components 1 or -1 (load_box_motion)
+  /// a vertex by sqrt(m) 2^-24 of the axis' length.
+  static constexpr float kOutlierMargin = 0x1p-22f;
   /// Beyond it, where floats would not hold squares, all is hidden: such a vertex may be anywhere.
   static constexpr double kFarthest = 0x1p40;
 

@@ -22,6 +22,18 @@ struct alignas(64) BoundBlock {
 /// Interpolated boxes, and boxes relative to a moving observer, are off by less than this
 /// (docs/numerics.md, "Boxes").
 inline constexpr float kLaterMargin = 0x1p-18f;
+/// Those of outliers by less than this besides, times the largest coordinate along the axis: its difference to one at
+/// the other end and the product with a time by 2^-23 of it each, the product once more for the difference, what is
+/// left after the observer's displacement by 2^-23, the sum by 2^-24.
+inline constexpr float kLaterOutlierMargin = 0x1p-20f;
+
+/// What kLaterOutlierMargin makes of the boxes of a block, along an axis.
+inline FloatLanes later_outlier_margin(const BoxBlock& block, int axis, int first) {
+  const auto larger = [&](const float(&low)[3][kBlock], const float(&high)[3][kBlock]) {
+    return max(-FloatLanes::load_aligned(low[axis] + first), FloatLanes::load_aligned(high[axis] + first));
+  };
+  return FloatLanes(kLaterOutlierMargin) * max(larger(block.low0, block.high0), larger(block.low1, block.high1));
+}
 
 /// The largest gap of two boxes along x, y and z: 0 or less if they meet. `a(k)`, `b(k)`: bound k of the boxes in
 /// lanes.
@@ -50,7 +62,7 @@ class MovingBoxes {
   using Bounds = BoundBlock<6>;  ///< what boxes sweep over: x y z
 
   /// From leaf block `block` of search.a. No observer goes as far as outliers may.
-  MovingBoxes(const Search& search, int block) : t_limit_(search.t_limit) {
+  MovingBoxes(const Search& search, int block) : t_limit_(search.t_limit), has_outliers_(search.has_outliers) {
     constexpr float kFarthest = 4;
     const BoxBlock& hulls = search.a.levels[1][block / kBlock];
     const int lane = block % kBlock;
@@ -72,6 +84,7 @@ class MovingBoxes {
       sweep(block, bounds, [&](const auto& at0, const auto& at1, const auto& observer_displacement) {
         return at0 + (t * (at1 - at0) - observer_displacement);
       });
+    if (has_outliers_) widen(block, bounds);
   }
 
   /// Bounds are off by less than kLaterMargin each.
@@ -148,6 +161,16 @@ class MovingBoxes {
       });
   }
 
+  /// By what the bounds of outliers are off.
+  static void widen(const BoxBlock& block, Bounds& bounds) {
+    for (int axis = 0; axis < 3; ++axis)
+      for_sixteen_lanes([&](int first) {
+        const FloatLanes margin = later_outlier_margin(block, axis, first);
+        (bounds.lanes(axis, first) - margin).store_aligned(bounds.at[axis] + first);
+        (bounds.lanes(3 + axis, first) + margin).store_aligned(bounds.at[3 + axis] + first);
+      });
+  }
+
   static FloatLanes swept_extent(const Bounds& swept, int first) {
     FloatLanes sum(0.0f);
     for (int axis = 0; axis < 3; ++axis) sum = sum + (swept.lanes(3 + axis, first) - swept.lanes(axis, first));
@@ -158,6 +181,7 @@ class MovingBoxes {
   /// (docs/history/performance.md, "What chooses").
   static constexpr float kShort = 0.3f;
   const float t_limit_;
+  const bool has_outliers_;
   float observer_displacement_[3] = {};  ///< the observer's until t_limit
 };
 

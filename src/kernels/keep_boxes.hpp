@@ -28,17 +28,20 @@ class KeepBoxes {
 
   KeepBoxes(const Search& search, int)
       : t_limit_(search.keep.t_limit),
+        has_outliers_(search.has_outliers),
         clearance_(search.keep.clearance),
         kept2_((1 + kShare) * search.keep.fraction * search.keep.fraction) {}
 
   void bound(const TreeView& tree, int level, int node, Bounds& bounds) const {
     const BoxBlock &block = tree.levels[level][node], &residuals = tree.residuals[level][node];
-    const FloatLanes t(t_limit_), margin(kLaterMargin);
+    const FloatLanes t(t_limit_);
     for (int axis = 0; axis < 3; ++axis)
       for_sixteen_lanes([&](int first) {
         const auto load = [&](const float* lanes) { return FloatLanes::load_aligned(lanes + first); };
         const auto l0 = load(block.low0[axis]), l1 = load(block.low1[axis]);
         const auto h0 = load(block.high0[axis]), h1 = load(block.high1[axis]);
+        FloatLanes margin(kLaterMargin);
+        if (has_outliers_) margin = margin + later_outlier_margin(block, axis, first);
         l0.store_aligned(bounds.at[axis] + first);
         h0.store_aligned(bounds.at[kHigh + axis] + first);
         (t_limit_ < 1 ? l0 + t * (l1 - l0) - margin : l1).store_aligned(bounds.at[3 + axis] + first);
@@ -102,6 +105,7 @@ class KeepBoxes {
                                                          error_bounds::kBoxAdvanceClearance);
 
   const float t_limit_;
+  const bool has_outliers_;
   const ClearanceBounds clearance_;
   const float kept2_;
 };

@@ -76,7 +76,8 @@ struct Search {
   TreeView a, b;  ///< vf: points, faces; ee: edges, edges
   /// Nothing that starts after this time is of interest; a float, so that the stages in floats do not round it.
   float t_limit = 1;
-  KeepRule keep{};  ///< for search_step_ends, in place of t_limit
+  bool has_outliers = false;  ///< BoxFrame::has_outliers
+  KeepRule keep{};            ///< for search_step_ends, in place of t_limit
   /// For searches at rest: by how much two boxes together are wider than their features.
   float widened = 0;
   PairBuffer* pairs = nullptr;

@@ -18,6 +18,7 @@ void PairStream::search(PairKind kind, const TreeView& a, const TreeView& b, con
   begin_search(kind);
   Search search{a, b};
   search.t_limit = t_limit;
+  search.has_outliers = thread().motion.frame.has_outliers;
   set_limits(search);
   search.pairs = &thread_.boxes;
   search.flush = flush;

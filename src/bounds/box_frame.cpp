@@ -90,8 +90,9 @@ Medians medians_of(const Step& step, std::span<const Index> used) {
 /// Where most vertices are, if that is so many times narrower than where all are; else `all`. It is no narrower than
 /// the separation, by which all boxes are widened.
 Extent extent_of_most(const Step& step, std::span<const Index> used, double min_separation, const Extent& all) {
-  constexpr std::size_t kFewVertices = 256;  // of which all pairs cost as much as looking for outliers
-  constexpr double kOutlier = 64, kMost = 16;
+  constexpr std::size_t kFewVertices = 64;  // for which looking for outliers would take a hundredth of their questions
+  constexpr double kOutlier = 64;           // six bits of the 17 that kLaterMargin leaves
+  constexpr double kMost = 16;              // of an even cloud the farthest is at two or three medians
   if (used.size() < kFewVertices) return all;
   const Medians medians = medians_of(step, used);
   if (!(medians.distance < all.half / kOutlier)) return all;

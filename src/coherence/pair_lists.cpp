@@ -1,16 +1,40 @@
 #include "coherence/pair_lists.hpp"
 
 #include <algorithm>
+#include <iterator>
 
 #include "numerics/assert.hpp"
 
 namespace tamis {
 
-void append(const PairBuffer& pairs, std::vector<Candidate>& list) {
+bool PairList::empty() const {
+  return std::ranges::all_of(parts_, [](const auto& part) { return part.empty(); });
+}
+
+void PairList::add(const PairBuffer& pairs) {
   TAMIS_ASSERT(0 <= pairs.count && pairs.count <= PairBuffer::kCapacity);
   const auto& corner = pairs.corner;
-  for (int i = 0; i < pairs.count; ++i)
-    list.push_back({{corner[0][i], corner[1][i], corner[2][i], corner[3][i]}, {pairs.t_in[i], pairs.t_out[i]}});
+  for (int i = 0; i < pairs.count; ++i) {
+    if (parts_.empty() || parts_.back().size() == kPairsPerPart) {
+      parts_.emplace_back();
+      if (parts_.size() > 1) parts_.back().reserve(kPairsPerPart);  // lists of few pairs need little memory
+    }
+    parts_.back().push_back(
+        {{corner[0][i], corner[1][i], corner[2][i], corner[3][i]}, {pairs.t_in[i], pairs.t_out[i]}});
+  }
+}
+
+void PairList::take(PairList& other) {
+  if (empty())
+    parts_.swap(other.parts_);
+  else
+    std::ranges::move(other.parts_, std::back_inserter(parts_));
+  other.clear();
+}
+
+void PairList::clear() {
+  parts_.resize(std::min<std::size_t>(parts_.size(), 1));
+  for (auto& part : parts_) part.clear();
 }
 
 void append(std::span<const Candidate> listed, const TimeInterval<float>& when, float t_limit, PairBuffer& pairs) {
@@ -27,22 +51,15 @@ void append(std::span<const Candidate> listed, const TimeInterval<float>& when, 
 }
 
 bool PairLists::any() const {
-  return std::ranges::any_of(lists_, [](const auto& list) { return !list.empty(); });
+  return std::ranges::any_of(lists_, [](const PairList& list) { return !list.empty(); });
 }
 
 void PairLists::take(PairLists& other) {
-  for (std::size_t kind = 0; kind < kPairKinds; ++kind) {
-    auto &mine = lists_[kind], &theirs = other.lists_[kind];
-    if (mine.empty())
-      mine.swap(theirs);
-    else
-      mine.insert(mine.end(), theirs.begin(), theirs.end());
-    theirs.clear();
-  }
+  for (std::size_t kind = 0; kind < kPairKinds; ++kind) lists_[kind].take(other.lists_[kind]);
 }
 
 void PairLists::clear() {
-  for (auto& list : lists_) list.clear();
+  for (PairList& list : lists_) list.clear();
 }
 
 }  // namespace tamis

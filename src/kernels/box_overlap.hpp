@@ -61,15 +61,15 @@ class MovingBoxes {
   static constexpr bool kMoves = true, kHasReach = false;
   using Bounds = BoundBlock<6>;  ///< what boxes sweep over: x y z
 
-  /// From leaf block `block` of search.a. No observer goes as far as outliers may.
+  /// From leaf block `block` of search.a.
   MovingBoxes(const Search& search, int block) : t_limit_(search.t_limit), has_outliers_(search.has_outliers) {
-    constexpr float kFarthest = 4;
+    constexpr float kMostDisplacement = 4;  // in a frame none goes farther, but outliers do, which no observer follows
     const BoxBlock& hulls = search.a.levels[1][block / kBlock];
     const int lane = block % kBlock;
     for (int axis = 0; axis < 3; ++axis) {
       const float twice =
           (hulls.low1[axis][lane] - hulls.low0[axis][lane]) + (hulls.high1[axis][lane] - hulls.high0[axis][lane]);
-      observer_displacement_[axis] = 0.5f * t_limit_ * std::clamp(twice, -2 * kFarthest, 2 * kFarthest);
+      observer_displacement_[axis] = 0.5f * t_limit_ * std::clamp(twice, -2 * kMostDisplacement, 2 * kMostDisplacement);
     }
   }
 

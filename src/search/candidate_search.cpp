@@ -26,7 +26,7 @@ void CandidateConsumer::consume(PairKind kind) {
   SearchCounts& counts = thread().counts;
   of(counts.boxes, kind) += static_cast<std::uint64_t>(boxes.count);
   of(counts.apart, kind) += static_cast<std::uint64_t>(clipped.count);
-  append(filtered, candidates_[kind]);
+  candidates_[kind].add(filtered);
   if (shared_->pairs_left.fetch_sub(filtered.count, std::memory_order_relaxed) < filtered.count)
     shared_->bound.settle();
 }

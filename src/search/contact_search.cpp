@@ -44,10 +44,9 @@ void ContactSearch::find(const Query& query, ContactCollector& answer, Statistic
 
 void ContactSearch::search_lists(ContactCollector& answer) {
   const PairLists& lists = ahead_.lists();
-  const int most_parts =
-      std::max(streams_.parts_of(lists[PairKind::vertex_face]), streams_.parts_of(lists[PairKind::edge_edge]));
+  const std::size_t most_parts = std::max(lists[PairKind::vertex_face].parts(), lists[PairKind::edge_edge].parts());
   float t_limit = 1;
-  for (const Sample& sample : samples_for(answer.query(), most_parts)) {
+  for (const Sample& sample : samples_for(answer.query(), static_cast<int>(most_parts))) {
     streams_.search_lists(lists, sample, ahead_.when(), t_limit);
     t_limit = std::min(t_limit, gather(answer));
   }

@@ -41,17 +41,12 @@ class ThreadStreams {
                   });
   }
 
-  /// Takes the sample's parts of the lists: pairs that may touch at some time of `when`, a time of the lists, for
+  /// Takes the sample's parts of the lists, which it counts as leaf blocks: pairs that may touch at some time of `when`, a time of the lists, for
   /// contacts until `t_limit`, a time of the query.
   void search_lists(const PairLists& lists, const Sample& sample = {0, 1}, const TimeInterval<float>& when = {0, 1},
                     float t_limit = 1) {
     for (std::size_t i = 0; i < kPairKinds; ++i) search(static_cast<PairKind>(i), lists, sample, when, t_limit);
   }
-  /// The number of parts of a list, which samples count as they count leaf blocks.
-  static int parts_of(std::span<const Candidate> pairs) {
-    return static_cast<int>((pairs.size() + kPairsPerPart - 1) / kPairsPerPart);
-  }
-
   template <class F>
   void for_each(const F& f) {
     for (Consumer& one : of_threads_) f(one);
@@ -88,16 +83,13 @@ class ThreadStreams {
   }
 
  private:
-  static constexpr std::size_t kPairsPerPart = 1024;
-
   void search(PairKind kind, const PairLists& lists, const Sample& sample, const TimeInterval<float>& when,
               float t_limit) {
-    const std::span<const Candidate> pairs = lists[kind];
-    for_each_part(kind, sample.count_in(parts_of(pairs)), 1, [&](PairStream& stream, int begin, int end) {
-      for (int i = begin; i < end; ++i) {
-        const auto first = static_cast<std::size_t>(sample.first + i * sample.stride) * kPairsPerPart;
-        stream.search(kind, pairs.subspan(first, std::min(kPairsPerPart, pairs.size() - first)), when, t_limit);
-      }
+    const PairList& list = lists[kind];
+    const int count = sample.count_in(static_cast<int>(list.parts()));
+    for_each_part(kind, count, 1, [&](PairStream& stream, int begin, int end) {
+      for (int i = begin; i < end; ++i)
+        stream.search(kind, list.part(static_cast<std::size_t>(sample.first + i * sample.stride)), when, t_limit);
     });
   }
 

@@ -30,7 +30,7 @@ class FarFromOthers : public testing::TestWithParam<Case> {
  protected:
   FarFromOthers() { add_outliers(scene, GetParam().which, GetParam().distance); }
 
-  static scenes::Scene cloth() { return scenes::scene_by_name("folded-cloth", 600, 3); }
+  static scenes::Scene cloth() { return scenes::scene_by_name("folded-cloth", 200, 3); }
 
   scenes::Scene scene = cloth();
 };

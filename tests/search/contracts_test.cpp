@@ -74,12 +74,12 @@ TEST_F(Contracts, SearchesThatCannotEnd) {
 TEST_F(Contracts, BuffersWithoutRoom) {
   PairBuffer pairs;
   pairs.count = 2;
-  std::vector<Candidate> list;
-  append(pairs, list);
+  PairList list;
+  list.add(pairs);
   pairs.count = PairBuffer::kCapacity - 1;
-  EXPECT_DEATH(append(list, {0, 1}, 1, pairs), "kCapacity");
+  EXPECT_DEATH(append(list.part(0), {0, 1}, 1, pairs), "kCapacity");
   pairs.count = 0;
-  EXPECT_DEATH(append(list, {1, 0}, 1, pairs), "when.t_in <= when.t_out");
+  EXPECT_DEATH(append(list.part(0), {1, 0}, 1, pairs), "when.t_in <= when.t_out");
   EXPECT_DEATH((void)vertices_of(PairKind::vertex_face, pairs, 0), "pairs.count");
 }
 

@@ -1,11 +1,16 @@
 #include "scenes/outliers.hpp"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "scenes/point_math.hpp"
+#include "scenes/shapes.hpp"
 
 namespace tamis::scenes {
 namespace {
+
+constexpr Point kRise{0, 0.06, 0};
 
 void add_triangle(Scene& scene, const std::array<Point, 3>& corners, const Point& way) {
   const Index first = scene.vertex_count();
@@ -22,6 +27,18 @@ void add_fallen_triangles(Scene& scene, double d) {
   add_triangle(scene, {corner, corner + Point{0.1, 0.2, 0}, corner + Point{0.2, 0.1, 0.1}}, way);
 }
 
+/// A grid of so many edges a side: a plain where the scene is, slopes around it.
+void add_terrain(Scene& scene, Index edges, double d) {
+  const Index first = scene.vertex_count();
+  for (Index row = 0; row <= edges; ++row)
+    for (Index column = 0; column <= edges; ++column) {
+      const double x = 2.0 * row / edges - 0.95, z = 2.0 * column / edges - 0.95;
+      const Point place{d * x, -0.05 - 0.1 * d * std::max(0.0, x * x + z * z - 0.25), d * z};
+      scene.add_vertex(place, place + kRise, 0);
+    }
+  add_grid_faces(scene, first, edges + 1, edges + 1);
+}
+
 }  // namespace
 
 void add_outliers(Scene& scene, Outliers which, double distance) {
@@ -33,7 +50,9 @@ void add_outliers(Scene& scene, Outliers which, double distance) {
     case Outliers::flying_triangle:
       return add_triangle(scene, {{{d, 2, 0}, {d, 2.1, 0}, {d, 2, 0.1}}}, {-2 * d, 0, 0});
     case Outliers::wide_ground:
-      return add_triangle(scene, {{{-d, -0.05, -d}, {2 * d, -0.05, -d}, {0, -0.05, d}}}, {0, 0.06, 0});
+      return add_triangle(scene, {{{-d, -0.05, -d}, {2 * d, -0.05, -d}, {0, -0.05, d}}}, kRise);
+    case Outliers::wide_terrain:
+      return add_terrain(scene, static_cast<Index>(std::sqrt(2.0 * scene.vertex_count())), d);
     case Outliers::lost_vertex:
       scene.start[middle][1] += d;
       [[fallthrough]];

@@ -82,6 +82,7 @@ constexpr std::array kOfOneSize{
     OfOneSize{"exploding-cloth", exploding_cloth, 300},
     OfOneSize{"body-fallen-off", body_fallen_off, 3000},
     OfOneSize{"vertex-flies-off", vertex_flies_off, 3000},
+    OfOneSize{"cloth-on-terrain", cloth_on_terrain, 9000},
     OfOneSize{"polygons-in-plane", polygons_in_plane, 3000},
 };
 

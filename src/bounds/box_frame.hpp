@@ -18,8 +18,8 @@ struct BoxFrame {
   std::array<double, 3> origin, origin_at_end;
   double scale;
   double widening;  ///< the scene's width at t=1 over that at t=0; NaN if it is a point at both
-  /// Does it hold most vertices, and leave some outside that are far away? What rounding hides of such an outlier grows
-  /// with its coordinates, and is added to its radius (kOutlierMargin).
+  /// Does it hold the finest part of the scene, and leave what is far wider outside? What rounding hides of such an
+  /// outlier grows with its coordinates, and is added to its radius (kOutlierMargin).
   bool has_outliers;
   /// Added on each side of a box: rounding to float is off by 2^-25, the subtraction by 2^-53, and the box's own
   /// subtraction of the margin by 2^-25; plus half the fixed separation. A vertex' radius comes on top.
@@ -51,7 +51,7 @@ struct BoxFrame {
   float distance(double distance) const;
 };
 
-/// Of the vertices `used`, and boxes widened by half the separation.
+/// Of the vertices `used`, or of the finest of them (fine_place.hpp), and boxes widened by half the separation.
 BoxFrame frame_of(const Step& step, std::span<const Index> used, double min_separation);
 
 }  // namespace tamis

@@ -96,8 +96,8 @@ bool AlgebraicTime::are_equal(const AlgebraicTime& a, const AlgebraicTime& b) {
 }
 
 void AlgebraicTime::narrow(AlgebraicTime& a, AlgebraicTime& b) {
-  for (AlgebraicTime* time : {&a, &b})
-    if (!time->is_exact_) time->refine();
+  const bool is_a_wider = !a.is_exact_ && (b.is_exact_ || a.cell_.k <= b.cell_.k);
+  (is_a_wider ? a : b).refine();
 }
 
 int compare(AlgebraicTime& a, AlgebraicTime& b) {
@@ -111,7 +111,7 @@ int compare(AlgebraicTime& a, AlgebraicTime& b) {
 
 DyadicCell time_between(AlgebraicTime& a, AlgebraicTime& b) {
   while (compare_lower_ends(a.upper_end(), b.cell_) >= 0) AlgebraicTime::narrow(a, b);
-  return middle_of(a.upper_end(), b.cell_);
+  return between(a.upper_end(), b.cell_);
 }
 
 void AlgebraicTime::narrow_to_doubles(double lower, double upper) {

@@ -51,9 +51,13 @@ int compare_lower_ends(const DyadicCell& a, const DyadicCell& b) {
   return ((a.n << (k - a.k)) - (b.n << (k - b.k))).sign();
 }
 
-DyadicCell middle_of(const DyadicCell& a, const DyadicCell& b) {
-  const unsigned long k = std::max(a.k, b.k);
-  return {(a.n << (k - a.k)) + (b.n << (k - b.k)), k + 1};
+DyadicCell between(const DyadicCell& a, const DyadicCell& b) {
+  const unsigned long k = std::max(a.k, b.k) + 1;
+  const Integer from = a.n << (k - a.k), gap = (b.n << (k - b.k)) - from;
+  TAMIS_ASSERT(gap.sign() > 0);
+  // The first multiple after `from` of a power of two that is at most half of the gap.
+  const auto spacing = std::min(static_cast<unsigned long>(gap.bits() - 2), k);
+  return {(from >> spacing) + 1, k - spacing};
 }
 
 double lower_end(const DyadicCell& cell) {

@@ -29,8 +29,8 @@ double middle_double(double a, double b);
 /// The sign of the lower end of `a` minus that of `b`.
 int compare_lower_ends(const DyadicCell& a, const DyadicCell& b);
 
-/// Halfway between the lower ends, as another lower end.
-DyadicCell middle_of(const DyadicCell& a, const DyadicCell& b);
+/// A time strictly between the lower ends, of few bits. REQUIRES: `a` before `b`.
+DyadicCell between(const DyadicCell& a, const DyadicCell& b);
 
 /// The largest double that is not above n / 2^k.
 /// REQUIRES: 0 <= n <= 2^k.

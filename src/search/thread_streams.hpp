@@ -41,8 +41,8 @@ class ThreadStreams {
                   });
   }
 
-  /// Takes the sample's parts of the lists, which it counts as leaf blocks: pairs that may touch at some time of `when`, a time of the lists, for
-  /// contacts until `t_limit`, a time of the query.
+  /// Takes the sample's parts of the lists, which it counts as leaf blocks: pairs that may touch at some time of
+  /// `when`, a time of the lists, for contacts until `t_limit`, a time of the query.
   void search_lists(const PairLists& lists, const Sample& sample = {0, 1}, const TimeInterval<float>& when = {0, 1},
                     float t_limit = 1) {
     for (std::size_t i = 0; i < kPairKinds; ++i) search(static_cast<PairKind>(i), lists, sample, when, t_limit);

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include "bounds/shared_motion.hpp"
 
@@ -91,6 +92,56 @@ TEST(PackedMotion, OutliersLieOutsideWithinTheirRadius) {
       for (const float x : residual.at) EXPECT_TRUE(std::isfinite(x)) << far;
     }
   }
+}
+
+/// A sheet of 20 vertices a row, `size` wide, at `place`.
+std::vector<Point> sheet(int vertices, double size, double place) {
+  std::vector<Point> points;
+  for (int v = 0; v < vertices; ++v)
+    points.push_back({place + size / 20 * (v % 20), size / 20 * (v / 20), 1e-3 * size});
+  return points;
+}
+
+BoxFrame frame_of(const std::vector<Point>& start, const std::vector<Point>& end) {
+  std::vector<Index> used(start.size());
+  std::iota(used.begin(), used.end(), 0);
+  return tamis::frame_of({start, end}, used, 0);
+}
+
+std::vector<Point> joined(std::vector<Point> points, const std::vector<Point>& others) {
+  points.insert(points.end(), others.begin(), others.end());
+  return points;
+}
+
+// Bug: a terrain of more vertices than the cloth on it decides where floats are dense, and the cloth becomes a point.
+TEST(BoxFrame, IsAboutTheFinestWhereverMostVerticesAre) {
+  const std::vector<Point> cloth = sheet(200, 1, 0), terrain = sheet(4000, 1e5, -5e4);
+  for (const auto& scene : {joined(cloth, terrain), joined(terrain, cloth)}) {
+    const BoxFrame frame = frame_of(scene, scene);
+    EXPECT_TRUE(frame.has_outliers);
+    EXPECT_GE(frame.scale, 0.25);
+    EXPECT_LE(std::fabs(frame.origin[0]), 2);
+  }
+}
+
+// Bug: a few slivers, or vertices that wait in one place until they are used, take the floats from the rest.
+TEST(BoxFrame, IsNotThatOfSliversOrOfWhatWaits) {
+  std::vector<Point> scene = sheet(1000, 1, 0);
+  for (const std::size_t v : {31u, 531u}) scene[v + 1] = scene[v];  // both are in the sample
+  std::vector<Point> waiting = joined(scene, std::vector<Point>(300, {1e6, 1e6, 1e6}));
+  for (std::size_t v = 1000; v < 1300; ++v) waiting[v][0] += 1e-9 * static_cast<double>(v);
+  EXPECT_FALSE(frame_of(scene, scene).has_outliers);
+  const BoxFrame frame = frame_of(waiting, waiting);
+  EXPECT_TRUE(frame.has_outliers);
+  EXPECT_LE(std::fabs(frame.origin[0]), 2);
+}
+
+// Bug: the frame goes along with a part of the scene, and all that stands sweeps over that.
+TEST(BoxFrame, GoesAlongOnlyWithMostVertices) {
+  const std::vector<Point> fast = sheet(200, 1, 0), gone = sheet(200, 1, 1e3), city = sheet(1000, 100, -50);
+  const BoxFrame frame = frame_of(joined(fast, city), joined(gone, city));
+  EXPECT_EQ(frame.origin, frame.origin_at_end);
+  EXPECT_FALSE(frame.has_outliers);
 }
 
 }  // namespace

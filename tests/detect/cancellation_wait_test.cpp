@@ -3,11 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <ctime>
 
 #include "lab/detector.hpp"
 #include "support/every_question.hpp"
 #include "support/test_names.hpp"
+#include "support/thread_seconds.hpp"
 #include "tamis/error.hpp"
 #include "tamis/pair.hpp"
 #include "tamis/rigid_path.hpp"
@@ -26,13 +26,6 @@ constexpr double kSlower = 20;  // and all that is measured is a check of this t
 constexpr double kSlower = 1;
 #endif
 constexpr double kLongestWait = 0.05 * kSlower;
-
-/// Seconds of this thread: others may use the machine, too.
-double thread_seconds() {
-  timespec time{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
-}
 
 /// The longest time between two looks at whether a question is cancelled, its start and its end among them.
 class Waits {

@@ -139,7 +139,8 @@ INSTANTIATE_TEST_SUITE_P(Scenes, FarFromOthers,
                          testing::Values(Case{Outliers::fallen_triangles, 1e3}, Case{Outliers::fallen_triangles, 1e5},
                                          Case{Outliers::fallen_triangles, 1e14}, Case{Outliers::flying_triangle, 1e3},
                                          Case{Outliers::flying_triangle, 1e8}, Case{Outliers::wide_ground, 1e3},
-                                         Case{Outliers::wide_ground, 1e6}, Case{Outliers::lost_vertex, 1e5},
+                                         Case{Outliers::wide_ground, 1e6}, Case{Outliers::wide_terrain, 1e3},
+                                         Case{Outliers::wide_terrain, 1e6}, Case{Outliers::lost_vertex, 1e5},
                                          Case{Outliers::flying_vertex, 1e4}, Case{Outliers::flying_vertex, 1e20}));
 
 }  // namespace

@@ -32,9 +32,10 @@ scenes::Scene vehicle_in_city(Index triangles, std::uint64_t seed);  ///< all el
 
 scenes::Scene polygons_in_plane(Index triangles, std::uint64_t seed);  ///< of loose edges, which run into each other
 
-// A few vertices far from all others.
+// What is far from all else.
 scenes::Scene body_fallen_off(Index triangles, std::uint64_t seed);   ///< 10^4 widths below a heap of others
 scenes::Scene vertex_flies_off(Index triangles, std::uint64_t seed);  ///< of a cloth, 10^5 of its widths in a step
+scenes::Scene cloth_on_terrain(Index triangles, std::uint64_t seed);  ///< of 10^4 widths, and most vertices
 
 // Bad input.
 scenes::Scene huge_beside_tiny(Index triangles, std::uint64_t seed);   ///< motion of 1e300 beside 1e-300

@@ -19,4 +19,10 @@ Scene vertex_flies_off(Index triangles, std::uint64_t seed) {
   return scene;
 }
 
+Scene cloth_on_terrain(Index triangles, std::uint64_t seed) {
+  Scene scene = folded_cloth(triangles / 3, seed);
+  add_outliers(scene, Outliers::wide_terrain, 1e4);
+  return scene;
+}
+
 }  // namespace tamis::matrix

@@ -1,0 +1,13 @@
+#pragma once
+#include <ctime>
+
+namespace tamis::test {
+
+/// Seconds of this thread: others may use the machine, too.
+inline double thread_seconds() {
+  timespec time{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+}  // namespace tamis::test

@@ -17,10 +17,10 @@ double largest_difference(const double* a, const double* b) {
 constexpr std::size_t kFewestVertices = 64;
 
 /// Some vertices, and the distances to the vertices next by number.
-class Sample {
+class SomeVertices {
  public:
   /// So few that looking at them takes a hundredth of a question. REQUIRES: kFewestVertices or more.
-  Sample(const Step& step, std::span<const Index> used)
+  SomeVertices(const Step& step, std::span<const Index> used)
       : count_(std::clamp(used.size() / 64, std::min<std::size_t>(used.size() / 8, 32), kMost)) {
     TAMIS_ASSERT(used.size() >= kFewestVertices);
     for (std::size_t i = 0; i < count_; ++i) {
@@ -92,16 +92,16 @@ double FinePlace::distance_to(const double* at_start, const double* at_end) cons
 
 std::optional<FinePlace> place_finer_than(double width, const Step& step, std::span<const Index> used) {
   if (used.size() < kFewestVertices) return {};
-  const Sample sample(step, used);
-  if (!(sample.shortest() < width)) return {};
-  const std::array<Index, 15> finest = sample.finest<15>();
+  const SomeVertices some(step, used);
+  if (!(some.shortest() < width)) return {};
+  const std::array<Index, 15> finest = some.finest<15>();
   FinePlace place{};
   for (std::size_t k = 0; k < 3; ++k) {
     place.start[k] = median(finest, [&](Index v) { return step.start[v][k]; });
     place.end[k] = median(finest, [&](Index v) { return step.end[v][k]; });
   }
-  place.radius = std::max(sample.shortest(),
-                          median(finest, [&](Index v) { return place.distance_to(step.start[v], step.end[v]); }));
+  place.radius =
+      std::max(some.shortest(), median(finest, [&](Index v) { return place.distance_to(step.start[v], step.end[v]); }));
   if (!(place.radius < width)) return {};
   return place;
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <span>
 
 #include "matrix/versions.hpp"
 #include "tamis/detector.hpp"
@@ -37,10 +38,14 @@ void add_ways(const Cell& cell, std::initializer_list<Question> questions, std::
     for (const auto state : kAllStates) ways.push_back({cell.scene, cell.scale, question, state, cell.separation});
 }
 
+std::span<const double> separations_of(const SceneName& scene) {
+  return std::span(kSeparations).first(scene.is_of_two_sizes ? 1 : kSeparations.size());
+}
+
 /// All ways to ask what a step runs into, in a fixed order.
 std::vector<Cell> ways_to_ask_step(const SceneName& scene, double scale) {
   std::vector<Cell> ways;
-  for (const double separation : kSeparations) {
+  for (const double separation : separations_of(scene)) {
     const Cell three{scene, scale, Question::three, State::kept, separation};
     add_ways(three, {Question::contacts, Question::earliest, Question::free, Question::keep}, ways);
     ways.push_back(three);
@@ -52,7 +57,7 @@ std::vector<Cell> ways_to_ask_step(const SceneName& scene, double scale) {
 /// ask for them.
 std::vector<Cell> ways_to_ask_positions(const SceneName& scene, double scale) {
   std::vector<Cell> ways;
-  for (const double separation : kSeparations)
+  for (const double separation : separations_of(scene))
     add_ways({scene, scale, {}, {}, separation}, {Question::truncate, Question::within}, ways);
   for (const auto state : {State::fresh, State::kept, State::substeps})
     ways.push_back({scene, scale, Question::intersections, state, 0});

@@ -62,6 +62,7 @@ struct OfOneSize {
   std::string_view name;
   scenes::Scene (*make)(Index triangles, std::uint64_t seed);
   Index triangles;
+  bool is_of_two_sizes = false;
 };
 
 constexpr std::array kOfOneSize{
@@ -82,7 +83,7 @@ constexpr std::array kOfOneSize{
     OfOneSize{"exploding-cloth", exploding_cloth, 300},
     OfOneSize{"body-fallen-off", body_fallen_off, 3000},
     OfOneSize{"vertex-flies-off", vertex_flies_off, 3000},
-    OfOneSize{"cloth-on-terrain", cloth_on_terrain, 9000},
+    OfOneSize{"cloth-on-terrain", cloth_on_terrain, 9000, true},
     OfOneSize{"polygons-in-plane", polygons_in_plane, 3000},
 };
 
@@ -127,7 +128,8 @@ const std::vector<SceneName>& scene_names() {
       for (const Size& size : kSizes)
         if (size.triangles >= kind.fewest_triangles)
           names.push_back({sized(kind, size), double(size.triangles), kind.crowding, true, kind.parts_groups});
-    for (const OfOneSize& kind : kOfOneSize) names.push_back({std::string(kind.name), double(kind.triangles), 1, true});
+    for (const OfOneSize& kind : kOfOneSize)
+      names.push_back({std::string(kind.name), double(kind.triangles), 1, true, false, kind.is_of_two_sizes});
     return names;
   }();
   return all;

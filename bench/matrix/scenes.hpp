@@ -9,10 +9,11 @@ namespace tamis::matrix {
 
 struct SceneName {
   std::string name;
-  double triangles;           ///< about
-  double crowding;            ///< how many times the work for a unit of motion is that of a folded cloth
-  bool is_here;               ///< recorded scenes: the data is
-  bool parts_groups = false;  ///< bodies do not touch themselves
+  double triangles;              ///< about
+  double crowding;               ///< how many times the work for a unit of motion is that of a folded cloth
+  bool is_here;                  ///< recorded scenes: the data is
+  bool parts_groups = false;     ///< bodies do not touch themselves
+  bool is_of_two_sizes = false;  ///< all of the finer part is nearer than the shortest separation, of mean edges
 };
 
 /// All of them, in an order that does not depend on what is here.

@@ -62,7 +62,7 @@ std::optional<Listing> PairsAhead::plan(const Query& query) {
   forget();
   std::optional<PredictedStep::Fit> fit;
   if (next_.is_made()) {
-    edge_ = mean_edge(mesh_, step.start);
+    edge_ = mean_fine_edge(mesh_, step.start);
     fit = next_.fit(step, kMostDeviationInEdges * edge_);
   }
   next_.make(step, sample_, kFirstSteps);

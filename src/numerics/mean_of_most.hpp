@@ -6,12 +6,14 @@
 
 namespace tamis {
 
-/// The mean of value_of(0), value_of(stride), ... below `count`, without a few that are much larger than the rest; 0 of
-/// none, and finite always. REQUIRES (not checked: each): values >= 0.
+inline constexpr double kMuchLarger = 32;
+
+/// The mean of value_of(0), value_of(stride), ... below `count`, without what is larger than `most`, nor a few that are
+/// much larger than the rest; 0 of none, and finite always. REQUIRES (not checked: each): values >= 0.
 template <class F>
-double mean_of_most(std::size_t count, std::size_t stride, const F& value_of) {
-  constexpr double kMuchLarger = 32, kInfinite = std::numeric_limits<double>::infinity();
-  for (double most = kInfinite;;) {
+double mean_of_most(std::size_t count, std::size_t stride, const F& value_of,
+                    double most = std::numeric_limits<double>::infinity()) {
+  for (;;) {
     double sum = 0, largest = 0;
     std::size_t values = 0;
     for (std::size_t i = 0; i < count; i += stride) {

@@ -1,5 +1,8 @@
-// The mean edge length: the unit in which searches measure motion.
 #pragma once
+#include <algorithm>
+#include <array>
+#include <limits>
+
 #include "numerics/length.hpp"
 #include "numerics/mean_of_most.hpp"
 #include "tamis/mesh.hpp"
@@ -7,15 +10,31 @@
 
 namespace tamis {
 
-/// Of some thousand edges, in the mesh's order; 0 without edges, and finite always. A few that are much longer than the
-/// rest, as a ground below a cloth has them, do not count.
-inline double mean_edge(const Mesh& mesh, const Positions& points) {
+inline double edge_length(const Edge& edge, const Positions& points) {
+  const double *a = points[edge[0]], *b = points[edge[1]];
+  return quick_length_of(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+}
+
+/// Of some thousand edges, in the mesh's order, none longer than `most`; 0 without edges, and finite always. A few that
+/// are much longer than the rest, as a ground below a cloth has them, do not count.
+inline double mean_edge(const Mesh& mesh, const Positions& points,
+                        double most = std::numeric_limits<double>::infinity()) {
   constexpr std::size_t kSample = 4096;
   const auto edges = mesh.edges();
-  return mean_of_most(edges.size(), 1 + edges.size() / kSample, [&](std::size_t e) {
-    const double *a = points[edges[e][0]], *b = points[edges[e][1]];
-    return quick_length_of(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
-  });
+  const auto length = [&](std::size_t e) { return edge_length(edges[e], points); };
+  return mean_of_most(edges.size(), 1 + edges.size() / kSample, length, most);
+}
+
+/// The mean edge of the finest part, where most edges are much longer, as those of a terrain below a cloth: for what
+/// would take in all of the cloth if it were a part of the terrain's edges.
+inline double mean_fine_edge(const Mesh& mesh, const Positions& points) {
+  constexpr std::size_t kSample = 64, kSlivers = kSample / 16;
+  const auto edges = mesh.edges();
+  if (edges.empty()) return 0;
+  std::array<double, kSample> lengths;
+  for (std::size_t i = 0; i < kSample; ++i) lengths[i] = edge_length(edges[i * edges.size() / kSample], points);
+  std::ranges::nth_element(lengths, lengths.begin() + kSlivers);
+  return lengths[kSlivers] > 0 ? mean_edge(mesh, points, kMuchLarger * lengths[kSlivers]) : mean_edge(mesh, points);
 }
 
 }  // namespace tamis

@@ -8,7 +8,7 @@ enum class Outliers {
   fallen_triangles,  ///< two, far away: a corner of one ends on the other, in a plane of x + y
   flying_triangle,   ///< which passes by
   wide_ground,       ///< a triangle below everything
-  wide_terrain,      ///< a table below everything, with twice the scene's vertices
+  wide_terrain,      ///< a plain below everything and slopes, with twice the scene's vertices
   lost_vertex,       ///< one of the scene's own, in the middle of its list
   flying_vertex,     ///< the same, but it starts at its place
 };

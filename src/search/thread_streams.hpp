@@ -47,6 +47,7 @@ class ThreadStreams {
                     float t_limit = 1) {
     for (std::size_t i = 0; i < kPairKinds; ++i) search(static_cast<PairKind>(i), lists, sample, when, t_limit);
   }
+
   template <class F>
   void for_each(const F& f) {
     for (Consumer& one : of_threads_) f(one);

@@ -1,3 +1,4 @@
+// The mean edge length: the unit in which searches measure motion.
 #pragma once
 #include <algorithm>
 #include <array>

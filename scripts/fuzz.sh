@@ -3,17 +3,20 @@
 #   --build FOLDER   builds there, instead of in build/fuzz
 #   --runs N         a fixed number of runs instead, with a fixed seed: the same inputs every time. Not optimised, for
 #                    compiling takes longer than so few runs
+#   --built FOLDER   takes the libraries that were built there, for such runs: only targets, readers and the oracle then
+#                    tell libFuzzer where an input goes
 #   --seed S         for the long run; another seed finds other inputs (default: the clock)
 # Starts from tests/fuzz/corpus; what the fuzzer adds stays in FOLDER/corpus, and the input of a failure in
 # FOLDER/findings: run FOLDER/tests/fuzz/TARGET_fuzz with that file to see it again. Exit 77 where clang is absent.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-build=build/fuzz runs="" seed=0 targets=()
+build=build/fuzz runs="" built="" seed=0 targets=()
 while (($#)); do
   case $1 in
     --build) build=$2; shift 2 ;;
     --runs) runs=$2; shift 2 ;;
+    --built) built=$2; shift 2 ;;
     --seed) seed=$2; shift 2 ;;
     *) targets+=("$1"); shift ;;
   esac
@@ -28,7 +31,7 @@ fi
 command -v clang++-14 >/dev/null || { echo "skipped: no clang++-14"; exit 77; }
 runtime=$(clang++-14 --print-file-name=libclang_rt.fuzzer-x86_64.a)
 [[ -e $runtime || -e ${runtime/-x86_64/} ]] || { echo "skipped: no libFuzzer (libclang-rt-14-dev)"; exit 77; }
-cmake --preset fuzz -B "$build" ${runs:+-DCMAKE_CXX_FLAGS_RELWITHDEBINFO="-O0 -g1"} >/dev/null
+cmake --preset fuzz -B "$build" -DTAMIS_BUILT="$built" ${runs:+-DCMAKE_CXX_FLAGS_RELWITHDEBINFO="-O0 -g1"} >/dev/null
 cmake --build "$build" --parallel "$(nproc)" --target "${targets[@]/%/_fuzz}"
 
 for target in "${targets[@]}"; do

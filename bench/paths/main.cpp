@@ -1,4 +1,4 @@
-// Curved motion of a whole mesh: two bodies that turn past each other by 30 degrees, a little apart.
+// Curved motion of a whole mesh: two bodies that turn past each other, a little apart, alone and above a terrain.
 // tamis_paths [TRIANGLES [REPEAT]]: a Markdown table; triangles of each body, medians, processor time of one thread.
 #include <algorithm>
 #include <cstdio>
@@ -16,15 +16,15 @@ using namespace tamis;
 
 double processor_milliseconds() { return 1e3 * static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
-struct TwoBodies {
+struct Bodies {
   std::vector<Point> rest;
   std::vector<Face> faces;
   std::vector<Index> body;
 };
 
-TwoBodies two_spheres(Index triangles) {
+Bodies two_spheres(Index triangles) {
   const scenes::Shape sphere = scenes::unit_sphere(scenes::sphere_cells(triangles, 1, 1000));
-  TwoBodies bodies;
+  Bodies bodies;
   for (const Index number : {0, 1}) {
     const auto first = static_cast<Index>(bodies.rest.size());
     bodies.rest.insert(bodies.rest.end(), sphere.points.begin(), sphere.points.end());
@@ -34,22 +34,40 @@ TwoBodies two_spheres(Index triangles) {
   return bodies;
 }
 
-/// The second one stands `gap` away and goes nearer by `approach`.
-RigidPath turning(const TwoBodies& bodies, double gap, double approach) {
-  constexpr double kAngle = std::numbers::pi / 6;
-  const double distance = 2 + gap;
-  return {bodies.rest,
-          bodies.body,
-          {turned({{0, 0, 0}, {0.3, 0.2, 0.1}}, {0, 0, kAngle}, {0, 0, 0}),
-           turned({{distance, 0, 0}, {0.1, 0.5, 0.2}}, {0, 0, -kAngle}, {distance - approach, 0, 0})}};
+/// A square of so many squares a side, below the others.
+void add_terrain(Bodies& bodies, Index cells, double width) {
+  const auto first = static_cast<Index>(bodies.rest.size());
+  const double edge = width / cells;
+  for (Index i = 0; i <= cells; ++i)
+    for (Index j = 0; j <= cells; ++j) {
+      bodies.rest.push_back({edge * i - 0.5003 * width, edge * j - 0.4997 * width, -1.5 - (i + j) % 2});
+      bodies.body.push_back(2);
+    }
+  scenes::Scene scene;
+  scenes::add_grid_faces(scene, first, cells + 1, cells + 1);
+  bodies.faces.insert(bodies.faces.end(), scene.faces.begin(), scene.faces.end());
 }
 
-void print_row(const TwoBodies& bodies, double gap, double approach, int repeat) {
+struct Motion {
+  double degrees, gap, approach;
+};
+
+/// The second sphere stands `gap` away and goes nearer by `approach`; what else there is stays.
+RigidPath path_of(const Bodies& bodies, const Motion& motion) {
+  const double distance = 2 + motion.gap, angle = motion.degrees * std::numbers::pi / 180;
+  return {bodies.rest,
+          bodies.body,
+          {turned({{0, 0, 0}, {0.3, 0.2, 0.1}}, {0, 0, angle}, {0, 0, 0}),
+           turned({{distance, 0, 0}, {0.1, 0.5, 0.2}}, {0, 0, -angle}, {distance - motion.approach, 0, 0}),
+           turned({{0, 0, 0}, {0, 0, 0}}, {0, 0, 0}, {0, 0, 0})}};
+}
+
+void print_row(const char* where, const Bodies& bodies, const Motion& motion, int repeat) {
   Options options;
   options.threads = 1;
   options.filter = PairFilter::no_self_contact(bodies.body);
   Detector detector({static_cast<Index>(bodies.rest.size()), bodies.faces}, options);
-  const RigidPath path = turning(bodies, gap, approach);
+  const RigidPath path = path_of(bodies, motion);
   std::vector<double> times;
   EarliestContact first;
   for (int run = 0; run <= repeat; ++run) {
@@ -59,18 +77,26 @@ void print_row(const TwoBodies& bodies, double gap, double approach, int repeat)
   }
   std::nth_element(times.begin(), times.begin() + repeat / 2, times.end());
   const PrecisionCount& pairs = detector.statistics().decided_by;
-  std::printf("| %.3f | %.3f | %.9f | %llu | %.1f |\n", gap, approach, first.toi_lower,
-              static_cast<unsigned long long>(pairs.lanes + pairs.scalar + pairs.unresolved),
+  std::printf("| %s | %.0f | %.3f | %.3f | %.9f | %llu | %.1f |\n", where, motion.degrees, motion.gap, motion.approach,
+              first.toi_lower, static_cast<unsigned long long>(pairs.lanes + pairs.scalar + pairs.unresolved),
               times[static_cast<std::size_t>(repeat / 2)]);
 }
 
 }  // namespace
 
 int main(int count, char** arguments) {
-  const TwoBodies bodies = two_spheres(count > 1 ? std::atoi(arguments[1]) : 20000);
+  const Bodies alone = two_spheres(count > 1 ? std::atoi(arguments[1]) : 20000);
   const int repeat = count > 2 ? std::atoi(arguments[2]) : 9;
-  std::printf("| apart by | nearer by | free until | pairs decided | ms, earliest |\n|--:|--:|--:|--:|--:|\n");
-  for (const double gap : {0.1, 0.02, 0.01, 0.003})
-    for (const double approach : {0.0, 0.02}) print_row(bodies, gap, approach, std::max(repeat, 1));
+  Bodies above_terrain = alone;
+  add_terrain(above_terrain, 60, 1e4);
+  std::printf(
+      "| where | turn by, degrees | apart by | nearer by | free until | pairs decided | ms, earliest |\n"
+      "|---|--:|--:|--:|--:|--:|--:|\n");
+  for (const double degrees : {30, 180})
+    for (const double gap : {0.1, 0.02, 0.01, 0.003})
+      for (const double approach : {0.0, 0.02}) {
+        print_row("alone", alone, {degrees, gap, approach}, std::max(repeat, 1));
+        print_row("above a terrain", above_terrain, {degrees, gap, approach}, std::max(repeat, 1));
+      }
   return 0;
 }

@@ -61,7 +61,7 @@ double MeshPieces::read_deviations(double from, double to, std::vector<double>& 
 
 double MeshPieces::end_of(const MeshMoment& start) {
   if (!ends_.empty()) return *std::ranges::upper_bound(ends_, start.time);
-  const double allowed = deviation_in_edges_ * mean_edge(mesh_, start.points);
+  const double allowed = deviation_in_edges_ * mean_fine_edge(mesh_, start.points);
   double length = 1 - start.time;
   for (; length > kShortestPiece; length *= kNearMiddle) {
     const double largest = kShiftedChordPart * read_deviations(start.time, start.time + length, deviations_);

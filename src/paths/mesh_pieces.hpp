@@ -9,14 +9,14 @@
 
 namespace tamis {
 
-/// How far vertices may deviate on the first piece, in mean edges (MeshPieces::adapt_length changes it). Longer pieces
-/// leave more pairs to be decided on parts of them, shorter ones search the whole mesh more often.
+/// How far vertices may deviate on the first piece, in mean fine edges (MeshPieces::adapt_length changes it). Longer
+/// pieces leave more pairs to be decided on parts of them, shorter ones search the whole mesh more often.
 inline constexpr double kChordDeviationInEdges = 0x1p-6;
 /// A vertex is no farther from its shifted chord (ShiftedChords) than this part of its bound on the piece, where bounds
 /// go by the square of a piece's length.
 inline constexpr double kShiftedChordPart = 0.75;
 /// Where pieces leave few pairs the next ones are longer, up to this deviation.
-inline constexpr double kMostChordDeviationInEdges = 1;
+inline constexpr double kMostChordDeviationInEdges = 0.25;
 
 /// Straight motions that stand for the curves on a piece: chords, shifted half way to where the path is in the middle.
 /// `deviations`: no vertex is farther from its own.

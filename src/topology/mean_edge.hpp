@@ -27,15 +27,17 @@ inline double mean_edge(const Mesh& mesh, const Positions& points,
 }
 
 /// The mean edge of the finest part, where most edges are much longer, as those of a terrain below a cloth: for what
-/// would take in all of the cloth if it were a part of the terrain's edges.
+/// would take in all of the cloth if it were a part of the terrain's edges. Of those that are not much longer than a
+/// sixteenth of all.
 inline double mean_fine_edge(const Mesh& mesh, const Positions& points) {
   constexpr std::size_t kSample = 64, kSlivers = kSample / 16;
+  constexpr double kLonger = 4;
   const auto edges = mesh.edges();
   if (edges.empty()) return 0;
   std::array<double, kSample> lengths;
   for (std::size_t i = 0; i < kSample; ++i) lengths[i] = edge_length(edges[i * edges.size() / kSample], points);
   std::ranges::nth_element(lengths, lengths.begin() + kSlivers);
-  return lengths[kSlivers] > 0 ? mean_edge(mesh, points, kMuchLarger * lengths[kSlivers]) : mean_edge(mesh, points);
+  return lengths[kSlivers] > 0 ? mean_edge(mesh, points, kLonger * lengths[kSlivers]) : mean_edge(mesh, points);
 }
 
 }  // namespace tamis

@@ -60,5 +60,30 @@ TEST(MeshPieces, LinesBesideChordsAreNearer) {
   for (std::size_t v = 0; v < 2; ++v) EXPECT_LT(pieces.chords().deviations[v], (kShiftedChordPart + 1e-6) * chords[v]);
 }
 
+/// A tetrahedron that turns, and `grounds` wide triangles that stay.
+int pieces_of_a_turn(Index grounds) {
+  std::vector<Face> faces{{0, 1, 2}, {0, 1, 3}, {0, 2, 3}, {1, 2, 3}};
+  std::vector<Point> points{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  std::vector<Index> bodies{0, 0, 0, 0};
+  for (Index i = 0; i < grounds; ++i) {
+    const auto first = static_cast<Index>(points.size());
+    faces.push_back({first, first + 1, first + 2});
+    const double x = 1e4 * i;
+    points.insert(points.end(), {{x, 0, -2}, {x + 1e4, 0, -2}, {x, 1e4, -2}});
+    bodies.insert(bodies.end(), 3, 1);
+  }
+  const Mesh mesh(static_cast<Index>(points.size()), faces);
+  const RigidPath path(points, bodies, {turned({}, {0, 0, 3}, {}), {}});
+  MeshPieces pieces(mesh, path, {});
+  int count = 0;
+  for (MeshMoment from = pieces.moment_at(0); from.time < 1; ++count) from = pieces.next(from);
+  return count;
+}
+
+TEST(MeshPieces, AreAsLongAboveWideTrianglesAsAlone) {
+  EXPECT_GT(pieces_of_a_turn(0), 4);
+  EXPECT_EQ(pieces_of_a_turn(12), pieces_of_a_turn(0));
+}
+
 }  // namespace
 }  // namespace tamis::test

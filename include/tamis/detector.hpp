@@ -77,7 +77,8 @@ class Detector {
   /// stop all: all vertices go together as far as every pair keeps a little more than that, from there each on its own
   /// side of planes between the features that it could reach, by a quarter of the mean edge at most, so as to bound the
   /// number of such pairs. What starts within the minimum separation may move as long as it comes no nearer (at a
-  /// distance of 0 not at all, not even apart), and all others go a quarter of the mean edge at most. What is ignored
+  /// distance of 0 not at all, not even apart), and all others go a quarter of the mean edge at most (of
+  /// their body, where the finest are four times as fine and more). What is ignored
   /// at the start (AtStart) may move as it likes, but not apart and back. A caller who keeps floats says so by
   /// `stored`: then all positions are floats' values, so that storing them changes nothing, and what is proven holds of
   /// what is stored. Throws InvalidOptions unless 0 < keep < 1, InvalidStep where floats are stored and `start` is not

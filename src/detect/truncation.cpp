@@ -11,14 +11,15 @@
 #include "query/pair_vertices.hpp"
 #include "topology/at.hpp"
 #include "topology/mean_edge.hpp"
+#include "topology/mean_edges_of_bodies.hpp"
 #include "topology/neighbourhood_maximum.hpp"
 
 namespace tamis {
 namespace {
 
 /// After the common time no vertex goes farther than this many mean edges, as there would be too many pairs that it
-/// could meet.
-constexpr double kFarthestInEdges = 0.25;
+/// could meet. Where a part of the scene is much finer, as a cloth above a terrain, those are of each body.
+constexpr double kFarthestInMeanEdges = 0.25, kMuchFiner = 0.25;
 /// Rounds in which only broken pairs get planes. In a stack each body stops one round after the one below; recorded
 /// steps take 3 to 20.
 constexpr int kRounds = 32;
@@ -86,10 +87,23 @@ void Truncation::begin(double common_time) {
   in_parts(count, kVerticesPerPart, [&](std::size_t first, std::size_t last) {
     for (; first != last; ++first) place(static_cast<Index>(first));
   });
-  const double edge = mean_edge(mesh_, step_.start), farthest = edge > 0 ? kFarthestInEdges * edge : HUGE_VAL;
+  stop_far_motions();
+}
+
+void Truncation::stop_far_motions() {
+  const double mean = mean_edge(mesh_, step_.start), fine = mean_fine_edge(mesh_, step_.start);
+  if (!(mean > 0)) return;
+  const auto goes_farther = [&](double length, double edge) {
+    return length * (1 - common_time_) > kFarthestInMeanEdges * edge;
+  };
+  std::vector<double> edges;
+  if (fine < kMuchFiner * mean &&
+      std::ranges::any_of(mesh_.points(), [&](Index v) { return goes_farther(displacement_length(step_, v), fine); }))
+    edges = mean_edges_of_bodies(mesh_, step_.start);
   for_each_in_parts(mesh_.points(), kVerticesPerPart, [&](Index v) {
-    if (const double length = displacement_length(step_, v); length * (1 - common_time) > farthest)
-      stop(v, common_time + farthest / length);
+    const double edge = edges.empty() ? mean : std::clamp(edges[at(v)], fine, mean);
+    if (const double length = displacement_length(step_, v); goes_farther(length, edge))
+      stop(v, common_time_ + kFarthestInMeanEdges * edge / length);
   });
 }
 

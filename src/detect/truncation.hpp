@@ -26,6 +26,8 @@ class Truncation {
 
  private:
   void begin(double common_time);
+  /// Lets no vertex go on alone for more than a part of an edge.
+  void stop_far_motions();
   void begin_on_own_sides();
   /// Sets the vertex' position from its part of the step.
   void place(Index vertex);

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <numeric>
 #include <set>
 #include <utility>
 
@@ -151,6 +152,21 @@ TEST(ClothOnTerrain, IsListedAhead) {
     if (first == 0) first = all;
   }
   EXPECT_LT(all, 3 * first);
+}
+
+// Bug: above wide triangles vertices of a cloth went as far as a part of these, past pairs upon pairs of the cloth.
+TEST(ClothOnTerrain, IsTruncatedAsAlone) {
+  scenes::Scene scene = scenes::scene_by_name("folded-cloth", 1000, 3);
+  for (std::size_t v = 0; v < scene.end.size(); ++v)
+    for (std::size_t k = 0; k < 3; ++k) scene.end[v][k] += 20 * (scene.end[v][k] - scene.start[v][k]);
+  const auto vertices = static_cast<std::ptrdiff_t>(scene.start.size());
+  const auto all_of_the_cloth = [&](const scenes::Scene& of) {
+    const std::vector<double> fractions = Detector(of.mesh()).truncate(of.step()).fractions;
+    return std::accumulate(fractions.begin(), fractions.begin() + vertices, 0.0);
+  };
+  const double alone = all_of_the_cloth(scene);
+  add_outliers(scene, Outliers::wide_terrain, 1e4);
+  EXPECT_NEAR(all_of_the_cloth(scene), alone, 0.02 * alone);
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, FarFromOthers,

@@ -80,16 +80,16 @@ void MeshPieces::adapt_length(std::size_t pairs) {
     deviation_in_edges_ = std::max(deviation_in_edges_ / kFactor, kChordDeviationInEdges);
 }
 
-double MeshPieces::max_displacement() {
+std::vector<double> MeshPieces::displacements() {
   const MeshMoment from = moment_at(0), to = moment_at(1);
   read_deviations(0, 1, deviations_);
-  double farthest = 0;
+  std::vector<double> farthest(all_.size());
   for (const Index index : mesh_.points()) {
     const std::size_t v = at(index);
     Point displacement{};
     for (std::size_t k = 0; k < 3; ++k)
       displacement[k] = std::fabs(to.points[v][k] - from.points[v][k]) + from.errors[v] + to.errors[v];
-    farthest = std::max(farthest, length_of(displacement[0], displacement[1], displacement[2]) + deviations_[v]);
+    farthest[v] = length_of(displacement[0], displacement[1], displacement[2]) + deviations_[v];
   }
   return farthest;
 }

@@ -38,8 +38,8 @@ class MeshPieces {
   const ShiftedChords& chords() const { return chords_; }
   /// Adapts the length of the next piece to the number of pairs that the last one left undecided.
   void adapt_length(std::size_t pairs);
-  /// An upper bound of every vertex' distance from its start, at any time.
-  double max_displacement();
+  /// Of each vertex an upper bound of its distance from its start, at any time; 0 of those that take no part.
+  std::vector<double> displacements();
 
  private:
   /// Asks the path for deviations between two times, and checks them. Returns the largest.

@@ -58,18 +58,24 @@ PathSearch::PathSearch(const Mesh& mesh, const Options& options, const Rings& ri
       asked_(asked),
       statistics_(statistics),
       pieces_(mesh, asked.path, asked.ends),
-      search_distance_(distance_to_search()),
-      largest_radii_(neighbourhood_maximum(mesh, asked.separations.radii)),
+      searched_radii_(radii_to_search()),
+      searched_{asked.separations.fixed, searched_radii_},
       parts_(kernels(options.isa)) {
   TAMIS_ASSERT(asked.separations.fixed >= 0 && std::isfinite(asked.separations.fixed) && asked.tolerance > 0);
   TAMIS_ASSERT(asked.separations.radii.empty() || asked.separations.radii.size() == at(mesh.vertex_count()));
 }
 
 /// A pair of clearance c that keeps no more than f c has lost (1 - f) c, which is no more than both features'
-/// displacements together.
-double PathSearch::distance_to_search() {
-  if (asked_.keep == 0) return asked_.separations.fixed;
-  return (asked_.separations.fixed + 2 * pieces_.max_displacement() * asked_.keep / (1 - asked_.keep)) * kRoundedUp;
+/// displacements together; f c is f / (1 - f) of these. Each feature has its own, so that it depends on the pair alone
+/// whether it is looked at.
+std::vector<double> PathSearch::radii_to_search() {
+  std::vector<double> radii = neighbourhood_maximum(mesh_, asked_.separations.radii);
+  if (asked_.keep == 0) return radii;
+  radii.resize(at(mesh_.vertex_count()));
+  const std::vector<double> displacements = pieces_.displacements();
+  for (std::size_t v = 0; v < radii.size(); ++v)
+    radii[v] = (radii[v] + displacements[v] * asked_.keep / (1 - asked_.keep)) * kRoundedUp;
+  return neighbourhood_maximum(mesh_, radii);
 }
 
 std::vector<Contact> PathSearch::find(Question question) {
@@ -96,10 +102,10 @@ void PathSearch::search_chords(const MeshMoment& from, const MeshMoment& to) {
   for (const Index index : mesh_.points()) {
     const std::size_t v = at(index);
     const double error = std::max(from.errors[v], to.errors[v]);
-    radii[v] = chord_radius(index, straight.deviations[v], error, from.time, {search_distance_, largest_radii_});
+    radii[v] = chord_radius(index, straight.deviations[v], error, from.time, searched_);
   }
   Query chords{
-      {straight.start, straight.end}, {search_distance_, radii}, options_.filter, rings_, options_.is_cancelled};
+      {straight.start, straight.end}, {searched_.fixed, radii}, options_.filter, rings_, options_.is_cancelled};
   chords.is_piece = true;
   Bound bound;
   candidates_.begin(chords, bound);
@@ -114,7 +120,7 @@ void PathSearch::decide_all(Question question, const MeshMoment& from, const Mes
   std::ranges::sort(pairs, [](const Contact& a, const Contact& b) {
     return a.toi_lower != b.toi_lower ? a.toi_lower < b.toi_lower : comes_before(a, b);
   });
-  parts_.begin({asked_.path, {search_distance_, largest_radii_}, pairs, from, to, options_.is_cancelled});
+  parts_.begin({asked_.path, searched_, pairs, from, to, options_.is_cancelled});
   const TimeInterval<double> piece{from.time, to.time};
   const double start = piece.t_in, length = piece.t_out - start;
   double latest = piece.t_out;

@@ -45,8 +45,8 @@ class PathSearch {
   using PairKey = std::tuple<PairKind, PairVertices>;
   static PairKey key_of(const Contact& pair) { return {pair.kind, pair.vertices}; }
 
-  double distance_to_search();
-  /// Leaves in candidates_ the pairs whose chords come within the search distance on a piece.
+  std::vector<double> radii_to_search();
+  /// Leaves in candidates_ the pairs whose chords come within what they are searched with on a piece.
   void search_chords(const MeshMoment& from, const MeshMoment& to);
   /// Decides these pairs on their curves.
   void decide_all(Question question, const MeshMoment& from, const MeshMoment& to);
@@ -65,8 +65,8 @@ class PathSearch {
   const MeshOnPath& asked_;
   Statistics& statistics_;
   MeshPieces pieces_;
-  const double search_distance_;  ///< beyond the radii; a pair that stays farther apart need not be looked at
-  const std::vector<double> largest_radii_;  ///< deviations are added to these, vertex by vertex
+  const std::vector<double> searched_radii_;  ///< deviations are added to these, vertex by vertex
+  const Separations searched_;                ///< a pair that stays farther apart need not be looked at
   ContactCollector candidates_;
   PairsOnParts parts_;  ///< of the candidates
   std::vector<Contact> contacts_;

@@ -84,9 +84,9 @@ void World::State::find_near(const std::vector<BodyPair>& pairs, const NearDista
 
 void World::State::gather_anew(Gathering& gathering, const NearDistance& distance, const NearItems& needed,
                                std::span<const double> times) {
-  double edges = 0;
-  for (const auto& [id, unused] : needed.of_body) edges += bodies[at(id)]->shape().edge;
-  const double edge = edges / static_cast<double>(needed.of_body.size());
+  double edge = 0;  // of the finest: parts of a coarse body's would gather all of the fine ones
+  for (const auto& [id, unused] : needed.of_body)
+    if (const double own = bodies[at(id)]->shape().edge; edge == 0 || (0 < own && own < edge)) edge = own;
   double in_edges = gathering.margin_in_edges;
   if (gathering.margin && gathering.served < kQueriesWorthGathering)
     in_edges = std::min(2 * in_edges, kMostMarginInEdges);

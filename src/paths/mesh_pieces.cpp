@@ -48,24 +48,23 @@ MeshMoment MeshPieces::moment_at(double time) const {
   return moment;
 }
 
-double MeshPieces::read_deviations(double from, double to, std::vector<double>& deviations) const {
+void MeshPieces::read_deviations(double from, double to, std::vector<double>& deviations) const {
   deviations.resize(all_.size());
   path_.deviations(from, to, all_, deviations);
-  double largest = 0;
-  for (const Index v : mesh_.points()) {
-    check_deviation(v, from, to, deviations[at(v)]);
-    largest = std::max(largest, deviations[at(v)]);
-  }
-  return largest;
+  for (const Index v : mesh_.points()) check_deviation(v, from, to, deviations[at(v)]);
 }
 
+/// A few vertices may deviate more, as one far from an axis of rotation does: so few that there are not many pairs of
+/// them.
 double MeshPieces::end_of(const MeshMoment& start) {
   if (!ends_.empty()) return *std::ranges::upper_bound(ends_, start.time);
   const double allowed = deviation_in_edges_ * mean_fine_edge(mesh_, start.points);
+  const auto deviates_more = [&](Index v) { return kShiftedChordPart * deviations_[at(v)] > allowed; };
   double length = 1 - start.time;
-  for (; length > kShortestPiece; length *= kNearMiddle) {
-    const double largest = kShiftedChordPart * read_deviations(start.time, start.time + length, deviations_);
-    if (largest <= allowed || !(allowed > 0)) break;
+  for (; allowed > 0 && length > kShortestPiece; length *= kNearMiddle) {
+    read_deviations(start.time, start.time + length, deviations_);
+    const auto count = static_cast<std::size_t>(std::ranges::count_if(mesh_.points(), deviates_more));
+    if (count * count <= mesh_.points().size() / 16) break;
   }
   return length < 1 - start.time ? start.time + length : 1;
 }

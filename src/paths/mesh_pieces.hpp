@@ -42,8 +42,8 @@ class MeshPieces {
   std::vector<double> displacements();
 
  private:
-  /// Asks the path for deviations between two times, and checks them. Returns the largest.
-  double read_deviations(double from, double to, std::vector<double>& deviations) const;
+  /// Asks the path for deviations between two times, and checks them.
+  void read_deviations(double from, double to, std::vector<double>& deviations) const;
   double end_of(const MeshMoment& start);
   /// The vector from the chord's middle to the path's, known to `error`.
   struct ChordOffset {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "scenes/shapes.hpp"
 #include "tamis/rigid_path.hpp"
 
 namespace tamis::test {
@@ -60,6 +61,13 @@ TEST(MeshPieces, LinesBesideChordsAreNearer) {
   for (std::size_t v = 0; v < 2; ++v) EXPECT_LT(pieces.chords().deviations[v], (kShiftedChordPart + 1e-6) * chords[v]);
 }
 
+int count_pieces(const Mesh& mesh, const Path& path) {
+  MeshPieces pieces(mesh, path, {});
+  int count = 0;
+  for (MeshMoment from = pieces.moment_at(0); from.time < 1; ++count) from = pieces.next(from);
+  return count;
+}
+
 /// A tetrahedron that turns, and `grounds` wide triangles that stay.
 int pieces_of_a_turn(Index grounds) {
   std::vector<Face> faces{{0, 1, 2}, {0, 1, 3}, {0, 2, 3}, {1, 2, 3}};
@@ -73,16 +81,28 @@ int pieces_of_a_turn(Index grounds) {
     bodies.insert(bodies.end(), 3, 1);
   }
   const Mesh mesh(static_cast<Index>(points.size()), faces);
-  const RigidPath path(points, bodies, {turned({}, {0, 0, 3}, {}), {}});
-  MeshPieces pieces(mesh, path, {});
-  int count = 0;
-  for (MeshMoment from = pieces.moment_at(0); from.time < 1; ++count) from = pieces.next(from);
-  return count;
+  return count_pieces(mesh, RigidPath(points, bodies, {turned({}, {0, 0, 3}, {}), {}}));
 }
 
 TEST(MeshPieces, AreAsLongAboveWideTrianglesAsAlone) {
   EXPECT_GT(pieces_of_a_turn(0), 4);
   EXPECT_EQ(pieces_of_a_turn(12), pieces_of_a_turn(0));
+}
+
+// Bug: one vertex 10^10 edges from an axis of rotation made 27 thousand pieces, in each of which the whole mesh is asked.
+TEST(MeshPieces, AreNotShorterForAFewVerticesFarAway) {
+  scenes::Scene scene;
+  scenes::add_grid_faces(scene, 0, 10, 10);
+  std::vector<Point> points;
+  for (int i = 0; i < 100; ++i) points.push_back({0.1 * (i % 10), 0.1 * (i / 10), 0});
+  const auto pieces_with = [&](const Point& last) {
+    points.push_back(last);
+    const Mesh mesh(101, scene.faces, {}, {100});
+    const int count = count_pieces(mesh, RigidPath(points, std::vector<Index>(101, 0), {turned({}, {0, 0, 1}, {})}));
+    points.pop_back();
+    return count;
+  };
+  EXPECT_EQ(pieces_with({1e9, 0, 1}), pieces_with({0.5, 0, 1}));
 }
 
 }  // namespace

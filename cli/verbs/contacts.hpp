@@ -2,6 +2,7 @@
 #pragma once
 #include "cli/look_output.hpp"
 #include "cli/report.hpp"
+#include "cli/start_check.hpp"
 #include "cli/verbs/step_verb.hpp"
 
 namespace tamis::cli {
@@ -14,6 +15,7 @@ class Contacts : public StepVerb {
     return "  tamis contacts cloth1.ply cloth2.ply\n"
            "  tamis contacts cloth1.ply cloth2.ply --out contacts.csv\n"
            "  tamis contacts cloth1.ply cloth2.ply --out contacts.png --from -1,0.5,2\n"
+           "  tamis contacts cloth1.ply cloth2.ply --check-start\n"
            "  tamis contacts cloth1.ply cloth2.ply --scale 0.5 --json\n"
            "  tamis contacts cloth1.ply cloth2.ply --min-separation 1e-3 --repeat 9";
   }
@@ -24,6 +26,7 @@ class Contacts : public StepVerb {
   void write(const Detector& detector, const StepFiles& files, const std::vector<Contact>& contacts) const;
   void report(const Tally& tally, const Detector& detector, const Timing& timing) const;
 
+  StartCheck start_check_;
   LookOutput output_{"", io::NoExtension::is_first_format};
 };
 

@@ -12,6 +12,7 @@ namespace tamis::cli {
 
 void Contacts::declare(OptionList& options) {
   StepVerb::declare(options);
+  start_check_.declare(options);
   output_.declare(options);
 }
 
@@ -20,6 +21,7 @@ int Contacts::run() {
   StepFiles files = read();
   Detector detector = detector_for(std::move(files.mesh));
   const Step step = files.step();
+  if (!start_check_.passes(detector, step.start)) return start_check_.refuse(detector, json_, Json::object());
   const std::vector<Contact>* contacts = nullptr;
   const Timing timing = ask_repeatedly(detector, repeat_, [&] { contacts = &detector.contacts(step, own()); });
   write(detector, files, *contacts);
@@ -40,11 +42,13 @@ void Contacts::report(const Tally& tally, const Detector& detector, const Timing
   if (json_) {
     Json json;
     add_tally(json, tally);
+    start_check_.add_to(json);
     add_costs(json, detector, timing);
     return print_json(json);
   }
   print_mesh(detector.mesh());
   print_tally(tally);
+  if (tally.is_free()) start_check_.print();
   if (!output_.path().empty()) fmt::print("written to      {}\n", printable(output_.path()));
   print_costs(detector.statistics(), timing, repeat_);
 }

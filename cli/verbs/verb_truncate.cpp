@@ -8,6 +8,7 @@
 #include "cli/command_line/printable.hpp"
 #include "cli/output_file.hpp"
 #include "cli/report.hpp"
+#include "cli/start_check.hpp"
 #include "cli/verbs/step_verb.hpp"
 #include "io/mesh/ply.hpp"
 
@@ -36,7 +37,8 @@ class Truncate final : public StepVerb {
   const char* summary() const override { return "Positions to go to: the way there is proven free"; }
   const char* examples() const override {
     return "  tamis truncate cloth1.ply cloth2.ply --out next.ply\n"
-           "  tamis truncate cloth1.ply cloth2.ply --out next.ply --keep 0.5 --json\n\n"
+           "  tamis truncate cloth1.ply cloth2.ply --out next.ply --keep 0.5 --json\n"
+           "  tamis truncate cloth1.ply cloth2.ply --out next.ply --check-start\n\n"
            "Exit code 1: something touches at the start. It comes no nearer, but no way from there is free.";
   }
 
@@ -47,6 +49,7 @@ class Truncate final : public StepVerb {
         "--keep", "F", keep_, {.least = 1e-6, .most = 1, .takes_most = false},
         "every pair keeps at least F of its distance at START, with a minimum separation of what exceeds that; "
         "default 0.1");
+    start_check_.declare(options);
   }
 
   int run() override {
@@ -54,6 +57,7 @@ class Truncate final : public StepVerb {
     StepFiles files = read();
     Detector detector = detector_for(std::move(files.mesh));
     const Step step = files.step();
+    if (!start_check_.passes(detector, step.start)) return start_check_.refuse(detector, json_, {{"free", false}});
     TruncatedStep to;
     const Timing timing = ask_repeatedly(detector, repeat_, [&] { to = detector.truncate(step, keep_, own()); });
     if (!out_.empty()) io::write_ply(out_, frame_of(detector.mesh(), files, to.positions));
@@ -65,6 +69,7 @@ class Truncate final : public StepVerb {
   void report(const TruncatedStep& to, double part, const Detector& detector, const Timing& timing) const {
     if (json_) {
       Json json{{"free", to.is_free}, {"part_of_way", part}};
+      start_check_.add_to(json);
       add_costs(json, detector, timing);
       return print_json(json);
     }
@@ -72,10 +77,12 @@ class Truncate final : public StepVerb {
     fmt::print(
         "truncated       to {:.6g} of the way, that of all vertices added up; {}\n", part,
         to.is_free ? "the straight way there is free, proven" : "something touches at the start, and comes no nearer");
+    if (to.is_free) start_check_.print();
     if (!out_.empty()) fmt::print("written to      {}\n", printable(out_));
     print_costs(detector.statistics(), timing, repeat_);
   }
 
+  StartCheck start_check_;
   std::string out_;
   double keep_ = 0.1;
 };

@@ -6,6 +6,7 @@
 #include "cli/answers.hpp"
 #include "cli/command_line/printable.hpp"
 #include "cli/output_file.hpp"
+#include "cli/start_check.hpp"
 #include "io/output/contacts_csv.hpp"
 #include "mpi/command/ranks_verb.hpp"
 #include "mpi/command/verbs.hpp"
@@ -51,6 +52,7 @@ class Contacts final : public RanksVerb {
 
   void print(const cli::Tally& tally) const {
     cli::print_tally(tally);
+    if (tally.is_free()) cli::StartCheck().print();
     if (!out_.empty()) fmt::print("written to      {}\n", cli::printable(out_));
   }
 

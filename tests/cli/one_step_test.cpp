@@ -98,7 +98,7 @@ TEST_F(OneStep, FreeAnswersByItsExitCode) {
 // Bug: "free, proven" of a mesh that is through itself, which says nothing about what it presupposes.
 TEST_F(OneStep, FreeSaysWhatItPresupposes) {
   folder_.write("pierced.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0.25 0.25 -1\nv 0.25 0.25 1\nf 1 2 3\nl 4 5\n");
-  for (const std::string verb : {"is-free", "earliest", "safe-step --keep 0.1", "sequence"}) {
+  for (const std::string verb : {"is-free", "earliest", "safe-step --keep 0.1", "contacts", "truncate", "sequence"}) {
     const std::string asks = verb + " pierced.obj pierced.obj";
     EXPECT_NE(folder_.run(asks).out.find("presupposes     a START that passes through nothing"), std::string::npos)
         << verb;
@@ -113,7 +113,10 @@ TEST_F(OneStep, FreeSaysWhatItPresupposes) {
     EXPECT_NE(folder_.run(fit).out.find("START           passes through nothing, proven"), std::string::npos) << verb;
     EXPECT_EQ(folder_.run(fit + " --json").json()["start_intersections"], 0) << verb;
   }
-  EXPECT_EQ(folder_.run("is-free pierced.obj pierced.obj --check-start --json").json()["free"], false);
+  for (const std::string verb : {"is-free", "truncate"})
+    EXPECT_EQ(folder_.run(verb + " pierced.obj pierced.obj --check-start --json").json()["free"], false) << verb;
+  folder_.run("contacts pierced.obj pierced.obj --check-start --out none.csv");
+  EXPECT_FALSE(std::filesystem::exists(folder_.path() / "none.csv"));
 }
 
 // Bug: the scale is applied to END instead of the motion, or not at all.

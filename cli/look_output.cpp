@@ -64,8 +64,9 @@ void LookOutput::check() const {
   }
 }
 
-void LookOutput::require(const std::vector<std::filesystem::path>& inputs, std::size_t steps) const {
-  require_output(path_, inputs);
+void LookOutput::require(const std::vector<std::filesystem::path>& inputs, std::size_t steps,
+                         bool answer_is_alone) const {
+  require_output(path_, inputs, answer_is_alone);
   check();
   if (path_.empty()) return;
   if (steps == 0 && !output().holds_pose)

@@ -25,7 +25,7 @@ class LookOutput {
   void check() const;
   /// Before the work: throws as check() and require_output(), and if the output does not hold so many steps; none: a
   /// pose.
-  void require(const std::vector<std::filesystem::path>& inputs, std::size_t steps) const;
+  void require(const std::vector<std::filesystem::path>& inputs, std::size_t steps, bool answer_is_alone) const;
   /// Nothing if there is no output.
   void write(const io::Recording& recording) const;
 

@@ -11,12 +11,30 @@
 namespace tamis::cli {
 namespace {
 
-/// A pipe or terminal may take both; of a file only the one that comes last would be left.
-bool is_taken_by(int stream, const std::filesystem::path& output) {
+/// The type of what both lead to; 0 if that is not the same.
+mode_t common_type(int stream, const std::filesystem::path& output) {
   struct stat of_stream {
   }, of_output{};
-  return fstat(stream, &of_stream) == 0 && stat(output.c_str(), &of_output) == 0 && S_ISREG(of_stream.st_mode) &&
-         of_stream.st_dev == of_output.st_dev && of_stream.st_ino == of_output.st_ino;
+  const bool is_same = fstat(stream, &of_stream) == 0 && stat(output.c_str(), &of_output) == 0 &&
+                       of_stream.st_dev == of_output.st_dev && of_stream.st_ino == of_output.st_ino;
+  return is_same ? of_stream.st_mode & S_IFMT : 0;
+}
+
+/// A pipe or terminal may take both; of a file only the one that comes last would be left.
+void require_not_taken(const std::filesystem::path& output) {
+  for (const int stream : {STDOUT_FILENO, STDERR_FILENO})
+    if (S_ISREG(common_type(stream, output)))
+      throw InvalidOptions(
+          fmt::format("--out {} is where the answer or its notes go: give another name", output.string()));
+}
+
+void require_not_mixed(const std::filesystem::path& output) {
+  const mode_t type = common_type(STDOUT_FILENO, output);
+  if (S_ISFIFO(type) || S_ISSOCK(type))
+    throw InvalidOptions(fmt::format(
+        "--out {} is the pipe that the answer goes to, and this answer (JSON, or rows that come one by one) must not "
+        "mix with anything: give another name, or in bash a pipe of its own, as in --out >(head)",
+        output.string()));
 }
 
 }  // namespace
@@ -26,16 +44,14 @@ void declare_output(OptionList& options, std::string& path, const std::string& h
 }
 
 void require_output(const std::filesystem::path& output, const std::vector<std::filesystem::path>& inputs,
-                    std::string_view extension) {
+                    bool answer_is_alone, std::string_view extension) {
   if (output.empty()) return;
   std::error_code error;
   for (const std::filesystem::path& input : inputs)
     if (std::filesystem::equivalent(output, input, error))
       throw InvalidOptions(fmt::format("--out {} would overwrite an input: give another name", output.string()));
-  for (const int stream : {STDOUT_FILENO, STDERR_FILENO})
-    if (is_taken_by(stream, output))
-      throw InvalidOptions(
-          fmt::format("--out {} is where the answer or its notes go: give another name", output.string()));
+  require_not_taken(output);
+  if (answer_is_alone) require_not_mixed(output);
   if (!extension.empty()) io::format_of(output, {&extension, 1});
   io::require_writable(output);
 }

@@ -14,8 +14,9 @@ void declare_output(OptionList& options, std::string& path, const std::string& h
 
 /// Before the work: throws InvalidOptions if `output` is one of the inputs, by whatever link or spelling, or the file
 /// that stdout or stderr goes to; io::FileError if its name has another extension than the one given here ("csv", if
-/// any), or if it cannot be written. An empty name, for no output, is fine.
+/// any), or if it cannot be written. An empty name, for no output, is fine. A pipe that stdout goes to, too, gets the
+/// file first, then the answer; unless `answer_is_alone`, as JSON is, or rows that are printed meanwhile: this throws.
 void require_output(const std::filesystem::path& output, const std::vector<std::filesystem::path>& inputs,
-                    std::string_view extension = {});
+                    bool answer_is_alone, std::string_view extension = {});
 
 }  // namespace tamis::cli

@@ -26,13 +26,22 @@ bool is_stream(const fs::path& path) {
   return fs::is_other(path, error) && !error;
 }
 
-/// The name at the end of all links; nothing need be there.
+/// A link of /proc/PID/fd, where /dev/stdout and /dev/fd/3 lead. Its text says what is open; that need not have a name.
+bool is_descriptor(const fs::path& name) {
+  std::error_code error;
+  const fs::path folder = fs::canonical(name.parent_path(), error);
+  return !error && folder.filename() == "fd" && folder.string().starts_with("/proc/");
+}
+
+bool is_written_directly(const fs::path& target) { return is_stream(target) || is_descriptor(target); }
+
+/// The name at the end of all links, or a descriptor's; nothing need be there.
 fs::path behind_links(const fs::path& path) {
   constexpr int kMostLinks = 40;  // as Linux has it
   fs::path name = path;
   std::error_code error;
   for (int i = 0; i < kMostLinks; ++i) {
-    if (!fs::is_symlink(name, error)) return name;
+    if (is_descriptor(name) || !fs::is_symlink(name, error)) return name;
     name = name.parent_path() / fs::read_symlink(name, error);
     if (error) refuse_to_write(path, error.value());
   }
@@ -58,8 +67,8 @@ AtomicFile::AtomicFile(const fs::path& path) : path_(path), target_(behind_links
   if (target_.empty()) refuse_to_write(path, ENOENT);
   if (fs::is_directory(target_, error)) refuse_to_write(path, EISDIR);
   try {
-    if (is_stream(target_))
-      file_.reset(std::fopen(target_.c_str(), "wb"));
+    if (is_written_directly(target_))
+      file_.reset(std::fopen(target_.c_str(), "ab"));  // of a descriptor's file: what is there stays
     else
       open_unfinished();
   } catch (const std::system_error& failure) {
@@ -100,7 +109,11 @@ void AtomicFile::commit() {
 }
 
 void require_writable(const fs::path& path) {
-  if (!is_stream(path)) AtomicFile{path};
+  const fs::path target = behind_links(path);
+  if (!is_written_directly(target))
+    AtomicFile{path};
+  else if (access(target.c_str(), W_OK) != 0)
+    refuse_to_write(path, errno);
 }
 
 void make_folder(const fs::path& path) {

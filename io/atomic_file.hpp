@@ -12,7 +12,8 @@ namespace tamis::io {
 
 /// Writes beside the final place under a temporary name; `commit` renames it. Without `commit` the file that was there
 /// stays as it was. The new file has the permissions of the one it replaces, and its owner as far as the system lets
-/// it; symbolic links are followed, also to a place where nothing is yet. A pipe or device is written directly.
+/// it; symbolic links are followed, also to a place where nothing is yet. A pipe or device is written directly;
+/// so is what a descriptor (/dev/stdout, /dev/fd/3) has open, at its end.
 class AtomicFile {
  public:
   /// Throws FileError if the file cannot be made or replaced.

@@ -61,8 +61,8 @@ class Audit final : public Verb {
     audit::require_sound(options_);
     if (!is_page()) options_.kept_bytes = 0;
     const io::MotionFiles files = io::motion_files(names_);
-    require_output(out_, files.all());
-    require_output(out_frames_, files.all(), "csv");
+    require_output(out_, files.all(), json_);
+    require_output(out_frames_, files.all(), json_, "csv");
     const auto source = io::open_motion(files);
     const auto start = std::chrono::steady_clock::now();
     const audit::Report report = audited(*source);

@@ -96,7 +96,7 @@ void Bench::check() {
     throw InvalidOptions("give either START and END or --scene");
   if (has_files && (triangles_option_.is_given() || seed_option_.is_given()))
     throw InvalidOptions("--triangles and --seed are of generated scenes: give --scene in place of START and END");
-  require_output(out_, {start_, end_}, "csv");
+  require_output(out_, {start_, end_}, true, "csv");
 }
 
 BenchmarkCase Bench::from_files() const {

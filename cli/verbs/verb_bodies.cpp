@@ -50,7 +50,7 @@ class Bodies final : public Verb {
     detector_.check();
     const QueryOptions own = at_start_.own();
     MovingBodies bodies(path_);
-    require_output(out_, bodies.inputs());
+    require_output(out_, bodies.inputs(), true);
     const bool is_film = !out_.empty() && io::format_of(out_, kShownAs) == 1;
     World world = bodies.world(detector_.options());
     BodiesTable table(bodies, json_);

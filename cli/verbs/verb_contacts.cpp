@@ -17,7 +17,7 @@ void Contacts::declare(OptionList& options) {
 }
 
 int Contacts::run() {
-  output_.require({start_, end_}, 1);
+  output_.require({start_, end_}, 1, json_);
   StepFiles files = read();
   Detector detector = detector_for(std::move(files.mesh));
   const Step step = files.step();

@@ -35,7 +35,7 @@ class IntersectionsVerb final : public PoseVerb {
   }
 
   int run() override {
-    output_.require({path_}, 0);
+    output_.require({path_}, 0, json_);
     io::MeshFile file = read();
     const std::vector<Point> positions = file.positions;
     Detector detector = detector_for(io::mesh_of(std::move(file)));

@@ -53,7 +53,7 @@ class Truncate final : public StepVerb {
   }
 
   int run() override {
-    require_output(out_, {start_, end_}, "ply");
+    require_output(out_, {start_, end_}, json_, "ply");
     StepFiles files = read();
     Detector detector = detector_for(std::move(files.mesh));
     const Step step = files.step();

@@ -45,7 +45,7 @@ class View final : public Verb {
     at_start_.own();
     output_.check();
     const MovingFrames frames(names_, 1);
-    output_.require(frames.paths(), frames.paths().size() - 1);
+    output_.require(frames.paths(), frames.paths().size() - 1, json_);
     Detector detector = detector_.detector(io::mesh_of(frames.first()));
     const io::Recording recording = frames.paths().size() == 1 ? pose_of(frames, detector) : steps_of(frames, detector);
     output_.write(recording);

@@ -30,7 +30,7 @@ class Within final : public PoseVerb {
   }
 
   int run() override {
-    require_output(out_, {path_}, "csv");
+    require_output(out_, {path_}, json_, "csv");
     io::MeshFile file = read();
     const std::vector<Point> positions = file.positions;
     Detector detector = detector_for(io::mesh_of(std::move(file)));

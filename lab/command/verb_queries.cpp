@@ -43,7 +43,7 @@ class Queries final : public cli::Verb {
   int run() override {
     const PairOptions options{min_separation_};
     const auto files = query_files(names_);
-    cli::require_output(out_, paths_of(files), "csv");
+    cli::require_output(out_, paths_of(files), json_, "csv");
     const std::map<std::string, QueryScore> folders = answer_all(files, options);
     QueryScore total;
     for (const auto& [name, score] : folders) total.add(score);

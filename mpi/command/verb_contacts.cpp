@@ -31,7 +31,7 @@ class Contacts final : public RanksVerb {
   int run() override {
     Communicator communicator(MPI_COMM_WORLD);
     together(communicator, [&] {
-      if (communicator.rank() == 0) cli::require_output(out_, {start_, end_}, "csv");
+      if (communicator.rank() == 0) cli::require_output(out_, {start_, end_}, json_, "csv");
     });
     const std::vector<Contact>* contacts = nullptr;
     ask_all(communicator, [&](Detector& detector, const Step& step) { contacts = &detector.contacts(step, own()); });

@@ -1,8 +1,11 @@
 #include "io/atomic_file.hpp"
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
 #include <sys/resource.h>
+#include <unistd.h>
 
+#include <array>
 #include <csignal>
 
 #include "io/messages.hpp"
@@ -152,6 +155,38 @@ TEST_F(AtomicFiles, WritesStraightIntoDevices) {
   file.append("gone");
   EXPECT_NO_THROW(file.commit());
   EXPECT_TRUE(fs::is_character_file("/dev/null"));
+}
+
+fs::path path_of(int descriptor) { return fmt::format("/dev/fd/{}", descriptor); }
+
+// Bug: the link's text, as "pipe:[7]", is taken for the name of a file.
+TEST_F(AtomicFiles, WritesStraightIntoAPipeThatIsOpen) {
+  std::array<int, 2> ends{};
+  ASSERT_EQ(pipe(ends.data()), 0);
+  EXPECT_NO_THROW(require_writable(path_of(ends[1])));
+  AtomicFile file(path_of(ends[1]));
+  file.append("through");
+  file.commit();
+  std::array<char, 8> bytes{};
+  EXPECT_EQ(read(ends[0], bytes.data(), bytes.size()), 7);
+  EXPECT_STREQ(bytes.data(), "through");
+  close(ends[0]);
+  close(ends[1]);
+  test::file_error(path_of(ends[1]).string(), [&] { require_writable(path_of(ends[1])); });
+}
+
+// Bug: whoever opened the file is left with one that has no name any more, or loses what was in it.
+TEST_F(AtomicFiles, WritesAtTheEndOfAFileThatIsOpen) {
+  const fs::path path = folder_.write("out.csv", "old, ");
+  const int open_file = open(path.c_str(), O_WRONLY | O_APPEND);
+  require_writable(path_of(open_file));
+  AtomicFile file(path_of(open_file));
+  file.append("new");
+  file.commit();
+  EXPECT_EQ(write(open_file, ", more", 6), 6);
+  close(open_file);
+  EXPECT_EQ(test::bytes_of_file(path), "old, new, more");
+  EXPECT_EQ(files_in(folder_.path()), 1u);
 }
 
 // Bug: a full disk goes unnoticed.

@@ -69,8 +69,10 @@ class Detector {
   /// Every edge that passes through a triangle or touches it, without a common vertex, by edge, then face: is this a
   /// pose to start from, and if not, why? Decided exactly. Radii do not matter; of the filter groups (an edge has that
   /// of its first vertex) and rings count, `accepts` does not. The vector is valid until the next such question.
+  /// Without faces there is nothing to find: of curves in the plane that cross each other ask `contacts({x, x})`, which
+  /// lists every pair that touches at x.
   const std::vector<Intersection>& intersections(const Positions& positions);
-  /// Is there any? Ends at the first.
+  /// Is there any? Ends at the first. Of curves in the plane ask `is_free({x, x})`, as above.
   bool has_intersection(const Positions& positions);
 
   /// Positions to go to, as doubles, so that every pair keeps `keep` of its distance, and one near pair does not

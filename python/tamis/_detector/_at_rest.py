@@ -41,6 +41,9 @@ class AtRest:
     def intersections(self, positions: npt.ArrayLike) -> Intersections:
         """Find every edge that passes through a triangle or touches it: exactly.
 
+        Without triangles there is nothing to find: of curves in the plane that cross each other ask ``contacts(x, x)``,
+        which lists every pair that touches at x.
+
         Parameters
         ----------
         positions : array_like, shape (n, 3)
@@ -55,6 +58,8 @@ class AtRest:
 
     def has_intersection(self, positions: npt.ArrayLike) -> bool:
         """Tell whether any edge passes through a triangle or touches it: whether this is no pose to start from.
+
+        Of curves in the plane ask ``is_free(x, x)``, as `intersections` says.
 
         Parameters
         ----------

@@ -147,11 +147,12 @@ class World {
   bool is_free(const QueryOptions& = {});
 
   /// Where all bodies are at t=0, rounded to doubles: pairs of features within `distance` plus both radii, in the same
-  /// order.
+  /// order. Two bodies that are Static are left out here and of the next two questions, even where they pass through
+  /// each other: before the first step tell them Rigid{interpolated(pose, pose)}, ask, and tell them Static again.
   std::vector<BodyNearPair> pairs_within(double distance);
-  /// Edges that pass through triangles there, by bodies, edge and face.
+  /// Edges that pass through triangles there, by bodies, edge and face; not of two Static bodies (`pairs_within`).
   std::vector<BodyIntersection> intersections();
-  /// Are there any? Ends at the first.
+  /// Are there any? Not of two Static bodies. Ends at the first.
   bool has_intersection();
 
   /// How far all may go, as Detector::safe_step. Where one of two bodies turns, QueryOptions::tolerance counts, and a

@@ -216,6 +216,8 @@ class Questions:
     def has_intersection(self) -> bool:
         """Tell whether any edge passes through a triangle or touches it at t=0: whether this is no start to move from.
 
+        Two bodies that only have poses are not asked about, as of `pairs_within`.
+
         Returns
         -------
         bool

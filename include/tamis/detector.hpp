@@ -56,8 +56,10 @@ class Detector {
   /// only contacts count, and `lower` is earliest()'s toi_lower. Larger values take longer where motion is fast.
   /// Which: 0.1 for a barrier's line search, where the next steps need room; 0.01 and less where a step should come
   /// near what it meets, as towards a first contact; 0.5 and more where distances may shrink slowly only. A pair that
-  /// is ignored at the start (AtStart) has nothing to keep: it ends the step where it touches again. Throws
-  /// InvalidOptions unless 0 <= keep < 1.
+  /// is ignored at the start (AtStart) has nothing to keep: it ends the step where it touches again. What is proven is
+  /// said of the straight motion: positions at a time up to `lower` are rounded to doubles, and pairs that are a few
+  /// units in the last place apart there may touch. Ask `is_free` of the step to the rounded positions, or `truncate`,
+  /// whose positions are proven as they are stored. Throws InvalidOptions unless 0 <= keep < 1.
   SafeStep safe_step(const Step& step, double keep = 0.1, const QueryOptions& = {});
 
   /// Every pair of features whose distance at rest is at most `distance` plus both radii (Options::radii), each

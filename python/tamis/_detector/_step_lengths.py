@@ -30,7 +30,9 @@ class StepLengths:
         """Find how far the step may go so that every pair keeps a fraction of its distance.
 
         The step length for the line search of a barrier method. The distance that counts is what exceeds the minimum
-        separation.
+        separation. What is proven is said of the straight motion: ``start + t * (end - start)`` is rounded, and pairs
+        that are a few units in the last place apart there may touch. Ask ``is_free(start, positions)`` of the rounded
+        positions, or `truncate`, whose positions are proven as they are stored.
 
         Parameters
         ----------

@@ -12,6 +12,12 @@
 namespace tamis {
 namespace {
 
+void check_vertex_count(Index vertex_count) {
+  if (vertex_count < 0)
+    throw InvalidMesh("the number of vertices is " + std::to_string(vertex_count) +
+                      ": give as many as there are positions");
+}
+
 void check_index(Index index, Index vertex_count, const char* what, std::size_t element) {
   if (index >= 0 && index < vertex_count) return;
   throw InvalidMesh(std::string(what) + " " + std::to_string(element) + " names vertex " + std::to_string(index) +
@@ -77,6 +83,7 @@ IndexRows faces_by(Index count, const std::vector<std::array<Index, 3>>& corners
 Mesh::Mesh(Index vertex_count, std::vector<Face> faces, const std::vector<Edge>& loose_edges,
            std::vector<Index> loose_points)
     : vertex_count_(vertex_count), faces_(std::move(faces)) {
+  check_vertex_count(vertex_count);
   require_countable(faces_.size(), loose_edges.size());
   check_indices(faces_, vertex_count, "face");
   check_indices(loose_edges, vertex_count, "loose edge");

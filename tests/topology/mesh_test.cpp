@@ -7,6 +7,7 @@
 #include <limits>
 #include <map>
 #include <set>
+#include <string>
 
 #include "support/test_names.hpp"
 #include "tamis/error.hpp"
@@ -104,6 +105,16 @@ TEST(Mesh, RefusesIndicesOutOfRangeAndNoFeatureAtAll) {
   EXPECT_THROW(Mesh(3, {{0, 1, 2}}, {{0, 3}}), InvalidMesh);
   EXPECT_THROW(Mesh(3, {{0, 1, 2}}, {}, {3}), InvalidMesh);
   EXPECT_THROW(Mesh(3, {}), InvalidMesh);
+}
+
+// Bug: the sentence of a mesh without features, whose advice does not help.
+TEST(Mesh, NamesANumberOfVerticesThatIsNegative) {
+  try {
+    Mesh(-1, {});
+    FAIL() << "there is no such mesh";
+  } catch (const InvalidMesh& error) {
+    EXPECT_NE(std::string(error.what()).find("the number of vertices is -1"), std::string::npos) << error.what();
+  }
 }
 
 // Numbers of edges and offsets of rows were cut to 32 bits without a word.

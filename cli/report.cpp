@@ -26,6 +26,11 @@ std::string grouped(std::uint64_t number) {
   return text;
 }
 
+std::string counted(std::uint64_t number, std::string_view noun, std::string_view nouns) {
+  if (number == 1) return fmt::format("1 {}", noun);
+  return nouns.empty() ? fmt::format("{} {}s", grouped(number), noun) : fmt::format("{} {}", grouped(number), nouns);
+}
+
 std::string no_later(double time) {
   constexpr double kLastDecimal = 1e-10;
   const std::string nearest = fmt::format("{:.10f}", time);
@@ -39,9 +44,9 @@ std::string readable(double seconds) {
 }
 
 void print_mesh(const Mesh& mesh) {
-  fmt::print("mesh            {} vertices, {} triangles, {} edges\n",
-             grouped(static_cast<std::uint64_t>(mesh.vertex_count())), grouped(mesh.faces().size()),
-             grouped(mesh.edges().size()));
+  fmt::print("mesh            {}, {}, {}\n",
+             counted(static_cast<std::uint64_t>(mesh.vertex_count()), "vertex", "vertices"),
+             counted(mesh.faces().size(), "triangle"), counted(mesh.edges().size(), "edge"));
 }
 
 namespace {

@@ -34,6 +34,8 @@ void print_costs(const Statistics& statistics, const Timing& timing, int repeat,
 std::uint64_t peak_memory_bytes();
 /// 1234567 as "1,234,567".
 std::string grouped(std::uint64_t number);
+/// "1 triangle", "2,000 triangles". `nouns`: unless it is `noun` and an s.
+std::string counted(std::uint64_t number, std::string_view noun, std::string_view nouns = {});
 /// A time of the step with ten decimals, rounded down: before it nothing touches if nothing does before `time`.
 std::string no_later(double time);
 /// Seconds in a unit that suits them.

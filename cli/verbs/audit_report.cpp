@@ -25,10 +25,6 @@ std::vector<std::size_t> bad_frames(const Report& report) {
   return bad;
 }
 
-std::string plural(std::uint64_t count, const char* noun) {
-  return fmt::format("{} {}{}", grouped(count), noun, count == 1 ? "" : "s");
-}
-
 /// The key of a place in Report::by_rings.
 std::string name_of_rings(const Report& report, std::size_t place) {
   const auto limit = static_cast<std::size_t>(report.ring_limit);
@@ -70,9 +66,9 @@ void print_found(const Report& report, const std::vector<std::size_t>& bad) {
   };
   const std::uint64_t frames = count([](const FrameAnswer& frame) { return frame.intersections() > 0; });
   const std::uint64_t steps = count([](const FrameAnswer& frame) { return frame.contacts() > 0; });
-  fmt::print("intersections   {} in {}\n", grouped(ef), plural(frames, "frame"));
+  fmt::print("intersections   {} in {}\n", grouped(ef), counted(frames, "frame"));
   fmt::print("contacts        {} in {}: {} vertex-face, {} edge-edge{}\n", grouped(vf + ee + ve + vv),
-             plural(steps, "step"), grouped(vf), grouped(ee),
+             counted(steps, "step"), grouped(vf), grouped(ee),
              ve + vv > 0 ? fmt::format(", {} vertex-edge, {} vertex-vertex", grouped(ve), grouped(vv)) : "");
   print_rings(report);
   fmt::print("first bad       frame {}, {}\n", bad.front(), printable(report.frames[bad.front()].name));
@@ -117,8 +113,8 @@ Json rings_of(const Report& report) {
 void print_audit(const Report& report, double seconds) {
   const std::vector<std::size_t> bad = bad_frames(report);
   print_bad(report, bad);
-  fmt::print("asked           {} and {}{}\n", plural(report.frames.size() - report.problems, "frame"),
-             plural(report.steps, "step"),
+  fmt::print("asked           {} and {}{}\n", counted(report.frames.size() - report.problems, "frame"),
+             counted(report.steps, "step"),
              report.segments.size() > 1 ? fmt::format(", of {} topologies", report.segments.size()) : "");
   if (bad.empty())
     fmt::print("found           {}\n", report.problems == 0 && !report.ended_by

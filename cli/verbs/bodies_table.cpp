@@ -28,9 +28,9 @@ std::array<std::string, 2> names_of(const BodyContact& contact, const std::vecto
 }  // namespace
 
 void BodiesTable::print_bodies() const {
-  fmt::print("bodies          {} static, {} rigid, {} deforming, with {} triangles\n",
-             grouped(bodies_.count_of(false, false)), grouped(bodies_.count_of(true, false)),
-             grouped(bodies_.count_of(true, true)), grouped(bodies_.triangle_count()));
+  fmt::print("bodies          {} static, {} rigid, {} deforming, with {}\n", grouped(bodies_.count_of(false, false)),
+             grouped(bodies_.count_of(true, false)), grouped(bodies_.count_of(true, true)),
+             counted(bodies_.triangle_count(), "triangle"));
 }
 
 int BodiesTable::refuse(const StartCheck& start) const {

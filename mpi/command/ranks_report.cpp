@@ -66,7 +66,8 @@ cli::Tally tally_of_all(Communicator& communicator, const std::vector<Contact>& 
 }
 
 void print_mesh(const StepParts& parts) {
-  fmt::print("mesh            {} vertices, {} triangles\n", grouped(parts.vertices), grouped(parts.triangles));
+  fmt::print("mesh            {}, {}\n", cli::counted(parts.vertices, "vertex", "vertices"),
+             cli::counted(parts.triangles, "triangle"));
 }
 
 void add_facts(Json& json, const StepParts& parts, const Options& options) {

@@ -17,6 +17,7 @@ TEST_F(OneStep, ContactsGoToATable) {
   const Outcome outcome = folder_.run("contacts above.obj below.obj --out c.csv");
   EXPECT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_EQ(outcome.err, "");
+  EXPECT_TRUE(outcome.out.starts_with("mesh            4 vertices, 1 triangle, 3 edges\n")) << outcome.out;
   const std::string table = bytes_of_file(folder_.path() / "c.csv");
   EXPECT_TRUE(table.starts_with("kind,v0,v1,v2,v3,toi_lower,toi_upper,u,v,status,nx,ny,nz\nvf,3,0,1,2,0.3")) << table;
 }

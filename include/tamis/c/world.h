@@ -124,8 +124,8 @@ TAMIS_API tamis_status tamis_world_is_free(tamis_world* world, const tamis_query
 TAMIS_API tamis_status tamis_world_safe_step(tamis_world* world, double keep, const tamis_query_options* options,
                                              tamis_safe_step* answer);
 /** Every pair of features within `distance` plus both radii at t=0, in the same order. Two static bodies are left out
- * here and of the next two questions, even where they pass through each other: before the first step tell them a rigid
- * motion that stays (tamis_interpolated of a pose and itself), ask, and tell them their poses again. */
+ * here and of the next two questions, even where they pass through each other: before the first step tell
+ * them a link whose pose is the same at both ends, ask, and tell them their poses again. */
 TAMIS_API tamis_status tamis_world_pairs_within(tamis_world* world, double distance, size_t* count);
 /** Every edge that passes through a triangle or touches it at t=0, by bodies, edge and face; not of two static
  * bodies. */

@@ -11,5 +11,5 @@ build=build/dev
 seconds=${1:?give the seconds}
 shift
 if [[ ${1-} == --build ]]; then build=$2; shift 2; fi
-[[ -x $build/bin/tamis ]] || { echo "hostile.sh: there is no $build/bin/tamis: build it first" >&2; exit 2; }
+[[ -x $build/bin/tamis ]] || { echo "hostile.sh: there is no $build/bin/tamis: build it first, as by cmake --preset dev && cmake --build --preset dev --target tamis_command" >&2; exit 2; }
 exec nice -n 10 python3 tests/hostile/hostile.py --tamis "$build/bin/tamis" --seconds "$seconds" "$@"

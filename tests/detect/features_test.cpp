@@ -80,7 +80,7 @@ TEST(SignedWeights, GiveTheVectorBetweenBothPoints) {
   EXPECT_EQ(weights_of(PairKind::edge_edge, 0.25, 0.5), (Weights{0.75, 0.25, -0.5, -0.5}));
   EXPECT_EQ(weights_of(PairKind::vertex_edge, 0.25, 0), (Weights{1, -0.75, -0.25, 0}));
   EXPECT_EQ(weights_of(PairKind::vertex_vertex, 0, 0), (Weights{1, -1, 0, 0}));
-  EXPECT_THROW(weights_of(static_cast<PairKind>(4), 0, 0), Error);
+  EXPECT_THROW(weights_of(static_cast<PairKind>(kPairKinds), 0, 0), Error);
 }
 
 // Bug: a weight of another vertex, or of another sign.

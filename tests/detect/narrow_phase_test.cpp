@@ -166,9 +166,9 @@ TEST(NarrowPhase, BadPairsAreNamedTheFirstOfThem) {
   pairs[11000].vertices[0] = static_cast<Index>(cases.start.size());
   EXPECT_EQ(sentence<InvalidStep>(pairs, step),
             "pair 9000: vertex -1 is no row of the step's " + count + " positions: give indices in [0, " + count + ")");
-  pairs[70].kind = static_cast<PairKind>(4);
+  pairs[70].kind = static_cast<PairKind>(kPairKinds);
   EXPECT_EQ(sentence<InvalidStep>(pairs, step),
-            "pair 70: no kind has the number 4: use one of the enumeration's names");
+            "pair 70: no kind has the number " + std::to_string(kPairKinds) + ": use one of the enumeration's names");
   for (const double bad : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()})
     for (std::size_t place = 0; place < 4; ++place) {
       auto end = cases.end;

@@ -89,7 +89,8 @@ TEST(MeshPieces, AreAsLongAboveWideTrianglesAsAlone) {
   EXPECT_EQ(pieces_of_a_turn(12), pieces_of_a_turn(0));
 }
 
-// Bug: one vertex 10^10 edges from an axis of rotation made 27 thousand pieces, in each of which the whole mesh is asked.
+// Bug: one vertex 10^10 edges from an axis of rotation made 27 thousand pieces, in each of which the whole mesh is
+// asked.
 TEST(MeshPieces, AreNotShorterForAFewVerticesFarAway) {
   scenes::Scene scene;
   scenes::add_grid_faces(scene, 0, 10, 10);

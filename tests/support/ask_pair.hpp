@@ -7,6 +7,7 @@ namespace tamis::test {
 
 inline constexpr std::array kAllKinds{PairKind::vertex_face, PairKind::edge_edge, PairKind::vertex_edge,
                                       PairKind::vertex_vertex};
+static_assert(kAllKinds.size() == kPairKinds, "tests ask all kinds: name the new one");
 
 inline PairResult ask_pair(PairKind kind, const oracle::Motion& m, const PairOptions& options) {
   switch (kind) {

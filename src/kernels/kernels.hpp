@@ -105,8 +105,9 @@ struct ListedPairs {
   WithinScratch* within = nullptr;  ///< where a separation is asked for, or a kind that cannot cross
 };
 
-/// The kernels of one kind of pairs; null where the kind has no use for one. Those that cull pairs append what they
-/// leave to `out`, which the caller empties before. REQUIRES (not checked: hot): room there for all of the pairs.
+/// The kernels of one kind of pairs; null where the kind has no use for one. Those that cull pairs, but
+/// cull_apart, append what they leave to `out`, which the caller empties before. REQUIRES (not checked: lanes): room
+/// there for all of the pairs.
 struct PairKernels {
   /// Finds the pairs of features of leaf block `block` of `a` with all of `b` whose moving boxes meet and that share
   /// no vertex, and others, which depend on how features are put into blocks (box_overlap.hpp); of edges: with the

@@ -89,11 +89,6 @@ PairResult decide(const PairInStep& pair, PrecisionCount& decided_by, double lat
   return decided->toi_lower > latest ? PairResult{} : *decided;
 }
 
-PairResult decide_undecided(const PairInStep& pair, PrecisionCount& decided_by, double latest) {
-  TAMIS_ASSERT(!decided_by_crossings(pair, latest));
-  return decide_further(pair, decided_by, latest);
-}
-
 PairResult decide_recontact(const PairInStep& pair, PrecisionCount& decided_by) {
   const PairMotion<double>& m = pair.motion;
   const auto again = is_finite(m) && m.separation > 0 ? first_recontact_within(pair.kind, m) : std::nullopt;

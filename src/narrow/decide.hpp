@@ -11,10 +11,6 @@ namespace tamis {
 /// Counts in `decided_by` which arithmetic had the last word. `latest`, in [0,1]: as in PairOptions.
 PairResult decide(const PairInStep& pair, PrecisionCount& decided_by, double latest = 1);
 
-/// The same. REQUIRES: decided_by_crossing.hpp does not decide the pair, which has been tried where many are tried at
-/// once.
-PairResult decide_undecided(const PairInStep& pair, PrecisionCount& decided_by, double latest = 1);
-
 /// Recontact: does a pair that touches at t=0 touch again, after it has come apart? REQUIRES (not checked: exact): it
 /// touches at t=0.
 PairResult decide_recontact(const PairInStep& pair, PrecisionCount& decided_by);

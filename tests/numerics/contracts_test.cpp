@@ -93,11 +93,5 @@ TEST_F(Contracts, AllOfTheDistanceKept) {
   EXPECT_DEATH(keeps_distance_until(kFace, kPassing, {1, 0}, 1, count), "rule.fraction < 1");
 }
 
-/// Lanes that gave another answer than doubles would be called upon here.
-TEST_F(Contracts, DecidedPairsAreNotAskedAgain) {
-  PrecisionCount count;
-  EXPECT_DEATH(decide_undecided(PairInStep(kFace, kPassing), count), "decided_by_crossings");
-}
-
 }  // namespace
 }  // namespace tamis::test

@@ -46,7 +46,8 @@ struct PairFilter {
   /// a vertex of the one to a vertex of the other. 1, which costs nothing: those with a common vertex, as always. 2:
   /// also those that an edge connects, and so on. Asked, after `accepts`, of pairs alone that would be in the answer.
   int rings = 1;
-  /// Pairs within one group are left out (no self-contact). One group a vertex, as above.
+  /// Pairs within one group are left out (no self-contact). One group a vertex, as above; memory goes by the square of
+  /// their number. Throws InvalidOptions on a group of 2^31 - 1.
   static PairFilter no_self_contact(std::vector<Index> group_of_vertex);
   /// Pairs of two static groups, or within one, are left out. `is_static`: one flag a group.
   static PairFilter no_static_pairs(std::vector<Index> group_of_vertex, const std::vector<bool>& is_static);

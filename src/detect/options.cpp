@@ -1,6 +1,10 @@
 #include "tamis/options.hpp"
 
+#include <algorithm>
+#include <limits>
+
 #include "detect/enum_names.hpp"
+#include "tamis/error.hpp"
 #include "tamis/stored.hpp"
 
 namespace tamis {
@@ -44,8 +48,13 @@ PairFilter matrix_filter(std::vector<Index> group_of_vertex, Index group_count, 
 }  // namespace
 
 PairFilter PairFilter::no_self_contact(std::vector<Index> group_of_vertex) {
+  constexpr Index kLast = std::numeric_limits<Index>::max();
   Index count = 1;
-  for (Index g : group_of_vertex) count = g < count ? count : g + 1;
+  for (const Index g : group_of_vertex) {
+    if (g == kLast)
+      throw InvalidOptions("a vertex is in group " + std::to_string(kLast) + ": number groups from 0 on, without gaps");
+    count = std::max(count, g + 1);
+  }
   return matrix_filter(std::move(group_of_vertex), count, [](Index a, Index b) { return a != b; });
 }
 

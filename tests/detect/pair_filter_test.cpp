@@ -154,5 +154,15 @@ TEST(PairFilterBlocks, PairsThatGroupsLeaveOutAreNotLookedAt) {
 INSTANTIATE_TEST_SUITE_P(Methods, PairFilters, testing::ValuesIn(kMethods),
                          [](const testing::TestParamInfo<Method>& method) { return test_name(name_of(method.param)); });
 
+// Bug: the number of groups overflowed, and the sentence named one that nobody had given.
+TEST(PairFilter, RefusesAGroupThatCannotBeCounted) {
+  try {
+    PairFilter::no_self_contact({0, 2147483647});
+    FAIL() << "such a group was taken";
+  } catch (const InvalidOptions& error) {
+    EXPECT_NE(std::string(error.what()).find("in group 2147483647"), std::string::npos) << error.what();
+  }
+}
+
 }  // namespace
 }  // namespace tamis::test

@@ -1,4 +1,5 @@
-// Curved motion of a whole mesh: two bodies that turn past each other, a little apart, alone and above a terrain.
+// Curved motion of a whole mesh: two bodies that turn past each other, a little apart: alone, above a terrain, and
+// where a point far away turns with one of them.
 // tamis_paths [TRIANGLES [REPEAT]]: a Markdown table; triangles of each body, medians, processor time of one thread.
 #include <algorithm>
 #include <cstdio>
@@ -66,7 +67,9 @@ void print_row(const char* where, const Bodies& bodies, const Motion& motion, in
   Options options;
   options.threads = 1;
   options.filter = PairFilter::no_self_contact(bodies.body);
-  Detector detector({static_cast<Index>(bodies.rest.size()), bodies.faces}, options);
+  std::vector<Index> points;  // what is of no face
+  if (bodies.body.back() == 0) points.push_back(static_cast<Index>(bodies.rest.size()) - 1);
+  Detector detector({static_cast<Index>(bodies.rest.size()), bodies.faces, {}, points}, options);
   const RigidPath path = path_of(bodies, motion);
   std::vector<double> times;
   EarliestContact first;
@@ -87,8 +90,10 @@ void print_row(const char* where, const Bodies& bodies, const Motion& motion, in
 int main(int count, char** arguments) {
   const Bodies alone = two_spheres(count > 1 ? std::atoi(arguments[1]) : 20000);
   const int repeat = count > 2 ? std::atoi(arguments[2]) : 9;
-  Bodies above_terrain = alone;
+  Bodies above_terrain = alone, with_far_point = alone;
   add_terrain(above_terrain, 60, 1e4);
+  with_far_point.rest.push_back({1e6, 0, 0});
+  with_far_point.body.push_back(0);
   std::printf(
       "| where | turn by, degrees | apart by | nearer by | free until | pairs decided | ms, earliest |\n"
       "|---|--:|--:|--:|--:|--:|--:|\n");
@@ -97,6 +102,7 @@ int main(int count, char** arguments) {
       for (const double approach : {0.0, 0.02}) {
         print_row("alone", alone, {degrees, gap, approach}, std::max(repeat, 1));
         print_row("above a terrain", above_terrain, {degrees, gap, approach}, std::max(repeat, 1));
+        print_row("and a point far away", with_far_point, {degrees, gap, approach}, std::max(repeat, 1));
       }
   return 0;
 }

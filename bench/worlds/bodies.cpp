@@ -66,4 +66,49 @@ void many_bodies(int count, int steps) {
   print_row("move of " + balls, static_cast<std::size_t>(count), milliseconds(steps, step_to, move_all));
 }
 
+/// Turning balls in rows above a ground of two triangles, near which only the first two are.
+void balls_above_a_ground(int steps) {
+  constexpr double kHalfWidth = 1e4;
+  const Shape ball = shape_of(scenes::unit_sphere(4));
+  World world(options());
+  world.add(Shape(Mesh(4, {{0, 1, 2}, {0, 2, 3}}), {{-kHalfWidth, -kHalfWidth, 0},
+                                                    {kHalfWidth, -kHalfWidth, 0},
+                                                    {kHalfWidth, kHalfWidth, 0},
+                                                    {-kHalfWidth, kHalfWidth, 0}}),
+            Static{});
+  constexpr int kBalls = 400, kSide = 20;
+  const auto turn = [](int body, int step) {
+    const double x = 3.0 * (body % kSide) + 0.01 * step, y = 3.0 * (body / kSide), z = body < 2 ? 1.002 : 40;
+    return Rigid{turned({{x, y, z}, {0.1 * step, 0, 0}}, {0.1, 0, 0}, {x + 0.01, y, z - 0.003})};
+  };
+  for (int body = 0; body < kBalls; ++body) world.add(ball, turn(body, 0));
+  EarliestBodyContact first;
+  const Cost cost = milliseconds(
+      steps,
+      [&](int step) {
+        for (int body = 0; body < kBalls; ++body) world.move(body + 1, turn(body, step));
+      },
+      [&] { first = world.earliest(); });
+  print_row("earliest of 400 turning balls above a wide ground, two near it", first.contact.has_value(), cost);
+}
+
+/// Two balls beside each other that hardly move, alone and where a small body flies far past them.
+void safe_steps_beside_a_far_flight(int steps) {
+  const Shape ball = shape_of(scenes::unit_sphere(6));
+  const Shape small(Mesh(4, {{0, 1, 2}, {0, 2, 3}, {0, 1, 3}, {1, 2, 3}}),
+                    {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}});
+  World world(options());
+  world.add(ball, Static{});
+  world.add(ball, Rigid{turned({{2.3, 0, 0}, {}}, {0, 0, 0.01}, {2.3, 0, 0})});
+  BodyStep safe;
+  const auto row = [&](const std::string& what) {
+    const Cost cost = milliseconds(
+        steps, [](int) {}, [&] { safe = world.safe_step(0.1); });
+    print_row("safe_step of two balls of 432 triangles" + what, safe.pair.has_value(), cost);
+  };
+  row("");
+  world.add(small, Rigid{turned({{-500, 3, 0}, {}}, {0.1, 0, 0}, {500, 3, 0})});
+  row(" that a small body flies past, 1,000 far");
+}
+
 }  // namespace tamis::worlds

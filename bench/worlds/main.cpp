@@ -7,8 +7,8 @@
 
 #include "worlds/rows.hpp"
 
-/// Which: two, many (or one of its numbers of bodies), machines (or nut), plates, radii, room, or arm; all without one,
-/// or "all".
+/// Which: two, many (or one of its numbers of bodies), far, machines (or nut), plates, radii, room, or arm; all without
+/// one, or "all".
 int main(int count, char** arguments) {
   using namespace tamis::worlds;
   const std::string named = count > 2 ? arguments[2] : "all", which = named == "all" ? "" : named;
@@ -18,6 +18,10 @@ int main(int count, char** arguments) {
   if (which.empty() || which == "two") two_large_bodies(steps);
   for (const int bodies : {1000, 10000})
     if (which.empty() || which == "many" || which == std::to_string(bodies)) many_bodies(bodies, steps);
+  if (which.empty() || which == "far") {
+    balls_above_a_ground(steps);
+    safe_steps_beside_a_far_flight(steps);
+  }
   if (which.empty() || which == "machines" || which == "nut") machines(which, steps);
   if (which.empty() || which == "plates") plates(steps);
   if (which.empty() || which == "radii") many_radii(20000, steps);

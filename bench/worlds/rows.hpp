@@ -32,6 +32,8 @@ Shape shape_of(const scenes::Shape& shape);
 // The rows, `steps` steps each.
 void two_large_bodies(int steps);
 void many_bodies(int count, int steps);
+void balls_above_a_ground(int steps);
+void safe_steps_beside_a_far_flight(int steps);
 /// `which`: nut, or all of them.
 void machines(const std::string& which, int steps);
 void plates(int steps);

@@ -79,14 +79,13 @@ class Detector {
 
   /// Positions to go to, as doubles, so that every pair keeps `keep` of its distance, and one near pair does not
   /// stop all: all vertices go together as far as every pair keeps a little more than that, from there each on its own
-  /// side of planes between the features that it could reach, by a quarter of the mean edge at most, so as to bound the
-  /// number of such pairs. What starts within the minimum separation may move as long as it comes no nearer (at a
-  /// distance of 0 not at all, not even apart), and all others go a quarter of the mean edge at most (of
-  /// their body, where the finest are four times as fine and more). What is ignored
-  /// at the start (AtStart) may move as it likes, but not apart and back. A caller who keeps floats says so by
-  /// `stored`: then all positions are floats' values, so that storing them changes nothing, and what is proven holds of
-  /// what is stored. Throws InvalidOptions unless 0 < keep < 1, InvalidStep where floats are stored and `start` is not
-  /// made of them, or `end` is beyond all of them.
+  /// side of planes between the features that it could reach, by a quarter of the mean edge at most (of its body's,
+  /// where the finest part has edges a fourth as long or shorter), so as to bound the number of such pairs. What starts
+  /// within the minimum separation may move as long as it comes no nearer (at a distance of 0 not at all, not even
+  /// apart), and all others go that quarter at most. What is ignored at the start (AtStart) may move as it likes, but
+  /// not apart and back. A caller who keeps floats says so by `stored`: then all positions are floats' values, so that
+  /// storing them changes nothing, and what is proven holds of what is stored. Throws InvalidOptions unless 0 < keep <
+  /// 1, InvalidStep where floats are stored and `start` is not made of them, or `end` is beyond all of them.
   TruncatedStep truncate(const Step& step, double keep = 0.1, const QueryOptions& = {},
                          Stored stored = Stored::float64);
 

@@ -46,7 +46,8 @@ Chain between(const Pose& start, const Pose& end, const Point& center = {0, 0, 0
 double nlerp_deviation(const Pose& start, const Pose& end);
 
 /// Bodies that move each on a chain of links; a vertex may go straight in its body's frame meanwhile. Positions:
-/// enclosed by interval arithmetic in doubles or double-double, sine and cosine by their alternating series.
+/// rotations rounded to doubles, with a proven error; enclosed by interval arithmetic in doubles or double-double where
+/// that is too coarse, sine and cosine by their alternating series.
 /// Deviations: |x''| (to - from)^2 / 8 (docs/numerics.md, "Curved motion").
 class RigidPath final : public Path {
  public:

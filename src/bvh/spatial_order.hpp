@@ -36,7 +36,7 @@ struct HalvesExtents {
 
 /// Splits `count` centers along their longest axis, in a stable way: the `lower` lowest move to the front of `centers`,
 /// the others to `scratch`, from place `lower` on. The rest of both, up to place `count`, is overwritten. `extents`: of
-/// all centers. REQUIRES (not checked: each): finite coordinates; 0 < lower < count. One of the kernels.
+/// all centers. REQUIRES (not checked: O(n)): finite coordinates; 0 < lower < count. One of the kernels.
 using Split = HalvesExtents (*)(const Centers& centers, const Centers& scratch, std::size_t count, std::size_t lower,
                                 ExtentBounds extents);
 

@@ -96,6 +96,7 @@ bool AlgebraicTime::are_equal(const AlgebraicTime& a, const AlgebraicTime& b) {
 }
 
 void AlgebraicTime::narrow(AlgebraicTime& a, AlgebraicTime& b) {
+  TAMIS_ASSERT(!a.is_exact_ || !b.is_exact_);
   const bool is_a_wider = !a.is_exact_ && (b.is_exact_ || a.cell_.k <= b.cell_.k);
   (is_a_wider ? a : b).refine();
 }

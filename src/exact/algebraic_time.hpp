@@ -34,7 +34,7 @@ class AlgebraicTime {
   DyadicCell upper_end() const { return is_exact_ ? cell_ : DyadicCell{cell_.n + 1, cell_.k}; }
   static bool are_equal(const AlgebraicTime& a, const AlgebraicTime& b);
   /// Refines the one in the wider cell: where one takes many steps, bits of the other would double in each.
-  /// REQUIRES (not checked: compare): not both are exact.
+  /// REQUIRES: not both are exact.
   static void narrow(AlgebraicTime& a, AlgebraicTime& b);
   void take_polynomial(IntegerPolynomial p);
   bool is_root_of(const IntegerPolynomial& q);

@@ -9,7 +9,7 @@
 // `proves_free` is true only where the pair is proven apart during the whole of the (possibly restricted) motion,
 // rounding included. Sizes that overflowed must come out false. A component that is NaN while its vector's size is not
 // does not occur: positions are checked at the boundary, and the difference of finite ones is finite, or infinite and
-// so is its size. T is double, or SIMD lanes of it.
+// so is its size. T is double, an interval, or SIMD lanes of doubles or floats.
 #pragma once
 #include <string_view>
 #include <type_traits>

@@ -16,9 +16,8 @@ namespace tamis::TAMIS_ISA {
 }
 
 /// Boxes that move, with the residuals of what they hold. A pair of features can, by search.keep, end the step only
-/// - if its clearance, and so the boxes' gap at t=0, is within ClearanceBounds; squares of lengths are compared: gaps
-/// are
-///   multiples of 2^-47, because boxes have margins, so that nothing that matters underflows;
+/// - if its clearance, and so the boxes' gap at t=0, is within ClearanceBounds; squares of lengths are compared, which
+///   do not underflow where it matters: gaps are multiples of 2^-47, because boxes have margins;
 /// - while the boxes are as near as the fraction of the largest clearance of such a pair, or of any pair between the
 ///   farthest corners. Boxes are wider by the minimum separation, which so is in all gaps.
 class KeepBoxes {

@@ -10,7 +10,7 @@ namespace tamis::TAMIS_ISA {
 /// (PairBuffer).
 enum class Course { step, along_edge };
 
-/// As scale_to_one in motion/make_motion.cpp: 2^(-1-exponent), kept in the normal range.
+/// As scale_below_one() (numerics/scale.hpp), in lanes: 2^(-1-exponent), kept in the normal range; of 0 another number.
 inline DoubleLanes scale_to_one(const DoubleLanes& size) {
   using Int64Lanes = xsimd::batch<std::int64_t, Arch>;
   const Int64Lanes biased = xsimd::bitwise_cast<Int64Lanes>(size) >> 52;

@@ -102,7 +102,7 @@ std::size_t partition_numbers(const float* numbers, std::size_t count, const IsL
   return lows;
 }
 
-/// REQUIRES (not checked: each): finite numbers within `extent`; rank < count. `low`, `high`: room for `count` each.
+/// REQUIRES (not checked: lanes): finite numbers within `extent`; rank < count. `low`, `high`: room for `count` each.
 inline Cut cut_at_rank(const float* numbers, std::size_t count, std::size_t rank, NumberRange extent, float* low,
                        float* high) {
   constexpr std::size_t kFew = 256;  // 64 and 128 take up to a tenth longer, 512 as long

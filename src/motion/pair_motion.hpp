@@ -3,7 +3,7 @@
 //   edge-edge   a0a1 against b0b1: e = a1 - a0,  f = b1 - b0,  d = b0 - a0
 //   vertex-edge p against a,b:     e = b - a,    f = 0,        d = p - a
 //   vertex-vertex p against q:     e = 0,        f = 0,        d = p - q
-// One template on the number type T: double, SIMD lanes, interval, exact rational.
+// One template on the number type T: double, SIMD lanes, double-double, interval, integers.
 #pragma once
 #include <cmath>
 

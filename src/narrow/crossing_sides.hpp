@@ -1,4 +1,5 @@
-// Do the features of a pair meet at the time at which their four points are coplanar? For double and for SIMD lanes.
+// Do the features of a pair meet at the time at which their four points are coplanar? For double, double-double and
+// SIMD lanes.
 #pragma once
 #include "motion/pair_kinds.hpp"
 #include "motion/pair_motion.hpp"

@@ -1,6 +1,6 @@
-// Double-double numbers: the unevaluated sum of two doubles, about 106 bits. For curved motion where doubles are too
-// coarse; the same templates run on it as on double. No FMA: a product is split as Dekker does, so
-// that every machine gives the same bits.
+// Double-double numbers: the unevaluated sum of two doubles, about 106 bits. For what doubles are too coarse
+// for, on curves and in straight motion; the same templates run on it as on double. No FMA: a product is split as
+// Dekker does, so that every machine gives the same bits.
 //
 // Error bounds after Joldes, Muller, Popescu, Tight and rigorous error bounds for basic building blocks of double-word
 // arithmetic (ACM TOMS 44, 2017), with u = 2^-53: sum 3 u^2 / (1 - 4 u) (theorem 3.1), with a double 2 u^2

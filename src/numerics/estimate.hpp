@@ -36,7 +36,7 @@ class Estimate {
 
   double value() const { return value_; }
   bool has_sign() const { return is_zero() || std::fabs(value_) > error_; }
-  /// REQUIRES (not checked: who takes note of it may go on): has_sign().
+  /// Means nothing unless has_sign(), which may be asked afterwards.
   int sign() const { return value_ > 0 ? 1 : value_ < 0 ? -1 : 0; }
   /// Is the value off by a few roundings at most? They are 2^-48 of `size`.
   bool is_sharp(double size) const { return error_ <= 0x1p-48 * size && std::isfinite(size); }

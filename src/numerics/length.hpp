@@ -6,7 +6,7 @@
 namespace tamis {
 
 /// Infinite where a component is: of three numbers the standard library's hypot makes NaN then (libstdc++ 12).
-/// REQUIRES (not checked: inner loop): numbers.
+/// REQUIRES (not checked: hot): numbers.
 inline double length_of(double x, double y, double z) {
   const double length = std::hypot(x, y, z);
   return std::isnan(length) ? std::numeric_limits<double>::infinity() : length;

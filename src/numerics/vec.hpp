@@ -1,4 +1,4 @@
-// Vectors over any number type: double, SIMD lanes, interval, exact rational.
+// Vectors over any number type: double, SIMD lanes, double-double, interval, integers.
 #pragma once
 
 namespace tamis {

@@ -8,7 +8,7 @@
 namespace tamis {
 
 /// Below 2^63 in size: coordinates of 61 bits (exact/units.hpp), their differences, and those of velocities. REQUIRES,
-/// all operators (not checked: hundreds a pair): what comes out fits.
+/// all operators (not checked: hot): what comes out fits.
 struct Word {
   std::int64_t value = 0;
 

@@ -23,7 +23,7 @@ struct MeshMoment {
 };
 
 /// The radius with which a vertex on its chord stands for its curve: its deviation, the error of its positions at both
-/// ends (`error`, on each axis), and the largest radius of its features (neighbourhood_maximum). Throws InvalidPath,
+/// ends (`error`, on each axis), and what is searched around it (PathSearch::radii_to_search). Throws InvalidPath,
 /// naming where the piece begins, unless that is finite.
 inline double chord_radius(Index vertex, double deviation, double error, double start, const Separations& separations) {
   double radius = (deviation + kRootOfThree * kRoundedUp * error) * (1 + 0x1p-50) + 0x1p-1000;

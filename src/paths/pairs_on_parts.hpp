@@ -23,7 +23,7 @@ class PairsOnParts {
 
   struct Piece {
     const Path& path;
-    Separations separations;         ///< the radii: the largest of each vertex' features
+    Separations separations;         ///< what is searched (PathSearch)
     std::span<const Contact> pairs;  ///< those that chords of the whole piece do not prove free
     const MeshMoment &from, &to;
     const std::function<bool()>& is_cancelled;

@@ -52,7 +52,8 @@ class PathParts {
 
   /// Cuts a part in up to three, `middle` being one of them.
   void cut(const PathPart<T>& part, const TimeInterval<double>& middle) {
-    const bool has_end = middle.t_out<part.to.time, has_start = middle.t_in> part.from.time;
+    const bool has_end = middle.t_out < part.to.time;
+    const bool has_start = middle.t_in > part.from.time;
     const Moment<T> start = has_start ? reader_.at<T>(middle.t_in) : part.from;
     const Moment<T> end = has_end ? reader_.at<T>(middle.t_out) : part.to;
     if (has_end) parts_.push_back({end, part.to});

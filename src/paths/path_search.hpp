@@ -45,8 +45,9 @@ class PathSearch {
   using PairKey = std::tuple<PairKind, PairVertices>;
   static PairKey key_of(const Contact& pair) { return {pair.kind, pair.vertices}; }
 
+  /// Of each vertex how far around it pairs are looked for, besides the fixed separation.
   std::vector<double> radii_to_search();
-  /// Leaves in candidates_ the pairs whose chords come within what they are searched with on a piece.
+  /// Leaves in candidates_ the pairs whose chords come within searched_ on a piece.
   void search_chords(const MeshMoment& from, const MeshMoment& to);
   /// Decides these pairs on their curves.
   void decide_all(Question question, const MeshMoment& from, const MeshMoment& to);

@@ -64,7 +64,8 @@ class Body {
   Point end_of(Index vertex) const;
   /// All vertices at a time of the step, with an error bound.
   BodyPoints points_at(double time) const;
-  /// Where its frame is at a time of the step; of a body that does not turn at t=0 or 1. REQUIRES: it does not deform.
+  /// Where its frame is at a time of the step; of a body that does not turn at t=0 or 1. Means nothing of a body that
+  /// deforms.
   RoundedTransform place_at(double time) const {
     return time == 0 ? at_start_ : time == 1 ? at_end_ : transform_at(chain(), time);
   }

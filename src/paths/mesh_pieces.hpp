@@ -9,8 +9,8 @@
 
 namespace tamis {
 
-/// How far vertices may deviate on the first piece, in mean fine edges (MeshPieces::adapt_length changes it). Longer
-/// pieces leave more pairs to be decided on parts of them, shorter ones search the whole mesh more often.
+/// How far vertices, but a few, may deviate on the first piece, in mean fine edges (MeshPieces::adapt_length changes
+/// it). Longer pieces leave more pairs to be decided on parts of them, shorter ones search the whole mesh more often.
 inline constexpr double kChordDeviationInEdges = 0x1p-6;
 /// A vertex is no farther from its shifted chord (ShiftedChords) than this part of its bound on the piece, where bounds
 /// go by the square of a piece's length.

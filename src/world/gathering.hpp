@@ -37,8 +37,8 @@ struct GatherMargin {
 /// all in a pose.
 struct Gathering {
   MotionKind least, most;  ///< of the body of a pair that moves most: such pairs are asked about
-  /// Items within so many mean edges more than needed are gathered, too, so that they serve the questions that follow;
-  /// more where these are answered without a search (GatherMargin).
+  /// Items within so many mean edges of the finest body more than needed are gathered, too, so that they serve the
+  /// questions that follow; more where these are answered without a search (GatherMargin).
   double margin_in_edges;
   std::unique_ptr<Gathered> gathered = nullptr;
   std::size_t needed_when_gathered = 0;               ///< items

@@ -54,8 +54,8 @@ void MeshPieces::read_deviations(double from, double to, std::vector<double>& de
   for (const Index v : mesh_.points()) check_deviation(v, from, to, deviations[at(v)]);
 }
 
-/// A few vertices may deviate more, as one far from an axis of rotation does: so few that there are not many pairs of
-/// them.
+/// A few vertices may deviate more, as one far from an axis of rotation does: so few that there are no more pairs of
+/// them than a sixteenth of all vertices.
 double MeshPieces::end_of(const MeshMoment& start) {
   if (!ends_.empty()) return *std::ranges::upper_bound(ends_, start.time);
   const double allowed = deviation_in_edges_ * mean_fine_edge(mesh_, start.points);
@@ -64,7 +64,8 @@ double MeshPieces::end_of(const MeshMoment& start) {
   for (; allowed > 0 && length > kShortestPiece; length *= kNearMiddle) {
     read_deviations(start.time, start.time + length, deviations_);
     const auto count = static_cast<std::size_t>(std::ranges::count_if(mesh_.points(), deviates_more));
-    if (count * count <= mesh_.points().size() / 16) break;
+    constexpr std::size_t kVerticesPerPairOfThem = 16;
+    if (kVerticesPerPairOfThem * count * count <= mesh_.points().size()) break;
   }
   return length < 1 - start.time ? start.time + length : 1;
 }

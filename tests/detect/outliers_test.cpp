@@ -10,6 +10,7 @@
 
 #include "lab/detector.hpp"
 #include "scenes/point_math.hpp"
+#include "scenes/scene_list.hpp"
 #include "support/contact_sets.hpp"
 #include "tamis/detector.hpp"
 

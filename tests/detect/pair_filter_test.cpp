@@ -11,6 +11,7 @@
 #include "support/flat_sheets.hpp"
 #include "support/test_names.hpp"
 #include "tamis/detector.hpp"
+#include "tamis/error.hpp"
 
 namespace tamis::test {
 namespace {

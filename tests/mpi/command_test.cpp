@@ -25,9 +25,16 @@ class MpiFolder : public CommandFolder {
   Outcome run_ranks(int ranks, const std::string& arguments) const {
     const std::string command = "timeout 300 " TAMIS_MPIRUN " -n " + std::to_string(ranks) +
                                 " '" TAMIS_MPI_COMMAND "' " + arguments + " >mpi.out 2>mpi.err </dev/null";
-    const int status = std::system(("cd '" + path().string() + "' && " + command).c_str());
+    const int status = std::system((in_folder() + command).c_str());
     return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, bytes_of_file((path() / "mpi.out").string()),
             bytes_of_file((path() / "mpi.err").string())};
+  }
+
+  /// What stands before a command. Open MPI's own folder is in this one: that in /tmp, which all share, may be removed
+  /// by one run while another is about to make it, which then ends.
+  std::string in_folder() const {
+    const std::string quoted = "'" + path().string() + "'";
+    return "cd " + quoted + "; export TMPDIR=" + quoted + "; ";
   }
 
   std::string bytes_of(const std::string& name) const { return bytes_of_file((path() / name).string()); }
@@ -159,7 +166,7 @@ TEST_F(MpiCommand, ARankThatDiesLeavesNoFile) {
   const std::string kill_one =
       "(sleep 3; for p in /proc/[0-9]*; do if (tr '\\0' ' ' <$p/cmdline) 2>/dev/null | grep -q '^" TAMIS_MPI_COMMAND
       " contacts start.ply end.ply --out dead.csv'; then kill -9 ${p#/proc/}; break; fi; done) & ";
-  const std::string command = "cd '" + folder_.path().string() + "'; " + kill_one +
+  const std::string command = folder_.in_folder() + kill_one +
                               "timeout 300 " TAMIS_MPIRUN " -n 3 '" TAMIS_MPI_COMMAND
                               "' contacts start.ply end.ply --out dead.csv --repeat 1000000 "
                               ">/dev/null 2>&1";

@@ -54,13 +54,8 @@ tamis_safe_step answer_of(const AnySafeStep& safe) {
   tamis_safe_step answer{};
   answer.lower = safe.lower;
   answer.upper = safe.upper;
-  std::fill_n(answer.bodies, 2, -1);
-  if (!safe.pair) return answer;
-  answer.has_pair = 1;
-  answer.kind = static_cast<int32_t>(safe.pair->kind);
-  std::copy(safe.pair->vertices.begin(), safe.pair->vertices.end(), answer.vertices);
-  answer.distance = safe.pair->distance;
-  write_bodies(*safe.pair, answer.bodies);
+  answer.has_pair = safe.pair.has_value();
+  if (safe.pair) answer.pair = near_pair_of(*safe.pair);
   return answer;
 }
 

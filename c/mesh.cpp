@@ -84,9 +84,9 @@ tamis_status tamis_mesh_features_of(tamis_mesh* mesh, int32_t kind, const int32_
     std::array<tamis::Index, 4> given;
     std::copy_n(&required(vertices, "vertices"), 4, given.begin());
     int32_t &one = required(first, "first"), &other = required(second, "second");
-    const tamis::FeaturePair pair = features_of(made, known_kind(kind), given);
-    one = pair.first;
-    other = pair.second;
+    const auto [a, b] = features_of(made, known_kind(kind), given);
+    one = a;
+    other = b;
   });
 }
 

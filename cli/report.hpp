@@ -20,7 +20,7 @@ using io::tally_of;
 
 Json json_of(const Seconds& seconds);
 Json json_of(const Contact& contact);
-Json json_of(const LimitingPair& pair);
+Json json_of(const NearPair& pair);
 /// Adds what every question has: seconds, stages, decided_by, threads and so on.
 void add_costs(Json& json, const Detector& detector, const Timing& timing);
 /// The one object on stdout.

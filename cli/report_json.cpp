@@ -22,8 +22,13 @@ Json json_of(const Contact& c) {
           {"normal", c.normal}};
 }
 
-Json json_of(const LimitingPair& pair) {
-  return {{"kind", name_of(pair.kind)}, {"vertices", pair.vertices}, {"distance", pair.distance}};
+Json json_of(const NearPair& pair) {
+  return {{"kind", name_of(pair.kind)},
+          {"vertices", pair.vertices},
+          {"distance", pair.distance},
+          {"u", pair.u},
+          {"v", pair.v},
+          {"direction", pair.direction}};
 }
 
 void add_costs(Json& json, const Detector& detector, const Timing& timing) {

@@ -46,7 +46,6 @@ StageInputs Workload::inputs_of(PairKind kind) const {
   StageInputs inputs;
   auto slab = std::make_unique<PairBuffer>(), filtered = std::make_unique<PairBuffer>();
   search(kind, [&](PairBuffer& pairs) {
-    slab->count = filtered->count = 0;
     kernels_.of(kind).slab(motion_.view(), pairs, *slab);
     kernels_.of(kind).filter(motion_.view(), *slab, *filtered);
     keep(inputs.slab, pairs);

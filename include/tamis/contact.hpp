@@ -1,14 +1,13 @@
-// The answers: one contact, and what is said of a whole step.
+// Contacts of a step: one, and the first of all.
 #pragma once
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string_view>
-#include <vector>
 
 #include "tamis/mesh.hpp"
-#include "tamis/step.hpp"
+#include "tamis/positions.hpp"
 
 namespace tamis {
 
@@ -51,15 +50,12 @@ struct Contact {
   Point normal;
 };
 
-/// The two features of a pair by their places: of a face in Mesh::faces(), of an edge in Mesh::edges(), of a vertex its
+/// Both features of a pair, the first one first, by their places: of a face in Mesh::faces(), of an edge in Mesh::edges(), of a vertex its
 /// index. For those who keep data by feature: a Contact names vertices, as does a NearPair. Mesh::edges() has an order
 /// of its own, which another library's list of edges need not have: Mesh::find_edge leads from one to the other. Throws
 /// InvalidMesh where the mesh has no such vertex, edge or face (a face counts in the mesh's order of its vertices
 /// only), or there is no such kind.
-struct FeaturePair {
-  Index first, second;
-};
-FeaturePair features_of(const Mesh& mesh, PairKind kind, const std::array<Index, 4>& vertices);
+std::array<Index, 2> features_of(const Mesh& mesh, PairKind kind, const std::array<Index, 4>& vertices);
 
 /// Of each of a pair's vertices, as signed weights that add up to 0: sums over the first feature's give its point, and
 /// those over the second's the other point, negative. So the sum over all is the vector from the second point to the
@@ -77,42 +73,6 @@ struct EarliestContact {
   double toi_upper = 1;
   /// The contact that bounds the step first; none if the step is free.
   std::optional<Contact> contact;
-};
-
-/// The pair of features that ends a step: kind and vertices as in Contact.
-struct LimitingPair {
-  PairKind kind;
-  std::array<Index, 4> vertices;
-  /// At t=0, in the unit of the positions, as near as NearPair::distance is; on a path, of the positions as rounded.
-  double distance;
-};
-
-/// Answer to "how far may the step go so that every pair keeps a fraction of its distance?". The distance that counts
-/// is what exceeds the minimum separation.
-struct SafeStep {
-  /// On [0, lower] every pair keeps at least the fraction, and on [0, lower) none touches: proven. 1 if the whole step
-  /// may go; 0 only if a pair touches (comes within the minimum separation) at t=0, and is not ignored for it, or
-  /// (upper > 0) may have lost its part sooner than at any positive double.
-  double lower = 1;
-  /// At this time some pair has no more than the fraction left: proven; 1 if that is not known of any time.
-  double upper = 1;
-  /// The pair that ends the step at `lower`; none if the whole step may go.
-  std::optional<LimitingPair> pair;
-};
-
-/// Where a step may end, each vertex on its own line towards its end.
-struct TruncatedStep {
-  /// One a vertex: where to go. On the straight way there from the start of the step, to these very doubles, every pair
-  /// keeps the fraction of its distance, as far as that exceeds the minimum separation and both radii: proven. A pair
-  /// that starts within those keeps all of its distance but a millionth, or none of its vertices moves; one that is
-  /// ignored for it (AtStart) does not come back to them once it has left them.
-  std::vector<Point> positions;
-  /// One a vertex: how much of its way it goes, in [0, 1], 1 for vertices that take no part in contacts. What
-  /// start + fraction (end - start) is rounded to need not be `positions`.
-  std::vector<double> fractions;
-  /// The whole way is free of contacts. False: some pair touches (is within the minimum separation) at the start, and
-  /// is not ignored for it.
-  bool is_free = true;
 };
 
 }  // namespace tamis

@@ -10,6 +10,7 @@
 #include "tamis/proximity.hpp"
 #include "tamis/statistics.hpp"
 #include "tamis/step.hpp"
+#include "tamis/step_length.hpp"
 #include "tamis/stored.hpp"
 
 namespace tamis {

@@ -7,6 +7,7 @@
 
 #include "tamis/contact.hpp"
 #include "tamis/options.hpp"
+#include "tamis/step.hpp"
 
 namespace tamis {
 

@@ -1,7 +1,10 @@
 // The distance of one pair of features, and until when the pair keeps a part of it.
 #pragma once
 #include "tamis/pair.hpp"
+#include "tamis/positions.hpp"
 #include "tamis/proximity.hpp"
+#include "tamis/step.hpp"
+#include "tamis/step_length.hpp"
 
 namespace tamis {
 

@@ -16,5 +16,6 @@
 #include "tamis/spline_path.hpp"
 #include "tamis/statistics.hpp"
 #include "tamis/step.hpp"
+#include "tamis/step_length.hpp"
 #include "tamis/stored.hpp"
 #include "tamis/world.hpp"

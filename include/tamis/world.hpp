@@ -88,10 +88,7 @@ struct BodyPoints {
 struct BodyStep {
   double lower = 1;  ///< as in SafeStep
   double upper = 1;
-  struct Pair : LimitingPair {
-    std::array<BodyId, 2> bodies;
-  };
-  std::optional<Pair> pair;
+  std::optional<BodyNearPair> pair;
 };
 
 /// Bodies, and the questions of a Detector about them: each moves during t in [0,1] as it was told last. Pairs of

@@ -1,6 +1,6 @@
 // Small answers as tuples; the Python side gives their parts names.
 #pragma once
-#include <array>
+#include <optional>
 #include <vector>
 
 #include "python/src/arrays.hpp"
@@ -8,23 +8,18 @@
 
 namespace tamis::python {
 
-inline nb::tuple as_tuple(const std::array<Index, 4>& v) { return nb::make_tuple(v[0], v[1], v[2], v[3]); }
-
-inline nb::tuple as_tuple(const LimitingPair& pair) {
-  return nb::make_tuple(static_cast<int>(pair.kind), as_tuple(pair.vertices), pair.distance);
-}
-
-inline nb::tuple as_tuple(const BodyStep::Pair& pair) {
-  const LimitingPair& features = pair;
-  return nb::make_tuple(pair.bodies[0], pair.bodies[1], as_tuple(features));
+/// None or one, as rows.
+template <class Answer>
+nb::object rows_of(const std::optional<Answer>& answer) {
+  std::vector<Answer> rows;
+  if (answer) rows.push_back(*answer);
+  return own_bytes(std::move(rows));
 }
 
 /// Of an EarliestContact, or one of bodies.
 template <class Earliest>
 nb::tuple earliest_tuple(const Earliest& first) {
-  std::vector<typename decltype(first.contact)::value_type> contact;
-  if (first.contact) contact.push_back(*first.contact);
-  return nb::make_tuple(first.toi_lower, first.toi_upper, own_bytes(std::move(contact)));
+  return nb::make_tuple(first.toi_lower, first.toi_upper, rows_of(first.contact));
 }
 
 /// Both times of each, then which have a contact, and those.
@@ -47,8 +42,7 @@ inline nb::tuple earliest_columns(const std::vector<EarliestBodyContact>& each) 
 /// Of a SafeStep, or one of bodies.
 template <class Step>
 nb::tuple step_tuple(const Step& safe) {
-  const nb::object pair = safe.pair ? nb::object(as_tuple(*safe.pair)) : nb::none();
-  return nb::make_tuple(safe.lower, safe.upper, pair);
+  return nb::make_tuple(safe.lower, safe.upper, rows_of(safe.pair));
 }
 
 }  // namespace tamis::python

@@ -10,7 +10,7 @@ curved motion, such as `RigidPath`; a `World` has bodies that move each in its o
 """
 
 from tamis import _core
-from tamis._answers import EarliestContact, LimitingPair, SafeStep, TruncatedStep
+from tamis._answers import EarliestContact, SafeStep, TruncatedStep
 from tamis._audit._audit import audit
 from tamis._audit._auditor import Auditor, StepReport
 from tamis._audit._gltf import read_gltf
@@ -39,7 +39,6 @@ from tamis._world._tables import (
     BodyContacts,
     BodyIntersection,
     BodyIntersections,
-    BodyLimitingPair,
     BodyNearPair,
     BodyNearPairs,
     BodyStep,
@@ -63,7 +62,6 @@ __all__ = [
     "BodyContacts",
     "BodyIntersection",
     "BodyIntersections",
-    "BodyLimitingPair",
     "BodyNearPair",
     "BodyNearPairs",
     "BodyStep",
@@ -86,7 +84,6 @@ __all__ = [
     "InvalidOptions",
     "InvalidPath",
     "InvalidStep",
-    "LimitingPair",
     "Mesh",
     "MeshFile",
     "Motion",

@@ -5,8 +5,8 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, NamedTuple
 
 from tamis._arrays import Doubles
-from tamis._kinds import PairKind
 from tamis._tables._contacts import Contact, Contacts
+from tamis._tables._near import NearPair, NearPairs
 
 if TYPE_CHECKING:
     from tamis import _core
@@ -37,14 +37,6 @@ def earliest_of(found: _core._Earliest) -> EarliestContact:
     return EarliestContact(lower, upper, contacts[0] if len(contacts) else None)
 
 
-class LimitingPair(NamedTuple):
-    """The pair of features that ends a step; `distance` is how far apart it is at the start, rounded."""
-
-    kind: PairKind
-    vertices: tuple[int, int, int, int]
-    distance: float
-
-
 class SafeStep(NamedTuple):
     """How far the step may go so that every pair keeps a fraction of its distance.
 
@@ -55,19 +47,20 @@ class SafeStep(NamedTuple):
         step may go.
     upper : float
         At this time some pair has no more than the fraction left: proven; 1 if that is not known of any time.
-    pair : LimitingPair or None
-        The pair that ends the step; None if the whole step may go.
+    pair : NearPair or None
+        The pair that ends the step, as it is at the start; None if the whole step may go.
     """
 
     lower: float
     upper: float
-    pair: LimitingPair | None
+    pair: NearPair | None
 
 
 def safe_step_of(found: _core._SafeStep) -> SafeStep:
     """Give what the compiled part has found its names."""
-    lower, upper, pair = found
-    return SafeStep(lower, upper, None if pair is None else LimitingPair(PairKind(pair[0]), *pair[1:]))
+    lower, upper, rows = found
+    pairs = NearPairs(rows)
+    return SafeStep(lower, upper, pairs[0] if len(pairs) else None)
 
 
 class TruncatedStep(NamedTuple):

@@ -50,7 +50,7 @@ Index known_face(const Mesh& mesh, const Face& face) {
 
 }  // namespace
 
-FeaturePair features_of(const Mesh& mesh, PairKind kind, const std::array<Index, 4>& v) {
+std::array<Index, 2> features_of(const Mesh& mesh, PairKind kind, const std::array<Index, 4>& v) {
   switch (kind) {
     case PairKind::vertex_face:
       return {known_vertex(mesh, v[0]), known_face(mesh, {v[1], v[2], v[3]})};

@@ -133,8 +133,7 @@ SafeStep Detector::State::safe_step(const Step& step, double keep, const QueryOp
   const EarliestContact first = earliest(step, asked);
   if (!first.contact) return {};
   const Contact& c = *first.contact;
-  const double distance = start_distance(c.kind, points_of(step, c.vertices));
-  return {first.toi_lower, first.toi_upper, LimitingPair{c.kind, c.vertices, distance}};
+  return {first.toi_lower, first.toi_upper, near_pair(c.kind, c.vertices, points_of(step, c.vertices))};
 }
 
 SafeStep Detector::State::step_length(const Query& query, double keep, AtStart at_start) {

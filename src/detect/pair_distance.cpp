@@ -54,7 +54,7 @@ SafeStep safe_step(const Pair& pair, const Step& step, double keep, const PairOp
   const PairPoints points = points_of(step, vertices);
   const End end = keep > 0 ? end_by_distance(pair, points, keep, options) : end_by_contact(pair, points, options);
   if (!end) return {options.latest, 1, {}};
-  return {end->t_in, end->t_out, LimitingPair{pair.kind, vertices, start_distance(pair.kind, points)}};
+  return {end->t_in, end->t_out, near_pair(pair.kind, vertices, points)};
 }
 
 }  // namespace tamis

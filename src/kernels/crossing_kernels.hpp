@@ -17,6 +17,7 @@ constexpr int corners_of(Course course) { return course == Course::along_edge ? 
 /// In floats: the times need not be sharp here, and twice as many pairs fit.
 template <PairKind kind, Course course = Course::step>
 void slab(const MotionView& motion, const PairBuffer& in, PairBuffer& out) {
+  out.count = 0;
   for (int first = 0; first < in.count; first += kFloatLanes) {
     const auto time =
         SlabClip::clip<kind>(load_box_motion<kind, course>(motion, in, first), load_time<FloatLanes>(in, first));
@@ -28,6 +29,7 @@ void slab(const MotionView& motion, const PairBuffer& in, PairBuffer& out) {
 template <PairKind kind, Course course = Course::step>
 int filter(const MotionView& motion, const PairBuffer& in, PairBuffer& out) {
   int ncf_count = 0;
+  out.count = 0;
   for (int first = 0; first < in.count; first += kDoubleLanes) {
     const auto time = load_time<DoubleLanes>(in, first);
     const auto m = restrict_to(load_motion<kind, course>(motion.vertices, in, first), time.t_in, time.t_out);
@@ -42,6 +44,7 @@ int filter(const MotionView& motion, const PairBuffer& in, PairBuffer& out) {
 
 template <PairKind kind>
 void filter_deviating(const MotionView& motion, double deviation, const PairBuffer& in, PairBuffer& out) {
+  out.count = 0;
   for (int first = 0; first < in.count; first += kDoubleLanes) {
     const auto time = load_time<DoubleLanes>(in, first);
     const auto whole = load_motion<kind>(motion.vertices, in, first, {deviation, false});  // scaled as the motion is

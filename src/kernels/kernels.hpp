@@ -105,9 +105,8 @@ struct ListedPairs {
   WithinScratch* within = nullptr;  ///< where a separation is asked for, or a kind that cannot cross
 };
 
-/// The kernels of one kind of pairs; null where the kind has no use for one. Those that cull pairs, but
-/// cull_apart, append what they leave to `out`, which the caller empties before. REQUIRES (not checked: lanes): room
-/// there for all of the pairs.
+/// The kernels of one kind of pairs; null where the kind has no use for one. Those that cull pairs write what they leave
+/// to `out`, in place of what was there.
 struct PairKernels {
   /// Finds the pairs of features of leaf block `block` of `a` with all of `b` whose moving boxes meet and that share
   /// no vertex, and others, which depend on how features are put into blocks (box_overlap.hpp); of edges: with the
@@ -138,7 +137,7 @@ struct PairKernels {
   /// that do, but none that does after `latest`, and those left undecided; returns their number.
   int (*come_within)(const MotionView& motion, double latest, const PairBuffer& in, WithinScratch& scratch,
                      SolvedPair* out) = nullptr;
-  /// At rest: appends the pairs within their separation to `near`, and to `unsure` those that may be, whose distance
+  /// At rest: writes the pairs within their separation to `near`, and to `unsure` those that may be, whose distance
   /// doubles do not give sharply enough.
   void (*find_within_at_rest)(const MotionView& motion, const PairBuffer& in, PairBuffer& near,
                               PairBuffer& unsure) = nullptr;

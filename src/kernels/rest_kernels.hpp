@@ -32,6 +32,7 @@ void find_within_at_rest(const MotionView& motion, const PairBuffer& in, PairBuf
     store_corners(lanes, in, first, to, to.count);
     to.count += __builtin_popcount(lanes);
   };
+  near.count = unsure.count = 0;
   for (int first = 0; first < in.count; first += kFloatLanes) {
     unsigned far = 0, sharp = 0;
     for (int lane = 0; lane < kFloatLanes; lane += kDoubleLanes) {

@@ -27,6 +27,7 @@ void leave_out_kept(const MotionView& motion, const KeepRule& rule, PairBuffer& 
 template <PairKind kind>
 void may_end_step(const MotionView& motion, const KeepRule& rule, PairBuffer& in, PairBuffer& out) {
   leave_out_kept<kind>(motion, rule, in);
+  out.count = 0;
   for (int first = 0; first < in.count; first += kFloatLanes) {
     const auto m = load_motion_as_float<kind>(motion, in, first);
     const KeptGap<kind, FloatLanes> gap(m, FloatLanes(rule.fraction));

@@ -19,18 +19,26 @@ KeptSeparation kept_separation(const Path& path, PairKind kind, const PairVertic
   const auto kept = [&](double distance) {
     return (separation + rule.fraction * std::max(distance - separation, 0.0)) / reader.scale();
   };
-  return {kept(low) * (1 - 0x1p-50), kept(high) * (1 + 0x1p-50) + 0x1p-1000,
-          start_distance(kind, points) / reader.scale(), !(low > separation)};
+  return {kept(low) * (1 - 0x1p-50), kept(high) * (1 + 0x1p-50) + 0x1p-1000, !(low > separation)};
+}
+
+/// Of the rounded positions at t=0, in their own unit.
+NearPair near_pair_at_start(const Path& path, PairKind kind, const PairVertices& vertices) {
+  const PairReader reader(path, vertices, 0);
+  const auto moment = reader.at<double>(0);
+  NearPair pair = near_pair(kind, vertices, points_between(moment, moment));
+  pair.distance /= reader.scale();
+  return pair;
 }
 
 SafeStep PathSearch::find_step_length() {
   const EarliestContact first = first_of(find(Question::earliest));
   if (!first.contact) return {};
   const auto& [kind, certainty, vertices, toi_lower, toi_upper, u, v, normal] = *first.contact;
-  const DistanceRule rule{asked_.keep, asked_.separations.between(kind, vertices)};
-  const KeptSeparation kept = kept_separation(asked_.path, kind, vertices, rule);
-  SafeStep step{toi_lower, first.toi_upper, LimitingPair{kind, vertices, kept.distance}};
+  SafeStep step{toi_lower, first.toi_upper, near_pair_at_start(asked_.path, kind, vertices)};
   if (asked_.keep > 0) {
+    const DistanceRule rule{asked_.keep, asked_.separations.between(kind, vertices)};
+    const KeptSeparation kept = kept_separation(asked_.path, kind, vertices, rule);
     const PathQuestion question{asked_.path, kind, vertices, kept.low, asked_.tolerance, options_.is_cancelled};
     const Decision decision = decide_on_path(question, {toi_lower, 1});
     step.upper = decision.touches() ? decision.upper : 1;

@@ -11,7 +11,6 @@ namespace tamis {
 /// D + F (distance at t=0 - D), between proven bounds.
 struct KeptSeparation {
   double low, high;
-  double distance;        ///< at t=0, rounded
   bool may_start_within;  ///< D: not proven apart at t=0
 };
 KeptSeparation kept_separation(const Path& path, PairKind kind, const PairVertices& vertices, const DistanceRule& rule);

@@ -6,7 +6,7 @@
 #include "numerics/assert.hpp"
 #include "query/pair_vertices.hpp"
 #include "query/query.hpp"
-#include "tamis/contact.hpp"
+#include "tamis/step_length.hpp"
 
 namespace tamis {
 
@@ -28,13 +28,12 @@ struct StepLimit {
     return time == 0 && key() < StepLimit{0, other_kind, others}.key();
   }
 
-  /// As an answer to safe_step, with the time by which the pair is proven to end the step, and its distance.
+  /// As an answer to safe_step, with the time by which the pair is proven to end the step, and where it starts.
   SafeStep answer(const Query& query, double fraction) const {
     if (time == 1) return {};
     const DistanceRule rule = query.distance_rule_for(kind, vertices, fraction);
     const PairPoints points = points_of(query.step, vertices);
-    return {time, fraction_is_left_at(kind, points, rule, time),
-            LimitingPair{kind, vertices, start_distance(kind, points)}};
+    return {time, fraction_is_left_at(kind, points, rule, time), near_pair(kind, vertices, points)};
   }
 
  private:

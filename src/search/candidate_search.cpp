@@ -17,7 +17,6 @@ void CandidateConsumer::consume(PairKind kind) {
   const MotionView motion = thread().motion.view();
   const PairKernels& stages = thread().kernels.of(kind);
   leave_out_groups(query().filter, kind, boxes);
-  clipped.count = filtered.count = 0;
   stages.slab(motion, boxes, clipped);
   if (can_cross(kind) && !query().separations.any())
     stages.filter_deviating(motion, shared_->deviation, clipped, filtered);

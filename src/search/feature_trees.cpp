@@ -138,6 +138,22 @@ bool FeatureTrees::is_order_good(LooksAt looks_at) {
   return now.swept <= kPoorArea * built.swept && !(may_pay && best_axes(looks_at).time == 0);
 }
 
+/// The compiler names a kind that is forgotten here.
+std::array<const BlockTree*, 2> FeatureTrees::trees_of(PairKind kind) const {
+  switch (kind) {
+    case PairKind::vertex_face:
+      return {&points_, &faces_};
+    case PairKind::edge_edge:
+      return {&edges_, &edges_};
+    case PairKind::vertex_edge:
+      return {&loose_points_, &loose_edges_};
+    case PairKind::vertex_vertex:
+      return {&loose_points_, &loose_points_};
+  }
+  TAMIS_ASSERT(false);
+  return {};
+}
+
 void FeatureTrees::mark(std::span<const std::uint8_t> of_vertex) {
   for (BlockTree* tree : trees()) tree->mark(of_vertex);
 }

@@ -50,15 +50,12 @@ class FeatureTrees {
   int most_leaf_blocks() const { return std::max(points_.view().leaf_blocks, edges_.view().leaf_blocks); }
   TreeView edges() const { return edges_.view(); }
   TreeView faces() const { return faces_.view(); }
-  /// Calls f(kind, a, b) for each kind of pair, with the trees of its two features. Loose points are searched against
-  /// loose edges and each other: all other contacts of points and edges are among those of faces and of edges.
+  /// Calls f(kind, a, b) for each kind of which the mesh has pairs, with the trees of its two features.
   template <class F>
   void for_each_kind(const F& f) const {
-    f(PairKind::vertex_face, points_.view(), faces_.view());
-    f(PairKind::edge_edge, edges_.view(), edges_.view());
-    if (loose_.points.empty()) return;
-    if (!loose_.edges.empty()) f(PairKind::vertex_edge, loose_points_.view(), loose_edges_.view());
-    f(PairKind::vertex_vertex, loose_points_.view(), loose_points_.view());
+    for (std::size_t i = 0; i < kPairKinds; ++i)
+      if (const auto& [a, b] = trees_of(static_cast<PairKind>(i)); a->feature_count() > 0 && b->feature_count() > 0)
+        f(static_cast<PairKind>(i), a->view(), b->view());
   }
 
   const PackedMotion& motion() const { return motion_; }
@@ -72,6 +69,9 @@ class FeatureTrees {
   bool is_order_of_start() const { return axes_.time == 0; }
   OrderAxes best_axes(LooksAt looks_at) const;
   BlockTree::Areas areas() const;
+  /// Of both features of a kind. Loose points are searched against loose edges and each other: all other contacts of
+  /// points and edges are among those of faces and of edges.
+  std::array<const BlockTree*, 2> trees_of(PairKind kind) const;
   std::array<BlockTree*, 5> trees() { return {&points_, &edges_, &faces_, &loose_points_, &loose_edges_}; }
   std::array<const BlockTree*, 5> trees() const { return {&points_, &edges_, &faces_, &loose_points_, &loose_edges_}; }
   /// Calls f(tree) for each, for all at a time where they are large.

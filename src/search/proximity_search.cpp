@@ -20,7 +20,6 @@ void ProximityConsumer::consume(PairKind kind) {
   SearchCounts& counts = thread().counts;
   PairBuffer &boxes = thread().boxes, &within = thread().clipped, &unsure = thread().filtered;
   of(counts.boxes, kind) += static_cast<std::uint64_t>(boxes.count);
-  within.count = unsure.count = 0;
   thread().kernels.of(kind).find_within_at_rest(thread().motion.view(), boxes, within, unsure);
   counts.decided_by.lanes += static_cast<std::uint64_t>(boxes.count - unsure.count);
   keep_wanted(unsure, [&](int i) {

@@ -8,7 +8,6 @@ void clip(SearchThread& thread, PairKind kind, const PairKernels& stages) {
   const auto entered = static_cast<std::uint64_t>(thread.boxes.count);
   of(thread.counts.boxes, kind) += entered;
   of(thread.counts.slab, kind) += entered;
-  thread.clipped.count = thread.filtered.count = 0;
   stages.slab(thread.motion.view(), thread.boxes, thread.clipped);
 }
 

@@ -48,10 +48,7 @@ void StepLengthConsumer::consume(PairKind kind) {
   if (limit_.time == 0) keep_wanted(boxes, [&](int i) { return !limit_.rules_out(kind, vertices_of(kind, boxes, i)); });
   leave_out_unchanged(query().changed, kind, boxes);  // costs less than what follows
   leave_out_groups(query().filter, kind, boxes);
-  if (can_cross(kind)) {
-    near.count = 0;
-    thread().kernels.of(kind).may_end_step(thread().motion.view(), shared_->rule(), boxes, near);
-  }
+  if (can_cross(kind)) thread().kernels.of(kind).may_end_step(thread().motion.view(), shared_->rule(), boxes, near);
   PairBuffer& left = can_cross(kind) ? near : boxes;  // loose points are few
   of(counts.near, kind) += static_cast<std::uint64_t>(left.count);
   leave_out(query().filter, kind, left);

@@ -57,7 +57,7 @@ static void what_is_answered(void) {
   tamis_near_pair near[8];
   tamis_intersection crossing;
   tamis_statistics statistics;
-  tamis_safe_step safe = {sizeof safe, 0, 0, 0, 0, {0}, 0, {0}};
+  tamis_safe_step safe = {sizeof safe};
   tamis_query_options options = {sizeof options, NULL, TAMIS_REPORT, 1e-3};
   const double far = 0.5;
   double lower = 0, upper = 0, first = 2;
@@ -117,7 +117,7 @@ static void what_goes_straight_and_what_deforms(void) {
   const tamis_pose upright = {{0, 0, 1}, {0, quarter, 0}};
   const double soft_start[] = {0, 0, 3, 2, 0, 3, 1, 0.5, 3}, soft_end[] = {0, 0, -1, 2, 0, 3, 1, 0.5, 3};
   const int32_t moved = 1;
-  tamis_safe_step safe = {sizeof safe, 0, 0, 0, 0, {0}, 0, {0}};
+  tamis_safe_step safe = {sizeof safe};
   tamis_contact contact;
   tamis_intersection crossing;
   int intersects = -1;
@@ -148,7 +148,7 @@ static void what_goes_straight_and_what_deforms(void) {
   EXPECT(lower <= 0.75 && 0.75 <= upper && upper - lower < 1e-6);
   EXPECT(tamis_world_copy_contacts(world, 0, 1, &contact, sizeof contact) == TAMIS_OK && contact.bodies[0] == soft);
   EXPECT(tamis_world_safe_step(world, 0.5, NULL, &safe) == TAMIS_OK);
-  EXPECT(fabs(safe.lower - 0.375) < 1e-6 && safe.bodies[0] == soft && safe.bodies[1] == 0 && safe.distance == 3);
+  EXPECT(fabs(safe.lower - 0.375) < 1e-6 && safe.pair.bodies[0] == soft && safe.pair.bodies[1] == 0 && safe.pair.distance == 3);
   motion.vertex_count = 2;
   EXPECT(tamis_world_move(world, &soft, &motion) == TAMIS_INVALID_STEP);
   EXPECT_SAYS(tamis_world_message(world), "give one point a vertex");

@@ -12,7 +12,7 @@
 namespace tamis {
 namespace {
 
-TEST(FeaturePairs, AreThePlacesOfAContactsFeatures) {
+TEST(FeaturesOf, AreThePlacesOfAContactsFeatures) {
   const scenes::Scene scene = scenes::scene_by_name("folded-cloth", 800, 3);
   Detector detector(scene.mesh());
   const Mesh& mesh = detector.mesh();
@@ -20,26 +20,23 @@ TEST(FeaturePairs, AreThePlacesOfAContactsFeatures) {
   ASSERT_FALSE(contacts.empty());
   for (const auto& c : contacts) {
     const auto& v = c.vertices;
-    const FeaturePair pair = features_of(mesh, c.kind, v);
-    const auto second = static_cast<std::size_t>(pair.second);
+    const auto [first, second_place] = features_of(mesh, c.kind, v);
+    const auto second = static_cast<std::size_t>(second_place);
     if (c.kind == PairKind::vertex_face) {
-      EXPECT_EQ(pair.first, v[0]);
+      EXPECT_EQ(first, v[0]);
       EXPECT_EQ(mesh.faces()[second], (Face{v[1], v[2], v[3]}));
     } else {
-      EXPECT_EQ(mesh.edges()[static_cast<std::size_t>(pair.first)], (Edge{v[0], v[1]}));
+      EXPECT_EQ(mesh.edges()[static_cast<std::size_t>(first)], (Edge{v[0], v[1]}));
       EXPECT_EQ(mesh.edges()[second], (Edge{v[2], v[3]}));
     }
   }
 }
 
-TEST(FeaturePairs, OfLoosePointsAreEdgesAndVertices) {
+TEST(FeaturesOf, OfLoosePointsAreEdgesAndVertices) {
   const Mesh mesh(5, {}, {{3, 2}, {2, 1}}, {0, 4});
-  const FeaturePair edge = features_of(mesh, PairKind::vertex_edge, {0, 2, 3, -1});
-  EXPECT_EQ(edge.first, 0);
-  EXPECT_EQ(edge.second, 1);
-  const FeaturePair points = features_of(mesh, PairKind::vertex_vertex, {0, 4, -1, -1});
-  EXPECT_EQ(points.first, 0);
-  EXPECT_EQ(points.second, 4);
+  using Places = std::array<Index, 2>;
+  EXPECT_EQ(features_of(mesh, PairKind::vertex_edge, {0, 2, 3, -1}), (Places{0, 1}));
+  EXPECT_EQ(features_of(mesh, PairKind::vertex_vertex, {0, 4, -1, -1}), (Places{0, 4}));
 }
 
 /// What is said of a pair that the mesh does not have; nothing if it is found.
@@ -53,7 +50,7 @@ std::string refusal(const Mesh& mesh, PairKind kind, const std::array<Index, 4>&
 }
 
 // Bugs: numbers of vertices that the mesh lacks came back as features, and -1 is a row of many a language's arrays.
-TEST(FeaturePairs, OfAnotherMeshAreRefusedByName) {
+TEST(FeaturesOf, OfAnotherMeshAreRefusedByName) {
   const Mesh mesh(5, {{0, 1, 2}, {3, 1, 2}}, {{3, 4}});
   const std::string advice = ": give a pair of this mesh, its vertices as in Contact";
   EXPECT_EQ(refusal(mesh, PairKind::vertex_face, {3, 0, 1, 2}), "");

@@ -38,8 +38,7 @@ Numbers numbers_of(const EarliestContact& first) {
 Numbers numbers_of(const SafeStep& safe) {
   Numbers numbers{safe.lower, safe.upper};
   if (!safe.pair) return numbers;
-  append(numbers, {double(safe.pair->kind), safe.pair->distance});
-  append_all(numbers, safe.pair->vertices);
+  append_all(numbers, numbers_of(std::vector{*safe.pair}));
   return numbers;
 }
 

@@ -51,19 +51,7 @@ typedef struct tamis_contact {
  * vertices alone it is the point there. TAMIS_INVALID_ARGUMENT: no such kind, or `weights` is NULL. */
 TAMIS_API tamis_status tamis_weights_of(int32_t kind, double u, double v, double* weights);
 
-/** How far a step may go so that a fraction of every distance is kept. */
-typedef struct tamis_safe_step {
-  size_t size;
-  double lower;        /**< on [0, lower] every pair keeps the fraction, on [0, lower) none touches: proven */
-  double upper;        /**< at this time some pair has no more than it left: proven; 1 if not known of any time */
-  int32_t has_pair;    /**< 0: the whole step may go */
-  int32_t kind;        /**< of the pair that ends the step, as in tamis_contact */
-  int32_t vertices[4]; /**< the same */
-  double distance;     /**< of the pair at t=0, rounded */
-  int32_t bodies[2];   /**< as in tamis_contact */
-} tamis_safe_step;
-
-/** A pair of features that are near each other at rest; see NearPair in tamis/proximity.hpp. */
+/** A pair of features that are near each other; see NearPair in tamis/proximity.hpp. */
 typedef struct tamis_near_pair {
   int32_t kind;
   int32_t vertices[4]; /**< as in tamis_contact */
@@ -72,6 +60,15 @@ typedef struct tamis_near_pair {
   double direction[3]; /**< from the second feature's closest point to the first's */
   int32_t bodies[2];   /**< as in tamis_contact */
 } tamis_near_pair;
+
+/** How far a step may go so that a fraction of every distance is kept. */
+typedef struct tamis_safe_step {
+  size_t size;
+  double lower;         /**< on [0, lower] every pair keeps the fraction, on [0, lower) none touches: proven */
+  double upper;         /**< at this time some pair has no more than it left: proven; 1 if not known of any time */
+  int32_t has_pair;     /**< 0: the whole step may go */
+  tamis_near_pair pair; /**< the one that ends the step, at t=0; without meaning if has_pair is 0 */
+} tamis_safe_step;
 
 /** An edge that passes through a triangle, or touches it; see Intersection in tamis/proximity.hpp. */
 typedef struct tamis_intersection {

@@ -59,7 +59,7 @@ enum { TAMIS_FLOAT64 = 0, TAMIS_FLOAT32 = 1 };
  * is how much of its way each goes, in [0, 1]; NULL: not wanted. *is_free is 0 if something touches at the start,
  * and is not ignored for it; of that no pair comes nearer. `stored` is TAMIS_FLOAT64 or TAMIS_FLOAT32: with the latter
  * all positions are floats' values, so that storing them as floats changes nothing, and the step's start must be made
- * of such. See TruncatedStep in tamis/contact.hpp. */
+ * of such. See TruncatedStep in tamis/step_length.hpp. */
 TAMIS_API tamis_status tamis_detector_truncate(tamis_detector* detector, const tamis_step* step, double keep,
                                                int32_t stored, double* positions, double* fractions, int* is_free);
 

@@ -102,15 +102,6 @@ class EarliestBodyContact(NamedTuple):
     contact: BodyContact | None
 
 
-class BodyLimitingPair(NamedTuple):
-    """The pair of features that ends a step, as `LimitingPair`, and whose they are."""
-
-    bodies: BodyPair
-    kind: PairKind
-    vertices: tuple[int, int, int, int]
-    distance: float
-
-
 class BodyStep(NamedTuple):
     """How far all bodies may go so that every pair keeps a fraction of its distance: as `SafeStep`.
 
@@ -118,13 +109,13 @@ class BodyStep(NamedTuple):
     ----------
     lower, upper : float
         As in `SafeStep`.
-    pair : BodyLimitingPair or None
-        The pair that ends the step; None if the whole step may go.
+    pair : BodyNearPair or None
+        The pair that ends the step, as it is at the start; None if the whole step may go.
     """
 
     lower: float
     upper: float
-    pair: BodyLimitingPair | None
+    pair: BodyNearPair | None
 
 
 class EarliestMany(NamedTuple):
@@ -166,13 +157,11 @@ def earliest_many_of(found: _core._EarliestMany) -> EarliestMany:
     return EarliestMany(lower, upper, touching, BodyContacts(rows))
 
 
-def body_step_of(found: _core._BodyStep) -> BodyStep:
+def body_step_of(found: _core._SafeStep) -> BodyStep:
     """Give what the compiled part has found its names."""
-    lower, upper, pair = found
-    if pair is None:
-        return BodyStep(lower, upper, None)
-    first, second, (kind, vertices, distance) = pair
-    return BodyStep(lower, upper, BodyLimitingPair((first, second), PairKind(kind), vertices, distance))
+    lower, upper, rows = found
+    pairs = BodyNearPairs(rows)
+    return BodyStep(lower, upper, pairs[0] if len(pairs) else None)
 
 
 class OfBodies(Table[Row]):

@@ -50,11 +50,11 @@ struct Contact {
   Point normal;
 };
 
-/// Both features of a pair, the first one first, by their places: of a face in Mesh::faces(), of an edge in Mesh::edges(), of a vertex its
-/// index. For those who keep data by feature: a Contact names vertices, as does a NearPair. Mesh::edges() has an order
-/// of its own, which another library's list of edges need not have: Mesh::find_edge leads from one to the other. Throws
-/// InvalidMesh where the mesh has no such vertex, edge or face (a face counts in the mesh's order of its vertices
-/// only), or there is no such kind.
+/// Both features of a pair, the first one first, by their places: of a face in Mesh::faces(), of an edge in
+/// Mesh::edges(), of a vertex its index. For those who keep data by feature: a Contact names vertices, as does a
+/// NearPair. Mesh::edges() has an order of its own, which another library's list of edges need not have:
+/// Mesh::find_edge leads from one to the other. Throws InvalidMesh where the mesh has no such vertex, edge or face (a
+/// face counts in the mesh's order of its vertices only), or there is no such kind.
 std::array<Index, 2> features_of(const Mesh& mesh, PairKind kind, const std::array<Index, 4>& vertices);
 
 /// Of each of a pair's vertices, as signed weights that add up to 0: sums over the first feature's give its point, and

@@ -20,6 +20,8 @@ namespace tamis {
 /// a common vertex. The answers do not depend on the number of threads, on the instruction set, or on earlier
 /// questions. One question at a time: a second one meanwhile, of another thread or of a function that the question
 /// calls (a filter, a path), throws Busy at once. Such functions may ask other detectors, and use oneTBB.
+/// Lists stay in the detector until the next such question; of a detector that nobody keeps, as in
+/// `for (const Contact& c : Detector(mesh).contacts(step))`, the caller gets them.
 class Detector {
  public:
   /// Throws InvalidOptions: negative threads, a separation or radius that is negative or not finite, an instruction
@@ -35,7 +37,8 @@ class Detector {
   /// bring of its own is in QueryOptions: InvalidOptions unless its separation is finite and >= 0, and where it has a
   /// tolerance. Every question throws InvalidStep unless start and end have one row of three numbers for each vertex of
   /// the mesh, finite for those in mesh().points(); and with AtStart::fail if a pair touches at t=0.
-  const std::vector<Contact>& contacts(const Step& step, const QueryOptions& = {});
+  const std::vector<Contact>& contacts(const Step& step, const QueryOptions& = {}) &;
+  std::vector<Contact> contacts(const Step& step, const QueryOptions& asked = {}) && { return contacts(step, asked); }
   /// The same contacts in the caller's own vector, not copied: its memory and the detector's change places.
   void contacts(const Step& step, std::vector<Contact>& result, const QueryOptions& = {});
   /// The first contact: how far the step may go; `truncate` says to which positions. Its bracket may differ from that
@@ -49,7 +52,8 @@ class Detector {
   /// pairs that come nearer than their deviations are held at a time. Throw InvalidPath where the path does not fit the
   /// mesh or breaks its promises, InvalidOptions. With AtStart::ignore a pair that may touch at t=0 counts from the
   /// first of some times on at which it is proven apart (docs/numerics.md, "Curved motion").
-  const std::vector<Contact>& contacts(const Path& path, const QueryOptions& = {});
+  const std::vector<Contact>& contacts(const Path& path, const QueryOptions& = {}) &;
+  std::vector<Contact> contacts(const Path& path, const QueryOptions& asked = {}) && { return contacts(path, asked); }
   EarliestContact earliest(const Path& path, const QueryOptions& = {});
   bool is_free(const Path& path, const QueryOptions& = {});
   /// How far may the step go so that the distance of every pair, as far as it exceeds the minimum separation and both
@@ -67,14 +71,16 @@ class Detector {
   /// once, by kind, then vertices: what a barrier or penalty method starts from. Some that are farther apart by less
   /// than NearPair::distance may be off can be among them. The vector is valid until the next such question. Throws
   /// InvalidOptions unless `distance` is finite and >= 0, InvalidStep as above.
-  const std::vector<NearPair>& pairs_within(const Positions& positions, double distance);
+  const std::vector<NearPair>& pairs_within(const Positions& positions, double distance) &;
+  std::vector<NearPair> pairs_within(const Positions& at, double distance) && { return pairs_within(at, distance); }
 
   /// Every edge that passes through a triangle or touches it, without a common vertex, by edge, then face: is this a
   /// pose to start from, and if not, why? Decided exactly. Radii do not matter; of the filter groups (an edge has that
   /// of its first vertex) and rings count, `accepts` does not. The vector is valid until the next such question.
   /// Without faces there is nothing to find: of curves in the plane that cross each other ask `contacts({x, x})`, which
   /// lists every pair that touches at x.
-  const std::vector<Intersection>& intersections(const Positions& positions);
+  const std::vector<Intersection>& intersections(const Positions& positions) &;
+  std::vector<Intersection> intersections(const Positions& positions) && { return intersections(positions); }
   /// Is there any? Ends at the first. Of curves in the plane ask `is_free({x, x})`, as above.
   bool has_intersection(const Positions& positions);
 

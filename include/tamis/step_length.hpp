@@ -17,8 +17,8 @@ struct SafeStep {
   double lower = 1;
   /// At this time some pair has no more than the fraction left: proven; 1 if that is not known of any time.
   double upper = 1;
-  /// The pair that ends the step at `lower`, as it is at t=0 (on a path, of the positions as rounded); none if the whole
-  /// step may go.
+  /// The pair that ends the step at `lower`, as it is at t=0 (on a path, of the positions as rounded); none if the
+  /// whole step may go.
   std::optional<NearPair> pair;
 };
 

@@ -2,6 +2,7 @@
 #pragma once
 #include "mpi/src/communicator.hpp"
 #include "tamis/contact.hpp"
+#include "tamis/step_length.hpp"
 
 namespace tamis::distributed {
 

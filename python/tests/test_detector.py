@@ -62,7 +62,8 @@ def test_all_questions_agree(start: np.ndarray, end: np.ndarray) -> None:
 def test_keeping_half_of_the_distance(detector: tamis.Detector, falling: tamis.Scene) -> None:
     safe = detector.safe_step(falling.start, falling.end, 0.5)
     assert safe.lower == pytest.approx(0.25, abs=1e-6) and safe.lower <= 0.25 <= safe.upper
-    assert safe.pair == (tamis.PairKind.VERTEX_FACE, (3, 0, 1, 2), 1.0)
+    assert safe.pair == detector.pairs_within(falling.start, 1)[0]
+    assert safe.pair.vertices == (3, 0, 1, 2) and safe.pair.direction == (0, 0, 1)
 
 
 def test_a_free_step(detector: tamis.Detector, falling: tamis.Scene) -> None:

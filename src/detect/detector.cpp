@@ -17,7 +17,7 @@ Detector::State& Detector::state() const {
   return *state_;
 }
 
-const std::vector<Contact>& Detector::contacts(const Step& step, const QueryOptions& options) {
+const std::vector<Contact>& Detector::contacts(const Step& step, const QueryOptions& options) & {
   return LockedState(*this)->find_contacts(step, options);
 }
 
@@ -39,11 +39,11 @@ bool Detector::is_free(const Step& step, const QueryOptions& options) {
   return LockedState(*this)->is_free(step, options);
 }
 
-const std::vector<NearPair>& Detector::pairs_within(const Positions& positions, double distance) {
+const std::vector<NearPair>& Detector::pairs_within(const Positions& positions, double distance) & {
   return LockedState(*this)->find_near(positions, distance);
 }
 
-const std::vector<Intersection>& Detector::intersections(const Positions& positions) {
+const std::vector<Intersection>& Detector::intersections(const Positions& positions) & {
   return LockedState(*this)->find_intersections(positions, Question::all_contacts);
 }
 
@@ -51,7 +51,7 @@ bool Detector::has_intersection(const Positions& positions) {
   return !LockedState(*this)->find_intersections(positions, Question::is_free).empty();
 }
 
-const std::vector<Contact>& Detector::contacts(const Path& path, const QueryOptions& options) {
+const std::vector<Contact>& Detector::contacts(const Path& path, const QueryOptions& options) & {
   return LockedState(*this)->find_contacts(CutPath{path}, options);
 }
 

@@ -105,8 +105,8 @@ struct ListedPairs {
   WithinScratch* within = nullptr;  ///< where a separation is asked for, or a kind that cannot cross
 };
 
-/// The kernels of one kind of pairs; null where the kind has no use for one. Those that cull pairs write what they leave
-/// to `out`, in place of what was there.
+/// The kernels of one kind of pairs; null where the kind has no use for one. Those that cull pairs write what they
+/// leave to `out`, in place of what was there.
 struct PairKernels {
   /// Finds the pairs of features of leaf block `block` of `a` with all of `b` whose moving boxes meet and that share
   /// no vertex, and others, which depend on how features are put into blocks (box_overlap.hpp); of edges: with the

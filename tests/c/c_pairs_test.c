@@ -140,7 +140,8 @@ static void kept_distance(void) {
   tamis_pairs* pairs = NULL;
   EXPECT(tamis_pairs_create(NULL, &pairs) == TAMIS_OK);
   EXPECT(tamis_pair_safe_step(pairs, &pair, &step, 0.2, &safe) == TAMIS_OK);
-  EXPECT(safe.has_pair == 1 && safe.pair.kind == TAMIS_VERTEX_FACE && safe.pair.vertices[3] == 3 && safe.pair.distance == 1);
+  EXPECT(safe.has_pair == 1 && safe.pair.kind == TAMIS_VERTEX_FACE && safe.pair.vertices[3] == 3 &&
+         safe.pair.distance == 1);
   EXPECT(safe.lower <= 0.2 && safe.lower > 0.19 && safe.upper >= 0.2);
   step.min_separation = &half;
   EXPECT(tamis_pair_safe_step(pairs, &pair, &step, 0, &safe) == TAMIS_OK);

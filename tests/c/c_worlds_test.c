@@ -148,7 +148,8 @@ static void what_goes_straight_and_what_deforms(void) {
   EXPECT(lower <= 0.75 && 0.75 <= upper && upper - lower < 1e-6);
   EXPECT(tamis_world_copy_contacts(world, 0, 1, &contact, sizeof contact) == TAMIS_OK && contact.bodies[0] == soft);
   EXPECT(tamis_world_safe_step(world, 0.5, NULL, &safe) == TAMIS_OK);
-  EXPECT(fabs(safe.lower - 0.375) < 1e-6 && safe.pair.bodies[0] == soft && safe.pair.bodies[1] == 0 && safe.pair.distance == 3);
+  EXPECT(fabs(safe.lower - 0.375) < 1e-6 && safe.pair.bodies[0] == soft && safe.pair.bodies[1] == 0 &&
+         safe.pair.distance == 3);
   motion.vertex_count = 2;
   EXPECT(tamis_world_move(world, &soft, &motion) == TAMIS_INVALID_STEP);
   EXPECT_SAYS(tamis_world_message(world), "give one point a vertex");

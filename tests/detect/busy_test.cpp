@@ -5,6 +5,7 @@
 #include <atomic>
 #include <optional>
 #include <thread>
+#include <type_traits>
 #include <utility>
 
 #include "support/every_question.hpp"
@@ -168,6 +169,22 @@ TEST_F(BusyDetector, MayBeMovedByItsOwnFilter) {
   EXPECT_TRUE(contacts.ask(detector) == contacts.ask(plain));
   ASSERT_TRUE(moved);
   EXPECT_TRUE(contacts.ask(*moved) == contacts.ask(plain));
+}
+
+// In `for (const Contact& c : Detector(mesh).contacts(step))` the detector is gone before the loop begins.
+TEST_F(BusyDetector, WithoutANameLeavesItsListsToTheCaller) {
+  const auto one = [&] { return Detector(scene_.mesh()); };
+  Detector kept = one();
+  const auto expect_own = [](auto&& list, const auto& expected) {
+    static_assert(std::is_rvalue_reference_v<decltype(list)>);
+    EXPECT_EQ(list.size(), expected.size());
+    EXPECT_FALSE(list.empty());
+  };
+  const double distance = edge_of_sheets(kCells);
+  expect_own(one().contacts(scene_.step()), kept.contacts(scene_.step()));
+  expect_own(one().contacts(path_), kept.contacts(path_));
+  expect_own(one().pairs_within(scene_.start, distance), kept.pairs_within(scene_.start, distance));
+  static_assert(std::is_same_v<decltype(one().intersections(scene_.start)), std::vector<Intersection>>);
 }
 
 }  // namespace

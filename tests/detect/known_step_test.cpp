@@ -37,6 +37,7 @@ TEST_P(KnownStep, FallsUntilTheFractionIsLeft) {
       ASSERT_TRUE(safe.pair);
       EXPECT_EQ(safe.pair->vertices, (std::array<Index, 4>{3, 0, 1, 2}));
       EXPECT_EQ(safe.pair->distance, 1);
+      EXPECT_EQ(safe.pair->direction, (Point{0, 0, 1}));
     }
 }
 

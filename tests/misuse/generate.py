@@ -50,7 +50,7 @@ def is_output(parameter: str) -> bool:
 
 def functions(text: str) -> "list[tuple[str, list[str]]]":
     """Declarations with parameters, without a body: what is asked of an object, or of nothing."""
-    found = re.findall(r"^ *(?:explicit |(?:[\w:<>&]+(?: [\w:<>&]+)*? ))?(\w+)\(([^;{}]*(?:\{\}[^;{}]*)*)\)(?: const)?;", text,
+    found = re.findall(r"^ *(?:explicit |(?:[\w:<>&]+(?: [\w:<>&]+)*? ))?(\w+)\(([^;{}]*(?:\{\}[^;{}]*)*)\)(?: const| &)?;", text,
                        re.MULTILINE)
     return [(name, split(listed)) for name, listed in found if listed.strip() and name not in LOOKS_UP]
 

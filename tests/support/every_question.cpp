@@ -35,13 +35,6 @@ Numbers numbers_of(const EarliestContact& first) {
   return numbers;
 }
 
-Numbers numbers_of(const SafeStep& safe) {
-  Numbers numbers{safe.lower, safe.upper};
-  if (!safe.pair) return numbers;
-  append_all(numbers, numbers_of(std::vector{*safe.pair}));
-  return numbers;
-}
-
 Numbers numbers_of(const std::vector<NearPair>& pairs) {
   Numbers numbers;
   for (const NearPair& p : pairs) {
@@ -49,6 +42,12 @@ Numbers numbers_of(const std::vector<NearPair>& pairs) {
     append_all(numbers, p.vertices);
     append_all(numbers, p.direction);
   }
+  return numbers;
+}
+
+Numbers numbers_of(const SafeStep& safe) {
+  Numbers numbers{safe.lower, safe.upper};
+  if (safe.pair) append_all(numbers, numbers_of(std::vector{*safe.pair}));
   return numbers;
 }
 

@@ -10,6 +10,7 @@
 #include "tamis/mesh.hpp"
 #include "tamis/options.hpp"
 #include "tamis/step.hpp"
+#include "tamis/step_length.hpp"
 
 namespace tamis::distributed {
 

@@ -7,7 +7,7 @@
 #include "kernels/contact_lanes.hpp"
 #include "kernels/crossings.hpp"
 #include "kernels/load_motion.hpp"
-#include "narrow/decided_by_crossing.hpp"
+#include "narrow/clipped_crossing.hpp"
 
 namespace tamis::TAMIS_ISA {
 
@@ -57,7 +57,7 @@ void filter_deviating(const MotionView& motion, double deviation, const PairBuff
 /// Writes the lanes of `left` to `out`; `pairs` names each lane's pair. Returns the new number of entries.
 inline int write_solved(const Crossing<DoubleLanes>& crossing, const TimeInterval<DoubleLanes>& part, unsigned left,
                         const std::int32_t* pairs, SolvedPair* out, int count) {
-  const auto c = decided_by_crossing(crossing, part);
+  const auto c = clipped_crossing(crossing, part);
   const ContactLanes contacts(c.lower, c.upper, c.u, c.v, c.normal);
   const unsigned touches = bits(c.touches);
   for_each_bit(left, [&](int i) { out[count++] = contacts.solved(pairs[i], touches >> i & 1, i); });

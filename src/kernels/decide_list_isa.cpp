@@ -4,7 +4,7 @@
 #include "kernels/crossings.hpp"
 #include "kernels/isa_declarations.hpp"
 #include "kernels/load_motion.hpp"
-#include "narrow/decided_by_crossing.hpp"
+#include "narrow/clipped_crossing.hpp"
 
 namespace tamis::TAMIS_ISA {
 namespace {
@@ -107,7 +107,7 @@ class ListDecision {
   /// Writes what the crossing decides of the batch; returns the lanes that it does not.
   template <Axes axes>
   unsigned leaves_undecided(const ClippedBatch<kind, axes>& batch, const Crossing<DoubleLanes>& crossing) {
-    const auto s = decided_by_crossing(crossing, batch.clip);
+    const auto s = clipped_crossing(crossing, batch.clip);
     const unsigned lanes = batch.lanes;
     const unsigned free = lanes & bits(s.is_free), touches = lanes & ~free & bits(s.touches);
     const unsigned late = touches & bits(s.lower > DoubleLanes(list_.latest));

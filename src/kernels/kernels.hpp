@@ -145,7 +145,7 @@ struct PairKernels {
   /// enough.
   void (*measure)(const PackedVertex* vertices, const PairBuffer& in, NearPair* out) = nullptr;
   /// Decides the pairs of a list on the whole step, each with the bits of decide(), as far as crossings in doubles do
-  /// (narrow/decided_by_crossing.hpp). Writes results[places[i]]. The places of other pairs go to `undecided`, whose
+  /// (narrow/clipped_crossing.hpp). Writes results[places[i]]. The places of other pairs go to `undecided`, whose
   /// number is returned: these are for decide(), or their coordinates are not finite. `rest` is scratch.
   int (*decide_list)(const ListedPairs& list, const PairBuffer& in, PairBuffer& rest, PairResult* results,
                      std::int32_t* undecided) = nullptr;

@@ -8,14 +8,7 @@
 #include "filters/slab_clip.hpp"
 #include "motion/pair_kinds.hpp"
 #include "narrow/contact_normal.hpp"
-#include "narrow/decide_in_doubles.hpp"
-#include "narrow/decided_by_crossing.hpp"
-#include "narrow/decided_by_crossings.hpp"
-#include "narrow/decided_in_plane.hpp"
-#include "narrow/fine_crossing.hpp"
-#include "narrow/fine_separation.hpp"
-#include "narrow/pair_beginnings.hpp"
-#include "narrow/recontact.hpp"
+#include "narrow/decisions.hpp"
 #include "numerics/assert.hpp"
 
 namespace tamis {

@@ -1,12 +1,13 @@
-#include "narrow/decide_in_doubles.hpp"
-
+// What doubles decide of one pair during a time: the slab clip, and in what that leaves a subdivision in time, or with
+// a separation an advancement.
 #include <algorithm>
 #include <vector>
 
 #include "distance/turning_gap.hpp"
 #include "filters/ncf.hpp"
 #include "filters/slab_clip.hpp"
-#include "narrow/decided_by_crossing.hpp"
+#include "narrow/clipped_crossing.hpp"
+#include "narrow/decisions.hpp"
 #include "narrow/first_within.hpp"
 #include "numerics/assert.hpp"
 

@@ -1,8 +1,7 @@
-#include "narrow/decided_by_crossings.hpp"
-
+// What one certified crossing decides of one pair, or two in halves of its time: most pairs, and what lanes decide.
 #include "filters/slab_clip.hpp"
-#include "narrow/decide_in_doubles.hpp"
-#include "narrow/decided_by_crossing.hpp"
+#include "narrow/clipped_crossing.hpp"
+#include "narrow/decisions.hpp"
 
 namespace tamis {
 namespace {
@@ -15,7 +14,7 @@ std::optional<PairResult> decided_after_clip(const PairMotion<double>& m, double
   if (is_proven_free(clip, latest)) return PairResult{};
   if (clip.t_in == 0 && may_start_coplanar(m)) return {};
   const auto part = widened(clip);
-  const auto s = decided_by_crossing(
+  const auto s = clipped_crossing(
       axes == SlabClip::Axes::coordinates ? find_crossing<kind>(m, part) : find_crossing_in_halves<kind>(m, part),
       clip);
   if (s.is_free) return PairResult{};

@@ -1,11 +1,11 @@
-#include "narrow/decided_in_plane.hpp"
-
+// Edges that move in one plane across a coordinate axis, as all of a 2D simulation do. They are coplanar at all times,
+// so that no crossing tells when they touch; but they touch first where an end of one comes to the other, and there
+// this other crosses the line through that end which stands upright on the plane.
 #include <algorithm>
 #include <cmath>
 
 #include "distance/turning_gap.hpp"
-#include "narrow/decided_by_crossings.hpp"
-#include "narrow/fine_crossing.hpp"
+#include "narrow/decisions.hpp"
 
 namespace tamis {
 namespace {

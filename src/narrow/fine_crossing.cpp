@@ -1,11 +1,12 @@
-#include "narrow/fine_crossing.hpp"
-
+// A crossing that doubles leave undecided, in double-double: when a pair touches that is known to, and whether a pair
+// touches that passes close to a border of its features. What exact algebra would answer, in a fraction of its time.
 #include <algorithm>
 #include <cmath>
 
 #include "motion/pair_kinds.hpp"
 #include "narrow/crossing_sides.hpp"
 #include "narrow/crossing_slope.hpp"
+#include "narrow/decisions.hpp"
 #include "numerics/assert.hpp"
 
 namespace tamis {

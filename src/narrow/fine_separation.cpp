@@ -1,10 +1,10 @@
-#include "narrow/fine_separation.hpp"
-
+// When a pair first comes within its separation, sharpened in double-double where doubles give too wide a bracket.
 #include <algorithm>
 #include <cmath>
 
 #include "distance/orthogonal_axis.hpp"
 #include "motion/pair_kinds.hpp"
+#include "narrow/decisions.hpp"
 #include "numerics/assert.hpp"
 #include "numerics/scale.hpp"
 

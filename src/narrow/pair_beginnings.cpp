@@ -1,12 +1,13 @@
-#include "narrow/pair_beginnings.hpp"
-
+// Pairs that move much farther than they and their gap are large: in the unit of the whole step rounding makes points
+// of them, which may have met at once. So beginnings of the step are decided, each longer than the one before and in
+// units of time and length of its own, until the features separate for good.
 #include <algorithm>
 #include <cmath>
 
 #include "motion/pair_kinds.hpp"
 #include "motion/polynomials.hpp"
 #include "narrow/advancement.hpp"
-#include "narrow/decide_in_doubles.hpp"
+#include "narrow/decisions.hpp"
 #include "numerics/assert.hpp"
 
 namespace tamis {

@@ -1,11 +1,12 @@
-#include "narrow/recontact.hpp"
-
+// Recontact: a pair that is within its separation at t=0 may leave it and come back. In doubles; asked of each such
+// pair where contacts at the start are ignored.
 #include <algorithm>
 #include <cmath>
 
 #include "distance/orthogonal_axis.hpp"
 #include "motion/difference_corners.hpp"
 #include "narrow/advancement.hpp"
+#include "narrow/decisions.hpp"
 #include "narrow/first_within.hpp"
 
 namespace tamis {

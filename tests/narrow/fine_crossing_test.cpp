@@ -1,13 +1,12 @@
 // Double-double's crossings against exact algebra, whose answer it must give to the bit or not at all.
 // TAMIS_CROSSING_CASES sets the number of cases a family.
-#include "narrow/fine_crossing.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
 #include "exact/exact.hpp"
 #include "narrow/decide.hpp"
+#include "narrow/decisions.hpp"
 #include "support/ask_pair.hpp"
 #include "support/pair_cases.hpp"
 #include "support/test_data.hpp"

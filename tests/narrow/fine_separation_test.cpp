@@ -1,13 +1,12 @@
 // Double-double's first time within a separation against exact algebra, whose answer it must give to the bit or not at
 // all. TAMIS_SEPARATION_CASES sets the number of cases a family.
-#include "narrow/fine_separation.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include "exact/exact.hpp"
+#include "narrow/decisions.hpp"
 #include "support/ask_pair.hpp"
 #include "support/pair_cases.hpp"
 #include "support/test_data.hpp"

@@ -1,12 +1,11 @@
 // Pairs that go far for their size, against exact algebra.
-#include "narrow/pair_beginnings.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "exact/exact.hpp"
 #include "motion/pair_kinds.hpp"
+#include "narrow/decisions.hpp"
 #include "support/ask_pair.hpp"
 #include "support/pair_cases.hpp"
 

@@ -1,13 +1,12 @@
 // Pairs that touch at the start, in doubles, against exact algebra. TAMIS_LEAVING_CASES sets the number of cases a
 // family.
-#include "narrow/recontact.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "exact/exact.hpp"
 #include "narrow/decide.hpp"
+#include "narrow/decisions.hpp"
 #include "support/ask_pair.hpp"
 #include "support/pair_cases.hpp"
 #include "support/test_data.hpp"

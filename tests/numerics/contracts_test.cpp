@@ -10,7 +10,7 @@
 #include "exact/root_isolation.hpp"
 #include "motion/pair_kinds.hpp"
 #include "narrow/decide.hpp"
-#include "narrow/decide_in_doubles.hpp"
+#include "narrow/decisions.hpp"
 #include "narrow/first_within.hpp"
 #include "narrow/kept_distance.hpp"
 #include "numerics/interval.hpp"

@@ -18,7 +18,7 @@ inline TimeInterval<T> widened(const TimeInterval<T>& time) {
 /// Restricts a crossing that was found in widened(clip) to `clip`. It decides the pair if it is free or touches then; a
 /// contact whose bracket is not sharp does not count as decided.
 template <class T>
-inline Crossing<T> decided_by_crossing(Crossing<T> c, const TimeInterval<T>& clip) {
+inline Crossing<T> clipped_crossing(Crossing<T> c, const TimeInterval<T>& clip) {
   c.lower = max(c.lower, clip.t_in);
   c.upper = min(c.upper, clip.t_out);
   c.touches = c.touches & is_sharp(c.lower, c.upper);

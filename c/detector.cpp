@@ -1,10 +1,23 @@
 #include "c/detector.hpp"
 
+#include <algorithm>
+#include <string>
+
 #include "c/mesh.hpp"
 #include "c/options.hpp"
 #include "c/sized.hpp"
 
 using namespace tamis::c;
+
+namespace {
+
+tamis::Stored known_stored(int32_t stored) {
+  if (stored != TAMIS_FLOAT64 && stored != TAMIS_FLOAT32)
+    throw InvalidArgument("stored is " + std::to_string(stored) + ": give TAMIS_FLOAT64 or TAMIS_FLOAT32");
+  return static_cast<tamis::Stored>(stored);
+}
+
+}  // namespace
 
 tamis_status tamis_detector_create(const tamis_mesh* mesh, const tamis_options* options, tamis_detector** detector) {
   return make_handle(detector, [&](tamis_detector& handle) {
@@ -47,6 +60,18 @@ tamis_status tamis_detector_safe_step(tamis_detector* detector, const tamis_step
   return ask(detector, step, [&](tamis_detector& handle, const tamis::Step& s, const tamis::QueryOptions& q) {
     write_sized(tamis_safe_step{}, answer, "answer");  // refused before the work
     write_sized(answer_of(handle.asked->safe_step(s, keep, q)), answer, "answer");
+  });
+}
+
+tamis_status tamis_detector_truncate(tamis_detector* detector, const tamis_step* step, double keep, int32_t stored,
+                                     double* positions, double* fractions, int* is_free) {
+  return ask(detector, step, [&](tamis_detector& handle, const tamis::Step& s, const tamis::QueryOptions& q) {
+    double& first = required(positions, "positions");
+    int& free = required(is_free, "is_free");
+    const tamis::TruncatedStep reached = handle.asked->truncate(s, keep, q, known_stored(stored));
+    copy_points(reached.positions, &first);
+    if (fractions) std::copy(reached.fractions.begin(), reached.fractions.end(), fractions);
+    free = reached.is_free ? 1 : 0;
   });
 }
 

@@ -9,8 +9,8 @@
 #include "cli/output_file.hpp"
 #include "cli/progress.hpp"
 #include "cli/start_check.hpp"
-#include "cli/verbs/bodies_film.hpp"
-#include "cli/verbs/bodies_table.hpp"
+#include "cli/verbs/bodies/bodies_film.hpp"
+#include "cli/verbs/bodies/bodies_table.hpp"
 #include "io/bodies/bodies_csv.hpp"
 #include "io/format.hpp"
 

@@ -1,4 +1,4 @@
-#include "cli/verbs/bodies_film.hpp"
+#include "cli/verbs/bodies/bodies_film.hpp"
 
 #include <fmt/format.h>
 

@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "cli/verbs/moving_bodies.hpp"
+#include "cli/verbs/bodies/moving_bodies.hpp"
 #include "io/view/recording.hpp"
 
 namespace tamis::cli {

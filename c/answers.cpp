@@ -1,6 +1,9 @@
-#include "tamis/statistics.hpp"
-
 #include "c/answers.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "c/kind.hpp"
 
 namespace tamis::c {
 
@@ -34,3 +37,14 @@ tamis_statistics statistics_of(const Statistics& s, std::vector<std::string>& na
 }
 
 }  // namespace tamis::c
+
+using namespace tamis::c;
+
+tamis_status tamis_weights_of(int32_t kind, double u, double v, double* weights) {
+  Outcome outcome;
+  return attempt(outcome, [&] {
+    double* to = &required(weights, "weights");
+    const std::array<double, 4> answer = tamis::weights_of(known_kind(kind), u, v);
+    std::copy(answer.begin(), answer.end(), to);
+  });
+}

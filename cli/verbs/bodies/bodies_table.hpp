@@ -6,7 +6,7 @@
 
 #include "cli/report.hpp"
 #include "cli/start_check.hpp"
-#include "cli/verbs/moving_bodies.hpp"
+#include "cli/verbs/bodies/moving_bodies.hpp"
 
 namespace tamis::cli {
 

@@ -1,4 +1,4 @@
-#include "cli/verbs/moving_bodies.hpp"
+#include "cli/verbs/bodies/moving_bodies.hpp"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "cli/verbs/bodies_table.hpp"
+#include "cli/verbs/bodies/bodies_table.hpp"
 
 #include <fmt/format.h>
 

@@ -12,12 +12,18 @@ namespace {
 /// The least share of the gap between the features for one that moves.
 constexpr double kLeastShare = 1.0 / 64;
 
-/// The first feature's share of the gap: the faster feature gets more.
-double first_share(double first_speed, double second_speed) {
-  const double speeds = first_speed + second_speed;
-  if (!(speeds > 0)) return 0.5;
-  const double share = first_speed / speeds;
-  return share == 0 || share == 1 ? share : std::clamp(share, kLeastShare, 1 - kLeastShare);
+/// How a feature moves along n, towards the other.
+struct Approach {
+  double speed = 0;     ///< of the vertex that closes in fastest; 0 if none does
+  double rounding = 0;  ///< of a vertex' position, the largest
+  bool needs_room() const { return speed > 0 || rounding > 0; }
+};
+
+/// The first feature's share of the gap: the faster one gets more, one that needs no room none.
+double first_share(const Approach& first, const Approach& second) {
+  if (first.needs_room() != second.needs_room()) return first.needs_room() ? 1 : 0;
+  const double speeds = first.speed + second.speed;
+  return speeds > 0 ? std::clamp(first.speed / speeds, kLeastShare, 1 - kLeastShare) : 0.5;
 }
 
 /// When does a point that is at `place` at the time `from` reach the level? At once if it is beyond, and still is at
@@ -28,10 +34,11 @@ double time_of_reaching(double level, double place, double speed, double from) {
   return place <= level && time > from ? std::min(time, 1.0) : from;  // not a number: not beyond
 }
 
-/// An upper bound of how far rounding moves a vertex along n.
+/// An upper bound of how far rounding moves a vertex along n. A coordinate that does not change is not rounded.
 double rounding_along(const Point& n, const Point& start, const Point& end, Stored stored) {
   double sum = 0;
-  for (std::size_t k = 0; k < 3; ++k) sum += std::fabs(n[k]) * max_rounding(start[k], end[k], stored);
+  for (std::size_t k = 0; k < 3; ++k)
+    if (start[k] != end[k]) sum += std::fabs(n[k]) * max_rounding(start[k], end[k], stored);
   return sum;
 }
 
@@ -51,23 +58,26 @@ std::array<double, 4> planar_times(const NearPair& there, const PairPoints& poin
   const PairPoints at = at_rest_at(points, time);
   const Point n{-there.direction[0], -there.direction[1], -there.direction[2]};  // from the first to the second
   const std::size_t second = second_feature(there.kind), count = vertex_count(there.kind);
-  std::array<double, 4> places{}, speeds{}, times{};
-  double below = -HUGE_VAL, above = HUGE_VAL, first_speed = 0, second_speed = 0;
+  std::array<double, 4> places{}, speeds{}, roundings{}, times{};
+  double below = -HUGE_VAL, above = HUGE_VAL;
+  std::array<Approach, 2> approaches;
   for (std::size_t i = 0; i < count; ++i) {
     places[i] = dot(n, difference(at.start[i], at.start[0]));
     speeds[i] = dot(n, difference(points.end[i], points.start[i]));
+    roundings[i] = rounding_along(n, points.start[i], points.end[i], rule.stored);
     i < second ? below = std::max(below, places[i]) : above = std::min(above, places[i]);
-    i < second ? first_speed = std::max(first_speed, speeds[i]) : second_speed = std::max(second_speed, -speeds[i]);
+    Approach& own = approaches[i < second ? 0 : 1];
+    own.speed = std::max(own.speed, i < second ? speeds[i] : -speeds[i]);
+    own.rounding = std::max(own.rounding, roundings[i]);
   }
   const double at_start = time > 0 ? start_distance(there.kind, points) : there.distance;
   const double clearance = at_start - rule.separation;
   const double kept = clearance > 0 ? rule.separation + rule.fractions.between_planes(time) * clearance : at_start;
-  const double gap = std::max(above - below - kept, 0.0), share = first_share(first_speed, second_speed);
+  const double gap = std::max(above - below - kept, 0.0), share = first_share(approaches[0], approaches[1]);
   const double first_level = below + share * gap, second_level = above - (1 - share) * gap;
   for (std::size_t i = 0; i < count; ++i) {
-    const double rounding = rounding_along(n, points.start[i], points.end[i], rule.stored);
-    times[i] = i < second ? time_of_reaching(first_level - rounding, places[i], speeds[i], time)
-                          : time_of_reaching(-second_level - rounding, -places[i], -speeds[i], time);
+    times[i] = i < second ? time_of_reaching(first_level - roundings[i], places[i], speeds[i], time)
+                          : time_of_reaching(-second_level - roundings[i], -places[i], -speeds[i], time);
   }
   return times;
 }

@@ -101,7 +101,8 @@ void Truncation::stop_far_motions() {
       std::ranges::any_of(mesh_.points(), [&](Index v) { return goes_farther(displacement_length(step_, v), fine); }))
     edges = mean_edges_of_bodies(mesh_, step_.start);
   for_each_in_parts(mesh_.points(), kVerticesPerPart, [&](Index v) {
-    const double edge = edges.empty() ? mean : std::clamp(edges[at(v)], fine, mean);
+    const bool has_own = !edges.empty() && edges[at(v)] > 0;  // loose points have none
+    const double edge = has_own ? std::clamp(edges[at(v)], fine, mean) : mean;
     if (const double length = displacement_length(step_, v); goes_farther(length, edge))
       stop(v, common_time_ + kFarthestInMeanEdges * edge / length);
   });

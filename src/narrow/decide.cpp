@@ -7,6 +7,7 @@
 #include "exact/exact.hpp"
 #include "filters/slab_clip.hpp"
 #include "motion/pair_kinds.hpp"
+#include "motion/polynomials.hpp"
 #include "narrow/contact_normal.hpp"
 #include "narrow/decisions.hpp"
 #include "numerics/assert.hpp"

@@ -58,12 +58,12 @@ double kept(double distance, const PairMotion<double>& m, double fraction, int r
   return (m.separation + fraction * clearance) * (1 + rounding * 8 * kRoundoff);
 }
 
-/// Until when a pair without clearance at t=0 obeys the rule.
+/// Until when a pair without clearance at t=0 obeys the rule: not all of the step if it comes back at the end of it.
 double keeps_without_clearance_until(PairKind kind, const PairPoints& points, const DistanceRule& rule,
                                      PrecisionCount& decided_by) {
   if (!rule.ignores_start) return 0;
   const PairResult again = decide_recontact({kind, points, rule.min_separation}, decided_by);
-  return again.touches ? again.toi_lower : 1;
+  return again.touches ? std::min(again.toi_lower, 1 - kRoundoff) : 1;
 }
 
 }  // namespace

@@ -40,6 +40,9 @@ class Recontact {
     return {time, distance, probe_.touches(distance)};
   }
 
+  /// Certified.
+  bool is_apart(const Probed& at) const { return probe_.prove_apart(at.time, at.distance).until > at.time; }
+
   /// An upper bound of the distance at `time`, from two points of the features with fixed weights. The vector between
   /// these is linear in time, so between two times it is no longer than at one of them.
   double distance_at_most(double time, const ClosestPoints& points) const {
@@ -64,12 +67,13 @@ class Recontact {
     for (int probes = 0; !grows(last.time, next.time); ++probes) {
       const double first = last.distance.length - m_.separation, then = next.distance.length - m_.separation;
       const double part = std::clamp(first / (first - then), 0.125, 0.875);
-      const Probed now = probed_at((1 - part) * last.time + part * next.time);
+      Probed now = probed_at((1 - part) * last.time + part * next.time);
+      // What parts steadily is at its separation there, neither within it nor proven apart.
+      if (!now.touches && !is_apart(now)) now = probed_at(0.5 * (now.time + next.time));
       if (probes == kMaxLeavingProbes || !(last.time < now.time && now.time < next.time)) return {};
       (now.touches ? last : next) = now;
     }
-    const bool is_apart = probe_.prove_apart(next.time, next.distance).until > next.time;  // certified
-    if (!is_apart || !stays_within(start, last, kMostHalvings)) return {};
+    if (!is_apart(next) || !stays_within(start, last, kMostHalvings)) return {};
     return first_within(kind, m_, {next.time, 1});
   }
 

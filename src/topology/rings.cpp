@@ -1,6 +1,10 @@
 #include "topology/rings.hpp"
 
 #include <algorithm>
+#include <functional>
+#include <numeric>
+#include <utility>
+#include <vector>
 
 #include "numerics/assert.hpp"
 #include "tamis/components.hpp"
@@ -8,15 +12,32 @@
 namespace tamis {
 namespace {
 
-void sort_once_each(std::vector<Index>& vertices) {
-  std::sort(vertices.begin(), vertices.end());
-  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
-}
+/// The vertices that are so many edges from a feature, and those that are one fewer.
+struct Ring {
+  explicit Ring(std::span<const Index> feature) : vertices(feature.begin(), feature.end()) { sort_once_each(); }
 
-bool share(std::span<const Index> sorted, std::span<const Index> vertices) {
-  return std::any_of(vertices.begin(), vertices.end(),
-                     [&](Index v) { return std::binary_search(sorted.begin(), sorted.end(), v); });
-}
+  void sort_once_each() {
+    std::sort(vertices.begin(), vertices.end());
+    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+  }
+  bool has(Index v) const { return std::binary_search(vertices.begin(), vertices.end(), v); }
+  std::size_t neighbour_count(const IndexRows& next_to) const {
+    return std::transform_reduce(vertices.begin(), vertices.end(), std::size_t{0}, std::plus(),
+                                 [&](Index v) { return next_to[v].size(); });
+  }
+  /// Goes on to the next ring: a neighbour of a ring is in that ring, in the one before it, or in the next.
+  void grow(const IndexRows& next_to) {
+    Ring next({});
+    for (const Index v : vertices)
+      for (const Index w : next_to[v])
+        if (!has(w) && !std::binary_search(before.begin(), before.end(), w)) next.vertices.push_back(w);
+    next.sort_once_each();
+    next.before = std::move(vertices);
+    *this = std::move(next);
+  }
+
+  std::vector<Index> vertices, before;
+};
 
 }  // namespace
 
@@ -26,19 +47,16 @@ Rings::Rings(const Mesh& mesh, int rings) : rings_(rings) {
 }
 
 bool Rings::search(std::span<const Index> first, std::span<const Index> second) const {
-  // A neighbour of a ring is in that ring, in the one before it, or in the next.
-  std::vector<Index> before, ring(first.begin(), first.end()), next;
-  sort_once_each(ring);
-  for (int distance = 0; !share(ring, second); before.swap(ring), ring.swap(next)) {
-    if (++distance == rings_ || ring.empty()) return false;
-    next.clear();
-    for (const Index v : ring)
+  Ring near(first), far(second);
+  if (std::any_of(second.begin(), second.end(), [&](Index v) { return near.has(v); })) return true;
+  for (int distance = 1;; ++distance) {
+    if (far.neighbour_count(next_to_) < near.neighbour_count(next_to_)) std::swap(near, far);
+    for (const Index v : near.vertices)
       for (const Index w : next_to_[v])
-        if (!std::binary_search(before.begin(), before.end(), w) && !std::binary_search(ring.begin(), ring.end(), w))
-          next.push_back(w);
-    sort_once_each(next);
+        if (far.has(w)) return true;
+    if (distance + 1 >= rings_ || near.vertices.empty()) return false;
+    near.grow(next_to_);
   }
-  return true;
 }
 
 }  // namespace tamis

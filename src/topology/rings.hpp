@@ -16,7 +16,7 @@ class Rings {
   /// Is there more than one ring? If not, only features with a common vertex are neighbours.
   bool any() const { return rings_ > 1; }
   /// Is the shortest way along edges of the mesh, from a vertex of the one feature to one of the other, shorter than
-  /// the rings? Goes from ring to ring around the first. REQUIRES: vertices of the mesh.
+  /// the rings? Goes from ring to ring around both, always where there are fewer edges. REQUIRES: vertices of the mesh.
   bool are_neighbours(std::span<const Index> first, std::span<const Index> second) const {
     return any() && search(first, second);
   }

@@ -175,6 +175,58 @@ TEST(Truncate, PointsAloneGoTheirWay) {
   EXPECT_LT(to.positions[1][0] - to.positions[0][0], 0.2);
 }
 
+// Bug: what touches at the start, and is ignored for it, came back to touch at the very end.
+TEST(Truncate, WhatIsIgnoredAtTheStartDoesNotTouchAtTheEnd) {
+  const std::vector<Point> start{{0, 0, 0}, {1, 0, 2}, {0, 1, 2}, {0, 0, 0}};
+  const std::vector<Point> end{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0.25, 0.25, 0}};
+  Detector detector(Mesh(4, {{0, 1, 2}}, {}, {3}));
+  const QueryOptions ignore{.at_start = AtStart::ignore};
+  const TruncatedStep to = detector.truncate({start, end}, 0.1, ignore);
+  EXPECT_TRUE(to.is_free);
+  EXPECT_TRUE(detector.is_free({start, to.positions}, ignore));
+  EXPECT_TRUE(detector.safe_step({start, end}, 0.1, ignore).pair.has_value());
+}
+
+/// Far aside a point touches a triangle, so that no vertex goes a common way first.
+void add_touching(std::vector<Point>& points) {
+  for (const Point& p : {Point{10, 0, 0}, Point{11, 0, 0}, Point{10, 1, 0}, Point{10.25, 0.25, 0}}) points.push_back(p);
+}
+
+// Bug: a point has no edges, and went no farther than a part of the finest body's, wherever that was.
+TEST(Truncate, APointGoesOnHoweverFineABodyIsElsewhere) {
+  for (const double size : {1.0, 1e-3, 1e-6}) {
+    std::vector<Point> start{{100, 0, 0}, {100 + size, 0, 0}, {100, size, 0}, {0, 0, 100}};
+    add_touching(start);
+    std::vector<Point> end = start;
+    end[3][0] += 1;
+    const TruncatedStep to = Detector(Mesh(8, {{0, 1, 2}, {4, 5, 6}}, {}, {3, 7})).truncate({start, end}, 0.1);
+    EXPECT_GT(to.fractions[3], 0.1) << size;
+  }
+}
+
+// Bug: a face that slides within its plane, or from it by rounding, was held by what falls on it: its side of the
+// planes had no room at all.
+TEST(Truncate, AFaceSlidesBelowWhatFallsOnIt) {
+  for (const Stored stored : {Stored::float64, Stored::float32})
+    for (int turn = 0; turn < 24; ++turn) {
+      const double c = std::cos(0.1 * turn), s = std::sin(0.1 * turn);
+      const auto turned = [&](const Point& p) { return Point{p[0], c * p[1] - s * p[2], s * p[1] + c * p[2]}; };
+      std::vector<Point> start, end;
+      for (const Point& p : {Point{0, 0, 0.5}, Point{1, 0, 0.5}, Point{0, 1, 0.5}}) {
+        start.push_back(turned(p));
+        end.push_back(turned({p[0] + 0.1, p[1] + 0.05, p[2]}));
+      }
+      start.push_back(turned({0.25, 0.25, 0.7}));
+      end.push_back(turned({0.25, 0.25, -0.3}));
+      add_touching(start);
+      if (stored == Stored::float32) start = as_floats(start);
+      end.insert(end.end(), start.begin() + 4, start.end());
+      const auto to = Detector(Mesh(8, {{0, 1, 2}, {4, 5, 6}}, {}, {3, 7})).truncate({start, end}, 0.1, {}, stored);
+      for (const std::size_t v : {0, 1, 2}) EXPECT_GT(to.fractions[v], 0.5) << turn << ", vertex " << v;
+      EXPECT_GT(to.fractions[3], 0.1) << turn;
+    }
+}
+
 // Bug: the pairs that `pairs_within` has found are those of the search for planes.
 TEST(Truncate, LeavesOtherAnswersAlone) {
   const Scene scene = two_falls(0.5, 1);

@@ -84,6 +84,19 @@ TEST(Recontact, ProvesNearlyAllOrdinaryPairs) {
   }
 }
 
+// Bug: the secant of a distance that grows steadily meets the separation itself, where nothing is proven.
+TEST(Recontact, WhatPartsSteadilyIsProvenToStayApart) {
+  for (const double height : {0.3, 1.0, 3.0})
+    for (const double slope : {0.0, 0.4}) {
+      const Point above{0.25 - slope * height, 0.25, height};
+      const PairPoints parts{{{{0.25, 0.25, 0}, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}}},
+                             {{above, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}}}};
+      const auto answer =
+          first_recontact_within(PairKind::vertex_face, make_motion(PairKind::vertex_face, parts, 0.01));
+      EXPECT_TRUE(answer && answer->is_free()) << height << ", " << slope;
+    }
+}
+
 // Bug: a pair that comes back late in the step is taken for one that stays, or for one that is gone.
 TEST(Recontact, WhatComesBackIsNotFree) {
   // An edge that turns away from the point by one end, and back to it by the other.

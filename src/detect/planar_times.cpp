@@ -75,10 +75,9 @@ std::array<double, 4> planar_times(const NearPair& there, const PairPoints& poin
   const double kept = clearance > 0 ? rule.separation + rule.fractions.between_planes(time) * clearance : at_start;
   const double gap = std::max(above - below - kept, 0.0), share = first_share(approaches[0], approaches[1]);
   const double first_level = below + share * gap, second_level = above - (1 - share) * gap;
-  for (std::size_t i = 0; i < count; ++i) {
+  for (std::size_t i = 0; i < count; ++i)
     times[i] = i < second ? time_of_reaching(first_level - roundings[i], places[i], speeds[i], time)
                           : time_of_reaching(-second_level - roundings[i], -places[i], -speeds[i], time);
-  }
   return times;
 }
 

@@ -49,9 +49,9 @@ inline std::vector<std::array<double, 8>> at_rest(Detector& detector, const Step
   return rows;
 }
 
-/// What can be asked of a step; the first three are about contacts alone.
+/// What can be asked of a step; the first three are about contacts alone, `truncate` is the last.
 enum class Asked : std::uint8_t { contacts, earliest, is_free, safe_step, at_rest, truncate };
-constexpr Index kAsked = 6, kAskedOfContacts = 3;
+constexpr Index kAsked = static_cast<Index>(Asked::truncate) + 1, kAskedOfContacts = 3;
 
 /// Before the question, so that nothing of the trees was left to visit.
 inline bool was_listed(const Detector& detector) { return detector.statistics().nodes_visited == 0; }

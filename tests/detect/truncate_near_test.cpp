@@ -222,7 +222,7 @@ TEST(Truncate, AFaceSlidesBelowWhatFallsOnIt) {
       if (stored == Stored::float32) start = as_floats(start);
       end.insert(end.end(), start.begin() + 4, start.end());
       const auto to = Detector(Mesh(8, {{0, 1, 2}, {4, 5, 6}}, {}, {3, 7})).truncate({start, end}, 0.1, {}, stored);
-      for (const std::size_t v : {0, 1, 2}) EXPECT_GT(to.fractions[v], 0.5) << turn << ", vertex " << v;
+      for (std::size_t v = 0; v < 3; ++v) EXPECT_GT(to.fractions[v], 0.5) << turn << ", vertex " << v;
       EXPECT_GT(to.fractions[3], 0.1) << turn;
     }
 }

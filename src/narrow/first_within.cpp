@@ -94,7 +94,7 @@ double apart_from(const SeparationProbe<kind, double>& probe, double separation,
   double proven = probe.prove_apart(now, distance).until;
   if (!(distance.length > kClearlyApart * separation)) return proven;
   for (double part = 0x1p-20; !(proven > now) && part < 0x1p-4; part *= 4) {
-    const double later = now * (1 + part);
+    const double later = std::min(now * (1 + part), 1.0);  // error bounds are of times in the step
     const ApartProof<double> proof = probe.prove_apart(later, probe.distance_at(later));
     if (proof.until > later && probe.clip().apart_since(later, proof.axis) <= now) proven = proof.until;
   }
@@ -123,7 +123,7 @@ Decision first_within(PairKind kind, const PairMotion<double>& m, const TimeInte
 }
 
 double apart_until(PairKind kind, const PairMotion<double>& m, double from, double until) {
-  TAMIS_ASSERT(0 <= from && from <= 1);
+  TAMIS_ASSERT(0 <= from && from <= 1 && until <= 1);
   return with_kind(kind, [&](auto k) { return apart_until<k()>(m, from, until); });
 }
 

@@ -134,6 +134,13 @@ tamis_status tamis_between(const tamis_pose* start, const tamis_pose* end, const
   });
 }
 
+tamis_status tamis_pose_at(const tamis_link* links, size_t count, double time, tamis_pose* pose) {
+  Outcome outcome;
+  return attempt(outcome, [&] {
+    required(pose, "pose") = to_c(tamis::pose_at(chain_of(array(links, count, "links"), count), time));
+  });
+}
+
 tamis_status tamis_nlerp_deviation(const tamis_pose* start, const tamis_pose* end, double* part) {
   Outcome outcome;
   return attempt(outcome, [&] {

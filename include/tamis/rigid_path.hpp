@@ -40,6 +40,10 @@ Chain turned(const Pose& start, const Point& turn, const Point& end_position, co
 /// From one pose to the other by the shorter turn about a fixed axis, at constant speed (slerp), while `center` goes
 /// straight. The turn is computed in doubles: the end is reached within some 1e-15 of the body's size.
 Chain between(const Pose& start, const Pose& end, const Point& center = {0, 0, 0});
+/// Where a chain takes its body at `time`, as after a step of which that part is safe. Of one link as it goes, of more
+/// by a turn of at most pi, off by some 1e-15. Throws InvalidPath on numbers that are not finite, and on a time outside
+/// [0,1].
+Pose pose_at(const Chain& chain, double time);
 /// Engines that blend quaternions and normalize them (nlerp) go the way of `between` at another speed: no point is ever
 /// farther from where `between` has it than this, times its distance from the center. What is free by `between` with as
 /// much separation is free by theirs. Throws InvalidPath on numbers that are not finite.

@@ -28,7 +28,7 @@ from tamis._pair_distance import distance_of, safe_step
 from tamis._pairs import PairResult, Pairs, narrow_phase
 from tamis._paths._function_path import FunctionPath
 from tamis._paths._path import BezierPath, CatmullRomPath, Path
-from tamis._paths._rigid_path import RigidPath, between, interpolated, nlerp_deviation, pose_of, turned
+from tamis._paths._rigid_path import RigidPath, between, interpolated, nlerp_deviation, pose_at, pose_of, turned
 from tamis._scenes import Scene, scene, scene_names, simulate, simulated_scenes
 from tamis._statistics import Statistics
 from tamis._tables._contacts import Contact, Contacts
@@ -109,6 +109,7 @@ __all__ = [
     "interpolated",
     "narrow_phase",
     "nlerp_deviation",
+    "pose_at",
     "pose_of",
     "read_frames",
     "read_gltf",

@@ -46,6 +46,24 @@ def test_chains_of_many_poses() -> None:
         tamis.between(start, end, center=end[:4, 1])
 
 
+def test_pose_on_a_chain() -> None:
+    """As many at once as one by one; a slerp is at its poses at the ends."""
+    start, end = np.random.default_rng(3).uniform(-1, 1, size=(2, 5, 2, 3))  # turned by less than pi
+    chains = tamis.between(start, end, center=end[:, 1])
+    halfway = tamis.pose_at(chains, 0.5)
+    assert halfway.shape == (5, 2, 3)
+    assert np.array_equal(halfway, [tamis.pose_at(chain, 0.5) for chain in chains])
+    assert np.allclose(tamis.pose_at(chains, 0), start, atol=1e-14)
+    assert np.array_equal(tamis.pose_at(tamis.interpolated(start, end), 1), end)
+    assert tamis.pose_at(chains[:0], 0.5).shape == (0, 2, 3)
+    with pytest.raises(tamis.InvalidPath, match=r"chain has the shape \(5, 2, 3\)"):
+        tamis.pose_at(start, 0.5)
+    with pytest.raises(tamis.InvalidPath, match="time is 2: give a number"):
+        tamis.pose_at(chains, 2)
+    with pytest.raises(tamis.InvalidPath, match="chain"):
+        tamis.pose_at(np.full((1, 4, 3), np.nan), 0.5)
+
+
 def test_chains_begin_and_end_at_their_poses() -> None:
     """Bug: the rotation of the start was dropped, so that a turned body was asked about where it is not."""
     random = np.random.default_rng(2)

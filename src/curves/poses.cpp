@@ -66,6 +66,11 @@ Point shorter_turn(const Pose& start, const Pose& end) {
   return rotation_vector(cosine, axis);
 }
 
+void require_finite(const Pose& start, const Pose& end) {
+  if (!is_finite(start) || !is_finite(end))
+    throw InvalidPath("a pose is not finite: give finite positions and rotation vectors");
+}
+
 }  // namespace
 
 Pose pose_of_quaternion(const std::array<double, 4>& q, const Point& position) {
@@ -112,12 +117,22 @@ Chain between(const Pose& start, const Pose& end, const Point& center) {
   return turned(start, shorter_turn(start, end), where(end, center), center);
 }
 
+Pose pose_at(const Chain& chain, double time) {
+  if (!(0 <= time && time <= 1)) throw InvalidPath("time is " + number_text(time) + ": give a number in [0,1]");
+  for (const Link& link : chain) require_finite(link.start, link.end);
+  if (chain.empty()) return {};
+  if (const Link& link = chain.front(); chain.size() == 1)
+    return {rounded_linear(link.start.position, link.end.position, time).x,
+            rounded_linear(link.start.rotation, link.end.rotation, time).x};
+  const RoundedTransform there = transform_at(chain, time);
+  return pose_of_matrix(there.rows, there.shift);
+}
+
 /// With H half the angle, q goes straight from (1, 0) to (cos H, sin H): its angle h has h' = sin H / |q|^2, so that
 /// |h''| <= M = 4 sin H sin^2(H/2) / cos^4(H/2). h - t H is zero at 0, 1/2 and 1, so at most M / 32; the turn is twice
 /// that. The factor is far above what rounding does.
 double nlerp_deviation(const Pose& start, const Pose& end) {
-  if (!is_finite(start) || !is_finite(end))
-    throw InvalidPath("a pose is not finite: give finite positions and rotation vectors");
+  require_finite(start, end);
   const Point turn = shorter_turn(start, end);
   const double half = 0.5 * std::hypot(turn[0], turn[1], turn[2]);
   const double sine = std::sin(0.5 * half), square = std::pow(std::cos(0.5 * half), 2);

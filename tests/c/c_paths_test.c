@@ -158,7 +158,7 @@ static void other_paths(void) {
 static void poses_of_engines(void) {
   const double half = sqrt(0.5), quaternion[] = {half, 0, 0, (float)half}, rows[] = {0, -1, 0, 1, 0, 0, 0, 0, 1};
   const double origin[] = {0, 0, 0}, center[] = {1, 0, 0}, none[] = {2, 0, 0, 0}, nan_position[] = {0, NAN, 0};
-  tamis_pose start = {{0, 0, 0}, {0, 0, 0}}, end, same;
+  tamis_pose start = {{0, 0, 0}, {0, 0, 0}}, end, same, there;
   tamis_link links[2];
   double part = -1;
   EXPECT(tamis_pose_of_quaternion(quaternion, origin, &end) == TAMIS_OK &&
@@ -169,6 +169,10 @@ static void poses_of_engines(void) {
   EXPECT(tamis_between(&start, &same, center, links) == TAMIS_OK);
   EXPECT(links[0].start.position[0] == 1 && fabs(links[0].end.position[1] - 1) < 1e-15);
   EXPECT(links[1].start.position[0] == -1);
+  EXPECT(tamis_pose_at(links, 2, 1, &there) == TAMIS_OK && fabs(there.rotation[2] - same.rotation[2]) < 1e-15);
+  EXPECT(tamis_pose_at(links, 2, 2, &there) == TAMIS_INVALID_PATH);
+  EXPECT(tamis_pose_at(NULL, 1, 0, &there) == TAMIS_INVALID_ARGUMENT);
+  EXPECT(tamis_pose_at(NULL, 0, 0, &there) == TAMIS_OK && there.position[0] == 0);
   EXPECT(tamis_nlerp_deviation(&start, &same, &part) == TAMIS_OK && 0.03 < part && part < 0.04);
   EXPECT(tamis_nlerp_deviation(&start, &start, &part) == TAMIS_OK && part == 0);
   EXPECT(tamis_nlerp_deviation(&start, &same, NULL) == TAMIS_INVALID_ARGUMENT);

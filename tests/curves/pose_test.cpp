@@ -69,6 +69,44 @@ TEST(Pose, OfHalfTurnsIsKnown) {
   EXPECT_EQ(pose_of_quaternion({-1, 0, 0, 0}, {1, 2, 3}).position, (Point{1, 2, 3}));
 }
 
+/// Where the chain takes the axes at a time, by the path's own arithmetic.
+Rows axes_at(const Chain& chain, double time) {
+  const RigidPath path({{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {0, 0, 0}, {chain});
+  const std::array<Index, 3> all{0, 1, 2};
+  Rows points{};
+  std::array<double, 3> errors{};
+  path.points_at(time, all, points, errors);
+  return points;
+}
+
+TEST(Pose, OnAChainIsWhereThePathHasTheBody) {
+  std::mt19937_64 random(2);
+  std::uniform_real_distribution<double> number(-2, 2);
+  const auto point = [&] { return Point{number(random), number(random), number(random)}; };
+  for (int i = 0; i < 200; ++i) {
+    const Pose start{point(), point()}, end{point(), point()};
+    for (const Chain& chain : {interpolated(start, end), between(start, end, point()), turned(start, point(), point()),
+                               Chain{{start, end}, {end, start}, {start, start}}, Chain{}})
+      for (const double time : {0.0, 0.3, 1.0}) {
+        const Pose there = pose_at(chain, time);
+        expect_near(axes_at(interpolated(there, there), 0), axes_at(chain, time), 2e-14);
+      }
+    EXPECT_EQ(pose_at(interpolated(start, end), 0).rotation, start.rotation);
+    EXPECT_EQ(pose_at(interpolated(start, end), 1).position, end.position);
+  }
+}
+
+TEST(Pose, OnAChainOutsideOfTheStepIsRefused) {
+  for (const double time : {-0.1, 1.1, std::nan("")}) EXPECT_THROW(pose_at({}, time), InvalidPath);
+  EXPECT_THROW(pose_at(interpolated({{std::nan(""), 0, 0}, {}}, {}), 0), InvalidPath);
+  try {
+    pose_at({}, 2);
+    FAIL();
+  } catch (const InvalidPath& e) {
+    EXPECT_STREQ(e.what(), "time is 2: give a number in [0,1]");
+  }
+}
+
 TEST(Pose, OfNoRotationIsRefused) {
   EXPECT_NO_THROW(pose_of_quaternion({1.00004, 0, 0, 0}, {}));
   EXPECT_THROW(pose_of_quaternion({1.0001, 0, 0, 0}, {}), InvalidPath);

@@ -32,6 +32,8 @@ TAMIS_API tamis_status tamis_turned(const tamis_pose* start, const double* turn,
 /** The same from one pose to the other, by the shorter turn (slerp). */
 TAMIS_API tamis_status tamis_between(const tamis_pose* start, const tamis_pose* end, const double* center,
                                      tamis_link* links);
+/** Writes where a chain takes its body at a time in [0,1], as after a step of which that part is safe. */
+TAMIS_API tamis_status tamis_pose_at(const tamis_link* links, size_t count, double time, tamis_pose* pose);
 /** For engines that blend quaternions and normalize them (nlerp): writes how far a point is at most from where
  * tamis_between has it, as a part of its distance from the center. Ask with as much separation. */
 TAMIS_API tamis_status tamis_nlerp_deviation(const tamis_pose* start, const tamis_pose* end, double* part);

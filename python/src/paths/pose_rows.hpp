@@ -18,4 +18,9 @@ const Element& row(const Array& array, std::size_t i) {
   return reinterpret_cast<const Element*>(array.data())[i];
 }
 
+inline Chain chain_at(const Chains& chains, std::size_t i) {
+  const Link* first = &row<Link>(chains, i * chains.shape(1));
+  return {first, first + chains.shape(1)};
+}
+
 }  // namespace tamis::python

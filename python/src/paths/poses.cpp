@@ -54,6 +54,12 @@ nb::object each_between(const PoseRows& start, const PoseRows& end, const PointR
   });
 }
 
+nb::object each_pose_at(const Chains& chains, double time) {
+  std::vector<Pose> poses;
+  for (std::size_t i = 0; i < chains.shape(0); ++i) poses.push_back(pose_at(chain_at(chains, i), time));
+  return own<double>(std::move(poses));
+}
+
 nb::object each_nlerp_deviation(const PoseRows& start, const PoseRows& end) {
   std::vector<double> parts;
   for (std::size_t i = 0; i < start.shape(0); ++i)
@@ -73,6 +79,7 @@ void bind_poses(nb::module_& module) {
   module.def("interpolated", &each_interpolated);
   module.def("turned", &each_turned);
   module.def("between", &each_between);
+  module.def("pose_at", &each_pose_at);
   module.def("nlerp_deviation", &each_nlerp_deviation);
 }
 

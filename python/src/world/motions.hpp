@@ -14,11 +14,7 @@ struct AtPoses {
 struct ByChains {
   Chains chains;
   std::size_t count() const { return chains.shape(0); }
-  BodyMotion operator[](std::size_t i) const {
-    const std::size_t links = chains.shape(1);
-    const auto* first = reinterpret_cast<const Link*>(chains.data()) + i * links;
-    return Rigid{{first, first + links}};
-  }
+  BodyMotion operator[](std::size_t i) const { return Rigid{chain_at(chains, i)}; }
 };
 
 struct OneDeforming {

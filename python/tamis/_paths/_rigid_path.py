@@ -9,7 +9,7 @@ import numpy.typing as npt
 
 from tamis import _core
 from tamis._arrays import Doubles, doubles, finite, indices, numbers, packed_rows, point_frames, shape_text
-from tamis._checks import shown
+from tamis._checks import number, shown
 from tamis._errors import InvalidPath
 from tamis._paths._path import CompiledPath
 
@@ -166,6 +166,33 @@ def between(start: npt.ArrayLike, end: npt.ArrayLike, *, center: npt.ArrayLike |
     """
     (first, last), is_one = _alike(start=_poses(start, "start"), end=_poses(end, "end"))
     return _chains(_core.between(first, last, _centers(center, len(first))), 2, is_one)
+
+
+def pose_at(chain: npt.ArrayLike, time: float) -> Doubles:
+    """Say where a chain takes its body, as after a step of which a part is safe.
+
+    Parameters
+    ----------
+    chain : array_like, shape (links, 4, 3) or (n, links, 4, 3)
+        A chain, or one for each of n bodies.
+    time : float
+        In [0, 1].
+
+    Returns
+    -------
+    array, shape (2, 3) or (n, 2, 3)
+        Position and rotation vector: of one link as it goes, of more links as a turn of at most pi.
+
+    Raises
+    ------
+    InvalidPath
+        Other shapes, numbers that are not finite, or a time outside [0, 1].
+    """
+    chains = numbers(chain, "chain", InvalidPath)
+    if chains.ndim not in (3, 4) or chains.shape[-2:] != (4, 3):
+        raise InvalidPath(f"chain has the shape {shape_text(chains)}: give (links, 4, 3), or as many as you like at once")
+    many = doubles(chains if chains.ndim == 4 else chains[np.newaxis])
+    return _core.pose_at(finite(many, "chain", InvalidPath), number(time, "time", InvalidPath)).reshape(*chains.shape[:-3], 2, 3)
 
 
 def nlerp_deviation(start: npt.ArrayLike, end: npt.ArrayLike) -> Doubles:

@@ -36,6 +36,7 @@ _NAMED: Mapping[str, Any] = {
     "bodies": [0, 1],
     "body": 0,
     "body_of_vertex": np.zeros(6, int),
+    "chain": tamis.interpolated(_POSE, _POSE),
     "chains": [tamis.interpolated(_POSE, _POSE)],
     "control_points": np.stack([START, END]),
     "distance": 1.5,

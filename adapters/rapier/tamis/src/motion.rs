@@ -23,6 +23,15 @@ impl Pose {
         })?;
         Ok(pose)
     }
+
+    /// Where these links, of one chain, take their body at a time in [0, 1], as after a step of which that part is safe.
+    pub fn on(chain: &[Link], time: f64) -> Result<Pose, Error> {
+        let mut pose = Pose::default();
+        // SAFETY: as many links as it says.
+        let status = unsafe { sys::tamis_pose_at(chain.as_ptr(), chain.len(), time, &mut pose) };
+        check(status, || format!("no pose at {time} of {chain:?}: give finite numbers and a time in [0, 1]"))?;
+        Ok(pose)
+    }
 }
 
 /// A pose whose position and rotation vector go linearly from `start` (t=0) to `end` (t=1). Any angle.

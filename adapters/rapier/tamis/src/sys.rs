@@ -118,6 +118,7 @@ extern "C" {
     pub fn tamis_shape_free(shape: *mut tamis_shape);
     pub fn tamis_shape_message(shape: *const tamis_shape) -> *const c_char;
     pub fn tamis_between(start: *const Pose, end: *const Pose, center: *const f64, links: *mut Link) -> c_int;
+    pub fn tamis_pose_at(links: *const Link, count: usize, time: f64, pose: *mut Pose) -> c_int;
     pub fn tamis_pose_of_quaternion(quaternion: *const f64, position: *const f64, pose: *mut Pose) -> c_int;
     pub fn tamis_turned(
         start: *const Pose,

@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "audit/frame_source.hpp"
-#include "audit/options.hpp"
 
 namespace tamis::audit {
 

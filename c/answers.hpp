@@ -6,7 +6,6 @@
 
 #include "tamis/statistics.hpp"
 #include "tamis/tamis.h"
-#include "tamis/world.hpp"
 
 namespace tamis::c {
 

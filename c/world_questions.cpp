@@ -1,6 +1,5 @@
 // Questions to a world.
 #include "c/motions.hpp"
-#include "c/poses.hpp"
 #include "c/world.hpp"
 
 namespace tamis::c {

@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <cstdio>
-
 #include "cli/command_line/printable.hpp"
 
 namespace tamis::cli {

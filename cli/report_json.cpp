@@ -1,7 +1,5 @@
 #include <fmt/format.h>
 
-#include <cstdio>
-
 #include "cli/command_line/printable.hpp"
 #include "cli/report.hpp"
 

@@ -9,7 +9,6 @@
 #include "cli/look_output.hpp"
 #include "cli/progress.hpp"
 #include "cli/report.hpp"
-#include "cli/step_files.hpp"
 #include "cli/verbs/moving_frames.hpp"
 #include "io/scale_step.hpp"
 

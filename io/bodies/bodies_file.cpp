@@ -1,6 +1,5 @@
 #include "io/bodies/bodies_file.hpp"
 
-#include <algorithm>
 #include <map>
 
 #include "io/error.hpp"

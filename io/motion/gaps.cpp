@@ -3,7 +3,6 @@
 #include <cstdint>
 #include <optional>
 
-#include "io/error.hpp"
 #include "io/motion/mesh_frames.hpp"
 
 namespace tamis::io {

@@ -1,7 +1,5 @@
 #include "io/motion/mesh_frames.hpp"
 
-#include <algorithm>
-
 #include "io/error.hpp"
 
 namespace tamis::io {

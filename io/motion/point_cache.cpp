@@ -1,6 +1,5 @@
 #include "io/motion/point_cache.hpp"
 
-#include <array>
 #include <bit>
 #include <cstring>
 

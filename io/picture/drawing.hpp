@@ -3,7 +3,6 @@
 #include <memory>
 #include <optional>
 #include <span>
-#include <vector>
 
 #include "tamis/mesh.hpp"
 #include "tamis/step.hpp"

@@ -1,7 +1,5 @@
 #include "io/picture/shading.hpp"
 
-#include <numbers>
-
 namespace tamis::io {
 
 float sky_at(const Drawing& surfaces, const Place& place, float turn, std::size_t part) {

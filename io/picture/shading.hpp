@@ -1,7 +1,6 @@
 // Light and colours.
 #pragma once
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
 

@@ -4,11 +4,8 @@
 #include <array>
 #include <cstdint>
 #include <optional>
-#include <span>
 #include <string>
 #include <vector>
-
-#include "tamis/detector.hpp"
 
 namespace tamis::io {
 

@@ -3,8 +3,6 @@
 #include <b64/encode.h>
 #include <zlib.h>
 
-#include <limits>
-#include <stdexcept>
 #include <string_view>
 
 #include "io/atomic_file.hpp"

@@ -1,6 +1,5 @@
 #include "mpi/command/step_parts.hpp"
 
-#include <algorithm>
 #include <numeric>
 #include <optional>
 

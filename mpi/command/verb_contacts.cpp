@@ -1,8 +1,6 @@
 // tamis-mpi contacts: all contacts of a step.
 #include <fmt/format.h>
 
-#include <cstdio>
-
 #include "cli/answers.hpp"
 #include "cli/command_line/printable.hpp"
 #include "cli/output_file.hpp"

@@ -1,6 +1,5 @@
 #include "mpi/src/deliver.hpp"
 
-#include <algorithm>
 #include <map>
 #include <tuple>
 

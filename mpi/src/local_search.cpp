@@ -1,6 +1,5 @@
 #include "mpi/src/local_search.hpp"
 
-#include <algorithm>
 #include <atomic>
 
 namespace tamis::distributed {

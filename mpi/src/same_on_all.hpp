@@ -1,6 +1,5 @@
 // What all ranks must say alike: options, and questions.
 #pragma once
-#include <optional>
 #include <string>
 #include <vector>
 

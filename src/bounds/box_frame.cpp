@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "bounds/box.hpp"
 #include "bounds/fine_place.hpp"

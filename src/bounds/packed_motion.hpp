@@ -9,7 +9,6 @@
 #include "bounds/box_frame.hpp"
 #include "motion/separations.hpp"
 #include "numerics/held_bytes.hpp"
-#include "numerics/vec.hpp"
 #include "tamis/step.hpp"
 
 namespace tamis {

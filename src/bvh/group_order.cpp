@@ -1,6 +1,5 @@
 #include "bvh/group_order.hpp"
 
-#include <algorithm>
 #include <array>
 #include <utility>
 

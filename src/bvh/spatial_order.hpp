@@ -1,7 +1,6 @@
 // Orders features in space, so that every block of a tree over them is compact.
 #pragma once
 #include <cstddef>
-#include <cstdint>
 #include <functional>
 #include <span>
 

@@ -1,7 +1,5 @@
 #include "tamis/rigid_path.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <string>
 
 #include "curves/chain_motion.hpp"

@@ -1,7 +1,6 @@
 #include "detect/truncation.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "exact/start_distance.hpp"
 #include "narrow/near_pair.hpp"

@@ -1,6 +1,5 @@
 #include "exact/start_distance.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>

@@ -3,10 +3,8 @@
 #pragma once
 #include <cstddef>
 #include <cstdint>
-#include <span>
 
 #include "bvh/block_tree.hpp"
-#include "motion/pair_kinds.hpp"
 #include "tamis/contact.hpp"
 #include "tamis/options.hpp"
 #include "tamis/pair.hpp"

@@ -4,7 +4,6 @@
 // side on which the first feature was. Doubles tell where they can, integers the rest (docs/numerics.md, "Normals").
 #pragma once
 #include "motion/make_motion.hpp"
-#include "motion/pair_kinds.hpp"
 #include "motion/time_clip.hpp"
 #include "tamis/pair.hpp"
 

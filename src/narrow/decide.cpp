@@ -1,11 +1,9 @@
 #include "narrow/decide.hpp"
 
-#include <algorithm>
 #include <optional>
 
 #include "distance/turning_gap.hpp"
 #include "exact/exact.hpp"
-#include "filters/slab_clip.hpp"
 #include "motion/pair_kinds.hpp"
 #include "motion/polynomials.hpp"
 #include "narrow/contact_normal.hpp"

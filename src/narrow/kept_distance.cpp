@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "distance/orthogonal_axis.hpp"
 #include "exact/start_distance.hpp"

@@ -1,6 +1,5 @@
 #include "world/body_shape.hpp"
 
-#include <cmath>
 #include <string>
 
 #include "curves/rigid_transform.hpp"

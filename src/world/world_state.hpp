@@ -2,7 +2,6 @@
 // is gathered (world/gathering.hpp), and detectors are asked.
 #pragma once
 #include <functional>
-#include <memory>
 #include <optional>
 #include <set>
 #include <vector>

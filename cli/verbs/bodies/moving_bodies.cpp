@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "cli/command_line/messages.hpp"
-#include "io/error.hpp"
 
 namespace tamis::cli {
 

@@ -1,7 +1,6 @@
 // Who knows which vertex: every rank keeps the book for a range of numbers, and tells those who ask. Asked once, when a
 // detector is made.
 #pragma once
-#include <functional>
 #include <vector>
 
 #include "mpi/src/communicator.hpp"
